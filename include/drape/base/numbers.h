@@ -1,0 +1,26 @@
+#pragma once
+
+#include <optional>
+#include <string>
+#include <string_view>
+
+namespace drape {
+
+/// Reads a whole text as a decimal number in the C locale, whatever the user's locale says.
+/// @return nothing if the text is empty, has anything else in it, or is out of a double's range. "nan" and "inf" are
+///         numbers here; the caller's range refuses them.
+std::optional<double> parse_real(std::string_view text);
+
+/// Reads a whole text as an integer in the C locale; nothing if it is anything else.
+std::optional<long long> parse_integer(std::string_view text);
+
+/// The shortest text that reads back as the same double, in the C locale.
+std::string real_text(double value);
+
+/// `value` with `digits` significant digits, in the C locale; 17 reads back as the same double.
+std::string real_text(double value, int digits);
+
+/// The 16 hexadecimal digits of a 64-bit hash.
+std::string hash_text(unsigned long long hash);
+
+}  // namespace drape

@@ -1,0 +1,34 @@
+#pragma once
+
+#include <array>
+#include <span>
+#include <vector>
+
+#include "drape/model/ball.h"
+#include "drape/model/cloth_model.h"
+
+namespace drape {
+
+/// A triangle of the cloth nearer to a ball than the cloth's thickness.
+struct Contact {
+    int triangle = 0;
+    int ball = 0;
+    std::array<Real, 3> barycentric{};  ///< of the triangle's point that is closest to the ball's centre
+    Vec3 point = Vec3::Zero();          ///< that point [m]
+    Vec3 normal = Vec3::Zero();         ///< from the ball to the cloth, length 1
+    Real depth = 0;                     ///< radius + thickness - distance > 0 [m]
+};
+
+/// The touched triangles, exactly: those whose distance to the ball's centre is at most radius + thickness.
+/// @param x n x 3 [m]
+/// @param cells candidate cells
+/// @param triangles receives the triangle numbers, in the order of `cells`; cleared first
+void find_touched_triangles(const Grid& grid, const Points& x, const Ball& ball, Real thickness,
+                            std::span<const int> cells, std::vector<int>& triangles);
+
+/// The contacts of the candidate cells' triangles with one ball, appended.
+/// @param ball_number is stored with each contact
+void find_contacts(const Grid& grid, const Points& x, const Ball& ball, int ball_number, Real thickness,
+                   std::span<const int> cells, std::vector<Contact>& contacts);
+
+}  // namespace drape

@@ -1,0 +1,34 @@
+#pragma once
+
+#include <memory>
+#include <span>
+#include <string>
+#include <vector>
+
+#include "drape/contact/contact.h"
+
+namespace drape {
+
+/// How contacts are answered.
+enum class ResponseKind { Projection };
+
+struct ResponseParameters {
+    ResponseKind kind = ResponseKind::Projection;
+    Real friction = Real(0.3);       ///< Coulomb coefficient
+    Real restitution = 0;            ///< of the normal speed
+    Real thickness = Real(0.002);    ///< [m]
+};
+
+/// Corrects positions and velocities so that the contacts' triangles stay out of the balls and do not enter them.
+/// Gauss-Seidel over the contacts in their order: each closest point is found anew before it is used.
+/// @param contacts as found at `state.x`; their points are updated
+/// @param h the substep [s]; normal speeds that gravity alone brings within it do not bounce
+/// @return the largest depth that is left [m], 0 if none
+/// @par Cost O(contacts), allocates nothing
+Real resolve_contacts(const ClothModel& model, const ResponseParameters& parameters, std::span<const Ball> balls, Real h,
+                      std::vector<Contact>& contacts, ClothState& state);
+
+/// The names of all kinds, in the order of the enumeration.
+std::span<const std::string> response_names();
+
+}  // namespace drape

@@ -1,0 +1,49 @@
+#pragma once
+
+#include <Eigen/Core>
+#include <cstdint>
+
+#include "drape/base/real.h"
+#include "drape/model/cloth_parameters.h"
+#include "drape/model/grid.h"
+
+namespace drape {
+
+/// The whole state of a cloth. An integrator remembers nothing else.
+struct ClothState {
+    Points x;  ///< n x 3 positions [m]
+    Points v;  ///< n x 3 velocities [m/s]
+};
+
+/// The air that the cloth moves in. It is constant over one step.
+struct Air {
+    Vec3 velocity = Vec3::Zero();  ///< [m/s]
+    Real density = 0;              ///< [kg/m^3]; 0 turns the force by triangle off
+};
+
+/// What the forces on a cloth depend on, besides its state: grid, masses, springs, pins, air.
+/// Invariant: `inverse_mass` is 0 for a pinned particle and 1/particle_mass for every other.
+struct ClothModel {
+    Grid grid;
+    Real hx = 0, hy = 0;                                  ///< rest length along columns and rows [m]
+    Real particle_mass = 0;                               ///< [kg]
+    Eigen::Array<Real, Eigen::Dynamic, 1> inverse_mass;   ///< n x 1 [1/kg]
+    SpringLaw structural, shear, bend;
+    Real drag = 0;                                        ///< [N s/m]
+    Vec3 gravity{0, Real(-9.81), 0};                      ///< [m/s^2]
+    Air air;
+    std::uint64_t revision = 0;  ///< changes with every change of masses, springs or pins: the key of cached factors
+
+    [[nodiscard]] bool pinned(int particle) const { return inverse_mass[particle] == 0; }
+
+    /// Holds a particle (it keeps whatever velocity it is given) or lets it go.
+    void hold(int particle, bool held);
+};
+
+/// @pre every length, mass and stiffness lies in its setting's range, and a pin list names particles of the grid.
+ClothModel make_cloth_model(const ClothParameters& parameters);
+
+/// The flat cloth at rest in its plane: x = origin + (i hx, 0, j hy) or origin + (i hx, -j hy, 0).
+ClothState make_rest_state(const ClothParameters& parameters);
+
+}  // namespace drape

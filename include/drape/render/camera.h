@@ -1,0 +1,55 @@
+#pragma once
+
+#include <Eigen/Core>
+
+#include "drape/sim/command.h"
+#include "drape/sim/simulation.h"
+
+namespace drape {
+
+/// A point and direction in the scene; the direction has length 1.
+struct Ray {
+    Vec3 origin;
+    Vec3 direction;
+};
+
+/// A perspective camera that orbits a target. Angles in radians, lengths in metres.
+class Camera {
+public:
+    /// Looks from `view.eye` to `view.target`.
+    explicit Camera(const ViewSettings& view);
+
+    /// Orbit, pan, zoom and frame; every other command passes by.
+    /// @param view what `frame` fits into the picture
+    void apply(const Command& command, const FrameView& view);
+
+    [[nodiscard]] Eigen::Vector3f eye() const;
+    [[nodiscard]] Eigen::Matrix4f view_matrix() const;
+    /// @param aspect width over height of the picture
+    [[nodiscard]] Eigen::Matrix4f projection_matrix(float aspect) const;
+
+    /// The ray through a pixel, (0, 0) at the top left.
+    [[nodiscard]] Ray ray(int x, int y, int width, int height) const;
+
+    /// The point where a ray meets the plane through `through` that faces the camera: how a dragged hand moves.
+    [[nodiscard]] Vec3 on_facing_plane(const Ray& ray, const Vec3& through) const;
+
+    /// Unit vectors for steering the ball: to the right and away from the viewer, both horizontal.
+    [[nodiscard]] Vec3 right() const;
+    [[nodiscard]] Vec3 ahead() const;
+
+private:
+    Eigen::Vector3f target_;
+    float yaw_, pitch_, distance_;
+};
+
+/// The particle of a cloth that a ray hits first, through the triangle it hits; `particle` is -1 if it hits none or a ball
+/// is before it.
+struct Pick {
+    int cloth = 0;
+    int particle = -1;
+    Vec3 point = Vec3::Zero();
+};
+Pick pick_particle(const FrameView& view, const Ray& ray);
+
+}  // namespace drape

@@ -1,0 +1,27 @@
+#pragma once
+
+#include <cstdint>
+#include <filesystem>
+#include <vector>
+
+namespace drape {
+
+/// A picture: 8-bit RGB, rows from the top.
+struct Image {
+    int width = 0;
+    int height = 0;
+    std::vector<std::uint8_t> rgb;
+
+    [[nodiscard]] const std::uint8_t* pixel(int x, int y) const {
+        return &rgb[3 * (static_cast<std::size_t>(y) * static_cast<std::size_t>(width) + static_cast<std::size_t>(x))];
+    }
+};
+
+/// Writes a PNG under a temporary name beside `file`, checks that it is whole on the disk, and renames it.
+/// @throws RunError naming the file and the reason; no half-written file of that name is ever left
+void write_png(const Image& image, const std::filesystem::path& file);
+
+/// @throws InputError if it is no PNG
+Image read_png(const std::filesystem::path& file);
+
+}  // namespace drape

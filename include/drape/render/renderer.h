@@ -1,0 +1,62 @@
+#pragma once
+
+#include <cstdint>
+#include <memory>
+#include <span>
+#include <string_view>
+
+#include "drape/render/camera.h"
+#include "drape/render/image.h"
+#include "drape/sim/simulation.h"
+
+namespace drape {
+
+/// What one frame cost, beside the steps in it.
+struct FrameReport {
+    std::int64_t frame = 0;
+    double gl_calls = 0;   ///< OpenGL calls made while drawing it
+    double vertices = 0;   ///< vertices sent through the pipeline
+    double draw_time = 0;  ///< wall time of `draw` [s]
+    double rate = 0;       ///< frames per second, averaged over the last second
+    double cpu = 0;        ///< processor time over wall time of this process, averaged over the last second
+};
+
+/// One field of a frame's report, for overlay and CSV.
+struct FrameField {
+    std::string_view name;
+    std::string_view unit;
+    double (*read)(const FrameReport&);
+};
+std::span<const FrameField> frame_fields();
+
+/// Draws a `FrameView` with OpenGL 3.3 core, multisampled, into the current context's framebuffer 0 or an own one.
+/// Needs a current context with GLEW initialised from construction to destruction.
+class Renderer {
+public:
+    /// @throws RunError with the compiler's log if a shader does not compile, or if OpenGL is older than 3.3
+    Renderer();
+    ~Renderer();
+    Renderer(const Renderer&) = delete;
+    Renderer& operator=(const Renderer&) = delete;
+
+    /// Size of the picture in pixels; below 1 x 1 nothing is drawn until the next call.
+    void resize(int width, int height);
+
+    /// Draws one frame: shadow, sky, ground, balls, cloths, what `settings->view` asks for, overlay.
+    /// @param notices lines for the user (an error, a lost replay), shown with the overlay or without
+    void draw(const FrameView& view, const Camera& camera, std::span<const std::string> notices);
+
+    /// Copies the drawn frame to framebuffer 0, for a window.
+    void present();
+
+    /// The drawn frame.
+    [[nodiscard]] Image read_back() const;
+
+    [[nodiscard]] const FrameReport& report() const;
+
+private:
+    struct Parts;
+    std::unique_ptr<Parts> parts_;
+};
+
+}  // namespace drape

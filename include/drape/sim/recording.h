@@ -1,0 +1,48 @@
+#pragma once
+
+#include <cstdint>
+#include <fstream>
+#include <string>
+#include <variant>
+#include <vector>
+
+#include "drape/sim/command.h"
+
+namespace drape {
+
+/// A line of a recording: a command, or the hash that the state had, before step number `step`.
+struct RecordedEntry {
+    std::int64_t step = 0;
+    std::variant<Command, std::uint64_t> content;
+};
+
+/// A recording as read from a file. Its text: a first line `drape-recording 1`, a line `scene NAME`, a line `set name=value`
+/// for each setting given at the start, then `STEP COMMAND` or `STEP hash HEX` a line, and a last line `STEP end`.
+struct Recording {
+    std::string scene;
+    std::vector<std::string> assignments;
+    std::vector<RecordedEntry> entries;
+    std::string notice;  ///< why it was cut short: truncated, or a line that is no command; empty if whole
+};
+
+/// @throws InputError if the file cannot be read or is no recording; a damaged tail is cut and said in `notice`
+Recording read_recording(const std::string& file);
+
+/// Writes a recording line by line, so that a crash loses at most the last one.
+class Recorder {
+public:
+    /// @throws RunError if the file cannot be created
+    Recorder(const std::string& file, const std::string& scene, const std::vector<std::string>& assignments);
+
+    void write(std::int64_t step, const Command& command);
+    void write_hash(std::int64_t step, std::uint64_t hash);
+
+    /// @throws RunError if not everything could be written
+    void close(std::int64_t step);
+
+private:
+    std::string file_;
+    std::ofstream out_;
+};
+
+}  // namespace drape

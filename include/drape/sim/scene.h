@@ -1,0 +1,22 @@
+#pragma once
+
+#include <filesystem>
+#include <string>
+#include <vector>
+
+#include "drape/sim/settings.h"
+
+namespace drape {
+
+/// Reads a scene by the name of a shipped one ("drop") or by the path of a TOML file.
+/// @throws InputError as `file:line:column: name = value: allowed ...`; an unknown key names the nearest known one
+Settings load_scene(const std::string& name_or_path);
+
+/// Reads a scene from text; `file` names it in errors.
+/// @throws InputError
+Settings parse_scene(std::string_view text, const std::string& file);
+
+/// The names of the shipped scenes in the order of the keys 1-9: `original` first, the rest by name.
+std::vector<std::string> scene_names();
+
+}  // namespace drape

@@ -1,0 +1,76 @@
+#pragma once
+
+#include <cstdint>
+#include <memory>
+#include <string>
+#include <vector>
+
+#include "drape/sim/recording.h"
+#include "drape/sim/simulation.h"
+
+namespace drape {
+
+/// A simulation in time, with its recording or its replay: the one loop that window, capture and lab share. Commands take
+/// effect between steps, and a recording keeps the number of the step before which each came.
+class Session {
+public:
+    explicit Session(Simulation simulation);
+
+    /// Writes every command from now on, and a hash now and then, to a file.
+    /// @param assignments that were applied to the scene's settings before the simulation was made
+    /// @throws RunError if it cannot be written
+    void record(const std::string& file, const std::vector<std::string>& assignments);
+
+    /// Feeds the commands of a recording as their steps come.
+    void replay(Recording recording);
+
+    /// Carries out a command and records it.
+    /// @throws InputError as `Simulation::apply`; it is not recorded then
+    void send(const Command& command);
+
+    /// Lets `elapsed` seconds of wall time pass: makes as many whole steps as fit, at most 0.25 s worth of them, and stops
+    /// early when they have taken `budget` seconds of wall time themselves. What is left over stays, what is cut is dropped.
+    /// Paused, it makes only the steps that were asked for.
+    void advance(double elapsed, double budget);
+
+    /// Makes steps until the simulated time is the last multiple of dt that is not beyond `time` [s]; pauses are passed over.
+    void run_until(double time);
+
+    /// Camera commands of a replay that came due since the last call, for whoever owns the camera.
+    [[nodiscard]] std::vector<Command> take_view_commands();
+
+    /// Between 0 and 1: how far the present lies beyond the last step.
+    [[nodiscard]] Real blend() const;
+
+    [[nodiscard]] FrameView view() { return simulation_.view(blend()); }
+    [[nodiscard]] Simulation& simulation() { return simulation_; }
+
+    /// Simulated seconds that were cut because the machine could not keep up or stood still.
+    [[nodiscard]] double dropped() const { return dropped_; }
+
+    /// What a replay has to say: that it ended early, or the first step whose hash differs. Empty while all is well.
+    [[nodiscard]] const std::string& replay_notice() const { return replay_notice_; }
+
+    /// Writes the closing hash of a recording and closes it; called by the destructor too.
+    /// @throws RunError if the file could not be written whole
+    void close();
+
+    ~Session();
+    Session(Session&&) noexcept;
+    Session& operator=(Session&&) noexcept;
+
+private:
+    void step();
+
+    Simulation simulation_;
+    std::unique_ptr<Recorder> recorder_;
+    Recording replay_;
+    std::size_t next_entry_ = 0;
+    std::vector<Command> view_commands_;
+    std::string replay_notice_;
+    std::int64_t steps_made_ = 0;  ///< by this session; a reset does not set it back
+    double behind_ = 0;   ///< time passed beyond the last step [s]
+    double dropped_ = 0;
+};
+
+}  // namespace drape

@@ -1,0 +1,76 @@
+#pragma once
+
+#include <cstddef>
+#include <functional>
+#include <span>
+#include <string>
+#include <string_view>
+#include <variant>
+#include <vector>
+
+#include "drape/sim/settings.h"
+
+namespace drape {
+
+/// A setting's value on its way between text, file and `Settings`: a flag, a number, a name or text, or a list of numbers
+/// (vectors, grids, pin lists; a path is its rows one after another).
+using SettingValue = std::variant<bool, double, std::string, std::vector<double>>;
+
+enum class SettingKind { Flag, Integer, Real, Choice, Text, Grid, Size, Vector, Pins, Path };
+
+/// The accepted numbers: low <= x <= high, or low < x <= high if `low_open`.
+struct Range {
+    double low;
+    double high;
+    bool low_open = false;
+};
+
+/// One row of the table of settings, from which the scene loader, `--set`, `--help`, the panel and the docs are made.
+struct Setting {
+    std::string section;  ///< of the scene file: "cloth", "ball", "solver", ...; empty for the title
+    std::string name;     ///< within the section, as in "dt" or "structural.stiffness"
+    SettingKind kind;
+    std::string unit;     ///< "s", "N/m", ...; empty if none
+    Range range;          ///< of every number in the value
+    std::vector<std::string> choices;  ///< of a Choice or of Pins
+    std::string help;     ///< one line
+    std::function<SettingValue(const Settings&, std::size_t)> read;        ///< of the index-th cloth or ball
+    std::function<void(Settings&, std::size_t, const SettingValue&)> write;  ///< the value was checked
+
+    [[nodiscard]] std::string full_name() const { return section.empty() ? name : section + "." + name; }
+};
+
+/// All settings, in the order of the scene file.
+std::span<const Setting> setting_table();
+
+/// The setting called `name`: its full name ("solver.dt") or, where only one setting ends so, its short one ("dt").
+/// @throws InputError that names the nearest known one, or the candidates of a short name that fits several
+const Setting& find_setting(std::string_view name);
+
+/// What is accepted, as an error message says it: "0 < dt <= 0.1 s", "'rk4' or 'velocity_verlet'".
+std::string accepted(const Setting& setting);
+
+/// Checks a value against the kind and the range.
+/// @return what is wrong, as "solver.dt = 5: allowed 0 < dt <= 0.1"; empty if nothing
+std::string refusal(const Setting& setting, const SettingValue& value);
+
+/// The value that a text stands for, unchecked but for its form. Lists are "1,2,3" or "[1, 2, 3]".
+/// @throws InputError
+SettingValue parse_value(const Setting& setting, std::string_view text);
+
+/// The text that `parse_value` reads back.
+std::string value_text(const SettingValue& value);
+
+/// Applies "name=value". The name of a cloth's or ball's setting sets all of them, or one: "ball[1].radius" is the
+/// second.
+/// @throws InputError whose text starts with the assignment; `settings` is then unchanged
+void assign(Settings& settings, std::string_view assignment);
+
+/// Checks that need more than one setting: pins on the grid, ascending path times, a ball path where motion is "path".
+/// @throws InputError
+void check(const Settings& settings);
+
+/// The table as text for `--help` and `list settings`: name, default, unit, range, help.
+std::string settings_help();
+
+}  // namespace drape

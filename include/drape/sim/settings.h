@@ -1,0 +1,95 @@
+#pragma once
+
+#include <array>
+#include <string>
+#include <vector>
+
+#include "drape/base/real.h"
+#include "drape/bounds/broad_phase.h"
+#include "drape/contact/response.h"
+#include "drape/integrate/integrator.h"
+#include "drape/model/cloth_parameters.h"
+
+namespace drape {
+
+/// What moves a ball: the keys, a path through points in time, or nothing.
+enum class BallMotion { Keys, Path, Still };
+
+/// A point of a ball's path: where its centre is at a time.
+struct PathPoint {
+    Real time = 0;                 ///< [s]
+    Vec3 centre = Vec3::Zero();    ///< [m]
+    bool operator==(const PathPoint&) const = default;
+};
+
+struct BallSettings {
+    Real radius = Real(0.3);
+    Vec3 position = Vec3::Zero();
+    Vec3 velocity = Vec3::Zero();
+    BallMotion motion = BallMotion::Keys;
+    Real speed = Real(0.8);          ///< under the keys [m/s]
+    Real mass = 1;
+    std::vector<PathPoint> path;     ///< times ascending; repeats after the last
+    bool operator==(const BallSettings&) const = default;
+};
+
+/// What to do with a state that is no longer finite or has gained energy from nowhere: freeze it and say so, or end.
+enum class OnUnstable { Warn, Stop };
+
+struct SolverSettings {
+    IntegratorKind integrator = IntegratorKind::VelocityVerlet;
+    Real dt = Real(2e-4);
+    OnUnstable on_unstable = OnUnstable::Warn;
+};
+
+struct ContactSettings {
+    VolumeKind volume = VolumeKind::Sphere;
+    UpdateKind update = UpdateKind::Rebuild;
+    int leaf_cells = 4;
+    ResponseKind response = ResponseKind::Projection;
+    Real friction = Real(0.3);
+    Real restitution = 0;
+    Real thickness = Real(0.002);
+    bool continuous = false;  ///< only false so far
+    bool self = false;        ///< only false so far
+};
+
+struct WindSettings {
+    bool on = false;
+    Vec3 velocity{Real(1.5), 0, Real(-2.5)};  ///< mean [m/s]
+    Real gust = Real(0.5);                    ///< amplitude of the gusts over the mean
+};
+
+/// What the picture shows besides cloth and ball. It changes no state.
+struct ViewSettings {
+    bool overlay = true;
+    bool help = false;
+    bool bounds = false;
+    int level = 3;
+    bool wireframe = false;
+    bool particles = false;  ///< particles and springs
+    bool contacts = false;
+    Vec3 eye{Real(1.6), Real(0.9), Real(2.2)};
+    Vec3 target{0, 0, 0};
+    Real ground = -1;        ///< height of the ground that is drawn [m]
+};
+
+/// What a scene must show, and no more: a bound on its error, for the lab.
+struct NeedsSettings {
+    Real position_error = 0;  ///< RMS, of the cloth's side; 0: not stated
+    Real horizon = Real(0.5);
+};
+
+/// Every knob of Drape, as `setting_table` describes it.
+struct Settings {
+    std::string title = "Untitled";
+    std::vector<ClothParameters> cloths{ClothParameters{}};
+    std::vector<BallSettings> balls;
+    SolverSettings solver;
+    ContactSettings contact;
+    WindSettings wind;
+    ViewSettings view;
+    NeedsSettings needs;
+};
+
+}  // namespace drape

@@ -1,0 +1,104 @@
+#pragma once
+
+#include <cstdint>
+#include <memory>
+#include <optional>
+#include <span>
+#include <string>
+#include <vector>
+
+#include "drape/bounds/broad_phase.h"
+#include "drape/contact/contact.h"
+#include "drape/integrate/integrator.h"
+#include "drape/model/ball.h"
+#include "drape/model/cloth_model.h"
+#include "drape/sim/command.h"
+#include "drape/sim/settings.h"
+#include "drape/sim/step_report.h"
+
+namespace drape {
+
+/// A cloth with all that its steps need.
+struct Cloth {
+    ClothModel model;
+    ClothState state;
+    ClothState previous;  ///< one step before `state`
+    std::unique_ptr<Integrator> integrator;
+    std::unique_ptr<BroadPhase> broad_phase;
+    std::vector<int> candidates;     ///< cells, of the last ball that was tested
+    std::vector<Contact> contacts;   ///< of the last step
+};
+
+/// What the renderer needs of a moment; all of it belongs to the simulation and lasts until its next change.
+struct FrameView {
+    std::span<const Cloth> cloths;
+    std::span<const Ball> balls;
+    std::span<const Ball> previous_balls;  ///< one step before
+    Real blend = 1;  ///< the picture shows previous + blend (now - previous)
+    const Settings* settings = nullptr;
+    const StepReport* report = nullptr;
+    std::string_view scene;  ///< name or path
+    bool paused = false;
+    bool held = false;  ///< the hand holds a particle
+};
+
+/// The cloths, the balls and the laws between them. Same settings and commands give the same bits.
+class Simulation {
+public:
+    /// @param scene name or path, for `Reset` to find again and for display
+    /// @throws InputError if the settings do not fit together
+    Simulation(std::string scene, Settings settings);
+
+    /// Carries out what concerns the simulation; camera, picture and quit pass by.
+    /// @throws InputError if the command names something that does not exist; nothing is changed then
+    void apply(const Command& command);
+
+    /// One substep: step, build, traverse, narrow, respond, report. Does nothing once diverged.
+    void step();
+
+    /// @param blend in [0, 1], between the last two states
+    [[nodiscard]] FrameView view(Real blend = 1);
+
+    [[nodiscard]] const StepReport& report() const { return report_; }
+    [[nodiscard]] const Settings& settings() const { return settings_; }
+    [[nodiscard]] std::span<const Cloth> cloths() const { return cloths_; }
+    [[nodiscard]] std::span<const Ball> balls() const { return balls_; }
+    [[nodiscard]] const std::string& scene() const { return scene_; }
+    [[nodiscard]] bool paused() const { return paused_; }
+
+    /// FNV-1a over the bits of every position and velocity of cloths and balls.
+    [[nodiscard]] std::uint64_t hash() const;
+
+    /// Steps that a `step` command asked for and that have not been made.
+    [[nodiscard]] int steps_wanted() const { return steps_wanted_; }
+
+private:
+    struct Hand {
+        int cloth;
+        int particle;
+        Vec3 target;
+        bool was_pinned;
+    };
+
+    void configure(Settings settings);
+    void restart();
+    void load(const std::string& scene);
+    void grab(const command::Grab& command);
+    void release();
+    void move_hand(Real h);
+    void move_balls(Real h);
+    void collide(Cloth& cloth, Real h);
+    void detect_divergence();
+
+    std::string scene_;
+    Settings settings_;
+    std::vector<Cloth> cloths_;
+    std::vector<Ball> balls_, previous_balls_;
+    Vec3 steer_ = Vec3::Zero();
+    std::optional<Hand> hand_;
+    StepReport report_;
+    bool paused_ = false;
+    int steps_wanted_ = 0;
+};
+
+}  // namespace drape

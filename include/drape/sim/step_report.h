@@ -1,0 +1,49 @@
+#pragma once
+
+#include <cstdint>
+#include <span>
+#include <string>
+#include <string_view>
+
+#include "drape/bounds/broad_phase.h"
+#include "drape/integrate/integrator.h"
+#include "drape/model/energy.h"
+
+namespace drape {
+
+/// Whether the run can go on.
+enum class Status { Ok, Diverged };
+
+/// Wall time of each stage of one step [s].
+struct StageTimes {
+    double step = 0, build = 0, traverse = 0, narrow = 0, respond = 0;
+    [[nodiscard]] double total() const { return step + build + traverse + narrow + respond; }
+};
+
+/// What one step was and did; each stage fills its fields as it ends.
+struct StepReport {
+    std::int64_t step = 0;         ///< steps since the start
+    double time = 0;               ///< simulated [s]
+    StageTimes times;
+    SolveReport solve;
+    TraversalStats traversal;
+    std::int64_t contacts = 0;     ///< triangles touching a ball
+    double penetration = 0;        ///< largest depth left after the response [m]
+    double rms_speed = 0;          ///< of the particles [m/s]
+    Energy energy;                 ///< filled by `Simulation::view`, not by every step
+    double stretch = 0;            ///< largest elongation of a structural spring, as `energy`
+    Status status = Status::Ok;
+    std::string trouble;           ///< one sentence on what broke, with particle and step; empty while all is well
+};
+
+/// One field of a report, for overlay, CSV and tests.
+struct ReportField {
+    std::string_view name;  ///< as in the CSV header
+    std::string_view unit;
+    double (*read)(const StepReport&);
+};
+
+/// All fields, in the order of the CSV.
+std::span<const ReportField> report_fields();
+
+}  // namespace drape
