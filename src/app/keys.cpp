@@ -9,10 +9,14 @@ namespace drape {
 
 std::string character_key(unsigned char code, bool shift) {
     switch (code) {
-        case ' ': return "Space";
-        case '\t': return "Tab";
-        case 27: return "Esc";
-        default: break;
+        case ' ':
+            return "Space";
+        case '\t':
+            return "Tab";
+        case 27:
+            return "Esc";
+        default:
+            break;
     }
     // Caps Lock changes the letter but not the key.
     const bool small = code >= 'a' && code <= 'z';

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -13,7 +14,11 @@ struct Options {
     std::string replay;                    ///< file to read; empty: none
     int width = 1280;
     int height = 720;
-    bool hash = false;                     ///< print the hash of the last state
+    bool hash = false;  ///< print the hash of the last state
 };
+
+/// @return nothing if the command line asked for text (`--help`, `--version`), which was printed
+/// @throws InputError
+std::optional<Options> read_options(int argc, char** argv);
 
 }  // namespace drape

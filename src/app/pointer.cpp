@@ -6,8 +6,8 @@ namespace drape {
 
 namespace {
 
-constexpr double full_drag = 4.0;      // rad: a drag over the height of the picture
-constexpr double wheel_factor = 0.9;   // of the distance, a notch
+constexpr double full_drag = 4.0;     // rad: a drag over the height of the picture
+constexpr double wheel_factor = 0.9;  // of the distance, a notch
 
 }  // namespace
 
@@ -50,12 +50,15 @@ std::vector<Command> Pointer::flush(const Sight& sight) {
     from_x_ = x_;
     from_y_ = y_;
     switch (doing_) {
-        case Doing::Orbiting: return {command::Orbit{-full_drag * across, full_drag * down}};
-        case Doing::Panning: return {command::Pan{-across, down}};
+        case Doing::Orbiting:
+            return {command::Orbit{-full_drag * across, full_drag * down}};
+        case Doing::Panning:
+            return {command::Pan{-across, down}};
         case Doing::Pulling:
             hand_ = sight.camera.on_facing_plane(sight.camera.ray(x_, y_, sight.width, sight.height), hand_);
             return {command::Drag{hand_}};
-        case Doing::Nothing: break;
+        case Doing::Nothing:
+            break;
     }
     return {};
 }

@@ -11,7 +11,7 @@ namespace drape {
 struct Sight {
     const FrameView& view;
     const Camera& camera;
-    int width;   ///< of the picture, in pixels
+    int width;  ///< of the picture, in pixels
     int height;
 };
 
@@ -42,7 +42,7 @@ private:
     Button button_ = Button::Left;
     int from_x_ = 0, from_y_ = 0;  ///< where the last command left off
     int x_ = 0, y_ = 0;
-    Vec3 hand_ = Vec3::Zero();     ///< the point that is pulled
+    Vec3 hand_ = Vec3::Zero();  ///< the point that is pulled
 };
 
 }  // namespace drape

@@ -4,8 +4,8 @@
 
 namespace drape {
 
-/// Holds SIGINT and SIGTERM back while it lives, for the main loop to ask after. Threads that are started meanwhile hold
-/// them back too.
+/// Holds SIGINT and SIGTERM back while it lives, for the main loop to ask after. Threads that are started meanwhile
+/// hold them back too.
 class StopSignals {
 public:
     StopSignals();

@@ -15,7 +15,7 @@ namespace drape {
 
 namespace {
 
-constexpr double hidden_tick = 0.1;       // s
+constexpr double hidden_tick = 0.1;        // s
 constexpr double stepping_budget = 0.025;  // s of a frame for steps, so that a slow scene still answers the mouse
 
 }  // namespace
@@ -73,8 +73,8 @@ void Window::schedule() {
     if (closed_) return;
     const double wait = (drawable() ? frame_time_ : hidden_tick) - clock_.seconds();
     const auto milliseconds = static_cast<unsigned>(std::max(1.0, 1000 * wait));
-    glutTimerFuncUcall(milliseconds,
-                       [](int, void* user) { guarded_call(user, &Window::on_tick); }, 0, this);
+    glutTimerFuncUcall(
+        milliseconds, [](int, void* user) { guarded_call(user, &Window::on_tick); }, 0, this);
 }
 
 void Window::on_display() {

@@ -86,17 +86,17 @@ private:
     Notices notices_;
     std::unique_ptr<Renderer> renderer_;
     std::optional<Menu> menu_;
-    Stopwatch clock_;             ///< since the last tick
+    Stopwatch clock_;  ///< since the last tick
     std::exception_ptr failure_;
-    std::string scene_;           ///< that the camera was set for
+    std::string scene_;  ///< that the camera was set for
     double frame_time_ = 1.0 / 60;
-    double dropped_ = 0;          ///< of which the user was told [s]
+    double dropped_ = 0;  ///< of which the user was told [s]
     std::int64_t drawn_step_ = -1;
     int window_ = 0;
     int width_ = 0, height_ = 0;
     int signal_ = 0;
     bool visible_ = true;
-    bool dirty_ = true;           ///< the picture is not up to date
+    bool dirty_ = true;  ///< the picture is not up to date
     bool closed_ = false;
 };
 

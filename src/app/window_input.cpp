@@ -39,25 +39,21 @@ void Window::register_callbacks() {
                           void* user) { guarded_call(user, &Window::on_button, button, state, x, y); },
                        this);
     glutMotionFuncUcall([](int x, int y, void* user) { guarded_call(user, &Window::on_motion, x, y); }, this);
-    glutMouseWheelFuncUcall([](int, int notches, int, int,
-                               void* user) { guarded_call(user, &Window::on_wheel, notches); },
-                            this);
-    glutKeyboardFuncUcall([](unsigned char code, int, int, void* user) {
-        guarded_call(user, &Window::on_character, code, true);
-    }, this);
-    glutKeyboardUpFuncUcall([](unsigned char code, int, int, void* user) {
-        guarded_call(user, &Window::on_character, code, false);
-    }, this);
-    glutSpecialFuncUcall([](int code, int, int, void* user) {
-        guarded_call(user, &Window::on_key, special_key(code), true);
-    }, this);
-    glutSpecialUpFuncUcall([](int code, int, int, void* user) {
-        guarded_call(user, &Window::on_key, special_key(code), false);
-    }, this);
-    menu_.emplace(entries_, [](int entry, void* user) { guarded_call(user, &Window::on_choice, entry); }, this);
-    glutMenuStatusFuncUcall([](int status, int, int, void* user) {
-        guarded_call(user, &Window::on_menu, status == GLUT_MENU_IN_USE);
-    }, this);
+    glutMouseWheelFuncUcall(
+        [](int, int notches, int, int, void* user) { guarded_call(user, &Window::on_wheel, notches); }, this);
+    glutKeyboardFuncUcall(
+        [](unsigned char code, int, int, void* user) { guarded_call(user, &Window::on_character, code, true); }, this);
+    glutKeyboardUpFuncUcall(
+        [](unsigned char code, int, int, void* user) { guarded_call(user, &Window::on_character, code, false); }, this);
+    glutSpecialFuncUcall(
+        [](int code, int, int, void* user) { guarded_call(user, &Window::on_key, special_key(code), true); }, this);
+    glutSpecialUpFuncUcall(
+        [](int code, int, int, void* user) { guarded_call(user, &Window::on_key, special_key(code), false); }, this);
+    menu_.emplace(
+        entries_, [](int entry, void* user) { guarded_call(user, &Window::on_choice, entry); }, this);
+    glutMenuStatusFuncUcall(
+        [](int status, int, int, void* user) { guarded_call(user, &Window::on_menu, status == GLUT_MENU_IN_USE); },
+        this);
 }
 
 void Window::on_character(unsigned char code, bool down) {
