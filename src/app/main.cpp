@@ -31,36 +31,46 @@ namespace {
     }
 }
 
-Session make_session(Options& options) {
+// What a run starts from, checked as far as it can be without opening or writing anything.
+struct Start {
+    Options options;
+    Settings settings;
     std::optional<Recording> replay;
-    if (!options.replay.empty()) {
-        replay = read_recording(options.replay);
-        if (options.scene.empty()) options.scene = replay->scene;
-        options.assignments.insert(options.assignments.begin(), replay->assignments.begin(), replay->assignments.end());
+};
+
+Start make_start(Options options) {
+    Start start{std::move(options), {}, {}};
+    Options& wanted = start.options;
+    if (!wanted.replay.empty()) {
+        start.replay = read_recording(wanted.replay);
+        if (wanted.scene.empty()) wanted.scene = start.replay->scene;
+        wanted.assignments.insert(wanted.assignments.begin(), start.replay->assignments.begin(),
+                                  start.replay->assignments.end());
     }
-    if (options.scene.empty()) options.scene = scene_names().front();
-    Settings settings = load_scene(options.scene);
-    for (const std::string& assignment : options.assignments) assign(settings, assignment);
-    Session session(Simulation(options.scene, std::move(settings)));
-    if (!options.record.empty()) session.record(options.record, options.assignments);
-    if (replay) session.replay(std::move(*replay));
-    return session;
+    if (wanted.scene.empty()) wanted.scene = scene_names().front();
+    start.settings = load_scene(wanted.scene);
+    for (const std::string& assignment : wanted.assignments) assign(start.settings, assignment);
+    check(start.settings);
+    return start;
 }
 
 int run(int argc, char** argv) {
-    const std::optional<Options> read = read_options(argc, argv);
-    if (!read) return 0;
-    Options options = *read;
-    // Bad input is told before anything opens.
-    if (!display_present()) capture_instead(options, "there is no display");
-    Session session = make_session(options);
-    glutInitErrorFuncUcall(on_glut_error, const_cast<Options*>(&*read));
+    const std::optional<Options> options = read_options(argc, argv);
+    if (!options) return 0;
+    Start start = make_start(*options);
+    if (!display_present()) capture_instead(*options, "there is no display");
+    glutInitErrorFuncUcall(on_glut_error, const_cast<Options*>(&*options));
     int no_words = 1;
     glutInit(&no_words, argv);
-    Window window(session, options.width, options.height);
+
+    const Options& wanted = start.options;
+    Session session(Simulation(wanted.scene, std::move(start.settings)));
+    Window window(session, wanted.width, wanted.height);
+    if (!wanted.record.empty()) session.record(wanted.record, wanted.assignments);
+    if (start.replay) session.replay(std::move(*start.replay));
     const int code = window.run();
     session.close();
-    if (options.hash) std::cout << hash_text(session.simulation().hash()) << "\n";
+    if (wanted.hash) std::cout << hash_text(session.simulation().hash()) << "\n";
     return code;
 }
 
