@@ -12,7 +12,8 @@ namespace drape {
 /// Turns held keys into where the ball goes, relative to the viewer.
 class Steering {
 public:
-    /// A key of an entry goes down or up. The key's letter counts, not Shift, which may be let go first.
+    /// A key of an entry goes down or up. The key's letter counts, not Shift, which may be let go first. A key that is
+    /// let go before `update` has seen it counts once.
     void press(const std::string& key, const Entry& entry);
     void release(const std::string& key);
 
@@ -38,6 +39,7 @@ private:
         std::string key;  ///< empty for a nudge
         Vec3 direction;   ///< right, up, ahead
         double left;      ///< time that a nudge still lasts [s]
+        bool used;        ///< `update` has seen it
     };
 
     std::vector<Held> held_;

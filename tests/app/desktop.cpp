@@ -37,7 +37,7 @@ std::string Desktop::find_window() {
     });
     if (window.empty()) return window;
     act({"windowmove", "--sync", window, "0", "0"});
-    move_to(20, 700);
+    move_to(20, 20);
     act({"windowfocus", window});
     return window;
 }
