@@ -29,7 +29,7 @@ std::vector<Entry> make_entries(const std::vector<std::string>& scenes) {
     std::vector<Entry> entries{
         {"", {"Space", "P"}, "Pause, go on", "pause"},
         {"", {"O", "."}, "One step", "step 1"},
-        {"", {"Shift+O"}, "One frame (1/60 s)", "step 1", Manner::OneFrame},
+        {"", {"Shift+O"}, "One frame of 1/60 s", "step 1", Manner::OneFrame},
         {"", {"R"}, "Reset", "reset"},
     };
     for (std::size_t s = 0; s < scenes.size(); ++s) {

@@ -1,8 +1,10 @@
 #include <GL/freeglut.h>
 #include <GL/freeglut_ucall.h>
 
+#include <array>
 #include <cstdarg>
 #include <cstdio>
+#include <cstdlib>
 #include <iostream>
 
 #include "display.h"
@@ -19,16 +21,24 @@ namespace drape {
 
 namespace {
 
+// How far freeglut got, for the moment when it cannot go on.
+struct Progress {
+    const Options& options;
+    bool window_open = false;
+};
+
 // What freeglut says when it cannot go on. It must not return to freeglut.
 [[noreturn]] void on_glut_error(const char* format, va_list values, void* user) {
-    char text[256];
-    std::vsnprintf(text, sizeof text, format, values);
+    const Progress& progress = *static_cast<const Progress*>(user);
+    std::array<char, 256> text{};
+    std::vsnprintf(text.data(), text.size(), format, values);
     try {
-        capture_instead(*static_cast<const Options*>(user), text);
+        if (!progress.window_open) capture_instead(progress.options, text.data());
+        std::cerr << "drape: " << text.data() << "\n";
     } catch (const std::exception& error) {
         std::cerr << "drape: " << error.what() << "\n";
-        std::exit(1);
     }
+    std::exit(1);
 }
 
 // What a run starts from, checked as far as it can be without opening or writing anything.
@@ -59,13 +69,15 @@ int run(int argc, char** argv) {
     if (!options) return 0;
     Start start = make_start(*options);
     if (!display_present()) capture_instead(*options, "there is no display");
-    glutInitErrorFuncUcall(on_glut_error, const_cast<Options*>(&*options));
+    Progress progress{*options};
+    glutInitErrorFuncUcall(on_glut_error, &progress);
     int no_words = 1;
     glutInit(&no_words, argv);
 
     const Options& wanted = start.options;
     Session session(Simulation(wanted.scene, std::move(start.settings)));
     Window window(session, wanted.width, wanted.height);
+    progress.window_open = true;
     if (!wanted.record.empty()) session.record(wanted.record, wanted.assignments);
     if (start.replay) session.replay(std::move(*start.replay));
     const int code = window.run();

@@ -56,7 +56,7 @@ void Desktop::drag(const std::vector<std::string>& keys, int button, Place from,
 }
 
 void Desktop::choose_in_menu(int x, int y, int entry) {
-    constexpr int row = 24;  // height of an entry in freeglut's menu
+    constexpr int row = 25;  // height of an entry in freeglut's menu
     move_to(x, y);
     click(3);
     sleep_for(0.3);

@@ -48,6 +48,8 @@ Process::Process(const std::vector<std::string>& words, const std::map<std::stri
 
 Process::~Process() {
     if (!running()) return;
+    send(SIGTERM);
+    if (wait(5)) return;
     send(SIGKILL);
     wait(5);
 }
