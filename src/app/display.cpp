@@ -8,10 +8,10 @@
 
 namespace drape {
 
-bool display_present() {
-    Display* display = XOpenDisplay(nullptr);
-    if (display != nullptr) XCloseDisplay(display);
-    return display != nullptr;
+DisplayProbe::DisplayProbe() : display_(XOpenDisplay(nullptr)) {}
+
+DisplayProbe::~DisplayProbe() {
+    if (display_ != nullptr) XCloseDisplay(static_cast<Display*>(display_));
 }
 
 double display_rate() {

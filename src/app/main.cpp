@@ -68,7 +68,8 @@ int run(int argc, char** argv) {
     const std::optional<Options> options = read_options(argc, argv);
     if (!options) return 0;
     Start start = make_start(*options);
-    if (!display_present()) capture_instead(*options, "there is no display");
+    const DisplayProbe probe;
+    if (!probe.present()) capture_instead(*options, "there is no display");
     Progress progress{*options};
     glutInitErrorFuncUcall(on_glut_error, &progress);
     int no_words = 1;
