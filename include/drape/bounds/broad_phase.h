@@ -23,6 +23,7 @@ struct BroadPhaseParameters {
     VolumeKind volume = VolumeKind::Sphere;
     UpdateKind update = UpdateKind::Rebuild;
     int leaf_cells = 4;  ///< a leaf has at most leaf_cells x leaf_cells cells
+    bool operator==(const BroadPhaseParameters&) const = default;
 };
 
 /// What one query did.

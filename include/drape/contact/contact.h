@@ -17,6 +17,7 @@ struct Contact {
     Vec3 point = Vec3::Zero();          ///< that point [m]
     Vec3 normal = Vec3::Zero();         ///< from the ball to the cloth, length 1
     Real depth = 0;                     ///< radius + thickness - distance > 0 [m]
+    Real impulse = 0;                   ///< along the normal, given by the response [N s]
 };
 
 /// The touched triangles, exactly: those whose distance to the ball's centre is at most radius + thickness.

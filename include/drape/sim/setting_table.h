@@ -12,11 +12,11 @@
 
 namespace drape {
 
-/// A setting's value on its way between text, file and `Settings`: a flag, a number, a name or text, or a list of numbers
-/// (vectors, grids, pin lists; a path is its rows one after another).
+/// A setting's value on its way between text, file and `Settings`: a flag, a number, a name or text, or a list of
+/// numbers (vectors, grids, pin lists; a path is its rows one after another).
 using SettingValue = std::variant<bool, double, std::string, std::vector<double>>;
 
-enum class SettingKind { Flag, Integer, Real, Choice, Text, Grid, Size, Vector, Pins, Path };
+enum class SettingKind { Flag, Integer, Number, Choice, Text, Grid, Size, Vector, Pins, Path };
 
 /// The accepted numbers: low <= x <= high, or low < x <= high if `low_open`.
 struct Range {
@@ -30,11 +30,11 @@ struct Setting {
     std::string section;  ///< of the scene file: "cloth", "ball", "solver", ...; empty for the title
     std::string name;     ///< within the section, as in "dt" or "structural.stiffness"
     SettingKind kind;
-    std::string unit;     ///< "s", "N/m", ...; empty if none
-    Range range;          ///< of every number in the value
-    std::vector<std::string> choices;  ///< of a Choice or of Pins
-    std::string help;     ///< one line
-    std::function<SettingValue(const Settings&, std::size_t)> read;        ///< of the index-th cloth or ball
+    std::string unit;                                                        ///< "s", "N/m", ...; empty if none
+    Range range;                                                             ///< of every number in the value
+    std::vector<std::string> choices;                                        ///< of a Choice or of Pins
+    std::string help;                                                        ///< one line
+    std::function<SettingValue(const Settings&, std::size_t)> read;          ///< of the index-th cloth or ball
     std::function<void(Settings&, std::size_t, const SettingValue&)> write;  ///< the value was checked
 
     [[nodiscard]] std::string full_name() const { return section.empty() ? name : section + "." + name; }
@@ -65,6 +65,14 @@ std::string value_text(const SettingValue& value);
 /// second.
 /// @throws InputError whose text starts with the assignment; `settings` is then unchanged
 void assign(Settings& settings, std::string_view assignment);
+
+/// The settings with a choice moved on to its next name, or a flag to its other value.
+/// @throws InputError if the setting is neither
+Settings with_next(Settings settings, std::string_view name);
+
+/// The settings with a number changed by `amount` and kept in its range.
+/// @throws InputError if the setting is no number
+Settings with_added(Settings settings, std::string_view name, double amount);
 
 /// Checks that need more than one setting: pins on the grid, ascending path times, a ball path where motion is "path".
 /// @throws InputError

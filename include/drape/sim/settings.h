@@ -17,8 +17,8 @@ enum class BallMotion { Keys, Path, Still };
 
 /// A point of a ball's path: where its centre is at a time.
 struct PathPoint {
-    Real time = 0;                 ///< [s]
-    Vec3 centre = Vec3::Zero();    ///< [m]
+    Real time = 0;               ///< [s]
+    Vec3 centre = Vec3::Zero();  ///< [m]
     bool operator==(const PathPoint&) const = default;
 };
 
@@ -27,9 +27,9 @@ struct BallSettings {
     Vec3 position = Vec3::Zero();
     Vec3 velocity = Vec3::Zero();
     BallMotion motion = BallMotion::Keys;
-    Real speed = Real(0.8);          ///< under the keys [m/s]
+    Real speed = Real(0.8);  ///< under the keys [m/s]
     Real mass = 1;
-    std::vector<PathPoint> path;     ///< times ascending; repeats after the last
+    std::vector<PathPoint> path;  ///< times ascending; repeats if it ends where it starts, else rests there
     bool operator==(const BallSettings&) const = default;
 };
 
@@ -71,7 +71,7 @@ struct ViewSettings {
     bool contacts = false;
     Vec3 eye{Real(1.6), Real(0.9), Real(2.2)};
     Vec3 target{0, 0, 0};
-    Real ground = -1;        ///< height of the ground that is drawn [m]
+    Real ground = -1;  ///< height of the ground that is drawn [m]
 };
 
 /// What a scene must show, and no more: a bound on its error, for the lab.

@@ -1,0 +1,42 @@
+#include "drape/base/numbers.h"
+
+#include <array>
+#include <charconv>
+
+namespace drape {
+namespace {
+
+/// The number that the whole text is, in the C locale.
+template <class Number>
+std::optional<Number> parse_whole(std::string_view text) {
+    if (text.starts_with('+') && !text.starts_with("+-")) text.remove_prefix(1);
+    Number value{};
+    const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), value);
+    if (error != std::errc{} || end != text.data() + text.size()) return std::nullopt;
+    return value;
+}
+
+template <class... Format>
+std::string text_of(double value, Format... format) {
+    std::array<char, 64> buffer;
+    const auto result = std::to_chars(buffer.data(), buffer.data() + buffer.size(), value, format...);
+    return {buffer.data(), result.ptr};
+}
+
+}  // namespace
+
+std::optional<double> parse_real(std::string_view text) { return parse_whole<double>(text); }
+
+std::optional<long long> parse_integer(std::string_view text) { return parse_whole<long long>(text); }
+
+std::string real_text(double value) { return text_of(value); }
+
+std::string real_text(double value, int digits) { return text_of(value, std::chars_format::general, digits); }
+
+std::string hash_text(unsigned long long hash) {
+    std::string text(16, '0');
+    for (std::size_t i = 0; i < 16; ++i) text[15 - i] = "0123456789abcdef"[(hash >> (4 * i)) & 15];
+    return text;
+}
+
+}  // namespace drape

@@ -1,0 +1,41 @@
+#include "drape/contact/contact.h"
+
+#include <cmath>
+
+#include "contact_geometry.h"
+#include "drape/contact/closest_point.h"
+
+namespace drape {
+
+void find_touched_triangles(const Grid& grid, const Points& x, const Ball& ball, Real thickness,
+                            std::span<const int> cells, std::vector<int>& triangles) {
+    triangles.clear();
+    const Real reach = ball.radius + thickness;
+    const auto inside = [&](int p) { return (position(x, p) - ball.centre).squaredNorm() <= reach * reach; };
+    for (const int cell : cells) {
+        const int a = grid.cell_corner(cell);
+        const int corners[4] = {a, a + 1, a + grid.nx, a + grid.nx + 1};
+
+        // A corner in the ball decides for its triangles; only the others need their closest point
+        const bool in_a = inside(corners[0]), in_b = inside(corners[1]), in_c = inside(corners[2]),
+                   in_d = inside(corners[3]);
+        const auto touches = [&](int triangle) {
+            return (closest_point(grid, x, triangle, ball.centre).point - ball.centre).squaredNorm() <= reach * reach;
+        };
+        if (in_a || in_b || in_c || touches(2 * cell)) triangles.push_back(2 * cell);
+        if (in_b || in_c || in_d || touches(2 * cell + 1)) triangles.push_back(2 * cell + 1);
+    }
+}
+
+void find_contacts(const Grid& grid, const Points& x, const Ball& ball, int ball_number, Real thickness,
+                   std::span<const int> cells, std::vector<Contact>& contacts) {
+    for (const int cell : cells) {
+        for (const int triangle : {2 * cell, 2 * cell + 1}) {
+            Contact contact{.triangle = triangle, .ball = ball_number};
+            locate(grid, x, ball, thickness, contact);
+            if (contact.depth > 0) contacts.push_back(contact);
+        }
+    }
+}
+
+}  // namespace drape

@@ -1,0 +1,76 @@
+#include "drape/model/cloth_model.h"
+
+#include "drape/base/assert.h"
+
+namespace drape {
+namespace {
+
+bool is_pinned(const Pins& pins, const Grid& grid, int i, int j) {
+    const bool left = i == 0, right = i == grid.nx - 1, first = j == 0, last = j == grid.ny - 1;
+    switch (pins.kind) {
+        case Pins::Kind::Two:
+            return first && (left || right);
+        case Pins::Kind::Four:
+            return (first || last) && (left || right);
+        case Pins::Kind::Row:
+            return first;
+        case Pins::Kind::Border:
+            return first || last || left || right;
+        case Pins::Kind::None:
+        case Pins::Kind::List:
+            return false;
+    }
+    return false;
+}
+
+}  // namespace
+
+ClothModel make_cloth_model(const ClothParameters& parameters) {
+    const Grid grid = parameters.particles;
+    DRAPE_ASSERT(grid.nx >= 2 && grid.ny >= 2);
+    ClothModel model;
+    model.grid = grid;
+    model.hx = parameters.width / static_cast<Real>(grid.nx - 1);
+    model.hy = parameters.height / static_cast<Real>(grid.ny - 1);
+    model.particle_mass = parameters.mass / static_cast<Real>(grid.particles());
+    model.structural = parameters.structural;
+    model.shear = parameters.shear;
+    model.bend = parameters.bend;
+    model.drag = parameters.drag;
+    model.inverse_mass.setConstant(grid.particles(), 1 / model.particle_mass);
+    for (int j = 0; j < grid.ny; ++j) {
+        for (int i = 0; i < grid.nx; ++i) {
+            if (is_pinned(parameters.pinned, grid, i, j)) model.inverse_mass[grid.particle(i, j)] = 0;
+        }
+    }
+    for (const int particle : parameters.pinned.list) {
+        DRAPE_ASSERT(particle >= 0 && particle < grid.particles());
+        model.inverse_mass[particle] = 0;
+    }
+    return model;
+}
+
+void ClothModel::hold(int particle, bool held) {
+    DRAPE_ASSERT(particle >= 0 && particle < grid.particles());
+    inverse_mass[particle] = held ? Real(0) : 1 / particle_mass;
+    ++revision;
+}
+
+ClothState make_rest_state(const ClothParameters& parameters) {
+    const Grid grid = parameters.particles;
+    const Real hx = parameters.width / static_cast<Real>(grid.nx - 1);
+    const Real hy = parameters.height / static_cast<Real>(grid.ny - 1);
+    ClothState state;
+    state.x.resize(grid.particles(), 3);
+    state.v.setZero(grid.particles(), 3);
+    for (int j = 0; j < grid.ny; ++j) {
+        for (int i = 0; i < grid.nx; ++i) {
+            const Real across = static_cast<Real>(i) * hx, along = static_cast<Real>(j) * hy;
+            const Vec3 offset = parameters.plane == Plane::XZ ? Vec3(across, 0, along) : Vec3(across, -along, 0);
+            state.x.row(grid.particle(i, j)) = (parameters.origin + offset).transpose();
+        }
+    }
+    return state;
+}
+
+}  // namespace drape

@@ -1,0 +1,64 @@
+#include "ball_motion.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "drape/base/assert.h"
+
+namespace drape {
+namespace {
+
+/// The time in which a ball takes on most of the velocity that the keys ask for [s].
+constexpr Real steering_lag = Real(0.08);
+
+bool is_closed(const std::vector<PathPoint>& path) { return path.front().centre == path.back().centre; }
+
+/// The tangent at point k: the slope between its neighbours, across the seam of a closed path, zero at open ends.
+Vec3 tangent(const std::vector<PathPoint>& path, std::size_t k) {
+    const std::size_t last = path.size() - 1;
+    if (k > 0 && k < last) {
+        return (path[k + 1].centre - path[k - 1].centre) / (path[k + 1].time - path[k - 1].time);
+    }
+    if (!is_closed(path) || last < 2) return Vec3::Zero();
+    const Real span = (path[1].time - path[0].time) + (path[last].time - path[last - 1].time);
+    return (path[1].centre - path[last - 1].centre) / span;
+}
+
+}  // namespace
+
+Vec3 point_on_path(const std::vector<PathPoint>& path, Real time) {
+    DRAPE_ASSERT(path.size() >= 2);
+    const Real begin = path.front().time, end = path.back().time;
+    if (is_closed(path) && time > end) time = begin + std::fmod(time - begin, end - begin);
+    if (time <= begin) return path.front().centre;
+    if (time >= end) return path.back().centre;
+
+    // Cubic Hermite between the two points about the time
+    const auto next =
+        std::upper_bound(path.begin(), path.end(), time, [](Real t, const PathPoint& point) { return t < point.time; });
+    const auto k = static_cast<std::size_t>(next - path.begin()) - 1;
+    const Real span = path[k + 1].time - path[k].time, s = (time - path[k].time) / span;
+    const Real square = s * s, cube = square * s;
+    return (2 * cube - 3 * square + 1) * path[k].centre + (cube - 2 * square + s) * span * tangent(path, k) +
+           (3 * square - 2 * cube) * path[k + 1].centre + (cube - square) * span * tangent(path, k + 1);
+}
+
+void move_ball(const BallSettings& settings, const Vec3& steer, Real time, Real h, Ball& ball) {
+    switch (settings.motion) {
+        case BallMotion::Keys:
+            ball.velocity += std::min(h / steering_lag, Real(1)) * (settings.speed * steer - ball.velocity);
+            ball.centre += h * ball.velocity;
+            return;
+        case BallMotion::Path: {
+            const Vec3 there = point_on_path(settings.path, time + h);
+            ball.velocity = (there - ball.centre) / h;
+            ball.centre = there;
+            return;
+        }
+        case BallMotion::Still:
+            ball.velocity.setZero();
+            return;
+    }
+}
+
+}  // namespace drape
