@@ -69,8 +69,9 @@ FrameData make_frame_data(const FrameView& view, const Camera& camera, int width
     const float aspect = static_cast<float>(width) / static_cast<float>(height);
     data.view_projection = camera.projection_matrix(aspect) * camera.view_matrix();
     data.inverse_view_projection = data.view_projection.inverse();
-    data.eye << camera.eye(), 1;
-    data.to_light << to_light, 0;
+    const Eigen::Vector3f eye = camera.eye();
+    data.eye = {eye.x(), eye.y(), eye.z(), 1};
+    data.to_light = {to_light.x(), to_light.y(), to_light.z(), 0};
     data.viewport << static_cast<float>(width), static_cast<float>(height), 1 / static_cast<float>(width),
         1 / static_cast<float>(height);
 
