@@ -11,53 +11,54 @@ namespace drape {
 /// Everything that a user can do. Keys, menu, recordings and tests all speak it; each has one text form, given here.
 namespace command {
 
-struct Pause {};                                      ///< `pause`: stops or goes on
-struct Step {                                         ///< `step 1`: n steps, and pauses
+struct Pause {};  ///< `pause`: stops or goes on
+struct Step {     ///< `step 1`: n steps, and pauses
     int count = 1;
 };
-struct Reset {};                                      ///< `reset`: the scene as it was loaded, with the settings of now
-struct LoadScene {                                    ///< `scene drop`
+struct Reset {};    ///< `reset`: the scene as it was loaded, with the settings of now
+struct LoadScene {  ///< `scene drop`
     std::string name;
 };
-struct Set {                                          ///< `set solver.dt=1e-4`
+struct Set {  ///< `set solver.dt=1e-4`
     std::string assignment;
 };
-struct Next {                                         ///< `next integrator`: the next choice, or the flag's other value
+struct Next {  ///< `next integrator`: the next choice, or the flag's other value
     std::string setting;
 };
-struct Add {                                          ///< `add view.level 1`: to a number, kept in its range
+struct Add {  ///< `add view.level 1`: to a number, kept in its range
     std::string setting;
     double amount = 0;
 };
-struct Steer {                                        ///< `steer 1 0 0`: where the keys send the ball; zero lets go
+struct Steer {  ///< `steer 1 0 0`: where the keys send the ball; zero lets go
     Vec3 direction = Vec3::Zero();
 };
-struct Grab {                                         ///< `grab 0 17`: takes a particle of a cloth in hand
+struct Grab {  ///< `grab 0 17`: takes a particle of a cloth in hand
     int cloth = 0;
     int particle = 0;
 };
-struct Drag {                                         ///< `drag 0.1 0.2 0.3`: where the hand goes [m]
+struct Drag {  ///< `drag 0.1 0.2 0.3`: where the hand goes [m]
     Vec3 target = Vec3::Zero();
 };
-struct Release {};                                    ///< `release`: the hand lets go
-struct Orbit {                                        ///< `orbit 0.1 0.05`: the camera about its target [rad]
+struct Release {};  ///< `release`: the hand lets go
+struct Orbit {      ///< `orbit 0.1 0.05`: the camera about its target [rad]
     double yaw = 0, pitch = 0;
 };
-struct Pan {                                          ///< `pan 0.1 0`: eye and target, in units of the distance
+struct Pan {  ///< `pan 0.1 0`: eye and target, in units of the distance
     double right = 0, up = 0;
 };
-struct Zoom {                                         ///< `zoom 0.9`: the distance times a factor
+struct Zoom {  ///< `zoom 0.9`: the distance times a factor
     double factor = 1;
 };
-struct Frame {};                                      ///< `frame`: the whole scene into the picture
-struct Picture {};                                    ///< `picture`: writes a PNG
-struct Quit {};                                       ///< `quit`
+struct Frame {};    ///< `frame`: the whole scene into the picture
+struct Picture {};  ///< `picture`: writes a PNG
+struct Quit {};     ///< `quit`
 
 }  // namespace command
 
-using Command = std::variant<command::Pause, command::Step, command::Reset, command::LoadScene, command::Set, command::Next,
-                             command::Add, command::Steer, command::Grab, command::Drag, command::Release, command::Orbit,
-                             command::Pan, command::Zoom, command::Frame, command::Picture, command::Quit>;
+using Command =
+    std::variant<command::Pause, command::Step, command::Reset, command::LoadScene, command::Set, command::Next,
+                 command::Add, command::Steer, command::Grab, command::Drag, command::Release, command::Orbit,
+                 command::Pan, command::Zoom, command::Frame, command::Picture, command::Quit>;
 
 /// The text form: one line without its end.
 std::string command_text(const Command& command);

@@ -2,6 +2,7 @@
 
 #include <cstdint>
 #include <fstream>
+#include <optional>
 #include <string>
 #include <variant>
 #include <vector>
@@ -16,12 +17,14 @@ struct RecordedEntry {
     std::variant<Command, std::uint64_t> content;
 };
 
-/// A recording as read from a file. Its text: a first line `drape-recording 1`, a line `scene NAME`, a line `set name=value`
-/// for each setting given at the start, then `STEP COMMAND` or `STEP hash HEX` a line, and a last line `STEP end`.
+/// A recording as read from a file. Its text: a first line `drape-recording 1`, a line `scene NAME`, a line `set
+/// name=value` for each setting given at the start, then `STEP COMMAND` or `STEP hash HEX` a line, and a last line
+/// `STEP end`.
 struct Recording {
     std::string scene;
     std::vector<std::string> assignments;
     std::vector<RecordedEntry> entries;
+    std::optional<std::int64_t> last_step;  ///< where it was closed; nothing if it never was
     std::string notice;  ///< why it was cut short: truncated, or a line that is no command; empty if whole
 };
 

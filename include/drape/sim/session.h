@@ -10,8 +10,8 @@
 
 namespace drape {
 
-/// A simulation in time, with its recording or its replay: the one loop that window, capture and lab share. Commands take
-/// effect between steps, and a recording keeps the number of the step before which each came.
+/// A simulation in time, with its recording or its replay: the one loop that window, capture and lab share. Commands
+/// take effect between steps, and a recording keeps the number of the step before which each came.
 class Session {
 public:
     explicit Session(Simulation simulation);
@@ -28,12 +28,13 @@ public:
     /// @throws InputError as `Simulation::apply`; it is not recorded then
     void send(const Command& command);
 
-    /// Lets `elapsed` seconds of wall time pass: makes as many whole steps as fit, at most 0.25 s worth of them, and stops
-    /// early when they have taken `budget` seconds of wall time themselves. What is left over stays, what is cut is dropped.
-    /// Paused, it makes only the steps that were asked for.
+    /// Lets `elapsed` seconds of wall time pass: makes as many whole steps as fit, at most 0.25 s worth of them, and
+    /// stops early when they have taken `budget` seconds of wall time themselves. What is left over stays, what is cut
+    /// is dropped. Paused, it makes only the steps that were asked for.
     void advance(double elapsed, double budget);
 
-    /// Makes steps until the simulated time is the last multiple of dt that is not beyond `time` [s]; pauses are passed over.
+    /// Makes steps until the simulated time is the last multiple of dt that is not beyond `time` [s]; pauses are passed
+    /// over.
     void run_until(double time);
 
     /// Camera commands of a replay that came due since the last call, for whoever owns the camera.
@@ -61,6 +62,9 @@ public:
 
 private:
     void step();
+    void play_due_entries();
+    double time_after_next_step();
+    [[nodiscard]] double dt() const;
 
     Simulation simulation_;
     std::unique_ptr<Recorder> recorder_;
@@ -69,7 +73,11 @@ private:
     std::vector<Command> view_commands_;
     std::string replay_notice_;
     std::int64_t steps_made_ = 0;  ///< by this session; a reset does not set it back
-    double behind_ = 0;   ///< time passed beyond the last step [s]
+    double time_ = 0;              ///< of the steps that `run_until` made; a reset does not set it back [s]
+    double counted_from_ = 0;      ///< time_ is this plus counted_steps_ steps of counted_dt_: no error adds up
+    double counted_dt_ = 0;
+    std::int64_t counted_steps_ = 0;
+    double behind_ = 0;  ///< time passed beyond the last step [s]
     double dropped_ = 0;
 };
 

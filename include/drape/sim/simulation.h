@@ -25,8 +25,8 @@ struct Cloth {
     ClothState previous;  ///< one step before `state`
     std::unique_ptr<Integrator> integrator;
     std::unique_ptr<BroadPhase> broad_phase;
-    std::vector<int> candidates;     ///< cells, of the last ball that was tested
-    std::vector<Contact> contacts;   ///< of the last step
+    std::vector<int> candidates;    ///< cells, of the last ball that was tested
+    std::vector<Contact> contacts;  ///< of the last step
 };
 
 /// What the renderer needs of a moment; all of it belongs to the simulation and lasts until its next change.
@@ -34,7 +34,7 @@ struct FrameView {
     std::span<const Cloth> cloths;
     std::span<const Ball> balls;
     std::span<const Ball> previous_balls;  ///< one step before
-    Real blend = 1;  ///< the picture shows previous + blend (now - previous)
+    Real blend = 1;                        ///< the picture shows previous + blend (now - previous)
     const Settings* settings = nullptr;
     const StepReport* report = nullptr;
     std::string_view scene;  ///< name or path

@@ -12,10 +12,10 @@ void write_state_header(std::ostream& out, const Simulation& simulation);
 /// One row a particle, 17 significant digits, C locale.
 void write_state(std::ostream& out, const Simulation& simulation);
 
-/// The names of `report_fields`, joined by commas.
+/// The names of `report_fields`, joined by commas, without an end of line.
 void write_report_header(std::ostream& out);
 
-/// The values of `report_fields`, joined by commas.
+/// The values of `report_fields`, joined by commas, without an end of line.
 void write_report(std::ostream& out, const StepReport& report);
 
 }  // namespace drape

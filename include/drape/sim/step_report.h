@@ -22,18 +22,18 @@ struct StageTimes {
 
 /// What one step was and did; each stage fills its fields as it ends.
 struct StepReport {
-    std::int64_t step = 0;         ///< steps since the start
-    double time = 0;               ///< simulated [s]
+    std::int64_t step = 0;  ///< steps since the start
+    double time = 0;        ///< simulated [s]
     StageTimes times;
     SolveReport solve;
     TraversalStats traversal;
-    std::int64_t contacts = 0;     ///< triangles touching a ball
-    double penetration = 0;        ///< largest depth left after the response [m]
-    double rms_speed = 0;          ///< of the particles [m/s]
-    Energy energy;                 ///< filled by `Simulation::view`, not by every step
-    double stretch = 0;            ///< largest elongation of a structural spring, as `energy`
+    std::int64_t contacts = 0;  ///< triangles touching a ball
+    double penetration = 0;     ///< largest depth left after the response [m]
+    double rms_speed = 0;       ///< of the particles [m/s]
+    Energy energy;              ///< filled by `Simulation::view`, not by every step
+    double stretch = 0;         ///< largest elongation of a structural spring, as `energy`
     Status status = Status::Ok;
-    std::string trouble;           ///< one sentence on what broke, with particle and step; empty while all is well
+    std::string trouble;  ///< one sentence on what broke, with particle and step; empty while all is well
 };
 
 /// One field of a report, for overlay, CSV and tests.

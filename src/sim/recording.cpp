@@ -1,0 +1,111 @@
+#include "drape/sim/recording.h"
+
+#include <charconv>
+
+#include "drape/base/input_error.h"
+#include "drape/base/numbers.h"
+
+namespace drape {
+namespace {
+
+constexpr std::string_view first_line = "drape-recording 1";
+constexpr std::size_t longest_line = 4096;
+
+std::optional<std::uint64_t> parse_hash(std::string_view text) {
+    std::uint64_t hash = 0;
+    const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), hash, 16);
+    if (text.size() != 16 || error != std::errc{} || end != text.data() + text.size()) return std::nullopt;
+    return hash;
+}
+
+/// A line "STEP rest" in two; nothing if it does not start with a step number.
+std::optional<std::pair<std::int64_t, std::string>> split_entry(const std::string& line) {
+    const std::size_t blank = line.find(' ');
+    if (blank == std::string::npos) return std::nullopt;
+    const auto step = parse_integer(std::string_view(line).substr(0, blank));
+    if (!step || *step < 0) return std::nullopt;
+    return std::pair(static_cast<std::int64_t>(*step), line.substr(blank + 1));
+}
+
+/// Appends what one line says. @throws InputError if it says nothing that a recording can
+void append_entry(const std::string& line, Recording& recording) {
+    const auto entry = split_entry(line);
+    if (!entry) throw InputError("expected 'STEP COMMAND'");
+    const auto& [step, text] = *entry;
+    if (!recording.entries.empty() && step < recording.entries.back().step) throw InputError("steps must not go back");
+    if (text.starts_with("hash ")) {
+        const auto hash = parse_hash(std::string_view(text).substr(5));
+        if (!hash) throw InputError("expected 'hash' and 16 hexadecimal digits");
+        recording.entries.push_back({step, *hash});
+    } else {
+        recording.entries.push_back({step, parse_command(text)});
+    }
+}
+
+}  // namespace
+
+Recording read_recording(const std::string& file) {
+    std::ifstream in(file, std::ios::binary);
+    std::string line;
+    if (!in) throw InputError(file + ": cannot be read");
+    if (!std::getline(in, line) || line != first_line) {
+        throw InputError(file + ":1: no recording: expected '" + std::string(first_line) + "'");
+    }
+    Recording recording;
+    if (!std::getline(in, line) || !line.starts_with("scene ")) {
+        throw InputError(file + ":2: expected 'scene NAME'");
+    }
+    recording.scene = line.substr(6);
+
+    // A line without its end was cut off while it was written
+    int number = 2;
+    const auto cut = [&](const std::string& why) {
+        recording.notice = file + ":" + std::to_string(number) + ": " + why + "; played up to the line before";
+    };
+    while (std::getline(in, line)) {
+        ++number;
+        if (in.eof()) return cut("cut off in mid-line"), recording;
+        if (line.size() > longest_line) return cut("the line is too long"), recording;
+        if (line.starts_with("set ") && recording.entries.empty()) {
+            recording.assignments.push_back(line.substr(4));
+            continue;
+        }
+        const auto entry = split_entry(line);
+        if (entry && entry->second == "end") {
+            recording.last_step = entry->first;
+            return recording;
+        }
+        try {
+            append_entry(line, recording);
+        } catch (const InputError& error) {
+            return cut(error.what()), recording;
+        }
+    }
+    ++number;
+    cut("the recording ends without its 'end'");
+    return recording;
+}
+
+Recorder::Recorder(const std::string& file, const std::string& scene, const std::vector<std::string>& assignments)
+    : file_(file), out_(file, std::ios::binary | std::ios::trunc) {
+    out_ << first_line << "\nscene " << scene << '\n';
+    for (const std::string& assignment : assignments) out_ << "set " << assignment << '\n';
+    out_.flush();
+    if (!out_) throw RunError(file_ + ": cannot be written");
+}
+
+void Recorder::write(std::int64_t step, const Command& command) {
+    out_ << step << ' ' << command_text(command) << std::endl;
+}
+
+void Recorder::write_hash(std::int64_t step, std::uint64_t hash) {
+    out_ << step << " hash " << hash_text(hash) << std::endl;
+}
+
+void Recorder::close(std::int64_t step) {
+    out_ << step << " end\n";
+    out_.close();
+    if (!out_) throw RunError(file_ + ": the recording could not be written whole");
+}
+
+}  // namespace drape

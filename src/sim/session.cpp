@@ -1,0 +1,133 @@
+#include "drape/sim/session.h"
+
+#include <algorithm>
+#include <cmath>
+#include <utility>
+
+#include "drape/base/input_error.h"
+#include "drape/base/stopwatch.h"
+
+namespace drape {
+namespace {
+
+/// The most simulated time that one call of `advance` makes up for [s]: after a stall the rest is dropped.
+constexpr double longest_frame = 0.25;
+
+/// Steps between two hashes of a recording.
+constexpr std::int64_t hash_interval = 500;
+
+/// A multiple of dt that rounding has put this far (in steps) beyond the time still counts.
+constexpr double step_tolerance = 1e-6;
+
+}  // namespace
+
+Session::Session(Simulation simulation) : simulation_(std::move(simulation)) {}
+Session::Session(Session&&) noexcept = default;
+Session& Session::operator=(Session&&) noexcept = default;
+
+Session::~Session() {
+    try {
+        close();
+    } catch (const RunError&) {
+        // Whoever wants to know calls close
+    }
+}
+
+void Session::record(const std::string& file, const std::vector<std::string>& assignments) {
+    recorder_ = std::make_unique<Recorder>(file, simulation_.scene(), assignments);
+}
+
+void Session::replay(Recording recording) {
+    replay_ = std::move(recording);
+    next_entry_ = 0;
+    play_due_entries();
+}
+
+void Session::send(const Command& command) {
+    simulation_.apply(command);
+    if (recorder_) recorder_->write(steps_made_, command);
+}
+
+void Session::play_due_entries() {
+    while (next_entry_ < replay_.entries.size() && replay_.entries[next_entry_].step <= steps_made_) {
+        const RecordedEntry& entry = replay_.entries[next_entry_++];
+        if (const auto* hash = std::get_if<std::uint64_t>(&entry.content)) {
+            if (*hash != simulation_.hash() && replay_notice_.empty()) {
+                replay_notice_ =
+                    "the replay differs from its recording: first seen before step " + std::to_string(entry.step);
+            }
+            continue;
+        }
+        const Command& command = std::get<Command>(entry.content);
+        view_commands_.push_back(command);
+        try {
+            send(command);
+        } catch (const InputError& error) {
+            if (replay_notice_.empty()) replay_notice_ = std::string("replay: ") + error.what();
+        }
+    }
+    if (next_entry_ == replay_.entries.size() && replay_notice_.empty()) replay_notice_ = replay_.notice;
+}
+
+void Session::step() {
+    simulation_.step();
+    ++steps_made_;
+    if (recorder_ && steps_made_ % hash_interval == 0) recorder_->write_hash(steps_made_, simulation_.hash());
+    play_due_entries();
+}
+
+void Session::advance(double elapsed, double budget) {
+    const Stopwatch watch;
+    if (simulation_.paused()) {
+        while (simulation_.paused() && simulation_.steps_wanted() > 0 && watch.seconds() < budget) step();
+        return;
+    }
+    behind_ += std::max(0.0, elapsed);
+    dropped_ += std::max(0.0, behind_ - longest_frame);
+    behind_ = std::min(behind_, longest_frame);
+    while (!simulation_.paused() && behind_ >= dt()) {
+        behind_ -= dt();
+        step();
+        if (watch.seconds() < budget || behind_ < dt()) continue;
+
+        // The machine cannot keep up: what is left of whole steps is dropped
+        const double kept = std::fmod(behind_, dt());
+        dropped_ += behind_ - kept;
+        behind_ = kept;
+    }
+}
+
+double Session::time_after_next_step() {
+    if (dt() != counted_dt_) {
+        counted_from_ = time_;
+        counted_steps_ = 0;
+        counted_dt_ = dt();
+    }
+    return counted_from_ + static_cast<double>(counted_steps_ + 1) * counted_dt_;
+}
+
+void Session::run_until(double time) {
+    for (double next = time_after_next_step(); next <= time + step_tolerance * dt(); next = time_after_next_step()) {
+        time_ = next;
+        ++counted_steps_;
+        step();
+    }
+    behind_ = std::max(0.0, time - time_);
+}
+
+std::vector<Command> Session::take_view_commands() { return std::exchange(view_commands_, {}); }
+
+Real Session::blend() const {
+    return simulation_.paused() ? Real(1) : static_cast<Real>(std::clamp(behind_ / dt(), 0.0, 1.0));
+}
+
+double Session::dt() const { return static_cast<double>(simulation_.settings().solver.dt); }
+
+void Session::close() {
+    if (!recorder_) return;
+    const auto recorder = std::exchange(recorder_, nullptr);
+    recorder->write_hash(steps_made_, simulation_.hash());
+    recorder->close(steps_made_);
+}
+
+}  // namespace drape
