@@ -74,8 +74,8 @@ const Entry* find_entry(const std::vector<Entry>& entries, std::string_view key)
 
 std::string key_text(const Entry& entry) { return joined(entry.keys); }
 
-std::vector<HelpLine> help_lines(const std::vector<Entry>& entries) {
-    std::vector<HelpLine> lines{
+std::vector<KeyHelp> help_lines(const std::vector<Entry>& entries) {
+    std::vector<KeyHelp> lines{
         {"Left drag", "Turn the view; on the cloth: pull it"},
         {"Middle or Shift+left drag", "Move the view"},
         {"Wheel", "Nearer, farther"},

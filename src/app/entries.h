@@ -4,6 +4,8 @@
 #include <string_view>
 #include <vector>
 
+#include "drape/render/renderer.h"
+
 namespace drape {
 
 /// When an entry's command is given.
@@ -32,13 +34,7 @@ const Entry* find_entry(const std::vector<Entry>& entries, std::string_view key)
 /// "Space, P".
 std::string key_text(const Entry& entry);
 
-/// What a mouse or a key does, for a reader.
-struct HelpLine {
-    std::string key;
-    std::string text;
-};
-
 /// The mouse's lines, then one for each entry with a key; the scenes share one.
-std::vector<HelpLine> help_lines(const std::vector<Entry>& entries);
+std::vector<KeyHelp> help_lines(const std::vector<Entry>& entries);
 
 }  // namespace drape

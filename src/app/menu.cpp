@@ -65,12 +65,18 @@ Menu::Menu(const std::vector<Entry>& entries, void (*choose)(int entry, void* us
         glutAddMenuEntry(entry.text.c_str(), static_cast<int>(e));
         items_.push_back({&entry, menu->number, ++menu->length, entry.text});
     }
+    first_window_ = glutGetWindow() + 1;
+    last_window_ = glutGetWindow() + static_cast<int>(menus.size());
     glutSetMenu(menus.front().number);
     glutAttachMenu(GLUT_RIGHT_BUTTON);
 }
 
+void Menu::draw_again() const {
+    for (int window = first_window_; window <= last_window_; ++window) glutPostWindowRedisplay(window);
+}
+
 void Menu::update(const Simulation& simulation) {
-    if (open_) return;
+    if (open_) return draw_again();
     int number = 0;
     for (Item& item : items_) {
         std::string text = menu_text(*item.entry, simulation);

@@ -19,7 +19,8 @@ public:
     void set_open(bool open) { open_ = open; }
     [[nodiscard]] bool open() const { return open_; }
 
-    /// Brings the texts up to date, unless the menu is open.
+    /// Brings the texts up to date, unless the menu is open; then has it drawn again, for freeglut's first drawing of a
+    /// menu that pops up comes too early for its size.
     void update(const Simulation& simulation);
 
 private:
@@ -30,7 +31,11 @@ private:
         std::string shown;
     };
 
+    void draw_again() const;
+
     std::vector<Item> items_;
+    int first_window_ = 0;  ///< of the menus' windows, which GLUT numbers one after another
+    int last_window_ = 0;
     bool open_ = false;
 };
 

@@ -15,7 +15,7 @@ namespace {
 
 std::string key_help() {
     std::string text = "Keys and mouse:\n";
-    for (const HelpLine& line : help_lines(make_entries(scene_names()))) {
+    for (const KeyHelp& line : help_lines(make_entries(scene_names()))) {
         text += "  " + line.key + std::string(line.key.size() < 27 ? 28 - line.key.size() : 1, ' ') + line.text + "\n";
     }
     return text;

@@ -34,6 +34,7 @@ Window::Window(Session& session, int width, int height)
     glewExperimental = GL_TRUE;
     if (glewInit() != GLEW_OK) throw RunError("this display does not give access to OpenGL's functions");
     renderer_ = std::make_unique<Renderer>();
+    renderer_->set_help(help_lines(entries_));
     register_callbacks();
     show_title();
     on_reshape(glutGet(GLUT_WINDOW_WIDTH), glutGet(GLUT_WINDOW_HEIGHT));

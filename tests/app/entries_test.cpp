@@ -47,7 +47,7 @@ TEST(Entries, ALetterIsItsKeyInEitherCaseUnlessShiftHasItsOwn) {
 
 TEST(Entries, AreTheTableOfTheReadme) {
     const std::string readme = testing_aid::read_file(std::string(DRAPE_SOURCE_DIR) + "/README.md");
-    for (const HelpLine& line : help_lines(make_entries(scene_names()))) {
+    for (const KeyHelp& line : help_lines(make_entries(scene_names()))) {
         EXPECT_NE(readme.find("| " + line.key + " | " + line.text + " |"), std::string::npos)
             << "missing: | " << line.key << " | " << line.text << " |";
     }
