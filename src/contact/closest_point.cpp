@@ -1,5 +1,6 @@
 #include "drape/contact/closest_point.h"
 
+#include <Eigen/Geometry>
 #include <algorithm>
 
 namespace drape {

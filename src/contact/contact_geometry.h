@@ -1,5 +1,6 @@
 #pragma once
 
+#include <Eigen/Geometry>
 #include <cmath>
 
 #include "drape/contact/closest_point.h"

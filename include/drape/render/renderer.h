@@ -3,7 +3,9 @@
 #include <cstdint>
 #include <memory>
 #include <span>
+#include <string>
 #include <string_view>
+#include <vector>
 
 #include "drape/render/camera.h"
 #include "drape/render/image.h"
@@ -14,7 +16,7 @@ namespace drape {
 /// What one frame cost, beside the steps in it.
 struct FrameReport {
     std::int64_t frame = 0;
-    double gl_calls = 0;   ///< OpenGL calls made while drawing it
+    double gl_calls = 0;   ///< OpenGL calls made for it so far, `present` and `read_back` included once they are made
     double vertices = 0;   ///< vertices sent through the pipeline
     double draw_time = 0;  ///< wall time of `draw` [s]
     double rate = 0;       ///< frames per second, averaged over the last second
@@ -29,7 +31,13 @@ struct FrameField {
 };
 std::span<const FrameField> frame_fields();
 
-/// Draws a `FrameView` with OpenGL 3.3 core, multisampled, into the current context's framebuffer 0 or an own one.
+/// What a key does, for the help panel.
+struct KeyHelp {
+    std::string key;
+    std::string text;
+};
+
+/// Draws a `FrameView` with OpenGL 3.3 core, multisampled, into a framebuffer of its own.
 /// Needs a current context with GLEW initialised from construction to destruction.
 class Renderer {
 public:
@@ -41,6 +49,9 @@ public:
 
     /// Size of the picture in pixels; below 1 x 1 nothing is drawn until the next call.
     void resize(int width, int height);
+
+    /// The lines of the help panel, which `settings->view.help` shows.
+    void set_help(std::vector<KeyHelp> lines);
 
     /// Draws one frame: shadow, sky, ground, balls, cloths, what `settings->view` asks for, overlay.
     /// @param notices lines for the user (an error, a lost replay), shown with the overlay or without

@@ -1,0 +1,13 @@
+// What all shaders know of a frame; the same as FrameData in src/render/frame_data.h.
+layout(std140) uniform Frame {
+    mat4 view_projection;
+    mat4 inverse_view_projection;
+    mat4 shadow_matrix;  // world to the shadow map's clip space
+    vec4 eye;
+    vec4 to_light;
+    vec4 viewport;       // width, height [pixel] and their inverses
+    vec4 stage;          // centre x, height of the ground, centre z, radius [m]
+    vec4 shadow;         // a texel's size in the world [m] and in the texture, strength
+    ivec4 counts;        // structural springs, shear springs, segments of a bound's circle, balls that darken
+    vec4 balls[8];       // centre, radius [m]
+};

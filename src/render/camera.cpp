@@ -1,0 +1,108 @@
+#include "drape/render/camera.h"
+
+#include <Eigen/Geometry>
+#include <Eigen/LU>
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+#include <type_traits>
+
+#include "frame_data.h"
+
+namespace drape {
+
+namespace {
+
+constexpr float field_of_view = 38 * std::numbers::pi_v<float> / 180;  // of the picture's height
+constexpr float steepest = 1.5f;  // pitch [rad]: short of the poles, where the yaw would lose its meaning
+constexpr float nearest = 0.1f, farthest = 60;  // distance to the target [m]
+constexpr float reach = 100;                    // of the target from the origin [m]
+
+float number(double value) { return std::isfinite(value) ? static_cast<float>(value) : 0.0f; }
+
+// Ahead, right and up of a camera
+struct Axes {
+    Eigen::Vector3f back, right, up;
+};
+
+Axes axes_of(float yaw, float pitch) {
+    Axes axes;
+    axes.back = {std::sin(yaw) * std::cos(pitch), std::sin(pitch), std::cos(yaw) * std::cos(pitch)};
+    axes.right = {std::cos(yaw), 0, -std::sin(yaw)};
+    axes.up = axes.back.cross(axes.right);
+    return axes;
+}
+
+}  // namespace
+
+Camera::Camera(const ViewSettings& view) : target_(view.target.cast<float>()), yaw_(0), pitch_(0), distance_(1) {
+    const Eigen::Vector3f offset = (view.eye - view.target).cast<float>();
+    const float length = offset.norm();
+    if (!(length > 1e-6f)) return;
+    distance_ = std::clamp(length, nearest, farthest);
+    yaw_ = std::atan2(offset.x(), offset.z());
+    pitch_ = std::clamp(std::asin(std::clamp(offset.y() / length, -1.0f, 1.0f)), -steepest, steepest);
+}
+
+void Camera::apply(const Command& command, const FrameView& view) {
+    if (const auto* orbit = std::get_if<command::Orbit>(&command)) {
+        yaw_ = std::remainder(yaw_ + number(orbit->yaw), 2 * std::numbers::pi_v<float>);
+        pitch_ = std::clamp(pitch_ + number(orbit->pitch), -steepest, steepest);
+    } else if (const auto* pan = std::get_if<command::Pan>(&command)) {
+        const Axes axes = axes_of(yaw_, pitch_);
+        target_ += distance_ * (number(pan->right) * axes.right + number(pan->up) * axes.up);
+        target_ = target_.cwiseMax(-reach).cwiseMin(reach);
+    } else if (const auto* zoom = std::get_if<command::Zoom>(&command)) {
+        if (zoom->factor > 0) distance_ = std::clamp(distance_ * number(zoom->factor), nearest, farthest);
+    } else if (std::holds_alternative<command::Frame>(command)) {
+        const Extent extent = drawn_extent(view);
+        target_ = extent.centre.cwiseMax(-reach).cwiseMin(reach);
+        distance_ = std::clamp(extent.radius / std::sin(field_of_view / 2), nearest, farthest);
+    }
+}
+
+Eigen::Vector3f Camera::eye() const { return target_ + distance_ * axes_of(yaw_, pitch_).back; }
+
+Eigen::Matrix4f Camera::view_matrix() const {
+    const Axes axes = axes_of(yaw_, pitch_);
+    Eigen::Matrix4f matrix = Eigen::Matrix4f::Identity();
+    matrix.topLeftCorner<3, 3>() << axes.right.transpose(), axes.up.transpose(), axes.back.transpose();
+    matrix.topRightCorner<3, 1>() = -matrix.topLeftCorner<3, 3>() * eye();
+    return matrix;
+}
+
+Eigen::Matrix4f Camera::projection_matrix(float aspect) const {
+    // The planes move with the distance, so that depth stays fine close by
+    const float near = std::clamp(0.05f * distance_, 0.01f, 0.5f), far = 40 * distance_ + 40;
+    const float scale = 1 / std::tan(field_of_view / 2);
+    Eigen::Matrix4f matrix = Eigen::Matrix4f::Zero();
+    matrix(0, 0) = scale / aspect;
+    matrix(1, 1) = scale;
+    matrix(2, 2) = (near + far) / (near - far);
+    matrix(2, 3) = 2 * near * far / (near - far);
+    matrix(3, 2) = -1;
+    return matrix;
+}
+
+Ray Camera::ray(int x, int y, int width, int height) const {
+    const Axes axes = axes_of(yaw_, pitch_);
+    const float half = std::tan(field_of_view / 2);
+    const auto w = static_cast<float>(std::max(width, 1)), h = static_cast<float>(std::max(height, 1));
+    const float right = ((static_cast<float>(x) + 0.5f) / w * 2 - 1) * half * w / h;
+    const float up = (1 - (static_cast<float>(y) + 0.5f) / h * 2) * half;
+    const Eigen::Vector3f direction = right * axes.right + up * axes.up - axes.back;
+    return {eye().cast<Real>(), direction.normalized().cast<Real>()};
+}
+
+Vec3 Camera::on_facing_plane(const Ray& ray, const Vec3& through) const {
+    const Vec3 normal = axes_of(yaw_, pitch_).back.cast<Real>();
+    const Real towards = ray.direction.dot(normal);
+    if (std::abs(towards) < Real(1e-6)) return through;
+    return ray.origin + ray.direction * ((through - ray.origin).dot(normal) / towards);
+}
+
+Vec3 Camera::right() const { return axes_of(yaw_, 0).right.cast<Real>(); }
+
+Vec3 Camera::ahead() const { return -axes_of(yaw_, 0).back.cast<Real>(); }
+
+}  // namespace drape

@@ -1,0 +1,90 @@
+#include "cloth_mesh.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace drape {
+
+namespace {
+
+struct Float3 {
+    float x, y, z;
+};
+
+Float3 position(const ClothVertex& vertex) { return {vertex.position[0], vertex.position[1], vertex.position[2]}; }
+
+Float3 difference(const ClothVertex& a, const ClothVertex& b) {
+    const Float3 p = position(a), q = position(b);
+    return {p.x - q.x, p.y - q.y, p.z - q.z};
+}
+
+Float3 cross(const Float3& a, const Float3& b) {
+    return {a.y * b.z - a.z * b.y, a.z * b.x - a.x * b.z, a.x * b.y - a.y * b.x};
+}
+
+}  // namespace
+
+void fill_cloth_vertices(const Cloth& cloth, Real blend, ClothVertex* vertices) {
+    const Grid& grid = cloth.model.grid;
+    const bool moving = cloth.previous.x.rows() == cloth.state.x.rows();
+    const Points& now = cloth.state.x;
+    const Points& before = moving ? cloth.previous.x : cloth.state.x;
+
+    // Positions
+    for (int p = 0; p < grid.particles(); ++p) {
+        for (int axis = 0; axis < 3; ++axis) {
+            const Real x = before(p, axis) + blend * (now(p, axis) - before(p, axis));
+            vertices[p].position[axis] = static_cast<float>(x);
+        }
+        vertices[p].pinned = cloth.model.pinned(p) ? 1.0f : 0.0f;
+    }
+
+    // Normals: across the neighbours along the row and along the column
+    for (int j = 0; j < grid.ny; ++j) {
+        const int above = std::max(j - 1, 0), below = std::min(j + 1, grid.ny - 1);
+        for (int i = 0; i < grid.nx; ++i) {
+            const int left = std::max(i - 1, 0), right = std::min(i + 1, grid.nx - 1);
+            const Float3 row = difference(vertices[grid.particle(right, j)], vertices[grid.particle(left, j)]);
+            const Float3 column = difference(vertices[grid.particle(i, below)], vertices[grid.particle(i, above)]);
+            Float3 n = cross(column, row);
+            const float length = std::sqrt(n.x * n.x + n.y * n.y + n.z * n.z);
+            if (length > 1e-20f) {
+                n = {n.x / length, n.y / length, n.z / length};
+            } else {
+                n = {0, 1, 0};
+            }
+            float* normal = vertices[grid.particle(i, j)].normal;
+            normal[0] = n.x;
+            normal[1] = n.y;
+            normal[2] = n.z;
+        }
+    }
+}
+
+void append_triangle_indices(const Grid& grid, std::uint32_t first_vertex, std::vector<std::uint32_t>& indices) {
+    for (int t = 0; t < grid.triangles(); ++t) {
+        for (const int corner : grid.triangle_corners(t)) {
+            indices.push_back(first_vertex + static_cast<std::uint32_t>(corner));
+        }
+    }
+}
+
+void append_spring_indices(const Grid& grid, std::uint32_t first_vertex, SpringIndices& springs) {
+    const auto spring = [&](int i, int j, int k, int l, std::vector<std::uint32_t>& kind) {
+        if (k < 0 || k >= grid.nx || l >= grid.ny) return;
+        kind.push_back(first_vertex + static_cast<std::uint32_t>(grid.particle(i, j)));
+        kind.push_back(first_vertex + static_cast<std::uint32_t>(grid.particle(k, l)));
+    };
+    for (int j = 0; j < grid.ny; ++j) {
+        for (int i = 0; i < grid.nx; ++i) {
+            spring(i, j, i + 1, j, springs.structural);
+            spring(i, j, i, j + 1, springs.structural);
+            spring(i, j, i + 1, j + 1, springs.shear);
+            spring(i, j, i - 1, j + 1, springs.shear);
+            spring(i, j, i + 2, j, springs.bend);
+            spring(i, j, i, j + 2, springs.bend);
+        }
+    }
+}
+
+}  // namespace drape

@@ -1,0 +1,40 @@
+#pragma once
+
+#include <Eigen/Core>
+#include <array>
+
+#include "drape/render/camera.h"
+#include "drape/sim/simulation.h"
+
+namespace drape {
+
+/// The shaders' block `Frame`, in the layout of std140.
+struct FrameData {
+    static constexpr int most_balls = 8;  ///< that darken their surroundings; any number is drawn
+
+    Eigen::Matrix4f view_projection;
+    Eigen::Matrix4f inverse_view_projection;
+    Eigen::Matrix4f shadow_matrix;  ///< world to the shadow map's clip space
+    Eigen::Vector4f eye;
+    Eigen::Vector4f to_light;
+    Eigen::Vector4f viewport;  ///< width, height [pixel] and their inverses
+    Eigen::Vector4f stage;     ///< centre x, height of the ground, centre z, radius [m]
+    Eigen::Vector4f shadow;    ///< a texel's size in the world [m] and in the texture, strength
+    std::array<int, 4> counts;  ///< structural springs, shear springs, segments of a bound's circle, balls that darken
+    std::array<Eigen::Vector4f, most_balls> balls;  ///< centre, radius [m]
+};
+
+/// A sphere around all cloths and balls as they are drawn.
+struct Extent {
+    Eigen::Vector3f centre = Eigen::Vector3f::Zero();
+    float radius = 1;
+};
+Extent drawn_extent(const FrameView& view);
+
+/// Where a ball is drawn: centre and radius, between its last two places.
+Eigen::Vector4f drawn_ball(const FrameView& view, std::size_t number);
+
+/// The block but for its `counts`.
+FrameData make_frame_data(const FrameView& view, const Camera& camera, int width, int height, int shadow_texels);
+
+}  // namespace drape

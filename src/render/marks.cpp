@@ -1,0 +1,173 @@
+#include "marks.h"
+
+#include <algorithm>
+#include <cstddef>
+
+#include "cloth_mesh.h"
+#include "solids.h"
+
+namespace drape {
+
+namespace {
+
+struct ContactMark {
+    float point[3];
+    float normal[3];
+};
+
+struct BoundMark {
+    float centre[3];
+    float axes[9];  ///< column by column
+    float state;
+};
+
+constexpr int circles_per_bound = 4;
+constexpr int contact_vertices = 9;
+
+void copy(const Vec3& from, float* to) {
+    for (int axis = 0; axis < 3; ++axis) to[axis] = static_cast<float>(from[axis]);
+}
+
+}  // namespace
+
+Marks::Marks(Gl& gl)
+    : gl_(gl),
+      spring_program_(gl, "spring"),
+      particle_program_(gl, "particle"),
+      contact_program_(gl, "contact"),
+      bounds_program_(gl, "bounds"),
+      spring_array_(gl),
+      contact_array_(gl),
+      bounds_array_(gl),
+      spring_indices_(gl) {}
+
+int Marks::segments() const {
+    constexpr std::size_t vertices_wanted = 300'000;
+    const std::size_t share = vertices_wanted / (2 * circles_per_bound * std::max<std::size_t>(nodes_.size(), 1));
+    return static_cast<int>(std::clamp<std::size_t>(share, 8, 48));
+}
+
+void Marks::need(const FrameView& view, StreamBuffer& stream) {
+    const ViewSettings& shown = view.settings->view;
+    show_particles_ = shown.particles;
+    contact_count_ = particle_count_ = 0;
+    nodes_.clear();
+    for (const Cloth& cloth : view.cloths) {
+        particle_count_ += cloth.model.grid.particles();
+        if (shown.contacts) contact_count_ += static_cast<int>(cloth.contacts.size());
+    }
+    if (shown.bounds) collect_bounds(view);
+    stream.need(Region::Contacts, static_cast<std::size_t>(contact_count_) * sizeof(ContactMark));
+    stream.need(Region::Bounds, nodes_.size() * sizeof(BoundMark));
+}
+
+void Marks::collect_bounds(const FrameView& view) {
+    for (const Cloth& cloth : view.cloths) {
+        if (!cloth.broad_phase || cloth.broad_phase->levels() < 1) continue;
+        touched_cells_.clear();
+        for (const Contact& contact : cloth.contacts) touched_cells_.push_back(contact.triangle / 2);
+        std::sort(touched_cells_.begin(), touched_cells_.end());
+        touched_cells_.erase(std::unique(touched_cells_.begin(), touched_cells_.end()), touched_cells_.end());
+
+        const int level = std::clamp(view.settings->view.level, 0, cloth.broad_phase->levels() - 1);
+        cloth.broad_phase->nodes_at(level, touched_cells_, level_nodes_);
+        nodes_.insert(nodes_.end(), level_nodes_.begin(), level_nodes_.end());
+    }
+}
+
+void Marks::arrange(const FrameView& view, StreamBuffer& stream, bool moved) {
+    if (moved) {
+        gl_(glBindVertexArray, spring_array_.name());
+        set_cloth_attributes(gl_, stream);
+
+        const std::size_t contacts = stream.place(Region::Contacts);
+        gl_(glBindVertexArray, contact_array_.name());
+        set_attribute(gl_, {0, 3, sizeof(ContactMark), contacts + offsetof(ContactMark, point), true});
+        set_attribute(gl_, {1, 3, sizeof(ContactMark), contacts + offsetof(ContactMark, normal), true});
+
+        const std::size_t bounds = stream.place(Region::Bounds);
+        gl_(glBindVertexArray, bounds_array_.name());
+        set_attribute(gl_, {0, 3, sizeof(BoundMark), bounds + offsetof(BoundMark, centre), true});
+        for (GLuint column = 0; column < 3; ++column) {
+            const std::size_t start = bounds + offsetof(BoundMark, axes) + 3 * column * sizeof(float);
+            set_attribute(gl_, {1 + column, 3, sizeof(BoundMark), start, true});
+        }
+        set_attribute(gl_, {4, 1, sizeof(BoundMark), bounds + offsetof(BoundMark, state), true});
+    }
+    if (show_particles_) index_springs(view);
+}
+
+void Marks::index_springs(const FrameView& view) {
+    bool same = grids_.size() == view.cloths.size();
+    for (std::size_t i = 0; same && i < grids_.size(); ++i) same = grids_[i] == view.cloths[i].model.grid;
+    if (!view.cloths.empty()) {
+        const ClothModel& model = view.cloths.front().model;
+        lift_ = 0.22f * static_cast<float>(std::min(model.hx, model.hy));
+    }
+    if (same) return;
+
+    grids_.clear();
+    SpringIndices springs;
+    std::uint32_t first_vertex = 0;
+    for (const Cloth& cloth : view.cloths) {
+        grids_.push_back(cloth.model.grid);
+        append_spring_indices(cloth.model.grid, first_vertex, springs);
+        first_vertex += static_cast<std::uint32_t>(cloth.model.grid.particles());
+    }
+    structural_count_ = static_cast<int>(springs.structural.size() / 2);
+    shear_count_ = static_cast<int>(springs.shear.size() / 2);
+    bend_count_ = static_cast<int>(springs.bend.size() / 2);
+    std::vector<std::uint32_t>& all = springs.structural;
+    all.insert(all.end(), springs.shear.begin(), springs.shear.end());
+    all.insert(all.end(), springs.bend.begin(), springs.bend.end());
+    gl_(glBindVertexArray, spring_array_.name());
+    gl_(glBindBuffer, GLenum{GL_ELEMENT_ARRAY_BUFFER}, spring_indices_.name());
+    gl_(glBufferData, GLenum{GL_ELEMENT_ARRAY_BUFFER}, static_cast<GLsizeiptr>(all.size() * sizeof(std::uint32_t)),
+        static_cast<const void*>(all.data()), GLenum{GL_STATIC_DRAW});
+}
+
+void Marks::fill(const FrameView& view, StreamBuffer& stream) const {
+    if (contact_count_ > 0) {
+        auto* mark = stream.data<ContactMark>(Region::Contacts);
+        for (const Cloth& cloth : view.cloths) {
+            for (const Contact& contact : cloth.contacts) {
+                copy(contact.point, mark->point);
+                copy(contact.normal, mark->normal);
+                ++mark;
+            }
+        }
+    }
+    auto* mark = stream.data<BoundMark>(Region::Bounds);
+    for (const NodeView& node : nodes_) {
+        copy(node.placement.centre, mark->centre);
+        for (int column = 0; column < 3; ++column) copy(node.placement.axes.col(column), mark->axes + 3 * column);
+        mark->state = static_cast<float>(node.state);
+        ++mark;
+    }
+}
+
+void Marks::draw() {
+    if (show_particles_) {
+        const int plain = structural_count_ + shear_count_;
+        spring_program_.use();
+        gl_(glBindVertexArray, spring_array_.name());
+        gl_(glVertexAttrib1f, 4u, 0.0f);
+        gl_.draw_elements(GL_LINES, 2 * plain);
+        gl_(glVertexAttrib1f, 4u, lift_);
+        gl_.draw_elements(GL_LINES, 2 * bend_count_, 2 * static_cast<std::size_t>(plain) * sizeof(std::uint32_t));
+        particle_program_.use();
+        gl_.draw_arrays(GL_POINTS, particle_count_);
+    }
+    if (!nodes_.empty()) {
+        bounds_program_.use();
+        gl_(glBindVertexArray, bounds_array_.name());
+        gl_.draw_arrays_instanced(GL_LINES, 2 * circles_per_bound * segments(), static_cast<int>(nodes_.size()));
+    }
+    if (contact_count_ > 0) {
+        contact_program_.use();
+        gl_(glBindVertexArray, contact_array_.name());
+        gl_.draw_arrays_instanced(GL_TRIANGLES, contact_vertices, contact_count_);
+    }
+}
+
+}  // namespace drape

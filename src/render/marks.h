@@ -1,0 +1,50 @@
+#pragma once
+
+#include <vector>
+
+#include "drape/sim/simulation.h"
+#include "gl_objects.h"
+#include "program.h"
+#include "stream_buffer.h"
+
+namespace drape {
+
+/// What explains the picture, as far as the settings ask for it: particles and springs, contacts, bounds.
+class Marks {
+public:
+    explicit Marks(Gl& gl);
+
+    /// Collects what will be drawn.
+    void need(const FrameView& view, StreamBuffer& stream);
+
+    /// Follows new grids, and new places in the stream.
+    void arrange(const FrameView& view, StreamBuffer& stream, bool moved);
+
+    void fill(const FrameView& view, StreamBuffer& stream) const;
+
+    /// Over the solids; blending is on.
+    void draw();
+
+    [[nodiscard]] int structural_springs() const { return structural_count_; }
+    [[nodiscard]] int shear_springs() const { return shear_count_; }
+    /// Of a bound's circle: fewer where there are many bounds.
+    [[nodiscard]] int segments() const;
+
+private:
+    void collect_bounds(const FrameView& view);
+    void index_springs(const FrameView& view);
+
+    Gl& gl_;
+    Program spring_program_, particle_program_, contact_program_, bounds_program_;
+    VertexArray spring_array_, contact_array_, bounds_array_;
+    Buffer spring_indices_;
+    std::vector<Grid> grids_;
+    std::vector<NodeView> nodes_, level_nodes_;
+    std::vector<int> touched_cells_;
+    bool show_particles_ = false;
+    int particle_count_ = 0, contact_count_ = 0;
+    int structural_count_ = 0, shear_count_ = 0, bend_count_ = 0;
+    float lift_ = 0;  ///< of the bend springs over the cloth [m]
+};
+
+}  // namespace drape

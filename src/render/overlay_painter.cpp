@@ -1,0 +1,110 @@
+#include "overlay_painter.h"
+
+#include <imgui.h>
+
+#include <algorithm>
+#include <cstddef>
+#include <cstring>
+
+namespace drape {
+
+namespace {
+
+template <class T>
+std::size_t bytes_of(const ImVector<T>& items) {
+    return static_cast<std::size_t>(items.Size) * sizeof(T);
+}
+
+// A clip rectangle in pixels from the lower left
+struct Scissor {
+    int x, y, width, height;
+    bool operator==(const Scissor&) const = default;
+};
+
+Scissor scissor_of(const ImVec4& clip, const ImVec2& display) {
+    const float left = std::clamp(clip.x, 0.0f, display.x), right = std::clamp(clip.z, left, display.x);
+    const float top = std::clamp(clip.y, 0.0f, display.y), bottom = std::clamp(clip.w, top, display.y);
+    return {static_cast<int>(left), static_cast<int>(display.y - bottom), static_cast<int>(right - left),
+            static_cast<int>(bottom - top)};
+}
+
+}  // namespace
+
+OverlayPainter::OverlayPainter(Gl& gl) : gl_(gl), program_(gl, "overlay"), array_(gl), atlas_(gl) {
+    unsigned char* pixels = nullptr;
+    int width = 0, height = 0;
+    ImGui::GetIO().Fonts->GetTexDataAsAlpha8(&pixels, &width, &height);
+    gl(glActiveTexture, GLenum{GL_TEXTURE1});
+    gl(glBindTexture, GLenum{GL_TEXTURE_2D}, atlas_.name());
+    gl(glPixelStorei, GLenum{GL_UNPACK_ALIGNMENT}, 1);
+    gl(glTexImage2D, GLenum{GL_TEXTURE_2D}, 0, GLint{GL_R8}, width, height, 0, GLenum{GL_RED}, GLenum{GL_UNSIGNED_BYTE},
+       static_cast<const void*>(pixels));
+    gl(glTexParameteri, GLenum{GL_TEXTURE_2D}, GLenum{GL_TEXTURE_MIN_FILTER}, GLint{GL_LINEAR});
+    gl(glTexParameteri, GLenum{GL_TEXTURE_2D}, GLenum{GL_TEXTURE_MAG_FILTER}, GLint{GL_LINEAR});
+    ImGui::GetIO().Fonts->ClearTexData();
+}
+
+void OverlayPainter::need(bool shown, StreamBuffer& stream) {
+    shown_ = shown;
+    std::size_t vertices = 0, indices = 0;
+    if (shown) {
+        vertices = static_cast<std::size_t>(ImGui::GetDrawData()->TotalVtxCount) * sizeof(ImDrawVert);
+        indices = static_cast<std::size_t>(ImGui::GetDrawData()->TotalIdxCount) * sizeof(ImDrawIdx);
+    }
+    stream.need(Region::OverlayVertices, vertices);
+    stream.need(Region::OverlayIndices, indices);
+}
+
+void OverlayPainter::arrange(StreamBuffer& stream, bool moved) {
+    if (!moved) return;
+    const std::size_t start = stream.place(Region::OverlayVertices), stride = sizeof(ImDrawVert);
+    gl_(glBindVertexArray, array_.name());
+    stream.bind_vertices();
+    stream.bind_indices();
+    set_attribute(gl_, {0, 2, stride, start + offsetof(ImDrawVert, pos)});
+    set_attribute(gl_, {1, 2, stride, start + offsetof(ImDrawVert, uv)});
+    gl_(glEnableVertexAttribArray, 2u);
+    gl_(glVertexAttribPointer, 2u, 4, GLenum{GL_UNSIGNED_BYTE}, GLboolean{GL_TRUE}, static_cast<GLsizei>(stride),
+        Gl::offset(start + offsetof(ImDrawVert, col)));
+}
+
+void OverlayPainter::fill(StreamBuffer& stream) const {
+    if (!shown_) return;
+    auto* vertices = stream.data<std::byte>(Region::OverlayVertices);
+    auto* indices = stream.data<std::byte>(Region::OverlayIndices);
+    const ImDrawData& data = *ImGui::GetDrawData();
+    for (int i = 0; i < data.CmdListsCount; ++i) {
+        const ImDrawList& list = *data.CmdLists[i];
+        std::memcpy(vertices, list.VtxBuffer.Data, bytes_of(list.VtxBuffer));
+        std::memcpy(indices, list.IdxBuffer.Data, bytes_of(list.IdxBuffer));
+        vertices += bytes_of(list.VtxBuffer);
+        indices += bytes_of(list.IdxBuffer);
+    }
+}
+
+void OverlayPainter::draw(const StreamBuffer& stream) {
+    if (!shown_) return;
+    const ImDrawData& data = *ImGui::GetDrawData();
+    program_.use();
+    gl_(glBindVertexArray, array_.name());
+    gl_(glEnable, GLenum{GL_SCISSOR_TEST});
+    Scissor current{-1, -1, 0, 0};
+    int first_vertex = 0;
+    std::size_t first_index = stream.place(Region::OverlayIndices);
+    for (int i = 0; i < data.CmdListsCount; ++i) {
+        const ImDrawList& list = *data.CmdLists[i];
+        for (const ImDrawCmd& command : list.CmdBuffer) {
+            const Scissor scissor = scissor_of(command.ClipRect, data.DisplaySize);
+            if (command.ElemCount == 0 || scissor.width == 0 || scissor.height == 0) continue;
+            if (scissor != current) gl_(glScissor, scissor.x, scissor.y, scissor.width, scissor.height);
+            current = scissor;
+            gl_.draw_short_elements(static_cast<int>(command.ElemCount), first_index + command.IdxOffset * sizeof(ImDrawIdx),
+                                    first_vertex + static_cast<int>(command.VtxOffset));
+        }
+        first_vertex += list.VtxBuffer.Size;
+        first_index += bytes_of(list.IdxBuffer);
+    }
+    gl_(glDisable, GLenum{GL_SCISSOR_TEST});
+}
+
+}  // namespace drape

@@ -1,0 +1,44 @@
+#pragma once
+
+#include <array>
+#include <memory>
+#include <span>
+#include <string>
+#include <vector>
+
+#include "drape/render/renderer.h"
+
+struct ImFont;
+struct ImGuiContext;
+
+namespace drape {
+
+/// The panels over the picture, made with Dear ImGui: figures at the top left, help at the right, notices at the bottom.
+/// Dear ImGui's context lives as long as this does.
+class OverlayPanels {
+public:
+    OverlayPanels();
+
+    /// Makes the panels of a frame as Dear ImGui's draw data.
+    /// @param last what the frame before this one cost
+    /// @return false if there is nothing to show, or no room
+    bool build(const FrameView& view, const FrameReport& last, std::span<const std::string> notices, int width,
+               int height);
+
+    std::vector<KeyHelp> help;
+
+private:
+    struct DestroyContext {
+        void operator()(ImGuiContext* context) const;
+    };
+
+    void help_panel(float width, float height, float taken) const;
+    void notice_panel(std::span<const std::string> notices, float width, float height) const;
+
+    std::unique_ptr<ImGuiContext, DestroyContext> context_;
+    std::array<ImFont*, 4> fonts_{};  ///< from small to large
+    ImFont* text_ = nullptr;          ///< of this frame
+    ImFont* title_ = nullptr;
+};
+
+}  // namespace drape

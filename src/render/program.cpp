@@ -1,0 +1,89 @@
+#include "program.h"
+
+#include <fstream>
+#include <vector>
+
+#include "drape/base/input_error.h"
+#include "drape/base/resources.h"
+
+namespace drape {
+
+namespace {
+
+std::string shader_log(Gl& gl, GLuint shader) {
+    GLint length = 0;
+    gl(glGetShaderiv, shader, GLenum{GL_INFO_LOG_LENGTH}, &length);
+    std::vector<char> log(static_cast<std::size_t>(length) + 1, '\0');
+    gl(glGetShaderInfoLog, shader, length, static_cast<GLsizei*>(nullptr), log.data());
+    return log.data();
+}
+
+GLuint compile(Gl& gl, GLenum stage, const std::string& file) {
+    const std::string source = shader_source(file);
+    const char* text = source.c_str();
+    const GLuint shader = gl(glCreateShader, stage);
+    gl(glShaderSource, shader, 1, &text, static_cast<const GLint*>(nullptr));
+    gl(glCompileShader, shader);
+    GLint ok = GL_FALSE;
+    gl(glGetShaderiv, shader, GLenum{GL_COMPILE_STATUS}, &ok);
+    if (!ok) {
+        const std::string log = shader_log(gl, shader);
+        gl(glDeleteShader, shader);
+        throw RunError("shaders/" + file + " does not compile: " + log);
+    }
+    return shader;
+}
+
+void bind_texture_unit(Gl& gl, GLuint program, const char* sampler, int unit) {
+    const GLint place = gl(glGetUniformLocation, program, sampler);
+    if (place >= 0) gl(glUniform1i, place, unit);
+}
+
+}  // namespace
+
+std::string shader_source(const std::string& file, int depth) {
+    if (depth > 8) throw RunError("shaders/" + file + ": includes go too deep");
+    std::ifstream in(find_resource("shaders/" + file));
+    if (!in) throw RunError("cannot read shaders/" + file);
+    const std::string mark = "#include \"";
+    std::string text, line;
+    while (std::getline(in, line)) {
+        if (line.starts_with(mark)) {
+            text += shader_source(line.substr(mark.size(), line.rfind('"') - mark.size()), depth + 1);
+        } else {
+            text += line + '\n';
+        }
+    }
+    return text;
+}
+
+Program::Program(Gl& gl, const std::string& name) : gl_(gl) {
+    const GLuint vertex = compile(gl, GL_VERTEX_SHADER, name + ".vert");
+    const GLuint fragment = compile(gl, GL_FRAGMENT_SHADER, name + ".frag");
+    name_ = gl(glCreateProgram);
+    gl(glAttachShader, name_, vertex);
+    gl(glAttachShader, name_, fragment);
+    gl(glLinkProgram, name_);
+    gl(glDeleteShader, vertex);
+    gl(glDeleteShader, fragment);
+
+    GLint ok = GL_FALSE;
+    gl(glGetProgramiv, name_, GLenum{GL_LINK_STATUS}, &ok);
+    if (!ok) {
+        std::vector<char> log(4096, '\0');
+        gl(glGetProgramInfoLog, name_, static_cast<GLsizei>(log.size()), static_cast<GLsizei*>(nullptr), log.data());
+        gl(glDeleteProgram, name_);
+        throw RunError("shaders/" + name + " does not link: " + log.data());
+    }
+
+    // Where the shared block and the textures are
+    const GLuint block = gl(glGetUniformBlockIndex, name_, "Frame");
+    if (block != GL_INVALID_INDEX) gl(glUniformBlockBinding, name_, block, 0u);
+    gl(glUseProgram, name_);
+    bind_texture_unit(gl, name_, "shadow_map", 0);
+    bind_texture_unit(gl, name_, "atlas", 1);
+}
+
+Program::~Program() { gl_(glDeleteProgram, name_); }
+
+}  // namespace drape

@@ -1,0 +1,31 @@
+#pragma once
+
+#include <string>
+
+#include "gl.h"
+
+namespace drape {
+
+/// A vertex and a fragment shader, linked. Its block `Frame` is bound to point 0; `shadow_map` reads texture unit 0 and
+/// `atlas` unit 1.
+class Program {
+public:
+    /// @param name of `shaders/NAME.vert` and `shaders/NAME.frag`
+    /// @throws RunError with the compiler's log
+    Program(Gl& gl, const std::string& name);
+    ~Program();
+    Program(const Program&) = delete;
+    Program& operator=(const Program&) = delete;
+
+    void use() const { gl_(glUseProgram, name_); }
+
+private:
+    Gl& gl_;
+    GLuint name_;
+};
+
+/// The text of a shader file, with each line `#include "file"` replaced by that file of the same folder.
+/// @throws RunError if a file is missing or includes go deeper than 8
+std::string shader_source(const std::string& file, int depth = 0);
+
+}  // namespace drape

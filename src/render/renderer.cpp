@@ -1,0 +1,169 @@
+#include "drape/render/renderer.h"
+
+#include <imgui.h>
+
+#include <array>
+#include <optional>
+#include <string>
+#include <utility>
+
+#include "drape/base/input_error.h"
+#include "drape/base/stopwatch.h"
+#include "backdrop.h"
+#include "frame_data.h"
+#include "frame_meter.h"
+#include "marks.h"
+#include "overlay_painter.h"
+#include "overlay_panels.h"
+#include "picture_target.h"
+#include "shadow_map.h"
+#include "solids.h"
+#include "stream_buffer.h"
+
+namespace drape {
+
+namespace {
+
+void check_version(Gl& gl) {
+    GLint major = 0, minor = 0;
+    gl(glGetIntegerv, GLenum{GL_MAJOR_VERSION}, &major);
+    gl(glGetIntegerv, GLenum{GL_MINOR_VERSION}, &minor);
+    if (major * 10 + minor < 33) {
+        throw RunError("OpenGL 3.3 is needed, and this is " + std::to_string(major) + "." + std::to_string(minor));
+    }
+}
+
+// What stays the same over all frames
+void set_state(Gl& gl) {
+    check_version(gl);
+    gl(glEnable, GLenum{GL_DEPTH_TEST});
+    gl(glDepthFunc, GLenum{GL_LEQUAL});
+    gl(glEnable, GLenum{GL_MULTISAMPLE});
+    gl(glEnable, GLenum{GL_PROGRAM_POINT_SIZE});
+    gl(glBlendFunc, GLenum{GL_SRC_ALPHA}, GLenum{GL_ONE_MINUS_SRC_ALPHA});
+    gl(glPixelStorei, GLenum{GL_PACK_ALIGNMENT}, 1);
+}
+
+}  // namespace
+
+// In the order in which they are made; each may use those above it.
+struct Renderer::Parts {
+    Gl gl;
+    const bool ready = (set_state(gl), true);
+    StreamBuffer stream{gl};
+    ShadowMap shadow{gl};
+    Solids solids{gl};
+    Backdrop backdrop{gl};
+    Marks marks{gl};
+    OverlayPanels panels;
+    OverlayPainter painter{gl};
+    std::optional<PictureTarget> target;
+    int width = 0, height = 0;
+    FrameMeter meter;
+    FrameReport report;
+
+    void prepare(const FrameView& view, const Camera& camera, std::span<const std::string> notices);
+    void paint(const FrameView& view);
+    void note_cost() {
+        report.gl_calls = static_cast<double>(gl.calls());
+        report.vertices = static_cast<double>(gl.vertices());
+    }
+};
+
+Renderer::Renderer() : parts_(std::make_unique<Parts>()) {}
+
+Renderer::~Renderer() = default;
+
+void Renderer::resize(int width, int height) {
+    if (width == parts_->width && height == parts_->height) return;
+    parts_->width = width;
+    parts_->height = height;
+    parts_->target.reset();
+    if (width >= 1 && height >= 1) parts_->target.emplace(parts_->gl, width, height);
+}
+
+void Renderer::set_help(std::vector<KeyHelp> lines) { parts_->panels.help = std::move(lines); }
+
+void Renderer::draw(const FrameView& view, const Camera& camera, std::span<const std::string> notices) {
+    Parts& parts = *parts_;
+    if (!parts.target) return;
+    const Stopwatch watch;
+    parts.gl.restart_count();
+    parts.prepare(view, camera, notices);
+    parts.paint(view);
+    parts.meter.count();
+    ++parts.report.frame;
+    parts.report.draw_time = watch.seconds();
+    parts.report.rate = parts.meter.rate();
+    parts.report.cpu = parts.meter.cpu();
+    parts.note_cost();
+}
+
+void Renderer::Parts::prepare(const FrameView& view, const Camera& camera, std::span<const std::string> notices) {
+    // What each part needs of the one buffer
+    const bool overlay = panels.build(view, report, notices, width, height);
+    stream.need(Region::Frame, sizeof(FrameData));
+    solids.need(view, stream);
+    marks.need(view, stream);
+    painter.need(overlay, stream);
+
+    // New places and new grids
+    const bool moved = stream.arrange();
+    solids.arrange(view, stream, moved);
+    marks.arrange(view, stream, moved);
+    painter.arrange(stream, moved);
+
+    // Everything into it, and up
+    FrameData data = make_frame_data(view, camera, width, height, ShadowMap::texels);
+    data.counts[0] = marks.structural_springs();
+    data.counts[1] = marks.shear_springs();
+    data.counts[2] = marks.segments();
+    *stream.data<FrameData>(Region::Frame) = data;
+    solids.fill(view, stream);
+    marks.fill(view, stream);
+    painter.fill(stream);
+    stream.upload();
+}
+
+void Renderer::Parts::paint(const FrameView& view) {
+    shadow.begin();
+    solids.draw_shadow();
+
+    target->begin();
+    solids.draw(view.settings->view.wireframe);
+    backdrop.draw();
+
+    gl(glEnable, GLenum{GL_BLEND});
+    marks.draw();
+    target->resolve();
+    painter.draw(stream);
+    gl(glDisable, GLenum{GL_BLEND});
+}
+
+void Renderer::present() {
+    if (!parts_->target) return;
+    parts_->target->present();
+    parts_->note_cost();
+}
+
+Image Renderer::read_back() const {
+    if (!parts_->target) return {};
+    Image image = parts_->target->read_back();
+    parts_->note_cost();
+    return image;
+}
+
+const FrameReport& Renderer::report() const { return parts_->report; }
+
+std::span<const FrameField> frame_fields() {
+    static constexpr std::array<FrameField, 5> fields{{
+        {"gl_calls", "", [](const FrameReport& r) { return r.gl_calls; }},
+        {"vertices", "", [](const FrameReport& r) { return r.vertices; }},
+        {"draw_time", "s", [](const FrameReport& r) { return r.draw_time; }},
+        {"rate", "1/s", [](const FrameReport& r) { return r.rate; }},
+        {"cpu", "", [](const FrameReport& r) { return r.cpu; }},
+    }};
+    return fields;
+}
+
+}  // namespace drape

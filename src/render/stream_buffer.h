@@ -1,0 +1,54 @@
+#pragma once
+
+#include <array>
+#include <cstddef>
+#include <vector>
+
+#include "gl_objects.h"
+
+namespace drape {
+
+/// What changes from frame to frame, in the order in which it lies in the one buffer.
+enum class Region { Frame, Balls, Cloth, Contacts, Bounds, OverlayVertices, OverlayIndices, Count };
+
+/// One buffer for all that changes from frame to frame, so that a frame needs one upload.
+/// First every part says what it needs, then `arrange`, then the parts write, then `upload`.
+/// Stays bound to GL_ARRAY_BUFFER, and its first region to uniform block 0.
+class StreamBuffer {
+public:
+    explicit StreamBuffer(Gl& gl);
+
+    void need(Region region, std::size_t bytes) { needs_[index(region)] = bytes; }
+
+    /// Makes room. Regions keep their place unless one has grown.
+    /// @return true if places have changed, so that vertex arrays must be set anew
+    bool arrange();
+
+    /// Where a region is written.
+    template <class T>
+    T* data(Region region) {
+        return reinterpret_cast<T*>(staging_.data() + place(region));
+    }
+
+    /// Where a region starts in the buffer, in bytes.
+    [[nodiscard]] std::size_t place(Region region) const { return places_[index(region)]; }
+
+    void upload();
+
+    /// Binds the buffer as the indices of the vertex array that is bound.
+    void bind_indices() { gl_(glBindBuffer, GLenum{GL_ELEMENT_ARRAY_BUFFER}, buffer_.name()); }
+
+    /// Binds the buffer as the vertices that attributes are set from.
+    void bind_vertices() { gl_(glBindBuffer, GLenum{GL_ARRAY_BUFFER}, buffer_.name()); }
+
+private:
+    static constexpr std::size_t regions = static_cast<std::size_t>(Region::Count);
+    static std::size_t index(Region region) { return static_cast<std::size_t>(region); }
+
+    Gl& gl_;
+    Buffer buffer_;
+    std::array<std::size_t, regions> needs_{}, capacities_{}, places_{};
+    std::vector<std::byte> staging_;
+};
+
+}  // namespace drape
