@@ -67,7 +67,7 @@ ClothState make_rest_state(const ClothParameters& parameters) {
         for (int i = 0; i < grid.nx; ++i) {
             const Real across = static_cast<Real>(i) * hx, along = static_cast<Real>(j) * hy;
             const Vec3 offset = parameters.plane == Plane::XZ ? Vec3(across, 0, along) : Vec3(across, -along, 0);
-            state.x.row(grid.particle(i, j)) = (parameters.origin + offset).transpose();
+            state.x.row(grid.particle(i, j)) = (parameters.origin() + offset).transpose();
         }
     }
     return state;

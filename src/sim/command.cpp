@@ -1,8 +1,10 @@
 #include "drape/sim/command.h"
 
+#include <algorithm>
 #include <array>
 #include <functional>
 #include <limits>
+#include <utility>
 #include <vector>
 
 #include "drape/base/input_error.h"

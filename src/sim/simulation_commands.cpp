@@ -32,7 +32,7 @@ BroadPhaseParameters broad_phase_of(const ContactSettings& contact) {
 /// True if the cloths start from other places or have other particles, so that a state cannot be kept.
 bool starts_differently(const ClothParameters& a, const ClothParameters& b) {
     return a.particles != b.particles || a.width != b.width || a.height != b.height || a.plane != b.plane ||
-           a.origin != b.origin || a.pinned != b.pinned;
+           a.origin() != b.origin() || a.pinned != b.pinned;
 }
 
 }  // namespace

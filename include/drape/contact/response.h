@@ -14,9 +14,9 @@ enum class ResponseKind { Projection };
 
 struct ResponseParameters {
     ResponseKind kind = ResponseKind::Projection;
-    Real friction = Real(0.3);       ///< Coulomb coefficient
-    Real restitution = 0;            ///< of the normal speed
-    Real thickness = Real(0.002);    ///< [m]
+    Real friction = Real(0.3);     ///< Coulomb coefficient
+    Real restitution = 0;          ///< of the normal speed
+    Real thickness = Real(0.002);  ///< [m]
 };
 
 /// Corrects positions and velocities so that the contacts' triangles stay out of the balls and do not enter them.
@@ -25,8 +25,8 @@ struct ResponseParameters {
 /// @param h the substep [s]; normal speeds that gravity alone brings within it do not bounce
 /// @return the largest depth that is left [m], 0 if none
 /// @par Cost O(contacts), allocates nothing
-Real resolve_contacts(const ClothModel& model, const ResponseParameters& parameters, std::span<const Ball> balls, Real h,
-                      std::vector<Contact>& contacts, ClothState& state);
+Real resolve_contacts(const ClothModel& model, const ResponseParameters& parameters, std::span<const Ball> balls,
+                      Real h, std::vector<Contact>& contacts, ClothState& state);
 
 /// The names of all kinds, in the order of the enumeration.
 std::span<const std::string> response_names();

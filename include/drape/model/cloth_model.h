@@ -25,12 +25,12 @@ struct Air {
 /// Invariant: `inverse_mass` is 0 for a pinned particle and 1/particle_mass for every other.
 struct ClothModel {
     Grid grid;
-    Real hx = 0, hy = 0;                                  ///< rest length along columns and rows [m]
-    Real particle_mass = 0;                               ///< [kg]
-    Eigen::Array<Real, Eigen::Dynamic, 1> inverse_mass;   ///< n x 1 [1/kg]
+    Real hx = 0, hy = 0;                                 ///< rest length along columns and rows [m]
+    Real particle_mass = 0;                              ///< [kg]
+    Eigen::Array<Real, Eigen::Dynamic, 1> inverse_mass;  ///< n x 1 [1/kg]
     SpringLaw structural, shear, bend;
-    Real drag = 0;                                        ///< [N s/m]
-    Vec3 gravity{0, Real(-9.81), 0};                      ///< [m/s^2]
+    Real drag = 0;                    ///< [N s/m]
+    Vec3 gravity{0, Real(-9.81), 0};  ///< [m/s^2]
     Air air;
     std::uint64_t revision = 0;  ///< changes with every change of masses, springs or pins: the key of cached factors
 

@@ -5,7 +5,8 @@
 namespace drape {
 
 /// The force on every particle: gravity, springs, air drag and wind.
-/// Each spring is evaluated once, as a stencil over rows of contiguous coordinates; a spring of zero length gives no force.
+/// Each spring is evaluated once, as a stencil over rows of contiguous coordinates; a spring of zero length gives no
+/// force.
 /// @param x n x 3 [m]
 /// @param v n x 3 [m/s]
 /// @param f n x 3 [N], overwritten; forces on pinned particles are computed and are the caller's to ignore

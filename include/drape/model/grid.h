@@ -5,8 +5,8 @@
 namespace drape {
 
 /// The cloth's topology: nx columns and ny rows of particles, and the cells and triangles between them.
-/// Invariant: nx >= 2 and ny >= 2. Particle p = j*nx + i stands at column i, row j; cell c = j*(nx-1) + i has the corners
-/// a=(i,j), b=(i+1,j), c=(i,j+1), d=(i+1,j+1); triangle 2c is a,c,b and triangle 2c+1 is b,c,d.
+/// Invariant: nx >= 2 and ny >= 2. Particle p = j*nx + i stands at column i, row j; cell c = j*(nx-1) + i has the
+/// corners a=(i,j), b=(i+1,j), c=(i,j+1), d=(i+1,j+1); triangle 2c is a,c,b and triangle 2c+1 is b,c,d.
 struct Grid {
     int nx = 2;
     int ny = 2;

@@ -43,8 +43,8 @@ private:
     float yaw_, pitch_, distance_;
 };
 
-/// The particle of a cloth that a ray hits first, through the triangle it hits; `particle` is -1 if it hits none or a ball
-/// is before it.
+/// The particle of a cloth that a ray hits first, through the triangle it hits; `particle` is -1 if it hits none or a
+/// ball is before it.
 struct Pick {
     int cloth = 0;
     int particle = -1;

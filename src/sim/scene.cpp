@@ -1,0 +1,191 @@
+#include "drape/sim/scene.h"
+
+#include <algorithm>
+#include <fstream>
+#include <iterator>
+
+#include "drape/base/input_error.h"
+#include "drape/base/resources.h"
+#include "drape/sim/setting_table.h"
+#include "toml_value.h"
+
+namespace drape {
+namespace {
+
+constexpr std::size_t largest_file = 256 * 1024;
+constexpr std::size_t longest_line = 4 * 1024;
+
+/// Reads one parsed scene into settings.
+class SceneReader {
+public:
+    SceneReader(std::string file, Settings& settings) : file_(std::move(file)), settings_(settings) {}
+
+    void read(const toml::table& root) {
+        if (root.get("cloth") == nullptr) throw InputError(file_ + ": [cloth] is missing: a scene needs one");
+        settings_.cloths.clear();
+        for (const auto& [key, node] : root) read_top(std::string(key.str()), node);
+    }
+
+private:
+    void read_top(const std::string& name, const toml::node& node) {
+        if (name == "title") {
+            write(node, find_setting("title"), 0);
+        } else if (name == "cloth") {
+            read_several(node, name, settings_.cloths);
+        } else if (name == "ball") {
+            read_several(node, name, settings_.balls);
+        } else if (std::any_of(setting_table().begin(), setting_table().end(),
+                               [&](const Setting& setting) { return setting.section == name; })) {
+            read_section(table_of(node, name), name, "", 0);
+        } else {
+            refuse_unknown(node, name, "");
+        }
+    }
+
+    /// `[cloth]` or `[[cloth]]`
+    template <class Part>
+    void read_several(const toml::node& node, const std::string& name, std::vector<Part>& parts) {
+        const toml::array* several = node.as_array();
+        const std::size_t count = several != nullptr ? several->size() : 1;
+        if (count == 0 || count > most_parts) {
+            fail(node, name + ": allowed 1 to " + std::to_string(most_parts) + " of them");
+        }
+        for (std::size_t i = 0; i < count; ++i) {
+            const toml::node& one = several != nullptr ? *several->get(i) : node;
+            parts.emplace_back();
+            const toml::table& table = table_of(one, name);
+            if (table.contains("origin") && table.contains("centre")) {
+                fail(*table.get("centre"), name + ".centre: allowed only without " + name + ".origin");
+            }
+            read_section(table, name, "", i);
+        }
+    }
+
+    /// @param prefix of the names within the section, as in "structural."
+    void read_section(const toml::table& table, const std::string& section, const std::string& prefix,
+                      std::size_t index) {
+        for (const auto& [key, node] : table) {
+            const std::string name = prefix + std::string(key.str());
+            const auto rows = setting_table();
+            const auto row = std::find_if(rows.begin(), rows.end(), [&](const Setting& setting) {
+                return setting.section == section && setting.name == name;
+            });
+            const bool group = std::any_of(rows.begin(), rows.end(), [&](const Setting& setting) {
+                return setting.section == section && setting.name.starts_with(name + ".");
+            });
+            if (row != rows.end()) {
+                write(node, *row, index);
+            } else if (group) {
+                read_section(table_of(node, section + "." + name), section, name + ".", index);
+            } else {
+                refuse_unknown(node, section + "." + name, section);
+            }
+        }
+    }
+
+    void write(const toml::node& node, const Setting& setting, std::size_t index) {
+        const auto value = toml_value(node, setting.kind);
+        if (!value) {
+            fail(node, setting.full_name() + " = " + toml_text(node) + ": allowed " + accepted(setting));
+        }
+        if (const std::string wrong = refusal(setting, *value); !wrong.empty()) fail(node, wrong);
+        setting.write(settings_, index, *value);
+    }
+
+    const toml::table& table_of(const toml::node& node, const std::string& name) {
+        if (!node.is_table())
+            fail(node, name + " = " + toml_text(node) + ": allowed only a table, as in [" + name + "]");
+        return *node.as_table();
+    }
+
+    [[noreturn]] void refuse_unknown(const toml::node& node, const std::string& name, const std::string& section) {
+        std::vector<std::string> names;
+        for (const Setting& setting : setting_table()) {
+            if (section.empty()) {
+                names.push_back(setting.section.empty() ? setting.name : setting.section);
+            } else if (setting.section == section) {
+                names.push_back(setting.full_name());
+            }
+        }
+        fail(node, "unknown key '" + name.substr(0, 100) + "': did you mean '" + nearest_name(name, names) + "'?");
+    }
+
+    [[noreturn]] void fail(const toml::node& node, const std::string& message) const {
+        const auto& begin = node.source().begin;
+        throw InputError(file_ + ":" + std::to_string(begin.line) + ":" + std::to_string(begin.column) + ": " +
+                         message);
+    }
+
+    static constexpr std::size_t most_parts = 64;
+
+    std::string file_;
+    Settings& settings_;
+};
+
+/// Refuses what the parser was not made for, before it sees it.
+void check_sizes(std::string_view text, const std::string& file) {
+    if (text.size() > largest_file) {
+        throw InputError(file + ": " + std::to_string(text.size()) + " bytes: allowed at most " +
+                         std::to_string(largest_file));
+    }
+    std::size_t line = 1;
+    for (std::size_t begin = 0; begin < text.size(); ++line) {
+        const std::size_t end = std::min(text.find('\n', begin), text.size());
+        if (end - begin > longest_line) {
+            throw InputError(file + ":" + std::to_string(line) + ":1: a line of " + std::to_string(end - begin) +
+                             " bytes: allowed at most " + std::to_string(longest_line));
+        }
+        begin = end + 1;
+    }
+}
+
+std::string read_file(const std::filesystem::path& path, const std::string& file) {
+    std::error_code error;
+    if (std::filesystem::is_directory(path, error)) throw InputError(file + ": is a folder, not a scene file");
+    std::ifstream in(path, std::ios::binary);
+    if (!in) throw InputError(file + ": cannot be read");
+    std::string text(largest_file + 1, '\0');
+    in.read(text.data(), static_cast<std::streamsize>(text.size()));
+    text.resize(static_cast<std::size_t>(in.gcount()));
+    return text;
+}
+
+}  // namespace
+
+Settings parse_scene(std::string_view text, const std::string& file) {
+    check_sizes(text, file);
+    Settings settings;
+    const toml::table root = parse_toml(text, file);
+    SceneReader(file, settings).read(root);
+    try {
+        check(settings);
+    } catch (const InputError& error) {
+        throw InputError(file + ": " + error.what());
+    }
+    return settings;
+}
+
+Settings load_scene(const std::string& name_or_path) {
+    const bool is_path = name_or_path.find('/') != std::string::npos || name_or_path.ends_with(".toml");
+    if (is_path) return parse_scene(read_file(name_or_path, name_or_path), name_or_path);
+    const auto names = scene_names();
+    if (std::find(names.begin(), names.end(), name_or_path) == names.end()) {
+        throw InputError("scene '" + name_or_path.substr(0, 100) + "': allowed " + listed(names) +
+                         ", or the path of a .toml file; did you mean '" + nearest_name(name_or_path, names) + "'?");
+    }
+    const auto path = find_resource("scenes/" + name_or_path + ".toml");
+    return parse_scene(read_file(path, path.string()), path.string());
+}
+
+std::vector<std::string> scene_names() {
+    std::vector<std::string> names;
+    for (const auto& entry : std::filesystem::directory_iterator(find_resource("scenes"))) {
+        if (entry.path().extension() == ".toml") names.push_back(entry.path().stem().string());
+    }
+    std::sort(names.begin(), names.end(), [](const std::string& a, const std::string& b) {
+        return std::pair(a != "original", a) < std::pair(b != "original", b);
+    });
+    return names;
+}
+
+}  // namespace drape

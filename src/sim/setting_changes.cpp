@@ -1,0 +1,127 @@
+#include <algorithm>
+#include <cmath>
+
+#include "drape/base/input_error.h"
+#include "drape/base/numbers.h"
+#include "drape/sim/setting_table.h"
+
+namespace drape {
+namespace {
+
+/// Particles over all cloths; at about 500 bytes each they stay within two gigabytes.
+constexpr long long most_particles = 4'000'000;
+
+/// A setting's name with the index that it may carry: "ball[1].radius".
+struct Target {
+    const Setting* setting;
+    std::optional<std::size_t> index;
+};
+
+Target find_target(std::string_view name) {
+    const std::size_t open = name.find('['), close = name.find("].");
+    if (open == std::string_view::npos || close == std::string_view::npos || close < open) {
+        return {&find_setting(name), std::nullopt};
+    }
+    const auto index = parse_integer(name.substr(open + 1, close - open - 1));
+    if (!index || *index < 0) {
+        throw InputError("setting '" + std::string(name) + "': expected a number from 0 in the brackets");
+    }
+    const std::string plain = std::string(name.substr(0, open)) + std::string(name.substr(close + 1));
+    return {&find_setting(plain), static_cast<std::size_t>(*index)};
+}
+
+/// How many times a section stands in the settings.
+std::size_t section_count(const Settings& settings, const Setting& setting) {
+    if (setting.section == "cloth") return settings.cloths.size();
+    if (setting.section == "ball") return settings.balls.size();
+    return 1;
+}
+
+void write_checked(Settings& settings, const Target& target, const SettingValue& value) {
+    const Setting& setting = *target.setting;
+    if (const std::string wrong = refusal(setting, value); !wrong.empty()) throw InputError(wrong);
+    const std::size_t count = section_count(settings, setting);
+    if (count == 0) throw InputError(setting.full_name() + ": the scene has no " + setting.section);
+    if (target.index && *target.index >= count) {
+        throw InputError(setting.section + "[" + std::to_string(*target.index) + "]: the scene has " +
+                         std::to_string(count) + ", counted from 0");
+    }
+    const std::size_t first = target.index.value_or(0), last = target.index ? first + 1 : count;
+    for (std::size_t i = first; i < last; ++i) setting.write(settings, i, value);
+}
+
+void check_cloth(const ClothParameters& cloth) {
+    const int particles = cloth.particles.particles();
+    for (const int pin : cloth.pinned.list) {
+        if (pin >= 0 && pin < particles) continue;
+        throw InputError("cloth.pinned = " + std::to_string(pin) +
+                         ": allowed 0 <= particle <= " + std::to_string(particles - 1));
+    }
+}
+
+void check_ball(const BallSettings& ball) {
+    if (ball.motion == BallMotion::Path && ball.path.size() < 2) {
+        throw InputError("ball.path: motion \"path\" needs at least two points [t, x, y, z]");
+    }
+    for (std::size_t k = 1; k < ball.path.size(); ++k) {
+        if (ball.path[k].time > ball.path[k - 1].time) continue;
+        throw InputError("ball.path: time " + real_text(static_cast<double>(ball.path[k].time)) +
+                         ": allowed only times that ascend from point to point");
+    }
+}
+
+}  // namespace
+
+void assign(Settings& settings, std::string_view assignment) {
+    const std::size_t equals = assignment.find('=');
+    if (equals == std::string_view::npos || equals == 0) {
+        throw InputError("'" + std::string(assignment.substr(0, 100)) + "': expected name=value");
+    }
+    const Target target = find_target(assignment.substr(0, equals));
+    write_checked(settings, target, parse_value(*target.setting, assignment.substr(equals + 1)));
+}
+
+Settings with_next(Settings settings, std::string_view name) {
+    const Target target = find_target(name);
+    const Setting& setting = *target.setting;
+    if (section_count(settings, setting) == 0) throw InputError(setting.full_name() + ": the scene has none");
+    const SettingValue now = setting.read(settings, target.index.value_or(0));
+    if (setting.kind == SettingKind::Flag) {
+        write_checked(settings, target, !std::get<bool>(now));
+    } else if (setting.kind == SettingKind::Choice) {
+        const auto at = std::find(setting.choices.begin(), setting.choices.end(), std::get<std::string>(now));
+        const bool wraps = at == setting.choices.end() || at + 1 == setting.choices.end();
+        write_checked(settings, target, wraps ? setting.choices.front() : *(at + 1));
+    } else {
+        throw InputError("next " + setting.full_name() + ": it is neither a choice nor true or false");
+    }
+    return settings;
+}
+
+Settings with_added(Settings settings, std::string_view name, double amount) {
+    const Target target = find_target(name);
+    const Setting& setting = *target.setting;
+    if (setting.kind != SettingKind::Number && setting.kind != SettingKind::Integer) {
+        throw InputError("add " + setting.full_name() + ": it is no number");
+    }
+    if (section_count(settings, setting) == 0) throw InputError(setting.full_name() + ": the scene has none");
+    const double now = std::get<double>(setting.read(settings, target.index.value_or(0)));
+    const double lowest = setting.range.low_open ? std::nextafter(setting.range.low, 1e300) : setting.range.low;
+    write_checked(settings, target, std::clamp(now + amount, lowest, setting.range.high));
+    return settings;
+}
+
+void check(const Settings& settings) {
+    long long particles = 0;
+    for (const ClothParameters& cloth : settings.cloths) {
+        particles += cloth.particles.particles();
+        check_cloth(cloth);
+    }
+    if (particles > most_particles) {
+        throw InputError("cloth.particles: " + std::to_string(particles) + " in all: allowed at most " +
+                         std::to_string(most_particles));
+    }
+    for (const BallSettings& ball : settings.balls) check_ball(ball);
+}
+
+}  // namespace drape

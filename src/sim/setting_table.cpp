@@ -1,0 +1,192 @@
+#include "drape/sim/setting_table.h"
+
+#include <array>
+
+#include "setting_rows.h"
+
+namespace drape {
+namespace {
+
+using Values = std::vector<double>;
+
+constexpr Range lengths{-1e4, 1e4};  // m: everything happens within ten kilometres
+constexpr Range sizes{1e-6, 1e4};    // m
+constexpr Range any_text{0, 0};
+
+const std::array<std::string, 2> plane_names{"xz", "xy"};
+const std::array<std::string, 3> motion_names{"keys", "path", "still"};
+const std::array<std::string, 2> unstable_names{"warn", "stop"};
+const std::array<std::string, 5> pin_names{"none", "two", "four", "row", "border"};
+
+void add_spring(SectionRows<ClothParameters>& rows, const std::string& kind, SpringLaw ClothParameters::*law,
+                const std::string& where) {
+    rows.number_at(
+        kind + ".stiffness", [law](ClothParameters& c) -> Real& { return (c.*law).stiffness; }, "N/m", {0, 1e9},
+        "stiffness of the springs " + where);
+    rows.number_at(
+        kind + ".damping", [law](ClothParameters& c) -> Real& { return (c.*law).damping; }, "N s/m", {0, 1e6},
+        "damping of the springs " + where);
+}
+
+SettingValue pins_value(const Pins& pins) {
+    if (pins.kind == Pins::Kind::List) return Values(pins.list.begin(), pins.list.end());
+    return pin_names[static_cast<std::size_t>(pins.kind)];
+}
+
+Pins pins_of(const SettingValue& value) {
+    if (const auto* list = std::get_if<Values>(&value)) {
+        Pins pins{Pins::Kind::List, {}};
+        for (const double particle : *list) pins.list.push_back(static_cast<int>(particle));
+        return pins;
+    }
+    const auto& name = std::get<std::string>(value);
+    Pins pins;
+    for (std::size_t i = 0; i < pin_names.size(); ++i) {
+        if (pin_names[i] == name) pins.kind = static_cast<Pins::Kind>(i);
+    }
+    return pins;
+}
+
+void add_cloth(std::vector<Setting>& table) {
+    SectionRows<ClothParameters> rows(
+        "cloth", [](Settings& s, std::size_t i) -> ClothParameters& { return s.cloths[i]; }, table);
+    rows.add(
+        "particles", SettingKind::Grid, "", {2, 4096}, {}, "columns and rows of particles",
+        [](const ClothParameters& c) {
+            return Values{static_cast<double>(c.particles.nx), static_cast<double>(c.particles.ny)};
+        },
+        [](ClothParameters& c, const SettingValue& value) {
+            const auto& list = std::get<Values>(value);
+            c.particles = {static_cast<int>(list[0]), static_cast<int>(list[1])};
+        });
+    rows.add(
+        "size", SettingKind::Size, "m", sizes, {}, "along columns and rows",
+        [](const ClothParameters& c) {
+            return Values{static_cast<double>(c.width), static_cast<double>(c.height)};
+        },
+        [](ClothParameters& c, const SettingValue& value) {
+            const auto& list = std::get<Values>(value);
+            c.width = static_cast<Real>(list[0]);
+            c.height = static_cast<Real>(list[1]);
+        });
+    rows.number("mass", &ClothParameters::mass, "kg", {1e-9, 1e6}, "of the whole cloth, pinned particles counted");
+    rows.choice("plane", &ClothParameters::plane, plane_names, "in which it starts: horizontal or vertical");
+    rows.add(
+        "origin", SettingKind::Vector, "m", lengths, {}, "where particle (0,0) starts",
+        [](const ClothParameters& c) { return values_of(c.origin()); },
+        [](ClothParameters& c, const SettingValue& value) { c.place = vector_of(value), c.centred = false; });
+    rows.add(
+        "centre", SettingKind::Vector, "m", lengths, {}, "where its centre starts, in place of origin",
+        [](const ClothParameters& c) { return values_of(c.centre()); },
+        [](ClothParameters& c, const SettingValue& value) { c.place = vector_of(value), c.centred = true; });
+    rows.add(
+        "pinned", SettingKind::Pins, "", {0, 4096.0 * 4096 - 1}, {pin_names.begin(), pin_names.end()},
+        "which particles never move, by name or by number",
+        [](const ClothParameters& c) { return pins_value(c.pinned); },
+        [](ClothParameters& c, const SettingValue& value) { c.pinned = pins_of(value); });
+    add_spring(rows, "structural", &ClothParameters::structural, "to the 4 neighbours");
+    add_spring(rows, "shear", &ClothParameters::shear, "to the 4 diagonals");
+    add_spring(rows, "bend", &ClothParameters::bend, "to the 4 at distance two along rows and columns");
+    rows.number("drag", &ClothParameters::drag, "N s/m", {0, 1e3}, "b of the air drag -b v, per particle");
+}
+
+Values path_values(const BallSettings& ball) {
+    Values values;
+    for (const PathPoint& point : ball.path) {
+        values.push_back(static_cast<double>(point.time));
+        for (int axis = 0; axis < 3; ++axis) values.push_back(static_cast<double>(point.centre[axis]));
+    }
+    return values;
+}
+
+void write_path(BallSettings& ball, const SettingValue& value) {
+    const auto& list = std::get<Values>(value);
+    ball.path.clear();
+    for (std::size_t k = 0; k + 3 < list.size(); k += 4) {
+        const auto at = [&](std::size_t offset) { return static_cast<Real>(list[k + offset]); };
+        ball.path.push_back({at(0), Vec3(at(1), at(2), at(3))});
+    }
+}
+
+void add_ball(std::vector<Setting>& table) {
+    SectionRows<BallSettings> rows(
+        "ball", [](Settings& s, std::size_t i) -> BallSettings& { return s.balls[i]; }, table);
+    rows.number("radius", &BallSettings::radius, "m", sizes, "of the ball");
+    rows.vector("position", &BallSettings::position, "m", lengths, "of its centre at the start; not used on a path");
+    rows.vector("velocity", &BallSettings::velocity, "m/s", {-1e3, 1e3}, "at the start, under the keys");
+    rows.choice("motion", &BallSettings::motion, motion_names, "what moves it");
+    rows.number("speed", &BallSettings::speed, "m/s", {0, 1e2}, "to which the keys bring it");
+    rows.number("mass", &BallSettings::mass, "kg", {1e-9, 1e6}, "of the ball");
+    rows.add("path", SettingKind::Path, "s, m", lengths, {},
+             "points t,x,y,z it passes on a smooth curve; repeats if the last is the first again", path_values,
+             write_path);
+}
+
+void add_the_rest(std::vector<Setting>& table) {
+    SectionRows<SolverSettings> solver(
+        "solver", [](Settings& s, std::size_t) -> SolverSettings& { return s.solver; }, table);
+    solver.choice("integrator", &SolverSettings::integrator, integrator_names(), "how a step is made");
+    solver.number("dt", &SolverSettings::dt, "s", {0, 0.1, true}, "length of one substep");
+    solver.choice("on_unstable", &SolverSettings::on_unstable, unstable_names,
+                  "when a step has lost the cloth: freeze it and say so, or end the run");
+
+    SectionRows<ContactSettings> contact(
+        "contact", [](Settings& s, std::size_t) -> ContactSettings& { return s.contact; }, table);
+    contact.choice("volume", &ContactSettings::volume, volume_names(), "of the hierarchy; brute tests every cell");
+    contact.choice("update", &ContactSettings::update, update_names(), "how the hierarchy follows the cloth");
+    contact.integer("leaf_cells", &ContactSettings::leaf_cells, {1, 64}, "a leaf has at most this many cells squared");
+    contact.choice("response", &ContactSettings::response, response_names(), "how contacts are answered");
+    contact.number("friction", &ContactSettings::friction, "", {0, 10}, "Coulomb coefficient between cloth and ball");
+    contact.number("restitution", &ContactSettings::restitution, "", {0, 1}, "of the normal speed");
+    contact.number("thickness", &ContactSettings::thickness, "m", {0, 1}, "by which the cloth is grown on both sides");
+    contact.flag("continuous", &ContactSettings::continuous, "test the swept ball", {0, 0});
+    contact.flag("self", &ContactSettings::self, "test the cloth against itself", {0, 0});
+
+    SectionRows<WindSettings> wind(
+        "wind", [](Settings& s, std::size_t) -> WindSettings& { return s.wind; }, table);
+    wind.flag("on", &WindSettings::on, "let the wind blow");
+    wind.vector("velocity", &WindSettings::velocity, "m/s", {-100, 100}, "mean velocity of the air");
+    wind.number("gust", &WindSettings::gust, "", {0, 1}, "amplitude of the gusts over the mean");
+
+    SectionRows<ViewSettings> view(
+        "view", [](Settings& s, std::size_t) -> ViewSettings& { return s.view; }, table);
+    view.flag("overlay", &ViewSettings::overlay, "show the panel of figures");
+    view.flag("help", &ViewSettings::help, "show keys and menu");
+    view.flag("bounds", &ViewSettings::bounds, "show the bounding volumes of a level");
+    view.integer("level", &ViewSettings::level, {0, 30}, "of the hierarchy whose bounds are shown; 0 is the root");
+    view.flag("wireframe", &ViewSettings::wireframe, "show the triangles' edges");
+    view.flag("particles", &ViewSettings::particles, "show particles and springs");
+    view.flag("contacts", &ViewSettings::contacts, "show contact points and normals");
+    view.vector("eye", &ViewSettings::eye, "m", lengths, "where the camera starts");
+    view.vector("target", &ViewSettings::target, "m", lengths, "what the camera looks at");
+    view.number("ground", &ViewSettings::ground, "m", lengths, "height of the ground that is drawn");
+
+    SectionRows<NeedsSettings> needs(
+        "needs", [](Settings& s, std::size_t) -> NeedsSettings& { return s.needs; }, table);
+    needs.number("position_error", &NeedsSettings::position_error, "", {0, 1},
+                 "RMS, of the cloth's side, that the scene allows; 0 states none");
+    needs.number("horizon", &NeedsSettings::horizon, "s", {0, 1e3, true}, "time at which the error counts");
+}
+
+std::vector<Setting> make_table() {
+    std::vector<Setting> table;
+    SectionRows<Settings> top(
+        "", [](Settings& s, std::size_t) -> Settings& { return s; }, table);
+    top.add(
+        "title", SettingKind::Text, "", any_text, {}, "one line that names the scene",
+        [](const Settings& s) { return s.title; },
+        [](Settings& s, const SettingValue& value) { s.title = std::get<std::string>(value); });
+    add_cloth(table);
+    add_ball(table);
+    add_the_rest(table);
+    return table;
+}
+
+}  // namespace
+
+std::span<const Setting> setting_table() {
+    static const std::vector<Setting> table = make_table();
+    return table;
+}
+
+}  // namespace drape
