@@ -1,0 +1,39 @@
+#include "display.h"
+
+#include <GL/glew.h>
+#include <GL/glx.h>
+#include <X11/Xlib.h>
+
+#include <cstdint>
+
+namespace drape {
+
+DisplayProbe::DisplayProbe() : display_(XOpenDisplay(nullptr)) {}
+
+DisplayProbe::~DisplayProbe() {
+    if (display_ != nullptr) XCloseDisplay(static_cast<Display*>(display_));
+}
+
+double display_rate() {
+    constexpr double usual = 60;
+    using RateOf = Bool (*)(Display*, GLXDrawable, std::int32_t*, std::int32_t*);
+    const auto name = reinterpret_cast<const GLubyte*>("glXGetMscRateOML");
+    const auto rate_of = reinterpret_cast<RateOf>(glXGetProcAddress(name));
+    Display* display = glXGetCurrentDisplay();
+    std::int32_t numerator = 0, denominator = 0;
+    if (rate_of == nullptr || display == nullptr) return usual;
+    if (rate_of(display, glXGetCurrentDrawable(), &numerator, &denominator) == 0) return usual;
+    const double rate = denominator > 0 ? double(numerator) / denominator : 0;
+    return rate >= 24 && rate <= 500 ? rate : usual;
+}
+
+bool window_has_keyboard() {
+    Display* display = glXGetCurrentDisplay();
+    if (display == nullptr) return false;
+    ::Window focus = 0;
+    int revert = 0;
+    XGetInputFocus(display, &focus, &revert);
+    return focus == PointerRoot || focus == glXGetCurrentDrawable();
+}
+
+}  // namespace drape

@@ -1,0 +1,26 @@
+#pragma once
+
+namespace drape {
+
+/// A connection to the X display, to find out whether there is one. It stays open until the window has its own: a server
+/// that sees its only client go away may start anew and refuse the next one meanwhile.
+class DisplayProbe {
+public:
+    DisplayProbe();
+    ~DisplayProbe();
+    DisplayProbe(const DisplayProbe&) = delete;
+    DisplayProbe& operator=(const DisplayProbe&) = delete;
+
+    [[nodiscard]] bool present() const { return display_ != nullptr; }
+
+private:
+    void* display_;
+};
+
+/// Pictures a second that the display of the current window shows; 60 where the driver does not tell.
+double display_rate();
+
+/// Whether the keyboard belongs to the current window, or to whatever is under the pointer.
+bool window_has_keyboard();
+
+}  // namespace drape

@@ -1,0 +1,97 @@
+#include "entries.h"
+
+#include <algorithm>
+
+#include "drape/bounds/broad_phase.h"
+#include "drape/integrate/integrator.h"
+
+namespace drape {
+
+namespace {
+
+constexpr std::string_view shift = "Shift+";
+
+std::string joined(const std::vector<std::string>& words) {
+    std::string text;
+    for (const std::string& word : words) text += (text.empty() ? "" : ", ") + word;
+    return text;
+}
+
+// Every choice of a setting as an entry without a key.
+void append_choices(std::vector<Entry>& entries, const std::string& menu, const std::string& setting,
+                    std::span<const std::string> choices) {
+    for (const std::string& choice : choices) entries.push_back({menu, {}, choice, "set " + setting + "=" + choice});
+}
+
+}  // namespace
+
+std::vector<Entry> make_entries(const std::vector<std::string>& scenes) {
+    std::vector<Entry> entries{
+        {"", {"Space", "P"}, "Pause, go on", "pause"},
+        {"", {"O", "."}, "One step", "step 1"},
+        {"", {"Shift+O"}, "One frame of 1/60 s", "step 1", Manner::OneFrame},
+        {"", {"R"}, "Reset", "reset"},
+    };
+    for (std::size_t s = 0; s < scenes.size(); ++s) {
+        std::vector<std::string> keys;
+        if (s < 9) keys.push_back(std::to_string(s + 1));
+        entries.push_back({"Scene", keys, scenes[s], "scene " + scenes[s]});
+    }
+    entries.push_back({"Integrator", {"I"}, "Next integrator", "next solver.integrator"});
+    append_choices(entries, "Integrator", "solver.integrator", integrator_names());
+    entries.push_back({"Bounding volume", {"T"}, "Next bounding volume", "next contact.volume"});
+    append_choices(entries, "Bounding volume", "contact.volume", volume_names());
+    const std::vector<Entry> rest{
+        {"View", {"B"}, "Bounds", "next view.bounds"},
+        {"View", {"["}, "Coarser level of bounds", "add view.level -1"},
+        {"View", {"]"}, "Finer level of bounds", "add view.level 1"},
+        {"View", {"C"}, "Contacts", "next view.contacts"},
+        {"View", {"L"}, "Wireframe", "next view.wireframe"},
+        {"View", {"N"}, "Particles and springs", "next view.particles"},
+        {"View", {"Tab"}, "Panel of figures", "next view.overlay"},
+        {"View", {"F"}, "Frame the scene", "frame"},
+        {"Ball", {"Left", "A"}, "Ball to the left", "steer -1 0 0", Manner::WhileHeld},
+        {"Ball", {"Right", "D"}, "Ball to the right", "steer 1 0 0", Manner::WhileHeld},
+        {"Ball", {"Up", "W"}, "Ball away from you", "steer 0 0 1", Manner::WhileHeld},
+        {"Ball", {"Down", "S"}, "Ball towards you", "steer 0 0 -1", Manner::WhileHeld},
+        {"Ball", {"PageUp", "E"}, "Ball up", "steer 0 1 0", Manner::WhileHeld},
+        {"Ball", {"PageDown", "Shift+Q"}, "Ball down", "steer 0 -1 0", Manner::WhileHeld},
+        {"", {"V"}, "Wind", "next wind.on"},
+        {"", {"F12"}, "Picture as PNG", "picture"},
+        {"", {"H", "?"}, "Help", "next view.help"},
+        {"", {"Esc", "Q"}, "Quit", "quit"},
+    };
+    entries.insert(entries.end(), rest.begin(), rest.end());
+    return entries;
+}
+
+const Entry* find_entry(const std::vector<Entry>& entries, std::string_view key) {
+    const auto found = std::ranges::find_if(
+        entries, [&](const Entry& entry) { return std::ranges::find(entry.keys, key) != entry.keys.end(); });
+    if (found != entries.end()) return &*found;
+    return key.starts_with(shift) ? find_entry(entries, key.substr(shift.size())) : nullptr;
+}
+
+std::string key_text(const Entry& entry) { return joined(entry.keys); }
+
+std::vector<KeyHelp> help_lines(const std::vector<Entry>& entries) {
+    std::vector<KeyHelp> lines{
+        {"Left drag", "Turn the view; on the cloth: pull it"},
+        {"Middle or Shift+left drag", "Move the view"},
+        {"Wheel", "Nearer, farther"},
+        {"Right button", "Menu"},
+    };
+    bool scenes_listed = false;
+    for (const Entry& entry : entries) {
+        if (entry.keys.empty()) continue;
+        if (entry.menu != "Scene") {
+            lines.push_back({key_text(entry), entry.text});
+        } else if (!scenes_listed) {
+            lines.push_back({"1-9", "Scenes"});
+            scenes_listed = true;
+        }
+    }
+    return lines;
+}
+
+}  // namespace drape

@@ -1,0 +1,40 @@
+#pragma once
+
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "drape/render/renderer.h"
+
+namespace drape {
+
+/// When an entry's command is given.
+enum class Manner {
+    Once,       ///< as the key goes down
+    WhileHeld,  ///< a `steer` as the viewer sees it (right, up, ahead), until the key goes up
+    OneFrame,   ///< a `step` of as many steps as one displayed frame takes
+};
+
+/// One thing that the user can do: from these, keys, menu, help panel and the README's table are made.
+struct Entry {
+    std::string menu;               ///< the submenu it is in; empty for the menu itself
+    std::vector<std::string> keys;  ///< "P", "Space", "F12", "Shift+O": letters without Shift fit either case
+    std::string text;               ///< as in the menu
+    std::string command;            ///< in text form
+    Manner manner = Manner::Once;
+};
+
+/// Everything that keys and menu can do, in the order of the menu.
+/// @param scenes of the keys 1-9
+std::vector<Entry> make_entries(const std::vector<std::string>& scenes);
+
+/// The entry of a key; null if it has none. A key with Shift that has none of its own is the key without.
+const Entry* find_entry(const std::vector<Entry>& entries, std::string_view key);
+
+/// "Space, P".
+std::string key_text(const Entry& entry);
+
+/// The mouse's lines, then one for each entry with a key; the scenes share one.
+std::vector<KeyHelp> help_lines(const std::vector<Entry>& entries);
+
+}  // namespace drape

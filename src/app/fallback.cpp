@@ -1,0 +1,43 @@
+#include "fallback.h"
+
+#include <unistd.h>
+
+#include <cerrno>
+#include <cstring>
+#include <filesystem>
+#include <iostream>
+#include <vector>
+
+#include "drape/base/input_error.h"
+#include "drape/base/resources.h"
+
+namespace drape {
+
+namespace {
+
+constexpr int frames = 120;
+constexpr const char* folder = "drape-frames";
+
+}  // namespace
+
+void capture_instead(const Options& options, const std::string& reason) {
+    const std::string program = (program_folder() / "drape-capture").string();
+    const std::string out = std::filesystem::absolute(folder).string();
+    const std::string size = std::to_string(options.width) + "x" + std::to_string(options.height);
+    std::vector<std::string> words{program};
+    if (!options.scene.empty()) words.push_back(options.scene);
+    for (const std::string& assignment : options.assignments) words.insert(words.end(), {"--set", assignment});
+    if (!options.replay.empty()) words.insert(words.end(), {"--replay", options.replay});
+    if (options.hash) words.emplace_back("--hash");
+    words.insert(words.end(), {"--frames", std::to_string(frames), "--size", size, "--out", out});
+
+    std::cerr << "drape: " << reason << "; drawing " << frames << " pictures into " << out << " instead"
+              << (options.record.empty() ? "" : " (nothing is recorded)") << std::endl;
+    std::vector<char*> arguments;
+    for (std::string& word : words) arguments.push_back(word.data());
+    arguments.push_back(nullptr);
+    execv(program.c_str(), arguments.data());
+    throw RunError("cannot run " + program + ": " + std::strerror(errno));
+}
+
+}  // namespace drape

@@ -1,0 +1,44 @@
+#include "keys.h"
+
+#include <GL/freeglut.h>
+
+#include <array>
+#include <utility>
+
+namespace drape {
+
+std::string character_key(unsigned char code, bool shift) {
+    switch (code) {
+        case ' ':
+            return "Space";
+        case '\t':
+            return "Tab";
+        case 27:
+            return "Esc";
+        default:
+            break;
+    }
+    // Caps Lock changes the letter but not the key.
+    const bool small = code >= 'a' && code <= 'z';
+    if (small || (code >= 'A' && code <= 'Z')) {
+        const char letter = static_cast<char>(small ? code - 'a' + 'A' : code);
+        return (shift ? "Shift+" : "") + std::string(1, letter);
+    }
+    return code > ' ' && code < 127 ? std::string(1, static_cast<char>(code)) : std::string();
+}
+
+std::string special_key(int code) {
+    static constexpr std::array<std::pair<int, const char*>, 6> names{{{GLUT_KEY_LEFT, "Left"},
+                                                                       {GLUT_KEY_RIGHT, "Right"},
+                                                                       {GLUT_KEY_UP, "Up"},
+                                                                       {GLUT_KEY_DOWN, "Down"},
+                                                                       {GLUT_KEY_PAGE_UP, "PageUp"},
+                                                                       {GLUT_KEY_PAGE_DOWN, "PageDown"}}};
+    for (const auto& [key, name] : names) {
+        if (key == code) return name;
+    }
+    if (code >= GLUT_KEY_F1 && code <= GLUT_KEY_F12) return "F" + std::to_string(code - GLUT_KEY_F1 + 1);
+    return {};
+}
+
+}  // namespace drape

@@ -1,0 +1,15 @@
+#pragma once
+
+#include <string>
+
+namespace drape {
+
+/// The name of a key that makes a character, as entries spell it: "P", "Shift+O", "Space", "?"; empty if it has none.
+/// @param code as GLUT gives it: with Control, letters come as control codes, which have no entry
+/// @param shift whether Shift is down; it is part of a letter's name only
+std::string character_key(unsigned char code, bool shift);
+
+/// The name of a key that makes none: "Left", "PageUp", "F12"; empty if no entry can have it.
+std::string special_key(int code);
+
+}  // namespace drape

@@ -1,0 +1,45 @@
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "drape/sim/simulation.h"
+#include "entries.h"
+
+namespace drape {
+
+/// The popup menu of the current window, under the right button. Its texts follow the simulation, but only while it is
+/// closed: freeglut ends the program when a menu in use is changed.
+class Menu {
+public:
+    /// @param choose is called with the number of the chosen entry and `user`
+    Menu(const std::vector<Entry>& entries, void (*choose)(int entry, void* user), void* user);
+
+    /// GLUT's word on whether the menu is in use.
+    void set_open(bool open) { open_ = open; }
+    [[nodiscard]] bool open() const { return open_; }
+
+    /// Brings the texts up to date, unless the menu is open; then has it drawn again, for freeglut's first drawing of a
+    /// menu that pops up comes too early for its size.
+    void update(const Simulation& simulation);
+
+private:
+    struct Item {
+        const Entry* entry;
+        int menu;      ///< GLUT's number
+        int position;  ///< in it, from 1
+        std::string shown;
+    };
+
+    void draw_again() const;
+
+    std::vector<Item> items_;
+    int first_window_ = 0;  ///< of the menus' windows, which GLUT numbers one after another
+    int last_window_ = 0;
+    bool open_ = false;
+};
+
+/// The text of an entry in the menu: "Wind  (V)  - on".
+std::string menu_text(const Entry& entry, const Simulation& simulation);
+
+}  // namespace drape

@@ -1,0 +1,133 @@
+#include "window.h"
+
+#include <GL/glew.h>
+// GLEW comes before any other header of OpenGL.
+#include <GL/freeglut.h>
+#include <GL/freeglut_ucall.h>
+
+#include <algorithm>
+
+#include "display.h"
+#include "drape/base/input_error.h"
+#include "drape/sim/scene.h"
+
+namespace drape {
+
+namespace {
+
+constexpr double hidden_tick = 0.1;        // s
+constexpr double stepping_budget = 0.025;  // s of a frame for steps, so that a slow scene still answers the mouse
+
+}  // namespace
+
+Window::Window(Session& session, int width, int height)
+    : session_(session),
+      entries_(make_entries(scene_names())),
+      camera_(session.simulation().settings().view),
+      scene_(session.simulation().scene()) {
+    glutInitContextVersion(3, 3);
+    glutInitContextProfile(GLUT_CORE_PROFILE);
+    glutInitDisplayMode(GLUT_DOUBLE | GLUT_RGB);
+    glutSetOption(GLUT_ACTION_ON_WINDOW_CLOSE, GLUT_ACTION_GLUTMAINLOOP_RETURNS);
+    glutInitWindowSize(std::max(width, 1), std::max(height, 1));
+    window_ = glutCreateWindow("Drape");
+    glewExperimental = GL_TRUE;
+    if (glewInit() != GLEW_OK) throw RunError("this display does not give access to OpenGL's functions");
+    renderer_ = std::make_unique<Renderer>();
+    renderer_->set_help(help_lines(entries_));
+    register_callbacks();
+    show_title();
+    on_reshape(glutGet(GLUT_WINDOW_WIDTH), glutGet(GLUT_WINDOW_HEIGHT));
+    // A wait a little shorter than a frame leaves the rest to the display.
+    frame_time_ = 0.9 / display_rate();
+}
+
+int Window::run() {
+    clock_.lap();
+    schedule();
+    glutMainLoop();
+    if (failure_) std::rethrow_exception(failure_);
+    return signal_ == 0 ? 0 : 128 + signal_;
+}
+
+void Window::on_tick() {
+    if (closed_) return;
+    glutSetWindow(window_);
+    signal_ = signals_.arrived();
+    if (signal_ != 0) return leave();
+
+    const double elapsed = clock_.lap();
+    steer(elapsed);
+    if (pointer_.moved()) carry_out(pointer_.flush({session_.view(), camera_, width_, height_}));
+    session_.advance(elapsed, stepping_budget);
+    follow_replay();
+    tell_of_drops();
+
+    const Simulation& simulation = session_.simulation();
+    dirty_ |= notices_.advance(elapsed) || !simulation.paused() || simulation.report().step != drawn_step_;
+    menu_->update(simulation);
+    if (dirty_ && drawable()) glutPostRedisplay();
+    schedule();
+}
+
+void Window::schedule() {
+    if (closed_) return;
+    const double wait = (drawable() ? frame_time_ : hidden_tick) - clock_.seconds();
+    const auto milliseconds = static_cast<unsigned>(std::max(1.0, 1000 * wait));
+    glutTimerFuncUcall(
+        milliseconds, [](int, void* user) { guarded_call(user, &Window::on_tick); }, 0, this);
+}
+
+void Window::on_display() {
+    if (closed_ || !drawable()) return;
+    draw();
+    renderer_->present();
+    glutSwapBuffers();
+    dirty_ = false;
+}
+
+void Window::draw() {
+    const FrameView view = session_.view();
+    renderer_->draw(view, camera_, notices_.lines(session_.replay_notice()));
+    drawn_step_ = view.report->step;
+}
+
+void Window::steer(double elapsed) {
+    if (steering_.active() && !window_has_keyboard()) steering_.release_all();
+    steering_.advance(elapsed);
+    if (const auto command = steering_.update(camera_)) carry_out(*command);
+}
+
+void Window::follow_replay() {
+    for (const Command& command : session_.take_view_commands()) camera_.apply(command, session_.view());
+    if (scene_ != session_.simulation().scene()) start_scene();
+}
+
+void Window::tell_of_drops() {
+    const double dropped = session_.dropped();
+    if (dropped < dropped_ + 0.1) return;
+    dropped_ = dropped;
+    std::string seconds = std::to_string(dropped);
+    seconds.resize(seconds.find('.') + 2);
+    notices_.add("dropped", "Slower than real time: " + seconds + " s left out so far");
+}
+
+void Window::start_scene() {
+    scene_ = session_.simulation().scene();
+    camera_ = Camera(session_.simulation().settings().view);
+    show_title();
+}
+
+void Window::show_title() { glutSetWindowTitle(("Drape - " + session_.simulation().settings().title).c_str()); }
+
+void Window::leave() {
+    if (!closed_) glutLeaveMainLoop();
+}
+
+void Window::on_close() {
+    // The last moment in which the window's context is there.
+    closed_ = true;
+    renderer_.reset();
+}
+
+}  // namespace drape

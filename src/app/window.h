@@ -1,0 +1,103 @@
+#pragma once
+
+#include <exception>
+#include <memory>
+#include <optional>
+#include <string>
+#include <utility>
+#include <vector>
+
+#include "drape/base/stopwatch.h"
+#include "drape/render/camera.h"
+#include "drape/render/renderer.h"
+#include "drape/sim/session.h"
+#include "entries.h"
+#include "menu.h"
+#include "notices.h"
+#include "pointer.h"
+#include "steering.h"
+#include "stop_signals.h"
+
+namespace drape {
+
+/// The window: GLUT's callbacks reach it through their user pointer, and it turns what they bring into commands.
+class Window {
+public:
+    /// Opens the window.
+    /// @pre glutInit was called
+    Window(Session& session, int width, int height);
+    Window(const Window&) = delete;
+    Window& operator=(const Window&) = delete;
+
+    /// Runs until the user ends it.
+    /// @return 0, or 128 + the number of the signal that ended it
+    /// @throws what a callback threw
+    int run();
+
+private:
+    void register_callbacks();
+
+    // What GLUT brings.
+    void on_tick();
+    void on_display();
+    void on_reshape(int width, int height);
+    void on_visibility(int state);
+    void on_character(unsigned char code, bool down);
+    void on_key(const std::string& key, bool down);
+    void on_button(int button, int state, int x, int y);
+    void on_motion(int x, int y);
+    void on_wheel(int notches);
+    void on_menu(bool open);
+    void on_choice(int entry);
+    void on_close();
+
+    // An exception must not pass through GLUT: it ends the main loop, and `run` throws it again.
+    template <class... Parameters, class... Arguments>
+    static void guarded_call(void* user, void (Window::*callback)(Parameters...), Arguments&&... arguments) {
+        Window& window = *static_cast<Window*>(user);
+        try {
+            (window.*callback)(std::forward<Arguments>(arguments)...);
+        } catch (...) {
+            window.failure_ = std::current_exception();
+            window.leave();
+        }
+    }
+
+    void carry_out(const Command& command);
+    void carry_out(const std::vector<Command>& commands);
+    [[nodiscard]] Command command_of(const Entry& entry);
+    void steer(double elapsed);
+    void follow_replay();
+    void tell_of_drops();
+    void start_scene();
+    void show_title();
+    void draw();
+    void take_picture();
+    void schedule();
+    void leave();
+    [[nodiscard]] bool drawable() const { return visible_ && width_ > 0 && height_ > 0; }
+
+    Session& session_;
+    StopSignals signals_;
+    std::vector<Entry> entries_;
+    Camera camera_;
+    Pointer pointer_;
+    Steering steering_;
+    Notices notices_;
+    std::unique_ptr<Renderer> renderer_;
+    std::optional<Menu> menu_;
+    Stopwatch clock_;  ///< since the last tick
+    std::exception_ptr failure_;
+    std::string scene_;  ///< that the camera was set for
+    double frame_time_ = 1.0 / 60;
+    double dropped_ = 0;  ///< of which the user was told [s]
+    std::int64_t drawn_step_ = -1;
+    int window_ = 0;
+    int width_ = 0, height_ = 0;
+    int signal_ = 0;
+    bool visible_ = true;
+    bool dirty_ = true;  ///< the picture is not up to date
+    bool closed_ = false;
+};
+
+}  // namespace drape

@@ -1,0 +1,87 @@
+#include "app/desktop.h"
+
+#include <X11/Xlib.h>
+
+namespace drape::testing_aid {
+
+namespace fs = std::filesystem;
+
+Desktop::Desktop(fs::path folder) : folder_(std::move(folder)) {
+    // The server finds a free display by itself and tells its number, so that test runs do not collide.
+    fs::create_directories(folder_ / "server");
+    server_ = std::make_unique<Process>(
+        std::vector<std::string>{"Xvfb", "-displayfd", "1", "-screen", "0", "1280x1024x24", "-nolisten", "tcp", "-noreset"},
+        std::map<std::string, std::string>{}, folder_ / "server");
+    eventually([&] { return server_->standard_output().ends_with('\n'); });
+    const std::string number = server_->standard_output();
+    if (!number.empty()) display_ = ":" + number.substr(0, number.size() - 1);
+}
+
+std::string Desktop::act(const std::vector<std::string>& words) {
+    const fs::path folder = folder_ / "xdotool";
+    fs::create_directories(folder);
+    std::vector<std::string> all{"xdotool"};
+    all.insert(all.end(), words.begin(), words.end());
+    Process tool(all, {{"DISPLAY", display_}}, folder);
+    tool.wait(10);
+    std::string text = tool.standard_output();
+    if (text.ends_with('\n')) text.pop_back();
+    return text;
+}
+
+std::string Desktop::find_window() {
+    std::string window;
+    eventually([&] {
+        window = act({"search", "--onlyvisible", "--name", "^Drape"});
+        return !window.empty();
+    });
+    if (window.empty()) return window;
+    act({"windowmove", "--sync", window, "0", "0"});
+    move_to(20, 20);
+    act({"windowfocus", window});
+    return window;
+}
+
+void Desktop::drag(const std::vector<std::string>& keys, int button, Place from, Place to) {
+    for (const std::string& key : keys) act({"keydown", key});
+    move_to(from.x, from.y);
+    act({"mousedown", std::to_string(button)});
+    constexpr int moves = 5;
+    for (int m = 1; m <= moves; ++m) {
+        move_to(from.x + (to.x - from.x) * m / moves, from.y + (to.y - from.y) * m / moves);
+        sleep_for(0.05);
+    }
+    act({"mouseup", std::to_string(button)});
+    for (const std::string& key : keys) act({"keyup", key});
+}
+
+void Desktop::choose_in_menu(int x, int y, int entry) {
+    constexpr int row = 25;  // height of an entry in freeglut's menu
+    move_to(x, y);
+    click(3);
+    sleep_for(0.3);
+    move_to(x + 20, y + row * entry - row / 2);
+    sleep_for(0.2);
+    click(1);
+    sleep_for(0.2);
+}
+
+void Desktop::take_keyboard_away() {
+    Display* display = XOpenDisplay(display_.c_str());
+    XSetInputFocus(display, None, RevertToNone, CurrentTime);
+    XCloseDisplay(display);
+}
+
+void Desktop::ask_to_close(const std::string& window) {
+    Display* display = XOpenDisplay(display_.c_str());
+    XEvent event{};
+    event.xclient.type = ClientMessage;
+    event.xclient.window = std::stoul(window);
+    event.xclient.message_type = XInternAtom(display, "WM_PROTOCOLS", False);
+    event.xclient.format = 32;
+    event.xclient.data.l[0] = static_cast<long>(XInternAtom(display, "WM_DELETE_WINDOW", False));
+    XSendEvent(display, event.xclient.window, False, NoEventMask, &event);
+    XCloseDisplay(display);
+}
+
+}  // namespace drape::testing_aid

@@ -1,0 +1,57 @@
+#include "../../src/app/entries.h"
+
+#include <gtest/gtest.h>
+
+#include <set>
+
+#include "../../src/app/keys.h"
+#include "app/process.h"
+#include "drape/sim/command.h"
+#include "drape/sim/scene.h"
+
+namespace drape {
+namespace {
+
+TEST(Entries, AllParseAsCommandsThatReadBackAlike) {
+    for (const Entry& entry : make_entries(scene_names())) {
+        EXPECT_EQ(command_text(parse_command(entry.command)), entry.command) << entry.text;
+    }
+}
+
+TEST(Entries, NoKeyHasTwo) {
+    std::set<std::string> keys;
+    for (const Entry& entry : make_entries(scene_names())) {
+        for (const std::string& key : entry.keys) EXPECT_TRUE(keys.insert(key).second) << key;
+    }
+}
+
+TEST(Entries, ALetterIsItsKeyInEitherCaseUnlessShiftHasItsOwn) {
+    const std::vector<Entry> entries = make_entries(scene_names());
+    const auto command_of = [&](unsigned char code, bool shift) {
+        const Entry* entry = find_entry(entries, character_key(code, shift));
+        return entry == nullptr ? "" : entry->command + (entry->manner == Manner::OneFrame ? " frame" : "");
+    };
+    EXPECT_EQ(command_of('b', false), "next view.bounds");
+    EXPECT_EQ(command_of('B', true), "next view.bounds");
+    EXPECT_EQ(command_of('B', false), "next view.bounds");  // Caps Lock
+    EXPECT_EQ(command_of('o', false), "step 1");
+    EXPECT_EQ(command_of('O', false), "step 1");  // Caps Lock
+    EXPECT_EQ(command_of('O', true), "step 1 frame");
+    EXPECT_EQ(command_of('?', true), "next view.help");
+    EXPECT_EQ(command_of('[', false), "add view.level -1");
+    EXPECT_EQ(command_of(' ', false), "pause");
+    EXPECT_EQ(command_of(27, false), "quit");
+    EXPECT_EQ(command_of('q', false), "quit");
+    EXPECT_EQ(command_of('#', false), "");
+}
+
+TEST(Entries, AreTheTableOfTheReadme) {
+    const std::string readme = testing_aid::read_file(std::string(DRAPE_SOURCE_DIR) + "/README.md");
+    for (const KeyHelp& line : help_lines(make_entries(scene_names()))) {
+        EXPECT_NE(readme.find("| " + line.key + " | " + line.text + " |"), std::string::npos)
+            << "missing: | " << line.key << " | " << line.text << " |";
+    }
+}
+
+}  // namespace
+}  // namespace drape

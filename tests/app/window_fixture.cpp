@@ -1,0 +1,81 @@
+#include "app/window_fixture.h"
+
+#include <unistd.h>
+
+#include <sstream>
+
+namespace drape::testing_aid {
+
+namespace fs = std::filesystem;
+
+namespace {
+
+fs::path make_folder() {
+    const auto* test = testing::UnitTest::GetInstance()->current_test_info();
+    const fs::path folder =
+        fs::path(testing::TempDir()) / ("drape-" + std::string(test->name()) + "-" + std::to_string(getpid()));
+    fs::create_directories(folder);
+    return folder;
+}
+
+}  // namespace
+
+std::string program(const std::string& name) { return std::string(DRAPE_PROGRAMS) + "/" + name; }
+
+WindowTest::WindowTest() : folder_(make_folder()), desktop_(folder_) {}
+
+WindowTest::~WindowTest() {
+    drape_.reset();
+    if (!HasFailure()) fs::remove_all(folder_);
+}
+
+void WindowTest::start(const std::vector<std::string>& arguments) {
+    std::vector<std::string> words{program("drape"), "--record", file("session.txt"), "--hash", "--size", "640x480"};
+    words.insert(words.end(), arguments.begin(), arguments.end());
+    drape_.emplace(words, std::map<std::string, std::string>{{"DISPLAY", desktop_.display()}}, folder_);
+    window_ = desktop_.find_window();
+    ASSERT_FALSE(window_.empty()) << drape_->standard_error();
+}
+
+std::vector<std::string> WindowTest::commands() const {
+    std::vector<std::string> commands;
+    std::istringstream lines(read_file(file("session.txt")));
+    for (std::string line; std::getline(lines, line);) {
+        const std::size_t space = line.find(' ');
+        if (line.find_first_not_of("0123456789") != space || space == 0) continue;
+        const std::string command = line.substr(space + 1);
+        if (!command.starts_with("hash ") && command != "end") commands.push_back(command);
+    }
+    return commands;
+}
+
+bool WindowTest::recorded_now(const std::string& command, std::size_t after) const {
+    const std::vector<std::string> all = commands();
+    for (std::size_t c = after; c < all.size(); ++c) {
+        if (all[c].starts_with(command)) return true;
+    }
+    return false;
+}
+
+bool WindowTest::recorded(const std::string& command, std::size_t after) const {
+    return eventually([&] { return recorded_now(command, after); }, 10);
+}
+
+long long WindowTest::last_step() const {
+    std::istringstream lines(read_file(file("session.txt")));
+    long long step = -1;
+    for (std::string line; std::getline(lines, line);) {
+        if (!line.empty() && line.find_first_not_of("0123456789") == line.find(' ') && line[0] != ' ') {
+            step = std::stoll(line);
+        }
+    }
+    return step;
+}
+
+std::string WindowTest::quit() {
+    desktop_.key("Escape");
+    EXPECT_EQ(drape_->wait(20), 0) << drape_->standard_error();
+    return drape_->standard_output();
+}
+
+}  // namespace drape::testing_aid

@@ -1,0 +1,101 @@
+// Keys and menu, pressed as a user presses them.
+
+#include <map>
+
+#include "../../src/app/entries.h"
+#include "app/window_fixture.h"
+#include "drape/sim/scene.h"
+
+namespace drape {
+namespace {
+
+using testing_aid::eventually;
+using testing_aid::sleep_for;
+using testing_aid::WindowTest;
+
+// An entry's key as xdotool calls it.
+std::string symbol_of(const std::string& key) {
+    static const std::map<std::string, std::string> names{
+        {"Space", "space"},    {".", "period"},   {"?", "question"},   {"[", "bracketleft"},
+        {"]", "bracketright"}, {"Esc", "Escape"}, {"PageUp", "Prior"}, {"PageDown", "Next"}};
+    if (const auto found = names.find(key); found != names.end()) return found->second;
+    if (key.starts_with("Shift+")) return "shift+" + symbol_of(key.substr(6));
+    return key.size() == 1 && std::isupper(static_cast<unsigned char>(key[0])) != 0
+               ? std::string(1, static_cast<char>(std::tolower(key[0])))
+               : key;
+}
+
+TEST_F(WindowTest, EveryKeyGivesTheCommandOfItsEntry) {
+    start({"hang"});
+    for (const Entry& entry : make_entries(scene_names())) {
+        if (entry.command == "quit") continue;
+        for (const std::string& key : entry.keys) {
+            const std::size_t before = commands().size();
+            desktop_.key(symbol_of(key));
+            const std::string expected = entry.manner == Manner::Once ? entry.command : entry.command.substr(0, 5);
+            EXPECT_TRUE(recorded(expected, before)) << key << ": " << expected;
+        }
+    }
+    EXPECT_TRUE(std::filesystem::exists(file("drape-0001.png")));
+    quit();
+}
+
+TEST_F(WindowTest, AHeldKeySteersUntilItIsLetGo) {
+    start({"original"});
+    desktop_.act({"keydown", "Left"});
+    ASSERT_TRUE(recorded("steer "));
+    sleep_for(0.7);
+    EXPECT_EQ(commands().size(), 1u) << "the key's repeats were taken for presses";
+    desktop_.act({"keyup", "Left"});
+    EXPECT_TRUE(recorded("steer 0 0 0", 1));
+    quit();
+}
+
+TEST_F(WindowTest, ShiftLetGoFirstDoesNotLeaveTheBallSteered) {
+    start({"original"});
+    desktop_.act({"keydown", "shift", "keydown", "w"});
+    ASSERT_TRUE(recorded("steer "));
+    desktop_.act({"keyup", "shift", "keyup", "w"});
+    EXPECT_TRUE(recorded("steer 0 0 0", 1));
+    quit();
+}
+
+TEST_F(WindowTest, LosingTheKeyboardLetsGoOfTheBall) {
+    start({"original"});
+    desktop_.act({"keydown", "d"});
+    ASSERT_TRUE(recorded("steer "));
+    desktop_.take_keyboard_away();
+    EXPECT_TRUE(recorded("steer 0 0 0", 1));
+    desktop_.act({"keyup", "d", "windowfocus", window_});
+    quit();
+}
+
+TEST_F(WindowTest, TheMenuChoosesUnderThePointer) {
+    start({"hang"});
+    desktop_.choose_in_menu(100, 100, 4);
+    EXPECT_TRUE(recorded("reset"));
+    desktop_.choose_in_menu(100, 100, 1);
+    EXPECT_TRUE(recorded("pause", 1));
+    // While paused, too, and with a text that has changed meanwhile.
+    desktop_.choose_in_menu(100, 100, 1);
+    EXPECT_TRUE(recorded("pause", 2));
+    quit();
+}
+
+TEST_F(WindowTest, AMenuThatIsOpenWhileItsTextsChangeDoesNoHarm) {
+    start({"hang"});
+    desktop_.move_to(100, 100);
+    desktop_.click(3);
+    sleep_for(0.3);
+    desktop_.key("v");
+    desktop_.key("b");
+    EXPECT_TRUE(recorded("next view.bounds"));
+    sleep_for(0.5);
+    EXPECT_TRUE(drape_->running());
+    desktop_.move_to(600, 20);
+    desktop_.click(1);
+    quit();
+}
+
+}  // namespace
+}  // namespace drape

@@ -1,0 +1,153 @@
+// How the window lives and ends, and what is left of it.
+
+#include <csignal>
+
+#include "app/window_fixture.h"
+#include "drape/base/numbers.h"
+
+namespace drape {
+namespace {
+
+using testing_aid::eventually;
+using testing_aid::Process;
+using testing_aid::program;
+using testing_aid::read_file;
+using testing_aid::sleep_for;
+using testing_aid::WindowTest;
+
+std::string last_line(const std::string& text) {
+    const std::size_t end = text.ends_with('\n') ? text.size() - 1 : text.size();
+    const std::size_t start = end == 0 ? std::string::npos : text.rfind('\n', end - 1);
+    return text.substr(start == std::string::npos ? 0 : start + 1, end - (start == std::string::npos ? 0 : start + 1));
+}
+
+bool closed(const std::string& recording) { return last_line(recording).ends_with(" end"); }
+
+TEST_F(WindowTest, EscapeEndsIt) {
+    start({"hang"});
+    desktop_.key("Escape");
+    EXPECT_EQ(drape_->wait(20), 0);
+    EXPECT_TRUE(closed(read_file(file("session.txt"))));
+}
+
+TEST_F(WindowTest, TheLetterQEndsIt) {
+    start({"hang"});
+    desktop_.key("q");
+    EXPECT_EQ(drape_->wait(20), 0);
+}
+
+TEST_F(WindowTest, TheWindowManagerEndsIt) {
+    start({"hang"});
+    desktop_.ask_to_close(window_);
+    EXPECT_EQ(drape_->wait(20), 0) << drape_->standard_error();
+    EXPECT_TRUE(closed(read_file(file("session.txt"))));
+}
+
+TEST_F(WindowTest, SignalsEndItWithTheirNumber) {
+    for (const int signal : {SIGINT, SIGTERM}) {
+        start({"hang"});
+        drape_->send(signal);
+        EXPECT_EQ(drape_->wait(20), 128 + signal);
+        EXPECT_TRUE(closed(read_file(file("session.txt"))));
+    }
+}
+
+TEST_F(WindowTest, ResizingToOnePixelAndBackDoesNoHarm) {
+    start({"hang", "--set", "view.bounds=true"});
+    desktop_.act({"windowsize", "--sync", window_, "1", "1"});
+    sleep_for(0.5);
+    EXPECT_TRUE(drape_->running());
+    desktop_.act({"windowsize", "--sync", window_, "640", "480"});
+    sleep_for(0.3);
+    desktop_.key("F12");
+    EXPECT_TRUE(eventually([&] { return std::filesystem::exists(file("drape-0001.png")); }));
+    quit();
+}
+
+TEST_F(WindowTest, ItGoesOnAfterItWasHidden) {
+    start({"hang"});
+    desktop_.act({"windowunmap", "--sync", window_});
+    sleep_for(0.5);
+    EXPECT_TRUE(drape_->running());
+    desktop_.act({"windowmap", "--sync", window_});
+    desktop_.act({"windowfocus", window_});
+    desktop_.key("v");
+    EXPECT_TRUE(recorded("next wind.on"));
+    quit();
+}
+
+TEST_F(WindowTest, PicturesDoNotOverwriteOneAnother) {
+    start({"hang"});
+    desktop_.key("F12");
+    ASSERT_TRUE(eventually([&] { return std::filesystem::exists(file("drape-0001.png")); }));
+    const std::string first = read_file(file("drape-0001.png"));
+    desktop_.key("F12");
+    EXPECT_TRUE(eventually([&] { return std::filesystem::exists(file("drape-0002.png")); }));
+    EXPECT_EQ(read_file(file("drape-0001.png")), first);
+    quit();
+}
+
+TEST_F(WindowTest, PausedItRests) {
+    start({"hang"});
+    desktop_.key("p");
+    ASSERT_TRUE(recorded("pause"));
+    sleep_for(0.5);
+    const double before = drape_->processor_time();
+    sleep_for(2);
+    EXPECT_LT(drape_->processor_time() - before, 0.4);
+    quit();
+}
+
+TEST_F(WindowTest, ItsRecordingGivesTheSameBitsWithoutAWindow) {
+    start({"original", "--set", "solver.integrator=symplectic_euler"});
+    desktop_.act({"keydown", "Up"});
+    sleep_for(0.8);
+    desktop_.act({"keyup", "Up"});
+    desktop_.key("v");
+    desktop_.drag({}, 1, {320, 200}, {380, 250});
+    desktop_.key("p");
+    ASSERT_TRUE(recorded("pause"));
+    const std::string hash = quit();
+    ASSERT_EQ(hash.size(), 17u);
+
+    // The closing hash stands in the recording; both programs compare it with their own.
+    const std::string recording = read_file(file("session.txt"));
+    EXPECT_NE(recording.find(" hash " + hash), std::string::npos);
+    const auto say = [&](const std::string& name) {
+        const std::vector<std::string> words =
+            name == "drape-lab" ? std::vector<std::string>{program(name), "simulate", "--time", "6"}
+                                : std::vector<std::string>{program(name), "--frames", "360",   "--every",     "360",
+                                                           "--size",      "64x64",    "--out", file("frames")};
+        std::vector<std::string> all = words;
+        all.insert(all.end(), {"--replay", file("session.txt")});
+        Process other(all, {{"DISPLAY", ""}}, folder_);
+        const auto status = other.wait(60);
+        return std::to_string(status.value_or(-1)) + ": " + other.standard_error();
+    };
+    EXPECT_EQ(say("drape-lab").find("differs"), std::string::npos) << say("drape-lab");
+    EXPECT_EQ(say("drape-capture").find("differs"), std::string::npos) << say("drape-capture");
+}
+
+TEST_F(WindowTest, WithoutADisplayItDrawsOffScreen) {
+    Process blind({program("drape"), "hang", "--set", "solver.dt=1e-3", "--size", "64x48"}, {{"DISPLAY", ""}}, folder_);
+    EXPECT_EQ(blind.wait(120), 0);
+    const std::string said = blind.standard_error();
+    EXPECT_NE(said.find(file("drape-frames")), std::string::npos) << said;
+    int pictures = 0;
+    for (const auto& entry : std::filesystem::directory_iterator(file("drape-frames"))) {
+        pictures += entry.path().extension() == ".png" ? 1 : 0;
+    }
+    EXPECT_EQ(pictures, 120);
+}
+
+TEST_F(WindowTest, BadInputIsToldBeforeAnythingOpens) {
+    for (const std::string& display : {std::string(), desktop_.display()}) {
+        Process wrong({program("drape"), "hang", "--set", "solver.dt=nan"}, {{"DISPLAY", display}}, folder_);
+        EXPECT_EQ(wrong.wait(20), 2);
+        EXPECT_NE(wrong.standard_error().find("dt"), std::string::npos) << wrong.standard_error();
+        EXPECT_EQ(wrong.standard_error().find("drape-frames"), std::string::npos);
+    }
+}
+
+}  // namespace
+}  // namespace drape
