@@ -20,8 +20,8 @@ void main() {
 
     // Fibres scatter: the key light wraps around a little, and a part of it comes through from behind
     float wrapped = max((facing + 0.22) / 1.22, 0.0);
-    float visible = key_visibility(world, normal * sign(facing), 1.4);
-    float key = wrapped * mix(1.0, visible, smoothstep(-0.22, 0.05, facing));
+    float visible = key_visibility(world, normal * sign(facing), 1.2);
+    float key = wrapped * mix(1.0, visible, smoothstep(0.03, 0.28, facing));
     float through = max(-facing, 0.0) * 0.22;
     float open = ball_openness(world, normal);
     vec3 light = key_colour * (key + through) + light_from_around(normal) * open;

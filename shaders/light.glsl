@@ -1,42 +1,51 @@
 // One soft key light, light from all around, and what both look like on the screen.
 uniform sampler2DShadow shadow_map;
 
-const vec3 key_colour = vec3(1.00, 0.94, 0.86) * 1.02;
-const vec3 sky_colour = vec3(0.80, 0.88, 1.00) * 0.46;
-const vec3 bounce_colour = vec3(1.00, 0.90, 0.80) * 0.27;
+const vec3 key_colour = vec3(1.00, 0.955, 0.90) * 1.20;
+const vec3 sky_colour = vec3(0.80, 0.88, 1.00) * 0.36;
+const vec3 bounce_colour = vec3(1.00, 0.88, 0.77) * 0.20;
 
 // Noise of one pixel in [0, 1)  [Jimenez 2014]
 float pixel_noise() {
     return fract(52.9829189 * fract(dot(gl_FragCoord.xy, vec2(0.06711056, 0.00583715))));
 }
 
-// A linear middle and a soft shoulder, then sRGB, then half a step of noise against banding
+// A linear middle and a soft shoulder, then sRGB by square roots, then half a step of noise against banding
 vec4 finish(vec3 colour) {
-    const float knee = 0.62;
-    vec3 shoulder = 1.0 - (1.0 - knee) * exp((knee - colour) / (1.0 - knee));
+    const float knee = 0.60;
+    vec3 shoulder = 1.0 - (1.0 - knee) * (1.0 - knee) / (max(colour, knee) + 1.0 - 2.0 * knee);
     vec3 toned = mix(colour, shoulder, step(knee, colour));
-    vec3 coded = mix(12.92 * toned, 1.055 * pow(max(toned, 1e-5), vec3(1.0 / 2.4)) - 0.055, step(0.0031308, toned));
+    vec3 root2 = sqrt(max(toned, 0.0)), root4 = sqrt(root2), root8 = sqrt(root4);
+    vec3 coded = 0.662002687 * root2 + 0.684122060 * root4 - 0.323583601 * root8 - 0.0225411470 * toned;
     return vec4(coded + (pixel_noise() - 0.5) / 255.0, 1.0);
 }
 
 // The part of the key light that arrives, in [0, 1]; `spread` in texels sets how soft the edge is.
-// The loop makes no turn where nothing can cast.
+// Five probes tell light and shadow; only an edge is worth the rest. The loops make no turn where nothing can cast.
 float key_visibility(vec3 point, vec3 normal, float spread) {
-    vec3 place = (shadow_matrix * vec4(point + normal * shadow.x * 1.8, 1.0)).xyz * 0.5 + 0.5;
-    vec2 beyond = abs(place.xy - 0.5);
-    int rows = max(beyond.x, beyond.y) < 0.5 ? 4 : 0;
+    float slope = 1.0 - abs(dot(normal, to_light.xyz));
+    vec3 place = (shadow_matrix * vec4(point + normal * shadow.x * (1.2 + 2.0 * slope), 1.0)).xyz * 0.5 + 0.5;
     float step_size = spread * shadow.y;
-    float depth = min(place.z - 0.0012, 1.0);
-    float lit = 0.0;
-    for (int row = 0; row < rows; ++row) {
-        vec2 start = place.xy + vec2(-1.5, float(row) - 1.5) * step_size;
-        lit += texture(shadow_map, vec3(start, depth));
-        lit += texture(shadow_map, vec3(start + vec2(step_size, 0.0), depth));
-        lit += texture(shadow_map, vec3(start + vec2(2.0 * step_size, 0.0), depth));
-        lit += texture(shadow_map, vec3(start + vec2(3.0 * step_size, 0.0), depth));
+    float depth = min(place.z - 0.0015, 1.0);
+    vec2 beyond = abs(place.xy - 0.5);
+    int probes = max(beyond.x, beyond.y) < 0.5 ? 4 : 0;
+    float lit = probes > 0 ? 0.0 : 5.0;
+    for (int i = 0; i < probes; ++i) {
+        vec2 corner = vec2(float(i & 1), float(i >> 1)) * 4.0 - 2.0;
+        lit += texture(shadow_map, vec3(place.xy + corner * step_size, depth));
+        lit += i == 0 ? texture(shadow_map, vec3(place.xy, depth)) : 0.0;
     }
-    float part = rows > 0 ? lit / 16.0 : 1.0;
-    return mix(1.0, part, shadow.z);
+    int rows = lit > 0.01 && lit < 4.99 ? 5 : 0;
+    float sum = rows > 0 ? 0.0 : lit * 5.0;
+    for (int row = 0; row < rows; ++row) {
+        vec2 start = place.xy + vec2(-2.0, float(row) - 2.0) * step_size;
+        sum += texture(shadow_map, vec3(start, depth));
+        sum += texture(shadow_map, vec3(start + vec2(step_size, 0.0), depth));
+        sum += texture(shadow_map, vec3(start + vec2(2.0 * step_size, 0.0), depth));
+        sum += texture(shadow_map, vec3(start + vec2(3.0 * step_size, 0.0), depth));
+        sum += texture(shadow_map, vec3(start + vec2(4.0 * step_size, 0.0), depth));
+    }
+    return mix(1.0, sum / 25.0, shadow.z);
 }
 
 // The part of the light from all around that the balls leave

@@ -7,8 +7,11 @@ flat out float size;
 
 void main() {
     is_pinned = pinned;
-    size = viewport.y / 720.0 * (pinned > 0.5 ? 11.0 : 6.0) + 1.0;
     vec3 world = position + (eye.xyz - position) * 0.005;
     gl_Position = view_projection * vec4(world, 1.0);
+
+    // No larger than the spacing leaves room for
+    float room = 0.55 * shadow.w * viewport.y / distance(eye.xyz, position) * 1.45;
+    size = clamp(room, 2.0, viewport.y / 720.0 * 7.0) * (pinned > 0.5 ? 1.7 : 1.0) + 1.0;
     gl_PointSize = size;
 }

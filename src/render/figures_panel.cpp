@@ -109,50 +109,53 @@ void drop_rows(std::vector<Row>& rows, float line, float gap, float room) {
     }
 }
 
-void draw_row(const Row& row, float gap, float value_column, float bar_start, float bar_end) {
-    if (row.opens_group) ImGui::SetCursorPosY(ImGui::GetCursorPosY() + gap);
-    const ImVec2 place = ImGui::GetCursorScreenPos();
-    const float line = ImGui::GetTextLineHeight();
-    coloured_text(ink::quiet, row.name);
-    ImGui::SameLine(value_column);
-    coloured_text(row.colour, row.value.c_str());
+// Where the parts of a row start, and where it ends
+struct Columns {
+    float name, value, bar, end;
+};
+
+void draw_row(const Row& row, float top, const Columns& columns) {
+    text_at({columns.name, top}, ink::quiet, row.name);
+    text_at({columns.value, top}, row.colour, row.value.c_str());
     if (row.part < 0) return;
     ImDrawList& list = *ImGui::GetWindowDrawList();
-    const float top = place.y + 0.36f * line, bottom = place.y + 0.74f * line;
-    list.AddRectFilled({bar_start, top}, {bar_end, bottom}, ink::groove, 2);
-    const float filled = bar_start + row.part * (bar_end - bar_start);
-    if (filled - bar_start > 1) list.AddRectFilled({bar_start, top}, {filled, bottom}, ink::bar, 2);
+    const float line = ImGui::GetTextLineHeight(), upper = top + 0.36f * line, lower = top + 0.74f * line;
+    list.AddRectFilled({columns.bar, upper}, {columns.end, lower}, ink::groove, 2);
+    const float filled = row.part * (columns.end - columns.bar);
+    if (filled > 1) list.AddRectFilled({columns.bar, upper}, {columns.bar + filled, lower}, ink::bar, 2);
 }
 
 }  // namespace
 
-float figures_panel(const FrameView& view, const FrameReport& last, ImFont* title, float width, float height) {
+float figures_panel(const FrameView& view, const FrameReport& last, ImFont* title, const OverlayPage& page) {
     std::vector<Row> rows;
     add_time_rows(view, rows);
     add_stage_rows(view.report->times, rows);
     add_count_rows(*view.report, rows);
     add_cost_rows(last, rows);
 
-    // Size: as wide as it must be, at most the picture
-    const ImGuiStyle& style = ImGui::GetStyle();
-    const float margin = style.WindowPadding.y, size = ImGui::GetFontSize();
+    // As large as it must be, at most as the picture
+    const float margin = page.margin, size = ImGui::GetFontSize();
     const float line = ImGui::GetTextLineHeightWithSpacing(), gap = 0.45f * size;
     const float title_height = title->FontSize + 0.4f * size;
-    drop_rows(rows, line, gap, height - 4 * margin - title_height);
-    const float panel_width = std::min(15.5f * size + 2 * style.WindowPadding.x, width - 2 * margin);
-    const float panel_height = height_of(rows, line, gap) + title_height + 2 * margin - style.ItemSpacing.y;
+    drop_rows(rows, line, gap, page.height - 4 * margin - title_height);
+    const float width = std::min(15.5f * size + 2 * margin, page.width - 2 * margin);
+    const float height = std::min(height_of(rows, line, gap) + title_height + 2 * margin, page.height - 2 * margin);
+    draw_panel({margin, margin}, {width, height});
 
-    begin_panel("figures", {margin, margin}, {panel_width, std::min(panel_height, height - 2 * margin)});
-    ImGui::PushFont(title);
     const std::string& name = view.settings->title;
-    ImGui::TextUnformatted(name.empty() ? "Drape" : name.c_str());
+    ImGui::PushFont(title);
+    text_at({2 * margin, 2 * margin}, ink::text, name.empty() ? "Drape" : name.c_str());
     ImGui::PopFont();
-    ImGui::SetCursorPosY(margin + title_height);
-    const float right = margin + panel_width - style.WindowPadding.x;
-    const float value_column = style.WindowPadding.x + 5.8f * size;
-    for (const Row& row : rows) draw_row(row, gap, value_column, margin + value_column + 5.2f * size, right);
-    ImGui::End();
-    return margin + panel_width;
+    const float value = 2 * margin + 5.8f * size;
+    const Columns columns{2 * margin, value, value + 5.2f * size, width};
+    float top = 2 * margin + title_height;
+    for (const Row& row : rows) {
+        if (row.opens_group) top += gap;
+        draw_row(row, top, columns);
+        top += line;
+    }
+    return margin + width;
 }
 
 }  // namespace drape

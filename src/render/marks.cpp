@@ -23,6 +23,7 @@ struct BoundMark {
 
 constexpr int circles_per_bound = 4;
 constexpr int contact_vertices = 9;
+constexpr float bend_lift = 0.22f;  // of the bend springs over the cloth, in spacings
 
 void copy(const Vec3& from, float* to) {
     for (int axis = 0; axis < 3; ++axis) to[axis] = static_cast<float>(from[axis]);
@@ -102,7 +103,7 @@ void Marks::index_springs(const FrameView& view) {
     for (std::size_t i = 0; same && i < grids_.size(); ++i) same = grids_[i] == view.cloths[i].model.grid;
     if (!view.cloths.empty()) {
         const ClothModel& model = view.cloths.front().model;
-        lift_ = 0.22f * static_cast<float>(std::min(model.hx, model.hy));
+        spacing_ = static_cast<float>(std::min(model.hx, model.hy));
     }
     if (same) return;
 
@@ -153,7 +154,7 @@ void Marks::draw() {
         gl_(glBindVertexArray, spring_array_.name());
         gl_(glVertexAttrib1f, 4u, 0.0f);
         gl_.draw_elements(GL_LINES, 2 * plain);
-        gl_(glVertexAttrib1f, 4u, lift_);
+        gl_(glVertexAttrib1f, 4u, bend_lift * spacing_);
         gl_.draw_elements(GL_LINES, 2 * bend_count_, 2 * static_cast<std::size_t>(plain) * sizeof(std::uint32_t));
         particle_program_.use();
         gl_.draw_arrays(GL_POINTS, particle_count_);

@@ -27,6 +27,7 @@ public:
 
     [[nodiscard]] int structural_springs() const { return structural_count_; }
     [[nodiscard]] int shear_springs() const { return shear_count_; }
+    [[nodiscard]] float spacing() const { return spacing_; }
     /// Of a bound's circle: fewer where there are many bounds.
     [[nodiscard]] int segments() const;
 
@@ -44,7 +45,7 @@ private:
     bool show_particles_ = false;
     int particle_count_ = 0, contact_count_ = 0;
     int structural_count_ = 0, shear_count_ = 0, bend_count_ = 0;
-    float lift_ = 0;  ///< of the bend springs over the cloth [m]
+    float spacing_ = 0;  ///< of the particles of the first cloth [m]
 };
 
 }  // namespace drape

@@ -87,8 +87,8 @@ void OverlayPainter::draw(const StreamBuffer& stream) {
     const ImDrawData& data = *ImGui::GetDrawData();
     program_.use();
     gl_(glBindVertexArray, array_.name());
-    gl_(glEnable, GLenum{GL_SCISSOR_TEST});
-    Scissor current{-1, -1, 0, 0};
+    const Scissor whole = scissor_of({0, 0, data.DisplaySize.x, data.DisplaySize.y}, data.DisplaySize);
+    Scissor current = whole;
     int first_vertex = 0;
     std::size_t first_index = stream.place(Region::OverlayIndices);
     for (int i = 0; i < data.CmdListsCount; ++i) {
@@ -96,15 +96,18 @@ void OverlayPainter::draw(const StreamBuffer& stream) {
         for (const ImDrawCmd& command : list.CmdBuffer) {
             const Scissor scissor = scissor_of(command.ClipRect, data.DisplaySize);
             if (command.ElemCount == 0 || scissor.width == 0 || scissor.height == 0) continue;
-            if (scissor != current) gl_(glScissor, scissor.x, scissor.y, scissor.width, scissor.height);
-            current = scissor;
+            if (scissor != current) {
+                if (current == whole) gl_(glEnable, GLenum{GL_SCISSOR_TEST});
+                gl_(glScissor, scissor.x, scissor.y, scissor.width, scissor.height);
+                current = scissor;
+            }
             gl_.draw_short_elements(static_cast<int>(command.ElemCount), first_index + command.IdxOffset * sizeof(ImDrawIdx),
                                     first_vertex + static_cast<int>(command.VtxOffset));
         }
         first_vertex += list.VtxBuffer.Size;
         first_index += bytes_of(list.IdxBuffer);
     }
-    gl_(glDisable, GLenum{GL_SCISSOR_TEST});
+    if (current != whole) gl_(glDisable, GLenum{GL_SCISSOR_TEST});
 }
 
 }  // namespace drape

@@ -18,6 +18,10 @@ constexpr std::array<float, 4> font_sizes{11, 14, 17, 22};  // pixel
 // Below this nothing could be read
 constexpr int least_width = 120, least_height = 60;
 
+constexpr ImGuiWindowFlags window_flags = ImGuiWindowFlags_NoDecoration | ImGuiWindowFlags_NoBackground |
+                                          ImGuiWindowFlags_NoInputs | ImGuiWindowFlags_NoNav |
+                                          ImGuiWindowFlags_NoSavedSettings | ImGuiWindowFlags_NoMove;
+
 void add_fonts(std::array<ImFont*, 4>& fonts) {
     ImFontAtlas& atlas = *ImGui::GetIO().Fonts;
     const std::filesystem::path file = DRAPE_FONT;
@@ -38,12 +42,10 @@ void add_fonts(std::array<ImFont*, 4>& fonts) {
 void set_style() {
     ImGuiStyle& style = ImGui::GetStyle();
     ImGui::StyleColorsDark();
-    style.WindowRounding = 8;
     style.WindowBorderSize = 0;
     style.WindowMinSize = {1, 1};
+    style.WindowPadding = {0, 0};
     style.ItemSpacing = {6, 2};
-    style.Colors[ImGuiCol_WindowBg] = ImGui::ColorConvertU32ToFloat4(ink::panel);
-    style.Colors[ImGuiCol_Text] = ImGui::ColorConvertU32ToFloat4(ink::text);
 }
 
 }  // namespace
@@ -76,61 +78,63 @@ bool OverlayPanels::build(const FrameView& view, const FrameReport& last, std::s
     const std::size_t size = height < 600 || width < 900 ? 0 : height < 1000 ? 1 : 2;
     text_ = fonts_[size];
     title_ = fonts_[size + 1];
-    const float padding = size == 0 ? 8.0f : 12.0f;
-    ImGui::GetStyle().WindowPadding = {padding, padding};
+    const float margin = size == 0 ? 8.0f : 12.0f;
 
     ImGui::NewFrame();
+    ImGui::SetNextWindowPos({0, 0});
+    ImGui::SetNextWindowSize({w, h});
+    ImGui::Begin("overlay", nullptr, window_flags);
     ImGui::PushFont(text_);
     float taken = 0;
-    if (shown.overlay) taken = figures_panel(view, last, title_, w, h);
-    if (showing_help) help_panel(w, h, taken);
-    if (!notices.empty()) notice_panel(notices, w, h);
+    if (shown.overlay) taken = figures_panel(view, last, title_, {w, h, margin});
+    if (showing_help) help_panel({w, h, margin}, taken);
+    if (!notices.empty()) notice_panel(notices, {w, h, margin});
     ImGui::PopFont();
+    ImGui::End();
     ImGui::Render();
     return ImGui::GetDrawData()->TotalIdxCount > 0;
 }
 
-void OverlayPanels::help_panel(float width, float height, float taken) const {
-    const ImGuiStyle& style = ImGui::GetStyle();
-    const float margin = style.WindowPadding.y, row = ImGui::GetTextLineHeightWithSpacing();
+void OverlayPanels::help_panel(const OverlayPage& page, float taken) const {
+    const float row = ImGui::GetTextLineHeightWithSpacing(), gap = ImGui::GetFontSize();
     float keys = 0, texts = 0;
     for (const KeyHelp& line : help) {
         keys = std::max(keys, ImGui::CalcTextSize(line.key.c_str()).x);
         texts = std::max(texts, ImGui::CalcTextSize(line.text.c_str()).x);
     }
-    const float gap = ImGui::GetFontSize();
-    const float wanted = keys + gap + texts + 2 * style.WindowPadding.x + 1;
-    const float panel_width = std::min(wanted, std::max(width - taken - 2 * margin, width / 3));
-    const auto fitting = static_cast<std::size_t>(std::max(1.0f, (height - 4 * margin) / row));
+    const float margin = page.margin;
+    const float width = std::min(keys + gap + texts + 2 * margin, std::max(page.width - taken - 2 * margin, page.width / 3));
+    const auto fitting = static_cast<std::size_t>(std::max(1.0f, (page.height - 4 * margin) / row));
     const std::size_t rows = std::min(help.size(), fitting);
 
-    begin_panel("help", {width - panel_width - margin, margin},
-                {panel_width, static_cast<float>(rows) * row + 2 * margin - style.ItemSpacing.y});
+    ImVec2 place{page.width - width - margin, margin};
+    draw_panel(place, {width, static_cast<float>(rows) * row + 2 * margin});
+    place = {place.x + margin, place.y + margin};
     for (std::size_t i = 0; i < rows; ++i) {
-        coloured_text(ink::wait, help[i].key.c_str());
-        ImGui::SameLine(style.WindowPadding.x + keys + gap);
-        ImGui::TextUnformatted(help[i].text.c_str());
+        text_at(place, ink::wait, help[i].key.c_str());
+        text_at({place.x + keys + gap, place.y}, ink::text, help[i].text.c_str());
+        place.y += row;
     }
-    ImGui::End();
 }
 
-void OverlayPanels::notice_panel(std::span<const std::string> notices, float width, float height) const {
-    const ImGuiStyle& style = ImGui::GetStyle();
-    const float margin = style.WindowPadding.y, most = width - 2 * margin - 2 * style.WindowPadding.x;
-    float text_width = 0, text_height = -style.ItemSpacing.y;
+void OverlayPanels::notice_panel(std::span<const std::string> notices, const OverlayPage& page) const {
+    const float most = page.width - 4 * page.margin;
+    ImVec2 size{0, 0};
     for (const std::string& notice : notices) {
-        const ImVec2 size = ImGui::CalcTextSize(notice.c_str(), nullptr, false, most);
-        text_width = std::max(text_width, size.x);
-        text_height += size.y + style.ItemSpacing.y;
+        const ImVec2 part = ImGui::CalcTextSize(notice.c_str(), nullptr, false, most);
+        size = {std::max(size.x, part.x), size.y + part.y};
     }
-    const float panel_width = text_width + 2 * style.WindowPadding.x + 1;
-    const float panel_height = std::min(text_height + 2 * margin, height - 2 * margin);
+    const ImVec2 panel{size.x + 2 * page.margin, std::min(size.y + 2 * page.margin, page.height - 2 * page.margin)};
+    const ImVec2 place{(page.width - panel.x) / 2, page.height - panel.y - page.margin};
+    draw_panel(place, panel);
 
-    begin_panel("notices", {(width - panel_width) / 2, height - panel_height - margin}, {panel_width, panel_height});
-    ImGui::PushTextWrapPos(style.WindowPadding.x + most + 1);
-    for (const std::string& notice : notices) coloured_text(ink::wait, notice.c_str());
+    ImVec2 line{place.x + page.margin, place.y + page.margin};
+    ImGui::PushTextWrapPos(line.x + most + 1);
+    for (const std::string& notice : notices) {
+        text_at(line, ink::wait, notice.c_str());
+        line.y += ImGui::CalcTextSize(notice.c_str(), nullptr, false, most).y;
+    }
     ImGui::PopTextWrapPos();
-    ImGui::End();
 }
 
 }  // namespace drape

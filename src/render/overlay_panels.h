@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "drape/render/renderer.h"
+#include "figures_panel.h"
 
 struct ImFont;
 struct ImGuiContext;
@@ -32,8 +33,8 @@ private:
         void operator()(ImGuiContext* context) const;
     };
 
-    void help_panel(float width, float height, float taken) const;
-    void notice_panel(std::span<const std::string> notices, float width, float height) const;
+    void help_panel(const OverlayPage& page, float taken) const;
+    void notice_panel(std::span<const std::string> notices, const OverlayPage& page) const;
 
     std::unique_ptr<ImGuiContext, DestroyContext> context_;
     std::array<ImFont*, 4> fonts_{};  ///< from small to large

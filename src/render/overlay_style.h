@@ -13,19 +13,19 @@ inline constexpr ImU32 wait = IM_COL32(255, 200, 87, 255);
 inline constexpr ImU32 bad = IM_COL32(255, 107, 94, 255);
 inline constexpr ImU32 bar = IM_COL32(240, 128, 96, 255);
 inline constexpr ImU32 groove = IM_COL32(255, 255, 255, 26);
-inline constexpr ImU32 panel = IM_COL32(20, 24, 31, 208);
+inline constexpr ImU32 panel = IM_COL32(22, 26, 34, 196);
 }  // namespace ink
 
-/// Opens a panel of fixed place and size; `ImGui::End` closes it.
-inline void begin_panel(const char* name, ImVec2 place, ImVec2 size) {
-    ImGui::SetNextWindowPos(place);
-    ImGui::SetNextWindowSize(size);
-    ImGui::Begin(name, nullptr, ImGuiWindowFlags_NoDecoration | ImGuiWindowFlags_NoInputs | ImGuiWindowFlags_NoNav |
-                                    ImGuiWindowFlags_NoSavedSettings | ImGuiWindowFlags_NoMove |
-                                    ImGuiWindowFlags_NoFocusOnAppearing);
+/// Draws a panel's ground.
+/// All panels are parts of one window as large as the picture, so that the overlay is one draw call.
+inline void draw_panel(ImVec2 place, ImVec2 size) {
+    const float rounding = 8;
+    ImGui::GetWindowDrawList()->AddRectFilled(place, {place.x + size.x, place.y + size.y}, ink::panel, rounding);
 }
 
-inline void coloured_text(ImU32 colour, const char* text) {
+/// Text at a place of the picture.
+inline void text_at(ImVec2 place, ImU32 colour, const char* text) {
+    ImGui::SetCursorScreenPos(place);
     ImGui::PushStyleColor(ImGuiCol_Text, colour);
     ImGui::TextUnformatted(text);
     ImGui::PopStyleColor();

@@ -118,6 +118,7 @@ void Renderer::Parts::prepare(const FrameView& view, const Camera& camera, std::
     data.counts[0] = marks.structural_springs();
     data.counts[1] = marks.shear_springs();
     data.counts[2] = marks.segments();
+    data.shadow[3] = marks.spacing();
     *stream.data<FrameData>(Region::Frame) = data;
     solids.fill(view, stream);
     marks.fill(view, stream);

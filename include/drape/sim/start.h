@@ -1,0 +1,34 @@
+#pragma once
+
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "drape/sim/recording.h"
+#include "drape/sim/session.h"
+#include "drape/sim/settings.h"
+
+namespace drape {
+
+/// What all three programs are told on their command lines.
+struct StartOptions {
+    std::string scene;                     ///< name or path; empty: that of the replay, else the first shipped one
+    std::vector<std::string> assignments;  ///< "name=value"; a word without '=' is the scene if none was given
+    std::string replay;                    ///< file; empty: none
+};
+
+/// What a run starts from, found and checked before anything is opened or written.
+struct Start {
+    std::string scene;
+    std::vector<std::string> assignments;  ///< of the recording and of the command line, in this order
+    Settings settings;
+    std::optional<Recording> replay;
+};
+
+/// @throws InputError if a file, a scene or an assignment is bad
+Start make_start(StartOptions options);
+
+/// The simulation of a start, with its replay running.
+Session make_session(Start start);
+
+}  // namespace drape

@@ -1,0 +1,125 @@
+#include "collide.h"
+
+#include <algorithm>
+#include <fstream>
+#include <limits>
+#include <vector>
+
+#include "drape/base/numbers.h"
+#include "drape/base/program.h"
+#include "drape/contact/contact.h"
+#include "drape/sim/setting_table.h"
+
+namespace drape {
+namespace {
+
+constexpr double largest_coordinate = 1e12;  // m
+constexpr std::size_t longest_line = 4096;
+
+struct Options {
+    std::string grid, positions, ball;
+    std::vector<std::string> assignments;
+};
+
+/// Reads "1,2,3" into exactly `count` finite numbers; `where` starts the error.
+std::vector<double> parse_numbers(const std::string& text, std::size_t count, const std::string& where) {
+    std::vector<double> numbers;
+    for (std::size_t begin = 0; begin <= text.size();) {
+        const std::size_t comma = std::min(text.find(',', begin), text.size());
+        const std::size_t first = std::min(text.find_first_not_of(" \t", begin), comma);
+        std::size_t last = comma;
+        while (last > first && (text[last - 1] == ' ' || text[last - 1] == '\t')) --last;
+        const auto number = parse_real(std::string_view(text).substr(first, last - first));
+        if (!number || !(*number >= -largest_coordinate && *number <= largest_coordinate)) break;
+        numbers.push_back(*number);
+        begin = comma + 1;
+        if (comma == text.size() && numbers.size() == count) return numbers;
+    }
+    throw InputError(where + text.substr(0, 100) + ": allowed " + std::to_string(count) +
+                     " numbers with commas between, each of size at most " + real_text(largest_coordinate));
+}
+
+Grid parse_grid(const std::string& text) {
+    const std::size_t cross = std::min(text.find('x'), text.size());
+    const auto nx = parse_integer(std::string_view(text).substr(0, cross));
+    const auto ny = parse_integer(std::string_view(text).substr(std::min(cross + 1, text.size())));
+    const auto fits = [](const auto& n) { return n && *n >= 2 && *n <= 4096; };
+    if (!fits(nx) || !fits(ny)) throw InputError("--grid " + text + ": allowed NXxNY, each 2 to 4096");
+    return {static_cast<int>(*nx), static_cast<int>(*ny)};
+}
+
+Points read_positions(const std::string& file, const Grid& grid) {
+    std::ifstream in(file);
+    if (!in) throw InputError("--positions " + file + ": cannot be read");
+    Points x(grid.particles(), 3);
+    std::string line;
+    int row = 0;
+    for (int number = 1; std::getline(in, line); ++number) {
+        if (!line.empty() && line.back() == '\r') line.pop_back();
+        const std::string where = file + ":" + std::to_string(number) + ": ";
+        if (line.size() > longest_line) throw InputError(where + "the line is longer than 4096 bytes");
+        if (row == grid.particles()) {
+            throw InputError(where + "more rows than the grid's " + std::to_string(grid.particles()) + " particles");
+        }
+        const auto values = parse_numbers(line, 3, where);
+        for (int axis = 0; axis < 3; ++axis) x(row, axis) = static_cast<Real>(values[static_cast<std::size_t>(axis)]);
+        ++row;
+    }
+    if (row < grid.particles()) {
+        throw InputError(file + ": " + std::to_string(row) + " rows: the grid has " + std::to_string(grid.particles()) +
+                         " particles");
+    }
+    return x;
+}
+
+Ball parse_ball(const std::string& text) {
+    const auto values = parse_numbers(text, 4, "--ball ");
+    if (!(values[3] >= 0)) throw InputError("--ball " + text + ": allowed a radius of at least 0");
+    const auto at = [&](std::size_t i) { return static_cast<Real>(values[i]); };
+    return {.centre = {at(0), at(1), at(2)}, .radius = at(3)};
+}
+
+int collide(const Options& options) {
+    Settings settings;
+    settings.contact.thickness = 0;
+    for (const std::string& assignment : options.assignments) assign(settings, assignment);
+    const ContactSettings& contact = settings.contact;
+    const Grid grid = parse_grid(options.grid);
+    const Ball ball = parse_ball(options.ball);
+    const Points x = read_positions(options.positions, grid);
+
+    const auto broad_phase = make_broad_phase({contact.volume, contact.update, contact.leaf_cells}, grid);
+    std::vector<int> cells, triangles;
+    broad_phase->build(x, contact.thickness);
+    const TraversalStats stats = broad_phase->query(ball, cells);
+    find_touched_triangles(grid, x, ball, contact.thickness, cells, triangles);
+
+    std::sort(triangles.begin(), triangles.end());
+    std::string text;
+    for (const int triangle : triangles) text += std::to_string(triangle) + "\n";
+    std::cout << text << std::flush;
+    std::cerr << "nodes=" << stats.nodes << " visited=" << stats.visited << " volume_tests=" << stats.volume_tests
+              << " leaves=" << stats.leaves << " candidates=" << stats.candidates << " touched=" << triangles.size()
+              << "\n";
+    return std::cout ? Done : Failed;
+}
+
+}  // namespace
+
+void add_collide(CLI::App& app, int& exit_code) {
+    CLI::App* command = app.add_subcommand(
+        "collide",
+        "Prints the triangles whose distance to the ball's centre is at most its radius (plus thickness, 0 "
+        "unless set)");
+    auto options = std::make_shared<Options>();
+    command->add_option("--grid", options->grid, "columns and rows of particles")->type_name("NXxNY")->required();
+    command->add_option("--positions", options->positions, "one x,y,z a line, in particle order [m]")
+        ->type_name("FILE.csv")
+        ->required();
+    command->add_option("--ball", options->ball, "centre and radius [m]")->type_name("x,y,z,r")->required();
+    command->add_option("--set", options->assignments, "volume, update, leaf_cells, thickness")
+        ->type_name("name=value");
+    command->callback([options, &exit_code] { exit_code = collide(*options); });
+}
+
+}  // namespace drape

@@ -1,0 +1,23 @@
+#include "collide.h"
+#include "drape/base/program.h"
+#include "list.h"
+#include "simulate.h"
+
+namespace drape {
+namespace {
+
+int run(int argc, char** argv) {
+    CLI::App app("Simulates, collides and lists, with no picture.", "drape-lab");
+    app.require_subcommand(1);
+    int exit_code = Done;
+    add_simulate(app, exit_code);
+    add_collide(app, exit_code);
+    add_list(app, exit_code);
+    parse_command_line(app, argc, argv);
+    return exit_code;
+}
+
+}  // namespace
+}  // namespace drape
+
+int main(int argc, char** argv) { return drape::run_program("drape-lab", argc, argv, drape::run); }

@@ -1,0 +1,86 @@
+#include "simulate.h"
+
+#include <cmath>
+#include <vector>
+
+#include "drape/base/numbers.h"
+#include "drape/base/program.h"
+#include "drape/base/stopwatch.h"
+#include "drape/sim/setting_table.h"
+#include "drape/sim/start.h"
+#include "drape/sim/state_csv.h"
+#include "output_file.h"
+
+namespace drape {
+namespace {
+
+constexpr double longest_time = 1e6;  // s
+
+struct Options {
+    StartOptions start;
+    std::string times, state, stats;
+    bool hash = false;
+};
+
+/// "0.5,1,2" as times [s] that do not go back.
+std::vector<double> parse_times(const std::string& text) {
+    std::vector<double> times;
+    for (std::size_t begin = 0; begin <= text.size();) {
+        const std::size_t comma = std::min(text.find(',', begin), text.size());
+        const std::string word = text.substr(begin, comma - begin);
+        const auto time = parse_real(word);
+        if (!time || !(*time >= 0 && *time <= longest_time)) {
+            throw InputError("--time " + word + ": allowed 0 <= T <= " + real_text(longest_time) + " s");
+        }
+        if (!times.empty() && *time < times.back()) {
+            throw InputError("--time " + word + ": allowed only times that do not go back");
+        }
+        times.push_back(*time);
+        begin = comma + 1;
+    }
+    return times;
+}
+
+int simulate(Options& options) {
+    const std::vector<double> times = parse_times(options.times);
+    Session session = make_session(make_start(options.start));
+    OutputFile state(options.state), stats(options.stats);
+    if (state.wanted()) write_state_header(state.stream(), session.simulation());
+    if (stats.wanted()) write_report_header(stats.stream()), stats.stream() << '\n';
+
+    const Stopwatch watch;
+    for (const double time : times) {
+        session.run_until(time);
+        if (state.wanted()) write_state(state.stream(), session.simulation());
+        if (stats.wanted()) write_report(stats.stream(), *session.view().report), stats.stream() << '\n';
+    }
+    state.close();
+    stats.close();
+
+    const StepReport& report = session.simulation().report();
+    std::cerr << report.step << " steps to " << real_text(report.time, 6) << " s in " << real_text(watch.seconds(), 3)
+              << " s\n";
+    if (!session.replay_notice().empty()) std::cerr << session.replay_notice() << "\n";
+    if (options.hash) std::cout << hash_text(session.simulation().hash()) << "\n";
+    if (report.status == Status::Ok) return Done;
+    std::cerr << "drape-lab: " << report.trouble << "\n";
+    return session.simulation().settings().solver.on_unstable == OnUnstable::Stop ? Failed : Done;
+}
+
+}  // namespace
+
+void add_simulate(CLI::App& app, int& exit_code) {
+    CLI::App* command = app.add_subcommand("simulate", "Runs a scene to given times");
+    auto options = std::make_shared<Options>();
+    command->add_option("scene", options->start.scene, "name of a shipped scene, or a TOML file")->type_name("SCENE");
+    command->add_option("--set", options->start.assignments, "change settings")->type_name("name=value");
+    command->add_option("--replay", options->start.replay, "play a recording")->type_name("FILE");
+    command->add_option("--time", options->times, "simulated times to stop at [s]")->type_name("T[,T2...]")->required();
+    command->add_option("--state", options->state, "write every particle at each time")->type_name("FILE.csv");
+    command->add_option("--stats", options->stats, "write the report of the step at each time")->type_name("FILE.csv");
+    command->add_flag("--hash", options->hash, "print the hash of the last state");
+    command->footer([] { return "Settings:\n" + settings_help(); });
+    command->callback([options, &exit_code] { exit_code = simulate(*options); });
+}
+
+}  // namespace drape

@@ -1,0 +1,47 @@
+#include "drape/sim/start.h"
+
+#include <utility>
+
+#include "drape/base/input_error.h"
+#include "drape/sim/scene.h"
+#include "drape/sim/setting_table.h"
+
+namespace drape {
+
+Start make_start(StartOptions options) {
+    Start start{.scene = std::move(options.scene), .assignments = {}, .settings = {}, .replay = {}};
+    bool scene_given = !start.scene.empty();
+    if (!options.replay.empty()) {
+        start.replay = read_recording(options.replay);
+        if (start.scene.empty()) start.scene = start.replay->scene;
+        start.assignments = start.replay->assignments;
+    }
+    for (std::string& word : options.assignments) {
+        const bool is_scene = !scene_given && word.find('=') == std::string::npos;
+        if (is_scene) {
+            start.scene = std::move(word);
+            scene_given = true;
+        } else {
+            start.assignments.push_back(std::move(word));
+        }
+    }
+    if (start.scene.empty()) start.scene = scene_names().front();
+    start.settings = load_scene(start.scene);
+    for (const std::string& assignment : start.assignments) {
+        try {
+            assign(start.settings, assignment);
+        } catch (const InputError& error) {
+            throw InputError("--set " + assignment.substr(0, 100) + ": " + error.what());
+        }
+    }
+    check(start.settings);
+    return start;
+}
+
+Session make_session(Start start) {
+    Session session(Simulation(std::move(start.scene), std::move(start.settings)));
+    if (start.replay) session.replay(std::move(*start.replay));
+    return session;
+}
+
+}  // namespace drape
