@@ -2,16 +2,15 @@
 
 #include <optional>
 #include <string>
-#include <vector>
+
+#include "drape/sim/start.h"
 
 namespace drape {
 
 /// What the command line of `drape` asks for.
 struct Options {
-    std::string scene;                     ///< name or path; empty if none was given
-    std::vector<std::string> assignments;  ///< "name=value"
-    std::string record;                    ///< file to write; empty: none
-    std::string replay;                    ///< file to read; empty: none
+    StartOptions start;
+    std::string record;  ///< file to write; empty: none
     int width = 1280;
     int height = 720;
     bool hash = false;  ///< print the hash of the last state

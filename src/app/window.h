@@ -88,9 +88,10 @@ private:
     std::optional<Menu> menu_;
     Stopwatch clock_;  ///< since the last tick
     std::exception_ptr failure_;
-    std::string scene_;  ///< that the camera was set for
-    double frame_time_ = 1.0 / 60;
-    double dropped_ = 0;  ///< of which the user was told [s]
+    std::string scene_;             ///< that the camera was set for
+    double frame_time_ = 1.0 / 60;  ///< from tick to tick [s]
+    double picture_time_ = 0;       ///< that the last picture took, its way to the display included [s]
+    double dropped_ = 0;            ///< of which the user was told [s]
     std::int64_t drawn_step_ = -1;
     int window_ = 0;
     int width_ = 0, height_ = 0;
