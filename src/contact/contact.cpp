@@ -20,7 +20,8 @@ void find_touched_triangles(const Grid& grid, const Points& x, const Ball& ball,
         const bool in_a = inside(corners[0]), in_b = inside(corners[1]), in_c = inside(corners[2]),
                    in_d = inside(corners[3]);
         const auto touches = [&](int triangle) {
-            return (closest_point(grid, x, triangle, ball.centre).point - ball.centre).squaredNorm() <= reach * reach;
+            return (closest_point(x, grid.triangle_corners(triangle), ball.centre).point - ball.centre).squaredNorm() <=
+                   reach * reach;
         };
         if (in_a || in_b || in_c || touches(2 * cell)) triangles.push_back(2 * cell);
         if (in_b || in_c || in_d || touches(2 * cell + 1)) triangles.push_back(2 * cell + 1);
@@ -29,11 +30,12 @@ void find_touched_triangles(const Grid& grid, const Points& x, const Ball& ball,
 
 void find_contacts(const Grid& grid, const Points& x, const Ball& ball, int ball_number, Real thickness,
                    std::span<const int> cells, std::vector<Contact>& contacts) {
+    Contact contact{.ball = ball_number};
     for (const int cell : cells) {
         for (const int triangle : {2 * cell, 2 * cell + 1}) {
-            Contact contact{.triangle = triangle, .ball = ball_number};
-            locate(grid, x, ball, thickness, contact);
-            if (contact.depth > 0) contacts.push_back(contact);
+            contact.triangle = triangle;
+            contact.corners = grid.triangle_corners(triangle);
+            if (locate(x, ball, thickness, contact)) contacts.push_back(contact);
         }
     }
 }

@@ -14,42 +14,35 @@ constexpr Real slop = Real(1e-4);
 
 /// Sweeps over the contacts. Positions stop earlier once no contact had to be corrected.
 constexpr int position_sweeps = 6;
-constexpr int velocity_sweeps = 2;
+constexpr int velocity_sweeps = 4;
 
 /// An approach slower than this many steps of gravity is resting, and does not bounce.
 constexpr Real resting_steps = 4;
 
-/// The three particles of a contact with their weights, and the inverse mass that a push at the contact point meets.
-struct Lever {
-    std::array<int, 3> corners;
-    std::array<Real, 3> weights;
-    std::array<Real, 3> inverse_masses{};
-    Real inverse_mass = 0;  ///< sum of w^2/m; zero if nothing can move
-};
-
-Lever lever_of(const ClothModel& model, const Contact& contact) {
-    Lever lever{.corners = model.grid.triangle_corners(contact.triangle), .weights = contact.barycentric};
+/// The sum of w^2/m over a contact's corners: what a push at the contact point meets. Zero if nothing can move.
+Real inverse_mass_at(const ClothModel& model, const Contact& contact) {
+    Real sum = 0;
     for (std::size_t k = 0; k < 3; ++k) {
-        lever.inverse_masses[k] = model.inverse_mass[lever.corners[k]];
-        lever.inverse_mass += lever.weights[k] * lever.weights[k] * lever.inverse_masses[k];
+        sum += contact.barycentric[k] * contact.barycentric[k] * model.inverse_mass[contact.corners[k]];
     }
-    return lever;
+    return sum;
 }
 
-/// Moves (or speeds up) the particles so that the contact point moves by `change` [m or m/s].
-void push(const Lever& lever, const Vec3& change, Points& p) {
+/// Moves (or speeds up) a contact's corners, each by its share of an impulse that acts at the contact point.
+void push(const ClothModel& model, const Contact& contact, const Vec3& impulse, Points& p) {
     for (std::size_t k = 0; k < 3; ++k) {
-        const Real share = lever.weights[k] * lever.inverse_masses[k] / lever.inverse_mass;
-        p.row(lever.corners[k]) += share * change.transpose();
+        const int corner = contact.corners[k];
+        p.row(corner) += contact.barycentric[k] * model.inverse_mass[corner] * impulse.transpose();
     }
 }
 
-Vec3 velocity_at(const Lever& lever, const Points& v) {
-    return lever.weights[0] * position(v, lever.corners[0]) + lever.weights[1] * position(v, lever.corners[1]) +
-           lever.weights[2] * position(v, lever.corners[2]);
+Vec3 velocity_at(const Contact& contact, const Points& v) {
+    return contact.barycentric[0] * position(v, contact.corners[0]) +
+           contact.barycentric[1] * position(v, contact.corners[1]) +
+           contact.barycentric[2] * position(v, contact.corners[2]);
 }
 
-/// Pushes every contact out along its normal; its neighbours see the moved particles.
+/// Pushes every contact that is deeper than the slop out to half of it; its neighbours see the moved particles.
 void separate(const ClothModel& model, const ResponseParameters& parameters, std::span<const Ball> balls,
               std::vector<Contact>& contacts, Points& x) {
     bool moved = false;  // contacts are fresh until the first particle moves
@@ -58,12 +51,12 @@ void separate(const ClothModel& model, const ResponseParameters& parameters, std
         corrected = false;
         for (Contact& contact : contacts) {
             const Ball& ball = balls[static_cast<std::size_t>(contact.ball)];
-            if (moved) locate(model.grid, x, ball, parameters.thickness, contact);
-            const Real excess = contact.depth - slop * ball.radius;
-            if (excess <= 0) continue;
-            const Lever lever = lever_of(model, contact);
-            if (lever.inverse_mass == 0) continue;
-            push(lever, excess * contact.normal, x);
+            if (moved) locate(x, ball, parameters.thickness, contact);
+            if (contact.depth <= slop * ball.radius) continue;
+            const Real inverse_mass = inverse_mass_at(model, contact);
+            if (inverse_mass == 0) continue;
+            const Real distance = contact.depth - slop * ball.radius / 2;
+            push(model, contact, distance / inverse_mass * contact.normal, x);
             corrected = moved = true;
         }
     }
@@ -71,41 +64,45 @@ void separate(const ClothModel& model, const ResponseParameters& parameters, std
     // The last sweep's pushes are not in the depths yet
     if (!corrected) return;
     for (Contact& contact : contacts) {
-        locate(model.grid, x, balls[static_cast<std::size_t>(contact.ball)], parameters.thickness, contact);
+        locate(x, balls[static_cast<std::size_t>(contact.ball)], parameters.thickness, contact);
     }
 }
 
-/// Stops every contact point that approaches its ball, or throws it back.
+/// Stops every contact point that approaches its ball, or throws it back. Each contact's impulse is corrected from
+/// sweep to sweep, downward too where its neighbours have pushed already, and never pulls (projected Gauss-Seidel).
 void stop_approach(const ClothModel& model, const ResponseParameters& parameters, std::span<const Ball> balls, Real h,
                    std::vector<Contact>& contacts, Points& v) {
     const Real resting = resting_steps * h * model.gravity.norm();
+    for (Contact& contact : contacts) {
+        const Vec3& ball_velocity = balls[static_cast<std::size_t>(contact.ball)].velocity;
+        const Real ball_speed = ball_velocity.dot(contact.normal);
+        const Real approach = ball_speed - velocity_at(contact, v).dot(contact.normal);
+        contact.inverse_mass = inverse_mass_at(model, contact);
+        contact.impulse = 0;
+        contact.leaving_speed = ball_speed + (approach > resting ? parameters.restitution * approach : Real(0));
+    }
     for (int sweep = 0; sweep < velocity_sweeps; ++sweep) {
         for (Contact& contact : contacts) {
-            const Lever lever = lever_of(model, contact);
-            if (lever.inverse_mass == 0) continue;
-            const Vec3& ball_velocity = balls[static_cast<std::size_t>(contact.ball)].velocity;
-            const Real approach = -(velocity_at(lever, v) - ball_velocity).dot(contact.normal);
-            if (approach <= 0) continue;
-            const Real bounce = sweep == 0 && approach > resting ? parameters.restitution : Real(0);
-            const Real change = (1 + bounce) * approach;
-            push(lever, change * contact.normal, v);
-            contact.impulse += change / lever.inverse_mass;
+            if (contact.inverse_mass == 0) continue;
+            const Real missing = contact.leaving_speed - velocity_at(contact, v).dot(contact.normal);
+            const Real impulse = std::max(contact.impulse + missing / contact.inverse_mass, Real(0));
+            push(model, contact, (impulse - contact.impulse) * contact.normal, v);
+            contact.impulse = impulse;
         }
     }
 }
 
 /// Slows the sliding of every contact by at most the friction coefficient times its normal impulse.
 void slow_sliding(const ClothModel& model, const ResponseParameters& parameters, std::span<const Ball> balls,
-                  std::vector<Contact>& contacts, Points& v) {
+                  const std::vector<Contact>& contacts, Points& v) {
     for (const Contact& contact : contacts) {
         if (contact.impulse <= 0) continue;
-        const Lever lever = lever_of(model, contact);
-        const Vec3 relative = velocity_at(lever, v) - balls[static_cast<std::size_t>(contact.ball)].velocity;
+        const Vec3 relative = velocity_at(contact, v) - balls[static_cast<std::size_t>(contact.ball)].velocity;
         const Vec3 sliding = relative - relative.dot(contact.normal) * contact.normal;
         const Real speed = sliding.norm();
         if (speed == 0) continue;
-        const Real change = std::min(speed, parameters.friction * contact.impulse * lever.inverse_mass);
-        push(lever, -(change / speed) * sliding, v);
+        const Real impulse = std::min(speed / contact.inverse_mass, parameters.friction * contact.impulse);
+        push(model, contact, -(impulse / speed) * sliding, v);
     }
 }
 

@@ -13,10 +13,13 @@ namespace drape {
 struct Contact {
     int triangle = 0;
     int ball = 0;
+    std::array<int, 3> corners{};       ///< its particles
     std::array<Real, 3> barycentric{};  ///< of the triangle's point that is closest to the ball's centre
     Vec3 point = Vec3::Zero();          ///< that point [m]
     Vec3 normal = Vec3::Zero();         ///< from the ball to the cloth, length 1
     Real depth = 0;                     ///< radius + thickness - distance > 0 [m]
+    Real inverse_mass = 0;              ///< that a push at the point meets; filled by the response [1/kg]
+    Real leaving_speed = 0;             ///< along the normal, that the response aims at [m/s]
     Real impulse = 0;                   ///< along the normal, given by the response [N s]
 };
 
