@@ -7,6 +7,7 @@
 #include <utility>
 #include <vector>
 
+#include "drape/base/stop_signals.h"
 #include "drape/base/stopwatch.h"
 #include "drape/render/camera.h"
 #include "drape/render/renderer.h"
@@ -16,7 +17,6 @@
 #include "notices.h"
 #include "pointer.h"
 #include "steering.h"
-#include "stop_signals.h"
 
 namespace drape {
 
