@@ -23,7 +23,7 @@ constexpr const char* folder = "drape-frames";
 void capture_instead(const Options& options, const std::string& reason) {
     const std::string program = (program_folder() / "drape-capture").string();
     const std::string out = std::filesystem::absolute(folder).string();
-    const std::string size = std::to_string(options.width) + "x" + std::to_string(options.height);
+    const std::string size = std::to_string(options.size.width) + "x" + std::to_string(options.size.height);
     std::vector<std::string> words{program};
     if (!options.start.scene.empty()) words.push_back(options.start.scene);
     for (const std::string& assignment : options.start.assignments) words.insert(words.end(), {"--set", assignment});

@@ -50,7 +50,7 @@ int run(int argc, char** argv) {
 
     const std::vector<std::string> assignments = start.assignments;
     Session session = make_session(std::move(start));
-    Window window(session, options->width, options->height);
+    Window window(session, options->size);
     progress.window_open = true;
     if (!options->record.empty()) session.record(options->record, assignments);
     const int code = window.run();

@@ -1,6 +1,5 @@
 #include "options.h"
 
-#include "drape/base/numbers.h"
 #include "drape/base/program.h"
 #include "drape/sim/scene.h"
 #include "drape/sim/setting_table.h"
@@ -18,18 +17,6 @@ std::string key_help() {
     return text;
 }
 
-void read_size(const std::string& text, Options& options) {
-    const std::size_t by = text.find('x');
-    const auto side = [&](const std::string& part) {
-        const auto number = parse_integer(part);
-        if (!number || *number < 1 || *number > 8192)
-            throw InputError("--size " + text + ": allowed WxH, 1 to 8192 each");
-        return static_cast<int>(*number);
-    };
-    options.width = side(text.substr(0, by));
-    options.height = side(by == std::string::npos ? "" : text.substr(by + 1));
-}
-
 }  // namespace
 
 std::optional<Options> read_options(int argc, char** argv) {
@@ -44,7 +31,7 @@ std::optional<Options> read_options(int argc, char** argv) {
     app.add_flag("--hash", options.hash, "print the hash of the last state");
     app.footer([] { return key_help() + "\nSettings:\n" + settings_help(); });
     if (!parse_command_line(app, argc, argv)) return std::nullopt;
-    if (!size.empty()) read_size(size, options);
+    if (!size.empty()) options.size = parse_size(size);
     return options;
 }
 

@@ -3,6 +3,7 @@
 #include <optional>
 #include <string>
 
+#include "drape/render/picture_size.h"
 #include "drape/sim/start.h"
 
 namespace drape {
@@ -11,9 +12,8 @@ namespace drape {
 struct Options {
     StartOptions start;
     std::string record;  ///< file to write; empty: none
-    int width = 1280;
-    int height = 720;
-    bool hash = false;  ///< print the hash of the last state
+    PictureSize size;    ///< of the window
+    bool hash = false;   ///< print the hash of the last state
 };
 
 /// @return nothing if the command line asked for text (`--help`, `--version`), which was printed

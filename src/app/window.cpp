@@ -20,7 +20,7 @@ constexpr double least_budget = 0.025;  // s for the steps of one frame
 
 }  // namespace
 
-Window::Window(Session& session, int width, int height)
+Window::Window(Session& session, PictureSize size)
     : session_(session),
       entries_(make_entries(scene_names())),
       camera_(session.simulation().settings().view),
@@ -29,7 +29,7 @@ Window::Window(Session& session, int width, int height)
     glutInitContextProfile(GLUT_CORE_PROFILE);
     glutInitDisplayMode(GLUT_DOUBLE | GLUT_RGB);
     glutSetOption(GLUT_ACTION_ON_WINDOW_CLOSE, GLUT_ACTION_GLUTMAINLOOP_RETURNS);
-    glutInitWindowSize(std::max(width, 1), std::max(height, 1));
+    glutInitWindowSize(size.width, size.height);
     window_ = glutCreateWindow("Drape");
     glewExperimental = GL_TRUE;
     if (glewInit() != GLEW_OK) throw RunError("this display does not give access to OpenGL's functions");

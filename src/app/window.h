@@ -10,6 +10,7 @@
 #include "drape/base/stop_signals.h"
 #include "drape/base/stopwatch.h"
 #include "drape/render/camera.h"
+#include "drape/render/picture_size.h"
 #include "drape/render/renderer.h"
 #include "drape/sim/session.h"
 #include "entries.h"
@@ -25,7 +26,7 @@ class Window {
 public:
     /// Opens the window.
     /// @pre glutInit was called
-    Window(Session& session, int width, int height);
+    Window(Session& session, PictureSize size);
     Window(const Window&) = delete;
     Window& operator=(const Window&) = delete;
 
