@@ -12,9 +12,15 @@ namespace {
 /// Depth that is left in place, over the radius: a resting contact then lasts from step to step instead of flickering.
 constexpr Real slop = Real(1e-4);
 
+/// A push shorter than this, over the radius, leaves a triangle's closest point where it is in the triangle.
+constexpr Real short_push = Real(1e-3);
+
+/// A push shorter than this, over the radius, is not worth another sweep.
+constexpr Real tolerance = Real(1e-6);
+
 /// Sweeps over the contacts. Positions stop earlier once no contact had to be corrected.
 constexpr int position_sweeps = 6;
-constexpr int velocity_sweeps = 4;
+constexpr int velocity_sweeps = 6;
 
 /// An approach slower than this many steps of gravity is resting, and does not bounce.
 constexpr Real resting_steps = 4;
@@ -36,36 +42,47 @@ void push(const ClothModel& model, const Contact& contact, const Vec3& impulse, 
     }
 }
 
-Vec3 velocity_at(const Contact& contact, const Points& v) {
+/// The contact point's mean of what its corners have: velocities, or positions.
+Vec3 at_point(const Contact& contact, const Points& v) {
     return contact.barycentric[0] * position(v, contact.corners[0]) +
            contact.barycentric[1] * position(v, contact.corners[1]) +
            contact.barycentric[2] * position(v, contact.corners[2]);
 }
 
-/// Pushes every contact that is deeper than the slop out to half of it; its neighbours see the moved particles.
+/// The depth after short pushes: the same point of the triangle, where the particles are now. The distance to the
+/// centre is stationary there, so what is left out is of second order.
+void follow(const Points& x, const Ball& ball, Real thickness, Contact& contact) {
+    contact.point = at_point(contact, x);
+    contact.depth = std::max(ball.radius + thickness - (contact.point - ball.centre).norm(), Real(0));
+}
+
+/// Pushes every contact that is deeper than the slop out to it; its neighbours see the moved particles.
 void separate(const ClothModel& model, const ResponseParameters& parameters, std::span<const Ball> balls,
               std::vector<Contact>& contacts, Points& x) {
-    bool moved = false;  // contacts are fresh until the first particle moves
+    bool moved = false, moved_far = false;  // contacts are fresh until the first particle moves
     bool corrected = true;
+    const auto refresh = [&](Contact& contact) {
+        const Ball& ball = balls[static_cast<std::size_t>(contact.ball)];
+        if (moved_far) {
+            locate(x, ball, parameters.thickness, contact);
+        } else if (moved) {
+            follow(x, ball, parameters.thickness, contact);
+        }
+    };
     for (int sweep = 0; sweep < position_sweeps && corrected; ++sweep) {
         corrected = false;
         for (Contact& contact : contacts) {
-            const Ball& ball = balls[static_cast<std::size_t>(contact.ball)];
-            if (moved) locate(x, ball, parameters.thickness, contact);
-            if (contact.depth <= slop * ball.radius) continue;
-            const Real inverse_mass = inverse_mass_at(model, contact);
+            refresh(contact);
+            const Real radius = balls[static_cast<std::size_t>(contact.ball)].radius;
+            const Real distance = contact.depth - slop * radius;
+            const Real inverse_mass = distance > tolerance * radius ? inverse_mass_at(model, contact) : Real(0);
             if (inverse_mass == 0) continue;
-            const Real distance = contact.depth - slop * ball.radius / 2;
             push(model, contact, distance / inverse_mass * contact.normal, x);
             corrected = moved = true;
+            moved_far = moved_far || distance > short_push * radius;
         }
     }
-
-    // The last sweep's pushes are not in the depths yet
-    if (!corrected) return;
-    for (Contact& contact : contacts) {
-        locate(x, balls[static_cast<std::size_t>(contact.ball)], parameters.thickness, contact);
-    }
+    for (Contact& contact : contacts) refresh(contact);
 }
 
 /// Stops every contact point that approaches its ball, or throws it back. Each contact's impulse is corrected from
@@ -76,7 +93,7 @@ void stop_approach(const ClothModel& model, const ResponseParameters& parameters
     for (Contact& contact : contacts) {
         const Vec3& ball_velocity = balls[static_cast<std::size_t>(contact.ball)].velocity;
         const Real ball_speed = ball_velocity.dot(contact.normal);
-        const Real approach = ball_speed - velocity_at(contact, v).dot(contact.normal);
+        const Real approach = ball_speed - at_point(contact, v).dot(contact.normal);
         contact.inverse_mass = inverse_mass_at(model, contact);
         contact.impulse = 0;
         contact.leaving_speed = ball_speed + (approach > resting ? parameters.restitution * approach : Real(0));
@@ -84,7 +101,7 @@ void stop_approach(const ClothModel& model, const ResponseParameters& parameters
     for (int sweep = 0; sweep < velocity_sweeps; ++sweep) {
         for (Contact& contact : contacts) {
             if (contact.inverse_mass == 0) continue;
-            const Real missing = contact.leaving_speed - velocity_at(contact, v).dot(contact.normal);
+            const Real missing = contact.leaving_speed - at_point(contact, v).dot(contact.normal);
             const Real impulse = std::max(contact.impulse + missing / contact.inverse_mass, Real(0));
             push(model, contact, (impulse - contact.impulse) * contact.normal, v);
             contact.impulse = impulse;
@@ -97,7 +114,7 @@ void slow_sliding(const ClothModel& model, const ResponseParameters& parameters,
                   const std::vector<Contact>& contacts, Points& v) {
     for (const Contact& contact : contacts) {
         if (contact.impulse <= 0) continue;
-        const Vec3 relative = velocity_at(contact, v) - balls[static_cast<std::size_t>(contact.ball)].velocity;
+        const Vec3 relative = at_point(contact, v) - balls[static_cast<std::size_t>(contact.ball)].velocity;
         const Vec3 sliding = relative - relative.dot(contact.normal) * contact.normal;
         const Real speed = sliding.norm();
         if (speed == 0) continue;
