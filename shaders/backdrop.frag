@@ -14,11 +14,11 @@ void main() {
     float away = length(world.xz - stage.xz) / stage.w;
     float visible = key_visibility(world, up, 2.0);
     float open = ball_openness(world, up);
-    float pool = 1.0 / (1.0 + 0.22 * away * away);
+    float pool = 1.0 / (1.0 + 0.10 * away * away);
     vec3 light = key_colour * to_light.y * (0.25 + 0.75 * visible) * pool + sky_colour * open * (0.5 + 0.5 * pool);
-    vec3 ground = vec3(0.575, 0.56, 0.54) * light;
+    vec3 ground = vec3(0.59, 0.57, 0.545) * light;
 
-    float fade = is_ground == 1 ? smoothstep(0.3, 2.6, away) : 1.0;
+    float fade = is_ground == 1 ? smoothstep(0.2, 2.4, away) : 1.0;
     vec3 shown = mix(ground, studio, fade);
 
     // The corners of the picture fall off a little

@@ -5,7 +5,7 @@ in vec3 world;
 in vec3 world_normal;
 out vec4 colour;
 
-const vec3 front_colour = vec3(0.78, 0.155, 0.075);
+const vec3 front_colour = vec3(0.72, 0.125, 0.07);
 const vec3 back_colour = vec3(0.045, 0.245, 0.265);
 
 void main() {

@@ -23,11 +23,11 @@ constexpr const char* folder = "drape-frames";
 void capture_instead(const Options& options, const std::string& reason) {
     const std::string program = (program_folder() / "drape-capture").string();
     const std::string out = std::filesystem::absolute(folder).string();
-    const std::string size = std::to_string(options.width) + "x" + std::to_string(options.height);
+    const std::string size = std::to_string(options.size.width) + "x" + std::to_string(options.size.height);
     std::vector<std::string> words{program};
-    if (!options.scene.empty()) words.push_back(options.scene);
-    for (const std::string& assignment : options.assignments) words.insert(words.end(), {"--set", assignment});
-    if (!options.replay.empty()) words.insert(words.end(), {"--replay", options.replay});
+    if (!options.start.scene.empty()) words.push_back(options.start.scene);
+    for (const std::string& assignment : options.start.assignments) words.insert(words.end(), {"--set", assignment});
+    if (!options.start.replay.empty()) words.insert(words.end(), {"--replay", options.start.replay});
     if (options.hash) words.emplace_back("--hash");
     words.insert(words.end(), {"--frames", std::to_string(frames), "--size", size, "--out", out});
 

@@ -1,10 +1,6 @@
 #include "options.h"
 
-#include <CLI/CLI.hpp>
-#include <iostream>
-
-#include "drape/base/input_error.h"
-#include "drape/base/numbers.h"
+#include "drape/base/program.h"
 #include "drape/sim/scene.h"
 #include "drape/sim/setting_table.h"
 #include "entries.h"
@@ -21,41 +17,21 @@ std::string key_help() {
     return text;
 }
 
-void read_size(const std::string& text, Options& options) {
-    const std::size_t by = text.find('x');
-    const auto side = [&](const std::string& part) {
-        const auto number = parse_integer(part);
-        if (!number || *number < 1 || *number > 8192)
-            throw InputError("--size " + text + ": allowed WxH, 1 to 8192 each");
-        return static_cast<int>(*number);
-    };
-    options.width = side(text.substr(0, by));
-    options.height = side(by == std::string::npos ? "" : text.substr(by + 1));
-}
-
 }  // namespace
 
 std::optional<Options> read_options(int argc, char** argv) {
     Options options;
     std::string size;
     CLI::App app("A cloth, a ball and a hierarchy of bounding spheres, in a window.", "drape");
-    app.add_option("scene", options.scene, "name of a shipped scene, or a TOML file")->type_name("SCENE");
-    app.add_option("--set", options.assignments, "change a setting, as in --set dt=1e-4")->type_name("name=value");
+    app.add_option("scene", options.start.scene, "name of a shipped scene, or a TOML file")->type_name("SCENE");
+    app.add_option("--set", options.start.assignments, "change settings")->type_name("name=value");
     app.add_option("--record", options.record, "write every command to a file")->type_name("FILE");
-    app.add_option("--replay", options.replay, "play a recording")->type_name("FILE");
+    app.add_option("--replay", options.start.replay, "play a recording")->type_name("FILE");
     app.add_option("--size", size, "of the window; 1280x720 if not given")->type_name("WxH");
     app.add_flag("--hash", options.hash, "print the hash of the last state");
-    app.set_version_flag("--version", "drape " DRAPE_VERSION);
     app.footer([] { return key_help() + "\nSettings:\n" + settings_help(); });
-    try {
-        app.parse(argc, argv);
-    } catch (const CLI::Success& text) {
-        app.exit(text);
-        return std::nullopt;
-    } catch (const CLI::ParseError& error) {
-        throw InputError(error.what());
-    }
-    if (!size.empty()) read_size(size, options);
+    if (!parse_command_line(app, argc, argv)) return std::nullopt;
+    if (!size.empty()) options.size = parse_size(size);
     return options;
 }
 

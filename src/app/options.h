@@ -2,19 +2,18 @@
 
 #include <optional>
 #include <string>
-#include <vector>
+
+#include "drape/render/picture_size.h"
+#include "drape/sim/start.h"
 
 namespace drape {
 
 /// What the command line of `drape` asks for.
 struct Options {
-    std::string scene;                     ///< name or path; empty if none was given
-    std::vector<std::string> assignments;  ///< "name=value"
-    std::string record;                    ///< file to write; empty: none
-    std::string replay;                    ///< file to read; empty: none
-    int width = 1280;
-    int height = 720;
-    bool hash = false;  ///< print the hash of the last state
+    StartOptions start;
+    std::string record;  ///< file to write; empty: none
+    PictureSize size;    ///< of the window
+    bool hash = false;   ///< print the hash of the last state
 };
 
 /// @return nothing if the command line asked for text (`--help`, `--version`), which was printed

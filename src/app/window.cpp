@@ -15,12 +15,12 @@ namespace drape {
 
 namespace {
 
-constexpr double hidden_tick = 0.1;        // s
-constexpr double stepping_budget = 0.025;  // s of a frame for steps, so that a slow scene still answers the mouse
+constexpr double hidden_tick = 0.1;     // s between ticks while there is nothing to draw
+constexpr double least_budget = 0.025;  // s for the steps of one frame
 
 }  // namespace
 
-Window::Window(Session& session, int width, int height)
+Window::Window(Session& session, PictureSize size)
     : session_(session),
       entries_(make_entries(scene_names())),
       camera_(session.simulation().settings().view),
@@ -29,7 +29,7 @@ Window::Window(Session& session, int width, int height)
     glutInitContextProfile(GLUT_CORE_PROFILE);
     glutInitDisplayMode(GLUT_DOUBLE | GLUT_RGB);
     glutSetOption(GLUT_ACTION_ON_WINDOW_CLOSE, GLUT_ACTION_GLUTMAINLOOP_RETURNS);
-    glutInitWindowSize(std::max(width, 1), std::max(height, 1));
+    glutInitWindowSize(size.width, size.height);
     window_ = glutCreateWindow("Drape");
     glewExperimental = GL_TRUE;
     if (glewInit() != GLEW_OK) throw RunError("this display does not give access to OpenGL's functions");
@@ -59,7 +59,9 @@ void Window::on_tick() {
     const double elapsed = clock_.lap();
     steer(elapsed);
     if (pointer_.moved()) carry_out(pointer_.flush({session_.view(), camera_, width_, height_}));
-    session_.advance(elapsed, stepping_budget);
+    // Steps may take as long as drawing does: a slow scene still answers the mouse, a slow display does not slow the
+    // cloth.
+    session_.advance(elapsed, std::max(least_budget, picture_time_));
     follow_replay();
     tell_of_drops();
 
@@ -80,9 +82,11 @@ void Window::schedule() {
 
 void Window::on_display() {
     if (closed_ || !drawable()) return;
+    const Stopwatch watch;
     draw();
     renderer_->present();
     glutSwapBuffers();
+    picture_time_ = watch.seconds();
     dirty_ = false;
 }
 

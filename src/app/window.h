@@ -7,8 +7,10 @@
 #include <utility>
 #include <vector>
 
+#include "drape/base/stop_signals.h"
 #include "drape/base/stopwatch.h"
 #include "drape/render/camera.h"
+#include "drape/render/picture_size.h"
 #include "drape/render/renderer.h"
 #include "drape/sim/session.h"
 #include "entries.h"
@@ -16,7 +18,6 @@
 #include "notices.h"
 #include "pointer.h"
 #include "steering.h"
-#include "stop_signals.h"
 
 namespace drape {
 
@@ -25,7 +26,7 @@ class Window {
 public:
     /// Opens the window.
     /// @pre glutInit was called
-    Window(Session& session, int width, int height);
+    Window(Session& session, PictureSize size);
     Window(const Window&) = delete;
     Window& operator=(const Window&) = delete;
 
@@ -88,9 +89,10 @@ private:
     std::optional<Menu> menu_;
     Stopwatch clock_;  ///< since the last tick
     std::exception_ptr failure_;
-    std::string scene_;  ///< that the camera was set for
-    double frame_time_ = 1.0 / 60;
-    double dropped_ = 0;  ///< of which the user was told [s]
+    std::string scene_;             ///< that the camera was set for
+    double frame_time_ = 1.0 / 60;  ///< from tick to tick [s]
+    double picture_time_ = 0;       ///< that the last picture took, its way to the display included [s]
+    double dropped_ = 0;            ///< of which the user was told [s]
     std::int64_t drawn_step_ = -1;
     int window_ = 0;
     int width_ = 0, height_ = 0;

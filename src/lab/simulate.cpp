@@ -4,12 +4,12 @@
 #include <vector>
 
 #include "drape/base/numbers.h"
+#include "drape/base/output_file.h"
 #include "drape/base/program.h"
 #include "drape/base/stopwatch.h"
 #include "drape/sim/setting_table.h"
 #include "drape/sim/start.h"
 #include "drape/sim/state_csv.h"
-#include "output_file.h"
 
 namespace drape {
 namespace {

@@ -55,14 +55,18 @@ struct Attribute {
     int components;
     std::size_t stride;
     std::size_t start;
-    bool per_instance = false;
 };
 
-inline void set_attribute(Gl& gl, const Attribute& attribute) {
-    gl(glEnableVertexAttribArray, attribute.location);
+/// Tells the vertex array that is bound where an attribute starts in the buffer that is bound.
+inline void place_attribute(Gl& gl, const Attribute& attribute) {
     gl(glVertexAttribPointer, attribute.location, attribute.components, GLenum{GL_FLOAT}, GLboolean{GL_FALSE},
        static_cast<GLsizei>(attribute.stride), Gl::offset(attribute.start));
-    gl(glVertexAttribDivisor, attribute.location, attribute.per_instance ? 1u : 0u);
+}
+
+/// Turns an attribute of the vertex array that is bound into an array; `place_attribute` says where it is.
+inline void enable_attribute(Gl& gl, GLuint location, bool per_instance = false) {
+    gl(glEnableVertexAttribArray, location);
+    if (per_instance) gl(glVertexAttribDivisor, location, 1u);
 }
 
 }  // namespace drape

@@ -31,7 +31,7 @@ void copy(const Vec3& from, float* to) {
 
 }  // namespace
 
-Marks::Marks(Gl& gl)
+Marks::Marks(Gl& gl, StreamBuffer& stream)
     : gl_(gl),
       spring_program_(gl, "spring"),
       particle_program_(gl, "particle"),
@@ -40,7 +40,39 @@ Marks::Marks(Gl& gl)
       spring_array_(gl),
       contact_array_(gl),
       bounds_array_(gl),
-      spring_indices_(gl) {}
+      spring_indices_(gl) {
+    gl(glBindVertexArray, spring_array_.name());
+    enable_cloth_attributes(gl);
+    gl(glBindVertexArray, contact_array_.name());
+    for (GLuint location = 0; location < 2; ++location) enable_attribute(gl, location, true);
+    gl(glBindVertexArray, bounds_array_.name());
+    for (GLuint location = 0; location < 5; ++location) enable_attribute(gl, location, true);
+    place_springs(stream);
+    place_contacts(stream);
+    place_bounds(stream);
+}
+
+void Marks::place_springs(const StreamBuffer& stream) {
+    gl_(glBindVertexArray, spring_array_.name());
+    place_cloth_attributes(gl_, stream);
+}
+
+void Marks::place_contacts(const StreamBuffer& stream) {
+    const std::size_t start = stream.place(Region::Contacts), stride = sizeof(ContactMark);
+    gl_(glBindVertexArray, contact_array_.name());
+    place_attribute(gl_, {0, 3, stride, start + offsetof(ContactMark, point)});
+    place_attribute(gl_, {1, 3, stride, start + offsetof(ContactMark, normal)});
+}
+
+void Marks::place_bounds(const StreamBuffer& stream) {
+    const std::size_t start = stream.place(Region::Bounds), stride = sizeof(BoundMark);
+    gl_(glBindVertexArray, bounds_array_.name());
+    place_attribute(gl_, {0, 3, stride, start + offsetof(BoundMark, centre)});
+    for (GLuint column = 0; column < 3; ++column) {
+        place_attribute(gl_, {1 + column, 3, stride, start + offsetof(BoundMark, axes) + 3 * column * sizeof(float)});
+    }
+    place_attribute(gl_, {4, 1, stride, start + offsetof(BoundMark, state)});
+}
 
 int Marks::segments() const {
     constexpr std::size_t vertices_wanted = 300'000;
@@ -76,25 +108,10 @@ void Marks::collect_bounds(const FrameView& view) {
     }
 }
 
-void Marks::arrange(const FrameView& view, StreamBuffer& stream, bool moved) {
-    if (moved) {
-        gl_(glBindVertexArray, spring_array_.name());
-        set_cloth_attributes(gl_, stream);
-
-        const std::size_t contacts = stream.place(Region::Contacts);
-        gl_(glBindVertexArray, contact_array_.name());
-        set_attribute(gl_, {0, 3, sizeof(ContactMark), contacts + offsetof(ContactMark, point), true});
-        set_attribute(gl_, {1, 3, sizeof(ContactMark), contacts + offsetof(ContactMark, normal), true});
-
-        const std::size_t bounds = stream.place(Region::Bounds);
-        gl_(glBindVertexArray, bounds_array_.name());
-        set_attribute(gl_, {0, 3, sizeof(BoundMark), bounds + offsetof(BoundMark, centre), true});
-        for (GLuint column = 0; column < 3; ++column) {
-            const std::size_t start = bounds + offsetof(BoundMark, axes) + 3 * column * sizeof(float);
-            set_attribute(gl_, {1 + column, 3, sizeof(BoundMark), start, true});
-        }
-        set_attribute(gl_, {4, 1, sizeof(BoundMark), bounds + offsetof(BoundMark, state), true});
-    }
+void Marks::arrange(const FrameView& view, const StreamBuffer& stream) {
+    if (stream.moved(Region::Cloth)) place_springs(stream);
+    if (stream.moved(Region::Contacts)) place_contacts(stream);
+    if (stream.moved(Region::Bounds)) place_bounds(stream);
     if (show_particles_) index_springs(view);
 }
 

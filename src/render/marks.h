@@ -12,13 +12,13 @@ namespace drape {
 /// What explains the picture, as far as the settings ask for it: particles and springs, contacts, bounds.
 class Marks {
 public:
-    explicit Marks(Gl& gl);
+    Marks(Gl& gl, StreamBuffer& stream);
 
     /// Collects what will be drawn.
     void need(const FrameView& view, StreamBuffer& stream);
 
-    /// Follows new grids, and new places in the stream.
-    void arrange(const FrameView& view, StreamBuffer& stream, bool moved);
+    /// Follows new grids, and regions of the stream that moved.
+    void arrange(const FrameView& view, const StreamBuffer& stream);
 
     void fill(const FrameView& view, StreamBuffer& stream) const;
 
@@ -33,6 +33,9 @@ public:
 
 private:
     void collect_bounds(const FrameView& view);
+    void place_springs(const StreamBuffer& stream);
+    void place_contacts(const StreamBuffer& stream);
+    void place_bounds(const StreamBuffer& stream);
     void index_springs(const FrameView& view);
 
     Gl& gl_;

@@ -30,7 +30,7 @@ Scissor scissor_of(const ImVec4& clip, const ImVec2& display) {
 
 }  // namespace
 
-OverlayPainter::OverlayPainter(Gl& gl) : gl_(gl), program_(gl, "overlay"), array_(gl), atlas_(gl) {
+OverlayPainter::OverlayPainter(Gl& gl, StreamBuffer& stream) : gl_(gl), program_(gl, "overlay"), array_(gl), atlas_(gl) {
     unsigned char* pixels = nullptr;
     int width = 0, height = 0;
     ImGui::GetIO().Fonts->GetTexDataAsAlpha8(&pixels, &width, &height);
@@ -42,6 +42,11 @@ OverlayPainter::OverlayPainter(Gl& gl) : gl_(gl), program_(gl, "overlay"), array
     gl(glTexParameteri, GLenum{GL_TEXTURE_2D}, GLenum{GL_TEXTURE_MIN_FILTER}, GLint{GL_LINEAR});
     gl(glTexParameteri, GLenum{GL_TEXTURE_2D}, GLenum{GL_TEXTURE_MAG_FILTER}, GLint{GL_LINEAR});
     ImGui::GetIO().Fonts->ClearTexData();
+
+    gl(glBindVertexArray, array_.name());
+    for (GLuint location = 0; location < 3; ++location) enable_attribute(gl, location);
+    stream.bind_indices();
+    place(stream);
 }
 
 void OverlayPainter::need(bool shown, StreamBuffer& stream) {
@@ -55,15 +60,15 @@ void OverlayPainter::need(bool shown, StreamBuffer& stream) {
     stream.need(Region::OverlayIndices, indices);
 }
 
-void OverlayPainter::arrange(StreamBuffer& stream, bool moved) {
-    if (!moved) return;
+void OverlayPainter::arrange(const StreamBuffer& stream) {
+    if (stream.moved(Region::OverlayVertices)) place(stream);
+}
+
+void OverlayPainter::place(const StreamBuffer& stream) {
     const std::size_t start = stream.place(Region::OverlayVertices), stride = sizeof(ImDrawVert);
     gl_(glBindVertexArray, array_.name());
-    stream.bind_vertices();
-    stream.bind_indices();
-    set_attribute(gl_, {0, 2, stride, start + offsetof(ImDrawVert, pos)});
-    set_attribute(gl_, {1, 2, stride, start + offsetof(ImDrawVert, uv)});
-    gl_(glEnableVertexAttribArray, 2u);
+    place_attribute(gl_, {0, 2, stride, start + offsetof(ImDrawVert, pos)});
+    place_attribute(gl_, {1, 2, stride, start + offsetof(ImDrawVert, uv)});
     gl_(glVertexAttribPointer, 2u, 4, GLenum{GL_UNSIGNED_BYTE}, GLboolean{GL_TRUE}, static_cast<GLsizei>(stride),
         Gl::offset(start + offsetof(ImDrawVert, col)));
 }

@@ -10,17 +10,19 @@ namespace drape {
 class OverlayPainter {
 public:
     /// @pre Dear ImGui's context is there and its fonts are added
-    explicit OverlayPainter(Gl& gl);
+    OverlayPainter(Gl& gl, StreamBuffer& stream);
 
     /// @param shown whether there is draw data in this frame
     void need(bool shown, StreamBuffer& stream);
-    void arrange(StreamBuffer& stream, bool moved);
+    void arrange(const StreamBuffer& stream);
     void fill(StreamBuffer& stream) const;
 
     /// Over the resolved picture; blending is on.
     void draw(const StreamBuffer& stream);
 
 private:
+    void place(const StreamBuffer& stream);
+
     Gl& gl_;
     Program program_;
     VertexArray array_;

@@ -52,11 +52,11 @@ struct Renderer::Parts {
     const bool ready = (set_state(gl), true);
     StreamBuffer stream{gl};
     ShadowMap shadow{gl};
-    Solids solids{gl};
+    Solids solids{gl, stream};
     Backdrop backdrop{gl};
-    Marks marks{gl};
+    Marks marks{gl, stream};
     OverlayPanels panels;
-    OverlayPainter painter{gl};
+    OverlayPainter painter{gl, stream};
     std::optional<PictureTarget> target;
     int width = 0, height = 0;
     FrameMeter meter;
@@ -108,10 +108,10 @@ void Renderer::Parts::prepare(const FrameView& view, const Camera& camera, std::
     painter.need(overlay, stream);
 
     // New places and new grids
-    const bool moved = stream.arrange();
-    solids.arrange(view, stream, moved);
-    marks.arrange(view, stream, moved);
-    painter.arrange(stream, moved);
+    stream.arrange();
+    solids.arrange(view, stream);
+    marks.arrange(view, stream);
+    painter.arrange(stream);
 
     // Everything into it, and up
     FrameData data = make_frame_data(view, camera, width, height, ShadowMap::texels);

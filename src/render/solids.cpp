@@ -36,15 +36,18 @@ void fill_static(Gl& gl, GLenum target, const Buffer& buffer, const std::vector<
 
 }  // namespace
 
-void set_cloth_attributes(Gl& gl, StreamBuffer& stream) {
-    const std::size_t start = stream.place(Region::Cloth), stride = sizeof(ClothVertex);
-    stream.bind_vertices();
-    set_attribute(gl, {0, 3, stride, start + offsetof(ClothVertex, position)});
-    set_attribute(gl, {1, 3, stride, start + offsetof(ClothVertex, normal)});
-    set_attribute(gl, {2, 1, stride, start + offsetof(ClothVertex, pinned)});
+void enable_cloth_attributes(Gl& gl) {
+    for (GLuint location = 0; location < 3; ++location) enable_attribute(gl, location);
 }
 
-Solids::Solids(Gl& gl)
+void place_cloth_attributes(Gl& gl, const StreamBuffer& stream) {
+    const std::size_t start = stream.place(Region::Cloth), stride = sizeof(ClothVertex);
+    place_attribute(gl, {0, 3, stride, start + offsetof(ClothVertex, position)});
+    place_attribute(gl, {1, 3, stride, start + offsetof(ClothVertex, normal)});
+    place_attribute(gl, {2, 1, stride, start + offsetof(ClothVertex, pinned)});
+}
+
+Solids::Solids(Gl& gl, StreamBuffer& stream)
     : gl_(gl),
       cloth_program_(gl, "cloth"),
       ball_program_(gl, "ball"),
@@ -61,7 +64,25 @@ Solids::Solids(Gl& gl)
     gl(glBindVertexArray, ball_array_.name());
     fill_static(gl, GL_ELEMENT_ARRAY_BUFFER, sphere_indices_, indices);
     fill_static(gl, GL_ARRAY_BUFFER, sphere_vertices_, unit_sphere());
-    set_attribute(gl, {0, 3, sizeof(Eigen::Vector3f), 0});
+    enable_attribute(gl, 0);
+    place_attribute(gl, {0, 3, sizeof(Eigen::Vector3f), 0});
+    stream.bind_vertices();
+    enable_attribute(gl, 3, true);
+    place_balls(stream);
+
+    gl(glBindVertexArray, cloth_array_.name());
+    enable_cloth_attributes(gl);
+    place_cloths(stream);
+}
+
+void Solids::place_cloths(const StreamBuffer& stream) {
+    gl_(glBindVertexArray, cloth_array_.name());
+    place_cloth_attributes(gl_, stream);
+}
+
+void Solids::place_balls(const StreamBuffer& stream) {
+    gl_(glBindVertexArray, ball_array_.name());
+    place_attribute(gl_, {3, 4, sizeof(Eigen::Vector4f), stream.place(Region::Balls)});
 }
 
 void Solids::need(const FrameView& view, StreamBuffer& stream) const {
@@ -71,14 +92,9 @@ void Solids::need(const FrameView& view, StreamBuffer& stream) const {
     stream.need(Region::Balls, view.balls.size() * sizeof(Eigen::Vector4f));
 }
 
-void Solids::arrange(const FrameView& view, StreamBuffer& stream, bool moved) {
-    if (moved) {
-        gl_(glBindVertexArray, cloth_array_.name());
-        set_cloth_attributes(gl_, stream);
-        gl_(glBindVertexArray, ball_array_.name());
-        stream.bind_vertices();
-        set_attribute(gl_, {3, 4, sizeof(Eigen::Vector4f), stream.place(Region::Balls), true});
-    }
+void Solids::arrange(const FrameView& view, const StreamBuffer& stream) {
+    if (stream.moved(Region::Cloth)) place_cloths(stream);
+    if (stream.moved(Region::Balls)) place_balls(stream);
     ball_count_ = static_cast<int>(view.balls.size());
 
     // New triangles where a grid is new

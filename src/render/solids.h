@@ -9,19 +9,21 @@
 
 namespace drape {
 
-/// Sets the attributes of `ClothVertex` in the vertex array that is bound.
-void set_cloth_attributes(Gl& gl, StreamBuffer& stream);
+/// Turns the attributes of `ClothVertex` into arrays, in the vertex array that is bound.
+void enable_cloth_attributes(Gl& gl);
+
+/// Has them follow the cloth's region of the stream.
+void place_cloth_attributes(Gl& gl, const StreamBuffer& stream);
 
 /// The cloths and the balls: what is seen and what casts shadows.
 class Solids {
 public:
-    explicit Solids(Gl& gl);
+    Solids(Gl& gl, StreamBuffer& stream);
 
     void need(const FrameView& view, StreamBuffer& stream) const;
 
-    /// Follows new grids, and new places in the stream.
-    /// @param moved the stream's places have changed
-    void arrange(const FrameView& view, StreamBuffer& stream, bool moved);
+    /// Follows new grids, and regions of the stream that moved.
+    void arrange(const FrameView& view, const StreamBuffer& stream);
 
     void fill(const FrameView& view, StreamBuffer& stream) const;
 
@@ -32,6 +34,8 @@ public:
     void draw(bool wireframe);
 
 private:
+    void place_cloths(const StreamBuffer& stream);
+    void place_balls(const StreamBuffer& stream);
     void draw_cloths();
     void draw_balls();
 

@@ -5,39 +5,43 @@
 namespace drape {
 
 namespace {
+
 constexpr std::size_t alignment = 256;  // the largest that OpenGL 3.3 may ask of a uniform block
+
+// Room from the start: for a cloth of 48 x 48, and whatever a usual frame has of the rest [byte]
+constexpr std::array<std::size_t, static_cast<std::size_t>(Region::Count)> usual{1024,      256,       64 * 1024,
+                                                                               64 * 1024, 64 * 1024, 256 * 1024,
+                                                                               64 * 1024};
+
+std::size_t aligned(std::size_t bytes) { return (bytes + alignment - 1) / alignment * alignment; }
+
+}  // namespace
+
+StreamBuffer::StreamBuffer(Gl& gl) : gl_(gl), buffer_(gl), needs_(usual) {
+    arrange();
+    bind_vertices();
+    upload();
+    gl(glBindBufferRange, GLenum{GL_UNIFORM_BUFFER}, 0u, buffer_.name(), GLintptr{0},
+       static_cast<GLsizeiptr>(usual[index(Region::Frame)]));
 }
 
-StreamBuffer::StreamBuffer(Gl& gl) : gl_(gl), buffer_(gl) { bind_vertices(); }
-
-bool StreamBuffer::arrange() {
-    bool grown = staging_.empty();
+void StreamBuffer::arrange() {
+    std::size_t end = staging_.size();
     for (std::size_t i = 0; i < regions; ++i) {
-        if (needs_[i] <= capacities_[i]) continue;
-        capacities_[i] = std::max(needs_[i], capacities_[i] + capacities_[i] / 2);
-        grown = true;
-    }
-    if (!grown) return false;
-
-    std::size_t end = 0;
-    for (std::size_t i = 0; i < regions; ++i) {
+        moved_[i] = needs_[i] > capacities_[i];
+        if (!moved_[i]) continue;
+        capacities_[i] = aligned(std::max(needs_[i], capacities_[i] + capacities_[i] / 2));
         places_[i] = end;
-        end = (end + capacities_[i] + alignment - 1) / alignment * alignment;
+        end += capacities_[i];
     }
     staging_.resize(end);
-    bind_vertices();
-    gl_(glBindBufferRange, GLenum{GL_UNIFORM_BUFFER}, 0u, buffer_.name(), GLintptr{0},
-        static_cast<GLsizeiptr>(needs_[index(Region::Frame)]));
-    return true;
 }
 
 void StreamBuffer::upload() {
-    // The last region that is in use ends the upload
-    std::size_t end = 0;
+    std::size_t end = capacities_[index(Region::Frame)];
     for (std::size_t i = 0; i < regions; ++i) {
-        if (needs_[i] > 0) end = places_[i] + needs_[i];
+        if (needs_[i] > 0) end = std::max(end, places_[i] + needs_[i]);
     }
-    bind_vertices();
     gl_(glBufferData, GLenum{GL_ARRAY_BUFFER}, static_cast<GLsizeiptr>(end), static_cast<const void*>(staging_.data()),
         GLenum{GL_STREAM_DRAW});
 }

@@ -12,17 +12,20 @@ namespace drape {
 enum class Region { Frame, Balls, Cloth, Contacts, Bounds, OverlayVertices, OverlayIndices, Count };
 
 /// One buffer for all that changes from frame to frame, so that a frame needs one upload.
-/// First every part says what it needs, then `arrange`, then the parts write, then `upload`.
-/// Stays bound to GL_ARRAY_BUFFER, and its first region to uniform block 0.
+/// It stays bound to GL_ARRAY_BUFFER, for the upload and for `place_attribute`.
+/// First every part says what it needs, then `arrange`, then the parts follow regions that moved and write, then `upload`.
 class StreamBuffer {
 public:
+    /// Has room for a usual scene from the start, so that vertex arrays seldom have to follow.
     explicit StreamBuffer(Gl& gl);
 
     void need(Region region, std::size_t bytes) { needs_[index(region)] = bytes; }
 
-    /// Makes room. Regions keep their place unless one has grown.
-    /// @return true if places have changed, so that vertex arrays must be set anew
-    bool arrange();
+    /// Makes room: a region that has grown beyond its place moves to the end.
+    void arrange();
+
+    /// Whether a region has moved in the last `arrange`, so that its vertex arrays must follow.
+    [[nodiscard]] bool moved(Region region) const { return moved_[index(region)]; }
 
     /// Where a region is written.
     template <class T>
@@ -48,6 +51,7 @@ private:
     Gl& gl_;
     Buffer buffer_;
     std::array<std::size_t, regions> needs_{}, capacities_{}, places_{};
+    std::array<bool, regions> moved_{};
     std::vector<std::byte> staging_;
 };
 

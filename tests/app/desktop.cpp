@@ -9,9 +9,9 @@ namespace fs = std::filesystem;
 Desktop::Desktop(fs::path folder) : folder_(std::move(folder)) {
     // The server finds a free display by itself and tells its number, so that test runs do not collide.
     fs::create_directories(folder_ / "server");
-    server_ = std::make_unique<Process>(
-        std::vector<std::string>{"Xvfb", "-displayfd", "1", "-screen", "0", "1280x1024x24", "-nolisten", "tcp", "-noreset"},
-        std::map<std::string, std::string>{}, folder_ / "server");
+    server_ = std::make_unique<Process>(std::vector<std::string>{"Xvfb", "-displayfd", "1", "-screen", "0",
+                                                                 "1280x1024x24", "-nolisten", "tcp", "-noreset"},
+                                        std::map<std::string, std::string>{}, folder_ / "server");
     eventually([&] { return server_->standard_output().ends_with('\n'); });
     const std::string number = server_->standard_output();
     if (!number.empty()) display_ = ":" + number.substr(0, number.size() - 1);

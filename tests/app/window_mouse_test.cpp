@@ -17,8 +17,8 @@ TEST_F(WindowTest, DraggingTheBackgroundTurnsTheView) {
 }
 
 TEST_F(WindowTest, DraggingTheClothPullsItUntilTheButtonGoesUp) {
-    start({"hang"});
-    desktop_.drag({}, 1, {320, 240}, {380, 250});
+    start({"curtain"});
+    desktop_.drag({}, 1, {320, 200}, {380, 210});
     ASSERT_TRUE(recorded("grab "));
     EXPECT_TRUE(recorded("drag "));
     EXPECT_TRUE(recorded("release"));

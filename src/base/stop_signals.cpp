@@ -1,4 +1,4 @@
-#include "stop_signals.h"
+#include "drape/base/stop_signals.h"
 
 #include <ctime>
 

@@ -1,0 +1,146 @@
+#include "capture.h"
+
+#include <iostream>
+#include <utility>
+#include <variant>
+#include <vector>
+
+#include "drape/base/input_error.h"
+#include "drape/base/numbers.h"
+#include "drape/base/program.h"
+#include "drape/sim/state_csv.h"
+
+namespace drape {
+
+namespace {
+
+void remove_if_empty(const std::filesystem::path& file) {
+    std::error_code ignored;
+    if (std::filesystem::is_regular_file(file, ignored) && std::filesystem::file_size(file, ignored) == 0) {
+        std::filesystem::remove(file, ignored);
+    }
+}
+
+}  // namespace
+
+Capture::Capture(CaptureOptions options)
+    : options_(std::move(options)),
+      session_(make_session(make_start(options_.start))),
+      camera_(session_.simulation().settings().view),
+      stats_(options_.stats),
+      state_(options_.state) {
+    if (!options_.out.empty()) frames_.emplace(options_.out, options_.frames);
+    if (!options_.video.empty()) {
+        // Whatever stands in the way of the file shows here, not after the last frame
+        OutputFile(options_.video.string()).close();
+        video_.emplace(options_.video, options_.size.width, options_.size.height, options_.fps / options_.every);
+        if (!video_->trouble().empty() && !frames_) {
+            remove_if_empty(options_.video);
+            throw RunError(video_->trouble());
+        }
+    }
+    if (stats_.wanted()) {
+        stats_.stream() << "frame,";
+        write_report_header(stats_.stream());
+        for (const FrameField& field : frame_fields()) stats_.stream() << ',' << field.name;
+        stats_.stream() << '\n';
+    }
+    if (options_.drawing()) {
+        context_ = std::make_unique<OffscreenContext>();
+        renderer_ = std::make_unique<Renderer>();
+        renderer_->resize(options_.size.width, options_.size.height);
+        // The panel shows what the frame before cost, and the first picture shall have one
+        if (options_.overlay) draw();
+    }
+}
+
+int Capture::run() {
+    int exit_code = Done;
+    for (int frame = 1; frame <= options_.frames && exit_code == Done; ++frame) {
+        session_.run_until(frame / options_.fps);
+        if (diverged()) {
+            tell_divergence();
+            if (session_.simulation().settings().solver.on_unstable == OnUnstable::Stop) exit_code = Failed;
+        }
+        if (exit_code == Done && options_.drawing()) draw_frame(frame);
+        if (const int signal = signals_.arrived()) exit_code = 128 + signal;
+    }
+    finish();
+    if (!finish_video() && exit_code == Done) exit_code = Failed;
+    return exit_code;
+}
+
+void Capture::draw_frame(int frame) {
+    follow_replay();
+    if (frame % options_.every != 0) return;
+    draw();
+    if (frames_ || video_) {
+        const Image image = renderer_->read_back();
+        if (frames_) frames_->write(image, frame);
+        if (video_) video_->write(image);
+    }
+    if (stats_.wanted()) write_stats(frame);
+}
+
+void Capture::follow_replay() {
+    for (const Command& command : session_.take_view_commands()) {
+        if (std::holds_alternative<command::LoadScene>(command)) {
+            camera_ = Camera(session_.simulation().settings().view);
+        } else {
+            camera_.apply(command, session_.view());
+        }
+    }
+}
+
+void Capture::draw() {
+    FrameView view = session_.view();
+    Settings shown = *view.settings;
+    shown.view.overlay = options_.overlay;
+    view.settings = &shown;
+    std::vector<std::string> notices;
+    if (options_.overlay && !view.report->trouble.empty()) notices.push_back(view.report->trouble);
+    if (options_.overlay && !session_.replay_notice().empty()) notices.push_back(session_.replay_notice());
+    renderer_->draw(view, camera_, notices);
+}
+
+void Capture::write_stats(int frame) {
+    std::ostream& out = stats_.stream();
+    out << frame << ',';
+    write_report(out, *session_.view().report);
+    for (const FrameField& field : frame_fields()) out << ',' << real_text(field.read(renderer_->report()));
+    out << '\n' << std::flush;
+    if (!out) throw RunError(options_.stats + ": could not be written whole");
+}
+
+bool Capture::diverged() { return session_.simulation().report().status == Status::Diverged; }
+
+void Capture::tell_divergence() {
+    if (std::exchange(divergence_told_, true)) return;
+    std::cerr << "drape-capture: " << session_.simulation().report().trouble;
+    if (frames_ && !frames_->last().empty()) std::cerr << "; the frame before is " << frames_->last().string();
+    std::cerr << "\n";
+}
+
+void Capture::finish() {
+    if (!session_.replay_notice().empty()) std::cerr << "drape-capture: " << session_.replay_notice() << "\n";
+    if (state_.wanted()) {
+        write_state_header(state_.stream(), session_.simulation());
+        write_state(state_.stream(), session_.simulation());
+    }
+    state_.close();
+    stats_.close();
+    if (options_.hash) std::cout << hash_text(session_.simulation().hash()) << "\n" << std::flush;
+}
+
+bool Capture::finish_video() {
+    if (!video_) return true;
+    video_->close();
+    if (video_->trouble().empty()) return true;
+    remove_if_empty(options_.video);
+    std::cerr << "drape-capture: no video, " << video_->trouble();
+    if (frames_) std::cerr << "; the pictures are in " << options_.out.string();
+    std::cerr << "\n";
+    return false;
+}
+
+}  // namespace drape

@@ -1,0 +1,51 @@
+#pragma once
+
+#include <memory>
+#include <optional>
+#include <string>
+
+#include "capture_options.h"
+#include "drape/base/output_file.h"
+#include "drape/base/stop_signals.h"
+#include "drape/render/renderer.h"
+#include "drape/sim/session.h"
+#include "frame_writer.h"
+#include "offscreen_context.h"
+#include "video_pipe.h"
+
+namespace drape {
+
+/// One run of `drape-capture`. All that it writes is opened, and tried, before it simulates.
+class Capture {
+public:
+    /// @throws InputError, RunError
+    explicit Capture(CaptureOptions options);
+
+    /// Simulates, draws and writes.
+    /// @return the exit code
+    /// @throws RunError if a file could not be written
+    int run();
+
+private:
+    void draw_frame(int frame);
+    void follow_replay();
+    void draw();
+    void write_stats(int frame);
+    [[nodiscard]] bool diverged();
+    void tell_divergence();
+    void finish();
+    [[nodiscard]] bool finish_video();
+
+    StopSignals signals_;  ///< before OpenGL starts threads, which would take the signals otherwise
+    CaptureOptions options_;
+    Session session_;
+    Camera camera_;
+    std::optional<FrameWriter> frames_;
+    std::optional<VideoPipe> video_;
+    OutputFile stats_, state_;
+    std::unique_ptr<OffscreenContext> context_;
+    std::unique_ptr<Renderer> renderer_;
+    bool divergence_told_ = false;
+};
+
+}  // namespace drape

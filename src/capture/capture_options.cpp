@@ -1,0 +1,62 @@
+#include "capture_options.h"
+
+#include <string>
+
+#include "drape/base/input_error.h"
+#include "drape/base/numbers.h"
+#include "drape/base/program.h"
+#include "drape/sim/setting_table.h"
+
+namespace drape {
+
+namespace {
+
+constexpr int most_frames = 1'000'000;
+constexpr double lowest_fps = 1e-3, highest_fps = 1e5;
+
+int whole_number(const std::string& option, const std::string& text, int most) {
+    const auto number = parse_integer(text);
+    if (!number || *number < 1 || *number > most) {
+        throw InputError(option + " " + text + ": allowed 1 to " + std::to_string(most));
+    }
+    return static_cast<int>(*number);
+}
+
+double frame_rate(const std::string& text) {
+    const auto number = parse_real(text);
+    if (!number || !(*number >= lowest_fps && *number <= highest_fps)) {
+        throw InputError("--fps " + text + ": allowed " + real_text(lowest_fps) + " <= fps <= " + real_text(highest_fps));
+    }
+    return *number;
+}
+
+}  // namespace
+
+std::optional<CaptureOptions> read_capture_options(int argc, char** argv) {
+    CaptureOptions options;
+    std::string frames, fps = "60", size = "1280x720", every = "1";
+    CLI::App app("Draws a scene into numbered pictures, with no display.", "drape-capture");
+    app.add_option("scene", options.start.scene, "name of a shipped scene, or a TOML file")->type_name("SCENE");
+    app.add_option("--set", options.start.assignments, "change settings, as in --set dt=1e-4")->type_name("name=value");
+    app.add_option("--replay", options.start.replay, "play a recording")->type_name("FILE");
+    app.add_option("--frames", frames, "number of frames; frame k shows the time k/fps")->type_name("N")->required();
+    app.add_option("--fps", fps, "frames per simulated second; 60 if not given")->type_name("RATE");
+    app.add_option("--size", size, "of the pictures; 1280x720 if not given")->type_name("WxH");
+    app.add_option("--out", options.out, "write frame_0001.png ... into this folder")->type_name("DIR");
+    app.add_option("--every", every, "draw frames K, 2K, 3K ... only")->type_name("K");
+    app.add_option("--video", options.video, "make a video too, with ffmpeg")->type_name("FILE.mp4");
+    app.add_option("--stats", options.stats, "write a row of figures for each drawn frame")->type_name("FILE.csv");
+    app.add_option("--state", options.state, "write every particle at the end")->type_name("FILE.csv");
+    app.add_flag("--overlay", options.overlay, "draw the panel of figures");
+    app.add_flag("--hash", options.hash, "print the hash of the last state");
+    app.footer([] { return "Settings:\n" + settings_help(); });
+    if (!parse_command_line(app, argc, argv)) return std::nullopt;
+
+    options.frames = whole_number("--frames", frames, most_frames);
+    options.every = whole_number("--every", every, options.frames);
+    options.fps = frame_rate(fps);
+    options.size = parse_size(size);
+    return options;
+}
+
+}  // namespace drape

@@ -1,0 +1,33 @@
+#pragma once
+
+#include <filesystem>
+#include <optional>
+
+#include "drape/render/picture_size.h"
+#include "drape/sim/start.h"
+
+namespace drape {
+
+/// What the command line of `drape-capture` asks for.
+struct CaptureOptions {
+    StartOptions start;
+    int frames = 0;
+    double fps = 60;  ///< frames per simulated second
+    int every = 1;    ///< only each so many-th frame is drawn
+    PictureSize size;
+    std::filesystem::path out;    ///< folder of the pictures; empty: none
+    std::filesystem::path video;  ///< file; empty: none
+    std::string stats;            ///< file; empty: none
+    std::string state;            ///< file; empty: none
+    bool overlay = false;
+    bool hash = false;
+
+    /// Whether anything that is asked for needs pictures.
+    [[nodiscard]] bool drawing() const { return !out.empty() || !video.empty() || !stats.empty(); }
+};
+
+/// @return nothing if the command line asked for text, which was printed
+/// @throws InputError
+std::optional<CaptureOptions> read_capture_options(int argc, char** argv);
+
+}  // namespace drape
