@@ -8,66 +8,105 @@
 namespace drape {
 namespace kernels {
 
-/// Partial results are kept in this many lanes, whatever the width of the processor's vectors, so that the bits are the
-/// same on all of them.
+/// Partial results of wide patches are kept in this many lanes, whatever the width of the processor's vectors, so that
+/// the bits are the same on all of them.
 constexpr int lanes = 8;
 
-struct Lanes {
-    Real value[lanes] = {};
-};
-
-/// Adds a row of numbers, entry i to lane i mod 8.
-DRAPE_INLINE void add_row(const Real* row, int count, Lanes& sum) {
-    int i = 0;
-    for (; i + lanes <= count; i += lanes) {
-        for (int lane = 0; lane < lanes; ++lane) sum.value[lane] += row[i + lane];
-    }
-    for (int lane = 0; i + lane < count; ++lane) sum.value[lane] += row[i + lane];
+/// Adds up lanes pairwise.
+template <int count>
+DRAPE_INLINE Real total(const Real* value) {
+    if constexpr (count == 1)
+        return value[0];
+    else
+        return total<(count + 1) / 2>(value) + total<count / 2>(value + (count + 1) / 2);
 }
 
-DRAPE_INLINE Real total(const Lanes& sum) {
-    const Real* s = sum.value;
-    return ((s[0] + s[4]) + (s[2] + s[6])) + ((s[1] + s[5]) + (s[3] + s[7]));
+template <int count>
+DRAPE_INLINE Real largest(const Real* value) {
+    Real most = value[0];
+    for (int lane = 1; lane < count; ++lane) most = most < value[lane] ? value[lane] : most;
+    return most;
 }
 
+/// Mean over the patch; `width` is the number of columns if that is fixed, else 0.
+template <int width>
 DRAPE_INLINE Real mean(const Patch& patch, const Real* coordinate) {
-    Lanes sum;
-    for (int j = 0; j < patch.rows; ++j) add_row(coordinate + j * patch.stride, patch.columns, sum);
-    return total(sum) / static_cast<Real>(patch.columns * patch.rows);
-}
-
-/// Raises each lane to the squared distance of a row's particles from c.
-DRAPE_INLINE void raise_row(const Real* x, const Real* y, const Real* z, int count, const Real c[3], Lanes& farthest) {
-    const auto raise = [&](int i, int lane) {
-        const Real dx = x[i] - c[0], dy = y[i] - c[1], dz = z[i] - c[2];
-        const Real square = dx * dx + dy * dy + dz * dz;
-        farthest.value[lane] = farthest.value[lane] < square ? square : farthest.value[lane];
-    };
-    int i = 0;
-    for (; i + lanes <= count; i += lanes) {
-        for (int lane = 0; lane < lanes; ++lane) raise(i + lane, lane);
+    constexpr int count = width > 0 ? width : lanes;
+    Real sum[count] = {};
+    for (int j = 0; j < patch.rows; ++j) {
+        const Real* row = coordinate + j * patch.stride;
+        const int columns = width > 0 ? width : patch.columns;
+        int i = 0;
+        for (; i + count <= columns; i += count) {
+            for (int lane = 0; lane < count; ++lane) sum[lane] += row[i + lane];
+        }
+        for (int lane = 0; i + lane < columns; ++lane) sum[lane] += row[i + lane];
     }
-    for (int lane = 0; i + lane < count; ++lane) raise(i + lane, lane);
+    return total<count>(sum) / static_cast<Real>(patch.columns * patch.rows);
 }
 
-DRAPE_VECTORISE void fit_centroid_sphere(const Patch& patch, Real centre[3], Real& square_radius) {
-    centre[0] = mean(patch, patch.x);
-    centre[1] = mean(patch, patch.y);
-    centre[2] = mean(patch, patch.z);
-    Lanes farthest;
+/// The largest squared distance of the patch's particles from c.
+template <int width>
+DRAPE_INLINE Real farthest_square(const Patch& patch, const Real c[3]) {
+    constexpr int count = width > 0 ? width : lanes;
+    Real far[count] = {};
     for (int j = 0; j < patch.rows; ++j) {
         const int start = j * patch.stride;
-        raise_row(patch.x + start, patch.y + start, patch.z + start, patch.columns, centre, farthest);
+        const Real *x = patch.x + start, *y = patch.y + start, *z = patch.z + start;
+        const auto raise = [&](int i, int lane) {
+            const Real dx = x[i] - c[0], dy = y[i] - c[1], dz = z[i] - c[2];
+            const Real square = dx * dx + dy * dy + dz * dz;
+            far[lane] = far[lane] < square ? square : far[lane];
+        };
+        const int columns = width > 0 ? width : patch.columns;
+        int i = 0;
+        for (; i + count <= columns; i += count) {
+            for (int lane = 0; lane < count; ++lane) raise(i + lane, lane);
+        }
+        for (int lane = 0; i + lane < columns; ++lane) raise(i + lane, lane);
     }
-    square_radius = *std::max_element(farthest.value, farthest.value + lanes);
+    return largest<count>(far);
+}
+
+template <int width>
+DRAPE_INLINE Real fit_width(const Patch& patch, Real centre[3]) {
+    centre[0] = mean<width>(patch, patch.x);
+    centre[1] = mean<width>(patch, patch.y);
+    centre[2] = mean<width>(patch, patch.z);
+    return farthest_square<width>(patch, centre);
+}
+
+/// Patches of at most nine columns, the leaves and their parents, keep one lane a column: their rows have no remainder,
+/// and the compiler knows their length.
+/// @return the squared radius
+DRAPE_VECTORISE Real fit_centroid_sphere(const Patch& patch, Real centre[3]) {
+    switch (patch.columns) {
+        case 2:
+            return fit_width<2>(patch, centre);
+        case 3:
+            return fit_width<3>(patch, centre);
+        case 4:
+            return fit_width<4>(patch, centre);
+        case 5:
+            return fit_width<5>(patch, centre);
+        case 6:
+            return fit_width<6>(patch, centre);
+        case 7:
+            return fit_width<7>(patch, centre);
+        case 8:
+            return fit_width<8>(patch, centre);
+        case 9:
+            return fit_width<9>(patch, centre);
+        default:
+            return fit_width<0>(patch, centre);
+    }
 }
 
 }  // namespace kernels
 
 BoundingSphere BoundingSphere::fit(const Patch& patch, Real thickness) {
     BoundingSphere sphere;
-    Real square = 0;
-    kernels::fit_centroid_sphere(patch, sphere.centre.data(), square);
+    const Real square = kernels::fit_centroid_sphere(patch, sphere.centre.data());
     sphere.radius = std::sqrt(square) * (1 + 8 * std::numeric_limits<Real>::epsilon()) + thickness;
     return sphere;
 }

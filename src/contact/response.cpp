@@ -5,6 +5,7 @@
 #include <cmath>
 
 #include "contact_geometry.h"
+#include "drape/base/vectorise.h"
 
 namespace drape {
 namespace {
@@ -35,7 +36,7 @@ Real inverse_mass_at(const ClothModel& model, const Contact& contact) {
 }
 
 /// Moves (or speeds up) a contact's corners, each by its share of an impulse that acts at the contact point.
-void push(const ClothModel& model, const Contact& contact, const Vec3& impulse, Points& p) {
+DRAPE_INLINE void push(const ClothModel& model, const Contact& contact, const Vec3& impulse, Points& p) {
     for (std::size_t k = 0; k < 3; ++k) {
         const int corner = contact.corners[k];
         p.row(corner) += contact.barycentric[k] * model.inverse_mass[corner] * impulse.transpose();
@@ -43,7 +44,7 @@ void push(const ClothModel& model, const Contact& contact, const Vec3& impulse, 
 }
 
 /// The contact point's mean of what its corners have: velocities, or positions.
-Vec3 at_point(const Contact& contact, const Points& v) {
+DRAPE_INLINE Vec3 at_point(const Contact& contact, const Points& v) {
     return contact.barycentric[0] * position(v, contact.corners[0]) +
            contact.barycentric[1] * position(v, contact.corners[1]) +
            contact.barycentric[2] * position(v, contact.corners[2]);
