@@ -73,7 +73,8 @@ Recording read_recording(const std::string& file) {
             continue;
         }
         const auto entry = split_entry(line);
-        if (entry && entry->second == "end") {
+        const bool forward = entry && (recording.entries.empty() || entry->first >= recording.entries.back().step);
+        if (forward && entry->second == "end") {
             recording.last_step = entry->first;
             return recording;
         }
