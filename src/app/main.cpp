@@ -43,6 +43,8 @@ int run(int argc, char** argv) {
     Start start = make_start(options->start);
     const DisplayProbe probe;
     if (!probe.present()) capture_instead(*options, "there is no display");
+    const std::string warning = step_warning(start.settings);
+    if (!warning.empty()) std::cerr << warning << "\n";
     Progress progress{*options};
     glutInitErrorFuncUcall(on_glut_error, &progress);
     int no_words = 1;

@@ -56,6 +56,8 @@ Capture::Capture(CaptureOptions options)
 
 int Capture::run() {
     int exit_code = Done;
+    const std::string warning = step_warning(session_.simulation().settings());
+    if (!warning.empty()) std::cerr << warning << "\n";
     for (int frame = 1; frame <= options_.frames && exit_code == Done; ++frame) {
         session_.run_until(frame / options_.fps);
         if (diverged()) {

@@ -44,6 +44,9 @@ std::vector<double> parse_times(const std::string& text) {
 int simulate(Options& options) {
     const std::vector<double> times = parse_times(options.times);
     Session session = make_session(make_start(options.start));
+    if (const auto warning = step_warning(session.simulation().settings()); !warning.empty()) {
+        std::cerr << warning << "\n";
+    }
     OutputFile state(options.state), stats(options.stats);
     if (state.wanted()) write_state_header(state.stream(), session.simulation());
     if (stats.wanted()) write_report_header(stats.stream()), stats.stream() << '\n';

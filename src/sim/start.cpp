@@ -1,8 +1,12 @@
 #include "drape/sim/start.h"
 
+#include <algorithm>
+#include <limits>
 #include <utility>
 
 #include "drape/base/input_error.h"
+#include "drape/base/numbers.h"
+#include "drape/integrate/stability.h"
 #include "drape/sim/scene.h"
 #include "drape/sim/setting_table.h"
 
@@ -30,6 +34,18 @@ Start make_start(StartOptions options) {
     assign_all(start.settings, start.assignments);
     check(start.settings);
     return start;
+}
+
+std::string step_warning(const Settings& settings) {
+    const SolverSettings& solver = settings.solver;
+    Real limit = std::numeric_limits<Real>::infinity();
+    for (const ClothParameters& cloth : settings.cloths) {
+        limit = std::min(limit, estimated_stable_step(make_cloth_model(cloth), solver.integrator));
+    }
+    if (solver.dt <= limit) return {};
+    return "warning: solver.dt = " + real_text(static_cast<double>(solver.dt), 4) +
+           " s: " + std::string(name_of(solver.integrator)) + " is stable on this cloth up to about " +
+           real_text(static_cast<double>(limit), 3) + " s only";
 }
 
 Session make_session(Start start) {

@@ -28,6 +28,9 @@ struct Start {
 /// @throws InputError if a file, a scene or an assignment is bad
 Start make_start(StartOptions options);
 
+/// What the user should know before the first step: that it is longer than the method can bear. Empty if nothing.
+std::string step_warning(const Settings& settings);
+
 /// The simulation of a start, with its replay running.
 Session make_session(Start start);
 
