@@ -18,8 +18,8 @@ namespace {
 struct Row {
     const char* name;
     std::string value;
-    float part = -1;        // of a bar, in [0, 1]; below 0 there is none
-    int importance = 1;     // rows of the lowest go first where there is no room
+    float part = -1;     // of a bar, in [0, 1]; below 0 there is none
+    int importance = 1;  // rows of the lowest go first where there is no room
     ImU32 colour = ink::text;
     bool opens_group = false;
 };
@@ -102,9 +102,8 @@ float height_of(const std::vector<Row>& rows, float line, float gap) {
 // Leaves out rows until the rest fits
 void drop_rows(std::vector<Row>& rows, float line, float gap, float room) {
     while (!rows.empty() && height_of(rows, line, gap) > room) {
-        const auto least = std::min_element(rows.rbegin(), rows.rend(), [](const Row& a, const Row& b) {
-            return a.importance < b.importance;
-        });
+        const auto least = std::min_element(rows.rbegin(), rows.rend(),
+                                            [](const Row& a, const Row& b) { return a.importance < b.importance; });
         rows.erase(std::next(least).base());
     }
 }
