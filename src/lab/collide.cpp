@@ -7,6 +7,7 @@
 
 #include "drape/base/numbers.h"
 #include "drape/base/program.h"
+#include "drape/base/read_line.h"
 #include "drape/contact/contact.h"
 #include "drape/sim/setting_table.h"
 
@@ -54,10 +55,14 @@ Points read_positions(const std::string& file, const Grid& grid) {
     Points x(grid.particles(), 3);
     std::string line;
     int row = 0;
-    for (int number = 1; std::getline(in, line); ++number) {
+    for (int number = 1;; ++number) {
+        const LineEnd end = read_line(in, line, longest_line);
+        if (end == LineEnd::None) break;
         if (!line.empty() && line.back() == '\r') line.pop_back();
         const std::string where = file + ":" + std::to_string(number) + ": ";
-        if (line.size() > longest_line) throw InputError(where + "the line is longer than 4096 bytes");
+        if (end == LineEnd::TooLong) {
+            throw InputError(where + "the line is longer than " + std::to_string(longest_line) + " bytes");
+        }
         if (row == grid.particles()) {
             throw InputError(where + "more rows than the grid's " + std::to_string(grid.particles()) + " particles");
         }
@@ -82,7 +87,7 @@ Ball parse_ball(const std::string& text) {
 int collide(const Options& options) {
     Settings settings;
     settings.contact.thickness = 0;
-    for (const std::string& assignment : options.assignments) assign(settings, assignment);
+    assign_all(settings, options.assignments);
     const ContactSettings& contact = settings.contact;
     const Grid grid = parse_grid(options.grid);
     const Ball ball = parse_ball(options.ball);

@@ -51,7 +51,7 @@ void move_ball(const BallSettings& settings, const Vec3& steer, Real time, Real 
             return;
         case BallMotion::Path: {
             const Vec3 there = point_on_path(settings.path, time + h);
-            ball.velocity = (there - ball.centre) / h;
+            ball.velocity = (there - point_on_path(settings.path, time)) / h;  // wherever a command has put it
             ball.centre = there;
             return;
         }

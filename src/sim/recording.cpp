@@ -4,12 +4,13 @@
 
 #include "drape/base/input_error.h"
 #include "drape/base/numbers.h"
+#include "drape/base/read_line.h"
 
 namespace drape {
 namespace {
 
 constexpr std::string_view first_line = "drape-recording 1";
-constexpr std::size_t longest_line = 4096;
+constexpr std::size_t longest_line = 1 << 20;  // a list of pins or a path may be long
 
 std::optional<std::uint64_t> parse_hash(std::string_view text) {
     std::uint64_t hash = 0;
@@ -48,42 +49,41 @@ Recording read_recording(const std::string& file) {
     std::ifstream in(file, std::ios::binary);
     std::string line;
     if (!in) throw InputError(file + ": cannot be read");
-    if (!std::getline(in, line) || line != first_line) {
+    if (read_line(in, line, longest_line) != LineEnd::Whole || line != first_line) {
         throw InputError(file + ":1: no recording: expected '" + std::string(first_line) + "'");
     }
     Recording recording;
-    if (!std::getline(in, line) || !line.starts_with("scene ")) {
+    if (read_line(in, line, longest_line) != LineEnd::Whole || !line.starts_with("scene ")) {
         throw InputError(file + ":2: expected 'scene NAME'");
     }
     recording.scene = line.substr(6);
 
     // A line without its end was cut off while it was written
-    int number = 2;
-    const auto cut = [&](const std::string& why) {
-        recording.notice = file + ":" + std::to_string(number) + ": " + why + "; played up to the line before";
-    };
-    while (std::getline(in, line)) {
-        ++number;
-        if (in.eof()) return cut("cut off in mid-line"), recording;
-        if (line.size() > longest_line) return cut("the line is too long"), recording;
+    for (int number = 3;; ++number) {
+        const auto cut = [&](const std::string& why) {
+            recording.notice = file + ":" + std::to_string(number) + ": " + why + "; played up to the line before";
+            return recording;
+        };
+        const LineEnd end = read_line(in, line, longest_line);
+        if (end == LineEnd::None) return cut("the recording ends without its 'end'");
+        if (end == LineEnd::CutOff) return cut("cut off in mid-line");
+        if (end == LineEnd::TooLong) return cut("the line is too long");
         if (line.starts_with("set ") && recording.entries.empty()) {
             recording.assignments.push_back(line.substr(4));
             continue;
         }
         const auto entry = split_entry(line);
-        if (entry && entry->second == "end") {
+        const bool forward = entry && (recording.entries.empty() || entry->first >= recording.entries.back().step);
+        if (forward && entry->second == "end") {
             recording.last_step = entry->first;
             return recording;
         }
         try {
             append_entry(line, recording);
         } catch (const InputError& error) {
-            return cut(error.what()), recording;
+            return cut(error.what());
         }
     }
-    ++number;
-    cut("the recording ends without its 'end'");
-    return recording;
 }
 
 Recorder::Recorder(const std::string& file, const std::string& scene, const std::vector<std::string>& assignments)

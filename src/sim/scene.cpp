@@ -24,9 +24,22 @@ public:
         if (root.get("cloth") == nullptr) throw InputError(file_ + ": [cloth] is missing: a scene needs one");
         settings_.cloths.clear();
         for (const auto& [key, node] : root) read_top(std::string(key.str()), node);
+        try {
+            check(settings_);
+        } catch (const MisfitError& misfit) {
+            fail(place_of(misfit, *root.get(misfit.section)), misfit.what());
+        }
     }
 
 private:
+    /// Where a setting stands that does not fit the others, or the table that should have it.
+    static const toml::node& place_of(const MisfitError& misfit, const toml::node& parts) {
+        const toml::array* several = parts.as_array();
+        const toml::node& part = several != nullptr ? *several->get(misfit.index) : parts;
+        const toml::node* place = part.as_table()->get(misfit.name);
+        return place != nullptr ? *place : part;
+    }
+
     void read_top(const std::string& name, const toml::node& node) {
         if (name == "title") {
             write(node, find_setting("title"), 0);
@@ -157,11 +170,6 @@ Settings parse_scene(std::string_view text, const std::string& file) {
     Settings settings;
     const toml::table root = parse_toml(text, file);
     SceneReader(file, settings).read(root);
-    try {
-        check(settings);
-    } catch (const InputError& error) {
-        throw InputError(file + ": " + error.what());
-    }
     return settings;
 }
 

@@ -1,5 +1,6 @@
 #include <algorithm>
-#include <cmath>
+#include <optional>
+#include <utility>
 
 #include "drape/base/input_error.h"
 #include "drape/base/numbers.h"
@@ -37,36 +38,46 @@ std::size_t section_count(const Settings& settings, const Setting& setting) {
     return 1;
 }
 
-void write_checked(Settings& settings, const Target& target, const SettingValue& value) {
+/// The parts that a target means: all of its section, or the one it names.
+/// @throws InputError if there is none
+std::pair<std::size_t, std::size_t> parts_of(const Settings& settings, const Target& target) {
     const Setting& setting = *target.setting;
-    if (const std::string wrong = refusal(setting, value); !wrong.empty()) throw InputError(wrong);
     const std::size_t count = section_count(settings, setting);
     if (count == 0) throw InputError(setting.full_name() + ": the scene has no " + setting.section);
-    if (target.index && *target.index >= count) {
+    if (!target.index) return {0, count};
+    if (*target.index >= count) {
         throw InputError(setting.section + "[" + std::to_string(*target.index) + "]: the scene has " +
                          std::to_string(count) + ", counted from 0");
     }
-    const std::size_t first = target.index.value_or(0), last = target.index ? first + 1 : count;
-    for (std::size_t i = first; i < last; ++i) setting.write(settings, i, value);
+    return {*target.index, *target.index + 1};
 }
 
-void check_cloth(const ClothParameters& cloth) {
+void write_checked(Settings& settings, const Target& target, const SettingValue& value) {
+    const auto [first, last] = parts_of(settings, target);
+    if (const std::string wrong = refusal(*target.setting, value); !wrong.empty()) throw InputError(wrong);
+    for (std::size_t i = first; i < last; ++i) target.setting->write(settings, i, value);
+}
+
+void check_cloth(const ClothParameters& cloth, std::size_t index) {
     const int particles = cloth.particles.particles();
     for (const int pin : cloth.pinned.list) {
         if (pin >= 0 && pin < particles) continue;
-        throw InputError("cloth.pinned = " + std::to_string(pin) +
-                         ": allowed 0 <= particle <= " + std::to_string(particles - 1));
+        throw MisfitError(
+            "cloth", index, "pinned",
+            "cloth.pinned = " + std::to_string(pin) + ": allowed 0 <= particle <= " + std::to_string(particles - 1));
     }
 }
 
-void check_ball(const BallSettings& ball) {
+void check_ball(const BallSettings& ball, std::size_t index) {
     if (ball.motion == BallMotion::Path && ball.path.size() < 2) {
-        throw InputError("ball.path: motion \"path\" needs at least two points [t, x, y, z]");
+        throw MisfitError("ball", index, ball.path.empty() ? "motion" : "path",
+                          "ball.motion = path: allowed only with a ball.path of at least two points [t, x, y, z]");
     }
     for (std::size_t k = 1; k < ball.path.size(); ++k) {
         if (ball.path[k].time > ball.path[k - 1].time) continue;
-        throw InputError("ball.path: time " + real_text(static_cast<double>(ball.path[k].time)) +
-                         ": allowed only times that ascend from point to point");
+        throw MisfitError("ball", index, "path",
+                          "ball.path: time " + real_text(static_cast<double>(ball.path[k].time)) +
+                              ": allowed only times that ascend from point to point");
     }
 }
 
@@ -81,11 +92,20 @@ void assign(Settings& settings, std::string_view assignment) {
     write_checked(settings, target, parse_value(*target.setting, assignment.substr(equals + 1)));
 }
 
+void assign_all(Settings& settings, std::span<const std::string> assignments) {
+    for (const std::string& assignment : assignments) {
+        try {
+            assign(settings, assignment);
+        } catch (const InputError& error) {
+            throw InputError("--set " + assignment.substr(0, 100) + ": " + error.what());
+        }
+    }
+}
+
 Settings with_next(Settings settings, std::string_view name) {
     const Target target = find_target(name);
     const Setting& setting = *target.setting;
-    if (section_count(settings, setting) == 0) throw InputError(setting.full_name() + ": the scene has none");
-    const SettingValue now = setting.read(settings, target.index.value_or(0));
+    const SettingValue now = setting.read(settings, parts_of(settings, target).first);
     if (setting.kind == SettingKind::Flag) {
         write_checked(settings, target, !std::get<bool>(now));
     } else if (setting.kind == SettingKind::Choice) {
@@ -104,24 +124,25 @@ Settings with_added(Settings settings, std::string_view name, double amount) {
     if (setting.kind != SettingKind::Number && setting.kind != SettingKind::Integer) {
         throw InputError("add " + setting.full_name() + ": it is no number");
     }
-    if (section_count(settings, setting) == 0) throw InputError(setting.full_name() + ": the scene has none");
-    const double now = std::get<double>(setting.read(settings, target.index.value_or(0)));
-    const double lowest = setting.range.low_open ? std::nextafter(setting.range.low, 1e300) : setting.range.low;
-    write_checked(settings, target, std::clamp(now + amount, lowest, setting.range.high));
+    const auto [first, last] = parts_of(settings, target);
+    for (std::size_t i = first; i < last; ++i) {
+        const double sum = std::get<double>(setting.read(settings, i)) + amount;
+        write_checked(settings, {&setting, i}, std::clamp(sum, setting.range.low, setting.range.high));
+    }
     return settings;
 }
 
 void check(const Settings& settings) {
     long long particles = 0;
-    for (const ClothParameters& cloth : settings.cloths) {
-        particles += cloth.particles.particles();
-        check_cloth(cloth);
+    for (std::size_t c = 0; c < settings.cloths.size(); ++c) {
+        check_cloth(settings.cloths[c], c);
+        particles += settings.cloths[c].particles.particles();
+        if (particles <= most_particles) continue;
+        throw MisfitError("cloth", c, "particles",
+                          "cloth.particles: " + std::to_string(particles) + " in all: allowed at most " +
+                              std::to_string(most_particles));
     }
-    if (particles > most_particles) {
-        throw InputError("cloth.particles: " + std::to_string(particles) + " in all: allowed at most " +
-                         std::to_string(most_particles));
-    }
-    for (const BallSettings& ball : settings.balls) check_ball(ball);
+    for (std::size_t b = 0; b < settings.balls.size(); ++b) check_ball(settings.balls[b], b);
 }
 
 }  // namespace drape

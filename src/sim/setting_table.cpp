@@ -126,7 +126,7 @@ void add_the_rest(std::vector<Setting>& table) {
     SectionRows<SolverSettings> solver(
         "solver", [](Settings& s, std::size_t) -> SolverSettings& { return s.solver; }, table);
     solver.choice("integrator", &SolverSettings::integrator, integrator_names(), "how a step is made");
-    solver.number("dt", &SolverSettings::dt, "s", {0, 0.1, true}, "length of one substep");
+    solver.number("dt", &SolverSettings::dt, "s", {1e-9, 0.1}, "length of one substep");
     solver.choice("on_unstable", &SolverSettings::on_unstable, unstable_names,
                   "when a step has lost the cloth: freeze it and say so, or end the run");
 
@@ -165,7 +165,7 @@ void add_the_rest(std::vector<Setting>& table) {
         "needs", [](Settings& s, std::size_t) -> NeedsSettings& { return s.needs; }, table);
     needs.number("position_error", &NeedsSettings::position_error, "", {0, 1},
                  "RMS, of the cloth's side, that the scene allows; 0 states none");
-    needs.number("horizon", &NeedsSettings::horizon, "s", {0, 1e3, true}, "time at which the error counts");
+    needs.number("horizon", &NeedsSettings::horizon, "s", {1e-9, 1e3}, "time at which the error counts");
 }
 
 std::vector<Setting> make_table() {

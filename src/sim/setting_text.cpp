@@ -19,24 +19,33 @@ std::string_view trimmed(std::string_view text) {
 /// "1, 2, 3" or "[1, 2, 3]" or "[[1, 2], [3, 4]]": the numbers in their order; nothing if there is anything else.
 std::optional<Values> parse_list(std::string_view text) {
     Values values;
-    std::string flat;
-    for (const char c : text) {
-        if (c != '[' && c != ']') flat += c;
-    }
-    std::string_view rest = flat;
-    while (true) {
-        const std::size_t comma = std::min(rest.find_first_of(",;"), rest.size());
-        const auto value = parse_real(trimmed(rest.substr(0, comma)));
+    int open = 0;
+    for (std::string_view rest = text;;) {
+        const std::size_t comma = std::min(rest.find(','), rest.size());
+        std::string_view item = trimmed(rest.substr(0, comma));
+        for (; item.starts_with('['); item = trimmed(item.substr(1))) ++open;
+        for (; open > 0 && item.ends_with(']'); item = trimmed(item.substr(0, item.size() - 1))) --open;
+        const auto value = parse_real(item);
         if (!value) return std::nullopt;
         values.push_back(*value);
-        if (comma == rest.size()) return values;
+        if (comma == rest.size()) return open == 0 ? std::optional(std::move(values)) : std::nullopt;
         rest.remove_prefix(comma + 1);
     }
 }
 
-bool in_range(const Range& range, double value) {
-    return (range.low_open ? value > range.low : value >= range.low) && value <= range.high;
+/// A value as messages show it, which are to stay short.
+std::string shortened(std::string text) {
+    constexpr std::size_t longest = 100;
+    if (text.size() > longest) text = text.substr(0, longest) + "...";
+    return text;
 }
+
+/// A text that stays within its line in recordings, tables and the panel.
+bool is_one_line(const std::string& text) {
+    return std::none_of(text.begin(), text.end(), [](char c) { return static_cast<unsigned char>(c) < ' '; });
+}
+
+bool in_range(const Range& range, double value) { return value >= range.low && value <= range.high; }
 
 bool is_whole(double value) { return value == std::floor(value); }
 
@@ -76,8 +85,8 @@ bool accepts(const Setting& setting, const SettingValue& value) {
         if (setting.kind == SettingKind::Integer) return in_range(setting.range, *number) && is_whole(*number);
         return setting.kind == SettingKind::Number && in_range(setting.range, *number);
     }
-    if (setting.kind == SettingKind::Text) return true;
     const auto& chosen = std::get<std::string>(value);
+    if (setting.kind == SettingKind::Text) return is_one_line(chosen);
     return std::find(setting.choices.begin(), setting.choices.end(), chosen) != setting.choices.end();
 }
 
@@ -99,9 +108,8 @@ std::string list_form(const Setting& setting) {
 }
 
 std::string range_text(const Setting& setting) {
-    return real_text(setting.range.low) + (setting.range.low_open ? " < " : " <= ") +
-           (is_list(setting.kind) ? "x" : setting.name) + " <= " + real_text(setting.range.high) +
-           (setting.unit.empty() ? "" : " " + setting.unit);
+    return real_text(setting.range.low) + " <= " + (is_list(setting.kind) ? "x" : setting.name) +
+           " <= " + real_text(setting.range.high) + (setting.unit.empty() ? "" : " " + setting.unit);
 }
 
 }  // namespace
@@ -113,7 +121,7 @@ std::string accepted(const Setting& setting) {
         case SettingKind::Choice:
             return listed(setting.choices);
         case SettingKind::Text:
-            return "a text";
+            return "a text of one line";
         case SettingKind::Integer:
             return "whole " + range_text(setting);
         default:
@@ -123,13 +131,13 @@ std::string accepted(const Setting& setting) {
 
 std::string refusal(const Setting& setting, const SettingValue& value) {
     if (accepts(setting, value)) return {};
-    return setting.full_name() + " = " + value_text(value) + ": allowed " + accepted(setting);
+    return setting.full_name() + " = " + shortened(value_text(value)) + ": allowed " + accepted(setting);
 }
 
 SettingValue parse_value(const Setting& setting, std::string_view text) {
     const std::string_view word = trimmed(text);
     const auto refuse = [&]() -> SettingValue {
-        throw InputError(setting.full_name() + " = " + std::string(word) + ": allowed " + accepted(setting));
+        throw InputError(setting.full_name() + " = " + shortened(std::string(word)) + ": allowed " + accepted(setting));
     };
     if (setting.kind == SettingKind::Text) return std::string(word);
     if (setting.kind == SettingKind::Choice) {
@@ -144,7 +152,7 @@ SettingValue parse_value(const Setting& setting, std::string_view text) {
     if (is_list(setting.kind)) {
         const bool named = std::find(setting.choices.begin(), setting.choices.end(), word) != setting.choices.end();
         if (named) return std::string(word);
-        if (setting.kind == SettingKind::Pins && word == "[]") return Values{};
+        if (word == "[]") return Values{};
         auto list = parse_list(word);
         return list ? SettingValue(*std::move(list)) : refuse();
     }

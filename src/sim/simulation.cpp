@@ -65,7 +65,7 @@ void Simulation::step() {
     }
 
     ++report_.step;
-    report_.time = static_cast<double>(report_.step) * static_cast<double>(h);
+    report_.time = counted_from_time_ + static_cast<double>(report_.step - counted_from_step_) * static_cast<double>(h);
     steps_wanted_ = std::max(0, steps_wanted_ - 1);
 }
 
@@ -109,6 +109,7 @@ void Simulation::detect_divergence() {
         report_.trouble +=
             " in step " + std::to_string(report_.step + 1) + " of " + std::string(name_of(settings_.solver.integrator));
         report_.status = Status::Diverged;
+        steps_wanted_ = 0;
         for (Cloth& cloth : cloths_) cloth.state = cloth.previous;
         balls_ = previous_balls_;
         return;

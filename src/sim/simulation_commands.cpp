@@ -39,7 +39,10 @@ bool starts_differently(const ClothParameters& a, const ClothParameters& b) {
 
 void Simulation::apply(const Command& command) {
     std::visit(Overloaded{[&](const command::Pause&) { paused_ = !paused_, steps_wanted_ = 0; },
-                          [&](const command::Step& step) { paused_ = true, steps_wanted_ = step.count; },
+                          [&](const command::Step& step) {
+                              paused_ = true;
+                              steps_wanted_ = report_.status == Status::Ok ? step.count : 0;
+                          },
                           [&](const command::Reset&) { restart(); },
                           [&](const command::LoadScene& scene) { load(scene.name); },
                           [&](const command::Set& set) {
@@ -65,6 +68,8 @@ void Simulation::restart() {
     hand_.reset();
     steer_.setZero();
     report_ = {};
+    counted_from_step_ = 0;
+    counted_from_time_ = 0;
     cloths_.clear();
     for (const ClothParameters& parameters : settings_.cloths) {
         Cloth& cloth = cloths_.emplace_back();
@@ -96,6 +101,10 @@ void Simulation::configure(Settings settings) {
                     [](const auto& a, const auto& b) { return !starts_differently(a, b); })) {
         restart();
         return;
+    }
+    if (settings_.solver.dt != before.solver.dt) {
+        counted_from_step_ = report_.step;
+        counted_from_time_ = report_.time;
     }
     for (std::size_t c = 0; c < cloths_.size(); ++c) {
         Cloth& cloth = cloths_[c];

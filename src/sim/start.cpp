@@ -27,13 +27,7 @@ Start make_start(StartOptions options) {
     }
     if (start.scene.empty()) start.scene = scene_names().front();
     start.settings = load_scene(start.scene);
-    for (const std::string& assignment : start.assignments) {
-        try {
-            assign(start.settings, assignment);
-        } catch (const InputError& error) {
-            throw InputError("--set " + assignment.substr(0, 100) + ": " + error.what());
-        }
-    }
+    assign_all(start.settings, start.assignments);
     check(start.settings);
     return start;
 }

@@ -5,7 +5,7 @@
 #include <string>
 #include <vector>
 
-#include "app/process.h"
+#include "support/process.h"
 
 namespace drape::testing_aid {
 

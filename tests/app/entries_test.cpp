@@ -5,9 +5,9 @@
 #include <set>
 
 #include "../../src/app/keys.h"
-#include "app/process.h"
 #include "drape/sim/command.h"
 #include "drape/sim/scene.h"
+#include "support/process.h"
 
 namespace drape {
 namespace {

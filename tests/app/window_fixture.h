@@ -8,7 +8,7 @@
 #include <vector>
 
 #include "app/desktop.h"
-#include "app/process.h"
+#include "support/process.h"
 
 namespace drape::testing_aid {
 

@@ -5,9 +5,11 @@
 #include <span>
 #include <string>
 #include <string_view>
+#include <utility>
 #include <variant>
 #include <vector>
 
+#include "drape/base/input_error.h"
 #include "drape/sim/settings.h"
 
 namespace drape {
@@ -18,11 +20,10 @@ using SettingValue = std::variant<bool, double, std::string, std::vector<double>
 
 enum class SettingKind { Flag, Integer, Number, Choice, Text, Grid, Size, Vector, Pins, Path };
 
-/// The accepted numbers: low <= x <= high, or low < x <= high if `low_open`.
+/// The accepted numbers: low <= x <= high.
 struct Range {
     double low;
     double high;
-    bool low_open = false;
 };
 
 /// One row of the table of settings, from which the scene loader, `--set`, `--help`, the panel and the docs are made.
@@ -47,11 +48,11 @@ std::span<const Setting> setting_table();
 /// @throws InputError that names the nearest known one, or the candidates of a short name that fits several
 const Setting& find_setting(std::string_view name);
 
-/// What is accepted, as an error message says it: "0 < dt <= 0.1 s", "'rk4' or 'velocity_verlet'".
+/// What is accepted, as an error message says it: "1e-09 <= dt <= 0.1 s", "'rk4' or 'velocity_verlet'".
 std::string accepted(const Setting& setting);
 
 /// Checks a value against the kind and the range.
-/// @return what is wrong, as "solver.dt = 5: allowed 0 < dt <= 0.1"; empty if nothing
+/// @return what is wrong, as "solver.dt = 5: allowed 1e-09 <= dt <= 0.1 s"; empty if nothing
 std::string refusal(const Setting& setting, const SettingValue& value);
 
 /// The value that a text stands for, unchecked but for its form. Lists are "1,2,3" or "[1, 2, 3]".
@@ -63,8 +64,12 @@ std::string value_text(const SettingValue& value);
 
 /// Applies "name=value". The name of a cloth's or ball's setting sets all of them, or one: "ball[1].radius" is the
 /// second.
-/// @throws InputError whose text starts with the assignment; `settings` is then unchanged
+/// @throws InputError whose text starts with the setting; `settings` is then unchanged
 void assign(Settings& settings, std::string_view assignment);
+
+/// Applies what a command line's `--set` was given, in order.
+/// @throws InputError that names the option
+void assign_all(Settings& settings, std::span<const std::string> assignments);
 
 /// The settings with a choice moved on to its next name, or a flag to its other value.
 /// @throws InputError if the setting is neither
@@ -74,8 +79,19 @@ Settings with_next(Settings settings, std::string_view name);
 /// @throws InputError if the setting is no number
 Settings with_added(Settings settings, std::string_view name, double amount);
 
+/// A setting that others forbid; a scene file adds the line that it stands in.
+class MisfitError : public InputError {
+public:
+    MisfitError(std::string of_section, std::size_t of_index, std::string of_name, const std::string& message)
+        : InputError(message), section(std::move(of_section)), index(of_index), name(std::move(of_name)) {}
+
+    std::string section;
+    std::size_t index;  ///< of the cloth or ball
+    std::string name;
+};
+
 /// Checks that need more than one setting: pins on the grid, ascending path times, a ball path where motion is "path".
-/// @throws InputError
+/// @throws MisfitError
 void check(const Settings& settings);
 
 /// The table as text for `--help` and `list settings`: name, default, unit, range, help.

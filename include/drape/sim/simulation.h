@@ -97,6 +97,8 @@ private:
     Vec3 steer_ = Vec3::Zero();
     std::optional<Hand> hand_;
     StepReport report_;
+    std::int64_t counted_from_step_ = 0;  ///< since then dt has been what it is: no error adds up in the time
+    double counted_from_time_ = 0;
     bool paused_ = false;
     int steps_wanted_ = 0;
 };

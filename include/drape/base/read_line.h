@@ -1,0 +1,23 @@
+#pragma once
+
+#include <cstddef>
+#include <istream>
+#include <string>
+
+namespace drape {
+
+/// How a line that was read ended: with its end, with the file, not within the length allowed, or never began.
+enum class LineEnd { Whole, CutOff, TooLong, None };
+
+/// Reads the next line, without its end. Never keeps more than `longest` bytes, whatever the file is.
+inline LineEnd read_line(std::istream& in, std::string& line, std::size_t longest) {
+    line.clear();
+    for (char c = 0; in.get(c);) {
+        if (c == '\n') return LineEnd::Whole;
+        if (line.size() == longest) return LineEnd::TooLong;
+        line += c;
+    }
+    return line.empty() ? LineEnd::None : LineEnd::CutOff;
+}
+
+}  // namespace drape

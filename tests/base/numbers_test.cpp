@@ -1,0 +1,70 @@
+#include "drape/base/numbers.h"
+
+#include <gtest/gtest.h>
+
+#include <clocale>
+#include <cmath>
+#include <cstdint>
+#include <cstring>
+#include <limits>
+#include <random>
+
+namespace drape {
+namespace {
+
+TEST(Numbers, ReadWholeDecimalTextsOnly) {
+    EXPECT_EQ(parse_real("2e-4"), 2e-4);
+    EXPECT_EQ(parse_real("+1.5"), 1.5);
+    EXPECT_EQ(parse_real("-0.25"), -0.25);
+    for (const char* text : {"", " 1", "1 ", "1,5", "1.5x", "0x10", "+-1", "++1", "1e999", "e5"}) {
+        EXPECT_EQ(parse_real(text), std::nullopt) << '"' << text << '"';
+    }
+}
+
+TEST(Numbers, ReadNanAndInfinityForTheRangeToRefuse) {
+    EXPECT_TRUE(std::isnan(parse_real("nan").value()));
+    EXPECT_EQ(parse_real("-inf"), -std::numeric_limits<double>::infinity());
+}
+
+TEST(Numbers, ReadWholeIntegersOnly) {
+    EXPECT_EQ(parse_integer("-12"), -12);
+    for (const char* text : {"", "1.0", "1e3", "99999999999999999999", "7 "}) {
+        EXPECT_EQ(parse_integer(text), std::nullopt) << '"' << text << '"';
+    }
+}
+
+TEST(Numbers, WriteTheShortestTextThatReadsBack) {
+    EXPECT_EQ(real_text(0.1), "0.1");
+    EXPECT_EQ(real_text(0.1, 17), "0.10000000000000001");
+    EXPECT_EQ(real_text(2.0), "2");
+}
+
+TEST(Numbers, ReadBackEveryFiniteDoubleTheyWrite) {
+    std::mt19937_64 random(1);
+    for (int i = 0; i < 100000; ++i) {
+        double value = 0;
+        const std::uint64_t bits = random();
+        std::memcpy(&value, &bits, sizeof value);
+        if (!std::isfinite(value)) continue;
+        ASSERT_EQ(parse_real(real_text(value)), value);
+        ASSERT_EQ(parse_real(real_text(value, 17)), value);
+    }
+}
+
+TEST(Numbers, IgnoreADecimalCommaInTheLocale) {
+    const std::string before = std::setlocale(LC_ALL, nullptr);
+    const bool comma = std::setlocale(LC_ALL, "de_DE.UTF-8") != nullptr;
+    EXPECT_EQ(parse_real("0.5"), 0.5);
+    EXPECT_EQ(real_text(0.5), "0.5");
+    std::setlocale(LC_ALL, before.c_str());
+    if (!comma) GTEST_SKIP() << "no German locale here; checked in the C locale only";
+}
+
+TEST(Numbers, WriteHashesWithSixteenDigits) {
+    EXPECT_EQ(hash_text(0), "0000000000000000");
+    EXPECT_EQ(hash_text(0xdeadbeef), "00000000deadbeef");
+    EXPECT_EQ(hash_text(~0ull), "ffffffffffffffff");
+}
+
+}  // namespace
+}  // namespace drape

@@ -1,0 +1,124 @@
+#include "drape/sim/recording.h"
+
+#include <gmock/gmock.h>
+
+#include <filesystem>
+
+#include "support/input_errors.h"
+#include "support/process.h"
+#include "support/scratch_file.h"
+
+namespace drape {
+namespace {
+
+using testing::AllOf;
+using testing::ElementsAre;
+using testing::HasSubstr;
+using testing::StartsWith;
+using testing_aid::input_error_of;
+using testing_aid::read_file;
+using testing_aid::ScratchFile;
+
+constexpr const char* good =
+    "drape-recording 1\nscene drop\nset solver.dt=1e-4\nset friction=0.2\n"
+    "0 steer 1 0 0\n5 hash 0123456789abcdef\n5 set wind.on=true\n9 orbit 0.1 0.2\n12 end\n";
+
+Recording recording_of(std::string_view text) {
+    const ScratchFile file("recording.txt", text);
+    return read_recording(file.name());
+}
+
+TEST(Recording, ReadsWhatARecorderWrote) {
+    const ScratchFile file("recording.txt");
+    Recorder recorder(file.name(), "drop", {"solver.dt=1e-4", "friction=0.2"});
+    recorder.write(0, command::Steer{Vec3(1, 0, 0)});
+    recorder.write_hash(5, 0x0123456789abcdef);
+    recorder.write(5, command::Set{"wind.on=true"});
+    recorder.write(9, command::Orbit{0.1, 0.2});
+    recorder.close(12);
+    EXPECT_EQ(read_file(file.name()), good);
+
+    const Recording recording = read_recording(file.name());
+    EXPECT_EQ(recording.scene, "drop");
+    EXPECT_THAT(recording.assignments, ElementsAre("solver.dt=1e-4", "friction=0.2"));
+    ASSERT_EQ(recording.entries.size(), 4u);
+    EXPECT_EQ(std::get<std::uint64_t>(recording.entries[1].content), 0x0123456789abcdefu);
+    EXPECT_EQ(recording.entries[2].step, 5);
+    EXPECT_EQ(command_text(std::get<Command>(recording.entries[3].content)), "orbit 0.1 0.2");
+    EXPECT_EQ(recording.last_step, 12);
+    EXPECT_EQ(recording.notice, "");
+}
+
+TEST(Recording, CutOffAnywhereIsReadToTheLastWholeLineAndSaysSo) {
+    const std::string text = good;
+    const std::size_t header = text.find("set ");
+    for (std::size_t size = header; size < text.size(); ++size) {
+        const std::string_view kept = std::string_view(text).substr(0, size);
+        const Recording recording = recording_of(kept);
+        const auto lines = static_cast<std::size_t>(std::count(kept.begin(), kept.end(), '\n'));
+        EXPECT_EQ(recording.assignments.size() + recording.entries.size(), lines - 2) << kept;
+        EXPECT_THAT(recording.notice, HasSubstr(":" + std::to_string(lines + 1) + ": ")) << kept;
+        EXPECT_EQ(recording.last_step, std::nullopt);
+    }
+}
+
+TEST(Recording, WithoutAWholeHeaderIsRefused) {
+    const std::string text = good;
+    for (std::size_t size = 0; size < text.find("set "); ++size) {
+        EXPECT_THROW(recording_of(text.substr(0, size)), InputError) << size;
+    }
+}
+
+TEST(Recording, OfAnotherFormIsRefused) {
+    const ScratchFile file("foreign.txt");
+    for (const char* text : {"", "\n", "drape-recording 2\nscene drop\n", "drape-recording 1\r\nscene drop\r\n",
+                             "[cloth]\nmass = 1\n", "t,particle,x,y,z\n", "\x89PNG\r\n\x1a\n"}) {
+        file.write(text);
+        EXPECT_THAT(input_error_of([&] { read_recording(file.name()); }),
+                    AllOf(StartsWith(file.name() + ":1: "), HasSubstr("'drape-recording 1'")));
+    }
+    file.write("drape-recording 1\n0 pause\n");
+    EXPECT_THAT(input_error_of([&] { read_recording(file.name()); }), StartsWith(file.name() + ":2: "));
+    EXPECT_THAT(input_error_of([] { read_recording("/no/such/recording"); }), HasSubstr("/no/such/recording"));
+    EXPECT_THROW(read_recording(testing::TempDir()), InputError) << "a folder";
+}
+
+TEST(Recording, OfEndlessBytesIsRefused) {
+    if (!std::filesystem::exists("/dev/zero")) GTEST_SKIP() << "no endless file";
+    EXPECT_THROW(read_recording("/dev/zero"), InputError);
+}
+
+TEST(Recording, WithADamagedLineIsReadUpToIt) {
+    const std::string head = "drape-recording 1\nscene drop\n1 pause\n";
+    for (const char* line :
+         {"2 paus", "pause", "x pause", "-1 pause", "0 pause", "2 hash 12", "2 hash 0123456789abcdeg", "2 hash", "2",
+          "", "2  pause", "set dt=1e-4", "\x01\x02", "2 steer nan 0 0", "0 end"}) {
+        const Recording recording = recording_of(head + line + "\n9 end\n");
+        EXPECT_EQ(recording.entries.size(), 1u) << line;
+        EXPECT_THAT(recording.notice, HasSubstr(":4: ")) << line;
+    }
+    EXPECT_THAT(recording_of(head + "2 paus\n").notice, AllOf(HasSubstr("'pause'"), HasSubstr("line before")));
+    EXPECT_THAT(recording_of(head + std::string(3'000'000, 'x') + "\n").notice, HasSubstr("too long"));
+}
+
+TEST(Recording, MayHaveALongListInALine) {
+    std::string pins = "set cloth.pinned=0";
+    for (int i = 0; i < 5'000; ++i) pins += ",899";
+    EXPECT_EQ(recording_of("drape-recording 1\nscene drop\n0 " + pins + "\n1 end\n").notice, "");
+}
+
+TEST(Recorder, ReachesTheFileWithEveryLine) {
+    const ScratchFile file("recording.txt");
+    Recorder recorder(file.name(), "drop", {});
+    recorder.write(3, command::Pause{});
+    EXPECT_EQ(read_recording(file.name()).entries.size(), 1u) << "a crash loses at most the last line";
+}
+
+TEST(Recorder, SaysWhatItCannotWrite) {
+    EXPECT_THROW(Recorder("/no/such/folder/recording.txt", "drop", {}), RunError);
+    if (!std::filesystem::exists("/dev/full")) GTEST_SKIP() << "no device that is always full";
+    EXPECT_THROW(Recorder("/dev/full", "drop", {}), RunError);
+}
+
+}  // namespace
+}  // namespace drape

@@ -1,0 +1,253 @@
+#include "drape/sim/scene.h"
+
+#include <gmock/gmock.h>
+
+#include <filesystem>
+#include <fstream>
+
+#include "drape/sim/setting_table.h"
+#include "support/input_errors.h"
+
+namespace drape {
+namespace {
+
+using testing::AllOf;
+using testing::ElementsAre;
+using testing::HasSubstr;
+using testing::StartsWith;
+using testing_aid::input_error_of;
+
+std::string error_of(const std::string& text) {
+    return input_error_of([&] { parse_scene(text, "mine.toml"); });
+}
+
+/// Every key of a scene file, with values that are no defaults.
+constexpr const char* full_scene = R"(title = "Two corners, free fall"
+[cloth]
+particles = [16, 12]
+size = [1.5, 2.5]
+mass = 0.25
+plane = "xy"
+origin = [0.5, 1.0, -0.5]
+pinned = "two"
+structural = { stiffness = 1001.0, damping = 0.021 }
+shear      = { stiffness =  501.0, damping = 0.022 }
+bend       = { stiffness =  101.0, damping = 0.023 }
+drag = 2e-4
+[[ball]]
+radius = 0.31
+position = [0.5, -0.6, 0.25]
+velocity = [0.125, 0.0, 0.0]
+motion = "still"
+speed = 2
+mass = 1.5
+path = [[0, 1, 2, 3], [1.5, 4, 5, 6]]
+[solver]
+integrator = "rk4"
+dt = 3e-4
+on_unstable = "stop"
+[contact]
+volume = "brute"
+update = "rebuild"
+leaf_cells = 5
+response = "projection"
+friction = 0.25
+restitution = 0.125
+thickness = 0.003
+continuous = false
+self = false
+[wind]
+on = true
+velocity = [1, 2, 3]
+gust = 0.25
+[view]
+overlay = false
+help = true
+bounds = true
+level = 2
+wireframe = true
+particles = true
+contacts = true
+eye = [3, 2, 1]
+target = [1, 1, 1]
+ground = 0.5
+[needs]
+position_error = 0.01
+horizon = 0.75
+)";
+
+TEST(SceneFile, SetsEveryKeyThatItGives) {
+    const Settings settings = parse_scene(full_scene, "full.toml");
+    EXPECT_EQ(settings.title, "Two corners, free fall");
+    ASSERT_EQ(settings.cloths.size(), 1u);
+    const ClothParameters& cloth = settings.cloths[0];
+    EXPECT_EQ(cloth.particles, (Grid{16, 12}));
+    EXPECT_EQ(cloth.width, 1.5);
+    EXPECT_EQ(cloth.height, 2.5);
+    EXPECT_EQ(cloth.origin(), Vec3(0.5, 1, -0.5));
+    EXPECT_EQ(cloth.plane, Plane::XY);
+    EXPECT_EQ(cloth.structural, (SpringLaw{1001, 0.021}));
+    EXPECT_EQ(cloth.shear, (SpringLaw{501, 0.022}));
+    EXPECT_EQ(cloth.bend, (SpringLaw{101, 0.023}));
+    ASSERT_EQ(settings.balls.size(), 1u);
+    EXPECT_EQ(settings.balls[0].motion, BallMotion::Still);
+    EXPECT_EQ(settings.balls[0].path[1], (PathPoint{1.5, Vec3(4, 5, 6)}));
+    EXPECT_EQ(settings.solver.integrator, IntegratorKind::Rk4);
+    EXPECT_EQ(settings.solver.dt, 3e-4);
+    EXPECT_EQ(settings.contact.volume, VolumeKind::Brute);
+    EXPECT_TRUE(settings.wind.on);
+    EXPECT_EQ(settings.needs.horizon, 0.75);
+}
+
+TEST(SceneFile, CanGiveEveryRowOfTheTable) {
+    Settings defaults;
+    defaults.balls.emplace_back();
+    const Settings settings = parse_scene(full_scene, "full.toml");
+    for (const Setting& setting : setting_table()) {
+        const bool only_one_value =
+            setting.choices.size() == 1 || (setting.kind == SettingKind::Flag && setting.range.high < 1);
+        if (only_one_value) continue;
+        EXPECT_NE(setting.read(settings, 0), setting.read(defaults, 0)) << setting.full_name() << " was not read";
+    }
+}
+
+TEST(SceneFile, NeedsNothingButACloth) {
+    const Settings settings = parse_scene("[cloth]\n", "mine.toml");
+    EXPECT_EQ(settings.cloths, Settings{}.cloths);
+    EXPECT_TRUE(settings.balls.empty());
+    EXPECT_THAT(error_of(""), AllOf(HasSubstr("mine.toml"), HasSubstr("[cloth] is missing")));
+    EXPECT_THAT(error_of("title = \"no cloth\"\n[[ball]]\n"), HasSubstr("[cloth] is missing"));
+}
+
+TEST(SceneFile, MayHaveSeveralClothsAndBalls) {
+    const Settings settings = parse_scene(
+        "[[cloth]]\nmass = 0.5\n[[cloth]]\nmass = 0.75\n[[ball]]\nradius = 0.5\n[[ball]]\n[[ball]]\nradius = 0.25\n",
+        "mine.toml");
+    ASSERT_EQ(settings.cloths.size(), 2u);
+    ASSERT_EQ(settings.balls.size(), 3u);
+    EXPECT_EQ(settings.cloths[0].mass, 0.5);
+    EXPECT_EQ(settings.cloths[1].mass, 0.75);
+    EXPECT_EQ(settings.balls[0].radius, 0.5);
+    EXPECT_EQ(settings.balls[1].radius, BallSettings{}.radius);
+    EXPECT_EQ(settings.balls[2].radius, 0.25);
+}
+
+TEST(SceneFile, PlacesAClothByItsCentreToo) {
+    const Settings settings =
+        parse_scene("[cloth]\ncentre = [1, 2, 3]\nplane = \"xz\"\nsize = [2.0, 4.0]\n", "mine.toml");
+    EXPECT_EQ(settings.cloths[0].origin(), Vec3(0, 2, 1));
+    EXPECT_THAT(error_of("[cloth]\norigin = [0, 0, 0]\ncentre = [0, 0, 0]\n"),
+                AllOf(StartsWith("mine.toml:3:"), HasSubstr("cloth.centre"), HasSubstr("cloth.origin")));
+}
+
+TEST(SceneFile, TakesPinsByNameAndByNumber) {
+    const Settings settings = parse_scene("[cloth]\npinned = [0, 5, 899]\n", "mine.toml");
+    EXPECT_THAT(settings.cloths[0].pinned.list, ElementsAre(0, 5, 899));
+    EXPECT_THAT(error_of("[cloth]\nmass = 1\npinned = [0, 900]\n"),
+                AllOf(StartsWith("mine.toml:3:"), HasSubstr("cloth.pinned = 900"), HasSubstr("<= 899")));
+    EXPECT_THAT(error_of("[cloth]\npinned = [0, -1]\n"), StartsWith("mine.toml:2:"));
+    EXPECT_THAT(error_of("[cloth]\npinned = [0.5]\n"), StartsWith("mine.toml:2:"));
+    EXPECT_THAT(error_of("[cloth]\npinned = \"too\"\n"), AllOf(StartsWith("mine.toml:2:"), HasSubstr("'two'")));
+}
+
+TEST(SceneFile, ErrorsSayWhereAndWhatIsAllowed) {
+    EXPECT_THAT(error_of("[cloth]\n[solver]\n  dt = 5\n"),
+                StartsWith("mine.toml:3:8: solver.dt = 5: allowed 1e-09 <= dt <= 0.1"));
+    EXPECT_THAT(error_of("[cloth]\nparticles = [1, 8]\n"), AllOf(StartsWith("mine.toml:2:13:"), HasSubstr("2 <= x")));
+    EXPECT_THAT(error_of("[cloth]\n[[ball]]\n[[ball]]\nradius = 0\n"),
+                AllOf(StartsWith("mine.toml:4:"), HasSubstr("1e-06")));
+}
+
+TEST(SceneFile, MisfitsSayWhereTheyStand) {
+    EXPECT_THAT(error_of("[cloth]\n[[ball]]\nmotion = \"path\"\n"), StartsWith("mine.toml:3:"));
+    EXPECT_THAT(error_of("[cloth]\n[[ball]]\n[[ball]]\npath = [[1, 0, 0, 0], [0, 0, 0, 0]]\n"),
+                AllOf(StartsWith("mine.toml:4:"), HasSubstr("ascend")));
+    EXPECT_THAT(error_of("[[cloth]]\n[[cloth]]\nparticles = [4000, 4000]\n"), StartsWith("mine.toml:3:"));
+}
+
+TEST(SceneFile, UnknownKeysNameTheNearestKnownOne) {
+    EXPECT_THAT(error_of("[cloth]\nparticels = [4, 4]\n"),
+                AllOf(StartsWith("mine.toml:2:"), HasSubstr("'cloth.particels'"), HasSubstr("'cloth.particles'")));
+    EXPECT_THAT(error_of("[cloth]\nshear = { stifness = 1 }\n"),
+                AllOf(StartsWith("mine.toml:2:"), HasSubstr("'cloth.shear.stiffness'")));
+    EXPECT_THAT(error_of("[cloth]\n[slover]\ndt = 1e-4\n"), AllOf(StartsWith("mine.toml:2:"), HasSubstr("'solver'")));
+    EXPECT_THAT(error_of("titel = 5\n[cloth]\n"), AllOf(StartsWith("mine.toml:1:"), HasSubstr("'title'")));
+    EXPECT_THAT(error_of("[cloth]\na.b.c = 5\n"), StartsWith("mine.toml:2:"));
+    EXPECT_THAT(error_of("[cloth]\n[x.y.z]\n"), StartsWith("mine.toml:2:"));
+}
+
+TEST(SceneFile, WrongTypesAreNotTakenForDefaults) {
+    for (const char* line : {"mass = \"0.2\"",
+                             "mass = true",
+                             "mass = [0.2]",
+                             "mass = { a = 1 }",
+                             "mass = 1979-05-27",
+                             "particles = 16",
+                             "particles = [16]",
+                             "particles = [16, 16, 16]",
+                             "particles = [16.5, 16]",
+                             "particles = [\"16\", 16]",
+                             "particles = []",
+                             "particles = [[16, 16]]",
+                             "plane = 1",
+                             "plane = \"yz\"",
+                             "pinned = 4",
+                             "pinned = true",
+                             "structural = 1000",
+                             "structural = { stiffness = \"1\" }",
+                             "origin = [0, 0]",
+                             "origin = \"0,0,0\""}) {
+        EXPECT_THAT(error_of(std::string("[cloth]\n") + line + "\n"), StartsWith("mine.toml:2:")) << line;
+    }
+    for (const char* text : {"title = 5\n[cloth]\n", "cloth = 5\n", "cloth = [5]\n", "cloth = []\n", "cloth = [[]]\n",
+                             "solver = 5\n[cloth]\n", "[[solver]]\n[cloth]\n", "[cloth]\n[wind]\non = 1\n",
+                             "[cloth]\n[[ball]]\npath = [0, 1, 2, 3]\n", "[cloth]\n[[ball]]\npath = [[0, 1, 2]]\n"}) {
+        EXPECT_THAT(error_of(text), StartsWith("mine.toml:")) << text;
+    }
+}
+
+TEST(SceneFile, NanAndInfinityAreRefusedEverywhere) {
+    for (const Setting& setting : setting_table()) {
+        for (const char* number : {"nan", "inf", "-inf"}) {
+            std::string value = number;
+            if (setting.kind == SettingKind::Grid || setting.kind == SettingKind::Size) value = "[" + value + ", 4]";
+            if (setting.kind == SettingKind::Vector) value = "[0, " + value + ", 0]";
+            if (setting.kind == SettingKind::Pins) value = "[" + value + "]";
+            if (setting.kind == SettingKind::Path) value = "[[0, 0, " + value + ", 0]]";
+            const std::string head = setting.section == "ball"    ? "[cloth]\n[[ball]]\n"
+                                     : setting.section == "cloth" ? "[cloth]\n"
+                                                                  : "[cloth]\n[" + setting.section + "]\n";
+            const std::string text = setting.section.empty() ? setting.name + " = " + value + "\n[cloth]\n"
+                                                             : head + setting.name + " = " + value + "\n";
+            EXPECT_THAT(error_of(text), AllOf(StartsWith("mine.toml:"), HasSubstr("allowed"))) << text;
+        }
+    }
+}
+
+TEST(SceneFile, IsFoundByPath) {
+    const auto path = std::filesystem::path(testing::TempDir()) / "drape_scene_test.toml";
+    std::ofstream(path) << "[cloth]\nmass = 0.375\n";
+    EXPECT_EQ(load_scene(path.string()).cloths[0].mass, 0.375);
+    std::ofstream(path) << "[cloth]\nmass = 0\n";
+    EXPECT_THAT(input_error_of([&] { load_scene(path.string()); }), StartsWith(path.string() + ":2:8: cloth.mass = 0"));
+    std::filesystem::remove(path);
+    EXPECT_THAT(input_error_of([&] { load_scene(path.string()); }), HasSubstr("cannot be read"));
+    EXPECT_THAT(input_error_of([&] { load_scene(testing::TempDir()); }), HasSubstr("folder"));
+}
+
+TEST(ShippedScenes, AllLoadAndHaveATitle) {
+    const std::vector<std::string> names = scene_names();
+    EXPECT_THAT(names, testing::IsSupersetOf({"original", "drop", "curtain", "hang", "two_corners"}));
+    EXPECT_EQ(names.front(), "original");
+    for (const std::string& name : names) EXPECT_NE(load_scene(name).title, Settings{}.title) << name;
+}
+
+TEST(ShippedScenes, AreNamedWhereOneIsNotFound) {
+    EXPECT_THAT(input_error_of([] { load_scene("curtian"); }),
+                AllOf(HasSubstr("'curtian'"), HasSubstr("'drop'"), HasSubstr("did you mean 'curtain'?")));
+    EXPECT_THROW(load_scene(""), InputError);
+    EXPECT_THROW(load_scene("../scenes/drop"), InputError);
+}
+
+}  // namespace
+}  // namespace drape

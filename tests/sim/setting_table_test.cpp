@@ -1,0 +1,189 @@
+#include "drape/sim/setting_table.h"
+
+#include <gmock/gmock.h>
+
+#include <cmath>
+#include <limits>
+#include <set>
+
+#include "support/input_errors.h"
+
+namespace drape {
+namespace {
+
+using testing::AllOf;
+using testing::HasSubstr;
+using testing::IsEmpty;
+using testing::Not;
+using testing_aid::input_error_of;
+
+/// Settings in which every row of the table has something to read and write.
+Settings with_a_ball() {
+    Settings settings;
+    settings.balls.emplace_back();
+    return settings;
+}
+
+bool holds_numbers(const Setting& setting) {
+    return setting.kind != SettingKind::Flag && setting.kind != SettingKind::Choice &&
+           setting.kind != SettingKind::Text;
+}
+
+/// A value of the setting's kind with `number` at every place.
+SettingValue filled_with(const Setting& setting, double number) {
+    switch (setting.kind) {
+        case SettingKind::Integer:
+        case SettingKind::Number:
+            return number;
+        case SettingKind::Grid:
+        case SettingKind::Size:
+            return std::vector<double>(2, number);
+        case SettingKind::Path:
+            return std::vector<double>(4, number);
+        default:
+            return std::vector<double>(3, number);
+    }
+}
+
+TEST(SettingTable, NamesEverySettingOnceAndExplainsIt) {
+    std::set<std::string> names;
+    for (const Setting& setting : setting_table()) {
+        EXPECT_TRUE(names.insert(setting.full_name()).second) << setting.full_name() << " stands twice";
+        EXPECT_THAT(setting.help, Not(IsEmpty())) << setting.full_name();
+        EXPECT_EQ(&find_setting(setting.full_name()), &setting);
+    }
+    EXPECT_GT(names.size(), 40u);
+}
+
+TEST(SettingTable, AcceptsItsOwnDefaults) {
+    const Settings settings = with_a_ball();
+    for (const Setting& setting : setting_table()) EXPECT_EQ(refusal(setting, setting.read(settings, 0)), "");
+    EXPECT_NO_THROW(check(settings));
+}
+
+TEST(SettingTable, ReadsBackEveryValueThatItWrites) {
+    for (const Setting& setting : setting_table()) {
+        Settings settings = with_a_ball();
+        const SettingValue value = setting.read(settings, 0);
+        EXPECT_EQ(parse_value(setting, value_text(value)), value) << setting.full_name();
+        ASSERT_NO_THROW(assign(settings, setting.full_name() + "=" + value_text(value))) << setting.full_name();
+        EXPECT_EQ(setting.read(settings, 0), value) << setting.full_name();
+    }
+}
+
+TEST(SettingTable, WritesWhatItReadsAtBothEndsOfEveryRange) {
+    for (const Setting& setting : setting_table()) {
+        if (!holds_numbers(setting)) continue;
+        for (const double end : {setting.range.low, setting.range.high}) {
+            Settings settings = with_a_ball();
+            const SettingValue value = filled_with(setting, end);
+            ASSERT_EQ(refusal(setting, value), "");
+            setting.write(settings, 0, value);
+            EXPECT_EQ(setting.read(settings, 0), value) << setting.full_name();
+        }
+    }
+}
+
+TEST(SettingTable, WritesEachChoiceByItsName) {
+    for (const Setting& setting : setting_table()) {
+        for (const std::string& choice : setting.choices) {
+            Settings settings = with_a_ball();
+            assign(settings, setting.full_name() + "=" + choice);
+            EXPECT_EQ(setting.read(settings, 0), SettingValue(choice)) << setting.full_name();
+        }
+        if (setting.kind == SettingKind::Choice) {
+            EXPECT_THAT(setting.choices, Not(IsEmpty())) << setting.full_name();
+        }
+    }
+}
+
+TEST(SettingTable, RefusesNumbersBelowAndAboveEveryRange) {
+    for (const Setting& setting : setting_table()) {
+        if (!holds_numbers(setting)) continue;
+        const double below = std::nextafter(setting.range.low, -1e300),
+                     above = std::nextafter(setting.range.high, 1e300);
+        for (const double outside : {below, above, setting.range.low - 1, 2 * setting.range.high + 1}) {
+            const std::string message = refusal(setting, filled_with(setting, outside));
+            EXPECT_THAT(message, HasSubstr(setting.full_name() + " = " + value_text(filled_with(setting, outside))));
+            EXPECT_THAT(message, HasSubstr("allowed " + accepted(setting)));
+        }
+    }
+}
+
+TEST(SettingTable, RefusesNanAndInfinityInEveryNumber) {
+    constexpr double infinity = std::numeric_limits<double>::infinity();
+    for (const Setting& setting : setting_table()) {
+        if (!holds_numbers(setting)) continue;
+        for (const double number : {std::nan(""), infinity, -infinity}) {
+            EXPECT_NE(refusal(setting, filled_with(setting, number)), "") << setting.full_name();
+        }
+        Settings settings = with_a_ball();
+        for (const char* word : {"nan", "inf", "-inf", "[nan, nan]", "inf,inf,inf", "0,0,0,nan"}) {
+            EXPECT_THROW(assign(settings, setting.full_name() + "=" + word), InputError) << setting.full_name();
+        }
+    }
+}
+
+TEST(SettingTable, RefusesOneBadNumberAmongGoodOnes) {
+    Settings settings = with_a_ball();
+    for (const char* bad : {"cloth.particles=4,nan", "cloth.size=1,0", "ball.position=0,0,1e5", "cloth.pinned=0,-1",
+                            "cloth.particles=1,8", "cloth.particles=8,1", "cloth.particles=0,0"}) {
+        EXPECT_THROW(assign(settings, bad), InputError) << bad;
+    }
+}
+
+TEST(SettingTable, RefusesValuesOfAnotherKind) {
+    const std::vector<SettingValue> values{true, 2.0, std::string("none"), std::vector<double>{4, 4}};
+    for (const Setting& setting : setting_table()) {
+        std::size_t accepted_kinds = 0;
+        for (const SettingValue& value : values) accepted_kinds += refusal(setting, value).empty() ? 1 : 0;
+        EXPECT_LE(accepted_kinds, setting.kind == SettingKind::Pins ? 2u : 1u) << setting.full_name();
+    }
+}
+
+TEST(SettingTable, RefusesFractionsWhereWholeNumbersAreWanted) {
+    Settings settings = with_a_ball();
+    for (const char* bad : {"contact.leaf_cells=4.5", "view.level=0.5", "cloth.particles=4.5,4", "cloth.pinned=1.5"}) {
+        EXPECT_THROW(assign(settings, bad), InputError) << bad;
+    }
+}
+
+TEST(SettingTable, RefusesListsOfAnotherLength) {
+    Settings settings = with_a_ball();
+    for (const char* bad : {"cloth.particles=4", "cloth.particles=4,4,4", "cloth.size=[]", "ball.position=1,2",
+                            "ball.position=1,2,3,4", "ball.path=1,2,3", "cloth.origin="}) {
+        EXPECT_THROW(assign(settings, bad), InputError) << bad;
+    }
+}
+
+TEST(SettingTable, SaysWhatIsAcceptedInItsHelp) {
+    const std::string help = settings_help();
+    for (const Setting& setting : setting_table()) {
+        EXPECT_THAT(
+            help, AllOf(HasSubstr(setting.full_name() + " = "), HasSubstr(setting.help), HasSubstr(accepted(setting))));
+    }
+    EXPECT_THAT(help, HasSubstr("solver.dt = 2e-04 [s]"));
+}
+
+TEST(SettingTable, FindsAShortNameThatOnlyOneSettingHas) {
+    EXPECT_EQ(find_setting("dt").full_name(), "solver.dt");
+    EXPECT_EQ(find_setting("integrator").full_name(), "solver.integrator");
+    EXPECT_EQ(find_setting("structural.stiffness").full_name(), "cloth.structural.stiffness");
+}
+
+TEST(SettingTable, NamesTheCandidatesOfAnAmbiguousShortName) {
+    EXPECT_THAT(input_error_of([] { find_setting("mass"); }),
+                AllOf(HasSubstr("'mass'"), HasSubstr("'cloth.mass' or 'ball.mass'")));
+    EXPECT_THAT(input_error_of([] { find_setting("velocity"); }),
+                AllOf(HasSubstr("'ball.velocity'"), HasSubstr("'wind.velocity'")));
+}
+
+TEST(SettingTable, NamesTheNearestKnownSetting) {
+    EXPECT_THAT(input_error_of([] { find_setting("solver.intergator"); }), HasSubstr("'solver.integrator'"));
+    EXPECT_THAT(input_error_of([] { find_setting("leafcells"); }), HasSubstr("'leaf_cells'"));
+    EXPECT_THAT(input_error_of([] { find_setting(""); }), HasSubstr("unknown setting ''"));
+    EXPECT_LT(input_error_of([] { find_setting(std::string(100'000, 'x')); }).size(), 300u);
+}
+
+}  // namespace
+}  // namespace drape
