@@ -1,0 +1,240 @@
+#include "drape/sim/session.h"
+
+#include <gmock/gmock.h>
+
+#include <random>
+
+#include "sim/small_scene.h"
+#include "support/scratch_file.h"
+
+namespace drape {
+namespace {
+
+using testing::HasSubstr;
+using testing_aid::ScratchFile;
+
+constexpr double unlimited = 1e9;  // s of wall time that the steps may take
+constexpr double dt = 1.0 / 1024;
+
+Session small_session() { return Session(small_simulation()); }
+
+/// Commands of all kinds that change the state, at given steps.
+Recording busy_recording() {
+    Recording recording{.scene = "drop", .assignments = {}, .entries = {}, .last_step = {}, .notice = {}};
+    const auto at = [&](std::int64_t step, const char* text) {
+        recording.entries.push_back({step, parse_command(text)});
+    };
+    at(0, "steer 1 0 -1");
+    at(20, "set wind.on=true");
+    at(40, "grab 0 75");
+    at(40, "drag 0.2 0.5 0.5");
+    at(60, "next integrator");
+    at(80, "orbit 0.1 0.2");
+    at(90, "release");
+    at(100, "set solver.dt=0.00048828125");
+    at(120, "next volume");
+    at(140, "pause");
+    at(140, "step 3");
+    at(143, "pause");
+    return recording;
+}
+
+std::int64_t steps_made(Session& session) { return session.simulation().report().step; }
+
+TEST(Session, MakesTheSameStatesWhateverTheFrameLengths) {
+    Session steady = small_session(), jerky = small_session(), at_once = small_session();
+    for (Session* session : {&steady, &jerky, &at_once}) session->replay(busy_recording());
+    std::mt19937 random(5);
+    while (steps_made(steady) < 200) steady.advance(1.0 / 2048, unlimited);
+    while (steps_made(jerky) < 200) {
+        const double left = (200 - static_cast<double>(steps_made(jerky))) / 2048;
+        jerky.advance(std::min(std::uniform_real_distribution<double>(0, 0.02)(random), left), unlimited);
+    }
+    for (double time = 0; steps_made(at_once) < 200; time += 1.0 / 2048) at_once.run_until(time);
+    EXPECT_EQ(steps_made(steady), 200);
+    EXPECT_EQ(steps_made(jerky), 200);
+    EXPECT_EQ(steps_made(at_once), 200);
+    EXPECT_EQ(steady.simulation().hash(), jerky.simulation().hash());
+    EXPECT_EQ(steady.simulation().hash(), at_once.simulation().hash());
+    Session alone = small_session();
+    alone.run_until(200 * dt);
+    EXPECT_NE(alone.simulation().hash(), steady.simulation().hash()) << "the commands did nothing";
+}
+
+TEST(Session, MakesAsManyStepsAsTimePasses) {
+    Session session = small_session();
+    for (int frame = 0; frame < 64; ++frame) session.advance(1.0 / 64, unlimited);
+    EXPECT_EQ(steps_made(session), 1024);
+    EXPECT_DOUBLE_EQ(session.simulation().report().time, 1);
+    EXPECT_EQ(session.dropped(), 0);
+}
+
+TEST(Session, RunsUntilTheLastStepNotBeyondATime) {
+    Session session = small_session();
+    session.run_until(2.75 * dt);
+    EXPECT_EQ(steps_made(session), 2);
+    EXPECT_DOUBLE_EQ(static_cast<double>(session.blend()), 0.75);
+    session.run_until(3 * dt);
+    EXPECT_EQ(steps_made(session), 3);
+    session.run_until(2 * dt);
+    EXPECT_EQ(steps_made(session), 3);
+    Session decimal(small_simulation({"dt=1e-4"}));
+    decimal.run_until(0.3);
+    EXPECT_EQ(steps_made(decimal), 3000) << "0.3 / 1e-4 is a little less than 3000 in floating point";
+}
+
+TEST(Session, BlendsBetweenTheLastTwoStates) {
+    Session session = small_session();
+    session.advance(1.5 * dt, unlimited);
+    EXPECT_EQ(steps_made(session), 1);
+    EXPECT_DOUBLE_EQ(static_cast<double>(session.blend()), 0.5);
+    EXPECT_DOUBLE_EQ(static_cast<double>(session.view().blend), 0.5);
+    session.send(command::Pause{});
+    EXPECT_EQ(session.blend(), 1);
+}
+
+TEST(Session, MakesUpForAQuarterOfASecondAfterAStallAndSaysWhatItDropped) {
+    Session session = small_session();
+    session.advance(10, unlimited);
+    EXPECT_EQ(steps_made(session), 256);
+    EXPECT_DOUBLE_EQ(session.dropped(), 9.75);
+    session.advance(dt, unlimited);
+    EXPECT_EQ(steps_made(session), 257);
+    session.advance(-5, unlimited);
+    EXPECT_EQ(steps_made(session), 257) << "a clock that goes back makes no steps and takes none";
+}
+
+TEST(Session, GivesUpWholeStepsThatItsBudgetDoesNotCover) {
+    Session session = small_session();
+    session.advance(10.5 * dt, 0);
+    EXPECT_EQ(steps_made(session), 1);
+    EXPECT_NEAR(session.dropped(), 9 * dt, 1e-12);
+    EXPECT_NEAR(static_cast<double>(session.blend()), 0.5, 1e-9);
+}
+
+TEST(Session, StandsStillWhilePausedAndGoesOnWithoutALeap) {
+    Session session = small_session();
+    session.advance(10 * dt, unlimited);
+    session.send(command::Pause{});
+    const std::uint64_t hash = session.simulation().hash();
+    session.advance(100, unlimited);
+    EXPECT_EQ(session.simulation().hash(), hash);
+    EXPECT_EQ(session.dropped(), 0);
+    session.send(command::Pause{});
+    session.advance(dt, unlimited);
+    EXPECT_EQ(steps_made(session), 11);
+}
+
+TEST(Session, MakesTheStepsAskedForAndThenStandsStill) {
+    Session session = small_session();
+    session.send(command::Step{3});
+    for (int frame = 0; frame < 5; ++frame) session.advance(1, unlimited);
+    EXPECT_EQ(steps_made(session), 3);
+    EXPECT_TRUE(session.simulation().paused());
+    EXPECT_EQ(session.simulation().steps_wanted(), 0);
+}
+
+TEST(Session, DoesNotWaitForStepsOfALostCloth) {
+    Session session(small_simulation({"dt=0.1", "integrator=explicit_euler"}));
+    session.send(command::Step{1'000'000});
+    session.advance(1, unlimited);
+    EXPECT_EQ(session.simulation().report().status, Status::Diverged);
+    session.send(command::Step{1'000'000});
+    session.advance(1, unlimited);
+    EXPECT_EQ(session.simulation().steps_wanted(), 0);
+}
+
+TEST(Session, HandsOutTheCommandsOfAReplayForTheCamera) {
+    Session session = small_session();
+    session.replay(busy_recording());
+    session.run_until(81 * dt);
+    bool orbited = false;
+    for (const Command& command : session.take_view_commands())
+        orbited |= std::holds_alternative<command::Orbit>(command);
+    EXPECT_TRUE(orbited);
+    EXPECT_TRUE(session.take_view_commands().empty());
+}
+
+TEST(RecordedSession, IsReplayedToTheSameBits) {
+    const ScratchFile file("session.txt");
+    Session live = small_session();
+    live.record(file.name(), {});
+    for (const RecordedEntry& entry : busy_recording().entries) {
+        while (steps_made(live) < entry.step)
+            live.simulation().paused() ? live.advance(0, unlimited) : live.advance(dt / 2, unlimited);
+        live.send(std::get<Command>(entry.content));
+    }
+    for (int i = 0; i < 2000; ++i) live.advance(dt, unlimited);
+    live.close();
+    const std::int64_t steps = steps_made(live);
+
+    const Recording recording = read_recording(file.name());
+    EXPECT_EQ(recording.notice, "");
+    EXPECT_EQ(recording.last_step, steps);
+    Session again = small_session();
+    again.replay(recording);
+    while (steps_made(again) < steps) again.advance(dt / 2, unlimited);
+    EXPECT_EQ(again.replay_notice(), "");
+    EXPECT_EQ(again.simulation().hash(), live.simulation().hash());
+}
+
+TEST(RecordedSession, DoesNotRecordWhatWasRefused) {
+    const ScratchFile file("session.txt");
+    Session session = small_session();
+    session.record(file.name(), {"dt=1e-4"});
+    EXPECT_THROW(session.send(command::Set{"dt=5"}), InputError);
+    EXPECT_THROW(session.send(command::Grab{0, 80}), InputError);
+    session.send(command::Pause{});
+    session.close();
+    const Recording recording = read_recording(file.name());
+    EXPECT_EQ(recording.assignments, std::vector<std::string>{"dt=1e-4"});
+    ASSERT_EQ(recording.entries.size(), 2u) << "the pause and the closing hash";
+    EXPECT_EQ(command_text(std::get<Command>(recording.entries[0].content)), "pause");
+}
+
+TEST(RecordedSession, IsClosedWithTheSession) {
+    const ScratchFile file("session.txt");
+    {
+        Session session = small_session();
+        session.record(file.name(), {});
+        session.advance(0.1, unlimited);
+    }
+    EXPECT_EQ(read_recording(file.name()).notice, "");
+}
+
+TEST(ReplayedSession, NamesTheFirstStepThatDiffers) {
+    Session session = small_session();
+    Session reference = small_session();
+    reference.run_until(10 * dt);
+    Recording recording;
+    recording.entries = {{10, reference.simulation().hash()}, {30, std::uint64_t{1}}, {40, std::uint64_t{2}}};
+    session.replay(recording);
+    session.run_until(29 * dt);
+    EXPECT_EQ(session.replay_notice(), "");
+    session.run_until(50 * dt);
+    EXPECT_THAT(session.replay_notice(), HasSubstr("before step 30"));
+}
+
+TEST(ReplayedSession, SaysThatItsRecordingWasCutOnceItHasPlayedIt) {
+    Session session = small_session();
+    Recording recording;
+    recording.entries = {{5, Command(command::Pause{})}};
+    recording.notice = "cut off";
+    session.replay(recording);
+    EXPECT_EQ(session.replay_notice(), "");
+    session.run_until(10 * dt);
+    EXPECT_EQ(session.replay_notice(), "cut off");
+}
+
+TEST(ReplayedSession, SaysWhichCommandItCouldNotCarryOut) {
+    Session session = small_session();
+    Recording recording;
+    recording.entries = {{1, Command(command::Grab{7, 0})}, {2, Command(command::Pause{})}};
+    session.replay(recording);
+    session.run_until(5 * dt);
+    EXPECT_THAT(session.replay_notice(), HasSubstr("cloth 7"));
+    EXPECT_TRUE(session.simulation().paused()) << "what follows is played";
+}
+
+}  // namespace
+}  // namespace drape
