@@ -25,7 +25,8 @@ int whole_number(const std::string& option, const std::string& text, int most) {
 double frame_rate(const std::string& text) {
     const auto number = parse_real(text);
     if (!number || !(*number >= lowest_fps && *number <= highest_fps)) {
-        throw InputError("--fps " + text + ": allowed " + real_text(lowest_fps) + " <= fps <= " + real_text(highest_fps));
+        throw InputError("--fps " + text + ": allowed " + real_text(lowest_fps) +
+                         " <= fps <= " + real_text(highest_fps));
     }
     return *number;
 }

@@ -29,9 +29,17 @@ struct OffscreenContext::Mesa {
 };
 
 OffscreenContext::OffscreenContext() : mesa_(std::make_unique<Mesa>()) {
-    const std::array<int, 11> wanted{OSMESA_FORMAT, OSMESA_RGBA, OSMESA_PROFILE, OSMESA_CORE_PROFILE,
-                                     OSMESA_CONTEXT_MAJOR_VERSION, 3, OSMESA_CONTEXT_MINOR_VERSION, 3,
-                                     OSMESA_DEPTH_BITS, 0, 0};
+    const std::array<int, 11> wanted{OSMESA_FORMAT,
+                                     OSMESA_RGBA,
+                                     OSMESA_PROFILE,
+                                     OSMESA_CORE_PROFILE,
+                                     OSMESA_CONTEXT_MAJOR_VERSION,
+                                     3,
+                                     OSMESA_CONTEXT_MINOR_VERSION,
+                                     3,
+                                     OSMESA_DEPTH_BITS,
+                                     0,
+                                     0};
     mesa_->context = OSMesaCreateContextAttribs(wanted.data(), nullptr);
     if (!mesa_->context) throw RunError("OSMesa has no OpenGL 3.3 core context");
     if (!OSMesaMakeCurrent(mesa_->context, mesa_->pixel.data(), GL_UNSIGNED_BYTE, 1, 1)) {

@@ -23,9 +23,26 @@ namespace {
 std::vector<std::string> command_line(const std::filesystem::path& file, int width, int height, double rate) {
     const std::string size = std::to_string(width) + "x" + std::to_string(height);
     // Most players want even sides and this pixel format
-    return {"ffmpeg", "-y", "-nostdin", "-loglevel", "error", "-f", "rawvideo", "-pixel_format", "rgb24", "-video_size",
-            size, "-framerate", real_text(rate), "-i", "pipe:0", "-vf", "pad=ceil(iw/2)*2:ceil(ih/2)*2", "-pix_fmt",
-            "yuv420p", std::filesystem::absolute(file).string()};
+    return {"ffmpeg",
+            "-y",
+            "-nostdin",
+            "-loglevel",
+            "error",
+            "-f",
+            "rawvideo",
+            "-pixel_format",
+            "rgb24",
+            "-video_size",
+            size,
+            "-framerate",
+            real_text(rate),
+            "-i",
+            "pipe:0",
+            "-vf",
+            "pad=ceil(iw/2)*2:ceil(ih/2)*2",
+            "-pix_fmt",
+            "yuv420p",
+            std::filesystem::absolute(file).string()};
 }
 
 }  // namespace

@@ -21,7 +21,7 @@ constexpr Real tolerance = Real(1e-6);
 
 /// Sweeps over the contacts. Positions stop earlier once no contact had to be corrected.
 constexpr int position_sweeps = 6;
-constexpr int velocity_sweeps = 6;
+constexpr int velocity_sweeps = 4;
 
 /// An approach slower than this many steps of gravity is resting, and does not bounce.
 constexpr Real resting_steps = 4;

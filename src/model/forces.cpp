@@ -22,17 +22,19 @@ DRAPE_INLINE void add_opposite(const Real* s, Real* f_a, Real* f_b, int count) {
 }
 
 /// The forces of `count` springs whose first ends start at a and whose second ends start at b, both contiguous.
-/// k, c, rest: spring law; x, v: positions and velocities by coordinate. A zero length is lifted to the smallest normal
-/// number, which makes the direction, and so the force, zero.
+/// k, c, rest: spring law; x, v: positions and velocities by coordinate. A zero length is lifted to a tiny
+/// one, which makes the direction, and so the force, zero.
 DRAPE_INLINE void spring_run(const Real* const x[3], const Real* const v[3], int a, int b, int count, Real k, Real c,
                              Real rest, Real* const f[3]) {
+    const Real tiny =
+        std::sqrt(std::numeric_limits<Real>::min());  // so tiny that its inverse is still far from infinity
     Real sx[run_length], sy[run_length], sz[run_length];
     const Real *ax = x[0] + a, *ay = x[1] + a, *az = x[2] + a, *bx = x[0] + b, *by = x[1] + b, *bz = x[2] + b;
     const Real *ux = v[0] + a, *uy = v[1] + a, *uz = v[2] + a, *wx = v[0] + b, *wy = v[1] + b, *wz = v[2] + b;
     for (int i = 0; i < count; ++i) {
         const Real dx = ax[i] - bx[i], dy = ay[i] - by[i], dz = az[i] - bz[i];
         const Real length = std::sqrt(dx * dx + dy * dy + dz * dz);
-        const Real inverse = 1 / std::max(length, std::numeric_limits<Real>::min());
+        const Real inverse = 1 / std::max(length, tiny);
         const Real closing = (dx * (ux[i] - wx[i]) + dy * (uy[i] - wy[i]) + dz * (uz[i] - wz[i])) * inverse;
         const Real scale = -(k * (length - rest) + c * closing) * inverse;
         sx[i] = scale * dx;

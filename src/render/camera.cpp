@@ -14,7 +14,7 @@ namespace drape {
 namespace {
 
 constexpr float field_of_view = 38 * std::numbers::pi_v<float> / 180;  // of the picture's height
-constexpr float steepest = 1.5f;  // pitch [rad]: short of the poles, where the yaw would lose its meaning
+constexpr float steepest = 1.5f;                // pitch [rad]: short of the poles, where the yaw would lose its meaning
 constexpr float nearest = 0.1f, farthest = 60;  // distance to the target [m]
 constexpr float reach = 100;                    // of the target from the origin [m]
 

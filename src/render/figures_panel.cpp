@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <array>
+#include <cfloat>
 #include <cstdio>
 #include <string>
 #include <vector>
@@ -18,8 +19,8 @@ namespace {
 struct Row {
     const char* name;
     std::string value;
-    float part = -1;        // of a bar, in [0, 1]; below 0 there is none
-    int importance = 1;     // rows of the lowest go first where there is no room
+    float part = -1;     // of a bar, in [0, 1]; below 0 there is none
+    int importance = 1;  // rows of the lowest go first where there is no room
     ImU32 colour = ink::text;
     bool opens_group = false;
 };
@@ -102,9 +103,8 @@ float height_of(const std::vector<Row>& rows, float line, float gap) {
 // Leaves out rows until the rest fits
 void drop_rows(std::vector<Row>& rows, float line, float gap, float room) {
     while (!rows.empty() && height_of(rows, line, gap) > room) {
-        const auto least = std::min_element(rows.rbegin(), rows.rend(), [](const Row& a, const Row& b) {
-            return a.importance < b.importance;
-        });
+        const auto least = std::min_element(rows.rbegin(), rows.rend(),
+                                            [](const Row& a, const Row& b) { return a.importance < b.importance; });
         rows.erase(std::next(least).base());
     }
 }
@@ -139,13 +139,15 @@ float figures_panel(const FrameView& view, const FrameReport& last, ImFont* titl
     const float line = ImGui::GetTextLineHeightWithSpacing(), gap = 0.45f * size;
     const float title_height = title->FontSize + 0.4f * size;
     drop_rows(rows, line, gap, page.height - 4 * margin - title_height);
-    const float width = std::min(15.5f * size + 2 * margin, page.width - 2 * margin);
+    const std::string& scene = view.settings->title;
+    const char* name = scene.empty() ? "Drape" : scene.c_str();
+    const float title_width = title->CalcTextSizeA(title->FontSize, FLT_MAX, 0, name).x;
+    const float width = std::min(std::max(15.5f * size, title_width + margin) + 2 * margin, page.width - 2 * margin);
     const float height = std::min(height_of(rows, line, gap) + title_height + 2 * margin, page.height - 2 * margin);
     draw_panel({margin, margin}, {width, height});
 
-    const std::string& name = view.settings->title;
     ImGui::PushFont(title);
-    text_at({2 * margin, 2 * margin}, ink::text, name.empty() ? "Drape" : name.c_str());
+    text_at({2 * margin, 2 * margin}, ink::text, name);
     ImGui::PopFont();
     const float value = 2 * margin + 5.8f * size;
     const Columns columns{2 * margin, value, value + 5.2f * size, width};

@@ -19,7 +19,8 @@ namespace {
 // A file that is being written under a name of its own; gone if it is not finished.
 class UnfinishedFile {
 public:
-    explicit UnfinishedFile(const std::filesystem::path& file) : file_(file), name_(file.string() + ".part" + std::to_string(::getpid())) {
+    explicit UnfinishedFile(const std::filesystem::path& file)
+        : file_(file), name_(file.string() + ".part" + std::to_string(::getpid())) {
         descriptor_ = ::open(name_.c_str(), O_WRONLY | O_CREAT | O_TRUNC | O_CLOEXEC, 0666);
         if (descriptor_ < 0) fail("cannot be created");
     }

@@ -30,7 +30,8 @@ Scissor scissor_of(const ImVec4& clip, const ImVec2& display) {
 
 }  // namespace
 
-OverlayPainter::OverlayPainter(Gl& gl, StreamBuffer& stream) : gl_(gl), program_(gl, "overlay"), array_(gl), atlas_(gl) {
+OverlayPainter::OverlayPainter(Gl& gl, StreamBuffer& stream)
+    : gl_(gl), program_(gl, "overlay"), array_(gl), atlas_(gl) {
     unsigned char* pixels = nullptr;
     int width = 0, height = 0;
     ImGui::GetIO().Fonts->GetTexDataAsAlpha8(&pixels, &width, &height);
@@ -106,7 +107,8 @@ void OverlayPainter::draw(const StreamBuffer& stream) {
                 gl_(glScissor, scissor.x, scissor.y, scissor.width, scissor.height);
                 current = scissor;
             }
-            gl_.draw_short_elements(static_cast<int>(command.ElemCount), first_index + command.IdxOffset * sizeof(ImDrawIdx),
+            gl_.draw_short_elements(static_cast<int>(command.ElemCount),
+                                    first_index + command.IdxOffset * sizeof(ImDrawIdx),
                                     first_vertex + static_cast<int>(command.VtxOffset));
         }
         first_vertex += list.VtxBuffer.Size;

@@ -103,7 +103,8 @@ void OverlayPanels::help_panel(const OverlayPage& page, float taken) const {
         texts = std::max(texts, ImGui::CalcTextSize(line.text.c_str()).x);
     }
     const float margin = page.margin;
-    const float width = std::min(keys + gap + texts + 2 * margin, std::max(page.width - taken - 2 * margin, page.width / 3));
+    const float width =
+        std::min(keys + gap + texts + 2 * margin, std::max(page.width - taken - 2 * margin, page.width / 3));
     const auto fitting = static_cast<std::size_t>(std::max(1.0f, (page.height - 4 * margin) / row));
     const std::size_t rows = std::min(help.size(), fitting);
 

@@ -14,8 +14,8 @@ struct ImGuiContext;
 
 namespace drape {
 
-/// The panels over the picture, made with Dear ImGui: figures at the top left, help at the right, notices at the bottom.
-/// Dear ImGui's context lives as long as this does.
+/// The panels over the picture, made with Dear ImGui: figures at the top left, help at the right, notices at the
+/// bottom. Dear ImGui's context lives as long as this does.
 class OverlayPanels {
 public:
     OverlayPanels();

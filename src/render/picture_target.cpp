@@ -17,14 +17,22 @@ void attach(Gl& gl, const Renderbuffer& buffer, GLenum attachment) {
 
 void check_complete(Gl& gl, int width, int height) {
     if (gl(glCheckFramebufferStatus, GLenum{GL_FRAMEBUFFER}) != GL_FRAMEBUFFER_COMPLETE) {
-        throw RunError("OpenGL refuses a picture of " + std::to_string(width) + "x" + std::to_string(height) + " pixels");
+        throw RunError("OpenGL refuses a picture of " + std::to_string(width) + "x" + std::to_string(height) +
+                       " pixels");
     }
 }
 
 }  // namespace
 
 PictureTarget::PictureTarget(Gl& gl, int width, int height)
-    : gl_(gl), width_(width), height_(height), colour_(gl), depth_(gl), resolved_colour_(gl), samples_(gl), resolved_(gl) {
+    : gl_(gl),
+      width_(width),
+      height_(height),
+      colour_(gl),
+      depth_(gl),
+      resolved_colour_(gl),
+      samples_(gl),
+      resolved_(gl) {
     GLint most = 0;
     gl(glGetIntegerv, GLenum{GL_MAX_SAMPLES}, &most);
     const int count = std::min(wanted_samples, static_cast<int>(most));

@@ -7,9 +7,9 @@
 #include <string>
 #include <utility>
 
+#include "backdrop.h"
 #include "drape/base/input_error.h"
 #include "drape/base/stopwatch.h"
-#include "backdrop.h"
 #include "frame_data.h"
 #include "frame_meter.h"
 #include "marks.h"

@@ -13,7 +13,8 @@ enum class Region { Frame, Balls, Cloth, Contacts, Bounds, OverlayVertices, Over
 
 /// One buffer for all that changes from frame to frame, so that a frame needs one upload.
 /// It stays bound to GL_ARRAY_BUFFER, for the upload and for `place_attribute`.
-/// First every part says what it needs, then `arrange`, then the parts follow regions that moved and write, then `upload`.
+/// First every part says what it needs, then `arrange`, then the parts follow regions that moved and write, then
+/// `upload`.
 class StreamBuffer {
 public:
     /// Has room for a usual scene from the start, so that vertex arrays seldom have to follow.

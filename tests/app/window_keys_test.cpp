@@ -45,9 +45,19 @@ TEST_F(WindowTest, AHeldKeySteersUntilItIsLetGo) {
     desktop_.act({"keydown", "Left"});
     ASSERT_TRUE(recorded("steer "));
     sleep_for(0.7);
-    EXPECT_EQ(commands().size(), 1u) << "the key's repeats were taken for presses";
+    EXPECT_EQ(commands().size(), 1u);
     desktop_.act({"keyup", "Left"});
     EXPECT_TRUE(recorded("steer 0 0 0", 1));
+    quit();
+}
+
+TEST_F(WindowTest, AKeyThatRepeatsActsOnce) {
+    start({"hang"});
+    desktop_.act({"keydown", "v"});
+    ASSERT_TRUE(recorded("next wind.on"));
+    sleep_for(1);
+    desktop_.act({"keyup", "v"});
+    EXPECT_EQ(commands().size(), 1u);
     quit();
 }
 

@@ -52,9 +52,10 @@ void sleep_for(double seconds);
 
 template <class Condition>
 bool eventually(Condition condition, double seconds) {
-    for (double waited = 0; waited < seconds; waited += 0.05) {
+    constexpr double pause = 0.05;  // s
+    for (int turns = static_cast<int>(seconds / pause); turns > 0; --turns) {
         if (condition()) return true;
-        sleep_for(0.05);
+        sleep_for(pause);
     }
     return condition();
 }

@@ -36,11 +36,12 @@ public:
     ClothQuadtree(const Grid& grid, int leaf_cells)
         : grid_(grid), nodes_(make_quadtree_nodes(grid, leaf_cells)), volumes_(nodes_.size()), states_(nodes_.size()) {}
 
-    /// Top-down: every node, from the root, is fitted to all of its own particles, as the original does it.
+    /// Top-down: every node, from the root, is fitted to all of its own particles, as the original does it. A node is
+    /// followed by all that is below it, while its particles are still in the cache.
     /// @par Cost O(particles * levels)
     void build(const Points& x, Real thickness) override {
         DRAPE_ASSERT(x.rows() == grid_.particles());
-        for (std::size_t n = 0; n < nodes_.size(); ++n) volumes_[n] = Volume::fit(patch_of(nodes_[n], x), thickness);
+        fit_from(0, x, thickness);
         std::fill(states_.begin(), states_.end(), NodeState::Unvisited);
     }
 
@@ -96,6 +97,12 @@ private:
         const int first = grid_.particle(node.i0, node.j0);
         return {x.col(0).data() + first, x.col(1).data() + first, x.col(2).data() + first,
                 node.i1 - node.i0 + 1,   node.j1 - node.j0 + 1,   grid_.nx};
+    }
+
+    void fit_from(int n, const Points& x, Real thickness) {
+        const QuadtreeNode& node = nodes_[static_cast<std::size_t>(n)];
+        volumes_[static_cast<std::size_t>(n)] = Volume::fit(patch_of(node, x), thickness);
+        for (int child = 0; child < node.children; ++child) fit_from(node.first_child + child, x, thickness);
     }
 
     void append_cells(const QuadtreeNode& node, std::vector<int>& cells) const {

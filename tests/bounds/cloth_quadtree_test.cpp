@@ -1,0 +1,137 @@
+#include "drape/bounds/cloth_quadtree.h"
+
+#include <gtest/gtest.h>
+
+#include "drape/bounds/bounding_sphere.h"
+#include "support/allocations.h"
+#include "support/cloths.h"
+
+namespace drape {
+namespace {
+
+const Grid shapes[] = {{2, 2}, {3, 2}, {2, 300}, {300, 2}, {5, 5}, {6, 5}, {30, 30}, {31, 17}, {257, 257}};
+
+TEST(QuadtreeNodes, TileTheirParentsDownToLeavesOfTheWantedSize) {
+    for (const Grid& grid : shapes) {
+        for (const int leaf_cells : {1, 2, 4, 7, 64}) {
+            const auto nodes = make_quadtree_nodes(grid, leaf_cells);
+            std::vector<int> covered(static_cast<std::size_t>(grid.cells()), 0);
+            for (const QuadtreeNode& node : nodes) {
+                int cells = 0;
+                for (int c = 0; c < node.children; ++c) {
+                    const QuadtreeNode& child = nodes[static_cast<std::size_t>(node.first_child + c)];
+                    cells += (child.i1 - child.i0) * (child.j1 - child.j0);
+                    EXPECT_TRUE(child.i0 >= node.i0 && child.i1 <= node.i1 && child.j0 >= node.j0 &&
+                                child.j1 <= node.j1);
+                    EXPECT_EQ(child.level, node.level + 1);
+                }
+                if (node.children > 0) {
+                    EXPECT_EQ(cells, (node.i1 - node.i0) * (node.j1 - node.j0));
+                    continue;
+                }
+                EXPECT_LE(std::max(node.i1 - node.i0, node.j1 - node.j0), leaf_cells);
+                for (int j = node.j0; j < node.j1; ++j) {
+                    for (int i = node.i0; i < node.i1; ++i)
+                        ++covered[static_cast<std::size_t>(j * grid.cell_columns() + i)];
+                }
+            }
+            EXPECT_TRUE(std::all_of(covered.begin(), covered.end(), [](int times) { return times == 1; }))
+                << grid.nx << " x " << grid.ny << ", leaf " << leaf_cells;
+        }
+    }
+}
+
+TEST(SphereQuadtree, EveryNodeContainsAllParticlesBelowIt) {
+    std::mt19937 random(7);
+    for (const Grid& grid : shapes) {
+        const Points x = testing::random_cloth(grid, random);
+        ClothQuadtree<BoundingSphere> tree(grid, 4);
+        tree.build(x, 0.001);
+        for (std::size_t n = 0; n < tree.nodes().size(); ++n) {
+            const QuadtreeNode& node = tree.nodes()[n];
+            const BoundingSphere& sphere = tree.volumes()[n];
+            for (int j = node.j0; j <= node.j1; ++j) {
+                for (int i = node.i0; i <= node.i1; ++i) {
+                    const Vec3 p = x.row(grid.particle(i, j)).transpose();
+                    ASSERT_LE((p - sphere.centre).norm() + 0.001, sphere.radius);
+                }
+            }
+        }
+    }
+}
+
+TEST(SphereQuadtree, CountsWhatItDoes) {
+    const Grid grid{9, 9};
+    ClothParameters parameters;
+    parameters.particles = grid;
+    const Points x = make_rest_state(parameters).x;
+    ClothQuadtree<BoundingSphere> tree(grid, 4);
+    tree.build(x, 0);
+    std::vector<int> cells;
+
+    // Beyond everything: the root alone is tested
+    TraversalStats stats = tree.query({.centre = Vec3(0, 9, 0), .radius = 1}, cells);
+    EXPECT_EQ(stats.nodes, 5);
+    EXPECT_EQ(stats.visited, 1);
+    EXPECT_EQ(stats.volume_tests, 1);
+    EXPECT_EQ(stats.leaves, 0);
+    EXPECT_EQ(stats.candidates, 0);
+
+    // At the corner of the first quarter: one leaf of four
+    stats = tree.query({.centre = Vec3(0, 0, 0), .radius = 0.05}, cells);
+    EXPECT_EQ(stats.visited, 5);
+    EXPECT_EQ(stats.leaves, 1);
+    EXPECT_EQ(stats.candidates, 16);
+    EXPECT_EQ(cells.size(), 16u);
+
+    // Around everything
+    stats = tree.query({.centre = Vec3(0, 0, 0), .radius = 9}, cells);
+    EXPECT_EQ(stats.leaves, 4);
+    EXPECT_EQ(stats.candidates, 64);
+}
+
+TEST(SphereQuadtree, ShowsEachLevelWithWhatTheQueryDid) {
+    const Grid grid{9, 9};
+    ClothParameters parameters;
+    parameters.particles = grid;
+    const Points x = make_rest_state(parameters).x;
+    ClothQuadtree<BoundingSphere> tree(grid, 4);
+    tree.build(x, 0);
+    std::vector<int> cells;
+    std::vector<NodeView> views;
+    tree.query({.centre = Vec3(0, 0, 0), .radius = 0.05}, cells);
+    EXPECT_EQ(tree.levels(), 2);
+    tree.nodes_at(0, {}, views);
+    ASSERT_EQ(views.size(), 1u);
+    EXPECT_EQ(views[0].state, NodeState::Visited);
+    tree.nodes_at(1, {}, views);
+    ASSERT_EQ(views.size(), 4u);
+    EXPECT_EQ(views[0].state, NodeState::Leaf);
+    EXPECT_EQ(views[3].state, NodeState::Pruned);
+    EXPECT_TRUE(views[0].placement.centre.isApprox(Vec3(0.25, 0, 0.25)));
+    const int touched[] = {0};
+    tree.nodes_at(1, touched, views);
+    EXPECT_EQ(views[0].state, NodeState::Touching);
+    EXPECT_EQ(views[3].state, NodeState::Pruned);
+}
+
+TEST(BroadPhases, AllocateNothingAfterTheFirstFrame) {
+    std::mt19937 random(8);
+    const Grid grid{31, 17};
+    const Points x = testing::random_cloth(grid, random);
+    for (const VolumeKind volume : {VolumeKind::Sphere, VolumeKind::Brute}) {
+        const auto broad_phase = make_broad_phase({.volume = volume}, grid);
+        std::vector<int> cells;
+        const auto frame = [&] {
+            broad_phase->build(x, 0);
+            broad_phase->query({.centre = Vec3::Zero(), .radius = 1}, cells);
+        };
+        frame();
+        const auto before = testing::allocations();
+        frame();
+        EXPECT_EQ(testing::allocations(), before);
+    }
+}
+
+}  // namespace
+}  // namespace drape

@@ -1,0 +1,246 @@
+#include <gmock/gmock.h>
+#include <unistd.h>
+
+#include <algorithm>
+#include <csignal>
+#include <filesystem>
+#include <fstream>
+#include <sstream>
+
+#include "drape/render/image.h"
+#include "drape/render/renderer.h"
+#include "drape/sim/step_report.h"
+#include "program.h"
+
+namespace drape::test {
+namespace {
+
+using ::testing::ElementsAre;
+using ::testing::HasSubstr;
+using Words = std::vector<std::string>;
+
+/// A run of a few small frames.
+Words small(const std::string& scene, Words more) {
+    Words words{scene, "--size", "160x90", "--fps", "120"};
+    words.insert(words.end(), more.begin(), more.end());
+    return words;
+}
+
+Words columns(const std::string& line) {
+    Words all;
+    std::stringstream in(line);
+    for (std::string word; std::getline(in, word, ',');) all.push_back(word);
+    return all;
+}
+
+std::vector<Words> table(const std::string& file) {
+    std::vector<Words> rows;
+    std::stringstream in(text_of(file));
+    for (std::string line; std::getline(in, line);) rows.push_back(columns(line));
+    return rows;
+}
+
+TEST(Capture, WritesNumberedFramesAndNothingElse) {
+    const TestFolder folder;
+    EXPECT_EQ(run_program("drape-capture", small("drop", {"--frames", "3", "--out", folder / "a/b"})).exit_code, 0);
+    EXPECT_THAT(folder.names("a/b"), ElementsAre("frame_0001.png", "frame_0002.png", "frame_0003.png"));
+    EXPECT_EQ(read_png(folder / "a/b/frame_0003.png").width, 160);
+}
+
+TEST(Capture, DrawsEverySoManiethFrame) {
+    const TestFolder folder;
+    const Words words = small("drop", {"--frames", "7", "--every", "3", "--out", folder / "a"});
+    EXPECT_EQ(run_program("drape-capture", words).exit_code, 0);
+    EXPECT_THAT(folder.names("a"), ElementsAre("frame_0003.png", "frame_0006.png"));
+}
+
+TEST(Capture, ReachesTheSameStateAsTheLab) {
+    const TestFolder folder;
+    const Outcome lab = run_program("drape-lab", {"simulate", "curtain", "--time", "0.25", "--hash"});
+    const Words hash{"curtain", "--frames", "15", "--fps", "60", "--hash"};
+    EXPECT_EQ(run_program("drape-capture", hash).out, lab.out);
+    Words drawn = hash;
+    drawn.insert(drawn.end(), {"--size", "64x36", "--out", folder / "a", "--every", "5", "--overlay"});
+    EXPECT_EQ(run_program("drape-capture", drawn).out, lab.out);
+    EXPECT_EQ(lab.out.size(), 17u);
+}
+
+TEST(Capture, WritesARowOfEveryFieldForEachFrame) {
+    const TestFolder folder;
+    const std::string file = folder / "s.csv";
+    EXPECT_EQ(run_program("drape-capture", small("drop", {"--frames", "4", "--every", "2", "--stats", file})).exit_code,
+              0);
+    const std::vector<Words> rows = table(file);
+    ASSERT_EQ(rows.size(), 3u);
+    Words wanted{"frame"};
+    for (const ReportField& field : report_fields()) wanted.emplace_back(field.name);
+    for (const FrameField& field : frame_fields()) wanted.emplace_back(field.name);
+    EXPECT_EQ(rows[0], wanted);
+    for (std::size_t i = 1; i < rows.size(); ++i) EXPECT_EQ(rows[i].size(), wanted.size());
+    EXPECT_EQ(rows[1][0], "2");
+    EXPECT_EQ(rows[2][0], "4");
+}
+
+TEST(Capture, WritesTheLastState) {
+    const TestFolder folder;
+    const std::string ours = folder / "a.csv", labs = folder / "b.csv";
+    run_program("drape-capture", {"two_corners", "--frames", "6", "--fps", "60", "--state", ours});
+    run_program("drape-lab", {"simulate", "two_corners", "--time", "0.1", "--state", labs});
+    EXPECT_EQ(text_of(ours), text_of(labs));
+    EXPECT_GT(text_of(ours).size(), 1000u);
+}
+
+TEST(Capture, NeedsAtMostSixtyCallsWithEverythingOn) {
+    const TestFolder folder;
+    const std::string file = folder / "s.csv";
+    const Words words = small("drop", {"--frames", "60", "--every", "6", "--overlay", "--out", folder / "a", "--stats",
+                                       file, "--set", "view.bounds=true", "view.contacts=true", "view.particles=true",
+                                       "view.wireframe=true", "view.help=true"});
+    EXPECT_EQ(run_program("drape-capture", words).exit_code, 0);
+    const std::vector<Words> rows = table(file);
+    ASSERT_EQ(rows.size(), 11u);
+    const auto column = std::find(rows[0].begin(), rows[0].end(), "gl_calls") - rows[0].begin();
+    double most = 0;
+    for (std::size_t i = 1; i < rows.size(); ++i)
+        most = std::max(most, std::stod(rows[i][static_cast<std::size_t>(column)]));
+    EXPECT_LE(most, 60);
+    EXPECT_GT(most, 40) << "less than all of it can need";
+}
+
+TEST(Capture, RefusesBadNumbersWithTheirRange) {
+    for (const auto& [words, said] : std::vector<std::pair<Words, std::string>>{
+             {{"--frames", "0"}, "--frames 0: allowed 1 to"},
+             {{"--frames", "two"}, "--frames two"},
+             {{"--frames", "1", "--size", "0x5"}, "--size 0x5: allowed WxH, 1 to 8192 each"},
+             {{"--frames", "1", "--size", "9000x5"}, "--size 9000x5"},
+             {{"--frames", "1", "--size", "12"}, "--size 12"},
+             {{"--frames", "1", "--fps", "nan"}, "--fps nan"},
+             {{"--frames", "2", "--every", "3"}, "--every 3"},
+             {{"--frames", "1", "--set", "dt=-1"}, "dt"},
+             {{"nowhere", "--frames", "1"}, "nowhere"},
+             {{}, "--frames"}}) {
+        const Outcome outcome = run_program("drape-capture", words);
+        EXPECT_EQ(outcome.exit_code, 2) << said;
+        EXPECT_THAT(outcome.err, HasSubstr(said));
+    }
+}
+
+TEST(Capture, DrawsOnePixel) {
+    const TestFolder folder;
+    const Words words{"drop", "--frames", "1", "--size", "1x1", "--overlay", "--out", folder / "a"};
+    EXPECT_EQ(run_program("drape-capture", words).exit_code, 0);
+    EXPECT_EQ(read_png(folder / "a/frame_0001.png").rgb.size(), 3u);
+}
+
+TEST(Capture, SaysBeforeItSimulatesThatAFolderTakesNoFiles) {
+    const TestFolder folder;
+    const Outcome outcome = run_program("drape-capture", small("drop", {"--frames", "100000", "--out", "/proc/drape"}));
+    EXPECT_EQ(outcome.exit_code, 1);
+    EXPECT_THAT(outcome.err, HasSubstr("--out /proc/drape"));
+}
+
+TEST(Capture, SaysThatADiskIsFull) {
+    const Outcome outcome = run_program("drape-capture", small("drop", {"--frames", "2", "--stats", "/dev/full"}));
+    EXPECT_EQ(outcome.exit_code, 1);
+    EXPECT_THAT(outcome.err, HasSubstr("/dev/full"));
+}
+
+TEST(Capture, KeepsThePicturesIfThereIsNoFfmpeg) {
+    const TestFolder folder;
+    const Words words = small("drop", {"--frames", "2", "--out", folder / "a", "--video", folder / "v.mp4"});
+    const Outcome outcome = run_program("drape-capture", words, {"PATH=/nowhere"});
+    EXPECT_EQ(outcome.exit_code, 1);
+    EXPECT_THAT(outcome.err, HasSubstr("ffmpeg could not be started"));
+    EXPECT_EQ(folder.names("a").size(), 2u);
+}
+
+TEST(Capture, KeepsThePicturesIfFfmpegDies) {
+    const TestFolder folder;
+    ASSERT_EQ(symlink("/bin/false", (folder / "ffmpeg").c_str()), 0);
+    const Words words = small("drop", {"--frames", "4", "--out", folder / "a", "--video", folder / "v.mp4"});
+    const Outcome outcome = run_program("drape-capture", words, {"PATH=" + folder / ""});
+    EXPECT_EQ(outcome.exit_code, 1);
+    EXPECT_THAT(outcome.err, HasSubstr("ffmpeg failed with status 1"));
+    EXPECT_EQ(folder.names("a").size(), 4u);
+}
+
+TEST(Capture, FeedsFfmpegWholeFrames) {
+    const TestFolder folder;
+    const std::string script = folder / "ffmpeg", raw = folder / "raw";
+    std::ofstream(script) << "#!/bin/sh\ncat > " << raw << "\n";
+    std::filesystem::permissions(script, std::filesystem::perms::owner_all);
+    const Words words = small("drop", {"--frames", "3", "--video", folder / "v.mp4"});
+    EXPECT_EQ(run_program("drape-capture", words, {"PATH=" + folder / "" + ":/bin:/usr/bin"}).exit_code, 0);
+    EXPECT_EQ(text_of(raw).size(), 3u * 160 * 90 * 3);
+}
+
+TEST(Capture, FinishesItsFrameWhenItIsInterrupted) {
+    for (const int signal : {SIGINT, SIGTERM}) {
+        const TestFolder folder;
+        const std::string stats = folder / "s.csv";
+        const Words words = small("drop", {"--frames", "100000", "--out", folder / "a", "--stats", stats});
+        EXPECT_EQ(interrupt_program("drape-capture", words, folder / "a/frame_000002.png", signal).exit_code,
+                  128 + signal);
+        const Words names = folder.names("a");
+        EXPECT_EQ(table(stats).size(), names.size() + 1);
+        EXPECT_EQ(read_png(folder / "a/" + names.back()).width, 160);
+    }
+}
+
+TEST(Capture, EndsWithTheFramesKeptWhenTheStepIsUnstable) {
+    const TestFolder folder;
+    const Words unstable{"solver.dt=0.02", "solver.integrator=explicit_euler"};
+    Words words = small("drop", {"--frames", "60", "--every", "1", "--out", folder / "a", "--set"});
+    words.insert(words.end(), unstable.begin(), unstable.end());
+    const Outcome warned = run_program("drape-capture", words);
+    EXPECT_EQ(warned.exit_code, 0);
+    EXPECT_THAT(warned.err, HasSubstr("particle"));
+    EXPECT_EQ(folder.names("a").size(), 60u);
+
+    words[std::size_t(std::find(words.begin(), words.end(), folder / "a") - words.begin())] = folder / "b";
+    words.emplace_back("solver.on_unstable=stop");
+    const Outcome stopped = run_program("drape-capture", words);
+    EXPECT_EQ(stopped.exit_code, 1);
+    EXPECT_THAT(stopped.err, HasSubstr("particle"));
+    EXPECT_LT(folder.names("b").size(), 60u);
+}
+
+TEST(Capture, FollowsTheViewOfAReplay) {
+    const TestFolder folder;
+    std::ofstream(folder / "orbit.txt") << "drape-recording 1\nscene drop\n3 orbit 0.8 0.2\n100 end\n";
+    std::ofstream(folder / "scene.txt") << "drape-recording 1\nscene drop\n3 scene hang\n100 end\n";
+    std::ofstream(folder / "still.txt") << "drape-recording 1\nscene drop\n100 end\n";
+    std::vector<Image> images;
+    for (const std::string name : {"still", "orbit", "scene"}) {
+        const Words words{"--replay",   folder / (name + ".txt"), "--frames", "1", "--size", "160x90", "--out",
+                          folder / name};
+        EXPECT_EQ(run_program("drape-capture", words).exit_code, 0);
+        images.push_back(read_png(folder / (name + "/frame_0001.png")));
+    }
+    EXPECT_NE(images[0].rgb, images[1].rgb);
+    EXPECT_NE(images[0].rgb, images[2].rgb);
+}
+
+TEST(Capture, DrawsThePanelOnlyIfItIsAskedTo) {
+    const TestFolder folder;
+    Words words{"drop", "--frames", "1", "--size", "640x480", "--out", folder / "a", "--set", "view.overlay=true"};
+    run_program("drape-capture", words);
+    words[6] = folder / "b";
+    words.emplace_back("--overlay");
+    run_program("drape-capture", words);
+    const Image without = read_png(folder / "a/frame_0001.png"), with = read_png(folder / "b/frame_0001.png");
+    EXPECT_GT(without.pixel(20, 20)[1], 100);
+    EXPECT_LT(with.pixel(20, 60)[1], 100);
+    EXPECT_EQ(with.pixel(600, 400)[1], without.pixel(600, 400)[1]);
+}
+
+TEST(Capture, NeverNamesLibGl) {
+    const std::string program = text_of(std::string(DRAPE_PROGRAMS) + "/drape-capture");
+    const std::size_t mesa = program.find("libOSMesa.so");
+    EXPECT_NE(mesa, std::string::npos);
+    EXPECT_EQ(program.find("libGL.so"), std::string::npos);
+    EXPECT_LT(mesa, program.find("libGLEW.so"));
+}
+
+}  // namespace
+}  // namespace drape::test

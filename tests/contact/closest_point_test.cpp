@@ -1,0 +1,95 @@
+#include "drape/contact/closest_point.h"
+
+#include <gtest/gtest.h>
+
+#include <Eigen/Geometry>
+
+#include <algorithm>
+#include <random>
+
+#include "drape/contact/contact.h"
+#include "support/cloths.h"
+
+namespace drape {
+namespace {
+
+Real distance_to_segment(const Vec3& p, const Vec3& a, const Vec3& b) {
+    const Vec3 ab = b - a;
+    const Real s = ab.squaredNorm() > 0 ? std::clamp((p - a).dot(ab) / ab.squaredNorm(), Real(0), Real(1)) : Real(0);
+    return (a + s * ab - p).norm();
+}
+
+/// Another way to the same distance: the plane where the foot lies inside, else the nearest of the three edges.
+Real reference_distance(const Vec3& p, const Vec3& a, const Vec3& b, const Vec3& c) {
+    Real best = std::min({distance_to_segment(p, a, b), distance_to_segment(p, b, c), distance_to_segment(p, c, a)});
+    const Vec3 n = (b - a).cross(c - a);
+    if (n.squaredNorm() == 0) return best;
+    const Vec3 foot = p - (p - a).dot(n) / n.squaredNorm() * n;
+    const bool inside = (b - a).cross(foot - a).dot(n) >= 0 && (c - b).cross(foot - b).dot(n) >= 0 &&
+                        (a - c).cross(foot - c).dot(n) >= 0;
+    return inside ? std::min(best, (foot - p).norm()) : best;
+}
+
+TEST(ClosestPoint, IsTheNearestOfTheTriangle) {
+    std::mt19937 random(9);
+    std::uniform_real_distribution<Real> unit(-1, 1);
+    const auto point = [&] { return Vec3(unit(random), unit(random), unit(random)); };
+    for (int round = 0; round < 200'000; ++round) {
+        const Vec3 p = 2 * point(), a = point(), b = point(), c = point();
+        const ClosestPoint closest = closest_point_on_triangle(p, a, b, c);
+        const auto& w = closest.barycentric;
+        ASSERT_NEAR((closest.point - p).norm(), reference_distance(p, a, b, c), 1e-12);
+        ASSERT_LT((w[0] * a + w[1] * b + w[2] * c - closest.point).norm(), 1e-12);
+        ASSERT_TRUE(w[0] >= -1e-15 && w[1] >= -1e-15 && w[2] >= -1e-15 && std::abs(w[0] + w[1] + w[2] - 1) < 1e-14);
+    }
+}
+
+TEST(ClosestPoint, ExistsOnTrianglesWithoutArea) {
+    const Vec3 a(0, 0, 0), b(1, 0, 0), p(0.25, 1, 0);
+    EXPECT_TRUE(closest_point_on_triangle(p, a, a, a).point.isApprox(a));
+    for (const auto& corners : {std::array{a, b, b}, std::array{b, a, b}, std::array{a, a, b},
+                                std::array{a, Vec3(0.5, 0, 0), b}, std::array{b, a, Vec3(0.5, 0, 0)}}) {
+        const ClosestPoint closest = closest_point_on_triangle(p, corners[0], corners[1], corners[2]);
+        EXPECT_TRUE(closest.point.isApprox(Vec3(0.25, 0, 0))) << closest.point.transpose();
+        const auto& w = closest.barycentric;
+        EXPECT_TRUE((w[0] * corners[0] + w[1] * corners[1] + w[2] * corners[2]).isApprox(closest.point));
+    }
+}
+
+TEST(TouchedTriangles, AreThoseWithinTheRadius) {
+    std::mt19937 random(10);
+    std::uniform_real_distribution<Real> unit(-1, 1);
+    const Grid grid{14, 9};
+    std::vector<int> all(static_cast<std::size_t>(grid.cells())), touched;
+    for (std::size_t c = 0; c < all.size(); ++c) all[c] = static_cast<int>(c);
+    long found = 0;
+    for (int round = 0; round < 5000; ++round) {
+        const Points x = testing::random_cloth(grid, random);
+        const Ball ball{.centre = 0.6 * Vec3(unit(random), unit(random), unit(random)),
+                        .radius = 0.2 + 0.19 * unit(random)};
+        find_touched_triangles(grid, x, ball, 0.002, all, touched);
+        std::vector<Contact> contacts;
+        find_contacts(grid, x, ball, 3, 0.002, all, contacts);
+        std::size_t next = 0;
+        for (int t = 0; t < grid.triangles(); ++t) {
+            const auto [a, b, c] = grid.triangle_corners(t);
+            const Real distance =
+                reference_distance(ball.centre, x.row(a).transpose(), x.row(b).transpose(), x.row(c).transpose());
+            const bool listed = next < touched.size() && touched[next] == t;
+            const bool undecided = std::abs(distance - ball.radius - 0.002) < 1e-12;
+            ASSERT_TRUE(undecided || listed == (distance <= ball.radius + 0.002));
+            if (!listed) continue;
+            ASSERT_EQ(contacts.at(next).triangle, t);
+            ASSERT_NEAR(contacts[next].depth, ball.radius + 0.002 - distance, 1e-12);
+            ASSERT_EQ(contacts[next].ball, 3);
+            ASSERT_NEAR((contacts[next].point - ball.centre).normalized().dot(contacts[next].normal), 1, 1e-12);
+            ++next;
+        }
+        ASSERT_EQ(next, touched.size());
+        found += static_cast<long>(next);
+    }
+    EXPECT_GT(found, 10'000);
+}
+
+}  // namespace
+}  // namespace drape

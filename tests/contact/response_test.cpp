@@ -1,0 +1,141 @@
+#include "drape/contact/response.h"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <numeric>
+
+#include "drape/integrate/integrator.h"
+
+namespace drape {
+namespace {
+
+constexpr Real radius = 1000;  // so large a ball is a floor for a small cloth
+constexpr Real dt = 1e-4;
+
+/// A stiff little cloth on a floor at y = 0 that may be tilted by tilting gravity.
+struct Floor {
+    ClothModel model;
+    ClothState state;
+    ResponseParameters parameters{.kind = ResponseKind::Projection, .friction = 0, .restitution = 0, .thickness = 0};
+    std::vector<Ball> balls{{.centre = Vec3(0, -radius, 0), .radius = radius}};
+    std::vector<Contact> contacts;
+    std::vector<int> cells;
+    Real deepest = 0;
+
+    explicit Floor(Real height) {
+        ClothParameters cloth;
+        cloth.particles = {5, 5};
+        cloth.width = cloth.height = 0.2;
+        cloth.centred = true;
+        cloth.place = {0, height, 0};
+        cloth.drag = 0;
+        model = make_cloth_model(cloth);
+        state = make_rest_state(cloth);
+        cells.resize(static_cast<std::size_t>(model.grid.cells()));
+        std::iota(cells.begin(), cells.end(), 0);
+    }
+
+    void respond() {
+        contacts.clear();
+        find_contacts(model.grid, state.x, balls[0], 0, parameters.thickness, cells, contacts);
+        deepest = resolve_contacts(model, parameters, balls, dt, contacts, state);
+    }
+
+    void run(Real time) {
+        const auto integrator = make_integrator(IntegratorKind::SymplecticEuler, model.grid.particles());
+        for (int step = 0; step < time / dt; ++step) {
+            integrator->step(model, state, dt);
+            respond();
+        }
+    }
+
+    [[nodiscard]] Vec3 mean_velocity() const { return state.v.colwise().mean().transpose(); }
+};
+
+TEST(Response, TakesTrianglesOutOfTheBallVerticesAndInteriorsAlike) {
+    // A ball smaller than a cell, in the middle of a triangle and far from every vertex
+    Floor floor(0);
+    floor.balls[0] = {.centre = Vec3(0.01, -0.015, 0.015), .radius = 0.02};
+    floor.respond();
+    ASSERT_FALSE(floor.contacts.empty());
+    for (int t = 0; t < floor.model.grid.triangles(); ++t) {
+        std::vector<Contact> left;
+        const int cell = t / 2;
+        find_contacts(floor.model.grid, floor.state.x, floor.balls[0], 0, 0, std::span(&cell, 1), left);
+        for (const Contact& contact : left) EXPECT_LT(contact.depth, 1e-3 * 0.02);
+    }
+    EXPECT_LT(floor.deepest, 1e-3 * 0.02);
+}
+
+TEST(Response, LeavesWhatDoesNotTouchAlone) {
+    Floor floor(0.01);
+    const ClothState before = floor.state;
+    floor.respond();
+    EXPECT_EQ(floor.state.x, before.x);
+    EXPECT_EQ(floor.state.v, before.v);
+}
+
+/// The speed at which loose particles leave the floor that they hit at 1 m/s.
+Real speed_after_impact(Real restitution) {
+    Floor floor(0.001);
+    floor.parameters.restitution = restitution;
+    floor.model.structural = floor.model.shear = floor.model.bend = {};
+    floor.model.gravity.setZero();
+    floor.state.v.col(1).setConstant(-1);
+    floor.run(0.005);
+    EXPECT_NEAR(floor.state.v.col(1).minCoeff(), floor.state.v.col(1).maxCoeff(), 0.02);
+    return floor.mean_velocity()[1];
+}
+
+TEST(Response, ThrowsBackByTheRestitution) {
+    EXPECT_NEAR(speed_after_impact(0), 0, 0.01);
+    EXPECT_NEAR(speed_after_impact(0.3), 0.3, 0.02);
+    EXPECT_NEAR(speed_after_impact(0.8), 0.8, 0.02);
+}
+
+TEST(Response, DoesNotBounceARestingCloth) {
+    Floor floor(1e-6);
+    floor.parameters.restitution = 1;
+    floor.run(0.2);
+    EXPECT_LT(floor.state.v.cwiseAbs().maxCoeff(), 0.01);
+}
+
+TEST(Friction, HoldsTheClothUpToItsCoefficientAndNoFurther) {
+    const Real slope = std::atan(0.4);
+    for (const Real friction : {0.3, 0.5}) {
+        Floor floor(0);
+        floor.parameters.friction = friction;
+        floor.model.gravity = 9.81 * Vec3(std::sin(slope), -std::cos(slope), 0);
+        floor.run(0.1);
+        const Real expected = friction < 0.4 ? 9.81 * (std::sin(slope) - friction * std::cos(slope)) * 0.1 : 0;
+        EXPECT_NEAR(floor.mean_velocity()[0], expected, 0.01 + 0.05 * expected) << friction;
+    }
+}
+
+TEST(Friction, CarriesTheClothAlongWithTheBall) {
+    Floor floor(0);
+    floor.parameters.friction = 1;
+    floor.balls[0].velocity = {0.2, 0, 0};
+    floor.run(0.1);
+    EXPECT_NEAR(floor.mean_velocity()[0], 0.2, 0.01);
+}
+
+TEST(Response, NeverMovesPinnedParticles) {
+    Floor floor(-0.01);
+    for (int p = 0; p < 25; ++p) floor.model.hold(p, true);
+    const ClothState before = floor.state;
+    floor.respond();
+    EXPECT_EQ(floor.state.x, before.x);
+    EXPECT_GT(floor.deepest, 0.005);
+}
+
+TEST(Response, SurvivesAClothThroughTheVeryCentre) {
+    Floor floor(0);
+    floor.balls[0] = {.centre = Vec3(0, 0, 0), .radius = 0.05};
+    floor.respond();
+    EXPECT_TRUE(floor.state.x.allFinite() && floor.state.v.allFinite());
+}
+
+}  // namespace
+}  // namespace drape

@@ -1,0 +1,119 @@
+#include "drape/render/camera.h"
+
+#include <gtest/gtest.h>
+
+#include <Eigen/Geometry>
+#include <limits>
+#include <numbers>
+
+namespace drape {
+namespace {
+
+ViewSettings looking(const Vec3& eye, const Vec3& target) {
+    ViewSettings view;
+    view.eye = eye;
+    view.target = target;
+    return view;
+}
+
+Eigen::Vector3f on_screen(const Camera& camera, const Eigen::Vector3f& point) {
+    return (camera.projection_matrix(1) * camera.view_matrix() * point.homogeneous()).hnormalized();
+}
+
+TEST(Camera, StandsAtTheEyeAndLooksAtTheTarget) {
+    const Camera camera(looking({1, 2, 3}, {0.5, 0, -1}));
+    EXPECT_TRUE(camera.eye().isApprox(Eigen::Vector3f(1, 2, 3), 1e-5f));
+    const Eigen::Vector3f target = on_screen(camera, {0.5f, 0, -1});
+    EXPECT_NEAR(target.x(), 0, 1e-5);
+    EXPECT_NEAR(target.y(), 0, 1e-5);
+    EXPECT_GT(target.z(), -1);
+    EXPECT_LT(target.z(), 1);
+}
+
+TEST(Camera, HasRightAtTheRightAndUpAtTheTop) {
+    const Camera camera(looking({0, 0, 3}, {0, 0, 0}));
+    EXPECT_GT(on_screen(camera, {0.1f, 0, 0}).x(), 0.05f);
+    EXPECT_GT(on_screen(camera, {0, 0.1f, 0}).y(), 0.05f);
+    EXPECT_TRUE(camera.right().isApprox(Vec3(1, 0, 0)));
+    EXPECT_TRUE(camera.ahead().isApprox(Vec3(0, 0, -1)));
+}
+
+TEST(Camera, SendsItsRayThroughThePixelThatAPointIsSeenIn) {
+    const Camera camera(looking({1.6, 0.9, 2.2}, {0, 0.1, 0}));
+    const int width = 1280, height = 720;
+    const Vec3 point(0.3, -0.2, 0.4);
+    const Eigen::Vector3f clip =
+        (camera.projection_matrix(float(width) / height) * camera.view_matrix() * point.cast<float>().homogeneous())
+            .hnormalized();
+    const int x = static_cast<int>((clip.x() + 1) / 2 * width), y = static_cast<int>((1 - clip.y()) / 2 * height);
+    const Ray ray = camera.ray(x, y, width, height);
+    EXPECT_NEAR(ray.direction.norm(), 1, 1e-6);
+    EXPECT_LT(ray.direction.cross(point - ray.origin).norm(), 2e-3);
+    EXPECT_GT(ray.direction.dot(point - ray.origin), 0);
+}
+
+TEST(Camera, OrbitKeepsTheDistanceAndStopsBeforeThePoles) {
+    Camera camera(looking({0, 1, 3}, {0, 0, 0}));
+    camera.apply(command::Orbit{0.7, 0}, {});
+    EXPECT_NEAR(camera.eye().norm(), std::sqrt(10.0f), 1e-4);
+    camera.apply(command::Orbit{0, 100}, {});
+    EXPECT_LT(camera.eye().y(), 0.9999f * std::sqrt(10.0f));
+    EXPECT_GT(camera.eye().y(), 0.99f * std::sqrt(10.0f));
+    EXPECT_TRUE(camera.view_matrix().allFinite());
+}
+
+TEST(Camera, PanMovesByPartsOfTheDistance) {
+    Camera camera(looking({0, 0, 2}, {0, 0, 0}));
+    camera.apply(command::Pan{0.5, 0.25}, {});
+    EXPECT_TRUE(camera.eye().isApprox(Eigen::Vector3f(1, 0.5f, 2), 1e-5f));
+}
+
+TEST(Camera, ZoomIsClamped) {
+    Camera camera(looking({0, 0, 2}, {0, 0, 0}));
+    camera.apply(command::Zoom{0.5}, {});
+    EXPECT_NEAR(camera.eye().z(), 1, 1e-5);
+    for (int i = 0; i < 100; ++i) camera.apply(command::Zoom{0.1}, {});
+    EXPECT_GT(camera.eye().z(), 0.05f);
+    for (int i = 0; i < 100; ++i) camera.apply(command::Zoom{10}, {});
+    EXPECT_LT(camera.eye().z(), 100);
+}
+
+TEST(Camera, SurvivesNumbersThatAreNone) {
+    Camera camera(looking({0, 0, 2}, {0, 0, 0}));
+    const double nan = std::numeric_limits<double>::quiet_NaN(), inf = std::numeric_limits<double>::infinity();
+    for (const double bad : {nan, inf, -inf}) {
+        camera.apply(command::Orbit{bad, bad}, {});
+        camera.apply(command::Pan{bad, bad}, {});
+        camera.apply(command::Zoom{bad}, {});
+    }
+    EXPECT_TRUE(camera.eye().allFinite());
+    EXPECT_TRUE(Camera(looking({1, 1, 1}, {1, 1, 1})).view_matrix().allFinite());
+}
+
+TEST(Camera, FrameBringsEverythingIntoThePicture) {
+    Settings settings;
+    const std::vector<Ball> balls{{Vec3(5, 1, 0), Real(0.4), Vec3::Zero()}, {Vec3(-2, 0, 1), Real(0.2), Vec3::Zero()}};
+    FrameView view;
+    view.balls = balls;
+    view.settings = &settings;
+    Camera camera(looking({0, 0, 2}, {0, 0, 0}));
+    camera.apply(command::Frame{}, view);
+    for (const Ball& ball : balls) {
+        for (const Vec3& side : {Vec3(1, 0, 0), Vec3(-1, 0, 0), Vec3(0, 1, 0), Vec3(0, -1, 0)}) {
+            const Eigen::Vector3f place = on_screen(camera, (ball.centre + ball.radius * side).cast<float>());
+            EXPECT_LT(place.head<2>().cwiseAbs().maxCoeff(), 1.0f);
+        }
+    }
+}
+
+TEST(Camera, FindsThePointOnThePlaneThatFacesIt) {
+    const Camera camera(looking({1, 2, 3}, {0, 0, 0}));
+    const Vec3 through(0.2, 0.1, -0.3);
+    const Ray ray = camera.ray(100, 50, 640, 480);
+    const Vec3 point = camera.on_facing_plane(ray, through);
+    EXPECT_LT(ray.direction.cross(point - ray.origin).norm(), 1e-5);
+    EXPECT_NEAR((point - through).dot(Vec3(1, 2, 3).normalized()), 0, 1e-5);
+}
+
+}  // namespace
+}  // namespace drape

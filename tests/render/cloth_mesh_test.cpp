@@ -1,0 +1,71 @@
+#include "render/cloth_mesh.h"
+
+#include <gtest/gtest.h>
+
+#include <set>
+
+namespace drape {
+namespace {
+
+Cloth flat_cloth(Plane plane) {
+    ClothParameters parameters;
+    parameters.particles = {6, 5};
+    parameters.plane = plane;
+    parameters.pinned.kind = Pins::Kind::Two;
+    Cloth cloth;
+    cloth.model = make_cloth_model(parameters);
+    cloth.state = make_rest_state(parameters);
+    cloth.previous = cloth.state;
+    return cloth;
+}
+
+TEST(ClothMesh, HasNormalsOnTheFront) {
+    std::vector<ClothVertex> vertices(30);
+    fill_cloth_vertices(flat_cloth(Plane::XZ), 1, vertices.data());
+    for (const ClothVertex& vertex : vertices) EXPECT_FLOAT_EQ(vertex.normal[1], 1);
+    fill_cloth_vertices(flat_cloth(Plane::XY), 1, vertices.data());
+    for (const ClothVertex& vertex : vertices) EXPECT_FLOAT_EQ(vertex.normal[2], 1);
+}
+
+TEST(ClothMesh, LiesBetweenTheLastTwoStates) {
+    Cloth cloth = flat_cloth(Plane::XZ);
+    cloth.state.x.col(1).array() += 1;
+    std::vector<ClothVertex> vertices(30);
+    fill_cloth_vertices(cloth, Real(0.25), vertices.data());
+    for (const ClothVertex& vertex : vertices) EXPECT_FLOAT_EQ(vertex.position[1], 0.25f);
+}
+
+TEST(ClothMesh, MarksPinnedParticles) {
+    std::vector<ClothVertex> vertices(30);
+    fill_cloth_vertices(flat_cloth(Plane::XZ), 1, vertices.data());
+    for (int p = 0; p < 30; ++p) EXPECT_EQ(vertices[static_cast<std::size_t>(p)].pinned, p == 0 || p == 5 ? 1 : 0);
+}
+
+TEST(ClothMesh, HasNoNormalThatIsNoneWhereAllParticlesMeet) {
+    Cloth cloth = flat_cloth(Plane::XZ);
+    cloth.state.x.setZero();
+    cloth.previous = cloth.state;
+    std::vector<ClothVertex> vertices(30);
+    fill_cloth_vertices(cloth, 1, vertices.data());
+    for (const ClothVertex& vertex : vertices) EXPECT_FLOAT_EQ(vertex.normal[1], 1);
+}
+
+TEST(ClothMesh, HasEverySpringOnce) {
+    const Grid grid{6, 5};
+    SpringIndices springs;
+    append_spring_indices(grid, 100, springs);
+    EXPECT_EQ(springs.structural.size(), 2u * (5 * 5 + 6 * 4));
+    EXPECT_EQ(springs.shear.size(), 2u * (2 * 5 * 4));
+    EXPECT_EQ(springs.bend.size(), 2u * (4 * 5 + 6 * 3));
+    std::set<std::pair<std::uint32_t, std::uint32_t>> pairs;
+    for (const auto* kind : {&springs.structural, &springs.shear, &springs.bend}) {
+        for (std::size_t i = 0; i < kind->size(); i += 2) {
+            EXPECT_TRUE(pairs.insert(std::minmax((*kind)[i], (*kind)[i + 1])).second);
+            EXPECT_GE((*kind)[i], 100u);
+            EXPECT_LT((*kind)[i + 1], 130u);
+        }
+    }
+}
+
+}  // namespace
+}  // namespace drape
