@@ -109,6 +109,28 @@ void drop_rows(std::vector<Row>& rows, float line, float gap, float room) {
     }
 }
 
+// A title in a font that lets it fit, and cut where none does
+struct Title {
+    ImFont* font;
+    std::string text;
+};
+
+Title fit_title(std::string text, ImFont* large, float room) {
+    const auto width = [](ImFont* font, const std::string& line) {
+        return font->CalcTextSizeA(font->FontSize, FLT_MAX, 0, line.c_str()).x;
+    };
+    if (text.empty()) text = "Drape";
+    if (width(large, text) <= room) return {large, text};
+    ImFont* font = ImGui::GetFont();
+    if (width(font, text) <= room) return {font, text};
+    while (!text.empty() && width(font, text + "...") > room) {
+        // A whole character at a time
+        while (!text.empty() && (text.back() & 0xC0) == 0x80) text.pop_back();
+        if (!text.empty()) text.pop_back();
+    }
+    return {font, text + "..."};
+}
+
 // Where the parts of a row start, and where it ends
 struct Columns {
     float name, value, bar, end;
@@ -139,15 +161,13 @@ float figures_panel(const FrameView& view, const FrameReport& last, ImFont* titl
     const float line = ImGui::GetTextLineHeightWithSpacing(), gap = 0.45f * size;
     const float title_height = title->FontSize + 0.4f * size;
     drop_rows(rows, line, gap, page.height - 4 * margin - title_height);
-    const std::string& scene = view.settings->title;
-    const char* name = scene.empty() ? "Drape" : scene.c_str();
-    const float title_width = title->CalcTextSizeA(title->FontSize, FLT_MAX, 0, name).x;
-    const float width = std::min(std::max(15.5f * size, title_width + margin) + 2 * margin, page.width - 2 * margin);
+    const float width = std::min(15.5f * size + 2 * margin, page.width - 2 * margin);
     const float height = std::min(height_of(rows, line, gap) + title_height + 2 * margin, page.height - 2 * margin);
     draw_panel({margin, margin}, {width, height});
 
-    ImGui::PushFont(title);
-    text_at({2 * margin, 2 * margin}, ink::text, name);
+    const Title shown = fit_title(view.settings->title, title, width - 2 * margin);
+    ImGui::PushFont(shown.font);
+    text_at({2 * margin, 2 * margin}, ink::text, shown.text.c_str());
     ImGui::PopFont();
     const float value = 2 * margin + 5.8f * size;
     const Columns columns{2 * margin, value, value + 5.2f * size, width};
