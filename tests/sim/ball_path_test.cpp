@@ -37,6 +37,7 @@ TEST(BallOnAPath, RepeatsAClosedOne) {
         EXPECT_LT((once.velocity - later.velocity).norm(), 1e-6) << time;
         EXPECT_GT(once.velocity.norm(), 0.1) << time;
     }
+    EXPECT_NEAR(ball_after(closed_path, 1.5).velocity.norm(), 1, 0.05) << "it does not stop where the path closes";
     EXPECT_LT((ball_after(closed_path, 2).centre - Vec3(1, 0, 0)).norm(), 1e-9);
 }
 
