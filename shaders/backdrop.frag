@@ -12,7 +12,7 @@ void main() {
     // The ground: a pool of light that fades into the studio
     vec3 up = vec3(0.0, 1.0, 0.0);
     float away = length(world.xz - stage.xz) / stage.w;
-    float visible = key_visibility(world, up, 2.0);
+    float visible = key_visibility(world, up, 0.015);
     float open = ball_openness(world, up);
     float pool = 1.0 / (1.0 + 0.10 * away * away);
     vec3 light = key_colour * to_light.y * (0.25 + 0.75 * visible) * pool + sky_colour * open * (0.5 + 0.5 * pool);

@@ -12,8 +12,8 @@ void main() {
     vec3 to_eye = normalize(eye.xyz - world);
     float facing = dot(normal, to_light.xyz);
     float wrapped = max((facing + 0.12) / 1.12, 0.0);
-    float visible = key_visibility(world, normal, 1.2);
-    float key = wrapped * mix(1.0, visible, smoothstep(0.0, 0.2, facing));
+    float visible = key_visibility(world, normal, 0.010);
+    float key = wrapped * mix(1.0, visible, smoothstep(0.08, 0.40, facing));
 
     // The ground darkens what faces it
     float near_ground = clamp((world.y - stage.y) / 0.8, 0.0, 1.0);

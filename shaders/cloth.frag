@@ -20,7 +20,7 @@ void main() {
 
     // Fibres scatter: the key light wraps around a little, and a part of it comes through from behind
     float wrapped = max((facing + 0.22) / 1.22, 0.0);
-    float visible = key_visibility(world, normal * sign(facing), 1.2);
+    float visible = key_visibility(world, normal * sign(facing), 0.010);
     float key = wrapped * mix(1.0, visible, smoothstep(0.03, 0.28, facing));
     float through = max(-facing, 0.0) * 0.22;
     float open = ball_openness(world, normal);

@@ -20,32 +20,34 @@ vec4 finish(vec3 colour) {
     return vec4(coded + (pixel_noise() - 0.5) / 255.0, 1.0);
 }
 
-// The part of the key light that arrives, in [0, 1]; `spread` in texels sets how soft the edge is.
-// Five probes tell light and shadow; only an edge is worth the rest. The loops make no turn where nothing can cast.
+// The part of the key light that arrives, in [0, 1]; `spread` is half the width of a shadow's edge [m].
+// Four probes tell light and shadow; only an edge is worth the rest. The loops make no turn where nothing can cast.
 float key_visibility(vec3 point, vec3 normal, float spread) {
     float slope = 1.0 - abs(dot(normal, to_light.xyz));
     vec3 place = (shadow_matrix * vec4(point + normal * shadow.x * (1.2 + 2.0 * slope), 1.0)).xyz * 0.5 + 0.5;
-    float step_size = spread * shadow.y;
+    vec2 reach = spread * shadow.yz;
     float depth = min(place.z - 0.0015, 1.0);
     vec2 beyond = abs(place.xy - 0.5);
-    int probes = max(beyond.x, beyond.y) < 0.5 ? 4 : 0;
-    float lit = probes > 0 ? 0.0 : 5.0;
+    int probes = max(beyond.x, beyond.y) < 0.5 ? 1 : 0;
+    float lit = probes > 0 ? 0.0 : 4.0;
     for (int i = 0; i < probes; ++i) {
-        vec2 corner = vec2(float(i & 1), float(i >> 1)) * 4.0 - 2.0;
-        lit += texture(shadow_map, vec3(place.xy + corner * step_size, depth));
-        lit += i == 0 ? texture(shadow_map, vec3(place.xy, depth)) : 0.0;
+        lit += texture(shadow_map, vec3(place.xy + reach * vec2(-1.0, -1.0), depth));
+        lit += texture(shadow_map, vec3(place.xy + reach * vec2(1.0, -1.0), depth));
+        lit += texture(shadow_map, vec3(place.xy + reach * vec2(-1.0, 1.0), depth));
+        lit += texture(shadow_map, vec3(place.xy + reach * vec2(1.0, 1.0), depth));
     }
-    int rows = lit > 0.01 && lit < 4.99 ? 5 : 0;
-    float sum = rows > 0 ? 0.0 : lit * 5.0;
+    int rows = lit > 0.01 && lit < 3.99 ? 5 : 0;
+    float sum = rows > 0 ? 0.0 : lit * 6.25;
     for (int row = 0; row < rows; ++row) {
-        vec2 start = place.xy + vec2(-2.0, float(row) - 2.0) * step_size;
+        vec2 start = place.xy + reach * vec2(-1.0, float(row) * 0.5 - 1.0);
+        float next = 0.5 * reach.x;
         sum += texture(shadow_map, vec3(start, depth));
-        sum += texture(shadow_map, vec3(start + vec2(step_size, 0.0), depth));
-        sum += texture(shadow_map, vec3(start + vec2(2.0 * step_size, 0.0), depth));
-        sum += texture(shadow_map, vec3(start + vec2(3.0 * step_size, 0.0), depth));
-        sum += texture(shadow_map, vec3(start + vec2(4.0 * step_size, 0.0), depth));
+        sum += texture(shadow_map, vec3(start + vec2(next, 0.0), depth));
+        sum += texture(shadow_map, vec3(start + vec2(2.0 * next, 0.0), depth));
+        sum += texture(shadow_map, vec3(start + vec2(3.0 * next, 0.0), depth));
+        sum += texture(shadow_map, vec3(start + vec2(4.0 * next, 0.0), depth));
     }
-    return mix(1.0, sum / 25.0, shadow.z);
+    return sum / 25.0;
 }
 
 // The part of the light from all around that the balls leave

@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <array>
+#include <cfloat>
 #include <cstdio>
 #include <string>
 #include <vector>
@@ -108,6 +109,28 @@ void drop_rows(std::vector<Row>& rows, float line, float gap, float room) {
     }
 }
 
+// A title in a font that lets it fit, and cut where none does
+struct Title {
+    ImFont* font;
+    std::string text;
+};
+
+Title fit_title(std::string text, ImFont* large, float room) {
+    const auto width = [](ImFont* font, const std::string& line) {
+        return font->CalcTextSizeA(font->FontSize, FLT_MAX, 0, line.c_str()).x;
+    };
+    if (text.empty()) text = "Drape";
+    if (width(large, text) <= room) return {large, text};
+    ImFont* font = ImGui::GetFont();
+    if (width(font, text) <= room) return {font, text};
+    while (!text.empty() && width(font, text + "...") > room) {
+        // A whole character at a time
+        while (!text.empty() && (text.back() & 0xC0) == 0x80) text.pop_back();
+        if (!text.empty()) text.pop_back();
+    }
+    return {font, text + "..."};
+}
+
 // Where the parts of a row start, and where it ends
 struct Columns {
     float name, value, bar, end;
@@ -142,9 +165,9 @@ float figures_panel(const FrameView& view, const FrameReport& last, ImFont* titl
     const float height = std::min(height_of(rows, line, gap) + title_height + 2 * margin, page.height - 2 * margin);
     draw_panel({margin, margin}, {width, height});
 
-    const std::string& name = view.settings->title;
-    ImGui::PushFont(title);
-    text_at({2 * margin, 2 * margin}, ink::text, name.empty() ? "Drape" : name.c_str());
+    const Title shown = fit_title(view.settings->title, title, width - 2 * margin);
+    ImGui::PushFont(shown.font);
+    text_at({2 * margin, 2 * margin}, ink::text, shown.text.c_str());
     ImGui::PopFont();
     const float value = 2 * margin + 5.8f * size;
     const Columns columns{2 * margin, value, value + 5.2f * size, width};

@@ -11,24 +11,48 @@ namespace {
 
 const Eigen::Vector3f to_light = Eigen::Vector3f(-0.42f, 1.0f, 0.5f).normalized();
 
-// Steps of the shadow map's width, so that its texels do not crawl as the cloth moves
-constexpr float extent_step = 0.25f;
+// The shadow map's edges lie on multiples of this, so that its texels do not crawl as the cloth moves [m]
+constexpr float edge_step = 0.125f;
 
-Eigen::Matrix4f light_matrix(const Extent& extent, int texels) {
+// Room around what casts, for the soft edges of its shadow [m]
+constexpr float edge_room = 0.03f;
+
+// Across the light, up across it, and along it
+Eigen::Matrix3f light_axes() {
     const Eigen::Vector3f side = Eigen::Vector3f::UnitX().cross(to_light).cross(to_light).normalized();
-    const Eigen::Vector3f up = to_light.cross(side);
     Eigen::Matrix3f axes;
-    axes << side.transpose(), up.transpose(), -to_light.transpose();
+    axes << side.transpose(), to_light.cross(side).transpose(), -to_light.transpose();
+    return axes;
+}
 
-    // The map's middle moves by whole texels
-    const float texel = 2 * extent.radius / static_cast<float>(texels);
-    Eigen::Vector3f middle = axes * extent.centre;
-    middle.head<2>() = (middle.head<2>() / texel).array().round().matrix() * texel;
+// What casts, as the light sees it
+Eigen::AlignedBox3f casters(const FrameView& view, const Eigen::Matrix3f& axes) {
+    Eigen::AlignedBox3f box;
+    for (const Cloth& cloth : view.cloths) {
+        const Points& x = cloth.state.x;
+        for (Eigen::Index p = 0; p < x.rows(); ++p) box.extend(axes * Vec3(x.row(p)).cast<float>());
+    }
+    for (std::size_t i = 0; i < view.balls.size(); ++i) {
+        const Eigen::Vector4f ball = drawn_ball(view, i);
+        const Eigen::Vector3f centre = axes * ball.head<3>();
+        box.extend(Eigen::Vector3f(centre.array() - ball.w()));
+        box.extend(Eigen::Vector3f(centre.array() + ball.w()));
+    }
+    if (box.isEmpty() || !box.sizes().allFinite()) return {Eigen::Vector3f::Constant(-1), Eigen::Vector3f::Constant(1)};
+    return box;
+}
 
-    Eigen::Matrix4f matrix = Eigen::Matrix4f::Identity();
-    matrix.topLeftCorner<3, 3>() = axes / extent.radius;
-    matrix.topRightCorner<3, 1>() = -middle / extent.radius;
-    return matrix;
+void light_the_scene(const FrameView& view, int texels, FrameData& data) {
+    const Eigen::Matrix3f axes = light_axes();
+    const Eigen::AlignedBox3f box = casters(view, axes);
+    const Eigen::Vector3f low = ((box.min().array() - edge_room) / edge_step).floor() * edge_step;
+    const Eigen::Vector3f high = ((box.max().array() + edge_room) / edge_step).ceil() * edge_step;
+    const Eigen::Vector3f middle = (low + high) / 2, half = (high - low) / 2;
+    data.shadow_matrix.setIdentity();
+    data.shadow_matrix.topLeftCorner<3, 3>() = half.cwiseInverse().asDiagonal() * axes;
+    data.shadow_matrix.topRightCorner<3, 1>() = -middle.cwiseQuotient(half);
+    data.to_light = {to_light.x(), to_light.y(), to_light.z(), 0};
+    data.shadow = {2 * half.head<2>().maxCoeff() / static_cast<float>(texels), 0.5f / half.x(), 0.5f / half.y(), 0};
 }
 
 }  // namespace
@@ -71,14 +95,10 @@ FrameData make_frame_data(const FrameView& view, const Camera& camera, int width
     data.inverse_view_projection = data.view_projection.inverse();
     const Eigen::Vector3f eye = camera.eye();
     data.eye = {eye.x(), eye.y(), eye.z(), 1};
-    data.to_light = {to_light.x(), to_light.y(), to_light.z(), 0};
     data.viewport << static_cast<float>(width), static_cast<float>(height), 1 / static_cast<float>(width),
         1 / static_cast<float>(height);
 
-    Extent lit = drawn_extent(view);
-    lit.radius = extent_step * std::ceil(1.02f * lit.radius / extent_step);
-    data.shadow_matrix = light_matrix(lit, shadow_texels);
-    data.shadow << 2 * lit.radius / static_cast<float>(shadow_texels), 1 / static_cast<float>(shadow_texels), 1, 0;
+    light_the_scene(view, shadow_texels, data);
 
     // The stage lies about what the scene looks at
     const ViewSettings& settings = view.settings->view;

@@ -7,7 +7,7 @@ namespace drape {
 /// The depths as seen from the light, for shadows. Its texture stays bound to unit 0.
 class ShadowMap {
 public:
-    static constexpr int texels = 512;  ///< along each side
+    static constexpr int texels = 320;  ///< along each side
 
     explicit ShadowMap(Gl& gl);
 

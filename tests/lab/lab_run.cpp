@@ -1,0 +1,39 @@
+#include "lab/lab_run.h"
+
+#include <gtest/gtest.h>
+
+#include <cstdlib>
+#include <fstream>
+#include <sstream>
+
+namespace drape::testing_aid {
+
+LabFolder::LabFolder() {
+    std::string name = testing::TempDir() + "drape_lab_XXXXXX";
+    if (mkdtemp(name.data()) == nullptr) ADD_FAILURE() << "cannot make " << name;
+    path_ = name;
+}
+
+LabFolder::~LabFolder() { std::filesystem::remove_all(path_); }
+
+LabRun LabFolder::run(const std::vector<std::string>& words, const std::string& program) const {
+    std::vector<std::string> all{program};
+    all.insert(all.end(), words.begin(), words.end());
+    Process process(all, {{"DRAPE_DATA", ""}}, path_);
+    const int code = process.wait(60).value_or(-1);
+    return {code, process.standard_output(), process.standard_error()};
+}
+
+std::string LabFolder::write(const std::string& name, const std::string& text) const {
+    std::ofstream(path_ / name, std::ios::binary) << text;
+    return name;
+}
+
+std::vector<std::string> lines_of(const std::string& text) {
+    std::vector<std::string> lines;
+    std::istringstream in(text);
+    for (std::string line; std::getline(in, line);) lines.push_back(line);
+    return lines;
+}
+
+}  // namespace drape::testing_aid

@@ -1,0 +1,41 @@
+#pragma once
+
+#include <filesystem>
+#include <string>
+#include <utility>
+#include <vector>
+
+#include "support/process.h"
+
+namespace drape::testing_aid {
+
+/// What a finished run of a laboratory program said.
+struct LabRun {
+    int code = -1;  ///< exit code; 256 + signal if it was killed, -1 if it did not end in time
+    std::string out, err;
+};
+
+/// A folder for one test's files, gone with the object; `drape-lab` runs in it.
+class LabFolder {
+public:
+    LabFolder();
+    ~LabFolder();
+    LabFolder(const LabFolder&) = delete;
+    LabFolder& operator=(const LabFolder&) = delete;
+
+    /// Runs `drape-lab` with these words to its end.
+    [[nodiscard]] LabRun run(const std::vector<std::string>& words, const std::string& program = DRAPE_LAB) const;
+
+    /// @return the name of the file that was written
+    std::string write(const std::string& name, const std::string& text) const;
+    [[nodiscard]] std::string read(const std::string& name) const { return read_file(path_ / name); }
+    [[nodiscard]] bool has(const std::string& name) const { return std::filesystem::exists(path_ / name); }
+
+private:
+    std::filesystem::path path_;
+};
+
+/// The lines of a text, without their ends.
+std::vector<std::string> lines_of(const std::string& text);
+
+}  // namespace drape::testing_aid

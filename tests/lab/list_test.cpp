@@ -1,0 +1,45 @@
+#include <gmock/gmock.h>
+
+#include "drape/integrate/integrator.h"
+#include "drape/sim/scene.h"
+#include "drape/sim/setting_table.h"
+#include "lab/lab_run.h"
+
+namespace drape {
+namespace {
+
+using testing::HasSubstr;
+using testing_aid::LabFolder;
+using testing_aid::LabRun;
+using testing_aid::lines_of;
+
+std::vector<std::string> listed_by_lab(const std::string& what) {
+    const LabFolder folder;
+    const LabRun run = folder.run({"list", what});
+    EXPECT_EQ(run.code, 0) << run.err;
+    return lines_of(run.out);
+}
+
+TEST(LabList, PrintsEachSceneWithItsTitle) {
+    std::vector<std::string> expected;
+    for (const std::string& name : scene_names()) expected.push_back(name + ": " + load_scene(name).title);
+    EXPECT_EQ(listed_by_lab("scenes"), expected);
+}
+
+TEST(LabList, PrintsTheNamesThatSettingsTake) {
+    EXPECT_EQ(listed_by_lab("integrators"), find_setting("solver.integrator").choices);
+    EXPECT_EQ(listed_by_lab("volumes"), find_setting("contact.volume").choices);
+    EXPECT_EQ(listed_by_lab("settings").size(), setting_table().size());
+    EXPECT_NO_FATAL_FAILURE(listed_by_lab("experiments"));
+}
+
+TEST(LabList, NamesWhatItCanList) {
+    const LabFolder folder;
+    const LabRun run = folder.run({"list", "scene"});
+    EXPECT_EQ(run.code, 2);
+    EXPECT_THAT(run.err, HasSubstr("scenes"));
+    EXPECT_EQ(folder.run({"list"}).code, 2);
+}
+
+}  // namespace
+}  // namespace drape

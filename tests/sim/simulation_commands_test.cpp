@@ -1,0 +1,251 @@
+#include <gmock/gmock.h>
+
+#include "drape/sim/scene.h"
+#include "sim/small_scene.h"
+#include "support/input_errors.h"
+
+namespace drape {
+namespace {
+
+using testing::AllOf;
+using testing::HasSubstr;
+using testing_aid::input_error_of;
+
+void send(Simulation& simulation, const char* text) { simulation.apply(parse_command(text)); }
+
+Vec3 place_of(const Simulation& simulation, int particle) {
+    return simulation.cloths()[0].state.x.row(particle).transpose();
+}
+
+TEST(PauseCommand, StopsAndGoesOn) {
+    Simulation simulation = small_simulation();
+    send(simulation, "pause");
+    EXPECT_TRUE(simulation.paused());
+    EXPECT_TRUE(simulation.view().paused);
+    send(simulation, "pause");
+    EXPECT_FALSE(simulation.paused());
+}
+
+TEST(StepCommand, PausesAndCountsItsStepsDown) {
+    Simulation simulation = small_simulation();
+    send(simulation, "step 2");
+    EXPECT_TRUE(simulation.paused());
+    EXPECT_EQ(simulation.steps_wanted(), 2);
+    make_steps(simulation, 3);
+    EXPECT_EQ(simulation.steps_wanted(), 0);
+    send(simulation, "step 2");
+    send(simulation, "pause");
+    EXPECT_EQ(simulation.steps_wanted(), 0) << "going on forgets them";
+}
+
+TEST(ResetCommand, StartsAgainWithTheSettingsOfNow) {
+    Simulation simulation = small_simulation(), fresh = small_simulation({"friction=0.9"});
+    make_steps(simulation, 200);
+    send(simulation, "grab 0 75");
+    send(simulation, "steer 1 0 0");
+    send(simulation, "set friction=0.9");
+    make_steps(simulation, 20);
+    send(simulation, "reset");
+    EXPECT_EQ(simulation.report().step, 0);
+    EXPECT_FALSE(simulation.view().held);
+    make_steps(simulation, 300), make_steps(fresh, 300);
+    EXPECT_EQ(simulation.hash(), fresh.hash());
+}
+
+TEST(SceneCommand, LoadsAnotherSceneAndKeepsThisOneIfThereIsNone) {
+    Simulation simulation = small_simulation();
+    make_steps(simulation, 10);
+    const std::uint64_t hash = simulation.hash();
+    EXPECT_THROW(send(simulation, "scene no_such_scene"), InputError);
+    EXPECT_EQ(simulation.hash(), hash);
+    EXPECT_EQ(simulation.scene(), "drop");
+    send(simulation, "scene hang");
+    EXPECT_EQ(simulation.scene(), "hang");
+    EXPECT_EQ(simulation.settings().title, load_scene("hang").title);
+    EXPECT_EQ(simulation.cloths()[0].model.grid, (Grid{30, 30}));
+    EXPECT_TRUE(simulation.balls().empty());
+    EXPECT_EQ(simulation.report().step, 0);
+    make_steps(simulation, 5);
+    Simulation fresh("hang", load_scene("hang"));
+    make_steps(fresh, 5);
+    EXPECT_EQ(simulation.hash(), fresh.hash());
+}
+
+TEST(SetCommand, KeepsTheStateWhenMethodsChangeInMidRun) {
+    for (const char* change :
+         {"next integrator", "set integrator=rk4", "next volume", "set leaf_cells=2", "set friction=1", "set dt=0.0001",
+          "set cloth.structural.stiffness=300", "set cloth.mass=0.3", "set cloth.drag=0.01", "next wind.on",
+          "set ball.speed=2", "set view.level=1"}) {
+        Simulation simulation = small_simulation();
+        make_steps(simulation, 300);
+        const std::uint64_t hash = simulation.hash();
+        send(simulation, change);
+        EXPECT_EQ(simulation.hash(), hash) << change;
+        EXPECT_EQ(simulation.report().step, 300) << change;
+        make_steps(simulation, 100);
+        EXPECT_EQ(simulation.view().report->status, Status::Ok) << change;
+        EXPECT_EQ(simulation.report().step, 400) << change;
+    }
+}
+
+TEST(SetCommand, ChangesWhatFollows) {
+    Simulation untouched = small_simulation();
+    make_steps(untouched, 800);
+    for (const char* change :
+         {"set integrator=rk4", "set friction=0", "set restitution=0.5", "set thickness=0.01",
+          "set cloth.structural.stiffness=300", "set cloth.shear.damping=0.01", "set cloth.bend.stiffness=5",
+          "set cloth.mass=0.3", "set cloth.drag=0.01", "next wind.on", "set ball.radius=0.3", "add ball.radius 0.05"}) {
+        Simulation simulation = small_simulation();
+        make_steps(simulation, 400);
+        send(simulation, change);
+        make_steps(simulation, 400);
+        EXPECT_NE(simulation.hash(), untouched.hash()) << change;
+    }
+    for (const char* change : {"next volume", "set leaf_cells=2", "set title=x", "next view.bounds", "set view.level=1",
+                               "set on_unstable=stop", "set needs.horizon=1", "set wind.gust=1"}) {
+        Simulation simulation = small_simulation();
+        make_steps(simulation, 400);
+        send(simulation, change);
+        make_steps(simulation, 400);
+        EXPECT_EQ(simulation.hash(), untouched.hash()) << change;
+    }
+}
+
+TEST(SetCommand, StartsAgainWhenTheClothIsAnother) {
+    for (const char* change : {"set cloth.particles=12,9", "set cloth.size=2,1", "set cloth.plane=xy",
+                               "set cloth.origin=0,1,0", "set cloth.centre=0,1,0", "set cloth.pinned=row"}) {
+        Simulation simulation = small_simulation();
+        make_steps(simulation, 50);
+        send(simulation, change);
+        EXPECT_EQ(simulation.report().step, 0) << change;
+        EXPECT_EQ(simulation.cloths()[0].state.v.norm(), 0) << change;
+        make_steps(simulation, 50);
+        EXPECT_EQ(simulation.view().report->status, Status::Ok) << change;
+    }
+}
+
+TEST(SetCommand, PutsTheBallWhereItIsTold) {
+    Simulation simulation = small_simulation();
+    make_steps(simulation, 10);
+    send(simulation, "set ball.position=1,2,3");
+    EXPECT_EQ(simulation.balls()[0].centre, Vec3(1, 2, 3));
+    send(simulation, "set ball.radius=0.5");
+    EXPECT_EQ(simulation.balls()[0].radius, 0.5);
+    EXPECT_EQ(simulation.balls()[0].centre, Vec3(1, 2, 3));
+}
+
+TEST(SetCommand, ThatIsRefusedChangesNothing) {
+    Simulation simulation = small_simulation();
+    make_steps(simulation, 100);
+    const std::uint64_t hash = simulation.hash();
+    for (const char* bad : {"set dt=5", "set dt=nan", "set nothing=1", "set cloth.pinned=80", "set ball.motion=path",
+                            "set cloth.particles=1,5", "next dt", "next ball[3].motion", "add title 1", "add dt nan"}) {
+        EXPECT_THROW(send(simulation, bad), InputError) << bad;
+    }
+    EXPECT_EQ(simulation.hash(), hash);
+    EXPECT_EQ(simulation.report().step, 100);
+    EXPECT_EQ(simulation.settings().solver.dt, small_settings().solver.dt);
+}
+
+TEST(SteerCommand, BringsTheBallToItsSpeedAndLetsItStop) {
+    Simulation simulation = small_simulation({"ball.position=0,-5,0", "ball.speed=2"});
+    send(simulation, "steer 30 0 0");
+    make_steps(simulation, 1024);
+    EXPECT_NEAR(simulation.balls()[0].velocity[0], 2, 1e-4);
+    EXPECT_NEAR(simulation.balls()[0].centre[0], 2 - 2 * 0.08, 0.01) << "but for the lag";
+    send(simulation, "steer 0 0 0");
+    make_steps(simulation, 1024);
+    EXPECT_NEAR(simulation.balls()[0].velocity.norm(), 0, 1e-4);
+    EXPECT_NEAR(simulation.balls()[0].centre[0], 2, 0.01);
+}
+
+TEST(SteerCommand, DoesNotMoveABallThatIsStill) {
+    Simulation simulation = small_simulation({"ball.motion=still", "ball.velocity=1,0,0"});
+    send(simulation, "steer 1 0 0");
+    make_steps(simulation, 100);
+    EXPECT_EQ(simulation.balls()[0].centre, Vec3(0, 0.2, 0.4));
+}
+
+TEST(Hand, DragsAParticleToItsTargetAndHoldsItThere) {
+    Simulation simulation = small_simulation();
+    make_steps(simulation, 500);
+    const Vec3 before = place_of(simulation, 75), target = before + Vec3(0.1, 0.05, 0.2);
+    send(simulation, "grab 0 75");
+    EXPECT_TRUE(simulation.view().held);
+    make_steps(simulation, 50);
+    EXPECT_LT((place_of(simulation, 75) - before).norm(), 1e-9) << "held where it was taken";
+    simulation.apply(command::Drag{target});
+    make_steps(simulation, 500);
+    EXPECT_LT((place_of(simulation, 75) - target).norm(), 1e-3);
+    send(simulation, "set cloth.mass=0.2");
+    make_steps(simulation, 100);
+    EXPECT_LT((place_of(simulation, 75) - target).norm(), 1e-3) << "held through a change of the cloth";
+    send(simulation, "release");
+    EXPECT_FALSE(simulation.view().held);
+    make_steps(simulation, 200);
+    EXPECT_GT((place_of(simulation, 75) - target).norm(), 0.01);
+    EXPECT_EQ(simulation.report().status, Status::Ok);
+}
+
+TEST(Hand, IsNeverFasterThanAHand) {
+    Simulation simulation = small_simulation();
+    send(simulation, "grab 0 75");
+    send(simulation, "drag 1e9 0 0");
+    make_steps(simulation, 5);
+    EXPECT_NEAR(simulation.cloths()[0].state.v.row(75).norm(), 3, 1e-9);
+}
+
+TEST(Hand, LeavesAPinWhereItPutIt) {
+    Simulation simulation = small_simulation();
+    send(simulation, "grab 0 0");
+    send(simulation, "drag -0.4 0.6 0");
+    make_steps(simulation, 300);
+    send(simulation, "release");
+    const Vec3 place = place_of(simulation, 0);
+    EXPECT_LT((place - Vec3(-0.4, 0.6, 0)).norm(), 1e-3);
+    make_steps(simulation, 100);
+    EXPECT_EQ(place_of(simulation, 0), place);
+    EXPECT_TRUE(simulation.cloths()[0].model.pinned(0));
+}
+
+TEST(Hand, LetsGoOfOneParticleToTakeAnother) {
+    Simulation simulation = small_simulation();
+    send(simulation, "grab 0 75");
+    send(simulation, "grab 0 70");
+    EXPECT_FALSE(simulation.cloths()[0].model.pinned(75));
+    EXPECT_TRUE(simulation.cloths()[0].model.pinned(70));
+    send(simulation, "release");
+    send(simulation, "release");
+    send(simulation, "drag 1 1 1");
+    EXPECT_FALSE(simulation.cloths()[0].model.pinned(70));
+}
+
+TEST(Hand, StaysOutsideTheBall) {
+    Simulation simulation = small_simulation();
+    send(simulation, "grab 0 75");
+    send(simulation, "drag 0 0.2 0.4");
+    make_steps(simulation, 1000);
+    EXPECT_GE((place_of(simulation, 75) - simulation.balls()[0].centre).norm(), 0.25);
+}
+
+TEST(GrabCommand, NamesWhatThereIs) {
+    Simulation simulation = small_simulation();
+    EXPECT_THAT(input_error_of([&] { send(simulation, "grab 1 0"); }),
+                AllOf(HasSubstr("cloth 1"), HasSubstr("0 to 0")));
+    EXPECT_THAT(input_error_of([&] { send(simulation, "grab 0 80"); }),
+                AllOf(HasSubstr("particle 80"), HasSubstr("0 to 79")));
+    EXPECT_THROW(simulation.apply(command::Grab{-1, 0}), InputError);
+    EXPECT_THROW(simulation.apply(command::Grab{0, -1}), InputError);
+}
+
+TEST(CameraCommands, PassTheSimulationBy) {
+    Simulation simulation = small_simulation();
+    make_steps(simulation, 10);
+    const std::uint64_t hash = simulation.hash();
+    for (const char* text : {"orbit 1 1", "pan 1 1", "zoom 0.5", "frame", "picture", "quit"}) send(simulation, text);
+    EXPECT_EQ(simulation.hash(), hash);
+    EXPECT_FALSE(simulation.paused());
+}
+
+}  // namespace
+}  // namespace drape

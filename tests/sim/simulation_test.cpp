@@ -1,0 +1,180 @@
+#include "drape/sim/simulation.h"
+
+#include <gmock/gmock.h>
+
+#include "drape/sim/scene.h"
+#include "sim/small_scene.h"
+#include "support/input_errors.h"
+
+namespace drape {
+namespace {
+
+using testing::AllOf;
+using testing::HasSubstr;
+using testing_aid::input_error_of;
+
+Vec3 place_of(const Simulation& simulation, int particle) {
+    return simulation.cloths()[0].state.x.row(particle).transpose();
+}
+
+TEST(Simulation, StartsAtRestWhereTheSettingsSay) {
+    Simulation simulation = small_simulation();
+    EXPECT_EQ(place_of(simulation, 0), Vec3(-0.5, 0.6, 0));
+    EXPECT_EQ(simulation.cloths()[0].state.v.norm(), 0);
+    EXPECT_EQ(simulation.balls()[0].centre, Vec3(0, 0.2, 0.4));
+    EXPECT_EQ(simulation.report().step, 0);
+    EXPECT_EQ(simulation.view().report->status, Status::Ok);
+}
+
+TEST(Simulation, HasTheSameBitsWithBruteForceAndAnyLeaves) {
+    Simulation sphere = small_simulation({"volume=sphere"}), brute = small_simulation({"volume=brute"});
+    Simulation small_leaves = small_simulation({"leaf_cells=1"}), no_ball = small_simulation({"ball.position=0,-9,0"});
+    std::int64_t contacts = 0;
+    for (int i = 0; i < 1500; ++i) {
+        sphere.step(), brute.step(), small_leaves.step(), no_ball.step();
+        contacts += sphere.report().contacts;
+    }
+    EXPECT_GT(contacts, 5'000);
+    EXPECT_EQ(sphere.hash(), brute.hash());
+    EXPECT_EQ(sphere.hash(), small_leaves.hash());
+    EXPECT_NE(sphere.hash(), no_ball.hash());
+}
+
+TEST(Simulation, ReportsWhatTheLastStepDid) {
+    Simulation simulation = small_simulation();
+    make_steps(simulation, 700);
+    const StepReport& report = *simulation.view().report;
+    EXPECT_EQ(report.step, 700);
+    EXPECT_DOUBLE_EQ(report.time, 700.0 / 1024);
+    EXPECT_EQ(report.solve.force_evaluations, 1);
+    EXPECT_GT(report.contacts, 0);
+    EXPECT_GE(report.traversal.candidates, report.contacts / 2);
+    EXPECT_LE(report.traversal.candidates, 63);
+    EXPECT_GT(report.traversal.visited, 0);
+    EXPECT_GT(report.times.total(), 0);
+    EXPECT_NEAR(report.rms_speed, std::sqrt(simulation.cloths()[0].state.v.squaredNorm() / 80), 1e-12);
+    for (const ReportField& field : report_fields()) EXPECT_TRUE(std::isfinite(field.read(report))) << field.name;
+}
+
+TEST(Simulation, KeepsItsTimeWhenTheStepChanges) {
+    Simulation simulation = small_simulation();
+    make_steps(simulation, 512);
+    simulation.apply(command::Set{"dt=0.000244140625"});
+    EXPECT_DOUBLE_EQ(simulation.report().time, 0.5);
+    make_steps(simulation, 1024);
+    EXPECT_DOUBLE_EQ(simulation.report().time, 0.75);
+    EXPECT_EQ(simulation.report().step, 1536);
+    simulation.apply(command::Reset{});
+    make_steps(simulation, 1);
+    EXPECT_DOUBLE_EQ(simulation.report().time, 0.000244140625);
+}
+
+TEST(Simulation, NeverMovesPinnedParticles) {
+    for (const char* pins : {"two", "four", "row", "border", "[3, 40, 41]"}) {
+        Simulation simulation = small_simulation({std::string("cloth.pinned=") + pins, "wind.on=true"});
+        const Points start = simulation.cloths()[0].state.x;
+        make_steps(simulation, 300);
+        const Cloth& cloth = simulation.cloths()[0];
+        int pinned = 0;
+        for (int p = 0; p < 80; ++p) {
+            if (!cloth.model.pinned(p)) continue;
+            ++pinned;
+            EXPECT_EQ(cloth.state.x.row(p), start.row(p)) << pins;
+            EXPECT_EQ(cloth.state.v.row(p).norm(), 0) << pins;
+        }
+        EXPECT_GE(pinned, 2) << pins;
+        EXPECT_NE(cloth.state.x, start) << pins;
+    }
+}
+
+TEST(Simulation, StandsStillWithEveryParticlePinned) {
+    std::string all = "cloth.pinned=0";
+    for (int p = 1; p < 80; ++p) all += "," + std::to_string(p);
+    Simulation simulation = small_simulation({all, "ball.position=0,0.5,0.3"});
+    const Points start = simulation.cloths()[0].state.x;
+    make_steps(simulation, 100);
+    EXPECT_EQ(simulation.cloths()[0].state.x, start);
+    EXPECT_EQ(simulation.view().report->status, Status::Ok);
+}
+
+TEST(Simulation, TakesTheSmallestCloth) {
+    Simulation simulation = small_simulation({"cloth.particles=2,2"});
+    make_steps(simulation, 1000);
+    EXPECT_EQ(simulation.view().report->status, Status::Ok);
+}
+
+TEST(Simulation, MovesTheClothWithTheWindOnly) {
+    Simulation calm = small_simulation({"ball.position=0,-9,0"}), windy = small_simulation({"ball.position=0,-9,0"});
+    windy.apply(command::Set{"wind.velocity=0,0,8"});
+    make_steps(calm, 1000), make_steps(windy, 1000);
+    EXPECT_EQ(calm.hash(), windy.hash()) << "it is off";
+    calm.apply(command::Reset{}), windy.apply(command::Reset{});
+    windy.apply(command::Next{"wind.on"});
+    make_steps(calm, 3000), make_steps(windy, 3000);
+    EXPECT_GT(windy.cloths()[0].state.x.col(2).mean(), calm.cloths()[0].state.x.col(2).mean() + 0.05);
+    windy.apply(command::Next{"wind.on"});
+    windy.step();
+    EXPECT_EQ(windy.cloths()[0].model.air.density, 0);
+}
+
+TEST(Simulation, LosesAClothWithTooLargeAStepAndFreezesItsLastGoodState) {
+    Simulation simulation = small_simulation({"dt=0.02", "integrator=explicit_euler"});
+    int steps = 0;
+    for (; simulation.report().status == Status::Ok && steps < 10'000; ++steps) simulation.step();
+    ASSERT_EQ(simulation.report().status, Status::Diverged);
+    EXPECT_THAT(simulation.report().trouble,
+                AllOf(HasSubstr("particle "), HasSubstr("row "), HasSubstr("explicit_euler"),
+                      HasSubstr("in step " + std::to_string(steps) + " ")));
+    const Cloth& cloth = simulation.cloths()[0];
+    EXPECT_TRUE(cloth.state.x.allFinite() && cloth.state.v.allFinite());
+    const std::uint64_t frozen = simulation.hash();
+    make_steps(simulation, 10);
+    EXPECT_EQ(simulation.hash(), frozen);
+    EXPECT_EQ(simulation.report().step, steps - 1);
+
+    Simulation same = small_simulation({"dt=0.02", "integrator=explicit_euler"});
+    make_steps(same, steps - 1);
+    EXPECT_EQ(same.hash(), frozen) << "the state before the step that failed";
+
+    simulation.apply(command::Set{"dt=0.0009765625"});
+    simulation.apply(command::Set{"integrator=symplectic_euler"});
+    simulation.apply(command::Reset{});
+    Simulation fresh = small_simulation();
+    make_steps(simulation, 100), make_steps(fresh, 100);
+    EXPECT_EQ(simulation.report().trouble, "");
+    EXPECT_EQ(simulation.hash(), fresh.hash());
+}
+
+TEST(Simulation, DoesNotTakeALongFallForDivergence) {
+    Simulation simulation = small_simulation({"cloth.pinned=none", "cloth.drag=0", "ball.position=50,0,0"});
+    make_steps(simulation, 20 * 1024);
+    EXPECT_EQ(simulation.report().status, Status::Ok) << simulation.report().trouble;
+    EXPECT_NEAR(simulation.cloths()[0].state.v.col(1).mean(), -9.81 * 20, 0.5);
+}
+
+TEST(Simulation, HashesEveryBitOfClothAndBall) {
+    Simulation one = small_simulation(), other = small_simulation({"ball.position=0,0.2,0.4000000000000001"});
+    EXPECT_NE(one.hash(), other.hash());
+    EXPECT_NE(one.hash(), small_simulation({"ball.velocity=1e-300,0,0"}).hash());
+    EXPECT_NE(one.hash(), small_simulation({"cloth.origin=-0.5,0.6,1e-300"}).hash());
+    EXPECT_EQ(one.hash(), small_simulation().hash());
+}
+
+TEST(Simulation, StepsSeveralClothsAsIfEachWereAlone) {
+    Settings settings = small_settings();
+    settings.cloths.push_back(settings.cloths[0]);
+    settings.cloths[1].place = Vec3(-0.5, 0.6, 5);
+    Simulation two("drop", settings), one = small_simulation();
+    make_steps(two, 700), make_steps(one, 700);
+    EXPECT_EQ(two.cloths()[0].state.x, one.cloths()[0].state.x);
+    EXPECT_NE(two.cloths()[1].state.x, one.cloths()[0].state.x);
+    EXPECT_EQ(two.report().contacts, one.report().contacts);
+}
+
+TEST(Simulation, RefusesSettingsThatDoNotFitTogether) {
+    EXPECT_THROW(small_simulation({"cloth.pinned=80"}), InputError);
+    EXPECT_THROW(small_simulation({"ball.motion=path"}), InputError);
+}
+
+}  // namespace
+}  // namespace drape
