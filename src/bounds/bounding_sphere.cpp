@@ -28,21 +28,32 @@ DRAPE_INLINE Real largest(const Real* value) {
     return most;
 }
 
-/// Mean over the patch; `width` is the number of columns if that is fixed, else 0.
+/// Mean over the patch; `width` is the number of columns if that is fixed, else 0. The three coordinates go together,
+/// so that no addition waits for the one before.
 template <int width>
-DRAPE_INLINE Real mean(const Patch& patch, const Real* coordinate) {
+DRAPE_INLINE void mean(const Patch& patch, Real centre[3]) {
     constexpr int count = width > 0 ? width : lanes;
-    Real sum[count] = {};
+    Real sum_x[count] = {}, sum_y[count] = {}, sum_z[count] = {};
     for (int j = 0; j < patch.rows; ++j) {
-        const Real* row = coordinate + j * patch.stride;
+        const int start = j * patch.stride;
+        const Real *x = patch.x + start, *y = patch.y + start, *z = patch.z + start;
         const int columns = width > 0 ? width : patch.columns;
         int i = 0;
         for (; i + count <= columns; i += count) {
-            for (int lane = 0; lane < count; ++lane) sum[lane] += row[i + lane];
+            for (int lane = 0; lane < count; ++lane) sum_x[lane] += x[i + lane];
+            for (int lane = 0; lane < count; ++lane) sum_y[lane] += y[i + lane];
+            for (int lane = 0; lane < count; ++lane) sum_z[lane] += z[i + lane];
         }
-        for (int lane = 0; i + lane < columns; ++lane) sum[lane] += row[i + lane];
+        for (int lane = 0; i + lane < columns; ++lane) {
+            sum_x[lane] += x[i + lane];
+            sum_y[lane] += y[i + lane];
+            sum_z[lane] += z[i + lane];
+        }
     }
-    return total<count>(sum) / static_cast<Real>(patch.columns * patch.rows);
+    const auto particles = static_cast<Real>(patch.columns * patch.rows);
+    centre[0] = total<count>(sum_x) / particles;
+    centre[1] = total<count>(sum_y) / particles;
+    centre[2] = total<count>(sum_z) / particles;
 }
 
 /// The largest squared distance of the patch's particles from c.
@@ -70,9 +81,7 @@ DRAPE_INLINE Real farthest_square(const Patch& patch, const Real c[3]) {
 
 template <int width>
 DRAPE_INLINE Real fit_width(const Patch& patch, Real centre[3]) {
-    centre[0] = mean<width>(patch, patch.x);
-    centre[1] = mean<width>(patch, patch.y);
-    centre[2] = mean<width>(patch, patch.z);
+    mean<width>(patch, centre);
     return farthest_square<width>(patch, centre);
 }
 

@@ -21,7 +21,7 @@ constexpr Real tolerance = Real(1e-6);
 
 /// Sweeps over the contacts. Positions stop earlier once no contact had to be corrected.
 constexpr int position_sweeps = 6;
-constexpr int velocity_sweeps = 4;
+constexpr int velocity_sweeps = 3;
 
 /// An approach slower than this many steps of gravity is resting, and does not bounce.
 constexpr Real resting_steps = 4;
@@ -104,6 +104,7 @@ void stop_approach(const ClothModel& model, const ResponseParameters& parameters
             if (contact.inverse_mass == 0) continue;
             const Real missing = contact.leaving_speed - at_point(contact, v).dot(contact.normal);
             const Real impulse = std::max(contact.impulse + missing / contact.inverse_mass, Real(0));
+            if (impulse == contact.impulse) continue;
             push(model, contact, (impulse - contact.impulse) * contact.normal, v);
             contact.impulse = impulse;
         }
