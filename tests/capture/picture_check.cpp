@@ -54,7 +54,8 @@ void check_cloth(const Image& image, const ExpectedPicture& expected, std::vecto
         all.push_back("back: teal in " + std::to_string(teal) + " of " + std::to_string(back));
 }
 
-// How far the ball's outline in the picture lies from where it must be [pixel]
+// How far the ball's outline in the picture lies from where it must be [pixel]; shading near the edge may pull it by
+// one
 void check_ball(const Image& image, const ExpectedPicture& expected, const FrameView& truth, std::size_t ball,
                 std::vector<std::string>& all) {
     Eigen::Matrix2d normal = Eigen::Matrix2d::Zero();
@@ -79,7 +80,7 @@ void check_ball(const Image& image, const ExpectedPicture& expected, const Frame
     }
     if (edges < 20 || normal.determinant() < 50) return;
     const double moved = (normal.inverse() * right_side).norm();
-    if (moved > 0.75) all.push_back("ball: its outline is " + std::to_string(moved) + " pixels off");
+    if (moved > 1.25) all.push_back("ball: its outline is " + std::to_string(moved) + " pixels off");
 }
 
 void check_light(const Image& image, const ExpectedPicture& expected, const FrameView& truth,
