@@ -50,11 +50,12 @@ int run(int argc, char** argv) {
     int no_words = 1;
     glutInit(&no_words, argv);
 
-    const std::vector<std::string> assignments = start.assignments;
-    Session session = make_session(std::move(start));
+    if (!options->record.empty() && options->record == options->start.replay) {
+        throw InputError("--record " + options->record + ": allowed any file but that of --replay");
+    }
+    Session session = make_session(std::move(start), options->record);
     Window window(session, options->size);
     progress.window_open = true;
-    if (!options->record.empty()) session.record(options->record, assignments);
     const int code = window.run();
     session.close();
     if (options->hash) std::cout << hash_text(session.simulation().hash()) << "\n";

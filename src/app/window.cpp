@@ -66,6 +66,11 @@ void Window::on_tick() {
     tell_of_drops();
 
     const Simulation& simulation = session_.simulation();
+    if (simulation.report().status == Status::Diverged &&
+        simulation.settings().solver.on_unstable == OnUnstable::Stop) {
+        failure_ = std::make_exception_ptr(RunError(simulation.report().trouble));
+        return leave();
+    }
     dirty_ |= notices_.advance(elapsed) || !simulation.paused() || simulation.report().step != drawn_step_;
     menu_->update(simulation);
     if (dirty_ && drawable()) glutPostRedisplay();
@@ -92,7 +97,9 @@ void Window::on_display() {
 
 void Window::draw() {
     const FrameView view = session_.view();
-    renderer_->draw(view, camera_, notices_.lines(session_.replay_notice()));
+    std::vector<std::string> lines = notices_.lines(session_.replay_notice());
+    if (!view.report->trouble.empty()) lines.push_back(view.report->trouble + "; R resets");
+    renderer_->draw(view, camera_, lines);
     drawn_step_ = view.report->step;
 }
 
@@ -126,6 +133,10 @@ void Window::show_title() { glutSetWindowTitle(("Drape - " + session_.simulation
 
 void Window::leave() {
     if (!closed_) glutLeaveMainLoop();
+}
+
+Window::~Window() {
+    if (!closed_) glutDestroyWindow(window_);  // which calls on_close, while there is somebody to hear it
 }
 
 void Window::on_close() {

@@ -27,6 +27,7 @@ public:
     /// Opens the window.
     /// @pre glutInit was called
     Window(Session& session, PictureSize size);
+    ~Window();
     Window(const Window&) = delete;
     Window& operator=(const Window&) = delete;
 

@@ -62,7 +62,7 @@ int Capture::run() {
         session_.run_until(frame / options_.fps);
         if (diverged()) {
             tell_divergence();
-            if (session_.simulation().settings().solver.on_unstable == OnUnstable::Stop) exit_code = Failed;
+            exit_code = Failed;
         }
         if (exit_code == Done && options_.drawing()) draw_frame(frame);
         if (const int signal = signals_.arrived()) exit_code = 128 + signal;

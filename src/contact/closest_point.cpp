@@ -2,6 +2,7 @@
 
 #include <Eigen/Geometry>
 #include <algorithm>
+#include <limits>
 
 namespace drape {
 namespace {
@@ -13,7 +14,7 @@ Real weight_on_segment(const Vec3& p, const Vec3& a, const Vec3& b) {
     return square > 0 ? std::clamp((p - a).dot(ab) / square, Real(0), Real(1)) : Real(0);
 }
 
-/// For a triangle that has no area: the closest of the three edges.
+/// For a triangle that has next to no area: the closest of the three edges.
 ClosestPoint closest_point_on_edges(const Vec3& p, const std::array<Vec3, 3>& corners) {
     ClosestPoint best{corners[0], {1, 0, 0}};
     for (std::size_t from = 0; from < 3; ++from) {
@@ -43,11 +44,14 @@ ClosestPoint closest_point_on_triangle(const Vec3& p, const Vec3& a, const Vec3&
     const Real d5 = ab.dot(cp), d6 = ac.dot(cp);
     if (d6 >= 0 && d5 <= d6) return {c, {0, 0, 1}};
 
-    // Regions of the edges; each denominator is the squared length of its edge
-    const Real vc = d1 * d4 - d3 * d2, vb = d5 * d2 - d1 * d6, va = d3 * d6 - d5 * d4;
-    if (!(va > 0 && vb > 0 && vc > 0) && ab.cross(ac).squaredNorm() <= 0) {
+    // Where the sine at corner a has no digit left, the regions are noise
+    constexpr Real sliver = std::numeric_limits<Real>::epsilon();
+    if (ab.cross(ac).squaredNorm() <= sliver * ab.squaredNorm() * ac.squaredNorm()) {
         return closest_point_on_edges(p, {a, b, c});
     }
+
+    // Regions of the edges; each denominator is the squared length of its edge
+    const Real vc = d1 * d4 - d3 * d2, vb = d5 * d2 - d1 * d6, va = d3 * d6 - d5 * d4;
     if (vc <= 0 && d1 >= 0 && d3 <= 0) {
         const Real w = d1 / (d1 - d3);
         return {a + w * ab, {1 - w, w, 0}};

@@ -54,6 +54,7 @@ int simulate(Options& options) {
     const Stopwatch watch;
     for (const double time : times) {
         session.run_until(time);
+        if (session.simulation().report().status == Status::Diverged) break;
         if (state.wanted()) write_state(state.stream(), session.simulation());
         if (stats.wanted()) write_report(stats.stream(), *session.view().report), stats.stream() << '\n';
     }
@@ -67,7 +68,7 @@ int simulate(Options& options) {
     if (options.hash) std::cout << hash_text(session.simulation().hash()) << "\n";
     if (report.status == Status::Ok) return Done;
     std::cerr << "drape-lab: " << report.trouble << "\n";
-    return session.simulation().settings().solver.on_unstable == OnUnstable::Stop ? Failed : Done;
+    return Failed;
 }
 
 }  // namespace

@@ -9,6 +9,7 @@
 #include <string>
 #include <vector>
 
+#include "drape/bounds/broad_phase.h"
 #include "drape/integrate/integrator.h"
 #include "overlay_style.h"
 
@@ -75,10 +76,11 @@ void add_stage_rows(const StageTimes& times, std::vector<Row>& rows) {
     }
 }
 
-void add_count_rows(const StepReport& report, std::vector<Row>& rows) {
+void add_count_rows(const StepReport& report, VolumeKind volume, std::vector<Row>& rows) {
     const auto visited = static_cast<double>(report.traversal.visited);
     const auto nodes = static_cast<double>(report.traversal.nodes);
-    rows.push_back({"nodes", grouped(visited) + " of " + grouped(nodes), -1, 3, ink::text, true});
+    rows.push_back({"volume", volume_names()[static_cast<std::size_t>(volume)], -1, 2, ink::text, true});
+    rows.push_back({"nodes", grouped(visited) + " of " + grouped(nodes), -1, 3});
     rows.push_back({"candidates", grouped(static_cast<double>(report.traversal.candidates)), -1, 2});
     rows.push_back({"contacts", grouped(static_cast<double>(report.contacts)), -1, 3});
     rows.push_back({"kinetic", energy(report.energy.kinetic), -1, 2, ink::text, true});
@@ -153,7 +155,7 @@ float figures_panel(const FrameView& view, const FrameReport& last, ImFont* titl
     std::vector<Row> rows;
     add_time_rows(view, rows);
     add_stage_rows(view.report->times, rows);
-    add_count_rows(*view.report, rows);
+    add_count_rows(*view.report, view.settings->contact.volume, rows);
     add_cost_rows(last, rows);
 
     // As large as it must be, at most as the picture

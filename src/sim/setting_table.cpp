@@ -128,7 +128,7 @@ void add_the_rest(std::vector<Setting>& table) {
     solver.choice("integrator", &SolverSettings::integrator, integrator_names(), "how a step is made");
     solver.number("dt", &SolverSettings::dt, "s", {1e-9, 0.1}, "length of one substep");
     solver.choice("on_unstable", &SolverSettings::on_unstable, unstable_names,
-                  "when a step has lost the cloth: freeze it and say so, or end the run");
+                  "when a step has lost the cloth, the window freezes it, or stops; other programs always stop");
 
     SectionRows<ContactSettings> contact(
         "contact", [](Settings& s, std::size_t) -> ContactSettings& { return s.contact; }, table);

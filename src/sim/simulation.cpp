@@ -125,7 +125,10 @@ void Simulation::detect_divergence() {
             " in step " + std::to_string(report_.step + 1) + " of " + std::string(name_of(settings_.solver.integrator));
         report_.status = Status::Diverged;
         steps_wanted_ = 0;
-        for (Cloth& cloth : cloths_) cloth.state = cloth.previous;
+        for (Cloth& cloth : cloths_) {
+            cloth.state = cloth.previous;
+            cloth.contacts.clear();
+        }
         balls_ = previous_balls_;
         return;
     }

@@ -67,6 +67,7 @@ void Simulation::apply(const Command& command) {
 void Simulation::restart() {
     hand_.reset();
     steer_.setZero();
+    steps_wanted_ = 0;
     report_ = {};
     counted_from_step_ = 0;
     counted_from_time_ = 0;

@@ -32,7 +32,11 @@ Start make_start(StartOptions options) {
     if (start.scene.empty()) start.scene = scene_names().front();
     start.settings = load_scene(start.scene);
     assign_all(start.settings, start.assignments);
-    check(start.settings);
+    try {
+        check(start.settings);
+    } catch (const InputError& error) {
+        throw InputError(std::string("--set: ") + error.what());
+    }
     return start;
 }
 
@@ -48,8 +52,9 @@ std::string step_warning(const Settings& settings) {
            real_text(static_cast<double>(limit), 3) + " s only";
 }
 
-Session make_session(Start start) {
+Session make_session(Start start, const std::string& record) {
     Session session(Simulation(std::move(start.scene), std::move(start.settings)));
+    if (!record.empty()) session.record(record, start.assignments);
     if (start.replay) session.replay(std::move(*start.replay));
     return session;
 }

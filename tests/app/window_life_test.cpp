@@ -130,9 +130,9 @@ TEST_F(WindowTest, ItsRecordingGivesTheSameBitsWithoutAWindow) {
     forged.replace(place, closing.size(), " hash 0123456789abcdef");
     std::ofstream(file("forged.txt")) << forged;
 
-    const std::vector<std::vector<std::string>> programs{
-        {program("drape-lab"), "simulate", "--time", "6"},
-        {program("drape-capture"), "--frames", "360", "--every", "360", "--size", "64x64", "--out", file("frames")}};
+    const std::vector<std::vector<std::string>> programs{{program("drape-lab"), "simulate", "--time", "30"},
+                                                         {program("drape-capture"), "--frames", "30", "--fps", "1",
+                                                          "--every", "30", "--size", "64x64", "--out", file("frames")}};
     for (const std::vector<std::string>& words : programs) {
         EXPECT_EQ(replay(words, file("session.txt")).find("differs"), std::string::npos) << words.front();
         EXPECT_NE(replay(words, file("forged.txt")).find("differs"), std::string::npos) << words.front();

@@ -78,7 +78,10 @@ void check_ball(const Image& image, const ExpectedPicture& expected, const Frame
         normal += out * out.transpose();
         right_side += out * (moment / weight);
     }
-    if (edges < 20 || normal.determinant() < 50) return;
+    if (edges < 20 || normal.determinant() < 50) {
+        all.push_back("ball: too little of its outline in the picture to tell");
+        return;
+    }
     const double moved = (normal.inverse() * right_side).norm();
     if (moved > 1.25) all.push_back("ball: its outline is " + std::to_string(moved) + " pixels off");
 }

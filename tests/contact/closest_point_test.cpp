@@ -56,6 +56,21 @@ TEST(ClosestPoint, ExistsOnTrianglesWithoutArea) {
     }
 }
 
+TEST(ClosestPoint, IsTheNearestOfNeedlesToo) {
+    std::mt19937 random(11);
+    std::uniform_real_distribution<Real> unit(-1, 1);
+    const auto point = [&] { return Vec3(unit(random), unit(random), unit(random)); };
+    for (const Real width : {0.0, 1e-16, 1e-15, 1e-14, 1e-12, 1e-9, 1e-6}) {
+        for (int round = 0; round < 3000; ++round) {
+            const Vec3 a = point(), b = point(), p = 2 * point();
+            const Vec3 c = a + unit(random) * 2 * (b - a) + width * point();
+            const Real by_edges =
+                std::min({distance_to_segment(p, a, b), distance_to_segment(p, b, c), distance_to_segment(p, c, a)});
+            ASSERT_NEAR((closest_point_on_triangle(p, a, b, c).point - p).norm(), by_edges, 1e-12 + width) << width;
+        }
+    }
+}
+
 TEST(TouchedTriangles, AreThoseWithinTheRadius) {
     std::mt19937 random(10);
     std::uniform_real_distribution<Real> unit(-1, 1);

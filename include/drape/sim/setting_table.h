@@ -26,7 +26,7 @@ struct Range {
     double high;
 };
 
-/// One row of the table of settings, from which the scene loader, `--set`, `--help`, the panel and the docs are made.
+/// One row of the table of settings, from which the scene loader, `--set`, `--help` and `list settings` are made.
 struct Setting {
     std::string section;  ///< of the scene file: "cloth", "ball", "solver", ...; empty for the title
     std::string name;     ///< within the section, as in "dt" or "structural.stiffness"

@@ -32,6 +32,8 @@ Start make_start(StartOptions options);
 std::string step_warning(const Settings& settings);
 
 /// The simulation of a start, with its replay running.
-Session make_session(Start start);
+/// @param record file for a recording of all that follows, the replay's commands included; empty: none
+/// @throws RunError if the recording cannot be written
+Session make_session(Start start, const std::string& record = {});
 
 }  // namespace drape

@@ -36,7 +36,7 @@ struct StepReport {
     std::string trouble;  ///< one sentence on what broke, with particle and step; empty while all is well
 };
 
-/// One field of a report, for overlay, CSV and tests.
+/// One field of a report, for CSV and tests.
 struct ReportField {
     std::string_view name;  ///< as in the CSV header
     std::string_view unit;
