@@ -53,13 +53,13 @@ std::optional<CaptureOptions> read_capture_options(int argc, char** argv) {
     app.footer([] { return "Settings:\n" + settings_help(); });
     if (!parse_command_line(app, argc, argv)) return std::nullopt;
 
-    const bool anything = !options.out.empty() || !options.video.empty() || !options.stats.empty() ||
-                          !options.state.empty() || options.hash;
-    if (!anything) throw InputError("nothing to write: say --out DIR, or one of --video, --stats, --state and --hash");
     options.frames = whole_number("--frames", frames, most_frames);
     options.every = whole_number("--every", every, options.frames);
     options.fps = frame_rate(fps);
     options.size = parse_size(size);
+    const bool anything = !options.out.empty() || !options.video.empty() || !options.stats.empty() ||
+                          !options.state.empty() || options.hash;
+    if (!anything) throw InputError("nothing to write: say --out DIR, or one of --video, --stats, --state and --hash");
     return options;
 }
 

@@ -140,7 +140,7 @@ TEST_F(WindowTest, ItsRecordingGivesTheSameBitsWithoutAWindow) {
 }
 
 TEST_F(WindowTest, WithoutADisplayItDrawsOffScreen) {
-    Process blind({program("drape"), "hang", "--set", "solver.dt=1e-3", "--size", "64x48"}, {{"DISPLAY", ""}}, folder_);
+    Process blind({program("drape"), "hang", "--set", "solver.dt=4e-4", "--size", "64x48"}, {{"DISPLAY", ""}}, folder_);
     EXPECT_EQ(blind.wait(120), 0);
     const std::string said = blind.standard_error();
     EXPECT_NE(said.find(file("drape-frames")), std::string::npos) << said;

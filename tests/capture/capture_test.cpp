@@ -116,8 +116,8 @@ TEST(Capture, RefusesBadNumbersWithTheirRange) {
              {{"--frames", "1", "--size", "12"}, "--size 12"},
              {{"--frames", "1", "--fps", "nan"}, "--fps nan"},
              {{"--frames", "2", "--every", "3"}, "--every 3"},
-             {{"--frames", "1", "--set", "dt=-1"}, "dt"},
-             {{"nowhere", "--frames", "1"}, "nowhere"},
+             {{"--hash", "--frames", "1", "--set", "dt=-1"}, "dt"},
+             {{"nowhere", "--hash", "--frames", "1"}, "nowhere"},
              {{}, "--frames"}}) {
         const Outcome outcome = run_program("drape-capture", words);
         EXPECT_EQ(outcome.exit_code, 2) << said;
