@@ -2,6 +2,7 @@
 
 #include <GL/glew.h>
 #include <GL/glx.h>
+#include <X11/XKBlib.h>
 #include <X11/Xlib.h>
 
 #include <cstdint>
@@ -34,6 +35,10 @@ bool window_has_keyboard() {
     int revert = 0;
     XGetInputFocus(display, &focus, &revert);
     return focus == PointerRoot || focus == glXGetCurrentDrawable();
+}
+
+void make_repeats_detectable() {
+    if (Display* display = glXGetCurrentDisplay()) XkbSetDetectableAutoRepeat(display, True, nullptr);
 }
 
 }  // namespace drape

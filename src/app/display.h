@@ -23,4 +23,8 @@ double display_rate();
 /// Whether the keyboard belongs to the current window, or to whatever is under the pointer.
 bool window_has_keyboard();
 
+/// Makes the X server send a held key's repeats without releases between them, which under load look like real ones.
+/// @pre a window is open
+void make_repeats_detectable();
+
 }  // namespace drape

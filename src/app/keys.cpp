@@ -41,4 +41,6 @@ std::string special_key(int code) {
     return {};
 }
 
+std::string without_shift(const std::string& key) { return key.starts_with("Shift+") ? key.substr(6) : key; }
+
 }  // namespace drape

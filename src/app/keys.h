@@ -12,4 +12,7 @@ std::string character_key(unsigned char code, bool shift);
 /// The name of a key that makes none: "Left", "PageUp", "F12"; empty if no entry can have it.
 std::string special_key(int code);
 
+/// A key's name as it is without Shift: the same for the press and the release, where Shift was let go between them.
+std::string without_shift(const std::string& key);
+
 }  // namespace drape

@@ -2,13 +2,13 @@
 
 #include <limits>
 
+#include "keys.h"
+
 namespace drape {
 
 namespace {
 
 constexpr double nudge_time = 0.5;  // s
-
-std::string without_shift(const std::string& key) { return key.starts_with("Shift+") ? key.substr(6) : key; }
 
 Vec3 direction_of(const Entry& entry) { return std::get<command::Steer>(parse_command(entry.command)).direction; }
 

@@ -104,7 +104,10 @@ void Window::draw() {
 }
 
 void Window::steer(double elapsed) {
-    if (steering_.active() && !window_has_keyboard()) steering_.release_all();
+    if ((steering_.active() || !held_keys_.empty()) && !window_has_keyboard()) {
+        steering_.release_all();
+        held_keys_.clear();
+    }
     steering_.advance(elapsed);
     if (const auto command = steering_.update(camera_)) carry_out(*command);
 }

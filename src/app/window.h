@@ -3,6 +3,7 @@
 #include <exception>
 #include <memory>
 #include <optional>
+#include <set>
 #include <string>
 #include <utility>
 #include <vector>
@@ -85,6 +86,7 @@ private:
     Camera camera_;
     Pointer pointer_;
     Steering steering_;
+    std::set<std::string> held_keys_;  ///< by the names they have without Shift
     Notices notices_;
     std::unique_ptr<Renderer> renderer_;
     std::optional<Menu> menu_;

@@ -6,6 +6,7 @@
 #include <cmath>
 #include <filesystem>
 
+#include "display.h"
 #include "drape/base/input_error.h"
 #include "drape/base/numbers.h"
 #include "keys.h"
@@ -31,6 +32,7 @@ std::filesystem::path next_picture() {
 
 void Window::register_callbacks() {
     glutIgnoreKeyRepeat(1);
+    make_repeats_detectable();
     glutDisplayFuncUcall([](void* user) { guarded_call(user, &Window::on_display); }, this);
     glutReshapeFuncUcall([](int w, int h, void* user) { guarded_call(user, &Window::on_reshape, w, h); }, this);
     glutVisibilityFuncUcall([](int state, void* user) { guarded_call(user, &Window::on_visibility, state); }, this);
@@ -63,7 +65,12 @@ void Window::on_character(unsigned char code, bool down) {
 }
 
 void Window::on_key(const std::string& key, bool down) {
-    if (!down) return steering_.release(key);
+    if (!down) {
+        // A key that Shift has changed in between has another name by now
+        if (held_keys_.erase(without_shift(key)) == 0) held_keys_.clear();
+        return steering_.release(key);
+    }
+    if (!held_keys_.insert(without_shift(key)).second) return;  // it repeats
     const Entry* entry = find_entry(entries_, key);
     if (entry == nullptr) return;
     if (entry->manner == Manner::WhileHeld) return steering_.press(key, *entry);
