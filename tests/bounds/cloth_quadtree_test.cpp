@@ -11,6 +11,13 @@ namespace {
 
 const Grid shapes[] = {{2, 2}, {3, 2}, {2, 300}, {300, 2}, {5, 5}, {6, 5}, {30, 30}, {31, 17}, {257, 257}};
 
+/// A square of side 1 m at rest.
+Points flat_sheet(const Grid& grid) {
+    ClothParameters parameters;
+    parameters.particles = grid;
+    return make_rest_state(parameters).x;
+}
+
 TEST(QuadtreeNodes, TileTheirParentsDownToLeavesOfTheWantedSize) {
     for (const Grid& grid : shapes) {
         for (const int leaf_cells : {1, 2, 4, 7, 64}) {
@@ -62,9 +69,7 @@ TEST(SphereQuadtree, EveryNodeContainsAllParticlesBelowIt) {
 
 TEST(SphereQuadtree, CountsWhatItDoes) {
     const Grid grid{9, 9};
-    ClothParameters parameters;
-    parameters.particles = grid;
-    const Points x = make_rest_state(parameters).x;
+    const Points x = flat_sheet(grid);
     ClothQuadtree<BoundingSphere> tree(grid, 4);
     tree.build(x, 0);
     std::vector<int> cells;
@@ -92,9 +97,7 @@ TEST(SphereQuadtree, CountsWhatItDoes) {
 
 TEST(SphereQuadtree, ShowsEachLevelWithWhatTheQueryDid) {
     const Grid grid{9, 9};
-    ClothParameters parameters;
-    parameters.particles = grid;
-    const Points x = make_rest_state(parameters).x;
+    const Points x = flat_sheet(grid);
     ClothQuadtree<BoundingSphere> tree(grid, 4);
     tree.build(x, 0);
     std::vector<int> cells;
