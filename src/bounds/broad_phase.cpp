@@ -4,6 +4,7 @@
 #include <numeric>
 
 #include "drape/base/assert.h"
+#include "drape/bounds/aabb.h"
 #include "drape/bounds/bounding_sphere.h"
 #include "drape/bounds/cloth_quadtree.h"
 
@@ -15,14 +16,17 @@ class BruteForce final : public BroadPhase {
 public:
     explicit BruteForce(const Grid& grid) : cells_(grid.cells()) {}
 
-    void build(const Points& /*x*/, Real /*thickness*/) override {}
+    void build(const Points& /*x*/) override {}
 
-    TraversalStats query(const Ball& /*ball*/, std::vector<int>& cells) override {
-        cells.resize(static_cast<std::size_t>(cells_));
-        std::iota(cells.begin(), cells.end(), 0);
+    TraversalStats query(const Ball& /*ball*/, Candidates& found) override {
+        found.cells.resize(static_cast<std::size_t>(cells_));
+        std::iota(found.cells.begin(), found.cells.end(), 0);
+        found.stopped.clear();
         return {.candidates = cells_};
     }
 
+    [[nodiscard]] bool may_touch(const Ball& /*ball*/, Real /*displacement*/) const override { return true; }
+    [[nodiscard]] Real slack() const override { return 0; }
     [[nodiscard]] int levels() const override { return 0; }
     void nodes_at(int /*level*/, std::span<const int> /*touched*/, std::vector<NodeView>& nodes) const override {
         nodes.clear();
@@ -40,13 +44,16 @@ TraversalStats& TraversalStats::operator+=(const TraversalStats& other) {
     volume_tests += other.volume_tests;
     leaves += other.leaves;
     candidates += other.candidates;
+    stopped += other.stopped;
     return *this;
 }
 
 std::unique_ptr<BroadPhase> make_broad_phase(const BroadPhaseParameters& parameters, const Grid& grid) {
     switch (parameters.volume) {
         case VolumeKind::Sphere:
-            return std::make_unique<ClothQuadtree<BoundingSphere>>(grid, parameters.leaf_cells);
+            return std::make_unique<ClothQuadtree<BoundingSphere>>(grid, parameters);
+        case VolumeKind::Aabb:
+            return std::make_unique<ClothQuadtree<Aabb>>(grid, parameters);
         case VolumeKind::Brute:
             return std::make_unique<BruteForce>(grid);
     }
@@ -55,12 +62,12 @@ std::unique_ptr<BroadPhase> make_broad_phase(const BroadPhaseParameters& paramet
 }
 
 std::span<const std::string> volume_names() {
-    static const std::array<std::string, 2> names{"sphere", "brute"};
+    static const std::array<std::string, 3> names{"sphere", "aabb", "brute"};
     return names;
 }
 
 std::span<const std::string> update_names() {
-    static const std::array<std::string, 1> names{"rebuild"};
+    static const std::array<std::string, 4> names{"rebuild", "merge", "refit", "none"};
     return names;
 }
 

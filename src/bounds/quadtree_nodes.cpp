@@ -1,10 +1,17 @@
-#include "drape/bounds/cloth_quadtree.h"
+#include "drape/bounds/quadtree_nodes.h"
+
+#include <utility>
+
+#include "drape/base/assert.h"
 
 namespace drape {
 namespace {
 
 /// Where a range of cells is cut in two, or its end if it is short enough for a leaf.
-int cut(int begin, int end, int leaf_cells) { return end - begin > leaf_cells ? begin + (end - begin + 1) / 2 : end; }
+int cut(int begin, int end, int leaf_cells) {
+    const int leaves = (end - begin + leaf_cells - 1) / leaf_cells;
+    return leaves > 1 ? begin + (leaves + 1) / 2 * leaf_cells : end;
+}
 
 }  // namespace
 

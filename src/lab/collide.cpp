@@ -93,11 +93,12 @@ int collide(const Options& options) {
     const Ball ball = parse_ball(options.ball);
     const Points x = read_positions(options.positions, grid);
 
-    const auto broad_phase = make_broad_phase({contact.volume, contact.update, contact.leaf_cells}, grid);
-    std::vector<int> cells, triangles;
-    broad_phase->build(x, contact.thickness);
-    const TraversalStats stats = broad_phase->query(ball, cells);
-    find_touched_triangles(grid, x, ball, contact.thickness, cells, triangles);
+    const auto broad_phase = make_broad_phase({contact.volume, contact.update, contact.leaf_cells, {}}, grid);
+    Candidates found;
+    std::vector<int> triangles;
+    broad_phase->build(x);
+    const TraversalStats stats = broad_phase->query(grown(ball, contact.thickness), found);
+    find_touched_triangles(grid, x, ball, contact.thickness, found.cells, triangles);
 
     std::sort(triangles.begin(), triangles.end());
     std::string text;

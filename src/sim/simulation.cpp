@@ -88,17 +88,17 @@ void Simulation::collide(Cloth& cloth, Real h) {
     Stopwatch watch;
 
     // Build
-    cloth.broad_phase->build(cloth.state.x, contact.thickness);
+    cloth.broad_phase->build(cloth.state.x);
     report_.times.build += watch.lap();
 
     // Traverse and narrow
     cloth.contacts.clear();
     for (std::size_t b = 0; b < balls_.size(); ++b) {
-        report_.traversal += cloth.broad_phase->query(balls_[b], cloth.candidates);
-        sort_cells(cloth.candidates, cloth.cell_marks);
+        report_.traversal += cloth.broad_phase->query(grown(balls_[b], contact.thickness), cloth.candidates);
+        sort_cells(cloth.candidates.cells, cloth.cell_marks);
         report_.times.traverse += watch.lap();
         find_contacts(cloth.model.grid, cloth.state.x, balls_[b], static_cast<int>(b), contact.thickness,
-                      cloth.candidates, cloth.contacts);
+                      cloth.candidates.cells, cloth.contacts);
         report_.times.narrow += watch.lap();
     }
 

@@ -26,7 +26,7 @@ Ball make_ball(const BallSettings& settings) {
 }
 
 BroadPhaseParameters broad_phase_of(const ContactSettings& contact) {
-    return {contact.volume, contact.update, contact.leaf_cells};
+    return {contact.volume, contact.update, contact.leaf_cells, {}};
 }
 
 /// True if the cloths start from other places or have other particles, so that a state cannot be kept.
@@ -79,7 +79,7 @@ void Simulation::restart() {
         cloth.previous = cloth.state;
         cloth.integrator = make_integrator(settings_.solver.integrator, parameters.particles.particles());
         cloth.broad_phase = make_broad_phase(broad_phase_of(settings_.contact), parameters.particles);
-        cloth.broad_phase->build(cloth.state.x, settings_.contact.thickness);
+        cloth.broad_phase->build(cloth.state.x);
         cloth.cell_marks.assign(static_cast<std::size_t>(parameters.particles.cells()) / 64 + 1, 0);
         cloth.contacts.reserve(static_cast<std::size_t>(parameters.particles.triangles()));
     }
@@ -122,7 +122,7 @@ void Simulation::configure(Settings settings) {
         }
         if (broad_phase_of(settings_.contact) != broad_phase_of(before.contact)) {
             cloth.broad_phase = make_broad_phase(broad_phase_of(settings_.contact), cloth.model.grid);
-            cloth.broad_phase->build(cloth.state.x, settings_.contact.thickness);
+            cloth.broad_phase->build(cloth.state.x);
         }
     }
     for (std::size_t b = 0; b < balls_.size(); ++b) {

@@ -46,19 +46,20 @@ void per_triangle(benchmark::State& state, const drape::Grid& grid) {
 void sphere_rebuild(benchmark::State& state) {
     const DrapedSheet sheet(static_cast<int>(state.range(0)));
     const auto tree = drape::make_broad_phase({}, sheet.grid);
-    for (auto _ : state) tree->build(sheet.x, 0);
+    for (auto _ : state) tree->build(sheet.x);
     per_triangle(state, sheet.grid);
 }
 
 void sphere_query(benchmark::State& state) {
     const DrapedSheet sheet(static_cast<int>(state.range(0)));
     const auto tree = drape::make_broad_phase({}, sheet.grid);
-    std::vector<int> cells, triangles;
-    tree->build(sheet.x, 0);
-    for (auto _ : state) benchmark::DoNotOptimize(tree->query(sheet.ball, cells));
-    drape::find_touched_triangles(sheet.grid, sheet.x, sheet.ball, 0, cells, triangles);
+    drape::Candidates found;
+    std::vector<int> triangles;
+    tree->build(sheet.x);
+    for (auto _ : state) benchmark::DoNotOptimize(tree->query(sheet.ball, found));
+    drape::find_touched_triangles(sheet.grid, sheet.x, sheet.ball, 0, found.cells, triangles);
     state.counters["touched"] = static_cast<double>(triangles.size()) / sheet.grid.triangles();
-    state.counters["candidates"] = static_cast<double>(cells.size()) / sheet.grid.cells();
+    state.counters["candidates"] = static_cast<double>(found.cells.size()) / sheet.grid.cells();
     per_triangle(state, sheet.grid);
 }
 
@@ -66,11 +67,12 @@ void sphere_query(benchmark::State& state) {
 void sphere_query_exact(benchmark::State& state) {
     const DrapedSheet sheet(static_cast<int>(state.range(0)));
     const auto tree = drape::make_broad_phase({}, sheet.grid);
-    std::vector<int> cells, triangles;
-    tree->build(sheet.x, 0);
+    drape::Candidates found;
+    std::vector<int> triangles;
+    tree->build(sheet.x);
     for (auto _ : state) {
-        tree->query(sheet.ball, cells);
-        drape::find_touched_triangles(sheet.grid, sheet.x, sheet.ball, 0, cells, triangles);
+        tree->query(sheet.ball, found);
+        drape::find_touched_triangles(sheet.grid, sheet.x, sheet.ball, 0, found.cells, triangles);
     }
     per_triangle(state, sheet.grid);
 }

@@ -16,23 +16,24 @@ namespace {
 template <class Volume>
 class Comparison {
 public:
-    explicit Comparison(const Grid& grid, int leaf_cells) : grid_(grid), tree_(grid, leaf_cells) {
+    explicit Comparison(const Grid& grid, int leaf_cells, Fits<Volume> fits)
+        : grid_(grid), tree_(grid, {.leaf_cells = leaf_cells}, fits) {
         brute_ = make_broad_phase({.volume = VolumeKind::Brute}, grid);
     }
 
     void build(const Points& x, Real thickness) {
         x_ = &x;
         thickness_ = thickness;
-        tree_.build(x, thickness);
-        brute_->build(x, thickness);
+        tree_.build(x);
+        brute_->build(x);
     }
 
     void compare(const Ball& ball) {
         ++configurations;
-        tree_.query(ball, cells_);
-        find_touched_triangles(grid_, *x_, ball, thickness_, cells_, found_);
-        brute_->query(ball, cells_);
-        find_touched_triangles(grid_, *x_, ball, thickness_, cells_, expected_);
+        tree_.query(grown(ball, thickness_), candidates_);
+        find_touched_triangles(grid_, *x_, ball, thickness_, candidates_.cells, found_);
+        brute_->query(ball, candidates_);
+        find_touched_triangles(grid_, *x_, ball, thickness_, candidates_.cells, expected_);
         std::sort(found_.begin(), found_.end());
         if (found_ != expected_) ++disagreements;
         if (!expected_.empty()) ++touching;
@@ -62,15 +63,17 @@ private:
     std::unique_ptr<BroadPhase> brute_;
     const Points* x_ = nullptr;
     Real thickness_ = 0;
-    std::vector<int> cells_, found_, expected_;
+    Candidates candidates_;
+    std::vector<int> found_, expected_;
 };
 
 /// Half of the balls anywhere about the cloth, half just touching.
 template <class Volume>
-Comparison<Volume> compare_many(const Grid& grid, int leaf_cells, int cloths, int balls, Real scale) {
+Comparison<Volume> compare_many(const Grid& grid, int leaf_cells, int cloths, int balls, Real scale,
+                                Fits<Volume> fits = {}) {
     std::mt19937 random(static_cast<unsigned>(grid.nx * 1000 + grid.ny + leaf_cells));
     std::uniform_real_distribution<Real> unit(-1, 1);
-    Comparison<Volume> comparison(grid, leaf_cells);
+    Comparison<Volume> comparison(grid, leaf_cells, fits);
     for (int cloth = 0; cloth < cloths; ++cloth) {
         const Points x = scale * testing::random_cloth(grid, random);
         comparison.build(x, cloth % 2 == 0 ? Real(0) : Real(0.003) * scale);
@@ -103,16 +106,14 @@ TEST(SphereQuadtree, NeverMissesATouchedTriangleInAMillionConfigurations) {
 }
 
 /// The planted fault: every node one percent too small.
-struct ShrunkenSphere : BoundingSphere {
-    static ShrunkenSphere fit(const Patch& patch, Real thickness) {
-        ShrunkenSphere sphere{BoundingSphere::fit(patch, thickness)};
-        sphere.radius *= Real(0.99);
-        return sphere;
-    }
-};
+BoundingSphere fit_shrunken_sphere(const Patch& patch) {
+    BoundingSphere sphere = BoundingSphere::fit(patch);
+    sphere.radius *= Real(0.99);
+    return sphere;
+}
 
 TEST(SphereQuadtree, IsCaughtWhenItsNodesAreOnePercentTooSmall) {
-    EXPECT_GT(compare_many<ShrunkenSphere>({9, 9}, 2, 20, 500, 1).disagreements, 100);
+    EXPECT_GT(compare_many<BoundingSphere>({9, 9}, 2, 20, 500, 1, {.patch = fit_shrunken_sphere}).disagreements, 100);
 }
 
 }  // namespace

@@ -6,24 +6,28 @@
 
 namespace drape {
 
-/// A sphere about the mean of its particles: the original's fit. It is not the smallest, but costs two passes.
+/// A sphere about particles. Its own fit is the original's, about their mean; `sphere_fits.h` has the others.
 struct BoundingSphere {
     static constexpr std::string_view name = "sphere";
 
     Vec3 centre = Vec3::Zero();
     Real radius = 0;
 
-    /// Centre: mean of the particles; radius: the largest distance to one, grown by `thickness` and by the rounding.
+    /// Centre: mean of the particles; radius: the largest distance to one, grown by the rounding.
     /// @par Cost O(particles of the patch), two passes
-    static BoundingSphere fit(const Patch& patch, Real thickness);
+    static BoundingSphere fit(const Patch& patch);
 
-    /// True if the spheres have a point in common; errs towards true by the rounding of the comparison.
+    /// A sphere about spheres: the smallest about the two that are farthest apart, grown by what else stands out.
+    /// @pre one part or more
+    static BoundingSphere merge(std::span<const BoundingSphere> parts);
+
     [[nodiscard]] bool overlaps(const Ball& ball) const {
         const Real dx = centre[0] - ball.centre[0], dy = centre[1] - ball.centre[1], dz = centre[2] - ball.centre[2];
         const Real reach = (radius + ball.radius) * (1 + 8 * std::numeric_limits<Real>::epsilon());
         return dx * dx + dy * dy + dz * dz <= reach * reach;
     }
 
+    [[nodiscard]] BoundingSphere sphere() const { return *this; }
     [[nodiscard]] Placement placement() const { return {centre, Eigen::Matrix<Real, 3, 3>::Identity() * radius}; }
 };
 

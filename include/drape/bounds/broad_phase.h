@@ -7,22 +7,39 @@
 #include <string_view>
 #include <vector>
 
-#include "drape/bounds/bounding_volume.h"
+#include "drape/bounds/bounding_sphere.h"
 #include "drape/model/ball.h"
 #include "drape/model/grid.h"
 
 namespace drape {
 
 /// The volumes of the hierarchy, and `Brute`: no hierarchy, every cell is a candidate.
-enum class VolumeKind { Sphere, Brute };
+enum class VolumeKind { Sphere, Aabb, Brute };
 
-/// How a hierarchy follows the cloth: `Rebuild` fits every node, from the root down, to all of its own particles.
-enum class UpdateKind { Rebuild };
+/// How a hierarchy follows the cloth.
+enum class UpdateKind {
+    Rebuild,  ///< every node, from the root down, is fitted to all of its own particles: the original's way
+    Merge,    ///< leaves are fitted to their particles, every other node is put about its children
+    Refit,    ///< as merge, but only where particles have moved
+    None      ///< the first tree is held, and inflated by the largest displacement since
+};
+
+/// Where a search may end before it reaches the leaves: the nodes it has not opened then stand for what they hold, as
+/// spheres. @cite hubbard1996
+struct SearchLimit {
+    static constexpr int all_levels = 30;
+    int level = all_levels;  ///< nodes of this level are not opened
+    std::int64_t tests = 0;  ///< volume tests after which nothing is opened; 0: no end
+
+    [[nodiscard]] bool none() const { return level >= all_levels && tests == 0; }
+    bool operator==(const SearchLimit&) const = default;
+};
 
 struct BroadPhaseParameters {
     VolumeKind volume = VolumeKind::Sphere;
     UpdateKind update = UpdateKind::Rebuild;
     int leaf_cells = 4;  ///< a leaf has at most leaf_cells x leaf_cells cells
+    SearchLimit search = {};
     bool operator==(const BroadPhaseParameters&) const = default;
 };
 
@@ -33,8 +50,21 @@ struct TraversalStats {
     std::int64_t volume_tests = 0;  ///< volume against ball
     std::int64_t leaves = 0;        ///< reached and overlapping
     std::int64_t candidates = 0;    ///< cells handed on
+    std::int64_t stopped = 0;       ///< nodes handed on as spheres, because the search ended there
 
     TraversalStats& operator+=(const TraversalStats& other);
+};
+
+/// A node at which a search ended.
+struct StoppedNode {
+    BoundingSphere sphere;
+    int cell = 0;  ///< in the middle of it
+};
+
+/// What a query hands on.
+struct Candidates {
+    std::vector<int> cells;            ///< every cell that may touch, each once, in no particular order
+    std::vector<StoppedNode> stopped;  ///< none unless the search is limited
 };
 
 /// What the last query did with a node.
@@ -51,15 +81,21 @@ class BroadPhase {
 public:
     virtual ~BroadPhase() = default;
 
-    /// Takes the cloth's present positions. They must outlive the queries that follow.
+    /// Follows the cloth to its present positions.
     /// @param x n x 3 [m]
-    /// @param thickness by which the cloth is grown on all sides [m]
-    virtual void build(const Points& x, Real thickness) = 0;
+    virtual void build(const Points& x) = 0;
 
-    /// @param cells receives the candidate cells, in no particular order: every cell with a triangle nearer to the ball
-    ///        than `thickness`, and perhaps more. Cleared first; its capacity grows to the number of cells once.
+    /// @param ball grown by the cloth's thickness
+    /// @param found receives the candidates: every cell with a triangle that touches the ball, and perhaps more, unless
+    ///        the search is limited. Cleared first; its capacity grows to the number of cells once.
     /// @pre `build` was called
-    virtual TraversalStats query(const Ball& ball, std::vector<int>& cells) = 0;
+    virtual TraversalStats query(const Ball& ball, Candidates& found) = 0;
+
+    /// False only if no particle, moved by up to `displacement` since the last build, can touch the ball.
+    [[nodiscard]] virtual bool may_touch(const Ball& ball, Real displacement) const = 0;
+
+    /// By how much the nodes may be too small: the query makes up for it [m].
+    [[nodiscard]] virtual Real slack() const = 0;
 
     /// Levels of the hierarchy; 0 is the root alone.
     [[nodiscard]] virtual int levels() const = 0;
@@ -70,6 +106,12 @@ public:
 };
 
 std::unique_ptr<BroadPhase> make_broad_phase(const BroadPhaseParameters& parameters, const Grid& grid);
+
+/// The ball as a cloth of some thickness meets it.
+[[nodiscard]] inline Ball grown(Ball ball, Real thickness) {
+    ball.radius += thickness;
+    return ball;
+}
 
 /// The names of all kinds, in the order of the enumerations.
 std::span<const std::string> volume_names();

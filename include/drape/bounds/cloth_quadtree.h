@@ -1,80 +1,108 @@
 #pragma once
 
 #include <algorithm>
-#include <array>
+#include <limits>
 #include <vector>
 
 #include "drape/base/assert.h"
 #include "drape/bounds/bounding_volume.h"
 #include "drape/bounds/broad_phase.h"
+#include "drape/bounds/leaf_copies.h"
+#include "drape/bounds/quadtree_nodes.h"
 
 namespace drape {
 
-/// A rectangle of cells in the quadtree over the grid.
-/// Invariants: the children's rectangles tile their parent's; a node without children has at most leaf_cells x
-/// leaf_cells cells; children follow one another and come after their parent.
-struct QuadtreeNode {
-    int i0, j0, i1, j1;  ///< cell columns [i0, i1), cell rows [j0, j1)
-    int first_child = 0;
-    int children = 0;  ///< 0 for a leaf, else 2 or 4
-    int level = 0;
+/// How the nodes of a tree get their volumes from particles.
+template <BoundingVolume Volume>
+struct Fits {
+    /// Fits one node.
+    Volume (*patch)(const Patch&) = Volume::fit;
 
-    [[nodiscard]] bool holds(int i, int j) const { return i >= i0 && i < i1 && j >= j0 && j < j1; }
+    /// Fits all nodes, each to all of its own particles, in fewer passes than node by node; null if there is no such
+    /// way. `volumes` are those of `nodes`.
+    void (*tree)(const Grid& grid, std::span<const QuadtreeNode> nodes, const Points& x,
+                 std::span<Volume> volumes) = nullptr;
 };
 
-/// The nodes of a quadtree over a grid of cells, level by level from the root. It depends on the grid alone.
-/// @pre leaf_cells >= 1
-/// @par Cost O(nodes)
-std::vector<QuadtreeNode> make_quadtree_nodes(const Grid& grid, int leaf_cells);
-
 /// A quadtree over the cloth's cells whose every node carries a volume about its own particles.
-/// Invariant after `build`: a node's volume contains all its particles, and so all its triangles, grown by the
-/// thickness.
+/// Invariant after `build`: a node's volume, grown by `slack`, contains all its particles, and so all its triangles.
 template <BoundingVolume Volume>
 class ClothQuadtree final : public BroadPhase {
 public:
-    ClothQuadtree(const Grid& grid, int leaf_cells)
-        : grid_(grid), nodes_(make_quadtree_nodes(grid, leaf_cells)), volumes_(nodes_.size()), states_(nodes_.size()) {}
+    explicit ClothQuadtree(const Grid& grid, const BroadPhaseParameters& parameters = {}, Fits<Volume> fits = {})
+        : grid_(grid),
+          update_(parameters.update),
+          search_(parameters.search),
+          fits_(fits),
+          nodes_(make_quadtree_nodes(grid, parameters.leaf_cells)),
+          volumes_(nodes_.size()),
+          states_(nodes_.size()) {
+        open_.reserve(nodes_.size());
+    }
 
-    /// Top-down: every node, from the root, is fitted to all of its own particles, as the original does it. A node is
-    /// followed by all that is below it, while its particles are still in the cache.
-    /// @par Cost O(particles * levels)
-    void build(const Points& x, Real thickness) override {
+    void build(const Points& x) override {
         DRAPE_ASSERT(x.rows() == grid_.particles());
-        fit_from(0, x, thickness);
+        switch (update_) {
+            case UpdateKind::Rebuild:
+                rebuild(x);
+                break;
+            case UpdateKind::Merge:
+                merge(x);
+                break;
+            case UpdateKind::Refit:
+                built_ ? refit(x) : start_refitting(x);
+                break;
+            case UpdateKind::None:
+                built_ ? hold(x) : start_holding(x);
+                break;
+        }
+        built_ = true;
         std::fill(states_.begin(), states_.end(), NodeState::Unvisited);
     }
 
-    /// From the root into every node that overlaps the ball; the cells of the leaves reached are the candidates.
-    TraversalStats query(const Ball& ball, std::vector<int>& cells) override {
-        cells.clear();
-        cells.reserve(static_cast<std::size_t>(grid_.cells()));
+    /// From the root, level by level, into every node that overlaps the ball; the cells of the leaves reached are the
+    /// candidates.
+    TraversalStats query(const Ball& ball, Candidates& found) override {
+        found.cells.clear();
+        found.cells.reserve(static_cast<std::size_t>(grid_.cells()));
+        found.stopped.clear();
         TraversalStats stats{.nodes = static_cast<std::int64_t>(nodes_.size())};
-        std::array<int, stack_size> stack;
-        int top = 0;
-        stack[0] = 0;
-        while (top >= 0) {
-            const int n = stack[static_cast<std::size_t>(top--)];
-            const QuadtreeNode& node = nodes_[static_cast<std::size_t>(n)];
+        const Ball reached = grown(ball, slack_ + rounding(ball));
+        open_.assign(1, 0);
+        for (std::size_t next = 0; next < open_.size(); ++next) {
+            const int n = open_[next];
+            const QuadtreeNode& node = nodes_[at(n)];
             ++stats.visited;
-            ++stats.volume_tests;
-            if (!volumes_[static_cast<std::size_t>(n)].overlaps(ball)) {
-                mark(n, NodeState::Pruned);
+            const bool spent = search_.tests > 0 && stats.volume_tests == search_.tests;
+            if (!spent) {
+                ++stats.volume_tests;
+                if (!volumes_[at(n)].overlaps(reached)) {
+                    mark(n, NodeState::Pruned);
+                    continue;
+                }
+            }
+            if (spent || (node.level == search_.level && node.children > 0)) {
+                mark(n, NodeState::Visited);
+                found.stopped.push_back({grown_sphere(n), middle_cell(node)});
             } else if (node.children == 0) {
                 mark(n, NodeState::Leaf);
                 ++stats.leaves;
-                append_cells(node, cells);
+                append_cells(node, found.cells);
             } else {
                 mark(n, NodeState::Visited);
-                for (int child = node.children - 1; child >= 0; --child) {
-                    stack[static_cast<std::size_t>(++top)] = node.first_child + child;
-                }
+                for (int child = 0; child < node.children; ++child) open_.push_back(node.first_child + child);
             }
         }
-        stats.candidates = static_cast<std::int64_t>(cells.size());
+        stats.candidates = static_cast<std::int64_t>(found.cells.size());
+        stats.stopped = static_cast<std::int64_t>(found.stopped.size());
         return stats;
     }
 
+    [[nodiscard]] bool may_touch(const Ball& ball, Real displacement) const override {
+        return volumes_[0].overlaps(grown(ball, slack_ + displacement + rounding(ball)));
+    }
+
+    [[nodiscard]] Real slack() const override { return slack_; }
     [[nodiscard]] int levels() const override { return nodes_.back().level + 1; }
 
     void nodes_at(int level, std::span<const int> touched_cells, std::vector<NodeView>& views) const override {
@@ -90,19 +118,86 @@ public:
     [[nodiscard]] const std::vector<Volume>& volumes() const { return volumes_; }
 
 private:
-    /// Each level leaves at most three siblings waiting, and a grid that fits an int has at most 31 levels.
-    static constexpr std::size_t stack_size = 3 * 31 + 4;
+    static std::size_t at(int n) { return static_cast<std::size_t>(n); }
 
-    [[nodiscard]] Patch patch_of(const QuadtreeNode& node, const Points& x) const {
-        const int first = grid_.particle(node.i0, node.j0);
-        return {x.col(0).data() + first, x.col(1).data() + first, x.col(2).data() + first,
-                node.i1 - node.i0 + 1,   node.j1 - node.j0 + 1,   grid_.nx};
+    /// Of points as far out as the ball: the exact test of a triangle is not more exact than this.
+    static Real rounding(const Ball& ball) {
+        return 16 * std::numeric_limits<Real>::epsilon() * (ball.centre.cwiseAbs().sum() + ball.radius);
     }
 
-    void fit_from(int n, const Points& x, Real thickness) {
-        const QuadtreeNode& node = nodes_[static_cast<std::size_t>(n)];
-        volumes_[static_cast<std::size_t>(n)] = Volume::fit(patch_of(node, x), thickness);
-        for (int child = 0; child < node.children; ++child) fit_from(node.first_child + child, x, thickness);
+    /// Top-down: every node is fitted to all of its own particles.
+    /// @par Cost O(particles * levels)
+    void rebuild(const Points& x) { fits_.tree ? fits_.tree(grid_, nodes_, x, volumes_) : fit_from(0, x); }
+
+    /// A node is followed by all that is below it, while its particles are still in the cache.
+    void fit_from(int n, const Points& x) {
+        const QuadtreeNode& node = nodes_[at(n)];
+        volumes_[at(n)] = fits_.patch(patch_of(grid_, node, x));
+        for (int child = 0; child < node.children; ++child) fit_from(node.first_child + child, x);
+    }
+
+    /// Bottom-up: leaves from particles, all others from their children.
+    /// @par Cost O(particles)
+    void merge(const Points& x) {
+        for (std::size_t n = nodes_.size(); n-- > 0;) {
+            const QuadtreeNode& node = nodes_[n];
+            volumes_[n] = node.children == 0 ? fits_.patch(patch_of(grid_, node, x)) : merged(node);
+        }
+    }
+
+    Volume merged(const QuadtreeNode& node) const {
+        return Volume::merge(std::span(volumes_).subspan(at(node.first_child), at(node.children)));
+    }
+
+    /// A leaf counts as moved where a particle is farther from where it was fitted than a fiftieth of the leaf's size,
+    /// and until then the slack makes up for it.
+    void start_refitting(const Points& x) {
+        merge(x);
+        copies_.take_all(grid_, nodes_, x);
+        stale_.assign(nodes_.size(), false);
+        Real radii = 0, leaves = 0;
+        for (std::size_t n = 0; n < nodes_.size(); ++n) {
+            if (nodes_[n].children > 0) continue;
+            radii += volumes_[n].sphere().radius;
+            leaves += 1;
+        }
+        slack_ = radii / leaves / 50;
+    }
+
+    /// @par Cost O(particles) to see what has moved, and a merge of that
+    void refit(const Points& x) {
+        for (std::size_t n = nodes_.size(); n-- > 0;) {
+            const QuadtreeNode& node = nodes_[n];
+            if (node.children == 0) {
+                const Patch patch = patch_of(grid_, node, x);
+                stale_[n] = !(copies_.displacement(n, patch) <= slack_);
+                if (!stale_[n]) continue;
+                volumes_[n] = fits_.patch(patch);
+                copies_.take(n, patch);
+            } else {
+                const auto first = stale_.begin() + node.first_child;
+                stale_[n] = std::find(first, first + node.children, true) != first + node.children;
+                if (stale_[n]) volumes_[n] = merged(node);
+            }
+        }
+    }
+
+    void start_holding(const Points& x) {
+        rebuild(x);
+        held_ = x;
+    }
+
+    /// @par Cost O(particles), one pass
+    void hold(const Points& x) { slack_ = largest_displacement(x, held_); }
+
+    [[nodiscard]] BoundingSphere grown_sphere(int n) const {
+        BoundingSphere sphere = volumes_[at(n)].sphere();
+        sphere.radius += slack_;
+        return sphere;
+    }
+
+    [[nodiscard]] int middle_cell(const QuadtreeNode& node) const {
+        return (node.j0 + node.j1) / 2 * grid_.cell_columns() + (node.i0 + node.i1) / 2;
     }
 
     void append_cells(const QuadtreeNode& node, std::vector<int>& cells) const {
@@ -114,7 +209,7 @@ private:
 
     /// With several balls a node shows the most that any query did with it.
     void mark(int node, NodeState state) {
-        NodeState& kept = states_[static_cast<std::size_t>(node)];
+        NodeState& kept = states_[at(node)];
         kept = std::max(kept, state);
     }
 
@@ -127,9 +222,18 @@ private:
     }
 
     Grid grid_;
+    UpdateKind update_;
+    SearchLimit search_;
+    Fits<Volume> fits_;
     std::vector<QuadtreeNode> nodes_;
     std::vector<Volume> volumes_;
     std::vector<NodeState> states_;  ///< what the queries since the last build did
+    std::vector<int> open_;          ///< nodes that a query has reached
+    bool built_ = false;
+    Real slack_ = 0;
+    LeafCopies copies_;        ///< for refit: what each leaf was fitted to
+    std::vector<bool> stale_;  ///< for refit: volumes that have just changed
+    Points held_;              ///< for a stale tree: what it was built from
 };
 
 }  // namespace drape

@@ -25,7 +25,7 @@ struct Cloth {
     ClothState previous;  ///< one step before `state`
     std::unique_ptr<Integrator> integrator;
     std::unique_ptr<BroadPhase> broad_phase;
-    std::vector<int> candidates;            ///< cells, ascending, of the last ball that was tested
+    Candidates candidates;                  ///< of the last ball that was tested; cells ascending
     std::vector<std::uint64_t> cell_marks;  ///< one bit a cell, all zero between uses
     std::vector<Contact> contacts;          ///< of the last step
 };

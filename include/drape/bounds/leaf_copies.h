@@ -1,0 +1,32 @@
+#pragma once
+
+#include <span>
+#include <vector>
+
+#include "drape/bounds/quadtree_nodes.h"
+
+namespace drape {
+
+/// The largest distance between two places of the same particle, grown by the rounding [m].
+/// @par Cost O(particles), one pass over both
+Real largest_displacement(const Points& x, const Points& before);
+
+/// For each leaf of a quadtree, the positions to which it was last fitted. Leaves share the particles on their borders,
+/// and may be fitted at different times: each has its own copy.
+class LeafCopies {
+public:
+    void take_all(const Grid& grid, std::span<const QuadtreeNode> nodes, const Points& x);
+
+    /// @param leaf number of the node, as in `take_all`
+    /// @param patch its particles now
+    void take(std::size_t leaf, const Patch& patch);
+
+    /// The largest distance of a leaf's particles from where the copy has them, grown by the rounding [m].
+    [[nodiscard]] Real displacement(std::size_t leaf, const Patch& patch) const;
+
+private:
+    std::vector<std::size_t> starts_;  ///< of each node's copy: all x, then all y, then all z; leaves only
+    std::vector<Real> coordinates_;
+};
+
+}  // namespace drape

@@ -1,0 +1,25 @@
+#pragma once
+
+#include <span>
+
+#include "drape/bounds/bounding_volume.h"
+
+/// Loops over the particles of a patch, vectorised for several generations of processors, of which the best that there
+/// is gets chosen at run time. Smallest and largest values are exact in any order, and sums run in an order that does
+/// not depend on the width of the vectors, so that the bits are the same on all of them.
+namespace drape::kernels {
+
+/// Mean of the particles: each column is added up row by row, then the columns by eights, pairwise.
+void mean(const Patch& patch, Real centre[3]);
+
+/// The largest squared distance of a particle from each of several centres; squares[k] is raised to it.
+/// @param centres count x 3
+void raise_to_farthest(const Patch& patch, const Vec3* centres, int count, Real* squares);
+
+/// Smallest and largest coordinates.
+void bounding_box(const Patch& patch, Real low[3], Real high[3]);
+
+/// The largest squared distance between the particles of two patches of the same shape.
+Real largest_displacement_square(const Patch& now, const Patch& before);
+
+}  // namespace drape::kernels

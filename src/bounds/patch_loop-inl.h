@@ -1,0 +1,57 @@
+// Included once for each kind of processor, by kernels that Highway compiles several times: no include guard of the
+// usual form.
+#if defined(DRAPE_PATCH_LOOP_INL_H) == defined(HWY_TARGET_TOGGLE)
+#ifdef DRAPE_PATCH_LOOP_INL_H
+#undef DRAPE_PATCH_LOOP_INL_H
+#else
+#define DRAPE_PATCH_LOOP_INL_H
+#endif
+
+#include <hwy/highway.h>
+
+#include "drape/bounds/bounding_volume.h"
+
+HWY_BEFORE_NAMESPACE();
+namespace drape::kernels::HWY_NAMESPACE {
+namespace hn = hwy::HWY_NAMESPACE;
+
+/// Calls work(d) with the widest vectors of which a row fills one; a single column has vectors of one lane.
+template <class Work>
+HWY_INLINE void with_vectors_for(int columns, Work work) {
+    if (columns >= 16)
+        work(hn::CappedTag<Real, 16>());
+    else if (columns >= 8)
+        work(hn::CappedTag<Real, 8>());
+    else if (columns >= 4)
+        work(hn::CappedTag<Real, 4>());
+    else if (columns >= 2)
+        work(hn::CappedTag<Real, 2>());
+    else
+        work(hn::CappedTag<Real, 1>());
+}
+
+/// Calls visit(i, j) for the first particle of each vector of a patch. The last vector of a row starts early enough to
+/// end with the row: some particles are visited twice, which does not change a smallest or largest value.
+template <class D, class Visit>
+HWY_INLINE void for_each_vector(D d, const Patch& patch, Visit visit) {
+    const int lanes = static_cast<int>(hn::Lanes(d));
+    for (int j = 0; j < patch.rows; ++j) {
+        int i = 0;
+        for (; i + lanes <= patch.columns; i += lanes) visit(i, j);
+        if (i < patch.columns) visit(patch.columns - lanes, j);
+    }
+}
+
+template <class D>
+HWY_INLINE Real smallest_lane(D d, hn::Vec<D> v) {
+    return hn::GetLane(hn::MinOfLanes(d, v));
+}
+
+template <class D>
+HWY_INLINE Real largest_lane(D d, hn::Vec<D> v) {
+    return hn::GetLane(hn::MaxOfLanes(d, v));
+}
+
+}  // namespace drape::kernels::HWY_NAMESPACE
+HWY_AFTER_NAMESPACE();
+#endif
