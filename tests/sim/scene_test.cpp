@@ -48,7 +48,7 @@ dt = 3e-4
 on_unstable = "stop"
 [contact]
 volume = "brute"
-update = "rebuild"
+update = "merge"
 leaf_cells = 5
 response = "projection"
 friction = 0.25
