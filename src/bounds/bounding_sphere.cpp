@@ -25,12 +25,14 @@ BoundingSphere about(const BoundingSphere& a, const BoundingSphere& b) {
 
 BoundingSphere BoundingSphere::fit(const Patch& patch) {
     BoundingSphere sphere;
-    kernels::mean(patch, sphere.centre.data());
+    sphere.centre = kernels::mean(patch, kernels::sums(patch));
     Real square = 0;
     kernels::raise_to_farthest(patch, &sphere.centre, 1, &square);
-    sphere.radius = std::sqrt(square) * rounded_up;
+    sphere.radius = radius_of(square);
     return sphere;
 }
+
+Real BoundingSphere::radius_of(Real square) { return std::sqrt(square) * rounded_up; }
 
 BoundingSphere BoundingSphere::merge(std::span<const BoundingSphere> parts) {
     // The two that are farthest apart, from end to end

@@ -10,44 +10,65 @@
 HWY_BEFORE_NAMESPACE();
 namespace drape::kernels::HWY_NAMESPACE {
 
-/// Columns that are added up together.
-constexpr int together = 8;
+/// Columns that are added up together, whatever the width of the vectors.
+constexpr int eight = 8;
 
-/// Sums of up to eight columns from column i on, pairwise: column k with k + 4, then k + 2, then k + 1. Columns that
-/// are not there count as zero.
+HWY_INLINE Real pairwise_total(Real* lane) {
+    for (int half = eight / 2; half > 0; half /= 2) {
+        for (int k = 0; k < half; ++k) lane[k] += lane[k + half];
+    }
+    return lane[0];
+}
+
+/// Sums of the eight columns from `from` on, without the last row, and the particles of that.
 template <class D>
-HWY_INLINE void add_columns(D d, const Patch& patch, int i, Real total[3]) {
+HWY_INLINE void add_up_eight(D d, const Real* from, int rows, int stride, Real* column, Real* last) {
     constexpr int lanes = static_cast<int>(hn::MaxLanes(d));
-    const int columns = HWY_MIN(together, patch.columns - i);
-    const Real* const from[3] = {patch.x + i, patch.y + i, patch.z + i};
-    for (int axis = 0; axis < 3; ++axis) {
-        HWY_ALIGN Real sum[together] = {};
-        const auto sum_from = [&](int k) HWY_ATTR {
-            auto part = hn::Zero(d);
-            for (int j = 0; j < patch.rows; ++j) part = hn::Add(part, hn::LoadU(d, from[axis] + j * patch.stride + k));
-            hn::StoreU(part, d, sum + k);
-        };
-        int k = 0;
-        for (; k + lanes <= columns; k += lanes) sum_from(k);
-        if (k < columns && columns >= lanes) {
-            sum_from(columns - lanes);
-        } else {
-            for (; k < columns; ++k) {
-                for (int j = 0; j < patch.rows; ++j) sum[k] += from[axis][j * patch.stride + k];
-            }
-        }
-        for (int half = together / 2; half > 0; half /= 2) {
-            for (int lane = 0; lane < half; ++lane) sum[lane] += sum[lane + half];
-        }
-        total[axis] += sum[0];
+    for (int k = 0; k < eight; k += lanes) {
+        auto sum = hn::Zero(d);
+        for (int j = 0; j + 1 < rows; ++j) sum = hn::Add(sum, hn::LoadU(d, from + j * stride + k));
+        hn::Store(sum, d, column + k);
+        hn::Store(hn::LoadU(d, from + (rows - 1) * stride + k), d, last + k);
     }
 }
 
-void mean_of(const Patch& patch, Real centre[3]) {
-    const hn::CappedTag<Real, together> d;
-    Real total[3] = {};
-    for (int i = 0; i < patch.columns; i += together) add_columns(d, patch, i, total);
-    for (int axis = 0; axis < 3; ++axis) centre[axis] = total[axis] / static_cast<Real>(patch.particles());
+HWY_INLINE void add_up_few(const Real* from, int columns, int rows, int stride, Real* column, Real* last) {
+    for (int k = 0; k < eight; ++k) column[k] = last[k] = 0;
+    for (int j = 0; j + 1 < rows; ++j) {
+        for (int k = 0; k < columns; ++k) column[k] += from[j * stride + k];
+    }
+    for (int k = 0; k < columns; ++k) last[k] = from[(rows - 1) * stride + k];
+}
+
+/// The sums of one coordinate.
+HWY_INLINE void axis_sums(const Patch& patch, const Real* from, Real& inner_sum, Real& right, Real& below_sum) {
+    const hn::CappedTag<Real, eight> d;
+    HWY_ALIGN Real inner[eight] = {}, below[eight] = {}, column[eight], last[eight];
+    for (int counted = 0; counted < patch.columns; counted += eight) {
+        // The last eight start early enough to end with the row; what was counted before is left out
+        const int i = patch.columns >= eight ? HWY_MIN(counted, patch.columns - eight) : 0;
+        if (patch.columns >= eight)
+            add_up_eight(d, from + i, patch.rows, patch.stride, column, last);
+        else
+            add_up_few(from, patch.columns, patch.rows, patch.stride, column, last);
+        for (int k = 0; k < counted - i; ++k) column[k] = last[k] = 0;
+        if (const int corner = patch.columns - 1 - i; corner < eight) {
+            right = column[corner];
+            column[corner] = last[corner] = 0;
+        }
+        for (int k = 0; k < eight; ++k) inner[k] += column[k], below[k] += last[k];
+    }
+    inner_sum = pairwise_total(inner);
+    below_sum = pairwise_total(below);
+}
+
+PatchSums sums_of(const Patch& patch) {
+    PatchSums sums;
+    const Real* const from[3] = {patch.x, patch.y, patch.z};
+    for (int axis = 0; axis < 3; ++axis) {
+        axis_sums(patch, from[axis], sums.inner[axis], sums.right[axis], sums.below[axis]);
+    }
+    return sums;
 }
 
 template <class D>
@@ -120,12 +141,12 @@ HWY_AFTER_NAMESPACE();
 #if HWY_ONCE
 namespace drape::kernels {
 
-HWY_EXPORT(mean_of);
+HWY_EXPORT(sums_of);
 HWY_EXPORT(raise_to_farthest_of);
 HWY_EXPORT(bounding_box_of);
 HWY_EXPORT(largest_displacement_square_of);
 
-void mean(const Patch& patch, Real centre[3]) { HWY_DYNAMIC_DISPATCH(mean_of)(patch, centre); }
+PatchSums sums(const Patch& patch) { return HWY_DYNAMIC_DISPATCH(sums_of)(patch); }
 
 void raise_to_farthest(const Patch& patch, const Vec3* centres, int count, Real* squares) {
     HWY_DYNAMIC_DISPATCH(raise_to_farthest_of)(patch, centres, count, squares);

@@ -9,8 +9,21 @@
 /// not depend on the width of the vectors, so that the bits are the same on all of them.
 namespace drape::kernels {
 
-/// Mean of the particles: each column is added up row by row, then the columns by eights, pairwise.
-void mean(const Patch& patch, Real centre[3]);
+/// Sums over a patch, so made that those of neighbours, which share a column or a row, add up to those of both.
+struct PatchSums {
+    Vec3 inner = Vec3::Zero();  ///< without the last column and row
+    Vec3 right = Vec3::Zero();  ///< of the last column without the last particle
+    Vec3 below = Vec3::Zero();  ///< of the last row without the last particle
+};
+
+/// Each column is added up row by row, then the columns by eights, then these pairwise.
+PatchSums sums(const Patch& patch);
+
+/// Mean of the particles.
+inline Vec3 mean(const Patch& patch, const PatchSums& sums) {
+    const Vec3 corner = patch.at(patch.columns - 1, patch.rows - 1);
+    return (sums.inner + sums.right + (sums.below + corner)) / static_cast<Real>(patch.particles());
+}
 
 /// The largest squared distance of a particle from each of several centres; squares[k] is raised to it.
 /// @param centres count x 3

@@ -1,41 +1,20 @@
-// The quadtree on a large cloth draped over a ball, a tenth of its triangles touched. `ns_per_triangle` is of all
-// triangles of the cloth; `touched` is the share that the exact test finds.
+// The hierarchy on a large cloth draped over a ball, a tenth of its triangles touched. `per_triangle` is of all
+// triangles of the cloth. Ratios are to be taken within one run: against `read_pass`, which only reads the positions,
+// and against `brute_force`, which tests every cell with the same vectorised test as the tree's candidates.
 
 #include <benchmark/benchmark.h>
 
-#include <cmath>
-#include <numbers>
+#include <string>
 
+#include "bench/draped_sheet.h"
+#include "drape/bounds/aabb.h"
 #include "drape/bounds/broad_phase.h"
 #include "drape/contact/contact.h"
 
 namespace {
 
-using drape::Real;
-
-/// A square sheet of side 1 over a ball: the cap follows the ball, the rest falls away in folds.
-struct DrapedSheet {
-    drape::Grid grid;
-    drape::Points x;
-    drape::Ball ball;
-
-    explicit DrapedSheet(int side) : grid{side, side}, x(grid.particles(), 3) {
-        ball.radius = Real(0.3);
-        const Real cap = std::sqrt(Real(0.1) / std::numbers::pi_v<Real>);  // arc within which a tenth of the area lies
-        for (int j = 0; j < side; ++j) {
-            for (int i = 0; i < side; ++i) {
-                const Real u = static_cast<Real>(i) / static_cast<Real>(side - 1) - Real(0.5);
-                const Real w = static_cast<Real>(j) / static_cast<Real>(side - 1) - Real(0.5);
-                const Real arc = std::hypot(u, w), angle = arc / ball.radius, turn = std::atan2(w, u);
-                const Real lift = arc < cap ? Real(0) : Real(0.2) * (arc - cap) * (Real(1.5) + std::sin(8 * turn));
-                const Real r = ball.radius + lift;
-                x.row(grid.particle(i, j)) << r * std::sin(angle) * std::cos(turn), r * std::cos(angle),
-                    r * std::sin(angle) * std::sin(turn);
-            }
-        }
-        ball.radius += Real(1e-4);
-    }
-};
+using drape::BroadPhaseParameters;
+using drape::bench::DrapedSheet;
 
 void per_triangle(benchmark::State& state, const drape::Grid& grid) {
     state.counters["per_triangle"] =
@@ -43,42 +22,70 @@ void per_triangle(benchmark::State& state, const drape::Grid& grid) {
                            benchmark::Counter::kIsIterationInvariantRate | benchmark::Counter::kInvert);
 }
 
-void sphere_rebuild(benchmark::State& state) {
-    const DrapedSheet sheet(static_cast<int>(state.range(0)));
-    const auto tree = drape::make_broad_phase({}, sheet.grid);
+/// Smallest and largest coordinates: what reading the positions costs.
+void read_pass(benchmark::State& state, int side) {
+    const DrapedSheet sheet(side);
+    const int n = sheet.grid.particles();
+    const drape::Patch all{sheet.x.col(0).data(), sheet.x.col(1).data(), sheet.x.col(2).data(), n, 1, n};
+    for (auto _ : state) benchmark::DoNotOptimize(drape::Aabb::fit(all));
+    per_triangle(state, sheet.grid);
+}
+
+void build(benchmark::State& state, int side, const BroadPhaseParameters& parameters) {
+    const DrapedSheet sheet(side);
+    const auto tree = drape::make_broad_phase(parameters, sheet.grid);
     for (auto _ : state) tree->build(sheet.x);
     per_triangle(state, sheet.grid);
 }
 
-void sphere_query(benchmark::State& state) {
-    const DrapedSheet sheet(static_cast<int>(state.range(0)));
-    const auto tree = drape::make_broad_phase({}, sheet.grid);
+/// Down to the touched triangles.
+void query(benchmark::State& state, int side, const BroadPhaseParameters& parameters, bool with_build) {
+    const DrapedSheet sheet(side);
+    const auto tree = drape::make_broad_phase(parameters, sheet.grid);
     drape::Candidates found;
     std::vector<int> triangles;
     tree->build(sheet.x);
-    for (auto _ : state) benchmark::DoNotOptimize(tree->query(sheet.ball, found));
-    drape::find_touched_triangles(sheet.grid, sheet.x, sheet.ball, 0, found.cells, triangles);
-    state.counters["touched"] = static_cast<double>(triangles.size()) / sheet.grid.triangles();
-    state.counters["candidates"] = static_cast<double>(found.cells.size()) / sheet.grid.cells();
-    per_triangle(state, sheet.grid);
-}
-
-/// The query and the exact test of its candidates: down to the touched triangles.
-void sphere_query_exact(benchmark::State& state) {
-    const DrapedSheet sheet(static_cast<int>(state.range(0)));
-    const auto tree = drape::make_broad_phase({}, sheet.grid);
-    drape::Candidates found;
-    std::vector<int> triangles;
-    tree->build(sheet.x);
+    drape::TraversalStats stats;
     for (auto _ : state) {
-        tree->query(sheet.ball, found);
+        if (with_build) tree->build(sheet.x);
+        stats = tree->query(sheet.ball, found);
         drape::find_touched_triangles(sheet.grid, sheet.x, sheet.ball, 0, found.cells, triangles);
     }
+    state.counters["touched"] = static_cast<double>(triangles.size()) / sheet.grid.triangles();
+    state.counters["candidates"] = static_cast<double>(found.cells.size()) / sheet.grid.cells();
+    state.counters["tests"] = static_cast<double>(stats.volume_tests);
     per_triangle(state, sheet.grid);
 }
 
-}  // namespace
+void register_all() {
+    const auto add = [](const std::string& name, auto run) {
+        benchmark::RegisterBenchmark(name.c_str(), run)->Unit(benchmark::kMicrosecond);
+    };
+    for (const int side : {32, 128, 512, 1024}) {
+        const std::string size = "/" + std::to_string(side);
+        add("read_pass" + size, [side](benchmark::State& state) { read_pass(state, side); });
+        add("brute_force" + size,
+            [side](benchmark::State& state) { query(state, side, {.volume = drape::VolumeKind::Brute}, false); });
+        for (std::size_t v = 0; v + 1 < drape::volume_names().size(); ++v) {
+            for (const int leaf : {4, 7, 8, 15, 16}) {
+                const std::string volume = drape::volume_names()[v] + size + "/leaf:" + std::to_string(leaf);
+                for (std::size_t u = 0; u < drape::update_names().size(); ++u) {
+                    const BroadPhaseParameters parameters{.volume = static_cast<drape::VolumeKind>(v),
+                                                          .update = static_cast<drape::UpdateKind>(u),
+                                                          .leaf_cells = leaf};
+                    add(drape::update_names()[u] + "/" + volume,
+                        [=](benchmark::State& state) { build(state, side, parameters); });
+                }
+                const BroadPhaseParameters merged{.volume = static_cast<drape::VolumeKind>(v),
+                                                  .update = drape::UpdateKind::Merge,
+                                                  .leaf_cells = leaf};
+                add("query/" + volume, [=](benchmark::State& state) { query(state, side, merged, false); });
+                add("merge_query/" + volume, [=](benchmark::State& state) { query(state, side, merged, true); });
+            }
+        }
+    }
+}
 
-BENCHMARK(sphere_rebuild)->Arg(30)->Arg(128)->Arg(512)->Unit(benchmark::kMicrosecond);
-BENCHMARK(sphere_query)->Arg(30)->Arg(128)->Arg(512)->Unit(benchmark::kMicrosecond);
-BENCHMARK(sphere_query_exact)->Arg(30)->Arg(128)->Arg(512)->Unit(benchmark::kMicrosecond);
+const bool registered = (register_all(), true);
+
+}  // namespace

@@ -21,6 +21,9 @@ struct BoundingSphere {
     /// @pre one part or more
     static BoundingSphere merge(std::span<const BoundingSphere> parts);
 
+    /// The radius for a largest squared distance, with what its rounding and the rounding of its use need.
+    static Real radius_of(Real square);
+
     [[nodiscard]] bool overlaps(const Ball& ball) const {
         const Real dx = centre[0] - ball.centre[0], dy = centre[1] - ball.centre[1], dz = centre[2] - ball.centre[2];
         const Real reach = (radius + ball.radius) * (1 + 8 * std::numeric_limits<Real>::epsilon());

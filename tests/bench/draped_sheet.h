@@ -1,0 +1,35 @@
+#pragma once
+
+#include <cmath>
+#include <numbers>
+
+#include "drape/model/ball.h"
+#include "drape/model/grid.h"
+
+namespace drape::bench {
+
+/// A square sheet of side 1 over a ball: the cap follows the ball, the rest falls away in folds.
+struct DrapedSheet {
+    Grid grid;
+    Points x;
+    Ball ball;
+
+    explicit DrapedSheet(int side) : grid{side, side}, x(grid.particles(), 3) {
+        ball.radius = Real(0.3);
+        const Real cap = std::sqrt(Real(0.1) / std::numbers::pi_v<Real>);  // arc within which a tenth of the area lies
+        for (int j = 0; j < side; ++j) {
+            for (int i = 0; i < side; ++i) {
+                const Real u = static_cast<Real>(i) / static_cast<Real>(side - 1) - Real(0.5);
+                const Real w = static_cast<Real>(j) / static_cast<Real>(side - 1) - Real(0.5);
+                const Real arc = std::hypot(u, w), angle = arc / ball.radius, turn = std::atan2(w, u);
+                const Real lift = arc < cap ? Real(0) : Real(0.2) * (arc - cap) * (Real(1.5) + std::sin(8 * turn));
+                const Real r = ball.radius + lift;
+                x.row(grid.particle(i, j)) << r * std::sin(angle) * std::cos(turn), r * std::cos(angle),
+                    r * std::sin(angle) * std::sin(turn);
+            }
+        }
+        ball.radius += Real(1e-4);
+    }
+};
+
+}  // namespace drape::bench
