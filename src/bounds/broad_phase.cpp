@@ -1,7 +1,6 @@
 #include "drape/bounds/broad_phase.h"
 
 #include <array>
-#include <numeric>
 
 #include "drape/base/assert.h"
 #include "drape/bounds/aabb.h"
@@ -15,15 +14,14 @@ namespace {
 /// The oracle: no hierarchy, every cell is a candidate.
 class BruteForce final : public BroadPhase {
 public:
-    explicit BruteForce(const Grid& grid) : cells_(grid.cells()) {}
+    explicit BruteForce(const Grid& grid) : grid_(grid) {}
 
     void build(const Points& /*x*/) override {}
 
     TraversalStats query(const Ball& /*ball*/, Candidates& found) override {
-        found.cells.resize(static_cast<std::size_t>(cells_));
-        std::iota(found.cells.begin(), found.cells.end(), 0);
+        list_all_cells(grid_, found.cells);
         found.stopped.clear();
-        return {.candidates = cells_};
+        return {.candidates = grid_.cells()};
     }
 
     [[nodiscard]] bool may_touch(const Ball& /*ball*/, Real /*displacement*/) const override { return true; }
@@ -34,7 +32,7 @@ public:
     }
 
 private:
-    int cells_;
+    Grid grid_;
 };
 
 }  // namespace
@@ -47,6 +45,11 @@ TraversalStats& TraversalStats::operator+=(const TraversalStats& other) {
     candidates += other.candidates;
     stopped += other.stopped;
     return *this;
+}
+
+void list_all_cells(const Grid& grid, std::vector<CellRun>& cells) {
+    cells.clear();
+    for (int j = 0; j < grid.cell_rows(); ++j) cells.push_back({j * grid.cell_columns(), grid.cell_columns()});
 }
 
 std::unique_ptr<BroadPhase> make_broad_phase(const BroadPhaseParameters& parameters, const Grid& grid) {

@@ -35,14 +35,9 @@ HWY_INLINE std::uint32_t bits_of(D d, M mask) {
     return bytes[0] | static_cast<std::uint32_t>(bytes[1]) << 8;
 }
 
-/// The verdicts on as many cells as a vector has lanes, a bit a cell, for the cells whose corners a start at particle
-/// `at`.
-struct Bits {
-    std::uint32_t first, second, open;
-};
-
+/// The verdicts on as many cells as a vector has lanes; corner a of the first is particle `at`.
 template <class D>
-HWY_INLINE Bits judge(D d, const Grid& grid, const Real* const x[3], const Vec3& p, Real reach, int at) {
+HWY_INLINE Verdicts judge(D d, const Grid& grid, const Real* const x[3], const Vec3& p, Real reach, int at) {
     using V = hn::Vec<D>;
     constexpr std::uint32_t all = (1u << hn::MaxLanes(d)) - 1;
     constexpr Real rounding = 32 * std::numeric_limits<Real>::epsilon();
@@ -53,8 +48,8 @@ HWY_INLINE Bits judge(D d, const Grid& grid, const Real* const x[3], const Vec3&
             from_c = square_between(corner_c, centre), from_d = square_between(corner_d, centre);
     const V square = hn::Set(d, reach * reach);
     const V diagonal = hn::Min(from_b, from_c);
-    Bits bits{bits_of(d, hn::Le(hn::Min(from_a, diagonal), square)),
-              bits_of(d, hn::Le(hn::Min(from_d, diagonal), square)), 0};
+    Verdicts bits{0, 0, bits_of(d, hn::Le(hn::Min(from_a, diagonal), square)),
+                  bits_of(d, hn::Le(hn::Min(from_d, diagonal), square)), 0};
     if ((bits.first & bits.second) == all) return bits;
 
     const V nearest = hn::Min(hn::Min(from_a, from_d), diagonal);
@@ -67,49 +62,32 @@ HWY_INLINE Bits judge(D d, const Grid& grid, const Real* const x[3], const Vec3&
     return bits;
 }
 
-/// The number of cells from the k-th on, at most `most`, that follow one another.
-HWY_INLINE int run_length(const int* cell, int k, int count, int most) {
-    most = HWY_MIN(most, count - k);
-    int run = 1;
-    while (run < most && cell[k + run] == cell[k] + run) ++run;
-    return run;
-}
-
 template <class D>
-HWY_INLINE void judge_all(D d, const Grid& grid, const Real* const x[3], const Vec3& p, Real reach,
-                          std::span<const int> cells, std::uint8_t* verdicts) {
+HWY_INLINE int judge_all(D d, const Grid& grid, const Real* const x[3], const Vec3& p, Real reach, const CellRun& cells,
+                         Verdicts* verdicts) {
     constexpr int lanes = static_cast<int>(hn::MaxLanes(d));
-    const int columns = grid.cell_columns(), count = static_cast<int>(cells.size());
+    const int first = grid.cell_corner(cells.first);
     const int last_start = grid.particles() - 1 - grid.nx - lanes;  // farther on, a vector would leave the arrays
-    const int* const cell = cells.data();
-    int row = 0, row_begin = 0, row_end = columns;
-    for (int k = 0; k < count;) {
-        if (cell[k] < row_begin || cell[k] >= row_end) {
-            row = cell[k] / columns;
-            row_begin = row * columns;
-            row_end = row_begin + columns;
-        }
-        const int run = run_length(cell, k, count, HWY_MIN(lanes, row_end - cell[k]));
-        const int wanted = cell[k] + row, at = HWY_MIN(wanted, last_start), skipped = wanted - at;
-        const Bits bits = judge(d, grid, x, p, reach, at);
-        for (int lane = 0; lane < run; ++lane) {
-            const int bit = lane + skipped;
-            verdicts[k + lane] = static_cast<std::uint8_t>((bits.first >> bit & 1u) * Verdict::first |
-                                                           (bits.second >> bit & 1u) * Verdict::second |
-                                                           (bits.open >> bit & 1u) * Verdict::open);
-        }
-        k += run;
+    int found = 0;
+    for (int k = 0; k < cells.count; k += lanes) {
+        const int at = HWY_MIN(first + k, last_start), skipped = first + k - at;
+        const int count = HWY_MIN(lanes, cells.count - k);
+        const std::uint32_t wanted = (1u << count) - 1;
+        Verdicts bits = judge(d, grid, x, p, reach, at);
+        bits = {cells.first + k, count, bits.first >> skipped & wanted, bits.second >> skipped & wanted,
+                bits.open >> skipped & wanted};
+        verdicts[found] = bits;
+        found += (bits.first | bits.second | bits.open) != 0;
     }
+    return found;
 }
 
-void judge_cells_of(const Grid& grid, const Real* const x[3], const Vec3& p, Real reach, std::span<const int> cells,
-                    std::uint8_t* verdicts) {
+int judge_cells_of(const Grid& grid, const Real* const x[3], const Vec3& p, Real reach, const CellRun& cells,
+                   Verdicts* verdicts) {
     const hn::CappedTag<Real, 16> widest;
-    if (grid.particles() > grid.nx + static_cast<int>(hn::Lanes(widest))) {
-        judge_all(widest, grid, x, p, reach, cells, verdicts);
-    } else {
-        judge_all(hn::CappedTag<Real, 1>(), grid, x, p, reach, cells, verdicts);
-    }
+    return grid.particles() > grid.nx + static_cast<int>(hn::Lanes(widest))
+               ? judge_all(widest, grid, x, p, reach, cells, verdicts)
+               : judge_all(hn::CappedTag<Real, 1>(), grid, x, p, reach, cells, verdicts);
 }
 
 }  // namespace drape::kernels::HWY_NAMESPACE
@@ -120,9 +98,9 @@ namespace drape::kernels {
 
 HWY_EXPORT(judge_cells_of);
 
-void judge_cells(const Grid& grid, const Real* const x[3], const Vec3& p, Real reach, std::span<const int> cells,
-                 std::uint8_t* verdicts) {
-    HWY_DYNAMIC_DISPATCH(judge_cells_of)(grid, x, p, reach, cells, verdicts);
+int judge_cells(const Grid& grid, const Real* const x[3], const Vec3& p, Real reach, const CellRun& cells,
+                Verdicts* verdicts) {
+    return HWY_DYNAMIC_DISPATCH(judge_cells_of)(grid, x, p, reach, cells, verdicts);
 }
 
 }  // namespace drape::kernels

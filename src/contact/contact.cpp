@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <array>
+#include <bit>
 #include <cstdint>
 
 #include "cell_verdicts.h"
@@ -12,66 +13,75 @@ namespace drape {
 
 namespace {
 
-using kernels::Verdict;
+using kernels::Verdicts;
 
-/// Calls visit(cells, verdicts) for the cells in portions, with what their corners say.
+/// Calls visit(verdicts) for the cells of which one may touch.
 template <class Visit>
-void for_each_portion(const Grid& grid, const Points& x, const Vec3& p, Real reach, std::span<const int> cells,
+void for_each_verdict(const Grid& grid, const Points& x, const Vec3& p, Real reach, std::span<const CellRun> cells,
                       Visit visit) {
     const Real* const xs[3] = {x.col(0).data(), x.col(1).data(), x.col(2).data()};
-    std::array<std::uint8_t, 512> verdicts;
-    for (std::size_t begin = 0; begin < cells.size(); begin += verdicts.size()) {
-        const auto portion = cells.subspan(begin, std::min(verdicts.size(), cells.size() - begin));
-        kernels::judge_cells(grid, xs, p, reach, portion, verdicts.data());
-        visit(portion, std::span(verdicts).first(portion.size()));
+    constexpr int portion = 256;
+    std::array<Verdicts, portion> verdicts;
+    for (const CellRun& run : cells) {
+        for (int k = 0; k < run.count; k += portion) {
+            const CellRun part{run.first + k, std::min(portion, run.count - k)};
+            const int found = kernels::judge_cells(grid, xs, p, reach, part, verdicts.data());
+            std::for_each_n(verdicts.begin(), found, visit);
+        }
     }
 }
 
-/// Decides on the triangles that a verdict leaves open.
-std::uint8_t decided(std::uint8_t verdict, const Grid& grid, const Points& x, const Vec3& p, Real reach, int cell) {
+/// Decides on the triangles that the corners leave open.
+void decide(const Grid& grid, const Points& x, const Vec3& p, Real reach, Verdicts& verdicts) {
     const auto touches = [&](int triangle) {
         return (closest_point(x, grid.triangle_corners(triangle), p).point - p).squaredNorm() <= reach * reach;
     };
-    if (!(verdict & Verdict::first) && touches(2 * cell)) verdict |= Verdict::first;
-    if (!(verdict & Verdict::second) && touches(2 * cell + 1)) verdict |= Verdict::second;
-    return verdict & Verdict::both;
+    for (std::uint32_t open = verdicts.open; open != 0; open &= open - 1) {
+        const int k = std::countr_zero(open), cell = verdicts.cell + k;
+        const std::uint32_t bit = 1u << k;
+        if (!(verdicts.first & bit) && touches(2 * cell)) verdicts.first |= bit;
+        if (!(verdicts.second & bit) && touches(2 * cell + 1)) verdicts.second |= bit;
+    }
 }
 
 }  // namespace
 
 void find_touched_triangles(const Grid& grid, const Points& x, const Ball& ball, Real thickness,
-                            std::span<const int> cells, std::vector<int>& triangles) {
-    // Room for all; what is not needed is given back
-    triangles.resize(2 * cells.size());
-    int* next = triangles.data();
+                            std::span<const CellRun> cells, std::vector<int>& triangles) {
+    triangles.clear();
     const Real reach = ball.radius + thickness;
-    for_each_portion(grid, x, ball.centre, reach, cells, [&](std::span<const int> some, auto verdicts) {
-        for (std::size_t k = 0; k < some.size(); ++k) {
-            std::uint8_t verdict = verdicts[k];
-            if (verdict & Verdict::open) verdict = decided(verdict, grid, x, ball.centre, reach, some[k]);
-            *next = 2 * some[k];
-            next += verdict & Verdict::first;
-            *next = 2 * some[k] + 1;
-            next += verdict >> 1;
+    for_each_verdict(grid, x, ball.centre, reach, cells, [&](Verdicts verdicts) {
+        decide(grid, x, ball.centre, reach, verdicts);
+        const std::size_t before = triangles.size();
+        triangles.resize(before + 2 * static_cast<std::size_t>(verdicts.count));
+        int* next = triangles.data() + before;
+        if ((verdicts.first & verdicts.second) == (1u << verdicts.count) - 1) {
+            for (int k = 0; k < 2 * verdicts.count; ++k) next[k] = 2 * verdicts.cell + k;
+            return;
         }
+        for (int k = 0; k < verdicts.count; ++k) {
+            *next = 2 * (verdicts.cell + k);
+            next += verdicts.first >> k & 1u;
+            *next = 2 * (verdicts.cell + k) + 1;
+            next += verdicts.second >> k & 1u;
+        }
+        triangles.resize(static_cast<std::size_t>(next - triangles.data()));
     });
-    triangles.resize(static_cast<std::size_t>(next - triangles.data()));
 }
 
 void find_contacts(const Grid& grid, const Points& x, const Ball& ball, int ball_number, Real thickness,
-                   std::span<const int> cells, std::vector<Contact>& contacts) {
+                   std::span<const CellRun> cells, std::vector<Contact>& contacts) {
     Contact contact{.ball = ball_number};
-    for_each_portion(grid, x, ball.centre, ball.radius + thickness, cells,
-                     [&](std::span<const int> some, auto verdicts) {
-                         for (std::size_t k = 0; k < some.size(); ++k) {
-                             if (verdicts[k] == 0) continue;
-                             for (const int triangle : {2 * some[k], 2 * some[k] + 1}) {
-                                 contact.triangle = triangle;
-                                 contact.corners = grid.triangle_corners(triangle);
-                                 if (locate(x, ball, thickness, contact)) contacts.push_back(contact);
-                             }
-                         }
-                     });
+    for_each_verdict(grid, x, ball.centre, ball.radius + thickness, cells, [&](const Verdicts& verdicts) {
+        for (std::uint32_t near = verdicts.first | verdicts.second | verdicts.open; near != 0; near &= near - 1) {
+            const int cell = verdicts.cell + std::countr_zero(near);
+            for (const int triangle : {2 * cell, 2 * cell + 1}) {
+                contact.triangle = triangle;
+                contact.corners = grid.triangle_corners(triangle);
+                if (locate(x, ball, thickness, contact)) contacts.push_back(contact);
+            }
+        }
+    });
 }
 
 }  // namespace drape

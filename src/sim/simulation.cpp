@@ -1,7 +1,6 @@
 #include "drape/sim/simulation.h"
 
 #include <algorithm>
-#include <bit>
 #include <cmath>
 #include <utility>
 
@@ -26,19 +25,6 @@ Air air_at(const WindSettings& wind, double time) {
 
 ResponseParameters response_of(const ContactSettings& contact) {
     return {contact.response, contact.friction, contact.restitution, contact.thickness};
-}
-
-/// Puts candidate cells into ascending order, so that contacts are answered in the same order whatever found them.
-/// @par Cost O(cells / 64 + candidates)
-void sort_cells(std::vector<int>& cells, std::vector<std::uint64_t>& marks) {
-    for (const int cell : cells) marks[static_cast<std::size_t>(cell) / 64] |= std::uint64_t{1} << (cell % 64);
-    std::size_t count = 0;
-    for (std::size_t word = 0; word < marks.size(); ++word) {
-        for (; marks[word] != 0; marks[word] &= marks[word] - 1) {
-            cells[count++] = static_cast<int>(64 * word) + std::countr_zero(marks[word]);
-        }
-    }
-    cells.resize(count);
 }
 
 }  // namespace
@@ -95,7 +81,8 @@ void Simulation::collide(Cloth& cloth, Real h) {
     cloth.contacts.clear();
     for (std::size_t b = 0; b < balls_.size(); ++b) {
         report_.traversal += cloth.broad_phase->query(grown(balls_[b], contact.thickness), cloth.candidates);
-        sort_cells(cloth.candidates.cells, cloth.cell_marks);
+        // In the same order whatever found them, so that contacts are answered in the same order
+        std::ranges::sort(cloth.candidates.cells, {}, &CellRun::first);
         report_.times.traverse += watch.lap();
         find_contacts(cloth.model.grid, cloth.state.x, balls_[b], static_cast<int>(b), contact.thickness,
                       cloth.candidates.cells, cloth.contacts);

@@ -80,7 +80,6 @@ void Simulation::restart() {
         cloth.integrator = make_integrator(settings_.solver.integrator, parameters.particles.particles());
         cloth.broad_phase = make_broad_phase(broad_phase_of(settings_.contact), parameters.particles);
         cloth.broad_phase->build(cloth.state.x);
-        cloth.cell_marks.assign(static_cast<std::size_t>(parameters.particles.cells()) / 64 + 1, 0);
         cloth.contacts.reserve(static_cast<std::size_t>(parameters.particles.triangles()));
     }
     balls_.clear();

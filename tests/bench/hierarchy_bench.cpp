@@ -52,7 +52,7 @@ void query(benchmark::State& state, int side, const BroadPhaseParameters& parame
         drape::find_touched_triangles(sheet.grid, sheet.x, sheet.ball, 0, found.cells, triangles);
     }
     state.counters["touched"] = static_cast<double>(triangles.size()) / sheet.grid.triangles();
-    state.counters["candidates"] = static_cast<double>(found.cells.size()) / sheet.grid.cells();
+    state.counters["candidates"] = static_cast<double>(stats.candidates) / sheet.grid.cells();
     state.counters["tests"] = static_cast<double>(stats.volume_tests);
     per_triangle(state, sheet.grid);
 }

@@ -75,8 +75,9 @@ TEST(TouchedTriangles, AreThoseWithinTheRadius) {
     std::mt19937 random(10);
     std::uniform_real_distribution<Real> unit(-1, 1);
     const Grid grid{14, 9};
-    std::vector<int> all(static_cast<std::size_t>(grid.cells())), touched;
-    for (std::size_t c = 0; c < all.size(); ++c) all[c] = static_cast<int>(c);
+    std::vector<CellRun> all;
+    list_all_cells(grid, all);
+    std::vector<int> touched;
     long found = 0;
     for (int round = 0; round < 5000; ++round) {
         const Points x = testing::random_cloth(grid, random);

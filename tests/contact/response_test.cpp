@@ -3,7 +3,6 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
-#include <numeric>
 
 #include "drape/integrate/integrator.h"
 
@@ -20,7 +19,7 @@ struct Floor {
     ResponseParameters parameters{.kind = ResponseKind::Projection, .friction = 0, .restitution = 0, .thickness = 0};
     std::vector<Ball> balls{{.centre = Vec3(0, -radius, 0), .radius = radius}};
     std::vector<Contact> contacts;
-    std::vector<int> cells;
+    std::vector<CellRun> cells;
     Real deepest = 0;
 
     explicit Floor(Real height) {
@@ -32,8 +31,7 @@ struct Floor {
         cloth.drag = 0;
         model = make_cloth_model(cloth);
         state = make_rest_state(cloth);
-        cells.resize(static_cast<std::size_t>(model.grid.cells()));
-        std::iota(cells.begin(), cells.end(), 0);
+        list_all_cells(model.grid, cells);
     }
 
     void respond() {
@@ -61,7 +59,7 @@ TEST(Response, TakesTrianglesOutOfTheBallVerticesAndInteriorsAlike) {
     ASSERT_FALSE(floor.contacts.empty());
     for (int t = 0; t < floor.model.grid.triangles(); ++t) {
         std::vector<Contact> left;
-        const int cell = t / 2;
+        const CellRun cell{t / 2, 1};
         find_contacts(floor.model.grid, floor.state.x, floor.balls[0], 0, 0, std::span(&cell, 1), left);
         for (const Contact& contact : left) EXPECT_LT(contact.depth, 1e-3 * 0.02);
     }

@@ -61,9 +61,18 @@ struct StoppedNode {
     int cell = 0;  ///< in the middle of it
 };
 
+/// Cells that follow one another in a row of the grid.
+struct CellRun {
+    int first = 0;
+    int count = 0;
+};
+
+/// All cells of a grid, a run a row.
+void list_all_cells(const Grid& grid, std::vector<CellRun>& cells);
+
 /// What a query hands on.
 struct Candidates {
-    std::vector<int> cells;            ///< every cell that may touch, each once, in no particular order
+    std::vector<CellRun> cells;        ///< every cell that may touch, each once; the runs in no particular order
     std::vector<StoppedNode> stopped;  ///< none unless the search is limited
 };
 
@@ -87,7 +96,7 @@ public:
 
     /// @param ball grown by the cloth's thickness
     /// @param found receives the candidates: every cell with a triangle that touches the ball, and perhaps more, unless
-    ///        the search is limited. Cleared first; its capacity grows to the number of cells once.
+    ///        the search is limited. Cleared first; its capacity grows to what a search can find, once.
     /// @pre `build` was called
     virtual TraversalStats query(const Ball& ball, Candidates& found) = 0;
 

@@ -38,6 +38,7 @@ public:
           volumes_(nodes_.size()),
           states_(nodes_.size()) {
         open_.reserve(nodes_.size());
+        for (const QuadtreeNode& node : nodes_) leaf_rows_ += node.children == 0 ? at(node.j1 - node.j0) : 0;
     }
 
     void build(const Points& x) override {
@@ -64,7 +65,7 @@ public:
     /// candidates.
     TraversalStats query(const Ball& ball, Candidates& found) override {
         found.cells.clear();
-        found.cells.reserve(static_cast<std::size_t>(grid_.cells()));
+        found.cells.reserve(leaf_rows_);
         found.stopped.clear();
         TraversalStats stats{.nodes = static_cast<std::int64_t>(nodes_.size())};
         const Ball reached = grown(ball, slack_ + rounding(ball));
@@ -87,13 +88,12 @@ public:
             } else if (node.children == 0) {
                 mark(n, NodeState::Leaf);
                 ++stats.leaves;
-                append_cells(node, found.cells);
+                stats.candidates += append_cells(node, found.cells);
             } else {
                 mark(n, NodeState::Visited);
                 for (int child = 0; child < node.children; ++child) open_.push_back(node.first_child + child);
             }
         }
-        stats.candidates = static_cast<std::int64_t>(found.cells.size());
         stats.stopped = static_cast<std::int64_t>(found.stopped.size());
         return stats;
     }
@@ -200,11 +200,11 @@ private:
         return (node.j0 + node.j1) / 2 * grid_.cell_columns() + (node.i0 + node.i1) / 2;
     }
 
-    void append_cells(const QuadtreeNode& node, std::vector<int>& cells) const {
-        for (int j = node.j0; j < node.j1; ++j) {
-            const int row = j * grid_.cell_columns();
-            for (int i = node.i0; i < node.i1; ++i) cells.push_back(row + i);
-        }
+    /// @return number of cells
+    std::int64_t append_cells(const QuadtreeNode& node, std::vector<CellRun>& cells) const {
+        const int columns = node.i1 - node.i0, rows = node.j1 - node.j0;
+        for (int j = node.j0; j < node.j1; ++j) cells.push_back({j * grid_.cell_columns() + node.i0, columns});
+        return static_cast<std::int64_t>(columns) * rows;
     }
 
     /// With several balls a node shows the most that any query did with it.
@@ -228,6 +228,7 @@ private:
     std::vector<QuadtreeNode> nodes_;
     std::vector<Volume> volumes_;
     std::vector<NodeState> states_;  ///< what the queries since the last build did
+    std::size_t leaf_rows_ = 0;      ///< of all leaves together: the most runs of cells that a query finds
     std::vector<int> open_;          ///< nodes that a query has reached
     bool built_ = false;
     Real slack_ = 0;

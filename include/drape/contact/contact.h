@@ -4,6 +4,7 @@
 #include <span>
 #include <vector>
 
+#include "drape/bounds/broad_phase.h"
 #include "drape/model/ball.h"
 #include "drape/model/cloth_model.h"
 
@@ -28,11 +29,11 @@ struct Contact {
 /// @param cells candidate cells
 /// @param triangles receives the triangle numbers, in the order of `cells`; cleared first
 void find_touched_triangles(const Grid& grid, const Points& x, const Ball& ball, Real thickness,
-                            std::span<const int> cells, std::vector<int>& triangles);
+                            std::span<const CellRun> cells, std::vector<int>& triangles);
 
 /// The contacts of the candidate cells' triangles with one ball, appended.
 /// @param ball_number is stored with each contact
 void find_contacts(const Grid& grid, const Points& x, const Ball& ball, int ball_number, Real thickness,
-                   std::span<const int> cells, std::vector<Contact>& contacts);
+                   std::span<const CellRun> cells, std::vector<Contact>& contacts);
 
 }  // namespace drape

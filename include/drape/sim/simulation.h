@@ -25,9 +25,8 @@ struct Cloth {
     ClothState previous;  ///< one step before `state`
     std::unique_ptr<Integrator> integrator;
     std::unique_ptr<BroadPhase> broad_phase;
-    Candidates candidates;                  ///< of the last ball that was tested; cells ascending
-    std::vector<std::uint64_t> cell_marks;  ///< one bit a cell, all zero between uses
-    std::vector<Contact> contacts;          ///< of the last step
+    Candidates candidates;          ///< of the last ball that was tested; cells ascending
+    std::vector<Contact> contacts;  ///< of the last step
 };
 
 /// What the renderer needs of a moment; all of it belongs to the simulation and lasts until its next change.
