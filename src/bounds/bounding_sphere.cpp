@@ -25,10 +25,7 @@ BoundingSphere about(const BoundingSphere& a, const BoundingSphere& b) {
 
 BoundingSphere BoundingSphere::fit(const Patch& patch) {
     BoundingSphere sphere;
-    sphere.centre = kernels::mean(patch, kernels::sums(patch));
-    Real square = 0;
-    kernels::raise_to_farthest(patch, &sphere.centre, 1, &square);
-    sphere.radius = radius_of(square);
+    sphere.radius = radius_of(kernels::centroid_sphere(patch, sphere.centre));
     return sphere;
 }
 

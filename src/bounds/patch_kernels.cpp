@@ -13,63 +13,87 @@ namespace drape::kernels::HWY_NAMESPACE {
 /// Columns that are added up together, whatever the width of the vectors.
 constexpr int eight = 8;
 
-HWY_INLINE Real pairwise_total(Real* lane) {
-    for (int half = eight / 2; half > 0; half /= 2) {
-        for (int k = 0; k < half; ++k) lane[k] += lane[k + half];
-    }
-    return lane[0];
-}
-
-/// Sums of the eight columns from `from` on, without the last row, and the particles of that.
+/// Eight values in as many vectors as they take.
 template <class D>
-HWY_INLINE void add_up_eight(D d, const Real* from, int rows, int stride, Real* column, Real* last) {
-    constexpr int lanes = static_cast<int>(hn::MaxLanes(d));
-    for (int k = 0; k < eight; k += lanes) {
-        auto sum = hn::Zero(d);
-        for (int j = 0; j + 1 < rows; ++j) sum = hn::Add(sum, hn::LoadU(d, from + j * stride + k));
-        hn::Store(sum, d, column + k);
-        hn::Store(hn::LoadU(d, from + (rows - 1) * stride + k), d, last + k);
+struct Eight {
+    static constexpr int lanes = static_cast<int>(hn::MaxLanes(D()));
+    static constexpr int parts = eight / lanes;
+    hn::Vec<D> part[parts];
+};
+
+/// Eight values; those from `count` on are zero and not read.
+template <class D>
+HWY_INLINE Eight<D> load_eight(D d, const Real* from, int count) {
+    Eight<D> values;
+    HWY_ALIGN Real few[eight] = {};
+    if (count < eight) {
+        for (int k = 0; k < count; ++k) few[k] = from[k];
+        from = few;
+    }
+    for (int p = 0; p < Eight<D>::parts; ++p) values.part[p] = hn::LoadU(d, from + p * Eight<D>::lanes);
+    return values;
+}
+
+/// sum += values, but for those before `begin` and from `end` on.
+template <class D>
+HWY_INLINE void add_between(D d, const Eight<D>& values, int begin, int end, Eight<D>& sum) {
+    for (int p = 0; p < Eight<D>::parts; ++p) {
+        const auto number = hn::Iota(d, static_cast<Real>(p * Eight<D>::lanes));
+        const auto counts = hn::And(hn::Ge(number, hn::Set(d, static_cast<Real>(begin))),
+                                    hn::Lt(number, hn::Set(d, static_cast<Real>(end))));
+        sum.part[p] = hn::Add(sum.part[p], hn::IfThenElseZero(counts, values.part[p]));
     }
 }
 
-HWY_INLINE void add_up_few(const Real* from, int columns, int rows, int stride, Real* column, Real* last) {
-    for (int k = 0; k < eight; ++k) column[k] = last[k] = 0;
-    for (int j = 0; j + 1 < rows; ++j) {
-        for (int k = 0; k < columns; ++k) column[k] += from[j * stride + k];
-    }
-    for (int k = 0; k < columns; ++k) last[k] = from[(rows - 1) * stride + k];
+template <class D>
+HWY_INLINE void store_eight(D d, const Eight<D>& values, Real* to) {
+    for (int p = 0; p < Eight<D>::parts; ++p) hn::StoreU(values.part[p], d, to + p * Eight<D>::lanes);
+}
+
+template <class D>
+HWY_INLINE Real pairwise_total(D d, const Eight<D>& values) {
+    Real lane[eight];
+    store_eight(d, values, lane);
+    return ((lane[0] + lane[4]) + (lane[2] + lane[6])) + ((lane[1] + lane[5]) + (lane[3] + lane[7]));
 }
 
 /// The sums of one coordinate.
-HWY_INLINE void axis_sums(const Patch& patch, const Real* from, Real& inner_sum, Real& right, Real& below_sum) {
-    const hn::CappedTag<Real, eight> d;
-    HWY_ALIGN Real inner[eight] = {}, below[eight] = {}, column[eight], last[eight];
+template <class D>
+HWY_INLINE void axis_sums(D d, const Patch& patch, const Real* from, Real& inner_total, Real& right,
+                          Real& below_total) {
+    Eight<D> inner = load_eight(d, from, 0), below = inner;
     for (int counted = 0; counted < patch.columns; counted += eight) {
         // The last eight start early enough to end with the row; what was counted before is left out
-        const int i = patch.columns >= eight ? HWY_MIN(counted, patch.columns - eight) : 0;
-        if (patch.columns >= eight)
-            add_up_eight(d, from + i, patch.rows, patch.stride, column, last);
-        else
-            add_up_few(from, patch.columns, patch.rows, patch.stride, column, last);
-        for (int k = 0; k < counted - i; ++k) column[k] = last[k] = 0;
-        if (const int corner = patch.columns - 1 - i; corner < eight) {
-            right = column[corner];
-            column[corner] = last[corner] = 0;
+        const int i = HWY_MAX(0, HWY_MIN(counted, patch.columns - eight));
+        const int count = HWY_MIN(eight, patch.columns - i), corner = patch.columns - 1 - i;
+        Eight<D> column = load_eight(d, from + i, count);
+        for (int j = 1; j + 1 < patch.rows; ++j) {
+            const Eight<D> row = load_eight(d, from + j * patch.stride + i, count);
+            for (int p = 0; p < Eight<D>::parts; ++p) column.part[p] = hn::Add(column.part[p], row.part[p]);
         }
-        for (int k = 0; k < eight; ++k) inner[k] += column[k], below[k] += last[k];
+        add_between(d, column, counted - i, corner, inner);
+        add_between(d, load_eight(d, from + (patch.rows - 1) * patch.stride + i, count), counted - i, corner, below);
+        if (corner < eight) {
+            Real lane[eight];
+            store_eight(d, column, lane);
+            right = lane[corner];
+        }
     }
-    inner_sum = pairwise_total(inner);
-    below_sum = pairwise_total(below);
+    inner_total = pairwise_total(d, inner);
+    below_total = pairwise_total(d, below);
 }
 
-PatchSums sums_of(const Patch& patch) {
+HWY_INLINE PatchSums sums_in(const Patch& patch) {
     PatchSums sums;
     const Real* const from[3] = {patch.x, patch.y, patch.z};
     for (int axis = 0; axis < 3; ++axis) {
-        axis_sums(patch, from[axis], sums.inner[axis], sums.right[axis], sums.below[axis]);
+        axis_sums(hn::CappedTag<Real, eight>(), patch, from[axis], sums.inner[axis], sums.right[axis],
+                  sums.below[axis]);
     }
     return sums;
 }
+
+PatchSums sums_of(const Patch& patch) { return sums_in(patch); }
 
 template <class D>
 HWY_INLINE hn::Vec<D> square_to(D d, const Patch& patch, int start, const Vec3& centre) {
@@ -90,13 +114,97 @@ HWY_INLINE void raise_together(D d, const Patch& patch, const Vec3* centres, Rea
     for (int k = 0; k < count; ++k) squares[k] = HWY_MAX(squares[k], largest_lane(d, far[k]));
 }
 
-void raise_to_farthest_of(const Patch& patch, const Vec3* centres, int count, Real* squares) {
+HWY_INLINE void raise_in(const Patch& patch, const Vec3* centres, int count, Real* squares) {
     with_vectors_for(patch.columns, [&](auto d) HWY_ATTR {
         int k = 0;
         for (; k + 4 <= count; k += 4) raise_together<4>(d, patch, centres + k, squares + k);
         for (; k + 2 <= count; k += 2) raise_together<2>(d, patch, centres + k, squares + k);
         for (; k < count; ++k) raise_together<1>(d, patch, centres + k, squares + k);
     });
+}
+
+void raise_to_farthest_of(const Patch& patch, const Vec3* centres, int count, Real* squares) {
+    raise_in(patch, centres, count, squares);
+}
+
+/// Lane k is added to lane k + n/2, then k + n/4, down to one.
+template <int n>
+HWY_INLINE Real total(Real* lane) {
+    if constexpr (n == 1) {
+        return lane[0];
+    } else {
+        const hn::CappedTag<Real, n / 2> d;
+        for (int k = 0; k < n / 2; k += static_cast<int>(hn::MaxLanes(d))) {
+            hn::StoreU(hn::Add(hn::LoadU(d, lane + k), hn::LoadU(d, lane + k + n / 2)), d, lane + k);
+        }
+        return total<n / 2>(lane);
+    }
+}
+
+/// The most particles of a patch that is copied: the leaves that are worth it.
+constexpr int copied = 17 * 17;
+
+/// Means of the coordinates in `n` lanes, whatever the width of the vectors. On the way the patch is copied into one
+/// piece: where the rows of a grid lie a power of two apart, those of a patch fall on the same lines of the cache, and
+/// the second pass would find them gone.
+/// @param copy 3 x copied; untouched if the patch is larger
+template <int n>
+HWY_INLINE void mean_in_lanes(const Patch& patch, Vec3& centre, Real* copy) {
+    const hn::CappedTag<Real, n> d;
+    constexpr int lanes = static_cast<int>(hn::MaxLanes(d)), parts = n / lanes;
+    const bool copies = patch.particles() <= copied;
+    const Real* const from[3] = {patch.x, patch.y, patch.z};
+    hn::Vec<decltype(d)> sum[3][parts];
+    for (auto& axis_sum : sum) {
+        for (auto& part : axis_sum) part = hn::Zero(d);
+    }
+    for (int j = 0; j < patch.rows; ++j) {
+        const int row = j * patch.stride, to = j * patch.columns;
+        int i = 0;
+        for (; i + n <= patch.columns; i += n) {
+            for (int axis = 0; axis < 3; ++axis) {
+                for (int p = 0; p < parts; ++p) {
+                    const auto value = loaded_once(hn::LoadU(d, from[axis] + row + i + p * lanes));
+                    sum[axis][p] = hn::Add(sum[axis][p], value);
+                    if (copies) hn::StoreU(value, d, copy + axis * copied + to + i + p * lanes);
+                }
+            }
+        }
+        if (i == patch.columns) continue;
+
+        // The last vectors start early enough to end with the row; what was counted before is left out
+        const auto counted = hn::Set(d, static_cast<Real>(i - (patch.columns - n)));
+        i = patch.columns - n;
+        for (int axis = 0; axis < 3; ++axis) {
+            for (int p = 0; p < parts; ++p) {
+                const auto value = loaded_once(hn::LoadU(d, from[axis] + row + i + p * lanes));
+                const auto counts = hn::Ge(hn::Iota(d, static_cast<Real>(p * lanes)), counted);
+                sum[axis][p] = hn::Add(sum[axis][p], hn::IfThenElseZero(counts, value));
+                if (copies) hn::StoreU(value, d, copy + axis * copied + to + i + p * lanes);
+            }
+        }
+    }
+    for (int axis = 0; axis < 3; ++axis) {
+        HWY_ALIGN Real lane[n];
+        for (int p = 0; p < parts; ++p) hn::Store(sum[axis][p], d, lane + p * lanes);
+        centre[axis] = total<n>(lane) / static_cast<Real>(patch.particles());
+    }
+}
+
+Real centroid_sphere_of(const Patch& patch, Vec3& centre) {
+    HWY_ALIGN Real copy[3 * copied];
+    if (patch.columns >= 16)
+        mean_in_lanes<16>(patch, centre, copy);
+    else if (patch.columns >= 8)
+        mean_in_lanes<8>(patch, centre, copy);
+    else if (patch.columns >= 4)
+        mean_in_lanes<4>(patch, centre, copy);
+    else
+        mean_in_lanes<2>(patch, centre, copy);
+    Real square = 0;
+    const Patch near{copy, copy + copied, copy + 2 * copied, patch.columns, patch.rows, patch.columns};
+    raise_in(patch.particles() <= copied ? near : patch, &centre, 1, &square);
+    return square;
 }
 
 void bounding_box_of(const Patch& patch, Real low[3], Real high[3]) {
@@ -107,7 +215,7 @@ void bounding_box_of(const Patch& patch, Real low[3], Real high[3]) {
         for (int axis = 0; axis < 3; ++axis) least[axis] = most[axis] = hn::LoadU(d, from[axis]);
         for_each_vector(d, patch, [&](int i, int j) HWY_ATTR {
             for (int axis = 0; axis < 3; ++axis) {
-                const V value = hn::LoadU(d, from[axis] + j * patch.stride + i);
+                const V value = loaded_once(hn::LoadU(d, from[axis] + j * patch.stride + i));
                 least[axis] = hn::Min(least[axis], value);
                 most[axis] = hn::Max(most[axis], value);
             }
@@ -142,6 +250,7 @@ HWY_AFTER_NAMESPACE();
 namespace drape::kernels {
 
 HWY_EXPORT(sums_of);
+HWY_EXPORT(centroid_sphere_of);
 HWY_EXPORT(raise_to_farthest_of);
 HWY_EXPORT(bounding_box_of);
 HWY_EXPORT(largest_displacement_square_of);
@@ -150,6 +259,10 @@ PatchSums sums(const Patch& patch) { return HWY_DYNAMIC_DISPATCH(sums_of)(patch)
 
 void raise_to_farthest(const Patch& patch, const Vec3* centres, int count, Real* squares) {
     HWY_DYNAMIC_DISPATCH(raise_to_farthest_of)(patch, centres, count, squares);
+}
+
+Real centroid_sphere(const Patch& patch, Vec3& centre) {
+    return HWY_DYNAMIC_DISPATCH(centroid_sphere_of)(patch, centre);
 }
 
 void bounding_box(const Patch& patch, Real low[3], Real high[3]) {

@@ -29,6 +29,9 @@ inline Vec3 mean(const Patch& patch, const PatchSums& sums) {
 /// @param centres count x 3
 void raise_to_farthest(const Patch& patch, const Vec3* centres, int count, Real* squares);
 
+/// The mean, and the largest squared distance of a particle from it.
+Real centroid_sphere(const Patch& patch, Vec3& centre);
+
 /// Smallest and largest coordinates.
 void bounding_box(const Patch& patch, Real low[3], Real high[3]);
 

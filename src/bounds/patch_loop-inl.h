@@ -42,6 +42,16 @@ HWY_INLINE void for_each_vector(D d, const Patch& patch, Visit visit) {
     }
 }
 
+/// A value that stays in its register: GCC 12 would load it from memory again for each use, and such loads, which
+/// straddle cache lines, are what these loops wait for.
+template <class V>
+HWY_INLINE V loaded_once(V value) {
+#if HWY_ARCH_X86_64 && HWY_TARGET != HWY_EMU128 && HWY_TARGET != HWY_SCALAR
+    asm("" : "+x"(value.raw));
+#endif
+    return value;
+}
+
 template <class D>
 HWY_INLINE Real smallest_lane(D d, hn::Vec<D> v) {
     return hn::GetLane(hn::MinOfLanes(d, v));

@@ -35,10 +35,11 @@ public:
           search_(parameters.search),
           fits_(fits),
           nodes_(make_quadtree_nodes(grid, parameters.leaf_cells)),
+          leaves_(leaves_in_rows(nodes_)),
           volumes_(nodes_.size()),
           states_(nodes_.size()) {
         open_.reserve(nodes_.size());
-        for (const QuadtreeNode& node : nodes_) leaf_rows_ += node.children == 0 ? at(node.j1 - node.j0) : 0;
+        for (const int n : leaves_) leaf_rows_ += at(nodes_[at(n)].j1 - nodes_[at(n)].j0);
     }
 
     void build(const Points& x) override {
@@ -139,9 +140,13 @@ private:
     /// Bottom-up: leaves from particles, all others from their children.
     /// @par Cost O(particles)
     void merge(const Points& x) {
+        for (const int n : leaves_) {
+            const QuadtreeNode& leaf = nodes_[at(n)];
+            prefetch_below(grid_, leaf, x);
+            volumes_[at(n)] = fits_.patch(patch_of(grid_, leaf, x));
+        }
         for (std::size_t n = nodes_.size(); n-- > 0;) {
-            const QuadtreeNode& node = nodes_[n];
-            volumes_[n] = node.children == 0 ? fits_.patch(patch_of(grid_, node, x)) : merged(node);
+            if (nodes_[n].children > 0) volumes_[n] = merged(nodes_[n]);
         }
     }
 
@@ -226,6 +231,7 @@ private:
     SearchLimit search_;
     Fits<Volume> fits_;
     std::vector<QuadtreeNode> nodes_;
+    std::vector<int> leaves_;  ///< row by row
     std::vector<Volume> volumes_;
     std::vector<NodeState> states_;  ///< what the queries since the last build did
     std::size_t leaf_rows_ = 0;      ///< of all leaves together: the most runs of cells that a query finds
