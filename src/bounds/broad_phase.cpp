@@ -49,7 +49,7 @@ TraversalStats& TraversalStats::operator+=(const TraversalStats& other) {
 
 void list_all_cells(const Grid& grid, std::vector<CellRun>& cells) {
     cells.clear();
-    for (int j = 0; j < grid.cell_rows(); ++j) cells.push_back({j * grid.cell_columns(), grid.cell_columns()});
+    for (int j = 0; j < grid.cell_rows(); ++j) cells.push_back({j, 0, grid.cell_columns()});
 }
 
 std::unique_ptr<BroadPhase> make_broad_phase(const BroadPhaseParameters& parameters, const Grid& grid) {

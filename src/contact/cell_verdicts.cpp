@@ -36,10 +36,11 @@ HWY_INLINE std::uint32_t bits_of(D d, M mask) {
 }
 
 /// The verdicts on as many cells as a vector has lanes; corner a of the first is particle `at`.
+/// @param wanted the cells that matter, a bit each
 template <class D>
-HWY_INLINE Verdicts judge(D d, const Grid& grid, const Real* const x[3], const Vec3& p, Real reach, int at) {
+HWY_INLINE Verdicts judge(D d, const Grid& grid, const Real* const x[3], const Vec3& p, Real reach, int at,
+                          std::uint32_t wanted) {
     using V = hn::Vec<D>;
-    constexpr std::uint32_t all = (1u << hn::MaxLanes(d)) - 1;
     constexpr Real rounding = 32 * std::numeric_limits<Real>::epsilon();
     const Corners<V> centre{hn::Set(d, p[0]), hn::Set(d, p[1]), hn::Set(d, p[2])};
     const Corners<V> corner_a = corners_at(d, x, at), corner_b = corners_at(d, x, at + 1),
@@ -50,7 +51,7 @@ HWY_INLINE Verdicts judge(D d, const Grid& grid, const Real* const x[3], const V
     const V diagonal = hn::Min(from_b, from_c);
     Verdicts bits{0, 0, bits_of(d, hn::Le(hn::Min(from_a, diagonal), square)),
                   bits_of(d, hn::Le(hn::Min(from_d, diagonal), square)), 0};
-    if ((bits.first & bits.second) == all) return bits;
+    if ((bits.first & bits.second & wanted) == wanted) return bits;
 
     const V nearest = hn::Min(hn::Min(from_a, from_d), diagonal);
     const V sides = hn::Max(hn::Max(square_between(corner_a, corner_b), square_between(corner_a, corner_c)),
@@ -63,26 +64,27 @@ HWY_INLINE Verdicts judge(D d, const Grid& grid, const Real* const x[3], const V
 }
 
 template <class D>
-HWY_INLINE int judge_all(D d, const Grid& grid, const Real* const x[3], const Vec3& p, Real reach, const CellRun& cells,
-                         Verdicts* verdicts) {
+HWY_INLINE int judge_all(D d, const Grid& grid, const Real* const x[3], const Vec3& p, Real reach,
+                         std::span<const CellRun> cells, Verdicts* verdicts) {
     constexpr int lanes = static_cast<int>(hn::MaxLanes(d));
-    const int first = grid.cell_corner(cells.first);
     const int last_start = grid.particles() - 1 - grid.nx - lanes;  // farther on, a vector would leave the arrays
     int found = 0;
-    for (int k = 0; k < cells.count; k += lanes) {
-        const int at = HWY_MIN(first + k, last_start), skipped = first + k - at;
-        const int count = HWY_MIN(lanes, cells.count - k);
-        const std::uint32_t wanted = (1u << count) - 1;
-        Verdicts bits = judge(d, grid, x, p, reach, at);
-        bits = {cells.first + k, count, bits.first >> skipped & wanted, bits.second >> skipped & wanted,
-                bits.open >> skipped & wanted};
-        verdicts[found] = bits;
-        found += (bits.first | bits.second | bits.open) != 0;
+    for (const CellRun& run : cells) {
+        const int cell = run.row * grid.cell_columns() + run.column, corner = grid.particle(run.column, run.row);
+        for (int k = 0; k < run.count; k += lanes) {
+            const int at = HWY_MIN(corner + k, last_start), skipped = corner + k - at;
+            const int count = HWY_MIN(lanes, run.count - k);
+            const std::uint32_t wanted = (1u << count) - 1;
+            const Verdicts bits = judge(d, grid, x, p, reach, at, wanted << skipped);
+            verdicts[found] = {cell + k, count, bits.first >> skipped & wanted, bits.second >> skipped & wanted,
+                               bits.open >> skipped & wanted};
+            found += (verdicts[found].first | verdicts[found].second | verdicts[found].open) != 0;
+        }
     }
     return found;
 }
 
-int judge_cells_of(const Grid& grid, const Real* const x[3], const Vec3& p, Real reach, const CellRun& cells,
+int judge_cells_of(const Grid& grid, const Real* const x[3], const Vec3& p, Real reach, std::span<const CellRun> cells,
                    Verdicts* verdicts) {
     const hn::CappedTag<Real, 16> widest;
     return grid.particles() > grid.nx + static_cast<int>(hn::Lanes(widest))
@@ -98,7 +100,7 @@ namespace drape::kernels {
 
 HWY_EXPORT(judge_cells_of);
 
-int judge_cells(const Grid& grid, const Real* const x[3], const Vec3& p, Real reach, const CellRun& cells,
+int judge_cells(const Grid& grid, const Real* const x[3], const Vec3& p, Real reach, std::span<const CellRun> cells,
                 Verdicts* verdicts) {
     return HWY_DYNAMIC_DISPATCH(judge_cells_of)(grid, x, p, reach, cells, verdicts);
 }

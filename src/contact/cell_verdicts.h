@@ -1,6 +1,7 @@
 #pragma once
 
 #include <cstdint>
+#include <span>
 
 #include "drape/bounds/broad_phase.h"
 
@@ -22,7 +23,7 @@ struct Verdicts {
 /// @param verdicts receives those with a bit set; room for one a cell
 /// @return how many these are
 /// @par Cost O(cells), vectorised
-int judge_cells(const Grid& grid, const Real* const x[3], const Vec3& p, Real reach, const CellRun& cells,
+int judge_cells(const Grid& grid, const Real* const x[3], const Vec3& p, Real reach, std::span<const CellRun> cells,
                 Verdicts* verdicts);
 
 }  // namespace drape::kernels

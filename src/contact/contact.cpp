@@ -7,6 +7,7 @@
 
 #include "cell_verdicts.h"
 #include "contact_geometry.h"
+#include "drape/base/assert.h"
 #include "drape/contact/closest_point.h"
 
 namespace drape {
@@ -20,14 +21,16 @@ template <class Visit>
 void for_each_verdict(const Grid& grid, const Points& x, const Vec3& p, Real reach, std::span<const CellRun> cells,
                       Visit visit) {
     const Real* const xs[3] = {x.col(0).data(), x.col(1).data(), x.col(2).data()};
-    constexpr int portion = 256;
-    std::array<Verdicts, portion> verdicts;
-    for (const CellRun& run : cells) {
-        for (int k = 0; k < run.count; k += portion) {
-            const CellRun part{run.first + k, std::min(portion, run.count - k)};
-            const int found = kernels::judge_cells(grid, xs, p, reach, part, verdicts.data());
-            std::for_each_n(verdicts.begin(), found, visit);
+    std::array<Verdicts, 4096> verdicts;  // a run of a grid is no longer
+    for (std::size_t begin = 0, end = 0; begin < cells.size(); begin = end) {
+        for (std::size_t room = verdicts.size(); end < cells.size(); ++end) {
+            const auto count = static_cast<std::size_t>(cells[end].count);
+            if (count > room) break;
+            room -= count;
         }
+        DRAPE_ASSERT(end > begin);
+        const int found = kernels::judge_cells(grid, xs, p, reach, cells.subspan(begin, end - begin), verdicts.data());
+        std::for_each_n(verdicts.begin(), found, visit);
     }
 }
 

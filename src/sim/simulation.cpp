@@ -82,7 +82,7 @@ void Simulation::collide(Cloth& cloth, Real h) {
     for (std::size_t b = 0; b < balls_.size(); ++b) {
         report_.traversal += cloth.broad_phase->query(grown(balls_[b], contact.thickness), cloth.candidates);
         // In the same order whatever found them, so that contacts are answered in the same order
-        std::ranges::sort(cloth.candidates.cells, {}, &CellRun::first);
+        std::ranges::sort(cloth.candidates.cells);
         report_.times.traverse += watch.lap();
         find_contacts(cloth.model.grid, cloth.state.x, balls_[b], static_cast<int>(b), contact.thickness,
                       cloth.candidates.cells, cloth.contacts);

@@ -1,4 +1,5 @@
-// The hierarchy on a large cloth draped over a ball, a tenth of its triangles touched. `per_triangle` is of all
+// The hierarchy on a large cloth of which a ball touches a tenth: a sheet in waves that the ball cuts, and one draped
+// over the ball, so closely that most of it is near. `per_triangle` is of all
 // triangles of the cloth. Ratios are to be taken within one run: against `read_pass`, which only reads the positions,
 // and against `brute_force`, which tests every cell with the same vectorised test as the tree's candidates.
 
@@ -14,6 +15,7 @@
 namespace {
 
 using drape::BroadPhaseParameters;
+using drape::bench::CutSheet;
 using drape::bench::DrapedSheet;
 
 void per_triangle(benchmark::State& state, const drape::Grid& grid) {
@@ -39,8 +41,9 @@ void build(benchmark::State& state, int side, const BroadPhaseParameters& parame
 }
 
 /// Down to the touched triangles.
+template <class Sheet>
 void query(benchmark::State& state, int side, const BroadPhaseParameters& parameters, bool with_build) {
-    const DrapedSheet sheet(side);
+    const Sheet sheet(side);
     const auto tree = drape::make_broad_phase(parameters, sheet.grid);
     drape::Candidates found;
     std::vector<int> triangles;
@@ -64,8 +67,12 @@ void register_all() {
     for (const int side : {32, 128, 512, 1024}) {
         const std::string size = "/" + std::to_string(side);
         add("read_pass" + size, [side](benchmark::State& state) { read_pass(state, side); });
-        add("brute_force" + size,
-            [side](benchmark::State& state) { query(state, side, {.volume = drape::VolumeKind::Brute}, false); });
+        add("brute_force/cut" + size, [side](benchmark::State& state) {
+            query<CutSheet>(state, side, {.volume = drape::VolumeKind::Brute}, false);
+        });
+        add("brute_force/draped" + size, [side](benchmark::State& state) {
+            query<DrapedSheet>(state, side, {.volume = drape::VolumeKind::Brute}, false);
+        });
         for (std::size_t v = 0; v + 1 < drape::volume_names().size(); ++v) {
             for (const int leaf : {4, 7, 8, 15, 16}) {
                 const std::string volume = drape::volume_names()[v] + size + "/leaf:" + std::to_string(leaf);
@@ -79,8 +86,13 @@ void register_all() {
                 const BroadPhaseParameters merged{.volume = static_cast<drape::VolumeKind>(v),
                                                   .update = drape::UpdateKind::Merge,
                                                   .leaf_cells = leaf};
-                add("query/" + volume, [=](benchmark::State& state) { query(state, side, merged, false); });
-                add("merge_query/" + volume, [=](benchmark::State& state) { query(state, side, merged, true); });
+                for (const bool build : {false, true}) {
+                    const std::string what = build ? "merge_query" : "query";
+                    add(what + "/cut/" + volume,
+                        [=](benchmark::State& state) { query<CutSheet>(state, side, merged, build); });
+                    add(what + "/draped/" + volume,
+                        [=](benchmark::State& state) { query<DrapedSheet>(state, side, merged, build); });
+                }
             }
         }
     }

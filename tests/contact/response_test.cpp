@@ -59,7 +59,8 @@ TEST(Response, TakesTrianglesOutOfTheBallVerticesAndInteriorsAlike) {
     ASSERT_FALSE(floor.contacts.empty());
     for (int t = 0; t < floor.model.grid.triangles(); ++t) {
         std::vector<Contact> left;
-        const CellRun cell{t / 2, 1};
+        const int columns = floor.model.grid.cell_columns();
+        const CellRun cell{t / 2 / columns, t / 2 % columns, 1};
         find_contacts(floor.model.grid, floor.state.x, floor.balls[0], 0, 0, std::span(&cell, 1), left);
         for (const Contact& contact : left) EXPECT_LT(contact.depth, 1e-3 * 0.02);
     }

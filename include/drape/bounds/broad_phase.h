@@ -1,5 +1,6 @@
 #pragma once
 
+#include <compare>
 #include <cstdint>
 #include <memory>
 #include <span>
@@ -63,8 +64,10 @@ struct StoppedNode {
 
 /// Cells that follow one another in a row of the grid.
 struct CellRun {
-    int first = 0;
+    int row = 0;
+    int column = 0;  ///< of the first
     int count = 0;
+    auto operator<=>(const CellRun&) const = default;
 };
 
 /// All cells of a grid, a run a row.

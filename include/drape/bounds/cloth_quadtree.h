@@ -208,7 +208,7 @@ private:
     /// @return number of cells
     std::int64_t append_cells(const QuadtreeNode& node, std::vector<CellRun>& cells) const {
         const int columns = node.i1 - node.i0, rows = node.j1 - node.j0;
-        for (int j = node.j0; j < node.j1; ++j) cells.push_back({j * grid_.cell_columns() + node.i0, columns});
+        for (int j = node.j0; j < node.j1; ++j) cells.push_back({j, node.i0, columns});
         return static_cast<std::int64_t>(columns) * rows;
     }
 
