@@ -16,8 +16,14 @@ int cut(int begin, int end, int leaf_cells) {
 
 }  // namespace
 
+int measured_leaf_cells(const Grid& grid) {
+    constexpr int large = 10'000;  // cells
+    return grid.cells() < large ? 7 : 15;
+}
+
 std::vector<QuadtreeNode> make_quadtree_nodes(const Grid& grid, int leaf_cells) {
-    DRAPE_ASSERT(leaf_cells >= 1);
+    DRAPE_ASSERT(leaf_cells >= 0);
+    if (leaf_cells == 0) leaf_cells = measured_leaf_cells(grid);
     std::vector<QuadtreeNode> nodes{{.i0 = 0, .j0 = 0, .i1 = grid.cell_columns(), .j1 = grid.cell_rows()}};
     for (std::size_t n = 0; n < nodes.size(); ++n) {
         const QuadtreeNode parent = nodes[n];

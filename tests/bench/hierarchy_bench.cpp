@@ -74,7 +74,7 @@ void register_all() {
             query<DrapedSheet>(state, side, {.volume = drape::VolumeKind::Brute}, false);
         });
         for (std::size_t v = 0; v + 1 < drape::volume_names().size(); ++v) {
-            for (const int leaf : {4, 7, 8, 15, 16}) {
+            for (const int leaf : {4, 7, 8, 11, 15, 16, 23, 31}) {
                 const std::string volume = drape::volume_names()[v] + size + "/leaf:" + std::to_string(leaf);
                 for (std::size_t u = 0; u < drape::update_names().size(); ++u) {
                     const BroadPhaseParameters parameters{.volume = static_cast<drape::VolumeKind>(v),

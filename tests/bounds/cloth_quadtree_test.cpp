@@ -20,7 +20,7 @@ Points flat_sheet(const Grid& grid) {
 
 TEST(QuadtreeNodes, TileTheirParentsDownToLeavesOfTheWantedSize) {
     for (const Grid& grid : shapes) {
-        for (const int leaf_cells : {1, 2, 4, 7, 64}) {
+        for (const int leaf_cells : {1, 2, 4, 7, 15, 64}) {
             const auto nodes = make_quadtree_nodes(grid, leaf_cells);
             std::vector<int> covered(static_cast<std::size_t>(grid.cells()), 0);
             for (const QuadtreeNode& node : nodes) {
@@ -52,7 +52,7 @@ TEST(SphereQuadtree, EveryNodeContainsAllParticlesBelowIt) {
     std::mt19937 random(7);
     for (const Grid& grid : shapes) {
         const Points x = testing::random_cloth(grid, random);
-        ClothQuadtree<BoundingSphere> tree(grid);
+        ClothQuadtree<BoundingSphere> tree(grid, {.leaf_cells = 4});
         tree.build(x);
         for (std::size_t n = 0; n < tree.nodes().size(); ++n) {
             const QuadtreeNode& node = tree.nodes()[n];
@@ -70,7 +70,7 @@ TEST(SphereQuadtree, EveryNodeContainsAllParticlesBelowIt) {
 TEST(SphereQuadtree, CountsWhatItDoes) {
     const Grid grid{9, 9};
     const Points x = flat_sheet(grid);
-    ClothQuadtree<BoundingSphere> tree(grid);
+    ClothQuadtree<BoundingSphere> tree(grid, {.leaf_cells = 4});
     tree.build(x);
     Candidates found;
 
@@ -98,7 +98,7 @@ TEST(SphereQuadtree, CountsWhatItDoes) {
 TEST(SphereQuadtree, ShowsEachLevelWithWhatTheQueryDid) {
     const Grid grid{9, 9};
     const Points x = flat_sheet(grid);
-    ClothQuadtree<BoundingSphere> tree(grid);
+    ClothQuadtree<BoundingSphere> tree(grid, {.leaf_cells = 4});
     tree.build(x);
     Candidates found;
     std::vector<NodeView> views;

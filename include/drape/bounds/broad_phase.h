@@ -39,7 +39,7 @@ struct SearchLimit {
 struct BroadPhaseParameters {
     VolumeKind volume = VolumeKind::Sphere;
     UpdateKind update = UpdateKind::Rebuild;
-    int leaf_cells = 4;  ///< a leaf has at most leaf_cells x leaf_cells cells
+    int leaf_cells = 0;  ///< a leaf has at most leaf_cells x leaf_cells cells; 0: `measured_leaf_cells`
     SearchLimit search = {};
     bool operator==(const BroadPhaseParameters&) const = default;
 };

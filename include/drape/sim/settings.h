@@ -45,7 +45,7 @@ struct SolverSettings {
 struct ContactSettings {
     VolumeKind volume = VolumeKind::Sphere;
     UpdateKind update = UpdateKind::Rebuild;
-    int leaf_cells = 4;
+    int leaf_cells = 0;  ///< 0: as measured to be fastest
     ResponseKind response = ResponseKind::Projection;
     Real friction = Real(0.3);
     Real restitution = 0;
