@@ -1,14 +1,9 @@
 #include "drape/bounds/bounding_sphere.h"
 
-#include <cmath>
-
-#include "patch_kernels.h"
+#include "measured_sphere.h"
 
 namespace drape {
 namespace {
-
-/// Makes up for the rounding of a distance and of its use.
-constexpr Real rounded_up = 1 + 8 * std::numeric_limits<Real>::epsilon();
 
 /// The smallest sphere about two.
 BoundingSphere about(const BoundingSphere& a, const BoundingSphere& b) {
@@ -24,12 +19,9 @@ BoundingSphere about(const BoundingSphere& a, const BoundingSphere& b) {
 }  // namespace
 
 BoundingSphere BoundingSphere::fit(const Patch& patch) {
-    BoundingSphere sphere;
-    kernels::mean(patch, sphere.centre.data());
-    Real square = 0;
-    kernels::raise_to_farthest(patch, &sphere.centre, 1, &square);
-    sphere.radius = std::sqrt(square) * rounded_up;
-    return sphere;
+    Vec3 mean;
+    kernels::mean(patch, mean.data());
+    return measured_sphere(patch, mean);
 }
 
 BoundingSphere BoundingSphere::merge(std::span<const BoundingSphere> parts) {

@@ -5,7 +5,6 @@
 
 #include "drape/base/assert.h"
 #include "drape/bounds/aabb.h"
-#include "drape/bounds/bounding_sphere.h"
 #include "drape/bounds/cloth_quadtree.h"
 
 namespace drape {
@@ -51,7 +50,8 @@ TraversalStats& TraversalStats::operator+=(const TraversalStats& other) {
 std::unique_ptr<BroadPhase> make_broad_phase(const BroadPhaseParameters& parameters, const Grid& grid) {
     switch (parameters.volume) {
         case VolumeKind::Sphere:
-            return std::make_unique<ClothQuadtree<BoundingSphere>>(grid, parameters);
+            return std::make_unique<ClothQuadtree<BoundingSphere>>(
+                grid, parameters, Fits<BoundingSphere>{.patch = sphere_fit_of(parameters.sphere_fit)});
         case VolumeKind::Aabb:
             return std::make_unique<ClothQuadtree<Aabb>>(grid, parameters);
         case VolumeKind::Brute:

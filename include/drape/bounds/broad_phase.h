@@ -7,7 +7,7 @@
 #include <string_view>
 #include <vector>
 
-#include "drape/bounds/bounding_sphere.h"
+#include "drape/bounds/sphere_fits.h"
 #include "drape/model/ball.h"
 #include "drape/model/grid.h"
 
@@ -38,7 +38,8 @@ struct SearchLimit {
 struct BroadPhaseParameters {
     VolumeKind volume = VolumeKind::Sphere;
     UpdateKind update = UpdateKind::Rebuild;
-    int leaf_cells = 4;  ///< a leaf has at most leaf_cells x leaf_cells cells
+    int leaf_cells = 4;                          ///< a leaf has at most leaf_cells x leaf_cells cells
+    SphereFit sphere_fit = SphereFit::Centroid;  ///< of a hierarchy of spheres
     SearchLimit search = {};
     bool operator==(const BroadPhaseParameters&) const = default;
 };
