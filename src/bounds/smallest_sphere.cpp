@@ -2,15 +2,15 @@
 
 #include <algorithm>
 #include <array>
-#include <cmath>
 #include <limits>
+#include <optional>
 
 #include "extreme_kernels.h"
 
 namespace drape {
 namespace {
 
-/// Two to the number of dimensions and one more: a support never has more particles.
+/// In space, four points determine a sphere: a support never has more.
 constexpr int largest_support = 4;
 
 /// A few points, without the heap.
@@ -31,42 +31,24 @@ private:
     static std::size_t at(int k) { return static_cast<std::size_t>(k); }
 };
 
-/// The sphere through up to four points whose centre is in their plane, line or space.
-struct Circumsphere {
-    Vec3 centre;
-    Real smallest_weight;  ///< of a point, if the centre is written as their weighted mean; NaN if there is no sphere
-};
-
-/// Point by point: the centre moves at right angles to all earlier points until the next one is as far as they are.
-/// @cite gaertner1999
-Circumsphere circumsphere(const Points5& points) {
-    constexpr auto none = std::numeric_limits<Real>::quiet_NaN();
+/// The centre, in their line, plane or space, of the sphere through up to four points; none where one of them is in the
+/// line or plane of the others. Point by point, the centre moves at right angles to all earlier points until the next
+/// one is as far as they are. @cite gaertner1999
+std::optional<Vec3> circumcentre(const Points5& points) {
+    constexpr Real epsilon = std::numeric_limits<Real>::epsilon();
     const Vec3& origin = points[0];
-    Vec3 centre = Vec3::Zero();  // from the origin
-    Vec3 side[largest_support];  // at right angles to one another
-    Real share[largest_support][largest_support];
-    Real move[largest_support];
+    Vec3 centre = Vec3::Zero();   // from the origin
+    Vec3 sides[largest_support];  // at right angles to one another
     for (int k = 1; k < points.count; ++k) {
         const Vec3 point = points[k] - origin;
-        side[k] = point;
-        for (int j = 1; j < k; ++j) {
-            share[k][j] = side[k].dot(side[j]) / side[j].squaredNorm();
-            side[k] -= share[k][j] * side[j];
-        }
-        const Real square = side[k].squaredNorm();
-        if (!(square > 0)) return {origin, none};
-        move[k] = point.dot(point - 2 * centre) / (2 * square);
-        centre += move[k] * side[k];
+        Vec3& side = sides[k];
+        side = point;
+        for (int j = 1; j < k; ++j) side -= side.dot(sides[j]) / sides[j].squaredNorm() * sides[j];
+        const Real square = side.squaredNorm();
+        if (!(square > epsilon * epsilon * point.squaredNorm())) return std::nullopt;
+        centre += point.dot(point - 2 * centre) / (2 * square) * side;
     }
-
-    // The moves along the sides, written as weights of the points
-    Real first = 1, least = 1;
-    for (int k = points.count - 1; k > 0; --k) {
-        for (int j = 1; j < k; ++j) move[j] -= share[k][j] * move[k];
-        first -= move[k];
-        least = std::min(least, move[k]);
-    }
-    return {origin + centre, std::min(least, first)};
+    return origin + centre;
 }
 
 struct SupportedSphere {
@@ -76,10 +58,9 @@ struct SupportedSphere {
 };
 
 /// The smallest sphere about a point and the support of another sphere, with the point on it: of all spheres through
-/// the point and some of the support, centred among those, the one that is smallest once it reaches all of them.
+/// the point and some of the support, the one that is smallest once it reaches all of them.
 /// Choosing by measure lets it pass over points that are (nearly) in one place, line, plane or circle.
 SupportedSphere smallest_with(const Vec3& point, const Points5& others) {
-    const Real nearly_none = std::sqrt(std::numeric_limits<Real>::epsilon());
     SupportedSphere best{point, others.farthest_square(point), {}};
     best.support.add(point);
     for (unsigned chosen = 1; chosen < 1u << others.count; ++chosen) {
@@ -89,10 +70,10 @@ SupportedSphere smallest_with(const Vec3& point, const Points5& others) {
             if (chosen & 1u << k) support.add(others[k]);
         }
         if (support.count > largest_support) continue;
-        const Circumsphere through = circumsphere(support);
-        if (!(through.smallest_weight >= -nearly_none)) continue;
-        const Real square = std::max(others.farthest_square(through.centre), (point - through.centre).squaredNorm());
-        if (square < best.square) best = {through.centre, square, support};
+        const std::optional<Vec3> centre = circumcentre(support);
+        if (!centre) continue;
+        const Real square = std::max(others.farthest_square(*centre), (point - *centre).squaredNorm());
+        if (square < best.square) best = {*centre, square, support};
     }
     return best;
 }
