@@ -41,6 +41,10 @@ std::vector<Entry> make_entries(const std::vector<std::string>& scenes) {
     append_choices(entries, "Integrator", "solver.integrator", integrator_names());
     entries.push_back({"Bounding volume", {"T"}, "Next bounding volume", "next contact.volume"});
     append_choices(entries, "Bounding volume", "contact.volume", volume_names());
+    entries.push_back({"Sphere fit", {"Y"}, "Next sphere fit", "next contact.sphere_fit"});
+    append_choices(entries, "Sphere fit", "contact.sphere_fit", sphere_fit_names());
+    entries.push_back({"Update of the hierarchy", {"U"}, "Next update of the hierarchy", "next contact.update"});
+    append_choices(entries, "Update of the hierarchy", "contact.update", update_names());
     const std::vector<Entry> rest{
         {"View", {"B"}, "Bounds", "next view.bounds"},
         {"View", {"["}, "Coarser level of bounds", "add view.level -1"},

@@ -4,7 +4,6 @@
 
 #include "drape/base/assert.h"
 #include "drape/bounds/aabb.h"
-#include "drape/bounds/bounding_sphere.h"
 #include "drape/bounds/centroid_tree.h"
 #include "drape/bounds/cloth_quadtree.h"
 
@@ -35,6 +34,11 @@ private:
     Grid grid_;
 };
 
+/// Centroid spheres have a way to fit all levels at once.
+Fits<BoundingSphere> fits_of(SphereFit kind) {
+    return {.patch = sphere_fit_of(kind), .tree = kind == SphereFit::Centroid ? fit_centroid_tree : nullptr};
+}
+
 }  // namespace
 
 TraversalStats& TraversalStats::operator+=(const TraversalStats& other) {
@@ -55,8 +59,7 @@ void list_all_cells(const Grid& grid, std::vector<CellRun>& cells) {
 std::unique_ptr<BroadPhase> make_broad_phase(const BroadPhaseParameters& parameters, const Grid& grid) {
     switch (parameters.volume) {
         case VolumeKind::Sphere:
-            return std::make_unique<ClothQuadtree<BoundingSphere>>(grid, parameters,
-                                                                   Fits<BoundingSphere>{.tree = fit_centroid_tree});
+            return std::make_unique<ClothQuadtree<BoundingSphere>>(grid, parameters, fits_of(parameters.sphere_fit));
         case VolumeKind::Aabb:
             return std::make_unique<ClothQuadtree<Aabb>>(grid, parameters);
         case VolumeKind::Brute:

@@ -95,14 +95,6 @@ HWY_INLINE PatchSums sums_in(const Patch& patch) {
 
 PatchSums sums_of(const Patch& patch) { return sums_in(patch); }
 
-template <class D>
-HWY_INLINE hn::Vec<D> square_to(D d, const Patch& patch, int start, const Vec3& centre) {
-    const auto dx = hn::Sub(hn::LoadU(d, patch.x + start), hn::Set(d, centre[0]));
-    const auto dy = hn::Sub(hn::LoadU(d, patch.y + start), hn::Set(d, centre[1]));
-    const auto dz = hn::Sub(hn::LoadU(d, patch.z + start), hn::Set(d, centre[2]));
-    return hn::Add(hn::Add(hn::Mul(dx, dx), hn::Mul(dy, dy)), hn::Mul(dz, dz));
-}
-
 /// Of `count` centres together, so that particles are loaded once for all of them.
 template <int count, class D>
 HWY_INLINE void raise_together(D d, const Patch& patch, const Vec3* centres, Real* squares) {

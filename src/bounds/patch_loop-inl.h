@@ -52,6 +52,15 @@ HWY_INLINE V loaded_once(V value) {
     return value;
 }
 
+/// The squared distances of a vector of particles from a point.
+template <class D>
+HWY_INLINE hn::Vec<D> square_to(D d, const Patch& patch, int start, const Vec3& centre) {
+    const auto dx = hn::Sub(hn::LoadU(d, patch.x + start), hn::Set(d, centre[0]));
+    const auto dy = hn::Sub(hn::LoadU(d, patch.y + start), hn::Set(d, centre[1]));
+    const auto dz = hn::Sub(hn::LoadU(d, patch.z + start), hn::Set(d, centre[2]));
+    return hn::Add(hn::Add(hn::Mul(dx, dx), hn::Mul(dy, dy)), hn::Mul(dz, dz));
+}
+
 template <class D>
 HWY_INLINE Real smallest_lane(D d, hn::Vec<D> v) {
     return hn::GetLane(hn::MinOfLanes(d, v));

@@ -93,7 +93,7 @@ int collide(const Options& options) {
     const Ball ball = parse_ball(options.ball);
     const Points x = read_positions(options.positions, grid);
 
-    const auto broad_phase = make_broad_phase({contact.volume, contact.update, contact.leaf_cells, {}}, grid);
+    const auto broad_phase = make_broad_phase(broad_phase_of(contact), grid);
     Candidates found;
     std::vector<int> triangles;
     broad_phase->build(x);
@@ -123,7 +123,7 @@ void add_collide(CLI::App& app, int& exit_code) {
         ->type_name("FILE.csv")
         ->required();
     command->add_option("--ball", options->ball, "centre and radius [m]")->type_name("x,y,z,r")->required();
-    command->add_option("--set", options->assignments, "volume, update, leaf_cells, thickness")
+    command->add_option("--set", options->assignments, "volume, update, sphere_fit, leaf_cells, thickness")
         ->type_name("name=value");
     command->callback([options, &exit_code] { exit_code = collide(*options); });
 }

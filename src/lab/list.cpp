@@ -22,6 +22,8 @@ void list(const std::string& what) {
     if (what == "settings") std::cout << settings_help();
     if (what == "integrators") print(integrator_names());
     if (what == "volumes") print(volume_names());
+    if (what == "updates") print(update_names());
+    if (what == "fits") print(sphere_fit_names());
     if (what == "experiments") std::cerr << "There are no experiments yet.\n";
 }
 
@@ -32,7 +34,7 @@ void add_list(CLI::App& app, int& exit_code) {
     auto what = std::make_shared<std::string>();
     command->add_option("what", *what, "of what")
         ->required()
-        ->check(CLI::IsMember({"scenes", "settings", "experiments", "integrators", "volumes"}));
+        ->check(CLI::IsMember({"scenes", "settings", "experiments", "integrators", "volumes", "updates", "fits"}));
     command->callback([what, &exit_code] {
         list(*what);
         exit_code = Done;

@@ -134,7 +134,10 @@ void add_the_rest(std::vector<Setting>& table) {
         "contact", [](Settings& s, std::size_t) -> ContactSettings& { return s.contact; }, table);
     contact.choice("volume", &ContactSettings::volume, volume_names(), "of the hierarchy; brute tests every cell");
     contact.choice("update", &ContactSettings::update, update_names(), "how the hierarchy follows the cloth");
-    contact.integer("leaf_cells", &ContactSettings::leaf_cells, {0, 64}, "a leaf has at most this many cells squared; 0: 7 or 15, by size");
+    contact.choice("sphere_fit", &ContactSettings::sphere_fit, sphere_fit_names(),
+                   "how a sphere is put about particles, where the volume is one");
+    contact.integer("leaf_cells", &ContactSettings::leaf_cells, {0, 64},
+                    "a leaf has at most this many cells squared; 0: 7 or 15, by size");
     contact.choice("response", &ContactSettings::response, response_names(), "how contacts are answered");
     contact.number("friction", &ContactSettings::friction, "", {0, 10}, "Coulomb coefficient between cloth and ball");
     contact.number("restitution", &ContactSettings::restitution, "", {0, 1}, "of the normal speed");

@@ -25,10 +25,6 @@ Ball make_ball(const BallSettings& settings) {
     return ball;
 }
 
-BroadPhaseParameters broad_phase_of(const ContactSettings& contact) {
-    return {contact.volume, contact.update, contact.leaf_cells, {}};
-}
-
 /// True if the cloths start from other places or have other particles, so that a state cannot be kept.
 bool starts_differently(const ClothParameters& a, const ClothParameters& b) {
     return a.particles != b.particles || a.width != b.width || a.height != b.height || a.plane != b.plane ||

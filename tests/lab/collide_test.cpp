@@ -3,6 +3,7 @@
 #include <random>
 
 #include "drape/base/numbers.h"
+#include "drape/sim/setting_table.h"
 #include "lab/lab_run.h"
 #include "support/exact_distance.h"
 
@@ -79,6 +80,36 @@ TEST(LabCollide, FindsWhatMeasuringEveryTriangleFinds) {
         }
     }
     EXPECT_GT(touched, 10'000u);
+}
+
+TEST(LabCollide, GivesTheSameTrianglesWithEveryVolumeFitUpdateAndLeafSize) {
+    const LabFolder folder;
+    std::mt19937 random(18);
+    const Grid grid{19, 14};
+    const Points x = random_cloth(grid, random, 0.02);
+    const Ball ball{.centre = {0.4, 0.1, 0.6}, .radius = 0.25};
+    folder.write("x.csv", csv_of(x));
+    const auto triangles_with = [&](const std::vector<std::string>& settings) {
+        std::vector<std::string> words{"collide", "--grid", grid_text(grid), "--positions",
+                                       "x.csv",   "--ball", ball_text(ball), "--set"};
+        words.insert(words.end(), settings.begin(), settings.end());
+        return folder.run(words).out;
+    };
+    const std::string expected = touched_one_by_one(grid, x, ball);
+    EXPECT_GT(lines_of(expected).size(), 20u);
+    int leaf_cells = 0;
+    for (const std::string& update : find_setting("contact.update").choices) {
+        for (const std::string& volume : find_setting("contact.volume").choices) {
+            const std::string leaf = std::to_string(1 + leaf_cells++ % 9);
+            EXPECT_EQ(triangles_with({"volume=" + volume, "update=" + update, "leaf_cells=" + leaf}), expected)
+                << volume << " " << update << " " << leaf;
+        }
+        for (const std::string& fit : find_setting("contact.sphere_fit").choices) {
+            const std::string leaf = std::to_string(1 + leaf_cells++ % 9);
+            EXPECT_EQ(triangles_with({"sphere_fit=" + fit, "update=" + update, "leaf_cells=" + leaf}), expected)
+                << fit << " " << update << " " << leaf;
+        }
+    }
 }
 
 class LabCollideInput : public testing::Test {

@@ -29,6 +29,8 @@ TEST(LabList, PrintsEachSceneWithItsTitle) {
 TEST(LabList, PrintsTheNamesThatSettingsTake) {
     EXPECT_EQ(listed_by_lab("integrators"), find_setting("solver.integrator").choices);
     EXPECT_EQ(listed_by_lab("volumes"), find_setting("contact.volume").choices);
+    EXPECT_EQ(listed_by_lab("updates"), find_setting("contact.update").choices);
+    EXPECT_EQ(listed_by_lab("fits"), find_setting("contact.sphere_fit").choices);
     EXPECT_EQ(listed_by_lab("settings").size(), setting_table().size());
     EXPECT_NO_FATAL_FAILURE(listed_by_lab("experiments"));
 }

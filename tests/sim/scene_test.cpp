@@ -49,6 +49,7 @@ on_unstable = "stop"
 [contact]
 volume = "brute"
 update = "merge"
+sphere_fit = "epos14"
 leaf_cells = 5
 response = "projection"
 friction = 0.25

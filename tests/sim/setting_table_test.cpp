@@ -185,5 +185,15 @@ TEST(SettingTable, NamesTheNearestKnownSetting) {
     EXPECT_LT(input_error_of([] { find_setting(std::string(100'000, 'x')); }).size(), 300u);
 }
 
+TEST(ContactSettings, GiveTheHierarchyEveryChoiceOfItsKinds) {
+    Settings settings;
+    const std::vector<std::string> choices{"volume=aabb", "update=refit", "sphere_fit=epos26", "leaf_cells=7"};
+    assign_all(settings, choices);
+    EXPECT_EQ(broad_phase_of(settings.contact), (BroadPhaseParameters{.volume = VolumeKind::Aabb,
+                                                                      .update = UpdateKind::Refit,
+                                                                      .leaf_cells = 7,
+                                                                      .sphere_fit = SphereFit::Epos26}));
+}
+
 }  // namespace
 }  // namespace drape

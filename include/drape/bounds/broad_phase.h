@@ -8,7 +8,7 @@
 #include <string_view>
 #include <vector>
 
-#include "drape/bounds/bounding_sphere.h"
+#include "drape/bounds/sphere_fits.h"
 #include "drape/model/ball.h"
 #include "drape/model/grid.h"
 
@@ -40,6 +40,7 @@ struct BroadPhaseParameters {
     VolumeKind volume = VolumeKind::Sphere;
     UpdateKind update = UpdateKind::Rebuild;
     int leaf_cells = 0;  ///< a leaf has at most leaf_cells x leaf_cells cells; 0: `measured_leaf_cells`
+    SphereFit sphere_fit = SphereFit::Centroid;  ///< of a hierarchy of spheres
     SearchLimit search = {};
     bool operator==(const BroadPhaseParameters&) const = default;
 };

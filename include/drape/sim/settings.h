@@ -46,6 +46,7 @@ struct ContactSettings {
     VolumeKind volume = VolumeKind::Sphere;
     UpdateKind update = UpdateKind::Rebuild;
     int leaf_cells = 0;  ///< 0: as measured to be fastest
+    SphereFit sphere_fit = SphereFit::Centroid;
     ResponseKind response = ResponseKind::Projection;
     Real friction = Real(0.3);
     Real restitution = 0;
@@ -53,6 +54,9 @@ struct ContactSettings {
     bool continuous = false;  ///< only false so far
     bool self = false;        ///< only false so far
 };
+
+/// The hierarchy that the settings name.
+[[nodiscard]] BroadPhaseParameters broad_phase_of(const ContactSettings& contact);
 
 struct WindSettings {
     bool on = false;

@@ -1,0 +1,47 @@
+#pragma once
+
+#include <string>
+
+#include "drape/bounds/bounding_sphere.h"
+
+namespace drape {
+
+/// How a sphere is put about the particles of a node: from the original's way to the smallest sphere there is.
+enum class SphereFit {
+    Centroid,   ///< about the mean: `BoundingSphere::fit`
+    BoxCentre,  ///< about the centre of the box along the axes
+    Ritter,     ///< about two far particles, then grown
+    Epos6,      ///< about 6 extremal particles, then grown
+    Epos14,     ///< about 14
+    Epos26,     ///< about 26
+    Welzl       ///< the smallest
+};
+
+/// About the centre of the box along the axes, through the farthest particle.
+/// @par Cost O(particles), two passes
+BoundingSphere fit_box_sphere(const Patch& patch);
+
+/// Of the pairs of particles at the ends of the three axes, the sphere about the two that are farthest apart, grown by
+/// every particle that stands out of it. @cite ritter1990
+/// @par Cost O(particles), five passes
+BoundingSphere fit_ritter_sphere(const Patch& patch);
+
+/// The smallest sphere about the particles that are farthest out along 3, 7 or 13 lines (`dop_axes`), grown by every
+/// particle that stands out of it; the smallest sphere itself where there are no more particles than ends of lines.
+/// @cite larsson2008
+/// @par Cost O(particles), a pass for each line and two
+BoundingSphere fit_epos6_sphere(const Patch& patch);
+BoundingSphere fit_epos14_sphere(const Patch& patch);
+BoundingSphere fit_epos26_sphere(const Patch& patch);
+
+/// The smallest sphere, to the rounding. @cite welzl1991 @cite gaertner1999
+/// @par Cost O(particles) a pass; about ten passes
+BoundingSphere fit_smallest_sphere(const Patch& patch);
+
+/// The fit of a kind.
+[[nodiscard]] BoundingSphere (*sphere_fit_of(SphereFit kind))(const Patch&);
+
+/// The names of all kinds, in the order of the enumeration.
+std::span<const std::string> sphere_fit_names();
+
+}  // namespace drape

@@ -1,0 +1,303 @@
+#include "drape/bounds/sphere_fits.h"
+
+#include <gtest/gtest.h>
+
+#include <set>
+
+#include "drape/bounds/cloth_quadtree.h"
+#include "drape/bounds/dop_axes.h"
+#include "support/allocations.h"
+#include "support/point_sets.h"
+#include "support/smallest_radius.h"
+
+namespace drape {
+namespace {
+
+using testing::patch_of_points;
+using Fit = BoundingSphere (*)(const Patch&);
+
+Patch whole(const Points& x, const Grid& grid) {
+    return {x.col(0).data(), x.col(1).data(), x.col(2).data(), grid.nx, grid.ny, grid.nx};
+}
+
+SphereFit kind_at(std::size_t k) { return static_cast<SphereFit>(k); }
+
+/// Random sets of every sort, of 2 to 1000 points, and cloth patches of 2 x 2 to 33 x 33 particles.
+template <class Visit>
+void for_each_set(unsigned seed, Visit visit) {
+    std::mt19937 random(seed);
+    for (const testing::PointSet& set : testing::point_sets()) {
+        for (const int n : {2, 3, 4, 5, 6, 8, 14, 20, 27, 40, 100, 1000}) {
+            for (int round = 0; round < 40; ++round) {
+                const Points x = testing::random_points(set, n, random);
+                visit(set.name, patch_of_points(x), x);
+            }
+        }
+    }
+    for (const int n : {2, 3, 4, 5, 6, 7, 9, 13, 17, 25, 33}) {
+        for (int round = 0; round < 80; ++round) {
+            const Grid grid{n, round % 4 == 0 ? n + 3 : n};
+            const Points x = testing::random_cloth(grid, random);
+            visit("cloth", whole(x, grid), x);
+        }
+    }
+}
+
+/// The largest radius of a fit over that of the smallest sphere.
+Real loosest(Fit fit, const std::string& of_set = "") {
+    Real worst = 0;
+    for_each_set(11, [&](const std::string& set, const Patch& patch, const Points&) {
+        const Real smallest = fit_smallest_sphere(patch).radius, radius = fit(patch).radius;
+        EXPECT_GE(radius, smallest * (1 - 1e-12)) << set;
+        if (smallest > 0 && (of_set.empty() || of_set == set)) worst = std::max(worst, radius / smallest);
+    });
+    return worst;
+}
+
+TEST(SmallestSphere, IsTheSmallestOfAllSpheresThroughAFewPoints) {
+    std::mt19937 random(1);
+    for (const testing::PointSet& set : testing::point_sets()) {
+        for (int round = 0; round < 120; ++round) {
+            const Points x = testing::random_points(set, 2 + round % 7, random);
+            const Real smallest = testing::smallest_radius_by_trying_all(x);
+            EXPECT_NEAR(fit_smallest_sphere(patch_of_points(x)).radius, smallest, 1e-12 * smallest) << set.name;
+        }
+    }
+}
+
+TEST(SmallestSphere, HasItsCentreAmongTheParticlesOnIt) {
+    for_each_set(2, [](const std::string& set, const Patch& patch, const Points& x) {
+        const BoundingSphere sphere = fit_smallest_sphere(patch);
+        EXPECT_LE(sphere.radius, testing::lower_bound_of_radius(x, sphere.centre) * (1 + 1e-9))
+            << set << ", " << x.rows() << " particles";
+    });
+}
+
+TEST(SmallestSphere, IsJudgedByABoundThatAHundredMillionthTooMuchBreaks) {
+    std::mt19937 random(3);
+    const Points x = testing::random_points(testing::point_sets()[0], 100, random);
+    const BoundingSphere sphere = fit_smallest_sphere(patch_of_points(x));
+    EXPECT_LE(sphere.radius, testing::lower_bound_of_radius(x, sphere.centre) * (1 + 1e-9));
+    const Vec3 beside = sphere.centre + Vec3(1e-8, 0, 0) * sphere.radius;
+    EXPECT_GT(testing::farthest_distance(x, beside), testing::lower_bound_of_radius(x, beside) * (1 + 1e-9));
+}
+
+TEST(SmallestSphere, HoldsPointsThatAreNearlyInOnePlaceLinePlaneOrCircle) {
+    std::mt19937 random(4);
+    for (const testing::PointSet& set : testing::point_sets()) {
+        for (int tenths = 20; tenths < 160; tenths += 3) {
+            Points x = testing::random_points(set, 5 + tenths % 4, random);
+            x += std::pow(10.0, -tenths / 10.0) *
+                 testing::random_points(testing::point_sets()[0], 5 + tenths % 4, random);
+            const Real smallest = testing::smallest_radius_by_trying_all(x);
+            EXPECT_NEAR(fit_smallest_sphere(patch_of_points(x)).radius, smallest, 1e-9 * smallest + 1e-15) << set.name;
+        }
+    }
+}
+
+TEST(SmallestSphere, OfAFlatSquareStandsInItsMiddle) {
+    const Grid grid{30, 30};
+    Points x(grid.particles(), 3);
+    for (int j = 0; j < grid.ny; ++j) {
+        for (int i = 0; i < grid.nx; ++i) x.row(grid.particle(i, j)) << i, 0, j;
+    }
+    const BoundingSphere sphere = fit_smallest_sphere(whole(x, grid));
+    EXPECT_TRUE(sphere.centre.isApprox(Vec3(14.5, 0, 14.5), 1e-14));
+    EXPECT_NEAR(sphere.radius, std::hypot(14.5, 14.5), 1e-12);
+}
+
+TEST(RitterSphere, StartsAboutTheFarthestPairAndIsGrownByWhatStandsOut) {
+    // The pair along x; the third particle then pulls the sphere towards itself by half of what it stands out
+    Points x(4, 3);
+    x << -1, 0, 0, 1, 0, 0, 0, 1.2, 0, 0, 0, 0.1;
+    const BoundingSphere sphere = fit_ritter_sphere(patch_of_points(x));
+    EXPECT_TRUE(sphere.centre.isApprox(Vec3(0, 0.1, 0), 1e-14));
+    EXPECT_NEAR(sphere.radius, 1.1, 1e-14);
+}
+
+TEST(RitterSphere, IsAtMostThirtyPercentTooLarge) { EXPECT_LT(loosest(fit_ritter_sphere), 1.30); }
+
+/// Particles of which each is farthest out along one of the first lines of `dop_axes`, one at each end, and others
+/// between them.
+Points at_the_ends_of_lines(std::size_t lines, std::mt19937& random) {
+    std::uniform_real_distribution<Real> length(0.95, 1.05), inside(-0.2, 0.2);
+    Points x(static_cast<Eigen::Index>(2 * lines + 30), 3);
+    for (Eigen::Index p = 0; p < x.rows(); ++p) x.row(p) << inside(random), inside(random), inside(random);
+    for (std::size_t k = 0; k < lines; ++k) {
+        const Vec3 axis = Vec3(dop_axes[k][0], dop_axes[k][1], dop_axes[k][2]).normalized();
+        x.row(static_cast<Eigen::Index>(2 * k)) = length(random) * axis.transpose();
+        x.row(static_cast<Eigen::Index>(2 * k + 1)) = -length(random) * axis.transpose();
+    }
+    return x;
+}
+
+/// How far a fit is from the smallest sphere about particles at the ends of lines.
+Real excess_at_the_ends(Fit fit, std::size_t lines) {
+    std::mt19937 random(5);
+    Real most = 0;
+    for (int round = 0; round < 200; ++round) {
+        const Points x = at_the_ends_of_lines(lines, random);
+        const Patch patch = patch_of_points(x);
+        most = std::max(most, fit(patch).radius / fit_smallest_sphere(patch).radius - 1);
+    }
+    return most;
+}
+
+TEST(EposSphere, IsTheSmallestAboutTheEndsOfItsLines) {
+    EXPECT_LT(excess_at_the_ends(fit_epos6_sphere, 3), 1e-12);
+    EXPECT_LT(excess_at_the_ends(fit_epos14_sphere, 7), 1e-12);
+    EXPECT_LT(excess_at_the_ends(fit_epos26_sphere, 13), 1e-12);
+}
+
+TEST(EposSphere, MissesTheEndsOfLinesThatItDoesNotHave) {
+    EXPECT_GT(excess_at_the_ends(fit_epos6_sphere, 7), 1e-4);
+    EXPECT_GT(excess_at_the_ends(fit_epos14_sphere, 13), 1e-4);
+}
+
+TEST(EposSphere, IsGrownByWhatStandsOut) {
+    // The ends of the axes are on the unit sphere; the corner pulls it towards itself by half of what it stands out
+    Points x = Points::Zero(10, 3);
+    x.topRows(3).setIdentity();
+    x.middleRows(3, 3) = -x.topRows(3);
+    x.row(6).setConstant(0.9);
+    const BoundingSphere sphere = fit_epos6_sphere(patch_of_points(x));
+    const Real corner = 0.9 * std::sqrt(3.0);
+    EXPECT_NEAR(sphere.radius, (1 + corner) / 2, 1e-14);
+    EXPECT_NEAR((sphere.centre - Vec3::Constant(0.9)).norm(), (1 + corner) / 2, 1e-14);
+}
+
+TEST(EposSphere, OfAsManyParticlesAsEndsOfLinesIsTheSmallest) {
+    std::mt19937 random(6);
+    for (int round = 0; round < 100; ++round) {
+        const auto excess = [&](Fit fit, int n) {
+            const Points x = testing::random_points(testing::point_sets()[0], n, random);
+            return fit(patch_of_points(x)).radius / fit_smallest_sphere(patch_of_points(x)).radius - 1;
+        };
+        EXPECT_EQ(excess(fit_epos6_sphere, 6), 0);
+        EXPECT_EQ(excess(fit_epos14_sphere, 14), 0);
+        EXPECT_EQ(excess(fit_epos26_sphere, 26), 0);
+    }
+}
+
+TEST(EposSphere, WithAllLinesIsAtMostTwoPercentTooLarge) {
+    EXPECT_LT(loosest(fit_epos26_sphere), 1.02);
+    EXPECT_LT(loosest(fit_epos26_sphere, "cloth"), 1.011);
+}
+
+TEST(EposSphere, HasFewerPercentTheMoreLinesItHas) {
+    EXPECT_LT(loosest(fit_epos14_sphere), 1.06);
+    EXPECT_LT(loosest(fit_epos6_sphere), 1.18);
+}
+
+TEST(SphereFits, AboutTheMeanAreAtMostTwiceAndAboutTheBoxAtMostRootThreeTooLarge) {
+    EXPECT_LT(loosest(BoundingSphere::fit), 2);
+    EXPECT_LT(loosest(fit_box_sphere), std::sqrt(3.0));
+    EXPECT_LT(loosest(BoundingSphere::fit, "cloth"), 1.2);
+    EXPECT_LT(loosest(fit_box_sphere, "cloth"), 1.12);
+}
+
+TEST(SphereFits, MergedFromSmallestSpheresOfLeavesAreAtMostHalfTooLargeOnCloth) {
+    std::mt19937 random(7);
+    Real worst = 0;
+    for (int round = 0; round < 200; ++round) {
+        const Grid grid{2 + static_cast<int>(random() % 32), 2 + static_cast<int>(random() % 32)};
+        const Points x = testing::random_cloth(grid, random);
+        ClothQuadtree<BoundingSphere> tree(grid, {.update = UpdateKind::Merge}, {.patch = fit_smallest_sphere});
+        tree.build(x);
+        worst = std::max(worst, tree.volumes()[0].radius / fit_smallest_sphere(whole(x, grid)).radius);
+    }
+    EXPECT_GE(worst, 1);
+    EXPECT_LT(worst, 1.5);
+}
+
+/// True if every particle is inside, in arithmetic that does not round as the fit did.
+bool contains_all(const BoundingSphere& sphere, const Points& x) {
+    for (Eigen::Index p = 0; p < x.rows(); ++p) {
+        long double square = 0;
+        for (int axis = 0; axis < 3; ++axis) {
+            const long double side = static_cast<long double>(x(p, axis)) - sphere.centre[axis];
+            square += side * side;
+        }
+        if (!(std::sqrt(square) <= sphere.radius)) return false;
+    }
+    return true;
+}
+
+TEST(SphereFits, ContainTheirParticlesAtAnyScaleAndFarFromTheOrigin) {
+    std::mt19937 random(8);
+    for (const Real scale : {1e-6, 1.0, 1e6}) {
+        for (const Real away : {0.0, 1.0, 1e3, 1e9}) {
+            for (int round = 0; round < 30; ++round) {
+                const Grid grid{2 + round % 20, 2 + round % 11};
+                Points x = scale * testing::random_cloth(grid, random);
+                x.rowwise() += scale * away * Eigen::RowVector3d(1, -2, 3);
+                for (std::size_t k = 0; k < sphere_fit_names().size(); ++k) {
+                    EXPECT_TRUE(contains_all(sphere_fit_of(kind_at(k))(whole(x, grid)), x))
+                        << sphere_fit_names()[k] << " at scale " << scale << ", " << away << " away";
+                }
+            }
+        }
+    }
+}
+
+TEST(SphereFits, ContainPointsOfEverySort) {
+    for_each_set(9, [](const std::string& set, const Patch& patch, const Points& x) {
+        for (std::size_t k = 0; k < sphere_fit_names().size(); ++k) {
+            EXPECT_TRUE(contains_all(sphere_fit_of(kind_at(k))(patch), x)) << sphere_fit_names()[k] << ": " << set;
+        }
+    });
+}
+
+TEST(SphereFits, SeeOnlyTheirPatch) {
+    std::mt19937 random(10);
+    const Grid grid{40, 12};
+    for (int columns = 2; columns < 36; ++columns) {
+        const Points all = testing::random_cloth(grid, random);
+        Points far = Points::Constant(grid.particles(), 3, 1e3);
+        const int rows = 2 + columns % 9, first = grid.particle(3, 1);
+        for (int j = 1; j < 1 + rows; ++j) {
+            far.middleRows(grid.particle(3, j), columns) = all.middleRows(grid.particle(3, j), columns);
+        }
+        const auto patch = [&](const Points& x) {
+            return Patch{x.col(0).data() + first, x.col(1).data() + first, x.col(2).data() + first, columns, rows, 40};
+        };
+        for (std::size_t k = 0; k < sphere_fit_names().size(); ++k) {
+            const Fit fit = sphere_fit_of(kind_at(k));
+            EXPECT_EQ(fit(patch(all)).centre, fit(patch(far)).centre) << sphere_fit_names()[k];
+            EXPECT_EQ(fit(patch(all)).radius, fit(patch(far)).radius) << sphere_fit_names()[k];
+        }
+    }
+}
+
+TEST(SphereFits, AllocateNothing) {
+    std::mt19937 random(11);
+    const Grid grid{33, 33};
+    const Points x = testing::random_cloth(grid, random);
+    for (std::size_t k = 0; k < sphere_fit_names().size(); ++k) {
+        const auto before = testing::allocations();
+        (void)sphere_fit_of(kind_at(k))(whole(x, grid));
+        EXPECT_EQ(testing::allocations(), before) << sphere_fit_names()[k];
+    }
+}
+
+TEST(SphereFits, HaveNamesAndAreChosenByThem) {
+    std::mt19937 random(12);
+    const Grid grid{17, 13};
+    const Points x = testing::random_cloth(grid, random);
+    std::set<Fit> fits;
+    for (std::size_t k = 0; k < sphere_fit_names().size(); ++k) {
+        const auto tree = make_broad_phase({.sphere_fit = kind_at(k)}, grid);
+        tree->build(x);
+        std::vector<NodeView> root;
+        tree->nodes_at(0, {}, root);
+        EXPECT_EQ(root.at(0).placement.axes(0, 0), sphere_fit_of(kind_at(k))(whole(x, grid)).radius)
+            << sphere_fit_names()[k];
+        fits.insert(sphere_fit_of(kind_at(k)));
+    }
+    const std::vector<std::string> names{"centroid", "box", "ritter", "epos6", "epos14", "epos26", "welzl"};
+    EXPECT_EQ(std::vector(sphere_fit_names().begin(), sphere_fit_names().end()), names);
+    EXPECT_EQ(fits.size(), sphere_fit_names().size());
+}
+
+}  // namespace
+}  // namespace drape
