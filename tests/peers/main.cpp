@@ -31,10 +31,10 @@ void print(const Motion& motion, const std::vector<Result>& results) {
     const double fastest = fastest_of_ours(results);
     std::printf("\n%d x %d particles, %s precision, %.1f %% of %d triangles touched\n\n", motion.grid.nx,
                 motion.grid.ny, precision, 100 * mean_touched(motion), motion.grid.triangles());
-    std::printf("| %-26s | update us | query us |  total us |  ratio | frames | ties |\n", "method");
-    std::printf("| %s | --------: | -------: | --------: | -----: | -----: | ---: |\n", std::string(26, '-').c_str());
+    std::printf("| %-28s | update us | query us |  total us |  ratio | frames | ties |\n", "method");
+    std::printf("| %s | --------: | -------: | --------: | -----: | -----: | ---: |\n", std::string(28, '-').c_str());
     for (const Result& r : results) {
-        std::printf("| %-26s | %9.1f | %8.1f | %9.1f | %6.1f | %6d | %4d |\n", r.method.c_str(), r.update * 1e6,
+        std::printf("| %-28s | %9.1f | %8.1f | %9.1f | %6.1f | %6d | %4d |\n", r.method.c_str(), r.update * 1e6,
                     r.query * 1e6, r.total * 1e6, r.total / fastest, r.frames, r.ties);
     }
     std::fflush(stdout);

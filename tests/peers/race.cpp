@@ -3,8 +3,8 @@
 #include <algorithm>
 
 #include "drape/base/input_error.h"
-#include "drape/base/stopwatch.h"
 #include "touching.h"
+#include "work_watch.h"
 
 namespace drape::peers {
 namespace {
@@ -47,11 +47,12 @@ private:
     double run(const Frame& frame, bool timed) {
         // Positions are as near as after the step that made them
         x_ = frame.x;
-        Stopwatch watch;
+        const WorkWatch update_watch;
         method_->update(x_);
-        const double update = watch.lap();
+        const double update = update_watch.seconds();
+        const WorkWatch query_watch;
         method_->query(x_, frame.ball, touched_);
-        const double query = watch.lap();
+        const double query = query_watch.seconds();
         if (timed) {
             updates_.push_back(update);
             queries_.push_back(query);
