@@ -9,7 +9,8 @@
 namespace drape::peers {
 namespace {
 
-constexpr double longest_turn = 1;  // [s]
+// Long enough for small cloths to be at home in the caches, short enough for the slowest to be waited for
+constexpr double shortest_turn = 0.01, longest_turn = 1;  // [s]
 
 class Runner {
 public:
@@ -21,7 +22,8 @@ public:
 
     void take_turn(bool timed) {
         double spent = 0;
-        for (std::size_t n = 0; n < motion_.frames.size() && spent < longest_turn; ++n) {
+        const std::size_t once = motion_.frames.size();
+        for (std::size_t n = 0; n < once ? spent < longest_turn : spent < shortest_turn; ++n) {
             spent += run(motion_.frames[next_], timed);
             next_ = (next_ + 1) % motion_.frames.size();
         }

@@ -19,8 +19,8 @@ struct Result {
     bool ours = false;  ///< a tree of Drape's
 };
 
-/// Times all methods on one motion. They take turns; in its turn a method runs through the motion once, or for as many
-/// frames as a second has time for, going on where it stopped. Every frame is checked against brute force.
+/// Times all methods on one motion. They take turns; in its turn a method runs through the motion, again and again for
+/// at least 10 ms and for no longer than 1 s, going on where it stopped. Every frame is checked against brute force.
 /// @throws RunError if a method finds another set
 std::vector<Result> race(const Motion& motion, int turns);
 
