@@ -27,11 +27,16 @@ struct StepReport {
     StageTimes times;
     SolveReport solve;
     TraversalStats traversal;
-    std::int64_t contacts = 0;  ///< triangles touching a ball
-    double penetration = 0;     ///< largest depth left after the response [m]
-    double rms_speed = 0;       ///< of the particles [m/s]
-    Energy energy;              ///< filled by `Simulation::view`, not by every step
-    double stretch = 0;         ///< largest elongation of a structural spring, as `energy`
+    std::int64_t false_candidates = 0;  ///< cells handed on of which no triangle touches
+    std::int64_t contacts = 0;          ///< triangles touching a ball, and nodes that were taken for them
+    double penetration = 0;             ///< largest depth left after the response [m]
+    std::int64_t skipped_builds = 0;    ///< since the start, because nothing could touch
+    std::int64_t false_contacts = 0;    ///< of nodes at which the search has ended and in which no triangle touches
+    double missed_penetration = 0;      ///< largest depth of any triangle after the response to a limited search [m]
+    bool asleep = false;                ///< counts and contacts are those of the last step that was awake
+    double rms_speed = 0;               ///< of the particles [m/s]
+    Energy energy;                      ///< filled by `Simulation::view`, not by every step
+    double stretch = 0;                 ///< largest elongation of a structural spring, as `energy`
     Status status = Status::Ok;
     std::string trouble;  ///< one sentence on what broke, with particle and step; empty while all is well
 };

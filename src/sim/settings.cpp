@@ -1,0 +1,12 @@
+#include "drape/sim/settings.h"
+
+namespace drape {
+
+BroadPhaseParameters broad_phase_of(const ContactSettings& contact) {
+    return {.volume = contact.volume,
+            .update = contact.update,
+            .leaf_cells = contact.leaf_cells,
+            .search = {.level = contact.search_level, .tests = contact.search_tests}};
+}
+
+}  // namespace drape
