@@ -41,7 +41,15 @@ std::vector<Entry> make_entries(const std::vector<std::string>& scenes) {
     append_choices(entries, "Integrator", "solver.integrator", integrator_names());
     entries.push_back({"Bounding volume", {"T"}, "Next bounding volume", "next contact.volume"});
     append_choices(entries, "Bounding volume", "contact.volume", volume_names());
+    append_choices(entries, "Update", "contact.update", update_names());
     const std::vector<Entry> rest{
+        {"Search", {}, "Of all levels", "set contact.search_level=30"},
+        {"Search", {}, "To level 4", "set contact.search_level=4"},
+        {"Search", {}, "To level 3", "set contact.search_level=3"},
+        {"Search", {}, "To level 2", "set contact.search_level=2"},
+        {"Search", {}, "No build where nothing can touch", "next contact.coherence"},
+        {"Sleep", {}, "At rest", "set solver.sleep_speed=2e-04"},
+        {"Sleep", {}, "Never", "set solver.sleep_speed=0"},
         {"View", {"B"}, "Bounds", "next view.bounds"},
         {"View", {"["}, "Coarser level of bounds", "add view.level -1"},
         {"View", {"]"}, "Finer level of bounds", "add view.level 1"},

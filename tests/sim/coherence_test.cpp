@@ -119,6 +119,27 @@ TEST(Coherence, IsNeverWrongWhateverHappensToBallAndCloth) {
     EXPECT_GT(contacts, 500);
 }
 
+TEST(Coherence, DoesNotTakeANewTreeForTheOneThatItHasAsked) {
+    // One cell whose far side the hand brings near, and back once there is a new tree about what is left
+    Simulation simulation = small_simulation({"cloth.particles=2,2", "cloth.pinned=0,1,2,3", "ball.position=0,-9,0"});
+    const auto carry = [&](const std::string& particle, const std::string& place) {
+        send(simulation, "grab 0 " + particle);
+        send(simulation, "drag " + place);
+        make_steps(simulation, 800);
+        send(simulation, "release");
+    };
+    make_steps(simulation, 10);
+    carry("2", "-0.5 0.6 0.01");
+    carry("3", "0.5 0.6 0.01");
+    send(simulation, "set leaf_cells=2");
+    carry("2", "-0.5 0.6 1");
+    carry("3", "0.5 0.6 1");
+    EXPECT_GT(simulation.report().skipped_builds, 3000);
+    send(simulation, "set ball.position=0,0.6,1.2");
+    simulation.step();
+    EXPECT_GT(simulation.report().contacts, 0);
+}
+
 TEST(Coherence, CountsTheBuildsThatAreLeftOutSinceTheStart) {
     Simulation simulation = small_simulation({"ball.position=0,-9,0"});
     make_steps(simulation, 100);

@@ -41,14 +41,22 @@ struct StepReport {
     std::string trouble;  ///< one sentence on what broke, with particle and step; empty while all is well
 };
 
-/// One field of a report, for CSV and tests.
+/// What figures are about; the panel sets them apart by it, and shows those of `Limit` only while the search is
+/// limited.
+enum class ReportGroup { Time, Stages, Hierarchy, Limit, Energy };
+
+/// One field of a report, for CSV, panel and tests.
 struct ReportField {
     std::string_view name;  ///< as in the CSV header
-    std::string_view unit;
+    std::string_view unit;  ///< "s", "us", "m", "m/s", "J"; "1" for a ratio; empty for counts and flags
     double (*read)(const StepReport&);
+    std::string_view label = {};  ///< in the panel; empty: it is not there
+    ReportGroup group = ReportGroup::Time;
+    int importance = 0;                            ///< in the panel the least goes first where there is no room
+    double (*whole)(const StepReport&) = nullptr;  ///< what it is a part of, if it is one
 };
 
-/// All fields, in the order of the CSV.
+/// All fields, in the order of CSV and panel.
 std::span<const ReportField> report_fields();
 
 }  // namespace drape
