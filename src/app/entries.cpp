@@ -46,6 +46,13 @@ std::vector<Entry> make_entries(const std::vector<std::string>& scenes) {
     entries.push_back({"Update of the hierarchy", {"U"}, "Next update of the hierarchy", "next contact.update"});
     append_choices(entries, "Update of the hierarchy", "contact.update", update_names());
     const std::vector<Entry> rest{
+        {"Search", {}, "Of all levels", "set contact.search_level=30"},
+        {"Search", {}, "To level 4", "set contact.search_level=4"},
+        {"Search", {}, "To level 3", "set contact.search_level=3"},
+        {"Search", {}, "To level 2", "set contact.search_level=2"},
+        {"Search", {}, "No build where nothing can touch", "next contact.coherence"},
+        {"Sleep", {}, "At rest", "set solver.sleep_speed=2e-04"},
+        {"Sleep", {}, "Never", "set solver.sleep_speed=0"},
         {"View", {"B"}, "Bounds", "next view.bounds"},
         {"View", {"["}, "Coarser level of bounds", "add view.level -1"},
         {"View", {"]"}, "Finer level of bounds", "add view.level 1"},

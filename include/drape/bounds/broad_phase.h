@@ -60,7 +60,8 @@ struct TraversalStats {
 /// A node at which a search ended.
 struct StoppedNode {
     BoundingSphere sphere;
-    int cell = 0;  ///< in the middle of it
+    int cell = 0;                        ///< in the middle of it
+    int i0 = 0, j0 = 0, i1 = 0, j1 = 0;  ///< its cells: columns [i0, i1), rows [j0, j1)
 };
 
 /// Cells that follow one another in a row of the grid.

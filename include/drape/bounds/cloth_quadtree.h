@@ -85,7 +85,7 @@ public:
             }
             if (spent || (node.level == search_.level && node.children > 0)) {
                 mark(n, NodeState::Visited);
-                found.stopped.push_back({grown_sphere(n), middle_cell(node)});
+                found.stopped.push_back({grown_sphere(n), middle_cell(node), node.i0, node.j0, node.i1, node.j1});
             } else if (node.children == 0) {
                 mark(n, NodeState::Leaf);
                 ++stats.leaves;
