@@ -93,7 +93,7 @@ int collide(const Options& options) {
     const Ball ball = parse_ball(options.ball);
     const Points x = read_positions(options.positions, grid);
 
-    const auto broad_phase = make_broad_phase({contact.volume, contact.update, contact.leaf_cells, {}}, grid);
+    const auto broad_phase = make_broad_phase(broad_phase_of(contact), grid);
     Candidates found;
     std::vector<int> triangles;
     broad_phase->build(x);
@@ -105,8 +105,9 @@ int collide(const Options& options) {
     for (const int triangle : triangles) text += std::to_string(triangle) + "\n";
     std::cout << text << std::flush;
     std::cerr << "nodes=" << stats.nodes << " visited=" << stats.visited << " volume_tests=" << stats.volume_tests
-              << " leaves=" << stats.leaves << " candidates=" << stats.candidates << " touched=" << triangles.size()
-              << "\n";
+              << " leaves=" << stats.leaves << " candidates=" << stats.candidates << " touched=" << triangles.size();
+    if (stats.stopped > 0) std::cerr << " stopped=" << stats.stopped;
+    std::cerr << "\n";
     return Done;
 }
 

@@ -9,7 +9,9 @@ namespace {
 
 /// One simulated frame of a scene that has run for a while.
 void simulated_frame(benchmark::State& state, const char* scene, double settled) {
-    drape::Simulation simulation(scene, drape::load_scene(scene));
+    drape::Settings settings = drape::load_scene(scene);
+    settings.solver.sleep_speed = 0;  // sleep is no work
+    drape::Simulation simulation(scene, settings);
     while (simulation.report().time < settled) simulation.step();
     for (auto _ : state) simulation.step();
     const drape::StepReport& report = simulation.report();
