@@ -12,8 +12,8 @@ namespace {
 /// Edges shorter than this part of the whole are not drawn.
 constexpr Real shortest = Real(1e-4);
 
-/// By this part of the whole, times their number, slabs are moved out: one that only touches an edge of the others, as
-/// they do about a flat cloth, would draw that edge again.
+/// By this part of the whole, times their number, slabs beside the box are moved out: one that only touches an edge of
+/// the others, as they do about a flat cloth, would draw that edge again.
 constexpr Real hair = Real(1e-6);
 
 Vec3 direction(const Slab& slab) { return Eigen::Vector3i(slab.axis.data()).cast<Real>(); }
@@ -72,7 +72,7 @@ void append_polytope(std::span<const Slab> slabs, NodeState state, Outlines& out
     if (size == 0) return;
     std::array<Slab, most> body;
     for (std::size_t s = 0; s < slabs.size(); ++s) {
-        const Real place = direction(slabs[s]).dot(middle), out = hair * static_cast<Real>(s);
+        const Real place = direction(slabs[s]).dot(middle), out = s < 3 ? 0 : hair * static_cast<Real>(s);
         body[s] = {slabs[s].axis, (slabs[s].low - place) / size - out, (slabs[s].high - place) / size + out};
     }
 

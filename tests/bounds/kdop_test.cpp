@@ -176,14 +176,20 @@ TEST(KDop, OfACubeWithCutCornersHasTheEdgesOfATruncatedCube) {
     EXPECT_EQ(outlines.edges.size(), 12u + 24u);
 }
 
-TEST(KDop, OfAFlatClothIsDrawnWithEachEdgeAtMostTwice) {
+/// Above and below; every direction that is cut off by others only touches.
+TEST(KDop, OfAFlatClothIsDrawnWithEachEdgeTwice) {
     const Grid grid{5, 5};
-    Points x(25, 3);
-    for (int p = 0; p < 25; ++p) x.row(p) << p % 5, 0, p / 5;
-    Outlines outlines;
-    KDop<26>::fit(whole(x, grid)).outline(NodeState::Visited, outlines);
-    EXPECT_EQ(outlines.edges.size(), 8u);
-    for (const Outlines::Edge& edge : outlines.edges) EXPECT_NEAR((edge.to - edge.from).norm(), 4, 1e-3);
+    Points square(25, 3), diamond(25, 3);
+    for (int p = 0; p < 25; ++p) {
+        square.row(p) << p % 5, 0, p / 5;
+        diamond.row(p) << p % 5 + p / 5, 0, p % 5 - p / 5;
+    }
+    for (const auto& [x, side] : {std::pair(square, 4.0), std::pair(diamond, std::sqrt(32.0))}) {
+        Outlines outlines;
+        KDop<26>::fit(whole(x, grid)).outline(NodeState::Visited, outlines);
+        EXPECT_EQ(outlines.edges.size(), 8u);
+        for (const Outlines::Edge& edge : outlines.edges) EXPECT_NEAR((edge.to - edge.from).norm(), side, 1e-3);
+    }
 }
 
 TEST(KDop, OfAPointOrALineIsDrawnByNothingOrTheLine) {
