@@ -158,12 +158,12 @@ TEST(Coherence, SkipsNothingThatIsOnShow) {
 /// The root as it is drawn, less the one that a build from the present positions gives.
 Real staleness_of_shown_root(const Simulation& simulation) {
     const Cloth& cloth = simulation.cloths()[0];
-    std::vector<NodeView> shown, fresh;
+    Outlines shown, fresh;
     cloth.broad_phase->nodes_at(0, {}, shown);
     const auto tree = make_broad_phase(broad_phase_of(simulation.settings().contact), cloth.model.grid);
     tree->build(cloth.state.x);
     tree->nodes_at(0, {}, fresh);
-    return (shown[0].placement.centre - fresh[0].placement.centre).norm();
+    return (shown.spheres[0].centre - fresh.spheres[0].centre).norm();
 }
 
 TEST(Coherence, ShowsBoundsOfThePresentAsSoonAsTheyAreAskedFor) {

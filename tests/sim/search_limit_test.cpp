@@ -11,6 +11,7 @@ namespace {
 
 Simulation drop_with(const std::vector<std::string>& assignments) {
     Settings settings = load_scene("drop");
+    settings.contact.leaf_cells = 4;  // levels 0 to 3, 85 nodes
     for (const std::string& assignment : assignments) assign(settings, assignment);
     return {"drop", std::move(settings)};
 }
