@@ -122,7 +122,7 @@ TYPED_TEST(Volume, IsCaughtIfItMissesAColumn) {
         ++all;
         caught += farthest_out(TypeParam::fit(patch), whole(x, grid)) > 0;
     });
-    EXPECT_GT(caught, all * 9 / 10);
+    EXPECT_GT(caught, all * 8 / 10);
 }
 
 }  // namespace
