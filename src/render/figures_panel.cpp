@@ -76,6 +76,13 @@ Row state_row(const FrameView& view) {
     return {"state", view.held ? "running, in hand" : "running", -1, 4, ink::good};
 }
 
+// The volume, with its fit if that is a sphere's
+std::string volume_text(const ContactSettings& contact) {
+    const std::string& name = volume_names()[static_cast<std::size_t>(contact.volume)];
+    if (contact.volume != VolumeKind::Sphere) return name;
+    return name + ", " + sphere_fit_names()[static_cast<std::size_t>(contact.sphere_fit)];
+}
+
 // What stands above the figures of a group
 std::vector<Row> rows_ahead(ReportGroup group, const FrameView& view) {
     const Settings& settings = *view.settings;
@@ -85,7 +92,8 @@ std::vector<Row> rows_ahead(ReportGroup group, const FrameView& view) {
                     {"method", std::string(name_of(settings.solver.integrator)), -1, 4},
                     {"step size", format("%g ms, fixed", 1000 * static_cast<double>(settings.solver.dt)), -1, 3}};
         case ReportGroup::Hierarchy:
-            return {{"volume", volume_names()[static_cast<std::size_t>(settings.contact.volume)], -1, 2}};
+            return {{"volume", volume_text(settings.contact), -1, 2},
+                    {"update", update_names()[static_cast<std::size_t>(settings.contact.update)], -1, 1}};
         default:
             return {};
     }
