@@ -103,18 +103,21 @@ TEST(SphereQuadtree, ShowsEachLevelWithWhatTheQueryDid) {
 TEST(BroadPhases, AllocateNothingAfterTheFirstFrame) {
     std::mt19937 random(8);
     const Grid grid{31, 17};
-    const Points x = testing::random_cloth(grid, random);
+    const Points x[] = {testing::random_cloth(grid, random), testing::random_cloth(grid, random)};
     for (std::size_t volume = 0; volume < volume_names().size(); ++volume) {
-        const auto broad_phase = make_broad_phase({.volume = static_cast<VolumeKind>(volume)}, grid);
-        Candidates found;
-        const auto frame = [&] {
-            broad_phase->build(x);
-            broad_phase->query({.centre = Vec3::Zero(), .radius = 1}, found);
-        };
-        frame();
-        const auto before = testing::allocations();
-        frame();
-        EXPECT_EQ(testing::allocations(), before);
+        for (std::size_t update = 0; update < update_names().size(); ++update) {
+            const auto broad_phase = make_broad_phase(
+                {.volume = static_cast<VolumeKind>(volume), .update = static_cast<UpdateKind>(update)}, grid);
+            Candidates found;
+            broad_phase->build(x[0]);
+            broad_phase->query({.centre = Vec3::Zero(), .radius = 0.1}, found);
+            const auto before = testing::allocations();
+            for (const Points& moved : x) {
+                broad_phase->build(moved);
+                broad_phase->query({.centre = Vec3::Zero(), .radius = 9}, found);
+            }
+            EXPECT_EQ(testing::allocations(), before) << volume_names()[volume] << ", " << update_names()[update];
+        }
     }
 }
 
