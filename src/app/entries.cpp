@@ -46,6 +46,18 @@ std::vector<Entry> make_entries(const std::vector<std::string>& scenes) {
     entries.push_back({"Update of the hierarchy", {"U"}, "Next update of the hierarchy", "next contact.update"});
     append_choices(entries, "Update of the hierarchy", "contact.update", update_names());
     const std::vector<Entry> rest{
+        {"Leaf size", {}, "As measured to be fastest", "set contact.leaf_cells=0"},
+        {"Leaf size", {}, "2 x 2 cells", "set contact.leaf_cells=2"},
+        {"Leaf size", {}, "4 x 4 cells", "set contact.leaf_cells=4"},
+        {"Leaf size", {}, "7 x 7 cells", "set contact.leaf_cells=7"},
+        {"Leaf size", {}, "15 x 15 cells", "set contact.leaf_cells=15"},
+        {"Search", {}, "Of all levels", "set contact.search_level=30"},
+        {"Search", {}, "To level 4", "set contact.search_level=4"},
+        {"Search", {}, "To level 3", "set contact.search_level=3"},
+        {"Search", {}, "To level 2", "set contact.search_level=2"},
+        {"Search", {}, "No build where nothing can touch", "next contact.coherence"},
+        {"Sleep", {}, "At rest", "set solver.sleep_speed=2e-04"},
+        {"Sleep", {}, "Never", "set solver.sleep_speed=0"},
         {"View", {"B"}, "Bounds", "next view.bounds"},
         {"View", {"["}, "Coarser level of bounds", "add view.level -1"},
         {"View", {"]"}, "Finer level of bounds", "add view.level 1"},

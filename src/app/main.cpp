@@ -59,7 +59,7 @@ int run(int argc, char** argv) {
     const int code = window.run();
     session.close();
     if (options->hash) std::cout << hash_text(session.simulation().hash()) << "\n";
-    return code;
+    return code == Done && session.replay_differs() ? Failed : code;
 }
 
 }  // namespace

@@ -6,6 +6,8 @@
 #include "drape/bounds/aabb.h"
 #include "drape/bounds/centroid_tree.h"
 #include "drape/bounds/cloth_quadtree.h"
+#include "drape/bounds/kdop.h"
+#include "drape/bounds/obb.h"
 
 namespace drape {
 namespace {
@@ -26,9 +28,7 @@ public:
     [[nodiscard]] bool may_touch(const Ball& /*ball*/, Real /*displacement*/) const override { return true; }
     [[nodiscard]] Real slack() const override { return 0; }
     [[nodiscard]] int levels() const override { return 0; }
-    void nodes_at(int /*level*/, std::span<const int> /*touched*/, std::vector<NodeView>& nodes) const override {
-        nodes.clear();
-    }
+    void nodes_at(int /*level*/, std::span<const int> /*touched*/, Outlines& nodes) const override { nodes.clear(); }
 
 private:
     Grid grid_;
@@ -62,6 +62,16 @@ std::unique_ptr<BroadPhase> make_broad_phase(const BroadPhaseParameters& paramet
             return std::make_unique<ClothQuadtree<BoundingSphere>>(grid, parameters, fits_of(parameters.sphere_fit));
         case VolumeKind::Aabb:
             return std::make_unique<ClothQuadtree<Aabb>>(grid, parameters);
+        case VolumeKind::Kdop6:
+            return std::make_unique<ClothQuadtree<KDop<6>>>(grid, parameters);
+        case VolumeKind::Kdop14:
+            return std::make_unique<ClothQuadtree<KDop<14>>>(grid, parameters);
+        case VolumeKind::Kdop18:
+            return std::make_unique<ClothQuadtree<KDop<18>>>(grid, parameters);
+        case VolumeKind::Kdop26:
+            return std::make_unique<ClothQuadtree<KDop<26>>>(grid, parameters);
+        case VolumeKind::Obb:
+            return std::make_unique<ClothQuadtree<Obb>>(grid, parameters);
         case VolumeKind::Brute:
             return std::make_unique<BruteForce>(grid);
     }
@@ -70,7 +80,8 @@ std::unique_ptr<BroadPhase> make_broad_phase(const BroadPhaseParameters& paramet
 }
 
 std::span<const std::string> volume_names() {
-    static const std::array<std::string, 3> names{"sphere", "aabb", "brute"};
+    static const std::array<std::string, 8> names{"sphere", "aabb",   "kdop6", "kdop14",
+                                                  "kdop18", "kdop26", "obb",   "brute"};
     return names;
 }
 

@@ -68,7 +68,7 @@ int Capture::run() {
         if (const int signal = signals_.arrived()) exit_code = 128 + signal;
     }
     finish();
-    if (!finish_video() && exit_code == Done) exit_code = Failed;
+    if ((!finish_video() || session_.replay_differs()) && exit_code == Done) exit_code = Failed;
     return exit_code;
 }
 

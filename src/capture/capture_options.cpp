@@ -4,6 +4,7 @@
 
 #include "drape/base/input_error.h"
 #include "drape/base/numbers.h"
+#include "drape/base/output_file.h"
 #include "drape/base/program.h"
 #include "drape/sim/setting_table.h"
 
@@ -57,6 +58,7 @@ std::optional<CaptureOptions> read_capture_options(int argc, char** argv) {
     options.every = whole_number("--every", every, options.frames);
     options.fps = frame_rate(fps);
     options.size = parse_size(size);
+    check_apart("--state and --stats", options.state, options.stats);
     const bool anything = !options.out.empty() || !options.video.empty() || !options.stats.empty() ||
                           !options.state.empty() || options.hash;
     if (!anything) throw InputError("nothing to write: say --out DIR, or one of --video, --stats, --state and --hash");

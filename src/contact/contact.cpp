@@ -72,19 +72,38 @@ void find_touched_triangles(const Grid& grid, const Points& x, const Ball& ball,
     });
 }
 
-void find_contacts(const Grid& grid, const Points& x, const Ball& ball, int ball_number, Real thickness,
-                   std::span<const CellRun> cells, std::vector<Contact>& contacts) {
+std::int64_t find_contacts(const Grid& grid, const Points& x, const Ball& ball, int ball_number, Real thickness,
+                           std::span<const CellRun> cells, std::vector<Contact>& contacts) {
     Contact contact{.ball = ball_number};
+    std::int64_t touching = 0;
     for_each_verdict(grid, x, ball.centre, ball.radius + thickness, cells, [&](const Verdicts& verdicts) {
         for (std::uint32_t near = verdicts.first | verdicts.second | verdicts.open; near != 0; near &= near - 1) {
             const int cell = verdicts.cell + std::countr_zero(near);
+            const std::size_t before = contacts.size();
             for (const int triangle : {2 * cell, 2 * cell + 1}) {
                 contact.triangle = triangle;
                 contact.corners = grid.triangle_corners(triangle);
                 if (locate(x, ball, thickness, contact)) contacts.push_back(contact);
             }
+            if (contacts.size() > before) ++touching;
         }
     });
+    return touching;
+}
+
+void find_node_contacts(const Grid& grid, const Points& x, const Ball& ball, int ball_number, Real thickness,
+                        Real longest_push, std::span<const StoppedNode> nodes, std::vector<Contact>& contacts) {
+    for (const StoppedNode& node : nodes) {
+        Contact contact{.triangle = 2 * node.cell, .ball = ball_number, .of_node = true};
+        contact.corners = grid.triangle_corners(contact.triangle);
+        contact.barycentric.fill(Real(1) / 3);
+        contact.offset = node.sphere.centre - at_point(contact, x);
+        contact.radius = node.sphere.radius;
+        if (!locate(x, ball, thickness, contact)) continue;
+        contact.radius -= std::max(contact.depth - longest_push, Real(0));
+        contact.depth = std::min(contact.depth, longest_push);
+        contacts.push_back(contact);
+    }
 }
 
 }  // namespace drape

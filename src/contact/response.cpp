@@ -43,18 +43,12 @@ DRAPE_INLINE void push(const ClothModel& model, const Contact& contact, const Ve
     }
 }
 
-/// The contact point's mean of what its corners have: velocities, or positions.
-DRAPE_INLINE Vec3 at_point(const Contact& contact, const Points& v) {
-    return contact.barycentric[0] * position(v, contact.corners[0]) +
-           contact.barycentric[1] * position(v, contact.corners[1]) +
-           contact.barycentric[2] * position(v, contact.corners[2]);
-}
-
 /// The depth after short pushes: the same point of the triangle, where the particles are now. The distance to the
 /// centre is stationary there, so what is left out is of second order.
 void follow(const Points& x, const Ball& ball, Real thickness, Contact& contact) {
     contact.point = at_point(contact, x);
-    contact.depth = std::max(ball.radius + thickness - (contact.point - ball.centre).norm(), Real(0));
+    const Real distance = (contact.point + contact.offset - ball.centre).norm();
+    contact.depth = std::max(ball.radius + thickness + contact.radius - distance, Real(0));
 }
 
 /// Pushes every contact that is deeper than the slop out to it; its neighbours see the moved particles.

@@ -105,8 +105,9 @@ int collide(const Options& options) {
     for (const int triangle : triangles) text += std::to_string(triangle) + "\n";
     std::cout << text << std::flush;
     std::cerr << "nodes=" << stats.nodes << " visited=" << stats.visited << " volume_tests=" << stats.volume_tests
-              << " leaves=" << stats.leaves << " candidates=" << stats.candidates << " touched=" << triangles.size()
-              << "\n";
+              << " leaves=" << stats.leaves << " candidates=" << stats.candidates << " touched=" << triangles.size();
+    if (stats.stopped > 0) std::cerr << " stopped=" << stats.stopped;
+    std::cerr << "\n";
     return Done;
 }
 

@@ -42,8 +42,11 @@ std::vector<double> parse_times(const std::string& text) {
 }
 
 int simulate(Options& options) {
-    const std::vector<double> times = parse_times(options.times);
-    Session session = make_session(make_start(options.start));
+    check_apart("--state and --stats", options.state, options.stats);
+    Start start = make_start(options.start);
+    const bool whole_replay = options.times.empty() && start.replay && start.replay->last_step;
+    const std::vector<double> times = whole_replay ? std::vector<double>{} : parse_times(options.times);
+    Session session = make_session(std::move(start));
     if (const auto warning = step_warning(session.simulation().settings()); !warning.empty()) {
         std::cerr << warning << "\n";
     }
@@ -52,11 +55,19 @@ int simulate(Options& options) {
     if (stats.wanted()) write_report_header(stats.stream()), stats.stream() << '\n';
 
     const Stopwatch watch;
-    for (const double time : times) {
-        session.run_until(time);
-        if (session.simulation().report().status == Status::Diverged) break;
+    const auto write = [&] {
+        if (session.simulation().report().status == Status::Diverged) return false;
         if (state.wanted()) write_state(state.stream(), session.simulation());
         if (stats.wanted()) write_report(stats.stream(), *session.view().report), stats.stream() << '\n';
+        return true;
+    };
+    if (whole_replay) {
+        session.run_replay();
+        write();
+    }
+    for (const double time : times) {
+        session.run_until(time);
+        if (!write()) break;
     }
     state.close();
     stats.close();
@@ -66,7 +77,7 @@ int simulate(Options& options) {
               << " s\n";
     if (!session.replay_notice().empty()) std::cerr << session.replay_notice() << "\n";
     if (options.hash) std::cout << hash_text(session.simulation().hash()) << "\n";
-    if (report.status == Status::Ok) return Done;
+    if (report.status == Status::Ok) return session.replay_differs() ? Failed : Done;
     std::cerr << "drape-lab: " << report.trouble << "\n";
     return Failed;
 }
@@ -79,7 +90,8 @@ void add_simulate(CLI::App& app, int& exit_code) {
     command->add_option("scene", options->start.scene, "name of a shipped scene, or a TOML file")->type_name("SCENE");
     command->add_option("--set", options->start.assignments, "change settings")->type_name("name=value");
     command->add_option("--replay", options->start.replay, "play a recording")->type_name("FILE");
-    command->add_option("--time", options->times, "simulated times to stop at [s]")->type_name("T[,T2...]")->required();
+    command->add_option("--time", options->times, "simulated times to stop at [s]; a whole recording if not given")
+        ->type_name("T[,T2...]");
     command->add_option("--state", options->state, "write every particle at each time")->type_name("FILE.csv");
     command->add_option("--stats", options->stats, "write the report of the step at each time")->type_name("FILE.csv");
     command->add_flag("--hash", options->hash, "print the hash of the last state");

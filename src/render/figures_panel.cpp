@@ -18,7 +18,7 @@ namespace drape {
 namespace {
 
 struct Row {
-    const char* name;
+    std::string name;
     std::string value;
     float part = -1;     // of a bar, in [0, 1]; below 0 there is none
     int importance = 1;  // rows of the lowest go first where there is no room
@@ -44,49 +44,76 @@ std::string grouped(double value) {
     return text;
 }
 
-std::string energy(Real value) { return format("%.4f J", static_cast<double>(value)); }
+// A value as its unit is best read
+std::string value_text(double value, std::string_view unit) {
+    if (unit.empty()) return grouped(value);
+    if (unit == "1") return format("%.2f %%", 100 * value);
+    if (unit == "us") return format("%.1f us", value);
+    if (unit == "m") return format("%.2f mm", 1000 * value);
+    if (unit == "J") return format("%.4f J", value);
+    return format("%.3f", value) + " " + std::string(unit);
+}
+
+// Of a part, times get a bar beside them, and counts the count of the whole
+Row report_row(const ReportField& field, const StepReport& report) {
+    const double value = field.read(report);
+    Row row{std::string(field.label), value_text(value, field.unit), -1, field.importance};
+    if (field.whole == nullptr) return row;
+    const double whole = field.whole(report);
+    if (field.unit.empty()) {
+        row.value += " of " + grouped(whole);
+    } else {
+        row.part = whole > 0 ? static_cast<float>(value / whole) : 0;
+    }
+    return row;
+}
 
 Row state_row(const FrameView& view) {
     const StepReport& report = *view.report;
     if (report.status == Status::Diverged) return {"state", "diverged", -1, 4, ink::bad};
-    if (view.paused) return {"state", "paused", -1, 4, ink::wait};
+    if (view.paused) return {"state", report.asleep ? "paused, asleep" : "paused", -1, 4, ink::wait};
+    if (report.asleep) return {"state", "asleep", -1, 4, ink::quiet};
     return {"state", view.held ? "running, in hand" : "running", -1, 4, ink::good};
 }
 
-void add_time_rows(const FrameView& view, std::vector<Row>& rows) {
-    const StepReport& report = *view.report;
-    const SolverSettings& solver = view.settings->solver;
-    rows.push_back(state_row(view));
-    rows.push_back({"method", std::string(name_of(solver.integrator)), -1, 4});
-    rows.push_back({"step", grouped(static_cast<double>(report.step)), -1, 3});
-    rows.push_back({"step size", format("%g ms, fixed", 1000 * static_cast<double>(solver.dt)), -1, 3});
-    rows.push_back({"time", format("%.3f s", report.time), -1, 3});
+// The volume, with its fit if that is a sphere's
+std::string volume_text(const ContactSettings& contact) {
+    const std::string& name = volume_names()[static_cast<std::size_t>(contact.volume)];
+    if (contact.volume != VolumeKind::Sphere) return name;
+    return name + ", " + sphere_fit_names()[static_cast<std::size_t>(contact.sphere_fit)];
 }
 
-void add_stage_rows(const StageTimes& times, std::vector<Row>& rows) {
-    const std::array<std::pair<const char*, double>, 5> stages{{{"integrate", times.step},
-                                                                {"build", times.build},
-                                                                {"traverse", times.traverse},
-                                                                {"narrow", times.narrow},
-                                                                {"respond", times.respond}}};
-    const double total = std::max(times.total(), 1e-12);
-    for (const auto& [name, seconds] : stages) {
-        rows.push_back({name, format("%.1f us", 1e6 * seconds), static_cast<float>(seconds / total), 1, ink::text,
-                        name == stages.front().first});
+// What stands above the figures of a group
+std::vector<Row> rows_ahead(ReportGroup group, const FrameView& view) {
+    const Settings& settings = *view.settings;
+    switch (group) {
+        case ReportGroup::Time:
+            return {state_row(view),
+                    {"method", std::string(name_of(settings.solver.integrator)), -1, 4},
+                    {"step size", format("%g ms, fixed", 1000 * static_cast<double>(settings.solver.dt)), -1, 3}};
+        case ReportGroup::Hierarchy:
+            return {{"volume", volume_text(settings.contact), -1, 2},
+                    {"update", update_names()[static_cast<std::size_t>(settings.contact.update)], -1, 1}};
+        default:
+            return {};
     }
 }
 
-void add_count_rows(const StepReport& report, VolumeKind volume, std::vector<Row>& rows) {
-    const auto visited = static_cast<double>(report.traversal.visited);
-    const auto nodes = static_cast<double>(report.traversal.nodes);
-    rows.push_back({"volume", volume_names()[static_cast<std::size_t>(volume)], -1, 2, ink::text, true});
-    rows.push_back({"nodes", grouped(visited) + " of " + grouped(nodes), -1, 3});
-    rows.push_back({"candidates", grouped(static_cast<double>(report.traversal.candidates)), -1, 2});
-    rows.push_back({"contacts", grouped(static_cast<double>(report.contacts)), -1, 3});
-    rows.push_back({"kinetic", energy(report.energy.kinetic), -1, 2, ink::text, true});
-    rows.push_back({"gravity", energy(report.energy.gravity), -1, 1});
-    rows.push_back({"spring", energy(report.energy.spring), -1, 1});
-    rows.push_back({"total", energy(report.energy.total()), -1, 2});
+// Every figure of a step that has a label, group by group
+void add_report_rows(const FrameView& view, std::vector<Row>& rows) {
+    const bool limited = !broad_phase_of(view.settings->contact).search.none();
+    const ReportField* before = nullptr;
+    for (const ReportField& field : report_fields()) {
+        if (field.label.empty() || (field.group == ReportGroup::Limit && !limited)) continue;
+        const bool opens = before == nullptr || before->group != field.group;
+        const std::size_t first = rows.size();
+        if (opens) {
+            for (Row& row : rows_ahead(field.group, view)) rows.push_back(std::move(row));
+        }
+        rows.push_back(report_row(field, *view.report));
+        rows[first].opens_group = opens && before != nullptr;
+        before = &field;
+    }
 }
 
 void add_cost_rows(const FrameReport& last, std::vector<Row>& rows) {
@@ -139,7 +166,7 @@ struct Columns {
 };
 
 void draw_row(const Row& row, float top, const Columns& columns) {
-    text_at({columns.name, top}, ink::quiet, row.name);
+    text_at({columns.name, top}, ink::quiet, row.name.c_str());
     text_at({columns.value, top}, row.colour, row.value.c_str());
     if (row.part < 0) return;
     ImDrawList& list = *ImGui::GetWindowDrawList();
@@ -153,9 +180,7 @@ void draw_row(const Row& row, float top, const Columns& columns) {
 
 float figures_panel(const FrameView& view, const FrameReport& last, ImFont* title, const OverlayPage& page) {
     std::vector<Row> rows;
-    add_time_rows(view, rows);
-    add_stage_rows(view.report->times, rows);
-    add_count_rows(*view.report, view.settings->contact.volume, rows);
+    add_report_rows(view, rows);
     add_cost_rows(last, rows);
 
     // As large as it must be, at most as the picture

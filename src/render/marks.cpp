@@ -15,13 +15,19 @@ struct ContactMark {
     float normal[3];
 };
 
-struct BoundMark {
+struct SphereMark {
     float centre[3];
-    float axes[9];  ///< column by column
+    float radius;
     float state;
 };
 
-constexpr int circles_per_bound = 4;
+/// An end of an edge.
+struct EdgeMark {
+    float point[3];
+    float state;
+};
+
+constexpr int circles_per_sphere = 4;
 constexpr int contact_vertices = 9;
 constexpr float bend_lift = 0.22f;  // of the bend springs over the cloth, in spacings
 
@@ -36,20 +42,25 @@ Marks::Marks(Gl& gl, StreamBuffer& stream)
       spring_program_(gl, "spring"),
       particle_program_(gl, "particle"),
       contact_program_(gl, "contact"),
-      bounds_program_(gl, "bounds"),
+      sphere_program_(gl, "bounding_sphere"),
+      edge_program_(gl, "edge"),
       spring_array_(gl),
       contact_array_(gl),
-      bounds_array_(gl),
+      sphere_array_(gl),
+      edge_array_(gl),
       spring_indices_(gl) {
     gl(glBindVertexArray, spring_array_.name());
     enable_cloth_attributes(gl);
     gl(glBindVertexArray, contact_array_.name());
     for (GLuint location = 0; location < 2; ++location) enable_attribute(gl, location, true);
-    gl(glBindVertexArray, bounds_array_.name());
-    for (GLuint location = 0; location < 5; ++location) enable_attribute(gl, location, true);
+    gl(glBindVertexArray, sphere_array_.name());
+    for (GLuint location = 0; location < 3; ++location) enable_attribute(gl, location, true);
+    gl(glBindVertexArray, edge_array_.name());
+    for (GLuint location = 0; location < 2; ++location) enable_attribute(gl, location, false);
     place_springs(stream);
     place_contacts(stream);
-    place_bounds(stream);
+    place_spheres(stream);
+    place_edges(stream);
 }
 
 void Marks::place_springs(const StreamBuffer& stream) {
@@ -64,19 +75,25 @@ void Marks::place_contacts(const StreamBuffer& stream) {
     place_attribute(gl_, {1, 3, stride, start + offsetof(ContactMark, normal)});
 }
 
-void Marks::place_bounds(const StreamBuffer& stream) {
-    const std::size_t start = stream.place(Region::Bounds), stride = sizeof(BoundMark);
-    gl_(glBindVertexArray, bounds_array_.name());
-    place_attribute(gl_, {0, 3, stride, start + offsetof(BoundMark, centre)});
-    for (GLuint column = 0; column < 3; ++column) {
-        place_attribute(gl_, {1 + column, 3, stride, start + offsetof(BoundMark, axes) + 3 * column * sizeof(float)});
-    }
-    place_attribute(gl_, {4, 1, stride, start + offsetof(BoundMark, state)});
+void Marks::place_spheres(const StreamBuffer& stream) {
+    const std::size_t start = stream.place(Region::Spheres), stride = sizeof(SphereMark);
+    gl_(glBindVertexArray, sphere_array_.name());
+    place_attribute(gl_, {0, 3, stride, start + offsetof(SphereMark, centre)});
+    place_attribute(gl_, {1, 1, stride, start + offsetof(SphereMark, radius)});
+    place_attribute(gl_, {2, 1, stride, start + offsetof(SphereMark, state)});
+}
+
+void Marks::place_edges(const StreamBuffer& stream) {
+    const std::size_t start = stream.place(Region::Edges), stride = sizeof(EdgeMark);
+    gl_(glBindVertexArray, edge_array_.name());
+    place_attribute(gl_, {0, 3, stride, start + offsetof(EdgeMark, point)});
+    place_attribute(gl_, {1, 1, stride, start + offsetof(EdgeMark, state)});
 }
 
 int Marks::segments() const {
     constexpr std::size_t vertices_wanted = 300'000;
-    const std::size_t share = vertices_wanted / (2 * circles_per_bound * std::max<std::size_t>(nodes_.size(), 1));
+    const std::size_t share =
+        vertices_wanted / (2 * circles_per_sphere * std::max<std::size_t>(bounds_.spheres.size(), 1));
     return static_cast<int>(std::clamp<std::size_t>(share, 8, 48));
 }
 
@@ -84,14 +101,15 @@ void Marks::need(const FrameView& view, StreamBuffer& stream) {
     const ViewSettings& shown = view.settings->view;
     show_particles_ = shown.particles;
     contact_count_ = particle_count_ = 0;
-    nodes_.clear();
+    bounds_.clear();
     for (const Cloth& cloth : view.cloths) {
         particle_count_ += cloth.model.grid.particles();
         if (shown.contacts) contact_count_ += static_cast<int>(cloth.contacts.size());
     }
     if (shown.bounds) collect_bounds(view);
     stream.need(Region::Contacts, static_cast<std::size_t>(contact_count_) * sizeof(ContactMark));
-    stream.need(Region::Bounds, nodes_.size() * sizeof(BoundMark));
+    stream.need(Region::Spheres, bounds_.spheres.size() * sizeof(SphereMark));
+    stream.need(Region::Edges, 2 * bounds_.edges.size() * sizeof(EdgeMark));
 }
 
 void Marks::collect_bounds(const FrameView& view) {
@@ -103,15 +121,18 @@ void Marks::collect_bounds(const FrameView& view) {
         touched_cells_.erase(std::unique(touched_cells_.begin(), touched_cells_.end()), touched_cells_.end());
 
         const int level = std::clamp(view.settings->view.level, 0, cloth.broad_phase->levels() - 1);
-        cloth.broad_phase->nodes_at(level, touched_cells_, level_nodes_);
-        nodes_.insert(nodes_.end(), level_nodes_.begin(), level_nodes_.end());
+        cloth.broad_phase->nodes_at(level, touched_cells_, bounds_of_cloth_);
+        const auto& [spheres, edges] = bounds_of_cloth_;
+        bounds_.spheres.insert(bounds_.spheres.end(), spheres.begin(), spheres.end());
+        bounds_.edges.insert(bounds_.edges.end(), edges.begin(), edges.end());
     }
 }
 
 void Marks::arrange(const FrameView& view, const StreamBuffer& stream) {
     if (stream.moved(Region::Cloth)) place_springs(stream);
     if (stream.moved(Region::Contacts)) place_contacts(stream);
-    if (stream.moved(Region::Bounds)) place_bounds(stream);
+    if (stream.moved(Region::Spheres)) place_spheres(stream);
+    if (stream.moved(Region::Edges)) place_edges(stream);
     if (show_particles_) index_springs(view);
 }
 
@@ -155,12 +176,20 @@ void Marks::fill(const FrameView& view, StreamBuffer& stream) const {
             }
         }
     }
-    auto* mark = stream.data<BoundMark>(Region::Bounds);
-    for (const NodeView& node : nodes_) {
-        copy(node.placement.centre, mark->centre);
-        for (int column = 0; column < 3; ++column) copy(node.placement.axes.col(column), mark->axes + 3 * column);
-        mark->state = static_cast<float>(node.state);
-        ++mark;
+    auto* sphere_mark = stream.data<SphereMark>(Region::Spheres);
+    for (const Outlines::Sphere& sphere : bounds_.spheres) {
+        copy(sphere.centre, sphere_mark->centre);
+        sphere_mark->radius = static_cast<float>(sphere.radius);
+        sphere_mark->state = static_cast<float>(sphere.state);
+        ++sphere_mark;
+    }
+    auto* edge_mark = stream.data<EdgeMark>(Region::Edges);
+    for (const Outlines::Edge& edge : bounds_.edges) {
+        for (const Vec3* end : {&edge.from, &edge.to}) {
+            copy(*end, edge_mark->point);
+            edge_mark->state = static_cast<float>(edge.state);
+            ++edge_mark;
+        }
     }
 }
 
@@ -176,10 +205,16 @@ void Marks::draw() {
         particle_program_.use();
         gl_.draw_arrays(GL_POINTS, particle_count_);
     }
-    if (!nodes_.empty()) {
-        bounds_program_.use();
-        gl_(glBindVertexArray, bounds_array_.name());
-        gl_.draw_arrays_instanced(GL_LINES, 2 * circles_per_bound * segments(), static_cast<int>(nodes_.size()));
+    if (!bounds_.spheres.empty()) {
+        sphere_program_.use();
+        gl_(glBindVertexArray, sphere_array_.name());
+        gl_.draw_arrays_instanced(GL_LINES, 2 * circles_per_sphere * segments(),
+                                  static_cast<int>(bounds_.spheres.size()));
+    }
+    if (!bounds_.edges.empty()) {
+        edge_program_.use();
+        gl_(glBindVertexArray, edge_array_.name());
+        gl_.draw_arrays(GL_LINES, 2 * static_cast<int>(bounds_.edges.size()));
     }
     if (contact_count_ > 0) {
         contact_program_.use();

@@ -28,22 +28,23 @@ public:
     [[nodiscard]] int structural_springs() const { return structural_count_; }
     [[nodiscard]] int shear_springs() const { return shear_count_; }
     [[nodiscard]] float spacing() const { return spacing_; }
-    /// Of a bound's circle: fewer where there are many bounds.
+    /// Of the circles of a bounding sphere: fewer where there are many spheres.
     [[nodiscard]] int segments() const;
 
 private:
     void collect_bounds(const FrameView& view);
     void place_springs(const StreamBuffer& stream);
     void place_contacts(const StreamBuffer& stream);
-    void place_bounds(const StreamBuffer& stream);
+    void place_spheres(const StreamBuffer& stream);
+    void place_edges(const StreamBuffer& stream);
     void index_springs(const FrameView& view);
 
     Gl& gl_;
-    Program spring_program_, particle_program_, contact_program_, bounds_program_;
-    VertexArray spring_array_, contact_array_, bounds_array_;
+    Program spring_program_, particle_program_, contact_program_, sphere_program_, edge_program_;
+    VertexArray spring_array_, contact_array_, sphere_array_, edge_array_;
     Buffer spring_indices_;
     std::vector<Grid> grids_;
-    std::vector<NodeView> nodes_, level_nodes_;
+    Outlines bounds_, bounds_of_cloth_;
     std::vector<int> touched_cells_;
     bool show_particles_ = false;
     int particle_count_ = 0, contact_count_ = 0;

@@ -10,7 +10,7 @@ constexpr std::size_t alignment = 256;  // the largest that OpenGL 3.3 may ask o
 
 // Room from the start: for a cloth of 48 x 48, and whatever a usual frame has of the rest [byte]
 constexpr std::array<std::size_t, static_cast<std::size_t>(Region::Count)> usual{
-    1024, 256, 64 * 1024, 64 * 1024, 64 * 1024, 256 * 1024, 64 * 1024};
+    1024, 256, 64 * 1024, 64 * 1024, 64 * 1024, 64 * 1024, 256 * 1024, 64 * 1024};
 
 std::size_t aligned(std::size_t bytes) { return (bytes + alignment - 1) / alignment * alignment; }
 

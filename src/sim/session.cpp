@@ -52,7 +52,9 @@ void Session::play_due_entries() {
     while (next_entry_ < replay_.entries.size() && replay_.entries[next_entry_].step <= steps_made_) {
         const RecordedEntry& entry = replay_.entries[next_entry_++];
         if (const auto* hash = std::get_if<std::uint64_t>(&entry.content)) {
-            if (*hash != simulation_.hash() && replay_notice_.empty()) {
+            if (*hash == simulation_.hash()) continue;
+            replay_differs_ = true;
+            if (replay_notice_.empty()) {
                 replay_notice_ =
                     "the replay differs from its recording: first seen before step " + std::to_string(entry.step);
             }
@@ -113,6 +115,12 @@ void Session::run_until(double time) {
         step();
     }
     behind_ = std::max(0.0, time - time_);
+}
+
+bool Session::run_replay() {
+    if (!replay_.last_step) return false;
+    while (steps_made_ < *replay_.last_step) step();
+    return true;
 }
 
 std::vector<Command> Session::take_view_commands() { return std::exchange(view_commands_, {}); }

@@ -129,6 +129,8 @@ void add_the_rest(std::vector<Setting>& table) {
     solver.number("dt", &SolverSettings::dt, "s", {1e-9, 0.1}, "length of one substep");
     solver.choice("on_unstable", &SolverSettings::on_unstable, unstable_names,
                   "when a step has lost the cloth, the window freezes it, or stops; other programs always stop");
+    solver.number("sleep_speed", &SolverSettings::sleep_speed, "m/s", {0, 1},
+                  "a scene that is slower for half a second falls asleep; 0: never");
 
     SectionRows<ContactSettings> contact(
         "contact", [](Settings& s, std::size_t) -> ContactSettings& { return s.contact; }, table);
@@ -138,6 +140,11 @@ void add_the_rest(std::vector<Setting>& table) {
                    "how a sphere is put about particles, where the volume is one");
     contact.integer("leaf_cells", &ContactSettings::leaf_cells, {0, 64},
                     "a leaf has at most this many cells squared; 0: 7 or 15, by size");
+    contact.flag("coherence", &ContactSettings::coherence, "leave out builds while it is proven that nothing touches");
+    contact.integer("search_level", &ContactSettings::search_level, {0, SearchLimit::all_levels},
+                    "level at which a search ends, its nodes taken as spheres; 30: at the leaves");
+    contact.integer("search_tests", &ContactSettings::search_tests, {0, 1e9},
+                    "volume tests after which a search ends; 0: no end");
     contact.choice("response", &ContactSettings::response, response_names(), "how contacts are answered");
     contact.number("friction", &ContactSettings::friction, "", {0, 10}, "Coulomb coefficient between cloth and ball");
     contact.number("restitution", &ContactSettings::restitution, "", {0, 1}, "of the normal speed");

@@ -6,7 +6,8 @@ BroadPhaseParameters broad_phase_of(const ContactSettings& contact) {
     return {.volume = contact.volume,
             .update = contact.update,
             .leaf_cells = contact.leaf_cells,
-            .sphere_fit = contact.sphere_fit};
+            .sphere_fit = contact.sphere_fit,
+            .search = {.level = contact.search_level, .tests = contact.search_tests}};
 }
 
 }  // namespace drape

@@ -23,6 +23,16 @@ Air air_at(const WindSettings& wind, double time) {
     return {wind.velocity * (1 + wind.gust * static_cast<Real>(gusts)), air_density};
 }
 
+/// How fast a node's sphere may push: as fast as a cloth settles, and slower than it tears.
+constexpr Real node_push_speed = 1;  // m/s
+
+/// Whether a build may be left out: not one that is on show, nor one of a limited search, whose spheres may reach what
+/// the cloth does not.
+bool may_skip(const Settings& settings) {
+    return settings.contact.coherence && !settings.view.bounds && broad_phase_of(settings.contact).search.none() &&
+           !settings.balls.empty();
+}
+
 ResponseParameters response_of(const ContactSettings& contact) {
     return {contact.response, contact.friction, contact.restitution, contact.thickness};
 }
@@ -39,61 +49,136 @@ void Simulation::step() {
     if (report_.status == Status::Diverged) return;
     const Real h = settings_.solver.dt;
     report_.times = {};
-    report_.traversal = {};
-    report_.contacts = 0;
-    report_.penetration = 0;
-    Stopwatch watch;
+    report_.solve = {};
 
     // Input: what moves on its own
     move_hand(h);
     previous_balls_ = balls_;
     move_balls(h);
+    if (ball_has_moved()) wake();
 
-    // Step
+    if (!report_.asleep) {
+        move_cloths(h);
+        if (report_.status == Status::Diverged) return;
+        if (!balls_.empty() || settings_.view.bounds) {
+            for (Cloth& cloth : cloths_) collide(cloth, h);
+        }
+    }
+    ++report_.step;
+    report_.time = counted_from_time_ + static_cast<double>(report_.step - counted_from_step_) * static_cast<double>(h);
+    steps_wanted_ = std::max(0, steps_wanted_ - 1);
+    if (!report_.asleep) watch_rest();
+}
+
+void Simulation::move_cloths(Real h) {
+    report_.traversal = {};
+    report_.contacts = report_.false_candidates = report_.false_contacts = 0;
+    report_.penetration = report_.missed_penetration = 0;
+    Stopwatch watch;
     const Air air = air_at(settings_.wind, report_.time);
     for (Cloth& cloth : cloths_) {
         cloth.previous = cloth.state;
         cloth.model.air = air;
+        cloth.tree_is_fresh = false;
         report_.solve = cloth.integrator->step(cloth.model, cloth.state, h);
     }
     report_.times.step = watch.lap();
-
     detect_divergence();
-    if (report_.status == Status::Diverged) return;
-    if (!balls_.empty() || settings_.view.bounds) {
-        for (Cloth& cloth : cloths_) collide(cloth, h);
-    }
-
-    ++report_.step;
-    report_.time = counted_from_time_ + static_cast<double>(report_.step - counted_from_step_) * static_cast<double>(h);
-    steps_wanted_ = std::max(0, steps_wanted_ - 1);
 }
 
 void Simulation::collide(Cloth& cloth, Real h) {
     const ContactSettings& contact = settings_.contact;
     Stopwatch watch;
 
-    // Build
-    cloth.broad_phase->build(cloth.state.x);
-    report_.times.build += watch.lap();
-
-    // Traverse and narrow
+    // Build, unless it is proven that nothing touches; the proof has cost what the last traversal did
     cloth.contacts.clear();
-    for (std::size_t b = 0; b < balls_.size(); ++b) {
-        report_.traversal += cloth.broad_phase->query(grown(balls_[b], contact.thickness), cloth.candidates);
-        // In the same order whatever found them, so that contacts are answered in the same order
-        std::ranges::sort(cloth.candidates.cells);
-        report_.times.traverse += watch.lap();
-        find_contacts(cloth.model.grid, cloth.state.x, balls_[b], static_cast<int>(b), contact.thickness,
-                      cloth.candidates.cells, cloth.contacts);
-        report_.times.narrow += watch.lap();
+    const bool skipped = nothing_touches(cloth);
+    if (!skipped) build(cloth);
+    report_.times.build += watch.lap();
+    if (skipped) {
+        ++report_.skipped_builds;
+        report_.traversal += cloth.traversal;
+        return;
     }
 
+    // Traverse and narrow
+    find_contacts(cloth, h);
+    if (may_skip(settings_)) cloth.separation.renew(*cloth.broad_phase, cloth.state.x, balls_, contact.thickness);
+
     // Respond
+    watch.lap();
     const Real deepest = resolve_contacts(cloth.model, response_of(contact), balls_, h, cloth.contacts, cloth.state);
     report_.times.respond += watch.lap();
     report_.contacts += static_cast<std::int64_t>(cloth.contacts.size());
     report_.penetration = std::max(report_.penetration, static_cast<double>(deepest));
+    if (cloth.audit) {
+        const Real missed = cloth.audit->penetration(cloth.state.x, balls_, contact.thickness);
+        report_.missed_penetration = std::max(report_.missed_penetration, static_cast<double>(missed));
+    }
+}
+
+bool Simulation::nothing_touches(const Cloth& cloth) const {
+    return may_skip(settings_) &&
+           cloth.separation.holds(*cloth.broad_phase, cloth.state.x, balls_, settings_.contact.thickness);
+}
+
+void Simulation::build(Cloth& cloth) {
+    cloth.broad_phase->build(cloth.state.x);
+    cloth.tree_is_fresh = true;
+    cloth.separation.forget();
+}
+
+void Simulation::find_contacts(Cloth& cloth, Real h) {
+    const Grid& grid = cloth.model.grid;
+    const Points& x = cloth.state.x;
+    const Real thickness = settings_.contact.thickness;
+    cloth.traversal = {};
+    for (std::size_t b = 0; b < balls_.size(); ++b) {
+        const Ball& ball = balls_[b];
+        const int number = static_cast<int>(b);
+        Stopwatch watch;
+        const TraversalStats traversal = cloth.broad_phase->query(grown(ball, thickness), cloth.candidates);
+        cloth.traversal += traversal;
+        // In the same order whatever found them, so that contacts are answered in the same order
+        std::ranges::sort(cloth.candidates.cells);
+        report_.times.traverse += watch.lap();
+        const auto& [cells, stopped] = cloth.candidates;
+        const std::int64_t touching = drape::find_contacts(grid, x, ball, number, thickness, cells, cloth.contacts);
+        find_node_contacts(grid, x, ball, number, thickness, node_push_speed * h, stopped, cloth.contacts);
+        report_.times.narrow += watch.lap();
+        report_.false_candidates += traversal.candidates - touching;
+        if (cloth.audit) report_.false_contacts += cloth.audit->false_contacts(x, ball, thickness, stopped);
+    }
+    report_.traversal += cloth.traversal;
+}
+
+void Simulation::watch_rest() {
+    const bool may_sleep =
+        settings_.solver.sleep_speed > 0 && !settings_.wind.on && !hand_.has_value() && !ball_has_moved();
+    bool rests = may_sleep;
+    for (Cloth& cloth : cloths_) {
+        if (!may_sleep)
+            cloth.rest.restart();
+        else if (!cloth.rest.look(cloth.state.x, report_.time, settings_.solver.sleep_speed))
+            rests = false;
+    }
+    if (!rests) return;
+    report_.asleep = true;
+    for (Cloth& cloth : cloths_) {
+        cloth.state.v.setZero();
+        cloth.previous = cloth.state;
+    }
+    for (Ball& ball : balls_) ball.velocity.setZero();
+    previous_balls_ = balls_;
+}
+
+void Simulation::wake() {
+    report_.asleep = false;
+    for (Cloth& cloth : cloths_) cloth.rest.restart();
+}
+
+bool Simulation::ball_has_moved() const {
+    return !std::ranges::equal(balls_, previous_balls_, {}, &Ball::centre, &Ball::centre);
 }
 
 void Simulation::move_balls(Real h) {

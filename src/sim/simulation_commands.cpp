@@ -25,6 +25,28 @@ Ball make_ball(const BallSettings& settings) {
     return ball;
 }
 
+/// The settings that the motion follows from: what is left out shows or finds the same motion.
+Settings laws_of(Settings settings) {
+    const ContactSettings defaults;
+    settings.title.clear();
+    settings.view = {};
+    settings.needs = {};
+    settings.solver.on_unstable = {};
+    settings.contact.volume = defaults.volume;
+    settings.contact.update = defaults.update;
+    settings.contact.leaf_cells = defaults.leaf_cells;
+    settings.contact.sphere_fit = defaults.sphere_fit;
+    settings.contact.coherence = defaults.coherence;
+    return settings;
+}
+
+/// False if cloths and balls move alike under both.
+bool move_otherwise(const Settings& a, const Settings& b) {
+    const Settings first = laws_of(a), second = laws_of(b);
+    return first.cloths != second.cloths || first.balls != second.balls || first.solver != second.solver ||
+           first.contact != second.contact || first.wind != second.wind;
+}
+
 /// True if the cloths start from other places or have other particles, so that a state cannot be kept.
 bool starts_differently(const ClothParameters& a, const ClothParameters& b) {
     return a.particles != b.particles || a.width != b.width || a.height != b.height || a.plane != b.plane ||
@@ -74,8 +96,8 @@ void Simulation::restart() {
         cloth.state = make_rest_state(parameters);
         cloth.previous = cloth.state;
         cloth.integrator = make_integrator(settings_.solver.integrator, parameters.particles.particles());
-        cloth.broad_phase = make_broad_phase(broad_phase_of(settings_.contact), parameters.particles);
-        cloth.broad_phase->build(cloth.state.x);
+        cloth.separation = Separation(parameters.particles);
+        use_broad_phase(cloth);
         cloth.contacts.reserve(static_cast<std::size_t>(parameters.particles.triangles()));
     }
     balls_.clear();
@@ -116,8 +138,7 @@ void Simulation::configure(Settings settings) {
             cloth.integrator = make_integrator(settings_.solver.integrator, particles);
         }
         if (broad_phase_of(settings_.contact) != broad_phase_of(before.contact)) {
-            cloth.broad_phase = make_broad_phase(broad_phase_of(settings_.contact), cloth.model.grid);
-            cloth.broad_phase->build(cloth.state.x);
+            use_broad_phase(cloth);
         }
     }
     for (std::size_t b = 0; b < balls_.size(); ++b) {
@@ -125,6 +146,26 @@ void Simulation::configure(Settings settings) {
         balls_[b].radius = now.radius;
         if (now.position != then.position) balls_[b].centre = now.position;
         if (now.velocity != then.velocity) balls_[b].velocity = now.velocity;
+    }
+    if (move_otherwise(before, settings_)) wake();
+    if (settings_.view.bounds && !before.view.bounds) show_present_bounds();
+}
+
+void Simulation::use_broad_phase(Cloth& cloth) {
+    const BroadPhaseParameters parameters = broad_phase_of(settings_.contact);
+    cloth.broad_phase = make_broad_phase(parameters, cloth.model.grid);
+    build(cloth);
+    cloth.audit.reset();
+    if (!parameters.search.none()) cloth.audit.emplace(cloth.model.grid);
+}
+
+void Simulation::show_present_bounds() {
+    for (Cloth& cloth : cloths_) {
+        if (cloth.tree_is_fresh) continue;
+        build(cloth);
+        for (const Ball& ball : balls_) {
+            cloth.broad_phase->query(grown(ball, settings_.contact.thickness), cloth.candidates);
+        }
     }
 }
 
@@ -143,6 +184,7 @@ void Simulation::grab(const command::Grab& command) {
     hand_ = Hand{command.cloth, command.particle, cloth.state.x.row(command.particle).transpose(),
                  cloth.model.pinned(command.particle)};
     cloth.model.hold(command.particle, true);
+    wake();
 }
 
 void Simulation::release() {
@@ -154,6 +196,7 @@ void Simulation::release() {
         cloth.model.hold(hand_->particle, false);
     }
     hand_.reset();
+    wake();
 }
 
 void Simulation::move_hand(Real h) {

@@ -13,6 +13,7 @@ namespace {
 void simulated_frame(benchmark::State& state, const char* scene, int leaf_cells) {
     drape::Settings settings = drape::load_scene(scene);
     settings.contact.leaf_cells = leaf_cells;
+    settings.solver.sleep_speed = 0;  // sleep is no work
     drape::Simulation simulation(scene, settings);
     while (simulation.report().time < 2) simulation.step();
     for (auto _ : state) simulation.step();

@@ -3,13 +3,12 @@
 #include <gtest/gtest.h>
 
 #include "support/cloths.h"
+#include "support/containment.h"
 
 namespace drape {
 namespace {
 
-Patch whole(const Points& x, const Grid& grid) {
-    return {x.col(0).data(), x.col(1).data(), x.col(2).data(), grid.nx, grid.ny, grid.nx};
-}
+using testing::whole;
 
 TEST(BoundingSphere, StandsAtTheMeanAndReachesTheFarthestParticle) {
     std::mt19937 random(5);

@@ -288,10 +288,9 @@ TEST(SphereFits, HaveNamesAndAreChosenByThem) {
     for (std::size_t k = 0; k < sphere_fit_names().size(); ++k) {
         const auto tree = make_broad_phase({.sphere_fit = kind_at(k)}, grid);
         tree->build(x);
-        std::vector<NodeView> root;
+        Outlines root;
         tree->nodes_at(0, {}, root);
-        EXPECT_EQ(root.at(0).placement.axes(0, 0), sphere_fit_of(kind_at(k))(whole(x, grid)).radius)
-            << sphere_fit_names()[k];
+        EXPECT_EQ(root.spheres.at(0).radius, sphere_fit_of(kind_at(k))(whole(x, grid)).radius) << sphere_fit_names()[k];
         fits.insert(sphere_fit_of(kind_at(k)));
     }
     const std::vector<std::string> names{"centroid", "box", "ritter", "epos6", "epos14", "epos26", "welzl"};

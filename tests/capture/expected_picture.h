@@ -22,6 +22,12 @@ public:
 
     [[nodiscard]] int count(Seen what) const;
 
+    /// Where a point is in the picture [pixel], and how far ahead of the eye [m].
+    struct Projected {
+        double x, y, depth;
+    };
+    [[nodiscard]] Projected project(const Vec3& point) const;
+
     /// A point of a ball's outline that nothing hides: where it is in the picture, and the way out of the ball.
     struct OutlinePoint {
         double x, y;
@@ -34,10 +40,6 @@ public:
     [[nodiscard]] Ground ground_at(const FrameView& view, int x, int y) const;
 
 private:
-    struct Projected {
-        double x, y, depth;
-    };
-    [[nodiscard]] Projected project(const Vec3& point) const;
     [[nodiscard]] Vec3 direction(double x, double y) const;
     [[nodiscard]] std::size_t index(int x, int y) const {
         return static_cast<std::size_t>(y) * static_cast<std::size_t>(width_) + static_cast<std::size_t>(x);

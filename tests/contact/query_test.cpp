@@ -6,6 +6,8 @@
 
 #include "drape/bounds/bounding_sphere.h"
 #include "drape/bounds/cloth_quadtree.h"
+#include "drape/bounds/kdop.h"
+#include "drape/bounds/obb.h"
 #include "drape/contact/contact.h"
 #include "support/cloths.h"
 
@@ -16,8 +18,8 @@ namespace {
 template <class Volume>
 class Comparison {
 public:
-    explicit Comparison(const Grid& grid, int leaf_cells, Fits<Volume> fits)
-        : grid_(grid), tree_(grid, {.leaf_cells = leaf_cells}, fits) {
+    explicit Comparison(const Grid& grid, const BroadPhaseParameters& parameters, Fits<Volume> fits = {})
+        : grid_(grid), tree_(grid, parameters, fits) {
         brute_ = make_broad_phase({.volume = VolumeKind::Brute}, grid);
     }
 
@@ -39,11 +41,12 @@ public:
         if (!expected_.empty()) ++touching;
     }
 
-    /// A ball that touches a random node's farthest particle from outside, by a millionth of its radius.
-    Ball just_touching(std::mt19937& random, Real radius) const {
+    /// A ball that touches a random node's farthest particle from outside, by a part of its radius; a negative part
+    /// misses it.
+    Ball just_touching(std::mt19937& random, Real radius, Real part = Real(1e-6)) const {
         const std::size_t n = random() % tree_.nodes().size();
         const QuadtreeNode& node = tree_.nodes()[n];
-        const Vec3 centre = tree_.volumes()[n].centre;
+        const Vec3 centre = tree_.volumes()[n].sphere().centre;
         Vec3 farthest = centre;
         for (int j = node.j0; j <= node.j1; ++j) {
             for (int i = node.i0; i <= node.i1; ++i) {
@@ -51,13 +54,27 @@ public:
                 if ((p - centre).norm() > (farthest - centre).norm()) farthest = p;
             }
         }
-        const Vec3 outward = (farthest - centre).normalized();
-        return {.centre = farthest + outward * ((radius + thickness_) * (1 - 1e-6)), .radius = radius};
+        return beside(farthest, farthest - centre, radius, part);
+    }
+
+    /// The same, from a random side at the particle that is outermost there.
+    Ball touching_from_a_side(std::mt19937& random, Real radius, Real part) const {
+        std::uniform_int_distribution<int> sign(-1, 1);
+        std::normal_distribution<Real> normal;
+        Vec3 side(sign(random), sign(random), sign(random));
+        if (random() % 2 == 0 || side.isZero(0)) side = Vec3(normal(random), normal(random), normal(random));
+        Eigen::Index outermost = 0;
+        (*x_ * side).maxCoeff(&outermost);
+        return beside(x_->row(outermost).transpose(), side, radius, part);
     }
 
     long configurations = 0, disagreements = 0, touching = 0;
 
 private:
+    Ball beside(const Vec3& point, const Vec3& outward, Real radius, Real part) const {
+        return {.centre = point + outward.normalized() * ((radius + thickness_) * (1 - part)), .radius = radius};
+    }
+
     Grid grid_;
     ClothQuadtree<Volume> tree_;
     std::unique_ptr<BroadPhase> brute_;
@@ -73,7 +90,7 @@ Comparison<Volume> compare_many(const Grid& grid, int leaf_cells, int cloths, in
                                 Fits<Volume> fits = {}) {
     std::mt19937 random(static_cast<unsigned>(grid.nx * 1000 + grid.ny + leaf_cells));
     std::uniform_real_distribution<Real> unit(-1, 1);
-    Comparison<Volume> comparison(grid, leaf_cells, fits);
+    Comparison<Volume> comparison(grid, {.leaf_cells = leaf_cells}, fits);
     for (int cloth = 0; cloth < cloths; ++cloth) {
         const Points x = scale * testing::random_cloth(grid, random);
         comparison.build(x, cloth % 2 == 0 ? Real(0) : Real(0.003) * scale);
@@ -114,6 +131,94 @@ BoundingSphere fit_shrunken_sphere(const Patch& patch) {
 
 TEST(SphereQuadtree, IsCaughtWhenItsNodesAreOnePercentTooSmall) {
     EXPECT_GT(compare_many<BoundingSphere>({9, 9}, 2, 20, 500, 1, {.patch = fit_shrunken_sphere}).disagreements, 100);
+}
+
+/// A cloth that goes from shape to shape, one half faster than the other: slowly, so that a refit leaves what has
+/// hardly moved, then fast.
+Points moving_cloth(const Points& from, const Points& to, int frame) {
+    Points x = from;
+    const Real part = frame < 4 ? Real(0.001) * static_cast<Real>(frame) : Real(0.2) * static_cast<Real>(frame - 3);
+    x.topRows(x.rows() / 2) += part * (to - from).topRows(x.rows() / 2);
+    x.bottomRows(x.rows() / 4) += part * part * (to - from).bottomRows(x.rows() / 4);
+    return x;
+}
+
+/// Follows a cloth through eight frames and asks about balls anywhere, just touching and just missing in each.
+template <class Volume>
+void follow(Comparison<Volume>& comparison, const Points& from, const Points& to, Real scale, int balls,
+            std::mt19937& random) {
+    std::uniform_real_distribution<Real> unit(-1, 1);
+    for (int frame = 0; frame < 8; ++frame) {
+        const Points x = moving_cloth(from, to, frame);
+        comparison.build(x, frame % 2 == 0 ? Real(0) : Real(0.003) * scale);
+        for (int ball = 0; ball < balls; ++ball) {
+            const Real radius = scale * Real(0.02) * std::exp(2 * (1 + unit(random)));
+            const Real part = ball % 2 == 0 ? Real(1e-6) : Real(-1e-6);
+            const Vec3 anywhere = scale * Real(0.8) * Vec3(unit(random), unit(random), unit(random));
+            comparison.compare({.centre = anywhere, .radius = radius});
+            comparison.compare(comparison.just_touching(random, radius, part));
+            comparison.compare(comparison.touching_from_a_side(random, radius, part));
+        }
+    }
+}
+
+template <class Volume>
+class Quadtree : public ::testing::Test {
+protected:
+    /// @return disagreements with brute force, over every update
+    long compare(const Grid& grid, int leaf_cells, Real scale, int cloths, int balls, Fits<Volume> fits = {}) {
+        long disagreements = 0;
+        std::mt19937 random(static_cast<unsigned>(grid.nx + 7 * grid.ny + leaf_cells));
+        for (const UpdateKind update : {UpdateKind::Rebuild, UpdateKind::Merge, UpdateKind::Refit, UpdateKind::None}) {
+            for (int cloth = 0; cloth < cloths; ++cloth) {
+                Points from = scale * testing::random_cloth(grid, random),
+                       to = scale * testing::random_cloth(grid, random);
+                if (cloth % 5 == 3) from.leftCols(2).setConstant(Real(0.1) * scale), to.leftCols(2).setZero();
+                if (cloth % 5 == 4) from.setConstant(Real(0.1) * scale);
+                Comparison<Volume> comparison(grid, {.update = update, .leaf_cells = leaf_cells}, fits);
+                follow(comparison, from, to, scale, balls, random);
+                disagreements += comparison.disagreements;
+                configurations_ += comparison.configurations;
+                touching_ += comparison.touching;
+            }
+        }
+        return disagreements;
+    }
+
+    long configurations_ = 0, touching_ = 0;
+};
+
+struct Names {
+    template <class Volume>
+    static std::string GetName(int) {
+        return std::string(Volume::name);
+    }
+};
+using AllVolumes = ::testing::Types<BoundingSphere, Aabb, KDop<6>, KDop<14>, KDop<18>, KDop<26>, Obb>;
+TYPED_TEST_SUITE(Quadtree, AllVolumes, Names);
+
+TYPED_TEST(Quadtree, AgreesWithBruteForceInEveryUpdateAtAnyScale) {
+    EXPECT_EQ(this->compare({9, 9}, 2, 1, 10, 40), 0);
+    EXPECT_EQ(this->compare({9, 9}, 1, 1e6, 10, 30), 0);
+    EXPECT_EQ(this->compare({12, 7}, 4, 1e-6, 10, 30), 0);
+    EXPECT_EQ(this->compare({2, 2}, 4, 1, 10, 30), 0);
+    EXPECT_EQ(this->compare({2, 60}, 1, 1, 5, 20), 0);
+    EXPECT_EQ(this->compare({31, 17}, 4, 1, 5, 10), 0);
+    EXPECT_GT(this->configurations_, 50'000);
+    EXPECT_GT(this->touching_, this->configurations_ / 4);
+    EXPECT_LT(this->touching_, this->configurations_ * 3 / 4);
+}
+
+/// The planted fault: every fit misses the last column of its particles.
+template <class Volume>
+Volume fit_without_last_column(Patch patch) {
+    --patch.columns;
+    return Volume::fit(patch);
+}
+
+TYPED_TEST(Quadtree, IsCaughtWhenFitsMissAColumn) {
+    const auto fit = [](const Patch& patch) { return fit_without_last_column<TypeParam>(patch); };
+    EXPECT_GT(this->compare({9, 9}, 2, 1, 5, 40, {.patch = fit}), 100);
 }
 
 }  // namespace

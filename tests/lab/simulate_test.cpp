@@ -147,11 +147,32 @@ TEST(LabSimulate, PlaysARecordingAndSaysIfItDiffers) {
     EXPECT_EQ(lines_of(good.err).size(), 1u);
     const LabRun differs = folder.run({"simulate", "--time", "0.05", "--replay", "differs.txt", "--hash"});
     EXPECT_THAT(differs.err, HasSubstr("before step 150"));
+    EXPECT_EQ(differs.code, 1);
     EXPECT_EQ(differs.out, good.out);
     const LabRun cut = folder.run({"simulate", "--time", "0.05", "--replay", "cut.txt", "--hash"});
     EXPECT_THAT(cut.err, HasSubstr("cut.txt:5: cut off"));
     EXPECT_EQ(cut.out, good.out);
     EXPECT_NE(folder.run({"simulate", "drop", "--set", "cloth.mass=0.3", "--time", "0.05", "--hash"}).out, good.out);
+}
+
+TEST(LabSimulate, PlaysAWholeRecordingWhereNoTimeIsGiven) {
+    const LabFolder folder;
+    const std::string text = "drape-recording 1\nscene drop\n0 set dt=1e-4\n100 set dt=2e-4\n";
+    folder.write("whole.txt", text + "150 end\n");
+    folder.write("cut.txt", text);
+    const LabRun whole = folder.run({"simulate", "--replay", "whole.txt", "--hash", "--stats", "stats.csv"});
+    ASSERT_EQ(whole.code, 0) << whole.err;
+    EXPECT_DOUBLE_EQ(values_of(lines_of(folder.read("stats.csv"))[1])[1], 0.02);
+    EXPECT_EQ(whole.out, folder.run({"simulate", "--replay", "cut.txt", "--time", "0.02", "--hash"}).out);
+    EXPECT_EQ(folder.run({"simulate", "--replay", "cut.txt", "--hash"}).code, 2) << "nobody knows when it ended";
+}
+
+TEST(LabSimulate, RefusesOneFileForStateAndStats) {
+    const LabFolder folder;
+    const LabRun run = folder.run({"simulate", "drop", "--time", "0", "--state", "a.csv", "--stats", "./a.csv"});
+    EXPECT_EQ(run.code, 2);
+    EXPECT_THAT(run.err, HasSubstr("--state and --stats a.csv"));
+    EXPECT_EQ(folder.run({"simulate", "drop", "--time", "0", "--state", "/dev/null", "--stats", "/dev/null"}).code, 0);
 }
 
 TEST(LabSingle, RunsInSinglePrecision) {

@@ -46,11 +46,15 @@ path = [[0, 1, 2, 3], [1.5, 4, 5, 6]]
 integrator = "rk4"
 dt = 3e-4
 on_unstable = "stop"
+sleep_speed = 0.5
 [contact]
 volume = "brute"
 update = "merge"
 sphere_fit = "epos14"
 leaf_cells = 5
+coherence = false
+search_level = 3
+search_tests = 100
 response = "projection"
 friction = 0.25
 restitution = 0.125

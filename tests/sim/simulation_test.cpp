@@ -4,13 +4,14 @@
 
 #include "drape/sim/scene.h"
 #include "sim/small_scene.h"
+#include "support/allocations.h"
 #include "support/input_errors.h"
 
 namespace drape {
 namespace {
 
-using testing::AllOf;
-using testing::HasSubstr;
+using ::testing::AllOf;
+using ::testing::HasSubstr;
 using testing_aid::input_error_of;
 
 Vec3 place_of(const Simulation& simulation, int particle) {
@@ -24,6 +25,16 @@ TEST(Simulation, StartsAtRestWhereTheSettingsSay) {
     EXPECT_EQ(simulation.balls()[0].centre, Vec3(0, 0.2, 0.4));
     EXPECT_EQ(simulation.report().step, 0);
     EXPECT_EQ(simulation.view().report->status, Status::Ok);
+}
+
+TEST(Simulation, AllocatesNothingInAStepOnceItHasContacts) {
+    for (const char* update : {"update=rebuild", "update=merge", "update=refit", "update=none"}) {
+        Simulation simulation = small_simulation({update});
+        while (simulation.report().contacts == 0) simulation.step();
+        const auto before = testing::allocations();
+        make_steps(simulation, 1500);
+        EXPECT_EQ(testing::allocations(), before) << update;
+    }
 }
 
 TEST(Simulation, HasTheSameBitsWithBruteForceAndAnyLeaves) {

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <filesystem>
 #include <fstream>
 #include <string>
 
@@ -31,5 +32,18 @@ private:
     std::string name_;
     std::ofstream out_;
 };
+
+/// To be called before two files are opened.
+/// @param options for the message: "--state and --stats"
+/// @throws InputError if both names are of one file, which would take both texts at once; devices may
+inline void check_apart(const std::string& options, const std::string& one, const std::string& other) {
+    namespace files = std::filesystem;
+    if (one.empty() || other.empty()) return;
+    std::error_code ignored;
+    const bool device = files::exists(one, ignored) && !files::is_regular_file(one, ignored);
+    const auto place = [&](const std::string& name) { return files::weakly_canonical(files::absolute(name), ignored); };
+    if (device || place(one) != place(other)) return;
+    throw InputError(options + " " + one + ": allowed two different files");
+}
 
 }  // namespace drape

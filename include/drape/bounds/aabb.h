@@ -21,11 +21,14 @@ struct Aabb {
     /// The smallest box about boxes, to the bit. @pre one part or more
     static Aabb merge(std::span<const Aabb> parts) {
         Aabb all = parts[0];
-        for (const Aabb& part : parts.subspan(1)) {
-            all.low = all.low.cwiseMin(part.low);
-            all.high = all.high.cwiseMax(part.high);
-        }
+        for (const Aabb& part : parts.subspan(1)) all.include(part);
         return all;
+    }
+
+    /// Grows by just as much as another box needs.
+    void include(const Aabb& other) {
+        low = low.cwiseMin(other.low);
+        high = high.cwiseMax(other.high);
     }
 
     /// By the distance of the ball's centre from the box. @cite arvo1990
@@ -47,8 +50,8 @@ struct Aabb {
         return {middle, radius * (1 + 8 * std::numeric_limits<Real>::epsilon())};
     }
 
-    [[nodiscard]] Placement placement() const {
-        return {(low + high) / 2, Eigen::Matrix<Real, 3, 3>(((high - low) / 2).asDiagonal())};
+    void outline(NodeState state, Outlines& outlines) const {
+        append_box({Vec3::Zero(), BoxAxes::Identity(), low, high}, state, outlines);
     }
 };
 

@@ -31,7 +31,7 @@ struct BoundingSphere {
     }
 
     [[nodiscard]] BoundingSphere sphere() const { return *this; }
-    [[nodiscard]] Placement placement() const { return {centre, Eigen::Matrix<Real, 3, 3>::Identity() * radius}; }
+    void outline(NodeState state, Outlines& outlines) const { outlines.spheres.push_back({centre, radius, state}); }
 };
 
 static_assert(BoundingVolume<BoundingSphere>);

@@ -5,6 +5,7 @@
 #include <string_view>
 
 #include "drape/base/real.h"
+#include "drape/bounds/outlines.h"
 #include "drape/model/ball.h"
 
 namespace drape {
@@ -25,24 +26,20 @@ struct Patch {
     [[nodiscard]] Vec3 at(int i, int j) const { return {x[j * stride + i], y[j * stride + i], z[j * stride + i]}; }
 };
 
-/// Where a volume stands in space, for drawing: the image of the unit shape under p -> axes p + centre.
-struct Placement {
-    Vec3 centre = Vec3::Zero();
-    Eigen::Matrix<Real, 3, 3> axes = Eigen::Matrix<Real, 3, 3>::Zero();
-};
-
 struct BoundingSphere;
 
 /// What a hierarchy needs of a volume. `fit` contains every particle of the patch, and so its triangles; `merge`
 /// contains every part. `overlaps` is true whenever the ball has a point in common with the volume and errs towards
 /// true by the rounding; a cloth of some thickness is tested by a ball grown by it. `sphere` contains the volume.
+/// `outline` appends the volume's shape for drawing.
 template <class V>
-concept BoundingVolume = requires(const V volume, const Patch& patch, std::span<const V> parts, const Ball& ball) {
+concept BoundingVolume = requires(const V volume, const Patch& patch, std::span<const V> parts, const Ball& ball,
+                                  NodeState state, Outlines& outlines) {
     { V::fit(patch) } -> std::same_as<V>;
     { V::merge(parts) } -> std::same_as<V>;
     { volume.overlaps(ball) } -> std::same_as<bool>;
     { volume.sphere() } -> std::same_as<BoundingSphere>;
-    { volume.placement() } -> std::same_as<Placement>;
+    volume.outline(state, outlines);
     { V::name } -> std::convertible_to<std::string_view>;
 };
 

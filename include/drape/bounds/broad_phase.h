@@ -15,7 +15,7 @@
 namespace drape {
 
 /// The volumes of the hierarchy, and `Brute`: no hierarchy, every cell is a candidate.
-enum class VolumeKind { Sphere, Aabb, Brute };
+enum class VolumeKind { Sphere, Aabb, Kdop6, Kdop14, Kdop18, Kdop26, Obb, Brute };
 
 /// How a hierarchy follows the cloth.
 enum class UpdateKind {
@@ -60,7 +60,8 @@ struct TraversalStats {
 /// A node at which a search ended.
 struct StoppedNode {
     BoundingSphere sphere;
-    int cell = 0;  ///< in the middle of it
+    int cell = 0;                        ///< in the middle of it
+    int i0 = 0, j0 = 0, i1 = 0, j1 = 0;  ///< its cells: columns [i0, i1), rows [j0, j1)
 };
 
 /// Cells that follow one another in a row of the grid.
@@ -78,15 +79,6 @@ void list_all_cells(const Grid& grid, std::vector<CellRun>& cells);
 struct Candidates {
     std::vector<CellRun> cells;        ///< every cell that may touch, each once; the runs in no particular order
     std::vector<StoppedNode> stopped;  ///< none unless the search is limited
-};
-
-/// What the last query did with a node.
-enum class NodeState : std::uint8_t { Unvisited, Pruned, Visited, Leaf, Touching };
-
-/// A node as the renderer draws it.
-struct NodeView {
-    Placement placement;
-    NodeState state = NodeState::Unvisited;
 };
 
 /// Finds the cells of a cloth that may touch a ball.
@@ -113,9 +105,11 @@ public:
     /// Levels of the hierarchy; 0 is the root alone.
     [[nodiscard]] virtual int levels() const = 0;
 
-    /// The nodes of one level for drawing, with what the last query did to each.
+    /// The nodes of one level for drawing, with what the last query did to each. Spheres are drawn grown by `slack`;
+    /// of other volumes the faces are as fitted.
     /// @param touched_cells cells with a contact; their leaves are `Touching`
-    virtual void nodes_at(int level, std::span<const int> touched_cells, std::vector<NodeView>& nodes) const = 0;
+    /// @param nodes receives them; cleared first
+    virtual void nodes_at(int level, std::span<const int> touched_cells, Outlines& nodes) const = 0;
 };
 
 std::unique_ptr<BroadPhase> make_broad_phase(const BroadPhaseParameters& parameters, const Grid& grid);

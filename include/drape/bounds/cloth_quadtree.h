@@ -85,7 +85,7 @@ public:
             }
             if (spent || (node.level == search_.level && node.children > 0)) {
                 mark(n, NodeState::Visited);
-                found.stopped.push_back({grown_sphere(n), middle_cell(node)});
+                found.stopped.push_back({grown_sphere(n), middle_cell(node), node.i0, node.j0, node.i1, node.j1});
             } else if (node.children == 0) {
                 mark(n, NodeState::Leaf);
                 ++stats.leaves;
@@ -106,13 +106,14 @@ public:
     [[nodiscard]] Real slack() const override { return slack_; }
     [[nodiscard]] int levels() const override { return nodes_.back().level + 1; }
 
-    void nodes_at(int level, std::span<const int> touched_cells, std::vector<NodeView>& views) const override {
-        views.clear();
+    void nodes_at(int level, std::span<const int> touched_cells, Outlines& outlines) const override {
+        outlines.clear();
         for (std::size_t n = 0; n < nodes_.size(); ++n) {
             const QuadtreeNode& node = nodes_[n];
             const bool shown = node.level == level || (node.level < level && node.children == 0);
-            if (shown) views.push_back({volumes_[n].placement(), state_of(n, touched_cells)});
+            if (shown) volumes_[n].outline(state_of(n, touched_cells), outlines);
         }
+        for (Outlines::Sphere& sphere : outlines.spheres) sphere.radius += slack_;
     }
 
     [[nodiscard]] const std::vector<QuadtreeNode>& nodes() const { return nodes_; }

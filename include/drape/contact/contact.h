@@ -10,7 +10,8 @@
 
 namespace drape {
 
-/// A triangle of the cloth nearer to a ball than the cloth's thickness.
+/// A triangle of the cloth nearer to a ball than the cloth's thickness, or a node of the hierarchy that stands for the
+/// cloth within it: a sphere that is fixed to the middle of a triangle in the node's middle, and felt there.
 struct Contact {
     int triangle = 0;
     int ball = 0;
@@ -22,6 +23,9 @@ struct Contact {
     Real inverse_mass = 0;              ///< that a push at the point meets; filled by the response [1/kg]
     Real leaving_speed = 0;             ///< along the normal, that the response aims at [m/s]
     Real impulse = 0;                   ///< along the normal, given by the response [N s]
+    bool of_node = false;               ///< only then there is a sphere:
+    Vec3 offset = Vec3::Zero();         ///< from `point` to its centre [m]
+    Real radius = 0;                    ///< that counts towards the depth [m]
 };
 
 /// The touched triangles, exactly: those whose distance to the ball's centre is at most radius + thickness.
@@ -33,7 +37,15 @@ void find_touched_triangles(const Grid& grid, const Points& x, const Ball& ball,
 
 /// The contacts of the candidate cells' triangles with one ball, appended.
 /// @param ball_number is stored with each contact
-void find_contacts(const Grid& grid, const Points& x, const Ball& ball, int ball_number, Real thickness,
-                   std::span<const CellRun> cells, std::vector<Contact>& contacts);
+/// @return how many of the cells touch
+std::int64_t find_contacts(const Grid& grid, const Points& x, const Ball& ball, int ball_number, Real thickness,
+                           std::span<const CellRun> cells, std::vector<Contact>& contacts);
+
+/// The contacts of nodes at which a search has ended, as their spheres, with one ball, appended. @cite hubbard1996
+/// Most of a sphere is empty. Pushed out of it at once, the one triangle that feels it would tear at its neighbours:
+/// what is deeper than a push may be is taken off the sphere's radius.
+/// @param longest_push that one response may make of a contact [m]
+void find_node_contacts(const Grid& grid, const Points& x, const Ball& ball, int ball_number, Real thickness,
+                        Real longest_push, std::span<const StoppedNode> nodes, std::vector<Contact>& contacts);
 
 }  // namespace drape

@@ -37,6 +37,10 @@ public:
     /// over.
     void run_until(double time);
 
+    /// Makes the steps of the recording that is replayed, to where it was closed; pauses are passed over.
+    /// @return false, and makes none, if it never was closed or nothing is replayed
+    bool run_replay();
+
     /// Camera commands of a replay that came due since the last call, for whoever owns the camera.
     [[nodiscard]] std::vector<Command> take_view_commands();
 
@@ -51,6 +55,9 @@ public:
 
     /// What a replay has to say: that it ended early, or the first step whose hash differs. Empty while all is well.
     [[nodiscard]] const std::string& replay_notice() const { return replay_notice_; }
+
+    /// Whether a hash of the replay was not that of the state.
+    [[nodiscard]] bool replay_differs() const { return replay_differs_; }
 
     /// Writes the closing hash of a recording and closes it; called by the destructor too.
     /// @throws RunError if the file could not be written whole
@@ -72,6 +79,7 @@ private:
     std::size_t next_entry_ = 0;
     std::vector<Command> view_commands_;
     std::string replay_notice_;
+    bool replay_differs_ = false;
     std::int64_t steps_made_ = 0;  ///< by this session; a reset does not set it back
     double time_ = 0;              ///< of the steps that `run_until` made; a reset does not set it back [s]
     double counted_from_ = 0;      ///< time_ is this plus counted_steps_ steps of counted_dt_: no error adds up

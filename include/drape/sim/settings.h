@@ -40,6 +40,8 @@ struct SolverSettings {
     IntegratorKind integrator = IntegratorKind::VelocityVerlet;
     Real dt = Real(2e-4);
     OnUnstable on_unstable = OnUnstable::Warn;
+    Real sleep_speed = Real(2e-4);  ///< slower than this for half a second, a scene falls asleep; 0: never [m/s]
+    bool operator==(const SolverSettings&) const = default;
 };
 
 struct ContactSettings {
@@ -47,12 +49,16 @@ struct ContactSettings {
     UpdateKind update = UpdateKind::Rebuild;
     int leaf_cells = 0;  ///< 0: as measured to be fastest
     SphereFit sphere_fit = SphereFit::Centroid;
+    bool coherence = true;  ///< no build while it is proven that nothing touches
+    int search_level = SearchLimit::all_levels;
+    int search_tests = 0;  ///< of one query; 0: no end
     ResponseKind response = ResponseKind::Projection;
     Real friction = Real(0.3);
     Real restitution = 0;
     Real thickness = Real(0.002);
     bool continuous = false;  ///< only false so far
     bool self = false;        ///< only false so far
+    bool operator==(const ContactSettings&) const = default;
 };
 
 /// The hierarchy that the settings name.
@@ -62,6 +68,7 @@ struct WindSettings {
     bool on = false;
     Vec3 velocity{Real(1.5), 0, Real(-2.5)};  ///< mean [m/s]
     Real gust = Real(0.5);                    ///< amplitude of the gusts over the mean
+    bool operator==(const WindSettings&) const = default;
 };
 
 /// What the picture shows besides cloth and ball. It changes no state.

@@ -8,11 +8,14 @@
 #include <vector>
 
 #include "drape/bounds/broad_phase.h"
+#include "drape/bounds/separation.h"
 #include "drape/contact/contact.h"
+#include "drape/contact/search_audit.h"
 #include "drape/integrate/integrator.h"
 #include "drape/model/ball.h"
 #include "drape/model/cloth_model.h"
 #include "drape/sim/command.h"
+#include "drape/sim/rest_watch.h"
 #include "drape/sim/settings.h"
 #include "drape/sim/step_report.h"
 
@@ -25,8 +28,13 @@ struct Cloth {
     ClothState previous;  ///< one step before `state`
     std::unique_ptr<Integrator> integrator;
     std::unique_ptr<BroadPhase> broad_phase;
-    Candidates candidates;          ///< of the last ball that was tested; cells ascending
-    std::vector<Contact> contacts;  ///< of the last step
+    bool tree_is_fresh = false;        ///< the broad phase was built from the present positions
+    Separation separation;             ///< in which builds are left out
+    TraversalStats traversal;          ///< of the last step that traversed
+    Candidates candidates;             ///< of the last ball that was tested; cells ascending
+    std::vector<Contact> contacts;     ///< of the last step that was awake
+    std::optional<SearchAudit> audit;  ///< while the search is limited
+    RestWatch rest;
 };
 
 /// What the renderer needs of a moment; all of it belongs to the simulation and lasts until its next change.
@@ -53,7 +61,8 @@ public:
     /// @throws InputError if the command names something that does not exist; nothing is changed then
     void apply(const Command& command);
 
-    /// One substep: step, build, traverse, narrow, respond, report. Does nothing once diverged.
+    /// One substep: step, build, traverse, narrow, respond, report. Does nothing once diverged, and nothing but count
+    /// while asleep: once no particle has gone anywhere for a while, nothing moves until a command or a ball does.
     void step();
 
     /// @param blend in [0, 1], between the last two states
@@ -87,8 +96,17 @@ private:
     void release();
     void move_hand(Real h);
     void move_balls(Real h);
+    [[nodiscard]] bool ball_has_moved() const;
+    void move_cloths(Real h);
+    void use_broad_phase(Cloth& cloth);
+    void show_present_bounds();
+    void build(Cloth& cloth);
+    void find_contacts(Cloth& cloth, Real h);
+    [[nodiscard]] bool nothing_touches(const Cloth& cloth) const;
     void collide(Cloth& cloth, Real h);
     void detect_divergence();
+    void watch_rest();
+    void wake();
 
     std::string scene_;
     Settings settings_;

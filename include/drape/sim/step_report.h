@@ -27,23 +27,36 @@ struct StepReport {
     StageTimes times;
     SolveReport solve;
     TraversalStats traversal;
-    std::int64_t contacts = 0;  ///< triangles touching a ball
-    double penetration = 0;     ///< largest depth left after the response [m]
-    double rms_speed = 0;       ///< of the particles [m/s]
-    Energy energy;              ///< filled by `Simulation::view`, not by every step
-    double stretch = 0;         ///< largest elongation of a structural spring, as `energy`
+    std::int64_t false_candidates = 0;  ///< cells handed on of which no triangle touches
+    std::int64_t contacts = 0;          ///< triangles touching a ball, and nodes that were taken for them
+    double penetration = 0;             ///< largest depth left after the response [m]
+    std::int64_t skipped_builds = 0;    ///< since the start, because nothing could touch
+    std::int64_t false_contacts = 0;    ///< of nodes at which the search has ended and in which no triangle touches
+    double missed_penetration = 0;      ///< largest depth of any triangle after the response to a limited search [m]
+    bool asleep = false;                ///< counts and contacts are those of the last step that was awake
+    double rms_speed = 0;               ///< of the particles [m/s]
+    Energy energy;                      ///< filled by `Simulation::view`, not by every step
+    double stretch = 0;                 ///< largest elongation of a structural spring, as `energy`
     Status status = Status::Ok;
     std::string trouble;  ///< one sentence on what broke, with particle and step; empty while all is well
 };
 
-/// One field of a report, for CSV and tests.
+/// What figures are about; the panel sets them apart by it, and shows those of `Limit` only while the search is
+/// limited.
+enum class ReportGroup { Time, Stages, Hierarchy, Limit, Energy };
+
+/// One field of a report, for CSV, panel and tests.
 struct ReportField {
     std::string_view name;  ///< as in the CSV header
-    std::string_view unit;
+    std::string_view unit;  ///< "s", "us", "m", "m/s", "J"; "1" for a ratio; empty for counts and flags
     double (*read)(const StepReport&);
+    std::string_view label = {};  ///< in the panel; empty: it is not there
+    ReportGroup group = ReportGroup::Time;
+    int importance = 0;                            ///< in the panel the least goes first where there is no room
+    double (*whole)(const StepReport&) = nullptr;  ///< what it is a part of, if it is one
 };
 
-/// All fields, in the order of the CSV.
+/// All fields, in the order of CSV and panel.
 std::span<const ReportField> report_fields();
 
 }  // namespace drape

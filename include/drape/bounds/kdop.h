@@ -1,0 +1,67 @@
+#pragma once
+
+#include "drape/bounds/aabb.h"
+#include "drape/bounds/dop_axes.h"
+
+namespace drape {
+
+/// What K / 2 slabs of fixed directions have in common: a box whose corners (K = 14), edges (18) or both (26) are cut
+/// off. With K = 6 it is the box, and decides as `Aabb` does.
+/// @cite klosowski1998
+template <int K>
+struct KDop {
+    static_assert(K == 6 || K == 14 || K == 18 || K == 26);
+    static constexpr std::string_view name = K == 6 ? "kdop6" : K == 14 ? "kdop14" : K == 18 ? "kdop18" : "kdop26";
+    static constexpr std::size_t cuts = K / 2 - 3;  ///< slabs beside the box
+
+    Aabb box;                      ///< the first three slabs
+    std::array<Real, cuts> low{};  ///< of the others, in the order of `dop_numbers`, in units of their directions
+    std::array<Real, cuts> high{};
+
+    /// The smallest box, to the bit, and cuts grown by the rounding of a projection: by some epsilons of the
+    /// coordinates, which may be large where the patch is small.
+    /// @par Cost O(particles of the patch), one pass
+    static KDop fit(const Patch& patch);
+
+    /// The smallest k-DOP about k-DOPs, to the bit. @pre one part or more
+    static KDop merge(std::span<const KDop> parts) {
+        KDop all = parts[0];
+        for (const KDop& part : parts.subspan(1)) {
+            all.box.include(part.box);
+            for (std::size_t k = 0; k < cuts; ++k) {
+                all.low[k] = std::min(all.low[k], part.low[k]);
+                all.high[k] = std::max(all.high[k], part.high[k]);
+            }
+        }
+        return all;
+    }
+
+    /// By the distance of the ball's centre from the box and from each of the other slabs.
+    [[nodiscard]] bool overlaps(const Ball& ball) const {
+        if (!box.overlaps(ball)) return false;
+        constexpr Real epsilon = std::numeric_limits<Real>::epsilon();
+        const Real rounding = 2 * epsilon * ball.centre.cwiseAbs().sum();
+        for (std::size_t k = 0; k < cuts; ++k) {
+            const int number = dop_numbers<K>[k + 3];
+            const Real reach = ball.radius * (dop_length(number) * (1 + 8 * epsilon)) + rounding;
+            const Real place = dop_projection(number, ball.centre);
+            if (low[k] - place > reach || place - high[k] > reach) return false;
+        }
+        return true;
+    }
+
+    /// The box's.
+    [[nodiscard]] BoundingSphere sphere() const { return box.sphere(); }
+
+    void outline(NodeState state, Outlines& outlines) const;
+};
+
+extern template struct KDop<6>;
+extern template struct KDop<14>;
+extern template struct KDop<18>;
+extern template struct KDop<26>;
+
+static_assert(BoundingVolume<KDop<6>> && BoundingVolume<KDop<14>> && BoundingVolume<KDop<18>> &&
+              BoundingVolume<KDop<26>>);
+
+}  // namespace drape

@@ -1,0 +1,50 @@
+#pragma once
+
+#include <algorithm>
+#include <limits>
+
+#include "drape/bounds/bounding_sphere.h"
+
+namespace drape {
+
+/// A box that is turned with the cloth: along the mean directions of the patch's rows and columns.
+/// Its places are measured from one of its own particles, so that they are as exact as the patch is small, however far
+/// out it is.
+struct Obb {
+    static constexpr std::string_view name = "obb";
+
+    Vec3 origin = Vec3::Zero();          ///< a particle of the patch
+    BoxAxes axes = BoxAxes::Identity();  ///< orthonormal, even of a patch that is a line or a point
+    Vec3 low = Vec3::Zero();             ///< along the axes from the origin, grown by the rounding
+    Vec3 high = Vec3::Zero();
+
+    /// The smallest box along those directions.
+    /// @par Cost O(particles of the patch), one pass
+    static Obb fit(const Patch& patch);
+
+    /// The smallest box about boxes along their mean directions. @pre one part or more
+    static Obb merge(std::span<const Obb> parts);
+
+    /// By the distance of the ball's centre from the box, in the box's directions.
+    [[nodiscard]] bool overlaps(const Ball& ball) const {
+        constexpr Real epsilon = std::numeric_limits<Real>::epsilon();
+        const Vec3 offset = ball.centre - origin;
+        Real square = 0;
+        for (int k = 0; k < 3; ++k) {
+            const Real place = axes(0, k) * offset[0] + axes(1, k) * offset[1] + axes(2, k) * offset[2];
+            const Real beyond = std::max(Real(0), std::max(low[k] - place, place - high[k]));
+            square += beyond * beyond;
+        }
+        const Real reach = ball.radius * (1 + 16 * epsilon) + 8 * epsilon * offset.cwiseAbs().sum();
+        return square <= reach * reach;
+    }
+
+    /// About the middle, through the corners.
+    [[nodiscard]] BoundingSphere sphere() const;
+
+    void outline(NodeState state, Outlines& outlines) const { append_box({origin, axes, low, high}, state, outlines); }
+};
+
+static_assert(BoundingVolume<Obb>);
+
+}  // namespace drape

@@ -1,0 +1,127 @@
+#include "extent_kernels.h"
+
+#include <limits>
+#include <utility>
+
+#include "drape/bounds/dop_axes.h"
+#include "patch_kernels.h"
+
+#undef HWY_TARGET_INCLUDE
+#define HWY_TARGET_INCLUDE "bounds/extent_kernels.cpp"
+#include <hwy/foreach_target.h>
+#include <hwy/highway.h>
+
+#include "patch_loop-inl.h"
+
+HWY_BEFORE_NAMESPACE();
+namespace drape::kernels::HWY_NAMESPACE {
+
+/// The terms of a sum so far, and one more: added, taken off or left out. In the order of `dop_projection`.
+template <int factor, class V>
+HWY_INLINE V plus(V sum, V term) {
+    if constexpr (factor > 0)
+        return hn::Add(sum, term);
+    else if constexpr (factor < 0)
+        return hn::Sub(sum, term);
+    else
+        return sum;
+}
+
+template <int number, class V>
+HWY_INLINE V projection(V x, V y, V z) {
+    constexpr auto axis = dop_axes[number];
+    if constexpr (axis[0] != 0)
+        return plus<axis[2]>(plus<axis[1]>(x, y), z);
+    else if constexpr (axis[1] != 0)
+        return plus<axis[2]>(y, z);
+    else
+        return z;
+}
+
+template <int K, std::size_t... k>
+HWY_INLINE void extents(const Patch& patch, Real* low, Real* high, std::index_sequence<k...>) {
+    with_vectors_for(patch.columns, [&](auto d) HWY_ATTR {
+        using V = hn::Vec<decltype(d)>;
+        V least[K / 2], most[K / 2];
+        ((least[k] = hn::Set(d, std::numeric_limits<Real>::infinity()), most[k] = hn::Neg(least[k])), ...);
+        for_each_vector(d, patch, [&](int i, int j) HWY_ATTR {
+            const int p = j * patch.stride + i;
+            const V x = hn::LoadU(d, patch.x + p), y = hn::LoadU(d, patch.y + p), z = hn::LoadU(d, patch.z + p);
+            const V places[] = {projection<dop_numbers<K>[k]>(x, y, z)...};
+            ((least[k] = hn::Min(least[k], places[k]), most[k] = hn::Max(most[k], places[k])), ...);
+        });
+        ((low[k] = smallest_lane(d, least[k]), high[k] = largest_lane(d, most[k])), ...);
+    });
+}
+
+void dop14_extents(const Patch& patch, Real* low, Real* high) {
+    extents<14>(patch, low, high, std::make_index_sequence<7>());
+}
+void dop18_extents(const Patch& patch, Real* low, Real* high) {
+    extents<18>(patch, low, high, std::make_index_sequence<9>());
+}
+void dop26_extents(const Patch& patch, Real* low, Real* high) {
+    extents<26>(patch, low, high, std::make_index_sequence<13>());
+}
+
+void extents_along_of(const Patch& patch, const Vec3& origin, const BoxAxes& axes, Real* low, Real* high) {
+    with_vectors_for(patch.columns, [&](auto d) HWY_ATTR {
+        using V = hn::Vec<decltype(d)>;
+        V least[3], most[3];
+        for (int k = 0; k < 3; ++k) {
+            least[k] = hn::Set(d, std::numeric_limits<Real>::infinity());
+            most[k] = hn::Neg(least[k]);
+        }
+        for_each_vector(d, patch, [&](int i, int j) HWY_ATTR {
+            const int p = j * patch.stride + i;
+            const V dx = hn::Sub(hn::LoadU(d, patch.x + p), hn::Set(d, origin[0]));
+            const V dy = hn::Sub(hn::LoadU(d, patch.y + p), hn::Set(d, origin[1]));
+            const V dz = hn::Sub(hn::LoadU(d, patch.z + p), hn::Set(d, origin[2]));
+            for (int k = 0; k < 3; ++k) {
+                const V along = hn::Add(hn::Mul(dx, hn::Set(d, axes(0, k))), hn::Mul(dy, hn::Set(d, axes(1, k))));
+                const V place = hn::Add(along, hn::Mul(dz, hn::Set(d, axes(2, k))));
+                least[k] = hn::Min(least[k], place);
+                most[k] = hn::Max(most[k], place);
+            }
+        });
+        for (int k = 0; k < 3; ++k) {
+            low[k] = smallest_lane(d, least[k]);
+            high[k] = largest_lane(d, most[k]);
+        }
+    });
+}
+
+}  // namespace drape::kernels::HWY_NAMESPACE
+HWY_AFTER_NAMESPACE();
+
+#if HWY_ONCE
+namespace drape::kernels {
+
+HWY_EXPORT(dop14_extents);
+HWY_EXPORT(dop18_extents);
+HWY_EXPORT(dop26_extents);
+HWY_EXPORT(extents_along_of);
+
+template <>
+void dop_extents<6>(const Patch& patch, Real* low, Real* high) {
+    bounding_box(patch, low, high);
+}
+template <>
+void dop_extents<14>(const Patch& patch, Real* low, Real* high) {
+    HWY_DYNAMIC_DISPATCH(dop14_extents)(patch, low, high);
+}
+template <>
+void dop_extents<18>(const Patch& patch, Real* low, Real* high) {
+    HWY_DYNAMIC_DISPATCH(dop18_extents)(patch, low, high);
+}
+template <>
+void dop_extents<26>(const Patch& patch, Real* low, Real* high) {
+    HWY_DYNAMIC_DISPATCH(dop26_extents)(patch, low, high);
+}
+
+void extents_along(const Patch& patch, const Vec3& origin, const BoxAxes& axes, Real* low, Real* high) {
+    HWY_DYNAMIC_DISPATCH(extents_along_of)(patch, origin, axes, low, high);
+}
+
+}  // namespace drape::kernels
+#endif

@@ -1,0 +1,16 @@
+#include "drape/sim/rest_watch.h"
+
+#include "drape/bounds/leaf_copies.h"
+
+namespace drape {
+
+bool RestWatch::look(const Points& x, double time, Real speed) {
+    if (!watching_ || largest_displacement(x, places_) > speed * static_cast<Real>(duration)) {
+        watching_ = true;
+        since_ = time;
+        places_ = x;
+    }
+    return time - since_ >= duration;
+}
+
+}  // namespace drape

@@ -1,0 +1,50 @@
+#include "drape/bounds/aabb.h"
+
+#include <gtest/gtest.h>
+
+#include "support/cloths.h"
+#include "support/containment.h"
+
+namespace drape {
+namespace {
+
+TEST(Aabb, IsTheSmallestBoxToTheBit) {
+    std::mt19937 random(21);
+    for (int columns = 2; columns <= 40; ++columns) {
+        const Grid grid{columns, 2 + columns % 7};
+        const Points x = testing::random_cloth(grid, random);
+        const Aabb box = Aabb::fit(testing::whole(x, grid));
+        EXPECT_EQ(box.low.transpose(), x.colwise().minCoeff());
+        EXPECT_EQ(box.high.transpose(), x.colwise().maxCoeff());
+    }
+}
+
+TEST(Aabb, OverlapsABallThatTouchesAFaceAnEdgeOrACornerAndNoBallBeyond) {
+    const Aabb box{Vec3(0, 0, 0), Vec3(1, 2, 3)};
+    for (const Vec3& off : {Vec3(0.5, 0, 0), Vec3(0, -0.5, 0), Vec3(0.3, 0.4, 0), Vec3(-0.2, -0.3, 0.6)}) {
+        Vec3 from;
+        for (int k = 0; k < 3; ++k) from[k] = off[k] > 0 ? box.high[k] : box.low[k];
+        EXPECT_TRUE(box.overlaps({.centre = from + off, .radius = off.norm() * (1 + 1e-15)}));
+        EXPECT_FALSE(box.overlaps({.centre = from + off, .radius = off.norm() * (1 - 1e-12)}));
+    }
+    EXPECT_TRUE(box.overlaps({.centre = Vec3(0.5, 1, 1), .radius = 0}));
+}
+
+TEST(Aabb, IsDrawnByItsTwelveEdges) {
+    Outlines outlines;
+    Aabb{Vec3(1, 2, 3), Vec3(2, 4, 6)}.outline(NodeState::Leaf, outlines);
+    EXPECT_TRUE(outlines.spheres.empty());
+    ASSERT_EQ(outlines.edges.size(), 12u);
+    Real length = 0;
+    for (const Outlines::Edge& edge : outlines.edges) {
+        EXPECT_EQ(edge.state, NodeState::Leaf);
+        length += (edge.to - edge.from).norm();
+        for (const Vec3& end : {edge.from, edge.to}) {
+            for (int k = 0; k < 3; ++k) EXPECT_TRUE(end[k] == k + 1 || end[k] == 2 * (k + 1));
+        }
+    }
+    EXPECT_NEAR(length, 4 * (1 + 2 + 3), 1e-12);
+}
+
+}  // namespace
+}  // namespace drape

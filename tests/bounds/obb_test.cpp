@@ -1,0 +1,130 @@
+#include "drape/bounds/obb.h"
+
+#include <gtest/gtest.h>
+
+#include <Eigen/Geometry>
+
+#include "support/cloths.h"
+#include "support/containment.h"
+
+namespace drape {
+namespace {
+
+using testing::whole;
+
+void expect_orthonormal(const BoxAxes& axes) {
+    EXPECT_LT((axes.transpose() * axes - BoxAxes::Identity()).cwiseAbs().maxCoeff(), 1e-14) << axes;
+}
+
+/// A sheet of 1 m by 2 m, turned and moved.
+Points turned_sheet(const Grid& grid, const Eigen::Quaterniond& turn, const Vec3& away) {
+    Points x(grid.particles(), 3);
+    for (int p = 0; p < grid.particles(); ++p) {
+        const Vec3 flat(static_cast<Real>(p % grid.nx) / (grid.nx - 1), 0,
+                        2 * static_cast<Real>(p / grid.nx) / (grid.ny - 1));
+        x.row(p) = (turn * flat + away).transpose();
+    }
+    return x;
+}
+
+TEST(Obb, LiesFlatOnAFlatSheetHoweverItIsTurned) {
+    const Grid grid{7, 5};
+    std::mt19937 random(41);
+    std::normal_distribution<Real> normal;
+    for (int round = 0; round < 100; ++round) {
+        Eigen::Quaterniond turn(normal(random), normal(random), normal(random), normal(random));
+        turn.normalize();
+        const Points x = turned_sheet(grid, turn, round % 2 == 0 ? Vec3(0, 0, 0) : Vec3(1000, -1000, 1000));
+        const Obb box = Obb::fit(whole(x, grid));
+        expect_orthonormal(box.axes);
+        EXPECT_TRUE((box.high - box.low).isApprox(Vec3(1, 2, 0), 1e-11)) << (box.high - box.low).transpose();
+    }
+}
+
+TEST(Obb, HasAnOrthonormalFrameWhateverTheCloth) {
+    const Grid grid{4, 3};
+    const Vec3 ways[] = {Vec3::Zero(),  Vec3(1, 0, 0),           Vec3(0, 0, -1),
+                         Vec3(1, 1, 1), Vec3(1e-200, 0, 1e-200), Vec3(1, 1e-9, 0)};
+    for (const Vec3& along : ways) {
+        for (const Vec3& across : ways) {
+            Points x(12, 3);
+            for (int p = 0; p < 12; ++p) x.row(p) = (along * (p % 4) + across * (p / 4)).transpose();
+            const Obb box = Obb::fit(whole(x, grid));
+            expect_orthonormal(box.axes);
+            expect_orthonormal(Obb::merge(std::array{box, box}).axes);
+            EXPECT_LE(testing::farthest_out(box, whole(x, grid)), 0);
+        }
+    }
+}
+
+TEST(Obb, OverlapsABallThatTouchesAFaceAnEdgeOrACornerAndNoBallBeyond) {
+    const Grid grid{7, 5};
+    const Eigen::Quaterniond turn(Eigen::AngleAxisd(0.7, Vec3(1, 2, 3).normalized()));
+    for (const Vec3& away : {Vec3(0, 0, 0), Vec3(1000, -1000, 1000)}) {
+        const Obb box = Obb::fit(whole(turned_sheet(grid, turn, away), grid));
+        for (const Vec3& off : {Vec3(0.5, 0, 0), Vec3(0, -0.5, 0), Vec3(0.3, 0.4, 0), Vec3(-0.2, -0.3, 0.6)}) {
+            Vec3 corner;
+            for (int k = 0; k < 3; ++k) corner[k] = off[k] > 0 ? box.high[k] : box.low[k];
+            const Vec3 centre = box.origin + box.axes * (corner + off);
+            const Real rounding = 1e-15 * (1 + centre.norm());
+            EXPECT_TRUE(box.overlaps({.centre = centre, .radius = off.norm() + rounding}));
+            EXPECT_FALSE(box.overlaps({.centre = centre, .radius = off.norm() - rounding - 1e-12}));
+        }
+    }
+}
+
+TEST(Obb, MergedFromBoxesTurnedTheOtherWayRoundStaysFlat) {
+    const Grid grid{7, 5};
+    const Points x =
+        turned_sheet(grid, Eigen::Quaterniond(Eigen::AngleAxisd(0.7, Vec3(1, 2, 3).normalized())), Vec3(1, 2, 3));
+    Obb there = Obb::fit(whole(x, grid)), back = there;
+    back.axes.col(0) *= -1;
+    back.axes.col(1) *= -1;
+    for (int k = 0; k < 2; ++k) std::swap(back.low[k], back.high[k]), back.low[k] *= -1, back.high[k] *= -1;
+    const Obb both = Obb::merge(std::array{there, back});
+    EXPECT_TRUE((both.high - both.low).isApprox(Vec3(1, 2, 0), 1e-11)) << (both.high - both.low).transpose();
+}
+
+TEST(Obb, MergedContainsTheCornersOfItsParts) {
+    std::mt19937 random(43);
+    const Grid grid{9, 7};
+    for (int round = 0; round < 300; ++round) {
+        Points x = testing::random_cloth(grid, random);
+        if (round % 2 == 1) x.array() += 1000;
+        std::array<Obb, 4> parts;
+        for (std::size_t k = 0; k < 4; ++k) {
+            const int which = static_cast<int>(k), i = 4 * (which % 2), j = 3 * (which / 2),
+                      first = grid.particle(i, j);
+            parts[k] = Obb::fit({&x(first, 0), &x(first, 1), &x(first, 2), 5, 4, grid.nx});
+        }
+        const Obb all = Obb::merge(parts);
+        for (const Obb& part : parts) {
+            for (int corner = 0; corner < 8; ++corner) {
+                testing::Exact place = part.origin.cast<long double>() - all.origin.cast<long double>();
+                for (int k = 0; k < 3; ++k) {
+                    const Real along = (corner >> k) & 1 ? part.high[k] : part.low[k];
+                    place += part.axes.col(k).cast<long double>() * along;
+                }
+                const testing::Exact there = all.axes.cast<long double>().transpose() * place;
+                for (int k = 0; k < 3; ++k) ASSERT_LE(testing::beyond(there[k], all.low[k], all.high[k]), 0);
+            }
+        }
+    }
+}
+
+TEST(Obb, IsDrawnByItsEdgesWhereItIs) {
+    std::mt19937 random(42);
+    const Grid grid{9, 7};
+    const Points x = testing::random_cloth(grid, random);
+    const Obb box = Obb::fit(whole(x, grid));
+    Outlines outlines;
+    box.outline(NodeState::Pruned, outlines);
+    ASSERT_EQ(outlines.edges.size(), 12u);
+    for (const Outlines::Edge& edge : outlines.edges) {
+        EXPECT_NEAR(static_cast<double>(testing::stands_out(box, edge.from)), 0, 1e-14);
+        EXPECT_NEAR(static_cast<double>(testing::stands_out(box, (edge.from + edge.to) / 2)), 0, 1e-14);
+    }
+}
+
+}  // namespace
+}  // namespace drape

@@ -1,0 +1,129 @@
+// What every volume must do, whatever its shape.
+
+#include <gtest/gtest.h>
+
+#include "support/cloths.h"
+#include "support/containment.h"
+
+namespace drape {
+namespace {
+
+using testing::farthest_out;
+using testing::stands_out;
+using testing::whole;
+
+template <class V>
+class Volume : public ::testing::Test {};
+
+struct Names {
+    template <class V>
+    static std::string GetName(int) {
+        return std::string(V::name);
+    }
+};
+using AllVolumes = ::testing::Types<BoundingSphere, Aabb, KDop<6>, KDop<14>, KDop<18>, KDop<26>, Obb>;
+TYPED_TEST_SUITE(Volume, AllVolumes, Names);
+
+/// Patches of any shape, at several scales, at the origin and far from it: a cloth of 1 m at 1000 m, and so on.
+template <class Visit>
+void for_many_patches(Visit visit) {
+    std::mt19937 random(11);
+    for (const Real scale : {1e-6, 1.0, 1e6}) {
+        for (const Real away : {0.0, 1000.0}) {
+            for (int columns = 2; columns <= 40; ++columns) {
+                const Grid grid{columns, 2 + columns % 7};
+                Points x = testing::random_cloth(grid, random);
+                x.rowwise() += away * Eigen::Matrix<Real, 1, 3>(1, -1, Real(0.7));
+                visit(grid, Points(scale * x));
+            }
+        }
+    }
+}
+
+/// All in one point; on a line along an axis; on a line across.
+std::vector<Points> degenerate_cloths(const Grid& grid) {
+    std::vector<Points> cloths;
+    for (const auto& step : {Eigen::RowVector3d(0, 0, 0), Eigen::RowVector3d(0, 1, 0), Eigen::RowVector3d(1, 2, -3)}) {
+        Points x(grid.particles(), 3);
+        for (int p = 0; p < grid.particles(); ++p) x.row(p) = Eigen::RowVector3d(0.1, 0.2, 0.3) + Real(0.01) * p * step;
+        cloths.push_back(x);
+    }
+    return cloths;
+}
+
+TYPED_TEST(Volume, ContainsItsParticlesAtAnyScaleAndFarOut) {
+    for_many_patches([](const Grid& grid, const Points& x) {
+        ASSERT_LE(farthest_out(TypeParam::fit(whole(x, grid)), whole(x, grid)), 0) << grid.nx << " columns";
+    });
+}
+
+TYPED_TEST(Volume, OverlapsABallWithoutRadiusAtEachOfItsParticles) {
+    for_many_patches([](const Grid& grid, const Points& x) {
+        const TypeParam volume = TypeParam::fit(whole(x, grid));
+        for (int p = 0; p < grid.particles(); ++p) {
+            ASSERT_TRUE(volume.overlaps({.centre = x.row(p).transpose(), .radius = 0})) << grid.nx << " columns";
+        }
+    });
+}
+
+TYPED_TEST(Volume, ContainsWhatItIsMergedFrom) {
+    for_many_patches([](const Grid& grid, const Points& x) {
+        const auto nodes = make_quadtree_nodes(grid, std::max(1, grid.nx / 3));
+        std::vector<TypeParam> volumes(nodes.size());
+        for (std::size_t n = nodes.size(); n-- > 0;) {
+            const auto first = static_cast<std::size_t>(nodes[n].first_child);
+            const auto children = static_cast<std::size_t>(nodes[n].children);
+            volumes[n] = children == 0 ? TypeParam::fit(patch_of(grid, nodes[n], x))
+                                       : TypeParam::merge(std::span(volumes).subspan(first, children));
+        }
+        ASSERT_LE(farthest_out(volumes[0], whole(x, grid)), 0) << grid.nx << " columns";
+    });
+}
+
+TYPED_TEST(Volume, IsWithinItsSphere) {
+    for_many_patches([](const Grid& grid, const Points& x) {
+        const BoundingSphere sphere = TypeParam::fit(whole(x, grid)).sphere();
+        ASSERT_LE(farthest_out(sphere, whole(x, grid)), 0) << grid.nx << " columns";
+    });
+}
+
+TYPED_TEST(Volume, TouchesABallAtAParticleFromAnySideAndAtAnyScale) {
+    std::mt19937 random(12);
+    std::normal_distribution<Real> normal;
+    for_many_patches([&](const Grid& grid, const Points& x) {
+        const TypeParam volume = TypeParam::fit(whole(x, grid));
+        const Real radius = TypeParam::fit(whole(x, grid)).sphere().radius / 3;
+        for (int p = 0; p < grid.particles(); ++p) {
+            const Vec3 side = Vec3(normal(random), normal(random), normal(random)).normalized();
+            const Vec3 centre = x.row(p).transpose() + side * radius;
+            const Real reach = (centre - x.row(p).transpose()).norm();
+            ASSERT_TRUE(volume.overlaps({.centre = centre, .radius = reach * (1 + 1e-15)})) << grid.nx << " columns";
+        }
+    });
+}
+
+TYPED_TEST(Volume, OfADegenerateClothIsAsSmallAsTheCloth) {
+    const Grid grid{5, 4};
+    for (const Points& x : degenerate_cloths(grid)) {
+        const TypeParam volume = TypeParam::fit(whole(x, grid));
+        EXPECT_LE(farthest_out(volume, whole(x, grid)), 0);
+        const Real length = (x.row(grid.particles() - 1) - x.row(0)).norm();
+        EXPECT_LE(volume.sphere().radius, length * 0.51 + 1e-14);
+        EXPECT_FALSE(volume.overlaps({.centre = Vec3(9, 9, 9), .radius = 1}));
+    }
+}
+
+/// The planted fault: a fit that misses the last column.
+TYPED_TEST(Volume, IsCaughtIfItMissesAColumn) {
+    long caught = 0, all = 0;
+    for_many_patches([&](const Grid& grid, const Points& x) {
+        Patch patch = whole(x, grid);
+        --patch.columns;
+        ++all;
+        caught += farthest_out(TypeParam::fit(patch), whole(x, grid)) > 0;
+    });
+    EXPECT_GT(caught, all * 8 / 10);
+}
+
+}  // namespace
+}  // namespace drape

@@ -1,0 +1,66 @@
+#include "drape/sim/step_report.h"
+
+#include <gtest/gtest.h>
+
+#include <set>
+
+#include "sim/small_scene.h"
+
+namespace drape {
+namespace {
+
+TEST(ReportFields, HaveNamesOfTheirOwnAndUnitsThatThePanelKnows) {
+    const std::set<std::string_view> units{"", "1", "s", "us", "m", "m/s", "J"};
+    std::set<std::string_view> names, labels;
+    for (const ReportField& field : report_fields()) {
+        EXPECT_TRUE(names.insert(field.name).second) << field.name;
+        EXPECT_TRUE(units.contains(field.unit)) << field.name;
+        if (field.label.empty()) continue;
+        EXPECT_TRUE(labels.insert(field.label).second) << field.label;
+        EXPECT_LE(field.label.size(), 12u) << field.label << " runs into its value";
+        EXPECT_GE(field.importance, 1) << field.label;
+    }
+}
+
+TEST(ReportFields, AreNeverMoreThanTheirWhole) {
+    Simulation simulation = small_simulation({"search_tests=9", "leaf_cells=1"});
+    int parts = 0;
+    for (int step = 0; step < 1000; ++step) {
+        simulation.step();
+        for (const ReportField& field : report_fields()) {
+            if (field.whole == nullptr) continue;
+            ++parts;
+            EXPECT_LE(field.read(simulation.report()), field.whole(simulation.report())) << field.name;
+        }
+    }
+    EXPECT_GT(parts, 5000);
+}
+
+/// The report's figure of that name.
+double figure(const StepReport& report, std::string_view name) {
+    for (const ReportField& field : report_fields()) {
+        if (field.name == name) return field.read(report);
+    }
+    ADD_FAILURE() << name;
+    return 0;
+}
+
+TEST(ReportFields, CountWhatTheBroadPhaseDoes) {
+    Simulation brute = small_simulation({"volume=brute"}), tree = small_simulation({"leaf_cells=2"});
+    make_steps(brute, 700), make_steps(tree, 700);
+    const StepReport &all = brute.report(), &some = tree.report();
+    EXPECT_EQ(figure(all, "candidates"), 63);
+    EXPECT_EQ(figure(all, "volume_tests"), 0);
+    EXPECT_GT(figure(some, "volume_tests"), 1);
+    EXPECT_LT(figure(some, "false_candidates"), figure(all, "false_candidates"));
+    EXPECT_EQ(figure(all, "candidates") - figure(all, "false_candidates"),
+              figure(some, "candidates") - figure(some, "false_candidates"))
+        << "the cells that do touch";
+    EXPECT_GE(2 * (figure(some, "candidates") - figure(some, "false_candidates")), figure(some, "contacts"));
+    for (const char* name : {"skipped_builds", "stopped", "false_contacts", "missed_penetration", "asleep"}) {
+        EXPECT_EQ(figure(some, name), 0) << name;
+    }
+}
+
+}  // namespace
+}  // namespace drape
