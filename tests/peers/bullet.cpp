@@ -6,6 +6,7 @@
 #include <BulletCollision/CollisionShapes/btTriangleIndexVertexArray.h>
 
 #include <cstdint>
+#include <type_traits>
 
 #include "method.h"
 

@@ -2,7 +2,10 @@
 
 #include <algorithm>
 #include <cstdio>
-#include <iostream>
+#include <limits>
+#include <ostream>
+#include <string>
+#include <vector>
 
 #include "drape/base/output_file.h"
 #include "drape/base/program.h"

@@ -40,7 +40,9 @@ void add_ours(Methods& methods) {
     };
     add(VolumeKind::Brute, UpdateKind::Rebuild);
     for (const UpdateKind update : {UpdateKind::Merge, UpdateKind::Rebuild}) {
-        for (const VolumeKind volume : {VolumeKind::Sphere, VolumeKind::Aabb}) add(volume, update);
+        for (const VolumeKind volume : {VolumeKind::Sphere, VolumeKind::Aabb, VolumeKind::Kdop18, VolumeKind::Obb}) {
+            add(volume, update);
+        }
     }
 }
 
