@@ -7,8 +7,9 @@
 
 namespace drape {
 
-std::unique_ptr<Integrator> make_integrator(IntegratorKind kind, int particles) {
-    switch (kind) {
+std::unique_ptr<Integrator> make_integrator(const IntegratorParameters& parameters, const Grid& grid) {
+    const int particles = grid.particles();
+    switch (parameters.kind) {
         case IntegratorKind::ExplicitEuler:
             return make_explicit_euler(particles);
         case IntegratorKind::SymplecticEuler:
@@ -17,13 +18,29 @@ std::unique_ptr<Integrator> make_integrator(IntegratorKind kind, int particles) 
             return make_velocity_verlet(particles);
         case IntegratorKind::Rk4:
             return make_rk4(particles);
+        default:
+            break;
     }
     DRAPE_ASSERT(false && "every kind has its method");
     return nullptr;
 }
 
 std::span<const std::string> integrator_names() {
-    static const std::array<std::string, 4> names{"explicit_euler", "symplectic_euler", "velocity_verlet", "rk4"};
+    static const std::array<std::string, 10> names{"explicit_euler",
+                                                   "symplectic_euler",
+                                                   "velocity_verlet",
+                                                   "rk4",
+                                                   "backward_euler",
+                                                   "implicit_midpoint",
+                                                   "bdf2",
+                                                   "xpbd",
+                                                   "projective_dynamics",
+                                                   "dormand_prince"};
+    return names;
+}
+
+std::span<const std::string> hessian_names() {
+    static const std::array<std::string, 2> names{"clamped", "exact"};
     return names;
 }
 

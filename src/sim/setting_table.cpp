@@ -126,6 +126,11 @@ void add_the_rest(std::vector<Setting>& table) {
     SectionRows<SolverSettings> solver(
         "solver", [](Settings& s, std::size_t) -> SolverSettings& { return s.solver; }, table);
     solver.choice("integrator", &SolverSettings::integrator, integrator_names(), "how a step is made");
+    solver.choice("hessian", &SolverSettings::hessian, hessian_names(),
+                  "of the implicit methods: without or with the negative stiffness across a compressed spring");
+    solver.integer("iterations", &SolverSettings::iterations, {1, 1000}, "of xpbd and projective_dynamics in one step");
+    solver.number("tolerance", &SolverSettings::tolerance, "", {1e-14, 0.1},
+                  "of dormand_prince: error of a step, of the cloth's spacing");
     solver.number("dt", &SolverSettings::dt, "s", {1e-9, 0.1}, "length of one substep");
     solver.choice("on_unstable", &SolverSettings::on_unstable, unstable_names,
                   "when a step has lost the cloth, the window freezes it, or stops; other programs always stop");

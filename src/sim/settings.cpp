@@ -2,6 +2,13 @@
 
 namespace drape {
 
+IntegratorParameters integrator_of(const SolverSettings& solver) {
+    return {.kind = solver.integrator,
+            .hessian = solver.hessian,
+            .iterations = solver.iterations,
+            .tolerance = solver.tolerance};
+}
+
 BroadPhaseParameters broad_phase_of(const ContactSettings& contact) {
     return {.volume = contact.volume,
             .update = contact.update,

@@ -95,7 +95,7 @@ void Simulation::restart() {
         cloth.model = make_cloth_model(parameters);
         cloth.state = make_rest_state(parameters);
         cloth.previous = cloth.state;
-        cloth.integrator = make_integrator(settings_.solver.integrator, parameters.particles.particles());
+        cloth.integrator = make_integrator(integrator_of(settings_.solver), parameters.particles);
         cloth.separation = Separation(parameters.particles);
         use_broad_phase(cloth);
         cloth.contacts.reserve(static_cast<std::size_t>(parameters.particles.triangles()));
@@ -127,15 +127,14 @@ void Simulation::configure(Settings settings) {
     }
     for (std::size_t c = 0; c < cloths_.size(); ++c) {
         Cloth& cloth = cloths_[c];
-        const int particles = cloth.model.grid.particles();
         if (settings_.cloths[c] != before.cloths[c]) {
             const std::uint64_t revision = cloth.model.revision;
             cloth.model = make_cloth_model(settings_.cloths[c]);
             cloth.model.revision = revision + 1;
             if (hand_ && hand_->cloth == static_cast<int>(c)) cloth.model.hold(hand_->particle, true);
         }
-        if (settings_.solver.integrator != before.solver.integrator) {
-            cloth.integrator = make_integrator(settings_.solver.integrator, particles);
+        if (integrator_of(settings_.solver) != integrator_of(before.solver)) {
+            cloth.integrator = make_integrator(integrator_of(settings_.solver), cloth.model.grid);
         }
         if (broad_phase_of(settings_.contact) != broad_phase_of(before.contact)) {
             use_broad_phase(cloth);

@@ -41,7 +41,7 @@ struct Floor {
     }
 
     void run(Real time) {
-        const auto integrator = make_integrator(IntegratorKind::SymplecticEuler, model.grid.particles());
+        const auto integrator = make_integrator({.kind = IntegratorKind::SymplecticEuler}, model.grid);
         for (int step = 0; step < time / dt; ++step) {
             integrator->step(model, state, dt);
             respond();

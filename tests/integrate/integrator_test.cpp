@@ -15,7 +15,7 @@ constexpr IntegratorKind all_kinds[] = {IntegratorKind::ExplicitEuler, Integrato
                                         IntegratorKind::VelocityVerlet, IntegratorKind::Rk4};
 
 ClothState after(IntegratorKind kind, const ClothModel& model, ClothState state, Real time, int steps) {
-    const auto integrator = make_integrator(kind, model.grid.particles());
+    const auto integrator = make_integrator({.kind = kind}, model.grid);
     for (int step = 0; step < steps; ++step) integrator->step(model, state, time / steps);
     return state;
 }
@@ -127,7 +127,7 @@ TEST(SymplecticMethods, KeepTheEnergyBounded) {
 TEST(Integrators, AllocateNothingInAStep) {
     const Sheet sheet;
     for (const IntegratorKind kind : all_kinds) {
-        const auto integrator = make_integrator(kind, sheet.model.grid.particles());
+        const auto integrator = make_integrator({.kind = kind}, sheet.model.grid);
         ClothState state = sheet.start;
         const auto before = testing::allocations();
         for (int step = 0; step < 3; ++step) integrator->step(sheet.model, state, 1e-3);

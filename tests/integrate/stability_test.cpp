@@ -37,7 +37,7 @@ bool ripple_grows(const ClothModel& model, IntegratorKind kind, Real h) {
         state.x(p, 0) += ripple(random);
         state.x(p, 2) += ripple(random);
     }
-    const auto integrator = make_integrator(kind, model.grid.particles());
+    const auto integrator = make_integrator({.kind = kind}, model.grid);
     Real before = 0;
     for (int step = 0; step < steps; ++step) {
         integrator->step(model, state, h);

@@ -10,11 +10,36 @@
 namespace drape {
 
 /// The time integrators; names as in settings and files.
-enum class IntegratorKind { ExplicitEuler, SymplecticEuler, VelocityVerlet, Rk4 };
+enum class IntegratorKind {
+    ExplicitEuler,
+    SymplecticEuler,
+    VelocityVerlet,
+    Rk4,
+    BackwardEuler,
+    ImplicitMidpoint,
+    Bdf2,
+    Xpbd,
+    ProjectiveDynamics,
+    DormandPrince
+};
+
+/// How the implicit methods see a spring across its direction: as it is, or without the negative stiffness of a
+/// compressed one, which keeps their matrix positive definite.
+enum class Hessian { Clamped, Exact };
+
+/// What an integrator is made from; each reads what concerns it.
+struct IntegratorParameters {
+    IntegratorKind kind = IntegratorKind::VelocityVerlet;
+    Hessian hessian = Hessian::Clamped;  ///< of backward Euler, implicit midpoint and BDF2
+    int iterations = 10;                 ///< of XPBD and projective dynamics in one step
+    Real tolerance = Real(1e-6);         ///< of Dormand-Prince: error of a step, of the cloth's spacing
+    bool operator==(const IntegratorParameters&) const = default;
+};
 
 /// What an integrator tells about one step.
 struct SolveReport {
     int force_evaluations = 0;
+    int iterations = 0;  ///< of conjugate gradients, XPBD, projective dynamics, or inner steps of Dormand-Prince
 };
 
 /// Advances a cloth by one step. The state is all it goes on from, so the kind can change between any two steps.
@@ -28,12 +53,15 @@ public:
     virtual SolveReport step(const ClothModel& model, ClothState& state, Real h) = 0;
 };
 
-/// @param particles of the cloths it will step; the scratch arrays are made here
-std::unique_ptr<Integrator> make_integrator(IntegratorKind kind, int particles);
+/// @param grid of the cloths it will step; the scratch arrays are made here
+std::unique_ptr<Integrator> make_integrator(const IntegratorParameters& parameters, const Grid& grid);
 
 /// The names of all kinds, in the order of the enumeration.
 std::span<const std::string> integrator_names();
 
 std::string_view name_of(IntegratorKind kind);
+
+/// The names of both, in the order of the enumeration.
+std::span<const std::string> hessian_names();
 
 }  // namespace drape

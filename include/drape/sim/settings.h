@@ -38,6 +38,9 @@ enum class OnUnstable { Warn, Stop };
 
 struct SolverSettings {
     IntegratorKind integrator = IntegratorKind::VelocityVerlet;
+    Hessian hessian = Hessian::Clamped;
+    int iterations = 10;
+    Real tolerance = Real(1e-6);
     Real dt = Real(2e-4);
     OnUnstable on_unstable = OnUnstable::Warn;
     Real sleep_speed = Real(2e-4);  ///< slower than this for half a second, a scene falls asleep; 0: never [m/s]
@@ -60,6 +63,9 @@ struct ContactSettings {
     bool self = false;        ///< only false so far
     bool operator==(const ContactSettings&) const = default;
 };
+
+/// The integrator that the settings name.
+[[nodiscard]] IntegratorParameters integrator_of(const SolverSettings& solver);
 
 /// The hierarchy that the settings name.
 [[nodiscard]] BroadPhaseParameters broad_phase_of(const ContactSettings& contact);
