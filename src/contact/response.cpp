@@ -106,30 +106,36 @@ void stop_approach(const ClothModel& model, const ResponseParameters& parameters
 }
 
 /// Slows the sliding of every contact by at most the friction coefficient times its normal impulse.
-void slow_sliding(const ClothModel& model, const ResponseParameters& parameters, std::span<const Ball> balls,
-                  const std::vector<Contact>& contacts, Points& v) {
+/// @return what the balls' motion gives the cloth through normal and sliding impulses [J]
+double slow_sliding(const ClothModel& model, const ResponseParameters& parameters, std::span<const Ball> balls,
+                    const std::vector<Contact>& contacts, Points& v) {
+    double work = 0;
     for (const Contact& contact : contacts) {
         if (contact.impulse <= 0) continue;
-        const Vec3 relative = at_point(contact, v) - balls[static_cast<std::size_t>(contact.ball)].velocity;
+        const Vec3& ball_velocity = balls[static_cast<std::size_t>(contact.ball)].velocity;
+        work += static_cast<double>(contact.impulse * contact.normal.dot(ball_velocity));
+        const Vec3 relative = at_point(contact, v) - ball_velocity;
         const Vec3 sliding = relative - relative.dot(contact.normal) * contact.normal;
         const Real speed = sliding.norm();
         if (speed == 0) continue;
         const Real impulse = std::min(speed / contact.inverse_mass, parameters.friction * contact.impulse);
         push(model, contact, -(impulse / speed) * sliding, v);
+        work -= static_cast<double>(impulse / speed * sliding.dot(ball_velocity));
     }
+    return work;
 }
 
 }  // namespace
 
-Real resolve_contacts(const ClothModel& model, const ResponseParameters& parameters, std::span<const Ball> balls,
-                      Real h, std::vector<Contact>& contacts, ClothState& state) {
+ResponseReport resolve_contacts(const ClothModel& model, const ResponseParameters& parameters,
+                                std::span<const Ball> balls, Real h, std::vector<Contact>& contacts,
+                                ClothState& state) {
     separate(model, parameters, balls, contacts, state.x);
     stop_approach(model, parameters, balls, h, contacts, state.v);
-    slow_sliding(model, parameters, balls, contacts, state.v);
-
-    Real deepest = 0;
-    for (const Contact& contact : contacts) deepest = std::max(deepest, contact.depth);
-    return deepest;
+    ResponseReport report;
+    report.ball_work = slow_sliding(model, parameters, balls, contacts, state.v);
+    for (const Contact& contact : contacts) report.depth = std::max(report.depth, contact.depth);
+    return report;
 }
 
 std::span<const std::string> response_names() {

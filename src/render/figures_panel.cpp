@@ -105,6 +105,7 @@ void add_report_rows(const FrameView& view, std::vector<Row>& rows) {
     const ReportField* before = nullptr;
     for (const ReportField& field : report_fields()) {
         if (field.label.empty() || (field.group == ReportGroup::Limit && !limited)) continue;
+        if (field.group == ReportGroup::Balance && !view.settings->solver.ledger) continue;
         const bool opens = before == nullptr || before->group != field.group;
         const std::size_t first = rows.size();
         if (opens) {

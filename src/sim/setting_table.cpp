@@ -137,6 +137,8 @@ void add_the_rest(std::vector<Setting>& table) {
     solver.number("sleep_speed", &SolverSettings::sleep_speed, "m/s", {0, 1},
                   "a scene that is slower for half a second falls asleep; 0: never");
 
+    solver.flag("ledger", &SolverSettings::ledger, "keep the balance of the energy; costs about a step of Verlet");
+
     SectionRows<ContactSettings> contact(
         "contact", [](Settings& s, std::size_t) -> ContactSettings& { return s.contact; }, table);
     contact.choice("volume", &ContactSettings::volume, volume_names(), "of the hierarchy; brute tests every cell");

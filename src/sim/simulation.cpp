@@ -47,43 +47,55 @@ Simulation::Simulation(std::string scene, Settings settings)
 
 void Simulation::step() {
     if (report_.status == Status::Diverged) return;
-    const Real h = settings_.solver.dt;
     report_.times = {};
     report_.solve = {};
-
-    // Input: what moves on its own
-    move_hand(h);
     previous_balls_ = balls_;
-    move_balls(h);
-    if (ball_has_moved()) wake();
-
     if (!report_.asleep) {
-        move_cloths(h);
+        for (Cloth& cloth : cloths_) cloth.previous = cloth.state;
+    }
+    const Real h = settings_.solver.dt / static_cast<Real>(report_.substeps);
+    for (int k = 0; k < report_.substeps; ++k) {
+        substep(report_.time + k * static_cast<double>(h), h);
         if (report_.status == Status::Diverged) return;
-        if (!balls_.empty() || settings_.view.bounds) {
-            for (Cloth& cloth : cloths_) collide(cloth, h);
-        }
     }
     ++report_.step;
-    report_.time = counted_from_time_ + static_cast<double>(report_.step - counted_from_step_) * static_cast<double>(h);
+    report_.time = counted_from_time_ +
+                   static_cast<double>(report_.step - counted_from_step_) * static_cast<double>(settings_.solver.dt);
     steps_wanted_ = std::max(0, steps_wanted_ - 1);
     if (!report_.asleep) watch_rest();
 }
 
-void Simulation::move_cloths(Real h) {
+void Simulation::substep(double time, Real h) {
+    // Input: what moves on its own
+    move_hand(h);
+    move_balls(time, h);
+    if (ball_has_moved()) wake();
+    if (report_.asleep) return;
+
+    move_cloths(time, h);
+    detect_divergence();
+    if (report_.status == Status::Diverged) return;
+    for (Cloth& cloth : cloths_) {
+        if (cloth.ledger) cloth.ledger->integrated(cloth.model, cloth.state, h);
+    }
+    if (balls_.empty() && !settings_.view.bounds) return;
+    for (Cloth& cloth : cloths_) collide(cloth, h);
+}
+
+void Simulation::move_cloths(double time, Real h) {
     report_.traversal = {};
     report_.contacts = report_.false_candidates = report_.false_contacts = 0;
     report_.penetration = report_.missed_penetration = 0;
-    Stopwatch watch;
-    const Air air = air_at(settings_.wind, report_.time);
+    const Air air = air_at(settings_.wind, time);
     for (Cloth& cloth : cloths_) {
-        cloth.previous = cloth.state;
         cloth.model.air = air;
         cloth.tree_is_fresh = false;
-        report_.solve = cloth.integrator->step(cloth.model, cloth.state, h);
+        if (cloth.ledger) cloth.ledger->begin(cloth.model, cloth.state, cloth.touched || settings_.wind.on);
+        cloth.touched = false;
+        Stopwatch watch;
+        report_.solve += cloth.integrator->step(cloth.model, cloth.state, h);
+        report_.times.step += watch.lap();
     }
-    report_.times.step = watch.lap();
-    detect_divergence();
 }
 
 void Simulation::collide(Cloth& cloth, Real h) {
@@ -107,10 +119,12 @@ void Simulation::collide(Cloth& cloth, Real h) {
 
     // Respond
     watch.lap();
-    const Real deepest = resolve_contacts(cloth.model, response_of(contact), balls_, h, cloth.contacts, cloth.state);
+    const ResponseReport left =
+        resolve_contacts(cloth.model, response_of(contact), balls_, h, cloth.contacts, cloth.state);
     report_.times.respond += watch.lap();
     report_.contacts += static_cast<std::int64_t>(cloth.contacts.size());
-    report_.penetration = std::max(report_.penetration, static_cast<double>(deepest));
+    report_.penetration = std::max(report_.penetration, static_cast<double>(left.depth));
+    if (cloth.ledger && !cloth.contacts.empty()) cloth.ledger->responded(cloth.model, cloth.state, left.ball_work);
     if (cloth.audit) {
         const Real missed = cloth.audit->penetration(cloth.state.x, balls_, contact.thickness);
         report_.missed_penetration = std::max(report_.missed_penetration, static_cast<double>(missed));
@@ -167,6 +181,7 @@ void Simulation::watch_rest() {
     for (Cloth& cloth : cloths_) {
         cloth.state.v.setZero();
         cloth.previous = cloth.state;
+        if (cloth.ledger) cloth.ledger->stilled(cloth.model, cloth.state);
     }
     for (Ball& ball : balls_) ball.velocity.setZero();
     previous_balls_ = balls_;
@@ -181,9 +196,9 @@ bool Simulation::ball_has_moved() const {
     return !std::ranges::equal(balls_, previous_balls_, {}, &Ball::centre, &Ball::centre);
 }
 
-void Simulation::move_balls(Real h) {
+void Simulation::move_balls(double time, Real h) {
     for (std::size_t b = 0; b < balls_.size(); ++b) {
-        move_ball(settings_.balls[b], steer_, static_cast<Real>(report_.time), h, balls_[b]);
+        move_ball(settings_.balls[b], steer_, static_cast<Real>(time), h, balls_[b]);
     }
 }
 
@@ -208,6 +223,7 @@ void Simulation::detect_divergence() {
 
 FrameView Simulation::view(Real blend) {
     report_.energy = {};
+    report_.balance = {};
     report_.stretch = 0;
     double square_sum = 0, particles = 0;
     for (const Cloth& cloth : cloths_) {
@@ -215,6 +231,7 @@ FrameView Simulation::view(Real blend) {
         report_.energy.kinetic += energy.kinetic;
         report_.energy.gravity += energy.gravity;
         report_.energy.spring += energy.spring;
+        if (cloth.ledger) report_.balance += cloth.ledger->balance();
         report_.stretch = std::max(report_.stretch, static_cast<double>(largest_stretch(cloth.model, cloth.state.x)));
         square_sum += static_cast<double>(cloth.state.v.squaredNorm());
         particles += static_cast<double>(cloth.state.v.rows());

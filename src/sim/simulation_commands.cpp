@@ -32,6 +32,7 @@ Settings laws_of(Settings settings) {
     settings.view = {};
     settings.needs = {};
     settings.solver.on_unstable = {};
+    settings.solver.ledger = {};
     settings.contact.volume = defaults.volume;
     settings.contact.update = defaults.update;
     settings.contact.leaf_cells = defaults.leaf_cells;
@@ -97,6 +98,7 @@ void Simulation::restart() {
         cloth.previous = cloth.state;
         cloth.integrator = make_integrator(integrator_of(settings_.solver), parameters.particles);
         cloth.separation = Separation(parameters.particles);
+        if (settings_.solver.ledger) cloth.ledger.emplace(parameters.particles.particles());
         use_broad_phase(cloth);
         cloth.contacts.reserve(static_cast<std::size_t>(parameters.particles.triangles()));
     }
@@ -127,6 +129,11 @@ void Simulation::configure(Settings settings) {
     }
     for (std::size_t c = 0; c < cloths_.size(); ++c) {
         Cloth& cloth = cloths_[c];
+        cloth.touched = true;
+        if (settings_.solver.ledger != before.solver.ledger) {
+            cloth.ledger.reset();
+            if (settings_.solver.ledger) cloth.ledger.emplace(cloth.model.grid.particles());
+        }
         if (settings_.cloths[c] != before.cloths[c]) {
             const std::uint64_t revision = cloth.model.revision;
             cloth.model = make_cloth_model(settings_.cloths[c]);
@@ -194,6 +201,7 @@ void Simulation::release() {
     } else {
         cloth.model.hold(hand_->particle, false);
     }
+    cloth.touched = true;
     hand_.reset();
     wake();
 }
@@ -214,6 +222,7 @@ void Simulation::move_hand(Real h) {
     const Real speed = velocity.norm();
     if (speed > hand_speed) velocity *= hand_speed / speed;
     cloth.state.v.row(hand_->particle) = velocity.transpose();
+    cloth.touched = true;
 }
 
 }  // namespace drape

@@ -12,7 +12,7 @@ double nodes(const StepReport& r) { return static_cast<double>(r.traversal.nodes
 double candidates(const StepReport& r) { return static_cast<double>(r.traversal.candidates); }
 double stopped(const StepReport& r) { return static_cast<double>(r.traversal.stopped); }
 
-const std::array<ReportField, 29> fields{{
+const std::array<ReportField, 36> fields{{
     {"step", "", [](const StepReport& r) { return static_cast<double>(r.step); }, "step", ReportGroup::Time, 3},
     {"time", "s", [](const StepReport& r) { return r.time; }, "time", ReportGroup::Time, 3},
     {"step_time", "us", [](const StepReport& r) { return micro * r.times.step; }, "integrate", ReportGroup::Stages, 1,
@@ -47,14 +47,18 @@ const std::array<ReportField, 29> fields{{
      2},
     {"rms_speed", "m/s", [](const StepReport& r) { return r.rms_speed; }},
     {"stretch", "1", [](const StepReport& r) { return r.stretch; }},
-    {"kinetic", "J", [](const StepReport& r) { return static_cast<double>(r.energy.kinetic); }, "kinetic",
-     ReportGroup::Energy, 2},
-    {"gravity", "J", [](const StepReport& r) { return static_cast<double>(r.energy.gravity); }, "gravity",
-     ReportGroup::Energy, 1},
-    {"spring", "J", [](const StepReport& r) { return static_cast<double>(r.energy.spring); }, "spring",
-     ReportGroup::Energy, 1},
-    {"energy", "J", [](const StepReport& r) { return static_cast<double>(r.energy.total()); }, "total",
-     ReportGroup::Energy, 2},
+    {"kinetic", "J", [](const StepReport& r) { return r.energy.kinetic; }, "kinetic", ReportGroup::Energy, 2},
+    {"gravity", "J", [](const StepReport& r) { return r.energy.gravity; }, "gravity", ReportGroup::Energy, 1},
+    {"spring", "J", [](const StepReport& r) { return r.energy.spring; }, "spring", ReportGroup::Energy, 1},
+    {"energy", "J", [](const StepReport& r) { return r.energy.total(); }, "total", ReportGroup::Energy, 2},
+    {"damping_loss", "J", [](const StepReport& r) { return r.balance.damping; }, "- damping", ReportGroup::Balance, 1},
+    {"drag_loss", "J", [](const StepReport& r) { return r.balance.drag; }, "- drag", ReportGroup::Balance, 1},
+    {"contact_loss", "J", [](const StepReport& r) { return r.balance.contact; }, "- contact", ReportGroup::Balance, 1},
+    {"integrator_loss", "J", [](const StepReport& r) { return r.balance.integrator; }, "- integrator",
+     ReportGroup::Balance, 1},
+    {"wind_work", "J", [](const StepReport& r) { return r.balance.wind; }, "+ wind", ReportGroup::Balance, 1},
+    {"hand_work", "J", [](const StepReport& r) { return r.balance.hand; }, "+ hand", ReportGroup::Balance, 1},
+    {"ball_work", "J", [](const StepReport& r) { return r.balance.ball; }, "+ ball", ReportGroup::Balance, 1},
     {"asleep", "", [](const StepReport& r) { return r.asleep ? 1.0 : 0.0; }},
     {"diverged", "", [](const StepReport& r) { return r.status == Status::Diverged ? 1.0 : 0.0; }},
 }};

@@ -37,7 +37,7 @@ struct Floor {
     void respond() {
         contacts.clear();
         find_contacts(model.grid, state.x, balls[0], 0, parameters.thickness, cells, contacts);
-        deepest = resolve_contacts(model, parameters, balls, dt, contacts, state);
+        deepest = resolve_contacts(model, parameters, balls, dt, contacts, state).depth;
     }
 
     void run(Real time) {

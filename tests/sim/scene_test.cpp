@@ -44,6 +44,10 @@ mass = 1.5
 path = [[0, 1, 2, 3], [1.5, 4, 5, 6]]
 [solver]
 integrator = "rk4"
+hessian = "exact"
+iterations = 5
+tolerance = 1e-7
+ledger = false
 dt = 3e-4
 on_unstable = "stop"
 sleep_speed = 0.5

@@ -19,14 +19,19 @@ struct ResponseParameters {
     Real thickness = Real(0.002);  ///< [m]
 };
 
+/// What a response leaves and what it has done.
+struct ResponseReport {
+    Real depth = 0;        ///< the largest that is left [m]
+    double ball_work = 0;  ///< by the balls' motion on the cloth: impulses times their velocities [J]
+};
+
 /// Corrects positions and velocities so that the contacts' triangles stay out of the balls and do not enter them.
 /// Gauss-Seidel over the contacts in their order: each closest point is found anew before it is used.
 /// @param contacts as found at `state.x`; their points are updated
 /// @param h the substep [s]; normal speeds that gravity alone brings within it do not bounce
-/// @return the largest depth that is left [m], 0 if none
 /// @par Cost O(contacts), allocates nothing
-Real resolve_contacts(const ClothModel& model, const ResponseParameters& parameters, std::span<const Ball> balls,
-                      Real h, std::vector<Contact>& contacts, ClothState& state);
+ResponseReport resolve_contacts(const ClothModel& model, const ResponseParameters& parameters,
+                                std::span<const Ball> balls, Real h, std::vector<Contact>& contacts, ClothState& state);
 
 /// The names of all kinds, in the order of the enumeration.
 std::span<const std::string> response_names();

@@ -40,6 +40,12 @@ struct IntegratorParameters {
 struct SolveReport {
     int force_evaluations = 0;
     int iterations = 0;  ///< of conjugate gradients, XPBD, projective dynamics, or inner steps of Dormand-Prince
+
+    SolveReport& operator+=(const SolveReport& other) {
+        force_evaluations += other.force_evaluations;
+        iterations += other.iterations;
+        return *this;
+    }
 };
 
 /// Advances a cloth by one step. The state is all it goes on from, so the kind can change between any two steps.

@@ -6,14 +6,33 @@ namespace drape {
 
 /// Mechanical energy of a cloth [J].
 struct Energy {
-    Real kinetic = 0;
-    Real gravity = 0;  ///< relative to y = 0
-    Real spring = 0;
-    [[nodiscard]] Real total() const { return kinetic + gravity + spring; }
+    double kinetic = 0;
+    double gravity = 0;  ///< relative to y = 0
+    double spring = 0;
+    [[nodiscard]] double total() const { return kinetic + gravity + spring; }
 };
 
-/// @par Cost O(n), as a force evaluation; sums run row by row in a fixed order
+/// What takes mechanical energy from a cloth at a moment, and what gives it [W]. With no error in time,
+/// dE/dt = wind + hand - damping - drag.
+struct Power {
+    double damping = 0;  ///< lost in the springs: sum of c (n.(v_a - v_b))^2
+    double drag = 0;     ///< lost to air: sum of b v^2
+    double wind = 0;     ///< given by the wind: sum of f.v
+    double hand = 0;     ///< given by what moves the particles that are held: sum of -f.v over them
+};
+
+/// @par Cost O(n), as a force evaluation; sums run in a fixed order
 Energy compute_energy(const ClothModel& model, const ClothState& state);
+
+/// Both at one moment.
+struct EnergyFlow {
+    Energy energy;
+    Power power;
+};
+
+/// @param scratch n x 3, overwritten where wind blows or a held particle moves
+/// @par Cost O(n), as a force evaluation, or two where wind blows or a held particle moves
+EnergyFlow compute_energy_flow(const ClothModel& model, const ClothState& state, Points& scratch);
 
 /// The largest relative elongation |d|/L0 - 1 over the structural springs.
 Real largest_stretch(const ClothModel& model, const Points& x);

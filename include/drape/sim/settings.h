@@ -44,6 +44,7 @@ struct SolverSettings {
     Real dt = Real(2e-4);
     OnUnstable on_unstable = OnUnstable::Warn;
     Real sleep_speed = Real(2e-4);  ///< slower than this for half a second, a scene falls asleep; 0: never [m/s]
+    bool ledger = true;             ///< keep the balance of the energy
     bool operator==(const SolverSettings&) const = default;
 };
 

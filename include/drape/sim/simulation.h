@@ -35,6 +35,8 @@ struct Cloth {
     std::vector<Contact> contacts;     ///< of the last step that was awake
     std::optional<SearchAudit> audit;  ///< while the search is limited
     RestWatch rest;
+    std::optional<EnergyLedger> ledger;  ///< while it is kept
+    bool touched = true;                 ///< state or model may have been changed since the last step
 };
 
 /// What the renderer needs of a moment; all of it belongs to the simulation and lasts until its next change.
@@ -61,8 +63,9 @@ public:
     /// @throws InputError if the command names something that does not exist; nothing is changed then
     void apply(const Command& command);
 
-    /// One substep: step, build, traverse, narrow, respond, report. Does nothing once diverged, and nothing but count
-    /// while asleep: once no particle has gone anywhere for a while, nothing moves until a command or a ball does.
+    /// One step of one or more substeps: step, build, traverse, narrow, respond, report. Does nothing once diverged,
+    /// and nothing but count while asleep: once no particle has gone anywhere for a while, nothing moves until a
+    /// command or a ball does.
     void step();
 
     /// @param blend in [0, 1], between the last two states
@@ -95,9 +98,10 @@ private:
     void grab(const command::Grab& command);
     void release();
     void move_hand(Real h);
-    void move_balls(Real h);
+    void substep(double time, Real h);
+    void move_balls(double time, Real h);
     [[nodiscard]] bool ball_has_moved() const;
-    void move_cloths(Real h);
+    void move_cloths(double time, Real h);
     void use_broad_phase(Cloth& cloth);
     void show_present_bounds();
     void build(Cloth& cloth);

@@ -8,6 +8,7 @@
 #include "drape/bounds/broad_phase.h"
 #include "drape/integrate/integrator.h"
 #include "drape/model/energy.h"
+#include "drape/sim/energy_ledger.h"
 
 namespace drape {
 
@@ -20,9 +21,11 @@ struct StageTimes {
     [[nodiscard]] double total() const { return step + build + traverse + narrow + respond; }
 };
 
-/// What one step was and did; each stage fills its fields as it ends.
+/// What one step was and did; each stage fills its fields as it ends. Times and solves are those of all substeps,
+/// counts those of the last.
 struct StepReport {
     std::int64_t step = 0;  ///< steps since the start
+    int substeps = 1;       ///< equal parts that a step is made in
     double time = 0;        ///< simulated [s]
     StageTimes times;
     SolveReport solve;
@@ -35,15 +38,16 @@ struct StepReport {
     double missed_penetration = 0;      ///< largest depth of any triangle after the response to a limited search [m]
     bool asleep = false;                ///< counts and contacts are those of the last step that was awake
     double rms_speed = 0;               ///< of the particles [m/s]
-    Energy energy;                      ///< filled by `Simulation::view`, not by every step
-    double stretch = 0;                 ///< largest elongation of a structural spring, as `energy`
+    Energy energy;          ///< this, balance and stretch are filled by `Simulation::view`, not by every step
+    EnergyBalance balance;  ///< since the start, over all cloths; zero while no ledger is kept
+    double stretch = 0;     ///< largest elongation of a structural spring, as `energy`
     Status status = Status::Ok;
     std::string trouble;  ///< one sentence on what broke, with particle and step; empty while all is well
 };
 
 /// What figures are about; the panel sets them apart by it, and shows those of `Limit` only while the search is
-/// limited.
-enum class ReportGroup { Time, Stages, Hierarchy, Limit, Energy };
+/// limited, those of `Balance` only while a ledger is kept.
+enum class ReportGroup { Time, Stages, Hierarchy, Limit, Energy, Balance };
 
 /// One field of a report, for CSV, panel and tests.
 struct ReportField {

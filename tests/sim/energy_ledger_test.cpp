@@ -1,0 +1,119 @@
+#include "drape/sim/energy_ledger.h"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+
+#include "small_scene.h"
+
+namespace drape {
+namespace {
+
+/// The balance after a run without contact, by RK4 with small steps: the method itself then loses next to nothing.
+EnergyBalance exact_balance(const std::vector<std::string>& more, const std::vector<Command>& commands = {}) {
+    std::vector<std::string> assignments{"integrator=rk4", "dt=2.5e-4", "ball.position=0,-9,0", "sleep_speed=0"};
+    assignments.insert(assignments.end(), more.begin(), more.end());
+    Simulation simulation = small_simulation(assignments);
+    make_steps(simulation, 400);
+    for (const Command& command : commands) simulation.apply(command);
+    make_steps(simulation, 800);
+    return simulation.view().report->balance;
+}
+
+double mechanical_energy(Simulation& simulation) { return simulation.view().report->energy.total(); }
+
+TEST(EnergyLedger, LeavesNothingToAnExactMethod) {
+    const EnergyBalance balance = exact_balance({"structural.damping=0.2", "drag=0.001"});
+    EXPECT_GT(balance.damping, 1e-4);
+    EXPECT_GT(balance.drag, 1e-3);
+    EXPECT_LT(std::abs(balance.integrator), 1e-4 * balance.damping);
+    EXPECT_EQ(balance.wind, 0);
+    EXPECT_EQ(balance.hand, 0);
+    EXPECT_EQ(balance.ball, 0);
+    EXPECT_EQ(balance.contact, 0);
+}
+
+TEST(EnergyLedger, KnowsTheWorkOfTheWind) {
+    const EnergyBalance balance = exact_balance({"wind.on=true", "wind.velocity=0,0,3"});
+    EXPECT_GT(std::abs(balance.wind), 1e-4);
+    EXPECT_LT(std::abs(balance.integrator), 1e-3 * std::abs(balance.wind));
+}
+
+TEST(EnergyLedger, KnowsTheWorkOfTheHand) {
+    const EnergyBalance balance = exact_balance({}, {command::Grab{0, 75}, command::Drag{Vec3(0.3, 0.8, 0.6)}});
+    EXPECT_GT(balance.hand, 1e-2);
+    EXPECT_LT(std::abs(balance.integrator), 1e-3 * balance.hand);
+}
+
+TEST(EnergyLedger, CountsAChangeOfTheClothAsTheHands) {
+    Simulation simulation = small_simulation({"ball.position=0,-9,0"});
+    make_steps(simulation, 200);
+    const StepReport before = *simulation.view().report;
+    simulation.apply(parse_command("set structural.stiffness=400"));
+    make_steps(simulation, 1);
+    EXPECT_GT(before.energy.spring, 0);
+    EXPECT_EQ(before.balance.hand, 0);
+    EXPECT_GT(simulation.view().report->balance.hand, before.energy.spring / 2);
+}
+
+/// A ball of speed V takes a particle along: it does the work m V^2, of which the particle has one half and the impact
+/// takes the other.
+TEST(EnergyLedger, SharesAnInelasticImpactInHalves) {
+    Simulation simulation =
+        small_simulation({"pinned=none", "structural.stiffness=0", "shear.stiffness=0", "bend.stiffness=0",
+                          "structural.damping=0", "shear.damping=0", "bend.damping=0", "drag=0.5", "friction=0",
+                          "ball.radius=0.05", "motion=path", "path=0,0,-1,0.5,1,0,2,0.5", "plane=xz"});
+    while (simulation.report().contacts == 0 && simulation.report().step < 1000) simulation.step();
+    ASSERT_GT(simulation.report().contacts, 0);
+    const EnergyBalance balance = simulation.view().report->balance;
+    EXPECT_GT(balance.ball, 1e-4);
+    // The cloth falls slowly through thick air
+    EXPECT_NEAR(balance.contact / balance.ball, 0.5, 0.05);
+}
+
+TEST(EnergyLedger, ShowsWhatAMethodInvents) {
+    Simulation simulation = small_simulation({"integrator=explicit_euler", "dt=5e-4", "ball.position=0,-9,0",
+                                              "structural.damping=0", "shear.damping=0", "bend.damping=0", "drag=0"});
+    const double before = mechanical_energy(simulation);
+    make_steps(simulation, 100);
+    const double gained = mechanical_energy(simulation) - before;
+    EXPECT_GT(gained, 1e-6);
+    EXPECT_NEAR(simulation.view().report->balance.integrator, -gained, 1e-12);
+}
+
+/// Whatever happens in a run, nothing is forgotten and nothing counted twice.
+TEST(EnergyLedger, AddsUpToTheChangeOfTheEnergy) {
+    Simulation simulation = small_simulation({"ball.position=0,0.2,0.2"});
+    const double before = mechanical_energy(simulation);
+    const auto expect_balanced = [&](const char* what) {
+        EXPECT_NEAR(simulation.view().report->balance.change(), mechanical_energy(simulation) - before, 1e-10) << what;
+    };
+    make_steps(simulation, 300);
+    EXPECT_GT(simulation.report().contacts, 0);
+    expect_balanced("contact");
+    for (const char* text :
+         {"set wind.on=true", "set cloth.mass=0.2", "grab 0 75", "drag 0.3 0.8 0.6", "steer 0 0 1"}) {
+        simulation.apply(parse_command(text));
+        make_steps(simulation, 60);
+        expect_balanced(text);
+    }
+    for (const char* text :
+         {"release", "steer 0 0 0", "set wind.on=false", "set drag=0.01", "set structural.damping=1"}) {
+        simulation.apply(parse_command(text));
+    }
+    for (int i = 0; i < 20000 && !simulation.report().asleep; ++i) simulation.step();
+    EXPECT_TRUE(simulation.report().asleep);
+    expect_balanced("asleep");
+}
+
+TEST(EnergyLedger, IsKeptOnlyIfItIsWanted) {
+    Simulation simulation = small_simulation({"ledger=false"});
+    make_steps(simulation, 50);
+    EXPECT_EQ(simulation.view().report->balance.damping, 0);
+    simulation.apply(parse_command("set solver.ledger=true"));
+    make_steps(simulation, 50);
+    EXPECT_GT(simulation.view().report->balance.damping, 0);
+}
+
+}  // namespace
+}  // namespace drape
