@@ -45,6 +45,19 @@ TEST(EnergyLedger, KnowsTheWorkOfTheHand) {
     EXPECT_LT(std::abs(balance.integrator), 1e-3 * balance.hand);
 }
 
+TEST(EnergyLedger, CountsWhatTheHandsOwnSpeedTakes) {
+    Simulation simulation =
+        small_simulation({"integrator=rk4", "ball.position=0,-9,0", "structural.stiffness=0", "shear.stiffness=0",
+                          "bend.stiffness=0", "structural.damping=0", "shear.damping=0", "bend.damping=0", "drag=0"});
+    simulation.apply(parse_command("grab 0 75"));
+    simulation.apply(parse_command("drag 0.9 0.9 0.9"));
+    make_steps(simulation, 5);
+    const double mass = 0.1 / 80, speed = simulation.cloths()[0].state.v.row(75).norm();
+    EXPECT_GT(speed, 2);
+    EXPECT_GT(simulation.view().report->balance.hand, mass * speed * speed / 2);
+    EXPECT_NEAR(simulation.view().report->balance.integrator, 0, 1e-12);
+}
+
 TEST(EnergyLedger, CountsAChangeOfTheClothAsTheHands) {
     Simulation simulation = small_simulation({"ball.position=0,-9,0"});
     make_steps(simulation, 200);
