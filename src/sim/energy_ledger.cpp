@@ -20,11 +20,10 @@ void EnergyLedger::look(const ClothModel& model, const ClothState& state) {
 }
 
 void EnergyLedger::begin(const ClothModel& model, const ClothState& state, bool touched) {
-    if (begun_ && !touched) return;
+    if (!touched) return;
     const double before = energy_;
     look(model, state);
-    if (begun_) balance_.hand += energy_ - before;
-    begun_ = true;
+    balance_.hand += energy_ - before;
 }
 
 void EnergyLedger::integrated(const ClothModel& model, const ClothState& state, Real h) {

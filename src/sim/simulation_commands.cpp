@@ -98,7 +98,7 @@ void Simulation::restart() {
         cloth.previous = cloth.state;
         cloth.integrator = make_integrator(integrator_of(settings_.solver), parameters.particles);
         cloth.separation = Separation(parameters.particles);
-        if (settings_.solver.ledger) cloth.ledger.emplace(parameters.particles.particles());
+        if (settings_.solver.ledger) cloth.ledger.emplace(cloth.model, cloth.state);
         use_broad_phase(cloth);
         cloth.contacts.reserve(static_cast<std::size_t>(parameters.particles.triangles()));
     }
@@ -132,7 +132,7 @@ void Simulation::configure(Settings settings) {
         cloth.touched = true;
         if (settings_.solver.ledger != before.solver.ledger) {
             cloth.ledger.reset();
-            if (settings_.solver.ledger) cloth.ledger.emplace(cloth.model.grid.particles());
+            if (settings_.solver.ledger) cloth.ledger.emplace(cloth.model, cloth.state);
         }
         if (settings_.cloths[c] != before.cloths[c]) {
             const std::uint64_t revision = cloth.model.revision;

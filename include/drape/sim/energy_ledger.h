@@ -26,8 +26,7 @@ struct EnergyBalance {
 /// what a step is too long for counts as the integrator's.
 class EnergyLedger {
 public:
-    /// @param particles of the cloth
-    explicit EnergyLedger(int particles) : scratch_(particles, 3) {}
+    EnergyLedger(const ClothModel& model, const ClothState& state) : scratch_(state.x.rows(), 3) { look(model, state); }
 
     /// @param touched whether state or model may differ from what the last entry saw: the difference is the hand's
     /// @par Cost O(particles) if touched
@@ -51,7 +50,6 @@ private:
     void look(const ClothModel& model, const ClothState& state);
 
     EnergyBalance balance_;
-    bool begun_ = false;
     double energy_ = 0;  ///< after the last entry, as the power
     Power power_;
     Points scratch_;
