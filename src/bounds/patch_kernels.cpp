@@ -191,8 +191,10 @@ Real centroid_sphere_of(const Patch& patch, Vec3& centre) {
         mean_in_lanes<8>(patch, centre, copy);
     else if (patch.columns >= 4)
         mean_in_lanes<4>(patch, centre, copy);
-    else
+    else if (patch.columns >= 2)
         mean_in_lanes<2>(patch, centre, copy);
+    else
+        mean_in_lanes<1>(patch, centre, copy);
     Real square = 0;
     const Patch near{copy, copy + copied, copy + 2 * copied, patch.columns, patch.rows, patch.columns};
     raise_in(patch.particles() <= copied ? near : patch, &centre, 1, &square);

@@ -106,7 +106,10 @@ int collide(const Options& options) {
     std::cout << text << std::flush;
     std::cerr << "nodes=" << stats.nodes << " visited=" << stats.visited << " volume_tests=" << stats.volume_tests
               << " leaves=" << stats.leaves << " candidates=" << stats.candidates << " touched=" << triangles.size();
-    if (stats.stopped > 0) std::cerr << " stopped=" << stats.stopped;
+    if (stats.stopped > 0) {
+        std::cerr << " stopped=" << stats.stopped << "\ncollide: the search was limited and has ended at "
+                  << stats.stopped << " nodes: triangles within them are not listed";
+    }
     std::cerr << "\n";
     return Done;
 }
@@ -124,7 +127,11 @@ void add_collide(CLI::App& app, int& exit_code) {
         ->type_name("FILE.csv")
         ->required();
     command->add_option("--ball", options->ball, "centre and radius [m]")->type_name("x,y,z,r")->required();
-    command->add_option("--set", options->assignments, "volume, update, sphere_fit, leaf_cells, thickness")
+    command
+        ->add_option(
+            "--set", options->assignments,
+            "volume, update, sphere_fit, leaf_cells, thickness; search_level, search_tests: nodes at which a search "
+            "ends are counted, and what they hold is not listed")
         ->type_name("name=value");
     command->callback([options, &exit_code] { exit_code = collide(*options); });
 }

@@ -4,8 +4,8 @@
 
 namespace drape {
 
-bool RestWatch::look(const Points& x, double time, Real speed) {
-    if (!watching_ || largest_displacement(x, places_) > speed * static_cast<Real>(duration)) {
+bool RestWatch::look(const Points& x, double time, Real reach) {
+    if (!watching_ || largest_displacement(x, places_) > reach) {
         watching_ = true;
         since_ = time;
         places_ = x;

@@ -33,6 +33,13 @@ bool may_skip(const Settings& settings) {
            !settings.balls.empty();
 }
 
+/// How far a particle may go in the time of a watch and count as resting: no small cloth swings in so little either.
+Real resting_reach(const ClothModel& model, const SolverSettings& solver) {
+    const Grid& grid = model.grid;
+    const Real side = std::min(model.hx * static_cast<Real>(grid.nx - 1), model.hy * static_cast<Real>(grid.ny - 1));
+    return std::min(solver.sleep_speed * static_cast<Real>(RestWatch::duration), side / 1000);
+}
+
 ResponseParameters response_of(const ContactSettings& contact) {
     return {contact.response, contact.friction, contact.restitution, contact.thickness};
 }
@@ -173,7 +180,7 @@ void Simulation::watch_rest() {
     for (Cloth& cloth : cloths_) {
         if (!may_sleep)
             cloth.rest.restart();
-        else if (!cloth.rest.look(cloth.state.x, report_.time, settings_.solver.sleep_speed))
+        else if (!cloth.rest.look(cloth.state.x, report_.time, resting_reach(cloth.model, settings_.solver)))
             rests = false;
     }
     if (!rests) return;

@@ -25,25 +25,28 @@ Ball make_ball(const BallSettings& settings) {
     return ball;
 }
 
-/// The settings that the motion follows from: what is left out shows or finds the same motion.
-Settings laws_of(Settings settings) {
+/// The settings that the motion follows from: what is left out shows or finds the same motion. Under a limited search
+/// that is not so of the hierarchy, for then its nodes stand for the cloth.
+Settings laws_of(Settings settings, bool limited) {
     const ContactSettings defaults;
     settings.title.clear();
     settings.view = {};
     settings.needs = {};
     settings.solver.on_unstable = {};
     settings.solver.ledger = {};
+    settings.contact.coherence = defaults.coherence;
+    if (limited) return settings;
     settings.contact.volume = defaults.volume;
     settings.contact.update = defaults.update;
     settings.contact.leaf_cells = defaults.leaf_cells;
     settings.contact.sphere_fit = defaults.sphere_fit;
-    settings.contact.coherence = defaults.coherence;
     return settings;
 }
 
 /// False if cloths and balls move alike under both.
 bool move_otherwise(const Settings& a, const Settings& b) {
-    const Settings first = laws_of(a), second = laws_of(b);
+    const bool limited = !broad_phase_of(a.contact).search.none() || !broad_phase_of(b.contact).search.none();
+    const Settings first = laws_of(a, limited), second = laws_of(b, limited);
     return first.cloths != second.cloths || first.balls != second.balls || first.solver != second.solver ||
            first.contact != second.contact || first.wind != second.wind;
 }
@@ -127,6 +130,7 @@ void Simulation::configure(Settings settings) {
         counted_from_step_ = report_.step;
         counted_from_time_ = report_.time;
     }
+    const bool other_hierarchy = broad_phase_of(settings_.contact) != broad_phase_of(before.contact);
     for (std::size_t c = 0; c < cloths_.size(); ++c) {
         Cloth& cloth = cloths_[c];
         cloth.touched = true;
@@ -143,9 +147,7 @@ void Simulation::configure(Settings settings) {
         if (integrator_of(settings_.solver) != integrator_of(before.solver)) {
             cloth.integrator = make_integrator(integrator_of(settings_.solver), cloth.model.grid);
         }
-        if (broad_phase_of(settings_.contact) != broad_phase_of(before.contact)) {
-            use_broad_phase(cloth);
-        }
+        if (other_hierarchy) use_broad_phase(cloth);
     }
     for (std::size_t b = 0; b < balls_.size(); ++b) {
         const BallSettings &now = settings_.balls[b], &then = before.balls[b];
@@ -154,7 +156,7 @@ void Simulation::configure(Settings settings) {
         if (now.velocity != then.velocity) balls_[b].velocity = now.velocity;
     }
     if (move_otherwise(before, settings_)) wake();
-    if (settings_.view.bounds && !before.view.bounds) show_present_bounds();
+    if (settings_.view.bounds && (other_hierarchy || !before.view.bounds)) show_present_bounds();
 }
 
 void Simulation::use_broad_phase(Cloth& cloth) {
@@ -167,8 +169,7 @@ void Simulation::use_broad_phase(Cloth& cloth) {
 
 void Simulation::show_present_bounds() {
     for (Cloth& cloth : cloths_) {
-        if (cloth.tree_is_fresh) continue;
-        build(cloth);
+        if (!cloth.tree_is_fresh) build(cloth);
         for (const Ball& ball : balls_) {
             cloth.broad_phase->query(grown(ball, settings_.contact.thickness), cloth.candidates);
         }

@@ -100,6 +100,42 @@ TEST(SphereQuadtree, ShowsEachLevelWithWhatTheQueryDid) {
     EXPECT_EQ(views[3].state, NodeState::Pruned);
 }
 
+int fits_made = 0;
+
+BoundingSphere counted_fit(const Patch& patch) {
+    ++fits_made;
+    return BoundingSphere::fit(patch);
+}
+
+TEST(SphereQuadtree, RefitsOnlyLeavesThatHaveMoved) {
+    const Grid grid{17, 17};
+    Points x = flat_sheet(grid);
+    ClothQuadtree<BoundingSphere> tree(grid, {.update = UpdateKind::Refit, .leaf_cells = 4}, {.patch = counted_fit});
+    tree.build(x);
+    const auto fits_of_a_frame = [&] {
+        fits_made = 0;
+        tree.build(x);
+        return fits_made;
+    };
+    EXPECT_EQ(fits_of_a_frame(), 0) << "nothing has moved";
+    x(0, 1) += 0.5;
+    EXPECT_EQ(fits_of_a_frame(), 1) << "a corner belongs to one leaf";
+    EXPECT_EQ(fits_of_a_frame(), 0) << "it has stayed since";
+    x(grid.particle(8, 8), 1) += 0.5;
+    EXPECT_EQ(fits_of_a_frame(), 4) << "the middle to four";
+}
+
+TEST(TraversalStats, AddUp) {
+    TraversalStats sum{1, 2, 3, 4, 5, 6};
+    sum += TraversalStats{10, 20, 30, 40, 50, 60};
+    EXPECT_EQ(sum.nodes, 11);
+    EXPECT_EQ(sum.visited, 22);
+    EXPECT_EQ(sum.volume_tests, 33);
+    EXPECT_EQ(sum.leaves, 44);
+    EXPECT_EQ(sum.candidates, 55);
+    EXPECT_EQ(sum.stopped, 66);
+}
+
 TEST(BroadPhases, AllocateNothingAfterTheFirstFrame) {
     std::mt19937 random(8);
     const Grid grid{31, 17};

@@ -3,6 +3,7 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <limits>
 
 #include "drape/bounds/bounding_sphere.h"
 #include "drape/bounds/cloth_quadtree.h"
@@ -207,6 +208,26 @@ TYPED_TEST(Quadtree, AgreesWithBruteForceInEveryUpdateAtAnyScale) {
     EXPECT_GT(this->configurations_, 50'000);
     EXPECT_GT(this->touching_, this->configurations_ / 4);
     EXPECT_LT(this->touching_, this->configurations_ * 3 / 4);
+}
+
+/// Far from the origin the exact test rounds, and what it calls touching must have been a candidate.
+TYPED_TEST(Quadtree, AgreesWithBruteForceToTheLastBitsFarFromTheOrigin) {
+    std::mt19937 random(5);
+    const Grid grid{9, 9};
+    Comparison<TypeParam> comparison(grid, {.leaf_cells = 2});
+    for (const Real offset : {Real(0), Real(10), Real(1e4)}) {
+        const Points x = (testing::random_cloth(grid, random).array() + offset).matrix();
+        const Real bits = std::numeric_limits<Real>::epsilon() * (1 + offset);
+        comparison.build(x, 0);
+        for (int ball = 0; ball < 4000; ++ball) {
+            const Real radius = Real(0.3), part = static_cast<Real>(ball % 9 - 4) * bits;
+            comparison.compare(comparison.just_touching(random, radius, part));
+            comparison.compare(comparison.touching_from_a_side(random, radius, part));
+        }
+    }
+    EXPECT_EQ(comparison.disagreements, 0);
+    EXPECT_GT(comparison.touching, comparison.configurations / 4);
+    EXPECT_LT(comparison.touching, comparison.configurations);
 }
 
 /// The planted fault: every fit misses the last column of its particles.

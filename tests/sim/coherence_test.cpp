@@ -177,6 +177,18 @@ TEST(Coherence, ShowsBoundsOfThePresentAsSoonAsTheyAreAskedFor) {
     }
 }
 
+TEST(Coherence, ShowsWhatAQueryDoesWithANewHierarchyAtOnce) {
+    for (const char* change : {"set contact.sphere_fit=ritter", "set leaf_cells=3", "next update"}) {
+        Simulation simulation = small_simulation({"view.bounds=true", "leaf_cells=2"});
+        while (simulation.report().contacts == 0) simulation.step();
+        send(simulation, "pause");
+        send(simulation, change);
+        Outlines shown;
+        simulation.cloths()[0].broad_phase->nodes_at(0, {}, shown);
+        EXPECT_EQ(shown.spheres[0].state, NodeState::Visited) << change;
+    }
+}
+
 TEST(Coherence, LeavesLimitedSearchesAlone) {
     Simulation simulation = small_simulation({"ball.position=0,-9,0", "search_level=1"});
     make_steps(simulation, 100);

@@ -106,6 +106,8 @@ TEST(SearchAudit, TellsTrueNodesFromFalse) {
     EXPECT_EQ(audit.false_contacts(x, ball, 0, std::vector{left, right}), 1);
     EXPECT_EQ(audit.false_contacts(x, ball, Real(0.2), std::vector{left, right}), 0) << "so thick it reaches the right";
     EXPECT_NEAR(audit.penetration(x, std::vector{ball}, 0), 0.3, 1e-6);
+    const Ball beyond{.centre = Vec3(Real(2.45), Real(0.1), 1), .radius = Real(0.4)};
+    EXPECT_EQ(audit.false_contacts(x, beyond, 0, std::vector{left}), 1) << "it reaches the next column only";
     EXPECT_EQ(audit.penetration(x, std::vector{Ball{.centre = Vec3(0, 9, 0), .radius = 1}}, 0), 0);
 }
 

@@ -2,6 +2,8 @@
 
 #include <gmock/gmock.h>
 
+#include <set>
+
 #include "drape/sim/scene.h"
 #include "sim/small_scene.h"
 #include "support/allocations.h"
@@ -28,13 +30,25 @@ TEST(Simulation, StartsAtRestWhereTheSettingsSay) {
 }
 
 TEST(Simulation, AllocatesNothingInAStepOnceItHasContacts) {
-    for (const char* update : {"update=rebuild", "update=merge", "update=refit", "update=none"}) {
-        Simulation simulation = small_simulation({update});
+    for (const char* setting :
+         {"update=rebuild", "update=merge", "update=refit", "update=none", "search_level=2", "search_tests=16"}) {
+        Simulation simulation = small_simulation({setting, "leaf_cells=2"});
         while (simulation.report().contacts == 0) simulation.step();
         const auto before = testing::allocations();
         make_steps(simulation, 1500);
-        EXPECT_EQ(testing::allocations(), before) << update;
+        EXPECT_EQ(testing::allocations(), before) << setting;
     }
+}
+
+TEST(Simulation, CountsTheCandidatesOfWhichNoTriangleTouches) {
+    Simulation simulation = small_simulation();
+    make_steps(simulation, 700);
+    std::set<int> touching;
+    for (const Contact& contact : simulation.cloths()[0].contacts) touching.insert(contact.triangle / 2);
+    const StepReport& report = simulation.report();
+    EXPECT_GT(simulation.cloths()[0].contacts.size(), touching.size()) << "some cells touch with both triangles";
+    EXPECT_GT(report.false_candidates, 0);
+    EXPECT_EQ(report.false_candidates, report.traversal.candidates - static_cast<std::int64_t>(touching.size()));
 }
 
 TEST(Simulation, HasTheSameBitsWithBruteForceAndAnyLeaves) {

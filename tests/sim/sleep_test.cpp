@@ -16,12 +16,13 @@ void send(Simulation& simulation, const std::string& text) { simulation.apply(pa
 /// Whether a particle that moves as `place` says is ever taken for resting within ten seconds.
 template <class Place>
 bool ever_rests(Place place, Real speed) {
+    const Real reach = speed * static_cast<Real>(RestWatch::duration);
     RestWatch watch;
     for (int step = 0; step <= 10 * 1024; ++step) {
         const double time = step / 1024.0;
         Points x = Points::Zero(3, 3);
         x(1, 0) = static_cast<Real>(place(time));
-        if (watch.look(x, time, speed)) return true;
+        if (watch.look(x, time, reach)) return true;
     }
     return false;
 }
@@ -105,6 +106,13 @@ TEST(Sleep, DoesNotBefallAClothThatSwingsOn) {
     EXPECT_EQ(steps_to_sleep(simulation), 10 * 1024);
 }
 
+TEST(Sleep, DoesNotBefallASmallClothThatSwings) {
+    Simulation simulation =
+        small_simulation({"ball.position=0,-9,0", "cloth.size=4e-5,4e-5", "cloth.mass=1e-6", "dt=1e-5", "cloth.drag=0",
+                          "structural.stiffness=20", "structural.damping=0", "shear.damping=0", "bend.damping=0"});
+    EXPECT_EQ(steps_to_sleep(simulation, 60'000), 60'000);
+}
+
 TEST(Sleep, DoesNotBefallWhatIsInWindOrHand) {
     for (const char* mover : {"next wind.on", "grab 0 75"}) {
         Simulation simulation = thick_simulation({"wind.velocity=0,0,0"});
@@ -154,6 +162,22 @@ TEST(Sleep, EndsWithEveryCommandThatMovesClothOrBall) {
         make_steps(simulation, 10);
         EXPECT_NE(simulation.hash(), hash) << command;
     }
+}
+
+TEST(Sleep, EndsUnderALimitedSearchWithEveryChangeOfTheHierarchy) {
+    for (const char* command : {"set leaf_cells=3", "next volume", "next update", "next sphere_fit"}) {
+        Simulation simulation = sleeping_simulation({"search_level=1"});
+        ASSERT_TRUE(simulation.report().asleep);
+        send(simulation, command);
+        simulation.step();
+        EXPECT_FALSE(simulation.report().asleep) << command;
+    }
+}
+
+TEST(Sleep, LeavesTheBallsAtRest) {
+    Simulation simulation = sleeping_simulation({"ball.velocity=0,0,0.01", "ball.speed=0"});
+    ASSERT_TRUE(simulation.report().asleep);
+    EXPECT_EQ(simulation.balls()[0].velocity, Vec3(Vec3::Zero()));
 }
 
 TEST(Sleep, IsNotDisturbedByWhatMovesNothing) {

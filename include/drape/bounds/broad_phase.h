@@ -102,7 +102,7 @@ public:
     /// By how much the nodes may be too small: the query makes up for it [m].
     [[nodiscard]] virtual Real slack() const = 0;
 
-    /// Levels of the hierarchy; 0 is the root alone.
+    /// How many levels the hierarchy has: 1 is the root alone, 0 none at all.
     [[nodiscard]] virtual int levels() const = 0;
 
     /// The nodes of one level for drawing, with what the last query did to each. Spheres are drawn grown by `slack`;

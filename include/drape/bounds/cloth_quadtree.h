@@ -68,6 +68,7 @@ public:
         found.cells.clear();
         found.cells.reserve(leaf_rows_);
         found.stopped.clear();
+        if (!search_.none()) found.stopped.reserve(nodes_.size());
         TraversalStats stats{.nodes = static_cast<std::int64_t>(nodes_.size())};
         const Ball reached = grown(ball, slack_ + rounding(ball));
         open_.assign(1, 0);

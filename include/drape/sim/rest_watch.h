@@ -15,12 +15,12 @@ public:
     /// The watch begins anew with the next look.
     void restart() { watching_ = false; }
 
-    /// One step more; a particle that has gone too far makes the watch begin anew.
+    /// One step more; a particle that has gone farther than `reach` makes the watch begin anew.
     /// @param time simulated [s]
-    /// @param speed that takes a particle as far as it may go within `duration` [m/s]
+    /// @param reach how far a particle may go within `duration` [m]
     /// @return true if every particle has stayed for all of it
     /// @par Cost O(particles), one pass; allocates at the first look only
-    bool look(const Points& x, double time, Real speed);
+    bool look(const Points& x, double time, Real reach);
 
 private:
     bool watching_ = false;
