@@ -6,6 +6,7 @@
 #include <string_view>
 
 #include "drape/model/cloth_model.h"
+#include "drape/model/jacobian.h"
 
 namespace drape {
 
@@ -22,10 +23,6 @@ enum class IntegratorKind {
     ProjectiveDynamics,
     DormandPrince
 };
-
-/// How the implicit methods see a spring across its direction: as it is, or without the negative stiffness of a
-/// compressed one, which keeps their matrix positive definite.
-enum class Hessian { Clamped, Exact };
 
 /// What an integrator is made from; each reads what concerns it.
 struct IntegratorParameters {
