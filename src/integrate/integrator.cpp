@@ -4,6 +4,7 @@
 
 #include "drape/base/assert.h"
 #include "explicit_methods.h"
+#include "positional_methods.h"
 
 namespace drape {
 
@@ -18,6 +19,12 @@ std::unique_ptr<Integrator> make_integrator(const IntegratorParameters& paramete
             return make_velocity_verlet(particles);
         case IntegratorKind::Rk4:
             return make_rk4(particles);
+        case IntegratorKind::Xpbd:
+            return make_xpbd(grid, parameters.iterations);
+        case IntegratorKind::ProjectiveDynamics:
+            return make_projective_dynamics(grid, parameters.iterations);
+        case IntegratorKind::DormandPrince:
+            return make_dormand_prince(particles, parameters.tolerance);
         default:
             break;
     }

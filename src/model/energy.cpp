@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "stencils.h"
+#include "drape/model/stencils.h"
 
 namespace drape {
 namespace {
