@@ -32,7 +32,7 @@ template <int stride>
 DRAPE_INLINE void correct_run(const StepLaw law, int a, int b, int count, const Real* const start[3], const Real* w,
                               Real* q, Real* const x[3]) {
     const Real tiny = std::sqrt(std::numeric_limits<Real>::min());  // its inverse is still far from infinity
-    Real sx[run_length], sy[run_length], sz[run_length];
+    Real dq[run_length], sx[run_length], sy[run_length], sz[run_length];
     const Real *ax = x[0] + a, *ay = x[1] + a, *az = x[2] + a, *bx = x[0] + b, *by = x[1] + b, *bz = x[2] + b;
     const Real *ux = start[0] + a, *uy = start[1] + a, *uz = start[2] + a;
     const Real *wx = start[0] + b, *wy = start[1] + b, *wz = start[2] + b;
@@ -45,13 +45,13 @@ DRAPE_INLINE void correct_run(const StepLaw law, int a, int b, int count, const 
         const Real apart = (dx * mx + dy * my + dz * mz) * inverse;
         const Real wanted = -(law.stiffness * (length - law.rest) + law.damping * apart + q[a + e]);
         const Real step = wanted / ((law.stiffness + law.damping) * (w[a + e] + w[b + e]) + 1);
-        const Real taken = length > tiny ? step : Real(0);
-        q[a + e] += taken;
-        const Real scale = taken * inverse;
+        dq[i] = length > tiny ? step : Real(0);
+        const Real scale = dq[i] * inverse;
         sx[i] = scale * dx;
         sy[i] = scale * dy;
         sz[i] = scale * dz;
     }
+    for (int i = 0; i < count; ++i) q[a + i * stride] += dq[i];
     move_ends<stride>(sx, w + a, w + b, x[0] + a, x[0] + b, count);
     move_ends<stride>(sy, w + a, w + b, x[1] + a, x[1] + b, count);
     move_ends<stride>(sz, w + a, w + b, x[2] + a, x[2] + b, count);
