@@ -4,6 +4,7 @@
 
 #include "drape/base/assert.h"
 #include "explicit_methods.h"
+#include "implicit_methods.h"
 
 namespace drape {
 
@@ -18,6 +19,12 @@ std::unique_ptr<Integrator> make_integrator(const IntegratorParameters& paramete
             return make_velocity_verlet(particles);
         case IntegratorKind::Rk4:
             return make_rk4(particles);
+        case IntegratorKind::BackwardEuler:
+            return make_backward_euler(grid, parameters.hessian);
+        case IntegratorKind::ImplicitMidpoint:
+            return make_implicit_midpoint(grid, parameters.hessian);
+        case IntegratorKind::Bdf2:
+            return make_bdf2(grid, parameters.hessian);
         default:
             break;
     }

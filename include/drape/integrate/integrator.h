@@ -37,6 +37,7 @@ struct IntegratorParameters {
 struct SolveReport {
     int force_evaluations = 0;
     int iterations = 0;  ///< of conjugate gradients, XPBD, projective dynamics, or inner steps of Dormand-Prince
+    Real residual = 0;   ///< of an implicit method's linear system, relative to its right side
 };
 
 /// Advances a cloth by one step. The state is all it goes on from, so the kind can change between any two steps.
