@@ -6,6 +6,7 @@
 #include <string_view>
 
 #include "drape/model/cloth_model.h"
+#include "drape/model/jacobian.h"
 
 namespace drape {
 
@@ -23,10 +24,6 @@ enum class IntegratorKind {
     DormandPrince
 };
 
-/// How the implicit methods see a spring across its direction: as it is, or without the negative stiffness of a
-/// compressed one, which keeps their matrix positive definite.
-enum class Hessian { Clamped, Exact };
-
 /// What an integrator is made from; each reads what concerns it.
 struct IntegratorParameters {
     IntegratorKind kind = IntegratorKind::VelocityVerlet;
@@ -40,6 +37,7 @@ struct IntegratorParameters {
 struct SolveReport {
     int force_evaluations = 0;
     int iterations = 0;  ///< of conjugate gradients, XPBD, projective dynamics, or inner steps of Dormand-Prince
+    Real residual = 0;   ///< of an implicit method's linear system, relative to its right side
 };
 
 /// Advances a cloth by one step. The state is all it goes on from, so the kind can change between any two steps.
