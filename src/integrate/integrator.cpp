@@ -4,6 +4,8 @@
 
 #include "drape/base/assert.h"
 #include "explicit_methods.h"
+#include "implicit_methods.h"
+#include "positional_methods.h"
 
 namespace drape {
 
@@ -18,8 +20,18 @@ std::unique_ptr<Integrator> make_integrator(const IntegratorParameters& paramete
             return make_velocity_verlet(particles);
         case IntegratorKind::Rk4:
             return make_rk4(particles);
-        default:
-            break;
+        case IntegratorKind::BackwardEuler:
+            return make_backward_euler(grid, parameters.hessian);
+        case IntegratorKind::ImplicitMidpoint:
+            return make_implicit_midpoint(grid, parameters.hessian);
+        case IntegratorKind::Bdf2:
+            return make_bdf2(grid, parameters.hessian);
+        case IntegratorKind::Xpbd:
+            return make_xpbd(grid, parameters.iterations);
+        case IntegratorKind::ProjectiveDynamics:
+            return make_projective_dynamics(grid, parameters.iterations);
+        case IntegratorKind::DormandPrince:
+            return make_dormand_prince(particles, parameters.tolerance);
     }
     DRAPE_ASSERT(false && "every kind has its method");
     return nullptr;

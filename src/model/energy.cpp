@@ -7,7 +7,7 @@
 
 #include "drape/base/vectorise.h"
 #include "drape/model/forces.h"
-#include "stencils.h"
+#include "drape/model/stencils.h"
 #include "wind.h"
 
 namespace drape {

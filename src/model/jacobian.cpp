@@ -14,6 +14,12 @@ namespace kernels {
 /// Springs are evaluated in runs of this many, so that their products fit on the stack.
 constexpr int jacobian_run = 128;
 
+/// y_a += g and y_b -= g for one run of springs and one coordinate.
+DRAPE_INLINE void add_opposite(const Real* g, Real* y_a, Real* y_b, int count) {
+    for (int i = 0; i < count; ++i) y_a[i] += g[i];
+    for (int i = 0; i < count; ++i) y_b[i] -= g[i];
+}
+
 /// One coordinate array an axis, from the first ends and from the second ends of a run of springs.
 struct RunEnds {
     const Real* a[3];
@@ -50,31 +56,33 @@ DRAPE_VECTORISE void linearise_run(const RunEnds& x, const RunEnds& v, int count
 
 /// y_a += g and y_b -= g, with g the product of a spring's block and u_a - u_b.
 /// along: what the block does to a vector along the spring, k_scale k + d_scale c.
+template <bool clamped>
+DRAPE_INLINE void product_of_run(const RunEnds& u, int count, const Real* const slopes[7], Real along, Real k_scale,
+                                 Real* const y_a[3], Real* const y_b[3]) {
+    Real gx[jacobian_run], gy[jacobian_run], gz[jacobian_run];
+    const Real *ax = u.a[0], *ay = u.a[1], *az = u.a[2], *bx = u.b[0], *by = u.b[1], *bz = u.b[2];
+    const Real *nx = slopes[0], *ny = slopes[1], *nz = slopes[2], *tension = slopes[3];
+    const Real *qx = slopes[4], *qy = slopes[5], *qz = slopes[6];
+    for (int i = 0; i < count; ++i) {
+        const Real dx = ax[i] - bx[i], dy = ay[i] - by[i], dz = az[i] - bz[i];
+        const Real across = k_scale * tension[i];
+        Real inward = (along - across) * (nx[i] * dx + ny[i] * dy + nz[i] * dz);
+        if constexpr (!clamped) inward += k_scale * (qx[i] * dx + qy[i] * dy + qz[i] * dz);
+        gx[i] = across * dx + inward * nx[i];
+        gy[i] = across * dy + inward * ny[i];
+        gz[i] = across * dz + inward * nz[i];
+    }
+    add_opposite(gx, y_a[0], y_b[0], count);
+    add_opposite(gy, y_a[1], y_b[1], count);
+    add_opposite(gz, y_a[2], y_b[2], count);
+}
+
 DRAPE_VECTORISE void product_run(const RunEnds& u, int count, const Real* const slopes[7], Real along, Real k_scale,
                                  Real* const y_a[3], Real* const y_b[3]) {
-    Real g[3][jacobian_run], turned[jacobian_run];
-    const Real *nx = slopes[0], *ny = slopes[1], *nz = slopes[2];
-    const Real *qx = slopes[4], *qy = slopes[5], *qz = slopes[6];
-    for (int axis = 0; axis < 3; ++axis) {
-        const Real *ua = u.a[axis], *ub = u.b[axis];
-        for (int i = 0; i < count; ++i) g[axis][i] = ua[i] - ub[i];
-    }
-    if (qx == nullptr) {
-        for (int i = 0; i < count; ++i) turned[i] = 0;
+    if (slopes[4] == nullptr) {
+        product_of_run<true>(u, count, slopes, along, k_scale, y_a, y_b);
     } else {
-        for (int i = 0; i < count; ++i) turned[i] = k_scale * (qx[i] * g[0][i] + qy[i] * g[1][i] + qz[i] * g[2][i]);
-    }
-    for (int i = 0; i < count; ++i) {
-        const Real across = k_scale * slopes[3][i];
-        const Real inward = (along - across) * (nx[i] * g[0][i] + ny[i] * g[1][i] + nz[i] * g[2][i]) + turned[i];
-        g[0][i] = across * g[0][i] + inward * nx[i];
-        g[1][i] = across * g[1][i] + inward * ny[i];
-        g[2][i] = across * g[2][i] + inward * nz[i];
-    }
-    for (int axis = 0; axis < 3; ++axis) {
-        Real *ya = y_a[axis], *yb = y_b[axis];
-        for (int i = 0; i < count; ++i) ya[i] += g[axis][i];
-        for (int i = 0; i < count; ++i) yb[i] -= g[axis][i];
+        product_of_run<false>(u, count, slopes, along, k_scale, y_a, y_b);
     }
 }
 
@@ -87,15 +95,10 @@ kernels::RunEnds ends_of(const Points& points, int a, int b) {
             {points.col(0).data() + b, points.col(1).data() + b, points.col(2).data() + b}};
 }
 
-/// Calls run(first particle, count) for pieces of a family's rows that fit a run.
-template <class Family, class Run>
-void for_each_run(const Family& family, Run run) {
-    for (int j = 0; j < family.rows; ++j) {
-        const int row = family.first + j * family.stride;
-        for (int start = 0; start < family.count; start += kernels::jacobian_run) {
-            run(row + start, std::min(kernels::jacobian_run, family.count - start));
-        }
-    }
+/// Calls run(first particle, count) for pieces of [begin, end) that fit a run.
+template <class Run>
+void for_each_run(int begin, int end, Run run) {
+    for (int a = begin; a < end; a += kernels::jacobian_run) run(a, std::min(kernels::jacobian_run, end - a));
 }
 
 /// The columns of `Family::slopes` from row a on, null where there is none.
@@ -111,7 +114,7 @@ std::array<Number*, 7> columns_from(Slopes& slopes, int a) {
 }  // namespace
 
 Jacobian::Jacobian(const Grid& grid, Hessian hessian) : hessian_(hessian) {
-    for (Family& family : families_) family.slopes.resize(grid.particles(), hessian == Hessian::Exact ? 7 : 4);
+    for (Family& family : families_) family.slopes.setZero(grid.particles(), hessian == Hessian::Exact ? 7 : 4);
 }
 
 void Jacobian::linearise(const ClothModel& model, const Points& x, const Points& v) {
@@ -128,22 +131,27 @@ void Jacobian::linearise(const ClothModel& model, const Points& x, const Points&
         family.damping = stencil.law.damping;
         family.first = stencil.first_column();
         family.reach = stencil.dj * grid.nx + stencil.di;
-        family.rows = none ? 0 : stencil.rows(grid);
-        family.count = none ? 0 : stencil.count(grid);
+        family.rows = none ? 0 : std::max(0, stencil.rows(grid));
+        family.count = none ? 0 : std::max(0, stencil.count(grid));
         family.stride = grid.nx;
-        for_each_run(family, [&](int a, int count) {
-            const int b = a + family.reach;
-            kernels::linearise_run(ends_of(x, a, b), ends_of(v, a, b), count, stencil,
-                                   columns_from<Real>(family.slopes, a).data());
-        });
+        for (int j = 0; j < family.rows; ++j) {
+            const int row = family.first + j * family.stride;
+            for_each_run(row, row + family.count, [&](int a, int count) {
+                const int b = a + family.reach;
+                kernels::linearise_run(ends_of(x, a, b), ends_of(v, a, b), count, stencil,
+                                       columns_from<Real>(family.slopes, a).data());
+            });
+        }
     }
 }
 
 void Jacobian::add_product(Real k_scale, Real d_scale, const Points& u, Points& y) const {
     y += (d_scale * drag_) * u;
     for (const Family& family : families_) {
+        if (family.rows == 0 || family.count == 0) continue;
         const Real along = k_scale * family.stiffness + d_scale * family.damping;
-        for_each_run(family, [&](int a, int count) {
+        const int last = family.first + (family.rows - 1) * family.stride + family.count;
+        for_each_run(family.first, last, [&](int a, int count) {
             const int b = a + family.reach;
             Real* const y_a[3] = {y.col(0).data() + a, y.col(1).data() + a, y.col(2).data() + a};
             Real* const y_b[3] = {y.col(0).data() + b, y.col(1).data() + b, y.col(2).data() + b};

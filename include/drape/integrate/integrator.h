@@ -1,5 +1,6 @@
 #pragma once
 
+#include <algorithm>
 #include <memory>
 #include <span>
 #include <string>
@@ -37,10 +38,12 @@ struct IntegratorParameters {
 struct SolveReport {
     int force_evaluations = 0;
     int iterations = 0;  ///< of conjugate gradients, XPBD, projective dynamics, or inner steps of Dormand-Prince
+    Real residual = 0;   ///< of an implicit method's linear system, relative to its right side
 
     SolveReport& operator+=(const SolveReport& other) {
         force_evaluations += other.force_evaluations;
         iterations += other.iterations;
+        residual = std::max(residual, other.residual);
         return *this;
     }
 };

@@ -57,7 +57,8 @@ public:
     }
 
 private:
-    /// The springs of one direction, which join each particle a with a + reach.
+    /// The springs of one direction, which join each particle a with a + reach. Between the end of one row's springs
+    /// and the start of the next the slopes stay zero, so that a product can run over all rows at once.
     struct Family {
         Real stiffness = 0, damping = 0;
         int first = 0, reach = 0, rows = 0, count = 0, stride = 0;

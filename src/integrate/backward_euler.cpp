@@ -1,0 +1,38 @@
+#include "drape/model/forces.h"
+#include "implicit_methods.h"
+#include "newton_system.h"
+
+namespace drape {
+namespace {
+
+/// One Newton step of x_{n+1} = x_n + h v_{n+1}, v_{n+1} = v_n + h a_{n+1}:
+/// (m I + h D + h^2 K) dv = h (f - h K v); v += dv; x += h v. First order; damps what it cannot resolve.
+/// @cite baraff1998
+class BackwardEuler final : public Integrator {
+public:
+    BackwardEuler(const Grid& grid, Hessian hessian)
+        : system_(grid, hessian), r_(grid.particles(), 3), dv_(grid.particles(), 3) {}
+
+    SolveReport step(const ClothModel& model, ClothState& state, Real h) override {
+        compute_forces(model, state.x, state.v, r_);
+        system_.linearise(model, state.x, state.v);
+        system_.add_stiffness(-h, state.v, r_);
+        r_ *= h;
+        const krylov::Outcome solved = system_.solve(model, h, r_, dv_);
+        state.v += dv_;
+        state.x += h * state.v;
+        return {.force_evaluations = 1, .iterations = solved.iterations, .residual = solved.residual};
+    }
+
+private:
+    NewtonSystem system_;
+    Points r_, dv_;
+};
+
+}  // namespace
+
+std::unique_ptr<Integrator> make_backward_euler(const Grid& grid, Hessian hessian) {
+    return std::make_unique<BackwardEuler>(grid, hessian);
+}
+
+}  // namespace drape

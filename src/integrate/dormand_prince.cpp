@@ -1,0 +1,134 @@
+#include <algorithm>
+#include <array>
+#include <cmath>
+
+#include "drape/model/forces.h"
+#include "explicit_methods.h"
+
+namespace drape {
+namespace {
+
+constexpr int stages = 7;
+
+/// Row i: how much of the slopes 0..i-1 leads to the point of slope i. The last row is the method of order 5 itself, so
+/// that its slope serves as the first of the next step.
+constexpr double reach[stages][stages - 1] = {{},
+                                              {1. / 5},
+                                              {3. / 40, 9. / 40},
+                                              {44. / 45, -56. / 15, 32. / 9},
+                                              {19372. / 6561, -25360. / 2187, 64448. / 6561, -212. / 729},
+                                              {9017. / 3168, -355. / 33, 46732. / 5247, 49. / 176, -5103. / 18656},
+                                              {35. / 384, 0, 500. / 1113, 125. / 192, -2187. / 6784, 11. / 84}};
+
+/// The method of order 5 less that of order 4.
+constexpr double difference[stages] = {71. / 57600, 0, -71. / 16695, 71. / 1920, -17253. / 339200, 22. / 525, -1. / 40};
+
+/// The fifth root of a positive number, by Newton's method from the fourth root. Square roots have the same bits on
+/// every processor, std::pow has not.
+Real fifth_root(Real a) {
+    Real root = std::sqrt(std::sqrt(a));
+    for (int iteration = 0; iteration < 5; ++iteration) {
+        const Real square = root * root;
+        root = (4 * root + a / (square * square)) / 5;
+    }
+    return root;
+}
+
+/// Runge-Kutta of order 5 with inner steps as short as an error estimate of order 4 asks for. The estimate is the
+/// largest error of an x and h times that of a v, with h the whole step, and may be `tolerance` times the cloth's
+/// spacing in each inner step. The first inner step tried is the whole one, so that nothing is remembered between
+/// steps; one shorter than `shortest` of it is taken whatever its error, so that a step ends.
+/// @cite dormand1980
+class DormandPrince final : public Integrator {
+public:
+    DormandPrince(int particles, Real tolerance) : tolerance_(tolerance), x_(particles, 3), v_(particles, 3) {
+        for (Slope& slope : slopes_) slope = {Points(particles, 3), Points(particles, 3)};
+    }
+
+    SolveReport step(const ClothModel& model, ClothState& state, Real h) override {
+        constexpr Real shortest = Real(1e-4);
+        const Real allowed = tolerance_ * std::min(model.hx, model.hy);
+        SolveReport report;
+        find_slope(model, state.x, state.v, slopes_.front());
+        report.force_evaluations = 1;
+        Real inner = h, remaining = h;
+        while (remaining > 0) {
+            // The rest of the step in equal parts, so that the last one is no sliver
+            const Real parts = std::ceil(remaining / inner);
+            inner = remaining / parts;
+            advance(model, state, inner);
+            report.force_evaluations += stages - 1;
+            const Real error = estimate(inner, h) / allowed;
+            if (error <= 1 || inner <= shortest * h) {
+                state.x.swap(x_);
+                state.v.swap(v_);
+                std::swap(slopes_.front(), slopes_.back());
+                remaining = parts > 1 ? remaining - inner : 0;
+                ++report.iterations;
+                if (!std::isfinite(error)) break;
+            }
+            inner = std::max(inner * change_of_step(error), shortest * h);
+        }
+        return report;
+    }
+
+private:
+    /// dx/dt and dv/dt.
+    struct Slope {
+        Points v, a;
+    };
+
+    static void find_slope(const ClothModel& model, const Points& x, const Points& v, Slope& slope) {
+        slope.v = v;
+        compute_forces(model, x, v, slope.a);
+        forces_to_accelerations(model, slope.a);
+    }
+
+    /// What the next inner step may be, of this one: its error grows with the fifth power. A little less than that, and
+    /// within what an estimate can be trusted for.
+    static Real change_of_step(Real error) {
+        constexpr Real caution = Real(0.9), least = Real(0.1), most = 5;
+        if (!(error < Real(1e5))) return least;
+        return std::clamp(caution / fifth_root(std::max(error, Real(1e-5))), least, most);
+    }
+
+    /// (x_, v_) = one inner step of length s from the state, and all slopes on the way.
+    void advance(const ClothModel& model, const ClothState& state, Real s) {
+        for (std::size_t stage = 1; stage < stages; ++stage) {
+            x_ = state.x;
+            v_ = state.v;
+            for (std::size_t k = 0; k < stage; ++k) {
+                const Real weight = s * static_cast<Real>(reach[stage][k]);
+                x_ += weight * slopes_[k].v;
+                v_ += weight * slopes_[k].a;
+            }
+            find_slope(model, x_, v_, slopes_[stage]);
+        }
+    }
+
+    /// How far an inner step of length s leads astray within the whole step h [m].
+    Real estimate(Real s, Real h) {
+        error_.v.setZero(x_.rows(), 3);
+        error_.a.setZero(x_.rows(), 3);
+        for (std::size_t k = 0; k < stages; ++k) {
+            error_.v += static_cast<Real>(difference[k]) * slopes_[k].v;
+            error_.a += static_cast<Real>(difference[k]) * slopes_[k].a;
+        }
+        const Real of_x = error_.v.cwiseAbs().template maxCoeff<Eigen::PropagateNaN>();
+        const Real of_v = error_.a.cwiseAbs().template maxCoeff<Eigen::PropagateNaN>();
+        return s * (of_x + h * of_v);
+    }
+
+    Real tolerance_;
+    std::array<Slope, stages> slopes_;
+    Slope error_;
+    Points x_, v_;
+};
+
+}  // namespace
+
+std::unique_ptr<Integrator> make_dormand_prince(int particles, Real tolerance) {
+    return std::make_unique<DormandPrince>(particles, tolerance);
+}
+
+}  // namespace drape

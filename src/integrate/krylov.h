@@ -1,0 +1,107 @@
+#pragma once
+
+#include <cmath>
+
+#include "drape/model/cloth_model.h"
+
+namespace drape::krylov {
+
+/// How a linear solve ended.
+struct Outcome {
+    int iterations = 0;
+    Real residual = 0;  ///< |b - A x| / |b|, by recursion
+};
+
+/// When to stop: at a residual this much smaller than the right side, or after so many iterations.
+struct Limits {
+    Real tolerance;
+    int iterations;
+};
+
+inline Real dot(const Points& a, const Points& b) { return a.cwiseProduct(b).sum(); }
+
+/// Solves A x = b, for a symmetric positive definite A, by preconditioned conjugate gradients.
+///
+/// Eigen's own allocates its vectors in every solve and wants a matrix; this one keeps them, and calls apply(u, y) for
+/// y = A u and precondition(r, z) for z = M^-1 r. With the exact inverse for M it ends after one iteration.
+/// Legend as in the source: r residual, p direction, q = A p, z = M^-1 r.
+/// @cite shewchuk1994
+class ConjugateGradients {
+public:
+    explicit ConjugateGradients(int particles)
+        : r_(particles, 3), p_(particles, 3), q_(particles, 3), z_(particles, 3) {}
+
+    template <class Apply, class Precondition>
+    Outcome solve(const Points& b, Points& x, Limits limits, Apply apply, Precondition precondition) {
+        x.setZero();
+        r_ = b;
+        precondition(r_, z_);
+        p_ = z_;
+        Real rz = dot(r_, z_);
+        const Real enough = limits.tolerance * limits.tolerance * rz;
+        Outcome outcome;
+        while (rz > enough && outcome.iterations < limits.iterations) {
+            apply(p_, q_);
+            const Real alpha = rz / dot(p_, q_);
+            x += alpha * p_;
+            r_ -= alpha * q_;
+            precondition(r_, z_);
+            const Real before = rz;
+            rz = dot(r_, z_);
+            p_ = z_ + (rz / before) * p_;
+            ++outcome.iterations;
+        }
+        const Real size = b.norm();
+        outcome.residual = size > 0 ? r_.norm() / size : Real(0);
+        return outcome;
+    }
+
+private:
+    Points r_, p_, q_, z_;
+};
+
+/// Solves A x = b for any A, by the preconditioned stabilised method of biconjugate gradients. Where it breaks down it
+/// stops at what it has, and the residual tells.
+/// Legend as in the source: r residual, r0 its shadow, p and s directions, v = A M^-1 p, t = A M^-1 s.
+/// @cite vandervorst1992
+class BiCgStab {
+public:
+    explicit BiCgStab(int particles)
+        : r_(particles, 3), r0_(particles, 3), p_(particles, 3), v_(particles, 3), t_(particles, 3), y_(particles, 3) {}
+
+    template <class Apply, class Precondition>
+    Outcome solve(const Points& b, Points& x, Limits limits, Apply apply, Precondition precondition) {
+        x.setZero();
+        r_ = r0_ = p_ = b;
+        const Real size = b.norm(), enough = limits.tolerance * size;
+        Real rho = dot(r0_, r_), residual = size;
+        Outcome outcome;
+        while (residual > enough && outcome.iterations < limits.iterations) {
+            ++outcome.iterations;
+            precondition(p_, y_);
+            apply(y_, v_);
+            const Real alpha = rho / dot(r0_, v_);
+            if (!std::isfinite(alpha)) break;
+            x += alpha * y_;
+            r_ -= alpha * v_;  // s of the source
+            precondition(r_, y_);
+            apply(y_, t_);
+            const Real tt = dot(t_, t_), omega = tt > 0 ? dot(t_, r_) / tt : Real(0);
+            x += omega * y_;
+            r_ -= omega * t_;
+            residual = r_.norm();
+            const Real before = rho;
+            rho = dot(r0_, r_);
+            if (omega == 0 || rho == 0) break;
+            const Real beta = rho / before * (alpha / omega);
+            p_ = r_ + beta * (p_ - omega * v_);
+        }
+        outcome.residual = size > 0 ? residual / size : Real(0);
+        return outcome;
+    }
+
+private:
+    Points r_, r0_, p_, v_, t_, y_;
+};
+
+}  // namespace drape::krylov

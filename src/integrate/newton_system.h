@@ -1,0 +1,52 @@
+#pragma once
+
+#include <memory>
+#include <vector>
+
+#include "drape/model/jacobian.h"
+#include "grid_factor.h"
+#include "krylov.h"
+
+namespace drape {
+
+/// The linear system of one Newton step of an implicit method, (m I + s D + s^2 K) dv = r, for the free particles;
+/// dv of a pinned one is zero.
+///
+/// Clamped, the matrix is positive definite and conjugate gradients solve it. Exact, it is neither symmetric (the
+/// damping's x-derivative) nor positive definite (compressed springs), and stabilised biconjugate gradients do. Both
+/// are preconditioned by the factors of the symmetric part, which for the clamped matrix is a direct solve, or by the
+/// inverses of the 3 x 3 diagonal blocks, whichever is expected to be quicker. Sums run in a fixed order.
+class NewtonSystem {
+public:
+    enum class Solver { Automatic, Factors, Blocks };
+
+    /// @param solver other than `Automatic` only to compare
+    NewtonSystem(const Grid& grid, Hessian hessian, Solver solver = Solver::Automatic);
+
+    /// Takes the slopes at a state.
+    void linearise(const ClothModel& model, const Points& x, const Points& v);
+
+    /// r += scale K u, pinned particles included: a hand that moves one pulls at its neighbours.
+    void add_stiffness(Real scale, const Points& u, Points& r) const { jacobian_.add_product(scale, 0, u, r); }
+
+    /// @param s the weight of the new velocity in the step [s]
+    /// @param r n x 3 [N s], set to zero at pinned particles
+    /// @param dv n x 3 [m/s], overwritten
+    krylov::Outcome solve(const ClothModel& model, Real s, Points& r, Points& dv);
+
+private:
+    [[nodiscard]] bool prefers_factors(const ClothModel& model, Real s) const;
+    void clear_pinned(Points& points) const;
+    void invert_diagonal(const ClothModel& model, Real s);
+    void apply_inverse_diagonal(const Points& r, Points& z) const;
+
+    Solver solver_;
+    Jacobian jacobian_;
+    std::unique_ptr<GridFactor> factor_;  ///< made when first wanted
+    std::vector<int> pinned_;
+    Eigen::Array<Real, Eigen::Dynamic, 6> inverse_;  ///< xx, xy, xz, yy, yz, zz of each diagonal block's inverse
+    krylov::ConjugateGradients conjugate_gradients_;
+    std::unique_ptr<krylov::BiCgStab> bicgstab_;
+};
+
+}  // namespace drape

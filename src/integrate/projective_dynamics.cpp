@@ -1,0 +1,73 @@
+#include "drape/model/forces.h"
+#include "global_matrix.h"
+#include "inertial_guess.h"
+#include "positional_methods.h"
+#include "spring_passes.h"
+
+namespace drape {
+namespace {
+
+/// Projective dynamics: minimises M/(2 h^2) |x - y|^2 + the springs' energy over x, with y the inertial guess, M = m +
+/// h b. The local half of a round finds for each spring the vector of its rest length nearest to it, the global half
+/// solves for the positions with those held. The change of x over both is G^-1 (M/h^2 (y - x) + f(x)), with f the
+/// forces of the springs and G the global matrix, which is how it is computed.
+///
+/// The springs' damping is in the guess, one implicit Gauss-Seidel pass, so that no step is too long for it either.
+/// @cite liu2013 @cite bouaziz2014
+class ProjectiveDynamics final : public Integrator {
+public:
+    ProjectiveDynamics(const Grid& grid, int iterations)
+        : iterations_(iterations),
+          inertial_(grid.particles()),
+          dampers_(grid),
+          global_(grid),
+          start_(grid.particles(), 3),
+          guess_(grid.particles(), 3),
+          r_(grid.particles(), 3) {}
+
+    SolveReport step(const ClothModel& model, ClothState& state, Real h) override {
+        global_.prepare(model, h);
+        elastic_ = model;
+        elastic_.structural.damping = elastic_.shear.damping = elastic_.bend.damping = 0;
+        elastic_.gravity.setZero();
+        elastic_.drag = elastic_.air.density = 0;
+
+        start_ = state.x;
+        inertial_.advance(model, state, h);
+        damp(model, h, state.x);
+        guess_ = state.x;
+        const Real stiffness = inertia(model, h) / (h * h);
+        for (int iteration = 0; iteration < iterations_; ++iteration) {
+            compute_forces(elastic_, state.x, state.v, r_);
+            r_ += stiffness * (guess_ - state.x);
+            r_.array().colwise() *= (model.inverse_mass > 0).template cast<Real>();
+            global_.solve(r_);
+            state.x += r_;
+        }
+        take_velocity_from_way(model, start_, h, state);
+        return {.force_evaluations = 1 + iterations_, .iterations = iterations_};
+    }
+
+private:
+    void damp(const ClothModel& model, Real h, Points& x) {
+        auto springs = spring_stencils(model);
+        for (SpringStencil& stencil : springs) stencil.law.stiffness = 0;
+        dampers_.begin(model, h);
+        dampers_.pass(springs, start_, x);
+    }
+
+    int iterations_;
+    InertialGuess inertial_;
+    SpringPasses dampers_;
+    GlobalMatrix global_;
+    ClothModel elastic_;  ///< the model with nothing but its springs' stiffness
+    Points start_, guess_, r_;
+};
+
+}  // namespace
+
+std::unique_ptr<Integrator> make_projective_dynamics(const Grid& grid, int iterations) {
+    return std::make_unique<ProjectiveDynamics>(grid, iterations);
+}
+
+}  // namespace drape

@@ -1,0 +1,40 @@
+#include "inertial_guess.h"
+#include "positional_methods.h"
+#include "spring_passes.h"
+
+namespace drape {
+namespace {
+
+/// Extended position-based dynamics: a guess without the springs, corrected by Gauss-Seidel passes over them, each a
+/// constraint of compliance 1/k with its own damping. Many short steps of one pass serve better than one of many. The
+/// springs are too soft until the passes have settled; then the step is backward Euler's, its equations solved in full.
+/// @cite macklin2016 @cite macklin2019
+class Xpbd final : public Integrator {
+public:
+    Xpbd(const Grid& grid, int iterations)
+        : iterations_(iterations), guess_(grid.particles()), passes_(grid), start_(grid.particles(), 3) {}
+
+    SolveReport step(const ClothModel& model, ClothState& state, Real h) override {
+        start_ = state.x;
+        guess_.advance(model, state, h);
+        passes_.begin(model, h);
+        const auto springs = spring_stencils(model);
+        for (int iteration = 0; iteration < iterations_; ++iteration) passes_.pass(springs, start_, state.x);
+        take_velocity_from_way(model, start_, h, state);
+        return {.force_evaluations = 1, .iterations = iterations_};
+    }
+
+private:
+    int iterations_;
+    InertialGuess guess_;
+    SpringPasses passes_;
+    Points start_;
+};
+
+}  // namespace
+
+std::unique_ptr<Integrator> make_xpbd(const Grid& grid, int iterations) {
+    return std::make_unique<Xpbd>(grid, iterations);
+}
+
+}  // namespace drape
