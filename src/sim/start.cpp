@@ -44,12 +44,15 @@ std::string step_warning(const Settings& settings) {
     const SolverSettings& solver = settings.solver;
     Real limit = std::numeric_limits<Real>::infinity();
     for (const ClothParameters& cloth : settings.cloths) {
-        limit = std::min(limit, estimated_stable_step(make_cloth_model(cloth), solver.integrator));
+        limit =
+            std::min(limit, predicted_limit(make_cloth_model(cloth), make_rest_state(cloth), solver.integrator).step);
     }
     if (solver.dt <= limit) return {};
-    return "warning: solver.dt = " + real_text(static_cast<double>(solver.dt), 4) +
-           " s: " + std::string(name_of(solver.integrator)) + " is stable on this cloth up to about " +
-           real_text(static_cast<double>(limit), 3) + " s only";
+    const std::string step = "warning: solver.dt = " + real_text(static_cast<double>(solver.dt), 4) + " s: ";
+    const std::string method(name_of(solver.integrator));
+    if (limit == 0) return step + method + " is stable on this cloth with no step: it has no damping";
+    return step + method + " is stable on this cloth up to about " + real_text(static_cast<double>(limit), 3) +
+           " s only";
 }
 
 Session make_session(Start start, const std::string& record) {

@@ -1,0 +1,54 @@
+#pragma once
+
+#include <functional>
+#include <string_view>
+
+#include "drape/integrate/integrator.h"
+
+namespace drape {
+
+/// How a step is tried.
+struct Trial {
+    int steps = 3000;
+    Real noise = Real(1e-6);  ///< largest displacement of every free coordinate at the start, of the cloth's spacing
+    unsigned seed = 1;
+};
+
+/// How a trial ended.
+enum class TrialEnd {
+    Bounded,     ///< all steps done
+    NotFinite,   ///< a position or velocity is no number any more
+    EnergyRose,  ///< above that of the start by M g L: the whole cloth lifted by the diagonal of its sheet
+    OutOfReach   ///< a particle is farther from its start than any of a cloth of the same size can get: twice the
+                 ///< diagonal
+};
+
+std::string_view name_of(TrialEnd end);
+
+/// Runs a cloth with one step size, from a state with noise on it: symmetry would hide the vibrations that grow. The
+/// state is looked at every few steps, and after the last.
+/// @return Bounded if it stays so for all steps
+TrialEnd try_step(const ClothModel& model, ClothState start, const IntegratorParameters& parameters, Real step,
+                  const Trial& trial = {});
+
+/// The longest step that stays bounded, by bisection to half a percent.
+/// @param guess where the search starts [s]; the bounds are doubled and halved from it until one fails and one does not
+/// @param tried told of every step that was tried; may be empty
+/// @return [s]; infinite if none up to `longest` fails
+Real measured_limit(const ClothModel& model, const ClothState& start, const IntegratorParameters& parameters,
+                    Real guess, Real longest, const Trial& trial = {},
+                    const std::function<void(Real, TrialEnd)>& tried = {});
+
+/// The step at which explicit Euler's growth shows in a trial. It damps no vibration beyond its limit d/k, but is slow
+/// to show that: N steps h multiply the energy of one by (1 - h d + h^2 k)^N, and the trial ends where this is as much
+/// as the start's energy, that of the noise, lacks to the one that is judged a failure. So the observed limit depends
+/// on the number of steps and on the noise:
+///
+///     h = (d + sqrt(d^2 + 4 k (G^(1/N) - 1))) / (2 k)   with G = (energy that fails) / (energy of the noise)
+///
+/// @param omega, zeta of the fastest vibration, as `predicted_limit` gives them for another explicit method
+/// @return [s]
+Real observable_limit_of_explicit_euler(const ClothModel& model, const ClothState& start, Real omega, Real zeta,
+                                        const Trial& trial = {});
+
+}  // namespace drape

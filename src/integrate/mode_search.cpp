@@ -1,0 +1,100 @@
+#include "mode_search.h"
+
+#include <Eigen/Eigenvalues>
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <random>
+
+namespace drape {
+namespace {
+
+Real dot(const Points& a, const Points& b) { return a.reshaped().dot(b.reshaped()); }
+
+/// Scales a vector and its image to norm 1; zero if there is nothing left of it.
+void normalise(Points& u, Points& image) {
+    const Real norm = u.norm();
+    const Real scale = norm > std::sqrt(std::numeric_limits<Real>::min()) ? 1 / norm : Real(0);
+    u *= scale;
+    image *= scale;
+}
+
+}  // namespace
+
+ModeSearch::ModeSearch(const ClothModel& model, const ClothState& state)
+    : model_(model), slopes_(model.grid, Hessian::Clamped) {
+    const int n = model.grid.particles();
+    slopes_.linearise(model, state.x, state.v);
+    for (Points* points : {&y_, &r_, &p_, &ay_, &ar_, &ap_}) points->setZero(n, 3);
+}
+
+void ModeSearch::add_noise(Real size) {
+    std::mt19937 random(1);
+    const Real scale = size / (std::sqrt(static_cast<Real>(y_.size())) * static_cast<Real>(std::mt19937::max()));
+    for (Eigen::Index p = 0; p < y_.rows(); ++p) {
+        for (int axis = 0; axis < 3; ++axis) {
+            const Real draw = 2 * static_cast<Real>(random()) - static_cast<Real>(std::mt19937::max());
+            if (!model_.pinned(static_cast<int>(p))) y_(p, axis) += scale * draw;
+        }
+    }
+}
+
+void ModeSearch::apply(Real a, Real b, const Points& u, Points& out) const {
+    out.setZero();
+    slopes_.add_product(a, b, u, out);
+    for (int axis = 0; axis < 3; ++axis) out.col(axis).array() *= model_.inverse_mass;
+}
+
+void ModeSearch::take_best() {
+    Eigen::Matrix<Real, 3, 3> products;
+    products << dot(y_, ay_), 0, 0,                //
+        dot(r_, ay_), dot(r_, ar_), 0,             //
+        dot(p_, ay_), dot(p_, ar_), dot(p_, ap_);  // the solver reads the lower half
+    const Eigen::SelfAdjointEigenSolver<Eigen::Matrix<Real, 3, 3>> solver(products);
+    const Eigen::Matrix<Real, 3, 1> best = solver.eigenvectors().col(2);
+
+    // What is added to y is the next direction
+    p_ = best[1] * r_ + best[2] * p_;
+    ap_ = best[1] * ar_ + best[2] * ap_;
+    y_ = best[0] * y_ + p_;
+    ay_ = best[0] * ay_ + ap_;
+    normalise(y_, ay_);
+}
+
+Real ModeSearch::climb(Real a, Real b, int turns) {
+    constexpr int patience = 4;
+    constexpr Real worthwhile = Real(1e-4);
+    add_noise(y_.isZero(0) ? Real(1) : Real(0.1));
+    p_.setZero();
+    ap_.setZero();
+    apply(a, b, y_, ay_);
+    normalise(y_, ay_);
+    Real height = dot(y_, ay_);
+    Real before = height;
+    for (int turn = 1; turn <= turns; ++turn) {
+        r_ = ay_ - height * y_;
+        normalise(r_, ar_);
+        apply(a, b, r_, ar_);
+
+        // The last direction, without what y and r already have of it
+        const Real in_y = dot(p_, y_), in_r = dot(p_, r_);
+        p_ -= in_y * y_ + in_r * r_;
+        ap_ -= in_y * ay_ + in_r * ar_;
+        normalise(p_, ap_);
+
+        take_best();
+        height = dot(y_, ay_);
+        if (turn % patience != 0) continue;
+        if (!(height - before > worthwhile * std::abs(height))) break;
+        before = height;
+    }
+    return height;
+}
+
+Mode ModeSearch::mode() {
+    apply(1, 0, y_, ar_);
+    apply(0, 1, y_, ap_);
+    return {std::max(dot(y_, ar_), Real(0)), std::max(dot(y_, ap_), Real(0))};
+}
+
+}  // namespace drape

@@ -1,0 +1,42 @@
+#pragma once
+
+#include "drape/model/jacobian.h"
+
+namespace drape {
+
+/// A vibration y of a cloth, as its Rayleigh quotients.
+struct Mode {
+    Real stiffness = 0;  ///< y'Ky / y'My [1/s^2], the square of its frequency
+    Real damping = 0;    ///< y'Dy / y'My [1/s]
+};
+
+/// Looks for the vibration of the free particles that has the largest a k + b d, where k and d are those of `Mode`.
+///
+/// Locally optimal conjugate gradients: each turn takes the best vector of the space of y, the slope r at y, and the
+/// last direction p. It comes as near as Lanczos' method in as many products, needs three vectors, and has y at hand.
+/// Invariant: y, p and r have norm 1 or 0 and are orthogonal.
+/// @cite knyazev2001
+class ModeSearch {
+public:
+    /// Starts at a random vector, always the same.
+    ModeSearch(const ClothModel& model, const ClothState& state);
+
+    /// Goes on from the vector that was found last, with a little noise; ends after `turns`, or when the turns no
+    /// longer gain anything.
+    /// @return a k + b d of what was found
+    Real climb(Real a, Real b, int turns);
+
+    /// What was found last.
+    [[nodiscard]] Mode mode();
+
+private:
+    void apply(Real a, Real b, const Points& u, Points& out) const;
+    void add_noise(Real size);
+    void take_best();
+
+    const ClothModel& model_;
+    Jacobian slopes_;
+    Points y_, r_, p_, ay_, ar_, ap_;
+};
+
+}  // namespace drape

@@ -1,0 +1,103 @@
+#include "drape/integrate/stability_trial.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <limits>
+#include <random>
+
+#include "drape/model/energy.h"
+
+namespace drape {
+namespace {
+
+Real diagonal(const ClothModel& model) {
+    const Real width = model.hx * static_cast<Real>(model.grid.cell_columns());
+    const Real height = model.hy * static_cast<Real>(model.grid.cell_rows());
+    return std::sqrt(width * width + height * height);
+}
+
+/// M g L, with the earth's g whether or not the cloth feels it [J].
+Real energy_to_fail(const ClothModel& model) {
+    constexpr Real gravity = Real(9.81);
+    return model.particle_mass * static_cast<Real>(model.grid.particles()) * gravity * diagonal(model);
+}
+
+void add_noise(const ClothModel& model, const Trial& trial, ClothState& state) {
+    std::mt19937 random(trial.seed);
+    std::uniform_real_distribution<Real> draw(-1, 1);
+    const Real size = trial.noise * std::min(model.hx, model.hy);
+    for (int p = 0; p < model.grid.particles(); ++p) {
+        for (int axis = 0; axis < 3; ++axis) {
+            const Real noise = size * draw(random);
+            if (!model.pinned(p)) state.x(p, axis) += noise;
+        }
+    }
+}
+
+}  // namespace
+
+std::string_view name_of(TrialEnd end) {
+    static constexpr std::array<std::string_view, 4> names{"bounded", "not_finite", "energy_rose", "out_of_reach"};
+    return names[static_cast<std::size_t>(end)];
+}
+
+TrialEnd try_step(const ClothModel& model, ClothState start, const IntegratorParameters& parameters, Real step,
+                  const Trial& trial) {
+    constexpr int between_looks = 25;
+    const Points home = start.x;
+    const Real limit = compute_energy(model, start).total() + energy_to_fail(model);
+    const Real reach = 2 * diagonal(model);
+    add_noise(model, trial, start);
+    const auto integrator = make_integrator(parameters, model.grid);
+    for (int n = 1; n <= trial.steps; ++n) {
+        integrator->step(model, start, step);
+        if (n % between_looks != 0 && n != trial.steps) continue;
+        const Real energy = compute_energy(model, start).total();
+        if (!std::isfinite(energy) || !start.x.allFinite()) return TrialEnd::NotFinite;
+        if (energy > limit) return TrialEnd::EnergyRose;
+        if ((start.x - home).rowwise().squaredNorm().maxCoeff() > reach * reach) return TrialEnd::OutOfReach;
+    }
+    return TrialEnd::Bounded;
+}
+
+Real measured_limit(const ClothModel& model, const ClothState& start, const IntegratorParameters& parameters,
+                    Real guess, Real longest, const Trial& trial, const std::function<void(Real, TrialEnd)>& tried) {
+    constexpr Real precision = Real(0.005);
+    constexpr int most_halvings = 20;
+    const auto bounded = [&](Real step) {
+        const TrialEnd end = try_step(model, start, parameters, step, trial);
+        if (tried) tried(step, end);
+        return end == TrialEnd::Bounded;
+    };
+
+    // One step that stays bounded, and one that does not
+    Real stable = std::min(guess, longest), unstable = 0;
+    for (int halving = 0; !bounded(stable); ++halving) {
+        if (halving == most_halvings) return 0;
+        unstable = stable;
+        stable /= 2;
+    }
+    while (unstable == 0) {
+        if (stable >= longest) return std::numeric_limits<Real>::infinity();
+        const Real next = std::min(2 * stable, longest);
+        (bounded(next) ? stable : unstable) = next;
+    }
+    while (unstable > (1 + precision) * stable) {
+        const Real middle = std::sqrt(stable * unstable);
+        (bounded(middle) ? stable : unstable) = middle;
+    }
+    return std::sqrt(stable * unstable);
+}
+
+Real observable_limit_of_explicit_euler(const ClothModel& model, const ClothState& start, Real omega, Real zeta,
+                                        const Trial& trial) {
+    ClothState noisy = start;
+    add_noise(model, trial, noisy);
+    const Real noise = compute_energy(model, noisy).spring - compute_energy(model, start).spring;
+    const Real growth = std::expm1(std::log(energy_to_fail(model) / noise) / static_cast<Real>(trial.steps));
+    const Real k = omega * omega, d = 2 * zeta * omega;
+    return (d + std::sqrt(d * d + 4 * k * growth)) / (2 * k);
+}
+
+}  // namespace drape

@@ -1,0 +1,138 @@
+#include "drape/integrate/stability_trial.h"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+
+#include "drape/integrate/stability.h"
+
+namespace drape {
+namespace {
+
+/// A free flat sheet at rest, without gravity: the state that is tried is the one that was looked at.
+struct Sheet {
+    ClothModel model;
+    ClothState state;
+
+    Sheet(int side, Real stiffness, Real damping) {
+        ClothParameters parameters;
+        parameters.particles = {side, side};
+        parameters.structural = parameters.shear = parameters.bend = {stiffness, damping};
+        parameters.drag = 0;
+        model = make_cloth_model(parameters);
+        model.gravity.setZero();
+        state = make_rest_state(parameters);
+    }
+
+    [[nodiscard]] Real predicted(IntegratorKind kind) const { return predicted_limit(model, state, kind).step; }
+    [[nodiscard]] TrialEnd tried(IntegratorKind kind, Real step) const {
+        return try_step(model, state, {.kind = kind}, step);
+    }
+};
+
+struct Case {
+    IntegratorKind kind;
+    int side;
+    Real stiffness;
+};
+
+class MethodWithALimit : public testing::TestWithParam<Case> {};
+
+TEST_P(MethodWithALimit, StaysBoundedJustBelowAndFailsJustAbove) {
+    const auto [kind, side, stiffness] = GetParam();
+    const Sheet sheet(side, stiffness, 0);
+    const Real limit = sheet.predicted(kind);
+    EXPECT_EQ(sheet.tried(kind, Real(0.98) * limit), TrialEnd::Bounded);
+    EXPECT_NE(sheet.tried(kind, Real(1.02) * limit), TrialEnd::Bounded);
+}
+
+std::vector<Case> cases() {
+    std::vector<Case> all;
+    for (const IntegratorKind kind :
+         {IntegratorKind::SymplecticEuler, IntegratorKind::VelocityVerlet, IntegratorKind::Rk4}) {
+        for (const int side : {16, 30, 64}) {
+            for (const Real stiffness : {1e2, 1e4, 1e6}) all.push_back({kind, side, stiffness});
+        }
+    }
+    return all;
+}
+
+std::string case_name(const testing::TestParamInfo<Case>& one) {
+    return std::string(name_of(one.param.kind)) + "_" + std::to_string(one.param.side) + "_1e" +
+           std::to_string(std::lround(std::log10(one.param.stiffness)));
+}
+
+INSTANTIATE_TEST_SUITE_P(All, MethodWithALimit, testing::ValuesIn(cases()), case_name);
+
+TEST(MeasuredLimit, IsThePredictedOneWithinThreePercent) {
+    for (const Real damping : {0.0, 0.1, 1.0}) {
+        const Sheet sheet(12, 1e4, damping);
+        for (const IntegratorKind kind :
+             {IntegratorKind::SymplecticEuler, IntegratorKind::VelocityVerlet, IntegratorKind::Rk4}) {
+            const Real predicted = sheet.predicted(kind);
+            const Real measured = measured_limit(sheet.model, sheet.state, {.kind = kind}, Real(0.7) * predicted, 1);
+            EXPECT_NEAR(measured / predicted, 1, 0.03) << name_of(kind) << ", damping " << damping;
+        }
+    }
+}
+
+TEST(MeasuredLimit, CatchesAFrequencyThatIsFivePercentOff) {
+    const Sheet sheet(16, 1e4, 0);
+    for (const IntegratorKind kind :
+         {IntegratorKind::SymplecticEuler, IntegratorKind::VelocityVerlet, IntegratorKind::Rk4}) {
+        const Real wrong = Real(1.05) * sheet.predicted(kind);
+        EXPECT_NE(sheet.tried(kind, Real(0.98) * wrong), TrialEnd::Bounded) << name_of(kind);
+        const Real low = Real(0.95) * sheet.predicted(kind);
+        EXPECT_EQ(sheet.tried(kind, Real(1.02) * low), TrialEnd::Bounded) << name_of(kind);
+    }
+}
+
+TEST(MeasuredLimit, DoesNotDependOnWhereTheSearchStarts) {
+    const Sheet sheet(8, 1e3, 0);
+    const IntegratorParameters method{.kind = IntegratorKind::SymplecticEuler};
+    const Real from_below = measured_limit(sheet.model, sheet.state, method, Real(1e-4), 1);
+    EXPECT_NEAR(measured_limit(sheet.model, sheet.state, method, Real(0.5), 1) / from_below, 1, 0.01);
+}
+
+TEST(MeasuredLimit, OfExplicitEulerIsTheOneThatItsGrowthFromNoiseTakes) {
+    for (const Real damping : {0.0, 0.1}) {
+        const Sheet sheet(12, 1e4, damping);
+        const StepLimit fastest = predicted_limit(sheet.model, sheet.state, IntegratorKind::SymplecticEuler);
+        for (const int steps : {3000, 12000}) {
+            const Trial trial{.steps = steps};
+            const Real expected =
+                observable_limit_of_explicit_euler(sheet.model, sheet.state, fastest.omega, fastest.zeta, trial);
+            const Real measured = measured_limit(sheet.model, sheet.state, {.kind = IntegratorKind::ExplicitEuler},
+                                                 expected / 2, 1, trial);
+            EXPECT_NEAR(measured / expected, 1, 0.15) << "damping " << damping << ", steps " << steps;
+            EXPECT_GT(measured, sheet.predicted(IntegratorKind::ExplicitEuler));
+        }
+    }
+}
+
+TEST(MeasuredLimit, OfExplicitEulerFallsWithTheNumberOfSteps) {
+    const Sheet sheet(8, 1e4, 0);
+    const IntegratorParameters method{.kind = IntegratorKind::ExplicitEuler};
+    const Real some = measured_limit(sheet.model, sheet.state, method, Real(1e-4), 1, {.steps = 3000});
+    const Real many = measured_limit(sheet.model, sheet.state, method, Real(1e-4), 1, {.steps = 30000});
+    EXPECT_LT(many, Real(0.4) * some);
+}
+
+TEST(TriedStep, FailsByLeavingTheReachOfTheSheet) {
+    Sheet sheet(8, 1e3, 0);
+    sheet.state.v.col(0).setConstant(5);
+    EXPECT_EQ(sheet.tried(IntegratorKind::VelocityVerlet, Real(2e-4)), TrialEnd::OutOfReach);
+}
+
+TEST(TriedStep, NeedsItsNoise) {
+    const Sheet sheet(8, 1e3, 0);
+    const Real too_long = Real(1.02) * sheet.predicted(IntegratorKind::SymplecticEuler);
+    const IntegratorParameters method{.kind = IntegratorKind::SymplecticEuler};
+    EXPECT_NE(try_step(sheet.model, sheet.state, method, too_long), TrialEnd::Bounded);
+    ClothState flat = sheet.state;
+    flat.x.setZero();
+    EXPECT_EQ(try_step(sheet.model, flat, method, too_long, {.noise = 0}), TrialEnd::Bounded);
+}
+
+}  // namespace
+}  // namespace drape
