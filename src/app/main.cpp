@@ -43,8 +43,6 @@ int run(int argc, char** argv) {
     Start start = make_start(options->start);
     const DisplayProbe probe;
     if (!probe.present()) capture_instead(*options, "there is no display");
-    const std::string warning = step_warning(start.settings);
-    if (!warning.empty()) std::cerr << warning << "\n";
     Progress progress{*options};
     glutInitErrorFuncUcall(on_glut_error, &progress);
     int no_words = 1;
@@ -54,6 +52,8 @@ int run(int argc, char** argv) {
         throw InputError("--record " + options->record + ": allowed any file but that of --replay");
     }
     Session session = make_session(std::move(start), options->record);
+    const std::string warning = session.simulation().step_warning();
+    if (!warning.empty()) std::cerr << "warning: " << warning << "\n";
     Window window(session, options->size);
     progress.window_open = true;
     const int code = window.run();

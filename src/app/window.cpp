@@ -6,9 +6,11 @@
 #include <GL/freeglut_ucall.h>
 
 #include <algorithm>
+#include <iostream>
 
 #include "display.h"
 #include "drape/base/input_error.h"
+#include "drape/sim/failure.h"
 #include "drape/sim/scene.h"
 
 namespace drape {
@@ -66,6 +68,12 @@ void Window::on_tick() {
     tell_of_drops();
 
     const Simulation& simulation = session_.simulation();
+    if (simulation.report().status == Status::Ok) {
+        failure_file_.clear();
+    } else if (failure_file_.empty()) {
+        failure_file_ = tell_failure(simulation, ".");
+        std::cerr << "drape: " << simulation.report().trouble << "\n" << failure_file_ << "\n";
+    }
     if (simulation.report().status == Status::Diverged &&
         simulation.settings().solver.on_unstable == OnUnstable::Stop) {
         failure_ = std::make_exception_ptr(RunError(simulation.report().trouble));
@@ -98,7 +106,12 @@ void Window::on_display() {
 void Window::draw() {
     const FrameView view = session_.view();
     std::vector<std::string> lines = notices_.lines(session_.replay_notice());
-    if (!view.report->trouble.empty()) lines.push_back(view.report->trouble + "; R resets");
+    if (!view.report->trouble.empty()) {
+        lines.push_back(view.report->trouble + "; R resets");
+        lines.push_back(failure_file_);
+    } else if (const std::string warning = session_.simulation().step_warning(); !warning.empty()) {
+        lines.push_back(warning);
+    }
     renderer_->draw(view, camera_, lines);
     drawn_step_ = view.report->step;
 }

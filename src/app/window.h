@@ -92,6 +92,7 @@ private:
     std::optional<Menu> menu_;
     Stopwatch clock_;  ///< since the last tick
     std::exception_ptr failure_;
+    std::string failure_file_;      // what tells of the file of the failure that is on show
     std::string scene_;             ///< that the camera was set for
     double frame_time_ = 1.0 / 60;  ///< from tick to tick [s]
     double picture_time_ = 0;       ///< that the last picture took, its way to the display included [s]

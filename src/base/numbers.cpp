@@ -1,5 +1,6 @@
 #include "drape/base/numbers.h"
 
+#include <algorithm>
 #include <array>
 #include <charconv>
 
@@ -28,6 +29,21 @@ std::string text_of(double value, Format... format) {
 std::optional<double> parse_real(std::string_view text) { return parse_whole<double>(text); }
 
 std::optional<long long> parse_integer(std::string_view text) { return parse_whole<long long>(text); }
+
+std::optional<std::vector<double>> parse_reals(std::string_view text) {
+    std::vector<double> numbers;
+    for (;;) {
+        const std::size_t comma = std::min(text.find(','), text.size());
+        std::string_view word = text.substr(0, comma);
+        while (word.starts_with(' ') || word.starts_with('\t')) word.remove_prefix(1);
+        while (word.ends_with(' ') || word.ends_with('\t')) word.remove_suffix(1);
+        const auto number = parse_real(word);
+        if (!number) return std::nullopt;
+        numbers.push_back(*number);
+        if (comma == text.size()) return numbers;
+        text.remove_prefix(comma + 1);
+    }
+}
 
 std::string real_text(double value) { return text_of(value); }
 

@@ -8,6 +8,7 @@
 #include "drape/base/input_error.h"
 #include "drape/base/numbers.h"
 #include "drape/base/program.h"
+#include "drape/sim/failure.h"
 #include "drape/sim/state_csv.h"
 
 namespace drape {
@@ -56,8 +57,8 @@ Capture::Capture(CaptureOptions options)
 
 int Capture::run() {
     int exit_code = Done;
-    const std::string warning = step_warning(session_.simulation().settings());
-    if (!warning.empty()) std::cerr << warning << "\n";
+    const std::string warning = session_.simulation().step_warning();
+    if (!warning.empty()) std::cerr << "warning: " << warning << "\n";
     for (int frame = 1; frame <= options_.frames && exit_code == Done; ++frame) {
         session_.run_until(frame / options_.fps);
         if (diverged()) {
@@ -120,7 +121,7 @@ void Capture::tell_divergence() {
     if (std::exchange(divergence_told_, true)) return;
     std::cerr << "drape-capture: " << session_.simulation().report().trouble;
     if (frames_ && !frames_->last().empty()) std::cerr << "; the frame before is " << frames_->last().string();
-    std::cerr << "\n";
+    std::cerr << "\n" << tell_failure(session_.simulation(), options_.out.empty() ? "." : options_.out) << "\n";
 }
 
 void Capture::finish() {

@@ -24,18 +24,9 @@ struct Options {
 
 /// Reads "1,2,3" into exactly `count` finite numbers; `where` starts the error.
 std::vector<double> parse_numbers(const std::string& text, std::size_t count, const std::string& where) {
-    std::vector<double> numbers;
-    for (std::size_t begin = 0; begin <= text.size();) {
-        const std::size_t comma = std::min(text.find(',', begin), text.size());
-        const std::size_t first = std::min(text.find_first_not_of(" \t", begin), comma);
-        std::size_t last = comma;
-        while (last > first && (text[last - 1] == ' ' || text[last - 1] == '\t')) --last;
-        const auto number = parse_real(std::string_view(text).substr(first, last - first));
-        if (!number || !(*number >= -largest_coordinate && *number <= largest_coordinate)) break;
-        numbers.push_back(*number);
-        begin = comma + 1;
-        if (comma == text.size() && numbers.size() == count) return numbers;
-    }
+    const auto numbers = parse_reals(text);
+    const auto fits = [](double x) { return x >= -largest_coordinate && x <= largest_coordinate; };
+    if (numbers && numbers->size() == count && std::ranges::all_of(*numbers, fits)) return *numbers;
     throw InputError(where + text.substr(0, 100) + ": allowed " + std::to_string(count) +
                      " numbers with commas between, each of size at most " + real_text(largest_coordinate));
 }

@@ -7,6 +7,7 @@
 #include "drape/base/output_file.h"
 #include "drape/base/program.h"
 #include "drape/base/stopwatch.h"
+#include "drape/sim/failure.h"
 #include "drape/sim/setting_table.h"
 #include "drape/sim/start.h"
 #include "drape/sim/state_csv.h"
@@ -47,9 +48,8 @@ int simulate(Options& options) {
     const bool whole_replay = options.times.empty() && start.replay && start.replay->last_step;
     const std::vector<double> times = whole_replay ? std::vector<double>{} : parse_times(options.times);
     Session session = make_session(std::move(start));
-    if (const auto warning = step_warning(session.simulation().settings()); !warning.empty()) {
-        std::cerr << warning << "\n";
-    }
+    const std::string warning = session.simulation().step_warning();
+    if (!warning.empty()) std::cerr << "warning: " << warning << "\n";
     OutputFile state(options.state), stats(options.stats);
     if (state.wanted()) write_state_header(state.stream(), session.simulation());
     if (stats.wanted()) write_report_header(stats.stream()), stats.stream() << '\n';
@@ -78,7 +78,7 @@ int simulate(Options& options) {
     if (!session.replay_notice().empty()) std::cerr << session.replay_notice() << "\n";
     if (options.hash) std::cout << hash_text(session.simulation().hash()) << "\n";
     if (report.status == Status::Ok) return session.replay_differs() ? Failed : Done;
-    std::cerr << "drape-lab: " << report.trouble << "\n";
+    std::cerr << "drape-lab: " << report.trouble << "\n" << tell_failure(session.simulation(), ".") << "\n";
     return Failed;
 }
 

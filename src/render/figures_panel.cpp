@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <array>
 #include <cfloat>
+#include <cmath>
 #include <cstdio>
 #include <string>
 #include <vector>
@@ -76,6 +77,17 @@ Row state_row(const FrameView& view) {
     return {"state", view.held ? "running, in hand" : "running", -1, 4, ink::good};
 }
 
+// The step, the parts that it is made in, and how near it is to its limit
+Row step_row(const FrameView& view) {
+    const StepReport& report = *view.report;
+    std::string text = format("%g ms", 1000 * static_cast<double>(view.settings->solver.dt));
+    if (report.substeps > 1) text += format(" / %d", report.substeps);
+    const double part = report.step_over_limit;
+    if (part == 0) return {"step size", text, -1, 3};
+    text += std::isfinite(part) ? format(", %.2f of limit", part) : ", beyond any limit";
+    return {"step size", text, -1, 4, part <= 0.9 ? ink::good : part <= 1 ? ink::wait : ink::bad};
+}
+
 // The volume, with its fit if that is a sphere's
 std::string volume_text(const ContactSettings& contact) {
     const std::string& name = volume_names()[static_cast<std::size_t>(contact.volume)];
@@ -88,9 +100,8 @@ std::vector<Row> rows_ahead(ReportGroup group, const FrameView& view) {
     const Settings& settings = *view.settings;
     switch (group) {
         case ReportGroup::Time:
-            return {state_row(view),
-                    {"method", std::string(name_of(settings.solver.integrator)), -1, 4},
-                    {"step size", format("%g ms, fixed", 1000 * static_cast<double>(settings.solver.dt)), -1, 3}};
+            return {
+                state_row(view), {"method", std::string(name_of(settings.solver.integrator)), -1, 4}, step_row(view)};
         case ReportGroup::Hierarchy:
             return {{"volume", volume_text(settings.contact), -1, 2},
                     {"update", update_names()[static_cast<std::size_t>(settings.contact.update)], -1, 1}};

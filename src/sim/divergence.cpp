@@ -1,8 +1,10 @@
 #include "divergence.h"
 
 #include <cmath>
+#include <limits>
 
 #include "drape/base/numbers.h"
+#include "drape/model/stencils.h"
 
 namespace drape {
 namespace {
@@ -25,6 +27,31 @@ std::string particle_name(const Grid& grid, Eigen::Index particle) {
            std::to_string(p / grid.nx) + ")";
 }
 
+/// The spring of a particle that is the farthest from its rest length, or the first without a length.
+std::string spring_name(const ClothModel& model, const Points& x, Eigen::Index particle) {
+    static const char* const kinds[] = {"structural", "structural", "shear", "shear", "bend", "bend"};
+    const Grid& grid = model.grid;
+    const int i = static_cast<int>(particle) % grid.nx, j = static_cast<int>(particle) / grid.nx;
+    const auto stencils = spring_stencils(model);
+    Real worst = -1;
+    std::string name;
+    for (std::size_t s = 0; s < stencils.size(); ++s) {
+        if (stencils[s].law == SpringLaw{}) continue;
+        for (const int side : {-1, 1}) {
+            const int other_i = i + side * stencils[s].di, other_j = j + side * stencils[s].dj;
+            if (other_i < 0 || other_i >= grid.nx || other_j < 0 || other_j >= grid.ny) continue;
+            const int other = grid.particle(other_i, other_j);
+            const Real ratio = (x.row(particle) - x.row(other)).norm() / stencils[s].rest_length;
+            const Real off = std::isfinite(ratio) ? std::abs(ratio - 1) : std::numeric_limits<Real>::infinity();
+            if (!(off > worst)) continue;
+            worst = off;
+            name = std::string(kinds[s]) + " spring to " + std::to_string(other) +
+                   (std::isfinite(ratio) ? " at " + real_text(static_cast<double>(ratio), 3) + " of its length" : "");
+        }
+    }
+    return name.empty() ? "" : ", its " + name + ",";
+}
+
 }  // namespace
 
 std::string divergence(const Cloth& cloth, std::span<const Ball> balls, const Settings& settings) {
@@ -42,12 +69,12 @@ std::string divergence(const Cloth& cloth, std::span<const Ball> balls, const Se
     Real largest = -1;
     for (Eigen::Index p = 0; p < v.rows(); ++p) {
         if (!x.row(p).allFinite() || !v.row(p).allFinite()) {
-            return particle_name(cloth.model.grid, p) + " is no longer finite";
+            return particle_name(cloth.model.grid, p) + spring_name(cloth.model, x, p) + " is no longer finite";
         }
         const Real speed = (v.row(p).transpose() - mean).squaredNorm();
         if (speed > largest) largest = speed, fastest = p;
     }
-    return particle_name(cloth.model.grid, fastest) + " moves at " +
+    return particle_name(cloth.model.grid, fastest) + spring_name(cloth.model, x, fastest) + " moves at " +
            real_text(static_cast<double>(std::sqrt(largest)), 3) + " m/s, which nothing in the scene explains,";
 }
 

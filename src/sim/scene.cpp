@@ -41,8 +41,8 @@ private:
     }
 
     void read_top(const std::string& name, const toml::node& node) {
-        if (name == "title") {
-            write(node, find_setting("title"), 0);
+        if (name == "title" || name == "start") {
+            write(node, find_setting(name), 0);
         } else if (name == "cloth") {
             read_several(node, name, settings_.cloths);
         } else if (name == "ball") {
@@ -103,6 +103,9 @@ private:
         }
         if (const std::string wrong = refusal(setting, *value); !wrong.empty()) fail(node, wrong);
         setting.write(settings_, index, *value);
+        if (setting.name == "start" && !settings_.start.empty()) {
+            settings_.start = (std::filesystem::path(file_).parent_path() / settings_.start).string();
+        }
     }
 
     const toml::table& table_of(const toml::node& node, const std::string& name) {

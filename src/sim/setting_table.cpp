@@ -15,7 +15,7 @@ constexpr Range any_text{0, 0};
 
 const std::array<std::string, 2> plane_names{"xz", "xy"};
 const std::array<std::string, 3> motion_names{"keys", "path", "still"};
-const std::array<std::string, 2> unstable_names{"warn", "stop"};
+const std::array<std::string, 3> unstable_names{"warn", "substep", "stop"};
 const std::array<std::string, 5> pin_names{"none", "two", "four", "row", "border"};
 
 void add_spring(SectionRows<ClothParameters>& rows, const std::string& kind, SpringLaw ClothParameters::*law,
@@ -132,8 +132,10 @@ void add_the_rest(std::vector<Setting>& table) {
     solver.number("tolerance", &SolverSettings::tolerance, "", {1e-14, 0.1},
                   "of dormand_prince: error of a step, of the cloth's spacing");
     solver.number("dt", &SolverSettings::dt, "s", {1e-9, 0.1}, "length of one substep");
-    solver.choice("on_unstable", &SolverSettings::on_unstable, unstable_names,
-                  "when a step has lost the cloth, the window freezes it, or stops; other programs always stop");
+    solver.choice(
+        "on_unstable", &SolverSettings::on_unstable, unstable_names,
+        "substep: make a step beyond 0.9 of its limit in parts; when a step has lost the cloth, warn: the window "
+        "freezes it, stop: it ends, as other programs always do");
     solver.number("sleep_speed", &SolverSettings::sleep_speed, "m/s", {0, 1},
                   "a scene that is slower for half a second falls asleep; 0: never");
 
@@ -193,6 +195,10 @@ std::vector<Setting> make_table() {
         "title", SettingKind::Text, "", any_text, {}, "one line that names the scene",
         [](const Settings& s) { return s.title; },
         [](Settings& s, const SettingValue& value) { s.title = std::get<std::string>(value); });
+    top.add(
+        "start", SettingKind::Text, "", any_text, {}, "file written by --state in whose last moment the cloths start",
+        [](const Settings& s) { return s.start; },
+        [](Settings& s, const SettingValue& value) { s.start = std::get<std::string>(value); });
     add_cloth(table);
     add_ball(table);
     add_the_rest(table);

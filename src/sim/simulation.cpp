@@ -49,6 +49,7 @@ ResponseParameters response_of(const ContactSettings& contact) {
 Simulation::Simulation(std::string scene, Settings settings)
     : scene_(std::move(scene)), settings_(std::move(settings)) {
     check(settings_);
+    start_ = find_start(settings_);
     restart();
 }
 
@@ -217,6 +218,7 @@ void Simulation::detect_divergence() {
         // The last good state stays on show
         report_.trouble +=
             " in step " + std::to_string(report_.step + 1) + " of " + std::string(name_of(settings_.solver.integrator));
+        if (const std::string warning = step_warning(); !warning.empty()) report_.trouble += ": " + warning;
         report_.status = Status::Diverged;
         steps_wanted_ = 0;
         for (Cloth& cloth : cloths_) {

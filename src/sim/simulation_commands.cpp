@@ -1,14 +1,22 @@
 #include <algorithm>
 #include <cmath>
+#include <functional>
+#include <limits>
 #include <utility>
 
+#include "ball_motion.h"
 #include "drape/base/input_error.h"
+#include "drape/base/numbers.h"
+#include "drape/integrate/stability.h"
 #include "drape/sim/scene.h"
 #include "drape/sim/setting_table.h"
 #include "drape/sim/simulation.h"
 
 namespace drape {
 namespace {
+
+/// Of its limit, that a part of a step is to stay under, and the most parts that one is made in.
+constexpr Real safe_part = Real(0.9), most_substeps = 1000;
 
 /// How fast the hand pulls, and the time in which it closes a small gap.
 constexpr Real hand_speed = 3;         // m/s
@@ -19,9 +27,9 @@ struct Overloaded : Handlers... {
     using Handlers::operator()...;
 };
 
-Ball make_ball(const BallSettings& settings) {
+Ball make_ball(const BallSettings& settings, double time) {
     Ball ball{.centre = settings.position, .radius = settings.radius, .velocity = settings.velocity};
-    if (settings.motion == BallMotion::Path) ball.centre = settings.path.front().centre;
+    if (settings.motion == BallMotion::Path) ball.centre = point_on_path(settings.path, static_cast<Real>(time));
     return ball;
 }
 
@@ -32,7 +40,7 @@ Settings laws_of(Settings settings, bool limited) {
     settings.title.clear();
     settings.view = {};
     settings.needs = {};
-    settings.solver.on_unstable = {};
+    if (settings.solver.on_unstable == OnUnstable::Stop) settings.solver.on_unstable = OnUnstable::Warn;
     settings.solver.ledger = {};
     settings.contact.coherence = defaults.coherence;
     if (limited) return settings;
@@ -91,13 +99,14 @@ void Simulation::restart() {
     steer_.setZero();
     steps_wanted_ = 0;
     report_ = {};
+    report_.time = start_ ? start_->time : 0;
     counted_from_step_ = 0;
-    counted_from_time_ = 0;
+    counted_from_time_ = report_.time;
     cloths_.clear();
     for (const ClothParameters& parameters : settings_.cloths) {
         Cloth& cloth = cloths_.emplace_back();
         cloth.model = make_cloth_model(parameters);
-        cloth.state = make_rest_state(parameters);
+        cloth.state = start_ ? start_->states[cloths_.size() - 1] : make_rest_state(parameters);
         cloth.previous = cloth.state;
         cloth.integrator = make_integrator(integrator_of(settings_.solver), parameters.particles);
         cloth.separation = Separation(parameters.particles);
@@ -106,13 +115,15 @@ void Simulation::restart() {
         cloth.contacts.reserve(static_cast<std::size_t>(parameters.particles.triangles()));
     }
     balls_.clear();
-    for (const BallSettings& ball : settings_.balls) balls_.push_back(make_ball(ball));
+    for (const BallSettings& ball : settings_.balls) balls_.push_back(make_ball(ball, report_.time));
     previous_balls_ = balls_;
+    predict_limit();
 }
 
 void Simulation::load(const std::string& scene) {
     Settings settings = load_scene(scene);
     check(settings);
+    start_ = find_start(settings);
     scene_ = scene;
     settings_ = std::move(settings);
     restart();
@@ -120,9 +131,12 @@ void Simulation::load(const std::string& scene) {
 
 void Simulation::configure(Settings settings) {
     check(settings);
+    const bool same_places = std::ranges::equal(settings_.cloths, settings.cloths, std::not_fn(starts_differently));
+    const bool starts_anew = !same_places || settings.start != settings_.start;
+    std::optional<StartState> start = starts_anew ? find_start(settings) : std::nullopt;
     const Settings before = std::exchange(settings_, std::move(settings));
-    if (!std::equal(before.cloths.begin(), before.cloths.end(), settings_.cloths.begin(), settings_.cloths.end(),
-                    [](const auto& a, const auto& b) { return !starts_differently(a, b); })) {
+    if (starts_anew) {
+        start_ = std::move(start);
         restart();
         return;
     }
@@ -155,8 +169,34 @@ void Simulation::configure(Settings settings) {
         if (now.position != then.position) balls_[b].centre = now.position;
         if (now.velocity != then.velocity) balls_[b].velocity = now.velocity;
     }
+    if (settings_.cloths != before.cloths || settings_.solver != before.solver) predict_limit();
     if (move_otherwise(before, settings_)) wake();
     if (settings_.view.bounds && (other_hierarchy || !before.view.bounds)) show_present_bounds();
+}
+
+void Simulation::predict_limit() {
+    const SolverSettings& solver = settings_.solver;
+    Real limit = std::numeric_limits<Real>::infinity();
+    for (const Cloth& cloth : cloths_) {
+        limit = std::min(limit, predicted_limit(cloth.model, cloth.state, solver.integrator).step);
+    }
+    // Where no step is short enough, parts do not help
+    const bool bounded = limit > 0 && std::isfinite(limit);
+    const Real wanted = bounded ? std::ceil(solver.dt / (safe_part * limit)) : Real(1);
+    const bool divides = solver.on_unstable == OnUnstable::Substep;
+    report_.substeps = divides ? static_cast<int>(std::min(wanted, most_substeps)) : 1;
+    const Real part = solver.dt / static_cast<Real>(report_.substeps);
+    report_.step_over_limit = std::isfinite(limit) ? static_cast<double>(part / limit) : 0;
+}
+
+std::string Simulation::step_warning() const {
+    if (!(report_.step_over_limit > 1)) return {};
+    const SolverSettings& solver = settings_.solver;
+    const std::string method(name_of(solver.integrator));
+    const std::string step = "solver.dt = " + real_text(static_cast<double>(solver.dt), 4) + " s";
+    if (!std::isfinite(report_.step_over_limit)) return step + ": " + method + " is stable with no step on this cloth";
+    return step + " is " + real_text(report_.step_over_limit * report_.substeps, 3) + " of the limit of " + method +
+           " on this cloth";
 }
 
 void Simulation::use_broad_phase(Cloth& cloth) {

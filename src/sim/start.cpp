@@ -1,12 +1,8 @@
 #include "drape/sim/start.h"
 
-#include <algorithm>
-#include <limits>
 #include <utility>
 
 #include "drape/base/input_error.h"
-#include "drape/base/numbers.h"
-#include "drape/integrate/stability.h"
 #include "drape/sim/scene.h"
 #include "drape/sim/setting_table.h"
 
@@ -38,21 +34,6 @@ Start make_start(StartOptions options) {
         throw InputError(std::string("--set: ") + error.what());
     }
     return start;
-}
-
-std::string step_warning(const Settings& settings) {
-    const SolverSettings& solver = settings.solver;
-    Real limit = std::numeric_limits<Real>::infinity();
-    for (const ClothParameters& cloth : settings.cloths) {
-        limit =
-            std::min(limit, predicted_limit(make_cloth_model(cloth), make_rest_state(cloth), solver.integrator).step);
-    }
-    if (solver.dt <= limit) return {};
-    const std::string step = "warning: solver.dt = " + real_text(static_cast<double>(solver.dt), 4) + " s: ";
-    const std::string method(name_of(solver.integrator));
-    if (limit == 0) return step + method + " is stable on this cloth with no step: it has no damping";
-    return step + method + " is stable on this cloth up to about " + real_text(static_cast<double>(limit), 3) +
-           " s only";
 }
 
 Session make_session(Start start, const std::string& record) {

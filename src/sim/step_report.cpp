@@ -12,9 +12,11 @@ double nodes(const StepReport& r) { return static_cast<double>(r.traversal.nodes
 double candidates(const StepReport& r) { return static_cast<double>(r.traversal.candidates); }
 double stopped(const StepReport& r) { return static_cast<double>(r.traversal.stopped); }
 
-const std::array<ReportField, 36> fields{{
+const std::array<ReportField, 39> fields{{
     {"step", "", [](const StepReport& r) { return static_cast<double>(r.step); }, "step", ReportGroup::Time, 3},
     {"time", "s", [](const StepReport& r) { return r.time; }, "time", ReportGroup::Time, 3},
+    {"substeps", "", [](const StepReport& r) { return static_cast<double>(r.substeps); }},
+    {"step_over_limit", "1", [](const StepReport& r) { return r.step_over_limit; }},
     {"step_time", "us", [](const StepReport& r) { return micro * r.times.step; }, "integrate", ReportGroup::Stages, 1,
      total_time},
     {"build_time", "us", [](const StepReport& r) { return micro * r.times.build; }, "build", ReportGroup::Stages, 1,
@@ -27,6 +29,7 @@ const std::array<ReportField, 36> fields{{
      1, total_time},
     {"total_time", "us", total_time},
     {"force_evaluations", "", [](const StepReport& r) { return static_cast<double>(r.solve.force_evaluations); }},
+    {"iterations", "", [](const StepReport& r) { return static_cast<double>(r.solve.iterations); }},
     {"nodes", "", nodes},
     {"visited", "", [](const StepReport& r) { return static_cast<double>(r.traversal.visited); }},
     {"volume_tests", "", [](const StepReport& r) { return static_cast<double>(r.traversal.volume_tests); },

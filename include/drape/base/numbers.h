@@ -3,6 +3,7 @@
 #include <optional>
 #include <string>
 #include <string_view>
+#include <vector>
 
 namespace drape {
 
@@ -10,6 +11,9 @@ namespace drape {
 /// @return nothing if the text is empty, has anything else in it, or is out of a double's range. "nan" and "inf" are
 ///         numbers here; the caller's range refuses them.
 std::optional<double> parse_real(std::string_view text);
+
+/// Reads numbers with commas between, blanks about them allowed; nothing if there is anything else.
+std::optional<std::vector<double>> parse_reals(std::string_view text);
 
 /// Reads a whole text as an integer in the C locale; nothing if it is anything else.
 std::optional<long long> parse_integer(std::string_view text);

@@ -33,8 +33,9 @@ struct BallSettings {
     bool operator==(const BallSettings&) const = default;
 };
 
-/// What to do with a state that is no longer finite or has gained energy from nowhere: freeze it and say so, or end.
-enum class OnUnstable { Warn, Stop };
+/// What to do about steps that are too long: freeze a state that is lost and say so; make every step in as many parts
+/// as its limit asks for; or end with the state.
+enum class OnUnstable { Warn, Substep, Stop };
 
 struct SolverSettings {
     IntegratorKind integrator = IntegratorKind::VelocityVerlet;
@@ -101,6 +102,7 @@ struct NeedsSettings {
 /// Every knob of Drape, as `setting_table` describes it.
 struct Settings {
     std::string title = "Untitled";
+    std::string start;  ///< file of the state in which the cloths start; empty: at rest
     std::vector<ClothParameters> cloths{ClothParameters{}};
     std::vector<BallSettings> balls;
     SolverSettings solver;

@@ -17,6 +17,7 @@
 #include "drape/sim/command.h"
 #include "drape/sim/rest_watch.h"
 #include "drape/sim/settings.h"
+#include "drape/sim/start_state.h"
 #include "drape/sim/step_report.h"
 
 namespace drape {
@@ -78,6 +79,9 @@ public:
     [[nodiscard]] const std::string& scene() const { return scene_; }
     [[nodiscard]] bool paused() const { return paused_; }
 
+    /// What the user should know before the next step: that it is longer than the method can bear. Empty if nothing.
+    [[nodiscard]] std::string step_warning() const;
+
     /// FNV-1a over the bits of every position and velocity of cloths and balls.
     [[nodiscard]] std::uint64_t hash() const;
 
@@ -94,6 +98,7 @@ private:
 
     void configure(Settings settings);
     void restart();
+    void predict_limit();
     void load(const std::string& scene);
     void grab(const command::Grab& command);
     void release();
@@ -114,6 +119,7 @@ private:
 
     std::string scene_;
     Settings settings_;
+    std::optional<StartState> start_;  ///< that the settings name
     std::vector<Cloth> cloths_;
     std::vector<Ball> balls_, previous_balls_;
     Vec3 steer_ = Vec3::Zero();

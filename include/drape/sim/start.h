@@ -28,9 +28,6 @@ struct Start {
 /// @throws InputError if a file, a scene or an assignment is bad
 Start make_start(StartOptions options);
 
-/// What the user should know before the first step: that it is longer than the method can bear. Empty if nothing.
-std::string step_warning(const Settings& settings);
-
 /// The simulation of a start, with its replay running.
 /// @param record file for a recording of all that follows, the replay's commands included; empty: none
 /// @throws RunError if the recording cannot be written

@@ -24,9 +24,10 @@ struct StageTimes {
 /// What one step was and did; each stage fills its fields as it ends. Times and solves are those of all substeps,
 /// counts those of the last.
 struct StepReport {
-    std::int64_t step = 0;  ///< steps since the start
-    int substeps = 1;       ///< equal parts that a step is made in
-    double time = 0;        ///< simulated [s]
+    std::int64_t step = 0;       ///< steps since the start
+    int substeps = 1;            ///< equal parts that a step is made in
+    double time = 0;             ///< simulated [s]
+    double step_over_limit = 0;  ///< length of a part over the longest that the method bears, as predicted; 0: no limit
     StageTimes times;
     SolveReport solve;
     TraversalStats traversal;

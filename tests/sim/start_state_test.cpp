@@ -1,0 +1,137 @@
+#include "drape/sim/start_state.h"
+
+#include <gmock/gmock.h>
+
+#include <sstream>
+
+#include "drape/sim/scene.h"
+#include "drape/sim/scene_text.h"
+#include "drape/sim/setting_table.h"
+#include "drape/sim/state_csv.h"
+#include "sim/small_scene.h"
+#include "support/input_errors.h"
+#include "support/scratch_file.h"
+
+namespace drape {
+namespace {
+
+using testing::HasSubstr;
+
+std::string state_text(const Simulation& simulation) {
+    std::ostringstream out;
+    write_state_header(out, simulation);
+    write_state(out, simulation);
+    return out.str();
+}
+
+TEST(StartState, GoesOnWhereAnotherRunHasLeftOff) {
+    const testing_aid::ScratchFile file("state.csv");
+    Simulation whole = small_simulation({"sleep_speed=0"});
+    make_steps(whole, 150);
+    file.write(state_text(whole));
+    Simulation rest = small_simulation({"sleep_speed=0", "start=" + file.name()});
+    EXPECT_EQ(rest.report().time, whole.report().time);
+    EXPECT_EQ(rest.hash(), whole.hash());
+    make_steps(whole, 100), make_steps(rest, 100);
+    EXPECT_EQ(rest.hash(), whole.hash());
+    rest.apply(command::Reset{});
+    EXPECT_DOUBLE_EQ(rest.report().time, 150.0 / 1024) << "that is its start";
+}
+
+TEST(StartState, IsTheLastMomentOfAFile) {
+    const testing_aid::ScratchFile file("state.csv");
+    Simulation simulation = small_simulation();
+    std::ostringstream out;
+    write_state_header(out, simulation);
+    for (int moment = 0; moment < 3; ++moment) {
+        make_steps(simulation, 20);
+        write_state(out, simulation);
+    }
+    file.write(out.str());
+    EXPECT_EQ(small_simulation({"start=" + file.name()}).hash(), simulation.hash());
+}
+
+TEST(StartState, FindsABallOnItsPath) {
+    const testing_aid::ScratchFile file("state.csv");
+    const std::vector<std::string> path{"motion=path", "path=0,0,0,2,1,0,0,-2"};
+    Simulation whole = small_simulation(path);
+    make_steps(whole, 300);
+    file.write(state_text(whole));
+    Settings settings = whole.settings();
+    settings.start = file.name();
+    Simulation rest("drop", settings);
+    EXPECT_LT((rest.balls()[0].centre - whole.balls()[0].centre).norm(), 1e-12);
+}
+
+/// What is said of a state file with this text.
+std::string complaint(const std::string& text) {
+    const testing_aid::ScratchFile file("state.csv");
+    file.write(text);
+    return testing_aid::input_error_of([&] {
+        small_simulation({"particles=2,2", "pinned=none", "start=" + file.name()});
+    });
+}
+
+TEST(StartState, ThatIsDamagedIsRefusedWithItsLine) {
+    const std::string header = "t,particle,x,y,z,vx,vy,vz\n", row = ",1,2,3,4,5,6\n";
+    const std::string good = header + "0,0" + row + "0,1" + row + "0,2" + row + "0,3" + row;
+    EXPECT_EQ(complaint(good), "");
+    EXPECT_THAT(complaint(""), HasSubstr("state.csv:1: expected 't,particle"));
+    EXPECT_THAT(complaint("x" + good), HasSubstr("state.csv:1: expected"));
+    EXPECT_THAT(complaint(header), HasSubstr("ends before"));
+    EXPECT_THAT(complaint(header + "0,0" + row), HasSubstr("state.csv:2: ends before the last particle"));
+    EXPECT_THAT(complaint(good + "1,0" + row), HasSubstr("ends before"));
+    EXPECT_THAT(complaint(header + "0,1" + row), HasSubstr("state.csv:2: expected particle 0"));
+    EXPECT_THAT(complaint(header + "0,0,1,2,3\n"), HasSubstr("state.csv:2: expected t,particle"));
+    EXPECT_THAT(complaint(header + "0,0,1,2,3,4,5,nan\n"), HasSubstr("state.csv:2: allowed numbers"));
+    EXPECT_THAT(complaint(header + "0,0,1,2,3,4,5,1e13\n"), HasSubstr("state.csv:2: allowed numbers"));
+    EXPECT_THAT(complaint(header + "-1,0" + row), HasSubstr("state.csv:2: t: allowed 0 <= t"));
+    EXPECT_THAT(complaint(header + std::string(5000, '1') + "\n"), HasSubstr("state.csv:2: longer than"));
+    EXPECT_THAT(testing_aid::input_error_of([] { small_simulation({"start=/no/such.csv"}); }),
+                HasSubstr("cannot be read"));
+}
+
+TEST(StartState, ThatIsBadChangesNothing) {
+    Simulation simulation = small_simulation();
+    make_steps(simulation, 10);
+    const std::uint64_t hash = simulation.hash();
+    EXPECT_THROW(simulation.apply(command::Set{"start=/no/such.csv"}), InputError);
+    EXPECT_EQ(simulation.hash(), hash);
+    EXPECT_EQ(simulation.settings().start, "");
+}
+
+void expect_same(const Settings& a, const Settings& b, const std::string& name) {
+    ASSERT_EQ(a.cloths.size(), b.cloths.size());
+    ASSERT_EQ(a.balls.size(), b.balls.size());
+    for (const Setting& setting : setting_table()) {
+        const std::size_t parts = setting.section == "cloth"  ? a.cloths.size()
+                                  : setting.section == "ball" ? a.balls.size()
+                                                              : 1;
+        for (std::size_t i = 0; i < parts; ++i) {
+            EXPECT_EQ(setting.read(a, i), setting.read(b, i)) << name << ": " << setting.full_name();
+        }
+    }
+}
+
+TEST(SceneText, IsReadBackAsTheSameSettings) {
+    for (const std::string& name : scene_names()) {
+        const Settings settings = load_scene(name);
+        expect_same(parse_scene(scene_text(settings), "again.toml"), settings, name);
+    }
+    Settings odd = small_settings();
+    odd.title = R"(quotes " and \ backslashes)";
+    odd.cloths.push_back(odd.cloths[0]);
+    odd.cloths[1].centred = true;
+    odd.cloths[1].pinned = {Pins::Kind::List, {}};
+    for (int p = 0; p < 80; ++p) odd.cloths[1].pinned.list.push_back(p);
+    odd.balls.push_back(odd.balls[0]);
+    odd.balls[1].motion = BallMotion::Path;
+    odd.balls[1].path = {{0, Vec3(1, 2, 3)}, {Real(0.1), Vec3(4, 5, Real(1) / 3)}};
+    odd.solver.dt = Real(1) / 3000;
+    odd.contact.coherence = false;
+    odd.view.eye = Vec3(1, 2, 3);
+    expect_same(parse_scene(scene_text(odd), "odd.toml"), odd, "odd");
+}
+
+}  // namespace
+}  // namespace drape

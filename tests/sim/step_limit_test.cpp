@@ -1,0 +1,159 @@
+// Steps beyond what a method bears: said, made in parts, or lost and kept for study.
+
+#include <gmock/gmock.h>
+
+#include "drape/integrate/stability.h"
+#include "drape/sim/failure.h"
+#include "drape/sim/scene.h"
+#include "sim/small_scene.h"
+#include "support/scratch_file.h"
+
+namespace drape {
+namespace {
+
+using testing::AllOf;
+using testing::HasSubstr;
+
+void send(Simulation& simulation, const std::string& text) { simulation.apply(parse_command(text)); }
+
+double limit_of(const Simulation& simulation) {
+    const Cloth& cloth = simulation.cloths()[0];
+    return predicted_limit(cloth.model, cloth.state, simulation.settings().solver.integrator).step;
+}
+
+TEST(StepWarning, IsNotNeededForTheShippedScenes) {
+    for (const std::string& name : scene_names()) {
+        if (name.starts_with("fails_")) continue;
+        EXPECT_EQ(Simulation(name, load_scene(name)).step_warning(), "") << name;
+    }
+}
+
+TEST(StepWarning, NamesStepMethodAndHowFarItIsBeyondTheLimit) {
+    Simulation simulation = small_simulation({"dt=0.0625"});
+    EXPECT_THAT(simulation.step_warning(),
+                AllOf(HasSubstr("solver.dt = 0.0625 s is "), HasSubstr("of the limit"), HasSubstr("symplectic_euler")));
+    EXPECT_NEAR(simulation.report().step_over_limit, 0.0625 / limit_of(simulation), 1e-9);
+    send(simulation, "set dt=1e-4");
+    EXPECT_EQ(simulation.step_warning(), "");
+    send(simulation, "set integrator=backward_euler");
+    send(simulation, "set dt=0.0625");
+    EXPECT_EQ(simulation.step_warning(), "") << "it has no limit";
+    EXPECT_EQ(simulation.report().step_over_limit, 0);
+}
+
+TEST(StepWarning, FollowsEveryChange) {
+    Simulation simulation = small_simulation({"structural.damping=0", "shear.damping=0", "bend.damping=0"});
+    const double before = simulation.report().step_over_limit;
+    EXPECT_GT(before, 0.1);
+    send(simulation, "set dt=0.001953125");
+    EXPECT_NEAR(simulation.report().step_over_limit, 2 * before, 1e-6);
+    send(simulation, "set cloth.mass=0.4");
+    EXPECT_NEAR(simulation.report().step_over_limit, before, 1e-3 * before) << "four times the mass, twice the limit";
+    send(simulation, "set cloth.drag=0");
+    send(simulation, "set integrator=explicit_euler");
+    EXPECT_THAT(simulation.step_warning(), HasSubstr("with no step"));
+}
+
+TEST(StepWarning, LooksAtEveryCloth) {
+    Settings settings = load_scene("drop");
+    settings.cloths.push_back(settings.cloths.front());
+    settings.cloths.back().mass /= 100;
+    EXPECT_NE(Simulation("drop", settings).step_warning(), "");
+}
+
+TEST(Substeps, AreTheFewestThatStayUnderNineTenthsOfTheLimit) {
+    for (const char* dt : {"dt=0.001", "dt=0.004", "dt=0.0078125", "dt=0.03"}) {
+        Simulation simulation = small_simulation({dt, "on_unstable=substep"});
+        const double step = simulation.settings().solver.dt, limit = limit_of(simulation);
+        const int parts = simulation.report().substeps;
+        EXPECT_LE(step / parts, 0.9 * limit * (1 + 1e-9)) << dt;
+        if (parts > 1) {
+            EXPECT_GT(step / (parts - 1), 0.9 * limit) << dt;
+        }
+        EXPECT_LE(simulation.report().step_over_limit, 0.9 * (1 + 1e-9));
+    }
+    EXPECT_EQ(small_simulation({"dt=0.03"}).report().substeps, 1) << "only where they are asked for";
+}
+
+TEST(Substeps, SaveARunThatIsLostWithoutThem) {
+    Simulation lost = small_simulation({"dt=0.03125"}), saved = small_simulation({"dt=0.03125", "on_unstable=substep"});
+    make_steps(lost, 64), make_steps(saved, 64);
+    EXPECT_EQ(lost.report().status, Status::Diverged);
+    EXPECT_EQ(saved.report().status, Status::Ok) << saved.report().trouble;
+    EXPECT_DOUBLE_EQ(saved.report().time, 2);
+    EXPECT_GT(saved.report().contacts, 0);
+}
+
+TEST(Substeps, AreStepsOfTheirLength) {
+    Simulation whole = small_simulation({"dt=0.03125", "on_unstable=substep"});
+    const int parts = whole.report().substeps;
+    ASSERT_GT(parts, 1);
+    Simulation fine = small_simulation();
+    Settings settings = fine.settings();
+    settings.solver.dt = whole.settings().solver.dt / static_cast<Real>(parts);
+    settings.solver.sleep_speed = 0;
+    fine = Simulation("drop", settings);
+    make_steps(whole, 40), make_steps(fine, 40 * parts);
+    EXPECT_EQ(whole.hash(), fine.hash());
+    EXPECT_EQ(whole.report().solve.force_evaluations, parts) << "of all parts";
+}
+
+Simulation lost_simulation() {
+    Simulation simulation = small_simulation({"dt=0.03125", "title=The \"lost\" one"});
+    send(simulation, "steer 0 1 0");
+    while (simulation.report().status == Status::Ok) simulation.step();
+    return simulation;
+}
+
+TEST(Failure, NamesParticleSpringStepAndLimit) {
+    const Simulation simulation = lost_simulation();
+    EXPECT_THAT(simulation.report().trouble,
+                AllOf(HasSubstr("particle "), HasSubstr(" spring to "), HasSubstr("in step "),
+                      HasSubstr("symplectic_euler"), HasSubstr("of the limit")));
+}
+
+TEST(Failure, IsWrittenAsASceneWhoseFirstStepFailsAlike) {
+    const testing_aid::ScratchFile file("x");
+    const auto folder = std::filesystem::path(file.name()).parent_path() / "failure";
+    std::filesystem::create_directory(folder);
+    const Simulation lost = lost_simulation();
+    const auto scene = write_failure(lost, folder);
+    EXPECT_EQ(scene.filename(), "unstable.toml");
+    Simulation again(scene.string(), load_scene(scene.string()));
+    EXPECT_EQ(again.cloths()[0].state.x, lost.cloths()[0].state.x);
+    EXPECT_EQ(again.cloths()[0].state.v, lost.cloths()[0].state.v);
+    EXPECT_EQ(again.report().time, lost.report().time);
+    EXPECT_EQ(again.settings().title, "Fails in its first step: The \"lost\" one");
+    again.step();
+    ASSERT_EQ(again.report().status, Status::Diverged);
+    const std::string what = lost.report().trouble;
+    EXPECT_THAT(again.report().trouble, HasSubstr(what.substr(0, what.find(" in step"))));
+
+    EXPECT_EQ(write_failure(lost, folder).filename(), "unstable-2.toml") << "nothing is replaced";
+    EXPECT_THAT(tell_failure(lost, folder / "none"), HasSubstr("cannot be written"));
+    std::filesystem::remove_all(folder);
+}
+
+TEST(Failure, KeepsWhatTheHandHolds) {
+    const testing_aid::ScratchFile file("x");
+    const auto folder = std::filesystem::path(file.name()).parent_path();
+    Simulation simulation = small_simulation({"dt=0.03125"});
+    send(simulation, "grab 0 75");
+    while (simulation.report().status == Status::Ok) simulation.step();
+    const auto scene = write_failure(simulation, folder);
+    const Settings settings = load_scene(scene.string());
+    EXPECT_EQ(settings.cloths[0].pinned.list, (std::vector{0, 9, 75}));
+    std::filesystem::remove(folder / settings.start);
+    std::filesystem::remove(scene);
+}
+
+TEST(Failure, EndsWithAReset) {
+    Simulation simulation = lost_simulation();
+    send(simulation, "set dt=1e-3");
+    send(simulation, "reset");
+    make_steps(simulation, 100);
+    EXPECT_EQ(simulation.report().status, Status::Ok);
+}
+
+}  // namespace
+}  // namespace drape
