@@ -1,24 +1,27 @@
 #include "newton_system.h"
 
 #include <cmath>
-#include <cstdlib>
 
 namespace drape {
 namespace {
 
 /// Residuals are brought down to this part of the right side: well below the error of a step of first order when
-/// clamped, and near rounding when exact.
+/// clamped, and far below that of second order when exact.
 constexpr Real clamped_tolerance = sizeof(Real) == 8 ? Real(1e-6) : Real(1e-4);
-constexpr Real exact_tolerance = sizeof(Real) == 8 ? Real(1e-10) : Real(1e-5);
+constexpr Real exact_tolerance = sizeof(Real) == 8 ? Real(1e-8) : Real(1e-5);
 
-/// Up to so many particles factors are quicker than iterations.
+/// Up to so many particles factors come first: they cost a fraction of a millisecond, and solve to rounding. Beyond,
+/// iterations are quicker at every step and stiffness.
 constexpr int few_particles = 64;
 
-/// Where there are no factors, a solve ends after so many iterations with what it has.
+/// Where there are no factors to fall back on, a solve ends after so many iterations with what it has.
 constexpr int most_iterations = 5000;
 
-/// Where factors stand behind, the blocks have so many: about what a factorisation costs on a grid of 16 x 16.
-constexpr int patience = 100;
+/// Where there are, it ends after about half of what the factors cost, which grows with n^1.5 as n^0.5 iterations do.
+int patience(int particles) { return static_cast<int>(8 * std::sqrt(static_cast<Real>(particles))); }
+
+/// With factors few iterations are needed, or many do not help.
+constexpr int refinements = 50;
 
 }  // namespace
 
@@ -92,13 +95,13 @@ krylov::Outcome NewtonSystem::solve(const ClothModel& model, Real s, Points& r, 
     krylov::Outcome outcome;
     if (!factors_first_) {
         invert_diagonal(model, s);
-        outcome = solve_with(factor_ ? patience : most_iterations,
+        outcome = solve_with(factor_ ? patience(model.grid.particles()) : most_iterations,
                              [&](const Points& from, Points& to) { apply_inverse_diagonal(from, to); });
         if (!factor_ || outcome.residual <= tolerance) return outcome;
     }
     factor_->factorise(model, jacobian_, s * s, s);
     const int wasted = outcome.iterations;
-    outcome = solve_with(patience, [&](const Points& from, Points& to) { factor_->solve(from, to); });
+    outcome = solve_with(refinements, [&](const Points& from, Points& to) { factor_->solve(from, to); });
     outcome.iterations += wasted;
     return outcome;
 }
