@@ -17,8 +17,9 @@ namespace drape {
 /// Both are preconditioned in one of two ways: by the factors L D L' of the symmetric part, which ends them after one
 /// to four iterations and is a direct solve of the clamped system, or by the inverses of the 3 x 3 diagonal blocks,
 /// which cost next to nothing. Small grids are factored, for accuracy; on larger ones the blocks are far quicker
-/// (`implicit_solve` in tests/bench). Beyond, the exact system falls back on them where the blocks do not converge, on grids up to `GridFactor::largest`; on larger
-/// ones the residual tells. Sums run in a fixed order, and nothing is kept from one step to the next.
+/// (`implicit_solve` in tests/bench). There the exact system falls back on factors where the blocks do not converge,
+/// on grids up to `GridFactor::largest`; on still larger ones the residual tells. Sums run in a fixed order, and
+/// nothing is kept from one step to the next.
 class NewtonSystem {
 public:
     enum class Solver { Automatic, Factors, Blocks };
