@@ -35,7 +35,10 @@ private:
     /// Eigen's factorisation, without the copy of the matrix that its public interface makes each time.
     class Ldlt : public Eigen::SimplicialLDLT<Matrix, Eigen::Upper> {
     public:
-        void analyse(const Matrix& matrix) { analyzePattern_preordered(matrix, true); }
+        void analyse(const Matrix& matrix) {
+            analyzePattern_preordered(matrix, true);
+            m_diag.resize(matrix.cols());
+        }
         void refactorise(const Matrix& matrix) { this->factorize_preordered<true>(matrix); }
     };
 

@@ -9,7 +9,7 @@ namespace drape::krylov {
 /// How a linear solve ended.
 struct Outcome {
     int iterations = 0;
-    Real residual = 0;  ///< |b - A x| / |b|, by recursion
+    Real residual = 0;  ///< |b - A x| / |b|, measured at the end (that of the recursion drifts)
 };
 
 /// When to stop: at a residual this much smaller than the right side, or after so many iterations.
@@ -19,6 +19,14 @@ struct Limits {
 };
 
 inline Real dot(const Points& a, const Points& b) { return a.cwiseProduct(b).sum(); }
+
+/// |b - A x| / |b|, and 0 for b = 0.
+template <class Apply>
+Real residual_of(const Points& b, const Points& x, Apply apply, Points& scratch) {
+    apply(x, scratch);
+    const Real size = b.norm();
+    return size > 0 ? (b - scratch).norm() / size : Real(0);
+}
 
 /// Solves A x = b, for a symmetric positive definite A, by preconditioned conjugate gradients.
 ///
@@ -51,8 +59,7 @@ public:
             p_ = z_ + (rz / before) * p_;
             ++outcome.iterations;
         }
-        const Real size = b.norm();
-        outcome.residual = size > 0 ? r_.norm() / size : Real(0);
+        outcome.residual = residual_of(b, x, apply, q_);
         return outcome;
     }
 
@@ -73,8 +80,8 @@ public:
     Outcome solve(const Points& b, Points& x, Limits limits, Apply apply, Precondition precondition) {
         x.setZero();
         r_ = r0_ = p_ = b;
-        const Real size = b.norm(), enough = limits.tolerance * size;
-        Real rho = dot(r0_, r_), residual = size;
+        const Real enough = limits.tolerance * b.norm();
+        Real rho = dot(r0_, r_), residual = b.norm();
         Outcome outcome;
         while (residual > enough && outcome.iterations < limits.iterations) {
             ++outcome.iterations;
@@ -96,7 +103,7 @@ public:
             const Real beta = rho / before * (alpha / omega);
             p_ = r_ + beta * (p_ - omega * v_);
         }
-        outcome.residual = size > 0 ? residual / size : Real(0);
+        outcome.residual = residual_of(b, x, apply, v_);
         return outcome;
     }
 

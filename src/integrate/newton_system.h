@@ -12,10 +12,14 @@ namespace drape {
 /// The linear system of one Newton step of an implicit method, (m I + s D + s^2 K) dv = r, for the free particles;
 /// dv of a pinned one is zero.
 ///
-/// Clamped, the matrix is positive definite and conjugate gradients solve it. Exact, it is neither symmetric (the
-/// damping's x-derivative) nor positive definite (compressed springs), and stabilised biconjugate gradients do. Both
-/// are preconditioned by the factors of the symmetric part, which for the clamped matrix is a direct solve, or by the
-/// inverses of the 3 x 3 diagonal blocks, whichever is expected to be quicker. Sums run in a fixed order.
+/// Clamped, the matrix is positive definite, and conjugate gradients solve it. Exact, it is neither symmetric (the
+/// damping's x-derivative) nor always positive definite (compressed springs), and stabilised biconjugate gradients do.
+/// Both are preconditioned in one of two ways: by the factors L D L' of the symmetric part, which ends them after one
+/// to four iterations and is a direct solve of the clamped system, or by the inverses of the 3 x 3 diagonal blocks,
+/// which cost next to nothing. Small grids are factored, for accuracy; on larger ones the blocks are far quicker
+/// (`implicit_solve` in tests/bench). There the exact system falls back on factors where the blocks do not converge,
+/// on grids up to `GridFactor::largest`; on still larger ones the residual tells. Sums run in a fixed order, and
+/// nothing is kept from one step to the next.
 class NewtonSystem {
 public:
     enum class Solver { Automatic, Factors, Blocks };
@@ -35,14 +39,13 @@ public:
     krylov::Outcome solve(const ClothModel& model, Real s, Points& r, Points& dv);
 
 private:
-    [[nodiscard]] bool prefers_factors(const ClothModel& model, Real s) const;
     void clear_pinned(Points& points) const;
     void invert_diagonal(const ClothModel& model, Real s);
     void apply_inverse_diagonal(const Points& r, Points& z) const;
 
-    Solver solver_;
+    bool factors_first_;
     Jacobian jacobian_;
-    std::unique_ptr<GridFactor> factor_;  ///< made when first wanted
+    std::unique_ptr<GridFactor> factor_;  ///< where it can be wanted
     std::vector<int> pinned_;
     Eigen::Array<Real, Eigen::Dynamic, 6> inverse_;  ///< xx, xy, xz, yy, yz, zz of each diagonal block's inverse
     krylov::ConjugateGradients conjugate_gradients_;

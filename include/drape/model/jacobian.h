@@ -18,7 +18,8 @@ enum class Hessian { Clamped, Exact };
 ///     K: k n n' + T/|d| P + c/|d| n (P w)'        D: c n n'
 ///
 /// `Clamped` takes max(T, 0) for T and drops the last, unsymmetric, term (as Baraff and Witkin do). A spring of zero
-/// length has neither force nor slope. The wind's slopes are left out: it acts on the cloth explicitly.
+/// length has neither force nor slope. The wind's slopes are left out: it acts on the cloth explicitly, and methods of
+/// second order are of first order in it.
 /// @cite baraff1998
 class Jacobian {
 public:

@@ -1,0 +1,109 @@
+// Steps of the implicit methods, and what their linear systems cost by factors and by iterations.
+
+#include <benchmark/benchmark.h>
+
+#include <string>
+
+#include "drape/integrate/integrator.h"
+#include "drape/model/forces.h"
+#include "integrate/newton_system.h"
+
+namespace {
+
+using namespace drape;
+
+/// How long a step is, and how stiff the springs are; its names for both.
+struct Load {
+    Real h, stiffness;
+    const char* name;
+};
+constexpr Load loads[] = {{Real(1) / 2000, 1e3, "/rate:2000/k:1e3"},
+                          {Real(1) / 200, 1e3, "/rate:200/k:1e3"},
+                          {Real(1) / 60, 1e3, "/rate:60/k:1e3"},
+                          {Real(1) / 20, 1e6, "/rate:20/k:1e6"}};
+
+/// A square sheet hung by two corners.
+ClothParameters sheet(int side, Real stiffness) {
+    ClothParameters parameters;
+    parameters.particles = {side, side};
+    parameters.pinned.kind = Pins::Kind::Two;
+    parameters.structural.stiffness = stiffness;
+    parameters.shear.stiffness = stiffness / 2;
+    parameters.bend.stiffness = stiffness / 100;
+    return parameters;
+}
+
+/// The sheet as it has fallen for half a second, by backward Euler.
+ClothState fallen(const ClothParameters& parameters, const ClothModel& model) {
+    const auto integrator = make_integrator({.kind = IntegratorKind::BackwardEuler}, model.grid);
+    ClothState state = make_rest_state(parameters);
+    for (int step = 0; step < 30; ++step) integrator->step(model, state, Real(1) / 60);
+    return state;
+}
+
+void step(benchmark::State& bench, const IntegratorParameters& parameters, int side, const Load& load) {
+    const ClothParameters cloth = sheet(side, load.stiffness);
+    const ClothModel model = make_cloth_model(cloth);
+    const auto integrator = make_integrator(parameters, model.grid);
+    ClothState state = fallen(cloth, model);
+    double iterations = 0;
+    for (auto _ : bench) iterations += integrator->step(model, state, load.h).iterations;
+    bench.counters["iterations"] = benchmark::Counter(iterations, benchmark::Counter::kAvgIterations);
+}
+
+void solve(benchmark::State& bench, Hessian hessian, NewtonSystem::Solver solver, int side, const Load& load) {
+    const ClothParameters cloth = sheet(side, load.stiffness);
+    const ClothModel model = make_cloth_model(cloth);
+    const ClothState state = fallen(cloth, model);
+    NewtonSystem system(model.grid, hessian, solver);
+    Points force(model.grid.particles(), 3), right = force, dv = force;
+    compute_forces(model, state.x, state.v, force);
+    system.linearise(model, state.x, state.v);
+    system.add_stiffness(-load.h, state.v, force);
+    krylov::Outcome outcome;
+    for (auto _ : bench) {
+        right = load.h * force;
+        outcome = system.solve(model, load.h, right, dv);
+    }
+    bench.counters["iterations"] = outcome.iterations;
+    bench.counters["residual"] = static_cast<double>(outcome.residual);
+}
+
+void register_steps(const Load& load) {
+    for (const IntegratorKind kind :
+         {IntegratorKind::BackwardEuler, IntegratorKind::ImplicitMidpoint, IntegratorKind::Bdf2}) {
+        for (const Hessian hessian : {Hessian::Clamped, Hessian::Exact}) {
+            const std::string name = "implicit_step/" + std::string(name_of(kind)) + "/" +
+                                     hessian_names()[static_cast<std::size_t>(hessian)] + "/side:30" + load.name;
+            benchmark::RegisterBenchmark(name.c_str(), [=](benchmark::State& bench) {
+                step(bench, {.kind = kind, .hessian = hessian}, 30, load);
+            })->Unit(benchmark::kMicrosecond);
+        }
+    }
+}
+
+void register_solves(const Load& load) {
+    for (const Hessian hessian : {Hessian::Clamped, Hessian::Exact}) {
+        for (const int side : {4, 8, 16, 30, 64}) {
+            for (const auto solver : {NewtonSystem::Solver::Factors, NewtonSystem::Solver::Blocks}) {
+                const std::string name = "implicit_solve/" + hessian_names()[static_cast<std::size_t>(hessian)] +
+                                         "/side:" + std::to_string(side) + load.name +
+                                         (solver == NewtonSystem::Solver::Factors ? "/factors" : "/blocks");
+                benchmark::RegisterBenchmark(name.c_str(), [=](benchmark::State& bench) {
+                    solve(bench, hessian, solver, side, load);
+                })->Unit(benchmark::kMicrosecond);
+            }
+        }
+    }
+}
+
+void register_all() {
+    for (const Load& load : loads) {
+        register_steps(load);
+        register_solves(load);
+    }
+}
+
+const bool registered = (register_all(), true);
+
+}  // namespace
