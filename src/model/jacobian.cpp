@@ -6,7 +6,7 @@
 
 #include "drape/base/assert.h"
 #include "drape/base/vectorise.h"
-#include "stencils.h"
+#include "drape/model/stencils.h"
 
 namespace drape {
 namespace kernels {
