@@ -43,6 +43,7 @@ class DormandPrince final : public Integrator {
 public:
     DormandPrince(int particles, Real tolerance) : tolerance_(tolerance), x_(particles, 3), v_(particles, 3) {
         for (Slope& slope : slopes_) slope = {Points(particles, 3), Points(particles, 3)};
+        error_ = slopes_.front();
     }
 
     SolveReport step(const ClothModel& model, ClothState& state, Real h) override {
@@ -108,8 +109,8 @@ private:
 
     /// How far an inner step of length s leads astray within the whole step h [m].
     Real estimate(Real s, Real h) {
-        error_.v.setZero(x_.rows(), 3);
-        error_.a.setZero(x_.rows(), 3);
+        error_.v.setZero();
+        error_.a.setZero();
         for (std::size_t k = 0; k < stages; ++k) {
             error_.v += static_cast<Real>(difference[k]) * slopes_[k].v;
             error_.a += static_cast<Real>(difference[k]) * slopes_[k].a;

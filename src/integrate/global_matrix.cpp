@@ -78,11 +78,12 @@ void GlobalMatrix::factorise(const ClothModel& model) {
 }
 
 void GlobalMatrix::solve(Points& r) {
-    rows_.noalias() = factors_.permutationP() * r;
+    const auto& place = factors_.permutationP().indices();
+    for (Eigen::Index p = 0; p < r.rows(); ++p) rows_.row(place[p]) = r.row(p);
     const Matrix& lower = factors_.matrixL().nestedExpression();
     kernels::solve_factors(grid_.particles(), lower.outerIndexPtr(), lower.innerIndexPtr(), lower.valuePtr(),
                            pivots_.data(), rows_.data());
-    r.noalias() = factors_.permutationPinv() * rows_;
+    for (Eigen::Index p = 0; p < r.rows(); ++p) r.row(p) = rows_.row(place[p]);
 }
 
 }  // namespace drape

@@ -12,7 +12,8 @@ namespace {
 /// solves for the positions with those held. The change of x over both is G^-1 (M/h^2 (y - x) + f(x)), with f the
 /// forces of the springs and G the global matrix, which is how it is computed.
 ///
-/// The springs' damping is in the guess, one implicit Gauss-Seidel pass, so that no step is too long for it either.
+/// The springs' damping is in the guess: before anything else, one implicit Gauss-Seidel pass over dampers slows the
+/// velocities. So no step is too long for it, and a cloth at rest stays where its forces balance.
 /// @cite liu2013 @cite bouaziz2014
 class ProjectiveDynamics final : public Integrator {
 public:
@@ -32,15 +33,16 @@ public:
         elastic_.gravity.setZero();
         elastic_.drag = elastic_.air.density = 0;
 
-        start_ = state.x;
+        damp(model, state, h);
         inertial_.advance(model, state, h);
-        damp(model, h, state.x);
         guess_ = state.x;
         const Real stiffness = inertia(model, h) / (h * h);
         for (int iteration = 0; iteration < iterations_; ++iteration) {
             compute_forces(elastic_, state.x, state.v, r_);
             r_ += stiffness * (guess_ - state.x);
-            r_.array().colwise() *= (model.inverse_mass > 0).template cast<Real>();
+            for (int axis = 0; axis < 3; ++axis) {
+                r_.col(axis) = (model.inverse_mass > 0).select(r_.col(axis).array(), Real(0));
+            }
             global_.solve(r_);
             state.x += r_;
         }
@@ -49,11 +51,16 @@ public:
     }
 
 private:
-    void damp(const ClothModel& model, Real h, Points& x) {
+    /// Slows the springs' ends to where dampers alone would let them get.
+    void damp(const ClothModel& model, ClothState& state, Real h) {
         auto springs = spring_stencils(model);
         for (SpringStencil& stencil : springs) stencil.law.stiffness = 0;
+        start_ = state.x;
+        state.x += h * state.v;
         dampers_.begin(model, h);
-        dampers_.pass(springs, start_, x);
+        dampers_.pass(springs, start_, state.x);
+        take_velocity_from_way(model, start_, h, state);
+        state.x = start_;
     }
 
     int iterations_;

@@ -13,7 +13,8 @@ namespace drape {
 /// [kg m] grows by
 ///     dq = -(h^2 k C + h c dC + q) / ((h^2 k + h c) (w_a + w_b) + 1)
 /// and its ends move by w_a dq n and -w_b dq n. It is equation 26 of the paper, multiplied by h^2 k, which serves k = 0
-/// and c = 0 as well. Where passes no longer change it, q n is h^2 times the spring's force at the end of the step.
+/// and c = 0 as well. Where passes no longer change it, q is h^2 times the spring's force at the end of the step; its
+/// ends have moved along the directions that the spring had on the way, which is what the method neglects.
 ///
 /// The order is fixed: direction by direction, row by row; within a row, springs that share no particle are done at
 /// once, which changes nothing but the speed. A spring of zero length waits until it has a direction.

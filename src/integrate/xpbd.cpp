@@ -7,7 +7,8 @@ namespace {
 
 /// Extended position-based dynamics: a guess without the springs, corrected by Gauss-Seidel passes over them, each a
 /// constraint of compliance 1/k with its own damping. Many short steps of one pass serve better than one of many. The
-/// springs are too soft until the passes have settled; then the step is backward Euler's, its equations solved in full.
+/// springs are too soft until the passes have settled; then the step is backward Euler's, but for the turning of
+/// springs within it.
 /// @cite macklin2016 @cite macklin2019
 class Xpbd final : public Integrator {
 public:

@@ -1,0 +1,87 @@
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <limits>
+
+#include "drape/integrate/integrator.h"
+#include "integrate/damped_sheet.h"
+#include "support/allocations.h"
+
+namespace drape {
+namespace {
+
+using testing::after;
+using testing::Sheet;
+
+IntegratorParameters with_tolerance(Real tolerance) {
+    return {.kind = IntegratorKind::DormandPrince, .tolerance = tolerance};
+}
+
+TEST(DormandPrince, IsFiveToleratedErrorsFromTheTruthAtMost) {
+    // Six steps of many inner ones each
+    const Sheet sheet;
+    constexpr Real horizon = 0.1;
+    const Real spacing = std::min(sheet.model.hx, sheet.model.hy);
+    const ClothState exact = after({.kind = IntegratorKind::Rk4}, sheet.model, sheet.start, horizon, 20000);
+    Real last = std::numeric_limits<Real>::infinity();
+    for (const Real tolerance : {1e-3, 1e-4, 1e-5, 1e-6, 1e-7, 1e-8, 1e-9}) {
+        const ClothState now = after(with_tolerance(tolerance), sheet.model, sheet.start, horizon, 6);
+        const Real error = (now.x - exact.x).cwiseAbs().maxCoeff() / spacing;
+        EXPECT_LT(error, 5 * tolerance);
+        EXPECT_LT(error, last / 4) << tolerance;
+        last = error;
+    }
+}
+
+TEST(DormandPrince, TakesAsManyInnerStepsAsItsToleranceAsks) {
+    const Sheet sheet;
+    const auto steps = [&](Real tolerance, Real h) {
+        ClothState state = sheet.start;
+        const auto integrator = make_integrator(with_tolerance(tolerance), sheet.model.grid);
+        const SolveReport report = integrator->step(sheet.model, state, h);
+        EXPECT_GE(report.force_evaluations, 1 + 6 * report.iterations);
+        EXPECT_EQ(report.force_evaluations % 6, 1);
+        return report.iterations;
+    };
+    EXPECT_EQ(steps(1e-6, 1e-4), 1);
+    // The error estimate grows with the fifth power of the inner step: a hundred thousandth asks for ten times the
+    // steps
+    const double ratio = static_cast<double>(steps(1e-11, 0.1)) / steps(1e-6, 0.1);
+    EXPECT_GT(ratio, 7);
+    EXPECT_LT(ratio, 13);
+}
+
+TEST(DormandPrince, RemembersNothing) {
+    const Sheet sheet;
+    const auto used = make_integrator(with_tolerance(1e-6), sheet.model.grid);
+    ClothState other = sheet.start;
+    used->step(sheet.model, other, 0.03);
+    ClothState now = sheet.start;
+    used->step(sheet.model, now, 0.02);
+    const ClothState fresh = after(with_tolerance(1e-6), sheet.model, sheet.start, 0.02, 1);
+    EXPECT_EQ(now.x, fresh.x);
+    EXPECT_EQ(now.v, fresh.v);
+}
+
+TEST(DormandPrince, EndsWhateverHappens) {
+    // A state that no number can hold, and a tolerance below rounding
+    const Sheet sheet;
+    ClothState fast = sheet.start;
+    fast.v(7, 1) = std::numeric_limits<Real>::max();
+    EXPECT_FALSE(after(with_tolerance(1e-6), sheet.model, fast, 0.01, 1).x.allFinite());
+    ClothState state = sheet.start;
+    const auto integrator = make_integrator(with_tolerance(1e-30), sheet.model.grid);
+    EXPECT_LE(integrator->step(sheet.model, state, 0.01).iterations, 10001);
+}
+
+TEST(DormandPrince, AllocatesNothingInAStep) {
+    const Sheet sheet;
+    const auto integrator = make_integrator(with_tolerance(1e-6), sheet.model.grid);
+    ClothState state = sheet.start;
+    const auto before = testing::allocations();
+    for (int step = 0; step < 3; ++step) integrator->step(sheet.model, state, 0.01);
+    EXPECT_EQ(testing::allocations(), before);
+}
+
+}  // namespace
+}  // namespace drape

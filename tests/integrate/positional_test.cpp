@@ -1,0 +1,156 @@
+// XPBD and projective dynamics.
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+
+#include "drape/integrate/integrator.h"
+#include "drape/model/forces.h"
+#include "integrate/damped_sheet.h"
+#include "support/allocations.h"
+
+namespace drape {
+namespace {
+
+using testing::after;
+using testing::Sheet;
+
+constexpr IntegratorKind kinds[] = {IntegratorKind::Xpbd, IntegratorKind::ProjectiveDynamics};
+
+void expect_first_order(const IntegratorParameters& parameters) {
+    for (const Real observed : testing::observed_orders(parameters)) {
+        EXPECT_GT(observed, 1 - 0.15) << name_of(parameters.kind);
+        EXPECT_LT(observed, 1 + 0.25) << name_of(parameters.kind);
+    }
+}
+
+TEST(Xpbd, IsOfOrderOneWithOnePassOrMany) {
+    expect_first_order({.kind = IntegratorKind::Xpbd, .iterations = 1});
+    expect_first_order({.kind = IntegratorKind::Xpbd, .iterations = 20});
+}
+
+TEST(ProjectiveDynamics, IsOfOrderOne) { expect_first_order({.kind = IntegratorKind::ProjectiveDynamics}); }
+
+/// How far a step is from backward Euler's equations m (v' - v) = h f(x', v'), x' = x + h v', in parts of the largest
+/// momentum gained.
+Real imbalance(const ClothModel& model, const ClothState& before, const ClothState& now, Real h) {
+    Points f(before.x.rows(), 3);
+    compute_forces(model, now.x, now.v, f);
+    forces_to_accelerations(model, f);
+    const Real of_v = (now.v - before.v - h * f).cwiseAbs().maxCoeff();
+    const Real of_x = (now.x - before.x - h * now.v).cwiseAbs().maxCoeff() / h;
+    return std::max(of_v, of_x) / (now.v - before.v).cwiseAbs().maxCoeff();
+}
+
+TEST(Xpbd, SolvesBackwardEulersEquationsWhenItsPassesSettleButForTheTurningOfSprings) {
+    const Sheet sheet;
+    const auto step = [&](int iterations, Real h) {
+        const IntegratorParameters parameters{.kind = IntegratorKind::Xpbd, .iterations = iterations};
+        return imbalance(sheet.model, sheet.start, after(parameters, sheet.model, sheet.start, h, 1), h);
+    };
+    EXPECT_LT(step(300, 1e-2), 0.05);
+    EXPECT_LT(step(300, 1e-3), 5e-3);
+    EXPECT_LT(step(300, 1e-4), 5e-4);
+    EXPECT_GT(step(1, 1e-2), 0.1);
+}
+
+TEST(ProjectiveDynamics, SolvesBackwardEulersEquationsOfUndampedSpringsWhenItsRoundsSettle) {
+    Sheet sheet;
+    sheet.undamp();
+    sheet.model.drag = 0.01;
+    constexpr Real h = 0.01;
+    const auto step = [&](int iterations) {
+        const IntegratorParameters parameters{.kind = IntegratorKind::ProjectiveDynamics, .iterations = iterations};
+        return imbalance(sheet.model, sheet.start, after(parameters, sheet.model, sheet.start, h, 1), h);
+    };
+    EXPECT_LT(step(300), 1e-12);
+    EXPECT_GT(step(1), 1e-3);
+}
+
+TEST(PositionalMethods, MoveAPinnedParticleAsTheHandDoesToTheBit) {
+    Sheet sheet;
+    sheet.start.v.row(0) << 0.3, -0.2, 0.1;
+    constexpr Real h = 0.003;
+    for (const IntegratorKind kind : kinds) {
+        const ClothState now = after({.kind = kind}, sheet.model, sheet.start, h, 1);
+        const auto moved = (sheet.start.x.row(0) + h * sheet.start.v.row(0)).eval();
+        EXPECT_EQ(now.x.row(0), moved) << name_of(kind);
+        EXPECT_EQ(now.v.row(0), sheet.start.v.row(0)) << name_of(kind);
+        EXPECT_EQ(now.x.row(4), sheet.start.x.row(4)) << name_of(kind);
+    }
+}
+
+TEST(PositionalMethods, TakeSpringsOfZeroLength) {
+    // Two particles in one place, and a cloth that is one point
+    Sheet sheet;
+    sheet.start.x.row(7) = sheet.start.x.row(8);
+    Sheet point;
+    point.start.x.setZero();
+    point.start.v.setZero();
+    for (const IntegratorKind kind : kinds) {
+        EXPECT_TRUE(after({.kind = kind}, sheet.model, sheet.start, 0.1, 20).x.allFinite()) << name_of(kind);
+        EXPECT_TRUE(after({.kind = kind}, point.model, point.start, 0.1, 20).x.allFinite()) << name_of(kind);
+    }
+}
+
+TEST(PositionalMethods, ConserveMomentumWithoutGravity) {
+    Sheet sheet;
+    sheet.parameters.pinned.kind = Pins::Kind::None;
+    sheet.parameters.drag = 0;
+    sheet.model = make_cloth_model(sheet.parameters);
+    sheet.model.gravity.setZero();
+    const auto momentum = [](const ClothState& s) { return s.v.colwise().sum().eval(); };
+    for (const IntegratorKind kind : kinds) {
+        const ClothState now = after({.kind = kind}, sheet.model, sheet.start, 0.2, 20);
+        const Real scale = sheet.start.v.cwiseAbs().sum();
+        EXPECT_LT((momentum(now) - momentum(sheet.start)).norm(), 1e-12 * scale) << name_of(kind);
+    }
+}
+
+TEST(PositionalMethods, StayWithinReachAtLongStepsAndStiffSprings) {
+    Sheet sheet;
+    for (const Real damping : {0., 5.}) {
+        sheet.model.structural = sheet.model.shear = sheet.model.bend = {1e6, damping};
+        for (const IntegratorKind kind : kinds) {
+            for (const int iterations : {1, 20}) {
+                const ClothState now =
+                    after({.kind = kind, .iterations = iterations}, sheet.model, sheet.start, 20, 400);
+                EXPECT_LT(now.x.cwiseAbs().maxCoeff(), 5) << name_of(kind) << ", " << iterations << ", " << damping;
+            }
+        }
+    }
+}
+
+TEST(ProjectiveDynamics, StepsLikeNewAfterAnyChangeOfTheModel) {
+    Sheet sheet;
+    const auto used = make_integrator({.kind = IntegratorKind::ProjectiveDynamics}, sheet.model.grid);
+    const auto expect_like_new = [&](Real h, const char* change) {
+        ClothState one = sheet.start, other = sheet.start;
+        used->step(sheet.model, one, h);
+        make_integrator({.kind = IntegratorKind::ProjectiveDynamics}, sheet.model.grid)->step(sheet.model, other, h);
+        EXPECT_EQ(one.x, other.x) << change;
+    };
+    expect_like_new(0.01, "nothing");
+    expect_like_new(0.02, "step");
+    sheet.model.hold(7, true);
+    expect_like_new(0.02, "pins");
+    sheet.model.shear.stiffness = 500;
+    expect_like_new(0.02, "stiffness");
+    sheet.model.drag = 0.5;
+    expect_like_new(0.02, "drag");
+}
+
+TEST(PositionalMethods, AllocateNothingAfterTheFirstStep) {
+    const Sheet sheet;
+    for (const IntegratorKind kind : kinds) {
+        const auto integrator = make_integrator({.kind = kind}, sheet.model.grid);
+        ClothState state = sheet.start;
+        integrator->step(sheet.model, state, 1e-3);
+        const auto before = testing::allocations();
+        for (int step = 0; step < 3; ++step) integrator->step(sheet.model, state, 1e-3);
+        EXPECT_EQ(testing::allocations(), before) << name_of(kind);
+    }
+}
+
+}  // namespace
+}  // namespace drape
