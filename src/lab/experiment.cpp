@@ -46,6 +46,14 @@ std::string processor() {
     return "unknown";
 }
 
+std::string compiler() {
+#ifdef __clang__
+    return __VERSION__;
+#else
+    return "g++ " __VERSION__;
+#endif
+}
+
 std::string today() {
     const std::time_t now = std::time(nullptr);
     std::tm parts{};
@@ -65,7 +73,7 @@ std::string joined(const TableRow& row) {
 std::string head(const Experiment& experiment, const Options& options) {
     return "# experiment: " + experiment.name + " (" + experiment.question + ")\n# drape " + DRAPE_VERSION +
            (sizeof(Real) == 4 ? ", single" : ", double") + " precision\n# machine: " + processor() +
-           "\n# compiler: " + __VERSION__ + "\n# date: " + today() +
+           "\n# compiler: " + compiler() + "\n# date: " + today() +
            "\n# settings:" + (options.quick ? " --quick" : " whole") +
            (options.share.empty() ? "" : " --share " + options.share) + "\n";
 }

@@ -26,10 +26,10 @@ struct Subject {
     int steps;
 };
 
-constexpr Real longest_tried = Real(0.05);  // s
-constexpr Real swept_stiffness[] = {1e2, 1e3, 1e4, 1e5, 1e6};
-constexpr Real swept_damping[] = {0.01, 0.1, 0.3, 1, 3, 10};
-constexpr Real stiffness_when_damped = 1e4;
+constexpr Real longest_tried = Real(0.05);                            // s
+constexpr double swept_stiffness[] = {1e2, 1e3, 1e4, 1e5, 1e6};       // N/m
+constexpr double swept_damping[] = {0.01, 0.03, 0.1, 0.3, 1, 3, 10};  // N s/m
+constexpr Real stiffness_when_damped = 1e4;                           // N/m
 
 std::vector<Method> methods() {
     using enum IntegratorKind;
@@ -105,8 +105,9 @@ std::vector<TableRow> run_case(const Subject& subject) {
     if (std::isfinite(known.expected)) {
         // The search knows the prediction only as a rough start
         measured = measured_limit(sheet.model, sheet.state, method, Real(0.6) * known.expected, 1, trial, note);
-        for (const Real part : {0.1, 0.25, 0.5, 0.75, 0.9, 1.1, 1.25, 2.0, 4.0, 10.0}) {
-            note(part * known.expected, try_step(sheet.model, sheet.state, method, part * known.expected, trial));
+        for (const double part : {0.1, 0.25, 0.5, 0.75, 0.9, 1.1, 1.25, 2.0, 4.0, 10.0}) {
+            const Real step = static_cast<Real>(part) * known.expected;
+            note(step, try_step(sheet.model, sheet.state, method, step, trial));
         }
     } else {
         for (const Real step : {Real(1e-3), Real(1) / 240, Real(1) / 60, Real(1) / 30, longest_tried}) {
@@ -135,9 +136,11 @@ std::vector<ExperimentCase> cases(bool quick) {
         const int steps = limited ? 3000 : (quick ? 300 : 1000);
         const std::vector<int> sides = limited && !quick ? std::vector{16, 64, charted} : std::vector{charted};
         for (const int side : sides) {
-            for (const Real k : swept_stiffness) add({method, "stiffness", side, k, 0, steps});
+            for (const double k : swept_stiffness) add({method, "stiffness", side, static_cast<Real>(k), 0, steps});
         }
-        for (const Real c : swept_damping) add({method, "damping", charted, stiffness_when_damped, c, steps});
+        for (const double c : swept_damping) {
+            add({method, "damping", charted, stiffness_when_damped, static_cast<Real>(c), steps});
+        }
     }
     return all;
 }
