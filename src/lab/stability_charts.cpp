@@ -12,7 +12,8 @@ namespace at = stability_column;
 struct Charted {
     std::string side;  ///< of the sheet that is drawn
     int trials = 0, against = 0;
-    bool limited = false, both_sweeps = false;  ///< a share of the cases may lack one
+    bool limited = false;
+    bool stiffness = false, damping = false;  ///< which were swept; a share of the cases may lack one
 };
 
 std::string title(const std::string& method, const Charted& charted) {
@@ -63,33 +64,32 @@ Chart chart(const std::string& method, const Charted& charted) {
                 "graph 0, graph 0\n"
                 "set ylabel 'step [s]'\nset key at screen 0.5,0.075 center center horizontal maxrows 2 samplen 2 width "
                 "2\n" +
-                panel(method, charted, "stiffness", "stiffness_N_per_m", "stiffness of every spring [N/m], undamped") +
-                "unset key\nset ylabel ''\n" +
-                panel(method, charted, "damping", "damping_N_s_per_m",
-                      "damping of every spring [N s/m], stiffness 10^4 N/m") +
+                (charted.stiffness ? panel(method, charted, "stiffness", "stiffness_N_per_m",
+                                           "stiffness of every spring [N/m], undamped") +
+                                         "unset key\nset ylabel ''\n"
+                                   : std::string("set multiplot next\n")) +
+                (charted.damping ? panel(method, charted, "damping", "damping_N_s_per_m",
+                                         "damping of every spring [N s/m], stiffness 10^4 N/m")
+                                 : std::string()) +
                 "unset multiplot\nreset\nset datafile separator ','\nset datafile columnheaders\n"};
 }
 
 }  // namespace
 
 std::vector<Chart> stability_charts(const std::vector<TableRow>& rows) {
-    // The sheet that is drawn is the one whose damping was swept
+    // The sheet that is drawn is the last of its method
     std::map<std::string, Charted> methods;
+    for (const TableRow& row : rows) methods[row[at::Method]].side = row[at::Side];
     for (const TableRow& row : rows) {
-        if (row[at::Sweep] == "damping") methods[row[at::Method]].side = row[at::Side];
-    }
-    for (const TableRow& row : rows) {
-        const auto found = methods.find(row[at::Method]);
-        if (found == methods.end() || found->second.side != row[at::Side]) continue;
-        ++found->second.trials;
-        found->second.against += row[at::Verdict] == "disagrees" ? 1 : 0;
-        found->second.both_sweeps |= row[at::Sweep] == "stiffness";
-        found->second.limited = row[at::Expected] != "inf";
+        Charted& charted = methods[row[at::Method]];
+        if (charted.side != row[at::Side]) continue;
+        ++charted.trials;
+        charted.against += row[at::Verdict] == "disagrees" ? 1 : 0;
+        charted.limited = row[at::Expected] != "inf";
+        (row[at::Sweep] == "stiffness" ? charted.stiffness : charted.damping) = true;
     }
     std::vector<Chart> charts;
-    for (const auto& [method, charted] : methods) {
-        if (charted.both_sweeps) charts.push_back(chart(method, charted));
-    }
+    for (const auto& [method, charted] : methods) charts.push_back(chart(method, charted));
     return charts;
 }
 
