@@ -56,22 +56,22 @@ std::string panel(const std::string& method, const Charted& charted, const std::
 }
 
 Chart chart(const std::string& method, const Charted& charted) {
-    return {"stability_" + method, 1100, 560,
-            "set multiplot layout 1,2 title \"" + title(method, charted) +
-                "\" font ',13' margins 0.085,0.98,0.235,0.87 spacing 0.09,0\n"
-                "set logscale xy\nset format '10^{%L}'\nset grid xtics ytics lt 1 lc rgb '#e0e0e0'\nset offsets graph "
-                "0.04, graph 0.04, "
-                "graph 0, graph 0\n"
-                "set ylabel 'step [s]'\nset key at screen 0.5,0.075 center center horizontal maxrows 2 samplen 2 width "
-                "2\n" +
-                (charted.stiffness ? panel(method, charted, "stiffness", "stiffness_N_per_m",
-                                           "stiffness of every spring [N/m], undamped") +
-                                         "unset key\nset ylabel ''\n"
-                                   : std::string("set multiplot next\n")) +
-                (charted.damping ? panel(method, charted, "damping", "damping_N_s_per_m",
-                                         "damping of every spring [N s/m], stiffness 10^4 N/m")
-                                 : std::string()) +
-                "unset multiplot\nreset\nset datafile separator ','\nset datafile columnheaders\n"};
+    return {
+        "stability_" + method, 1100, 560,
+        "set multiplot layout 1,2 title \"" + title(method, charted) +
+            "\" font ',13' margins 0.085,0.98,0.235,0.87 spacing 0.09,0\n"
+            "set logscale xy\nset format '10^{%L}'\nset grid xtics ytics lt 1 lc rgb '#e0e0e0'\nset offsets graph "
+            "0.04, graph 0.04, "
+            "graph 0, graph 0\n"
+            "set ylabel 'step [s]'\nset key at screen 0.5,0.075 center center vertical maxrows 2 samplen 2 width -2\n" +
+            (charted.stiffness ? panel(method, charted, "stiffness", "stiffness_N_per_m",
+                                       "stiffness of every spring [N/m], undamped") +
+                                     "unset key\nset ylabel ''\n"
+                               : std::string("set multiplot next\n")) +
+            (charted.damping ? panel(method, charted, "damping", "damping_N_s_per_m",
+                                     "damping of every spring [N s/m], stiffness 10^4 N/m")
+                             : std::string()) +
+            "unset multiplot\nreset\nset datafile separator ','\nset datafile columnheaders\n"};
 }
 
 }  // namespace
