@@ -6,6 +6,7 @@
 #include <limits>
 #include <random>
 
+#include "drape/integrate/stability.h"
 #include "drape/model/energy.h"
 
 namespace drape {
@@ -92,6 +93,7 @@ Real measured_limit(const ClothModel& model, const ClothState& start, const Inte
 
 Real observable_limit_of_explicit_euler(const ClothModel& model, const ClothState& start, Real omega, Real zeta,
                                         const Trial& trial) {
+    if (zeta > 1) return longest_step(IntegratorKind::ExplicitEuler, omega * omega, 2 * zeta * omega);
     ClothState noisy = start;
     add_noise(model, trial, noisy);
     const Real noise = compute_energy(model, noisy).spring - compute_energy(model, start).spring;

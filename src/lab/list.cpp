@@ -5,6 +5,7 @@
 #include "drape/integrate/integrator.h"
 #include "drape/sim/scene.h"
 #include "drape/sim/setting_table.h"
+#include "experiment.h"
 
 namespace drape {
 namespace {
@@ -17,6 +18,12 @@ void print_scenes() {
     for (const std::string& name : scene_names()) std::cout << name << ": " << load_scene(name).title << '\n';
 }
 
+void print_experiments() {
+    for (const Experiment& experiment : experiments()) {
+        std::cout << experiment.name << ": " << experiment.question << '\n';
+    }
+}
+
 void list(const std::string& what) {
     if (what == "scenes") print_scenes();
     if (what == "settings") std::cout << settings_help();
@@ -24,7 +31,7 @@ void list(const std::string& what) {
     if (what == "volumes") print(volume_names());
     if (what == "updates") print(update_names());
     if (what == "fits") print(sphere_fit_names());
-    if (what == "experiments") std::cerr << "There are no experiments yet.\n";
+    if (what == "experiments") print_experiments();
 }
 
 }  // namespace

@@ -1,5 +1,6 @@
 #include "collide.h"
 #include "drape/base/program.h"
+#include "experiment.h"
 #include "list.h"
 #include "simulate.h"
 
@@ -7,12 +8,13 @@ namespace drape {
 namespace {
 
 int run(int argc, char** argv) {
-    CLI::App app("Simulates, collides and lists, with no picture.", "drape-lab");
+    CLI::App app("Simulates, collides, measures and lists, with no picture.", "drape-lab");
     app.require_subcommand(1);
     int exit_code = Done;
     add_simulate(app, exit_code);
     add_collide(app, exit_code);
     add_list(app, exit_code);
+    add_experiments(app, exit_code);
     parse_command_line(app, argc, argv);
     return exit_code;
 }

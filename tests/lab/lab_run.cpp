@@ -16,10 +16,13 @@ LabFolder::LabFolder() {
 
 LabFolder::~LabFolder() { std::filesystem::remove_all(path_); }
 
-LabRun LabFolder::run(const std::vector<std::string>& words, const std::string& program) const {
+LabRun LabFolder::run(const std::vector<std::string>& words, const std::string& program,
+                      const std::map<std::string, std::string>& environment) const {
     std::vector<std::string> all{program};
     all.insert(all.end(), words.begin(), words.end());
-    Process process(all, {{"DRAPE_DATA", ""}}, path_);
+    std::map<std::string, std::string> changes{{"DRAPE_DATA", ""}};
+    changes.insert(environment.begin(), environment.end());
+    Process process(all, changes, path_);
     const int code = process.wait(60).value_or(-1);
     return {code, process.standard_output(), process.standard_error()};
 }

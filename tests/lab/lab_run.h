@@ -1,6 +1,7 @@
 #pragma once
 
 #include <filesystem>
+#include <map>
 #include <string>
 #include <utility>
 #include <vector>
@@ -24,7 +25,8 @@ public:
     LabFolder& operator=(const LabFolder&) = delete;
 
     /// Runs `drape-lab` with these words to its end.
-    [[nodiscard]] LabRun run(const std::vector<std::string>& words, const std::string& program = DRAPE_LAB) const;
+    [[nodiscard]] LabRun run(const std::vector<std::string>& words, const std::string& program = DRAPE_LAB,
+                             const std::map<std::string, std::string>& environment = {}) const;
 
     /// @return the name of the file that was written
     std::string write(const std::string& name, const std::string& text) const;

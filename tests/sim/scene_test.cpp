@@ -248,6 +248,7 @@ TEST(ShippedScenes, AllLoadAndHaveATitle) {
     const std::vector<std::string> names = scene_names();
     EXPECT_THAT(names, testing::IsSupersetOf({"original", "drop", "curtain", "hang", "two_corners"}));
     EXPECT_EQ(names.front(), "original");
+    EXPECT_THAT(names.back(), StartsWith("fails_"));
     for (const std::string& name : names) EXPECT_NE(load_scene(name).title, Settings{}.title) << name;
 }
 

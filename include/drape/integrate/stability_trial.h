@@ -46,6 +46,7 @@ Real measured_limit(const ClothModel& model, const ClothState& start, const Inte
 ///
 ///     h = (d + sqrt(d^2 + 4 k (G^(1/N) - 1))) / (2 k)   with G = (energy that fails) / (energy of the noise)
 ///
+/// Beyond zeta = 1 it is the limit itself: there a decay turns into growth at once.
 /// @param omega, zeta of the fastest vibration, as `predicted_limit` gives them for another explicit method
 /// @return [s]
 Real observable_limit_of_explicit_euler(const ClothModel& model, const ClothState& start, Real omega, Real zeta,

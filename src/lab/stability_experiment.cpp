@@ -1,0 +1,190 @@
+#include "stability_experiment.h"
+
+#include <cmath>
+#include <limits>
+#include <map>
+
+#include "drape/base/numbers.h"
+#include "drape/integrate/stability.h"
+#include "drape/integrate/stability_trial.h"
+
+namespace drape {
+namespace {
+
+/// A method under the name that table and chart give it.
+struct Method {
+    std::string name;
+    IntegratorParameters parameters;
+};
+
+/// What a case is about: a sheet, and the method that moves it.
+struct Subject {
+    Method method;
+    std::string sweep;  ///< what varies: stiffness or damping
+    int side;           ///< particles
+    Real stiffness, damping;
+    int steps;
+};
+
+constexpr Real longest_tried = Real(0.05);                            // s
+constexpr double swept_stiffness[] = {1e2, 1e3, 1e4, 1e5, 1e6};       // N/m
+constexpr double swept_damping[] = {0.01, 0.03, 0.1, 0.3, 1, 3, 10};  // N s/m
+constexpr Real stiffness_when_damped = 1e4;                           // N/m
+
+std::vector<Method> methods() {
+    using enum IntegratorKind;
+    std::vector<Method> all;
+    const auto add = [&all](std::string name, const IntegratorParameters& parameters) {
+        if (make_integrator(parameters, Grid{})) all.push_back({std::move(name), parameters});
+    };
+    for (const auto kind : {ExplicitEuler, SymplecticEuler, VelocityVerlet, Rk4}) {
+        add(std::string(name_of(kind)), {.kind = kind});
+    }
+    for (const auto kind : {BackwardEuler, ImplicitMidpoint, Bdf2}) {
+        add(std::string(name_of(kind)) + "_clamped", {.kind = kind, .hessian = Hessian::Clamped});
+        add(std::string(name_of(kind)) + "_exact", {.kind = kind, .hessian = Hessian::Exact});
+    }
+    add("xpbd_1", {.kind = Xpbd, .iterations = 1});
+    add("xpbd_20", {.kind = Xpbd, .iterations = 20});
+    add("projective_dynamics", {.kind = ProjectiveDynamics});
+    return all;
+}
+
+struct Sheet {
+    ClothModel model;
+    ClothState state;
+};
+
+/// Where the limit is linear: a free flat sheet without gravity, so that it is tried in the state that the prediction
+/// is about. Elsewhere: a sheet that falls and swings, hung by two corners.
+Sheet sheet_of(const Subject& subject) {
+    const bool limited = has_step_limit(subject.method.parameters.kind);
+    ClothParameters parameters;
+    parameters.particles = {subject.side, subject.side};
+    parameters.structural = parameters.shear = parameters.bend = {subject.stiffness, subject.damping};
+    parameters.drag = 0;
+    if (!limited) parameters.pinned.kind = Pins::Kind::Two;
+    Sheet sheet{make_cloth_model(parameters), make_rest_state(parameters)};
+    if (limited) sheet.model.gravity.setZero();
+    return sheet;
+}
+
+/// What is known before the trials.
+struct Forecast {
+    StepLimit limit;
+    Real expected;   ///< where trials should start to fail [s]
+    Real tolerance;  ///< of `expected`
+};
+
+Forecast forecast(const Subject& subject, const Sheet& sheet) {
+    const IntegratorKind kind = subject.method.parameters.kind;
+    const StepLimit limit = predicted_limit(sheet.model, sheet.state, kind);
+    if (kind != IntegratorKind::ExplicitEuler) return {limit, limit.step, Real(0.03)};
+    const StepLimit fastest = predicted_limit(sheet.model, sheet.state, IntegratorKind::SymplecticEuler);
+    const Real expected = observable_limit_of_explicit_euler(sheet.model, sheet.state, fastest.omega, fastest.zeta,
+                                                             {.steps = subject.steps});
+    return {limit, expected, Real(0.15)};
+}
+
+std::string verdict(Real step, TrialEnd end, const Forecast& forecast) {
+    const bool bounded = end == TrialEnd::Bounded;
+    if (step < (1 - forecast.tolerance) * forecast.expected) return bounded ? "agrees" : "disagrees";
+    if (step > (1 + forecast.tolerance) * forecast.expected) return bounded ? "disagrees" : "agrees";
+    return "close";
+}
+
+std::vector<TableRow> run_case(const Subject& subject) {
+    const Sheet sheet = sheet_of(subject);
+    const Forecast known = forecast(subject, sheet);
+    const IntegratorParameters& method = subject.method.parameters;
+    const Trial trial{.steps = subject.steps};
+    std::vector<std::pair<Real, TrialEnd>> tried;
+    const auto note = [&tried](Real step, TrialEnd end) { tried.emplace_back(step, end); };
+
+    Real measured = std::numeric_limits<Real>::infinity();
+    if (std::isfinite(known.expected)) {
+        // The search knows the prediction only as a rough start
+        measured = measured_limit(sheet.model, sheet.state, method, Real(0.6) * known.expected, 1, trial, note);
+        for (const double part : {0.1, 0.25, 0.5, 0.75, 0.9, 1.1, 1.25, 2.0, 4.0, 10.0}) {
+            const Real step = static_cast<Real>(part) * known.expected;
+            note(step, try_step(sheet.model, sheet.state, method, step, trial));
+        }
+    } else {
+        for (const Real step : {Real(1e-3), Real(1) / 240, Real(1) / 60, Real(1) / 30, longest_tried}) {
+            note(step, try_step(sheet.model, sheet.state, method, step, trial));
+            if (tried.back().second != TrialEnd::Bounded) measured = std::min(measured, step);
+        }
+    }
+
+    const auto text = [](Real value) { return real_text(static_cast<double>(value), 6); };
+    std::vector<TableRow> rows;
+    for (const auto& [step, end] : tried) {
+        rows.push_back({subject.method.name, subject.sweep, std::to_string(subject.side), text(subject.stiffness),
+                        text(subject.damping), text(known.limit.omega), text(known.limit.zeta), text(known.limit.step),
+                        text(known.expected), text(measured), text(step), std::string(name_of(end)),
+                        verdict(step, end, known)});
+    }
+    return rows;
+}
+
+std::vector<ExperimentCase> cases(bool quick) {
+    std::vector<ExperimentCase> all;
+    const auto add = [&all](const Subject& subject) { all.push_back([subject] { return run_case(subject); }); };
+    for (const Method& method : methods()) {
+        const bool limited = has_step_limit(method.parameters.kind);
+        const int charted = limited ? (quick ? 16 : 30) : (quick ? 8 : 16);
+        const int steps = limited ? 3000 : (quick ? 300 : 1000);
+        const std::vector<int> sides = limited && !quick ? std::vector{16, 64, charted} : std::vector{charted};
+        for (const int side : sides) {
+            for (const double k : swept_stiffness) add({method, "stiffness", side, static_cast<Real>(k), 0, steps});
+        }
+        for (const double c : swept_damping) {
+            add({method, "damping", charted, stiffness_when_damped, static_cast<Real>(c), steps});
+        }
+    }
+    return all;
+}
+
+/// A line a method: how many trials there were, how many speak against the prediction, and how far the measured limits
+/// are from it.
+std::string summary(const std::vector<TableRow>& rows) {
+    namespace at = stability_column;
+    struct Count {
+        int trials = 0, against = 0;
+        double lowest = std::numeric_limits<double>::infinity(), highest = 0;
+    };
+    std::map<std::string, Count> counts;
+    for (const TableRow& row : rows) {
+        Count& count = counts[row[at::Method]];
+        ++count.trials;
+        count.against += row[at::Verdict] == "disagrees" ? 1 : 0;
+        const double ratio = *parse_real(row[at::Measured]) / *parse_real(row[at::Expected]);
+        if (std::isfinite(ratio)) count.lowest = std::min(count.lowest, ratio);
+        if (std::isfinite(ratio)) count.highest = std::max(count.highest, ratio);
+    }
+    std::string text;
+    for (const auto& [method, count] : counts) {
+        text += method + ": " + std::to_string(count.trials) + " trials, " + std::to_string(count.against) +
+                " against the prediction";
+        if (count.highest > 0) {
+            text += ", measured limit " + real_text(count.lowest, 4) + " to " + real_text(count.highest, 4) +
+                    " of the expected";
+        }
+        text += "\n";
+    }
+    return text;
+}
+
+}  // namespace
+
+Experiment stability_experiment() {
+    return {"stability",
+            "which steps stay bounded, and is that what is predicted?",
+            {"method", "sweep", "side", "stiffness_N_per_m", "damping_N_s_per_m", "omega_per_s", "zeta",
+             "predicted_step_s", "expected_step_s", "measured_step_s", "step_s", "end", "verdict"},
+            cases,
+            stability_charts,
+            summary};
+}
+
+}  // namespace drape

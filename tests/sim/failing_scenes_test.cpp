@@ -1,0 +1,56 @@
+#include <gmock/gmock.h>
+
+#include <map>
+
+#include "drape/integrate/stability.h"
+#include "drape/sim/start.h"
+#include "sim/scene_lists.h"
+#include "sim/small_scene.h"
+
+namespace drape {
+namespace {
+
+constexpr double run_time = 0.1;  // s
+
+Real predicted(const Settings& settings) {
+    const ClothParameters& cloth = settings.cloths[0];
+    return predicted_limit(make_cloth_model(cloth), make_rest_state(cloth), settings.solver.integrator).step;
+}
+
+Status after_a_while(const std::string& scene, const Settings& settings) {
+    Simulation simulation(scene, settings);
+    make_steps(simulation, static_cast<int>(run_time / static_cast<double>(settings.solver.dt)));
+    return simulation.report().status;
+}
+
+class FailingScene : public testing::TestWithParam<std::string> {};
+
+TEST_P(FailingScene, FailsAsItsTitleAndItsWarningSay) {
+    const Settings settings = load_scene(GetParam());
+    EXPECT_THAT(settings.title, testing::StartsWith("Fails: "));
+    EXPECT_NE(step_warning(settings), "");
+    EXPECT_EQ(after_a_while(GetParam(), settings), Status::Diverged);
+}
+
+INSTANTIATE_TEST_SUITE_P(All, FailingScene, testing::ValuesIn(scenes_that_fail(true)),
+                         [](const auto& scene) { return scene.param; });
+
+TEST(FailingScenes, AboveALimitAreTwoPercentAboveItAndRunWithThreePercentLess) {
+    for (const std::string name : {"fails_symplectic_euler", "fails_rk4"}) {
+        Settings settings = load_scene(name);
+        EXPECT_NEAR(settings.solver.dt / predicted(settings), 1.02, 0.002) << name;
+        settings.solver.dt *= Real(0.97);
+        EXPECT_EQ(after_a_while(name, settings), Status::Ok) << name;
+    }
+}
+
+TEST(FailingScenes, OfExplicitEulerRunWithAnotherMethodAtThatStep) {
+    Settings settings = load_scene("fails_explicit_euler");
+    EXPECT_EQ(predicted(settings), 0);
+    settings.solver.integrator = IntegratorKind::SymplecticEuler;
+    EXPECT_LT(settings.solver.dt, Real(0.5) * predicted(settings));
+    EXPECT_EQ(after_a_while("fails_explicit_euler", settings), Status::Ok);
+}
+
+}  // namespace
+}  // namespace drape
