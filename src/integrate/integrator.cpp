@@ -8,16 +8,16 @@
 namespace drape {
 
 std::unique_ptr<Integrator> make_integrator(const IntegratorParameters& parameters, const Grid& grid) {
-    const int particles = grid.particles();
+    const int threads = parameters.threads;
     switch (parameters.kind) {
         case IntegratorKind::ExplicitEuler:
-            return make_explicit_euler(particles);
+            return make_explicit_euler(grid, threads);
         case IntegratorKind::SymplecticEuler:
-            return make_symplectic_euler(particles);
+            return make_symplectic_euler(grid, threads);
         case IntegratorKind::VelocityVerlet:
-            return make_velocity_verlet(particles);
+            return make_velocity_verlet(grid, threads);
         case IntegratorKind::Rk4:
-            return make_rk4(particles);
+            return make_rk4(grid, threads);
         default:
             break;
     }

@@ -32,6 +32,7 @@ Settings laws_of(Settings settings) {
     settings.view = {};
     settings.needs = {};
     settings.solver.on_unstable = {};
+    settings.solver.threads = {};
     settings.contact.volume = defaults.volume;
     settings.contact.update = defaults.update;
     settings.contact.leaf_cells = defaults.leaf_cells;
