@@ -107,46 +107,58 @@ HWY_INLINE void find_pulls(const ForceInput& input, const Part& part, int j, Pul
 }
 
 /// Adds up the forces on the particles of row j: gravity, drag, wind, and the pulls of all springs at both their ends.
-HWY_INLINE void add_up(const ForceInput& input, const Part& part, int j, Pulls* kinds, int count,
+template <bool windy>
+HWY_INLINE void add_up(const ForceInput& input, const Part& part, int j, Pulls (&kinds)[6],
                        Real (&force)[3][most_columns]) {
     const ClothModel& model = *input.model;
     const int p = model.grid.particle(part.first_column, j);
     for (int axis = 0; axis < 3; ++axis) {
-        const Real* from[6];
-        const Real* to[6];
-        for (int s = 0; s < count; ++s) {
+        const Real weight = model.particle_mass * model.gravity[axis], drag = model.drag;
+        const Real *v = input.v[axis] + p, *wind = windy ? input.wind[axis] + p : nullptr;
+        const Real *from[6], *to[6];
+        for (int s = 0; s < 6; ++s) {
             const SpringStencil& spring = kinds[s].spring;
             from[s] = kinds[s].row(j).pull[axis] + PullRow::margin;
             to[s] = kinds[s].row(j - spring.dj).pull[axis] + PullRow::margin - spring.di;
         }
         for_each_vector(hn::ScalableTag<Real>(), 0, part.columns, [&](auto d, int i) HWY_ATTR {
-            const auto weight = hn::Set(d, model.particle_mass * model.gravity[axis]);
-            auto f = hn::Sub(weight, hn::Mul(hn::Set(d, model.drag), hn::LoadU(d, input.v[axis] + p + i)));
-            if (input.wind[axis] != nullptr) f = hn::Add(f, hn::LoadU(d, input.wind[axis] + p + i));
-            for (int s = 0; s < count; ++s) {
-                f = hn::Add(hn::Sub(f, hn::LoadU(d, from[s] + i)), hn::LoadU(d, to[s] + i));
-            }
+            auto f = hn::Sub(hn::Set(d, weight), hn::Mul(hn::Set(d, drag), hn::LoadU(d, v + i)));
+            if constexpr (windy) f = hn::Add(f, hn::LoadU(d, wind + i));
+            f = hn::Add(hn::Sub(f, hn::LoadU(d, from[0] + i)), hn::LoadU(d, to[0] + i));
+            f = hn::Add(hn::Sub(f, hn::LoadU(d, from[1] + i)), hn::LoadU(d, to[1] + i));
+            f = hn::Add(hn::Sub(f, hn::LoadU(d, from[2] + i)), hn::LoadU(d, to[2] + i));
+            f = hn::Add(hn::Sub(f, hn::LoadU(d, from[3] + i)), hn::LoadU(d, to[3] + i));
+            f = hn::Add(hn::Sub(f, hn::LoadU(d, from[4] + i)), hn::LoadU(d, to[4] + i));
+            f = hn::Add(hn::Sub(f, hn::LoadU(d, from[5] + i)), hn::LoadU(d, to[5] + i));
             hn::StoreU(f, d, force[axis] + i);
         });
     }
 }
 
+/// The pulls of a kind without a law, and of rows and columns without springs, are zero from the start.
+HWY_INLINE void clear(const SpringStencil& spring, const Part& part, Pulls& pulls) {
+    pulls.spring = spring;
+    for (int row = 0; row <= spring.dj; ++row) {
+        for (Real* axis : pulls.rows[row].pull) std::fill_n(axis, part.columns + 2 * PullRow::margin, Real(0));
+    }
+}
+
 void forces_on(const ForceInput& input, const Part& part, const std::function<void(const ForceRun&)>& use) {
     HWY_ALIGN Pulls kinds[6];
-    int count = 0;
-    for (const SpringStencil& spring : spring_stencils(*input.model)) {
-        if (spring.law == SpringLaw{}) continue;
-        kinds[count].spring = spring;
-        std::fill_n(kinds[count].rows, spring.dj + 1, PullRow{});
-        ++count;
-    }
+    const auto springs = spring_stencils(*input.model);
+    for (std::size_t s = 0; s < springs.size(); ++s) clear(springs[s], part, kinds[s]);
     HWY_ALIGN Real force[3][most_columns];
     for (int j = std::max(part.first_row - 2, 0); j < part.first_row + part.rows; ++j) {
-        for (int s = 0; s < count; ++s) {
-            if (j + kinds[s].spring.dj >= part.first_row) find_pulls(input, part, j, kinds[s]);
+        for (Pulls& pulls : kinds) {
+            if (pulls.spring.law != SpringLaw{} && j + pulls.spring.dj >= part.first_row) {
+                find_pulls(input, part, j, pulls);
+            }
         }
         if (j < part.first_row) continue;
-        add_up(input, part, j, kinds, count, force);
+        if (input.wind[0] != nullptr)
+            add_up<true>(input, part, j, kinds, force);
+        else
+            add_up<false>(input, part, j, kinds, force);
         use({input.model->grid.particle(part.first_column, j), part.columns, {force[0], force[1], force[2]},
              input.model});
     }
