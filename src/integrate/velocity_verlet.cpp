@@ -14,8 +14,7 @@ public:
         forces_(model, state.x, state.v, [&](const ForceRun& run) {
             for (int axis = 0; axis < 3; ++axis) {
                 run.of(a_, axis) = run.accelerations(axis);
-                run.of(x_, axis) = run.of(state.x, axis) +
-                                   (h * run.of(state.v, axis) + (h * h / 2) * run.of(a_, axis));
+                run.of(x_, axis) = run.of(state.x, axis) + (h * run.of(state.v, axis) + (h * h / 2) * run.of(a_, axis));
                 run.of(v_guess_, axis) = run.of(state.v, axis) + h * run.of(a_, axis);
             }
         });

@@ -159,7 +159,9 @@ void forces_on(const ForceInput& input, const Part& part, const std::function<vo
             add_up<true>(input, part, j, kinds, force);
         else
             add_up<false>(input, part, j, kinds, force);
-        use({input.model->grid.particle(part.first_column, j), part.columns, {force[0], force[1], force[2]},
+        use({input.model->grid.particle(part.first_column, j),
+             part.columns,
+             {force[0], force[1], force[2]},
              input.model});
     }
 }

@@ -26,9 +26,8 @@ struct MovingSheet {
 };
 
 void per_particle(benchmark::State& state, int side) {
-    state.counters["particle"] =
-        benchmark::Counter(static_cast<double>(side) * side,
-                           benchmark::Counter::kIsIterationInvariantRate | benchmark::Counter::kInvert);
+    state.counters["particle"] = benchmark::Counter(
+        static_cast<double>(side) * side, benchmark::Counter::kIsIterationInvariantRate | benchmark::Counter::kInvert);
 }
 
 /// Reads and writes every number of the state once.

@@ -31,7 +31,7 @@ private:
     const std::function<void(int)>* work_ = nullptr;
     int parts_ = 0;
     bool closing_ = false;
-    std::atomic<int> round_ = 0;   ///< changes when there is work; what stands above is written before
+    std::atomic<int> round_ = 0;    ///< changes when there is work; what stands above is written before
     std::atomic<int> working_ = 0;  ///< own threads that have not yet finished the round
     std::vector<std::thread> own_;
 };
