@@ -87,7 +87,7 @@ struct Pulls {
 /// Finds the pulls of the springs whose first ends lie in row j, as far as they hold particles of the part.
 HWY_INLINE void find_pulls(const ForceInput& input, const Part& part, int j, Pulls& pulls) {
     const Grid grid = input.model->grid;
-    const SpringStencil& spring = pulls.spring;
+    const SpringStencil spring = pulls.spring;  // a copy, which no store can change: its numbers stay in registers
     PullRow& row = pulls.row(j);
     if (j >= spring.rows(grid)) {
         row = {};

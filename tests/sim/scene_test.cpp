@@ -46,6 +46,7 @@ path = [[0, 1, 2, 3], [1.5, 4, 5, 6]]
 integrator = "rk4"
 dt = 3e-4
 on_unstable = "stop"
+threads = 3
 sleep_speed = 0.5
 [contact]
 volume = "brute"
