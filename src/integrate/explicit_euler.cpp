@@ -1,4 +1,4 @@
-#include "drape/model/forces.h"
+#include "drape/model/force_sweep.h"
 #include "explicit_methods.h"
 
 namespace drape {
@@ -7,22 +7,30 @@ namespace {
 /// x += h v; v += h a(x_n, v_n). First order; gains energy without enough damping.
 class ExplicitEuler final : public Integrator {
 public:
-    explicit ExplicitEuler(int particles) : a_(particles, 3) {}
+    ExplicitEuler(const Grid& grid, int threads)
+        : forces_(grid, threads), x_(grid.particles(), 3), v_(grid.particles(), 3) {}
 
     SolveReport step(const ClothModel& model, ClothState& state, Real h) override {
-        compute_forces(model, state.x, state.v, a_);
-        forces_to_accelerations(model, a_);
-        state.x += h * state.v;
-        state.v += h * a_;
+        forces_(model, state.x, state.v, [&](const ForceRun& run) {
+            for (int axis = 0; axis < 3; ++axis) {
+                run.of(x_, axis) = run.of(state.x, axis) + h * run.of(state.v, axis);
+                run.of(v_, axis) = run.of(state.v, axis) + h * run.accelerations(axis);
+            }
+        });
+        state.x.swap(x_);
+        state.v.swap(v_);
         return {.force_evaluations = 1};
     }
 
 private:
-    Points a_;
+    ForceSweep forces_;
+    Points x_, v_;  // after the step
 };
 
 }  // namespace
 
-std::unique_ptr<Integrator> make_explicit_euler(int particles) { return std::make_unique<ExplicitEuler>(particles); }
+std::unique_ptr<Integrator> make_explicit_euler(const Grid& grid, int threads) {
+    return std::make_unique<ExplicitEuler>(grid, threads);
+}
 
 }  // namespace drape

@@ -6,11 +6,11 @@
 
 namespace drape {
 
-/// Each is made in the file of its name; `particles` sizes its scratch arrays.
-std::unique_ptr<Integrator> make_explicit_euler(int particles);
-std::unique_ptr<Integrator> make_symplectic_euler(int particles);
-std::unique_ptr<Integrator> make_velocity_verlet(int particles);
-std::unique_ptr<Integrator> make_rk4(int particles);
+/// Each is made in the file of its name; `grid` sizes its scratch arrays, `threads` share its work.
+std::unique_ptr<Integrator> make_explicit_euler(const Grid& grid, int threads);
+std::unique_ptr<Integrator> make_symplectic_euler(const Grid& grid, int threads);
+std::unique_ptr<Integrator> make_velocity_verlet(const Grid& grid, int threads);
+std::unique_ptr<Integrator> make_rk4(const Grid& grid, int threads);
 std::unique_ptr<Integrator> make_dormand_prince(int particles, Real tolerance);
 
 }  // namespace drape

@@ -10,16 +10,16 @@
 namespace drape {
 
 std::unique_ptr<Integrator> make_integrator(const IntegratorParameters& parameters, const Grid& grid) {
-    const int particles = grid.particles();
+    const int threads = parameters.threads;
     switch (parameters.kind) {
         case IntegratorKind::ExplicitEuler:
-            return make_explicit_euler(particles);
+            return make_explicit_euler(grid, threads);
         case IntegratorKind::SymplecticEuler:
-            return make_symplectic_euler(particles);
+            return make_symplectic_euler(grid, threads);
         case IntegratorKind::VelocityVerlet:
-            return make_velocity_verlet(particles);
+            return make_velocity_verlet(grid, threads);
         case IntegratorKind::Rk4:
-            return make_rk4(particles);
+            return make_rk4(grid, threads);
         case IntegratorKind::BackwardEuler:
             return make_backward_euler(grid, parameters.hessian);
         case IntegratorKind::ImplicitMidpoint:
@@ -31,7 +31,7 @@ std::unique_ptr<Integrator> make_integrator(const IntegratorParameters& paramete
         case IntegratorKind::ProjectiveDynamics:
             return make_projective_dynamics(grid, parameters.iterations);
         case IntegratorKind::DormandPrince:
-            return make_dormand_prince(particles, parameters.tolerance);
+            return make_dormand_prince(grid.particles(), parameters.tolerance);
     }
     DRAPE_ASSERT(false && "every kind has its method");
     return nullptr;

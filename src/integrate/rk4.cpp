@@ -1,4 +1,4 @@
-#include "drape/model/forces.h"
+#include "drape/model/force_sweep.h"
 #include "explicit_methods.h"
 
 namespace drape {
@@ -7,8 +7,14 @@ namespace {
 /// The classical Runge-Kutta method of order 4 on y = (x, v), y' = (v, a(x, v)).
 class Rk4 final : public Integrator {
 public:
-    explicit Rk4(int particles)
-        : x_(particles, 3), v_(particles, 3), a_(particles, 3), x_sum_(particles, 3), v_sum_(particles, 3) {}
+    Rk4(const Grid& grid, int threads)
+        : forces_(grid, threads),
+          x_(grid.particles(), 3),
+          v_(grid.particles(), 3),
+          x_next_(grid.particles(), 3),
+          v_next_(grid.particles(), 3),
+          x_sum_(grid.particles(), 3),
+          v_sum_(grid.particles(), 3) {}
 
     SolveReport step(const ClothModel& model, ClothState& state, Real h) override {
         x_ = state.x;
@@ -27,19 +33,24 @@ public:
 private:
     /// Adds the slope at (x_, v_) with its weight, and moves (x_, v_) to `reach` along that slope from the start.
     void stage(const ClothModel& model, const ClothState& start, Real weight, Real reach) {
-        compute_forces(model, x_, v_, a_);
-        forces_to_accelerations(model, a_);
-        x_sum_ += weight * v_;
-        v_sum_ += weight * a_;
-        x_ = start.x + reach * v_;
-        v_ = start.v + reach * a_;
+        forces_(model, x_, v_, [&](const ForceRun& run) {
+            for (int axis = 0; axis < 3; ++axis) {
+                run.of(x_sum_, axis) += weight * run.of(v_, axis);
+                run.of(v_sum_, axis) += weight * run.accelerations(axis);
+                run.of(x_next_, axis) = run.of(start.x, axis) + reach * run.of(v_, axis);
+                run.of(v_next_, axis) = run.of(start.v, axis) + reach * run.accelerations(axis);
+            }
+        });
+        x_.swap(x_next_);
+        v_.swap(v_next_);
     }
 
-    Points x_, v_, a_, x_sum_, v_sum_;
+    ForceSweep forces_;
+    Points x_, v_, x_next_, v_next_, x_sum_, v_sum_;
 };
 
 }  // namespace
 
-std::unique_ptr<Integrator> make_rk4(int particles) { return std::make_unique<Rk4>(particles); }
+std::unique_ptr<Integrator> make_rk4(const Grid& grid, int threads) { return std::make_unique<Rk4>(grid, threads); }
 
 }  // namespace drape

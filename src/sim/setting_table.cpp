@@ -131,6 +131,8 @@ void add_the_rest(std::vector<Setting>& table) {
     solver.integer("iterations", &SolverSettings::iterations, {1, 1000}, "of xpbd and projective_dynamics in one step");
     solver.number("tolerance", &SolverSettings::tolerance, "", {1e-14, 0.1},
                   "of dormand_prince: error of a step, of the cloth's spacing");
+    solver.integer("threads", &SolverSettings::threads, {1, 64},
+                   "that share a step of the explicit methods; the motion is the same");
     solver.number("dt", &SolverSettings::dt, "s", {1e-9, 0.1}, "length of one substep");
     solver.choice(
         "on_unstable", &SolverSettings::on_unstable, unstable_names,

@@ -6,7 +6,8 @@ IntegratorParameters integrator_of(const SolverSettings& solver) {
     return {.kind = solver.integrator,
             .hessian = solver.hessian,
             .iterations = solver.iterations,
-            .tolerance = solver.tolerance};
+            .tolerance = solver.tolerance,
+            .threads = solver.threads};
 }
 
 BroadPhaseParameters broad_phase_of(const ContactSettings& contact) {

@@ -42,6 +42,7 @@ Settings laws_of(Settings settings, bool limited) {
     settings.needs = {};
     if (settings.solver.on_unstable == OnUnstable::Stop) settings.solver.on_unstable = OnUnstable::Warn;
     settings.solver.ledger = {};
+    settings.solver.threads = {};
     settings.contact.coherence = defaults.coherence;
     if (limited) return settings;
     settings.contact.volume = defaults.volume;

@@ -50,6 +50,7 @@ tolerance = 1e-7
 ledger = false
 dt = 3e-4
 on_unstable = "stop"
+threads = 3
 sleep_speed = 0.5
 [contact]
 volume = "brute"

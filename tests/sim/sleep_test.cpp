@@ -186,6 +186,7 @@ TEST(Sleep, IsNotDisturbedByWhatMovesNothing) {
                                 "set title=x",
                                 "set needs.horizon=1",
                                 "set on_unstable=stop",
+                                "set threads=2",
                                 "pause",
                                 "step 3",
                                 "next volume",

@@ -31,6 +31,7 @@ struct IntegratorParameters {
     Hessian hessian = Hessian::Clamped;  ///< of backward Euler, implicit midpoint and BDF2
     int iterations = 10;                 ///< of XPBD and projective dynamics in one step
     Real tolerance = Real(1e-6);         ///< of Dormand-Prince: error of a step, of the cloth's spacing
+    int threads = 1;                     ///< that share the work of the explicit methods; the result is the same
     bool operator==(const IntegratorParameters&) const = default;
 };
 

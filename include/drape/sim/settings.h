@@ -42,6 +42,7 @@ struct SolverSettings {
     Hessian hessian = Hessian::Clamped;
     int iterations = 10;
     Real tolerance = Real(1e-6);
+    int threads = 1;
     Real dt = Real(2e-4);
     OnUnstable on_unstable = OnUnstable::Warn;
     Real sleep_speed = Real(2e-4);  ///< slower than this for half a second, a scene falls asleep; 0: never [m/s]

@@ -1,0 +1,39 @@
+#pragma once
+
+#include <atomic>
+#include <functional>
+#include <thread>
+#include <vector>
+
+namespace drape {
+
+/// A fixed number of threads that share a loop: the caller's own and some that wait for work.
+/// Between two loops they look for the next one for a few microseconds, then sleep.
+class Workers {
+public:
+    /// @param threads the caller's own included, at least 1
+    explicit Workers(int threads);
+    ~Workers();
+    Workers(const Workers&) = delete;
+    Workers& operator=(const Workers&) = delete;
+
+    [[nodiscard]] int threads() const { return static_cast<int>(own_.size()) + 1; }
+
+    /// Calls work(0) ... work(parts - 1), each once and all at the same time, and returns when they have returned.
+    /// @param work must not throw; hand a lambda over by std::ref, for a std::function may allocate a copy of it
+    /// @pre 1 <= parts <= threads()
+    /// @par Cost some microseconds; none for a single part, which runs as a plain call. No allocation.
+    void run(int parts, const std::function<void(int)>& work);
+
+private:
+    void serve(int part);
+
+    const std::function<void(int)>* work_ = nullptr;
+    int parts_ = 0;
+    bool closing_ = false;
+    std::atomic<int> round_ = 0;    ///< changes when there is work; what stands above is written before
+    std::atomic<int> working_ = 0;  ///< own threads that have not yet finished the round
+    std::vector<std::thread> own_;
+};
+
+}  // namespace drape

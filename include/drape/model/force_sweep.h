@@ -1,0 +1,58 @@
+#pragma once
+
+#include <functional>
+
+#include "drape/base/workers.h"
+#include "drape/model/cloth_model.h"
+
+namespace drape {
+
+/// The forces on some neighbours in a row of particles, while they are in the cache.
+struct ForceRun {
+    Eigen::Index first, count;  ///< the particles
+    const Real* force[3];       ///< count values each [N]
+    const ClothModel* model;
+
+    /// The run's part of an n x 3 array, of one axis.
+    [[nodiscard]] auto of(const Points& points, int axis) const {
+        return points.col(axis).segment(first, count).array();
+    }
+    [[nodiscard]] auto of(Points& points, int axis) const { return points.col(axis).segment(first, count).array(); }
+
+    [[nodiscard]] auto forces(int axis) const {
+        return Eigen::Map<const Eigen::Array<Real, Eigen::Dynamic, 1>>(force[axis], count);
+    }
+
+    /// a = f/m, and zero for pinned particles [m/s^2].
+    [[nodiscard]] auto accelerations(int axis) const {
+        return forces(axis) * model->inverse_mass.segment(first, count);
+    }
+};
+
+/// Evaluates all forces on a cloth in one sweep over it, on one or more threads, and hands them over run by run, so
+/// that what is made of them is made before they leave the cache. Each particle's forces are added up in one order,
+/// wherever runs begin and end: the bits do not depend on the number of threads.
+class ForceSweep {
+public:
+    ForceSweep(const Grid& grid, int threads) : wind_(grid.particles(), 3), workers_(threads) {}
+
+    /// Calls use(run) for runs that hold each particle once.
+    /// @param x n x 3 [m]
+    /// @param v n x 3 [m/s]
+    /// @param use a function of `const ForceRun&`; called by several threads at a time, it may write what belongs to
+    /// its run but must leave x and v alone, for the forces on others are still to be found
+    /// @par Cost O(n), no allocation
+    template <class Use>
+    void operator()(const ClothModel& model, const Points& x, const Points& v, Use use) {
+        sweep(model, x, v, std::ref(use));
+    }
+
+private:
+    void sweep(const ClothModel& model, const Points& x, const Points& v,
+               const std::function<void(const ForceRun&)>& use);
+
+    Points wind_;
+    Workers workers_;
+};
+
+}  // namespace drape

@@ -1,0 +1,57 @@
+#include "drape/base/workers.h"
+
+#include "drape/base/assert.h"
+
+namespace drape {
+namespace {
+
+/// Returns when the value is no longer `old`: after looking for as long as a short loop takes, asleep.
+void wait_while(const std::atomic<int>& value, int old) {
+    constexpr int looks = 100;
+    for (int look = 0; look < looks; ++look) {
+        if (value.load(std::memory_order_acquire) != old) return;
+        std::this_thread::yield();
+    }
+    value.wait(old, std::memory_order_acquire);
+}
+
+}  // namespace
+
+Workers::Workers(int threads) {
+    DRAPE_ASSERT(threads >= 1);
+    for (int part = 1; part < threads; ++part) own_.emplace_back([this, part] { serve(part); });
+}
+
+Workers::~Workers() {
+    closing_ = true;
+    ++round_;
+    round_.notify_all();
+    for (std::thread& thread : own_) thread.join();
+}
+
+void Workers::run(int parts, const std::function<void(int)>& work) {
+    DRAPE_ASSERT(parts >= 1 && parts <= threads());
+    if (parts > 1) {
+        work_ = &work;
+        parts_ = parts;
+        working_ = static_cast<int>(own_.size());
+        ++round_;
+        round_.notify_all();
+    }
+    work(0);
+    if (parts > 1) {
+        for (int working = working_; working > 0; working = working_) wait_while(working_, working);
+    }
+}
+
+void Workers::serve(int part) {
+    for (int round = 0;; ++round) {
+        wait_while(round_, round);
+        if (closing_) return;
+        if (part < parts_) (*work_)(part);
+        --working_;
+        working_.notify_one();
+    }
+}
+
+}  // namespace drape

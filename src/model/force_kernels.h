@@ -1,0 +1,30 @@
+#pragma once
+
+#include <functional>
+
+#include "drape/model/force_sweep.h"
+
+/// The loop over springs, vectorised for several generations of processors, of which the best that there is gets chosen
+/// at run time. Every particle's sum is made in one order with exact roots and quotients: the bits are the same on all.
+namespace drape::kernels {
+
+/// What the forces depend on; three pointers are one a coordinate.
+struct ForceInput {
+    const ClothModel* model;
+    const Real* x[3];     ///< [m]
+    const Real* v[3];     ///< [m/s]
+    const Real* wind[3];  ///< [N], of every particle; null if there is none
+};
+
+/// A rectangle of particles.
+struct Part {
+    int first_column, columns, first_row, rows;
+};
+
+/// The most columns of a part: its springs' forces in three rows then fit into the nearest cache.
+constexpr int most_columns = 128;
+
+/// Calls use(run) for each row of a part.
+void forces_on(const ForceInput& input, const Part& part, const std::function<void(const ForceRun&)>& use);
+
+}  // namespace drape::kernels

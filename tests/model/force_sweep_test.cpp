@@ -1,0 +1,118 @@
+// The sweep over all springs, on grids that fill no vector, on every kind of processor and number of threads.
+
+#include "drape/model/force_sweep.h"
+
+#include <gtest/gtest.h>
+#include <hwy/targets.h>
+
+#include "bench/spring_list.h"
+#include "support/allocations.h"
+#include "support/cloths.h"
+
+namespace drape {
+namespace {
+
+constexpr Grid odd_grids[] = {{2, 2}, {3, 3}, {2, 300}, {31, 17}, {129, 5}, {130, 4}, {257, 3}, {300, 2}};
+
+struct Moving {
+    ClothModel model;
+    ClothState state;
+
+    explicit Moving(const Grid& grid) {
+        ClothParameters parameters;
+        parameters.particles = grid;
+        parameters.height = Real(1.7);
+        parameters.structural = {900, Real(0.3)};
+        parameters.shear = {400, Real(0.2)};
+        parameters.bend = {70, Real(0.1)};
+        std::mt19937 random(5);
+        model = make_cloth_model(parameters);
+        state = testing::random_state(parameters, random);
+    }
+
+    [[nodiscard]] Points forces(int threads) const {
+        Points f = Points::Constant(state.x.rows(), 3, -1);
+        ForceSweep sweep(model.grid, threads);
+        sweep(model, state.x, state.v, [&](const ForceRun& run) {
+            for (int axis = 0; axis < 3; ++axis) run.of(f, axis) = run.forces(axis);
+        });
+        return f;
+    }
+
+    [[nodiscard]] Points forces_of_a_list() const {
+        Points f(state.x.rows(), 3);
+        bench::SpringList(model).forces(model, state.x, state.v, f);
+        return f;
+    }
+};
+
+Real difference(const Points& a, const Points& b) { return (a - b).cwiseAbs().maxCoeff() / b.cwiseAbs().maxCoeff(); }
+
+constexpr Real rounding = 1e-13;
+
+TEST(ForceSweep, GivesWhatAListOfSpringsGives) {
+    for (const Grid grid : odd_grids) {
+        const Moving cloth(grid);
+        EXPECT_LT(difference(cloth.forces(1), cloth.forces_of_a_list()), rounding) << grid.nx << " x " << grid.ny;
+    }
+}
+
+TEST(ForceSweep, GivesWhatAListGivesWithoutSpringsOfSomeKind) {
+    for (SpringLaw ClothModel::*law : {&ClothModel::structural, &ClothModel::shear, &ClothModel::bend}) {
+        Moving cloth({31, 17});
+        cloth.model.*law = {};
+        EXPECT_LT(difference(cloth.forces(1), cloth.forces_of_a_list()), rounding);
+    }
+}
+
+TEST(ForceSweep, IsSeenToDifferWhenAStiffnessIsOnePartInABillionOff) {
+    for (const Grid grid : odd_grids) {
+        Moving cloth(grid);
+        const Points expected = cloth.forces_of_a_list();
+        cloth.model.shear.stiffness *= 1 + Real(1e-9);
+        EXPECT_GT(difference(cloth.forces(1), expected), rounding) << grid.nx << " x " << grid.ny;
+    }
+}
+
+TEST(ForceSweep, GivesTheSameBitsWithEveryKindOfVector) {
+    const std::int64_t all = hwy::SupportedTargets();
+    for (const Grid grid : odd_grids) {
+        const Moving cloth(grid);
+        const Points best = cloth.forces(1);
+        int kinds = 0;
+        for (std::int64_t targets = all; targets != 0; targets &= targets - 1, ++kinds) {
+            hwy::SetSupportedTargetsForTest(targets & -targets);
+            EXPECT_EQ(cloth.forces(1), best)
+                << grid.nx << " x " << grid.ny << ": " << hwy::TargetName(targets & -targets);
+        }
+        hwy::SetSupportedTargetsForTest(0);
+        EXPECT_GE(kinds, 2) << "this processor has no vectors to compare with";
+    }
+}
+
+TEST(ForceSweep, GivesTheSameBitsWithAnyNumberOfThreads) {
+    for (const Grid grid : {Grid{31, 17}, Grid{300, 200}, Grid{2, 30000}, Grid{30000, 2}}) {
+        Moving cloth(grid);
+        for (const Real air : {Real(0), Real(1.2)}) {
+            cloth.model.air = {Vec3(3, -1, 2), air};
+            const Points one = cloth.forces(1);
+            for (const int threads : {2, 3, 7}) EXPECT_EQ(cloth.forces(threads), one) << threads;
+        }
+    }
+}
+
+TEST(ForceSweep, AllocatesNothing) {
+    const Moving cloth({300, 200});
+    ForceSweep sweep(cloth.model.grid, 3);
+    Points f(cloth.state.x.rows(), 3);
+    const auto before = testing::allocations();
+    for (int round = 0; round < 3; ++round) {
+        sweep(cloth.model, cloth.state.x, cloth.state.v, [&](const ForceRun& run) {
+            for (int axis = 0; axis < 3; ++axis) run.of(f, axis) = run.accelerations(axis);
+        });
+    }
+    EXPECT_EQ(testing::allocations(), before);
+}
+
+}  // namespace
+}  // namespace drape
