@@ -47,14 +47,14 @@ TrialEnd try_step(const ClothModel& model, ClothState start, const IntegratorPar
                   const Trial& trial) {
     constexpr int between_looks = 25;
     const Points home = start.x;
-    const Real limit = compute_energy(model, start).total() + energy_to_fail(model);
+    const double limit = compute_energy(model, start).total() + static_cast<double>(energy_to_fail(model));
     const Real reach = 2 * diagonal(model);
     add_noise(model, trial, start);
     const auto integrator = make_integrator(parameters, model.grid);
     for (int n = 1; n <= trial.steps; ++n) {
         integrator->step(model, start, step);
         if (n % between_looks != 0 && n != trial.steps) continue;
-        const Real energy = compute_energy(model, start).total();
+        const double energy = compute_energy(model, start).total();
         if (!std::isfinite(energy) || !start.x.allFinite()) return TrialEnd::NotFinite;
         if (energy > limit) return TrialEnd::EnergyRose;
         if ((start.x - home).rowwise().squaredNorm().maxCoeff() > reach * reach) return TrialEnd::OutOfReach;
@@ -96,8 +96,9 @@ Real observable_limit_of_explicit_euler(const ClothModel& model, const ClothStat
     if (zeta > 1) return longest_step(IntegratorKind::ExplicitEuler, omega * omega, 2 * zeta * omega);
     ClothState noisy = start;
     add_noise(model, trial, noisy);
-    const Real noise = compute_energy(model, noisy).spring - compute_energy(model, start).spring;
-    const Real growth = std::expm1(std::log(energy_to_fail(model) / noise) / static_cast<Real>(trial.steps));
+    const double noise = compute_energy(model, noisy).spring - compute_energy(model, start).spring;
+    const double gain = static_cast<double>(energy_to_fail(model)) / noise;
+    const auto growth = static_cast<Real>(std::expm1(std::log(gain) / trial.steps));
     const Real k = omega * omega, d = 2 * zeta * omega;
     return (d + std::sqrt(d * d + 4 * k * growth)) / (2 * k);
 }

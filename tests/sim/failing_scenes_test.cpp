@@ -3,7 +3,6 @@
 #include <map>
 
 #include "drape/integrate/stability.h"
-#include "drape/sim/start.h"
 #include "sim/scene_lists.h"
 #include "sim/small_scene.h"
 
@@ -28,7 +27,7 @@ class FailingScene : public testing::TestWithParam<std::string> {};
 TEST_P(FailingScene, FailsAsItsTitleAndItsWarningSay) {
     const Settings settings = load_scene(GetParam());
     EXPECT_THAT(settings.title, testing::StartsWith("Fails: "));
-    EXPECT_NE(step_warning(settings), "");
+    EXPECT_NE(Simulation(GetParam(), settings).step_warning(), "");
     EXPECT_EQ(after_a_while(GetParam(), settings), Status::Diverged);
 }
 

@@ -68,7 +68,7 @@ std::string complaint(const std::string& text) {
     const testing_aid::ScratchFile file("state.csv");
     file.write(text);
     return testing_aid::input_error_of([&] {
-        small_simulation({"particles=2,2", "pinned=none", "start=" + file.name()});
+        small_simulation({"cloth.particles=2,2", "pinned=none", "start=" + file.name()});
     });
 }
 
