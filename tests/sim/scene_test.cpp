@@ -23,6 +23,7 @@ std::string error_of(const std::string& text) {
 
 /// Every key of a scene file, with values that are no defaults.
 constexpr const char* full_scene = R"(title = "Two corners, free fall"
+start = "state.csv"
 [cloth]
 particles = [16, 12]
 size = [1.5, 2.5]
