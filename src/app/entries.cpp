@@ -39,6 +39,16 @@ std::vector<Entry> make_entries(const std::vector<std::string>& scenes) {
     }
     entries.push_back({"Integrator", {"I"}, "Next integrator", "next solver.integrator"});
     append_choices(entries, "Integrator", "solver.integrator", integrator_names());
+    entries.push_back({"Integrator", {}, "Hessian clamped or exact", "next solver.hessian"});
+    entries.push_back({"Integrator", {}, "Five iterations more", "add solver.iterations 5"});
+    entries.push_back({"Integrator", {}, "Five iterations fewer", "add solver.iterations -5"});
+    for (const char* milliseconds : {"0.05", "0.1", "0.2", "0.5", "1", "2", "5", "10", "20"}) {
+        const std::string text(milliseconds);
+        entries.push_back({"Step", {}, text + " ms", "set solver.dt=" + text + "e-3"});
+    }
+    entries.push_back({"Step", {}, "Beyond its limit: warn", "set solver.on_unstable=warn"});
+    entries.push_back({"Step", {}, "Beyond its limit: in parts", "set solver.on_unstable=substep"});
+    entries.push_back({"Step", {}, "Beyond its limit: end", "set solver.on_unstable=stop"});
     entries.push_back({"Bounding volume", {"T"}, "Next bounding volume", "next contact.volume"});
     append_choices(entries, "Bounding volume", "contact.volume", volume_names());
     entries.push_back({"Sphere fit", {"Y"}, "Next sphere fit", "next contact.sphere_fit"});
@@ -65,6 +75,7 @@ std::vector<Entry> make_entries(const std::vector<std::string>& scenes) {
         {"View", {"L"}, "Wireframe", "next view.wireframe"},
         {"View", {"N"}, "Particles and springs", "next view.particles"},
         {"View", {"Tab"}, "Panel of figures", "next view.overlay"},
+        {"View", {"K"}, "Balance of the energy", "next solver.ledger"},
         {"View", {"F"}, "Frame the scene", "frame"},
         {"Ball", {"Left", "A"}, "Ball to the left", "steer -1 0 0", Manner::WhileHeld},
         {"Ball", {"Right", "D"}, "Ball to the right", "steer 1 0 0", Manner::WhileHeld},
