@@ -71,7 +71,7 @@ void Window::on_tick() {
     if (simulation.report().status == Status::Ok) {
         failure_file_.clear();
     } else if (failure_file_.empty()) {
-        failure_file_ = tell_failure(simulation, ".");
+        failure_file_ = tell_failure(simulation, "");
         std::cerr << "drape: " << simulation.report().trouble << "\n" << failure_file_ << "\n";
     }
     if (simulation.report().status == Status::Diverged &&

@@ -121,7 +121,7 @@ void Capture::tell_divergence() {
     if (std::exchange(divergence_told_, true)) return;
     std::cerr << "drape-capture: " << session_.simulation().report().trouble;
     if (frames_ && !frames_->last().empty()) std::cerr << "; the frame before is " << frames_->last().string();
-    std::cerr << "\n" << tell_failure(session_.simulation(), options_.out.empty() ? "." : options_.out) << "\n";
+    std::cerr << "\n" << tell_failure(session_.simulation(), options_.out) << "\n";
 }
 
 void Capture::finish() {

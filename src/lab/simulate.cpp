@@ -78,7 +78,7 @@ int simulate(Options& options) {
     if (!session.replay_notice().empty()) std::cerr << session.replay_notice() << "\n";
     if (options.hash) std::cout << hash_text(session.simulation().hash()) << "\n";
     if (report.status == Status::Ok) return session.replay_differs() ? Failed : Done;
-    std::cerr << "drape-lab: " << report.trouble << "\n" << tell_failure(session.simulation(), ".") << "\n";
+    std::cerr << "drape-lab: " << report.trouble << "\n" << tell_failure(session.simulation(), "") << "\n";
     return Failed;
 }
 

@@ -7,6 +7,7 @@
 #include <cfloat>
 #include <cmath>
 #include <cstdio>
+#include <iterator>
 #include <string>
 #include <vector>
 
@@ -77,15 +78,18 @@ Row state_row(const FrameView& view) {
     return {"state", view.held ? "running, in hand" : "running", -1, 4, ink::good};
 }
 
-// The step, the parts that it is made in, and how near it is to its limit
-Row step_row(const FrameView& view) {
+// The step and the parts that it is made in, and how near it is to its limit
+std::vector<Row> step_rows(const FrameView& view) {
     const StepReport& report = *view.report;
-    std::string text = format("%g ms", 1000 * static_cast<double>(view.settings->solver.dt));
-    if (report.substeps > 1) text += format(" / %d", report.substeps);
+    std::string text = format("%.3g ms", 1000 * static_cast<double>(view.settings->solver.dt));
+    if (report.substeps > 1) text += format(" in %d parts", report.substeps);
+    std::vector<Row> rows{{"step size", text, -1, 3}};
     const double part = report.step_over_limit;
-    if (part == 0) return {"step size", text, -1, 3};
-    text += std::isfinite(part) ? format(", %.2f of limit", part) : ", beyond any limit";
-    return {"step size", text, -1, 4, part <= 0.9 ? ink::good : part <= 1 ? ink::wait : ink::bad};
+    if (part == 0) return rows;
+    const ImU32 colour = part <= 0.9 ? ink::good : part <= 1 ? ink::wait : ink::bad;
+    const std::string value = std::isfinite(part) ? format("%.2f", part) : "beyond any";
+    rows.push_back({"of its limit", value, static_cast<float>(std::min(part, 1.0)), 4, colour});
+    return rows;
 }
 
 // The volume, with its fit if that is a sphere's
@@ -99,9 +103,11 @@ std::string volume_text(const ContactSettings& contact) {
 std::vector<Row> rows_ahead(ReportGroup group, const FrameView& view) {
     const Settings& settings = *view.settings;
     switch (group) {
-        case ReportGroup::Time:
-            return {
-                state_row(view), {"method", std::string(name_of(settings.solver.integrator)), -1, 4}, step_row(view)};
+        case ReportGroup::Time: {
+            std::vector<Row> rows{state_row(view), {"method", std::string(name_of(settings.solver.integrator)), -1, 4}};
+            std::ranges::move(step_rows(view), std::back_inserter(rows));
+            return rows;
+        }
         case ReportGroup::Hierarchy:
             return {{"volume", volume_text(settings.contact), -1, 2},
                     {"update", update_names()[static_cast<std::size_t>(settings.contact.update)], -1, 1}};

@@ -1,6 +1,8 @@
 #include "drape/sim/failure.h"
 
-#include <algorithm>
+#include <fstream>
+#include <iterator>
+#include <sstream>
 
 #include "drape/base/output_file.h"
 #include "drape/sim/scene_text.h"
@@ -9,13 +11,15 @@
 namespace drape {
 namespace {
 
-/// The first of unstable, unstable-2, unstable-3, ... of which there is no file yet.
-std::string free_name(const std::filesystem::path& folder) {
-    std::string name = "unstable";
-    for (int number = 2; exists(folder / (name + ".toml")) || exists(folder / (name + ".csv")); ++number) {
-        name = "unstable-" + std::to_string(number);
-    }
-    return name;
+std::string text_of(const std::filesystem::path& file) {
+    std::ifstream in(file, std::ios::binary);
+    return {std::istreambuf_iterator<char>(in), {}};
+}
+
+void write_file(const std::filesystem::path& file, const std::string& text) {
+    OutputFile out(file.string());
+    out.stream() << text;
+    out.close();
 }
 
 /// The settings with cloths, balls and pins as they are now.
@@ -40,26 +44,36 @@ Settings present_settings(const Simulation& simulation) {
 }  // namespace
 
 std::filesystem::path write_failure(const Simulation& simulation, const std::filesystem::path& folder) {
-    const std::string name = free_name(folder);
+    std::ostringstream state;
+    write_state_header(state, simulation);
+    write_state(state, simulation);
     Settings settings = present_settings(simulation);
     settings.title = "Fails in its first step: " + settings.title;
-    settings.start = name + ".csv";
-    OutputFile state((folder / settings.start).string());
-    write_state_header(state.stream(), simulation);
-    write_state(state.stream(), simulation);
-    state.close();
-    std::filesystem::path file = folder / (name + ".toml");
-    OutputFile scene(file.string());
-    scene.stream() << "# " << simulation.report().trouble << "\n" << scene_text(settings);
-    scene.close();
-    return file;
+    const std::string warning = simulation.step_warning();
+    const std::string remark =
+        "# " + simulation.report().trouble + "\n" + (warning.empty() ? "" : "# " + warning + "\n");
+    for (int number = 1;; ++number) {
+        const std::string name = number == 1 ? "unstable" : "unstable-" + std::to_string(number);
+        const auto scene_file = folder / (name + ".toml"), state_file = folder / (name + ".csv");
+        settings.start = state_file.filename().string();
+        const std::string scene = remark + scene_text(settings);
+        if (exists(scene_file) || exists(state_file)) {
+            // The same failure again, after a reset
+            if (text_of(scene_file) == scene && text_of(state_file) == state.str()) return scene_file;
+            continue;
+        }
+        write_file(state_file, state.str());
+        write_file(scene_file, scene);
+        return scene_file;
+    }
 }
 
 std::string tell_failure(const Simulation& simulation, const std::filesystem::path& folder) {
+    const std::string warning = simulation.step_warning(), cause = warning.empty() ? "" : warning + "; ";
     try {
-        return write_failure(simulation, folder).string() + " starts from the last good state";
+        return cause + write_failure(simulation, folder).string() + " starts from the last good state";
     } catch (const std::exception& error) {
-        return error.what();
+        return cause + error.what();
     }
 }
 

@@ -218,7 +218,6 @@ void Simulation::detect_divergence() {
         // The last good state stays on show
         report_.trouble +=
             " in step " + std::to_string(report_.step + 1) + " of " + std::string(name_of(settings_.solver.integrator));
-        if (const std::string warning = step_warning(); !warning.empty()) report_.trouble += ": " + warning;
         report_.status = Status::Diverged;
         steps_wanted_ = 0;
         for (Cloth& cloth : cloths_) {

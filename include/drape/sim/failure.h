@@ -8,13 +8,16 @@ namespace drape {
 
 /// Writes what a run that has diverged can be studied by: a scene that starts from its last good state, so that its
 /// first step fails as this one did. What a hand holds is pinned in it.
-/// @param folder receives `unstable.toml` and the state beside it, with a number where these exist: nothing is replaced
+/// @param folder receives `unstable.toml` and the state beside it, with a number where these exist: nothing is
+/// replaced,
+///        and the same failure is written once; empty: the current one
 /// @return the scene's file
 /// @throws RunError if it cannot be written
 /// @pre the simulation has diverged
 std::filesystem::path write_failure(const Simulation& simulation, const std::filesystem::path& folder);
 
-/// The same for a message: "unstable.toml starts from the last good state", or why there is no such file.
+/// The same for a message: the step's length if that is the cause, and "unstable.toml starts from the last good state",
+/// or why there is no such file.
 std::string tell_failure(const Simulation& simulation, const std::filesystem::path& folder);
 
 }  // namespace drape
