@@ -1,0 +1,80 @@
+// Every integrator in whole scenes: with contact, exchanged in mid-run, and with the energy that it loses by itself.
+
+#include <gtest/gtest.h>
+
+#include "sim/small_scene.h"
+#include "support/allocations.h"
+
+namespace drape {
+namespace {
+
+std::string setting(const std::string& integrator) { return "integrator=" + integrator; }
+
+/// The small scene, in as many parts as explicit Euler asks for.
+Simulation bounded_simulation(const std::string& integrator) {
+    return small_simulation({setting(integrator), "on_unstable=substep"});
+}
+
+class EveryIntegrator : public ::testing::TestWithParam<std::string> {};
+
+TEST_P(EveryIntegrator, MeetsTheBallAlike) {
+    Simulation reference = small_simulation({"integrator=rk4"}), simulation = bounded_simulation(GetParam());
+    double deepest = 0;
+    std::int64_t contacts = 0;
+    for (int step = 0; step < 1024; ++step) {
+        reference.step(), simulation.step();
+        deepest = std::max(deepest, simulation.report().penetration);
+        contacts += simulation.report().contacts;
+    }
+    ASSERT_EQ(simulation.report().status, Status::Ok) << simulation.report().trouble;
+    EXPECT_GT(contacts, 1000);
+    EXPECT_LT(deepest, 1e-3);
+    const Points &x = simulation.cloths()[0].state.x, &exact = reference.cloths()[0].state.x;
+    EXPECT_LT(std::sqrt((x - exact).squaredNorm() / static_cast<Real>(x.rows())), 0.05);
+}
+
+TEST_P(EveryIntegrator, GoesOnFromWhereAnotherHasCome) {
+    Simulation switched = bounded_simulation("rk4"), fresh = bounded_simulation("rk4");
+    make_steps(switched, 200), make_steps(fresh, 200);
+    for (Simulation* simulation : {&switched, &fresh}) simulation->apply(command::Set{setting(GetParam())});
+    make_steps(switched, 50), make_steps(fresh, 50);
+    EXPECT_EQ(switched.hash(), fresh.hash());
+    switched.apply(parse_command("next integrator"));
+    make_steps(switched, 200);
+    EXPECT_EQ(switched.report().status, Status::Ok) << switched.report().trouble;
+}
+
+TEST_P(EveryIntegrator, AllocatesNothingOnceItHasContacts) {
+    Simulation simulation = bounded_simulation(GetParam());
+    make_steps(simulation, 600);
+    ASSERT_GT(simulation.report().contacts, 0);
+    const auto before = testing::allocations();
+    make_steps(simulation, 300);
+    EXPECT_EQ(testing::allocations(), before);
+}
+
+INSTANTIATE_TEST_SUITE_P(All, EveryIntegrator,
+                         ::testing::ValuesIn(integrator_names().begin(), integrator_names().end()),
+                         [](const auto& name) { return name.param; });
+
+/// What a method loses of a cloth's energy by itself in a second, without damping, drag or contact [J].
+double own_loss(const std::string& integrator) {
+    Simulation simulation =
+        small_simulation({setting(integrator), "ball.position=0,-9,0", "structural.damping=0", "shear.damping=0",
+                          "bend.damping=0", "drag=0", "sleep_speed=0", "hessian=exact"});
+    make_steps(simulation, 1024);
+    const EnergyBalance balance = simulation.view().report->balance;
+    EXPECT_EQ(balance.damping + balance.drag + balance.contact, 0);
+    return balance.integrator;
+}
+
+TEST(NumericalDamping, OfBackwardEulerIsSeenInTheBalanceAndThatOfMidpointIsNot) {
+    const double backward = own_loss("backward_euler");
+    EXPECT_GT(backward, 0.02);
+    EXPECT_LT(std::abs(own_loss("implicit_midpoint")), 0.05 * backward);
+    EXPECT_LT(std::abs(own_loss("rk4")), 0.01 * backward);
+    EXPECT_LT(own_loss("bdf2"), 0.5 * backward) << "it damps less";
+}
+
+}  // namespace
+}  // namespace drape
