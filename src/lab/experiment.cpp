@@ -72,9 +72,9 @@ std::string joined(const TableRow& row) {
 /// What a table must say about where it comes from.
 std::string head(const Experiment& experiment, const Options& options) {
     return "# experiment: " + experiment.name + " (" + experiment.question + ")\n# drape " + DRAPE_VERSION +
-           (sizeof(Real) == 4 ? ", single" : ", double") + " precision\n# machine: " + processor() +
-           "\n# compiler: " + compiler() + "\n# date: " + today() +
-           "\n# settings:" + (options.quick ? " --quick" : " whole") +
+           (sizeof(Real) == 4 ? ", single" : ", double") +
+           " precision, commit " DRAPE_COMMIT "\n# machine: " + processor() + "\n# compiler: " + compiler() +
+           "\n# date: " + today() + "\n# settings:" + (options.quick ? " --quick" : " whole") +
            (options.share.empty() ? "" : " --share " + options.share) + "\n";
 }
 

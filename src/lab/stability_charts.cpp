@@ -77,10 +77,14 @@ Chart chart(const std::string& method, const Charted& charted) {
 }  // namespace
 
 std::vector<Chart> stability_charts(const std::vector<TableRow>& rows) {
-    // The sheet that is drawn is the last of its method
+    // The sheet that is drawn is the last of its method; the damped sweep of stiffness is for the table only
+    const auto drawn = [](const TableRow& row) { return row[at::Sweep] != "damped_stiffness"; };
     std::map<std::string, Charted> methods;
-    for (const TableRow& row : rows) methods[row[at::Method]].side = row[at::Side];
     for (const TableRow& row : rows) {
+        if (drawn(row)) methods[row[at::Method]].side = row[at::Side];
+    }
+    for (const TableRow& row : rows) {
+        if (!drawn(row)) continue;
         Charted& charted = methods[row[at::Method]];
         if (charted.side != row[at::Side]) continue;
         ++charted.trials;

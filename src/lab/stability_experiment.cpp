@@ -11,6 +11,8 @@
 namespace drape {
 namespace {
 
+namespace at = stability_column;
+
 /// A method under the name that table and chart give it.
 struct Method {
     std::string name;
@@ -20,7 +22,7 @@ struct Method {
 /// What a case is about: a sheet, and the method that moves it.
 struct Subject {
     Method method;
-    std::string sweep;  ///< what varies: stiffness or damping
+    std::string sweep;  ///< what varies: stiffness, damping, or damped_stiffness
     int side;           ///< particles
     Real stiffness, damping;
     int steps;
@@ -30,12 +32,13 @@ constexpr Real longest_tried = Real(0.05);                            // s
 constexpr double swept_stiffness[] = {1e2, 1e3, 1e4, 1e5, 1e6};       // N/m
 constexpr double swept_damping[] = {0.01, 0.03, 0.1, 0.3, 1, 3, 10};  // N s/m
 constexpr Real stiffness_when_damped = 1e4;                           // N/m
+constexpr Real damping_when_damped = Real(0.1);                       // N s/m
 
 std::vector<Method> methods() {
     using enum IntegratorKind;
     std::vector<Method> all;
     const auto add = [&all](std::string name, const IntegratorParameters& parameters) {
-        if (make_integrator(parameters, Grid{})) all.push_back({std::move(name), parameters});
+        all.push_back({std::move(name), parameters});
     };
     for (const auto kind : {ExplicitEuler, SymplecticEuler, VelocityVerlet, Rk4}) {
         add(std::string(name_of(kind)), {.kind = kind});
@@ -138,6 +141,9 @@ std::vector<ExperimentCase> cases(bool quick) {
         for (const int side : sides) {
             for (const double k : swept_stiffness) add({method, "stiffness", side, static_cast<Real>(k), 0, steps});
         }
+        for (const double k : swept_stiffness) {
+            if (!limited) add({method, "damped_stiffness", charted, static_cast<Real>(k), damping_when_damped, steps});
+        }
         for (const double c : swept_damping) {
             add({method, "damping", charted, stiffness_when_damped, static_cast<Real>(c), steps});
         }
@@ -145,32 +151,48 @@ std::vector<ExperimentCase> cases(bool quick) {
     return all;
 }
 
-/// A line a method: how many trials there were, how many speak against the prediction, and how far the measured limits
-/// are from it.
-std::string summary(const std::vector<TableRow>& rows) {
-    namespace at = stability_column;
-    struct Count {
-        int trials = 0, against = 0;
-        double lowest = std::numeric_limits<double>::infinity(), highest = 0;
-    };
-    std::map<std::string, Count> counts;
-    for (const TableRow& row : rows) {
-        Count& count = counts[row[at::Method]];
-        ++count.trials;
-        count.against += row[at::Verdict] == "disagrees" ? 1 : 0;
-        const double ratio = *parse_real(row[at::Measured]) / *parse_real(row[at::Expected]);
-        if (std::isfinite(ratio)) count.lowest = std::min(count.lowest, ratio);
-        if (std::isfinite(ratio)) count.highest = std::max(count.highest, ratio);
+/// How often the trials of a method with a limit speak against the prediction, and how far the measured limits are from
+/// it.
+std::string limited_summary(const std::vector<const TableRow*>& rows) {
+    int against = 0;
+    double lowest = std::numeric_limits<double>::infinity(), highest = 0;
+    for (const TableRow* row : rows) {
+        against += (*row)[at::Verdict] == "disagrees" ? 1 : 0;
+        const double ratio = *parse_real((*row)[at::Measured]) / *parse_real((*row)[at::Expected]);
+        lowest = std::min(lowest, ratio);
+        highest = std::max(highest, ratio);
     }
+    return std::to_string(against) + " against the prediction, measured limit " + real_text(lowest, 4) + " to " +
+           real_text(highest, 4) + " of the expected";
+}
+
+/// How often a method without a limit did not stay bounded, and the shortest step that failed in each sweep.
+std::string unlimited_summary(const std::vector<const TableRow*>& rows) {
+    int failed = 0;
+    std::map<std::string, std::map<double, std::string>> shortest;  // by sweep and what varies in it
+    for (const TableRow* row : rows) {
+        failed += (*row)[at::End] == "bounded" ? 0 : 1;
+        const auto varied = (*row)[at::Sweep] == "damping" ? at::Damping : at::Stiffness;
+        shortest[(*row)[at::Sweep]][*parse_real((*row)[varied])] = (*row)[at::Measured];
+    }
+    std::string text = std::to_string(failed) + " not bounded; shortest step that failed [s]";
+    for (const auto& [sweep, steps] : shortest) {
+        text += "\n  " + sweep + ":";
+        for (const auto& [value, step] : steps) text += " " + real_text(value, 3) + ": " + step + ",";
+        text.pop_back();
+    }
+    return text;
+}
+
+/// Some lines a method on how its trials ended.
+std::string summary(const std::vector<TableRow>& rows) {
+    std::map<std::string, std::vector<const TableRow*>> methods;
+    for (const TableRow& row : rows) methods[row[at::Method]].push_back(&row);
     std::string text;
-    for (const auto& [method, count] : counts) {
-        text += method + ": " + std::to_string(count.trials) + " trials, " + std::to_string(count.against) +
-                " against the prediction";
-        if (count.highest > 0) {
-            text += ", measured limit " + real_text(count.lowest, 4) + " to " + real_text(count.highest, 4) +
-                    " of the expected";
-        }
-        text += "\n";
+    for (const auto& [method, trials] : methods) {
+        const bool limited = (*trials.front())[at::Expected] != "inf";
+        text += method + ": " + std::to_string(trials.size()) + " trials, " +
+                (limited ? limited_summary(trials) : unlimited_summary(trials)) + "\n";
     }
     return text;
 }

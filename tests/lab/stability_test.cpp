@@ -53,8 +53,8 @@ TEST(LabStability, DrawsAChartAMethodWhereThereIsGnuplot) {
 TEST(LabStability, SharesAreTheWholeInParts) {
     const LabFolder folder;
     std::vector<std::string> parts, whole = {};
-    ASSERT_EQ(folder.run({"stability", "--quick", "--share", "2/30", "--out", "whole"}).code, 0);
-    for (const char* share : {"2/60", "32/60"}) {
+    ASSERT_EQ(folder.run({"stability", "--quick", "--share", "2/100", "--out", "whole"}).code, 0);
+    for (const char* share : {"2/200", "102/200"}) {
         ASSERT_EQ(folder.run({"stability", "--quick", "--share", share, "--out", "part"}).code, 0);
         const auto lines = table_of(folder, "part/stability.csv");
         parts.insert(parts.end(), lines.begin() + 1, lines.end());
