@@ -21,8 +21,9 @@ struct Part {
     int first_column, columns, first_row, rows;
 };
 
-/// The most columns of a part: its springs' forces in three rows then fit into the nearest cache.
-constexpr int most_columns = 128;
+/// The most columns that a sweep looks at: its three rows then fit into the nearest cache. It looks at two columns
+/// before a part and one after it, too.
+constexpr int looked_at = 128, most_columns = looked_at - 3;
 
 /// Calls use(run) for each row of a part.
 void forces_on(const ForceInput& input, const Part& part, const std::function<void(const ForceRun&)>& use);

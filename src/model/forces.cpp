@@ -29,10 +29,10 @@ kernels::ForceInput input_of(const ClothModel& model, const Points& x, const Poi
 
 /// Sweeps over some rows in strips that are narrow enough for the kernels.
 void sweep_rows(const kernels::ForceInput& input, int first_row, int last_row, const Use& use) {
-    const int nx = input.model->grid.nx, strips = (nx + kernels::most_columns - 1) / kernels::most_columns;
-    for (int strip = 0; strip < strips; ++strip) {
-        const int first = nx * strip / strips, last = nx * (strip + 1) / strips;
-        kernels::forces_on(input, {first, last - first, first_row, last_row - first_row}, use);
+    const int nx = input.model->grid.nx;
+    for (int first = 0, columns = 0; first < nx; first += columns) {
+        columns = std::min(kernels::most_columns, nx - first);
+        kernels::forces_on(input, {first, columns, first_row, last_row - first_row}, use);
     }
 }
 

@@ -48,7 +48,7 @@ struct Moving {
 
 Real difference(const Points& a, const Points& b) { return (a - b).cwiseAbs().maxCoeff() / b.cwiseAbs().maxCoeff(); }
 
-constexpr Real rounding = 1e-13;
+constexpr Real rounding = 1e-12;
 
 TEST(ForceSweep, GivesWhatAListOfSpringsGives) {
     for (const Grid grid : odd_grids) {
