@@ -30,6 +30,7 @@ struct ForceRun {
     }
 };
 
+/// Some numbers that lie in one line of the cache: what vectors are best loaded from.
 struct alignas(64) CacheLine {
     static constexpr int numbers = 64 / sizeof(Real);
     Real values[numbers];
