@@ -11,8 +11,6 @@ public:
         : forces_(grid, threads),
           x_(grid.particles(), 3),
           v_(grid.particles(), 3),
-          x_next_(grid.particles(), 3),
-          v_next_(grid.particles(), 3),
           x_sum_(grid.particles(), 3),
           v_sum_(grid.particles(), 3) {}
 
@@ -37,16 +35,14 @@ private:
             for (int axis = 0; axis < 3; ++axis) {
                 run.of(x_sum_, axis) += weight * run.of(v_, axis);
                 run.of(v_sum_, axis) += weight * run.accelerations(axis);
-                run.of(x_next_, axis) = run.of(start.x, axis) + reach * run.of(v_, axis);
-                run.of(v_next_, axis) = run.of(start.v, axis) + reach * run.accelerations(axis);
+                run.of(x_, axis) = run.of(start.x, axis) + reach * run.of(v_, axis);
+                run.of(v_, axis) = run.of(start.v, axis) + reach * run.accelerations(axis);
             }
         });
-        x_.swap(x_next_);
-        v_.swap(v_next_);
     }
 
     ForceSweep forces_;
-    Points x_, v_, x_next_, v_next_, x_sum_, v_sum_;
+    Points x_, v_, x_sum_, v_sum_;
 };
 
 }  // namespace

@@ -1,30 +1,36 @@
+#include "drape/base/vectorise.h"
 #include "drape/model/force_sweep.h"
 #include "explicit_methods.h"
 
 namespace drape {
 namespace {
 
+/// Advances one coordinate of some neighbours.
+DRAPE_VECTORISE void advance(const Real* __restrict f, const Real* __restrict inverse_mass, Real h, Eigen::Index count,
+                             Real* __restrict x, Real* __restrict v) {
+    for (Eigen::Index i = 0; i < count; ++i) {
+        v[i] += h * (f[i] * inverse_mass[i]);
+        x[i] += h * v[i];
+    }
+}
+
 /// v += h a(x_n, v_n); x += h v. First order, symplectic without damping.
 class SymplecticEuler final : public Integrator {
 public:
-    SymplecticEuler(const Grid& grid, int threads)
-        : forces_(grid, threads), x_(grid.particles(), 3), v_(grid.particles(), 3) {}
+    SymplecticEuler(const Grid& grid, int threads) : forces_(grid, threads) {}
 
     SolveReport step(const ClothModel& model, ClothState& state, Real h) override {
         forces_(model, state.x, state.v, [&](const ForceRun& run) {
             for (int axis = 0; axis < 3; ++axis) {
-                run.of(v_, axis) = run.of(state.v, axis) + h * run.accelerations(axis);
-                run.of(x_, axis) = run.of(state.x, axis) + h * run.of(v_, axis);
+                advance(run.force[axis], model.inverse_mass.data() + run.first, h, run.count,
+                        state.x.col(axis).data() + run.first, state.v.col(axis).data() + run.first);
             }
         });
-        state.x.swap(x_);
-        state.v.swap(v_);
         return {.force_evaluations = 1};
     }
 
 private:
     ForceSweep forces_;
-    Points x_, v_;  // after the step
 };
 
 }  // namespace

@@ -8,17 +8,16 @@ namespace {
 class VelocityVerlet final : public Integrator {
 public:
     VelocityVerlet(const Grid& grid, int threads)
-        : forces_(grid, threads), a_(grid.particles(), 3), x_(grid.particles(), 3), v_guess_(grid.particles(), 3) {}
+        : forces_(grid, threads), a_(grid.particles(), 3), v_guess_(grid.particles(), 3) {}
 
     SolveReport step(const ClothModel& model, ClothState& state, Real h) override {
         forces_(model, state.x, state.v, [&](const ForceRun& run) {
             for (int axis = 0; axis < 3; ++axis) {
                 run.of(a_, axis) = run.accelerations(axis);
-                run.of(x_, axis) = run.of(state.x, axis) + (h * run.of(state.v, axis) + (h * h / 2) * run.of(a_, axis));
+                run.of(state.x, axis) += h * run.of(state.v, axis) + (h * h / 2) * run.of(a_, axis);
                 run.of(v_guess_, axis) = run.of(state.v, axis) + h * run.of(a_, axis);
             }
         });
-        state.x.swap(x_);
         forces_(model, state.x, v_guess_, [&](const ForceRun& run) {
             for (int axis = 0; axis < 3; ++axis) {
                 run.of(state.v, axis) += (h / 2) * (run.of(a_, axis) + run.accelerations(axis));
@@ -29,7 +28,7 @@ public:
 
 private:
     ForceSweep forces_;
-    Points a_, x_, v_guess_;
+    Points a_, v_guess_;
 };
 
 }  // namespace

@@ -10,24 +10,11 @@
 #include <limits>
 
 #include "drape/model/stencils.h"
+#include "force_scratch.h"
 
 HWY_BEFORE_NAMESPACE();
 namespace drape::kernels::HWY_NAMESPACE {
 namespace hn = hwy::HWY_NAMESPACE;
-
-/// Calls visit(d, i) for vectors of neighbours that cover first <= i < last. The last vector starts early enough to end
-/// with them, and where they do not fill a vector, shorter ones are taken: some are visited twice.
-template <class D, class Visit>
-HWY_INLINE void for_each_vector(D d, int first, int last, Visit visit) {
-    constexpr int lanes = static_cast<int>(hn::MaxLanes(D()));
-    if (last - first < lanes) {
-        if constexpr (lanes > 1) for_each_vector(hn::CappedTag<Real, lanes / 2>(), first, last, visit);
-        return;
-    }
-    int i = first;
-    for (; i + lanes <= last; i += lanes) visit(d, i);
-    if (i < last) visit(d, last - lanes);
-}
 
 template <class V>
 struct Triple {
@@ -35,8 +22,20 @@ struct Triple {
 };
 
 template <class D>
-HWY_INLINE Triple<hn::Vec<D>> load(D d, const Real* const p[3], int i) {
-    return {hn::LoadU(d, p[0] + i), hn::LoadU(d, p[1] + i), hn::LoadU(d, p[2] + i)};
+HWY_INLINE Triple<hn::Vec<D>> load(D d, const Rows& rows, int i) {
+    return {hn::LoadU(d, rows[0] + i), hn::LoadU(d, rows[1] + i), hn::LoadU(d, rows[2] + i)};
+}
+
+template <class D>
+HWY_INLINE void store(const Triple<hn::Vec<D>>& values, D d, const Rows& rows, int i) {
+    hn::StoreU(values.x, d, rows[0] + i);
+    hn::StoreU(values.y, d, rows[1] + i);
+    hn::StoreU(values.z, d, rows[2] + i);
+}
+
+template <class V>
+HWY_INLINE Triple<V> plus(const Triple<V>& a, const Triple<V>& b) {
+    return {hn::Add(a.x, b.x), hn::Add(a.y, b.y), hn::Add(a.z, b.z)};
 }
 
 template <class V>
@@ -54,116 +53,131 @@ HWY_INLINE V dot(const Triple<V>& a, const Triple<V>& b) {
     return hn::Add(hn::Add(hn::Mul(a.x, b.x), hn::Mul(a.y, b.y)), hn::Mul(a.z, b.z));
 }
 
-/// The pull T n of springs of one kind, T = k (|d| - L0) + c n.dv with d = x_a - x_b, dv = v_a - v_b, n = d/|d|: it is
-/// taken from the force on a and added to that on b. A zero length is lifted to a tiny one, whose inverse is still far
-/// from infinity; it makes n, and so the pull, zero.
-/// @param a, b the first of the vector's particles
+/// Two kinds of spring of one law, from the same first ends.
+struct SpringPair {
+    SpringLaw law;
+    Real rest_length[2];
+    Rows x[2], v[2];  // of the row of the second ends
+    int di[2];
+    const Real* there[2];  // 1 where the cloth holds the second end, else 0
+    Rows pull[2];
+};
+
+HWY_INLINE SpringPair spring_pair(const std::array<SpringStencil, 6>& springs, int first, const Strip& strip, int j,
+                                  const Scratch& scratch) {
+    SpringPair pair;
+    pair.law = springs[static_cast<std::size_t>(first)].law;
+    for (int s = 0; s < 2; ++s) {
+        const SpringStencil& spring = springs[static_cast<std::size_t>(first + s)];
+        pair.rest_length[s] = spring.rest_length;
+        pair.x[s] = scratch.x(strip.slot(j + spring.dj));
+        pair.v[s] = scratch.v(strip.slot(j + spring.dj));
+        pair.di[s] = spring.di;
+        pair.there[s] = j + spring.dj < strip.grid.ny ? scratch.there(first + s) : scratch.nowhere();
+        pair.pull[s] = scratch.pulls(first + s, j);
+    }
+    return pair;
+}
+
+/// Finds the pulls of two springs, (k - k L0/|d| + c d.dv/|d|^2) d with d = x_a - x_b and dv = v_a - v_b, and takes
+/// them from the force on a. One division serves both lengths. A zero length is lifted to a tiny one, of which even the
+/// product with another has a finite inverse; the pull is zero, as d is.
 template <class D>
-HWY_INLINE Triple<hn::Vec<D>> pull(D d, const ForceInput& input, const SpringStencil& spring, int a, int b) {
-    const auto k = hn::Set(d, spring.law.stiffness), c = hn::Set(d, spring.law.damping);
-    const auto rest = hn::Set(d, spring.rest_length);
+HWY_INLINE void pull(D d, const SpringPair& pair, const Triple<hn::Vec<D>>& x, const Triple<hn::Vec<D>>& v, int i,
+                     Triple<hn::Vec<D>>& force) {
+    const auto k = hn::Set(d, pair.law.stiffness), c = hn::Set(d, pair.law.damping);
     const auto tiny = hn::Set(d, std::sqrt(std::numeric_limits<Real>::min()));
-    const auto offset = minus(load(d, input.x, a), load(d, input.x, b));
-    const auto length = hn::Sqrt(dot(offset, offset));
-    const auto n = times(offset, hn::Div(hn::Set(d, Real(1)), hn::Max(length, tiny)));
-    const auto closing = dot(n, minus(load(d, input.v, a), load(d, input.v, b)));
-    return times(n, hn::Add(hn::Mul(k, hn::Sub(length, rest)), hn::Mul(c, closing)));
+    const auto d0 = minus(x, load(d, pair.x[0], i + pair.di[0])), d1 = minus(x, load(d, pair.x[1], i + pair.di[1]));
+    const auto length0 = hn::Max(hn::Sqrt(dot(d0, d0)), tiny), length1 = hn::Max(hn::Sqrt(dot(d1, d1)), tiny);
+    const auto inverse = hn::Div(hn::Set(d, Real(1)), hn::Mul(length0, length1));
+    const auto finish = [&](int s, const auto& offset, auto one_over_length) HWY_ATTR {
+        const auto closing = dot(offset, minus(v, load(d, pair.v[s], i + pair.di[s])));
+        const auto rest = hn::Set(d, pair.law.stiffness * pair.rest_length[s]);
+        const auto damping = hn::Mul(hn::Mul(hn::Mul(c, closing), one_over_length), one_over_length);
+        const auto factor = hn::Add(hn::Sub(k, hn::Mul(rest, one_over_length)), damping);
+        const auto found = times(offset, hn::Mul(factor, hn::LoadU(d, pair.there[s] + i)));
+        store(found, d, pair.pull[s], i);
+        force = minus(force, found);
+    };
+    finish(0, d0, hn::Mul(inverse, length1));
+    finish(1, d1, hn::Mul(inverse, length0));
 }
 
-/// The pulls of one row's springs of one kind, by the column of the first end; zero where there is no spring.
-struct PullRow {
-    static constexpr int margin = 2;  // columns on both sides that a spring reaches
-    Real pull[3][most_columns + 2 * margin];
-};
-
-/// The pulls of one kind of spring in as many rows as its springs reach over. What lies outside the cloth stays zero.
-struct Pulls {
-    SpringStencil spring;
-    PullRow rows[3];
-
-    PullRow& row(int j) { return rows[(j + spring.dj + 1) % (spring.dj + 1)]; }
-};
-
-/// Finds the pulls of the springs whose first ends lie in row j, as far as they hold particles of the part.
-HWY_INLINE void find_pulls(const ForceInput& input, const Part& part, int j, Pulls& pulls) {
-    const Grid grid = input.model->grid;
-    const SpringStencil spring = pulls.spring;  // a copy, which no store can change: its numbers stay in registers
-    PullRow& row = pulls.row(j);
-    if (j >= spring.rows(grid)) {
-        row = {};
-        return;
-    }
-    const int first = std::max(part.first_column - std::max(spring.di, 0), spring.first_column());
-    const int last = std::min(part.first_column + part.columns + std::max(-spring.di, 0),
-                              spring.first_column() + spring.count(grid));
-    const int reach = spring.dj * grid.nx + spring.di, column = PullRow::margin - part.first_column;
-    for_each_vector(hn::ScalableTag<Real>(), first, last, [&](auto d, int i) HWY_ATTR {
-        const int a = grid.particle(i, j);
-        const auto found = pull(d, input, spring, a, a + reach);
-        hn::StoreU(found.x, d, row.pull[0] + column + i);
-        hn::StoreU(found.y, d, row.pull[1] + column + i);
-        hn::StoreU(found.z, d, row.pull[2] + column + i);
-    });
-}
-
-/// Adds up the forces on the particles of row j: gravity, drag, wind, and the pulls of all springs at both their ends.
+/// Finds the pulls of all springs whose first ends lie in row j, and adds them up there, with gravity, drag and wind.
 template <bool windy>
-HWY_INLINE void add_up(const ForceInput& input, const Part& part, int j, Pulls (&kinds)[6],
-                       Real (&force)[3][most_columns]) {
-    const ClothModel& model = *input.model;
-    const int p = model.grid.particle(part.first_column, j);
+HWY_INLINE void find_pulls(const ForceInput& input, const Strip& strip, const std::array<SpringStencil, 6>& springs,
+                           int j, const Scratch& scratch) {
+    const hn::CappedTag<Real, Scratch::margin> d;
+    const SpringPair structural = spring_pair(springs, 0, strip, j, scratch);
+    const SpringPair shear = spring_pair(springs, 2, strip, j, scratch);
+    const SpringPair bend = spring_pair(springs, 4, strip, j, scratch);
+    const bool has[3] = {structural.law != SpringLaw{}, shear.law != SpringLaw{}, bend.law != SpringLaw{}};
+    const Rows row_x = scratch.x(strip.slot(j)), row_v = scratch.v(strip.slot(j)), wind = scratch.wind(strip.slot(j));
+    const Rows force = scratch.force();
+    const Vec3 weight = input.model->particle_mass * input.model->gravity;
+    const Real drag = input.model->drag;
+    const int end = strip.at(strip.last);
+    for (int i = Scratch::margin; i < end; i += static_cast<int>(hn::Lanes(d))) {
+        const auto x = load(d, row_x, i), v = load(d, row_v, i);
+        Triple<hn::Vec<decltype(d)>> f{hn::Set(d, weight[0]), hn::Set(d, weight[1]), hn::Set(d, weight[2])};
+        f = minus(f, times(v, hn::Set(d, drag)));
+        if constexpr (windy) f = plus(f, load(d, wind, i));
+        if (has[0]) pull(d, structural, x, v, i, f);
+        if (has[1]) pull(d, shear, x, v, i, f);
+        if (has[2]) pull(d, bend, x, v, i, f);
+        store(f, d, force, i);
+    }
+}
+
+/// Adds the pulls at the second ends of the springs that end in row j.
+HWY_INLINE void add_up(const Strip& strip, const std::array<SpringStencil, 6>& springs, int j, const Scratch& scratch) {
+    const hn::CappedTag<Real, Scratch::margin> d;
+    const int end = strip.at(strip.last);
     for (int axis = 0; axis < 3; ++axis) {
-        const Real weight = model.particle_mass * model.gravity[axis], drag = model.drag;
-        const Real *v = input.v[axis] + p, *wind = windy ? input.wind[axis] + p : nullptr;
-        const Real *from[6], *to[6];
+        const Real* from[6];
         for (int s = 0; s < 6; ++s) {
-            const SpringStencil& spring = kinds[s].spring;
-            from[s] = kinds[s].row(j).pull[axis] + PullRow::margin;
-            to[s] = kinds[s].row(j - spring.dj).pull[axis] + PullRow::margin - spring.di;
+            const SpringStencil& spring = springs[static_cast<std::size_t>(s)];
+            from[s] = scratch.pulls(s, j - spring.dj)[axis] - spring.di;
         }
-        for_each_vector(hn::ScalableTag<Real>(), 0, part.columns, [&](auto d, int i) HWY_ATTR {
-            auto f = hn::Sub(hn::Set(d, weight), hn::Mul(hn::Set(d, drag), hn::LoadU(d, v + i)));
-            if constexpr (windy) f = hn::Add(f, hn::LoadU(d, wind + i));
-            f = hn::Add(hn::Sub(f, hn::LoadU(d, from[0] + i)), hn::LoadU(d, to[0] + i));
-            f = hn::Add(hn::Sub(f, hn::LoadU(d, from[1] + i)), hn::LoadU(d, to[1] + i));
-            f = hn::Add(hn::Sub(f, hn::LoadU(d, from[2] + i)), hn::LoadU(d, to[2] + i));
-            f = hn::Add(hn::Sub(f, hn::LoadU(d, from[3] + i)), hn::LoadU(d, to[3] + i));
-            f = hn::Add(hn::Sub(f, hn::LoadU(d, from[4] + i)), hn::LoadU(d, to[4] + i));
-            f = hn::Add(hn::Sub(f, hn::LoadU(d, from[5] + i)), hn::LoadU(d, to[5] + i));
-            hn::StoreU(f, d, force[axis] + i);
-        });
+        Real* const force = scratch.force()[axis];
+        for (int i = Scratch::margin; i < end; i += static_cast<int>(hn::Lanes(d))) {
+            auto f = hn::Add(hn::LoadU(d, force + i), hn::LoadU(d, from[0] + i));
+            f = hn::Add(f, hn::LoadU(d, from[1] + i));
+            f = hn::Add(f, hn::LoadU(d, from[2] + i));
+            f = hn::Add(f, hn::LoadU(d, from[3] + i));
+            f = hn::Add(f, hn::LoadU(d, from[4] + i));
+            f = hn::Add(f, hn::LoadU(d, from[5] + i));
+            hn::StoreU(f, d, force + i);
+        }
     }
 }
 
-/// The pulls of a kind without a law, and of rows and columns without springs, are zero from the start.
-HWY_INLINE void clear(const SpringStencil& spring, const Part& part, Pulls& pulls) {
-    pulls.spring = spring;
-    for (int row = 0; row <= spring.dj; ++row) {
-        for (Real* axis : pulls.rows[row].pull) std::fill_n(axis, part.columns + 2 * PullRow::margin, Real(0));
-    }
-}
-
-void forces_on(const ForceInput& input, const Part& part, const std::function<void(const ForceRun&)>& use) {
-    HWY_ALIGN Pulls kinds[6];
+template <bool windy>
+HWY_INLINE void sweep(const ForceInput& input, const Part& part, const Scratch& scratch,
+                      const std::function<void(const ForceRun&)>& use) {
+    const Strip strip(part, input.model->grid);
     const auto springs = spring_stencils(*input.model);
-    for (std::size_t s = 0; s < springs.size(); ++s) clear(springs[s], part, kinds[s]);
-    HWY_ALIGN Real force[3][most_columns];
-    for (int j = std::max(part.first_row - 2, 0); j < part.first_row + part.rows; ++j) {
-        for (Pulls& pulls : kinds) {
-            if (pulls.spring.law != SpringLaw{} && j + pulls.spring.dj >= part.first_row) {
-                find_pulls(input, part, j, pulls);
-            }
-        }
+    const int first_row = std::max(part.first_row - 2, 0), column = strip.at(part.first_column);
+    const Rows force = scratch.force();
+    for (int j = part.first_row; j < std::min(first_row + 2, strip.end_row); ++j) copy_row(input, strip, j, scratch);
+    for (int j = first_row; j < strip.end_row; ++j) {
+        if (j + 2 >= part.first_row && j + 2 < strip.end_row) copy_row(input, strip, j + 2, scratch);
+        find_pulls<windy>(input, strip, springs, j, scratch);
         if (j < part.first_row) continue;
-        if (input.wind[0] != nullptr)
-            add_up<true>(input, part, j, kinds, force);
-        else
-            add_up<false>(input, part, j, kinds, force);
-        use({input.model->grid.particle(part.first_column, j),
+        add_up(strip, springs, j, scratch);
+        use({strip.grid.particle(part.first_column, j),
              part.columns,
-             {force[0], force[1], force[2]},
+             {force[0] + column, force[1] + column, force[2] + column},
              input.model});
     }
+}
+
+void forces_on(const ForceInput& input, const Part& part, const Scratch& scratch,
+               const std::function<void(const ForceRun&)>& use) {
+    if (input.wind[0] != nullptr)
+        sweep<true>(input, part, scratch, use);
+    else
+        sweep<false>(input, part, scratch, use);
 }
 
 }  // namespace drape::kernels::HWY_NAMESPACE
@@ -174,8 +188,9 @@ namespace drape::kernels {
 
 HWY_EXPORT(forces_on);
 
-void forces_on(const ForceInput& input, const Part& part, const std::function<void(const ForceRun&)>& use) {
-    HWY_DYNAMIC_DISPATCH(forces_on)(input, part, use);
+void forces_on(const ForceInput& input, const Part& part, const Scratch& scratch,
+               const std::function<void(const ForceRun&)>& use) {
+    HWY_DYNAMIC_DISPATCH(forces_on)(input, part, scratch, use);
 }
 
 }  // namespace drape::kernels

@@ -1,5 +1,8 @@
 #pragma once
 
+#include <algorithm>
+#include <array>
+#include <cstddef>
 #include <functional>
 
 #include "drape/model/force_sweep.h"
@@ -21,10 +24,56 @@ struct Part {
     int first_column, columns, first_row, rows;
 };
 
-/// The most columns of a part: its springs' forces in three rows then fit into the nearest cache.
-constexpr int most_columns = 128;
+/// The rows of numbers that a sweep over a part works in. Rows of the cloth, which may lie apart by a power of two and
+/// then drive each other out of the cache, are copied here. What the cloth does not have is zero.
+class Scratch {
+public:
+    static constexpr int margin = 16;  ///< columns on both sides that springs and the last vector reach into
 
-/// Calls use(run) for each row of a part.
-void forces_on(const ForceInput& input, const Part& part, const std::function<void(const ForceRun&)>& use);
+    /// @param memory cache_lines(columns) of them
+    /// @param columns of the part
+    Scratch(CacheLine* memory, int columns) : memory_(memory->values), length_(length(columns)) {}
+
+    [[nodiscard]] static constexpr std::size_t cache_lines(int columns) {
+        return static_cast<std::size_t>(rows) * static_cast<std::size_t>(length(columns)) / CacheLine::numbers;
+    }
+    void clear() const { std::fill_n(memory_, rows * length_, Real(0)); }
+
+    [[nodiscard]] std::array<Real*, 3> x(int slot) const { return three(9 * slot); }
+    [[nodiscard]] std::array<Real*, 3> v(int slot) const { return three(9 * slot + 3); }
+    [[nodiscard]] std::array<Real*, 3> wind(int slot) const { return three(9 * slot + 6); }
+
+    /// Of the springs of one kind with first ends in a row, by the column of that end; three rows are kept.
+    [[nodiscard]] std::array<Real*, 3> pulls(int kind, int row) const {
+        return three(45 + 9 * kind + (row + 3) % 3 * 3);
+    }
+
+    /// Of each kind, by the column of the first end: 1 if there is a column for the second end, else 0.
+    [[nodiscard]] Real* there(int kind) const { return row(99 + kind); }
+    [[nodiscard]] Real* nowhere() const { return row(105); }
+    [[nodiscard]] std::array<Real*, 3> force() const { return three(106); }
+
+private:
+    static constexpr int rows = 109;
+    static constexpr int length(int columns) {
+        return (columns + 3 + CacheLine::numbers) / CacheLine::numbers * CacheLine::numbers + 2 * margin;
+    }
+
+    [[nodiscard]] Real* row(int number) const { return memory_ + number * length_; }
+    [[nodiscard]] std::array<Real*, 3> three(int number) const {
+        return {row(number), row(number + 1), row(number + 2)};
+    }
+
+    Real* memory_;
+    int length_;
+};
+
+/// Clears the scratch, and copies what other parts may overwrite while this one is swept: the rows next to it.
+void prepare(const ForceInput& input, const Part& part, const Scratch& scratch);
+
+/// Calls use(run) for each row of a part; what it reads of the part's particles is read before their run is used.
+/// @pre the scratch is prepared
+void forces_on(const ForceInput& input, const Part& part, const Scratch& scratch,
+               const std::function<void(const ForceRun&)>& use);
 
 }  // namespace drape::kernels

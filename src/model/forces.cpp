@@ -10,8 +10,6 @@
 namespace drape {
 namespace {
 
-using Use = std::function<void(const ForceRun&)>;
-
 /// The input of the kernels. Where the wind blows, its forces are found on the way.
 kernels::ForceInput input_of(const ClothModel& model, const Points& x, const Points& v, Points& wind) {
     kernels::ForceInput input{.model = &model,
@@ -27,15 +25,6 @@ kernels::ForceInput input_of(const ClothModel& model, const Points& x, const Poi
     return input;
 }
 
-/// Sweeps over some rows in strips that are narrow enough for the kernels.
-void sweep_rows(const kernels::ForceInput& input, int first_row, int last_row, const Use& use) {
-    const int nx = input.model->grid.nx, strips = (nx + kernels::most_columns - 1) / kernels::most_columns;
-    for (int strip = 0; strip < strips; ++strip) {
-        const int first = nx * strip / strips, last = nx * (strip + 1) / strips;
-        kernels::forces_on(input, {first, last - first, first_row, last_row - first_row}, use);
-    }
-}
-
 }  // namespace
 
 void compute_forces(const ClothModel& model, const Points& x, const Points& v, Points& f) {
@@ -44,22 +33,46 @@ void compute_forces(const ClothModel& model, const Points& x, const Points& v, P
     const auto keep = [&f](const ForceRun& run) {
         for (int axis = 0; axis < 3; ++axis) run.of(f, axis) = run.forces(axis);
     };
-    sweep_rows(input_of(model, x, v, f), 0, model.grid.ny, std::cref(keep));
+    const kernels::ForceInput input = input_of(model, x, v, f);
+
+    // In strips, whose scratch fits on the stack
+    constexpr int most_columns = 125;
+    CacheLine memory[kernels::Scratch::cache_lines(most_columns)];
+    const int nx = model.grid.nx;
+    for (int first = 0, columns = 0; first < nx; first += columns) {
+        columns = std::min(most_columns, nx - first);
+        const kernels::Part part{first, columns, 0, model.grid.ny};
+        const kernels::Scratch scratch(memory, columns);
+        prepare(input, part, scratch);
+        forces_on(input, part, scratch, std::cref(keep));
+    }
 }
 
 void forces_to_accelerations(const ClothModel& model, Points& f) {
     for (int axis = 0; axis < 3; ++axis) f.col(axis).array() *= model.inverse_mass;
 }
 
-void ForceSweep::sweep(const ClothModel& model, const Points& x, const Points& v, const Use& use) {
+ForceSweep::ForceSweep(const Grid& grid, int threads)
+    : wind_(grid.particles(), 3),
+      scratch_(static_cast<std::size_t>(threads), std::vector<CacheLine>(kernels::Scratch::cache_lines(grid.nx))),
+      workers_(threads) {}
+
+void ForceSweep::sweep(const ClothModel& model, const Points& x, const Points& v,
+                       const std::function<void(const ForceRun&)>& use) {
     constexpr int worth_a_thread = 8192;  // particles: with fewer, threads wait for one another longer than they work
     const Grid grid = model.grid;
     DRAPE_ASSERT(x.rows() == grid.particles() && v.rows() == grid.particles() && wind_.rows() == grid.particles());
     const kernels::ForceInput input = input_of(model, x, v, wind_);
     const int parts = std::clamp(grid.particles() / worth_a_thread, 1, std::min(workers_.threads(), grid.ny));
-    const auto sweep_part = [&](int part) {
-        sweep_rows(input, grid.ny * part / parts, grid.ny * (part + 1) / parts, use);
+    const auto part = [&](int number) {
+        const int first = grid.ny * number / parts, last = grid.ny * (number + 1) / parts;
+        return kernels::Part{0, grid.nx, first, last - first};
     };
+    const auto scratch = [&](int number) {
+        return kernels::Scratch(scratch_[static_cast<std::size_t>(number)].data(), grid.nx);
+    };
+    const auto sweep_part = [&](int number) { forces_on(input, part(number), scratch(number), use); };
+    for (int number = 0; number < parts; ++number) prepare(input, part(number), scratch(number));
     workers_.run(parts, std::cref(sweep_part));
 }
 

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <functional>
+#include <vector>
 
 #include "drape/base/workers.h"
 #include "drape/model/cloth_model.h"
@@ -29,18 +30,24 @@ struct ForceRun {
     }
 };
 
+/// Some numbers that lie in one line of the cache: what vectors are best loaded from.
+struct alignas(64) CacheLine {
+    static constexpr int numbers = 64 / sizeof(Real);
+    Real values[numbers];
+};
+
 /// Evaluates all forces on a cloth in one sweep over it, on one or more threads, and hands them over run by run, so
 /// that what is made of them is made before they leave the cache. Each particle's forces are added up in one order,
 /// wherever runs begin and end: the bits do not depend on the number of threads.
 class ForceSweep {
 public:
-    ForceSweep(const Grid& grid, int threads) : wind_(grid.particles(), 3), workers_(threads) {}
+    ForceSweep(const Grid& grid, int threads);
 
     /// Calls use(run) for runs that hold each particle once.
     /// @param x n x 3 [m]
     /// @param v n x 3 [m/s]
     /// @param use a function of `const ForceRun&`; called by several threads at a time, it may write what belongs to
-    /// its run but must leave x and v alone, for the forces on others are still to be found
+    /// its run, of x and v too
     /// @par Cost O(n), no allocation
     template <class Use>
     void operator()(const ClothModel& model, const Points& x, const Points& v, Use use) {
@@ -52,6 +59,7 @@ private:
                const std::function<void(const ForceRun&)>& use);
 
     Points wind_;
+    std::vector<std::vector<CacheLine>> scratch_;  // one a thread
     Workers workers_;
 };
 
