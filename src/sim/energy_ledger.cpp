@@ -15,41 +15,41 @@ EnergyBalance& EnergyBalance::operator+=(const EnergyBalance& other) {
 
 void EnergyLedger::look(const ClothModel& model, const ClothState& state) {
     const EnergyFlow flow = compute_energy_flow(model, state, scratch_);
-    energy_ = flow.energy.total();
-    power_ = flow.power;
+    now_.energy = flow.energy.total();
+    now_.power = flow.power;
 }
 
 void EnergyLedger::begin(const ClothModel& model, const ClothState& state, bool touched) {
     if (!touched) return;
-    const double before = energy_;
+    const double before = now_.energy;
     look(model, state);
-    balance_.hand += energy_ - before;
+    now_.balance.hand += now_.energy - before;
 }
 
 void EnergyLedger::integrated(const ClothModel& model, const ClothState& state, Real h) {
-    const double before = energy_, half = static_cast<double>(h) / 2;
-    const Power first = power_;
+    const double before = now_.energy, half = static_cast<double>(h) / 2;
+    const Power first = now_.power;
     look(model, state);
-    const double wind = half * (first.wind + power_.wind), hand = half * (first.hand + power_.hand);
-    const double damping = half * (first.damping + power_.damping), drag = half * (first.drag + power_.drag);
-    balance_.wind += wind;
-    balance_.hand += hand;
-    balance_.damping += damping;
-    balance_.drag += drag;
-    balance_.integrator += before - energy_ + wind + hand - damping - drag;
+    const double wind = half * (first.wind + now_.power.wind), hand = half * (first.hand + now_.power.hand);
+    const double damping = half * (first.damping + now_.power.damping), drag = half * (first.drag + now_.power.drag);
+    now_.balance.wind += wind;
+    now_.balance.hand += hand;
+    now_.balance.damping += damping;
+    now_.balance.drag += drag;
+    now_.balance.integrator += before - now_.energy + wind + hand - damping - drag;
 }
 
 void EnergyLedger::responded(const ClothModel& model, const ClothState& state, double ball_work) {
-    const double before = energy_;
+    const double before = now_.energy;
     look(model, state);
-    balance_.ball += ball_work;
-    balance_.contact += before - energy_ + ball_work;
+    now_.balance.ball += ball_work;
+    now_.balance.contact += before - now_.energy + ball_work;
 }
 
 void EnergyLedger::stilled(const ClothModel& model, const ClothState& state) {
-    const double before = energy_;
+    const double before = now_.energy;
     look(model, state);
-    balance_.integrator += before - energy_;
+    now_.balance.integrator += before - now_.energy;
 }
 
 }  // namespace drape

@@ -3,6 +3,7 @@
 #include <fstream>
 #include <iterator>
 #include <sstream>
+#include <string_view>
 
 #include "drape/base/output_file.h"
 #include "drape/sim/scene_text.h"
@@ -22,9 +23,14 @@ void write_file(const std::filesystem::path& file, const std::string& text) {
     out.close();
 }
 
-/// The settings with cloths, balls and pins as they are now.
+/// With which the title of a scene begins that was written here.
+constexpr std::string_view mark = "Fails at once: ";
+
+/// The settings with cloths, balls, pins and parts of a step as they are now.
 Settings present_settings(const Simulation& simulation) {
     Settings settings = simulation.settings();
+    settings.solver.dt /= static_cast<Real>(simulation.report().substeps);
+    if (settings.solver.on_unstable == OnUnstable::Substep) settings.solver.on_unstable = OnUnstable::Warn;
     const auto cloths = simulation.cloths();
     for (std::size_t c = 0; c < cloths.size(); ++c) {
         Pins pins{Pins::Kind::List, {}};
@@ -48,7 +54,7 @@ std::filesystem::path write_failure(const Simulation& simulation, const std::fil
     write_state_header(state, simulation);
     write_state(state, simulation);
     Settings settings = present_settings(simulation);
-    settings.title = "Fails in its first step: " + settings.title;
+    if (!settings.title.starts_with(mark)) settings.title = std::string(mark) + settings.title;
     const std::string warning = simulation.step_warning();
     const std::string remark =
         "# " + simulation.report().trouble + "\n" + (warning.empty() ? "" : "# " + warning + "\n");

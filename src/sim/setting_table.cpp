@@ -133,11 +133,11 @@ void add_the_rest(std::vector<Setting>& table) {
                   "of dormand_prince: error of a step, of the cloth's spacing");
     solver.integer("threads", &SolverSettings::threads, {1, 64},
                    "that share a step of the explicit methods; the motion is the same");
-    solver.number("dt", &SolverSettings::dt, "s", {1e-9, 0.1}, "length of one substep");
-    solver.choice(
-        "on_unstable", &SolverSettings::on_unstable, unstable_names,
-        "substep: make a step beyond 0.9 of its limit in parts; when a step has lost the cloth, warn: the window "
-        "freezes it, stop: it ends, as other programs always do");
+    solver.number("dt", &SolverSettings::dt, "s", {1e-9, 0.1}, "length of one step");
+    solver.choice("on_unstable", &SolverSettings::on_unstable, unstable_names,
+                  "substep: make a step beyond 0.9 of its limit, as predicted at the start and after a change, in "
+                  "parts; when a step has lost the cloth, warn: the window "
+                  "freezes it, stop: it ends, as other programs always do");
     solver.number("sleep_speed", &SolverSettings::sleep_speed, "m/s", {0, 1},
                   "a scene that is slower for half a second falls asleep; 0: never");
 

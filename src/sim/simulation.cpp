@@ -61,6 +61,9 @@ void Simulation::step() {
     if (!report_.asleep) {
         for (Cloth& cloth : cloths_) cloth.previous = cloth.state;
     }
+    for (Cloth& cloth : cloths_) {
+        if (cloth.ledger) cloth.ledger->mark();
+    }
     const Real h = settings_.solver.dt / static_cast<Real>(report_.substeps);
     for (int k = 0; k < report_.substeps; ++k) {
         substep(report_.time + k * static_cast<double>(h), h);
@@ -223,6 +226,7 @@ void Simulation::detect_divergence() {
         for (Cloth& cloth : cloths_) {
             cloth.state = cloth.previous;
             cloth.contacts.clear();
+            if (cloth.ledger) cloth.ledger->return_to_mark();
         }
         balls_ = previous_balls_;
         return;

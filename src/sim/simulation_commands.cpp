@@ -66,6 +66,15 @@ bool starts_differently(const ClothParameters& a, const ClothParameters& b) {
            a.origin() != b.origin() || a.pinned != b.pinned;
 }
 
+/// True if another integrator is to be made. Only the methods with a limit share their work among threads; the others
+/// keep what they remember.
+bool steps_otherwise(const SolverSettings& a, const SolverSettings& b) {
+    IntegratorParameters first = integrator_of(a);
+    const IntegratorParameters second = integrator_of(b);
+    if (!has_step_limit(second.kind)) first.threads = second.threads;
+    return first != second;
+}
+
 }  // namespace
 
 void Simulation::apply(const Command& command) {
@@ -108,6 +117,9 @@ void Simulation::restart() {
         Cloth& cloth = cloths_.emplace_back();
         cloth.model = make_cloth_model(parameters);
         cloth.state = start_ ? start_->states[cloths_.size() - 1] : make_rest_state(parameters);
+        for (int p = 0; p < parameters.particles.particles(); ++p) {
+            if (cloth.model.pinned(p)) cloth.state.v.row(p).setZero();
+        }
         cloth.previous = cloth.state;
         cloth.integrator = make_integrator(integrator_of(settings_.solver), parameters.particles);
         cloth.separation = Separation(parameters.particles);
@@ -159,7 +171,7 @@ void Simulation::configure(Settings settings) {
             cloth.model.revision = revision + 1;
             if (hand_ && hand_->cloth == static_cast<int>(c)) cloth.model.hold(hand_->particle, true);
         }
-        if (integrator_of(settings_.solver) != integrator_of(before.solver)) {
+        if (steps_otherwise(before.solver, settings_.solver)) {
             cloth.integrator = make_integrator(integrator_of(settings_.solver), cloth.model.grid);
         }
         if (other_hierarchy) use_broad_phase(cloth);
@@ -170,7 +182,11 @@ void Simulation::configure(Settings settings) {
         if (now.position != then.position) balls_[b].centre = now.position;
         if (now.velocity != then.velocity) balls_[b].velocity = now.velocity;
     }
-    if (settings_.cloths != before.cloths || settings_.solver != before.solver) predict_limit();
+    const SolverSettings &now = settings_.solver, &then = before.solver;
+    if (settings_.cloths != before.cloths || now.integrator != then.integrator || now.dt != then.dt ||
+        now.on_unstable != then.on_unstable) {
+        predict_limit();
+    }
     if (move_otherwise(before, settings_)) wake();
     if (settings_.view.bounds && (other_hierarchy || !before.view.bounds)) show_present_bounds();
 }
@@ -184,8 +200,8 @@ void Simulation::predict_limit() {
     // Where no step is short enough, parts do not help
     const bool bounded = limit > 0 && std::isfinite(limit);
     const Real wanted = bounded ? std::ceil(solver.dt / (safe_part * limit)) : Real(1);
-    const bool divides = solver.on_unstable == OnUnstable::Substep;
-    report_.substeps = divides ? static_cast<int>(std::min(wanted, most_substeps)) : 1;
+    const bool divides = solver.on_unstable == OnUnstable::Substep && wanted <= most_substeps;
+    report_.substeps = divides ? static_cast<int>(wanted) : 1;
     const Real part = solver.dt / static_cast<Real>(report_.substeps);
     report_.step_over_limit = std::isfinite(limit) ? static_cast<double>(part / limit) : 0;
 }
@@ -196,8 +212,9 @@ std::string Simulation::step_warning() const {
     const std::string method(name_of(solver.integrator));
     const std::string step = "solver.dt = " + real_text(static_cast<double>(solver.dt), 4) + " s";
     if (!std::isfinite(report_.step_over_limit)) return step + ": " + method + " is stable with no step on this cloth";
+    const bool in_vain = solver.on_unstable == OnUnstable::Substep;
     return step + " is " + real_text(report_.step_over_limit * report_.substeps, 3) + " of the limit of " + method +
-           " on this cloth";
+           " on this cloth" + (in_vain ? ", too long to be made in parts" : "");
 }
 
 void Simulation::use_broad_phase(Cloth& cloth) {

@@ -40,6 +40,7 @@ private:
         const LineEnd end = read_line(in, line, longest_line);
         if (end == LineEnd::None) return false;
         ++line_;
+        if (end == LineEnd::CutOff) fail("cut off: expected an end of line");
         if (end == LineEnd::TooLong) fail("longer than " + std::to_string(longest_line) + " bytes");
         return true;
     }

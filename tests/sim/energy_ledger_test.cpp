@@ -119,6 +119,22 @@ TEST(EnergyLedger, AddsUpToTheChangeOfTheEnergy) {
     expect_balanced("asleep");
 }
 
+TEST(EnergyLedger, ForgetsWhatIsTakenBack) {
+    Simulation simulation = small_simulation();
+    make_steps(simulation, 100);
+    const Cloth& cloth = simulation.cloths()[0];
+    EnergyLedger ledger(cloth.model, cloth.state);
+    ledger.mark();
+    ClothState lost = cloth.state;
+    lost.v *= 2;
+    ledger.integrated(cloth.model, lost, 1e-3F);
+    EXPECT_GT(ledger.balance().change(), 0);
+    ledger.return_to_mark();
+    EXPECT_EQ(ledger.balance().change(), 0);
+    ledger.begin(cloth.model, cloth.state, true);
+    EXPECT_EQ(ledger.balance().change(), 0) << "it knows the state that has come back";
+}
+
 TEST(EnergyLedger, IsKeptOnlyIfItIsWanted) {
     Simulation simulation = small_simulation({"ledger=false"});
     make_steps(simulation, 50);

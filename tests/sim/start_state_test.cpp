@@ -38,6 +38,17 @@ TEST(StartState, GoesOnWhereAnotherRunHasLeftOff) {
     EXPECT_DOUBLE_EQ(rest.report().time, 150.0 / 1024) << "that is its start";
 }
 
+TEST(StartState, LeavesPinnedParticlesWhereTheyAre) {
+    const testing_aid::ScratchFile file("state.csv");
+    Simulation loose = small_simulation({"pinned=none"});
+    make_steps(loose, 100);
+    file.write(state_text(loose));
+    Simulation pinned = small_simulation({"start=" + file.name()});
+    const Vec3 place = pinned.cloths()[0].state.x.row(0).transpose();
+    make_steps(pinned, 100);
+    EXPECT_EQ(Vec3(pinned.cloths()[0].state.x.row(0).transpose()), place);
+}
+
 TEST(StartState, IsTheLastMomentOfAFile) {
     const testing_aid::ScratchFile file("state.csv");
     Simulation simulation = small_simulation();
@@ -81,6 +92,7 @@ TEST(StartState, ThatIsDamagedIsRefusedWithItsLine) {
     EXPECT_THAT(complaint(header), HasSubstr("ends before"));
     EXPECT_THAT(complaint(header + "0,0" + row), HasSubstr("state.csv:2: ends before the last particle"));
     EXPECT_THAT(complaint(good + "1,0" + row), HasSubstr("ends before"));
+    EXPECT_THAT(complaint(good.substr(0, good.size() - 1)), HasSubstr("state.csv:5: cut off"));
     EXPECT_THAT(complaint(header + "0,1" + row), HasSubstr("state.csv:2: expected particle 0"));
     EXPECT_THAT(complaint(header + "0,0,1,2,3\n"), HasSubstr("state.csv:2: expected t,particle"));
     EXPECT_THAT(complaint(header + "0,0,1,2,3,4,5,nan\n"), HasSubstr("state.csv:2: allowed numbers"));

@@ -17,6 +17,8 @@ using testing::HasSubstr;
 
 void send(Simulation& simulation, const std::string& text) { simulation.apply(parse_command(text)); }
 
+Simulation plain_copy(const Simulation& simulation) { return {simulation.scene(), simulation.settings()}; }
+
 double limit_of(const Simulation& simulation) {
     const Cloth& cloth = simulation.cloths()[0];
     return predicted_limit(cloth.model, cloth.state, simulation.settings().solver.integrator).step;
@@ -98,6 +100,31 @@ TEST(Substeps, AreStepsOfTheirLength) {
     EXPECT_EQ(whole.report().solve.force_evaluations, parts) << "of all parts";
 }
 
+TEST(Substeps, AreNotTriedWhereAThousandAreTooFew) {
+    const Simulation simulation = small_simulation({"integrator=explicit_euler", "dt=0.03125", "on_unstable=substep",
+                                                    "structural.damping=0", "shear.damping=0", "bend.damping=0"});
+    EXPECT_EQ(simulation.report().substeps, 1);
+    EXPECT_THAT(simulation.step_warning(), HasSubstr("too long to be made in parts"));
+}
+
+TEST(Substeps, DoNotDependOnThreadsOrLedger) {
+    Simulation plain = small_simulation({"dt=0.0078125", "on_unstable=substep"}), other = plain_copy(plain);
+    make_steps(plain, 20), make_steps(other, 20);
+    send(other, "set solver.threads=2");
+    send(other, "set solver.ledger=false");
+    make_steps(plain, 40), make_steps(other, 40);
+    EXPECT_EQ(plain.hash(), other.hash());
+}
+
+TEST(Threads, DoNotMakeBdf2Forget) {
+    Simulation plain = small_simulation({"integrator=bdf2", "ball.position=0,-9,0"});
+    Simulation other = plain_copy(plain);
+    make_steps(plain, 20), make_steps(other, 20);
+    send(other, "set solver.threads=2");
+    make_steps(plain, 20), make_steps(other, 20);
+    EXPECT_EQ(plain.hash(), other.hash());
+}
+
 Simulation lost_simulation() {
     Simulation simulation = small_simulation({"dt=0.03125", "title=The \"lost\" one"});
     send(simulation, "steer 0 1 0");
@@ -123,7 +150,7 @@ TEST(Failure, IsWrittenAsASceneWhoseFirstStepFailsAlike) {
     EXPECT_EQ(again.cloths()[0].state.x, lost.cloths()[0].state.x);
     EXPECT_EQ(again.cloths()[0].state.v, lost.cloths()[0].state.v);
     EXPECT_EQ(again.report().time, lost.report().time);
-    EXPECT_EQ(again.settings().title, "Fails in its first step: The \"lost\" one");
+    EXPECT_EQ(again.settings().title, "Fails at once: The \"lost\" one");
     again.step();
     ASSERT_EQ(again.report().status, Status::Diverged);
     const std::string what = lost.report().trouble;

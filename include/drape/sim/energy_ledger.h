@@ -44,14 +44,22 @@ public:
     void stilled(const ClothModel& model, const ClothState& state);
 
     /// Since the ledger began.
-    [[nodiscard]] const EnergyBalance& balance() const { return balance_; }
+    [[nodiscard]] const EnergyBalance& balance() const { return now_.balance; }
+
+    /// Remembers the entries so far, and forgets those since.
+    void mark() { marked_ = now_; }
+    void return_to_mark() { now_ = marked_; }
 
 private:
     void look(const ClothModel& model, const ClothState& state);
 
-    EnergyBalance balance_;
-    double energy_ = 0;  ///< after the last entry, as the power
-    Power power_;
+    struct Book {
+        EnergyBalance balance;
+        double energy = 0;  ///< after the last entry, as the power
+        Power power;
+    };
+
+    Book now_, marked_;
     Points scratch_;
 };
 
