@@ -18,9 +18,10 @@ using ExperimentCase = std::function<std::vector<TableRow>()>;
 
 /// A picture of a table, drawn by gnuplot.
 struct Chart {
-    std::string name;   ///< of the files, without what follows the dot
-    int width, height;  ///< pixels
-    std::string plot;   ///< commands after the terminal is set; the table is the string variable `table`
+    std::string name;          ///< of the files, without what follows the dot
+    int width, height;         ///< pixels
+    std::string plot;          ///< commands after the terminal is set; the table is the string variable `table`
+    std::string caption = {};  ///< one sentence or two on what it shows, under the picture
 };
 
 /// A question that is answered by a table: a list of independent cases, and charts of what they found.

@@ -1,0 +1,39 @@
+#include "timing.h"
+
+#include <algorithm>
+#include <cmath>
+#include <ctime>
+
+#include "drape/base/assert.h"
+
+namespace drape {
+
+Quartiles quartiles_of(std::vector<double> values) {
+    DRAPE_ASSERT(!values.empty());
+    std::sort(values.begin(), values.end());
+    const auto at = [&values](double part) {
+        const double place = part * static_cast<double>(values.size() - 1);
+        const auto below = static_cast<std::size_t>(place), above = std::min(below + 1, values.size() - 1);
+        return std::lerp(values[below], values[above], place - std::floor(place));
+    };
+    return {at(0.25), at(0.5), at(0.75)};
+}
+
+double thread_cpu_time() {
+    std::timespec now{};
+    clock_gettime(CLOCK_THREAD_CPUTIME_ID, &now);
+    return static_cast<double>(now.tv_sec) + 1e-9 * static_cast<double>(now.tv_nsec);
+}
+
+Quartiles time_runs(const std::function<void()>& run, int repeats) {
+    run();
+    std::vector<double> seconds;
+    for (int i = 0; i < repeats; ++i) {
+        const double before = thread_cpu_time();
+        run();
+        seconds.push_back(thread_cpu_time() - before);
+    }
+    return quartiles_of(std::move(seconds));
+}
+
+}  // namespace drape

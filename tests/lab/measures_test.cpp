@@ -1,0 +1,41 @@
+#include <gtest/gtest.h>
+
+#include <array>
+
+#include "lab/power_law.h"
+#include "lab/timing.h"
+
+namespace drape {
+namespace {
+
+TEST(Quartiles, LieBetweenTheValuesWhereTheyMust) {
+    const Quartiles odd = quartiles_of({5, 1, 3, 2, 4}), even = quartiles_of({4, 1, 2, 3});
+    EXPECT_DOUBLE_EQ(odd.lower, 2);
+    EXPECT_DOUBLE_EQ(odd.median, 3);
+    EXPECT_DOUBLE_EQ(odd.upper, 4);
+    EXPECT_DOUBLE_EQ(even.lower, 1.75);
+    EXPECT_DOUBLE_EQ(even.median, 2.5);
+    EXPECT_DOUBLE_EQ(even.upper, 3.25);
+    EXPECT_DOUBLE_EQ(quartiles_of({7}).upper, 7);
+}
+
+TEST(TimeRuns, WarmsUpOnceAndCountsOnlyWorkOfThisThread) {
+    int runs = 0;
+    const Quartiles seconds = time_runs([&runs] { ++runs; }, 5);
+    EXPECT_EQ(runs, 6);
+    EXPECT_GE(seconds.lower, 0);
+    const double before = thread_cpu_time();
+    const timespec pause{0, 30'000'000};
+    nanosleep(&pause, nullptr);
+    EXPECT_LT(thread_cpu_time() - before, 0.015) << "sleep is no work";
+}
+
+TEST(PowerLaw, IsFoundAgain) {
+    std::array<std::pair<double, double>, 4> points{{{1, 3}, {2, 12}, {10, 300}, {100, 30000}}};
+    const PowerLaw law = fit_power_law(points);
+    EXPECT_NEAR(law.factor, 3, 1e-12);
+    EXPECT_NEAR(law.exponent, 2, 1e-12);
+}
+
+}  // namespace
+}  // namespace drape
