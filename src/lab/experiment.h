@@ -4,10 +4,6 @@
 #include <string>
 #include <vector>
 
-namespace CLI {
-class App;
-}
-
 namespace drape {
 
 /// One line of an experiment's table, a text a column.
@@ -36,9 +32,5 @@ struct Experiment {
 
 /// Every experiment of the laboratory.
 const std::vector<Experiment>& experiments();
-
-/// Adds a subcommand for each experiment, which writes NAME.csv and, where there is gnuplot, the charts.
-/// @param exit_code set when the subcommand has run
-void add_experiments(CLI::App& app, int& exit_code);
 
 }  // namespace drape

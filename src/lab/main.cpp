@@ -1,7 +1,8 @@
 #include "collide.h"
 #include "drape/base/program.h"
-#include "experiment.h"
 #include "list.h"
+#include "merge.h"
+#include "run_experiment.h"
 #include "simulate.h"
 
 namespace drape {
@@ -15,6 +16,7 @@ int run(int argc, char** argv) {
     add_collide(app, exit_code);
     add_list(app, exit_code);
     add_experiments(app, exit_code);
+    add_merge(app, exit_code);
     parse_command_line(app, argc, argv);
     return exit_code;
 }

@@ -71,7 +71,11 @@ Chart chart(const std::string& method, const Charted& charted) {
             (charted.damping ? panel(method, charted, "damping", "damping_N_s_per_m",
                                      "damping of every spring [N s/m], stiffness 10^4 N/m")
                              : std::string()) +
-            "unset multiplot\nreset\nset datafile separator ','\nset datafile columnheaders\n"};
+            "unset multiplot\nreset\nset datafile separator ','\nset datafile columnheaders\n",
+        charted.limited ? "Steps that stayed bounded and steps that failed, over stiffness and damping, and the "
+                          "longest step that is predicted: every dot should lie below the line, every cross above it."
+                        : "Steps that stayed bounded and steps that failed, over stiffness and damping, under a "
+                          "method that has no linear limit: a cross is a failure that no linear theory predicts."};
 }
 
 }  // namespace

@@ -39,4 +39,10 @@ std::vector<std::string> lines_of(const std::string& text) {
     return lines;
 }
 
+std::vector<std::string> table_of(const LabFolder& folder, const std::string& file) {
+    std::vector<std::string> lines = lines_of(folder.read(file));
+    std::erase_if(lines, [](const std::string& line) { return line.starts_with('#'); });
+    return lines;
+}
+
 }  // namespace drape::testing_aid

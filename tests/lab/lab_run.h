@@ -28,6 +28,8 @@ public:
     [[nodiscard]] LabRun run(const std::vector<std::string>& words, const std::string& program = DRAPE_LAB,
                              const std::map<std::string, std::string>& environment = {}) const;
 
+    [[nodiscard]] const std::filesystem::path& path() const { return path_; }
+
     /// @return the name of the file that was written
     std::string write(const std::string& name, const std::string& text) const;
     [[nodiscard]] std::string read(const std::string& name) const { return read_file(path_ / name); }
@@ -39,5 +41,8 @@ private:
 
 /// The lines of a text, without their ends.
 std::vector<std::string> lines_of(const std::string& text);
+
+/// The lines of an experiment's table without its head.
+std::vector<std::string> table_of(const LabFolder& folder, const std::string& file);
 
 }  // namespace drape::testing_aid

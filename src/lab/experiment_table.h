@@ -1,0 +1,64 @@
+#pragma once
+
+#include <filesystem>
+#include <fstream>
+#include <map>
+#include <optional>
+#include <string>
+#include <utility>
+#include <vector>
+
+#include "experiment.h"
+
+namespace drape {
+
+/// What a table says of where it is from, a line each: "machine", "Intel ...".
+using TableHead = std::vector<std::pair<std::string, std::string>>;
+
+/// The head of a table that is computed here and now.
+/// @param settings that say which cases: "--quick"
+TableHead head_of(const Experiment& experiment, const std::string& settings, std::size_t cases);
+
+/// The line of that name; empty if there is none.
+std::string line_of(const TableHead& head, const std::string& name);
+
+/// A table in a file: head, names of columns, and the rows of each case in its first column.
+struct ExperimentTable {
+    TableHead head;
+    std::map<std::size_t, std::vector<TableRow>> cases;  ///< rows by number of the case, from 1
+
+    /// The rows of all cases in their order, without the number of the case.
+    [[nodiscard]] std::vector<TableRow> rows() const;
+};
+
+/// Reads what an experiment has written.
+/// @param unfinished the last line may be cut off, and the last case with it: it is left out
+/// @return nothing if there is no such file
+/// @throws InputError with file and line if it is not such a table
+std::optional<ExperimentTable> read_table(const Experiment& experiment, const std::filesystem::path& file,
+                                          bool unfinished);
+
+/// Writes a table case by case, under a name that says that it is not finished until it is.
+class TableWriter {
+public:
+    /// @param table what is written at once
+    /// @throws RunError if the folder or the file cannot be written
+    TableWriter(const Experiment& experiment, const std::filesystem::path& file, const ExperimentTable& table);
+
+    /// All of a case reaches the file, or counts as not done.
+    /// @throws RunError if it cannot be written
+    void write(std::size_t number, const std::vector<TableRow>& rows);
+
+    /// Gives the file its name. What bears that name is kept under a numbered one.
+    /// @throws RunError if not everything was written
+    void finish();
+
+private:
+    std::filesystem::path file_;
+    std::ofstream out_;
+};
+
+/// Under which a table is written until it is finished.
+std::filesystem::path unfinished_name(const std::filesystem::path& file);
+
+}  // namespace drape

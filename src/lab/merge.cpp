@@ -1,0 +1,124 @@
+#include "merge.h"
+
+#include <memory>
+#include <set>
+
+#include "drape/base/program.h"
+#include "run_experiment.h"
+#include "share.h"
+
+namespace drape {
+namespace {
+
+struct Options {
+    std::vector<std::string> folders;
+    std::string out = "merged";
+};
+
+/// A table with the folder it was found in.
+struct Part {
+    std::filesystem::path file;
+    ExperimentTable table;
+    std::string settings;  ///< without the share
+    Share share;
+};
+
+constexpr std::string_view share_word = " --share ";
+
+std::vector<Part> parts_of(const Experiment& experiment, const std::vector<std::string>& folders) {
+    std::vector<Part> parts;
+    for (const std::filesystem::path folder : folders) {
+        const auto file = folder / (experiment.name + ".csv");
+        if (exists(unfinished_name(file))) {
+            throw InputError(unfinished_name(file).string() + ": not finished; start its run again to go on with it");
+        }
+        auto table = read_table(experiment, file, false);
+        if (!table) continue;
+        const std::string settings = line_of(table->head, "settings");
+        const std::size_t split = std::min(settings.find(share_word), settings.size());
+        const bool whole = split == settings.size();
+        Share share = whole ? Share{} : parse_share(settings.substr(split + share_word.size()));
+        parts.push_back({file, std::move(*table), settings.substr(0, split), share});
+    }
+    return parts;
+}
+
+/// Every share once, all of the same run but for date and machine.
+void check_fit(const std::vector<Part>& parts) {
+    const Part& first = parts.front();
+    std::set<std::size_t> missing;
+    for (std::size_t k = 1; k <= first.share.parts; ++k) missing.insert(k);
+    for (const Part& part : parts) {
+        const auto misfit = [&](const std::string& key, const std::string& here, const std::string& there) {
+            throw InputError(part.file.string() + ": " + key + " is " + here + ", but " + there + " in " +
+                             first.file.string());
+        };
+        for (const char* key : {"drape", "commit", "compiler", "cases"}) {
+            const std::string here = line_of(part.table.head, key), there = line_of(first.table.head, key);
+            if (here != there) misfit(key, here, there);
+        }
+        if (part.settings != first.settings) misfit("settings", part.settings, first.settings);
+        const std::string parts_here = std::to_string(part.share.parts);
+        if (part.share.parts != first.share.parts) {
+            misfit("number of shares", parts_here, std::to_string(first.share.parts));
+        }
+        if (missing.erase(part.share.part) == 0) {
+            throw InputError(part.file.string() + ": share " + std::to_string(part.share.part) + "/" + parts_here +
+                             " is there twice");
+        }
+    }
+    if (!missing.empty()) {
+        throw InputError("share " + std::to_string(*missing.begin()) + "/" + std::to_string(first.share.parts) +
+                         " is missing beside " + first.file.string());
+    }
+}
+
+ExperimentTable joined(std::vector<Part> parts) {
+    ExperimentTable whole{parts.front().table.head, {}};
+    std::set<std::string> machines;
+    for (Part& part : parts) {
+        machines.insert(line_of(part.table.head, "machine"));
+        whole.cases.merge(part.table.cases);
+    }
+    for (auto& [key, value] : whole.head) {
+        if (key == "settings") value = parts.front().settings;
+        if (key != "machine") continue;
+        value.clear();
+        for (const std::string& machine : machines) value += (value.empty() ? "" : "; ") + machine;
+    }
+    return whole;
+}
+
+int merge(const Options& options) {
+    bool found = false;
+    for (const Experiment& experiment : experiments()) {
+        auto parts = parts_of(experiment, options.folders);
+        if (parts.empty()) continue;
+        found = true;
+        check_fit(parts);
+        const ExperimentTable table = joined(std::move(parts));
+        std::error_code error;
+        std::filesystem::create_directories(options.out, error);
+        const auto file = std::filesystem::path(options.out) / (experiment.name + ".csv");
+        TableWriter(experiment, file, table).finish();
+        std::cerr << file.string() << ": " << table.cases.size() << " cases\n";
+        present(experiment, table, file);
+    }
+    if (!found) throw InputError("there is no table of an experiment in " + options.folders.front());
+    return Done;
+}
+
+}  // namespace
+
+void add_merge(CLI::App& app, int& exit_code) {
+    CLI::App* command = app.add_subcommand("merge", "Joins the tables of shares, and draws their charts");
+    auto options = std::make_shared<Options>();
+    command->add_option("folders", options->folders, "folders that --share runs have written")
+        ->type_name("DIR...")
+        ->required();
+    command->add_option("--out", options->out, "folder for table, charts and page; 'merged' if not given")
+        ->type_name("DIR");
+    command->callback([options, &exit_code] { exit_code = merge(*options); });
+}
+
+}  // namespace drape

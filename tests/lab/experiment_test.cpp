@@ -1,0 +1,164 @@
+#include <gmock/gmock.h>
+
+#include <algorithm>
+#include <filesystem>
+
+#include "lab/lab_run.h"
+#include "lab/progress.h"
+#include "lab/share.h"
+
+namespace drape {
+namespace {
+
+using testing::ElementsAre;
+using testing::HasSubstr;
+using testing_aid::LabFolder;
+using testing_aid::LabRun;
+using testing_aid::table_of;
+
+const std::map<std::string, std::string> without_gnuplot{{"PATH", "/nowhere"}};
+
+/// Some cases that take no time, without charts.
+LabRun run_some(const LabFolder& folder, std::vector<std::string> words) {
+    words.insert(words.begin(), {"stability", "--quick", "--cases", "196-201"});
+    return folder.run(words, DRAPE_LAB, without_gnuplot);
+}
+
+TEST(LabExperiment, GoesOnWhereItWasInterrupted) {
+    const LabFolder folder;
+    ASSERT_EQ(run_some(folder, {"--out", "whole"}).code, 0);
+    const std::string whole = folder.read("whole/stability.csv");
+    // Cut off within the last row of a case
+    std::filesystem::create_directories(folder.path() / "cut");
+    folder.write("cut/stability.csv.part", whole.substr(0, whole.rfind("\n199,") + 7));
+    const LabRun run = run_some(folder, {"--out", "cut"});
+    EXPECT_EQ(run.code, 0) << run.err;
+    EXPECT_THAT(run.err, HasSubstr("goes on after 3 cases"));
+    EXPECT_THAT(run.err, HasSubstr("stability.csv: 3 cases in"));
+    EXPECT_EQ(folder.read("cut/stability.csv"), whole);
+    EXPECT_FALSE(folder.has("cut/stability.csv.part"));
+}
+
+TEST(LabExperiment, DoesNotGoOnWithAnotherRun) {
+    const LabFolder folder;
+    ASSERT_EQ(run_some(folder, {"--out", "out"}).code, 0);
+    std::string part = folder.read("out/stability.csv");
+    const std::size_t line = part.find("# commit: ");
+    part.replace(line, part.find('\n', line) - line, "# commit: another");
+    folder.write("out/stability.csv.part", part);
+    const LabRun run = run_some(folder, {"--out", "out"});
+    EXPECT_EQ(run.code, 2);
+    EXPECT_THAT(run.err, HasSubstr("out/stability.csv.part is of another run (commit: another, now "));
+    EXPECT_EQ(folder.read("out/stability.csv.part"), part);
+}
+
+TEST(LabExperiment, NamesTheLineOfAnUnfinishedTableThatIsNone) {
+    const LabFolder folder;
+    std::filesystem::create_directories(folder.path() / "out");
+    folder.write("out/stability.csv.part", "# experiment: stability\ncase,x\n1,2\n");
+    const LabRun run = run_some(folder, {"--out", "out"});
+    EXPECT_EQ(run.code, 2);
+    EXPECT_THAT(run.err, HasSubstr("stability.csv.part:2: these are not the columns of stability"));
+}
+
+TEST(LabExperiment, KeepsTheTableThatIsThereAlready) {
+    const LabFolder folder;
+    std::filesystem::create_directories(folder.path() / "out");
+    folder.write("out/stability.csv", "older");
+    ASSERT_EQ(run_some(folder, {"--out", "out"}).code, 0);
+    EXPECT_EQ(folder.read("out/stability-1.csv"), "older");
+    EXPECT_GT(table_of(folder, "out/stability.csv").size(), 10u);
+}
+
+TEST(LabExperiment, RefusesCasesThatThereAreNot) {
+    const LabFolder folder;
+    for (const char* cases : {"0-3", "5-4", "1-100000", "3", "a-b"}) {
+        const LabRun run = folder.run({"stability", "--cases", cases});
+        EXPECT_EQ(run.code, 2) << cases;
+        EXPECT_THAT(run.err, HasSubstr("allowed FIRST-LAST")) << cases;
+    }
+    EXPECT_FALSE(folder.has("stability"));
+}
+
+TEST(LabExperiment, SaysWhereItCannotWrite) {
+    const LabFolder folder;
+    folder.write("taken", "a file");
+    const LabRun run = run_some(folder, {"--out", "taken/out"});
+    EXPECT_EQ(run.code, 1);
+    EXPECT_THAT(run.err, HasSubstr("taken/out/stability.csv.part.new: cannot be written"));
+}
+
+TEST(LabPage, ShowsEveryChartWithItsCaption) {
+    const LabFolder folder;
+    const LabRun run = folder.run({"stability", "--quick", "--cases", "200-201", "--out", "out"});
+    ASSERT_EQ(run.code, 0) << run.err;
+    const std::string page = folder.read("out/index.html");
+    EXPECT_THAT(page, HasSubstr("<h1>stability: which steps stay bounded"));
+    EXPECT_THAT(page, HasSubstr("<dt>settings</dt><dd>--quick --cases 200-201</dd>"));
+    EXPECT_THAT(page, HasSubstr("<a href=\"stability.csv\">"));
+    if (run.err.find("no gnuplot") != std::string::npos) GTEST_SKIP() << "there is no gnuplot";
+    EXPECT_THAT(page, HasSubstr("<img src=\"stability_projective_dynamics.svg\""));
+    EXPECT_THAT(page, testing::ContainsRegex("<figcaption>[A-Z][^<]{40,}</figcaption>"));
+    EXPECT_TRUE(folder.has("out/stability_projective_dynamics.svg"));
+}
+
+TEST(LabPage, NamesNoChartThatWasNotDrawn) {
+    const LabFolder folder;
+    ASSERT_EQ(run_some(folder, {"--out", "out"}).code, 0);
+    EXPECT_THAT(folder.read("out/index.html"), testing::Not(HasSubstr("<img")));
+}
+
+TEST(LabMerge, JoinsWhatGnuParallelHasComputedIntoTheTableOfASingleRun) {
+    const LabFolder folder;
+    const LabRun parallel = folder.run({"--jobs", "2", DRAPE_LAB, "stability", "--quick", "--cases", "196-201",
+                                        "--share", "{}/3", ":::", "1", "2", "3"},
+                                       "parallel", {{"PARALLEL_HOME", folder.path()}});
+    if (parallel.code == 127) GTEST_SKIP() << "there is no GNU parallel";
+    ASSERT_EQ(parallel.code, 0) << parallel.err;
+    ASSERT_EQ(run_some(folder, {"--out", "whole"}).code, 0);
+    const LabRun merge = folder.run({"merge", "stability-1-3", "stability-2-3", "stability-3-3"});
+    ASSERT_EQ(merge.code, 0) << merge.err;
+    EXPECT_EQ(folder.read("merged/stability.csv"), folder.read("whole/stability.csv"));
+    EXPECT_TRUE(folder.has("merged/index.html"));
+}
+
+TEST(LabMerge, RefusesSharesThatAreNotTheWhole) {
+    const LabFolder folder;
+    for (const char* share : {"1/3", "2/3"}) ASSERT_EQ(run_some(folder, {"--share", share}).code, 0);
+    ASSERT_EQ(run_some(folder, {"--share", "1/2"}).code, 0);
+    const auto refusal = [&folder](const std::vector<std::string>& folders) {
+        std::vector<std::string> words{"merge"};
+        words.insert(words.end(), folders.begin(), folders.end());
+        const LabRun run = folder.run(words, DRAPE_LAB, without_gnuplot);
+        EXPECT_EQ(run.code, 2) << run.out;
+        return run.err;
+    };
+    EXPECT_THAT(refusal({"stability-1-3", "stability-2-3"}), HasSubstr("share 3/3 is missing"));
+    EXPECT_THAT(refusal({"stability-1-3", "stability-1-3"}), HasSubstr("share 1/3 is there twice"));
+    EXPECT_THAT(refusal({"stability-1-3", "stability-1-2"}), HasSubstr("number of shares is 2, but 3"));
+    EXPECT_THAT(refusal({"nowhere"}), HasSubstr("no table of an experiment in nowhere"));
+    folder.write("stability-1-3/stability.csv.part", "");
+    EXPECT_THAT(refusal({"stability-1-3"}), HasSubstr("stability.csv.part: not finished"));
+    const std::string text = folder.read("stability-2-3/stability.csv");
+    folder.write("stability-2-3/stability.csv", text.substr(0, text.size() - 5));
+    EXPECT_THAT(refusal({"stability-2-3"}), testing::ContainsRegex("stability.csv:[0-9]+: cut off"));
+    EXPECT_FALSE(folder.has("merged"));
+}
+
+TEST(Share, TakesEveryCaseOnceAmongAllParts) {
+    for (const std::size_t number : {1u, 5u, 6u, 7u, 100u}) {
+        int takers = 0;
+        for (int k = 1; k <= 3; ++k) takers += parse_share(std::to_string(k) + "/3").has(number) ? 1 : 0;
+        EXPECT_EQ(takers, 1) << number;
+    }
+}
+
+TEST(Progress, TellsTimesAsPeopleDo) {
+    EXPECT_EQ(rough_time(0.2), "1 s");
+    EXPECT_EQ(rough_time(89), "89 s");
+    EXPECT_EQ(rough_time(100), "2 min");
+    EXPECT_EQ(rough_time(9000), "2.5 h");
+}
+
+}  // namespace
+}  // namespace drape
