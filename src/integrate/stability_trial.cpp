@@ -39,7 +39,8 @@ void add_noise(const ClothModel& model, const Trial& trial, ClothState& state) {
 }  // namespace
 
 std::string_view name_of(TrialEnd end) {
-    static constexpr std::array<std::string_view, 4> names{"bounded", "not_finite", "energy_rose", "out_of_reach"};
+    static constexpr std::array<std::string_view, 5> names{"bounded", "not_finite", "energy_rose", "out_of_reach",
+                                                           "stretched"};
     return names[static_cast<std::size_t>(end)];
 }
 
@@ -47,19 +48,21 @@ TrialEnd try_step(const ClothModel& model, ClothState start, const IntegratorPar
                   const Trial& trial) {
     constexpr int between_looks = 25;
     const Points home = start.x;
-    const double limit = compute_energy(model, start).total() + static_cast<double>(energy_to_fail(model));
+    const double most = static_cast<double>(energy_to_fail(model)), limit = compute_energy(model, start).total() + most;
     const Real reach = 2 * diagonal(model);
     add_noise(model, trial, start);
     const auto integrator = make_integrator(parameters, model.grid);
+    bool rose = false;
     for (int n = 1; n <= trial.steps; ++n) {
         integrator->step(model, start, step);
         if (n % between_looks != 0 && n != trial.steps) continue;
-        const double energy = compute_energy(model, start).total();
-        if (!std::isfinite(energy) || !start.x.allFinite()) return TrialEnd::NotFinite;
-        if (energy > limit) return TrialEnd::EnergyRose;
+        const Energy energy = compute_energy(model, start);
+        if (!std::isfinite(energy.total()) || !start.x.allFinite()) return TrialEnd::NotFinite;
+        rose = rose || energy.total() > limit;
+        if (rose && energy.kinetic > most) return TrialEnd::EnergyRose;
         if ((start.x - home).rowwise().squaredNorm().maxCoeff() > reach * reach) return TrialEnd::OutOfReach;
     }
-    return TrialEnd::Bounded;
+    return rose ? TrialEnd::Stretched : TrialEnd::Bounded;
 }
 
 Real measured_limit(const ClothModel& model, const ClothState& start, const IntegratorParameters& parameters,

@@ -18,9 +18,11 @@ struct Trial {
 enum class TrialEnd {
     Bounded,     ///< all steps done
     NotFinite,   ///< a position or velocity is no number any more
-    EnergyRose,  ///< above that of the start by M g L: the whole cloth lifted by the diagonal of its sheet
-    OutOfReach   ///< a particle is farther from its start than any of a cloth of the same size can get: twice the
+    EnergyRose,  ///< the motion alone has more than M g L: the whole cloth lifted by the diagonal of its sheet
+    OutOfReach,  ///< a particle is farther from its start than any of a cloth of the same size can get: twice the
                  ///< diagonal
+    Stretched    ///< the energy rose above that of the start by M g L, but the motion never had as much: nothing
+                 ///< grows, but the method leaves springs longer than their forces allow
 };
 
 std::string_view name_of(TrialEnd end);
