@@ -135,7 +135,7 @@ void add_the_rest(std::vector<Setting>& table) {
                    "that share a step of the explicit methods; the motion is the same");
     solver.number("dt", &SolverSettings::dt, "s", {1e-9, 0.1}, "length of one step");
     solver.choice("on_unstable", &SolverSettings::on_unstable, unstable_names,
-                  "substep: make a step beyond 0.9 of its limit, as predicted at the start and after a change, in "
+                  "substep: make a step beyond 0.9 of its limit, as predicted every 0.25 s and after a change, in "
                   "parts; when a step has lost the cloth, warn: the window "
                   "freezes it, stop: it ends, as other programs always do");
     solver.number("sleep_speed", &SolverSettings::sleep_speed, "m/s", {0, 1},

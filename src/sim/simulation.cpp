@@ -64,6 +64,7 @@ void Simulation::step() {
     for (Cloth& cloth : cloths_) {
         if (cloth.ledger) cloth.ledger->mark();
     }
+    watch_limit();
     const Real h = settings_.solver.dt / static_cast<Real>(report_.substeps);
     for (int k = 0; k < report_.substeps; ++k) {
         substep(report_.time + k * static_cast<double>(h), h);
@@ -74,6 +75,15 @@ void Simulation::step() {
                    static_cast<double>(report_.step - counted_from_step_) * static_cast<double>(settings_.solver.dt);
     steps_wanted_ = std::max(0, steps_wanted_ - 1);
     if (!report_.asleep) watch_rest();
+}
+
+/// Springs that are drawn out or pushed together vibrate faster than at the start. Parts only become more: a symplectic
+/// method whose step changes to and fro gains energy.
+void Simulation::watch_limit() {
+    constexpr Real pause = Real(0.25);  // s
+    if (settings_.solver.on_unstable != OnUnstable::Substep || report_.asleep) return;
+    const auto between = static_cast<std::int64_t>(std::ceil(pause / settings_.solver.dt));
+    if (report_.step > 0 && report_.step % between == 0) predict_limit(report_.substeps);
 }
 
 void Simulation::substep(double time, Real h) {

@@ -86,6 +86,30 @@ TEST(Substeps, SaveARunThatIsLostWithoutThem) {
     EXPECT_GT(saved.report().contacts, 0);
 }
 
+// Its springs are drawn out to several times their length, and vibrate faster than those of the flat sheet
+TEST(Substeps, BecomeMoreWhereTheClothIsDrawnOut) {
+    Settings settings;
+    settings.cloths[0].particles = {16, 16};
+    settings.cloths[0].mass = 2;
+    settings.cloths[0].pinned.kind = Pins::Kind::Two;
+    settings.cloths[0].structural = settings.cloths[0].shear = settings.cloths[0].bend = {100, 0};
+    settings.cloths[0].drag = 0;
+    settings.solver.integrator = IntegratorKind::SymplecticEuler;
+    settings.solver.dt = Real(0.03);
+    settings.solver.on_unstable = OnUnstable::Substep;
+    Simulation simulation("soft", settings);
+    const int at_first = simulation.report().substeps;
+    make_steps(simulation, 1000);
+    EXPECT_EQ(simulation.report().status, Status::Ok) << simulation.report().trouble;
+    EXPECT_GT(simulation.report().substeps, at_first);
+    // Without them it is lost
+    settings.solver.dt /= static_cast<Real>(at_first);
+    settings.solver.on_unstable = OnUnstable::Warn;
+    Simulation as_at_first("soft", settings);
+    make_steps(as_at_first, 1000 * at_first);
+    EXPECT_EQ(as_at_first.report().status, Status::Diverged);
+}
+
 TEST(Substeps, AreStepsOfTheirLength) {
     Simulation whole = small_simulation({"dt=0.03125", "on_unstable=substep"});
     const int parts = whole.report().substeps;

@@ -98,7 +98,8 @@ private:
 
     void configure(Settings settings);
     void restart();
-    void predict_limit();
+    void predict_limit(int fewest_parts = 1);
+    void watch_limit();
     void load(const std::string& scene);
     void grab(const command::Grab& command);
     void release();
