@@ -53,6 +53,35 @@ HWY_INLINE V dot(const Triple<V>& a, const Triple<V>& b) {
     return hn::Add(hn::Add(hn::Mul(a.x, b.x), hn::Mul(a.y, b.y)), hn::Mul(a.z, b.z));
 }
 
+/// Copies some numbers, of which the last vector may reach back into the one before.
+HWY_INLINE void copy(const Real* from, int count, Real* to) {
+    const hn::CappedTag<Real, Scratch::margin> d;
+    const int lanes = static_cast<int>(hn::Lanes(d));
+    if (count < lanes) {
+        for (int i = 0; i < count; ++i) to[i] = from[i];
+        return;
+    }
+    for (int i = 0; i + lanes <= count; i += lanes) hn::StoreU(hn::LoadU(d, from + i), d, to + i);
+    hn::StoreU(hn::LoadU(d, from + count - lanes), d, to + count - lanes);
+}
+
+/// Copies a row of particles into its slot. Rows that the cloth does not have are left at zero.
+HWY_INLINE void copy_row(const ForceInput& input, const Strip& strip, int row, const Scratch& scratch) {
+    if (row >= strip.grid.ny) return;
+    const int slot = strip.slot(row), p = strip.grid.particle(strip.first, row), count = strip.end - strip.first;
+    for (std::size_t axis = 0; axis < 3; ++axis) {
+        copy(input.x[axis] + p, count, scratch.x(slot)[axis] + Scratch::margin);
+        copy(input.v[axis] + p, count, scratch.v(slot)[axis] + Scratch::margin);
+        if (input.wind[0] != nullptr) copy(input.wind[axis] + p, count, scratch.wind(slot)[axis] + Scratch::margin);
+    }
+}
+
+void copy_neighbours(const ForceInput& input, const Part& part, const Scratch& scratch) {
+    const Strip strip(part, input.model->grid);
+    for (int row = std::max(part.first_row - 2, 0); row < part.first_row; ++row) copy_row(input, strip, row, scratch);
+    for (int row = strip.end_row; row < strip.end_row + 2; ++row) copy_row(input, strip, row, scratch);
+}
+
 /// Two kinds of spring of one law, from the same first ends.
 struct SpringPair {
     SpringLaw law;
@@ -73,7 +102,7 @@ HWY_INLINE SpringPair spring_pair(const std::array<SpringStencil, 6>& springs, i
         pair.x[s] = scratch.x(strip.slot(j + spring.dj));
         pair.v[s] = scratch.v(strip.slot(j + spring.dj));
         pair.di[s] = spring.di;
-        pair.there[s] = j + spring.dj < strip.grid.ny ? scratch.there(first + s) : scratch.nowhere();
+        pair.there[s] = j + spring.dj < strip.grid.ny ? scratch.there(first + s) : scratch.zeros();
         pair.pull[s] = scratch.pulls(first + s, j);
     }
     return pair;
@@ -129,7 +158,8 @@ HWY_INLINE void find_pulls(const ForceInput& input, const Strip& strip, const st
     }
 }
 
-/// Adds the pulls at the second ends of the springs that end in row j.
+/// Adds the pulls at the second ends of the springs that end in row j. No pulls were found of springs without a law,
+/// nor of those from before the first row.
 HWY_INLINE void add_up(const Strip& strip, const std::array<SpringStencil, 6>& springs, int j, const Scratch& scratch) {
     const hn::CappedTag<Real, Scratch::margin> d;
     const int end = strip.at(strip.last);
@@ -137,7 +167,8 @@ HWY_INLINE void add_up(const Strip& strip, const std::array<SpringStencil, 6>& s
         const Real* from[6];
         for (int s = 0; s < 6; ++s) {
             const SpringStencil& spring = springs[static_cast<std::size_t>(s)];
-            from[s] = scratch.pulls(s, j - spring.dj)[axis] - spring.di;
+            const bool found = spring.law != SpringLaw{} && j >= spring.dj;
+            from[s] = (found ? scratch.pulls(s, j - spring.dj)[axis] : scratch.zeros()) - spring.di;
         }
         Real* const force = scratch.force()[axis];
         for (int i = Scratch::margin; i < end; i += static_cast<int>(hn::Lanes(d))) {
@@ -186,7 +217,12 @@ HWY_AFTER_NAMESPACE();
 #if HWY_ONCE
 namespace drape::kernels {
 
+HWY_EXPORT(copy_neighbours);
 HWY_EXPORT(forces_on);
+
+void copy_neighbours(const ForceInput& input, const Part& part, const Scratch& scratch) {
+    HWY_DYNAMIC_DISPATCH(copy_neighbours)(input, part, scratch);
+}
 
 void forces_on(const ForceInput& input, const Part& part, const Scratch& scratch,
                const std::function<void(const ForceRun&)>& use) {

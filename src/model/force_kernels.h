@@ -25,7 +25,7 @@ struct Part {
 };
 
 /// The rows of numbers that a sweep over a part works in. Rows of the cloth, which may lie apart by a power of two and
-/// then drive each other out of the cache, are copied here. What the cloth does not have is zero.
+/// then drive each other out of the cache, are copied here. Particles that the cloth does not have are zero.
 class Scratch {
 public:
     static constexpr int margin = 16;  ///< columns on both sides that springs and the last vector reach into
@@ -43,14 +43,15 @@ public:
     [[nodiscard]] std::array<Real*, 3> v(int slot) const { return three(9 * slot + 3); }
     [[nodiscard]] std::array<Real*, 3> wind(int slot) const { return three(9 * slot + 6); }
 
-    /// Of the springs of one kind with first ends in a row, by the column of that end; three rows are kept.
+    /// Of the springs of one kind with first ends in a row, by the column of that end; three rows are kept, which hold
+    /// what they held before until they are found.
     [[nodiscard]] std::array<Real*, 3> pulls(int kind, int row) const {
         return three(45 + 9 * kind + (row + 3) % 3 * 3);
     }
 
     /// Of each kind, by the column of the first end: 1 if there is a column for the second end, else 0.
     [[nodiscard]] Real* there(int kind) const { return row(99 + kind); }
-    [[nodiscard]] Real* nowhere() const { return row(105); }
+    [[nodiscard]] Real* zeros() const { return row(105); }
     [[nodiscard]] std::array<Real*, 3> force() const { return three(106); }
 
 private:
@@ -68,11 +69,14 @@ private:
     int length_;
 };
 
-/// Clears the scratch, and copies what other parts may overwrite while this one is swept: the rows next to it.
-void prepare(const ForceInput& input, const Part& part, const Scratch& scratch);
+/// Makes a scratch ready for all sweeps over a part.
+void lay_out(const Grid& grid, const Part& part, const Scratch& scratch);
+
+/// Copies what other parts may overwrite while this one is swept: the rows next to it.
+void copy_neighbours(const ForceInput& input, const Part& part, const Scratch& scratch);
 
 /// Calls use(run) for each row of a part; what it reads of the part's particles is read before their run is used.
-/// @pre the scratch is prepared
+/// @pre the scratch is laid out, and has the neighbours as they are
 void forces_on(const ForceInput& input, const Part& part, const Scratch& scratch,
                const std::function<void(const ForceRun&)>& use);
 

@@ -32,7 +32,4 @@ struct Strip {
     [[nodiscard]] int slot(int row) const { return row < end_row ? row % 3 : 3 + row - end_row; }
 };
 
-/// Copies a row of particles into its slot. Rows that the cloth does not have are left at zero.
-void copy_row(const ForceInput& input, const Strip& strip, int row, const Scratch& scratch);
-
 }  // namespace drape::kernels

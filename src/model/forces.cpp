@@ -43,7 +43,8 @@ void compute_forces(const ClothModel& model, const Points& x, const Points& v, P
         columns = std::min(most_columns, nx - first);
         const kernels::Part part{first, columns, 0, model.grid.ny};
         const kernels::Scratch scratch(memory, columns);
-        prepare(input, part, scratch);
+        lay_out(model.grid, part, scratch);
+        copy_neighbours(input, part, scratch);
         forces_on(input, part, scratch, std::cref(keep));
     }
 }
@@ -52,27 +53,34 @@ void forces_to_accelerations(const ClothModel& model, Points& f) {
     for (int axis = 0; axis < 3; ++axis) f.col(axis).array() *= model.inverse_mass;
 }
 
-ForceSweep::ForceSweep(const Grid& grid, int threads)
-    : wind_(grid.particles(), 3),
-      scratch_(static_cast<std::size_t>(threads), std::vector<CacheLine>(kernels::Scratch::cache_lines(grid.nx))),
-      workers_(threads) {}
+ForceSweep::ForceSweep(const Grid& grid, int threads) : grid_(grid), wind_(grid.particles(), 3), workers_(threads) {
+    constexpr int worth_a_thread = 8192;  // particles: with fewer, threads wait for one another longer than they work
+    const int parts = std::clamp(grid.particles() / worth_a_thread, 1, std::min(threads, grid.ny));
+    scratch_.resize(static_cast<std::size_t>(parts));
+    for (int number = 0; number < parts; ++number) {
+        scratch_[static_cast<std::size_t>(number)].resize(kernels::Scratch::cache_lines(grid.nx));
+        lay_out(grid, part(number), scratch(number));
+    }
+}
+
+kernels::Part ForceSweep::part(int number) const {
+    const int parts = static_cast<int>(scratch_.size());
+    const int first = grid_.ny * number / parts, last = grid_.ny * (number + 1) / parts;
+    return {0, grid_.nx, first, last - first};
+}
+
+kernels::Scratch ForceSweep::scratch(int number) {
+    return {scratch_[static_cast<std::size_t>(number)].data(), grid_.nx};
+}
 
 void ForceSweep::sweep(const ClothModel& model, const Points& x, const Points& v,
                        const std::function<void(const ForceRun&)>& use) {
-    constexpr int worth_a_thread = 8192;  // particles: with fewer, threads wait for one another longer than they work
-    const Grid grid = model.grid;
-    DRAPE_ASSERT(x.rows() == grid.particles() && v.rows() == grid.particles() && wind_.rows() == grid.particles());
+    const Eigen::Index n = grid_.particles();
+    DRAPE_ASSERT(model.grid == grid_ && x.rows() == n && v.rows() == n);
     const kernels::ForceInput input = input_of(model, x, v, wind_);
-    const int parts = std::clamp(grid.particles() / worth_a_thread, 1, std::min(workers_.threads(), grid.ny));
-    const auto part = [&](int number) {
-        const int first = grid.ny * number / parts, last = grid.ny * (number + 1) / parts;
-        return kernels::Part{0, grid.nx, first, last - first};
-    };
-    const auto scratch = [&](int number) {
-        return kernels::Scratch(scratch_[static_cast<std::size_t>(number)].data(), grid.nx);
-    };
+    const int parts = static_cast<int>(scratch_.size());
     const auto sweep_part = [&](int number) { forces_on(input, part(number), scratch(number), use); };
-    for (int number = 0; number < parts; ++number) prepare(input, part(number), scratch(number));
+    for (int number = 0; number < parts; ++number) copy_neighbours(input, part(number), scratch(number));
     workers_.run(parts, std::cref(sweep_part));
 }
 

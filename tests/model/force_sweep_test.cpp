@@ -31,8 +31,12 @@ struct Moving {
     }
 
     [[nodiscard]] Points forces(int threads) const {
-        Points f = Points::Constant(state.x.rows(), 3, -1);
         ForceSweep sweep(model.grid, threads);
+        return forces(sweep);
+    }
+
+    [[nodiscard]] Points forces(ForceSweep& sweep) const {
+        Points f = Points::Constant(state.x.rows(), 3, -1);
         sweep(model, state.x, state.v, [&](const ForceRun& run) {
             for (int axis = 0; axis < 3; ++axis) run.of(f, axis) = run.forces(axis);
         });
@@ -62,6 +66,20 @@ TEST(ForceSweep, GivesWhatAListGivesWithoutSpringsOfSomeKind) {
         Moving cloth({31, 17});
         cloth.model.*law = {};
         EXPECT_LT(difference(cloth.forces(1), cloth.forces_of_a_list()), rounding);
+    }
+}
+
+TEST(ForceSweep, RemembersNothingOfTheSweepBefore) {
+    for (const Grid grid : odd_grids) {
+        Moving cloth(grid);
+        const Points before = cloth.forces(1);
+        ForceSweep sweep(grid, 1);
+        EXPECT_EQ(cloth.forces(sweep), before);
+        EXPECT_EQ(cloth.forces(sweep), before);
+        for (SpringLaw* law : {&cloth.model.structural, &cloth.model.shear, &cloth.model.bend}) {
+            *law = {};
+            EXPECT_EQ(cloth.forces(sweep), cloth.forces(1)) << grid.nx << " x " << grid.ny;
+        }
     }
 }
 

@@ -8,6 +8,11 @@
 
 namespace drape {
 
+namespace kernels {
+struct Part;
+class Scratch;
+}  // namespace kernels
+
 /// The forces on some neighbours in a row of particles, while they are in the cache.
 struct ForceRun {
     Eigen::Index first, count;  ///< the particles
@@ -58,8 +63,12 @@ private:
     void sweep(const ClothModel& model, const Points& x, const Points& v,
                const std::function<void(const ForceRun&)>& use);
 
+    [[nodiscard]] kernels::Part part(int number) const;
+    [[nodiscard]] kernels::Scratch scratch(int number);
+
+    Grid grid_;
     Points wind_;
-    std::vector<std::vector<CacheLine>> scratch_;  // one a thread
+    std::vector<std::vector<CacheLine>> scratch_;  // one a part
     Workers workers_;
 };
 

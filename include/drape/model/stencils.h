@@ -19,15 +19,23 @@ struct SpringStencil {
     [[nodiscard]] int count(const Grid& grid) const { return grid.nx - (di < 0 ? -di : di); }
 };
 
+/// From a spring's first end to its second, in columns and rows.
+struct SpringDirection {
+    int di, dj;
+};
+
 /// The six directions of a cloth's springs: structural, shear, bend, two each.
+inline constexpr std::array<SpringDirection, 6> spring_directions{{{1, 0}, {0, 1}, {1, 1}, {-1, 1}, {2, 0}, {0, 2}}};
+
+/// The springs of all directions.
 inline std::array<SpringStencil, 6> spring_stencils(const ClothModel& model) {
     const Real hx = model.hx, hy = model.hy, diagonal = std::sqrt(hx * hx + hy * hy);
-    return {{{1, 0, model.structural, hx},
-             {0, 1, model.structural, hy},
-             {1, 1, model.shear, diagonal},
-             {-1, 1, model.shear, diagonal},
-             {2, 0, model.bend, 2 * hx},
-             {0, 2, model.bend, 2 * hy}}};
+    const auto springs = [](std::size_t direction, const SpringLaw& law, Real rest_length) {
+        const auto [di, dj] = spring_directions[direction];
+        return SpringStencil{di, dj, law, rest_length};
+    };
+    return {springs(0, model.structural, hx),  springs(1, model.structural, hy), springs(2, model.shear, diagonal),
+            springs(3, model.shear, diagonal), springs(4, model.bend, 2 * hx),   springs(5, model.bend, 2 * hy)};
 }
 
 }  // namespace drape
