@@ -8,6 +8,7 @@
 #include "divergence.h"
 #include "drape/base/stopwatch.h"
 #include "drape/contact/response.h"
+#include "drape/integrate/stability.h"
 #include "drape/sim/setting_table.h"
 
 namespace drape {
@@ -78,11 +79,12 @@ void Simulation::step() {
 }
 
 /// Springs that are drawn out or pushed together vibrate faster than at the start. Parts only become more: a symplectic
-/// method whose step changes to and fro gains energy.
+/// method whose step changes to and fro gains energy. The search is the one thing that allocates in mid-run.
 void Simulation::watch_limit() {
     constexpr Real pause = Real(0.25);  // s
-    if (settings_.solver.on_unstable != OnUnstable::Substep || report_.asleep) return;
-    const auto between = static_cast<std::int64_t>(std::ceil(pause / settings_.solver.dt));
+    const SolverSettings& solver = settings_.solver;
+    if (solver.on_unstable != OnUnstable::Substep || !has_step_limit(solver.integrator) || report_.asleep) return;
+    const auto between = static_cast<std::int64_t>(std::ceil(pause / solver.dt));
     if (report_.step > 0 && report_.step % between == 0) predict_limit(report_.substeps);
 }
 
