@@ -77,7 +77,9 @@ std::string panel(const PrecisionDiagram& diagram, std::size_t number) {
 std::string key(const PrecisionDiagram& diagram) {
     std::string text =
         "unset title\nunset border\nunset tics\nunset xlabel\nunset ylabel\nunset logscale\nunset grid\n"
-        "set key at graph 0,1 left top Left reverse samplen 3 spacing 1.25\nplot [0:1][0:1] 2 notitle, \\\n"
+        "set key at screen 0.53,0.475 left top Left reverse maxrows 20 samplen 3 spacing 1.1\n"
+        "plot [0:1][0:1] 2 "
+        "notitle, \\\n"
         "     keyentry with lines " +
         std::string(front_style) + " title 'nothing is both more exact and cheaper'";
     int panel = -1;
