@@ -5,12 +5,12 @@ namespace drape {
 const std::vector<PrecisionMethod>& precision_methods() {
     using enum IntegratorKind;
     using enum Hessian;
-    // RK4 reaches the end of the reference in fewer steps than the others
+    // Not far below its limit RK4 is as exact as the reference: its ladder starts farther above
     static const std::vector<PrecisionMethod> all{
         {"explicit_euler", "explicit Euler", {.kind = ExplicitEuler}, 0},
         {"symplectic_euler", "symplectic Euler", {.kind = SymplecticEuler}, 0},
         {"velocity_verlet", "velocity Verlet", {.kind = VelocityVerlet}, 0},
-        {"rk4", "RK4", {.kind = Rk4}, 0, 3},
+        {"rk4", "RK4", {.kind = Rk4}, 0, 4},
         {"dormand_prince", "Dormand-Prince", {.kind = DormandPrince}, 0},
         {"backward_euler", "backward Euler", {.kind = BackwardEuler}, 1},
         {"implicit_midpoint_clamped", "midpoint, clamped", {.kind = ImplicitMidpoint, .hessian = Clamped}, 1},

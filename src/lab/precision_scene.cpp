@@ -45,7 +45,7 @@ PrecisionScene dropped(int particles, int finest_steps, int reference_steps, int
 }  // namespace
 
 std::vector<PrecisionScene> precision_scenes(bool quick) {
-    const int particles = quick ? 6 : 16, rungs = quick ? 6 : 8, steps = quick ? 512 : 4096;
+    const int particles = quick ? 6 : 16, rungs = quick ? 7 : 8, steps = quick ? 512 : 4096;
     return {hung("soft", particles, 100, Real(0.05), rungs, steps),
             hung("stiff", particles, 2000, Real(0.1), rungs, steps),
             quick ? dropped(6, 512, 1 << 20, 8) : dropped(12, 2048, 1 << 21, 8)};
