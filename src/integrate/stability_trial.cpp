@@ -18,12 +18,6 @@ Real diagonal(const ClothModel& model) {
     return std::sqrt(width * width + height * height);
 }
 
-/// M g L, with the earth's g whether or not the cloth feels it [J].
-Real energy_to_fail(const ClothModel& model) {
-    constexpr Real gravity = Real(9.81);
-    return model.particle_mass * static_cast<Real>(model.grid.particles()) * gravity * diagonal(model);
-}
-
 void add_noise(const ClothModel& model, const Trial& trial, ClothState& state) {
     std::mt19937 random(trial.seed);
     std::uniform_real_distribution<Real> draw(-1, 1);
@@ -42,6 +36,11 @@ std::string_view name_of(TrialEnd end) {
     static constexpr std::array<std::string_view, 5> names{"bounded", "not_finite", "energy_rose", "out_of_reach",
                                                            "stretched"};
     return names[static_cast<std::size_t>(end)];
+}
+
+Real energy_to_fail(const ClothModel& model) {
+    constexpr Real gravity = Real(9.81);
+    return model.particle_mass * static_cast<Real>(model.grid.particles()) * gravity * diagonal(model);
 }
 
 TrialEnd try_step(const ClothModel& model, ClothState start, const IntegratorParameters& parameters, Real step,

@@ -1,10 +1,11 @@
 #include "experiment.h"
+#include "precision_experiment.h"
 #include "stability_experiment.h"
 
 namespace drape {
 
 const std::vector<Experiment>& experiments() {
-    static const std::vector<Experiment> all{stability_experiment()};
+    static const std::vector<Experiment> all{stability_experiment(), precision_experiment()};
     return all;
 }
 

@@ -47,10 +47,10 @@ ResponseParameters response_of(const ContactSettings& contact) {
 
 }  // namespace
 
-Simulation::Simulation(std::string scene, Settings settings)
-    : scene_(std::move(scene)), settings_(std::move(settings)) {
+Simulation::Simulation(std::string scene, Settings settings, std::optional<StartState> start)
+    : scene_(std::move(scene)), settings_(std::move(settings)), start_(std::move(start)) {
     check(settings_);
-    start_ = find_start(settings_);
+    if (!start_) start_ = find_start(settings_);
     restart();
 }
 

@@ -27,6 +27,9 @@ enum class TrialEnd {
 
 std::string_view name_of(TrialEnd end);
 
+/// The rise of its energy by which a cloth counts as lost: M g L, with the earth's g whether or not it feels it [J].
+Real energy_to_fail(const ClothModel& model);
+
 /// Runs a cloth with one step size, from a state with noise on it: symmetry would hide the vibrations that grow. The
 /// state is looked at every few steps, and after the last.
 /// @return Bounded if it stays so for all steps

@@ -57,8 +57,9 @@ struct FrameView {
 class Simulation {
 public:
     /// @param scene name or path, for `Reset` to find again and for display
+    /// @param start of the cloths of these settings; where there is none, the one that the settings name
     /// @throws InputError if the settings do not fit together
-    Simulation(std::string scene, Settings settings);
+    Simulation(std::string scene, Settings settings, std::optional<StartState> start = {});
 
     /// Carries out what concerns the simulation; camera, picture and quit pass by.
     /// @throws InputError if the command names something that does not exist; nothing is changed then

@@ -1,0 +1,33 @@
+#include "state_error.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "drape/model/energy.h"
+
+namespace drape {
+
+std::string_view name_of(Measure measure) { return measure == Measure::Position ? "position" : "overall"; }
+
+Measure measure_for(double growth) { return growth <= most_growth ? Measure::Position : Measure::Overall; }
+
+double position_error(const Points& x, const Points& exact, Real side) {
+    const double squares = static_cast<double>((x - exact).squaredNorm());
+    return std::sqrt(squares / static_cast<double>(x.rows())) / static_cast<double>(side);
+}
+
+double overall_error(const ClothModel& model, const ClothState& state, const ClothState& exact, Real side) {
+    const Real sag = std::abs(state.x.col(1).minCoeff() - exact.x.col(1).minCoeff()) / side;
+    const Real centre = (state.x - exact.x).colwise().mean().norm() / side;
+    const double energy = std::abs(compute_energy(model, state).total() - compute_energy(model, exact).total());
+    const Real mass = model.particle_mass * static_cast<Real>(model.grid.particles());
+    return std::max({static_cast<double>(sag), static_cast<double>(centre),
+                     energy / static_cast<double>(mass * model.gravity.norm() * side)});
+}
+
+double error_of(Measure measure, const ClothModel& model, const ClothState& state, const ClothState& exact, Real side) {
+    return measure == Measure::Position ? position_error(state.x, exact.x, side)
+                                        : overall_error(model, state, exact, side);
+}
+
+}  // namespace drape

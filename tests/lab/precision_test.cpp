@@ -1,0 +1,280 @@
+#include <gmock/gmock.h>
+
+#include <array>
+#include <cmath>
+#include <limits>
+#include <random>
+
+#include "drape/base/input_error.h"
+#include "drape/base/numbers.h"
+#include "lab/lab_run.h"
+#include "lab/observed_order.h"
+#include "lab/pareto_front.h"
+#include "lab/precision_diagram.h"
+#include "lab/precision_experiment.h"
+#include "lab/precision_run.h"
+#include "lab/reference.h"
+
+namespace drape {
+namespace {
+
+namespace at = precision_column;
+
+using testing::AllOf;
+using testing::ElementsAre;
+using testing::HasSubstr;
+using testing::SizeIs;
+using testing_aid::LabFolder;
+using testing_aid::LabRun;
+using testing_aid::table_of;
+
+using Pairs = std::vector<std::pair<double, double>>;
+
+constexpr double nothing = std::numeric_limits<double>::quiet_NaN();
+
+/// (step, error) for halved steps.
+template <class Error>
+Pairs halved(int count, const Error& error) {
+    Pairs points;
+    for (int i = 0; i < count; ++i) points.emplace_back(std::pow(0.5, i), error(std::pow(0.5, i)));
+    return points;
+}
+
+TEST(ObservedOrder, IsFittedToThePointsThatFollowAPower) {
+    const auto second = observed_order(halved(8, [](double h) { return 3 * h * h + 40 * std::pow(h, 6); }));
+    ASSERT_TRUE(second);
+    EXPECT_NEAR(second->order, 2, 0.1);
+    EXPECT_LT(second->points, 8u) << "the coarse points follow another power";
+    EXPECT_GE(second->points, 5u);
+    const auto fifth = observed_order(halved(4, [](double h) { return std::pow(h, 5); }));
+    ASSERT_TRUE(fifth);
+    EXPECT_NEAR(fifth->order, 5, 1e-9);
+    EXPECT_EQ(fifth->points, 4u);
+}
+
+TEST(ObservedOrder, ShowsASecondOrderErrorThatIsSpoiledToFirst) {
+    const auto spoiled = observed_order(halved(8, [](double h) { return 3 * h * h + 2 * h; }));
+    ASSERT_TRUE(spoiled);
+    EXPECT_NEAR(spoiled->order, 1, 0.1);
+}
+
+TEST(ObservedOrder, IsNoneWhereNoPowerIsFollowed) {
+    EXPECT_FALSE(observed_order(halved(2, [](double h) { return h; })));
+    EXPECT_FALSE(observed_order(Pairs{{4, 1}, {2, 0.5}, {1, 0.49}})) << "it ends in a floor";
+    EXPECT_FALSE(observed_order(Pairs{{4, 1}, {2, 0.5}, {2, 0.25}})) << "two of one step";
+}
+
+TEST(ParetoFront, HoldsExactlyThePointsThatNoOtherBeats) {
+    std::mt19937 random(5);
+    std::uniform_int_distribution<int> draw(1, 12);
+    for (int trial = 0; trial < 200; ++trial) {
+        Pairs points;
+        for (int i = 0; i < 15; ++i) points.emplace_back(draw(random), draw(random));
+        std::vector<bool> on_front(points.size(), false);
+        for (const std::size_t i : pareto_front(points)) on_front[i] = true;
+        for (std::size_t i = 0; i < points.size(); ++i) {
+            bool beaten = false;
+            for (std::size_t k = 0; k < points.size(); ++k) {
+                const bool as_good = points[k].first <= points[i].first && points[k].second <= points[i].second;
+                beaten = beaten || (as_good && (points[k] != points[i] || k < i));
+            }
+            ASSERT_EQ(on_front[i], !beaten) << points[i].first << " " << points[i].second;
+        }
+    }
+}
+
+TEST(ParetoFront, RunsFromExactToCheap) {
+    EXPECT_THAT(pareto_front(Pairs{{3, 1}, {1, 9}, {2, 4}, {2, 5}}), ElementsAre(1, 2, 0));
+    EXPECT_THAT(pareto_front(Pairs{}), SizeIs(0));
+}
+
+TEST(StateError, MeasuresPositionsOverTheSide) {
+    const Points exact = Points::Zero(4, 3);
+    Points x = exact;
+    x(2, 1) = Real(0.4);
+    EXPECT_NEAR(position_error(x, exact, 2), 0.4 / std::sqrt(4.) / 2, 1e-12);
+}
+
+TEST(StateError, OverallKnowsSagCentreAndEnergyButNotWhichParticleIsWhere) {
+    ClothParameters parameters;
+    parameters.particles = {3, 3};
+    parameters.plane = Plane::XY;
+    const ClothModel model = make_cloth_model(parameters);
+    const ClothState exact = make_rest_state(parameters);
+    ClothState mirrored = exact;
+    mirrored.x.col(0) = 1 - exact.x.col(0).array();
+    EXPECT_NEAR(overall_error(model, mirrored, exact, 1), 0, 1e-12);
+    EXPECT_GT(position_error(mirrored.x, exact.x, 1), 0.5);
+    ClothState moved = exact, fast = exact, sagging = exact;
+    moved.x.col(2).array() += Real(0.25);
+    EXPECT_NEAR(overall_error(model, moved, exact, 1), 0.25, 1e-12);
+    fast.v.col(0).array() += 1;
+    EXPECT_NEAR(overall_error(model, fast, exact, 1), 0.5 / 9.81, 1e-12) << "energy over M g side";
+    sagging.x.row(8).y() -= Real(1e-6);
+    EXPECT_NEAR(overall_error(model, sagging, exact, 1), 1e-6, 1e-7) << "sag";
+}
+
+TEST(StateError, PositionsAreRefusedWhereSmallErrorsGrowMoreThanFiftyTimes) {
+    EXPECT_EQ(measure_for(50), Measure::Position);
+    EXPECT_EQ(measure_for(50.1), Measure::Overall);
+    EXPECT_EQ(measure_for(nothing), Measure::Overall);
+}
+
+/// The small soft sheet of the quick run.
+const PrecisionScene& soft() {
+    static const PrecisionScene scene = precision_scenes(true).front();
+    return scene;
+}
+
+TEST(Reference, TellsItsOwnError) {
+    const Reference fine = find_reference(soft());
+    for (const Real tolerance : {Real(1e-5), Real(1e-7)}) {
+        const Reference coarse = find_reference(soft(), std::array{10 * tolerance, tolerance});
+        const double truth = position_error(coarse.state.x, fine.state.x, soft().side());
+        EXPECT_GT(truth, 10 * fine.error);
+        EXPECT_GE(coarse.error, truth);
+        EXPECT_LT(coarse.error, 100 * truth);
+    }
+    EXPECT_LT(fine.growth, 1) << "damping wins";
+    EXPECT_EQ(fine.measure, Measure::Position);
+}
+
+TEST(Reference, LeavesPositionsWhereTheHorizonIsTooLongForThem) {
+    PrecisionScene scene = soft();
+    ClothParameters& cloth = scene.settings.cloths.front();
+    cloth.particles = {8, 8};
+    for (SpringLaw* law : {&cloth.structural, &cloth.shear, &cloth.bend}) law->stiffness *= 10, law->damping /= 10;
+    cloth.drag = Real(3e-4);
+    const auto growth_to = [&scene](Real horizon) {
+        scene.horizon = horizon;
+        return find_reference(scene, std::array{Real(1e-6), Real(1e-7)});
+    };
+    const Reference near = growth_to(Real(0.2)), far = growth_to(Real(1.6));
+    EXPECT_LT(near.growth, most_growth);
+    EXPECT_EQ(near.measure, Measure::Position);
+    EXPECT_GT(far.growth, most_growth);
+    EXPECT_EQ(far.measure, Measure::Overall);
+}
+
+TEST(PrecisionRun, ReachesTheHorizonInStepsOfAnyPhase) {
+    for (const Real phase : {Real(0), Real(0.25), Real(0.9)}) {
+        const auto steps = steps_to(Real(0.3), 6, phase);
+        EXPECT_THAT(steps, SizeIs(phase == 0 ? 6 : 7));
+        Real sum = 0;
+        for (const Real h : steps) sum += h;
+        EXPECT_NEAR(sum, 0.3, 1e-15);
+        EXPECT_NEAR(steps[1], 0.05, 1e-15);
+        EXPECT_NEAR(steps.front(), (phase == 0 ? 1 : phase) * Real(0.05), 1e-15);
+    }
+}
+
+/// The order that a scene shows under a method, errors averaged as the experiment does.
+double order_on(const PrecisionScene& scene, const Reference& reference, const IntegratorParameters& method,
+                std::span<const int> counts) {
+    Pairs points;
+    for (const int count : counts) {
+        double squares = 0;
+        for (int phase = 0; phase < scene.phases; ++phase) {
+            const Real place = scene.has_ball() ? (Real(phase) + Real(0.5)) / Real(scene.phases) : 0;
+            const Finish end = finish(scene, method, steps_to(scene.horizon, count, place));
+            EXPECT_TRUE(end.bounded);
+            squares += std::pow(position_error(end.state.x, reference.state.x, scene.side()), 2);
+        }
+        points.emplace_back(1. / count, std::sqrt(squares / scene.phases));
+    }
+    const auto found = observed_order(points);
+    return found ? found->order : nothing;
+}
+
+TEST(Precision, FindsTheOrderOfAMethodAndOfOneThatIsSpoiled) {
+    const Reference reference = find_reference(soft());
+    const std::array counts{128, 256, 512};
+    using enum IntegratorKind;
+    EXPECT_NEAR(order_on(soft(), reference, {.kind = SymplecticEuler}, counts), 1, 0.1);
+    EXPECT_NEAR(order_on(soft(), reference, {.kind = VelocityVerlet}, counts), 2, 0.1);
+    EXPECT_NEAR(order_on(soft(), reference, {.kind = Rk4}, counts), 4, 0.15);
+    EXPECT_NEAR(order_on(soft(), reference, {.kind = ImplicitMidpoint, .hessian = Hessian::Exact}, counts), 2, 0.2);
+    EXPECT_NEAR(order_on(soft(), reference, {.kind = ImplicitMidpoint, .hessian = Hessian::Clamped}, counts), 1, 0.2)
+        << "the clamped Hessian is not that of the force";
+}
+
+TEST(Precision, ContactMakesRk4AMethodOfFirstOrder) {
+    PrecisionScene scene = precision_scenes(true).back();
+    ASSERT_TRUE(scene.has_ball());
+    scene.reference_steps = 1 << 15;
+    const std::array counts{64, 128, 256};
+    const IntegratorParameters rk4{.kind = IntegratorKind::Rk4};
+    const double touched = order_on(scene, find_reference(scene), rk4, counts);
+    EXPECT_NEAR(touched, 1, 0.3);
+    scene.horizon = Real(0.19);  // just before the impact, where errors are those of rounding
+    const Reference before = find_reference(scene);
+    const Finish end = finish(scene, rk4, steps_to(scene.horizon, 64, Real(0.5)));
+    EXPECT_LT(position_error(end.state.x, before.state.x, scene.side()), 1e-8);
+}
+
+/// Rows as the experiment writes them, of velocity Verlet on the soft sheet against a reference.
+std::vector<TableRow> verlet_rows(const Reference& reference) {
+    std::vector<TableRow> rows;
+    for (const int count : {64, 128, 256, 512, 1024}) {
+        const Finish end = finish(soft(), {.kind = IntegratorKind::VelocityVerlet}, steps_to(soft().horizon, count));
+        const double error = position_error(end.state.x, reference.state.x, soft().side());
+        const auto text = [](double value) { return real_text(value, 6); };
+        rows.push_back({"soft", "6", "100", "0.25", "1", "velocity_verlet", "", std::to_string(count),
+                        text(static_cast<double>(soft().horizon) / count), end.bounded ? "bounded" : "unstable",
+                        std::string(name_of(reference.measure)), text(error), text(0.9e-5 * count), text(1e-5 * count),
+                        text(1.1e-5 * count), text(reference.error), text(reference.growth)});
+    }
+    return rows;
+}
+
+TEST(Precision, RefusesToDrawAgainstAReferenceThatIsTooCoarse) {
+    const auto good = verlet_rows(find_reference(soft()));
+    EXPECT_THAT(precision_charts(good), SizeIs(1));
+    EXPECT_NEAR(precision_diagrams(good).front().curves.front().order->order, 2, 0.1);
+    const auto coarse = verlet_rows(find_reference(soft(), std::array{Real(1e-3), Real(1e-4)}));
+    try {
+        precision_charts(coarse);
+        ADD_FAILURE() << "it was drawn";
+    } catch (const RunError& refusal) {
+        EXPECT_THAT(refusal.what(), AllOf(HasSubstr("'soft'"), HasSubstr("times better"), HasSubstr("no chart")));
+    }
+    EXPECT_THAT(precision_summary(coarse), HasSubstr("less than 100, no chart is drawn"));
+}
+
+TEST(Precision, SaysWhereStepsWereUnstableAndPositionsAreNotCompared) {
+    auto rows = verlet_rows(find_reference(soft()));
+    EXPECT_EQ(precision_summary(rows).find("unstable"), std::string::npos);
+    rows.front()[at::End] = "unstable";
+    for (TableRow& row : rows) row[at::Measured] = "overall", row[at::Growth] = "1234";
+    const std::string summary = precision_summary(rows);
+    EXPECT_THAT(summary, HasSubstr("unstable at 0.00391 s"));
+    EXPECT_THAT(summary,
+                HasSubstr("grows 1.23e+03 times: more than 50, so positions at this horizon are not compared"));
+    const auto charts = precision_charts(rows);
+    EXPECT_THAT(charts.front().plot, HasSubstr("error of sag, centre of mass and energy"));
+}
+
+TEST(LabPrecision, ComputesTheSameInAShareAsInALargerRun) {
+    const LabFolder folder;
+    const LabRun alone = folder.run({"precision", "--quick", "--cases", "3-3", "--out", "alone"});
+    ASSERT_EQ(alone.code, 0) << alone.err;
+    EXPECT_THAT(alone.out, HasSubstr("velocity_verlet: order 2"));
+    ASSERT_EQ(folder.run({"precision", "--quick", "--cases", "3-4", "--out", "both"}).code, 0);
+    const auto part = table_of(folder, "alone/precision.csv"), whole = table_of(folder, "both/precision.csv");
+    ASSERT_GT(part.size(), 4u);
+    const auto without_costs = [](const std::string& line) {
+        std::string kept;
+        std::size_t column = 0, begin = 0;
+        for (std::size_t end = 0; end != std::string::npos; begin = end + 1, ++column) {
+            end = line.find(',', begin);
+            const bool cost = column > at::CostLower && column <= at::CostUpper + 1;  // behind that of the case
+            if (!cost) kept += line.substr(begin, end - begin) + ",";
+        }
+        return kept;
+    };
+    for (std::size_t i = 0; i < part.size(); ++i) EXPECT_EQ(without_costs(part[i]), without_costs(whole[i]));
+    EXPECT_THAT(without_costs(part[0]), AllOf(HasSubstr(",error,reference_error,growth,"), HasSubstr("measure,")));
+}
+
+}  // namespace
+}  // namespace drape
