@@ -1,10 +1,11 @@
 #include "experiment.h"
+#include "hierarchy_experiment.h"
 #include "stability_experiment.h"
 
 namespace drape {
 
 const std::vector<Experiment>& experiments() {
-    static const std::vector<Experiment> all{stability_experiment()};
+    static const std::vector<Experiment> all{stability_experiment(), hierarchy_experiment()};
     return all;
 }
 
