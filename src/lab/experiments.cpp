@@ -1,3 +1,4 @@
+#include "contact_experiment.h"
 #include "experiment.h"
 #include "hierarchy_experiment.h"
 #include "stability_experiment.h"
@@ -5,7 +6,7 @@
 namespace drape {
 
 const std::vector<Experiment>& experiments() {
-    static const std::vector<Experiment> all{stability_experiment(), hierarchy_experiment()};
+    static const std::vector<Experiment> all{stability_experiment(), hierarchy_experiment(), contact_experiment()};
     return all;
 }
 
