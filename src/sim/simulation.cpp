@@ -24,9 +24,6 @@ Air air_at(const WindSettings& wind, double time) {
     return {wind.velocity * (1 + wind.gust * static_cast<Real>(gusts)), air_density};
 }
 
-/// How fast a node's sphere may push: as fast as a cloth settles, and slower than it tears.
-constexpr Real node_push_speed = 1;  // m/s
-
 /// Whether a build may be left out: not one that is on show, nor one of a limited search, whose spheres may reach what
 /// the cloth does not.
 bool may_skip(const Settings& settings) {

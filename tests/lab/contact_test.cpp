@@ -1,0 +1,152 @@
+// The experiment on the accuracy of contact: its parts, and a share of it run as a program.
+
+#include <gmock/gmock.h>
+
+#include "drape/sim/scene.h"
+#include "drape/sim/setting_table.h"
+#include "drape/sim/simulation.h"
+#include "lab/contact_experiment.h"
+#include "lab/lab_run.h"
+
+namespace drape {
+namespace {
+
+using ::testing::HasSubstr;
+using testing_aid::LabFolder;
+using testing_aid::LabRun;
+using testing_aid::lines_of;
+
+TEST(ContactTrial, DoesWhatTheSimulationDoesToTheSameBits) {
+    for (const char* limit : {"search_tests=0", "search_tests=20"}) {
+        Settings settings = load_scene("drop");
+        assign(settings, limit);
+        ContactScene scene{.cloth = settings.cloths[0],
+                           .ball = {.centre = settings.balls[0].position, .radius = settings.balls[0].radius},
+                           .integrator = integrator_of(settings.solver),
+                           .response = {.friction = settings.contact.friction}};
+        ContactTrial trial(scene, settings.solver.dt);
+        const auto hierarchy = make_broad_phase(broad_phase_of(settings.contact), settings.cloths[0].particles);
+        Simulation simulation("drop", settings);
+        std::int64_t contacts = 0;
+        for (int step = 0; step < 900; ++step) {
+            simulation.step();
+            trial.advance(*hierarchy);
+            trial.respond();
+            contacts += simulation.report().contacts;
+        }
+        EXPECT_GT(contacts, 100) << limit;
+        EXPECT_EQ(trial.positions(), simulation.cloths()[0].state.x) << limit;
+    }
+}
+
+TEST(CompareContacts, CountsWhatTheReferenceTouchedAndTheRunDidNot) {
+    // Three steps of the run, two of the reference in each
+    const ContactHistory reference{.touched = {{}, {}, {1, 2}, {2, 3}, {4}, {}}};
+    const auto errors = [&reference](std::vector<std::vector<int>> touched, bool passed = false) {
+        return compare_contacts({.touched = std::move(touched), .passed = passed}, reference, 2);
+    };
+    EXPECT_EQ(errors({{}, {1, 2, 3}, {4}}).missed_contacts, 0);
+    EXPECT_EQ(errors({{7}, {1, 2, 3, 8}, {4, 9}}).missed_contacts, 0) << "more is not missed";
+    EXPECT_EQ(errors({{}, {1, 3}, {4}}).missed_contacts, 0.25);
+    EXPECT_EQ(errors({{}, {1, 3}, {4}}).missed_steps, 0);
+    EXPECT_EQ(errors({{4}, {1, 2, 3}, {}}).missed_contacts, 0.25) << "at the right time only";
+    EXPECT_EQ(errors({{4}, {1, 2, 3}, {}}).missed_steps, 0.5);
+    EXPECT_EQ(errors({{}, {}, {}}).missed_contacts, 1);
+    EXPECT_EQ(errors({{}, {}, {}}).missed_steps, 1);
+    EXPECT_TRUE(errors({{}, {}, {}}, true).passed);
+    EXPECT_FALSE(compare_contacts({.touched = {{1}}, .passed = true}, {.touched = {{1}}, .passed = true}, 1).passed);
+}
+
+/// The planted fault: a hierarchy that finds nothing.
+class BlindHierarchy final : public BroadPhase {
+public:
+    void build(const Points& /*x*/) override {}
+    TraversalStats query(const Ball& /*ball*/, Candidates& found) override {
+        found.cells.clear();
+        found.stopped.clear();
+        return {};
+    }
+    [[nodiscard]] bool may_touch(const Ball& /*ball*/, Real /*displacement*/) const override { return true; }
+    [[nodiscard]] Real slack() const override { return 0; }
+    [[nodiscard]] int levels() const override { return 0; }
+    void nodes_at(int /*level*/, std::span<const int> /*touched*/, Outlines& nodes) const override { nodes.clear(); }
+};
+
+class HungCloth : public ::testing::Test {
+protected:
+    static constexpr double speed_ = 8;  // m/s
+    ContactScene scene_ = hung_cloth_and_ball(speed_, 0.004);
+    ContactHistory reference_ = watch_contacts(scene_, {.leaf_cells = 4}, Real(0.0005));
+
+    [[nodiscard]] ContactErrors errors_of(const ContactHistory& run, int finer) const {
+        return compare_contacts(run, reference_, finer);
+    }
+};
+
+TEST_F(HungCloth, IsNotPassedByTheBallAtASmallStep) {
+    EXPECT_FALSE(reference_.passed);
+    EXPECT_LT(reference_.left, 1e-4);
+    EXPECT_LT(reference_.entered, 1.5 * speed_ * 0.0005 + 1e-3) << "about as deep as the ball goes in a step";
+    const ContactErrors none = errors_of(reference_, 1);
+    EXPECT_EQ(none.missed_contacts, 0);
+    EXPECT_EQ(none.missed_steps, 0);
+    EXPECT_FALSE(none.passed);
+}
+
+TEST_F(HungCloth, CountsAllContactsAsMissedWhereARunIgnoresThem) {
+    BlindHierarchy blind;
+    const ContactHistory run = watch_contacts(scene_, blind, Real(0.004));
+    const ContactErrors errors = errors_of(run, 8);
+    EXPECT_EQ(errors.missed_contacts, 1);
+    EXPECT_EQ(errors.missed_steps, 1);
+    EXPECT_TRUE(errors.passed);
+    EXPECT_GT(run.left, 0.1) << "the audit sees what the search does not";
+}
+
+TEST_F(HungCloth, IsEnteredDeeperTheLongerTheStep) {
+    double before = reference_.entered;
+    for (const int finer : {2, 8}) {
+        const ContactHistory run = watch_contacts(scene_, {.leaf_cells = 4}, static_cast<Real>(0.0005 * finer));
+        EXPECT_GT(run.entered, before) << finer;
+        EXPECT_LT(errors_of(run, finer).missed_contacts, 0.2) << finer;
+        before = run.entered;
+    }
+    // In a step of 0.032 s the ball goes a quarter of a metre: farther than its radius
+    const ContactHistory run = watch_contacts(hung_cloth_and_ball(speed_, 0.032), {.leaf_cells = 4}, Real(0.032));
+    EXPECT_TRUE(run.passed);
+}
+
+TEST_F(HungCloth, IsPassedWhereALimitedSearchPushesTooSlowly) {
+    const ContactHistory run = watch_contacts(scene_, {.leaf_cells = 4, .search = {.tests = 1}}, Real(0.004));
+    EXPECT_GT(run.left, 0.1);
+    EXPECT_LT(reference_.left, 1e-4);
+    EXPECT_GT(run.false_contacts, 0.1);
+}
+
+TEST(LabContact, WritesARowASearchAndTheSameErrorsInEveryRun) {
+    const LabFolder folder;
+    const std::string all = std::to_string(contact_experiment().cases(true).size());
+    std::vector<std::vector<std::string>> runs;
+    for (const char* out : {"a", "b"}) {
+        // The shortest of its runs: a fast ball at long steps
+        const LabRun run = folder.run({"contact", "--quick", "--share", "14/" + all, "--out", out});
+        ASSERT_EQ(run.code, 0) << run.err;
+        EXPECT_THAT(run.out, HasSubstr("full search, ball at 32 m/s: "));
+        std::vector<std::string> lines = lines_of(folder.read(std::string(out) + "/contact.csv"));
+        std::erase_if(lines, [](const std::string& line) { return line.starts_with('#'); });
+        ASSERT_EQ(lines.size(), 4u) << "a header and three searches";
+        runs.push_back(lines);
+    }
+    EXPECT_EQ(runs[0][0], runs[1][0]);
+    // All that stands before the times
+    const auto errors = [](const std::string& line) {
+        std::size_t end = 0;
+        for (int k = 0; k < 10; ++k) end = line.find(',', end + 1);
+        return line.substr(0, end);
+    };
+    for (std::size_t k = 1; k < 4; ++k) EXPECT_EQ(errors(runs[0][k]), errors(runs[1][k]));
+    EXPECT_THAT(runs[0][1], HasSubstr("full,0,32,")) << runs[0][1];
+}
+
+}  // namespace
+}  // namespace drape
