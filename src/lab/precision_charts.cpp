@@ -109,8 +109,8 @@ std::string caption_of(const PrecisionDiagram& diagram) {
         text += " Errors are averaged over " + diagram.phases +
                 " places of the first impact within a step; from that impact on, every method is of order 1.";
     }
-    return text + " The reference is in error by " + real_text(diagram.reference_error, 2) +
-           "; an error of 1e-9 m at the start grows " + real_text(diagram.growth, 2) + " times.";
+    return text + " The reference is in error by " + real_text(diagram.reference_error, 2) + "; an error of " +
+           real_text(start_error, 1) + " m at the start grows " + real_text(diagram.growth, 2) + " times.";
 }
 
 Chart chart(const PrecisionDiagram& diagram) {

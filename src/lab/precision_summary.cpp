@@ -13,8 +13,8 @@ std::string text(double value) { return real_text(value, 3); }
 /// What the errors of a scene are worth.
 std::string worth(const PrecisionDiagram& diagram) {
     std::string line = diagram.scene + ": " + diagram.particles + " x " + diagram.particles + " particles, " +
-                       diagram.stiffness + " N/m, to " + diagram.horizon +
-                       " s\n  an error of 1e-9 m at the start grows " + text(diagram.growth) + " times";
+                       diagram.stiffness + " N/m, to " + diagram.horizon + " s\n  an error of " + text(start_error) +
+                       " m at the start grows " + text(diagram.growth) + " times";
     if (diagram.measure != name_of(Measure::Position)) {
         line += ": more than " + text(most_growth) +
                 ", so positions at this horizon are not compared; sag, centre of mass and energy are";

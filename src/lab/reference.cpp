@@ -11,9 +11,6 @@
 namespace drape {
 namespace {
 
-/// A small error at the start, as root mean square over the free particles [m]. Single precision has no smaller one.
-constexpr Real nudge = sizeof(Real) == sizeof(double) ? Real(1e-9) : Real(1e-4);
-
 /// A rung of the ladder.
 struct Rung {
     IntegratorParameters method;
@@ -33,7 +30,7 @@ ClothState nudged_start(const ClothParameters& cloth) {
         ++free;
         for (int axis = 0; axis < 3; ++axis) error(p, axis) = draw(random);
     }
-    state.x += error * (nudge * std::sqrt(static_cast<Real>(free)) / error.norm());
+    state.x += error * (start_error * std::sqrt(static_cast<Real>(free)) / error.norm());
     return state;
 }
 
