@@ -2,6 +2,7 @@
 #include "drape/base/program.h"
 #include "experiment.h"
 #include "list.h"
+#include "needs.h"
 #include "simulate.h"
 
 namespace drape {
@@ -13,6 +14,7 @@ int run(int argc, char** argv) {
     int exit_code = Done;
     add_simulate(app, exit_code);
     add_collide(app, exit_code);
+    add_needs(app, exit_code);
     add_list(app, exit_code);
     add_experiments(app, exit_code);
     parse_command_line(app, argc, argv);
