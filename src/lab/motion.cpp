@@ -54,7 +54,7 @@ Points resampled(const Points& x, const Grid& grid, const Grid& to) {
     return places;
 }
 
-Motion run_to_horizon(const Settings& scene, double dearest) {
+Motion run_to_horizon(const Settings& scene, const Patience& patience) {
     Simulation simulation("", scene);
     const Cloth& cloth = simulation.cloths()[0];
     const StepReport& report = simulation.report();
@@ -65,6 +65,8 @@ Motion run_to_horizon(const Settings& scene, double dearest) {
     motion.grid = cloth.model.grid;
     motion.start = cloth.state.x;
     motion.step_over_limit = report.step_over_limit;
+    motion.given_up = motion.step_over_limit > patience.step_over_limit;
+    if (motion.given_up) return motion;
     double seconds = 0;
     while (motion.reached < Motion::moments) {
         const double moment = horizon * (motion.reached + 1) / Motion::moments;
@@ -74,7 +76,7 @@ Motion run_to_horizon(const Settings& scene, double dearest) {
             simulation.step();
             motion.penetration = std::max(motion.penetration, report.penetration);
             // Looked at by and by: a run that is far too dear is not worth its first moment
-            if (report.step % 32 == 0 && seconds + thread_cpu_time() - before > dearest * horizon) {
+            if (report.step % 32 == 0 && seconds + thread_cpu_time() - before > patience.cost * horizon) {
                 motion.given_up = true;
                 break;
             }

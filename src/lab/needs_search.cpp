@@ -67,17 +67,25 @@ private:
         }
     }
 
-    /// The longest step that qualifies.
+    /// The longest step that qualifies. Of the many beyond the method's limit, the trail shows the last.
     void find_step(Settings method) {
+        std::optional<Attempt> beyond;
         for (const Real dt : steps()) {
             method.solver.dt = dt;
             const Attempt attempt = needs_.attempt(method, cost_of_cheapest() * noise);
+            if (attempt.beyond_limit) {
+                beyond = attempt;
+                continue;
+            }
+            if (beyond) note(*beyond, "");
+            beyond.reset();
             const bool cheaper = attempt.qualifies() && attempt.cost < cost_of_cheapest();
             note(attempt, cheaper ? "cheapest so far" : "dearer than the cheapest so far");
             if (cheaper) cheapest_ = attempt;
             // A shorter step is dearer still
             if (attempt.qualifies() || attempt.cost > cost_of_cheapest() * noise) return;
         }
+        if (beyond) note(*beyond, "");
     }
 
     /// Takes notches away until one less of any of these knobs breaks a need.

@@ -63,7 +63,8 @@ double Needs::error_of(const Motion& motion) const {
 
 Attempt Needs::attempt(const Settings& settings, double dearest) const {
     const NeedsSettings& needs = scene_.needs;
-    const Motion motion = run_to_horizon(settings, dearest);
+    const Motion motion =
+        run_to_horizon(settings, {.cost = dearest, .step_over_limit = needs.diverges ? infinite : safe_part_of_limit});
     Attempt attempt;
     attempt.settings = settings;
     attempt.cost = motion.cost;
@@ -77,6 +78,11 @@ Attempt Needs::attempt(const Settings& settings, double dearest) const {
         judge.never("lost after " + when);
         return attempt;
     }
+    if (motion.step_over_limit > safe_part_of_limit) {
+        attempt.beyond_limit = true;
+        judge.never("step is " + real_text(motion.step_over_limit, 2) + " of its limit");
+        return attempt;
+    }
     if (motion.given_up) {
         judge.never("dearer than the cheapest so far");
         return attempt;
@@ -87,8 +93,6 @@ Attempt Needs::attempt(const Settings& settings, double dearest) const {
                       "error above " + percent(static_cast<double>(needs.position_error)));
     }
     const std::string penetration = real_text(motion.penetration, 3), stretch = percent(motion.stretch);
-    judge.at_most(motion.step_over_limit, safe_part_of_limit,
-                  "step is " + real_text(motion.step_over_limit, 2) + " of its limit");
     judge.at_most(motion.penetration, static_cast<double>(needs.penetration), "ball " + penetration + " m deep");
     judge.at_most(motion.stretch, static_cast<double>(needs.stretch), "stretched by " + stretch);
     judge.at_least(motion.stretch, static_cast<double>(needs.least_stretch), "stretched by " + stretch + " only");
@@ -110,8 +114,8 @@ std::string Needs::check_full_model() const {
     }
     const double own = std::max(error_of(coarser), error_of(disturbed));
     if (!(own <= largest_own_part * static_cast<double>(needs.position_error))) {
-        throw RunError("the full model is known only to " + percent(own) +
-                       ": too little for what the scene allows, " + percent(static_cast<double>(needs.position_error)));
+        throw RunError("the full model is known only to " + percent(own) + ": too little for what the scene allows, " +
+                       percent(static_cast<double>(needs.position_error)));
     }
     return "It is known to " + percent(own) + ", by its motion at twice the step and from a start that is " +
            real_text(small_error) + " m off; " + grows + ".\n";
