@@ -2,6 +2,7 @@
 #include "drape/base/program.h"
 #include "list.h"
 #include "merge.h"
+#include "needs.h"
 #include "run_experiment.h"
 #include "simulate.h"
 
@@ -14,6 +15,7 @@ int run(int argc, char** argv) {
     int exit_code = Done;
     add_simulate(app, exit_code);
     add_collide(app, exit_code);
+    add_needs(app, exit_code);
     add_list(app, exit_code);
     add_experiments(app, exit_code);
     add_merge(app, exit_code);

@@ -16,6 +16,7 @@ constexpr Range any_text{0, 0};
 const std::array<std::string, 2> plane_names{"xz", "xy"};
 const std::array<std::string, 3> motion_names{"keys", "path", "still"};
 const std::array<std::string, 3> unstable_names{"warn", "substep", "stop"};
+const std::array<std::string, 2> measure_names{"positions", "centre_and_spread"};
 const std::array<std::string, 5> pin_names{"none", "two", "four", "row", "border"};
 
 void add_spring(SectionRows<ClothParameters>& rows, const std::string& kind, SpringLaw ClothParameters::*law,
@@ -47,18 +48,20 @@ Pins pins_of(const SettingValue& value) {
     return pins;
 }
 
+/// Two numbers of particles, as a list and back.
+Values grid_values(const Grid& grid) { return {static_cast<double>(grid.nx), static_cast<double>(grid.ny)}; }
+Grid grid_of(const SettingValue& value) {
+    const auto& list = std::get<Values>(value);
+    return {static_cast<int>(list[0]), static_cast<int>(list[1])};
+}
+
 void add_cloth(std::vector<Setting>& table) {
     SectionRows<ClothParameters> rows(
         "cloth", [](Settings& s, std::size_t i) -> ClothParameters& { return s.cloths[i]; }, table);
     rows.add(
         "particles", SettingKind::Grid, "", {2, 4096}, {}, "columns and rows of particles",
-        [](const ClothParameters& c) {
-            return Values{static_cast<double>(c.particles.nx), static_cast<double>(c.particles.ny)};
-        },
-        [](ClothParameters& c, const SettingValue& value) {
-            const auto& list = std::get<Values>(value);
-            c.particles = {static_cast<int>(list[0]), static_cast<int>(list[1])};
-        });
+        [](const ClothParameters& c) { return grid_values(c.particles); },
+        [](ClothParameters& c, const SettingValue& value) { c.particles = grid_of(value); });
     rows.add(
         "size", SettingKind::Size, "m", sizes, {}, "along columns and rows",
         [](const ClothParameters& c) {
@@ -122,6 +125,44 @@ void add_ball(std::vector<Setting>& table) {
              write_path);
 }
 
+void add_needs(std::vector<Setting>& table) {
+    SectionRows<NeedsSettings> needs(
+        "needs", [](Settings& s, std::size_t) -> NeedsSettings& { return s.needs; }, table);
+    needs.number("position_error", &NeedsSettings::position_error, "", {0, 1},
+                 "of the cloth's side, that the scene allows against its full model up to the horizon; 0: not stated");
+    needs.choice(
+        "measure", &NeedsSettings::measure, measure_names,
+        "of that error: RMS over the particles; or centre of mass and spread about it, where motion is chaotic");
+    needs.number("horizon", &NeedsSettings::horizon, "s", {1e-9, 1e3}, "time up to which needs count");
+    needs.number("penetration", &NeedsSettings::penetration, "m", {0, 1},
+                 "largest that the scene allows after the response; 0: not stated");
+    needs.number("stretch", &NeedsSettings::stretch, "", {0, 1e3},
+                 "largest of a structural spring that the scene allows; 0: not stated");
+    needs.number("least_stretch", &NeedsSettings::least_stretch, "", {0, 1e3},
+                 "that the scene must reach, to show that it is soft; 0: not stated");
+    needs.flag("diverges", &NeedsSettings::diverges,
+               "the scene must be lost by the horizon, to show how a method fails");
+    needs.add(
+        "keep", SettingKind::Text, "", any_text, {},
+        "knobs that stay as they are by the scene's nature: particles, bend, drag, integrator, dt, iterations, volume, "
+        "update, sphere_fit, leaf_cells, with commas between",
+        [](const NeedsSettings& n) { return n.keep; },
+        [](NeedsSettings& n, const SettingValue& value) { n.keep = std::get<std::string>(value); });
+    needs.add(
+        "full.particles", SettingKind::Grid, "", {0, 4096}, {}, "of the full model; 0,0: as in [cloth]",
+        [](const NeedsSettings& n) { return grid_values(n.full.particles); },
+        [](NeedsSettings& n, const SettingValue& value) { n.full.particles = grid_of(value); });
+    needs.number_at(
+        "full.bend.stiffness", [](NeedsSettings& n) -> Real& { return n.full.bend.stiffness; }, "N/m", {0, 1e9},
+        "of the full model; without it and its damping: as in [cloth]");
+    needs.number_at(
+        "full.bend.damping", [](NeedsSettings& n) -> Real& { return n.full.bend.damping; }, "N s/m", {0, 1e6},
+        "of the full model");
+    needs.number_at(
+        "full.drag", [](NeedsSettings& n) -> Real& { return n.full.drag; }, "N s/m", {0, 1e3},
+        "of the full model, per particle of its grid; 0: the same on the whole cloth as in [cloth]");
+}
+
 void add_the_rest(std::vector<Setting>& table) {
     SectionRows<SolverSettings> solver(
         "solver", [](Settings& s, std::size_t) -> SolverSettings& { return s.solver; }, table);
@@ -182,11 +223,7 @@ void add_the_rest(std::vector<Setting>& table) {
     view.vector("target", &ViewSettings::target, "m", lengths, "what the camera looks at");
     view.number("ground", &ViewSettings::ground, "m", lengths, "height of the ground that is drawn");
 
-    SectionRows<NeedsSettings> needs(
-        "needs", [](Settings& s, std::size_t) -> NeedsSettings& { return s.needs; }, table);
-    needs.number("position_error", &NeedsSettings::position_error, "", {0, 1},
-                 "RMS, of the cloth's side, that the scene allows; 0 states none");
-    needs.number("horizon", &NeedsSettings::horizon, "s", {1e-9, 1e3}, "time at which the error counts");
+    add_needs(table);
 }
 
 std::vector<Setting> make_table() {

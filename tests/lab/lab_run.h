@@ -32,6 +32,7 @@ public:
 
     /// @return the name of the file that was written
     std::string write(const std::string& name, const std::string& text) const;
+    [[nodiscard]] std::filesystem::path path(const std::string& name) const { return path_ / name; }
     [[nodiscard]] std::string read(const std::string& name) const { return read_file(path_ / name); }
     [[nodiscard]] bool has(const std::string& name) const { return std::filesystem::exists(path_ / name); }
 

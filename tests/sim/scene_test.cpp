@@ -84,7 +84,16 @@ target = [1, 1, 1]
 ground = 0.5
 [needs]
 position_error = 0.01
+measure = "centre_and_spread"
 horizon = 0.75
+penetration = 0.001
+stretch = 0.1
+least_stretch = 0.01
+diverges = true
+keep = "particles, dt"
+full.particles = [40, 40]
+full.bend = { stiffness = 3.0, damping = 0.03 }
+full.drag = 0.01
 )";
 
 TEST(SceneFile, SetsEveryKeyThatItGives) {

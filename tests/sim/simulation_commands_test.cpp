@@ -62,7 +62,7 @@ TEST(SceneCommand, LoadsAnotherSceneAndKeepsThisOneIfThereIsNone) {
     send(simulation, "scene hang");
     EXPECT_EQ(simulation.scene(), "hang");
     EXPECT_EQ(simulation.settings().title, load_scene("hang").title);
-    EXPECT_EQ(simulation.cloths()[0].model.grid, (Grid{30, 30}));
+    EXPECT_EQ(simulation.cloths()[0].model.grid, load_scene("hang").cloths[0].particles);
     EXPECT_TRUE(simulation.balls().empty());
     EXPECT_EQ(simulation.report().step, 0);
     make_steps(simulation, 5);

@@ -94,10 +94,30 @@ struct ViewSettings {
     Real ground = -1;  ///< height of the ground that is drawn [m]
 };
 
-/// What a scene must show, and no more: a bound on its error, for the lab.
+/// What of two motions is compared.
+enum class NeedsMeasure {
+    Positions,       ///< RMS distance of the particles
+    CentreAndSpread  ///< of the centres of mass, or of the RMS distances from them, whichever differs more
+};
+
+/// What of a scene's cloth may be left out; zero: as in the scene.
+struct FullModelSettings {
+    Grid particles{0, 0};
+    SpringLaw bend;
+    Real drag = 0;  ///< per particle of that grid [N s/m]
+};
+
+/// What a scene must show, and no more, for the lab to find the cheapest way to it. Zero: not stated.
 struct NeedsSettings {
-    Real position_error = 0;  ///< RMS, of the cloth's side; 0: not stated
+    Real position_error = 0;  ///< against the full model up to the horizon, of the cloth's side
+    NeedsMeasure measure = NeedsMeasure::Positions;
     Real horizon = Real(0.5);
+    Real penetration = 0;    ///< at most [m]
+    Real stretch = 0;        ///< at most, of a structural spring
+    Real least_stretch = 0;  ///< to which it must come: a scene that shows a soft method
+    bool diverges = false;   ///< by the horizon: a scene that shows a method failing
+    std::string keep;        ///< names of the knobs that are as they are by the scene's nature
+    FullModelSettings full;
 };
 
 /// Every knob of Drape, as `setting_table` describes it.

@@ -1,0 +1,197 @@
+#include <gmock/gmock.h>
+
+#include "drape/base/input_error.h"
+#include "drape/sim/scene.h"
+#include "drape/sim/scene_text.h"
+#include "lab/full_model.h"
+#include "lab/lab_run.h"
+#include "lab/needs_search.h"
+#include "lab/write_scene.h"
+
+namespace drape {
+namespace {
+
+using testing::ElementsAre;
+using testing::HasSubstr;
+using testing_aid::LabFolder;
+using testing_aid::LabRun;
+
+const char* const swinging = R"(title = "A small cloth swings"
+[cloth]
+particles = [13, 13]
+pinned = "two"
+structural = { stiffness = 200.0, damping = 0.05 }
+shear = { stiffness = 50.0, damping = 0.05 }
+bend = { stiffness = 1.0, damping = 0.01 }
+drag = 1e-3
+[solver]
+integrator = "symplectic_euler"
+dt = 1e-3
+[needs]
+position_error = 0.02
+horizon = 0.3
+)";
+
+void no_trail(const Attempt&, const std::string&) {}
+
+/// What the search has found for that scene, without trying methods that are far too dear: these are a few seconds.
+const Settings& found_for_swinging() {
+    static const Settings found = [] {
+        Settings scene = parse_scene(swinging, "swinging.toml");
+        scene.needs.keep = "integrator";
+        const Needs needs(scene);
+        return with_full_model(search(needs, no_trail).cheapest.value().settings, needs.full());
+    }();
+    return found;
+}
+
+TEST(Needs, AreMetByTheFullModelAndByTheSceneThatIsIt) {
+    const Needs needs(parse_scene(swinging, "swinging.toml"));
+    const Attempt full = needs.attempt(computed_closely(needs.full(), close_step));
+    EXPECT_TRUE(full.qualifies()) << full.why;
+    EXPECT_EQ(full.error, 0);
+    EXPECT_GT(full.cost, 0);
+    const Attempt scene = needs.attempt(needs.scene());
+    EXPECT_TRUE(scene.qualifies()) << scene.why;
+    EXPECT_GT(scene.error, 0);
+}
+
+TEST(Needs, AreNotMetByARunThatIsLostOrBeyondItsLimitOrTooDearOrTooStretched) {
+    Settings scene = parse_scene(swinging, "swinging.toml");
+    scene.needs.stretch = Real(0.5);
+    const Needs needs(scene);
+    Settings tried = scene;
+    tried.solver.dt = Real(5e-3);
+    EXPECT_THAT(needs.attempt(tried).why, HasSubstr("of its limit"));
+    EXPECT_TRUE(needs.attempt(tried).beyond_limit);
+    EXPECT_THAT(needs.attempt(scene, 1e-9).why, HasSubstr("dearer"));
+    tried = scene;
+    tried.cloths[0].structural.stiffness = tried.cloths[0].shear.stiffness = Real(0.5);
+    const Attempt soft = needs.attempt(tried);
+    EXPECT_FALSE(soft.qualifies());
+    EXPECT_GT(soft.miss, 1);
+}
+
+TEST(Needs, OfASceneThatMustBeLostOrSoftAreNotMetByOneThatIsNot) {
+    Settings scene = parse_scene(swinging, "swinging.toml");
+    scene.needs.position_error = 0;
+    scene.needs.diverges = true;
+    EXPECT_THAT(Needs(scene).attempt(scene).why, HasSubstr("not lost"));
+    Settings wild = scene;
+    wild.solver.dt = Real(0.01);
+    EXPECT_TRUE(Needs(scene).attempt(wild).qualifies());
+    scene.needs.diverges = false;
+    scene.needs.least_stretch = 1;
+    EXPECT_THAT(Needs(scene).attempt(scene).why, HasSubstr("only"));
+}
+
+TEST(NeedsSearch, EndsWhereNoNotchCanBeSpared) {
+    const Settings& found = found_for_swinging();
+    const Needs needs(found);
+    EXPECT_TRUE(needs.attempt(found).qualifies());
+    EXPECT_THAT(spare_notches(needs, no_trail), testing::IsEmpty());
+    EXPECT_LT(found.cloths[0].particles.nx, 13) << "there was something to take away";
+    EXPECT_GT(found.solver.dt, Real(1e-3));
+}
+
+TEST(NeedsSearch, IsCaughtIfItsStepOrItsGridWereANotchTooFine) {
+    Settings fine = found_for_swinging();
+    const auto ladder = step_ladder();
+    fine.solver.dt = *std::find_if(ladder.begin(), ladder.end(), [&](Real dt) { return dt < fine.solver.dt; });
+    EXPECT_THAT(spare_notches(Needs(fine), no_trail), testing::Contains(Knob::Dt));
+    fine = on_grid(found_for_swinging(), {13, 13});
+    fine.solver.dt = Real(1e-3);
+    EXPECT_THAT(spare_notches(Needs(fine), no_trail), testing::Contains(Knob::Particles));
+}
+
+TEST(NeedsSearch, LeavesAloneWhatTheSceneKeeps) {
+    Settings scene = parse_scene(swinging, "swinging.toml");
+    scene.needs.keep = "particles, bend, drag, integrator, dt";
+    const SearchResult result = search(Needs(scene), no_trail);
+    ASSERT_TRUE(result.cheapest);
+    EXPECT_EQ(scene_text(result.cheapest->settings), scene_text(scene));
+}
+
+TEST(WrittenScene, ReadsBackWithTheSameSettingsAndItsFullModel) {
+    const LabFolder folder;
+    Settings scene = found_for_swinging();
+    scene.start = folder.path("below/state.csv").string();
+    const std::string file = folder.path("found.toml").string();
+    write_scene(scene, file);
+    EXPECT_EQ(scene_text(load_scene(file)), scene_text(scene)) << "also where the state is, from the scene's folder";
+    EXPECT_EQ(scene.needs.full.particles, (Grid{13, 13}));
+    EXPECT_EQ(scene.needs.full.bend, (SpringLaw{1, Real(0.01)}));
+    EXPECT_FALSE(folder.has("found.toml.unfinished"));
+    EXPECT_THROW(write_scene(scene, folder.path("no/such/folder.toml")), RunError);
+}
+
+TEST(WrittenScene, OfAShippedOneGoesToTheCurrentFolder) {
+    EXPECT_EQ(file_of_scene("drop"), "drop.toml");
+    EXPECT_EQ(file_of_scene("my/drop.toml"), "my/drop.toml");
+}
+
+TEST(NeedsCommand, TellsWhatItTriedWritesTheSceneAndFindsItMinimal) {
+    const LabFolder folder;
+    folder.write("swinging.toml", swinging);
+    const LabRun run = folder.run({"needs", "swinging.toml", "--write", "--set", "needs.keep=integrator,bend,drag"});
+    EXPECT_EQ(run.code, 0) << run.err;
+    for (const char* said :
+         {"be within 2 % of its full model (positions)", "Full model: 13x13 bend drag", "It is known",
+          "symplectic_euler", "The cheapest that qualifies", "Written to swinging.toml"}) {
+        EXPECT_THAT(run.out, HasSubstr(said));
+    }
+    EXPECT_THAT(folder.read("swinging.toml"), HasSubstr("title = \"A small cloth swings\""));
+    const LabRun check = folder.run({"needs", "swinging.toml", "--check"});
+    EXPECT_EQ(check.code, 0) << check.out;
+    EXPECT_THAT(check.out, HasSubstr("The scene is minimal"));
+    EXPECT_EQ(folder.run({"needs", "swinging.toml", "--check", "--set", "dt=1e-4"}).code, 1);
+}
+
+TEST(NeedsCommand, RefusesWithTheNearestMissWhatNothingCanShow) {
+    const LabFolder folder;
+    folder.write("swinging.toml", swinging);
+    const LabRun run = folder.run({"needs", "swinging.toml", "--write", "--set", "needs.stretch=1e-6", "--set",
+                                   "needs.keep=integrator,dt,particles,bend,drag"});
+    EXPECT_EQ(run.code, 1) << run.err;
+    EXPECT_THAT(run.out, HasSubstr("Nothing qualifies. The nearest miss is 13x13 bend drag, symplectic_euler"));
+    EXPECT_EQ(folder.read("swinging.toml"), swinging) << "nothing is written";
+}
+
+TEST(NeedsCommand, AsksForNeedsThatCanBeMeasured) {
+    const LabFolder folder;
+    folder.write("swinging.toml", swinging);
+    const auto refused = [&](const std::string& set) {
+        const LabRun run = folder.run({"needs", "swinging.toml", "--set", set});
+        EXPECT_EQ(run.code, 2) << set;
+        return run.err;
+    };
+    EXPECT_THAT(refused("needs.position_error=0"), HasSubstr("swinging.toml: [needs] states nothing"));
+    EXPECT_THAT(refused("needs.keep=partikles"), HasSubstr("did you mean 'particles'?"));
+    EXPECT_THAT(refused("needs.horizon=0.8"), HasSubstr("centre_and_spread"));
+    const LabRun unknown = folder.run({"needs", "swinging.toml", "--set", "needs.position_error=1e-9"});
+    EXPECT_EQ(unknown.code, 1);
+    EXPECT_THAT(unknown.err, HasSubstr("known only to"));
+}
+
+/// Walks the notches of a shipped scene: it shows what it needs, and no knob could have one notch less.
+class MinimalScene : public testing::TestWithParam<std::string> {};
+
+TEST_P(MinimalScene, ShowsWhatItNeedsAndHasNoNotchToSpare) {
+    const Needs needs(load_scene(GetParam()));
+    const Attempt scene = needs.attempt(needs.scene());
+    EXPECT_TRUE(scene.qualifies()) << scene.why;
+    for (const Knob knob : spare_notches(needs, no_trail)) {
+        ADD_FAILURE() << "one notch less is enough of " << knob_names()[static_cast<std::size_t>(knob)];
+    }
+}
+
+std::string name_of_case(const testing::TestParamInfo<std::string>& info) { return info.param; }
+
+const auto walked_at_once = testing::Values("two_corners", "fails_symplectic_euler", "fails_xpbd");
+INSTANTIATE_TEST_SUITE_P(Quick, MinimalScene, walked_at_once, name_of_case);
+
+// Run by `ctest -L nightly`, for they take a minute
+INSTANTIATE_TEST_SUITE_P(Nightly, MinimalScene, testing::ValuesIn(scene_names()), name_of_case);
+
+}  // namespace
+}  // namespace drape
