@@ -5,7 +5,7 @@
 #include "drape/integrate/integrator.h"
 #include "drape/sim/scene.h"
 #include "drape/sim/setting_table.h"
-#include "experiment.h"
+#include "lab/experiment/experiment.h"
 
 namespace drape {
 namespace {

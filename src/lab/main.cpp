@@ -1,9 +1,9 @@
 #include "collide.h"
 #include "drape/base/program.h"
+#include "lab/experiment/merge.h"
+#include "lab/experiment/run_experiment.h"
+#include "lab/needs/needs.h"
 #include "list.h"
-#include "merge.h"
-#include "needs.h"
-#include "run_experiment.h"
 #include "simulate.h"
 
 namespace drape {

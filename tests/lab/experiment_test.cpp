@@ -3,9 +3,9 @@
 #include <algorithm>
 #include <filesystem>
 
+#include "lab/experiment/progress.h"
+#include "lab/experiment/share.h"
 #include "lab/lab_run.h"
-#include "lab/progress.h"
-#include "lab/share.h"
 
 namespace drape {
 namespace {

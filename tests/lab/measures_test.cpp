@@ -2,8 +2,8 @@
 
 #include <array>
 
-#include "lab/power_law.h"
-#include "lab/timing.h"
+#include "lab/measure/power_law.h"
+#include "lab/measure/timing.h"
 
 namespace drape {
 namespace {

@@ -3,10 +3,10 @@
 #include "drape/base/input_error.h"
 #include "drape/sim/scene.h"
 #include "drape/sim/scene_text.h"
-#include "lab/full_model.h"
 #include "lab/lab_run.h"
-#include "lab/needs_search.h"
-#include "lab/write_scene.h"
+#include "lab/needs/full_model.h"
+#include "lab/needs/needs_search.h"
+#include "lab/needs/write_scene.h"
 
 namespace drape {
 namespace {

@@ -1,12 +1,12 @@
-#include "lab/notches.h"
+#include "lab/needs/notches.h"
 
 #include <gmock/gmock.h>
 
 #include <cmath>
 
 #include "drape/sim/scene.h"
-#include "lab/full_model.h"
-#include "lab/motion.h"
+#include "lab/needs/full_model.h"
+#include "lab/needs/motion.h"
 #include "support/input_errors.h"
 
 namespace drape {

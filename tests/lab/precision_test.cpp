@@ -8,12 +8,12 @@
 #include "drape/base/input_error.h"
 #include "drape/base/numbers.h"
 #include "lab/lab_run.h"
-#include "lab/observed_order.h"
-#include "lab/pareto_front.h"
-#include "lab/precision_diagram.h"
-#include "lab/precision_experiment.h"
-#include "lab/precision_run.h"
-#include "lab/reference.h"
+#include "lab/measure/observed_order.h"
+#include "lab/measure/pareto_front.h"
+#include "lab/precision/precision_diagram.h"
+#include "lab/precision/precision_experiment.h"
+#include "lab/precision/precision_run.h"
+#include "lab/precision/reference.h"
 
 namespace drape {
 namespace {

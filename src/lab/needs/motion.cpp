@@ -1,0 +1,107 @@
+#include "motion.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "drape/base/assert.h"
+#include "drape/sim/simulation.h"
+#include "lab/measure/timing.h"
+
+namespace drape {
+namespace {
+
+/// A cloth between two of its steps, by the cubic that has its places and velocities at both.
+/// @param s in [0, 1] from `cloth.previous` to `cloth.state`
+Points between_steps(const Cloth& cloth, Real s, Real dt) {
+    const auto& [x0, v0] = cloth.previous;
+    const auto& [x1, v1] = cloth.state;
+    const Real r = 1 - s;
+    return (1 + 2 * s) * r * r * x0 + s * s * (1 + 2 * r) * x1 + dt * (s * r * r * v0 - s * s * r * v1);
+}
+
+/// RMS distance of some points from their centre [m].
+double spread(const Points& x) {
+    const Points from_centre = x.rowwise() - x.colwise().mean();
+    return std::sqrt(static_cast<double>(from_centre.squaredNorm()) / static_cast<double>(x.rows()));
+}
+
+/// By how much two cloths of one grid differ at a moment [m].
+double distance(const Points& x, const Points& full, NeedsMeasure measure) {
+    const Points off = x - full;
+    if (measure == NeedsMeasure::Positions) {
+        return std::sqrt(static_cast<double>(off.squaredNorm()) / static_cast<double>(off.rows()));
+    }
+    return std::max(static_cast<double>(off.colwise().mean().norm()), std::abs(spread(x) - spread(full)));
+}
+
+}  // namespace
+
+Points resampled(const Points& x, const Grid& grid, const Grid& to) {
+    if (grid == to) return x;
+    Points places(to.particles(), 3);
+    for (int j = 0; j < to.ny; ++j) {
+        for (int i = 0; i < to.nx; ++i) {
+            const Real column = static_cast<Real>(i * grid.cell_columns()) / static_cast<Real>(to.cell_columns());
+            const Real row = static_cast<Real>(j * grid.cell_rows()) / static_cast<Real>(to.cell_rows());
+            const int left = std::min(static_cast<int>(column), grid.cell_columns() - 1);
+            const int above = std::min(static_cast<int>(row), grid.cell_rows() - 1);
+            const Real u = column - static_cast<Real>(left), w = row - static_cast<Real>(above);
+            const int a = grid.particle(left, above), c = a + grid.nx;
+            places.row(to.particle(i, j)) =
+                (1 - w) * ((1 - u) * x.row(a) + u * x.row(a + 1)) + w * ((1 - u) * x.row(c) + u * x.row(c + 1));
+        }
+    }
+    return places;
+}
+
+Motion run_to_horizon(const Settings& scene, const Patience& patience, const std::optional<StartState>& start_state) {
+    Simulation simulation("", scene, start_state);
+    const Cloth& cloth = simulation.cloths()[0];
+    const StepReport& report = simulation.report();
+    const double start = report.time, horizon = static_cast<double>(scene.needs.horizon);
+    const auto dt = static_cast<double>(scene.solver.dt);
+
+    Motion motion;
+    motion.grid = cloth.model.grid;
+    motion.start = cloth.state;
+    motion.step_over_limit = report.step_over_limit;
+    motion.given_up = motion.step_over_limit > patience.step_over_limit;
+    if (motion.given_up) return motion;
+    double seconds = 0;
+    while (motion.reached < Motion::moments) {
+        const double moment = horizon * (motion.reached + 1) / Motion::moments;
+        const double before = thread_cpu_time();
+        constexpr double rounding = 1e-9;  // of a step
+        while (report.time - start < moment - rounding * dt && report.status == Status::Ok) {
+            simulation.step();
+            motion.penetration = std::max(motion.penetration, report.penetration);
+            // Looked at by and by: a run that is far too dear is not worth its first moment
+            if (report.step % 32 == 0 && seconds + thread_cpu_time() - before > patience.cost * horizon) {
+                motion.given_up = true;
+                break;
+            }
+        }
+        seconds += thread_cpu_time() - before;
+        motion.time = report.time - start;
+        motion.cost = seconds / std::max(motion.time, dt);
+        motion.lost = report.status == Status::Diverged;
+        if (motion.lost || motion.given_up) return motion;
+        const double part = std::clamp(1 - (motion.time - moment) / dt, 0.0, 1.0);
+        motion.x[static_cast<std::size_t>(motion.reached)] =
+            between_steps(cloth, static_cast<Real>(part), scene.solver.dt);
+        motion.stretch = std::max(motion.stretch, simulation.view().report->stretch);
+        ++motion.reached;
+    }
+    return motion;
+}
+
+double motion_error(const Motion& motion, const Motion& full, NeedsMeasure measure, Real side) {
+    DRAPE_ASSERT(motion.reached == Motion::moments && full.reached == Motion::moments);
+    double largest = 0;
+    for (std::size_t k = 0; k < Motion::moments; ++k) {
+        largest = std::max(largest, distance(motion.x[k], resampled(full.x[k], full.grid, motion.grid), measure));
+    }
+    return largest / static_cast<double>(side);
+}
+
+}  // namespace drape

@@ -1,0 +1,201 @@
+#include "needs_search.h"
+
+#include <algorithm>
+#include <map>
+
+#include "full_model.h"
+#include "lab/measure/timing.h"
+
+namespace drape {
+namespace {
+
+constexpr double infinite = std::numeric_limits<double>::infinity();
+
+/// Times of two runs differ by more than this without a cause [ratio].
+constexpr double noise = 1.15;
+
+/// Cheaper by less than this is no reason to change how a scene is searched [ratio].
+constexpr double worth_it = 0.97;
+
+class Search {
+public:
+    Search(const Needs& needs, const Trail& trail) : needs_(needs), trail_(trail), free_(free_knobs(needs.scene())) {}
+
+    SearchResult find() {
+        if (needs_.states_error()) {
+            find_method(models());
+        } else {
+            Settings start = needs_.full();
+            take(start, infinite);
+        }
+        if (cheapest_) {
+            take_notches({ordered_knobs().begin(), ordered_knobs().end()});
+            choose_hierarchy();
+        }
+        return {cheapest_, nearest_};
+    }
+
+private:
+    /// The full model and what is left of it, the least last.
+    std::vector<Settings> models() {
+        std::vector<Settings> found{needs_.full()};
+        for (const Knob knob : {Knob::Particles, Knob::Bend, Knob::Drag}) {
+            while (free_.contains(knob)) {
+                const auto less = one_notch_less(found.back(), knob);
+                if (!less) break;
+                const Attempt attempt = needs_.attempt(computed_closely(*less, close_step));
+                note(attempt, "kept: enough of a model");
+                if (!attempt.qualifies()) break;
+                found.push_back(*less);
+            }
+        }
+        return found;
+    }
+
+    /// The cheapest of all methods on all models.
+    void find_method(std::vector<Settings> models) {
+        std::reverse(models.begin(), models.end());
+        for (const Settings& model : models) {
+            for (const IntegratorKind kind : integrators()) {
+                Settings method = model;
+                method.solver.integrator = kind;
+                for (const int iterations : passes(kind)) {
+                    method.solver.iterations = iterations;
+                    find_step(method);
+                }
+            }
+        }
+    }
+
+    /// The longest step that qualifies. Of the many beyond the method's limit, the trail shows the last.
+    void find_step(Settings method) {
+        std::optional<Attempt> beyond;
+        for (const Real dt : steps()) {
+            method.solver.dt = dt;
+            Attempt attempt = needs_.attempt(method, cost_of_cheapest() * noise);
+            if (attempt.beyond_limit) {
+                beyond = attempt;
+                continue;
+            }
+            if (beyond) note(*beyond, "");
+            beyond.reset();
+            const bool cheaper = attempt.qualifies() && is_cheaper(attempt, 1);
+            note(attempt, cheaper ? "cheapest so far" : "dearer than the cheapest so far");
+            if (cheaper) cheapest_ = attempt;
+            // A shorter step is dearer still
+            if (attempt.qualifies() || attempt.cost > cost_of_cheapest() * noise) return;
+        }
+        if (beyond) note(*beyond, "");
+    }
+
+    /// Takes notches away until one less of any of these knobs breaks a need.
+    void take_notches(const std::vector<Knob>& knobs) {
+        for (bool taken = true; taken;) {
+            taken = false;
+            for (const Knob knob : knobs) {
+                while (free_.contains(knob)) {
+                    const auto less = one_notch_less(cheapest_->settings, knob);
+                    if (!less || !take(*less, infinite)) break;
+                    taken = true;
+                }
+            }
+        }
+    }
+
+    bool take(const Settings& settings, double dearest) {
+        const Attempt attempt = needs_.attempt(settings, dearest);
+        note(attempt, "kept: it needs no more");
+        if (attempt.qualifies()) cheapest_ = attempt;
+        return attempt.qualifies();
+    }
+
+    /// Volume, update, fit and leaf size: the motion is the same, so the cheapest by repeated timing.
+    void choose_hierarchy() {
+        const auto choose = [this](Knob knob, auto ContactSettings::*member, const auto& values) {
+            if (!free_.contains(knob)) return;
+            for (const auto value : values) {
+                Attempt attempt = *cheapest_;
+                if (attempt.settings.contact.*member == value) continue;
+                attempt.settings.contact.*member = value;
+                const bool cheaper = is_cheaper(attempt, worth_it);
+                trail_(attempt, cheaper ? "cheapest so far" : "not cheaper");
+                if (cheaper) cheapest_ = attempt;
+            }
+        };
+        using enum VolumeKind;
+        choose(Knob::Volume, &ContactSettings::volume,
+               std::vector{Sphere, Aabb, Kdop6, Kdop14, Kdop18, Kdop26, Obb, Brute});
+        if (cheapest_->settings.contact.volume == Brute) return;
+        choose(Knob::Update, &ContactSettings::update,
+               std::vector{UpdateKind::Rebuild, UpdateKind::Merge, UpdateKind::Refit, UpdateKind::None});
+        if (cheapest_->settings.contact.volume == Sphere) {
+            std::vector<SphereFit> fits;
+            for (std::size_t f = 0; f < sphere_fit_names().size(); ++f) fits.push_back(static_cast<SphereFit>(f));
+            choose(Knob::SphereFit, &ContactSettings::sphere_fit, fits);
+        }
+        choose(Knob::LeafCells, &ContactSettings::leaf_cells, std::vector{0, 2, 4, 8, 16});
+    }
+
+    /// Times a configuration and the cheapest so far in turn, for a machine has faster and slower moments, and keeps
+    /// the medians.
+    /// @param part of the cheapest's cost that it must be below
+    bool is_cheaper(Attempt& attempt, double part) {
+        if (!cheapest_) return true;
+        std::vector<double> costs, costs_of_cheapest;
+        for (int i = 0; i < 3; ++i) {
+            costs.push_back(run_to_horizon(attempt.settings).cost);
+            costs_of_cheapest.push_back(run_to_horizon(cheapest_->settings).cost);
+        }
+        attempt.cost = quartiles_of(costs).median;
+        cheapest_->cost = quartiles_of(costs_of_cheapest).median;
+        return attempt.cost < part * cheapest_->cost;
+    }
+
+    [[nodiscard]] std::vector<IntegratorKind> integrators() const {
+        if (!free_.contains(Knob::Integrator)) return {needs_.scene().solver.integrator};
+        using enum IntegratorKind;
+        return {SymplecticEuler,   VelocityVerlet, Rk4, ExplicitEuler, BackwardEuler, Bdf2, ImplicitMidpoint, Xpbd,
+                ProjectiveDynamics};
+    }
+
+    [[nodiscard]] std::vector<int> passes(IntegratorKind kind) const {
+        if (!has_iterations(kind) || !free_.contains(Knob::Iterations)) return {needs_.scene().solver.iterations};
+        return {1, 2, 5, 10};
+    }
+
+    [[nodiscard]] std::vector<Real> steps() const {
+        return free_.contains(Knob::Dt) ? step_ladder() : std::vector{needs_.scene().solver.dt};
+    }
+
+    [[nodiscard]] double cost_of_cheapest() const { return cheapest_ ? cheapest_->cost : infinite; }
+
+    void note(const Attempt& attempt, const std::string& if_it_qualifies) {
+        trail_(attempt, attempt.qualifies() ? if_it_qualifies : attempt.why);
+        if (!attempt.qualifies() && (!nearest_ || attempt.miss < nearest_->miss)) nearest_ = attempt;
+    }
+
+    const Needs& needs_;
+    const Trail& trail_;
+    std::set<Knob> free_;
+    std::optional<Attempt> cheapest_, nearest_;
+};
+
+}  // namespace
+
+SearchResult search(const Needs& needs, const Trail& trail) { return Search(needs, trail).find(); }
+
+std::vector<Knob> spare_notches(const Needs& needs, const Trail& trail) {
+    const std::set<Knob> free = free_knobs(needs.scene());
+    std::vector<Knob> spare;
+    for (const Knob knob : ordered_knobs()) {
+        if (!free.contains(knob)) continue;
+        const auto less = one_notch_less(needs.scene(), knob);
+        if (!less) continue;
+        const Attempt attempt = needs.attempt(*less);
+        trail(attempt, attempt.qualifies() ? "it qualifies: the scene has more than it needs" : attempt.why);
+        if (attempt.qualifies()) spare.push_back(knob);
+    }
+    return spare;
+}
+
+}  // namespace drape

@@ -1,0 +1,126 @@
+#include "scene_needs.h"
+
+#include <algorithm>
+
+#include "drape/base/input_error.h"
+#include "drape/base/numbers.h"
+#include "full_model.h"
+#include "lab/measure/disturbed_start.h"
+
+namespace drape {
+namespace {
+
+constexpr double infinite = std::numeric_limits<double>::infinity();
+constexpr double safe_part_of_limit = 0.9;
+
+/// Of the error that a scene allows, what may be the full model's own.
+constexpr double largest_own_part = 0.25;
+
+/// Keeps the worst of several measures in an attempt.
+class Judge {
+public:
+    explicit Judge(Attempt& attempt) : attempt_(attempt) {}
+
+    /// @param allowed 0: not stated
+    void at_most(double measured, double allowed, const std::string& why) {
+        if (allowed > 0) note(measured / allowed, why);
+    }
+    void at_least(double measured, double wanted, const std::string& why) {
+        if (wanted > 0) note(measured > 0 ? wanted / measured : infinite, why);
+    }
+    void never(const std::string& why) { note(infinite, why); }
+
+private:
+    void note(double miss, const std::string& why) {
+        if (miss > 1 && (miss > attempt_.miss || attempt_.why.empty())) attempt_.why = why;
+        attempt_.miss = std::max(attempt_.miss, miss);
+    }
+
+    Attempt& attempt_;
+};
+
+}  // namespace
+
+std::string percent(double part) { return real_text(100 * part, 3) + " %"; }
+
+Needs::Needs(Settings scene) : scene_(std::move(scene)), full_(full_model(scene_)) {
+    const NeedsSettings& needs = scene_.needs;
+    const bool stated = needs.position_error > 0 || needs.penetration > 0 || needs.stretch > 0 ||
+                        needs.least_stretch > 0 || needs.diverges;
+    if (!stated) {
+        throw InputError(
+            "[needs] states nothing that this scene must show: say position_error (of the cloth's side), penetration, "
+            "stretch, least_stretch or diverges");
+    }
+    if (!states_error()) return;
+    motion_ = run_to_horizon(computed_closely(full_, close_step));
+    if (motion_->lost) throw RunError("the full model is lost after " + real_text(motion_->time, 3) + " s");
+}
+
+double Needs::error_of(const Motion& motion) const {
+    const ClothParameters& cloth = scene_.cloths[0];
+    return motion_error(motion, *motion_, scene_.needs.measure, std::max(cloth.width, cloth.height));
+}
+
+Attempt Needs::attempt(const Settings& settings, double dearest) const {
+    const NeedsSettings& needs = scene_.needs;
+    const Motion motion =
+        run_to_horizon(settings, {.cost = dearest, .step_over_limit = needs.diverges ? infinite : safe_part_of_limit});
+    Attempt attempt;
+    attempt.settings = settings;
+    attempt.cost = motion.cost;
+    Judge judge(attempt);
+    const std::string when = real_text(motion.time, 3) + " s";
+    if (needs.diverges) {
+        if (!motion.lost) judge.never("not lost after " + when);
+        return attempt;
+    }
+    if (motion.lost) {
+        judge.never("lost after " + when);
+        return attempt;
+    }
+    if (motion.step_over_limit > safe_part_of_limit) {
+        attempt.beyond_limit = true;
+        judge.never("step is " + real_text(motion.step_over_limit, 2) + " of its limit");
+        return attempt;
+    }
+    if (motion.given_up) {
+        judge.never("dearer than the cheapest so far");
+        return attempt;
+    }
+    if (states_error()) {
+        attempt.error = error_of(motion);
+        judge.at_most(attempt.error, static_cast<double>(needs.position_error),
+                      "error above " + percent(static_cast<double>(needs.position_error)));
+    }
+    const std::string penetration = real_text(motion.penetration, 3), stretch = percent(motion.stretch);
+    judge.at_most(motion.penetration, static_cast<double>(needs.penetration), "ball " + penetration + " m deep");
+    judge.at_most(motion.stretch, static_cast<double>(needs.stretch), "stretched by " + stretch);
+    judge.at_least(motion.stretch, static_cast<double>(needs.least_stretch), "stretched by " + stretch + " only");
+    return attempt;
+}
+
+std::string Needs::check_full_model() const {
+    if (!states_error()) return {};
+    const NeedsSettings& needs = scene_.needs;
+    const Motion coarser = run_to_horizon(computed_closely(full_, 2 * close_step));
+    const StartState start{0, {disturbed(make_cloth_model(full_.cloths[0]), motion_->start)}};
+    const Motion beside = run_to_horizon(computed_closely(full_, close_step), {}, start);
+    if (coarser.lost || beside.lost) throw RunError("the full model is lost at a step only twice as long");
+    const double growth = motion_error(beside, *motion_, NeedsMeasure::Positions, 1) / static_cast<double>(small_error);
+    const std::string grows = "a small error grows " + real_text(growth, 2) + " times";
+    if (needs.measure == NeedsMeasure::Positions && growth > most_growth) {
+        throw InputError("needs.horizon = " + real_text(static_cast<double>(needs.horizon), 3) + " s: up to then " +
+                         grows + ": allowed " + real_text(most_growth) +
+                         " where positions are compared; say measure = \"centre_and_spread\", or a shorter horizon");
+    }
+    const double own = std::max(error_of(coarser), error_of(beside));
+    if (!(own <= largest_own_part * static_cast<double>(needs.position_error))) {
+        throw RunError("the full model is known only to " + percent(own) + ": too little for what the scene allows, " +
+                       percent(static_cast<double>(needs.position_error)));
+    }
+    return "It is known to " + percent(own) + ", by its motion at twice the step and from a start that is " +
+           real_text(static_cast<double>(small_error)) + " m off; " + grows + ".\n";
+}
+
+}  // namespace drape
