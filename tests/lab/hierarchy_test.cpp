@@ -176,17 +176,19 @@ TEST(HierarchyRun, CountsCandidatesAgainstTouchingCells) {
 }
 
 TEST(RecordedMotion, IsWhatTheSceneIsBuiltFromAndTheSameSurfaceOnFinerGrids) {
-    const RecordedMotion motion = record_motion({.scene = "drop", .from = 0.1, .steps_between = 50, .frames = 3});
+    const RecordedMotion motion = record_motion({.scene = "drop", .from = 0.1, .interval = 0.01, .frames = 3});
     ASSERT_EQ(motion.x.size(), 3u);
     ASSERT_EQ(motion.balls.size(), 3u);
-    EXPECT_NEAR(motion.interval, 0.01, 1e-9);
+    EXPECT_NEAR(motion.interval, 0.01, 2e-4) << "a whole number of steps";
     EXPECT_NEAR(static_cast<double>(motion.balls[0].radius), 0.302, 1e-6) << "grown by the thickness";
 
     // It falls freely until after the second frame; in the third, contact has pushed back what was recorded before
     Simulation simulation("drop", load_scene("drop"));
-    for (int step = 0; step < 501; ++step) simulation.step();
+    const double dt = simulation.settings().solver.dt;
+    const auto first = std::llround(0.1 / dt), between = std::llround(0.01 / dt);
+    for (auto step = first + 1; step > 0; --step) simulation.step();
     EXPECT_EQ(motion.x[0], simulation.cloths()[0].state.x);
-    for (int step = 0; step < 100; ++step) simulation.step();
+    for (auto step = 2 * between; step > 0; --step) simulation.step();
     ASSERT_GT(simulation.report().contacts, 0);
     EXPECT_NE(motion.x[2], simulation.cloths()[0].state.x);
     EXPECT_LT((motion.x[2] - simulation.cloths()[0].state.x).cwiseAbs().maxCoeff(), 1e-3);

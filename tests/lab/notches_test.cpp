@@ -5,6 +5,7 @@
 #include <cmath>
 
 #include "drape/sim/scene.h"
+#include "lab/measure/resampled.h"
 #include "lab/needs/full_model.h"
 #include "lab/needs/motion.h"
 #include "support/input_errors.h"

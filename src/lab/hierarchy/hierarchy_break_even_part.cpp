@@ -64,8 +64,10 @@ std::vector<ExperimentCase> break_even_cases(bool quick, const SharedMotions& mo
     for (const HierarchyScene& scene : hierarchy_scenes) {
         for (const VolumeVariant& variant : volume_families) {
             if (quick && variant.volume != VolumeKind::Sphere && variant.volume != VolumeKind::Aabb) continue;
-            for (const int steps : quick ? std::vector{1, 8, 83} : std::vector{1, 3, 8, 25, 83, 250}) {
-                const MotionWanted wanted{scene.name, scene.from, steps, quick ? 31 : 61};
+            const auto intervals = quick ? std::vector{3e-4, 1.6e-3, 1.0 / 60}  // s
+                                         : std::vector{3e-4, 6e-4, 1.6e-3, 5e-3, 1.0 / 60, 0.05};
+            for (const double interval : intervals) {
+                const MotionWanted wanted{scene.name, scene.from, interval, quick ? 31 : 61};
                 cases.push_back([=] {
                     return measure(resampled(motions->find(wanted), {side, side}), variant, quick);
                 });

@@ -19,7 +19,7 @@ std::vector<ExperimentCase> cases(bool quick) {
 }  // namespace
 
 MotionWanted screen_frames(const HierarchyScene& scene, int frames) {
-    return {.scene = scene.name, .from = scene.from, .steps_between = 83, .frames = frames};
+    return {.scene = scene.name, .from = scene.from, .interval = 1.0 / 60, .frames = frames};
 }
 
 Experiment hierarchy_experiment() {

@@ -19,7 +19,7 @@ TableRow measure(const RecordedMotion& motion, const BroadPhaseParameters& param
 std::vector<ExperimentCase> size_cases(bool quick, const SharedMotions& motions) {
     std::vector<ExperimentCase> cases;
     // Few frames, so that they can be held at any size: the ball is in the middle of the curtain
-    const MotionWanted wanted{.scene = "curtain", .from = 1.2, .steps_between = 83, .frames = 5};
+    const MotionWanted wanted{.scene = "curtain", .from = 1.2, .interval = 1.0 / 60, .frames = 5};
     const auto frames_of = [motions, wanted](int side) { return resampled(motions->find(wanted), {side, side}); };
     for (const int side : quick ? std::vector{16, 32, 64, 128, 256} : std::vector{16, 32, 64, 128, 256, 512, 1024}) {
         cases.push_back(

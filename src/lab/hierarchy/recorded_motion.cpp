@@ -7,32 +7,9 @@
 #include "drape/base/input_error.h"
 #include "drape/sim/scene.h"
 #include "drape/sim/simulation.h"
+#include "lab/measure/resampled.h"
 
 namespace drape {
-namespace {
-
-/// Between the particles of the cells in which the particles of another grid lie.
-Points between_particles(const Points& x, const Grid& from, const Grid& to) {
-    Points resampled(to.particles(), 3);
-    const auto place = [](int k, int count, int cells) {
-        const Real along = static_cast<Real>(k) * static_cast<Real>(cells) / static_cast<Real>(count - 1);
-        const int cell = std::min(static_cast<int>(along), cells - 1);
-        return std::pair(cell, along - static_cast<Real>(cell));
-    };
-    for (int j = 0; j < to.ny; ++j) {
-        const auto [row, v] = place(j, to.ny, from.cell_rows());
-        for (int i = 0; i < to.nx; ++i) {
-            const auto [column, u] = place(i, to.nx, from.cell_columns());
-            const int a = from.particle(column, row), c = from.particle(column, row + 1);
-            resampled.row(to.particle(i, j)) =
-                (1 - v) * ((1 - u) * x.row(a) + u * x.row(a + 1)) + v * ((1 - u) * x.row(c) + u * x.row(c + 1));
-        }
-    }
-    return resampled;
-}
-
-}  // namespace
-
 RecordedMotion record_motion(const MotionWanted& wanted) {
     Settings settings = load_scene(wanted.scene);
     settings.solver.sleep_speed = 0;
@@ -44,15 +21,13 @@ RecordedMotion record_motion(const MotionWanted& wanted) {
     const Grid grid = cloth.model.grid;
     const auto integrator = make_integrator(integrator_of(settings.solver), grid);
 
-    RecordedMotion motion{.scene = wanted.scene,
-                          .grid = grid,
-                          .interval = wanted.steps_between * static_cast<double>(h),
-                          .x = {},
-                          .balls = {}};
+    const int steps_between = std::max(static_cast<int>(std::lround(wanted.interval / static_cast<double>(h))), 1);
+    RecordedMotion motion{
+        .scene = wanted.scene, .grid = grid, .interval = steps_between * static_cast<double>(h), .x = {}, .balls = {}};
     const auto first = static_cast<std::int64_t>(std::llround(wanted.from / static_cast<double>(h)));
-    const std::int64_t last = first + static_cast<std::int64_t>(wanted.frames - 1) * wanted.steps_between;
+    const std::int64_t last = first + static_cast<std::int64_t>(wanted.frames - 1) * steps_between;
     for (std::int64_t step = 0; step <= last; ++step) {
-        const bool kept = step >= first && (step - first) % wanted.steps_between == 0;
+        const bool kept = step >= first && (step - first) % steps_between == 0;
         if (kept) {
             ClothState next = cloth.state;
             integrator->step(cloth.model, next, h);
@@ -68,12 +43,12 @@ RecordedMotion record_motion(const MotionWanted& wanted) {
 RecordedMotion resampled(const RecordedMotion& motion, const Grid& grid) {
     RecordedMotion finer{
         .scene = motion.scene, .grid = grid, .interval = motion.interval, .x = {}, .balls = motion.balls};
-    for (const Points& x : motion.x) finer.x.push_back(between_particles(x, motion.grid, grid));
+    for (const Points& x : motion.x) finer.x.push_back(resampled(x, motion.grid, grid));
     return finer;
 }
 
 const RecordedMotion& Motions::find(const MotionWanted& wanted) {
-    const auto key = std::tuple(wanted.scene, wanted.from, wanted.steps_between, wanted.frames);
+    const auto key = std::tuple(wanted.scene, wanted.from, wanted.interval, wanted.frames);
     const auto found = recorded_.find(key);
     return found != recorded_.end() ? found->second : recorded_.emplace(key, record_motion(wanted)).first->second;
 }

@@ -23,8 +23,8 @@ struct RecordedMotion {
 /// Which frames of a scene are wanted.
 struct MotionWanted {
     std::string scene;
-    double from = 0;        ///< simulated time of the first frame [s]
-    int steps_between = 1;  ///< steps of the scene from frame to frame
+    double from = 0;      ///< simulated time of the first frame [s]
+    double interval = 0;  ///< from frame to frame [s]; the nearest whole number of the scene's steps, at least one
     int frames = 1;
 };
 
@@ -42,7 +42,7 @@ public:
     const RecordedMotion& find(const MotionWanted& wanted);
 
 private:
-    std::map<std::tuple<std::string, double, int, int>, RecordedMotion> recorded_;
+    std::map<std::tuple<std::string, double, double, int>, RecordedMotion> recorded_;
 };
 
 }  // namespace drape

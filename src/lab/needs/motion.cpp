@@ -5,6 +5,7 @@
 
 #include "drape/base/assert.h"
 #include "drape/sim/simulation.h"
+#include "lab/measure/resampled.h"
 #include "lab/measure/timing.h"
 
 namespace drape {
@@ -35,24 +36,6 @@ double distance(const Points& x, const Points& full, NeedsMeasure measure) {
 }
 
 }  // namespace
-
-Points resampled(const Points& x, const Grid& grid, const Grid& to) {
-    if (grid == to) return x;
-    Points places(to.particles(), 3);
-    for (int j = 0; j < to.ny; ++j) {
-        for (int i = 0; i < to.nx; ++i) {
-            const Real column = static_cast<Real>(i * grid.cell_columns()) / static_cast<Real>(to.cell_columns());
-            const Real row = static_cast<Real>(j * grid.cell_rows()) / static_cast<Real>(to.cell_rows());
-            const int left = std::min(static_cast<int>(column), grid.cell_columns() - 1);
-            const int above = std::min(static_cast<int>(row), grid.cell_rows() - 1);
-            const Real u = column - static_cast<Real>(left), w = row - static_cast<Real>(above);
-            const int a = grid.particle(left, above), c = a + grid.nx;
-            places.row(to.particle(i, j)) =
-                (1 - w) * ((1 - u) * x.row(a) + u * x.row(a + 1)) + w * ((1 - u) * x.row(c) + u * x.row(c + 1));
-        }
-    }
-    return places;
-}
 
 Motion run_to_horizon(const Settings& scene, const Patience& patience, const std::optional<StartState>& start_state) {
     Simulation simulation("", scene, start_state);

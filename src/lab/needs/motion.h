@@ -44,7 +44,4 @@ Motion run_to_horizon(const Settings& scene, const Patience& patience = {},
 /// @pre both have reached all moments
 double motion_error(const Motion& motion, const Motion& full, NeedsMeasure measure, Real side);
 
-/// The places of a cloth at which another grid's particles lie, n x 3 [m].
-Points resampled(const Points& x, const Grid& grid, const Grid& to);
-
 }  // namespace drape
