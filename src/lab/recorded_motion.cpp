@@ -33,8 +33,9 @@ Points between_particles(const Points& x, const Grid& from, const Grid& to) {
 
 }  // namespace
 
-RecordedMotion record_motion(const MotionWanted& wanted) {
-    Settings settings = load_scene(wanted.scene);
+RecordedMotion record_motion(const MotionWanted& wanted) { return record_motion(wanted, load_scene(wanted.scene)); }
+
+RecordedMotion record_motion(const MotionWanted& wanted, Settings settings) {
     settings.solver.sleep_speed = 0;
     settings.solver.ledger = false;
     const Real h = settings.solver.dt, thickness = settings.contact.thickness;
