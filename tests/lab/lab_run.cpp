@@ -20,8 +20,8 @@ LabRun LabFolder::run(const std::vector<std::string>& words, const std::string& 
                       const std::map<std::string, std::string>& environment) const {
     std::vector<std::string> all{program};
     all.insert(all.end(), words.begin(), words.end());
-    std::map<std::string, std::string> changes{{"DRAPE_DATA", ""}};
-    changes.insert(environment.begin(), environment.end());
+    std::map<std::string, std::string> changes = environment;
+    changes.emplace("DRAPE_DATA", "");
     Process process(all, changes, path_);
     const int code = process.wait(60).value_or(-1);
     return {code, process.standard_output(), process.standard_error()};

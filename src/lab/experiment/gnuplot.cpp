@@ -1,30 +1,10 @@
 #include "gnuplot.h"
 
-#include <spawn.h>
-#include <sys/wait.h>
-
-#include <array>
-#include <cerrno>
-
+#include "child_program.h"
 #include "drape/base/output_file.h"
-
-extern char** environ;
 
 namespace drape {
 namespace {
-
-/// Runs gnuplot in this folder's name space on a script; false if there is none.
-bool run_gnuplot(const std::string& script) {
-    std::string program = "gnuplot", file = script;
-    const std::array<char*, 3> arguments{program.data(), file.data(), nullptr};
-    pid_t process = -1;
-    const int error = posix_spawnp(&process, "gnuplot", nullptr, nullptr, arguments.data(), environ);
-    if (error == ENOENT) return false;
-    int status = -1;
-    while (error == 0 && waitpid(process, &status, 0) < 0 && errno == EINTR) continue;
-    if (error != 0 || !WIFEXITED(status) || WEXITSTATUS(status) != 0) throw RunError("gnuplot failed on " + script);
-    return true;
-}
 
 /// A name as gnuplot reads it back.
 std::string quoted(const std::filesystem::path& path) {
@@ -48,7 +28,9 @@ bool draw_charts(const std::vector<Chart>& charts, const std::filesystem::path& 
                           << chart.plot << "unset output\n";
         }
         file.close();
-        if (!run_gnuplot(script)) return false;
+        const auto code = run_child({"gnuplot", script});
+        if (!code) return false;
+        if (*code != 0) throw RunError("gnuplot failed on " + script);
     }
     return true;
 }

@@ -10,8 +10,9 @@
 #include "lab/measure/resampled.h"
 
 namespace drape {
-RecordedMotion record_motion(const MotionWanted& wanted) {
-    Settings settings = load_scene(wanted.scene);
+RecordedMotion record_motion(const MotionWanted& wanted) { return record_motion(wanted, load_scene(wanted.scene)); }
+
+RecordedMotion record_motion(const MotionWanted& wanted, Settings settings) {
     settings.solver.sleep_speed = 0;
     settings.solver.ledger = false;
     const Real h = settings.solver.dt, thickness = settings.contact.thickness;

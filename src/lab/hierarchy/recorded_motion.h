@@ -7,6 +7,7 @@
 
 #include "drape/model/ball.h"
 #include "drape/model/grid.h"
+#include "drape/sim/settings.h"
 
 namespace drape {
 
@@ -32,6 +33,9 @@ struct MotionWanted {
 /// @pre the scene has a ball
 /// @throws RunError if the scene is lost on the way
 RecordedMotion record_motion(const MotionWanted& wanted);
+
+/// The same under other settings than the scene's own.
+RecordedMotion record_motion(const MotionWanted& wanted, Settings settings);
 
 /// The same surfaces under another number of particles, bilinearly between those that there are.
 RecordedMotion resampled(const RecordedMotion& motion, const Grid& grid);
