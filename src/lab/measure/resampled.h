@@ -1,5 +1,6 @@
 #pragma once
 
+#include "drape/base/real.h"
 #include "drape/model/grid.h"
 
 namespace drape {
