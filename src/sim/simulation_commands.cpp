@@ -201,7 +201,7 @@ void Simulation::predict_limit(int fewest_parts) {
     const bool bounded = limit > 0 && std::isfinite(limit);
     const Real wanted = bounded ? std::ceil(solver.dt / (safe_part * limit)) : Real(1);
     const bool divides = solver.on_unstable == OnUnstable::Substep && wanted <= most_substeps;
-    report_.substeps = divides ? std::max(static_cast<int>(wanted), fewest_parts) : 1;
+    report_.substeps = divides ? std::max(static_cast<int>(wanted), fewest_parts) : fewest_parts;
     const Real part = solver.dt / static_cast<Real>(report_.substeps);
     report_.step_over_limit = std::isfinite(limit) ? static_cast<double>(part / limit) : 0;
 }

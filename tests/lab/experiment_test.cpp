@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <filesystem>
 
+#include "lab/experiment/folder_lock.h"
 #include "lab/experiment/progress.h"
 #include "lab/experiment/share.h"
 #include "lab/lab_run.h"
@@ -70,6 +71,40 @@ TEST(LabExperiment, KeepsTheTableThatIsThereAlready) {
     EXPECT_GT(table_of(folder, "out/stability.csv").size(), 10u);
 }
 
+TEST(LabExperiment, DoesNotComputeAnewWhatIsThereUnlessAsked) {
+    const LabFolder folder;
+    ASSERT_EQ(run_some(folder, {"--out", "out"}).code, 0);
+    const LabRun second = run_some(folder, {"--out", "out"});
+    EXPECT_EQ(second.code, 0);
+    EXPECT_THAT(second.err, HasSubstr("all cases are there already"));
+    EXPECT_FALSE(folder.has("out/stability-1.csv"));
+    EXPECT_EQ(run_some(folder, {"--out", "out", "--again"}).code, 0);
+    EXPECT_EQ(folder.read("out/stability-1.csv"), folder.read("out/stability.csv"));
+}
+
+TEST(LabExperiment, LeavesAFolderToTheRunThatIsWritingThere) {
+    const LabFolder folder;
+    std::filesystem::create_directories(folder.path() / "out");
+    {
+        const FolderLock other(folder.path() / "out/stability.csv");
+        const LabRun run = run_some(folder, {"--out", "out"});
+        EXPECT_EQ(run.code, 1);
+        EXPECT_THAT(run.err, HasSubstr("another run is writing it"));
+        EXPECT_FALSE(folder.has("out/stability.csv.part"));
+    }
+    EXPECT_EQ(run_some(folder, {"--out", "out"}).code, 0);
+    EXPECT_FALSE(folder.has("out/stability.csv.lock"));
+}
+
+TEST(LabExperiment, LeavesAFolderToAnotherExperiment) {
+    const LabFolder folder;
+    std::filesystem::create_directories(folder.path() / "out");
+    folder.write("out/contact.csv", "");
+    const LabRun run = run_some(folder, {"--out", "out"});
+    EXPECT_EQ(run.code, 2);
+    EXPECT_THAT(run.err, HasSubstr("out has the table of contact"));
+}
+
 TEST(LabExperiment, RefusesCasesThatThereAreNot) {
     const LabFolder folder;
     for (const char* cases : {"0-3", "5-4", "1-100000", "3", "a-b"}) {
@@ -85,7 +120,7 @@ TEST(LabExperiment, SaysWhereItCannotWrite) {
     folder.write("taken", "a file");
     const LabRun run = run_some(folder, {"--out", "taken/out"});
     EXPECT_EQ(run.code, 1);
-    EXPECT_THAT(run.err, HasSubstr("taken/out/stability.csv.part.new: cannot be written"));
+    EXPECT_THAT(run.err, HasSubstr("taken/out/stability.csv.lock: cannot be written"));
 }
 
 TEST(LabPage, ShowsEveryChartWithItsCaption) {
@@ -142,7 +177,28 @@ TEST(LabMerge, RefusesSharesThatAreNotTheWhole) {
     const std::string text = folder.read("stability-2-3/stability.csv");
     folder.write("stability-2-3/stability.csv", text.substr(0, text.size() - 5));
     EXPECT_THAT(refusal({"stability-2-3"}), testing::ContainsRegex("stability.csv:[0-9]+: cut off"));
+    // Also where nothing shows but that the end is missing, or that a case is
+    folder.write("stability-2-3/stability.csv", text.substr(0, text.rfind("# end")));
+    EXPECT_THAT(refusal({"stability-2-3"}), HasSubstr("cut off: expected '# end: '"));
+    std::string without = text;
+    for (std::size_t line = 0; (line = without.find("\n158,")) != std::string::npos;) {
+        without.erase(line, without.find('\n', line + 1) - line);
+    }
+    ASSERT_NE(without, text);
+    folder.write("stability-2-3/stability.csv", without);
+    EXPECT_EQ(folder.run({"merge", "stability-2-3"}, DRAPE_LAB, without_gnuplot).code, 2);
     EXPECT_FALSE(folder.has("merged"));
+}
+
+TEST(LabMerge, LeavesAnUnfinishedRunAlone) {
+    const LabFolder folder;
+    ASSERT_EQ(run_some(folder, {"--share", "1/1"}).code, 0);
+    std::filesystem::create_directories(folder.path() / "out");
+    folder.write("out/stability.csv.part", "of someone");
+    const LabRun run = folder.run({"merge", "stability-1-1", "--out", "out"}, DRAPE_LAB, without_gnuplot);
+    EXPECT_EQ(run.code, 2);
+    EXPECT_THAT(run.err, HasSubstr("an unfinished run is there"));
+    EXPECT_EQ(folder.read("out/stability.csv.part"), "of someone");
 }
 
 TEST(Share, TakesEveryCaseOnceAmongAllParts) {

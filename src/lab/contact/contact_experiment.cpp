@@ -99,9 +99,10 @@ std::string summary(const std::vector<TableRow>& rows) {
             worst = std::max(worst, number(*row, at::Penetration));
         }
         text += key.first + ", ball at " + real_text(key.second) + " m/s: ";
-        text += longest > 0 ? "at most a tenth of the contacts missed up to a step of " + real_text(1e3 * longest, 3) +
-                                  " ms, penetration up to " + real_text(1e3 * worst, 3) + " mm"
-                            : std::string("more than a tenth of the contacts missed at the shortest step");
+        text += longest > 0
+                    ? "at most a tenth of the contacts missed up to a step of " + real_text(1e3 * longest, 3) +
+                          " ms, penetration up to " + real_text(1e3 * worst, 3) + " mm"
+                    : std::string("more than a tenth of the contacts missed, or the ball lost, at the shortest step");
         text += "\n";
     }
     return text;

@@ -8,11 +8,15 @@
 #include "drape/base/numbers.h"
 #include "drape/base/read_line.h"
 #include "drape/base/real.h"
+#include "lab/commit.h"
 
 namespace drape {
 namespace {
 
 constexpr std::size_t longest_line = 64 * 1024;
+
+/// With which the last line begins, before the number of cases. Those without rows do not count.
+constexpr std::string_view end_mark = "# end: ";
 
 std::string processor() {
     std::ifstream in("/proc/cpuinfo");
@@ -102,7 +106,7 @@ private:
 TableHead head_of(const Experiment& experiment, const std::string& settings, std::size_t cases) {
     return {{"experiment", experiment.name},
             {"drape", std::string(DRAPE_VERSION) + (sizeof(Real) == 4 ? ", single" : ", double") + " precision"},
-            {"commit", DRAPE_COMMIT},
+            {"commit", commit()},
             {"machine", processor()},
             {"compiler", compiler()},
             {"date", today()},
@@ -138,7 +142,10 @@ std::optional<ExperimentTable> read_table(const Experiment& experiment, const st
     if (!more && unfinished) return {};
     if (!more) reader.fail("there is no table");
     if (line + "\n" != header_of(experiment)) reader.fail("these are not the columns of " + experiment.name);
+    bool ended = false;
     while (reader.next(line)) {
+        ended = line == std::string(end_mark) + std::to_string(table.cases.size());
+        if (ended) break;
         TableRow row = cut(line);
         const auto number = parse_integer(row[0]);
         if (!number || *number < 1) reader.fail("case = " + row[0].substr(0, 100) + ": allowed case >= 1");
@@ -149,8 +156,9 @@ std::optional<ExperimentTable> read_table(const Experiment& experiment, const st
         row.erase(row.begin());
         table.cases[static_cast<std::size_t>(*number)].push_back(std::move(row));
     }
+    if (!ended && !unfinished) reader.fail("cut off: expected '" + std::string(end_mark) + "', the number of cases");
     // Its last rows may be missing. Cases are computed in ascending order
-    if (unfinished && !table.cases.empty()) table.cases.erase(std::prev(table.cases.end()));
+    if (!ended && !table.cases.empty()) table.cases.erase(std::prev(table.cases.end()));
     return table;
 }
 
@@ -173,14 +181,18 @@ TableWriter::TableWriter(const Experiment& experiment, const std::filesystem::pa
 void TableWriter::write(std::size_t number, const std::vector<TableRow>& rows) {
     std::string text;
     for (const TableRow& row : rows) text += std::to_string(number) + "," + joined(row);
+    cases_ += rows.empty() ? 0 : 1;
     if (!(out_ << text << std::flush)) throw RunError(unfinished_name(file_).string() + ": cannot be written");
 }
 
 void TableWriter::finish() {
+    out_ << end_mark << cases_ << '\n';
     out_.close();
     if (!out_) throw RunError(unfinished_name(file_).string() + ": could not be written whole");
-    if (exists(file_)) rename(file_, free_name(file_));
-    rename(unfinished_name(file_), file_);
+    std::error_code error;
+    if (exists(file_)) rename(file_, free_name(file_), error);
+    if (!error) rename(unfinished_name(file_), file_, error);
+    if (error) throw RunError(file_.string() + ": cannot be written: " + error.message());
 }
 
 }  // namespace drape

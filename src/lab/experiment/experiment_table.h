@@ -32,7 +32,7 @@ struct ExperimentTable {
 };
 
 /// Reads what an experiment has written.
-/// @param unfinished the last line may be cut off, and the last case with it: it is left out
+/// @param unfinished it may be cut off anywhere, and the last case with it: that is left out
 /// @return nothing if there is no such file
 /// @throws InputError with file and line if it is not such a table
 std::optional<ExperimentTable> read_table(const Experiment& experiment, const std::filesystem::path& file,
@@ -49,13 +49,15 @@ public:
     /// @throws RunError if it cannot be written
     void write(std::size_t number, const std::vector<TableRow>& rows);
 
-    /// Gives the file its name. What bears that name is kept under a numbered one.
+    /// Closes the table with the number of its cases, and gives the file its name. What bears that name is kept under a
+    /// numbered one.
     /// @throws RunError if not everything was written
     void finish();
 
 private:
     std::filesystem::path file_;
     std::ofstream out_;
+    std::size_t cases_ = 0;
 };
 
 /// Under which a table is written until it is finished.

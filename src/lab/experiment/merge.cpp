@@ -1,9 +1,11 @@
 #include "merge.h"
 
+#include <map>
 #include <memory>
 #include <set>
 
 #include "drape/base/program.h"
+#include "folder_lock.h"
 #include "run_experiment.h"
 #include "share.h"
 
@@ -90,21 +92,30 @@ ExperimentTable joined(std::vector<Part> parts) {
 }
 
 int merge(const Options& options) {
-    bool found = false;
+    std::map<const Experiment*, ExperimentTable> found;
     for (const Experiment& experiment : experiments()) {
         auto parts = parts_of(experiment, options.folders);
         if (parts.empty()) continue;
-        found = true;
         check_fit(parts);
-        const ExperimentTable table = joined(std::move(parts));
+        found[&experiment] = joined(std::move(parts));
+    }
+    if (found.empty()) throw InputError("there is no table of an experiment in " + options.folders.front());
+    for (const auto& [of, table] : found) {
+        const Experiment& experiment = *of;
+        // A folder has one page
+        const std::filesystem::path out = options.out, folder = found.size() == 1 ? out : out / experiment.name;
         std::error_code error;
-        std::filesystem::create_directories(options.out, error);
-        const auto file = std::filesystem::path(options.out) / (experiment.name + ".csv");
+        std::filesystem::create_directories(folder, error);
+        const auto file = folder / (experiment.name + ".csv");
+        const FolderLock lock(file);
+        if (exists(unfinished_name(file))) {
+            throw InputError(unfinished_name(file).string() +
+                             ": an unfinished run is there; name another folder by --out");
+        }
         TableWriter(experiment, file, table).finish();
         std::cerr << file.string() << ": " << table.cases.size() << " cases\n";
         present(experiment, table, file);
     }
-    if (!found) throw InputError("there is no table of an experiment in " + options.folders.front());
     return Done;
 }
 
@@ -116,7 +127,10 @@ void add_merge(CLI::App& app, int& exit_code) {
     command->add_option("folders", options->folders, "folders that --share runs have written")
         ->type_name("DIR...")
         ->required();
-    command->add_option("--out", options->out, "folder for table, charts and page; 'merged' if not given")
+    command
+        ->add_option("--out", options->out,
+                     "folder for table, charts and page, or for a folder an experiment where there are several; "
+                     "'merged' if not given")
         ->type_name("DIR");
     command->callback([options, &exit_code] { exit_code = merge(*options); });
 }

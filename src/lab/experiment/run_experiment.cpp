@@ -2,11 +2,13 @@
 
 #include <algorithm>
 #include <memory>
+#include <optional>
 #include <set>
 
 #include "drape/base/numbers.h"
 #include "drape/base/program.h"
 #include "drape/base/stopwatch.h"
+#include "folder_lock.h"
 #include "gnuplot.h"
 #include "progress.h"
 #include "report_page.h"
@@ -17,7 +19,7 @@ namespace {
 
 struct Options {
     std::string folder, share, cases;
-    bool quick = false;
+    bool quick = false, again = false;
 };
 
 /// The numbers of the cases that are wanted, from 1.
@@ -57,15 +59,38 @@ std::filesystem::path folder_of(const Experiment& experiment, const Options& opt
     return name;
 }
 
+/// The first line in which another run differs, but for the date; nothing if it is the same.
+std::optional<std::string> difference(const TableHead& head, const TableHead& other) {
+    for (const auto& [key, value] : head) {
+        const std::string there = line_of(other, key);
+        if (key != "date" && there != value) return key + ": " + there + ", now " + value;
+    }
+    return {};
+}
+
+/// One page and one table a folder.
+void check_alone(const Experiment& experiment, const std::filesystem::path& folder) {
+    for (const Experiment& other : experiments()) {
+        if (other.name == experiment.name || !exists(folder / (other.name + ".csv"))) continue;
+        throw InputError(folder.string() + " has the table of " + other.name + ": name another folder by --out");
+    }
+}
+
+/// True if a table of the same program, machine and settings is there and whole; anything else is none of ours.
+bool is_done(const Experiment& experiment, const TableHead& head, const std::filesystem::path& file) try {
+    const auto table = read_table(experiment, file, false);
+    return table && !difference(head, table->head);
+} catch (const InputError&) {
+    return false;
+}
+
 /// What an interrupted run of the same program, machine and settings has left, or an empty table.
 ExperimentTable resumed(const Experiment& experiment, const TableHead& head, const std::filesystem::path& file) {
     const auto part = unfinished_name(file);
     auto left = read_table(experiment, part, true);
     if (!left) return {head, {}};
-    for (const auto& [key, value] : head) {
-        const std::string then = line_of(left->head, key);
-        if (key == "date" || then == value) continue;
-        throw InputError(part.string() + " is of another run (" + key + ": " + then + ", now " + value +
+    if (const auto differs = difference(head, left->head)) {
+        throw InputError(part.string() + " is of another run (" + *differs +
                          "): finish that one, remove it, or name another folder by --out");
     }
     if (!left->cases.empty()) {
@@ -80,8 +105,16 @@ int run(const Experiment& experiment, const Options& options) {
     const std::filesystem::path folder = folder_of(experiment, options);
     std::error_code error;
     std::filesystem::create_directories(folder, error);
+    check_alone(experiment, folder);
     const auto file = folder / (experiment.name + ".csv");
-    ExperimentTable table = resumed(experiment, head_of(experiment, settings_text(options), cases.size()), file);
+    const FolderLock lock(file);
+    const TableHead head = head_of(experiment, settings_text(options), cases.size());
+    if (!options.again && !exists(unfinished_name(file)) && is_done(experiment, head, file)) {
+        std::cerr << file.string() << ": all cases are there already; --again computes them anew\n";
+        present(experiment, *read_table(experiment, file, false), file);
+        return Done;
+    }
+    ExperimentTable table = resumed(experiment, head, file);
     TableWriter writer(experiment, file, table);
 
     const Stopwatch watch;
@@ -128,6 +161,7 @@ void add_experiments(CLI::App& app, int& exit_code) {
         command->add_flag("--quick", options->quick, "fewer and smaller cases");
         command->add_option("--cases", options->cases, "only these cases")->type_name("FIRST-LAST");
         command->add_option("--share", options->share, "only the K-th of N parts of the cases")->type_name("K/N");
+        command->add_flag("--again", options->again, "compute anew what is there already");
         command->footer("An interrupted run goes on where it was when it is started again. `merge` joins shares.");
         command->callback([&experiment, options, &exit_code] { exit_code = run(experiment, *options); });
     }

@@ -33,7 +33,7 @@ Chart fit_chart(const ChartTable& table, const std::vector<HierarchyRow>& rows, 
                                     std::string("Time of a frame against accuracy, ") +
                                         (resampled ? "scenes resampled to 128 x 128 particles" : "scenes as they are"),
                                     "0.07,0.985,0.22,0.87 spacing 0.05,0", 0.065) +
-                       "set logscale xy\nset xtics (1, 2, 5, 10, 20, 50, 100, 200, 500, 1000)\n"
+                       "set logscale xy\nset xtics (0.1, 0.3, 1, 3, 10, 30, 100, 300, 1000)\n"
                        "set ytics (1, 2, 5, 10, 20, 50, 100, 200, 500, 1000, 2000, 5000, 10000)\n"
                        "set xlabel 'false candidates per true one'\nset ylabel 'build + query + exact test [us]'\n";
     const std::vector<std::string> axes{column("false_per_true"), column("whole_s", "1e6")};

@@ -1,3 +1,8 @@
+#include <algorithm>
+#include <cmath>
+#include <set>
+
+#include "drape/sim/scene.h"
 #include "hierarchy_parts.h"
 #include "hierarchy_row.h"
 
@@ -57,6 +62,16 @@ std::vector<TableRow> measure(const RecordedMotion& motion, const VolumeVariant&
     return rows;
 }
 
+/// Between frames: from one step of the scene on, in whole steps [s].
+std::set<double> intervals(const HierarchyScene& scene, bool quick) {
+    const auto wanted =
+        quick ? std::vector{0.0, 1.6e-3, 1.0 / 60} : std::vector{0.0, 6e-4, 1.6e-3, 5e-3, 1.0 / 60, 0.05};
+    const auto dt = static_cast<double>(load_scene(scene.name).solver.dt);
+    std::set<double> whole;
+    for (const double interval : wanted) whole.insert(std::max(std::round(interval / dt), 1.0) * dt);
+    return whole;
+}
+
 }  // namespace
 
 std::vector<ExperimentCase> break_even_cases(bool quick, const SharedMotions& motions) {
@@ -64,9 +79,7 @@ std::vector<ExperimentCase> break_even_cases(bool quick, const SharedMotions& mo
     for (const HierarchyScene& scene : hierarchy_scenes) {
         for (const VolumeVariant& variant : volume_families) {
             if (quick && variant.volume != VolumeKind::Sphere && variant.volume != VolumeKind::Aabb) continue;
-            const auto intervals = quick ? std::vector{3e-4, 1.6e-3, 1.0 / 60}  // s
-                                         : std::vector{3e-4, 6e-4, 1.6e-3, 5e-3, 1.0 / 60, 0.05};
-            for (const double interval : intervals) {
+            for (const double interval : intervals(scene, quick)) {
                 const MotionWanted wanted{scene.name, scene.from, interval, quick ? 31 : 61};
                 cases.push_back([=] {
                     return measure(resampled(motions->find(wanted), {side, side}), variant, quick);

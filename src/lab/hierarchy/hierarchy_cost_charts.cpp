@@ -13,7 +13,7 @@ Chart budget_chart(const ChartTable& table, const std::vector<HierarchyRow>& row
     std::string text =
         begin_panels("1,3", "A search that ends after a number of volume tests (spheres, leaves of 4 x 4 cells)",
                      "0.06,0.985,0.235,0.88 spacing 0.065,0", 0.065) +
-        "set logscale x\nset xlabel 'volume tests in a frame'\n";
+        "set logscale x\nset xlabel 'volume tests allowed, or made, in a frame'\n";
     const auto add = [&](const std::string& label, const std::string& y) {
         Panel panel(table);
         std::size_t k = 0;
@@ -87,7 +87,7 @@ Chart break_even_chart(const ChartTable& table, const std::vector<HierarchyRow>&
 Chart size_chart(const ChartTable& table, const std::vector<HierarchyRow>& rows) {
     std::string text = begin_panels("1,2", "Cost against the number of particles, leaves as measured to be fastest",
                                     "0.075,0.985,0.11,0.9 spacing 0.08,0", 0.03) +
-                       "set logscale xy\nset format x '10^{%L}'\nset xlabel 'particles'\n"
+                       "set logscale xy\nset format '10^{%L}'\nset xlabel 'particles'\n"
                        "set key default top left Left reverse samplen 2\n"
                        "set offsets graph 0.05, graph 0.05, graph 0.45, graph 0.05\n";
     const auto add = [&](const std::string& label, std::vector<std::string> columns, bool build) {

@@ -109,7 +109,7 @@ std::vector<Chart> original_charts(const std::vector<TableRow>& rows) {
              panels.plots + key() + "unset multiplot\nreset\nset datafile separator ','\nset datafile columnheaders\n",
          "The five tests, medians over runs with quartiles, and the figures that the dissertation gives for its "
          "prototype. Hatched: the bounds of a level are in the picture, as the original drew its spheres. Execution "
-         "is the CPU time of all 83 steps of a frame, without drawing. Last: one build and one search, with the "
+         "is the CPU time of all steps of a frame, without drawing. Last: one build and one search, with the "
          "scene's leaves of 7 x 7 cells and with a tree down to single cells."}};
 }
 

@@ -136,7 +136,7 @@ Chart chart(const PrecisionDiagram& diagram) {
 std::vector<Chart> precision_charts(const std::vector<TableRow>& rows) {
     std::vector<Chart> charts;
     for (const PrecisionDiagram& diagram : precision_diagrams(rows)) {
-        if (diagram.margin() < least_margin) {
+        if (!(diagram.margin() >= least_margin)) {
             throw RunError("precision: the reference of the scene '" + diagram.scene + "' is only " +
                            real_text(diagram.margin(), 3) + " times better than the best point, less than " +
                            real_text(least_margin, 3) + ": no chart is drawn");

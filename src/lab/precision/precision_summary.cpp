@@ -21,7 +21,7 @@ std::string worth(const PrecisionDiagram& diagram) {
     }
     line += "\n  reference: its own error is " + text(diagram.reference_error) + ", the best point's " +
             text(diagram.margin()) + " times that";
-    if (diagram.margin() < least_margin) line += ": less than " + text(least_margin) + ", no chart is drawn";
+    if (!(diagram.margin() >= least_margin)) line += ": less than " + text(least_margin) + ", no chart is drawn";
     return line + "\n";
 }
 

@@ -1,0 +1,24 @@
+# Writes the source file TO that says which commit SOURCE is at, if that has changed.
+set(commit)
+if(GIT)
+  execute_process(COMMAND ${GIT} -C ${SOURCE} describe --always --dirty --exclude=*
+    OUTPUT_VARIABLE commit OUTPUT_STRIP_TRAILING_WHITESPACE ERROR_QUIET)
+  if(commit MATCHES "-dirty$")
+    execute_process(COMMAND ${GIT} -C ${SOURCE} diff HEAD OUTPUT_VARIABLE difference ERROR_QUIET)
+    string(SHA1 difference "${difference}")
+    string(SUBSTRING ${difference} 0 7 difference)
+    string(APPEND commit -${difference})
+  endif()
+endif()
+if(NOT commit)
+  set(commit unknown)
+endif()
+file(CONFIGURE OUTPUT ${TO} @ONLY CONTENT [[
+#include "lab/commit.h"
+
+namespace drape {
+
+std::string commit() { return "@commit@"; }
+
+}  // namespace drape
+]])
