@@ -117,12 +117,14 @@ TEST(NeedsSearch, LeavesAloneWhatTheSceneKeeps) {
 TEST(NeedsSearch, MeasuresWhatEachHierarchyShowsIfTheSearchHasALimit) {
     Settings scene = parse_scene(swinging, "swinging.toml");
     scene.cloths[0].pinned = {};
-    scene.cloths[0].particles = {9, 9};
+    scene.cloths[0].particles = {17, 17};
     scene.cloths[0].plane = Plane::XZ;
     scene.cloths[0].place = Vec3(0, Real(0.33), 0);
     scene.cloths[0].centred = true;
     scene.balls.emplace_back();
-    scene.contact.search_level = 1;
+    scene.contact.leaf_cells = 2;
+    scene.contact.search_level = 2;
+    scene.needs.horizon = Real(0.15);
     scene.needs.position_error = 1;
     scene.needs.keep = "particles, bend, drag, integrator, dt, iterations, update, sphere_fit, leaf_cells";
     const Needs needs(scene);
