@@ -135,11 +135,11 @@ void add_needs(std::vector<Setting>& table) {
         "of that error: RMS over the particles; or centre of mass and spread about it, where motion is chaotic");
     needs.number("horizon", &NeedsSettings::horizon, "s", {1e-9, 1e3}, "time up to which needs count");
     needs.number("penetration", &NeedsSettings::penetration, "m", {0, 1},
-                 "largest that the scene allows after the response; 0: not stated");
+                 "largest that the scene allows after any step's response (its last substep's); 0: not stated");
     needs.number("stretch", &NeedsSettings::stretch, "", {0, 1e3},
-                 "largest of a structural spring that the scene allows; 0: not stated");
+                 "largest of a structural spring that the scene allows after any step; 0: not stated");
     needs.number("least_stretch", &NeedsSettings::least_stretch, "", {0, 1e3},
-                 "that the scene must reach, to show that it is soft; 0: not stated");
+                 "that the scene must reach after some step, to show that it is soft; 0: not stated");
     needs.flag("diverges", &NeedsSettings::diverges,
                "the scene must be lost by the horizon, to show how a method fails");
     needs.add(

@@ -1,5 +1,7 @@
 #include <gmock/gmock.h>
 
+#include <filesystem>
+
 #include "drape/base/input_error.h"
 #include "drape/sim/scene.h"
 #include "drape/sim/scene_text.h"
@@ -112,6 +114,29 @@ TEST(NeedsSearch, LeavesAloneWhatTheSceneKeeps) {
     EXPECT_EQ(scene_text(result.cheapest->settings), scene_text(scene));
 }
 
+TEST(NeedsSearch, MeasuresWhatEachHierarchyShowsIfTheSearchHasALimit) {
+    Settings scene = parse_scene(swinging, "swinging.toml");
+    scene.cloths[0].pinned = {};
+    scene.cloths[0].particles = {17, 17};
+    scene.cloths[0].plane = Plane::XZ;
+    scene.cloths[0].place = Vec3(0, Real(0.33), 0);
+    scene.cloths[0].centred = true;
+    scene.balls.emplace_back();
+    scene.contact.leaf_cells = 2;
+    scene.contact.search_level = 2;
+    scene.needs.horizon = Real(0.15);
+    scene.needs.position_error = 1;
+    scene.needs.keep = "particles, bend, drag, integrator, dt, iterations, update, sphere_fit, leaf_cells";
+    const Needs needs(scene);
+    std::vector<Attempt> tried;
+    const SearchResult result = search(needs, [&](const Attempt& attempt, const std::string&) {
+        if (attempt.settings.contact.volume != scene.contact.volume) tried.push_back(attempt);
+    });
+    ASSERT_TRUE(result.cheapest);
+    ASSERT_FALSE(tried.empty());
+    for (const Attempt& attempt : tried) EXPECT_EQ(attempt.error, needs.attempt(attempt.settings).error);
+}
+
 TEST(WrittenScene, ReadsBackWithTheSameSettingsAndItsFullModel) {
     const LabFolder folder;
     Settings scene = found_for_swinging();
@@ -123,6 +148,22 @@ TEST(WrittenScene, ReadsBackWithTheSameSettingsAndItsFullModel) {
     EXPECT_EQ(scene.needs.full.bend, (SpringLaw{1, Real(0.01)}));
     EXPECT_FALSE(folder.has("found.toml.unfinished"));
     EXPECT_THROW(write_scene(scene, folder.path("no/such/folder.toml")), RunError);
+}
+
+TEST(WrittenScene, KeepsTheOldOneBesideItAndItsPermissionsAndWritesThroughALink) {
+    namespace files = std::filesystem;
+    const LabFolder folder;
+    files::create_directory(folder.path("far"));
+    folder.write("far/scene.toml", swinging);
+    constexpr auto permissions = files::perms::owner_read | files::perms::owner_write;
+    files::permissions(folder.path("far/scene.toml"), permissions);
+    files::create_symlink("far/scene.toml", folder.path("link.toml"));
+    const Settings scene = parse_scene(swinging, "swinging.toml");
+    write_scene(scene, folder.path("link.toml"));
+    EXPECT_TRUE(files::is_symlink(folder.path("link.toml")));
+    EXPECT_EQ(folder.read("far/scene.toml"), scene_text(scene));
+    EXPECT_EQ(folder.read("far/scene.toml~"), swinging);
+    EXPECT_EQ(files::status(folder.path("far/scene.toml")).permissions(), permissions);
 }
 
 TEST(WrittenScene, OfAShippedOneGoesToTheCurrentFolder) {
@@ -143,8 +184,18 @@ TEST(NeedsCommand, TellsWhatItTriedWritesTheSceneAndFindsItMinimal) {
     EXPECT_THAT(folder.read("swinging.toml"), HasSubstr("title = \"A small cloth swings\""));
     const LabRun check = folder.run({"needs", "swinging.toml", "--check"});
     EXPECT_EQ(check.code, 0) << check.out;
-    EXPECT_THAT(check.out, HasSubstr("The scene is minimal"));
+    EXPECT_THAT(check.out, HasSubstr("The scene is minimal: one notch less on any free knob that has an order"));
     EXPECT_EQ(folder.run({"needs", "swinging.toml", "--check", "--set", "dt=1e-4"}).code, 1);
+}
+
+TEST(NeedsCommand, OverwritesNoOtherSceneOfAShippedOnesName) {
+    const LabFolder folder;
+    folder.write("drop.toml", swinging);
+    const LabRun run = folder.run({"needs", "drop", "--write"});
+    EXPECT_EQ(run.code, 2);
+    EXPECT_THAT(run.err, HasSubstr("drop.toml is there already"));
+    EXPECT_EQ(run.out, "") << "refused before the search";
+    EXPECT_EQ(folder.read("drop.toml"), swinging);
 }
 
 TEST(NeedsCommand, RefusesWithTheNearestMissWhatNothingCanShow) {
@@ -178,6 +229,7 @@ class MinimalScene : public testing::TestWithParam<std::string> {};
 
 TEST_P(MinimalScene, ShowsWhatItNeedsAndHasNoNotchToSpare) {
     const Needs needs(load_scene(GetParam()));
+    EXPECT_NO_THROW(static_cast<void>(needs.check_full_model()));
     const Attempt scene = needs.attempt(needs.scene());
     EXPECT_TRUE(scene.qualifies()) << scene.why;
     for (const Knob knob : spare_notches(needs, no_trail)) {

@@ -3,8 +3,10 @@
 #include <gmock/gmock.h>
 
 #include <cmath>
+#include <limits>
 
-#include "drape/sim/scene.h"
+#include "drape/model/energy.h"
+#include "drape/sim/simulation.h"
 #include "lab/measure/resampled.h"
 #include "lab/needs/full_model.h"
 #include "lab/needs/motion.h"
@@ -88,6 +90,15 @@ TEST(FullModel, HasWhatTheNeedsSayAndTheRestOfTheScene) {
     EXPECT_THROW(full_model(scene), InputError);
 }
 
+TEST(ComputedClosely, LooksForContactsWithoutALimit) {
+    Settings scene = scene_with_everything();
+    scene.contact.search_level = 2;
+    scene.contact.search_tests = 7;
+    const Settings close = computed_closely(scene, Real(1e-4));
+    EXPECT_EQ(close.contact.search_level, SearchLimit::all_levels);
+    EXPECT_EQ(close.contact.search_tests, 0);
+}
+
 /// A cloth that is bent like u^2 + 3 u w over the parts u and w of its sides.
 Points bent(const Grid& grid, Real curvature) {
     Points x(grid.particles(), 3);
@@ -134,6 +145,39 @@ TEST(MotionError, OfAClothThatIsMovedOrWiderIsThatOverItsSide) {
     EXPECT_NEAR(motion_error(once, full, NeedsMeasure::Positions, 1), 0, 1e-5);
     once.x[5] = moved;
     EXPECT_NEAR(motion_error(once, full, NeedsMeasure::Positions, 1), 0.1, 1e-5);
+}
+
+TEST(MotionError, OfAMotionThatIsNoNumberAtOneMomentIsNone) {
+    const Grid grid{9, 7};
+    const Motion full = motion_of(grid, bent(grid, 0));
+    Motion broken = full;
+    broken.x[5](3, 1) = std::numeric_limits<Real>::quiet_NaN();
+    for (const auto measure : {NeedsMeasure::Positions, NeedsMeasure::CentreAndSpread}) {
+        EXPECT_TRUE(std::isnan(motion_error(broken, full, measure, 1)));
+        EXPECT_TRUE(std::isnan(motion_error(full, broken, measure, 1)));
+    }
+}
+
+TEST(RunToHorizon, MeasuresTheStretchAfterEveryStep) {
+    Settings scene = scene_with_everything();
+    scene.balls.clear();
+    scene.cloths[0].particles = {5, 5};
+    scene.cloths[0].pinned.kind = Pins::Kind::Two;
+    scene.solver.integrator = IntegratorKind::SymplecticEuler;
+    scene.solver.dt = Real(1e-3);
+    scene.needs.horizon = Real(0.32);
+    Simulation simulation("", scene);
+    double largest = 0, at_moments = 0;
+    for (int step = 1; step <= 320; ++step) {
+        simulation.step();
+        const Cloth& cloth = simulation.cloths()[0];
+        largest = std::max(largest, static_cast<double>(largest_stretch(cloth.model, cloth.state.x)));
+        if (step % 20 == 0) {
+            at_moments = std::max(at_moments, static_cast<double>(largest_stretch(cloth.model, cloth.state.x)));
+        }
+    }
+    ASSERT_LT(at_moments, largest) << "the scene can tell the two apart";
+    EXPECT_EQ(run_to_horizon(scene).stretch, largest);
 }
 
 TEST(RunToHorizon, KnowsAFreeFallBetweenStepsThatFitNoMoment) {

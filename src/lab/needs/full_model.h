@@ -12,7 +12,7 @@ constexpr Real close_step = Real(1e-4);
 Settings full_model(const Settings& scene);
 
 /// A scene, computed so closely that only its model is left to err: by Dormand-Prince between contacts, which are those
-/// of each step.
+/// of each step, and looked for without a limit.
 /// @param dt [s]
 Settings computed_closely(Settings scene, Real dt);
 

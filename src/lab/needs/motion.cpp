@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "drape/base/assert.h"
+#include "drape/model/energy.h"
 #include "drape/sim/simulation.h"
 #include "lab/measure/resampled.h"
 #include "lab/measure/timing.h"
@@ -32,10 +33,12 @@ double distance(const Points& x, const Points& full, NeedsMeasure measure) {
     if (measure == NeedsMeasure::Positions) {
         return std::sqrt(static_cast<double>(off.squaredNorm()) / static_cast<double>(off.rows()));
     }
-    return std::max(static_cast<double>(off.colwise().mean().norm()), std::abs(spread(x) - spread(full)));
+    return larger(static_cast<double>(off.colwise().mean().norm()), std::abs(spread(x) - spread(full)));
 }
 
 }  // namespace
+
+double larger(double a, double b) { return std::isnan(a) || a > b ? a : b; }
 
 Motion run_to_horizon(const Settings& scene, const Patience& patience, const std::optional<StartState>& start_state) {
     Simulation simulation("", scene, start_state);
@@ -53,18 +56,19 @@ Motion run_to_horizon(const Settings& scene, const Patience& patience, const std
     double seconds = 0;
     while (motion.reached < Motion::moments) {
         const double moment = horizon * (motion.reached + 1) / Motion::moments;
-        const double before = thread_cpu_time();
         constexpr double rounding = 1e-9;  // of a step
         while (report.time - start < moment - rounding * dt && report.status == Status::Ok) {
+            const double before = thread_cpu_time();
             simulation.step();
-            motion.penetration = std::max(motion.penetration, report.penetration);
-            // Looked at by and by: a run that is far too dear is not worth its first moment
-            if (report.step % 32 == 0 && seconds + thread_cpu_time() - before > patience.cost * horizon) {
+            seconds += thread_cpu_time() - before;
+            motion.penetration = larger(motion.penetration, report.penetration);
+            motion.stretch = larger(motion.stretch, static_cast<double>(largest_stretch(cloth.model, cloth.state.x)));
+            // A run that is far too dear is not worth its first moment
+            if (report.step % 32 == 0 && seconds > patience.cost * horizon) {
                 motion.given_up = true;
                 break;
             }
         }
-        seconds += thread_cpu_time() - before;
         motion.time = report.time - start;
         motion.cost = seconds / std::max(motion.time, dt);
         motion.lost = report.status == Status::Diverged;
@@ -72,7 +76,6 @@ Motion run_to_horizon(const Settings& scene, const Patience& patience, const std
         const double part = std::clamp(1 - (motion.time - moment) / dt, 0.0, 1.0);
         motion.x[static_cast<std::size_t>(motion.reached)] =
             between_steps(cloth, static_cast<Real>(part), scene.solver.dt);
-        motion.stretch = std::max(motion.stretch, simulation.view().report->stretch);
         ++motion.reached;
     }
     return motion;
@@ -82,7 +85,7 @@ double motion_error(const Motion& motion, const Motion& full, NeedsMeasure measu
     DRAPE_ASSERT(motion.reached == Motion::moments && full.reached == Motion::moments);
     double largest = 0;
     for (std::size_t k = 0; k < Motion::moments; ++k) {
-        largest = std::max(largest, distance(motion.x[k], resampled(full.x[k], full.grid, motion.grid), measure));
+        largest = larger(largest, distance(motion.x[k], resampled(full.x[k], full.grid, motion.grid), measure));
     }
     return largest / static_cast<double>(side);
 }

@@ -21,8 +21,8 @@ struct Motion {
     bool given_up = false;          ///< it was too dear, or its step too long
     double time = 0;                ///< to which it came, from its start [s]
     double step_over_limit = 0;     ///< length of a step over the longest that the method bears, as predicted
-    double penetration = 0;         ///< largest after any step [m]
-    double stretch = 0;             ///< largest at any moment
+    double penetration = 0;         ///< largest after any step, of its last substep [m]
+    double stretch = 0;             ///< largest after any step
     double cost = 0;                ///< CPU time per simulated second [s/s]
 };
 
@@ -32,15 +32,20 @@ struct Patience {
     double step_over_limit = std::numeric_limits<double>::infinity();  ///< a longer step is not even begun with
 };
 
+/// The larger of two; what is no number is larger than all, so that it is not lost.
+double larger(double a, double b);
+
 /// Runs a scene to the horizon of its needs, or until it is lost or given up. Between two steps a moment is
 /// interpolated by a cubic of both states (Hermite's), which no second-order method feels.
+/// Cost is that of the steps alone: stretch, which is measured after each, adds a root per structural spring to the
+/// run and nothing to its cost.
 /// @param start where it begins if not where the scene says
 Motion run_to_horizon(const Settings& scene, const Patience& patience = {},
                       const std::optional<StartState>& start = {});
 
 /// How far a motion is from that of the full model, of the cloth's longer side: the largest over all moments. The
 /// particles of the one are compared with the places of the other's cloth at which they lie, by bilinear
-/// interpolation between its particles.
+/// interpolation between its particles. No number if either is not of numbers.
 /// @pre both have reached all moments
 double motion_error(const Motion& motion, const Motion& full, NeedsMeasure measure, Real side);
 

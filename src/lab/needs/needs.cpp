@@ -97,11 +97,12 @@ int check_scene(const Needs& needs, const Trail& trail) {
     for (const Knob knob : spare) {
         std::cout << "The scene has more than it needs of: " << knob_names()[static_cast<std::size_t>(knob)] << "\n";
     }
-    if (spare.empty()) std::cout << "The scene is minimal: one notch less on any knob breaks a need.\n";
+    if (spare.empty())
+        std::cout << "The scene is minimal: one notch less on any free knob that has an order breaks a need.\n";
     return spare.empty() ? Done : Failed;
 }
 
-int find(const Needs& needs, const Trail& trail, const Options& options) {
+int find(const Needs& needs, const Trail& trail, const std::optional<std::filesystem::path>& write_to) {
     const SearchResult result = search(needs, trail);
     if (!result.cheapest) {
         std::cout << "Nothing qualifies.";
@@ -118,23 +119,25 @@ int find(const Needs& needs, const Trail& trail, const Options& options) {
     std::cout << ": " << real_text(1e3 * result.cheapest->cost, 3) << " ms of CPU time per simulated second";
     if (needs.states_error()) std::cout << ", error " << percent(result.cheapest->error);
     std::cout << ".\n";
-    if (options.write) {
-        const auto file = file_of_scene(options.start.scene);
-        write_scene(with_full_model(found, needs.full()), file);
-        std::cout << "Written to " << file.string() << ".\n";
+    if (write_to) {
+        write_scene(with_full_model(found, needs.full()), *write_to);
+        std::cout << "Written to " << write_to->string() << ".\n";
     }
     return Done;
 }
 
 int run(const Options& options) {
     const Settings scene = make_start(options.start).settings;
+    // Refused before the search, which takes minutes
+    std::optional<std::filesystem::path> write_to;
+    if (options.write) write_to = file_of_scene(options.start.scene);
     try {
         const Needs needs(scene);
         print_head(needs);
         const Trail trail = [&needs](const Attempt& attempt, const std::string& outcome) {
             print(needs, attempt, outcome);
         };
-        return options.check ? check_scene(needs, trail) : find(needs, trail, options);
+        return options.check ? check_scene(needs, trail) : find(needs, trail, write_to);
     } catch (const InputError& error) {
         throw InputError(options.start.scene + ": " + error.what());
     }
@@ -150,12 +153,16 @@ void add_needs(CLI::App& app, int& exit_code) {
         ->type_name("SCENE")
         ->required();
     command->add_option("--set", options->start.assignments, "change settings")->type_name("name=value");
-    CLI::Option* write = command->add_flag(
-        "--write", options->write,
-        "write what was found to the scene's file, or to NAME.toml in the current folder for a shipped scene");
+    CLI::Option* write =
+        command->add_flag("--write", options->write,
+                          "write what was found to the scene's file, which stays as NAME.toml~, or to a new NAME.toml "
+                          "in the current folder "
+                          "for a shipped scene's name; comments go, and what --set has changed is written too");
     command
-        ->add_flag("--check", options->check,
-                   "only whether the scene is minimal: what one notch less on each knob would break")
+        ->add_flag(
+            "--check", options->check,
+            "only whether the scene is minimal: what one notch less on each free knob that has an order (particles, "
+            "bend, drag, dt, iterations) would break")
         ->excludes(write);
     command->footer([] { return "Settings:\n" + settings_help(); });
     command->callback([options, &exit_code] { exit_code = run(*options); });

@@ -17,6 +17,10 @@ constexpr double noise = 1.15;
 /// Cheaper by less than this is no reason to change how a scene is searched [ratio].
 constexpr double worth_it = 0.97;
 
+bool is_limited(const ContactSettings& contact) {
+    return !SearchLimit{contact.search_level, contact.search_tests}.none();
+}
+
 class Search {
 public:
     Search(const Needs& needs, const Trail& trail) : needs_(needs), trail_(trail), free_(free_knobs(needs.scene())) {}
@@ -109,14 +113,21 @@ private:
         return attempt.qualifies();
     }
 
-    /// Volume, update, fit and leaf size: the motion is the same, so the cheapest by repeated timing.
+    /// Volume, update, fit and leaf size, the cheapest by repeated timing. The motion is the same, unless the search
+    /// ends at a limit: what lies below it depends on all of them.
     void choose_hierarchy() {
         const auto choose = [this](Knob knob, auto ContactSettings::*member, const auto& values) {
             if (!free_.contains(knob)) return;
             for (const auto value : values) {
                 Attempt attempt = *cheapest_;
-                if (attempt.settings.contact.*member == value) continue;
-                attempt.settings.contact.*member = value;
+                ContactSettings& contact = attempt.settings.contact;
+                if (contact.*member == value) continue;
+                contact.*member = value;
+                if (is_limited(contact)) attempt = needs_.attempt(Settings(attempt.settings));
+                if (!attempt.qualifies()) {
+                    trail_(attempt, attempt.why);
+                    continue;
+                }
                 const bool cheaper = is_cheaper(attempt, worth_it);
                 trail_(attempt, cheaper ? "cheapest so far" : "not cheaper");
                 if (cheaper) cheapest_ = attempt;

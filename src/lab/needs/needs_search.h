@@ -24,11 +24,12 @@ struct SearchResult {
 /// First the model: with everything computed closely, particles, bend springs and drag are taken away notch by notch as
 /// far as the needs allow. Then the method: for each of these models, the least first, each integrator's longest step
 /// that qualifies, as long as it is not dearer than the cheapest so far. Then every knob once more, until one notch
-/// less on any breaks a need. Last, what does not change the motion, by its cost alone. A scene that does not state an
+/// less on any that has an order breaks a need. Last, how contacts are looked for: by cost alone, unless the search has
+/// a limit, for then that changes the motion too. A scene that does not state an
 /// error has no full model: it is taken as it is, and only notches are taken away.
 SearchResult search(const Needs& needs, const Trail& trail);
 
-/// The free knobs of which a scene has a notch more than it needs; none if it is minimal.
+/// The free knobs with an order of which a scene has a notch more than it needs; none if it is minimal.
 /// @pre the scene itself qualifies
 std::vector<Knob> spare_notches(const Needs& needs, const Trail& trail);
 

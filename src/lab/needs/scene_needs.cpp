@@ -1,6 +1,7 @@
 #include "scene_needs.h"
 
 #include <algorithm>
+#include <cmath>
 
 #include "drape/base/input_error.h"
 #include "drape/base/numbers.h"
@@ -31,7 +32,9 @@ public:
     void never(const std::string& why) { note(infinite, why); }
 
 private:
+    /// What is no number misses by all.
     void note(double miss, const std::string& why) {
+        if (std::isnan(miss)) miss = infinite;
         if (miss > 1 && (miss > attempt_.miss || attempt_.why.empty())) attempt_.why = why;
         attempt_.miss = std::max(attempt_.miss, miss);
     }
@@ -114,7 +117,7 @@ std::string Needs::check_full_model() const {
                          grows + ": allowed " + real_text(most_growth) +
                          " where positions are compared; say measure = \"centre_and_spread\", or a shorter horizon");
     }
-    const double own = std::max(error_of(coarser), error_of(beside));
+    const double own = larger(error_of(coarser), error_of(beside));
     if (!(own <= largest_own_part * static_cast<double>(needs.position_error))) {
         throw RunError("the full model is known only to " + percent(own) + ": too little for what the scene allows, " +
                        percent(static_cast<double>(needs.position_error)));
