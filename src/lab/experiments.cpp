@@ -1,5 +1,5 @@
-#include "experiment.h"
 #include "lab/contact/contact_experiment.h"
+#include "lab/experiment/experiment.h"
 #include "lab/hierarchy/hierarchy_experiment.h"
 #include "lab/original/original_experiment.h"
 #include "lab/precision/precision_experiment.h"
