@@ -34,6 +34,10 @@ TEST_F(WindowTest, EveryKeyGivesTheCommandOfItsEntry) {
             desktop_.key(symbol_of(key));
             const std::string expected = entry.manner == Manner::Once ? entry.command : entry.command.substr(0, 5);
             EXPECT_TRUE(recorded(expected, before)) << key << ": " << expected;
+            // Two opposite keys that are seen at once steer nowhere
+            if (entry.manner == Manner::WhileHeld) {
+                EXPECT_TRUE(recorded("steer 0 0 0", before)) << key;
+            }
         }
     }
     EXPECT_TRUE(std::filesystem::exists(file("drape-0001.png")));
