@@ -1,5 +1,7 @@
 #include "display.h"
 
+#include "drape/base/assert.h"
+
 #include <GL/glew.h>
 #include <GL/glx.h>
 #include <X11/XKBlib.h>
@@ -38,7 +40,9 @@ bool window_has_keyboard() {
 }
 
 void make_repeats_detectable() {
-    if (Display* display = glXGetCurrentDisplay()) XkbSetDetectableAutoRepeat(display, True, nullptr);
+    Display* display = glXGetCurrentDisplay();
+    DRAPE_ASSERT(display != nullptr);
+    XkbSetDetectableAutoRepeat(display, True, nullptr);
 }
 
 }  // namespace drape

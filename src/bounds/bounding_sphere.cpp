@@ -2,6 +2,7 @@
 
 #include <cmath>
 
+#include "drape/base/assert.h"
 #include "patch_kernels.h"
 
 namespace drape {
@@ -32,6 +33,7 @@ BoundingSphere BoundingSphere::fit(const Patch& patch) {
 Real BoundingSphere::radius_of(Real square) { return std::sqrt(square) * rounded_up; }
 
 BoundingSphere BoundingSphere::merge(std::span<const BoundingSphere> parts) {
+    DRAPE_ASSERT(!parts.empty());
     // The two that are farthest apart, from end to end
     BoundingSphere all = parts[0];
     Real widest = -1;

@@ -2,6 +2,7 @@
 
 #include <Eigen/Geometry>
 
+#include "drape/base/assert.h"
 #include "extent_kernels.h"
 
 namespace drape {
@@ -54,6 +55,7 @@ Obb Obb::fit(const Patch& patch) {
 }
 
 Obb Obb::merge(std::span<const Obb> parts) {
+    DRAPE_ASSERT(!parts.empty());
     // The same axis of two parts may point in opposite ways
     const BoxAxes& first = parts[0].axes;
     Vec3 along = Vec3::Zero(), across = Vec3::Zero();

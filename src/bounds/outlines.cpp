@@ -40,6 +40,7 @@ struct Line {
 /// Where the planes a . p = da and b . p = db meet. @pre not parallel
 Line meeting(const Vec3& a, Real da, const Vec3& b, Real db) {
     const Vec3 along = a.cross(b);
+    DRAPE_ASSERT(along.squaredNorm() > 0);
     return {(da * b.cross(along) + db * along.cross(a)) / along.squaredNorm(), along};
 }
 
@@ -64,6 +65,7 @@ void append_box(const BoxShape& box, NodeState state, Outlines& outlines) {
 void append_polytope(std::span<const Slab> slabs, NodeState state, Outlines& outlines) {
     constexpr std::size_t most = 13;
     DRAPE_ASSERT(slabs.size() >= 3 && slabs.size() <= most);
+    for (std::size_t s = 0; s < 3; ++s) DRAPE_ASSERT(direction(slabs[s]) == Vec3(Vec3::Unit(static_cast<int>(s))));
 
     // As seen from the middle of the box, the box's half diagonal for unit
     const Vec3 low(slabs[0].low, slabs[1].low, slabs[2].low), high(slabs[0].high, slabs[1].high, slabs[2].high);

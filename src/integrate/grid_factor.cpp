@@ -1,5 +1,7 @@
 #include "grid_factor.h"
 
+#include "drape/base/assert.h"
+
 #include <Eigen/OrderingMethods>
 #include <algorithm>
 #include <array>
@@ -109,6 +111,7 @@ void GridFactor::factorise(const ClothModel& model, const Jacobian& jacobian, Re
 }
 
 void GridFactor::solve(const Points& r, Points& z) {
+    DRAPE_ASSERT(3 * r.rows() == rhs_.size() && z.rows() == r.rows());
     if (ldlt_.info() != Eigen::Success) {
         z = r;
         return;

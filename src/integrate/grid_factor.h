@@ -26,7 +26,8 @@ public:
     void factorise(const ClothModel& model, const Jacobian& jacobian, Real k_scale, Real d_scale);
 
     /// z = (L D L')^-1 r; z = r if a pivot was zero.
-    /// @pre r is zero at pinned particles, and so is z then
+    /// Where r is zero at pinned particles, so is z.
+    /// @pre both have a row for each particle
     void solve(const Points& r, Points& z);
 
 private:

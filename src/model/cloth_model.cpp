@@ -28,6 +28,7 @@ bool is_pinned(const Pins& pins, const Grid& grid, int i, int j) {
 ClothModel make_cloth_model(const ClothParameters& parameters) {
     const Grid grid = parameters.particles;
     DRAPE_ASSERT(grid.nx >= 2 && grid.ny >= 2);
+    DRAPE_ASSERT(parameters.width > 0 && parameters.height > 0 && parameters.mass > 0 && parameters.drag >= 0);
     ClothModel model;
     model.grid = grid;
     model.hx = parameters.width / static_cast<Real>(grid.nx - 1);

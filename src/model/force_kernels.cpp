@@ -9,6 +9,7 @@
 #include <cmath>
 #include <limits>
 
+#include "drape/base/assert.h"
 #include "drape/model/stencils.h"
 #include "force_scratch.h"
 
@@ -226,6 +227,9 @@ void copy_neighbours(const ForceInput& input, const Part& part, const Scratch& s
 
 void forces_on(const ForceInput& input, const Part& part, const Scratch& scratch,
                const std::function<void(const ForceRun&)>& use) {
+    const Grid& grid = input.model->grid;
+    DRAPE_ASSERT(part.first_column >= 0 && part.columns > 0 && part.first_column + part.columns <= grid.nx);
+    DRAPE_ASSERT(part.first_row >= 0 && part.rows > 0 && part.first_row + part.rows <= grid.ny);
     HWY_DYNAMIC_DISPATCH(forces_on)(input, part, scratch, use);
 }
 

@@ -1,5 +1,7 @@
 #include "overlay_painter.h"
 
+#include "drape/base/assert.h"
+
 #include <imgui.h>
 
 #include <algorithm>
@@ -32,6 +34,7 @@ Scissor scissor_of(const ImVec4& clip, const ImVec2& display) {
 
 OverlayPainter::OverlayPainter(Gl& gl, StreamBuffer& stream)
     : gl_(gl), program_(gl, "overlay"), array_(gl), atlas_(gl) {
+    DRAPE_ASSERT(ImGui::GetCurrentContext() != nullptr && !ImGui::GetIO().Fonts->ConfigData.empty());
     unsigned char* pixels = nullptr;
     int width = 0, height = 0;
     ImGui::GetIO().Fonts->GetTexDataAsAlpha8(&pixels, &width, &height);

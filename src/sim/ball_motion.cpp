@@ -27,7 +27,7 @@ Vec3 tangent(const std::vector<PathPoint>& path, std::size_t k) {
 }  // namespace
 
 Vec3 point_on_path(const std::vector<PathPoint>& path, Real time) {
-    DRAPE_ASSERT(path.size() >= 2);
+    DRAPE_ASSERT(path.size() >= 2 && std::ranges::is_sorted(path, {}, &PathPoint::time));
     const Real begin = path.front().time, end = path.back().time;
     if (is_closed(path) && time > end) time = begin + std::fmod(time - begin, end - begin);
     if (time <= begin) return path.front().centre;

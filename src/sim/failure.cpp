@@ -5,6 +5,7 @@
 #include <sstream>
 #include <string_view>
 
+#include "drape/base/assert.h"
 #include "drape/base/output_file.h"
 #include "drape/sim/scene_text.h"
 #include "drape/sim/state_csv.h"
@@ -50,6 +51,7 @@ Settings present_settings(const Simulation& simulation) {
 }  // namespace
 
 std::filesystem::path write_failure(const Simulation& simulation, const std::filesystem::path& folder) {
+    DRAPE_ASSERT(simulation.report().status == Status::Diverged);
     std::ostringstream state;
     write_state_header(state, simulation);
     write_state(state, simulation);

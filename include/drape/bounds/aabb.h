@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <limits>
 
+#include "drape/base/assert.h"
 #include "drape/bounds/bounding_sphere.h"
 
 namespace drape {
@@ -20,6 +21,7 @@ struct Aabb {
 
     /// The smallest box about boxes, to the bit. @pre one part or more
     static Aabb merge(std::span<const Aabb> parts) {
+        DRAPE_ASSERT(!parts.empty());
         Aabb all = parts[0];
         for (const Aabb& part : parts.subspan(1)) all.include(part);
         return all;

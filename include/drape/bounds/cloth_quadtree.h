@@ -65,6 +65,7 @@ public:
     /// From the root, level by level, into every node that overlaps the ball; the cells of the leaves reached are the
     /// candidates.
     TraversalStats query(const Ball& ball, Candidates& found) override {
+        DRAPE_ASSERT(built_);
         found.cells.clear();
         found.cells.reserve(leaf_rows_);
         found.stopped.clear();

@@ -1,5 +1,6 @@
 #pragma once
 
+#include "drape/base/assert.h"
 #include "drape/bounds/aabb.h"
 #include "drape/bounds/dop_axes.h"
 
@@ -25,6 +26,7 @@ struct KDop {
 
     /// The smallest k-DOP about k-DOPs, to the bit. @pre one part or more
     static KDop merge(std::span<const KDop> parts) {
+        DRAPE_ASSERT(!parts.empty());
         KDop all = parts[0];
         for (const KDop& part : parts.subspan(1)) {
             all.box.include(part.box);

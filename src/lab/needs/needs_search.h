@@ -29,8 +29,7 @@ struct SearchResult {
 /// error has no full model: it is taken as it is, and only notches are taken away.
 SearchResult search(const Needs& needs, const Trail& trail);
 
-/// The free knobs with an order of which a scene has a notch more than it needs; none if it is minimal.
-/// @pre the scene itself qualifies
+/// The free knobs with an order of which a scene that qualifies has a notch more than it needs; none if it is minimal.
 std::vector<Knob> spare_notches(const Needs& needs, const Trail& trail);
 
 }  // namespace drape
