@@ -46,7 +46,7 @@ bool is_wide_control(std::string_view text) {
 }  // namespace
 
 InputError::InputError(const std::string& message, const std::string& hint)
-    : std::runtime_error(one_line(message) + (hint.empty() ? "" : "\n" + one_line(hint))) {}
+    : std::runtime_error(one_line(message) + (hint.empty() ? "" : "\n") + one_line(hint)) {}
 
 std::string one_line(std::string_view text) {
     constexpr std::size_t longest = 2000;

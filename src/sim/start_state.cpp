@@ -51,8 +51,7 @@ private:
         if ((many && (*row)[1] != static_cast<double>(cloth_)) || (*row)[first - 1] != particle_) {
             fail("expected particle " + std::to_string(particle_) + " of cloth " + std::to_string(cloth_));
         }
-        if (!((*row)[0] >= 0 && (*row)[0] <= longest_time)) fail("t: allowed 0 <= t <= " + real_text(longest_time));
-        found_.time = (*row)[0];
+        take_time((*row)[0]);
         ClothState& state = found_.states[cloth_];
         for (std::size_t k = 0; k < 6; ++k) {
             const double value = (*row)[first + k];
@@ -62,6 +61,16 @@ private:
         if (++particle_ < grids_[cloth_].particles()) return;
         particle_ = 0;
         cloth_ = (cloth_ + 1) % grids_.size();
+    }
+
+    /// All rows of a moment have its time, and no moment is before the last.
+    void take_time(double t) {
+        const std::string allowed = "t = " + real_text(t) + ": allowed ";
+        if (!(t >= 0 && t <= longest_time)) fail(allowed + "0 <= t <= " + real_text(longest_time));
+        const bool first = cloth_ == 0 && particle_ == 0;
+        if (!first && t != found_.time) fail(allowed + real_text(found_.time) + ", the time of the rows before");
+        if (t < found_.time) fail(allowed + "t >= " + real_text(found_.time) + ", the time of the moment before");
+        found_.time = t;
     }
 
     [[noreturn]] void fail(const std::string& message) const {

@@ -53,12 +53,13 @@ private:
     std::filesystem::path path_;
 };
 
-/// Columns of a table whose first line has their names, and whose other lines are numbers.
+/// Columns of a table whose first line after comments has their names, and whose other lines are numbers.
 class NumberTable {
 public:
     explicit NumberTable(const std::filesystem::path& file) : name_(file.string()) {
         std::ifstream in(file);
-        std::getline(in, names_);
+        while (std::getline(in, names_) && names_.starts_with('#')) {
+        }
         for (std::string line; std::getline(in, line);) {
             auto row = parse_reals(line);
             if (!row) throw RunError(name_ + ": is not a table of numbers");
