@@ -41,7 +41,11 @@ Capture::Capture(CaptureOptions options)
         }
     }
     if (stats_.wanted()) {
-        stats_.stream() << "frame,";
+        write_report_units(stats_.stream());
+        for (const FrameField& field : frame_fields()) {
+            if (!field.unit.empty()) stats_.stream() << ", " << field.name << " [" << field.unit << ']';
+        }
+        stats_.stream() << "\nframe,";
         write_report_header(stats_.stream());
         for (const FrameField& field : frame_fields()) stats_.stream() << ',' << field.name;
         stats_.stream() << '\n';
@@ -60,7 +64,7 @@ int Capture::run() {
     const std::string warning = session_.simulation().step_warning();
     if (!warning.empty()) std::cerr << "warning: " << warning << "\n";
     for (int frame = 1; frame <= options_.frames && exit_code == Done; ++frame) {
-        session_.run_until(frame / options_.fps);
+        session_.run_until(session_.start_time() + frame / options_.fps);
         if (diverged()) {
             tell_divergence();
             exit_code = Failed;

@@ -18,7 +18,7 @@ constexpr double lowest_fps = 1e-3, highest_fps = 1e5;
 int whole_number(const std::string& option, const std::string& text, int most) {
     const auto number = parse_integer(text);
     if (!number || *number < 1 || *number > most) {
-        throw InputError(option + " " + text + ": allowed 1 to " + std::to_string(most));
+        throw InputError(option + " " + shortened(text) + ": allowed 1 to " + std::to_string(most));
     }
     return static_cast<int>(*number);
 }
@@ -26,7 +26,7 @@ int whole_number(const std::string& option, const std::string& text, int most) {
 double frame_rate(const std::string& text) {
     const auto number = parse_real(text);
     if (!number || !(*number >= lowest_fps && *number <= highest_fps)) {
-        throw InputError("--fps " + text + ": allowed " + real_text(lowest_fps) +
+        throw InputError("--fps " + shortened(text) + ": allowed " + real_text(lowest_fps) +
                          " <= fps <= " + real_text(highest_fps));
     }
     return *number;
@@ -41,13 +41,17 @@ std::optional<CaptureOptions> read_capture_options(int argc, char** argv) {
     app.add_option("scene", options.start.scene, "name of a shipped scene, or a TOML file")->type_name("SCENE");
     app.add_option("--set", options.start.assignments, "change settings, as in --set dt=1e-4")->type_name("name=value");
     app.add_option("--replay", options.start.replay, "play a recording")->type_name("FILE");
-    app.add_option("--frames", frames, "number of frames; frame k shows the time k/fps")->type_name("N")->required();
+    app.add_option("--frames", frames, "number of frames; frame k shows the time k/fps after the start")
+        ->type_name("N")
+        ->required();
     app.add_option("--fps", fps, "frames per simulated second; 60 if not given")->type_name("RATE");
     app.add_option("--size", size, "of the pictures; 1280x720 if not given")->type_name("WxH");
     app.add_option("--out", options.out, "write frame_0001.png ... into this folder")->type_name("DIR");
     app.add_option("--every", every, "draw frames K, 2K, 3K ... only")->type_name("K");
     app.add_option("--video", options.video, "make a video too, with ffmpeg")->type_name("FILE.mp4");
-    app.add_option("--stats", options.stats, "write a row of figures for each drawn frame")->type_name("FILE.csv");
+    app.add_option("--stats", options.stats,
+                   "write a row of figures for each drawn frame; its first line has the units")
+        ->type_name("FILE.csv");
     app.add_option("--state", options.state, "write every particle at the end")->type_name("FILE.csv");
     app.add_flag("--overlay", options.overlay, "draw the panel of figures");
     app.add_flag("--hash", options.hash, "print the hash of the last state");

@@ -15,7 +15,7 @@
 namespace drape {
 namespace {
 
-constexpr double longest_time = 1e6;  // s
+constexpr double longest_run = 1e6;  // s
 
 struct Options {
     StartOptions start;
@@ -23,18 +23,20 @@ struct Options {
     bool hash = false;
 };
 
-/// "0.5,1,2" as times [s] that do not go back.
-std::vector<double> parse_times(const std::string& text) {
+/// "0.5,1,2" as times [s] that go back neither from one to the next nor from that of the start.
+std::vector<double> parse_times(const std::string& text, double start) {
     std::vector<double> times;
     for (std::size_t begin = 0; begin <= text.size();) {
         const std::size_t comma = std::min(text.find(',', begin), text.size());
         const std::string word = text.substr(begin, comma - begin);
         const auto time = parse_real(word);
-        if (!time || !(*time >= 0 && *time <= longest_time)) {
-            throw InputError("--time " + word + ": allowed 0 <= T <= " + real_text(longest_time) + " s");
+        if (!time || !(*time >= start && *time <= start + longest_run)) {
+            throw InputError("--time " + shortened(word) + ": allowed " + real_text(start) +
+                             " <= T <= " + real_text(start + longest_run) + " s" +
+                             (start > 0 ? ", for the scene starts at t = " + real_text(start) + " s" : ""));
         }
         if (!times.empty() && *time < times.back()) {
-            throw InputError("--time " + word + ": allowed only times that do not go back");
+            throw InputError("--time " + shortened(word) + ": allowed only times that do not go back");
         }
         times.push_back(*time);
         begin = comma + 1;
@@ -44,15 +46,21 @@ std::vector<double> parse_times(const std::string& text) {
 
 int simulate(Options& options) {
     check_apart("--state and --stats", options.state, options.stats);
-    Start start = make_start(options.start);
-    const bool whole_replay = options.times.empty() && start.replay && start.replay->last_step;
-    const std::vector<double> times = whole_replay ? std::vector<double>{} : parse_times(options.times);
-    Session session = make_session(std::move(start));
+    const bool whole_replay = options.times.empty() && !options.start.replay.empty();
+    if (options.times.empty() && !whole_replay) {
+        throw InputError("--time is missing: say --time T[,T2...], or --replay FILE to play a whole recording");
+    }
+    Session session = make_session(make_start(options.start));
+    const std::vector<double> times =
+        whole_replay ? std::vector<double>{} : parse_times(options.times, session.start_time());
     const std::string warning = session.simulation().step_warning();
     if (!warning.empty()) std::cerr << "warning: " << warning << "\n";
     OutputFile state(options.state), stats(options.stats);
     if (state.wanted()) write_state_header(state.stream(), session.simulation());
-    if (stats.wanted()) write_report_header(stats.stream()), stats.stream() << '\n';
+    if (stats.wanted()) {
+        write_report_units(stats.stream()), stats.stream() << '\n';
+        write_report_header(stats.stream()), stats.stream() << '\n';
+    }
 
     const Stopwatch watch;
     const auto write = [&] {
@@ -90,10 +98,17 @@ void add_simulate(CLI::App& app, int& exit_code) {
     command->add_option("scene", options->start.scene, "name of a shipped scene, or a TOML file")->type_name("SCENE");
     command->add_option("--set", options->start.assignments, "change settings")->type_name("name=value");
     command->add_option("--replay", options->start.replay, "play a recording")->type_name("FILE");
-    command->add_option("--time", options->times, "simulated times to stop at [s]; a whole recording if not given")
+    command
+        ->add_option(
+            "--time", options->times,
+            "simulated times to stop at [s], on the clock of the scene: its start file, if it has one, sets it; a "
+            "whole recording if not given")
         ->type_name("T[,T2...]");
     command->add_option("--state", options->state, "write every particle at each time")->type_name("FILE.csv");
-    command->add_option("--stats", options->stats, "write the report of the step at each time")->type_name("FILE.csv");
+    command
+        ->add_option("--stats", options->stats,
+                     "write the report of the step at each time; its first line has the units")
+        ->type_name("FILE.csv");
     command->add_flag("--hash", options->hash, "print the hash of the last state");
     command->footer([] { return "Settings:\n" + settings_help(); });
     command->callback([options, &exit_code] { exit_code = simulate(*options); });

@@ -10,7 +10,7 @@ PictureSize parse_size(const std::string& text) {
     const auto side = [&](const std::string& part) {
         const auto number = parse_integer(part);
         if (!number || *number < 1 || *number > 8192) {
-            throw InputError("--size " + text + ": allowed WxH, 1 to 8192 each");
+            throw InputError("--size " + shortened(text) + ": allowed WxH, 1 to 8192 each");
         }
         return static_cast<int>(*number);
     };

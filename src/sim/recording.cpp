@@ -3,6 +3,7 @@
 #include <charconv>
 
 #include "drape/base/input_error.h"
+#include "drape/base/input_file.h"
 #include "drape/base/numbers.h"
 #include "drape/base/read_line.h"
 
@@ -10,6 +11,8 @@ namespace drape {
 namespace {
 
 constexpr std::string_view first_line = "drape-recording 1";
+constexpr std::uintmax_t largest_file = 128 << 20;
+constexpr long long last_possible_step = 1'000'000'000;
 constexpr std::size_t longest_line = 1 << 20;  // a list of pins or a path may be long
 
 std::optional<std::uint64_t> parse_hash(std::string_view text) {
@@ -19,36 +22,41 @@ std::optional<std::uint64_t> parse_hash(std::string_view text) {
     return hash;
 }
 
-/// A line "STEP rest" in two; nothing if it does not start with a step number.
+/// A line "STEP rest" in two; nothing if it does not start with the number of a step that a run can come to.
 std::optional<std::pair<std::int64_t, std::string>> split_entry(const std::string& line) {
     const std::size_t blank = line.find(' ');
     if (blank == std::string::npos) return std::nullopt;
     const auto step = parse_integer(std::string_view(line).substr(0, blank));
-    if (!step || *step < 0) return std::nullopt;
+    if (!step || *step < 0 || *step > last_possible_step) return std::nullopt;
     return std::pair(static_cast<std::int64_t>(*step), line.substr(blank + 1));
 }
 
 /// Appends what one line says. @throws InputError if it says nothing that a recording can
-void append_entry(const std::string& line, Recording& recording) {
+void append_entry(const std::string& line, int number, Recording& recording) {
     const auto entry = split_entry(line);
-    if (!entry) throw InputError("expected 'STEP COMMAND'");
+    if (!entry) {
+        throw InputError("expected 'STEP COMMAND' with 0 <= STEP <= " + std::to_string(last_possible_step));
+    }
     const auto& [step, text] = *entry;
     if (!recording.entries.empty() && step < recording.entries.back().step) throw InputError("steps must not go back");
     if (text.starts_with("hash ")) {
         const auto hash = parse_hash(std::string_view(text).substr(5));
         if (!hash) throw InputError("expected 'hash' and 16 hexadecimal digits");
-        recording.entries.push_back({step, *hash});
+        recording.entries.push_back({step, *hash, number});
     } else {
-        recording.entries.push_back({step, parse_command(text)});
+        recording.entries.push_back({step, parse_command(text), number});
     }
 }
 
 }  // namespace
 
 Recording read_recording(const std::string& file) {
-    std::ifstream in(file, std::ios::binary);
+    InputFile in(file, largest_file);
+    return read_recording(in, file);
+}
+
+Recording read_recording(std::istream& in, const std::string& file) {
     std::string line;
-    if (!in) throw InputError(file + ": cannot be read");
     if (read_line(in, line, longest_line) != LineEnd::Whole || line != first_line) {
         throw InputError(file + ":1: no recording: expected '" + std::string(first_line) + "'");
     }
@@ -57,11 +65,13 @@ Recording read_recording(const std::string& file) {
         throw InputError(file + ":2: expected 'scene NAME'");
     }
     recording.scene = line.substr(6);
+    recording.file = file;
 
     // A line without its end was cut off while it was written
     for (int number = 3;; ++number) {
         const auto cut = [&](const std::string& why) {
-            recording.notice = file + ":" + std::to_string(number) + ": " + why + "; played up to the line before";
+            recording.notice =
+                one_line(file + ":" + std::to_string(number) + ": " + why + "; played up to the line before");
             return recording;
         };
         const LineEnd end = read_line(in, line, longest_line);
@@ -79,7 +89,7 @@ Recording read_recording(const std::string& file) {
             return recording;
         }
         try {
-            append_entry(line, recording);
+            append_entry(line, number, recording);
         } catch (const InputError& error) {
             return cut(error.what());
         }

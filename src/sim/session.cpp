@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <utility>
 
 #include "drape/base/input_error.h"
@@ -19,9 +20,13 @@ constexpr std::int64_t hash_interval = 500;
 /// A multiple of dt that rounding has put this far (in steps) beyond the time still counts.
 constexpr double step_tolerance = 1e-6;
 
+/// Likewise of a late time, whose own rounding is more than that.
+constexpr double clock_tolerance = 4 * std::numeric_limits<double>::epsilon();
+
 }  // namespace
 
-Session::Session(Simulation simulation) : simulation_(std::move(simulation)) {}
+Session::Session(Simulation simulation)
+    : simulation_(std::move(simulation)), start_time_(simulation_.report().time), time_(start_time_) {}
 Session::Session(Session&&) noexcept = default;
 Session& Session::operator=(Session&&) noexcept = default;
 
@@ -40,6 +45,7 @@ void Session::record(const std::string& file, const std::vector<std::string>& as
 void Session::replay(Recording recording) {
     replay_ = std::move(recording);
     next_entry_ = 0;
+    if (replay_.entries.empty()) say_cut();
     play_due_entries();
 }
 
@@ -49,26 +55,38 @@ void Session::send(const Command& command) {
 }
 
 void Session::play_due_entries() {
+    if (next_entry_ == replay_.entries.size()) return;
     while (next_entry_ < replay_.entries.size() && replay_.entries[next_entry_].step <= steps_made_) {
-        const RecordedEntry& entry = replay_.entries[next_entry_++];
-        if (const auto* hash = std::get_if<std::uint64_t>(&entry.content)) {
-            if (*hash == simulation_.hash()) continue;
-            replay_differs_ = true;
-            if (replay_notice_.empty()) {
-                replay_notice_ =
-                    "the replay differs from its recording: first seen before step " + std::to_string(entry.step);
-            }
-            continue;
-        }
-        const Command& command = std::get<Command>(entry.content);
-        view_commands_.push_back(command);
-        try {
-            send(command);
-        } catch (const InputError& error) {
-            if (replay_notice_.empty()) replay_notice_ = std::string("replay: ") + error.what();
-        }
+        play(replay_.entries[next_entry_++]);
     }
-    if (next_entry_ == replay_.entries.size() && replay_notice_.empty()) replay_notice_ = replay_.notice;
+    if (next_entry_ == replay_.entries.size()) say_cut();
+}
+
+void Session::play(const RecordedEntry& entry) {
+    if (const auto* hash = std::get_if<std::uint64_t>(&entry.content)) {
+        if (*hash != simulation_.hash()) differ("first seen before step " + std::to_string(entry.step));
+        return;
+    }
+    const Command& command = std::get<Command>(entry.content);
+    try {
+        send(command);
+    } catch (const InputError& error) {
+        // It was carried out when it was recorded
+        differ(replay_.file + ":" + std::to_string(entry.line) + ": '" + shortened(command_text(command)) +
+               "' is refused: " + error.what());
+        return;
+    }
+    view_commands_.push_back(command);
+}
+
+void Session::differ(const std::string& how) {
+    replay_differs_ = true;
+    if (replay_notice_.empty()) replay_notice_ = one_line("the replay differs from its recording: " + how);
+}
+
+void Session::say_cut() {
+    if (replay_.notice.empty()) return;
+    replay_notice_ += (replay_notice_.empty() ? "" : "; ") + replay_.notice;
 }
 
 void Session::step() {
@@ -109,7 +127,9 @@ double Session::time_after_next_step() {
 }
 
 void Session::run_until(double time) {
-    for (double next = time_after_next_step(); next <= time + step_tolerance * dt(); next = time_after_next_step()) {
+    for (;;) {
+        const double next = time_after_next_step();
+        if (next > time + std::max(step_tolerance * dt(), clock_tolerance * time)) break;
         time_ = next;
         ++counted_steps_;
         step();
@@ -117,10 +137,10 @@ void Session::run_until(double time) {
     behind_ = std::max(0.0, time - time_);
 }
 
-bool Session::run_replay() {
-    if (!replay_.last_step) return false;
-    while (steps_made_ < *replay_.last_step) step();
-    return true;
+void Session::run_replay() {
+    const std::int64_t last_whole = replay_.entries.empty() ? 0 : replay_.entries.back().step;
+    const std::int64_t end = replay_.last_step.value_or(last_whole);
+    while (steps_made_ < end) step();
 }
 
 std::vector<Command> Session::take_view_commands() { return std::exchange(view_commands_, {}); }
@@ -129,7 +149,7 @@ Real Session::blend() const {
     return simulation_.paused() ? Real(1) : static_cast<Real>(std::clamp(behind_ / dt(), 0.0, 1.0));
 }
 
-double Session::dt() const { return static_cast<double>(simulation_.settings().solver.dt); }
+double Session::dt() const { return simulation_.settings().solver.dt; }
 
 void Session::close() {
     if (!recorder_) return;

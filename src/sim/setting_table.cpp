@@ -119,7 +119,8 @@ void add_ball(std::vector<Setting>& table) {
     rows.vector("velocity", &BallSettings::velocity, "m/s", {-1e3, 1e3}, "at the start, under the keys");
     rows.choice("motion", &BallSettings::motion, motion_names, "what moves it");
     rows.number("speed", &BallSettings::speed, "m/s", {0, 1e2}, "to which the keys bring it");
-    rows.number("mass", &BallSettings::mass, "kg", {1e-9, 1e6}, "of the ball");
+    rows.number("mass", &BallSettings::mass, "kg", {1, 1},
+                "of the ball; nothing moves it yet, so that it has no effect");
     rows.add("path", SettingKind::Path, "s, m", lengths, {},
              "points t,x,y,z it passes on a smooth curve; repeats if the last is the first again", path_values,
              write_path);
@@ -201,8 +202,8 @@ void add_the_rest(std::vector<Setting>& table) {
     contact.number("friction", &ContactSettings::friction, "", {0, 10}, "Coulomb coefficient between cloth and ball");
     contact.number("restitution", &ContactSettings::restitution, "", {0, 1}, "of the normal speed");
     contact.number("thickness", &ContactSettings::thickness, "m", {0, 1}, "by which the cloth is grown on both sides");
-    contact.flag("continuous", &ContactSettings::continuous, "test the swept ball", {0, 0});
-    contact.flag("self", &ContactSettings::self, "test the cloth against itself", {0, 0});
+    contact.flag("continuous", &ContactSettings::continuous, "test the swept ball; not there yet", {0, 0});
+    contact.flag("self", &ContactSettings::self, "test the cloth against itself; not there yet", {0, 0});
 
     SectionRows<WindSettings> wind(
         "wind", [](Settings& s, std::size_t) -> WindSettings& { return s.wind; }, table);
@@ -235,7 +236,8 @@ std::vector<Setting> make_table() {
         [](const Settings& s) { return s.title; },
         [](Settings& s, const SettingValue& value) { s.title = std::get<std::string>(value); });
     top.add(
-        "start", SettingKind::Text, "", any_text, {}, "file written by --state in whose last moment the cloths start",
+        "start", SettingKind::Text, "", any_text, {},
+        "file written by --state in whose last moment the cloths start; its time is that of the start",
         [](const Settings& s) { return s.start; },
         [](Settings& s, const SettingValue& value) { s.start = std::get<std::string>(value); });
     add_cloth(table);

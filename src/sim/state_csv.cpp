@@ -32,6 +32,15 @@ void write_state(std::ostream& out, const Simulation& simulation) {
     }
 }
 
+void write_report_units(std::ostream& out) {
+    const char* before = "# units: ";
+    for (const ReportField& field : report_fields()) {
+        if (field.unit.empty()) continue;
+        out << before << field.name << " [" << field.unit << ']';
+        before = ", ";
+    }
+}
+
 void write_report_header(std::ostream& out) {
     const char* comma = "";
     for (const ReportField& field : report_fields()) {

@@ -34,6 +34,27 @@ TEST(ListedNames, ReadAsASentence) {
     EXPECT_EQ(listed(std::vector<std::string>{"a", "b", "c"}), "'a', 'b' or 'c'");
 }
 
+TEST(InputErrors, AreOneLineWhateverTheyQuote) {
+    EXPECT_STREQ(InputError("a\nb\rc\td\x1b[31m\x7f e").what(), "a\\nb\\rc\\td\\x1b[31m\\x7f e");
+    EXPECT_STREQ(InputError("\xc2\x9b"
+                            "31m")
+                     .what(),
+                 "\\xc2\\x9b31m")
+        << "a control character of two bytes";
+    EXPECT_STREQ(InputError("\xc3\xa4 \xe2\x82\xac").what(), "\xc3\xa4 \xe2\x82\xac") << "letters stay";
+    EXPECT_STREQ(InputError(InputError("a\nb").what()).what(), "a\\nb") << "also where one quotes another";
+    EXPECT_STREQ(InputError("a\nb", "See --help.").what(), "a\\nb\nSee --help.");
+    const std::string endless = one_line("place: " + std::string(1'000'000, 'x') + ": allowed 1");
+    EXPECT_LT(endless.size(), 2100u);
+    EXPECT_TRUE(endless.starts_with("place: x") && endless.ends_with("x: allowed 1"));
+}
+
+TEST(QuotedValue, IsCutToAHundredBytesAndNotWithinALetter) {
+    EXPECT_EQ(shortened(std::string(100, 'x')), std::string(100, 'x'));
+    EXPECT_EQ(shortened(std::string(101, 'x')), std::string(100, 'x') + "...");
+    EXPECT_EQ(shortened(std::string(99, 'x') + "\xc3\xa4x"), std::string(99, 'x') + "...");
+}
+
 TEST(BrokenAssertion, NamesConditionAndPlace) {
     EXPECT_DEATH(assertion_failed("x > 0", "cloth.cpp", 12), "cloth.cpp:12: this is a bug in Drape: expected x > 0");
 }

@@ -13,9 +13,15 @@ using testing::HasSubstr;
 std::string complaint(std::vector<std::string> words) {
     CLI::App app("A program of the tests.", "program");
     app.require_subcommand(1);
-    std::string time;
-    app.add_subcommand("simulate")->add_option("--time", time)->required();
-    app.add_subcommand("collide");
+    std::string time, scene, ball;
+    std::vector<std::string> sets;
+    bool quick = false;
+    CLI::App* simulate = app.add_subcommand("simulate");
+    simulate->add_option("scene", scene);
+    simulate->add_option("--time", time)->required();
+    simulate->add_option("--set", sets);
+    simulate->add_flag("-q,--quick", quick);
+    app.add_subcommand("collide")->add_option("--ball", ball);
     words.insert(words.begin(), "program");
     std::vector<char*> argv;
     for (std::string& word : words) argv.push_back(word.data());
@@ -45,12 +51,32 @@ TEST(CommandLine, NamesTheNearestOptionRatherThanTheOneMissing) {
 }
 
 TEST(CommandLine, NamesAWordTooMany) {
-    EXPECT_THAT(complaint({"simulate", "--time", "1", "more"}), HasSubstr("unexpected 'more'\n"));
+    EXPECT_THAT(complaint({"simulate", "--time", "1", "drop", "more"}), HasSubstr("unexpected 'more'\n"));
 }
 
 TEST(CommandLine, NamesWhatIsMissing) {
     EXPECT_THAT(complaint({"simulate"}), HasSubstr("--time is required"));
     EXPECT_THAT(complaint({}), HasSubstr("subcommand is required"));
+}
+
+TEST(CommandLine, RefusesAnOptionInThePlaceOfAValue) {
+    EXPECT_EQ(
+        complaint({"simulate", "--time", "--quick"}),
+        "--time needs a value, and '--quick' is an option: say --time=--quick if it is meant\nSee program --help.");
+    EXPECT_THAT(complaint({"simulate", "--time", "--unknown"}), HasSubstr("--time needs a value"));
+    EXPECT_THAT(complaint({"simulate", "--time", "-q"}), HasSubstr("--time needs a value, and '-q'"));
+    EXPECT_THAT(complaint({"simulate", "--time", "--", "x"}), HasSubstr("--time needs a value"));
+    EXPECT_THAT(complaint({"simulate", "--set", "--time", "1"}), HasSubstr("--set needs a value, and '--time'"));
+    EXPECT_THAT(complaint({"collide", "--ball", "--help"}), HasSubstr("--ball needs a value"));
+}
+
+TEST(CommandLine, TakesValuesThatOnlyLookLikeOptions) {
+    EXPECT_EQ(complaint({"collide", "--ball", "-1,0,0,1"}), "");
+    EXPECT_EQ(complaint({"collide", "--ball=--quick"}), "") << "said in one word";
+    EXPECT_EQ(complaint({"collide", "--ball", "./--quick"}), "");
+    EXPECT_EQ(complaint({"simulate", "--set", "a=1", "b=-2", "--quick", "--time", "1"}), "");
+    EXPECT_EQ(complaint({"simulate", "--quick", "--time", "1"}), "") << "a flag has no value";
+    EXPECT_EQ(complaint({"simulate", "--time", "1", "--", "--time"}), "") << "after -- all is the scene";
 }
 
 TEST(Program, ReturnsTheExitCodeOfItsRun) {
@@ -64,8 +90,13 @@ TEST(Program, TellsBadInputFromAFailedRun) {
 }
 
 TEST(Program, PrintsNoControlCharactersOfItsInput) {
-    const auto [code, text] = outcome([](int, char**) -> int { throw InputError("key '\x1b[31m'\nSee --help."); });
-    EXPECT_EQ(text, "program: key '?[31m'\nSee --help.\n");
+    const auto [code, text] = outcome([](int, char**) -> int { throw InputError("key '\x1b[31m'", "See --help."); });
+    EXPECT_EQ(text, "program: key '\\x1b[31m'\nSee --help.\n");
+}
+
+TEST(Program, PrintsNoMoreThanTwoLinesOfAnError) {
+    EXPECT_EQ(outcome([](int, char**) -> int { throw RunError("one\ntwo\nthree\nfour"); }).second,
+              "program: one\ntwo\\nthree\\nfour\n");
 }
 
 TEST(Program, FailsIfItsOutputCannotBeWritten) {

@@ -36,7 +36,9 @@ Words columns(const std::string& line) {
 std::vector<Words> table(const std::string& file) {
     std::vector<Words> rows;
     std::stringstream in(text_of(file));
-    for (std::string line; std::getline(in, line);) rows.push_back(columns(line));
+    for (std::string line; std::getline(in, line);) {
+        if (!line.starts_with('#')) rows.push_back(columns(line));
+    }
     return rows;
 }
 
@@ -79,6 +81,53 @@ TEST(Capture, WritesARowOfEveryFieldForEachFrame) {
     for (std::size_t i = 1; i < rows.size(); ++i) EXPECT_EQ(rows[i].size(), wanted.size());
     EXPECT_EQ(rows[1][0], "2");
     EXPECT_EQ(rows[2][0], "4");
+}
+
+TEST(Capture, GivesTheUnitsOfItsFigures) {
+    const TestFolder folder;
+    const std::string file = folder / "s.csv";
+    run_program("drape-capture", small("drop", {"--frames", "1", "--stats", file}));
+    EXPECT_THAT(text_of(file), testing::StartsWith("# units: time [s], step_over_limit [1], "));
+    for (const FrameField& field : frame_fields()) {
+        if (field.unit.empty()) continue;
+        EXPECT_THAT(text_of(file), HasSubstr(", " + std::string(field.name) + " [" + std::string(field.unit) + "]"));
+    }
+}
+
+TEST(Capture, CountsItsFramesFromTheStartOfTheScene) {
+    const TestFolder folder;
+    const std::string start = folder / "start.csv", end = folder / "end.csv";
+    const Words scene{"two_corners", "--set", "sleep_speed=0"};
+    const auto with = [&](Words words) {
+        words.insert(words.begin(), scene.begin(), scene.end());
+        return words;
+    };
+    run_program("drape-capture", with({"--frames", "6", "--state", start}));
+    const Outcome whole = run_program("drape-capture", with({"--frames", "9", "--hash"}));
+    const Outcome rest =
+        run_program("drape-capture", with({"start=" + start, "--frames", "3", "--hash", "--state", end}));
+    EXPECT_EQ(rest.exit_code, 0) << rest.err;
+    EXPECT_EQ(rest.out, whole.out);
+    EXPECT_NEAR(std::stod(table(end).at(1).at(0)), 0.15, 1e-12);
+}
+
+TEST(Capture, SaysThatARecordingWasCutAndFailsWhereACommandIsRefused) {
+    const TestFolder folder;
+    const std::string cut = folder / "cut.txt", refused = folder / "refused.txt";
+    std::ofstream(cut) << "drape-recording 1\nscene drop\n2 set dt=1e-4\n3 se";
+    std::ofstream(refused) << "drape-recording 1\nscene drop\n2 grab 1 0\n3 end\n";
+    const Outcome first = run_program("drape-capture", {"--replay", cut, "--frames", "1", "--hash"});
+    EXPECT_EQ(first.exit_code, 0);
+    EXPECT_THAT(first.err, HasSubstr(cut + ":4: cut off"));
+    const Outcome second = run_program("drape-capture", {"--replay", refused, "--frames", "1", "--hash"});
+    EXPECT_EQ(second.exit_code, 1);
+    EXPECT_THAT(second.err, HasSubstr(refused + ":3: 'grab 1 0' is refused"));
+}
+
+TEST(Capture, RefusesAnOptionInThePlaceOfAValue) {
+    const Outcome run = run_program("drape-capture", {"drop", "--frames", "1", "--out", "--hash"});
+    EXPECT_EQ(run.exit_code, 2);
+    EXPECT_THAT(run.err, HasSubstr("--out needs a value, and '--hash' is an option"));
 }
 
 TEST(Capture, WritesTheLastState) {

@@ -1,4 +1,7 @@
 #include <gmock/gmock.h>
+#include <sys/stat.h>
+
+#include <array>
 
 #include "drape/base/numbers.h"
 #include "drape/sim/scene.h"
@@ -18,6 +21,7 @@ using testing::StartsWith;
 using testing_aid::LabFolder;
 using testing_aid::LabRun;
 using testing_aid::lines_of;
+using testing_aid::table_of;
 
 /// The values of one row of a CSV file.
 std::vector<double> values_of(const std::string& row) {
@@ -83,7 +87,8 @@ TEST(LabSimulate, NamesTheClothWhereThereAreSeveral) {
 TEST(LabSimulate, WritesEveryFieldOfTheReport) {
     const LabFolder folder;
     ASSERT_EQ(folder.run({"simulate", "curtain", "--time", "0.01,0.02", "--stats", "stats.csv"}).code, 0);
-    const auto lines = lines_of(folder.read("stats.csv"));
+    EXPECT_EQ(lines_of(folder.read("stats.csv")).size(), 4u);
+    const auto lines = table_of(folder, "stats.csv");
     ASSERT_EQ(lines.size(), 3u);
     std::string header;
     for (const ReportField& field : report_fields()) header += (header.empty() ? "" : ",") + std::string(field.name);
@@ -91,6 +96,108 @@ TEST(LabSimulate, WritesEveryFieldOfTheReport) {
     EXPECT_EQ(values_of(lines[2]).size(), report_fields().size());
     EXPECT_NEAR(values_of(lines[2])[0], 0.02 / static_cast<double>(load_scene("curtain").solver.dt), 1e-6);
     EXPECT_DOUBLE_EQ(values_of(lines[2])[1], 0.02);
+}
+
+TEST(LabSimulate, GivesTheUnitsOfItsReport) {
+    const LabFolder folder;
+    ASSERT_EQ(folder.run({"simulate", "curtain", "--time", "0", "--stats", "stats.csv"}).code, 0);
+    const std::string units = lines_of(folder.read("stats.csv"))[0];
+    EXPECT_THAT(units, StartsWith("# units: time [s], step_over_limit [1], step_time [us], "));
+    for (const ReportField& field : report_fields()) {
+        const std::string unit = std::string(field.name) + " [" + std::string(field.unit) + "]";
+        EXPECT_EQ(units.find(" " + unit) != std::string::npos, !field.unit.empty()) << field.name;
+    }
+}
+
+TEST(LabSimulate, StopsAtTimesOfASceneThatStartsLater) {
+    const LabFolder folder;
+    const std::vector<std::string> awake{"simulate", "two_corners", "--set", "sleep_speed=0", "--hash"};
+    const auto run = [&](std::vector<std::string> words) {
+        words.insert(words.begin(), awake.begin(), awake.end());
+        return folder.run(words);
+    };
+    ASSERT_EQ(run({"--time", "0.1", "--state", "start.csv"}).code, 0);
+    const LabRun whole = run({"--time", "0.15"});
+    const LabRun rest = run({"--set", "start=start.csv", "--time", "0.1,0.15", "--state", "end.csv"});
+    ASSERT_EQ(rest.code, 0) << rest.err;
+    EXPECT_EQ(rest.out, whole.out);
+    const auto lines = lines_of(folder.read("end.csv"));
+    EXPECT_DOUBLE_EQ(values_of(lines[1])[0], 0.1);
+    EXPECT_DOUBLE_EQ(values_of(lines.back())[0], 0.15);
+    const LabRun early = run({"--set", "start=start.csv", "--time", "0.05"});
+    EXPECT_EQ(early.code, 2);
+    EXPECT_THAT(early.err, HasSubstr("--time 0.05: allowed 0.1 <= T <= 1000000.1 s, for the scene starts at t = 0.1"));
+}
+
+TEST(LabSimulate, SaysThatTheTimeIsMissing) {
+    const LabFolder folder;
+    EXPECT_THAT(folder.run({"simulate", "drop"}).err, StartsWith("drape-lab: --time is missing: say --time T"));
+}
+
+TEST(LabSimulate, RefusesAnOptionInThePlaceOfAValue) {
+    const LabFolder folder;
+    const std::vector<std::vector<std::string>> bad{{"stability", "--out", "--quick"},
+                                                    {"simulate", "--time", "--hash", "drop"},
+                                                    {"simulate", "drop", "--time", "0", "--set", "--hash"},
+                                                    {"collide", "--grid", "--positions", "x.csv"},
+                                                    {"needs", "drop", "--set", "--out"}};
+    for (const auto& words : bad) {
+        const LabRun run = folder.run(words);
+        EXPECT_EQ(run.code, 2) << words[0];
+        EXPECT_THAT(run.err, HasSubstr(" needs a value, and '--")) << words[0];
+        EXPECT_LE(lines_of(run.err).size(), 2u);
+    }
+    EXPECT_FALSE(folder.has("--quick"));
+}
+
+TEST(LabSimulate, NeverWaitsForAFileThatIsNone) {
+    const LabFolder folder;
+    const std::string pipe = folder.path("pipe.toml");
+    ASSERT_EQ(mkfifo(pipe.c_str(), 0600), 0);
+    const std::vector<std::vector<std::string>> runs{
+        {"simulate", "--time", "0", "@"},
+        {"simulate", "--time", "0", "--replay", "@"},
+        {"simulate", "--time", "0", "drop", "--set", "start=@"},
+        {"collide", "--grid", "2x2", "--ball", "0,0,0,1", "--positions", "@"}};
+    const std::vector<std::pair<std::string, std::string>> files{
+        {pipe, "is a pipe"}, {folder.path().string() + "/", "is a folder"}, {"/dev/zero", "is a device"}};
+    for (auto words : runs) {
+        for (const auto& [file, what] : files) {
+            std::vector<std::string> named = words;
+            for (std::string& word : named) {
+                if (word.ends_with('@')) word.replace(word.size() - 1, 1, file);
+            }
+            const LabRun run = folder.run(named);
+            EXPECT_EQ(run.code, 2) << testing::PrintToString(named);
+            EXPECT_THAT(run.err, HasSubstr(file + ": " + what));
+        }
+    }
+}
+
+TEST(LabSimulate, SaysNoMoreThanTwoLinesOfAnyInput) {
+    const LabFolder folder;
+    const std::string endless(50'000, 'x'), lines = "a\nb\nc\nd";
+    folder.write("bad.toml", "title = \"x\"\n[cloth]\npinned = \"a\\nb\\nc\\n\"\n");
+    const std::vector<std::vector<std::string>> bad{
+        {"simulate", lines, "--time", "0"},
+        {"simulate", "drop", "--time", lines},
+        {"simulate", "drop", "--time", endless},
+        {"simulate", "drop", "--set", "dt=" + lines, "--time", "0"},
+        {"simulate", "drop", "--set", lines + "=1", "--time", "0"},
+        {"simulate", "drop", "--set", "title=" + lines, "--time", "0"},
+        {"simulate", "drop", "--set", "start=" + lines, "--time", "0"},
+        {"simulate", "drop", "--time", "0", "--" + lines},
+        {"simulate", "bad.toml", "--time", "0"},
+        {"simulate", lines + ".toml", "--time", "0"},
+        {"simulate", "--replay", lines},
+        {"collide", "--grid", lines, "--ball", "0,0,0,1", "--positions", "x"},
+        {lines}};
+    for (const auto& words : bad) {
+        const LabRun run = folder.run(words);
+        EXPECT_EQ(run.code, 2) << testing::PrintToString(words);
+        EXPECT_LE(lines_of(run.err).size(), 2u) << run.err;
+        EXPECT_LT(run.err.size(), 1000u);
+    }
 }
 
 TEST(LabSimulate, EndsWithTwoAndTheRangeOnBadInput) {
@@ -162,9 +269,33 @@ TEST(LabSimulate, PlaysAWholeRecordingWhereNoTimeIsGiven) {
     folder.write("cut.txt", text);
     const LabRun whole = folder.run({"simulate", "--replay", "whole.txt", "--hash", "--stats", "stats.csv"});
     ASSERT_EQ(whole.code, 0) << whole.err;
-    EXPECT_DOUBLE_EQ(values_of(lines_of(folder.read("stats.csv"))[1])[1], 0.02);
+    EXPECT_DOUBLE_EQ(values_of(table_of(folder, "stats.csv")[1])[1], 0.02);
     EXPECT_EQ(whole.out, folder.run({"simulate", "--replay", "cut.txt", "--time", "0.02", "--hash"}).out);
-    EXPECT_EQ(folder.run({"simulate", "--replay", "cut.txt", "--hash"}).code, 2) << "nobody knows when it ended";
+}
+
+TEST(LabSimulate, PlaysACutRecordingToItsLastWholeCommandWhereNoTimeIsGiven) {
+    const LabFolder folder;
+    const std::string text = "drape-recording 1\nscene drop\n0 set dt=1e-4\n100 set dt=2e-4\n";
+    folder.write("whole.txt", text + "100 end\n");
+    folder.write("cut.txt", text + "9999 ste");
+    folder.write("endless.txt", text + "9223372036854775807 end\n");
+    const std::string hash = folder.run({"simulate", "--replay", "whole.txt", "--hash"}).out;
+    for (const char* file : {"cut.txt", "endless.txt"}) {
+        const LabRun cut = folder.run({"simulate", "--replay", file, "--hash"});
+        EXPECT_EQ(cut.code, 0) << file;
+        EXPECT_EQ(cut.out, hash) << file;
+        EXPECT_THAT(cut.err, HasSubstr(std::string(file) + ":5: ")) << file;
+        EXPECT_THAT(cut.err, HasSubstr("100 steps to 0.01 s")) << file;
+    }
+}
+
+TEST(LabSimulate, FailsWhereAReplayRefusesACommand) {
+    const LabFolder folder;
+    folder.write("refused.txt", "drape-recording 1\nscene drop\n3 grab 0 899\n5 end\n");
+    EXPECT_EQ(folder.run({"simulate", "--replay", "refused.txt"}).code, 0);
+    const LabRun run = folder.run({"simulate", "--replay", "refused.txt", "--set", "cloth.particles=9,9"});
+    EXPECT_EQ(run.code, 1);
+    EXPECT_THAT(run.err, HasSubstr("refused.txt:3: 'grab 0 899' is refused: grab: particle 899: allowed 0 to 80"));
 }
 
 TEST(LabSimulate, RefusesOneFileForStateAndStats) {
@@ -188,6 +319,24 @@ TEST(LabSingle, RunsInSinglePrecision) {
     EXPECT_NE(once.out, twice.out);
     ASSERT_EQ(exact.size(), rounded.size());
     for (std::size_t i = 1; i < exact.size(); ++i) EXPECT_NEAR(values_of(exact[i])[3], values_of(rounded[i])[3], 2e-6);
+}
+
+// A step length is counted with in double precision, as it was given.
+TEST(LabSingle, MakesAsManyStepsAsFit) {
+    const LabFolder folder;
+    const std::vector<std::array<std::string, 3>> runs{{"0.5", "5e-4", "1000"}, {"1", "1e-3", "1000"},
+                                                       {"0.2", "2e-4", "1000"}, {"1", "0.0016666666666666668", "600"},
+                                                       {"0.7", "7e-4", "1000"}, {"0.3", "1e-4", "3000"},
+                                                       {"0.1", "1e-5", "10000"}};
+    for (const auto& [time, dt, steps] : runs) {
+        for (const char* program : {DRAPE_LAB, DRAPE_LAB_SINGLE}) {
+            const LabRun run = folder.run({"simulate", "two_corners", "--time", time, "--stats", "stats.csv", "--set",
+                                           "dt=" + dt, "cloth.particles=2,2", "sleep_speed=0"},
+                                          program);
+            EXPECT_THAT(run.err, HasSubstr(steps + " steps to " + time + " s")) << dt << " " << program;
+            EXPECT_DOUBLE_EQ(values_of(table_of(folder, "stats.csv")[1])[1], parse_real(time).value());
+        }
+    }
 }
 
 TEST(LabHelp, GoesToStandardOutputWithEverySetting) {

@@ -49,6 +49,23 @@ TEST(Recording, ReadsWhatARecorderWrote) {
     EXPECT_EQ(recording.notice, "");
 }
 
+TEST(Recording, MayHaveTheEndsOfLinesOfOtherSystems) {
+    std::string text = good;
+    for (std::size_t at = 0; (at = text.find('\n', at)) != std::string::npos; at += 2) text.replace(at, 1, "\r\n");
+    const Recording recording = recording_of(text);
+    EXPECT_EQ(recording.scene, "drop");
+    EXPECT_THAT(recording.assignments, ElementsAre("solver.dt=1e-4", "friction=0.2"));
+    EXPECT_EQ(recording.entries.size(), 4u);
+    EXPECT_EQ(recording.last_step, 12);
+    EXPECT_EQ(recording.notice, "");
+}
+
+TEST(Recording, KnowsTheLineOfEachEntry) {
+    const Recording recording = recording_of(good);
+    EXPECT_EQ(recording.entries.front().line, 5);
+    EXPECT_EQ(recording.entries.back().line, 8);
+}
+
 TEST(Recording, CutOffAnywhereIsReadToTheLastWholeLineAndSaysSo) {
     const std::string text = good;
     const std::size_t header = text.find("set ");
@@ -71,8 +88,8 @@ TEST(Recording, WithoutAWholeHeaderIsRefused) {
 
 TEST(Recording, OfAnotherFormIsRefused) {
     const ScratchFile file("foreign.txt");
-    for (const char* text : {"", "\n", "drape-recording 2\nscene drop\n", "drape-recording 1\r\nscene drop\r\n",
-                             "[cloth]\nmass = 1\n", "t,particle,x,y,z\n", "\x89PNG\r\n\x1a\n"}) {
+    for (const char* text : {"", "\n", "drape-recording 2\nscene drop\n", "[cloth]\nmass = 1\n", "t,particle,x,y,z\n",
+                             "\x89PNG\r\n\x1a\n"}) {
         file.write(text);
         EXPECT_THAT(input_error_of([&] { read_recording(file.name()); }),
                     AllOf(StartsWith(file.name() + ":1: "), HasSubstr("'drape-recording 1'")));
@@ -92,11 +109,15 @@ TEST(Recording, WithADamagedLineIsReadUpToIt) {
     const std::string head = "drape-recording 1\nscene drop\n1 pause\n";
     for (const char* line :
          {"2 paus", "pause", "x pause", "-1 pause", "0 pause", "2 hash 12", "2 hash 0123456789abcdeg", "2 hash", "2",
-          "", "2  pause", "set dt=1e-4", "\x01\x02", "2 steer nan 0 0", "0 end"}) {
+          "", "2  pause", "set dt=1e-4", "\x01\x02", "2 steer nan 0 0", "0 end", "9223372036854775807 end",
+          "1000000001 end", "1000000001 pause", "99999999999999999999 end"}) {
         const Recording recording = recording_of(head + line + "\n9 end\n");
         EXPECT_EQ(recording.entries.size(), 1u) << line;
         EXPECT_THAT(recording.notice, HasSubstr(":4: ")) << line;
     }
+    EXPECT_THAT(recording_of(head + "1000000001 end\n").notice, HasSubstr("STEP <= 1000000000"));
+    EXPECT_EQ(recording_of(head + "1000000000 end\n").last_step, 1'000'000'000);
+    EXPECT_THAT(recording_of(head + "2 \x1b[31m\n").notice, HasSubstr("'\\x1b[31m'"));
     EXPECT_THAT(recording_of(head + "2 paus\n").notice, AllOf(HasSubstr("'pause'"), HasSubstr("line before")));
     EXPECT_THAT(recording_of(head + std::string(3'000'000, 'x') + "\n").notice, HasSubstr("too long"));
 }

@@ -3,7 +3,9 @@
 #include <gmock/gmock.h>
 
 #include <random>
+#include <sstream>
 
+#include "drape/sim/state_csv.h"
 #include "sim/small_scene.h"
 #include "support/scratch_file.h"
 
@@ -37,6 +39,13 @@ Recording busy_recording() {
     at(140, "step 3");
     at(143, "pause");
     return recording;
+}
+
+std::string state_text(const Simulation& simulation) {
+    std::ostringstream out;
+    write_state_header(out, simulation);
+    write_state(out, simulation);
+    return out.str();
 }
 
 std::int64_t steps_made(Session& session) { return session.simulation().report().step; }
@@ -81,6 +90,61 @@ TEST(Session, RunsUntilTheLastStepNotBeyondATime) {
     Session decimal(small_simulation({"dt=1e-4"}));
     decimal.run_until(0.3);
     EXPECT_EQ(steps_made(decimal), 3000) << "0.3 / 1e-4 is a little less than 3000 in floating point";
+}
+
+TEST(Session, StopsAtATimeOfTheSceneThatStartsLater) {
+    const ScratchFile file("state.csv");
+    Simulation first = small_simulation();
+    make_steps(first, 100);
+    file.write(state_text(first));
+    Session session(small_simulation({"start=" + file.name()}));
+    EXPECT_EQ(session.start_time(), 100 * dt);
+    session.run_until(100 * dt);
+    EXPECT_EQ(steps_made(session), 0) << "it is there already";
+    session.run_until(150.5 * dt);
+    EXPECT_EQ(steps_made(session), 50);
+    EXPECT_EQ(session.simulation().report().time, 150 * dt);
+    EXPECT_DOUBLE_EQ(static_cast<double>(session.blend()), 0.5);
+}
+
+TEST(Session, CountsEveryStepOfALateStart) {
+    const ScratchFile file("state.csv");
+    Simulation first = small_simulation();
+    const std::string text = state_text(first);
+    const double late = 123456.7;
+    std::string later;
+    for (std::size_t begin = 0; begin < text.size();) {
+        const std::size_t end = text.find('\n', begin) + 1;
+        const std::string line = text.substr(begin, end - begin);
+        later += begin == 0 ? line : "123456.7" + line.substr(line.find(','));
+        begin = end;
+    }
+    file.write(later);
+    Session session(small_simulation({"start=" + file.name(), "dt=1e-5", "sleep_speed=0"}));
+    for (int frame = 1; frame <= 100; ++frame) {
+        session.run_until(late + frame * 1e-5);
+        ASSERT_EQ(steps_made(session), frame) << "a multiple of dt after the start";
+    }
+}
+
+TEST(RecordedSession, OfALateStartIsReplayedToTheSameBits) {
+    const ScratchFile state("state.csv"), file("session.txt");
+    Simulation first = small_simulation();
+    make_steps(first, 64);
+    state.write(state_text(first));
+    const auto start = [&] { return Session(small_simulation({"start=" + state.name()})); };
+    Session live = start();
+    live.record(file.name(), {"start=" + state.name()});
+    live.run_until(80 * dt);
+    live.send(command::Set{"wind.on=true"});
+    live.run_until(200 * dt);
+    live.close();
+    Session again = start();
+    again.replay(read_recording(file.name()));
+    again.run_replay();
+    EXPECT_EQ(steps_made(again), 136) << "steps are counted from the start";
+    EXPECT_EQ(again.replay_notice(), "");
+    EXPECT_EQ(again.simulation().hash(), live.simulation().hash());
 }
 
 TEST(Session, BlendsBetweenTheLastTwoStates) {
@@ -226,13 +290,50 @@ TEST(ReplayedSession, SaysThatItsRecordingWasCutOnceItHasPlayedIt) {
     EXPECT_EQ(session.replay_notice(), "cut off");
 }
 
+TEST(ReplayedSession, SaysBothThatItDiffersAndThatItsRecordingWasCut) {
+    Session session = small_session();
+    Recording recording;
+    recording.entries = {{5, std::uint64_t{1}}};
+    recording.notice = "cut off";
+    session.replay(recording);
+    session.run_until(10 * dt);
+    EXPECT_THAT(session.replay_notice(), testing::AllOf(HasSubstr("before step 5"), testing::EndsWith("; cut off")));
+}
+
+TEST(ReplayedSession, SaysThatItsRecordingWasCutBeforeTheFirstCommand) {
+    Session session = small_session();
+    Recording recording;
+    recording.notice = "cut off";
+    session.replay(recording);
+    EXPECT_EQ(session.replay_notice(), "cut off");
+}
+
+TEST(ReplayedSession, EndsWhereItWasClosedOrAtItsLastWholeLine) {
+    Recording recording;
+    recording.entries = {{5, Command(command::Orbit{})}, {7, Command(command::Pause{})}};
+    Session cut = small_session();
+    cut.replay(recording);
+    cut.run_replay();
+    EXPECT_EQ(steps_made(cut), 7);
+    EXPECT_TRUE(cut.simulation().paused()) << "the last command is carried out too";
+    recording.last_step = 9;
+    Session whole = small_session();
+    whole.replay(recording);
+    whole.run_replay();
+    EXPECT_EQ(steps_made(whole), 9);
+}
+
 TEST(ReplayedSession, SaysWhichCommandItCouldNotCarryOut) {
     Session session = small_session();
     Recording recording;
-    recording.entries = {{1, Command(command::Grab{7, 0})}, {2, Command(command::Pause{})}};
+    recording.file = "session.txt";
+    recording.entries = {{1, Command(command::Grab{7, 0}), 3}, {2, Command(command::Pause{}), 4}};
     session.replay(recording);
     session.run_until(5 * dt);
-    EXPECT_THAT(session.replay_notice(), HasSubstr("cloth 7"));
+    EXPECT_EQ(session.replay_notice(),
+              "the replay differs from its recording: session.txt:3: 'grab 7 0' is refused: grab: cloth 7: allowed 0 "
+              "to 0");
+    EXPECT_TRUE(session.replay_differs());
     EXPECT_TRUE(session.simulation().paused()) << "what follows is played";
 }
 

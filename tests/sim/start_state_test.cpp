@@ -74,6 +74,16 @@ TEST(StartState, FindsABallOnItsPath) {
     EXPECT_LT((rest.balls()[0].centre - whole.balls()[0].centre).norm(), 1e-12);
 }
 
+TEST(StartState, MayHaveTheEndsOfLinesOfOtherSystems) {
+    const testing_aid::ScratchFile file("state.csv");
+    Simulation simulation = small_simulation();
+    make_steps(simulation, 20);
+    std::string text = state_text(simulation);
+    for (std::size_t at = 0; (at = text.find('\n', at)) != std::string::npos; at += 2) text.replace(at, 1, "\r\n");
+    file.write(text);
+    EXPECT_EQ(small_simulation({"start=" + file.name()}).hash(), simulation.hash());
+}
+
 /// What is said of a state file with this text.
 std::string complaint(const std::string& text) {
     const testing_aid::ScratchFile file("state.csv");
@@ -97,8 +107,12 @@ TEST(StartState, ThatIsDamagedIsRefusedWithItsLine) {
     EXPECT_THAT(complaint(header + "0,0,1,2,3\n"), HasSubstr("state.csv:2: expected t,particle"));
     EXPECT_THAT(complaint(header + "0,0,1,2,3,4,5,nan\n"), HasSubstr("state.csv:2: allowed numbers"));
     EXPECT_THAT(complaint(header + "0,0,1,2,3,4,5,1e13\n"), HasSubstr("state.csv:2: allowed numbers"));
-    EXPECT_THAT(complaint(header + "-1,0" + row), HasSubstr("state.csv:2: t: allowed 0 <= t"));
+    EXPECT_THAT(complaint(header + "-1,0" + row), HasSubstr("state.csv:2: t = -1: allowed 0 <= t"));
     EXPECT_THAT(complaint(header + std::string(5000, '1') + "\n"), HasSubstr("state.csv:2: longer than"));
+    EXPECT_THAT(complaint(header + "1,0" + row + "2,1" + row), HasSubstr("state.csv:3: t = 2: allowed 1, the time of"));
+    const std::string later = header + "3,0" + row + "3,1" + row + "3,2" + row + "3,3" + row;
+    EXPECT_EQ(complaint(later + later.substr(header.size())), "") << "the same moment twice";
+    EXPECT_THAT(complaint(later + "2,0" + row), HasSubstr("state.csv:6: t = 2: allowed t >= 3"));
     EXPECT_THAT(testing_aid::input_error_of([] { small_simulation({"start=/no/such.csv"}); }),
                 HasSubstr("cannot be read"));
 }
@@ -139,7 +153,7 @@ TEST(SceneText, IsReadBackAsTheSameSettings) {
     odd.balls.push_back(odd.balls[0]);
     odd.balls[1].motion = BallMotion::Path;
     odd.balls[1].path = {{0, Vec3(1, 2, 3)}, {Real(0.1), Vec3(4, 5, Real(1) / 3)}};
-    odd.solver.dt = Real(1) / 3000;
+    odd.solver.dt = 1.0 / 3000;
     odd.contact.coherence = false;
     odd.view.eye = Vec3(1, 2, 3);
     expect_same(parse_scene(scene_text(odd), "odd.toml"), odd, "odd");

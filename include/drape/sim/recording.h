@@ -15,6 +15,7 @@ namespace drape {
 struct RecordedEntry {
     std::int64_t step = 0;
     std::variant<Command, std::uint64_t> content;
+    int line = 0;  ///< of the file
 };
 
 /// A recording as read from a file. Its text: a first line `drape-recording 1`, a line `scene NAME`, a line `set
@@ -25,11 +26,15 @@ struct Recording {
     std::vector<std::string> assignments;
     std::vector<RecordedEntry> entries;
     std::optional<std::int64_t> last_step;  ///< where it was closed; nothing if it never was
-    std::string notice;  ///< why it was cut short: truncated, or a line that is no command; empty if whole
+    std::string notice;     ///< why it was cut short: truncated, or a line that is no command; empty if whole
+    std::string file = {};  ///< for messages
 };
 
 /// @throws InputError if the file cannot be read or is no recording; a damaged tail is cut and said in `notice`
 Recording read_recording(const std::string& file);
+
+/// The same from a stream; `file` names it in messages.
+Recording read_recording(std::istream& in, const std::string& file);
 
 /// Writes a recording line by line, so that a crash loses at most the last one.
 class Recorder {

@@ -33,13 +33,16 @@ public:
     /// is dropped. Paused, it makes only the steps that were asked for.
     void advance(double elapsed, double budget);
 
-    /// Makes steps until the simulated time is the last multiple of dt that is not beyond `time` [s]; pauses are passed
-    /// over.
+    /// Makes steps until the simulated time is the last one that whole steps come to and that is not beyond `time` [s];
+    /// pauses are passed over. It is the scene's clock, except that a reset in a replay does not set it back.
     void run_until(double time);
 
-    /// Makes the steps of the recording that is replayed, to where it was closed; pauses are passed over.
-    /// @return false, and makes none, if it never was closed or nothing is replayed
-    bool run_replay();
+    /// Makes the steps of the recording that is replayed, to where it was closed, or to its last whole line; pauses are
+    /// passed over.
+    void run_replay();
+
+    /// The time at which the simulation was when the session began: that of the scene's start file, or 0 [s].
+    [[nodiscard]] double start_time() const { return start_time_; }
 
     /// Camera commands of a replay that came due since the last call, for whoever owns the camera.
     [[nodiscard]] std::vector<Command> take_view_commands();
@@ -53,10 +56,10 @@ public:
     /// Simulated seconds that were cut because the machine could not keep up or stood still.
     [[nodiscard]] double dropped() const { return dropped_; }
 
-    /// What a replay has to say: that it ended early, or the first step whose hash differs. Empty while all is well.
+    /// What a replay has to say: how it first differed, and that its recording was cut. Empty while all is well.
     [[nodiscard]] const std::string& replay_notice() const { return replay_notice_; }
 
-    /// Whether a hash of the replay was not that of the state.
+    /// Whether a hash of the replay was not that of the state, or a command was refused that once was carried out.
     [[nodiscard]] bool replay_differs() const { return replay_differs_; }
 
     /// Writes the closing hash of a recording and closes it; called by the destructor too.
@@ -70,6 +73,9 @@ public:
 private:
     void step();
     void play_due_entries();
+    void play(const RecordedEntry& entry);
+    void differ(const std::string& how);
+    void say_cut();
     double time_after_next_step();
     [[nodiscard]] double dt() const;
 
@@ -81,7 +87,8 @@ private:
     std::string replay_notice_;
     bool replay_differs_ = false;
     std::int64_t steps_made_ = 0;  ///< by this session; a reset does not set it back
-    double time_ = 0;              ///< of the steps that `run_until` made; a reset does not set it back [s]
+    double start_time_;            ///< [s]
+    double time_;                  ///< start and the steps that `run_until` made; a reset does not set it back [s]
     double counted_from_ = 0;      ///< time_ is this plus counted_steps_ steps of counted_dt_: no error adds up
     double counted_dt_ = 0;
     std::int64_t counted_steps_ = 0;

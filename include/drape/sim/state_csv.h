@@ -12,6 +12,10 @@ void write_state_header(std::ostream& out, const Simulation& simulation);
 /// One row a particle, 17 significant digits, C locale.
 void write_state(std::ostream& out, const Simulation& simulation);
 
+/// A comment with the units of `report_fields`, as in "# units: time [s], rms_speed [m/s]", without an end of line: it
+/// comes before the header, whose names stay as they are. What it leaves out are counts and flags.
+void write_report_units(std::ostream& out);
+
 /// The names of `report_fields`, joined by commas, without an end of line.
 void write_report_header(std::ostream& out);
 

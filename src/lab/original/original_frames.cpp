@@ -53,12 +53,13 @@ private:
     std::filesystem::path path_;
 };
 
-/// Columns of a table whose first line has their names, and whose other lines are numbers.
+/// Columns of a table whose first line after comments has their names, and whose other lines are numbers.
 class NumberTable {
 public:
     explicit NumberTable(const std::filesystem::path& file) : name_(file.string()) {
         std::ifstream in(file);
-        std::getline(in, names_);
+        while (std::getline(in, names_) && names_.starts_with('#')) {
+        }
         for (std::string line; std::getline(in, line);) {
             auto row = parse_reals(line);
             if (!row) throw RunError(name_ + ": is not a table of numbers");
@@ -100,7 +101,7 @@ std::vector<std::string> original_assignments(const OriginalWay& way) {
 OriginalTimes time_original(const OriginalWay& way, const OriginalPlan& plan) {
     Settings settings = load_scene(scene);
     assign_all(settings, original_assignments(way));
-    const auto steps = static_cast<int>(std::lround(1 / (frame_rate * static_cast<double>(settings.solver.dt))));
+    const auto steps = static_cast<int>(std::lround(1 / (frame_rate * settings.solver.dt)));
 
     Simulation simulation(scene, settings);
     std::vector<double> frames;
