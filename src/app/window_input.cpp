@@ -123,7 +123,7 @@ void Window::on_reshape(int width, int height) {
 
 Command Window::command_of(const Entry& entry) {
     if (entry.manner == Manner::OneFrame) {
-        const double steps = 1.0 / 60 / double(session_.simulation().settings().solver.dt);
+        const double steps = 1.0 / 60 / session_.simulation().settings().solver.dt;
         return command::Step{std::max(1, static_cast<int>(std::lround(steps)))};
     }
     return parse_command(entry.command);

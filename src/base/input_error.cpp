@@ -23,7 +23,55 @@ std::size_t edit_distance(std::string_view a, std::string_view b) {
     return row[b.size()];
 }
 
+/// A byte as C writes it.
+std::string escaped(unsigned char byte) {
+    constexpr std::string_view digits = "0123456789abcdef";
+    switch (byte) {
+        case '\n':
+            return "\\n";
+        case '\r':
+            return "\\r";
+        case '\t':
+            return "\\t";
+        default:
+            return {'\\', 'x', digits[byte / 16], digits[byte % 16]};
+    }
+}
+
+/// Whether a UTF-8 text has one of the control characters U+0080 to U+009F here, of which terminals know some.
+bool is_wide_control(std::string_view text) {
+    return text.size() > 1 && text[0] == '\xc2' && static_cast<unsigned char>(text[1]) < 0xa0;
+}
+
 }  // namespace
+
+InputError::InputError(const std::string& message, const std::string& hint)
+    : std::runtime_error(one_line(message) + (hint.empty() ? "" : "\n" + one_line(hint))) {}
+
+std::string one_line(std::string_view text) {
+    constexpr std::size_t longest = 2000;
+    std::string line;
+    for (std::size_t i = 0; i < text.size(); ++i) {
+        const auto byte = static_cast<unsigned char>(text[i]);
+        if (byte < ' ' || byte == 127 || is_wide_control(text.substr(i))) {
+            line += escaped(byte);
+            if (byte > 127) line += escaped(static_cast<unsigned char>(text[++i]));
+        } else {
+            line += text[i];
+        }
+    }
+    // The place stands at its beginning, and what is allowed at its end
+    if (line.size() <= longest) return line;
+    return line.substr(0, longest / 2) + " ... " + line.substr(line.size() - longest / 2);
+}
+
+std::string shortened(std::string_view value) {
+    constexpr std::size_t longest = 100;
+    if (value.size() <= longest) return std::string(value);
+    std::size_t end = longest;
+    while (end > 0 && (static_cast<unsigned char>(value[end]) & 0xc0) == 0x80) --end;  // not within a letter
+    return std::string(value.substr(0, end)) + "...";
+}
 
 std::string nearest_name(std::string_view name, std::span<const std::string> names) {
     const std::string_view head = name.substr(0, 100);  // a longer name is no typing error

@@ -1,76 +1,34 @@
 #include "collide.h"
 
 #include <algorithm>
-#include <fstream>
-#include <limits>
 #include <vector>
 
 #include "drape/base/numbers.h"
 #include "drape/base/program.h"
-#include "drape/base/read_line.h"
 #include "drape/contact/contact.h"
 #include "drape/sim/setting_table.h"
+#include "positions.h"
 
 namespace drape {
 namespace {
-
-constexpr double largest_coordinate = 1e12;  // m
-constexpr std::size_t longest_line = 4096;
 
 struct Options {
     std::string grid, positions, ball;
     std::vector<std::string> assignments;
 };
 
-/// Reads "1,2,3" into exactly `count` finite numbers; `where` starts the error.
-std::vector<double> parse_numbers(const std::string& text, std::size_t count, const std::string& where) {
-    const auto numbers = parse_reals(text);
-    const auto fits = [](double x) { return x >= -largest_coordinate && x <= largest_coordinate; };
-    if (numbers && numbers->size() == count && std::ranges::all_of(*numbers, fits)) return *numbers;
-    throw InputError(where + text.substr(0, 100) + ": allowed " + std::to_string(count) +
-                     " numbers with commas between, each of size at most " + real_text(largest_coordinate));
-}
-
 Grid parse_grid(const std::string& text) {
     const std::size_t cross = std::min(text.find('x'), text.size());
     const auto nx = parse_integer(std::string_view(text).substr(0, cross));
     const auto ny = parse_integer(std::string_view(text).substr(std::min(cross + 1, text.size())));
     const auto fits = [](const auto& n) { return n && *n >= 2 && *n <= 4096; };
-    if (!fits(nx) || !fits(ny)) throw InputError("--grid " + text + ": allowed NXxNY, each 2 to 4096");
+    if (!fits(nx) || !fits(ny)) throw InputError("--grid " + shortened(text) + ": allowed NXxNY, each 2 to 4096");
     return {static_cast<int>(*nx), static_cast<int>(*ny)};
-}
-
-Points read_positions(const std::string& file, const Grid& grid) {
-    std::ifstream in(file);
-    if (!in) throw InputError("--positions " + file + ": cannot be read");
-    Points x(grid.particles(), 3);
-    std::string line;
-    int row = 0;
-    for (int number = 1;; ++number) {
-        const LineEnd end = read_line(in, line, longest_line);
-        if (end == LineEnd::None) break;
-        if (!line.empty() && line.back() == '\r') line.pop_back();
-        const std::string where = file + ":" + std::to_string(number) + ": ";
-        if (end == LineEnd::TooLong) {
-            throw InputError(where + "the line is longer than " + std::to_string(longest_line) + " bytes");
-        }
-        if (row == grid.particles()) {
-            throw InputError(where + "more rows than the grid's " + std::to_string(grid.particles()) + " particles");
-        }
-        const auto values = parse_numbers(line, 3, where);
-        for (int axis = 0; axis < 3; ++axis) x(row, axis) = static_cast<Real>(values[static_cast<std::size_t>(axis)]);
-        ++row;
-    }
-    if (row < grid.particles()) {
-        throw InputError(file + ": " + std::to_string(row) + " rows: the grid has " + std::to_string(grid.particles()) +
-                         " particles");
-    }
-    return x;
 }
 
 Ball parse_ball(const std::string& text) {
     const auto values = parse_numbers(text, 4, "--ball ");
-    if (!(values[3] >= 0)) throw InputError("--ball " + text + ": allowed a radius of at least 0");
+    if (!(values[3] >= 0)) throw InputError("--ball " + shortened(text) + ": allowed a radius of at least 0");
     const auto at = [&](std::size_t i) { return static_cast<Real>(values[i]); };
     return {.centre = {at(0), at(1), at(2)}, .radius = at(3)};
 }

@@ -81,7 +81,7 @@ Row state_row(const FrameView& view) {
 // The step and the parts that it is made in, and how near it is to its limit
 std::vector<Row> step_rows(const FrameView& view) {
     const StepReport& report = *view.report;
-    std::string text = format("%.3g ms", 1000 * static_cast<double>(view.settings->solver.dt));
+    std::string text = format("%.3g ms", 1000 * view.settings->solver.dt);
     if (report.substeps > 1) text += format(" in %d parts", report.substeps);
     std::vector<Row> rows{{"step size", text, -1, 3}};
     const double part = report.step_over_limit;

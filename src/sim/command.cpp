@@ -162,8 +162,7 @@ Command parse_command(std::string_view text) {
     }
     std::vector<std::string> names;
     for (const Form& form : forms()) names.push_back(form.name);
-    throw InputError("unknown command '" + std::string(name.substr(0, 100)) + "': did you mean '" +
-                     nearest_name(name, names) + "'?");
+    throw InputError("unknown command '" + shortened(name) + "': did you mean '" + nearest_name(name, names) + "'?");
 }
 
 bool changes_state(const Command& command) {

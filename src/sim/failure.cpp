@@ -29,7 +29,7 @@ constexpr std::string_view mark = "Fails at once: ";
 /// The settings with cloths, balls, pins and parts of a step as they are now.
 Settings present_settings(const Simulation& simulation) {
     Settings settings = simulation.settings();
-    settings.solver.dt /= static_cast<Real>(simulation.report().substeps);
+    settings.solver.dt /= simulation.report().substeps;
     if (settings.solver.on_unstable == OnUnstable::Substep) settings.solver.on_unstable = OnUnstable::Warn;
     const auto cloths = simulation.cloths();
     for (std::size_t c = 0; c < cloths.size(); ++c) {

@@ -3,6 +3,7 @@
 #include <charconv>
 
 #include "drape/base/input_error.h"
+#include "drape/base/input_file.h"
 #include "drape/base/numbers.h"
 #include "drape/base/read_line.h"
 
@@ -10,6 +11,7 @@ namespace drape {
 namespace {
 
 constexpr std::string_view first_line = "drape-recording 1";
+constexpr std::uintmax_t largest_file = 128 << 20;
 constexpr std::size_t longest_line = 1 << 20;  // a list of pins or a path may be long
 
 std::optional<std::uint64_t> parse_hash(std::string_view text) {
@@ -46,9 +48,12 @@ void append_entry(const std::string& line, Recording& recording) {
 }  // namespace
 
 Recording read_recording(const std::string& file) {
-    std::ifstream in(file, std::ios::binary);
+    InputFile in(file, largest_file);
+    return read_recording(in, file);
+}
+
+Recording read_recording(std::istream& in, const std::string& file) {
     std::string line;
-    if (!in) throw InputError(file + ": cannot be read");
     if (read_line(in, line, longest_line) != LineEnd::Whole || line != first_line) {
         throw InputError(file + ":1: no recording: expected '" + std::string(first_line) + "'");
     }

@@ -1,10 +1,10 @@
 #include "drape/sim/scene.h"
 
 #include <algorithm>
-#include <fstream>
 #include <iterator>
 
 #include "drape/base/input_error.h"
+#include "drape/base/input_file.h"
 #include "drape/base/resources.h"
 #include "drape/sim/setting_table.h"
 #include "toml_value.h"
@@ -110,7 +110,8 @@ private:
 
     const toml::table& table_of(const toml::node& node, const std::string& name) {
         if (!node.is_table())
-            fail(node, name + " = " + toml_text(node) + ": allowed only a table, as in [" + name + "]");
+            fail(node,
+                 shortened(name) + " = " + toml_text(node) + ": allowed only a table, as in [" + shortened(name) + "]");
         return *node.as_table();
     }
 
@@ -123,7 +124,7 @@ private:
                 names.push_back(setting.full_name());
             }
         }
-        fail(node, "unknown key '" + name.substr(0, 100) + "': did you mean '" + nearest_name(name, names) + "'?");
+        fail(node, "unknown key '" + shortened(name) + "': did you mean '" + nearest_name(name, names) + "'?");
     }
 
     [[noreturn]] void fail(const toml::node& node, const std::string& message) const {
@@ -155,15 +156,9 @@ void check_sizes(std::string_view text, const std::string& file) {
     }
 }
 
-std::string read_file(const std::filesystem::path& path, const std::string& file) {
-    std::error_code error;
-    if (std::filesystem::is_directory(path, error)) throw InputError(file + ": is a folder, not a scene file");
-    std::ifstream in(path, std::ios::binary);
-    if (!in) throw InputError(file + ": cannot be read");
-    std::string text(largest_file + 1, '\0');
-    in.read(text.data(), static_cast<std::streamsize>(text.size()));
-    text.resize(static_cast<std::size_t>(in.gcount()));
-    return text;
+std::string read_file(const std::string& file) {
+    InputFile in(file, largest_file);
+    return {std::istreambuf_iterator<char>(in), {}};
 }
 
 }  // namespace
@@ -178,14 +173,14 @@ Settings parse_scene(std::string_view text, const std::string& file) {
 
 Settings load_scene(const std::string& name_or_path) {
     const bool is_path = name_or_path.find('/') != std::string::npos || name_or_path.ends_with(".toml");
-    if (is_path) return parse_scene(read_file(name_or_path, name_or_path), name_or_path);
+    if (is_path) return parse_scene(read_file(name_or_path), name_or_path);
     const auto names = scene_names();
     if (std::find(names.begin(), names.end(), name_or_path) == names.end()) {
-        throw InputError("scene '" + name_or_path.substr(0, 100) + "': allowed " + listed(names) +
+        throw InputError("scene '" + shortened(name_or_path) + "': allowed " + listed(names) +
                          ", or the path of a .toml file; did you mean '" + nearest_name(name_or_path, names) + "'?");
     }
-    const auto path = find_resource("scenes/" + name_or_path + ".toml");
-    return parse_scene(read_file(path, path.string()), path.string());
+    const std::string path = find_resource("scenes/" + name_or_path + ".toml").string();
+    return parse_scene(read_file(path), path);
 }
 
 std::vector<std::string> scene_names() {

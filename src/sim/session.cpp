@@ -129,7 +129,7 @@ Real Session::blend() const {
     return simulation_.paused() ? Real(1) : static_cast<Real>(std::clamp(behind_ / dt(), 0.0, 1.0));
 }
 
-double Session::dt() const { return static_cast<double>(simulation_.settings().solver.dt); }
+double Session::dt() const { return simulation_.settings().solver.dt; }
 
 void Session::close() {
     if (!recorder_) return;

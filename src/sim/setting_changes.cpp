@@ -25,7 +25,7 @@ Target find_target(std::string_view name) {
     }
     const auto index = parse_integer(name.substr(open + 1, close - open - 1));
     if (!index || *index < 0) {
-        throw InputError("setting '" + std::string(name) + "': expected a number from 0 in the brackets");
+        throw InputError("setting '" + shortened(name) + "': expected a number from 0 in the brackets");
     }
     const std::string plain = std::string(name.substr(0, open)) + std::string(name.substr(close + 1));
     return {&find_setting(plain), static_cast<std::size_t>(*index)};
@@ -86,7 +86,7 @@ void check_ball(const BallSettings& ball, std::size_t index) {
 void assign(Settings& settings, std::string_view assignment) {
     const std::size_t equals = assignment.find('=');
     if (equals == std::string_view::npos || equals == 0) {
-        throw InputError("'" + std::string(assignment.substr(0, 100)) + "': expected name=value");
+        throw InputError("'" + shortened(assignment) + "': expected name=value");
     }
     const Target target = find_target(assignment.substr(0, equals));
     write_checked(settings, target, parse_value(*target.setting, assignment.substr(equals + 1)));
@@ -97,7 +97,7 @@ void assign_all(Settings& settings, std::span<const std::string> assignments) {
         try {
             assign(settings, assignment);
         } catch (const InputError& error) {
-            throw InputError("--set " + assignment.substr(0, 100) + ": " + error.what());
+            throw InputError("--set " + shortened(assignment) + ": " + error.what());
         }
     }
 }

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <string>
+#include <type_traits>
 #include <utility>
 #include <vector>
 
@@ -42,10 +43,11 @@ public:
                          }});
     }
 
-    /// @param member pointer to a Real of Part, or to a Real of a member of it through `inner`
-    void number(std::string name, Real Part::*member, std::string unit, Range range, std::string help) {
+    /// @param member pointer to a number of Part
+    template <class Number>
+    void number(std::string name, Number Part::*member, std::string unit, Range range, std::string help) {
         number_at(
-            std::move(name), [member](Part& part) -> Real& { return part.*member; }, std::move(unit), range,
+            std::move(name), [member](Part& part) -> Number& { return part.*member; }, std::move(unit), range,
             std::move(help));
     }
 
@@ -54,7 +56,10 @@ public:
         add(
             std::move(name), SettingKind::Number, std::move(unit), range, {}, std::move(help),
             [at](Part& part) { return static_cast<double>(at(part)); },
-            [at](Part& part, const SettingValue& value) { at(part) = static_cast<Real>(std::get<double>(value)); });
+            [at](Part& part, const SettingValue& value) {
+                using Number = std::remove_reference_t<decltype(at(part))>;
+                at(part) = static_cast<Number>(std::get<double>(value));
+            });
     }
 
     void integer(std::string name, int Part::*member, Range range, std::string help) {

@@ -33,13 +33,6 @@ std::optional<Values> parse_list(std::string_view text) {
     }
 }
 
-/// A value as messages show it, which are to stay short.
-std::string shortened(std::string text) {
-    constexpr std::size_t longest = 100;
-    if (text.size() > longest) text = text.substr(0, longest) + "...";
-    return text;
-}
-
 /// A text that stays within its line in recordings, tables and the panel.
 bool is_one_line(const std::string& text) {
     return std::none_of(text.begin(), text.end(), [](char c) { return static_cast<unsigned char>(c) < ' '; });
@@ -137,7 +130,7 @@ std::string refusal(const Setting& setting, const SettingValue& value) {
 SettingValue parse_value(const Setting& setting, std::string_view text) {
     const std::string_view word = trimmed(text);
     const auto refuse = [&]() -> SettingValue {
-        throw InputError(setting.full_name() + " = " + shortened(std::string(word)) + ": allowed " + accepted(setting));
+        throw InputError(setting.full_name() + " = " + shortened(word) + ": allowed " + accepted(setting));
     };
     if (setting.kind == SettingKind::Text) return std::string(word);
     if (setting.kind == SettingKind::Choice) {
@@ -183,7 +176,7 @@ const Setting& find_setting(std::string_view name) {
         endings.push_back(full);
     }
     if (endings.size() == 1) return *found;
-    const std::string quoted = "'" + std::string(name.substr(0, 100)) + "'";
+    const std::string quoted = "'" + shortened(name) + "'";
     if (endings.size() > 1) throw InputError("setting " + quoted + " is ambiguous: say " + listed(endings));
     throw InputError("unknown setting " + quoted + ": did you mean '" + nearest_name(name, names) + "'?");
 }

@@ -63,14 +63,13 @@ void Simulation::step() {
         if (cloth.ledger) cloth.ledger->mark();
     }
     watch_limit();
-    const Real h = settings_.solver.dt / static_cast<Real>(report_.substeps);
+    const Real h = static_cast<Real>(settings_.solver.dt / report_.substeps);
     for (int k = 0; k < report_.substeps; ++k) {
         substep(report_.time + k * static_cast<double>(h), h);
         if (report_.status == Status::Diverged) return;
     }
     ++report_.step;
-    report_.time = counted_from_time_ +
-                   static_cast<double>(report_.step - counted_from_step_) * static_cast<double>(settings_.solver.dt);
+    report_.time = counted_from_time_ + static_cast<double>(report_.step - counted_from_step_) * settings_.solver.dt;
     steps_wanted_ = std::max(0, steps_wanted_ - 1);
     if (!report_.asleep) watch_rest();
 }
@@ -78,7 +77,7 @@ void Simulation::step() {
 /// Springs that are drawn out or pushed together vibrate faster than at the start. Parts only become more: a symplectic
 /// method whose step changes to and fro gains energy. The search is the one thing that allocates in mid-run.
 void Simulation::watch_limit() {
-    constexpr Real pause = Real(0.25);  // s
+    constexpr double pause = 0.25;  // s
     const SolverSettings& solver = settings_.solver;
     if (solver.on_unstable != OnUnstable::Substep || !has_step_limit(solver.integrator) || report_.asleep) return;
     const auto between = static_cast<std::int64_t>(std::ceil(pause / solver.dt));

@@ -16,7 +16,8 @@ namespace drape {
 namespace {
 
 /// Of its limit, that a part of a step is to stay under, and the most parts that one is made in.
-constexpr Real safe_part = Real(0.9), most_substeps = 1000;
+constexpr Real safe_part = Real(0.9);
+constexpr double most_substeps = 1000;
 
 /// How fast the hand pulls, and the time in which it closes a small gap.
 constexpr Real hand_speed = 3;         // m/s
@@ -199,10 +200,10 @@ void Simulation::predict_limit(int fewest_parts) {
     }
     // Where no step is short enough, parts do not help
     const bool bounded = limit > 0 && std::isfinite(limit);
-    const Real wanted = bounded ? std::ceil(solver.dt / (safe_part * limit)) : Real(1);
+    const double wanted = bounded ? std::ceil(solver.dt / static_cast<double>(safe_part * limit)) : 1;
     const bool divides = solver.on_unstable == OnUnstable::Substep && wanted <= most_substeps;
     report_.substeps = divides ? std::max(static_cast<int>(wanted), fewest_parts) : fewest_parts;
-    const Real part = solver.dt / static_cast<Real>(report_.substeps);
+    const Real part = static_cast<Real>(solver.dt / report_.substeps);
     report_.step_over_limit = std::isfinite(limit) ? static_cast<double>(part / limit) : 0;
 }
 
@@ -210,7 +211,7 @@ std::string Simulation::step_warning() const {
     if (!(report_.step_over_limit > 1)) return {};
     const SolverSettings& solver = settings_.solver;
     const std::string method(name_of(solver.integrator));
-    const std::string step = "solver.dt = " + real_text(static_cast<double>(solver.dt), 4) + " s";
+    const std::string step = "solver.dt = " + real_text(solver.dt, 4) + " s";
     if (!std::isfinite(report_.step_over_limit)) return step + ": " + method + " is stable with no step on this cloth";
     const bool in_vain = solver.on_unstable == OnUnstable::Substep;
     return step + " is " + real_text(report_.step_over_limit * report_.substeps, 3) + " of the limit of " + method +

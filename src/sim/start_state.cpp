@@ -1,8 +1,7 @@
 #include "drape/sim/start_state.h"
 
-#include <fstream>
-
 #include "drape/base/input_error.h"
+#include "drape/base/input_file.h"
 #include "drape/base/numbers.h"
 #include "drape/base/read_line.h"
 
@@ -17,18 +16,17 @@ constexpr std::string_view one_cloth = "t,particle,x,y,z,vx,vy,vz", several = "t
 /// Reads row by row, in the order in which they are written.
 class Reader {
 public:
-    Reader(std::string file, std::vector<Grid> grids) : file_(std::move(file)), grids_(std::move(grids)) {}
+    Reader(std::istream& in, std::string file, std::span<const Grid> grids)
+        : in_(in), file_(std::move(file)), grids_(grids) {}
 
     StartState read() {
-        std::ifstream in(file_, std::ios::binary);
-        if (!in) throw InputError(file_ + ": cannot be read");
         std::string line;
         const std::string header(grids_.size() > 1 ? several : one_cloth);
-        if (read_line(in, line, longest_line) != LineEnd::Whole || line != header) fail("expected '" + header + "'");
+        if (read_line(in_, line, longest_line) != LineEnd::Whole || line != header) fail("expected '" + header + "'");
         for (const Grid& grid : grids_) {
             found_.states.push_back({Points(grid.particles(), 3), Points(grid.particles(), 3)});
         }
-        while (next_line(in, line)) take(line);
+        while (next_line(line)) take(line);
         if (line_ == 1 || cloth_ != 0 || particle_ != 0) {
             fail("ends before the last particle of cloth " + std::to_string(cloth_));
         }
@@ -36,8 +34,8 @@ public:
     }
 
 private:
-    bool next_line(std::ifstream& in, std::string& line) {
-        const LineEnd end = read_line(in, line, longest_line);
+    bool next_line(std::string& line) {
+        const LineEnd end = read_line(in_, line, longest_line);
         if (end == LineEnd::None) return false;
         ++line_;
         if (end == LineEnd::CutOff) fail("cut off: expected an end of line");
@@ -70,8 +68,9 @@ private:
         throw InputError(file_ + ":" + std::to_string(line_) + ": " + message);
     }
 
+    std::istream& in_;
     std::string file_;
-    std::vector<Grid> grids_;
+    std::span<const Grid> grids_;
     StartState found_;
     int line_ = 1;
     std::size_t cloth_ = 0;  ///< that the next row is of
@@ -84,7 +83,12 @@ std::optional<StartState> find_start(const Settings& settings) {
     if (settings.start.empty()) return std::nullopt;
     std::vector<Grid> grids;
     for (const ClothParameters& cloth : settings.cloths) grids.push_back(cloth.particles);
-    return Reader(settings.start, grids).read();
+    InputFile in(settings.start);
+    return read_start(in, settings.start, grids);
+}
+
+StartState read_start(std::istream& in, const std::string& file, std::span<const Grid> grids) {
+    return Reader(in, file, grids).read();
 }
 
 }  // namespace drape

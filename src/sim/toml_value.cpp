@@ -8,8 +8,6 @@
 namespace drape {
 namespace {
 
-constexpr std::size_t longest_shown = 60;
-
 std::optional<double> number_of(const toml::node& node) {
     if (const auto* real = node.as_floating_point()) return real->get();
     if (const auto* integer = node.as_integer()) return static_cast<double>(integer->get());
@@ -84,9 +82,7 @@ std::string toml_text(const toml::node& node) {
             out << value;
         }
     });
-    std::string text = out.str();
-    if (text.size() > longest_shown) text = text.substr(0, longest_shown) + "...";
-    return text;
+    return shortened(out.str());
 }
 
 }  // namespace drape

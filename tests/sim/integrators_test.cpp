@@ -47,7 +47,7 @@ TEST_P(EveryIntegrator, GoesOnFromWhereAnotherHasCome) {
 // But for the search that tells in how many parts a step is made
 TEST_P(EveryIntegrator, AllocatesNothingOnceItHasContacts) {
     Settings settings = bounded_simulation(GetParam()).settings();
-    settings.solver.dt /= static_cast<Real>(bounded_simulation(GetParam()).report().substeps);
+    settings.solver.dt /= bounded_simulation(GetParam()).report().substeps;
     settings.solver.on_unstable = OnUnstable::Warn;
     Simulation simulation("drop", settings);
     while (simulation.report().time < 600.0 / 1024) simulation.step();

@@ -8,10 +8,11 @@
 namespace drape {
 
 /// Bad input: a file, an option or a command that Drape cannot accept. Only each program's `main` catches it (exit 2).
-/// The message is one or two lines that name the place, the value and what is accepted.
+/// The message is one line that names the place, the value and what is accepted: what it quotes is made harmless by
+/// `one_line`. A hint may follow on a second one.
 class InputError : public std::runtime_error {
 public:
-    using std::runtime_error::runtime_error;
+    explicit InputError(const std::string& message, const std::string& hint = {});
 };
 
 /// The program could not do what it was asked to (output not writable, no context): exit 1.
@@ -19,6 +20,13 @@ class RunError : public std::runtime_error {
 public:
     using std::runtime_error::runtime_error;
 };
+
+/// A text as one line that a terminal shows as it is: control characters are written as in C ("\\n", "\\x1b"). Of a
+/// text far longer than a message, the middle is left out.
+std::string one_line(std::string_view text);
+
+/// The beginning of a value that a message quotes; one that is longer than a hundred bytes ends in "...".
+std::string shortened(std::string_view value);
 
 /// The entry of `names` with the smallest edit distance to `name`; empty if `names` is empty.
 /// @par Cost O(|names| * |name|^2)

@@ -1,10 +1,12 @@
 #pragma once
 
 #include <CLI/CLI.hpp>
-#include <cctype>
+#include <algorithm>
 #include <exception>
 #include <iostream>
+#include <span>
 #include <string>
+#include <string_view>
 #include <vector>
 
 #include "drape/base/input_error.h"
@@ -35,7 +37,34 @@ inline std::string command_line_fault(const CLI::App& app, const CLI::ParseError
         }
     }
     const std::string nearest = nearest_name(word, known);
-    return "unexpected '" + word.substr(0, 100) + "'" + (nearest.empty() ? "" : ": did you mean '" + nearest + "'?");
+    return "unexpected '" + shortened(word) + "'" + (nearest.empty() ? "" : ": did you mean '" + nearest + "'?");
+}
+
+/// The second line of what is said of a bad command line.
+inline std::string help_hint(const CLI::App& app) { return "See " + app.get_name() + " --help."; }
+
+/// Whether a word is an option of one of these: "--out", or "-h".
+inline bool is_option(const std::string& word, std::span<const CLI::App* const> commands, bool with_value = false) {
+    return std::ranges::any_of(commands, [&](const CLI::App* command) {
+        const CLI::Option* option = word.starts_with('-') ? command->get_option_no_throw(word) : nullptr;
+        return option != nullptr && !(with_value && option->get_items_expected_max() == 0);
+    });
+}
+
+/// Refuses an option in the place of another one's value, which the parser would take for the value.
+/// @throws InputError
+inline void check_values(const CLI::App& app, std::span<char* const> words) {
+    std::vector<const CLI::App*> commands = app.get_subcommands([](const CLI::App*) { return true; });
+    commands.push_back(&app);
+    for (std::size_t i = 0; i + 1 < words.size(); ++i) {
+        const std::string option = words[i], value = words[i + 1];
+        if (option == "--") return;  // none of what follows is an option
+        if (!is_option(option, commands, true)) continue;
+        if (!value.starts_with("--") && !is_option(value, commands)) continue;
+        throw InputError(option + " needs a value, and '" + shortened(value) + "' is an option: say " + option + "=" +
+                             shortened(value) + " if it is meant",
+                         help_hint(app));
+    }
 }
 
 /// Parses a command line; `--help` and `--version` print their text.
@@ -43,6 +72,7 @@ inline std::string command_line_fault(const CLI::App& app, const CLI::ParseError
 /// @throws InputError that names the option, the value and what is accepted
 inline bool parse_command_line(CLI::App& app, int argc, char** argv) {
     app.set_version_flag("--version", app.get_name() + " " + DRAPE_VERSION);
+    check_values(app, {argv, static_cast<std::size_t>(argc)});
     try {
         app.parse(argc, argv);
         return true;
@@ -50,16 +80,16 @@ inline bool parse_command_line(CLI::App& app, int argc, char** argv) {
         app.exit(text);
         return false;
     } catch (const CLI::ParseError& error) {
-        throw InputError(command_line_fault(app, error) + "\nSee " + app.get_name() + " --help.");
+        throw InputError(command_line_fault(app, error), help_hint(app));
     }
 }
 
-/// Prints an error; what it quotes from a file does not reach the terminal as control characters.
-inline void print_error(const std::string& name, std::string message) {
-    for (char& c : message) {
-        if (std::iscntrl(static_cast<unsigned char>(c)) != 0 && c != '\n') c = '?';
-    }
-    std::cerr << name << ": " << message << "\n";
+/// Prints an error in one line, or two where it has a hint; what it quotes does not reach the terminal as control
+/// characters.
+inline void print_error(const std::string& name, std::string_view message) {
+    const std::size_t end = std::min(message.find('\n'), message.size());
+    std::cerr << name << ": " << one_line(message.substr(0, end)) << "\n";
+    if (end < message.size()) std::cerr << one_line(message.substr(end + 1)) << "\n";
 }
 
 /// What every `main` does: runs the program and turns what it throws into a message and an exit code. Standard output

@@ -31,6 +31,9 @@ struct Recording {
 /// @throws InputError if the file cannot be read or is no recording; a damaged tail is cut and said in `notice`
 Recording read_recording(const std::string& file);
 
+/// The same from a stream; `file` names it in messages.
+Recording read_recording(std::istream& in, const std::string& file);
+
 /// Writes a recording line by line, so that a crash loses at most the last one.
 class Recorder {
 public:

@@ -43,7 +43,7 @@ struct SolverSettings {
     int iterations = 10;
     Real tolerance = Real(1e-6);
     int threads = 1;
-    Real dt = Real(2e-4);
+    double dt = 2e-4;  ///< in every precision: it counts steps and time
     OnUnstable on_unstable = OnUnstable::Warn;
     Real sleep_speed = Real(2e-4);  ///< slower than this for half a second, a scene falls asleep; 0: never [m/s]
     bool ledger = true;             ///< keep the balance of the energy

@@ -1,6 +1,8 @@
 #pragma once
 
+#include <istream>
 #include <optional>
+#include <span>
 #include <string>
 #include <vector>
 
@@ -18,5 +20,10 @@ struct StartState {
 /// Reads the last moment of the file that the settings name, as `--state` has written it; nothing if they name none.
 /// @throws InputError as `file:line: ...`, also where it does not fit the cloths
 std::optional<StartState> find_start(const Settings& settings);
+
+/// The same from a stream.
+/// @param file names it in messages
+/// @param grids of the cloths
+StartState read_start(std::istream& in, const std::string& file, std::span<const Grid> grids);
 
 }  // namespace drape

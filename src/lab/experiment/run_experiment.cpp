@@ -30,7 +30,7 @@ std::set<std::size_t> wanted_cases(const Options& options, std::size_t count) {
         const auto from = parse_integer(std::string_view(options.cases).substr(0, dash));
         const auto to = parse_integer(std::string_view(options.cases).substr(std::min(dash + 1, options.cases.size())));
         if (!from || !to || !(*from >= 1 && *from <= *to && *to <= static_cast<long long>(count))) {
-            throw InputError("--cases " + options.cases.substr(0, 100) +
+            throw InputError("--cases " + shortened(options.cases) +
                              ": allowed FIRST-LAST with 1 <= FIRST <= LAST <= " + std::to_string(count));
         }
         first = static_cast<std::size_t>(*from);

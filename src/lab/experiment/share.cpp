@@ -12,8 +12,7 @@ Share parse_share(const std::string& text) {
     const auto part = parse_integer(std::string_view(text).substr(0, slash));
     const auto parts = parse_integer(std::string_view(text).substr(std::min(slash + 1, text.size())));
     if (!part || !parts || !(*part >= 1 && *part <= *parts && *parts <= most)) {
-        throw InputError("--share " + text.substr(0, 100) +
-                         ": allowed K/N with 1 <= K <= N <= " + std::to_string(most));
+        throw InputError("--share " + shortened(text) + ": allowed K/N with 1 <= K <= N <= " + std::to_string(most));
     }
     return {static_cast<std::size_t>(*part), static_cast<std::size_t>(*parts)};
 }

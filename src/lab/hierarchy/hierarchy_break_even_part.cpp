@@ -66,7 +66,7 @@ std::vector<TableRow> measure(const RecordedMotion& motion, const VolumeVariant&
 std::set<double> intervals(const HierarchyScene& scene, bool quick) {
     const auto wanted =
         quick ? std::vector{0.0, 1.6e-3, 1.0 / 60} : std::vector{0.0, 6e-4, 1.6e-3, 5e-3, 1.0 / 60, 0.05};
-    const auto dt = static_cast<double>(load_scene(scene.name).solver.dt);
+    const double dt = load_scene(scene.name).solver.dt;
     std::set<double> whole;
     for (const double interval : wanted) whole.insert(std::max(std::round(interval / dt), 1.0) * dt);
     return whole;

@@ -27,7 +27,7 @@ SearchedRun simulate(const std::string& scene, const BroadPhaseParameters& param
     settings.solver.ledger = false;
     Simulation simulation(scene, settings);
     SearchedRun run;
-    const auto steps = std::llround(time / static_cast<double>(settings.solver.dt));
+    const auto steps = std::llround(time / settings.solver.dt);
     for (std::int64_t step = 0; step < steps; ++step) {
         simulation.step();
         run.missed_penetration = std::max(run.missed_penetration, simulation.report().missed_penetration);

@@ -15,17 +15,17 @@ RecordedMotion record_motion(const MotionWanted& wanted) { return record_motion(
 RecordedMotion record_motion(const MotionWanted& wanted, Settings settings) {
     settings.solver.sleep_speed = 0;
     settings.solver.ledger = false;
-    const Real h = settings.solver.dt, thickness = settings.contact.thickness;
+    const double dt = settings.solver.dt;
+    const Real h = static_cast<Real>(dt), thickness = settings.contact.thickness;
     Simulation simulation(wanted.scene, settings);
     DRAPE_ASSERT(!simulation.balls().empty());
     const Cloth& cloth = simulation.cloths()[0];
     const Grid grid = cloth.model.grid;
     const auto integrator = make_integrator(integrator_of(settings.solver), grid);
 
-    const int steps_between = std::max(static_cast<int>(std::lround(wanted.interval / static_cast<double>(h))), 1);
-    RecordedMotion motion{
-        .scene = wanted.scene, .grid = grid, .interval = steps_between * static_cast<double>(h), .x = {}, .balls = {}};
-    const auto first = static_cast<std::int64_t>(std::llround(wanted.from / static_cast<double>(h)));
+    const int steps_between = std::max(static_cast<int>(std::lround(wanted.interval / dt)), 1);
+    RecordedMotion motion{.scene = wanted.scene, .grid = grid, .interval = steps_between * dt, .x = {}, .balls = {}};
+    const auto first = static_cast<std::int64_t>(std::llround(wanted.from / dt));
     const std::int64_t last = first + static_cast<std::int64_t>(wanted.frames - 1) * steps_between;
     for (std::int64_t step = 0; step <= last; ++step) {
         const bool kept = step >= first && (step - first) % steps_between == 0;

@@ -23,7 +23,7 @@ Settings full_model(const Settings& scene) {
     return model;
 }
 
-Settings computed_closely(Settings scene, Real dt) {
+Settings computed_closely(Settings scene, double dt) {
     scene.solver.integrator = IntegratorKind::DormandPrince;
     scene.solver.tolerance = Real(1e-6);
     scene.solver.dt = dt;

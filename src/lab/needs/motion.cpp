@@ -45,7 +45,7 @@ Motion run_to_horizon(const Settings& scene, const Patience& patience, const std
     const Cloth& cloth = simulation.cloths()[0];
     const StepReport& report = simulation.report();
     const double start = report.time, horizon = static_cast<double>(scene.needs.horizon);
-    const auto dt = static_cast<double>(scene.solver.dt);
+    const double dt = scene.solver.dt;
 
     Motion motion;
     motion.grid = cloth.model.grid;
@@ -75,7 +75,7 @@ Motion run_to_horizon(const Settings& scene, const Patience& patience, const std
         if (motion.lost || motion.given_up) return motion;
         const double part = std::clamp(1 - (motion.time - moment) / dt, 0.0, 1.0);
         motion.x[static_cast<std::size_t>(motion.reached)] =
-            between_steps(cloth, static_cast<Real>(part), scene.solver.dt);
+            between_steps(cloth, static_cast<Real>(part), static_cast<Real>(dt));
         ++motion.reached;
     }
     return motion;

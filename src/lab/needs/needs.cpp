@@ -31,7 +31,7 @@ std::string described(const Settings& settings) {
     if (cloth.drag > 0) text += " drag";
     const IntegratorKind kind = settings.solver.integrator;
     if (kind == IntegratorKind::DormandPrince) return text + ", computed closely";
-    text += ", " + std::string(name_of(kind)) + " " + real_text(static_cast<double>(settings.solver.dt)) + " s";
+    text += ", " + std::string(name_of(kind)) + " " + real_text(settings.solver.dt) + " s";
     if (has_iterations(kind)) text += " x " + std::to_string(settings.solver.iterations);
     return text;
 }

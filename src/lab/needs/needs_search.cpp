@@ -74,7 +74,7 @@ private:
     /// The longest step that qualifies. Of the many beyond the method's limit, the trail shows the last.
     void find_step(Settings method) {
         std::optional<Attempt> beyond;
-        for (const Real dt : steps()) {
+        for (const double dt : steps()) {
             method.solver.dt = dt;
             Attempt attempt = needs_.attempt(method, cost_of_cheapest() * noise);
             if (attempt.beyond_limit) {
@@ -174,7 +174,7 @@ private:
         return {1, 2, 5, 10};
     }
 
-    [[nodiscard]] std::vector<Real> steps() const {
+    [[nodiscard]] std::vector<double> steps() const {
         return free_.contains(Knob::Dt) ? step_ladder() : std::vector{needs_.scene().solver.dt};
     }
 

@@ -41,8 +41,8 @@ std::set<Knob> free_knobs(const Settings& scene) {
         const std::string word = keep.substr(begin, end - begin);
         const auto found = std::find(names.begin(), names.end(), word);
         if (found == names.end()) {
-            throw InputError("needs.keep: '" + word.substr(0, 100) + "': allowed " + listed(names) +
-                             "; did you mean '" + nearest_name(word, names) + "'?");
+            throw InputError("needs.keep: '" + shortened(word) + "': allowed " + listed(names) + "; did you mean '" +
+                             nearest_name(word, names) + "'?");
         }
         knobs.erase(static_cast<Knob>(found - names.begin()));
         begin = keep.find_first_not_of(between, end);
@@ -54,13 +54,13 @@ std::set<Knob> free_knobs(const Settings& scene) {
     return knobs;
 }
 
-std::vector<Real> step_ladder() {
-    std::vector<Real> steps;
+std::vector<double> step_ladder() {
+    std::vector<double> steps;
     for (const double unit : decades) {
         for (const int step : decade) {
             // A quotient of whole numbers is the nearest to the decimal number that is meant
             const double dt = step / unit;
-            if (dt >= shortest && dt <= longest) steps.push_back(static_cast<Real>(dt));
+            if (dt >= shortest && dt <= longest) steps.push_back(dt);
         }
     }
     std::sort(steps.rbegin(), steps.rend());
@@ -95,9 +95,9 @@ std::optional<Settings> one_notch_less(const Settings& scene, Knob knob) {
             return less;
         case Knob::Dt: {
             const auto ladder = step_ladder();
-            const Real clearly_longer = Real(1.0001) * scene.solver.dt;
+            const double clearly_longer = 1.0001 * scene.solver.dt;
             const auto longer =
-                std::find_if(ladder.rbegin(), ladder.rend(), [&](Real dt) { return dt > clearly_longer; });
+                std::find_if(ladder.rbegin(), ladder.rend(), [&](double dt) { return dt > clearly_longer; });
             if (longer == ladder.rend()) return std::nullopt;
             less.solver.dt = *longer;
             return less;

@@ -29,7 +29,7 @@ std::span<const Knob> ordered_knobs();
 std::optional<Settings> one_notch_less(const Settings& scene, Knob knob);
 
 /// The steps that are tried, longest first: ten a decade, rounded so that nearly all divide a tenth of a second [s].
-std::vector<Real> step_ladder();
+std::vector<double> step_ladder();
 
 /// The scene's cloth with other particles: mass, drag on the whole and stiffnesses stay.
 Settings on_grid(Settings scene, const Grid& grid);

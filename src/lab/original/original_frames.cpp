@@ -100,7 +100,7 @@ std::vector<std::string> original_assignments(const OriginalWay& way) {
 OriginalTimes time_original(const OriginalWay& way, const OriginalPlan& plan) {
     Settings settings = load_scene(scene);
     assign_all(settings, original_assignments(way));
-    const auto steps = static_cast<int>(std::lround(1 / (frame_rate * static_cast<double>(settings.solver.dt))));
+    const auto steps = static_cast<int>(std::lround(1 / (frame_rate * settings.solver.dt)));
 
     Simulation simulation(scene, settings);
     std::vector<double> frames;

@@ -33,7 +33,7 @@ PrecisionRun::PrecisionRun(const PrecisionScene& scene, const IntegratorParamete
 
 SolveReport PrecisionRun::step(Real h) {
     if (!simulation_) return integrator_->step(model_, state_, h);
-    if (h != simulation_->settings().solver.dt) {
+    if (static_cast<double>(h) != simulation_->settings().solver.dt) {
         simulation_->apply(command::Set{"solver.dt=" + real_text(static_cast<double>(h), 17)});
     }
     simulation_->step();

@@ -1,0 +1,70 @@
+#include "drape/base/input_file.h"
+
+#include <fcntl.h>
+#include <sys/stat.h>
+#include <unistd.h>
+
+#include <cerrno>
+#include <cstring>
+
+#include "drape/base/input_error.h"
+
+namespace drape {
+namespace {
+
+/// What a file is that is no regular one; empty if it is regular.
+std::string odd_kind(mode_t mode) {
+    if (S_ISREG(mode)) return {};
+    if (S_ISDIR(mode)) return "a folder";
+    if (S_ISFIFO(mode)) return "a pipe";
+    if (S_ISSOCK(mode)) return "a socket";
+    return "a device";
+}
+
+/// Whether a name means what somebody has opened for us: that cannot wait for an opener.
+bool is_open_already(const std::string& name) { return name == "/dev/stdin" || name.starts_with("/dev/fd/"); }
+
+}  // namespace
+
+InputFile::Buffer::Buffer(const std::string& name, std::uintmax_t largest) : name_(name), left_(largest) {
+    // Without O_NONBLOCK a pipe would wait for its writer before it could be told from a file
+    file_ = ::open(name.c_str(), O_RDONLY | O_NONBLOCK | O_CLOEXEC);
+    struct stat status {};
+    if (file_ < 0 || ::fstat(file_, &status) != 0) fail(std::string("cannot be read: ") + std::strerror(errno));
+    const std::string odd = odd_kind(status.st_mode);
+    const bool open_already = is_open_already(name) && !S_ISDIR(status.st_mode);
+    if (!odd.empty() && !open_already) {
+        ::close(file_);
+        fail("is " + odd + ": allowed a regular file");
+    }
+    if (odd.empty() && static_cast<std::uintmax_t>(status.st_size) > largest) {
+        ::close(file_);
+        fail(std::to_string(status.st_size) + " bytes: allowed at most " + std::to_string(largest));
+    }
+    ::fcntl(file_, F_SETFL, ::fcntl(file_, F_GETFL) & ~O_NONBLOCK);
+}
+
+InputFile::Buffer::~Buffer() { ::close(file_); }
+
+InputFile::Buffer::int_type InputFile::Buffer::underflow() {
+    ssize_t count = 0;
+    do {
+        count = ::read(file_, bytes_.data(), bytes_.size());
+    } while (count < 0 && errno == EINTR);
+    if (count < 0) fail(std::string("cannot be read: ") + std::strerror(errno));
+    if (count == 0) return traits_type::eof();
+    if (static_cast<std::uintmax_t>(count) > left_) fail("has more bytes than are allowed");
+    left_ -= static_cast<std::uintmax_t>(count);
+    setg(bytes_.data(), bytes_.data(), bytes_.data() + count);
+    return traits_type::to_int_type(bytes_[0]);
+}
+
+void InputFile::Buffer::fail(const std::string& why) const { throw InputError(name_ + ": " + why); }
+
+// A stream that throws for a bad read hands on what its buffer has thrown
+InputFile::InputFile(const std::string& name, std::uintmax_t largest) : std::istream(nullptr), buffer_(name, largest) {
+    rdbuf(&buffer_);
+    exceptions(std::ios::badbit);
+}
+
+}  // namespace drape

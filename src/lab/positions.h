@@ -1,0 +1,24 @@
+#pragma once
+
+#include <istream>
+#include <string>
+#include <vector>
+
+#include "drape/base/real.h"
+#include "drape/model/grid.h"
+
+namespace drape {
+
+/// Reads "1,2,3" into exactly `count` finite numbers.
+/// @param where starts the error
+/// @throws InputError
+std::vector<double> parse_numbers(const std::string& text, std::size_t count, const std::string& where);
+
+/// Reads one x,y,z a line, in particle order.
+/// @throws InputError as `file:line: ...`
+Points read_positions(const std::string& file, const Grid& grid);
+
+/// The same from a stream; `file` names it in messages.
+Points read_positions(std::istream& in, const std::string& file, const Grid& grid);
+
+}  // namespace drape
