@@ -5,10 +5,10 @@
 #include <unistd.h>
 
 #include <filesystem>
+#include <sstream>
 #include <utility>
 
 #include "drape/sim/setting_table.h"
-#include "fuzz/memory_file.h"
 #include "fuzz/small_run.h"
 #include "fuzz/target.h"
 
@@ -88,9 +88,9 @@ void play(const Recording& recording) {
 }  // namespace
 
 extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
-    const fuzz::MemoryFile file(fuzz::text_of(data, size));
+    std::istringstream in{std::string(fuzz::text_of(data, size))};
     std::optional<Recording> recording;
-    if (!fuzz::accepts([&] { recording = read_recording(file.name()); })) return 0;
+    if (!fuzz::accepts([&] { recording = read_recording(in, "fuzz.txt"); })) return 0;
     std::int64_t last = 0;
     for (const RecordedEntry& entry : recording->entries) {
         fuzz::require(entry.step >= std::exchange(last, entry.step), "the steps of a recording do not go back");

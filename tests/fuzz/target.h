@@ -1,5 +1,6 @@
 #pragma once
 
+#include <algorithm>
 #include <cstddef>
 #include <cstdint>
 #include <cstdio>
@@ -34,6 +35,7 @@ bool accepts(Read read) {
     } catch (const InputError& error) {
         const std::string_view message = error.what();
         require(!message.empty(), "a refusal says why");
+        require(std::ranges::count(message, '\n') <= 1, "a refusal has one line or two");
         return false;
     }
 }
