@@ -29,8 +29,8 @@ void withhold_memory(Trial& trial, int count) {
         const int size = least + static_cast<int>(trial.random() * trial.random() * 800'000);
         const std::string method = methods[static_cast<std::size_t>(k) % methods.size()];
         const int side = 20 + static_cast<int>(trial.random() * 180);
-        const std::string command = "$LAB simulate drop --set integrator=" + method +
-                                    " particles=" + std::to_string(side) + "," + std::to_string(side) +
+        const std::string command = "$LAB simulate drop --set solver.integrator=" + method +
+                                    " cloth.particles=" + std::to_string(side) + "," + std::to_string(side) +
                                     " threads=" + std::to_string(1 + k % 4) + " dt=1e-4 --time 2e-4";
         const Outcome outcome = trial.run("ulimit -v " + std::to_string(size) + "; exec " + command);
         trial.check(ended_cleanly(outcome), std::to_string(size) + " KiB of memory: " + command, outcome);
