@@ -27,6 +27,8 @@ template <class... Handlers>
 struct Overloaded : Handlers... {
     using Handlers::operator()...;
 };
+template <class... Handlers>
+Overloaded(Handlers...) -> Overloaded<Handlers...>;
 
 Ball make_ball(const BallSettings& settings, double time) {
     Ball ball{.centre = settings.position, .radius = settings.radius, .velocity = settings.velocity};

@@ -1,0 +1,56 @@
+#include "fuzz/small_run.h"
+
+#include <algorithm>
+
+#include "drape/sim/setting_table.h"
+#include "fuzz/target.h"
+
+namespace drape::fuzz {
+namespace {
+
+constexpr int most_particles = 150;
+constexpr int steps = 2;
+
+std::size_t parts_of(const Settings& settings, const std::string& section) {
+    if (section == "cloth") return settings.cloths.size();
+    if (section == "ball") return settings.balls.size();
+    return 1;
+}
+
+}  // namespace
+
+std::optional<Settings> made_small(Settings settings) {
+    int particles = 0;
+    for (const ClothParameters& cloth : settings.cloths) {
+        const Grid& grid = cloth.particles;
+        if (grid.nx > most_particles || grid.ny > most_particles) return {};
+        particles += grid.particles();
+        if (particles > most_particles) return {};
+    }
+    settings.start.clear();  // any file could be named
+    settings.solver.iterations = std::min(settings.solver.iterations, 20);
+    settings.solver.threads = std::min(settings.solver.threads, 2);
+    return settings;
+}
+
+void step_a_little(Simulation& simulation) {
+    for (int step = 0; step < steps; ++step) {
+        simulation.step();
+        for (const Cloth& cloth : simulation.cloths()) {
+            require(cloth.state.x.allFinite() && cloth.state.v.allFinite(), "the state that is shown is finite");
+        }
+    }
+}
+
+bool same_settings(const Settings& one, const Settings& other) {
+    return std::ranges::all_of(setting_table(), [&](const Setting& setting) {
+        const std::size_t parts = parts_of(one, setting.section);
+        if (parts != parts_of(other, setting.section)) return false;
+        for (std::size_t i = 0; i < parts; ++i) {
+            if (setting.read(one, i) != setting.read(other, i)) return false;
+        }
+        return true;
+    });
+}
+
+}  // namespace drape::fuzz

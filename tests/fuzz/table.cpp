@@ -1,0 +1,54 @@
+// The table of an experiment, finished or not: read, written, read again.
+
+#include <unistd.h>
+
+#include <filesystem>
+#include <optional>
+
+#include "fuzz/memory_file.h"
+#include "fuzz/target.h"
+#include "lab/experiment/experiment_table.h"
+
+using namespace drape;
+
+namespace {
+
+/// A folder of this process's own, gone with it.
+class OwnFolder {
+public:
+    OwnFolder() { std::filesystem::create_directories(path); }
+    ~OwnFolder() {
+        std::error_code ignored;
+        std::filesystem::remove_all(path, ignored);
+    }
+    const std::filesystem::path path =
+        std::filesystem::temp_directory_path() / ("drape-fuzz-" + std::to_string(getpid()));
+};
+
+void check_written(const Experiment& experiment, const ExperimentTable& table) {
+    static const OwnFolder folder;
+    const auto file = folder.path / "table.csv";
+    std::filesystem::remove(file);
+    TableWriter(experiment, file, table).finish();
+    const auto again = read_table(experiment, file, false);
+    fuzz::require(again && again->head == table.head && again->cases == table.cases,
+                  "a table that was written reads the same");
+}
+
+}  // namespace
+
+extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
+    const fuzz::MemoryFile file(fuzz::text_of(data, size));
+    for (const Experiment& experiment : experiments()) {
+        if (experiment.name != "stability") continue;
+        for (const bool unfinished : {false, true}) {
+            std::optional<ExperimentTable> table;
+            if (!fuzz::accepts([&] { table = read_table(experiment, file.name(), unfinished); }) || !table) continue;
+            check_written(experiment, *table);
+            // What it says in the end must not depend on luck
+            if (!unfinished) fuzz::accepts([&] { (void)experiment.summary(table->rows()); });
+            if (!unfinished) fuzz::accepts([&] { (void)experiment.charts(table->rows()); });
+        }
+    }
+    return 0;
+}
