@@ -69,7 +69,7 @@ TEST(OriginalRows, HaveEveryCellWhereThereIsAProgramToDraw) {
     ASSERT_EQ(rows.size(), 4u);
     for (const TableRow& row : rows) {
         ASSERT_EQ(row.size(), original_experiment().columns.size());
-        for (std::size_t k = 0; k < row.size(); ++k) EXPECT_NE(row[k], "") << original_experiment().columns[k];
+        for (std::size_t k = 0; k < row.size(); ++k) EXPECT_NE(row[k], "") << original_experiment().columns[k].name;
         EXPECT_GT(std::stod(row[at::Execution]), 0);
         EXPECT_GT(std::stod(row[at::GlCalls]), 5);
         EXPECT_GT(std::stod(row[at::Rate]), 0);

@@ -40,13 +40,14 @@ std::vector<Chart> contact_charts(const std::vector<TableRow>& rows) {
                 Picked picked{{{"tests", tests}}, {{"speed_m_per_s", style.speed}}};
                 panel.draw(picked, {cost, y},
                            "linespoints lw 1.5 pt " + std::to_string(style.marker) + " ps 0.8 " +
-                               coloured(style.colour) + " title 'ball at " + real_text(style.speed) + " m/s'");
+                               coloured(style.colour) + " title " +
+                               in_quotes("ball at " + real_text(style.speed) + " m/s"));
                 picked.numbers.emplace_back("passed", 1);
                 panel.draw(picked, {cost, y}, "points pt 6 ps 2 lw 1.5 lc rgb 'black' notitle");
             }
             panel.entry("points pt 6 ps 1.6 lw 1.5 lc rgb 'black'", "the ball has gone through");
             const std::string title = tests == "0" ? "full search" : "search ends after " + tests + " tests";
-            if (titled) text += "set title '" + title + "'\n";
+            if (titled) text += "set title " + in_quotes(title) + "\n";
             text += panel.plot() + "unset key\nset ylabel ''\n";
         }
         text += "unset title\n";

@@ -79,9 +79,32 @@ std::vector<ExperimentCase> cases(bool quick) {
     return all;
 }
 
+std::vector<Column> columns() {
+    std::vector<std::string> names, tests;
+    for (const NamedSearch& search : searches) {
+        if (std::ranges::find(names, search.name) == names.end()) names.emplace_back(search.name);
+        tests.push_back(std::to_string(search.tests));
+    }
+    return {word_column("search", names),
+            word_column("tests", tests),
+            positive_column("speed_m_per_s"),
+            positive_column("step_s"),
+            number_column("missed_contacts"),
+            number_column("missed_steps"),
+            number_column("penetration_m"),
+            number_column("left_m"),
+            word_column("passed", {"0", "1"}),
+            number_column("false_contacts"),
+            number_column("cpu_s_per_s"),
+            number_column("cpu_lower_s_per_s"),
+            number_column("cpu_upper_s_per_s"),
+            whole_column("reference_triangles", 1),
+            number_column("reference_penetration_m")};
+}
+
 /// For each search and speed, the longest step from which down nothing passes and little is missed.
 std::string summary(const std::vector<TableRow>& rows) {
-    const auto number = [](const TableRow& row, std::size_t column) { return parse_real(row[column]).value(); };
+    const auto number = [](const TableRow& row, std::size_t column) { return number_in(row[column]); };
     std::map<std::pair<std::string, double>, std::vector<const TableRow*>> runs;
     for (const TableRow& row : rows) {
         const std::string search = row[at::Search] == "full" ? "full search" : "search of " + row[at::Tests] + " tests";
@@ -130,13 +153,7 @@ ContactScene hung_cloth_and_ball(double speed, double step) {
 }
 
 Experiment contact_experiment() {
-    return {"contact",
-            "which steps and searches find the contacts that there are?",
-            {"search", "tests", "speed_m_per_s", "step_s", "missed_contacts", "missed_steps", "penetration_m", "left_m",
-             "passed", "false_contacts", "cpu_s_per_s", "cpu_lower_s_per_s", "cpu_upper_s_per_s", "reference_triangles",
-             "reference_penetration_m"},
-            cases,
-            contact_charts,
+    return {"contact", "which steps and searches find the contacts that there are?", columns(), cases, contact_charts,
             summary};
 }
 

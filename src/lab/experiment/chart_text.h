@@ -19,15 +19,15 @@ struct Picked {
 /// A table of which parts may be missing: what has no rows is not drawn.
 class ChartTable {
 public:
-    /// @param rows outlive the object, as does nothing else
-    ChartTable(std::vector<std::string> columns, const std::vector<TableRow>& rows);
+    /// @param rows checked by the columns; they outlive the object, as does nothing else
+    ChartTable(std::vector<Column> columns, const std::vector<TableRow>& rows);
 
     [[nodiscard]] bool has(const Picked& picked) const;
 
 private:
     [[nodiscard]] const std::string& cell(const TableRow& row, const std::string& column) const;
 
-    std::vector<std::string> columns_;
+    std::vector<Column> columns_;
     const std::vector<TableRow>& rows_;
 };
 
@@ -52,6 +52,10 @@ private:
     std::string items_;
     bool has_data_ = false;
 };
+
+/// A text as gnuplot reads it back: in single quotes, between which it replaces nothing and runs nothing. A
+/// control character becomes a blank: a line end would be the end of the command.
+std::string in_quotes(const std::string& text);
 
 /// The value of a column, times a factor.
 std::string column(const std::string& name, const std::string& factor = "1");

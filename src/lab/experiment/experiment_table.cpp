@@ -1,27 +1,25 @@
 #include "experiment_table.h"
 
+#include <algorithm>
 #include <array>
 #include <ctime>
 
 #include "drape/base/assert.h"
 #include "drape/base/input_error.h"
-#include "drape/base/numbers.h"
-#include "drape/base/read_line.h"
 #include "drape/base/real.h"
 #include "lab/commit.h"
 
 namespace drape {
 namespace {
 
-constexpr std::size_t longest_line = 64 * 1024;
-
-/// With which the last line begins, before the number of cases. Those without rows do not count.
-constexpr std::string_view end_mark = "# end: ";
-
 std::string processor() {
     std::ifstream in("/proc/cpuinfo");
     for (std::string line; std::getline(in, line);) {
-        if (line.starts_with("model name")) return line.substr(std::min(line.find(':') + 2, line.size()));
+        if (!line.starts_with("model name")) continue;
+        std::string model = line.substr(std::min(line.find(':') + 2, line.size()));
+        std::ranges::replace_if(
+            model, [](char c) { return c < ' ' || c > '~'; }, '?');
+        return model;
     }
     return "unknown";
 }
@@ -52,18 +50,6 @@ std::string joined(const TableRow& row) {
     return line + "\n";
 }
 
-TableRow cut(const std::string& line) {
-    TableRow row;
-    for (std::size_t begin = 0; begin <= line.size();) {
-        const std::size_t comma = std::min(line.find(',', begin), line.size());
-        row.push_back(line.substr(begin, comma - begin));
-        begin = comma + 1;
-    }
-    return row;
-}
-
-std::string header_of(const Experiment& experiment) { return "case," + joined(experiment.columns); }
-
 /// Where a file of this name may go that is not to be lost: "stability-2.csv".
 std::filesystem::path free_name(const std::filesystem::path& file) {
     for (int number = 1;; ++number) {
@@ -73,33 +59,14 @@ std::filesystem::path free_name(const std::filesystem::path& file) {
     }
 }
 
-/// Reads line after line and tells where it is.
-class TableReader {
-public:
-    TableReader(const std::filesystem::path& file, bool unfinished)
-        : name_(file.string()), unfinished_(unfinished), in_(file, std::ios::binary) {}
-
-    [[nodiscard]] bool is_open() const { return in_.is_open(); }
-
-    bool next(std::string& line) {
-        const LineEnd end = read_line(in_, line, longest_line);
-        if (end == LineEnd::None) return false;
-        ++number_;
-        if (end == LineEnd::CutOff && unfinished_) return false;
-        if (end != LineEnd::Whole) fail(end == LineEnd::CutOff ? "cut off" : "too long");
-        return true;
+/// What is wrong with what a case has computed; empty if nothing is.
+std::string flaw_of_rows(const Experiment& experiment, const std::vector<TableRow>& rows) {
+    if (rows.empty()) return "it has no rows";
+    for (const TableRow& row : rows) {
+        if (const std::string flaw = flaw_of(experiment.columns, row); !flaw.empty()) return flaw;
     }
-
-    [[noreturn]] void fail(const std::string& what) const {
-        throw InputError(name_ + ":" + std::to_string(number_) + ": " + what);
-    }
-
-private:
-    std::string name_;
-    bool unfinished_;
-    std::ifstream in_;
-    int number_ = 0;
-};
+    return experiment.flaw_of_case ? experiment.flaw_of_case(rows) : "";
+}
 
 }  // namespace
 
@@ -127,51 +94,22 @@ std::vector<TableRow> ExperimentTable::rows() const {
     return all;
 }
 
-std::optional<ExperimentTable> read_table(const Experiment& experiment, const std::filesystem::path& file,
-                                          bool unfinished) {
-    TableReader reader(file, unfinished);
-    if (!reader.is_open()) return {};
-    ExperimentTable table;
-    std::string line;
-    bool more = reader.next(line);
-    for (; more && line.starts_with("# "); more = reader.next(line)) {
-        const std::size_t colon = line.find(": ");
-        if (colon == std::string::npos) reader.fail("allowed '# name: value' before the table");
-        table.head.emplace_back(line.substr(2, colon - 2), line.substr(colon + 2));
-    }
-    if (!more && unfinished) return {};
-    if (!more) reader.fail("there is no table");
-    if (line + "\n" != header_of(experiment)) reader.fail("these are not the columns of " + experiment.name);
-    bool ended = false;
-    while (reader.next(line)) {
-        ended = line == std::string(end_mark) + std::to_string(table.cases.size());
-        if (ended) break;
-        TableRow row = cut(line);
-        const auto number = parse_integer(row[0]);
-        if (!number || *number < 1) reader.fail("case = " + row[0].substr(0, 100) + ": allowed case >= 1");
-        if (row.size() != experiment.columns.size() + 1) {
-            reader.fail(std::to_string(row.size()) + " cells: allowed " +
-                        std::to_string(experiment.columns.size() + 1));
-        }
-        row.erase(row.begin());
-        table.cases[static_cast<std::size_t>(*number)].push_back(std::move(row));
-    }
-    if (!ended && !unfinished) reader.fail("cut off: expected '" + std::string(end_mark) + "', the number of cases");
-    // Its last rows may be missing. Cases are computed in ascending order
-    if (!ended && !table.cases.empty()) table.cases.erase(std::prev(table.cases.end()));
-    return table;
+std::string columns_line(const Experiment& experiment) {
+    std::string line = "case";
+    for (const Column& column : experiment.columns) line += "," + column.name;
+    return line;
 }
 
 std::filesystem::path unfinished_name(const std::filesystem::path& file) { return file.string() + ".part"; }
 
 TableWriter::TableWriter(const Experiment& experiment, const std::filesystem::path& file, const ExperimentTable& table)
-    : file_(file) {
+    : experiment_(experiment), file_(file) {
     // Written anew beside what is there, which is not lost if this is interrupted
     const std::string part = unfinished_name(file).string(), draft = part + ".new";
     out_.open(draft, std::ios::binary | std::ios::trunc);
     if (!out_) throw RunError(draft + ": cannot be written");
     for (const auto& [key, value] : table.head) out_ << "# " << key << ": " << value << '\n';
-    out_ << header_of(experiment);
+    out_ << columns_line(experiment) << '\n';
     for (const auto& [number, rows] : table.cases) write(number, rows);
     std::error_code error;
     std::filesystem::rename(draft, part, error);
@@ -179,14 +117,18 @@ TableWriter::TableWriter(const Experiment& experiment, const std::filesystem::pa
 }
 
 void TableWriter::write(std::size_t number, const std::vector<TableRow>& rows) {
+    // A table that could not be read back is none
+    if (const std::string flaw = flaw_of_rows(experiment_, rows); !flaw.empty()) {
+        throw RunError(experiment_.name + ": case " + std::to_string(number) + ": " + flaw);
+    }
     std::string text;
     for (const TableRow& row : rows) text += std::to_string(number) + "," + joined(row);
-    cases_ += rows.empty() ? 0 : 1;
+    ++cases_;
     if (!(out_ << text << std::flush)) throw RunError(unfinished_name(file_).string() + ": cannot be written");
 }
 
 void TableWriter::finish() {
-    out_ << end_mark << cases_ << '\n';
+    out_ << table_end_mark << cases_ << '\n';
     out_.close();
     if (!out_) throw RunError(unfinished_name(file_).string() + ": could not be written whole");
     std::error_code error;

@@ -2,9 +2,11 @@
 
 #include <filesystem>
 #include <fstream>
+#include <istream>
 #include <map>
 #include <optional>
 #include <string>
+#include <string_view>
 #include <utility>
 #include <vector>
 
@@ -31,12 +33,31 @@ struct ExperimentTable {
     [[nodiscard]] std::vector<TableRow> rows() const;
 };
 
-/// Reads what an experiment has written.
+/// Reads a table that an experiment has written, as `TableWriter` writes it, and checks all of it: head, columns, every
+/// cell by its column, and that the cases are those of the head, each once and in their order. Nothing of a table that
+/// fails is used. Never keeps more of a line than it may have, nor reads more than a table may have.
+/// @param name of the file, for messages
 /// @param unfinished it may be cut off anywhere, and the last case with it: that is left out
-/// @return nothing if there is no such file
-/// @throws InputError with file and line if it is not such a table
+/// @return nothing if it is unfinished and cut off before its first row
+/// @throws InputError with name and line, with column, value and what is allowed, if it is not such a table
+std::optional<ExperimentTable> read_table(const Experiment& experiment, std::istream& in, const std::string& name,
+                                          bool unfinished);
+
+/// The same of a file.
+/// @return nothing also if there is no such file
+/// @throws InputError also if it cannot be read
 std::optional<ExperimentTable> read_table(const Experiment& experiment, const std::filesystem::path& file,
                                           bool unfinished);
+
+/// The head of a table whose rows are not looked at.
+/// @return nothing if there is no such file, or it does not begin as a table of this experiment
+std::optional<TableHead> read_head(const Experiment& experiment, const std::filesystem::path& file);
+
+/// With which the last line of a table begins, before the number of its cases.
+inline constexpr std::string_view table_end_mark = "# end: ";
+
+/// The line of a table that names its columns.
+std::string columns_line(const Experiment& experiment);
 
 /// Writes a table case by case, under a name that says that it is not finished until it is.
 class TableWriter {
@@ -46,7 +67,7 @@ public:
     TableWriter(const Experiment& experiment, const std::filesystem::path& file, const ExperimentTable& table);
 
     /// All of a case reaches the file, or counts as not done.
-    /// @throws RunError if it cannot be written
+    /// @throws RunError if it cannot be written, or if a cell is not what its column may have
     void write(std::size_t number, const std::vector<TableRow>& rows);
 
     /// Closes the table with the number of its cases, and gives the file its name. What bears that name is kept under a
@@ -55,6 +76,7 @@ public:
     void finish();
 
 private:
+    const Experiment& experiment_;
     std::filesystem::path file_;
     std::ofstream out_;
     std::size_t cases_ = 0;

@@ -3,7 +3,9 @@
 #include <map>
 #include <memory>
 #include <set>
+#include <utility>
 
+#include "case_selection.h"
 #include "drape/base/program.h"
 #include "folder_lock.h"
 #include "run_experiment.h"
@@ -25,8 +27,6 @@ struct Part {
     Share share;
 };
 
-constexpr std::string_view share_word = " --share ";
-
 std::vector<Part> parts_of(const Experiment& experiment, const std::vector<std::string>& folders) {
     std::vector<Part> parts;
     for (const std::filesystem::path folder : folders) {
@@ -36,11 +36,9 @@ std::vector<Part> parts_of(const Experiment& experiment, const std::vector<std::
         }
         auto table = read_table(experiment, file, false);
         if (!table) continue;
-        const std::string settings = line_of(table->head, "settings");
-        const std::size_t split = std::min(settings.find(share_word), settings.size());
-        const bool whole = split == settings.size();
-        Share share = whole ? Share{} : parse_share(settings.substr(split + share_word.size()));
-        parts.push_back({file, std::move(*table), settings.substr(0, split), share});
+        CaseSelection selection = parse_selection(line_of(table->head, "settings")).value();
+        const Share share = parse_share(std::exchange(selection.share, ""));
+        parts.push_back({file, std::move(*table), selection.text(), share});
     }
     return parts;
 }

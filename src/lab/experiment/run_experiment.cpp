@@ -3,8 +3,8 @@
 #include <algorithm>
 #include <memory>
 #include <optional>
-#include <set>
 
+#include "case_selection.h"
 #include "drape/base/numbers.h"
 #include "drape/base/program.h"
 #include "drape/base/stopwatch.h"
@@ -12,49 +12,21 @@
 #include "gnuplot.h"
 #include "progress.h"
 #include "report_page.h"
-#include "share.h"
 
 namespace drape {
 namespace {
 
 struct Options {
-    std::string folder, share, cases;
-    bool quick = false, again = false;
+    std::string folder;
+    CaseSelection selection;
+    bool again = false;
 };
-
-/// The numbers of the cases that are wanted, from 1.
-std::set<std::size_t> wanted_cases(const Options& options, std::size_t count) {
-    std::size_t first = 1, last = count;
-    if (!options.cases.empty()) {
-        const std::size_t dash = std::min(options.cases.find('-'), options.cases.size());
-        const auto from = parse_integer(std::string_view(options.cases).substr(0, dash));
-        const auto to = parse_integer(std::string_view(options.cases).substr(std::min(dash + 1, options.cases.size())));
-        if (!from || !to || !(*from >= 1 && *from <= *to && *to <= static_cast<long long>(count))) {
-            throw InputError("--cases " + shortened(options.cases) +
-                             ": allowed FIRST-LAST with 1 <= FIRST <= LAST <= " + std::to_string(count));
-        }
-        first = static_cast<std::size_t>(*from);
-        last = static_cast<std::size_t>(*to);
-    }
-    const Share share = parse_share(options.share);
-    std::set<std::size_t> wanted;
-    for (std::size_t number = first; number <= last; ++number) {
-        if (share.has(number)) wanted.insert(number);
-    }
-    return wanted;
-}
-
-std::string settings_text(const Options& options) {
-    return std::string(options.quick ? "--quick" : "whole") +
-           (options.cases.empty() ? "" : " --cases " + options.cases) +
-           (options.share.empty() ? "" : " --share " + options.share);
-}
 
 /// Shares that run side by side do not write into one folder.
 std::filesystem::path folder_of(const Experiment& experiment, const Options& options) {
     if (!options.folder.empty()) return options.folder;
     std::string name = experiment.name;
-    if (!options.share.empty()) name += "-" + options.share;
+    if (!options.selection.share.empty()) name += "-" + options.selection.share;
     std::replace(name.begin(), name.end(), '/', '-');
     return name;
 }
@@ -76,12 +48,18 @@ void check_alone(const Experiment& experiment, const std::filesystem::path& fold
     }
 }
 
-/// True if a table of the same program, machine and settings is there and whole; anything else is none of ours.
-bool is_done(const Experiment& experiment, const TableHead& head, const std::filesystem::path& file) try {
-    const auto table = read_table(experiment, file, false);
-    return table && !difference(head, table->head);
-} catch (const InputError&) {
-    return false;
+/// The finished table of the same program, machine and settings, if there is one; anything else is none of ours.
+/// @throws InputError if its head says that it is, and its rows are not
+std::optional<ExperimentTable> finished(const Experiment& experiment, const TableHead& head,
+                                        const std::filesystem::path& file) {
+    const auto there = read_head(experiment, file);
+    if (!there || difference(head, *there)) return {};
+    try {
+        return read_table(experiment, file, false);
+    } catch (const InputError& error) {
+        throw InputError(error.what() +
+                         std::string("\n--again computes it anew, and keeps this one under another name"));
+    }
 }
 
 /// What an interrupted run of the same program, machine and settings has left, or an empty table.
@@ -100,19 +78,21 @@ ExperimentTable resumed(const Experiment& experiment, const TableHead& head, con
 }
 
 int run(const Experiment& experiment, const Options& options) {
-    const auto cases = experiment.cases(options.quick);
-    const auto wanted = wanted_cases(options, cases.size());
+    const auto cases = experiment.cases(options.selection.quick);
+    const auto wanted = options.selection.numbers(cases.size());
     const std::filesystem::path folder = folder_of(experiment, options);
     std::error_code error;
     std::filesystem::create_directories(folder, error);
     check_alone(experiment, folder);
     const auto file = folder / (experiment.name + ".csv");
     const FolderLock lock(file);
-    const TableHead head = head_of(experiment, settings_text(options), cases.size());
-    if (!options.again && !exists(unfinished_name(file)) && is_done(experiment, head, file)) {
-        std::cerr << file.string() << ": all cases are there already; --again computes them anew\n";
-        present(experiment, *read_table(experiment, file, false), file);
-        return Done;
+    const TableHead head = head_of(experiment, options.selection.text(), cases.size());
+    if (!options.again && !exists(unfinished_name(file))) {
+        if (const auto done = finished(experiment, head, file)) {
+            std::cerr << file.string() << ": all cases are there already; --again computes them anew\n";
+            present(experiment, *done, file);
+            return Done;
+        }
     }
     ExperimentTable table = resumed(experiment, head, file);
     TableWriter writer(experiment, file, table);
@@ -158,9 +138,10 @@ void add_experiments(CLI::App& app, int& exit_code) {
             ->add_option("--out", options->folder,
                          "folder for table, charts and page; NAME, or NAME-K-N for a share, if not given")
             ->type_name("DIR");
-        command->add_flag("--quick", options->quick, "fewer and smaller cases");
-        command->add_option("--cases", options->cases, "only these cases")->type_name("FIRST-LAST");
-        command->add_option("--share", options->share, "only the K-th of N parts of the cases")->type_name("K/N");
+        command->add_flag("--quick", options->selection.quick, "fewer and smaller cases");
+        command->add_option("--cases", options->selection.cases, "only these cases")->type_name("FIRST-LAST");
+        command->add_option("--share", options->selection.share, "only the K-th of N parts of the cases")
+            ->type_name("K/N");
         command->add_flag("--again", options->again, "compute anew what is there already");
         command->footer("An interrupted run goes on where it was when it is started again. `merge` joins shares.");
         command->callback([&experiment, options, &exit_code] { exit_code = run(experiment, *options); });

@@ -59,7 +59,7 @@ Chart fit_chart(const ChartTable& table, const std::vector<HierarchyRow>& rows, 
         for (const UpdateStyle& update : update_styles) {
             panel.entry(marker(update.marker) + " lc rgb '#555555'", update.update);
         }
-        text += "set title '" + readable(scene) + "'\n" + panel.plot() + "unset key\nset ylabel ''\n";
+        text += "set title " + in_quotes(readable(scene)) + "\n" + panel.plot() + "unset key\nset ylabel ''\n";
     }
     return {resampled ? "hierarchy_fit_128" : "hierarchy_fit", 1280, 560, text + end_panels(),
             "CPU time of build, query and exact test of a frame against the cells that are tested in vain, for each "
@@ -91,7 +91,7 @@ Chart sphere_chart(const ChartTable& table, const std::vector<HierarchyRow>& row
             if (drawn) panel.entry("lines lw 4 " + coloured(colour), fit);
         }
         for (const auto& [update, type] : updates) panel.entry(marker(type) + " lc rgb '#555555'", update);
-        text += "set title '" + readable(scene) + "'\n" + panel.plot() + "unset key\nset ylabel ''\n";
+        text += "set title " + in_quotes(readable(scene)) + "\n" + panel.plot() + "unset key\nset ylabel ''\n";
     }
     return {"hierarchy_spheres", 1280, 520, text + end_panels(),
             "CPU time of a build against the mean tightness of its spheres. Rebuilding fits every node to its "

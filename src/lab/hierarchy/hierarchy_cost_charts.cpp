@@ -23,10 +23,10 @@ Chart budget_chart(const ChartTable& table, const std::vector<HierarchyRow>& row
             const Picked picked{{{"part", "budget"}, {"scene", scene}, {"volume", "sphere"}}, {}};
             panel.draw(
                 picked, {column("tests"), y},
-                "linespoints lw 1.5 pt " + std::to_string(type) + " " + coloured(colour) + " title '" + name + "'");
+                "linespoints lw 1.5 pt " + std::to_string(type) + " " + coloured(colour) + " title " + in_quotes(name));
             panel.draw(picked, {"(column('level') >= 0 ? " + column("visited") + " : NaN)", y},
-                       "points ps 1.4 lw 1.5 pt " + std::to_string(type - 1) + " " + coloured(colour) + " title '" +
-                           name + ", ended at a level'");
+                       "points ps 1.4 lw 1.5 pt " + std::to_string(type - 1) + " " + coloured(colour) + " title " +
+                           in_quotes(name + ", ended at a level"));
         }
         text += "set ylabel '" + label + "'\n" + panel.plot() + "unset key\n";
     };
@@ -63,7 +63,7 @@ Chart break_even_chart(const ChartTable& table, const std::vector<HierarchyRow>&
                     {{{"part", "break_even"}, {"scene", scene}, {"volume", volume}, {"update", update.update}}, {at}},
                     columns,
                     "linespoints lw 1.5 pt " + std::to_string(update.marker) + " " + style + " " +
-                        coloured(update.colour) + " title '" + update.update + "'");
+                        coloured(update.colour) + " title " + in_quotes(update.update));
             }
             text += panel.plot() + "unset key\n";
         };
@@ -101,9 +101,9 @@ Chart size_chart(const ChartTable& table, const std::vector<HierarchyRow>& rows)
             panel.draw({{{"part", "size"}, {"volume", growth.volume}, {"update", growth.update}}, {}}, columns,
                        "yerrorlines lw 1.3 ps 0.8 " +
                            std::string(growth.update == "merge" ? "dt 2 pt 4 " : "dt 1 pt 7 ") +
-                           coloured(brute ? "#000000" : volume->colour) + " title '" +
-                           (brute ? "brute force" : growth.volume + " " + growth.update) + ": n^{" +
-                           real_text(std::round(100 * exponent) / 100) + "}'");
+                           coloured(brute ? "#000000" : volume->colour) + " title " +
+                           in_quotes((brute ? "brute force" : growth.volume + " " + growth.update) + ": n^{" +
+                                     real_text(std::round(100 * exponent) / 100) + "}"));
         }
         text += "set ylabel '" + label + "'\n" + panel.plot();
     };

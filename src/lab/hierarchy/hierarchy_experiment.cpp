@@ -1,5 +1,8 @@
 #include "hierarchy_experiment.h"
 
+#include <map>
+#include <tuple>
+
 #include "hierarchy_parts.h"
 #include "hierarchy_row.h"
 #include "hierarchy_summary.h"
@@ -16,6 +19,23 @@ std::vector<ExperimentCase> cases(bool quick) {
     return all;
 }
 
+/// Updates are compared over frames: all of them need the same ones.
+std::string flaw_of_case(const std::vector<TableRow>& rows) {
+    using Key = std::tuple<std::string, std::string, double>;
+    std::map<Key, std::map<std::string, std::vector<double>>> frames;
+    for (const HierarchyRow& row : rows_of_part(rows, "break_even")) {
+        frames[{row.scene, row.volume, row.interval_s}][row.update].push_back(row.frame);
+    }
+    for (auto& [key, updates] : frames) {
+        for (const std::string& update : update_names()) {
+            if (updates[update] == updates[update_names().front()]) continue;
+            return "the rows of update '" + update + "' are not of the same frames as those of '" +
+                   update_names().front() + "'";
+        }
+    }
+    return "";
+}
+
 }  // namespace
 
 MotionWanted screen_frames(const HierarchyScene& scene, int frames) {
@@ -25,7 +45,8 @@ MotionWanted screen_frames(const HierarchyScene& scene, int frames) {
 Experiment hierarchy_experiment() {
     return {"hierarchy",         "what does a tighter hierarchy cost, and what does it save?",
             hierarchy_columns(), cases,
-            hierarchy_charts,    hierarchy_summary};
+            hierarchy_charts,    hierarchy_summary,
+            flaw_of_case};
 }
 
 }  // namespace drape

@@ -58,12 +58,12 @@ struct HierarchyRow {
     [[nodiscard]] std::string variant() const;
 };
 
-/// The names of the columns.
-std::vector<std::string> hierarchy_columns();
+/// The columns, and which of them each part fills.
+std::vector<Column> hierarchy_columns();
 
 TableRow to_table(const HierarchyRow& row);
 
-/// @param row as `to_table` makes it
+/// @param row as `to_table` makes it, checked by the columns
 HierarchyRow from_table(const TableRow& row);
 
 }  // namespace drape

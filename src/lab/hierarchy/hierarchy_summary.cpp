@@ -90,7 +90,8 @@ std::vector<Growth> growths(const std::vector<HierarchyRow>& rows) {
     }
     std::vector<Growth> all;
     for (const auto& [key, sizes] : hierarchies) {
-        if (sizes.size() < 2) continue;
+        const auto same = [&](const HierarchyRow* row) { return row->particles == sizes.front()->particles; };
+        if (std::ranges::all_of(sizes, same)) continue;
         std::vector<std::pair<double, double>> build, search;
         for (const HierarchyRow* row : sizes) {
             // Brute force builds nothing: a time of zero is no power law

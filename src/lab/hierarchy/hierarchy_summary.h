@@ -20,7 +20,7 @@ struct Growth {
 };
 
 /// Fitted over the larger cloths, from the geometric middle of the smallest and the largest on, where what a call costs
-/// at the least no longer counts. Hierarchies with fewer than two such rows are left out.
+/// at the least no longer counts. Hierarchies with fewer than two such sizes are left out.
 /// @param rows of the part "size"
 std::vector<Growth> growths(const std::vector<HierarchyRow>& rows);
 

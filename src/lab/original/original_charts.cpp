@@ -1,4 +1,5 @@
 #include "drape/base/numbers.h"
+#include "lab/experiment/chart_text.h"
 #include "original_experiment.h"
 
 namespace drape {
@@ -8,8 +9,8 @@ namespace at = original_column;
 
 /// A way as it is drawn, in one of Okabe and Ito's colours; hatched where bounds are in the picture.
 std::string look_of(const OriginalWay& way) {
-    return std::string(way.bounds_drawn ? "fs pattern 4 " : "fs solid 0.85 ") + "lc rgb '" +
-           (way.volume == "sphere" ? "#D55E00" : "#0072B2") + "'";
+    return (way.bounds_drawn ? "fs pattern 4 " : "fs solid 0.85 ") +
+           coloured(way.volume == "sphere" ? "#D55E00" : "#0072B2");
 }
 
 std::string title_of(const OriginalWay& way) {
@@ -51,8 +52,8 @@ void add_test(Panels& panels, const std::vector<TableRow>& rows, std::size_t num
     const std::string name = "published" + std::to_string(number);
     const double figure = test.published;
     add_block(panels, name, line_of_bar(4, {figure, figure, figure}, 1, 6));
-    panels.plots += "set title '" + std::string(test.name) + "'\nplot " + items +
-                    bars(name, "fs solid 0.6 lc rgb '#999999'") + "\n";
+    panels.plots +=
+        "set title " + in_quotes(test.name) + "\nplot " + items + bars(name, "fs solid 0.6 lc rgb '#999999'") + "\n";
 }
 
 /// Build and search of the scene's tree and of one down to single cells.
@@ -86,7 +87,7 @@ std::string key() {
         "center "
         "horizontal maxrows 1 samplen 2 width 1\nplot 2 notitle, \\\n     ";
     for (const OriginalWay& way : original_ways()) {
-        text += "keyentry with boxes " + look_of(way) + " title '" + title_of(way) + "', \\\n     ";
+        text += "keyentry with boxes " + look_of(way) + " title " + in_quotes(title_of(way)) + ", \\\n     ";
     }
     return text + "keyentry with boxes fs solid 0.6 lc rgb '#999999' title \"the dissertation's prototype\"\n";
 }

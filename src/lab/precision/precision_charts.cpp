@@ -6,6 +6,7 @@
 
 #include "drape/base/input_error.h"
 #include "drape/base/numbers.h"
+#include "lab/experiment/chart_text.h"
 #include "precision_diagram.h"
 #include "precision_experiment.h"
 #include "reference.h"
@@ -64,9 +65,9 @@ std::string panel(const PrecisionDiagram& diagram, std::size_t number) {
                        front_style + " notitle";
     for (const PrecisionCurve& curve : diagram.curves) {
         if (static_cast<std::size_t>(curve.method.panel) != number || curve.points.empty()) continue;
-        const std::string data = ", \\\n     table using (strcol('scene') eq '" + diagram.scene +
-                                 "' && strcol('method') eq '" + curve.method.name +
-                                 "' && strcol('end') eq 'bounded' ? column('error') : NaN):(column('cost_s_per_s'))";
+        const std::string data = ", \\\n     table using (strcol('scene') eq " + in_quotes(diagram.scene) +
+                                 " && strcol('method') eq " + in_quotes(curve.method.name) +
+                                 " && strcol('end') eq 'bounded' ? column('error') : NaN):(column('cost_s_per_s'))";
         text += data + ":(column('cost_lower_s_per_s')):(column('cost_upper_s_per_s')) with yerrorlines " + line_style +
                 style_of(curve.method.name) + " notitle";
     }
@@ -85,28 +86,30 @@ std::string key(const PrecisionDiagram& diagram) {
     int panel = -1;
     for (const PrecisionCurve& curve : diagram.curves) {
         if (curve.method.panel != std::exchange(panel, curve.method.panel)) {
-            text += ", \\\n     keyentry with lines lc rgb 'white' title '" +
-                    std::string(panel_titles[static_cast<std::size_t>(panel)]) + ":'";
+            text += ", \\\n     keyentry with lines lc rgb 'white' title " +
+                    in_quotes(std::string(panel_titles[static_cast<std::size_t>(panel)]) + ":");
         }
         text += ", \\\n     keyentry with linespoints " + std::string(line_style) + style_of(curve.method.name) +
-                " title '" + curve.method.title +
-                (curve.order ? ": order " + real_text(curve.order->order, 2) : ": no order") + "'";
+                " title " +
+                in_quotes(curve.method.title +
+                          (curve.order ? ": order " + real_text(curve.order->order, 2) : std::string(": no order")));
     }
     return text + "\n";
 }
 
 std::string title_of(const PrecisionDiagram& diagram) {
     const std::string what = diagram.scene == "contact" ? "A sheet falls on a ball" : "A sheet swings from two corners";
-    return what + ": " + diagram.particles + " x " + diagram.particles + " particles, " + diagram.stiffness +
-           " N/m, to " + diagram.horizon + " s";
+    const std::string side = real_text(diagram.particles);
+    return what + ": " + side + " x " + side + " particles, " + real_text(diagram.stiffness) + " N/m, to " +
+           real_text(diagram.horizon) + " s";
 }
 
 std::string caption_of(const PrecisionDiagram& diagram) {
     std::string text =
         "Error at the horizon against the CPU time of a simulated second (medians, quartiles as bars) over a "
         "ladder of steps: left is more exact, down is cheaper. The order is fitted to the finest points.";
-    if (diagram.phases != "1") {
-        text += " Errors are averaged over " + diagram.phases +
+    if (diagram.phases != 1) {
+        text += " Errors are averaged over " + real_text(diagram.phases) +
                 " places of the first impact within a step; from that impact on, every method is of order 1.";
     }
     return text + " The reference is in error by " + real_text(diagram.reference_error, 2) + "; an error of " +
@@ -120,8 +123,8 @@ Chart chart(const PrecisionDiagram& diagram) {
         front += real_text(point.error, 6) + "," + real_text(point.cost, 6) + "\n";
     }
     std::string plot =
-        front + "END\nset multiplot layout 2,2 title \"" + title_of(diagram) +
-        "\" font ',13'\nset logscale xy\nset format '10^{%L}'\nset grid xtics ytics lt 1 lc rgb '#e0e0e0'\n" +
+        front + "END\nset multiplot layout 2,2 title " + in_quotes(title_of(diagram)) +
+        " font ',13'\nset logscale xy\nset format '10^{%L}'\nset grid xtics ytics lt 1 lc rgb '#e0e0e0'\n" +
         "unset key\nset xlabel '" +
         (positions ? "RMS position error over the side of the cloth" : "error of sag, centre of mass and energy") +
         "'\nset ylabel 'CPU seconds a simulated second'\n" + ranges(diagram);

@@ -3,7 +3,6 @@
 #include <algorithm>
 #include <limits>
 
-#include "drape/base/numbers.h"
 #include "lab/measure/pareto_front.h"
 #include "precision_experiment.h"
 
@@ -14,15 +13,13 @@ namespace at = precision_column;
 
 using Pairs = std::vector<std::pair<double, double>>;
 
-double number(const std::string& text) { return parse_real(text).value_or(std::numeric_limits<double>::quiet_NaN()); }
-
 PrecisionCurve curve_of(const PrecisionMethod& method, const std::vector<TableRow>& rows) {
     PrecisionCurve curve{method, {}, {}, {}};
     for (const TableRow& row : rows) {
         if (row[at::Method] != method.name) continue;
-        const double step = number(row[at::Step]);
+        const double step = number_in(row[at::Step]);
         if (row[at::End] == "bounded") {
-            curve.points.push_back({method.name, step, number(row[at::Error]), number(row[at::Cost])});
+            curve.points.push_back({method.name, step, number_in(row[at::Error]), number_in(row[at::Cost])});
         } else {
             curve.unstable.push_back(step);
         }
@@ -39,16 +36,16 @@ PrecisionCurve curve_of(const PrecisionMethod& method, const std::vector<TableRo
 /// @param rows of one scene, at least one
 PrecisionDiagram diagram_of(const std::vector<TableRow>& rows) {
     const TableRow& first = rows.front();
-    PrecisionDiagram diagram{first[at::Scene],
-                             first[at::Particles],
-                             first[at::Stiffness],
-                             first[at::Horizon],
-                             first[at::Phases],
-                             first[at::Measured],
-                             number(first[at::ReferenceError]),
-                             number(first[at::Growth]),
-                             {},
-                             {}};
+    PrecisionDiagram diagram{.scene = first[at::Scene],
+                             .measure = first[at::Measured],
+                             .particles = number_in(first[at::Particles]),
+                             .stiffness = number_in(first[at::Stiffness]),
+                             .horizon = number_in(first[at::Horizon]),
+                             .phases = number_in(first[at::Phases]),
+                             .reference_error = number_in(first[at::ReferenceError]),
+                             .growth = number_in(first[at::Growth]),
+                             .curves = {},
+                             .front = {}};
     std::vector<PrecisionPoint> all;
     Pairs pairs;
     for (const PrecisionMethod& method : precision_methods()) {

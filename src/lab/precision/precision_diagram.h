@@ -26,7 +26,8 @@ struct PrecisionCurve {
 
 /// What the rows of one scene say.
 struct PrecisionDiagram {
-    std::string scene, particles, stiffness, horizon, phases, measure;
+    std::string scene, measure;
+    double particles = 0, stiffness = 0, horizon = 0, phases = 0;
     double reference_error = 0, growth = 0;
     std::vector<PrecisionCurve> curves;  ///< in the order of `precision_methods`; only those that have rows
     std::vector<PrecisionPoint> front;   ///< that no other point beats, from exact to cheap

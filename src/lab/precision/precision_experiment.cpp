@@ -135,16 +135,37 @@ std::vector<ExperimentCase> cases(bool quick) {
     return all;
 }
 
+std::vector<Column> columns() {
+    std::vector<std::string> scenes, methods, fixed;
+    for (const PrecisionScene& scene : precision_scenes(false)) scenes.push_back(scene.name);
+    for (const PrecisionMethod& method : precision_methods()) {
+        methods.push_back(method.name);
+        if (method.parameters.kind != IntegratorKind::DormandPrince) fixed.push_back(method.name);
+    }
+    const auto if_bounded = [](const Column& column) { return column.or_nan().where("end", {"unstable"}); };
+    return {word_column("scene", scenes),
+            whole_column("particles", 2),
+            positive_column("stiffness_N_per_m"),
+            positive_column("horizon_s"),
+            whole_column("phases", 1),
+            word_column("method", methods),
+            positive_column("tolerance").or_words({""}).where("method", fixed),
+            whole_column("steps", 1),
+            positive_column("step_s"),
+            word_column("end", {"bounded", "unstable"}),
+            word_column("measure", {std::string(name_of(Measure::Position)), std::string(name_of(Measure::Overall))}),
+            if_bounded(number_column("error")),
+            if_bounded(number_column("cost_lower_s_per_s")),
+            if_bounded(positive_column("cost_s_per_s")),
+            if_bounded(number_column("cost_upper_s_per_s")),
+            number_column("reference_error"),
+            number_column("growth").or_nan().or_words({"inf"})};
+}
+
 }  // namespace
 
 Experiment precision_experiment() {
-    return {"precision",
-            "what does accuracy cost, by which method?",
-            {"scene", "particles", "stiffness_N_per_m", "horizon_s", "phases", "method", "tolerance", "steps", "step_s",
-             "end", "measure", "error", "cost_lower_s_per_s", "cost_s_per_s", "cost_upper_s_per_s", "reference_error",
-             "growth"},
-            cases,
-            precision_charts,
+    return {"precision",      "what does accuracy cost, by which method?", columns(), cases, precision_charts,
             precision_summary};
 }
 

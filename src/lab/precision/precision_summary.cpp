@@ -12,8 +12,9 @@ std::string text(double value) { return real_text(value, 3); }
 
 /// What the errors of a scene are worth.
 std::string worth(const PrecisionDiagram& diagram) {
-    std::string line = diagram.scene + ": " + diagram.particles + " x " + diagram.particles + " particles, " +
-                       diagram.stiffness + " N/m, to " + diagram.horizon + " s\n  an error of " + text(small_error) +
+    const std::string side = real_text(diagram.particles);
+    std::string line = diagram.scene + ": " + side + " x " + side + " particles, " + real_text(diagram.stiffness) +
+                       " N/m, to " + real_text(diagram.horizon) + " s\n  an error of " + text(small_error) +
                        " m at the start grows " + text(diagram.growth) + " times";
     if (diagram.measure != name_of(Measure::Position)) {
         line += ": more than " + text(most_growth) +

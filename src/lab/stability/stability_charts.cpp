@@ -1,6 +1,8 @@
 #include <algorithm>
 #include <map>
 
+#include "drape/base/numbers.h"
+#include "lab/experiment/chart_text.h"
 #include "stability_experiment.h"
 
 namespace drape {
@@ -10,7 +12,7 @@ namespace at = stability_column;
 
 /// What one chart says about its method.
 struct Charted {
-    std::string side;  ///< of the sheet that is drawn
+    double side = 0;  ///< of the sheet that is drawn
     int trials = 0, against = 0;
     bool limited = false;
     bool stiffness = false, damping = false;  ///< which were swept; a share of the cases may lack one
@@ -19,22 +21,23 @@ struct Charted {
 std::string title(const std::string& method, const Charted& charted) {
     std::string name = method;
     std::replace(name.begin(), name.end(), '_', ' ');
-    return name + ", " + charted.side + " x " + charted.side + " particles: " + std::to_string(charted.trials) +
-           " trials, " + std::to_string(charted.against) +
+    const std::string side = real_text(charted.side);
+    return name + ", " + side + " x " + side + " particles: " + std::to_string(charted.trials) + " trials, " +
+           std::to_string(charted.against) +
            (charted.limited ? " against the prediction" : " not bounded (there is no linear limit)");
 }
 
 /// One panel: bounded and failed steps over a swept quantity, and the limits as lines.
-std::string panel(const std::string& method, const Charted& charted, const std::string& sweep,
-                  const std::string& column, const std::string& label) {
-    const std::string here = "strcol('method') eq '" + method + "' && strcol('sweep') eq '" + sweep +
-                             "' && column('side') == " + charted.side;
-    const std::string x = "table using (column('" + column + "')):(";
+std::string panel(const std::string& method, const Charted& charted, const std::string& sweep, const std::string& swept,
+                  const std::string& label) {
+    const std::string here = "strcol('method') eq " + in_quotes(method) + " && strcol('sweep') eq " + in_quotes(sweep) +
+                             " && column('side') == " + real_text(charted.side);
+    const std::string x = "table using (" + column(swept) + "):(";
     const auto points = [&](const std::string& condition, const std::string& style) {
         return x + here + " && " + condition + " ? column('step_s') : NaN) with points " + style;
     };
     const auto line = [&](const std::string& of, const std::string& style) {
-        return x + here + " ? column('" + of + "') : NaN) with lines " + style;
+        return x + here + " ? " + column(of) + " : NaN) with lines " + style;
     };
     std::string text = "set xlabel '" + label + "'\nplot " +
                        points("strcol('end') eq 'bounded'", "pt 7 ps 0.7 lc rgb '#0072B2' title 'stayed bounded'") +
@@ -58,8 +61,8 @@ std::string panel(const std::string& method, const Charted& charted, const std::
 Chart chart(const std::string& method, const Charted& charted) {
     return {
         "stability_" + method, 1100, 560,
-        "set multiplot layout 1,2 title \"" + title(method, charted) +
-            "\" font ',13' margins 0.085,0.98,0.235,0.87 spacing 0.09,0\n"
+        "set multiplot layout 1,2 title " + in_quotes(title(method, charted)) +
+            " font ',13' margins 0.085,0.98,0.235,0.87 spacing 0.09,0\n"
             "set logscale xy\nset format '10^{%L}'\nset grid xtics ytics lt 1 lc rgb '#e0e0e0'\nset offsets graph "
             "0.04, graph 0.04, "
             "graph 0, graph 0\n"
@@ -85,12 +88,12 @@ std::vector<Chart> stability_charts(const std::vector<TableRow>& rows) {
     const auto drawn = [](const TableRow& row) { return row[at::Sweep] != "damped_stiffness"; };
     std::map<std::string, Charted> methods;
     for (const TableRow& row : rows) {
-        if (drawn(row)) methods[row[at::Method]].side = row[at::Side];
+        if (drawn(row)) methods[row[at::Method]].side = number_in(row[at::Side]);
     }
     for (const TableRow& row : rows) {
         if (!drawn(row)) continue;
         Charted& charted = methods[row[at::Method]];
-        if (charted.side != row[at::Side]) continue;
+        if (charted.side != number_in(row[at::Side])) continue;
         ++charted.trials;
         charted.against += row[at::Verdict] == "disagrees" ? 1 : 0;
         charted.limited = row[at::Expected] != "inf";
