@@ -6,6 +6,8 @@
 #include <limits>
 #include <random>
 
+#include "drape/base/even_draw.h"
+#include "drape/base/exact_math.h"
 #include "drape/integrate/stability.h"
 #include "drape/model/energy.h"
 
@@ -20,11 +22,10 @@ Real diagonal(const ClothModel& model) {
 
 void add_noise(const ClothModel& model, const Trial& trial, ClothState& state) {
     std::mt19937 random(trial.seed);
-    std::uniform_real_distribution<Real> draw(-1, 1);
     const Real size = trial.noise * std::min(model.hx, model.hy);
     for (int p = 0; p < model.grid.particles(); ++p) {
         for (int axis = 0; axis < 3; ++axis) {
-            const Real noise = size * draw(random);
+            const Real noise = size * draw_even<Real>(random);
             if (!model.pinned(p)) state.x(p, axis) += noise;
         }
     }
@@ -100,7 +101,7 @@ Real observable_limit_of_explicit_euler(const ClothModel& model, const ClothStat
     add_noise(model, trial, noisy);
     const double noise = compute_energy(model, noisy).spring - compute_energy(model, start).spring;
     const double gain = static_cast<double>(energy_to_fail(model)) / noise;
-    const auto growth = static_cast<Real>(std::expm1(std::log(gain) / trial.steps));
+    const auto growth = static_cast<Real>(exponential_less_one(natural_log(gain) / trial.steps));
     const Real k = omega * omega, d = 2 * zeta * omega;
     return (d + std::sqrt(d * d + 4 * k * growth)) / (2 * k);
 }

@@ -6,6 +6,7 @@
 
 #include "ball_motion.h"
 #include "divergence.h"
+#include "drape/base/exact_math.h"
 #include "drape/base/stopwatch.h"
 #include "drape/contact/response.h"
 #include "drape/integrate/stability.h"
@@ -20,7 +21,7 @@ constexpr Real air_density = Real(1.225);
 /// The air at a time: the mean wind with two gusts of incommensurate frequency on it. It depends on time alone.
 Air air_at(const WindSettings& wind, double time) {
     if (!wind.on) return {};
-    const double gusts = (std::sin(2.1 * time) + std::sin(5.3 * time + 1.3)) / 2;
+    const double gusts = (sine(2.1 * time) + sine(5.3 * time + 1.3)) / 2;
     return {wind.velocity * (1 + wind.gust * static_cast<Real>(gusts)), air_density};
 }
 

@@ -36,7 +36,7 @@ std::vector<std::size_t> CaseSelection::numbers(std::size_t count) const {
         const auto from = parse_integer(std::string_view(cases).substr(0, dash));
         const auto to = parse_integer(std::string_view(cases).substr(std::min(dash + 1, cases.size())));
         if (!from || !to || !(*from >= 1 && *from <= *to && *to <= static_cast<long long>(count))) {
-            throw InputError("--cases " + cases.substr(0, 100) +
+            throw InputError("--cases " + shortened(cases) +
                              ": allowed FIRST-LAST with 1 <= FIRST <= LAST <= " + std::to_string(count));
         }
         first = static_cast<std::size_t>(*from);

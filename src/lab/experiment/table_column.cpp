@@ -83,7 +83,7 @@ std::string flaw_of(const std::vector<Column>& columns, const std::vector<std::s
     DRAPE_ASSERT(row.size() == columns.size());
     for (std::size_t k = 0; k < columns.size(); ++k) {
         if (accepts(columns, columns[k], row, row[k])) continue;
-        return "column " + columns[k].name + ": '" + row[k].substr(0, 100) + "': allowed " + columns[k].allowed();
+        return "column " + columns[k].name + ": '" + shortened(row[k]) + "': allowed " + columns[k].allowed();
     }
     return "";
 }

@@ -3,17 +3,18 @@
 #include <cmath>
 #include <random>
 
+#include "drape/base/even_draw.h"
+
 namespace drape {
 
 ClothState disturbed(const ClothModel& model, ClothState state) {
     std::mt19937 random(1);
-    std::uniform_real_distribution<Real> draw(-1, 1);
     Points error = Points::Zero(state.x.rows(), 3);
     int free = 0;
     for (int p = 0; p < model.grid.particles(); ++p) {
         if (model.pinned(p)) continue;
         ++free;
-        for (int axis = 0; axis < 3; ++axis) error(p, axis) = draw(random);
+        for (int axis = 0; axis < 3; ++axis) error(p, axis) = draw_even<Real>(random);
     }
     state.x += error * (small_error * std::sqrt(static_cast<Real>(free)) / error.norm());
     return state;

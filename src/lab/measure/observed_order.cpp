@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "drape/base/exact_math.h"
 #include "power_law.h"
 
 namespace drape {
@@ -11,7 +12,8 @@ std::optional<ObservedOrder> observed_order(std::span<const std::pair<double, do
     constexpr std::size_t fewest = 3;
     if (points.size() < fewest) return std::nullopt;
     const auto slope_at = [points](std::size_t i) {
-        return std::log(points[i].second / points[i + 1].second) / std::log(points[i].first / points[i + 1].first);
+        return natural_log(points[i].second / points[i + 1].second) /
+               natural_log(points[i].first / points[i + 1].first);
     };
     const auto differ = [](double a, double b) { return std::abs(a - b) / std::max({1.0, a, b}); };
     std::size_t count = fewest;

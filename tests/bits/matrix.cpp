@@ -1,0 +1,78 @@
+#include "bits/matrix.h"
+
+#include <gtest/gtest.h>
+
+#include <cstdlib>
+#include <iostream>
+#include <sstream>
+
+#include "drape/bounds/broad_phase.h"
+#include "drape/integrate/integrator.h"
+#include "drape/sim/scene.h"
+
+namespace drape::testing_aid {
+
+const std::string small_case =
+    "drop --time 0.05 --set cloth.particles=12,12 ball.position=0,0.345,0 solver.dt=0.002 wind.on=1 ";
+
+std::string bits_of(const LabFolder& folder, const Way& way, const std::string& program, const Words& arguments) {
+    Words words = way.before;
+    words.push_back(program);
+    words.insert(words.end(), arguments.begin(), arguments.end());
+    const LabRun run = folder.run({words.begin() + 1, words.end()}, words.front(), way.environment);
+    const bool told = run.out.size() == 17 && (run.code == 0 || run.code == 1);
+    return told ? run.out.substr(0, 16) + ", exit code " + std::to_string(run.code) : "no hash: " + run.err;
+}
+
+void Matrix::add(const std::string& command_line) {
+    std::istringstream in("simulate --hash " + command_line);
+    Words& words = cells_.emplace_back();
+    for (std::string word; in >> word;) words.push_back(word);
+    plain_.push_back(bits_of(folder_, {"plainly"}, DRAPE_LAB, words));
+    EXPECT_FALSE(plain_.back().starts_with("no hash")) << command_line << ": " << plain_.back();
+}
+
+void Matrix::add_methods() {
+    for (const std::string& method : integrator_names()) add(small_case + "integrator=" + method);
+}
+
+void Matrix::add_volumes() {
+    for (const std::string& volume : volume_names()) add(small_case + "search_level=2 volume=" + volume);
+}
+
+void Matrix::add_scenes(const Words& methods) {
+    for (const std::string& scene : scene_names()) {
+        for (const std::string& method : methods) {
+            const std::string given = method.empty() ? "" : " integrator=" + method;
+            add(scene + " --time 0.02 --set on_unstable=substep" + given);
+        }
+    }
+}
+
+int Matrix::compare(const Way& way, const Words& more) const {
+    for (std::size_t i = 0; i < cells_.size(); ++i) {
+        Words words = cells_[i];
+        words.insert(words.end(), more.begin(), more.end());
+        std::string told = "drape-lab";
+        for (const std::string& word : words) told += " " + word;
+        EXPECT_EQ(bits_of(folder_, way, way.lab, words), plain_[i]) << way.name << ": " << told;
+    }
+    return static_cast<int>(cells_.size());
+}
+
+void tell_comparisons(int count) {
+    std::cout << count << " comparisons of bits\n";
+    testing::Test::RecordProperty("comparisons", count);
+}
+
+std::string no_emulator() {
+#if defined(__SANITIZE_ADDRESS__) || defined(__SANITIZE_THREAD__)
+    return "sanitizers do not run under qemu";
+#else
+    return can_run("qemu-x86_64") ? "" : "qemu-x86_64 is not here (package qemu-user)";
+#endif
+}
+
+bool can_run(const std::string& program) { return std::system(("command -v " + program + " >/dev/null").c_str()) == 0; }
+
+}  // namespace drape::testing_aid
