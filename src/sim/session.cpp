@@ -108,18 +108,25 @@ double Session::time_after_next_step() {
     return counted_from_ + static_cast<double>(counted_steps_ + 1) * counted_dt_;
 }
 
-void Session::run_until(double time) {
+bool Session::run_until(double time, const std::function<bool()>& stop) {
+    bool stopped = false;
     for (double next = time_after_next_step(); next <= time + step_tolerance * dt(); next = time_after_next_step()) {
+        stopped = stop && stop();
+        if (stopped) break;
         time_ = next;
         ++counted_steps_;
         step();
     }
     behind_ = std::max(0.0, time - time_);
+    return !stopped;
 }
 
-bool Session::run_replay() {
+bool Session::run_replay(const std::function<bool()>& stop) {
     if (!replay_.last_step) return false;
-    while (steps_made_ < *replay_.last_step) step();
+    while (steps_made_ < *replay_.last_step) {
+        if (stop && stop()) return false;
+        step();
+    }
     return true;
 }
 
@@ -130,6 +137,11 @@ Real Session::blend() const {
 }
 
 double Session::dt() const { return static_cast<double>(simulation_.settings().solver.dt); }
+
+std::string Session::record_notice() const {
+    if (!recorder_ || recorder_->set_aside().empty()) return {};
+    return "a run that did not end has left a recording: it is " + recorder_->set_aside().string() + " now";
+}
 
 void Session::close() {
     if (!recorder_) return;

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <cstdint>
+#include <functional>
 #include <memory>
 #include <string>
 #include <vector>
@@ -35,11 +36,14 @@ public:
 
     /// Makes steps until the simulated time is the last multiple of dt that is not beyond `time` [s]; pauses are passed
     /// over.
-    void run_until(double time);
+    /// @param stop asked before each step; empty: none asks
+    /// @return false if it said so
+    bool run_until(double time, const std::function<bool()>& stop = {});
 
     /// Makes the steps of the recording that is replayed, to where it was closed; pauses are passed over.
-    /// @return false, and makes none, if it never was closed or nothing is replayed
-    bool run_replay();
+    /// @param stop as for `run_until`
+    /// @return false if it said so; and makes none, if it never was closed or nothing is replayed
+    bool run_replay(const std::function<bool()>& stop = {});
 
     /// Camera commands of a replay that came due since the last call, for whoever owns the camera.
     [[nodiscard]] std::vector<Command> take_view_commands();
@@ -58,6 +62,9 @@ public:
 
     /// Whether a hash of the replay was not that of the state.
     [[nodiscard]] bool replay_differs() const { return replay_differs_; }
+
+    /// What there is to say of the file that is recorded to: that a run that never ended has left one. Else empty.
+    [[nodiscard]] std::string record_notice() const;
 
     /// Writes the closing hash of a recording and closes it; called by the destructor too.
     /// @throws RunError if the file could not be written whole

@@ -2,6 +2,7 @@
 
 #include <array>
 #include <ctime>
+#include <fstream>
 
 #include "drape/base/assert.h"
 #include "drape/base/input_error.h"
@@ -63,15 +64,6 @@ TableRow cut(const std::string& line) {
 }
 
 std::string header_of(const Experiment& experiment) { return "case," + joined(experiment.columns); }
-
-/// Where a file of this name may go that is not to be lost: "stability-2.csv".
-std::filesystem::path free_name(const std::filesystem::path& file) {
-    for (int number = 1;; ++number) {
-        const auto name =
-            file.parent_path() / (file.stem().string() + "-" + std::to_string(number) + file.extension().string());
-        if (!exists(name)) return name;
-    }
-}
 
 /// Reads line after line and tells where it is.
 class TableReader {
@@ -165,33 +157,28 @@ std::optional<ExperimentTable> read_table(const Experiment& experiment, const st
 std::filesystem::path unfinished_name(const std::filesystem::path& file) { return file.string() + ".part"; }
 
 TableWriter::TableWriter(const Experiment& experiment, const std::filesystem::path& file, const ExperimentTable& table)
-    : file_(file) {
-    // Written anew beside what is there, which is not lost if this is interrupted
-    const std::string part = unfinished_name(file).string(), draft = part + ".new";
-    out_.open(draft, std::ios::binary | std::ios::trunc);
-    if (!out_) throw RunError(draft + ": cannot be written");
-    for (const auto& [key, value] : table.head) out_ << "# " << key << ": " << value << '\n';
-    out_ << header_of(experiment);
+    : file_(file), out_(unfinished_name(file).string()) {
+    for (const auto& [key, value] : table.head) out_.stream() << "# " << key << ": " << value << '\n';
+    out_.stream() << header_of(experiment);
     for (const auto& [number, rows] : table.cases) write(number, rows);
-    std::error_code error;
-    std::filesystem::rename(draft, part, error);
-    if (!out_.flush() || error) throw RunError(part + ": cannot be written");
+    // What was there is in it, and is not touched before
+    out_.take_name();
 }
 
 void TableWriter::write(std::size_t number, const std::vector<TableRow>& rows) {
     std::string text;
     for (const TableRow& row : rows) text += std::to_string(number) + "," + joined(row);
     cases_ += rows.empty() ? 0 : 1;
-    if (!(out_ << text << std::flush)) throw RunError(unfinished_name(file_).string() + ": cannot be written");
+    out_.stream() << text;
+    out_.flush();
 }
 
 void TableWriter::finish() {
-    out_ << end_mark << cases_ << '\n';
+    out_.stream() << end_mark << cases_ << '\n';
     out_.close();
-    if (!out_) throw RunError(unfinished_name(file_).string() + ": could not be written whole");
+    if (exists(file_)) set_file_aside(file_);
     std::error_code error;
-    if (exists(file_)) rename(file_, free_name(file_), error);
-    if (!error) rename(unfinished_name(file_), file_, error);
+    rename(unfinished_name(file_), file_, error);
     if (error) throw RunError(file_.string() + ": cannot be written: " + error.message());
 }
 

@@ -1,13 +1,13 @@
 #pragma once
 
 #include <filesystem>
-#include <fstream>
 #include <map>
 #include <optional>
 #include <string>
 #include <utility>
 #include <vector>
 
+#include "drape/base/output_file.h"
 #include "experiment.h"
 
 namespace drape {
@@ -56,7 +56,7 @@ public:
 
 private:
     std::filesystem::path file_;
-    std::ofstream out_;
+    OutputFile out_;  ///< named ".part" once its head is there
     std::size_t cases_ = 0;
 };
 

@@ -1,6 +1,7 @@
 #include "gnuplot.h"
 
-#include "child_program.h"
+#include "drape/base/child_program.h"
+#include "drape/base/input_error.h"
 #include "drape/base/output_file.h"
 
 namespace drape {

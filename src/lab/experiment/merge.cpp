@@ -4,8 +4,8 @@
 #include <memory>
 #include <set>
 
+#include "drape/base/folder_lock.h"
 #include "drape/base/program.h"
-#include "folder_lock.h"
 #include "run_experiment.h"
 #include "share.h"
 
