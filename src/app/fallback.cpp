@@ -1,14 +1,10 @@
 #include "fallback.h"
 
-#include <unistd.h>
-
-#include <cerrno>
-#include <cstring>
 #include <filesystem>
 #include <iostream>
 #include <vector>
 
-#include "drape/base/input_error.h"
+#include "drape/base/child_program.h"
 #include "drape/base/resources.h"
 
 namespace drape {
@@ -29,15 +25,11 @@ void capture_instead(const Options& options, const std::string& reason) {
     for (const std::string& assignment : options.start.assignments) words.insert(words.end(), {"--set", assignment});
     if (!options.start.replay.empty()) words.insert(words.end(), {"--replay", options.start.replay});
     if (options.hash) words.emplace_back("--hash");
-    words.insert(words.end(), {"--frames", std::to_string(frames), "--size", size, "--out", out});
+    words.insert(words.end(), {"--frames", std::to_string(frames), "--size", size, "--out", out, "--again"});
 
     std::cerr << "drape: " << reason << "; drawing " << frames << " pictures into " << out << " instead"
               << (options.record.empty() ? "" : " (nothing is recorded)") << std::endl;
-    std::vector<char*> arguments;
-    for (std::string& word : words) arguments.push_back(word.data());
-    arguments.push_back(nullptr);
-    execv(program.c_str(), arguments.data());
-    throw RunError("cannot run " + program + ": " + std::strerror(errno));
+    become_program(std::move(words));
 }
 
 }  // namespace drape

@@ -10,6 +10,7 @@
 #include "display.h"
 #include "drape/base/numbers.h"
 #include "drape/base/program.h"
+#include "drape/base/stop_signals.h"
 #include "fallback.h"
 #include "options.h"
 #include "window.h"
@@ -40,7 +41,11 @@ struct Progress {
 int run(int argc, char** argv) {
     const std::optional<Options> options = read_options(argc, argv);
     if (!options) return Done;
+    const StopSignals signals;
     Start start = make_start(options->start);
+    std::vector<NamedFile> files = input_files(options->start, start);
+    files.push_back({"--record", options->record});
+    check_apart(files);
     const DisplayProbe probe;
     if (!probe.present()) capture_instead(*options, "there is no display");
     Progress progress{*options};
@@ -48,13 +53,11 @@ int run(int argc, char** argv) {
     int no_words = 1;
     glutInit(&no_words, argv);
 
-    if (!options->record.empty() && options->record == options->start.replay) {
-        throw InputError("--record " + options->record + ": allowed any file but that of --replay");
-    }
     Session session = make_session(std::move(start), options->record);
+    if (const std::string notice = session.record_notice(); !notice.empty()) std::cerr << "drape: " << notice << "\n";
     const std::string warning = session.simulation().step_warning();
     if (!warning.empty()) std::cerr << "warning: " << warning << "\n";
-    Window window(session, options->size);
+    Window window(session, options->size, signals);
     progress.window_open = true;
     const int code = window.run();
     session.close();

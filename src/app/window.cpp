@@ -22,8 +22,9 @@ constexpr double least_budget = 0.025;  // s for the steps of one frame
 
 }  // namespace
 
-Window::Window(Session& session, PictureSize size)
+Window::Window(Session& session, PictureSize size, const StopSignals& signals)
     : session_(session),
+      signals_(signals),
       entries_(make_entries(scene_names())),
       camera_(session.simulation().settings().view),
       scene_(session.simulation().scene()) {

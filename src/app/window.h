@@ -26,8 +26,9 @@ namespace drape {
 class Window {
 public:
     /// Opens the window.
+    /// @param signals that end it
     /// @pre glutInit was called
-    Window(Session& session, PictureSize size);
+    Window(Session& session, PictureSize size, const StopSignals& signals);
     ~Window();
     Window(const Window&) = delete;
     Window& operator=(const Window&) = delete;
@@ -81,7 +82,7 @@ private:
     [[nodiscard]] bool drawable() const { return visible_ && width_ > 0 && height_ > 0; }
 
     Session& session_;
-    StopSignals signals_;
+    const StopSignals& signals_;
     std::vector<Entry> entries_;
     Camera camera_;
     Pointer pointer_;

@@ -18,13 +18,13 @@ namespace {
 
 constexpr int wheel_up = 3, wheel_down = 4;  // buttons, where the wheel comes as such
 
-// "drape-0007.png": the first that is not there yet.
-std::filesystem::path next_picture() {
+// Writes "drape-0007.png", the first that is not there yet.
+std::filesystem::path write_next(const Image& picture) {
     for (int number = 1;; ++number) {
         std::string digits = std::to_string(number);
         if (digits.size() < 4) digits.insert(0, 4 - digits.size(), '0');
         std::filesystem::path file = "drape-" + digits + ".png";
-        if (!std::filesystem::exists(file)) return file;
+        if (!exists(symlink_status(file)) && write_new_png(picture, file)) return file;
     }
 }
 
@@ -153,10 +153,8 @@ void Window::carry_out(const Command& command) {
 void Window::take_picture() {
     if (!drawable() || closed_) return;
     try {
-        const std::filesystem::path file = next_picture();
         draw();
-        write_png(renderer_->read_back(), file);
-        notices_.add("picture", "Picture written: " + file.string());
+        notices_.add("picture", "Picture written: " + write_next(renderer_->read_back()).string());
     } catch (const RunError& error) {
         notices_.add("picture", error.what());
     }

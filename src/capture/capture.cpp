@@ -15,30 +15,34 @@ namespace drape {
 
 namespace {
 
-void remove_if_empty(const std::filesystem::path& file) {
-    std::error_code ignored;
-    if (std::filesystem::is_regular_file(file, ignored) && std::filesystem::file_size(file, ignored) == 0) {
-        std::filesystem::remove(file, ignored);
+/// A start none of whose files is to be written.
+Start checked_start(const CaptureOptions& options) {
+    Start start = make_start(options.start);
+    const std::vector<NamedFile> written{
+        {"--video", options.video}, {"--stats", options.stats}, {"--state", options.state}};
+    std::vector<NamedFile> files = input_files(options.start, start);
+    files.insert(files.end(), written.begin(), written.end());
+    check_apart(files);
+    for (const NamedFile& file : written) {
+        if (options.out.empty() || file.path.empty() || !FrameWriter::is_frame(options.out, file.path)) continue;
+        throw InputError(file.option + " " + file.path.string() + ": allowed any file but a frame of --out");
     }
+    return start;
 }
 
 }  // namespace
 
-Capture::Capture(CaptureOptions options)
-    : options_(std::move(options)),
-      session_(make_session(make_start(options_.start))),
+Capture::Capture(CaptureOptions options, const StopSignals& signals)
+    : signals_(signals),
+      options_(std::move(options)),
+      session_(make_session(checked_start(options_))),
       camera_(session_.simulation().settings().view),
       stats_(options_.stats),
       state_(options_.state) {
-    if (!options_.out.empty()) frames_.emplace(options_.out, options_.frames);
+    if (!options_.out.empty()) frames_.emplace(options_.out, options_.frames, options_.again);
     if (!options_.video.empty()) {
-        // Whatever stands in the way of the file shows here, not after the last frame
-        OutputFile(options_.video.string()).close();
-        video_.emplace(options_.video, options_.size.width, options_.size.height, options_.fps / options_.every);
-        if (!video_->trouble().empty() && !frames_) {
-            remove_if_empty(options_.video);
-            throw RunError(video_->trouble());
-        }
+        video_.emplace(options_.video, options_.size, options_.fps / options_.every, signals_);
+        if (!video_->trouble().empty() && !frames_) throw RunError(video_->trouble());
     }
     if (stats_.wanted()) {
         write_report_units(stats_.stream());
@@ -64,14 +68,16 @@ int Capture::run() {
     const std::string warning = session_.simulation().step_warning();
     if (!warning.empty()) std::cerr << "warning: " << warning << "\n";
     for (int frame = 1; frame <= options_.frames && exit_code == Done; ++frame) {
-        session_.run_until(session_.start_time() + frame / options_.fps);
+        const double time = session_.start_time() + frame / options_.fps;
+        const bool whole = session_.run_until(time, [this] { return signals_.arrived() != 0; });
         if (diverged()) {
             tell_divergence();
             exit_code = Failed;
         }
-        if (exit_code == Done && options_.drawing()) draw_frame(frame);
+        if (exit_code == Done && whole && options_.drawing()) draw_frame(frame);
         if (const int signal = signals_.arrived()) exit_code = 128 + signal;
     }
+    if (frames_) end_frames(exit_code == Done);
     finish();
     if ((!finish_video() || session_.replay_differs()) && exit_code == Done) exit_code = Failed;
     return exit_code;
@@ -115,8 +121,8 @@ void Capture::write_stats(int frame) {
     out << frame << ',';
     write_report(out, *session_.view().report);
     for (const FrameField& field : frame_fields()) out << ',' << real_text(field.read(renderer_->report()));
-    out << '\n' << std::flush;
-    if (!out) throw RunError(options_.stats + ": could not be written whole");
+    out << '\n';
+    stats_.flush();
 }
 
 bool Capture::diverged() { return session_.simulation().report().status == Status::Diverged; }
@@ -126,6 +132,13 @@ void Capture::tell_divergence() {
     std::cerr << "drape-capture: " << session_.simulation().report().trouble;
     if (frames_ && !frames_->last().empty()) std::cerr << "; the frame before is " << frames_->last().string();
     std::cerr << "\n" << tell_failure(session_.simulation(), options_.out) << "\n";
+}
+
+void Capture::end_frames(bool all) {
+    if (all) return frames_->remove_older();
+    if (frames_->older() == 0) return;
+    std::cerr << "drape-capture: " << options_.out.string() << " still has " << frames_->older()
+              << " frames of an earlier run\n";
 }
 
 void Capture::finish() {
@@ -143,7 +156,6 @@ bool Capture::finish_video() {
     if (!video_) return true;
     video_->close();
     if (video_->trouble().empty()) return true;
-    remove_if_empty(options_.video);
     std::cerr << "drape-capture: no video, " << video_->trouble();
     if (frames_) std::cerr << "; the pictures are in " << options_.out.string();
     std::cerr << "\n";

@@ -18,8 +18,9 @@ namespace drape {
 /// One run of `drape-capture`. All that it writes is opened, and tried, before it simulates.
 class Capture {
 public:
+    /// @param signals that end it between two steps
     /// @throws InputError, RunError
-    explicit Capture(CaptureOptions options);
+    Capture(CaptureOptions options, const StopSignals& signals);
 
     /// Simulates, draws and writes.
     /// @return the exit code
@@ -33,10 +34,11 @@ private:
     void write_stats(int frame);
     [[nodiscard]] bool diverged();
     void tell_divergence();
+    void end_frames(bool all);
     void finish();
     [[nodiscard]] bool finish_video();
 
-    StopSignals signals_;  ///< before OpenGL starts threads, which would take the signals otherwise
+    const StopSignals& signals_;
     CaptureOptions options_;
     Session session_;
     Camera camera_;

@@ -4,7 +4,6 @@
 
 #include "drape/base/input_error.h"
 #include "drape/base/numbers.h"
-#include "drape/base/output_file.h"
 #include "drape/base/program.h"
 #include "drape/sim/setting_table.h"
 
@@ -47,6 +46,7 @@ std::optional<CaptureOptions> read_capture_options(int argc, char** argv) {
     app.add_option("--fps", fps, "frames per simulated second; 60 if not given")->type_name("RATE");
     app.add_option("--size", size, "of the pictures; 1280x720 if not given")->type_name("WxH");
     app.add_option("--out", options.out, "write frame_0001.png ... into this folder")->type_name("DIR");
+    app.add_flag("--again", options.again, "replace the frames of an earlier run in that folder");
     app.add_option("--every", every, "draw frames K, 2K, 3K ... only")->type_name("K");
     app.add_option("--video", options.video, "make a video too, with ffmpeg")->type_name("FILE.mp4");
     app.add_option("--stats", options.stats,
@@ -62,7 +62,6 @@ std::optional<CaptureOptions> read_capture_options(int argc, char** argv) {
     options.every = whole_number("--every", every, options.frames);
     options.fps = frame_rate(fps);
     options.size = parse_size(size);
-    check_apart("--state and --stats", options.state, options.stats);
     const bool anything = !options.out.empty() || !options.video.empty() || !options.stats.empty() ||
                           !options.state.empty() || options.hash;
     if (!anything) throw InputError("nothing to write: say --out DIR, or one of --video, --stats, --state and --hash");

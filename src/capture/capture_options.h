@@ -19,6 +19,7 @@ struct CaptureOptions {
     std::filesystem::path video;  ///< file; empty: none
     std::string stats;            ///< file; empty: none
     std::string state;            ///< file; empty: none
+    bool again = false;           ///< the folder's frames of an earlier run are replaced
     bool overlay = false;
     bool hash = false;
 

@@ -5,37 +5,52 @@
 #include <utility>
 
 #include "drape/base/input_error.h"
+#include "drape/base/output_file.h"
 
 namespace drape {
 
 namespace {
 
+namespace files = std::filesystem;
+
 constexpr std::size_t least_digits = 4;
 
-// A picture of noise of this side does not compress: as many bytes as a plain frame takes
-constexpr int probe_side = 256;
+constexpr std::string_view prefix = "frame_", extension = ".png";
 
-void probe(const std::filesystem::path& folder) {
-    Image noise{probe_side, probe_side, std::vector<std::uint8_t>(3 * probe_side * probe_side)};
+bool is_frame_name(const std::string& name) {
+    if (!name.starts_with(prefix) || !name.ends_with(extension)) return false;
+    const std::size_t end = name.size() - extension.size();
+    return end > prefix.size() && name.find_first_not_of("0123456789", prefix.size()) == end;
+}
+
+// As many bytes as a plain frame takes, which no file system makes fewer
+void probe(const files::path& folder) {
+    std::string noise(200'000, '\0');
     std::uint32_t seed = 1;
-    for (std::uint8_t& byte : noise.rgb) {
+    for (char& byte : noise) {
         seed = seed * 1664525u + 1013904223u;
-        byte = static_cast<std::uint8_t>(seed >> 24);
+        byte = static_cast<char>(seed >> 24);
     }
-    const std::filesystem::path file = folder / ".drape-probe.png";
-    write_png(noise, file);
-    std::error_code ignored;
-    std::filesystem::remove(file, ignored);
+    // It never gets its name, and goes with the object
+    OutputFile file((folder / "frame_.png").string());
+    file.stream() << noise;
+    file.flush();
 }
 
 }  // namespace
 
-FrameWriter::FrameWriter(std::filesystem::path folder, int frames)
+FrameWriter::FrameWriter(files::path folder, int frames, bool again)
     : folder_(std::move(folder)), digits_(std::max(least_digits, std::to_string(frames).size())) {
     std::error_code error;
-    std::filesystem::create_directories(folder_, error);
-    if (!std::filesystem::is_directory(folder_)) {
+    files::create_directories(folder_, error);
+    if (!files::is_directory(folder_)) {
         throw RunError("--out " + folder_.string() + ": " + (error ? error.message() : "is no folder"));
+    }
+    lock_.emplace(folder_ / "frames");
+    look_around();
+    if (!again && !older_.empty()) {
+        throw InputError("--out " + folder_.string() + ": there is " + *older_.begin() +
+                         " of an earlier run: name another folder, or --again to replace its frames");
     }
     try {
         probe(folder_);
@@ -44,17 +59,39 @@ FrameWriter::FrameWriter(std::filesystem::path folder, int frames)
     }
 }
 
+void FrameWriter::look_around() {
+    for (const auto& entry : files::directory_iterator(folder_)) {
+        const std::string name = entry.path().filename().string();
+        if (is_frame_name(name)) older_.insert(name);
+        if (name.starts_with("." + std::string(prefix))) remove_left_over(entry.path());
+    }
+}
+
+bool FrameWriter::is_frame(const files::path& folder, const files::path& file) {
+    const files::path target = link_target(file);
+    return is_frame_name(target.filename().string()) && link_target(folder / "frame") == target.parent_path() / "frame";
+}
+
 void FrameWriter::write(const Image& image, int frame) {
     const std::string number = std::to_string(frame);
     const std::string zeros(digits_ - std::min(digits_, number.size()), '0');
-    const std::filesystem::path file = folder_ / ("frame_" + zeros + number + ".png");
+    const std::string name = std::string(prefix) + zeros + number + std::string(extension);
     try {
-        write_png(image, file);
+        write_png(image, folder_ / name);
     } catch (const RunError& failure) {
         const std::string last = last_.empty() ? "no frame was written" : "the last good frame is " + last_.string();
         throw RunError(std::string(failure.what()) + "; " + last);
     }
-    last_ = file;
+    older_.erase(name);
+    last_ = folder_ / name;
+}
+
+void FrameWriter::remove_older() {
+    for (const std::string& name : std::exchange(older_, {})) {
+        std::error_code error;
+        files::remove(folder_ / name, error);
+        if (error) throw RunError((folder_ / name).string() + ": cannot be removed: " + error.message());
+    }
 }
 
 }  // namespace drape

@@ -1,19 +1,24 @@
 #pragma once
 
 #include <filesystem>
+#include <optional>
+#include <set>
 #include <string>
 
+#include "drape/base/folder_lock.h"
 #include "drape/render/image.h"
 
 namespace drape {
 
-/// Writes numbered pictures into a folder, each whole or not at all.
+/// Writes numbered pictures into a folder, each whole or not at all, with no other run writing there.
 class FrameWriter {
 public:
-    /// Makes the folder if it is missing, and tries whether it takes files.
+    /// Makes the folder if it is missing, and tries whether it takes files. What killed runs have left goes.
     /// @param frames the number of the last frame, for the width of the names
-    /// @throws RunError if it does not
-    FrameWriter(std::filesystem::path folder, int frames);
+    /// @param again the frames of an earlier run may be replaced
+    /// @throws InputError if there are any, and they may not
+    /// @throws RunError if the folder takes no files, or another run writes there
+    FrameWriter(std::filesystem::path folder, int frames, bool again);
 
     /// @throws RunError that names the last good frame too
     void write(const Image& image, int frame);
@@ -21,10 +26,23 @@ public:
     /// The last picture that was written; empty if there is none.
     [[nodiscard]] const std::filesystem::path& last() const { return last_; }
 
+    /// How many frames of an earlier run are still there.
+    [[nodiscard]] std::size_t older() const { return older_.size(); }
+
+    /// Removes the frames of an earlier run that were not replaced.
+    void remove_older();
+
+    /// Whether a file has the name of a frame in that folder.
+    static bool is_frame(const std::filesystem::path& folder, const std::filesystem::path& file);
+
 private:
+    void look_around();
+
     std::filesystem::path folder_;
     std::size_t digits_;
     std::filesystem::path last_;
+    std::optional<FolderLock> lock_;
+    std::set<std::string> older_;  ///< names of frames that this run has not written
 };
 
 }  // namespace drape

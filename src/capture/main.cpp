@@ -7,7 +7,9 @@ namespace {
 
 int run(int argc, char** argv) {
     auto options = read_capture_options(argc, argv);
-    return options ? Capture(std::move(*options)).run() : Done;
+    if (!options) return Done;
+    const StopSignals signals;
+    return Capture(std::move(*options), signals).run();
 }
 
 }  // namespace

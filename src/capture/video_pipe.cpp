@@ -1,27 +1,24 @@
 #include "video_pipe.h"
 
-#include <fcntl.h>
-#include <spawn.h>
-#include <sys/wait.h>
+#include <poll.h>
 #include <unistd.h>
 
-#include <array>
 #include <cerrno>
 #include <csignal>
 #include <cstring>
-#include <utility>
 #include <vector>
 
+#include "drape/base/input_error.h"
 #include "drape/base/numbers.h"
-
-extern char** environ;
 
 namespace drape {
 
 namespace {
 
-std::vector<std::string> command_line(const std::filesystem::path& file, int width, int height, double rate) {
-    const std::string size = std::to_string(width) + "x" + std::to_string(height);
+constexpr double patience = 5;  // s that ffmpeg may stand still once a signal has come
+constexpr double glance = 0.1;  // s between two looks for a signal
+
+std::vector<std::string> command_line(const std::filesystem::path& file, PictureSize size, double rate) {
     // Most players want even sides and this pixel format
     return {"ffmpeg",
             "-y",
@@ -33,7 +30,7 @@ std::vector<std::string> command_line(const std::filesystem::path& file, int wid
             "-pixel_format",
             "rgb24",
             "-video_size",
-            size,
+            std::to_string(size.width) + "x" + std::to_string(size.height),
             "-framerate",
             real_text(rate),
             "-i",
@@ -42,35 +39,18 @@ std::vector<std::string> command_line(const std::filesystem::path& file, int wid
             "pad=ceil(iw/2)*2:ceil(ih/2)*2",
             "-pix_fmt",
             "yuv420p",
-            std::filesystem::absolute(file).string()};
+            file.string()};
 }
 
 }  // namespace
 
-VideoPipe::VideoPipe(const std::filesystem::path& file, int width, int height, double rate) {
+VideoPipe::VideoPipe(const std::filesystem::path& file, PictureSize size, double rate, const StopSignals& signals)
+    : signals_(signals), file_(file) {
     std::signal(SIGPIPE, SIG_IGN);
-    std::array<int, 2> ends{};
-    if (pipe2(ends.data(), O_CLOEXEC) != 0) {
-        trouble_ = std::string("no pipe to ffmpeg: ") + std::strerror(errno);
-        return;
-    }
-    std::vector<std::string> words = command_line(file, width, height, rate);
-    std::vector<char*> arguments;
-    for (std::string& word : words) arguments.push_back(word.data());
-    arguments.push_back(nullptr);
-
-    posix_spawn_file_actions_t actions;
-    posix_spawn_file_actions_init(&actions);
-    posix_spawn_file_actions_adddup2(&actions, ends[0], STDIN_FILENO);
-    const int error = posix_spawnp(&process_, "ffmpeg", &actions, nullptr, arguments.data(), environ);
-    posix_spawn_file_actions_destroy(&actions);
-    ::close(ends[0]);
-    input_ = ends[1];
-    if (error != 0) {
-        process_ = -1;
-        stop_feeding();
-        trouble_ = std::string("ffmpeg could not be started: ") + std::strerror(error);
-    }
+    ffmpeg_.emplace(command_line(file_.name(), size, rate), ChildProgram::Input::Fed);
+    if (ffmpeg_->error() == 0) return;
+    trouble_ = std::string("ffmpeg could not be started: ") + std::strerror(ffmpeg_->error());
+    ffmpeg_.reset();
 }
 
 VideoPipe::~VideoPipe() { close(); }
@@ -78,33 +58,54 @@ VideoPipe::~VideoPipe() { close(); }
 void VideoPipe::write(const Image& image) {
     const std::uint8_t* data = image.rgb.data();
     std::size_t left = image.rgb.size();
-    while (left > 0 && input_ >= 0) {
-        const ssize_t written = ::write(input_, data, left);
-        if (written < 0 && errno == EINTR) continue;
-        if (written <= 0) return close();
-        data += written;
-        left -= static_cast<std::size_t>(written);
+    double waited = 0;
+    while (left > 0 && ffmpeg_) {
+        const ssize_t written = ::write(ffmpeg_->feed(), data, left);
+        if (written > 0) {
+            data += written;
+            left -= static_cast<std::size_t>(written);
+            waited = 0;
+        } else if (errno == EAGAIN) {
+            wait_for_room(waited);
+        } else if (errno != EINTR) {
+            return close();
+        }
     }
+    fed_ |= left == 0;
 }
 
-void VideoPipe::stop_feeding() {
-    if (input_ >= 0) ::close(std::exchange(input_, -1));
+void VideoPipe::wait_for_room(double& waited) {
+    pollfd room{.fd = ffmpeg_->feed(), .events = POLLOUT, .revents = 0};
+    poll(&room, 1, static_cast<int>(1000 * glance));
+    if (signals_.arrived() != 0) waited += glance;
+    if (waited > patience) give_up();
+}
+
+void VideoPipe::give_up() {
+    ffmpeg_->kill();
+    ffmpeg_.reset();
+    trouble_ = "ffmpeg stood still and was ended";
 }
 
 void VideoPipe::close() {
-    stop_feeding();
-    if (process_ < 0) return;
-    int status = 0;
-    pid_t ended = 0;
-    do {
-        ended = waitpid(process_, &status, 0);
-    } while (ended < 0 && errno == EINTR);
-    process_ = -1;
-    if (ended > 0 && WIFEXITED(status) && WEXITSTATUS(status) == 0) return;
-    if (WIFSIGNALED(status)) {
-        trouble_ = "ffmpeg was ended by signal " + std::to_string(WTERMSIG(status));
-    } else {
-        trouble_ = "ffmpeg failed with status " + std::to_string(WEXITSTATUS(status));
+    if (!ffmpeg_) return;
+    ffmpeg_->end_feed();
+    std::optional<int> code;
+    for (double waited = 0; !(code = ffmpeg_->wait(glance));) {
+        if (signals_.arrived() != 0) waited += glance;
+        if (waited > patience) return give_up();
+    }
+    ffmpeg_.reset();
+    if (*code > 128 && *code <= 128 + SIGRTMAX) {
+        trouble_ = "ffmpeg was ended by signal " + std::to_string(*code - 128);
+    } else if (*code != 0) {
+        trouble_ = "ffmpeg failed with status " + std::to_string(*code);
+    } else if (fed_) {
+        try {
+            file_.finish();
+        } catch (const RunError& error) {
+            trouble_ = error.what();
+        }
     }
 }
 

@@ -6,6 +6,7 @@
 #include "drape/base/numbers.h"
 #include "drape/base/output_file.h"
 #include "drape/base/program.h"
+#include "drape/base/stop_signals.h"
 #include "drape/base/stopwatch.h"
 #include "drape/sim/failure.h"
 #include "drape/sim/setting_table.h"
@@ -45,12 +46,16 @@ std::vector<double> parse_times(const std::string& text, double start) {
 }
 
 int simulate(Options& options) {
-    check_apart("--state and --stats", options.state, options.stats);
+    const StopSignals signals;
     const bool whole_replay = options.times.empty() && !options.start.replay.empty();
     if (options.times.empty() && !whole_replay) {
         throw InputError("--time is missing: say --time T[,T2...], or --replay FILE to play a whole recording");
     }
-    Session session = make_session(make_start(options.start));
+    Start start = make_start(options.start);
+    std::vector<NamedFile> files = input_files(options.start, start);
+    files.insert(files.end(), {{"--state", options.state}, {"--stats", options.stats}});
+    check_apart(files);
+    Session session = make_session(std::move(start));
     const std::vector<double> times =
         whole_replay ? std::vector<double>{} : parse_times(options.times, session.start_time());
     const std::string warning = session.simulation().step_warning();
@@ -63,28 +68,31 @@ int simulate(Options& options) {
     }
 
     const Stopwatch watch;
+    const auto stop = [&signals] { return signals.arrived() != 0; };
+    bool written = false;
     const auto write = [&] {
         if (session.simulation().report().status == Status::Diverged) return false;
+        written = true;
         if (state.wanted()) write_state(state.stream(), session.simulation());
         if (stats.wanted()) write_report(stats.stream(), *session.view().report), stats.stream() << '\n';
         return true;
     };
-    if (whole_replay) {
-        session.run_replay();
-        write();
-    }
+    if (whole_replay && session.run_replay(stop)) write();
     for (const double time : times) {
-        session.run_until(time);
-        if (!write()) break;
+        if (!session.run_until(time, stop) || !write()) break;
     }
-    state.close();
-    stats.close();
+    // What was there before is worth more than a table without rows
+    if (written) {
+        state.close();
+        stats.close();
+    }
 
     const StepReport& report = session.simulation().report();
     std::cerr << report.step << " steps to " << real_text(report.time, 6) << " s in " << real_text(watch.seconds(), 3)
               << " s\n";
     if (!session.replay_notice().empty()) std::cerr << session.replay_notice() << "\n";
     if (options.hash) std::cout << hash_text(session.simulation().hash()) << "\n";
+    if (const int signal = signals.arrived()) return 128 + signal;
     if (report.status == Status::Ok) return session.replay_differs() ? Failed : Done;
     std::cerr << "drape-lab: " << report.trouble << "\n" << tell_failure(session.simulation(), "") << "\n";
     return Failed;

@@ -18,10 +18,11 @@ std::string text_of(const std::filesystem::path& file) {
     return {std::istreambuf_iterator<char>(in), {}};
 }
 
-void write_file(const std::filesystem::path& file, const std::string& text) {
+/// @return false if there is such a file by now
+bool write_new_file(const std::filesystem::path& file, const std::string& text) {
     OutputFile out(file.string());
     out.stream() << text;
-    out.close();
+    return out.close_if_free();
 }
 
 /// With which the title of a scene begins that was written here.
@@ -70,9 +71,11 @@ std::filesystem::path write_failure(const Simulation& simulation, const std::fil
             if (text_of(scene_file) == scene && text_of(state_file) == state.str()) return scene_file;
             continue;
         }
-        write_file(state_file, state.str());
-        write_file(scene_file, scene);
-        return scene_file;
+        // Another program may have failed in the same folder meanwhile
+        if (!write_new_file(state_file, state.str())) continue;
+        if (write_new_file(scene_file, scene)) return scene_file;
+        std::error_code ignored;
+        std::filesystem::remove(state_file, ignored);
     }
 }
 

@@ -97,25 +97,23 @@ Recording read_recording(std::istream& in, const std::string& file) {
 }
 
 Recorder::Recorder(const std::string& file, const std::string& scene, const std::vector<std::string>& assignments)
-    : file_(file), out_(file, std::ios::binary | std::ios::trunc) {
-    out_ << first_line << "\nscene " << scene << '\n';
-    for (const std::string& assignment : assignments) out_ << "set " << assignment << '\n';
-    out_.flush();
-    if (!out_) throw RunError(file_ + ": cannot be written");
+    : file_(file, OutputFile::LeftOver::Keep) {
+    file_.stream() << first_line << "\nscene " << scene << '\n';
+    for (const std::string& assignment : assignments) file_.stream() << "set " << assignment << '\n';
+    file_.flush();
 }
 
 void Recorder::write(std::int64_t step, const Command& command) {
-    out_ << step << ' ' << command_text(command) << std::endl;
+    file_.stream() << step << ' ' << command_text(command) << std::endl;
 }
 
 void Recorder::write_hash(std::int64_t step, std::uint64_t hash) {
-    out_ << step << " hash " << hash_text(hash) << std::endl;
+    file_.stream() << step << " hash " << hash_text(hash) << std::endl;
 }
 
 void Recorder::close(std::int64_t step) {
-    out_ << step << " end\n";
-    out_.close();
-    if (!out_) throw RunError(file_ + ": the recording could not be written whole");
+    file_.stream() << step << " end\n";
+    file_.close();
 }
 
 }  // namespace drape

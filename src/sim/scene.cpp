@@ -171,15 +171,19 @@ Settings parse_scene(std::string_view text, const std::string& file) {
     return settings;
 }
 
-Settings load_scene(const std::string& name_or_path) {
+std::filesystem::path scene_file(const std::string& name_or_path) {
     const bool is_path = name_or_path.find('/') != std::string::npos || name_or_path.ends_with(".toml");
-    if (is_path) return parse_scene(read_file(name_or_path), name_or_path);
+    if (is_path) return name_or_path;
     const auto names = scene_names();
     if (std::find(names.begin(), names.end(), name_or_path) == names.end()) {
         throw InputError("scene '" + shortened(name_or_path) + "': allowed " + listed(names) +
                          ", or the path of a .toml file; did you mean '" + nearest_name(name_or_path, names) + "'?");
     }
-    const std::string path = find_resource("scenes/" + name_or_path + ".toml").string();
+    return find_resource("scenes/" + name_or_path + ".toml");
+}
+
+Settings load_scene(const std::string& name_or_path) {
+    const std::string path = scene_file(name_or_path).string();
     return parse_scene(read_file(path), path);
 }
 

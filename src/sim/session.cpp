@@ -126,21 +126,29 @@ double Session::time_after_next_step() {
     return counted_from_ + static_cast<double>(counted_steps_ + 1) * counted_dt_;
 }
 
-void Session::run_until(double time) {
+bool Session::run_until(double time, const std::function<bool()>& stop) {
+    bool stopped = false;
     for (;;) {
         const double next = time_after_next_step();
         if (next > time + std::max(step_tolerance * dt(), clock_tolerance * time)) break;
+        stopped = stop && stop();
+        if (stopped) break;
         time_ = next;
         ++counted_steps_;
         step();
     }
     behind_ = std::max(0.0, time - time_);
+    return !stopped;
 }
 
-void Session::run_replay() {
+bool Session::run_replay(const std::function<bool()>& stop) {
     const std::int64_t last_whole = replay_.entries.empty() ? 0 : replay_.entries.back().step;
     const std::int64_t end = replay_.last_step.value_or(last_whole);
-    while (steps_made_ < end) step();
+    while (steps_made_ < end) {
+        if (stop && stop()) return false;
+        step();
+    }
+    return true;
 }
 
 std::vector<Command> Session::take_view_commands() { return std::exchange(view_commands_, {}); }
@@ -150,6 +158,11 @@ Real Session::blend() const {
 }
 
 double Session::dt() const { return simulation_.settings().solver.dt; }
+
+std::string Session::record_notice() const {
+    if (!recorder_ || recorder_->set_aside().empty()) return {};
+    return "a run that did not end has left a recording: it is " + recorder_->set_aside().string() + " now";
+}
 
 void Session::close() {
     if (!recorder_) return;

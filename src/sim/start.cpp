@@ -36,6 +36,13 @@ Start make_start(StartOptions options) {
     return start;
 }
 
+std::vector<NamedFile> input_files(const StartOptions& options, const Start& start) {
+    constexpr auto read = NamedFile::Use::Read;
+    return {{"SCENE", scene_file(start.scene), read},
+            {"--replay", options.replay, read},
+            {"start =", start.settings.start, read}};
+}
+
 Session make_session(Start start, const std::string& record) {
     Session session(Simulation(std::move(start.scene), std::move(start.settings)));
     if (!record.empty()) session.record(record, start.assignments);

@@ -37,9 +37,14 @@ void WindowTest::start(const std::vector<std::string>& arguments) {
     ASSERT_FALSE(window_.empty()) << drape_->standard_error();
 }
 
+std::string WindowTest::recording() const {
+    const std::string unfinished = file("session.txt.unfinished");
+    return read_file(fs::exists(unfinished) ? unfinished : file("session.txt"));
+}
+
 std::vector<std::string> WindowTest::commands() const {
     std::vector<std::string> commands;
-    std::istringstream lines(read_file(file("session.txt")));
+    std::istringstream lines(recording());
     for (std::string line; std::getline(lines, line);) {
         const std::size_t space = line.find(' ');
         if (line.find_first_not_of("0123456789") != space || space == 0) continue;
@@ -62,7 +67,7 @@ bool WindowTest::recorded(const std::string& command, std::size_t after) const {
 }
 
 long long WindowTest::last_step() const {
-    std::istringstream lines(read_file(file("session.txt")));
+    std::istringstream lines(recording());
     long long step = -1;
     for (std::string line; std::getline(lines, line);) {
         if (!line.empty() && line.find_first_not_of("0123456789") == line.find(' ') && line[0] != ' ') {

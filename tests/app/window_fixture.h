@@ -21,6 +21,9 @@ protected:
     /// Starts `drape` with a recording, a hash at the end and a small window, and waits until it draws.
     void start(const std::vector<std::string>& arguments);
 
+    /// The recording as it is by now, closed or not.
+    [[nodiscard]] std::string recording() const;
+
     /// The commands of the recording so far, without their steps.
     [[nodiscard]] std::vector<std::string> commands() const;
 

@@ -45,12 +45,58 @@ TEST_F(WindowTest, TheWindowManagerEndsIt) {
 }
 
 TEST_F(WindowTest, SignalsEndItWithTheirNumber) {
-    for (const int signal : {SIGINT, SIGTERM}) {
-        start({"hang"});
+    for (const int signal : {SIGINT, SIGTERM, SIGHUP}) {
+        // The threads of the solver are there before the window is
+        start({"hang", "--set", "solver.threads=2"});
         drape_->send(signal);
         EXPECT_EQ(drape_->wait(20), 128 + signal);
         EXPECT_TRUE(closed(read_file(file("session.txt"))));
     }
+}
+
+TEST_F(WindowTest, ASignalEndsItWhileItsMenuIsOpen) {
+    start({"hang"});
+    const auto windows = [this] { return desktop_.act({"search", "--onlyvisible", "--name", ".*"}); };
+    const std::string before = windows();
+    desktop_.move_to(100, 100);
+    desktop_.click(3);
+    ASSERT_TRUE(eventually([&] { return windows() != before; })) << "no menu came";
+    drape_->send(SIGTERM);
+    EXPECT_EQ(drape_->wait(20), 128 + SIGTERM) << drape_->standard_error();
+    EXPECT_TRUE(closed(read_file(file("session.txt"))));
+}
+
+TEST_F(WindowTest, ARunThatDivergesClosesItsRecording) {
+    Process lost({program("drape"), "fails_explicit_euler", "--record", "session.txt", "--set", "on_unstable=stop"},
+                 {{"DISPLAY", desktop_.display()}}, folder_);
+    EXPECT_EQ(lost.wait(60), 1) << lost.standard_error();
+    EXPECT_TRUE(closed(read_file(file("session.txt"))));
+}
+
+TEST_F(WindowTest, ItsRecordingIsNoFileThatItReads) {
+    std::ofstream(file("r.txt")) << "drape-recording 1\nscene hang\n9 end\n";
+    std::filesystem::create_symlink("r.txt", file("link.txt"));
+    for (const char* name : {"r.txt", "./r.txt", "link.txt"}) {
+        Process wrong({program("drape"), "--record", name, "--replay", "r.txt"}, {{"DISPLAY", desktop_.display()}},
+                      folder_);
+        EXPECT_EQ(wrong.wait(20), 2);
+        EXPECT_NE(wrong.standard_error().find("--replay r.txt"), std::string::npos) << wrong.standard_error();
+    }
+    EXPECT_EQ(read_file(file("r.txt")), "drape-recording 1\nscene hang\n9 end\n");
+}
+
+TEST_F(WindowTest, TheRecordingOfAKilledOneIsKept) {
+    start({"hang"});
+    desktop_.key("v");
+    ASSERT_TRUE(recorded("next wind.on"));
+    drape_->send(SIGKILL);
+    drape_->wait(20);
+    start({"hang"});
+    quit();
+    EXPECT_NE(drape_->standard_error().find("session.txt-1.unfinished"), std::string::npos);
+    EXPECT_NE(read_file(file("session.txt-1.unfinished")).find("next wind.on"), std::string::npos);
+    EXPECT_EQ(read_file(file("session.txt")).find("next wind.on"), std::string::npos);
+    EXPECT_TRUE(closed(read_file(file("session.txt"))));
 }
 
 TEST_F(WindowTest, ResizingToOnePixelAndBackDoesNoHarm) {
@@ -130,9 +176,10 @@ TEST_F(WindowTest, ItsRecordingGivesTheSameBitsWithoutAWindow) {
     forged.replace(place, closing.size(), " hash 0123456789abcdef");
     std::ofstream(file("forged.txt")) << forged;
 
-    const std::vector<std::vector<std::string>> programs{{program("drape-lab"), "simulate", "--time", "30"},
-                                                         {program("drape-capture"), "--frames", "30", "--fps", "1",
-                                                          "--every", "30", "--size", "64x64", "--out", file("frames")}};
+    const std::vector<std::vector<std::string>> programs{
+        {program("drape-lab"), "simulate", "--time", "30"},
+        {program("drape-capture"), "--frames", "30", "--fps", "1", "--every", "30", "--size", "64x64", "--out",
+         file("frames"), "--again"}};
     for (const std::vector<std::string>& words : programs) {
         EXPECT_EQ(replay(words, file("session.txt")).find("differs"), std::string::npos) << words.front();
         EXPECT_NE(replay(words, file("forged.txt")).find("differs"), std::string::npos) << words.front();
@@ -140,10 +187,13 @@ TEST_F(WindowTest, ItsRecordingGivesTheSameBitsWithoutAWindow) {
 }
 
 TEST_F(WindowTest, WithoutADisplayItDrawsOffScreen) {
-    Process blind({program("drape"), "hang", "--set", "solver.dt=4e-4", "--size", "64x48"}, {{"DISPLAY", ""}}, folder_);
-    EXPECT_EQ(blind.wait(120), 0);
-    const std::string said = blind.standard_error();
-    EXPECT_NE(said.find(file("drape-frames")), std::string::npos) << said;
+    for (const char* time : {"the first time", "and again"}) {
+        Process blind({program("drape"), "hang", "--set", "solver.dt=4e-4", "--size", "64x48"}, {{"DISPLAY", ""}},
+                      folder_);
+        EXPECT_EQ(blind.wait(120), 0) << time;
+        const std::string said = blind.standard_error();
+        EXPECT_NE(said.find(file("drape-frames")), std::string::npos) << said;
+    }
     int pictures = 0;
     for (const auto& entry : std::filesystem::directory_iterator(file("drape-frames"))) {
         pictures += entry.path().extension() == ".png" ? 1 : 0;

@@ -1,46 +1,228 @@
 #include "drape/base/output_file.h"
 
+#include <fcntl.h>
 #include <gmock/gmock.h>
+#include <sys/stat.h>
+#include <sys/wait.h>
+#include <unistd.h>
 
+#include <csignal>
 #include <filesystem>
+#include <fstream>
 
+#include "drape/base/input_error.h"
 #include "support/process.h"
 
 namespace drape {
 namespace {
 
 namespace fs = std::filesystem;
+using testing::ElementsAre;
+using testing_aid::read_file;
 
-TEST(OutputFile, HasAllThatWasWrittenOnceItIsClosed) {
-    const fs::path path = fs::path(testing::TempDir()) / "drape_output_file_test.txt";
-    OutputFile file(path.string());
+/// A folder of each test's own.
+class OutputFileTest : public testing::Test {
+protected:
+    OutputFileTest() { fs::create_directories(folder_); }
+    ~OutputFileTest() override { fs::remove_all(folder_); }
+
+    [[nodiscard]] std::string path(const std::string& name) const { return (folder_ / name).string(); }
+    void put(const std::string& name, const std::string& text) const { std::ofstream(path(name)) << text; }
+
+    [[nodiscard]] std::vector<std::string> names() const {
+        std::vector<std::string> all;
+        for (const auto& entry : fs::directory_iterator(folder_)) all.push_back(entry.path().filename().string());
+        std::sort(all.begin(), all.end());
+        return all;
+    }
+
+    const fs::path folder_ = fs::path(testing::TempDir()) / ("drape-output-" + std::to_string(getpid()));
+};
+
+/// Does `work` in a process, which it is to kill in the end.
+template <class Work>
+void in_killed_process(Work work) {
+    const pid_t child = fork();
+    if (child == 0) {
+        work();
+        _exit(1);
+    }
+    int status = 0;
+    waitpid(child, &status, 0);
+    ASSERT_TRUE(WIFSIGNALED(status));
+}
+
+TEST_F(OutputFileTest, HasAllThatWasWrittenOnceItIsClosed) {
+    OutputFile file(path("a.txt"));
     ASSERT_TRUE(file.wanted());
     file.stream() << "a line\n";
     file.close();
-    EXPECT_EQ(testing_aid::read_file(path), "a line\n");
-    fs::remove(path);
+    EXPECT_EQ(read_file(path("a.txt")), "a line\n");
+    EXPECT_THAT(names(), ElementsAre("a.txt"));
 }
 
-TEST(OutputFile, WithoutANameTakesNothing) {
+TEST_F(OutputFileTest, WithoutANameTakesNothing) {
     OutputFile file("");
     EXPECT_FALSE(file.wanted());
     EXPECT_NO_THROW(file.close());
 }
 
-TEST(OutputFile, ThatCannotBeWrittenIsNamedBeforeAnyWork) {
-    try {
-        OutputFile file("/no/such/folder/state.csv");
-        FAIL() << "opened a file in a folder that is not there";
-    } catch (const RunError& error) {
-        EXPECT_THAT(error.what(), testing::HasSubstr("/no/such/folder/state.csv"));
+TEST_F(OutputFileTest, TouchesNothingThatWasThereBeforeItIsClosed) {
+    put("a.txt", "before");
+    {
+        OutputFile file(path("a.txt"));
+        file.stream() << "after" << std::flush;
+        EXPECT_EQ(read_file(path("a.txt")), "before");
+    }
+    EXPECT_EQ(read_file(path("a.txt")), "before") << "it was never closed";
+    EXPECT_THAT(names(), ElementsAre("a.txt"));
+}
+
+TEST_F(OutputFileTest, KeepsTheModeOfTheFileBefore) {
+    put("a.txt", "before");
+    ASSERT_EQ(chmod(path("a.txt").c_str(), 0640), 0);
+    OutputFile file(path("a.txt"));
+    for (const auto& entry : fs::directory_iterator(folder_)) {
+        EXPECT_EQ(entry.status().permissions(), static_cast<fs::perms>(0640)) << entry << " may not be read meanwhile";
+    }
+    file.close();
+    EXPECT_EQ(fs::status(path("a.txt")).permissions(), static_cast<fs::perms>(0640));
+}
+
+TEST_F(OutputFileTest, WritesThroughLinksAlsoWhereTheyLeadToNothingYet) {
+    fs::create_directory(path("far"));
+    put("far/a.txt", "before");
+    fs::create_symlink("far/a.txt", path("link"));
+    fs::create_symlink("far/b.txt", path("to-come"));
+    for (const char* name : {"link", "to-come"}) {
+        OutputFile file(path(name));
+        file.stream() << "after";
+        file.close();
+        EXPECT_TRUE(fs::is_symlink(path(name)));
+    }
+    EXPECT_EQ(read_file(path("far/a.txt")), "after");
+    EXPECT_EQ(read_file(path("far/b.txt")), "after");
+    EXPECT_EQ(std::distance(fs::directory_iterator(path("far")), fs::directory_iterator()), 2);
+}
+
+TEST_F(OutputFileTest, RemovesWhatKilledRunsOfTheSameFileHaveLeft) {
+    put("a.txt", "before");
+    in_killed_process([&] {
+        OutputFile one(path("a.txt")), other(path("a.txt")), third(path("b.txt"));
+        one.stream() << "half" << std::flush;
+        raise(SIGKILL);
+    });
+    ASSERT_THAT(names(), ElementsAre(".a.drape-0.txt", ".a.drape-1.txt", ".b.drape-0.txt", "a.txt"));
+    OutputFile(path("a.txt")).close();
+    EXPECT_THAT(names(), ElementsAre(".b.drape-0.txt", "a.txt")) << "and nothing of another file";
+    EXPECT_EQ(read_file(path("a.txt")), "");
+}
+
+TEST_F(OutputFileTest, LeavesAloneWhatAnotherRunIsWriting) {
+    OutputFile slow(path("a.txt"));
+    slow.stream() << "slow";
+    OutputFile fast(path("a.txt"));
+    fast.stream() << "fast";
+    fast.close();
+    EXPECT_EQ(read_file(path("a.txt")), "fast");
+    slow.close();
+    EXPECT_EQ(read_file(path("a.txt")), "slow");
+    EXPECT_THAT(names(), ElementsAre("a.txt"));
+}
+
+TEST_F(OutputFileTest, TakesAnyNameThatAFileMayHave) {
+    for (const std::string& name : {std::string(255, 'x'), "a." + std::string(253, 'y'), std::string(".hidden"),
+                                    std::string("no extension"), std::string("two.tar.gz")}) {
+        OutputFile(path(name)).close();
+        EXPECT_THAT(names(), ElementsAre(name));
+        fs::remove(path(name));
     }
 }
 
-TEST(OutputFile, OnAFullDiskIsNamedWhenItIsClosed) {
+TEST_F(OutputFileTest, ThatIsOnlyToBeNewReplacesNothing) {
+    OutputFile first(path("a.txt")), second(path("a.txt"));
+    first.stream() << "first";
+    EXPECT_TRUE(first.close_if_free());
+    EXPECT_FALSE(second.close_if_free());
+    EXPECT_EQ(read_file(path("a.txt")), "first");
+}
+
+TEST_F(OutputFileTest, ThatIsKeptHasAReadableNameUntilItIsClosedAndLosesNothingOfAKilledRun) {
+    using LeftOver = OutputFile::LeftOver;
+    put("r.txt", "before");
+    in_killed_process([&] {
+        OutputFile file(path("r.txt"), LeftOver::Keep);
+        file.stream() << "half" << std::flush;
+        raise(SIGKILL);
+    });
+    EXPECT_THAT(names(), ElementsAre("r.txt", "r.txt.unfinished"));
+    {
+        OutputFile file(path("r.txt"), LeftOver::Keep);
+        EXPECT_EQ(file.set_aside(), path("r.txt-1.unfinished"));
+        EXPECT_THROW(OutputFile(path("r.txt"), LeftOver::Keep), RunError) << "one at a time";
+        EXPECT_EQ(read_file(path("r.txt")), "before");
+        file.close();
+    }
+    EXPECT_THAT(names(), ElementsAre("r.txt", "r.txt-1.unfinished"));
+    EXPECT_EQ(read_file(path("r.txt-1.unfinished")), "half");
+}
+
+TEST_F(OutputFileTest, ThatCannotBeWrittenIsNamedBeforeAnyWork) {
+    for (const std::string& name : {std::string("/no/such/folder/state.csv"), folder_.string()}) {
+        try {
+            OutputFile file(name);
+            FAIL() << "opened " << name;
+        } catch (const RunError& error) {
+            EXPECT_THAT(error.what(), testing::StartsWith(name + ": cannot be written: "));
+        }
+    }
+    if (geteuid() == 0) return;
+    put("a.txt", "before");
+    ASSERT_EQ(chmod(path("a.txt").c_str(), 0400), 0);
+    EXPECT_THROW(OutputFile(path("a.txt")), RunError) << "its folder may be written, but not it";
+}
+
+TEST_F(OutputFileTest, OnAFullDiskIsNamedWhenItIsClosed) {
     if (!fs::exists("/dev/full")) GTEST_SKIP() << "no device that is always full";
     OutputFile file("/dev/full");
     file.stream() << "a line\n";
-    EXPECT_THROW(file.close(), RunError);
+    try {
+        file.close();
+        FAIL();
+    } catch (const RunError& error) {
+        EXPECT_THAT(error.what(), testing::HasSubstr("No space left"));
+    }
+    EXPECT_TRUE(fs::is_character_file("/dev/full"));
+}
+
+TEST_F(OutputFileTest, WritesAFifoDirectly) {
+    ASSERT_EQ(mkfifo(path("pipe").c_str(), 0600), 0);
+    const int reader = open(path("pipe").c_str(), O_RDONLY | O_NONBLOCK);
+    OutputFile file(path("pipe"));
+    file.stream() << "a line";
+    file.close();
+    std::array<char, 16> text{};
+    EXPECT_EQ(read(reader, text.data(), text.size()), 6);
+    close(reader);
+    EXPECT_TRUE(fs::is_fifo(path("pipe")));
+}
+
+TEST_F(OutputFileTest, NamedAsStandardOutputWritesWhereThatIs) {
+    const pid_t child = fork();
+    if (child == 0) {
+        dup2(open(path("out").c_str(), O_WRONLY | O_CREAT | O_TRUNC, 0600), STDOUT_FILENO);
+        bool whole = write(STDOUT_FILENO, "one\n", 4) == 4;
+        OutputFile file("/dev/stdout");
+        file.stream() << "two\n";
+        file.close();
+        whole &= write(STDOUT_FILENO, "three\n", 6) == 6;
+        _exit(whole ? 0 : 1);
+    }
+    int status = 0;
+    waitpid(child, &status, 0);
+    EXPECT_EQ(status, 0);
+    EXPECT_EQ(read_file(path("out")), "one\ntwo\nthree\n");
+    EXPECT_THAT(names(), ElementsAre("out"));
 }
 
 }  // namespace

@@ -2,23 +2,59 @@
 
 #include <gtest/gtest.h>
 
-#include <csignal>
+#include <atomic>
+#include <thread>
 
 namespace drape {
 namespace {
 
-TEST(StopSignals, AreHeldBackAndToldOnce) {
-    StopSignals signals;
-    EXPECT_EQ(signals.arrived(), 0);
-    std::raise(SIGTERM);
+TEST(StopSignals, AreTakenAndTold) {
+    for (const int number : {SIGINT, SIGTERM, SIGHUP}) {
+        std::signal(SIGHUP, SIG_DFL);
+        const StopSignals signals;
+        EXPECT_EQ(signals.arrived(), 0);
+        std::raise(number);
+        EXPECT_EQ(signals.arrived(), number);
+        EXPECT_EQ(signals.arrived(), number);
+    }
+}
+
+TEST(StopSignals, AreTakenWhateverThreadTheyCome) {
+    std::atomic<bool> done = false;
+    std::thread before([&] {
+        while (!done) std::this_thread::yield();
+    });
+    const StopSignals signals;
+    pthread_kill(before.native_handle(), SIGTERM);
+    while (signals.arrived() == 0) std::this_thread::yield();
     EXPECT_EQ(signals.arrived(), SIGTERM);
-    EXPECT_EQ(signals.arrived(), 0);
-    std::raise(SIGINT);
-    EXPECT_EQ(signals.arrived(), SIGINT);
+    done = true;
+    before.join();
+}
+
+TEST(StopSignals, EndTheProgramAtOnceTheSecondTime) {
+    for (const auto& [first, second] : {std::pair(SIGINT, SIGINT), std::pair(SIGINT, SIGTERM)}) {
+        const auto raise_both = [first = first, second = second] {
+            const StopSignals signals;
+            std::raise(first);
+            std::raise(second);
+        };
+        EXPECT_EXIT(raise_both(), testing::KilledBySignal(second), "");
+    }
+}
+
+TEST(StopSignals, LeaveAHangUpIgnoredThatIs) {
+    std::signal(SIGHUP, SIG_IGN);
+    {
+        const StopSignals signals;
+        std::raise(SIGHUP);
+        EXPECT_EQ(signals.arrived(), 0);
+    }
+    std::signal(SIGHUP, SIG_DFL);
 }
 
 TEST(StopSignals, EndTheProgramAgainOnceNobodyAsksAfterThem) {
-    { StopSignals signals; }
+    { const StopSignals signals; }
     EXPECT_EXIT(std::raise(SIGTERM), testing::KilledBySignal(SIGTERM), "");
 }
 

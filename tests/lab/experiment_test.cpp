@@ -1,9 +1,10 @@
 #include <gmock/gmock.h>
 
 #include <algorithm>
+#include <csignal>
 #include <filesystem>
 
-#include "lab/experiment/folder_lock.h"
+#include "drape/base/folder_lock.h"
 #include "lab/experiment/progress.h"
 #include "lab/experiment/share.h"
 #include "lab/lab_run.h"
@@ -38,6 +39,29 @@ TEST(LabExperiment, GoesOnWhereItWasInterrupted) {
     EXPECT_THAT(run.err, HasSubstr("stability.csv: 3 cases in"));
     EXPECT_EQ(folder.read("cut/stability.csv"), whole);
     EXPECT_FALSE(folder.has("cut/stability.csv.part"));
+}
+
+TEST(LabExperiment, LosesNoCaseToASignal) {
+    const LabFolder folder;
+    const std::vector<std::string> words{"stability", "--quick", "--cases", "1-12", "--out"};
+    const auto run_into = [&](const std::string& out) {
+        auto all = words;
+        all.push_back(out);
+        return folder.run(all, DRAPE_LAB, without_gnuplot);
+    };
+    ASSERT_EQ(run_into("whole").code, 0);
+    std::vector<std::string> all{DRAPE_LAB};
+    all.insert(all.end(), words.begin(), words.end());
+    all.emplace_back("cut");
+    testing_aid::Process cut(all, {{"PATH", "/nowhere"}, {"DRAPE_DATA", ""}}, folder.path());
+    ASSERT_TRUE(testing_aid::eventually(
+        [&] { return folder.read("cut/stability.csv.part").find("\n2,") != std::string::npos; }));
+    cut.send(SIGINT);
+    EXPECT_EQ(cut.wait(20), 256 + SIGINT) << "at once";
+    const LabRun rest = run_into("cut");
+    EXPECT_EQ(rest.code, 0) << rest.err;
+    EXPECT_THAT(rest.err, HasSubstr("goes on after "));
+    EXPECT_EQ(folder.read("cut/stability.csv"), folder.read("whole/stability.csv"));
 }
 
 TEST(LabExperiment, DoesNotGoOnWithAnotherRun) {

@@ -4,9 +4,9 @@
 
 #include <filesystem>
 
+#include "drape/base/child_program.h"
 #include "drape/base/input_error.h"
 #include "drape/base/resources.h"
-#include "lab/experiment/child_program.h"
 #include "lab/lab_run.h"
 #include "lab/original/original_experiment.h"
 

@@ -3,6 +3,8 @@
 
 #include <array>
 
+#include <csignal>
+
 #include "drape/base/numbers.h"
 #include "drape/sim/scene.h"
 #include "drape/sim/session.h"
@@ -22,6 +24,9 @@ using testing_aid::LabFolder;
 using testing_aid::LabRun;
 using testing_aid::lines_of;
 using testing_aid::table_of;
+
+/// The text of a shipped scene.
+std::string read_scene(const std::string& name) { return testing_aid::read_file(scene_file(name)); }
 
 /// The values of one row of a CSV file.
 std::vector<double> values_of(const std::string& row) {
@@ -302,8 +307,64 @@ TEST(LabSimulate, RefusesOneFileForStateAndStats) {
     const LabFolder folder;
     const LabRun run = folder.run({"simulate", "drop", "--time", "0", "--state", "a.csv", "--stats", "./a.csv"});
     EXPECT_EQ(run.code, 2);
-    EXPECT_THAT(run.err, HasSubstr("--state and --stats a.csv"));
+    EXPECT_THAT(run.err, HasSubstr("--state a.csv and --stats ./a.csv, the same file: allowed two different files"));
     EXPECT_EQ(folder.run({"simulate", "drop", "--time", "0", "--state", "/dev/null", "--stats", "/dev/null"}).code, 0);
+}
+
+TEST(LabSimulate, WritesNoFileThatItReads) {
+    const LabFolder folder;
+    ASSERT_EQ(folder.run({"simulate", "hang", "--time", "0", "--state", "start.csv"}).code, 0);
+    folder.write("r.txt", "drape-recording 1\nscene hang\n9 end\n");
+    folder.write("scene.toml", "start = \"start.csv\"\n" + read_scene("hang"));
+    std::filesystem::create_hard_link(folder.path("r.txt"), folder.path("hard.txt"));
+    const auto refused = [&](const std::vector<std::string>& words, const std::string& said, const std::string& file) {
+        const std::string before = folder.read(file);
+        const LabRun run = folder.run(words);
+        EXPECT_EQ(run.code, 2) << said;
+        EXPECT_THAT(run.err, AllOf(HasSubstr(said), HasSubstr("allowed two different files")));
+        EXPECT_EQ(folder.read(file), before) << said;
+    };
+    refused({"simulate", "scene.toml", "--time", "0", "--state", "./scene.toml"}, "SCENE scene.toml and --state",
+            "scene.toml");
+    refused({"simulate", "scene.toml", "--time", "0", "--stats", "start.csv"}, "start = ", "start.csv");
+    refused({"simulate", "--replay", "r.txt", "--state", "./r.txt"}, "--replay r.txt and --state ./r.txt", "r.txt");
+    refused({"simulate", "--replay", "r.txt", "--stats", "hard.txt"}, "--replay r.txt and --stats hard.txt", "r.txt");
+}
+
+TEST(LabSimulate, IsEndedByASignalWithTheTimesThatItHasPassed) {
+    for (const int signal : {SIGINT, SIGTERM, SIGHUP}) {
+        const LabFolder folder;
+        testing_aid::Process run({DRAPE_LAB, "simulate", "hang", "--time", "0,1e5", "--state", "state.csv"}, {},
+                                 folder.path());
+        ASSERT_TRUE(testing_aid::eventually([&] { return folder.has(".state.drape-0.csv"); }));
+        run.send(signal);
+        EXPECT_EQ(run.wait(60), 128 + signal);
+        EXPECT_GT(lines_of(folder.read("state.csv")).size(), 100u);
+        EXPECT_FALSE(folder.has(".state.drape-0.csv"));
+    }
+}
+
+TEST(LabSimulate, LeavesTheFileOfBeforeIfItReachesNoTime) {
+    const LabFolder folder;
+    folder.write("state.csv", "before");
+    testing_aid::Process run({DRAPE_LAB, "simulate", "hang", "--time", "1e5", "--state", "state.csv"}, {},
+                             folder.path());
+    ASSERT_TRUE(testing_aid::eventually([&] { return folder.has(".state.drape-0.csv"); }));
+    EXPECT_EQ(folder.read("state.csv"), "before");
+    run.send(SIGTERM);
+    EXPECT_EQ(run.wait(60), 128 + SIGTERM);
+    EXPECT_EQ(folder.read("state.csv"), "before");
+}
+
+TEST(LabSimulate, FailsWhereAFileGrowsBeyondWhatIsAllowed) {
+    const LabFolder folder;
+    folder.write("state.csv", "before");
+    const std::string command =
+        std::string("ulimit -f 8; exec ") + DRAPE_LAB + " simulate hang --time 0 --state state.csv";
+    const LabRun run = folder.run({"-c", command}, "sh");
+    EXPECT_EQ(run.code, 1);
+    EXPECT_THAT(run.err, HasSubstr("state.csv: could not be written whole: File too large"));
+    EXPECT_EQ(folder.read("state.csv"), "before");
 }
 
 // Before the first impact: contact multiplies what rounding leaves, a thousandfold within a tenth of a second.

@@ -4,6 +4,8 @@
 
 #include <filesystem>
 
+#include "drape/sim/scene.h"
+#include "drape/sim/session.h"
 #include "support/input_errors.h"
 #include "support/process.h"
 #include "support/scratch_file.h"
@@ -132,7 +134,29 @@ TEST(Recorder, ReachesTheFileWithEveryLine) {
     const ScratchFile file("recording.txt");
     Recorder recorder(file.name(), "drop", {});
     recorder.write(3, command::Pause{});
-    EXPECT_EQ(read_recording(file.name()).entries.size(), 1u) << "a crash loses at most the last line";
+    const std::string unfinished = file.name() + ".unfinished";
+    EXPECT_EQ(read_recording(unfinished).entries.size(), 1u) << "a crash loses at most the last line";
+    recorder.close(4);
+    EXPECT_FALSE(std::filesystem::exists(unfinished));
+}
+
+TEST(Recorder, TouchesNoRecordingOfBeforeUntilItIsClosed) {
+    const ScratchFile file("recording.txt", good);
+    Recorder recorder(file.name(), "hang", {});
+    EXPECT_EQ(read_file(file.name()), good);
+    recorder.close(0);
+    EXPECT_EQ(read_recording(file.name()).scene, "hang");
+}
+
+TEST(Recorder, SetsAsideWhatAKilledRunHasRecorded) {
+    const ScratchFile file("recording.txt"), left("recording.txt.unfinished", "drape-recording 1\nscene drop\n"),
+        kept("recording.txt-1.unfinished");
+    Session session(Simulation("drop", load_scene("drop")));
+    session.record(file.name(), {});
+    EXPECT_THAT(session.record_notice(), HasSubstr(kept.name() + " now"));
+    session.close();
+    EXPECT_EQ(read_file(kept.name()), "drape-recording 1\nscene drop\n");
+    EXPECT_EQ(read_recording(file.name()).last_step, 0);
 }
 
 TEST(Recorder, SaysWhatItCannotWrite) {

@@ -337,5 +337,16 @@ TEST(ReplayedSession, SaysWhichCommandItCouldNotCarryOut) {
     EXPECT_TRUE(session.simulation().paused()) << "what follows is played";
 }
 
+TEST(Session, StopsBetweenTwoStepsWhenItIsToldToAndGoesOnWithTheSameBits) {
+    Session whole(small_simulation()), stopped(small_simulation());
+    const double dt = static_cast<double>(whole.simulation().settings().solver.dt);
+    whole.run_until(20 * dt);
+    int asked = 0;
+    EXPECT_FALSE(stopped.run_until(20 * dt, [&asked] { return ++asked == 6; }));
+    EXPECT_EQ(stopped.simulation().report().step, 5);
+    EXPECT_TRUE(stopped.run_until(20 * dt, [] { return false; }));
+    EXPECT_EQ(stopped.simulation().hash(), whole.simulation().hash());
+}
+
 }  // namespace
 }  // namespace drape

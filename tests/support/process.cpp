@@ -32,6 +32,7 @@ Process::Process(const std::vector<std::string>& words, const std::map<std::stri
     arguments.push_back(nullptr);
     id_ = fork();
     if (id_ != 0) return;
+    std::signal(SIGHUP, SIG_DFL);  // whatever the tests run under
     for (const auto& [name, value] : environment) {
         if (value.empty()) {
             unsetenv(name.c_str());

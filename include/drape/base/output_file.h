@@ -1,49 +1,70 @@
 #pragma once
 
-#include <filesystem>
-#include <fstream>
+#include <ext/stdio_filebuf.h>
+
+#include <optional>
+#include <ostream>
 #include <string>
 
-#include "drape/base/input_error.h"
+#include "drape/base/unfinished_file.h"
 
 namespace drape {
 
-/// A text file that is opened before the work and checked after it; without a name it takes nothing.
+/// A file that is opened before the work and checked after it; without a name it takes nothing. What was there before
+/// stays until all is written: see `UnfinishedFile`. A device, a FIFO and the program's own standard output are written
+/// directly.
 class OutputFile {
 public:
+    using LeftOver = UnfinishedFile::LeftOver;
+
     /// @throws RunError if it cannot be written
-    explicit OutputFile(const std::string& name) : name_(name) {
-        if (name_.empty()) return;
-        out_.open(name_, std::ios::binary | std::ios::trunc);
-        if (!out_) throw RunError(name_ + ": cannot be written");
-    }
+    explicit OutputFile(const std::string& name, LeftOver left_over = LeftOver::Remove);
+    OutputFile(const OutputFile&) = delete;
+    OutputFile& operator=(const OutputFile&) = delete;
 
     [[nodiscard]] bool wanted() const { return !name_.empty(); }
     std::ostream& stream() { return out_; }
 
-    /// @throws RunError if not everything reached the file
-    void close() {
-        if (!wanted()) return;
-        out_.close();
-        if (!out_) throw RunError(name_ + ": could not be written whole");
-    }
+    /// Where a killed run's file has gone, with `LeftOver::Keep`; empty if there was none.
+    [[nodiscard]] std::filesystem::path set_aside() const;
+
+    /// @throws RunError if not everything that was written until now reached the file
+    void flush();
+
+    /// Gives the file its name now, and goes on writing it.
+    /// @throws RunError if not everything reached it
+    void take_name();
+
+    /// Ends the file, and gives it its name.
+    /// @throws RunError if not everything reached it: what was there before is there still
+    void close();
+
+    /// The same, unless a file has that name by now.
+    /// @return false if one has: it stays
+    /// @throws RunError
+    [[nodiscard]] bool close_if_free();
 
 private:
-    std::string name_;
-    std::ofstream out_;
-};
+    /// Remembers why it could not write, which a stream forgets.
+    class Buffer : public __gnu_cxx::stdio_filebuf<char> {
+    public:
+        using stdio_filebuf::stdio_filebuf;
+        [[nodiscard]] std::string reason() const;
 
-/// To be called before two files are opened.
-/// @param options for the message: "--state and --stats"
-/// @throws InputError if both names are of one file, which would take both texts at once; devices may
-inline void check_apart(const std::string& options, const std::string& one, const std::string& other) {
-    namespace files = std::filesystem;
-    if (one.empty() || other.empty()) return;
-    std::error_code ignored;
-    const bool device = files::exists(one, ignored) && !files::is_regular_file(one, ignored);
-    const auto place = [&](const std::string& name) { return files::weakly_canonical(files::absolute(name), ignored); };
-    if (device || place(one) != place(other)) return;
-    throw InputError(options + " " + one + ": allowed two different files");
-}
+    protected:
+        int_type overflow(int_type c) override;
+        std::streamsize xsputn(const char* text, std::streamsize size) override;
+
+    private:
+        int error_ = 0;
+    };
+
+    void end_stream();
+
+    std::string name_;
+    std::optional<UnfinishedFile> unfinished_;  ///< nothing where it is written directly
+    std::optional<Buffer> buffer_;
+    std::ostream out_{nullptr};
+};
 
 }  // namespace drape

@@ -2,6 +2,7 @@
 
 #include <CLI/CLI.hpp>
 #include <algorithm>
+#include <csignal>
 #include <exception>
 #include <iostream>
 #include <span>
@@ -93,10 +94,12 @@ inline void print_error(const std::string& name, std::string_view message) {
 }
 
 /// What every `main` does: runs the program and turns what it throws into a message and an exit code. Standard output
-/// that could not be written fails the run.
+/// that could not be written fails the run. A file that grows beyond what is allowed (`ulimit -f`) is a failed write,
+/// as on a full disk, and no signal.
 /// @param run called as run(argc, argv), returns the exit code
 template <class Run>
 int run_program(const std::string& name, int argc, char** argv, Run run) {
+    std::signal(SIGXFSZ, SIG_IGN);
     try {
         const int exit_code = run(argc, argv);
         if (exit_code == Done && !std::cout.flush()) throw RunError("standard output could not be written whole");

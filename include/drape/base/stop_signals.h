@@ -1,24 +1,28 @@
 #pragma once
 
+#include <array>
 #include <csignal>
 
 namespace drape {
 
-/// Holds SIGINT and SIGTERM back while it lives, for the main loop to ask after. Threads that are started meanwhile
-/// hold them back too.
+/// Takes SIGINT, SIGTERM and SIGHUP while it lives, for whoever works to ask after between two steps. The first one is
+/// told; any further one ends the program at once, as it does where nobody asks. SIGHUP stays ignored where it is
+/// (nohup). Which threads there are does not matter, nor when they were started.
 class StopSignals {
 public:
+    /// @pre there is no other object of this kind
     StopSignals();
     ~StopSignals();
     StopSignals(const StopSignals&) = delete;
     StopSignals& operator=(const StopSignals&) = delete;
 
-    /// The number of a signal that came, 0 if none did.
+    /// The number of the first signal that came, 0 if none did.
+    /// @par Cost one read of a flag
     [[nodiscard]] int arrived() const;
 
 private:
-    sigset_t awaited_{};
-    sigset_t before_{};
+    static constexpr std::array numbers{SIGINT, SIGTERM, SIGHUP};
+    std::array<struct sigaction, numbers.size()> before_{};
 };
 
 }  // namespace drape

@@ -17,9 +17,14 @@ struct Image {
     }
 };
 
-/// Writes a PNG under a temporary name beside `file`, checks that it is whole on the disk, and renames it.
+/// Writes a PNG as an `OutputFile`.
 /// @throws RunError naming the file and the reason; no half-written file of that name is ever left
-void write_png(const Image& image, const std::filesystem::path& file);
+void write_png(const Image& image, const std::filesystem::path& name);
+
+/// The same, unless a file has that name.
+/// @return false if one has: it stays
+/// @throws RunError
+[[nodiscard]] bool write_new_png(const Image& image, const std::filesystem::path& name);
 
 /// @throws InputError if it is no PNG
 Image read_png(const std::filesystem::path& file);

@@ -1,12 +1,12 @@
 #pragma once
 
 #include <cstdint>
-#include <fstream>
 #include <optional>
 #include <string>
 #include <variant>
 #include <vector>
 
+#include "drape/base/output_file.h"
 #include "drape/sim/command.h"
 
 namespace drape {
@@ -36,10 +36,11 @@ Recording read_recording(const std::string& file);
 /// The same from a stream; `file` names it in messages.
 Recording read_recording(std::istream& in, const std::string& file);
 
-/// Writes a recording line by line, so that a crash loses at most the last one.
+/// Writes a recording line by line, so that a crash loses at most the last one. Until it is closed it is named
+/// "FILE.unfinished".
 class Recorder {
 public:
-    /// @throws RunError if the file cannot be created
+    /// @throws RunError if the file cannot be created, or another run is recording into it
     Recorder(const std::string& file, const std::string& scene, const std::vector<std::string>& assignments);
 
     void write(std::int64_t step, const Command& command);
@@ -48,9 +49,11 @@ public:
     /// @throws RunError if not everything could be written
     void close(std::int64_t step);
 
+    /// Where the recording of a killed run has gone that was not closed; empty if there was none.
+    [[nodiscard]] std::filesystem::path set_aside() const { return file_.set_aside(); }
+
 private:
-    std::string file_;
-    std::ofstream out_;
+    OutputFile file_;
 };
 
 }  // namespace drape

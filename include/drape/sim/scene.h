@@ -12,6 +12,10 @@ namespace drape {
 /// @throws InputError as `file:line:column: name = value: allowed ...`; an unknown key names the nearest known one
 Settings load_scene(const std::string& name_or_path);
 
+/// The file that `load_scene` reads.
+/// @throws InputError if it is no path and no shipped scene's name
+std::filesystem::path scene_file(const std::string& name_or_path);
+
 /// Reads a scene from text; `file` names it in errors.
 /// @throws InputError
 Settings parse_scene(std::string_view text, const std::string& file);

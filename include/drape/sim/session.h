@@ -1,6 +1,7 @@
 #pragma once
 
 #include <cstdint>
+#include <functional>
 #include <memory>
 #include <string>
 #include <vector>
@@ -35,11 +36,15 @@ public:
 
     /// Makes steps until the simulated time is the last one that whole steps come to and that is not beyond `time` [s];
     /// pauses are passed over. It is the scene's clock, except that a reset in a replay does not set it back.
-    void run_until(double time);
+    /// @param stop asked before each step; empty: none asks
+    /// @return false if it said so
+    bool run_until(double time, const std::function<bool()>& stop = {});
 
     /// Makes the steps of the recording that is replayed, to where it was closed, or to its last whole line; pauses are
     /// passed over.
-    void run_replay();
+    /// @param stop as for `run_until`
+    /// @return false if it said so
+    bool run_replay(const std::function<bool()>& stop = {});
 
     /// The time at which the simulation was when the session began: that of the scene's start file, or 0 [s].
     [[nodiscard]] double start_time() const { return start_time_; }
@@ -61,6 +66,9 @@ public:
 
     /// Whether a hash of the replay was not that of the state, or a command was refused that once was carried out.
     [[nodiscard]] bool replay_differs() const { return replay_differs_; }
+
+    /// What there is to say of the file that is recorded to: that a run that never ended has left one. Else empty.
+    [[nodiscard]] std::string record_notice() const;
 
     /// Writes the closing hash of a recording and closes it; called by the destructor too.
     /// @throws RunError if the file could not be written whole

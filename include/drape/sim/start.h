@@ -4,6 +4,7 @@
 #include <string>
 #include <vector>
 
+#include "drape/base/named_file.h"
 #include "drape/sim/recording.h"
 #include "drape/sim/session.h"
 #include "drape/sim/settings.h"
@@ -27,6 +28,9 @@ struct Start {
 
 /// @throws InputError if a file, a scene or an assignment is bad
 Start make_start(StartOptions options);
+
+/// The files that a start was read from, to be kept apart from those that are written.
+std::vector<NamedFile> input_files(const StartOptions& options, const Start& start);
 
 /// The simulation of a start, with its replay running.
 /// @param record file for a recording of all that follows, the replay's commands included; empty: none

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <array>
 #include <ctime>
+#include <fstream>
 
 #include "drape/base/assert.h"
 #include "drape/base/input_error.h"
@@ -50,15 +51,6 @@ std::string joined(const TableRow& row) {
     return line + "\n";
 }
 
-/// Where a file of this name may go that is not to be lost: "stability-2.csv".
-std::filesystem::path free_name(const std::filesystem::path& file) {
-    for (int number = 1;; ++number) {
-        const auto name =
-            file.parent_path() / (file.stem().string() + "-" + std::to_string(number) + file.extension().string());
-        if (!exists(name)) return name;
-    }
-}
-
 /// What is wrong with what a case has computed; empty if nothing is.
 std::string flaw_of_rows(const Experiment& experiment, const std::vector<TableRow>& rows) {
     if (rows.empty()) return "it has no rows";
@@ -103,17 +95,12 @@ std::string columns_line(const Experiment& experiment) {
 std::filesystem::path unfinished_name(const std::filesystem::path& file) { return file.string() + ".part"; }
 
 TableWriter::TableWriter(const Experiment& experiment, const std::filesystem::path& file, const ExperimentTable& table)
-    : experiment_(experiment), file_(file) {
-    // Written anew beside what is there, which is not lost if this is interrupted
-    const std::string part = unfinished_name(file).string(), draft = part + ".new";
-    out_.open(draft, std::ios::binary | std::ios::trunc);
-    if (!out_) throw RunError(draft + ": cannot be written");
-    for (const auto& [key, value] : table.head) out_ << "# " << key << ": " << value << '\n';
-    out_ << columns_line(experiment) << '\n';
+    : experiment_(experiment), file_(file), out_(unfinished_name(file).string()) {
+    for (const auto& [key, value] : table.head) out_.stream() << "# " << key << ": " << value << '\n';
+    out_.stream() << columns_line(experiment) << '\n';
     for (const auto& [number, rows] : table.cases) write(number, rows);
-    std::error_code error;
-    std::filesystem::rename(draft, part, error);
-    if (!out_.flush() || error) throw RunError(part + ": cannot be written");
+    // What was there is in it, and is not touched before
+    out_.take_name();
 }
 
 void TableWriter::write(std::size_t number, const std::vector<TableRow>& rows) {
@@ -124,16 +111,16 @@ void TableWriter::write(std::size_t number, const std::vector<TableRow>& rows) {
     std::string text;
     for (const TableRow& row : rows) text += std::to_string(number) + "," + joined(row);
     ++cases_;
-    if (!(out_ << text << std::flush)) throw RunError(unfinished_name(file_).string() + ": cannot be written");
+    out_.stream() << text;
+    out_.flush();
 }
 
 void TableWriter::finish() {
-    out_ << table_end_mark << cases_ << '\n';
+    out_.stream() << table_end_mark << cases_ << '\n';
     out_.close();
-    if (!out_) throw RunError(unfinished_name(file_).string() + ": could not be written whole");
+    if (exists(file_)) set_file_aside(file_);
     std::error_code error;
-    if (exists(file_)) rename(file_, free_name(file_), error);
-    if (!error) rename(unfinished_name(file_), file_, error);
+    rename(unfinished_name(file_), file_, error);
     if (error) throw RunError(file_.string() + ": cannot be written: " + error.message());
 }
 

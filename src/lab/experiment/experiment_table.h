@@ -1,7 +1,6 @@
 #pragma once
 
 #include <filesystem>
-#include <fstream>
 #include <istream>
 #include <map>
 #include <optional>
@@ -10,6 +9,7 @@
 #include <utility>
 #include <vector>
 
+#include "drape/base/output_file.h"
 #include "experiment.h"
 
 namespace drape {
@@ -78,7 +78,7 @@ public:
 private:
     const Experiment& experiment_;
     std::filesystem::path file_;
-    std::ofstream out_;
+    OutputFile out_;  ///< named ".part" once its head is there
     std::size_t cases_ = 0;
 };
 

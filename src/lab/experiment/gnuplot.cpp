@@ -3,7 +3,8 @@
 #include <algorithm>
 
 #include "chart_text.h"
-#include "child_program.h"
+#include "drape/base/child_program.h"
+#include "drape/base/input_error.h"
 #include "drape/base/output_file.h"
 
 namespace drape {

@@ -6,8 +6,8 @@
 #include <utility>
 
 #include "case_selection.h"
+#include "drape/base/folder_lock.h"
 #include "drape/base/program.h"
-#include "folder_lock.h"
 #include "run_experiment.h"
 #include "share.h"
 

@@ -5,10 +5,10 @@
 #include <optional>
 
 #include "case_selection.h"
+#include "drape/base/folder_lock.h"
 #include "drape/base/numbers.h"
 #include "drape/base/program.h"
 #include "drape/base/stopwatch.h"
-#include "folder_lock.h"
 #include "gnuplot.h"
 #include "progress.h"
 #include "report_page.h"

@@ -33,23 +33,19 @@ void write_scene(const Settings& scene, const std::filesystem::path& file) {
         const auto folder = files::absolute(file).parent_path();
         written.start = files::absolute(written.start).lexically_relative(folder).string();
     }
-    std::error_code error;
-    const auto failed = [&] { return RunError(file.string() + ": cannot be written: " + error.message()); };
-    const files::path target = files::weakly_canonical(file, error);
-    if (error) throw failed();
-    const files::path unfinished = target.string() + ".unfinished";
-    OutputFile out(unfinished.string());
+    OutputFile out(file.string());
     out.stream() << scene_text(written);
-    out.close();
-    if (files::exists(target, error)) {
-        files::copy_file(target, target.string() + "~", files::copy_options::overwrite_existing, error);
-        if (!error) files::permissions(unfinished, files::status(target).permissions(), error);
+    const files::path target = link_target(file);
+    if (files::exists(target)) {
+        const files::path kept = target.string() + "~";
+        UnfinishedFile copy(kept);
+        std::error_code error;
+        files::copy_file(target, copy.name(), files::copy_options::overwrite_existing, error);
+        if (!error) files::permissions(copy.name(), files::status(target).permissions(), error);
+        if (error) throw RunError(kept.string() + ": cannot be written: " + error.message());
+        copy.finish();
     }
-    if (!error) files::rename(unfinished, target, error);
-    if (!error) return;
-    std::error_code ignored;
-    files::remove(unfinished, ignored);
-    throw failed();
+    out.close();
 }
 
 }  // namespace drape

@@ -5,12 +5,12 @@
 #include <cstdlib>
 #include <fstream>
 
+#include "drape/base/child_program.h"
 #include "drape/base/input_error.h"
 #include "drape/base/numbers.h"
 #include "drape/sim/scene.h"
 #include "drape/sim/setting_table.h"
 #include "drape/sim/simulation.h"
-#include "lab/experiment/child_program.h"
 
 namespace drape {
 namespace {

@@ -4,10 +4,10 @@
 
 namespace drape {
 
-/// Keeps other runs from writing the same table while it lives, and while its process does.
+/// Keeps other runs from writing the same files while it lives, and while its process does.
 class FolderLock {
 public:
-    /// @param file the table
+    /// @param file the table, or what stands for all files that are written beside one another
     /// @throws RunError if another run holds it, or the folder cannot be written
     explicit FolderLock(const std::filesystem::path& file);
     ~FolderLock();

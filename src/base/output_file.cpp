@@ -1,0 +1,88 @@
+#include "drape/base/output_file.h"
+
+#include <fcntl.h>
+#include <sys/stat.h>
+#include <unistd.h>
+
+#include <cerrno>
+#include <cstring>
+
+#include "drape/base/input_error.h"
+
+namespace drape {
+namespace {
+
+bool same_file(const struct stat& a, const struct stat& b) { return a.st_dev == b.st_dev && a.st_ino == b.st_ino; }
+
+/// A descriptor of a file that is not to be replaced by another one; nothing for a file that is.
+std::optional<int> open_directly(const std::string& name) {
+    struct stat named {};
+    if (stat(name.c_str(), &named) != 0 || S_ISDIR(named.st_mode)) return std::nullopt;
+    // Standard output may lead to a file: opened once more, each would overwrite what the other writes
+    for (const int own : {STDOUT_FILENO, STDERR_FILENO}) {
+        struct stat opened {};
+        if (fstat(own, &opened) == 0 && same_file(named, opened)) return fcntl(own, F_DUPFD_CLOEXEC, 0);
+    }
+    if (S_ISREG(named.st_mode)) return std::nullopt;
+    return open(name.c_str(), O_WRONLY | O_CLOEXEC);
+}
+
+}  // namespace
+
+std::string OutputFile::Buffer::reason() const { return error_ == 0 ? "" : std::string(": ") + std::strerror(error_); }
+
+OutputFile::Buffer::int_type OutputFile::Buffer::overflow(int_type c) {
+    const int_type done = stdio_filebuf::overflow(c);
+    if (traits_type::eq_int_type(done, traits_type::eof()) && error_ == 0) error_ = errno;
+    return done;
+}
+
+std::streamsize OutputFile::Buffer::xsputn(const char* text, std::streamsize size) {
+    const std::streamsize done = stdio_filebuf::xsputn(text, size);
+    if (done != size && error_ == 0) error_ = errno;
+    return done;
+}
+
+OutputFile::OutputFile(const std::string& name, LeftOver left_over) : name_(name) {
+    if (name_.empty()) return;
+    std::optional<int> descriptor = open_directly(name_);
+    if (!descriptor) {
+        unfinished_.emplace(name_, left_over);
+        // A second one of the same opening: the lock stays when the stream is closed
+        descriptor = fcntl(unfinished_->descriptor(), F_DUPFD_CLOEXEC, 0);
+    }
+    if (*descriptor < 0) throw RunError(name_ + ": cannot be written: " + std::strerror(errno));
+    out_.rdbuf(&buffer_.emplace(*descriptor, std::ios::out | std::ios::binary));
+}
+
+std::filesystem::path OutputFile::set_aside() const {
+    return unfinished_ ? unfinished_->set_aside() : std::filesystem::path();
+}
+
+void OutputFile::flush() {
+    if (!wanted()) return;
+    if (!out_.flush()) throw RunError(name_ + ": could not be written whole" + buffer_->reason());
+}
+
+void OutputFile::end_stream() {
+    flush();
+    if (buffer_->close() == nullptr) throw RunError(name_ + ": could not be written whole: " + std::strerror(errno));
+}
+
+void OutputFile::take_name() {
+    flush();
+    if (unfinished_) unfinished_->finish();
+}
+
+void OutputFile::close() {
+    if (!wanted()) return;
+    end_stream();
+    if (unfinished_ && !unfinished_->finished()) unfinished_->finish();
+}
+
+bool OutputFile::close_if_free() {
+    end_stream();
+    return !unfinished_ || unfinished_->finish_if_free();
+}
+
+}  // namespace drape

@@ -1,0 +1,184 @@
+#include "drape/base/unfinished_file.h"
+
+#include <fcntl.h>
+#include <sys/file.h>
+#include <sys/stat.h>
+#include <unistd.h>
+
+#include <algorithm>
+#include <cerrno>
+#include <cstdio>
+#include <cstring>
+
+#include "drape/base/input_error.h"
+
+namespace drape {
+namespace {
+
+namespace files = std::filesystem;
+
+constexpr std::string_view mark = ".drape-";
+
+// A name of more than 255 bytes is none.
+constexpr std::size_t longest_stem = 160, longest_extension = 32;
+
+// Of runs that write the same file at the same time.
+constexpr int most_owners = 100;
+
+[[noreturn]] void fail(const files::path& file, const std::string& reason) {
+    throw RunError(file.string() + ": cannot be written: " + reason);
+}
+
+/// ".state.drape-0.csv"
+files::path hidden_name(const files::path& file, int number) {
+    std::string stem = file.stem().string(), extension = file.extension().string();
+    if (extension.size() > longest_extension) {
+        stem += extension;
+        extension.clear();
+    }
+    return file.parent_path() /
+           ("." + stem.substr(0, longest_stem) + std::string(mark) + std::to_string(number) + extension);
+}
+
+bool is_hidden_name(const files::path& file) {
+    const std::string name = file.filename().string();
+    const std::size_t place = name.rfind(mark);
+    if (place == std::string::npos || !name.starts_with('.')) return false;
+    const std::size_t digits = place + mark.size(), end = name.find_first_not_of("0123456789", digits);
+    return end != digits && digits < name.size() && (end == std::string::npos || name[end] == '.');
+}
+
+/// Removes the file unless somebody holds its lock. @return whether the name is free now
+bool removed_if_dead(const files::path& name) {
+    const int found = open(name.c_str(), O_RDWR | O_CLOEXEC | O_NOFOLLOW | O_NONBLOCK);
+    if (found < 0) return errno == ENOENT;
+    const bool dead = flock(found, LOCK_EX | LOCK_NB) == 0 && has_name(found, name);
+    const bool removed = dead && unlink(name.c_str()) == 0;
+    close(found);
+    return removed;
+}
+
+/// @return 0, or what stands in the way: EEXIST if a file has that name
+int rename_if_free(const files::path& from, const files::path& to) {
+    if (renameat2(AT_FDCWD, from.c_str(), AT_FDCWD, to.c_str(), RENAME_NOREPLACE) == 0) return 0;
+    if (errno != EINVAL && errno != ENOSYS) return errno;
+    // A file system that has no such way to rename
+    if (link(from.c_str(), to.c_str()) != 0) return errno;
+    return unlink(from.c_str()) == 0 ? 0 : errno;
+}
+
+}  // namespace
+
+bool has_name(int descriptor, const files::path& name) {
+    struct stat open_file {
+    }, named{};
+    return fstat(descriptor, &open_file) == 0 && lstat(name.c_str(), &named) == 0 && open_file.st_ino == named.st_ino &&
+           open_file.st_dev == named.st_dev;
+}
+
+files::path link_target(const files::path& name) {
+    constexpr int most_links = 40;
+    std::error_code ignored;
+    files::path file = files::absolute(name);
+    for (int links = 0; links < most_links && files::is_symlink(files::symlink_status(file, ignored)); ++links) {
+        file = file.parent_path() / files::read_symlink(file, ignored);
+    }
+    const files::path folder = files::weakly_canonical(file.parent_path(), ignored);
+    return ignored ? file : folder / file.filename();
+}
+
+void remove_left_over(const files::path& file) {
+    std::error_code ignored;
+    if (is_hidden_name(file) && files::is_regular_file(files::symlink_status(file, ignored))) removed_if_dead(file);
+}
+
+files::path set_file_aside(const files::path& file) {
+    for (int number = 1;; ++number) {
+        files::path name =
+            file.parent_path() / (file.stem().string() + "-" + std::to_string(number) + file.extension().string());
+        const int error = rename_if_free(file, name);
+        if (error == 0) return name;
+        if (error != EEXIST) fail(name, std::strerror(error));
+    }
+}
+
+UnfinishedFile::UnfinishedFile(const files::path& file, LeftOver left_over)
+    : file_(file), target_(link_target(file)), left_over_(left_over) {
+    struct stat there {};
+    if (stat(target_.c_str(), &there) == 0) {
+        if (!S_ISREG(there.st_mode)) fail(file_, S_ISDIR(there.st_mode) ? "it is a folder" : "it is no regular file");
+        if (faccessat(AT_FDCWD, target_.c_str(), W_OK, AT_EACCESS) != 0) fail(file_, std::strerror(errno));
+    }
+    left_over == LeftOver::Remove ? open_hidden() : open_kept();
+    if (there.st_nlink == 0) return;
+    // Nobody may read meanwhile who may not read it in the end. Not everybody may give it another owner, and not every
+    // file system has modes
+    const bool same_owner = fchown(descriptor_, there.st_uid, there.st_gid) == 0;
+    const bool same_mode = fchmod(descriptor_, there.st_mode & (same_owner ? 07777 : 0777)) == 0;
+    static_cast<void>(same_mode);
+}
+
+/// Another run may take a file that is not locked yet for a dead one, and remove it.
+bool UnfinishedFile::lock_new() const {
+    if (flock(descriptor_, LOCK_EX | LOCK_NB) != 0 && errno == EWOULDBLOCK) return false;
+    return has_name(descriptor_, name_);
+}
+
+void UnfinishedFile::open_hidden() {
+    for (int number = 0; number < most_owners && descriptor_ < 0;) {
+        name_ = hidden_name(target_, number);
+        descriptor_ = open(name_.c_str(), O_RDWR | O_CREAT | O_EXCL | O_CLOEXEC, 0666);
+        if (descriptor_ < 0 && errno != EEXIST) fail(file_, std::strerror(errno));
+        if (descriptor_ < 0) {
+            if (!removed_if_dead(name_)) ++number;
+        } else if (!lock_new()) {
+            close(descriptor_);
+            descriptor_ = -1;
+        } else {
+            // Of runs that were killed while they wrote this file beside one another
+            for (int other = number + 1; other < most_owners && files::exists(hidden_name(target_, other)); ++other) {
+                removed_if_dead(hidden_name(target_, other));
+            }
+        }
+    }
+    if (descriptor_ < 0) fail(file_, "too many others are writing it");
+}
+
+void UnfinishedFile::open_kept() {
+    name_ = target_.string() + ".unfinished";
+    while (descriptor_ < 0) {
+        descriptor_ = open(name_.c_str(), O_RDWR | O_CREAT | O_CLOEXEC | O_NOFOLLOW, 0666);
+        if (descriptor_ < 0) fail(file_, std::strerror(errno));
+        if (flock(descriptor_, LOCK_EX | LOCK_NB) != 0 && errno == EWOULDBLOCK) {
+            close(descriptor_);
+            fail(file_, "another run is writing " + name_.string());
+        }
+        struct stat found {};
+        const bool usable = has_name(descriptor_, name_) && fstat(descriptor_, &found) == 0;
+        if (usable && found.st_size == 0) return;
+        if (usable) set_aside_ = set_file_aside(name_);
+        close(descriptor_);
+        descriptor_ = -1;
+    }
+}
+
+UnfinishedFile::~UnfinishedFile() {
+    // While it is locked nobody else has given its name to another file
+    if (!finished_ && left_over_ == LeftOver::Remove) unlink(name_.c_str());
+    close(descriptor_);
+}
+
+void UnfinishedFile::finish() {
+    if (rename(name_.c_str(), target_.c_str()) != 0) fail(file_, std::strerror(errno));
+    finished_ = true;
+}
+
+bool UnfinishedFile::finish_if_free() {
+    const int error = rename_if_free(name_, target_);
+    if (error == EEXIST) return false;
+    if (error != 0) fail(file_, std::strerror(error));
+    finished_ = true;
+    return true;
+}
+
+}  // namespace drape

@@ -1,0 +1,242 @@
+// What drape-capture does to files that are there already, and how it ends when it is told to.
+
+#include <gmock/gmock.h>
+
+#include <csignal>
+#include <filesystem>
+#include <fstream>
+
+#include "drape/base/folder_lock.h"
+#include "drape/base/numbers.h"
+#include "program.h"
+#include "support/process.h"
+
+namespace drape::test {
+namespace {
+
+using ::testing::AllOf;
+using ::testing::Contains;
+using ::testing::ElementsAre;
+using ::testing::HasSubstr;
+using ::testing::Not;
+using testing_aid::eventually;
+using testing_aid::Process;
+using Words = std::vector<std::string>;
+
+namespace fs = std::filesystem;
+
+Words joined(Words words, const Words& more) {
+    words.insert(words.end(), more.begin(), more.end());
+    return words;
+}
+
+/// A run of a few small frames.
+Words small(const Words& more) { return joined({"hang", "--size", "64x48", "--fps", "120"}, more); }
+
+/// A run whose frame is more than a pipe holds.
+Words large(const Words& more) { return joined({"hang", "--size", "480x270", "--fps", "120"}, more); }
+
+void put(const std::string& file, const std::string& text) { std::ofstream(file) << text; }
+
+/// A folder whose `ffmpeg` is this script.
+void put_ffmpeg(const std::string& script, const std::string& text) {
+    put(script, "#!/bin/sh\n" + text);
+    fs::permissions(script, fs::perms::owner_all);
+}
+
+/// drape-capture, beside the test.
+class Running {
+public:
+    Running(const TestFolder& folder, const Words& words)
+        : process_(joined({std::string(DRAPE_PROGRAMS) + "/drape-capture"}, words),
+                   {{"PATH", folder / "" + ":/bin:/usr/bin"}}, folder / "") {}
+
+    Process* operator->() { return &process_; }
+
+private:
+    Process process_;
+};
+
+TEST(CaptureOutputs, AreNoFileTwice) {
+    const TestFolder folder;
+    put(folder / "s", "before");
+    fs::create_symlink("s", folder / "link");
+    fs::create_directory(folder / "a");
+    put(folder / "r", "drape-recording 1\nscene hang\n9 end\n");
+    const auto refused = [&](const Words& words) {
+        const Outcome outcome = run_program("drape-capture", small(joined({"--frames", "1"}, words)));
+        EXPECT_EQ(outcome.exit_code, 2) << outcome.err;
+        EXPECT_EQ(text_of(folder / "s"), "before");
+        return outcome.err;
+    };
+    EXPECT_THAT(refused({"--video", folder / "v.mp4", "--stats", folder / "./v.mp4"}),
+                AllOf(HasSubstr("--video "), HasSubstr(" and --stats ")));
+    EXPECT_THAT(refused({"--state", folder / "s", "--stats", folder / "link"}), HasSubstr(" and --state "));
+    EXPECT_THAT(refused({"--replay", folder / "r", "--state", folder / "a/../r"}), HasSubstr("--replay "));
+    EXPECT_THAT(refused({"--replay", folder / "r", "--video", folder / "./r"}), HasSubstr("--replay "));
+    EXPECT_THAT(refused({"--out", folder / "a", "--state", folder / "a/../a/frame_0001.png"}), HasSubstr("a frame of"));
+    EXPECT_THAT(folder.names(""), ElementsAre("a", "link", "r", "s"));
+}
+
+TEST(CaptureOutputs, KeepTheVideoOfBeforeIfThereIsNoNewOne) {
+    const TestFolder folder, programs;
+    put(folder / "v.mp4", "before");
+    const Words video = small({"--frames", "2", "--video", folder / "v.mp4"});
+    EXPECT_EQ(run_program("drape-capture", video, {"PATH=/nowhere"}).exit_code, 1);
+    EXPECT_EQ(text_of(folder / "v.mp4"), "before") << "no ffmpeg";
+    put_ffmpeg(programs / "ffmpeg", "for last; do :; done; echo half > \"$last\"; cat > /dev/null; exit 1\n");
+    EXPECT_EQ(run_program("drape-capture", video, {"PATH=" + programs / "" + ":/bin:/usr/bin"}).exit_code, 1);
+    EXPECT_EQ(text_of(folder / "v.mp4"), "before") << "ffmpeg fails";
+    put_ffmpeg(programs / "ffmpeg", "for last; do :; done; echo whole > \"$last\"; cat > /dev/null\n");
+    EXPECT_EQ(run_program("drape-capture", video, {"PATH=" + programs / "" + ":/bin:/usr/bin"}).exit_code, 0);
+    EXPECT_EQ(text_of(folder / "v.mp4"), "whole\n");
+    EXPECT_THAT(folder.names(""), ElementsAre("v.mp4"));
+}
+
+TEST(CaptureOutputs, AreTouchedOnlyByARunThatEnds) {
+    const TestFolder folder;
+    put(folder / "state", "before");
+    put(folder / "stats", "before");
+    const auto start = [&](const std::string& frames) {
+        return small({"--frames", frames, "--out", folder / "a", "--again", "--state", folder / "state", "--stats",
+                      folder / "stats"});
+    };
+    {
+        Running run(folder, start("100000"));
+        ASSERT_TRUE(eventually([&] { return fs::exists(folder / "a/frame_000002.png"); }));
+        run->send(SIGKILL);
+        EXPECT_EQ(run->wait(20), 256 + SIGKILL);
+    }
+    EXPECT_EQ(text_of(folder / "state"), "before");
+    EXPECT_EQ(text_of(folder / "stats"), "before");
+    // As if it had been killed while it wrote a picture
+    put(folder / "a/.frame_000099.drape-0.png", "half");
+    EXPECT_EQ(run_program("drape-capture", start("2")).exit_code, 0);
+    EXPECT_THAT(folder.names("a"), ElementsAre("frame_0001.png", "frame_0002.png"));
+    EXPECT_THAT(folder.names(""), ElementsAre("a", "state", "stats", "stderr.txt", "stdout.txt"));
+    EXPECT_NE(text_of(folder / "stats"), "before");
+}
+
+TEST(CaptureFrames, OfAnEarlierRunAreNotMixedWithNewOnes) {
+    const TestFolder folder;
+    const auto capture = [&](const Words& words) {
+        return run_program("drape-capture", small(joined({"--out", folder / "a"}, words)));
+    };
+    ASSERT_EQ(capture({"--frames", "4"}).exit_code, 0);
+    put(folder / "a/frame_cover.png", "not ours");
+    const std::string first = text_of(folder / "a/frame_0001.png");
+    const Outcome refused = capture({"--frames", "2", "--set", "view.wireframe=true"});
+    EXPECT_EQ(refused.exit_code, 2);
+    EXPECT_THAT(refused.err, AllOf(HasSubstr("frame_0001.png of an earlier run"), HasSubstr("--again")));
+    EXPECT_EQ(text_of(folder / "a/frame_0001.png"), first);
+
+    EXPECT_EQ(capture({"--frames", "2", "--set", "view.wireframe=true", "--again"}).exit_code, 0);
+    EXPECT_THAT(folder.names("a"), ElementsAre("frame_0001.png", "frame_0002.png", "frame_cover.png"));
+    EXPECT_NE(text_of(folder / "a/frame_0001.png"), first);
+    EXPECT_EQ(capture({"--frames", "4", "--every", "4", "--again"}).exit_code, 0);
+    EXPECT_THAT(folder.names("a"), ElementsAre("frame_0004.png", "frame_cover.png"));
+}
+
+TEST(CaptureFrames, OfAnEarlierRunStayIfTheNewOneDoesNotEnd) {
+    const TestFolder folder;
+    const Words words = small({"--out", folder / "a"});
+    ASSERT_EQ(run_program("drape-capture", joined(words, {"--frames", "4", "--every", "4"})).exit_code, 0);
+    const Outcome failed = run_program(
+        "drape-capture",
+        joined(words, {"--frames", "60", "--again", "--set", "solver.dt=0.02", "solver.integrator=explicit_euler"}));
+    EXPECT_EQ(failed.exit_code, 1);
+    EXPECT_TRUE(fs::exists(folder / "a/frame_0004.png"));
+}
+
+TEST(CaptureFrames, AreWrittenByOneRunAtATime) {
+    const TestFolder folder;
+    fs::create_directory(folder / "a");
+    const Words words = small({"--frames", "1", "--again", "--out", folder / "a"});
+    {
+        const FolderLock other(folder / "a/frames");
+        const Outcome outcome = run_program("drape-capture", words);
+        EXPECT_EQ(outcome.exit_code, 1);
+        EXPECT_THAT(outcome.err, HasSubstr("another run is writing it"));
+        EXPECT_THAT(folder.names("a"), ElementsAre("frames.lock"));
+    }
+    EXPECT_EQ(run_program("drape-capture", words).exit_code, 0);
+    EXPECT_THAT(folder.names("a"), ElementsAre("frame_0001.png"));
+}
+
+TEST(CaptureSignals, AreSeenBetweenTwoStepsOfALongFrame) {
+    for (const int signal : {SIGINT, SIGTERM, SIGHUP}) {
+        const TestFolder folder;
+        Running run(folder, {"hang", "--frames", "1", "--fps", "0.001", "--set", "solver.sleep_speed=0", "--state",
+                             folder / "state"});
+        ASSERT_TRUE(eventually([&] { return fs::exists(folder / ".state.drape-0"); }));
+        run->send(signal);
+        EXPECT_EQ(run->wait(20), 128 + signal);
+        EXPECT_THAT(text_of(folder / "state"), HasSubstr("particle")) << "the state that it has come to";
+    }
+}
+
+/// An ffmpeg that stops, with its number in a file; killed at the end of the test.
+class StoppedFfmpeg {
+public:
+    explicit StoppedFfmpeg(const TestFolder& folder) : file_(folder / "number") {
+        put_ffmpeg(folder / "ffmpeg",
+                   "echo $$ > " + file_ + ".part; mv " + file_ + ".part " + file_ + "; kill -STOP $$\n");
+    }
+    ~StoppedFfmpeg() {
+        if (const auto id = number()) kill(*id, SIGKILL);
+    }
+    StoppedFfmpeg(const StoppedFfmpeg&) = delete;
+    StoppedFfmpeg& operator=(const StoppedFfmpeg&) = delete;
+
+    [[nodiscard]] std::optional<pid_t> number() const {
+        const std::string text = text_of(file_);
+        const auto id = text.empty() ? std::nullopt : parse_integer(text.substr(0, text.size() - 1));
+        return id ? std::optional(static_cast<pid_t>(*id)) : std::nullopt;
+    }
+
+private:
+    std::string file_;
+};
+
+TEST(CaptureSignals, EndARunWhoseFfmpegStandsStill) {
+    const TestFolder folder;
+    const StoppedFfmpeg ffmpeg(folder);
+    put(folder / "v.mp4", "before");
+    Running run(folder, large({"--frames", "9", "--out", folder / "a", "--video", folder / "v.mp4"}));
+    ASSERT_TRUE(eventually([&] { return ffmpeg.number() && fs::exists(folder / "a/frame_0001.png"); }));
+    run->send(SIGINT);
+    EXPECT_EQ(run->wait(60), 128 + SIGINT);
+    EXPECT_THAT(run->standard_error(), HasSubstr("no video, ffmpeg stood still"));
+    EXPECT_EQ(text_of(folder / "v.mp4"), "before");
+    EXPECT_EQ(kill(*ffmpeg.number(), 0), -1) << "it is left behind";
+    EXPECT_THAT(folder.names(""), Not(Contains(HasSubstr(".drape-"))));
+}
+
+TEST(CaptureSignals, EndARunAtOnceTheSecondTime) {
+    const TestFolder folder;
+    const StoppedFfmpeg ffmpeg(folder);
+    const Words words = large({"--frames", "9", "--out", folder / "a", "--again", "--video", folder / "v.mp4"});
+    {
+        Running run(folder, words);
+        ASSERT_TRUE(eventually([&] { return ffmpeg.number() && fs::exists(folder / "a/frame_0001.png"); }));
+        run->send(SIGINT);
+        run->send(SIGTERM);
+        EXPECT_THAT(run->wait(60), ::testing::AnyOf(256 + SIGTERM, 256 + SIGINT));
+    }
+    EXPECT_THAT(folder.names(""), Contains(HasSubstr(".drape-")));
+    put_ffmpeg(folder / "ffmpeg", "cat > /dev/null\n");
+    EXPECT_EQ(run_program("drape-capture", words, {"PATH=" + folder / "" + ":/bin:/usr/bin"}).exit_code, 0);
+    EXPECT_THAT(folder.names(""), Not(Contains(HasSubstr(".drape-")))) << "what it has left is still there";
+}
+
+TEST(CaptureSignals, AreNoneWhereAFileGrowsBeyondWhatIsAllowed) {
+    const TestFolder folder;
+    const std::string program = std::string(DRAPE_PROGRAMS) + "/drape-capture";
+    Process run({"sh", "-c", "ulimit -f 8; exec " + program + " hang --frames 3 --state state"}, {}, folder / "");
+    EXPECT_EQ(run.wait(60), 1);
+    EXPECT_THAT(run.standard_error(), HasSubstr("state: could not be written whole: File too large"));
+    EXPECT_FALSE(fs::exists(folder / "state"));
+}
+
+}  // namespace
+}  // namespace drape::test
