@@ -143,6 +143,8 @@ void Capture::end_frames(bool all) {
 
 void Capture::finish() {
     if (!session_.replay_notice().empty()) std::cerr << "drape-capture: " << session_.replay_notice() << "\n";
+    const std::string doubt = session_.simulation().run_warning();
+    if (!doubt.empty() && !diverged()) std::cerr << "warning: " << doubt << "\n";
     if (state_.wanted()) {
         write_state_header(state_.stream(), session_.simulation());
         write_state(state_.stream(), session_.simulation());

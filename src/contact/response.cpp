@@ -69,7 +69,7 @@ void separate(const ClothModel& model, const ResponseParameters& parameters, std
         for (Contact& contact : contacts) {
             refresh(contact);
             const Real radius = balls[static_cast<std::size_t>(contact.ball)].radius;
-            const Real distance = contact.depth - slop * radius;
+            const Real distance = push_of(contact, radius);
             const Real inverse_mass = distance > tolerance * radius ? inverse_mass_at(model, contact) : Real(0);
             if (inverse_mass == 0) continue;
             push(model, contact, distance / inverse_mass * contact.normal, x);
@@ -126,6 +126,8 @@ double slow_sliding(const ClothModel& model, const ResponseParameters& parameter
 }
 
 }  // namespace
+
+Real push_of(const Contact& contact, Real radius) { return contact.depth - slop * radius; }
 
 ResponseReport resolve_contacts(const ClothModel& model, const ResponseParameters& parameters,
                                 std::span<const Ball> balls, Real h, std::vector<Contact>& contacts,

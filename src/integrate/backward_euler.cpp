@@ -21,7 +21,7 @@ public:
         const krylov::Outcome solved = system_.solve(model, h, r_, dv_);
         state.v += dv_;
         state.x += h * state.v;
-        return {.force_evaluations = 1, .iterations = solved.iterations, .residual = solved.residual};
+        return system_.report(solved);
     }
 
 private:

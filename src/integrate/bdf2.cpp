@@ -54,7 +54,7 @@ public:
         state.v += dv_;
         left_.x = state.x;
         left_.v = state.v;
-        return {.force_evaluations = 1, .iterations = solved.iterations, .residual = solved.residual};
+        return system_.report(solved);
     }
 
 private:

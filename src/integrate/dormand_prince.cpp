@@ -37,7 +37,8 @@ Real fifth_root(Real a) {
 /// Runge-Kutta of order 5 with inner steps as short as an error estimate of order 4 asks for. The estimate is the
 /// largest error of an x and h times that of a v, with h the whole step, and may be `tolerance` times the cloth's
 /// spacing in each inner step. The first inner step tried is the whole one, so that nothing is remembered between
-/// steps; one shorter than `shortest` of it is taken whatever its error, so that a step ends.
+/// steps. One of `shortest` of it is taken whatever its error, and counted as unconverged. A step that is not through
+/// after `most_inner_steps` of them is given up.
 /// @cite dormand1980
 class DormandPrince final : public Integrator {
 public:
@@ -47,28 +48,36 @@ public:
     }
 
     SolveReport step(const ClothModel& model, ClothState& state, Real h) override {
-        constexpr Real shortest = Real(1e-4);
+        const Real shortest = Real(1e-4) * h;
         const Real allowed = tolerance_ * std::min(model.hx, model.hy);
         SolveReport report;
         find_slope(model, state.x, state.v, slopes_.front());
         report.force_evaluations = 1;
+        report.tolerance = tolerance_;
         Real inner = h, remaining = h;
-        while (remaining > 0) {
-            // The rest of the step in equal parts, so that the last one is no sliver
+        for (int tried = 0; remaining > 0; ++tried) {
+            if (tried == most_inner_steps) {
+                report.gave_up = true;
+                break;
+            }
+            // The rest of the step in equal parts, so that the last one is no sliver. Rounding may make them longer
+            // than was asked for: what asked for the shortest is no longer than it.
+            const bool is_shortest = inner <= shortest;
             const Real parts = std::ceil(remaining / inner);
             inner = remaining / parts;
             advance(model, state, inner);
             report.force_evaluations += stages - 1;
             const Real error = estimate(inner, h) / allowed;
-            if (error <= 1 || inner <= shortest * h) {
+            if (error <= 1 || is_shortest || inner <= shortest) {
                 state.x.swap(x_);
                 state.v.swap(v_);
                 std::swap(slopes_.front(), slopes_.back());
                 remaining = parts > 1 ? remaining - inner : 0;
                 ++report.iterations;
+                report += {.residual = error * tolerance_, .unconverged = error <= 1 ? 0 : 1};
                 if (!std::isfinite(error)) break;
             }
-            inner = std::max(inner * change_of_step(error), shortest * h);
+            inner = std::max(inner * change_of_step(error), shortest);
         }
         return report;
     }

@@ -22,7 +22,7 @@ public:
         const krylov::Outcome solved = system_.solve(model, h / 2, r_, dv_);
         state.x += h * (state.v + dv_ / 2);
         state.v += dv_;
-        return {.force_evaluations = 1, .iterations = solved.iterations, .residual = solved.residual};
+        return system_.report(solved);
     }
 
 private:

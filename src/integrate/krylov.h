@@ -9,18 +9,23 @@ namespace drape::krylov {
 /// How a linear solve ended.
 struct Outcome {
     int iterations = 0;
-    Real residual = 0;  ///< |b - A x| / |b|, measured at the end (that of the recursion drifts)
+    Real residual = 0;       ///< |b - A x| / |b|, measured at the end (that of the recursion drifts)
+    bool converged = false;  ///< at the end the residual, in the norm that the solver stops in, is within its tolerance
 };
 
-/// When to stop: at a residual this much smaller than the right side, or after so many iterations.
+/// When to stop: at a residual this much smaller than the right side, in the solver's own norm, or after so many
+/// iterations.
 struct Limits {
     Real tolerance;
     int iterations;
 };
 
+/// What is measured at the end may be this much more than the tolerance: the recursion that stops a solver drifts.
+constexpr Real drift = 2;
+
 inline Real dot(const Points& a, const Points& b) { return a.cwiseProduct(b).sum(); }
 
-/// |b - A x| / |b|, and 0 for b = 0.
+/// |b - A x| / |b|, and 0 for b = 0; scratch is A x afterwards.
 template <class Apply>
 Real residual_of(const Points& b, const Points& x, Apply apply, Points& scratch) {
     apply(x, scratch);
@@ -31,7 +36,8 @@ Real residual_of(const Points& b, const Points& x, Apply apply, Points& scratch)
 /// Solves A x = b, for a symmetric positive definite A, by preconditioned conjugate gradients.
 ///
 /// Eigen's own allocates its vectors in every solve and wants a matrix; this one keeps them, and calls apply(u, y) for
-/// y = A u and precondition(r, z) for z = M^-1 r. With the exact inverse for M it ends after one iteration.
+/// y = A u and precondition(r, z) for z = M^-1 r. With the exact inverse for M it ends after one iteration. It stops in
+/// the norm sqrt(r.M^-1 r), which it has at hand.
 /// Legend as in the source: r residual, p direction, q = A p, z = M^-1 r.
 /// @cite shewchuk1994
 class ConjugateGradients {
@@ -60,6 +66,9 @@ public:
             ++outcome.iterations;
         }
         outcome.residual = residual_of(b, x, apply, q_);
+        r_ = b - q_;
+        precondition(r_, z_);
+        outcome.converged = dot(r_, z_) <= drift * drift * enough;
         return outcome;
     }
 
@@ -68,7 +77,7 @@ private:
 };
 
 /// Solves A x = b for any A, by the preconditioned stabilised method of biconjugate gradients. Where it breaks down it
-/// stops at what it has, and the residual tells.
+/// stops at what it has, and the residual tells. It stops in the Euclidean norm.
 /// Legend as in the source: r residual, r0 its shadow, p and s directions, v = A M^-1 p, t = A M^-1 s.
 /// @cite vandervorst1992
 class BiCgStab {
@@ -104,6 +113,7 @@ public:
             p_ = r_ + beta * (p_ - omega * v_);
         }
         outcome.residual = residual_of(b, x, apply, v_);
+        outcome.converged = outcome.residual <= drift * limits.tolerance;
         return outcome;
     }
 

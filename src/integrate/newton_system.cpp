@@ -86,9 +86,8 @@ krylov::Outcome NewtonSystem::solve(const ClothModel& model, Real s, Points& r, 
         jacobian_.add_product(s * s, s, u, y);
         clear_pinned(y);
     };
-    const Real tolerance = bicgstab_ ? exact_tolerance : clamped_tolerance;
     const auto solve_with = [&](int iterations, auto precondition) {
-        const krylov::Limits limits{tolerance, iterations};
+        const krylov::Limits limits{tolerance(), iterations};
         if (bicgstab_) return bicgstab_->solve(r, dv, limits, apply, precondition);
         return conjugate_gradients_.solve(r, dv, limits, apply, precondition);
     };
@@ -97,13 +96,23 @@ krylov::Outcome NewtonSystem::solve(const ClothModel& model, Real s, Points& r, 
         invert_diagonal(model, s);
         outcome = solve_with(factor_ ? patience(model.grid.particles()) : most_iterations,
                              [&](const Points& from, Points& to) { apply_inverse_diagonal(from, to); });
-        if (!factor_ || outcome.residual <= 2 * tolerance) return outcome;
+        if (!factor_ || outcome.converged) return outcome;
     }
     factor_->factorise(model, jacobian_, s * s, s);
     const int wasted = outcome.iterations;
     outcome = solve_with(refinements, [&](const Points& from, Points& to) { factor_->solve(from, to); });
     outcome.iterations += wasted;
     return outcome;
+}
+
+Real NewtonSystem::tolerance() const { return bicgstab_ ? exact_tolerance : clamped_tolerance; }
+
+SolveReport NewtonSystem::report(const krylov::Outcome& solved) const {
+    return {.force_evaluations = 1,
+            .iterations = solved.iterations,
+            .residual = solved.residual,
+            .tolerance = tolerance(),
+            .unconverged = solved.converged ? 0 : 1};
 }
 
 }  // namespace drape

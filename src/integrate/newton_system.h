@@ -3,6 +3,7 @@
 #include <memory>
 #include <vector>
 
+#include "drape/integrate/integrator.h"
 #include "drape/model/jacobian.h"
 #include "grid_factor.h"
 #include "krylov.h"
@@ -18,8 +19,8 @@ namespace drape {
 /// to four iterations and is a direct solve of the clamped system, or by the inverses of the 3 x 3 diagonal blocks,
 /// which cost next to nothing. Small grids are factored, for accuracy; on larger ones the blocks are far quicker
 /// (`implicit_solve` in tests/bench). There the exact system falls back on factors where the blocks do not converge,
-/// on grids up to `GridFactor::largest`; on still larger ones the residual tells. Sums run in a fixed order, and
-/// nothing is kept from one step to the next.
+/// on grids up to `GridFactor::largest`; on still larger ones the outcome tells. Sums run in a fixed order, and
+/// nothing is kept from one step to the next. Norms and tolerances are those that `SolveReport` describes.
 class NewtonSystem {
 public:
     enum class Solver { Automatic, Factors, Blocks };
@@ -38,7 +39,11 @@ public:
     /// @param dv n x 3 [m/s], overwritten
     krylov::Outcome solve(const ClothModel& model, Real s, Points& r, Points& dv);
 
+    /// The report of a step of one force evaluation and this solve.
+    [[nodiscard]] SolveReport report(const krylov::Outcome& solved) const;
+
 private:
+    [[nodiscard]] Real tolerance() const;
     void clear_pinned(Points& points) const;
     void invert_diagonal(const ClothModel& model, Real s);
     void apply_inverse_diagonal(const Points& r, Points& z) const;

@@ -37,17 +37,22 @@ public:
         inertial_.advance(model, state, h);
         guess_ = state.x;
         const Real stiffness = inertia(model, h) / (h * h);
+        Real first_gradient = 0, last_gradient = 0;
         for (int iteration = 0; iteration < iterations_; ++iteration) {
             compute_forces(elastic_, state.x, state.v, r_);
             r_ += stiffness * (guess_ - state.x);
             for (int axis = 0; axis < 3; ++axis) {
                 r_.col(axis) = (model.inverse_mass > 0).select(r_.col(axis).array(), Real(0));
             }
+            if (iteration == 0) first_gradient = r_.norm();
+            if (iteration == iterations_ - 1) last_gradient = r_.norm();
             global_.solve(r_);
             state.x += r_;
         }
         take_velocity_from_way(model, start_, h, state);
-        return {.force_evaluations = 1 + iterations_, .iterations = iterations_};
+        return {.force_evaluations = 1 + iterations_,
+                .iterations = iterations_,
+                .residual = first_gradient > 0 ? last_gradient / first_gradient : Real(0)};
     }
 
 private:

@@ -92,6 +92,8 @@ int simulate(Options& options) {
               << " s\n";
     if (!session.replay_notice().empty()) std::cerr << session.replay_notice() << "\n";
     if (options.hash) std::cout << hash_text(session.simulation().hash()) << "\n";
+    const std::string doubt = session.simulation().run_warning();
+    if (!doubt.empty() && report.status == Status::Ok) std::cerr << "warning: " << doubt << "\n";
     if (const int signal = signals.arrived()) return 128 + signal;
     if (report.status == Status::Ok) return session.replay_differs() ? Failed : Done;
     std::cerr << "drape-lab: " << report.trouble << "\n" << tell_failure(session.simulation(), "") << "\n";

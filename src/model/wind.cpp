@@ -5,8 +5,10 @@
 #include <limits>
 
 #include "drape/base/vectorise.h"
+#include "drape/model/energy.h"
 
-namespace drape::kernels {
+namespace drape {
+namespace kernels {
 namespace {
 
 /// Drag coefficient of a square plate across the flow (Hoerner, Fluid-Dynamic Drag, 1965, chapter 3).
@@ -70,4 +72,15 @@ DRAPE_VECTORISE void wind_forces(const ClothModel& model, const Real* const x[3]
     }
 }
 
-}  // namespace drape::kernels
+}  // namespace kernels
+
+double most_wind_power(const ClothModel& model) {
+    constexpr double stretched = 2;
+    const auto speed = static_cast<double>(model.air.velocity.norm());
+    const Grid& grid = model.grid;
+    const auto area = static_cast<double>(model.hx * model.hy) * (grid.nx - 1) * (grid.ny - 1);
+    const auto pressure = static_cast<double>(kernels::plate_coefficient * model.air.density) / 2;  // over W^2
+    return stretched * pressure * area * speed * speed * speed * 4 / 27;
+}
+
+}  // namespace drape

@@ -74,6 +74,8 @@ Row state_row(const FrameView& view) {
     const StepReport& report = *view.report;
     if (report.status == Status::Diverged) return {"state", "diverged", -1, 4, ink::bad};
     if (view.paused) return {"state", report.asleep ? "paused, asleep" : "paused", -1, 4, ink::wait};
+    if (report.heated_step > 0) return {"state", "running, heated", -1, 4, ink::bad};
+    if (in_doubt(report)) return {"state", "running, unsolved", -1, 4, ink::bad};
     if (report.asleep) return {"state", "asleep", -1, 4, ink::quiet};
     return {"state", view.held ? "running, in hand" : "running", -1, 4, ink::good};
 }
@@ -122,6 +124,7 @@ void add_report_rows(const FrameView& view, std::vector<Row>& rows) {
     const ReportField* before = nullptr;
     for (const ReportField& field : report_fields()) {
         if (field.label.empty() || (field.group == ReportGroup::Limit && !limited)) continue;
+        if (field.group == ReportGroup::Doubt && !in_doubt(*view.report)) continue;
         if (field.group == ReportGroup::Balance && !view.settings->solver.ledger) continue;
         const bool opens = before == nullptr || before->group != field.group;
         const std::size_t first = rows.size();

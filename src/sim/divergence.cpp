@@ -54,15 +54,16 @@ std::string spring_name(const ClothModel& model, const Points& x, Eigen::Index p
 
 }  // namespace
 
-std::string divergence(const Cloth& cloth, std::span<const Ball> balls, const Settings& settings) {
+std::string divergence(const Cloth& cloth, const MotionSums& sums, std::span<const Ball> balls,
+                       const Settings& settings) {
     const Points &x = cloth.state.x, &v = cloth.state.v;
     const auto n = static_cast<Real>(v.rows());
 
     // RMS speed against the mean motion: a long free fall is fast, but together
-    const Vec3 mean = v.colwise().sum().transpose() / n;
-    const Real square = v.squaredNorm() / n - mean.squaredNorm();
+    const Vec3 mean = sums.velocities / n;
+    const Real square = sums.squared_speeds / n - mean.squaredNorm();
     const Real limit = margin * honest_speed(cloth, balls, settings);
-    if (square <= limit * limit && std::isfinite(x.sum())) return {};
+    if (square <= limit * limit && sums.positions.allFinite()) return {};
 
     // Name the first particle that is not finite, else the fastest
     Eigen::Index fastest = 0;

@@ -81,6 +81,7 @@ std::filesystem::path write_failure(const Simulation& simulation, const std::fil
 
 std::string tell_failure(const Simulation& simulation, const std::filesystem::path& folder) {
     const std::string warning = simulation.step_warning(), cause = warning.empty() ? "" : warning + "; ";
+    if (simulation.report().heated_step > 0) return cause + "no step of it alone shows this";
     try {
         return cause + write_failure(simulation, folder).string() + " starts from the last good state";
     } catch (const std::exception& error) {

@@ -171,15 +171,18 @@ void add_the_rest(std::vector<Setting>& table) {
     solver.choice("hessian", &SolverSettings::hessian, hessian_names(),
                   "of the implicit methods: without or with the negative stiffness across a compressed spring");
     solver.integer("iterations", &SolverSettings::iterations, {1, 1000}, "of xpbd and projective_dynamics in one step");
-    solver.number("tolerance", &SolverSettings::tolerance, "", {1e-14, 0.1},
-                  "of dormand_prince: error of a step, of the cloth's spacing");
+    solver.number(
+        "tolerance", &SolverSettings::tolerance, "", {1e-14, 0.1},
+        "of dormand_prince: error of an inner step, of the cloth's spacing; at most 10000 are tried in a step");
     solver.integer("threads", &SolverSettings::threads, {1, 64},
                    "that share a step of the explicit methods; the motion is the same");
     solver.number("dt", &SolverSettings::dt, "s", {1e-9, 0.1}, "length of one step");
-    solver.choice("on_unstable", &SolverSettings::on_unstable, unstable_names,
-                  "substep: make a step beyond 0.9 of its limit, as predicted every 0.25 s and after a change, in "
-                  "parts; when a step has lost the cloth, warn: the window "
-                  "freezes it, stop: it ends, as other programs always do");
+    solver.choice(
+        "on_unstable", &SolverSettings::on_unstable, unstable_names,
+        "substep: make a step beyond 0.9 of its limit, as predicted every 0.25 s and after a change, in "
+        "parts; when a step has lost the cloth, warn: the window "
+        "freezes it, stop: it ends, as other programs always do; when a step was not solved to its tolerance or "
+        "the method has made energy, stop: every program ends, warn and substep: the run is marked");
     solver.number("sleep_speed", &SolverSettings::sleep_speed, "m/s", {0, 1},
                   "a scene that is slower for half a second falls asleep; 0: never");
 

@@ -127,6 +127,7 @@ void Simulation::restart() {
         cloth.integrator = make_integrator(integrator_of(settings_.solver), parameters.particles);
         cloth.separation = Separation(parameters.particles);
         if (settings_.solver.ledger) cloth.ledger.emplace(cloth.model, cloth.state);
+        cloth.energy_watch.restart(cloth.model, cloth.state);
         use_broad_phase(cloth);
         cloth.contacts.reserve(static_cast<std::size_t>(parameters.particles.triangles()));
     }
@@ -173,6 +174,7 @@ void Simulation::configure(Settings settings) {
             cloth.model = make_cloth_model(settings_.cloths[c]);
             cloth.model.revision = revision + 1;
             if (hand_ && hand_->cloth == static_cast<int>(c)) cloth.model.hold(hand_->particle, true);
+            cloth.energy_watch.restart(cloth.model, cloth.state);
         }
         if (steps_otherwise(before.solver, settings_.solver)) {
             cloth.integrator = make_integrator(integrator_of(settings_.solver), cloth.model.grid);
@@ -283,8 +285,23 @@ void Simulation::move_hand(Real h) {
     Vec3 velocity = (target - here) / std::max(hand_lag, h);
     const Real speed = velocity.norm();
     if (speed > hand_speed) velocity *= hand_speed / speed;
+    const Real gained = velocity.squaredNorm() - cloth.state.v.row(hand_->particle).squaredNorm();
+    cloth.energy_watch.give(static_cast<double>(cloth.model.particle_mass / 2 * std::max(gained, Real(0))));
     cloth.state.v.row(hand_->particle) = velocity.transpose();
     cloth.touched = true;
+}
+
+double Simulation::present_hand_power() const {
+    if (!hand_) return 0;
+    const Cloth& cloth = cloths_[static_cast<std::size_t>(hand_->cloth)];
+    return hand_power(cloth.model, cloth.state, hand_->particle);
+}
+
+/// The larger of both ends of the substep stands for all of it: a spring that is drawn out pulls ever more.
+void Simulation::count_hand_work(double power_before, Real h) {
+    if (!hand_) return;
+    const double power = std::max({power_before, present_hand_power(), 0.0});
+    cloths_[static_cast<std::size_t>(hand_->cloth)].energy_watch.give(power * static_cast<double>(h));
 }
 
 }  // namespace drape

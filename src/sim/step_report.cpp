@@ -8,15 +8,22 @@ namespace {
 constexpr double micro = 1e6;  // seconds are shown as microseconds
 
 double total_time(const StepReport& r) { return micro * r.times.total(); }
+double steps(const StepReport& r) { return static_cast<double>(r.step); }
 double nodes(const StepReport& r) { return static_cast<double>(r.traversal.nodes); }
 double candidates(const StepReport& r) { return static_cast<double>(r.traversal.candidates); }
 double stopped(const StepReport& r) { return static_cast<double>(r.traversal.stopped); }
 
-const std::array<ReportField, 39> fields{{
-    {"step", "", [](const StepReport& r) { return static_cast<double>(r.step); }, "step", ReportGroup::Time, 3},
+const std::array<ReportField, 44> fields{{
+    {"step", "", steps, "step", ReportGroup::Time, 3},
     {"time", "s", [](const StepReport& r) { return r.time; }, "time", ReportGroup::Time, 3},
     {"substeps", "", [](const StepReport& r) { return static_cast<double>(r.substeps); }},
     {"step_over_limit", "1", [](const StepReport& r) { return r.step_over_limit; }},
+    {"unconverged", "", [](const StepReport& r) { return static_cast<double>(r.unconverged); }, "unsolved",
+     ReportGroup::Doubt, 4, steps},
+    {"residual", "1", [](const StepReport& r) { return static_cast<double>(r.solve.residual); }},
+    {"worst_residual", "1", [](const StepReport& r) { return r.worst_residual; }, "residual", ReportGroup::Doubt, 4},
+    {"energy_excess", "J", [](const StepReport& r) { return r.energy_excess; }, "made energy", ReportGroup::Doubt, 4},
+    {"heated_step", "", [](const StepReport& r) { return static_cast<double>(r.heated_step); }},
     {"step_time", "us", [](const StepReport& r) { return micro * r.times.step; }, "integrate", ReportGroup::Stages, 1,
      total_time},
     {"build_time", "us", [](const StepReport& r) { return micro * r.times.build; }, "build", ReportGroup::Stages, 1,

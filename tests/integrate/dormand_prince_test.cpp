@@ -74,6 +74,37 @@ TEST(DormandPrince, EndsWhateverHappens) {
     EXPECT_LE(integrator->step(sheet.model, state, 0.01).iterations, 10001);
 }
 
+TEST(DormandPrince, ReportsItsLargestErrorAndWhereItIsAboveTheTolerance) {
+    const Sheet sheet;
+    const auto report_of = [&](Real tolerance, ClothState state) {
+        return make_integrator(with_tolerance(tolerance), sheet.model.grid)->step(sheet.model, state, 0.01);
+    };
+    const SolveReport good = report_of(1e-6, sheet.start);
+    EXPECT_EQ(good.unconverged, 0);
+    EXPECT_FALSE(good.gave_up);
+    EXPECT_GT(good.residual, 0);
+    EXPECT_LE(good.residual, 1e-6);
+    EXPECT_EQ(good.tolerance, Real(1e-6));
+    const SolveReport bad = report_of(1e-30, sheet.start);
+    EXPECT_EQ(bad.unconverged, bad.iterations);
+    EXPECT_GT(bad.residual, 1e-30);
+    ClothState fast = sheet.start;
+    fast.v(7, 1) = std::numeric_limits<Real>::max();
+    EXPECT_EQ(report_of(1e-6, fast).unconverged, 1);
+}
+
+/// However rounding divides a step: one of the shortest parts is taken, not tried again for ever.
+TEST(DormandPrince, TakesItsShortestStepsWhateverTheStep) {
+    Sheet sheet;
+    const auto integrator = make_integrator(with_tolerance(1e-30), sheet.model.grid);
+    for (int k = 0; k < 12; ++k) {
+        ClothState state = sheet.start;
+        const SolveReport report = integrator->step(sheet.model, state, Real(1e-4) + Real(1e-6) * std::sqrt(Real(k)));
+        EXPECT_GT(report.iterations, most_inner_steps - 10) << k;
+        EXPECT_LE((report.force_evaluations - 1) / 6, most_inner_steps) << k;
+    }
+}
+
 TEST(DormandPrince, AllocatesNothingInAStep) {
     const Sheet sheet;
     const auto integrator = make_integrator(with_tolerance(1e-6), sheet.model.grid);

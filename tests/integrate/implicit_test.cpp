@@ -126,6 +126,8 @@ TEST(ImplicitMethods, SolveTheirSystem) {
                 }
                 const Real residual = (left - right).norm() / right.norm();
                 EXPECT_LT(residual, 1e-5) << grid.nx << ", " << h;
+                EXPECT_EQ(report.unconverged, 0) << grid.nx << ", " << h;
+                EXPECT_GT(report.tolerance, 0);
                 EXPECT_NEAR(report.residual, residual, 1e-3 * residual + 1e-12) << grid.nx << ", " << h;
                 EXPECT_GE(report.iterations, 1);
             }

@@ -248,6 +248,31 @@ TEST(LabSimulate, FailsAndSaysWhatLostTheCloth) {
     EXPECT_EQ(lines_of(folder.read("state.csv")).size(), 1u + 900u) << "no rows for times that were never reached";
 }
 
+TEST(LabSimulate, MarksARunThatItsMethodHasHeatedOrEndsIt) {
+    const LabFolder folder;
+    const std::vector<std::string> words{
+        "simulate",        "two_corners",           "--time",  "1",
+        "--set",           "cloth.particles=16,16", "dt=0.05", "integrator=implicit_midpoint",
+        "on_unstable=warn"};
+    const LabRun marked = folder.run(words);
+    EXPECT_EQ(marked.code, 0);
+    EXPECT_THAT(marked.err, HasSubstr("warning: implicit_midpoint has made"));
+    std::vector<std::string> stopping = words;
+    stopping.back() = "on_unstable=stop";
+    const LabRun stopped = folder.run(stopping);
+    EXPECT_EQ(stopped.code, 1);
+    EXPECT_THAT(stopped.err, HasSubstr("drape-lab: implicit_midpoint has made"));
+    EXPECT_FALSE(folder.has("unstable.toml")) << "no one step shows it";
+}
+
+TEST(LabSimulate, EndsWhereDormandPrinceDoesNotComeThrough) {
+    const LabFolder folder;
+    const LabRun run = folder.run({"simulate", "two_corners", "--time", "0.2", "--set", "integrator=dormand_prince",
+                                   "structural.stiffness=4e6", "solver.dt=0.1"});
+    EXPECT_EQ(run.code, 1);
+    EXPECT_THAT(run.err, AllOf(HasSubstr("dormand_prince"), HasSubstr("10000 inner steps"), HasSubstr("1e-06")));
+}
+
 TEST(LabSimulate, PlaysARecordingAndSaysIfItDiffers) {
     const LabFolder folder;
     const std::string head = "drape-recording 1\nscene drop\nset cloth.mass=0.3\n";

@@ -35,16 +35,39 @@ struct IntegratorParameters {
     bool operator==(const IntegratorParameters&) const = default;
 };
 
+/// The most inner steps that Dormand-Prince tries in one step, taken and rejected: then it gives up.
+constexpr int most_inner_steps = 10'000;
+
 /// What an integrator tells about one step.
+///
+/// The residual is what a method should have made small, as it measures it at the end:
+/// - backward Euler, implicit midpoint, BDF2: |b - A x| / |b|, in the Euclidean norm over all free particles, of the
+///   one linear system A x = b of a step. (What the one Newton step leaves of the nonlinear equations is not measured.)
+///   The tolerance is 1e-6 with the clamped Hessian and 1e-8 with the exact one; 1e-4 for both in single precision.
+///   Exact, the solver stops in that same norm. Clamped, it stops in the norm of its preconditioner M, sqrt(r.M^-1 r)
+///   against that of b, which weighs soft directions more: there the Euclidean residual of a solve that has converged
+///   can be above the tolerance.
+/// - Dormand-Prince: the largest error estimate of an inner step that was taken, of the cloth's spacing; the tolerance
+///   is `IntegratorParameters::tolerance`.
+/// - Projective dynamics makes a fixed number of rounds, and so has no tolerance: the norm of the gradient that the
+///   last round began with, over that of the first.
+/// - XPBD makes a fixed number of passes and would need another one to know what they have left: 0, as for the explicit
+///   methods, which solve nothing.
 struct SolveReport {
     int force_evaluations = 0;
-    int iterations = 0;  ///< of conjugate gradients, XPBD, projective dynamics, or inner steps of Dormand-Prince
-    Real residual = 0;   ///< of an implicit method's linear system, relative to its right side
+    int iterations = 0;    ///< of conjugate gradients, XPBD, projective dynamics, or inner steps of Dormand-Prince
+    Real residual = 0;     ///< the largest
+    Real tolerance = 0;    ///< to which it should have come; 0: there is none
+    int unconverged = 0;   ///< solves that did not come to within twice their tolerance, or inner steps taken above it
+    bool gave_up = false;  ///< the step has not been made; the state is somewhere on the way
 
     SolveReport& operator+=(const SolveReport& other) {
         force_evaluations += other.force_evaluations;
         iterations += other.iterations;
-        residual = std::max(residual, other.residual);
+        if (!(other.residual <= residual)) residual = other.residual;  // one that is no number stays in sight
+        tolerance = std::max(tolerance, other.tolerance);
+        unconverged += other.unconverged;
+        gave_up = gave_up || other.gave_up;
         return *this;
     }
 };

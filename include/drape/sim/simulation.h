@@ -15,6 +15,7 @@
 #include "drape/model/ball.h"
 #include "drape/model/cloth_model.h"
 #include "drape/sim/command.h"
+#include "drape/sim/energy_watch.h"
 #include "drape/sim/rest_watch.h"
 #include "drape/sim/settings.h"
 #include "drape/sim/start_state.h"
@@ -36,6 +37,7 @@ struct Cloth {
     std::vector<Contact> contacts;     ///< of the last step that was awake
     std::optional<SearchAudit> audit;  ///< while the search is limited
     RestWatch rest;
+    EnergyWatch energy_watch;
     std::optional<EnergyLedger> ledger;  ///< while it is kept
     bool touched = true;                 ///< state or model may have been changed since the last step
 };
@@ -83,6 +85,10 @@ public:
     /// What the user should know before the next step: that it is longer than the method can bear. Empty if nothing.
     [[nodiscard]] std::string step_warning() const;
 
+    /// Why the run so far is not to be trusted, one line: steps that were not solved, energy that its method has made.
+    /// Empty if nothing.
+    [[nodiscard]] std::string run_warning() const;
+
     /// FNV-1a over the bits of every position and velocity of cloths and balls.
     [[nodiscard]] std::uint64_t hash() const;
 
@@ -105,6 +111,8 @@ private:
     void grab(const command::Grab& command);
     void release();
     void move_hand(Real h);
+    void count_hand_work(double power_before, Real h);
+    [[nodiscard]] double present_hand_power() const;
     void substep(double time, Real h);
     void move_balls(double time, Real h);
     [[nodiscard]] bool ball_has_moved() const;
@@ -115,7 +123,11 @@ private:
     void find_contacts(Cloth& cloth, Real h);
     [[nodiscard]] bool nothing_touches(const Cloth& cloth) const;
     void collide(Cloth& cloth, Real h);
-    void detect_divergence();
+    void respond(Cloth& cloth, Real h);
+    void check_cloths(Real h);
+    [[nodiscard]] std::string solve_trouble() const;
+    [[nodiscard]] std::string heat_trouble() const;
+    void end_with(std::string trouble);
     void watch_rest();
     void wake();
 

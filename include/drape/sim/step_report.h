@@ -12,7 +12,8 @@
 
 namespace drape {
 
-/// Whether the run can go on.
+/// Whether the run can go on. Diverged: no; the last step has lost the cloth, or could not be made, or a check that
+/// `on_unstable = stop` asks for has ended the run.
 enum class Status { Ok, Diverged };
 
 /// Wall time of each stage of one step [s].
@@ -38,6 +39,10 @@ struct StepReport {
     std::int64_t false_contacts = 0;    ///< of nodes at which the search has ended and in which no triangle touches
     double missed_penetration = 0;      ///< largest depth of any triangle after the response to a limited search [m]
     bool asleep = false;                ///< counts and contacts are those of the last step that was awake
+    std::int64_t unconverged = 0;       ///< steps since the start with a solve that kept more than its tolerance
+    double worst_residual = 0;          ///< since the start, as `SolveReport::residual`
+    double energy_excess = 0;           ///< largest of any cloth since the start, see `EnergyWatch` [J]
+    std::int64_t heated_step = 0;       ///< the first that has found a cloth heated by its method; 0: none has
     double rms_speed = 0;               ///< of the particles [m/s]
     Energy energy;          ///< this, balance and stretch are filled by `Simulation::view`, not by every step
     EnergyBalance balance;  ///< since the start, over all cloths; zero while no ledger is kept
@@ -47,8 +52,11 @@ struct StepReport {
 };
 
 /// What figures are about; the panel sets them apart by it, and shows those of `Limit` only while the search is
-/// limited, those of `Balance` only while a ledger is kept.
-enum class ReportGroup { Time, Stages, Hierarchy, Limit, Energy, Balance };
+/// limited, those of `Balance` only while a ledger is kept, those of `Doubt` only once there is one.
+enum class ReportGroup { Time, Doubt, Stages, Hierarchy, Limit, Energy, Balance };
+
+/// Whether a run that goes on is not to be trusted: steps were not solved, or the method has heated a cloth.
+inline bool in_doubt(const StepReport& report) { return report.unconverged > 0 || report.heated_step > 0; }
 
 /// One field of a report, for CSV, panel and tests.
 struct ReportField {

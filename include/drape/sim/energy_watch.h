@@ -1,0 +1,78 @@
+#pragma once
+
+#include "drape/model/cloth_model.h"
+
+namespace drape {
+
+/// The sums over a cloth's particles that are wanted after every substep.
+struct MotionSums {
+    Vec3 positions = Vec3::Zero();   ///< [m]
+    Vec3 velocities = Vec3::Zero();  ///< [m/s]
+    Real squared_speeds = 0;         ///< [m^2/s^2]
+};
+
+/// @par Cost O(n), allocates nothing
+MotionSums sum_motion(const ClothState& state);
+
+/// Sees to it that a cloth's mechanical energy comes from somewhere.
+///
+/// Kinetic energy, that of gravity and that of the springs together rise between two moments by no more than hand,
+/// balls and wind have put in between them: gravity only turns one into another, and damping, drag and friction only
+/// take. What the energy has risen by beyond that, since the moment for which it is the most, is the excess. It is the
+/// method's own work, however much damping has taken before or takes meanwhile. A method that is well is allowed
+/// - a twentieth of what lifting the cloth by its width and height takes, and
+/// - a tenth of the energy in motion and springs, at the most since that moment: that of a symplectic method swings
+///   about a mean that stays.
+/// An excess above both heats the cloth: what it shows has been made by the method. Energy that a method takes is never
+/// wrong here, for that is how implicit ones are stable.
+///
+/// The sums of every substep give the energy but for the springs'; those are summed, at the cost of a force evaluation,
+/// every 0.1 s, and at once when the rest alone is too much already. So a few particles that fly apart show in the
+/// substep in which their energy does, however many others there are.
+class EnergyWatch {
+public:
+    EnergyWatch() = default;
+    EnergyWatch(const ClothModel& model, const ClothState& state) { restart(model, state); }
+
+    /// Starts from the energy as it is: state or model have been changed from outside.
+    void restart(const ClothModel& model, const ClothState& state);
+
+    /// Counts what has been put in.
+    /// @param work at least what it was, and not less than zero [J]
+    void give(double work) { base_ += work; }
+
+    /// @param sums of `state`
+    /// @param h substep that was made [s]
+    /// @param least_pause substeps from one sum over the springs to the next, at least
+    void look(const ClothModel& model, const ClothState& state, const MotionSums& sums, Real h, int least_pause);
+
+    /// What the energy has risen by that nothing put in, at the last sum over the springs [J].
+    [[nodiscard]] double excess() const { return excess_; }
+
+    /// Whether that is more than a method that is well would make.
+    [[nodiscard]] bool heated() const;
+
+    /// Work so small that a bound of it will do where measuring takes two sums over the springs [J].
+    [[nodiscard]] double small_work() const;
+
+private:
+    void measure(const ClothModel& model, const ClothState& state);
+
+    double lift_ = 0;    ///< work that lifts the cloth by its size [J]
+    double base_ = 0;    ///< energy at the moment that the excess counts from, and all that was given since [J]
+    double peak_ = 0;    ///< most of motion and springs since that moment [J]
+    double excess_ = 0;  ///< [J]
+    double waited_ = 0;  ///< since the springs were last summed [s]
+    int substeps_ = 0;   ///< since then
+};
+
+/// The most energy a second that the hand, which moves a held particle as its velocity says, puts in at a moment [W]:
+/// the work against the forces of springs, air and gravity on that particle; less than zero where they pull it along.
+double hand_power(const ClothModel& model, const ClothState& state, int particle);
+
+/// The most energy that pushing contacts out puts into springs at rest [J]: each moves three particles by no more than
+/// its push, and the springs of a particle answer with four of each kind, at both ends.
+/// @param squared_push sum over the contacts [m^2]
+double most_push_work(const ClothModel& model, Real squared_push);
+
+}  // namespace drape
