@@ -21,6 +21,7 @@ struct NumberColumn {
     double HierarchyRow::*number;
     In in = In::All;
     bool whole = false;
+    double least = 0;
 };
 
 using Row = HierarchyRow;
@@ -30,7 +31,7 @@ constexpr std::array texts{TextColumn{"part", &Row::part}, TextColumn{"scene", &
                            TextColumn{"update", &Row::update}};
 
 constexpr std::array numbers{
-    NumberColumn{"particles", &Row::particles, In::All, true},
+    NumberColumn{"particles", &Row::particles, In::All, true, 4},
     NumberColumn{"leaf_cells", &Row::leaf_cells, In::All, true},
     NumberColumn{"level", &Row::level, In::Level, true},
     NumberColumn{"tests", &Row::tests, In::None, true},
@@ -88,7 +89,7 @@ std::vector<std::string> parts_without(In in) {
 }
 
 Column column_of(const NumberColumn& column) {
-    const Column filled = column.whole ? whole_column(column.name) : number_column(column.name);
+    const Column filled = column.whole ? whole_column(column.name, column.least) : number_column(column.name);
     return column.in == In::All ? filled : filled.or_nan().where("part", parts_without(column.in));
 }
 

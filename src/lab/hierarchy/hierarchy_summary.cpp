@@ -90,7 +90,9 @@ std::vector<Growth> growths(const std::vector<HierarchyRow>& rows) {
     }
     std::vector<Growth> all;
     for (const auto& [key, sizes] : hierarchies) {
-        const auto same = [&](const HierarchyRow* row) { return row->particles == sizes.front()->particles; };
+        const auto same = [&](const HierarchyRow* row) {
+            return std::log(row->particles) == std::log(sizes.front()->particles);
+        };
         if (std::ranges::all_of(sizes, same)) continue;
         std::vector<std::pair<double, double>> build, search;
         for (const HierarchyRow* row : sizes) {
