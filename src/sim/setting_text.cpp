@@ -180,9 +180,9 @@ const Setting& find_setting(std::string_view name) {
         endings.push_back(full);
     }
     if (endings.size() == 1) return *found;
-    const std::string quoted = "'" + shortened(name) + "'";
-    if (endings.size() > 1) throw InputError("setting " + quoted + " is ambiguous: say " + listed(endings));
-    throw InputError("unknown setting " + quoted + ": did you mean '" + nearest_name(name, names) + "'?");
+    const std::string shown = shortened(name);
+    if (endings.size() > 1) throw InputError("setting '" + shown + "' is ambiguous: say " + listed(endings));
+    throw InputError("unknown setting '" + shown + "': did you mean '" + nearest_name(name, names) + "'?");
 }
 
 std::string settings_help() {
