@@ -85,7 +85,8 @@ TEST(Convergence, IsReachedByShippedMethodsAtLargeSteps) {
 }
 
 TEST(Convergence, IsGivenUpAfterAStatedNumberOfInnerSteps) {
-    Simulation simulation = small_simulation({"integrator=dormand_prince", "structural.stiffness=1e9", "dt=0.1"});
+    Simulation simulation =
+        shipped("two_corners", {"integrator=dormand_prince", "structural.stiffness=4e6", "solver.dt=0.1"});
     const std::uint64_t hash = simulation.hash();
     simulation.step();
     EXPECT_EQ(simulation.report().status, Status::Diverged);
@@ -137,7 +138,7 @@ TEST(Heat, IsSeenInEverySceneThatFails) {
     }
 }
 
-/// A disturbance of one particle grows at 2 % above the limit until its neighbourhood flies apart.
+/// A disturbance of one particle grows at 5 % above the limit until its neighbourhood flies apart.
 TEST(Heat, OfAFewParticlesOfManyIsSeenLongBeforeTheClothIsLost) {
     Settings settings = load_scene("two_corners");
     for (const char* text : {"cloth.particles=200,200", "integrator=symplectic_euler", "ledger=false",
@@ -199,10 +200,11 @@ TEST(Heat, IsNotWhatAStateStartsWith) {
 }
 
 TEST(Heat, DoesNotIncludeWhatAMethodTakes) {
-    Simulation simulation = shipped("two_corners", {"integrator=backward_euler", "solver.dt=0.016667"});
+    Simulation simulation =
+        shipped("two_corners", {"integrator=backward_euler", "solver.dt=0.016667", "ball.position=0,-9,0"});
     const double before = simulation.view().report->energy.total();
     run_for(simulation, 3);
-    EXPECT_LT(simulation.view().report->energy.total(), before - 0.1) << "J";
+    EXPECT_LT(simulation.view().report->energy.total(), before - 0.05) << "J";
     EXPECT_EQ(simulation.report().energy_excess, 0);
 }
 
