@@ -4,45 +4,16 @@
 #include <GL/freeglut_ucall.h>
 
 #include <algorithm>
-#include <optional>
-
-#include "drape/sim/setting_table.h"
 
 namespace drape {
 
 namespace {
 
-// Whether what an entry switches or chooses is on; nothing for entries that do neither.
-std::optional<bool> is_on(const Command& command, const Simulation& simulation) {
-    if (std::holds_alternative<command::Pause>(command)) return simulation.paused();
-    if (const auto* load = std::get_if<command::LoadScene>(&command)) return simulation.scene() == load->name;
-    if (const auto* next = std::get_if<command::Next>(&command)) {
-        const SettingValue value = find_setting(next->setting).read(simulation.settings(), 0);
-        if (const bool* flag = std::get_if<bool>(&value)) return *flag;
-    }
-    if (const auto* set = std::get_if<command::Set>(&command)) {
-        const std::size_t equals = set->assignment.find('=');
-        const Setting& setting = find_setting(std::string_view(set->assignment).substr(0, equals));
-        return value_text(setting.read(simulation.settings(), 0)) == set->assignment.substr(equals + 1);
-    }
-    return std::nullopt;
-}
-
-std::string mark(const Command& command, bool on) {
-    if (std::holds_alternative<command::Pause>(command)) return on ? "  - paused" : "";
-    if (std::holds_alternative<command::Next>(command)) return on ? "  - on" : "  - off";
-    return on ? "  - now" : "";
+std::string with_keys(const Entry& entry) {
+    return entry.keys.empty() ? entry.text : entry.text + "  (" + key_text(entry) + ")";
 }
 
 }  // namespace
-
-std::string menu_text(const Entry& entry, const Simulation& simulation) {
-    std::string text = entry.text;
-    if (!entry.keys.empty()) text += "  (" + key_text(entry) + ")";
-    const Command command = parse_command(entry.command);
-    if (const std::optional<bool> on = is_on(command, simulation)) text += mark(command, *on);
-    return text;
-}
 
 Menu::Menu(const std::vector<Entry>& entries, void (*choose)(int entry, void* user), void* user) {
     struct Submenu {
@@ -63,7 +34,7 @@ Menu::Menu(const std::vector<Entry>& entries, void (*choose)(int entry, void* us
         }
         glutSetMenu(menu->number);
         glutAddMenuEntry(entry.text.c_str(), static_cast<int>(e));
-        items_.push_back({&entry, menu->number, ++menu->length, entry.text});
+        items_.push_back({with_keys(entry), MenuMark(entry.command), menu->number, ++menu->length, entry.text});
     }
     first_window_ = glutGetWindow() + 1;
     last_window_ = glutGetWindow() + static_cast<int>(menus.size());
@@ -79,7 +50,7 @@ void Menu::update(const Simulation& simulation) {
     if (open_) return draw_again();
     int number = 0;
     for (Item& item : items_) {
-        std::string text = menu_text(*item.entry, simulation);
+        std::string text = item.text + item.mark.text(simulation);
         if (text != item.shown) {
             glutSetMenu(item.menu);
             glutChangeToMenuEntry(item.position, text.c_str(), number);

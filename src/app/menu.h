@@ -5,6 +5,7 @@
 
 #include "drape/sim/simulation.h"
 #include "entries.h"
+#include "menu_mark.h"
 
 namespace drape {
 
@@ -25,7 +26,8 @@ public:
 
 private:
     struct Item {
-        const Entry* entry;
+        std::string text;  ///< without mark: "Wind  (V)"
+        MenuMark mark;
         int menu;      ///< GLUT's number
         int position;  ///< in it, from 1
         std::string shown;
@@ -38,8 +40,5 @@ private:
     int last_window_ = 0;
     bool open_ = false;
 };
-
-/// The text of an entry in the menu: "Wind  (V)  - on".
-std::string menu_text(const Entry& entry, const Simulation& simulation);
 
 }  // namespace drape

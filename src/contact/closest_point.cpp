@@ -14,7 +14,6 @@ Real weight_on_segment(const Vec3& p, const Vec3& a, const Vec3& b) {
     return square > 0 ? std::clamp((p - a).dot(ab) / square, Real(0), Real(1)) : Real(0);
 }
 
-/// For a triangle that has next to no area: the closest of the three edges.
 ClosestPoint closest_point_on_edges(const Vec3& p, const std::array<Vec3, 3>& corners) {
     ClosestPoint best{corners[0], {1, 0, 0}};
     for (std::size_t from = 0; from < 3; ++from) {
@@ -28,6 +27,37 @@ ClosestPoint closest_point_on_edges(const Vec3& p, const std::array<Vec3, 3>& co
         best.barycentric[to] = w;
     }
     return best;
+}
+
+/// For a triangle that is much longer than high. Its height h over its longest side is found by subtracting what the
+/// apex has along that side, twice, so that both are at right angles to the last digit however low h is. What is
+/// rounded off moves the apex by no more than the last digits of the side, and the distance with it.
+ClosestPoint closest_point_on_needle(const Vec3& p, const std::array<Vec3, 3>& corners) {
+    std::size_t apex = 0;
+    Real longest = 0;
+    for (std::size_t corner = 0; corner < 3; ++corner) {
+        const Real square = (corners[(corner + 2) % 3] - corners[(corner + 1) % 3]).squaredNorm();
+        if (square > longest) longest = square, apex = corner;
+    }
+    const std::size_t from = (apex + 1) % 3, to = (apex + 2) % 3;
+    const Vec3 side = corners[to] - corners[from], above = corners[apex] - corners[from];
+    const auto along = [&](const Vec3& u) { return longest > 0 ? u.dot(side) / longest : Real(0); };
+    const Real first = along(above);
+    const Vec3 nearly = above - first * side;
+    const Real rest = along(nearly);
+    const Vec3 h = nearly - rest * side;
+
+    // The foot of p is inside if all weights are positive
+    const Vec3 offset = p - corners[from];
+    const Real t = along(offset), square = h.squaredNorm();
+    const Real of_apex = square > 0 ? (offset - t * side).dot(h) / square : Real(-1);
+    const Real of_to = t - (first + rest) * of_apex, of_from = 1 - of_to - of_apex;
+    if (!(of_apex >= 0 && of_to >= 0 && of_from >= 0)) return closest_point_on_edges(p, corners);
+    ClosestPoint closest{corners[from] + t * side + of_apex * h, {}};
+    closest.barycentric[apex] = of_apex;
+    closest.barycentric[from] = of_from;
+    closest.barycentric[to] = of_to;
+    return closest;
 }
 
 }  // namespace
@@ -44,10 +74,13 @@ ClosestPoint closest_point_on_triangle(const Vec3& p, const Vec3& a, const Vec3&
     const Real d5 = ab.dot(cp), d6 = ac.dot(cp);
     if (d6 >= 0 && d5 <= d6) return {c, {0, 0, 1}};
 
-    // Where the sine at corner a has no digit left, the regions are noise
-    constexpr Real sliver = std::numeric_limits<Real>::epsilon();
-    if (ab.cross(ac).squaredNorm() <= sliver * ab.squaredNorm() * ac.squaredNorm()) {
-        return closest_point_on_edges(p, {a, b, c});
+    // Where the triangle is less than an eighth as high as long, or so small that products of four lengths have no
+    // digits, the regions below would cost digits
+    constexpr Real lowest = Real(1) / 64;
+    constexpr Real smallest = std::numeric_limits<Real>::min() / std::numeric_limits<Real>::epsilon();
+    const Real longest = std::max({ab.squaredNorm(), ac.squaredNorm(), (c - b).squaredNorm()});
+    if (!(ab.cross(ac).squaredNorm() > std::max(lowest * longest * longest, smallest))) {
+        return closest_point_on_needle(p, {a, b, c});
     }
 
     // Regions of the edges; each denominator is the squared length of its edge

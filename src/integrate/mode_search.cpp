@@ -50,6 +50,10 @@ void ModeSearch::take_best() {
     products << dot(y_, ay_), 0, 0,                //
         dot(r_, ay_), dot(r_, ar_), 0,             //
         dot(p_, ay_), dot(p_, ar_), dot(p_, ap_);  // the solver reads the lower half
+    // A direction of which nothing is left must not be taken for one of height 0, where all others are below
+    const Real below = products(0, 0) - std::abs(products(0, 0)) - 1;
+    if (r_.isZero(0)) products(1, 1) = below;
+    if (p_.isZero(0)) products(2, 2) = below;
     const Eigen::SelfAdjointEigenSolver<Eigen::Matrix<Real, 3, 3>> solver(products);
     const Eigen::Matrix<Real, 3, 1> best = solver.eigenvectors().col(2);
 
@@ -62,9 +66,9 @@ void ModeSearch::take_best() {
 }
 
 Real ModeSearch::climb(Real a, Real b, int turns) {
-    constexpr int patience = 4;
-    constexpr Real worthwhile = Real(1e-4);
-    add_noise(y_.isZero(0) ? Real(1) : Real(0.1));
+    constexpr int patience = 6;
+    constexpr Real worthwhile = Real(1e-5);
+    add_noise(y_.isZero(0) ? Real(1) : Real(0.3));
     p_.setZero();
     ap_.setZero();
     apply(a, b, y_, ay_);
@@ -94,7 +98,10 @@ Real ModeSearch::climb(Real a, Real b, int turns) {
 Mode ModeSearch::mode() {
     apply(1, 0, y_, ar_);
     apply(0, 1, y_, ap_);
-    return {std::max(dot(y_, ar_), Real(0)), std::max(dot(y_, ap_), Real(0))};
+    const Real k = dot(y_, ar_), d = dot(y_, ap_);
+    ar_ -= k * y_;
+    ap_ -= d * y_;
+    return {std::max(k, Real(0)), std::max(d, Real(0)), ar_.squaredNorm(), ap_.squaredNorm(), dot(ar_, ap_)};
 }
 
 }  // namespace drape

@@ -8,6 +8,10 @@ namespace drape {
 struct Mode {
     Real stiffness = 0;  ///< y'Ky / y'My [1/s^2], the square of its frequency
     Real damping = 0;    ///< y'Dy / y'My [1/s]
+    // What y is short of being an eigenvector of both, for y of length 1 by mass
+    Real stiffness_variance = 0;  ///< |Ky - ky|^2 [1/s^4]
+    Real damping_variance = 0;    ///< |Dy - dy|^2 [1/s^2]
+    Real covariance = 0;          ///< (Ky - ky)'(Dy - dy) [1/s^3]
 };
 
 /// Looks for the vibration of the free particles that has the largest a k + b d, where k and d are those of `Mode`.

@@ -1,49 +1,27 @@
 #include "drape/integrate/stability.h"
 
-#include <Eigen/LU>
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <complex>
 #include <limits>
 
-#include "mode_search.h"
+#include "least_limit.h"
 
 namespace drape {
 namespace {
 
-using Matrix = Eigen::Matrix2d;
-
-/// One step of x'' = -k x - d x' on (x, v).
-Matrix amplification(IntegratorKind kind, double k, double d, double h) {
-    const Matrix same = Matrix::Identity();
-    Matrix rate;
-    rate << 0, 1, -k, -d;
-    if (kind == IntegratorKind::Rk4) {
-        const Matrix z = h * rate;
-        return same + z * (same + z / 2 * (same + z / 3 * (same + z / 4)));
-    }
-    // Velocity Verlet: the second force sees x_{n+1} and v + h a
-    Matrix drift = Matrix::Zero(), kick = Matrix::Zero();
-    drift.row(0) = h * rate.row(0);
-    kick.row(1) = h * rate.row(1);
-    const Matrix moved = same + drift + drift * kick / 2;
-    return moved + kick / 2 + kick / 2 * (moved + kick);
-}
-
-/// True if both eigenvalues lie in the unit circle, by the criterion of Jury.
-bool bounded(const Matrix& step) {
+/// Where |R(h lambda)| of RK4 reaches 1, for the faster root lambda of lambda^2 + d lambda + k = 0.
+double longest_of_rk4(double k, double d) {
+    using Complex = std::complex<double>;
     constexpr double rounding = 1e-12;
-    const double trace = step.trace(), product = step.determinant();
-    return product <= 1 + rounding && std::abs(trace) <= 1 + product + rounding;
-}
-
-/// Where the amplification of Verlet or RK4 reaches 1.
-double bisected_step(IntegratorKind kind, double k, double d) {
-    const double fastest = d * d > 4 * k ? (d + std::sqrt(d * d - 4 * k)) / 2 : std::sqrt(k);
-    double stable = 0, unstable = 4 / fastest;  // neither method reaches three
+    const double root = d * d - 4 * k;
+    const Complex lambda = root > 0 ? Complex(-(d + std::sqrt(root)) / 2, 0) : Complex(-d / 2, std::sqrt(-root) / 2);
+    double stable = 0, unstable = 4 / std::sqrt(std::norm(lambda));  // it does not reach three
     for (int bisection = 0; bisection < 50; ++bisection) {
         const double middle = (stable + unstable) / 2;
-        (bounded(amplification(kind, k, d, middle)) ? stable : unstable) = middle;
+        const Complex z = middle * lambda, factor = 1. + z * (1. + z / 2. * (1. + z / 3. * (1. + z / 4.)));
+        (std::norm(factor) <= 1 + rounding ? stable : unstable) = middle;
     }
     return stable;
 }
@@ -55,23 +33,27 @@ double longest(IntegratorKind kind, double k, double d) {
             return d * d <= 4 * k ? d / k : 4 / (d + std::sqrt(d * d - 4 * k));
         case IntegratorKind::SymplecticEuler:
             return 4 / (d + std::sqrt(d * d + 4 * k));
+        case IntegratorKind::VelocityVerlet:
+            // A factor of -1 at h^2 k + 2 h d - h^2 d^2 = 4, or one of 1 at h d = 2
+            return k >= d * d ? 4 / (d + std::sqrt(4 * k - 3 * d * d)) : 2 / d;
         default:
-            return bisected_step(kind, k, d);
+            return longest_of_rk4(k, d);
     }
 }
 
-/// Where the limit falls fastest, as weights of k and d; neither is zero unless both are.
-struct Descent {
-    Real of_stiffness = 1, of_damping = 0;
-};
-
-Descent descent_at(IntegratorKind kind, double k, double d) {
-    constexpr double part = 1e-3;
-    const double here = longest(kind, k, d), scale = std::sqrt(k);
-    const double by_k = (longest(kind, k * (1 + part), d) - here) / (part * k);
-    const double by_d = (longest(kind, k, d + part * scale) - here) / (part * scale);
-    const double size = std::abs(by_k) + std::abs(by_d) / scale;
-    return {static_cast<Real>(-by_k / size), static_cast<Real>(-by_d / size)};
+/// True if a step that is the limit of a vibration's Rayleigh quotients is that of the cloth: if the vibration is an
+/// eigenvector of K and D both, or of lambda^2 + lambda D + K where it does not swing. Symplectic Euler's always is.
+bool decides(IntegratorKind kind, const Mode& mode) {
+    if (kind == IntegratorKind::SymplecticEuler) return true;
+    constexpr double small = 0.03;
+    const auto k = static_cast<double>(mode.stiffness), d = static_cast<double>(mode.damping);
+    const auto of_k = static_cast<double>(mode.stiffness_variance), of_d = static_cast<double>(mode.damping_variance);
+    if (kind == IntegratorKind::ExplicitEuler && d * d < 4 * k) {
+        return of_k <= small * small * k * k && of_d <= small * small * d * d;
+    }
+    const double root = d * d - 4 * k, real = root > 0 ? -(d + std::sqrt(root)) / 2 : -d / 2;
+    const double square = root > 0 ? real * real : k, size = square + std::sqrt(square) * d + k;
+    return square * of_d + of_k + 2 * real * static_cast<double>(mode.covariance) <= small * small * size * size;
 }
 
 /// The pieces of at most `window` particles into which a row or column is cut.
@@ -100,20 +82,33 @@ Piece cut_out(const ClothModel& model, const ClothState& state, int column, int 
     return piece;
 }
 
-/// The piece of a large cloth with the fastest vibration.
-Piece fastest_piece(const ClothModel& model, const ClothState& state) {
+/// True if all springs are damped in proportion to their stiffness: then the stiffest vibration is the most damped one.
+bool damped_alike(const ClothModel& model) {
+    const std::array<SpringLaw, 3> laws{model.structural, model.shear, model.bend};
+    return std::ranges::all_of(laws, [&](const SpringLaw& one) {
+        return std::ranges::all_of(laws, [&](const SpringLaw& other) {
+            return one.damping * other.stiffness == other.damping * one.stiffness;
+        });
+    });
+}
+
+/// The piece of a large cloth in which vibrations have the shortest limit, as far as a glance tells: that of symplectic
+/// Euler, which falls with stiffness and with damping.
+Piece critical_piece(const ClothModel& model, const ClothState& state) {
     constexpr int glance = 4;
-    std::array<int, 2> fastest{};
-    Real highest = -1;
+    const bool alike = damped_alike(model);
+    std::array<int, 2> critical{};
+    Real shortest = std::numeric_limits<Real>::infinity();
     for (int row = 0; row < pieces(model.grid.ny); ++row) {
         for (int column = 0; column < pieces(model.grid.nx); ++column) {
             const Piece piece = cut_out(model, state, column, row);
             ModeSearch search(piece.model, piece.state);
-            const Real height = search.climb(1, 0, glance);
-            if (height > highest) highest = height, fastest = {column, row};
+            const Real stiffness = search.climb(1, 0, glance), damping = alike ? 0 : search.climb(0, 1, glance);
+            const Real step = longest_step(IntegratorKind::SymplecticEuler, stiffness, damping);
+            if (step < shortest) shortest = step, critical = {column, row};
         }
     }
-    return cut_out(model, state, fastest[0], fastest[1]);
+    return cut_out(model, state, critical[0], critical[1]);
 }
 
 std::string_view formula_of(IntegratorKind kind) {
@@ -123,7 +118,7 @@ std::string_view formula_of(IntegratorKind kind) {
         case IntegratorKind::SymplecticEuler:
             return "z = 2 (sqrt(1 + zeta^2) - zeta)";
         case IntegratorKind::VelocityVerlet:
-            return "|amplification(z, zeta)| = 1; z = 2 undamped";
+            return "z = 2/(zeta + sqrt(1 - 3 zeta^2)) up to zeta = 1/2, else 1/zeta";
         case IntegratorKind::Rk4:
             return "|amplification(z, zeta)| = 1; z = 2 sqrt(2) undamped";
         default:
@@ -132,23 +127,14 @@ std::string_view formula_of(IntegratorKind kind) {
 }
 
 StepLimit limit_of(const ClothModel& model, const ClothState& state, IntegratorKind kind) {
-    constexpr int turns = 200, rounds = 6;
-    constexpr Real gain = Real(1e-4);
     ModeSearch search(model, state);
-    search.climb(1, 0, turns);
-    Mode mode = search.mode();
-    Real step = longest_step(kind, mode.stiffness, mode.damping);
-    for (int round = 1; round < rounds && mode.stiffness > 0 && mode.damping > 0; ++round) {
-        const auto [a, b] = descent_at(kind, static_cast<double>(mode.stiffness), static_cast<double>(mode.damping));
-        search.climb(a, b, turns);
-        const Mode next = search.mode();
-        const Real next_step = longest_step(kind, next.stiffness, next.damping);
-        if (!(next_step < (1 - gain) * step)) break;
-        mode = next;
-        step = next_step;
-    }
-    const Real omega = std::sqrt(mode.stiffness);
-    return {omega, omega > 0 ? mode.damping / (2 * omega) : Real(0), step, formula_of(kind)};
+    const auto limit = least_limit(
+        search, static_cast<double>(model.drag / model.particle_mass),
+        [kind](double k, double d) { return longest(kind, k, d); },
+        [kind](const Mode& mode) { return decides(kind, mode); });
+    const double omega = std::sqrt(limit.stiffness), zeta = omega > 0 ? limit.damping / (2 * omega) : 0;
+    return {static_cast<Real>(omega), static_cast<Real>(zeta), static_cast<Real>(limit.step), formula_of(kind),
+            !limit.attained};
 }
 
 }  // namespace
@@ -163,8 +149,9 @@ Real longest_step(IntegratorKind kind, Real k, Real d) {
 }
 
 StepLimit predicted_limit(const ClothModel& model, const ClothState& state, IntegratorKind kind) {
+    if (!has_step_limit(kind)) return {.step = std::numeric_limits<Real>::infinity(), .formula = formula_of(kind)};
     if (pieces(model.grid.nx) * pieces(model.grid.ny) == 1) return limit_of(model, state, kind);
-    const Piece piece = fastest_piece(model, state);
+    const Piece piece = critical_piece(model, state);
     return limit_of(piece.model, piece.state, kind);
 }
 

@@ -76,7 +76,7 @@ Real measured_limit(const ClothModel& model, const ClothState& start, const Inte
     };
 
     // One step that stays bounded, and one that does not
-    Real stable = std::min(guess, longest), unstable = 0;
+    Real stable = guess > 0 ? std::min(guess, longest) : longest, unstable = 0;
     for (int halving = 0; !bounded(stable); ++halving) {
         if (halving == most_halvings) return 0;
         unstable = stable;

@@ -89,7 +89,8 @@ std::vector<Row> step_rows(const FrameView& view) {
     const double part = report.step_over_limit;
     if (part == 0) return rows;
     const ImU32 colour = part <= 0.9 ? ink::good : part <= 1 ? ink::wait : ink::bad;
-    const std::string value = std::isfinite(part) ? format("%.2f", part) : "beyond any";
+    const std::string number = format(report.limit_is_least ? "%.2f at most" : "%.2f", part);
+    const std::string value = std::isfinite(part) ? number : "beyond any";
     rows.push_back({"of its limit", value, static_cast<float>(std::min(part, 1.0)), 4, colour});
     return rows;
 }

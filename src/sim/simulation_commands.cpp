@@ -198,10 +198,13 @@ void Simulation::configure(Settings settings) {
 
 void Simulation::predict_limit(int fewest_parts) {
     const SolverSettings& solver = settings_.solver;
-    Real limit = std::numeric_limits<Real>::infinity();
+    StepLimit shortest{.step = std::numeric_limits<Real>::infinity()};
     for (const Cloth& cloth : cloths_) {
-        limit = std::min(limit, predicted_limit(cloth.model, cloth.state, solver.integrator).step);
+        const StepLimit one = predicted_limit(cloth.model, cloth.state, solver.integrator);
+        if (one.step < shortest.step) shortest = one;
     }
+    const Real limit = shortest.step;
+    report_.limit_is_least = shortest.at_least;
     // Where no step is short enough, parts do not help
     const bool bounded = limit > 0 && std::isfinite(limit);
     const double wanted = bounded ? std::ceil(solver.dt / static_cast<double>(safe_part * limit)) : 1;
@@ -216,10 +219,17 @@ std::string Simulation::step_warning() const {
     const SolverSettings& solver = settings_.solver;
     const std::string method(name_of(solver.integrator));
     const std::string step = "solver.dt = " + real_text(solver.dt, 4) + " s";
-    if (!std::isfinite(report_.step_over_limit)) return step + ": " + method + " is stable with no step on this cloth";
+    if (!std::isfinite(report_.step_over_limit)) {
+        const bool sure = !report_.limit_is_least;
+        return step + ": " + method + (sure ? " is stable with no step" : " is sure to be stable with no step") +
+               " on this cloth";
+    }
     const bool in_vain = solver.on_unstable == OnUnstable::Substep;
-    return step + " is " + real_text(report_.step_over_limit * report_.substeps, 3) + " of the limit of " + method +
-           " on this cloth" + (in_vain ? ", too long to be made in parts" : "");
+    const double over = report_.step_over_limit * report_.substeps;
+    const std::string limit = real_text(solver.dt / over, 3);
+    return step + " is " + (report_.limit_is_least ? "up to " : "") + real_text(over, 3) + " of the limit of " +
+           method + " on this cloth" + (report_.limit_is_least ? ", which is at least " + limit + " s" : "") +
+           (in_vain ? ", too long to be made in parts" : "");
 }
 
 void Simulation::use_broad_phase(Cloth& cloth) {

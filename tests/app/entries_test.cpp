@@ -5,6 +5,7 @@
 #include <set>
 
 #include "../../src/app/keys.h"
+#include "../../src/app/menu_mark.h"
 #include "drape/sim/command.h"
 #include "drape/sim/scene.h"
 #include "support/process.h"
@@ -16,6 +17,35 @@ TEST(Entries, AllParseAsCommandsThatReadBackAlike) {
     for (const Entry& entry : make_entries(scene_names())) {
         EXPECT_EQ(command_text(parse_command(entry.command)), entry.command) << entry.text;
     }
+}
+
+TEST(MenuMark, IsOnEveryEntryThatNamesThePresentValue) {
+    const std::vector<Entry> entries = make_entries(scene_names());
+    int values = 0;
+    for (const Entry& entry : entries) {
+        if (!entry.command.starts_with("set ")) continue;
+        ++values;
+        Simulation simulation("drop", load_scene("drop"));
+        simulation.apply(parse_command(entry.command));
+        for (const Entry& other : entries) {
+            if (!other.command.starts_with(entry.command.substr(0, entry.command.find('=') + 1))) continue;
+            const bool same = other.command == entry.command;
+            EXPECT_EQ(MenuMark(other.command).text(simulation), same ? "  - now" : "")
+                << other.command << " after " << entry.command;
+        }
+    }
+    EXPECT_GT(values, 30);
+}
+
+TEST(MenuMark, SaysWhetherAFlagIsOnAndWhatScene) {
+    Simulation simulation("drop", load_scene("drop"));
+    EXPECT_EQ(MenuMark("next wind.on").text(simulation), "  - off");
+    simulation.apply(parse_command("next wind.on"));
+    EXPECT_EQ(MenuMark("next wind.on").text(simulation), "  - on");
+    EXPECT_EQ(MenuMark("next solver.integrator").text(simulation), "");
+    EXPECT_EQ(MenuMark("scene drop").text(simulation), "  - now");
+    EXPECT_EQ(MenuMark("scene curtain").text(simulation), "");
+    EXPECT_EQ(MenuMark("pause").text(simulation), "");
 }
 
 TEST(Entries, NoKeyHasTwo) {

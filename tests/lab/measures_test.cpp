@@ -1,6 +1,7 @@
 #include <gtest/gtest.h>
 
 #include <array>
+#include <thread>
 
 #include "lab/measure/power_law.h"
 #include "lab/measure/timing.h"
@@ -28,6 +29,16 @@ TEST(TimeRuns, WarmsUpOnceAndCountsOnlyWorkOfThisThread) {
     const timespec pause{0, 30'000'000};
     nanosleep(&pause, nullptr);
     EXPECT_LT(thread_cpu_time() - before, 0.015) << "sleep is no work";
+}
+
+TEST(ProgramCpuTime, CountsTheWorkOfOtherThreads) {
+    const double own = thread_cpu_time(), all = program_cpu_time();
+    std::thread([] {
+        for (const double start = thread_cpu_time(); thread_cpu_time() - start < 0.05;) {
+        }
+    }).join();
+    EXPECT_GE(program_cpu_time() - all, 0.05);
+    EXPECT_LT(thread_cpu_time() - own, 0.05);
 }
 
 TEST(PowerLaw, IsFoundAgain) {

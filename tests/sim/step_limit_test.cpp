@@ -56,6 +56,16 @@ TEST(StepWarning, FollowsEveryChange) {
     EXPECT_THAT(simulation.step_warning(), HasSubstr("with no step"));
 }
 
+TEST(StepWarning, SaysAtLeastWhereTheLimitIsOnlyABound) {
+    Simulation simulation = small_simulation({"integrator=explicit_euler", "structural.damping=0", "bend.damping=0",
+                                              "shear.damping=1", "cloth.drag=0.01", "dt=0.01"});
+    EXPECT_THAT(simulation.step_warning(), AllOf(HasSubstr(" is up to "), HasSubstr(", which is at least ")));
+    EXPECT_TRUE(simulation.report().limit_is_least);
+    send(simulation, "set integrator=symplectic_euler");
+    EXPECT_THAT(simulation.step_warning(), testing::Not(HasSubstr("at least")));
+    EXPECT_FALSE(simulation.report().limit_is_least);
+}
+
 TEST(StepWarning, LooksAtEveryCloth) {
     Settings settings = load_scene("drop");
     settings.cloths.push_back(settings.cloths.front());

@@ -12,7 +12,8 @@ struct ClosestPoint {
     std::array<Real, 3> barycentric;
 };
 
-/// The point of triangle a, b, c that is closest to p. @cite ericson2004
+/// The point of triangle a, b, c that is closest to p: its distance is exact but for the last digits of the
+/// largest coordinate, however thin the triangle. @cite ericson2004
 /// @par Cost constant, no square root
 ClosestPoint closest_point_on_triangle(const Vec3& p, const Vec3& a, const Vec3& b, const Vec3& c);
 

@@ -37,9 +37,10 @@ TrialEnd try_step(const ClothModel& model, ClothState start, const IntegratorPar
                   const Trial& trial = {});
 
 /// The longest step that stays bounded, by bisection to half a percent.
-/// @param guess where the search starts [s]; the bounds are doubled and halved from it until one fails and one does not
+/// @param guess where the search starts [s]; the bounds are doubled and halved from it until one fails and one does
+/// not. If it is not positive, that is `longest`.
 /// @param tried told of every step that was tried; may be empty
-/// @return [s]; infinite if none up to `longest` fails
+/// @return [s]; infinite if none up to `longest` fails, 0 if none does not
 Real measured_limit(const ClothModel& model, const ClothState& start, const IntegratorParameters& parameters,
                     Real guess, Real longest, const Trial& trial = {},
                     const std::function<void(Real, TrialEnd)>& tried = {});

@@ -29,6 +29,7 @@ struct StepReport {
     int substeps = 1;            ///< equal parts that a step is made in
     double time = 0;             ///< simulated [s]
     double step_over_limit = 0;  ///< length of a part over the longest that the method bears, as predicted; 0: no limit
+    bool limit_is_least = false;  ///< that limit is at least as long as predicted: the true part of it may be less
     StageTimes times;
     SolveReport solve;
     TraversalStats traversal;

@@ -7,6 +7,15 @@
 #include "drape/base/assert.h"
 
 namespace drape {
+namespace {
+
+double seconds_of(clockid_t clock) {
+    std::timespec now{};
+    clock_gettime(clock, &now);
+    return static_cast<double>(now.tv_sec) + 1e-9 * static_cast<double>(now.tv_nsec);
+}
+
+}  // namespace
 
 Quartiles quartiles_of(std::vector<double> values) {
     DRAPE_ASSERT(!values.empty());
@@ -19,11 +28,9 @@ Quartiles quartiles_of(std::vector<double> values) {
     return {at(0.25), at(0.5), at(0.75)};
 }
 
-double thread_cpu_time() {
-    std::timespec now{};
-    clock_gettime(CLOCK_THREAD_CPUTIME_ID, &now);
-    return static_cast<double>(now.tv_sec) + 1e-9 * static_cast<double>(now.tv_nsec);
-}
+double thread_cpu_time() { return seconds_of(CLOCK_THREAD_CPUTIME_ID); }
+
+double program_cpu_time() { return seconds_of(CLOCK_PROCESS_CPUTIME_ID); }
 
 Quartiles time_runs(const std::function<void()>& run, int repeats) {
     run();

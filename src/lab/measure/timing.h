@@ -16,6 +16,9 @@ Quartiles quartiles_of(std::vector<double> values);
 /// CPU time that this thread has used [s]. What others do on the machine does not count, but for the caches they share.
 double thread_cpu_time();
 
+/// CPU time that all threads of the program have used [s].
+double program_cpu_time();
+
 /// CPU time of a run on this thread, again and again after one run that only warms the caches.
 /// @param repeats at least 1
 /// @return [s]

@@ -58,9 +58,9 @@ Motion run_to_horizon(const Settings& scene, const Patience& patience, const std
         const double moment = horizon * (motion.reached + 1) / Motion::moments;
         constexpr double rounding = 1e-9;  // of a step
         while (report.time - start < moment - rounding * dt && report.status == Status::Ok) {
-            const double before = thread_cpu_time();
+            const double before = program_cpu_time();
             simulation.step();
-            seconds += thread_cpu_time() - before;
+            seconds += program_cpu_time() - before;
             motion.penetration = larger(motion.penetration, report.penetration);
             motion.stretch = larger(motion.stretch, static_cast<double>(largest_stretch(cloth.model, cloth.state.x)));
             // A run that is far too dear is not worth its first moment

@@ -23,12 +23,12 @@ struct Motion {
     double step_over_limit = 0;     ///< length of a step over the longest that the method bears, as predicted
     double penetration = 0;         ///< largest after any step, of its last substep [m]
     double stretch = 0;             ///< largest after any step
-    double cost = 0;                ///< CPU time per simulated second [s/s]
+    double cost = 0;                ///< CPU time of all threads per simulated second [s/s]
 };
 
 /// Beyond which a run is not worth its time.
 struct Patience {
-    double cost = std::numeric_limits<double>::infinity();             ///< CPU time per simulated second [s/s]
+    double cost = std::numeric_limits<double>::infinity();             ///< CPU time of all threads per simulated second [s/s]
     double step_over_limit = std::numeric_limits<double>::infinity();  ///< a longer step is not even begun with
 };
 

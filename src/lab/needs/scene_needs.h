@@ -12,7 +12,7 @@ namespace drape {
 struct Attempt {
     Settings settings;
     double error = 0;           ///< against the full model, of the cloth's side; 0 if none is stated
-    double cost = 0;            ///< CPU time per simulated second [s/s]
+    double cost = 0;            ///< CPU time of all threads per simulated second [s/s]
     double miss = 0;            ///< the worst of what was measured over what is allowed; above 1 it does not qualify
     bool beyond_limit = false;  ///< its step is too near to the method's limit, or above: it was not run
     std::string why;            ///< it does not qualify; empty if it does
