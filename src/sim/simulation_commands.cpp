@@ -26,6 +26,8 @@ template <class... Handlers>
 struct Overloaded : Handlers... {
     using Handlers::operator()...;
 };
+template <class... Handlers>
+Overloaded(Handlers...) -> Overloaded<Handlers...>;  // Clang 14 does not deduce it yet
 
 Ball make_ball(const BallSettings& settings, double time) {
     Ball ball{.centre = settings.position, .radius = settings.radius, .velocity = settings.velocity};
