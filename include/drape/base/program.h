@@ -4,6 +4,7 @@
 #include <cctype>
 #include <exception>
 #include <iostream>
+#include <new>
 #include <string>
 #include <vector>
 
@@ -74,6 +75,9 @@ int run_program(const std::string& name, int argc, char** argv, Run run) {
     } catch (const InputError& error) {
         print_error(name, error.what());
         return BadInput;
+    } catch (const std::bad_alloc&) {
+        print_error(name, "out of memory");
+        return Failed;
     } catch (const std::exception& error) {
         print_error(name, error.what());
         return Failed;
