@@ -1,5 +1,8 @@
 #include "drape/base/workers.h"
 
+#include <cstdio>
+#include <system_error>
+
 #include "drape/base/assert.h"
 
 namespace drape {
@@ -15,11 +18,24 @@ void wait_while(const std::atomic<int>& value, int old) {
     value.wait(old, std::memory_order_acquire);
 }
 
+/// Once in a program, however often it happens.
+void warn_of_few_threads(int wanted, int started, const std::system_error& error) {
+    static std::atomic_flag warned;
+    if (warned.test_and_set()) return;
+    std::fprintf(stderr, "warning: %d of %d threads run, for no more can be started (%s); the results are the same\n",
+                 started, wanted, error.code().message().c_str());
+}
+
 }  // namespace
 
 Workers::Workers(int threads) {
     DRAPE_ASSERT(threads >= 1);
-    for (int part = 1; part < threads; ++part) own_.emplace_back([this, part] { serve(part); });
+    own_.reserve(static_cast<std::size_t>(threads));
+    try {
+        for (int part = 1; part < threads; ++part) own_.emplace_back([this, part] { serve(part); });
+    } catch (const std::system_error& error) {
+        warn_of_few_threads(threads, this->threads(), error);
+    }
 }
 
 Workers::~Workers() {

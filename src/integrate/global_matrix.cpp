@@ -51,7 +51,9 @@ void GlobalMatrix::prepare(const ClothModel& model, Real h) {
 
 void GlobalMatrix::factorise(const ClothModel& model) {
     // Springs; those of stiffness zero and of pinned particles leave zeros, to keep the pattern
+    constexpr int families = 6, entries_of_spring = 4;
     std::vector<Eigen::Triplet<Real>> entries;
+    entries.reserve(static_cast<std::size_t>(grid_.particles()) * (families * entries_of_spring + 1));
     const auto free = [&](int particle) { return model.pinned(particle) ? Real(0) : Real(1); };
     for (const SpringStencil& springs : spring_stencils(model)) {
         const Real k = springs.law.stiffness;

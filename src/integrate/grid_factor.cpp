@@ -13,6 +13,7 @@ namespace {
 std::vector<std::pair<int, int>> spring_pairs(const Grid& grid) {
     constexpr std::array<std::pair<int, int>, 6> offsets{{{1, 0}, {0, 1}, {1, 1}, {-1, 1}, {2, 0}, {0, 2}}};
     std::vector<std::pair<int, int>> pairs;
+    pairs.reserve(offsets.size() * static_cast<std::size_t>(grid.particles()));
     for (int j = 0; j < grid.ny; ++j) {
         for (int i = 0; i < grid.nx; ++i) {
             for (const auto& [di, dj] : offsets) {
@@ -27,6 +28,7 @@ std::vector<std::pair<int, int>> spring_pairs(const Grid& grid) {
 /// Where each particle goes for little fill-in.
 std::vector<int> elimination_order(int particles, const std::vector<std::pair<int, int>>& pairs) {
     std::vector<Eigen::Triplet<Real>> entries;
+    entries.reserve(static_cast<std::size_t>(particles) + 2 * pairs.size());
     for (int p = 0; p < particles; ++p) entries.emplace_back(p, p, Real(1));
     for (const auto& [a, b] : pairs) {
         entries.emplace_back(a, b, Real(1));
@@ -48,6 +50,7 @@ GridFactor::GridFactor(const Grid& grid) {
     const auto pairs = spring_pairs(grid);
     place_ = elimination_order(n, pairs);
     std::vector<Eigen::Triplet<Real>> entries;
+    entries.reserve(6 * static_cast<std::size_t>(n) + 9 * pairs.size());
     for (int p = 0; p < n; ++p) {
         for (int c = 0; c < 3; ++c) {
             for (int r = 0; r <= c; ++r) entries.emplace_back(3 * p + r, 3 * p + c, Real(1));

@@ -14,6 +14,8 @@ constexpr Real exact_tolerance = sizeof(Real) == 8 ? Real(1e-8) : Real(1e-4);
 /// are quicker at any size, by 1.5 times for springs of 1e6 N/m at 1/20 s up to forty for gentle steps.
 constexpr int few_particles = 64;
 
+bool comes_first(const Grid& grid) { return grid.particles() <= few_particles; }
+
 /// Where there are no factors to fall back on, a solve ends after so many iterations with what it has.
 constexpr int most_iterations = 5000;
 
@@ -26,15 +28,19 @@ constexpr int refinements = 50;
 }  // namespace
 
 NewtonSystem::NewtonSystem(const Grid& grid, Hessian hessian, Solver solver)
-    : factors_first_(solver == Solver::Factors || (solver == Solver::Automatic && grid.particles() <= few_particles)),
+    : factors_first_(solver == Solver::Factors || (solver == Solver::Automatic && comes_first(grid))),
       jacobian_(grid, hessian),
       inverse_(grid.particles(), 6),
       conjugate_gradients_(grid.particles()) {
     pinned_.reserve(static_cast<std::size_t>(grid.particles()));
     if (hessian == Hessian::Exact) bicgstab_ = std::make_unique<krylov::BiCgStab>(grid.particles());
-    const bool falls_back =
-        solver == Solver::Automatic && hessian == Hessian::Exact && grid.particles() <= GridFactor::largest;
-    if (factors_first_ || falls_back) factor_ = std::make_unique<GridFactor>(grid);
+    const bool can_want_them = solver == Solver::Automatic && keeps_factors(grid, hessian);
+    if (factors_first_ || can_want_them) factor_ = std::make_unique<GridFactor>(grid);
+}
+
+bool NewtonSystem::keeps_factors(const Grid& grid, Hessian hessian) {
+    const bool falls_back = hessian == Hessian::Exact && grid.particles() <= GridFactor::largest;
+    return comes_first(grid) || falls_back;
 }
 
 void NewtonSystem::linearise(const ClothModel& model, const Points& x, const Points& v) {

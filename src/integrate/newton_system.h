@@ -28,6 +28,9 @@ public:
     /// @param solver other than `Automatic` only to compare
     NewtonSystem(const Grid& grid, Hessian hessian, Solver solver = Solver::Automatic);
 
+    /// Whether a system over this grid keeps factors, which is most of its memory.
+    static bool keeps_factors(const Grid& grid, Hessian hessian);
+
     /// Takes the slopes at a state.
     void linearise(const ClothModel& model, const Points& x, const Points& v);
 

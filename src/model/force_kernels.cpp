@@ -164,7 +164,7 @@ HWY_INLINE void find_pulls(const ForceInput& input, const Strip& strip, const st
 HWY_INLINE void add_up(const Strip& strip, const std::array<SpringStencil, 6>& springs, int j, const Scratch& scratch) {
     const hn::CappedTag<Real, Scratch::margin> d;
     const int end = strip.at(strip.last);
-    for (int axis = 0; axis < 3; ++axis) {
+    for (std::size_t axis = 0; axis < 3; ++axis) {
         const Real* from[6];
         for (int s = 0; s < 6; ++s) {
             const SpringStencil& spring = springs[static_cast<std::size_t>(s)];

@@ -55,7 +55,7 @@ void forces_to_accelerations(const ClothModel& model, Points& f) {
 
 ForceSweep::ForceSweep(const Grid& grid, int threads) : grid_(grid), wind_(grid.particles(), 3), workers_(threads) {
     constexpr int worth_a_thread = 8192;  // particles: with fewer, threads wait for one another longer than they work
-    const int parts = std::clamp(grid.particles() / worth_a_thread, 1, std::min(threads, grid.ny));
+    const int parts = std::clamp(grid.particles() / worth_a_thread, 1, std::min(workers_.threads(), grid.ny));
     scratch_.resize(static_cast<std::size_t>(parts));
     for (int number = 0; number < parts; ++number) {
         scratch_[static_cast<std::size_t>(number)].resize(kernels::Scratch::cache_lines(grid.nx));

@@ -3,13 +3,15 @@
 #include <utility>
 
 #include "drape/base/input_error.h"
+#include "drape/base/memory_limit.h"
 #include "drape/base/numbers.h"
+#include "drape/sim/memory.h"
 #include "drape/sim/setting_table.h"
 
 namespace drape {
 namespace {
 
-/// Particles over all cloths; at about 500 bytes each they stay within two gigabytes.
+/// Particles over all cloths; `memory_needed` tells what they take.
 constexpr long long most_particles = 4'000'000;
 
 /// A setting's name with the index that it may carry: "ball[1].radius".
@@ -66,6 +68,14 @@ void check_cloth(const ClothParameters& cloth, std::size_t index) {
             "cloth", index, "pinned",
             "cloth.pinned = " + std::to_string(pin) + ": allowed 0 <= particle <= " + std::to_string(particles - 1));
     }
+}
+
+void check_memory(const Settings& settings) {
+    const MemoryLimit limit = memory_limit();
+    if (memory_needed(settings).total() <= limit.bytes) return;
+    throw MisfitError(
+        "cloth", 0, "particles",
+        memory_text(settings) + ": allowed at most " + bytes_text(limit.bytes) + ", " + std::string(limit.whose));
 }
 
 void check_ball(const BallSettings& ball, std::size_t index) {
@@ -142,6 +152,7 @@ void check(const Settings& settings) {
                           "cloth.particles: " + std::to_string(particles) + " in all: allowed at most " +
                               std::to_string(most_particles));
     }
+    check_memory(settings);
     for (std::size_t b = 0; b < settings.balls.size(); ++b) check_ball(settings.balls[b], b);
 }
 

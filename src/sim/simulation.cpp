@@ -9,6 +9,7 @@
 #include "drape/base/stopwatch.h"
 #include "drape/contact/response.h"
 #include "drape/integrate/stability.h"
+#include "drape/sim/memory.h"
 #include "drape/sim/setting_table.h"
 
 namespace drape {
@@ -48,7 +49,7 @@ Simulation::Simulation(std::string scene, Settings settings, std::optional<Start
     : scene_(std::move(scene)), settings_(std::move(settings)), start_(std::move(start)) {
     check(settings_);
     if (!start_) start_ = find_start(settings_);
-    restart();
+    with_memory(settings_, [&] { restart(); });
 }
 
 void Simulation::step() {
@@ -115,7 +116,7 @@ void Simulation::move_cloths(double time, Real h) {
         if (cloth.ledger) cloth.ledger->begin(cloth.model, cloth.state, cloth.touched || settings_.wind.on);
         cloth.touched = false;
         Stopwatch watch;
-        report_.solve += cloth.integrator->step(cloth.model, cloth.state, h);
+        with_memory(settings_, [&] { report_.solve += cloth.integrator->step(cloth.model, cloth.state, h); });
         report_.times.step += watch.lap();
         if (settings_.wind.on) cloth.energy_watch.give(most_wind_power(cloth.model) * static_cast<double>(h));
     }

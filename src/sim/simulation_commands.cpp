@@ -8,6 +8,7 @@
 #include "drape/base/input_error.h"
 #include "drape/base/numbers.h"
 #include "drape/integrate/stability.h"
+#include "drape/sim/memory.h"
 #include "drape/sim/scene.h"
 #include "drape/sim/setting_table.h"
 #include "drape/sim/simulation.h"
@@ -28,7 +29,7 @@ struct Overloaded : Handlers... {
     using Handlers::operator()...;
 };
 template <class... Handlers>
-Overloaded(Handlers...) -> Overloaded<Handlers...>;
+Overloaded(Handlers...) -> Overloaded<Handlers...>;  // Clang 14 does not deduce it yet
 
 Ball make_ball(const BallSettings& settings, double time) {
     Ball ball{.centre = settings.position, .radius = settings.radius, .velocity = settings.velocity};
@@ -81,6 +82,10 @@ bool steps_otherwise(const SolverSettings& a, const SolverSettings& b) {
 }  // namespace
 
 void Simulation::apply(const Command& command) {
+    with_memory(settings_, [&] { carry_out(command); });
+}
+
+void Simulation::carry_out(const Command& command) {
     std::visit(Overloaded{[&](const command::Pause&) { paused_ = !paused_, steps_wanted_ = 0; },
                           [&](const command::Step& step) {
                               paused_ = true;

@@ -4,6 +4,9 @@
 
 #include <array>
 #include <chrono>
+#include <cstdlib>
+
+#include "support/address_space.h"
 
 namespace drape {
 namespace {
@@ -45,6 +48,23 @@ TEST(Workers, DoTheirPartsAtTheSameTime) {
     workers.run(4, std::cref(work));
     EXPECT_EQ(arrived, 4);
 }
+
+#ifdef DRAPE_CAN_LIMIT_ADDRESS_SPACE
+TEST(WorkersDeathTest, AreFewerWhereThreadsCannotBeStarted) {
+    GTEST_FLAG_SET(death_test_style, "threadsafe");
+    const auto work_with_few = [] {
+        testing::limit_address_space(100'000'000);  // about ten stacks
+        Workers workers(64);
+        const int threads = workers.threads();
+        std::atomic<int> done = 0;
+        const auto work = [&](int) { ++done; };
+        workers.run(threads, std::cref(work));
+        const Workers again(64);  // says nothing more
+        std::exit(threads >= 1 && threads < 64 && done == threads ? 0 : 1);
+    };
+    EXPECT_EXIT(work_with_few(), ::testing::ExitedWithCode(0), "^warning: [0-9]+ of 64 threads run, .*\n$");
+}
+#endif
 
 TEST(Workers, AreMadeAndEndedWithoutWork) {
     for (int threads = 1; threads < 8; ++threads) const Workers idle(threads);

@@ -5,6 +5,7 @@
 #include <csignal>
 #include <exception>
 #include <iostream>
+#include <new>
 #include <span>
 #include <string>
 #include <string_view>
@@ -107,6 +108,9 @@ int run_program(const std::string& name, int argc, char** argv, Run run) {
     } catch (const InputError& error) {
         print_error(name, error.what());
         return BadInput;
+    } catch (const std::bad_alloc&) {
+        print_error(name, "out of memory");
+        return Failed;
     } catch (const std::exception& error) {
         print_error(name, error.what());
         return Failed;

@@ -11,6 +11,7 @@ namespace drape {
 /// Between two loops they look for the next one for a few microseconds, then sleep.
 class Workers {
 public:
+    /// Where the system refuses to start so many threads, says so on standard error and goes on with fewer.
     /// @param threads the caller's own included, at least 1
     explicit Workers(int threads);
     ~Workers();

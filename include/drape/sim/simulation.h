@@ -103,6 +103,7 @@ private:
         bool was_pinned;
     };
 
+    void carry_out(const Command& command);
     void configure(Settings settings);
     void restart();
     void predict_limit(int fewest_parts = 1);

@@ -1,0 +1,71 @@
+#include "drape/integrate/method_memory.h"
+
+#include <algorithm>
+#include <bit>
+
+#include "grid_factor.h"
+#include "newton_system.h"
+
+namespace drape {
+namespace {
+
+/// An entry of a sparse matrix: value and row.
+constexpr double entry = sizeof(Real) + sizeof(int);
+
+/// The binary logarithm, to a half.
+double log_two(const Grid& grid) { return std::bit_width(static_cast<unsigned>(grid.particles())) - 0.5; }
+
+/// Entries a particle of all that factorising a symmetric matrix over the grid takes at once. The factors of a square
+/// grid have O(n log n) entries under a good order of elimination.
+double factor_entries(const Grid& grid) { return std::max(12.5 * log_two(grid) - 17, 100.0); }
+
+/// The same for three coordinates to a particle: nine entries where there was one, less what is found once only.
+double block_factor_entries(const Grid& grid) { return std::max(75 * log_two(grid) - 350, 165.0); }
+
+/// Numbers a particle of the linear system: slopes, inverse blocks, and the vectors of the solver.
+double numbers_of_system(Hessian hessian) { return hessian == Hessian::Exact ? 75 : 39; }
+
+double numbers_of_arrays(const IntegratorParameters& parameters) {
+    switch (parameters.kind) {
+        case IntegratorKind::ExplicitEuler:
+        case IntegratorKind::SymplecticEuler:
+            return 3;
+        case IntegratorKind::VelocityVerlet:
+            return 9;
+        case IntegratorKind::Rk4:
+            return 15;
+        case IntegratorKind::BackwardEuler:
+        case IntegratorKind::ImplicitMidpoint:
+            return 9 + numbers_of_system(parameters.hessian);
+        case IntegratorKind::Bdf2:
+            return 24 + numbers_of_system(parameters.hessian);
+        case IntegratorKind::Xpbd:
+            return 12;
+        case IntegratorKind::ProjectiveDynamics:
+            return 22;
+        case IntegratorKind::DormandPrince:
+            return 54;
+    }
+    return 0;
+}
+
+double factor_bytes(const IntegratorParameters& parameters, const Grid& grid) {
+    switch (parameters.kind) {
+        case IntegratorKind::ProjectiveDynamics:
+            return entry * factor_entries(grid);
+        case IntegratorKind::BackwardEuler:
+        case IntegratorKind::ImplicitMidpoint:
+        case IntegratorKind::Bdf2:
+            return NewtonSystem::keeps_factors(grid, parameters.hessian) ? entry * block_factor_entries(grid) : 0;
+        default:
+            return 0;
+    }
+}
+
+}  // namespace
+
+double bytes_of_method(const IntegratorParameters& parameters, const Grid& grid) {
+    return grid.particles() * (sizeof(Real) * numbers_of_arrays(parameters) + factor_bytes(parameters, grid));
+}
+
+}  // namespace drape

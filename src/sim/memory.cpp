@@ -1,0 +1,69 @@
+#include "drape/sim/memory.h"
+
+#include <algorithm>
+
+#include "drape/base/memory_limit.h"
+#include "drape/bounds/quadtree_nodes.h"
+#include "drape/contact/contact.h"
+#include "drape/integrate/method_memory.h"
+
+namespace drape {
+namespace {
+
+/// Numbers a particle: its mass, the state and the one before, the positions of the last build and the ledger's.
+constexpr double numbers = 1 + 12 + 3 + 3;
+
+/// The search for the longest step: its vectors and slopes, on a piece of at most about so many particles.
+constexpr double search_numbers = 42, searched_particles = 3000;
+
+double numbers_of_volume(VolumeKind kind) {
+    switch (kind) {
+        case VolumeKind::Sphere:
+            return 4;
+        case VolumeKind::Aabb:
+        case VolumeKind::Kdop6:
+            return 6;
+        case VolumeKind::Kdop14:
+            return 14;
+        case VolumeKind::Kdop18:
+            return 18;
+        case VolumeKind::Kdop26:
+            return 26;
+        case VolumeKind::Obb:
+            return 15;
+        case VolumeKind::Brute:
+            return 0;
+    }
+    return 0;
+}
+
+double hierarchy_bytes(const ContactSettings& contact, const Grid& grid) {
+    const int side = contact.leaf_cells > 0 ? contact.leaf_cells : measured_leaf_cells(grid);
+    const double nodes = 4.0 / 3 * grid.particles() / (static_cast<double>(side) * side);
+    return nodes * (sizeof(QuadtreeNode) + 2 * sizeof(int) + sizeof(Real) * numbers_of_volume(contact.volume));
+}
+
+}  // namespace
+
+MemoryNeed memory_needed(const Settings& settings) {
+    MemoryNeed need;
+    for (const ClothParameters& cloth : settings.cloths) {
+        const Grid& grid = cloth.particles;
+        const double particles = grid.particles();
+        need.cloths += particles * sizeof(Real) * numbers + grid.triangles() * static_cast<double>(sizeof(Contact)) +
+                       hierarchy_bytes(settings.contact, grid) +
+                       std::min(particles, searched_particles) * sizeof(Real) * search_numbers;
+        need.method += bytes_of_method(integrator_of(settings.solver), grid);
+    }
+    return need;
+}
+
+std::string memory_text(const Settings& settings) {
+    long long particles = 0;
+    for (const ClothParameters& cloth : settings.cloths) particles += cloth.particles.particles();
+    const MemoryNeed need = memory_needed(settings);
+    return std::to_string(particles) + " particles with " + std::string(name_of(settings.solver.integrator)) +
+           " need about " + bytes_text(need.total()) + ", " + bytes_text(need.method) + " of it for the method";
+}
+
+}  // namespace drape

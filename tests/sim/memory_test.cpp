@@ -1,0 +1,121 @@
+#include "drape/sim/memory.h"
+
+#include <gmock/gmock.h>
+#include <sys/mman.h>
+
+#include <cstdlib>
+
+#include "small_scene.h"
+#include "support/address_space.h"
+#include "support/allocations.h"
+#include "support/input_errors.h"
+
+namespace drape {
+namespace {
+
+using ::testing::HasSubstr;
+using testing_aid::input_error_of;
+
+Settings settings_of(const std::string& method, int side, const std::vector<std::string>& more = {}) {
+    Settings settings = small_settings();
+    settings.cloths[0].particles = {side, side};
+    settings.solver.dt = Real(1e-5);
+    assign(settings, "solver.integrator=" + method);
+    assign_all(settings, more);
+    return settings;
+}
+
+/// The most that making a simulation and three steps of it take, as counted [bytes].
+double bytes_taken(const Settings& settings) {
+    const long long before = testing::bytes_held();
+    testing::forget_most_bytes_held();
+    Simulation simulation("counted", settings);
+    make_steps(simulation, 3);
+    return static_cast<double>(testing::most_bytes_held() - before);
+}
+
+/// Expects the estimate to be near what is taken.
+void expect_near(const Settings& settings, const std::string& told) {
+    const double taken = bytes_taken(settings);
+    if (testing::allocations() == 0) GTEST_SKIP() << "a sanitizer counts for itself";
+    EXPECT_GT(memory_needed(settings).total(), 0.8 * taken) << told << ", bytes taken: " << taken;
+    EXPECT_LT(memory_needed(settings).total(), 1.5 * taken) << told << ", bytes taken: " << taken;
+}
+
+TEST(Memory, IsEstimatedForEveryMethodAtTwoSizes) {
+    for (const std::string& method : integrator_names()) {
+        for (const int side : {40, 150}) expect_near(settings_of(method, side), method + " " + std::to_string(side));
+    }
+}
+
+TEST(Memory, IsEstimatedWithTheFactorsOfExactSystems) {
+    for (const char* method : {"backward_euler", "implicit_midpoint", "bdf2"}) {
+        for (const int side : {16, 32, 72, 100}) {
+            expect_near(settings_of(method, side, {"solver.hessian=exact"}), method + (" " + std::to_string(side)));
+        }
+    }
+}
+
+TEST(Memory, IsEstimatedForEveryVolumeWithTheSmallestLeaves) {
+    for (const std::string& volume : volume_names()) {
+        expect_near(settings_of("xpbd", 100, {"contact.leaf_cells=1", "contact.volume=" + volume}), volume);
+    }
+}
+
+TEST(Memory, ThatRunsOutIsToldWithWhatNeededHowMuch) {
+    const Settings settings = settings_of("projective_dynamics", 150);
+    try {
+        with_memory(settings, [] { throw std::bad_alloc(); });
+        FAIL() << "no error";
+    } catch (const RunError& error) {
+        EXPECT_THAT(error.what(), HasSubstr("out of memory: 22500 particles with projective_dynamics need about"));
+    }
+}
+
+#ifdef DRAPE_CAN_LIMIT_ADDRESS_SPACE
+/// Exit code 0 if `work` ends in the error that says what needed how much.
+template <class Work>
+[[noreturn]] void exit_as_told(Work work) {
+    try {
+        work();
+    } catch (const RunError& error) {
+        std::_Exit(
+            std::string(error.what()).starts_with("out of memory: 22500 particles with projective_dynamics") ? 0 : 1);
+    }
+    std::_Exit(2);
+}
+
+constexpr std::size_t too_little = 10'000'000;  // bytes
+
+TEST(MemoryDeathTest, ThatRunsOutInAStepEndsTheRun) {
+    const auto run = [] {
+        Simulation simulation("large", settings_of("projective_dynamics", 150));
+        testing::limit_address_space(too_little);
+        exit_as_told([&] { simulation.step(); });
+    };
+    EXPECT_EXIT(run(), ::testing::ExitedWithCode(0), "");
+}
+
+TEST(MemoryDeathTest, ThatRunsOutInMakingASceneEndsTheRun) {
+    const auto run = [] {
+        // Addresses without memory, so that the limit is far above the estimate
+        constexpr std::size_t giga = 1'000'000'000;
+        mmap(nullptr, giga, PROT_NONE, MAP_PRIVATE | MAP_ANONYMOUS, -1, 0);
+        testing::limit_address_space(too_little / 5);
+        exit_as_told([&] { Simulation simulation("large", settings_of("projective_dynamics", 150)); });
+    };
+    EXPECT_EXIT(run(), ::testing::ExitedWithCode(0), "");
+}
+
+TEST(MemoryDeathTest, ThatTheProcessMayNotTakeIsRefusedBefore) {
+    const auto run = [] {
+        testing::limit_address_space(too_little);
+        const std::string error = input_error_of([] { check(settings_of("projective_dynamics", 1000)); });
+        std::_Exit(error.find("(ulimit -v)") != error.npos ? 0 : 1);
+    };
+    EXPECT_EXIT(run(), ::testing::ExitedWithCode(0), "");
+}
+#endif
+
+}  // namespace
+}  // namespace drape
