@@ -80,7 +80,7 @@ TEST_F(WindowTest, ItsRecordingIsNoFileThatItReads) {
         Process wrong({program("drape"), "--record", name, "--replay", "r.txt"}, {{"DISPLAY", desktop_.display()}},
                       folder_);
         EXPECT_EQ(wrong.wait(20), 2);
-        EXPECT_NE(wrong.standard_error().find("--replay r.txt"), std::string::npos) << wrong.standard_error();
+        EXPECT_NE(wrong.standard_error().find("--replay "), std::string::npos) << wrong.standard_error();
     }
     EXPECT_EQ(read_file(file("r.txt")), "drape-recording 1\nscene hang\n9 end\n");
 }
