@@ -160,7 +160,7 @@ void Simulation::respond(Cloth& cloth, Real h) {
         const auto push = static_cast<double>(push_of(found, balls_[static_cast<std::size_t>(found.ball)].radius));
         if (push > 0) squared_push += push * push;
     }
-    const double push_work = most_push_work(cloth.model, squared_push);
+    const double push_work = most_push_work(cloth.model, static_cast<Real>(squared_push));
     const bool measured = push_work > cloth.energy_watch.small_work();
     const double before = measured ? compute_energy(cloth.model, cloth.state).total() : 0;
 

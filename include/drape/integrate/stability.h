@@ -8,11 +8,11 @@ namespace drape {
 
 /// What the longest stable step of a method follows from.
 struct StepLimit {
-    Real omega = 0;            ///< angular frequency of the vibration that grows first [1/s]; 0 without springs
-    Real zeta = 0;             ///< its damping ratio: its damping by mass over 2 omega
-    Real step = 0;             ///< [s]; 0 if no step is stable, infinite if none is too long
-    std::string_view formula;  ///< the bound, in these letters, with z = step * omega
-    bool at_least = false;     ///< `step` is stable, but no vibration was found that keeps a longer one from being so
+    Real omega = 0;                 ///< angular frequency of the vibration that grows first [1/s]; 0 without springs
+    Real zeta = 0;                  ///< its damping ratio: its damping by mass over 2 omega
+    Real step = 0;                  ///< [s]; 0 if no step is stable, infinite if none is too long
+    std::string_view formula = {};  ///< the bound, in these letters, with z = step * omega
+    bool at_least = false;  ///< `step` is stable, but no vibration was found that keeps a longer one from being so
 };
 
 /// The longest step with which a method keeps small vibrations of a cloth about a state from growing.
