@@ -36,6 +36,13 @@ void Matrix::add_methods() {
     for (const std::string& method : integrator_names()) add(small_case + "integrator=" + method);
 }
 
+void Matrix::add_threaded() {
+    const std::string large = "drop --time 0.01 --set cloth.particles=184,184 ball.position=0,0.345,0 solver.dt=5e-4 ";
+    for (const char* method : {"explicit_euler", "symplectic_euler", "velocity_verlet", "rk4"}) {
+        add(large + "wind.on=1 integrator=" + method);
+    }
+}
+
 void Matrix::add_volumes() {
     for (const std::string& volume : volume_names()) add(small_case + "search_level=2 volume=" + volume);
 }

@@ -33,6 +33,9 @@ public:
     /// The small case with every method.
     void add_methods();
 
+    /// A cloth large enough for four threads, with the methods that share their work.
+    void add_threaded();
+
     /// The small case with every volume, under a limited search: then nodes stand for the cloth, and its motion shows
     /// every bit that the volumes' kernels find.
     void add_volumes();

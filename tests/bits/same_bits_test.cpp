@@ -47,7 +47,7 @@ TEST(SameBits, ComeWhateverTheCLibraryHasForTheProcessor) {
 
 TEST(SameBits, ComeFromAnyNumberOfThreads) {
     Matrix matrix;
-    matrix.add_methods();
+    matrix.add_threaded();
     int comparisons = 0;
     for (const char* threads : {"2", "3", "4"}) {
         comparisons += matrix.compare({"threads"}, {"--set", std::string("solver.threads=") + threads});
