@@ -81,7 +81,9 @@ std::filesystem::path write_failure(const Simulation& simulation, const std::fil
 
 std::string tell_failure(const Simulation& simulation, const std::filesystem::path& folder) {
     const std::string warning = simulation.step_warning(), cause = warning.empty() ? "" : warning + "; ";
-    if (simulation.report().heated_step > 0) return cause + "no step of it alone shows this";
+    // What has ended it for its heat is the sum of many steps
+    if (simulation.run_warning().ends_with(simulation.report().trouble))
+        return cause + "no step of it alone shows this";
     try {
         return cause + write_failure(simulation, folder).string() + " starts from the last good state";
     } catch (const std::exception& error) {
