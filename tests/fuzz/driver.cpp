@@ -65,6 +65,10 @@ struct Options {
     unsigned long seed = 1;
     std::size_t longest = 4096;
     unsigned timeout = 20;  // s, for one input
+
+    [[nodiscard]] bool bounded() const {
+        return runs != std::numeric_limits<long long>::max() || seconds != std::numeric_limits<double>::infinity();
+    }
 };
 
 std::optional<Options> parse(int argc, char** argv) {
@@ -94,6 +98,11 @@ std::optional<Options> parse(int argc, char** argv) {
             return {};
         }
     }
+    // As with libFuzzer, files that are given alone are run and no more
+    const bool alone = !options.corpus.empty() && std::ranges::none_of(options.corpus, [](const std::string& part) {
+        return std::filesystem::is_directory(part);
+    });
+    if (alone && !options.bounded()) options.runs = 0;
     return options;
 }
 
