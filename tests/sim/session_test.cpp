@@ -339,7 +339,6 @@ TEST(ReplayedSession, SaysWhichCommandItCouldNotCarryOut) {
 
 TEST(Session, StopsBetweenTwoStepsWhenItIsToldToAndGoesOnWithTheSameBits) {
     Session whole(small_simulation()), stopped(small_simulation());
-    const double dt = static_cast<double>(whole.simulation().settings().solver.dt);
     whole.run_until(20 * dt);
     int asked = 0;
     EXPECT_FALSE(stopped.run_until(20 * dt, [&asked] { return ++asked == 6; }));
