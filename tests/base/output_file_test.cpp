@@ -208,11 +208,13 @@ TEST_F(OutputFileTest, WritesAFifoDirectly) {
 }
 
 TEST_F(OutputFileTest, NamedAsStandardOutputWritesWhereThatIs) {
+    // As /dev/stdout is, which a fault could replace on the whole machine
+    fs::create_symlink("/proc/self/fd/1", path("stdout"));
     const pid_t child = fork();
     if (child == 0) {
         dup2(open(path("out").c_str(), O_WRONLY | O_CREAT | O_TRUNC, 0600), STDOUT_FILENO);
         bool whole = write(STDOUT_FILENO, "one\n", 4) == 4;
-        OutputFile file("/dev/stdout");
+        OutputFile file(path("stdout"));
         file.stream() << "two\n";
         file.close();
         whole &= write(STDOUT_FILENO, "three\n", 6) == 6;
@@ -222,7 +224,8 @@ TEST_F(OutputFileTest, NamedAsStandardOutputWritesWhereThatIs) {
     waitpid(child, &status, 0);
     EXPECT_EQ(status, 0);
     EXPECT_EQ(read_file(path("out")), "one\ntwo\nthree\n");
-    EXPECT_THAT(names(), ElementsAre("out"));
+    EXPECT_THAT(names(), ElementsAre("out", "stdout"));
+    EXPECT_TRUE(fs::is_symlink(path("stdout")));
 }
 
 }  // namespace
