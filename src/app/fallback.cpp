@@ -28,6 +28,7 @@ void capture_instead(const Options& options, const std::string& reason) {
     words.insert(words.end(), {"--frames", std::to_string(frames), "--size", size, "--out", out, "--again"});
 
     std::cerr << "drape: " << reason << "; drawing " << frames << " pictures into " << out << " instead"
+              << (std::filesystem::exists(out) ? ", in place of those that are there" : "")
               << (options.record.empty() ? "" : " (nothing is recorded)") << std::endl;
     become_program(std::move(words));
 }

@@ -136,6 +136,7 @@ std::optional<int> ChildProgram::wait(double seconds) {
 }
 
 void ChildProgram::kill() {
+    DRAPE_ASSERT(process_ > 0);
     if (!code_) ::kill(process_, SIGKILL);
 }
 

@@ -24,7 +24,10 @@ std::optional<int> open_directly(const std::string& name) {
         if (fstat(own, &opened) == 0 && same_file(named, opened)) return fcntl(own, F_DUPFD_CLOEXEC, 0);
     }
     if (S_ISREG(named.st_mode)) return std::nullopt;
-    return open(name.c_str(), O_WRONLY | O_CLOEXEC);
+    // Without waiting for a reader of a FIFO that may never come
+    const int descriptor = open(name.c_str(), O_WRONLY | O_CLOEXEC | O_NONBLOCK);
+    if (descriptor >= 0) fcntl(descriptor, F_SETFL, 0);
+    return descriptor;
 }
 
 }  // namespace

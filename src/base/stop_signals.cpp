@@ -31,7 +31,8 @@ StopSignals::StopSignals() {
     for (std::size_t i = 0; i < numbers.size(); ++i) {
         sigaction(numbers[i], nullptr, &before_[i]);
         DRAPE_ASSERT(before_[i].sa_handler != take);
-        if (numbers[i] == SIGHUP && before_[i].sa_handler == SIG_IGN) continue;
+        // Under nohup, or in the background of a script, a signal is not meant for this program
+        if (before_[i].sa_handler == SIG_IGN) continue;
         sigaction(numbers[i], &ours, nullptr);
     }
 }

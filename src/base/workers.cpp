@@ -19,11 +19,11 @@ void wait_while(const std::atomic<int>& value, int old) {
 }
 
 /// Once in a program, however often it happens.
-void warn_of_few_threads(int wanted, int started, const std::system_error& error) {
+void warn_of_few_threads(int wanted, int started, const std::exception& error) {
     static std::atomic_flag warned;
     if (warned.test_and_set()) return;
     std::fprintf(stderr, "warning: %d of %d threads run, for no more can be started (%s); the results are the same\n",
-                 started, wanted, error.code().message().c_str());
+                 started, wanted, error.what());
 }
 
 }  // namespace
@@ -33,7 +33,7 @@ Workers::Workers(int threads) {
     own_.reserve(static_cast<std::size_t>(threads));
     try {
         for (int part = 1; part < threads; ++part) own_.emplace_back([this, part] { serve(part); });
-    } catch (const std::system_error& error) {
+    } catch (const std::exception& error) {
         warn_of_few_threads(threads, this->threads(), error);
     }
 }

@@ -53,7 +53,11 @@ VideoPipe::VideoPipe(const std::filesystem::path& file, PictureSize size, double
     ffmpeg_.reset();
 }
 
-VideoPipe::~VideoPipe() { close(); }
+/// A run that ends by an exception has no video to give a name to.
+VideoPipe::~VideoPipe() {
+    fed_ = false;
+    close();
+}
 
 void VideoPipe::write(const Image& image) {
     const std::uint8_t* data = image.rgb.data();

@@ -81,13 +81,17 @@ int simulate(Options& options) {
     for (const double time : times) {
         if (!session.run_until(time, stop) || !write()) break;
     }
+    // Told first: the files may not take what is left to write
+    const StepReport& report = session.simulation().report();
+    if (report.status == Status::Diverged) {
+        std::cerr << "drape-lab: " << report.trouble << "\n" << tell_failure(session.simulation(), "") << "\n";
+    }
     // What was there before is worth more than a table without rows
     if (written) {
         state.close();
         stats.close();
     }
 
-    const StepReport& report = session.simulation().report();
     std::cerr << report.step << " steps to " << real_text(report.time, 6) << " s in " << real_text(watch.seconds(), 3)
               << " s\n";
     if (!session.replay_notice().empty()) std::cerr << session.replay_notice() << "\n";
@@ -95,9 +99,7 @@ int simulate(Options& options) {
     const std::string doubt = session.simulation().run_warning();
     if (!doubt.empty() && report.status == Status::Ok) std::cerr << "warning: " << doubt << "\n";
     if (const int signal = signals.arrived()) return 128 + signal;
-    if (report.status == Status::Ok) return session.replay_differs() ? Failed : Done;
-    std::cerr << "drape-lab: " << report.trouble << "\n" << tell_failure(session.simulation(), "") << "\n";
-    return Failed;
+    return report.status == Status::Ok && !session.replay_differs() ? Done : Failed;
 }
 
 }  // namespace

@@ -70,7 +70,10 @@ void Simulation::step() {
         if (report_.status == Status::Diverged) return;
     }
     ++report_.step;
-    if (report_.solve.unconverged > 0) ++report_.unconverged;
+    if (report_.solve.unconverged > 0) {
+        ++report_.unconverged;
+        report_.unsolved_by = settings_.solver.integrator;
+    }
     report_.time = counted_from_time_ + static_cast<double>(report_.step - counted_from_step_) * settings_.solver.dt;
     steps_wanted_ = std::max(0, steps_wanted_ - 1);
     if (!report_.asleep) watch_rest();

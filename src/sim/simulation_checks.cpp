@@ -20,6 +20,7 @@ void Simulation::check_cloths(Real h) {
 
     // An explicit step costs little more than the sum over the springs
     const int least_pause = has_step_limit(solver.integrator) ? 32 : 1;
+    bool heated = false;
     for (Cloth& cloth : cloths_) {
         const MotionSums sums = sum_motion(cloth.state);
         const std::string trouble = divergence(cloth, sums, balls_, settings_);
@@ -29,10 +30,14 @@ void Simulation::check_cloths(Real h) {
         }
         cloth.energy_watch.look(cloth.model, cloth.state, sums, h, least_pause);
         report_.energy_excess = std::max(report_.energy_excess, cloth.energy_watch.excess());
-        if (cloth.energy_watch.heated() && report_.heated_step == 0) report_.heated_step = report_.step + 1;
+        if (!cloth.energy_watch.heated()) continue;
+        heated = true;
+        if (report_.heated_step > 0) continue;
+        report_.heated_step = report_.step + 1;
+        report_.heated_by = solver.integrator;
     }
     if (stops && solve.unconverged > 0) return end_with(solve_trouble());
-    if (stops && report_.heated_step > 0) end_with(heat_trouble());
+    if (stops && heated) end_with(heat_trouble());
 }
 
 std::string Simulation::solve_trouble() const {
@@ -48,7 +53,7 @@ std::string Simulation::solve_trouble() const {
 }
 
 std::string Simulation::heat_trouble() const {
-    return std::string(name_of(settings_.solver.integrator)) + " has made " + real_text(report_.energy_excess, 3) +
+    return std::string(name_of(report_.heated_by)) + " has made " + real_text(report_.energy_excess, 3) +
            " J more mechanical energy than hand, balls and wind can have put in, seen first in step " +
            std::to_string(report_.heated_step);
 }
@@ -56,7 +61,7 @@ std::string Simulation::heat_trouble() const {
 std::string Simulation::run_warning() const {
     std::string text;
     if (report_.unconverged > 0) {
-        text = std::string(name_of(settings_.solver.integrator)) + " has not solved " +
+        text = std::string(name_of(report_.unsolved_by)) + " has not solved " +
                std::to_string(report_.unconverged) + " of " + std::to_string(report_.step) +
                " steps to its tolerance, largest residual " + real_text(report_.worst_residual, 3);
     }

@@ -5,6 +5,8 @@
 
 #include <cstdlib>
 
+#include "support/address_space.h"
+
 namespace drape {
 namespace {
 
@@ -15,6 +17,7 @@ TEST(MemoryLimit, IsAtMostWhatTheMachineHas) {
     EXPECT_FALSE(limit.whose.empty());
 }
 
+#ifdef DRAPE_CAN_LIMIT_ADDRESS_SPACE
 TEST(MemoryLimitDeathTest, IsThatOfTheProcessWhereThatIsLess) {
     const auto limit_myself = [] {
         rlimit space{};
@@ -24,8 +27,9 @@ TEST(MemoryLimitDeathTest, IsThatOfTheProcessWhereThatIsLess) {
         const MemoryLimit limit = memory_limit();
         std::_Exit(limit.bytes == 50'000'000 && limit.whose.find("ulimit -v") != limit.whose.npos ? 0 : 1);
     };
-    EXPECT_EXIT(limit_myself(), testing::ExitedWithCode(0), "");
+    EXPECT_EXIT(limit_myself(), ::testing::ExitedWithCode(0), "");
 }
+#endif
 
 TEST(MemoryLimit, HasTextsOfTwoOrThreeDigits) {
     EXPECT_EQ(bytes_text(0), "0 MB");

@@ -131,7 +131,7 @@ int fuzz_all(const Options& options) {
     const auto seconds = [&] { return std::chrono::duration<double>(Clock::now() - start).count(); };
     std::vector<std::string> seeds;
     for (const auto& file : files_of(options.corpus)) {
-        kept_name = file.string() + ".crash";
+        kept_name = options.artifact_prefix + file.filename().string() + ".crash";
         seeds.push_back(whole(file));
         run(seeds.back(), options.timeout);
     }

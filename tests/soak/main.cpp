@@ -124,7 +124,11 @@ std::string Soak::random_command(const Simulation& simulation) {
 void Soak::fail(const std::string& what) {
     ++failed_;
     const auto kept = file_.string() + "." + std::to_string(failed_);
-    std::filesystem::copy_file(file_, kept, std::filesystem::copy_options::overwrite_existing);
+    // One that is still recorded has another name
+    std::error_code none;
+    for (const std::string& name : {file_.string() + ".unfinished", file_.string()}) {
+        std::filesystem::copy_file(name, kept, std::filesystem::copy_options::skip_existing, none);
+    }
     std::cout << "FAILED: " << what << "\n  " << about_ << "\n  the recording is " << kept << "\n";
 }
 

@@ -12,6 +12,7 @@
 #include <vector>
 
 #include "drape/base/input_error.h"
+#include "drape/base/standard_streams.h"
 
 namespace drape {
 
@@ -100,6 +101,7 @@ inline void print_error(const std::string& name, std::string_view message) {
 /// @param run called as run(argc, argv), returns the exit code
 template <class Run>
 int run_program(const std::string& name, int argc, char** argv, Run run) {
+    keep_standard_streams_apart();
     std::signal(SIGXFSZ, SIG_IGN);
     try {
         const int exit_code = run(argc, argv);

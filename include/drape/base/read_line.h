@@ -9,8 +9,8 @@ namespace drape {
 /// How a line that was read ended: with its end, with the file, not within the length allowed, or never began.
 enum class LineEnd { Whole, CutOff, TooLong, None };
 
-/// Reads the next line, without its end, which may be CR LF; a text that CR ends reads back the same. Never keeps more
-/// than `longest` bytes, whatever the file is.
+/// Reads the next line, without its end; carriage returns before the end are no part of it. Never keeps more than
+/// `longest` bytes, whatever the file is.
 inline LineEnd read_line(std::istream& in, std::string& line, std::size_t longest) {
     line.clear();
     const auto ended = [&line](LineEnd end) {

@@ -43,6 +43,8 @@ struct StepReport {
     std::int64_t unconverged = 0;       ///< steps since the start with a solve that kept more than its tolerance
     double worst_residual = 0;          ///< since the start, as `SolveReport::residual`
     double energy_excess = 0;           ///< largest of any cloth since the start, see `EnergyWatch` [J]
+    IntegratorKind unsolved_by{};       ///< the method of the last of them
+    IntegratorKind heated_by{};         ///< the method of `heated_step`
     std::int64_t heated_step = 0;       ///< the first that has found a cloth heated by its method; 0: none has
     double rms_speed = 0;               ///< of the particles [m/s]
     Energy energy;          ///< this, balance and stretch are filled by `Simulation::view`, not by every step

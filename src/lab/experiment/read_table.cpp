@@ -32,7 +32,6 @@ public:
         if (end == LineEnd::CutOff && unfinished_) return false;
         if (end == LineEnd::CutOff) fail("cut off");
         if (end == LineEnd::TooLong) fail("too long: allowed " + std::to_string(longest_line) + " bytes in a line");
-        if (line_.ends_with('\r')) fail("ends with CR LF: allowed LF alone, as the table was written");
         const auto foreign = std::ranges::find_if(line_, [](char c) { return c < ' ' || c > '~'; });
         if (foreign != line_.end()) {
             fail("byte " + std::to_string(foreign - line_.begin() + 1) + " is no printable ASCII character");

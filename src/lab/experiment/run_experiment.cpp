@@ -57,8 +57,7 @@ std::optional<ExperimentTable> finished(const Experiment& experiment, const Tabl
     try {
         return read_table(experiment, file, false);
     } catch (const InputError& error) {
-        throw InputError(error.what() +
-                         std::string("\n--again computes it anew, and keeps this one under another name"));
+        throw InputError(error.what(), "--again computes it once more, and keeps this one under another name");
     }
 }
 
@@ -89,7 +88,7 @@ int run(const Experiment& experiment, const Options& options) {
     const TableHead head = head_of(experiment, options.selection.text(), cases.size());
     if (!options.again && !exists(unfinished_name(file))) {
         if (const auto done = finished(experiment, head, file)) {
-            std::cerr << file.string() << ": all cases are there already; --again computes them anew\n";
+            std::cerr << file.string() << ": all cases are there already; --again computes them once more\n";
             present(experiment, *done, file);
             return Done;
         }
@@ -142,7 +141,7 @@ void add_experiments(CLI::App& app, int& exit_code) {
         command->add_option("--cases", options->selection.cases, "only these cases")->type_name("FIRST-LAST");
         command->add_option("--share", options->selection.share, "only the K-th of N parts of the cases")
             ->type_name("K/N");
-        command->add_flag("--again", options->again, "compute anew what is there already");
+        command->add_flag("--again", options->again, "compute once more what is there already");
         command->footer("An interrupted run goes on where it was when it is started again. `merge` joins shares.");
         command->callback([&experiment, options, &exit_code] { exit_code = run(experiment, *options); });
     }

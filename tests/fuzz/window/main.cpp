@@ -122,7 +122,7 @@ void Fuzzer::send_batch(int events) {
 }
 
 int Fuzzer::resets() const {
-    std::istringstream lines(testing_aid::read_file(folder_ / "session.txt"));
+    std::istringstream lines(testing_aid::read_file(folder_ / "session.txt.unfinished"));
     int count = 0;
     for (std::string line; std::getline(lines, line);) count += line.ends_with(" reset") ? 1 : 0;
     return count;
@@ -144,7 +144,7 @@ void Fuzzer::fail(const std::string& what) {
     ++failed_;
     const fs::path kept = folder_ / ("failed-" + std::to_string(failed_));
     fs::create_directories(kept);
-    for (const char* name : {"session.txt", "batch.txt", "stderr.txt", "stdout.txt"}) {
+    for (const char* name : {"session.txt", "session.txt.unfinished", "batch.txt", "stderr.txt", "stdout.txt"}) {
         std::error_code ignored;
         fs::copy_file(folder_ / name, kept / name, fs::copy_options::overwrite_existing, ignored);
     }
