@@ -65,8 +65,8 @@ void kill_capture(Trial& trial, int count) {
 
 void kill_experiments(Trial& trial, int count) {
     // Charts take longer than the cases: they are drawn once in a while
-    const std::string plain = "env PATH=/nonexistent $LAB stability --quick --cases 1-12 --out ";
-    const std::string drawn = "$LAB stability --quick --cases 1-12 --out ";
+    const std::string plain = "env PATH=/nonexistent $LAB stability --quick --cases 1-6 --out ";
+    const std::string drawn = "$LAB stability --quick --cases 1-6 --out ";
     Outcome outcome;
     const double time = seconds_of([&] { outcome = trial.run("exec " + plain + "whole"); });
     if (!trial.check(outcome.code == 0, "the run that the others are held to", outcome)) return;
