@@ -61,9 +61,9 @@ std::string Simulation::heat_trouble() const {
 std::string Simulation::run_warning() const {
     std::string text;
     if (report_.unconverged > 0) {
-        text = std::string(name_of(report_.unsolved_by)) + " has not solved " +
-               std::to_string(report_.unconverged) + " of " + std::to_string(report_.step) +
-               " steps to its tolerance, largest residual " + real_text(report_.worst_residual, 3);
+        text = std::string(name_of(report_.unsolved_by)) + " has not solved " + std::to_string(report_.unconverged) +
+               " of " + std::to_string(report_.step) + " steps to its tolerance, largest residual " +
+               real_text(report_.worst_residual, 3);
     }
     if (report_.heated_step > 0) text += (text.empty() ? "" : "; ") + heat_trouble();
     return text;

@@ -28,7 +28,7 @@ struct Motion {
 
 /// Beyond which a run is not worth its time.
 struct Patience {
-    double cost = std::numeric_limits<double>::infinity();             ///< CPU time of all threads per simulated second [s/s]
+    double cost = std::numeric_limits<double>::infinity();  ///< CPU time of all threads per simulated second [s/s]
     double step_over_limit = std::numeric_limits<double>::infinity();  ///< a longer step is not even begun with
 };
 
