@@ -69,7 +69,7 @@ Sample random_sample(Damping damping, std::mt19937& random) {
     return sample;
 }
 
-class OneStepMatrix : public testing::TestWithParam<Damping> {};
+class OneStepMatrix : public ::testing::TestWithParam<Damping> {};
 
 TEST_P(OneStepMatrix, HasNoGrowthBelowThePredictedLimitAndSomeAboveWhereThatIsExact) {
     std::mt19937 random(static_cast<unsigned>(GetParam()) + 1);
@@ -99,12 +99,12 @@ TEST_P(OneStepMatrix, HasNoGrowthBelowThePredictedLimitAndSomeAboveWhereThatIsEx
     EXPECT_GE(exact, 2 * samples);
 }
 
-std::string case_name(const testing::TestParamInfo<Damping>& info) {
+std::string case_name(const ::testing::TestParamInfo<Damping>& info) {
     return std::array{"InProportion", "Lightly", "Unlike", "NotAll"}[static_cast<std::size_t>(info.param)];
 }
 
 INSTANTIATE_TEST_SUITE_P(Of, OneStepMatrix,
-                         testing::Values(Damping::InProportion, Damping::Lightly, Damping::Unlike, Damping::NotAll),
+                         ::testing::Values(Damping::InProportion, Damping::Lightly, Damping::Unlike, Damping::NotAll),
                          case_name);
 
 Sample sample_of(const ClothParameters& cloth) { return {make_cloth_model(cloth), make_rest_state(cloth), ""}; }
