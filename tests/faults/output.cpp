@@ -39,7 +39,8 @@ bool may_mount(const Trial& trial) {
 void fill_disk(Trial& trial, int count) {
     for (int k = 0; k < count; ++k) {
         const std::string writer = writers[static_cast<std::size_t>(k) % writers.size()];
-        const int blocks = static_cast<int>(trial.random() * 40);  // of 1024 bytes, a file
+        const int blocks =
+            1 + static_cast<int>(trial.random() * 40);  // of 1024 bytes, a file; messages go into one too
         trial.run("mkdir -p limited");
         const Outcome outcome = trial.run("ulimit -f " + std::to_string(blocks) + "; OUT=limited; exec " + writer +
                                           " 2>&1 >/dev/null | cat >&2; exit ${PIPESTATUS[0]}");

@@ -4,8 +4,8 @@
 
 #include <filesystem>
 #include <optional>
+#include <sstream>
 
-#include "fuzz/memory_file.h"
 #include "fuzz/target.h"
 #include "lab/experiment/experiment_table.h"
 
@@ -38,16 +38,23 @@ void check_written(const Experiment& experiment, const ExperimentTable& table) {
 }  // namespace
 
 extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
-    const fuzz::MemoryFile file(fuzz::text_of(data, size));
+    const std::string text(fuzz::text_of(data, size));
     for (const Experiment& experiment : experiments()) {
         if (experiment.name != "stability") continue;
         for (const bool unfinished : {false, true}) {
             std::optional<ExperimentTable> table;
-            if (!fuzz::accepts([&] { table = read_table(experiment, file.name(), unfinished); }) || !table) continue;
+            if (!fuzz::accepts([&] {
+                    std::istringstream in(text);
+                    table = read_table(experiment, in, "table.csv", unfinished);
+                }) ||
+                !table)
+                continue;
+            // An unfinished one may lack cases, which a table that is written may not
+            if (unfinished) continue;
             check_written(experiment, *table);
             // What it says in the end must not depend on luck
-            if (!unfinished) fuzz::accepts([&] { (void)experiment.summary(table->rows()); });
-            if (!unfinished) fuzz::accepts([&] { (void)experiment.charts(table->rows()); });
+            fuzz::accepts([&] { (void)experiment.summary(table->rows()); });
+            fuzz::accepts([&] { (void)experiment.charts(table->rows()); });
         }
     }
     return 0;

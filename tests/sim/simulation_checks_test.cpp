@@ -160,7 +160,7 @@ TEST(Heat, OfAFewParticlesOfManyIsSeenLongBeforeTheClothIsLost) {
     ASSERT_EQ(simulation.report().status, Status::Diverged);
     EXPECT_GT(seen_at, 0);
     EXPECT_LT(seen_at, fastest() / 20) << "m/s";
-    EXPECT_LT(simulation.report().heated_step, simulation.report().step - 10);
+    EXPECT_LE(simulation.report().heated_step, simulation.report().step - 10) << simulation.report().trouble;
 }
 
 /// Whoever works on the cloth from outside is not taken for its method.

@@ -1,6 +1,7 @@
 #include "math_rules.h"
 
 #include <gtest/gtest.h>
+#include <unistd.h>
 
 #include <cstdio>
 #include <fstream>
@@ -22,7 +23,7 @@ std::string names_that_the_core_asks_for() {
 
 /// What is wrong with one line of a file of a layer; empty if nothing.
 std::string verdict(const std::string& line, const std::string& file = "src/sim/a.cpp") {
-    const fs::path root = fs::path(testing::TempDir()) / "math-house";
+    const fs::path root = fs::path(testing::TempDir()) / ("math-house-" + std::to_string(getpid()));
     fs::remove_all(root);
     fs::create_directories((root / file).parent_path());
     std::ofstream(root / file) << line << "\n";

@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "break_even.h"
+#include "drape/base/exact_math.h"
 #include "drape/base/numbers.h"
 
 namespace drape {
@@ -91,7 +92,7 @@ std::vector<Growth> growths(const std::vector<HierarchyRow>& rows) {
     std::vector<Growth> all;
     for (const auto& [key, sizes] : hierarchies) {
         const auto same = [&](const HierarchyRow* row) {
-            return std::log(row->particles) == std::log(sizes.front()->particles);
+            return natural_log(row->particles) == natural_log(sizes.front()->particles);
         };
         if (std::ranges::all_of(sizes, same)) continue;
         std::vector<std::pair<double, double>> build, search;
