@@ -17,7 +17,7 @@ machine=$(sed -n 's/^model name[[:space:]]*: //p' /proc/cpuinfo | head -n 1 | tr
 commit=$(git -C "$here" rev-parse --short=12 HEAD 2>/dev/null || echo unknown)
 [ -z "$(git -C "$here" status --porcelain --untracked-files=no 2>/dev/null)" ] || commit+="+"
 [ -s "$file" ] || echo "date,commit,machine,build,what,tried,failed,seconds" >>"$file"
-row() { echo "$(date -u +%F),$commit,${machine:-unknown},${DRAPE_BUILD:-release},$1,$2,$3,$seconds" >>"$file"; }
+row() { echo "$(date -u +%F),$commit,${machine:-unknown},$(basename "$(dirname "$(realpath "$file")")"),$1,$2,$3,$seconds" >>"$file"; }
 
 runs=$(sed -n 's/^Done \([0-9]*\) runs in .*/\1/p' "$log" | tail -n 1)
 if [ -n "$runs" ]; then
