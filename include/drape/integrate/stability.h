@@ -32,8 +32,8 @@ struct StepLimit {
 /// The fastest waves are a cell or two long. A cloth of more than 64 particles a side is therefore searched in windows
 /// of that size, and closely in the one where they are fastest; that leaves omega at most about 0.2 % too low.
 /// @cite johnson1978
-/// @par Cost about 1 ms at 30 x 30, some where kinds of springs are damped unlike each other; 0.5 s at 1024 x 1024;
-/// nothing for a method without a limit; allocates
+/// @par Cost 2 to 3 ms at 30 x 30, two to four times that where kinds of springs are damped unlike each other;
+/// 0.5 s and more at 1024 x 1024; nothing for a method without a limit; allocates
 StepLimit predicted_limit(const ClothModel& model, const ClothState& state, IntegratorKind kind);
 
 /// The longest stable step for x'' = -k x - d x'.
