@@ -23,7 +23,7 @@ LabRun LabFolder::run(const std::vector<std::string>& words, const std::string& 
     std::map<std::string, std::string> changes = environment;
     changes.emplace("DRAPE_DATA", "");
     Process process(all, changes, path_);
-    const int code = process.wait(60).value_or(-1);
+    const int code = process.wait(600).value_or(-1);
     return {code, process.standard_output(), process.standard_error()};
 }
 
