@@ -36,7 +36,8 @@ horizon = 0.3
 
 void no_trail(const Attempt&, const std::string&) {}
 
-/// What the search has found for that scene, without trying methods that are far too dear: these are a few seconds.
+/// What the search has found for that scene, without trying methods that are far too expensive: these are a few
+/// seconds.
 const Settings& found_for_swinging() {
     static const Settings found = [] {
         Settings scene = parse_scene(swinging, "swinging.toml");
@@ -66,7 +67,7 @@ TEST(Needs, AreNotMetByARunThatIsLostOrBeyondItsLimitOrTooDearOrTooStretched) {
     tried.solver.dt = Real(5e-3);
     EXPECT_THAT(needs.attempt(tried).why, HasSubstr("of its limit"));
     EXPECT_TRUE(needs.attempt(tried).beyond_limit);
-    EXPECT_THAT(needs.attempt(scene, 1e-9).why, HasSubstr("dearer"));
+    EXPECT_THAT(needs.attempt(scene, 1e-9).why, HasSubstr("more expensive"));
     tried = scene;
     tried.cloths[0].structural.stiffness = tried.cloths[0].shear.stiffness = Real(0.5);
     const Attempt soft = needs.attempt(tried);

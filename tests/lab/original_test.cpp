@@ -30,9 +30,10 @@ TEST(OriginalVerdict, JudgesBothHalvesOfTheConclusionApart) {
         return original_verdict({.build = sphere_build, .search = sphere_search},
                                 {.build = aabb_build, .search = aabb_search});
     };
-    EXPECT_EQ(verdict(8e-6, 4e-6, 1e-6, 2e-6),
-              "the dissertation's conclusion that spheres are dearer to build holds (8 us against 4 us with boxes, 2 "
-              "times), and that they are faster to search holds (1 us against 2 us with boxes, 0.5 times).");
+    EXPECT_EQ(
+        verdict(8e-6, 4e-6, 1e-6, 2e-6),
+        "the dissertation's conclusion that spheres are more expensive to build holds (8 us against 4 us with boxes, 2 "
+        "times), and that they are faster to search holds (1 us against 2 us with boxes, 0.5 times).");
     EXPECT_THAT(verdict(8e-6, 4e-6, 2e-6, 1e-6), AllOf(HasSubstr("build holds"), HasSubstr("search does not hold")));
     EXPECT_THAT(verdict(4e-6, 8e-6, 1e-6, 2e-6), AllOf(HasSubstr("build does not hold"), HasSubstr("search holds")));
     EXPECT_THAT(verdict(4e-6, 8e-6, 2e-6, 1e-6),
@@ -42,7 +43,8 @@ TEST(OriginalVerdict, JudgesBothHalvesOfTheConclusionApart) {
 }
 
 TEST(OriginalSummary, TakesTheVerdictFromTheMediansOfTheTable) {
-    // Spheres dearer and faster; in the tree down to single cells, cheaper and slower. One row of five is far off
+    // Spheres more expensive and faster; in the tree down to single cells, cheaper and slower. One row of five is far
+    // off
     std::vector<TableRow> rows;
     for (int k = 0; k < 5; ++k) {
         const std::string build = k == 2 ? "9e-3" : "4e-6";
@@ -52,11 +54,13 @@ TEST(OriginalSummary, TakesTheVerdictFromTheMediansOfTheTable) {
                         "9e-6", "1e-6", "1e-6", "9"});
     }
     const std::string text = original_experiment().summary(rows);
-    EXPECT_THAT(text, HasSubstr("scene has: the dissertation's conclusion that spheres are dearer to build holds (8 us "
-                                "against 4 us"));
+    EXPECT_THAT(
+        text, HasSubstr("scene has: the dissertation's conclusion that spheres are more expensive to build holds (8 us "
+                        "against 4 us"));
     EXPECT_THAT(text, HasSubstr("faster to search holds (1 us against 2 us"));
-    EXPECT_THAT(text, HasSubstr("single cells: the dissertation's conclusion that spheres are dearer to build does not "
-                                "hold (8 us against 9 us"));
+    EXPECT_THAT(
+        text, HasSubstr("single cells: the dissertation's conclusion that spheres are more expensive to build does not "
+                        "hold (8 us against 9 us"));
     EXPECT_THAT(text, HasSubstr("faster to search does not hold (2 us against 1 us"));
     for (const char* published : {"235.258", " 22\n", "15000", " 34\n", "42000"})
         EXPECT_THAT(text, HasSubstr(published));
@@ -103,7 +107,7 @@ TEST(LabOriginal, LeavesCellsEmptyAndSaysSoWithoutAProgramToDraw) {
     ASSERT_EQ(rows.size(), 9u) << "a header and four ways in two cases";
     for (std::size_t k = 1; k < rows.size(); ++k) EXPECT_THAT(rows[k], HasSubstr(",,,,,"));
     EXPECT_THAT(run.out, HasSubstr("frame rate [1/s]                -             -"));
-    EXPECT_THAT(run.out, HasSubstr("dearer to build "));
+    EXPECT_THAT(run.out, HasSubstr("more expensive to build "));
 }
 
 }  // namespace

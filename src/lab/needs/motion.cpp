@@ -63,7 +63,7 @@ Motion run_to_horizon(const Settings& scene, const Patience& patience, const std
             seconds += program_cpu_time() - before;
             motion.penetration = larger(motion.penetration, report.penetration);
             motion.stretch = larger(motion.stretch, static_cast<double>(largest_stretch(cloth.model, cloth.state.x)));
-            // A run that is far too dear is not worth its first moment
+            // A run that is far too expensive is not worth its first moment
             if (report.step % 32 == 0 && seconds > patience.cost * horizon) {
                 motion.given_up = true;
                 break;

@@ -18,7 +18,7 @@ struct Motion {
     std::array<Points, moments> x;  ///< the first cloth at each moment; as far as it came
     int reached = 0;                ///< moments
     bool lost = false;              ///< it diverged
-    bool given_up = false;          ///< it was too dear, or its step too long
+    bool given_up = false;          ///< it was too expensive, or its step too long
     double time = 0;                ///< to which it came, from its start [s]
     double step_over_limit = 0;     ///< length of a step over the longest that the method bears, as predicted
     double penetration = 0;         ///< largest after any step, of its last substep [m]

@@ -84,9 +84,9 @@ private:
             if (beyond) note(*beyond, "");
             beyond.reset();
             const bool cheaper = attempt.qualifies() && is_cheaper(attempt, 1);
-            note(attempt, cheaper ? "cheapest so far" : "dearer than the cheapest so far");
+            note(attempt, cheaper ? "cheapest so far" : "more expensive than the cheapest so far");
             if (cheaper) cheapest_ = attempt;
-            // A shorter step is dearer still
+            // A shorter step is more expensive still
             if (attempt.qualifies() || attempt.cost > cost_of_cheapest() * noise) return;
         }
         if (beyond) note(*beyond, "");

@@ -23,10 +23,10 @@ struct SearchResult {
 ///
 /// First the model: with everything computed closely, particles, bend springs and drag are taken away notch by notch as
 /// far as the needs allow. Then the method: for each of these models, the least first, each integrator's longest step
-/// that qualifies, as long as it is not dearer than the cheapest so far. Then every knob once more, until one notch
-/// less on any that has an order breaks a need. Last, how contacts are looked for: by cost alone, unless the search has
-/// a limit, for then that changes the motion too. A scene that does not state an
-/// error has no full model: it is taken as it is, and only notches are taken away.
+/// that qualifies, as long as it is not more expensive than the cheapest so far. Then every knob once more, until one
+/// notch less on any that has an order breaks a need. Last, how contacts are looked for: by cost alone, unless the
+/// search has a limit, for then that changes the motion too. A scene that does not state an error has no full model: it
+/// is taken as it is, and only notches are taken away.
 SearchResult search(const Needs& needs, const Trail& trail);
 
 /// The free knobs with an order of which a scene that qualifies has a notch more than it needs; none if it is minimal.

@@ -88,7 +88,7 @@ Attempt Needs::attempt(const Settings& settings, double dearest) const {
         return attempt;
     }
     if (motion.given_up) {
-        judge.never("dearer than the cheapest so far");
+        judge.never("more expensive than the cheapest so far");
         return attempt;
     }
     if (states_error()) {

@@ -140,8 +140,9 @@ Quartiles original_search_figure(const std::vector<TableRow>& rows, const std::s
 }
 
 std::string original_verdict(const OriginalSearch& sphere, const OriginalSearch& aabb) {
-    return "the dissertation's conclusion that spheres are dearer to build " + half(sphere.build, aabb.build, true) +
-           ", and that they are faster to search " + half(sphere.search, aabb.search, false) + ".";
+    return "the dissertation's conclusion that spheres are more expensive to build " +
+           half(sphere.build, aabb.build, true) + ", and that they are faster to search " +
+           half(sphere.search, aabb.search, false) + ".";
 }
 
 std::vector<TableRow> original_rows(const OriginalPlan& plan, const std::filesystem::path& program, bool& draws) {

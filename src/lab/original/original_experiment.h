@@ -20,7 +20,8 @@ std::vector<Chart> original_charts(const std::vector<TableRow>& rows);
 /// @param draws receives whether there was one
 std::vector<TableRow> original_rows(const OriginalPlan& plan, const std::filesystem::path& program, bool& draws);
 
-/// Whether both halves of the dissertation's conclusion hold: spheres are dearer to build, and faster to search.
+/// Whether both halves of the dissertation's conclusion hold: spheres are more expensive to build, and faster to
+/// search.
 /// @param sphere,aabb medians
 std::string original_verdict(const OriginalSearch& sphere, const OriginalSearch& aabb);
 
