@@ -13,9 +13,12 @@
 namespace drape {
 namespace {
 
-std::string text_of(const std::filesystem::path& file) {
+/// Never waits for the other end of a pipe, which is no text of ours.
+bool has_text(const std::filesystem::path& file, const std::string& text) {
+    std::error_code unknown;
+    if (!std::filesystem::is_regular_file(file, unknown)) return false;
     std::ifstream in(file, std::ios::binary);
-    return {std::istreambuf_iterator<char>(in), {}};
+    return std::string{std::istreambuf_iterator<char>(in), {}} == text;
 }
 
 /// @return false if there is such a file by now
@@ -68,7 +71,7 @@ std::filesystem::path write_failure(const Simulation& simulation, const std::fil
         const std::string scene = remark + scene_text(settings);
         if (exists(scene_file) || exists(state_file)) {
             // The same failure again, after a reset
-            if (text_of(scene_file) == scene && text_of(state_file) == state.str()) return scene_file;
+            if (has_text(scene_file, scene) && has_text(state_file, state.str())) return scene_file;
             continue;
         }
         // Another program may have failed in the same folder meanwhile

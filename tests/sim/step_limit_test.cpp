@@ -1,6 +1,7 @@
 // Steps beyond what a method bears: said, made in parts, or lost and kept for study.
 
 #include <gmock/gmock.h>
+#include <sys/stat.h>
 
 #include "drape/integrate/stability.h"
 #include "drape/sim/failure.h"
@@ -193,6 +194,15 @@ TEST(Failure, IsWrittenAsASceneWhoseFirstStepFailsAlike) {
     EXPECT_EQ(write_failure(lost, folder), scene) << "the same failure again";
     EXPECT_EQ(write_failure(again, folder).filename(), "unstable-2.toml") << "nothing is replaced";
     EXPECT_THAT(tell_failure(lost, folder / "none"), HasSubstr("cannot be written"));
+    std::filesystem::remove_all(folder);
+}
+
+TEST(Failure, DoesNotWaitForAPipeThatHasItsName) {
+    const testing_aid::ScratchFile file("x");
+    const auto folder = std::filesystem::path(file.name()).parent_path() / "pipes";
+    std::filesystem::create_directory(folder);
+    ASSERT_EQ(mkfifo((folder / "unstable.toml").c_str(), 0600), 0);
+    EXPECT_EQ(write_failure(lost_simulation(), folder).filename(), "unstable-2.toml");
     std::filesystem::remove_all(folder);
 }
 
