@@ -6,8 +6,8 @@
 namespace drape {
 
 /// Takes SIGINT, SIGTERM and SIGHUP while it lives, for whoever works to ask after between two steps. The first one is
-/// told; any further one ends the program at once, as it does where nobody asks. SIGHUP stays ignored where it is
-/// (nohup). Which threads there are does not matter, nor when they were started.
+/// told; any further one ends the program at once, as it does where nobody asks. One that is ignored stays so
+/// (nohup, the background of a script). Which threads there are does not matter, nor when they were started.
 class StopSignals {
 public:
     /// @pre there is no other object of this kind
