@@ -22,7 +22,7 @@ const std::array<ReportField, 44> fields{{
      ReportGroup::Doubt, 4, steps},
     {"residual", "1", [](const StepReport& r) { return static_cast<double>(r.solve.residual); }},
     {"worst_residual", "1", [](const StepReport& r) { return r.worst_residual; }, "residual", ReportGroup::Doubt, 4},
-    {"energy_excess", "J", [](const StepReport& r) { return r.energy_excess; }, "made energy", ReportGroup::Doubt, 4},
+    {"energy_excess", "J", [](const StepReport& r) { return r.energy_excess; }, "excess", ReportGroup::Doubt, 4},
     {"heated_step", "", [](const StepReport& r) { return static_cast<double>(r.heated_step); }},
     {"step_time", "us", [](const StepReport& r) { return micro * r.times.step; }, "integrate", ReportGroup::Stages, 1,
      total_time},
