@@ -6,6 +6,7 @@
 #include <fstream>
 
 #include "drape/base/input_error.h"
+#include "support/scratch_file.h"
 
 namespace drape {
 namespace {
@@ -20,11 +21,9 @@ protected:
         std::ofstream(folder_ / "scenes" / "mine.toml") << "[cloth]\n";
         setenv("DRAPE_DATA", folder_.c_str(), 1);
     }
-    void TearDown() override {
-        unsetenv("DRAPE_DATA");
-        fs::remove_all(folder_);
-    }
-    fs::path folder_ = fs::path(testing::TempDir()) / "drape_data_folder_test";
+    void TearDown() override { unsetenv("DRAPE_DATA"); }
+    testing_aid::ScratchFolder scratch_;
+    const fs::path& folder_ = scratch_.path();
 };
 
 TEST(Resources, LieBesideTheProgramsFolder) {

@@ -7,6 +7,7 @@
 
 #include "drape/sim/setting_table.h"
 #include "support/input_errors.h"
+#include "support/scratch_file.h"
 
 namespace drape {
 namespace {
@@ -246,7 +247,8 @@ TEST(SceneFile, NanAndInfinityAreRefusedEverywhere) {
 }
 
 TEST(SceneFile, IsFoundByPath) {
-    const auto path = std::filesystem::path(testing::TempDir()) / "drape_scene_test.toml";
+    const testing_aid::ScratchFolder folder;
+    const auto path = folder.path() / "mine.toml";
     std::ofstream(path) << "[cloth]\nmass = 0.375\n";
     EXPECT_EQ(load_scene(path.string()).cloths[0].mass, 0.375);
     std::ofstream(path) << "[cloth]\nmass = 0\n";

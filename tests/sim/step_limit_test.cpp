@@ -175,9 +175,8 @@ TEST(Failure, NamesParticleSpringStepAndLimit) {
 }
 
 TEST(Failure, IsWrittenAsASceneWhoseFirstStepFailsAlike) {
-    const testing_aid::ScratchFile file("x");
-    const auto folder = std::filesystem::path(file.name()).parent_path() / "failure";
-    std::filesystem::create_directory(folder);
+    const testing_aid::ScratchFolder scratch;
+    const auto& folder = scratch.path();
     const Simulation lost = lost_simulation();
     const auto scene = write_failure(lost, folder);
     EXPECT_EQ(scene.filename(), "unstable.toml");
@@ -194,29 +193,24 @@ TEST(Failure, IsWrittenAsASceneWhoseFirstStepFailsAlike) {
     EXPECT_EQ(write_failure(lost, folder), scene) << "the same failure again";
     EXPECT_EQ(write_failure(again, folder).filename(), "unstable-2.toml") << "nothing is replaced";
     EXPECT_THAT(tell_failure(lost, folder / "none"), HasSubstr("cannot be written"));
-    std::filesystem::remove_all(folder);
 }
 
 TEST(Failure, DoesNotWaitForAPipeThatHasItsName) {
-    const testing_aid::ScratchFile file("x");
-    const auto folder = std::filesystem::path(file.name()).parent_path() / "pipes";
-    std::filesystem::create_directory(folder);
+    const testing_aid::ScratchFolder scratch;
+    const auto& folder = scratch.path();
     ASSERT_EQ(mkfifo((folder / "unstable.toml").c_str(), 0600), 0);
     EXPECT_EQ(write_failure(lost_simulation(), folder).filename(), "unstable-2.toml");
-    std::filesystem::remove_all(folder);
 }
 
 TEST(Failure, KeepsWhatTheHandHolds) {
-    const testing_aid::ScratchFile file("x");
-    const auto folder = std::filesystem::path(file.name()).parent_path();
+    const testing_aid::ScratchFolder scratch;
+    const auto& folder = scratch.path();
     Simulation simulation = small_simulation({"dt=0.03125"});
     send(simulation, "grab 0 75");
     while (simulation.report().status == Status::Ok) simulation.step();
     const auto scene = write_failure(simulation, folder);
     const Settings settings = load_scene(scene.string());
     EXPECT_EQ(settings.cloths[0].pinned.list, (std::vector{0, 9, 75}));
-    std::filesystem::remove(folder / settings.start);
-    std::filesystem::remove(scene);
 }
 
 TEST(Failure, EndsWithAReset) {

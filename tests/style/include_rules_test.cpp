@@ -4,6 +4,8 @@
 
 #include <fstream>
 
+#include "support/scratch_file.h"
+
 namespace drape::style {
 namespace {
 
@@ -12,13 +14,6 @@ namespace fs = std::filesystem;
 // A small house in which a test plants one include line.
 class IncludeRules : public testing::Test {
 protected:
-    void SetUp() override {
-        root_ = fs::path(testing::TempDir()) /
-                ("house-" + std::string(testing::UnitTest::GetInstance()->current_test_info()->name()));
-        fs::remove_all(root_);
-    }
-    void TearDown() override { fs::remove_all(root_); }
-
     // What is wrong with the one line of the one file; empty if nothing.
     std::string verdict(const std::string& file, const std::string& line) {
         fs::remove_all(root_);
@@ -28,7 +23,8 @@ protected:
         return offences.empty() ? "" : offences.front().text;
     }
 
-    fs::path root_;
+    testing_aid::ScratchFolder scratch_;
+    const fs::path root_ = scratch_.path() / "house";
 };
 
 TEST_F(IncludeRules, HoldInThisRepository) {

@@ -3,6 +3,7 @@
 #include <gtest/gtest.h>
 #include <unistd.h>
 
+#include <cstdlib>
 #include <filesystem>
 #include <fstream>
 #include <string>
@@ -22,6 +23,27 @@ public:
 
     void write(std::string_view text) const { std::ofstream(path_, std::ios::binary) << text; }
     [[nodiscard]] std::string name() const { return path_.string(); }
+
+private:
+    std::filesystem::path path_;
+};
+
+/// An empty folder that nobody else has, gone with the object with all that is in it by then.
+class ScratchFolder {
+public:
+    ScratchFolder() {
+        std::string name = (std::filesystem::path(testing::TempDir()) / "drape-XXXXXX").string();
+        if (mkdtemp(name.data()) == nullptr) ADD_FAILURE() << "cannot make " << name;
+        path_ = name;
+    }
+    ~ScratchFolder() {
+        std::error_code ignored;
+        std::filesystem::remove_all(path_, ignored);
+    }
+    ScratchFolder(const ScratchFolder&) = delete;
+    ScratchFolder& operator=(const ScratchFolder&) = delete;
+
+    [[nodiscard]] const std::filesystem::path& path() const { return path_; }
 
 private:
     std::filesystem::path path_;
