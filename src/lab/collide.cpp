@@ -42,7 +42,7 @@ int collide(const Options& options) {
     const Ball ball = parse_ball(options.ball);
     const Points x = read_positions(options.positions, grid);
 
-    const auto broad_phase = make_broad_phase(broad_phase_of(contact), grid);
+    const auto broad_phase = make_broad_phase(broad_phase_of(settings), grid);
     Candidates found;
     std::vector<int> triangles;
     broad_phase->build(x);

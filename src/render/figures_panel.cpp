@@ -121,7 +121,7 @@ std::vector<Row> rows_ahead(ReportGroup group, const FrameView& view) {
 
 // Every figure of a step that has a label, group by group
 void add_report_rows(const FrameView& view, std::vector<Row>& rows) {
-    const bool limited = !broad_phase_of(view.settings->contact).search.none();
+    const bool limited = !broad_phase_of(*view.settings).search.none();
     const ReportField* before = nullptr;
     for (const ReportField& field : report_fields()) {
         if (field.label.empty() || (field.group == ReportGroup::Limit && !limited)) continue;

@@ -176,6 +176,8 @@ void add_the_rest(std::vector<Setting>& table) {
         "of dormand_prince: error of an inner step, of the cloth's spacing; at most 10000 are tried in a step");
     solver.integer("threads", &SolverSettings::threads, {1, 64},
                    "that share a step of the explicit methods; the motion is the same");
+    solver.choice("kernels", &SolverSettings::kernels, kernels_names,
+                  "of forces, hierarchy and contact: vectors, or the plain code that is there to be read");
     solver.number("dt", &SolverSettings::dt, "s", {1e-9, 0.1}, "length of one step");
     solver.choice(
         "on_unstable", &SolverSettings::on_unstable, unstable_names,

@@ -7,15 +7,18 @@ IntegratorParameters integrator_of(const SolverSettings& solver) {
             .hessian = solver.hessian,
             .iterations = solver.iterations,
             .tolerance = solver.tolerance,
-            .threads = solver.threads};
+            .threads = solver.threads,
+            .kernels = solver.kernels};
 }
 
-BroadPhaseParameters broad_phase_of(const ContactSettings& contact) {
+BroadPhaseParameters broad_phase_of(const Settings& settings) {
+    const ContactSettings& contact = settings.contact;
     return {.volume = contact.volume,
             .update = contact.update,
             .leaf_cells = contact.leaf_cells,
             .sphere_fit = contact.sphere_fit,
-            .search = {.level = contact.search_level, .tests = contact.search_tests}};
+            .search = {.level = contact.search_level, .tests = contact.search_tests},
+            .kernels = settings.solver.kernels};
 }
 
 }  // namespace drape

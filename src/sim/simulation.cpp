@@ -28,7 +28,7 @@ Air air_at(const WindSettings& wind, double time) {
 /// Whether a build may be left out: not one that is on show, nor one of a limited search, whose spheres may reach what
 /// the cloth does not.
 bool may_skip(const Settings& settings) {
-    return settings.contact.coherence && !settings.view.bounds && broad_phase_of(settings.contact).search.none() &&
+    return settings.contact.coherence && !settings.view.bounds && broad_phase_of(settings).search.none() &&
            !settings.balls.empty();
 }
 

@@ -58,7 +58,7 @@ Settings laws_of(Settings settings, bool limited) {
 
 /// False if cloths and balls move alike under both.
 bool move_otherwise(const Settings& a, const Settings& b) {
-    const bool limited = !broad_phase_of(a.contact).search.none() || !broad_phase_of(b.contact).search.none();
+    const bool limited = !broad_phase_of(a).search.none() || !broad_phase_of(b).search.none();
     const Settings first = laws_of(a, limited), second = laws_of(b, limited);
     return first.cloths != second.cloths || first.balls != second.balls || first.solver != second.solver ||
            first.contact != second.contact || first.wind != second.wind;
@@ -166,7 +166,7 @@ void Simulation::configure(Settings settings) {
         counted_from_step_ = report_.step;
         counted_from_time_ = report_.time;
     }
-    const bool other_hierarchy = broad_phase_of(settings_.contact) != broad_phase_of(before.contact);
+    const bool other_hierarchy = broad_phase_of(settings_) != broad_phase_of(before);
     for (std::size_t c = 0; c < cloths_.size(); ++c) {
         Cloth& cloth = cloths_[c];
         cloth.touched = true;
@@ -238,7 +238,7 @@ std::string Simulation::step_warning() const {
 }
 
 void Simulation::use_broad_phase(Cloth& cloth) {
-    const BroadPhaseParameters parameters = broad_phase_of(settings_.contact);
+    const BroadPhaseParameters parameters = broad_phase_of(settings_);
     cloth.broad_phase = make_broad_phase(parameters, cloth.model.grid);
     build(cloth);
     cloth.audit.reset();

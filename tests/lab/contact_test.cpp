@@ -25,7 +25,7 @@ TEST(ContactTrial, DoesWhatTheSimulationDoesToTheSameBits) {
                            .integrator = integrator_of(settings.solver),
                            .response = {.friction = settings.contact.friction}};
         ContactTrial trial(scene, settings.solver.dt);
-        const auto hierarchy = make_broad_phase(broad_phase_of(settings.contact), settings.cloths[0].particles);
+        const auto hierarchy = make_broad_phase(broad_phase_of(settings), settings.cloths[0].particles);
         Simulation simulation("drop", settings);
         std::int64_t contacts = 0;
         for (int step = 0; step < 900; ++step) {

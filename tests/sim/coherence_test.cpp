@@ -161,7 +161,7 @@ Real staleness_of_shown_root(const Simulation& simulation) {
     const Cloth& cloth = simulation.cloths()[0];
     Outlines shown, fresh;
     cloth.broad_phase->nodes_at(0, {}, shown);
-    const auto tree = make_broad_phase(broad_phase_of(simulation.settings().contact), cloth.model.grid);
+    const auto tree = make_broad_phase(broad_phase_of(simulation.settings()), cloth.model.grid);
     tree->build(cloth.state.x);
     tree->nodes_at(0, {}, fresh);
     return (shown.spheres[0].centre - fresh.spheres[0].centre).norm();

@@ -8,6 +8,7 @@
 #include <string_view>
 #include <vector>
 
+#include "drape/base/kernels.h"
 #include "drape/bounds/sphere_fits.h"
 #include "drape/model/ball.h"
 #include "drape/model/grid.h"
@@ -42,6 +43,7 @@ struct BroadPhaseParameters {
     int leaf_cells = 0;  ///< a leaf has at most leaf_cells x leaf_cells cells; 0: `measured_leaf_cells`
     SphereFit sphere_fit = SphereFit::Centroid;  ///< of a hierarchy of spheres
     SearchLimit search = {};
+    Kernels kernels = Kernels::Vector;
     bool operator==(const BroadPhaseParameters&) const = default;
 };
 

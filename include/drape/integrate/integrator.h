@@ -6,6 +6,7 @@
 #include <string>
 #include <string_view>
 
+#include "drape/base/kernels.h"
 #include "drape/model/cloth_model.h"
 #include "drape/model/jacobian.h"
 
@@ -32,6 +33,7 @@ struct IntegratorParameters {
     int iterations = 10;                 ///< of XPBD and projective dynamics in one step
     Real tolerance = Real(1e-6);         ///< of Dormand-Prince: error of a step, of the cloth's spacing
     int threads = 1;                     ///< that share the work of the explicit methods; the result is the same
+    Kernels kernels = Kernels::Vector;   ///< that compute the forces
     bool operator==(const IntegratorParameters&) const = default;
 };
 

@@ -43,7 +43,8 @@ struct SolverSettings {
     int iterations = 10;
     Real tolerance = Real(1e-6);
     int threads = 1;
-    double dt = 2e-4;  ///< in every precision: it counts steps and time
+    Kernels kernels = Kernels::Vector;  ///< of forces, hierarchy and contact
+    double dt = 2e-4;                   ///< in every precision: it counts steps and time
     OnUnstable on_unstable = OnUnstable::Warn;
     Real sleep_speed = Real(2e-4);  ///< slower than this for half a second, a scene falls asleep; 0: never [m/s]
     bool ledger = true;             ///< keep the balance of the energy
@@ -66,12 +67,6 @@ struct ContactSettings {
     bool self = false;        ///< only false so far
     bool operator==(const ContactSettings&) const = default;
 };
-
-/// The integrator that the settings name.
-[[nodiscard]] IntegratorParameters integrator_of(const SolverSettings& solver);
-
-/// The hierarchy that the settings name.
-[[nodiscard]] BroadPhaseParameters broad_phase_of(const ContactSettings& contact);
 
 struct WindSettings {
     bool on = false;
@@ -132,5 +127,11 @@ struct Settings {
     ViewSettings view;
     NeedsSettings needs;
 };
+
+/// The integrator that the settings name.
+[[nodiscard]] IntegratorParameters integrator_of(const SolverSettings& solver);
+
+/// The hierarchy that the settings name.
+[[nodiscard]] BroadPhaseParameters broad_phase_of(const Settings& settings);
 
 }  // namespace drape

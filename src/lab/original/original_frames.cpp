@@ -117,7 +117,7 @@ OriginalTimes time_original(const OriginalWay& way, const OriginalPlan& plan) {
                                                  .interval = 1 / frame_rate,
                                                  .frames = std::max(plan.frames, 2)},
                                                 settings);
-    BroadPhaseParameters parameters = broad_phase_of(settings.contact);
+    BroadPhaseParameters parameters = broad_phase_of(settings);
     OriginalTimes times{.execution = quartiles_of(std::move(frames)),
                         .scene = time_search(motion, parameters, plan.passes),
                         .single = {}};
