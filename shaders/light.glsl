@@ -5,7 +5,7 @@ const vec3 key_colour = vec3(1.00, 0.955, 0.90) * 1.20;
 const vec3 sky_colour = vec3(0.80, 0.88, 1.00) * 0.36;
 const vec3 bounce_colour = vec3(1.00, 0.88, 0.77) * 0.20;
 
-// Noise of one pixel in [0, 1)  [Jimenez 2014]
+// Noise of one pixel in [0, 1)  @cite jimenez2014
 float pixel_noise() {
     return fract(52.9829189 * fract(dot(gl_FragCoord.xy, vec2(0.06711056, 0.00583715))));
 }

@@ -11,7 +11,7 @@ namespace drape {
 namespace kernels {
 namespace {
 
-/// Drag coefficient of a square plate across the flow (Hoerner, Fluid-Dynamic Drag, 1965, chapter 3).
+/// Drag coefficient of a square plate across the flow (@cite hoerner1965, chapter 3).
 constexpr Real plate_coefficient = Real(1.17);
 
 /// Cells are evaluated in runs of this many, so that their forces fit on the stack.

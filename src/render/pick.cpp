@@ -18,7 +18,7 @@ struct Hit {
     std::array<Real, 3> barycentric{};
 };
 
-// A ray against both sides of a triangle  [Moeller and Trumbore 1997]
+// A ray against both sides of a triangle  @cite moller1997
 Hit hit_triangle(const Ray& ray, const Vec3& a, const Vec3& b, const Vec3& c) {
     const Vec3 ab = b - a, ac = c - a, p = ray.direction.cross(ac);
     const Real determinant = ab.dot(p);

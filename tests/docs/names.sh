@@ -1,0 +1,45 @@
+#!/bin/bash
+# Holds what the pages name to what there is: names.sh [ROOT]. Each fault is a line "file: what is wrong", and ends with 1.
+#
+# - Works: @cite KEY in the sources and [KEY](references.bib) in the pages are entries of docs/references.bib, and every
+#   entry is cited; a page cites in no other way, such as "(Somebody 2001)" or "Somebody et al.".
+# - Files: what a page links to is there, and so is every path in backticks that begins with a folder of the sources.
+# - Names: in docs/reading.md, a name in backticks that follows a file's, `file` `name`, is a word of that file.
+set -eu
+export LC_ALL=C.UTF-8
+cd "${1-$(dirname "$0")/../..}"
+pages=(README.md docs/*.md)
+faults=0
+fault() { echo "$1"; faults=$((faults + 1)); }
+file_of() { [ -e "$1" ] || compgen -G "$1" >/dev/null; }
+
+# Works
+keys=$(sed -n 's/^@[a-z]*{\([a-z0-9]*\),$/\1/p' docs/references.bib)
+sources=$(grep -rhoE '@cite [a-z0-9]+' include src shaders tests --exclude-dir=docs |
+    sed 's/@cite //')
+in_pages=$(grep -ohE '\[[a-z]+[0-9]*\]\((docs/)?references\.bib\)' "${pages[@]}" | sed 's/^\[\(.*\)\](.*/\1/') || true
+cited=$(printf '%s\n' $sources $in_pages | sort -u)
+for key in $cited; do grep -qxF "$key" <<<"$keys" || fault "docs/references.bib: there is no $key, which is cited"; done
+for key in $keys; do grep -qxF "$key" <<<"$cited" || fault "docs/references.bib: nobody cites $key"; done
+while IFS= read -r line; do fault "$line: not cited as [key](references.bib)"; done < <(
+    grep -onE '\([A-Z][A-Za-z-]+( et al\.| and [A-Z][a-z]+)?,? (19|20)[0-9]{2}\)|[A-Z][a-z]+ et al\.' "${pages[@]}" || true)
+
+# Files
+for page in "${pages[@]}"; do
+    folder=$(dirname "$page")
+    for link in $(grep -oE '\]\([^)]+\)' "$page" | sed 's/^](//; s/)$//; s/#.*//' | grep -v '://' | sort -u); do
+        [ -e "$folder/$link" ] || fault "$page: links to $link, which is not there"
+    done
+    for path in $(grep -oE '`(include|src|tests|docs|shaders|\.ci)/[^` ]*`' "$page" | tr -d '`' | sort -u); do
+        [[ $path == *NAME* || $path == *LAYER* ]] || file_of "$path" || fault "$page: names $path, which is not there"
+    done
+done
+
+# Names
+while read -r path name; do
+    [ ! -f "$path" ] || grep -qwF -- "${name##*::}" "$path" || fault "docs/reading.md: there is no $name in $path"
+done < <(grep -oE '`(include|src|shaders)/[^` ]*`([, ]+`[A-Za-z_:~]+(\(\))?`)+' docs/reading.md |
+    awk -F'`' '{ for (i = 4; i <= NF; i += 2) { sub(/\(\)$/, "", $i); print $2, $i } }' || true)
+
+echo "$faults faults"
+[ "$faults" -eq 0 ]

@@ -1,0 +1,67 @@
+#!/bin/bash
+# Makes the tables of the pages from their data: tables.sh [--check] [FOLDER]
+#
+# In a page of docs/ (or FOLDER) a table stands between two lines,
+#     <!-- table NAME DATA.csv -->
+#     <!-- end of table -->
+# and is what tables/NAME.awk prints for DATA.csv beside the page, with a line that says where the data is from. A script
+# has cells by the names of their columns: cell("step_s"). With --check no page is changed: differences are shown, and end
+# with 1.
+set -eu
+export LC_ALL=C
+here=$(cd "$(dirname "$0")" && pwd)
+check=false
+[ "${1-}" != --check ] || { check=true && shift; }
+docs=${1-$here/../../docs}
+made=$(mktemp -d)
+trap 'rm -rf "$made"' EXIT
+
+# What all scripts have: cells by name, and an end where the data is not what they expect
+prelude='BEGIN { FS = "," }
+function fail(text) { print FILENAME ": " text >"/dev/stderr"; failed = 1; exit 2 }
+function cell(name) { if (!(name in column)) fail("there is no column " name); return $column[name] }
+/^#/ { next }
+!columns { columns = NF; for (i = 1; i <= NF; ++i) column[$i] = i; next }
+NF != columns { fail("line " FNR " has " NF " cells in place of " columns) }
+END { if (failed) exit 2 }'
+
+# One table: make NAME DATA.csv
+make_table() {
+    [ -f "$here/tables/$1.awk" ] && [ -f "$docs/$2" ] || {
+        echo "there is no tables/$1.awk, or no $2 beside the page" >&2
+        return 2
+    }
+    awk "$prelude"$'\n'"$(cat "$here/tables/$1.awk")" "$docs/$2"
+    local head
+    head=$(sed -n 's/^# \(commit\|machine\|compiler\|date\|settings\|note\): \(.\+\)/\1 \2/p' "$docs/$2" |
+        sed 's/^\(machine\|compiler\|date\|settings\|note\) //' | paste -s -d ';' | sed 's/;/, /g')
+    printf '\nMade from [%s](%s)%s.\n' "$2" "$2" "${head:+ ($head)}"
+}
+
+status=0 tables=0
+for page in "$docs"/*.md; do
+    inside=false
+    while IFS= read -r line || [ -n "$line" ]; do
+        if [[ $line =~ ^'<!-- table '([a-z_]+)' '([a-z_]+\.csv)' -->'$ ]]; then
+            $inside && { echo "$page: a table begins before the end of the one above: $line" >&2; exit 2; }
+            inside=true tables=$((tables + 1))
+            printf '%s\n\n' "$line"
+            make_table "${BASH_REMATCH[1]}" "${BASH_REMATCH[2]}" || { echo "$page: $line" >&2; exit 2; }
+            echo
+        elif [[ $line == '<!-- end of table -->' ]]; then
+            $inside || { echo "$page: the end of a table that did not begin" >&2; exit 2; }
+            inside=false
+            printf '%s\n' "$line"
+        elif ! $inside; then
+            printf '%s\n' "$line"
+        fi
+    done <"$page" >"$made/page"
+    $inside && { echo "$page: a table has no end" >&2; exit 2; }
+    if $check; then
+        diff -u --label "$page" --label "as made by $(basename "$0")" "$page" "$made/page" || status=1
+    elif ! cmp -s "$page" "$made/page"; then
+        cat "$made/page" >"$page"
+    fi
+done
+echo "$tables tables"
+exit "$status"

@@ -1,0 +1,22 @@
+# The cells that a search hands to the exact test, of a hundred: three scenes, 128 x 128 particles, leaves of 4 x 4 cells.
+cell("part") == "fit" && cell("particles") == 16384 && cell("leaf_cells") == 4 && cell("volume") != "brute" &&
+(cell("volume") != "sphere" || cell("sphere_fit") == "centroid") {
+    volume = cell("volume")
+    if (!(volume in known)) known[volume] = volumes[++count] = volume
+    share = sprintf("%.1f", 100 * cell("candidates") / (127 * 127))
+    key = volume SUBSEP cell("update")
+    shares[key] = shares[key] (shares[key] == "" ? "" : " / ") share
+    touching[cell("scene")] = 100 * cell("touching") / (127 * 127)
+}
+END {
+    print "| Volume | `rebuild` | `merge` | `refit` | `none` |"
+    print "| --- | ---: | ---: | ---: | ---: |"
+    split("rebuild merge refit none", updates, " ")
+    for (v = 1; v <= count; ++v) {
+        line = "| `" volumes[v] "` |"
+        for (u = 1; u <= 4; ++u) line = line " " shares[volumes[v], updates[u]] " |"
+        print line
+    }
+    printf "\nCells in a hundred, `drop` / `two_corners` / `curtain`; touched are %.1f / %.1f / %.1f.\n", \
+           touching["drop"], touching["two_corners"], touching["curtain"]
+}

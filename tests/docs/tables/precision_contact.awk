@@ -1,0 +1,23 @@
+# The error at a step, by method, where a sheet falls on a ball.
+function text(error, end) { return end == "bounded" ? sprintf("%.2g", error) : "-" }
+cell("scene") == "contact" {
+    method = cell("method")
+    if (!(method in known)) known[method] = methods[++count] = method
+    step = cell("step_s")
+    if (!(step in known)) known[step] = steps[++step_count] = step
+    error[method, step] = cell("end") == "bounded" ? sprintf("%.2g", cell("error")) : "-"
+}
+END {
+    line = "| Method, step [ms] |"
+    rule = "| --- |"
+    for (s = 1; s <= step_count; ++s) {
+        line = line sprintf(" %.3g |", 1e3 * steps[s])
+        rule = rule " ---: |"
+    }
+    print line "\n" rule
+    for (m = 1; m <= count; ++m) {
+        line = "| `" methods[m] "` |"
+        for (s = 1; s <= step_count; ++s) line = line " " error[methods[m], steps[s]] " |"
+        print line
+    }
+}
