@@ -4,7 +4,7 @@
 # - Works: @cite KEY in the sources and [KEY](references.bib) in the pages are entries of docs/references.bib, and every
 #   entry is cited; a page cites in no other way, such as "(Somebody 2001)" or "Somebody et al.".
 # - Files: what a page links to is there, and so is every path in backticks that begins with a folder of the sources.
-# - Names: in docs/reading.md, a name in backticks that follows a file's, `file` `name`, is a word of that file.
+# - Names: in docs/reading.md, names in backticks that follow a file's, `file`, `name`, are in that file.
 set -eu
 export LC_ALL=C.UTF-8
 cd "${1-$(dirname "$0")/../..}"
@@ -14,6 +14,9 @@ fault() { echo "$1"; faults=$((faults + 1)); }
 file_of() { [ -e "$1" ] || compgen -G "$1" >/dev/null; }
 
 # Works
+for key in $(sed -n 's/^@[a-z]*{\([a-z0-9]*\),$/\1/p' docs/references.bib | sort | uniq -d); do
+    fault "docs/references.bib: $key is there twice"
+done
 keys=$(sed -n 's/^@[a-z]*{\([a-z0-9]*\),$/\1/p' docs/references.bib)
 sources=$(grep -rhoE '@cite [a-z0-9]+' include src shaders tests --exclude-dir=docs |
     sed 's/@cite //')
@@ -37,9 +40,12 @@ done
 
 # Names
 while read -r path name; do
-    [ ! -f "$path" ] || grep -qwF -- "${name##*::}" "$path" || fault "docs/reading.md: there is no $name in $path"
-done < <(grep -oE '`(include|src|shaders)/[^` ]*`([, ]+`[A-Za-z_:~]+(\(\))?`)+' docs/reading.md |
-    awk -F'`' '{ for (i = 4; i <= NF; i += 2) { sub(/\(\)$/, "", $i); print $2, $i } }' || true)
+    [ -f "$path" ] || continue
+    for word in ${name//::/ }; do
+        grep -qw -- "$word" "$path" || fault "docs/reading.md: there is no $name in $path"
+    done
+done < <(grep -oE '`(include|src|shaders)/[^` ]*`(, `[A-Za-z_:]+`)+' docs/reading.md |
+    awk -F'`' '{ for (i = 4; i <= NF; i += 2) print $2, $i }')
 
 echo "$faults faults"
 [ "$faults" -eq 0 ]

@@ -31,7 +31,7 @@ make_table() {
         echo "there is no tables/$1.awk, or no $2 beside the page" >&2
         return 2
     }
-    awk "$prelude"$'\n'"$(cat "$here/tables/$1.awk")" "$docs/$2"
+    awk "$prelude"$'\n'"$(cat "$here/tables/$1.awk")" "$docs/$2" || return 2
     local head
     head=$(sed -n 's/^# \(commit\|machine\|compiler\|date\|settings\|note\): \(.\+\)/\1 \2/p' "$docs/$2" |
         sed 's/^\(machine\|compiler\|date\|settings\|note\) //' | paste -s -d ';' | sed 's/;/, /g')
