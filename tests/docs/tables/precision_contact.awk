@@ -1,5 +1,4 @@
 # The error at a step, by method, where a sheet falls on a ball.
-function text(error, end) { return end == "bounded" ? sprintf("%.2g", error) : "-" }
 cell("scene") == "contact" {
     method = cell("method")
     if (!(method in known)) known[method] = methods[++count] = method
