@@ -112,19 +112,5 @@ TEST(Obb, MergedContainsTheCornersOfItsParts) {
     }
 }
 
-TEST(Obb, IsDrawnByItsEdgesWhereItIs) {
-    std::mt19937 random(42);
-    const Grid grid{9, 7};
-    const Points x = testing::random_cloth(grid, random);
-    const Obb box = Obb::fit(whole(x, grid));
-    Outlines outlines;
-    box.outline(NodeState::Pruned, outlines);
-    ASSERT_EQ(outlines.edges.size(), 12u);
-    for (const Outlines::Edge& edge : outlines.edges) {
-        EXPECT_NEAR(static_cast<double>(testing::stands_out(box, edge.from)), 0, 1e-14);
-        EXPECT_NEAR(static_cast<double>(testing::stands_out(box, (edge.from + edge.to) / 2)), 0, 1e-14);
-    }
-}
-
 }  // namespace
 }  // namespace drape

@@ -19,7 +19,8 @@ namespace {
 template <class Volume>
 class Comparison {
 public:
-    explicit Comparison(const Grid& grid, const BroadPhaseParameters& parameters, Fits<Volume> fits = {})
+    explicit Comparison(const Grid& grid, const BroadPhaseParameters& parameters,
+                        Fits<Volume> fits = fits_of<Volume>({}))
         : grid_(grid), tree_(grid, parameters, fits) {
         brute_ = make_broad_phase({.volume = VolumeKind::Brute}, grid);
     }
@@ -88,7 +89,7 @@ private:
 /// Half of the balls anywhere about the cloth, half just touching.
 template <class Volume>
 Comparison<Volume> compare_many(const Grid& grid, int leaf_cells, int cloths, int balls, Real scale,
-                                Fits<Volume> fits = {}) {
+                                Fits<Volume> fits = fits_of<Volume>({})) {
     std::mt19937 random(static_cast<unsigned>(grid.nx * 1000 + grid.ny + leaf_cells));
     std::uniform_real_distribution<Real> unit(-1, 1);
     Comparison<Volume> comparison(grid, {.leaf_cells = leaf_cells}, fits);
@@ -167,7 +168,8 @@ template <class Volume>
 class Quadtree : public ::testing::Test {
 protected:
     /// @return disagreements with brute force, over every update
-    long compare(const Grid& grid, int leaf_cells, Real scale, int cloths, int balls, Fits<Volume> fits = {}) {
+    long compare(const Grid& grid, int leaf_cells, Real scale, int cloths, int balls,
+                 Fits<Volume> fits = fits_of<Volume>({})) {
         long disagreements = 0;
         std::mt19937 random(static_cast<unsigned>(grid.nx + 7 * grid.ny + leaf_cells));
         for (const UpdateKind update : {UpdateKind::Rebuild, UpdateKind::Merge, UpdateKind::Refit, UpdateKind::None}) {

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <cstdint>
 #include <vector>
 
 #include "drape/bounds/bounding_volume.h"
@@ -17,6 +18,14 @@ struct QuadtreeNode {
     int level = 0;
 
     [[nodiscard]] bool holds(int i, int j) const { return i >= i0 && i < i1 && j >= j0 && j < j1; }
+};
+
+/// What a query did with a node.
+enum class NodeVisit : std::uint8_t {
+    Unvisited,
+    Pruned,   ///< it does not overlap the ball
+    Entered,  ///< it does, and its children were visited, or stand for it
+    Leaf      ///< it does, and its cells are candidates
 };
 
 /// The side of a leaf that was measured to be the fastest for build and query together: 7 cells, of which a row of

@@ -1,8 +1,9 @@
 #pragma once
 
-#include "drape/bounds/bounding_volume.h"
+#include "drape/bounds/obb.h"
 
-/// Smallest and largest places of a patch's particles along several directions, vectorised as in `patch_kernels.h`.
+/// Smallest and largest coordinates of a patch's particles along several directions, vectorised as in
+/// `patch_kernels.h`.
 namespace drape::kernels {
 
 /// Along the directions of a k-DOP, `dop_numbers<K>`, by sums alone.

@@ -7,7 +7,7 @@
 #include "patch_kernels.h"
 
 #undef HWY_TARGET_INCLUDE
-#define HWY_TARGET_INCLUDE "bounds/extent_kernels.cpp"
+#define HWY_TARGET_INCLUDE "bounds/kernels/extent_kernels.cpp"
 #include <hwy/foreach_target.h>
 #include <hwy/highway.h>
 
@@ -47,8 +47,8 @@ HWY_INLINE void extents(const Patch& patch, Real* low, Real* high, std::index_se
         for_each_vector(d, patch, [&](int i, int j) HWY_ATTR {
             const int p = j * patch.stride + i;
             const V x = hn::LoadU(d, patch.x + p), y = hn::LoadU(d, patch.y + p), z = hn::LoadU(d, patch.z + p);
-            const V places[] = {projection<dop_numbers<K>[k]>(x, y, z)...};
-            ((least[k] = hn::Min(least[k], places[k]), most[k] = hn::Max(most[k], places[k])), ...);
+            const V projections[] = {projection<dop_numbers<K>[k]>(x, y, z)...};
+            ((least[k] = hn::Min(least[k], projections[k]), most[k] = hn::Max(most[k], projections[k])), ...);
         });
         ((low[k] = smallest_lane(d, least[k]), high[k] = largest_lane(d, most[k])), ...);
     });
@@ -79,9 +79,9 @@ void extents_along_of(const Patch& patch, const Vec3& origin, const BoxAxes& axe
             const V dz = hn::Sub(hn::LoadU(d, patch.z + p), hn::Set(d, origin[2]));
             for (int k = 0; k < 3; ++k) {
                 const V along = hn::Add(hn::Mul(dx, hn::Set(d, axes(0, k))), hn::Mul(dy, hn::Set(d, axes(1, k))));
-                const V place = hn::Add(along, hn::Mul(dz, hn::Set(d, axes(2, k))));
-                least[k] = hn::Min(least[k], place);
-                most[k] = hn::Max(most[k], place);
+                const V sum = hn::Add(along, hn::Mul(dz, hn::Set(d, axes(2, k))));
+                least[k] = hn::Min(least[k], sum);
+                most[k] = hn::Max(most[k], sum);
             }
         });
         for (int k = 0; k < 3; ++k) {

@@ -1,7 +1,7 @@
 #include "patch_kernels.h"
 
 #undef HWY_TARGET_INCLUDE
-#define HWY_TARGET_INCLUDE "bounds/patch_kernels.cpp"
+#define HWY_TARGET_INCLUDE "bounds/kernels/patch_kernels.cpp"
 #include <hwy/foreach_target.h>
 #include <hwy/highway.h>
 
