@@ -9,13 +9,14 @@
 namespace drape {
 namespace {
 
-/// Depth that is left in place, over the radius: a resting contact then lasts from step to step instead of flickering.
+/// Depth that is left, as a fraction of the radius: a resting contact then lasts from step to step instead of
+/// flickering.
 constexpr Real slop = Real(1e-4);
 
-/// A push shorter than this, over the radius, leaves a triangle's closest point where it is in the triangle.
+/// A push shorter than this fraction of the radius leaves a triangle's closest point where it is in the triangle.
 constexpr Real short_push = Real(1e-3);
 
-/// A push shorter than this, over the radius, is not worth another sweep.
+/// A push shorter than this fraction of the radius is not worth another sweep.
 constexpr Real tolerance = Real(1e-6);
 
 /// Sweeps over the contacts. Positions stop earlier once no contact had to be corrected.
@@ -90,8 +91,8 @@ void separate(const ClothModel& model, Real thickness, std::span<const Ball> bal
     for (Contact& contact : contacts) refresh(contact);
 }
 
-/// The speed along the normal at which one contact is to leave: that of the ball, and the restitution's part of a fast
-/// approach.
+/// The speed along the normal at which one contact is to leave: that of the ball, and of a fast approach as much as the
+/// restitution returns.
 void aim(const ClothModel& model, Real restitution, const Vec3& ball_velocity, Real resting, const Points& v,
          Contact& contact) {
     const Real ball_speed = ball_velocity.dot(contact.normal);

@@ -23,10 +23,10 @@ public:
           to_(testing::random_cloth(grid, random_)) {}
 
     void move(int frame) {
-        const Real part = std::pow(Real(10), static_cast<Real>(frame % 5 - 4));
+        const Real fraction = std::pow(Real(10), static_cast<Real>(frame % 5 - 4));
         const int half = grid_.particles() / 2;
         const int first = frame % 2 == 0 ? 0 : half;
-        x.middleRows(first, half) += part * (to_ - x).middleRows(first, half);
+        x.middleRows(first, half) += fraction * (to_ - x).middleRows(first, half);
     }
 
 private:

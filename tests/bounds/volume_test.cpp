@@ -100,8 +100,8 @@ TYPED_TEST(Volume, TouchesABallAtAParticleFromAnySideAndAtAnyScale) {
         for (int p = 0; p < grid.particles(); ++p) {
             const Vec3 side = Vec3(normal(random), normal(random), normal(random)).normalized();
             const Vec3 centre = x.row(p).transpose() + side * radius;
-            const Real reach = (centre - x.row(p).transpose()).norm();
-            ASSERT_TRUE(volume.overlaps({.centre = centre, .radius = reach * (1 + 1e-15)})) << grid.nx << " columns";
+            const Real distance = (centre - x.row(p).transpose()).norm();
+            ASSERT_TRUE(volume.overlaps({.centre = centre, .radius = distance * (1 + 1e-15)})) << grid.nx << " columns";
         }
     });
 }

@@ -43,9 +43,9 @@ public:
         if (!expected_.empty()) ++touching;
     }
 
-    /// A ball that touches a random node's farthest particle from outside, by a part of its radius; a negative part
-    /// misses it.
-    Ball just_touching(std::mt19937& random, Real radius, Real part = Real(1e-6)) const {
+    /// A ball that touches a random node's farthest particle from outside, by a fraction of its radius; a negative
+    /// fraction misses it.
+    Ball just_touching(std::mt19937& random, Real radius, Real fraction = Real(1e-6)) const {
         const std::size_t n = random() % tree_.nodes().size();
         const QuadtreeNode& node = tree_.nodes()[n];
         const Vec3 centre = tree_.volumes()[n].sphere().centre;
@@ -56,25 +56,25 @@ public:
                 if ((p - centre).norm() > (farthest - centre).norm()) farthest = p;
             }
         }
-        return beside(farthest, farthest - centre, radius, part);
+        return beside(farthest, farthest - centre, radius, fraction);
     }
 
     /// The same, from a random side at the particle that is outermost there.
-    Ball touching_from_a_side(std::mt19937& random, Real radius, Real part) const {
+    Ball touching_from_a_side(std::mt19937& random, Real radius, Real fraction) const {
         std::uniform_int_distribution<int> sign(-1, 1);
         std::normal_distribution<Real> normal;
         Vec3 side(sign(random), sign(random), sign(random));
         if (random() % 2 == 0 || side.isZero(0)) side = Vec3(normal(random), normal(random), normal(random));
         Eigen::Index outermost = 0;
         (*x_ * side).maxCoeff(&outermost);
-        return beside(x_->row(outermost).transpose(), side, radius, part);
+        return beside(x_->row(outermost).transpose(), side, radius, fraction);
     }
 
     long configurations = 0, disagreements = 0, touching = 0;
 
 private:
-    Ball beside(const Vec3& point, const Vec3& outward, Real radius, Real part) const {
-        return {.centre = point + outward.normalized() * ((radius + thickness_) * (1 - part)), .radius = radius};
+    Ball beside(const Vec3& point, const Vec3& outward, Real radius, Real fraction) const {
+        return {.centre = point + outward.normalized() * ((radius + thickness_) * (1 - fraction)), .radius = radius};
     }
 
     Grid grid_;
@@ -139,9 +139,9 @@ TEST(SphereQuadtree, IsCaughtWhenItsNodesAreOnePercentTooSmall) {
 /// hardly moved, then fast.
 Points moving_cloth(const Points& from, const Points& to, int frame) {
     Points x = from;
-    const Real part = frame < 4 ? Real(0.001) * static_cast<Real>(frame) : Real(0.2) * static_cast<Real>(frame - 3);
-    x.topRows(x.rows() / 2) += part * (to - from).topRows(x.rows() / 2);
-    x.bottomRows(x.rows() / 4) += part * part * (to - from).bottomRows(x.rows() / 4);
+    const Real fraction = frame < 4 ? Real(0.001) * static_cast<Real>(frame) : Real(0.2) * static_cast<Real>(frame - 3);
+    x.topRows(x.rows() / 2) += fraction * (to - from).topRows(x.rows() / 2);
+    x.bottomRows(x.rows() / 4) += fraction * fraction * (to - from).bottomRows(x.rows() / 4);
     return x;
 }
 
@@ -155,11 +155,11 @@ void follow(Comparison<Volume>& comparison, const Points& from, const Points& to
         comparison.build(x, frame % 2 == 0 ? Real(0) : Real(0.003) * scale);
         for (int ball = 0; ball < balls; ++ball) {
             const Real radius = scale * Real(0.02) * std::exp(2 * (1 + unit(random)));
-            const Real part = ball % 2 == 0 ? Real(1e-6) : Real(-1e-6);
+            const Real fraction = ball % 2 == 0 ? Real(1e-6) : Real(-1e-6);
             const Vec3 anywhere = scale * Real(0.8) * Vec3(unit(random), unit(random), unit(random));
             comparison.compare({.centre = anywhere, .radius = radius});
-            comparison.compare(comparison.just_touching(random, radius, part));
-            comparison.compare(comparison.touching_from_a_side(random, radius, part));
+            comparison.compare(comparison.just_touching(random, radius, fraction));
+            comparison.compare(comparison.touching_from_a_side(random, radius, fraction));
         }
     }
 }
@@ -222,9 +222,9 @@ TYPED_TEST(Quadtree, AgreesWithBruteForceToTheLastBitsFarFromTheOrigin) {
         const Real bits = std::numeric_limits<Real>::epsilon() * (1 + offset);
         comparison.build(x, 0);
         for (int ball = 0; ball < 4000; ++ball) {
-            const Real radius = Real(0.3), part = static_cast<Real>(ball % 9 - 4) * bits;
-            comparison.compare(comparison.just_touching(random, radius, part));
-            comparison.compare(comparison.touching_from_a_side(random, radius, part));
+            const Real radius = Real(0.3), fraction = static_cast<Real>(ball % 9 - 4) * bits;
+            comparison.compare(comparison.just_touching(random, radius, fraction));
+            comparison.compare(comparison.touching_from_a_side(random, radius, fraction));
         }
     }
     EXPECT_EQ(comparison.disagreements, 0);

@@ -25,7 +25,7 @@ struct Fits {
                  std::span<Volume> volumes) = nullptr;
 };
 
-/// The fits that parameters ask for: plain, or vector kernels.
+/// The fits of these parameters: plain, or vector kernels.
 template <BoundingVolume Volume>
 Fits<Volume> fits_of(const BroadPhaseParameters& parameters);
 

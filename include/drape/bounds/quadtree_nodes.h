@@ -46,11 +46,4 @@ inline Patch patch_of(const Grid& grid, const QuadtreeNode& node, const Points& 
             node.i1 - node.i0 + 1,   node.j1 - node.j0 + 1,   grid.nx};
 }
 
-/// The leaves, row by row of the grid.
-std::vector<int> leaves_in_rows(const std::vector<QuadtreeNode>& nodes);
-
-/// Asks for particles ahead of their use: with every leaf of a row of leaves, for its share of the next row of leaves.
-/// The particles of such a row lie one after the other in memory, which is the order that memory is fastest in.
-void prefetch_below(const Grid& grid, const QuadtreeNode& leaf, const Points& x);
-
 }  // namespace drape

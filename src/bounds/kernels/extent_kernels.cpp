@@ -54,14 +54,13 @@ HWY_INLINE void extents(const Patch& patch, Real* low, Real* high, std::index_se
     });
 }
 
-void dop14_extents(const Patch& patch, Real* low, Real* high) {
-    extents<14>(patch, low, high, std::make_index_sequence<7>());
-}
-void dop18_extents(const Patch& patch, Real* low, Real* high) {
-    extents<18>(patch, low, high, std::make_index_sequence<9>());
-}
-void dop26_extents(const Patch& patch, Real* low, Real* high) {
-    extents<26>(patch, low, high, std::make_index_sequence<13>());
+void dop_extents_of(const Patch& patch, int slabs, Real* low, Real* high) {
+    if (slabs == 7)
+        extents<14>(patch, low, high, std::make_index_sequence<7>());
+    else if (slabs == 9)
+        extents<18>(patch, low, high, std::make_index_sequence<9>());
+    else
+        extents<26>(patch, low, high, std::make_index_sequence<13>());
 }
 
 void extents_along_of(const Patch& patch, const Vec3& origin, const BoxAxes& axes, Real* low, Real* high) {
@@ -97,26 +96,12 @@ HWY_AFTER_NAMESPACE();
 #if HWY_ONCE
 namespace drape::kernels {
 
-HWY_EXPORT(dop14_extents);
-HWY_EXPORT(dop18_extents);
-HWY_EXPORT(dop26_extents);
+HWY_EXPORT(dop_extents_of);
 HWY_EXPORT(extents_along_of);
 
-template <>
-void dop_extents<6>(const Patch& patch, Real* low, Real* high) {
-    bounding_box(patch, low, high);
-}
-template <>
-void dop_extents<14>(const Patch& patch, Real* low, Real* high) {
-    HWY_DYNAMIC_DISPATCH(dop14_extents)(patch, low, high);
-}
-template <>
-void dop_extents<18>(const Patch& patch, Real* low, Real* high) {
-    HWY_DYNAMIC_DISPATCH(dop18_extents)(patch, low, high);
-}
-template <>
-void dop_extents<26>(const Patch& patch, Real* low, Real* high) {
-    HWY_DYNAMIC_DISPATCH(dop26_extents)(patch, low, high);
+void dop_extents(const Patch& patch, int slabs, Real* low, Real* high) {
+    if (slabs == 3) return bounding_box(patch, low, high);
+    HWY_DYNAMIC_DISPATCH(dop_extents_of)(patch, slabs, low, high);
 }
 
 void extents_along(const Patch& patch, const Vec3& origin, const BoxAxes& axes, Real* low, Real* high) {

@@ -6,10 +6,9 @@
 /// `patch_kernels.h`.
 namespace drape::kernels {
 
-/// Along the directions of a k-DOP, `dop_numbers<K>`, by sums alone.
-/// @param low, high receive K / 2 each
-template <int K>
-void dop_extents(const Patch& patch, Real* low, Real* high);
+/// Along the directions of a k-DOP, `dop_numbers<2 * slabs>`, by sums alone.
+/// @param low, high receive `slabs` each
+void dop_extents(const Patch& patch, int slabs, Real* low, Real* high);
 
 /// Along three directions, measured from a point.
 /// @param low, high receive 3 each

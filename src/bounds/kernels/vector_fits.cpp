@@ -50,7 +50,7 @@ Volume fit(const Patch& patch) {
     } else {
         constexpr std::size_t slabs = Volume::cuts + 3;
         std::array<Real, slabs> least, most;
-        dop_extents<2 * slabs>(patch, least.data(), most.data());
+        dop_extents(patch, static_cast<int>(slabs), least.data(), most.data());
         return Volume::from_extents(least, most);
     }
 }
