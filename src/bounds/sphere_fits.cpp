@@ -1,11 +1,9 @@
 #include "drape/bounds/sphere_fits.h"
 
-#include <array>
+#include <cmath>
 
-#include "drape/base/assert.h"
 #include "drape/bounds/aabb.h"
 #include "drape/bounds/dop_axes.h"
-#include "kernels/vector_fits.h"
 #include "sphere_steps.h"
 
 namespace drape {
@@ -40,6 +38,7 @@ LineEnds<lines> ends_of_lines(const Patch& patch) {
     return ends;
 }
 
+/// The smallest sphere about the ends of the lines, then grown. @cite larsson2008
 template <int lines>
 BoundingSphere fit_epos_sphere(const Patch& patch) {
     if (patch.particles() <= 2 * lines) return fit_smallest_sphere(patch);
@@ -70,11 +69,13 @@ Vec3 grown_centre(const Patch& patch, BoundingSphere sphere) {
     return sphere.centre;
 }
 
+/// c = (min x_p + max x_p) / 2
 BoundingSphere fit_box_sphere(const Patch& patch) {
     const Aabb box = Aabb::fit(patch);
     return sphere_about(patch, (box.low + box.high) / 2);
 }
 
+/// Ends of the axes, the widest pair, then grown. @cite ritter1990
 BoundingSphere fit_ritter_sphere(const Patch& patch) {
     return sphere_about(patch, grown_centre(patch, sphere_about_widest(ends_of_lines<3>(patch))));
 }
@@ -83,35 +84,9 @@ BoundingSphere fit_epos6_sphere(const Patch& patch) { return fit_epos_sphere<3>(
 BoundingSphere fit_epos14_sphere(const Patch& patch) { return fit_epos_sphere<7>(patch); }
 BoundingSphere fit_epos26_sphere(const Patch& patch) { return fit_epos_sphere<13>(patch); }
 
+/// In smallest_sphere.cpp. @cite welzl1991
 BoundingSphere fit_smallest_sphere(const Patch& patch) {
     return sphere_about(patch, smallest_sphere_centre(patch, farthest_particle));
-}
-
-BoundingSphere (*sphere_fit_of(SphereFit kind, Kernels kernels))(const Patch&) {
-    const bool plain = kernels == Kernels::Plain;
-    switch (kind) {
-        case SphereFit::Centroid:
-            return plain ? BoundingSphere::fit : kernels::fit_centroid_sphere;
-        case SphereFit::BoxCentre:
-            return plain ? fit_box_sphere : kernels::fit_box_sphere;
-        case SphereFit::Ritter:
-            return plain ? fit_ritter_sphere : kernels::fit_ritter_sphere;
-        case SphereFit::Epos6:
-            return plain ? fit_epos6_sphere : kernels::fit_epos_sphere<3>;
-        case SphereFit::Epos14:
-            return plain ? fit_epos14_sphere : kernels::fit_epos_sphere<7>;
-        case SphereFit::Epos26:
-            return plain ? fit_epos26_sphere : kernels::fit_epos_sphere<13>;
-        case SphereFit::Welzl:
-            return plain ? fit_smallest_sphere : kernels::fit_smallest_sphere;
-    }
-    DRAPE_ASSERT(false && "every kind has its fit");
-    return nullptr;
-}
-
-std::span<const std::string> sphere_fit_names() {
-    static const std::array<std::string, 7> names{"centroid", "box", "ritter", "epos6", "epos14", "epos26", "welzl"};
-    return names;
 }
 
 }  // namespace drape

@@ -24,7 +24,7 @@ using LineEnds = FewPoints<2 * lines>;
 BoundingSphere sphere_about_widest(const LineEnds<3>& ends);
 
 /// One pass in which a sphere takes in, one after the other, the particles that stand out of it, each by as little as
-/// possible. @cite ritter1990
+/// possible: with d = |p - c| > r, c += (d - r)/2 (p - c)/d and r += (d - r)/2. @cite ritter1990
 /// @return the centre of the grown sphere
 Vec3 grown_centre(const Patch& patch, BoundingSphere sphere);
 

@@ -99,6 +99,30 @@ TYPED_TEST(PlainCore, CatchesAKernelThatMissesARowOrAColumn) {
     EXPECT_GT(disagreements<TypeParam>(vector, without_column, Real(1e-13), all), all / 3);
 }
 
+/// The setting is obeyed: every node has the plain fit, to the bit.
+template <class V>
+int nodes_with_another_fit(const BroadPhaseParameters& parameters) {
+    std::mt19937 random(53);
+    const Grid grid{31, 17};
+    const Points x = testing::random_cloth(grid, random);
+    ClothQuadtree<V> tree(grid, parameters);
+    tree.build(x);
+    int others = 0;
+    for (std::size_t n = 0; n < tree.nodes().size(); ++n) {
+        others += difference(tree.volumes()[n], V::fit(patch_of(grid, tree.nodes()[n], x))) != 0;
+    }
+    return others;
+}
+
+TYPED_TEST(PlainCore, FitsEveryNodeOfATreeThatIsToBePlain) {
+    EXPECT_EQ(nodes_with_another_fit<TypeParam>({.leaf_cells = 3, .kernels = Kernels::Plain}), 0);
+}
+
+TEST(PlainTree, HasTheCentroidSphereOfEachNodeAndTheVectorTreeOneThatIsRounded) {
+    EXPECT_EQ(nodes_with_another_fit<BoundingSphere>({.leaf_cells = 3, .kernels = Kernels::Plain}), 0);
+    EXPECT_GT(nodes_with_another_fit<BoundingSphere>({.leaf_cells = 3}), 20);
+}
+
 class PlainSphere : public ::testing::TestWithParam<SphereFit> {};
 
 TEST_P(PlainSphere, IsWhatTheKernelFits) {
