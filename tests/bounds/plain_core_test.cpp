@@ -34,7 +34,8 @@ void for_many_patches(Visit visit) {
     constexpr std::pair<int, int> shapes[] = {{2, 1},  {17, 1}, {1, 2},  {1, 13}, {2, 2},  {3, 2},  {2, 3},
                                               {5, 5},  {7, 3},  {8, 8},  {9, 16}, {15, 4}, {16, 2}, {17, 5},
                                               {31, 3}, {40, 2}, {64, 1}, {65, 2}, {2, 40}};
-    for (const auto& [columns, rows] : shapes) {
+    for (const auto& shape : shapes) {
+        const int columns = shape.first, rows = shape.second;
         const Grid grid{columns + 3, rows + 2};
         const auto visit_scaled = [&](const Points& x) {
             for (const Real scale : {Real(1e-6), Real(1), Real(1e6)}) {
