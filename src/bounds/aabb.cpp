@@ -1,12 +1,13 @@
 #include "drape/bounds/aabb.h"
 
-#include "patch_kernels.h"
-
 namespace drape {
 
 Aabb Aabb::fit(const Patch& patch) {
-    Aabb box;
-    kernels::bounding_box(patch, box.low.data(), box.high.data());
+    Aabb box{patch.at(0, 0), patch.at(0, 0)};
+    for_each_particle(patch, [&](const Vec3& p) {
+        box.low = box.low.cwiseMin(p);
+        box.high = box.high.cwiseMax(p);
+    });
     return box;
 }
 

@@ -1,9 +1,9 @@
 #include "drape/bounds/bounding_sphere.h"
 
+#include <algorithm>
 #include <cmath>
 
 #include "drape/base/assert.h"
-#include "patch_kernels.h"
 
 namespace drape {
 namespace {
@@ -25,30 +25,34 @@ BoundingSphere about(const BoundingSphere& a, const BoundingSphere& b) {
 }  // namespace
 
 BoundingSphere BoundingSphere::fit(const Patch& patch) {
-    BoundingSphere sphere;
-    sphere.radius = radius_of(kernels::centroid_sphere(patch, sphere.centre));
-    return sphere;
+    Vec3 sum = Vec3::Zero();
+    for_each_particle(patch, [&](const Vec3& p) { sum += p; });
+    const Vec3 centre = sum / static_cast<Real>(patch.particles());
+    Real square = 0;
+    for_each_particle(patch, [&](const Vec3& p) { square = std::max(square, (p - centre).squaredNorm()); });
+    return {centre, radius_of(square)};
 }
 
 Real BoundingSphere::radius_of(Real square) { return std::sqrt(square) * rounded_up; }
 
-BoundingSphere BoundingSphere::merge(std::span<const BoundingSphere> parts) {
-    DRAPE_ASSERT(!parts.empty());
+BoundingSphere BoundingSphere::merge(std::span<const BoundingSphere> children) {
+    DRAPE_ASSERT(!children.empty());
     // The two that are farthest apart, from end to end
-    BoundingSphere all = parts[0];
+    BoundingSphere all = children[0];
     Real widest = -1;
-    for (std::size_t i = 0; i < parts.size(); ++i) {
-        for (std::size_t k = i + 1; k < parts.size(); ++k) {
-            const Real width = (parts[i].centre - parts[k].centre).norm() + parts[i].radius + parts[k].radius;
-            if (width > widest) widest = width, all = about(parts[i], parts[k]);
+    for (std::size_t i = 0; i < children.size(); ++i) {
+        for (std::size_t k = i + 1; k < children.size(); ++k) {
+            const BoundingSphere &a = children[i], &b = children[k];
+            const Real width = (a.centre - b.centre).norm() + a.radius + b.radius;
+            if (width > widest) widest = width, all = about(a, b);
         }
     }
-    for (const BoundingSphere& part : parts) all = about(all, part);
+    for (const BoundingSphere& child : children) all = about(all, child);
 
     // The centres were rounded: the radius is measured once more
-    for (const BoundingSphere& part : parts) {
-        const Real reach = ((part.centre - all.centre).norm() + part.radius) * rounded_up;
-        all.radius = all.radius < reach ? reach : all.radius;
+    for (const BoundingSphere& child : children) {
+        const Real radius = ((child.centre - all.centre).norm() + child.radius) * rounded_up;
+        all.radius = all.radius < radius ? radius : all.radius;
     }
     return all;
 }

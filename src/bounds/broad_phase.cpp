@@ -3,11 +3,7 @@
 #include <array>
 
 #include "drape/base/assert.h"
-#include "drape/bounds/aabb.h"
-#include "drape/bounds/centroid_tree.h"
-#include "drape/bounds/cloth_quadtree.h"
-#include "drape/bounds/kdop.h"
-#include "drape/bounds/obb.h"
+#include "drape/bounds/limited_quadtree.h"
 
 namespace drape {
 namespace {
@@ -28,15 +24,16 @@ public:
     [[nodiscard]] bool may_touch(const Ball& /*ball*/, Real /*displacement*/) const override { return true; }
     [[nodiscard]] Real slack() const override { return 0; }
     [[nodiscard]] int levels() const override { return 0; }
-    void nodes_at(int /*level*/, std::span<const int> /*touched*/, Outlines& nodes) const override { nodes.clear(); }
+    void nodes_at(int /*level*/, std::vector<NodeView>& nodes) const override { nodes.clear(); }
 
 private:
     Grid grid_;
 };
 
-/// Centroid spheres have a way to fit all levels at once.
-Fits<BoundingSphere> fits_of(SphereFit kind) {
-    return {.patch = sphere_fit_of(kind), .tree = kind == SphereFit::Centroid ? fit_centroid_tree : nullptr};
+template <BoundingVolume Volume>
+std::unique_ptr<BroadPhase> make_quadtree(const BroadPhaseParameters& parameters, const Grid& grid) {
+    if (parameters.search.none()) return std::make_unique<ClothQuadtree<Volume>>(grid, parameters);
+    return std::make_unique<LimitedQuadtree<Volume>>(grid, parameters);
 }
 
 }  // namespace
@@ -59,19 +56,19 @@ void list_all_cells(const Grid& grid, std::vector<CellRun>& cells) {
 std::unique_ptr<BroadPhase> make_broad_phase(const BroadPhaseParameters& parameters, const Grid& grid) {
     switch (parameters.volume) {
         case VolumeKind::Sphere:
-            return std::make_unique<ClothQuadtree<BoundingSphere>>(grid, parameters, fits_of(parameters.sphere_fit));
+            return make_quadtree<BoundingSphere>(parameters, grid);
         case VolumeKind::Aabb:
-            return std::make_unique<ClothQuadtree<Aabb>>(grid, parameters);
+            return make_quadtree<Aabb>(parameters, grid);
         case VolumeKind::Kdop6:
-            return std::make_unique<ClothQuadtree<KDop<6>>>(grid, parameters);
+            return make_quadtree<KDop<6>>(parameters, grid);
         case VolumeKind::Kdop14:
-            return std::make_unique<ClothQuadtree<KDop<14>>>(grid, parameters);
+            return make_quadtree<KDop<14>>(parameters, grid);
         case VolumeKind::Kdop18:
-            return std::make_unique<ClothQuadtree<KDop<18>>>(grid, parameters);
+            return make_quadtree<KDop<18>>(parameters, grid);
         case VolumeKind::Kdop26:
-            return std::make_unique<ClothQuadtree<KDop<26>>>(grid, parameters);
+            return make_quadtree<KDop<26>>(parameters, grid);
         case VolumeKind::Obb:
-            return std::make_unique<ClothQuadtree<Obb>>(grid, parameters);
+            return make_quadtree<Obb>(parameters, grid);
         case VolumeKind::Brute:
             return std::make_unique<BruteForce>(grid);
     }

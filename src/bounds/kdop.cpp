@@ -1,13 +1,24 @@
 #include "drape/bounds/kdop.h"
 
-#include "extent_kernels.h"
-
 namespace drape {
 
 template <int K>
 KDop<K> KDop<K>::fit(const Patch& patch) {
     std::array<Real, K / 2> least, most;
-    kernels::dop_extents<K>(patch, least.data(), most.data());
+    least.fill(std::numeric_limits<Real>::infinity());
+    most.fill(-std::numeric_limits<Real>::infinity());
+    for_each_particle(patch, [&](const Vec3& p) {
+        for (std::size_t k = 0; k < K / 2; ++k) {
+            const Real projection = dop_projection(dop_numbers<K>[k], p);
+            least[k] = std::min(least[k], projection);
+            most[k] = std::max(most[k], projection);
+        }
+    });
+    return from_extents(least, most);
+}
+
+template <int K>
+KDop<K> KDop<K>::from_extents(const std::array<Real, K / 2>& least, const std::array<Real, K / 2>& most) {
     KDop dop;
     dop.box = {{least[0], least[1], least[2]}, {most[0], most[1], most[2]}};
 
@@ -19,18 +30,6 @@ KDop<K> KDop<K>::fit(const Patch& patch) {
         dop.high[k] = most[k + 3] + rounding;
     }
     return dop;
-}
-
-template <int K>
-void KDop<K>::outline(NodeState state, Outlines& outlines) const {
-    std::array<Slab, K / 2> slabs;
-    for (std::size_t k = 0; k < slabs.size(); ++k) {
-        const auto axis = static_cast<Eigen::Index>(k);
-        slabs[k].axis = dop_axes[static_cast<std::size_t>(dop_numbers<K>[k])];
-        slabs[k].low = k < 3 ? box.low[axis] : low[k - 3];
-        slabs[k].high = k < 3 ? box.high[axis] : high[k - 3];
-    }
-    append_polytope(slabs, state, outlines);
 }
 
 template struct KDop<6>;

@@ -3,7 +3,6 @@
 #include <Eigen/Geometry>
 
 #include "drape/base/assert.h"
-#include "extent_kernels.h"
 
 namespace drape {
 namespace {
@@ -32,8 +31,8 @@ BoxAxes make_axes(const Vec3& along, const Vec3& across) {
     return axes;
 }
 
-/// From the first column to the last, and from the first row to the last: the sums of all steps between neighbours
-/// along rows and along columns.
+/// The mean directions, from the first column to the last, and from the first row to the last: the sums of all steps
+/// between neighbours along rows and along columns.
 BoxAxes axes_of(const Patch& patch) {
     Vec3 along = Vec3::Zero(), across = Vec3::Zero();
     for (int j = 0; j < patch.rows; ++j) along += patch.at(patch.columns - 1, j) - patch.at(0, j);
@@ -44,42 +43,53 @@ BoxAxes axes_of(const Patch& patch) {
 }  // namespace
 
 Obb Obb::fit(const Patch& patch) {
-    Obb box;
-    box.origin = patch.at(0, 0);
-    box.axes = axes_of(patch);
-    kernels::extents_along(patch, box.origin, box.axes, box.low.data(), box.high.data());
-    const Real rounding = 8 * epsilon * (box.high - box.low).sum();
-    box.low.array() -= rounding;
-    box.high.array() += rounding;
+    Obb box = frame_of(patch);
+    for_each_particle(patch, [&](const Vec3& p) {
+        const Vec3 along = box.axes.transpose() * (p - box.origin);
+        box.low = box.low.cwiseMin(along);
+        box.high = box.high.cwiseMax(along);
+    });
+    box.grow_by_rounding();
     return box;
 }
 
-Obb Obb::merge(std::span<const Obb> parts) {
-    DRAPE_ASSERT(!parts.empty());
-    // The same axis of two parts may point in opposite ways
-    const BoxAxes& first = parts[0].axes;
+Obb Obb::frame_of(const Patch& patch) {
+    const Vec3 infinity = Vec3::Constant(std::numeric_limits<Real>::infinity());
+    return {patch.at(0, 0), axes_of(patch), infinity, -infinity};
+}
+
+void Obb::grow_by_rounding() {
+    const Real rounding = 8 * epsilon * (high - low).sum();
+    low.array() -= rounding;
+    high.array() += rounding;
+}
+
+Obb Obb::merge(std::span<const Obb> children) {
+    DRAPE_ASSERT(!children.empty());
+    // The same axis of two boxes may point in opposite ways
+    const BoxAxes& first = children[0].axes;
     Vec3 along = Vec3::Zero(), across = Vec3::Zero();
-    for (const Obb& part : parts) {
-        const BoxAxes& axes = part.axes;
+    for (const Obb& child : children) {
+        const BoxAxes& axes = child.axes;
         along += axes.col(0).dot(first.col(0)) < 0 ? Vec3(-axes.col(0)) : Vec3(axes.col(0));
         across += axes.col(1).dot(first.col(1)) < 0 ? Vec3(-axes.col(1)) : Vec3(axes.col(1));
     }
     Obb all;
-    all.origin = parts[0].origin;
+    all.origin = children[0].origin;
     all.axes = make_axes(along, across);
 
-    // Each part reaches as far from its middle as its edges do together
+    // A box extends as far from its middle as its edges do together
     all.low.setConstant(std::numeric_limits<Real>::infinity());
     all.high = -all.low;
-    for (const Obb& part : parts) {
-        const BoxAxes turn = all.axes.transpose() * part.axes;
-        const Vec3 offset = part.origin - all.origin;
-        const Vec3 middle = all.axes.transpose() * offset + turn * ((part.low + part.high) / 2);
-        const Vec3 reach = turn.cwiseAbs() * ((part.high - part.low) / 2);
+    for (const Obb& child : children) {
+        const BoxAxes turn = all.axes.transpose() * child.axes;
+        const Vec3 offset = child.origin - all.origin;
+        const Vec3 middle = all.axes.transpose() * offset + turn * ((child.low + child.high) / 2);
+        const Vec3 half = turn.cwiseAbs() * ((child.high - child.low) / 2);
         const Real rounding =
-            16 * epsilon * (offset.cwiseAbs().sum() + part.low.cwiseAbs().sum() + part.high.cwiseAbs().sum());
-        all.low = all.low.cwiseMin(middle - reach - Vec3::Constant(rounding));
-        all.high = all.high.cwiseMax(middle + reach + Vec3::Constant(rounding));
+            16 * epsilon * (offset.cwiseAbs().sum() + child.low.cwiseAbs().sum() + child.high.cwiseAbs().sum());
+        all.low = all.low.cwiseMin(middle - half - Vec3::Constant(rounding));
+        all.high = all.high.cwiseMax(middle + half + Vec3::Constant(rounding));
     }
     return all;
 }

@@ -1,6 +1,5 @@
 #include "drape/bounds/quadtree_nodes.h"
 
-#include <algorithm>
 #include <utility>
 
 #include "drape/base/assert.h"
@@ -41,28 +40,6 @@ std::vector<QuadtreeNode> make_quadtree_nodes(const Grid& grid, int leaf_cells) 
         }
     }
     return nodes;
-}
-
-std::vector<int> leaves_in_rows(const std::vector<QuadtreeNode>& nodes) {
-    std::vector<int> leaves;
-    for (std::size_t n = 0; n < nodes.size(); ++n) {
-        if (nodes[n].children == 0) leaves.push_back(static_cast<int>(n));
-    }
-    std::ranges::sort(leaves, {}, [&](int leaf) {
-        const QuadtreeNode& node = nodes[static_cast<std::size_t>(leaf)];
-        return std::pair(node.j0, node.i0);
-    });
-    return leaves;
-}
-
-void prefetch_below(const Grid& grid, const QuadtreeNode& leaf, const Points& x) {
-    constexpr int line = 64 / static_cast<int>(sizeof(Real));  // of a cache, in particles
-    const int rows = leaf.j1 - leaf.j0, start = grid.particle(leaf.i0 * rows, leaf.j1 + 1);
-    const int end = std::min(start + (leaf.i1 - leaf.i0) * rows, grid.particles());
-    for (int axis = 0; axis < 3; ++axis) {
-        const Real* const coordinate = x.col(axis).data();
-        for (int p = start; p < end; p += line) __builtin_prefetch(coordinate + p);
-    }
 }
 
 }  // namespace drape

@@ -1,11 +1,9 @@
-#include "smallest_sphere.h"
-
 #include <algorithm>
 #include <array>
 #include <limits>
 #include <optional>
 
-#include "extreme_kernels.h"
+#include "sphere_steps.h"
 
 namespace drape {
 namespace {
@@ -58,8 +56,8 @@ struct SupportedSphere {
 };
 
 /// The smallest sphere about a point and the support of another sphere, with the point on it: of all spheres through
-/// the point and some of the support, the one that is smallest once it reaches all of them.
-/// Choosing by measure lets it pass over points that are (nearly) in one place, line, plane or circle.
+/// the point and some of the support, the one that is smallest once it is grown to all of them.
+/// Choosing by measure lets it pass over points that (nearly) coincide or are in one line, plane or circle.
 SupportedSphere smallest_with(const Vec3& point, const Points5& others) {
     SupportedSphere best{point, others.farthest_square(point), {}};
     best.support.add(point);
@@ -80,17 +78,17 @@ SupportedSphere smallest_with(const Vec3& point, const Points5& others) {
 
 }  // namespace
 
-Vec3 smallest_sphere_centre(const Patch& patch) {
+Vec3 smallest_sphere_centre(const Patch& patch, FindFarthest find_farthest) {
     constexpr Real rounding = 8 * std::numeric_limits<Real>::epsilon();
     constexpr int patience = 16;  // passes in which rounding may hide that the sphere gets better
 
     SupportedSphere sphere{patch.at(0, 0), 0, {}};
     Vec3 best = sphere.centre;
-    Real reached = std::numeric_limits<Real>::max(), largest = 0;  // the smallest sphere's radius is between, squared
+    Real least = std::numeric_limits<Real>::max(), largest = 0;  // the smallest sphere's radius is between, squared
     for (int waited = 0; waited < patience; ++waited) {
-        const Vec3 farthest = particle(patch, kernels::farthest_particle(patch, sphere.centre));
+        const Vec3 farthest = find_farthest(patch, sphere.centre);
         const Real square = (farthest - sphere.centre).squaredNorm();
-        if (square < reached) reached = square, best = sphere.centre, waited = 0;
+        if (square < least) least = square, best = sphere.centre, waited = 0;
         if (square <= sphere.square * (1 + rounding)) break;
         sphere = smallest_with(farthest, sphere.support);
         if (sphere.square > largest) largest = sphere.square, waited = 0;

@@ -1,96 +1,92 @@
 #include "drape/bounds/sphere_fits.h"
 
-#include <array>
+#include <cmath>
 
-#include "drape/base/assert.h"
 #include "drape/bounds/aabb.h"
 #include "drape/bounds/dop_axes.h"
-#include "extreme_kernels.h"
-#include "measured_sphere.h"
-#include "smallest_sphere.h"
+#include "sphere_steps.h"
 
 namespace drape {
 namespace {
 
-/// One pass in which a sphere takes in, one after the other, the particles that stand out of it, each by as little as
-/// possible. @cite ritter1990
-BoundingSphere grown_about(const Patch& patch, BoundingSphere sphere) {
-    for (int j = 0; j < patch.rows; ++j) {
-        for (int i = 0; i < patch.columns; ++i) {
-            const Vec3 outward = patch.at(i, j) - sphere.centre;
-            const Real square = outward.squaredNorm();
-            if (square <= sphere.radius * sphere.radius) continue;
-            const Real distance = std::sqrt(square), beyond = (distance - sphere.radius) / 2;
-            sphere.centre += outward * (beyond / distance);
-            sphere.radius += beyond;
-        }
-    }
-    return measured_sphere(patch, sphere.centre);
+Vec3 farthest_particle(const Patch& patch, const Vec3& from) {
+    Vec3 farthest = patch.at(0, 0);
+    for_each_particle(patch, [&](const Vec3& p) {
+        if ((p - from).squaredNorm() > (farthest - from).squaredNorm()) farthest = p;
+    });
+    return farthest;
 }
 
-template <int axes>
-BoundingSphere fit_epos(const Patch& patch) {
-    constexpr int ends = 2 * axes;
-    if (patch.particles() <= ends) return fit_smallest_sphere(patch);
-    std::array<Real, ends> x, y, z;
-    std::size_t count = 0;
-    for (std::size_t axis = 0; axis < axes; ++axis) {
-        const kernels::Extremes found = kernels::extreme_particles(patch, dop_axes[axis]);
-        for (const ParticleIndex at : {found.low, found.high}) {
-            x[count] = patch.x[at], y[count] = patch.y[at], z[count] = patch.z[at];
-            ++count;
-        }
+/// About a centre through the farthest particle.
+BoundingSphere sphere_about(const Patch& patch, const Vec3& centre) {
+    return {centre, BoundingSphere::radius_of((farthest_particle(patch, centre) - centre).squaredNorm())};
+}
+
+/// The ends of the first lines of `dop_axes`.
+template <int lines>
+LineEnds<lines> ends_of_lines(const Patch& patch) {
+    LineEnds<lines> ends;
+    for (int line = 0; line < lines; ++line) {
+        Vec3 low = patch.at(0, 0), high = low;
+        for_each_particle(patch, [&](const Vec3& p) {
+            if (dop_projection(line, p) < dop_projection(line, low)) low = p;
+            if (dop_projection(line, p) > dop_projection(line, high)) high = p;
+        });
+        ends.set(2 * line, low);
+        ends.set(2 * line + 1, high);
     }
-    return grown_about(patch, fit_smallest_sphere({x.data(), y.data(), z.data(), ends, 1, ends}));
+    return ends;
+}
+
+/// The smallest sphere about the ends of the lines, then grown. @cite larsson2008
+template <int lines>
+BoundingSphere fit_epos_sphere(const Patch& patch) {
+    if (patch.particles() <= 2 * lines) return fit_smallest_sphere(patch);
+    const LineEnds<lines> ends = ends_of_lines<lines>(patch);
+    return sphere_about(patch, grown_centre(patch, fit_smallest_sphere(ends.patch())));
 }
 
 }  // namespace
 
-BoundingSphere fit_box_sphere(const Patch& patch) {
-    const Aabb box = Aabb::fit(patch);
-    return measured_sphere(patch, (box.low + box.high) / 2);
-}
-
-BoundingSphere fit_ritter_sphere(const Patch& patch) {
-    Vec3 low = patch.at(0, 0), high = low;
-    for (std::size_t axis = 0; axis < 3; ++axis) {
-        const kernels::Extremes found = kernels::extreme_particles(patch, dop_axes[axis]);
-        const Vec3 a = particle(patch, found.low), b = particle(patch, found.high);
+BoundingSphere sphere_about_widest(const LineEnds<3>& ends) {
+    Vec3 low(ends.x[0], ends.y[0], ends.z[0]), high = low;
+    for (int line = 0; line < 3; ++line) {
+        const Vec3 a = ends.patch().at(2 * line, 0), b = ends.patch().at(2 * line + 1, 0);
         if ((b - a).squaredNorm() > (high - low).squaredNorm()) low = a, high = b;
     }
-    return grown_about(patch, {(low + high) / 2, (high - low).norm() / 2});
+    return {(low + high) / 2, (high - low).norm() / 2};
 }
 
-BoundingSphere fit_epos6_sphere(const Patch& patch) { return fit_epos<3>(patch); }
-BoundingSphere fit_epos14_sphere(const Patch& patch) { return fit_epos<7>(patch); }
-BoundingSphere fit_epos26_sphere(const Patch& patch) { return fit_epos<13>(patch); }
-
-BoundingSphere fit_smallest_sphere(const Patch& patch) { return measured_sphere(patch, smallest_sphere_centre(patch)); }
-
-BoundingSphere (*sphere_fit_of(SphereFit kind))(const Patch&) {
-    switch (kind) {
-        case SphereFit::Centroid:
-            return BoundingSphere::fit;
-        case SphereFit::BoxCentre:
-            return fit_box_sphere;
-        case SphereFit::Ritter:
-            return fit_ritter_sphere;
-        case SphereFit::Epos6:
-            return fit_epos6_sphere;
-        case SphereFit::Epos14:
-            return fit_epos14_sphere;
-        case SphereFit::Epos26:
-            return fit_epos26_sphere;
-        case SphereFit::Welzl:
-            return fit_smallest_sphere;
-    }
-    DRAPE_ASSERT(false && "every kind has its fit");
-    return nullptr;
+Vec3 grown_centre(const Patch& patch, BoundingSphere sphere) {
+    for_each_particle(patch, [&](const Vec3& p) {
+        const Vec3 outward = p - sphere.centre;
+        const Real square = outward.squaredNorm();
+        if (square <= sphere.radius * sphere.radius) return;
+        const Real distance = std::sqrt(square), beyond = (distance - sphere.radius) / 2;
+        sphere.centre += outward * (beyond / distance);
+        sphere.radius += beyond;
+    });
+    return sphere.centre;
 }
 
-std::span<const std::string> sphere_fit_names() {
-    static const std::array<std::string, 7> names{"centroid", "box", "ritter", "epos6", "epos14", "epos26", "welzl"};
-    return names;
+/// c = (min x_p + max x_p) / 2
+BoundingSphere fit_box_sphere(const Patch& patch) {
+    const Aabb box = Aabb::fit(patch);
+    return sphere_about(patch, (box.low + box.high) / 2);
+}
+
+/// Ends of the axes, the widest pair, then grown. @cite ritter1990
+BoundingSphere fit_ritter_sphere(const Patch& patch) {
+    return sphere_about(patch, grown_centre(patch, sphere_about_widest(ends_of_lines<3>(patch))));
+}
+
+BoundingSphere fit_epos6_sphere(const Patch& patch) { return fit_epos_sphere<3>(patch); }
+BoundingSphere fit_epos14_sphere(const Patch& patch) { return fit_epos_sphere<7>(patch); }
+BoundingSphere fit_epos26_sphere(const Patch& patch) { return fit_epos_sphere<13>(patch); }
+
+/// In smallest_sphere.cpp. @cite welzl1991
+BoundingSphere fit_smallest_sphere(const Patch& patch) {
+    return sphere_about(patch, smallest_sphere_centre(patch, farthest_particle));
 }
 
 }  // namespace drape

@@ -60,30 +60,27 @@ ClosestPoint closest_point_on_needle(const Vec3& p, const std::array<Vec3, 3>& c
     return closest;
 }
 
-}  // namespace
-
-ClosestPoint closest_point_on_triangle(const Vec3& p, const Vec3& a, const Vec3& b, const Vec3& c) {
-    // Regions of the corners a, b, c (Ericson 2004, section 5.1.5; d1..d6 as there)
-    const Vec3 ab = b - a, ac = c - a, ap = p - a;
-    const Real d1 = ab.dot(ap), d2 = ac.dot(ap);
-    if (d1 <= 0 && d2 <= 0) return {a, {1, 0, 0}};
-    const Vec3 bp = p - b;
-    const Real d3 = ab.dot(bp), d4 = ac.dot(bp);
-    if (d3 >= 0 && d4 <= d3) return {b, {0, 1, 0}};
-    const Vec3 cp = p - c;
-    const Real d5 = ab.dot(cp), d6 = ac.dot(cp);
-    if (d6 >= 0 && d5 <= d6) return {c, {0, 0, 1}};
-
-    // Where the triangle is less than an eighth as high as long, or so small that products of four lengths have no
-    // digits, the regions below would cost digits
+/// Where the triangle is less than an eighth as high as long, or so small that products of four lengths have no digits:
+/// the regions of edges and inside would cost digits.
+bool is_needle(const Vec3& ab, const Vec3& ac, const Vec3& bc) {
     constexpr Real lowest = Real(1) / 64;
     constexpr Real smallest = std::numeric_limits<Real>::min() / std::numeric_limits<Real>::epsilon();
-    const Real longest = std::max({ab.squaredNorm(), ac.squaredNorm(), (c - b).squaredNorm()});
-    if (!(ab.cross(ac).squaredNorm() > std::max(lowest * longest * longest, smallest))) {
-        return closest_point_on_needle(p, {a, b, c});
-    }
+    const Real longest = std::max({ab.squaredNorm(), ac.squaredNorm(), bc.squaredNorm()});
+    return !(ab.cross(ac).squaredNorm() > std::max(lowest * longest * longest, smallest));
+}
 
-    // Regions of the edges; each denominator is the squared length of its edge
+}  // namespace
+
+/// By the region of the plane that p is above: a corner, an edge or the inside; d1..d6 as in Ericson 2004, 5.1.5. The
+/// denominators of the edges are their squared lengths.
+ClosestPoint closest_point_on_triangle(const Vec3& p, const Vec3& a, const Vec3& b, const Vec3& c) {
+    const Vec3 ab = b - a, ac = c - a, ap = p - a, bp = p - b, cp = p - c;
+    const Real d1 = ab.dot(ap), d2 = ac.dot(ap), d3 = ab.dot(bp), d4 = ac.dot(bp), d5 = ab.dot(cp), d6 = ac.dot(cp);
+    if (d1 <= 0 && d2 <= 0) return {a, {1, 0, 0}};
+    if (d3 >= 0 && d4 <= d3) return {b, {0, 1, 0}};
+    if (d6 >= 0 && d5 <= d6) return {c, {0, 0, 1}};
+    if (is_needle(ab, ac, c - b)) return closest_point_on_needle(p, {a, b, c});
+
     const Real vc = d1 * d4 - d3 * d2, vb = d5 * d2 - d1 * d6, va = d3 * d6 - d5 * d4;
     if (vc <= 0 && d1 >= 0 && d3 <= 0) {
         const Real w = d1 / (d1 - d3);
@@ -97,10 +94,7 @@ ClosestPoint closest_point_on_triangle(const Vec3& p, const Vec3& a, const Vec3&
         const Real w = (d4 - d3) / ((d4 - d3) + (d5 - d6));
         return {b + w * (c - b), {0, 1 - w, w}};
     }
-
-    // Inside
-    const Real sum = va + vb + vc;
-    const Real v = vb / sum, w = vc / sum;
+    const Real sum = va + vb + vc, v = vb / sum, w = vc / sum;
     return {a + v * ab + w * ac, {1 - v - w, v, w}};
 }
 

@@ -3,7 +3,6 @@
 #include <Eigen/Geometry>
 #include <cmath>
 
-#include "drape/base/vectorise.h"
 #include "drape/contact/closest_point.h"
 #include "drape/contact/contact.h"
 
@@ -18,24 +17,25 @@ inline ClosestPoint closest_point(const Points& x, const std::array<int, 3>& cor
 }
 
 /// The contact point's mean of what its corners have: velocities, or positions.
-DRAPE_INLINE Vec3 at_point(const Contact& contact, const Points& v) {
+inline Vec3 at_point(const Contact& contact, const Points& v) {
     return contact.barycentric[0] * position(v, contact.corners[0]) +
            contact.barycentric[1] * position(v, contact.corners[1]) +
            contact.barycentric[2] * position(v, contact.corners[2]);
 }
 
-/// Fills point, barycentric, normal and depth of a contact from the present positions of its corners; that of a node
-/// stays at its point of the triangle. A triangle through the very centre is pushed along its own normal.
+/// Ball against triangle: from the present positions of a contact's corners, its closest point q, the normal
+/// n = (q - c) / |q - c| and the depth r + thickness - |q - c|. The contact of a node stays at its point of the
+/// triangle. A triangle through the very centre is pushed along its own normal.
 /// @return false, with depth 0 and the rest as it was, if the triangle, or the node's sphere, does not touch the ball
 inline bool locate(const Points& x, const Ball& ball, Real thickness, Contact& contact) {
     const ClosestPoint closest = contact.of_node ? ClosestPoint{at_point(contact, x), contact.barycentric}
                                                  : closest_point(x, contact.corners, ball.centre);
     const Vec3 offset = closest.point + contact.offset - ball.centre;
-    const Real square = offset.squaredNorm(), reach = ball.radius + thickness + contact.radius;
+    const Real square = offset.squaredNorm(), radii = ball.radius + thickness + contact.radius;
     contact.depth = 0;
-    if (!(square < reach * reach && reach > 0)) return false;
+    if (!(square < radii * radii && radii > 0)) return false;
     const Real distance = std::sqrt(square);
-    contact.depth = reach - distance;
+    contact.depth = radii - distance;
     contact.barycentric = closest.barycentric;
     contact.point = closest.point;
     if (distance > 0) {

@@ -14,8 +14,8 @@ std::int64_t SearchAudit::false_contacts(const Points& x, const Ball& ball, Real
                                          std::span<const StoppedNode> nodes) {
     find_touched_triangles(grid_, x, ball, thickness, cells_, triangles_);
     const auto touches = [&](const StoppedNode& node) {
-        const Real reach = ball.radius + thickness + node.sphere.radius;
-        return (node.sphere.centre - ball.centre).squaredNorm() < reach * reach;
+        const Real radii = ball.radius + thickness + node.sphere.radius;
+        return (node.sphere.centre - ball.centre).squaredNorm() < radii * radii;
     };
     const auto is_true = [&](const StoppedNode& node) {
         return std::ranges::any_of(triangles_, [&](int triangle) {

@@ -47,7 +47,7 @@ int collide(const Options& options) {
     std::vector<int> triangles;
     broad_phase->build(x);
     const TraversalStats stats = broad_phase->query(grown(ball, contact.thickness), found);
-    find_touched_triangles(grid, x, ball, contact.thickness, found.cells, triangles);
+    find_touched_triangles(grid, x, ball, contact.thickness, found.cells, triangles, settings.solver.kernels);
 
     std::sort(triangles.begin(), triangles.end());
     std::string text;

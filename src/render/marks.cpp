@@ -121,10 +121,8 @@ void Marks::collect_bounds(const FrameView& view) {
         touched_cells_.erase(std::unique(touched_cells_.begin(), touched_cells_.end()), touched_cells_.end());
 
         const int level = std::clamp(view.settings->view.level, 0, cloth.broad_phase->levels() - 1);
-        cloth.broad_phase->nodes_at(level, touched_cells_, bounds_of_cloth_);
-        const auto& [spheres, edges] = bounds_of_cloth_;
-        bounds_.spheres.insert(bounds_.spheres.end(), spheres.begin(), spheres.end());
-        bounds_.edges.insert(bounds_.edges.end(), edges.begin(), edges.end());
+        cloth.broad_phase->nodes_at(level, nodes_);
+        append_nodes(nodes_, cloth.broad_phase->slack(), cloth.model.grid, touched_cells_, bounds_);
     }
 }
 

@@ -4,6 +4,7 @@
 
 #include "drape/sim/simulation.h"
 #include "gl_objects.h"
+#include "outlines.h"
 #include "program.h"
 #include "stream_buffer.h"
 
@@ -44,7 +45,8 @@ private:
     VertexArray spring_array_, contact_array_, sphere_array_, edge_array_;
     Buffer spring_indices_;
     std::vector<Grid> grids_;
-    Outlines bounds_, bounds_of_cloth_;
+    Outlines bounds_;
+    std::vector<NodeView> nodes_;
     std::vector<int> touched_cells_;
     bool show_particles_ = false;
     int particle_count_ = 0, contact_count_ = 0;

@@ -7,6 +7,7 @@
 #include "ball_motion.h"
 #include "drape/base/exact_math.h"
 #include "drape/base/stopwatch.h"
+#include "drape/contact/node_contacts.h"
 #include "drape/contact/response.h"
 #include "drape/integrate/stability.h"
 #include "drape/sim/memory.h"
@@ -203,7 +204,8 @@ void Simulation::find_contacts(Cloth& cloth, Real h) {
         std::ranges::sort(cloth.candidates.cells);
         report_.times.traverse += watch.lap();
         const auto& [cells, stopped] = cloth.candidates;
-        const std::int64_t touching = drape::find_contacts(grid, x, ball, number, thickness, cells, cloth.contacts);
+        const std::int64_t touching =
+            drape::find_contacts(grid, x, ball, number, thickness, cells, cloth.contacts, settings_.solver.kernels);
         find_node_contacts(grid, x, ball, number, thickness, node_push_speed * h, stopped, cloth.contacts);
         report_.times.narrow += watch.lap();
         report_.false_candidates += traversal.candidates - touching;

@@ -130,7 +130,7 @@ void Simulation::restart() {
         }
         cloth.previous = cloth.state;
         cloth.integrator = make_integrator(integrator_of(settings_.solver), parameters.particles);
-        cloth.separation = Separation(parameters.particles);
+        cloth.separation = Separation(parameters.particles, settings_.solver.kernels);
         if (settings_.solver.ledger) cloth.ledger.emplace(cloth.model, cloth.state);
         cloth.energy_watch.restart(cloth.model, cloth.state);
         use_broad_phase(cloth);

@@ -8,8 +8,7 @@
 #include <string>
 
 #include "bench/draped_sheet.h"
-#include "drape/bounds/aabb.h"
-#include "drape/bounds/broad_phase.h"
+#include "drape/bounds/cloth_quadtree.h"
 #include "drape/contact/contact.h"
 
 namespace {
@@ -29,7 +28,7 @@ void read_pass(benchmark::State& state, int side) {
     const DrapedSheet sheet(side);
     const int n = sheet.grid.particles();
     const drape::Patch all{sheet.x.col(0).data(), sheet.x.col(1).data(), sheet.x.col(2).data(), n, 1, n};
-    for (auto _ : state) benchmark::DoNotOptimize(drape::Aabb::fit(all));
+    for (auto _ : state) benchmark::DoNotOptimize(drape::fits_of<drape::Aabb>({}).patch(all));
     per_triangle(state, sheet.grid);
 }
 

@@ -2,6 +2,7 @@
 
 #include <gtest/gtest.h>
 
+#include "drape/bounds/cloth_quadtree.h"
 #include "support/cloths.h"
 #include "support/containment.h"
 
@@ -13,9 +14,11 @@ TEST(Aabb, IsTheSmallestBoxToTheBit) {
     for (int columns = 2; columns <= 40; ++columns) {
         const Grid grid{columns, 2 + columns % 7};
         const Points x = testing::random_cloth(grid, random);
-        const Aabb box = Aabb::fit(testing::whole(x, grid));
-        EXPECT_EQ(box.low.transpose(), x.colwise().minCoeff());
-        EXPECT_EQ(box.high.transpose(), x.colwise().maxCoeff());
+        for (const Kernels kernels : {Kernels::Vector, Kernels::Plain}) {
+            const Aabb box = fits_of<Aabb>({.kernels = kernels}).patch(testing::whole(x, grid));
+            EXPECT_EQ(box.low.transpose(), x.colwise().minCoeff());
+            EXPECT_EQ(box.high.transpose(), x.colwise().maxCoeff());
+        }
     }
 }
 
@@ -28,22 +31,6 @@ TEST(Aabb, OverlapsABallThatTouchesAFaceAnEdgeOrACornerAndNoBallBeyond) {
         EXPECT_FALSE(box.overlaps({.centre = from + off, .radius = off.norm() * (1 - 1e-12)}));
     }
     EXPECT_TRUE(box.overlaps({.centre = Vec3(0.5, 1, 1), .radius = 0}));
-}
-
-TEST(Aabb, IsDrawnByItsTwelveEdges) {
-    Outlines outlines;
-    Aabb{Vec3(1, 2, 3), Vec3(2, 4, 6)}.outline(NodeState::Leaf, outlines);
-    EXPECT_TRUE(outlines.spheres.empty());
-    ASSERT_EQ(outlines.edges.size(), 12u);
-    Real length = 0;
-    for (const Outlines::Edge& edge : outlines.edges) {
-        EXPECT_EQ(edge.state, NodeState::Leaf);
-        length += (edge.to - edge.from).norm();
-        for (const Vec3& end : {edge.from, edge.to}) {
-            for (int k = 0; k < 3; ++k) EXPECT_TRUE(end[k] == k + 1 || end[k] == 2 * (k + 1));
-        }
-    }
-    EXPECT_NEAR(length, 4 * (1 + 2 + 3), 1e-12);
 }
 
 }  // namespace

@@ -1,7 +1,8 @@
-#include "drape/bounds/centroid_tree.h"
+#include "bounds/kernels/centroid_tree.h"
 
 #include <gtest/gtest.h>
 
+#include "drape/bounds/sphere_fits.h"
 #include "support/cloths.h"
 
 namespace drape {
@@ -11,11 +12,11 @@ namespace {
 void compare_with_single_fits(const Grid& grid, int leaf_cells, const Points& x) {
     const auto nodes = make_quadtree_nodes(grid, leaf_cells);
     std::vector<BoundingSphere> spheres(nodes.size());
-    fit_centroid_tree(grid, nodes, x, spheres);
+    kernels::fit_centroid_tree(grid, nodes, x, spheres);
     const Real size = x.cwiseAbs().maxCoeff();
     for (std::size_t n = 0; n < nodes.size(); ++n) {
         const Patch patch = patch_of(grid, nodes[n], x);
-        const BoundingSphere single = BoundingSphere::fit(patch);
+        const BoundingSphere single = sphere_fit_of(SphereFit::Centroid)(patch);
         ASSERT_LE((spheres[n].centre - single.centre).norm(), 1e-14 * size) << "node " << n;
 
         // To the bit: the farthest particle from the centre that the tree has

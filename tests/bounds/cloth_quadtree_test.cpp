@@ -82,22 +82,17 @@ TEST(SphereQuadtree, ShowsEachLevelWithWhatTheQueryDid) {
     ClothQuadtree<BoundingSphere> tree(grid, {.leaf_cells = 4});
     tree.build(x);
     Candidates found;
-    Outlines outlines;
-    const std::vector<Outlines::Sphere>& views = outlines.spheres;
+    std::vector<NodeView> views;
     tree.query({.centre = Vec3(0, 0, 0), .radius = 0.05}, found);
     EXPECT_EQ(tree.levels(), 2);
-    tree.nodes_at(0, {}, outlines);
+    tree.nodes_at(0, views);
     ASSERT_EQ(views.size(), 1u);
-    EXPECT_EQ(views[0].state, NodeState::Visited);
-    tree.nodes_at(1, {}, outlines);
+    EXPECT_EQ(views[0].visit, NodeVisit::Entered);
+    tree.nodes_at(1, views);
     ASSERT_EQ(views.size(), 4u);
-    EXPECT_EQ(views[0].state, NodeState::Leaf);
-    EXPECT_EQ(views[3].state, NodeState::Pruned);
-    EXPECT_TRUE(views[0].centre.isApprox(Vec3(0.25, 0, 0.25)));
-    const int touched[] = {0};
-    tree.nodes_at(1, touched, outlines);
-    EXPECT_EQ(views[0].state, NodeState::Touching);
-    EXPECT_EQ(views[3].state, NodeState::Pruned);
+    EXPECT_EQ(views[0].visit, NodeVisit::Leaf);
+    EXPECT_EQ(views[3].visit, NodeVisit::Pruned);
+    EXPECT_TRUE(std::get<BoundingSphere>(views[0].volume).centre.isApprox(Vec3(0.25, 0, 0.25)));
 }
 
 int fits_made = 0;

@@ -85,44 +85,30 @@ TEST(Obb, MergedFromBoxesTurnedTheOtherWayRoundStaysFlat) {
     EXPECT_TRUE((both.high - both.low).isApprox(Vec3(1, 2, 0), 1e-11)) << (both.high - both.low).transpose();
 }
 
-TEST(Obb, MergedContainsTheCornersOfItsParts) {
+TEST(Obb, MergedContainsTheCornersOfItsChildren) {
     std::mt19937 random(43);
     const Grid grid{9, 7};
     for (int round = 0; round < 300; ++round) {
         Points x = testing::random_cloth(grid, random);
         if (round % 2 == 1) x.array() += 1000;
-        std::array<Obb, 4> parts;
+        std::array<Obb, 4> children;
         for (std::size_t k = 0; k < 4; ++k) {
             const int which = static_cast<int>(k), i = 4 * (which % 2), j = 3 * (which / 2),
                       first = grid.particle(i, j);
-            parts[k] = Obb::fit({&x(first, 0), &x(first, 1), &x(first, 2), 5, 4, grid.nx});
+            children[k] = Obb::fit({&x(first, 0), &x(first, 1), &x(first, 2), 5, 4, grid.nx});
         }
-        const Obb all = Obb::merge(parts);
-        for (const Obb& part : parts) {
+        const Obb all = Obb::merge(children);
+        for (const Obb& child : children) {
             for (int corner = 0; corner < 8; ++corner) {
-                testing::Exact place = part.origin.cast<long double>() - all.origin.cast<long double>();
+                testing::Exact at = child.origin.cast<long double>() - all.origin.cast<long double>();
                 for (int k = 0; k < 3; ++k) {
-                    const Real along = (corner >> k) & 1 ? part.high[k] : part.low[k];
-                    place += part.axes.col(k).cast<long double>() * along;
+                    const Real along = (corner >> k) & 1 ? child.high[k] : child.low[k];
+                    at += child.axes.col(k).cast<long double>() * along;
                 }
-                const testing::Exact there = all.axes.cast<long double>().transpose() * place;
+                const testing::Exact there = all.axes.cast<long double>().transpose() * at;
                 for (int k = 0; k < 3; ++k) ASSERT_LE(testing::beyond(there[k], all.low[k], all.high[k]), 0);
             }
         }
-    }
-}
-
-TEST(Obb, IsDrawnByItsEdgesWhereItIs) {
-    std::mt19937 random(42);
-    const Grid grid{9, 7};
-    const Points x = testing::random_cloth(grid, random);
-    const Obb box = Obb::fit(whole(x, grid));
-    Outlines outlines;
-    box.outline(NodeState::Pruned, outlines);
-    ASSERT_EQ(outlines.edges.size(), 12u);
-    for (const Outlines::Edge& edge : outlines.edges) {
-        EXPECT_NEAR(static_cast<double>(testing::stands_out(box, edge.from)), 0, 1e-14);
-        EXPECT_NEAR(static_cast<double>(testing::stands_out(box, (edge.from + edge.to) / 2)), 0, 1e-14);
     }
 }
 

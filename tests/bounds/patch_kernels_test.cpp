@@ -1,15 +1,13 @@
 // The kernels over particles, on every kind of vector that this processor has, and on none.
 
-#include "bounds/patch_kernels.h"
+#include "bounds/kernels/patch_kernels.h"
 
 #include <gtest/gtest.h>
 #include <hwy/targets.h>
 
 #include <cstring>
 
-#include "drape/bounds/aabb.h"
-#include "drape/bounds/bounding_sphere.h"
-#include "drape/bounds/leaf_copies.h"
+#include "drape/bounds/cloth_quadtree.h"
 #include "support/cloths.h"
 
 namespace drape {
@@ -25,7 +23,9 @@ struct Answers {
 };
 
 Answers ask(const Patch& patch, const Patch& before, std::span<const Vec3, 7> centres) {
-    Answers answers{.sums = kernels::sums(patch), .sphere = BoundingSphere::fit(patch), .box = Aabb::fit(patch)};
+    Answers answers{.sums = kernels::sums(patch),
+                    .sphere = sphere_fit_of(SphereFit::Centroid)(patch),
+                    .box = fits_of<Aabb>({}).patch(patch)};
     kernels::raise_to_farthest(patch, centres.data(), 7, answers.squares.data());
     answers.displacement = kernels::largest_displacement_square(patch, before);
     return answers;

@@ -22,6 +22,17 @@ Patch whole(const Points& x, const Grid& grid) {
 
 SphereFit kind_at(std::size_t k) { return static_cast<SphereFit>(k); }
 
+/// Calls visit(fit, name) for every fit, plain and by vector kernels.
+template <class Visit>
+void for_each_fit(Visit visit) {
+    for (const Kernels kernels : {Kernels::Vector, Kernels::Plain}) {
+        for (std::size_t k = 0; k < sphere_fit_names().size(); ++k) {
+            visit(sphere_fit_of(kind_at(k), kernels),
+                  kernels_names[static_cast<std::size_t>(kernels)] + " " + sphere_fit_names()[k]);
+        }
+    }
+}
+
 /// Random sets of every sort, of 2 to 1000 points, and cloth patches of 2 x 2 to 33 x 33 particles.
 template <class Visit>
 void for_each_set(unsigned seed, Visit visit) {
@@ -231,10 +242,10 @@ TEST(SphereFits, ContainTheirParticlesAtAnyScaleAndFarFromTheOrigin) {
                 const Grid grid{2 + round % 20, 2 + round % 11};
                 Points x = scale * testing::random_cloth(grid, random);
                 x.rowwise() += scale * away * Eigen::RowVector3d(1, -2, 3);
-                for (std::size_t k = 0; k < sphere_fit_names().size(); ++k) {
-                    EXPECT_TRUE(contains_all(sphere_fit_of(kind_at(k))(whole(x, grid)), x))
-                        << sphere_fit_names()[k] << " at scale " << scale << ", " << away << " away";
-                }
+                for_each_fit([&](Fit fit, const std::string& name) {
+                    EXPECT_TRUE(contains_all(fit(whole(x, grid)), x))
+                        << name << " at scale " << scale << ", " << away << " away";
+                });
             }
         }
     }
@@ -242,9 +253,8 @@ TEST(SphereFits, ContainTheirParticlesAtAnyScaleAndFarFromTheOrigin) {
 
 TEST(SphereFits, ContainPointsOfEverySort) {
     for_each_set(9, [](const std::string& set, const Patch& patch, const Points& x) {
-        for (std::size_t k = 0; k < sphere_fit_names().size(); ++k) {
-            EXPECT_TRUE(contains_all(sphere_fit_of(kind_at(k))(patch), x)) << sphere_fit_names()[k] << ": " << set;
-        }
+        for_each_fit(
+            [&](Fit fit, const std::string& name) { EXPECT_TRUE(contains_all(fit(patch), x)) << name << ": " << set; });
     });
 }
 
@@ -261,11 +271,10 @@ TEST(SphereFits, SeeOnlyTheirPatch) {
         const auto patch = [&](const Points& x) {
             return Patch{x.col(0).data() + first, x.col(1).data() + first, x.col(2).data() + first, columns, rows, 40};
         };
-        for (std::size_t k = 0; k < sphere_fit_names().size(); ++k) {
-            const Fit fit = sphere_fit_of(kind_at(k));
-            EXPECT_EQ(fit(patch(all)).centre, fit(patch(far)).centre) << sphere_fit_names()[k];
-            EXPECT_EQ(fit(patch(all)).radius, fit(patch(far)).radius) << sphere_fit_names()[k];
-        }
+        for_each_fit([&](Fit fit, const std::string& name) {
+            EXPECT_EQ(fit(patch(all)).centre, fit(patch(far)).centre) << name;
+            EXPECT_EQ(fit(patch(all)).radius, fit(patch(far)).radius) << name;
+        });
     }
 }
 
@@ -273,11 +282,11 @@ TEST(SphereFits, AllocateNothing) {
     std::mt19937 random(11);
     const Grid grid{33, 33};
     const Points x = testing::random_cloth(grid, random);
-    for (std::size_t k = 0; k < sphere_fit_names().size(); ++k) {
+    for_each_fit([&](Fit fit, const std::string& name) {
         const auto before = testing::allocations();
-        (void)sphere_fit_of(kind_at(k))(whole(x, grid));
-        EXPECT_EQ(testing::allocations(), before) << sphere_fit_names()[k];
-    }
+        (void)fit(whole(x, grid));
+        EXPECT_EQ(testing::allocations(), before) << name;
+    });
 }
 
 TEST(SphereFits, HaveNamesAndAreChosenByThem) {
@@ -288,9 +297,10 @@ TEST(SphereFits, HaveNamesAndAreChosenByThem) {
     for (std::size_t k = 0; k < sphere_fit_names().size(); ++k) {
         const auto tree = make_broad_phase({.sphere_fit = kind_at(k)}, grid);
         tree->build(x);
-        Outlines root;
-        tree->nodes_at(0, {}, root);
-        EXPECT_EQ(root.spheres.at(0).radius, sphere_fit_of(kind_at(k))(whole(x, grid)).radius) << sphere_fit_names()[k];
+        std::vector<NodeView> root;
+        tree->nodes_at(0, root);
+        EXPECT_EQ(std::get<BoundingSphere>(root.at(0).volume).radius, sphere_fit_of(kind_at(k))(whole(x, grid)).radius)
+            << sphere_fit_names()[k];
         fits.insert(sphere_fit_of(kind_at(k)));
     }
     const std::vector<std::string> names{"centroid", "box", "ritter", "epos6", "epos14", "epos26", "welzl"};

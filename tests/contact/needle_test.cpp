@@ -118,7 +118,7 @@ TEST(ClosestPoint, IsExactToRoundingForEveryTriangle) {
     }
 }
 
-// A cloth of one cell, so thin that its triangles were taken for their edges, or their insides for the wrong place
+// A cloth of one cell, so thin that its triangles were taken for their edges, or a point inside for another
 TEST(TouchedTriangles, OfANeedleAreThoseWithinTheRadius) {
     const Grid grid{2, 2};
     std::vector<CellRun> all;

@@ -19,7 +19,8 @@ namespace {
 template <class Volume>
 class Comparison {
 public:
-    explicit Comparison(const Grid& grid, const BroadPhaseParameters& parameters, Fits<Volume> fits = {})
+    explicit Comparison(const Grid& grid, const BroadPhaseParameters& parameters,
+                        Fits<Volume> fits = fits_of<Volume>({}))
         : grid_(grid), tree_(grid, parameters, fits) {
         brute_ = make_broad_phase({.volume = VolumeKind::Brute}, grid);
     }
@@ -42,9 +43,9 @@ public:
         if (!expected_.empty()) ++touching;
     }
 
-    /// A ball that touches a random node's farthest particle from outside, by a part of its radius; a negative part
-    /// misses it.
-    Ball just_touching(std::mt19937& random, Real radius, Real part = Real(1e-6)) const {
+    /// A ball that touches a random node's farthest particle from outside, by a fraction of its radius; a negative
+    /// fraction misses it.
+    Ball just_touching(std::mt19937& random, Real radius, Real fraction = Real(1e-6)) const {
         const std::size_t n = random() % tree_.nodes().size();
         const QuadtreeNode& node = tree_.nodes()[n];
         const Vec3 centre = tree_.volumes()[n].sphere().centre;
@@ -55,25 +56,25 @@ public:
                 if ((p - centre).norm() > (farthest - centre).norm()) farthest = p;
             }
         }
-        return beside(farthest, farthest - centre, radius, part);
+        return beside(farthest, farthest - centre, radius, fraction);
     }
 
     /// The same, from a random side at the particle that is outermost there.
-    Ball touching_from_a_side(std::mt19937& random, Real radius, Real part) const {
+    Ball touching_from_a_side(std::mt19937& random, Real radius, Real fraction) const {
         std::uniform_int_distribution<int> sign(-1, 1);
         std::normal_distribution<Real> normal;
         Vec3 side(sign(random), sign(random), sign(random));
         if (random() % 2 == 0 || side.isZero(0)) side = Vec3(normal(random), normal(random), normal(random));
         Eigen::Index outermost = 0;
         (*x_ * side).maxCoeff(&outermost);
-        return beside(x_->row(outermost).transpose(), side, radius, part);
+        return beside(x_->row(outermost).transpose(), side, radius, fraction);
     }
 
     long configurations = 0, disagreements = 0, touching = 0;
 
 private:
-    Ball beside(const Vec3& point, const Vec3& outward, Real radius, Real part) const {
-        return {.centre = point + outward.normalized() * ((radius + thickness_) * (1 - part)), .radius = radius};
+    Ball beside(const Vec3& point, const Vec3& outward, Real radius, Real fraction) const {
+        return {.centre = point + outward.normalized() * ((radius + thickness_) * (1 - fraction)), .radius = radius};
     }
 
     Grid grid_;
@@ -88,7 +89,7 @@ private:
 /// Half of the balls anywhere about the cloth, half just touching.
 template <class Volume>
 Comparison<Volume> compare_many(const Grid& grid, int leaf_cells, int cloths, int balls, Real scale,
-                                Fits<Volume> fits = {}) {
+                                Fits<Volume> fits = fits_of<Volume>({})) {
     std::mt19937 random(static_cast<unsigned>(grid.nx * 1000 + grid.ny + leaf_cells));
     std::uniform_real_distribution<Real> unit(-1, 1);
     Comparison<Volume> comparison(grid, {.leaf_cells = leaf_cells}, fits);
@@ -138,9 +139,9 @@ TEST(SphereQuadtree, IsCaughtWhenItsNodesAreOnePercentTooSmall) {
 /// hardly moved, then fast.
 Points moving_cloth(const Points& from, const Points& to, int frame) {
     Points x = from;
-    const Real part = frame < 4 ? Real(0.001) * static_cast<Real>(frame) : Real(0.2) * static_cast<Real>(frame - 3);
-    x.topRows(x.rows() / 2) += part * (to - from).topRows(x.rows() / 2);
-    x.bottomRows(x.rows() / 4) += part * part * (to - from).bottomRows(x.rows() / 4);
+    const Real fraction = frame < 4 ? Real(0.001) * static_cast<Real>(frame) : Real(0.2) * static_cast<Real>(frame - 3);
+    x.topRows(x.rows() / 2) += fraction * (to - from).topRows(x.rows() / 2);
+    x.bottomRows(x.rows() / 4) += fraction * fraction * (to - from).bottomRows(x.rows() / 4);
     return x;
 }
 
@@ -154,11 +155,11 @@ void follow(Comparison<Volume>& comparison, const Points& from, const Points& to
         comparison.build(x, frame % 2 == 0 ? Real(0) : Real(0.003) * scale);
         for (int ball = 0; ball < balls; ++ball) {
             const Real radius = scale * Real(0.02) * std::exp(2 * (1 + unit(random)));
-            const Real part = ball % 2 == 0 ? Real(1e-6) : Real(-1e-6);
+            const Real fraction = ball % 2 == 0 ? Real(1e-6) : Real(-1e-6);
             const Vec3 anywhere = scale * Real(0.8) * Vec3(unit(random), unit(random), unit(random));
             comparison.compare({.centre = anywhere, .radius = radius});
-            comparison.compare(comparison.just_touching(random, radius, part));
-            comparison.compare(comparison.touching_from_a_side(random, radius, part));
+            comparison.compare(comparison.just_touching(random, radius, fraction));
+            comparison.compare(comparison.touching_from_a_side(random, radius, fraction));
         }
     }
 }
@@ -167,7 +168,8 @@ template <class Volume>
 class Quadtree : public ::testing::Test {
 protected:
     /// @return disagreements with brute force, over every update
-    long compare(const Grid& grid, int leaf_cells, Real scale, int cloths, int balls, Fits<Volume> fits = {}) {
+    long compare(const Grid& grid, int leaf_cells, Real scale, int cloths, int balls,
+                 Fits<Volume> fits = fits_of<Volume>({})) {
         long disagreements = 0;
         std::mt19937 random(static_cast<unsigned>(grid.nx + 7 * grid.ny + leaf_cells));
         for (const UpdateKind update : {UpdateKind::Rebuild, UpdateKind::Merge, UpdateKind::Refit, UpdateKind::None}) {
@@ -220,9 +222,9 @@ TYPED_TEST(Quadtree, AgreesWithBruteForceToTheLastBitsFarFromTheOrigin) {
         const Real bits = std::numeric_limits<Real>::epsilon() * (1 + offset);
         comparison.build(x, 0);
         for (int ball = 0; ball < 4000; ++ball) {
-            const Real radius = Real(0.3), part = static_cast<Real>(ball % 9 - 4) * bits;
-            comparison.compare(comparison.just_touching(random, radius, part));
-            comparison.compare(comparison.touching_from_a_side(random, radius, part));
+            const Real radius = Real(0.3), fraction = static_cast<Real>(ball % 9 - 4) * bits;
+            comparison.compare(comparison.just_touching(random, radius, fraction));
+            comparison.compare(comparison.touching_from_a_side(random, radius, fraction));
         }
     }
     EXPECT_EQ(comparison.disagreements, 0);

@@ -2,6 +2,7 @@
 
 #include <gmock/gmock.h>
 
+#include "drape/bounds/node_view.h"
 #include "drape/sim/scene.h"
 #include "drape/sim/setting_table.h"
 #include "drape/sim/simulation.h"
@@ -69,7 +70,7 @@ public:
     [[nodiscard]] bool may_touch(const Ball& /*ball*/, Real /*displacement*/) const override { return true; }
     [[nodiscard]] Real slack() const override { return 0; }
     [[nodiscard]] int levels() const override { return 0; }
-    void nodes_at(int /*level*/, std::span<const int> /*touched*/, Outlines& nodes) const override { nodes.clear(); }
+    void nodes_at(int /*level*/, std::vector<NodeView>& nodes) const override { nodes.clear(); }
 };
 
 class HungCloth : public ::testing::Test {

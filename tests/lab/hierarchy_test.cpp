@@ -125,9 +125,7 @@ public:
     [[nodiscard]] bool may_touch(const Ball& ball, Real d) const override { return right_->may_touch(ball, d); }
     [[nodiscard]] Real slack() const override { return right_->slack(); }
     [[nodiscard]] int levels() const override { return right_->levels(); }
-    void nodes_at(int level, std::span<const int> touched, Outlines& nodes) const override {
-        right_->nodes_at(level, touched, nodes);
-    }
+    void nodes_at(int level, std::vector<NodeView>& nodes) const override { right_->nodes_at(level, nodes); }
 
 private:
     std::unique_ptr<BroadPhase> right_;

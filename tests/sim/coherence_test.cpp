@@ -4,6 +4,7 @@
 
 #include <random>
 
+#include "drape/bounds/node_view.h"
 #include "drape/sim/scene.h"
 #include "sim/scene_lists.h"
 #include "sim/small_scene.h"
@@ -159,12 +160,13 @@ TEST(Coherence, SkipsNothingThatIsOnShow) {
 /// The root as it is drawn, less the one that a build from the present positions gives.
 Real staleness_of_shown_root(const Simulation& simulation) {
     const Cloth& cloth = simulation.cloths()[0];
-    Outlines shown, fresh;
-    cloth.broad_phase->nodes_at(0, {}, shown);
+    std::vector<NodeView> shown, fresh;
+    cloth.broad_phase->nodes_at(0, shown);
     const auto tree = make_broad_phase(broad_phase_of(simulation.settings()), cloth.model.grid);
     tree->build(cloth.state.x);
-    tree->nodes_at(0, {}, fresh);
-    return (shown.spheres[0].centre - fresh.spheres[0].centre).norm();
+    tree->nodes_at(0, fresh);
+    const auto centre = [](const NodeView& node) { return std::get<BoundingSphere>(node.volume).centre; };
+    return (centre(shown[0]) - centre(fresh[0])).norm();
 }
 
 TEST(Coherence, ShowsBoundsOfThePresentAsSoonAsTheyAreAskedFor) {
@@ -184,9 +186,9 @@ TEST(Coherence, ShowsWhatAQueryDoesWithANewHierarchyAtOnce) {
         while (simulation.report().contacts == 0) simulation.step();
         send(simulation, "pause");
         send(simulation, change);
-        Outlines shown;
-        simulation.cloths()[0].broad_phase->nodes_at(0, {}, shown);
-        EXPECT_EQ(shown.spheres[0].state, NodeState::Visited) << change;
+        std::vector<NodeView> shown;
+        simulation.cloths()[0].broad_phase->nodes_at(0, shown);
+        EXPECT_EQ(shown[0].visit, NodeVisit::Entered) << change;
     }
 }
 

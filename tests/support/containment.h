@@ -5,10 +5,7 @@
 #include <span>
 #include <vector>
 
-#include "drape/bounds/aabb.h"
-#include "drape/bounds/kdop.h"
-#include "drape/bounds/obb.h"
-#include "drape/bounds/quadtree_nodes.h"
+#include "drape/bounds/node_view.h"
 
 namespace drape::testing {
 

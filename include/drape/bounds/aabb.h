@@ -15,15 +15,15 @@ struct Aabb {
     Vec3 low = Vec3::Zero();
     Vec3 high = Vec3::Zero();
 
-    /// The smallest box, to the bit.
+    /// The smallest box, to the bit: low = min x_p and high = max x_p, axis by axis.
     /// @par Cost O(particles of the patch), one pass
     static Aabb fit(const Patch& patch);
 
-    /// The smallest box about boxes, to the bit. @pre one part or more
-    static Aabb merge(std::span<const Aabb> parts) {
-        DRAPE_ASSERT(!parts.empty());
-        Aabb all = parts[0];
-        for (const Aabb& part : parts.subspan(1)) all.include(part);
+    /// The smallest box about boxes, to the bit. @pre one child or more
+    static Aabb merge(std::span<const Aabb> children) {
+        DRAPE_ASSERT(!children.empty());
+        Aabb all = children[0];
+        for (const Aabb& child : children.subspan(1)) all.include(child);
         return all;
     }
 
@@ -41,8 +41,8 @@ struct Aabb {
             const Real beyond = std::max(Real(0), std::max(below, above));
             square += beyond * beyond;
         }
-        const Real reach = ball.radius * (1 + 8 * std::numeric_limits<Real>::epsilon());
-        return square <= reach * reach;
+        const Real radius = ball.radius * (1 + 8 * std::numeric_limits<Real>::epsilon());
+        return square <= radius * radius;
     }
 
     /// About the middle, through the farthest corner.
@@ -50,10 +50,6 @@ struct Aabb {
         const Vec3 middle = (low + high) / 2;
         const Real radius = (high - middle).cwiseMax(middle - low).norm();
         return {middle, radius * (1 + 8 * std::numeric_limits<Real>::epsilon())};
-    }
-
-    void outline(NodeState state, Outlines& outlines) const {
-        append_box({Vec3::Zero(), BoxAxes::Identity(), low, high}, state, outlines);
     }
 };
 

@@ -6,32 +6,31 @@
 
 namespace drape {
 
-/// A sphere about particles. Its own fit is the original's, about their mean; `sphere_fits.h` has the others.
+/// A sphere about particles. Its own fit is that of the dissertation, about their mean; `sphere_fits.h` has the others.
 struct BoundingSphere {
     static constexpr std::string_view name = "sphere";
 
     Vec3 centre = Vec3::Zero();
     Real radius = 0;
 
-    /// Centre: mean of the particles; radius: the largest distance to one, grown by the rounding.
+    /// About the mean of the particles: c = 1/n sum x_p, r = max |x_p - c|. @cite dissertation
     /// @par Cost O(particles of the patch), two passes
     static BoundingSphere fit(const Patch& patch);
 
     /// A sphere about spheres: the smallest about the two that are farthest apart, grown by what else stands out.
-    /// @pre one part or more
-    static BoundingSphere merge(std::span<const BoundingSphere> parts);
+    /// @pre one child or more
+    static BoundingSphere merge(std::span<const BoundingSphere> children);
 
     /// The radius for a largest squared distance, with what its rounding and the rounding of its use need.
     static Real radius_of(Real square);
 
     [[nodiscard]] bool overlaps(const Ball& ball) const {
         const Real dx = centre[0] - ball.centre[0], dy = centre[1] - ball.centre[1], dz = centre[2] - ball.centre[2];
-        const Real reach = (radius + ball.radius) * (1 + 8 * std::numeric_limits<Real>::epsilon());
-        return dx * dx + dy * dy + dz * dz <= reach * reach;
+        const Real radii = (radius + ball.radius) * (1 + 8 * std::numeric_limits<Real>::epsilon());
+        return dx * dx + dy * dy + dz * dz <= radii * radii;
     }
 
     [[nodiscard]] BoundingSphere sphere() const { return *this; }
-    void outline(NodeState state, Outlines& outlines) const { outlines.spheres.push_back({centre, radius, state}); }
 };
 
 static_assert(BoundingVolume<BoundingSphere>);

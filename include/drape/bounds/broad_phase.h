@@ -9,6 +9,7 @@
 #include <vector>
 
 #include "drape/base/kernels.h"
+#include "drape/bounds/limited_search.h"
 #include "drape/bounds/sphere_fits.h"
 #include "drape/model/ball.h"
 #include "drape/model/grid.h"
@@ -20,21 +21,10 @@ enum class VolumeKind { Sphere, Aabb, Kdop6, Kdop14, Kdop18, Kdop26, Obb, Brute 
 
 /// How a hierarchy follows the cloth.
 enum class UpdateKind {
-    Rebuild,  ///< every node, from the root down, is fitted to all of its own particles: the original's way
-    Merge,    ///< leaves are fitted to their particles, every other node is put about its children
+    Rebuild,  ///< every node, from the root down, is fitted to all of its own particles: the dissertation's way
+    Merge,    ///< leaves are fitted to their particles, every other node is merged from its children
     Refit,    ///< as merge, but only where particles have moved
     None      ///< the first tree is held, and inflated by the largest displacement since
-};
-
-/// Where a search may end before it reaches the leaves: the nodes it has not opened then stand for what they hold, as
-/// spheres. @cite hubbard1996
-struct SearchLimit {
-    static constexpr int all_levels = 30;
-    int level = all_levels;  ///< nodes of this level are not opened
-    std::int64_t tests = 0;  ///< volume tests after which nothing is opened; 0: no end
-
-    [[nodiscard]] bool none() const { return level >= all_levels && tests == 0; }
-    bool operator==(const SearchLimit&) const = default;
 };
 
 struct BroadPhaseParameters {
@@ -43,27 +33,20 @@ struct BroadPhaseParameters {
     int leaf_cells = 0;  ///< a leaf has at most leaf_cells x leaf_cells cells; 0: `measured_leaf_cells`
     SphereFit sphere_fit = SphereFit::Centroid;  ///< of a hierarchy of spheres
     SearchLimit search = {};
-    Kernels kernels = Kernels::Vector;
+    Kernels kernels = Kernels::Vector;  ///< of fits and displacements
     bool operator==(const BroadPhaseParameters&) const = default;
 };
 
 /// What one query did.
 struct TraversalStats {
     std::int64_t nodes = 0;         ///< of the whole hierarchy
-    std::int64_t visited = 0;       ///< reached by the traversal
+    std::int64_t visited = 0;       ///< by the traversal
     std::int64_t volume_tests = 0;  ///< volume against ball
-    std::int64_t leaves = 0;        ///< reached and overlapping
+    std::int64_t leaves = 0;        ///< visited and overlapping
     std::int64_t candidates = 0;    ///< cells handed on
-    std::int64_t stopped = 0;       ///< nodes handed on as spheres, because the search ended there
+    std::int64_t stopped = 0;       ///< nodes handed on as spheres, because a limited search ended there
 
     TraversalStats& operator+=(const TraversalStats& other);
-};
-
-/// A node at which a search ended.
-struct StoppedNode {
-    BoundingSphere sphere;
-    int cell = 0;                        ///< in the middle of it
-    int i0 = 0, j0 = 0, i1 = 0, j1 = 0;  ///< its cells: columns [i0, i1), rows [j0, j1)
 };
 
 /// Cells that follow one another in a row of the grid.
@@ -82,6 +65,8 @@ struct Candidates {
     std::vector<CellRun> cells;        ///< every cell that may touch, each once; the runs in no particular order
     std::vector<StoppedNode> stopped;  ///< none unless the search is limited
 };
+
+struct NodeView;
 
 /// Finds the cells of a cloth that may touch a ball.
 class BroadPhase {
@@ -107,11 +92,9 @@ public:
     /// How many levels the hierarchy has: 1 is the root alone, 0 none at all.
     [[nodiscard]] virtual int levels() const = 0;
 
-    /// The nodes of one level for drawing, with what the last query did to each. Spheres are drawn grown by `slack`;
-    /// of other volumes the faces are as fitted.
-    /// @param touched_cells cells with a contact; their leaves are `Touching`
+    /// The nodes that cover the cloth at one level, that is of this level and leaves above it.
     /// @param nodes receives them; cleared first
-    virtual void nodes_at(int level, std::span<const int> touched_cells, Outlines& nodes) const = 0;
+    virtual void nodes_at(int level, std::vector<NodeView>& nodes) const = 0;
 };
 
 std::unique_ptr<BroadPhase> make_broad_phase(const BroadPhaseParameters& parameters, const Grid& grid);

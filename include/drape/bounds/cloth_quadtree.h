@@ -8,6 +8,7 @@
 #include "drape/bounds/bounding_volume.h"
 #include "drape/bounds/broad_phase.h"
 #include "drape/bounds/leaf_copies.h"
+#include "drape/bounds/node_view.h"
 #include "drape/bounds/quadtree_nodes.h"
 
 namespace drape {
@@ -16,7 +17,7 @@ namespace drape {
 template <BoundingVolume Volume>
 struct Fits {
     /// Fits one node.
-    Volume (*patch)(const Patch&) = Volume::fit;
+    Volume (*patch)(const Patch&);
 
     /// Fits all nodes, each to all of its own particles, in fewer passes than node by node; null if there is no such
     /// way. `volumes` are those of `nodes`.
@@ -24,22 +25,29 @@ struct Fits {
                  std::span<Volume> volumes) = nullptr;
 };
 
+/// The fits of these parameters: plain, or vector kernels.
+template <BoundingVolume Volume>
+Fits<Volume> fits_of(const BroadPhaseParameters& parameters);
+
 /// A quadtree over the cloth's cells whose every node carries a volume about its own particles.
 /// Invariant after `build`: a node's volume, grown by `slack`, contains all its particles, and so all its triangles.
 template <BoundingVolume Volume>
-class ClothQuadtree final : public BroadPhase {
+class ClothQuadtree : public BroadPhase {
 public:
-    explicit ClothQuadtree(const Grid& grid, const BroadPhaseParameters& parameters = {}, Fits<Volume> fits = {})
+    explicit ClothQuadtree(const Grid& grid, const BroadPhaseParameters& parameters = {})
+        : ClothQuadtree(grid, parameters, fits_of<Volume>(parameters)) {}
+
+    ClothQuadtree(const Grid& grid, const BroadPhaseParameters& parameters, Fits<Volume> fits)
         : grid_(grid),
           update_(parameters.update),
-          search_(parameters.search),
+          kernels_(parameters.kernels),
           fits_(fits),
           nodes_(make_quadtree_nodes(grid, parameters.leaf_cells)),
-          leaves_(leaves_in_rows(nodes_)),
           volumes_(nodes_.size()),
-          states_(nodes_.size()) {
-        open_.reserve(nodes_.size());
-        for (const int n : leaves_) leaf_rows_ += at(nodes_[at(n)].j1 - nodes_[at(n)].j0);
+          visits_(nodes_.size()) {
+        for (const QuadtreeNode& node : nodes_) {
+            if (node.children == 0) leaf_rows_ += static_cast<std::size_t>(node.j1 - node.j0);
+        }
     }
 
     void build(const Points& x) override {
@@ -59,97 +67,99 @@ public:
                 break;
         }
         built_ = true;
-        std::fill(states_.begin(), states_.end(), NodeState::Unvisited);
+        std::ranges::fill(visits_, NodeVisit::Unvisited);
     }
 
-    /// From the root, level by level, into every node that overlaps the ball; the cells of the leaves reached are the
-    /// candidates.
     TraversalStats query(const Ball& ball, Candidates& found) override {
-        DRAPE_ASSERT(built_);
-        found.cells.clear();
-        found.cells.reserve(leaf_rows_);
-        found.stopped.clear();
-        if (!search_.none()) found.stopped.reserve(nodes_.size());
+        begin_query(found);
         TraversalStats stats{.nodes = static_cast<std::int64_t>(nodes_.size())};
-        const Ball reached = grown(ball, slack_ + rounding(ball));
-        open_.assign(1, 0);
-        for (std::size_t next = 0; next < open_.size(); ++next) {
-            const int n = open_[next];
-            const QuadtreeNode& node = nodes_[at(n)];
-            ++stats.visited;
-            const bool spent = search_.tests > 0 && stats.volume_tests == search_.tests;
-            if (!spent) {
-                ++stats.volume_tests;
-                if (!volumes_[at(n)].overlaps(reached)) {
-                    mark(n, NodeState::Pruned);
-                    continue;
-                }
-            }
-            if (spent || (node.level == search_.level && node.children > 0)) {
-                mark(n, NodeState::Visited);
-                found.stopped.push_back({grown_sphere(n), middle_cell(node), node.i0, node.j0, node.i1, node.j1});
-            } else if (node.children == 0) {
-                mark(n, NodeState::Leaf);
-                ++stats.leaves;
-                stats.candidates += append_cells(node, found.cells);
-            } else {
-                mark(n, NodeState::Visited);
-                for (int child = 0; child < node.children; ++child) open_.push_back(node.first_child + child);
-            }
-        }
-        stats.stopped = static_cast<std::int64_t>(found.stopped.size());
+        traverse(0, grown_by_slack(ball), found, stats);
         return stats;
     }
 
     [[nodiscard]] bool may_touch(const Ball& ball, Real displacement) const override {
-        return volumes_[0].overlaps(grown(ball, slack_ + displacement + rounding(ball)));
+        return volumes_[0].overlaps(grown_by_slack(ball, displacement));
     }
 
     [[nodiscard]] Real slack() const override { return slack_; }
     [[nodiscard]] int levels() const override { return nodes_.back().level + 1; }
 
-    void nodes_at(int level, std::span<const int> touched_cells, Outlines& outlines) const override {
-        outlines.clear();
+    void nodes_at(int level, std::vector<NodeView>& nodes) const override {
+        nodes.clear();
         for (std::size_t n = 0; n < nodes_.size(); ++n) {
             const QuadtreeNode& node = nodes_[n];
             const bool shown = node.level == level || (node.level < level && node.children == 0);
-            if (shown) volumes_[n].outline(state_of(n, touched_cells), outlines);
+            if (shown) nodes.push_back({node, visits_[n], volumes_[n]});
         }
-        for (Outlines::Sphere& sphere : outlines.spheres) sphere.radius += slack_;
     }
 
     [[nodiscard]] const std::vector<QuadtreeNode>& nodes() const { return nodes_; }
     [[nodiscard]] const std::vector<Volume>& volumes() const { return volumes_; }
 
-private:
+protected:
     static std::size_t at(int n) { return static_cast<std::size_t>(n); }
 
-    /// Of points as far out as the ball: the exact test of a triangle is not more exact than this.
-    static Real rounding(const Ball& ball) {
-        return 16 * std::numeric_limits<Real>::epsilon() * (ball.centre.cwiseAbs().sum() + ball.radius);
+    void begin_query(Candidates& found) const {
+        DRAPE_ASSERT(built_);
+        found.cells.clear();
+        found.cells.reserve(leaf_rows_);
+        found.stopped.clear();
     }
 
-    /// Top-down: every node is fitted to all of its own particles.
+    /// Also by the rounding of points as far out as the ball: the exact test of a triangle is not more exact than this.
+    [[nodiscard]] Ball grown_by_slack(const Ball& ball, Real displacement = 0) const {
+        const Real size = ball.centre.cwiseAbs().sum() + ball.radius;
+        return grown(ball, slack_ + displacement + 16 * std::numeric_limits<Real>::epsilon() * size);
+    }
+
+    /// Into every node that overlaps the ball, from the root down; the cells of the leaves that do are the candidates.
+    /// @cite dissertation
+    void traverse(int n, const Ball& ball, Candidates& found, TraversalStats& stats) {
+        const QuadtreeNode& node = nodes_[at(n)];
+        ++stats.visited;
+        ++stats.volume_tests;
+        if (!volumes_[at(n)].overlaps(ball)) {
+            mark(n, NodeVisit::Pruned);
+        } else if (node.children == 0) {
+            take_leaf(n, found, stats);
+        } else {
+            mark(n, NodeVisit::Entered);
+            for (int child = 0; child < node.children; ++child) {
+                traverse(node.first_child + child, ball, found, stats);
+            }
+        }
+    }
+
+    void take_leaf(int n, Candidates& found, TraversalStats& stats) {
+        mark(n, NodeVisit::Leaf);
+        const QuadtreeNode& leaf = nodes_[at(n)];
+        const int columns = leaf.i1 - leaf.i0;
+        for (int j = leaf.j0; j < leaf.j1; ++j) found.cells.push_back({j, leaf.i0, columns});
+        ++stats.leaves;
+        stats.candidates += static_cast<std::int64_t>(columns) * (leaf.j1 - leaf.j0);
+    }
+
+    /// With several balls the most counts that any query did with a node.
+    void mark(int n, NodeVisit visit) { visits_[at(n)] = std::max(visits_[at(n)], visit); }
+
+private:
+    /// Top-down: every node is fitted to all of its own particles. @cite dissertation
     /// @par Cost O(particles * levels)
-    void rebuild(const Points& x) { fits_.tree ? fits_.tree(grid_, nodes_, x, volumes_) : fit_from(0, x); }
+    void rebuild(const Points& x) { fits_.tree ? fits_.tree(grid_, nodes_, x, volumes_) : rebuild_from(0, x); }
 
     /// A node is followed by all that is below it, while its particles are still in the cache.
-    void fit_from(int n, const Points& x) {
+    void rebuild_from(int n, const Points& x) {
         const QuadtreeNode& node = nodes_[at(n)];
         volumes_[at(n)] = fits_.patch(patch_of(grid_, node, x));
-        for (int child = 0; child < node.children; ++child) fit_from(node.first_child + child, x);
+        for (int child = 0; child < node.children; ++child) rebuild_from(node.first_child + child, x);
     }
 
     /// Bottom-up: leaves from particles, all others from their children.
     /// @par Cost O(particles)
     void merge(const Points& x) {
-        for (const int n : leaves_) {
-            const QuadtreeNode& leaf = nodes_[at(n)];
-            prefetch_below(grid_, leaf, x);
-            volumes_[at(n)] = fits_.patch(patch_of(grid_, leaf, x));
-        }
         for (std::size_t n = nodes_.size(); n-- > 0;) {
-            if (nodes_[n].children > 0) volumes_[n] = merged(nodes_[n]);
+            const QuadtreeNode& node = nodes_[n];
+            volumes_[n] = node.children > 0 ? merged(node) : fits_.patch(patch_of(grid_, node, x));
         }
     }
 
@@ -178,7 +188,7 @@ private:
             const QuadtreeNode& node = nodes_[n];
             if (node.children == 0) {
                 const Patch patch = patch_of(grid_, node, x);
-                stale_[n] = !(copies_.displacement(n, patch) <= slack_);
+                stale_[n] = !(copies_.displacement(n, patch, kernels_) <= slack_);
                 if (!stale_[n]) continue;
                 volumes_[n] = fits_.patch(patch);
                 copies_.take(n, patch);
@@ -196,49 +206,16 @@ private:
     }
 
     /// @par Cost O(particles), one pass
-    void hold(const Points& x) { slack_ = largest_displacement(x, held_); }
-
-    [[nodiscard]] BoundingSphere grown_sphere(int n) const {
-        BoundingSphere sphere = volumes_[at(n)].sphere();
-        sphere.radius += slack_;
-        return sphere;
-    }
-
-    [[nodiscard]] int middle_cell(const QuadtreeNode& node) const {
-        return (node.j0 + node.j1) / 2 * grid_.cell_columns() + (node.i0 + node.i1) / 2;
-    }
-
-    /// @return number of cells
-    std::int64_t append_cells(const QuadtreeNode& node, std::vector<CellRun>& cells) const {
-        const int columns = node.i1 - node.i0, rows = node.j1 - node.j0;
-        for (int j = node.j0; j < node.j1; ++j) cells.push_back({j, node.i0, columns});
-        return static_cast<std::int64_t>(columns) * rows;
-    }
-
-    /// With several balls a node shows the most that any query did with it.
-    void mark(int node, NodeState state) {
-        NodeState& kept = states_[at(node)];
-        kept = std::max(kept, state);
-    }
-
-    [[nodiscard]] NodeState state_of(std::size_t n, std::span<const int> touched_cells) const {
-        if (states_[n] < NodeState::Visited) return states_[n];
-        const bool touched = std::any_of(touched_cells.begin(), touched_cells.end(), [&](int cell) {
-            return nodes_[n].holds(cell % grid_.cell_columns(), cell / grid_.cell_columns());
-        });
-        return touched ? NodeState::Touching : states_[n];
-    }
+    void hold(const Points& x) { slack_ = largest_displacement(x, held_, kernels_); }
 
     Grid grid_;
     UpdateKind update_;
-    SearchLimit search_;
+    Kernels kernels_;
     Fits<Volume> fits_;
     std::vector<QuadtreeNode> nodes_;
-    std::vector<int> leaves_;  ///< row by row
     std::vector<Volume> volumes_;
-    std::vector<NodeState> states_;  ///< what the queries since the last build did
-    std::size_t leaf_rows_ = 0;      ///< of all leaves together: the most runs of cells that a query finds
-    std::vector<int> open_;          ///< nodes that a query has reached
+    std::vector<NodeVisit> visits_;
+    std::size_t leaf_rows_ = 0;  ///< of all leaves together: the most runs of cells that a query finds
     bool built_ = false;
     Real slack_ = 0;
     LeafCopies copies_;        ///< for refit: what each leaf was fitted to

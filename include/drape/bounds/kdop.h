@@ -19,20 +19,23 @@ struct KDop {
     std::array<Real, cuts> low{};  ///< of the others, in the order of `dop_numbers`, in units of their directions
     std::array<Real, cuts> high{};
 
-    /// The smallest box, to the bit, and cuts grown by the rounding of a projection: by some epsilons of the
-    /// coordinates, which may be large where the patch is small.
+    /// The slabs min n_k . x_p <= n_k . x <= max n_k . x_p for the K / 2 directions n_k.
     /// @par Cost O(particles of the patch), one pass
     static KDop fit(const Patch& patch);
 
-    /// The smallest k-DOP about k-DOPs, to the bit. @pre one part or more
-    static KDop merge(std::span<const KDop> parts) {
-        DRAPE_ASSERT(!parts.empty());
-        KDop all = parts[0];
-        for (const KDop& part : parts.subspan(1)) {
-            all.box.include(part.box);
+    /// From the smallest and largest projections of particles on the directions: the box to the bit, and cuts grown by
+    /// the rounding of a projection: by some epsilons of the coordinates, which may be large where the patch is small.
+    static KDop from_extents(const std::array<Real, K / 2>& least, const std::array<Real, K / 2>& most);
+
+    /// The smallest k-DOP about k-DOPs, to the bit. @pre one child or more
+    static KDop merge(std::span<const KDop> children) {
+        DRAPE_ASSERT(!children.empty());
+        KDop all = children[0];
+        for (const KDop& child : children.subspan(1)) {
+            all.box.include(child.box);
             for (std::size_t k = 0; k < cuts; ++k) {
-                all.low[k] = std::min(all.low[k], part.low[k]);
-                all.high[k] = std::max(all.high[k], part.high[k]);
+                all.low[k] = std::min(all.low[k], child.low[k]);
+                all.high[k] = std::max(all.high[k], child.high[k]);
             }
         }
         return all;
@@ -45,17 +48,15 @@ struct KDop {
         const Real rounding = 2 * epsilon * ball.centre.cwiseAbs().sum();
         for (std::size_t k = 0; k < cuts; ++k) {
             const int number = dop_numbers<K>[k + 3];
-            const Real reach = ball.radius * (dop_length(number) * (1 + 8 * epsilon)) + rounding;
-            const Real place = dop_projection(number, ball.centre);
-            if (low[k] - place > reach || place - high[k] > reach) return false;
+            const Real radius = ball.radius * (dop_length(number) * (1 + 8 * epsilon)) + rounding;
+            const Real centre = dop_projection(number, ball.centre);
+            if (low[k] - centre > radius || centre - high[k] > radius) return false;
         }
         return true;
     }
 
     /// The box's.
     [[nodiscard]] BoundingSphere sphere() const { return box.sphere(); }
-
-    void outline(NodeState state, Outlines& outlines) const;
 };
 
 extern template struct KDop<6>;

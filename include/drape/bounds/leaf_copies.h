@@ -3,13 +3,14 @@
 #include <span>
 #include <vector>
 
+#include "drape/base/kernels.h"
 #include "drape/bounds/quadtree_nodes.h"
 
 namespace drape {
 
-/// The largest distance between two places of the same particle, grown by the rounding [m].
+/// The largest distance of a particle from where it was before, max |x_p - before_p|, grown by the rounding [m].
 /// @par Cost O(particles), one pass over both
-Real largest_displacement(const Points& x, const Points& before);
+Real largest_displacement(const Points& x, const Points& before, Kernels kernels = Kernels::Vector);
 
 /// For each leaf of a quadtree, the positions to which it was last fitted. Leaves share the particles on their borders,
 /// and may be fitted at different times: each has its own copy.
@@ -22,7 +23,7 @@ public:
     void take(std::size_t leaf, const Patch& patch);
 
     /// The largest distance of a leaf's particles from where the copy has them, grown by the rounding [m].
-    [[nodiscard]] Real displacement(std::size_t leaf, const Patch& patch) const;
+    [[nodiscard]] Real displacement(std::size_t leaf, const Patch& patch, Kernels kernels) const;
 
 private:
     std::vector<std::size_t> starts_;  ///< of each node's copy: all x, then all y, then all z; leaves only

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <cstdint>
 #include <vector>
 
 #include "drape/bounds/bounding_volume.h"
@@ -19,6 +20,14 @@ struct QuadtreeNode {
     [[nodiscard]] bool holds(int i, int j) const { return i >= i0 && i < i1 && j >= j0 && j < j1; }
 };
 
+/// What a query did with a node.
+enum class NodeVisit : std::uint8_t {
+    Unvisited,
+    Pruned,   ///< it does not overlap the ball
+    Entered,  ///< it does, and its children were visited, or stand for it
+    Leaf      ///< it does, and its cells are candidates
+};
+
 /// The side of a leaf that was measured to be the fastest for build and query together: 7 cells, of which a row of
 /// particles fills a vector of 8, for small cloths, and 15 for large ones (benchmarks `merge_query` and `whole_frame`).
 int measured_leaf_cells(const Grid& grid);
@@ -36,12 +45,5 @@ inline Patch patch_of(const Grid& grid, const QuadtreeNode& node, const Points& 
     return {x.col(0).data() + first, x.col(1).data() + first, x.col(2).data() + first,
             node.i1 - node.i0 + 1,   node.j1 - node.j0 + 1,   grid.nx};
 }
-
-/// The leaves, row by row of the grid.
-std::vector<int> leaves_in_rows(const std::vector<QuadtreeNode>& nodes);
-
-/// Asks for particles ahead of their use: with every leaf of a row of leaves, for its share of the next row of leaves.
-/// The particles of such a row lie one after the other in memory, which is the order that memory is fastest in.
-void prefetch_below(const Grid& grid, const QuadtreeNode& leaf, const Points& x);
 
 }  // namespace drape

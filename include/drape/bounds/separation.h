@@ -6,15 +6,16 @@
 
 namespace drape {
 
-/// A proof that a cloth touches no ball, carried from one build into the steps after it. The root of a tree holds every
-/// particle of the positions that it was built from, and so do its bounds grown by d hold them wherever they go within
-/// d: while no ball reaches the grown root, nothing can touch, whatever moved cloth and balls in between.
+/// A proof that a cloth touches no ball, carried from one build into the steps after it. The root's volume contains
+/// every particle of the positions that the tree was built from; grown by d, it contains them wherever they go within
+/// d: while no ball overlaps the grown root, nothing can touch, whatever moved cloth and balls in between.
 class Separation {
 public:
     Separation() = default;
 
     /// Makes room, so that `renew` does not allocate.
-    explicit Separation(const Grid& grid) : kept_(grid.particles(), 3) {}
+    explicit Separation(const Grid& grid, Kernels kernels = Kernels::Vector)
+        : kernels_(kernels), kept_(grid.particles(), 3) {}
 
     /// Keeps the positions of the build that was just made, unless a ball may touch them: the proof has failed then.
     /// @param balls as the cloth's `thickness` [m] grows them
@@ -30,6 +31,7 @@ public:
     void forget() { kept_is_apart_ = false; }
 
 private:
+    Kernels kernels_ = Kernels::Vector;
     bool kept_is_apart_ = false;
     Points kept_;  ///< what the tree was built from
 };

@@ -2,22 +2,23 @@
 
 #include <string>
 
+#include "drape/base/kernels.h"
 #include "drape/bounds/bounding_sphere.h"
 
 namespace drape {
 
-/// How a sphere is put about the particles of a node: from the original's way to the smallest sphere there is.
+/// How a sphere is put about the particles of a node: from the dissertation's way to the smallest sphere there is.
 enum class SphereFit {
     Centroid,   ///< about the mean: `BoundingSphere::fit`
     BoxCentre,  ///< about the centre of the box along the axes
-    Ritter,     ///< about two far particles, then grown
+    Ritter,     ///< about two particles far apart, then grown
     Epos6,      ///< about 6 extremal particles, then grown
     Epos14,     ///< about 14
     Epos26,     ///< about 26
     Welzl       ///< the smallest
 };
 
-/// About the centre of the box along the axes, through the farthest particle.
+/// About the centre of the box along the axes, c = (min x_p + max x_p) / 2, through the farthest particle.
 /// @par Cost O(particles), two passes
 BoundingSphere fit_box_sphere(const Patch& patch);
 
@@ -38,8 +39,8 @@ BoundingSphere fit_epos26_sphere(const Patch& patch);
 /// @par Cost O(particles) a pass; about ten passes
 BoundingSphere fit_smallest_sphere(const Patch& patch);
 
-/// The fit of a kind.
-[[nodiscard]] BoundingSphere (*sphere_fit_of(SphereFit kind))(const Patch&);
+/// The fit of a kind: one of the above, or its vector kernel.
+[[nodiscard]] BoundingSphere (*sphere_fit_of(SphereFit kind, Kernels kernels = Kernels::Vector))(const Patch&);
 
 /// The names of all kinds, in the order of the enumeration.
 std::span<const std::string> sphere_fit_names();

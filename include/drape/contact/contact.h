@@ -33,22 +33,15 @@ struct Contact {
 /// @param cells candidate cells
 /// @param triangles receives the triangle numbers, in the order of `cells`; cleared first
 void find_touched_triangles(const Grid& grid, const Points& x, const Ball& ball, Real thickness,
-                            std::span<const CellRun> cells, std::vector<int>& triangles);
+                            std::span<const CellRun> cells, std::vector<int>& triangles,
+                            Kernels kernels = Kernels::Vector);
 
 /// The contacts of the candidate cells' triangles with one ball, appended.
 /// @param ball_number is stored with each contact
+/// @param kernels plain: each cell is tested; vector: cells that their corners show to be too far are left out first
 /// @return how many of the cells touch
 std::int64_t find_contacts(const Grid& grid, const Points& x, const Ball& ball, int ball_number, Real thickness,
-                           std::span<const CellRun> cells, std::vector<Contact>& contacts);
-
-/// How fast a node's sphere may push: as fast as a cloth settles, and slower than it tears [m/s].
-inline constexpr Real node_push_speed = 1;
-
-/// The contacts of nodes at which a search has ended, as their spheres, with one ball, appended. @cite hubbard1996
-/// Most of a sphere is empty. Pushed out of it at once, the one triangle that feels it would tear at its neighbours:
-/// what is deeper than a push may be is taken off the sphere's radius.
-/// @param longest_push that one response may make of a contact [m]
-void find_node_contacts(const Grid& grid, const Points& x, const Ball& ball, int ball_number, Real thickness,
-                        Real longest_push, std::span<const StoppedNode> nodes, std::vector<Contact>& contacts);
+                           std::span<const CellRun> cells, std::vector<Contact>& contacts,
+                           Kernels kernels = Kernels::Vector);
 
 }  // namespace drape

@@ -25,12 +25,13 @@ struct ResponseReport {
     double ball_work = 0;  ///< by the balls' motion on the cloth: impulses times their velocities [J]
 };
 
-/// By how much a contact is pushed out: what of its depth is not left in place, for a resting contact to last [m].
+/// By how much a contact is pushed out: what of its depth is not left, for a resting contact to last [m].
 /// @param radius of its ball [m]
 Real push_of(const Contact& contact, Real radius);
 
 /// Corrects positions and velocities so that the contacts' triangles stay out of the balls and do not enter them.
-/// Gauss-Seidel over the contacts in their order: each closest point is found anew before it is used.
+/// Gauss-Seidel over the contacts in their order: each closest point is found again before it is used. Impulses act on
+/// a triangle's corners by their weights @cite bridson2002 and add up from sweep to sweep @cite catto2005.
 /// @param contacts as found at `state.x`; their points are updated
 /// @param h the substep [s]; normal speeds that gravity alone brings within it do not bounce
 /// @par Cost O(contacts), allocates nothing

@@ -5,7 +5,7 @@
 #include <set>
 
 #include "drape/base/assert.h"
-#include "drape/contact/contact.h"
+#include "drape/contact/node_contacts.h"
 #include "drape/contact/search_audit.h"
 
 namespace drape {
@@ -51,6 +51,7 @@ std::vector<int> touched_triangles(const ContactTrial& trial) {
 
 ContactTrial::ContactTrial(const ContactScene& scene, Real step)
     : response_(scene.response),
+      kernels_(scene.integrator.kernels),
       h_(step),
       model_(make_cloth_model(scene.cloth)),
       state_(make_rest_state(scene.cloth)),
@@ -65,7 +66,7 @@ void ContactTrial::advance(BroadPhase& hierarchy) {
     hierarchy.query(grown(ball_, response_.thickness), candidates_);
     std::ranges::sort(candidates_.cells);
     contacts_.clear();
-    find_contacts(model_.grid, state_.x, ball_, 0, response_.thickness, candidates_.cells, contacts_);
+    find_contacts(model_.grid, state_.x, ball_, 0, response_.thickness, candidates_.cells, contacts_, kernels_);
     find_node_contacts(model_.grid, state_.x, ball_, 0, response_.thickness, node_push_speed * h_, candidates_.stopped,
                        contacts_);
 }

@@ -42,6 +42,7 @@ public:
 
 private:
     ResponseParameters response_;
+    Kernels kernels_;
     Real h_;
     ClothModel model_;
     ClothState state_;

@@ -1,9 +1,6 @@
 #include "tightness.h"
 
-#include "drape/bounds/aabb.h"
 #include "drape/bounds/cloth_quadtree.h"
-#include "drape/bounds/kdop.h"
-#include "drape/bounds/obb.h"
 
 namespace drape {
 namespace {
@@ -23,11 +20,7 @@ Real size_of(const KDop<K>& dop) {
 
 template <class Volume>
 Volume smallest(const Patch& patch) {
-    if constexpr (std::is_same_v<Volume, BoundingSphere>) {
-        return fit_smallest_sphere(patch);
-    } else {
-        return Volume::fit(patch);
-    }
+    return fits_of<Volume>({.sphere_fit = SphereFit::Welzl}).patch(patch);
 }
 
 template <class Volume>

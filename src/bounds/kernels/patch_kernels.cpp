@@ -1,7 +1,7 @@
 #include "patch_kernels.h"
 
 #undef HWY_TARGET_INCLUDE
-#define HWY_TARGET_INCLUDE "bounds/patch_kernels.cpp"
+#define HWY_TARGET_INCLUDE "bounds/kernels/patch_kernels.cpp"
 #include <hwy/foreach_target.h>
 #include <hwy/highway.h>
 
@@ -17,8 +17,8 @@ constexpr int eight = 8;
 template <class D>
 struct Eight {
     static constexpr int lanes = static_cast<int>(hn::MaxLanes(D()));
-    static constexpr int parts = eight / lanes;
-    hn::Vec<D> part[parts];
+    static constexpr int vectors = eight / lanes;
+    hn::Vec<D> vector[vectors];
 };
 
 /// Eight values; those from `count` on are zero and not read.
@@ -30,24 +30,24 @@ HWY_INLINE Eight<D> load_eight(D d, const Real* from, int count) {
         for (int k = 0; k < count; ++k) few[k] = from[k];
         from = few;
     }
-    for (int p = 0; p < Eight<D>::parts; ++p) values.part[p] = hn::LoadU(d, from + p * Eight<D>::lanes);
+    for (int p = 0; p < Eight<D>::vectors; ++p) values.vector[p] = hn::LoadU(d, from + p * Eight<D>::lanes);
     return values;
 }
 
 /// sum += values, but for those before `begin` and from `end` on.
 template <class D>
 HWY_INLINE void add_between(D d, const Eight<D>& values, int begin, int end, Eight<D>& sum) {
-    for (int p = 0; p < Eight<D>::parts; ++p) {
+    for (int p = 0; p < Eight<D>::vectors; ++p) {
         const auto number = hn::Iota(d, static_cast<Real>(p * Eight<D>::lanes));
         const auto counts = hn::And(hn::Ge(number, hn::Set(d, static_cast<Real>(begin))),
                                     hn::Lt(number, hn::Set(d, static_cast<Real>(end))));
-        sum.part[p] = hn::Add(sum.part[p], hn::IfThenElseZero(counts, values.part[p]));
+        sum.vector[p] = hn::Add(sum.vector[p], hn::IfThenElseZero(counts, values.vector[p]));
     }
 }
 
 template <class D>
 HWY_INLINE void store_eight(D d, const Eight<D>& values, Real* to) {
-    for (int p = 0; p < Eight<D>::parts; ++p) hn::StoreU(values.part[p], d, to + p * Eight<D>::lanes);
+    for (int p = 0; p < Eight<D>::vectors; ++p) hn::StoreU(values.vector[p], d, to + p * Eight<D>::lanes);
 }
 
 template <class D>
@@ -69,7 +69,7 @@ HWY_INLINE void axis_sums(D d, const Patch& patch, const Real* from, Real& inner
         Eight<D> column = load_eight(d, from + i, count);
         for (int j = 1; j + 1 < patch.rows; ++j) {
             const Eight<D> row = load_eight(d, from + j * patch.stride + i, count);
-            for (int p = 0; p < Eight<D>::parts; ++p) column.part[p] = hn::Add(column.part[p], row.part[p]);
+            for (int p = 0; p < Eight<D>::vectors; ++p) column.vector[p] = hn::Add(column.vector[p], row.vector[p]);
         }
         add_between(d, column, counted - i, corner, inner);
         add_between(d, load_eight(d, from + (patch.rows - 1) * patch.stride + i, count), counted - i, corner, below);
@@ -143,19 +143,19 @@ constexpr int copied = 17 * 17;
 template <int n>
 HWY_INLINE void mean_in_lanes(const Patch& patch, Vec3& centre, Real* copy) {
     const hn::CappedTag<Real, n> d;
-    constexpr int lanes = static_cast<int>(hn::MaxLanes(d)), parts = n / lanes;
+    constexpr int lanes = static_cast<int>(hn::MaxLanes(d)), vectors = n / lanes;
     const bool copies = patch.particles() <= copied;
     const Real* const from[3] = {patch.x, patch.y, patch.z};
-    hn::Vec<decltype(d)> sum[3][parts];
+    hn::Vec<decltype(d)> sum[3][vectors];
     for (auto& axis_sum : sum) {
-        for (auto& part : axis_sum) part = hn::Zero(d);
+        for (auto& vector : axis_sum) vector = hn::Zero(d);
     }
     for (int j = 0; j < patch.rows; ++j) {
         const int row = j * patch.stride, to = j * patch.columns;
         int i = 0;
         for (; i + n <= patch.columns; i += n) {
             for (int axis = 0; axis < 3; ++axis) {
-                for (int p = 0; p < parts; ++p) {
+                for (int p = 0; p < vectors; ++p) {
                     const auto value = loaded_once(hn::LoadU(d, from[axis] + row + i + p * lanes));
                     sum[axis][p] = hn::Add(sum[axis][p], value);
                     if (copies) hn::StoreU(value, d, copy + axis * copied + to + i + p * lanes);
@@ -168,7 +168,7 @@ HWY_INLINE void mean_in_lanes(const Patch& patch, Vec3& centre, Real* copy) {
         const auto counted = hn::Set(d, static_cast<Real>(i - (patch.columns - n)));
         i = patch.columns - n;
         for (int axis = 0; axis < 3; ++axis) {
-            for (int p = 0; p < parts; ++p) {
+            for (int p = 0; p < vectors; ++p) {
                 const auto value = loaded_once(hn::LoadU(d, from[axis] + row + i + p * lanes));
                 const auto counts = hn::Ge(hn::Iota(d, static_cast<Real>(p * lanes)), counted);
                 sum[axis][p] = hn::Add(sum[axis][p], hn::IfThenElseZero(counts, value));
@@ -178,7 +178,7 @@ HWY_INLINE void mean_in_lanes(const Patch& patch, Vec3& centre, Real* copy) {
     }
     for (int axis = 0; axis < 3; ++axis) {
         HWY_ALIGN Real lane[n];
-        for (int p = 0; p < parts; ++p) hn::Store(sum[axis][p], d, lane + p * lanes);
+        for (int p = 0; p < vectors; ++p) hn::Store(sum[axis][p], d, lane + p * lanes);
         centre[axis] = total<n>(lane) / static_cast<Real>(patch.particles());
     }
 }

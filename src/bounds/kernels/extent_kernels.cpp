@@ -7,7 +7,7 @@
 #include "patch_kernels.h"
 
 #undef HWY_TARGET_INCLUDE
-#define HWY_TARGET_INCLUDE "bounds/extent_kernels.cpp"
+#define HWY_TARGET_INCLUDE "bounds/kernels/extent_kernels.cpp"
 #include <hwy/foreach_target.h>
 #include <hwy/highway.h>
 
@@ -47,21 +47,20 @@ HWY_INLINE void extents(const Patch& patch, Real* low, Real* high, std::index_se
         for_each_vector(d, patch, [&](int i, int j) HWY_ATTR {
             const int p = j * patch.stride + i;
             const V x = hn::LoadU(d, patch.x + p), y = hn::LoadU(d, patch.y + p), z = hn::LoadU(d, patch.z + p);
-            const V places[] = {projection<dop_numbers<K>[k]>(x, y, z)...};
-            ((least[k] = hn::Min(least[k], places[k]), most[k] = hn::Max(most[k], places[k])), ...);
+            const V projections[] = {projection<dop_numbers<K>[k]>(x, y, z)...};
+            ((least[k] = hn::Min(least[k], projections[k]), most[k] = hn::Max(most[k], projections[k])), ...);
         });
         ((low[k] = smallest_lane(d, least[k]), high[k] = largest_lane(d, most[k])), ...);
     });
 }
 
-void dop14_extents(const Patch& patch, Real* low, Real* high) {
-    extents<14>(patch, low, high, std::make_index_sequence<7>());
-}
-void dop18_extents(const Patch& patch, Real* low, Real* high) {
-    extents<18>(patch, low, high, std::make_index_sequence<9>());
-}
-void dop26_extents(const Patch& patch, Real* low, Real* high) {
-    extents<26>(patch, low, high, std::make_index_sequence<13>());
+void dop_extents_of(const Patch& patch, int slabs, Real* low, Real* high) {
+    if (slabs == 7)
+        extents<14>(patch, low, high, std::make_index_sequence<7>());
+    else if (slabs == 9)
+        extents<18>(patch, low, high, std::make_index_sequence<9>());
+    else
+        extents<26>(patch, low, high, std::make_index_sequence<13>());
 }
 
 void extents_along_of(const Patch& patch, const Vec3& origin, const BoxAxes& axes, Real* low, Real* high) {
@@ -79,9 +78,9 @@ void extents_along_of(const Patch& patch, const Vec3& origin, const BoxAxes& axe
             const V dz = hn::Sub(hn::LoadU(d, patch.z + p), hn::Set(d, origin[2]));
             for (int k = 0; k < 3; ++k) {
                 const V along = hn::Add(hn::Mul(dx, hn::Set(d, axes(0, k))), hn::Mul(dy, hn::Set(d, axes(1, k))));
-                const V place = hn::Add(along, hn::Mul(dz, hn::Set(d, axes(2, k))));
-                least[k] = hn::Min(least[k], place);
-                most[k] = hn::Max(most[k], place);
+                const V sum = hn::Add(along, hn::Mul(dz, hn::Set(d, axes(2, k))));
+                least[k] = hn::Min(least[k], sum);
+                most[k] = hn::Max(most[k], sum);
             }
         });
         for (int k = 0; k < 3; ++k) {
@@ -97,26 +96,12 @@ HWY_AFTER_NAMESPACE();
 #if HWY_ONCE
 namespace drape::kernels {
 
-HWY_EXPORT(dop14_extents);
-HWY_EXPORT(dop18_extents);
-HWY_EXPORT(dop26_extents);
+HWY_EXPORT(dop_extents_of);
 HWY_EXPORT(extents_along_of);
 
-template <>
-void dop_extents<6>(const Patch& patch, Real* low, Real* high) {
-    bounding_box(patch, low, high);
-}
-template <>
-void dop_extents<14>(const Patch& patch, Real* low, Real* high) {
-    HWY_DYNAMIC_DISPATCH(dop14_extents)(patch, low, high);
-}
-template <>
-void dop_extents<18>(const Patch& patch, Real* low, Real* high) {
-    HWY_DYNAMIC_DISPATCH(dop18_extents)(patch, low, high);
-}
-template <>
-void dop_extents<26>(const Patch& patch, Real* low, Real* high) {
-    HWY_DYNAMIC_DISPATCH(dop26_extents)(patch, low, high);
+void dop_extents(const Patch& patch, int slabs, Real* low, Real* high) {
+    if (slabs == 3) return bounding_box(patch, low, high);
+    HWY_DYNAMIC_DISPATCH(dop_extents_of)(patch, slabs, low, high);
 }
 
 void extents_along(const Patch& patch, const Vec3& origin, const BoxAxes& axes, Real* low, Real* high) {

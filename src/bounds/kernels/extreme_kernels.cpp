@@ -1,7 +1,7 @@
 #include "extreme_kernels.h"
 
 #undef HWY_TARGET_INCLUDE
-#define HWY_TARGET_INCLUDE "bounds/extreme_kernels.cpp"
+#define HWY_TARGET_INCLUDE "bounds/kernels/extreme_kernels.cpp"
 #include <hwy/foreach_target.h>
 #include <hwy/highway.h>
 

@@ -5,15 +5,11 @@
 
 #include "drape/bounds/bounding_volume.h"
 
-namespace drape {
-
-/// The place of a particle in the arrays of a patch. Of several that are equally far out, the first counts.
-using ParticleIndex = std::ptrdiff_t;
-
-inline Vec3 particle(const Patch& patch, ParticleIndex at) { return {patch.x[at], patch.y[at], patch.z[at]}; }
-
 /// Loops that find particles, vectorised as those of `patch_kernels.h` and with the same bits on every processor.
-namespace kernels {
+namespace drape::kernels {
+
+/// The index of a particle in the arrays of a patch. Of several that are equally far out, the first counts.
+using ParticleIndex = std::ptrdiff_t;
 
 /// The particle that is farthest from a point.
 ParticleIndex farthest_particle(const Patch& patch, const Vec3& from);
@@ -25,5 +21,4 @@ struct Extremes {
 /// The particles at both ends along a direction.
 Extremes extreme_particles(const Patch& patch, const std::array<int, 3>& direction);
 
-}  // namespace kernels
-}  // namespace drape
+}  // namespace drape::kernels

@@ -5,7 +5,7 @@
 #include "drape/bounds/bounding_sphere.h"
 #include "drape/bounds/quadtree_nodes.h"
 
-namespace drape {
+namespace drape::kernels {
 
 /// Fits a centroid sphere to all particles of each node of a quadtree, all levels in one pass over the particles: a
 /// node's mean is made from the sums of its leaves, and while a leaf's particles are at hand, their distances from the
@@ -16,4 +16,4 @@ namespace drape {
 void fit_centroid_tree(const Grid& grid, std::span<const QuadtreeNode> nodes, const Points& x,
                        std::span<BoundingSphere> spheres);
 
-}  // namespace drape
+}  // namespace drape::kernels

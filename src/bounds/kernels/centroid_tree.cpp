@@ -1,11 +1,11 @@
-#include "drape/bounds/centroid_tree.h"
+#include "centroid_tree.h"
 
 #include <array>
 #include <cmath>
 
 #include "patch_kernels.h"
 
-namespace drape {
+namespace drape::kernels {
 namespace {
 
 /// A grid that fits an int has no more levels.
@@ -17,22 +17,22 @@ public:
         : grid_(grid), nodes_(nodes), x_(x), spheres_(spheres) {}
 
     /// Centres of a node and of all below it.
-    kernels::PatchSums place(std::size_t n) {
+    PatchSums centre_from(std::size_t n) {
         const QuadtreeNode& node = nodes_[n];
         const Patch patch = patch_of(grid_, node, x_);
-        kernels::PatchSums sums;
+        PatchSums sums;
         if (node.children == 0) {
             sums = kernels::sums(patch);
         } else {
             for (int child = 0; child < node.children; ++child) {
                 const auto c = static_cast<std::size_t>(node.first_child + child);
-                const kernels::PatchSums part = place(c);
-                sums.inner += part.inner;
-                if (nodes_[c].i1 == node.i1) sums.right += part.right;
-                if (nodes_[c].j1 == node.j1) sums.below += part.below;
+                const PatchSums of_child = centre_from(c);
+                sums.inner += of_child.inner;
+                if (nodes_[c].i1 == node.i1) sums.right += of_child.right;
+                if (nodes_[c].j1 == node.j1) sums.below += of_child.below;
             }
         }
-        spheres_[n].centre = kernels::mean(patch, sums);
+        spheres_[n].centre = mean(patch, sums);
         return sums;
     }
 
@@ -42,8 +42,7 @@ public:
         centres_[level] = spheres_[n].centre;
         squares_[level] = 0;
         if (node.children == 0) {
-            kernels::raise_to_farthest(patch_of(grid_, node, x_), centres_.data(), static_cast<int>(level) + 1,
-                                       squares_.data());
+            raise_to_farthest(patch_of(grid_, node, x_), centres_.data(), static_cast<int>(level) + 1, squares_.data());
         } else {
             for (int child = 0; child < node.children; ++child) {
                 measure(static_cast<std::size_t>(node.first_child + child), level + 1);
@@ -66,8 +65,8 @@ private:
 void fit_centroid_tree(const Grid& grid, std::span<const QuadtreeNode> nodes, const Points& x,
                        std::span<BoundingSphere> spheres) {
     TreeFit fit(grid, nodes, x, spheres);
-    fit.place(0);
+    fit.centre_from(0);
     fit.measure(0, 0);
 }
 
-}  // namespace drape
+}  // namespace drape::kernels

@@ -1,9 +1,9 @@
-#include "cell_verdicts.h"
+#include "near_cells.h"
 
 #include <limits>
 
 #undef HWY_TARGET_INCLUDE
-#define HWY_TARGET_INCLUDE "contact/cell_verdicts.cpp"
+#define HWY_TARGET_INCLUDE "contact/kernels/near_cells.cpp"
 #include <hwy/foreach_target.h>
 #include <hwy/highway.h>
 
@@ -35,11 +35,11 @@ HWY_INLINE std::uint32_t bits_of(D d, M mask) {
     return bytes[0] | static_cast<std::uint32_t>(bytes[1]) << 8;
 }
 
-/// The verdicts on as many cells as a vector has lanes; corner a of the first is particle `at`.
+/// The bits of as many cells as a vector has lanes; corner a of the first is particle `at`.
 /// @param wanted the cells that matter, a bit each
 template <class D>
-HWY_INLINE Verdicts judge(D d, const Grid& grid, const Real* const x[3], const Vec3& p, Real reach, int at,
-                          std::uint32_t wanted) {
+HWY_INLINE CellBits classify(D d, const Grid& grid, const Real* const x[3], const Vec3& p, Real radius, int at,
+                             std::uint32_t wanted) {
     using V = hn::Vec<D>;
     constexpr Real rounding = 32 * std::numeric_limits<Real>::epsilon();
     const Corners<V> centre{hn::Set(d, p[0]), hn::Set(d, p[1]), hn::Set(d, p[2])};
@@ -47,9 +47,9 @@ HWY_INLINE Verdicts judge(D d, const Grid& grid, const Real* const x[3], const V
                      corner_c = corners_at(d, x, at + grid.nx), corner_d = corners_at(d, x, at + grid.nx + 1);
     const V from_a = square_between(corner_a, centre), from_b = square_between(corner_b, centre),
             from_c = square_between(corner_c, centre), from_d = square_between(corner_d, centre);
-    const V square = hn::Set(d, reach * reach);
+    const V square = hn::Set(d, radius * radius);
     const V diagonal = hn::Min(from_b, from_c);
-    Verdicts bits{0, 0, bits_of(d, hn::Le(hn::Min(from_a, diagonal), square)),
+    CellBits bits{0, 0, bits_of(d, hn::Le(hn::Min(from_a, diagonal), square)),
                   bits_of(d, hn::Le(hn::Min(from_d, diagonal), square)), 0};
     if ((bits.first & bits.second & wanted) == wanted) return bits;
 
@@ -59,13 +59,13 @@ HWY_INLINE Verdicts judge(D d, const Grid& grid, const Real* const x[3], const V
     const V longest = hn::Max(sides, square_between(corner_b, corner_c));
     const V sure =
         hn::Sub(hn::Mul(nearest, hn::Set(d, 1 - rounding)), hn::Mul(longest, hn::Set(d, (1 + rounding) / 3)));
-    bits.open = bits_of(d, hn::Not(hn::Gt(sure, square))) & ~(bits.first & bits.second);
+    bits.undecided = bits_of(d, hn::Not(hn::Gt(sure, square))) & ~(bits.first & bits.second);
     return bits;
 }
 
 template <class D>
-HWY_INLINE int judge_all(D d, const Grid& grid, const Real* const x[3], const Vec3& p, Real reach,
-                         std::span<const CellRun> cells, Verdicts* verdicts) {
+HWY_INLINE int classify_all(D d, const Grid& grid, const Real* const x[3], const Vec3& p, Real radius,
+                            std::span<const CellRun> cells, CellBits* bits) {
     constexpr int lanes = static_cast<int>(hn::MaxLanes(d));
     const int last_start = grid.particles() - 1 - grid.nx - lanes;  // farther on, a vector would leave the arrays
     int found = 0;
@@ -75,21 +75,21 @@ HWY_INLINE int judge_all(D d, const Grid& grid, const Real* const x[3], const Ve
             const int at = HWY_MIN(corner + k, last_start), skipped = corner + k - at;
             const int count = HWY_MIN(lanes, run.count - k);
             const std::uint32_t wanted = (1u << count) - 1;
-            const Verdicts bits = judge(d, grid, x, p, reach, at, wanted << skipped);
-            verdicts[found] = {cell + k, count, bits.first >> skipped & wanted, bits.second >> skipped & wanted,
-                               bits.open >> skipped & wanted};
-            found += (verdicts[found].first | verdicts[found].second | verdicts[found].open) != 0;
+            const CellBits some = classify(d, grid, x, p, radius, at, wanted << skipped);
+            bits[found] = {cell + k, count, some.first >> skipped & wanted, some.second >> skipped & wanted,
+                           some.undecided >> skipped & wanted};
+            found += bits[found].near() != 0;
         }
     }
     return found;
 }
 
-int judge_cells_of(const Grid& grid, const Real* const x[3], const Vec3& p, Real reach, std::span<const CellRun> cells,
-                   Verdicts* verdicts) {
+int classify_cells_of(const Grid& grid, const Real* const x[3], const Vec3& p, Real radius,
+                      std::span<const CellRun> cells, CellBits* bits) {
     const hn::CappedTag<Real, 16> widest;
     return grid.particles() > grid.nx + static_cast<int>(hn::Lanes(widest))
-               ? judge_all(widest, grid, x, p, reach, cells, verdicts)
-               : judge_all(hn::CappedTag<Real, 1>(), grid, x, p, reach, cells, verdicts);
+               ? classify_all(widest, grid, x, p, radius, cells, bits)
+               : classify_all(hn::CappedTag<Real, 1>(), grid, x, p, radius, cells, bits);
 }
 
 }  // namespace drape::kernels::HWY_NAMESPACE
@@ -98,11 +98,11 @@ HWY_AFTER_NAMESPACE();
 #if HWY_ONCE
 namespace drape::kernels {
 
-HWY_EXPORT(judge_cells_of);
+HWY_EXPORT(classify_cells_of);
 
-int judge_cells(const Grid& grid, const Real* const x[3], const Vec3& p, Real reach, std::span<const CellRun> cells,
-                Verdicts* verdicts) {
-    return HWY_DYNAMIC_DISPATCH(judge_cells_of)(grid, x, p, reach, cells, verdicts);
+int classify_cells(const Grid& grid, const Real* const x[3], const Vec3& p, Real radius, std::span<const CellRun> cells,
+                   CellBits* bits) {
+    return HWY_DYNAMIC_DISPATCH(classify_cells_of)(grid, x, p, radius, cells, bits);
 }
 
 }  // namespace drape::kernels

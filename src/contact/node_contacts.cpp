@@ -1,0 +1,24 @@
+#include "drape/contact/node_contacts.h"
+
+#include <algorithm>
+
+#include "contact_geometry.h"
+
+namespace drape {
+
+void find_node_contacts(const Grid& grid, const Points& x, const Ball& ball, int ball_number, Real thickness,
+                        Real longest_push, std::span<const StoppedNode> nodes, std::vector<Contact>& contacts) {
+    for (const StoppedNode& node : nodes) {
+        Contact contact{.triangle = 2 * node.cell, .ball = ball_number, .of_node = true};
+        contact.corners = grid.triangle_corners(contact.triangle);
+        contact.barycentric.fill(Real(1) / 3);
+        contact.offset = node.sphere.centre - at_point(contact, x);
+        contact.radius = node.sphere.radius;
+        if (!locate(x, ball, thickness, contact)) continue;
+        contact.radius -= std::max(contact.depth - longest_push, Real(0));
+        contact.depth = std::min(contact.depth, longest_push);
+        contacts.push_back(contact);
+    }
+}
+
+}  // namespace drape

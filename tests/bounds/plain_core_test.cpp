@@ -1,0 +1,160 @@
+// The vector kernels are held to the plain core: every fit of every volume, on patches of every shape.
+
+#include <gtest/gtest.h>
+
+#include "drape/bounds/cloth_quadtree.h"
+#include "support/cloths.h"
+#include "support/containment.h"
+#include "support/point_sets.h"
+
+namespace drape {
+namespace {
+
+/// How far two volumes are apart [m].
+Real difference(const BoundingSphere& a, const BoundingSphere& b) {
+    return (a.centre - b.centre).norm() + std::abs(a.radius - b.radius);
+}
+Real difference(const Aabb& a, const Aabb& b) { return (a.low - b.low).norm() + (a.high - b.high).norm(); }
+Real difference(const Obb& a, const Obb& b) {
+    return (a.origin - b.origin).norm() + (a.axes - b.axes).norm() + (a.low - b.low).norm() + (a.high - b.high).norm();
+}
+template <int K>
+Real difference(const KDop<K>& a, const KDop<K>& b) {
+    Real sum = difference(a.box, b.box);
+    for (std::size_t k = 0; k < KDop<K>::cuts; ++k)
+        sum += std::abs(a.low[k] - b.low[k]) + std::abs(a.high[k] - b.high[k]);
+    return sum;
+}
+
+/// Patches within a larger grid: a row, a column, squares, odd and wide ones; cloth, and points that coincide or are in
+/// one line or plane; at several scales.
+template <class Visit>
+void for_many_patches(Visit visit) {
+    std::mt19937 random(51);
+    constexpr std::pair<int, int> shapes[] = {{2, 1},  {17, 1}, {1, 2},  {1, 13}, {2, 2},  {3, 2},  {2, 3},
+                                              {5, 5},  {7, 3},  {8, 8},  {9, 16}, {15, 4}, {16, 2}, {17, 5},
+                                              {31, 3}, {40, 2}, {64, 1}, {65, 2}, {2, 40}};
+    for (const auto& shape : shapes) {
+        const int columns = shape.first, rows = shape.second;
+        const Grid grid{columns + 3, rows + 2};
+        const auto visit_scaled = [&](const Points& x) {
+            for (const Real scale : {Real(1e-6), Real(1), Real(1e6)}) {
+                const Points scaled = scale * x;
+                const Real* const first = scaled.data() + grid.particle(1, 1);
+                visit(Patch{first, first + x.rows(), first + 2 * x.rows(), columns, rows, grid.nx}, scale);
+            }
+        };
+        for (int round = 0; round < 8; ++round) visit_scaled(testing::random_cloth(grid, random));
+        for (const testing::PointSet& set : testing::point_sets()) {
+            visit_scaled(testing::random_points(set, grid.particles(), random));
+        }
+    }
+}
+
+/// Patches on which two fits differ by more than the rounding.
+/// @param all receives how many there are
+template <class Volume, class A, class B>
+int disagreements(A a, B b, Real tolerance, int& all) {
+    int count = 0;
+    all = 0;
+    for_many_patches([&](const Patch& patch, Real scale) {
+        ++all;
+        count += !(difference(a(patch), b(patch)) <= tolerance * scale);
+    });
+    return count;
+}
+
+template <class V>
+class PlainCore : public ::testing::Test {};
+
+struct Names {
+    template <class V>
+    static std::string GetName(int) {
+        return std::string(V::name);
+    }
+};
+using OneFit = ::testing::Types<Aabb, KDop<6>, KDop<14>, KDop<18>, KDop<26>, Obb>;
+TYPED_TEST_SUITE(PlainCore, OneFit, Names);
+
+TYPED_TEST(PlainCore, FitsWhatTheKernelFits) {
+    int all = 0;
+    const auto vector = fits_of<TypeParam>({}).patch, plain = fits_of<TypeParam>({.kernels = Kernels::Plain}).patch;
+    EXPECT_NE(vector, plain);
+    EXPECT_EQ(disagreements<TypeParam>(vector, plain, Real(1e-13), all), 0);
+    EXPECT_GT(all, 900);
+}
+
+/// The planted faults: the last row or column is missed.
+TYPED_TEST(PlainCore, CatchesAKernelThatMissesARowOrAColumn) {
+    int all = 0;
+    const auto vector = fits_of<TypeParam>({}).patch;
+    const auto without_row = [](Patch patch) {
+        patch.rows = std::max(1, patch.rows - 1);
+        return TypeParam::fit(patch);
+    };
+    const auto without_column = [](Patch patch) {
+        patch.columns = std::max(1, patch.columns - 1);
+        return TypeParam::fit(patch);
+    };
+    EXPECT_GT(disagreements<TypeParam>(vector, without_row, Real(1e-13), all), all / 3);
+    EXPECT_GT(disagreements<TypeParam>(vector, without_column, Real(1e-13), all), all / 3);
+}
+
+/// The setting is obeyed: every node has the plain fit, to the bit.
+template <class V>
+int nodes_with_another_fit(const BroadPhaseParameters& parameters) {
+    std::mt19937 random(53);
+    const Grid grid{31, 17};
+    const Points x = testing::random_cloth(grid, random);
+    ClothQuadtree<V> tree(grid, parameters);
+    tree.build(x);
+    int others = 0;
+    for (std::size_t n = 0; n < tree.nodes().size(); ++n) {
+        others += difference(tree.volumes()[n], V::fit(patch_of(grid, tree.nodes()[n], x))) != 0;
+    }
+    return others;
+}
+
+TYPED_TEST(PlainCore, FitsEveryNodeOfATreeThatIsToBePlain) {
+    EXPECT_EQ(nodes_with_another_fit<TypeParam>({.leaf_cells = 3, .kernels = Kernels::Plain}), 0);
+}
+
+TEST(PlainTree, HasTheCentroidSphereOfEachNodeAndTheVectorTreeOneThatIsRounded) {
+    EXPECT_EQ(nodes_with_another_fit<BoundingSphere>({.leaf_cells = 3, .kernels = Kernels::Plain}), 0);
+    EXPECT_GT(nodes_with_another_fit<BoundingSphere>({.leaf_cells = 3}), 20);
+}
+
+class PlainSphere : public ::testing::TestWithParam<SphereFit> {};
+
+TEST_P(PlainSphere, IsWhatTheKernelFits) {
+    int all = 0;
+    const auto vector = sphere_fit_of(GetParam()), plain = sphere_fit_of(GetParam(), Kernels::Plain);
+    EXPECT_NE(vector, plain);
+    EXPECT_EQ(disagreements<BoundingSphere>(vector, plain, Real(1e-12), all), 0);
+}
+
+TEST_P(PlainSphere, CatchesAKernelThatMissesAColumn) {
+    int all = 0;
+    const auto plain = sphere_fit_of(GetParam(), Kernels::Plain);
+    const auto without_column = [&](Patch patch) {
+        patch.columns = std::max(1, patch.columns - 1);
+        return sphere_fit_of(GetParam())(patch);
+    };
+    EXPECT_GT(disagreements<BoundingSphere>(plain, without_column, Real(1e-12), all), all / 4);
+}
+
+INSTANTIATE_TEST_SUITE_P(Fits, PlainSphere,
+                         ::testing::Values(SphereFit::Centroid, SphereFit::BoxCentre, SphereFit::Ritter,
+                                           SphereFit::Epos6, SphereFit::Epos14, SphereFit::Epos26, SphereFit::Welzl),
+                         [](const auto& one) { return sphere_fit_names()[static_cast<std::size_t>(one.param)]; });
+
+TEST(PlainDisplacement, IsThatOfTheKernel) {
+    std::mt19937 random(52);
+    for (const Grid& grid : {Grid{2, 2}, Grid{31, 17}, Grid{2, 100}}) {
+        const Points x = testing::random_cloth(grid, random), before = testing::random_cloth(grid, random);
+        EXPECT_NEAR(largest_displacement(x, before, Kernels::Plain), largest_displacement(x, before), 1e-15);
+    }
+}
+
+}  // namespace
+}  // namespace drape

@@ -1,0 +1,121 @@
+// Hierarchies and exact tests of both kernels find the same triangles, and the same contacts to the bit.
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+
+#include "drape/bounds/broad_phase.h"
+#include "drape/contact/contact.h"
+#include "support/cloths.h"
+
+namespace drape {
+namespace {
+
+/// What both ways find of one ball.
+class BothWays {
+public:
+    BothWays(BroadPhaseParameters parameters, const Grid& grid) : grid_(grid) {
+        vector_.tree = make_broad_phase(parameters, grid);
+        parameters.kernels = Kernels::Plain;
+        plain_.kernels = Kernels::Plain;
+        plain_.tree = make_broad_phase(parameters, grid);
+    }
+
+    void build(const Points& x) {
+        for (Way* way : {&vector_, &plain_}) way->tree->build(x);
+    }
+
+    /// @param missed cells of the plain way that are dropped: the planted fault
+    bool agree(const Points& x, const Ball& ball, std::size_t missed = 0) {
+        for (Way* way : {&vector_, &plain_}) {
+            way->tree->query(grown(ball, thickness_), way->found);
+            std::ranges::sort(way->found.cells);
+            way->contacts.clear();
+        }
+        plain_.found.cells.resize(plain_.found.cells.size() - std::min(plain_.found.cells.size(), missed));
+        for (Way* way : {&vector_, &plain_}) {
+            find_touched_triangles(grid_, x, ball, thickness_, way->found.cells, way->triangles, way->kernels);
+            way->touching = find_contacts(grid_, x, ball, 0, thickness_, way->found.cells, way->contacts, way->kernels);
+        }
+        touching += plain_.touching > 0;
+        return vector_.triangles == plain_.triangles && vector_.touching == plain_.touching &&
+               std::ranges::equal(vector_.contacts, plain_.contacts, [](const Contact& a, const Contact& b) {
+                   return a.triangle == b.triangle && a.point == b.point && a.normal == b.normal && a.depth == b.depth;
+               });
+    }
+
+    int touching = 0;
+
+private:
+    struct Way {
+        Kernels kernels = Kernels::Vector;
+        std::unique_ptr<BroadPhase> tree;
+        Candidates found;
+        std::vector<int> triangles;
+        std::vector<Contact> contacts;
+        std::int64_t touching = 0;
+    };
+    static constexpr Real thickness_ = Real(0.002);
+    Grid grid_;
+    Way vector_, plain_;
+};
+
+struct Tally {
+    int balls = 0, disagreements = 0, touching = 0;
+};
+
+Tally compare(const BroadPhaseParameters& parameters, const Grid& grid, std::size_t missed = 0) {
+    std::mt19937 random(static_cast<unsigned>(grid.particles()));
+    std::uniform_real_distribution<Real> unit(-1, 1);
+    BothWays both(parameters, grid);
+    Points x = testing::random_cloth(grid, random);
+    Tally tally;
+    for (int frame = 0; frame < 10; ++frame) {
+        for (Real& coordinate : x.reshaped()) coordinate += Real(0.01) * unit(random);
+        both.build(x);
+        for (int k = 0; k < 20; ++k, ++tally.balls) {
+            const Ball ball{.centre = Real(0.6) * Vec3(unit(random), unit(random), unit(random)),
+                            .radius = Real(0.25) + Real(0.2) * unit(random)};
+            tally.disagreements += !both.agree(x, ball, missed);
+        }
+    }
+    tally.touching = both.touching;
+    return tally;
+}
+
+constexpr Grid shapes[] = {{2, 2}, {14, 9}, {2, 30}, {33, 3}};
+
+TEST(PlainCore, FindsWhatTheKernelsFindWithEveryVolumeAndUpdate) {
+    Tally sum;
+    for (std::size_t v = 0; v < volume_names().size(); ++v) {
+        for (std::size_t u = 0; u < update_names().size(); ++u) {
+            for (const Grid& grid : shapes) {
+                const Tally tally = compare(
+                    {.volume = static_cast<VolumeKind>(v), .update = static_cast<UpdateKind>(u), .leaf_cells = 3},
+                    grid);
+                EXPECT_EQ(tally.disagreements, 0) << volume_names()[v] << ", " << update_names()[u];
+                sum.balls += tally.balls, sum.touching += tally.touching;
+            }
+        }
+    }
+    EXPECT_GT(sum.touching, sum.balls / 5);
+    EXPECT_LT(sum.touching, sum.balls);
+}
+
+TEST(PlainCore, FindsWhatTheKernelsFindWithEverySphereFit) {
+    for (std::size_t f = 0; f < sphere_fit_names().size(); ++f) {
+        for (const Grid& grid : shapes) {
+            EXPECT_EQ(compare({.leaf_cells = 2, .sphere_fit = static_cast<SphereFit>(f)}, grid).disagreements, 0)
+                << sphere_fit_names()[f];
+        }
+    }
+}
+
+/// The planted fault: the last run of candidate cells is dropped.
+TEST(PlainCore, IsCaughtWhenItMissesARunOfCells) {
+    const Tally tally = compare({.volume = VolumeKind::Brute}, {14, 9}, 1);
+    EXPECT_GT(tally.disagreements, tally.touching / 10);
+}
+
+}  // namespace
+}  // namespace drape

@@ -1,0 +1,161 @@
+#include "render/outlines.h"
+
+#include <gtest/gtest.h>
+
+#include <set>
+
+#include "drape/bounds/broad_phase.h"
+#include "support/cloths.h"
+#include "support/containment.h"
+
+namespace drape {
+namespace {
+
+using testing::whole;
+
+/// A square of side 1 m at rest, in a tree of two levels.
+TEST(Outlines, OfALevelShowWhatTheQueryDidAndWhatTouches) {
+    const Grid grid{9, 9};
+    ClothParameters parameters;
+    parameters.particles = grid;
+    for (const VolumeKind volume : {VolumeKind::Sphere, VolumeKind::Obb}) {
+        const auto tree = make_broad_phase({.volume = volume, .leaf_cells = 4}, grid);
+        tree->build(make_rest_state(parameters).x);
+        Candidates found;
+        tree->query({.centre = Vec3(0, 0, 0), .radius = Real(0.05)}, found);
+        std::vector<NodeView> nodes;
+        tree->nodes_at(1, nodes);
+        const auto states = [&](std::span<const int> touched_cells) {
+            Outlines outlines;
+            append_nodes(nodes, 0, grid, touched_cells, outlines);
+            std::set<NodeState> all;
+            for (const Outlines::Sphere& sphere : outlines.spheres) all.insert(sphere.state);
+            for (const Outlines::Edge& edge : outlines.edges) all.insert(edge.state);
+            return all;
+        };
+        const int first[] = {0}, last[] = {grid.cells() - 1};
+        EXPECT_EQ(states({}), (std::set{NodeState::Pruned, NodeState::Leaf}));
+        EXPECT_EQ(states(first), (std::set{NodeState::Pruned, NodeState::Touching}));
+        EXPECT_EQ(states(last), (std::set{NodeState::Pruned, NodeState::Leaf})) << "the query has left that one out";
+    }
+}
+
+TEST(Outlines, OfSpheresAreGrownByTheSlack) {
+    const std::vector<NodeView> nodes{{{}, NodeVisit::Leaf, BoundingSphere{Vec3(1, 2, 3), 4}}};
+    Outlines outlines;
+    append_nodes(nodes, Real(0.5), {2, 2}, {}, outlines);
+    ASSERT_EQ(outlines.spheres.size(), 1u);
+    EXPECT_EQ(outlines.spheres[0].radius, 4.5);
+}
+
+TEST(Outlines, OfABoxAreItsTwelveEdges) {
+    Outlines outlines;
+    append_outline(Aabb{Vec3(1, 2, 3), Vec3(2, 4, 6)}, NodeState::Leaf, outlines);
+    EXPECT_TRUE(outlines.spheres.empty());
+    ASSERT_EQ(outlines.edges.size(), 12u);
+    Real length = 0;
+    for (const Outlines::Edge& edge : outlines.edges) {
+        EXPECT_EQ(edge.state, NodeState::Leaf);
+        length += (edge.to - edge.from).norm();
+        for (const Vec3& end : {edge.from, edge.to}) {
+            for (int k = 0; k < 3; ++k) EXPECT_TRUE(end[k] == k + 1 || end[k] == 2 * (k + 1));
+        }
+    }
+    EXPECT_NEAR(length, 4 * (1 + 2 + 3), 1e-12);
+}
+
+TEST(Outlines, OfATurnedBoxAreItsEdgesWhereItIs) {
+    std::mt19937 random(42);
+    const Grid grid{9, 7};
+    const Points x = testing::random_cloth(grid, random);
+    const Obb box = Obb::fit(whole(x, grid));
+    Outlines outlines;
+    append_outline(box, NodeState::Pruned, outlines);
+    ASSERT_EQ(outlines.edges.size(), 12u);
+    for (const Outlines::Edge& edge : outlines.edges) {
+        EXPECT_NEAR(static_cast<double>(testing::stands_out(box, edge.from)), 0, 1e-14);
+        EXPECT_NEAR(static_cast<double>(testing::stands_out(box, (edge.from + edge.to) / 2)), 0, 1e-14);
+    }
+}
+
+/// Ends on the surface; every corner is in three edges or more, but for the rounding; Euler's count of faces.
+template <int K>
+void check_outline(const Points& x, const Grid& grid) {
+    const KDop<K> dop = KDop<K>::fit(whole(x, grid));
+    Outlines outlines;
+    append_outline(dop, NodeState::Entered, outlines);
+    const long double size = dop.sphere().radius;
+    EXPECT_GE(outlines.edges.size(), 6u);
+    EXPECT_LE(outlines.edges.size(), 3u * K - 6);
+    std::vector<Vec3> ends;
+    for (const Outlines::Edge& edge : outlines.edges) {
+        for (const Vec3& end : {edge.from, edge.to}) {
+            EXPECT_NEAR(static_cast<double>(testing::stands_out(dop, end) / size), 0, 1e-4);
+            ends.push_back(end);
+        }
+        EXPECT_NEAR(static_cast<double>(testing::stands_out(dop, (edge.from + edge.to) / 2) / size), 0, 1e-4);
+    }
+    for (const Vec3& end : ends) {
+        const auto near = [&](const Vec3& other) { return (other - end).norm() < 1e-3 * static_cast<double>(size); };
+        EXPECT_GE(std::count_if(ends.begin(), ends.end(), near), 3) << K;
+    }
+    // The edges reach as far as the faces of the box do
+    for (int k = 0; k < 3; ++k) {
+        Real most = -1e9;
+        for (const Vec3& end : ends) most = std::max(most, end[k]);
+        EXPECT_NEAR(most, dop.box.high[k], 1e-4);
+    }
+}
+
+TEST(Outlines, OfAKDopAreTheEdgesOfItsSurface) {
+    std::mt19937 random(36);
+    for (int round = 0; round < 50; ++round) {
+        const Grid grid{4 + round % 20, 6};
+        const Points x = testing::random_cloth(grid, random);
+        check_outline<6>(x, grid);
+        check_outline<14>(x, grid);
+        check_outline<18>(x, grid);
+        check_outline<26>(x, grid);
+    }
+}
+
+TEST(Outlines, OfACubeWithCutCornersAreTheEdgesOfATruncatedCube) {
+    KDop<14> dop;
+    dop.box = {Vec3(-1, -1, -1), Vec3(1, 1, 1)};
+    dop.low.fill(-2.5);
+    dop.high.fill(2.5);
+    Outlines outlines;
+    append_outline(dop, NodeState::Entered, outlines);
+    EXPECT_EQ(outlines.edges.size(), 12u + 24u);
+}
+
+/// Above and below; every direction that is cut off by others only touches.
+TEST(Outlines, OfAFlatClothHaveEachEdgeTwice) {
+    const Grid grid{5, 5};
+    Points square(25, 3), diamond(25, 3);
+    for (int p = 0; p < 25; ++p) {
+        square.row(p) << p % 5, 0, p / 5;
+        diamond.row(p) << p % 5 + p / 5, 0, p % 5 - p / 5;
+    }
+    for (const auto& [x, side] : {std::pair(square, 4.0), std::pair(diamond, std::sqrt(32.0))}) {
+        Outlines outlines;
+        append_outline(KDop<26>::fit(whole(x, grid)), NodeState::Entered, outlines);
+        EXPECT_EQ(outlines.edges.size(), 8u);
+        for (const Outlines::Edge& edge : outlines.edges) EXPECT_NEAR((edge.to - edge.from).norm(), side, 1e-3);
+    }
+}
+
+TEST(Outlines, OfAPointOrALineAreNothingOrTheLine) {
+    const Grid grid{3, 3};
+    Outlines outlines;
+    append_outline(KDop<26>::fit(whole(Points::Constant(9, 3, 0.1), grid)), NodeState::Entered, outlines);
+    EXPECT_TRUE(outlines.edges.empty());
+    Points x = Points::Zero(9, 3);
+    for (int p = 0; p < 9; ++p) x(p, 1) = p;
+    append_outline(KDop<26>::fit(whole(x, grid)), NodeState::Entered, outlines);
+    ASSERT_FALSE(outlines.edges.empty());
+    for (const Outlines::Edge& edge : outlines.edges) EXPECT_NEAR((edge.to - edge.from).norm(), 8, 1e-3);
+}
+
+}  // namespace
+}  // namespace drape
