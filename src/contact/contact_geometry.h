@@ -3,7 +3,6 @@
 #include <Eigen/Geometry>
 #include <cmath>
 
-#include "drape/base/vectorise.h"
 #include "drape/contact/closest_point.h"
 #include "drape/contact/contact.h"
 
@@ -18,7 +17,7 @@ inline ClosestPoint closest_point(const Points& x, const std::array<int, 3>& cor
 }
 
 /// The contact point's mean of what its corners have: velocities, or positions.
-DRAPE_INLINE Vec3 at_point(const Contact& contact, const Points& v) {
+inline Vec3 at_point(const Contact& contact, const Points& v) {
     return contact.barycentric[0] * position(v, contact.corners[0]) +
            contact.barycentric[1] * position(v, contact.corners[1]) +
            contact.barycentric[2] * position(v, contact.corners[2]);

@@ -5,7 +5,6 @@
 #include <cmath>
 
 #include "contact_geometry.h"
-#include "drape/base/vectorise.h"
 
 namespace drape {
 namespace {
@@ -36,7 +35,7 @@ Real inverse_mass_at(const ClothModel& model, const Contact& contact) {
 }
 
 /// Moves (or speeds up) a contact's corners, each by its share of an impulse that acts at the contact point.
-DRAPE_INLINE void push(const ClothModel& model, const Contact& contact, const Vec3& impulse, Points& p) {
+inline void push(const ClothModel& model, const Contact& contact, const Vec3& impulse, Points& p) {
     for (std::size_t k = 0; k < 3; ++k) {
         const int corner = contact.corners[k];
         p.row(corner) += contact.barycentric[k] * model.inverse_mass[corner] * impulse.transpose();

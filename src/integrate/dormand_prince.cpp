@@ -2,8 +2,8 @@
 #include <array>
 #include <cmath>
 
-#include "drape/model/forces.h"
-#include "explicit_methods.h"
+#include "drape/model/force_sweep.h"
+#include "methods.h"
 
 namespace drape {
 namespace {
@@ -42,8 +42,9 @@ Real fifth_root(Real a) {
 /// @cite dormand1980
 class DormandPrince final : public Integrator {
 public:
-    DormandPrince(int particles, Real tolerance) : tolerance_(tolerance), x_(particles, 3), v_(particles, 3) {
-        for (Slope& slope : slopes_) slope = {Points(particles, 3), Points(particles, 3)};
+    DormandPrince(const IntegratorParameters& parameters, const Grid& grid)
+        : tolerance_(parameters.tolerance), forces_(grid, parameters.kernels), x_(grid.particles(), 3), v_(x_) {
+        slopes_.fill({x_, v_});
         error_ = slopes_.front();
     }
 
@@ -88,10 +89,9 @@ private:
         Points v, a;
     };
 
-    static void find_slope(const ClothModel& model, const Points& x, const Points& v, Slope& slope) {
+    void find_slope(const ClothModel& model, const Points& x, const Points& v, Slope& slope) {
         slope.v = v;
-        compute_forces(model, x, v, slope.a);
-        forces_to_accelerations(model, slope.a);
+        forces_(model, x, v, [&](const ForceRun& run) { run.of(slope.a) = run.accelerations(); });
     }
 
     /// What the next inner step may be, of this one: its error grows with the fifth power. A little less than that, and
@@ -130,6 +130,7 @@ private:
     }
 
     Real tolerance_;
+    ForceSweep forces_;
     std::array<Slope, stages> slopes_;
     Slope error_;
     Points x_, v_;
@@ -137,8 +138,8 @@ private:
 
 }  // namespace
 
-std::unique_ptr<Integrator> make_dormand_prince(int particles, Real tolerance) {
-    return std::make_unique<DormandPrince>(particles, tolerance);
+std::unique_ptr<Integrator> make_dormand_prince(const IntegratorParameters& parameters, const Grid& grid) {
+    return std::make_unique<DormandPrince>(parameters, grid);
 }
 
 }  // namespace drape

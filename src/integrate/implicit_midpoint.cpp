@@ -1,5 +1,5 @@
-#include "drape/model/forces.h"
-#include "implicit_methods.h"
+#include "drape/model/force_sweep.h"
+#include "methods.h"
 #include "newton_system.h"
 
 namespace drape {
@@ -11,11 +11,14 @@ namespace {
 /// @cite hairer2006
 class ImplicitMidpoint final : public Integrator {
 public:
-    ImplicitMidpoint(const Grid& grid, Hessian hessian)
-        : system_(grid, hessian), r_(grid.particles(), 3), dv_(grid.particles(), 3) {}
+    ImplicitMidpoint(const IntegratorParameters& parameters, const Grid& grid)
+        : forces_(grid, parameters.kernels),
+          system_(grid, parameters.hessian, parameters.kernels),
+          r_(grid.particles(), 3),
+          dv_(grid.particles(), 3) {}
 
     SolveReport step(const ClothModel& model, ClothState& state, Real h) override {
-        compute_forces(model, state.x, state.v, r_);
+        forces_.compute(model, state.x, state.v, r_);
         system_.linearise(model, state.x, state.v);
         system_.add_stiffness(-h / 2, state.v, r_);
         r_ *= h;
@@ -26,14 +29,15 @@ public:
     }
 
 private:
+    ForceSweep forces_;
     NewtonSystem system_;
     Points r_, dv_;
 };
 
 }  // namespace
 
-std::unique_ptr<Integrator> make_implicit_midpoint(const Grid& grid, Hessian hessian) {
-    return std::make_unique<ImplicitMidpoint>(grid, hessian);
+std::unique_ptr<Integrator> make_implicit_midpoint(const IntegratorParameters& parameters, const Grid& grid) {
+    return std::make_unique<ImplicitMidpoint>(parameters, grid);
 }
 
 }  // namespace drape

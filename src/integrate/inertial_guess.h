@@ -1,6 +1,6 @@
 #pragma once
 
-#include "drape/model/cloth_model.h"
+#include "drape/model/force_sweep.h"
 
 namespace drape {
 
@@ -11,14 +11,14 @@ inline Real inertia(const ClothModel& model, Real h) { return model.particle_mas
 /// Where the cloth gets without its springs; the positional methods correct it from there.
 class InertialGuess {
 public:
-    explicit InertialGuess(int particles) : f_(particles, 3) {}
+    InertialGuess(const Grid& grid, Kernels kernels) : forces_(grid, kernels) {}
 
     /// v += h f / (m + h b) with f of gravity, drag and wind at the start; x += h v. Pinned particles move as held.
     void advance(const ClothModel& model, ClothState& state, Real h);
 
 private:
-    ClothModel outer_;  ///< the model without its springs
-    Points f_;
+    ClothModel external_;  ///< the model without its springs
+    ForceSweep forces_;
 };
 
 /// The velocity of free particles by the way they went, v = (x - start) / h; pinned ones keep theirs.

@@ -1,5 +1,5 @@
 #include "inertial_guess.h"
-#include "positional_methods.h"
+#include "methods.h"
 #include "spring_passes.h"
 
 namespace drape {
@@ -12,8 +12,11 @@ namespace {
 /// @cite macklin2016 @cite macklin2019
 class Xpbd final : public Integrator {
 public:
-    Xpbd(const Grid& grid, int iterations)
-        : iterations_(iterations), guess_(grid.particles()), passes_(grid), start_(grid.particles(), 3) {}
+    Xpbd(const IntegratorParameters& parameters, const Grid& grid)
+        : iterations_(parameters.iterations),
+          guess_(grid, parameters.kernels),
+          passes_(grid, parameters.kernels),
+          start_(grid.particles(), 3) {}
 
     SolveReport step(const ClothModel& model, ClothState& state, Real h) override {
         start_ = state.x;
@@ -34,8 +37,8 @@ private:
 
 }  // namespace
 
-std::unique_ptr<Integrator> make_xpbd(const Grid& grid, int iterations) {
-    return std::make_unique<Xpbd>(grid, iterations);
+std::unique_ptr<Integrator> make_xpbd(const IntegratorParameters& parameters, const Grid& grid) {
+    return std::make_unique<Xpbd>(parameters, grid);
 }
 
 }  // namespace drape
