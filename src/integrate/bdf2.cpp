@@ -10,10 +10,10 @@ namespace {
 /// One Newton step of the backward differentiation formula of order 2: with s = 2h/3,
 /// x_{n+1} = x_n + (x_n - x_{n-1})/3 + s v_{n+1} and v_{n+1} = v_n + (v_n - v_{n-1})/3 + s a_{n+1} give
 /// (m I + s D + s^2 K) dv = m (v_n - v_{n-1})/3 + s (f - K ((x_n - x_{n-1})/3 + s v_n)).
-/// Second order with the exact slopes; damps what it cannot resolve, and the rest far less than backward Euler.
+/// Second order with the exact Hessian; damps what it cannot resolve, and the rest far less than backward Euler.
 ///
-/// It knows the state that it left and the one before. If it finds another one (contact, a hand, another integrator),
-/// another step size or another revision of the model, it starts anew by a step of backward Euler.
+/// It keeps the state at the end of its last step and the one before. If it finds another state (contact, a hand,
+/// another integrator), another step size or another revision of the model, it restarts with a step of backward Euler.
 /// @cite choi2002
 class Bdf2 final : public Integrator {
 public:

@@ -13,8 +13,8 @@ public:
 
     SolveReport step(const ClothModel& model, ClothState& state, Real h) override {
         forces_(model, state.x, state.v, [&](const ForceRun& run) {
-            run.of(state.x) += h * run.of(state.v);
-            run.of(state.v) += h * run.accelerations();
+            run.add(h, state.v, state.x);
+            run.add_accelerations(h, state.v);
         });
         return {.force_evaluations = 1};
     }

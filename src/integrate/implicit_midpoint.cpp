@@ -6,8 +6,8 @@ namespace drape {
 namespace {
 
 /// One Newton step of x_{n+1} = x_n + h v_m, v_{n+1} = v_n + h a(x_m, v_m), with m the middle of n and n+1:
-/// (m I + h/2 D + h^2/4 K) dv = h (f - h/2 K v); x += h (v + dv/2); v += dv. Second order with the exact slopes, first
-/// order with the clamped ones; neither damps nor feeds a small oscillation.
+/// (m I + h/2 D + h^2/4 K) dv = h (f - h/2 K v); x += h (v + dv/2); v += dv. Second order with the exact Hessian,
+/// first order with the clamped one; neither damps nor feeds a small oscillation.
 /// @cite hairer2006
 class ImplicitMidpoint final : public Integrator {
 public:

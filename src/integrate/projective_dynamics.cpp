@@ -50,7 +50,7 @@ public:
             global_.solve(r_);
             state.x += r_;
         }
-        take_velocity_from_way(model, start_, h, state);
+        set_velocity_from_displacement(model, start_, h, state);
         return {.force_evaluations = 1 + iterations_,
                 .iterations = iterations_,
                 .residual = first_gradient > 0 ? last_gradient / first_gradient : Real(0)};
@@ -65,7 +65,7 @@ private:
         state.x += h * state.v;
         dampers_.begin(model, h);
         dampers_.pass(springs, start_, state.x);
-        take_velocity_from_way(model, start_, h, state);
+        set_velocity_from_displacement(model, start_, h, state);
         state.x = start_;
     }
 

@@ -35,8 +35,8 @@ private:
     /// Adds k = y'(x_, v_) with its weight, and moves (x_, v_) to the start + `time` k.
     void stage(const ClothModel& model, const ClothState& start, Real weight, Real time) {
         forces_(model, x_, v_, [&](const ForceRun& run) {
-            run.of(x_sum_) += weight * run.of(v_);
-            run.of(v_sum_) += weight * run.accelerations();
+            run.add(weight, v_, x_sum_);
+            run.add_accelerations(weight, v_sum_);
             run.of(x_) = run.of(start.x) + time * run.of(v_);
             run.of(v_) = run.of(start.v) + time * run.accelerations();
         });

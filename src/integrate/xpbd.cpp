@@ -24,7 +24,7 @@ public:
         passes_.begin(model, h);
         const auto springs = spring_stencils(model);
         for (int iteration = 0; iteration < iterations_; ++iteration) passes_.pass(springs, start_, state.x);
-        take_velocity_from_way(model, start_, h, state);
+        set_velocity_from_displacement(model, start_, h, state);
         return {.force_evaluations = 1, .iterations = iterations_};
     }
 
