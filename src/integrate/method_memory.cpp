@@ -65,7 +65,9 @@ double factor_bytes(const IntegratorParameters& parameters, const Grid& grid) {
 }  // namespace
 
 double bytes_of_method(const IntegratorParameters& parameters, const Grid& grid) {
-    return grid.particles() * (sizeof(Real) * numbers_of_arrays(parameters) + factor_bytes(parameters, grid));
+    constexpr double rows_of_a_sweep = 109, margins = 36;
+    const double sweep = sizeof(Real) * rows_of_a_sweep * (grid.nx + margins);
+    return sweep + grid.particles() * (sizeof(Real) * numbers_of_arrays(parameters) + factor_bytes(parameters, grid));
 }
 
 }  // namespace drape
