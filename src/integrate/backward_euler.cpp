@@ -1,5 +1,5 @@
-#include "drape/model/forces.h"
-#include "implicit_methods.h"
+#include "drape/model/force_sweep.h"
+#include "methods.h"
 #include "newton_system.h"
 
 namespace drape {
@@ -10,11 +10,14 @@ namespace {
 /// @cite baraff1998
 class BackwardEuler final : public Integrator {
 public:
-    BackwardEuler(const Grid& grid, Hessian hessian)
-        : system_(grid, hessian), r_(grid.particles(), 3), dv_(grid.particles(), 3) {}
+    BackwardEuler(const IntegratorParameters& parameters, const Grid& grid)
+        : forces_(grid, parameters.kernels),
+          system_(grid, parameters.hessian, parameters.kernels),
+          r_(grid.particles(), 3),
+          dv_(grid.particles(), 3) {}
 
     SolveReport step(const ClothModel& model, ClothState& state, Real h) override {
-        compute_forces(model, state.x, state.v, r_);
+        forces_.compute(model, state.x, state.v, r_);
         system_.linearise(model, state.x, state.v);
         system_.add_stiffness(-h, state.v, r_);
         r_ *= h;
@@ -25,14 +28,15 @@ public:
     }
 
 private:
+    ForceSweep forces_;
     NewtonSystem system_;
     Points r_, dv_;
 };
 
 }  // namespace
 
-std::unique_ptr<Integrator> make_backward_euler(const Grid& grid, Hessian hessian) {
-    return std::make_unique<BackwardEuler>(grid, hessian);
+std::unique_ptr<Integrator> make_backward_euler(const IntegratorParameters& parameters, const Grid& grid) {
+    return std::make_unique<BackwardEuler>(parameters, grid);
 }
 
 }  // namespace drape

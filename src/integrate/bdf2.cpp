@@ -1,7 +1,7 @@
 #include <cstdint>
 
-#include "drape/model/forces.h"
-#include "implicit_methods.h"
+#include "drape/model/force_sweep.h"
+#include "methods.h"
 #include "newton_system.h"
 
 namespace drape {
@@ -10,15 +10,16 @@ namespace {
 /// One Newton step of the backward differentiation formula of order 2: with s = 2h/3,
 /// x_{n+1} = x_n + (x_n - x_{n-1})/3 + s v_{n+1} and v_{n+1} = v_n + (v_n - v_{n-1})/3 + s a_{n+1} give
 /// (m I + s D + s^2 K) dv = m (v_n - v_{n-1})/3 + s (f - K ((x_n - x_{n-1})/3 + s v_n)).
-/// Second order with the exact slopes; damps what it cannot resolve, and the rest far less than backward Euler.
+/// Second order with the exact Hessian; damps what it cannot resolve, and the rest far less than backward Euler.
 ///
-/// It knows the state that it left and the one before. If it finds another one (contact, a hand, another integrator),
-/// another step size or another revision of the model, it starts anew by a step of backward Euler.
+/// It keeps the state at the end of its last step and the one before. If it finds another state (contact, a hand,
+/// another integrator), another step size or another revision of the model, it restarts with a step of backward Euler.
 /// @cite choi2002
 class Bdf2 final : public Integrator {
 public:
-    Bdf2(const Grid& grid, Hessian hessian)
-        : system_(grid, hessian),
+    Bdf2(const IntegratorParameters& parameters, const Grid& grid)
+        : forces_(grid, parameters.kernels),
+          system_(grid, parameters.hessian, parameters.kernels),
           before_{Points(grid.particles(), 3), Points(grid.particles(), 3)},
           left_{Points(grid.particles(), 3), Points(grid.particles(), 3)},
           dx_(grid.particles(), 3),
@@ -37,7 +38,7 @@ public:
         } else {
             dx_ = s * state.v;
         }
-        compute_forces(model, state.x, state.v, r_);
+        forces_.compute(model, state.x, state.v, r_);
         system_.linearise(model, state.x, state.v);
         system_.add_stiffness(-1, dx_, r_);
         r_ *= s;
@@ -58,6 +59,7 @@ public:
     }
 
 private:
+    ForceSweep forces_;
     NewtonSystem system_;
     ClothState before_, left_;
     Real h_ = 0;  ///< of the last step; 0 before the first
@@ -67,8 +69,8 @@ private:
 
 }  // namespace
 
-std::unique_ptr<Integrator> make_bdf2(const Grid& grid, Hessian hessian) {
-    return std::make_unique<Bdf2>(grid, hessian);
+std::unique_ptr<Integrator> make_bdf2(const IntegratorParameters& parameters, const Grid& grid) {
+    return std::make_unique<Bdf2>(parameters, grid);
 }
 
 }  // namespace drape

@@ -2,23 +2,23 @@
 #include <array>
 #include <cmath>
 
-#include "drape/model/forces.h"
-#include "explicit_methods.h"
+#include "drape/model/force_sweep.h"
+#include "methods.h"
 
 namespace drape {
 namespace {
 
 constexpr int stages = 7;
 
-/// Row i: how much of the slopes 0..i-1 leads to the point of slope i. The last row is the method of order 5 itself, so
-/// that its slope serves as the first of the next step.
-constexpr double reach[stages][stages - 1] = {{},
-                                              {1. / 5},
-                                              {3. / 40, 9. / 40},
-                                              {44. / 45, -56. / 15, 32. / 9},
-                                              {19372. / 6561, -25360. / 2187, 64448. / 6561, -212. / 729},
-                                              {9017. / 3168, -355. / 33, 46732. / 5247, 49. / 176, -5103. / 18656},
-                                              {35. / 384, 0, 500. / 1113, 125. / 192, -2187. / 6784, 11. / 84}};
+/// The Butcher tableau. Row i: the weights of the derivatives 0..i-1 in the point at which derivative i is taken. The
+/// last row is the method of order 5 itself, so that its derivative serves as the first of the next step.
+constexpr double tableau[stages][stages - 1] = {{},
+                                                {1. / 5},
+                                                {3. / 40, 9. / 40},
+                                                {44. / 45, -56. / 15, 32. / 9},
+                                                {19372. / 6561, -25360. / 2187, 64448. / 6561, -212. / 729},
+                                                {9017. / 3168, -355. / 33, 46732. / 5247, 49. / 176, -5103. / 18656},
+                                                {35. / 384, 0, 500. / 1113, 125. / 192, -2187. / 6784, 11. / 84}};
 
 /// The method of order 5 less that of order 4.
 constexpr double difference[stages] = {71. / 57600, 0, -71. / 16695, 71. / 1920, -17253. / 339200, 22. / 525, -1. / 40};
@@ -42,16 +42,17 @@ Real fifth_root(Real a) {
 /// @cite dormand1980
 class DormandPrince final : public Integrator {
 public:
-    DormandPrince(int particles, Real tolerance) : tolerance_(tolerance), x_(particles, 3), v_(particles, 3) {
-        for (Slope& slope : slopes_) slope = {Points(particles, 3), Points(particles, 3)};
-        error_ = slopes_.front();
+    DormandPrince(const IntegratorParameters& parameters, const Grid& grid)
+        : tolerance_(parameters.tolerance), forces_(grid, parameters.kernels), x_(grid.particles(), 3), v_(x_) {
+        derivatives_.fill({x_, v_});
+        error_ = derivatives_.front();
     }
 
     SolveReport step(const ClothModel& model, ClothState& state, Real h) override {
         const Real shortest = Real(1e-4) * h;
         const Real allowed = tolerance_ * std::min(model.hx, model.hy);
         SolveReport report;
-        find_slope(model, state.x, state.v, slopes_.front());
+        differentiate(model, state.x, state.v, derivatives_.front());
         report.force_evaluations = 1;
         report.tolerance = tolerance_;
         Real inner = h, remaining = h;
@@ -71,7 +72,7 @@ public:
             if (error <= 1 || is_shortest || inner <= shortest) {
                 state.x.swap(x_);
                 state.v.swap(v_);
-                std::swap(slopes_.front(), slopes_.back());
+                std::swap(derivatives_.front(), derivatives_.back());
                 remaining = parts > 1 ? remaining - inner : 0;
                 ++report.iterations;
                 report += {.residual = error * tolerance_, .unconverged = error <= 1 ? 0 : 1};
@@ -84,14 +85,13 @@ public:
 
 private:
     /// dx/dt and dv/dt.
-    struct Slope {
+    struct Derivative {
         Points v, a;
     };
 
-    static void find_slope(const ClothModel& model, const Points& x, const Points& v, Slope& slope) {
-        slope.v = v;
-        compute_forces(model, x, v, slope.a);
-        forces_to_accelerations(model, slope.a);
+    void differentiate(const ClothModel& model, const Points& x, const Points& v, Derivative& derivative) {
+        derivative.v = v;
+        forces_(model, x, v, [&](const ForceRun& run) { run.of(derivative.a) = run.accelerations(); });
     }
 
     /// What the next inner step may be, of this one: its error grows with the fifth power. A little less than that, and
@@ -102,27 +102,27 @@ private:
         return std::clamp(caution / fifth_root(std::max(error, Real(1e-5))), least, most);
     }
 
-    /// (x_, v_) = one inner step of length s from the state, and all slopes on the way.
+    /// (x_, v_) = one inner step of length s from the state, and all derivatives on the way.
     void advance(const ClothModel& model, const ClothState& state, Real s) {
         for (std::size_t stage = 1; stage < stages; ++stage) {
             x_ = state.x;
             v_ = state.v;
             for (std::size_t k = 0; k < stage; ++k) {
-                const Real weight = s * static_cast<Real>(reach[stage][k]);
-                x_ += weight * slopes_[k].v;
-                v_ += weight * slopes_[k].a;
+                const Real weight = s * static_cast<Real>(tableau[stage][k]);
+                x_ += weight * derivatives_[k].v;
+                v_ += weight * derivatives_[k].a;
             }
-            find_slope(model, x_, v_, slopes_[stage]);
+            differentiate(model, x_, v_, derivatives_[stage]);
         }
     }
 
-    /// How far an inner step of length s leads astray within the whole step h [m].
+    /// The estimated error of an inner step of length s within the whole step h [m].
     Real estimate(Real s, Real h) {
         error_.v.setZero();
         error_.a.setZero();
         for (std::size_t k = 0; k < stages; ++k) {
-            error_.v += static_cast<Real>(difference[k]) * slopes_[k].v;
-            error_.a += static_cast<Real>(difference[k]) * slopes_[k].a;
+            error_.v += static_cast<Real>(difference[k]) * derivatives_[k].v;
+            error_.a += static_cast<Real>(difference[k]) * derivatives_[k].a;
         }
         const Real of_x = error_.v.cwiseAbs().template maxCoeff<Eigen::PropagateNaN>();
         const Real of_v = error_.a.cwiseAbs().template maxCoeff<Eigen::PropagateNaN>();
@@ -130,15 +130,16 @@ private:
     }
 
     Real tolerance_;
-    std::array<Slope, stages> slopes_;
-    Slope error_;
+    ForceSweep forces_;
+    std::array<Derivative, stages> derivatives_;
+    Derivative error_;
     Points x_, v_;
 };
 
 }  // namespace
 
-std::unique_ptr<Integrator> make_dormand_prince(int particles, Real tolerance) {
-    return std::make_unique<DormandPrince>(particles, tolerance);
+std::unique_ptr<Integrator> make_dormand_prince(const IntegratorParameters& parameters, const Grid& grid) {
+    return std::make_unique<DormandPrince>(parameters, grid);
 }
 
 }  // namespace drape

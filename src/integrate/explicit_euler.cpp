@@ -1,20 +1,20 @@
 #include "drape/model/force_sweep.h"
-#include "explicit_methods.h"
+#include "methods.h"
 
 namespace drape {
 namespace {
 
 /// x += h v; v += h a(x_n, v_n). First order; gains energy without enough damping.
+/// @cite euler1768
 class ExplicitEuler final : public Integrator {
 public:
-    ExplicitEuler(const Grid& grid, int threads) : forces_(grid, threads) {}
+    ExplicitEuler(const IntegratorParameters& parameters, const Grid& grid)
+        : forces_(grid, parameters.kernels, parameters.threads) {}
 
     SolveReport step(const ClothModel& model, ClothState& state, Real h) override {
         forces_(model, state.x, state.v, [&](const ForceRun& run) {
-            for (int axis = 0; axis < 3; ++axis) {
-                run.of(state.x, axis) += h * run.of(state.v, axis);
-                run.of(state.v, axis) += h * run.accelerations(axis);
-            }
+            run.add(h, state.v, state.x);
+            run.add_accelerations(h, state.v);
         });
         return {.force_evaluations = 1};
     }
@@ -25,8 +25,8 @@ private:
 
 }  // namespace
 
-std::unique_ptr<Integrator> make_explicit_euler(const Grid& grid, int threads) {
-    return std::make_unique<ExplicitEuler>(grid, threads);
+std::unique_ptr<Integrator> make_explicit_euler(const IntegratorParameters& parameters, const Grid& grid) {
+    return std::make_unique<ExplicitEuler>(parameters, grid);
 }
 
 }  // namespace drape

@@ -5,7 +5,7 @@
 #include "inertial_guess.h"
 
 namespace drape {
-namespace kernels {
+namespace {
 
 /// q = L^-1 q and then q = L'^-1 D^-1 q, for the three columns of q at once: by Eigen, which takes one column after the
 /// other, it takes twice the time.
@@ -35,7 +35,7 @@ void solve_factors(int n, const int* starts, const int* rows, const Real* values
     }
 }
 
-}  // namespace kernels
+}  // namespace
 
 void GlobalMatrix::prepare(const ClothModel& model, Real h) {
     DRAPE_ASSERT(model.grid == grid_);
@@ -57,16 +57,12 @@ void GlobalMatrix::factorise(const ClothModel& model) {
     const auto free = [&](int particle) { return model.pinned(particle) ? Real(0) : Real(1); };
     for (const SpringStencil& springs : spring_stencils(model)) {
         const Real k = springs.law.stiffness;
-        for (int j = 0; j < springs.rows(grid_); ++j) {
-            for (int i = 0; i < springs.count(grid_); ++i) {
-                const int a = grid_.particle(springs.first_column() + i, j);
-                const int b = a + springs.dj * grid_.nx + springs.di;
-                entries.emplace_back(a, a, k * free(a));
-                entries.emplace_back(b, b, k * free(b));
-                entries.emplace_back(a, b, -k * free(a) * free(b));
-                entries.emplace_back(b, a, -k * free(a) * free(b));
-            }
-        }
+        springs.for_each(grid_, [&](int a, int b) {
+            entries.emplace_back(a, a, k * free(a));
+            entries.emplace_back(b, b, k * free(b));
+            entries.emplace_back(a, b, -k * free(a) * free(b));
+            entries.emplace_back(b, a, -k * free(a) * free(b));
+        });
     }
     for (int p = 0; p < grid_.particles(); ++p) entries.emplace_back(p, p, model.pinned(p) ? Real(1) : key_.diagonal);
 
@@ -83,8 +79,8 @@ void GlobalMatrix::solve(Points& r) {
     const auto& place = factors_.permutationP().indices();
     for (Eigen::Index p = 0; p < r.rows(); ++p) rows_.row(place[p]) = r.row(p);
     const Matrix& lower = factors_.matrixL().nestedExpression();
-    kernels::solve_factors(grid_.particles(), lower.outerIndexPtr(), lower.innerIndexPtr(), lower.valuePtr(),
-                           pivots_.data(), rows_.data());
+    solve_factors(grid_.particles(), lower.outerIndexPtr(), lower.innerIndexPtr(), lower.valuePtr(), pivots_.data(),
+                  rows_.data());
     for (Eigen::Index p = 0; p < r.rows(); ++p) r.row(p) = rows_.row(place[p]);
 }
 

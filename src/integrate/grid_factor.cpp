@@ -11,12 +11,11 @@ namespace {
 
 /// Every pair of particles that a spring can join, the lower one first.
 std::vector<std::pair<int, int>> spring_pairs(const Grid& grid) {
-    constexpr std::array<std::pair<int, int>, 6> offsets{{{1, 0}, {0, 1}, {1, 1}, {-1, 1}, {2, 0}, {0, 2}}};
     std::vector<std::pair<int, int>> pairs;
-    pairs.reserve(offsets.size() * static_cast<std::size_t>(grid.particles()));
+    pairs.reserve(spring_directions.size() * static_cast<std::size_t>(grid.particles()));
     for (int j = 0; j < grid.ny; ++j) {
         for (int i = 0; i < grid.nx; ++i) {
-            for (const auto& [di, dj] : offsets) {
+            for (const auto& [di, dj] : spring_directions) {
                 if (i + di < 0 || i + di >= grid.nx || j + dj >= grid.ny) continue;
                 pairs.emplace_back(grid.particle(i, j), grid.particle(i + di, j + dj));
             }

@@ -1,19 +1,18 @@
 #include "inertial_guess.h"
 
-#include "drape/model/forces.h"
-
 namespace drape {
 
 void InertialGuess::advance(const ClothModel& model, ClothState& state, Real h) {
-    outer_ = model;
-    outer_.structural = outer_.shear = outer_.bend = {};
-    compute_forces(outer_, state.x, state.v, f_);
-    forces_to_accelerations(model, f_);
-    state.v += (h * model.particle_mass / inertia(model, h)) * f_;
-    state.x += h * state.v;
+    external_ = model;
+    external_.structural = external_.shear = external_.bend = {};
+    const Real h_less_drag = h * model.particle_mass / inertia(model, h);
+    forces_(external_, state.x, state.v, [&](const ForceRun& run) {
+        run.add_accelerations(h_less_drag, state.v);
+        run.add(h, state.v, state.x);
+    });
 }
 
-void take_velocity_from_way(const ClothModel& model, const Points& start, Real h, ClothState& state) {
+void set_velocity_from_displacement(const ClothModel& model, const Points& start, Real h, ClothState& state) {
     for (Eigen::Index p = 0; p < start.rows(); ++p) {
         if (model.inverse_mass[p] > 0) state.v.row(p) = (state.x.row(p) - start.row(p)) / h;
     }

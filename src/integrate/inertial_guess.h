@@ -1,28 +1,28 @@
 #pragma once
 
-#include "drape/model/cloth_model.h"
+#include "drape/model/force_sweep.h"
 
 namespace drape {
 
-/// What a particle opposes to a change of velocity within a step h: its mass and the drag at the step's end,
+/// Resistance of a particle to a change of velocity within a step h: its mass, and the drag at the step's end,
 /// m + h b [kg]. With it, drag never limits the step.
 inline Real inertia(const ClothModel& model, Real h) { return model.particle_mass + h * model.drag; }
 
-/// Where the cloth gets without its springs; the positional methods correct it from there.
+/// Where the external forces alone would move the cloth; the positional methods correct it from there.
 class InertialGuess {
 public:
-    explicit InertialGuess(int particles) : f_(particles, 3) {}
+    InertialGuess(const Grid& grid, Kernels kernels) : forces_(grid, kernels) {}
 
     /// v += h f / (m + h b) with f of gravity, drag and wind at the start; x += h v. Pinned particles move as held.
     void advance(const ClothModel& model, ClothState& state, Real h);
 
 private:
-    ClothModel outer_;  ///< the model without its springs
-    Points f_;
+    ClothModel external_;  ///< the model without its springs
+    ForceSweep forces_;
 };
 
-/// The velocity of free particles by the way they went, v = (x - start) / h; pinned ones keep theirs.
+/// The velocity of free particles from their displacement, v = (x - start) / h; pinned ones keep theirs.
 /// @param start n x 3 positions at the start of the step [m]
-void take_velocity_from_way(const ClothModel& model, const Points& start, Real h, ClothState& state);
+void set_velocity_from_displacement(const ClothModel& model, const Points& start, Real h, ClothState& state);
 
 }  // namespace drape

@@ -3,35 +3,32 @@
 #include <array>
 
 #include "drape/base/assert.h"
-#include "explicit_methods.h"
-#include "implicit_methods.h"
-#include "positional_methods.h"
+#include "methods.h"
 
 namespace drape {
 
 std::unique_ptr<Integrator> make_integrator(const IntegratorParameters& parameters, const Grid& grid) {
-    const int threads = parameters.threads;
     switch (parameters.kind) {
         case IntegratorKind::ExplicitEuler:
-            return make_explicit_euler(grid, threads);
+            return make_explicit_euler(parameters, grid);
         case IntegratorKind::SymplecticEuler:
-            return make_symplectic_euler(grid, threads);
+            return make_symplectic_euler(parameters, grid);
         case IntegratorKind::VelocityVerlet:
-            return make_velocity_verlet(grid, threads);
+            return make_velocity_verlet(parameters, grid);
         case IntegratorKind::Rk4:
-            return make_rk4(grid, threads);
+            return make_rk4(parameters, grid);
         case IntegratorKind::BackwardEuler:
-            return make_backward_euler(grid, parameters.hessian);
+            return make_backward_euler(parameters, grid);
         case IntegratorKind::ImplicitMidpoint:
-            return make_implicit_midpoint(grid, parameters.hessian);
+            return make_implicit_midpoint(parameters, grid);
         case IntegratorKind::Bdf2:
-            return make_bdf2(grid, parameters.hessian);
+            return make_bdf2(parameters, grid);
         case IntegratorKind::Xpbd:
-            return make_xpbd(grid, parameters.iterations);
+            return make_xpbd(parameters, grid);
         case IntegratorKind::ProjectiveDynamics:
-            return make_projective_dynamics(grid, parameters.iterations);
+            return make_projective_dynamics(parameters, grid);
         case IntegratorKind::DormandPrince:
-            return make_dormand_prince(grid.particles(), parameters.tolerance);
+            return make_dormand_prince(parameters, grid);
     }
     DRAPE_ASSERT(false && "every kind has its method");
     return nullptr;

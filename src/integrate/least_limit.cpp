@@ -46,9 +46,9 @@ class Enclosure {
 public:
     Enclosure(ModeSearch& search, double least_damping, const std::function<double(double, double)>& longest)
         : search_(search), longest_(longest) {
-        search.climb(1, 0, turns);
+        search.maximise(1, 0, turns);
         const Mode stiffest = search.mode();
-        search.climb(0, 1, turns);
+        search.maximise(0, 1, turns);
         const Mode most_damped = search.mode();
         const auto unit = [](Real a, Real b) { return a > 0 || b > 0 ? static_cast<double>(std::max(a, b)) : 1.0; };
         stiffness_unit_ = unit(stiffest.stiffness, most_damped.stiffness);
@@ -82,8 +82,8 @@ public:
         const Pair from = sides_[number].touch, to = sides_[number + 1].touch;
         const double a = to.d - from.d, b = from.k - to.k, size = std::abs(a) + std::abs(b);
         if (!(size > 1e-9)) return false;
-        search_.climb(static_cast<Real>(a / (size * stiffness_unit_)), static_cast<Real>(b / (size * damping_unit_)),
-                      turns);
+        search_.maximise(static_cast<Real>(a / (size * stiffness_unit_)), static_cast<Real>(b / (size * damping_unit_)),
+                         turns);
         const auto place = sides_.begin() + static_cast<std::ptrdiff_t>(number) + 1;
         sides_.insert(place, Side{a / size, b / size, -std::numeric_limits<double>::infinity(), {}});
         add(search_.mode(), number + 1);

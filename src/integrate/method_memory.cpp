@@ -22,7 +22,7 @@ double factor_entries(const Grid& grid) { return std::max(12.5 * log_two(grid) -
 /// The same for three coordinates to a particle: nine entries where there was one, less what is found once only.
 double block_factor_entries(const Grid& grid) { return std::max(75 * log_two(grid) - 350, 165.0); }
 
-/// Numbers a particle of the linear system: slopes, inverse blocks, and the vectors of the solver.
+/// Numbers a particle of the linear system: Jacobians, inverse blocks, and the vectors of the solver.
 double numbers_of_system(Hessian hessian) { return hessian == Hessian::Exact ? 75 : 39; }
 
 double numbers_of_arrays(const IntegratorParameters& parameters) {
@@ -36,15 +36,15 @@ double numbers_of_arrays(const IntegratorParameters& parameters) {
             return 15;
         case IntegratorKind::BackwardEuler:
         case IntegratorKind::ImplicitMidpoint:
-            return 9 + numbers_of_system(parameters.hessian);
+            return 12 + numbers_of_system(parameters.hessian);
         case IntegratorKind::Bdf2:
-            return 24 + numbers_of_system(parameters.hessian);
+            return 27 + numbers_of_system(parameters.hessian);
         case IntegratorKind::Xpbd:
-            return 12;
+            return 14;
         case IntegratorKind::ProjectiveDynamics:
-            return 22;
+            return 26;
         case IntegratorKind::DormandPrince:
-            return 54;
+            return 57;
     }
     return 0;
 }
@@ -65,7 +65,9 @@ double factor_bytes(const IntegratorParameters& parameters, const Grid& grid) {
 }  // namespace
 
 double bytes_of_method(const IntegratorParameters& parameters, const Grid& grid) {
-    return grid.particles() * (sizeof(Real) * numbers_of_arrays(parameters) + factor_bytes(parameters, grid));
+    constexpr double rows_of_a_sweep = 109, margins = 36;
+    const double sweep = sizeof(Real) * rows_of_a_sweep * (grid.nx + margins);
+    return sweep + grid.particles() * (sizeof(Real) * numbers_of_arrays(parameters) + factor_bytes(parameters, grid));
 }
 
 }  // namespace drape

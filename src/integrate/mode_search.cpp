@@ -22,9 +22,9 @@ void normalise(Points& u, Points& image) {
 }  // namespace
 
 ModeSearch::ModeSearch(const ClothModel& model, const ClothState& state)
-    : model_(model), slopes_(model.grid, Hessian::Clamped) {
+    : model_(model), jacobian_(model.grid, Hessian::Clamped) {
     const int n = model.grid.particles();
-    slopes_.linearise(model, state.x, state.v);
+    jacobian_.linearise(model, state.x, state.v);
     for (Points* points : {&y_, &r_, &p_, &ay_, &ar_, &ap_}) points->setZero(n, 3);
 }
 
@@ -41,7 +41,7 @@ void ModeSearch::add_noise(Real size) {
 
 void ModeSearch::apply(Real a, Real b, const Points& u, Points& out) const {
     out.setZero();
-    slopes_.add_product(a, b, u, out);
+    jacobian_.add_product(a, b, u, out);
     for (int axis = 0; axis < 3; ++axis) out.col(axis).array() *= model_.inverse_mass;
 }
 
@@ -65,7 +65,7 @@ void ModeSearch::take_best() {
     normalise(y_, ay_);
 }
 
-Real ModeSearch::climb(Real a, Real b, int turns) {
+Real ModeSearch::maximise(Real a, Real b, int turns) {
     constexpr int patience = 6;
     constexpr Real worthwhile = Real(1e-5);
     add_noise(y_.isZero(0) ? Real(1) : Real(0.3));

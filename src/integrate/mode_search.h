@@ -16,7 +16,7 @@ struct Mode {
 
 /// Looks for the vibration of the free particles that has the largest a k + b d, where k and d are those of `Mode`.
 ///
-/// Locally optimal conjugate gradients: each turn takes the best vector of the space of y, the slope r at y, and the
+/// Locally optimal conjugate gradients: each turn takes the best vector of the space of y, the gradient r at y, and the
 /// last direction p. It comes as near as Lanczos' method in as many products, needs three vectors, and has y at hand.
 /// Invariant: y, p and r have norm 1 or 0 and are orthogonal.
 /// @cite knyazev2001
@@ -28,7 +28,7 @@ public:
     /// Goes on from the vector that was found last, with a little noise; ends after `turns`, or when the turns no
     /// longer gain anything.
     /// @return a k + b d of what was found
-    Real climb(Real a, Real b, int turns);
+    Real maximise(Real a, Real b, int turns);
 
     /// What was found last.
     [[nodiscard]] Mode mode();
@@ -39,7 +39,7 @@ private:
     void take_best();
 
     const ClothModel& model_;
-    Jacobian slopes_;
+    Jacobian jacobian_;
     Points y_, r_, p_, ay_, ar_, ap_;
 };
 

@@ -27,9 +27,9 @@ constexpr int refinements = 50;
 
 }  // namespace
 
-NewtonSystem::NewtonSystem(const Grid& grid, Hessian hessian, Solver solver)
+NewtonSystem::NewtonSystem(const Grid& grid, Hessian hessian, Kernels kernels, Solver solver)
     : factors_first_(solver == Solver::Factors || (solver == Solver::Automatic && comes_first(grid))),
-      jacobian_(grid, hessian),
+      jacobian_(grid, hessian, kernels),
       inverse_(grid.particles(), 6),
       conjugate_gradients_(grid.particles()) {
     pinned_.reserve(static_cast<std::size_t>(grid.particles()));

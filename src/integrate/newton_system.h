@@ -26,12 +26,12 @@ public:
     enum class Solver { Automatic, Factors, Blocks };
 
     /// @param solver other than `Automatic` only to compare
-    NewtonSystem(const Grid& grid, Hessian hessian, Solver solver = Solver::Automatic);
+    NewtonSystem(const Grid& grid, Hessian hessian, Kernels kernels, Solver solver = Solver::Automatic);
 
     /// Whether a system over this grid keeps factors, which is most of its memory.
     static bool keeps_factors(const Grid& grid, Hessian hessian);
 
-    /// Takes the slopes at a state.
+    /// Takes the Jacobians at a state.
     void linearise(const ClothModel& model, const Points& x, const Points& v);
 
     /// r += scale K u, pinned particles included: a hand that moves one pulls at its neighbours.

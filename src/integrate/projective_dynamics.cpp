@@ -1,7 +1,7 @@
-#include "drape/model/forces.h"
+#include "drape/model/force_sweep.h"
 #include "global_matrix.h"
 #include "inertial_guess.h"
-#include "positional_methods.h"
+#include "methods.h"
 #include "spring_passes.h"
 
 namespace drape {
@@ -17,10 +17,11 @@ namespace {
 /// @cite liu2013 @cite bouaziz2014
 class ProjectiveDynamics final : public Integrator {
 public:
-    ProjectiveDynamics(const Grid& grid, int iterations)
-        : iterations_(iterations),
-          inertial_(grid.particles()),
-          dampers_(grid),
+    ProjectiveDynamics(const IntegratorParameters& parameters, const Grid& grid)
+        : iterations_(parameters.iterations),
+          inertial_(grid, parameters.kernels),
+          dampers_(grid, parameters.kernels),
+          forces_(grid, parameters.kernels),
           global_(grid),
           start_(grid.particles(), 3),
           guess_(grid.particles(), 3),
@@ -39,7 +40,7 @@ public:
         const Real stiffness = inertia(model, h) / (h * h);
         Real first_gradient = 0, last_gradient = 0;
         for (int iteration = 0; iteration < iterations_; ++iteration) {
-            compute_forces(elastic_, state.x, state.v, r_);
+            forces_.compute(elastic_, state.x, state.v, r_);
             r_ += stiffness * (guess_ - state.x);
             for (int axis = 0; axis < 3; ++axis) {
                 r_.col(axis) = (model.inverse_mass > 0).select(r_.col(axis).array(), Real(0));
@@ -49,7 +50,7 @@ public:
             global_.solve(r_);
             state.x += r_;
         }
-        take_velocity_from_way(model, start_, h, state);
+        set_velocity_from_displacement(model, start_, h, state);
         return {.force_evaluations = 1 + iterations_,
                 .iterations = iterations_,
                 .residual = first_gradient > 0 ? last_gradient / first_gradient : Real(0)};
@@ -64,13 +65,14 @@ private:
         state.x += h * state.v;
         dampers_.begin(model, h);
         dampers_.pass(springs, start_, state.x);
-        take_velocity_from_way(model, start_, h, state);
+        set_velocity_from_displacement(model, start_, h, state);
         state.x = start_;
     }
 
     int iterations_;
     InertialGuess inertial_;
     SpringPasses dampers_;
+    ForceSweep forces_;
     GlobalMatrix global_;
     ClothModel elastic_;  ///< the model with nothing but its springs' stiffness
     Points start_, guess_, r_;
@@ -78,8 +80,8 @@ private:
 
 }  // namespace
 
-std::unique_ptr<Integrator> make_projective_dynamics(const Grid& grid, int iterations) {
-    return std::make_unique<ProjectiveDynamics>(grid, iterations);
+std::unique_ptr<Integrator> make_projective_dynamics(const IntegratorParameters& parameters, const Grid& grid) {
+    return std::make_unique<ProjectiveDynamics>(parameters, grid);
 }
 
 }  // namespace drape

@@ -1,18 +1,21 @@
 #include "drape/model/force_sweep.h"
-#include "explicit_methods.h"
+#include "methods.h"
 
 namespace drape {
 namespace {
 
-/// The classical Runge-Kutta method of order 4 on y = (x, v), y' = (v, a(x, v)).
+/// The classical Runge-Kutta method of order 4 on y = (x, v), y' = (v, a(x, v)):
+/// k_1 = y'(y), k_2 = y'(y + h/2 k_1), k_3 = y'(y + h/2 k_2), k_4 = y'(y + h k_3); y += h/6 (k_1 + 2 k_2 + 2 k_3 +
+/// k_4).
+/// @cite kutta1901
 class Rk4 final : public Integrator {
 public:
-    Rk4(const Grid& grid, int threads)
-        : forces_(grid, threads),
+    Rk4(const IntegratorParameters& parameters, const Grid& grid)
+        : forces_(grid, parameters.kernels, parameters.threads),
           x_(grid.particles(), 3),
-          v_(grid.particles(), 3),
-          x_sum_(grid.particles(), 3),
-          v_sum_(grid.particles(), 3) {}
+          v_(x_),
+          x_sum_(x_),
+          v_sum_(x_) {}
 
     SolveReport step(const ClothModel& model, ClothState& state, Real h) override {
         x_ = state.x;
@@ -29,15 +32,13 @@ public:
     }
 
 private:
-    /// Adds the slope at (x_, v_) with its weight, and moves (x_, v_) to `reach` along that slope from the start.
-    void stage(const ClothModel& model, const ClothState& start, Real weight, Real reach) {
+    /// Adds k = y'(x_, v_) with its weight, and moves (x_, v_) to the start + `time` k.
+    void stage(const ClothModel& model, const ClothState& start, Real weight, Real time) {
         forces_(model, x_, v_, [&](const ForceRun& run) {
-            for (int axis = 0; axis < 3; ++axis) {
-                run.of(x_sum_, axis) += weight * run.of(v_, axis);
-                run.of(v_sum_, axis) += weight * run.accelerations(axis);
-                run.of(x_, axis) = run.of(start.x, axis) + reach * run.of(v_, axis);
-                run.of(v_, axis) = run.of(start.v, axis) + reach * run.accelerations(axis);
-            }
+            run.add(weight, v_, x_sum_);
+            run.add_accelerations(weight, v_sum_);
+            run.of(x_) = run.of(start.x) + time * run.of(v_);
+            run.of(v_) = run.of(start.v) + time * run.accelerations();
         });
     }
 
@@ -47,6 +48,8 @@ private:
 
 }  // namespace
 
-std::unique_ptr<Integrator> make_rk4(const Grid& grid, int threads) { return std::make_unique<Rk4>(grid, threads); }
+std::unique_ptr<Integrator> make_rk4(const IntegratorParameters& parameters, const Grid& grid) {
+    return std::make_unique<Rk4>(parameters, grid);
+}
 
 }  // namespace drape

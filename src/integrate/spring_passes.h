@@ -2,7 +2,7 @@
 
 #include <array>
 
-#include "drape/model/cloth_model.h"
+#include "drape/base/kernels.h"
 #include "drape/model/stencils.h"
 
 namespace drape {
@@ -21,7 +21,7 @@ namespace drape {
 /// @cite macklin2016
 class SpringPasses {
 public:
-    explicit SpringPasses(const Grid& grid);
+    SpringPasses(const Grid& grid, Kernels kernels);
 
     /// Starts a step of length h: forgets the multipliers.
     void begin(const ClothModel& model, Real h);
@@ -34,6 +34,7 @@ public:
 
 private:
     Grid grid_;
+    Kernels kernels_;
     Real h_ = 0;
     Eigen::Array<Real, Eigen::Dynamic, 1> weights_;      ///< n x 1: 1 / (m + h b), and 0 for a pinned particle
     Eigen::Array<Real, Eigen::Dynamic, 6> multipliers_;  ///< q of each direction's springs, at their first ends

@@ -103,7 +103,7 @@ Piece critical_piece(const ClothModel& model, const ClothState& state) {
         for (int column = 0; column < pieces(model.grid.nx); ++column) {
             const Piece piece = cut_out(model, state, column, row);
             ModeSearch search(piece.model, piece.state);
-            const Real stiffness = search.climb(1, 0, glance), damping = alike ? 0 : search.climb(0, 1, glance);
+            const Real stiffness = search.maximise(1, 0, glance), damping = alike ? 0 : search.maximise(0, 1, glance);
             const Real step = longest_step(IntegratorKind::SymplecticEuler, stiffness, damping);
             if (step < shortest) shortest = step, critical = {column, row};
         }

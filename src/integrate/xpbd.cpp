@@ -1,5 +1,5 @@
 #include "inertial_guess.h"
-#include "positional_methods.h"
+#include "methods.h"
 #include "spring_passes.h"
 
 namespace drape {
@@ -12,8 +12,11 @@ namespace {
 /// @cite macklin2016 @cite macklin2019
 class Xpbd final : public Integrator {
 public:
-    Xpbd(const Grid& grid, int iterations)
-        : iterations_(iterations), guess_(grid.particles()), passes_(grid), start_(grid.particles(), 3) {}
+    Xpbd(const IntegratorParameters& parameters, const Grid& grid)
+        : iterations_(parameters.iterations),
+          guess_(grid, parameters.kernels),
+          passes_(grid, parameters.kernels),
+          start_(grid.particles(), 3) {}
 
     SolveReport step(const ClothModel& model, ClothState& state, Real h) override {
         start_ = state.x;
@@ -21,7 +24,7 @@ public:
         passes_.begin(model, h);
         const auto springs = spring_stencils(model);
         for (int iteration = 0; iteration < iterations_; ++iteration) passes_.pass(springs, start_, state.x);
-        take_velocity_from_way(model, start_, h, state);
+        set_velocity_from_displacement(model, start_, h, state);
         return {.force_evaluations = 1, .iterations = iterations_};
     }
 
@@ -34,8 +37,8 @@ private:
 
 }  // namespace
 
-std::unique_ptr<Integrator> make_xpbd(const Grid& grid, int iterations) {
-    return std::make_unique<Xpbd>(grid, iterations);
+std::unique_ptr<Integrator> make_xpbd(const IntegratorParameters& parameters, const Grid& grid) {
+    return std::make_unique<Xpbd>(parameters, grid);
 }
 
 }  // namespace drape

@@ -55,7 +55,7 @@ void solve(benchmark::State& bench, Hessian hessian, NewtonSystem::Solver solver
     const ClothParameters cloth = sheet(side, load.stiffness);
     const ClothModel model = make_cloth_model(cloth);
     const ClothState state = fallen(cloth, model);
-    NewtonSystem system(model.grid, hessian, solver);
+    NewtonSystem system(model.grid, hessian, Kernels::Vector, solver);
     Points force(model.grid.particles(), 3), right = force, dv = force;
     compute_forces(model, state.x, state.v, force);
     system.linearise(model, state.x, state.v);

@@ -5,7 +5,7 @@
 #include <gtest/gtest.h>
 #include <hwy/targets.h>
 
-#include "bench/spring_list.h"
+#include "drape/model/forces.h"
 #include "support/allocations.h"
 #include "support/cloths.h"
 
@@ -31,21 +31,19 @@ struct Moving {
     }
 
     [[nodiscard]] Points forces(int threads) const {
-        ForceSweep sweep(model.grid, threads);
+        ForceSweep sweep(model.grid, Kernels::Vector, threads);
         return forces(sweep);
     }
 
     [[nodiscard]] Points forces(ForceSweep& sweep) const {
         Points f = Points::Constant(state.x.rows(), 3, -1);
-        sweep(model, state.x, state.v, [&](const ForceRun& run) {
-            for (int axis = 0; axis < 3; ++axis) run.of(f, axis) = run.forces(axis);
-        });
+        sweep.compute(model, state.x, state.v, f);
         return f;
     }
 
-    [[nodiscard]] Points forces_of_a_list() const {
+    [[nodiscard]] Points plain_forces() const {
         Points f(state.x.rows(), 3);
-        bench::SpringList(model).forces(model, state.x, state.v, f);
+        compute_forces(model, state.x, state.v, f);
         return f;
     }
 };
@@ -54,18 +52,21 @@ Real difference(const Points& a, const Points& b) { return (a - b).cwiseAbs().ma
 
 constexpr Real rounding = 1e-12;
 
-TEST(ForceSweep, GivesWhatAListOfSpringsGives) {
+TEST(ForceSweep, GivesWhatThePlainCodeGives) {
     for (const Grid grid : odd_grids) {
-        const Moving cloth(grid);
-        EXPECT_LT(difference(cloth.forces(1), cloth.forces_of_a_list()), rounding) << grid.nx << " x " << grid.ny;
+        Moving cloth(grid);
+        for (const Real air : {Real(0), Real(1.2)}) {
+            cloth.model.air = {Vec3(3, -1, 2), air};
+            EXPECT_LT(difference(cloth.forces(1), cloth.plain_forces()), rounding) << grid.nx << " x " << grid.ny;
+        }
     }
 }
 
-TEST(ForceSweep, GivesWhatAListGivesWithoutSpringsOfSomeKind) {
+TEST(ForceSweep, GivesWhatThePlainCodeGivesWithoutSpringsOfSomeKind) {
     for (SpringLaw ClothModel::*law : {&ClothModel::structural, &ClothModel::shear, &ClothModel::bend}) {
         Moving cloth({31, 17});
         cloth.model.*law = {};
-        EXPECT_LT(difference(cloth.forces(1), cloth.forces_of_a_list()), rounding);
+        EXPECT_LT(difference(cloth.forces(1), cloth.plain_forces()), rounding);
     }
 }
 
@@ -73,7 +74,7 @@ TEST(ForceSweep, RemembersNothingOfTheSweepBefore) {
     for (const Grid grid : odd_grids) {
         Moving cloth(grid);
         const Points before = cloth.forces(1);
-        ForceSweep sweep(grid, 1);
+        ForceSweep sweep(grid);
         EXPECT_EQ(cloth.forces(sweep), before);
         EXPECT_EQ(cloth.forces(sweep), before);
         for (SpringLaw* law : {&cloth.model.structural, &cloth.model.shear, &cloth.model.bend}) {
@@ -86,7 +87,7 @@ TEST(ForceSweep, RemembersNothingOfTheSweepBefore) {
 TEST(ForceSweep, IsSeenToDifferWhenAStiffnessIsOnePartInABillionOff) {
     for (const Grid grid : odd_grids) {
         Moving cloth(grid);
-        const Points expected = cloth.forces_of_a_list();
+        const Points expected = cloth.plain_forces();
         cloth.model.shear.stiffness *= 1 + Real(1e-9);
         EXPECT_GT(difference(cloth.forces(1), expected), rounding) << grid.nx << " x " << grid.ny;
     }
@@ -125,12 +126,10 @@ TEST(ForceSweep, GivesTheSameForcesWhereTheStateIsOverwrittenOnTheWay) {
             Moving cloth(grid);
             const Points expected = cloth.forces(1);
             Points f(cloth.state.x.rows(), 3);
-            ForceSweep sweep(grid, threads);
+            ForceSweep sweep(grid, Kernels::Vector, threads);
             sweep(cloth.model, cloth.state.x, cloth.state.v, [&](const ForceRun& run) {
-                for (int axis = 0; axis < 3; ++axis) {
-                    run.of(f, axis) = run.forces(axis);
-                    run.of(cloth.state.x, axis) = run.of(cloth.state.v, axis) = 1e9;
-                }
+                run.of(f) = run.forces();
+                run.of(cloth.state.x) = run.of(cloth.state.v) = 1e9;
             });
             EXPECT_EQ(f, expected) << grid.nx << " x " << grid.ny << ", threads: " << threads;
         }
@@ -139,13 +138,11 @@ TEST(ForceSweep, GivesTheSameForcesWhereTheStateIsOverwrittenOnTheWay) {
 
 TEST(ForceSweep, AllocatesNothing) {
     const Moving cloth({300, 200});
-    ForceSweep sweep(cloth.model.grid, 3);
+    ForceSweep sweep(cloth.model.grid, Kernels::Vector, 3);
     Points f(cloth.state.x.rows(), 3);
     const auto before = testing::allocations();
     for (int round = 0; round < 3; ++round) {
-        sweep(cloth.model, cloth.state.x, cloth.state.v, [&](const ForceRun& run) {
-            for (int axis = 0; axis < 3; ++axis) run.of(f, axis) = run.accelerations(axis);
-        });
+        sweep(cloth.model, cloth.state.x, cloth.state.v, [&](const ForceRun& run) { run.of(f) = run.accelerations(); });
     }
     EXPECT_EQ(testing::allocations(), before);
 }

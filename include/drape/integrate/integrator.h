@@ -33,7 +33,7 @@ struct IntegratorParameters {
     int iterations = 10;                 ///< of XPBD and projective dynamics in one step
     Real tolerance = Real(1e-6);         ///< of Dormand-Prince: error of a step, of the cloth's spacing
     int threads = 1;                     ///< that share the work of the explicit methods; the result is the same
-    Kernels kernels = Kernels::Vector;   ///< that compute the forces
+    Kernels kernels = Kernels::Vector;   ///< of forces, Jacobians and the springs of XPBD
     bool operator==(const IntegratorParameters&) const = default;
 };
 
@@ -74,7 +74,8 @@ struct SolveReport {
     }
 };
 
-/// Advances a cloth by one step. The state is all it goes on from, so the kind can change between any two steps.
+/// Advances a cloth by one step from its state, so that the kind can change between any two steps. BDF2 alone also uses
+/// the state before; where the state was changed from outside, it restarts with backward Euler.
 class Integrator {
 public:
     virtual ~Integrator() = default;

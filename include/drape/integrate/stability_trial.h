@@ -27,7 +27,8 @@ enum class TrialEnd {
 
 std::string_view name_of(TrialEnd end);
 
-/// The rise of its energy by which a cloth counts as lost: M g L, with the earth's g whether or not it feels it [J].
+/// The rise of its energy by which a cloth counts as diverged: M g L, with the earth's g whether or not it feels it
+/// [J].
 Real energy_to_fail(const ClothModel& model);
 
 /// Runs a cloth with one step size, from a state with noise on it: symmetry would hide the vibrations that grow. The

@@ -9,7 +9,7 @@
 
 namespace drape {
 
-/// The whole state of a cloth. An integrator remembers nothing else.
+/// The whole state of a cloth. (BDF2 alone keeps one more, that of the step before, and restarts without it.)
 struct ClothState {
     Points x;  ///< n x 3 positions [m]
     Points v;  ///< n x 3 velocities [m/s]

@@ -1,5 +1,6 @@
 #pragma once
 
+#include "drape/base/kernels.h"
 #include "drape/model/cloth_model.h"
 
 namespace drape {
@@ -22,7 +23,7 @@ struct Power {
 };
 
 /// @par Cost O(n), as a force evaluation; sums run in a fixed order
-Energy compute_energy(const ClothModel& model, const ClothState& state);
+Energy compute_energy(const ClothModel& model, const ClothState& state, Kernels kernels = Kernels::Vector);
 
 /// The most that the wind can give a cloth, whatever its motion [W]. A plate that yields to a wind W with the speed w
 /// is given 1/2 C rho A (W - w)^2 w, which is the most at w = W/3. Twice that of the cloth at rest, for it may be
@@ -35,9 +36,10 @@ struct EnergyFlow {
     Power power;
 };
 
-/// @param scratch n x 3, overwritten where wind blows or a held particle moves
-/// @par Cost O(n), as a force evaluation, or two where wind blows or a held particle moves
-EnergyFlow compute_energy_flow(const ClothModel& model, const ClothState& state, Points& scratch);
+/// @param wind n x 3, overwritten where wind blows: its forces [N]
+/// @par Cost O(n), as a force evaluation, and somewhat more where wind blows
+EnergyFlow compute_energy_flow(const ClothModel& model, const ClothState& state, Points& wind,
+                               Kernels kernels = Kernels::Vector);
 
 /// The largest relative elongation |d|/L0 - 1 over the structural springs.
 Real largest_stretch(const ClothModel& model, const Points& x);

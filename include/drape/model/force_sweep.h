@@ -3,50 +3,51 @@
 #include <functional>
 #include <vector>
 
+#include "drape/base/kernels.h"
 #include "drape/base/workers.h"
 #include "drape/model/cloth_model.h"
 
 namespace drape {
 
 namespace kernels {
-struct Part;
-class Scratch;
-}  // namespace kernels
+class ForceScratch;
+}
 
-/// The forces on some neighbours in a row of particles, while they are in the cache.
+/// The forces on a run of neighbours in a row of particles, while they are in the cache.
 struct ForceRun {
     Eigen::Index first, count;  ///< the particles
-    const Real* force[3];       ///< count values each [N]
+    const Real* force;          ///< their forces [N], by coordinate
+    Eigen::Index stride;        ///< from the first force of one coordinate to that of the next
     const ClothModel* model;
+    Kernels kernels = Kernels::Vector;
 
-    /// The run's part of an n x 3 array, of one axis.
-    [[nodiscard]] auto of(const Points& points, int axis) const {
-        return points.col(axis).segment(first, count).array();
-    }
-    [[nodiscard]] auto of(Points& points, int axis) const { return points.col(axis).segment(first, count).array(); }
+    /// The run's rows of an n x 3 array.
+    [[nodiscard]] auto of(const Points& points) const { return points.middleRows(first, count).array(); }
+    [[nodiscard]] auto of(Points& points) const { return points.middleRows(first, count).array(); }
 
-    [[nodiscard]] auto forces(int axis) const {
-        return Eigen::Map<const Eigen::Array<Real, Eigen::Dynamic, 1>>(force[axis], count);
+    [[nodiscard]] auto forces() const {
+        using Forces = Eigen::Array<Real, Eigen::Dynamic, 3>;
+        return Eigen::Map<const Forces, 0, Eigen::OuterStride<>>(force, count, 3, Eigen::OuterStride<>(stride));
     }
 
     /// a = f/m, and zero for pinned particles [m/s^2].
-    [[nodiscard]] auto accelerations(int axis) const {
-        return forces(axis) * model->inverse_mass.segment(first, count);
-    }
+    [[nodiscard]] auto accelerations() const { return forces().colwise() * model->inverse_mass.segment(first, count); }
+
+    /// y += s u on the run's rows, and y += s a.
+    void add(Real s, const Points& u, Points& y) const;
+    void add_accelerations(Real s, Points& y) const;
 };
 
-/// Some numbers that lie in one line of the cache: what vectors are best loaded from.
-struct alignas(64) CacheLine {
-    static constexpr int numbers = 64 / sizeof(Real);
-    Real values[numbers];
-};
-
-/// Evaluates all forces on a cloth in one sweep over it, on one or more threads, and hands them over run by run, so
-/// that what is made of them is made before they leave the cache. Each particle's forces are added up in one order,
-/// wherever runs begin and end: the bits do not depend on the number of threads.
+/// Evaluates all forces on a cloth, for every method of integration.
+///
+/// With vector kernels it is one sweep over the cloth, on one or more threads, which hands the forces over run by run,
+/// so that what is made of them is made before they leave the cache. Each particle's forces are added up in one order,
+/// wherever runs begin and end: the bits do not depend on the number of threads. The plain way is `compute_forces`, and
+/// one run of the whole cloth.
 class ForceSweep {
 public:
-    ForceSweep(const Grid& grid, int threads);
+    explicit ForceSweep(const Grid& grid, Kernels kernels = Kernels::Vector, int threads = 1);
+    ~ForceSweep();
 
     /// Calls use(run) for runs that hold each particle once.
     /// @param x n x 3 [m]
@@ -59,17 +60,21 @@ public:
         sweep(model, x, v, std::ref(use));
     }
 
+    /// All forces at once.
+    /// @param f n x 3 [N], overwritten
+    void compute(const ClothModel& model, const Points& x, const Points& v, Points& f) {
+        (*this)(model, x, v, [&f](const ForceRun& run) { run.of(f) = run.forces(); });
+    }
+
 private:
     void sweep(const ClothModel& model, const Points& x, const Points& v,
                const std::function<void(const ForceRun&)>& use);
 
-    [[nodiscard]] kernels::Part part(int number) const;
-    [[nodiscard]] kernels::Scratch scratch(int number);
-
     Grid grid_;
-    Points wind_;
-    std::vector<std::vector<CacheLine>> scratch_;  // one a part
+    Kernels kernels_;
+    Points forces_;  ///< of the wind alone with vector kernels, which find the others on the way
     Workers workers_;
+    std::vector<kernels::ForceScratch> parts_;  ///< one a thread; none if plain
 };
 
 }  // namespace drape

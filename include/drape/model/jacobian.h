@@ -2,7 +2,8 @@
 
 #include <array>
 
-#include "drape/model/cloth_model.h"
+#include "drape/base/kernels.h"
+#include "drape/model/stencils.h"
 
 namespace drape {
 
@@ -10,23 +11,24 @@ namespace drape {
 /// damping adds to K is left out where it is not symmetric; K is then symmetric and positive semidefinite.
 enum class Hessian { Clamped, Exact };
 
-/// The slopes K = -df/dx and D = -df/dv of the forces of springs and air drag, spring by spring and never as a matrix.
+/// The Jacobians K = -df/dx and D = -df/dv of the forces of springs and air drag, spring by spring and never as a
+/// matrix.
 ///
 /// A spring pulls with T = k (|d| - L0) + c n.w, where d = x_a - x_b, n = d/|d| and w = v_a - v_b. With P = I - n n',
 /// its blocks, added at (a,a) and (b,b) and subtracted at (a,b) and (b,a), are
 ///
 ///     K: k n n' + T/|d| P + c/|d| n (P w)'        D: c n n'
 ///
-/// `Clamped` takes max(T, 0) for T and drops the last, unsymmetric, term (as Baraff and Witkin do). A spring of zero
-/// length has neither force nor slope. The wind's slopes are left out: it acts on the cloth explicitly, and methods of
-/// second order are of first order in it.
+/// `Clamped` takes max(T, 0) for T and drops the last, unsymmetric, term (as Baraff and Witkin do). The blocks of a
+/// spring of zero length are zero, as its force is. The wind is left out: it acts on the cloth explicitly, and methods
+/// of second order are of first order in it.
 /// @cite baraff1998
 class Jacobian {
 public:
     /// Makes room for a grid's springs; nothing later allocates.
-    Jacobian(const Grid& grid, Hessian hessian);
+    Jacobian(const Grid& grid, Hessian hessian, Kernels kernels = Kernels::Vector);
 
-    /// Takes the slopes at a state.
+    /// Takes the Jacobians at a state.
     /// @param x, v n x 3 [m], [m/s]
     /// @pre the model has this grid
     /// @par Cost O(n), about two force evaluations
@@ -47,39 +49,46 @@ public:
     template <class Visit>
     void for_each_block(Real k_scale, Real d_scale, Visit visit) const {
         for (const Family& family : families_) {
-            const Real along = k_scale * family.stiffness + d_scale * family.damping;
-            for (int j = 0; j < family.rows; ++j) {
-                for (int i = 0; i < family.count; ++i) {
-                    const int a = family.first + j * family.stride + i;
-                    visit(a, a + family.reach, block(family, a, along, k_scale));
-                }
-            }
+            if (family.none()) continue;
+            const Real along = family.along(k_scale, d_scale);
+            family.springs.for_each(grid_, [&](int a, int b) { visit(a, b, block(family, a, along, k_scale)); });
         }
     }
 
 private:
-    /// The springs of one direction, which join each particle a with a + reach. Between the end of one row's springs
-    /// and the start of the next the slopes stay zero, so that a product can run over all rows at once.
+    /// The springs of one direction. Between the end of one row's springs and the start of the next, what is known of
+    /// them stays zero, so that a product can run over all rows at once.
     struct Family {
-        Real stiffness = 0, damping = 0;
-        int first = 0, reach = 0, rows = 0, count = 0, stride = 0;
+        SpringStencil springs{};
         /// One row a spring, by its first particle: n (3 columns), T/|d| [N/m], and unless clamped c/|d| P w [N/m] (3).
-        Eigen::Matrix<Real, Eigen::Dynamic, Eigen::Dynamic> slopes;
+        Eigen::Matrix<Real, Eigen::Dynamic, Eigen::Dynamic> terms;
+
+        [[nodiscard]] bool none() const { return springs.law == SpringLaw{}; }
+
+        /// What a block does to a vector along the spring.
+        [[nodiscard]] Real along(Real k_scale, Real d_scale) const {
+            return k_scale * springs.law.stiffness + d_scale * springs.law.damping;
+        }
     };
 
     [[nodiscard]] static Block block(const Family& family, int a, Real along, Real k_scale) {
-        const Vec3 n = family.slopes.row(a).head<3>().transpose();
-        const Real across = k_scale * family.slopes(a, 3);
+        const Vec3 n = family.terms.row(a).head<3>().transpose();
+        const Real across = k_scale * family.terms(a, 3);
         Block result = (along - across) * n * n.transpose();
         result.diagonal().array() += across;
-        if (family.slopes.cols() > 4) {
-            const Vec3 skew = k_scale / 2 * family.slopes.row(a).tail<3>().transpose();
+        if (family.terms.cols() > 4) {
+            const Vec3 skew = k_scale / 2 * family.terms.row(a).tail<3>().transpose();
             result += n * skew.transpose() + skew * n.transpose();
         }
         return result;
     }
 
+    static void linearise_plainly(const Grid& grid, const Points& x, const Points& v, Family& family);
+    void add_product_plainly(const Family& family, Real along, Real k_scale, const Points& u, Points& y) const;
+
+    Grid grid_;
     Hessian hessian_;
+    Kernels kernels_;
     Real drag_ = 0;
     std::array<Family, 6> families_;
 };

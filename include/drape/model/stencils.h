@@ -17,6 +17,18 @@ struct SpringStencil {
     [[nodiscard]] int rows(const Grid& grid) const { return grid.ny - dj; }
     [[nodiscard]] int first_column() const { return di < 0 ? -di : 0; }
     [[nodiscard]] int count(const Grid& grid) const { return grid.nx - (di < 0 ? -di : di); }
+
+    /// From the number of the first end to that of the second.
+    [[nodiscard]] int offset(const Grid& grid) const { return dj * grid.nx + di; }
+
+    /// Calls visit(a, b) for each spring by its two ends, row by row.
+    template <class Visit>
+    void for_each(const Grid& grid, Visit visit) const {
+        for (int j = 0; j < rows(grid); ++j) {
+            const int first = grid.particle(first_column(), j);
+            for (int a = first; a < first + count(grid); ++a) visit(a, a + offset(grid));
+        }
+    }
 };
 
 /// From a spring's first end to its second, in columns and rows.
@@ -25,6 +37,7 @@ struct SpringDirection {
 };
 
 /// The six directions of a cloth's springs: structural, shear, bend, two each.
+/// @cite provot1995
 inline constexpr std::array<SpringDirection, 6> spring_directions{{{1, 0}, {0, 1}, {1, 1}, {-1, 1}, {2, 0}, {0, 2}}};
 
 /// The springs of all directions.

@@ -1,32 +1,34 @@
-#include "wind.h"
+#include "model/kernels/wind_kernels.h"
+
+#undef HWY_TARGET_INCLUDE
+#define HWY_TARGET_INCLUDE "model/kernels/wind_kernels.cpp"
+#include <hwy/foreach_target.h>
+#include <hwy/highway.h>
 
 #include <algorithm>
 #include <cmath>
 #include <limits>
 
-#include "drape/base/vectorise.h"
-#include "drape/model/energy.h"
+#include "drape/model/forces.h"
+#include "model/kernels/axes.h"
 
-namespace drape {
-namespace kernels {
-namespace {
-
-/// Drag coefficient of a square plate across the flow (@cite hoerner1965, chapter 3).
-constexpr Real plate_coefficient = Real(1.17);
+HWY_BEFORE_NAMESPACE();
+namespace drape::kernels::HWY_NAMESPACE {
 
 /// Cells are evaluated in runs of this many, so that their forces fit on the stack.
-constexpr int run_length = 128;
+constexpr int wind_run = 128;
+
+using Axes = std::array<const Real*, 3>;
 
 struct Triple {
     Real x, y, z;
 };
 
-DRAPE_INLINE Triple at(const Real* const p[3], int i) { return {p[0][i], p[1][i], p[2][i]}; }
-DRAPE_INLINE Triple minus(Triple a, Triple b) { return {a.x - b.x, a.y - b.y, a.z - b.z}; }
+HWY_INLINE Triple at(const Axes& p, int i) { return {p[0][i], p[1][i], p[2][i]}; }
+HWY_INLINE Triple minus(Triple a, Triple b) { return {a.x - b.x, a.y - b.y, a.z - b.z}; }
 
 /// A third of the force on triangle a, b, c. With the area vector S = A n it is 1/6 C rho |u.S| (u.S) / |S|^2 S.
-DRAPE_INLINE Triple third_of_force(const Real* const x[3], const Real* const v[3], int a, int b, int c, Triple air,
-                                   Real factor) {
+HWY_INLINE Triple third_of_force(const Axes& x, const Axes& v, int a, int b, int c, Triple air, Real factor) {
     const Triple ab = minus(at(x, b), at(x, a)), ac = minus(at(x, c), at(x, a));
     const Triple s{(ab.y * ac.z - ab.z * ac.y) / 2, (ab.z * ac.x - ab.x * ac.z) / 2, (ab.x * ac.y - ab.y * ac.x) / 2};
     const Triple va = at(v, a), vb = at(v, b), vc = at(v, c);
@@ -38,17 +40,16 @@ DRAPE_INLINE Triple third_of_force(const Real* const x[3], const Real* const v[3
     return {scale * s.x, scale * s.y, scale * s.z};
 }
 
-}  // namespace
-
-DRAPE_VECTORISE void wind_forces(const ClothModel& model, const Real* const x[3], const Real* const v[3],
-                                 Real* const f[3]) {
+void add_wind_forces(const ClothModel& model, const Points& points, const Points& velocities, Points& forces) {
+    const Axes x = axes(points), v = axes(velocities);
+    const std::array<Real*, 3> f = axes(forces);
     const Grid grid = model.grid;
     const Triple air{model.air.velocity[0], model.air.velocity[1], model.air.velocity[2]};
     const Real factor = plate_coefficient * model.air.density / 6;
-    Real first[3][run_length], second[3][run_length];
+    Real first[3][wind_run], second[3][wind_run];
     for (int j = 0; j < grid.cell_rows(); ++j) {
-        for (int start = 0; start < grid.cell_columns(); start += run_length) {
-            const int count = std::min(run_length, grid.cell_columns() - start);
+        for (int start = 0; start < grid.cell_columns(); start += wind_run) {
+            const int count = std::min(wind_run, grid.cell_columns() - start);
             const int a = grid.particle(start, j), b = a + 1, c = a + grid.nx, d = c + 1;
 
             // Both triangles of each cell
@@ -60,7 +61,7 @@ DRAPE_VECTORISE void wind_forces(const ClothModel& model, const Real* const x[3]
             }
 
             // Corners b and c belong to both
-            for (int axis = 0; axis < 3; ++axis) {
+            for (std::size_t axis = 0; axis < 3; ++axis) {
                 const Real *p = first[axis], *q = second[axis];
                 Real* const g = f[axis];
                 for (int i = 0; i < count; ++i) g[a + i] += p[i];
@@ -72,15 +73,17 @@ DRAPE_VECTORISE void wind_forces(const ClothModel& model, const Real* const x[3]
     }
 }
 
-}  // namespace kernels
+}  // namespace drape::kernels::HWY_NAMESPACE
+HWY_AFTER_NAMESPACE();
 
-double most_wind_power(const ClothModel& model) {
-    constexpr double stretched = 2;
-    const auto speed = static_cast<double>(model.air.velocity.norm());
-    const Grid& grid = model.grid;
-    const auto area = static_cast<double>(model.hx * model.hy) * (grid.nx - 1) * (grid.ny - 1);
-    const auto pressure = static_cast<double>(kernels::plate_coefficient * model.air.density) / 2;  // over W^2
-    return stretched * pressure * area * speed * speed * speed * 4 / 27;
+#if HWY_ONCE
+namespace drape::kernels {
+
+HWY_EXPORT(add_wind_forces);
+
+void add_wind_forces(const ClothModel& model, const Points& x, const Points& v, Points& f) {
+    HWY_DYNAMIC_DISPATCH(add_wind_forces)(model, x, v, f);
 }
 
-}  // namespace drape
+}  // namespace drape::kernels
+#endif

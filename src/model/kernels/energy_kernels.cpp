@@ -1,0 +1,102 @@
+#include "model/kernels/energy_kernels.h"
+
+#undef HWY_TARGET_INCLUDE
+#define HWY_TARGET_INCLUDE "model/kernels/energy_kernels.cpp"
+#include <hwy/foreach_target.h>
+#include <hwy/highway.h>
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+#include "model/kernels/axes.h"
+
+HWY_BEFORE_NAMESPACE();
+namespace drape::kernels::HWY_NAMESPACE {
+
+/// Sums run in this many lanes; element i goes to lane i modulo it.
+constexpr int lanes = 8;
+
+/// What is added up is evaluated in runs of this many, so that it fits on the stack.
+constexpr int energy_run = 128;
+
+using Lanes = std::array<double, lanes>;
+
+HWY_INLINE double total(const Lanes& sums) {
+    return ((sums[0] + sums[4]) + (sums[2] + sums[6])) + ((sums[1] + sums[5]) + (sums[3] + sums[7]));
+}
+
+/// @param values energy_run of them, those from `count` on overwritten by zeros
+HWY_INLINE void add_run(double* values, int count, Lanes& sums) {
+    const int whole = (count + lanes - 1) / lanes * lanes;
+    for (int i = count; i < whole; ++i) values[i] = 0;
+    for (int i = 0; i < whole; i += lanes) {
+        for (int lane = 0; lane < lanes; ++lane) sums[static_cast<std::size_t>(lane)] += values[i + lane];
+    }
+}
+
+HWY_INLINE double sum_of_squares_of(const Real* p, int count) {
+    Lanes sums{};
+    for (int start = 0; start < count; start += energy_run) {
+        const int length = std::min(energy_run, count - start);
+        double values[energy_run];
+        for (int i = 0; i < length; ++i) {
+            const double value = static_cast<double>(p[start + i]);
+            values[i] = value * value;
+        }
+        add_run(values, length, sums);
+    }
+    return total(sums);
+}
+
+double sum_of_squares(const Points& p) {
+    const auto [x, y, z] = axes(p);
+    const int count = static_cast<int>(p.rows());
+    return sum_of_squares_of(x, count) + sum_of_squares_of(y, count) + sum_of_squares_of(z, count);
+}
+
+SpringSums sum_over_springs(const SpringStencil& springs, const Grid& grid, const Points& positions,
+                            const Points& velocities) {
+    const auto [x, y, z] = axes(positions);
+    const auto [u, v, w] = axes(velocities);
+    const auto rest = static_cast<double>(springs.rest_length);
+    const int count = springs.count(grid), offset = springs.offset(grid);
+    Lanes elongations{}, speeds{};
+    for (int j = 0; j < springs.rows(grid); ++j) {
+        const int first = grid.particle(springs.first_column(), j);
+        for (int start = 0; start < count; start += energy_run) {
+            const int length = std::min(energy_run, count - start);
+            double elongation[energy_run], speed[energy_run];
+            for (int i = 0; i < length; ++i) {
+                const int a = first + start + i, b = a + offset;
+                const double dx = x[a] - x[b], dy = y[a] - y[b], dz = z[a] - z[b];
+                const double ux = u[a] - u[b], uy = v[a] - v[b], uz = w[a] - w[b];
+                const double square = dx * dx + dy * dy + dz * dz, along = dx * ux + dy * uy + dz * uz;
+                const double longer = std::sqrt(square) - rest;
+                elongation[i] = longer * longer;
+                speed[i] = along * along / std::max(square, std::numeric_limits<double>::min());
+            }
+            add_run(elongation, length, elongations);
+            add_run(speed, length, speeds);
+        }
+    }
+    return {total(elongations), total(speeds)};
+}
+
+}  // namespace drape::kernels::HWY_NAMESPACE
+HWY_AFTER_NAMESPACE();
+
+#if HWY_ONCE
+namespace drape::kernels {
+
+HWY_EXPORT(sum_over_springs);
+HWY_EXPORT(sum_of_squares);
+
+SpringSums sum_over_springs(const SpringStencil& springs, const Grid& grid, const Points& x, const Points& v) {
+    return HWY_DYNAMIC_DISPATCH(sum_over_springs)(springs, grid, x, v);
+}
+
+double sum_of_squares(const Points& p) { return HWY_DYNAMIC_DISPATCH(sum_of_squares)(p); }
+
+}  // namespace drape::kernels
+#endif

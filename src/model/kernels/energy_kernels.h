@@ -1,0 +1,22 @@
+#pragma once
+
+#include "drape/model/stencils.h"
+
+namespace drape {
+
+/// What the springs of one direction add up to.
+struct SpringSums {
+    double squared_elongations = 0;     ///< of (|d| - L0)^2 [m^2]
+    double squared_closing_speeds = 0;  ///< of (n.(v_a - v_b))^2; without a direction a spring adds nothing [m^2/s^2]
+};
+
+namespace kernels {
+
+/// Sums run in eight lanes, whatever the width of the vectors.
+SpringSums sum_over_springs(const SpringStencil& springs, const Grid& grid, const Points& x, const Points& v);
+
+/// The sum of p^2 over all coordinates.
+double sum_of_squares(const Points& p);
+
+}  // namespace kernels
+}  // namespace drape

@@ -1,0 +1,84 @@
+#pragma once
+
+#include <array>
+#include <cstddef>
+#include <functional>
+#include <vector>
+
+#include "drape/model/force_sweep.h"
+
+/// The loop over springs, vectorised for several generations of processors, of which the best that there is gets chosen
+/// at run time. Every particle's sum is made in one order with exact roots and quotients: the bits are the same on all.
+namespace drape::kernels {
+
+/// What the forces depend on, by coordinate.
+struct ForceInput {
+    const ClothModel* model;
+    std::array<const Real*, 3> x;     ///< [m]
+    std::array<const Real*, 3> v;     ///< [m/s]
+    std::array<const Real*, 3> wind;  ///< [N], of every particle; null if there is none
+};
+
+/// One row a coordinate.
+using Rows = std::array<Real*, 3>;
+
+/// The rows of numbers that a sweep over some rows of the cloth works in. Rows of the cloth, which may lie apart by a
+/// power of two and then drive each other out of the cache, are copied here. Particles that the cloth does not have are
+/// zero.
+class ForceScratch {
+public:
+    static constexpr int margin = 16;  ///< columns on both sides that springs and the last vector extend into
+
+    /// For rows first_row to end_row - 1.
+    ForceScratch(const Grid& grid, int first_row, int end_row);
+
+    [[nodiscard]] const Grid& grid() const { return grid_; }
+    [[nodiscard]] int first_row() const { return first_row_; }
+    [[nodiscard]] int end_row() const { return end_row_; }
+    [[nodiscard]] int length() const { return length_; }
+
+    /// A row of particles, of which three follow one another and two after the last one stay.
+    [[nodiscard]] Rows x(int row) { return three(9 * slot(row)); }
+    [[nodiscard]] Rows v(int row) { return three(9 * slot(row) + 3); }
+    [[nodiscard]] Rows wind(int row) { return three(9 * slot(row) + 6); }
+
+    /// Of the springs of one kind with first ends in a row, by the column of that end; three rows are kept, which hold
+    /// what they held before until they are found.
+    [[nodiscard]] Rows pulls(int kind, int row) { return three(45 + 9 * kind + (row + 3) % 3 * 3); }
+
+    /// Of each kind, by the column of the first end: 1 if there is a column for the second end, else 0.
+    [[nodiscard]] Real* there(int kind) { return row_of(99 + kind); }
+    [[nodiscard]] Real* zeros() { return row_of(105); }
+    [[nodiscard]] Rows force() { return three(106); }
+
+private:
+    static constexpr int rows = 109;
+
+    /// Numbers that lie in one line of the cache: what vectors are best loaded from.
+    struct alignas(64) CacheLine {
+        static constexpr int numbers = 64 / sizeof(Real);
+        Real values[numbers];
+    };
+
+    [[nodiscard]] int slot(int row) const { return row < end_row_ ? row % 3 : 3 + row - end_row_; }
+    [[nodiscard]] Real* row_of(int number) { return memory_.data()->values + number * length_; }
+    [[nodiscard]] Rows three(int number) { return {row_of(number), row_of(number + 1), row_of(number + 2)}; }
+
+    Grid grid_;
+    int first_row_, end_row_;
+    int length_;
+    std::vector<CacheLine> memory_;
+};
+
+/// Copies what other parts may overwrite while this one is swept: the rows next to it.
+void copy_neighbours(const ForceInput& input, ForceScratch& scratch);
+
+/// Calls use(run) for each row of a part; what it reads of the part's particles is read before their run is used.
+/// @pre the scratch has the neighbours as they are
+void forces_on(const ForceInput& input, ForceScratch& scratch, const std::function<void(const ForceRun&)>& use);
+
+/// y += s u, or y += s (u w) with a weight for each of `count` particles; strides lead from one coordinate to the next.
+void add_scaled(Real s, const Real* u, Eigen::Index u_stride, const Real* w, Eigen::Index count, Real* y,
+                Eigen::Index y_stride);
+
+}  // namespace drape::kernels

@@ -1,0 +1,101 @@
+// The vector kernels of Jacobians and energy are held to the plain code, on every kind of processor that this one can
+// stand for. Those of the forces are in force_sweep_test.cpp, those of whole steps in integrate/kernels_test.cpp.
+
+#include <gtest/gtest.h>
+#include <hwy/targets.h>
+
+#include "drape/model/energy.h"
+#include "drape/model/jacobian.h"
+#include "support/cloths.h"
+
+namespace drape {
+namespace {
+
+constexpr Grid odd_grids[] = {{2, 2}, {3, 3}, {2, 300}, {31, 17}, {129, 5}, {130, 4}, {257, 3}, {300, 2}};
+constexpr Real rounding = 1e-12;
+
+/// A cloth in wind with nothing special about it, two held particles that move included.
+struct Moving {
+    ClothModel model;
+    ClothState state;
+
+    explicit Moving(const Grid& grid) {
+        ClothParameters parameters;
+        parameters.particles = grid;
+        parameters.height = Real(1.7);
+        parameters.structural = {900, Real(0.3)};
+        parameters.shear = {400, Real(0.2)};
+        parameters.bend = {70, Real(0.1)};
+        parameters.pinned.kind = Pins::Kind::Two;
+        std::mt19937 random(5);
+        model = make_cloth_model(parameters);
+        model.air = {Vec3(3, -1, 2), Real(1.2)};
+        state = testing::random_state(parameters, random);
+    }
+
+    [[nodiscard]] Points product(Hessian hessian, Kernels kernels) const {
+        Jacobian jacobian(model.grid, hessian, kernels);
+        jacobian.linearise(model, state.x, state.v);
+        Points y = Points::Zero(state.x.rows(), 3);
+        jacobian.add_product(2, 3, state.v, y);
+        return y;
+    }
+
+    [[nodiscard]] std::array<double, 7> energies(Kernels kernels) const {
+        Points scratch(state.x.rows(), 3);
+        const auto [energy, power] = compute_energy_flow(model, state, scratch, kernels);
+        return {energy.kinetic, energy.gravity, energy.spring, power.damping, power.drag, power.wind, power.hand};
+    }
+};
+
+/// Calls test(told) with each kind of vector alone.
+template <class Test>
+void with_every_kind_of_vector(Test test) {
+    for (std::int64_t targets = hwy::SupportedTargets(); targets != 0; targets &= targets - 1) {
+        hwy::SetSupportedTargetsForTest(targets & -targets);
+        test(hwy::TargetName(targets & -targets));
+        hwy::SetSupportedTargetsForTest(0);
+    }
+}
+
+TEST(PlainCore, GivesTheJacobiansOfTheKernels) {
+    for (const Grid grid : odd_grids) {
+        const Moving cloth(grid);
+        for (const Hessian hessian : {Hessian::Clamped, Hessian::Exact}) {
+            const Points plain = cloth.product(hessian, Kernels::Plain);
+            const Points best = cloth.product(hessian, Kernels::Vector);
+            EXPECT_LT((best - plain).cwiseAbs().maxCoeff(), rounding * plain.cwiseAbs().maxCoeff())
+                << grid.nx << " x " << grid.ny;
+            with_every_kind_of_vector(
+                [&](const char* told) { EXPECT_EQ(cloth.product(hessian, Kernels::Vector), best) << told; });
+        }
+    }
+}
+
+TEST(PlainCore, GivesTheEnergyOfTheKernels) {
+    for (const Grid grid : odd_grids) {
+        const Moving cloth(grid);
+        const auto plain = cloth.energies(Kernels::Plain), best = cloth.energies(Kernels::Vector);
+        for (std::size_t term = 0; term < plain.size(); ++term) {
+            EXPECT_NEAR(best[term], plain[term], rounding * std::abs(plain[term])) << grid.nx << " " << term;
+            EXPECT_NE(plain[term], 0) << term;
+        }
+        with_every_kind_of_vector([&](const char* told) { EXPECT_EQ(cloth.energies(Kernels::Vector), best) << told; });
+    }
+}
+
+TEST(PlainCore, IsSeenToDifferWhenAStiffnessOrADampingIsOnePartInABillionOff) {
+    Moving cloth({31, 17});
+    const Points product = cloth.product(Hessian::Exact, Kernels::Plain);
+    const auto energies = cloth.energies(Kernels::Plain);
+    cloth.model.bend.stiffness *= 1 + Real(1e-9);
+    cloth.model.shear.damping *= 1 + Real(1e-9);
+    EXPECT_GT((cloth.product(Hessian::Exact, Kernels::Vector) - product).cwiseAbs().maxCoeff(),
+              rounding * product.cwiseAbs().maxCoeff());
+    for (const std::size_t term : {2U, 3U}) {
+        EXPECT_GT(std::abs(cloth.energies(Kernels::Vector)[term] - energies[term]), rounding * energies[term]);
+    }
+}
+
+}  // namespace
+}  // namespace drape
