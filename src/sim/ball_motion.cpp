@@ -43,6 +43,12 @@ Vec3 point_on_path(const std::vector<PathPoint>& path, Real time) {
            (3 * square - 2 * cube) * path[k + 1].centre + (cube - square) * span * tangent(path, k + 1);
 }
 
+Ball make_ball(const BallSettings& settings, double time) {
+    Ball ball{.centre = settings.position, .radius = settings.radius, .velocity = settings.velocity};
+    if (settings.motion == BallMotion::Path) ball.centre = point_on_path(settings.path, static_cast<Real>(time));
+    return ball;
+}
+
 void move_ball(const BallSettings& settings, const Vec3& steer, Real time, Real h, Ball& ball) {
     switch (settings.motion) {
         case BallMotion::Keys:

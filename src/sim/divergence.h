@@ -3,7 +3,8 @@
 #include <span>
 #include <string>
 
-#include "drape/sim/simulation.h"
+#include "drape/sim/cloth.h"
+#include "drape/sim/settings.h"
 
 namespace drape {
 

@@ -4,7 +4,6 @@
 #include <cmath>
 
 #include "drape/model/energy.h"
-#include "drape/model/stencils.h"
 
 namespace drape {
 namespace {
@@ -67,30 +66,5 @@ void EnergyWatch::measure(const ClothModel& model, const ClothState& state) {
 bool EnergyWatch::heated() const { return excess_ > allowed(lift_, peak_); }
 
 double EnergyWatch::small_work() const { return small * lift_; }
-
-double hand_power(const ClothModel& model, const ClothState& state, int particle) {
-    const Grid& grid = model.grid;
-    const int i = particle % grid.nx, j = particle / grid.nx;
-    const Vec3 x = state.x.row(particle).transpose(), v = state.v.row(particle).transpose();
-    Vec3 force = model.particle_mass * model.gravity - model.drag * v;
-    for (const SpringStencil& springs : spring_stencils(model)) {
-        for (const int side : {-1, 1}) {
-            const int other_i = i + side * springs.di, other_j = j + side * springs.dj;
-            if (other_i < 0 || other_i >= grid.nx || other_j < 0 || other_j >= grid.ny) continue;
-            const int other = grid.particle(other_i, other_j);
-            const Vec3 d = x - state.x.row(other).transpose(), u = v - state.v.row(other).transpose();
-            const Real length = d.norm();
-            if (length == 0) continue;
-            const Vec3 n = d / length;
-            force -= (springs.law.stiffness * (length - springs.rest_length) + springs.law.damping * n.dot(u)) * n;
-        }
-    }
-    return static_cast<double>(-force.dot(v));
-}
-
-double most_push_work(const ClothModel& model, Real squared_push) {
-    const Real stiffness = 3 * 4 * (model.structural.stiffness + model.shear.stiffness + model.bend.stiffness);
-    return static_cast<double>(stiffness) * static_cast<double>(squared_push);
-}
 
 }  // namespace drape

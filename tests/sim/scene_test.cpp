@@ -52,6 +52,7 @@ tolerance = 1e-7
 ledger = false
 dt = 3e-4
 on_unstable = "stop"
+kernels = "plain"
 threads = 3
 sleep_speed = 0.5
 [contact]

@@ -52,6 +52,13 @@ struct StepReport {
     double stretch = 0;     ///< largest elongation of a structural spring, as `energy`
     Status status = Status::Ok;
     std::string trouble;  ///< one sentence on what broke, with particle and step; empty while all is well
+
+    /// Sets to zero what contacts of a substep add up to.
+    void forget_contacts() {
+        traversal = {};
+        contacts = false_candidates = false_contacts = 0;
+        penetration = missed_penetration = 0;
+    }
 };
 
 /// What figures are about; the panel sets them apart by it, and shows those of `Limit` only while the search is
