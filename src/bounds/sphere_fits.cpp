@@ -88,9 +88,4 @@ BoundingSphere (*sphere_fit_of(SphereFit kind))(const Patch&) {
     return nullptr;
 }
 
-std::span<const std::string> sphere_fit_names() {
-    static const std::array<std::string, 7> names{"centroid", "box", "ritter", "epos6", "epos14", "epos26", "welzl"};
-    return names;
-}
-
 }  // namespace drape

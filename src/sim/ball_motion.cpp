@@ -13,7 +13,7 @@ constexpr Real steering_lag = Real(0.08);
 
 bool is_closed(const std::vector<PathPoint>& path) { return path.front().centre == path.back().centre; }
 
-/// The tangent at point k: the slope between its neighbours, across the seam of a closed path, zero at open ends.
+/// The tangent at point k: the direction between its neighbours, across the seam of a closed path, zero at open ends.
 Vec3 tangent(const std::vector<PathPoint>& path, std::size_t k) {
     const std::size_t last = path.size() - 1;
     if (k > 0 && k < last) {

@@ -10,7 +10,7 @@ namespace {
 
 /// Of the work that lifts the cloth by its size, and of the energy in motion and springs, what a method that is well
 /// may make. Shipped scenes show no excess at all.
-constexpr double lifts = 0.05, part = 0.1;
+constexpr double of_lift = 0.05, of_motion = 0.1;
 
 /// Of the work that lifts the cloth: what a resting contact pushes by is less, so that few steps measure.
 constexpr double small = 1e-3;
@@ -18,7 +18,7 @@ constexpr double small = 1e-3;
 /// From one sum over the springs to the next [s].
 constexpr double pause = 0.1;
 
-double allowed(double lift, double in_motion) { return lifts * lift + part * in_motion; }
+double allowed(double lift, double in_motion) { return of_lift * lift + of_motion * in_motion; }
 
 }  // namespace
 

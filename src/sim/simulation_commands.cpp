@@ -51,7 +51,7 @@ void Simulation::carry_out(const Command& command) {
                               hand_.release(cloths_);
                               wake();
                           },
-                          [](const auto&) {}},
+                          [](const command::OfThePicture auto&) {}},
                command);
 }
 

@@ -38,7 +38,7 @@ void plan_substeps(std::span<const Cloth> cloths, const SolverSettings& solver, 
     const bool divides = solver.on_unstable == OnUnstable::Substep && wanted <= most_substeps;
     report.substeps = divides ? std::max(static_cast<int>(wanted), fewest) : fewest;
     const Real substep = static_cast<Real>(solver.dt / report.substeps);
-    report.step_over_limit = std::isfinite(limit) ? static_cast<double>(substep / limit) : 0;
+    report.step_limit_ratio = std::isfinite(limit) ? static_cast<double>(substep / limit) : 0;
 }
 
 bool plan_is_due(const SolverSettings& solver, const StepReport& report) {
@@ -48,20 +48,21 @@ bool plan_is_due(const SolverSettings& solver, const StepReport& report) {
 }
 
 std::string step_limit_warning(const SolverSettings& solver, const StepReport& report) {
-    if (!(report.step_over_limit > 1)) return {};
+    if (!(report.step_limit_ratio > 1)) return {};
     const std::string method(name_of(solver.integrator));
     const std::string step = "solver.dt = " + real_text(solver.dt, 4) + " s";
-    if (!std::isfinite(report.step_over_limit)) {
+    if (!std::isfinite(report.step_limit_ratio)) {
         const bool sure = !report.limit_is_least;
-        return step + ": " + method + (sure ? " is stable with no step" : " is sure to be stable with no step") +
+        return step + ": " + method + (sure ? " has no stable step" : " has no step that is sure to be stable") +
                " on this cloth";
     }
     const bool in_vain = solver.on_unstable == OnUnstable::Substep;
-    const double over = report.step_over_limit * report.substeps;
-    const std::string limit = real_text(solver.dt / over, 3);
-    return step + " is " + (report.limit_is_least ? "up to " : "") + real_text(over, 3) + " of the limit of " + method +
-           " on this cloth" + (report.limit_is_least ? ", which is at least " + limit + " s" : "") +
-           (in_vain ? ", too long to be made in parts" : "");
+    const double ratio = report.step_limit_ratio * report.substeps;
+    const std::string limit = real_text(solver.dt / ratio, 3);
+    return step + " is " + (report.limit_is_least ? "up to " : "") + real_text(ratio, 3) +
+           " times the stability limit of " + method + " on this cloth" +
+           (report.limit_is_least ? ", which is at least " + limit + " s" : "") +
+           (in_vain ? ", too long to be divided into substeps" : "");
 }
 
 }  // namespace drape

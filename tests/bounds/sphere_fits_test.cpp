@@ -231,9 +231,9 @@ TEST(SphereFits, ContainTheirParticlesAtAnyScaleAndFarFromTheOrigin) {
                 const Grid grid{2 + round % 20, 2 + round % 11};
                 Points x = scale * testing::random_cloth(grid, random);
                 x.rowwise() += scale * away * Eigen::RowVector3d(1, -2, 3);
-                for (std::size_t k = 0; k < sphere_fit_names().size(); ++k) {
+                for (std::size_t k = 0; k < names_of<SphereFit>().size(); ++k) {
                     EXPECT_TRUE(contains_all(sphere_fit_of(kind_at(k))(whole(x, grid)), x))
-                        << sphere_fit_names()[k] << " at scale " << scale << ", " << away << " away";
+                        << names_of<SphereFit>()[k] << " at scale " << scale << ", " << away << " away";
                 }
             }
         }
@@ -242,8 +242,8 @@ TEST(SphereFits, ContainTheirParticlesAtAnyScaleAndFarFromTheOrigin) {
 
 TEST(SphereFits, ContainPointsOfEverySort) {
     for_each_set(9, [](const std::string& set, const Patch& patch, const Points& x) {
-        for (std::size_t k = 0; k < sphere_fit_names().size(); ++k) {
-            EXPECT_TRUE(contains_all(sphere_fit_of(kind_at(k))(patch), x)) << sphere_fit_names()[k] << ": " << set;
+        for (std::size_t k = 0; k < names_of<SphereFit>().size(); ++k) {
+            EXPECT_TRUE(contains_all(sphere_fit_of(kind_at(k))(patch), x)) << names_of<SphereFit>()[k] << ": " << set;
         }
     });
 }
@@ -261,10 +261,10 @@ TEST(SphereFits, SeeOnlyTheirPatch) {
         const auto patch = [&](const Points& x) {
             return Patch{x.col(0).data() + first, x.col(1).data() + first, x.col(2).data() + first, columns, rows, 40};
         };
-        for (std::size_t k = 0; k < sphere_fit_names().size(); ++k) {
+        for (std::size_t k = 0; k < names_of<SphereFit>().size(); ++k) {
             const Fit fit = sphere_fit_of(kind_at(k));
-            EXPECT_EQ(fit(patch(all)).centre, fit(patch(far)).centre) << sphere_fit_names()[k];
-            EXPECT_EQ(fit(patch(all)).radius, fit(patch(far)).radius) << sphere_fit_names()[k];
+            EXPECT_EQ(fit(patch(all)).centre, fit(patch(far)).centre) << names_of<SphereFit>()[k];
+            EXPECT_EQ(fit(patch(all)).radius, fit(patch(far)).radius) << names_of<SphereFit>()[k];
         }
     }
 }
@@ -273,10 +273,10 @@ TEST(SphereFits, AllocateNothing) {
     std::mt19937 random(11);
     const Grid grid{33, 33};
     const Points x = testing::random_cloth(grid, random);
-    for (std::size_t k = 0; k < sphere_fit_names().size(); ++k) {
+    for (std::size_t k = 0; k < names_of<SphereFit>().size(); ++k) {
         const auto before = testing::allocations();
         (void)sphere_fit_of(kind_at(k))(whole(x, grid));
-        EXPECT_EQ(testing::allocations(), before) << sphere_fit_names()[k];
+        EXPECT_EQ(testing::allocations(), before) << names_of<SphereFit>()[k];
     }
 }
 
@@ -285,17 +285,18 @@ TEST(SphereFits, HaveNamesAndAreChosenByThem) {
     const Grid grid{17, 13};
     const Points x = testing::random_cloth(grid, random);
     std::set<Fit> fits;
-    for (std::size_t k = 0; k < sphere_fit_names().size(); ++k) {
+    for (std::size_t k = 0; k < names_of<SphereFit>().size(); ++k) {
         const auto tree = make_broad_phase({.sphere_fit = kind_at(k)}, grid);
         tree->build(x);
         Outlines root;
         tree->nodes_at(0, {}, root);
-        EXPECT_EQ(root.spheres.at(0).radius, sphere_fit_of(kind_at(k))(whole(x, grid)).radius) << sphere_fit_names()[k];
+        EXPECT_EQ(root.spheres.at(0).radius, sphere_fit_of(kind_at(k))(whole(x, grid)).radius)
+            << names_of<SphereFit>()[k];
         fits.insert(sphere_fit_of(kind_at(k)));
     }
     const std::vector<std::string> names{"centroid", "box", "ritter", "epos6", "epos14", "epos26", "welzl"};
-    EXPECT_EQ(std::vector(sphere_fit_names().begin(), sphere_fit_names().end()), names);
-    EXPECT_EQ(fits.size(), sphere_fit_names().size());
+    EXPECT_EQ(std::vector(names_of<SphereFit>().begin(), names_of<SphereFit>().end()), names);
+    EXPECT_EQ(fits.size(), names_of<SphereFit>().size());
 }
 
 }  // namespace

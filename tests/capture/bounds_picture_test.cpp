@@ -202,7 +202,7 @@ TEST_P(EdgesPicture, IsRefusedIfTheNodesAreTwoPercentOff) {
 }
 
 INSTANTIATE_TEST_SUITE_P(Volumes, EdgesPicture, testing::ValuesIn(with_edges),
-                         [](const auto& one) { return volume_names()[static_cast<std::size_t>(one.param)]; });
+                         [](const auto& one) { return name_of(one.param); });
 
 TEST_F(BoundsPicture, IsRefusedForEveryOtherVolumeIfSpheresAreDrawn) {
     show(VolumeKind::Sphere);

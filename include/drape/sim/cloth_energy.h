@@ -47,8 +47,8 @@ public:
 
     [[nodiscard]] const EnergyWatch& watch() const { return watch_; }
 
-    /// Since the ledger began; zero without one.
-    [[nodiscard]] EnergyBalance balance() const { return ledger_ ? ledger_->balance() : EnergyBalance{}; }
+    /// Since the ledger began.
+    [[nodiscard]] EnergyBalance balance() const { return ledger_ ? ledger_->balance() : EnergyBalance::unknown(); }
 
 private:
     EnergyWatch watch_;
