@@ -38,7 +38,7 @@ std::vector<Entry> make_entries(const std::vector<std::string>& scenes) {
         entries.push_back({"Scene", keys, scenes[s], "scene " + scenes[s]});
     }
     entries.push_back({"Integrator", {"I"}, "Next integrator", "next solver.integrator"});
-    append_choices(entries, "Integrator", "solver.integrator", integrator_names());
+    append_choices(entries, "Integrator", "solver.integrator", names_of<IntegratorKind>());
     entries.push_back({"Integrator", {}, "Hessian clamped or exact", "next solver.hessian"});
     entries.push_back({"Integrator", {}, "Five iterations more", "add solver.iterations 5"});
     entries.push_back({"Integrator", {}, "Five iterations fewer", "add solver.iterations -5"});
@@ -47,14 +47,14 @@ std::vector<Entry> make_entries(const std::vector<std::string>& scenes) {
         entries.push_back({"Step", {}, text + " ms", "set solver.dt=" + text + "e-3"});
     }
     entries.push_back({"Step", {}, "Beyond its limit: warn", "set solver.on_unstable=warn"});
-    entries.push_back({"Step", {}, "Beyond its limit: in parts", "set solver.on_unstable=substep"});
+    entries.push_back({"Step", {}, "Beyond its limit: substeps", "set solver.on_unstable=substep"});
     entries.push_back({"Step", {}, "Beyond its limit: end", "set solver.on_unstable=stop"});
     entries.push_back({"Bounding volume", {"T"}, "Next bounding volume", "next contact.volume"});
-    append_choices(entries, "Bounding volume", "contact.volume", volume_names());
+    append_choices(entries, "Bounding volume", "contact.volume", names_of<VolumeKind>());
     entries.push_back({"Sphere fit", {"Y"}, "Next sphere fit", "next contact.sphere_fit"});
-    append_choices(entries, "Sphere fit", "contact.sphere_fit", sphere_fit_names());
+    append_choices(entries, "Sphere fit", "contact.sphere_fit", names_of<SphereFit>());
     entries.push_back({"Update of the hierarchy", {"U"}, "Next update of the hierarchy", "next contact.update"});
-    append_choices(entries, "Update of the hierarchy", "contact.update", update_names());
+    append_choices(entries, "Update of the hierarchy", "contact.update", names_of<UpdateKind>());
     const std::vector<Entry> rest{
         {"Leaf size", {}, "As measured to be fastest", "set contact.leaf_cells=0"},
         {"Leaf size", {}, "2 x 2 cells", "set contact.leaf_cells=2"},

@@ -6,6 +6,7 @@
 
 #include <cerrno>
 #include <cstring>
+#include <iterator>
 
 #include "drape/base/input_error.h"
 
@@ -65,6 +66,11 @@ void InputFile::Buffer::fail(const std::string& why) const { throw InputError(na
 InputFile::InputFile(const std::string& name, std::uintmax_t largest) : std::istream(nullptr), buffer_(name, largest) {
     rdbuf(&buffer_);
     exceptions(std::ios::badbit);
+}
+
+std::string read_text(const std::string& name, std::uintmax_t largest) {
+    InputFile in(name, largest);
+    return {std::istreambuf_iterator<char>(in), {}};
 }
 
 }  // namespace drape

@@ -76,15 +76,4 @@ std::unique_ptr<BroadPhase> make_broad_phase(const BroadPhaseParameters& paramet
     return nullptr;
 }
 
-std::span<const std::string> volume_names() {
-    static const std::array<std::string, 8> names{"sphere", "aabb",   "kdop6", "kdop14",
-                                                  "kdop18", "kdop26", "obb",   "brute"};
-    return names;
-}
-
-std::span<const std::string> update_names() {
-    static const std::array<std::string, 4> names{"rebuild", "merge", "refit", "none"};
-    return names;
-}
-
 }  // namespace drape

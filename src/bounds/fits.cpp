@@ -32,11 +32,6 @@ BoundingSphere (*sphere_fit_of(SphereFit kind, Kernels kernels))(const Patch&) {
     return nullptr;
 }
 
-std::span<const std::string> sphere_fit_names() {
-    static const std::array<std::string, 7> names{"centroid", "box", "ritter", "epos6", "epos14", "epos26", "welzl"};
-    return names;
-}
-
 template <BoundingVolume Volume>
 Fits<Volume> fits_of(const BroadPhaseParameters& parameters) {
     const bool plain = parameters.kernels == Kernels::Plain;

@@ -152,9 +152,4 @@ ResponseReport resolve_contacts(const ClothModel& model, const ResponseParameter
     return report;
 }
 
-std::span<const std::string> response_names() {
-    static const std::array<std::string, 1> names{"projection"};
-    return names;
-}
-
 }  // namespace drape

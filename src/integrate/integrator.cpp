@@ -34,25 +34,4 @@ std::unique_ptr<Integrator> make_integrator(const IntegratorParameters& paramete
     return nullptr;
 }
 
-std::span<const std::string> integrator_names() {
-    static const std::array<std::string, 10> names{"explicit_euler",
-                                                   "symplectic_euler",
-                                                   "velocity_verlet",
-                                                   "rk4",
-                                                   "backward_euler",
-                                                   "implicit_midpoint",
-                                                   "bdf2",
-                                                   "xpbd",
-                                                   "projective_dynamics",
-                                                   "dormand_prince"};
-    return names;
-}
-
-std::span<const std::string> hessian_names() {
-    static const std::array<std::string, 2> names{"clamped", "exact"};
-    return names;
-}
-
-std::string_view name_of(IntegratorKind kind) { return integrator_names()[static_cast<std::size_t>(kind)]; }
-
 }  // namespace drape

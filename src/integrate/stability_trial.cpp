@@ -33,12 +33,6 @@ void add_noise(const ClothModel& model, const Trial& trial, ClothState& state) {
 
 }  // namespace
 
-std::string_view name_of(TrialEnd end) {
-    static constexpr std::array<std::string_view, 5> names{"bounded", "not_finite", "energy_rose", "out_of_reach",
-                                                           "stretched"};
-    return names[static_cast<std::size_t>(end)];
-}
-
 Real energy_to_fail(const ClothModel& model) {
     constexpr Real gravity = Real(9.81);
     return model.particle_mass * static_cast<Real>(model.grid.particles()) * gravity * diagonal(model);

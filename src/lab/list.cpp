@@ -27,10 +27,10 @@ void print_experiments() {
 void list(const std::string& what) {
     if (what == "scenes") print_scenes();
     if (what == "settings") std::cout << settings_help();
-    if (what == "integrators") print(integrator_names());
-    if (what == "volumes") print(volume_names());
-    if (what == "updates") print(update_names());
-    if (what == "fits") print(sphere_fit_names());
+    if (what == "integrators") print(names_of<IntegratorKind>());
+    if (what == "volumes") print(names_of<VolumeKind>());
+    if (what == "updates") print(names_of<UpdateKind>());
+    if (what == "fits") print(names_of<SphereFit>());
     if (what == "experiments") print_experiments();
 }
 

@@ -24,11 +24,11 @@ Float3 cross(const Float3& a, const Float3& b) {
 
 }  // namespace
 
-void fill_cloth_vertices(const Cloth& cloth, Real blend, ClothVertex* vertices) {
+void fill_cloth_vertices(const ClothView& cloth, Real blend, ClothVertex* vertices) {
     const Grid& grid = cloth.model.grid;
-    const bool moving = cloth.previous.x.rows() == cloth.state.x.rows();
-    const Points& now = cloth.state.x;
-    const Points& before = moving ? cloth.previous.x : cloth.state.x;
+    const bool moving = cloth.previous.rows() == cloth.x.rows();
+    const Points& now = cloth.x;
+    const Points& before = moving ? cloth.previous : cloth.x;
 
     // Positions
     for (int p = 0; p < grid.particles(); ++p) {

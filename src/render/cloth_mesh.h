@@ -4,7 +4,7 @@
 #include <span>
 #include <vector>
 
-#include "drape/sim/simulation.h"
+#include "drape/sim/frame_view.h"
 
 namespace drape {
 
@@ -18,7 +18,7 @@ struct ClothVertex {
 /// The cloth as drawn: particles between their last two places, with smooth normals.
 /// @param vertices receives one a particle
 /// @par Cost O(n), allocates nothing
-void fill_cloth_vertices(const Cloth& cloth, Real blend, ClothVertex* vertices);
+void fill_cloth_vertices(const ClothView& cloth, Real blend, ClothVertex* vertices);
 
 /// Appends the triangles of a grid, three indices each, counter-clockwise on the front.
 void append_triangle_indices(const Grid& grid, std::uint32_t first_vertex, std::vector<std::uint32_t>& indices);

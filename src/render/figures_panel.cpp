@@ -80,26 +80,27 @@ Row state_row(const FrameView& view) {
     return {"state", view.held ? "running, in hand" : "running", -1, 4, ink::good};
 }
 
-// The step and the parts that it is made in, and how near it is to its limit
+// The step or the substeps that it is divided into, and how near they are to the limit
 std::vector<Row> step_rows(const FrameView& view) {
     const StepReport& report = *view.report;
-    std::string text = format("%.3g ms", 1000 * view.settings->solver.dt);
-    if (report.substeps > 1) text += format(" in %d parts", report.substeps);
+    const double substep = view.settings->solver.dt / report.substeps;
+    std::string text = report.substeps > 1 ? format("%d x ", report.substeps) : "";
+    text += format("%.3g ms", 1000 * substep);
     std::vector<Row> rows{{"step size", text, -1, 3}};
-    const double part = report.step_over_limit;
-    if (part == 0) return rows;
-    const ImU32 colour = part <= 0.9 ? ink::good : part <= 1 ? ink::wait : ink::bad;
-    const std::string number = format(report.limit_is_least ? "%.2f at most" : "%.2f", part);
-    const std::string value = std::isfinite(part) ? number : "beyond any";
-    rows.push_back({"of its limit", value, static_cast<float>(std::min(part, 1.0)), 4, colour});
+    const double ratio = report.step_limit_ratio;
+    if (ratio == 0) return rows;
+    const ImU32 colour = ratio <= 0.9 ? ink::good : ratio <= 1 ? ink::wait : ink::bad;
+    const std::string number = format(report.limit_is_least ? "%.2f at most" : "%.2f", ratio);
+    const std::string value = std::isfinite(ratio) ? number : "no stable step";
+    rows.push_back({"step / limit", value, static_cast<float>(std::min(ratio, 1.0)), 4, colour});
     return rows;
 }
 
 // The volume, with its fit if that is a sphere's
 std::string volume_text(const ContactSettings& contact) {
-    const std::string& name = volume_names()[static_cast<std::size_t>(contact.volume)];
+    const std::string& name = name_of(contact.volume);
     if (contact.volume != VolumeKind::Sphere) return name;
-    return name + ", " + sphere_fit_names()[static_cast<std::size_t>(contact.sphere_fit)];
+    return name + ", " + name_of(contact.sphere_fit);
 }
 
 // What stands above the figures of a group
@@ -113,7 +114,7 @@ std::vector<Row> rows_ahead(ReportGroup group, const FrameView& view) {
         }
         case ReportGroup::Hierarchy:
             return {{"volume", volume_text(settings.contact), -1, 2},
-                    {"update", update_names()[static_cast<std::size_t>(settings.contact.update)], -1, 1}};
+                    {"update", name_of(settings.contact.update), -1, 1}};
         default:
             return {};
     }

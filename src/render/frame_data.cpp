@@ -28,8 +28,8 @@ Eigen::Matrix3f light_axes() {
 // What casts, as the light sees it
 Eigen::AlignedBox3f casters(const FrameView& view, const Eigen::Matrix3f& axes) {
     Eigen::AlignedBox3f box;
-    for (const Cloth& cloth : view.cloths) {
-        const Points& x = cloth.state.x;
+    for (const ClothView& cloth : view.cloths) {
+        const Points& x = cloth.x;
         for (Eigen::Index p = 0; p < x.rows(); ++p) box.extend(axes * Vec3(x.row(p)).cast<float>());
     }
     for (std::size_t i = 0; i < view.balls.size(); ++i) {
@@ -71,10 +71,10 @@ Eigen::Vector4f drawn_ball(const FrameView& view, std::size_t number) {
 
 Extent drawn_extent(const FrameView& view) {
     Eigen::AlignedBox<Real, 3> box;
-    for (const Cloth& cloth : view.cloths) {
-        if (cloth.state.x.rows() == 0) continue;
-        box.extend(Vec3(cloth.state.x.colwise().minCoeff()));
-        box.extend(Vec3(cloth.state.x.colwise().maxCoeff()));
+    for (const ClothView& cloth : view.cloths) {
+        if (cloth.x.rows() == 0) continue;
+        box.extend(Vec3(cloth.x.colwise().minCoeff()));
+        box.extend(Vec3(cloth.x.colwise().maxCoeff()));
     }
     for (const Ball& ball : view.balls) {
         box.extend(Vec3(ball.centre.array() - ball.radius));

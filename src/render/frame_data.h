@@ -4,7 +4,7 @@
 #include <array>
 
 #include "drape/render/camera.h"
-#include "drape/sim/simulation.h"
+#include "drape/sim/frame_view.h"
 
 namespace drape {
 

@@ -102,7 +102,7 @@ void Marks::need(const FrameView& view, StreamBuffer& stream) {
     show_particles_ = shown.particles;
     contact_count_ = particle_count_ = 0;
     bounds_.clear();
-    for (const Cloth& cloth : view.cloths) {
+    for (const ClothView& cloth : view.cloths) {
         particle_count_ += cloth.model.grid.particles();
         if (shown.contacts) contact_count_ += static_cast<int>(cloth.contacts.size());
     }
@@ -113,16 +113,16 @@ void Marks::need(const FrameView& view, StreamBuffer& stream) {
 }
 
 void Marks::collect_bounds(const FrameView& view) {
-    for (const Cloth& cloth : view.cloths) {
-        if (!cloth.broad_phase || cloth.broad_phase->levels() < 1) continue;
+    for (const ClothView& cloth : view.cloths) {
+        if (!cloth.hierarchy || cloth.hierarchy->levels() < 1) continue;
         touched_cells_.clear();
         for (const Contact& contact : cloth.contacts) touched_cells_.push_back(contact.triangle / 2);
         std::sort(touched_cells_.begin(), touched_cells_.end());
         touched_cells_.erase(std::unique(touched_cells_.begin(), touched_cells_.end()), touched_cells_.end());
 
-        const int level = std::clamp(view.settings->view.level, 0, cloth.broad_phase->levels() - 1);
-        cloth.broad_phase->nodes_at(level, nodes_);
-        append_nodes(nodes_, cloth.broad_phase->slack(), cloth.model.grid, touched_cells_, bounds_);
+        const int level = std::clamp(view.settings->view.level, 0, cloth.hierarchy->levels() - 1);
+        cloth.hierarchy->nodes_at(level, nodes_);
+        append_nodes(nodes_, cloth.hierarchy->slack(), cloth.model.grid, touched_cells_, bounds_);
     }
 }
 
@@ -146,7 +146,7 @@ void Marks::index_springs(const FrameView& view) {
     grids_.clear();
     SpringIndices springs;
     std::uint32_t first_vertex = 0;
-    for (const Cloth& cloth : view.cloths) {
+    for (const ClothView& cloth : view.cloths) {
         grids_.push_back(cloth.model.grid);
         append_spring_indices(cloth.model.grid, first_vertex, springs);
         first_vertex += static_cast<std::uint32_t>(cloth.model.grid.particles());
@@ -166,7 +166,7 @@ void Marks::index_springs(const FrameView& view) {
 void Marks::fill(const FrameView& view, StreamBuffer& stream) const {
     if (contact_count_ > 0) {
         auto* mark = stream.data<ContactMark>(Region::Contacts);
-        for (const Cloth& cloth : view.cloths) {
+        for (const ClothView& cloth : view.cloths) {
             for (const Contact& contact : cloth.contacts) {
                 copy(contact.point, mark->point);
                 copy(contact.normal, mark->normal);

@@ -2,7 +2,7 @@
 
 #include <vector>
 
-#include "drape/sim/simulation.h"
+#include "drape/sim/frame_view.h"
 #include "gl_objects.h"
 #include "outlines.h"
 #include "program.h"

@@ -37,10 +37,10 @@ Real hit_ball(const Ray& ray, const Vec3& centre, Real radius) {
     return middle - std::sqrt(inside);
 }
 
-Vec3 drawn_particle(const Cloth& cloth, Real blend, int particle) {
-    const Vec3 now = cloth.state.x.row(particle);
-    if (cloth.previous.x.rows() != cloth.state.x.rows()) return now;
-    const Vec3 before = cloth.previous.x.row(particle);
+Vec3 drawn_particle(const ClothView& cloth, Real blend, int particle) {
+    const Vec3 now = cloth.x.row(particle);
+    if (cloth.previous.rows() != cloth.x.rows()) return now;
+    const Vec3 before = cloth.previous.row(particle);
     return before + blend * (now - before);
 }
 
@@ -54,7 +54,7 @@ Pick pick_particle(const FrameView& view, const Ray& ray) {
         nearest = std::min(nearest, hit_ball(ray, ball.head<3>().cast<Real>(), static_cast<Real>(ball.w())));
     }
     for (std::size_t number = 0; number < view.cloths.size(); ++number) {
-        const Cloth& cloth = view.cloths[number];
+        const ClothView& cloth = view.cloths[number];
         const Grid& grid = cloth.model.grid;
         for (int triangle = 0; triangle < grid.triangles(); ++triangle) {
             const std::array<int, 3> corners = grid.triangle_corners(triangle);

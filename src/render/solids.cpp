@@ -87,7 +87,7 @@ void Solids::place_balls(const StreamBuffer& stream) {
 
 void Solids::need(const FrameView& view, StreamBuffer& stream) const {
     std::size_t particles = 0;
-    for (const Cloth& cloth : view.cloths) particles += static_cast<std::size_t>(cloth.model.grid.particles());
+    for (const ClothView& cloth : view.cloths) particles += static_cast<std::size_t>(cloth.model.grid.particles());
     stream.need(Region::Cloth, particles * sizeof(ClothVertex));
     stream.need(Region::Balls, view.balls.size() * sizeof(Eigen::Vector4f));
 }
@@ -104,7 +104,7 @@ void Solids::arrange(const FrameView& view, const StreamBuffer& stream) {
     grids_.clear();
     std::vector<std::uint32_t> indices;
     std::uint32_t first_vertex = 0;
-    for (const Cloth& cloth : view.cloths) {
+    for (const ClothView& cloth : view.cloths) {
         grids_.push_back(cloth.model.grid);
         append_triangle_indices(cloth.model.grid, first_vertex, indices);
         first_vertex += static_cast<std::uint32_t>(cloth.model.grid.particles());
@@ -116,7 +116,7 @@ void Solids::arrange(const FrameView& view, const StreamBuffer& stream) {
 
 void Solids::fill(const FrameView& view, StreamBuffer& stream) const {
     auto* vertex = stream.data<ClothVertex>(Region::Cloth);
-    for (const Cloth& cloth : view.cloths) {
+    for (const ClothView& cloth : view.cloths) {
         fill_cloth_vertices(cloth, view.blend, vertex);
         vertex += cloth.model.grid.particles();
     }

@@ -13,7 +13,7 @@ constexpr Real steering_lag = Real(0.08);
 
 bool is_closed(const std::vector<PathPoint>& path) { return path.front().centre == path.back().centre; }
 
-/// The tangent at point k: the slope between its neighbours, across the seam of a closed path, zero at open ends.
+/// The tangent at point k: the direction between its neighbours, across the seam of a closed path, zero at open ends.
 Vec3 tangent(const std::vector<PathPoint>& path, std::size_t k) {
     const std::size_t last = path.size() - 1;
     if (k > 0 && k < last) {
@@ -41,6 +41,12 @@ Vec3 point_on_path(const std::vector<PathPoint>& path, Real time) {
     const Real square = s * s, cube = square * s;
     return (2 * cube - 3 * square + 1) * path[k].centre + (cube - 2 * square + s) * span * tangent(path, k) +
            (3 * square - 2 * cube) * path[k + 1].centre + (cube - square) * span * tangent(path, k + 1);
+}
+
+Ball make_ball(const BallSettings& settings, double time) {
+    Ball ball{.centre = settings.position, .radius = settings.radius, .velocity = settings.velocity};
+    if (settings.motion == BallMotion::Path) ball.centre = point_on_path(settings.path, static_cast<Real>(time));
+    return ball;
 }
 
 void move_ball(const BallSettings& settings, const Vec3& steer, Real time, Real h, Ball& ball) {

@@ -1,9 +1,9 @@
 #include "drape/sim/command.h"
 
 #include <algorithm>
-#include <array>
-#include <functional>
 #include <limits>
+#include <tuple>
+#include <type_traits>
 #include <utility>
 #include <vector>
 
@@ -13,43 +13,75 @@
 namespace drape {
 namespace {
 
+/// A text that is all that is left of the line, blanks inside included; every other is one word.
+template <class C>
+struct LineMember {
+    std::string C::*text;
+};
+template <class C>
+LineMember(std::string C::*) -> LineMember<C>;
+
+/// A row of the table: how a command is written, its name first, and the members that its arguments fill, in order.
+template <class C, class... Members>
+struct Row {
+    using Type = C;
+    std::string_view form;
+    std::tuple<Members...> members;
+
+    [[nodiscard]] constexpr std::string_view name() const { return form.substr(0, form.find(' ')); }
+};
+
+template <class C, class... Members>
+constexpr Row<C, Members...> row(std::string_view form, Members... members) {
+    return {form, {members...}};
+}
+
+using namespace command;
+constexpr std::tuple table{
+    row<Pause>("pause"),
+    row<Step>("step COUNT", &Step::count),
+    row<Reset>("reset"),
+    row<LoadScene>("scene NAME", LineMember{&LoadScene::name}),
+    row<Set>("set NAME=VALUE", LineMember{&Set::assignment}),
+    row<Next>("next SETTING", &Next::setting),
+    row<Add>("add SETTING AMOUNT", &Add::setting, &Add::amount),
+    row<Steer>("steer X Y Z", &Steer::direction),
+    row<Grab>("grab CLOTH PARTICLE", &Grab::cloth, &Grab::particle),
+    row<Drag>("drag X Y Z", &Drag::target),
+    row<Release>("release"),
+    row<Orbit>("orbit YAW PITCH", &Orbit::yaw, &Orbit::pitch),
+    row<Pan>("pan RIGHT UP", &Pan::right, &Pan::up),
+    row<Zoom>("zoom FACTOR", &Zoom::factor),
+    row<Frame>("frame"),
+    row<Picture>("picture"),
+    row<Quit>("quit"),
+};
+
+template <class... Rows>
+std::variant<typename Rows::Type...> commands_of(const std::tuple<Rows...>&);
+static_assert(std::is_same_v<decltype(commands_of(table)), Command>, "every command has one row, in the same order");
+
+/// Calls `look` with each row until it returns true.
+template <class Look>
+void find_row(Look look) {
+    std::apply([&](const auto&... rows) { static_cast<void>((look(rows) || ...)); }, table);
+}
+
 /// The words of a command's text after its name, read one by one.
 class Arguments {
 public:
-    Arguments(std::string_view name, std::string_view form, std::string_view rest)
-        : name_(name), form_(form), rest_(rest) {}
+    Arguments(std::string_view form, std::string_view rest) : form_(form), rest_(rest) {}
 
-    std::string word() {
-        skip_blanks();
-        const std::size_t end = std::min(rest_.find_first_of(" \t"), rest_.size());
-        if (end == 0) refuse();
-        std::string text(rest_.substr(0, end));
-        rest_.remove_prefix(end);
-        return text;
-    }
-
-    /// All that is left, blanks inside included.
-    std::string line() {
+    template <class C>
+    void read(C& command, LineMember<C> member) {
         skip_blanks();
         if (rest_.empty()) refuse();
-        return std::string(std::exchange(rest_, {}));
+        command.*member.text = std::exchange(rest_, {});
     }
 
-    double number() {
-        const auto value = parse_real(word());
-        if (!value || !(*value >= -largest && *value <= largest)) refuse();
-        return *value;
-    }
-
-    int count() {
-        const auto value = parse_integer(word());
-        if (!value || *value < 0 || *value > std::numeric_limits<int>::max()) refuse();
-        return static_cast<int>(*value);
-    }
-
-    Vec3 vector() {
-        const double x = number(), y = number(), z = number();
-        return {static_cast<Real>(x), static_cast<Real>(y), static_cast<Real>(z)};
+    template <class C, class Value>
+    void read(C& command, Value C::*member) {
+        read(command.*member);
     }
 
     void finish() {
@@ -61,118 +93,100 @@ private:
     /// Lengths and angles beyond this are typing errors, and NaN is refused with them.
     static constexpr double largest = 1e9;
 
+    void read(std::string& text) {
+        skip_blanks();
+        const std::size_t end = std::min(rest_.find_first_of(" \t"), rest_.size());
+        if (end == 0) refuse();
+        text = rest_.substr(0, end);
+        rest_.remove_prefix(end);
+    }
+
+    void read(double& number) {
+        std::string word;
+        read(word);
+        const auto value = parse_real(word);
+        if (!value || !(*value >= -largest && *value <= largest)) refuse();
+        number = *value;
+    }
+
+    void read(int& count) {
+        std::string word;
+        read(word);
+        const auto value = parse_integer(word);
+        if (!value || *value < 0 || *value > std::numeric_limits<int>::max()) refuse();
+        count = static_cast<int>(*value);
+    }
+
+    void read(Vec3& vector) {
+        for (int axis = 0; axis < 3; ++axis) {
+            double number = 0;
+            read(number);
+            vector[axis] = static_cast<Real>(number);
+        }
+    }
+
     void skip_blanks() { rest_.remove_prefix(std::min(rest_.find_first_not_of(" \t"), rest_.size())); }
 
     [[noreturn]] void refuse() const {
-        throw InputError("command '" + std::string(name_) + "': expected '" + std::string(form_) + "'");
+        throw InputError("command '" + std::string(form_.substr(0, form_.find(' '))) + "': expected '" +
+                         std::string(form_) + "'");
     }
 
-    std::string_view name_, form_, rest_;
+    std::string_view form_, rest_;
 };
 
-/// A command's name, its form for messages, and how its arguments are read.
-struct Form {
-    std::string name;
-    std::string form;
-    std::function<Command(Arguments&)> read;
-};
-
-const std::vector<Form>& forms() {
-    using namespace command;
-    static const std::vector<Form> all{
-        {"pause", "pause", [](Arguments&) { return Pause{}; }},
-        {"step", "step COUNT", [](Arguments& a) { return Step{a.count()}; }},
-        {"reset", "reset", [](Arguments&) { return Reset{}; }},
-        {"scene", "scene NAME", [](Arguments& a) { return LoadScene{a.line()}; }},
-        {"set", "set NAME=VALUE", [](Arguments& a) { return Set{a.line()}; }},
-        {"next", "next SETTING", [](Arguments& a) { return Next{a.word()}; }},
-        {"add", "add SETTING AMOUNT",
-         [](Arguments& a) {
-             std::string setting = a.word();
-             return Add{std::move(setting), a.number()};
-         }},
-        {"steer", "steer X Y Z", [](Arguments& a) { return Steer{a.vector()}; }},
-        {"grab", "grab CLOTH PARTICLE",
-         [](Arguments& a) {
-             const int cloth = a.count();
-             return Grab{cloth, a.count()};
-         }},
-        {"drag", "drag X Y Z", [](Arguments& a) { return Drag{a.vector()}; }},
-        {"release", "release", [](Arguments&) { return Release{}; }},
-        {"orbit", "orbit YAW PITCH",
-         [](Arguments& a) {
-             const double yaw = a.number();
-             return Orbit{yaw, a.number()};
-         }},
-        {"pan", "pan RIGHT UP",
-         [](Arguments& a) {
-             const double right = a.number();
-             return Pan{right, a.number()};
-         }},
-        {"zoom", "zoom FACTOR", [](Arguments& a) { return Zoom{a.number()}; }},
-        {"frame", "frame", [](Arguments&) { return Frame{}; }},
-        {"picture", "picture", [](Arguments&) { return Picture{}; }},
-        {"quit", "quit", [](Arguments&) { return Quit{}; }},
-    };
-    return all;
+std::string text_of(const std::string& text) { return text; }
+std::string text_of(double number) { return real_text(number); }
+std::string text_of(int count) { return std::to_string(count); }
+std::string text_of(const Vec3& v) {
+    return text_of(static_cast<double>(v[0])) + " " + text_of(static_cast<double>(v[1])) + " " +
+           text_of(static_cast<double>(v[2]));
 }
 
-std::string vector_text(const Vec3& v) {
-    return real_text(static_cast<double>(v[0])) + " " + real_text(static_cast<double>(v[1])) + " " +
-           real_text(static_cast<double>(v[2]));
+template <class C, class Value>
+const Value& value_of(const C& command, Value C::*member) {
+    return command.*member;
 }
-
-/// The text after the name, one overload a command that has arguments.
-struct ArgumentText {
-    std::string operator()(const command::Step& c) const { return " " + std::to_string(c.count); }
-    std::string operator()(const command::LoadScene& c) const { return " " + c.name; }
-    std::string operator()(const command::Set& c) const { return " " + c.assignment; }
-    std::string operator()(const command::Next& c) const { return " " + c.setting; }
-    std::string operator()(const command::Add& c) const { return " " + c.setting + " " + real_text(c.amount); }
-    std::string operator()(const command::Steer& c) const { return " " + vector_text(c.direction); }
-    std::string operator()(const command::Grab& c) const {
-        return " " + std::to_string(c.cloth) + " " + std::to_string(c.particle);
-    }
-    std::string operator()(const command::Drag& c) const { return " " + vector_text(c.target); }
-    std::string operator()(const command::Orbit& c) const { return " " + real_text(c.yaw) + " " + real_text(c.pitch); }
-    std::string operator()(const command::Pan& c) const { return " " + real_text(c.right) + " " + real_text(c.up); }
-    std::string operator()(const command::Zoom& c) const { return " " + real_text(c.factor); }
-    template <class WithoutArguments>
-    std::string operator()(const WithoutArguments&) const {
-        return {};
-    }
-};
+template <class C>
+const std::string& value_of(const C& command, LineMember<C> member) {
+    return command.*member.text;
+}
 
 }  // namespace
 
-// The forms stand in the order of the variant's alternatives.
 std::string command_text(const Command& command) {
-    return forms()[command.index()].name + std::visit(ArgumentText{}, command);
+    std::string text;
+    find_row([&]<class C, class... Members>(const Row<C, Members...>& row) {
+        const auto* found = std::get_if<C>(&command);
+        if (found == nullptr) return false;
+        text = row.name();
+        std::apply([&](auto... members) { ((text += " " + text_of(value_of(*found, members))), ...); }, row.members);
+        return true;
+    });
+    return text;
 }
 
 Command parse_command(std::string_view text) {
     const std::size_t end = std::min(text.find_first_of(" \t"), text.size());
     const std::string_view name = text.substr(0, end);
-    for (const Form& form : forms()) {
-        if (form.name != name) continue;
-        Arguments arguments(name, form.form, text.substr(end));
-        Command command = form.read(arguments);
-        arguments.finish();
-        return command;
-    }
+    std::optional<Command> found;
     std::vector<std::string> names;
-    for (const Form& form : forms()) names.push_back(form.name);
+    find_row([&]<class C, class... Members>(const Row<C, Members...>& row) {
+        names.emplace_back(row.name());
+        if (row.name() != name) return false;
+        C command;
+        Arguments arguments(row.form, text.substr(end));
+        std::apply([&](auto... members) { (arguments.read(command, members), ...); }, row.members);
+        arguments.finish();
+        found = std::move(command);
+        return true;
+    });
+    if (found) return *std::move(found);
     throw InputError("unknown command '" + shortened(name) + "': did you mean '" + nearest_name(name, names) + "'?");
 }
 
 bool changes_state(const Command& command) {
-    return std::visit(
-        []<class C>(const C&) {
-            using namespace drape::command;
-            return !(std::is_same_v<C, Orbit> || std::is_same_v<C, Pan> || std::is_same_v<C, Zoom> ||
-                     std::is_same_v<C, Frame> || std::is_same_v<C, Picture> || std::is_same_v<C, Quit>);
-        },
-        command);
+    return std::visit([]<class C>(const C&) { return !command::OfThePicture<C>; }, command);
 }
 
 }  // namespace drape

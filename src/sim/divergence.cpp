@@ -9,14 +9,14 @@
 namespace drape {
 namespace {
 
-/// How much faster than any honest cause particles may move. Whip cracks at a free corner reach about five.
+/// How much faster than plausible particles may move. The whip crack of a free corner comes to about five times it.
 constexpr Real margin = 20;
 
-/// The fastest that anything in the scene can honestly make a particle move against the rest [m/s].
-Real honest_speed(const Cloth& cloth, std::span<const Ball> balls, const Settings& settings) {
+/// The fastest that gravity, wind and balls can plausibly make a particle move against the rest [m/s].
+Real plausible_speed(const Cloth& cloth, std::span<const Ball> balls, const Settings& settings) {
     const ClothModel& model = cloth.model;
-    const Real reach = model.hx * static_cast<Real>(model.grid.nx) + model.hy * static_cast<Real>(model.grid.ny);
-    Real speed = std::sqrt(2 * model.gravity.norm() * reach) + settings.wind.velocity.norm();
+    const Real height = model.hx * static_cast<Real>(model.grid.nx) + model.hy * static_cast<Real>(model.grid.ny);
+    Real speed = std::sqrt(2 * model.gravity.norm() * height) + settings.wind.velocity.norm();
     for (const Ball& ball : balls) speed += ball.velocity.norm();
     return speed;
 }
@@ -62,7 +62,7 @@ std::string divergence(const Cloth& cloth, const MotionSums& sums, std::span<con
     // RMS speed against the mean motion: a long free fall is fast, but together
     const Vec3 mean = sums.velocities / n;
     const Real square = sums.squared_speeds / n - mean.squaredNorm();
-    const Real limit = margin * honest_speed(cloth, balls, settings);
+    const Real limit = margin * plausible_speed(cloth, balls, settings);
     if (square <= limit * limit && sums.positions.allFinite()) return {};
 
     // Name the first particle that is not finite, else the fastest

@@ -1,6 +1,13 @@
 #include "drape/sim/energy_ledger.h"
 
+#include <limits>
+
 namespace drape {
+
+EnergyBalance EnergyBalance::unknown() {
+    constexpr double none = std::numeric_limits<double>::quiet_NaN();
+    return {none, none, none, none, none, none, none};
+}
 
 EnergyBalance& EnergyBalance::operator+=(const EnergyBalance& other) {
     wind += other.wind;

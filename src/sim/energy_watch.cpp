@@ -4,14 +4,13 @@
 #include <cmath>
 
 #include "drape/model/energy.h"
-#include "drape/model/stencils.h"
 
 namespace drape {
 namespace {
 
 /// Of the work that lifts the cloth by its size, and of the energy in motion and springs, what a method that is well
 /// may make. Shipped scenes show no excess at all.
-constexpr double lifts = 0.05, part = 0.1;
+constexpr double of_lift = 0.05, of_motion = 0.1;
 
 /// Of the work that lifts the cloth: what a resting contact pushes by is less, so that few steps measure.
 constexpr double small = 1e-3;
@@ -19,7 +18,7 @@ constexpr double small = 1e-3;
 /// From one sum over the springs to the next [s].
 constexpr double pause = 0.1;
 
-double allowed(double lift, double in_motion) { return lifts * lift + part * in_motion; }
+double allowed(double lift, double in_motion) { return of_lift * lift + of_motion * in_motion; }
 
 }  // namespace
 
@@ -67,30 +66,5 @@ void EnergyWatch::measure(const ClothModel& model, const ClothState& state) {
 bool EnergyWatch::heated() const { return excess_ > allowed(lift_, peak_); }
 
 double EnergyWatch::small_work() const { return small * lift_; }
-
-double hand_power(const ClothModel& model, const ClothState& state, int particle) {
-    const Grid& grid = model.grid;
-    const int i = particle % grid.nx, j = particle / grid.nx;
-    const Vec3 x = state.x.row(particle).transpose(), v = state.v.row(particle).transpose();
-    Vec3 force = model.particle_mass * model.gravity - model.drag * v;
-    for (const SpringStencil& springs : spring_stencils(model)) {
-        for (const int side : {-1, 1}) {
-            const int other_i = i + side * springs.di, other_j = j + side * springs.dj;
-            if (other_i < 0 || other_i >= grid.nx || other_j < 0 || other_j >= grid.ny) continue;
-            const int other = grid.particle(other_i, other_j);
-            const Vec3 d = x - state.x.row(other).transpose(), u = v - state.v.row(other).transpose();
-            const Real length = d.norm();
-            if (length == 0) continue;
-            const Vec3 n = d / length;
-            force -= (springs.law.stiffness * (length - springs.rest_length) + springs.law.damping * n.dot(u)) * n;
-        }
-    }
-    return static_cast<double>(-force.dot(v));
-}
-
-double most_push_work(const ClothModel& model, Real squared_push) {
-    const Real stiffness = 3 * 4 * (model.structural.stiffness + model.shear.stiffness + model.bend.stiffness);
-    return static_cast<double>(stiffness) * static_cast<double>(squared_push);
-}
 
 }  // namespace drape

@@ -1,11 +1,11 @@
 #include "drape/sim/failure.h"
 
-#include <fstream>
-#include <iterator>
 #include <sstream>
 #include <string_view>
 
 #include "drape/base/assert.h"
+#include "drape/base/input_error.h"
+#include "drape/base/input_file.h"
 #include "drape/base/output_file.h"
 #include "drape/sim/scene_text.h"
 #include "drape/sim/state_csv.h"
@@ -13,12 +13,13 @@
 namespace drape {
 namespace {
 
-/// Never waits for the other end of a pipe, which is no text of ours.
+/// What cannot be read is no text of ours; nor is a pipe, for whose other end nobody waits.
 bool has_text(const std::filesystem::path& file, const std::string& text) {
-    std::error_code unknown;
-    if (!std::filesystem::is_regular_file(file, unknown)) return false;
-    std::ifstream in(file, std::ios::binary);
-    return std::string{std::istreambuf_iterator<char>(in), {}} == text;
+    try {
+        return read_text(file.string()) == text;
+    } catch (const InputError&) {
+        return false;
+    }
 }
 
 /// @return false if there is such a file by now
@@ -31,7 +32,7 @@ bool write_new_file(const std::filesystem::path& file, const std::string& text) 
 /// With which the title of a scene begins that was written here.
 constexpr std::string_view mark = "Fails at once: ";
 
-/// The settings with cloths, balls, pins and parts of a step as they are now.
+/// The settings with cloths, balls, pins and substeps as they are now.
 Settings present_settings(const Simulation& simulation) {
     Settings settings = simulation.settings();
     settings.solver.dt /= simulation.report().substeps;

@@ -10,10 +10,10 @@
 namespace drape {
 namespace {
 
-/// Numbers a particle: its mass, the state and the one before, the positions of the last build and the ledger's.
-constexpr double numbers = 1 + 12 + 3 + 3;
+/// Numbers a particle: its mass, the state and the one before, and the positions of the last build; those of a ledger.
+constexpr double numbers = 1 + 12 + 3, ledger_numbers = 3;
 
-/// The search for the longest step: its vectors and slopes, on a piece of at most about so many particles.
+/// The search for the longest step: its vectors and Jacobian, on a piece of at most about so many particles.
 constexpr double search_numbers = 42, searched_particles = 3000;
 
 double numbers_of_volume(VolumeKind kind) {
@@ -50,7 +50,8 @@ MemoryNeed memory_needed(const Settings& settings) {
     for (const ClothParameters& cloth : settings.cloths) {
         const Grid& grid = cloth.particles;
         const double particles = grid.particles();
-        need.cloths += particles * sizeof(Real) * numbers + grid.triangles() * static_cast<double>(sizeof(Contact)) +
+        need.cloths += particles * sizeof(Real) * (numbers + (settings.solver.ledger ? ledger_numbers : 0)) +
+                       grid.triangles() * static_cast<double>(sizeof(Contact)) +
                        hierarchy_bytes(settings.contact, grid) +
                        std::min(particles, searched_particles) * sizeof(Real) * search_numbers;
         need.method += bytes_of_method(integrator_of(settings.solver), grid);

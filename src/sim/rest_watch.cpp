@@ -4,11 +4,11 @@
 
 namespace drape {
 
-bool RestWatch::look(const Points& x, double time, Real reach) {
-    if (!watching_ || largest_displacement(x, places_) > reach) {
+bool RestWatch::look(const Points& x, double time, Real distance) {
+    if (!watching_ || largest_displacement(x, start_) > distance) {
         watching_ = true;
         since_ = time;
-        places_ = x;
+        start_ = x;
     }
     return time - since_ >= duration;
 }

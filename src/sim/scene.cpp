@@ -1,7 +1,6 @@
 #include "drape/sim/scene.h"
 
 #include <algorithm>
-#include <iterator>
 
 #include "drape/base/input_error.h"
 #include "drape/base/input_file.h"
@@ -27,17 +26,17 @@ public:
         try {
             check(settings_);
         } catch (const MisfitError& misfit) {
-            fail(place_of(misfit, *root.get(misfit.section)), misfit.what());
+            fail(node_of(misfit, *root.get(misfit.section)), misfit.what());
         }
     }
 
 private:
-    /// Where a setting stands that does not fit the others, or the table that should have it.
-    static const toml::node& place_of(const MisfitError& misfit, const toml::node& parts) {
-        const toml::array* several = parts.as_array();
-        const toml::node& part = several != nullptr ? *several->get(misfit.index) : parts;
-        const toml::node* place = part.as_table()->get(misfit.name);
-        return place != nullptr ? *place : part;
+    /// The setting that does not fit the others, or the table that should have it.
+    static const toml::node& node_of(const MisfitError& misfit, const toml::node& section) {
+        const toml::array* several = section.as_array();
+        const toml::node& table = several != nullptr ? *several->get(misfit.index) : section;
+        const toml::node* setting = table.as_table()->get(misfit.name);
+        return setting != nullptr ? *setting : table;
     }
 
     void read_top(const std::string& name, const toml::node& node) {
@@ -56,16 +55,16 @@ private:
     }
 
     /// `[cloth]` or `[[cloth]]`
-    template <class Part>
-    void read_several(const toml::node& node, const std::string& name, std::vector<Part>& parts) {
+    template <class Entry>
+    void read_several(const toml::node& node, const std::string& name, std::vector<Entry>& entries) {
         const toml::array* several = node.as_array();
         const std::size_t count = several != nullptr ? several->size() : 1;
-        if (count == 0 || count > most_parts) {
-            fail(node, name + ": allowed 1 to " + std::to_string(most_parts) + " of them");
+        if (count == 0 || count > most_entries) {
+            fail(node, name + ": allowed 1 to " + std::to_string(most_entries) + " of them");
         }
         for (std::size_t i = 0; i < count; ++i) {
             const toml::node& one = several != nullptr ? *several->get(i) : node;
-            parts.emplace_back();
+            entries.emplace_back();
             const toml::table& table = table_of(one, name);
             if (table.contains("origin") && table.contains("centre")) {
                 fail(*table.get("centre"), name + ".centre: allowed only without " + name + ".origin");
@@ -133,7 +132,7 @@ private:
                          message);
     }
 
-    static constexpr std::size_t most_parts = 64;
+    static constexpr std::size_t most_entries = 64;
 
     std::string file_;
     Settings& settings_;
@@ -154,11 +153,6 @@ void check_sizes(std::string_view text, const std::string& file) {
         }
         begin = end + 1;
     }
-}
-
-std::string read_file(const std::string& file) {
-    InputFile in(file, largest_file);
-    return {std::istreambuf_iterator<char>(in), {}};
 }
 
 }  // namespace
@@ -184,7 +178,7 @@ std::filesystem::path scene_file(const std::string& name_or_path) {
 
 Settings load_scene(const std::string& name_or_path) {
     const std::string path = scene_file(name_or_path).string();
-    return parse_scene(read_file(path), path);
+    return parse_scene(read_text(path, largest_file), path);
 }
 
 std::vector<std::string> scene_names() {

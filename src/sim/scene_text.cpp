@@ -45,7 +45,7 @@ std::string toml_text(const Setting& setting, const SettingValue& value) {
     return value_text(value);
 }
 
-/// One place by two names: only that by which it was given.
+/// Of origin and centre, which say the same, the one that was not given.
 bool is_other_name(const Setting& setting, const Settings& settings, std::size_t index) {
     if (setting.section != "cloth") return false;
     return setting.name == (settings.cloths[index].centred ? "origin" : "centre");

@@ -40,9 +40,9 @@ std::size_t section_count(const Settings& settings, const Setting& setting) {
     return 1;
 }
 
-/// The parts that a target means: all of its section, or the one it names.
+/// The cloths or balls that a target means: all of its section, or the one it names.
 /// @throws InputError if there is none
-std::pair<std::size_t, std::size_t> parts_of(const Settings& settings, const Target& target) {
+std::pair<std::size_t, std::size_t> range_of(const Settings& settings, const Target& target) {
     const Setting& setting = *target.setting;
     const std::size_t count = section_count(settings, setting);
     if (count == 0) throw InputError(setting.full_name() + ": the scene has no " + setting.section);
@@ -55,7 +55,7 @@ std::pair<std::size_t, std::size_t> parts_of(const Settings& settings, const Tar
 }
 
 void write_checked(Settings& settings, const Target& target, const SettingValue& value) {
-    const auto [first, last] = parts_of(settings, target);
+    const auto [first, last] = range_of(settings, target);
     if (const std::string wrong = refusal(*target.setting, value); !wrong.empty()) throw InputError(wrong);
     for (std::size_t i = first; i < last; ++i) target.setting->write(settings, i, value);
 }
@@ -115,7 +115,7 @@ void assign_all(Settings& settings, std::span<const std::string> assignments) {
 Settings with_next(Settings settings, std::string_view name) {
     const Target target = find_target(name);
     const Setting& setting = *target.setting;
-    const SettingValue now = setting.read(settings, parts_of(settings, target).first);
+    const SettingValue now = setting.read(settings, range_of(settings, target).first);
     if (setting.kind == SettingKind::Flag) {
         write_checked(settings, target, !std::get<bool>(now));
     } else if (setting.kind == SettingKind::Choice) {
@@ -134,7 +134,7 @@ Settings with_added(Settings settings, std::string_view name, double amount) {
     if (setting.kind != SettingKind::Number && setting.kind != SettingKind::Integer) {
         throw InputError("add " + setting.full_name() + ": it is no number");
     }
-    const auto [first, last] = parts_of(settings, target);
+    const auto [first, last] = range_of(settings, target);
     for (std::size_t i = first; i < last; ++i) {
         const double sum = std::get<double>(setting.read(settings, i)) + amount;
         write_checked(settings, {&setting, i}, std::clamp(sum, setting.range.low, setting.range.high));

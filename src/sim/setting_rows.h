@@ -5,6 +5,7 @@
 #include <utility>
 #include <vector>
 
+#include "drape/base/enum_names.h"
 #include "drape/sim/setting_table.h"
 
 namespace drape {
@@ -19,12 +20,12 @@ inline Vec3 vector_of(const SettingValue& value) {
 }
 
 /// Makes rows of the table for the members of one section.
-/// @tparam Part the struct that holds the section's values
-template <class Part>
+/// @tparam Values the struct that holds the section's values
+template <class Values>
 class SectionRows {
 public:
-    /// Finds the index-th part of a section; a section that stands once ignores the index.
-    using Find = Part& (*)(Settings&, std::size_t);
+    /// Finds the values of the index-th section of its kind; one that stands once ignores the index.
+    using Find = Values& (*)(Settings&, std::size_t);
 
     SectionRows(std::string section, Find find, std::vector<Setting>& rows)
         : section_(std::move(section)), find_(find), rows_(rows) {}
@@ -43,11 +44,11 @@ public:
                          }});
     }
 
-    /// @param member pointer to a number of Part
+    /// @param member pointer to a number of Values
     template <class Number>
-    void number(std::string name, Number Part::*member, std::string unit, Range range, std::string help) {
+    void number(std::string name, Number Values::*member, std::string unit, Range range, std::string help) {
         number_at(
-            std::move(name), [member](Part& part) -> Number& { return part.*member; }, std::move(unit), range,
+            std::move(name), [member](Values& values) -> Number& { return values.*member; }, std::move(unit), range,
             std::move(help));
     }
 
@@ -55,49 +56,46 @@ public:
     void number_at(std::string name, At at, std::string unit, Range range, std::string help) {
         add(
             std::move(name), SettingKind::Number, std::move(unit), range, {}, std::move(help),
-            [at](Part& part) { return static_cast<double>(at(part)); },
-            [at](Part& part, const SettingValue& value) {
-                using Number = std::remove_reference_t<decltype(at(part))>;
-                at(part) = static_cast<Number>(std::get<double>(value));
+            [at](Values& values) { return static_cast<double>(at(values)); },
+            [at](Values& values, const SettingValue& value) {
+                using Number = std::remove_reference_t<decltype(at(values))>;
+                at(values) = static_cast<Number>(std::get<double>(value));
             });
     }
 
-    void integer(std::string name, int Part::*member, Range range, std::string help) {
+    void integer(std::string name, int Values::*member, Range range, std::string help) {
         add(
             std::move(name), SettingKind::Integer, "", range, {}, std::move(help),
-            [member](Part& part) { return static_cast<double>(part.*member); },
-            [member](Part& part, const SettingValue& value) {
-                part.*member = static_cast<int>(std::get<double>(value));
+            [member](Values& values) { return static_cast<double>(values.*member); },
+            [member](Values& values, const SettingValue& value) {
+                values.*member = static_cast<int>(std::get<double>(value));
             });
     }
 
     /// @param range of the flag as a number: {0, 0} accepts only false
-    void flag(std::string name, bool Part::*member, std::string help, Range range = {0, 1}) {
+    void flag(std::string name, bool Values::*member, std::string help, Range range = {0, 1}) {
         add(
             std::move(name), SettingKind::Flag, "", range, {}, std::move(help),
-            [member](Part& part) { return part.*member; },
-            [member](Part& part, const SettingValue& value) { part.*member = std::get<bool>(value); });
+            [member](Values& values) { return values.*member; },
+            [member](Values& values, const SettingValue& value) { values.*member = std::get<bool>(value); });
     }
 
-    template <class Enum>
-    void choice(std::string name, Enum Part::*member, std::span<const std::string> names, std::string help) {
-        std::vector<std::string> choices(names.begin(), names.end());
+    template <NamedEnum Enum>
+    void choice(std::string name, Enum Values::*member, std::string help) {
+        const auto names = names_of<Enum>();
         add(
-            std::move(name), SettingKind::Choice, "", {0, 0}, choices, std::move(help),
-            [member, choices](Part& part) { return choices[static_cast<std::size_t>(part.*member)]; },
-            [member, choices](Part& part, const SettingValue& value) {
-                const auto& chosen = std::get<std::string>(value);
-                for (std::size_t i = 0; i < choices.size(); ++i) {
-                    if (choices[i] == chosen) part.*member = static_cast<Enum>(i);
-                }
+            std::move(name), SettingKind::Choice, "", {0, 0}, {names.begin(), names.end()}, std::move(help),
+            [member](Values& values) { return name_of(values.*member); },
+            [member](Values& values, const SettingValue& value) {
+                values.*member = value_named<Enum>(std::get<std::string>(value)).value();
             });
     }
 
-    void vector(std::string name, Vec3 Part::*member, std::string unit, Range range, std::string help) {
+    void vector(std::string name, Vec3 Values::*member, std::string unit, Range range, std::string help) {
         add(
             std::move(name), SettingKind::Vector, std::move(unit), range, {}, std::move(help),
-            [member](Part& part) { return values_of(part.*member); },
-            [member](Part& part, const SettingValue& value) { part.*member = vector_of(value); });
+            [member](Values& values) { return values_of(values.*member); },
+            [member](Values& values, const SettingValue& value) { values.*member = vector_of(value); });
     }
 
 private:

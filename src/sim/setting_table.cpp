@@ -1,7 +1,5 @@
 #include "drape/sim/setting_table.h"
 
-#include <array>
-
 #include "setting_rows.h"
 
 namespace drape {
@@ -13,12 +11,6 @@ constexpr Range lengths{-1e4, 1e4};  // m: everything happens within ten kilomet
 constexpr Range sizes{1e-6, 1e4};    // m
 constexpr Range any_text{0, 0};
 
-const std::array<std::string, 2> plane_names{"xz", "xy"};
-const std::array<std::string, 3> motion_names{"keys", "path", "still"};
-const std::array<std::string, 3> unstable_names{"warn", "substep", "stop"};
-const std::array<std::string, 2> measure_names{"positions", "centre_and_spread"};
-const std::array<std::string, 5> pin_names{"none", "two", "four", "row", "border"};
-
 void add_spring(SectionRows<ClothParameters>& rows, const std::string& kind, SpringLaw ClothParameters::*law,
                 const std::string& where) {
     rows.number_at(
@@ -29,22 +21,21 @@ void add_spring(SectionRows<ClothParameters>& rows, const std::string& kind, Spr
         "damping of the springs " + where);
 }
 
+/// Pins by name; a list has none.
+std::span<const std::string> pin_names() {
+    return names_of<Pins::Kind>().first(static_cast<std::size_t>(Pins::Kind::List));
+}
+
 SettingValue pins_value(const Pins& pins) {
     if (pins.kind == Pins::Kind::List) return Values(pins.list.begin(), pins.list.end());
-    return pin_names[static_cast<std::size_t>(pins.kind)];
+    return name_of(pins.kind);
 }
 
 Pins pins_of(const SettingValue& value) {
-    if (const auto* list = std::get_if<Values>(&value)) {
-        Pins pins{Pins::Kind::List, {}};
-        for (const double particle : *list) pins.list.push_back(static_cast<int>(particle));
-        return pins;
-    }
-    const auto& name = std::get<std::string>(value);
-    Pins pins;
-    for (std::size_t i = 0; i < pin_names.size(); ++i) {
-        if (pin_names[i] == name) pins.kind = static_cast<Pins::Kind>(i);
-    }
+    const auto* list = std::get_if<Values>(&value);
+    if (list == nullptr) return {value_named<Pins::Kind>(std::get<std::string>(value)).value(), {}};
+    Pins pins{Pins::Kind::List, {}};
+    for (const double particle : *list) pins.list.push_back(static_cast<int>(particle));
     return pins;
 }
 
@@ -73,7 +64,7 @@ void add_cloth(std::vector<Setting>& table) {
             c.height = static_cast<Real>(list[1]);
         });
     rows.number("mass", &ClothParameters::mass, "kg", {1e-9, 1e6}, "of the whole cloth, pinned particles counted");
-    rows.choice("plane", &ClothParameters::plane, plane_names, "in which it starts: horizontal or vertical");
+    rows.choice("plane", &ClothParameters::plane, "in which it starts: horizontal or vertical");
     rows.add(
         "origin", SettingKind::Vector, "m", lengths, {}, "where particle (0,0) starts",
         [](const ClothParameters& c) { return values_of(c.origin()); },
@@ -83,7 +74,7 @@ void add_cloth(std::vector<Setting>& table) {
         [](const ClothParameters& c) { return values_of(c.centre()); },
         [](ClothParameters& c, const SettingValue& value) { c.place = vector_of(value), c.centred = true; });
     rows.add(
-        "pinned", SettingKind::Pins, "", {0, 4096.0 * 4096 - 1}, {pin_names.begin(), pin_names.end()},
+        "pinned", SettingKind::Pins, "", {0, 4096.0 * 4096 - 1}, {pin_names().begin(), pin_names().end()},
         "which particles never move, by name or by number",
         [](const ClothParameters& c) { return pins_value(c.pinned); },
         [](ClothParameters& c, const SettingValue& value) { c.pinned = pins_of(value); });
@@ -117,7 +108,7 @@ void add_ball(std::vector<Setting>& table) {
     rows.number("radius", &BallSettings::radius, "m", sizes, "of the ball");
     rows.vector("position", &BallSettings::position, "m", lengths, "of its centre at the start; not used on a path");
     rows.vector("velocity", &BallSettings::velocity, "m/s", {-1e3, 1e3}, "at the start, under the keys");
-    rows.choice("motion", &BallSettings::motion, motion_names, "what moves it");
+    rows.choice("motion", &BallSettings::motion, "what moves it");
     rows.number("speed", &BallSettings::speed, "m/s", {0, 1e2}, "to which the keys bring it");
     rows.number("mass", &BallSettings::mass, "kg", {1, 1},
                 "of the ball; nothing moves it yet, so that it has no effect");
@@ -132,7 +123,7 @@ void add_needs(std::vector<Setting>& table) {
     needs.number("position_error", &NeedsSettings::position_error, "", {0, 1},
                  "of the cloth's side, that the scene allows against its full model up to the horizon; 0: not stated");
     needs.choice(
-        "measure", &NeedsSettings::measure, measure_names,
+        "measure", &NeedsSettings::measure,
         "of that error: RMS over the particles; or centre of mass and spread about it, where motion is chaotic");
     needs.number("horizon", &NeedsSettings::horizon, "s", {1e-9, 1e3}, "time up to which needs count");
     needs.number("penetration", &NeedsSettings::penetration, "m", {0, 1},
@@ -140,9 +131,9 @@ void add_needs(std::vector<Setting>& table) {
     needs.number("stretch", &NeedsSettings::stretch, "", {0, 1e3},
                  "largest of a structural spring that the scene allows after any step; 0: not stated");
     needs.number("least_stretch", &NeedsSettings::least_stretch, "", {0, 1e3},
-                 "that the scene must reach after some step, to show that it is soft; 0: not stated");
+                 "that the scene must show after some step, to be soft; 0: not stated");
     needs.flag("diverges", &NeedsSettings::diverges,
-               "the scene must be lost by the horizon, to show how a method fails");
+               "the scene must have diverged by the horizon, to show how a method fails");
     needs.add(
         "keep", SettingKind::Text, "", any_text, {},
         "knobs that stay as they are by the scene's nature: particles, bend, drag, integrator, dt, iterations, volume, "
@@ -167,8 +158,8 @@ void add_needs(std::vector<Setting>& table) {
 void add_the_rest(std::vector<Setting>& table) {
     SectionRows<SolverSettings> solver(
         "solver", [](Settings& s, std::size_t) -> SolverSettings& { return s.solver; }, table);
-    solver.choice("integrator", &SolverSettings::integrator, integrator_names(), "how a step is made");
-    solver.choice("hessian", &SolverSettings::hessian, hessian_names(),
+    solver.choice("integrator", &SolverSettings::integrator, "how a step is made");
+    solver.choice("hessian", &SolverSettings::hessian,
                   "of the implicit methods: without or with the negative stiffness across a compressed spring");
     solver.integer("iterations", &SolverSettings::iterations, {1, 1000}, "of xpbd and projective_dynamics in one step");
     solver.number(
@@ -176,25 +167,26 @@ void add_the_rest(std::vector<Setting>& table) {
         "of dormand_prince: error of an inner step, of the cloth's spacing; at most 10000 are tried in a step");
     solver.integer("threads", &SolverSettings::threads, {1, 64},
                    "that share a step of the explicit methods; the motion is the same");
-    solver.choice("kernels", &SolverSettings::kernels, kernels_names,
+    solver.choice("kernels", &SolverSettings::kernels,
                   "of forces, hierarchy and contact: vectors, or the plain code that is there to be read");
     solver.number("dt", &SolverSettings::dt, "s", {1e-9, 0.1}, "length of one step");
     solver.choice(
-        "on_unstable", &SolverSettings::on_unstable, unstable_names,
-        "substep: make a step beyond 0.9 of its limit, as predicted every 0.25 s and after a change, in "
-        "parts; when a step has lost the cloth, warn: the window "
-        "freezes it, stop: it ends, as other programs always do; when a step was not solved to its tolerance or "
-        "the method has made energy, stop: every program ends, warn and substep: the run is marked");
+        "on_unstable", &SolverSettings::on_unstable,
+        "substep: divide a step longer than 0.9 of its limit, as predicted every 0.25 s and after a change, into "
+        "substeps; when the state has diverged, warn: the window freezes the last good one, stop: it ends, as other "
+        "programs always do; when a step was not solved to its tolerance or the method has added energy, stop: every "
+        "program ends, warn and substep: the run is marked");
     solver.number("sleep_speed", &SolverSettings::sleep_speed, "m/s", {0, 1},
                   "a scene that is slower for half a second falls asleep; 0: never");
 
-    solver.flag("ledger", &SolverSettings::ledger, "keep the balance of the energy; costs about a step of Verlet");
+    solver.flag("ledger", &SolverSettings::ledger,
+                "keep the balance of the energy, for panel and CSV; costs about as much as a step of Verlet");
 
     SectionRows<ContactSettings> contact(
         "contact", [](Settings& s, std::size_t) -> ContactSettings& { return s.contact; }, table);
-    contact.choice("volume", &ContactSettings::volume, volume_names(), "of the hierarchy; brute tests every cell");
-    contact.choice("update", &ContactSettings::update, update_names(), "how the hierarchy follows the cloth");
-    contact.choice("sphere_fit", &ContactSettings::sphere_fit, sphere_fit_names(),
+    contact.choice("volume", &ContactSettings::volume, "of the hierarchy; brute tests every cell");
+    contact.choice("update", &ContactSettings::update, "how the hierarchy follows the cloth");
+    contact.choice("sphere_fit", &ContactSettings::sphere_fit,
                    "how a sphere is put about particles, where the volume is one");
     contact.integer("leaf_cells", &ContactSettings::leaf_cells, {0, 64},
                     "a leaf has at most this many cells squared; 0: 7 or 15, by size");
@@ -203,7 +195,7 @@ void add_the_rest(std::vector<Setting>& table) {
                     "level at which a search ends, its nodes taken as spheres; 30: at the leaves");
     contact.integer("search_tests", &ContactSettings::search_tests, {0, 1e9},
                     "volume tests after which a search ends; 0: no end");
-    contact.choice("response", &ContactSettings::response, response_names(), "how contacts are answered");
+    contact.choice("response", &ContactSettings::response, "how contacts are answered");
     contact.number("friction", &ContactSettings::friction, "", {0, 10}, "Coulomb coefficient between cloth and ball");
     contact.number("restitution", &ContactSettings::restitution, "", {0, 1}, "of the normal speed");
     contact.number("thickness", &ContactSettings::thickness, "m", {0, 1}, "by which the cloth is grown on both sides");

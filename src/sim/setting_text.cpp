@@ -20,17 +20,15 @@ std::string_view trimmed(std::string_view text) {
 std::optional<Values> parse_list(std::string_view text) {
     Values values;
     int open = 0;
-    for (std::string_view rest = text;;) {
-        const std::size_t comma = std::min(rest.find(','), rest.size());
-        std::string_view item = trimmed(rest.substr(0, comma));
-        for (; item.starts_with('['); item = trimmed(item.substr(1))) ++open;
+    for (std::string_view item : split_at_commas(text)) {
+        for (item = trimmed(item); item.starts_with('['); item = trimmed(item.substr(1))) ++open;
         for (; open > 0 && item.ends_with(']'); item = trimmed(item.substr(0, item.size() - 1))) --open;
         const auto value = parse_real(item);
         if (!value) return std::nullopt;
         values.push_back(*value);
-        if (comma == rest.size()) return open == 0 ? std::optional(std::move(values)) : std::nullopt;
-        rest.remove_prefix(comma + 1);
     }
+    if (open != 0) return std::nullopt;
+    return values;
 }
 
 /// A text that stays within its line in recordings, tables and the panel.

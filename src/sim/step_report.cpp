@@ -17,7 +17,7 @@ const std::array<ReportField, 44> fields{{
     {"step", "", steps, "step", ReportGroup::Time, 3},
     {"time", "s", [](const StepReport& r) { return r.time; }, "time", ReportGroup::Time, 3},
     {"substeps", "", [](const StepReport& r) { return static_cast<double>(r.substeps); }},
-    {"step_over_limit", "1", [](const StepReport& r) { return r.step_over_limit; }},
+    {"step_limit_ratio", "1", [](const StepReport& r) { return r.step_limit_ratio; }},
     {"unconverged", "", [](const StepReport& r) { return static_cast<double>(r.unconverged); }, "unsolved",
      ReportGroup::Doubt, 4, steps},
     {"residual", "1", [](const StepReport& r) { return static_cast<double>(r.solve.residual); }},

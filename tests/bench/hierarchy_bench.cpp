@@ -72,14 +72,15 @@ void register_all() {
         add("brute_force/draped" + size, [side](benchmark::State& state) {
             query<DrapedSheet>(state, side, {.volume = drape::VolumeKind::Brute}, false);
         });
-        for (std::size_t v = 0; v + 1 < drape::volume_names().size(); ++v) {
+        for (std::size_t v = 0; v + 1 < drape::names_of<drape::VolumeKind>().size(); ++v) {
             for (const int leaf : {4, 7, 8, 11, 15, 16, 23, 31}) {
-                const std::string volume = drape::volume_names()[v] + size + "/leaf:" + std::to_string(leaf);
-                for (std::size_t u = 0; u < drape::update_names().size(); ++u) {
+                const std::string volume =
+                    drape::names_of<drape::VolumeKind>()[v] + size + "/leaf:" + std::to_string(leaf);
+                for (std::size_t u = 0; u < drape::names_of<drape::UpdateKind>().size(); ++u) {
                     const BroadPhaseParameters parameters{.volume = static_cast<drape::VolumeKind>(v),
                                                           .update = static_cast<drape::UpdateKind>(u),
                                                           .leaf_cells = leaf};
-                    add(drape::update_names()[u] + "/" + volume,
+                    add(drape::names_of<drape::UpdateKind>()[u] + "/" + volume,
                         [=](benchmark::State& state) { build(state, side, parameters); });
                 }
                 const BroadPhaseParameters merged{.volume = static_cast<drape::VolumeKind>(v),

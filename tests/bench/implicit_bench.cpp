@@ -73,8 +73,8 @@ void register_steps(const Load& load) {
     for (const IntegratorKind kind :
          {IntegratorKind::BackwardEuler, IntegratorKind::ImplicitMidpoint, IntegratorKind::Bdf2}) {
         for (const Hessian hessian : {Hessian::Clamped, Hessian::Exact}) {
-            const std::string name = "implicit_step/" + std::string(name_of(kind)) + "/" +
-                                     hessian_names()[static_cast<std::size_t>(hessian)] + "/side:30" + load.name;
+            const std::string name =
+                "implicit_step/" + std::string(name_of(kind)) + "/" + name_of(hessian) + "/side:30" + load.name;
             benchmark::RegisterBenchmark(name.c_str(), [=](benchmark::State& bench) {
                 step(bench, {.kind = kind, .hessian = hessian}, 30, load);
             })->Unit(benchmark::kMicrosecond);
@@ -86,9 +86,8 @@ void register_solves(const Load& load) {
     for (const Hessian hessian : {Hessian::Clamped, Hessian::Exact}) {
         for (const int side : {4, 8, 16, 30, 64}) {
             for (const auto solver : {NewtonSystem::Solver::Factors, NewtonSystem::Solver::Blocks}) {
-                const std::string name = "implicit_solve/" + hessian_names()[static_cast<std::size_t>(hessian)] +
-                                         "/side:" + std::to_string(side) + load.name +
-                                         (solver == NewtonSystem::Solver::Factors ? "/factors" : "/blocks");
+                const std::string name = "implicit_solve/" + name_of(hessian) + "/side:" + std::to_string(side) +
+                                         load.name + (solver == NewtonSystem::Solver::Factors ? "/factors" : "/blocks");
                 benchmark::RegisterBenchmark(name.c_str(), [=](benchmark::State& bench) {
                     solve(bench, hessian, solver, side, load);
                 })->Unit(benchmark::kMicrosecond);

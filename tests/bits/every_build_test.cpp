@@ -48,7 +48,7 @@ TEST_P(EveryBuild, GivesTheSameBits) {
     Matrix matrix;
     matrix.add_methods();
     matrix.add_volumes();
-    matrix.add_scenes({integrator_names().begin(), integrator_names().end()});
+    matrix.add_scenes({names_of<IntegratorKind>().begin(), names_of<IntegratorKind>().end()});
     const Way way{build.name, {}, {}, folder / "bin" / "drape-lab"};
     int comparisons = matrix.compare(way);
     Matrix threaded;

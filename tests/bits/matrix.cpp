@@ -33,7 +33,7 @@ void Matrix::add(const std::string& command_line) {
 }
 
 void Matrix::add_methods() {
-    for (const std::string& method : integrator_names()) add(small_case + "integrator=" + method);
+    for (const std::string& method : names_of<IntegratorKind>()) add(small_case + "integrator=" + method);
 }
 
 void Matrix::add_threaded() {
@@ -44,7 +44,7 @@ void Matrix::add_threaded() {
 }
 
 void Matrix::add_volumes() {
-    for (const std::string& volume : volume_names()) add(small_case + "search_level=2 volume=" + volume);
+    for (const std::string& volume : names_of<VolumeKind>()) add(small_case + "search_level=2 volume=" + volume);
 }
 
 void Matrix::add_scenes(const Words& methods) {

@@ -72,7 +72,7 @@ TEST_P(EveryCell, HasTheSameBitsOnAProcessor) {
     if (const std::string why = no_emulator(); !why.empty()) GTEST_SKIP() << why;
     Matrix matrix;
     matrix.add_volumes();
-    matrix.add_scenes({integrator_names().begin(), integrator_names().end()});
+    matrix.add_scenes({names_of<IntegratorKind>().begin(), names_of<IntegratorKind>().end()});
     tell_comparisons(matrix.compare(emulated(GetParam())));
 }
 

@@ -135,8 +135,8 @@ TEST(BroadPhases, AllocateNothingAfterTheFirstFrame) {
     std::mt19937 random(8);
     const Grid grid{31, 17};
     const Points x[] = {testing::random_cloth(grid, random), testing::random_cloth(grid, random)};
-    for (std::size_t volume = 0; volume < volume_names().size(); ++volume) {
-        for (std::size_t update = 0; update < update_names().size(); ++update) {
+    for (std::size_t volume = 0; volume < names_of<VolumeKind>().size(); ++volume) {
+        for (std::size_t update = 0; update < names_of<UpdateKind>().size(); ++update) {
             const auto broad_phase = make_broad_phase(
                 {.volume = static_cast<VolumeKind>(volume), .update = static_cast<UpdateKind>(update)}, grid);
             Candidates found;
@@ -147,7 +147,8 @@ TEST(BroadPhases, AllocateNothingAfterTheFirstFrame) {
                 broad_phase->build(moved);
                 broad_phase->query({.centre = Vec3::Zero(), .radius = 9}, found);
             }
-            EXPECT_EQ(testing::allocations(), before) << volume_names()[volume] << ", " << update_names()[update];
+            EXPECT_EQ(testing::allocations(), before)
+                << names_of<VolumeKind>()[volume] << ", " << names_of<UpdateKind>()[update];
         }
     }
 }

@@ -146,7 +146,7 @@ TEST_P(PlainSphere, CatchesAKernelThatMissesAColumn) {
 INSTANTIATE_TEST_SUITE_P(Fits, PlainSphere,
                          ::testing::Values(SphereFit::Centroid, SphereFit::BoxCentre, SphereFit::Ritter,
                                            SphereFit::Epos6, SphereFit::Epos14, SphereFit::Epos26, SphereFit::Welzl),
-                         [](const auto& one) { return sphere_fit_names()[static_cast<std::size_t>(one.param)]; });
+                         [](const auto& one) { return names_of<SphereFit>()[static_cast<std::size_t>(one.param)]; });
 
 TEST(PlainDisplacement, IsThatOfTheKernel) {
     std::mt19937 random(52);

@@ -26,9 +26,9 @@ SphereFit kind_at(std::size_t k) { return static_cast<SphereFit>(k); }
 template <class Visit>
 void for_each_fit(Visit visit) {
     for (const Kernels kernels : {Kernels::Vector, Kernels::Plain}) {
-        for (std::size_t k = 0; k < sphere_fit_names().size(); ++k) {
+        for (std::size_t k = 0; k < names_of<SphereFit>().size(); ++k) {
             visit(sphere_fit_of(kind_at(k), kernels),
-                  kernels_names[static_cast<std::size_t>(kernels)] + " " + sphere_fit_names()[k]);
+                  name_of(kernels) + " " + names_of<SphereFit>()[k]);
         }
     }
 }
@@ -294,18 +294,18 @@ TEST(SphereFits, HaveNamesAndAreChosenByThem) {
     const Grid grid{17, 13};
     const Points x = testing::random_cloth(grid, random);
     std::set<Fit> fits;
-    for (std::size_t k = 0; k < sphere_fit_names().size(); ++k) {
+    for (std::size_t k = 0; k < names_of<SphereFit>().size(); ++k) {
         const auto tree = make_broad_phase({.sphere_fit = kind_at(k)}, grid);
         tree->build(x);
         std::vector<NodeView> root;
         tree->nodes_at(0, root);
         EXPECT_EQ(std::get<BoundingSphere>(root.at(0).volume).radius, sphere_fit_of(kind_at(k))(whole(x, grid)).radius)
-            << sphere_fit_names()[k];
+            << names_of<SphereFit>()[k];
         fits.insert(sphere_fit_of(kind_at(k)));
     }
     const std::vector<std::string> names{"centroid", "box", "ritter", "epos6", "epos14", "epos26", "welzl"};
-    EXPECT_EQ(std::vector(sphere_fit_names().begin(), sphere_fit_names().end()), names);
-    EXPECT_EQ(fits.size(), sphere_fit_names().size());
+    EXPECT_EQ(std::vector(names_of<SphereFit>().begin(), names_of<SphereFit>().end()), names);
+    EXPECT_EQ(fits.size(), names_of<SphereFit>().size());
 }
 
 }  // namespace

@@ -12,6 +12,7 @@
 #include "drape/bounds/quadtree_nodes.h"
 #include "drape/render/renderer.h"
 #include "drape/sim/scene.h"
+#include "drape/sim/simulation.h"
 #include "expected_picture.h"
 
 namespace drape::test {
@@ -145,11 +146,11 @@ protected:
     [[nodiscard]] std::vector<std::string> complaints(VolumeKind volume, Real larger = 1) {
         const FrameView view = simulation_->view();
         const ExpectedPicture expected(view, width, height);
-        const Cloth& cloth = view.cloths[0];
+        const ClothView& cloth = view.cloths[0];
         constexpr int margin = 4;
         std::vector<bool> edge_near(static_cast<std::size_t>(width) * height);
         int samples = 0, missing = 0, lines = 0, stray = 0;
-        for (const Edge& edge : expected_edges(volume, cloth.model.grid, larger * cloth.state.x)) {
+        for (const Edge& edge : expected_edges(volume, cloth.model.grid, larger * cloth.x)) {
             for (int step = 0; step <= 1000; ++step) {
                 const auto place = expected.project(edge.from + (edge.to - edge.from) * (step / Real(1000)));
                 const int x = static_cast<int>(place.x), y = static_cast<int>(place.y);
@@ -201,7 +202,7 @@ TEST_P(EdgesPicture, IsRefusedIfTheNodesAreTwoPercentOff) {
 }
 
 INSTANTIATE_TEST_SUITE_P(Volumes, EdgesPicture, testing::ValuesIn(with_edges),
-                         [](const auto& one) { return volume_names()[static_cast<std::size_t>(one.param)]; });
+                         [](const auto& one) { return name_of(one.param); });
 
 TEST_F(BoundsPicture, IsRefusedForEveryOtherVolumeIfSpheresAreDrawn) {
     show(VolumeKind::Sphere);

@@ -87,7 +87,7 @@ TEST(Capture, GivesTheUnitsOfItsFigures) {
     const TestFolder folder;
     const std::string file = folder / "s.csv";
     run_program("drape-capture", small("drop", {"--frames", "1", "--stats", file}));
-    EXPECT_THAT(text_of(file), testing::StartsWith("# units: time [s], step_over_limit [1], "));
+    EXPECT_THAT(text_of(file), testing::StartsWith("# units: time [s], step_limit_ratio [1], "));
     for (const FrameField& field : frame_fields()) {
         if (field.unit.empty()) continue;
         EXPECT_THAT(text_of(file), HasSubstr(", " + std::string(field.name) + " [" + std::string(field.unit) + "]"));

@@ -28,11 +28,11 @@ bool light_reaches(const FrameView& view, const Vec3& point) {
         const Vec3 to_ball = ball.centre - point;
         if ((to_ball - to_ball.dot(to_light) * to_light).norm() < ball.radius) return false;
     }
-    for (const Cloth& cloth : view.cloths) {
+    for (const ClothView& cloth : view.cloths) {
         const Grid& grid = cloth.model.grid;
         for (int t = 0; t < grid.triangles(); ++t) {
             const auto [a, b, c] = grid.triangle_corners(t);
-            const Points& x = cloth.state.x;
+            const Points& x = cloth.x;
             if (hits_triangle(point, to_light, x.row(a), x.row(b), x.row(c))) return false;
         }
     }
@@ -51,7 +51,7 @@ ExpectedPicture::ExpectedPicture(const FrameView& view, int width, int height)
     ahead_ = (view.settings->view.target - eye_).normalized();
     right_ = ahead_.cross(Vec3(0, 1, 0)).normalized();
     up_ = right_.cross(ahead_);
-    for (const Cloth& cloth : view.cloths) fill_cloth(cloth);
+    for (const ClothView& cloth : view.cloths) fill_cloth(cloth);
     for (const Ball& ball : view.balls) fill_ball(ball);
 }
 
@@ -67,11 +67,11 @@ Vec3 ExpectedPicture::direction(double x, double y) const {
         .normalized();
 }
 
-void ExpectedPicture::fill_cloth(const Cloth& cloth) {
+void ExpectedPicture::fill_cloth(const ClothView& cloth) {
     for (int t = 0; t < cloth.model.grid.triangles(); ++t) {
         const auto corners = cloth.model.grid.triangle_corners(t);
         std::array<Projected, 3> p;
-        for (std::size_t i = 0; i < 3; ++i) p[i] = project(cloth.state.x.row(corners[i]));
+        for (std::size_t i = 0; i < 3; ++i) p[i] = project(cloth.x.row(corners[i]));
         const auto side = [](const Projected& a, const Projected& b, double x, double y) {
             return (b.x - a.x) * (y - a.y) - (b.y - a.y) * (x - a.x);
         };

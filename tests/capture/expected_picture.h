@@ -3,7 +3,7 @@
 #include <array>
 #include <vector>
 
-#include "drape/sim/simulation.h"
+#include "drape/sim/frame_view.h"
 
 namespace drape::test {
 
@@ -44,7 +44,7 @@ private:
     [[nodiscard]] std::size_t index(int x, int y) const {
         return static_cast<std::size_t>(y) * static_cast<std::size_t>(width_) + static_cast<std::size_t>(x);
     }
-    void fill_cloth(const Cloth& cloth);
+    void fill_cloth(const ClothView& cloth);
     void fill_ball(const Ball& ball);
 
     int width_, height_;

@@ -4,7 +4,7 @@
 #include <vector>
 
 #include "drape/render/image.h"
-#include "drape/sim/simulation.h"
+#include "drape/sim/frame_view.h"
 
 namespace drape::test {
 

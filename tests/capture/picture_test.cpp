@@ -12,6 +12,7 @@
 #include "drape/base/resources.h"
 #include "drape/render/renderer.h"
 #include "drape/sim/scene.h"
+#include "drape/sim/simulation.h"
 #include "picture_check.h"
 
 namespace drape::test {

@@ -87,13 +87,13 @@ constexpr Grid shapes[] = {{2, 2}, {14, 9}, {2, 30}, {33, 3}};
 
 TEST(PlainCore, FindsWhatTheKernelsFindWithEveryVolumeAndUpdate) {
     Tally sum;
-    for (std::size_t v = 0; v < volume_names().size(); ++v) {
-        for (std::size_t u = 0; u < update_names().size(); ++u) {
+    for (std::size_t v = 0; v < names_of<VolumeKind>().size(); ++v) {
+        for (std::size_t u = 0; u < names_of<UpdateKind>().size(); ++u) {
             for (const Grid& grid : shapes) {
                 const Tally tally = compare(
                     {.volume = static_cast<VolumeKind>(v), .update = static_cast<UpdateKind>(u), .leaf_cells = 3},
                     grid);
-                EXPECT_EQ(tally.disagreements, 0) << volume_names()[v] << ", " << update_names()[u];
+                EXPECT_EQ(tally.disagreements, 0) << names_of<VolumeKind>()[v] << ", " << names_of<UpdateKind>()[u];
                 sum.balls += tally.balls, sum.touching += tally.touching;
             }
         }
@@ -103,10 +103,10 @@ TEST(PlainCore, FindsWhatTheKernelsFindWithEveryVolumeAndUpdate) {
 }
 
 TEST(PlainCore, FindsWhatTheKernelsFindWithEverySphereFit) {
-    for (std::size_t f = 0; f < sphere_fit_names().size(); ++f) {
+    for (std::size_t f = 0; f < names_of<SphereFit>().size(); ++f) {
         for (const Grid& grid : shapes) {
             EXPECT_EQ(compare({.leaf_cells = 2, .sphere_fit = static_cast<SphereFit>(f)}, grid).disagreements, 0)
-                << sphere_fit_names()[f];
+                << names_of<SphereFit>()[f];
         }
     }
 }

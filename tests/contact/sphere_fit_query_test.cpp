@@ -60,8 +60,8 @@ Tally compare_on_moving_cloth(BroadPhase& tree, const Grid& grid, int leaf_cells
 
 TEST(SphereFitQuery, GivesWhatBruteForceGivesWithEveryFitUpdateAndLeafSize) {
     int touching = 0, configurations = 0;
-    for (std::size_t f = 0; f < sphere_fit_names().size(); ++f) {
-        for (std::size_t u = 0; u < update_names().size(); ++u) {
+    for (std::size_t f = 0; f < names_of<SphereFit>().size(); ++f) {
+        for (std::size_t u = 0; u < names_of<UpdateKind>().size(); ++u) {
             for (const int leaf_cells : {1, 2, 4, 7}) {
                 for (const Grid& grid : {Grid{14, 9}, Grid{2, 30}}) {
                     const auto fit = static_cast<SphereFit>(f);
@@ -69,7 +69,7 @@ TEST(SphereFitQuery, GivesWhatBruteForceGivesWithEveryFitUpdateAndLeafSize) {
                         {.update = static_cast<UpdateKind>(u), .leaf_cells = leaf_cells, .sphere_fit = fit}, grid);
                     const Tally tally = compare_on_moving_cloth(*tree, grid, leaf_cells, sphere_fit_of(fit));
                     EXPECT_EQ(tally.disagreements, 0)
-                        << sphere_fit_names()[f] << ", " << update_names()[u] << ", leaf " << leaf_cells;
+                        << names_of<SphereFit>()[f] << ", " << names_of<UpdateKind>()[u] << ", leaf " << leaf_cells;
                     touching += tally.touching;
                     configurations += tally.configurations;
                 }

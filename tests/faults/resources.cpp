@@ -24,7 +24,7 @@ int least_memory(const Trial& trial, const std::string& program) {
 
 void withhold_memory(Trial& trial, int count) {
     const int least = least_memory(trial, "$LAB");
-    const auto methods = integrator_names();
+    const auto methods = names_of<IntegratorKind>();
     for (int k = 0; k < count; ++k) {
         const int size = least + static_cast<int>(trial.random() * trial.random() * 800'000);
         const std::string method = methods[static_cast<std::size_t>(k) % methods.size()];

@@ -40,9 +40,9 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size
         const Vec3 centre = x.row(4).transpose() + Vec3(0, share * Real(0.01), 0);
         const Ball ball{.centre = centre, .radius = share * (x.row(1).transpose() - centre).norm()};
         const std::vector<int> wanted = touched(x, ball, VolumeKind::Brute);
-        for (std::size_t kind = 0; kind < volume_names().size(); ++kind) {
+        for (std::size_t kind = 0; kind < names_of<VolumeKind>().size(); ++kind) {
             const auto volume = static_cast<VolumeKind>(kind);
-            fuzz::require(touched(x, ball, volume) == wanted, volume_names()[kind].c_str());
+            fuzz::require(touched(x, ball, volume) == wanted, names_of<VolumeKind>()[kind].c_str());
         }
     }
     return 0;

@@ -26,7 +26,7 @@ template <class Test>
 void with_each(Test test) {
     for (const IntegratorKind kind : kinds) {
         for (const Hessian hessian : hessians) {
-            SCOPED_TRACE(std::string(name_of(kind)) + ", " + hessian_names()[static_cast<std::size_t>(hessian)]);
+            SCOPED_TRACE(std::string(name_of(kind)) + ", " + name_of(hessian));
             test(IntegratorParameters{.kind = kind, .hessian = hessian});
         }
     }

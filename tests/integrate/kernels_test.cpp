@@ -45,7 +45,7 @@ struct Flag {
 
 std::vector<IntegratorParameters> all_methods() {
     std::vector<IntegratorParameters> methods;
-    for (int kind = 0; kind < static_cast<int>(integrator_names().size()); ++kind) {
+    for (int kind = 0; kind < static_cast<int>(names_of<IntegratorKind>().size()); ++kind) {
         methods.push_back({.kind = static_cast<IntegratorKind>(kind)});
     }
     for (const IntegratorKind kind :

@@ -234,7 +234,7 @@ TEST_P(MinimalScene, ShowsWhatItNeedsAndHasNoNotchToSpare) {
     const Attempt scene = needs.attempt(needs.scene());
     EXPECT_TRUE(scene.qualifies()) << scene.why;
     for (const Knob knob : spare_notches(needs, no_trail)) {
-        ADD_FAILURE() << "one notch less is enough of " << knob_names()[static_cast<std::size_t>(knob)];
+        ADD_FAILURE() << "one notch less is enough of " << name_of(knob);
     }
 }
 

@@ -46,7 +46,7 @@ TEST(Notches, TakeAwayBendSpringsDragAndIterationsAndLengthenTheStep) {
     scene.solver.iterations = 1;
     scene.solver.dt = step_ladder().front();
     for (const Knob knob : {Knob::Bend, Knob::Drag, Knob::Iterations, Knob::Dt, Knob::Volume}) {
-        EXPECT_FALSE(one_notch_less(scene, knob)) << knob_names()[static_cast<std::size_t>(knob)];
+        EXPECT_FALSE(one_notch_less(scene, knob)) << name_of(knob);
     }
 }
 
@@ -59,10 +59,10 @@ TEST(Notches, OfTheStepAreTenADecadeFromTheLongestDown) {
 
 TEST(FreeKnobs, AreAllButThoseThatTheSceneKeeps) {
     Settings scene = scene_with_everything();
-    EXPECT_EQ(free_knobs(scene).size(), knob_names().size());
+    EXPECT_EQ(free_knobs(scene).size(), names_of<Knob>().size());
     scene.needs.keep = "particles,  dt";
     const auto knobs = free_knobs(scene);
-    EXPECT_EQ(knobs.size(), knob_names().size() - 2);
+    EXPECT_EQ(knobs.size(), names_of<Knob>().size() - 2);
     EXPECT_FALSE(knobs.contains(Knob::Particles) || knobs.contains(Knob::Dt));
     scene.needs.keep = "particle";
     EXPECT_THAT(testing_aid::input_error_of([&] { free_knobs(scene); }),

@@ -107,7 +107,7 @@ TEST(LabSimulate, GivesTheUnitsOfItsReport) {
     const LabFolder folder;
     ASSERT_EQ(folder.run({"simulate", "curtain", "--time", "0", "--stats", "stats.csv"}).code, 0);
     const std::string units = lines_of(folder.read("stats.csv"))[0];
-    EXPECT_THAT(units, StartsWith("# units: time [s], step_over_limit [1], residual [1], "));
+    EXPECT_THAT(units, StartsWith("# units: time [s], step_limit_ratio [1], residual [1], "));
     for (const ReportField& field : report_fields()) {
         const std::string unit = std::string(field.name) + " [" + std::string(field.unit) + "]";
         EXPECT_EQ(units.find(" " + unit) != std::string::npos, !field.unit.empty()) << field.name;

@@ -34,8 +34,8 @@ private:
 void add_ours(Methods& methods) {
     const auto add = [&methods](VolumeKind volume, UpdateKind update) {
         const auto v = static_cast<std::size_t>(volume), u = static_cast<std::size_t>(update);
-        const std::string how = volume == VolumeKind::Brute ? "" : " " + update_names()[u];
-        methods.push_back(std::make_unique<Ours>("Drape " + volume_names()[v] + how,
+        const std::string how = volume == VolumeKind::Brute ? "" : " " + names_of<UpdateKind>()[u];
+        methods.push_back(std::make_unique<Ours>("Drape " + names_of<VolumeKind>()[v] + how,
                                                  BroadPhaseParameters{.volume = volume, .update = update}));
     };
     add(VolumeKind::Brute, UpdateKind::Rebuild);

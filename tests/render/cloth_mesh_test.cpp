@@ -7,46 +7,50 @@
 namespace drape {
 namespace {
 
-Cloth flat_cloth(Plane plane) {
-    ClothParameters parameters;
-    parameters.particles = {6, 5};
-    parameters.plane = plane;
-    parameters.pinned.kind = Pins::Kind::Two;
-    Cloth cloth;
-    cloth.model = make_cloth_model(parameters);
-    cloth.state = make_rest_state(parameters);
-    cloth.previous = cloth.state;
-    return cloth;
-}
+struct FlatCloth {
+    explicit FlatCloth(Plane plane) {
+        ClothParameters parameters;
+        parameters.particles = {6, 5};
+        parameters.plane = plane;
+        parameters.pinned.kind = Pins::Kind::Two;
+        model = make_cloth_model(parameters);
+        x = previous = make_rest_state(parameters).x;
+    }
+
+    [[nodiscard]] ClothView view() const { return {model, x, previous, {}, nullptr}; }
+
+    ClothModel model;
+    Points x, previous;
+};
 
 TEST(ClothMesh, HasNormalsOnTheFront) {
     std::vector<ClothVertex> vertices(30);
-    fill_cloth_vertices(flat_cloth(Plane::XZ), 1, vertices.data());
+    fill_cloth_vertices(FlatCloth(Plane::XZ).view(), 1, vertices.data());
     for (const ClothVertex& vertex : vertices) EXPECT_FLOAT_EQ(vertex.normal[1], 1);
-    fill_cloth_vertices(flat_cloth(Plane::XY), 1, vertices.data());
+    fill_cloth_vertices(FlatCloth(Plane::XY).view(), 1, vertices.data());
     for (const ClothVertex& vertex : vertices) EXPECT_FLOAT_EQ(vertex.normal[2], 1);
 }
 
 TEST(ClothMesh, LiesBetweenTheLastTwoStates) {
-    Cloth cloth = flat_cloth(Plane::XZ);
-    cloth.state.x.col(1).array() += 1;
+    FlatCloth cloth(Plane::XZ);
+    cloth.x.col(1).array() += 1;
     std::vector<ClothVertex> vertices(30);
-    fill_cloth_vertices(cloth, Real(0.25), vertices.data());
+    fill_cloth_vertices(cloth.view(), Real(0.25), vertices.data());
     for (const ClothVertex& vertex : vertices) EXPECT_FLOAT_EQ(vertex.position[1], 0.25f);
 }
 
 TEST(ClothMesh, MarksPinnedParticles) {
     std::vector<ClothVertex> vertices(30);
-    fill_cloth_vertices(flat_cloth(Plane::XZ), 1, vertices.data());
+    fill_cloth_vertices(FlatCloth(Plane::XZ).view(), 1, vertices.data());
     for (int p = 0; p < 30; ++p) EXPECT_EQ(vertices[static_cast<std::size_t>(p)].pinned, p == 0 || p == 5 ? 1 : 0);
 }
 
 TEST(ClothMesh, HasNoNormalThatIsNoneWhereAllParticlesMeet) {
-    Cloth cloth = flat_cloth(Plane::XZ);
-    cloth.state.x.setZero();
-    cloth.previous = cloth.state;
+    FlatCloth cloth(Plane::XZ);
+    cloth.x.setZero();
+    cloth.previous = cloth.x;
     std::vector<ClothVertex> vertices(30);
-    fill_cloth_vertices(cloth, 1, vertices.data());
+    fill_cloth_vertices(cloth.view(), 1, vertices.data());
     for (const ClothVertex& vertex : vertices) EXPECT_FLOAT_EQ(vertex.normal[1], 1);
 }
 

@@ -58,14 +58,14 @@ TEST_P(EveryIntegrator, AllocatesNothingOnceItHasContacts) {
 }
 
 INSTANTIATE_TEST_SUITE_P(All, EveryIntegrator,
-                         ::testing::ValuesIn(integrator_names().begin(), integrator_names().end()),
+                         ::testing::ValuesIn(names_of<IntegratorKind>().begin(), names_of<IntegratorKind>().end()),
                          [](const auto& name) { return name.param; });
 
 /// What a method loses of a cloth's energy by itself in a second, without damping, drag or contact [J].
 double own_loss(const std::string& integrator) {
     Simulation simulation =
         small_simulation({setting(integrator), "ball.position=0,-9,0", "structural.damping=0", "shear.damping=0",
-                          "bend.damping=0", "drag=0", "sleep_speed=0", "hessian=exact"});
+                          "bend.damping=0", "drag=0", "sleep_speed=0", "hessian=exact", "ledger=true"});
     make_steps(simulation, 1024);
     const EnergyBalance balance = simulation.view().report->balance;
     EXPECT_EQ(balance.damping + balance.drag + balance.contact, 0);

@@ -43,7 +43,7 @@ void expect_near(const Settings& settings, const std::string& told) {
 }
 
 TEST(Memory, IsEstimatedForEveryMethodAtTwoSizes) {
-    for (const std::string& method : integrator_names()) {
+    for (const std::string& method : names_of<IntegratorKind>()) {
         for (const int side : {40, 150}) expect_near(settings_of(method, side), method + " " + std::to_string(side));
     }
 }
@@ -57,7 +57,7 @@ TEST(Memory, IsEstimatedWithTheFactorsOfExactSystems) {
 }
 
 TEST(Memory, IsEstimatedForEveryVolumeWithTheSmallestLeaves) {
-    for (const std::string& volume : volume_names()) {
+    for (const std::string& volume : names_of<VolumeKind>()) {
         expect_near(settings_of("xpbd", 100, {"contact.leaf_cells=1", "contact.volume=" + volume}), volume);
     }
 }

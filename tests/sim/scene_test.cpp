@@ -49,9 +49,10 @@ integrator = "rk4"
 hessian = "exact"
 iterations = 5
 tolerance = 1e-7
-ledger = false
+ledger = true
 dt = 3e-4
 on_unstable = "stop"
+kernels = "plain"
 threads = 3
 sleep_speed = 0.5
 [contact]

@@ -25,7 +25,7 @@ Simulation shipped(const std::string& scene, const std::vector<std::string>& ass
 Simulation at_limit(Real part, std::vector<std::string> assignments) {
     Settings settings = load_scene("two_corners");
     for (const std::string& assignment : assignments) assign(settings, assignment);
-    settings.solver.dt *= part / static_cast<Real>(Simulation("two_corners", settings).report().step_over_limit);
+    settings.solver.dt *= part / static_cast<Real>(Simulation("two_corners", settings).report().step_limit_ratio);
     return {"two_corners", settings};
 }
 
@@ -145,7 +145,7 @@ TEST(Heat, OfAFewParticlesOfManyIsSeenLongBeforeTheClothIsLost) {
                              "cloth.pinned=border", "structural.damping=0", "shear.damping=0", "bend.damping=0"}) {
         assign(settings, text);
     }
-    settings.solver.dt *= Real(1.05) / static_cast<Real>(Simulation("two_corners", settings).report().step_over_limit);
+    settings.solver.dt *= Real(1.05) / static_cast<Real>(Simulation("two_corners", settings).report().step_limit_ratio);
     StartState start{0, {make_rest_state(settings.cloths[0])}};
     start.states[0].x(100 * 200 + 100, 0) += Real(1e-3);
     Simulation simulation("two_corners", settings, start);

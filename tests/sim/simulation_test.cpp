@@ -84,7 +84,7 @@ TEST(Simulation, HasTheSameBitsWithAnyNumberOfThreads) {
 }
 
 TEST(Simulation, ReportsWhatTheLastStepDid) {
-    Simulation simulation = small_simulation();
+    Simulation simulation = small_simulation({"ledger=true"}), without_ledger = small_simulation();
     make_steps(simulation, 700);
     const StepReport& report = *simulation.view().report;
     EXPECT_EQ(report.step, 700);
@@ -96,7 +96,11 @@ TEST(Simulation, ReportsWhatTheLastStepDid) {
     EXPECT_GT(report.traversal.visited, 0);
     EXPECT_GT(report.times.total(), 0);
     EXPECT_NEAR(report.rms_speed, std::sqrt(simulation.cloths()[0].state.v.squaredNorm() / 80), 1e-12);
-    for (const ReportField& field : report_fields()) EXPECT_TRUE(std::isfinite(field.read(report))) << field.name;
+    for (const ReportField& field : report_fields()) {
+        EXPECT_TRUE(std::isfinite(field.read(report))) << field.name;
+        const bool known = std::isfinite(field.read(*without_ledger.view().report));
+        EXPECT_EQ(known, field.group != ReportGroup::Balance) << field.name;
+    }
 }
 
 TEST(Simulation, KeepsItsTimeWhenTheStepChanges) {

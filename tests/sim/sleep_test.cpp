@@ -16,13 +16,13 @@ void send(Simulation& simulation, const std::string& text) { simulation.apply(pa
 /// Whether a particle that moves as `place` says is ever taken for resting within ten seconds.
 template <class Place>
 bool ever_rests(Place place, Real speed) {
-    const Real reach = speed * static_cast<Real>(RestWatch::duration);
+    const Real distance = speed * static_cast<Real>(RestWatch::duration);
     RestWatch watch;
     for (int step = 0; step <= 10 * 1024; ++step) {
         const double time = step / 1024.0;
         Points x = Points::Zero(3, 3);
         x(1, 0) = static_cast<Real>(place(time));
-        if (watch.look(x, time, reach)) return true;
+        if (watch.look(x, time, distance)) return true;
     }
     return false;
 }
@@ -40,7 +40,7 @@ TEST(RestWatch, TakesOnlyWhatStaysForResting) {
     }
 }
 
-TEST(RestWatch, TakesHalfASecondAndBeginsAnewWhenTold) {
+TEST(RestWatch, TakesHalfASecondAndBeginsAgainWhenTold) {
     RestWatch watch;
     const Points x = Points::Zero(2, 3);
     EXPECT_FALSE(watch.look(x, 1, 1));

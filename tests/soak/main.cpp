@@ -71,7 +71,7 @@ private:
 
 std::vector<std::string> Soak::random_assignments() {
     const std::size_t side = 5 + below(10);
-    const std::string method(one_of(integrator_names()));
+    const std::string method(one_of(names_of<IntegratorKind>()));
     // From far below any limit to far above most
     const double dt = std::pow(10, between(-4.3, -2.3));
     return {"cloth.particles=" + std::to_string(side) + "," + std::to_string(5 + below(10)),
@@ -82,8 +82,8 @@ std::vector<std::string> Soak::random_assignments() {
             "threads=" + std::to_string(1 + below(2)),
             "sleep_speed=" + std::string(below(2) == 0 ? "0" : "2e-4"),
             "on_unstable=" + std::string(below(4) == 0 ? "stop" : "warn"),
-            "volume=" + std::string(one_of(volume_names())),
-            "update=" + std::string(one_of(update_names()))};
+            "volume=" + std::string(one_of(names_of<VolumeKind>())),
+            "update=" + std::string(one_of(names_of<UpdateKind>()))};
 }
 
 std::string Soak::random_command(const Simulation& simulation) {

@@ -40,4 +40,7 @@ private:
     Buffer buffer_;
 };
 
+/// A whole file. @throws InputError as `InputFile`
+std::string read_text(const std::string& name, std::uintmax_t largest = UINTMAX_MAX);
+
 }  // namespace drape

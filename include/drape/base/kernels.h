@@ -1,7 +1,6 @@
 #pragma once
 
-#include <array>
-#include <string>
+#include "drape/base/enum_names.h"
 
 namespace drape {
 
@@ -9,7 +8,7 @@ namespace drape {
 /// through; `Vector` does the same arithmetic with the widest vectors of the processor, to rounding the same.
 enum class Kernels { Vector, Plain };
 
-/// In the order of the enumeration.
-inline const std::array<std::string, 2> kernels_names{"vector", "plain"};
+template <>
+inline constexpr auto enum_names<Kernels> = all_names<Kernels>("vector", "plain");
 
 }  // namespace drape

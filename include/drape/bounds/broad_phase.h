@@ -8,6 +8,7 @@
 #include <string_view>
 #include <vector>
 
+#include "drape/base/enum_names.h"
 #include "drape/base/kernels.h"
 #include "drape/bounds/limited_search.h"
 #include "drape/bounds/sphere_fits.h"
@@ -19,6 +20,10 @@ namespace drape {
 /// The volumes of the hierarchy, and `Brute`: no hierarchy, every cell is a candidate.
 enum class VolumeKind { Sphere, Aabb, Kdop6, Kdop14, Kdop18, Kdop26, Obb, Brute };
 
+template <>
+inline constexpr auto enum_names<VolumeKind> = all_names<VolumeKind>("sphere", "aabb", "kdop6", "kdop14", "kdop18",
+                                                                     "kdop26", "obb", "brute");
+
 /// How a hierarchy follows the cloth.
 enum class UpdateKind {
     Rebuild,  ///< every node, from the root down, is fitted to all of its own particles: the dissertation's way
@@ -26,6 +31,9 @@ enum class UpdateKind {
     Refit,    ///< as merge, but only where particles have moved
     None      ///< the first tree is held, and inflated by the largest displacement since
 };
+
+template <>
+inline constexpr auto enum_names<UpdateKind> = all_names<UpdateKind>("rebuild", "merge", "refit", "none");
 
 struct BroadPhaseParameters {
     VolumeKind volume = VolumeKind::Sphere;
@@ -104,9 +112,5 @@ std::unique_ptr<BroadPhase> make_broad_phase(const BroadPhaseParameters& paramet
     ball.radius += thickness;
     return ball;
 }
-
-/// The names of all kinds, in the order of the enumerations.
-std::span<const std::string> volume_names();
-std::span<const std::string> update_names();
 
 }  // namespace drape

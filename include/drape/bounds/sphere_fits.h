@@ -2,6 +2,7 @@
 
 #include <string>
 
+#include "drape/base/enum_names.h"
 #include "drape/base/kernels.h"
 #include "drape/bounds/bounding_sphere.h"
 
@@ -17,6 +18,10 @@ enum class SphereFit {
     Epos26,     ///< about 26
     Welzl       ///< the smallest
 };
+
+template <>
+inline constexpr auto enum_names<SphereFit> = all_names<SphereFit>("centroid", "box", "ritter", "epos6", "epos14",
+                                                                   "epos26", "welzl");
 
 /// About the centre of the box along the axes, c = (min x_p + max x_p) / 2, through the farthest particle.
 /// @par Cost O(particles), two passes
@@ -41,8 +46,5 @@ BoundingSphere fit_smallest_sphere(const Patch& patch);
 
 /// The fit of a kind: one of the above, or its vector kernel.
 [[nodiscard]] BoundingSphere (*sphere_fit_of(SphereFit kind, Kernels kernels = Kernels::Vector))(const Patch&);
-
-/// The names of all kinds, in the order of the enumeration.
-std::span<const std::string> sphere_fit_names();
 
 }  // namespace drape

@@ -5,12 +5,16 @@
 #include <string>
 #include <vector>
 
+#include "drape/base/enum_names.h"
 #include "drape/contact/contact.h"
 
 namespace drape {
 
 /// How contacts are answered.
 enum class ResponseKind { Projection };
+
+template <>
+inline constexpr auto enum_names<ResponseKind> = all_names<ResponseKind>("projection");
 
 struct ResponseParameters {
     ResponseKind kind = ResponseKind::Projection;
@@ -37,8 +41,5 @@ Real push_of(const Contact& contact, Real radius);
 /// @par Cost O(contacts), allocates nothing
 ResponseReport resolve_contacts(const ClothModel& model, const ResponseParameters& parameters,
                                 std::span<const Ball> balls, Real h, std::vector<Contact>& contacts, ClothState& state);
-
-/// The names of all kinds, in the order of the enumeration.
-std::span<const std::string> response_names();
 
 }  // namespace drape

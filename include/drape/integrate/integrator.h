@@ -6,6 +6,7 @@
 #include <string>
 #include <string_view>
 
+#include "drape/base/enum_names.h"
 #include "drape/base/kernels.h"
 #include "drape/model/cloth_model.h"
 #include "drape/model/jacobian.h"
@@ -25,6 +26,12 @@ enum class IntegratorKind {
     ProjectiveDynamics,
     DormandPrince
 };
+
+template <>
+inline constexpr auto enum_names<IntegratorKind> = all_names<IntegratorKind>("explicit_euler", "symplectic_euler",
+                                                                             "velocity_verlet", "rk4", "backward_euler",
+                                                                             "implicit_midpoint", "bdf2", "xpbd",
+                                                                             "projective_dynamics", "dormand_prince");
 
 /// What an integrator is made from; each reads what concerns it.
 struct IntegratorParameters {
@@ -88,13 +95,5 @@ public:
 
 /// @param grid of the cloths it will step; the scratch arrays are made here
 std::unique_ptr<Integrator> make_integrator(const IntegratorParameters& parameters, const Grid& grid);
-
-/// The names of all kinds, in the order of the enumeration.
-std::span<const std::string> integrator_names();
-
-std::string_view name_of(IntegratorKind kind);
-
-/// The names of both, in the order of the enumeration.
-std::span<const std::string> hessian_names();
 
 }  // namespace drape

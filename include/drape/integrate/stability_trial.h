@@ -3,6 +3,7 @@
 #include <functional>
 #include <string_view>
 
+#include "drape/base/enum_names.h"
 #include "drape/integrate/integrator.h"
 
 namespace drape {
@@ -25,7 +26,9 @@ enum class TrialEnd {
                  ///< grows, but the method leaves springs longer than their forces allow
 };
 
-std::string_view name_of(TrialEnd end);
+template <>
+inline constexpr auto enum_names<TrialEnd> = all_names<TrialEnd>("bounded", "not_finite", "energy_rose", "out_of_reach",
+                                                                 "stretched");
 
 /// The rise of its energy by which a cloth counts as diverged: M g L, with the earth's g whether or not it feels it
 /// [J].

@@ -2,6 +2,7 @@
 
 #include <array>
 
+#include "drape/base/enum_names.h"
 #include "drape/base/kernels.h"
 #include "drape/model/stencils.h"
 
@@ -10,6 +11,9 @@ namespace drape {
 /// How the stiffness across a spring is seen. `Exact`: as it is. `Clamped`: a spring that pushes has none, and what the
 /// damping adds to K is left out where it is not symmetric; K is then symmetric and positive semidefinite.
 enum class Hessian { Clamped, Exact };
+
+template <>
+inline constexpr auto enum_names<Hessian> = all_names<Hessian>("clamped", "exact");
 
 /// The Jacobians K = -df/dx and D = -df/dv of the forces of springs and air drag, spring by spring and never as a
 /// matrix.

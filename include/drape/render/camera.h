@@ -3,7 +3,7 @@
 #include <Eigen/Core>
 
 #include "drape/sim/command.h"
-#include "drape/sim/simulation.h"
+#include "drape/sim/frame_view.h"
 
 namespace drape {
 

@@ -9,7 +9,7 @@
 
 #include "drape/render/camera.h"
 #include "drape/render/image.h"
-#include "drape/sim/simulation.h"
+#include "drape/sim/frame_view.h"
 
 namespace drape {
 

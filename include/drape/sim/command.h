@@ -2,6 +2,7 @@
 
 #include <string>
 #include <string_view>
+#include <type_traits>
 #include <variant>
 
 #include "drape/base/real.h"
@@ -52,6 +53,11 @@ struct Zoom {  ///< `zoom 0.9`: the distance times a factor
 struct Frame {};    ///< `frame`: the whole scene into the picture
 struct Picture {};  ///< `picture`: writes a PNG
 struct Quit {};     ///< `quit`
+
+/// Of the camera, the picture or the program: nothing that cloth or ball follows from.
+template <class C>
+concept OfThePicture = std::is_same_v<C, Orbit> || std::is_same_v<C, Pan> || std::is_same_v<C, Zoom> ||
+    std::is_same_v<C, Frame> || std::is_same_v<C, Picture> || std::is_same_v<C, Quit>;
 
 }  // namespace command
 

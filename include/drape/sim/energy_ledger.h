@@ -10,10 +10,13 @@ struct EnergyBalance {
     double wind = 0;        ///< given by the wind
     double hand = 0;        ///< given by whoever drags the cloth, or changes what it is made of
     double ball = 0;        ///< given by the balls' motion, through the impulses of their contacts
-    double damping = 0;     ///< lost in the springs' damping
-    double drag = 0;        ///< lost to the air
-    double contact = 0;     ///< lost in contacts; less than zero where pushing the cloth out has stretched it
-    double integrator = 0;  ///< lost by the method itself, and nowhere in nature: the rest
+    double damping = 0;     ///< dissipated in the springs' damping
+    double drag = 0;        ///< dissipated in the air
+    double contact = 0;     ///< dissipated in contacts; less than zero where pushing the cloth out has stretched it
+    double integrator = 0;  ///< dissipated by the method itself, and nowhere in nature: the rest
+
+    /// Of a cloth without a ledger: no entry is a number.
+    static EnergyBalance unknown();
 
     EnergyBalance& operator+=(const EnergyBalance& other);
 

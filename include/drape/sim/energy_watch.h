@@ -66,13 +66,4 @@ private:
     int substeps_ = 0;   ///< since then
 };
 
-/// The most energy a second that the hand, which moves a held particle as its velocity says, puts in at a moment [W]:
-/// the work against the forces of springs, air and gravity on that particle; less than zero where they pull it along.
-double hand_power(const ClothModel& model, const ClothState& state, int particle);
-
-/// The most energy that pushing contacts out puts into springs at rest [J]: each moves three particles by no more than
-/// its push, and the springs of a particle answer with four of each kind, at both ends.
-/// @param squared_push sum over the contacts [m^2]
-double most_push_work(const ClothModel& model, Real squared_push);
-
 }  // namespace drape

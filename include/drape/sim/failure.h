@@ -7,8 +7,8 @@
 namespace drape {
 
 /// Writes what a run that has diverged can be studied by: a scene that starts from its last good state, so that its
-/// first step fails as this one did; where the step was made in parts, one of as many steps does. What a hand holds is
-/// pinned in it. BDF2 starts there without the state before, and may fail a step later.
+/// first step fails as this one did; where it was divided into substeps, one of as many steps does. What a hand holds
+/// is pinned in it. BDF2 starts there without the state before, and may fail a step later.
 /// @param folder receives `unstable.toml` and the state beside it, with a number where these exist: nothing is
 /// replaced,
 ///        and the same failure is written once; empty: the current one

@@ -6,26 +6,26 @@ namespace drape {
 
 /// Watches whether the particles of a cloth have stayed for a while. Not their speed at a moment, which a swing at its
 /// turning point has lost too, but how far any of them has come since the watch began: half a second later a swing has
-/// left the place, and so has what creeps at the given speed, but a quiver has not.
+/// left its position, and so has what creeps at the given speed, but a quiver has not.
 class RestWatch {
 public:
     /// How long particles have to stay [s].
     static constexpr double duration = 0.5;
 
-    /// The watch begins anew with the next look.
+    /// The watch begins again with the next look.
     void restart() { watching_ = false; }
 
-    /// One step more; a particle that has gone farther than `reach` makes the watch begin anew.
+    /// One step more; a particle that has gone farther than `distance` makes the watch begin again.
     /// @param time simulated [s]
-    /// @param reach how far a particle may go within `duration` [m]
+    /// @param distance how far a particle may go within `duration` [m]
     /// @return true if every particle has stayed for all of it
     /// @par Cost O(particles), one pass; allocates at the first look only
-    bool look(const Points& x, double time, Real reach);
+    bool look(const Points& x, double time, Real distance);
 
 private:
     bool watching_ = false;
     double since_ = 0;
-    Points places_;  ///< when the watch began
+    Points start_;  ///< when the watch began
 };
 
 }  // namespace drape

@@ -4,6 +4,7 @@
 #include <string>
 #include <vector>
 
+#include "drape/base/enum_names.h"
 #include "drape/base/real.h"
 #include "drape/bounds/broad_phase.h"
 #include "drape/contact/response.h"
@@ -14,6 +15,9 @@ namespace drape {
 
 /// What moves a ball: the keys, a path through points in time, or nothing.
 enum class BallMotion { Keys, Path, Still };
+
+template <>
+inline constexpr auto enum_names<BallMotion> = all_names<BallMotion>("keys", "path", "still");
 
 /// A point of a ball's path: where its centre is at a time.
 struct PathPoint {
@@ -33,9 +37,12 @@ struct BallSettings {
     bool operator==(const BallSettings&) const = default;
 };
 
-/// What to do about steps that are too long: freeze a state that is lost and say so; make every step in as many parts
-/// as its limit asks for; or end with the state.
+/// What to do about steps that are too long: freeze a state that has diverged and say so; divide every step into as
+/// many substeps as its limit asks for; or end with the state.
 enum class OnUnstable { Warn, Substep, Stop };
+
+template <>
+inline constexpr auto enum_names<OnUnstable> = all_names<OnUnstable>("warn", "substep", "stop");
 
 struct SolverSettings {
     IntegratorKind integrator = IntegratorKind::VelocityVerlet;
@@ -47,7 +54,7 @@ struct SolverSettings {
     double dt = 2e-4;                   ///< in every precision: it counts steps and time
     OnUnstable on_unstable = OnUnstable::Warn;
     Real sleep_speed = Real(2e-4);  ///< slower than this for half a second, a scene falls asleep; 0: never [m/s]
-    bool ledger = true;             ///< keep the balance of the energy
+    bool ledger = false;            ///< keep the balance of the energy
     bool operator==(const SolverSettings&) const = default;
 };
 
@@ -94,6 +101,9 @@ enum class NeedsMeasure {
     Positions,       ///< RMS distance of the particles
     CentreAndSpread  ///< of the centres of mass, or of the RMS distances from them, whichever differs more
 };
+
+template <>
+inline constexpr auto enum_names<NeedsMeasure> = all_names<NeedsMeasure>("positions", "centre_and_spread");
 
 /// What of a scene's cloth may be left out; zero: as in the scene.
 struct FullModelSettings {

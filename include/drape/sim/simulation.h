@@ -1,59 +1,21 @@
 #pragma once
 
 #include <cstdint>
-#include <memory>
 #include <optional>
 #include <span>
 #include <string>
 #include <vector>
 
-#include "drape/bounds/broad_phase.h"
-#include "drape/bounds/separation.h"
-#include "drape/contact/contact.h"
-#include "drape/contact/search_audit.h"
-#include "drape/integrate/integrator.h"
-#include "drape/model/ball.h"
-#include "drape/model/cloth_model.h"
+#include "drape/sim/cloth.h"
 #include "drape/sim/command.h"
-#include "drape/sim/energy_watch.h"
-#include "drape/sim/rest_watch.h"
+#include "drape/sim/frame_view.h"
+#include "drape/sim/hand.h"
 #include "drape/sim/settings.h"
+#include "drape/sim/sleep_watch.h"
 #include "drape/sim/start_state.h"
 #include "drape/sim/step_report.h"
 
 namespace drape {
-
-/// A cloth with all that its steps need.
-struct Cloth {
-    ClothModel model;
-    ClothState state;
-    ClothState previous;  ///< one step before `state`
-    std::unique_ptr<Integrator> integrator;
-    std::unique_ptr<BroadPhase> broad_phase;
-    bool tree_is_fresh = false;        ///< the broad phase was built from the present positions
-    Separation separation;             ///< in which builds are left out
-    TraversalStats traversal;          ///< of the last step that traversed
-    Candidates candidates;             ///< of the last ball that was tested; cells ascending
-    std::vector<Contact> contacts;     ///< of the last step that was awake
-    std::optional<SearchAudit> audit;  ///< while the search is limited
-    RestWatch rest;
-    EnergyWatch energy_watch;
-    std::optional<EnergyLedger> ledger;  ///< while it is kept
-    bool touched = true;                 ///< state or model may have been changed since the last step
-};
-
-/// What the renderer needs of a moment; all of it belongs to the simulation and lasts until its next change.
-struct FrameView {
-    std::span<const Cloth> cloths;
-    std::span<const Ball> balls;
-    std::span<const Ball> previous_balls;  ///< one step before
-    Real blend = 1;                        ///< the picture shows previous + blend (now - previous)
-    const Settings* settings = nullptr;
-    const StepReport* report = nullptr;
-    std::string_view scene;  ///< name or path
-    bool paused = false;
-    bool held = false;  ///< the hand holds a particle
-};
 
 /// The cloths, the balls and the laws between them. Same settings and commands give the same bits.
 class Simulation {
@@ -67,11 +29,12 @@ public:
     /// @throws InputError if the command names something that does not exist; nothing is changed then
     void apply(const Command& command);
 
-    /// One step of one or more substeps: step, build, traverse, narrow, respond, report. Does nothing once diverged,
-    /// and nothing but count while asleep: once no particle has gone anywhere for a while, nothing moves until a
-    /// command or a ball does.
+    /// One step of one or more substeps. Does nothing once diverged, and nothing but count while asleep: once no
+    /// particle has gone anywhere for a while, nothing moves until a command or a ball does.
     void step();
 
+    /// What there is to draw, with the figures of the report that are not worth their cost in every step. The motion
+    /// does not depend on it.
     /// @param blend in [0, 1], between the last two states
     [[nodiscard]] FrameView view(Real blend = 1);
 
@@ -82,7 +45,7 @@ public:
     [[nodiscard]] const std::string& scene() const { return scene_; }
     [[nodiscard]] bool paused() const { return paused_; }
 
-    /// What the user should know before the next step: that it is longer than the method can bear. Empty if nothing.
+    /// What the user should know before the next step: that it is longer than the method's limit. Empty if nothing.
     [[nodiscard]] std::string step_warning() const;
 
     /// Why the run so far is not to be trusted, one line: steps that were not solved, energy that its method has made.
@@ -96,41 +59,34 @@ public:
     [[nodiscard]] int steps_wanted() const { return steps_wanted_; }
 
 private:
-    struct Hand {
-        int cloth;
-        int particle;
-        Vec3 target;
-        bool was_pinned;
+    struct Substep {
+        double time;  ///< simulated, at its start [s]
+        Real h;       ///< [s]
     };
 
-    void carry_out(const Command& command);
-    void configure(Settings settings);
-    void restart();
-    void predict_limit(int fewest_parts = 1);
-    void watch_limit();
-    void load(const std::string& scene);
-    void grab(const command::Grab& command);
-    void release();
-    void move_hand(Real h);
-    void count_hand_work(double power_before, Real h);
-    [[nodiscard]] double present_hand_power() const;
-    void substep(double time, Real h);
-    void move_balls(double time, Real h);
+    // The stages of a step, in their order
+    void begin_step();
+    [[nodiscard]] Substep substep(int number) const;
+    bool input(const Substep& now);
+    bool step(const Substep& now);
+    void build();
+    void traverse();
+    void narrow(const Substep& now);
+    void respond(const Substep& now);
+    void close_report();
+    void rest();
+
     [[nodiscard]] bool ball_has_moved() const;
-    void move_cloths(double time, Real h);
-    void use_broad_phase(Cloth& cloth);
-    void show_present_bounds();
-    void build(Cloth& cloth);
-    void find_contacts(Cloth& cloth, Real h);
-    [[nodiscard]] bool nothing_touches(const Cloth& cloth) const;
-    void collide(Cloth& cloth, Real h);
-    void respond(Cloth& cloth, Real h);
-    void check_cloths(Real h);
-    [[nodiscard]] std::string solve_trouble() const;
-    [[nodiscard]] std::string heat_trouble() const;
     void end_with(std::string trouble);
-    void watch_rest();
+    void fall_asleep();
     void wake();
+
+    void carry_out(const Command& command);
+    void restart();
+    void load(const std::string& scene);
+    void configure(Settings settings);
+    void configure_cloth(std::size_t number, const Settings& before);
+    void configure_balls(const Settings& before);
 
     std::string scene_;
     Settings settings_;
@@ -138,8 +94,10 @@ private:
     std::vector<Cloth> cloths_;
     std::vector<Ball> balls_, previous_balls_;
     Vec3 steer_ = Vec3::Zero();
-    std::optional<Hand> hand_;
+    Hand hand_;
+    SleepWatch sleep_;
     StepReport report_;
+    std::vector<ClothView> shown_;
     std::int64_t counted_from_step_ = 0;  ///< since then dt has been what it is: no error adds up in the time
     double counted_from_time_ = 0;
     bool paused_ = false;

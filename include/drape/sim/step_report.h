@@ -12,7 +12,7 @@
 
 namespace drape {
 
-/// Whether the run can go on. Diverged: no; the last step has lost the cloth, or could not be made, or a check that
+/// Whether the run can go on. Diverged: no; the last step has diverged, or could not be made, or a check that
 /// `on_unstable = stop` asks for has ended the run.
 enum class Status { Ok, Diverged };
 
@@ -25,11 +25,11 @@ struct StageTimes {
 /// What one step was and did; each stage fills its fields as it ends. Times and solves are those of all substeps,
 /// counts those of the last.
 struct StepReport {
-    std::int64_t step = 0;       ///< steps since the start
-    int substeps = 1;            ///< equal parts that a step is made in
-    double time = 0;             ///< simulated [s]
-    double step_over_limit = 0;  ///< length of a part over the longest that the method bears, as predicted; 0: no limit
-    bool limit_is_least = false;  ///< that limit is at least as long as predicted: the true part of it may be less
+    std::int64_t step = 0;        ///< steps since the start
+    int substeps = 1;             ///< of equal length, that a step is divided into
+    double time = 0;              ///< simulated [s]
+    double step_limit_ratio = 0;  ///< length of a substep / predicted stability limit of the method; 0: no limit
+    bool limit_is_least = false;  ///< the limit is at least as long as predicted: the true ratio may be less
     StageTimes times;
     SolveReport solve;
     TraversalStats traversal;
@@ -47,11 +47,18 @@ struct StepReport {
     IntegratorKind heated_by{};         ///< the method of `heated_step`
     std::int64_t heated_step = 0;       ///< the first that has found a cloth heated by its method; 0: none has
     double rms_speed = 0;               ///< of the particles [m/s]
-    Energy energy;          ///< this, balance and stretch are filled by `Simulation::view`, not by every step
-    EnergyBalance balance;  ///< since the start, over all cloths; zero while no ledger is kept
-    double stretch = 0;     ///< largest elongation of a structural spring, as `energy`
+    Energy energy;  ///< this, balance and stretch are filled by `Simulation::view`, not by every step
+    EnergyBalance balance = EnergyBalance::unknown();  ///< since the ledger began, over all cloths
+    double stretch = 0;                                ///< largest elongation of a structural spring, as `energy`
     Status status = Status::Ok;
     std::string trouble;  ///< one sentence on what broke, with particle and step; empty while all is well
+
+    /// Sets to zero what contacts of a substep add up to.
+    void forget_contacts() {
+        traversal = {};
+        contacts = false_candidates = false_contacts = 0;
+        penetration = missed_penetration = 0;
+    }
 };
 
 /// What figures are about; the panel sets them apart by it, and shows those of `Limit` only while the search is

@@ -27,10 +27,10 @@ std::string flaw_of_case(const std::vector<TableRow>& rows) {
         frames[{row.scene, row.volume, row.interval_s}][row.update].push_back(row.frame);
     }
     for (auto& [key, updates] : frames) {
-        for (const std::string& update : update_names()) {
-            if (updates[update] == updates[update_names().front()]) continue;
+        for (const std::string& update : names_of<UpdateKind>()) {
+            if (updates[update] == updates[names_of<UpdateKind>().front()]) continue;
             return "the rows of update '" + update + "' are not of the same frames as those of '" +
-                   update_names().front() + "'";
+                   names_of<UpdateKind>().front() + "'";
         }
     }
     return "";

@@ -100,9 +100,9 @@ std::vector<std::string> words_of(const TextColumn& column) {
         words.insert(words.end(), more.begin(), more.end());
     };
     if (column.text == &Row::part) add(parts);
-    if (column.text == &Row::volume) add(volume_names());
-    if (column.text == &Row::sphere_fit) add(sphere_fit_names()), words.emplace_back("none");
-    if (column.text == &Row::update) add(update_names());
+    if (column.text == &Row::volume) add(names_of<VolumeKind>());
+    if (column.text == &Row::sphere_fit) add(names_of<SphereFit>()), words.emplace_back("none");
+    if (column.text == &Row::update) add(names_of<UpdateKind>());
     if (column.text == &Row::scene) {
         for (const HierarchyScene& scene : hierarchy_scenes) words.emplace_back(scene.name);
     }
@@ -116,11 +116,9 @@ HierarchyRow HierarchyRow::of(const std::string& part, const RecordedMotion& mot
     HierarchyRow row;
     row.part = part;
     row.scene = motion.scene;
-    row.volume = volume_names()[static_cast<std::size_t>(parameters.volume)];
-    row.sphere_fit = parameters.volume == VolumeKind::Sphere
-                         ? sphere_fit_names()[static_cast<std::size_t>(parameters.sphere_fit)]
-                         : "none";
-    row.update = update_names()[static_cast<std::size_t>(parameters.update)];
+    row.volume = name_of(parameters.volume);
+    row.sphere_fit = parameters.volume == VolumeKind::Sphere ? name_of(parameters.sphere_fit) : "none";
+    row.update = name_of(parameters.update);
     row.particles = motion.grid.particles();
     row.leaf_cells = parameters.leaf_cells;
     row.interval_s = motion.interval;
@@ -152,7 +150,7 @@ void HierarchyRow::set_counts(const std::vector<FrameCounts>& counts) {
 }
 
 std::string HierarchyRow::variant() const {
-    return volume == "sphere" && sphere_fit != sphere_fit_names().front() ? volume + " " + sphere_fit : volume;
+    return volume == "sphere" && sphere_fit != names_of<SphereFit>().front() ? volume + " " + sphere_fit : volume;
 }
 
 std::vector<Column> hierarchy_columns() {

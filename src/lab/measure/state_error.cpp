@@ -7,8 +7,6 @@
 
 namespace drape {
 
-std::string_view name_of(Measure measure) { return measure == Measure::Position ? "position" : "overall"; }
-
 Measure measure_for(double growth) { return growth <= most_growth ? Measure::Position : Measure::Overall; }
 
 double position_error(const Points& x, const Points& exact, Real side) {

@@ -3,6 +3,7 @@
 #include <string_view>
 
 #include "disturbed_start.h"
+#include "drape/base/enum_names.h"
 #include "drape/model/cloth_model.h"
 
 namespace drape {
@@ -13,7 +14,8 @@ enum class Measure {
     Overall    ///< the largest difference of sag, centre of mass (both over the side) and energy (over M g side)
 };
 
-std::string_view name_of(Measure measure);
+template <>
+inline constexpr auto enum_names<Measure> = all_names<Measure>("position", "overall");
 
 /// Positions, where small errors stay small; beyond `most_growth`, or where the growth is no number, only what does not
 /// depend on the single particle.

@@ -50,7 +50,7 @@ Motion run_to_horizon(const Settings& scene, const Patience& patience, const std
     Motion motion;
     motion.grid = cloth.model.grid;
     motion.start = cloth.state;
-    motion.step_over_limit = report.step_over_limit;
+    motion.step_over_limit = report.step_limit_ratio;
     motion.given_up = motion.step_over_limit > patience.step_over_limit;
     if (motion.given_up) return motion;
     double seconds = 0;

@@ -95,7 +95,7 @@ int check_scene(const Needs& needs, const Trail& trail) {
     }
     const auto spare = spare_notches(needs, trail);
     for (const Knob knob : spare) {
-        std::cout << "The scene has more than it needs of: " << knob_names()[static_cast<std::size_t>(knob)] << "\n";
+        std::cout << "The scene has more than it needs of: " << name_of(knob) << "\n";
     }
     if (spare.empty())
         std::cout << "The scene is minimal: one notch less on any free knob that has an order breaks a need.\n";

@@ -141,7 +141,7 @@ private:
                std::vector{UpdateKind::Rebuild, UpdateKind::Merge, UpdateKind::Refit, UpdateKind::None});
         if (cheapest_->settings.contact.volume == Sphere) {
             std::vector<SphereFit> fits;
-            for (std::size_t f = 0; f < sphere_fit_names().size(); ++f) fits.push_back(static_cast<SphereFit>(f));
+            for (std::size_t f = 0; f < names_of<SphereFit>().size(); ++f) fits.push_back(static_cast<SphereFit>(f));
             choose(Knob::SphereFit, &ContactSettings::sphere_fit, fits);
         }
         choose(Knob::LeafCells, &ContactSettings::leaf_cells, std::vector{0, 2, 4, 8, 16});

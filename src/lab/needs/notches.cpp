@@ -9,8 +9,6 @@
 namespace drape {
 namespace {
 
-const std::array<std::string, 10> names{"particles",  "bend",   "drag",   "integrator", "dt",
-                                        "iterations", "volume", "update", "sphere_fit", "leaf_cells"};
 constexpr std::array ordered{Knob::Particles, Knob::Bend, Knob::Drag, Knob::Dt, Knob::Iterations};
 
 /// A decade of the ladder of steps [1e-7 s], and the decades that are tried.
@@ -24,7 +22,6 @@ int fewer_cells(int particles) { return static_cast<int>(std::lround(0.8 * (part
 
 }  // namespace
 
-std::span<const std::string> knob_names() { return names; }
 std::span<const Knob> ordered_knobs() { return ordered; }
 
 bool has_iterations(IntegratorKind kind) {
@@ -32,6 +29,7 @@ bool has_iterations(IntegratorKind kind) {
 }
 
 std::set<Knob> free_knobs(const Settings& scene) {
+    const auto names = names_of<Knob>();
     std::set<Knob> knobs;
     for (std::size_t k = 0; k < names.size(); ++k) knobs.insert(static_cast<Knob>(k));
     const std::string& keep = scene.needs.keep;

@@ -6,6 +6,7 @@
 #include <string>
 #include <vector>
 
+#include "drape/base/enum_names.h"
 #include "drape/sim/settings.h"
 
 namespace drape {
@@ -13,8 +14,9 @@ namespace drape {
 /// A setting that the search for what a scene needs may change.
 enum class Knob { Particles, Bend, Drag, Integrator, Dt, Iterations, Volume, Update, SphereFit, LeafCells };
 
-/// The names of all knobs, in the order of the enumeration.
-std::span<const std::string> knob_names();
+template <>
+inline constexpr auto enum_names<Knob> = all_names<Knob>("particles", "bend", "drag", "integrator", "dt", "iterations",
+                                                         "volume", "update", "sphere_fit", "leaf_cells");
 
 /// The knobs that a scene leaves free: all but those in its `needs.keep` and those with nothing to act on. Particles
 /// stay where pins or a start state count them, and the hierarchy where there is no ball to search for.

@@ -1,0 +1,25 @@
+#pragma once
+
+#include <memory>
+#include <vector>
+
+#include "drape/contact/contact.h"
+#include "drape/integrate/integrator.h"
+#include "drape/model/cloth_model.h"
+#include "drape/sim/cloth_energy.h"
+#include "drape/sim/contact_search.h"
+
+namespace drape {
+
+/// A cloth with all that its steps need.
+struct Cloth {
+    ClothModel model;
+    ClothState state;
+    ClothState previous;  ///< one step before `state`
+    std::unique_ptr<Integrator> integrator;
+    ContactSearch search;
+    std::vector<Contact> contacts;  ///< of the last step that was awake
+    ClothEnergy energy;
+};
+
+}  // namespace drape

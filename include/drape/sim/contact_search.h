@@ -1,0 +1,69 @@
+#pragma once
+
+#include <memory>
+#include <optional>
+#include <span>
+#include <vector>
+
+#include "drape/bounds/broad_phase.h"
+#include "drape/bounds/separation.h"
+#include "drape/contact/contact.h"
+#include "drape/contact/search_audit.h"
+#include "drape/sim/settings.h"
+
+namespace drape {
+
+/// Finds where one cloth touches the balls, stage by stage: build, traverse, narrow. A build is left out while it is
+/// proven that nothing can touch, and the two stages after it then find nothing.
+class ContactSearch {
+public:
+    /// Takes a new hierarchy, built from the present positions.
+    /// @param x n x 3 [m]
+    void use(const BroadPhaseParameters& parameters, const Grid& grid, const Points& x);
+
+    /// To be told whenever the positions have changed.
+    void positions_changed() { built_from_present_ = false; }
+
+    /// @return false if the build was left out: it is proven that nothing touches. Under a limited search it never is,
+    /// for its spheres may touch what the cloth does not
+    bool build(const Points& x, std::span<const Ball> balls, const ContactSettings& contact);
+
+    /// Collects the candidates of each ball.
+    /// @return what it has cost; after a build that was left out, what the last traversal has
+    TraversalStats traverse(std::span<const Ball> balls, Real thickness);
+
+    /// Tests the candidates exactly.
+    /// @param longest_push of a node that stands for the cloth within it [m]
+    /// @param contacts receives what touches, ball by ball, cells ascending; cleared first
+    /// @return how many candidate cells do not touch
+    std::int64_t narrow(const Points& x, std::span<const Ball> balls, Real thickness, Real longest_push,
+                        std::vector<Contact>& contacts);
+
+    /// What a limited search invents and what it lets through, by testing every cell; nothing for any other search.
+    /// @return contacts of nodes in which no triangle touches
+    std::int64_t false_contacts(const Points& x, std::span<const Ball> balls, Real thickness);
+    /// @return largest depth of any triangle [m]
+    Real missed_penetration(const Points& x, std::span<const Ball> balls, Real thickness);
+
+    /// Makes the hierarchy fit to be drawn: built from the present positions, its nodes marked by what the queries do
+    /// to them. No contact depends on it.
+    void show(const Points& x, std::span<const Ball> balls, const ContactSettings& contact);
+
+    [[nodiscard]] const BroadPhase& hierarchy() const { return *hierarchy_; }
+
+private:
+    void build_from(const Points& x, std::span<const Ball> balls, const ContactSettings& contact);
+
+    Grid grid_{0, 0};
+    Kernels kernels_ = Kernels::Vector;
+    std::unique_ptr<BroadPhase> hierarchy_;
+    Separation separation_;
+    std::optional<SearchAudit> audit_;  ///< while the search is limited
+    bool built_from_present_ = false;
+    bool queried_ = false;  ///< since the last build
+    bool skipped_ = false;  ///< the last build was left out
+    TraversalStats traversal_;
+    std::vector<Candidates> candidates_;  ///< of each ball
+};
+
+}  // namespace drape

@@ -1,0 +1,37 @@
+#pragma once
+
+#include <span>
+#include <string_view>
+
+#include "drape/bounds/broad_phase.h"
+#include "drape/contact/contact.h"
+#include "drape/model/ball.h"
+#include "drape/model/cloth_model.h"
+#include "drape/sim/settings.h"
+#include "drape/sim/step_report.h"
+
+namespace drape {
+
+/// A cloth as it is drawn.
+struct ClothView {
+    const ClothModel& model;  ///< grid, springs and pins
+    const Points& x;          ///< n x 3 [m]
+    const Points& previous;   ///< one step before
+    std::span<const Contact> contacts;
+    const BroadPhase* hierarchy = nullptr;  ///< of the present positions if `settings.view.bounds`
+};
+
+/// What the renderer needs of a moment; all of it belongs to the simulation and lasts until its next change.
+struct FrameView {
+    std::span<const ClothView> cloths;
+    std::span<const Ball> balls;
+    std::span<const Ball> previous_balls;  ///< one step before
+    Real blend = 1;                        ///< the picture shows previous + blend (now - previous)
+    const Settings* settings = nullptr;
+    const StepReport* report = nullptr;
+    std::string_view scene;  ///< name or path
+    bool paused = false;
+    bool held = false;  ///< the hand holds a particle
+};
+
+}  // namespace drape

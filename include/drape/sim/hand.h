@@ -1,0 +1,48 @@
+#pragma once
+
+#include <optional>
+#include <span>
+
+#include "drape/model/ball.h"
+#include "drape/sim/cloth.h"
+#include "drape/sim/command.h"
+
+namespace drape {
+
+/// Takes one particle of a cloth and leads it: the particle has the hand's velocity, whatever pulls at it.
+class Hand {
+public:
+    /// @throws InputError if there is no such cloth or particle; the hand is as before then
+    void grab(const command::Grab& command, std::span<Cloth> cloths);
+
+    /// @param target where the hand goes [m]
+    void drag(const Vec3& target);
+
+    /// Lets go; a particle that was pinned stays where it is.
+    void release(std::span<Cloth> cloths);
+
+    [[nodiscard]] bool holds() const { return held_.has_value(); }
+
+    /// Holds its particle in a model that was made again.
+    void hold_in(std::size_t cloth, ClothModel& model) const;
+
+    /// Gives the particle the velocity that takes it towards the target within a step, and counts the work of that.
+    /// @param thickness by which the hand stays outside the balls [m]
+    void lead(std::span<Cloth> cloths, std::span<const Ball> balls, Real thickness, Real h);
+
+    /// Counts the work that the hand has done in the step since `lead`.
+    void count_work(std::span<Cloth> cloths, Real h) const;
+
+private:
+    struct Held {
+        std::size_t cloth;
+        int particle;
+        Vec3 target;
+        bool was_pinned;
+        double power = 0;  ///< at the start of the step [W]
+    };
+
+    std::optional<Held> held_;
+};
+
+}  // namespace drape

@@ -1,0 +1,83 @@
+#include "drape/sim/contact_search.h"
+
+#include <algorithm>
+
+#include "drape/contact/node_contacts.h"
+
+namespace drape {
+
+void ContactSearch::use(const BroadPhaseParameters& parameters, const Grid& grid, const Points& x) {
+    if (grid != grid_ || parameters.kernels != kernels_) separation_ = Separation(grid, parameters.kernels);
+    kernels_ = parameters.kernels;
+    grid_ = grid;
+    hierarchy_ = make_broad_phase(parameters, grid);
+    audit_.reset();
+    if (!parameters.search.none()) audit_.emplace(grid);
+    build_from(x, {}, {});
+}
+
+void ContactSearch::build_from(const Points& x, std::span<const Ball> balls, const ContactSettings& contact) {
+    hierarchy_->build(x);
+    built_from_present_ = true;
+    queried_ = false;
+    separation_.forget();
+    const bool may_skip = contact.coherence && !audit_ && !balls.empty();
+    if (may_skip) separation_.renew(*hierarchy_, x, balls, contact.thickness);
+}
+
+bool ContactSearch::build(const Points& x, std::span<const Ball> balls, const ContactSettings& contact) {
+    skipped_ = contact.coherence && !audit_ && separation_.holds(*hierarchy_, x, balls, contact.thickness);
+    if (!skipped_) build_from(x, balls, contact);
+    return !skipped_;
+}
+
+TraversalStats ContactSearch::traverse(std::span<const Ball> balls, Real thickness) {
+    if (skipped_) return traversal_;
+    traversal_ = {};
+    candidates_.resize(balls.size());
+    for (std::size_t b = 0; b < balls.size(); ++b) {
+        traversal_ += hierarchy_->query(grown(balls[b], thickness), candidates_[b]);
+        // In the same order whatever found them, so that contacts are answered in the same order
+        std::ranges::sort(candidates_[b].cells);
+    }
+    queried_ = true;
+    return traversal_;
+}
+
+std::int64_t ContactSearch::narrow(const Points& x, std::span<const Ball> balls, Real thickness, Real longest_push,
+                                   std::vector<Contact>& contacts) {
+    contacts.clear();
+    if (skipped_) return 0;
+    std::int64_t touching = 0;
+    for (std::size_t b = 0; b < balls.size(); ++b) {
+        const auto& [cells, stopped] = candidates_[b];
+        const int number = static_cast<int>(b);
+        touching += find_contacts(grid_, x, balls[b], number, thickness, cells, contacts, kernels_);
+        find_node_contacts(grid_, x, balls[b], number, thickness, longest_push, stopped, contacts);
+    }
+    return traversal_.candidates - touching;
+}
+
+std::int64_t ContactSearch::false_contacts(const Points& x, std::span<const Ball> balls, Real thickness) {
+    std::int64_t count = 0;
+    for (std::size_t b = 0; audit_ && b < balls.size(); ++b) {
+        count += audit_->false_contacts(x, balls[b], thickness, candidates_[b].stopped);
+    }
+    return count;
+}
+
+Real ContactSearch::missed_penetration(const Points& x, std::span<const Ball> balls, Real thickness) {
+    return audit_ ? audit_->penetration(x, balls, thickness) : 0;
+}
+
+void ContactSearch::show(const Points& x, std::span<const Ball> balls, const ContactSettings& contact) {
+    if (!built_from_present_) build_from(x, balls, contact);
+    if (queried_) return;
+    candidates_.resize(balls.size());
+    for (std::size_t b = 0; b < balls.size(); ++b) {
+        hierarchy_->query(grown(balls[b], contact.thickness), candidates_[b]);
+    }
+    queried_ = true;
+}
+
+}  // namespace drape

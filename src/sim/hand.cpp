@@ -1,0 +1,109 @@
+#include "drape/sim/hand.h"
+
+#include <algorithm>
+#include <string>
+
+#include "drape/base/input_error.h"
+#include "drape/model/stencils.h"
+
+namespace drape {
+namespace {
+
+/// How fast the hand pulls, and the time in which it closes a small gap.
+constexpr Real hand_speed = 3;         // m/s
+constexpr Real hand_lag = Real(0.03);  // s
+
+void check_number(const char* what, int number, std::size_t count) {
+    if (number >= 0 && static_cast<std::size_t>(number) < count) return;
+    throw InputError("grab: " + std::string(what) + " " + std::to_string(number) + ": allowed 0 to " +
+                     std::to_string(count - 1));
+}
+
+/// What the hand holds cannot be pushed out of the balls: it stays outside.
+Vec3 outside(Vec3 target, std::span<const Ball> balls, Real thickness) {
+    for (const Ball& ball : balls) {
+        const Vec3 offset = target - ball.centre;
+        const Real least = ball.radius + thickness, distance = offset.norm();
+        if (distance < least) target = ball.centre + (distance > 0 ? Vec3(offset / distance) : Vec3(0, 1, 0)) * least;
+    }
+    return target;
+}
+
+/// The most energy a second that the hand, which moves a held particle as its velocity says, puts in at a moment [W]:
+/// the work against the forces of springs, air and gravity on that particle; less than zero where they pull it along.
+double hand_power(const ClothModel& model, const ClothState& state, int particle) {
+    const Grid& grid = model.grid;
+    const int i = particle % grid.nx, j = particle / grid.nx;
+    const Vec3 x = state.x.row(particle).transpose(), v = state.v.row(particle).transpose();
+    Vec3 force = model.particle_mass * model.gravity - model.drag * v;
+    for (const SpringStencil& springs : spring_stencils(model)) {
+        for (const int side : {-1, 1}) {
+            const int other_i = i + side * springs.di, other_j = j + side * springs.dj;
+            if (other_i < 0 || other_i >= grid.nx || other_j < 0 || other_j >= grid.ny) continue;
+            const int other = grid.particle(other_i, other_j);
+            const Vec3 d = x - state.x.row(other).transpose(), u = v - state.v.row(other).transpose();
+            const Real length = d.norm();
+            if (length == 0) continue;
+            const Vec3 n = d / length;
+            force -= (springs.law.stiffness * (length - springs.rest_length) + springs.law.damping * n.dot(u)) * n;
+        }
+    }
+    return static_cast<double>(-force.dot(v));
+}
+
+}  // namespace
+
+void Hand::grab(const command::Grab& command, std::span<Cloth> cloths) {
+    check_number("cloth", command.cloth, cloths.size());
+    const auto number = static_cast<std::size_t>(command.cloth);
+    Cloth& cloth = cloths[number];
+    check_number("particle", command.particle, static_cast<std::size_t>(cloth.model.grid.particles()));
+    release(cloths);
+    held_ = Held{number, command.particle, cloth.state.x.row(command.particle).transpose(),
+                 cloth.model.pinned(command.particle)};
+    cloth.model.hold(command.particle, true);
+}
+
+void Hand::drag(const Vec3& target) {
+    if (held_) held_->target = target;
+}
+
+void Hand::release(std::span<Cloth> cloths) {
+    if (!held_) return;
+    Cloth& cloth = cloths[held_->cloth];
+    if (held_->was_pinned) {
+        cloth.state.v.row(held_->particle).setZero();
+    } else {
+        cloth.model.hold(held_->particle, false);
+    }
+    cloth.energy.touch();
+    held_.reset();
+}
+
+void Hand::hold_in(std::size_t cloth, ClothModel& model) const {
+    if (held_ && held_->cloth == cloth) model.hold(held_->particle, true);
+}
+
+void Hand::lead(std::span<Cloth> cloths, std::span<const Ball> balls, Real thickness, Real h) {
+    if (!held_) return;
+    Cloth& cloth = cloths[held_->cloth];
+    const Vec3 here = cloth.state.x.row(held_->particle).transpose();
+    Vec3 velocity = (outside(held_->target, balls, thickness) - here) / std::max(hand_lag, h);
+    const Real speed = velocity.norm();
+    if (speed > hand_speed) velocity *= hand_speed / speed;
+    const Real gained = velocity.squaredNorm() - cloth.state.v.row(held_->particle).squaredNorm();
+    cloth.energy.give(static_cast<double>(cloth.model.particle_mass / 2 * std::max(gained, Real(0))));
+    cloth.state.v.row(held_->particle) = velocity.transpose();
+    cloth.energy.touch();
+    held_->power = hand_power(cloth.model, cloth.state, held_->particle);
+}
+
+/// The larger of both ends of the step stands for all of it: a spring that is drawn out pulls ever more.
+void Hand::count_work(std::span<Cloth> cloths, Real h) const {
+    if (!held_) return;
+    Cloth& cloth = cloths[held_->cloth];
+    const double power = hand_power(cloth.model, cloth.state, held_->particle);
+    cloth.energy.give(std::max({held_->power, power, 0.0}) * static_cast<double>(h));
+}
+
+}  // namespace drape

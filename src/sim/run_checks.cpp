@@ -1,0 +1,76 @@
+#include "run_checks.h"
+
+#include <algorithm>
+
+#include "divergence.h"
+#include "drape/base/numbers.h"
+#include "drape/integrate/stability.h"
+
+namespace drape {
+namespace {
+
+std::string solve_trouble(IntegratorKind integrator, const StepReport& report) {
+    const SolveReport& solve = report.solve;
+    const std::string method(name_of(integrator)), step = " step " + std::to_string(report.step + 1);
+    const std::string tolerance = "tolerance " + real_text(static_cast<double>(solve.tolerance), 3);
+    if (solve.gave_up) {
+        return method + " is not through" + step + " after " + std::to_string(most_inner_steps) +
+               " inner steps, taken and rejected, at " + tolerance + "; a shorter solver.dt needs fewer";
+    }
+    return method + " has not solved" + step + ": residual " + real_text(static_cast<double>(solve.residual), 3) +
+           ", " + tolerance;
+}
+
+std::string heat_trouble(const StepReport& report) {
+    return std::string(name_of(report.heated_by)) + " has made " + real_text(report.energy_excess, 3) +
+           " J more mechanical energy than hand, balls and wind can have put in, seen first in step " +
+           std::to_string(report.heated_step);
+}
+
+void mark_heat(const EnergyWatch& watch, IntegratorKind integrator, StepReport& report) {
+    report.energy_excess = std::max(report.energy_excess, watch.excess());
+    if (!watch.heated() || report.heated_step > 0) return;
+    report.heated_step = report.step + 1;
+    report.heated_by = integrator;
+}
+
+}  // namespace
+
+std::string check_substep(std::span<Cloth> cloths, std::span<const Ball> balls, const Settings& settings, Real h,
+                          StepReport& report) {
+    const SolverSettings& solver = settings.solver;
+    const auto residual = static_cast<double>(report.solve.residual);
+    if (!(residual <= report.worst_residual)) report.worst_residual = residual;
+    if (report.solve.gave_up) return solve_trouble(solver.integrator, report);
+
+    // An explicit step costs little more than the sum over the springs
+    const int least_pause = has_step_limit(solver.integrator) ? 32 : 1;
+    bool heated = false;
+    for (Cloth& cloth : cloths) {
+        const MotionSums sums = sum_motion(cloth.state);
+        const std::string trouble = divergence(cloth, sums, balls, settings);
+        if (!trouble.empty()) {
+            return trouble + " in step " + std::to_string(report.step + 1) + " of " +
+                   std::string(name_of(solver.integrator));
+        }
+        cloth.energy.after_integrator(cloth.model, cloth.state, sums, h, least_pause);
+        mark_heat(cloth.energy.watch(), solver.integrator, report);
+        heated = heated || cloth.energy.watch().heated();
+    }
+    if (solver.on_unstable != OnUnstable::Stop) return {};
+    if (report.solve.unconverged > 0) return solve_trouble(solver.integrator, report);
+    return heated ? heat_trouble(report) : "";
+}
+
+std::string doubt_warning(const StepReport& report) {
+    std::string text;
+    if (report.unconverged > 0) {
+        text = std::string(name_of(report.unsolved_by)) + " has not solved " + std::to_string(report.unconverged) +
+               " of " + std::to_string(report.step) + " steps to its tolerance, largest residual " +
+               real_text(report.worst_residual, 3);
+    }
+    if (report.heated_step > 0) text += (text.empty() ? "" : "; ") + heat_trouble(report);
+    return text;
+}
+
+}  // namespace drape

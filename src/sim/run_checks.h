@@ -1,0 +1,23 @@
+#pragma once
+
+#include <span>
+#include <string>
+
+#include "drape/sim/cloth.h"
+#include "drape/sim/settings.h"
+#include "drape/sim/step_report.h"
+
+namespace drape {
+
+/// Looks at what the integrators have made of a substep, enters it in each cloth's energy, and marks in the report what
+/// is in doubt.
+/// @param h substep that was made [s]
+/// @return why the run must end, one line: a cloth has diverged or a step could not be made; under
+///         `on_unstable = stop` also a doubt. Empty while it goes on
+std::string check_substep(std::span<Cloth> cloths, std::span<const Ball> balls, const Settings& settings, Real h,
+                          StepReport& report);
+
+/// Why the run so far is not to be trusted, one line; empty if nothing.
+std::string doubt_warning(const StepReport& report);
+
+}  // namespace drape

@@ -1,0 +1,63 @@
+#include <algorithm>
+#include <cmath>
+
+#include "drape/sim/simulation.h"
+#include "run_checks.h"
+#include "step_plan.h"
+
+namespace drape {
+
+FrameView Simulation::view(Real blend) {
+    report_.energy = {};
+    report_.balance = {};
+    report_.stretch = 0;
+    double square_sum = 0, particles = 0;
+    shown_.clear();
+    for (Cloth& cloth : cloths_) {
+        const Energy energy = compute_energy(cloth.model, cloth.state);
+        report_.energy.kinetic += energy.kinetic;
+        report_.energy.gravity += energy.gravity;
+        report_.energy.spring += energy.spring;
+        report_.balance += cloth.energy.balance();
+        report_.stretch = std::max(report_.stretch, static_cast<double>(largest_stretch(cloth.model, cloth.state.x)));
+        square_sum += static_cast<double>(cloth.state.v.squaredNorm());
+        particles += static_cast<double>(cloth.state.v.rows());
+        if (settings_.view.bounds) cloth.search.show(cloth.state.x, balls_, settings_.contact);
+        shown_.push_back({cloth.model, cloth.state.x, cloth.previous.x, cloth.contacts, &cloth.search.hierarchy()});
+    }
+    report_.rms_speed = std::sqrt(square_sum / particles);
+    return {.cloths = shown_,
+            .balls = balls_,
+            .previous_balls = previous_balls_,
+            .blend = std::clamp(blend, Real(0), Real(1)),
+            .settings = &settings_,
+            .report = &report_,
+            .scene = scene_,
+            .paused = paused_,
+            .held = hand_.holds()};
+}
+
+std::string Simulation::step_warning() const { return step_limit_warning(settings_.solver, report_); }
+
+std::string Simulation::run_warning() const { return doubt_warning(report_); }
+
+std::uint64_t Simulation::hash() const {
+    std::uint64_t hash = 14695981039346656037u;  // FNV-1a, 64 bits
+    const auto add = [&hash](const Real* values, Eigen::Index count) {
+        const auto* bytes = reinterpret_cast<const unsigned char*>(values);
+        for (std::size_t i = 0; i < static_cast<std::size_t>(count) * sizeof(Real); ++i) {
+            hash = (hash ^ bytes[i]) * 1099511628211u;
+        }
+    };
+    for (const Cloth& cloth : cloths_) {
+        add(cloth.state.x.data(), cloth.state.x.size());
+        add(cloth.state.v.data(), cloth.state.v.size());
+    }
+    for (const Ball& ball : balls_) {
+        add(ball.centre.data(), 3);
+        add(ball.velocity.data(), 3);
+    }
+    return hash;
+}
+
+}  // namespace drape

@@ -1,0 +1,32 @@
+#include "drape/sim/sleep_watch.h"
+
+#include <algorithm>
+
+namespace drape {
+namespace {
+
+/// How far a particle may go in the time of a watch and count as resting: no small cloth swings in so little either.
+Real resting_distance(const ClothModel& model, Real speed) {
+    const Grid& grid = model.grid;
+    const Real side = std::min(model.hx * static_cast<Real>(grid.nx - 1), model.hy * static_cast<Real>(grid.ny - 1));
+    return std::min(speed * static_cast<Real>(RestWatch::duration), side / 1000);
+}
+
+}  // namespace
+
+void SleepWatch::restart() {
+    for (RestWatch& watch : watches_) watch.restart();
+}
+
+bool SleepWatch::look(std::span<const Cloth> cloths, double time, Real speed) {
+    watches_.resize(cloths.size());
+    bool all_rest = true;
+    for (std::size_t c = 0; c < cloths.size(); ++c) {
+        const Cloth& cloth = cloths[c];
+        const bool rests = watches_[c].look(cloth.state.x, time, resting_distance(cloth.model, speed));
+        all_rest = all_rest && rests;
+    }
+    return all_rest;
+}
+
+}  // namespace drape

@@ -1,0 +1,68 @@
+#include "step_plan.h"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+#include "drape/base/numbers.h"
+#include "drape/integrate/stability.h"
+
+namespace drape {
+namespace {
+
+/// Of its limit, that a substep is to stay under, and the most substeps of a step.
+constexpr Real safe_part = Real(0.9);
+constexpr double most_substeps = 1000;
+
+/// From one plan to the next [s].
+constexpr double pause = 0.25;
+
+StepLimit shortest_limit(std::span<const Cloth> cloths, IntegratorKind integrator) {
+    StepLimit shortest{.step = std::numeric_limits<Real>::infinity()};
+    for (const Cloth& cloth : cloths) {
+        const StepLimit one = predicted_limit(cloth.model, cloth.state, integrator);
+        if (one.step < shortest.step) shortest = one;
+    }
+    return shortest;
+}
+
+}  // namespace
+
+void plan_substeps(std::span<const Cloth> cloths, const SolverSettings& solver, int fewest, StepReport& report) {
+    const StepLimit shortest = shortest_limit(cloths, solver.integrator);
+    const Real limit = shortest.step;
+    report.limit_is_least = shortest.at_least;
+    // Where no step is short enough, substeps do not help
+    const bool bounded = limit > 0 && std::isfinite(limit);
+    const double wanted = bounded ? std::ceil(solver.dt / static_cast<double>(safe_part * limit)) : 1;
+    const bool divides = solver.on_unstable == OnUnstable::Substep && wanted <= most_substeps;
+    report.substeps = divides ? std::max(static_cast<int>(wanted), fewest) : fewest;
+    const Real substep = static_cast<Real>(solver.dt / report.substeps);
+    report.step_limit_ratio = std::isfinite(limit) ? static_cast<double>(substep / limit) : 0;
+}
+
+bool plan_is_due(const SolverSettings& solver, const StepReport& report) {
+    if (solver.on_unstable != OnUnstable::Substep || !has_step_limit(solver.integrator) || report.asleep) return false;
+    const auto between = static_cast<std::int64_t>(std::ceil(pause / solver.dt));
+    return report.step > 0 && report.step % between == 0;
+}
+
+std::string step_limit_warning(const SolverSettings& solver, const StepReport& report) {
+    if (!(report.step_limit_ratio > 1)) return {};
+    const std::string method(name_of(solver.integrator));
+    const std::string step = "solver.dt = " + real_text(solver.dt, 4) + " s";
+    if (!std::isfinite(report.step_limit_ratio)) {
+        const bool sure = !report.limit_is_least;
+        return step + ": " + method + (sure ? " has no stable step" : " has no step that is sure to be stable") +
+               " on this cloth";
+    }
+    const bool in_vain = solver.on_unstable == OnUnstable::Substep;
+    const double ratio = report.step_limit_ratio * report.substeps;
+    const std::string limit = real_text(solver.dt / ratio, 3);
+    return step + " is " + (report.limit_is_least ? "up to " : "") + real_text(ratio, 3) +
+           " times the stability limit of " + method + " on this cloth" +
+           (report.limit_is_least ? ", which is at least " + limit + " s" : "") +
+           (in_vain ? ", too long to be divided into substeps" : "");
+}
+
+}  // namespace drape

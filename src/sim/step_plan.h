@@ -1,0 +1,24 @@
+#pragma once
+
+#include <span>
+#include <string>
+
+#include "drape/sim/cloth.h"
+#include "drape/sim/settings.h"
+#include "drape/sim/step_report.h"
+
+namespace drape {
+
+/// Predicts the longest stable substep and says in the report how near to it a substep is, and in how many of them a
+/// step is made: under `on_unstable = substep` as many as the limit asks for, else `fewest`.
+/// @par Cost that of `predicted_limit` for each cloth; allocates
+void plan_substeps(std::span<const Cloth> cloths, const SolverSettings& solver, int fewest, StepReport& report);
+
+/// Whether it is time to plan again: springs that are drawn out or pushed together vibrate faster than at the start.
+/// Substeps then only become more: a symplectic method whose step changes to and fro gains energy.
+bool plan_is_due(const SolverSettings& solver, const StepReport& report);
+
+/// That a step is longer than the method's limit, in one line; empty if it is not.
+std::string step_limit_warning(const SolverSettings& solver, const StepReport& report);
+
+}  // namespace drape
