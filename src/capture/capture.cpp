@@ -88,9 +88,9 @@ void Capture::draw_frame(int frame) {
     if (frame % options_.every != 0) return;
     draw();
     if (frames_ || video_) {
-        const Image image = renderer_->read_back();
+        const auto image = std::make_shared<const Image>(renderer_->read_back());
         if (frames_) frames_->write(image, frame);
-        if (video_) video_->write(image);
+        if (video_) video_->write(*image);
     }
     if (stats_.wanted()) write_stats(frame);
 }
@@ -129,12 +129,14 @@ bool Capture::diverged() { return session_.simulation().report().status == Statu
 
 void Capture::tell_divergence() {
     if (std::exchange(divergence_told_, true)) return;
+    if (frames_) frames_->finish();
     std::cerr << "drape-capture: " << session_.simulation().report().trouble;
     if (frames_ && !frames_->last().empty()) std::cerr << "; the frame before is " << frames_->last().string();
     std::cerr << "\n" << tell_failure(session_.simulation(), options_.out) << "\n";
 }
 
 void Capture::end_frames(bool all) {
+    frames_->finish();
     if (all) return frames_->remove_older();
     if (frames_->older() == 0) return;
     std::cerr << "drape-capture: " << options_.out.string() << " still has " << frames_->older()
