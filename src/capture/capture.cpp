@@ -38,7 +38,8 @@ Capture::Capture(CaptureOptions options, const StopSignals& signals)
       session_(make_session(checked_start(options_))),
       camera_(session_.simulation().settings().view),
       stats_(options_.stats),
-      state_(options_.state) {
+      state_(options_.state),
+      progress_(options_.frames / options_.every) {
     if (!options_.out.empty()) frames_.emplace(options_.out, options_.frames, options_.again);
     if (!options_.video.empty()) {
         video_.emplace(options_.video, options_.size, options_.fps / options_.every, signals_);
@@ -90,6 +91,7 @@ void Capture::draw_frame(int frame) {
     if (frames_ || video_) {
         const auto image = std::make_shared<const Image>(renderer_->read_back());
         if (frames_) frames_->write(image, frame);
+        if (frames_) progress_.count();
         if (video_) video_->write(*image);
     }
     if (stats_.wanted()) write_stats(frame);
@@ -137,6 +139,7 @@ void Capture::tell_divergence() {
 
 void Capture::end_frames(bool all) {
     frames_->finish();
+    progress_.close(options_.out);
     if (all) return frames_->remove_older();
     if (frames_->older() == 0) return;
     std::cerr << "drape-capture: " << options_.out.string() << " still has " << frames_->older()
