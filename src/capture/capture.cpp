@@ -7,7 +7,7 @@
 
 #include "drape/base/input_error.h"
 #include "drape/base/numbers.h"
-#include "drape/base/program.h"
+#include "drape/base/run_program.h"
 #include "drape/sim/failure.h"
 #include "drape/sim/state_csv.h"
 
