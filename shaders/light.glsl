@@ -1,5 +1,6 @@
 // One soft key light, light from all around, and what both look like on the screen.
 uniform sampler2DShadow shadow_map;
+uniform sampler2DShadow shadow_probe;
 
 const vec3 key_colour = vec3(1.00, 0.955, 0.90) * 1.20;
 const vec3 sky_colour = vec3(0.80, 0.88, 1.00) * 0.36;
@@ -25,29 +26,30 @@ vec4 finish(vec3 colour) {
 float key_visibility(vec3 point, vec3 normal, float spread) {
     float slope = 1.0 - abs(dot(normal, to_light.xyz));
     vec3 place = (shadow_matrix * vec4(point + normal * shadow.x * (1.2 + 2.0 * slope), 1.0)).xyz * 0.5 + 0.5;
-    vec2 reach = spread * shadow.yz;
+    vec2 half_width = spread * shadow.yz;
     float depth = min(place.z - 0.0015, 1.0);
     vec2 beyond = abs(place.xy - 0.5);
     int probes = max(beyond.x, beyond.y) < 0.5 ? 1 : 0;
     float lit = probes > 0 ? 0.0 : 4.0;
+    vec2 away = half_width + 1.0 / vec2(textureSize(shadow_probe, 0));
     for (int i = 0; i < probes; ++i) {
-        lit += texture(shadow_map, vec3(place.xy + reach * vec2(-1.0, -1.0), depth));
-        lit += texture(shadow_map, vec3(place.xy + reach * vec2(1.0, -1.0), depth));
-        lit += texture(shadow_map, vec3(place.xy + reach * vec2(-1.0, 1.0), depth));
-        lit += texture(shadow_map, vec3(place.xy + reach * vec2(1.0, 1.0), depth));
+        lit += texture(shadow_probe, vec3(place.xy + away * vec2(-1.0, -1.0), depth));
+        lit += texture(shadow_probe, vec3(place.xy + away * vec2(1.0, -1.0), depth));
+        lit += texture(shadow_probe, vec3(place.xy + away * vec2(-1.0, 1.0), depth));
+        lit += texture(shadow_probe, vec3(place.xy + away * vec2(1.0, 1.0), depth));
     }
-    int rows = lit > 0.01 && lit < 3.99 ? 5 : 0;
-    float sum = rows > 0 ? 0.0 : lit * 6.25;
+
+    // Nine samples, evenly over a square
+    int rows = lit > 0.01 && lit < 3.99 ? 3 : 0;
+    float sum = rows > 0 ? 0.0 : lit * 2.25;
+    vec2 next = 0.84 * half_width;
     for (int row = 0; row < rows; ++row) {
-        vec2 start = place.xy + reach * vec2(-1.0, float(row) * 0.5 - 1.0);
-        float next = 0.5 * reach.x;
+        vec2 start = place.xy + next * vec2(-1.0, float(row) - 1.0);
         sum += texture(shadow_map, vec3(start, depth));
-        sum += texture(shadow_map, vec3(start + vec2(next, 0.0), depth));
-        sum += texture(shadow_map, vec3(start + vec2(2.0 * next, 0.0), depth));
-        sum += texture(shadow_map, vec3(start + vec2(3.0 * next, 0.0), depth));
-        sum += texture(shadow_map, vec3(start + vec2(4.0 * next, 0.0), depth));
+        sum += texture(shadow_map, vec3(start + vec2(next.x, 0.0), depth));
+        sum += texture(shadow_map, vec3(start + vec2(2.0 * next.x, 0.0), depth));
     }
-    return sum / 25.0;
+    return sum / 9.0;
 }
 
 // The part of the light from all around that the balls leave

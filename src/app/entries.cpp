@@ -27,7 +27,7 @@ void append_choices(std::vector<Entry>& entries, const std::string& menu, const 
 
 std::vector<Entry> make_entries(const std::vector<std::string>& scenes) {
     std::vector<Entry> entries{
-        {"", {"Space", "P"}, "Pause, go on", "pause"},
+        {"", {"Space", "P"}, "Pause, resume", "pause"},
         {"", {"O", "."}, "One step", "step 1"},
         {"", {"Shift+O"}, "One frame of 1/60 s", "step 1", Manner::OneFrame},
         {"", {"R"}, "Reset", "reset"},
@@ -44,38 +44,39 @@ std::vector<Entry> make_entries(const std::vector<std::string>& scenes) {
     entries.push_back({"Integrator", {}, "Five iterations fewer", "add solver.iterations -5"});
     for (const char* milliseconds : {"0.05", "0.1", "0.2", "0.5", "1", "2", "5", "10", "20"}) {
         const std::string text(milliseconds);
-        entries.push_back({"Step", {}, text + " ms", "set solver.dt=" + text + "e-3"});
+        entries.push_back({"Time step", {}, text + " ms", "set solver.dt=" + text + "e-3"});
     }
-    entries.push_back({"Step", {}, "Beyond its limit: warn", "set solver.on_unstable=warn"});
-    entries.push_back({"Step", {}, "Beyond its limit: substeps", "set solver.on_unstable=substep"});
-    entries.push_back({"Step", {}, "Beyond its limit: end", "set solver.on_unstable=stop"});
+    entries.push_back({"Time step", {}, "Beyond the stability limit: warn", "set solver.on_unstable=warn"});
+    entries.push_back(
+        {"Time step", {}, "Beyond the stability limit: smaller substeps", "set solver.on_unstable=substep"});
+    entries.push_back({"Time step", {}, "Beyond the stability limit: stop", "set solver.on_unstable=stop"});
     entries.push_back({"Bounding volume", {"T"}, "Next bounding volume", "next contact.volume"});
     append_choices(entries, "Bounding volume", "contact.volume", names_of<VolumeKind>());
     entries.push_back({"Sphere fit", {"Y"}, "Next sphere fit", "next contact.sphere_fit"});
     append_choices(entries, "Sphere fit", "contact.sphere_fit", names_of<SphereFit>());
-    entries.push_back({"Update of the hierarchy", {"U"}, "Next update of the hierarchy", "next contact.update"});
-    append_choices(entries, "Update of the hierarchy", "contact.update", names_of<UpdateKind>());
+    entries.push_back({"Update policy", {"U"}, "Next update policy", "next contact.update"});
+    append_choices(entries, "Update policy", "contact.update", names_of<UpdateKind>());
     const std::vector<Entry> rest{
-        {"Leaf size", {}, "As measured to be fastest", "set contact.leaf_cells=0"},
+        {"Leaf size", {}, "Fastest as measured", "set contact.leaf_cells=0"},
         {"Leaf size", {}, "2 x 2 cells", "set contact.leaf_cells=2"},
         {"Leaf size", {}, "4 x 4 cells", "set contact.leaf_cells=4"},
         {"Leaf size", {}, "7 x 7 cells", "set contact.leaf_cells=7"},
         {"Leaf size", {}, "15 x 15 cells", "set contact.leaf_cells=15"},
-        {"Search", {}, "Of all levels", "set contact.search_level=30"},
-        {"Search", {}, "To level 4", "set contact.search_level=4"},
-        {"Search", {}, "To level 3", "set contact.search_level=3"},
-        {"Search", {}, "To level 2", "set contact.search_level=2"},
-        {"Search", {}, "No build where nothing can touch", "next contact.coherence"},
+        {"Search depth", {}, "All levels", "set contact.search_level=30"},
+        {"Search depth", {}, "To level 4", "set contact.search_level=4"},
+        {"Search depth", {}, "To level 3", "set contact.search_level=3"},
+        {"Search depth", {}, "To level 2", "set contact.search_level=2"},
+        {"Search depth", {}, "Skip the build while nothing can touch", "next contact.coherence"},
         {"Sleep", {}, "At rest", "set solver.sleep_speed=2e-04"},
         {"Sleep", {}, "Never", "set solver.sleep_speed=0"},
-        {"View", {"B"}, "Bounds", "next view.bounds"},
-        {"View", {"["}, "Coarser level of bounds", "add view.level -1"},
-        {"View", {"]"}, "Finer level of bounds", "add view.level 1"},
+        {"View", {"B"}, "Bounding volumes", "next view.bounds"},
+        {"View", {"["}, "Coarser level of bounding volumes", "add view.level -1"},
+        {"View", {"]"}, "Finer level of bounding volumes", "add view.level 1"},
         {"View", {"C"}, "Contacts", "next view.contacts"},
         {"View", {"L"}, "Wireframe", "next view.wireframe"},
         {"View", {"N"}, "Particles and springs", "next view.particles"},
         {"View", {"Tab"}, "Panel of figures", "next view.overlay"},
-        {"View", {"K"}, "Balance of the energy", "next solver.ledger"},
+        {"View", {"K"}, "Energy balance", "next solver.ledger"},
         {"View", {"F"}, "Frame the scene", "frame"},
         {"Ball", {"Left", "A"}, "Ball to the left", "steer -1 0 0", Manner::WhileHeld},
         {"Ball", {"Right", "D"}, "Ball to the right", "steer 1 0 0", Manner::WhileHeld},
@@ -103,9 +104,9 @@ std::string key_text(const Entry& entry) { return joined(entry.keys); }
 
 std::vector<KeyHelp> help_lines(const std::vector<Entry>& entries) {
     std::vector<KeyHelp> lines{
-        {"Left drag", "Turn the view; on the cloth: pull it"},
-        {"Middle or Shift+left drag", "Move the view"},
-        {"Wheel", "Nearer, farther"},
+        {"Left drag", "Orbit the view; on the cloth: pull it"},
+        {"Middle or Shift+left drag", "Pan the view"},
+        {"Wheel", "Zoom"},
         {"Right button", "Menu"},
     };
     bool scenes_listed = false;

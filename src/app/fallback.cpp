@@ -21,7 +21,11 @@ void capture_instead(const Options& options, const std::string& reason) {
     const std::string out = std::filesystem::absolute(folder).string();
     const std::string size = std::to_string(options.size.width) + "x" + std::to_string(options.size.height);
     std::vector<std::string> words{program};
-    if (!options.start.scene.empty()) words.push_back(options.start.scene);
+    if (!options.start.scene.empty()) {
+        words.push_back(options.start.scene);
+    } else if (options.start.replay.empty()) {
+        words.insert(words.end(), {"drop", "--set", "view.eye=0.85,0.7,1.25"});  // the README's picture
+    }
     for (const std::string& assignment : options.start.assignments) words.insert(words.end(), {"--set", assignment});
     if (!options.start.replay.empty()) words.insert(words.end(), {"--replay", options.start.replay});
     if (options.hash) words.emplace_back("--hash");

@@ -9,7 +9,7 @@
 
 #include "display.h"
 #include "drape/base/numbers.h"
-#include "drape/base/program.h"
+#include "drape/base/run_program.h"
 #include "drape/base/stop_signals.h"
 #include "fallback.h"
 #include "options.h"

@@ -7,7 +7,7 @@
 
 #include "drape/base/input_error.h"
 #include "drape/base/numbers.h"
-#include "drape/base/program.h"
+#include "drape/base/run_program.h"
 #include "drape/sim/failure.h"
 #include "drape/sim/state_csv.h"
 
@@ -38,7 +38,8 @@ Capture::Capture(CaptureOptions options, const StopSignals& signals)
       session_(make_session(checked_start(options_))),
       camera_(session_.simulation().settings().view),
       stats_(options_.stats),
-      state_(options_.state) {
+      state_(options_.state),
+      progress_(options_.frames / options_.every) {
     if (!options_.out.empty()) frames_.emplace(options_.out, options_.frames, options_.again);
     if (!options_.video.empty()) {
         video_.emplace(options_.video, options_.size, options_.fps / options_.every, signals_);
@@ -88,9 +89,10 @@ void Capture::draw_frame(int frame) {
     if (frame % options_.every != 0) return;
     draw();
     if (frames_ || video_) {
-        const Image image = renderer_->read_back();
+        const auto image = std::make_shared<const Image>(renderer_->read_back());
         if (frames_) frames_->write(image, frame);
-        if (video_) video_->write(image);
+        if (frames_) progress_.count();
+        if (video_) video_->write(*image);
     }
     if (stats_.wanted()) write_stats(frame);
 }
@@ -129,12 +131,15 @@ bool Capture::diverged() { return session_.simulation().report().status == Statu
 
 void Capture::tell_divergence() {
     if (std::exchange(divergence_told_, true)) return;
+    if (frames_) frames_->finish();
     std::cerr << "drape-capture: " << session_.simulation().report().trouble;
     if (frames_ && !frames_->last().empty()) std::cerr << "; the frame before is " << frames_->last().string();
     std::cerr << "\n" << tell_failure(session_.simulation(), options_.out) << "\n";
 }
 
 void Capture::end_frames(bool all) {
+    frames_->finish();
+    progress_.close(options_.out);
     if (all) return frames_->remove_older();
     if (frames_->older() == 0) return;
     std::cerr << "drape-capture: " << options_.out.string() << " still has " << frames_->older()

@@ -11,6 +11,7 @@
 #include "drape/sim/session.h"
 #include "frame_writer.h"
 #include "offscreen_context.h"
+#include "progress.h"
 #include "video_pipe.h"
 
 namespace drape {
@@ -47,6 +48,7 @@ private:
     OutputFile stats_, state_;
     std::unique_ptr<OffscreenContext> context_;
     std::unique_ptr<Renderer> renderer_;
+    Progress progress_;
     bool divergence_told_ = false;
 };
 

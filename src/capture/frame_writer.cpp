@@ -72,18 +72,25 @@ bool FrameWriter::is_frame(const files::path& folder, const files::path& file) {
     return is_frame_name(target.filename().string()) && link_target(folder / "frame") == target.parent_path() / "frame";
 }
 
-void FrameWriter::write(const Image& image, int frame) {
+void FrameWriter::write(std::shared_ptr<const Image> image, int frame) {
+    finish();
     const std::string number = std::to_string(frame);
     const std::string zeros(digits_ - std::min(digits_, number.size()), '0');
-    const std::string name = std::string(prefix) + zeros + number + std::string(extension);
+    name_ = std::string(prefix) + zeros + number + std::string(extension);
+    // Where no thread can be started, it is written when it is waited for
+    written_ = std::async([image = std::move(image), file = folder_ / name_] { write_png(*image, file); });
+}
+
+void FrameWriter::finish() {
+    if (!written_.valid()) return;
     try {
-        write_png(image, folder_ / name);
+        written_.get();
     } catch (const RunError& failure) {
         const std::string last = last_.empty() ? "no frame was written" : "the last good frame is " + last_.string();
         throw RunError(std::string(failure.what()) + "; " + last);
     }
-    older_.erase(name);
-    last_ = folder_ / name;
+    older_.erase(name_);
+    last_ = folder_ / name_;
 }
 
 void FrameWriter::remove_older() {

@@ -1,6 +1,6 @@
 #include "capture.h"
 #include "capture_options.h"
-#include "drape/base/program.h"
+#include "drape/base/run_program.h"
 
 namespace drape {
 namespace {

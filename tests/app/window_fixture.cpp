@@ -63,7 +63,7 @@ bool WindowTest::recorded_now(const std::string& command, std::size_t after) con
 }
 
 bool WindowTest::recorded(const std::string& command, std::size_t after) const {
-    return eventually([&] { return recorded_now(command, after); }, 10);
+    return eventually([&] { return recorded_now(command, after); });
 }
 
 long long WindowTest::last_step() const {
@@ -79,7 +79,7 @@ long long WindowTest::last_step() const {
 
 std::string WindowTest::quit() {
     desktop_.key("Escape");
-    EXPECT_EQ(drape_->wait(20), 0) << drape_->standard_error();
+    EXPECT_EQ(drape_->wait(60), 0) << drape_->standard_error();
     return drape_->standard_output();
 }
 

@@ -9,8 +9,6 @@
 namespace drape {
 namespace {
 
-using testing_aid::eventually;
-using testing_aid::sleep_for;
 using testing_aid::WindowTest;
 
 // An entry's key as xdotool calls it.
@@ -48,20 +46,20 @@ TEST_F(WindowTest, AHeldKeySteersUntilItIsLetGo) {
     start({"original"});
     desktop_.act({"keydown", "Left"});
     ASSERT_TRUE(recorded("steer "));
-    sleep_for(0.7);
-    EXPECT_EQ(commands().size(), 1u);
+    desktop_.hold("v", window_, 3);
+    ASSERT_TRUE(recorded("next wind.on"));
+    EXPECT_EQ(commands().size(), 2u);
     desktop_.act({"keyup", "Left"});
-    EXPECT_TRUE(recorded("steer 0 0 0", 1));
+    EXPECT_TRUE(recorded("steer 0 0 0", 2));
     quit();
 }
 
 TEST_F(WindowTest, AKeyThatRepeatsActsOnce) {
     start({"hang"});
-    desktop_.act({"keydown", "v"});
-    ASSERT_TRUE(recorded("next wind.on"));
-    sleep_for(1);
-    desktop_.act({"keyup", "v"});
-    EXPECT_EQ(commands().size(), 1u);
+    desktop_.hold("v", window_, 5);
+    desktop_.key("c");
+    ASSERT_TRUE(recorded("next view.contacts"));
+    EXPECT_EQ(commands().size(), 2u);
     quit();
 }
 
@@ -98,13 +96,12 @@ TEST_F(WindowTest, TheMenuChoosesUnderThePointer) {
 
 TEST_F(WindowTest, AMenuThatIsOpenWhileItsTextsChangeDoesNoHarm) {
     start({"hang"});
-    desktop_.move_to(100, 100);
-    desktop_.click(3);
-    sleep_for(0.3);
-    desktop_.key("v");
-    desktop_.key("b");
-    EXPECT_TRUE(recorded("next view.bounds"));
-    sleep_for(0.5);
+    desktop_.open_menu(100, 100);
+    for (const char* key : {"v", "b", "c"}) {
+        const std::size_t before = commands().size();
+        desktop_.key(key);
+        EXPECT_TRUE(recorded("next ", before));
+    }
     EXPECT_TRUE(drape_->running());
     desktop_.move_to(600, 20);
     desktop_.click(1);

@@ -5,7 +5,6 @@
 namespace drape {
 namespace {
 
-using testing_aid::sleep_for;
 using testing_aid::WindowTest;
 
 TEST_F(WindowTest, DraggingTheBackgroundTurnsTheView) {

@@ -49,6 +49,12 @@ TEST(Capture, WritesNumberedFramesAndNothingElse) {
     EXPECT_EQ(read_png(folder / "a/b/frame_0003.png").width, 160);
 }
 
+TEST(Capture, ClosesWithTheNumberOfItsPictures) {
+    const TestFolder folder;
+    const Words words = small("drop", {"--frames", "7", "--every", "3", "--out", folder / "a"});
+    EXPECT_THAT(run_program("drape-capture", words).err, testing::EndsWith("2 pictures in " + (folder / "a") + "\n"));
+}
+
 TEST(Capture, DrawsEverySoManiethFrame) {
     const TestFolder folder;
     const Words words = small("drop", {"--frames", "7", "--every", "3", "--out", folder / "a"});
@@ -199,7 +205,7 @@ TEST(Capture, KeepsThePicturesIfThereIsNoFfmpeg) {
     const Words words = small("drop", {"--frames", "2", "--out", folder / "a", "--video", folder / "v.mp4"});
     const Outcome outcome = run_program("drape-capture", words, {"PATH=/nowhere"});
     EXPECT_EQ(outcome.exit_code, 1);
-    EXPECT_THAT(outcome.err, HasSubstr("ffmpeg could not be started"));
+    EXPECT_THAT(outcome.err, HasSubstr("ffmpeg (Debian package ffmpeg) could not be started"));
     EXPECT_EQ(folder.names("a").size(), 2u);
 }
 

@@ -46,7 +46,7 @@ std::string read_file(const std::filesystem::path& file);
 
 /// Asks until it is so or the time is over.
 template <class Condition>
-bool eventually(Condition condition, double seconds = 20);
+bool eventually(Condition condition, double seconds = 60);
 
 void sleep_for(double seconds);
 

@@ -123,7 +123,7 @@ void present(const Experiment& experiment, const ExperimentTable& table, const s
     std::cout << summary;
     auto charts = experiment.charts(rows);
     if (!draw_charts(charts, file)) {
-        std::cerr << "There is no gnuplot: the charts are not drawn.\n";
+        std::cerr << "There is no gnuplot (Debian package gnuplot-nox): the charts are not drawn.\n";
         charts.clear();
     }
     write_report_page(experiment, table.head, charts, summary, file);

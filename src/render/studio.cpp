@@ -1,0 +1,63 @@
+#include "studio.h"
+
+#include <algorithm>
+
+namespace drape {
+
+namespace {
+
+// Whether two frames show the same studio, but for shadows
+bool same_studio(const FrameData& a, const FrameData& b) {
+    return a.view_projection == b.view_projection && a.eye == b.eye && a.viewport == b.viewport && a.stage == b.stage &&
+           a.counts[3] == b.counts[3] && std::equal(a.balls.begin(), a.balls.begin() + a.counts[3], b.balls.begin());
+}
+
+}  // namespace
+
+Studio::Studio(Gl& gl)
+    : gl_(gl),
+      studio_program_(gl, "studio"),
+      shadow_program_(gl, "ground_shadow"),
+      behind_program_(gl, "backdrop"),
+      no_vertices_(gl),
+      colour_(gl),
+      framebuffer_(gl) {}
+
+void Studio::follow(const FrameData& data) {
+    if (same_studio(data, drawn_)) return;
+    gl_(glBindFramebuffer, GLenum{GL_FRAMEBUFFER}, framebuffer_.name());
+    const int width = static_cast<int>(data.viewport[0]), height = static_cast<int>(data.viewport[1]);
+    if (width != width_ || height != height_) {
+        gl_(glBindRenderbuffer, GLenum{GL_RENDERBUFFER}, colour_.name());
+        gl_(glRenderbufferStorage, GLenum{GL_RENDERBUFFER}, GLenum{GL_RGBA8}, width, height);
+        gl_(glFramebufferRenderbuffer, GLenum{GL_FRAMEBUFFER}, GLenum{GL_COLOR_ATTACHMENT0}, GLenum{GL_RENDERBUFFER},
+            colour_.name());
+        width_ = width;
+        height_ = height;
+    }
+    gl_(glViewport, 0, 0, width, height);
+    studio_program_.use();
+    gl_(glBindVertexArray, no_vertices_.name());
+    gl_.draw_arrays(GL_TRIANGLES, 3);
+    drawn_ = data;
+}
+
+void Studio::copy() {
+    gl_(glBindFramebuffer, GLenum{GL_READ_FRAMEBUFFER}, framebuffer_.name());
+    gl_(glBlitFramebuffer, 0, 0, width_, height_, 0, 0, width_, height_, GLbitfield{GL_COLOR_BUFFER_BIT},
+        GLenum{GL_NEAREST});
+}
+
+void Studio::draw_shadows() {
+    shadow_program_.use();
+    gl_(glBindVertexArray, no_vertices_.name());
+    gl_.draw_arrays(GL_TRIANGLE_STRIP, 4);
+}
+
+void Studio::draw_behind() {
+    behind_program_.use();
+    gl_(glBindVertexArray, no_vertices_.name());
+    gl_.draw_arrays(GL_TRIANGLES, 9);
+}
+
+}  // namespace drape
