@@ -30,19 +30,25 @@ std::optional<double> parse_real(std::string_view text) { return parse_whole<dou
 
 std::optional<long long> parse_integer(std::string_view text) { return parse_whole<long long>(text); }
 
+std::vector<std::string_view> split_at_commas(std::string_view text) {
+    std::vector<std::string_view> pieces;
+    for (std::size_t comma = 0; (comma = text.find(',')) != std::string_view::npos; text.remove_prefix(comma + 1)) {
+        pieces.push_back(text.substr(0, comma));
+    }
+    pieces.push_back(text);
+    return pieces;
+}
+
 std::optional<std::vector<double>> parse_reals(std::string_view text) {
     std::vector<double> numbers;
-    for (;;) {
-        const std::size_t comma = std::min(text.find(','), text.size());
-        std::string_view word = text.substr(0, comma);
+    for (std::string_view word : split_at_commas(text)) {
         while (word.starts_with(' ') || word.starts_with('\t')) word.remove_prefix(1);
         while (word.ends_with(' ') || word.ends_with('\t')) word.remove_suffix(1);
         const auto number = parse_real(word);
         if (!number) return std::nullopt;
         numbers.push_back(*number);
-        if (comma == text.size()) return numbers;
-        text.remove_prefix(comma + 1);
     }
+    return numbers;
 }
 
 std::string real_text(double value) { return text_of(value); }

@@ -1,4 +1,4 @@
-#include "collide.h"
+#include "commands.h"
 
 #include <algorithm>
 #include <vector>

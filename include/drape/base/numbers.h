@@ -12,6 +12,9 @@ namespace drape {
 ///         numbers here; the caller's range refuses them.
 std::optional<double> parse_real(std::string_view text);
 
+/// The pieces of a text between its commas: one more than there are commas.
+std::vector<std::string_view> split_at_commas(std::string_view text);
+
 /// Reads numbers with commas between, blanks about them allowed; nothing if there is anything else.
 std::optional<std::vector<double>> parse_reals(std::string_view text);
 

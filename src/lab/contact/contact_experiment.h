@@ -9,33 +9,9 @@ namespace drape {
 /// the full search and with limited ones, against the full search at a step a hundred times smaller.
 Experiment contact_experiment();
 
-/// Errors against time, a column of panels a search.
-std::vector<Chart> contact_charts(const std::vector<TableRow>& rows);
-
 /// A hung cloth of 1 m and a ball on its way through the middle of it, from a quarter of a metre before they meet.
 /// @param speed of the ball [m/s]
 /// @param step of the run, of which the end is a multiple [s]
 ContactScene hung_cloth_and_ball(double speed, double step);
-
-/// The columns of its table, by name.
-namespace contact_column {
-enum : std::size_t {
-    Search,
-    Tests,
-    Speed,
-    Step,
-    MissedContacts,
-    MissedSteps,
-    Penetration,
-    Left,
-    Passed,
-    FalseContacts,
-    CpuPerSecond,
-    CpuLower,
-    CpuUpper,
-    ReferenceTriangles,
-    ReferencePenetration
-};
-}
 
 }  // namespace drape

@@ -1,5 +1,3 @@
-#include "merge.h"
-
 #include <map>
 #include <memory>
 #include <set>
@@ -9,7 +7,6 @@
 #include "drape/base/folder_lock.h"
 #include "drape/base/program.h"
 #include "run_experiment.h"
-#include "share.h"
 
 namespace drape {
 namespace {
@@ -89,9 +86,9 @@ ExperimentTable joined(std::vector<Part> parts) {
     return whole;
 }
 
-int merge(const Options& options) {
+int merge(std::span<const Experiment> experiments, const Options& options) {
     std::map<const Experiment*, ExperimentTable> found;
-    for (const Experiment& experiment : experiments()) {
+    for (const Experiment& experiment : experiments) {
         auto parts = parts_of(experiment, options.folders);
         if (parts.empty()) continue;
         check_fit(parts);
@@ -119,7 +116,7 @@ int merge(const Options& options) {
 
 }  // namespace
 
-void add_merge(CLI::App& app, int& exit_code) {
+void add_merge(CLI::App& app, std::span<const Experiment> experiments, int& exit_code) {
     CLI::App* command = app.add_subcommand("merge", "Joins the tables of shares, and draws their charts");
     auto options = std::make_shared<Options>();
     command->add_option("folders", options->folders, "folders that --share runs have written")
@@ -130,7 +127,7 @@ void add_merge(CLI::App& app, int& exit_code) {
                      "folder for table, charts and page, or for a folder an experiment where there are several; "
                      "'merged' if not given")
         ->type_name("DIR");
-    command->callback([options, &exit_code] { exit_code = merge(*options); });
+    command->callback([experiments, options, &exit_code] { exit_code = merge(experiments, *options); });
 }
 
 }  // namespace drape

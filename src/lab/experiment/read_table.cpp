@@ -113,16 +113,6 @@ std::vector<std::size_t> cases_of(const TableHead& head, const LineReader& reade
     reader.fail("the settings above have " + std::string(error.what()));
 }
 
-TableRow cut(const std::string& line) {
-    TableRow row;
-    for (std::size_t begin = 0; begin <= line.size();) {
-        const std::size_t comma = std::min(line.find(',', begin), line.size());
-        row.push_back(line.substr(begin, comma - begin));
-        begin = comma + 1;
-    }
-    return row;
-}
-
 /// Reads the rows below the head, case after case.
 class RowReader {
 public:
@@ -130,7 +120,8 @@ public:
         : experiment_(experiment), reader_(reader), table_(table), wanted_(cases_of(table.head, reader)) {}
 
     void add() {
-        TableRow row = cut(reader_.line());
+        const auto cells = split_at_commas(reader_.line());
+        TableRow row(cells.begin(), cells.end());
         if (row.size() != experiment_.columns.size() + 1) {
             reader_.fail(std::to_string(row.size()) + " cells: allowed " +
                          std::to_string(experiment_.columns.size() + 1));
@@ -171,7 +162,7 @@ private:
 
     /// The rows of the case that has been read last.
     void check_case() const {
-        if (begun_ == 0 || !experiment_.flaw_of_case) return;
+        if (begun_ == 0) return;
         const std::size_t number = wanted_[begun_ - 1];
         const std::string flaw = experiment_.flaw_of_case(table_.cases.at(number));
         if (!flaw.empty()) reader_.fail("case " + std::to_string(number) + " above: " + flaw);

@@ -1,5 +1,7 @@
 #include "report_page.h"
 
+#include <fmt/core.h>
+
 #include "drape/base/output_file.h"
 
 namespace drape {
@@ -41,9 +43,10 @@ void write_report_page(const Experiment& experiment, const TableHead& head, cons
                   << "</h1>\n";
     for (const Chart& chart : charts) {
         const std::string name = escaped(chart.name), caption = escaped(chart.caption);
-        file.stream() << "<figure>\n<a href=\"" << name << ".svg\"><img src=\"" << name << ".svg\" width=\""
-                      << chart.width << "\" height=\"" << chart.height << "\" alt=\"" << caption
-                      << "\"></a>\n<figcaption>" << caption << "</figcaption>\n</figure>\n";
+        file.stream() << fmt::format(
+            "<figure>\n<a href=\"{0}.svg\"><img src=\"{0}.svg\" alt=\"{1}\"></a>\n<figcaption>{1}</figcaption>\n"
+            "</figure>\n",
+            name, caption);
     }
     const std::string csv = escaped(table.filename().string());
     file.stream() << "<h2>What was found</h2>\n<pre>" << escaped(summary)

@@ -9,7 +9,4 @@ namespace drape {
 /// Every query is checked against brute force; a disagreement ends the run.
 Experiment hierarchy_experiment();
 
-/// Charts of the parts that the rows have.
-std::vector<Chart> hierarchy_charts(const std::vector<TableRow>& rows);
-
 }  // namespace drape

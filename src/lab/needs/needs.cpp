@@ -1,4 +1,4 @@
-#include "needs.h"
+#include "lab/commands.h"
 
 #include <filesystem>
 #include <iomanip>

@@ -1,18 +1,18 @@
-#include "hierarchy_summary.h"
+#include "hierarchy_report.h"
+
+#include <fmt/core.h>
 
 #include <algorithm>
 #include <cmath>
+#include <map>
 
-#include "break_even.h"
+#include "drape/base/assert.h"
 #include "drape/base/exact_math.h"
-#include "drape/base/numbers.h"
 
 namespace drape {
 namespace {
 
 using Key = std::vector<std::string>;
-
-std::string in_microseconds(double seconds) { return real_text(1e6 * seconds, 3) + " us"; }
 
 /// The hierarchies of least time a frame, scene by scene.
 std::string fastest(const std::vector<HierarchyRow>& rows) {
@@ -23,10 +23,9 @@ std::string fastest(const std::vector<HierarchyRow>& rows) {
     }
     std::string text;
     for (const auto& [key, row] : best) {
-        text += "fit: " + key.first + ", " + real_text(key.second) + " particles: fastest is " + row->variant() + " " +
-                row->update + " with leaves of " + real_text(row->leaf_cells) + ", " + in_microseconds(row->whole_s) +
-                " a frame";
-        if (brute.contains(key)) text += "; brute force " + in_microseconds(brute[key]->whole_s);
+        text += fmt::format("fit: {}, {} particles: fastest is {} {} with leaves of {}, {:.3g} us a frame", row->scene,
+                            row->particles, row->variant(), row->update, row->leaf_cells, 1e6 * row->whole_s);
+        if (brute.contains(key)) text += fmt::format("; brute force {:.3g} us", 1e6 * brute[key]->whole_s);
         text += "\n";
     }
     return text;
@@ -40,11 +39,11 @@ std::string break_evens(const std::vector<HierarchyRow>& rows) {
     }
     std::string text;
     for (const auto& [key, intervals] : costs) {
-        text += "break_even: " + key[0] + " " + key[1] + ": refit has cost more than rebuild, frames";
+        text += fmt::format("break_even: {} {}: refit has cost more than rebuild, frames", key[0], key[1]);
         for (const auto& [interval, updates] : intervals) {
             const auto frame = break_even_frame(updates.at("refit"), updates.at("rebuild"));
-            text += " " + real_text(1e3 * interval, 3) +
-                    " ms apart: " + (frame ? "from frame " + std::to_string(*frame + 1) : std::string("never")) + ",";
+            text += fmt::format(" {:.3g} ms apart: {},", 1e3 * interval,
+                                frame ? fmt::format("from frame {}", *frame + 1) : "never");
         }
         text.back() = '\n';
     }
@@ -61,24 +60,30 @@ std::string budgets(const std::vector<HierarchyRow>& rows) {
         if (most == nullptr || row.tests > most->tests) most = &row;
     }
     const auto end = [](const HierarchyRow& row) {
-        return real_text(1e3 * row.missed_penetration_m, 3) + " mm missed with " + real_text(row.tests) + " tests";
+        return fmt::format("{:.3g} mm missed with {} tests", 1e3 * row.missed_penetration_m, row.tests);
     };
     std::string text;
     for (const auto& [key, rows_at] : ends) {
-        text += "budget: " + key[0] + " " + key[1] + ": " + end(*rows_at.first) + ", " + end(*rows_at.second) + "\n";
+        text += fmt::format("budget: {} {}: {}, {}\n", key[0], key[1], end(*rows_at.first), end(*rows_at.second));
     }
     return text;
 }
 
 }  // namespace
 
-std::vector<HierarchyRow> rows_of_part(const std::vector<TableRow>& rows, const std::string& part) {
-    std::vector<HierarchyRow> found;
-    for (const TableRow& row : rows) {
-        HierarchyRow read = from_table(row);
-        if (read.part == part) found.push_back(std::move(read));
+std::optional<std::size_t> break_even_frame(std::span<const double> costs, std::span<const double> others) {
+    DRAPE_ASSERT(costs.size() == others.size());
+    std::optional<std::size_t> since;
+    double lead = 0;
+    for (std::size_t k = 0; k < costs.size(); ++k) {
+        lead += others[k] - costs[k];
+        if (!(lead < 0)) {
+            since.reset();
+        } else if (!since) {
+            since = k;
+        }
     }
-    return found;
+    return since;
 }
 
 std::vector<Growth> growths(const std::vector<HierarchyRow>& rows) {
@@ -106,15 +111,13 @@ std::vector<Growth> growths(const std::vector<HierarchyRow>& rows) {
     return all;
 }
 
-std::string hierarchy_summary(const std::vector<TableRow>& rows) {
-    std::string text = fastest(rows_of_part(rows, "fit")) + budgets(rows_of_part(rows, "budget")) +
-                       break_evens(rows_of_part(rows, "break_even"));
-    for (const Growth& growth : growths(rows_of_part(rows, "size"))) {
-        text += "size: " + growth.volume + " " + growth.update + ": ";
-        if (growth.volume != "brute") {
-            text += "build grows as particles^" + real_text(growth.build.exponent, 3) + ", ";
-        }
-        text += "search as particles^" + real_text(growth.search.exponent, 3) + "\n";
+std::string hierarchy_summary(const std::vector<HierarchyRow>& rows) {
+    const auto part = [&rows](const char* name) { return rows_with(rows, &HierarchyRow::part, name); };
+    std::string text = fastest(part("fit")) + budgets(part("budget")) + break_evens(part("break_even"));
+    for (const Growth& growth : growths(part("size"))) {
+        text += fmt::format("size: {} {}: ", growth.volume, growth.update);
+        if (growth.volume != "brute") text += fmt::format("build grows as particles^{:.3g}, ", growth.build.exponent);
+        text += fmt::format("search as particles^{:.3g}\n", growth.search.exponent);
     }
     return text;
 }

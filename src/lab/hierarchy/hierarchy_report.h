@@ -1,17 +1,15 @@
 #pragma once
 
-#include <map>
-#include <span>
-#include <string>
-#include <vector>
-
 #include "hierarchy_row.h"
-#include "lab/measure/power_law.h"
+#include "lab/measure/fits.h"
 
 namespace drape {
 
-/// Rows of one part, read back.
-std::vector<HierarchyRow> rows_of_part(const std::vector<TableRow>& rows, const std::string& part);
+/// The frame from which on, and to the last, one way has cost more in all than another.
+/// @param costs of each frame of the way that is cheap at first
+/// @param others of the other way, as many
+/// @return counted from 0; nothing if it has not cost more when the last frame ends
+std::optional<std::size_t> break_even_frame(std::span<const double> costs, std::span<const double> others);
 
 /// How times grow with the number of particles, for one hierarchy.
 struct Growth {
@@ -25,6 +23,9 @@ struct Growth {
 std::vector<Growth> growths(const std::vector<HierarchyRow>& rows);
 
 /// A line or more a part.
-std::string hierarchy_summary(const std::vector<TableRow>& rows);
+std::string hierarchy_summary(const std::vector<HierarchyRow>& rows);
+
+/// Charts of the parts that the rows have.
+std::vector<Chart> hierarchy_charts(const std::vector<HierarchyRow>& rows);
 
 }  // namespace drape
