@@ -1,4 +1,4 @@
-# What a search loses that ends early.
+# How a search that ends early changes the motion.
 # scenes
 eval paper(1280, 520)
 set multiplot layout 1,3 margins 0.06,0.985,0.235,0.88 spacing 0.065,0 \

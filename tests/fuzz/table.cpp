@@ -8,7 +8,7 @@
 
 #include "fuzz/target.h"
 #include "lab/experiment/experiment_table.h"
-#include "lab/stability/stability_experiment.h"
+#include "lab/experiments.h"
 
 using namespace drape;
 

@@ -12,7 +12,7 @@
 #include "drape/sim/scene.h"
 #include "drape/sim/simulation.h"
 #include "lab/experiment/experiment_table.h"
-#include "lab/hierarchy/hierarchy_experiment.h"
+#include "lab/experiments.h"
 #include "lab/hierarchy/hierarchy_report.h"
 #include "lab/hierarchy/hierarchy_run.h"
 #include "lab/hierarchy/tightness.h"

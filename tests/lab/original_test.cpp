@@ -7,6 +7,7 @@
 #include "drape/base/child_program.h"
 #include "drape/base/input_error.h"
 #include "drape/base/resources.h"
+#include "lab/experiments.h"
 #include "lab/lab_run.h"
 #include "lab/original/original_experiment.h"
 

@@ -1,5 +1,3 @@
-#include "contact_experiment.h"
-
 #include <fmt/core.h>
 
 #include <algorithm>
@@ -7,8 +5,10 @@
 #include <map>
 #include <set>
 
+#include "contact_trial.h"
 #include "drape/base/input_error.h"
 #include "drape/base/numbers.h"
+#include "lab/experiments.h"
 #include "lab/measure/timing.h"
 
 namespace drape {

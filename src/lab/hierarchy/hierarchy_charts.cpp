@@ -74,7 +74,7 @@ void add_budget(Charts& charts, const Rows& rows) {
     add_scenes(charts,
                {"hierarchy_budget",
                 "hierarchy_budget",
-                "What the simulated motion loses by a search that ends early: the deepest penetration that is left, "
+                "How a search that ends early changes the simulated motion: the deepest penetration that is left, "
                 "nodes that were taken for contacts although nothing in them touches, and how far the cloth is at the "
                 "end from where the full search has it. At the right end of each line the search is full. Penetrations "
                 "of less than 0.01 mm are drawn as 0.01 mm.",

@@ -1,10 +1,9 @@
-#include "hierarchy_experiment.h"
-
 #include <map>
 #include <tuple>
 
 #include "hierarchy_parts.h"
 #include "hierarchy_report.h"
+#include "lab/experiments.h"
 
 namespace drape {
 namespace {

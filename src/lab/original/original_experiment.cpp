@@ -6,6 +6,7 @@
 #include <memory>
 
 #include "drape/base/resources.h"
+#include "lab/experiments.h"
 
 namespace drape {
 namespace {

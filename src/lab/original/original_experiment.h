@@ -8,10 +8,6 @@
 
 namespace drape {
 
-/// The five tests of the dissertation that the original was written for: a hierarchy of spheres against one of boxes,
-/// on the original's scene.
-Experiment original_experiment();
-
 /// One way in which the scene is run, once. What only a program that draws can tell is nan where there is none.
 struct OriginalRow {
     std::string volume;

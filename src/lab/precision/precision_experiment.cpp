@@ -1,5 +1,3 @@
-#include "precision_experiment.h"
-
 #include <algorithm>
 #include <cmath>
 #include <limits>
@@ -7,6 +5,7 @@
 #include <optional>
 
 #include "drape/integrate/stability.h"
+#include "lab/experiments.h"
 #include "precision_diagram.h"
 #include "precision_run.h"
 #include "reference.h"

@@ -1,11 +1,10 @@
-#include "stability_experiment.h"
-
 #include <algorithm>
 #include <cmath>
 #include <limits>
 
 #include "drape/integrate/stability.h"
 #include "drape/integrate/stability_trial.h"
+#include "lab/experiments.h"
 #include "stability_row.h"
 
 namespace drape {
@@ -86,7 +85,7 @@ Forecast forecast(const Subject& subject, const Sheet& sheet) {
     return {limit, expected, Real(0.15)};
 }
 
-std::string verdict(Real step, TrialEnd end, const Forecast& forecast) {
+std::string agreement(Real step, TrialEnd end, const Forecast& forecast) {
     const bool bounded = end == TrialEnd::Bounded;
     if (step < (1 - forecast.tolerance) * forecast.expected) return bounded ? "agrees" : "disagrees";
     if (step > (1 + forecast.tolerance) * forecast.expected) return bounded ? "disagrees" : "agrees";
@@ -128,7 +127,7 @@ std::vector<StabilityRow> run_case(const Subject& subject) {
                      .measured = static_cast<double>(measured)};
     std::vector<StabilityRow> rows;
     for (const auto& [step, end] : tried) {
-        row.step = static_cast<double>(step), row.end = name_of(end), row.verdict = verdict(step, end, known);
+        row.step = static_cast<double>(step), row.end = name_of(end), row.agreement = agreement(step, end, known);
         rows.push_back(row);
     }
     return rows;
@@ -181,7 +180,7 @@ RowFormat<StabilityRow> format() {
              {or_none(number_column("measured_step_s")), &Row::measured},
              {positive_column("step_s"), &Row::step},
              {word_column("end", ends), &Row::end},
-             {word_column("verdict", {"agrees", "disagrees", "close"}), &Row::verdict}}};
+             {word_column("verdict", {"agrees", "disagrees", "close"}), &Row::agreement}}};
 }
 
 }  // namespace

@@ -5,7 +5,6 @@
 #include <limits>
 #include <map>
 
-#include "drape/base/numbers.h"
 #include "stability_row.h"
 
 namespace drape {
@@ -17,7 +16,7 @@ std::string limited_summary(const std::vector<StabilityRow>& rows) {
     int against = 0;
     double lowest = std::numeric_limits<double>::infinity(), highest = 0;
     for (const StabilityRow& row : rows) {
-        against += row.verdict == "disagrees" ? 1 : 0;
+        against += row.agreement == "disagrees" ? 1 : 0;
         lowest = std::min(lowest, row.measured / row.expected);
         highest = std::max(highest, row.measured / row.expected);
     }
@@ -59,7 +58,7 @@ Chart chart(const std::string& method, std::vector<StabilityRow> rows) {
             {{"method", method},
              {"side", side},
              {"trials", static_cast<double>(rows.size())},
-             {"against", count(&StabilityRow::verdict, "disagrees")},
+             {"against", count(&StabilityRow::agreement, "disagrees")},
              {"limited", limited ? 1. : 0.},
              {"stiffness", count(&StabilityRow::sweep, "stiffness") > 0 ? 1. : 0.},
              {"damping", count(&StabilityRow::sweep, "damping") > 0 ? 1. : 0.}}};
