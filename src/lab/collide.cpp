@@ -1,4 +1,6 @@
-#include "collide.h"
+#include "commands.h"
+
+#include <fmt/ranges.h>
 
 #include <algorithm>
 #include <vector>
@@ -50,9 +52,7 @@ int collide(const Options& options) {
     find_touched_triangles(grid, x, ball, contact.thickness, found.cells, triangles, settings.solver.kernels);
 
     std::sort(triangles.begin(), triangles.end());
-    std::string text;
-    for (const int triangle : triangles) text += std::to_string(triangle) + "\n";
-    std::cout << text << std::flush;
+    std::cout << fmt::format("{}{}", fmt::join(triangles, "\n"), triangles.empty() ? "" : "\n") << std::flush;
     std::cerr << "nodes=" << stats.nodes << " visited=" << stats.visited << " volume_tests=" << stats.volume_tests
               << " leaves=" << stats.leaves << " candidates=" << stats.candidates << " touched=" << triangles.size();
     if (stats.stopped > 0) {

@@ -1,49 +1,40 @@
-#include "list.h"
+#include <functional>
+#include <map>
 
+#include "commands.h"
 #include "drape/base/program.h"
 #include "drape/bounds/broad_phase.h"
 #include "drape/integrate/integrator.h"
 #include "drape/sim/scene.h"
 #include "drape/sim/setting_table.h"
-#include "lab/experiment/experiment.h"
 
 namespace drape {
-namespace {
 
-void print(std::span<const std::string> names) {
-    for (const std::string& name : names) std::cout << name << '\n';
-}
-
-void print_scenes() {
-    for (const std::string& name : scene_names()) std::cout << name << ": " << load_scene(name).title << '\n';
-}
-
-void print_experiments() {
-    for (const Experiment& experiment : experiments()) {
-        std::cout << experiment.name << ": " << experiment.question << '\n';
-    }
-}
-
-void list(const std::string& what) {
-    if (what == "scenes") print_scenes();
-    if (what == "settings") std::cout << settings_help();
-    if (what == "integrators") print(names_of<IntegratorKind>());
-    if (what == "volumes") print(names_of<VolumeKind>());
-    if (what == "updates") print(names_of<UpdateKind>());
-    if (what == "fits") print(names_of<SphereFit>());
-    if (what == "experiments") print_experiments();
-}
-
-}  // namespace
-
-void add_list(CLI::App& app, int& exit_code) {
+void add_list(CLI::App& app, std::span<const Experiment> experiments, int& exit_code) {
+    const auto names = [](std::span<const std::string> (*all)()) {
+        return [all] {
+            for (const std::string& name : all()) std::cout << name << '\n';
+        };
+    };
+    const std::map<std::string, std::function<void()>> lists{
+        {"scenes",
+         [] {
+             for (const std::string& name : scene_names()) std::cout << name << ": " << load_scene(name).title << '\n';
+         }},
+        {"settings", [] { std::cout << settings_help(); }},
+        {"experiments",
+         [experiments] {
+             for (const Experiment& one : experiments) std::cout << one.name << ": " << one.question << '\n';
+         }},
+        {"integrators", names(names_of<IntegratorKind>)},
+        {"volumes", names(names_of<VolumeKind>)},
+        {"updates", names(names_of<UpdateKind>)},
+        {"fits", names(names_of<SphereFit>)}};
     CLI::App* command = app.add_subcommand("list", "Prints what there is");
     auto what = std::make_shared<std::string>();
-    command->add_option("what", *what, "of what")
-        ->required()
-        ->check(CLI::IsMember({"scenes", "settings", "experiments", "integrators", "volumes", "updates", "fits"}));
-    command->callback([what, &exit_code] {
-        list(*what);
+    command->add_option("what", *what, "of what")->required()->check(CLI::IsMember(lists));
+    command->callback([what, lists, &exit_code] {
+        lists.at (*what)();
         exit_code = Done;
     });
 }

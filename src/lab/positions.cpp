@@ -1,5 +1,7 @@
 #include "positions.h"
 
+#include <fmt/core.h>
+
 #include <algorithm>
 
 #include "drape/base/input_error.h"
@@ -19,8 +21,8 @@ std::vector<double> parse_numbers(const std::string& text, std::size_t count, co
     const auto numbers = parse_reals(text);
     const auto fits = [](double x) { return x >= -largest_coordinate && x <= largest_coordinate; };
     if (numbers && numbers->size() == count && std::ranges::all_of(*numbers, fits)) return *numbers;
-    throw InputError(where + shortened(text) + ": allowed " + std::to_string(count) +
-                     " numbers with commas between, each of size at most " + real_text(largest_coordinate));
+    throw InputError(fmt::format("{}{}: allowed {} numbers with commas between, each of size at most {}", where,
+                                 shortened(text), count, real_text(largest_coordinate)));
 }
 
 Points read_positions(const std::string& file, const Grid& grid) {
@@ -35,20 +37,19 @@ Points read_positions(std::istream& in, const std::string& file, const Grid& gri
     for (int number = 1;; ++number) {
         const LineEnd end = read_line(in, line, longest_line);
         if (end == LineEnd::None) break;
-        const std::string where = file + ":" + std::to_string(number) + ": ";
+        const std::string where = fmt::format("{}:{}: ", file, number);
         if (end == LineEnd::TooLong) {
-            throw InputError(where + "the line is longer than " + std::to_string(longest_line) + " bytes");
+            throw InputError(fmt::format("{}the line is longer than {} bytes", where, longest_line));
         }
         if (row == grid.particles()) {
-            throw InputError(where + "more rows than the grid's " + std::to_string(grid.particles()) + " particles");
+            throw InputError(fmt::format("{}more rows than the grid's {} particles", where, grid.particles()));
         }
         const auto values = parse_numbers(line, 3, where);
         for (int axis = 0; axis < 3; ++axis) x(row, axis) = static_cast<Real>(values[static_cast<std::size_t>(axis)]);
         ++row;
     }
     if (row < grid.particles()) {
-        throw InputError(file + ": " + std::to_string(row) + " rows: the grid has " + std::to_string(grid.particles()) +
-                         " particles");
+        throw InputError(fmt::format("{}: {} rows: the grid has {} particles", file, row, grid.particles()));
     }
     return x;
 }

@@ -1,4 +1,4 @@
-#include "simulate.h"
+#include "commands.h"
 
 #include <cmath>
 #include <vector>
@@ -27,9 +27,7 @@ struct Options {
 /// "0.5,1,2" as times [s] that go back neither from one to the next nor from that of the start.
 std::vector<double> parse_times(const std::string& text, double start) {
     std::vector<double> times;
-    for (std::size_t begin = 0; begin <= text.size();) {
-        const std::size_t comma = std::min(text.find(',', begin), text.size());
-        const std::string word = text.substr(begin, comma - begin);
+    for (const std::string_view word : split_at_commas(text)) {
         const auto time = parse_real(word);
         if (!time || !(*time >= start && *time <= start + longest_run)) {
             throw InputError("--time " + shortened(word) + ": allowed " + real_text(start) +
@@ -40,7 +38,6 @@ std::vector<double> parse_times(const std::string& text, double start) {
             throw InputError("--time " + shortened(word) + ": allowed only times that do not go back");
         }
         times.push_back(*time);
-        begin = comma + 1;
     }
     return times;
 }

@@ -6,7 +6,8 @@
 #include "drape/sim/scene.h"
 #include "drape/sim/setting_table.h"
 #include "drape/sim/simulation.h"
-#include "lab/contact/contact_experiment.h"
+#include "lab/contact/contact_trial.h"
+#include "lab/experiments.h"
 #include "lab/lab_run.h"
 
 namespace drape {

@@ -5,8 +5,8 @@
 #include <filesystem>
 
 #include "drape/base/folder_lock.h"
+#include "lab/experiment/case_selection.h"
 #include "lab/experiment/progress.h"
-#include "lab/experiment/share.h"
 #include "lab/lab_run.h"
 
 namespace drape {
@@ -95,7 +95,7 @@ TEST(LabExperiment, KeepsTheTableThatIsThereAlready) {
     EXPECT_GT(table_of(folder, "out/stability.csv").size(), 10u);
 }
 
-TEST(LabExperiment, DoesNotComputeAnewWhatIsThereUnlessAsked) {
+TEST(LabExperiment, DoesNotComputeAgainWhatIsThereUnlessAsked) {
     const LabFolder folder;
     ASSERT_EQ(run_some(folder, {"--out", "out"}).code, 0);
     const LabRun second = run_some(folder, {"--out", "out"});

@@ -11,11 +11,10 @@
 #include "drape/bounds/obb.h"
 #include "drape/sim/scene.h"
 #include "drape/sim/simulation.h"
-#include "lab/hierarchy/break_even.h"
-#include "lab/hierarchy/hierarchy_experiment.h"
-#include "lab/hierarchy/hierarchy_row.h"
+#include "lab/experiment/experiment_table.h"
+#include "lab/experiments.h"
+#include "lab/hierarchy/hierarchy_report.h"
 #include "lab/hierarchy/hierarchy_run.h"
-#include "lab/hierarchy/hierarchy_summary.h"
 #include "lab/hierarchy/tightness.h"
 #include "lab/lab_run.h"
 #include "support/cloths.h"
@@ -27,7 +26,6 @@ using ::testing::HasSubstr;
 using ::testing::MatchesRegex;
 using testing_aid::LabFolder;
 using testing_aid::LabRun;
-using testing_aid::lines_of;
 
 /// A ball that moves along a rumpled cloth and always touches it.
 RecordedMotion rumpled_motion(const Grid& grid, int frames) {
@@ -204,11 +202,12 @@ TEST(HierarchyRow, ReadsBackAsItWasWritten) {
     HierarchyRow row;
     row.part = "size", row.scene = "drop", row.volume = "sphere", row.sphere_fit = "ritter", row.update = "refit";
     row.particles = 1048576, row.build_s = 1.25e-3, row.distance_m = 0.5;
-    const TableRow written = to_table(row);
-    EXPECT_EQ(written.size(), hierarchy_columns().size());
-    EXPECT_EQ(to_table(from_table(written)), written);
-    EXPECT_EQ(from_table(written).particles, 1048576);
-    EXPECT_TRUE(std::isnan(from_table(written).level));
+    const RowFormat<HierarchyRow> format = hierarchy_format();
+    const TableRow written = format.cells(row);
+    EXPECT_EQ(written.size(), format.columns().size());
+    EXPECT_EQ(format.cells(format.row(written)), written);
+    EXPECT_EQ(format.row(written).particles, 1048576);
+    EXPECT_TRUE(std::isnan(format.row(written).level));
     EXPECT_EQ(row.variant(), "sphere ritter");
 }
 
@@ -240,27 +239,8 @@ protected:
     }
 
     static std::vector<HierarchyRow> rows_of(const LabFolder& folder, const std::string& file) {
-        std::vector<std::string> columns;
-        std::vector<HierarchyRow> rows;
-        for (const std::string& line : lines_of(folder.read(file))) {
-            if (line.starts_with('#')) continue;
-            std::vector<std::string> cells(1);
-            for (const char c : line) {
-                if (c == ',') {
-                    cells.emplace_back();
-                } else {
-                    cells.back().push_back(c);
-                }
-            }
-            if (columns.empty()) {
-                columns = cells;
-                continue;
-            }
-            // What stands before the experiment's own columns is the runner's
-            const auto own = static_cast<std::ptrdiff_t>(columns.size() - hierarchy_columns().size());
-            rows.push_back(from_table({cells.begin() + own, cells.end()}));
-        }
-        return rows;
+        const auto table = read_table(hierarchy_experiment(), folder.path(file), false);
+        return hierarchy_format().rows(table.value().rows());
     }
 };
 

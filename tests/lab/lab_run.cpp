@@ -8,27 +8,19 @@
 
 namespace drape::testing_aid {
 
-LabFolder::LabFolder() {
-    std::string name = testing::TempDir() + "drape_lab_XXXXXX";
-    if (mkdtemp(name.data()) == nullptr) ADD_FAILURE() << "cannot make " << name;
-    path_ = name;
-}
-
-LabFolder::~LabFolder() { std::filesystem::remove_all(path_); }
-
 LabRun LabFolder::run(const std::vector<std::string>& words, const std::string& program,
                       const std::map<std::string, std::string>& environment) const {
     std::vector<std::string> all{program};
     all.insert(all.end(), words.begin(), words.end());
     std::map<std::string, std::string> changes = environment;
     changes.emplace("DRAPE_DATA", "");
-    Process process(all, changes, path_);
+    Process process(all, changes, path());
     const int code = process.wait(600).value_or(-1);
     return {code, process.standard_output(), process.standard_error()};
 }
 
 std::string LabFolder::write(const std::string& name, const std::string& text) const {
-    std::ofstream(path_ / name, std::ios::binary) << text;
+    std::ofstream(path() / name, std::ios::binary) << text;
     return name;
 }
 

@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "support/process.h"
+#include "support/scratch_file.h"
 
 namespace drape::testing_aid {
 
@@ -17,27 +18,19 @@ struct LabRun {
 };
 
 /// A folder for one test's files, gone with the object; `drape-lab` runs in it.
-class LabFolder {
+class LabFolder : public ScratchFolder {
 public:
-    LabFolder();
-    ~LabFolder();
-    LabFolder(const LabFolder&) = delete;
-    LabFolder& operator=(const LabFolder&) = delete;
+    using ScratchFolder::path;
 
     /// Runs `drape-lab` with these words to its end.
     [[nodiscard]] LabRun run(const std::vector<std::string>& words, const std::string& program = DRAPE_LAB,
                              const std::map<std::string, std::string>& environment = {}) const;
 
-    [[nodiscard]] const std::filesystem::path& path() const { return path_; }
-
     /// @return the name of the file that was written
     std::string write(const std::string& name, const std::string& text) const;
-    [[nodiscard]] std::filesystem::path path(const std::string& name) const { return path_ / name; }
-    [[nodiscard]] std::string read(const std::string& name) const { return read_file(path_ / name); }
-    [[nodiscard]] bool has(const std::string& name) const { return std::filesystem::exists(path_ / name); }
-
-private:
-    std::filesystem::path path_;
+    [[nodiscard]] std::filesystem::path path(const std::string& name) const { return path() / name; }
+    [[nodiscard]] std::string read(const std::string& name) const { return read_file(path() / name); }
+    [[nodiscard]] bool has(const std::string& name) const { return std::filesystem::exists(path() / name); }
 };
 
 /// The lines of a text, without their ends.

@@ -79,7 +79,7 @@ TEST(Needs, OfASceneThatMustBeLostOrSoftAreNotMetByOneThatIsNot) {
     Settings scene = parse_scene(swinging, "swinging.toml");
     scene.needs.position_error = 0;
     scene.needs.diverges = true;
-    EXPECT_THAT(Needs(scene).attempt(scene).why, HasSubstr("not lost"));
+    EXPECT_THAT(Needs(scene).attempt(scene).why, HasSubstr("has not diverged"));
     Settings wild = scene;
     wild.solver.dt = Real(0.01);
     EXPECT_TRUE(Needs(scene).attempt(wild).qualifies());

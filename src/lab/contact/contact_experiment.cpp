@@ -1,18 +1,29 @@
-#include "contact_experiment.h"
+#include <fmt/core.h>
 
 #include <algorithm>
 #include <cmath>
 #include <map>
 #include <set>
 
+#include "contact_trial.h"
 #include "drape/base/input_error.h"
 #include "drape/base/numbers.h"
+#include "lab/experiments.h"
 #include "lab/measure/timing.h"
 
 namespace drape {
 namespace {
 
-namespace at = contact_column;
+/// A run: one search, one speed of the ball, one step.
+struct ContactRow {
+    std::string search;
+    double tests = 0, speed = 0, step = 0;
+    double missed_contacts = 0, missed_steps = 0;  ///< parts of those of the reference
+    double penetration = 0, left = 0;              ///< largest, before and after the response [m]
+    double passed = 0, false_contacts = 0;
+    double cpu = 0, cpu_lower = 0, cpu_upper = 0;  ///< time for a simulated second [s]
+    double reference_triangles = 0, reference_penetration = 0;
+};
 
 constexpr int finer = 100;  ///< steps of the reference for one of a run
 
@@ -43,7 +54,7 @@ Quartiles time_run(const ContactScene& scene, const BroadPhaseParameters& search
     return quartiles_of(std::move(costs));
 }
 
-std::vector<TableRow> run_case(double speed, double step, int repeats) {
+std::vector<ContactRow> run_case(double speed, double step, int repeats) {
     const ContactScene scene = hung_cloth_and_ball(speed, step);
     const ContactHistory reference = watch_contacts(scene, search_of(0), static_cast<Real>(step / finer));
     std::set<int> triangles;
@@ -51,23 +62,32 @@ std::vector<TableRow> run_case(double speed, double step, int repeats) {
     if (triangles.empty() || reference.passed) {
         throw RunError("contact: at " + real_text(speed) + " m/s the ball of the reference has gone through the cloth");
     }
-    std::vector<TableRow> rows;
+    std::vector<ContactRow> rows;
     for (const NamedSearch& search : searches) {
         const ContactHistory run = watch_contacts(scene, search_of(search.tests), static_cast<Real>(step));
         const ContactErrors errors = compare_contacts(run, reference, finer);
-        const double penetration = errors.passed ? static_cast<double>(scene.ball.radius) : run.entered;
         const Quartiles cost = time_run(scene, search_of(search.tests), static_cast<Real>(step), repeats);
-        const auto text = [](double value) { return real_text(value, 8); };
-        rows.push_back({search.name, std::to_string(search.tests), text(speed), text(step),
-                        text(errors.missed_contacts), text(errors.missed_steps), text(penetration), text(run.left),
-                        errors.passed ? "1" : "0", text(run.false_contacts), text(cost.median), text(cost.lower),
-                        text(cost.upper), std::to_string(triangles.size()), text(reference.entered)});
+        rows.push_back({.search = search.name,
+                        .tests = static_cast<double>(search.tests),
+                        .speed = speed,
+                        .step = step,
+                        .missed_contacts = errors.missed_contacts,
+                        .missed_steps = errors.missed_steps,
+                        .penetration = errors.passed ? static_cast<double>(scene.ball.radius) : run.entered,
+                        .left = run.left,
+                        .passed = errors.passed ? 1. : 0.,
+                        .false_contacts = run.false_contacts,
+                        .cpu = cost.median,
+                        .cpu_lower = cost.lower,
+                        .cpu_upper = cost.upper,
+                        .reference_triangles = static_cast<double>(triangles.size()),
+                        .reference_penetration = reference.entered});
     }
     return rows;
 }
 
-std::vector<ExperimentCase> cases(bool quick) {
-    std::vector<ExperimentCase> all;
+std::vector<CaseOf<ContactRow>> cases(bool quick) {
+    std::vector<CaseOf<ContactRow>> all;
     const std::vector<double> speeds = quick ? std::vector{2.0, 8.0, 32.0} : std::vector{0.5, 2.0, 8.0, 32.0};
     const std::vector<double> rates = quick ? std::vector{30.0, 60.0, 120.0, 240.0, 480.0, 960.0}
                                             : std::vector{30.0, 60.0, 120.0, 240.0, 480.0, 960.0, 1920.0};
@@ -79,56 +99,66 @@ std::vector<ExperimentCase> cases(bool quick) {
     return all;
 }
 
-std::vector<Column> columns() {
-    std::vector<std::string> names, tests;
-    for (const NamedSearch& search : searches) {
-        if (std::ranges::find(names, search.name) == names.end()) names.emplace_back(search.name);
-        tests.push_back(std::to_string(search.tests));
-    }
-    return {word_column("search", names),
-            word_column("tests", tests),
-            positive_column("speed_m_per_s"),
-            positive_column("step_s"),
-            number_column("missed_contacts"),
-            number_column("missed_steps"),
-            number_column("penetration_m"),
-            number_column("left_m"),
-            word_column("passed", {"0", "1"}),
-            number_column("false_contacts"),
-            number_column("cpu_s_per_s"),
-            number_column("cpu_lower_s_per_s"),
-            number_column("cpu_upper_s_per_s"),
-            whole_column("reference_triangles", 1),
-            number_column("reference_penetration_m")};
+RowFormat<ContactRow> format() {
+    using Row = ContactRow;
+    return {8,
+            {{word_column("search", {"full", "limited"}), &Row::search},
+             {word_column("tests", {"0", "24", "12"}), &Row::tests},
+             {positive_column("speed_m_per_s"), &Row::speed},
+             {positive_column("step_s"), &Row::step},
+             {number_column("missed_contacts"), &Row::missed_contacts},
+             {number_column("missed_steps"), &Row::missed_steps},
+             {number_column("penetration_m"), &Row::penetration},
+             {number_column("left_m"), &Row::left},
+             {word_column("passed", {"0", "1"}), &Row::passed},
+             {number_column("false_contacts"), &Row::false_contacts},
+             {number_column("cpu_s_per_s"), &Row::cpu},
+             {number_column("cpu_lower_s_per_s"), &Row::cpu_lower},
+             {number_column("cpu_upper_s_per_s"), &Row::cpu_upper},
+             {whole_column("reference_triangles", 1), &Row::reference_triangles},
+             {number_column("reference_penetration_m"), &Row::reference_penetration}}};
 }
 
 /// For each search and speed, the longest step from which down nothing passes and little is missed.
-std::string summary(const std::vector<TableRow>& rows) {
-    const auto number = [](const TableRow& row, std::size_t column) { return number_in(row[column]); };
-    std::map<std::pair<std::string, double>, std::vector<const TableRow*>> runs;
-    for (const TableRow& row : rows) {
-        const std::string search = row[at::Search] == "full" ? "full search" : "search of " + row[at::Tests] + " tests";
-        runs[{search, number(row, at::Speed)}].push_back(&row);
+std::string summary(const std::vector<ContactRow>& rows) {
+    std::map<std::pair<std::string, double>, std::vector<ContactRow>> runs;
+    for (const ContactRow& row : rows) {
+        const std::string search = row.search == "full" ? "full search" : fmt::format("search of {} tests", row.tests);
+        runs[{search, row.speed}].push_back(row);
     }
     std::string text;
     for (auto& [key, steps] : runs) {
-        std::ranges::sort(steps, {}, [&](const TableRow* row) { return number(*row, at::Step); });
+        std::ranges::sort(steps, {}, &ContactRow::step);
         double longest = 0, worst = 0;
-        bool good = true;
-        for (const TableRow* row : steps) {
-            good = good && (*row)[at::Passed] == "0" && number(*row, at::MissedContacts) <= 0.1;
-            if (!good) break;
-            longest = number(*row, at::Step);
-            worst = std::max(worst, number(*row, at::Penetration));
+        for (const ContactRow& row : steps) {
+            if (row.passed > 0 || row.missed_contacts > 0.1) break;
+            longest = row.step;
+            worst = std::max(worst, row.penetration);
         }
-        text += key.first + ", ball at " + real_text(key.second) + " m/s: ";
+        text += fmt::format("{}, ball at {} m/s: ", key.first, key.second);
         text += longest > 0
-                    ? "at most a tenth of the contacts missed up to a step of " + real_text(1e3 * longest, 3) +
-                          " ms, penetration up to " + real_text(1e3 * worst, 3) + " mm"
-                    : std::string("more than a tenth of the contacts missed, or the ball lost, at the shortest step");
-        text += "\n";
+                    ? fmt::format(
+                          "at most a tenth of the contacts missed up to a step of {:.3g} ms, penetration up to "
+                          "{:.3g} mm\n",
+                          1e3 * longest, 1e3 * worst)
+                    : "more than a tenth of the contacts missed, or the ball gone through, at the shortest step\n";
     }
     return text;
+}
+
+std::vector<Chart> charts(const std::vector<ContactRow>& rows) {
+    std::vector<std::string> ends, speeds;
+    const auto add = [](std::vector<std::string>& words, double number) {
+        if (std::ranges::find(words, real_text(number)) == words.end()) words.push_back(real_text(number));
+    };
+    for (const ContactRow& row : rows) add(ends, row.tests), add(speeds, row.speed);
+    return {{"contact",
+             "contact",
+             "Contacts that the reference has and a run does not, step by step, and the deepest that the ball is in "
+             "the cloth when a step finds it, against CPU time: the points of a line are steps, the longest on the "
+             "left. A ball that has gone through counts with its radius, a penetration below 1 mm as that. The "
+             "reference is the full search at a step a hundred times smaller.",
+             {{"searches", in_words(ends)}, {"speeds", in_words(speeds)}}}};
 }
 
 }  // namespace
@@ -153,8 +183,9 @@ ContactScene hung_cloth_and_ball(double speed, double step) {
 }
 
 Experiment contact_experiment() {
-    return {"contact", "which steps and searches find the contacts that there are?", columns(), cases, contact_charts,
-            summary};
+    return ExperimentOf<ContactRow>{
+        "contact", "which steps and searches find the contacts that there are?", format(), cases, charts, summary}
+        .as_table();
 }
 
 }  // namespace drape

@@ -19,6 +19,11 @@ struct ContactScene {
     ResponseParameters response;
 };
 
+/// A hung cloth of 1 m and a ball on its way through the middle of it, from a quarter of a metre before they meet.
+/// @param speed of the ball [m/s]
+/// @param step of the run, of which the end is a multiple [s]
+ContactScene hung_cloth_and_ball(double speed, double step);
+
 /// A simulation without all that contact does not need: step, build, query, exact test, response, in the order of
 /// `Simulation` and to the same bits.
 class ContactTrial {

@@ -1,65 +1,62 @@
 #include "case_selection.h"
 
+#include <fmt/core.h>
+
 #include <algorithm>
+#include <regex>
 
 #include "drape/base/input_error.h"
 #include "drape/base/numbers.h"
-#include "share.h"
 
 namespace drape {
 namespace {
 
-constexpr std::string_view cases_word = " --cases ", share_word = " --share ";
-
-/// Takes what follows a word up to the next blank off the front of a text; empty if the word is not there.
-std::string taken(std::string_view& text, std::string_view word) {
-    if (!text.starts_with(word)) return "";
-    const std::size_t end = std::min(text.find(' ', word.size()), text.size());
-    const std::string value(text.substr(word.size(), end - word.size()));
-    text.remove_prefix(end);
-    return value;
+/// The numbers of "FROM<between>TO" if 1 <= FROM <= TO <= most.
+std::optional<std::pair<std::size_t, std::size_t>> parse_pair(std::string_view text, char between, std::size_t most) {
+    const std::size_t place = text.find(between);
+    if (place == std::string_view::npos) return {};
+    const auto from = parse_integer(text.substr(0, place)), to = parse_integer(text.substr(place + 1));
+    if (!from || !to || !(*from >= 1 && *from <= *to && *to <= static_cast<long long>(most))) return {};
+    return std::pair(static_cast<std::size_t>(*from), static_cast<std::size_t>(*to));
 }
 
 }  // namespace
 
+Share parse_share(const std::string& text) {
+    constexpr std::size_t most = 10000;
+    if (text.empty()) return {};
+    const auto share = parse_pair(text, '/', most);
+    if (!share) throw InputError(fmt::format("--share {}: allowed K/N with 1 <= K <= N <= {}", shortened(text), most));
+    return {share->first, share->second};
+}
+
 std::string CaseSelection::text() const {
     std::string all = quick ? "--quick" : "whole";
-    if (!cases.empty()) all += std::string(cases_word) + cases;
-    if (!share.empty()) all += std::string(share_word) + share;
+    if (!cases.empty()) all += " --cases " + cases;
+    if (!share.empty()) all += " --share " + share;
     return all;
 }
 
 std::vector<std::size_t> CaseSelection::numbers(std::size_t count) const {
-    std::size_t first = 1, last = count;
-    if (!cases.empty()) {
-        const std::size_t dash = std::min(cases.find('-'), cases.size());
-        const auto from = parse_integer(std::string_view(cases).substr(0, dash));
-        const auto to = parse_integer(std::string_view(cases).substr(std::min(dash + 1, cases.size())));
-        if (!from || !to || !(*from >= 1 && *from <= *to && *to <= static_cast<long long>(count))) {
-            throw InputError("--cases " + shortened(cases) +
-                             ": allowed FIRST-LAST with 1 <= FIRST <= LAST <= " + std::to_string(count));
-        }
-        first = static_cast<std::size_t>(*from);
-        last = static_cast<std::size_t>(*to);
+    const auto range = cases.empty() ? std::optional(std::pair(std::size_t{1}, count)) : parse_pair(cases, '-', count);
+    if (!range) {
+        throw InputError(
+            fmt::format("--cases {}: allowed FIRST-LAST with 1 <= FIRST <= LAST <= {}", shortened(cases), count));
     }
     const Share part = parse_share(share);
     std::vector<std::size_t> wanted;
-    for (std::size_t number = first; number <= last; ++number) {
+    for (std::size_t number = range->first; number <= range->second; ++number) {
         if (part.has(number)) wanted.push_back(number);
     }
     return wanted;
 }
 
 std::optional<CaseSelection> parse_selection(const std::string& text) {
-    std::string_view rest = text;
-    CaseSelection selection;
-    selection.quick = rest.starts_with("--quick");
-    if (!selection.quick && !rest.starts_with("whole")) return {};
-    rest.remove_prefix(selection.quick ? std::string_view("--quick").size() : std::string_view("whole").size());
-    selection.cases = taken(rest, cases_word);
-    selection.share = taken(rest, share_word);
-    if (selection.text() != text) return {};
-    return selection;
+    static const std::regex form("(--quick|whole)(?: --cases ([^ ]+))?(?: --share ([^ ]+))?");
+    std::smatch parts;
+    // The matcher's depth is that of the text
+    if (text.size() > 1000 || !std::regex_match(text, parts, form)) return {};
+    return CaseSelection{parts[1] == "--quick", parts[2], parts[3]};
 }
 
 }  // namespace drape

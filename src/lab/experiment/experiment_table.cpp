@@ -1,7 +1,9 @@
 #include "experiment_table.h"
 
+#include <fmt/chrono.h>
+#include <fmt/ranges.h>
+
 #include <algorithm>
-#include <array>
 #include <ctime>
 #include <fstream>
 
@@ -33,22 +35,9 @@ std::string compiler() {
 #endif
 }
 
-std::string today() {
-    const std::time_t now = std::time(nullptr);
-    std::tm parts{};
-    std::array<char, 16> text{};
-    gmtime_r(&now, &parts);
-    std::strftime(text.data(), text.size(), "%Y-%m-%d", &parts);
-    return text.data();
-}
-
 std::string joined(const TableRow& row) {
-    std::string line;
-    for (const std::string& cell : row) {
-        DRAPE_ASSERT(cell.find_first_of(",\n") == std::string::npos);
-        line += (&cell == row.data() ? "" : ",") + cell;
-    }
-    return line + "\n";
+    for (const std::string& cell : row) DRAPE_ASSERT(cell.find_first_of(",\n") == std::string::npos);
+    return fmt::format("{}\n", fmt::join(row, ","));
 }
 
 /// What is wrong with what a case has computed; empty if nothing is.
@@ -57,7 +46,7 @@ std::string flaw_of_rows(const Experiment& experiment, const std::vector<TableRo
     for (const TableRow& row : rows) {
         if (const std::string flaw = flaw_of(experiment.columns, row); !flaw.empty()) return flaw;
     }
-    return experiment.flaw_of_case ? experiment.flaw_of_case(rows) : "";
+    return experiment.flaw_of_case(rows);
 }
 
 }  // namespace
@@ -68,7 +57,7 @@ TableHead head_of(const Experiment& experiment, const std::string& settings, std
             {"commit", commit()},
             {"machine", processor()},
             {"compiler", compiler()},
-            {"date", today()},
+            {"date", fmt::format("{:%Y-%m-%d}", fmt::gmtime(std::time(nullptr)))},
             {"settings", settings},
             {"cases", std::to_string(cases)}};
 }

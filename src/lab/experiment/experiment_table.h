@@ -70,7 +70,7 @@ public:
     /// @throws RunError if it cannot be written, or if a cell is not what its column may have
     void write(std::size_t number, const std::vector<TableRow>& rows);
 
-    /// Closes the table with the number of its cases, and gives the file its name. What bears that name is kept under a
+    /// Closes the table with the number of its cases, and gives the file its name. What has that name is kept under a
     /// numbered one.
     /// @throws RunError if not everything was written
     void finish();

@@ -1,4 +1,4 @@
-#include "merge.h"
+#include <fmt/ranges.h>
 
 #include <map>
 #include <memory>
@@ -9,7 +9,6 @@
 #include "drape/base/folder_lock.h"
 #include "drape/base/program.h"
 #include "run_experiment.h"
-#include "share.h"
 
 namespace drape {
 namespace {
@@ -49,27 +48,24 @@ void check_fit(const std::vector<Part>& parts) {
     std::set<std::size_t> missing;
     for (std::size_t k = 1; k <= first.share.parts; ++k) missing.insert(k);
     for (const Part& part : parts) {
-        const auto misfit = [&](const std::string& key, const std::string& here, const std::string& there) {
-            throw InputError(part.file.string() + ": " + key + " is " + here + ", but " + there + " in " +
-                             first.file.string());
+        const auto demand_same = [&](const char* key, const std::string& here, const std::string& there) {
+            if (here == there) return;
+            throw InputError(
+                fmt::format("{}: {} is {}, but {} in {}", part.file.string(), key, here, there, first.file.string()));
         };
         for (const char* key : {"drape", "commit", "compiler", "cases"}) {
-            const std::string here = line_of(part.table.head, key), there = line_of(first.table.head, key);
-            if (here != there) misfit(key, here, there);
+            demand_same(key, line_of(part.table.head, key), line_of(first.table.head, key));
         }
-        if (part.settings != first.settings) misfit("settings", part.settings, first.settings);
-        const std::string parts_here = std::to_string(part.share.parts);
-        if (part.share.parts != first.share.parts) {
-            misfit("number of shares", parts_here, std::to_string(first.share.parts));
-        }
+        demand_same("settings", part.settings, first.settings);
+        demand_same("number of shares", std::to_string(part.share.parts), std::to_string(first.share.parts));
         if (missing.erase(part.share.part) == 0) {
-            throw InputError(part.file.string() + ": share " + std::to_string(part.share.part) + "/" + parts_here +
-                             " is there twice");
+            throw InputError(
+                fmt::format("{}: share {}/{} is there twice", part.file.string(), part.share.part, part.share.parts));
         }
     }
     if (!missing.empty()) {
-        throw InputError("share " + std::to_string(*missing.begin()) + "/" + std::to_string(first.share.parts) +
-                         " is missing beside " + first.file.string());
+        throw InputError(
+            fmt::format("share {}/{} is missing beside {}", *missing.begin(), first.share.parts, first.file.string()));
     }
 }
 
@@ -83,15 +79,14 @@ ExperimentTable joined(std::vector<Part> parts) {
     for (auto& [key, value] : whole.head) {
         if (key == "settings") value = parts.front().settings;
         if (key != "machine") continue;
-        value.clear();
-        for (const std::string& machine : machines) value += (value.empty() ? "" : "; ") + machine;
+        value = fmt::format("{}", fmt::join(machines, "; "));
     }
     return whole;
 }
 
-int merge(const Options& options) {
+int merge(std::span<const Experiment> experiments, const Options& options) {
     std::map<const Experiment*, ExperimentTable> found;
-    for (const Experiment& experiment : experiments()) {
+    for (const Experiment& experiment : experiments) {
         auto parts = parts_of(experiment, options.folders);
         if (parts.empty()) continue;
         check_fit(parts);
@@ -119,7 +114,7 @@ int merge(const Options& options) {
 
 }  // namespace
 
-void add_merge(CLI::App& app, int& exit_code) {
+void add_merge(CLI::App& app, std::span<const Experiment> experiments, int& exit_code) {
     CLI::App* command = app.add_subcommand("merge", "Joins the tables of shares, and draws their charts");
     auto options = std::make_shared<Options>();
     command->add_option("folders", options->folders, "folders that --share runs have written")
@@ -130,7 +125,7 @@ void add_merge(CLI::App& app, int& exit_code) {
                      "folder for table, charts and page, or for a folder an experiment where there are several; "
                      "'merged' if not given")
         ->type_name("DIR");
-    command->callback([options, &exit_code] { exit_code = merge(*options); });
+    command->callback([experiments, options, &exit_code] { exit_code = merge(experiments, *options); });
 }
 
 }  // namespace drape

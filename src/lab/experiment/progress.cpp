@@ -1,5 +1,6 @@
 #include "progress.h"
 
+#include <fmt/core.h>
 #include <unistd.h>
 
 #include <cmath>
@@ -32,8 +33,7 @@ void Progress::advance() {
     if (done_ == total_ || now - told_ < (terminal_ ? pause_on_terminal : pause_elsewhere)) return;
     told_ = now;
     const double left = now / static_cast<double>(done_) * static_cast<double>(total_ - done_);
-    const std::string text =
-        std::to_string(done_) + " of " + std::to_string(total_) + " cases, about " + rough_time(left) + " left";
+    const std::string text = fmt::format("{} of {} cases, about {} left", done_, total_, rough_time(left));
     std::cerr << (terminal_ ? "\r" + text + "\x1b[K" : text + "\n") << std::flush;
 }
 

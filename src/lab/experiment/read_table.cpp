@@ -1,3 +1,5 @@
+#include <fmt/core.h>
+
 #include <algorithm>
 #include <array>
 
@@ -28,22 +30,21 @@ public:
         if (end == LineEnd::None) return false;
         ++number_;
         bytes_ += line_.size() + 1;
-        if (bytes_ > largest_table) fail("a table has at most " + std::to_string(largest_table) + " bytes");
+        if (bytes_ > largest_table) fail("a table has at most {} bytes", largest_table);
         if (end == LineEnd::CutOff && unfinished_) return false;
         if (end == LineEnd::CutOff) fail("cut off");
-        if (end == LineEnd::TooLong) fail("too long: allowed " + std::to_string(longest_line) + " bytes in a line");
+        if (end == LineEnd::TooLong) fail("too long: allowed {} bytes in a line", longest_line);
         const auto foreign = std::ranges::find_if(line_, [](char c) { return c < ' ' || c > '~'; });
-        if (foreign != line_.end()) {
-            fail("byte " + std::to_string(foreign - line_.begin() + 1) + " is no printable ASCII character");
-        }
+        if (foreign != line_.end()) fail("byte {} is no printable ASCII character", foreign - line_.begin() + 1);
         return true;
     }
 
     [[nodiscard]] const std::string& line() const { return line_; }
     [[nodiscard]] bool at_end() { return in_.peek() == std::istream::traits_type::eof(); }
 
-    [[noreturn]] void fail(const std::string& what) const {
-        throw InputError(name_ + ":" + std::to_string(number_) + ": " + what);
+    template <class... Values>
+    [[noreturn]] void fail(fmt::format_string<Values...> what, Values&&... values) const {
+        throw InputError(fmt::format("{}:{}: ", name_, number_) + fmt::format(what, std::forward<Values>(values)...));
     }
 
 private:
@@ -85,21 +86,21 @@ bool read_head(const Experiment& experiment, LineReader& reader, TableHead& head
         if (colon == std::string::npos) reader.fail("allowed '# name: value' before the table");
         const std::string name = line.substr(2, colon - 2), value = line.substr(colon + 2);
         if (std::ranges::find(head_names, name) == head_names.end()) {
-            reader.fail("head line " + shown(name) + ": allowed " + listed(head_names));
+            reader.fail("head line {}: allowed {}", shown(name), listed(head_names));
         }
         if (std::ranges::any_of(head, [&](const auto& there) { return there.first == name; })) {
-            reader.fail(name + " is there twice");
+            reader.fail("{} is there twice", name);
         }
-        if (const std::string flaw = flaw_of_line(experiment, name, value); !flaw.empty()) reader.fail(flaw);
+        if (const std::string flaw = flaw_of_line(experiment, name, value); !flaw.empty()) reader.fail("{}", flaw);
         head.emplace_back(name, value);
     }
     if (!more) return false;
     if (reader.line() != columns_line(experiment)) {
-        reader.fail("these are not the columns of " + experiment.name);
+        reader.fail("these are not the columns of {}", experiment.name);
     }
     for (const std::string& name : head_names) {
         if (std::ranges::none_of(head, [&](const auto& there) { return there.first == name; })) {
-            reader.fail("'# " + name + ": ' is missing above the columns");
+            reader.fail("'# {}: ' is missing above the columns", name);
         }
     }
     return true;
@@ -110,17 +111,7 @@ std::vector<std::size_t> cases_of(const TableHead& head, const LineReader& reade
     return parse_selection(line_of(head, "settings"))
         ->numbers(static_cast<std::size_t>(*parse_integer(line_of(head, "cases"))));
 } catch (const InputError& error) {
-    reader.fail("the settings above have " + std::string(error.what()));
-}
-
-TableRow cut(const std::string& line) {
-    TableRow row;
-    for (std::size_t begin = 0; begin <= line.size();) {
-        const std::size_t comma = std::min(line.find(',', begin), line.size());
-        row.push_back(line.substr(begin, comma - begin));
-        begin = comma + 1;
-    }
-    return row;
+    reader.fail("the settings above have {}", error.what());
 }
 
 /// Reads the rows below the head, case after case.
@@ -130,23 +121,23 @@ public:
         : experiment_(experiment), reader_(reader), table_(table), wanted_(cases_of(table.head, reader)) {}
 
     void add() {
-        TableRow row = cut(reader_.line());
+        const auto cells = split_at_commas(reader_.line());
+        TableRow row(cells.begin(), cells.end());
         if (row.size() != experiment_.columns.size() + 1) {
-            reader_.fail(std::to_string(row.size()) + " cells: allowed " +
-                         std::to_string(experiment_.columns.size() + 1));
+            reader_.fail("{} cells: allowed {}", row.size(), experiment_.columns.size() + 1);
         }
         const auto number = parse_integer(row.front());
         const auto is = [&number](std::size_t other) { return number == static_cast<long long>(other); };
         const bool next = begun_ < wanted_.size() && is(wanted_[begun_]);
         if (!next && !(begun_ > 0 && is(wanted_[begun_ - 1]))) {
-            reader_.fail("column case: " + shown(row.front()) + ": allowed " + allowed());
+            reader_.fail("column case: {}: allowed {}", shown(row.front()), allowed());
         }
         if (next) {
             check_case();
             ++begun_;
         }
         row.erase(row.begin());
-        if (const std::string flaw = flaw_of(experiment_.columns, row); !flaw.empty()) reader_.fail(flaw);
+        if (const std::string flaw = flaw_of(experiment_.columns, row); !flaw.empty()) reader_.fail("{}", flaw);
         table_.cases[wanted_[begun_ - 1]].push_back(std::move(row));
     }
 
@@ -155,10 +146,9 @@ public:
         check_case();
         const std::string count = reader_.line().substr(table_end_mark.size());
         if (count != std::to_string(begun_)) {
-            reader_.fail("end = " + shown(count) + ": allowed " + std::to_string(begun_) +
-                         ", the number of cases above");
+            reader_.fail("end = {}: allowed {}, the number of cases above", shown(count), begun_);
         }
-        if (begun_ < wanted_.size()) reader_.fail("case " + std::to_string(wanted_[begun_]) + " is missing above");
+        if (begun_ < wanted_.size()) reader_.fail("case {} is missing above", wanted_[begun_]);
         if (!reader_.at_end()) reader_.fail("there is more after the end");
     }
 
@@ -171,10 +161,10 @@ private:
 
     /// The rows of the case that has been read last.
     void check_case() const {
-        if (begun_ == 0 || !experiment_.flaw_of_case) return;
+        if (begun_ == 0) return;
         const std::size_t number = wanted_[begun_ - 1];
         const std::string flaw = experiment_.flaw_of_case(table_.cases.at(number));
-        if (!flaw.empty()) reader_.fail("case " + std::to_string(number) + " above: " + flaw);
+        if (!flaw.empty()) reader_.fail("case {} above: {}", number, flaw);
     }
 
     const Experiment& experiment_;
@@ -211,7 +201,7 @@ std::optional<ExperimentTable> read_table(const Experiment& experiment, std::ist
         }
         rows.add();
     }
-    if (!unfinished) reader.fail("cut off: expected '" + std::string(table_end_mark) + "', the number of cases");
+    if (!unfinished) reader.fail("cut off: expected '{}', the number of cases", table_end_mark);
     // Its last rows may be missing. Cases are computed in ascending order
     if (!table.cases.empty()) table.cases.erase(std::prev(table.cases.end()));
     return table;

@@ -1,5 +1,9 @@
 #include "report_page.h"
 
+#include <fmt/core.h>
+
+#include <map>
+
 #include "drape/base/output_file.h"
 
 namespace drape {
@@ -13,19 +17,9 @@ constexpr const char* style =
 
 /// Text as a page shows it.
 std::string escaped(const std::string& text) {
+    static const std::map<char, std::string> marks{{'&', "&amp;"}, {'<', "&lt;"}, {'>', "&gt;"}, {'"', "&quot;"}};
     std::string shown;
-    for (const char c : text) {
-        if (c == '&')
-            shown += "&amp;";
-        else if (c == '<')
-            shown += "&lt;";
-        else if (c == '>')
-            shown += "&gt;";
-        else if (c == '"')
-            shown += "&quot;";
-        else
-            shown += c;
-    }
+    for (const char c : text) shown += marks.contains(c) ? marks.at(c) : std::string(1, c);
     return shown;
 }
 
@@ -33,25 +27,35 @@ std::string escaped(const std::string& text) {
 
 void write_report_page(const Experiment& experiment, const TableHead& head, const std::vector<Chart>& charts,
                        const std::string& summary, const std::filesystem::path& table) {
-    OutputFile file((table.parent_path() / "index.html").string());
-    const std::string question = escaped(experiment.question);
-    file.stream() << "<!doctype html>\n<html lang=\"en\">\n<meta charset=\"utf-8\">\n"
-                  << "<meta name=\"viewport\" content=\"width=device-width\">\n<title>Drape: " << experiment.name
-                  << "</title>\n<style>" << style << "</style>\n<h1>" << experiment.name << ": " << question
-                  << "</h1>\n";
+    std::string figures, lines;
     for (const Chart& chart : charts) {
-        const std::string name = escaped(chart.name), caption = escaped(chart.caption);
-        file.stream() << "<figure>\n<a href=\"" << name << ".svg\"><img src=\"" << name << ".svg\" width=\""
-                      << chart.width << "\" height=\"" << chart.height << "\" alt=\"" << caption
-                      << "\"></a>\n<figcaption>" << caption << "</figcaption>\n</figure>\n";
+        figures += fmt::format(
+            "<figure>\n<a href=\"{0}.svg\"><img src=\"{0}.svg\" alt=\"{1}\"></a>\n<figcaption>{1}</figcaption>\n"
+            "</figure>\n",
+            escaped(chart.name), escaped(chart.caption));
     }
-    const std::string csv = escaped(table.filename().string());
-    file.stream() << "<h2>What was found</h2>\n<pre>" << escaped(summary)
-                  << "</pre>\n<h2>Where it is from</h2>\n<dl>\n";
     for (const auto& [key, value] : head) {
-        file.stream() << "<dt>" << escaped(key) << "</dt><dd>" << escaped(value) << "</dd>\n";
+        lines += fmt::format("<dt>{}</dt><dd>{}</dd>\n", escaped(key), escaped(value));
     }
-    file.stream() << "<dt>table</dt><dd><a href=\"" << csv << "\">" << csv << "</a></dd>\n</dl>\n</html>\n";
+    OutputFile file((table.parent_path() / "index.html").string());
+    file.stream() << fmt::format(
+        R"(<!doctype html>
+<html lang="en">
+<meta charset="utf-8">
+<meta name="viewport" content="width=device-width">
+<title>Drape: {0}</title>
+<style>{1}</style>
+<h1>{0}: {2}</h1>
+{3}<h2>What was found</h2>
+<pre>{4}</pre>
+<h2>Where it is from</h2>
+<dl>
+{5}<dt>table</dt><dd><a href="{6}">{6}</a></dd>
+</dl>
+</html>
+)",
+        experiment.name, style, escaped(experiment.question), figures, escaped(summary), lines,
+        escaped(table.filename().string()));
     file.close();
 }
 

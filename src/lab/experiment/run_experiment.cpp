@@ -9,7 +9,6 @@
 #include "drape/base/numbers.h"
 #include "drape/base/program.h"
 #include "drape/base/stopwatch.h"
-#include "gnuplot.h"
 #include "progress.h"
 #include "report_page.h"
 
@@ -41,8 +40,8 @@ std::optional<std::string> difference(const TableHead& head, const TableHead& ot
 }
 
 /// One page and one table a folder.
-void check_alone(const Experiment& experiment, const std::filesystem::path& folder) {
-    for (const Experiment& other : experiments()) {
+void check_alone(const Experiment& experiment, std::span<const Experiment> all, const std::filesystem::path& folder) {
+    for (const Experiment& other : all) {
         if (other.name == experiment.name || !exists(folder / (other.name + ".csv"))) continue;
         throw InputError(folder.string() + " has the table of " + other.name + ": name another folder by --out");
     }
@@ -76,13 +75,13 @@ ExperimentTable resumed(const Experiment& experiment, const TableHead& head, con
     return *left;
 }
 
-int run(const Experiment& experiment, const Options& options) {
+int run(const Experiment& experiment, std::span<const Experiment> all, const Options& options) {
     const auto cases = experiment.cases(options.selection.quick);
     const auto wanted = options.selection.numbers(cases.size());
     const std::filesystem::path folder = folder_of(experiment, options);
     std::error_code error;
     std::filesystem::create_directories(folder, error);
-    check_alone(experiment, folder);
+    check_alone(experiment, all, folder);
     const auto file = folder / (experiment.name + ".csv");
     const FolderLock lock(file);
     const TableHead head = head_of(experiment, options.selection.text(), cases.size());
@@ -129,8 +128,8 @@ void present(const Experiment& experiment, const ExperimentTable& table, const s
     write_report_page(experiment, table.head, charts, summary, file);
 }
 
-void add_experiments(CLI::App& app, int& exit_code) {
-    for (const Experiment& experiment : experiments()) {
+void add_experiments(CLI::App& app, std::span<const Experiment> experiments, int& exit_code) {
+    for (const Experiment& experiment : experiments) {
         CLI::App* command = app.add_subcommand(experiment.name, "Experiment: " + experiment.question);
         auto options = std::make_shared<Options>();
         command
@@ -143,7 +142,8 @@ void add_experiments(CLI::App& app, int& exit_code) {
             ->type_name("K/N");
         command->add_flag("--again", options->again, "compute once more what is there already");
         command->footer("An interrupted run goes on where it was when it is started again. `merge` joins shares.");
-        command->callback([&experiment, options, &exit_code] { exit_code = run(experiment, *options); });
+        command->callback(
+            [&experiment, experiments, options, &exit_code] { exit_code = run(experiment, experiments, *options); });
     }
 }
 

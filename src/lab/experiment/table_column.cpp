@@ -23,15 +23,14 @@ bool in_range(const Column& column, const std::string& cell) {
 }
 
 /// Whether words may stand for numbers in this row.
-bool may_lack_number(const std::vector<Column>& columns, const Column& column, const std::vector<std::string>& row) {
+bool may_lack_number(const std::vector<Column>& columns, const Column& column, const TableRow& row) {
     if (column.only_where.empty()) return true;
     const auto key = std::ranges::find(columns, column.only_where, &Column::name);
     DRAPE_ASSERT(key != columns.end());
     return is_one_of(column.rows_with, row[static_cast<std::size_t>(key - columns.begin())]);
 }
 
-bool accepts(const std::vector<Column>& columns, const Column& column, const std::vector<std::string>& row,
-             const std::string& cell) {
+bool accepts(const std::vector<Column>& columns, const Column& column, const TableRow& row, const std::string& cell) {
     if (column.kind == Column::Kind::Word) return is_one_of(column.words, cell);
     return in_range(column, cell) || (is_one_of(column.words, cell) && may_lack_number(columns, column, row));
 }
@@ -58,6 +57,11 @@ Column Column::where(std::string column, std::vector<std::string> with) const {
     return bound;
 }
 
+std::string Column::cell(double value, int digits) const {
+    if (std::isnan(value) && is_one_of(words, "")) return "";
+    return real_text(value, kind == Kind::Whole ? 17 : digits);
+}
+
 std::string Column::allowed() const {
     if (kind == Kind::Word) return listed(words);
     std::string text = kind == Kind::Whole ? "a whole number" : "a finite number";
@@ -79,7 +83,7 @@ Column number_column(std::string name) { return number_from(std::move(name), Col
 
 Column positive_column(std::string name) { return number_from(std::move(name), Column::Kind::Number, 0, true); }
 
-std::string flaw_of(const std::vector<Column>& columns, const std::vector<std::string>& row) {
+std::string flaw_of(const std::vector<Column>& columns, const TableRow& row) {
     DRAPE_ASSERT(row.size() == columns.size());
     for (std::size_t k = 0; k < columns.size(); ++k) {
         if (accepts(columns, columns[k], row, row[k])) continue;
@@ -90,7 +94,7 @@ std::string flaw_of(const std::vector<Column>& columns, const std::vector<std::s
 
 double number_in(const std::string& cell) {
     const auto number = parse_real(cell);
-    DRAPE_ASSERT(number.has_value());
+    DRAPE_ASSERT(cell.empty() || number.has_value());
     return number.value_or(std::numeric_limits<double>::quiet_NaN());
 }
 

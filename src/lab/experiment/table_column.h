@@ -6,6 +6,9 @@
 
 namespace drape {
 
+/// One line of an experiment's table, a text a column.
+using TableRow = std::vector<std::string>;
+
 /// A column of a table, and what its cells may be: one of some words, or a finite number within a range. Nothing else
 /// is written into a table, and nothing else is read from one. There is no column of free text.
 struct Column {
@@ -32,6 +35,10 @@ struct Column {
     /// @param with what it has in those rows
     [[nodiscard]] Column where(std::string column, std::vector<std::string> with) const;
 
+    /// What stands for a value in a cell; where a word may stand for no number, it does so for nan.
+    [[nodiscard]] std::string cell(double value, int digits) const;
+    [[nodiscard]] static std::string cell(const std::string& word, int /*digits*/) { return word; }
+
     /// What a cell may be, as a message says it.
     [[nodiscard]] std::string allowed() const;
 };
@@ -50,10 +57,9 @@ Column positive_column(std::string name);
 
 /// What is wrong with the cells of a row: "column NAME: 'value': allowed ..."; empty if nothing is.
 /// @param row as many cells as there are columns
-std::string flaw_of(const std::vector<Column>& columns, const std::vector<std::string>& row);
+std::string flaw_of(const std::vector<Column>& columns, const TableRow& row);
 
-/// The number in a cell of a row that has been checked.
-/// @pre the cell has one
+/// The number in a cell that has been checked; nan if it is empty.
 double number_in(const std::string& cell);
 
 }  // namespace drape

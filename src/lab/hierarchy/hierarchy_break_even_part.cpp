@@ -4,7 +4,6 @@
 
 #include "drape/sim/scene.h"
 #include "hierarchy_parts.h"
-#include "hierarchy_row.h"
 
 namespace drape {
 namespace {
@@ -29,7 +28,7 @@ double moved_part(const RecordedMotion& motion, std::size_t frame, Real reach) {
     return static_cast<double>((distances > reach).count()) / static_cast<double>(distances.size());
 }
 
-std::vector<TableRow> measure(const RecordedMotion& motion, const VolumeVariant& variant, bool quick) {
+std::vector<HierarchyRow> measure(const RecordedMotion& motion, const VolumeVariant& variant, bool quick) {
     std::vector<HierarchyRun> runs;
     for (const UpdateKind update : all_updates) {
         const auto hierarchy = make_broad_phase(
@@ -38,7 +37,7 @@ std::vector<TableRow> measure(const RecordedMotion& motion, const VolumeVariant&
     }
     const std::vector<double> rebuild = frame_costs(runs[static_cast<std::size_t>(UpdateKind::Rebuild)]);
     const std::vector<Real>& slack = runs[static_cast<std::size_t>(UpdateKind::Refit)].slack;
-    std::vector<TableRow> rows;
+    std::vector<HierarchyRow> rows;
     for (const UpdateKind update : all_updates) {
         const HierarchyRun& run = runs[static_cast<std::size_t>(update)];
         const std::vector<double> costs = frame_costs(run);
@@ -56,7 +55,7 @@ std::vector<TableRow> measure(const RecordedMotion& motion, const VolumeVariant&
             row.set_counts({run.counts[k]});
             if (run.frame_tightness[k].nodes > 0) row.tightness = run.frame_tightness[k].mean();
             row.moved = moved_part(motion, k, slack[k]);
-            rows.push_back(to_table(row));
+            rows.push_back(row);
         }
     }
     return rows;
@@ -74,8 +73,8 @@ std::set<double> intervals(const HierarchyScene& scene, bool quick) {
 
 }  // namespace
 
-std::vector<ExperimentCase> break_even_cases(bool quick, const SharedMotions& motions) {
-    std::vector<ExperimentCase> cases;
+std::vector<HierarchyCase> break_even_cases(bool quick, const SharedMotions& motions) {
+    std::vector<HierarchyCase> cases;
     for (const HierarchyScene& scene : hierarchy_scenes) {
         for (const VolumeVariant& variant : volume_families) {
             if (quick && variant.volume != VolumeKind::Sphere && variant.volume != VolumeKind::Aabb) continue;

@@ -5,7 +5,6 @@
 #include "drape/sim/scene.h"
 #include "drape/sim/simulation.h"
 #include "hierarchy_parts.h"
-#include "hierarchy_row.h"
 
 namespace drape {
 namespace {
@@ -52,9 +51,10 @@ std::vector<SearchLimit> limits(const BroadPhaseParameters& parameters, const Gr
     return all;
 }
 
-std::vector<TableRow> measure(const RecordedMotion& motion, BroadPhaseParameters parameters, double time, bool quick) {
+std::vector<HierarchyRow> measure(const RecordedMotion& motion, BroadPhaseParameters parameters, double time,
+                                  bool quick) {
     const SearchedRun full = simulate(motion.scene, parameters, time);
-    std::vector<TableRow> rows;
+    std::vector<HierarchyRow> rows;
     for (const SearchLimit& limit : limits(parameters, motion.grid, quick)) {
         parameters.search = limit;
         const auto hierarchy = make_broad_phase(parameters, motion.grid);
@@ -68,15 +68,15 @@ std::vector<TableRow> measure(const RecordedMotion& motion, BroadPhaseParameters
         row.missed_penetration_m = limited.missed_penetration;
         row.false_contacts = limited.false_contacts;
         row.distance_m = static_cast<double>((limited.x - full.x).norm()) / std::sqrt(row.particles);
-        rows.push_back(to_table(row));
+        rows.push_back(row);
     }
     return rows;
 }
 
 }  // namespace
 
-std::vector<ExperimentCase> budget_cases(bool quick, const SharedMotions& motions) {
-    std::vector<ExperimentCase> cases;
+std::vector<HierarchyCase> budget_cases(bool quick, const SharedMotions& motions) {
+    std::vector<HierarchyCase> cases;
     for (const HierarchyScene& scene : hierarchy_scenes) {
         for (const VolumeVariant& variant : volume_families) {
             if (quick && variant.volume != VolumeKind::Sphere) continue;

@@ -1,36 +1,137 @@
-#include "hierarchy_charts.h"
+#include <fmt/core.h>
 
 #include <algorithm>
+#include <cmath>
 
-#include "hierarchy_experiment.h"
 #include "hierarchy_parts.h"
-#include "hierarchy_summary.h"
+#include "hierarchy_report.h"
 
 namespace drape {
+namespace {
 
-std::vector<std::string> scenes_of(const std::vector<HierarchyRow>& rows) {
-    std::vector<std::string> scenes;
-    for (const HierarchyRow& row : rows) {
-        if (std::ranges::find(scenes, row.scene) == scenes.end()) scenes.push_back(row.scene);
-    }
-    return scenes;
+using Row = HierarchyRow;
+using Rows = std::vector<HierarchyRow>;
+using Charts = std::vector<Chart>;
+
+/// Adds a chart with a panel for each scene, if there are any rows.
+void add_scenes(Charts& charts, Chart chart, const Rows& rows) {
+    if (rows.empty()) return;
+    chart.values["scenes"] = in_words(words_of(rows, &Row::scene));
+    chart.values["updates"] = in_words(words_of(rows, &Row::update));
+    for (const Row& row : rows) chart.values["particles_" + row.scene] = row.particles;
+    charts.push_back(std::move(chart));
 }
 
-std::vector<Chart> hierarchy_charts(const std::vector<TableRow>& rows) {
-    const ChartTable table(hierarchy_columns(), rows);
-    std::vector<Chart> charts;
-    std::vector<HierarchyRow> as_they_are, resampled;
-    for (const HierarchyRow& row : rows_of_part(rows, "fit")) {
-        (row.particles == resampled_particles ? resampled : as_they_are).push_back(row);
+void add_fits(Charts& charts, const Rows& rows, bool resampled) {
+    Rows drawn = rows;
+    // Of the fits of spheres, the original's
+    std::erase_if(drawn, [resampled](const Row& row) {
+        return (row.particles == resampled_particles) != resampled || row.variant() != row.volume;
+    });
+    std::vector<std::string> volumes;
+    for (const VolumeVariant& family : volume_families) {
+        const std::string& name = names_of<VolumeKind>()[static_cast<std::size_t>(family.volume)];
+        if (std::ranges::find(drawn, name, &Row::volume) != drawn.end()) volumes.push_back(name);
     }
-    if (!as_they_are.empty()) charts.push_back(fit_chart(table, as_they_are, false));
-    if (!resampled.empty()) charts.push_back(fit_chart(table, resampled, true));
-    if (!as_they_are.empty()) charts.push_back(sphere_chart(table, as_they_are));
-    for (const std::string& scene : scenes_of(rows_of_part(rows, "level"))) charts.push_back(level_chart(table, scene));
-    if (const auto part = rows_of_part(rows, "budget"); !part.empty()) charts.push_back(budget_chart(table, part));
-    const auto break_evens = rows_of_part(rows, "break_even");
-    for (const auto& scene : scenes_of(break_evens)) charts.push_back(break_even_chart(table, break_evens, scene));
-    if (const auto part = rows_of_part(rows, "size"); !growths(part).empty()) charts.push_back(size_chart(table, part));
+    std::erase_if(drawn, [&volumes](const Row& row) {
+        return row.volume != "brute" && std::ranges::find(volumes, row.volume) == volumes.end();
+    });
+    const bool brute = std::ranges::find(drawn, "brute", &Row::volume) != drawn.end();
+    add_scenes(
+        charts,
+        {resampled ? "hierarchy_fit_128" : "hierarchy_fit",
+         "hierarchy_fit",
+         "CPU time of build, query and exact test of a frame against the cells that are tested in vain, for each "
+         "cell that touches the ball. A line joins the leaf sizes of one volume under one update policy; the "
+         "nearer to the lower left, the better.",
+         {{"resampled", resampled ? 1. : 0.}, {"brute", brute ? 1. : 0.}, {"volumes", in_words(volumes)}}},
+        drawn);
+}
+
+void add_spheres(Charts& charts, Rows rows) {
+    std::erase_if(rows, [](const Row& row) {
+        return row.particles == resampled_particles || row.volume != "sphere" || row.leaf_cells != 4 ||
+               (row.update != "rebuild" && row.update != "merge");
+    });
+    add_scenes(charts,
+               {"hierarchy_spheres",
+                "hierarchy_spheres",
+                "CPU time of a build against the mean tightness of its spheres. Rebuilding fits every node to its "
+                "particles; merging fits the leaves only and puts a sphere about the spheres below every other node.",
+                {{"fits", in_words(words_of(rows, &Row::sphere_fit))}}},
+               rows);
+}
+
+Chart level_chart(const std::string& scene) {
+    return {"hierarchy_level_" + scene,
+            "hierarchy_level",
+            "What a search knows that ends at a level: how loose the nodes there are, how many of them it visits, how "
+            "many cells it would test in vain for each that touches, and the CPU time it has taken to get there.",
+            {{"scene", scene}}};
+}
+
+void add_budget(Charts& charts, const Rows& rows) {
+    add_scenes(charts,
+               {"hierarchy_budget",
+                "hierarchy_budget",
+                "How a search that ends early changes the simulated motion: the deepest penetration that is left, "
+                "nodes that were taken for contacts although nothing in them touches, and how far the cloth is at the "
+                "end from where the full search has it. At the right end of each line the search is full. Penetrations "
+                "of less than 0.01 mm are drawn as 0.01 mm.",
+                {}},
+               rows_with(rows, &Row::volume, "sphere"));
+}
+
+void add_break_even(Charts& charts, const std::string& scene, const Rows& rows) {
+    std::vector<std::string> volumes;
+    for (const char* volume : {"sphere", "aabb"}) {
+        if (std::ranges::find(rows, volume, &Row::volume) != rows.end()) volumes.emplace_back(volume);
+    }
+    if (volumes.empty()) return;
+    // The interval next to the rate of a screen, or what is there in a share of the cases
+    const auto nearest =
+        std::ranges::min_element(rows, {}, [](const Row& row) { return std::abs(row.interval_s - 1.0 / 60); });
+    charts.push_back({"hierarchy_break_even_" + scene,
+                      "hierarchy_break_even",
+                      "Left: CPU time of build, query and exact test of all frames so far, over that of rebuilding; "
+                      "where a line crosses 1 is its break-even frame. Middle: how loose the nodes have become. Right: "
+                      "the same ratio after the last frame, over the time that the cloth has had to move between "
+                      "frames.",
+                      {{"scene", scene},
+                       {"volumes", in_words(volumes)},
+                       {"interval", nearest->interval_s},
+                       {"frames", std::ranges::max(rows, {}, &Row::frame).frame}}});
+}
+
+void add_size(Charts& charts, const Rows& rows) {
+    std::vector<std::string> builds, searches;
+    for (const Growth& growth : growths(rows)) {
+        if (growth.update == "refit" || growth.update == "none") continue;
+        const std::string hierarchy = growth.volume + ":" + growth.update + ":";
+        searches.push_back(hierarchy + fmt::format("{:.2f}", growth.search.exponent));
+        if (growth.volume != "brute") builds.push_back(hierarchy + fmt::format("{:.2f}", growth.build.exponent));
+    }
+    if (searches.empty()) return;
+    charts.push_back({"hierarchy_size",
+                      "hierarchy_size",
+                      "CPU time of a build and of a search, medians with quartiles, on one motion under more and more "
+                      "particles; the exponents are fitted to the larger half of the sizes.",
+                      {{"builds", in_words(builds)}, {"searches", in_words(searches)}}});
+}
+
+}  // namespace
+
+std::vector<Chart> hierarchy_charts(const std::vector<HierarchyRow>& rows) {
+    const auto part = [&rows](const char* name) { return rows_with(rows, &Row::part, name); };
+    Charts charts;
+    for (const bool resampled : {false, true}) add_fits(charts, part("fit"), resampled);
+    add_spheres(charts, part("fit"));
+    for (const std::string& scene : words_of(part("level"), &Row::scene)) charts.push_back(level_chart(scene));
+    add_budget(charts, part("budget"));
+    for (const std::string& scene : words_of(part("break_even"), &Row::scene)) {
+        add_break_even(charts, scene, rows_with(part("break_even"), &Row::scene, scene));
+    }
+    add_size(charts, part("size"));
     return charts;
 }
 

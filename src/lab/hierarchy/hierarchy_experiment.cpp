@@ -1,29 +1,27 @@
-#include "hierarchy_experiment.h"
-
 #include <map>
 #include <tuple>
 
 #include "hierarchy_parts.h"
-#include "hierarchy_row.h"
-#include "hierarchy_summary.h"
+#include "hierarchy_report.h"
+#include "lab/experiments.h"
 
 namespace drape {
 namespace {
 
-std::vector<ExperimentCase> cases(bool quick) {
+std::vector<HierarchyCase> cases(bool quick) {
     const auto motions = std::make_shared<Motions>();
-    std::vector<ExperimentCase> all;
+    std::vector<HierarchyCase> all;
     for (const auto part : {fit_cases, level_cases, budget_cases, break_even_cases, size_cases}) {
-        for (ExperimentCase& one : part(quick, motions)) all.push_back(std::move(one));
+        for (HierarchyCase& one : part(quick, motions)) all.push_back(std::move(one));
     }
     return all;
 }
 
 /// Updates are compared over frames: all of them need the same ones.
-std::string flaw_of_case(const std::vector<TableRow>& rows) {
+std::string flaw_of_case(const std::vector<HierarchyRow>& rows) {
     using Key = std::tuple<std::string, std::string, double>;
     std::map<Key, std::map<std::string, std::vector<double>>> frames;
-    for (const HierarchyRow& row : rows_of_part(rows, "break_even")) {
+    for (const HierarchyRow& row : rows_with(rows, &HierarchyRow::part, "break_even")) {
         frames[{row.scene, row.volume, row.interval_s}][row.update].push_back(row.frame);
     }
     for (auto& [key, updates] : frames) {
@@ -43,10 +41,11 @@ MotionWanted screen_frames(const HierarchyScene& scene, int frames) {
 }
 
 Experiment hierarchy_experiment() {
-    return {"hierarchy",         "what does a tighter hierarchy cost, and what does it save?",
-            hierarchy_columns(), cases,
-            hierarchy_charts,    hierarchy_summary,
-            flaw_of_case};
+    return ExperimentOf<HierarchyRow>{"hierarchy",        "what does a tighter hierarchy cost, and what does it save?",
+                                      hierarchy_format(), cases,
+                                      hierarchy_charts,   hierarchy_summary,
+                                      flaw_of_case}
+        .as_table();
 }
 
 }  // namespace drape

@@ -1,5 +1,4 @@
 #include "hierarchy_parts.h"
-#include "hierarchy_row.h"
 
 namespace drape {
 namespace {
@@ -14,7 +13,7 @@ std::vector<VolumeVariant> variants(bool quick) {
     return all;
 }
 
-TableRow measure(const RecordedMotion& motion, const BroadPhaseParameters& parameters, bool quick) {
+HierarchyRow measure(const RecordedMotion& motion, const BroadPhaseParameters& parameters, bool quick) {
     const auto hierarchy = make_broad_phase(parameters, motion.grid);
     const int frames = static_cast<int>(motion.x.size());
     const HierarchyRun run =
@@ -23,13 +22,13 @@ TableRow measure(const RecordedMotion& motion, const BroadPhaseParameters& param
     row.set_times(run);
     row.set_counts(run.counts);
     if (hierarchy->levels() > 0) row.tightness = over_levels(run.tightness).mean();
-    return to_table(row);
+    return row;
 }
 
 }  // namespace
 
-std::vector<ExperimentCase> fit_cases(bool quick, const SharedMotions& motions) {
-    std::vector<ExperimentCase> cases;
+std::vector<HierarchyCase> fit_cases(bool quick, const SharedMotions& motions) {
+    std::vector<HierarchyCase> cases;
     const std::vector<int> leaves = quick ? std::vector{2, 4, 7} : std::vector{1, 2, 4, 7, 11, 15};
     const auto add = [&](const MotionWanted& wanted, int side) {
         const auto motion_of = [motions, wanted, side] {
@@ -37,11 +36,11 @@ std::vector<ExperimentCase> fit_cases(bool quick, const SharedMotions& motions) 
             return side > 0 ? resampled(motion, {side, side}) : motion;
         };
         cases.push_back(
-            [=] { return std::vector<TableRow>{measure(motion_of(), {.volume = VolumeKind::Brute}, quick)}; });
+            [=] { return std::vector<HierarchyRow>{measure(motion_of(), {.volume = VolumeKind::Brute}, quick)}; });
         for (const VolumeVariant& variant : variants(quick)) {
             for (const UpdateKind update : all_updates) {
                 cases.push_back([=] {
-                    std::vector<TableRow> rows;
+                    std::vector<HierarchyRow> rows;
                     const RecordedMotion motion = motion_of();
                     for (const int leaf : leaves) {
                         rows.push_back(measure(

@@ -1,15 +1,14 @@
 #include "hierarchy_parts.h"
-#include "hierarchy_row.h"
 
 namespace drape {
 namespace {
 
 /// One search a level, each on a tree of its own: it ends there, and what it visited more than the one before it is
 /// the level's.
-std::vector<TableRow> measure(const RecordedMotion& motion, BroadPhaseParameters parameters, bool quick) {
+std::vector<HierarchyRow> measure(const RecordedMotion& motion, BroadPhaseParameters parameters, bool quick) {
     const int levels = make_broad_phase(parameters, motion.grid)->levels();
     const int frames = static_cast<int>(motion.x.size());
-    std::vector<TableRow> rows;
+    std::vector<HierarchyRow> rows;
     double visited_above = 0;
     for (int level = 0; level < levels; ++level) {
         parameters.search.level = level;
@@ -28,15 +27,15 @@ std::vector<TableRow> measure(const RecordedMotion& motion, BroadPhaseParameters
         const double visited = row.visited;
         row.visited = visited - visited_above;
         visited_above = visited;
-        rows.push_back(to_table(row));
+        rows.push_back(row);
     }
     return rows;
 }
 
 }  // namespace
 
-std::vector<ExperimentCase> level_cases(bool quick, const SharedMotions& motions) {
-    std::vector<ExperimentCase> cases;
+std::vector<HierarchyCase> level_cases(bool quick, const SharedMotions& motions) {
+    std::vector<HierarchyCase> cases;
     const auto add = [&](const HierarchyScene& scene, const VolumeVariant& variant, UpdateKind update) {
         cases.push_back([=, wanted = screen_frames(scene, quick ? 40 : 120)] {
             return measure(motions->find(wanted),

@@ -3,31 +3,32 @@
 #include <memory>
 
 #include "drape/bounds/broad_phase.h"
-#include "lab/experiment/experiment.h"
-#include "recorded_motion.h"
+#include "hierarchy_row.h"
 
 namespace drape {
 
 // The parts of the hierarchy's experiment. Each gives its cases; `quick` means fewer frames, hierarchies and repeats.
+
+using HierarchyCase = CaseOf<HierarchyRow>;
 
 /// What the cases record is kept for the others of the same program.
 using SharedMotions = std::shared_ptr<Motions>;
 
 /// Time a frame against false candidates, nodes visited and tightness: volume, sphere fit, update and leaf size on
 /// three scenes.
-std::vector<ExperimentCase> fit_cases(bool quick, const SharedMotions& motions);
+std::vector<HierarchyCase> fit_cases(bool quick, const SharedMotions& motions);
 
 /// The same level by level: what a search knows that ends at a level, and what it has cost.
-std::vector<ExperimentCase> level_cases(bool quick, const SharedMotions& motions);
+std::vector<HierarchyCase> level_cases(bool quick, const SharedMotions& motions);
 
 /// What a search with a budget lets through and invents while the scene is simulated with it.
-std::vector<ExperimentCase> budget_cases(bool quick, const SharedMotions& motions);
+std::vector<HierarchyCase> budget_cases(bool quick, const SharedMotions& motions);
 
 /// What the updates have cost in all, frame by frame, at several intervals between frames.
-std::vector<ExperimentCase> break_even_cases(bool quick, const SharedMotions& motions);
+std::vector<HierarchyCase> break_even_cases(bool quick, const SharedMotions& motions);
 
 /// Cost against the number of particles, on a motion resampled.
-std::vector<ExperimentCase> size_cases(bool quick, const SharedMotions& motions);
+std::vector<HierarchyCase> size_cases(bool quick, const SharedMotions& motions);
 
 /// The scenes whose motions are recorded, from shortly before cloth and ball meet.
 struct HierarchyScene {

@@ -1,113 +1,22 @@
 #include "hierarchy_row.h"
 
-#include <array>
+#include <algorithm>
 
-#include "drape/base/numbers.h"
 #include "hierarchy_parts.h"
 
 namespace drape {
 namespace {
 
-struct TextColumn {
-    const char* name;
-    std::string HierarchyRow::*text;
-};
-
-/// The parts whose rows must have a number in a column. In the rows of others it may be nan.
-enum class In { All, Level, Budget, BreakEven, AllButBreakEven, None };
-
-struct NumberColumn {
-    const char* name;
-    double HierarchyRow::*number;
-    In in = In::All;
-    bool whole = false;
-    double least = 0;
-};
-
-using Row = HierarchyRow;
-
-constexpr std::array texts{TextColumn{"part", &Row::part}, TextColumn{"scene", &Row::scene},
-                           TextColumn{"volume", &Row::volume}, TextColumn{"sphere_fit", &Row::sphere_fit},
-                           TextColumn{"update", &Row::update}};
-
-constexpr std::array numbers{
-    NumberColumn{"particles", &Row::particles, In::All, true, 4},
-    NumberColumn{"leaf_cells", &Row::leaf_cells, In::All, true},
-    NumberColumn{"level", &Row::level, In::Level, true},
-    NumberColumn{"tests", &Row::tests, In::None, true},
-    NumberColumn{"interval_s", &Row::interval_s},
-    NumberColumn{"frame", &Row::frame, In::BreakEven, true},
-    NumberColumn{"build_s", &Row::build_s, In::AllButBreakEven},
-    NumberColumn{"build_lower_s", &Row::build_lower_s, In::AllButBreakEven},
-    NumberColumn{"build_upper_s", &Row::build_upper_s, In::AllButBreakEven},
-    NumberColumn{"query_s", &Row::query_s, In::AllButBreakEven},
-    NumberColumn{"query_lower_s", &Row::query_lower_s, In::AllButBreakEven},
-    NumberColumn{"query_upper_s", &Row::query_upper_s, In::AllButBreakEven},
-    NumberColumn{"exact_s", &Row::exact_s, In::AllButBreakEven},
-    NumberColumn{"exact_lower_s", &Row::exact_lower_s, In::AllButBreakEven},
-    NumberColumn{"exact_upper_s", &Row::exact_upper_s, In::AllButBreakEven},
-    NumberColumn{"whole_s", &Row::whole_s},
-    NumberColumn{"whole_lower_s", &Row::whole_lower_s, In::AllButBreakEven},
-    NumberColumn{"whole_upper_s", &Row::whole_upper_s, In::AllButBreakEven},
-    NumberColumn{"cumulative_s", &Row::cumulative_s, In::BreakEven},
-    NumberColumn{"cumulative_s_over_rebuild_s", &Row::cumulative_s_over_rebuild_s, In::BreakEven},
-    NumberColumn{"nodes", &Row::nodes},
-    NumberColumn{"visited", &Row::visited},
-    NumberColumn{"candidates", &Row::candidates},
-    NumberColumn{"touching", &Row::touching},
-    NumberColumn{"false_per_true", &Row::false_per_true, In::None},
-    NumberColumn{"tightness", &Row::tightness, In::None},
-    NumberColumn{"moved", &Row::moved, In::BreakEven},
-    NumberColumn{"missed_penetration_m", &Row::missed_penetration_m, In::Budget},
-    NumberColumn{"false_contacts", &Row::false_contacts, In::Budget},
-    NumberColumn{"distance_m", &Row::distance_m, In::Budget}};
-
 const std::vector<std::string> parts{"fit", "level", "budget", "break_even", "size"};
 
-/// The parts in whose rows there may be nan.
-std::vector<std::string> parts_without(In in) {
-    const auto has = [in](const std::string& part) {
-        switch (in) {
-            case In::Level:
-                return part == "level";
-            case In::Budget:
-                return part == "budget";
-            case In::BreakEven:
-                return part == "break_even";
-            case In::AllButBreakEven:
-                return part != "break_even";
-            case In::All:
-                return true;
-            case In::None:
-                return false;
-        }
-        return true;
-    };
+/// A column that has a number in the rows of some parts, and may lack one in those of all others.
+Column in_parts(const Column& column, const std::vector<std::string>& with) {
     std::vector<std::string> without = parts;
-    std::erase_if(without, has);
-    return without;
+    std::erase_if(without, [&with](const std::string& part) { return std::ranges::find(with, part) != with.end(); });
+    return column.or_nan().where("part", without);
 }
 
-Column column_of(const NumberColumn& column) {
-    const Column filled = column.whole ? whole_column(column.name, column.least) : number_column(column.name);
-    return column.in == In::All ? filled : filled.or_nan().where("part", parts_without(column.in));
-}
-
-/// What may stand in a column of words.
-std::vector<std::string> words_of(const TextColumn& column) {
-    std::vector<std::string> words;
-    const auto add = [&words](std::span<const std::string> more) {
-        words.insert(words.end(), more.begin(), more.end());
-    };
-    if (column.text == &Row::part) add(parts);
-    if (column.text == &Row::volume) add(names_of<VolumeKind>());
-    if (column.text == &Row::sphere_fit) add(names_of<SphereFit>()), words.emplace_back("none");
-    if (column.text == &Row::update) add(names_of<UpdateKind>());
-    if (column.text == &Row::scene) {
-        for (const HierarchyScene& scene : hierarchy_scenes) words.emplace_back(scene.name);
-    }
-    return words;
-}
+std::vector<std::string> names(std::span<const std::string> all) { return {all.begin(), all.end()}; }
 
 }  // namespace
 
@@ -153,26 +62,51 @@ std::string HierarchyRow::variant() const {
     return volume == "sphere" && sphere_fit != names_of<SphereFit>().front() ? volume + " " + sphere_fit : volume;
 }
 
-std::vector<Column> hierarchy_columns() {
-    std::vector<Column> columns;
-    for (const TextColumn& column : texts) columns.push_back(word_column(column.name, words_of(column)));
-    for (const NumberColumn& column : numbers) columns.push_back(column_of(column));
-    return columns;
-}
-
-TableRow to_table(const HierarchyRow& row) {
-    TableRow cells;
-    for (const TextColumn& column : texts) cells.push_back(row.*column.text);
-    for (const NumberColumn& column : numbers) cells.push_back(real_text(row.*column.number, 8));
-    return cells;
-}
-
-HierarchyRow from_table(const TableRow& row) {
-    HierarchyRow read;
-    auto cell = row.begin();
-    for (const TextColumn& column : texts) read.*column.text = *cell++;
-    for (const NumberColumn& column : numbers) read.*column.number = number_in(*cell++);
-    return read;
+RowFormat<HierarchyRow> hierarchy_format() {
+    using Row = HierarchyRow;
+    std::vector<std::string> scenes, fits = names(names_of<SphereFit>());
+    for (const HierarchyScene& scene : hierarchy_scenes) scenes.emplace_back(scene.name);
+    fits.emplace_back("none");
+    const auto timed = [](const char* name) {
+        return in_parts(number_column(name), {"fit", "level", "budget", "size"});
+    };
+    return {
+        8,
+        {{word_column("part", parts), &Row::part},
+         {word_column("scene", scenes), &Row::scene},
+         {word_column("volume", names(names_of<VolumeKind>())), &Row::volume},
+         {word_column("sphere_fit", fits), &Row::sphere_fit},
+         {word_column("update", names(names_of<UpdateKind>())), &Row::update},
+         {whole_column("particles", 4), &Row::particles},
+         {whole_column("leaf_cells"), &Row::leaf_cells},
+         {in_parts(whole_column("level"), {"level"}), &Row::level},
+         {in_parts(whole_column("tests"), {}), &Row::tests},
+         {number_column("interval_s"), &Row::interval_s},
+         {in_parts(whole_column("frame"), {"break_even"}), &Row::frame},
+         {timed("build_s"), &Row::build_s},
+         {timed("build_lower_s"), &Row::build_lower_s},
+         {timed("build_upper_s"), &Row::build_upper_s},
+         {timed("query_s"), &Row::query_s},
+         {timed("query_lower_s"), &Row::query_lower_s},
+         {timed("query_upper_s"), &Row::query_upper_s},
+         {timed("exact_s"), &Row::exact_s},
+         {timed("exact_lower_s"), &Row::exact_lower_s},
+         {timed("exact_upper_s"), &Row::exact_upper_s},
+         {number_column("whole_s"), &Row::whole_s},
+         {timed("whole_lower_s"), &Row::whole_lower_s},
+         {timed("whole_upper_s"), &Row::whole_upper_s},
+         {in_parts(number_column("cumulative_s"), {"break_even"}), &Row::cumulative_s},
+         {in_parts(number_column("cumulative_s_over_rebuild_s"), {"break_even"}), &Row::cumulative_s_over_rebuild_s},
+         {number_column("nodes"), &Row::nodes},
+         {number_column("visited"), &Row::visited},
+         {number_column("candidates"), &Row::candidates},
+         {number_column("touching"), &Row::touching},
+         {in_parts(number_column("false_per_true"), {}), &Row::false_per_true},
+         {in_parts(number_column("tightness"), {}), &Row::tightness},
+         {in_parts(number_column("moved"), {"break_even"}), &Row::moved},
+         {in_parts(number_column("missed_penetration_m"), {"budget"}), &Row::missed_penetration_m},
+         {in_parts(number_column("false_contacts"), {"budget"}), &Row::false_contacts},
+         {in_parts(number_column("distance_m"), {"budget"}), &Row::distance_m}}};
 }
 
 }  // namespace drape

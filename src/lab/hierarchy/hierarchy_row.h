@@ -8,7 +8,7 @@
 
 namespace drape {
 
-/// A line of the hierarchy's table. The parts of the experiment share its columns; what a part does not tell is nan.
+/// A line of the table. The parts of the experiment share its columns; what a part does not tell is nan.
 struct HierarchyRow {
     static constexpr double none = std::numeric_limits<double>::quiet_NaN();
 
@@ -59,11 +59,6 @@ struct HierarchyRow {
 };
 
 /// The columns, and which of them each part fills.
-std::vector<Column> hierarchy_columns();
-
-TableRow to_table(const HierarchyRow& row);
-
-/// @param row as `to_table` makes it, checked by the columns
-HierarchyRow from_table(const TableRow& row);
+RowFormat<HierarchyRow> hierarchy_format();
 
 }  // namespace drape

@@ -1,5 +1,7 @@
 #include "hierarchy_run.h"
 
+#include <fmt/core.h>
+
 #include <algorithm>
 #include <limits>
 
@@ -72,8 +74,7 @@ private:
     }
 
     [[noreturn]] void disagree(std::size_t frame, int triangle, const std::string& how) const {
-        throw RunError(motion_.scene + ", frame " + std::to_string(frame) + ": triangle " + std::to_string(triangle) +
-                       " " + how);
+        throw RunError(fmt::format("{}, frame {}: triangle {} {}", motion_.scene, frame, triangle, how));
     }
 
     void demand_no_invention(std::size_t frame) const {

@@ -31,7 +31,7 @@ struct MotionWanted {
 
 /// Simulates a scene and keeps frames of its first cloth and first ball.
 /// @pre the scene has a ball
-/// @throws RunError if the scene is lost on the way
+/// @throws RunError if the scene diverges on the way
 RecordedMotion record_motion(const MotionWanted& wanted);
 
 /// The same under other settings than the scene's own.

@@ -8,7 +8,7 @@ namespace drape {
 
 /// How large nodes are beside the smallest volumes of their kind about the same particles: 1 is as tight as can be.
 /// Sizes are radii of spheres, and the mean half width of other volumes between their pairs of faces; what a tree has
-/// to be grown by, because it was not fitted anew, counts. The smallest sphere is Welzl's; boxes and k-DOPs that are
+/// to be grown by, because it was not fitted again, counts. The smallest sphere is Welzl's; boxes and k-DOPs that are
 /// fitted to particles are the smallest; of turned boxes only the one along the patch's mean directions is known.
 struct Tightness {
     double sum = 0;  ///< of the ratios

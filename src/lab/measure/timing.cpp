@@ -32,15 +32,4 @@ double thread_cpu_time() { return seconds_of(CLOCK_THREAD_CPUTIME_ID); }
 
 double program_cpu_time() { return seconds_of(CLOCK_PROCESS_CPUTIME_ID); }
 
-Quartiles time_runs(const std::function<void()>& run, int repeats) {
-    run();
-    std::vector<double> seconds;
-    for (int i = 0; i < repeats; ++i) {
-        const double before = thread_cpu_time();
-        run();
-        seconds.push_back(thread_cpu_time() - before);
-    }
-    return quartiles_of(std::move(seconds));
-}
-
 }  // namespace drape

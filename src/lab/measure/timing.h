@@ -1,6 +1,5 @@
 #pragma once
 
-#include <functional>
 #include <vector>
 
 namespace drape {
@@ -18,10 +17,5 @@ double thread_cpu_time();
 
 /// CPU time that all threads of the program have used [s].
 double program_cpu_time();
-
-/// CPU time of a run on this thread, again and again after one run that only warms the caches.
-/// @param repeats at least 1
-/// @return [s]
-Quartiles time_runs(const std::function<void()>& run, int repeats);
 
 }  // namespace drape

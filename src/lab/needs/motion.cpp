@@ -71,8 +71,8 @@ Motion run_to_horizon(const Settings& scene, const Patience& patience, const std
         }
         motion.time = report.time - start;
         motion.cost = seconds / std::max(motion.time, dt);
-        motion.lost = report.status == Status::Diverged;
-        if (motion.lost || motion.given_up) return motion;
+        motion.diverged = report.status == Status::Diverged;
+        if (motion.diverged || motion.given_up) return motion;
         const double part = std::clamp(1 - (motion.time - moment) / dt, 0.0, 1.0);
         motion.x[static_cast<std::size_t>(motion.reached)] =
             between_steps(cloth, static_cast<Real>(part), static_cast<Real>(dt));

@@ -17,13 +17,13 @@ struct Motion {
     ClothState start;               ///< the first cloth before the first step
     std::array<Points, moments> x;  ///< the first cloth at each moment; as far as it came
     int reached = 0;                ///< moments
-    bool lost = false;              ///< it diverged
-    bool given_up = false;          ///< it was too expensive, or its step too long
-    double time = 0;                ///< to which it came, from its start [s]
-    double step_over_limit = 0;     ///< length of a step over the longest that the method bears, as predicted
-    double penetration = 0;         ///< largest after any step, of its last substep [m]
-    double stretch = 0;             ///< largest after any step
-    double cost = 0;                ///< CPU time of all threads per simulated second [s/s]
+    bool diverged = false;
+    bool given_up = false;       ///< it was too expensive, or its step too long
+    double time = 0;             ///< to which it came, from its start [s]
+    double step_over_limit = 0;  ///< length of a step over its limit, as predicted
+    double penetration = 0;      ///< largest after any step, of its last substep [m]
+    double stretch = 0;          ///< largest after any step
+    double cost = 0;             ///< CPU time of all threads per simulated second [s/s]
 };
 
 /// Beyond which a run is not worth its time.
@@ -32,10 +32,10 @@ struct Patience {
     double step_over_limit = std::numeric_limits<double>::infinity();  ///< a longer step is not even begun with
 };
 
-/// The larger of two; what is no number is larger than all, so that it is not lost.
+/// The larger of two; what is no number is larger than all, so that it is not missed.
 double larger(double a, double b);
 
-/// Runs a scene to the horizon of its needs, or until it is lost or given up. Between two steps a moment is
+/// Runs a scene to the horizon of its needs, or until it diverges or is given up. Between two steps a moment is
 /// interpolated by a cubic of both states (Hermite's), which no second-order method feels.
 /// Cost is that of the steps alone: stretch, which is measured after each, adds a root per structural spring to the
 /// run and nothing to its cost.

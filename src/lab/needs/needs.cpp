@@ -1,4 +1,4 @@
-#include "needs.h"
+#include "lab/commands.h"
 
 #include <filesystem>
 #include <iomanip>
@@ -74,7 +74,7 @@ void print_head(const Needs& needs) {
     if (stated.penetration > 0) say("let the ball in no deeper than " + metres(stated.penetration));
     if (stated.stretch > 0) say("stretch by no more than " + percent(static_cast<double>(stated.stretch)));
     if (stated.least_stretch > 0) say("stretch by " + percent(static_cast<double>(stated.least_stretch)));
-    if (stated.diverges) say("be lost");
+    if (stated.diverges) say("diverge");
     std::cout << ".\n";
     if (!stated.keep.empty()) std::cout << "By its nature it keeps " << stated.keep << ".\n";
     if (needs.states_error()) {

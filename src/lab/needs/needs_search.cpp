@@ -106,8 +106,8 @@ private:
         }
     }
 
-    bool take(const Settings& settings, double dearest) {
-        const Attempt attempt = needs_.attempt(settings, dearest);
+    bool take(const Settings& settings, double cost_limit) {
+        const Attempt attempt = needs_.attempt(settings, cost_limit);
         note(attempt, "kept: it needs no more");
         if (attempt.qualifies()) cheapest_ = attempt;
         return attempt.qualifies();

@@ -57,7 +57,7 @@ Needs::Needs(Settings scene) : scene_(std::move(scene)), full_(full_model(scene_
     }
     if (!states_error()) return;
     motion_ = run_to_horizon(computed_closely(full_, close_step));
-    if (motion_->lost) throw RunError("the full model is lost after " + real_text(motion_->time, 3) + " s");
+    if (motion_->diverged) throw RunError("the full model diverges after " + real_text(motion_->time, 3) + " s");
 }
 
 double Needs::error_of(const Motion& motion) const {
@@ -65,21 +65,21 @@ double Needs::error_of(const Motion& motion) const {
     return motion_error(motion, *motion_, scene_.needs.measure, std::max(cloth.width, cloth.height));
 }
 
-Attempt Needs::attempt(const Settings& settings, double dearest) const {
+Attempt Needs::attempt(const Settings& settings, double cost_limit) const {
     const NeedsSettings& needs = scene_.needs;
-    const Motion motion =
-        run_to_horizon(settings, {.cost = dearest, .step_over_limit = needs.diverges ? infinite : safe_part_of_limit});
+    const Motion motion = run_to_horizon(
+        settings, {.cost = cost_limit, .step_over_limit = needs.diverges ? infinite : safe_part_of_limit});
     Attempt attempt;
     attempt.settings = settings;
     attempt.cost = motion.cost;
     Judge judge(attempt);
     const std::string when = real_text(motion.time, 3) + " s";
     if (needs.diverges) {
-        if (!motion.lost) judge.never("not lost after " + when);
+        if (!motion.diverged) judge.never("has not diverged after " + when);
         return attempt;
     }
-    if (motion.lost) {
-        judge.never("lost after " + when);
+    if (motion.diverged) {
+        judge.never("diverged after " + when);
         return attempt;
     }
     if (motion.step_over_limit > safe_part_of_limit) {
@@ -109,7 +109,7 @@ std::string Needs::check_full_model() const {
     const Motion coarser = run_to_horizon(computed_closely(full_, 2 * close_step));
     const StartState start{0, {disturbed(make_cloth_model(full_.cloths[0]), motion_->start)}};
     const Motion beside = run_to_horizon(computed_closely(full_, close_step), {}, start);
-    if (coarser.lost || beside.lost) throw RunError("the full model is lost at a step only twice as long");
+    if (coarser.diverged || beside.diverged) throw RunError("the full model diverges at a step only twice as long");
     const double growth = motion_error(beside, *motion_, NeedsMeasure::Positions, 1) / static_cast<double>(small_error);
     const std::string grows = "a small error grows " + real_text(growth, 2) + " times";
     if (needs.measure == NeedsMeasure::Positions && growth > most_growth) {

@@ -25,14 +25,14 @@ class Needs {
 public:
     /// Computes the full model, where an error against it is stated.
     /// @throws InputError if nothing is stated
-    /// @throws RunError if the full model itself is lost
+    /// @throws RunError if the full model itself diverges
     explicit Needs(Settings scene);
 
     /// Runs a configuration and says whether it qualifies. Besides what the scene states, a method with a limited step
-    /// must keep below nine tenths of it, as `on_unstable = "substep"` does; but for a scene that is to be lost.
-    /// @param dearest it is given up where it costs more [s/s]
+    /// must keep below nine tenths of it, as `on_unstable = "substep"` does; but for a scene that is to diverge.
+    /// @param cost_limit it is given up where it costs more [s/s]
     [[nodiscard]] Attempt attempt(const Settings& settings,
-                                  double dearest = std::numeric_limits<double>::infinity()) const;
+                                  double cost_limit = std::numeric_limits<double>::infinity()) const;
 
     /// Finds out what the full model is worth: by how much it differs at twice its step or from a disturbed start.
     /// @return a line that says so; empty if no error is stated

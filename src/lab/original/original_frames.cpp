@@ -69,10 +69,9 @@ public:
 
     /// The median of a column, from a row on.
     [[nodiscard]] double median(const std::string& column, int first) const {
-        const std::size_t place = ("," + names_ + ",").find("," + column + ",");
-        if (place == std::string::npos) throw RunError(name_ + ": has no column " + column);
-        const auto number = static_cast<std::size_t>(
-            std::count(names_.begin(), names_.begin() + static_cast<std::ptrdiff_t>(place), ','));
+        const auto names = split_at_commas(names_);
+        const auto number = static_cast<std::size_t>(std::ranges::find(names, column) - names.begin());
+        if (number == names.size()) throw RunError(name_ + ": has no column " + column);
         std::vector<double> values;
         for (auto row = static_cast<std::size_t>(first); row < rows_.size(); ++row) {
             values.push_back(rows_[row].at(number));

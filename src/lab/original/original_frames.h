@@ -22,7 +22,7 @@ struct OriginalPlan {
     int passes = 5;   ///< of the recorded frames, to time build and search
 };
 
-/// What is set in the original's scene: a ball that the cloth lies on, a hierarchy built anew in every step, nothing
+/// What is set in the original's scene: a ball that the cloth lies on, a hierarchy rebuilt in every step, nothing
 /// saved where nothing moves.
 std::vector<std::string> original_assignments(const OriginalWay& way);
 

@@ -1,13 +1,12 @@
-#include "precision_experiment.h"
-
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <memory>
 #include <optional>
 
-#include "drape/base/numbers.h"
 #include "drape/integrate/stability.h"
-#include "precision_methods.h"
+#include "lab/experiments.h"
+#include "precision_diagram.h"
 #include "precision_run.h"
 #include "reference.h"
 
@@ -15,6 +14,35 @@ namespace drape {
 namespace {
 
 constexpr int repeats = 7;
+
+/// A method with its variant, under the name that the table gives it.
+struct PrecisionMethod {
+    std::string name;
+    IntegratorParameters parameters;
+    int too_long = 2;  ///< with a step limit: steps beyond it that are tried
+};
+
+/// All of them, in the order of the table.
+std::vector<PrecisionMethod> precision_methods() {
+    using enum IntegratorKind;
+    using enum Hessian;
+    // Not far below its limit RK4 is as exact as the reference: its ladder starts farther above
+    return {{"explicit_euler", {.kind = ExplicitEuler}},
+            {"symplectic_euler", {.kind = SymplecticEuler}},
+            {"velocity_verlet", {.kind = VelocityVerlet}},
+            {"rk4", {.kind = Rk4}, 4},
+            {"dormand_prince", {.kind = DormandPrince}},
+            {"backward_euler", {.kind = BackwardEuler}},
+            {"implicit_midpoint_clamped", {.kind = ImplicitMidpoint, .hessian = Clamped}},
+            {"implicit_midpoint_exact", {.kind = ImplicitMidpoint, .hessian = Exact}},
+            {"bdf2_clamped", {.kind = Bdf2, .hessian = Clamped}},
+            {"bdf2_exact", {.kind = Bdf2, .hessian = Exact}},
+            {"xpbd_1", {.kind = Xpbd, .iterations = 1}},
+            {"xpbd_5", {.kind = Xpbd, .iterations = 5}},
+            {"xpbd_20", {.kind = Xpbd, .iterations = 20}},
+            {"projective_dynamics_5", {.kind = ProjectiveDynamics, .iterations = 5}},
+            {"projective_dynamics_20", {.kind = ProjectiveDynamics, .iterations = 20}}};
+}
 
 /// A scene, and its reference once a case has asked for it: each process computes it at most once.
 class Arena {
@@ -90,41 +118,40 @@ Outcome outcome_of(const Rung& rung, const PrecisionScene& scene, const Referenc
     return outcome;
 }
 
-TableRow row_of(const PrecisionMethod& method, const Rung& rung, const PrecisionScene& scene,
-                const Reference& reference) {
+PrecisionRow row_of(const PrecisionMethod& method, const Rung& rung, const PrecisionScene& scene,
+                    const Reference& reference) {
     const Outcome outcome = outcome_of(rung, scene, reference);
     const bool adaptive = method.parameters.kind == IntegratorKind::DormandPrince;
     const int steps = adaptive && !scene.has_ball() ? outcome.inner_steps : rung.steps;
-    const auto text = [](auto value) { return real_text(static_cast<double>(value), 6); };
-    TableRow row{scene.name,
-                 std::to_string(scene.settings.cloths.front().particles.nx),
-                 text(scene.settings.cloths.front().structural.stiffness),
-                 text(scene.horizon),
-                 std::to_string(scene.phases),
-                 method.name,
-                 adaptive ? text(rung.parameters.tolerance) : "",
-                 std::to_string(steps),
-                 text(scene.horizon / static_cast<Real>(steps)),
-                 outcome.bounded ? "bounded" : "unstable",
-                 std::string(name_of(reference.measure))};
-    if (outcome.bounded) {
-        const Quartiles cost = cost_of(scene, rung.parameters, rung.steps, repeats);
-        for (const double value : {outcome.error, cost.lower, cost.median, cost.upper}) row.push_back(text(value));
-    } else {
-        row.insert(row.end(), 4, "nan");
-    }
-    row.push_back(text(reference.error));
-    row.push_back(text(reference.growth));
-    return row;
+    constexpr double none = std::numeric_limits<double>::quiet_NaN();
+    const Quartiles cost =
+        outcome.bounded ? cost_of(scene, rung.parameters, rung.steps, repeats) : Quartiles{none, none, none};
+    return {.scene = scene.name,
+            .particles = static_cast<double>(scene.settings.cloths.front().particles.nx),
+            .stiffness = static_cast<double>(scene.settings.cloths.front().structural.stiffness),
+            .horizon = static_cast<double>(scene.horizon),
+            .phases = static_cast<double>(scene.phases),
+            .method = method.name,
+            .tolerance = adaptive ? static_cast<double>(rung.parameters.tolerance) : none,
+            .steps = static_cast<double>(steps),
+            .step = static_cast<double>(scene.horizon / static_cast<Real>(steps)),
+            .end = outcome.bounded ? "bounded" : "unstable",
+            .measure = std::string(name_of(reference.measure)),
+            .error = outcome.bounded ? outcome.error : none,
+            .cost_lower = cost.lower,
+            .cost = cost.median,
+            .cost_upper = cost.upper,
+            .reference_error = reference.error,
+            .growth = reference.growth};
 }
 
-std::vector<ExperimentCase> cases(bool quick) {
-    std::vector<ExperimentCase> all;
+std::vector<CaseOf<PrecisionRow>> cases(bool quick) {
+    std::vector<CaseOf<PrecisionRow>> all;
     for (PrecisionScene& scene : precision_scenes(quick)) {
         const auto arena = std::make_shared<Arena>(std::move(scene));
         for (const PrecisionMethod& method : precision_methods()) {
             all.push_back([arena, method] {
-                std::vector<TableRow> rows;
+                std::vector<PrecisionRow> rows;
                 for (const Rung& rung : ladder(method, arena->scene())) {
                     rows.push_back(row_of(method, rung, arena->scene(), arena->reference()));
                 }
@@ -135,38 +162,43 @@ std::vector<ExperimentCase> cases(bool quick) {
     return all;
 }
 
-std::vector<Column> columns() {
+RowFormat<PrecisionRow> format() {
+    using Row = PrecisionRow;
     std::vector<std::string> scenes, methods, fixed;
     for (const PrecisionScene& scene : precision_scenes(false)) scenes.push_back(scene.name);
     for (const PrecisionMethod& method : precision_methods()) {
         methods.push_back(method.name);
         if (method.parameters.kind != IntegratorKind::DormandPrince) fixed.push_back(method.name);
     }
+    const std::vector<std::string> measures{std::string(name_of(Measure::Position)),
+                                            std::string(name_of(Measure::Overall))};
     const auto if_bounded = [](const Column& column) { return column.or_nan().where("end", {"unstable"}); };
-    return {word_column("scene", scenes),
-            whole_column("particles", 2),
-            positive_column("stiffness_N_per_m"),
-            positive_column("horizon_s"),
-            whole_column("phases", 1),
-            word_column("method", methods),
-            positive_column("tolerance").or_words({""}).where("method", fixed),
-            whole_column("steps", 1),
-            positive_column("step_s"),
-            word_column("end", {"bounded", "unstable"}),
-            word_column("measure", {std::string(name_of(Measure::Position)), std::string(name_of(Measure::Overall))}),
-            if_bounded(number_column("error")),
-            if_bounded(number_column("cost_lower_s_per_s")),
-            if_bounded(positive_column("cost_s_per_s")),
-            if_bounded(number_column("cost_upper_s_per_s")),
-            number_column("reference_error"),
-            number_column("growth").or_nan().or_words({"inf"})};
+    return {6,
+            {{word_column("scene", scenes), &Row::scene},
+             {whole_column("particles", 2), &Row::particles},
+             {positive_column("stiffness_N_per_m"), &Row::stiffness},
+             {positive_column("horizon_s"), &Row::horizon},
+             {whole_column("phases", 1), &Row::phases},
+             {word_column("method", methods), &Row::method},
+             {positive_column("tolerance").or_words({""}).where("method", fixed), &Row::tolerance},
+             {whole_column("steps", 1), &Row::steps},
+             {positive_column("step_s"), &Row::step},
+             {word_column("end", {"bounded", "unstable"}), &Row::end},
+             {word_column("measure", measures), &Row::measure},
+             {if_bounded(number_column("error")), &Row::error},
+             {if_bounded(number_column("cost_lower_s_per_s")), &Row::cost_lower},
+             {if_bounded(positive_column("cost_s_per_s")), &Row::cost},
+             {if_bounded(number_column("cost_upper_s_per_s")), &Row::cost_upper},
+             {number_column("reference_error"), &Row::reference_error},
+             {number_column("growth").or_nan().or_words({"inf"}), &Row::growth}}};
 }
 
 }  // namespace
 
 Experiment precision_experiment() {
-    return {"precision",      "what does accuracy cost, by which method?", columns(), cases, precision_charts,
-            precision_summary};
+    return ExperimentOf<PrecisionRow>{
+        "precision", "what does accuracy cost, by which method?", format(), cases, precision_charts, precision_summary}
+        .as_table();
 }
 
 }  // namespace drape

@@ -22,7 +22,7 @@ public:
     [[nodiscard]] const ClothModel& model() const;
     [[nodiscard]] const ClothState& state() const;
 
-    /// False once a number is none, or the energy has risen as far as counts as lost.
+    /// False once a number is none, or the energy has risen as far as counts as diverged.
     [[nodiscard]] bool bounded() const;
 
 private:

@@ -10,7 +10,7 @@ namespace drape {
 /// A motion that methods are compared on: a cloth that starts at rest, with or without a ball in its way.
 struct PrecisionScene {
     std::string name;
-    Settings settings;    ///< one cloth; method and step are left open
+    Settings settings;    ///< one cloth; without method and step
     Real horizon;         ///< at which states are compared [s]
     int rungs;            ///< steps of a method with a step limit, each half of the one before
     int finest_steps;     ///< the most that a method without a step limit takes to the horizon

@@ -1,18 +1,14 @@
-#include "stability_experiment.h"
-
 #include <algorithm>
 #include <cmath>
 #include <limits>
-#include <map>
 
-#include "drape/base/numbers.h"
 #include "drape/integrate/stability.h"
 #include "drape/integrate/stability_trial.h"
+#include "lab/experiments.h"
+#include "stability_row.h"
 
 namespace drape {
 namespace {
-
-namespace at = stability_column;
 
 /// A method under the name that table and chart give it.
 struct Method {
@@ -89,14 +85,14 @@ Forecast forecast(const Subject& subject, const Sheet& sheet) {
     return {limit, expected, Real(0.15)};
 }
 
-std::string verdict(Real step, TrialEnd end, const Forecast& forecast) {
+std::string agreement(Real step, TrialEnd end, const Forecast& forecast) {
     const bool bounded = end == TrialEnd::Bounded;
     if (step < (1 - forecast.tolerance) * forecast.expected) return bounded ? "agrees" : "disagrees";
     if (step > (1 + forecast.tolerance) * forecast.expected) return bounded ? "disagrees" : "agrees";
     return "close";
 }
 
-std::vector<TableRow> run_case(const Subject& subject) {
+std::vector<StabilityRow> run_case(const Subject& subject) {
     const Sheet sheet = sheet_of(subject);
     const Forecast known = forecast(subject, sheet);
     const IntegratorParameters& method = subject.method.parameters;
@@ -119,21 +115,28 @@ std::vector<TableRow> run_case(const Subject& subject) {
         }
     }
 
-    const auto text = [](Real value) { return real_text(static_cast<double>(value), 6); };
-    std::vector<TableRow> rows;
+    StabilityRow row{.method = subject.method.name,
+                     .sweep = subject.sweep,
+                     .side = static_cast<double>(subject.side),
+                     .stiffness = static_cast<double>(subject.stiffness),
+                     .damping = static_cast<double>(subject.damping),
+                     .omega = static_cast<double>(known.limit.omega),
+                     .zeta = static_cast<double>(known.limit.zeta),
+                     .predicted = static_cast<double>(known.limit.step),
+                     .expected = static_cast<double>(known.expected),
+                     .measured = static_cast<double>(measured)};
+    std::vector<StabilityRow> rows;
     for (const auto& [step, end] : tried) {
-        rows.push_back({subject.method.name, subject.sweep, std::to_string(subject.side), text(subject.stiffness),
-                        text(subject.damping), text(known.limit.omega), text(known.limit.zeta), text(known.limit.step),
-                        text(known.expected), text(measured), text(step), std::string(name_of(end)),
-                        verdict(step, end, known)});
+        row.step = static_cast<double>(step), row.end = name_of(end), row.agreement = agreement(step, end, known);
+        rows.push_back(row);
     }
     return rows;
 }
 
-std::vector<ExperimentCase> cases(bool quick) {
+std::vector<CaseOf<StabilityRow>> cases(bool quick) {
     const std::vector<double> swept_damping = quick ? std::vector<double>{0.01, 0.1, 1, 10}  // N s/m
                                                     : std::vector<double>{0.01, 0.03, 0.1, 0.3, 1, 3, 10};
-    std::vector<ExperimentCase> all;
+    std::vector<CaseOf<StabilityRow>> all;
     const auto add = [&all](const Subject& subject) { all.push_back([subject] { return run_case(subject); }); };
     for (const Method& method : methods()) {
         const bool limited = has_step_limit(method.parameters.kind);
@@ -153,13 +156,8 @@ std::vector<ExperimentCase> cases(bool quick) {
     return all;
 }
 
-/// Whether a method of the table has a limit that can be predicted.
-bool is_limited(const std::string& name) {
-    const auto all = methods();
-    return has_step_limit(std::ranges::find(all, name, &Method::name)->parameters.kind);
-}
-
-std::vector<Column> columns() {
+RowFormat<StabilityRow> format() {
+    using Row = StabilityRow;
     std::vector<std::string> names, unlimited, ends;
     for (const Method& method : methods()) {
         names.push_back(method.name);
@@ -169,72 +167,29 @@ std::vector<Column> columns() {
         ends.emplace_back(name_of(static_cast<TrialEnd>(end)));
     }
     const auto or_none = [&unlimited](const Column& step) { return step.or_words({"inf"}).where("method", unlimited); };
-    return {word_column("method", names),
-            word_column("sweep", {"stiffness", "damping", "damped_stiffness"}),
-            whole_column("side", 2),
-            number_column("stiffness_N_per_m"),
-            number_column("damping_N_s_per_m"),
-            number_column("omega_per_s"),
-            number_column("zeta"),
-            or_none(number_column("predicted_step_s")),
-            or_none(positive_column("expected_step_s")),
-            or_none(number_column("measured_step_s")),
-            positive_column("step_s"),
-            word_column("end", ends),
-            word_column("verdict", {"agrees", "disagrees", "close"})};
-}
-
-/// How often the trials of a method with a limit speak against the prediction, and how far the measured limits are from
-/// it.
-std::string limited_summary(const std::vector<const TableRow*>& rows) {
-    int against = 0;
-    double lowest = std::numeric_limits<double>::infinity(), highest = 0;
-    for (const TableRow* row : rows) {
-        against += (*row)[at::Verdict] == "disagrees" ? 1 : 0;
-        const double ratio = number_in((*row)[at::Measured]) / number_in((*row)[at::Expected]);
-        lowest = std::min(lowest, ratio);
-        highest = std::max(highest, ratio);
-    }
-    return std::to_string(against) + " against the prediction, measured limit " + real_text(lowest, 4) + " to " +
-           real_text(highest, 4) + " of the expected";
-}
-
-/// How often a method without a limit did not stay bounded, and the shortest step that failed in each sweep.
-std::string unlimited_summary(const std::vector<const TableRow*>& rows) {
-    int failed = 0;
-    std::map<std::string, std::map<double, std::string>> shortest;  // by sweep and what varies in it
-    for (const TableRow* row : rows) {
-        failed += (*row)[at::End] == "bounded" ? 0 : 1;
-        const auto varied = (*row)[at::Sweep] == "damping" ? at::Damping : at::Stiffness;
-        shortest[(*row)[at::Sweep]][number_in((*row)[varied])] = (*row)[at::Measured];
-    }
-    std::string text = std::to_string(failed) + " not bounded; shortest step that failed [s]";
-    for (const auto& [sweep, steps] : shortest) {
-        text += "\n  " + sweep + ":";
-        for (const auto& [value, step] : steps) text += " " + real_text(value, 3) + ": " + step + ",";
-        text.pop_back();
-    }
-    return text;
-}
-
-/// Some lines a method on how its trials ended.
-std::string summary(const std::vector<TableRow>& rows) {
-    std::map<std::string, std::vector<const TableRow*>> methods;
-    for (const TableRow& row : rows) methods[row[at::Method]].push_back(&row);
-    std::string text;
-    for (const auto& [method, trials] : methods) {
-        const bool limited = is_limited(method);
-        text += method + ": " + std::to_string(trials.size()) + " trials, " +
-                (limited ? limited_summary(trials) : unlimited_summary(trials)) + "\n";
-    }
-    return text;
+    return {6,
+            {{word_column("method", names), &Row::method},
+             {word_column("sweep", {"stiffness", "damping", "damped_stiffness"}), &Row::sweep},
+             {whole_column("side", 2), &Row::side},
+             {number_column("stiffness_N_per_m"), &Row::stiffness},
+             {number_column("damping_N_s_per_m"), &Row::damping},
+             {number_column("omega_per_s"), &Row::omega},
+             {number_column("zeta"), &Row::zeta},
+             {or_none(number_column("predicted_step_s")), &Row::predicted},
+             {or_none(positive_column("expected_step_s")), &Row::expected},
+             {or_none(number_column("measured_step_s")), &Row::measured},
+             {positive_column("step_s"), &Row::step},
+             {word_column("end", ends), &Row::end},
+             {word_column("verdict", {"agrees", "disagrees", "close"}), &Row::agreement}}};
 }
 
 }  // namespace
 
 Experiment stability_experiment() {
-    return {"stability", "which steps stay bounded, and is that what is predicted?", columns(), cases, stability_charts,
-            summary};
+    return ExperimentOf<StabilityRow>{"stability",      "which steps stay bounded, and is that what is predicted?",
+                                      format(),         cases,
+                                      stability_charts, stability_summary}
+        .as_table();
 }
 
 }  // namespace drape

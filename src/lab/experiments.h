@@ -1,0 +1,34 @@
+#pragma once
+
+#include <vector>
+
+#include "lab/experiment/experiment.h"
+
+namespace drape {
+
+/// Which steps stay bounded under which method, over stiffness and damping, beside the predicted limit.
+Experiment stability_experiment();
+
+/// What accuracy costs: the error of each method at a horizon against its time, over a ladder of steps.
+Experiment precision_experiment();
+
+/// Time of the hierarchy's build and query against how well it tells what touches, on recorded motions: by volume,
+/// sphere fit, update policy and leaf size, by level, by the budget of a search, over frames, and by the number of
+/// particles. Every query is checked against brute force; a disagreement ends the run.
+Experiment hierarchy_experiment();
+
+/// How many contacts a run misses and how far it lets the ball into the cloth, over step and speed of the ball, with
+/// the full search and with limited ones, against the full search at a step a hundred times smaller.
+Experiment contact_experiment();
+
+/// The five tests of the dissertation that the original was written for: a hierarchy of spheres against one of boxes,
+/// on the original's scene.
+Experiment original_experiment();
+
+/// What the vector kernels buy: the stages of a step with them and with the plain core, by size of the cloth.
+Experiment kernels_experiment();
+
+/// Every experiment of the laboratory.
+std::vector<Experiment> all_experiments();
+
+}  // namespace drape

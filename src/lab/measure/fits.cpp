@@ -1,0 +1,57 @@
+#include "fits.h"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <numeric>
+
+#include "drape/base/assert.h"
+#include "drape/base/exact_math.h"
+
+namespace drape {
+
+PowerLaw fit_power_law(std::span<const std::pair<double, double>> points) {
+    const auto n = static_cast<double>(points.size());
+    double mean_x = 0, mean_y = 0, xx = 0, xy = 0;
+    for (const auto& [x, y] : points) mean_x += natural_log(x) / n, mean_y += natural_log(y) / n;
+    for (const auto& [x, y] : points) {
+        xx += (natural_log(x) - mean_x) * (natural_log(x) - mean_x);
+        xy += (natural_log(x) - mean_x) * (natural_log(y) - mean_y);
+    }
+    DRAPE_ASSERT(xx > 0);
+    const double exponent = xy / xx;
+    return {exponential(mean_y - exponent * mean_x), exponent};
+}
+
+std::optional<ObservedOrder> observed_order(std::span<const std::pair<double, double>> points) {
+    constexpr std::size_t fewest = 3;
+    if (points.size() < fewest) return std::nullopt;
+    const auto slope_at = [points](std::size_t i) {
+        return natural_log(points[i].second / points[i + 1].second) /
+               natural_log(points[i].first / points[i + 1].first);
+    };
+    const auto differ = [](double a, double b) { return std::abs(a - b) / std::max({1.0, a, b}); };
+    std::size_t count = fewest;
+    if (!(differ(slope_at(points.size() - 2), slope_at(points.size() - 3)) <= 0.5)) return std::nullopt;
+    double order = fit_power_law(points.last(count)).exponent;
+    while (count < points.size() && differ(slope_at(points.size() - count - 1), order) <= 0.15) {
+        order = fit_power_law(points.last(++count)).exponent;
+    }
+    return ObservedOrder{order, count};
+}
+
+std::vector<std::size_t> pareto_front(std::span<const std::pair<double, double>> points) {
+    std::vector<std::size_t> by_error(points.size());
+    std::iota(by_error.begin(), by_error.end(), std::size_t{0});
+    std::ranges::stable_sort(by_error, {}, [&points](std::size_t i) { return points[i]; });
+    std::vector<std::size_t> front;
+    double cheapest = std::numeric_limits<double>::infinity();
+    for (const std::size_t i : by_error) {
+        if (!(points[i].second < cheapest)) continue;
+        cheapest = points[i].second;
+        front.push_back(i);
+    }
+    return front;
+}
+
+}  // namespace drape

@@ -1,0 +1,39 @@
+#pragma once
+
+#include <optional>
+#include <span>
+#include <utility>
+#include <vector>
+
+namespace drape {
+
+/// y = factor x^exponent.
+struct PowerLaw {
+    double factor = 0, exponent = 0;
+};
+
+/// The power law that is nearest to some points by least squares of the logarithms: a straight line on paper with two
+/// logarithmic axes.
+/// @param points (x, y), all positive; at least two of different x
+PowerLaw fit_power_law(std::span<const std::pair<double, double>> points);
+
+/// How an error falls with the step.
+struct ObservedOrder {
+    double order = 0;
+    std::size_t points = 0;  ///< how many of the finest it is fitted to
+};
+
+/// The order of a method: the exponent that fits best where the error follows a power of the step. Such points are the
+/// finest 3, unless their two slopes differ by half an order or half of the larger, and of the coarser ones as many as
+/// keep the slope from one to the next close to what is fitted so far: within 0.15, or 15 % of it.
+/// @param points (step, error), all positive, from coarse to fine
+/// @return nothing if there are fewer than 3 points, or the finest do not follow one power
+std::optional<ObservedOrder> observed_order(std::span<const std::pair<double, double>> points);
+
+/// Those of some points that no other one beats: none is at most as large in both numbers.
+/// @param points (error, cost); of equal ones the first counts
+/// @return their numbers, with falling cost
+/// @par Cost O(n log n)
+std::vector<std::size_t> pareto_front(std::span<const std::pair<double, double>> points);
+
+}  // namespace drape

@@ -1,0 +1,126 @@
+#include <fmt/core.h>
+
+#include <cmath>
+
+#include "original_experiment.h"
+
+namespace drape {
+namespace {
+
+/// Medians closer than this are called equal: about what their ratio varies by from run to run on a shared machine.
+constexpr double alike = 0.1;
+
+/// One of the five tests.
+struct Test {
+    const char* name;  ///< with its unit
+    double OriginalRow::*figure;
+    double factor;     ///< from the table's unit to that of the name
+    double published;  ///< by the dissertation, of its own prototype, in the unit of the name
+    int digits;
+};
+constexpr Test tests[] = {{"execution time of a frame [ms]", &OriginalRow::execution, 1e3, 235.258, 4},
+                          {"frame rate [1/s]", &OriginalRow::rate, 1, 22, 3},
+                          {"OpenGL calls a frame", &OriginalRow::gl_calls, 1, 15'000, 6},
+                          {"CPU use [%]", &OriginalRow::cpu, 100, 34, 3},
+                          {"vertices a frame", &OriginalRow::vertices, 1, 42'000, 6}};
+
+/// Quartiles of a figure over the rows of a volume; nothing where no row has it.
+/// @param drawn only of rows with or without bounds in the picture
+std::optional<Quartiles> figure_of(const OriginalRows& rows, const std::string& volume, double OriginalRow::*figure,
+                                   std::optional<bool> drawn = {}) {
+    std::vector<double> values;
+    for (const OriginalRow& row : rows) {
+        if (row.volume != volume || (drawn && *drawn != (row.drawn > 0))) continue;
+        if (!std::isnan(row.*figure)) values.push_back(row.*figure);
+    }
+    if (values.empty()) return std::nullopt;
+    return quartiles_of(std::move(values));
+}
+
+/// A half of the conclusion: "holds (9.1 us against 5.0 us with boxes, 1.8 times)".
+std::string half(double sphere, double aabb, bool sphere_is_more) {
+    const double ratio = sphere / aabb;
+    const bool equal = ratio < 1 + alike && ratio > 1 / (1 + alike);
+    return fmt::format("{} ({:.3g} us against {:.3g} us with boxes, {:.3g} times)",
+                       equal                           ? "is too close to tell"
+                       : (ratio > 1) == sphere_is_more ? "holds"
+                                                       : "does not hold",
+                       1e6 * sphere, 1e6 * aabb, ratio);
+}
+
+/// Drawing makes no difference to build and search, which are timed without.
+std::string conclusion(const OriginalRows& rows, double OriginalRow::*build, double OriginalRow::*search) {
+    const auto of = [&](const char* volume) {
+        return OriginalSearch{.build = figure_of(rows, volume, build).value_or(Quartiles{}).median,
+                              .search = figure_of(rows, volume, search).value_or(Quartiles{}).median};
+    };
+    return original_conclusion(of("sphere"), of("aabb"));
+}
+
+std::string bar(int test, double place, const std::string& volume, bool drawn, const Quartiles& figure, double factor,
+                int digits) {
+    return fmt::format("{},{},{},{},{:.8g},{:.8g},{:.8g},{:.{}g}\n", test, place, volume, drawn ? 1 : 0,
+                       factor * figure.median, factor * figure.lower, factor * figure.upper, factor * figure.median,
+                       digits);
+}
+
+}  // namespace
+
+std::string original_conclusion(const OriginalSearch& sphere, const OriginalSearch& aabb) {
+    return fmt::format(
+        "the dissertation's conclusion that spheres are more expensive to build {}, and that they are faster to search "
+        "{}.",
+        half(sphere.build, aabb.build, true), half(sphere.search, aabb.search, false));
+}
+
+std::string original_summary(const OriginalRows& rows) {
+    std::string text = fmt::format("{:32}", "");
+    for (const OriginalWay& way : original_ways) {
+        text += fmt::format("{:14}", way.volume + (way.bounds_drawn ? " drawn" : ""));
+    }
+    text += "dissertation\n";
+    for (const Test& test : tests) {
+        text += fmt::format("{:32}", test.name);
+        for (const OriginalWay& way : original_ways) {
+            const auto figure = figure_of(rows, way.volume, test.figure, way.bounds_drawn);
+            text +=
+                fmt::format("{:14}", figure ? fmt::format("{:.{}g}", test.factor * figure->median, test.digits) : "-");
+        }
+        text += fmt::format("{}\n", test.published);
+    }
+    return text + "(drawn: with the bounds of a level in the picture)\nWith the leaves that the scene has: " +
+           conclusion(rows, &OriginalRow::build, &OriginalRow::search) + "\nWith a tree down to single cells: " +
+           conclusion(rows, &OriginalRow::single_build, &OriginalRow::single_search) + "\n";
+}
+
+std::vector<Chart> original_charts(const OriginalRows& rows) {
+    std::string bars = "test,place,volume,drawn,median,lower,upper,text\n";
+    for (int number = 1; const Test& test : tests) {
+        for (double place = 0; const OriginalWay& way : original_ways) {
+            const auto figure = figure_of(rows, way.volume, test.figure, way.bounds_drawn);
+            if (figure) bars += bar(number, place, way.volume, way.bounds_drawn, *figure, test.factor, test.digits);
+            ++place;
+        }
+        bars += bar(number++, 4, "published", false, {test.published, test.published, test.published}, 1, 6);
+    }
+    for (double place = 0; const auto figure : {&OriginalRow::build, &OriginalRow::search, &OriginalRow::single_build,
+                                                &OriginalRow::single_search}) {
+        for (const char* volume : {"sphere", "aabb"}) {
+            if (const auto found = figure_of(rows, volume, figure))
+                bars += bar(6, place, volume, false, *found, 1e6, 2);
+            ++place;
+        }
+        ++place;
+    }
+    return {
+        {"original",
+         "original",
+         "The five tests, medians over runs with quartiles, and the figures that the dissertation gives for its "
+         "prototype. Hatched: the bounds of a level are in the picture, as the original drew its spheres. Execution "
+         "is the CPU time of all steps of a frame, without drawing. Last: one build and one search, with the "
+         "scene's leaves of 7 x 7 cells and with a tree down to single cells.",
+         {},
+         bars}};
+}
+
+}  // namespace drape

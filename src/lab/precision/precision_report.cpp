@@ -1,0 +1,122 @@
+#include <fmt/core.h>
+
+#include <algorithm>
+
+#include "drape/base/input_error.h"
+#include "precision_diagram.h"
+#include "reference.h"
+
+namespace drape {
+namespace {
+
+/// What the errors of a scene are worth.
+std::string worth(const PrecisionDiagram& diagram) {
+    const PrecisionRow& scene = diagram.scene;
+    std::string line = fmt::format(
+        "{0}: {1} x {1} particles, {2} N/m, to {3} s\n  an error of {4:.3g} m at the start grows {5:.3g} times",
+        scene.scene, scene.particles, scene.stiffness, scene.horizon, small_error, scene.growth);
+    if (scene.measure != name_of(Measure::Position)) {
+        line += fmt::format(
+            ": more than {:.3g}, so positions at this horizon are not compared; sag, centre of mass "
+            "and energy are",
+            most_growth);
+    }
+    line += fmt::format("\n  reference: its own error is {:.3g}, the best point's {:.3g} times that",
+                        scene.reference_error, diagram.margin());
+    if (!(diagram.margin() >= least_margin)) line += fmt::format(": less than {:.3g}, no chart is drawn", least_margin);
+    return line + "\n";
+}
+
+std::string about(const PrecisionCurve& curve) {
+    std::string line = "  " + curve.method + ": ";
+    const auto& points = curve.points;
+    if (curve.order) {
+        line += fmt::format("order {:.3g} over the finest {} points ({:.3g} to {:.3g} s)", curve.order->order,
+                            curve.order->points, points[points.size() - curve.order->points].step, points.back().step);
+    } else {
+        line += "no order (the error follows no power over 3 points)";
+    }
+    if (!points.empty()) {
+        const auto [least, most] = std::ranges::minmax(points, {}, &PrecisionRow::error);
+        line += fmt::format(", error {:.3g} to {:.3g}", least.error, most.error);
+    }
+    if (curve.unstable.empty()) return line + "\n";
+    line += ", unstable at";
+    for (const double step : curve.unstable) line += fmt::format(" {:.3g}", step);
+    return line + " s\n";
+}
+
+std::string caption_of(const PrecisionRow& scene) {
+    const std::string phases = scene.phases == 1
+                                   ? ""
+                                   : fmt::format(
+                                         " Errors are averaged over {} places of the first impact within a step; from "
+                                         "that impact on, every method is of order 1.",
+                                         scene.phases);
+    return fmt::format(
+        "Error at the horizon against the CPU time of a simulated second (medians, quartiles as bars) "
+        "over a ladder of steps: left is more exact, down is cheaper. The order is fitted to the finest "
+        "points.{} The reference is in error by {:.2g}; an error of {:.1g} m at the start grows {:.2g} "
+        "times.",
+        phases, scene.reference_error, small_error, scene.growth);
+}
+
+Chart chart(const PrecisionDiagram& diagram) {
+    const PrecisionRow& scene = diagram.scene;
+    std::vector<PrecisionRow> points;
+    std::vector<std::string> methods;
+    Chart chart{"precision_" + scene.scene, "precision", caption_of(scene), {}, "error,cost\n"};
+    for (const PrecisionCurve& curve : diagram.curves) {
+        if (curve.points.empty()) continue;
+        methods.push_back(curve.method);
+        points.insert(points.end(), curve.points.begin(), curve.points.end());
+        if (curve.order) chart.values["order_" + curve.method] = curve.order->order;
+    }
+    const auto [exact, wrong] = std::ranges::minmax(points, {}, &PrecisionRow::error);
+    const auto [cheap, expensive] = std::ranges::minmax(points, {}, &PrecisionRow::cost);
+    chart.values.insert({{"scene", scene.scene},
+                         {"particles", scene.particles},
+                         {"stiffness", scene.stiffness},
+                         {"horizon", scene.horizon},
+                         {"overall", scene.measure == name_of(Measure::Overall) ? 1. : 0.},
+                         {"methods", in_words(methods)},
+                         {"least_error", exact.error},
+                         {"most_error", wrong.error},
+                         {"least_cost", cheap.cost},
+                         {"most_cost", expensive.cost}});
+    for (const PrecisionRow& point : diagram.front)
+        chart.data += fmt::format("{:.6g},{:.6g}\n", point.error, point.cost);
+    return chart;
+}
+
+}  // namespace
+
+std::string precision_summary(const std::vector<PrecisionRow>& rows) {
+    std::string all;
+    for (const PrecisionDiagram& diagram : precision_diagrams(rows)) {
+        all += worth(diagram);
+        for (const PrecisionCurve& curve : diagram.curves) all += about(curve);
+        all += "  no other point is both more exact and cheaper than\n";
+        for (const PrecisionRow& point : diagram.front) {
+            all += fmt::format("    {} at {:.3g} s: error {:.3g}, {:.3g} s/s\n", point.method, point.step, point.error,
+                               point.cost);
+        }
+    }
+    return all;
+}
+
+std::vector<Chart> precision_charts(const std::vector<PrecisionRow>& rows) {
+    std::vector<Chart> charts;
+    for (const PrecisionDiagram& diagram : precision_diagrams(rows)) {
+        if (!(diagram.margin() >= least_margin)) {
+            throw RunError(
+                fmt::format("precision: the reference of the scene '{}' is only {:.3g} times better than "
+                            "the best point, less than {:.3g}: no chart is drawn",
+                            diagram.scene.scene, diagram.margin(), least_margin));
+        }
+        if (!diagram.front.empty()) charts.push_back(chart(diagram));
+    }
+    return charts;
+}
+
+}  // namespace drape

@@ -1,0 +1,29 @@
+#include <gmock/gmock.h>
+
+#include "lab/lab_run.h"
+
+namespace drape {
+namespace {
+
+using testing::HasSubstr;
+using testing_aid::LabFolder;
+using testing_aid::LabRun;
+using testing_aid::table_of;
+
+TEST(LabKernels, TimesEachStageByBothKindsOfKernels) {
+    const LabFolder folder;
+    const LabRun run = folder.run({"kernels", "--quick", "--cases", "1-1", "--out", "out"});
+    ASSERT_EQ(run.code, 0) << run.err;
+    const auto rows = table_of(folder, "out/kernels.csv");
+    ASSERT_EQ(rows.size(), 9u) << "a header, and four stages by two kinds";
+    for (const char* stage : {"step", "build", "query", "narrow_phase"}) {
+        EXPECT_THAT(rows, testing::Contains(HasSubstr(std::string(",") + stage + ",vector,256,")));
+        EXPECT_THAT(rows, testing::Contains(HasSubstr(std::string(",") + stage + ",plain,256,")));
+        EXPECT_THAT(run.out, HasSubstr(std::string(stage) + ", 256 particles: plain "));
+    }
+    if (run.err.find("no gnuplot") != std::string::npos) GTEST_SKIP() << "there is no gnuplot";
+    EXPECT_THAT(folder.read("out/kernels.svg"), HasSubstr("</svg>"));
+}
+
+}  // namespace
+}  // namespace drape
