@@ -87,7 +87,8 @@ void Solids::place_balls(const StreamBuffer& stream) {
 
 void Solids::need(const FrameView& view, StreamBuffer& stream) {
     particle_count_ = 0;
-    for (const ClothView& cloth : view.cloths) particle_count_ += static_cast<std::size_t>(cloth.model.grid.particles());
+    for (const ClothView& cloth : view.cloths)
+        particle_count_ += static_cast<std::size_t>(cloth.model.grid.particles());
     stream.need(Region::Cloth, particle_count_ * sizeof(ClothVertex));
     stream.need(Region::Balls, view.balls.size() * sizeof(Eigen::Vector4f));
 }

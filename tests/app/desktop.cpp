@@ -1,8 +1,10 @@
 #include "app/desktop.h"
 
+#include <gtest/gtest.h>
+
+// After the others: X11 defines None and Bool
 #include <X11/XKBlib.h>
 #include <X11/Xlib.h>
-#include <gtest/gtest.h>
 
 namespace drape::testing_aid {
 

@@ -27,8 +27,7 @@ template <class Visit>
 void for_each_fit(Visit visit) {
     for (const Kernels kernels : {Kernels::Vector, Kernels::Plain}) {
         for (std::size_t k = 0; k < names_of<SphereFit>().size(); ++k) {
-            visit(sphere_fit_of(kind_at(k), kernels),
-                  name_of(kernels) + " " + names_of<SphereFit>()[k]);
+            visit(sphere_fit_of(kind_at(k), kernels), name_of(kernels) + " " + names_of<SphereFit>()[k]);
         }
     }
 }

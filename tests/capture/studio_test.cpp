@@ -7,6 +7,7 @@
 #include "capture/offscreen_context.h"
 #include "drape/render/renderer.h"
 #include "drape/sim/scene.h"
+#include "drape/sim/simulation.h"
 
 namespace drape::test {
 namespace {

@@ -190,9 +190,9 @@ TEST(ContactSettings, GiveTheHierarchyEveryChoiceOfItsKinds) {
     const std::vector<std::string> choices{"volume=aabb", "update=refit", "sphere_fit=epos26", "leaf_cells=7"};
     assign_all(settings, choices);
     EXPECT_EQ(broad_phase_of(settings), (BroadPhaseParameters{.volume = VolumeKind::Aabb,
-                                                                      .update = UpdateKind::Refit,
-                                                                      .leaf_cells = 7,
-                                                                      .sphere_fit = SphereFit::Epos26}));
+                                                              .update = UpdateKind::Refit,
+                                                              .leaf_cells = 7,
+                                                              .sphere_fit = SphereFit::Epos26}));
 }
 
 TEST(Settings, ThatHaveNoEffectYetTakeNothingElseAndSaySo) {

@@ -46,9 +46,9 @@ Simulation touching_cloth(int side, const std::string& kernels) {
 }
 
 std::vector<KernelsRow> run_case(int side, int steps) {
-    std::array<Simulation, 2> simulations{touching_cloth(side, kernels_names[0]),
-                                          touching_cloth(side, kernels_names[1])};
-    std::array<std::array<std::vector<double>, stages.size()>, kernels_names.size()> times;
+    std::array<Simulation, 2> simulations{touching_cloth(side, names_of<Kernels>()[0]),
+                                          touching_cloth(side, names_of<Kernels>()[1])};
+    std::array<std::array<std::vector<double>, stages.size()>, enum_names<Kernels>.size()> times;
     // In turn: a machine has faster and slower moments. The first steps warm the caches
     for (int step = -2; step < steps; ++step) {
         for (std::size_t k = 0; k < simulations.size(); ++k) {
@@ -64,8 +64,8 @@ std::vector<KernelsRow> run_case(int side, int steps) {
     for (std::size_t s = 0; s < stages.size(); ++s) {
         for (std::size_t k = 0; k < simulations.size(); ++k) {
             const Quartiles time = quartiles_of(times[k][s]);
-            rows.push_back({stages[s].name, kernels_names[k], static_cast<double>(side) * side, time.median, time.lower,
-                            time.upper});
+            rows.push_back({stages[s].name, names_of<Kernels>()[k], static_cast<double>(side) * side, time.median,
+                            time.lower, time.upper});
         }
     }
     return rows;
@@ -85,7 +85,7 @@ RowFormat<KernelsRow> format() {
     for (const Stage& stage : stages) names.emplace_back(stage.name);
     return {6,
             {{word_column("stage", names), &Row::stage},
-             {word_column("kernels", {kernels_names.begin(), kernels_names.end()}), &Row::kernels},
+             {word_column("kernels", {names_of<Kernels>().begin(), names_of<Kernels>().end()}), &Row::kernels},
              {whole_column("particles", 4), &Row::particles},
              {number_column("time_s"), &Row::time},
              {number_column("time_lower_s"), &Row::lower},
