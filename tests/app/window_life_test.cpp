@@ -166,7 +166,8 @@ TEST_F(WindowTest, ItsRecordingGivesTheSameBitsWithoutAWindow) {
     ASSERT_TRUE(eventually([&] { return last_step() > steered; })) << "no hash of a later step";
     desktop_.act({"keyup", "Up"});
     desktop_.key("v");
-    desktop_.drag({}, 1, {320, 200}, {380, 250});
+    // Not far: cloth that is drawn out by the hand has a shorter stability limit
+    desktop_.drag({}, 1, {320, 200}, {328, 205});
     desktop_.key("p");
     ASSERT_TRUE(recorded("pause"));
     ASSERT_TRUE(recorded_now("drag "));
@@ -187,7 +188,8 @@ TEST_F(WindowTest, ItsRecordingGivesTheSameBitsWithoutAWindow) {
         {program("drape-capture"), "--frames", "30", "--fps", "1", "--every", "30", "--size", "64x64", "--out",
          file("frames"), "--again"}};
     for (const std::vector<std::string>& words : programs) {
-        EXPECT_EQ(replay(words, file("session.txt")).find("differs"), std::string::npos) << words.front();
+        const std::string same = replay(words, file("session.txt"));
+        EXPECT_EQ(same.find("differs"), std::string::npos) << words.front() << ": " << same;
         EXPECT_NE(replay(words, file("forged.txt")).find("differs"), std::string::npos) << words.front();
     }
 }
