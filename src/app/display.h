@@ -3,7 +3,7 @@
 namespace drape {
 
 /// A connection to the X display, to find out whether there is one. It stays open until the window has its own: a
-/// server that sees its only client go away may start anew and refuse the next one meanwhile.
+/// server that sees its only client go away may restart and refuse the next one meanwhile.
 class DisplayProbe {
 public:
     DisplayProbe();

@@ -132,6 +132,7 @@ bool Capture::diverged() { return session_.simulation().report().status == Statu
 void Capture::tell_divergence() {
     if (std::exchange(divergence_told_, true)) return;
     if (frames_) frames_->finish();
+    progress_.clear();
     std::cerr << "drape-capture: " << session_.simulation().report().trouble;
     if (frames_ && !frames_->last().empty()) std::cerr << "; the frame before is " << frames_->last().string();
     std::cerr << "\n" << tell_failure(session_.simulation(), options_.out) << "\n";

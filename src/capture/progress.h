@@ -21,9 +21,10 @@ public:
     /// Says how many there are, and where.
     void close(const std::filesystem::path& folder);
 
-private:
+    /// Makes room on a terminal for something else to be said.
     void clear();
 
+private:
     bool terminal_;
     bool shown_ = false;  ///< a line that is to be rewritten
     int all_, done_ = 0;

@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "drape/model/stencils.h"
+
 namespace drape {
 
 namespace {
@@ -70,20 +72,14 @@ void append_triangle_indices(const Grid& grid, std::uint32_t first_vertex, std::
 }
 
 void append_spring_indices(const Grid& grid, std::uint32_t first_vertex, SpringIndices& springs) {
-    const auto spring = [&](int i, int j, int k, int l, std::vector<std::uint32_t>& kind) {
-        if (k < 0 || k >= grid.nx || l >= grid.ny) return;
-        kind.push_back(first_vertex + static_cast<std::uint32_t>(grid.particle(i, j)));
-        kind.push_back(first_vertex + static_cast<std::uint32_t>(grid.particle(k, l)));
-    };
-    for (int j = 0; j < grid.ny; ++j) {
-        for (int i = 0; i < grid.nx; ++i) {
-            spring(i, j, i + 1, j, springs.structural);
-            spring(i, j, i, j + 1, springs.structural);
-            spring(i, j, i + 1, j + 1, springs.shear);
-            spring(i, j, i - 1, j + 1, springs.shear);
-            spring(i, j, i + 2, j, springs.bend);
-            spring(i, j, i, j + 2, springs.bend);
-        }
+    std::vector<std::uint32_t>* const kinds[] = {&springs.structural, &springs.shear, &springs.bend};
+    for (std::size_t direction = 0; direction < spring_directions.size(); ++direction) {
+        const auto [di, dj] = spring_directions[direction];
+        std::vector<std::uint32_t>& kind = *kinds[direction / 2];
+        SpringStencil{di, dj, {}, 0}.for_each(grid, [&](int a, int b) {
+            kind.push_back(first_vertex + static_cast<std::uint32_t>(a));
+            kind.push_back(first_vertex + static_cast<std::uint32_t>(b));
+        });
     }
 }
 

@@ -24,7 +24,7 @@ Studio::Studio(Gl& gl)
       framebuffer_(gl) {}
 
 void Studio::follow(const FrameData& data) {
-    if (same_studio(data, drawn_)) return;
+    if (width_ > 0 && same_studio(data, drawn_)) return;
     gl_(glBindFramebuffer, GLenum{GL_FRAMEBUFFER}, framebuffer_.name());
     const int width = static_cast<int>(data.viewport[0]), height = static_cast<int>(data.viewport[1]);
     if (width != width_ || height != height_) {

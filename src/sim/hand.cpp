@@ -4,7 +4,7 @@
 #include <string>
 
 #include "drape/base/input_error.h"
-#include "drape/model/stencils.h"
+#include "drape/model/forces.h"
 
 namespace drape {
 namespace {
@@ -32,23 +32,7 @@ Vec3 outside(Vec3 target, std::span<const Ball> balls, Real thickness) {
 /// The most energy a second that the hand, which moves a held particle as its velocity says, puts in at a moment [W]:
 /// the work against the forces of springs, air and gravity on that particle; less than zero where they pull it along.
 double hand_power(const ClothModel& model, const ClothState& state, int particle) {
-    const Grid& grid = model.grid;
-    const int i = particle % grid.nx, j = particle / grid.nx;
-    const Vec3 x = state.x.row(particle).transpose(), v = state.v.row(particle).transpose();
-    Vec3 force = model.particle_mass * model.gravity - model.drag * v;
-    for (const SpringStencil& springs : spring_stencils(model)) {
-        for (const int side : {-1, 1}) {
-            const int other_i = i + side * springs.di, other_j = j + side * springs.dj;
-            if (other_i < 0 || other_i >= grid.nx || other_j < 0 || other_j >= grid.ny) continue;
-            const int other = grid.particle(other_i, other_j);
-            const Vec3 d = x - state.x.row(other).transpose(), u = v - state.v.row(other).transpose();
-            const Real length = d.norm();
-            if (length == 0) continue;
-            const Vec3 n = d / length;
-            force -= (springs.law.stiffness * (length - springs.rest_length) + springs.law.damping * n.dot(u)) * n;
-        }
-    }
-    return static_cast<double>(-force.dot(v));
+    return -static_cast<double>(force_on(model, state, particle).dot(state.v.row(particle)));
 }
 
 }  // namespace

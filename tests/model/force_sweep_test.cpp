@@ -12,19 +12,14 @@
 namespace drape {
 namespace {
 
-constexpr Grid odd_grids[] = {{2, 2}, {3, 3}, {2, 300}, {31, 17}, {129, 5}, {130, 4}, {257, 3}, {300, 2}};
+using testing::odd_grids;
 
 struct Moving {
     ClothModel model;
     ClothState state;
 
     explicit Moving(const Grid& grid) {
-        ClothParameters parameters;
-        parameters.particles = grid;
-        parameters.height = Real(1.7);
-        parameters.structural = {900, Real(0.3)};
-        parameters.shear = {400, Real(0.2)};
-        parameters.bend = {70, Real(0.1)};
+        const ClothParameters parameters = testing::unlike_springs(grid);
         std::mt19937 random(5);
         model = make_cloth_model(parameters);
         state = testing::random_state(parameters, random);

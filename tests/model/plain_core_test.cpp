@@ -11,7 +11,7 @@
 namespace drape {
 namespace {
 
-constexpr Grid odd_grids[] = {{2, 2}, {3, 3}, {2, 300}, {31, 17}, {129, 5}, {130, 4}, {257, 3}, {300, 2}};
+using testing::odd_grids;
 constexpr Real rounding = 1e-12;
 
 /// A cloth in wind with nothing special about it, two held particles that move included.
@@ -20,12 +20,7 @@ struct Moving {
     ClothState state;
 
     explicit Moving(const Grid& grid) {
-        ClothParameters parameters;
-        parameters.particles = grid;
-        parameters.height = Real(1.7);
-        parameters.structural = {900, Real(0.3)};
-        parameters.shear = {400, Real(0.2)};
-        parameters.bend = {70, Real(0.1)};
+        ClothParameters parameters = testing::unlike_springs(grid);
         parameters.pinned.kind = Pins::Kind::Two;
         std::mt19937 random(5);
         model = make_cloth_model(parameters);

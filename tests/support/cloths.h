@@ -38,4 +38,18 @@ inline ClothState random_state(const ClothParameters& parameters, std::mt19937& 
     return state;
 }
 
+/// Columns and rows that fill no vector, and rows longer than a run of a kernel.
+constexpr Grid odd_grids[] = {{2, 2}, {3, 3}, {2, 300}, {31, 17}, {129, 5}, {130, 4}, {257, 3}, {300, 2}};
+
+/// All kinds of springs, each with a law of its own.
+inline ClothParameters unlike_springs(const Grid& grid) {
+    ClothParameters parameters;
+    parameters.particles = grid;
+    parameters.height = Real(1.7);
+    parameters.structural = {900, Real(0.3)};
+    parameters.shear = {400, Real(0.2)};
+    parameters.bend = {70, Real(0.1)};
+    return parameters;
+}
+
 }  // namespace drape::testing

@@ -3,11 +3,12 @@
 #include <gtest/gtest.h>
 #include <unistd.h>
 
-#include <cstdlib>
 #include <filesystem>
 #include <fstream>
 #include <string>
 #include <string_view>
+
+#include "drape/base/scratch_folder.h"
 
 namespace drape::testing_aid {
 
@@ -28,25 +29,6 @@ private:
     std::filesystem::path path_;
 };
 
-/// An empty folder that nobody else has, gone with the object with all that is in it by then.
-class ScratchFolder {
-public:
-    ScratchFolder() {
-        std::string name = (std::filesystem::path(testing::TempDir()) / "drape-XXXXXX").string();
-        if (mkdtemp(name.data()) == nullptr) ADD_FAILURE() << "cannot make " << name;
-        path_ = name;
-    }
-    ~ScratchFolder() {
-        std::error_code ignored;
-        std::filesystem::remove_all(path_, ignored);
-    }
-    ScratchFolder(const ScratchFolder&) = delete;
-    ScratchFolder& operator=(const ScratchFolder&) = delete;
-
-    [[nodiscard]] const std::filesystem::path& path() const { return path_; }
-
-private:
-    std::filesystem::path path_;
-};
+using drape::ScratchFolder;
 
 }  // namespace drape::testing_aid

@@ -7,7 +7,7 @@ namespace drape {
 /// Wall time on the steady clock.
 class Stopwatch {
 public:
-    /// Seconds since the construction or the last `lap`, and starts anew.
+    /// Seconds since the construction or the last `lap`; starts again from 0.
     double lap() {
         const auto now = Clock::now();
         const double seconds = std::chrono::duration<double>(now - start_).count();

@@ -53,6 +53,11 @@ inline Vec3 wind_force(const Air& air, const std::array<Vec3, 3>& x, const std::
 /// @par Cost O(n), no allocation
 void compute_forces(const ClothModel& model, const Points& x, const Points& v, Points& f);
 
+/// The force on one particle, but for the wind's.
+/// @return [N]
+/// @par Cost its twelve springs
+Vec3 force_on(const ClothModel& model, const ClothState& state, int particle);
+
 /// Adds the force of the wind on every triangle to that on its corners.
 /// @param f n x 3 [N]
 void add_wind_forces(const ClothModel& model, const Points& x, const Points& v, Points& f);

@@ -45,8 +45,8 @@ public:
     /// @return largest depth of any triangle [m]
     Real missed_penetration(const Points& x, std::span<const Ball> balls, Real thickness);
 
-    /// Makes the hierarchy fit to be drawn: built from the present positions, its nodes marked by what the queries do
-    /// to them. No contact depends on it.
+    /// Makes the hierarchy fit to be drawn: as the last step searched it, or, where that has left the build out, built
+    /// from the present positions; its nodes marked by what the queries do to them. No contact depends on it.
     void show(const Points& x, std::span<const Ball> balls, const ContactSettings& contact);
 
     [[nodiscard]] const BroadPhase& hierarchy() const { return *hierarchy_; }

@@ -18,7 +18,7 @@ struct ClothView {
     const Points& x;          ///< n x 3 [m]
     const Points& previous;   ///< one step before
     std::span<const Contact> contacts;
-    const BroadPhase* hierarchy = nullptr;  ///< of the present positions if `settings.view.bounds`
+    const BroadPhase* hierarchy = nullptr;  ///< as last searched; never null
 };
 
 /// What the renderer needs of a moment; all of it belongs to the simulation and lasts until its next change.

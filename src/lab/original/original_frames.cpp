@@ -8,6 +8,7 @@
 #include "drape/base/child_program.h"
 #include "drape/base/input_error.h"
 #include "drape/base/numbers.h"
+#include "drape/base/scratch_folder.h"
 #include "drape/sim/scene.h"
 #include "drape/sim/setting_table.h"
 #include "drape/sim/simulation.h"
@@ -31,27 +32,6 @@ OriginalSearch time_search(const RecordedMotion& motion, const BroadPhaseParamet
     }
     return found;
 }
-
-/// A folder for one file, gone with the object.
-class ScratchFolder {
-public:
-    ScratchFolder() {
-        std::string name = (std::filesystem::temp_directory_path() / "drape-lab-XXXXXX").string();
-        if (mkdtemp(name.data()) == nullptr) throw RunError(name + ": cannot be made");
-        path_ = name;
-    }
-    ~ScratchFolder() {
-        std::error_code ignored;
-        std::filesystem::remove_all(path_, ignored);
-    }
-    ScratchFolder(const ScratchFolder&) = delete;
-    ScratchFolder& operator=(const ScratchFolder&) = delete;
-
-    [[nodiscard]] const std::filesystem::path& path() const { return path_; }
-
-private:
-    std::filesystem::path path_;
-};
 
 /// Columns of a table whose first line after comments has their names, and whose other lines are numbers.
 class NumberTable {
