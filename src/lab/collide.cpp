@@ -14,7 +14,7 @@
 namespace drape {
 namespace {
 
-struct Options {
+struct CollideOptions {
     std::string grid, positions, ball;
     std::vector<std::string> assignments;
 };
@@ -35,7 +35,7 @@ Ball parse_ball(const std::string& text) {
     return {.centre = {at(0), at(1), at(2)}, .radius = at(3)};
 }
 
-int collide(const Options& options) {
+int collide(const CollideOptions& options) {
     Settings settings;
     settings.contact.thickness = 0;
     assign_all(settings, options.assignments);
@@ -70,7 +70,7 @@ void add_collide(CLI::App& app, int& exit_code) {
         "collide",
         "Prints the triangles whose distance to the ball's centre is at most its radius (plus thickness, 0 "
         "unless set)");
-    auto options = std::make_shared<Options>();
+    auto options = std::make_shared<CollideOptions>();
     command->add_option("--grid", options->grid, "columns and rows of particles")->type_name("NXxNY")->required();
     command->add_option("--positions", options->positions, "one x,y,z a line, in particle order [m]")
         ->type_name("FILE.csv")

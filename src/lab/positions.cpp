@@ -13,7 +13,7 @@ namespace drape {
 namespace {
 
 constexpr double largest_coordinate = 1e12;  // m
-constexpr std::size_t longest_line = 4096;
+constexpr std::size_t longest_position_line = 4096;
 
 }  // namespace
 
@@ -35,11 +35,11 @@ Points read_positions(std::istream& in, const std::string& file, const Grid& gri
     std::string line;
     int row = 0;
     for (int number = 1;; ++number) {
-        const LineEnd end = read_line(in, line, longest_line);
+        const LineEnd end = read_line(in, line, longest_position_line);
         if (end == LineEnd::None) break;
         const std::string where = fmt::format("{}:{}: ", file, number);
         if (end == LineEnd::TooLong) {
-            throw InputError(fmt::format("{}the line is longer than {} bytes", where, longest_line));
+            throw InputError(fmt::format("{}the line is longer than {} bytes", where, longest_position_line));
         }
         if (row == grid.particles()) {
             throw InputError(fmt::format("{}more rows than the grid's {} particles", where, grid.particles()));

@@ -18,7 +18,7 @@ namespace {
 
 constexpr double longest_run = 1e6;  // s
 
-struct Options {
+struct SimulateOptions {
     StartOptions start;
     std::string times, state, stats;
     bool hash = false;
@@ -42,7 +42,7 @@ std::vector<double> parse_times(const std::string& text, double start) {
     return times;
 }
 
-int simulate(Options& options) {
+int simulate(SimulateOptions& options) {
     const StopSignals signals;
     const bool whole_replay = options.times.empty() && !options.start.replay.empty();
     if (options.times.empty() && !whole_replay) {
@@ -103,7 +103,7 @@ int simulate(Options& options) {
 
 void add_simulate(CLI::App& app, int& exit_code) {
     CLI::App* command = app.add_subcommand("simulate", "Runs a scene to given times");
-    auto options = std::make_shared<Options>();
+    auto options = std::make_shared<SimulateOptions>();
     command->add_option("scene", options->start.scene, "name of a shipped scene, or a TOML file")->type_name("SCENE");
     command->add_option("--set", options->start.assignments, "change settings")->type_name("name=value");
     command->add_option("--replay", options->start.replay, "play a recording")->type_name("FILE");

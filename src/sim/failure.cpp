@@ -30,7 +30,7 @@ bool write_new_file(const std::filesystem::path& file, const std::string& text) 
 }
 
 /// With which the title of a scene begins that was written here.
-constexpr std::string_view mark = "Fails at once: ";
+constexpr std::string_view fails_mark = "Fails at once: ";
 
 /// The settings with cloths, balls, pins and substeps as they are now.
 Settings present_settings(const Simulation& simulation) {
@@ -61,7 +61,7 @@ std::filesystem::path write_failure(const Simulation& simulation, const std::fil
     write_state_header(state, simulation);
     write_state(state, simulation);
     Settings settings = present_settings(simulation);
-    if (!settings.title.starts_with(mark)) settings.title = std::string(mark) + settings.title;
+    if (!settings.title.starts_with(fails_mark)) settings.title = std::string(fails_mark) + settings.title;
     const std::string warning = simulation.step_warning();
     const std::string remark =
         "# " + simulation.report().trouble + "\n" + (warning.empty() ? "" : "# " + warning + "\n");

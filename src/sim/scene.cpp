@@ -11,8 +11,8 @@
 namespace drape {
 namespace {
 
-constexpr std::size_t largest_file = 256 * 1024;
-constexpr std::size_t longest_line = 4 * 1024;
+constexpr std::size_t largest_scene = 256 * 1024;
+constexpr std::size_t longest_scene_line = 4 * 1024;
 
 /// Reads one parsed scene into settings.
 class SceneReader {
@@ -140,16 +140,16 @@ private:
 
 /// Refuses what the parser was not made for, before it sees it.
 void check_sizes(std::string_view text, const std::string& file) {
-    if (text.size() > largest_file) {
+    if (text.size() > largest_scene) {
         throw InputError(file + ": " + std::to_string(text.size()) + " bytes: allowed at most " +
-                         std::to_string(largest_file));
+                         std::to_string(largest_scene));
     }
     std::size_t line = 1;
     for (std::size_t begin = 0; begin < text.size(); ++line) {
         const std::size_t end = std::min(text.find('\n', begin), text.size());
-        if (end - begin > longest_line) {
+        if (end - begin > longest_scene_line) {
             throw InputError(file + ":" + std::to_string(line) + ":1: a line of " + std::to_string(end - begin) +
-                             " bytes: allowed at most " + std::to_string(longest_line));
+                             " bytes: allowed at most " + std::to_string(longest_scene_line));
         }
         begin = end + 1;
     }
@@ -178,7 +178,7 @@ std::filesystem::path scene_file(const std::string& name_or_path) {
 
 Settings load_scene(const std::string& name_or_path) {
     const std::string path = scene_file(name_or_path).string();
-    return parse_scene(read_text(path, largest_file), path);
+    return parse_scene(read_text(path, largest_scene), path);
 }
 
 std::vector<std::string> scene_names() {

@@ -8,7 +8,7 @@
 namespace drape {
 namespace {
 
-constexpr std::size_t longest_line = 4096;
+constexpr std::size_t longest_row = 4096;
 constexpr double largest = 1e12;      // of any number [m, m/s]
 constexpr double longest_time = 1e9;  // s
 constexpr std::string_view one_cloth = "t,particle,x,y,z,vx,vy,vz", several = "t,cloth,particle,x,y,z,vx,vy,vz";
@@ -22,7 +22,7 @@ public:
     StartState read() {
         std::string line;
         const std::string header(grids_.size() > 1 ? several : one_cloth);
-        if (read_line(in_, line, longest_line) != LineEnd::Whole || line != header) fail("expected '" + header + "'");
+        if (read_line(in_, line, longest_row) != LineEnd::Whole || line != header) fail("expected '" + header + "'");
         for (const Grid& grid : grids_) {
             found_.states.push_back({Points(grid.particles(), 3), Points(grid.particles(), 3)});
         }
@@ -35,11 +35,11 @@ public:
 
 private:
     bool next_line(std::string& line) {
-        const LineEnd end = read_line(in_, line, longest_line);
+        const LineEnd end = read_line(in_, line, longest_row);
         if (end == LineEnd::None) return false;
         ++line_;
         if (end == LineEnd::CutOff) fail("cut off: expected an end of line");
-        if (end == LineEnd::TooLong) fail("longer than " + std::to_string(longest_line) + " bytes");
+        if (end == LineEnd::TooLong) fail("longer than " + std::to_string(longest_row) + " bytes");
         return true;
     }
 

@@ -15,7 +15,7 @@ constexpr Real safe_part = Real(0.9);
 constexpr double most_substeps = 1000;
 
 /// From one plan to the next [s].
-constexpr double pause = 0.25;
+constexpr double search_pause = 0.25;
 
 StepLimit shortest_limit(std::span<const Cloth> cloths, IntegratorKind integrator) {
     StepLimit shortest{.step = std::numeric_limits<Real>::infinity()};
@@ -43,7 +43,7 @@ void plan_substeps(std::span<const Cloth> cloths, const SolverSettings& solver, 
 
 bool plan_is_due(const SolverSettings& solver, const StepReport& report) {
     if (solver.on_unstable != OnUnstable::Substep || !has_step_limit(solver.integrator) || report.asleep) return false;
-    const auto between = static_cast<std::int64_t>(std::ceil(pause / solver.dt));
+    const auto between = static_cast<std::int64_t>(std::ceil(search_pause / solver.dt));
     return report.step > 0 && report.step % between == 0;
 }
 

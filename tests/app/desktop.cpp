@@ -6,7 +6,7 @@
 #include <X11/XKBlib.h>
 #include <X11/Xlib.h>
 
-namespace drape::testing_aid {
+namespace drape::test {
 
 namespace fs = std::filesystem;
 
@@ -125,4 +125,4 @@ void Desktop::ask_to_close(const std::string& window) {
     XCloseDisplay(display);
 }
 
-}  // namespace drape::testing_aid
+}  // namespace drape::test

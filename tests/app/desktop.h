@@ -7,7 +7,7 @@
 
 #include "support/process.h"
 
-namespace drape::testing_aid {
+namespace drape::test {
 
 /// A place on the screen, in pixels from the top left.
 struct Place {
@@ -59,4 +59,4 @@ private:
     std::unique_ptr<Process> server_;
 };
 
-}  // namespace drape::testing_aid
+}  // namespace drape::test

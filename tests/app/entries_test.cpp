@@ -76,7 +76,7 @@ TEST(Entries, ALetterIsItsKeyInEitherCaseUnlessShiftHasItsOwn) {
 }
 
 TEST(Entries, AreTheTableOfTheReadme) {
-    const std::string readme = testing_aid::read_file(std::string(DRAPE_SOURCE_DIR) + "/README.md");
+    const std::string readme = test::read_file(std::string(DRAPE_SOURCE_DIR) + "/README.md");
     for (const KeyHelp& line : help_lines(make_entries(scene_names()))) {
         EXPECT_NE(readme.find("| " + line.key + " | " + line.text + " |"), std::string::npos)
             << "missing: | " << line.key << " | " << line.text << " |";

@@ -4,7 +4,7 @@
 
 #include <sstream>
 
-namespace drape::testing_aid {
+namespace drape::test {
 
 namespace fs = std::filesystem;
 
@@ -83,4 +83,4 @@ std::string WindowTest::quit() {
     return drape_->standard_output();
 }
 
-}  // namespace drape::testing_aid
+}  // namespace drape::test

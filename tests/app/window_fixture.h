@@ -10,7 +10,7 @@
 #include "app/desktop.h"
 #include "support/process.h"
 
-namespace drape::testing_aid {
+namespace drape::test {
 
 /// `drape` in a window on a desktop of its own. What it was told is read from its recording.
 class WindowTest : public testing::Test {
@@ -51,4 +51,4 @@ protected:
 /// The path of one of the programs.
 std::string program(const std::string& name);
 
-}  // namespace drape::testing_aid
+}  // namespace drape::test

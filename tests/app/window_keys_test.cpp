@@ -9,7 +9,7 @@
 namespace drape {
 namespace {
 
-using testing_aid::WindowTest;
+using test::WindowTest;
 
 // An entry's key as xdotool calls it.
 std::string symbol_of(const std::string& key) {

@@ -10,12 +10,12 @@
 namespace drape {
 namespace {
 
-using testing_aid::eventually;
-using testing_aid::Process;
-using testing_aid::program;
-using testing_aid::read_file;
-using testing_aid::sleep_for;
-using testing_aid::WindowTest;
+using test::eventually;
+using test::Process;
+using test::program;
+using test::read_file;
+using test::sleep_for;
+using test::WindowTest;
 
 std::string last_line(const std::string& text) {
     const std::size_t end = text.ends_with('\n') ? text.size() - 1 : text.size();

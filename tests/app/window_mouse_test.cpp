@@ -5,7 +5,7 @@
 namespace drape {
 namespace {
 
-using testing_aid::WindowTest;
+using test::WindowTest;
 
 TEST_F(WindowTest, DraggingTheBackgroundTurnsTheView) {
     start({"hang"});

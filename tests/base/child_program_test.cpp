@@ -12,8 +12,8 @@ namespace drape {
 namespace {
 
 using Input = ChildProgram::Input;
-using testing_aid::read_file;
-using testing_aid::ScratchFile;
+using test::read_file;
+using test::ScratchFile;
 
 TEST(ChildProgram, TellsHowItEnded) {
     EXPECT_EQ(run_child({"sh", "-c", "exit 7"}), 7);

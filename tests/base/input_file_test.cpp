@@ -14,10 +14,10 @@
 namespace drape {
 namespace {
 
+using test::input_error_of;
+using test::ScratchFile;
 using testing::HasSubstr;
 using testing::StartsWith;
-using testing_aid::input_error_of;
-using testing_aid::ScratchFile;
 
 std::string text_of(const std::string& name, std::uintmax_t largest = UINTMAX_MAX) {
     InputFile in(name, largest);
@@ -25,7 +25,7 @@ std::string text_of(const std::string& name, std::uintmax_t largest = UINTMAX_MA
 }
 
 /// What is said of a file that is read whole.
-std::string complaint(const std::string& name, std::uintmax_t largest = UINTMAX_MAX) {
+std::string file_complaint(const std::string& name, std::uintmax_t largest = UINTMAX_MAX) {
     return input_error_of([&] { text_of(name, largest); });
 }
 
@@ -57,24 +57,24 @@ TEST(InputFile, IsReadWhole) {
 
 TEST(InputFile, ThatIsTooLargeIsRefusedBeforeItIsRead) {
     const ScratchFile file("input.txt", "0123456789");
-    EXPECT_EQ(complaint(file.name(), 9), file.name() + ": 10 bytes: allowed at most 9");
+    EXPECT_EQ(file_complaint(file.name(), 9), file.name() + ": 10 bytes: allowed at most 9");
 }
 
 TEST(InputFile, ThatIsMissingIsNamedWithTheReason) {
-    EXPECT_EQ(complaint("/no/such/file"), "/no/such/file: cannot be read: No such file or directory");
-    EXPECT_THAT(complaint(""), HasSubstr("cannot be read"));
+    EXPECT_EQ(file_complaint("/no/such/file"), "/no/such/file: cannot be read: No such file or directory");
+    EXPECT_THAT(file_complaint(""), HasSubstr("cannot be read"));
 }
 
 TEST(InputFile, MayBeNoFolderAndNoDevice) {
-    EXPECT_EQ(complaint(testing::TempDir()), testing::TempDir() + ": is a folder: allowed a regular file");
-    EXPECT_EQ(complaint("/dev/zero"), "/dev/zero: is a device: allowed a regular file");
+    EXPECT_EQ(file_complaint(testing::TempDir()), testing::TempDir() + ": is a folder: allowed a regular file");
+    EXPECT_EQ(file_complaint("/dev/zero"), "/dev/zero: is a device: allowed a regular file");
 }
 
 TEST(InputFile, NeverWaitsForTheOtherEndOfAPipe) {
     const ScratchFile file("pipe");
     ASSERT_EQ(mkfifo(file.name().c_str(), 0600), 0);
     alarm(20);  // ends the tests where opening waits
-    EXPECT_EQ(complaint(file.name()), file.name() + ": is a pipe: allowed a regular file");
+    EXPECT_EQ(file_complaint(file.name()), file.name() + ": is a pipe: allowed a regular file");
     alarm(0);
 }
 
@@ -85,7 +85,7 @@ TEST(InputFile, MayBeAPipeThatTheShellHasOpened) {
 
 TEST(InputFile, OfMoreBytesThanAPipeMayHaveIsRefusedWhileItIsRead) {
     const FullPipe pipe("0123456789");
-    EXPECT_EQ(complaint(pipe.name(), 9), pipe.name() + ": has more bytes than are allowed");
+    EXPECT_EQ(file_complaint(pipe.name(), 9), pipe.name() + ": has more bytes than are allowed");
 }
 
 TEST(ReadLine, TakesTheEndsOfLinesOfOtherSystemsForEnds) {

@@ -12,9 +12,9 @@ namespace drape {
 namespace {
 
 namespace fs = std::filesystem;
-using testing_aid::input_error_of;
+using test::input_error_of;
 
-constexpr auto read = NamedFile::Use::Read;
+constexpr auto to_read = NamedFile::Use::Read;
 
 class NamedFiles : public testing::Test {
 protected:
@@ -62,9 +62,9 @@ TEST_F(NamedFiles, ThatAreOneAreRefusedWhateverTheyAreCalled) {
 
 TEST_F(NamedFiles, MayBeReadTwiceButNotReadAndWritten) {
     const fs::path file = folder_ / "there";
-    EXPECT_NO_THROW(check_apart({{"SCENE", file, read}, {"--replay", file, read}}));
-    EXPECT_THROW(check_apart({{"SCENE", file, read}, {"--record", folder_ / "soft"}}), InputError);
-    EXPECT_THROW(check_apart({{"--record", folder_ / "soft"}, {"SCENE", file, read}}), InputError);
+    EXPECT_NO_THROW(check_apart({{"SCENE", file, to_read}, {"--replay", file, to_read}}));
+    EXPECT_THROW(check_apart({{"SCENE", file, to_read}, {"--record", folder_ / "soft"}}), InputError);
+    EXPECT_THROW(check_apart({{"--record", folder_ / "soft"}, {"SCENE", file, to_read}}), InputError);
 }
 
 TEST_F(NamedFiles, MayBeOneDevice) {

@@ -17,8 +17,8 @@ namespace drape {
 namespace {
 
 namespace fs = std::filesystem;
+using test::read_file;
 using testing::ElementsAre;
-using testing_aid::read_file;
 
 /// A folder of each test's own.
 class OutputFileTest : public testing::Test {

@@ -22,7 +22,7 @@ protected:
         setenv("DRAPE_DATA", folder_.c_str(), 1);
     }
     void TearDown() override { unsetenv("DRAPE_DATA"); }
-    testing_aid::ScratchFolder scratch_;
+    test::ScratchFolder scratch_;
     const fs::path& folder_ = scratch_.path();
 };
 

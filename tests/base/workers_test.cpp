@@ -53,7 +53,7 @@ TEST(Workers, DoTheirPartsAtTheSameTime) {
 TEST(WorkersDeathTest, AreFewerWhereThreadsCannotBeStarted) {
     GTEST_FLAG_SET(death_test_style, "threadsafe");
     const auto work_with_few = [] {
-        testing::limit_address_space(100'000'000);  // about ten stacks
+        test::limit_address_space(100'000'000);  // about ten stacks
         Workers workers(64);
         const int threads = workers.threads();
         std::atomic<int> done = 0;

@@ -5,7 +5,7 @@
 #include "bits/matrix.h"
 #include "drape/integrate/integrator.h"
 
-namespace drape::testing_aid {
+namespace drape::test {
 namespace {
 
 /// A build of the same sources.
@@ -63,4 +63,4 @@ INSTANTIATE_TEST_SUITE_P(Nightly, EveryBuild, testing::ValuesIn(builds),
                          [](const testing::TestParamInfo<Build>& one) { return one.param.name; });
 
 }  // namespace
-}  // namespace drape::testing_aid
+}  // namespace drape::test

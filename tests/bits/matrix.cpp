@@ -10,7 +10,7 @@
 #include "drape/integrate/integrator.h"
 #include "drape/sim/scene.h"
 
-namespace drape::testing_aid {
+namespace drape::test {
 
 const std::string small_case =
     "drop --time 0.05 --set cloth.particles=12,12 ball.position=0,0.345,0 solver.dt=0.002 wind.on=1 ";
@@ -82,4 +82,4 @@ std::string no_emulator() {
 
 bool can_run(const std::string& program) { return std::system(("command -v " + program + " >/dev/null").c_str()) == 0; }
 
-}  // namespace drape::testing_aid
+}  // namespace drape::test

@@ -6,7 +6,7 @@
 
 #include "lab/lab_run.h"
 
-namespace drape::testing_aid {
+namespace drape::test {
 
 using Words = std::vector<std::string>;
 
@@ -65,4 +65,4 @@ std::string no_emulator();
 /// True if the shell finds a program of this name.
 bool can_run(const std::string& program);
 
-}  // namespace drape::testing_aid
+}  // namespace drape::test

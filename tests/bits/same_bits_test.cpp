@@ -5,7 +5,7 @@
 #include "bits/matrix.h"
 #include "drape/integrate/integrator.h"
 
-namespace drape::testing_aid {
+namespace drape::test {
 namespace {
 
 /// As on a processor without fused multiply-add, but for the C library alone. glibc 2.33 and later spell it so.
@@ -85,4 +85,4 @@ std::string name_of_processor(const testing::TestParamInfo<std::string>& one) {
 INSTANTIATE_TEST_SUITE_P(Nightly, EveryCell, testing::ValuesIn(generations), name_of_processor);
 
 }  // namespace
-}  // namespace drape::testing_aid
+}  // namespace drape::test

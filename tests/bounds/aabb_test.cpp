@@ -13,9 +13,9 @@ TEST(Aabb, IsTheSmallestBoxToTheBit) {
     std::mt19937 random(21);
     for (int columns = 2; columns <= 40; ++columns) {
         const Grid grid{columns, 2 + columns % 7};
-        const Points x = testing::random_cloth(grid, random);
+        const Points x = test::random_cloth(grid, random);
         for (const Kernels kernels : {Kernels::Vector, Kernels::Plain}) {
-            const Aabb box = fits_of<Aabb>({.kernels = kernels}).patch(testing::whole(x, grid));
+            const Aabb box = fits_of<Aabb>({.kernels = kernels}).patch(test::whole(x, grid));
             EXPECT_EQ(box.low.transpose(), x.colwise().minCoeff());
             EXPECT_EQ(box.high.transpose(), x.colwise().maxCoeff());
         }

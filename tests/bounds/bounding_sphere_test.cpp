@@ -8,13 +8,13 @@
 namespace drape {
 namespace {
 
-using testing::whole;
+using test::whole;
 
 TEST(BoundingSphere, StandsAtTheMeanAndReachesTheFarthestParticle) {
     std::mt19937 random(5);
     for (int columns = 2; columns < 40; ++columns) {
         const Grid grid{columns, 2 + columns % 7};
-        const Points x = testing::random_cloth(grid, random);
+        const Points x = test::random_cloth(grid, random);
         const BoundingSphere sphere = BoundingSphere::fit(whole(x, grid));
         const Eigen::RowVector3d mean = x.colwise().mean();
         EXPECT_LT((sphere.centre.transpose() - mean).norm(), 1e-14) << columns;
@@ -27,7 +27,7 @@ TEST(BoundingSphere, ContainsItsParticlesAtAnyScale) {
     for (const Real scale : {1e-6, 1.0, 1e6}) {
         for (int round = 0; round < 200; ++round) {
             const Grid grid{2 + round % 20, 2 + round % 11};
-            const Points x = scale * testing::random_cloth(grid, random);
+            const Points x = scale * test::random_cloth(grid, random);
             const BoundingSphere sphere = BoundingSphere::fit(whole(x, grid));
             const Real farthest = (x.rowwise() - sphere.centre.transpose()).rowwise().norm().maxCoeff();
             EXPECT_GE(sphere.radius, farthest);

@@ -37,7 +37,7 @@ TEST(CentroidTree, FitsEveryNodeToAllOfItsParticles) {
         for (const int leaf_cells : {1, 3, 4, 7, 15, 20}) {
             SCOPED_TRACE(std::to_string(grid.nx) + " x " + std::to_string(grid.ny) + ", leaf " +
                          std::to_string(leaf_cells));
-            compare_with_single_fits(grid, leaf_cells, testing::random_cloth(grid, random));
+            compare_with_single_fits(grid, leaf_cells, test::random_cloth(grid, random));
         }
     }
 }
@@ -45,7 +45,7 @@ TEST(CentroidTree, FitsEveryNodeToAllOfItsParticles) {
 TEST(CentroidTree, WorksAtAnyScaleAndForDegenerateCloth) {
     std::mt19937 random(12);
     const Grid grid{31, 17};
-    const Points x = testing::random_cloth(grid, random);
+    const Points x = test::random_cloth(grid, random);
     compare_with_single_fits(grid, 7, 1e6 * x);
     compare_with_single_fits(grid, 7, 1e-6 * x);
     compare_with_single_fits(grid, 7, Points::Constant(grid.particles(), 3, 0.1));

@@ -9,7 +9,7 @@
 namespace drape {
 namespace {
 
-const Grid shapes[] = {{2, 2}, {3, 2}, {2, 300}, {300, 2}, {5, 5}, {6, 5}, {30, 30}, {31, 17}, {257, 257}};
+const Grid tree_shapes[] = {{2, 2}, {3, 2}, {2, 300}, {300, 2}, {5, 5}, {6, 5}, {30, 30}, {31, 17}, {257, 257}};
 
 /// A square of side 1 m at rest.
 Points flat_sheet(const Grid& grid) {
@@ -19,7 +19,7 @@ Points flat_sheet(const Grid& grid) {
 }
 
 TEST(QuadtreeNodes, TileTheirParentsDownToLeavesOfTheWantedSize) {
-    for (const Grid& grid : shapes) {
+    for (const Grid& grid : tree_shapes) {
         for (const int leaf_cells : {1, 2, 4, 7, 15, 64}) {
             const auto nodes = make_quadtree_nodes(grid, leaf_cells);
             std::vector<int> covered(static_cast<std::size_t>(grid.cells()), 0);
@@ -134,7 +134,7 @@ TEST(TraversalStats, AddUp) {
 TEST(BroadPhases, AllocateNothingAfterTheFirstFrame) {
     std::mt19937 random(8);
     const Grid grid{31, 17};
-    const Points x[] = {testing::random_cloth(grid, random), testing::random_cloth(grid, random)};
+    const Points x[] = {test::random_cloth(grid, random), test::random_cloth(grid, random)};
     for (std::size_t volume = 0; volume < names_of<VolumeKind>().size(); ++volume) {
         for (std::size_t update = 0; update < names_of<UpdateKind>().size(); ++update) {
             const auto broad_phase = make_broad_phase(
@@ -142,12 +142,12 @@ TEST(BroadPhases, AllocateNothingAfterTheFirstFrame) {
             Candidates found;
             broad_phase->build(x[0]);
             broad_phase->query({.centre = Vec3::Zero(), .radius = 0.1}, found);
-            const auto before = testing::allocations();
+            const auto before = test::allocations();
             for (const Points& moved : x) {
                 broad_phase->build(moved);
                 broad_phase->query({.centre = Vec3::Zero(), .radius = 9}, found);
             }
-            EXPECT_EQ(testing::allocations(), before)
+            EXPECT_EQ(test::allocations(), before)
                 << names_of<VolumeKind>()[volume] << ", " << names_of<UpdateKind>()[update];
         }
     }

@@ -9,9 +9,9 @@
 namespace drape {
 namespace {
 
-using testing::breaches;
+using test::breaches;
 
-const Grid shapes[] = {{2, 2}, {2, 300}, {31, 17}, {257, 257}};
+const Grid invariant_shapes[] = {{2, 2}, {2, 300}, {31, 17}, {257, 257}};
 
 /// A cloth that moves: one half at a time, so that a refit leaves something, from slowly to fast.
 class MovingCloth {
@@ -19,8 +19,8 @@ public:
     explicit MovingCloth(const Grid& grid)
         : grid_(grid),
           random_(static_cast<unsigned>(grid.particles())),
-          x(testing::random_cloth(grid, random_)),
-          to_(testing::random_cloth(grid, random_)) {}
+          x(test::random_cloth(grid, random_)),
+          to_(test::random_cloth(grid, random_)) {}
 
     void move(int frame) {
         const Real fraction = std::pow(Real(10), static_cast<Real>(frame % 5 - 4));
@@ -49,17 +49,10 @@ protected:
     }
 };
 
-struct Names {
-    template <class V>
-    static std::string GetName(int) {
-        return std::string(V::name);
-    }
-};
-using AllVolumes = ::testing::Types<BoundingSphere, Aabb, KDop<6>, KDop<14>, KDop<18>, KDop<26>, Obb>;
-TYPED_TEST_SUITE(Invariant, AllVolumes, Names);
+TYPED_TEST_SUITE(Invariant, test::AllVolumes, test::VolumeNames);
 
 TYPED_TEST(Invariant, HoldsInEveryFrameByEveryUpdate) {
-    for (const Grid& grid : shapes) {
+    for (const Grid& grid : invariant_shapes) {
         const bool large = grid.particles() > 10'000;
         for (const UpdateKind update : {UpdateKind::Rebuild, UpdateKind::Merge, UpdateKind::Refit, UpdateKind::None}) {
             for (const Kernels kernels : {Kernels::Vector, Kernels::Plain}) {
@@ -93,7 +86,7 @@ TYPED_TEST(Invariant, HoldsForTheSpheresThatASearchEndsAt) {
             for (const StoppedNode& node : found.stopped) {
                 const Patch patch =
                     patch_of(grid, {.i0 = node.i0, .j0 = node.j0, .i1 = node.i1, .j1 = node.j1}, cloth.x);
-                EXPECT_LE(testing::farthest_out(node.sphere, patch), 1e-12L) << static_cast<int>(update);
+                EXPECT_LE(test::farthest_out(node.sphere, patch), 1e-12L) << static_cast<int>(update);
             }
         }
     }
@@ -136,7 +129,7 @@ V fit_shrunken(const Patch& patch) {
     for (int p = 0; p < patch.particles(); ++p) x.row(p) = patch.at(p % patch.columns, p / patch.columns).transpose();
     const Eigen::Matrix<Real, 1, 3> middle = x.colwise().mean();
     x = ((x.rowwise() - middle) * (1 - 1e-6)).eval().rowwise() + middle;
-    return V::fit(testing::whole(x, {patch.columns, patch.rows}));
+    return V::fit(test::whole(x, {patch.columns, patch.rows}));
 }
 
 TYPED_TEST(Invariant, IsSeenBrokenByNodesAMillionthTooSmall) {

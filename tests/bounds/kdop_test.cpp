@@ -8,7 +8,7 @@
 namespace drape {
 namespace {
 
-using testing::whole;
+using test::whole;
 
 /// Balls about a cloth, half of them touching its box from outside, to the rounding.
 Ball random_ball(const Aabb& box, std::mt19937& random, bool touching) {
@@ -26,7 +26,7 @@ TEST(KDop, OfSixDecidesAsTheBox) {
     int overlapping = 0;
     for (int round = 0; round < 100; ++round) {
         const Grid grid{2 + round % 30, 5};
-        const Points x = Real(0.5) * testing::random_cloth(grid, random);
+        const Points x = Real(0.5) * test::random_cloth(grid, random);
         const Aabb box = Aabb::fit(whole(x, grid));
         const KDop<6> dop = KDop<6>::fit(whole(x, grid));
         for (int b = 0; b < 1000; ++b) {
@@ -44,7 +44,7 @@ TEST(KDop, WithMoreDirectionsNeverOverlapsWhereOneWithFewerDoesNot) {
     std::array<int, 4> overlaps{};
     for (int round = 0; round < 100; ++round) {
         const Grid grid{2 + round % 30, 5};
-        const Points x = Real(0.5) * testing::random_cloth(grid, random);
+        const Points x = Real(0.5) * test::random_cloth(grid, random);
         const Patch patch = whole(x, grid);
         const Aabb box = Aabb::fit(patch);
         for (int b = 0; b < 500; ++b) {
@@ -69,7 +69,7 @@ template <int K>
 void check_faces() {
     std::mt19937 random(33);
     const Grid grid{9, 7};
-    const Points x = testing::random_cloth(grid, random);
+    const Points x = test::random_cloth(grid, random);
     const KDop<K> dop = KDop<K>::fit(whole(x, grid));
     for (const int number : dop_numbers<K>) {
         const auto& axis = dop_axes[static_cast<std::size_t>(number)];
@@ -94,7 +94,7 @@ TEST(KDop, OverlapsABallThatTouchesAFaceAndNoBallBeyond) {
 TEST(KDop, ProjectsAsItsDirectionsSay) {
     std::mt19937 random(34);
     const Grid grid{11, 6};
-    const Points x = testing::random_cloth(grid, random);
+    const Points x = test::random_cloth(grid, random);
     const KDop<26> dop = KDop<26>::fit(whole(x, grid));
     for (std::size_t k = 0; k < KDop<26>::cuts; ++k) {
         const auto& axis = dop_axes[k + 3];
@@ -110,16 +110,16 @@ TEST(KDop, IsCaughtIfADirectionIsMissing) {
     int missed = 0, mirrored = 0;
     for (int round = 0; round < 100; ++round) {
         const Grid grid{2 + round % 20, 5};
-        const Points x = testing::random_cloth(grid, random);
+        const Points x = test::random_cloth(grid, random);
         const KDop<18> dop = KDop<18>::fit(whole(x, grid));
-        EXPECT_LE(testing::farthest_out(dop, whole(x, grid)), 0);
+        EXPECT_LE(test::farthest_out(dop, whole(x, grid)), 0);
         KDop<18> without = dop;
         without.low.back() = without.high.back() = 0;
-        missed += testing::farthest_out(without, whole(x, grid)) > 0;
+        missed += test::farthest_out(without, whole(x, grid)) > 0;
         KDop<18> wrong = dop;
         wrong.low.back() = -dop.high.back();
         wrong.high.back() = -dop.low.back();
-        mirrored += testing::farthest_out(wrong, whole(x, grid)) > 0;
+        mirrored += test::farthest_out(wrong, whole(x, grid)) > 0;
     }
     EXPECT_EQ(missed, 100);
     EXPECT_EQ(mirrored, 100);

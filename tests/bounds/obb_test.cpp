@@ -10,7 +10,7 @@
 namespace drape {
 namespace {
 
-using testing::whole;
+using test::whole;
 
 void expect_orthonormal(const BoxAxes& axes) {
     EXPECT_LT((axes.transpose() * axes - BoxAxes::Identity()).cwiseAbs().maxCoeff(), 1e-14) << axes;
@@ -52,7 +52,7 @@ TEST(Obb, HasAnOrthonormalFrameWhateverTheCloth) {
             const Obb box = Obb::fit(whole(x, grid));
             expect_orthonormal(box.axes);
             expect_orthonormal(Obb::merge(std::array{box, box}).axes);
-            EXPECT_LE(testing::farthest_out(box, whole(x, grid)), 0);
+            EXPECT_LE(test::farthest_out(box, whole(x, grid)), 0);
         }
     }
 }
@@ -89,7 +89,7 @@ TEST(Obb, MergedContainsTheCornersOfItsChildren) {
     std::mt19937 random(43);
     const Grid grid{9, 7};
     for (int round = 0; round < 300; ++round) {
-        Points x = testing::random_cloth(grid, random);
+        Points x = test::random_cloth(grid, random);
         if (round % 2 == 1) x.array() += 1000;
         std::array<Obb, 4> children;
         for (std::size_t k = 0; k < 4; ++k) {
@@ -100,13 +100,13 @@ TEST(Obb, MergedContainsTheCornersOfItsChildren) {
         const Obb all = Obb::merge(children);
         for (const Obb& child : children) {
             for (int corner = 0; corner < 8; ++corner) {
-                testing::Exact at = child.origin.cast<long double>() - all.origin.cast<long double>();
+                test::Exact at = child.origin.cast<long double>() - all.origin.cast<long double>();
                 for (int k = 0; k < 3; ++k) {
                     const Real along = (corner >> k) & 1 ? child.high[k] : child.low[k];
                     at += child.axes.col(k).cast<long double>() * along;
                 }
-                const testing::Exact there = all.axes.cast<long double>().transpose() * at;
-                for (int k = 0; k < 3; ++k) ASSERT_LE(testing::beyond(there[k], all.low[k], all.high[k]), 0);
+                const test::Exact there = all.axes.cast<long double>().transpose() * at;
+                for (int k = 0; k < 3; ++k) ASSERT_LE(test::beyond(there[k], all.low[k], all.high[k]), 0);
             }
         }
     }

@@ -42,7 +42,7 @@ void for_each_patch(Visit visit) {
     for (int columns = 2; columns <= 40; ++columns) {
         for (const int rows : {2, 3, 8, 17}) {
             const Grid grid{columns + 3, rows};
-            const Points x = testing::random_cloth(grid, random), before = testing::random_cloth(grid, random);
+            const Points x = test::random_cloth(grid, random), before = test::random_cloth(grid, random);
             visit(part_of(x, grid, columns, rows), part_of(before, grid, columns, rows));
         }
     }
@@ -108,7 +108,7 @@ TEST(PatchKernels, GiveTheSameBitsWithEveryKindOfVector) {
 TEST(LargestDisplacement, IsThatOfTheParticleThatMovedFarthest) {
     std::mt19937 random(3);
     const Grid grid{31, 17};
-    const Points before = testing::random_cloth(grid, random);
+    const Points before = test::random_cloth(grid, random);
     for (const int particle : {0, 1, 15, 16, 263, grid.particles() - 1}) {
         Points x = before;
         x.row(particle) += Eigen::Matrix<Real, 1, 3>(0.3, -0.4, 1.2);

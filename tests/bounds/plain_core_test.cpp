@@ -29,7 +29,7 @@ Real difference(const KDop<K>& a, const KDop<K>& b) {
 /// Patches within a larger grid: a row, a column, squares, odd and wide ones; cloth, and points that coincide or are in
 /// one line or plane; at several scales.
 template <class Visit>
-void for_many_patches(Visit visit) {
+void for_many_scaled_patches(Visit visit) {
     std::mt19937 random(51);
     constexpr std::pair<int, int> shapes[] = {{2, 1},  {17, 1}, {1, 2},  {1, 13}, {2, 2},  {3, 2},  {2, 3},
                                               {5, 5},  {7, 3},  {8, 8},  {9, 16}, {15, 4}, {16, 2}, {17, 5},
@@ -44,9 +44,9 @@ void for_many_patches(Visit visit) {
                 visit(Patch{first, first + x.rows(), first + 2 * x.rows(), columns, rows, grid.nx}, scale);
             }
         };
-        for (int round = 0; round < 8; ++round) visit_scaled(testing::random_cloth(grid, random));
-        for (const testing::PointSet& set : testing::point_sets()) {
-            visit_scaled(testing::random_points(set, grid.particles(), random));
+        for (int round = 0; round < 8; ++round) visit_scaled(test::random_cloth(grid, random));
+        for (const test::PointSet& set : test::point_sets()) {
+            visit_scaled(test::random_points(set, grid.particles(), random));
         }
     }
 }
@@ -57,7 +57,7 @@ template <class Volume, class A, class B>
 int disagreements(A a, B b, Real tolerance, int& all) {
     int count = 0;
     all = 0;
-    for_many_patches([&](const Patch& patch, Real scale) {
+    for_many_scaled_patches([&](const Patch& patch, Real scale) {
         ++all;
         count += !(difference(a(patch), b(patch)) <= tolerance * scale);
     });
@@ -67,14 +67,8 @@ int disagreements(A a, B b, Real tolerance, int& all) {
 template <class V>
 class PlainCore : public ::testing::Test {};
 
-struct Names {
-    template <class V>
-    static std::string GetName(int) {
-        return std::string(V::name);
-    }
-};
 using OneFit = ::testing::Types<Aabb, KDop<6>, KDop<14>, KDop<18>, KDop<26>, Obb>;
-TYPED_TEST_SUITE(PlainCore, OneFit, Names);
+TYPED_TEST_SUITE(PlainCore, OneFit, test::VolumeNames);
 
 TYPED_TEST(PlainCore, FitsWhatTheKernelFits) {
     int all = 0;
@@ -105,7 +99,7 @@ template <class V>
 int nodes_with_another_fit(const BroadPhaseParameters& parameters) {
     std::mt19937 random(53);
     const Grid grid{31, 17};
-    const Points x = testing::random_cloth(grid, random);
+    const Points x = test::random_cloth(grid, random);
     ClothQuadtree<V> tree(grid, parameters);
     tree.build(x);
     int others = 0;
@@ -151,7 +145,7 @@ INSTANTIATE_TEST_SUITE_P(Fits, PlainSphere,
 TEST(PlainDisplacement, IsThatOfTheKernel) {
     std::mt19937 random(52);
     for (const Grid& grid : {Grid{2, 2}, Grid{31, 17}, Grid{2, 100}}) {
-        const Points x = testing::random_cloth(grid, random), before = testing::random_cloth(grid, random);
+        const Points x = test::random_cloth(grid, random), before = test::random_cloth(grid, random);
         EXPECT_NEAR(largest_displacement(x, before, Kernels::Plain), largest_displacement(x, before), 1e-15);
     }
 }

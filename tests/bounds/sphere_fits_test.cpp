@@ -7,18 +7,16 @@
 #include "drape/bounds/cloth_quadtree.h"
 #include "drape/bounds/dop_axes.h"
 #include "support/allocations.h"
+#include "support/containment.h"
 #include "support/point_sets.h"
 #include "support/smallest_radius.h"
 
 namespace drape {
 namespace {
 
-using testing::patch_of_points;
+using test::patch_of_points;
+using test::whole;
 using Fit = BoundingSphere (*)(const Patch&);
-
-Patch whole(const Points& x, const Grid& grid) {
-    return {x.col(0).data(), x.col(1).data(), x.col(2).data(), grid.nx, grid.ny, grid.nx};
-}
 
 SphereFit kind_at(std::size_t k) { return static_cast<SphereFit>(k); }
 
@@ -36,10 +34,10 @@ void for_each_fit(Visit visit) {
 template <class Visit>
 void for_each_set(unsigned seed, Visit visit) {
     std::mt19937 random(seed);
-    for (const testing::PointSet& set : testing::point_sets()) {
+    for (const test::PointSet& set : test::point_sets()) {
         for (const int n : {2, 3, 4, 5, 6, 8, 14, 20, 27, 40, 100, 1000}) {
             for (int round = 0; round < 40; ++round) {
-                const Points x = testing::random_points(set, n, random);
+                const Points x = test::random_points(set, n, random);
                 visit(set.name, patch_of_points(x), x);
             }
         }
@@ -47,7 +45,7 @@ void for_each_set(unsigned seed, Visit visit) {
     for (const int n : {2, 3, 4, 5, 6, 7, 9, 13, 17, 25, 33}) {
         for (int round = 0; round < 80; ++round) {
             const Grid grid{n, round % 4 == 0 ? n + 3 : n};
-            const Points x = testing::random_cloth(grid, random);
+            const Points x = test::random_cloth(grid, random);
             visit("cloth", whole(x, grid), x);
         }
     }
@@ -66,10 +64,10 @@ Real loosest(Fit fit, const std::string& of_set = "") {
 
 TEST(SmallestSphere, IsTheSmallestOfAllSpheresThroughAFewPoints) {
     std::mt19937 random(1);
-    for (const testing::PointSet& set : testing::point_sets()) {
+    for (const test::PointSet& set : test::point_sets()) {
         for (int round = 0; round < 120; ++round) {
-            const Points x = testing::random_points(set, 2 + round % 7, random);
-            const Real smallest = testing::smallest_radius_by_trying_all(x);
+            const Points x = test::random_points(set, 2 + round % 7, random);
+            const Real smallest = test::smallest_radius_by_trying_all(x);
             EXPECT_NEAR(fit_smallest_sphere(patch_of_points(x)).radius, smallest, 1e-12 * smallest) << set.name;
         }
     }
@@ -78,28 +76,27 @@ TEST(SmallestSphere, IsTheSmallestOfAllSpheresThroughAFewPoints) {
 TEST(SmallestSphere, HasItsCentreAmongTheParticlesOnIt) {
     for_each_set(2, [](const std::string& set, const Patch& patch, const Points& x) {
         const BoundingSphere sphere = fit_smallest_sphere(patch);
-        EXPECT_LE(sphere.radius, testing::lower_bound_of_radius(x, sphere.centre) * (1 + 1e-9))
+        EXPECT_LE(sphere.radius, test::lower_bound_of_radius(x, sphere.centre) * (1 + 1e-9))
             << set << ", " << x.rows() << " particles";
     });
 }
 
 TEST(SmallestSphere, IsJudgedByABoundThatAHundredMillionthTooMuchBreaks) {
     std::mt19937 random(3);
-    const Points x = testing::random_points(testing::point_sets()[0], 100, random);
+    const Points x = test::random_points(test::point_sets()[0], 100, random);
     const BoundingSphere sphere = fit_smallest_sphere(patch_of_points(x));
-    EXPECT_LE(sphere.radius, testing::lower_bound_of_radius(x, sphere.centre) * (1 + 1e-9));
+    EXPECT_LE(sphere.radius, test::lower_bound_of_radius(x, sphere.centre) * (1 + 1e-9));
     const Vec3 beside = sphere.centre + Vec3(1e-8, 0, 0) * sphere.radius;
-    EXPECT_GT(testing::farthest_distance(x, beside), testing::lower_bound_of_radius(x, beside) * (1 + 1e-9));
+    EXPECT_GT(test::farthest_distance(x, beside), test::lower_bound_of_radius(x, beside) * (1 + 1e-9));
 }
 
 TEST(SmallestSphere, HoldsPointsThatAreNearlyInOnePlaceLinePlaneOrCircle) {
     std::mt19937 random(4);
-    for (const testing::PointSet& set : testing::point_sets()) {
+    for (const test::PointSet& set : test::point_sets()) {
         for (int tenths = 20; tenths < 160; tenths += 3) {
-            Points x = testing::random_points(set, 5 + tenths % 4, random);
-            x += std::pow(10.0, -tenths / 10.0) *
-                 testing::random_points(testing::point_sets()[0], 5 + tenths % 4, random);
-            const Real smallest = testing::smallest_radius_by_trying_all(x);
+            Points x = test::random_points(set, 5 + tenths % 4, random);
+            x += std::pow(10.0, -tenths / 10.0) * test::random_points(test::point_sets()[0], 5 + tenths % 4, random);
+            const Real smallest = test::smallest_radius_by_trying_all(x);
             EXPECT_NEAR(fit_smallest_sphere(patch_of_points(x)).radius, smallest, 1e-9 * smallest + 1e-15) << set.name;
         }
     }
@@ -180,7 +177,7 @@ TEST(EposSphere, OfAsManyParticlesAsEndsOfLinesIsTheSmallest) {
     std::mt19937 random(6);
     for (int round = 0; round < 100; ++round) {
         const auto excess = [&](Fit fit, int n) {
-            const Points x = testing::random_points(testing::point_sets()[0], n, random);
+            const Points x = test::random_points(test::point_sets()[0], n, random);
             return fit(patch_of_points(x)).radius / fit_smallest_sphere(patch_of_points(x)).radius - 1;
         };
         EXPECT_EQ(excess(fit_epos6_sphere, 6), 0);
@@ -211,7 +208,7 @@ TEST(SphereFits, MergedFromSmallestSpheresOfLeavesAreAtMostHalfTooLargeOnCloth) 
     Real worst = 0;
     for (int round = 0; round < 200; ++round) {
         const Grid grid{2 + static_cast<int>(random() % 32), 2 + static_cast<int>(random() % 32)};
-        const Points x = testing::random_cloth(grid, random);
+        const Points x = test::random_cloth(grid, random);
         ClothQuadtree<BoundingSphere> tree(grid, {.update = UpdateKind::Merge}, {.patch = fit_smallest_sphere});
         tree.build(x);
         worst = std::max(worst, tree.volumes()[0].radius / fit_smallest_sphere(whole(x, grid)).radius);
@@ -239,7 +236,7 @@ TEST(SphereFits, ContainTheirParticlesAtAnyScaleAndFarFromTheOrigin) {
         for (const Real away : {0.0, 1.0, 1e3, 1e9}) {
             for (int round = 0; round < 30; ++round) {
                 const Grid grid{2 + round % 20, 2 + round % 11};
-                Points x = scale * testing::random_cloth(grid, random);
+                Points x = scale * test::random_cloth(grid, random);
                 x.rowwise() += scale * away * Eigen::RowVector3d(1, -2, 3);
                 for_each_fit([&](Fit fit, const std::string& name) {
                     EXPECT_TRUE(contains_all(fit(whole(x, grid)), x))
@@ -261,7 +258,7 @@ TEST(SphereFits, SeeOnlyTheirPatch) {
     std::mt19937 random(10);
     const Grid grid{40, 12};
     for (int columns = 2; columns < 36; ++columns) {
-        const Points all = testing::random_cloth(grid, random);
+        const Points all = test::random_cloth(grid, random);
         Points far = Points::Constant(grid.particles(), 3, 1e3);
         const int rows = 2 + columns % 9, first = grid.particle(3, 1);
         for (int j = 1; j < 1 + rows; ++j) {
@@ -280,18 +277,18 @@ TEST(SphereFits, SeeOnlyTheirPatch) {
 TEST(SphereFits, AllocateNothing) {
     std::mt19937 random(11);
     const Grid grid{33, 33};
-    const Points x = testing::random_cloth(grid, random);
+    const Points x = test::random_cloth(grid, random);
     for_each_fit([&](Fit fit, const std::string& name) {
-        const auto before = testing::allocations();
+        const auto before = test::allocations();
         (void)fit(whole(x, grid));
-        EXPECT_EQ(testing::allocations(), before) << name;
+        EXPECT_EQ(test::allocations(), before) << name;
     });
 }
 
 TEST(SphereFits, HaveNamesAndAreChosenByThem) {
     std::mt19937 random(12);
     const Grid grid{17, 13};
-    const Points x = testing::random_cloth(grid, random);
+    const Points x = test::random_cloth(grid, random);
     std::set<Fit> fits;
     for (std::size_t k = 0; k < names_of<SphereFit>().size(); ++k) {
         const auto tree = make_broad_phase({.sphere_fit = kind_at(k)}, grid);

@@ -9,21 +9,14 @@
 namespace drape {
 namespace {
 
-using testing::farthest_out;
-using testing::stands_out;
-using testing::whole;
+using test::farthest_out;
+using test::stands_out;
+using test::whole;
 
 template <class V>
 class Volume : public ::testing::Test {};
 
-struct Names {
-    template <class V>
-    static std::string GetName(int) {
-        return std::string(V::name);
-    }
-};
-using AllVolumes = ::testing::Types<BoundingSphere, Aabb, KDop<6>, KDop<14>, KDop<18>, KDop<26>, Obb>;
-TYPED_TEST_SUITE(Volume, AllVolumes, Names);
+TYPED_TEST_SUITE(Volume, test::AllVolumes, test::VolumeNames);
 
 /// Patches of any shape, at several scales, at the origin and far from it: a cloth of 1 m at 1000 m, and so on.
 template <class Visit>
@@ -33,7 +26,7 @@ void for_many_patches(Visit visit) {
         for (const Real away : {0.0, 1000.0}) {
             for (int columns = 2; columns <= 40; ++columns) {
                 const Grid grid{columns, 2 + columns % 7};
-                Points x = testing::random_cloth(grid, random);
+                Points x = test::random_cloth(grid, random);
                 x.rowwise() += away * Eigen::Matrix<Real, 1, 3>(1, -1, Real(0.7));
                 visit(grid, Points(scale * x));
             }

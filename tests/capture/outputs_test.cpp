@@ -14,13 +14,13 @@
 namespace drape::test {
 namespace {
 
+using test::eventually;
+using test::Process;
 using ::testing::AllOf;
 using ::testing::Contains;
 using ::testing::ElementsAre;
 using ::testing::HasSubstr;
 using ::testing::Not;
-using testing_aid::eventually;
-using testing_aid::Process;
 using Words = std::vector<std::string>;
 
 namespace fs = std::filesystem;

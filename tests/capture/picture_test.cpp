@@ -22,7 +22,7 @@ using ::testing::Contains;
 using ::testing::IsEmpty;
 using ::testing::StartsWith;
 
-constexpr int width = 1280, height = 720;
+constexpr int picture_width = 1280, picture_height = 720;
 
 /// A scene at a time at which its picture tells most.
 struct Moment {
@@ -63,7 +63,7 @@ protected:
     Image draw(const FrameView& view, const ViewSettings& from) {
         OffscreenContext context;
         Renderer renderer;
-        renderer.resize(width, height);
+        renderer.resize(picture_width, picture_height);
         renderer.draw(view, Camera(from), {});
         unsetenv("DRAPE_DATA");
         return renderer.read_back();

@@ -80,7 +80,7 @@ TEST(TouchedTriangles, AreThoseWithinTheRadius) {
     std::vector<int> touched;
     long found = 0;
     for (int round = 0; round < 5000; ++round) {
-        const Points x = testing::random_cloth(grid, random);
+        const Points x = test::random_cloth(grid, random);
         const Ball ball{.centre = 0.6 * Vec3(unit(random), unit(random), unit(random)),
                         .radius = 0.2 + 0.19 * unit(random)};
         find_touched_triangles(grid, x, ball, 0.002, all, touched);

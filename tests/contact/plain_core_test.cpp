@@ -68,7 +68,7 @@ Tally compare(const BroadPhaseParameters& parameters, const Grid& grid, std::siz
     std::mt19937 random(static_cast<unsigned>(grid.particles()));
     std::uniform_real_distribution<Real> unit(-1, 1);
     BothWays both(parameters, grid);
-    Points x = testing::random_cloth(grid, random);
+    Points x = test::random_cloth(grid, random);
     Tally tally;
     for (int frame = 0; frame < 10; ++frame) {
         for (Real& coordinate : x.reshaped()) coordinate += Real(0.01) * unit(random);

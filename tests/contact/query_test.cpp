@@ -94,7 +94,7 @@ Comparison<Volume> compare_many(const Grid& grid, int leaf_cells, int cloths, in
     std::uniform_real_distribution<Real> unit(-1, 1);
     Comparison<Volume> comparison(grid, {.leaf_cells = leaf_cells}, fits);
     for (int cloth = 0; cloth < cloths; ++cloth) {
-        const Points x = scale * testing::random_cloth(grid, random);
+        const Points x = scale * test::random_cloth(grid, random);
         comparison.build(x, cloth % 2 == 0 ? Real(0) : Real(0.003) * scale);
         for (int ball = 0; ball < balls; ++ball) {
             const Real radius = scale * Real(0.02) * std::exp(2 * (1 + unit(random)));
@@ -174,8 +174,7 @@ protected:
         std::mt19937 random(static_cast<unsigned>(grid.nx + 7 * grid.ny + leaf_cells));
         for (const UpdateKind update : {UpdateKind::Rebuild, UpdateKind::Merge, UpdateKind::Refit, UpdateKind::None}) {
             for (int cloth = 0; cloth < cloths; ++cloth) {
-                Points from = scale * testing::random_cloth(grid, random),
-                       to = scale * testing::random_cloth(grid, random);
+                Points from = scale * test::random_cloth(grid, random), to = scale * test::random_cloth(grid, random);
                 if (cloth % 5 == 3) from.leftCols(2).setConstant(Real(0.1) * scale), to.leftCols(2).setZero();
                 if (cloth % 5 == 4) from.setConstant(Real(0.1) * scale);
                 Comparison<Volume> comparison(grid, {.update = update, .leaf_cells = leaf_cells}, fits);
@@ -218,7 +217,7 @@ TYPED_TEST(Quadtree, AgreesWithBruteForceToTheLastBitsFarFromTheOrigin) {
     const Grid grid{9, 9};
     Comparison<TypeParam> comparison(grid, {.leaf_cells = 2});
     for (const Real offset : {Real(0), Real(10), Real(1e4)}) {
-        const Points x = (testing::random_cloth(grid, random).array() + offset).matrix();
+        const Points x = (test::random_cloth(grid, random).array() + offset).matrix();
         const Real bits = std::numeric_limits<Real>::epsilon() * (1 + offset);
         comparison.build(x, 0);
         for (int ball = 0; ball < 4000; ++ball) {

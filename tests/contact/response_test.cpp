@@ -9,7 +9,7 @@
 namespace drape {
 namespace {
 
-constexpr Real radius = 1000;  // so large a ball is a floor for a small cloth
+constexpr Real floor_radius = 1000;  // so large a ball is a floor for a small cloth
 constexpr Real dt = 1e-4;
 
 /// A stiff little cloth on a floor at y = 0 that may be tilted by tilting gravity.
@@ -17,7 +17,7 @@ struct Floor {
     ClothModel model;
     ClothState state;
     ResponseParameters parameters{.kind = ResponseKind::Projection, .friction = 0, .restitution = 0, .thickness = 0};
-    std::vector<Ball> balls{{.centre = Vec3(0, -radius, 0), .radius = radius}};
+    std::vector<Ball> balls{{.centre = Vec3(0, -floor_radius, 0), .radius = floor_radius}};
     std::vector<Contact> contacts;
     std::vector<CellRun> cells;
     Real deepest = 0;

@@ -37,7 +37,7 @@ Count count_skips(const BroadPhaseParameters& parameters, Rule may_skip) {
         const auto tree = make_broad_phase(parameters, grid),
                    brute = make_broad_phase({.volume = VolumeKind::Brute}, grid);
         Separation separation(grid);
-        Points x = testing::random_cloth(grid, random), built_from = x;
+        Points x = test::random_cloth(grid, random), built_from = x;
         std::vector<Ball> balls(2), balls_at_build;
         for (Ball& ball : balls)
             ball = {.centre = Real(1.2) * direction(), .radius = Real(0.1), .velocity = direction() / 50};
@@ -117,7 +117,7 @@ TEST(Separation, WouldBeWrongIfItForgotThatBallsLeap) {
 TEST(Separation, HoldsNoLongerOnceForgotten) {
     const Grid grid{4, 4};
     std::mt19937 random(1);
-    const Points x = testing::random_cloth(grid, random);
+    const Points x = test::random_cloth(grid, random);
     const std::vector<Ball> far{{.centre = Vec3(9, 0, 0), .radius = 1}};
     const auto tree = make_broad_phase({}, grid);
     tree->build(x);

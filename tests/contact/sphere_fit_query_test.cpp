@@ -20,19 +20,20 @@ std::vector<int> touched(BroadPhase& broad_phase, const Grid& grid, const Points
     return triangles;
 }
 
-struct Tally {
+struct FitTally {
     int configurations = 0, disagreements = 0, touching = 0;
 };
 
 /// Moves a cloth at random, and lets balls touch the farthest particles of nodes from outside, by a millionth of their
 /// radius.
-Tally compare_on_moving_cloth(BroadPhase& tree, const Grid& grid, int leaf_cells, BoundingSphere (*fit)(const Patch&)) {
+FitTally compare_on_moving_cloth(BroadPhase& tree, const Grid& grid, int leaf_cells,
+                                 BoundingSphere (*fit)(const Patch&)) {
     std::mt19937 random(static_cast<unsigned>(grid.nx * 100 + leaf_cells));
     std::uniform_real_distribution<Real> unit(-1, 1);
     const std::vector<QuadtreeNode> nodes = make_quadtree_nodes(grid, leaf_cells);
     const auto brute = make_broad_phase({.volume = VolumeKind::Brute}, grid);
-    Points x = testing::random_cloth(grid, random);
-    Tally tally;
+    Points x = test::random_cloth(grid, random);
+    FitTally tally;
     for (int frame = 0; frame < 12; ++frame) {
         for (Real& coordinate : x.reshaped()) coordinate += Real(0.01) * unit(random);
         tree.build(x);
@@ -67,7 +68,7 @@ TEST(SphereFitQuery, GivesWhatBruteForceGivesWithEveryFitUpdateAndLeafSize) {
                     const auto fit = static_cast<SphereFit>(f);
                     const auto tree = make_broad_phase(
                         {.update = static_cast<UpdateKind>(u), .leaf_cells = leaf_cells, .sphere_fit = fit}, grid);
-                    const Tally tally = compare_on_moving_cloth(*tree, grid, leaf_cells, sphere_fit_of(fit));
+                    const FitTally tally = compare_on_moving_cloth(*tree, grid, leaf_cells, sphere_fit_of(fit));
                     EXPECT_EQ(tally.disagreements, 0)
                         << names_of<SphereFit>()[f] << ", " << names_of<UpdateKind>()[u] << ", leaf " << leaf_cells;
                     touching += tally.touching;

@@ -30,7 +30,7 @@ bool frames_are_whole(const fs::path& folder, const fs::path& whole) {
     const auto names = names_in(folder);
     return std::ranges::all_of(names, [&](const std::string& name) {
         const bool frame = name.starts_with("frame_") && name.ends_with(".png");
-        return !frame || testing_aid::read_file(folder / name) == testing_aid::read_file(whole / name);
+        return !frame || test::read_file(folder / name) == test::read_file(whole / name);
     });
 }
 

@@ -25,7 +25,7 @@ bool frames_are_whole(const fs::path& folder) {
     if (!fs::is_directory(folder)) return true;
     return std::ranges::all_of(fs::directory_iterator(folder), [](const fs::directory_entry& entry) {
         const std::string name = entry.path().filename().string();
-        return !name.starts_with("frame_") || has_end(testing_aid::read_file(entry.path()));
+        return !name.starts_with("frame_") || has_end(test::read_file(entry.path()));
     });
 }
 

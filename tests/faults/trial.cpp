@@ -14,7 +14,7 @@ std::map<std::string, std::string> environment() {
     return {{"CAPTURE", programs + "/drape-capture"}, {"LAB", programs + "/drape-lab"}};
 }
 
-Outcome outcome_of(testing_aid::Process& process) {
+Outcome outcome_of(test::Process& process) {
     const int code = process.wait(longest_run).value_or(-1);
     return {code, process.standard_output(), process.standard_error()};
 }
@@ -26,13 +26,13 @@ Trial::Trial(std::filesystem::path folder, unsigned long seed) : folder_(std::mo
 }
 
 Outcome Trial::run(const std::string& line) const {
-    testing_aid::Process process({"bash", "-c", line}, environment(), folder_);
+    test::Process process({"bash", "-c", line}, environment(), folder_);
     return outcome_of(process);
 }
 
 Outcome Trial::run_and_kill(const std::string& line, double seconds) const {
-    testing_aid::Process process({"bash", "-c", "exec " + line}, environment(), folder_);
-    testing_aid::sleep_for(seconds);
+    test::Process process({"bash", "-c", "exec " + line}, environment(), folder_);
+    test::sleep_for(seconds);
     process.send(SIGKILL);
     return outcome_of(process);
 }
@@ -47,7 +47,7 @@ bool Trial::check(bool holds, const std::string& what, const Outcome& outcome) {
 
 void Trial::skip(const std::string& why) { std::cout << "skipped: " << why << "\n"; }
 
-std::string Trial::text(const std::string& name) const { return testing_aid::read_file(folder_ / name); }
+std::string Trial::text(const std::string& name) const { return test::read_file(folder_ / name); }
 
 void Trial::remove(const std::string& name) const { std::filesystem::remove_all(folder_ / name); }
 

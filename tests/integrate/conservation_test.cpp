@@ -13,8 +13,8 @@
 namespace drape {
 namespace {
 
-using testing::after;
-using testing::Sheet;
+using test::after;
+using test::Sheet;
 
 /// A damped sheet that nothing from outside acts on.
 struct FreeSheet : Sheet {

@@ -6,7 +6,7 @@
 #include "drape/integrate/integrator.h"
 #include "support/cloths.h"
 
-namespace drape::testing {
+namespace drape::test {
 
 /// The state after a number of equal steps.
 inline ClothState after(const IntegratorParameters& parameters, const ClothModel& model, ClothState state, Real time,
@@ -58,4 +58,4 @@ inline std::array<Real, 2> observed_orders(const IntegratorParameters& parameter
     return {std::log2(errors[0] / errors[1]), std::log2(errors[1] / errors[2])};
 }
 
-}  // namespace drape::testing
+}  // namespace drape::test

@@ -10,8 +10,8 @@
 namespace drape {
 namespace {
 
-using testing::after;
-using testing::Sheet;
+using test::after;
+using test::Sheet;
 
 IntegratorParameters with_tolerance(Real tolerance) {
     return {.kind = IntegratorKind::DormandPrince, .tolerance = tolerance};
@@ -109,9 +109,9 @@ TEST(DormandPrince, AllocatesNothingInAStep) {
     const Sheet sheet;
     const auto integrator = make_integrator(with_tolerance(1e-6), sheet.model.grid);
     ClothState state = sheet.start;
-    const auto before = testing::allocations();
+    const auto before = test::allocations();
     for (int step = 0; step < 3; ++step) integrator->step(sheet.model, state, 0.01);
-    EXPECT_EQ(testing::allocations(), before);
+    EXPECT_EQ(test::allocations(), before);
 }
 
 }  // namespace

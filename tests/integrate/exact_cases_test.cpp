@@ -13,7 +13,7 @@
 namespace drape {
 namespace {
 
-using testing::after;
+using test::after;
 using Kind = IntegratorKind;
 
 constexpr Kind kinds[] = {Kind::ExplicitEuler,      Kind::SymplecticEuler,  Kind::VelocityVerlet, Kind::Rk4,

@@ -14,17 +14,17 @@
 namespace drape {
 namespace {
 
-using testing::after;
-using testing::Sheet;
+using test::after;
+using test::Sheet;
 
-constexpr IntegratorKind kinds[] = {IntegratorKind::BackwardEuler, IntegratorKind::ImplicitMidpoint,
-                                    IntegratorKind::Bdf2};
+constexpr IntegratorKind implicit_kinds[] = {IntegratorKind::BackwardEuler, IntegratorKind::ImplicitMidpoint,
+                                             IntegratorKind::Bdf2};
 constexpr Hessian hessians[] = {Hessian::Clamped, Hessian::Exact};
 
 /// Calls test(parameters, message) for every implicit method with both kinds of slopes.
 template <class Test>
 void with_each(Test test) {
-    for (const IntegratorKind kind : kinds) {
+    for (const IntegratorKind kind : implicit_kinds) {
         for (const Hessian hessian : hessians) {
             SCOPED_TRACE(std::string(name_of(kind)) + ", " + name_of(hessian));
             test(IntegratorParameters{.kind = kind, .hessian = hessian});
@@ -33,7 +33,7 @@ void with_each(Test test) {
 }
 
 void expect_order(const IntegratorParameters& parameters, Real order) {
-    for (const Real observed : testing::observed_orders(parameters)) {
+    for (const Real observed : test::observed_orders(parameters)) {
         EXPECT_GT(observed, order - 0.15) << name_of(parameters.kind);
         EXPECT_LT(observed, order + 0.25) << name_of(parameters.kind);
     }
@@ -246,7 +246,7 @@ TEST(ClampedMethods, StayFiniteAtAnyStepAndStiffness) {
         parameters.structural = parameters.shear = parameters.bend = {1e6, damping};
         parameters.pinned.kind = Pins::Kind::Two;
         const ClothModel model = make_cloth_model(parameters);
-        for (const IntegratorKind kind : kinds) {
+        for (const IntegratorKind kind : implicit_kinds) {
             const ClothState state = after({.kind = kind}, model, make_rest_state(parameters), 10, 200);
             EXPECT_TRUE(state.x.allFinite() && state.v.allFinite()) << name_of(kind) << ", damping " << damping;
             if (kind == IntegratorKind::ImplicitMidpoint) continue;  // it does not damp: see the tables of stability
@@ -262,9 +262,9 @@ TEST(ImplicitMethods, AllocateNothingAfterTheFirstStep) {
             const auto integrator = make_integrator(parameters, grid);
             ClothState state = sheet.start;
             integrator->step(sheet.model, state, 1e-3);
-            const auto before = testing::allocations();
+            const auto before = test::allocations();
             for (const Real h : {1e-3, 1e-3, 0.05, 0.05}) integrator->step(sheet.model, state, h);
-            EXPECT_EQ(testing::allocations(), before);
+            EXPECT_EQ(test::allocations(), before);
         });
     }
 }

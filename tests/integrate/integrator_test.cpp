@@ -14,14 +14,14 @@ namespace {
 constexpr IntegratorKind all_kinds[] = {IntegratorKind::ExplicitEuler, IntegratorKind::SymplecticEuler,
                                         IntegratorKind::VelocityVerlet, IntegratorKind::Rk4};
 
-using testing::Sheet;
+using test::Sheet;
 
 ClothState after(IntegratorKind kind, const ClothModel& model, const ClothState& state, Real time, int steps) {
-    return testing::after({.kind = kind}, model, state, time, steps);
+    return test::after({.kind = kind}, model, state, time, steps);
 }
 
 void expect_order(IntegratorKind kind, Real order) {
-    for (const Real observed : testing::observed_orders({.kind = kind})) {
+    for (const Real observed : test::observed_orders({.kind = kind})) {
         EXPECT_GT(observed, order - 0.15) << name_of(kind);
         EXPECT_LT(observed, order + 0.25) << name_of(kind);
     }
@@ -101,9 +101,9 @@ TEST(Integrators, AllocateNothingInAStep) {
     for (const IntegratorKind kind : all_kinds) {
         const auto integrator = make_integrator({.kind = kind}, sheet.model.grid);
         ClothState state = sheet.start;
-        const auto before = testing::allocations();
+        const auto before = test::allocations();
         for (int step = 0; step < 3; ++step) integrator->step(sheet.model, state, 1e-3);
-        EXPECT_EQ(testing::allocations(), before) << name_of(kind);
+        EXPECT_EQ(test::allocations(), before) << name_of(kind);
     }
 }
 

@@ -22,7 +22,7 @@ struct Flag {
         model = make_cloth_model(parameters);
         model.air = {Vec3(3, -1, 2), Real(1.2)};
         std::mt19937 random(3);
-        start = testing::random_state(parameters, random);
+        start = test::random_state(parameters, random);
     }
 
     [[nodiscard]] ClothState after_steps(IntegratorParameters method, Kernels kernels) const {

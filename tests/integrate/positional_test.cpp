@@ -12,13 +12,13 @@
 namespace drape {
 namespace {
 
-using testing::after;
-using testing::Sheet;
+using test::after;
+using test::Sheet;
 
-constexpr IntegratorKind kinds[] = {IntegratorKind::Xpbd, IntegratorKind::ProjectiveDynamics};
+constexpr IntegratorKind positional_kinds[] = {IntegratorKind::Xpbd, IntegratorKind::ProjectiveDynamics};
 
 void expect_first_order(const IntegratorParameters& parameters) {
-    for (const Real observed : testing::observed_orders(parameters)) {
+    for (const Real observed : test::observed_orders(parameters)) {
         EXPECT_GT(observed, 1 - 0.15) << name_of(parameters.kind);
         EXPECT_LT(observed, 1 + 0.25) << name_of(parameters.kind);
     }
@@ -71,7 +71,7 @@ TEST(PositionalMethods, MoveAPinnedParticleAsTheHandDoesToTheBit) {
     Sheet sheet;
     sheet.start.v.row(0) << 0.3, -0.2, 0.1;
     constexpr Real h = 0.003;
-    for (const IntegratorKind kind : kinds) {
+    for (const IntegratorKind kind : positional_kinds) {
         const ClothState now = after({.kind = kind}, sheet.model, sheet.start, h, 1);
         const auto moved = (sheet.start.x.row(0) + h * sheet.start.v.row(0)).eval();
         EXPECT_EQ(now.x.row(0), moved) << name_of(kind);
@@ -87,7 +87,7 @@ TEST(PositionalMethods, TakeSpringsOfZeroLength) {
     Sheet point;
     point.start.x.setZero();
     point.start.v.setZero();
-    for (const IntegratorKind kind : kinds) {
+    for (const IntegratorKind kind : positional_kinds) {
         EXPECT_TRUE(after({.kind = kind}, sheet.model, sheet.start, 0.1, 20).x.allFinite()) << name_of(kind);
         EXPECT_TRUE(after({.kind = kind}, point.model, point.start, 0.1, 20).x.allFinite()) << name_of(kind);
     }
@@ -100,7 +100,7 @@ TEST(PositionalMethods, ConserveMomentumWithoutGravity) {
     sheet.model = make_cloth_model(sheet.parameters);
     sheet.model.gravity.setZero();
     const auto momentum = [](const ClothState& s) { return s.v.colwise().sum().eval(); };
-    for (const IntegratorKind kind : kinds) {
+    for (const IntegratorKind kind : positional_kinds) {
         const ClothState now = after({.kind = kind}, sheet.model, sheet.start, 0.2, 20);
         const Real scale = sheet.start.v.cwiseAbs().sum();
         EXPECT_LT((momentum(now) - momentum(sheet.start)).norm(), 1e-12 * scale) << name_of(kind);
@@ -111,7 +111,7 @@ TEST(PositionalMethods, StayWithinReachAtLongStepsAndStiffSprings) {
     Sheet sheet;
     for (const Real damping : {0., 5.}) {
         sheet.model.structural = sheet.model.shear = sheet.model.bend = {1e6, damping};
-        for (const IntegratorKind kind : kinds) {
+        for (const IntegratorKind kind : positional_kinds) {
             for (const int iterations : {1, 20}) {
                 const ClothState now =
                     after({.kind = kind, .iterations = iterations}, sheet.model, sheet.start, 20, 400);
@@ -142,13 +142,13 @@ TEST(ProjectiveDynamics, StepsLikeNewAfterAnyChangeOfTheModel) {
 
 TEST(PositionalMethods, AllocateNothingAfterTheFirstStep) {
     const Sheet sheet;
-    for (const IntegratorKind kind : kinds) {
+    for (const IntegratorKind kind : positional_kinds) {
         const auto integrator = make_integrator({.kind = kind}, sheet.model.grid);
         ClothState state = sheet.start;
         integrator->step(sheet.model, state, 1e-3);
-        const auto before = testing::allocations();
+        const auto before = test::allocations();
         for (int step = 0; step < 3; ++step) integrator->step(sheet.model, state, 1e-3);
-        EXPECT_EQ(testing::allocations(), before) << name_of(kind);
+        EXPECT_EQ(test::allocations(), before) << name_of(kind);
     }
 }
 

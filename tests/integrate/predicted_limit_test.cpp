@@ -13,7 +13,7 @@
 namespace drape {
 namespace {
 
-using testing_aid::LinearCloth;
+using test::LinearCloth;
 
 constexpr IntegratorKind explicit_kinds[] = {IntegratorKind::ExplicitEuler, IntegratorKind::SymplecticEuler,
                                              IntegratorKind::VelocityVerlet, IntegratorKind::Rk4};
@@ -149,10 +149,10 @@ TEST(PredictedLimit, IsKnownAtOnceForAMethodWithoutOne) {
     cloth.particles = {700, 700};
     const Sample sample = sample_of(cloth);
     // Whatever searches has to make room first
-    const long long before = testing::allocations();
+    const long long before = test::allocations();
     EXPECT_EQ(predicted_limit(sample.model, sample.state, IntegratorKind::BackwardEuler).step,
               std::numeric_limits<Real>::infinity());
-    EXPECT_EQ(testing::allocations(), before);
+    EXPECT_EQ(test::allocations(), before);
 }
 
 TEST(MeasuredLimit, IsSoughtFromTheLongestStepWhereNothingIsGuessed) {

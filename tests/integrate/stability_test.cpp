@@ -12,15 +12,15 @@
 namespace drape {
 namespace {
 
-constexpr IntegratorKind explicit_kinds[] = {IntegratorKind::ExplicitEuler, IntegratorKind::SymplecticEuler,
-                                             IntegratorKind::VelocityVerlet, IntegratorKind::Rk4};
+constexpr IntegratorKind limited_kinds[] = {IntegratorKind::ExplicitEuler, IntegratorKind::SymplecticEuler,
+                                            IntegratorKind::VelocityVerlet, IntegratorKind::Rk4};
 
-struct Sheet {
+struct RestSheet {
     ClothModel model;
     ClothState state;
 };
 
-Sheet rest_sheet(int side, SpringLaw structural, SpringLaw shear, SpringLaw bend) {
+RestSheet rest_sheet(int side, SpringLaw structural, SpringLaw shear, SpringLaw bend) {
     ClothParameters parameters;
     parameters.particles = {side, side};
     parameters.structural = structural;
@@ -31,7 +31,7 @@ Sheet rest_sheet(int side, SpringLaw structural, SpringLaw shear, SpringLaw bend
 }
 
 /// A K + b D of the free particles by mass, as a matrix.
-Eigen::MatrixXd dense(const Sheet& sheet, Real a, Real b) {
+Eigen::MatrixXd dense(const RestSheet& sheet, Real a, Real b) {
     const int n = sheet.model.grid.particles();
     Jacobian slopes(sheet.model.grid, Hessian::Clamped);
     slopes.linearise(sheet.model, sheet.state.x, sheet.state.v);
@@ -60,7 +60,7 @@ double top(const Eigen::MatrixXd& matrix) {
 /// lambda = m omega^2 of the undamped flat sheet, in units of k.
 Real lambda_at_rest(int side, Real shear, Real bend) {
     constexpr Real k = 300;
-    const Sheet sheet = rest_sheet(side, {k, 0}, {shear * k, 0}, {bend * k, 0});
+    const RestSheet sheet = rest_sheet(side, {k, 0}, {shear * k, 0}, {bend * k, 0});
     const Real omega = predicted_limit(sheet.model, sheet.state, IntegratorKind::SymplecticEuler).omega;
     return omega * omega * sheet.model.particle_mass / k;
 }
@@ -90,14 +90,14 @@ TEST(HighestFrequency, IsThatOfTheWholeMatrixInAnyShape) {
     parameters.pinned.kind = Pins::Kind::List;
     std::mt19937 random(7);
     for (int shape = 0; shape < 5; ++shape) {
-        const Sheet sheet{make_cloth_model(parameters), testing::random_state(parameters, random)};
+        const RestSheet sheet{make_cloth_model(parameters), test::random_state(parameters, random)};
         const Real omega = predicted_limit(sheet.model, sheet.state, IntegratorKind::Rk4).omega;
         EXPECT_NEAR(omega * omega / top(dense(sheet, 1, 0)), 1, 1e-3) << shape;
     }
 }
 
 TEST(HighestFrequency, OfALargeClothIsSoughtWhereItsSpringsPull) {
-    Sheet sheet = rest_sheet(200, {300, 0}, {300, 0}, {300, 0});
+    RestSheet sheet = rest_sheet(200, {300, 0}, {300, 0}, {300, 0});
     const Real at_rest = predicted_limit(sheet.model, sheet.state, IntegratorKind::Rk4).omega;
     // The last columns are drawn out, a window's width from the middle
     for (int j = 0; j < 200; ++j) {
@@ -110,14 +110,14 @@ TEST(HighestFrequency, OfALargeClothIsSoughtWhereItsSpringsPull) {
 
 TEST(PredictedLimit, OfSymplecticEulerIsExactForAnyDamping) {
     // A sheet whose kinds of springs are damped quite differently. Stable up to the h where h^2 K + 2 h D reaches 4 M.
-    const Sheet sheet = rest_sheet(8, {500, Real(0.001)}, {200, Real(0.3)}, {50, Real(0.1)});
+    const RestSheet sheet = rest_sheet(8, {500, Real(0.001)}, {200, Real(0.3)}, {50, Real(0.1)});
     const StepLimit limit = predicted_limit(sheet.model, sheet.state, IntegratorKind::SymplecticEuler);
     EXPECT_NEAR(top(dense(sheet, limit.step * limit.step, 2 * limit.step)), 4, 4e-3);
     EXPECT_NEAR(limit.step * limit.omega, 2 * (std::sqrt(1 + limit.zeta * limit.zeta) - limit.zeta), 1e-9);
 }
 
 TEST(PredictedLimit, OfExplicitEulerIsThatOfItsLeastDampedVibration) {
-    const Sheet sheet = rest_sheet(8, {500, Real(0.001)}, {200, Real(0.003)}, {50, Real(0.001)});
+    const RestSheet sheet = rest_sheet(8, {500, Real(0.001)}, {200, Real(0.003)}, {50, Real(0.001)});
     const Real step = predicted_limit(sheet.model, sheet.state, IntegratorKind::ExplicitEuler).step;
     // Stable while h K <= D; the springs' own ratios of c to k bound it
     EXPECT_LT(top(dense(sheet, Real(0.99) * step, -1)), 0.02 * step * top(dense(sheet, 1, 0)));
@@ -127,13 +127,13 @@ TEST(PredictedLimit, OfExplicitEulerIsThatOfItsLeastDampedVibration) {
 }
 
 TEST(PredictedLimit, OfExplicitEulerIsNoneWithoutDamping) {
-    const Sheet sheet = rest_sheet(10, {500, 0}, {200, 0}, {50, 0});
+    const RestSheet sheet = rest_sheet(10, {500, 0}, {200, 0}, {50, 0});
     EXPECT_EQ(predicted_limit(sheet.model, sheet.state, IntegratorKind::ExplicitEuler).step, 0);
 }
 
 TEST(PredictedLimit, IsInfiniteWithoutSpringsAndForImplicitMethods) {
-    const Sheet loose = rest_sheet(10, {}, {}, {}), sheet = rest_sheet(10, {500, 0}, {200, 0}, {50, 0});
-    for (const IntegratorKind kind : explicit_kinds) {
+    const RestSheet loose = rest_sheet(10, {}, {}, {}), sheet = rest_sheet(10, {500, 0}, {200, 0}, {50, 0});
+    for (const IntegratorKind kind : limited_kinds) {
         EXPECT_TRUE(std::isinf(predicted_limit(loose.model, loose.state, kind).step)) << name_of(kind);
     }
     const StepLimit limit = predicted_limit(sheet.model, sheet.state, IntegratorKind::BackwardEuler);
@@ -142,7 +142,7 @@ TEST(PredictedLimit, IsInfiniteWithoutSpringsAndForImplicitMethods) {
 }
 
 TEST(PredictedLimit, IsInfiniteIfNothingCanMove) {
-    Sheet sheet = rest_sheet(4, {500, 1}, {200, 1}, {50, 1});
+    RestSheet sheet = rest_sheet(4, {500, 1}, {200, 1}, {50, 1});
     sheet.model.inverse_mass.setZero();
     EXPECT_TRUE(std::isinf(predicted_limit(sheet.model, sheet.state, IntegratorKind::Rk4).step));
 }
@@ -191,7 +191,7 @@ Real growth_of_pair(IntegratorKind kind, Real zeta, Real step_by_limit) {
 }
 
 TEST(LongestStep, IsWhereTheMethodsOwnStepsStartToGrow) {
-    for (const IntegratorKind kind : explicit_kinds) {
+    for (const IntegratorKind kind : limited_kinds) {
         for (const Real zeta : {0.0, 0.01, 0.1, 0.5, 1.0, 1.5, 4.0}) {
             // Its growth is of the size zeta^2 a step, too slow to be seen
             if (kind == IntegratorKind::ExplicitEuler && zeta < Real(0.1)) continue;

@@ -10,11 +10,11 @@ namespace drape {
 namespace {
 
 /// A free flat sheet at rest, without gravity: the state that is tried is the one that was looked at.
-struct Sheet {
+struct TrialSheet {
     ClothModel model;
     ClothState state;
 
-    Sheet(int side, Real stiffness, Real damping) {
+    TrialSheet(int side, Real stiffness, Real damping) {
         ClothParameters parameters;
         parameters.particles = {side, side};
         parameters.structural = parameters.shear = parameters.bend = {stiffness, damping};
@@ -40,13 +40,13 @@ class MethodWithALimit : public testing::TestWithParam<Case> {};
 
 TEST_P(MethodWithALimit, StaysBoundedJustBelowAndFailsJustAbove) {
     const auto [kind, side, stiffness] = GetParam();
-    const Sheet sheet(side, stiffness, 0);
+    const TrialSheet sheet(side, stiffness, 0);
     const Real limit = sheet.predicted(kind);
     EXPECT_EQ(sheet.tried(kind, Real(0.98) * limit), TrialEnd::Bounded);
     EXPECT_NE(sheet.tried(kind, Real(1.02) * limit), TrialEnd::Bounded);
 }
 
-std::vector<Case> cases() {
+std::vector<Case> trial_cases() {
     std::vector<Case> all;
     for (const IntegratorKind kind :
          {IntegratorKind::SymplecticEuler, IntegratorKind::VelocityVerlet, IntegratorKind::Rk4}) {
@@ -57,16 +57,16 @@ std::vector<Case> cases() {
     return all;
 }
 
-std::string case_name(const testing::TestParamInfo<Case>& one) {
+std::string trial_name(const testing::TestParamInfo<Case>& one) {
     return std::string(name_of(one.param.kind)) + "_" + std::to_string(one.param.side) + "_1e" +
            std::to_string(std::lround(std::log10(one.param.stiffness)));
 }
 
-INSTANTIATE_TEST_SUITE_P(All, MethodWithALimit, testing::ValuesIn(cases()), case_name);
+INSTANTIATE_TEST_SUITE_P(All, MethodWithALimit, testing::ValuesIn(trial_cases()), trial_name);
 
 TEST(MeasuredLimit, IsThePredictedOneWithinThreePercent) {
     for (const Real damping : {0.0, 0.1, 1.0}) {
-        const Sheet sheet(12, 1e4, damping);
+        const TrialSheet sheet(12, 1e4, damping);
         for (const IntegratorKind kind :
              {IntegratorKind::SymplecticEuler, IntegratorKind::VelocityVerlet, IntegratorKind::Rk4}) {
             const Real predicted = sheet.predicted(kind);
@@ -77,7 +77,7 @@ TEST(MeasuredLimit, IsThePredictedOneWithinThreePercent) {
 }
 
 TEST(MeasuredLimit, CatchesAFrequencyThatIsFivePercentOff) {
-    const Sheet sheet(16, 1e4, 0);
+    const TrialSheet sheet(16, 1e4, 0);
     for (const IntegratorKind kind :
          {IntegratorKind::SymplecticEuler, IntegratorKind::VelocityVerlet, IntegratorKind::Rk4}) {
         const Real wrong = Real(1.05) * sheet.predicted(kind);
@@ -88,7 +88,7 @@ TEST(MeasuredLimit, CatchesAFrequencyThatIsFivePercentOff) {
 }
 
 TEST(MeasuredLimit, DoesNotDependOnWhereTheSearchStarts) {
-    const Sheet sheet(8, 1e3, 0);
+    const TrialSheet sheet(8, 1e3, 0);
     const IntegratorParameters method{.kind = IntegratorKind::SymplecticEuler};
     const Real from_below = measured_limit(sheet.model, sheet.state, method, Real(1e-4), 1);
     EXPECT_NEAR(measured_limit(sheet.model, sheet.state, method, Real(0.5), 1) / from_below, 1, 0.01);
@@ -96,7 +96,7 @@ TEST(MeasuredLimit, DoesNotDependOnWhereTheSearchStarts) {
 
 TEST(MeasuredLimit, OfExplicitEulerIsTheOneThatItsGrowthFromNoiseTakes) {
     for (const Real damping : {0.0, 0.1}) {
-        const Sheet sheet(12, 1e4, damping);
+        const TrialSheet sheet(12, 1e4, damping);
         const StepLimit fastest = predicted_limit(sheet.model, sheet.state, IntegratorKind::SymplecticEuler);
         for (const int steps : {3000, 12000}) {
             const Trial trial{.steps = steps};
@@ -111,7 +111,7 @@ TEST(MeasuredLimit, OfExplicitEulerIsTheOneThatItsGrowthFromNoiseTakes) {
 }
 
 TEST(MeasuredLimit, OfExplicitEulerFallsWithTheNumberOfSteps) {
-    const Sheet sheet(8, 1e4, 0);
+    const TrialSheet sheet(8, 1e4, 0);
     const IntegratorParameters method{.kind = IntegratorKind::ExplicitEuler};
     const Real some = measured_limit(sheet.model, sheet.state, method, Real(1e-4), 1, {.steps = 3000});
     const Real many = measured_limit(sheet.model, sheet.state, method, Real(1e-4), 1, {.steps = 30000});
@@ -119,13 +119,13 @@ TEST(MeasuredLimit, OfExplicitEulerFallsWithTheNumberOfSteps) {
 }
 
 TEST(TriedStep, FailsByLeavingTheReachOfTheSheet) {
-    Sheet sheet(8, 1e3, 0);
+    TrialSheet sheet(8, 1e3, 0);
     sheet.state.v.col(0).setConstant(5);
     EXPECT_EQ(sheet.tried(IntegratorKind::VelocityVerlet, Real(2e-4)), TrialEnd::OutOfReach);
 }
 
 TEST(TriedStep, NeedsItsNoise) {
-    const Sheet sheet(8, 1e3, 0);
+    const TrialSheet sheet(8, 1e3, 0);
     const Real too_long = Real(1.02) * sheet.predicted(IntegratorKind::SymplecticEuler);
     const IntegratorParameters method{.kind = IntegratorKind::SymplecticEuler};
     EXPECT_NE(try_step(sheet.model, sheet.state, method, too_long), TrialEnd::Bounded);

@@ -9,7 +9,7 @@
 #include "drape/integrate/integrator.h"
 #include "drape/model/jacobian.h"
 
-namespace drape::testing_aid {
+namespace drape::test {
 
 /// x'' = -K x - D x' of a small cloth's free coordinates, by mass, as dense matrices.
 struct LinearCloth {
@@ -111,4 +111,4 @@ struct LinearCloth {
     }
 };
 
-}  // namespace drape::testing_aid
+}  // namespace drape::test

@@ -10,14 +10,14 @@
 namespace drape {
 namespace {
 
+using test::LabFolder;
+using test::LabRun;
+using test::lines_of;
 using testing::AllOf;
 using testing::HasSubstr;
 using testing::IsEmpty;
 using testing::MatchesRegex;
 using testing::StartsWith;
-using testing_aid::LabFolder;
-using testing_aid::LabRun;
-using testing_aid::lines_of;
 
 std::string csv_of(const Points& x) {
     std::string text;

@@ -13,10 +13,10 @@
 namespace drape {
 namespace {
 
+using test::LabFolder;
+using test::LabRun;
+using test::lines_of;
 using ::testing::HasSubstr;
-using testing_aid::LabFolder;
-using testing_aid::LabRun;
-using testing_aid::lines_of;
 
 TEST(ContactTrial, DoesWhatTheSimulationDoesToTheSameBits) {
     for (const char* limit : {"search_tests=0", "search_tests=20"}) {

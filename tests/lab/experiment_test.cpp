@@ -12,11 +12,11 @@
 namespace drape {
 namespace {
 
+using test::LabFolder;
+using test::LabRun;
+using test::table_of;
 using testing::ElementsAre;
 using testing::HasSubstr;
-using testing_aid::LabFolder;
-using testing_aid::LabRun;
-using testing_aid::table_of;
 
 const std::map<std::string, std::string> without_gnuplot{{"PATH", "/nowhere"}};
 
@@ -53,9 +53,9 @@ TEST(LabExperiment, LosesNoCaseToASignal) {
     std::vector<std::string> all{DRAPE_LAB};
     all.insert(all.end(), words.begin(), words.end());
     all.emplace_back("cut");
-    testing_aid::Process cut(all, {{"PATH", "/nowhere"}, {"DRAPE_DATA", ""}}, folder.path());
-    ASSERT_TRUE(testing_aid::eventually(
-        [&] { return folder.read("cut/stability.csv.part").find("\n2,") != std::string::npos; }));
+    test::Process cut(all, {{"PATH", "/nowhere"}, {"DRAPE_DATA", ""}}, folder.path());
+    ASSERT_TRUE(
+        test::eventually([&] { return folder.read("cut/stability.csv.part").find("\n2,") != std::string::npos; }));
     cut.send(SIGINT);
     EXPECT_EQ(cut.wait(20), 256 + SIGINT) << "at once";
     const LabRun rest = run_into("cut");

@@ -22,16 +22,16 @@
 namespace drape {
 namespace {
 
+using test::LabFolder;
+using test::LabRun;
 using ::testing::HasSubstr;
 using ::testing::MatchesRegex;
-using testing_aid::LabFolder;
-using testing_aid::LabRun;
 
 /// A ball that moves along a rumpled cloth and always touches it.
 RecordedMotion rumpled_motion(const Grid& grid, int frames) {
     std::mt19937 random(5);
     RecordedMotion motion{.scene = "rumpled", .grid = grid, .interval = 0.01, .x = {}, .balls = {}};
-    const Points from = drape::testing::random_cloth(grid, random), to = drape::testing::random_cloth(grid, random);
+    const Points from = test::random_cloth(grid, random), to = test::random_cloth(grid, random);
     for (int k = 0; k < frames; ++k) {
         const Real part = static_cast<Real>(k) / static_cast<Real>(10 * frames);
         motion.x.emplace_back((1 - part) * from + part * to);

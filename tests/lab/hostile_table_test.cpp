@@ -13,11 +13,11 @@
 namespace drape {
 namespace {
 
+using test::LabFolder;
+using test::LabRun;
+using test::lines_of;
 using testing::AllOf;
 using testing::HasSubstr;
-using testing_aid::LabFolder;
-using testing_aid::LabRun;
-using testing_aid::lines_of;
 
 const std::vector<Experiment>& experiments() {
     static const std::vector<Experiment> all = all_experiments();

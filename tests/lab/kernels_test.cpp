@@ -5,10 +5,10 @@
 namespace drape {
 namespace {
 
+using test::LabFolder;
+using test::LabRun;
+using test::table_of;
 using testing::HasSubstr;
-using testing_aid::LabFolder;
-using testing_aid::LabRun;
-using testing_aid::table_of;
 
 TEST(LabKernels, TimesEachStageByBothKindsOfKernels) {
     const LabFolder folder;

@@ -6,7 +6,7 @@
 #include <fstream>
 #include <sstream>
 
-namespace drape::testing_aid {
+namespace drape::test {
 
 LabRun LabFolder::run(const std::vector<std::string>& words, const std::string& program,
                       const std::map<std::string, std::string>& environment) const {
@@ -37,4 +37,4 @@ std::vector<std::string> table_of(const LabFolder& folder, const std::string& fi
     return lines;
 }
 
-}  // namespace drape::testing_aid
+}  // namespace drape::test

@@ -9,7 +9,7 @@
 #include "support/process.h"
 #include "support/scratch_file.h"
 
-namespace drape::testing_aid {
+namespace drape::test {
 
 /// What a finished run of a laboratory program said.
 struct LabRun {
@@ -39,4 +39,4 @@ std::vector<std::string> lines_of(const std::string& text);
 /// The lines of an experiment's table without its head.
 std::vector<std::string> table_of(const LabFolder& folder, const std::string& file);
 
-}  // namespace drape::testing_aid
+}  // namespace drape::test

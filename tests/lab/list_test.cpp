@@ -8,10 +8,10 @@
 namespace drape {
 namespace {
 
+using test::LabFolder;
+using test::LabRun;
+using test::lines_of;
 using testing::HasSubstr;
-using testing_aid::LabFolder;
-using testing_aid::LabRun;
-using testing_aid::lines_of;
 
 std::vector<std::string> listed_by_lab(const std::string& what) {
     const LabFolder folder;

@@ -13,10 +13,10 @@
 namespace drape {
 namespace {
 
+using test::LabFolder;
+using test::LabRun;
 using testing::ElementsAre;
 using testing::HasSubstr;
-using testing_aid::LabFolder;
-using testing_aid::LabRun;
 
 const char* const swinging = R"(title = "A small cloth swings"
 [cloth]

@@ -65,8 +65,7 @@ TEST(FreeKnobs, AreAllButThoseThatTheSceneKeeps) {
     EXPECT_EQ(knobs.size(), names_of<Knob>().size() - 2);
     EXPECT_FALSE(knobs.contains(Knob::Particles) || knobs.contains(Knob::Dt));
     scene.needs.keep = "particle";
-    EXPECT_THAT(testing_aid::input_error_of([&] { free_knobs(scene); }),
-                testing::HasSubstr("did you mean 'particles'?"));
+    EXPECT_THAT(test::input_error_of([&] { free_knobs(scene); }), testing::HasSubstr("did you mean 'particles'?"));
 }
 
 TEST(FreeKnobs, HaveSomethingToActOn) {

@@ -14,12 +14,12 @@
 namespace drape {
 namespace {
 
+using test::LabFolder;
+using test::LabRun;
+using test::table_of;
 using ::testing::AllOf;
 using ::testing::HasSubstr;
 using ::testing::Not;
-using testing_aid::LabFolder;
-using testing_aid::LabRun;
-using testing_aid::table_of;
 
 constexpr OriginalPlan tiny{.first = 2, .frames = 2, .passes = 1};
 

@@ -16,13 +16,13 @@
 namespace drape {
 namespace {
 
+using test::LabFolder;
+using test::LabRun;
+using test::table_of;
 using testing::AllOf;
 using testing::ElementsAre;
 using testing::HasSubstr;
 using testing::SizeIs;
-using testing_aid::LabFolder;
-using testing_aid::LabRun;
-using testing_aid::table_of;
 
 using Pairs = std::vector<std::pair<double, double>>;
 

@@ -14,19 +14,19 @@
 namespace drape {
 namespace {
 
+using test::LabFolder;
+using test::LabRun;
+using test::lines_of;
+using test::table_of;
 using testing::AllOf;
 using testing::EndsWith;
 using testing::HasSubstr;
 using testing::IsEmpty;
 using testing::MatchesRegex;
 using testing::StartsWith;
-using testing_aid::LabFolder;
-using testing_aid::LabRun;
-using testing_aid::lines_of;
-using testing_aid::table_of;
 
 /// The text of a shipped scene.
-std::string read_scene(const std::string& name) { return testing_aid::read_file(scene_file(name)); }
+std::string read_scene(const std::string& name) { return test::read_file(scene_file(name)); }
 
 /// The values of one row of a CSV file.
 std::vector<double> values_of(const std::string& row) {
@@ -359,9 +359,9 @@ TEST(LabSimulate, WritesNoFileThatItReads) {
 TEST(LabSimulate, IsEndedByASignalWithTheTimesThatItHasPassed) {
     for (const int signal : {SIGINT, SIGTERM, SIGHUP}) {
         const LabFolder folder;
-        testing_aid::Process run({DRAPE_LAB, "simulate", "hang", "--time", "0,1e5", "--state", "state.csv"}, {},
-                                 folder.path());
-        ASSERT_TRUE(testing_aid::eventually([&] { return folder.has(".state.drape-0.csv"); }));
+        test::Process run({DRAPE_LAB, "simulate", "hang", "--time", "0,1e5", "--state", "state.csv"}, {},
+                          folder.path());
+        ASSERT_TRUE(test::eventually([&] { return folder.has(".state.drape-0.csv"); }));
         run.send(signal);
         EXPECT_EQ(run.wait(60), 128 + signal);
         EXPECT_GT(lines_of(folder.read("state.csv")).size(), 100u);
@@ -372,9 +372,8 @@ TEST(LabSimulate, IsEndedByASignalWithTheTimesThatItHasPassed) {
 TEST(LabSimulate, LeavesTheFileOfBeforeIfItReachesNoTime) {
     const LabFolder folder;
     folder.write("state.csv", "before");
-    testing_aid::Process run({DRAPE_LAB, "simulate", "hang", "--time", "1e5", "--state", "state.csv"}, {},
-                             folder.path());
-    ASSERT_TRUE(testing_aid::eventually([&] { return folder.has(".state.drape-0.csv"); }));
+    test::Process run({DRAPE_LAB, "simulate", "hang", "--time", "1e5", "--state", "state.csv"}, {}, folder.path());
+    ASSERT_TRUE(test::eventually([&] { return folder.has(".state.drape-0.csv"); }));
     EXPECT_EQ(folder.read("state.csv"), "before");
     run.send(SIGTERM);
     EXPECT_EQ(run.wait(60), 128 + SIGTERM);

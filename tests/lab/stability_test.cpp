@@ -7,10 +7,10 @@
 namespace drape {
 namespace {
 
+using test::LabFolder;
+using test::LabRun;
+using test::table_of;
 using testing::HasSubstr;
-using testing_aid::LabFolder;
-using testing_aid::LabRun;
-using testing_aid::table_of;
 
 // A share of a single case is enough to see what is written
 TEST(LabStability, WritesATableThatSaysWhereItIsFromAndAgreesWithThePrediction) {

@@ -12,17 +12,17 @@
 namespace drape {
 namespace {
 
-using testing::odd_grids;
+using test::odd_grids;
 
-struct Moving {
+struct MovingCloth {
     ClothModel model;
     ClothState state;
 
-    explicit Moving(const Grid& grid) {
-        const ClothParameters parameters = testing::unlike_springs(grid);
+    explicit MovingCloth(const Grid& grid) {
+        const ClothParameters parameters = test::unlike_springs(grid);
         std::mt19937 random(5);
         model = make_cloth_model(parameters);
-        state = testing::random_state(parameters, random);
+        state = test::random_state(parameters, random);
     }
 
     [[nodiscard]] Points forces(int threads) const {
@@ -45,29 +45,29 @@ struct Moving {
 
 Real difference(const Points& a, const Points& b) { return (a - b).cwiseAbs().maxCoeff() / b.cwiseAbs().maxCoeff(); }
 
-constexpr Real rounding = 1e-12;
+constexpr Real sweep_rounding = 1e-12;
 
 TEST(ForceSweep, GivesWhatThePlainCodeGives) {
     for (const Grid grid : odd_grids) {
-        Moving cloth(grid);
+        MovingCloth cloth(grid);
         for (const Real air : {Real(0), Real(1.2)}) {
             cloth.model.air = {Vec3(3, -1, 2), air};
-            EXPECT_LT(difference(cloth.forces(1), cloth.plain_forces()), rounding) << grid.nx << " x " << grid.ny;
+            EXPECT_LT(difference(cloth.forces(1), cloth.plain_forces()), sweep_rounding) << grid.nx << " x " << grid.ny;
         }
     }
 }
 
 TEST(ForceSweep, GivesWhatThePlainCodeGivesWithoutSpringsOfSomeKind) {
     for (SpringLaw ClothModel::*law : {&ClothModel::structural, &ClothModel::shear, &ClothModel::bend}) {
-        Moving cloth({31, 17});
+        MovingCloth cloth({31, 17});
         cloth.model.*law = {};
-        EXPECT_LT(difference(cloth.forces(1), cloth.plain_forces()), rounding);
+        EXPECT_LT(difference(cloth.forces(1), cloth.plain_forces()), sweep_rounding);
     }
 }
 
 TEST(ForceSweep, RemembersNothingOfTheSweepBefore) {
     for (const Grid grid : odd_grids) {
-        Moving cloth(grid);
+        MovingCloth cloth(grid);
         const Points before = cloth.forces(1);
         ForceSweep sweep(grid);
         EXPECT_EQ(cloth.forces(sweep), before);
@@ -81,17 +81,17 @@ TEST(ForceSweep, RemembersNothingOfTheSweepBefore) {
 
 TEST(ForceSweep, IsSeenToDifferWhenAStiffnessIsOnePartInABillionOff) {
     for (const Grid grid : odd_grids) {
-        Moving cloth(grid);
+        MovingCloth cloth(grid);
         const Points expected = cloth.plain_forces();
         cloth.model.shear.stiffness *= 1 + Real(1e-9);
-        EXPECT_GT(difference(cloth.forces(1), expected), rounding) << grid.nx << " x " << grid.ny;
+        EXPECT_GT(difference(cloth.forces(1), expected), sweep_rounding) << grid.nx << " x " << grid.ny;
     }
 }
 
 TEST(ForceSweep, GivesTheSameBitsWithEveryKindOfVector) {
     const std::int64_t all = hwy::SupportedTargets();
     for (const Grid grid : odd_grids) {
-        const Moving cloth(grid);
+        const MovingCloth cloth(grid);
         const Points best = cloth.forces(1);
         int kinds = 0;
         for (std::int64_t targets = all; targets != 0; targets &= targets - 1, ++kinds) {
@@ -106,7 +106,7 @@ TEST(ForceSweep, GivesTheSameBitsWithEveryKindOfVector) {
 
 TEST(ForceSweep, GivesTheSameBitsWithAnyNumberOfThreads) {
     for (const Grid grid : {Grid{31, 17}, Grid{300, 200}, Grid{2, 30000}, Grid{30000, 2}}) {
-        Moving cloth(grid);
+        MovingCloth cloth(grid);
         for (const Real air : {Real(0), Real(1.2)}) {
             cloth.model.air = {Vec3(3, -1, 2), air};
             const Points one = cloth.forces(1);
@@ -118,7 +118,7 @@ TEST(ForceSweep, GivesTheSameBitsWithAnyNumberOfThreads) {
 TEST(ForceSweep, GivesTheSameForcesWhereTheStateIsOverwrittenOnTheWay) {
     for (const Grid grid : {Grid{31, 17}, Grid{300, 200}, Grid{2, 30000}, Grid{30000, 2}}) {
         for (const int threads : {1, 2, 3, 7}) {
-            Moving cloth(grid);
+            MovingCloth cloth(grid);
             const Points expected = cloth.forces(1);
             Points f(cloth.state.x.rows(), 3);
             ForceSweep sweep(grid, Kernels::Vector, threads);
@@ -132,14 +132,14 @@ TEST(ForceSweep, GivesTheSameForcesWhereTheStateIsOverwrittenOnTheWay) {
 }
 
 TEST(ForceSweep, AllocatesNothing) {
-    const Moving cloth({300, 200});
+    const MovingCloth cloth({300, 200});
     ForceSweep sweep(cloth.model.grid, Kernels::Vector, 3);
     Points f(cloth.state.x.rows(), 3);
-    const auto before = testing::allocations();
+    const auto before = test::allocations();
     for (int round = 0; round < 3; ++round) {
         sweep(cloth.model, cloth.state.x, cloth.state.v, [&](const ForceRun& run) { run.of(f) = run.accelerations(); });
     }
-    EXPECT_EQ(testing::allocations(), before);
+    EXPECT_EQ(test::allocations(), before);
 }
 
 }  // namespace

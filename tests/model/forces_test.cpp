@@ -62,7 +62,7 @@ TEST(Forces, AreThoseOfTheDesignOnGridsOfAnyShape) {
         ClothModel model = make_cloth_model(parameters);
         for (const Real density : {0.0, 1.2}) {
             model.air = {Vec3(3, -1, 2), density};
-            const ClothState state = testing::random_state(parameters, random);
+            const ClothState state = test::random_state(parameters, random);
             Points f(grid.particles(), 3);
             compute_forces(model, state.x, state.v, f);
             const Points expected = forces_by_definition(model, state);
@@ -92,7 +92,7 @@ TEST(Forces, InsideTheClothAddUpToNothing) {
     ClothModel model = make_cloth_model(parameters);
     model.gravity.setZero();
     model.drag = 0;
-    const ClothState state = testing::random_state(parameters, random);
+    const ClothState state = test::random_state(parameters, random);
     Points f(state.x.rows(), 3);
     compute_forces(model, state.x, state.v, f);
     EXPECT_LT(f.colwise().sum().norm(), 1e-12 * f.cwiseAbs().sum());
@@ -103,7 +103,7 @@ TEST(Forces, AreTheSlopeOfTheEnergy) {
     ClothParameters parameters;
     parameters.particles = {6, 5};
     ClothModel model = make_cloth_model(parameters);
-    ClothState state = testing::random_state(parameters, random);
+    ClothState state = test::random_state(parameters, random);
     state.v.setZero();
     Points f(state.x.rows(), 3);
     compute_forces(model, state.x, state.v, f);

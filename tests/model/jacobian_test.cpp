@@ -26,7 +26,7 @@ struct Crumpled {
         parameters.drag = 0.02;
         model = make_cloth_model(parameters);
         std::mt19937 random(7);
-        state = testing::random_state(parameters, random);
+        state = test::random_state(parameters, random);
     }
 
     [[nodiscard]] Points force(const Points& x, const Points& v) const {

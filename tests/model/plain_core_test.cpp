@@ -11,7 +11,7 @@
 namespace drape {
 namespace {
 
-using testing::odd_grids;
+using test::odd_grids;
 constexpr Real rounding = 1e-12;
 
 /// A cloth in wind with nothing special about it, two held particles that move included.
@@ -20,12 +20,12 @@ struct Moving {
     ClothState state;
 
     explicit Moving(const Grid& grid) {
-        ClothParameters parameters = testing::unlike_springs(grid);
+        ClothParameters parameters = test::unlike_springs(grid);
         parameters.pinned.kind = Pins::Kind::Two;
         std::mt19937 random(5);
         model = make_cloth_model(parameters);
         model.air = {Vec3(3, -1, 2), Real(1.2)};
-        state = testing::random_state(parameters, random);
+        state = test::random_state(parameters, random);
     }
 
     [[nodiscard]] Points product(Hessian hessian, Kernels kernels) const {

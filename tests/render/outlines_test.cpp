@@ -11,7 +11,7 @@
 namespace drape {
 namespace {
 
-using testing::whole;
+using test::whole;
 
 /// A square of side 1 m at rest, in a tree of two levels.
 TEST(Outlines, OfALevelShowWhatTheQueryDidAndWhatTouches) {
@@ -67,14 +67,14 @@ TEST(Outlines, OfABoxAreItsTwelveEdges) {
 TEST(Outlines, OfATurnedBoxAreItsEdgesWhereItIs) {
     std::mt19937 random(42);
     const Grid grid{9, 7};
-    const Points x = testing::random_cloth(grid, random);
+    const Points x = test::random_cloth(grid, random);
     const Obb box = Obb::fit(whole(x, grid));
     Outlines outlines;
     append_outline(box, NodeState::Pruned, outlines);
     ASSERT_EQ(outlines.edges.size(), 12u);
     for (const Outlines::Edge& edge : outlines.edges) {
-        EXPECT_NEAR(static_cast<double>(testing::stands_out(box, edge.from)), 0, 1e-14);
-        EXPECT_NEAR(static_cast<double>(testing::stands_out(box, (edge.from + edge.to) / 2)), 0, 1e-14);
+        EXPECT_NEAR(static_cast<double>(test::stands_out(box, edge.from)), 0, 1e-14);
+        EXPECT_NEAR(static_cast<double>(test::stands_out(box, (edge.from + edge.to) / 2)), 0, 1e-14);
     }
 }
 
@@ -90,10 +90,10 @@ void check_outline(const Points& x, const Grid& grid) {
     std::vector<Vec3> ends;
     for (const Outlines::Edge& edge : outlines.edges) {
         for (const Vec3& end : {edge.from, edge.to}) {
-            EXPECT_NEAR(static_cast<double>(testing::stands_out(dop, end) / size), 0, 1e-4);
+            EXPECT_NEAR(static_cast<double>(test::stands_out(dop, end) / size), 0, 1e-4);
             ends.push_back(end);
         }
-        EXPECT_NEAR(static_cast<double>(testing::stands_out(dop, (edge.from + edge.to) / 2) / size), 0, 1e-4);
+        EXPECT_NEAR(static_cast<double>(test::stands_out(dop, (edge.from + edge.to) / 2) / size), 0, 1e-4);
     }
     for (const Vec3& end : ends) {
         const auto near = [&](const Vec3& other) { return (other - end).norm() < 1e-3 * static_cast<double>(size); };
@@ -111,7 +111,7 @@ TEST(Outlines, OfAKDopAreTheEdgesOfItsSurface) {
     std::mt19937 random(36);
     for (int round = 0; round < 50; ++round) {
         const Grid grid{4 + round % 20, 6};
-        const Points x = testing::random_cloth(grid, random);
+        const Points x = test::random_cloth(grid, random);
         check_outline<6>(x, grid);
         check_outline<14>(x, grid);
         check_outline<18>(x, grid);

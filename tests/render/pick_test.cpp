@@ -6,8 +6,8 @@ namespace drape {
 namespace {
 
 /// A flat cloth of 1 m in the plane y = 0, from (0, 0, 0) to (1, 0, 1).
-struct FlatCloth {
-    explicit FlatCloth(int particles) {
+struct PickedCloth {
+    explicit PickedCloth(int particles) {
         ClothParameters parameters;
         parameters.particles = {particles, particles};
         model = make_cloth_model(parameters);
@@ -20,7 +20,7 @@ struct FlatCloth {
 };
 
 TEST(PickParticle, TakesTheNearestCornerOfTheTriangleThatIsHit) {
-    const FlatCloth cloth(11);
+    const PickedCloth cloth(11);
     FrameView view;
     view.cloths = cloth.views;
     const Pick pick = pick_particle(view, {Vec3(0.31, 1, 0.52), Vec3(0, -1, 0)});
@@ -29,14 +29,14 @@ TEST(PickParticle, TakesTheNearestCornerOfTheTriangleThatIsHit) {
 }
 
 TEST(PickParticle, HitsTheClothFromBelowToo) {
-    const FlatCloth cloth(11);
+    const PickedCloth cloth(11);
     FrameView view;
     view.cloths = cloth.views;
     EXPECT_EQ(pick_particle(view, {Vec3(0.31, -1, 0.52), Vec3(0, 1, 0)}).particle, 5 * 11 + 3);
 }
 
 TEST(PickParticle, TakesNothingBesideTheClothOrBehindTheEye) {
-    const FlatCloth cloth(11);
+    const PickedCloth cloth(11);
     FrameView view;
     view.cloths = cloth.views;
     EXPECT_EQ(pick_particle(view, {Vec3(1.2, 1, 0.5), Vec3(0, -1, 0)}).particle, -1);
@@ -44,7 +44,7 @@ TEST(PickParticle, TakesNothingBesideTheClothOrBehindTheEye) {
 }
 
 TEST(PickParticle, TakesNothingBehindABall) {
-    const FlatCloth cloth(11);
+    const PickedCloth cloth(11);
     const std::vector<Ball> balls{{Vec3(0.5, 0.5, 0.5), Real(0.2), Vec3::Zero()}};
     FrameView view;
     view.cloths = cloth.views;
@@ -54,8 +54,8 @@ TEST(PickParticle, TakesNothingBehindABall) {
 }
 
 TEST(PickParticle, TakesTheClothThatIsInFront) {
-    const FlatCloth low(5);
-    FlatCloth high(5);
+    const PickedCloth low(5);
+    PickedCloth high(5);
     high.x.col(1).setConstant(Real(0.5));
     const std::vector<ClothView> cloths{low.views[0], high.views[0]};
     FrameView view;

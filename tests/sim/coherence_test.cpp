@@ -13,8 +13,6 @@
 namespace drape {
 namespace {
 
-void send(Simulation& simulation, const std::string& text) { simulation.apply(parse_command(text)); }
-
 bool touches_anything(const Simulation& simulation) {
     for (const Cloth& cloth : simulation.cloths()) {
         for (const Ball& ball : simulation.balls()) {

@@ -11,9 +11,9 @@
 namespace drape {
 namespace {
 
+using test::input_error_of;
 using testing::AllOf;
 using testing::HasSubstr;
-using testing_aid::input_error_of;
 
 /// One command of every kind, in the order of the variant.
 std::vector<Command> one_of_each() {

@@ -52,9 +52,9 @@ TEST_P(EveryIntegrator, AllocatesNothingOnceItHasContacts) {
     Simulation simulation("drop", settings);
     while (simulation.report().time < 600.0 / 1024) simulation.step();
     ASSERT_GT(simulation.report().contacts, 0);
-    const auto before = testing::allocations();
+    const auto before = test::allocations();
     make_steps(simulation, 300);
-    EXPECT_EQ(testing::allocations(), before);
+    EXPECT_EQ(test::allocations(), before);
 }
 
 INSTANTIATE_TEST_SUITE_P(All, EveryIntegrator,

@@ -13,8 +13,8 @@
 namespace drape {
 namespace {
 
+using test::input_error_of;
 using ::testing::HasSubstr;
-using testing_aid::input_error_of;
 
 Settings settings_of(const std::string& method, int side, const std::vector<std::string>& more = {}) {
     Settings settings = small_settings();
@@ -27,17 +27,17 @@ Settings settings_of(const std::string& method, int side, const std::vector<std:
 
 /// The most that making a simulation and three steps of it take, as counted [bytes].
 double bytes_taken(const Settings& settings) {
-    const long long before = testing::bytes_held();
-    testing::forget_most_bytes_held();
+    const long long before = test::bytes_held();
+    test::forget_most_bytes_held();
     Simulation simulation("counted", settings);
     make_steps(simulation, 3);
-    return static_cast<double>(testing::most_bytes_held() - before);
+    return static_cast<double>(test::most_bytes_held() - before);
 }
 
 /// Expects the estimate to be near what is taken.
 void expect_near(const Settings& settings, const std::string& told) {
     const double taken = bytes_taken(settings);
-    if (testing::allocations() == 0) GTEST_SKIP() << "a sanitizer counts for itself";
+    if (test::allocations() == 0) GTEST_SKIP() << "a sanitizer counts for itself";
     EXPECT_GT(memory_needed(settings).total(), 0.8 * taken) << told << ", bytes taken: " << taken;
     EXPECT_LT(memory_needed(settings).total(), 1.5 * taken) << told << ", bytes taken: " << taken;
 }
@@ -90,7 +90,7 @@ constexpr std::size_t too_little = 10'000'000;  // bytes
 TEST(MemoryDeathTest, ThatRunsOutInAStepEndsTheRun) {
     const auto run = [] {
         Simulation simulation("large", settings_of("projective_dynamics", 150));
-        testing::limit_address_space(too_little);
+        test::limit_address_space(too_little);
         exit_as_told([&] { simulation.step(); });
     };
     EXPECT_EXIT(run(), ::testing::ExitedWithCode(0), "");
@@ -101,7 +101,7 @@ TEST(MemoryDeathTest, ThatRunsOutInMakingASceneEndsTheRun) {
         // Addresses without memory, so that the limit is far above the estimate
         constexpr std::size_t giga = 1'000'000'000;
         mmap(nullptr, giga, PROT_NONE, MAP_PRIVATE | MAP_ANONYMOUS, -1, 0);
-        testing::limit_address_space(too_little / 5);
+        test::limit_address_space(too_little / 5);
         exit_as_told([&] { Simulation simulation("large", settings_of("projective_dynamics", 150)); });
     };
     EXPECT_EXIT(run(), ::testing::ExitedWithCode(0), "");
@@ -109,7 +109,7 @@ TEST(MemoryDeathTest, ThatRunsOutInMakingASceneEndsTheRun) {
 
 TEST(MemoryDeathTest, ThatTheProcessMayNotTakeIsRefusedBefore) {
     const auto run = [] {
-        testing::limit_address_space(too_little);
+        test::limit_address_space(too_little);
         const std::string error = input_error_of([] { check(settings_of("projective_dynamics", 1000)); });
         std::_Exit(error.find("(ulimit -v)") != error.npos ? 0 : 1);
     };

@@ -13,13 +13,13 @@
 namespace drape {
 namespace {
 
+using test::input_error_of;
+using test::read_file;
+using test::ScratchFile;
 using testing::AllOf;
 using testing::ElementsAre;
 using testing::HasSubstr;
 using testing::StartsWith;
-using testing_aid::input_error_of;
-using testing_aid::read_file;
-using testing_aid::ScratchFile;
 
 constexpr const char* good =
     "drape-recording 1\nscene drop\nset solver.dt=1e-4\nset friction=0.2\n"

@@ -12,11 +12,11 @@
 namespace drape {
 namespace {
 
+using test::input_error_of;
 using testing::AllOf;
 using testing::ElementsAre;
 using testing::HasSubstr;
 using testing::StartsWith;
-using testing_aid::input_error_of;
 
 std::string error_of(const std::string& text) {
     return input_error_of([&] { parse_scene(text, "mine.toml"); });
@@ -248,7 +248,7 @@ TEST(SceneFile, NanAndInfinityAreRefusedEverywhere) {
 }
 
 TEST(SceneFile, IsFoundByPath) {
-    const testing_aid::ScratchFolder folder;
+    const test::ScratchFolder folder;
     const auto path = folder.path() / "mine.toml";
     std::ofstream(path) << "[cloth]\nmass = 0.375\n";
     EXPECT_EQ(load_scene(path.string()).cloths[0].mass, 0.375);

@@ -12,11 +12,11 @@
 namespace drape {
 namespace {
 
+using test::ScratchFile;
 using testing::HasSubstr;
-using testing_aid::ScratchFile;
 
 constexpr double unlimited = 1e9;  // s of wall time that the steps may take
-constexpr double dt = 1.0 / 1024;
+constexpr double step_length = 1.0 / 1024;
 
 Session small_session() { return Session(small_simulation()); }
 
@@ -41,13 +41,6 @@ Recording busy_recording() {
     return recording;
 }
 
-std::string state_text(const Simulation& simulation) {
-    std::ostringstream out;
-    write_state_header(out, simulation);
-    write_state(out, simulation);
-    return out.str();
-}
-
 std::int64_t steps_made(Session& session) { return session.simulation().report().step; }
 
 TEST(Session, MakesTheSameStatesWhateverTheFrameLengths) {
@@ -66,7 +59,7 @@ TEST(Session, MakesTheSameStatesWhateverTheFrameLengths) {
     EXPECT_EQ(steady.simulation().hash(), jerky.simulation().hash());
     EXPECT_EQ(steady.simulation().hash(), at_once.simulation().hash());
     Session alone = small_session();
-    alone.run_until(200 * dt);
+    alone.run_until(200 * step_length);
     EXPECT_NE(alone.simulation().hash(), steady.simulation().hash()) << "the commands did nothing";
 }
 
@@ -80,12 +73,12 @@ TEST(Session, MakesAsManyStepsAsTimePasses) {
 
 TEST(Session, RunsUntilTheLastStepNotBeyondATime) {
     Session session = small_session();
-    session.run_until(2.75 * dt);
+    session.run_until(2.75 * step_length);
     EXPECT_EQ(steps_made(session), 2);
     EXPECT_DOUBLE_EQ(static_cast<double>(session.blend()), 0.75);
-    session.run_until(3 * dt);
+    session.run_until(3 * step_length);
     EXPECT_EQ(steps_made(session), 3);
-    session.run_until(2 * dt);
+    session.run_until(2 * step_length);
     EXPECT_EQ(steps_made(session), 3);
     Session decimal(small_simulation({"dt=1e-4"}));
     decimal.run_until(0.3);
@@ -98,12 +91,12 @@ TEST(Session, StopsAtATimeOfTheSceneThatStartsLater) {
     make_steps(first, 100);
     file.write(state_text(first));
     Session session(small_simulation({"start=" + file.name()}));
-    EXPECT_EQ(session.start_time(), 100 * dt);
-    session.run_until(100 * dt);
+    EXPECT_EQ(session.start_time(), 100 * step_length);
+    session.run_until(100 * step_length);
     EXPECT_EQ(steps_made(session), 0) << "it is there already";
-    session.run_until(150.5 * dt);
+    session.run_until(150.5 * step_length);
     EXPECT_EQ(steps_made(session), 50);
-    EXPECT_EQ(session.simulation().report().time, 150 * dt);
+    EXPECT_EQ(session.simulation().report().time, 150 * step_length);
     EXPECT_DOUBLE_EQ(static_cast<double>(session.blend()), 0.5);
 }
 
@@ -123,7 +116,7 @@ TEST(Session, CountsEveryStepOfALateStart) {
     Session session(small_simulation({"start=" + file.name(), "dt=1e-5", "sleep_speed=0"}));
     for (int frame = 1; frame <= 100; ++frame) {
         session.run_until(late + frame * 1e-5);
-        ASSERT_EQ(steps_made(session), frame) << "a multiple of dt after the start";
+        ASSERT_EQ(steps_made(session), frame) << "a multiple of the step after the start";
     }
 }
 
@@ -135,9 +128,9 @@ TEST(RecordedSession, OfALateStartIsReplayedToTheSameBits) {
     const auto start = [&] { return Session(small_simulation({"start=" + state.name()})); };
     Session live = start();
     live.record(file.name(), {"start=" + state.name()});
-    live.run_until(80 * dt);
+    live.run_until(80 * step_length);
     live.send(command::Set{"wind.on=true"});
-    live.run_until(200 * dt);
+    live.run_until(200 * step_length);
     live.close();
     Session again = start();
     again.replay(read_recording(file.name()));
@@ -149,7 +142,7 @@ TEST(RecordedSession, OfALateStartIsReplayedToTheSameBits) {
 
 TEST(Session, BlendsBetweenTheLastTwoStates) {
     Session session = small_session();
-    session.advance(1.5 * dt, unlimited);
+    session.advance(1.5 * step_length, unlimited);
     EXPECT_EQ(steps_made(session), 1);
     EXPECT_DOUBLE_EQ(static_cast<double>(session.blend()), 0.5);
     EXPECT_DOUBLE_EQ(static_cast<double>(session.view().blend), 0.5);
@@ -162,7 +155,7 @@ TEST(Session, MakesUpForAQuarterOfASecondAfterAStallAndSaysWhatItDropped) {
     session.advance(10, unlimited);
     EXPECT_EQ(steps_made(session), 256);
     EXPECT_DOUBLE_EQ(session.dropped(), 9.75);
-    session.advance(dt, unlimited);
+    session.advance(step_length, unlimited);
     EXPECT_EQ(steps_made(session), 257);
     session.advance(-5, unlimited);
     EXPECT_EQ(steps_made(session), 257) << "a clock that goes back makes no steps and takes none";
@@ -170,22 +163,22 @@ TEST(Session, MakesUpForAQuarterOfASecondAfterAStallAndSaysWhatItDropped) {
 
 TEST(Session, GivesUpWholeStepsThatItsBudgetDoesNotCover) {
     Session session = small_session();
-    session.advance(10.5 * dt, 0);
+    session.advance(10.5 * step_length, 0);
     EXPECT_EQ(steps_made(session), 1);
-    EXPECT_NEAR(session.dropped(), 9 * dt, 1e-12);
+    EXPECT_NEAR(session.dropped(), 9 * step_length, 1e-12);
     EXPECT_NEAR(static_cast<double>(session.blend()), 0.5, 1e-9);
 }
 
 TEST(Session, StandsStillWhilePausedAndGoesOnWithoutALeap) {
     Session session = small_session();
-    session.advance(10 * dt, unlimited);
+    session.advance(10 * step_length, unlimited);
     session.send(command::Pause{});
     const std::uint64_t hash = session.simulation().hash();
     session.advance(100, unlimited);
     EXPECT_EQ(session.simulation().hash(), hash);
     EXPECT_EQ(session.dropped(), 0);
     session.send(command::Pause{});
-    session.advance(dt, unlimited);
+    session.advance(step_length, unlimited);
     EXPECT_EQ(steps_made(session), 11);
 }
 
@@ -211,7 +204,7 @@ TEST(Session, DoesNotWaitForStepsOfALostCloth) {
 TEST(Session, HandsOutTheCommandsOfAReplayForTheCamera) {
     Session session = small_session();
     session.replay(busy_recording());
-    session.run_until(81 * dt);
+    session.run_until(81 * step_length);
     bool orbited = false;
     for (const Command& command : session.take_view_commands())
         orbited |= std::holds_alternative<command::Orbit>(command);
@@ -225,10 +218,10 @@ TEST(RecordedSession, IsReplayedToTheSameBits) {
     live.record(file.name(), {});
     for (const RecordedEntry& entry : busy_recording().entries) {
         while (steps_made(live) < entry.step)
-            live.simulation().paused() ? live.advance(0, unlimited) : live.advance(dt / 2, unlimited);
+            live.simulation().paused() ? live.advance(0, unlimited) : live.advance(step_length / 2, unlimited);
         live.send(std::get<Command>(entry.content));
     }
-    for (int i = 0; i < 2000; ++i) live.advance(dt, unlimited);
+    for (int i = 0; i < 2000; ++i) live.advance(step_length, unlimited);
     live.close();
     const std::int64_t steps = steps_made(live);
 
@@ -237,7 +230,7 @@ TEST(RecordedSession, IsReplayedToTheSameBits) {
     EXPECT_EQ(recording.last_step, steps);
     Session again = small_session();
     again.replay(recording);
-    while (steps_made(again) < steps) again.advance(dt / 2, unlimited);
+    while (steps_made(again) < steps) again.advance(step_length / 2, unlimited);
     EXPECT_EQ(again.replay_notice(), "");
     EXPECT_EQ(again.simulation().hash(), live.simulation().hash());
 }
@@ -269,13 +262,13 @@ TEST(RecordedSession, IsClosedWithTheSession) {
 TEST(ReplayedSession, NamesTheFirstStepThatDiffers) {
     Session session = small_session();
     Session reference = small_session();
-    reference.run_until(10 * dt);
+    reference.run_until(10 * step_length);
     Recording recording;
     recording.entries = {{10, reference.simulation().hash()}, {30, std::uint64_t{1}}, {40, std::uint64_t{2}}};
     session.replay(recording);
-    session.run_until(29 * dt);
+    session.run_until(29 * step_length);
     EXPECT_EQ(session.replay_notice(), "");
-    session.run_until(50 * dt);
+    session.run_until(50 * step_length);
     EXPECT_THAT(session.replay_notice(), HasSubstr("before step 30"));
 }
 
@@ -286,7 +279,7 @@ TEST(ReplayedSession, SaysThatItsRecordingWasCutOnceItHasPlayedIt) {
     recording.notice = "cut off";
     session.replay(recording);
     EXPECT_EQ(session.replay_notice(), "");
-    session.run_until(10 * dt);
+    session.run_until(10 * step_length);
     EXPECT_EQ(session.replay_notice(), "cut off");
 }
 
@@ -296,7 +289,7 @@ TEST(ReplayedSession, SaysBothThatItDiffersAndThatItsRecordingWasCut) {
     recording.entries = {{5, std::uint64_t{1}}};
     recording.notice = "cut off";
     session.replay(recording);
-    session.run_until(10 * dt);
+    session.run_until(10 * step_length);
     EXPECT_THAT(session.replay_notice(), testing::AllOf(HasSubstr("before step 5"), testing::EndsWith("; cut off")));
 }
 
@@ -329,7 +322,7 @@ TEST(ReplayedSession, SaysWhichCommandItCouldNotCarryOut) {
     recording.file = "session.txt";
     recording.entries = {{1, Command(command::Grab{7, 0}), 3}, {2, Command(command::Pause{}), 4}};
     session.replay(recording);
-    session.run_until(5 * dt);
+    session.run_until(5 * step_length);
     EXPECT_EQ(session.replay_notice(),
               "the replay differs from its recording: session.txt:3: 'grab 7 0' is refused: grab: cloth 7: allowed 0 "
               "to 0");
@@ -339,11 +332,11 @@ TEST(ReplayedSession, SaysWhichCommandItCouldNotCarryOut) {
 
 TEST(Session, StopsBetweenTwoStepsWhenItIsToldToAndGoesOnWithTheSameBits) {
     Session whole(small_simulation()), stopped(small_simulation());
-    whole.run_until(20 * dt);
+    whole.run_until(20 * step_length);
     int asked = 0;
-    EXPECT_FALSE(stopped.run_until(20 * dt, [&asked] { return ++asked == 6; }));
+    EXPECT_FALSE(stopped.run_until(20 * step_length, [&asked] { return ++asked == 6; }));
     EXPECT_EQ(stopped.simulation().report().step, 5);
-    EXPECT_TRUE(stopped.run_until(20 * dt, [] { return false; }));
+    EXPECT_TRUE(stopped.run_until(20 * step_length, [] { return false; }));
     EXPECT_EQ(stopped.simulation().hash(), whole.simulation().hash());
 }
 

@@ -6,9 +6,9 @@
 namespace drape {
 namespace {
 
+using test::input_error_of;
 using testing::AllOf;
 using testing::HasSubstr;
-using testing_aid::input_error_of;
 
 Settings with_balls(std::size_t count) {
     Settings settings;

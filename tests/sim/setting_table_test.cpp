@@ -11,11 +11,11 @@
 namespace drape {
 namespace {
 
+using test::input_error_of;
 using testing::AllOf;
 using testing::HasSubstr;
 using testing::IsEmpty;
 using testing::Not;
-using testing_aid::input_error_of;
 
 /// Settings in which every row of the table has something to read and write.
 Settings with_a_ball() {
@@ -201,11 +201,11 @@ TEST(Settings, ThatHaveNoEffectYetTakeNothingElseAndSaySo) {
     for (const std::string name : {"ball.mass=1", "contact.response=projection", "contact.continuous=false"}) {
         EXPECT_NO_THROW(assign(settings, name)) << name;
     }
-    EXPECT_EQ(testing_aid::input_error_of([&] { assign(settings, "ball.mass=2"); }),
+    EXPECT_EQ(test::input_error_of([&] { assign(settings, "ball.mass=2"); }),
               "ball.mass = 2: allowed only 1 kg so far");
-    EXPECT_EQ(testing_aid::input_error_of([&] { assign(settings, "contact.continuous=true"); }),
+    EXPECT_EQ(test::input_error_of([&] { assign(settings, "contact.continuous=true"); }),
               "contact.continuous = true: allowed only false so far");
-    EXPECT_EQ(testing_aid::input_error_of([&] { assign(settings, "contact.response=penalty"); }),
+    EXPECT_EQ(test::input_error_of([&] { assign(settings, "contact.response=penalty"); }),
               "contact.response = penalty: allowed only 'projection' so far");
     EXPECT_THAT(settings_help(), HasSubstr("it has no effect; only 1 kg so far"));
 }

@@ -34,14 +34,6 @@ void run_for(Simulation& simulation, double seconds) {
     while (simulation.report().status == Status::Ok && simulation.report().time < end) simulation.step();
 }
 
-double figure(const StepReport& report, std::string_view name) {
-    for (const ReportField& field : report_fields()) {
-        if (field.name == name) return field.read(report);
-    }
-    ADD_FAILURE() << name;
-    return 0;
-}
-
 /// BiCGSTAB does not solve some steps of this sheet, which is too large for factors to help.
 const std::vector<std::string> hard_to_solve{"cloth.particles=75,75", "structural.stiffness=1e3",
                                              "integrator=backward_euler", "hessian=exact", "solver.dt=0.016667"};

@@ -7,15 +7,9 @@
 namespace drape {
 namespace {
 
+using test::input_error_of;
 using testing::AllOf;
 using testing::HasSubstr;
-using testing_aid::input_error_of;
-
-void send(Simulation& simulation, const char* text) { simulation.apply(parse_command(text)); }
-
-Vec3 place_of(const Simulation& simulation, int particle) {
-    return simulation.cloths()[0].state.x.row(particle).transpose();
-}
 
 TEST(PauseCommand, StopsAndGoesOn) {
     Simulation simulation = small_simulation();
@@ -169,21 +163,21 @@ TEST(SteerCommand, DoesNotMoveABallThatIsStill) {
 TEST(Hand, DragsAParticleToItsTargetAndHoldsItThere) {
     Simulation simulation = small_simulation();
     make_steps(simulation, 500);
-    const Vec3 before = place_of(simulation, 75), target = before + Vec3(0.1, 0.05, 0.2);
+    const Vec3 before = position_of(simulation, 75), target = before + Vec3(0.1, 0.05, 0.2);
     send(simulation, "grab 0 75");
     EXPECT_TRUE(simulation.view().held);
     make_steps(simulation, 50);
-    EXPECT_LT((place_of(simulation, 75) - before).norm(), 1e-9) << "held where it was taken";
+    EXPECT_LT((position_of(simulation, 75) - before).norm(), 1e-9) << "held where it was taken";
     simulation.apply(command::Drag{target});
     make_steps(simulation, 500);
-    EXPECT_LT((place_of(simulation, 75) - target).norm(), 1e-3);
+    EXPECT_LT((position_of(simulation, 75) - target).norm(), 1e-3);
     send(simulation, "set cloth.mass=0.2");
     make_steps(simulation, 100);
-    EXPECT_LT((place_of(simulation, 75) - target).norm(), 1e-3) << "held through a change of the cloth";
+    EXPECT_LT((position_of(simulation, 75) - target).norm(), 1e-3) << "held through a change of the cloth";
     send(simulation, "release");
     EXPECT_FALSE(simulation.view().held);
     make_steps(simulation, 200);
-    EXPECT_GT((place_of(simulation, 75) - target).norm(), 0.01);
+    EXPECT_GT((position_of(simulation, 75) - target).norm(), 0.01);
     EXPECT_EQ(simulation.report().status, Status::Ok);
 }
 
@@ -201,10 +195,10 @@ TEST(Hand, LeavesAPinWhereItPutIt) {
     send(simulation, "drag -0.4 0.6 0");
     make_steps(simulation, 300);
     send(simulation, "release");
-    const Vec3 place = place_of(simulation, 0);
+    const Vec3 place = position_of(simulation, 0);
     EXPECT_LT((place - Vec3(-0.4, 0.6, 0)).norm(), 1e-3);
     make_steps(simulation, 100);
-    EXPECT_EQ(place_of(simulation, 0), place);
+    EXPECT_EQ(position_of(simulation, 0), place);
     EXPECT_TRUE(simulation.cloths()[0].model.pinned(0));
 }
 
@@ -225,7 +219,7 @@ TEST(Hand, StaysOutsideTheBall) {
     send(simulation, "grab 0 75");
     send(simulation, "drag 0 0.2 0.4");
     make_steps(simulation, 1000);
-    EXPECT_GE((place_of(simulation, 75) - simulation.balls()[0].centre).norm(), 0.25);
+    EXPECT_GE((position_of(simulation, 75) - simulation.balls()[0].centre).norm(), 0.25);
 }
 
 TEST(GrabCommand, NamesWhatThereIs) {

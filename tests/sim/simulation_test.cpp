@@ -12,17 +12,13 @@
 namespace drape {
 namespace {
 
+using test::input_error_of;
 using ::testing::AllOf;
 using ::testing::HasSubstr;
-using testing_aid::input_error_of;
-
-Vec3 place_of(const Simulation& simulation, int particle) {
-    return simulation.cloths()[0].state.x.row(particle).transpose();
-}
 
 TEST(Simulation, StartsAtRestWhereTheSettingsSay) {
     Simulation simulation = small_simulation();
-    EXPECT_EQ(place_of(simulation, 0), Vec3(-0.5, 0.6, 0));
+    EXPECT_EQ(position_of(simulation, 0), Vec3(-0.5, 0.6, 0));
     EXPECT_EQ(simulation.cloths()[0].state.v.norm(), 0);
     EXPECT_EQ(simulation.balls()[0].centre, Vec3(0, 0.2, 0.4));
     EXPECT_EQ(simulation.report().step, 0);
@@ -34,9 +30,9 @@ TEST(Simulation, AllocatesNothingInAStepOnceItHasContacts) {
          {"update=rebuild", "update=merge", "update=refit", "update=none", "search_level=2", "search_tests=16"}) {
         Simulation simulation = small_simulation({setting, "leaf_cells=2"});
         while (simulation.report().contacts == 0) simulation.step();
-        const auto before = testing::allocations();
+        const auto before = test::allocations();
         make_steps(simulation, 1500);
-        EXPECT_EQ(testing::allocations(), before) << setting;
+        EXPECT_EQ(test::allocations(), before) << setting;
     }
 }
 

@@ -11,8 +11,6 @@
 namespace drape {
 namespace {
 
-void send(Simulation& simulation, const std::string& text) { simulation.apply(parse_command(text)); }
-
 /// Whether a particle that moves as `place` says is ever taken for resting within ten seconds.
 template <class Place>
 bool ever_rests(Place place, Real speed) {
@@ -226,7 +224,7 @@ TEST(Sleep, EndsWhenTheBallsPathLeadsOn) {
 }
 
 TEST(Sleep, IsTheSameInARecordingsReplay) {
-    const testing_aid::ScratchFile file("session.txt");
+    const test::ScratchFile file("session.txt");
     Session live(thick_simulation());
     live.record(file.name(), {});
     live.run_until(6);

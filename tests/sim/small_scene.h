@@ -1,10 +1,14 @@
 #pragma once
 
+#include <gtest/gtest.h>
+
+#include <sstream>
 #include <string>
 #include <utility>
 
 #include "drape/sim/setting_table.h"
 #include "drape/sim/simulation.h"
+#include "drape/sim/state_csv.h"
 
 namespace drape {
 
@@ -38,6 +42,29 @@ inline Simulation small_simulation(const std::vector<std::string>& assignments =
 
 inline void make_steps(Simulation& simulation, int count) {
     for (int i = 0; i < count; ++i) simulation.step();
+}
+
+inline void send(Simulation& simulation, const std::string& text) { simulation.apply(parse_command(text)); }
+
+inline Vec3 position_of(const Simulation& simulation, int particle) {
+    return simulation.cloths()[0].state.x.row(particle).transpose();
+}
+
+/// What `--state` writes of this moment.
+inline std::string state_text(const Simulation& simulation) {
+    std::ostringstream out;
+    write_state_header(out, simulation);
+    write_state(out, simulation);
+    return out.str();
+}
+
+/// The report's figure of that name.
+inline double figure(const StepReport& report, std::string_view name) {
+    for (const ReportField& field : report_fields()) {
+        if (field.name == name) return field.read(report);
+    }
+    ADD_FAILURE() << name;
+    return 0;
 }
 
 }  // namespace drape

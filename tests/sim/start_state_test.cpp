@@ -17,15 +17,8 @@ namespace {
 
 using testing::HasSubstr;
 
-std::string state_text(const Simulation& simulation) {
-    std::ostringstream out;
-    write_state_header(out, simulation);
-    write_state(out, simulation);
-    return out.str();
-}
-
 TEST(StartState, GoesOnWhereAnotherRunHasLeftOff) {
-    const testing_aid::ScratchFile file("state.csv");
+    const test::ScratchFile file("state.csv");
     Simulation whole = small_simulation({"sleep_speed=0"});
     make_steps(whole, 150);
     file.write(state_text(whole));
@@ -39,7 +32,7 @@ TEST(StartState, GoesOnWhereAnotherRunHasLeftOff) {
 }
 
 TEST(StartState, LeavesPinnedParticlesWhereTheyAre) {
-    const testing_aid::ScratchFile file("state.csv");
+    const test::ScratchFile file("state.csv");
     Simulation loose = small_simulation({"pinned=none"});
     make_steps(loose, 100);
     file.write(state_text(loose));
@@ -50,7 +43,7 @@ TEST(StartState, LeavesPinnedParticlesWhereTheyAre) {
 }
 
 TEST(StartState, IsTheLastMomentOfAFile) {
-    const testing_aid::ScratchFile file("state.csv");
+    const test::ScratchFile file("state.csv");
     Simulation simulation = small_simulation();
     std::ostringstream out;
     write_state_header(out, simulation);
@@ -63,7 +56,7 @@ TEST(StartState, IsTheLastMomentOfAFile) {
 }
 
 TEST(StartState, FindsABallOnItsPath) {
-    const testing_aid::ScratchFile file("state.csv");
+    const test::ScratchFile file("state.csv");
     const std::vector<std::string> path{"motion=path", "path=0,0,0,2,1,0,0,-2"};
     Simulation whole = small_simulation(path);
     make_steps(whole, 300);
@@ -75,7 +68,7 @@ TEST(StartState, FindsABallOnItsPath) {
 }
 
 TEST(StartState, MayHaveTheEndsOfLinesOfOtherSystems) {
-    const testing_aid::ScratchFile file("state.csv");
+    const test::ScratchFile file("state.csv");
     Simulation simulation = small_simulation();
     make_steps(simulation, 20);
     std::string text = state_text(simulation);
@@ -86,9 +79,9 @@ TEST(StartState, MayHaveTheEndsOfLinesOfOtherSystems) {
 
 /// What is said of a state file with this text.
 std::string complaint(const std::string& text) {
-    const testing_aid::ScratchFile file("state.csv");
+    const test::ScratchFile file("state.csv");
     file.write(text);
-    return testing_aid::input_error_of([&] {
+    return test::input_error_of([&] {
         small_simulation({"cloth.particles=2,2", "pinned=none", "start=" + file.name()});
     });
 }
@@ -113,8 +106,7 @@ TEST(StartState, ThatIsDamagedIsRefusedWithItsLine) {
     const std::string later = header + "3,0" + row + "3,1" + row + "3,2" + row + "3,3" + row;
     EXPECT_EQ(complaint(later + later.substr(header.size())), "") << "the same moment twice";
     EXPECT_THAT(complaint(later + "2,0" + row), HasSubstr("state.csv:6: t = 2: allowed t >= 3"));
-    EXPECT_THAT(testing_aid::input_error_of([] { small_simulation({"start=/no/such.csv"}); }),
-                HasSubstr("cannot be read"));
+    EXPECT_THAT(test::input_error_of([] { small_simulation({"start=/no/such.csv"}); }), HasSubstr("cannot be read"));
 }
 
 TEST(StartState, ThatIsBadChangesNothing) {

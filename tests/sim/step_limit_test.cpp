@@ -16,8 +16,6 @@ namespace {
 using testing::AllOf;
 using testing::HasSubstr;
 
-void send(Simulation& simulation, const std::string& text) { simulation.apply(parse_command(text)); }
-
 Simulation plain_copy(const Simulation& simulation) { return {simulation.scene(), simulation.settings()}; }
 
 double limit_of(const Simulation& simulation) {
@@ -177,7 +175,7 @@ TEST(Failure, NamesParticleSpringStepAndLimit) {
 }
 
 TEST(Failure, IsWrittenAsASceneWhoseFirstStepFailsAlike) {
-    const testing_aid::ScratchFolder scratch;
+    const test::ScratchFolder scratch;
     const auto& folder = scratch.path();
     const Simulation lost = lost_simulation();
     const auto scene = write_failure(lost, folder);
@@ -198,14 +196,14 @@ TEST(Failure, IsWrittenAsASceneWhoseFirstStepFailsAlike) {
 }
 
 TEST(Failure, DoesNotWaitForAPipeThatHasItsName) {
-    const testing_aid::ScratchFolder scratch;
+    const test::ScratchFolder scratch;
     const auto& folder = scratch.path();
     ASSERT_EQ(mkfifo((folder / "unstable.toml").c_str(), 0600), 0);
     EXPECT_EQ(write_failure(lost_simulation(), folder).filename(), "unstable-2.toml");
 }
 
 TEST(Failure, KeepsWhatTheHandHolds) {
-    const testing_aid::ScratchFolder scratch;
+    const test::ScratchFolder scratch;
     const auto& folder = scratch.path();
     Simulation simulation = small_simulation({"dt=0.03125"});
     send(simulation, "grab 0 75");

@@ -36,15 +36,6 @@ TEST(ReportFields, AreNeverMoreThanTheirWhole) {
     EXPECT_GT(parts, 5000);
 }
 
-/// The report's figure of that name.
-double figure(const StepReport& report, std::string_view name) {
-    for (const ReportField& field : report_fields()) {
-        if (field.name == name) return field.read(report);
-    }
-    ADD_FAILURE() << name;
-    return 0;
-}
-
 TEST(ReportFields, CountWhatTheBroadPhaseDoes) {
     Simulation brute = small_simulation({"volume=brute"}), tree = small_simulation({"leaf_cells=2"});
     make_steps(brute, 700), make_steps(tree, 700);

@@ -23,7 +23,7 @@ protected:
         return offences.empty() ? "" : offences.front().text;
     }
 
-    testing_aid::ScratchFolder scratch_;
+    test::ScratchFolder scratch_;
     const fs::path root_ = scratch_.path() / "house";
 };
 

@@ -13,7 +13,7 @@ namespace fs = std::filesystem;
 
 namespace {
 
-constexpr std::array<std::string_view, 7> layers{"base", "model", "integrate", "bounds", "contact", "sim", "lab"};
+constexpr std::array<std::string_view, 7> math_layers{"base", "model", "integrate", "bounds", "contact", "sim", "lab"};
 
 /// Of the C library, without the f or l at the end for the type. A fused multiply-add is exact, but is as slow as a
 /// call where the processor lacks it.
@@ -57,7 +57,7 @@ void check_file(const fs::path& file, std::vector<Offence>& offences) {
 std::vector<Offence> check_math(const fs::path& root) {
     std::vector<Offence> offences;
     for (const fs::path& top : {root / "include" / "drape", root / "src"}) {
-        for (const std::string_view layer : layers) {
+        for (const std::string_view layer : math_layers) {
             if (!fs::exists(top / layer)) continue;
             for (const auto& entry : fs::recursive_directory_iterator(top / layer)) {
                 const std::string kind = entry.path().extension().string();

@@ -11,7 +11,7 @@
 #define DRAPE_CAN_LIMIT_ADDRESS_SPACE
 #endif
 
-namespace drape::testing {
+namespace drape::test {
 
 /// Lets this program take so much more of its address space, and no more [bytes].
 inline void limit_address_space(std::size_t more) {
@@ -22,4 +22,4 @@ inline void limit_address_space(std::size_t more) {
     setrlimit(RLIMIT_AS, &both);
 }
 
-}  // namespace drape::testing
+}  // namespace drape::test

@@ -55,7 +55,7 @@ long long peak = 0;
 }  // namespace
 #endif
 
-namespace drape::testing {
+namespace drape::test {
 
 long long allocations() { return calls; }
 
@@ -65,4 +65,4 @@ long long most_bytes_held() { return peak; }
 
 void forget_most_bytes_held() { peak = static_cast<long long>(held); }
 
-}  // namespace drape::testing
+}  // namespace drape::test

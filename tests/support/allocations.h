@@ -1,6 +1,6 @@
 #pragma once
 
-namespace drape::testing {
+namespace drape::test {
 
 /// Calls of malloc and its kin by this program so far.
 long long allocations();
@@ -12,4 +12,4 @@ long long bytes_held();
 long long most_bytes_held();
 void forget_most_bytes_held();
 
-}  // namespace drape::testing
+}  // namespace drape::test

@@ -5,7 +5,7 @@
 
 #include "drape/model/cloth_model.h"
 
-namespace drape::testing {
+namespace drape::test {
 
 /// A cloth in one of many shapes: flat, wavy, rolled or crumpled, by its seed.
 /// @return n x 3 positions within about one metre of the origin
@@ -52,4 +52,4 @@ inline ClothParameters unlike_springs(const Grid& grid) {
     return parameters;
 }
 
-}  // namespace drape::testing
+}  // namespace drape::test

@@ -1,13 +1,16 @@
 #pragma once
 
+#include <gtest/gtest.h>
+
 #include <algorithm>
 #include <limits>
 #include <span>
+#include <string>
 #include <vector>
 
 #include "drape/bounds/node_view.h"
 
-namespace drape::testing {
+namespace drape::test {
 
 using Exact = Eigen::Matrix<long double, 3, 1>;
 
@@ -43,6 +46,16 @@ inline long double stands_out(const Obb& box, const Vec3& p) {
     return most;
 }
 
+using AllVolumes = ::testing::Types<BoundingSphere, Aabb, KDop<6>, KDop<14>, KDop<18>, KDop<26>, Obb>;
+
+/// Names typed tests by their volume.
+struct VolumeNames {
+    template <class V>
+    static std::string GetName(int) {
+        return std::string(V::name);
+    }
+};
+
 /// All particles of a cloth as one patch.
 inline Patch whole(const Points& x, const Grid& grid) {
     return {x.col(0).data(), x.col(1).data(), x.col(2).data(), grid.nx, grid.ny, grid.nx};
@@ -71,4 +84,4 @@ int breaches(const Grid& grid, const std::vector<QuadtreeNode>& nodes, std::span
     return count;
 }
 
-}  // namespace drape::testing
+}  // namespace drape::test

@@ -4,7 +4,7 @@
 
 #include "drape/base/input_error.h"
 
-namespace drape::testing_aid {
+namespace drape::test {
 
 /// The message of the InputError that an action throws; empty if it throws none.
 template <class Action>
@@ -17,4 +17,4 @@ std::string input_error_of(Action action) {
     return {};
 }
 
-}  // namespace drape::testing_aid
+}  // namespace drape::test

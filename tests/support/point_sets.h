@@ -9,7 +9,7 @@
 #include "drape/bounds/bounding_volume.h"
 #include "support/cloths.h"
 
-namespace drape::testing {
+namespace drape::test {
 
 /// All rows of positions as one patch of a single row.
 inline Patch patch_of_points(const Points& x) {
@@ -57,4 +57,4 @@ inline Points random_points(const PointSet& set, int n, std::mt19937& random) {
     return x;
 }
 
-}  // namespace drape::testing
+}  // namespace drape::test

@@ -11,7 +11,7 @@
 #include <sstream>
 #include <thread>
 
-namespace drape::testing_aid {
+namespace drape::test {
 
 namespace {
 
@@ -98,4 +98,4 @@ std::string read_file(const std::filesystem::path& file) {
 
 void sleep_for(double seconds) { std::this_thread::sleep_for(std::chrono::duration<double>(seconds)); }
 
-}  // namespace drape::testing_aid
+}  // namespace drape::test

@@ -8,7 +8,7 @@
 #include <string>
 #include <vector>
 
-namespace drape::testing_aid {
+namespace drape::test {
 
 /// A program that runs beside the test; ended with it.
 class Process {
@@ -60,4 +60,4 @@ bool eventually(Condition condition, double seconds) {
     return condition();
 }
 
-}  // namespace drape::testing_aid
+}  // namespace drape::test

@@ -10,7 +10,7 @@
 
 #include "drape/base/scratch_folder.h"
 
-namespace drape::testing_aid {
+namespace drape::test {
 
 /// A file of this process's own, gone with the object.
 class ScratchFile {
@@ -31,4 +31,4 @@ private:
 
 using drape::ScratchFolder;
 
-}  // namespace drape::testing_aid
+}  // namespace drape::test

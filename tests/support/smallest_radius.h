@@ -8,7 +8,7 @@
 
 #include "drape/base/real.h"
 
-namespace drape::testing {
+namespace drape::test {
 
 inline Real farthest_distance(const Points& x, const Vec3& centre) {
     return (x.rowwise() - centre.transpose()).rowwise().norm().maxCoeff();
@@ -79,4 +79,4 @@ inline Real lower_bound_of_radius(const Points& x, const Vec3& centre) {
     return std::sqrt(std::max(Real(0), square / total - (sum / total).squaredNorm()));
 }
 
-}  // namespace drape::testing
+}  // namespace drape::test

@@ -54,7 +54,7 @@ Quartiles time_run(const ContactScene& scene, const BroadPhaseParameters& search
     return quartiles_of(std::move(costs));
 }
 
-std::vector<ContactRow> run_case(double speed, double step, int repeats) {
+std::vector<ContactRow> run_contact_case(double speed, double step, int repeats) {
     const ContactScene scene = hung_cloth_and_ball(speed, step);
     const ContactHistory reference = watch_contacts(scene, search_of(0), static_cast<Real>(step / finer));
     std::set<int> triangles;
@@ -86,20 +86,20 @@ std::vector<ContactRow> run_case(double speed, double step, int repeats) {
     return rows;
 }
 
-std::vector<CaseOf<ContactRow>> cases(bool quick) {
+std::vector<CaseOf<ContactRow>> contact_cases(bool quick) {
     std::vector<CaseOf<ContactRow>> all;
     const std::vector<double> speeds = quick ? std::vector{2.0, 8.0, 32.0} : std::vector{0.5, 2.0, 8.0, 32.0};
     const std::vector<double> rates = quick ? std::vector{30.0, 60.0, 120.0, 240.0, 480.0, 960.0}
                                             : std::vector{30.0, 60.0, 120.0, 240.0, 480.0, 960.0, 1920.0};
     for (const double speed : speeds) {
         for (const double rate : rates) {
-            all.push_back([=] { return run_case(speed, 1 / rate, quick ? 5 : 15); });
+            all.push_back([=] { return run_contact_case(speed, 1 / rate, quick ? 5 : 15); });
         }
     }
     return all;
 }
 
-RowFormat<ContactRow> format() {
+RowFormat<ContactRow> contact_format() {
     using Row = ContactRow;
     return {8,
             {{word_column("search", {"full", "limited"}), &Row::search},
@@ -120,7 +120,7 @@ RowFormat<ContactRow> format() {
 }
 
 /// For each search and speed, the longest step from which down nothing passes and little is missed.
-std::string summary(const std::vector<ContactRow>& rows) {
+std::string contact_summary(const std::vector<ContactRow>& rows) {
     std::map<std::pair<std::string, double>, std::vector<ContactRow>> runs;
     for (const ContactRow& row : rows) {
         const std::string search = row.search == "full" ? "full search" : fmt::format("search of {} tests", row.tests);
@@ -146,7 +146,7 @@ std::string summary(const std::vector<ContactRow>& rows) {
     return text;
 }
 
-std::vector<Chart> charts(const std::vector<ContactRow>& rows) {
+std::vector<Chart> contact_charts(const std::vector<ContactRow>& rows) {
     std::vector<std::string> ends, speeds;
     const auto add = [](std::vector<std::string>& words, double number) {
         if (std::ranges::find(words, real_text(number)) == words.end()) words.push_back(real_text(number));
@@ -183,8 +183,9 @@ ContactScene hung_cloth_and_ball(double speed, double step) {
 }
 
 Experiment contact_experiment() {
-    return ExperimentOf<ContactRow>{
-        "contact", "which steps and searches find the contacts that there are?", format(), cases, charts, summary}
+    return ExperimentOf<ContactRow>{"contact",        "which steps and searches find the contacts that there are?",
+                                    contact_format(), contact_cases,
+                                    contact_charts,   contact_summary}
         .as_table();
 }
 

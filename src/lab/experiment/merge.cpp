@@ -13,7 +13,7 @@
 namespace drape {
 namespace {
 
-struct Options {
+struct MergeOptions {
     std::vector<std::string> folders;
     std::string out = "merged";
 };
@@ -84,7 +84,7 @@ ExperimentTable joined(std::vector<Part> parts) {
     return whole;
 }
 
-int merge(std::span<const Experiment> experiments, const Options& options) {
+int merge(std::span<const Experiment> experiments, const MergeOptions& options) {
     std::map<const Experiment*, ExperimentTable> found;
     for (const Experiment& experiment : experiments) {
         auto parts = parts_of(experiment, options.folders);
@@ -116,7 +116,7 @@ int merge(std::span<const Experiment> experiments, const Options& options) {
 
 void add_merge(CLI::App& app, std::span<const Experiment> experiments, int& exit_code) {
     CLI::App* command = app.add_subcommand("merge", "Joins the tables of shares, and draws their charts");
-    auto options = std::make_shared<Options>();
+    auto options = std::make_shared<MergeOptions>();
     command->add_option("folders", options->folders, "folders that --share runs have written")
         ->type_name("DIR...")
         ->required();

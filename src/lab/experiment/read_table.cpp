@@ -12,7 +12,7 @@
 namespace drape {
 namespace {
 
-constexpr std::size_t longest_line = 16 * 1024;          // bytes: a line of a merged head names every machine
+constexpr std::size_t longest_table_line = 16 * 1024;    // bytes: a line of a merged head names every machine
 constexpr std::size_t largest_table = 32 * 1024 * 1024;  // bytes: the largest of a whole run has 5 million
 constexpr long long most_cases = 100'000;
 
@@ -26,14 +26,14 @@ public:
 
     /// False at the end, or where an unfinished table is cut off.
     bool next() {
-        const LineEnd end = read_line(in_, line_, longest_line);
+        const LineEnd end = read_line(in_, line_, longest_table_line);
         if (end == LineEnd::None) return false;
         ++number_;
         bytes_ += line_.size() + 1;
         if (bytes_ > largest_table) fail("a table has at most {} bytes", largest_table);
         if (end == LineEnd::CutOff && unfinished_) return false;
         if (end == LineEnd::CutOff) fail("cut off");
-        if (end == LineEnd::TooLong) fail("too long: allowed {} bytes in a line", longest_line);
+        if (end == LineEnd::TooLong) fail("too long: allowed {} bytes in a line", longest_table_line);
         const auto foreign = std::ranges::find_if(line_, [](char c) { return c < ' ' || c > '~'; });
         if (foreign != line_.end()) fail("byte {} is no printable ASCII character", foreign - line_.begin() + 1);
         return true;

@@ -15,14 +15,14 @@
 namespace drape {
 namespace {
 
-struct Options {
+struct RunOptions {
     std::string folder;
     CaseSelection selection;
     bool again = false;
 };
 
 /// Shares that run side by side do not write into one folder.
-std::filesystem::path folder_of(const Experiment& experiment, const Options& options) {
+std::filesystem::path folder_of(const Experiment& experiment, const RunOptions& options) {
     if (!options.folder.empty()) return options.folder;
     std::string name = experiment.name;
     if (!options.selection.share.empty()) name += "-" + options.selection.share;
@@ -75,7 +75,7 @@ ExperimentTable resumed(const Experiment& experiment, const TableHead& head, con
     return *left;
 }
 
-int run(const Experiment& experiment, std::span<const Experiment> all, const Options& options) {
+int run(const Experiment& experiment, std::span<const Experiment> all, const RunOptions& options) {
     const auto cases = experiment.cases(options.selection.quick);
     const auto wanted = options.selection.numbers(cases.size());
     const std::filesystem::path folder = folder_of(experiment, options);
@@ -131,7 +131,7 @@ void present(const Experiment& experiment, const ExperimentTable& table, const s
 void add_experiments(CLI::App& app, std::span<const Experiment> experiments, int& exit_code) {
     for (const Experiment& experiment : experiments) {
         CLI::App* command = app.add_subcommand(experiment.name, "Experiment: " + experiment.question);
-        auto options = std::make_shared<Options>();
+        auto options = std::make_shared<RunOptions>();
         command
             ->add_option("--out", options->folder,
                          "folder for table, charts and page; NAME, or NAME-K-N for a share, if not given")

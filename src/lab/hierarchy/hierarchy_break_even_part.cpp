@@ -28,7 +28,7 @@ double moved_part(const RecordedMotion& motion, std::size_t frame, Real reach) {
     return static_cast<double>((distances > reach).count()) / static_cast<double>(distances.size());
 }
 
-std::vector<HierarchyRow> measure(const RecordedMotion& motion, const VolumeVariant& variant, bool quick) {
+std::vector<HierarchyRow> measure_break_even(const RecordedMotion& motion, const VolumeVariant& variant, bool quick) {
     std::vector<HierarchyRun> runs;
     for (const UpdateKind update : all_updates) {
         const auto hierarchy = make_broad_phase(
@@ -81,7 +81,7 @@ std::vector<HierarchyCase> break_even_cases(bool quick, const SharedMotions& mot
             for (const double interval : intervals(scene, quick)) {
                 const MotionWanted wanted{scene.name, scene.from, interval, quick ? 31 : 61};
                 cases.push_back([=] {
-                    return measure(resampled(motions->find(wanted), {side, side}), variant, quick);
+                    return measure_break_even(resampled(motions->find(wanted), {side, side}), variant, quick);
                 });
             }
         }

@@ -51,8 +51,8 @@ std::vector<SearchLimit> limits(const BroadPhaseParameters& parameters, const Gr
     return all;
 }
 
-std::vector<HierarchyRow> measure(const RecordedMotion& motion, BroadPhaseParameters parameters, double time,
-                                  bool quick) {
+std::vector<HierarchyRow> measure_budget(const RecordedMotion& motion, BroadPhaseParameters parameters, double time,
+                                         bool quick) {
     const SearchedRun full = simulate(motion.scene, parameters, time);
     std::vector<HierarchyRow> rows;
     for (const SearchLimit& limit : limits(parameters, motion.grid, quick)) {
@@ -83,8 +83,9 @@ std::vector<HierarchyCase> budget_cases(bool quick, const SharedMotions& motions
             // Long enough for the ball to be well in the cloth
             const double time = scene.from + (quick ? 0.4 : 1.0);
             cases.push_back([=, wanted = screen_frames(scene, quick ? 40 : 120)] {
-                return measure(motions->find(wanted),
-                               {.volume = variant.volume, .leaf_cells = 4, .sphere_fit = variant.fit}, time, quick);
+                return measure_budget(motions->find(wanted),
+                                      {.volume = variant.volume, .leaf_cells = 4, .sphere_fit = variant.fit}, time,
+                                      quick);
             });
         }
     }

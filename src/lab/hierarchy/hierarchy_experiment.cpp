@@ -8,7 +8,7 @@
 namespace drape {
 namespace {
 
-std::vector<HierarchyCase> cases(bool quick) {
+std::vector<HierarchyCase> hierarchy_cases(bool quick) {
     const auto motions = std::make_shared<Motions>();
     std::vector<HierarchyCase> all;
     for (const auto part : {fit_cases, level_cases, budget_cases, break_even_cases, size_cases}) {
@@ -18,7 +18,7 @@ std::vector<HierarchyCase> cases(bool quick) {
 }
 
 /// Updates are compared over frames: all of them need the same ones.
-std::string flaw_of_case(const std::vector<HierarchyRow>& rows) {
+std::string flaw_of_hierarchy_case(const std::vector<HierarchyRow>& rows) {
     using Key = std::tuple<std::string, std::string, double>;
     std::map<Key, std::map<std::string, std::vector<double>>> frames;
     for (const HierarchyRow& row : rows_with(rows, &HierarchyRow::part, "break_even")) {
@@ -41,10 +41,11 @@ MotionWanted screen_frames(const HierarchyScene& scene, int frames) {
 }
 
 Experiment hierarchy_experiment() {
-    return ExperimentOf<HierarchyRow>{"hierarchy",        "what does a tighter hierarchy cost, and what does it save?",
-                                      hierarchy_format(), cases,
-                                      hierarchy_charts,   hierarchy_summary,
-                                      flaw_of_case}
+    return ExperimentOf<HierarchyRow>{
+        "hierarchy",           "what does a tighter hierarchy cost, and what does it save?",
+        hierarchy_format(),    hierarchy_cases,
+        hierarchy_charts,      hierarchy_summary,
+        flaw_of_hierarchy_case}
         .as_table();
 }
 

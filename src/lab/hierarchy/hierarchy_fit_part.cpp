@@ -13,7 +13,7 @@ std::vector<VolumeVariant> variants(bool quick) {
     return all;
 }
 
-HierarchyRow measure(const RecordedMotion& motion, const BroadPhaseParameters& parameters, bool quick) {
+HierarchyRow measure_fit(const RecordedMotion& motion, const BroadPhaseParameters& parameters, bool quick) {
     const auto hierarchy = make_broad_phase(parameters, motion.grid);
     const int frames = static_cast<int>(motion.x.size());
     const HierarchyRun run =
@@ -36,14 +36,14 @@ std::vector<HierarchyCase> fit_cases(bool quick, const SharedMotions& motions) {
             return side > 0 ? resampled(motion, {side, side}) : motion;
         };
         cases.push_back(
-            [=] { return std::vector<HierarchyRow>{measure(motion_of(), {.volume = VolumeKind::Brute}, quick)}; });
+            [=] { return std::vector<HierarchyRow>{measure_fit(motion_of(), {.volume = VolumeKind::Brute}, quick)}; });
         for (const VolumeVariant& variant : variants(quick)) {
             for (const UpdateKind update : all_updates) {
                 cases.push_back([=] {
                     std::vector<HierarchyRow> rows;
                     const RecordedMotion motion = motion_of();
                     for (const int leaf : leaves) {
-                        rows.push_back(measure(
+                        rows.push_back(measure_fit(
                             motion,
                             {.volume = variant.volume, .update = update, .leaf_cells = leaf, .sphere_fit = variant.fit},
                             quick));

@@ -5,7 +5,7 @@ namespace {
 
 /// One search a level, each on a tree of its own: it ends there, and what it visited more than the one before it is
 /// the level's.
-std::vector<HierarchyRow> measure(const RecordedMotion& motion, BroadPhaseParameters parameters, bool quick) {
+std::vector<HierarchyRow> measure_level(const RecordedMotion& motion, BroadPhaseParameters parameters, bool quick) {
     const int levels = make_broad_phase(parameters, motion.grid)->levels();
     const int frames = static_cast<int>(motion.x.size());
     std::vector<HierarchyRow> rows;
@@ -38,9 +38,9 @@ std::vector<HierarchyCase> level_cases(bool quick, const SharedMotions& motions)
     std::vector<HierarchyCase> cases;
     const auto add = [&](const HierarchyScene& scene, const VolumeVariant& variant, UpdateKind update) {
         cases.push_back([=, wanted = screen_frames(scene, quick ? 40 : 120)] {
-            return measure(motions->find(wanted),
-                           {.volume = variant.volume, .update = update, .leaf_cells = 1, .sphere_fit = variant.fit},
-                           quick);
+            return measure_level(
+                motions->find(wanted),
+                {.volume = variant.volume, .update = update, .leaf_cells = 1, .sphere_fit = variant.fit}, quick);
         });
     };
     for (const HierarchyScene& scene : hierarchy_scenes) {

@@ -3,7 +3,7 @@
 namespace drape {
 namespace {
 
-HierarchyRow measure(const RecordedMotion& motion, const BroadPhaseParameters& parameters, bool quick) {
+HierarchyRow measure_size(const RecordedMotion& motion, const BroadPhaseParameters& parameters, bool quick) {
     const auto hierarchy = make_broad_phase(parameters, motion.grid);
     const bool small = motion.grid.nx <= 128;
     const HierarchyRun run = follow(motion, *hierarchy, {.repeats = small ? 15 : (quick ? 3 : 7)});
@@ -21,14 +21,15 @@ std::vector<HierarchyCase> size_cases(bool quick, const SharedMotions& motions) 
     const MotionWanted wanted{.scene = "curtain", .from = 1.2, .interval = 1.0 / 60, .frames = 5};
     const auto frames_of = [motions, wanted](int side) { return resampled(motions->find(wanted), {side, side}); };
     for (const int side : quick ? std::vector{16, 32, 64, 128, 256} : std::vector{16, 32, 64, 128, 256, 512, 1024}) {
-        cases.push_back(
-            [=] { return std::vector<HierarchyRow>{measure(frames_of(side), {.volume = VolumeKind::Brute}, quick)}; });
+        cases.push_back([=] {
+            return std::vector<HierarchyRow>{measure_size(frames_of(side), {.volume = VolumeKind::Brute}, quick)};
+        });
         for (const VolumeVariant& variant : volume_families) {
             cases.push_back([=] {
                 const RecordedMotion motion = frames_of(side);
                 std::vector<HierarchyRow> rows;
                 for (const UpdateKind update : all_updates) {
-                    rows.push_back(measure(
+                    rows.push_back(measure_size(
                         motion, {.volume = variant.volume, .update = update, .sphere_fit = variant.fit}, quick));
                 }
                 return rows;

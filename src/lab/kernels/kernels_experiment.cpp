@@ -45,7 +45,7 @@ Simulation touching_cloth(int side, const std::string& kernels) {
     return {"drop", settings};
 }
 
-std::vector<KernelsRow> run_case(int side, int steps) {
+std::vector<KernelsRow> run_kernels_case(int side, int steps) {
     std::array<Simulation, 2> simulations{touching_cloth(side, names_of<Kernels>()[0]),
                                           touching_cloth(side, names_of<Kernels>()[1])};
     std::array<std::array<std::vector<double>, stages.size()>, enum_names<Kernels>.size()> times;
@@ -71,15 +71,15 @@ std::vector<KernelsRow> run_case(int side, int steps) {
     return rows;
 }
 
-std::vector<CaseOf<KernelsRow>> cases(bool quick) {
+std::vector<CaseOf<KernelsRow>> kernels_cases(bool quick) {
     std::vector<CaseOf<KernelsRow>> all;
     for (const int side : quick ? std::vector{16, 32, 64} : std::vector{16, 32, 64, 128, 256}) {
-        all.push_back([=] { return run_case(side, quick ? 31 : 201); });
+        all.push_back([=] { return run_kernels_case(side, quick ? 31 : 201); });
     }
     return all;
 }
 
-RowFormat<KernelsRow> format() {
+RowFormat<KernelsRow> kernels_format() {
     using Row = KernelsRow;
     std::vector<std::string> names;
     for (const Stage& stage : stages) names.emplace_back(stage.name);
@@ -103,7 +103,7 @@ void tell_ratios(const std::vector<KernelsRow>& rows, const Tell& tell) {
     }
 }
 
-std::string summary(const std::vector<KernelsRow>& rows) {
+std::string kernels_summary(const std::vector<KernelsRow>& rows) {
     std::string text;
     tell_ratios(rows, [&text](const KernelsRow& plain, double ratio) {
         text += fmt::format("{}, {} particles: plain {:.3g} us, {:.3g} times vector\n", plain.stage, plain.particles,
@@ -112,7 +112,7 @@ std::string summary(const std::vector<KernelsRow>& rows) {
     return text;
 }
 
-std::vector<Chart> charts(const std::vector<KernelsRow>& rows) {
+std::vector<Chart> kernels_charts(const std::vector<KernelsRow>& rows) {
     std::string ratios = "stage,particles,ratio\n";
     tell_ratios(rows, [&ratios](const KernelsRow& plain, double ratio) {
         ratios += fmt::format("{},{},{:.6g}\n", plain.stage, plain.particles, ratio);
@@ -128,7 +128,8 @@ std::vector<Chart> charts(const std::vector<KernelsRow>& rows) {
 }  // namespace
 
 Experiment kernels_experiment() {
-    return ExperimentOf<KernelsRow>{"kernels", "what do the vector kernels buy?", format(), cases, charts, summary}
+    return ExperimentOf<KernelsRow>{
+        "kernels", "what do the vector kernels buy?", kernels_format(), kernels_cases, kernels_charts, kernels_summary}
         .as_table();
 }
 

@@ -14,7 +14,7 @@
 namespace drape {
 namespace {
 
-struct Options {
+struct NeedsOptions {
     StartOptions start;
     bool write = false, check = false;
 };
@@ -126,7 +126,7 @@ int find(const Needs& needs, const Trail& trail, const std::optional<std::filesy
     return Done;
 }
 
-int run(const Options& options) {
+int run(const NeedsOptions& options) {
     const Settings scene = make_start(options.start).settings;
     // Refused before the search, which takes minutes
     std::optional<std::filesystem::path> write_to;
@@ -148,7 +148,7 @@ int run(const Options& options) {
 void add_needs(CLI::App& app, int& exit_code) {
     CLI::App* command = app.add_subcommand(
         "needs", "Searches for the cheapest configuration that shows what the scene's [needs] state");
-    auto options = std::make_shared<Options>();
+    auto options = std::make_shared<NeedsOptions>();
     command->add_option("scene", options->start.scene, "name of a shipped scene, or a TOML file")
         ->type_name("SCENE")
         ->required();

@@ -11,7 +11,7 @@
 namespace drape {
 namespace {
 
-constexpr double infinite = std::numeric_limits<double>::infinity();
+constexpr double no_bound = std::numeric_limits<double>::infinity();
 constexpr double safe_part_of_limit = 0.9;
 
 /// Of the error that a scene allows, what may be the full model's own.
@@ -27,14 +27,14 @@ public:
         if (allowed > 0) note(measured / allowed, why);
     }
     void at_least(double measured, double wanted, const std::string& why) {
-        if (wanted > 0) note(measured > 0 ? wanted / measured : infinite, why);
+        if (wanted > 0) note(measured > 0 ? wanted / measured : no_bound, why);
     }
-    void never(const std::string& why) { note(infinite, why); }
+    void never(const std::string& why) { note(no_bound, why); }
 
 private:
     /// What is no number misses by all.
     void note(double miss, const std::string& why) {
-        if (std::isnan(miss)) miss = infinite;
+        if (std::isnan(miss)) miss = no_bound;
         if (miss > 1 && (miss > attempt_.miss || attempt_.why.empty())) attempt_.why = why;
         attempt_.miss = std::max(attempt_.miss, miss);
     }
@@ -68,7 +68,7 @@ double Needs::error_of(const Motion& motion) const {
 Attempt Needs::attempt(const Settings& settings, double cost_limit) const {
     const NeedsSettings& needs = scene_.needs;
     const Motion motion = run_to_horizon(
-        settings, {.cost = cost_limit, .step_over_limit = needs.diverges ? infinite : safe_part_of_limit});
+        settings, {.cost = cost_limit, .step_over_limit = needs.diverges ? no_bound : safe_part_of_limit});
     Attempt attempt;
     attempt.settings = settings;
     attempt.cost = motion.cost;

@@ -11,7 +11,7 @@
 namespace drape {
 namespace {
 
-std::vector<CaseOf<OriginalRow>> cases(bool quick) {
+std::vector<CaseOf<OriginalRow>> original_cases(bool quick) {
     const OriginalPlan plan{.frames = quick ? 12 : 40, .passes = quick ? 5 : 15};
     const auto told = std::make_shared<bool>(false);
     const auto run = [plan, told] {
@@ -28,7 +28,7 @@ std::vector<CaseOf<OriginalRow>> cases(bool quick) {
     return std::vector<CaseOf<OriginalRow>>(quick ? 3 : 7, run);
 }
 
-RowFormat<OriginalRow> format() {
+RowFormat<OriginalRow> original_format() {
     using Row = OriginalRow;
     const auto if_drawn = [](const char* name) { return number_column(name).or_words({""}); };
     return {8,
@@ -52,7 +52,7 @@ RowFormat<OriginalRow> format() {
 }
 
 /// A case compares: it needs all that it compares.
-std::string flaw_of_case(const OriginalRows& rows) {
+std::string flaw_of_original_case(const OriginalRows& rows) {
     for (const OriginalWay& way : original_ways) {
         const auto count = std::ranges::count_if(rows, [&way](const OriginalRow& row) {
             return row.volume == way.volume && (row.drawn > 0) == way.bounds_drawn;
@@ -99,10 +99,10 @@ OriginalRows original_rows(const OriginalPlan& plan, const std::filesystem::path
 
 Experiment original_experiment() {
     return ExperimentOf<OriginalRow>{
-        "original",      "spheres or boxes: do the dissertation's five tests come out as they did?",
-        format(),        cases,
-        original_charts, original_summary,
-        flaw_of_case}
+        "original",           "spheres or boxes: do the dissertation's five tests come out as they did?",
+        original_format(),    original_cases,
+        original_charts,      original_summary,
+        flaw_of_original_case}
         .as_table();
 }
 

@@ -13,7 +13,7 @@
 namespace drape {
 namespace {
 
-constexpr int repeats = 7;
+constexpr int timings_of_a_run = 7;
 
 /// A method with its variant, under the name that the table gives it.
 struct PrecisionMethod {
@@ -125,7 +125,7 @@ PrecisionRow row_of(const PrecisionMethod& method, const Rung& rung, const Preci
     const int steps = adaptive && !scene.has_ball() ? outcome.inner_steps : rung.steps;
     constexpr double none = std::numeric_limits<double>::quiet_NaN();
     const Quartiles cost =
-        outcome.bounded ? cost_of(scene, rung.parameters, rung.steps, repeats) : Quartiles{none, none, none};
+        outcome.bounded ? cost_of(scene, rung.parameters, rung.steps, timings_of_a_run) : Quartiles{none, none, none};
     return {.scene = scene.name,
             .particles = static_cast<double>(scene.settings.cloths.front().particles.nx),
             .stiffness = static_cast<double>(scene.settings.cloths.front().structural.stiffness),
@@ -145,7 +145,7 @@ PrecisionRow row_of(const PrecisionMethod& method, const Rung& rung, const Preci
             .growth = reference.growth};
 }
 
-std::vector<CaseOf<PrecisionRow>> cases(bool quick) {
+std::vector<CaseOf<PrecisionRow>> precision_cases(bool quick) {
     std::vector<CaseOf<PrecisionRow>> all;
     for (PrecisionScene& scene : precision_scenes(quick)) {
         const auto arena = std::make_shared<Arena>(std::move(scene));
@@ -162,7 +162,7 @@ std::vector<CaseOf<PrecisionRow>> cases(bool quick) {
     return all;
 }
 
-RowFormat<PrecisionRow> format() {
+RowFormat<PrecisionRow> precision_format() {
     using Row = PrecisionRow;
     std::vector<std::string> scenes, methods, fixed;
     for (const PrecisionScene& scene : precision_scenes(false)) scenes.push_back(scene.name);
@@ -196,8 +196,9 @@ RowFormat<PrecisionRow> format() {
 }  // namespace
 
 Experiment precision_experiment() {
-    return ExperimentOf<PrecisionRow>{
-        "precision", "what does accuracy cost, by which method?", format(), cases, precision_charts, precision_summary}
+    return ExperimentOf<PrecisionRow>{"precision",        "what does accuracy cost, by which method?",
+                                      precision_format(), precision_cases,
+                                      precision_charts,   precision_summary}
         .as_table();
 }
 

@@ -61,7 +61,7 @@ std::string caption_of(const PrecisionRow& scene) {
         phases, scene.reference_error, small_error, scene.growth);
 }
 
-Chart chart(const PrecisionDiagram& diagram) {
+Chart precision_chart(const PrecisionDiagram& diagram) {
     const PrecisionRow& scene = diagram.scene;
     std::vector<PrecisionRow> points;
     std::vector<std::string> methods;
@@ -114,7 +114,7 @@ std::vector<Chart> precision_charts(const std::vector<PrecisionRow>& rows) {
                             "the best point, less than {:.3g}: no chart is drawn",
                             diagram.scene.scene, diagram.margin(), least_margin));
         }
-        if (!diagram.front.empty()) charts.push_back(chart(diagram));
+        if (!diagram.front.empty()) charts.push_back(precision_chart(diagram));
     }
     return charts;
 }

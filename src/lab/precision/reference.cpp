@@ -10,15 +10,16 @@ namespace drape {
 namespace {
 
 /// A rung of the ladder.
-struct Rung {
+struct ReferenceRung {
     IntegratorParameters method;
     std::vector<Real> steps;
 };
 
 /// Growth is found on a rung of its own, which may be less fine.
-Reference climb(const PrecisionScene& scene, const Rung& coarse, const Rung& before, const Rung& last) {
+Reference climb(const PrecisionScene& scene, const ReferenceRung& coarse, const ReferenceRung& before,
+                const ReferenceRung& last) {
     const ClothParameters& cloth = scene.settings.cloths.front();
-    const auto reach = [&scene](const Rung& rung, const std::optional<ClothState>& start = {}) {
+    const auto reach = [&scene](const ReferenceRung& rung, const std::optional<ClothState>& start = {}) {
         return finish(scene, rung.method, rung.steps, start).state;
     };
     const ClothModel model = make_cloth_model(cloth);
@@ -37,17 +38,18 @@ Reference climb(const PrecisionScene& scene, const Rung& coarse, const Rung& bef
 Reference find_reference(const PrecisionScene& scene, std::span<const Real> tolerances) {
     DRAPE_ASSERT(tolerances.size() >= 2 && !scene.has_ball());
     const auto rung = [&scene](Real tolerance) {
-        return Rung{{.kind = IntegratorKind::DormandPrince, .tolerance = tolerance},
-                    steps_to(scene.horizon, outer_steps)};
+        return ReferenceRung{{.kind = IntegratorKind::DormandPrince, .tolerance = tolerance},
+                             steps_to(scene.horizon, outer_steps)};
     };
-    const Rung before = rung(tolerances[tolerances.size() - 2]);
+    const ReferenceRung before = rung(tolerances[tolerances.size() - 2]);
     return climb(scene, before, before, rung(tolerances.back()));
 }
 
 Reference find_reference(const PrecisionScene& scene) {
     if (!scene.has_ball()) return find_reference(scene, std::array{Real(1e-11), Real(1e-12)});
     const auto rung = [&scene](int parts) {
-        return Rung{{.kind = IntegratorKind::VelocityVerlet}, steps_to(scene.horizon, scene.reference_steps / parts)};
+        return ReferenceRung{{.kind = IntegratorKind::VelocityVerlet},
+                             steps_to(scene.horizon, scene.reference_steps / parts)};
     };
     return climb(scene, rung(16), rung(2), rung(1));
 }

@@ -92,7 +92,7 @@ std::string agreement(Real step, TrialEnd end, const Forecast& forecast) {
     return "close";
 }
 
-std::vector<StabilityRow> run_case(const Subject& subject) {
+std::vector<StabilityRow> run_stability_case(const Subject& subject) {
     const Sheet sheet = sheet_of(subject);
     const Forecast known = forecast(subject, sheet);
     const IntegratorParameters& method = subject.method.parameters;
@@ -133,11 +133,13 @@ std::vector<StabilityRow> run_case(const Subject& subject) {
     return rows;
 }
 
-std::vector<CaseOf<StabilityRow>> cases(bool quick) {
+std::vector<CaseOf<StabilityRow>> stability_cases(bool quick) {
     const std::vector<double> swept_damping = quick ? std::vector<double>{0.01, 0.1, 1, 10}  // N s/m
                                                     : std::vector<double>{0.01, 0.03, 0.1, 0.3, 1, 3, 10};
     std::vector<CaseOf<StabilityRow>> all;
-    const auto add = [&all](const Subject& subject) { all.push_back([subject] { return run_case(subject); }); };
+    const auto add = [&all](const Subject& subject) {
+        all.push_back([subject] { return run_stability_case(subject); });
+    };
     for (const Method& method : methods()) {
         const bool limited = has_step_limit(method.parameters.kind);
         const int charted = limited ? (quick ? 16 : 30) : (quick ? 8 : 16);
@@ -156,7 +158,7 @@ std::vector<CaseOf<StabilityRow>> cases(bool quick) {
     return all;
 }
 
-RowFormat<StabilityRow> format() {
+RowFormat<StabilityRow> stability_format() {
     using Row = StabilityRow;
     std::vector<std::string> names, unlimited, ends;
     for (const Method& method : methods()) {
@@ -186,9 +188,9 @@ RowFormat<StabilityRow> format() {
 }  // namespace
 
 Experiment stability_experiment() {
-    return ExperimentOf<StabilityRow>{"stability",      "which steps stay bounded, and is that what is predicted?",
-                                      format(),         cases,
-                                      stability_charts, stability_summary}
+    return ExperimentOf<StabilityRow>{"stability",        "which steps stay bounded, and is that what is predicted?",
+                                      stability_format(), stability_cases,
+                                      stability_charts,   stability_summary}
         .as_table();
 }
 

@@ -40,7 +40,7 @@ std::string unlimited_summary(const std::vector<StabilityRow>& rows) {
     return text;
 }
 
-Chart chart(const std::string& method, std::vector<StabilityRow> rows) {
+Chart stability_chart(const std::string& method, std::vector<StabilityRow> rows) {
     // The sheet that is drawn is the last of its method; the damped sweep of stiffness is for the table only
     std::erase_if(rows, [](const StabilityRow& row) { return row.sweep == "damped_stiffness"; });
     const double side = rows.back().side;
@@ -83,7 +83,7 @@ std::vector<Chart> stability_charts(const std::vector<StabilityRow>& rows) {
     for (const std::string& method : words_of(rows, &StabilityRow::method)) {
         const auto of_method = rows_with(rows, &StabilityRow::method, method);
         const auto drawn = [](const StabilityRow& row) { return row.sweep != "damped_stiffness"; };
-        if (std::ranges::any_of(of_method, drawn)) charts.push_back(chart(method, of_method));
+        if (std::ranges::any_of(of_method, drawn)) charts.push_back(stability_chart(method, of_method));
     }
     return charts;
 }

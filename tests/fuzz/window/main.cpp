@@ -18,7 +18,7 @@ namespace drape::window_fuzz {
 namespace {
 
 namespace fs = std::filesystem;
-using testing_aid::Process;
+using test::Process;
 
 constexpr int batch = 100;             // events in one run of xdotool
 constexpr int batches_a_session = 20;  // then the window is closed and its recording replayed
@@ -71,7 +71,7 @@ private:
     void fail(const std::string& what);
 
     fs::path folder_;
-    testing_aid::Desktop desktop_;
+    test::Desktop desktop_;
     std::mt19937_64 random_;
     std::optional<Process> drape_;
     std::string window_;
@@ -122,7 +122,7 @@ void Fuzzer::send_batch(int events) {
 }
 
 int Fuzzer::resets() const {
-    std::istringstream lines(testing_aid::read_file(folder_ / "session.txt.unfinished"));
+    std::istringstream lines(test::read_file(folder_ / "session.txt.unfinished"));
     int count = 0;
     for (std::string line; std::getline(lines, line);) count += line.ends_with(" reset") ? 1 : 0;
     return count;
@@ -135,7 +135,7 @@ bool Fuzzer::answers() {
     constexpr double turn = 1;  // s
     for (; waited < patience && drape_->running(); waited += turn) {
         desktop_.key("r");
-        if (testing_aid::eventually([&] { return resets() > before || !drape_->running(); }, turn)) break;
+        if (test::eventually([&] { return resets() > before || !drape_->running(); }, turn)) break;
     }
     return resets() > before;
 }
