@@ -1,10 +1,10 @@
 # Errors of contact against time: a column of panels for each search, a line for each speed of the ball.
 # searches: the numbers of tests after which a search ends, 0 for the full one; speeds: of the ball [m/s]
-# Lines go on across rows of others
+# Lines continue across rows of others
 set datafile missing NaN
 eval paper(1280, 760)
 set multiplot layout 2,words(searches) margins 0.07,0.985,0.165,0.9 spacing 0.04,0.06 \
-  title 'Accuracy of contact: a ball on its way through a hung cloth' font ',13'
+  title 'Accuracy of contact: a ball that moves through a hung cloth' font ',13'
 eval room_about_data
 set offsets graph 0.05, graph 0.05, 0, 0
 eval legend(0.035)
@@ -17,7 +17,7 @@ here(speed) = is('tests', tests) && column('speed_m_per_s') == speed
 error(panel) = panel == 1 ? 100 * column('missed_contacts') : column('penetration_m') > 1e-3 ? \
                1e3 * column('penetration_m') : 1
 do for [panel = 1:2] {
-  set ylabel panel == 1 ? 'missed contacts [%]' : 'worst penetration [mm]'
+  set ylabel panel == 1 ? 'missed contacts [%]' : 'worst penetration [mm], at least 1'
   if (panel == 1) { set yrange [-4:104] } else {
     set logscale y
     set yrange [0.8:250]
@@ -25,7 +25,7 @@ do for [panel = 1:2] {
     unset title
   }
   do for [tests in searches] {
-    if (panel == 1) { set title tests eq '0' ? 'full search' : 'search ends after '.tests.' tests' }
+    if (panel == 1) { set title tests eq '0' ? 'full search' : 'search ends after '.tests.' volume tests' }
     plot for [speed in speeds] table using (only(here(speed + 0), column('cpu_s_per_s'))):(error(panel)) \
            with linespoints lw 1.5 pt marker(speed + 0) ps 0.8 lc rgb colour(speed + 0) \
            title 'ball at '.speed.' m/s', \

@@ -1,10 +1,10 @@
-# What the update policies have cost in all, frame by frame and by the time between frames.
+# The total cost of the update policies, frame by frame and by the time between frames.
 # scene; volumes: which were measured; interval: between frames on the left [s]; frames: how many
-# Lines go on across rows of others
+# Lines continue across rows of others
 set datafile missing NaN
 eval paper(1280, 800)
 set multiplot layout 2,3 margins 0.07,0.985,0.155,0.91 spacing 0.075,0.15 \
-  title 'What the update policies cost in all: '.readable(scene).', 64 x 64 particles' font ',13'
+  title 'Total cost of the update policies: '.readable(scene).', 64 x 64 particles' font ',13'
 eval room_about_data
 eval legend(0.04)
 updates = 'rebuild merge refit none'
@@ -17,12 +17,12 @@ do for [volume in volumes] {
   unset logscale
   set title volume.apart
   set xlabel 'frame'
-  set ylabel 'cost so far over that of rebuild'
+  set ylabel 'cost so far / cost of rebuild'
   set yrange [0:*]
   plot for [update in updates] table using (at_interval(volume, update)):(column(ratio)) with linespoints lw 1.5 \
     ps 0.6 pi 5 pt marker_of(update) lc rgb colour_of_update(update) title update
   unset key
-  set ylabel 'size over the smallest of its kind'
+  set ylabel 'size / smallest of its kind'
   set logscale y
   set yrange [*:*]
   plot for [update in updates] table using (at_interval(volume, update)):(column('tightness')) with linespoints \
@@ -32,7 +32,7 @@ do for [volume in volumes] {
   unset logscale y
   set yrange [0:*]
   set xlabel 'time between frames [ms]'
-  set ylabel 'cost over that of rebuild'
+  set ylabel 'cost / cost of rebuild'
   plot for [update in updates] table using (at_end(volume, update)):(column(ratio)) with linespoints lw 1.5 ps 0.9 \
     pt marker_of(update) lc rgb colour_of_update(update) title update
 }

@@ -1,12 +1,13 @@
 # How a search that ends early changes the motion.
 # scenes
 eval paper(1280, 520)
-set multiplot layout 1,3 margins 0.06,0.985,0.235,0.88 spacing 0.065,0 \
+set multiplot layout 1,3 margins 0.07,0.985,0.235,0.88 spacing 0.07,0 \
   title 'A search that ends after a number of volume tests (spheres, leaves of 4 x 4 cells)' font ',13'
 eval room_about_data
 eval legend(0.065)
 set key maxrows 3
 set logscale x
+set format y '%g'
 set xlabel 'volume tests allowed, or made, in a frame'
 colour(k) = word(blue.' '.red.' '.green, k)
 marker(k) = k == 1 ? 7 : k == 2 ? 5 : 9
@@ -14,7 +15,7 @@ here(k) = is('part', 'budget') && is('scene', word(scenes, k)) && is('volume', '
 # The first axis has no zero: what is less than a hundredth of a millimetre is drawn there
 missed_mm(penetration) = penetration > 1e-5 ? 1e3 * penetration : 0.01
 y(panel) = panel == 1 ? missed_mm(column('missed_penetration_m')) : panel == 2 ? column('false_contacts') : 1e3 * column('distance_m')
-array labels[3] = ['largest missed penetration [mm]', 'false contacts a step', 'RMS distance at the end [mm]']
+array labels[3] = ['deepest missed penetration [mm]', 'false contacts per step', 'RMS distance at the end [mm]']
 set logscale y
 do for [panel = 1:3] {
   set ylabel labels[panel]

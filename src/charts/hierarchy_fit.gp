@@ -7,9 +7,9 @@ set multiplot layout 1,words(scenes) margins 0.07,0.985,0.22,0.87 spacing 0.05,0
 eval room_about_data
 eval legend(0.065)
 set logscale xy
-set xtics (0.1, 0.2, 0.5, 1, 2, 5, 10, 20, 50, 100, 200, 500, 1000)
+set xtics (0.01, 0.1, 1, 10, 100, 1000)
 set ytics (1, 2, 5, 10, 20, 50, 100, 200, 500, 1000, 2000, 5000, 10000)
-set xlabel 'false candidates per true one'
+set xlabel 'false candidates per true candidate'
 set ylabel 'build + query + exact test [us]'
 fit_of(volume) = volume eq 'sphere' ? 'centroid' : 'none'
 here(volume, update) = is('part', 'fit') && is('scene', scene) && column('particles') == particles && \

@@ -8,7 +8,7 @@ eval legend(0.045)
 set xtics 1
 here(volume, fit, update) = is('part', 'level') && is('scene', scene) && is('volume', volume) && \
   is('sphere_fit', fit) && is('update', update) ? column('level') : NaN
-array labels[4] = ['size over the smallest of its kind', 'nodes visited at the level', 'false candidates per true one', \
+array labels[4] = ['size / smallest of its kind', 'nodes visited at the level', 'false candidates per true candidate', \
                    'query down to the level [us]']
 y(panel) = panel == 1 ? column('tightness') : panel == 2 ? column('visited') : panel == 3 ? column('false_per_true') : \
            1e6 * column('query_s')

@@ -1,5 +1,5 @@
 # Cost against the number of particles. builds, searches: what has a fit, as VOLUME:UPDATE:EXPONENT
-# Lines go on across rows of others
+# Lines continue across rows of others
 set datafile missing NaN
 eval paper(1200, 620)
 set multiplot layout 1,2 margins 0.075,0.985,0.11,0.9 spacing 0.08,0 \

@@ -8,7 +8,7 @@ eval legend(0.065)
 set logscale y
 set ytics (1, 2, 5, 10, 20, 50, 100, 200, 500)
 set xtics 0.01
-set xlabel 'mean radius over that of the smallest sphere'
+set xlabel 'mean radius / radius of the smallest sphere'
 set ylabel 'build [us]'
 colour(fit) = fit eq 'centroid' ? blue : fit eq 'box' ? sky : fit eq 'ritter' ? red : fit eq 'epos6' ? orange : \
               fit eq 'epos14' ? green : fit eq 'epos26' ? pink : black

@@ -1,8 +1,8 @@
 # The dissertation's five tests, then build and search apart: a bar for each way in which the scene is run.
 # data: test (1 to 5, 6 build and search), place, volume, drawn, median, lower, upper, and the figure as text
 eval paper(1280, 760)
-set multiplot layout 2,3 margins 0.055,0.985,0.13,0.89 spacing 0.06,0.12 \
-  title "The original's five tests: a cloth on a ball, spheres against boxes (logarithmic axes)" font ',13'
+set multiplot layout 2,3 margins 0.05,0.99,0.13,0.89 spacing 0.05,0.12 \
+  title "The dissertation's five tests: a cloth on a ball, spheres against boxes (logarithmic axes)" font ',13'
 unset grid
 set grid ytics lt 1 lc rgb '#e0e0e0'
 set border 3
@@ -12,18 +12,18 @@ set logscale y
 set offsets 0, 0, graph 0.12, 0
 unset key
 here(test, volume, drawn) = column('test') == test && is('volume', volume) && column('drawn') == drawn ? column('place') : NaN
-array titles[6] = ['execution time of a frame [ms]', 'frame rate [1/s]', 'OpenGL calls a frame', 'CPU use [%]', \
-                   'vertices a frame', 'one build, one search [us]']
+array titles[6] = ['execution time of a frame [ms]', 'frame rate [1/s]', 'OpenGL calls per frame', 'CPU use [%]', \
+                   'vertices per frame', 'one build, one search [us]']
 array least[6] = [0.1, 1, 1, 1, 1, 0.01]
 array most[6] = [1e3, 1e2, 1e5, 1e3, 1e6, 1e3]
 set format y '10^{%L}'
 set xrange [-0.7:4.7]
-set xtics scale 0 ('sphere' 0, 'AABB' 1, 'sphere' 2, 'AABB' 3, 'original' 4)
+set xtics scale 0 ('sphere' 0, 'AABB' 1, 'sphere' 2, 'AABB' 3, 'prototype' 4)
 do for [test = 1:6] {
   set title titles[test]
   set yrange [least[test]:most[test]]
   if (test == 6) {
-    set xrange [-0.8:10.8]
+    set xrange [-0.9:10.9]
     set xtics scale 0 ('build' 0.5, 'search' 3.5, "build,\nsingle cells" 6.5, "search,\nsingle cells" 9.5)
   }
   plot data using (here(test, 'sphere', 0)):5:6:7:(0.8) with boxerrorbars fs solid 0.85 lc rgb red lw 1.2, \
@@ -34,7 +34,7 @@ do for [test = 1:6] {
          lw 1.2, \
        for [one = 1:test < 6] '' using (here(test, 'published', 0)):5:6:7:(0.8) with boxerrorbars fs solid 0.6 \
          lc rgb '#999999' lw 1.2, \
-       '' using (only(column('test') == test, column('place'))):7:8 with labels font ',9' offset 0,0.7
+       '' using (only(column('test') == test, column('place'))):7:8 with labels font test == 6 ? ',8' : ',9' offset 0,0.7
 }
 # What the colours mean, in the margin below
 unset border; unset logscale; unset tics; unset title; unset grid

@@ -1,15 +1,15 @@
 # A work-precision diagram: a panel for each family of methods, a line for each method, a point for each step.
 # scene, particles, stiffness [N/m], horizon [s]; methods: those with points; order_METHOD where one was found
 # overall: 1 if sag, centre of mass and energy are compared in place of positions
-# least_error, most_error, least_cost, most_cost: of all points; data: the front, points that no other one beats
+# least_error, most_error, least_cost, most_cost: of all points; data: the Pareto front, points that no other one beats
 eval paper(1060, 860)
 set multiplot layout 2,2 title sprintf('%s: %d x %d particles, %g N/m, to %g s', scene eq 'contact' ? \
   'A sheet falls on a ball' : 'A sheet swings from two corners', particles, particles, stiffness, horizon) font ',13'
 set logscale xy
 set format '10^{%L}'
 unset key
-set xlabel overall ? 'error of sag, centre of mass and energy' : 'RMS position error over the side of the cloth'
-set ylabel 'CPU seconds a simulated second'
+set xlabel overall ? 'error of sag, centre of mass and energy' : 'RMS position error / side of the cloth'
+set ylabel 'CPU time per simulated second [s]'
 set xrange [10**floor(log10(least_error)):10**ceil(log10(most_error))]
 set yrange [10**floor(log10(least_cost)):10**ceil(log10(most_cost))]
 
@@ -51,7 +51,7 @@ order(method) = exists('order_'.method) ? sprintf(': order %.2g', value('order_'
 unset title; unset border; unset tics; unset xlabel; unset ylabel; unset logscale; unset grid
 set key at screen 0.53,0.475 left top Left reverse maxrows 20 samplen 3 spacing 1.1
 plot [0:1][0:1] 2 notitle, \
-     keyentry with lines lw 6 lc rgb pale title 'nothing is both more exact and cheaper', \
+     keyentry with lines lw 6 lc rgb pale title 'Pareto front: no point is both more accurate and cheaper', \
      for [method in methods] keyentry with linespoints ps 0.9 lw 1.5 pt markers[number(method)] dt dash(method) \
        lc rgb colours[number(method)] title titles[number(method)].order(method)
 unset multiplot
