@@ -1,8 +1,15 @@
 #!/bin/sh
 # Says what a picture costs, in processor time: simulating, drawing, and reading back with writing as PNG.
-# usage: tests/bench/pictures.sh DRAPE-CAPTURE [SCENE]
+# usage: tests/bench/pictures.sh DRAPE-CAPTURE [CSV [WAY [SCENE]]]
+# Appends a row to CSV, docs/pictures.csv if not given, under the name of a WAY to draw ("as it is");
+# tests/docs/tables.sh then makes the table of docs/design.md from the last row of each way.
 set -eu
-program=$1 scene=${2:-drop} frames=120
+docs=$(cd "$(dirname "$0")/../../docs" && pwd)
+program=$1 table=${2:-$docs/pictures.csv} way=${3:-as it is} scene=${4:-drop} frames=120
+columns=what,date,commit,simulating_ms,drawing_ms,writing_ms
+case $way in *,*) echo "$way: a way has no comma" >&2 && exit 2 ;; esac
+[ -s "$table" ] || echo "$columns" >"$table"
+grep -qx "$columns" "$table" || { echo "$table: its columns are not $columns" >&2 && exit 2; }
 folder=$(mktemp -d)
 trap 'rm -r "$folder"' EXIT
 
@@ -14,6 +21,7 @@ cost() {
 simulating=$(cost --hash)
 drawing=$(cost --stats "$folder/stats.csv")
 writing=$(cost --out "$folder/pictures")
-awk -v n=$frames -v s="$simulating" -v d="$drawing" -v w="$writing" 'BEGIN {
-    print "| simulating | drawing | reading back and PNG | all |\n| --- | --- | --- | --- |"
-    printf "| %.0f ms | %.0f ms | %.0f ms | %.0f ms |\n", 1e3 * s / n, 1e3 * (d - s) / n, 1e3 * (w - d) / n, 1e3 * w / n }'
+awk -v n=$frames -v s="$simulating" -v d="$drawing" -v w="$writing" -v way="$way" -v date="$(date -u +%Y-%m-%d)" \
+    -v commit="$(git -C "$docs" describe --always --dirty=+ --exclude='*' 2>/dev/null || echo unknown)" \
+    'BEGIN { printf "%s,%s,%s,%.3g,%.3g,%.3g\n", way, date, commit, 1e3 * s / n, 1e3 * (d - s) / n, 1e3 * (w - d) / n }' |
+    tee -a "$table"
