@@ -26,11 +26,11 @@ do for [test = 1:6] {
     set xrange [-0.9:10.9]
     set xtics scale 0 ('build' 0.5, 'search' 3.5, "build,\nsingle cells" 6.5, "search,\nsingle cells" 9.5)
   }
-  plot data using (here(test, 'sphere', 0)):5:6:7:(0.8) with boxerrorbars fs solid 0.85 lc rgb red lw 1.2, \
-       '' using (here(test, 'aabb', 0)):5:6:7:(0.8) with boxerrorbars fs solid 0.85 lc rgb blue lw 1.2, \
-       for [one = 1:test < 6] '' using (here(test, 'sphere', 1)):5:6:7:(0.8) with boxerrorbars fs pattern 4 lc rgb red \
+  plot data using (here(test, 'sphere', 0)):5:6:7:(0.8) with boxerrorbars fs solid 0.85 lc rgb blue lw 1.2, \
+       '' using (here(test, 'aabb', 0)):5:6:7:(0.8) with boxerrorbars fs solid 0.85 lc rgb red lw 1.2, \
+       for [one = 1:test < 6] '' using (here(test, 'sphere', 1)):5:6:7:(0.8) with boxerrorbars fs pattern 4 lc rgb blue \
          lw 1.2, \
-       for [one = 1:test < 6] '' using (here(test, 'aabb', 1)):5:6:7:(0.8) with boxerrorbars fs pattern 4 lc rgb blue \
+       for [one = 1:test < 6] '' using (here(test, 'aabb', 1)):5:6:7:(0.8) with boxerrorbars fs pattern 4 lc rgb red \
          lw 1.2, \
        for [one = 1:test < 6] '' using (here(test, 'published', 0)):5:6:7:(0.8) with boxerrorbars fs solid 0.6 \
          lc rgb '#999999' lw 1.2, \
@@ -43,9 +43,9 @@ set yrange [0:1]
 set lmargin screen 0.05; set rmargin screen 0.95; set bmargin screen 0; set tmargin screen 0.06
 set key at screen 0.5,0.03 center center horizontal maxrows 1 samplen 2 width 1
 plot 2 notitle, \
-     keyentry with boxes fs solid 0.85 lc rgb red title 'spheres', \
-     keyentry with boxes fs solid 0.85 lc rgb blue title 'boxes (AABB)', \
-     keyentry with boxes fs pattern 4 lc rgb red title 'spheres, drawn', \
-     keyentry with boxes fs pattern 4 lc rgb blue title 'boxes (AABB), drawn', \
+     keyentry with boxes fs solid 0.85 lc rgb blue title 'spheres', \
+     keyentry with boxes fs solid 0.85 lc rgb red title 'boxes (AABB)', \
+     keyentry with boxes fs pattern 4 lc rgb blue title 'spheres, drawn', \
+     keyentry with boxes fs pattern 4 lc rgb red title 'boxes (AABB), drawn', \
      keyentry with boxes fs solid 0.6 lc rgb '#999999' title "the dissertation's prototype"
 unset multiplot
