@@ -51,7 +51,7 @@ order(method) = exists('order_'.method) ? sprintf(': order %.2g', value('order_'
 unset title; unset border; unset tics; unset xlabel; unset ylabel; unset logscale; unset grid
 set key at screen 0.53,0.475 left top Left reverse maxrows 20 samplen 3 spacing 1.1
 plot [0:1][0:1] 2 notitle, \
-     keyentry with lines lw 6 lc rgb pale title 'Pareto front: no point is both more accurate and cheaper', \
+     keyentry with lines lw 6 lc rgb pale title 'Pareto front: no point is better in both', \
      for [method in methods] keyentry with linespoints ps 0.9 lw 1.5 pt markers[number(method)] dt dash(method) \
        lc rgb colours[number(method)] title titles[number(method)].order(method)
 unset multiplot
