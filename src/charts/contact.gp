@@ -29,8 +29,8 @@ do for [panel = 1:2] {
     plot for [speed in speeds] table using (only(here(speed + 0), column('cpu_s_per_s'))):(error(panel)) \
            with linespoints lw 1.5 pt marker(speed + 0) ps 0.8 lc rgb colour(speed + 0) \
            title 'ball at '.speed.' m/s', \
-         for [speed in speeds] '' using (only(here(speed + 0), column('cpu_s_per_s'))):(error(panel)) \
-           :(2 * column('passed')) with points pt 6 ps variable lw 1.5 lc rgb black notitle, \
+         for [speed in speeds] '' using (only(here(speed + 0) && column('passed') == 1, column('cpu_s_per_s'))) \
+           :(error(panel)) with points pt 6 ps 2 lw 1.5 lc rgb black notitle, \
          keyentry with points pt 6 ps 1.6 lw 1.5 lc rgb black title 'the ball has gone through'
     unset key
     set ylabel ''
