@@ -1,4 +1,4 @@
-# The cells that a search hands to the exact test, of a hundred: three scenes, 128 x 128 particles, leaves of 4 x 4 cells.
+# The cells that a search passes to the exact test, in per cent: three scenes, 128 x 128 particles, leaves of 4 x 4 cells.
 cell("part") == "fit" && cell("particles") == 16384 && cell("leaf_cells") == 4 && cell("volume") != "brute" &&
 (cell("volume") != "sphere" || cell("sphere_fit") == "centroid") {
     volume = cell("volume")
@@ -17,6 +17,6 @@ END {
         for (u = 1; u <= 4; ++u) line = line " " shares[volumes[v], updates[u]] " |"
         print line
     }
-    printf "\nCells in a hundred, `drop` / `two_corners` / `curtain`; touched are %.1f / %.1f / %.1f.\n", \
+    printf "\nPer cent of all cells in `drop` / `two_corners` / `curtain`; %.1f / %.1f / %.1f touch the ball.\n", \
            touching["drop"], touching["two_corners"], touching["curtain"]
 }

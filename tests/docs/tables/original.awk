@@ -19,8 +19,8 @@ function search(title, key) {
 END {
     print "| | Spheres | Boxes | Spheres, drawn | Boxes, drawn | Published |"
     print "| --- | ---: | ---: | ---: | ---: | ---: |"
-    line("OpenGL calls in a frame", "calls ", "15000, at the peak")
-    line("vertices in a frame", "vertices ", "42000")
+    line("OpenGL calls per frame", "calls ", "15000 (peak)")
+    line("vertices per frame", "vertices ", "42000")
     search("candidates, leaves of 7 x 7 cells", "leaves ")
     search("candidates, leaves of one cell", "single ")
 }
