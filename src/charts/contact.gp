@@ -21,7 +21,7 @@ do for [panel = 1:2] {
   if (panel == 1) { set yrange [-4:104] } else {
     set logscale y
     set yrange [0.8:250]
-    set xlabel 'CPU time for a simulated second [s]'
+    set xlabel 'CPU time per simulated second [s]'
     unset title
   }
   do for [tests in searches] {

@@ -1,5 +1,5 @@
 # What the vector kernels buy, by stage of a step and number of particles.
-# stages; data: stage, particles, and the plain core's time over that of the vector kernels
+# stages; data: stage, particles, and plain time / vector time
 set datafile missing NaN
 eval paper(1200, 560)
 set multiplot layout 1,2 margins 0.075,0.985,0.235,0.88 spacing 0.08,0 \
@@ -19,7 +19,7 @@ plot for [stage in stages] for [kernels in 'vector plain'] table using (here(sta
      for [stage in stages] keyentry with points pt marker(stage) lc rgb colour(stage) title readable(stage), \
      for [kernels in 'vector plain'] keyentry with lines lw 1.5 dt dash(kernels) lc rgb grey title kernels
 unset key
-set ylabel 'plain over vector'
+set ylabel 'plain time / vector time'
 set yrange [0.5:*]
 plot for [stage in stages] data using (only(is('stage', stage), column('particles'))):(column('ratio')) \
        with linespoints lw 1.5 ps 0.8 pt marker(stage) lc rgb colour(stage), \
