@@ -8,6 +8,7 @@ eval room_about_data
 eval legend(0.065)
 set logscale xy
 set xlabel 'particles'
+set xtics (64, 256, 1024, 4096, 16384, 65536, 262144, 1048576)
 colour(stage) = stage eq 'step' ? blue : stage eq 'build' ? red : stage eq 'query' ? green : pink
 marker(stage) = stage eq 'step' ? 7 : stage eq 'build' ? 5 : stage eq 'query' ? 9 : 13
 dash(kernels) = kernels eq 'plain' ? 2 : 1
@@ -21,6 +22,7 @@ plot for [stage in stages] for [kernels in 'vector plain'] table using (here(sta
 unset key
 set ylabel 'plain time / vector time'
 set yrange [0.5:*]
+set ytics (0.5, 1, 2, 5, 10, 20, 50, 100)
 plot for [stage in stages] data using (only(is('stage', stage), column('particles'))):(column('ratio')) \
        with linespoints lw 1.5 ps 0.8 pt marker(stage) lc rgb colour(stage), \
      1 with lines lc rgb grey dt 2
