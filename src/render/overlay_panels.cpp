@@ -76,17 +76,15 @@ bool OverlayPanels::build(const FrameView& view, const FrameReport& last, std::s
     ImGui::GetIO().DisplaySize = {w, h};
     ImGui::GetIO().DeltaTime = 1.0f / 60;
     const std::size_t size = height < 600 || width < 900 ? 0 : height < 1000 ? 1 : 2;
-    text_ = fonts_[size];
-    title_ = fonts_[size + 1];
     const float margin = size == 0 ? 8.0f : 12.0f;
 
     ImGui::NewFrame();
     ImGui::SetNextWindowPos({0, 0});
     ImGui::SetNextWindowSize({w, h});
     ImGui::Begin("overlay", nullptr, window_flags);
-    ImGui::PushFont(text_);
+    ImGui::PushFont(fonts_[size]);
     float taken = 0;
-    if (shown.overlay) taken = figures_panel(view, last, title_, {w, h, margin});
+    if (shown.overlay) taken = figures_panel(view, last, fonts_[size + 1], {w, h, margin});
     if (showing_help) help_panel({w, h, margin}, taken);
     if (!notices.empty()) notice_panel(notices, {w, h, margin});
     ImGui::PopFont();

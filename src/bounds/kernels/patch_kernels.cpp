@@ -83,7 +83,7 @@ HWY_INLINE void axis_sums(D d, const Patch& patch, const Real* from, Real& inner
     below_total = pairwise_total(d, below);
 }
 
-HWY_INLINE PatchSums sums_in(const Patch& patch) {
+PatchSums sums_of(const Patch& patch) {
     PatchSums sums;
     const Real* const from[3] = {patch.x, patch.y, patch.z};
     for (int axis = 0; axis < 3; ++axis) {
@@ -92,8 +92,6 @@ HWY_INLINE PatchSums sums_in(const Patch& patch) {
     }
     return sums;
 }
-
-PatchSums sums_of(const Patch& patch) { return sums_in(patch); }
 
 /// Of `count` centres together, so that particles are loaded once for all of them.
 template <int count, class D>
