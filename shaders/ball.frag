@@ -17,9 +17,9 @@ void main() {
 
     // The ground darkens what faces it
     float near_ground = clamp((world.y - stage.y) / 0.8, 0.0, 1.0);
-    float open = mix(1.0, 0.55 + 0.45 * near_ground, max(-normal.y, 0.0));
+    float ambient = mix(1.0, 0.55 + 0.45 * near_ground, max(-normal.y, 0.0));
 
     float gloss = pow(max(dot(normal, normalize(to_light.xyz + to_eye)), 0.0), 28.0) * 0.07 * visible;
     float rim = pow(1.0 - max(dot(normal, to_eye), 0.0), 4.0) * 0.10;
-    colour = finish(albedo * (key_colour * key * 0.92 + light_from_around(normal) * open) + gloss + rim * open);
+    colour = finish(albedo * (key_colour * key * 0.92 + light_from_around(normal) * ambient) + gloss + rim * ambient);
 }

@@ -23,11 +23,11 @@ void main() {
     float visible = key_visibility(world, normal * sign(facing), 0.010);
     float key = wrapped * mix(1.0, visible, smoothstep(0.03, 0.28, facing));
     float through = max(-facing, 0.0) * 0.22;
-    float open = ball_openness(world, normal);
-    vec3 light = key_colour * (key + through) + light_from_around(normal) * open;
+    float ambient = ball_ambient(world, normal);
+    vec3 light = key_colour * (key + through) + light_from_around(normal) * ambient;
 
     // Sheen at grazing angles
     float grazing = pow(1.0 - abs(dot(normal, to_eye)), 4.0);
-    vec3 sheen = mix(albedo, vec3(1.0), 0.35) * grazing * (0.30 * open + 0.25 * key);
+    vec3 sheen = mix(albedo, vec3(1.0), 0.35) * grazing * (0.30 * ambient + 0.25 * key);
     colour = finish(albedo * light + sheen * 0.6);
 }

@@ -2,7 +2,7 @@
 #include "frame.glsl"
 layout(location = 0) in vec3 point;
 layout(location = 1) in vec3 normal;
-out vec2 place;  // within the dot; 0, 0 on the needle
+out vec2 within;  // within the dot; 0, 0 on the needle
 
 // A dot that faces the eye, and a needle along the contact normal
 const vec2 dot_corners[6] = vec2[](vec2(-1, -1), vec2(1, -1), vec2(-1, 1), vec2(-1, 1), vec2(1, -1), vec2(1, 1));
@@ -13,10 +13,10 @@ void main() {
     vec3 side = normalize(cross(normal, to_eye) + vec3(1e-6, 0.0, 0.0));
     vec3 world = point;
     if (gl_VertexID < 6) {
-        place = dot_corners[gl_VertexID];
-        world += (side * place.x + cross(to_eye, side) * place.y) * 3.2 * pixel;
+        within = dot_corners[gl_VertexID];
+        world += (side * within.x + cross(to_eye, side) * within.y) * 3.2 * pixel;
     } else {
-        place = vec2(0.0);
+        within = vec2(0.0);
         world += gl_VertexID == 8 ? normal * 26.0 * pixel : side * (gl_VertexID == 6 ? 1.4 : -1.4) * pixel;
     }
     world += (eye.xyz - world) * 0.006;

@@ -25,43 +25,44 @@ vec4 finish(vec3 colour) {
 // Four probes tell light and shadow; only an edge is worth the rest. The loops make no turn where nothing can cast.
 float key_visibility(vec3 point, vec3 normal, float spread) {
     float slope = 1.0 - abs(dot(normal, to_light.xyz));
-    vec3 place = (shadow_matrix * vec4(point + normal * shadow.x * (1.2 + 2.0 * slope), 1.0)).xyz * 0.5 + 0.5;
+    vec3 position = (shadow_matrix * vec4(point + normal * shadow.x * (1.2 + 2.0 * slope), 1.0)).xyz * 0.5 + 0.5;
     vec2 half_width = spread * shadow.yz;
-    float depth = min(place.z - 0.0015, 1.0);
-    vec2 beyond = abs(place.xy - 0.5);
+    float depth = min(position.z - 0.0015, 1.0);
+    vec2 beyond = abs(position.xy - 0.5);
     int probes = max(beyond.x, beyond.y) < 0.5 ? 1 : 0;
     float lit = probes > 0 ? 0.0 : 4.0;
     vec2 away = half_width + 1.0 / vec2(textureSize(shadow_probe, 0));
     for (int i = 0; i < probes; ++i) {
-        lit += texture(shadow_probe, vec3(place.xy + away * vec2(-1.0, -1.0), depth));
-        lit += texture(shadow_probe, vec3(place.xy + away * vec2(1.0, -1.0), depth));
-        lit += texture(shadow_probe, vec3(place.xy + away * vec2(-1.0, 1.0), depth));
-        lit += texture(shadow_probe, vec3(place.xy + away * vec2(1.0, 1.0), depth));
+        lit += texture(shadow_probe, vec3(position.xy + away * vec2(-1.0, -1.0), depth));
+        lit += texture(shadow_probe, vec3(position.xy + away * vec2(1.0, -1.0), depth));
+        lit += texture(shadow_probe, vec3(position.xy + away * vec2(-1.0, 1.0), depth));
+        lit += texture(shadow_probe, vec3(position.xy + away * vec2(1.0, 1.0), depth));
     }
 
-    // Nine samples, evenly over a square
+    // Nine samples, evenly over a square, in rows that fan out: along straight columns an edge would fade in steps
     int rows = lit > 0.01 && lit < 3.99 ? 3 : 0;
     float sum = rows > 0 ? 0.0 : lit * 2.25;
-    vec2 next = 0.84 * half_width;
-    for (int row = 0; row < rows; ++row) {
-        vec2 start = place.xy + next * vec2(-1.0, float(row) - 1.0);
-        sum += texture(shadow_map, vec3(start, depth));
-        sum += texture(shadow_map, vec3(start + vec2(next.x, 0.0), depth));
-        sum += texture(shadow_map, vec3(start + vec2(2.0 * next.x, 0.0), depth));
+    for (int i = 0; i < rows; ++i) {
+        float row = float(i) - 1.0;
+        vec2 middle = position.xy + half_width * vec2(0.13 - 0.19 * row * row, 0.82 * row);
+        vec2 next = half_width * vec2(0.74, 0.03 + 0.19 * row);
+        sum += texture(shadow_map, vec3(middle - next, depth));
+        sum += texture(shadow_map, vec3(middle, depth));
+        sum += texture(shadow_map, vec3(middle + next, depth));
     }
     return sum / 9.0;
 }
 
 // The part of the light from all around that the balls leave
-float ball_openness(vec3 point, vec3 normal) {
-    float open = 1.0;
+float ball_ambient(vec3 point, vec3 normal) {
+    float ambient = 1.0;
     for (int i = 0; i < counts.w; ++i) {
         vec3 to_ball = balls[i].xyz - point;
         float distance2 = max(dot(to_ball, to_ball), balls[i].w * balls[i].w);
         float facing = max(dot(normal, to_ball) * inversesqrt(distance2), 0.0);
-        open *= 1.0 - 0.85 * facing * balls[i].w * balls[i].w / distance2;
+        ambient *= 1.0 - 0.85 * facing * balls[i].w * balls[i].w / distance2;
     }
-    return open;
+    return ambient;
 }
 
 vec3 light_from_around(vec3 normal) { return mix(bounce_colour, sky_colour, normal.y * 0.5 + 0.5); }

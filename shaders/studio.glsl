@@ -12,14 +12,14 @@ vec3 wall(vec3 direction) {
 // `world` is a point on the ground, or far away; `visible` is the part of the key light that arrives there.
 vec4 studio(vec3 world, bool is_ground, float visible) {
     float away = length(world.xz - stage.xz) / stage.w;
-    float open = ball_openness(world, vec3(0.0, 1.0, 0.0));
+    float ambient = ball_ambient(world, vec3(0.0, 1.0, 0.0));
     float pool = 1.0 / (1.0 + 0.10 * away * away);
-    vec3 light = key_colour * to_light.y * (0.25 + 0.75 * visible) * pool + sky_colour * open * (0.5 + 0.5 * pool);
+    vec3 light = key_colour * to_light.y * (0.25 + 0.75 * visible) * pool + sky_colour * ambient * (0.5 + 0.5 * pool);
     vec3 ground = vec3(0.59, 0.57, 0.545) * light;
     float fade = is_ground ? smoothstep(0.2, 2.4, away) : 1.0;
     vec3 shown = mix(ground, wall(normalize(world - eye.xyz)), fade);
 
     // The corners of the picture fall off a little
-    vec2 place = gl_FragCoord.xy * viewport.zw - 0.5;
-    return finish(shown * (1.0 - 0.40 * dot(place, place)));
+    vec2 position = gl_FragCoord.xy * viewport.zw - 0.5;
+    return finish(shown * (1.0 - 0.40 * dot(position, position)));
 }

@@ -3,7 +3,7 @@
 #include <optional>
 #include <string>
 
-#include "drape/render/picture_size.h"
+#include "drape/render/image.h"
 #include "drape/sim/start.h"
 
 namespace drape {

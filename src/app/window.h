@@ -11,7 +11,6 @@
 #include "drape/base/stop_signals.h"
 #include "drape/base/stopwatch.h"
 #include "drape/render/camera.h"
-#include "drape/render/picture_size.h"
 #include "drape/render/renderer.h"
 #include "drape/sim/session.h"
 #include "entries.h"

@@ -60,7 +60,7 @@ std::string one_line(std::string_view text) {
             line += text[i];
         }
     }
-    // The place stands at its beginning, and what is allowed at its end
+    // File and line stand at its beginning, and what is allowed at its end
     if (line.size() <= longest) return line;
     return line.substr(0, longest / 2) + " ... " + line.substr(line.size() - longest / 2);
 }

@@ -73,4 +73,18 @@ std::string read_text(const std::string& name, std::uintmax_t largest) {
     return {std::istreambuf_iterator<char>(in), {}};
 }
 
+LineEnd read_line(std::istream& in, std::string& line, std::size_t longest) {
+    line.clear();
+    const auto ended = [&line](LineEnd end) {
+        while (line.ends_with('\r')) line.pop_back();
+        return end;
+    };
+    for (char c = 0; in.get(c);) {
+        if (c == '\n') return ended(LineEnd::Whole);
+        if (line.size() == longest) return LineEnd::TooLong;
+        line += c;
+    }
+    return line.empty() ? LineEnd::None : ended(LineEnd::CutOff);
+}
+
 }  // namespace drape

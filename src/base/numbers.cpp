@@ -1,6 +1,5 @@
 #include "drape/base/numbers.h"
 
-#include <algorithm>
 #include <array>
 #include <charconv>
 

@@ -30,6 +30,17 @@ std::optional<int> open_directly(const std::string& name) {
     return descriptor;
 }
 
+bool is_device(const std::filesystem::path& file) {
+    std::error_code ignored;
+    return std::filesystem::exists(file, ignored) && !std::filesystem::is_regular_file(file, ignored);
+}
+
+bool are_one(const std::filesystem::path& one, const std::filesystem::path& other) {
+    if (is_device(one) || is_device(other)) return false;
+    std::error_code missing;
+    return std::filesystem::equivalent(one, other, missing) || link_target(one) == link_target(other);
+}
+
 }  // namespace
 
 std::string OutputFile::Buffer::reason() const { return error_ == 0 ? "" : std::string(": ") + std::strerror(error_); }
@@ -86,6 +97,18 @@ void OutputFile::close() {
 bool OutputFile::close_if_free() {
     end_stream();
     return !unfinished_ || unfinished_->finish_if_free();
+}
+
+void check_apart(const std::vector<NamedFile>& files) {
+    for (auto file = files.begin(); file != files.end(); ++file) {
+        for (auto other = files.begin(); other != file; ++other) {
+            const bool written = file->use == NamedFile::Use::Write || other->use == NamedFile::Use::Write;
+            if (!written || file->path.empty() || other->path.empty() || !are_one(file->path, other->path)) continue;
+            const std::string first = file->path == other->path ? "" : " " + other->path.string();
+            throw InputError(other->option + first + " and " + file->option + " " + file->path.string() +
+                             (first.empty() ? "" : ", the same file") + ": allowed two different files");
+        }
+    }
 }
 
 }  // namespace drape

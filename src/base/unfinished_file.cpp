@@ -5,7 +5,6 @@
 #include <sys/stat.h>
 #include <unistd.h>
 
-#include <algorithm>
 #include <cerrno>
 #include <cstdio>
 #include <cstring>
@@ -42,9 +41,9 @@ files::path hidden_name(const files::path& file, int number) {
 
 bool is_hidden_name(const files::path& file) {
     const std::string name = file.filename().string();
-    const std::size_t place = name.rfind(mark);
-    if (place == std::string::npos || !name.starts_with('.')) return false;
-    const std::size_t digits = place + mark.size(), end = name.find_first_not_of("0123456789", digits);
+    const std::size_t begin = name.rfind(mark);
+    if (begin == std::string::npos || !name.starts_with('.')) return false;
+    const std::size_t digits = begin + mark.size(), end = name.find_first_not_of("0123456789", digits);
     return end != digits && digits < name.size() && (end == std::string::npos || name[end] == '.');
 }
 

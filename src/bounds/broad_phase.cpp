@@ -1,8 +1,5 @@
 #include "drape/bounds/broad_phase.h"
 
-#include <array>
-
-#include "drape/base/assert.h"
 #include "drape/bounds/limited_quadtree.h"
 
 namespace drape {
@@ -30,12 +27,6 @@ private:
     Grid grid_;
 };
 
-template <BoundingVolume Volume>
-std::unique_ptr<BroadPhase> make_quadtree(const BroadPhaseParameters& parameters, const Grid& grid) {
-    if (parameters.search.none()) return std::make_unique<ClothQuadtree<Volume>>(grid, parameters);
-    return std::make_unique<LimitedQuadtree<Volume>>(grid, parameters);
-}
-
 }  // namespace
 
 TraversalStats& TraversalStats::operator+=(const TraversalStats& other) {
@@ -54,26 +45,11 @@ void list_all_cells(const Grid& grid, std::vector<CellRun>& cells) {
 }
 
 std::unique_ptr<BroadPhase> make_broad_phase(const BroadPhaseParameters& parameters, const Grid& grid) {
-    switch (parameters.volume) {
-        case VolumeKind::Sphere:
-            return make_quadtree<BoundingSphere>(parameters, grid);
-        case VolumeKind::Aabb:
-            return make_quadtree<Aabb>(parameters, grid);
-        case VolumeKind::Kdop6:
-            return make_quadtree<KDop<6>>(parameters, grid);
-        case VolumeKind::Kdop14:
-            return make_quadtree<KDop<14>>(parameters, grid);
-        case VolumeKind::Kdop18:
-            return make_quadtree<KDop<18>>(parameters, grid);
-        case VolumeKind::Kdop26:
-            return make_quadtree<KDop<26>>(parameters, grid);
-        case VolumeKind::Obb:
-            return make_quadtree<Obb>(parameters, grid);
-        case VolumeKind::Brute:
-            return std::make_unique<BruteForce>(grid);
-    }
-    DRAPE_ASSERT(false && "every kind has its hierarchy");
-    return nullptr;
+    if (parameters.volume == VolumeKind::Brute) return std::make_unique<BruteForce>(grid);
+    return with_volume(parameters.volume, [&]<class Volume>(std::type_identity<Volume>) -> std::unique_ptr<BroadPhase> {
+        if (parameters.search.none()) return std::make_unique<ClothQuadtree<Volume>>(grid, parameters);
+        return std::make_unique<LimitedQuadtree<Volume>>(grid, parameters);
+    });
 }
 
 }  // namespace drape

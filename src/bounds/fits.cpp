@@ -1,36 +1,35 @@
-#include <array>
 #include <type_traits>
 
-#include "drape/base/assert.h"
 #include "drape/bounds/cloth_quadtree.h"
 #include "kernels/centroid_tree.h"
-#include "kernels/vector_fits.h"
+#include "kernels/patch_kernels.h"
 
 // Which fit runs: plain, or by vector kernels.
 
 namespace drape {
+namespace {
 
-BoundingSphere (*sphere_fit_of(SphereFit kind, Kernels kernels))(const Patch&) {
-    const bool plain = kernels == Kernels::Plain;
-    switch (kind) {
-        case SphereFit::Centroid:
-            return plain ? BoundingSphere::fit : kernels::fit_centroid_sphere;
-        case SphereFit::BoxCentre:
-            return plain ? fit_box_sphere : kernels::fit_box_sphere;
-        case SphereFit::Ritter:
-            return plain ? fit_ritter_sphere : kernels::fit_ritter_sphere;
-        case SphereFit::Epos6:
-            return plain ? fit_epos6_sphere : kernels::fit_epos_sphere<3>;
-        case SphereFit::Epos14:
-            return plain ? fit_epos14_sphere : kernels::fit_epos_sphere<7>;
-        case SphereFit::Epos26:
-            return plain ? fit_epos26_sphere : kernels::fit_epos_sphere<13>;
-        case SphereFit::Welzl:
-            return plain ? fit_smallest_sphere : kernels::fit_smallest_sphere;
+/// What `Volume::fit` gives, to rounding.
+template <BoundingVolume Volume>
+Volume fit_by_kernels(const Patch& patch) {
+    if constexpr (std::is_same_v<Volume, Aabb>) {
+        Aabb box;
+        kernels::bounding_box(patch, box.low.data(), box.high.data());
+        return box;
+    } else if constexpr (std::is_same_v<Volume, Obb>) {
+        Obb box = Obb::frame_of(patch);
+        kernels::extents_along(patch, box.origin, box.axes, box.low.data(), box.high.data());
+        box.grow_by_rounding();
+        return box;
+    } else {
+        constexpr std::size_t slabs = Volume::cuts + 3;
+        std::array<Real, slabs> least, most;
+        kernels::dop_extents(patch, static_cast<int>(slabs), least.data(), most.data());
+        return Volume::from_extents(least, most);
     }
-    DRAPE_ASSERT(false && "every kind has its fit");
-    return nullptr;
 }
+
+}  // namespace
 
 template <BoundingVolume Volume>
 Fits<Volume> fits_of(const BroadPhaseParameters& parameters) {
@@ -41,7 +40,7 @@ Fits<Volume> fits_of(const BroadPhaseParameters& parameters) {
         return {.patch = sphere_fit_of(parameters.sphere_fit, parameters.kernels),
                 .tree = at_once ? kernels::fit_centroid_tree : nullptr};
     } else {
-        return {.patch = plain ? Volume::fit : kernels::fit<Volume>};
+        return {.patch = plain ? Volume::fit : fit_by_kernels<Volume>};
     }
 }
 

@@ -7,7 +7,7 @@
 namespace drape {
 namespace {
 
-constexpr Real epsilon = std::numeric_limits<Real>::epsilon();
+constexpr Real rounding_unit = std::numeric_limits<Real>::epsilon();
 
 /// What of v is at right angles to a direction.
 Vec3 upright(const Vec3& v, const Vec3& direction) { return v - v.dot(direction) * direction; }
@@ -59,7 +59,7 @@ Obb Obb::frame_of(const Patch& patch) {
 }
 
 void Obb::grow_by_rounding() {
-    const Real rounding = 8 * epsilon * (high - low).sum();
+    const Real rounding = 8 * rounding_unit * (high - low).sum();
     low.array() -= rounding;
     high.array() += rounding;
 }
@@ -87,7 +87,7 @@ Obb Obb::merge(std::span<const Obb> children) {
         const Vec3 middle = all.axes.transpose() * offset + turn * ((child.low + child.high) / 2);
         const Vec3 half = turn.cwiseAbs() * ((child.high - child.low) / 2);
         const Real rounding =
-            16 * epsilon * (offset.cwiseAbs().sum() + child.low.cwiseAbs().sum() + child.high.cwiseAbs().sum());
+            16 * rounding_unit * (offset.cwiseAbs().sum() + child.low.cwiseAbs().sum() + child.high.cwiseAbs().sum());
         all.low = all.low.cwiseMin(middle - half - Vec3::Constant(rounding));
         all.high = all.high.cwiseMax(middle + half + Vec3::Constant(rounding));
     }
@@ -96,8 +96,8 @@ Obb Obb::merge(std::span<const Obb> children) {
 
 BoundingSphere Obb::sphere() const {
     const Vec3 middle = origin + axes * ((low + high) / 2);
-    const Real radius = ((high - low) / 2).norm() * (1 + 16 * epsilon);
-    return {middle, radius + 4 * epsilon * (middle.cwiseAbs().sum() + origin.cwiseAbs().sum())};
+    const Real radius = ((high - low) / 2).norm() * (1 + 16 * rounding_unit);
+    return {middle, radius + 4 * rounding_unit * (middle.cwiseAbs().sum() + origin.cwiseAbs().sum())};
 }
 
 }  // namespace drape

@@ -1,9 +1,9 @@
+#include "smallest_sphere.h"
+
 #include <algorithm>
 #include <array>
 #include <limits>
 #include <optional>
-
-#include "sphere_steps.h"
 
 namespace drape {
 namespace {

@@ -2,7 +2,6 @@
 
 #include <memory>
 #include <optional>
-#include <string>
 
 #include "capture_options.h"
 #include "drape/base/output_file.h"

@@ -8,7 +8,6 @@
 #include "drape/base/stop_signals.h"
 #include "drape/base/unfinished_file.h"
 #include "drape/render/image.h"
-#include "drape/render/picture_size.h"
 
 namespace drape {
 

@@ -6,7 +6,6 @@
 #include <limits>
 #include <random>
 
-#include "drape/base/even_draw.h"
 #include "drape/base/exact_math.h"
 #include "drape/integrate/stability.h"
 #include "drape/model/energy.h"

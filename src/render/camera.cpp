@@ -5,7 +5,6 @@
 #include <algorithm>
 #include <cmath>
 #include <numbers>
-#include <type_traits>
 
 #include "frame_data.h"
 
@@ -14,13 +13,13 @@ namespace drape {
 namespace {
 
 constexpr float field_of_view = 38 * std::numbers::pi_v<float> / 180;  // of the picture's height
-constexpr float steepest = 1.5f;                // pitch [rad]: short of the poles, where the yaw would lose its meaning
-constexpr float nearest = 0.1f, farthest = 60;  // distance to the target [m]
-constexpr float reach = 100;                    // of the target from the origin [m]
+constexpr float steepest = 1.5f;  // pitch [rad]: short of the poles, where the yaw would lose its meaning
+constexpr float least_distance = 0.1f, most_distance = 60;  // to the target [m]
+constexpr float farthest_target = 100;                      // from the origin, on each axis [m]
 
 float number(double value) { return std::isfinite(value) ? static_cast<float>(value) : 0.0f; }
 
-// Ahead, right and up of a camera
+// Backwards, to the right and up, as a camera sees it
 struct Axes {
     Eigen::Vector3f back, right, up;
 };
@@ -39,7 +38,7 @@ Camera::Camera(const ViewSettings& view) : target_(view.target.cast<float>()), y
     const Eigen::Vector3f offset = (view.eye - view.target).cast<float>();
     const float length = offset.norm();
     if (!(length > 1e-6f)) return;
-    distance_ = std::clamp(length, nearest, farthest);
+    distance_ = std::clamp(length, least_distance, most_distance);
     yaw_ = std::atan2(offset.x(), offset.z());
     pitch_ = std::clamp(std::asin(std::clamp(offset.y() / length, -1.0f, 1.0f)), -steepest, steepest);
 }
@@ -51,13 +50,13 @@ void Camera::apply(const Command& command, const FrameView& view) {
     } else if (const auto* pan = std::get_if<command::Pan>(&command)) {
         const Axes axes = axes_of(yaw_, pitch_);
         target_ += distance_ * (number(pan->right) * axes.right + number(pan->up) * axes.up);
-        target_ = target_.cwiseMax(-reach).cwiseMin(reach);
+        target_ = target_.cwiseMax(-farthest_target).cwiseMin(farthest_target);
     } else if (const auto* zoom = std::get_if<command::Zoom>(&command)) {
-        if (zoom->factor > 0) distance_ = std::clamp(distance_ * number(zoom->factor), nearest, farthest);
+        if (zoom->factor > 0) distance_ = std::clamp(distance_ * number(zoom->factor), least_distance, most_distance);
     } else if (std::holds_alternative<command::Frame>(command)) {
         const Extent extent = drawn_extent(view);
-        target_ = extent.centre.cwiseMax(-reach).cwiseMin(reach);
-        distance_ = std::clamp(extent.radius / std::sin(field_of_view / 2), nearest, farthest);
+        target_ = extent.centre.cwiseMax(-farthest_target).cwiseMin(farthest_target);
+        distance_ = std::clamp(extent.radius / std::sin(field_of_view / 2), least_distance, most_distance);
     }
 }
 

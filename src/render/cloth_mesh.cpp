@@ -63,24 +63,42 @@ void fill_cloth_vertices(const ClothView& cloth, Real blend, ClothVertex* vertic
     }
 }
 
-void append_triangle_indices(const Grid& grid, std::uint32_t first_vertex, std::vector<std::uint32_t>& indices) {
-    for (int t = 0; t < grid.triangles(); ++t) {
-        for (const int corner : grid.triangle_corners(t)) {
-            indices.push_back(first_vertex + static_cast<std::uint32_t>(corner));
-        }
-    }
+bool update_grids(const FrameView& view, std::vector<Grid>& grids) {
+    const auto grid_of = [](const ClothView& cloth) { return cloth.model.grid; };
+    if (std::ranges::equal(view.cloths, grids, {}, grid_of)) return false;
+    grids.clear();
+    for (const ClothView& cloth : view.cloths) grids.push_back(grid_of(cloth));
+    return true;
 }
 
-void append_spring_indices(const Grid& grid, std::uint32_t first_vertex, SpringIndices& springs) {
-    std::vector<std::uint32_t>* const kinds[] = {&springs.structural, &springs.shear, &springs.bend};
-    for (std::size_t direction = 0; direction < spring_directions.size(); ++direction) {
-        const auto [di, dj] = spring_directions[direction];
-        std::vector<std::uint32_t>& kind = *kinds[direction / 2];
-        SpringStencil{di, dj, {}, 0}.for_each(grid, [&](int a, int b) {
-            kind.push_back(first_vertex + static_cast<std::uint32_t>(a));
-            kind.push_back(first_vertex + static_cast<std::uint32_t>(b));
-        });
+std::vector<std::uint32_t> triangle_indices(std::span<const Grid> grids) {
+    std::vector<std::uint32_t> indices;
+    int first = 0;
+    for (const Grid& grid : grids) {
+        for (int t = 0; t < grid.triangles(); ++t) {
+            for (const int corner : grid.triangle_corners(t)) {
+                indices.push_back(static_cast<std::uint32_t>(first + corner));
+            }
+        }
+        first += grid.particles();
     }
+    return indices;
+}
+
+SpringIndices spring_indices(std::span<const Grid> grids) {
+    SpringIndices springs;
+    std::vector<std::uint32_t>* const kinds[] = {&springs.structural, &springs.shear, &springs.bend};
+    int first = 0;
+    for (const Grid& grid : grids) {
+        for (std::size_t direction = 0; direction < spring_directions.size(); ++direction) {
+            const auto [di, dj] = spring_directions[direction];
+            SpringStencil{di, dj, {}, 0}.for_each(grid, [&](int a, int b) {
+                for (const int end : {a, b}) kinds[direction / 2]->push_back(static_cast<std::uint32_t>(first + end));
+            });
+        }
+        first += grid.particles();
+    }
+    return springs;
 }
 
 }  // namespace drape

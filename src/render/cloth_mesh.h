@@ -15,18 +15,22 @@ struct ClothVertex {
     float pinned;     ///< 1 or 0
 };
 
-/// The cloth as drawn: particles between their last two places, with smooth normals.
+/// The cloth as drawn: particles between their last two positions, with smooth normals.
 /// @param vertices receives one a particle
 /// @par Cost O(n), allocates nothing
 void fill_cloth_vertices(const ClothView& cloth, Real blend, ClothVertex* vertices);
 
-/// Appends the triangles of a grid, three indices each, counter-clockwise on the front.
-void append_triangle_indices(const Grid& grid, std::uint32_t first_vertex, std::vector<std::uint32_t>& indices);
+/// Keeps the grids of the cloths in view.
+/// @return false if `grids` had them already
+bool update_grids(const FrameView& view, std::vector<Grid>& grids);
 
-/// The ends of all springs of some cloths, two indices each, kind by kind.
+/// The triangles of grids whose particles follow one another, three indices each, counter-clockwise on the front.
+std::vector<std::uint32_t> triangle_indices(std::span<const Grid> grids);
+
+/// The ends of all their springs, two indices each, kind by kind.
 struct SpringIndices {
     std::vector<std::uint32_t> structural, shear, bend;
 };
-void append_spring_indices(const Grid& grid, std::uint32_t first_vertex, SpringIndices& springs);
+SpringIndices spring_indices(std::span<const Grid> grids);
 
 }  // namespace drape

@@ -31,7 +31,7 @@ struct Extent {
 };
 Extent drawn_extent(const FrameView& view);
 
-/// Where a ball is drawn: centre and radius, between its last two places.
+/// Where a ball is drawn: centre and radius, between its last two positions.
 Eigen::Vector4f drawn_ball(const FrameView& view, std::size_t number);
 
 /// The block but for its `counts`.

@@ -3,7 +3,6 @@
 #include <GL/glew.h>
 
 #include <cstdint>
-#include <type_traits>
 
 namespace drape {
 

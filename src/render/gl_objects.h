@@ -1,34 +1,20 @@
 #pragma once
 
 #include <utility>
+#include <vector>
 
 #include "gl.h"
 
 namespace drape {
 
-enum class GlKind { Buffer, VertexArray, Texture, Sampler, Renderbuffer, Framebuffer };
-
-/// Owns one OpenGL object. It must go before the context and the counter do.
-template <GlKind kind>
+/// Owns one OpenGL object, made and deleted by these functions. It must go before the context and the counter do.
+template <auto& generate, auto& remove>
 class GlObject {
 public:
-    explicit GlObject(Gl& gl) : gl_(&gl) {
-        if constexpr (kind == GlKind::Buffer) gl(glGenBuffers, 1, &name_);
-        if constexpr (kind == GlKind::VertexArray) gl(glGenVertexArrays, 1, &name_);
-        if constexpr (kind == GlKind::Texture) gl(glGenTextures, 1, &name_);
-        if constexpr (kind == GlKind::Sampler) gl(glGenSamplers, 1, &name_);
-        if constexpr (kind == GlKind::Renderbuffer) gl(glGenRenderbuffers, 1, &name_);
-        if constexpr (kind == GlKind::Framebuffer) gl(glGenFramebuffers, 1, &name_);
-    }
+    explicit GlObject(Gl& gl) : gl_(&gl) { gl(generate, 1, &name_); }
 
     ~GlObject() {
-        if (name_ == 0) return;
-        if constexpr (kind == GlKind::Buffer) (*gl_)(glDeleteBuffers, 1, &name_);
-        if constexpr (kind == GlKind::VertexArray) (*gl_)(glDeleteVertexArrays, 1, &name_);
-        if constexpr (kind == GlKind::Texture) (*gl_)(glDeleteTextures, 1, &name_);
-        if constexpr (kind == GlKind::Sampler) (*gl_)(glDeleteSamplers, 1, &name_);
-        if constexpr (kind == GlKind::Renderbuffer) (*gl_)(glDeleteRenderbuffers, 1, &name_);
-        if constexpr (kind == GlKind::Framebuffer) (*gl_)(glDeleteFramebuffers, 1, &name_);
+        if (name_ != 0) (*gl_)(remove, 1, &name_);
     }
 
     GlObject(GlObject&& other) noexcept : gl_(other.gl_), name_(std::exchange(other.name_, 0)) {}
@@ -45,31 +31,50 @@ private:
     GLuint name_ = 0;
 };
 
-using Buffer = GlObject<GlKind::Buffer>;
-using VertexArray = GlObject<GlKind::VertexArray>;
-using Texture = GlObject<GlKind::Texture>;
-using Sampler = GlObject<GlKind::Sampler>;
-using Renderbuffer = GlObject<GlKind::Renderbuffer>;
-using Framebuffer = GlObject<GlKind::Framebuffer>;
+using Buffer = GlObject<glGenBuffers, glDeleteBuffers>;
+using VertexArray = GlObject<glGenVertexArrays, glDeleteVertexArrays>;
+using Texture = GlObject<glGenTextures, glDeleteTextures>;
+using Sampler = GlObject<glGenSamplers, glDeleteSamplers>;
+using Renderbuffer = GlObject<glGenRenderbuffers, glDeleteRenderbuffers>;
+using Framebuffer = GlObject<glGenFramebuffers, glDeleteFramebuffers>;
 
-/// A vertex attribute of `components` floats in the buffer that is bound.
+/// A vertex attribute: floats, or bytes that stand for [0, 1].
 struct Attribute {
     GLuint location;
     int components;
-    std::size_t stride;
-    std::size_t start;
+    std::size_t start;  ///< in the vertex [byte]
+    GLenum type = GL_FLOAT;
 };
 
-/// Tells the vertex array that is bound where an attribute starts in the buffer that is bound.
-inline void place_attribute(Gl& gl, const Attribute& attribute) {
-    gl(glVertexAttribPointer, attribute.location, attribute.components, GLenum{GL_FLOAT}, GLboolean{GL_FALSE},
-       static_cast<GLsizei>(attribute.stride), Gl::offset(attribute.start));
-}
+/// The vertices of a buffer; the attributes change with each vertex, or with each instance.
+struct VertexLayout {
+    std::size_t stride;  ///< from vertex to vertex [byte]
+    std::vector<Attribute> attributes;
+    bool per_instance = false;
 
-/// Turns an attribute of the vertex array that is bound into an array; `place_attribute` says where it is.
-inline void enable_attribute(Gl& gl, GLuint location, bool per_instance = false) {
-    gl(glEnableVertexAttribArray, location);
-    if (per_instance) gl(glVertexAttribDivisor, location, 1u);
+    /// Makes arrays of the attributes in the vertex array that is bound; `set` says where they are.
+    void enable(Gl& gl) const {
+        for (const Attribute& attribute : attributes) {
+            gl(glEnableVertexAttribArray, attribute.location);
+            if (per_instance) gl(glVertexAttribDivisor, attribute.location, 1u);
+        }
+    }
+
+    /// Tells the vertex array that is bound that the vertices start at a byte of the buffer that is bound.
+    void set(Gl& gl, std::size_t start) const {
+        for (const auto& [location, components, offset, type] : attributes) {
+            gl(glVertexAttribPointer, location, components, type, GLboolean(type != GL_FLOAT),
+               static_cast<GLsizei>(stride), Gl::offset(start + offset));
+        }
+    }
+};
+
+/// Fills a buffer, which stays bound, with what does not change from frame to frame.
+template <class T>
+void fill_static(Gl& gl, GLenum target, const Buffer& buffer, const std::vector<T>& data) {
+    gl(glBindBuffer, target, buffer.name());
+    gl(glBufferData, target, static_cast<GLsizeiptr>(data.size() * sizeof(T)), static_cast<const void*>(data.data()),
+       GLenum{GL_STATIC_DRAW});
 }
 
 }  // namespace drape

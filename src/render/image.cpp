@@ -2,9 +2,8 @@
 
 #include <png.h>
 
-#include <string>
-
 #include "drape/base/input_error.h"
+#include "drape/base/numbers.h"
 #include "drape/base/output_file.h"
 
 namespace drape {
@@ -29,6 +28,19 @@ void write_to(OutputFile& file, const Image& image, const std::filesystem::path&
 }
 
 }  // namespace
+
+PictureSize parse_size(const std::string& text) {
+    const std::size_t by = text.find('x');
+    const auto side = [&](const std::string& part) {
+        const auto number = parse_integer(part);
+        if (!number || *number < 1 || *number > 8192) {
+            throw InputError("--size " + shortened(text) + ": allowed WxH, 1 to 8192 each");
+        }
+        return static_cast<int>(*number);
+    };
+    if (by == std::string::npos) return {side(text), side("")};
+    return {side(text.substr(0, by)), side(text.substr(by + 1))};
+}
 
 void write_png(const Image& image, const std::filesystem::path& name) {
     OutputFile file(name.string());

@@ -44,51 +44,19 @@ Marks::Marks(Gl& gl, StreamBuffer& stream)
       contact_program_(gl, "contact"),
       sphere_program_(gl, "bounding_sphere"),
       edge_program_(gl, "edge"),
-      spring_array_(gl),
-      contact_array_(gl),
-      sphere_array_(gl),
-      edge_array_(gl),
-      spring_indices_(gl) {
-    gl(glBindVertexArray, spring_array_.name());
-    enable_cloth_attributes(gl);
-    gl(glBindVertexArray, contact_array_.name());
-    for (GLuint location = 0; location < 2; ++location) enable_attribute(gl, location, true);
-    gl(glBindVertexArray, sphere_array_.name());
-    for (GLuint location = 0; location < 3; ++location) enable_attribute(gl, location, true);
-    gl(glBindVertexArray, edge_array_.name());
-    for (GLuint location = 0; location < 2; ++location) enable_attribute(gl, location, false);
-    place_springs(stream);
-    place_contacts(stream);
-    place_spheres(stream);
-    place_edges(stream);
-}
-
-void Marks::place_springs(const StreamBuffer& stream) {
-    gl_(glBindVertexArray, spring_array_.name());
-    place_cloth_attributes(gl_, stream);
-}
-
-void Marks::place_contacts(const StreamBuffer& stream) {
-    const std::size_t start = stream.place(Region::Contacts), stride = sizeof(ContactMark);
-    gl_(glBindVertexArray, contact_array_.name());
-    place_attribute(gl_, {0, 3, stride, start + offsetof(ContactMark, point)});
-    place_attribute(gl_, {1, 3, stride, start + offsetof(ContactMark, normal)});
-}
-
-void Marks::place_spheres(const StreamBuffer& stream) {
-    const std::size_t start = stream.place(Region::Spheres), stride = sizeof(SphereMark);
-    gl_(glBindVertexArray, sphere_array_.name());
-    place_attribute(gl_, {0, 3, stride, start + offsetof(SphereMark, centre)});
-    place_attribute(gl_, {1, 1, stride, start + offsetof(SphereMark, radius)});
-    place_attribute(gl_, {2, 1, stride, start + offsetof(SphereMark, state)});
-}
-
-void Marks::place_edges(const StreamBuffer& stream) {
-    const std::size_t start = stream.place(Region::Edges), stride = sizeof(EdgeMark);
-    gl_(glBindVertexArray, edge_array_.name());
-    place_attribute(gl_, {0, 3, stride, start + offsetof(EdgeMark, point)});
-    place_attribute(gl_, {1, 1, stride, start + offsetof(EdgeMark, state)});
-}
+      springs_(gl, stream, Region::Cloth, cloth_layout()),
+      contacts_(
+          gl, stream, Region::Contacts,
+          {sizeof(ContactMark), {{0, 3, offsetof(ContactMark, point)}, {1, 3, offsetof(ContactMark, normal)}}, true}),
+      spheres_(gl, stream, Region::Spheres,
+               {sizeof(SphereMark),
+                {{0, 3, offsetof(SphereMark, centre)},
+                 {1, 1, offsetof(SphereMark, radius)},
+                 {2, 1, offsetof(SphereMark, state)}},
+                true}),
+      edges_(gl, stream, Region::Edges,
+             {sizeof(EdgeMark), {{0, 3, offsetof(EdgeMark, point)}, {1, 1, offsetof(EdgeMark, state)}}}),
+      spring_indices_(gl) {}
 
 int Marks::segments() const {
     constexpr std::size_t vertices_wanted = 300'000;
@@ -114,7 +82,7 @@ void Marks::need(const FrameView& view, StreamBuffer& stream) {
 
 void Marks::collect_bounds(const FrameView& view) {
     for (const ClothView& cloth : view.cloths) {
-        if (!cloth.hierarchy || cloth.hierarchy->levels() < 1) continue;
+        if (cloth.hierarchy->levels() < 1) continue;
         touched_cells_.clear();
         for (const Contact& contact : cloth.contacts) touched_cells_.push_back(contact.triangle / 2);
         std::sort(touched_cells_.begin(), touched_cells_.end());
@@ -127,40 +95,26 @@ void Marks::collect_bounds(const FrameView& view) {
 }
 
 void Marks::arrange(const FrameView& view, const StreamBuffer& stream) {
-    if (stream.moved(Region::Cloth)) place_springs(stream);
-    if (stream.moved(Region::Contacts)) place_contacts(stream);
-    if (stream.moved(Region::Spheres)) place_spheres(stream);
-    if (stream.moved(Region::Edges)) place_edges(stream);
+    for (const StreamArray* array : {&springs_, &contacts_, &spheres_, &edges_}) array->follow(stream);
     if (show_particles_) index_springs(view);
 }
 
 void Marks::index_springs(const FrameView& view) {
-    bool same = grids_.size() == view.cloths.size();
-    for (std::size_t i = 0; same && i < grids_.size(); ++i) same = grids_[i] == view.cloths[i].model.grid;
     if (!view.cloths.empty()) {
         const ClothModel& model = view.cloths.front().model;
         spacing_ = static_cast<float>(std::min(model.hx, model.hy));
     }
-    if (same) return;
+    if (!update_grids(view, grids_)) return;
 
-    grids_.clear();
-    SpringIndices springs;
-    std::uint32_t first_vertex = 0;
-    for (const ClothView& cloth : view.cloths) {
-        grids_.push_back(cloth.model.grid);
-        append_spring_indices(cloth.model.grid, first_vertex, springs);
-        first_vertex += static_cast<std::uint32_t>(cloth.model.grid.particles());
-    }
+    SpringIndices springs = spring_indices(grids_);
     structural_count_ = static_cast<int>(springs.structural.size() / 2);
     shear_count_ = static_cast<int>(springs.shear.size() / 2);
     bend_count_ = static_cast<int>(springs.bend.size() / 2);
     std::vector<std::uint32_t>& all = springs.structural;
     all.insert(all.end(), springs.shear.begin(), springs.shear.end());
     all.insert(all.end(), springs.bend.begin(), springs.bend.end());
-    gl_(glBindVertexArray, spring_array_.name());
-    gl_(glBindBuffer, GLenum{GL_ELEMENT_ARRAY_BUFFER}, spring_indices_.name());
-    gl_(glBufferData, GLenum{GL_ELEMENT_ARRAY_BUFFER}, static_cast<GLsizeiptr>(all.size() * sizeof(std::uint32_t)),
-        static_cast<const void*>(all.data()), GLenum{GL_STATIC_DRAW});
+    springs_.bind();
+    fill_static(gl_, GL_ELEMENT_ARRAY_BUFFER, spring_indices_, all);
 }
 
 void Marks::fill(const FrameView& view, StreamBuffer& stream) const {
@@ -195,7 +149,7 @@ void Marks::draw() {
     if (show_particles_) {
         const int plain = structural_count_ + shear_count_;
         spring_program_.use();
-        gl_(glBindVertexArray, spring_array_.name());
+        springs_.bind();
         gl_(glVertexAttrib1f, 4u, 0.0f);
         gl_.draw_elements(GL_LINES, 2 * plain);
         gl_(glVertexAttrib1f, 4u, bend_lift * spacing_);
@@ -205,18 +159,18 @@ void Marks::draw() {
     }
     if (!bounds_.spheres.empty()) {
         sphere_program_.use();
-        gl_(glBindVertexArray, sphere_array_.name());
+        spheres_.bind();
         gl_.draw_arrays_instanced(GL_LINES, 2 * circles_per_sphere * segments(),
                                   static_cast<int>(bounds_.spheres.size()));
     }
     if (!bounds_.edges.empty()) {
         edge_program_.use();
-        gl_(glBindVertexArray, edge_array_.name());
+        edges_.bind();
         gl_.draw_arrays(GL_LINES, 2 * static_cast<int>(bounds_.edges.size()));
     }
     if (contact_count_ > 0) {
         contact_program_.use();
-        gl_(glBindVertexArray, contact_array_.name());
+        contacts_.bind();
         gl_.draw_arrays_instanced(GL_TRIANGLES, contact_vertices, contact_count_);
     }
 }

@@ -34,15 +34,11 @@ public:
 
 private:
     void collect_bounds(const FrameView& view);
-    void place_springs(const StreamBuffer& stream);
-    void place_contacts(const StreamBuffer& stream);
-    void place_spheres(const StreamBuffer& stream);
-    void place_edges(const StreamBuffer& stream);
     void index_springs(const FrameView& view);
 
     Gl& gl_;
     Program spring_program_, particle_program_, contact_program_, sphere_program_, edge_program_;
-    VertexArray spring_array_, contact_array_, sphere_array_, edge_array_;
+    StreamArray springs_, contacts_, spheres_, edges_;
     Buffer spring_indices_;
     std::vector<Grid> grids_;
     Outlines bounds_;

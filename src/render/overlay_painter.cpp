@@ -33,7 +33,14 @@ Scissor scissor_of(const ImVec4& clip, const ImVec2& display) {
 }  // namespace
 
 OverlayPainter::OverlayPainter(Gl& gl, StreamBuffer& stream)
-    : gl_(gl), program_(gl, "overlay"), array_(gl), atlas_(gl) {
+    : gl_(gl),
+      program_(gl, "overlay"),
+      array_(gl, stream, Region::OverlayVertices,
+             {sizeof(ImDrawVert),
+              {{0, 2, offsetof(ImDrawVert, pos)},
+               {1, 2, offsetof(ImDrawVert, uv)},
+               {2, 4, offsetof(ImDrawVert, col), GL_UNSIGNED_BYTE}}}),
+      atlas_(gl) {
     DRAPE_ASSERT(ImGui::GetCurrentContext() != nullptr && !ImGui::GetIO().Fonts->ConfigData.empty());
     unsigned char* pixels = nullptr;
     int width = 0, height = 0;
@@ -47,10 +54,8 @@ OverlayPainter::OverlayPainter(Gl& gl, StreamBuffer& stream)
     gl(glTexParameteri, GLenum{GL_TEXTURE_2D}, GLenum{GL_TEXTURE_MAG_FILTER}, GLint{GL_LINEAR});
     ImGui::GetIO().Fonts->ClearTexData();
 
-    gl(glBindVertexArray, array_.name());
-    for (GLuint location = 0; location < 3; ++location) enable_attribute(gl, location);
+    array_.bind();
     stream.bind_indices();
-    place(stream);
 }
 
 void OverlayPainter::need(bool shown, StreamBuffer& stream) {
@@ -62,19 +67,6 @@ void OverlayPainter::need(bool shown, StreamBuffer& stream) {
     }
     stream.need(Region::OverlayVertices, vertices);
     stream.need(Region::OverlayIndices, indices);
-}
-
-void OverlayPainter::arrange(const StreamBuffer& stream) {
-    if (stream.moved(Region::OverlayVertices)) place(stream);
-}
-
-void OverlayPainter::place(const StreamBuffer& stream) {
-    const std::size_t start = stream.place(Region::OverlayVertices), stride = sizeof(ImDrawVert);
-    gl_(glBindVertexArray, array_.name());
-    place_attribute(gl_, {0, 2, stride, start + offsetof(ImDrawVert, pos)});
-    place_attribute(gl_, {1, 2, stride, start + offsetof(ImDrawVert, uv)});
-    gl_(glVertexAttribPointer, 2u, 4, GLenum{GL_UNSIGNED_BYTE}, GLboolean{GL_TRUE}, static_cast<GLsizei>(stride),
-        Gl::offset(start + offsetof(ImDrawVert, col)));
 }
 
 void OverlayPainter::fill(StreamBuffer& stream) const {
@@ -95,11 +87,11 @@ void OverlayPainter::draw(const StreamBuffer& stream) {
     if (!shown_) return;
     const ImDrawData& data = *ImGui::GetDrawData();
     program_.use();
-    gl_(glBindVertexArray, array_.name());
+    array_.bind();
     const Scissor whole = scissor_of({0, 0, data.DisplaySize.x, data.DisplaySize.y}, data.DisplaySize);
     Scissor current = whole;
     int first_vertex = 0;
-    std::size_t first_index = stream.place(Region::OverlayIndices);
+    std::size_t first_index = stream.start(Region::OverlayIndices);
     for (int i = 0; i < data.CmdListsCount; ++i) {
         const ImDrawList& list = *data.CmdLists[i];
         for (const ImDrawCmd& command : list.CmdBuffer) {

@@ -14,18 +14,16 @@ public:
 
     /// @param shown whether there is draw data in this frame
     void need(bool shown, StreamBuffer& stream);
-    void arrange(const StreamBuffer& stream);
+    void arrange(const StreamBuffer& stream) const { array_.follow(stream); }
     void fill(StreamBuffer& stream) const;
 
     /// Over the resolved picture; blending is on.
     void draw(const StreamBuffer& stream);
 
 private:
-    void place(const StreamBuffer& stream);
-
     Gl& gl_;
     Program program_;
-    VertexArray array_;
+    StreamArray array_;
     Texture atlas_;
     bool shown_ = false;
 };

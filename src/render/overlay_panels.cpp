@@ -76,17 +76,15 @@ bool OverlayPanels::build(const FrameView& view, const FrameReport& last, std::s
     ImGui::GetIO().DisplaySize = {w, h};
     ImGui::GetIO().DeltaTime = 1.0f / 60;
     const std::size_t size = height < 600 || width < 900 ? 0 : height < 1000 ? 1 : 2;
-    text_ = fonts_[size];
-    title_ = fonts_[size + 1];
     const float margin = size == 0 ? 8.0f : 12.0f;
 
     ImGui::NewFrame();
     ImGui::SetNextWindowPos({0, 0});
     ImGui::SetNextWindowSize({w, h});
     ImGui::Begin("overlay", nullptr, window_flags);
-    ImGui::PushFont(text_);
+    ImGui::PushFont(fonts_[size]);
     float taken = 0;
-    if (shown.overlay) taken = figures_panel(view, last, title_, {w, h, margin});
+    if (shown.overlay) taken = figures_panel(view, last, fonts_[size + 1], {w, h, margin});
     if (showing_help) help_panel({w, h, margin}, taken);
     if (!notices.empty()) notice_panel(notices, {w, h, margin});
     ImGui::PopFont();
@@ -108,13 +106,13 @@ void OverlayPanels::help_panel(const OverlayPage& page, float taken) const {
     const auto fitting = static_cast<std::size_t>(std::max(1.0f, (page.height - 4 * margin) / row));
     const std::size_t rows = std::min(help.size(), fitting);
 
-    ImVec2 place{page.width - width - margin, margin};
-    draw_panel(place, {width, static_cast<float>(rows) * row + 2 * margin});
-    place = {place.x + margin, place.y + margin};
+    ImVec2 corner{page.width - width - margin, margin};
+    draw_panel(corner, {width, static_cast<float>(rows) * row + 2 * margin});
+    corner = {corner.x + margin, corner.y + margin};
     for (std::size_t i = 0; i < rows; ++i) {
-        text_at(place, ink::wait, help[i].key.c_str());
-        text_at({place.x + keys + gap, place.y}, ink::text, help[i].text.c_str());
-        place.y += row;
+        text_at(corner, ink::wait, help[i].key.c_str());
+        text_at({corner.x + keys + gap, corner.y}, ink::text, help[i].text.c_str());
+        corner.y += row;
     }
 }
 
@@ -126,10 +124,10 @@ void OverlayPanels::notice_panel(std::span<const std::string> notices, const Ove
         size = {std::max(size.x, part.x), size.y + part.y};
     }
     const ImVec2 panel{size.x + 2 * page.margin, std::min(size.y + 2 * page.margin, page.height - 2 * page.margin)};
-    const ImVec2 place{(page.width - panel.x) / 2, page.height - panel.y - page.margin};
-    draw_panel(place, panel);
+    const ImVec2 corner{(page.width - panel.x) / 2, page.height - panel.y - page.margin};
+    draw_panel(corner, panel);
 
-    ImVec2 line{place.x + page.margin, place.y + page.margin};
+    ImVec2 line{corner.x + page.margin, corner.y + page.margin};
     ImGui::PushTextWrapPos(line.x + most + 1);
     for (const std::string& notice : notices) {
         text_at(line, ink::wait, notice.c_str());

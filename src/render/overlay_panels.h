@@ -38,8 +38,6 @@ private:
 
     std::unique_ptr<ImGuiContext, DestroyContext> context_;
     std::array<ImFont*, 4> fonts_{};  ///< from small to large
-    ImFont* text_ = nullptr;          ///< of this frame
-    ImFont* title_ = nullptr;
 };
 
 }  // namespace drape

@@ -18,14 +18,14 @@ inline constexpr ImU32 panel = IM_COL32(22, 26, 34, 196);
 
 /// Draws a panel's ground.
 /// All panels are parts of one window as large as the picture, so that the overlay is one draw call.
-inline void draw_panel(ImVec2 place, ImVec2 size) {
+inline void draw_panel(ImVec2 corner, ImVec2 size) {
     const float rounding = 8;
-    ImGui::GetWindowDrawList()->AddRectFilled(place, {place.x + size.x, place.y + size.y}, ink::panel, rounding);
+    ImGui::GetWindowDrawList()->AddRectFilled(corner, {corner.x + size.x, corner.y + size.y}, ink::panel, rounding);
 }
 
-/// Text at a place of the picture.
-inline void text_at(ImVec2 place, ImU32 colour, const char* text) {
-    ImGui::SetCursorScreenPos(place);
+/// Text from a point of the picture on.
+inline void text_at(ImVec2 corner, ImU32 colour, const char* text) {
+    ImGui::SetCursorScreenPos(corner);
     ImGui::PushStyleColor(ImGuiCol_Text, colour);
     ImGui::TextUnformatted(text);
     ImGui::PopStyleColor();

@@ -35,8 +35,8 @@ GLuint compile(Gl& gl, GLenum stage, const std::string& file) {
 }
 
 void bind_texture_unit(Gl& gl, GLuint program, const char* sampler, int unit) {
-    const GLint place = gl(glGetUniformLocation, program, sampler);
-    if (place >= 0) gl(glUniform1i, place, unit);
+    const GLint location = gl(glGetUniformLocation, program, sampler);
+    if (location >= 0) gl(glUniform1i, location, unit);
 }
 
 }  // namespace

@@ -3,6 +3,7 @@
 #include <imgui.h>
 
 #include <array>
+#include <ctime>
 #include <optional>
 #include <string>
 #include <utility>
@@ -10,7 +11,6 @@
 #include "drape/base/input_error.h"
 #include "drape/base/stopwatch.h"
 #include "frame_data.h"
-#include "frame_meter.h"
 #include "marks.h"
 #include "overlay_painter.h"
 #include "overlay_panels.h"
@@ -45,6 +45,40 @@ void set_state(Gl& gl) {
 }
 
 }  // namespace
+
+/// Frames per second and processor use, averaged over about a second.
+class FrameMeter {
+public:
+    /// A frame has been drawn.
+    void count() {
+        ++frames_;
+        const double elapsed = watch_.seconds();
+        const bool over = elapsed >= 1;
+        if (!over && !first_second_) return;
+
+        // In the first second, what there is so far
+        const double processor = static_cast<double>(std::clock() - processor_start_) / CLOCKS_PER_SEC;
+        if (elapsed > 0) {
+            rate_ = frames_ / elapsed;
+            cpu_ = processor / elapsed;
+        }
+        if (!over) return;
+        first_second_ = false;
+        frames_ = 0;
+        processor_start_ = std::clock();
+        watch_.lap();
+    }
+
+    [[nodiscard]] double rate() const { return rate_; }
+    [[nodiscard]] double cpu() const { return cpu_; }
+
+private:
+    Stopwatch watch_;
+    std::clock_t processor_start_ = std::clock();
+    int frames_ = 0;
+    bool first_second_ = true;
+    double rate_ = 0, cpu_ = 0;
+};
 
 // In the order in which they are made; each may use those above it.
 struct Renderer::Parts {
@@ -107,7 +141,7 @@ void Renderer::Parts::prepare(const FrameView& view, const Camera& camera, std::
     marks.need(view, stream);
     painter.need(overlay, stream);
 
-    // New places and new grids
+    // Regions that moved, and new grids
     stream.arrange();
     solids.arrange(view, stream);
     marks.arrange(view, stream);

@@ -27,24 +27,13 @@ std::vector<Eigen::Vector3f> unit_sphere() {
     return points;
 }
 
-template <class T>
-void fill_static(Gl& gl, GLenum target, const Buffer& buffer, const std::vector<T>& data) {
-    gl(glBindBuffer, target, buffer.name());
-    gl(glBufferData, target, static_cast<GLsizeiptr>(data.size() * sizeof(T)), static_cast<const void*>(data.data()),
-       GLenum{GL_STATIC_DRAW});
-}
-
 }  // namespace
 
-void enable_cloth_attributes(Gl& gl) {
-    for (GLuint location = 0; location < 3; ++location) enable_attribute(gl, location);
-}
-
-void place_cloth_attributes(Gl& gl, const StreamBuffer& stream) {
-    const std::size_t start = stream.place(Region::Cloth), stride = sizeof(ClothVertex);
-    place_attribute(gl, {0, 3, stride, start + offsetof(ClothVertex, position)});
-    place_attribute(gl, {1, 3, stride, start + offsetof(ClothVertex, normal)});
-    place_attribute(gl, {2, 1, stride, start + offsetof(ClothVertex, pinned)});
+VertexLayout cloth_layout() {
+    return {sizeof(ClothVertex),
+            {{0, 3, offsetof(ClothVertex, position)},
+             {1, 3, offsetof(ClothVertex, normal)},
+             {2, 1, offsetof(ClothVertex, pinned)}}};
 }
 
 Solids::Solids(Gl& gl, StreamBuffer& stream)
@@ -52,37 +41,22 @@ Solids::Solids(Gl& gl, StreamBuffer& stream)
       cloth_program_(gl, "cloth"),
       ball_program_(gl, "ball"),
       depth_program_(gl, "depth"),
-      cloth_array_(gl),
-      ball_array_(gl),
+      cloths_(gl, stream, Region::Cloth, cloth_layout()),
+      balls_(gl, stream, Region::Balls, {sizeof(Eigen::Vector4f), {{3, 4, 0}}, true}),
       cloth_indices_(gl),
       sphere_vertices_(gl),
       sphere_indices_(gl) {
     // The sphere is a grid that is rolled up
-    std::vector<std::uint32_t> indices;
-    append_triangle_indices({sphere_columns + 1, sphere_rows + 1}, 0, indices);
+    const Grid rolled{sphere_columns + 1, sphere_rows + 1};
+    const std::vector<std::uint32_t> indices = triangle_indices({&rolled, 1});
     sphere_index_count_ = static_cast<int>(indices.size());
-    gl(glBindVertexArray, ball_array_.name());
+    const VertexLayout points{sizeof(Eigen::Vector3f), {{0, 3, 0}}};
+    balls_.bind();
     fill_static(gl, GL_ELEMENT_ARRAY_BUFFER, sphere_indices_, indices);
     fill_static(gl, GL_ARRAY_BUFFER, sphere_vertices_, unit_sphere());
-    enable_attribute(gl, 0);
-    place_attribute(gl, {0, 3, sizeof(Eigen::Vector3f), 0});
+    points.enable(gl);
+    points.set(gl, 0);
     stream.bind_vertices();
-    enable_attribute(gl, 3, true);
-    place_balls(stream);
-
-    gl(glBindVertexArray, cloth_array_.name());
-    enable_cloth_attributes(gl);
-    place_cloths(stream);
-}
-
-void Solids::place_cloths(const StreamBuffer& stream) {
-    gl_(glBindVertexArray, cloth_array_.name());
-    place_cloth_attributes(gl_, stream);
-}
-
-void Solids::place_balls(const StreamBuffer& stream) {
-    gl_(glBindVertexArray, ball_array_.name());
-    place_attribute(gl_, {3, 4, sizeof(Eigen::Vector4f), stream.place(Region::Balls)});
 }
 
 void Solids::need(const FrameView& view, StreamBuffer& stream) {
@@ -94,24 +68,13 @@ void Solids::need(const FrameView& view, StreamBuffer& stream) {
 }
 
 void Solids::arrange(const FrameView& view, const StreamBuffer& stream) {
-    if (stream.moved(Region::Cloth)) place_cloths(stream);
-    if (stream.moved(Region::Balls)) place_balls(stream);
+    cloths_.follow(stream);
+    balls_.follow(stream);
     ball_count_ = static_cast<int>(view.balls.size());
-
-    // New triangles where a grid is new
-    bool same = grids_.size() == view.cloths.size();
-    for (std::size_t i = 0; same && i < grids_.size(); ++i) same = grids_[i] == view.cloths[i].model.grid;
-    if (same) return;
-    grids_.clear();
-    std::vector<std::uint32_t> indices;
-    std::uint32_t first_vertex = 0;
-    for (const ClothView& cloth : view.cloths) {
-        grids_.push_back(cloth.model.grid);
-        append_triangle_indices(cloth.model.grid, first_vertex, indices);
-        first_vertex += static_cast<std::uint32_t>(cloth.model.grid.particles());
-    }
+    if (!update_grids(view, grids_)) return;
+    const std::vector<std::uint32_t> indices = triangle_indices(grids_);
     cloth_index_count_ = static_cast<int>(indices.size());
-    gl_(glBindVertexArray, cloth_array_.name());
+    cloths_.bind();
     fill_static(gl_, GL_ELEMENT_ARRAY_BUFFER, cloth_indices_, indices);
 }
 
@@ -134,12 +97,12 @@ PictureBox Solids::box(const Eigen::Matrix4f& view_projection, StreamBuffer& str
 }
 
 void Solids::draw_cloths() {
-    gl_(glBindVertexArray, cloth_array_.name());
+    cloths_.bind();
     gl_.draw_elements(GL_TRIANGLES, cloth_index_count_);
 }
 
 void Solids::draw_balls() {
-    gl_(glBindVertexArray, ball_array_.name());
+    balls_.bind();
     gl_.draw_elements_instanced(GL_TRIANGLES, sphere_index_count_, ball_count_);
 }
 

@@ -4,17 +4,14 @@
 
 #include "drape/sim/frame_view.h"
 #include "gl_objects.h"
-#include "picture_box.h"
+#include "picture_target.h"
 #include "program.h"
 #include "stream_buffer.h"
 
 namespace drape {
 
-/// Turns the attributes of `ClothVertex` into arrays, in the vertex array that is bound.
-void enable_cloth_attributes(Gl& gl);
-
-/// Has them follow the cloth's region of the stream.
-void place_cloth_attributes(Gl& gl, const StreamBuffer& stream);
+/// How the shaders get a `ClothVertex`.
+VertexLayout cloth_layout();
 
 /// The cloths and the balls: what is seen and what casts shadows.
 class Solids {
@@ -39,14 +36,12 @@ public:
     void draw(bool wireframe);
 
 private:
-    void place_cloths(const StreamBuffer& stream);
-    void place_balls(const StreamBuffer& stream);
     void draw_cloths();
     void draw_balls();
 
     Gl& gl_;
     Program cloth_program_, ball_program_, depth_program_;
-    VertexArray cloth_array_, ball_array_;
+    StreamArray cloths_, balls_;
     Buffer cloth_indices_, sphere_vertices_, sphere_indices_;
     std::vector<Grid> grids_;
     std::size_t particle_count_ = 0;

@@ -1,6 +1,7 @@
 #include "stream_buffer.h"
 
 #include <algorithm>
+#include <utility>
 
 namespace drape {
 
@@ -30,7 +31,7 @@ void StreamBuffer::arrange() {
         moved_[i] = needs_[i] > capacities_[i];
         if (!moved_[i]) continue;
         capacities_[i] = aligned(std::max(needs_[i], capacities_[i] + capacities_[i] / 2));
-        places_[i] = end;
+        starts_[i] = end;
         end += capacities_[i];
     }
     staging_.resize(end);
@@ -39,10 +40,23 @@ void StreamBuffer::arrange() {
 void StreamBuffer::upload() {
     std::size_t end = capacities_[index(Region::Frame)];
     for (std::size_t i = 0; i < regions; ++i) {
-        if (needs_[i] > 0) end = std::max(end, places_[i] + needs_[i]);
+        if (needs_[i] > 0) end = std::max(end, starts_[i] + needs_[i]);
     }
     gl_(glBufferData, GLenum{GL_ARRAY_BUFFER}, static_cast<GLsizeiptr>(end), static_cast<const void*>(staging_.data()),
         GLenum{GL_STREAM_DRAW});
+}
+
+StreamArray::StreamArray(Gl& gl, const StreamBuffer& stream, Region region, VertexLayout layout)
+    : gl_(gl), array_(gl), region_(region), layout_(std::move(layout)) {
+    bind();
+    layout_.enable(gl);
+    layout_.set(gl, stream.start(region));
+}
+
+void StreamArray::follow(const StreamBuffer& stream) const {
+    if (!stream.moved(region_)) return;
+    bind();
+    layout_.set(gl_, stream.start(region_));
 }
 
 }  // namespace drape

@@ -12,7 +12,7 @@ namespace drape {
 enum class Region { Frame, Balls, Cloth, Contacts, Spheres, Edges, OverlayVertices, OverlayIndices, Count };
 
 /// One buffer for all that changes from frame to frame, so that a frame needs one upload.
-/// It stays bound to GL_ARRAY_BUFFER, for the upload and for `place_attribute`.
+/// It stays bound to GL_ARRAY_BUFFER, for the upload and for `VertexLayout::set`.
 /// First every part says what it needs, then `arrange`, then the parts follow regions that moved and write, then
 /// `upload`.
 class StreamBuffer {
@@ -22,7 +22,7 @@ public:
 
     void need(Region region, std::size_t bytes) { needs_[index(region)] = bytes; }
 
-    /// Makes room: a region that has grown beyond its place moves to the end.
+    /// Makes room: a region that has grown beyond its capacity moves to the end.
     void arrange();
 
     /// Whether a region has moved in the last `arrange`, so that its vertex arrays must follow.
@@ -31,11 +31,11 @@ public:
     /// Where a region is written.
     template <class T>
     T* data(Region region) {
-        return reinterpret_cast<T*>(staging_.data() + place(region));
+        return reinterpret_cast<T*>(staging_.data() + start(region));
     }
 
     /// Where a region starts in the buffer, in bytes.
-    [[nodiscard]] std::size_t place(Region region) const { return places_[index(region)]; }
+    [[nodiscard]] std::size_t start(Region region) const { return starts_[index(region)]; }
 
     void upload();
 
@@ -51,9 +51,26 @@ private:
 
     Gl& gl_;
     Buffer buffer_;
-    std::array<std::size_t, regions> needs_{}, capacities_{}, places_{};
+    std::array<std::size_t, regions> needs_{}, capacities_{}, starts_{};
     std::array<bool, regions> moved_{};
     std::vector<std::byte> staging_;
+};
+
+/// A vertex array whose attributes lie in one region of the stream.
+class StreamArray {
+public:
+    StreamArray(Gl& gl, const StreamBuffer& stream, Region region, VertexLayout layout);
+
+    void bind() const { gl_(glBindVertexArray, array_.name()); }
+
+    /// To be called after `StreamBuffer::arrange`.
+    void follow(const StreamBuffer& stream) const;
+
+private:
+    Gl& gl_;
+    VertexArray array_;
+    Region region_;
+    VertexLayout layout_;
 };
 
 }  // namespace drape

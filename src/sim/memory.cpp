@@ -3,7 +3,7 @@
 #include <algorithm>
 
 #include "drape/base/memory_limit.h"
-#include "drape/bounds/quadtree_nodes.h"
+#include "drape/bounds/node_view.h"
 #include "drape/contact/contact.h"
 #include "drape/integrate/method_memory.h"
 
@@ -16,31 +16,15 @@ constexpr double numbers = 1 + 12 + 3, ledger_numbers = 3;
 /// The search for the longest step: its vectors and Jacobian, on a piece of at most about so many particles.
 constexpr double search_numbers = 42, searched_particles = 3000;
 
-double numbers_of_volume(VolumeKind kind) {
-    switch (kind) {
-        case VolumeKind::Sphere:
-            return 4;
-        case VolumeKind::Aabb:
-        case VolumeKind::Kdop6:
-            return 6;
-        case VolumeKind::Kdop14:
-            return 14;
-        case VolumeKind::Kdop18:
-            return 18;
-        case VolumeKind::Kdop26:
-            return 26;
-        case VolumeKind::Obb:
-            return 15;
-        case VolumeKind::Brute:
-            return 0;
-    }
-    return 0;
+std::size_t bytes_of_volume(VolumeKind kind) {
+    if (kind == VolumeKind::Brute) return 0;
+    return with_volume(kind, []<class Volume>(std::type_identity<Volume>) { return sizeof(Volume); });
 }
 
 double hierarchy_bytes(const ContactSettings& contact, const Grid& grid) {
     const int side = contact.leaf_cells > 0 ? contact.leaf_cells : measured_leaf_cells(grid);
     const double nodes = 4.0 / 3 * grid.particles() / (static_cast<double>(side) * side);
-    return nodes * (sizeof(QuadtreeNode) + 2 * sizeof(int) + sizeof(Real) * numbers_of_volume(contact.volume));
+    return nodes * static_cast<double>(sizeof(QuadtreeNode) + 2 * sizeof(int) + bytes_of_volume(contact.volume));
 }
 
 }  // namespace

@@ -3,7 +3,6 @@
 #include "drape/base/input_error.h"
 #include "drape/base/input_file.h"
 #include "drape/base/numbers.h"
-#include "drape/base/read_line.h"
 
 namespace drape {
 namespace {

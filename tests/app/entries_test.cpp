@@ -5,7 +5,7 @@
 #include <set>
 
 #include "../../src/app/keys.h"
-#include "../../src/app/menu_mark.h"
+#include "../../src/app/menu.h"
 #include "drape/sim/command.h"
 #include "drape/sim/scene.h"
 #include "support/process.h"

@@ -9,8 +9,6 @@
 #include <limits>
 #include <random>
 
-#include "drape/base/even_draw.h"
-
 namespace drape {
 namespace {
 

@@ -7,7 +7,6 @@
 #include <array>
 #include <iterator>
 
-#include "drape/base/read_line.h"
 #include "support/input_errors.h"
 #include "support/scratch_file.h"
 

@@ -11,12 +11,14 @@
 #include <fstream>
 
 #include "drape/base/input_error.h"
+#include "support/input_errors.h"
 #include "support/process.h"
 
 namespace drape {
 namespace {
 
 namespace fs = std::filesystem;
+using test::input_error_of;
 using test::read_file;
 using testing::ElementsAre;
 
@@ -226,6 +228,62 @@ TEST_F(OutputFileTest, NamedAsStandardOutputWritesWhereThatIs) {
     EXPECT_EQ(read_file(path("out")), "one\ntwo\nthree\n");
     EXPECT_THAT(names(), ElementsAre("out", "stdout"));
     EXPECT_TRUE(fs::is_symlink(path("stdout")));
+}
+
+/// Files that a command line names.
+class NamedFiles : public testing::Test {
+protected:
+    NamedFiles() {
+        fs::create_directories(folder_ / "inner");
+        std::ofstream(folder_ / "there") << "text";
+        fs::create_hard_link(folder_ / "there", folder_ / "hard");
+        fs::create_symlink("there", folder_ / "soft");
+        fs::create_symlink("to-come", folder_ / "dangling");
+        fs::create_symlink(".", folder_ / "round");
+    }
+    ~NamedFiles() override { fs::remove_all(folder_); }
+
+    /// What is said of two files that are written.
+    [[nodiscard]] std::string refusal(const std::string& one, const std::string& other) const {
+        return input_error_of([&] {
+            check_apart({{"--state", folder_ / one}, {"--none", ""}, {"--stats", folder_ / other}});
+        });
+    }
+
+    const fs::path folder_ = fs::path(testing::TempDir()) / ("drape-named-" + std::to_string(getpid()));
+};
+
+TEST_F(NamedFiles, ThatAreOneAreRefusedWhateverTheyAreCalled) {
+    for (const auto& [one, other] : std::vector<std::pair<std::string, std::string>>{{"there", "there"},
+                                                                                     {"there", "./there"},
+                                                                                     {"there", "inner/../there"},
+                                                                                     {"there", "soft"},
+                                                                                     {"soft", "hard"},
+                                                                                     {"there", "round/there"},
+                                                                                     {"new", "new"},
+                                                                                     {"new", "./new"},
+                                                                                     {"new", "inner/../new"},
+                                                                                     {"round/new", "new"},
+                                                                                     {"dangling", "to-come"},
+                                                                                     {"no/folder", "no/./folder"}}) {
+        const std::string said = refusal(one, other);
+        EXPECT_THAT(said, testing::StartsWith("--state ")) << one << " and " << other;
+        EXPECT_THAT(said, testing::HasSubstr(" and --stats ")) << one << " and " << other;
+    }
+    for (const char* other : {"other", "inner/there", "THERE", "inner/new"}) {
+        EXPECT_NO_THROW(check_apart({{"--state", folder_ / "there"}, {"--stats", folder_ / other}})) << other;
+    }
+}
+
+TEST_F(NamedFiles, MayBeReadTwiceButNotReadAndWritten) {
+    const fs::path file = folder_ / "there";
+    EXPECT_NO_THROW(check_apart({{"SCENE", file, NamedFile::Use::Read}, {"--replay", file, NamedFile::Use::Read}}));
+    EXPECT_THROW(check_apart({{"SCENE", file, NamedFile::Use::Read}, {"--record", folder_ / "soft"}}), InputError);
+    EXPECT_THROW(check_apart({{"--record", folder_ / "soft"}, {"SCENE", file, NamedFile::Use::Read}}), InputError);
+}
+
+TEST_F(NamedFiles, MayBeOneDevice) {
+    EXPECT_NO_THROW(check_apart({{"--state", "/dev/null"}, {"--stats", "/dev/null"}}));
 }
 
 }  // namespace

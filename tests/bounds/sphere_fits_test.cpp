@@ -18,6 +18,12 @@ using test::patch_of_points;
 using test::whole;
 using Fit = BoundingSphere (*)(const Patch&);
 
+const Fit fit_box_sphere = sphere_fit_of(SphereFit::BoxCentre, Kernels::Plain);
+const Fit fit_ritter_sphere = sphere_fit_of(SphereFit::Ritter, Kernels::Plain);
+const Fit fit_epos6_sphere = sphere_fit_of(SphereFit::Epos6, Kernels::Plain);
+const Fit fit_epos14_sphere = sphere_fit_of(SphereFit::Epos14, Kernels::Plain);
+const Fit fit_epos26_sphere = sphere_fit_of(SphereFit::Epos26, Kernels::Plain);
+
 SphereFit kind_at(std::size_t k) { return static_cast<SphereFit>(k); }
 
 /// Calls visit(fit, name) for every fit, plain and by vector kernels.

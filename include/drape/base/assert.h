@@ -2,7 +2,7 @@
 
 namespace drape {
 
-/// Prints the broken condition with its place and aborts; called by `DRAPE_ASSERT` only.
+/// Prints the broken condition with its file and line, and aborts; called by `DRAPE_ASSERT` only.
 [[noreturn]] void assertion_failed(const char* condition, const char* file, int line);
 
 }  // namespace drape

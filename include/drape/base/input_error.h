@@ -8,8 +8,8 @@
 namespace drape {
 
 /// Bad input: a file, an option or a command that Drape cannot accept. Only each program's `main` catches it (exit 2).
-/// The message is one line that names the place, the value and what is accepted: what it quotes is made harmless by
-/// `one_line`. A hint may follow on a second one.
+/// The message is one line that names the file and line (or the option), the value and what is accepted: what it quotes
+/// is made harmless by `one_line`. A hint may follow on a second one.
 class InputError : public std::runtime_error {
 public:
     explicit InputError(const std::string& message, const std::string& hint = {});

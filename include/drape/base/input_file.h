@@ -1,6 +1,7 @@
 #pragma once
 
 #include <array>
+#include <cstddef>
 #include <cstdint>
 #include <istream>
 #include <streambuf>
@@ -42,5 +43,12 @@ private:
 
 /// A whole file. @throws InputError as `InputFile`
 std::string read_text(const std::string& name, std::uintmax_t largest = UINTMAX_MAX);
+
+/// How a line that was read ended: with its end, with the file, not within the length allowed, or never began.
+enum class LineEnd { Whole, CutOff, TooLong, None };
+
+/// Reads the next line, without its end; carriage returns before the end are no part of it. Never keeps more than
+/// `longest` bytes, whatever the file is.
+LineEnd read_line(std::istream& in, std::string& line, std::size_t longest);
 
 }  // namespace drape

@@ -47,7 +47,7 @@ inline bool is_option(const std::string& word, std::span<const CLI::App* const> 
     });
 }
 
-/// Refuses an option in the place of another one's value, which the parser would take for the value.
+/// Refuses an option where another one's value should be, which the parser would take for the value.
 /// @throws InputError
 inline void check_values(const CLI::App& app, std::span<char* const> words) {
     std::vector<const CLI::App*> commands = app.get_subcommands([](const CLI::App*) { return true; });

@@ -17,7 +17,11 @@ struct Aabb {
 
     /// The smallest box, to the bit: low = min x_p and high = max x_p, axis by axis.
     /// @par Cost O(particles of the patch), one pass
-    static Aabb fit(const Patch& patch);
+    static Aabb fit(const Patch& patch) {
+        Aabb box{patch.at(0, 0), patch.at(0, 0)};
+        for_each_particle(patch, [&](const Vec3& p) { box.include({p, p}); });
+        return box;
+    }
 
     /// The smallest box about boxes, to the bit. @pre one child or more
     static Aabb merge(std::span<const Aabb> children) {

@@ -10,7 +10,6 @@
 
 #include "drape/base/enum_names.h"
 #include "drape/base/kernels.h"
-#include "drape/bounds/limited_search.h"
 #include "drape/bounds/sphere_fits.h"
 #include "drape/model/ball.h"
 #include "drape/model/grid.h"
@@ -34,6 +33,17 @@ enum class UpdateKind {
 
 template <>
 inline constexpr auto enum_names<UpdateKind> = all_names<UpdateKind>("rebuild", "merge", "refit", "none");
+
+/// Where a search may end before the leaves: the nodes whose children it has not visited then stand for what they hold,
+/// as spheres. @cite hubbard1996
+struct SearchLimit {
+    static constexpr int all_levels = 30;
+    int level = all_levels;  ///< the children of nodes of this level are not visited
+    std::int64_t tests = 0;  ///< volume tests after which no children are visited; 0: no end
+
+    [[nodiscard]] bool none() const { return level >= all_levels && tests == 0; }
+    bool operator==(const SearchLimit&) const = default;
+};
 
 struct BroadPhaseParameters {
     VolumeKind volume = VolumeKind::Sphere;
@@ -67,6 +77,13 @@ struct CellRun {
 
 /// All cells of a grid, a run a row.
 void list_all_cells(const Grid& grid, std::vector<CellRun>& cells);
+
+/// A node at which a search ended.
+struct StoppedNode {
+    BoundingSphere sphere;
+    int cell = 0;                        ///< in the middle of it
+    int i0 = 0, j0 = 0, i1 = 0, j1 = 0;  ///< its cells: columns [i0, i1), rows [j0, j1)
+};
 
 /// What a query hands on.
 struct Candidates {

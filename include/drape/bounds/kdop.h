@@ -21,11 +21,35 @@ struct KDop {
 
     /// The slabs min n_k . x_p <= n_k . x <= max n_k . x_p for the K / 2 directions n_k.
     /// @par Cost O(particles of the patch), one pass
-    static KDop fit(const Patch& patch);
+    static KDop fit(const Patch& patch) {
+        std::array<Real, K / 2> least, most;
+        least.fill(std::numeric_limits<Real>::infinity());
+        most.fill(-std::numeric_limits<Real>::infinity());
+        for_each_particle(patch, [&](const Vec3& p) {
+            for (std::size_t k = 0; k < K / 2; ++k) {
+                const Real projection = dop_projection(dop_numbers<K>[k], p);
+                least[k] = std::min(least[k], projection);
+                most[k] = std::max(most[k], projection);
+            }
+        });
+        return from_extents(least, most);
+    }
 
     /// From the smallest and largest projections of particles on the directions: the box to the bit, and cuts grown by
     /// the rounding of a projection: by some epsilons of the coordinates, which may be large where the patch is small.
-    static KDop from_extents(const std::array<Real, K / 2>& least, const std::array<Real, K / 2>& most);
+    static KDop from_extents(const std::array<Real, K / 2>& least, const std::array<Real, K / 2>& most) {
+        KDop dop;
+        dop.box = {{least[0], least[1], least[2]}, {most[0], most[1], most[2]}};
+
+        // Two sums, each to half an epsilon, and this one
+        const Real largest = dop.box.low.cwiseAbs().cwiseMax(dop.box.high.cwiseAbs()).sum();
+        const Real rounding = 2 * std::numeric_limits<Real>::epsilon() * largest;
+        for (std::size_t k = 0; k < cuts; ++k) {
+            dop.low[k] = least[k + 3] - rounding;
+            dop.high[k] = most[k + 3] + rounding;
+        }
+        return dop;
+    }
 
     /// The smallest k-DOP about k-DOPs, to the bit. @pre one child or more
     static KDop merge(std::span<const KDop> children) {
@@ -58,11 +82,6 @@ struct KDop {
     /// The box's.
     [[nodiscard]] BoundingSphere sphere() const { return box.sphere(); }
 };
-
-extern template struct KDop<6>;
-extern template struct KDop<14>;
-extern template struct KDop<18>;
-extern template struct KDop<26>;
 
 static_assert(BoundingVolume<KDop<6>> && BoundingVolume<KDop<14>> && BoundingVolume<KDop<18>> &&
               BoundingVolume<KDop<26>>);

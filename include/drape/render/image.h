@@ -2,9 +2,20 @@
 
 #include <cstdint>
 #include <filesystem>
+#include <string>
 #include <vector>
 
 namespace drape {
+
+/// Width and height of a picture [pixel].
+struct PictureSize {
+    int width = 1280;
+    int height = 720;
+};
+
+/// Reads "1280x720".
+/// @throws InputError unless both lie in 1 to 8192
+PictureSize parse_size(const std::string& text);
 
 /// A picture: 8-bit RGB, rows from the top.
 struct Image {

@@ -54,7 +54,7 @@ public:
     void set_help(std::vector<KeyHelp> lines);
 
     /// Draws one frame: shadow, sky, ground, balls, cloths, what `settings->view` asks for, overlay.
-    /// @param notices lines for the user (an error, a lost replay), shown with the overlay or without
+    /// @param notices lines for the user (an error, a replay that ended), shown with the overlay or without
     void draw(const FrameView& view, const Camera& camera, std::span<const std::string> notices);
 
     /// Copies the drawn frame to framebuffer 0, for a window.

@@ -4,7 +4,7 @@
 #include <string>
 #include <vector>
 
-#include "drape/base/named_file.h"
+#include "drape/base/output_file.h"
 #include "drape/sim/recording.h"
 #include "drape/sim/session.h"
 #include "drape/sim/settings.h"

@@ -1,7 +1,6 @@
 #include "centroid_tree.h"
 
 #include <array>
-#include <cmath>
 
 #include "patch_kernels.h"
 

@@ -83,7 +83,7 @@ HWY_INLINE void axis_sums(D d, const Patch& patch, const Real* from, Real& inner
     below_total = pairwise_total(d, below);
 }
 
-HWY_INLINE PatchSums sums_in(const Patch& patch) {
+PatchSums sums_of(const Patch& patch) {
     PatchSums sums;
     const Real* const from[3] = {patch.x, patch.y, patch.z};
     for (int axis = 0; axis < 3; ++axis) {
@@ -92,8 +92,6 @@ HWY_INLINE PatchSums sums_in(const Patch& patch) {
     }
     return sums;
 }
-
-PatchSums sums_of(const Patch& patch) { return sums_in(patch); }
 
 /// Of `count` centres together, so that particles are loaded once for all of them.
 template <int count, class D>
@@ -201,26 +199,6 @@ Real centroid_sphere_of(const Patch& patch, Vec3& centre) {
     return square;
 }
 
-void bounding_box_of(const Patch& patch, Real low[3], Real high[3]) {
-    with_vectors_for(patch.columns, [&](auto d) HWY_ATTR {
-        const Real* const from[3] = {patch.x, patch.y, patch.z};
-        using V = hn::Vec<decltype(d)>;
-        V least[3], most[3];
-        for (int axis = 0; axis < 3; ++axis) least[axis] = most[axis] = hn::LoadU(d, from[axis]);
-        for_each_vector(d, patch, [&](int i, int j) HWY_ATTR {
-            for (int axis = 0; axis < 3; ++axis) {
-                const V value = loaded_once(hn::LoadU(d, from[axis] + j * patch.stride + i));
-                least[axis] = hn::Min(least[axis], value);
-                most[axis] = hn::Max(most[axis], value);
-            }
-        });
-        for (int axis = 0; axis < 3; ++axis) {
-            low[axis] = smallest_lane(d, least[axis]);
-            high[axis] = largest_lane(d, most[axis]);
-        }
-    });
-}
-
 Real largest_displacement_square_of(const Patch& now, const Patch& before) {
     Real largest = 0;
     with_vectors_for(now.columns, [&](auto d) HWY_ATTR {
@@ -246,7 +224,6 @@ namespace drape::kernels {
 HWY_EXPORT(sums_of);
 HWY_EXPORT(centroid_sphere_of);
 HWY_EXPORT(raise_to_farthest_of);
-HWY_EXPORT(bounding_box_of);
 HWY_EXPORT(largest_displacement_square_of);
 
 PatchSums sums(const Patch& patch) { return HWY_DYNAMIC_DISPATCH(sums_of)(patch); }
@@ -257,10 +234,6 @@ void raise_to_farthest(const Patch& patch, const Vec3* centres, int count, Real*
 
 Real centroid_sphere(const Patch& patch, Vec3& centre) {
     return HWY_DYNAMIC_DISPATCH(centroid_sphere_of)(patch, centre);
-}
-
-void bounding_box(const Patch& patch, Real low[3], Real high[3]) {
-    HWY_DYNAMIC_DISPATCH(bounding_box_of)(patch, low, high);
 }
 
 Real largest_displacement_square(const Patch& now, const Patch& before) {

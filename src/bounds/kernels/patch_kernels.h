@@ -1,8 +1,9 @@
 #pragma once
 
-#include <span>
+#include <array>
+#include <cstddef>
 
-#include "drape/bounds/bounding_volume.h"
+#include "drape/bounds/obb.h"
 
 /// Loops over the particles of a patch, vectorised for several generations of processors, of which the best that there
 /// is gets chosen at run time. Smallest and largest values are exact in any order, and sums run in an order that does
@@ -34,6 +35,27 @@ Real centroid_sphere(const Patch& patch, Vec3& centre);
 
 /// Smallest and largest coordinates.
 void bounding_box(const Patch& patch, Real low[3], Real high[3]);
+
+/// The same along the directions of a k-DOP, `dop_numbers<2 * slabs>`, by sums alone.
+/// @param low, high receive `slabs` each
+void dop_extents(const Patch& patch, int slabs, Real* low, Real* high);
+
+/// The same along three directions, measured from a point.
+/// @param low, high receive 3 each
+void extents_along(const Patch& patch, const Vec3& origin, const BoxAxes& axes, Real* low, Real* high);
+
+/// The index of a particle in the arrays of a patch. Of several that are equally far out, the first counts.
+using ParticleIndex = std::ptrdiff_t;
+
+/// The particle that is farthest from a point.
+ParticleIndex farthest_particle(const Patch& patch, const Vec3& from);
+
+struct Extremes {
+    ParticleIndex low, high;
+};
+
+/// The particles at both ends along a direction.
+Extremes extreme_particles(const Patch& patch, const std::array<int, 3>& direction);
 
 /// The largest squared distance between the particles of two patches of the same shape.
 Real largest_displacement_square(const Patch& now, const Patch& before);

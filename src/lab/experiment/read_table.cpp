@@ -5,8 +5,8 @@
 
 #include "case_selection.h"
 #include "drape/base/input_error.h"
+#include "drape/base/input_file.h"
 #include "drape/base/numbers.h"
-#include "drape/base/read_line.h"
 #include "experiment_table.h"
 
 namespace drape {

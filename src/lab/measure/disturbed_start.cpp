@@ -3,7 +3,7 @@
 #include <cmath>
 #include <random>
 
-#include "drape/base/even_draw.h"
+#include "drape/base/exact_math.h"
 
 namespace drape {
 

@@ -1,4 +1,4 @@
-#include "render/picture_box.h"
+#include "render/picture_target.h"
 
 #include <gtest/gtest.h>
 

@@ -1,0 +1,52 @@
+#include "drape/base/run_program.h"
+
+#include <fcntl.h>
+#include <unistd.h>
+
+#include <algorithm>
+#include <csignal>
+#include <iostream>
+#include <new>
+
+#include "drape/base/input_error.h"
+
+namespace drape {
+namespace {
+
+/// Opens standard input, output and error where they were closed at the start: the next files to be opened would get
+/// their numbers, and whatever is printed would go into those. What is written there fails, as it did.
+void keep_standard_streams_apart() {
+    // The lowest free number is given out first
+    for (int opened = 0; opened >= 0 && opened <= STDERR_FILENO;) {
+        opened = open("/dev/null", O_RDONLY);
+        if (opened > STDERR_FILENO) close(opened);
+    }
+}
+
+}  // namespace
+
+void print_error(const std::string& name, std::string_view message) {
+    const std::size_t end = std::min(message.find('\n'), message.size());
+    std::cerr << name << ": " << one_line(message.substr(0, end)) << "\n";
+    if (end < message.size()) std::cerr << one_line(message.substr(end + 1)) << "\n";
+}
+
+int run_program(const std::string& name, int argc, char** argv, int (*run)(int, char**)) {
+    keep_standard_streams_apart();
+    std::signal(SIGXFSZ, SIG_IGN);
+    try {
+        const int exit_code = run(argc, argv);
+        if (exit_code == Done && !std::cout.flush()) throw RunError("standard output could not be written whole");
+        return exit_code;
+    } catch (const InputError& error) {
+        print_error(name, error.what());
+        return BadInput;
+    } catch (const std::bad_alloc&) {
+        print_error(name, "out of memory");
+    } catch (const std::exception& error) {
+        print_error(name, error.what());
+    }
+    return Failed;
+}
+
+}  // namespace drape
