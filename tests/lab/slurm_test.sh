@@ -3,7 +3,7 @@
 # computed must merge into the table of a single run.
 # usage: slurm_test.sh DRAPE_LAB DOCS/LAB.MD     exit code 77: there is no Slurm here, or its daemons may not be started
 set -eu
-lab=$1 page=$2 shares=3
+lab=$(realpath "$1") page=$(realpath "$2") shares=3
 selection="--quick --cases 157-162"
 for program in munged slurmctld slurmd sbatch scontrol; do
   PATH=$PATH:/usr/sbin command -v $program >/dev/null || { echo "there is no $program"; exit 77; }
