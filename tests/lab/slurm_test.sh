@@ -70,6 +70,7 @@ MpiDefault=none
 NodeName=$(hostname -s) NodeAddr=127.0.0.1 CPUs=$(nproc)
 PartitionName=all Nodes=ALL Default=YES MaxTime=60 State=UP
 END
+echo "CgroupPlugin=cgroup/v1" > cgroup.conf  # touches none where no plugin asks: a container may have none
 export SLURM_CONF=$folder/slurm.conf
 slurmctld -D -c > slurmctld.log 2>&1 &
 daemons+=($!)
