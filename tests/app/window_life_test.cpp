@@ -2,10 +2,10 @@
 
 #include <csignal>
 #include <fstream>
-#include <utility>
 
 #include "app/window_fixture.h"
 #include "drape/base/numbers.h"
+#include "drape/base/stopwatch.h"
 
 namespace drape {
 namespace {
@@ -14,7 +14,6 @@ using test::eventually;
 using test::Process;
 using test::program;
 using test::read_file;
-using test::sleep_for;
 using test::WindowTest;
 
 std::string last_line(const std::string& text) {
@@ -135,17 +134,41 @@ TEST_F(WindowTest, PicturesDoNotOverwriteOneAnother) {
     quit();
 }
 
+// What a program does while its first thread goes to sleep some times.
+struct Turns {
+    double processor;  // s
+    double time;       // s
+};
+
+constexpr int turns_watched = 60;
+
+Turns watch_turns(const Process& process) {
+    const Stopwatch watch;
+    const long long sleeps = process.sleeps();
+    const double before = process.processor_time();
+    EXPECT_TRUE(eventually([&] { return process.sleeps() >= sleeps + turns_watched; })) << "it never sleeps";
+    return {process.processor_time() - before, watch.seconds()};
+}
+
 TEST_F(WindowTest, PausedItRests) {
-    start({"hang"});
+    start({"hang", "--set", "solver.sleep_speed=0", "view.bounds=true"});
+    desktop_.key("v");
+    ASSERT_TRUE(recorded("next wind.on"));
+    const Turns running = watch_turns(*drape_);
     desktop_.key("p");
     ASSERT_TRUE(recorded("pause"));
-    // Half a second in which it hardly computes
-    double before = drape_->processor_time();
-    EXPECT_TRUE(eventually([&] {
-        sleep_for(0.5);
-        const double used = drape_->processor_time() - std::exchange(before, drape_->processor_time());
-        return used < 0.1;
-    }));
+    // It may draw a little longer. Both figures are as good on a busy machine: one counts no waiting, the other is a
+    // least time.
+    constexpr int most_watches = 10;
+    constexpr double most_turns = 200;  // in a second
+    Turns paused{};
+    bool rests = false;
+    for (int watch = 0; watch < most_watches && !rests && !HasFailure(); ++watch) {
+        paused = watch_turns(*drape_);
+        rests = paused.processor < running.processor / 4 && paused.time > turns_watched / most_turns;
+    }
+    EXPECT_TRUE(rests) << turns_watched << " turns take " << paused.processor << " s of processor time in "
+                       << paused.time << " s, and " << running.processor << " s while it runs";
     quit();
 }
 

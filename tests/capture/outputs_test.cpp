@@ -163,6 +163,35 @@ TEST(CaptureFrames, AreWrittenByOneRunAtATime) {
     EXPECT_THAT(folder.names("a"), ElementsAre("frame_0001.png"));
 }
 
+/// The one line that tells of a frame that could not be written, after those that count the pictures.
+::testing::Matcher<const std::string&> tells_of_frames(const std::string& frame, const std::string& reason,
+                                                       const std::string& last) {
+    return ::testing::MatchesRegex("([0-9]+ of [0-9]+ pictures\n)*drape-capture: " + frame +
+                                   "\\.png: cannot be written: " + reason + "; the last good frame is " + last +
+                                   "\\.png\n");
+}
+
+TEST(CaptureFrames, EndTheRunAtTheFirstThatCannotBeWritten) {
+    const TestFolder folder;
+    fs::create_directories(folder / "a/frame_0005.png");  // no file can take this name
+    const Words words = small({"--frames", "100", "--again", "--out", folder / "a"});
+    const Outcome outcome = run_program("drape-capture", words);
+    EXPECT_EQ(outcome.exit_code, 1);
+    EXPECT_THAT(outcome.err, tells_of_frames(folder / "a/frame_0005", "it is a folder", folder / "a/frame_0004"));
+    EXPECT_THAT(folder.names("a"),
+                ElementsAre("frame_0001.png", "frame_0002.png", "frame_0003.png", "frame_0004.png", "frame_0005.png"));
+}
+
+TEST(CaptureFrames, EndTheRunWhereTheirFolderGoesAway) {
+    const TestFolder folder;
+    Running run(folder, small({"--frames", "100000", "--out", "a"}));
+    ASSERT_TRUE(eventually([&] { return fs::exists(folder / "a/frame_000002.png"); }));
+    fs::rename(folder / "a", folder / "b");
+    EXPECT_EQ(run->wait(60), 1);
+    EXPECT_THAT(run->standard_error(), tells_of_frames("a/frame_[0-9]*", ".*", "a/frame_[0-9]*"));
+    EXPECT_THAT(folder.names("b"), Not(Contains(HasSubstr(".drape-")))) << "a part of a picture was left behind";
+}
+
 TEST(CaptureSignals, AreSeenBetweenTwoStepsOfALongFrame) {
     for (const int signal : {SIGINT, SIGTERM, SIGHUP}) {
         const TestFolder folder;

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <array>
+#include <regex>
 
 #include "faults/fault.h"
 #include "support/process.h"
@@ -34,6 +35,28 @@ bool may_mount(const Trial& trial) {
     return trial.run("mkdir -p disk && unshare -m mount -t tmpfs -o size=64k full disk").code == 0;
 }
 
+void fill_disk_between_frames(Trial& trial, int count) {
+    for (int k = 0; k < count; ++k) {
+        // More than the file by which the program tries its folder, and less than all frames
+        const int size = 260 + static_cast<int>(trial.random() * 400);  // KiB
+        const Outcome outcome =
+            trial.run("exec unshare -m bash -c 'mount -t tmpfs -o size=" + std::to_string(size) +
+                      "k full disk; $CAPTURE drop --frames 300 --size 160x90 --out disk/frames; code=$?; mkdir -p "
+                      "kept; cp -r disk/. kept; exit $code'");
+        const std::regex told(
+            "(?:[0-9]+ of [0-9]+ pictures\n)*drape-capture: disk/frames/frame_[0-9]+\\.png: [^\n]*No space left on "
+            "device; the last good frame is disk/(frames/frame_[0-9]+\\.png)\n");
+        std::smatch found;
+        const bool names_frames = std::regex_match(outcome.err, found, told);
+        trial.check(outcome.code == 1 && names_frames,
+                    "a disk of " + std::to_string(size) + " KiB, full after some frames", outcome);
+        trial.check(frames_are_whole(trial.path("kept/frames")), "every frame is whole", outcome);
+        trial.check(names_frames && fs::exists(trial.path("kept") / found[1].str()), "the last good frame is there",
+                    outcome);
+        trial.remove("kept");
+    }
+}
+
 }  // namespace
 
 void fill_disk(Trial& trial, int count) {
@@ -63,6 +86,7 @@ void fill_disk(Trial& trial, int count) {
         trial.check(frames_are_whole(trial.path("kept/frames")), "every frame is whole", outcome);
         trial.remove("kept");
     }
+    fill_disk_between_frames(trial, (count + 1) / 2);
 }
 
 void write_where_nobody_may(Trial& trial, int /*count*/) {

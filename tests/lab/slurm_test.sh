@@ -3,7 +3,7 @@
 # computed must merge into the table of a single run.
 # usage: slurm_test.sh DRAPE_LAB DOCS/LAB.MD     exit code 77: there is no Slurm here, or its daemons may not be started
 set -eu
-lab=$1 page=$2 shares=3
+lab=$(realpath "$1") page=$(realpath "$2") shares=3
 selection="--quick --cases 157-162"
 for program in munged slurmctld slurmd sbatch scontrol; do
   PATH=$PATH:/usr/sbin command -v $program >/dev/null || { echo "there is no $program"; exit 77; }
@@ -70,6 +70,7 @@ MpiDefault=none
 NodeName=$(hostname -s) NodeAddr=127.0.0.1 CPUs=$(nproc)
 PartitionName=all Nodes=ALL Default=YES MaxTime=60 State=UP
 END
+echo "CgroupPlugin=cgroup/v1" > cgroup.conf  # touches none where no plugin asks: a container may have none
 export SLURM_CONF=$folder/slurm.conf
 slurmctld -D -c > slurmctld.log 2>&1 &
 daemons+=($!)

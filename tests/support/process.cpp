@@ -89,6 +89,13 @@ double Process::processor_time() const {
     return (user + system) / static_cast<double>(sysconf(_SC_CLK_TCK));
 }
 
+long long Process::sleeps() const {
+    const std::string text = read_file("/proc/" + std::to_string(id_) + "/status"),
+                      title = "\nvoluntary_ctxt_switches:";
+    const std::size_t found = text.find(title);
+    return found == std::string::npos ? 0 : std::atoll(text.c_str() + found + title.size());
+}
+
 std::string read_file(const std::filesystem::path& file) {
     std::ifstream in(file);
     std::ostringstream text;

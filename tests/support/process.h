@@ -35,6 +35,9 @@ public:
     /// Processor time used so far [s].
     [[nodiscard]] double processor_time() const;
 
+    /// How often its first thread has gone to sleep by itself so far.
+    [[nodiscard]] long long sleeps() const;
+
 private:
     std::filesystem::path folder_;
     pid_t id_ = -1;
