@@ -33,7 +33,7 @@ RestSheet rest_sheet(int side, SpringLaw structural, SpringLaw shear, SpringLaw 
 /// A K + b D of the free particles by mass, as a matrix.
 Eigen::MatrixXd dense(const RestSheet& sheet, Real a, Real b) {
     const int n = sheet.model.grid.particles();
-    Jacobian slopes(sheet.model.grid, Hessian::Clamped);
+    Jacobian slopes(sheet.model.grid, Hessian::Clamped, Kernels::Vector);
     slopes.linearise(sheet.model, sheet.state.x, sheet.state.v);
     Eigen::MatrixXd matrix(3 * n, 3 * n);
     for (Eigen::Index column = 0; column < matrix.cols(); ++column) {
