@@ -24,7 +24,7 @@ MotionSums sum_motion(const ClothState& state);
 /// - a twentieth of what lifting the cloth by its width and height takes, and
 /// - a tenth of the energy in motion and springs, at the most since that moment: that of a symplectic method swings
 ///   about a mean that stays.
-/// An excess above both heats the cloth: what it shows has been made by the method. Energy that a method takes is never
+/// A cloth with an excess above both has gained energy from its integrator. Energy that a method takes is never
 /// wrong here, for that is how implicit ones are stable.
 ///
 /// The sums of every substep give the energy but for the springs'; those are summed, at the cost of a force evaluation,
