@@ -74,7 +74,8 @@ TEST(Kernels, ArePlainWhereTheMethodIsToldSo) {
 }
 
 TEST(PlainCore, GivesTheStepLimitOfTheKernels) {
-    const ClothParameters parameters{.particles = {70, 9}};
+    ClothParameters parameters;
+    parameters.particles = {70, 9};
     const ClothModel model = make_cloth_model(parameters);
     const ClothState state = make_rest_state(parameters);
     const Real plain = predicted_limit(model, state, IntegratorKind::SymplecticEuler, Kernels::Plain).step;
