@@ -65,30 +65,39 @@ Real push_out(const ClothModel& model, Real radius, const Contact& contact, Poin
     return distance;
 }
 
-/// Sweeps of push_out: each contact sees the particles that its neighbours have moved.
+/// How far particles have been moved since the contacts were found.
+enum class Moved { Not, Little, Far };
+
+/// Finds a contact again where particles may have moved.
+void refresh(const Points& x, const Ball& ball, Real thickness, Moved moved, Contact& contact) {
+    if (moved == Moved::Far) locate(x, ball, thickness, contact);
+    if (moved == Moved::Little) follow(x, ball, thickness, contact);
+}
+
+/// One sweep of push_out: each contact sees the particles that its neighbours have moved.
+/// @return whether any contact had to be corrected
+bool push_all_out(const ClothModel& model, Real thickness, std::span<const Ball> balls, Moved& moved,
+                  std::vector<Contact>& contacts, Points& x) {
+    bool corrected = false;
+    for (Contact& contact : contacts) {
+        const Ball& ball = ball_of(contact, balls);
+        refresh(x, ball, thickness, moved, contact);
+        const Real distance = push_out(model, ball.radius, contact, x);
+        corrected = corrected || distance > 0;
+        if (distance > 0) moved = std::max(moved, Moved::Little);
+        if (distance > short_push * ball.radius) moved = Moved::Far;
+    }
+    return corrected;
+}
+
+/// Pushes all contacts out, and finds them where they are then.
 void separate(const ClothModel& model, Real thickness, std::span<const Ball> balls, std::vector<Contact>& contacts,
               Points& x) {
-    bool moved = false, moved_far = false;  // contacts are fresh until the first particle moves
-    bool corrected = true;
-    const auto refresh = [&](Contact& contact) {
-        if (moved_far) {
-            locate(x, ball_of(contact, balls), thickness, contact);
-        } else if (moved) {
-            follow(x, ball_of(contact, balls), thickness, contact);
-        }
-    };
-    for (int sweep = 0; sweep < position_sweeps && corrected; ++sweep) {
-        corrected = false;
-        for (Contact& contact : contacts) {
-            refresh(contact);
-            const Real radius = ball_of(contact, balls).radius;
-            const Real distance = push_out(model, radius, contact, x);
-            corrected = corrected || distance > 0;
-            moved = moved || corrected;
-            moved_far = moved_far || distance > short_push * radius;
-        }
+    Moved moved = Moved::Not;
+    for (int sweep = 0; sweep < position_sweeps; ++sweep) {
+        if (!push_all_out(model, thickness, balls, moved, contacts, x)) break;
     }
-    for (Contact& contact : contacts) refresh(contact);
+    for (Contact& contact : contacts) refresh(x, ball_of(contact, balls), thickness, moved, contact);
 }
 
 /// The speed along the normal at which one contact is to leave: that of the ball, and of a fast approach as much as the

@@ -4,7 +4,7 @@
 
 namespace drape {
 
-SearchAudit::SearchAudit(const Grid& grid) : grid_(grid) {
+SearchAudit::SearchAudit(const Grid& grid, Kernels kernels) : grid_(grid), kernels_(kernels) {
     list_all_cells(grid, cells_);
     triangles_.reserve(static_cast<std::size_t>(grid.triangles()));
     contacts_.reserve(static_cast<std::size_t>(grid.triangles()));
@@ -12,7 +12,7 @@ SearchAudit::SearchAudit(const Grid& grid) : grid_(grid) {
 
 std::int64_t SearchAudit::false_contacts(const Points& x, const Ball& ball, Real thickness,
                                          std::span<const StoppedNode> nodes) {
-    find_touched_triangles(grid_, x, ball, thickness, cells_, triangles_);
+    find_touched_triangles(grid_, x, ball, thickness, cells_, triangles_, kernels_);
     const auto touches = [&](const StoppedNode& node) {
         const Real radii = ball.radius + thickness + node.sphere.radius;
         return (node.sphere.centre - ball.centre).squaredNorm() < radii * radii;
@@ -28,7 +28,7 @@ std::int64_t SearchAudit::false_contacts(const Points& x, const Ball& ball, Real
 
 Real SearchAudit::penetration(const Points& x, std::span<const Ball> balls, Real thickness) {
     contacts_.clear();
-    for (const Ball& ball : balls) find_contacts(grid_, x, ball, 0, thickness, cells_, contacts_);
+    for (const Ball& ball : balls) find_contacts(grid_, x, ball, 0, thickness, cells_, contacts_, kernels_);
     Real deepest = 0;
     for (const Contact& contact : contacts_) deepest = std::max(deepest, contact.depth);
     return deepest;

@@ -16,8 +16,8 @@ public:
           r_(grid.particles(), 3),
           dv_(grid.particles(), 3) {}
 
-    SolveReport step(const ClothModel& model, ClothState& state, Real h) override {
-        forces_.compute(model, state.x, state.v, r_);
+    SolveReport step(const ClothModel& model, ClothState& state, Real h, EnergyFlow* start) override {
+        forces_.compute(model, state.x, state.v, r_, start);
         system_.linearise(model, state.x, state.v);
         system_.add_stiffness(-h, state.v, r_);
         r_ *= h;

@@ -26,7 +26,7 @@ public:
           r_(grid.particles(), 3),
           dv_(grid.particles(), 3) {}
 
-    SolveReport step(const ClothModel& model, ClothState& state, Real h) override {
+    SolveReport step(const ClothModel& model, ClothState& state, Real h, EnergyFlow* start) override {
         const bool goes_on = h == h_ && model.revision == revision_ && state.x == left_.x && state.v == left_.v;
         h_ = h;
         revision_ = model.revision;
@@ -38,7 +38,7 @@ public:
         } else {
             dx_ = s * state.v;
         }
-        forces_.compute(model, state.x, state.v, r_);
+        forces_.compute(model, state.x, state.v, r_, start);
         system_.linearise(model, state.x, state.v);
         system_.add_stiffness(-1, dx_, r_);
         r_ *= s;

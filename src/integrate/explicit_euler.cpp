@@ -11,8 +11,8 @@ public:
     ExplicitEuler(const IntegratorParameters& parameters, const Grid& grid)
         : forces_(grid, parameters.kernels, parameters.threads) {}
 
-    SolveReport step(const ClothModel& model, ClothState& state, Real h) override {
-        forces_(model, state.x, state.v, [&](const ForceRun& run) {
+    SolveReport step(const ClothModel& model, ClothState& state, Real h, EnergyFlow* start) override {
+        forces_(model, state.x, state.v, start, [&](const ForceRun& run) {
             run.add(h, state.v, state.x);
             run.add_accelerations(h, state.v);
         });

@@ -23,7 +23,7 @@ struct Mode {
 class ModeSearch {
 public:
     /// Starts at a random vector, always the same.
-    ModeSearch(const ClothModel& model, const ClothState& state);
+    ModeSearch(const ClothModel& model, const ClothState& state, Kernels kernels);
 
     /// Goes on from the vector that was found last, with a little noise; ends after `turns`, or when the turns no
     /// longer gain anything.

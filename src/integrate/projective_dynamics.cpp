@@ -19,6 +19,7 @@ class ProjectiveDynamics final : public Integrator {
 public:
     ProjectiveDynamics(const IntegratorParameters& parameters, const Grid& grid)
         : iterations_(parameters.iterations),
+          kernels_(parameters.kernels),
           inertial_(grid, parameters.kernels),
           dampers_(grid, parameters.kernels),
           forces_(grid, parameters.kernels),
@@ -27,7 +28,8 @@ public:
           guess_(grid.particles(), 3),
           r_(grid.particles(), 3) {}
 
-    SolveReport step(const ClothModel& model, ClothState& state, Real h) override {
+    SolveReport step(const ClothModel& model, ClothState& state, Real h, EnergyFlow* start) override {
+        if (start != nullptr) *start = compute_energy_flow(model, state.x, state.v, start_, kernels_);
         global_.prepare(model, h);
         elastic_ = model;
         elastic_.structural.damping = elastic_.shear.damping = elastic_.bend.damping = 0;
@@ -70,6 +72,7 @@ private:
     }
 
     int iterations_;
+    Kernels kernels_;
     InertialGuess inertial_;
     SpringPasses dampers_;
     ForceSweep forces_;

@@ -17,12 +17,12 @@ public:
           x_sum_(x_),
           v_sum_(x_) {}
 
-    SolveReport step(const ClothModel& model, ClothState& state, Real h) override {
+    SolveReport step(const ClothModel& model, ClothState& state, Real h, EnergyFlow* start) override {
         x_ = state.x;
         v_ = state.v;
         x_sum_.setZero();
         v_sum_.setZero();
-        stage(model, state, 1, h / 2);
+        stage(model, state, 1, h / 2, start);
         stage(model, state, 2, h / 2);
         stage(model, state, 2, h);
         stage(model, state, 1, 0);
@@ -33,8 +33,8 @@ public:
 
 private:
     /// Adds k = y'(x_, v_) with its weight, and moves (x_, v_) to the start + `time` k.
-    void stage(const ClothModel& model, const ClothState& start, Real weight, Real time) {
-        forces_(model, x_, v_, [&](const ForceRun& run) {
+    void stage(const ClothModel& model, const ClothState& start, Real weight, Real time, EnergyFlow* flow = nullptr) {
+        forces_(model, x_, v_, flow, [&](const ForceRun& run) {
             run.add(weight, v_, x_sum_);
             run.add_accelerations(weight, v_sum_);
             run.of(x_) = run.of(start.x) + time * run.of(v_);

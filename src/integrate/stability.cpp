@@ -94,7 +94,7 @@ bool damped_alike(const ClothModel& model) {
 
 /// The piece of a large cloth in which vibrations have the shortest limit, as far as a glance tells: that of symplectic
 /// Euler, which falls with stiffness and with damping.
-Piece critical_piece(const ClothModel& model, const ClothState& state) {
+Piece critical_piece(const ClothModel& model, const ClothState& state, Kernels kernels) {
     constexpr int glance = 4;
     const bool alike = damped_alike(model);
     std::array<int, 2> critical{};
@@ -102,7 +102,7 @@ Piece critical_piece(const ClothModel& model, const ClothState& state) {
     for (int row = 0; row < pieces(model.grid.ny); ++row) {
         for (int column = 0; column < pieces(model.grid.nx); ++column) {
             const Piece piece = cut_out(model, state, column, row);
-            ModeSearch search(piece.model, piece.state);
+            ModeSearch search(piece.model, piece.state, kernels);
             const Real stiffness = search.maximise(1, 0, glance), damping = alike ? 0 : search.maximise(0, 1, glance);
             const Real step = longest_step(IntegratorKind::SymplecticEuler, stiffness, damping);
             if (step < shortest) shortest = step, critical = {column, row};
@@ -126,8 +126,8 @@ std::string_view formula_of(IntegratorKind kind) {
     }
 }
 
-StepLimit limit_of(const ClothModel& model, const ClothState& state, IntegratorKind kind) {
-    ModeSearch search(model, state);
+StepLimit limit_of(const ClothModel& model, const ClothState& state, IntegratorKind kind, Kernels kernels) {
+    ModeSearch search(model, state, kernels);
     const auto limit = least_limit(
         search, static_cast<double>(model.drag / model.particle_mass),
         [kind](double k, double d) { return longest(kind, k, d); },
@@ -148,11 +148,11 @@ Real longest_step(IntegratorKind kind, Real k, Real d) {
     return static_cast<Real>(longest(kind, static_cast<double>(k), static_cast<double>(d)));
 }
 
-StepLimit predicted_limit(const ClothModel& model, const ClothState& state, IntegratorKind kind) {
+StepLimit predicted_limit(const ClothModel& model, const ClothState& state, IntegratorKind kind, Kernels kernels) {
     if (!has_step_limit(kind)) return {.step = std::numeric_limits<Real>::infinity(), .formula = formula_of(kind)};
-    if (pieces(model.grid.nx) * pieces(model.grid.ny) == 1) return limit_of(model, state, kind);
-    const Piece piece = critical_piece(model, state);
-    return limit_of(piece.model, piece.state, kind);
+    if (pieces(model.grid.nx) * pieces(model.grid.ny) == 1) return limit_of(model, state, kind, kernels);
+    const Piece piece = critical_piece(model, state, kernels);
+    return limit_of(piece.model, piece.state, kind, kernels);
 }
 
 }  // namespace drape

@@ -41,7 +41,8 @@ TrialEnd try_step(const ClothModel& model, ClothState start, const IntegratorPar
                   const Trial& trial) {
     constexpr int between_looks = 25;
     const Points home = start.x;
-    const double most = static_cast<double>(energy_to_fail(model)), limit = compute_energy(model, start).total() + most;
+    const double most = static_cast<double>(energy_to_fail(model)),
+                 limit = compute_energy(model, start, parameters.kernels).total() + most;
     const Real reach = 2 * diagonal(model);
     add_noise(model, trial, start);
     const auto integrator = make_integrator(parameters, model.grid);
@@ -49,7 +50,7 @@ TrialEnd try_step(const ClothModel& model, ClothState start, const IntegratorPar
     for (int n = 1; n <= trial.steps; ++n) {
         integrator->step(model, start, step);
         if (n % between_looks != 0 && n != trial.steps) continue;
-        const Energy energy = compute_energy(model, start);
+        const Energy energy = compute_energy(model, start, parameters.kernels);
         if (!std::isfinite(energy.total()) || !start.x.allFinite()) return TrialEnd::NotFinite;
         rose = rose || energy.total() > limit;
         if (rose && energy.kinetic > most) return TrialEnd::EnergyRose;
@@ -88,11 +89,11 @@ Real measured_limit(const ClothModel& model, const ClothState& start, const Inte
 }
 
 Real observable_limit_of_explicit_euler(const ClothModel& model, const ClothState& start, Real omega, Real zeta,
-                                        const Trial& trial) {
+                                        Kernels kernels, const Trial& trial) {
     if (zeta > 1) return longest_step(IntegratorKind::ExplicitEuler, omega * omega, 2 * zeta * omega);
     ClothState noisy = start;
     add_noise(model, trial, noisy);
-    const double noise = compute_energy(model, noisy).spring - compute_energy(model, start).spring;
+    const double noise = compute_energy(model, noisy, kernels).spring - compute_energy(model, start, kernels).spring;
     const double gain = static_cast<double>(energy_to_fail(model)) / noise;
     const auto growth = static_cast<Real>(exponential_less_one(natural_log(gain) / trial.steps));
     const Real k = omega * omega, d = 2 * zeta * omega;

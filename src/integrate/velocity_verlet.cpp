@@ -11,8 +11,8 @@ public:
     VelocityVerlet(const IntegratorParameters& parameters, const Grid& grid)
         : forces_(grid, parameters.kernels, parameters.threads), a_(grid.particles(), 3), v_guess_(a_) {}
 
-    SolveReport step(const ClothModel& model, ClothState& state, Real h) override {
-        forces_(model, state.x, state.v, [&](const ForceRun& run) {
+    SolveReport step(const ClothModel& model, ClothState& state, Real h, EnergyFlow* start) override {
+        forces_(model, state.x, state.v, start, [&](const ForceRun& run) {
             run.of(a_) = run.accelerations();
             run.of(state.x) += h * run.of(state.v) + (h * h / 2) * run.of(a_);
             run.of(v_guess_) = run.of(state.v) + h * run.of(a_);

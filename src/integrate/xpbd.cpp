@@ -14,11 +14,13 @@ class Xpbd final : public Integrator {
 public:
     Xpbd(const IntegratorParameters& parameters, const Grid& grid)
         : iterations_(parameters.iterations),
+          kernels_(parameters.kernels),
           guess_(grid, parameters.kernels),
           passes_(grid, parameters.kernels),
           start_(grid.particles(), 3) {}
 
-    SolveReport step(const ClothModel& model, ClothState& state, Real h) override {
+    SolveReport step(const ClothModel& model, ClothState& state, Real h, EnergyFlow* start) override {
+        if (start != nullptr) *start = compute_energy_flow(model, state.x, state.v, start_, kernels_);
         start_ = state.x;
         guess_.advance(model, state, h);
         passes_.begin(model, h);
@@ -30,6 +32,7 @@ public:
 
 private:
     int iterations_;
+    Kernels kernels_;
     InertialGuess guess_;
     SpringPasses passes_;
     Points start_;

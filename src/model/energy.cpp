@@ -16,60 +16,72 @@ double dot(const Points& f, const Points& v, Eigen::Index particle) {
     return static_cast<double>(f.row(particle).dot(v.row(particle)));
 }
 
-SpringSums sum_over_springs(const SpringStencil& springs, const Grid& grid, const Points& x, const Points& v) {
+/// @param first_ends of the springs
+SpringSums sum_over_springs(const SpringStencil& springs, const Grid& grid, const GridRange& first_ends,
+                            const Points& x, const Points& v) {
     SpringSums sums;
-    springs.for_each(grid, [&](int a, int b) {
-        const Vec3 d = x.row(a) - x.row(b), w = v.row(a) - v.row(b);
-        const auto length = static_cast<double>(d.norm());
-        sums.squared_elongations += square(length - static_cast<double>(springs.rest_length));
-        if (length > 0) sums.squared_closing_speeds += square(static_cast<double>(d.dot(w)) / length);
-    });
+    for (int j = first_ends.first_row; j < first_ends.end_row; ++j) {
+        for (int i = first_ends.first_column; i < first_ends.end_column; ++i) {
+            const int a = grid.particle(i, j), b = a + springs.offset(grid);
+            const Vec3 d = x.row(a) - x.row(b), w = v.row(a) - v.row(b);
+            const auto length = static_cast<double>(d.norm());
+            sums.squared_elongations += square(length - static_cast<double>(springs.rest_length));
+            if (length > 0) sums.squared_closing_speeds += square(static_cast<double>(d.dot(w)) / length);
+        }
+    }
     return sums;
 }
 
-/// @param power whose loss in springs and air is set on the way
-Energy compute_energy(const ClothModel& model, const ClothState& state, Kernels kernels, Power& power) {
-    const bool plain = kernels == Kernels::Plain;
-    const auto mass = static_cast<double>(model.particle_mass);
-    const double squared_speeds = plain ? state.v.cast<double>().squaredNorm() : kernels::sum_of_squares(state.v);
-    Energy energy;
-    energy.kinetic = mass / 2 * squared_speeds;
-    power.drag = static_cast<double>(model.drag) * squared_speeds;
-    for (int axis = 0; axis < 3; ++axis) {
-        const auto g = static_cast<double>(model.gravity[axis]);
-        if (g != 0) energy.gravity -= mass * g * state.x.col(axis).cast<double>().sum();
+ParticleSums sum_over_particles(const Grid& grid, const GridRange& range, const Points& x, const Points& v) {
+    ParticleSums sums;
+    for (int j = range.first_row; j < range.end_row; ++j) {
+        for (int i = range.first_column; i < range.end_column; ++i) {
+            sums.positions += x.row(grid.particle(i, j)).cast<double>().transpose();
+            sums.squared_speeds += v.row(grid.particle(i, j)).cast<double>().squaredNorm();
+        }
     }
-    for (const SpringStencil& springs : spring_stencils(model)) {
-        if (springs.law == SpringLaw{}) continue;
-        const SpringSums sums =
-            (plain ? sum_over_springs : kernels::sum_over_springs)(springs, model.grid, state.x, state.v);
-        energy.spring += static_cast<double>(springs.law.stiffness) / 2 * sums.squared_elongations;
-        power.damping += static_cast<double>(springs.law.damping) * sums.squared_closing_speeds;
-    }
-    return energy;
+    return sums;
 }
 
 }  // namespace
 
-Energy compute_energy(const ClothModel& model, const ClothState& state, Kernels kernels) {
-    Power power;
-    return compute_energy(model, state, kernels, power);
+EnergyFlow compute_energy_around(const ClothModel& model, const Points& x, const Points& v, const GridRange& range,
+                                 Kernels kernels) {
+    const bool plain = kernels == Kernels::Plain;
+    const auto mass = static_cast<double>(model.particle_mass);
+    const ParticleSums particles = (plain ? sum_over_particles : kernels::sum_over_particles)(model.grid, range, x, v);
+    EnergyFlow flow;
+    flow.energy.kinetic = mass / 2 * particles.squared_speeds;
+    flow.energy.gravity = -mass * model.gravity.cast<double>().dot(particles.positions);
+    flow.power.drag = static_cast<double>(model.drag) * particles.squared_speeds;
+    for (const SpringStencil& springs : spring_stencils(model)) {
+        if (springs.law == SpringLaw{}) continue;
+        const SpringSums sums = (plain ? sum_over_springs : kernels::sum_over_springs)(
+            springs, model.grid, springs.around(range, model.grid), x, v);
+        flow.energy.spring += static_cast<double>(springs.law.stiffness) / 2 * sums.squared_elongations;
+        flow.power.damping += static_cast<double>(springs.law.damping) * sums.squared_closing_speeds;
+    }
+    return flow;
 }
 
-EnergyFlow compute_energy_flow(const ClothModel& model, const ClothState& state, Points& wind, Kernels kernels) {
-    EnergyFlow flow;
+Energy compute_energy(const ClothModel& model, const ClothState& state, Kernels kernels) {
+    return compute_energy_around(model, state.x, state.v, whole(model.grid), kernels).energy;
+}
+
+EnergyFlow compute_energy_flow(const ClothModel& model, const Points& x, const Points& v, Points& wind,
+                               Kernels kernels) {
+    EnergyFlow flow = compute_energy_around(model, x, v, whole(model.grid), kernels);
     Power& power = flow.power;
-    flow.energy = compute_energy(model, state, kernels, power);
     const bool windy = model.air.density > 0;
     if (windy) {
         wind.setZero();
-        (kernels == Kernels::Plain ? add_wind_forces : kernels::add_wind_forces)(model, state.x, state.v, wind);
-        for (Eigen::Index p = 0; p < wind.rows(); ++p) power.wind += dot(wind, state.v, p);
+        (kernels == Kernels::Plain ? add_wind_forces : kernels::add_wind_forces)(model, x, v, wind);
+        for (Eigen::Index p = 0; p < wind.rows(); ++p) power.wind += dot(wind, v, p);
     }
     for (int p = 0; p < model.grid.particles(); ++p) {
-        if (!model.pinned(p) || state.v.row(p).isZero(0)) continue;
-        power.hand -= static_cast<double>(force_on(model, state, p).dot(state.v.row(p)));
-        if (windy) power.hand -= dot(wind, state.v, p);
+        if (!model.pinned(p) || v.row(p).isZero(0)) continue;
+        power.hand -= static_cast<double>(force_on(model, x, v, p).dot(v.row(p)));
+        if (windy) power.hand -= dot(wind, v, p);
     }
     return flow;
 }

@@ -13,12 +13,54 @@ double most_push_work(const ClothModel& model, Real squared_push) {
     return static_cast<double>(stiffness) * static_cast<double>(squared_push);
 }
 
+/// The smallest range that holds all corners of the contacts.
+GridRange range_of(std::span<const Contact> contacts, const Grid& grid) {
+    GridRange range{grid.nx, 0, grid.ny, 0};
+    for (const Contact& contact : contacts) {
+        for (const int corner : contact.corners) {
+            const int i = corner % grid.nx, j = corner / grid.nx;
+            range.first_column = std::min(range.first_column, i);
+            range.end_column = std::max(range.end_column, i + 1);
+            range.first_row = std::min(range.first_row, j);
+            range.end_row = std::max(range.end_row, j + 1);
+        }
+    }
+    return range;
+}
+
+/// What the contacts push the springs by, at the most [J].
+double most_push_work(const ClothModel& model, std::span<const Ball> balls, std::span<const Contact> contacts) {
+    double squared_push = 0;
+    for (const Contact& found : contacts) {
+        const auto push = static_cast<double>(push_of(found, balls[static_cast<std::size_t>(found.ball)].radius));
+        if (push > 0) squared_push += push * push;
+    }
+    return most_push_work(model, static_cast<Real>(squared_push));
+}
+
 }  // namespace
+
+void ClothEnergy::restart(const ClothModel& model, const ClothState& state, Kernels kernels) {
+    use(kernels);
+    watch_.restart(model, compute_energy(model, state, kernels));
+}
+
+EnergyFlow ClothEnergy::flow(const ClothModel& model, const ClothState& state) {
+    return compute_energy_flow(model, state.x, state.v, wind_, kernels_);
+}
 
 void ClothEnergy::keep_ledger(bool keep, const ClothModel& model, const ClothState& state) {
     if (keep == ledger_.has_value()) return;
     ledger_.reset();
-    if (keep) ledger_.emplace(model, state);
+    if (!keep) return;
+    wind_.resize(state.x.rows(), 3);
+    ledger_.emplace(flow(model, state));
+}
+
+void ClothEnergy::touch(const ClothModel& model, const ClothState& state) {
+    if (!ledger_) return;
+    if (ledger_->must_see()) ledger_->see(flow(model, state));
+    ledger_->touched();
 }
 
 void ClothEnergy::mark() {
@@ -29,16 +71,12 @@ void ClothEnergy::return_to_mark() {
     if (ledger_) ledger_->return_to_mark();
 }
 
-void ClothEnergy::before_integrator(const ClothModel& model, const ClothState& state) {
-    // Wind changes from substep to substep
-    if (ledger_) ledger_->begin(model, state, touched_ || model.air.density > 0);
-    touched_ = false;
-}
-
 void ClothEnergy::after_integrator(const ClothModel& model, const ClothState& state, const MotionSums& sums, Real h,
                                    int least_pause) {
-    watch_.look(model, state, sums, h, least_pause);
-    if (ledger_) ledger_->integrated(model, state, h);
+    if (watch_.look(model, sums, h, least_pause)) watch_.measure(compute_energy(model, state, kernels_));
+    if (!ledger_) return;
+    ledger_->see(start_);
+    ledger_->integrated(h);
 }
 
 /// What pushing stretches the springs by is the ball's work too. Mostly it is next to nothing, and a bound of it will
@@ -47,24 +85,33 @@ ResponseReport ClothEnergy::respond(const ClothModel& model, const ResponseParam
                                     std::span<const Ball> balls, Real h, std::vector<Contact>& contacts,
                                     ClothState& state) {
     if (contacts.empty()) return {};
-    double squared_push = 0;
-    for (const Contact& found : contacts) {
-        const auto push = static_cast<double>(push_of(found, balls[static_cast<std::size_t>(found.ball)].radius));
-        if (push > 0) squared_push += push * push;
-    }
-    const double push_work = most_push_work(model, static_cast<Real>(squared_push));
-    const bool measured = push_work > watch_.small_work();
-    const double before = measured ? compute_energy(model, state).total() : 0;
-
+    const double push_work = most_push_work(model, balls, contacts);
+    const bool measured = ledger_ || push_work > watch_.small_work();
+    const GridRange range = range_of(contacts, model.grid);
+    const auto look = [&] {
+        return measured ? compute_energy_around(model, state.x, state.v, range, kernels_) : EnergyFlow{};
+    };
+    const EnergyFlow before = look();
     const ResponseReport left = resolve_contacts(model, response, balls, h, contacts, state);
-    const double work = measured ? compute_energy(model, state).total() - before : left.ball_work + push_work;
-    watch_.give(std::max(work, 0.0));
-    if (ledger_) ledger_->responded(model, state, left.ball_work);
+    const EnergyFlow after = look();
+    const double work = after.energy.total() - before.energy.total();
+    watch_.give(std::max(push_work > watch_.small_work() ? work : left.ball_work + push_work, 0.0));
+    if (ledger_) ledger_->responded(before, after, left.ball_work);
     return left;
 }
 
-void ClothEnergy::stilled(const ClothModel& model, const ClothState& state) {
-    if (ledger_) ledger_->stilled(model, state);
+void ClothEnergy::still(const ClothModel& model, const ClothState& state) {
+    if (!ledger_) return;
+    ledger_->see(flow(model, state));
+    ledger_->integrated(0);
+}
+
+Energy ClothEnergy::energy(const ClothModel& model, const ClothState& state, EnergyBalance& balance) {
+    balance = EnergyBalance::unknown();
+    if (!ledger_) return compute_energy(model, state, kernels_);
+    const EnergyFlow now = flow(model, state);
+    balance = ledger_->balance(now);
+    return now.energy;
 }
 
 }  // namespace drape

@@ -12,7 +12,7 @@ void ContactSearch::use(const BroadPhaseParameters& parameters, const Grid& grid
     grid_ = grid;
     hierarchy_ = make_broad_phase(parameters, grid);
     audit_.reset();
-    if (!parameters.search.none()) audit_.emplace(grid);
+    if (!parameters.search.none()) audit_.emplace(grid, kernels_);
     build_from(x, {}, {});
 }
 

@@ -20,43 +20,48 @@ EnergyBalance& EnergyBalance::operator+=(const EnergyBalance& other) {
     return *this;
 }
 
-void EnergyLedger::look(const ClothModel& model, const ClothState& state) {
-    const EnergyFlow flow = compute_energy_flow(model, state, scratch_);
-    now_.energy = flow.energy.total();
-    now_.power = flow.power;
+void EnergyLedger::see(const EnergyFlow& now) { see(now, now_); }
+
+void EnergyLedger::see(const EnergyFlow& now, Book& book) {
+    const double change = now.energy.total() - book.seen.energy.total();
+    if (book.since == Since::Hand) book.balance.hand += change;
+    if (book.since == Since::Step) {
+        // Both ends of the step; the later one is before the contacts
+        const double half = book.h / 2;
+        const Power &first = book.seen.power, &last = now.power, &contact = book.contact_power;
+        const double wind = half * (first.wind + last.wind), hand = half * (first.hand + last.hand);
+        const double damping = half * (first.damping + last.damping - contact.damping);
+        const double drag = half * (first.drag + last.drag - contact.drag);
+        book.balance.wind += wind;
+        book.balance.hand += hand;
+        book.balance.damping += damping;
+        book.balance.drag += drag;
+        book.balance.integrator += wind + hand - damping - drag - (change - book.contact_energy);
+    }
+    book.seen = now;
+    book.since = Since::Nothing;
+    book.contact_energy = 0;
+    book.contact_power = {};
 }
 
-void EnergyLedger::begin(const ClothModel& model, const ClothState& state, bool touched) {
-    if (!touched) return;
-    const double before = now_.energy;
-    look(model, state);
-    now_.balance.hand += now_.energy - before;
+void EnergyLedger::integrated(Real h) {
+    now_.since = Since::Step;
+    now_.h = static_cast<double>(h);
 }
 
-void EnergyLedger::integrated(const ClothModel& model, const ClothState& state, Real h) {
-    const double before = now_.energy, half = static_cast<double>(h) / 2;
-    const Power first = now_.power;
-    look(model, state);
-    const double wind = half * (first.wind + now_.power.wind), hand = half * (first.hand + now_.power.hand);
-    const double damping = half * (first.damping + now_.power.damping), drag = half * (first.drag + now_.power.drag);
-    now_.balance.wind += wind;
-    now_.balance.hand += hand;
-    now_.balance.damping += damping;
-    now_.balance.drag += drag;
-    now_.balance.integrator += before - now_.energy + wind + hand - damping - drag;
-}
-
-void EnergyLedger::responded(const ClothModel& model, const ClothState& state, double ball_work) {
-    const double before = now_.energy;
-    look(model, state);
+void EnergyLedger::responded(const EnergyFlow& before, const EnergyFlow& after, double ball_work) {
+    const double change = after.energy.total() - before.energy.total();
     now_.balance.ball += ball_work;
-    now_.balance.contact += before - now_.energy + ball_work;
+    now_.balance.contact += ball_work - change;
+    now_.contact_energy += change;
+    now_.contact_power.damping += after.power.damping - before.power.damping;
+    now_.contact_power.drag += after.power.drag - before.power.drag;
 }
 
-void EnergyLedger::stilled(const ClothModel& model, const ClothState& state) {
-    const double before = now_.energy;
-    look(model, state);
-    now_.balance.integrator += before - now_.energy;
+EnergyBalance EnergyLedger::balance(const EnergyFlow& now) const {
+    Book book = now_;
+    see(now, book);
+    return book.balance;
 }
 
 }  // namespace drape

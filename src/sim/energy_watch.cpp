@@ -3,8 +3,6 @@
 #include <algorithm>
 #include <cmath>
 
-#include "drape/model/energy.h"
-
 namespace drape {
 namespace {
 
@@ -26,20 +24,18 @@ MotionSums sum_motion(const ClothState& state) {
     return {state.x.colwise().sum().transpose(), state.v.colwise().sum().transpose(), state.v.squaredNorm()};
 }
 
-void EnergyWatch::restart(const ClothModel& model, const ClothState& state) {
+void EnergyWatch::restart(const ClothModel& model, const Energy& energy) {
     const Grid& grid = model.grid;
     const Real size = model.hx * static_cast<Real>(grid.nx - 1) + model.hy * static_cast<Real>(grid.ny - 1);
     const Real weight = model.particle_mass * static_cast<Real>(grid.particles()) * model.gravity.norm();
     lift_ = static_cast<double>(weight * size);
-    const Energy energy = compute_energy(model, state);
     base_ = energy.total();
     peak_ = energy.kinetic + energy.spring;
     excess_ = waited_ = 0;
     substeps_ = 0;
 }
 
-void EnergyWatch::look(const ClothModel& model, const ClothState& state, const MotionSums& sums, Real h,
-                       int least_pause) {
+bool EnergyWatch::look(const ClothModel& model, const MotionSums& sums, Real h, int least_pause) {
     waited_ += static_cast<double>(h);
     ++substeps_;
     const auto mass = static_cast<double>(model.particle_mass);
@@ -47,13 +43,12 @@ void EnergyWatch::look(const ClothModel& model, const ClothState& state, const M
     const double gravity = -mass * static_cast<double>(model.gravity.dot(sums.positions));
     const bool due = waited_ >= pause && substeps_ >= least_pause;
     const bool too_much = kinetic + gravity - base_ > allowed(lift_, std::max(peak_, kinetic));
-    if (due || too_much) measure(model, state);
+    return due || too_much;
 }
 
-void EnergyWatch::measure(const ClothModel& model, const ClothState& state) {
+void EnergyWatch::measure(const Energy& energy) {
     waited_ = 0;
     substeps_ = 0;
-    const Energy energy = compute_energy(model, state);
     const double in_motion = energy.kinetic + energy.spring;
     excess_ = energy.total() - base_;
     peak_ = std::max(peak_, in_motion);

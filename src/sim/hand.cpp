@@ -32,7 +32,7 @@ Vec3 outside(Vec3 target, std::span<const Ball> balls, Real thickness) {
 /// The most energy a second that the hand, which moves a held particle as its velocity says, puts in at a moment [W]:
 /// the work against the forces of springs, air and gravity on that particle; less than zero where they pull it along.
 double hand_power(const ClothModel& model, const ClothState& state, int particle) {
-    return -static_cast<double>(force_on(model, state, particle).dot(state.v.row(particle)));
+    return -static_cast<double>(force_on(model, state.x, state.v, particle).dot(state.v.row(particle)));
 }
 
 }  // namespace
@@ -45,6 +45,7 @@ void Hand::grab(const command::Grab& command, std::span<Cloth> cloths) {
     release(cloths);
     held_ = Held{number, command.particle, cloth.state.x.row(command.particle).transpose(),
                  cloth.model.pinned(command.particle)};
+    cloth.energy.touch(cloth.model, cloth.state);
     cloth.model.hold(command.particle, true);
 }
 
@@ -55,12 +56,12 @@ void Hand::drag(const Vec3& target) {
 void Hand::release(std::span<Cloth> cloths) {
     if (!held_) return;
     Cloth& cloth = cloths[held_->cloth];
+    cloth.energy.touch(cloth.model, cloth.state);
     if (held_->was_pinned) {
         cloth.state.v.row(held_->particle).setZero();
     } else {
         cloth.model.hold(held_->particle, false);
     }
-    cloth.energy.touch();
     held_.reset();
 }
 
@@ -77,8 +78,8 @@ void Hand::lead(std::span<Cloth> cloths, std::span<const Ball> balls, Real thick
     if (speed > hand_speed) velocity *= hand_speed / speed;
     const Real gained = velocity.squaredNorm() - cloth.state.v.row(held_->particle).squaredNorm();
     cloth.energy.give(static_cast<double>(cloth.model.particle_mass / 2 * std::max(gained, Real(0))));
+    cloth.energy.touch(cloth.model, cloth.state);
     cloth.state.v.row(held_->particle) = velocity.transpose();
-    cloth.energy.touch();
     held_->power = hand_power(cloth.model, cloth.state, held_->particle);
 }
 

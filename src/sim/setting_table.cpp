@@ -179,8 +179,7 @@ void add_the_rest(std::vector<Setting>& table) {
     solver.number("sleep_speed", &SolverSettings::sleep_speed, "m/s", {0, 1},
                   "a scene that is slower for half a second falls asleep; 0: never");
 
-    solver.flag("ledger", &SolverSettings::ledger,
-                "keep the balance of the energy, for panel and CSV; costs about as much as a step of Verlet");
+    solver.flag("ledger", &SolverSettings::ledger, "keep the balance of the energy, for panel and CSV");
 
     SectionRows<ContactSettings> contact(
         "contact", [](Settings& s, std::size_t) -> ContactSettings& { return s.contact; }, table);

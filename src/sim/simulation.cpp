@@ -20,8 +20,8 @@ void Simulation::step() {
     begin_step();
     for (int k = 0; k < report_.substeps; ++k) {
         const Substep now = substep(k);
-        if (!input(now)) continue;  // asleep
-        if (!step(now)) return;     // diverged
+        if (!input(now)) continue;    // asleep
+        if (!integrate(now)) return;  // diverged
         build();
         traverse();
         narrow(now);
@@ -60,14 +60,15 @@ bool Simulation::input(const Substep& now) {
 }
 
 /// @return false if the run has come to its end
-bool Simulation::step(const Substep& now) {
+bool Simulation::integrate(const Substep& now) {
     report_.forget_contacts();
     const Air air = air_at(settings_.wind, now.time);
     for (Cloth& cloth : cloths_) {
         cloth.model.air = air;
-        cloth.energy.before_integrator(cloth.model, cloth.state);
         Stopwatch watch;
-        with_memory(settings_, [&] { report_.solve += cloth.integrator->step(cloth.model, cloth.state, now.h); });
+        with_memory(settings_, [&] {
+            report_.solve += cloth.integrator->step(cloth.model, cloth.state, now.h, cloth.energy.start_of_step());
+        });
         report_.times.step += watch.lap();
         cloth.search.positions_changed();
         if (settings_.wind.on) cloth.energy.give(most_wind_power(cloth.model) * static_cast<double>(now.h));
@@ -138,7 +139,7 @@ void Simulation::rest() {
     if (report_.asleep) return;
     const Real speed = settings_.solver.sleep_speed;
     if (speed == 0 || settings_.wind.on || hand_.holds() || ball_has_moved()) return sleep_.restart();
-    if (sleep_.look(cloths_, report_.time, speed)) fall_asleep();
+    if (sleep_.look(cloths_, report_.time, settings_.solver)) fall_asleep();
 }
 
 bool Simulation::ball_has_moved() const {
@@ -162,9 +163,9 @@ void Simulation::end_with(std::string trouble) {
 void Simulation::fall_asleep() {
     report_.asleep = true;
     for (Cloth& cloth : cloths_) {
+        cloth.energy.still(cloth.model, cloth.state);
         cloth.state.v.setZero();
         cloth.previous = cloth.state;
-        cloth.energy.stilled(cloth.model, cloth.state);
     }
     for (Ball& ball : balls_) ball.velocity.setZero();
     previous_balls_ = balls_;

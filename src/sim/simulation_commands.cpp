@@ -81,7 +81,7 @@ void Simulation::restart() {
         }
         cloth.previous = cloth.state;
         cloth.integrator = make_integrator(integrator_of(settings_.solver), parameters.particles);
-        cloth.energy.restart(cloth.model, cloth.state);
+        cloth.energy.restart(cloth.model, cloth.state, settings_.solver.kernels);
         cloth.energy.keep_ledger(settings_.solver.ledger, cloth.model, cloth.state);
         cloth.search.use(broad_phase_of(settings_), cloth.model.grid, cloth.state.x);
         cloth.contacts.reserve(static_cast<std::size_t>(parameters.particles.triangles()));
@@ -119,14 +119,15 @@ void Simulation::configure(Settings settings) {
 
 void Simulation::configure_cloth(std::size_t number, const Settings& before) {
     Cloth& cloth = cloths_[number];
-    cloth.energy.touch();
+    cloth.energy.touch(cloth.model, cloth.state);
+    cloth.energy.use(settings_.solver.kernels);
     cloth.energy.keep_ledger(settings_.solver.ledger, cloth.model, cloth.state);
     if (settings_.cloths[number] != before.cloths[number]) {
         const std::uint64_t revision = cloth.model.revision;
         cloth.model = make_cloth_model(settings_.cloths[number]);
         cloth.model.revision = revision + 1;
         hand_.hold_in(number, cloth.model);
-        cloth.energy.restart(cloth.model, cloth.state);
+        cloth.energy.restart(cloth.model, cloth.state, settings_.solver.kernels);
     }
     if (!same_integrator(before.solver, settings_.solver)) {
         cloth.integrator = make_integrator(integrator_of(settings_.solver), cloth.model.grid);

@@ -14,11 +14,12 @@ FrameView Simulation::view(Real blend) {
     double square_sum = 0, particles = 0;
     shown_.clear();
     for (Cloth& cloth : cloths_) {
-        const Energy energy = compute_energy(cloth.model, cloth.state);
+        EnergyBalance balance;
+        const Energy energy = cloth.energy.energy(cloth.model, cloth.state, balance);
         report_.energy.kinetic += energy.kinetic;
         report_.energy.gravity += energy.gravity;
         report_.energy.spring += energy.spring;
-        report_.balance += cloth.energy.balance();
+        report_.balance += balance;
         report_.stretch = std::max(report_.stretch, static_cast<double>(largest_stretch(cloth.model, cloth.state.x)));
         square_sum += static_cast<double>(cloth.state.v.squaredNorm());
         particles += static_cast<double>(cloth.state.v.rows());

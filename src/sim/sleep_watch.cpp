@@ -2,6 +2,8 @@
 
 #include <algorithm>
 
+#include "drape/bounds/leaf_copies.h"
+
 namespace drape {
 namespace {
 
@@ -14,16 +16,26 @@ Real resting_distance(const ClothModel& model, Real speed) {
 
 }  // namespace
 
+bool RestWatch::look(const Points& x, double time, Real distance, Kernels kernels) {
+    if (!watching_ || largest_displacement(x, start_, kernels) > distance) {
+        watching_ = true;
+        since_ = time;
+        start_ = x;
+    }
+    return time - since_ >= duration;
+}
+
 void SleepWatch::restart() {
     for (RestWatch& watch : watches_) watch.restart();
 }
 
-bool SleepWatch::look(std::span<const Cloth> cloths, double time, Real speed) {
+bool SleepWatch::look(std::span<const Cloth> cloths, double time, const SolverSettings& solver) {
     watches_.resize(cloths.size());
     bool all_rest = true;
     for (std::size_t c = 0; c < cloths.size(); ++c) {
         const Cloth& cloth = cloths[c];
-        const bool rests = watches_[c].look(cloth.state.x, time, resting_distance(cloth.model, speed));
+        const bool rests =
+            watches_[c].look(cloth.state.x, time, resting_distance(cloth.model, solver.sleep_speed), solver.kernels);
         all_rest = all_rest && rests;
     }
     return all_rest;

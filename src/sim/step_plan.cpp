@@ -17,10 +17,10 @@ constexpr double most_substeps = 1000;
 /// From one plan to the next [s].
 constexpr double search_pause = 0.25;
 
-StepLimit shortest_limit(std::span<const Cloth> cloths, IntegratorKind integrator) {
+StepLimit shortest_limit(std::span<const Cloth> cloths, const SolverSettings& solver) {
     StepLimit shortest{.step = std::numeric_limits<Real>::infinity()};
     for (const Cloth& cloth : cloths) {
-        const StepLimit one = predicted_limit(cloth.model, cloth.state, integrator);
+        const StepLimit one = predicted_limit(cloth.model, cloth.state, solver.integrator, solver.kernels);
         if (one.step < shortest.step) shortest = one;
     }
     return shortest;
@@ -29,7 +29,7 @@ StepLimit shortest_limit(std::span<const Cloth> cloths, IntegratorKind integrato
 }  // namespace
 
 void plan_substeps(std::span<const Cloth> cloths, const SolverSettings& solver, int fewest, StepReport& report) {
-    const StepLimit shortest = shortest_limit(cloths, solver.integrator);
+    const StepLimit shortest = shortest_limit(cloths, solver);
     const Real limit = shortest.step;
     report.limit_is_least = shortest.at_least;
     // Where no step is short enough, substeps do not help

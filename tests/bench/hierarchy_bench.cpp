@@ -51,7 +51,8 @@ void query(benchmark::State& state, int side, const BroadPhaseParameters& parame
     for (auto _ : state) {
         if (with_build) tree->build(sheet.x);
         stats = tree->query(sheet.ball, found);
-        drape::find_touched_triangles(sheet.grid, sheet.x, sheet.ball, 0, found.cells, triangles);
+        drape::find_touched_triangles(sheet.grid, sheet.x, sheet.ball, 0, found.cells, triangles,
+                                      drape::Kernels::Vector);
     }
     state.counters["touched"] = static_cast<double>(triangles.size()) / sheet.grid.triangles();
     state.counters["candidates"] = static_cast<double>(stats.candidates) / sheet.grid.cells();

@@ -83,9 +83,9 @@ TEST(TouchedTriangles, AreThoseWithinTheRadius) {
         const Points x = test::random_cloth(grid, random);
         const Ball ball{.centre = 0.6 * Vec3(unit(random), unit(random), unit(random)),
                         .radius = 0.2 + 0.19 * unit(random)};
-        find_touched_triangles(grid, x, ball, 0.002, all, touched);
+        find_touched_triangles(grid, x, ball, 0.002, all, touched, Kernels::Vector);
         std::vector<Contact> contacts;
-        find_contacts(grid, x, ball, 3, 0.002, all, contacts);
+        find_contacts(grid, x, ball, 3, 0.002, all, contacts, Kernels::Vector);
         std::size_t next = 0;
         for (int t = 0; t < grid.triangles(); ++t) {
             const auto [a, b, c] = grid.triangle_corners(t);

@@ -137,9 +137,10 @@ TEST(TouchedTriangles, OfANeedleAreThoseWithinTheRadius) {
             const auto distance = static_cast<Real>(true_distance(needle.p, needle.corners));
             const Real margin = 100 * epsilon * needle.size() + 16 * epsilon * distance;
             const auto touches = [&](Real radius) {
-                find_touched_triangles(grid, x, {.centre = needle.p, .radius = radius}, 0, all, touched);
+                find_touched_triangles(grid, x, {.centre = needle.p, .radius = radius}, 0, all, touched,
+                                       Kernels::Vector);
                 contacts.clear();
-                find_contacts(grid, x, {.centre = needle.p, .radius = radius}, 0, 0, all, contacts);
+                find_contacts(grid, x, {.centre = needle.p, .radius = radius}, 0, 0, all, contacts, Kernels::Vector);
                 const bool found = std::ranges::count(touched, 0) == 1;
                 EXPECT_EQ(found, std::ranges::count(contacts, 0, &Contact::triangle) == 1);
                 return found;

@@ -35,9 +35,9 @@ public:
     void compare(const Ball& ball) {
         ++configurations;
         tree_.query(grown(ball, thickness_), candidates_);
-        find_touched_triangles(grid_, *x_, ball, thickness_, candidates_.cells, found_);
+        find_touched_triangles(grid_, *x_, ball, thickness_, candidates_.cells, found_, Kernels::Vector);
         brute_->query(ball, candidates_);
-        find_touched_triangles(grid_, *x_, ball, thickness_, candidates_.cells, expected_);
+        find_touched_triangles(grid_, *x_, ball, thickness_, candidates_.cells, expected_, Kernels::Vector);
         std::sort(found_.begin(), found_.end());
         if (found_ != expected_) ++disagreements;
         if (!expected_.empty()) ++touching;

@@ -36,7 +36,7 @@ struct Floor {
 
     void respond() {
         contacts.clear();
-        find_contacts(model.grid, state.x, balls[0], 0, parameters.thickness, cells, contacts);
+        find_contacts(model.grid, state.x, balls[0], 0, parameters.thickness, cells, contacts, Kernels::Vector);
         deepest = resolve_contacts(model, parameters, balls, dt, contacts, state).depth;
     }
 
@@ -61,7 +61,8 @@ TEST(Response, TakesTrianglesOutOfTheBallVerticesAndInteriorsAlike) {
         std::vector<Contact> left;
         const int columns = floor.model.grid.cell_columns();
         const CellRun cell{t / 2 / columns, t / 2 % columns, 1};
-        find_contacts(floor.model.grid, floor.state.x, floor.balls[0], 0, 0, std::span(&cell, 1), left);
+        find_contacts(floor.model.grid, floor.state.x, floor.balls[0], 0, 0, std::span(&cell, 1), left,
+                      Kernels::Vector);
         for (const Contact& contact : left) EXPECT_LT(contact.depth, 1e-3 * 0.02);
     }
     EXPECT_LT(floor.deepest, 1e-3 * 0.02);

@@ -59,7 +59,7 @@ Count count_skips(const BroadPhaseParameters& parameters, Rule may_skip) {
                 brute->query(balls[0], all);
                 bool touching = false;
                 for (const Ball& ball : balls) {
-                    find_touched_triangles(grid, x, ball, thickness, all.cells, touched);
+                    find_touched_triangles(grid, x, ball, thickness, all.cells, touched, Kernels::Vector);
                     touching |= !touched.empty();
                 }
                 count.wrong += touching ? 1 : 0;

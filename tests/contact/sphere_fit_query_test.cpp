@@ -15,7 +15,7 @@ std::vector<int> touched(BroadPhase& broad_phase, const Grid& grid, const Points
     Candidates found;
     std::vector<int> triangles;
     broad_phase.query(ball, found);
-    find_touched_triangles(grid, x, ball, 0, found.cells, triangles);
+    find_touched_triangles(grid, x, ball, 0, found.cells, triangles, Kernels::Vector);
     std::sort(triangles.begin(), triangles.end());
     return triangles;
 }

@@ -24,7 +24,7 @@ std::vector<int> touched(const Points& x, const Ball& ball, VolumeKind volume) {
     Candidates found;
     broad_phase->query(ball, found);
     std::vector<int> triangles;
-    find_touched_triangles(grid, x, ball, 0, found.cells, triangles);
+    find_touched_triangles(grid, x, ball, 0, found.cells, triangles, Kernels::Vector);
     std::ranges::sort(triangles);
     return triangles;
 }

@@ -3,6 +3,7 @@
 #include <gtest/gtest.h>
 
 #include "drape/integrate/integrator.h"
+#include "drape/integrate/stability.h"
 #include "support/cloths.h"
 
 namespace drape {
@@ -70,6 +71,16 @@ TEST(Kernels, ArePlainWhereTheMethodIsToldSo) {
     for (const IntegratorParameters& method : all_methods()) {
         EXPECT_GT(flag.difference(method), 0) << name_of(method.kind) << " is given the same bits both ways";
     }
+}
+
+TEST(PlainCore, GivesTheStepLimitOfTheKernels) {
+    ClothParameters parameters;
+    parameters.particles = {70, 9};
+    const ClothModel model = make_cloth_model(parameters);
+    const ClothState state = make_rest_state(parameters);
+    const Real plain = predicted_limit(model, state, IntegratorKind::SymplecticEuler, Kernels::Plain).step;
+    const Real vector = predicted_limit(model, state, IntegratorKind::SymplecticEuler, Kernels::Vector).step;
+    EXPECT_NEAR(plain, vector, 1e-6 * vector);
 }
 
 }  // namespace

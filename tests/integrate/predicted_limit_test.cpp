@@ -83,7 +83,7 @@ TEST_P(OneStepMatrix, HasNoGrowthBelowThePredictedLimitAndSomeAboveWhereThatIsEx
         const Sample sample = random_sample(GetParam(), random);
         const LinearCloth linear(sample.model, sample.state);
         for (const IntegratorKind kind : explicit_kinds) {
-            const StepLimit predicted = predicted_limit(sample.model, sample.state, kind);
+            const StepLimit predicted = predicted_limit(sample.model, sample.state, kind, Kernels::Vector);
             const double limit = linear.limit(kind), step = static_cast<double>(predicted.step);
             const std::string name = std::string(name_of(kind)) + ", " + sample.name + ", " + std::to_string(n);
             // A limit of 0 comes out as rounding errors
@@ -122,7 +122,7 @@ TEST(PredictedLimit, OfExplicitEulerLooksAtTheVibrationsThatOnlyTheAirDamps) {
     cloth.shear = {300, 1};
     cloth.drag = Real(0.01);
     const Sample sample = sample_of(cloth);
-    const StepLimit limit = predicted_limit(sample.model, sample.state, IntegratorKind::ExplicitEuler);
+    const StepLimit limit = predicted_limit(sample.model, sample.state, IntegratorKind::ExplicitEuler, Kernels::Vector);
     EXPECT_TRUE(limit.at_least);
     EXPECT_LE(limit.step, Real(4.34e-5)) << "the step at which the matrix of one step has an eigenvalue of length 1";
     EXPECT_GT(limit.step, Real(4e-6));
@@ -139,7 +139,7 @@ TEST(PredictedLimit, OfRk4LooksAtTheVibrationsThatAreDampedLeast) {
     cloth.bend = {0, Real(0.02)};
     cloth.drag = Real(0.01);
     const Sample sample = sample_of(cloth);
-    const StepLimit limit = predicted_limit(sample.model, sample.state, IntegratorKind::Rk4);
+    const StepLimit limit = predicted_limit(sample.model, sample.state, IntegratorKind::Rk4, Kernels::Vector);
     EXPECT_LE(limit.step, Real(0.92) * Real(2.84e-3 / 0.96));
     EXPECT_GT(limit.step, Real(0.85) * Real(2.84e-3 / 0.96));
 }
@@ -150,7 +150,7 @@ TEST(PredictedLimit, IsKnownAtOnceForAMethodWithoutOne) {
     const Sample sample = sample_of(cloth);
     // Whatever searches has to make room first
     const long long before = test::allocations();
-    EXPECT_EQ(predicted_limit(sample.model, sample.state, IntegratorKind::BackwardEuler).step,
+    EXPECT_EQ(predicted_limit(sample.model, sample.state, IntegratorKind::BackwardEuler, Kernels::Vector).step,
               std::numeric_limits<Real>::infinity());
     EXPECT_EQ(test::allocations(), before);
 }

@@ -33,7 +33,7 @@ RestSheet rest_sheet(int side, SpringLaw structural, SpringLaw shear, SpringLaw 
 /// A K + b D of the free particles by mass, as a matrix.
 Eigen::MatrixXd dense(const RestSheet& sheet, Real a, Real b) {
     const int n = sheet.model.grid.particles();
-    Jacobian slopes(sheet.model.grid, Hessian::Clamped);
+    Jacobian slopes(sheet.model.grid, Hessian::Clamped, Kernels::Vector);
     slopes.linearise(sheet.model, sheet.state.x, sheet.state.v);
     Eigen::MatrixXd matrix(3 * n, 3 * n);
     for (Eigen::Index column = 0; column < matrix.cols(); ++column) {
@@ -61,7 +61,8 @@ double top(const Eigen::MatrixXd& matrix) {
 Real lambda_at_rest(int side, Real shear, Real bend) {
     constexpr Real k = 300;
     const RestSheet sheet = rest_sheet(side, {k, 0}, {shear * k, 0}, {bend * k, 0});
-    const Real omega = predicted_limit(sheet.model, sheet.state, IntegratorKind::SymplecticEuler).omega;
+    const Real omega =
+        predicted_limit(sheet.model, sheet.state, IntegratorKind::SymplecticEuler, Kernels::Vector).omega;
     return omega * omega * sheet.model.particle_mass / k;
 }
 
@@ -91,34 +92,35 @@ TEST(HighestFrequency, IsThatOfTheWholeMatrixInAnyShape) {
     std::mt19937 random(7);
     for (int shape = 0; shape < 5; ++shape) {
         const RestSheet sheet{make_cloth_model(parameters), test::random_state(parameters, random)};
-        const Real omega = predicted_limit(sheet.model, sheet.state, IntegratorKind::Rk4).omega;
+        const Real omega = predicted_limit(sheet.model, sheet.state, IntegratorKind::Rk4, Kernels::Vector).omega;
         EXPECT_NEAR(omega * omega / top(dense(sheet, 1, 0)), 1, 1e-3) << shape;
     }
 }
 
 TEST(HighestFrequency, OfALargeClothIsSoughtWhereItsSpringsPull) {
     RestSheet sheet = rest_sheet(200, {300, 0}, {300, 0}, {300, 0});
-    const Real at_rest = predicted_limit(sheet.model, sheet.state, IntegratorKind::Rk4).omega;
+    const Real at_rest = predicted_limit(sheet.model, sheet.state, IntegratorKind::Rk4, Kernels::Vector).omega;
     // The last columns are drawn out, a window's width from the middle
     for (int j = 0; j < 200; ++j) {
         for (int i = 180; i < 200; ++i) {
             sheet.state.x(sheet.model.grid.particle(i, j), 0) += Real(i - 180) * sheet.model.hx * Real(0.5);
         }
     }
-    EXPECT_GT(predicted_limit(sheet.model, sheet.state, IntegratorKind::Rk4).omega, Real(1.01) * at_rest);
+    EXPECT_GT(predicted_limit(sheet.model, sheet.state, IntegratorKind::Rk4, Kernels::Vector).omega,
+              Real(1.01) * at_rest);
 }
 
 TEST(PredictedLimit, OfSymplecticEulerIsExactForAnyDamping) {
     // A sheet whose kinds of springs are damped quite differently. Stable up to the h where h^2 K + 2 h D reaches 4 M.
     const RestSheet sheet = rest_sheet(8, {500, Real(0.001)}, {200, Real(0.3)}, {50, Real(0.1)});
-    const StepLimit limit = predicted_limit(sheet.model, sheet.state, IntegratorKind::SymplecticEuler);
+    const StepLimit limit = predicted_limit(sheet.model, sheet.state, IntegratorKind::SymplecticEuler, Kernels::Vector);
     EXPECT_NEAR(top(dense(sheet, limit.step * limit.step, 2 * limit.step)), 4, 4e-3);
     EXPECT_NEAR(limit.step * limit.omega, 2 * (std::sqrt(1 + limit.zeta * limit.zeta) - limit.zeta), 1e-9);
 }
 
 TEST(PredictedLimit, OfExplicitEulerIsThatOfItsLeastDampedVibration) {
     const RestSheet sheet = rest_sheet(8, {500, Real(0.001)}, {200, Real(0.003)}, {50, Real(0.001)});
-    const Real step = predicted_limit(sheet.model, sheet.state, IntegratorKind::ExplicitEuler).step;
+    const Real step = predicted_limit(sheet.model, sheet.state, IntegratorKind::ExplicitEuler, Kernels::Vector).step;
     // Stable while h K <= D; the springs' own ratios of c to k bound it
     EXPECT_LT(top(dense(sheet, Real(0.99) * step, -1)), 0.02 * step * top(dense(sheet, 1, 0)));
     EXPECT_GT(top(dense(sheet, Real(1.01) * step, -1)), 0);
@@ -128,15 +130,15 @@ TEST(PredictedLimit, OfExplicitEulerIsThatOfItsLeastDampedVibration) {
 
 TEST(PredictedLimit, OfExplicitEulerIsNoneWithoutDamping) {
     const RestSheet sheet = rest_sheet(10, {500, 0}, {200, 0}, {50, 0});
-    EXPECT_EQ(predicted_limit(sheet.model, sheet.state, IntegratorKind::ExplicitEuler).step, 0);
+    EXPECT_EQ(predicted_limit(sheet.model, sheet.state, IntegratorKind::ExplicitEuler, Kernels::Vector).step, 0);
 }
 
 TEST(PredictedLimit, IsInfiniteWithoutSpringsAndForImplicitMethods) {
     const RestSheet loose = rest_sheet(10, {}, {}, {}), sheet = rest_sheet(10, {500, 0}, {200, 0}, {50, 0});
     for (const IntegratorKind kind : limited_kinds) {
-        EXPECT_TRUE(std::isinf(predicted_limit(loose.model, loose.state, kind).step)) << name_of(kind);
+        EXPECT_TRUE(std::isinf(predicted_limit(loose.model, loose.state, kind, Kernels::Vector).step)) << name_of(kind);
     }
-    const StepLimit limit = predicted_limit(sheet.model, sheet.state, IntegratorKind::BackwardEuler);
+    const StepLimit limit = predicted_limit(sheet.model, sheet.state, IntegratorKind::BackwardEuler, Kernels::Vector);
     EXPECT_TRUE(std::isinf(limit.step));
     EXPECT_EQ(limit.formula, "no linear limit");
 }
@@ -144,7 +146,7 @@ TEST(PredictedLimit, IsInfiniteWithoutSpringsAndForImplicitMethods) {
 TEST(PredictedLimit, IsInfiniteIfNothingCanMove) {
     RestSheet sheet = rest_sheet(4, {500, 1}, {200, 1}, {50, 1});
     sheet.model.inverse_mass.setZero();
-    EXPECT_TRUE(std::isinf(predicted_limit(sheet.model, sheet.state, IntegratorKind::Rk4).step));
+    EXPECT_TRUE(std::isinf(predicted_limit(sheet.model, sheet.state, IntegratorKind::Rk4, Kernels::Vector).step));
 }
 
 TEST(LongestStep, UndampedIsTheClosedForm) {

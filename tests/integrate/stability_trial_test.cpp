@@ -24,7 +24,9 @@ struct TrialSheet {
         state = make_rest_state(parameters);
     }
 
-    [[nodiscard]] Real predicted(IntegratorKind kind) const { return predicted_limit(model, state, kind).step; }
+    [[nodiscard]] Real predicted(IntegratorKind kind) const {
+        return predicted_limit(model, state, kind, Kernels::Vector).step;
+    }
     [[nodiscard]] TrialEnd tried(IntegratorKind kind, Real step) const {
         return try_step(model, state, {.kind = kind}, step);
     }
@@ -97,11 +99,12 @@ TEST(MeasuredLimit, DoesNotDependOnWhereTheSearchStarts) {
 TEST(MeasuredLimit, OfExplicitEulerIsTheOneThatItsGrowthFromNoiseTakes) {
     for (const Real damping : {0.0, 0.1}) {
         const TrialSheet sheet(12, 1e4, damping);
-        const StepLimit fastest = predicted_limit(sheet.model, sheet.state, IntegratorKind::SymplecticEuler);
+        const StepLimit fastest =
+            predicted_limit(sheet.model, sheet.state, IntegratorKind::SymplecticEuler, Kernels::Vector);
         for (const int steps : {3000, 12000}) {
             const Trial trial{.steps = steps};
-            const Real expected =
-                observable_limit_of_explicit_euler(sheet.model, sheet.state, fastest.omega, fastest.zeta, trial);
+            const Real expected = observable_limit_of_explicit_euler(sheet.model, sheet.state, fastest.omega,
+                                                                     fastest.zeta, Kernels::Vector, trial);
             const Real measured = measured_limit(sheet.model, sheet.state, {.kind = IntegratorKind::ExplicitEuler},
                                                  expected / 2, 1, trial);
             EXPECT_NEAR(measured / expected, 1, 0.15) << "damping " << damping << ", steps " << steps;

@@ -17,7 +17,7 @@ struct LinearCloth {
 
     LinearCloth(const ClothModel& model, const ClothState& state) {
         const int n = model.grid.particles();
-        Jacobian slopes(model.grid, Hessian::Clamped);
+        Jacobian slopes(model.grid, Hessian::Clamped, Kernels::Vector);
         slopes.linearise(model, state.x, state.v);
         std::vector<int> free;
         for (int k = 0; k < 3 * n; ++k) {

@@ -112,9 +112,9 @@ TEST(Forces, AreTheSlopeOfTheEnergy) {
         Real& coordinate = state.x.data()[k];
         const Real at = coordinate;
         coordinate = at + step;
-        const Real above = compute_energy(model, state).total();
+        const Real above = compute_energy(model, state, Kernels::Vector).total();
         coordinate = at - step;
-        const Real below = compute_energy(model, state).total();
+        const Real below = compute_energy(model, state, Kernels::Vector).total();
         coordinate = at;
         EXPECT_NEAR(f.data()[k], -(above - below) / (2 * step), 1e-5 * f.cwiseAbs().maxCoeff());
     }
@@ -132,7 +132,7 @@ TEST(Energy, OfAStretchedSheetIsKnown) {
     state.x *= 1.5;
     state.v.col(1).setConstant(2);
     state.x.col(1).setConstant(3);
-    const Energy energy = compute_energy(model, state);
+    const Energy energy = compute_energy(model, state, Kernels::Vector);
     EXPECT_DOUBLE_EQ(energy.kinetic, 8);
     EXPECT_DOUBLE_EQ(energy.gravity, 4 * 9.81 * 3);
     EXPECT_DOUBLE_EQ(energy.spring, 4 * 0.5 * 10 * 0.25);

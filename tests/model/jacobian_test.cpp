@@ -36,7 +36,7 @@ struct Crumpled {
     }
 
     [[nodiscard]] Jacobian jacobian(Hessian hessian) const {
-        Jacobian result(model.grid, hessian);
+        Jacobian result(model.grid, hessian, Kernels::Vector);
         result.linearise(model, state.x, state.v);
         return result;
     }

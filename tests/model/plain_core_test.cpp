@@ -38,7 +38,7 @@ struct Moving {
 
     [[nodiscard]] std::array<double, 7> energies(Kernels kernels) const {
         Points scratch(state.x.rows(), 3);
-        const auto [energy, power] = compute_energy_flow(model, state, scratch, kernels);
+        const auto [energy, power] = compute_energy_flow(model, state.x, state.v, scratch, kernels);
         return {energy.kinetic, energy.gravity, energy.spring, power.damping, power.drag, power.wind, power.hand};
     }
 };

@@ -39,7 +39,7 @@ TEST(ModelDeathTest, RefusesForcesOfAnotherSize) {
 TEST(ModelDeathTest, RefusesAJacobianOfAnotherGrid) {
     const ClothModel model = make_cloth_model(sheet(4, 4));
     const Points points = Points::Zero(16, 3);
-    Jacobian jacobian(Grid{3, 4}, Hessian::Clamped);
+    Jacobian jacobian(Grid{3, 4}, Hessian::Clamped, Kernels::Vector);
     EXPECT_ASSERTION(jacobian.linearise(model, points, points), "model.grid");
 }
 

@@ -22,7 +22,7 @@ Motion::Motion(int side, int count) {
         }
         frame.ball.centre +=
             Vec3(Real(0.15) * std::cos(phase), Real(0.03) * std::sin(2 * phase), Real(0.15) * std::sin(phase));
-        find_touched_triangles(grid, frame.x, frame.ball, 0, all, frame.touched);
+        find_touched_triangles(grid, frame.x, frame.ball, 0, all, frame.touched, Kernels::Vector);
         frames.push_back(std::move(frame));
     }
 }

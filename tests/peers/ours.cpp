@@ -19,7 +19,7 @@ public:
 
     void query(const Points& x, const Ball& ball, std::vector<int>& touched) override {
         tree_->query(ball, found_);
-        find_touched_triangles(grid_, x, ball, 0, found_.cells, touched);
+        find_touched_triangles(grid_, x, ball, 0, found_.cells, touched, Kernels::Vector);
     }
 
 private:

@@ -13,7 +13,8 @@ constexpr double run_time = 1;  // s
 
 Real predicted(const Settings& settings) {
     const ClothParameters& cloth = settings.cloths[0];
-    return predicted_limit(make_cloth_model(cloth), make_rest_state(cloth), settings.solver.integrator).step;
+    return predicted_limit(make_cloth_model(cloth), make_rest_state(cloth), settings.solver.integrator, Kernels::Vector)
+        .step;
 }
 
 Status after_a_while(const std::string& scene, const Settings& settings) {

@@ -101,7 +101,7 @@ TEST(SearchAudit, TellsTrueNodesFromFalse) {
     for (int p = 0; p < grid.particles(); ++p) x.row(p) << Real(p % 5), 0, Real(p / 5);
     const StoppedNode left{{Vec3(1, 0, 1), Real(1.5)}, 1, 0, 0, 2, 2}, right{{Vec3(3, 0, 1), Real(1.5)}, 3, 2, 0, 4, 2};
     const Ball ball{.centre = Vec3(Real(1.4), Real(0.2), 1), .radius = Real(0.5)};
-    SearchAudit audit(grid);
+    SearchAudit audit(grid, Kernels::Vector);
     EXPECT_EQ(audit.false_contacts(x, ball, 0, std::vector{left}), 0);
     EXPECT_EQ(audit.false_contacts(x, ball, 0, std::vector{left, right}), 1);
     EXPECT_EQ(audit.false_contacts(x, ball, Real(0.2), std::vector{left, right}), 0) << "so thick it reaches the right";

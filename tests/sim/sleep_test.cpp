@@ -2,9 +2,9 @@
 
 #include <gtest/gtest.h>
 
-#include "drape/sim/rest_watch.h"
 #include "drape/sim/scene.h"
 #include "drape/sim/session.h"
+#include "drape/sim/sleep_watch.h"
 #include "sim/small_scene.h"
 #include "support/scratch_file.h"
 
@@ -20,7 +20,7 @@ bool ever_rests(Place place, Real speed) {
         const double time = step / 1024.0;
         Points x = Points::Zero(3, 3);
         x(1, 0) = static_cast<Real>(place(time));
-        if (watch.look(x, time, distance)) return true;
+        if (watch.look(x, time, distance, Kernels::Vector)) return true;
     }
     return false;
 }
@@ -41,12 +41,12 @@ TEST(RestWatch, TakesOnlyWhatStaysForResting) {
 TEST(RestWatch, TakesHalfASecondAndBeginsAgainWhenTold) {
     RestWatch watch;
     const Points x = Points::Zero(2, 3);
-    EXPECT_FALSE(watch.look(x, 1, 1));
-    EXPECT_FALSE(watch.look(x, 1.4375, 1));
+    EXPECT_FALSE(watch.look(x, 1, 1, Kernels::Vector));
+    EXPECT_FALSE(watch.look(x, 1.4375, 1, Kernels::Vector));
     watch.restart();
-    EXPECT_FALSE(watch.look(x, 1.5, 1));
-    EXPECT_FALSE(watch.look(x, 1.9375, 1));
-    EXPECT_TRUE(watch.look(x, 2, 1));
+    EXPECT_FALSE(watch.look(x, 1.5, 1, Kernels::Vector));
+    EXPECT_FALSE(watch.look(x, 1.9375, 1, Kernels::Vector));
+    EXPECT_TRUE(watch.look(x, 2, 1, Kernels::Vector));
 }
 
 /// A cloth in thick air, which comes to rest against its ball soon.

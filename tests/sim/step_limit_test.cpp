@@ -20,7 +20,7 @@ Simulation plain_copy(const Simulation& simulation) { return {simulation.scene()
 
 double limit_of(const Simulation& simulation) {
     const Cloth& cloth = simulation.cloths()[0];
-    return predicted_limit(cloth.model, cloth.state, simulation.settings().solver.integrator).step;
+    return predicted_limit(cloth.model, cloth.state, simulation.settings().solver.integrator, Kernels::Vector).step;
 }
 
 TEST(StepWarning, IsNotNeededForTheShippedScenes) {

@@ -33,15 +33,13 @@ struct Contact {
 /// @param cells candidate cells
 /// @param triangles receives the triangle numbers, in the order of `cells`; cleared first
 void find_touched_triangles(const Grid& grid, const Points& x, const Ball& ball, Real thickness,
-                            std::span<const CellRun> cells, std::vector<int>& triangles,
-                            Kernels kernels = Kernels::Vector);
+                            std::span<const CellRun> cells, std::vector<int>& triangles, Kernels kernels);
 
 /// The contacts of the candidate cells' triangles with one ball, appended.
 /// @param ball_number is stored with each contact
 /// @param kernels plain: each cell is tested; vector: cells that their corners show to be too far are left out first
 /// @return how many of the cells touch
 std::int64_t find_contacts(const Grid& grid, const Points& x, const Ball& ball, int ball_number, Real thickness,
-                           std::span<const CellRun> cells, std::vector<Contact>& contacts,
-                           Kernels kernels = Kernels::Vector);
+                           std::span<const CellRun> cells, std::vector<Contact>& contacts, Kernels kernels);
 
 }  // namespace drape

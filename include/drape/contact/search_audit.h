@@ -11,7 +11,7 @@ namespace drape {
 /// Measures what a limited search gets wrong, by testing every cell exactly: for charts, not for the clock.
 class SearchAudit {
 public:
-    explicit SearchAudit(const Grid& grid);
+    SearchAudit(const Grid& grid, Kernels kernels);
 
     /// How many of the nodes give a contact although no triangle within them touches the ball.
     /// @param nodes at which the search for this ball has ended
@@ -24,6 +24,7 @@ public:
 
 private:
     Grid grid_;
+    Kernels kernels_;
     std::vector<CellRun> cells_;  ///< all there are
     std::vector<int> triangles_;
     std::vector<Contact> contacts_;

@@ -9,6 +9,7 @@
 #include "drape/base/enum_names.h"
 #include "drape/base/kernels.h"
 #include "drape/model/cloth_model.h"
+#include "drape/model/energy.h"
 #include "drape/model/jacobian.h"
 
 namespace drape {
@@ -89,8 +90,10 @@ public:
 
     /// @param state advanced in place; pinned particles keep their velocity (zero, or that of the hand that holds them)
     /// @param h step [s]
+    /// @param start receives the energy at the start of the step and its flow, unless null; the step has the same bits
+    /// either way
     /// @par Cost O(n), allocates nothing
-    virtual SolveReport step(const ClothModel& model, ClothState& state, Real h) = 0;
+    virtual SolveReport step(const ClothModel& model, ClothState& state, Real h, EnergyFlow* start = nullptr) = 0;
 };
 
 /// @param grid of the cloths it will step; the scratch arrays are made here

@@ -34,7 +34,7 @@ struct StepLimit {
 /// @cite johnson1978
 /// @par Cost 2 to 3 ms at 30 x 30, two to four times that where kinds of springs are damped unlike each other;
 /// 0.5 s and more at 1024 x 1024; nothing for a method without a limit; allocates
-StepLimit predicted_limit(const ClothModel& model, const ClothState& state, IntegratorKind kind);
+StepLimit predicted_limit(const ClothModel& model, const ClothState& state, IntegratorKind kind, Kernels kernels);
 
 /// The longest stable step for x'' = -k x - d x'.
 ///

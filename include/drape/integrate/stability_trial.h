@@ -60,6 +60,6 @@ Real measured_limit(const ClothModel& model, const ClothState& start, const Inte
 /// @param omega, zeta of the fastest vibration, as `predicted_limit` gives them for another explicit method
 /// @return [s]
 Real observable_limit_of_explicit_euler(const ClothModel& model, const ClothState& start, Real omega, Real zeta,
-                                        const Trial& trial = {});
+                                        Kernels kernels, const Trial& trial = {});
 
 }  // namespace drape

@@ -56,7 +56,7 @@ void compute_forces(const ClothModel& model, const Points& x, const Points& v, P
 /// The force on one particle, but for the wind's.
 /// @return [N]
 /// @par Cost its twelve springs
-Vec3 force_on(const ClothModel& model, const ClothState& state, int particle);
+Vec3 force_on(const ClothModel& model, const Points& x, const Points& v, int particle);
 
 /// Adds the force of the wind on every triangle to that on its corners.
 /// @param f n x 3 [N]

@@ -30,7 +30,7 @@ inline constexpr auto enum_names<Hessian> = all_names<Hessian>("clamped", "exact
 class Jacobian {
 public:
     /// Makes room for a grid's springs; nothing later allocates.
-    Jacobian(const Grid& grid, Hessian hessian, Kernels kernels = Kernels::Vector);
+    Jacobian(const Grid& grid, Hessian hessian, Kernels kernels);
 
     /// Takes the Jacobians at a state.
     /// @param x, v n x 3 [m], [m/s]

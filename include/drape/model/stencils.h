@@ -1,5 +1,6 @@
 #pragma once
 
+#include <algorithm>
 #include <array>
 #include <cmath>
 
@@ -28,6 +29,14 @@ struct SpringStencil {
             const int first = grid.particle(first_column(), j);
             for (int a = first; a < first + count(grid); ++a) visit(a, a + offset(grid));
         }
+    }
+
+    /// The first ends of all springs with an end in a range, and of some others beside it.
+    [[nodiscard]] GridRange around(const GridRange& range, const Grid& grid) const {
+        const int first = first_column();
+        return {std::max(range.first_column - std::max(di, 0), first),
+                std::min(range.end_column - std::min(di, 0), first + count(grid)), std::max(range.first_row - dj, 0),
+                std::min(range.end_row, rows(grid))};
     }
 };
 

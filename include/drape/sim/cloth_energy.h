@@ -16,13 +16,16 @@ namespace drape {
 class ClothEnergy {
 public:
     /// Starts from the energy as it is, without a ledger.
-    void restart(const ClothModel& model, const ClothState& state) { watch_.restart(model, state); }
+    void restart(const ClothModel& model, const ClothState& state, Kernels kernels);
 
     /// Begins a ledger, or drops it.
     void keep_ledger(bool keep, const ClothModel& model, const ClothState& state);
 
-    /// State or model may have been changed from outside since the last substep.
-    void touch() { touched_ = true; }
+    void use(Kernels kernels) { kernels_ = kernels; }
+
+    /// State or model are about to be changed from outside.
+    /// @par Cost a force evaluation while a ledger is kept, the first time after a substep
+    void touch(const ClothModel& model, const ClothState& state);
 
     /// Hand, ball or wind have put in at least this [J].
     void give(double work) { watch_.give(work); }
@@ -31,7 +34,8 @@ public:
     void mark();
     void return_to_mark();
 
-    void before_integrator(const ClothModel& model, const ClothState& state);
+    /// What the integrator fills at the start of a step; null without a ledger.
+    EnergyFlow* start_of_step() { return ledger_ ? &start_ : nullptr; }
 
     /// Enters what the integrator has done.
     /// @param least_pause substeps from one sum over the springs to the next, at least
@@ -42,18 +46,23 @@ public:
     ResponseReport respond(const ClothModel& model, const ResponseParameters& response, std::span<const Ball> balls,
                            Real h, std::vector<Contact>& contacts, ClothState& state);
 
-    /// Velocities were set to zero by sleep.
-    void stilled(const ClothModel& model, const ClothState& state);
+    /// Velocities are about to be set to zero by sleep.
+    void still(const ClothModel& model, const ClothState& state);
 
     [[nodiscard]] const EnergyWatch& watch() const { return watch_; }
 
-    /// Since the ledger began.
-    [[nodiscard]] EnergyBalance balance() const { return ledger_ ? ledger_->balance() : EnergyBalance::unknown(); }
+    /// The energy of the present state.
+    /// @param balance receives what has happened since the ledger began, which is unknown without one
+    [[nodiscard]] Energy energy(const ClothModel& model, const ClothState& state, EnergyBalance& balance);
 
 private:
+    EnergyFlow flow(const ClothModel& model, const ClothState& state);
+
+    Kernels kernels_ = Kernels::Plain;
     EnergyWatch watch_;
     std::optional<EnergyLedger> ledger_;
-    bool touched_ = true;
+    EnergyFlow start_;
+    Points wind_;  ///< scratch, while a ledger is kept
 };
 
 }  // namespace drape

@@ -24,46 +24,57 @@ struct EnergyBalance {
     [[nodiscard]] double change() const { return wind + hand + ball - damping - drag - contact - integrator; }
 };
 
-/// Keeps the balance of one cloth, entry by entry, in the order of a step: `begin`, `integrated`, `responded`.
+/// Keeps the balance of one cloth. It is told what happens to the cloth, and now and then sees the energy: what that
+/// has changed by since it was last seen belongs to what has happened in between. A method finds the energy at the
+/// start of a step on the way to its forces, and so the end of a step is seen at the start of the next.
+///
 /// Damping, drag, wind and hand are integrated by the trapezoidal rule from both ends of the integrator's step, so that
 /// what a step is too long for counts as the integrator's.
 class EnergyLedger {
 public:
-    EnergyLedger(const ClothModel& model, const ClothState& state) : scratch_(state.x.rows(), 3) { look(model, state); }
+    explicit EnergyLedger(const EnergyFlow& now) { now_.seen = now; }
 
-    /// @param touched whether state or model may differ from what the last entry saw: the difference is the hand's
-    /// @par Cost O(particles) if touched
-    void begin(const ClothModel& model, const ClothState& state, bool touched);
+    /// @param now energy of the present state, and its flow
+    void see(const EnergyFlow& now);
 
-    /// @param h step that the integrator has made [s]
-    /// @par Cost O(particles), about that of a force evaluation or two
-    void integrated(const ClothModel& model, const ClothState& state, Real h);
+    /// The integrator has made a step [s] from the state that was seen last.
+    void integrated(Real h);
 
+    /// Contacts were answered.
+    /// @param before,after of the part of the cloth that this may have moved
     /// @param ball_work as the response reports it [J]
-    /// @par Cost O(particles)
-    void responded(const ClothModel& model, const ClothState& state, double ball_work);
+    void responded(const EnergyFlow& before, const EnergyFlow& after, double ball_work);
 
-    /// What has happened to the state since the last entry is the integrator's: velocities were set to zero by sleep.
-    void stilled(const ClothModel& model, const ClothState& state);
+    /// State or model are about to be changed from outside, which is the hand's work.
+    /// @pre the present energy has been seen, or this was said before
+    void touched() { now_.since = Since::Hand; }
+
+    /// Whether the energy must be seen before a change from outside.
+    [[nodiscard]] bool must_see() const { return now_.since == Since::Step; }
 
     /// Since the ledger began.
-    [[nodiscard]] const EnergyBalance& balance() const { return now_.balance; }
+    /// @param now as for `see`
+    [[nodiscard]] EnergyBalance balance(const EnergyFlow& now) const;
 
     /// Remembers the entries so far, and forgets those since.
     void mark() { marked_ = now_; }
     void return_to_mark() { now_ = marked_; }
 
 private:
-    void look(const ClothModel& model, const ClothState& state);
+    enum class Since { Nothing, Step, Hand };
 
     struct Book {
         EnergyBalance balance;
-        double energy = 0;  ///< after the last entry, as the power
-        Power power;
+        EnergyFlow seen;
+        Since since = Since::Nothing;  ///< what has happened since then
+        double h = 0;                  ///< of the step [s]
+        double contact_energy = 0;     ///< by which contacts have changed the energy since the step [J]
+        Power contact_power;           ///< and the power
     };
 
+    static void see(const EnergyFlow& now, Book& book);
+
     Book now_, marked_;
-    Points scratch_;
 };
 
 }  // namespace drape

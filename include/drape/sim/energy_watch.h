@@ -1,6 +1,7 @@
 #pragma once
 
 #include "drape/model/cloth_model.h"
+#include "drape/model/energy.h"
 
 namespace drape {
 
@@ -23,7 +24,7 @@ MotionSums sum_motion(const ClothState& state);
 /// - a twentieth of what lifting the cloth by its width and height takes, and
 /// - a tenth of the energy in motion and springs, at the most since that moment: that of a symplectic method swings
 ///   about a mean that stays.
-/// An excess above both heats the cloth: what it shows has been made by the method. Energy that a method takes is never
+/// A cloth with an excess above both has gained energy from its integrator. Energy that a method takes is never
 /// wrong here, for that is how implicit ones are stable.
 ///
 /// The sums of every substep give the energy but for the springs'; those are summed, at the cost of a force evaluation,
@@ -31,20 +32,21 @@ MotionSums sum_motion(const ClothState& state);
 /// substep in which their energy does, however many others there are.
 class EnergyWatch {
 public:
-    EnergyWatch() = default;
-    EnergyWatch(const ClothModel& model, const ClothState& state) { restart(model, state); }
-
     /// Starts from the energy as it is: state or model have been changed from outside.
-    void restart(const ClothModel& model, const ClothState& state);
+    void restart(const ClothModel& model, const Energy& energy);
 
     /// Counts what has been put in.
     /// @param work at least what it was, and not less than zero [J]
     void give(double work) { base_ += work; }
 
-    /// @param sums of `state`
+    /// @param sums of the present state
     /// @param h substep that was made [s]
     /// @param least_pause substeps from one sum over the springs to the next, at least
-    void look(const ClothModel& model, const ClothState& state, const MotionSums& sums, Real h, int least_pause);
+    /// @return whether it is time to `measure`
+    [[nodiscard]] bool look(const ClothModel& model, const MotionSums& sums, Real h, int least_pause);
+
+    /// @param energy of the present state
+    void measure(const Energy& energy);
 
     /// What the energy has risen by that nothing put in, at the last sum over the springs [J].
     [[nodiscard]] double excess() const { return excess_; }
@@ -56,8 +58,6 @@ public:
     [[nodiscard]] double small_work() const;
 
 private:
-    void measure(const ClothModel& model, const ClothState& state);
-
     double lift_ = 0;    ///< work that lifts the cloth by its size [J]
     double base_ = 0;    ///< energy at the moment that the excess counts from, and all that was given since [J]
     double peak_ = 0;    ///< most of motion and springs since that moment [J]

@@ -68,7 +68,7 @@ private:
     void begin_step();
     [[nodiscard]] Substep substep(int number) const;
     bool input(const Substep& now);
-    bool step(const Substep& now);
+    bool integrate(const Substep& now);
     void build();
     void traverse();
     void narrow(const Substep& now);

@@ -4,9 +4,33 @@
 #include <vector>
 
 #include "drape/sim/cloth.h"
-#include "drape/sim/rest_watch.h"
+#include "drape/sim/settings.h"
 
 namespace drape {
+
+/// Watches whether the particles of a cloth have stayed for a while. Not their speed at a moment, which a swing at its
+/// turning point does not have either, but how far any of them has come since the watch began: half a second later a
+/// swing has left its position, and so has what creeps at the given speed, but a quiver has not.
+class RestWatch {
+public:
+    /// How long particles have to stay [s].
+    static constexpr double duration = 0.5;
+
+    /// The watch begins again with the next look.
+    void restart() { watching_ = false; }
+
+    /// One step more; a particle that has gone farther than `distance` makes the watch begin again.
+    /// @param time simulated [s]
+    /// @param distance how far a particle may go within `duration` [m]
+    /// @return true if every particle has stayed for all of it
+    /// @par Cost O(particles), one pass; allocates at the first look only
+    bool look(const Points& x, double time, Real distance, Kernels kernels);
+
+private:
+    bool watching_ = false;
+    double since_ = 0;
+    Points start_;  ///< when the watch began
+};
 
 /// Watches over all cloths of a scene whether it may fall asleep.
 class SleepWatch {
@@ -16,9 +40,9 @@ public:
 
     /// One step more.
     /// @param time simulated [s]
-    /// @param speed of the slowest motion that keeps a scene awake [m/s]
+    /// @param solver its `sleep_speed` is that of the slowest motion that keeps a scene awake
     /// @return true if every particle has stayed for `RestWatch::duration`
-    bool look(std::span<const Cloth> cloths, double time, Real speed);
+    bool look(std::span<const Cloth> cloths, double time, const SolverSettings& solver);
 
 private:
     std::vector<RestWatch> watches_;  ///< of each cloth

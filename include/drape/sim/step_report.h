@@ -45,7 +45,7 @@ struct StepReport {
     double energy_excess = 0;           ///< largest of any cloth since the start, see `EnergyWatch` [J]
     IntegratorKind unsolved_by{};       ///< the method of the last of them
     IntegratorKind heated_by{};         ///< the method of `heated_step`
-    std::int64_t heated_step = 0;       ///< the first that has found a cloth heated by its method; 0: none has
+    std::int64_t heated_step = 0;       ///< the first that found energy gained from the integrator; 0: none
     double rms_speed = 0;               ///< of the particles [m/s]
     Energy energy;  ///< this, balance and stretch are filled by `Simulation::view`, not by every step
     EnergyBalance balance = EnergyBalance::unknown();  ///< since the ledger began, over all cloths
@@ -65,7 +65,7 @@ struct StepReport {
 /// limited, those of `Balance` only while a ledger is kept, those of `Doubt` only once there is one.
 enum class ReportGroup { Time, Doubt, Stages, Hierarchy, Limit, Energy, Balance };
 
-/// Whether a run that goes on is not to be trusted: steps were not solved, or the method has heated a cloth.
+/// Whether a run that goes on is not to be trusted: steps were not solved, or the integrator has made energy.
 inline bool in_doubt(const StepReport& report) { return report.unconverged > 0 || report.heated_step > 0; }
 
 /// One field of a report, for CSV, panel and tests.

@@ -84,7 +84,7 @@ ContactHistory watch_contacts(const ContactScene& scene, const BroadPhaseParamet
 
 ContactHistory watch_contacts(const ContactScene& scene, BroadPhase& hierarchy, Real step) {
     ContactTrial trial(scene, step);
-    SearchAudit audit(trial.grid());
+    SearchAudit audit(trial.grid(), scene.integrator.kernels);
     ContactHistory history;
     const auto deepen = [&](double& deepest) {
         const Real depth = audit.penetration(trial.positions(), std::span(&trial.ball(), 1), scene.response.thickness);

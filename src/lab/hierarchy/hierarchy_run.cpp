@@ -70,7 +70,8 @@ public:
 
 private:
     void test(std::size_t frame, std::span<const CellRun> cells, std::vector<int>& triangles) const {
-        find_touched_triangles(motion_.grid, motion_.x[frame], motion_.balls[frame], 0, cells, triangles);
+        find_touched_triangles(motion_.grid, motion_.x[frame], motion_.balls[frame], 0, cells, triangles,
+                               Kernels::Vector);
     }
 
     [[noreturn]] void disagree(std::size_t frame, int triangle, const std::string& how) const {

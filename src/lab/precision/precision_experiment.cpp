@@ -82,8 +82,9 @@ std::vector<Rung> ladder(const PrecisionMethod& method, const PrecisionScene& sc
     } else if (has_step_limit(method.parameters.kind)) {
         // From the last steps beyond the limit at rest
         const ClothParameters& cloth = scene.settings.cloths.front();
-        const Real limit =
-            predicted_limit(make_cloth_model(cloth), make_rest_state(cloth), method.parameters.kind).step;
+        const Real limit = predicted_limit(make_cloth_model(cloth), make_rest_state(cloth), method.parameters.kind,
+                                           method.parameters.kernels)
+                               .step;
         int first = 1;
         while (scene.horizon / static_cast<Real>(first) > 2 * limit) first *= 2;
         first = std::max(first >> (method.too_long - 1), 1);

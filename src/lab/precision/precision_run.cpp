@@ -23,7 +23,8 @@ PrecisionRun::PrecisionRun(const PrecisionScene& scene, const IntegratorParamete
                            const std::optional<ClothState>& start)
     : model_(make_cloth_model(scene.settings.cloths.front())),
       state_(start.value_or(make_rest_state(scene.settings.cloths.front()))),
-      energy_to_fail_(compute_energy(model_, state_).total() + static_cast<double>(energy_to_fail(model_))) {
+      kernels_(parameters.kernels),
+      energy_to_fail_(compute_energy(model_, state_, kernels_).total() + static_cast<double>(energy_to_fail(model_))) {
     if (scene.has_ball()) {
         simulation_.emplace(scene.name, with_method(scene.settings, parameters), StartState{0, {state_}});
     } else {
@@ -46,7 +47,7 @@ const ClothState& PrecisionRun::state() const { return simulation_ ? simulation_
 
 bool PrecisionRun::bounded() const {
     if (simulation_ && simulation_->report().status == Status::Diverged) return false;
-    return state().x.allFinite() && compute_energy(model_, state()).total() < energy_to_fail_;
+    return state().x.allFinite() && compute_energy(model_, state(), kernels_).total() < energy_to_fail_;
 }
 
 std::vector<Real> steps_to(Real horizon, int count, Real phase) {

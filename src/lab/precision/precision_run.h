@@ -28,6 +28,7 @@ public:
 private:
     ClothModel model_;
     ClothState state_;
+    Kernels kernels_;
     double energy_to_fail_;
     std::unique_ptr<Integrator> integrator_;
     std::optional<Simulation> simulation_;

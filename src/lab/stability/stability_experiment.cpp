@@ -77,11 +77,12 @@ struct Forecast {
 
 Forecast forecast(const Subject& subject, const Sheet& sheet) {
     const IntegratorKind kind = subject.method.parameters.kind;
-    const StepLimit limit = predicted_limit(sheet.model, sheet.state, kind);
+    const Kernels kernels = subject.method.parameters.kernels;
+    const StepLimit limit = predicted_limit(sheet.model, sheet.state, kind, kernels);
     if (kind != IntegratorKind::ExplicitEuler) return {limit, limit.step, Real(0.03)};
-    const StepLimit fastest = predicted_limit(sheet.model, sheet.state, IntegratorKind::SymplecticEuler);
+    const StepLimit fastest = predicted_limit(sheet.model, sheet.state, IntegratorKind::SymplecticEuler, kernels);
     const Real expected = observable_limit_of_explicit_euler(sheet.model, sheet.state, fastest.omega, fastest.zeta,
-                                                             {.steps = subject.steps});
+                                                             kernels, {.steps = subject.steps});
     return {limit, expected, Real(0.15)};
 }
 

@@ -35,35 +35,43 @@ HWY_INLINE void add_run(double* values, int count, Lanes& sums) {
     }
 }
 
-HWY_INLINE double sum_of_squares_of(const Real* p, int count) {
+/// Adds up p or its square over a range.
+template <bool squared>
+HWY_INLINE double sum_of(const Real* p, const Grid& grid, const GridRange& range) {
     Lanes sums{};
-    for (int start = 0; start < count; start += energy_run) {
-        const int length = std::min(energy_run, count - start);
-        double values[energy_run];
-        for (int i = 0; i < length; ++i) {
-            const double value = static_cast<double>(p[start + i]);
-            values[i] = value * value;
+    const int count = range.end_column - range.first_column;
+    for (int j = range.first_row; j < range.end_row; ++j) {
+        const int first = grid.particle(range.first_column, j);
+        for (int start = 0; start < count; start += energy_run) {
+            const int length = std::min(energy_run, count - start);
+            double values[energy_run];
+            for (int i = 0; i < length; ++i) {
+                const double value = static_cast<double>(p[first + start + i]);
+                values[i] = squared ? value * value : value;
+            }
+            add_run(values, length, sums);
         }
-        add_run(values, length, sums);
     }
     return total(sums);
 }
 
-double sum_of_squares(const Points& p) {
-    const auto [x, y, z] = axes(p);
-    const int count = static_cast<int>(p.rows());
-    return sum_of_squares_of(x, count) + sum_of_squares_of(y, count) + sum_of_squares_of(z, count);
+ParticleSums sum_over_particles(const Grid& grid, const GridRange& range, const Points& positions,
+                                const Points& velocities) {
+    const auto [x, y, z] = axes(positions);
+    const auto [u, v, w] = axes(velocities);
+    const auto squares = sum_of<true>(u, grid, range) + sum_of<true>(v, grid, range) + sum_of<true>(w, grid, range);
+    return {{sum_of<false>(x, grid, range), sum_of<false>(y, grid, range), sum_of<false>(z, grid, range)}, squares};
 }
 
-SpringSums sum_over_springs(const SpringStencil& springs, const Grid& grid, const Points& positions,
-                            const Points& velocities) {
+SpringSums sum_over_springs(const SpringStencil& springs, const Grid& grid, const GridRange& first_ends,
+                            const Points& positions, const Points& velocities) {
     const auto [x, y, z] = axes(positions);
     const auto [u, v, w] = axes(velocities);
     const auto rest = static_cast<double>(springs.rest_length);
-    const int count = springs.count(grid), offset = springs.offset(grid);
+    const int count = first_ends.end_column - first_ends.first_column, offset = springs.offset(grid);
     Lanes elongations{}, speeds{};
-    for (int j = 0; j < springs.rows(grid); ++j) {
-        const int first = grid.particle(springs.first_column(), j);
+    for (int j = first_ends.first_row; j < first_ends.end_row; ++j) {
+        const int first = grid.particle(first_ends.first_column, j);
         for (int start = 0; start < count; start += energy_run) {
             const int length = std::min(energy_run, count - start);
             double elongation[energy_run], speed[energy_run];
@@ -90,13 +98,16 @@ HWY_AFTER_NAMESPACE();
 namespace drape::kernels {
 
 HWY_EXPORT(sum_over_springs);
-HWY_EXPORT(sum_of_squares);
+HWY_EXPORT(sum_over_particles);
 
-SpringSums sum_over_springs(const SpringStencil& springs, const Grid& grid, const Points& x, const Points& v) {
-    return HWY_DYNAMIC_DISPATCH(sum_over_springs)(springs, grid, x, v);
+SpringSums sum_over_springs(const SpringStencil& springs, const Grid& grid, const GridRange& first_ends,
+                            const Points& x, const Points& v) {
+    return HWY_DYNAMIC_DISPATCH(sum_over_springs)(springs, grid, first_ends, x, v);
 }
 
-double sum_of_squares(const Points& p) { return HWY_DYNAMIC_DISPATCH(sum_of_squares)(p); }
+ParticleSums sum_over_particles(const Grid& grid, const GridRange& range, const Points& x, const Points& v) {
+    return HWY_DYNAMIC_DISPATCH(sum_over_particles)(grid, range, x, v);
+}
 
 }  // namespace drape::kernels
 #endif

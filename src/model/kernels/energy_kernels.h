@@ -10,13 +10,19 @@ struct SpringSums {
     double squared_closing_speeds = 0;  ///< of (n.(v_a - v_b))^2; without a direction a spring adds nothing [m^2/s^2]
 };
 
+/// What some particles add up to.
+struct ParticleSums {
+    Eigen::Vector3d positions = Eigen::Vector3d::Zero();  ///< [m]
+    double squared_speeds = 0;                            ///< [m^2/s^2]
+};
+
 namespace kernels {
 
 /// Sums run in eight lanes, whatever the width of the vectors.
-SpringSums sum_over_springs(const SpringStencil& springs, const Grid& grid, const Points& x, const Points& v);
-
-/// The sum of p^2 over all coordinates.
-double sum_of_squares(const Points& p);
+/// @param first_ends of the springs
+SpringSums sum_over_springs(const SpringStencil& springs, const Grid& grid, const GridRange& first_ends,
+                            const Points& x, const Points& v);
+ParticleSums sum_over_particles(const Grid& grid, const GridRange& range, const Points& x, const Points& v);
 
 }  // namespace kernels
 }  // namespace drape
