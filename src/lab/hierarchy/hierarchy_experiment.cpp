@@ -18,6 +18,32 @@ Column in_parts(const Column& column, const std::vector<std::string>& with) {
     return column.or_nan().where("part", without);
 }
 
+std::vector<HierarchyCase> hierarchy_cases(bool quick) {
+    const auto motions = std::make_shared<Motions>();
+    std::vector<HierarchyCase> all;
+    for (const auto part : {fit_cases, level_cases, budget_cases, break_even_cases, size_cases}) {
+        for (HierarchyCase& one : part(quick, motions)) all.push_back(std::move(one));
+    }
+    return all;
+}
+
+/// Updates are compared over frames: all of them need the same ones.
+std::string flaw_of_hierarchy_case(const std::vector<HierarchyRow>& rows) {
+    using Key = std::tuple<std::string, std::string, double>;
+    std::map<Key, std::map<std::string, std::vector<double>>> frames;
+    for (const HierarchyRow& row : rows_with(rows, &HierarchyRow::part, "break_even")) {
+        frames[{row.scene, row.volume, row.interval_s}][row.update].push_back(row.frame);
+    }
+    for (auto& [key, updates] : frames) {
+        for (const std::string& update : names_of<UpdateKind>()) {
+            if (updates[update] == updates[names_of<UpdateKind>().front()]) continue;
+            return "the rows of update '" + update + "' are not of the same frames as those of '" +
+                   names_of<UpdateKind>().front() + "'";
+        }
+    }
+    return "";
+}
+
 }  // namespace
 
 HierarchyRow HierarchyRow::of(const std::string& part, const RecordedMotion& motion,
@@ -92,36 +118,6 @@ RowFormat<HierarchyRow> hierarchy_format() {
          {in_parts(number_column("false_contacts"), {"budget"}), &Row::false_contacts},
          {in_parts(number_column("distance_m"), {"budget"}), &Row::distance_m}}};
 }
-
-namespace {
-
-std::vector<HierarchyCase> hierarchy_cases(bool quick) {
-    const auto motions = std::make_shared<Motions>();
-    std::vector<HierarchyCase> all;
-    for (const auto part : {fit_cases, level_cases, budget_cases, break_even_cases, size_cases}) {
-        for (HierarchyCase& one : part(quick, motions)) all.push_back(std::move(one));
-    }
-    return all;
-}
-
-/// Updates are compared over frames: all of them need the same ones.
-std::string flaw_of_hierarchy_case(const std::vector<HierarchyRow>& rows) {
-    using Key = std::tuple<std::string, std::string, double>;
-    std::map<Key, std::map<std::string, std::vector<double>>> frames;
-    for (const HierarchyRow& row : rows_with(rows, &HierarchyRow::part, "break_even")) {
-        frames[{row.scene, row.volume, row.interval_s}][row.update].push_back(row.frame);
-    }
-    for (auto& [key, updates] : frames) {
-        for (const std::string& update : names_of<UpdateKind>()) {
-            if (updates[update] == updates[names_of<UpdateKind>().front()]) continue;
-            return "the rows of update '" + update + "' are not of the same frames as those of '" +
-                   names_of<UpdateKind>().front() + "'";
-        }
-    }
-    return "";
-}
-
-}  // namespace
 
 Experiment hierarchy_experiment() {
     return ExperimentOf<HierarchyRow>{

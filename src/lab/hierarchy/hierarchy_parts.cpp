@@ -15,14 +15,14 @@ namespace {
 constexpr UpdateKind all_updates[] = {UpdateKind::Rebuild, UpdateKind::Merge, UpdateKind::Refit, UpdateKind::None};
 
 /// A case that measures some hierarchies on one motion.
-/// @param measure(motion, parameters, rows) adds rows about one of them
-template <class Measure>
+/// @param add_rows(motion, parameters, rows) about one of them
+template <class AddRows>
 HierarchyCase case_of(const SharedMotions& motions, const MotionWanted& wanted,
-                      const std::vector<BroadPhaseParameters>& hierarchies, const Measure& measure) {
+                      const std::vector<BroadPhaseParameters>& hierarchies, const AddRows& add_rows) {
     return [=] {
         const RecordedMotion motion = motions->find(wanted);
         HierarchyRows rows;
-        for (const BroadPhaseParameters& parameters : hierarchies) measure(motion, parameters, rows);
+        for (const BroadPhaseParameters& parameters : hierarchies) add_rows(motion, parameters, rows);
         return rows;
     };
 }
