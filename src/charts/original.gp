@@ -1,5 +1,5 @@
 # The dissertation's five tests, then build and search apart: a bar for each way in which the scene is run.
-# data: test (1 to 5, 6 build and search), place, volume, drawn, median, lower, upper, and the figure as text
+# data: test (1 to 5, 6 build and search), position, volume, drawn, median, lower, upper, and the figure as text
 eval paper(1280, 760)
 set multiplot layout 2,3 margins 0.05,0.99,0.13,0.89 spacing 0.05,0.12 \
   title "The dissertation's five tests: a cloth on a ball, spheres against boxes (logarithmic axes)" font ',13'
@@ -11,7 +11,7 @@ set boxwidth 0.8
 set logscale y
 set offsets 0, 0, graph 0.12, 0
 unset key
-here(test, volume, drawn) = column('test') == test && is('volume', volume) && column('drawn') == drawn ? column('place') : NaN
+here(test, volume, drawn) = column('test') == test && is('volume', volume) && column('drawn') == drawn ? column('position') : NaN
 array titles[6] = ['execution time of a frame [ms]', 'frame rate [1/s]', 'OpenGL calls per frame', 'CPU use [%]', \
                    'vertices per frame', 'one build, one search [us]']
 array least[6] = [0.1, 1, 1, 1, 1, 0.01]
@@ -34,7 +34,7 @@ do for [test = 1:6] {
          lw 1.2, \
        for [one = 1:test < 6] '' using (here(test, 'published', 0)):5:6:7:(0.8) with boxerrorbars fs solid 0.6 \
          lc rgb '#999999' lw 1.2, \
-       '' using (only(column('test') == test, column('place'))):7:8 with labels font test == 6 ? ',8' : ',9' offset 0,0.7
+       '' using (only(column('test') == test, column('position'))):7:8 with labels font test == 6 ? ',8' : ',9' offset 0,0.7
 }
 # What the colours mean, in the margin below
 unset border; unset logscale; unset tics; unset title; unset grid

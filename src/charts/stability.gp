@@ -44,7 +44,7 @@ do for [k = 1:2] {
            title noisy ? 'where growth from noise shows' : 'predicted limit', \
          for [one = 1:(limited && noisy && lasting)] '' using (column(swept_name)):(endless(limit('predicted_step_s'))) with lines lw 2 dt 2 \
            lc rgb green title 'limit of a run without end', \
-         for [one = 1:(limited && against > 0)] '' using (column(swept_name)):(step_where(is('verdict', 'disagrees'))) \
+         for [one = 1:(limited && against > 0)] '' using (column(swept_name)):(step_where(is('agreement', 'disagrees'))) \
            with points pt 4 ps 1.8 lw 1.5 lc rgb pink title 'contradicts the prediction'
     unset key
   }

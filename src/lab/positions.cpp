@@ -1,12 +1,10 @@
 #include "positions.h"
 
-#include <fmt/core.h>
-
 #include <algorithm>
 
-#include "drape/base/input_error.h"
 #include "drape/base/input_file.h"
 #include "drape/base/numbers.h"
+#include "line_reader.h"
 
 namespace drape {
 namespace {
@@ -31,21 +29,12 @@ Points read_positions(const std::string& file, const Grid& grid) {
 
 Points read_positions(std::istream& in, const std::string& file, const Grid& grid) {
     Points x(grid.particles(), 3);
-    std::string line;
+    LineReader reader(in, file, longest_position_line);
     int row = 0;
-    for (int number = 1;; ++number) {
-        const LineEnd end = read_line(in, line, longest_position_line);
-        if (end == LineEnd::None) break;
-        const std::string where = fmt::format("{}:{}: ", file, number);
-        if (end == LineEnd::TooLong) {
-            throw InputError(fmt::format("{}the line is longer than {} bytes", where, longest_position_line));
-        }
-        if (row == grid.particles()) {
-            throw InputError(fmt::format("{}more rows than the grid's {} particles", where, grid.particles()));
-        }
-        const auto values = parse_numbers(line, 3, where);
+    for (; reader.next() != LineEnd::None; ++row) {
+        if (row == grid.particles()) reader.fail("more rows than the grid's {} particles", grid.particles());
+        const auto values = parse_numbers(reader.line(), 3, reader.where());
         for (int axis = 0; axis < 3; ++axis) x(row, axis) = static_cast<Real>(values[static_cast<std::size_t>(axis)]);
-        ++row;
     }
     if (row < grid.particles()) {
         throw InputError(fmt::format("{}: {} rows: the grid has {} particles", file, row, grid.particles()));

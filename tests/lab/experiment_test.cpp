@@ -6,7 +6,7 @@
 
 #include "drape/base/folder_lock.h"
 #include "lab/experiment/case_selection.h"
-#include "lab/experiment/progress.h"
+#include "lab/experiment/run_experiment.h"
 #include "lab/lab_run.h"
 
 namespace drape {
@@ -155,7 +155,7 @@ TEST(LabPage, ShowsEveryChartWithItsCaption) {
     EXPECT_THAT(page, HasSubstr("<h1>stability: which steps stay bounded"));
     EXPECT_THAT(page, HasSubstr("<dt>settings</dt><dd>--quick --cases 161-162</dd>"));
     EXPECT_THAT(page, HasSubstr("<a href=\"stability.csv\">"));
-    if (run.err.find("no gnuplot") != std::string::npos) GTEST_SKIP() << "there is no gnuplot";
+    if (run.has_no_gnuplot()) GTEST_SKIP() << "there is no gnuplot";
     EXPECT_THAT(page, HasSubstr("<img src=\"stability_projective_dynamics.svg\""));
     EXPECT_THAT(page, testing::ContainsRegex("<figcaption>[A-Z][^<]{40,}</figcaption>"));
     EXPECT_TRUE(folder.has("out/stability_projective_dynamics.svg"));

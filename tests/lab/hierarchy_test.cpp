@@ -13,9 +13,8 @@
 #include "drape/sim/simulation.h"
 #include "lab/experiment/experiment_table.h"
 #include "lab/experiments.h"
-#include "lab/hierarchy/hierarchy_report.h"
+#include "lab/hierarchy/hierarchy.h"
 #include "lab/hierarchy/hierarchy_run.h"
-#include "lab/hierarchy/tightness.h"
 #include "lab/lab_run.h"
 #include "support/cloths.h"
 
@@ -201,7 +200,7 @@ TEST(RecordedMotion, IsWhatTheSceneIsBuiltFromAndTheSameSurfaceOnFinerGrids) {
 TEST(HierarchyRow, ReadsBackAsItWasWritten) {
     HierarchyRow row;
     row.part = "size", row.scene = "drop", row.volume = "sphere", row.sphere_fit = "ritter", row.update = "refit";
-    row.particles = 1048576, row.build_s = 1.25e-3, row.distance_m = 0.5;
+    row.particles = 1048576, row.build.median = 1.25e-3, row.distance_m = 0.5;
     const RowFormat<HierarchyRow> format = hierarchy_format();
     const TableRow written = format.cells(row);
     EXPECT_EQ(written.size(), format.columns().size());
@@ -218,9 +217,9 @@ TEST(Growths, AreThoseOfTheLargerSizes) {
         row.part = "size", row.volume = "aabb", row.update = "merge";
         row.particles = particles;
         // Flat below 4096 particles, then as n and as the square root of n
-        row.build_s = 1e-9 * std::max(particles, 4096.);
-        row.query_s = 1e-8 * std::sqrt(std::max(particles, 4096.));
-        row.exact_s = row.query_s;
+        row.build.median = 1e-9 * std::max(particles, 4096.);
+        row.query.median = 1e-8 * std::sqrt(std::max(particles, 4096.));
+        row.exact.median = row.query.median;
         rows.push_back(row);
     }
     const std::vector<Growth> found = growths(rows);
@@ -255,8 +254,8 @@ TEST_F(LabHierarchy, WritesTheSameCountsInEveryRun) {
     ASSERT_EQ(one.size(), 3u) << "three sizes of leaves";
     ASSERT_EQ(other.size(), one.size());
     for (std::size_t k = 0; k < one.size(); ++k) {
-        EXPECT_GT(one[k].build_s, 0);
-        EXPECT_LE(one[k].build_lower_s, one[k].build_s);
+        EXPECT_GT(one[k].build.median, 0);
+        EXPECT_LE(one[k].build.lower, one[k].build.median);
         EXPECT_GT(one[k].touching, 1);
         EXPECT_GT(one[k].tightness, 1);
         EXPECT_LT(one[k].tightness, 1.2);
@@ -272,7 +271,7 @@ TEST_F(LabHierarchy, DrawsWhatAShareHas) {
     const LabFolder folder;
     const LabRun run = run_share(folder, 1, "out");
     ASSERT_EQ(run.code, 0) << run.err;
-    if (run.err.find("no gnuplot") != std::string::npos) GTEST_SKIP() << "there is no gnuplot";
+    if (run.has_no_gnuplot()) GTEST_SKIP() << "there is no gnuplot";
     EXPECT_THAT(folder.read("out/hierarchy_fit.svg"), HasSubstr("</svg>"));
     EXPECT_FALSE(folder.has("out/hierarchy_size.svg"));
 }

@@ -3,11 +3,9 @@
 #include <algorithm>
 #include <cmath>
 #include <filesystem>
-#include <sstream>
 
 #include "drape/base/input_error.h"
-#include "lab/experiment/experiment_table.h"
-#include "lab/experiments.h"
+#include "lab/experiment/run_experiment.h"
 #include "lab/lab_run.h"
 
 namespace drape {
@@ -15,260 +13,9 @@ namespace {
 
 using test::LabFolder;
 using test::LabRun;
-using test::lines_of;
+using test::replaced;
 using testing::AllOf;
 using testing::HasSubstr;
-
-const std::vector<Experiment>& experiments() {
-    static const std::vector<Experiment> all = all_experiments();
-    return all;
-}
-
-const Experiment& experiment_of(const std::string& name) {
-    return *std::ranges::find(experiments(), name, &Experiment::name);
-}
-
-/// A cell that its column may have.
-std::string good_cell(const Column& column) { return column.kind == Column::Kind::Word ? column.words.front() : "4"; }
-
-TableRow good_row(const Experiment& experiment) {
-    TableRow row;
-    for (const Column& column : experiment.columns) row.push_back(good_cell(column));
-    return row;
-}
-
-std::size_t place_of(const Experiment& experiment, const std::string& column) {
-    const auto found = std::ranges::find(experiment.columns, column, &Column::name);
-    EXPECT_NE(found, experiment.columns.end()) << column;
-    return static_cast<std::size_t>(found - experiment.columns.begin());
-}
-
-std::string line_with(const std::string& number, const TableRow& row) {
-    std::string line = number;
-    for (const std::string& cell : row) line += "," + cell;
-    return line + "\n";
-}
-
-/// A table of stability with cases 3 and 4, as a run writes it; each part can be replaced.
-struct Text {
-    std::string experiment = "# experiment: stability\n";
-    std::string origin =
-        "# drape: 0, double precision\n# commit: 1\n# machine: A (R)\n# compiler: g\n# date: 2026-01-01\n";
-    std::string settings = "# settings: --quick --cases 3-4\n# cases: 10\n";
-    std::string columns = columns_line(experiment_of("stability")) + "\n";
-    std::string rows = row("3") + row("3") + row("4");
-    std::string end = "# end: 2\n";
-
-    static std::string row(const std::string& number) {
-        return line_with(number, good_row(experiment_of("stability")));
-    }
-    [[nodiscard]] std::string all() const { return experiment + origin + settings + columns + rows + end; }
-};
-
-std::optional<ExperimentTable> read(const std::string& text, bool unfinished = false,
-                                    const std::string& experiment = "stability") {
-    std::istringstream in(text);
-    return read_table(experiment_of(experiment), in, "t.csv", unfinished);
-}
-
-/// What is said of a table that is refused; empty if it is not.
-std::string refusal(const std::string& text, bool unfinished = false) try {
-    read(text, unfinished);
-    return "";
-} catch (const InputError& error) {
-    return error.what();
-}
-
-std::string replaced(std::string text, const std::string& from, const std::string& to) {
-    const std::size_t at = text.find(from);
-    EXPECT_NE(at, std::string::npos) << from;
-    return text.replace(at, from.size(), to);
-}
-
-TEST(TableCheck, AcceptsWhatARunHasWritten) {
-    const auto table = read(Text().all());
-    ASSERT_TRUE(table);
-    EXPECT_EQ(table->rows().size(), 3u);
-    EXPECT_EQ(table->cases.at(3).size(), 2u);
-    EXPECT_EQ(line_of(table->head, "machine"), "A (R)");
-}
-
-TEST(TableCheck, NoColumnOfAnyExperimentTakesTextThatIsNoneOfItsWords) {
-    for (const Experiment& experiment : experiments()) {
-        const TableRow good = good_row(experiment);
-        ASSERT_EQ(flaw_of(experiment.columns, good), "") << experiment.name;
-        for (std::size_t k = 0; k < good.size(); ++k) {
-            for (const char* cell :
-                 {"banana", "`id`", "system('id')", "'",     "\"",       "$x",      "@x",   "\\",  "<b>", "1 2",
-                  " 2",     "0x10", "1e999",        "2`id`", "infinity", "nan(id)", "-inf", "1;2", "\n",  "-2"}) {
-                TableRow bad = good;
-                bad[k] = cell;
-                EXPECT_THAT(flaw_of(experiment.columns, bad),
-                            AllOf(HasSubstr("column " + experiment.columns[k].name + ": '"), HasSubstr("allowed ")))
-                    << cell;
-            }
-        }
-    }
-}
-
-TEST(TableCheck, NamesLineColumnValueAndWhatIsAllowed) {
-    const Experiment& stability = experiment_of("stability");
-    const auto with = [&](const std::string& column, const std::string& cell) {
-        Text text;
-        TableRow row = good_row(stability);
-        row[place_of(stability, column)] = cell;
-        text.rows = Text::row("3") + line_with("3", row) + Text::row("4");
-        return refusal(text.all());
-    };
-    EXPECT_EQ(with("measured_step_s", "banana"),
-              "t.csv:11: column measured_step_s: 'banana': allowed a finite number >= 0, or 'inf' where method is "
-              "'backward_euler_clamped', 'backward_euler_exact', 'implicit_midpoint_clamped', "
-              "'implicit_midpoint_exact', 'bdf2_clamped', 'bdf2_exact', 'xpbd_1', 'xpbd_20' or 'projective_dynamics'");
-    EXPECT_THAT(with("step_s", "nan"), HasSubstr("column step_s: 'nan': allowed a finite number > 0"));
-    EXPECT_THAT(with("step_s", "inf"), HasSubstr("column step_s: 'inf': allowed a finite number > 0"));
-    EXPECT_THAT(with("step_s", ""), HasSubstr("column step_s: '': allowed a finite number > 0"));
-    EXPECT_THAT(with("expected_step_s", "inf"), HasSubstr("column expected_step_s: 'inf': allowed")) << "has a limit";
-    EXPECT_THAT(with("side", "16.5"), HasSubstr("column side: '16.5': allowed a whole number >= 2"));
-    EXPECT_EQ(with("verdict", "maybe"), "t.csv:11: column verdict: 'maybe': allowed 'agrees', 'disagrees' or 'close'");
-    EXPECT_EQ(with("step_s", "1,1"), "t.csv:11: 15 cells: allowed 14");
-}
-
-TEST(TableCheck, TakesInfinityWhereAMethodHasNoLimit) {
-    const Experiment& stability = experiment_of("stability");
-    TableRow row = good_row(stability);
-    row[place_of(stability, "method")] = "bdf2_exact";
-    for (const char* column : {"predicted_step_s", "expected_step_s", "measured_step_s"}) {
-        row[place_of(stability, column)] = "inf";
-    }
-    EXPECT_EQ(flaw_of(stability.columns, row), "");
-}
-
-TEST(TableCheck, DemandsTheCasesOfItsHeadEachOnceInTheirOrder) {
-    const auto with = [](const std::string& rows, const std::string& end, bool unfinished = false) {
-        Text text;
-        text.rows = rows, text.end = end;
-        return refusal(text.all(), unfinished);
-    };
-    const std::string three = Text::row("3"), four = Text::row("4");
-    EXPECT_EQ(with(three + four + three, "# end: 2\n"),
-              "t.csv:12: column case: '3': allowed 4, by 'settings' and 'cases' above");
-    EXPECT_EQ(with(four, "# end: 1\n"), "t.csv:10: column case: '4': allowed 3, by 'settings' and 'cases' above");
-    EXPECT_THAT(with(four, "", true), HasSubstr("column case: '4': allowed 3")) << "also if it is unfinished";
-    for (const char* number : {"5", "0", "-3", "3.0", "", "x", "99999999999999999999"}) {
-        EXPECT_THAT(with(three + Text::row(number), "# end: 2\n"), HasSubstr("t.csv:11: column case: '")) << number;
-    }
-    EXPECT_EQ(with(three, "# end: 1\n"), "t.csv:11: case 4 is missing above");
-    EXPECT_EQ(with(three + four, "# end: 3\n"), "t.csv:12: end = '3': allowed 2, the number of cases above");
-    EXPECT_EQ(with(three + four, "# end: x\n"), "t.csv:12: end = 'x': allowed 2, the number of cases above");
-    EXPECT_THAT(with(three + four, ""), HasSubstr("t.csv:11: cut off"));
-}
-
-TEST(TableCheck, AllowsNothingAfterTheEnd) {
-    for (const std::string after : {"x\n", "\n", "x", "4,`id`\n", "# end: 2\n"}) {
-        EXPECT_EQ(refusal(Text().all() + after), "t.csv:13: there is more after the end") << after;
-        EXPECT_EQ(refusal(Text().all() + after, true), "t.csv:13: there is more after the end") << after;
-    }
-}
-
-TEST(TableCheck, DemandsAHeadThatSaysWhatTheTableIs) {
-    Text text;
-    const auto with = [&](const std::string& from, const std::string& to) {
-        return refusal(replaced(text.all(), from, to));
-    };
-    EXPECT_EQ(with(": stability", ": contact"), "t.csv:1: experiment = 'contact': allowed 'stability'");
-    EXPECT_THAT(with("# commit: 1\n", ""), HasSubstr("'# commit: ' is missing above the columns"));
-    EXPECT_EQ(with("# commit: 1\n", "# date: 1\n"), "t.csv:6: date is there twice");
-    EXPECT_THAT(with("# commit: ", "# <b>: "), HasSubstr("t.csv:3: head line '<b>': allowed 'experiment', "));
-    EXPECT_THAT(with("# commit: 1", "# commit"), HasSubstr("allowed '# name: value'"));
-    for (const char* count : {"0", "-1", "x", "1e3", "100001", ""}) {
-        EXPECT_THAT(with("cases: 10", std::string("cases: ") + count), HasSubstr("': allowed 1 to 100000")) << count;
-    }
-    for (const char* settings : {"quick", "", "--quick --share 1/2 --cases 3-4", "--quick  --cases 3-4", "whole x"}) {
-        EXPECT_THAT(with("--quick --cases 3-4", settings), HasSubstr("': allowed 'whole' or '--quick', then"))
-            << settings;
-    }
-    EXPECT_THAT(with("--cases 3-4", "--cases 3-11"), HasSubstr("t.csv:9: the settings above have --cases 3-11"));
-    EXPECT_THAT(with("--cases 3-4", "--share 3/2"), HasSubstr("t.csv:9: the settings above have --share 3/2"));
-    EXPECT_THAT(with("# cases: 10", "# cases: 4\n# machine: \x1b[2J"), HasSubstr("t.csv:9: byte 12 is no printable"));
-}
-
-TEST(TableCheck, EndsEarlyWhereAFileIsTooLarge) {
-    Text text;
-    EXPECT_THAT(refusal(replaced(text.all(), "A (R)", std::string(20'000, 'a'))),
-                HasSubstr("t.csv:4: too long: allowed 16384 bytes in a line"));
-    // Good lines, but too many; numbers may have any number of digits
-    const std::string long_row = replaced(Text::row("3"), ",4,", ",4." + std::string(16'000, '0') + ",");
-    text.rows.clear();
-    for (int k = 0; k < 2200; ++k) text.rows += long_row;
-    EXPECT_THAT(refusal(text.all()), HasSubstr("a table has at most 33554432 bytes"));
-}
-
-TEST(TableCheck, RefusesWhatIsNoText) {
-    EXPECT_EQ(refusal(std::string("\x7f"
-                                  "ELF\0\0\x01\n",
-                                  8)),
-              "t.csv:1: byte 1 is no printable ASCII character");
-    EXPECT_EQ(refusal(replaced(Text().all(), "3,", std::string("3,\0", 3))),
-              "t.csv:10: byte 3 is no printable ASCII character");
-    EXPECT_THAT(refusal(""), HasSubstr("there is no table"));
-    EXPECT_THAT(refusal("banana\n"), HasSubstr("t.csv:1: these are not the columns of stability"));
-}
-
-TEST(TableCheck, ReadsAnUnfinishedTableThatIsCutOffAnywhere) {
-    const std::string whole = Text().all();
-    for (std::size_t length = 0; length < whole.size(); ++length) {
-        std::optional<ExperimentTable> table;
-        ASSERT_NO_THROW(table = read(whole.substr(0, length), true)) << length;
-        EXPECT_LE(table ? table->cases.size() : 0, 1u) << "the last case may lack rows";
-    }
-    EXPECT_EQ(read(whole, true)->cases.size(), 2u);
-}
-
-TEST(TableCheck, LetsNothingBeWrittenThatCouldNotBeReadBack) {
-    const LabFolder folder;
-    const Experiment& stability = experiment_of("stability");
-    const ExperimentTable table{head_of(stability, "--quick", 162), {}};
-    TableWriter writer(stability, folder.path("t.csv"), table);
-    TableRow row = good_row(stability);
-    writer.write(1, {row});
-    row[place_of(stability, "step_s")] = "nan";
-    EXPECT_THROW(writer.write(2, {row}), RunError);
-    EXPECT_THROW(writer.write(2, {}), RunError);
-    EXPECT_EQ(folder.read("t.csv.part").find("\n2,"), std::string::npos);
-}
-
-TEST(TableCheck, MissesWhatACaseNeeds) {
-    const Experiment& original = experiment_of("original");
-    std::vector<TableRow> rows(4, good_row(original));
-    EXPECT_EQ(original.flaw_of_case(rows), "4 rows of volume 'sphere' with bounds_drawn '0': allowed 1");
-    for (std::size_t k = 0; k < 4; ++k) rows[k][0] = k % 2 == 0 ? "sphere" : "aabb", rows[k][1] = k < 2 ? "0" : "1";
-    EXPECT_EQ(original.flaw_of_case(rows), "");
-
-    const Experiment& hierarchy = experiment_of("hierarchy");
-    std::vector<TableRow> frames;
-    for (const char* update : {"rebuild", "merge", "refit", "none"}) {
-        TableRow row = good_row(hierarchy);
-        row[place_of(hierarchy, "part")] = "break_even", row[place_of(hierarchy, "update")] = update;
-        frames.push_back(row);
-    }
-    EXPECT_EQ(hierarchy.flaw_of_case(frames), "");
-    frames.erase(frames.begin() + 2);
-    EXPECT_THAT(hierarchy.flaw_of_case(frames), HasSubstr("update 'refit' are not of the same frames"));
-}
-
-TEST(TableCheck, SummariesAndChartsStandWhateverPassesTheCheck) {
-    for (const Experiment& experiment : experiments()) {
-        const std::vector<TableRow> rows(3, good_row(experiment));
-        if (!experiment.flaw_of_case(rows).empty()) continue;
-        EXPECT_NO_THROW(static_cast<void>(experiment.summary(rows))) << experiment.name;
-        // That of precision refuses a reference that is worth nothing
-        try {
-            static_cast<void>(experiment.charts(rows));
-        } catch (const RunError& error) {
-            EXPECT_THAT(error.what(), HasSubstr("no chart is drawn"));
-        }
-    }
-}
 
 TEST(ChartValues, AreFiniteNumbersAndWordsAndNothingThatGnuplotCouldRun) {
     const auto told = [](const std::string& name, const Chart::Value& value) {
@@ -354,7 +101,7 @@ TEST(HostileFolder, RunsNothingByItsName) {
         const LabRun run = run_two(folder, {"--out", name});
         EXPECT_EQ(run.code, 0) << run.err;
         EXPECT_FALSE(has_marker(folder)) << name;
-        if (run.err.find("no gnuplot") != std::string::npos) GTEST_SKIP() << "there is no gnuplot";
+        if (run.has_no_gnuplot()) GTEST_SKIP() << "there is no gnuplot";
         EXPECT_TRUE(folder.has(name + "/stability_projective_dynamics.png"));
         const LabRun again = folder.run({"merge", name, "--out", name + "2"});
         EXPECT_EQ(again.code, 0) << again.err;
@@ -366,7 +113,7 @@ TEST(HostileFolder, ItsNameIsNoPartOfTheScriptThatDrawsTheChartAgain) {
     const LabFolder folder;
     const LabRun run = run_two(folder, {"--out", payload});
     ASSERT_EQ(run.code, 0) << run.err;
-    if (run.err.find("no gnuplot") != std::string::npos) GTEST_SKIP() << "there is no gnuplot";
+    if (run.has_no_gnuplot()) GTEST_SKIP() << "there is no gnuplot";
     const std::string name = std::string(payload) + "/stability_projective_dynamics";
     EXPECT_THAT(folder.read(name + ".gnuplot"), testing::Not(HasSubstr("touch")));
     const std::string picture = folder.read(name + ".png");

@@ -21,7 +21,7 @@ TEST(LabKernels, TimesEachStageByBothKindsOfKernels) {
         EXPECT_THAT(rows, testing::Contains(HasSubstr(std::string(",") + stage + ",plain,256,")));
         EXPECT_THAT(run.out, HasSubstr(std::string(stage) + ", 256 particles: plain "));
     }
-    if (run.err.find("no gnuplot") != std::string::npos) GTEST_SKIP() << "there is no gnuplot";
+    if (run.has_no_gnuplot()) GTEST_SKIP() << "there is no gnuplot";
     EXPECT_THAT(folder.read("out/kernels.svg"), HasSubstr("</svg>"));
 }
 

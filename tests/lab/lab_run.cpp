@@ -6,6 +6,8 @@
 #include <fstream>
 #include <sstream>
 
+#include "drape/base/numbers.h"
+
 namespace drape::test {
 
 LabRun LabFolder::run(const std::vector<std::string>& words, const std::string& program,
@@ -29,6 +31,18 @@ std::vector<std::string> lines_of(const std::string& text) {
     std::istringstream in(text);
     for (std::string line; std::getline(in, line);) lines.push_back(line);
     return lines;
+}
+
+std::vector<double> values_of(const std::string& row) {
+    std::vector<double> values;
+    for (const std::string_view cell : split_at_commas(row)) values.push_back(parse_real(cell).value());
+    return values;
+}
+
+std::string replaced(std::string text, const std::string& from, const std::string& to) {
+    const std::size_t at = text.find(from);
+    EXPECT_NE(at, std::string::npos) << from;
+    return text.replace(at, from.size(), to);
 }
 
 std::vector<std::string> table_of(const LabFolder& folder, const std::string& file) {

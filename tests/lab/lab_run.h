@@ -15,6 +15,9 @@ namespace drape::test {
 struct LabRun {
     int code = -1;  ///< exit code; 256 + signal if it was killed, -1 if it did not end in time
     std::string out, err;
+
+    /// Whether it found no gnuplot to draw its charts.
+    [[nodiscard]] bool has_no_gnuplot() const { return err.find("no gnuplot") != std::string::npos; }
 };
 
 /// A folder for one test's files, gone with the object; `drape-lab` runs in it.
@@ -35,6 +38,12 @@ public:
 
 /// The lines of a text, without their ends.
 std::vector<std::string> lines_of(const std::string& text);
+
+/// The values of one row of a CSV file.
+std::vector<double> values_of(const std::string& row);
+
+/// A text with one part of it replaced, which must be there.
+std::string replaced(std::string text, const std::string& from, const std::string& to);
 
 /// The lines of an experiment's table without its head.
 std::vector<std::string> table_of(const LabFolder& folder, const std::string& file);

@@ -3,8 +3,7 @@
 #include <array>
 #include <thread>
 
-#include "lab/measure/fits.h"
-#include "lab/measure/timing.h"
+#include "lab/measure/statistics.h"
 
 namespace drape {
 namespace {

@@ -6,9 +6,8 @@
 #include "drape/sim/scene.h"
 #include "drape/sim/scene_text.h"
 #include "lab/lab_run.h"
-#include "lab/needs/full_model.h"
-#include "lab/needs/needs_search.h"
-#include "lab/needs/write_scene.h"
+#include "lab/needs/configurations.h"
+#include "lab/needs/needs.h"
 
 namespace drape {
 namespace {
@@ -59,7 +58,7 @@ TEST(Needs, AreMetByTheFullModelAndByTheSceneThatIsIt) {
     EXPECT_GT(scene.error, 0);
 }
 
-TEST(Needs, AreNotMetByARunThatIsLostOrBeyondItsLimitOrTooDearOrTooStretched) {
+TEST(Needs, AreNotMetByARunBeyondItsLimitOrTooExpensiveOrTooSoft) {
     Settings scene = parse_scene(swinging, "swinging.toml");
     scene.needs.stretch = Real(0.5);
     const Needs needs(scene);
@@ -75,7 +74,7 @@ TEST(Needs, AreNotMetByARunThatIsLostOrBeyondItsLimitOrTooDearOrTooStretched) {
     EXPECT_GT(soft.miss, 1);
 }
 
-TEST(Needs, OfASceneThatMustBeLostOrSoftAreNotMetByOneThatIsNot) {
+TEST(Needs, OfASceneThatMustDivergeOrStretchAreNotMetByOneThatDoesNot) {
     Settings scene = parse_scene(swinging, "swinging.toml");
     scene.needs.position_error = 0;
     scene.needs.diverges = true;

@@ -1,4 +1,4 @@
-#include "lab/needs/notches.h"
+#include "lab/needs/configurations.h"
 
 #include <gmock/gmock.h>
 
@@ -7,9 +7,8 @@
 
 #include "drape/model/energy.h"
 #include "drape/sim/simulation.h"
-#include "lab/measure/resampled.h"
-#include "lab/needs/full_model.h"
-#include "lab/needs/motion.h"
+#include "lab/measure/states.h"
+#include "lab/needs/needs.h"
 #include "support/input_errors.h"
 
 namespace drape {
@@ -122,7 +121,7 @@ Motion motion_of(const Grid& grid, const Points& x) {
     Motion motion;
     motion.grid = grid;
     motion.x.fill(x);
-    motion.reached = Motion::moments;
+    motion.passed = Motion::moments;
     return motion;
 }
 
@@ -189,7 +188,7 @@ TEST(RunToHorizon, KnowsAFreeFallBetweenStepsThatFitNoMoment) {
     scene.needs.horizon = Real(0.5);
     scene.cloths[0].structural = scene.cloths[0].shear = scene.cloths[0].bend = {1, 0};
     const Motion motion = run_to_horizon(scene);
-    ASSERT_EQ(motion.reached, Motion::moments);
+    ASSERT_EQ(motion.passed, Motion::moments);
     for (std::size_t k = 0; k < Motion::moments; ++k) {
         const double t = 0.5 * static_cast<double>(k + 1) / Motion::moments;
         EXPECT_NEAR(motion.x[k](4, 1), -9.81 * t * t / 2, sizeof(Real) == 8 ? 1e-9 : 1e-5);

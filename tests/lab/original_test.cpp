@@ -1,4 +1,4 @@
-// The experiment on the original's five tests: its parts, and a case of it run as a program.
+// The experiment "original" on the dissertation's five tests: its parts, and a case of it run as a program.
 
 #include <gmock/gmock.h>
 
@@ -9,7 +9,7 @@
 #include "drape/base/resources.h"
 #include "lab/experiments.h"
 #include "lab/lab_run.h"
-#include "lab/original/original_experiment.h"
+#include "lab/original/original.h"
 
 namespace drape {
 namespace {
@@ -85,8 +85,9 @@ TEST(OriginalRows, HaveEveryCellWhereThereIsAProgramToDraw) {
 }
 
 TEST(OriginalRows, FailWhereTheProgramFails) {
-    EXPECT_THROW((void)draw_original({"sphere", false}, tiny, "/bin/false"), RunError);
-    EXPECT_THROW((void)draw_original({"sphere", false}, tiny, "/bin/true"), RunError) << "and where it writes nothing";
+    OriginalRow row;
+    EXPECT_THROW((void)draw_original({"sphere", false}, tiny, "/bin/false", row), RunError);
+    EXPECT_THROW((void)draw_original({"sphere", false}, tiny, "/bin/true", row), RunError) << "where it writes nothing";
     EXPECT_EQ(run_child({"sh", "-c", "exit 7"}), 7);
     EXPECT_EQ(run_child({"no-such-program-anywhere"}), std::nullopt);
 }

@@ -8,10 +8,8 @@
 #include "drape/base/input_error.h"
 #include "drape/base/numbers.h"
 #include "lab/lab_run.h"
-#include "lab/measure/fits.h"
-#include "lab/precision/precision_diagram.h"
-#include "lab/precision/precision_run.h"
-#include "lab/precision/reference.h"
+#include "lab/measure/statistics.h"
+#include "lab/precision/precision.h"
 
 namespace drape {
 namespace {
@@ -171,8 +169,8 @@ double order_on(const PrecisionScene& scene, const Reference& reference, const I
     for (const int count : counts) {
         double squares = 0;
         for (int phase = 0; phase < scene.phases; ++phase) {
-            const Real place = scene.has_ball() ? (Real(phase) + Real(0.5)) / Real(scene.phases) : 0;
-            const Finish end = finish(scene, method, steps_to(scene.horizon, count, place));
+            const Real within = scene.has_ball() ? (Real(phase) + Real(0.5)) / Real(scene.phases) : 0;
+            const Finish end = finish(scene, {method, count}, within);
             EXPECT_TRUE(end.bounded);
             squares += std::pow(position_error(end.state.x, reference.state.x, scene.side()), 2);
         }
@@ -204,7 +202,7 @@ TEST(Precision, ContactMakesRk4AMethodOfFirstOrder) {
     EXPECT_NEAR(touched, 1, 0.3);
     scene.horizon = Real(0.19);  // just before the impact, where errors are those of rounding
     const Reference before = find_reference(scene);
-    const Finish end = finish(scene, rk4, steps_to(scene.horizon, 64, Real(0.5)));
+    const Finish end = finish(scene, {rk4, 64}, Real(0.5));
     EXPECT_LT(position_error(end.state.x, before.state.x, scene.side()), 1e-8);
 }
 
@@ -212,12 +210,12 @@ TEST(Precision, ContactMakesRk4AMethodOfFirstOrder) {
 std::vector<PrecisionRow> verlet_rows(const Reference& reference) {
     std::vector<PrecisionRow> rows;
     for (const int count : {64, 128, 256, 512, 1024}) {
-        const Finish end = finish(soft(), {.kind = IntegratorKind::VelocityVerlet}, steps_to(soft().horizon, count));
+        const Finish end = finish(soft(), {{.kind = IntegratorKind::VelocityVerlet}, count});
         const double error = position_error(end.state.x, reference.state.x, soft().side());
         rows.push_back({"soft", 6, 100, 0.25, 1, "velocity_verlet", nothing, static_cast<double>(count),
                         static_cast<double>(soft().horizon) / count, end.bounded ? "bounded" : "unstable",
-                        std::string(name_of(reference.measure)), error, 0.9e-5 * count, 1e-5 * count, 1.1e-5 * count,
-                        reference.error, reference.growth});
+                        std::string(name_of(reference.measure)), error,
+                        Quartiles{0.9e-5 * count, 1e-5 * count, 1.1e-5 * count}, reference.error, reference.growth});
     }
     return rows;
 }

@@ -38,7 +38,7 @@ TEST(LabStability, DrawsAChartAMethodWhereThereIsGnuplot) {
     const LabFolder folder;
     const LabRun run = folder.run({"stability", "--quick", "--share", "6/500", "--out", "stability"});
     ASSERT_EQ(run.code, 0) << run.err;
-    if (run.err.find("no gnuplot") != std::string::npos) GTEST_SKIP() << "there is no gnuplot";
+    if (run.has_no_gnuplot()) GTEST_SKIP() << "there is no gnuplot";
     EXPECT_THAT(folder.read("stability/stability_explicit_euler.svg"), HasSubstr("</svg>"));
     EXPECT_THAT(folder.read("stability/stability_explicit_euler.png"), testing::StartsWith("\x89PNG"));
 }

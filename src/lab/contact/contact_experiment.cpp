@@ -9,7 +9,6 @@
 #include "drape/base/input_error.h"
 #include "drape/base/numbers.h"
 #include "lab/experiments.h"
-#include "lab/measure/timing.h"
 
 namespace drape {
 namespace {
@@ -21,18 +20,14 @@ struct ContactRow {
     double missed_contacts = 0, missed_steps = 0;  ///< parts of those of the reference
     double penetration = 0, left = 0;              ///< largest, before and after the response [m]
     double passed = 0, false_contacts = 0;
-    double cpu = 0, cpu_lower = 0, cpu_upper = 0;  ///< time for a simulated second [s]
+    Quartiles cpu = {};  ///< time for a simulated second [s]
     double reference_triangles = 0, reference_penetration = 0;
 };
 
-constexpr int finer = 100;  ///< steps of the reference for one of a run
+constexpr int reference_substeps = 100;  ///< steps of the reference for one of a run
 
-/// The searches that are compared: the full one, and ends after some tests.
-struct NamedSearch {
-    const char* name;
-    std::int64_t tests;
-};
-constexpr NamedSearch searches[] = {{"full", 0}, {"limited", 24}, {"limited", 12}};
+/// Volume tests after which the searches end that are compared; 0: never, the full search.
+constexpr std::int64_t searches[] = {0, 24, 12};
 
 BroadPhaseParameters search_of(std::int64_t tests) { return {.leaf_cells = 4, .search = {.tests = tests}}; }
 
@@ -56,19 +51,18 @@ Quartiles time_run(const ContactScene& scene, const BroadPhaseParameters& search
 
 std::vector<ContactRow> run_contact_case(double speed, double step, int repeats) {
     const ContactScene scene = hung_cloth_and_ball(speed, step);
-    const ContactHistory reference = watch_contacts(scene, search_of(0), static_cast<Real>(step / finer));
+    const ContactHistory reference = watch_contacts(scene, search_of(0), static_cast<Real>(step / reference_substeps));
     std::set<int> triangles;
     for (const std::vector<int>& touched : reference.touched) triangles.insert(touched.begin(), touched.end());
     if (triangles.empty() || reference.passed) {
         throw RunError("contact: at " + real_text(speed) + " m/s the ball of the reference has gone through the cloth");
     }
     std::vector<ContactRow> rows;
-    for (const NamedSearch& search : searches) {
-        const ContactHistory run = watch_contacts(scene, search_of(search.tests), static_cast<Real>(step));
-        const ContactErrors errors = compare_contacts(run, reference, finer);
-        const Quartiles cost = time_run(scene, search_of(search.tests), static_cast<Real>(step), repeats);
-        rows.push_back({.search = search.name,
-                        .tests = static_cast<double>(search.tests),
+    for (const std::int64_t tests : searches) {
+        const ContactHistory run = watch_contacts(scene, search_of(tests), static_cast<Real>(step));
+        const ContactErrors errors = compare_contacts(run, reference, reference_substeps);
+        rows.push_back({.search = tests == 0 ? "full" : "limited",
+                        .tests = static_cast<double>(tests),
                         .speed = speed,
                         .step = step,
                         .missed_contacts = errors.missed_contacts,
@@ -77,9 +71,7 @@ std::vector<ContactRow> run_contact_case(double speed, double step, int repeats)
                         .left = run.left,
                         .passed = errors.passed ? 1. : 0.,
                         .false_contacts = run.false_contacts,
-                        .cpu = cost.median,
-                        .cpu_lower = cost.lower,
-                        .cpu_upper = cost.upper,
+                        .cpu = time_run(scene, search_of(tests), static_cast<Real>(step), repeats),
                         .reference_triangles = static_cast<double>(triangles.size()),
                         .reference_penetration = reference.entered});
     }
@@ -113,8 +105,6 @@ RowFormat<ContactRow> contact_format() {
              {word_column("passed", {"0", "1"}), &Row::passed},
              {number_column("false_contacts"), &Row::false_contacts},
              {number_column("cpu_s_per_s"), &Row::cpu},
-             {number_column("cpu_lower_s_per_s"), &Row::cpu_lower},
-             {number_column("cpu_upper_s_per_s"), &Row::cpu_upper},
              {whole_column("reference_triangles", 1), &Row::reference_triangles},
              {number_column("reference_penetration_m"), &Row::reference_penetration}}};
 }
@@ -147,18 +137,15 @@ std::string contact_summary(const std::vector<ContactRow>& rows) {
 }
 
 std::vector<Chart> contact_charts(const std::vector<ContactRow>& rows) {
-    std::vector<std::string> ends, speeds;
-    const auto add = [](std::vector<std::string>& words, double number) {
-        if (std::ranges::find(words, real_text(number)) == words.end()) words.push_back(real_text(number));
-    };
-    for (const ContactRow& row : rows) add(ends, row.tests), add(speeds, row.speed);
+    const auto tests = words_of(rows, [](const ContactRow& row) { return real_text(row.tests); });
+    const auto speeds = words_of(rows, [](const ContactRow& row) { return real_text(row.speed); });
     return {{"contact",
              "contact",
              "Contacts that the reference has and a run does not, step by step, and the deepest that the ball is in "
              "the cloth when a step finds it, against CPU time: the points of a line are steps, the longest on the "
              "left. A ball that has gone through counts with its radius, a penetration below 1 mm as that. The "
              "reference is the full search at a step a hundred times smaller.",
-             {{"searches", in_words(ends)}, {"speeds", in_words(speeds)}}}};
+             {{"searches", in_words(tests)}, {"speeds", in_words(speeds)}}}};
 }
 
 }  // namespace

@@ -13,9 +13,9 @@ namespace {
 
 /// The numbers of "FROM<between>TO" if 1 <= FROM <= TO <= most.
 std::optional<std::pair<std::size_t, std::size_t>> parse_pair(std::string_view text, char between, std::size_t most) {
-    const std::size_t place = text.find(between);
-    if (place == std::string_view::npos) return {};
-    const auto from = parse_integer(text.substr(0, place)), to = parse_integer(text.substr(place + 1));
+    const std::size_t mark = text.find(between);
+    if (mark == std::string_view::npos) return {};
+    const auto from = parse_integer(text.substr(0, mark)), to = parse_integer(text.substr(mark + 1));
     if (!from || !to || !(*from >= 1 && *from <= *to && *to <= static_cast<long long>(most))) return {};
     return std::pair(static_cast<std::size_t>(*from), static_cast<std::size_t>(*to));
 }

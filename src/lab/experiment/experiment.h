@@ -1,13 +1,26 @@
 #pragma once
 
 #include <functional>
+#include <map>
 #include <string>
+#include <variant>
 #include <vector>
 
-#include "chart.h"
 #include "row_format.h"
 
 namespace drape {
+
+/// A picture of a table, drawn by gnuplot from an installed script.
+struct Chart {
+    /// A number, or words. No other text becomes part of a gnuplot program.
+    using Value = std::variant<double, std::string>;
+
+    std::string name;                     ///< of the files, without what follows the dot: letters, digits and '_'
+    std::string script;                   ///< charts/SCRIPT.gp
+    std::string caption;                  ///< one sentence or two on what it shows, under the picture
+    std::map<std::string, Value> values;  ///< variables of the script; `table` and `name` are always there
+    std::string data = {};                ///< what more it reads, from the file in the variable `data`
+};
 
 /// A part of an experiment that needs no other: it computes some rows of the table, at least one.
 template <class Row>

@@ -10,7 +10,6 @@
 #include "drape/base/assert.h"
 #include "drape/base/input_error.h"
 #include "drape/base/real.h"
-#include "lab/commit.h"
 
 namespace drape {
 namespace {

@@ -18,7 +18,7 @@ struct MergeOptions {
     std::string out = "merged";
 };
 
-/// A table with the folder it was found in.
+/// A table of one share.
 struct Part {
     std::filesystem::path file;
     ExperimentTable table;
@@ -45,28 +45,25 @@ std::vector<Part> parts_of(const Experiment& experiment, const std::vector<std::
 /// Every share once, all of the same run but for date and machine.
 void check_fit(const std::vector<Part>& parts) {
     const Part& first = parts.front();
+    const auto fail = [](const std::string& what) { throw InputError(what); };
     std::set<std::size_t> missing;
     for (std::size_t k = 1; k <= first.share.parts; ++k) missing.insert(k);
     for (const Part& part : parts) {
+        const std::string file = part.file.string();
         const auto demand_same = [&](const char* key, const std::string& here, const std::string& there) {
-            if (here == there) return;
-            throw InputError(
-                fmt::format("{}: {} is {}, but {} in {}", part.file.string(), key, here, there, first.file.string()));
+            if (here != there)
+                fail(fmt::format("{}: {} is {}, but {} in {}", file, key, here, there, first.file.string()));
         };
         for (const char* key : {"drape", "commit", "compiler", "cases"}) {
             demand_same(key, line_of(part.table.head, key), line_of(first.table.head, key));
         }
         demand_same("settings", part.settings, first.settings);
         demand_same("number of shares", std::to_string(part.share.parts), std::to_string(first.share.parts));
-        if (missing.erase(part.share.part) == 0) {
-            throw InputError(
-                fmt::format("{}: share {}/{} is there twice", part.file.string(), part.share.part, part.share.parts));
-        }
+        if (missing.erase(part.share.part) > 0) continue;
+        fail(fmt::format("{}: share {}/{} is there twice", file, part.share.part, part.share.parts));
     }
-    if (!missing.empty()) {
-        throw InputError(
-            fmt::format("share {}/{} is missing beside {}", *missing.begin(), first.share.parts, first.file.string()));
-    }
+    if (missing.empty()) return;
+    fail(fmt::format("share {}/{} is missing beside {}", *missing.begin(), first.share.parts, first.file.string()));
 }
 
 ExperimentTable joined(std::vector<Part> parts) {
@@ -78,8 +75,7 @@ ExperimentTable joined(std::vector<Part> parts) {
     }
     for (auto& [key, value] : whole.head) {
         if (key == "settings") value = parts.front().settings;
-        if (key != "machine") continue;
-        value = fmt::format("{}", fmt::join(machines, "; "));
+        if (key == "machine") value = fmt::format("{}", fmt::join(machines, "; "));
     }
     return whole;
 }

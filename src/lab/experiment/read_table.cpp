@@ -1,13 +1,11 @@
-#include <fmt/core.h>
-
 #include <algorithm>
 #include <array>
 
 #include "case_selection.h"
-#include "drape/base/input_error.h"
 #include "drape/base/input_file.h"
 #include "drape/base/numbers.h"
 #include "experiment_table.h"
+#include "lab/line_reader.h"
 
 namespace drape {
 namespace {
@@ -17,43 +15,6 @@ constexpr std::size_t largest_table = 32 * 1024 * 1024;  // bytes: the largest o
 constexpr long long most_cases = 100'000;
 
 std::string shown(const std::string& text) { return std::string(1, '\'').append(text, 0, 100) + "'"; }
-
-/// Reads line after line and tells where it is.
-class LineReader {
-public:
-    LineReader(std::istream& in, std::string name, bool unfinished)
-        : in_(in), name_(std::move(name)), unfinished_(unfinished) {}
-
-    /// False at the end, or where an unfinished table is cut off.
-    bool next() {
-        const LineEnd end = read_line(in_, line_, longest_table_line);
-        if (end == LineEnd::None) return false;
-        ++number_;
-        bytes_ += line_.size() + 1;
-        if (bytes_ > largest_table) fail("a table has at most {} bytes", largest_table);
-        if (end == LineEnd::CutOff && unfinished_) return false;
-        if (end == LineEnd::CutOff) fail("cut off");
-        if (end == LineEnd::TooLong) fail("too long: allowed {} bytes in a line", longest_table_line);
-        const auto foreign = std::ranges::find_if(line_, [](char c) { return c < ' ' || c > '~'; });
-        if (foreign != line_.end()) fail("byte {} is no printable ASCII character", foreign - line_.begin() + 1);
-        return true;
-    }
-
-    [[nodiscard]] const std::string& line() const { return line_; }
-    [[nodiscard]] bool at_end() { return in_.peek() == std::istream::traits_type::eof(); }
-
-    template <class... Values>
-    [[noreturn]] void fail(fmt::format_string<Values...> what, Values&&... values) const {
-        throw InputError(fmt::format("{}:{}: ", name_, number_) + fmt::format(what, std::forward<Values>(values)...));
-    }
-
-private:
-    std::istream& in_;
-    std::string name_, line_;
-    bool unfinished_;
-    int number_ = 0;
-    std::size_t bytes_ = 0;
-};
 
 /// The names of the head's lines, each of which is there once.
 const std::array<std::string, 8> head_names{"experiment", "drape", "commit",   "machine",
@@ -76,51 +37,91 @@ std::string flaw_of_line(const Experiment& experiment, const std::string& name, 
     return "";
 }
 
-/// Reads the head and the line that names the columns.
-/// @return false where it is cut off before that line ends
-bool read_head(const Experiment& experiment, LineReader& reader, TableHead& head) {
-    bool more = reader.next();
-    for (; more && reader.line().starts_with("# "); more = reader.next()) {
-        const std::string& line = reader.line();
+/// Reads a table line after line, and checks each.
+class TableReader {
+public:
+    TableReader(const Experiment& experiment, std::istream& in, const std::string& name, bool unfinished)
+        : experiment_(experiment), reader_(in, name, longest_table_line), unfinished_(unfinished) {}
+
+    /// Reads the head and the line that names the columns.
+    /// @return false where it is cut off before that line ends
+    bool read_head() {
+        bool more = next();
+        for (; more && reader_.line().starts_with("# "); more = next()) add_to_head();
+        if (!more) return false;
+        if (reader_.line() != columns_line(experiment_)) {
+            reader_.fail("these are not the columns of {}", experiment_.name);
+        }
+        for (const std::string& name : head_names) {
+            if (!has_line(name)) reader_.fail("'# {}: ' is missing above the columns", name);
+        }
+        return true;
+    }
+
+    [[nodiscard]] const TableHead& head() const { return table_.head; }
+
+    /// Reads all of it.
+    std::optional<ExperimentTable> read() {
+        if (!read_head()) {
+            if (unfinished_) return {};
+            reader_.fail("there is no table");
+        }
+        find_wanted();
+        while (next()) {
+            if (!reader_.line().starts_with(table_end_mark)) {
+                add_row();
+                continue;
+            }
+            check_end();
+            return table_;
+        }
+        if (!unfinished_) reader_.fail("cut off: expected '{}', the number of cases", table_end_mark);
+        // Its last rows may be missing. Cases are computed in ascending order
+        if (!table_.cases.empty()) table_.cases.erase(std::prev(table_.cases.end()));
+        return table_;
+    }
+
+private:
+    /// False at the end, or where an unfinished table is cut off.
+    bool next() {
+        const LineEnd end = reader_.next();
+        if (end == LineEnd::None) return false;
+        const std::string& line = reader_.line();
+        bytes_ += line.size() + 1;
+        if (bytes_ > largest_table) reader_.fail("a table has at most {} bytes", largest_table);
+        if (end == LineEnd::CutOff && unfinished_) return false;
+        if (end == LineEnd::CutOff) reader_.fail("cut off");
+        const auto foreign = std::ranges::find_if(line, [](char c) { return c < ' ' || c > '~'; });
+        if (foreign != line.end()) reader_.fail("byte {} is no printable ASCII character", foreign - line.begin() + 1);
+        return true;
+    }
+
+    [[nodiscard]] bool has_line(const std::string& name) const {
+        return std::ranges::any_of(table_.head, [&name](const auto& line) { return line.first == name; });
+    }
+
+    void add_to_head() {
+        const std::string& line = reader_.line();
         const std::size_t colon = line.find(": ");
-        if (colon == std::string::npos) reader.fail("allowed '# name: value' before the table");
+        if (colon == std::string::npos) reader_.fail("allowed '# name: value' before the table");
         const std::string name = line.substr(2, colon - 2), value = line.substr(colon + 2);
         if (std::ranges::find(head_names, name) == head_names.end()) {
-            reader.fail("head line {}: allowed {}", shown(name), listed(head_names));
+            reader_.fail("head line {}: allowed {}", shown(name), listed(head_names));
         }
-        if (std::ranges::any_of(head, [&](const auto& there) { return there.first == name; })) {
-            reader.fail("{} is there twice", name);
-        }
-        if (const std::string flaw = flaw_of_line(experiment, name, value); !flaw.empty()) reader.fail("{}", flaw);
-        head.emplace_back(name, value);
+        if (has_line(name)) reader_.fail("{} is there twice", name);
+        if (const std::string flaw = flaw_of_line(experiment_, name, value); !flaw.empty()) reader_.fail("{}", flaw);
+        table_.head.emplace_back(name, value);
     }
-    if (!more) return false;
-    if (reader.line() != columns_line(experiment)) {
-        reader.fail("these are not the columns of {}", experiment.name);
+
+    /// The cases that a table with this head has when it is finished.
+    void find_wanted() try {
+        const auto count = parse_integer(line_of(table_.head, "cases")).value();
+        wanted_ = parse_selection(line_of(table_.head, "settings"))->numbers(static_cast<std::size_t>(count));
+    } catch (const InputError& error) {
+        reader_.fail("the settings above have {}", error.what());
     }
-    for (const std::string& name : head_names) {
-        if (std::ranges::none_of(head, [&](const auto& there) { return there.first == name; })) {
-            reader.fail("'# {}: ' is missing above the columns", name);
-        }
-    }
-    return true;
-}
 
-/// The cases that a table with this head has when it is finished.
-std::vector<std::size_t> cases_of(const TableHead& head, const LineReader& reader) try {
-    return parse_selection(line_of(head, "settings"))
-        ->numbers(static_cast<std::size_t>(*parse_integer(line_of(head, "cases"))));
-} catch (const InputError& error) {
-    reader.fail("the settings above have {}", error.what());
-}
-
-/// Reads the rows below the head, case after case.
-class RowReader {
-public:
-    RowReader(const Experiment& experiment, LineReader& reader, ExperimentTable& table)
-        : experiment_(experiment), reader_(reader), table_(table), wanted_(cases_of(table.head, reader)) {}
-
-    void add() {
+    void add_row() {
         const auto cells = split_at_commas(reader_.line());
         TableRow row(cells.begin(), cells.end());
         if (row.size() != experiment_.columns.size() + 1) {
@@ -128,32 +129,18 @@ public:
         }
         const auto number = parse_integer(row.front());
         const auto is = [&number](std::size_t other) { return number == static_cast<long long>(other); };
-        const bool next = begun_ < wanted_.size() && is(wanted_[begun_]);
-        if (!next && !(begun_ > 0 && is(wanted_[begun_ - 1]))) {
-            reader_.fail("column case: {}: allowed {}", shown(row.front()), allowed());
-        }
-        if (next) {
+        if (begun_ < wanted_.size() && is(wanted_[begun_])) {
             check_case();
             ++begun_;
+        } else if (begun_ == 0 || !is(wanted_[begun_ - 1])) {
+            reader_.fail("column case: {}: allowed {}", shown(row.front()), allowed_case());
         }
         row.erase(row.begin());
         if (const std::string flaw = flaw_of(experiment_.columns, row); !flaw.empty()) reader_.fail("{}", flaw);
         table_.cases[wanted_[begun_ - 1]].push_back(std::move(row));
     }
 
-    /// At the line that begins as the last one does.
-    void end() {
-        check_case();
-        const std::string count = reader_.line().substr(table_end_mark.size());
-        if (count != std::to_string(begun_)) {
-            reader_.fail("end = {}: allowed {}, the number of cases above", shown(count), begun_);
-        }
-        if (begun_ < wanted_.size()) reader_.fail("case {} is missing above", wanted_[begun_]);
-        if (!reader_.at_end()) reader_.fail("there is more after the end");
-    }
-
-private:
-    [[nodiscard]] std::string allowed() const {
+    [[nodiscard]] std::string allowed_case() const {
         std::string text = begun_ > 0 ? std::to_string(wanted_[begun_ - 1]) : "";
         if (begun_ < wanted_.size()) text += (text.empty() ? "" : " or ") + std::to_string(wanted_[begun_]);
         return (text.empty() ? "none" : text) + ", by 'settings' and 'cases' above";
@@ -167,11 +154,24 @@ private:
         if (!flaw.empty()) reader_.fail("case {} above: {}", number, flaw);
     }
 
+    /// At the line that begins as the last one does.
+    void check_end() const {
+        check_case();
+        const std::string count = reader_.line().substr(table_end_mark.size());
+        if (count != std::to_string(begun_)) {
+            reader_.fail("end = {}: allowed {}, the number of cases above", shown(count), begun_);
+        }
+        if (begun_ < wanted_.size()) reader_.fail("case {} is missing above", wanted_[begun_]);
+        if (!reader_.at_end()) reader_.fail("there is more after the end");
+    }
+
     const Experiment& experiment_;
-    LineReader& reader_;
-    ExperimentTable& table_;
-    std::vector<std::size_t> wanted_;
-    std::size_t begun_ = 0;
+    LineReader reader_;
+    bool unfinished_;
+    std::size_t bytes_ = 0;
+    ExperimentTable table_;
+    std::vector<std::size_t> wanted_;  ///< numbers of the cases
+    std::size_t begun_ = 0;            ///< how many of them
 };
 
 /// @return false if there is no such file
@@ -187,24 +187,7 @@ bool open(const std::filesystem::path& file, std::ifstream& in) {
 
 std::optional<ExperimentTable> read_table(const Experiment& experiment, std::istream& in, const std::string& name,
                                           bool unfinished) {
-    LineReader reader(in, name, unfinished);
-    ExperimentTable table;
-    if (!read_head(experiment, reader, table.head)) {
-        if (unfinished) return {};
-        reader.fail("there is no table");
-    }
-    RowReader rows(experiment, reader, table);
-    while (reader.next()) {
-        if (reader.line().starts_with(table_end_mark)) {
-            rows.end();
-            return table;
-        }
-        rows.add();
-    }
-    if (!unfinished) reader.fail("cut off: expected '{}', the number of cases", table_end_mark);
-    // Its last rows may be missing. Cases are computed in ascending order
-    if (!table.cases.empty()) table.cases.erase(std::prev(table.cases.end()));
-    return table;
+    return TableReader(experiment, in, name, unfinished).read();
 }
 
 std::optional<ExperimentTable> read_table(const Experiment& experiment, const std::filesystem::path& file,
@@ -216,11 +199,10 @@ std::optional<ExperimentTable> read_table(const Experiment& experiment, const st
 
 std::optional<TableHead> read_head(const Experiment& experiment, const std::filesystem::path& file) try {
     std::ifstream in;
-    TableHead head;
     if (!open(file, in)) return {};
-    LineReader reader(in, file.string(), true);
-    if (!read_head(experiment, reader, head)) return {};
-    return head;
+    TableReader reader(experiment, in, file.string(), true);
+    if (!reader.read_head()) return {};
+    return reader.head();
 } catch (const InputError&) {
     return {};
 }

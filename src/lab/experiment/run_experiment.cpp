@@ -1,6 +1,10 @@
 #include "run_experiment.h"
 
+#include <fmt/core.h>
+#include <unistd.h>
+
 #include <algorithm>
+#include <cmath>
 #include <memory>
 #include <optional>
 
@@ -9,8 +13,6 @@
 #include "drape/base/numbers.h"
 #include "drape/base/program.h"
 #include "drape/base/stopwatch.h"
-#include "progress.h"
-#include "report_page.h"
 
 namespace drape {
 namespace {
@@ -19,6 +21,36 @@ struct RunOptions {
     std::string folder;
     CaseSelection selection;
     bool again = false;
+};
+
+/// Tells on standard error how far a long run is and how long it will take: on a terminal in one line that changes,
+/// elsewhere in a new line now and then.
+class Progress {
+public:
+    /// @param total of the cases to do now
+    explicit Progress(std::size_t total) : total_(total) {}
+    Progress(const Progress&) = delete;
+    Progress& operator=(const Progress&) = delete;
+    ~Progress() {
+        if (terminal_ && told_ > 0) std::cerr << "\r\x1b[K";
+    }
+
+    /// A case is done.
+    void advance() {
+        ++done_;
+        const double now = watch_.seconds(), pause = terminal_ ? 0.2 : 30;  // s
+        if (done_ == total_ || now - told_ < pause) return;
+        told_ = now;
+        const double left = now / static_cast<double>(done_) * static_cast<double>(total_ - done_);
+        const std::string text = fmt::format("{} of {} cases, about {} left", done_, total_, rough_time(left));
+        std::cerr << (terminal_ ? "\r" + text + "\x1b[K" : text + "\n") << std::flush;
+    }
+
+private:
+    Stopwatch watch_;
+    std::size_t total_, done_ = 0;
+    double told_ = 0;  ///< when it was last told [s]
+    const bool terminal_ = isatty(STDERR_FILENO) == 1;
 };
 
 /// Shares that run side by side do not write into one folder.
@@ -116,16 +148,10 @@ int run(const Experiment& experiment, std::span<const Experiment> all, const Run
 
 }  // namespace
 
-void present(const Experiment& experiment, const ExperimentTable& table, const std::filesystem::path& file) {
-    const auto rows = table.rows();
-    const std::string summary = experiment.summary(rows);
-    std::cout << summary;
-    auto charts = experiment.charts(rows);
-    if (!draw_charts(charts, file)) {
-        std::cerr << "There is no gnuplot (Debian package gnuplot-nox): the charts are not drawn.\n";
-        charts.clear();
-    }
-    write_report_page(experiment, table.head, charts, summary, file);
+std::string rough_time(double seconds) {
+    if (seconds < 90) return real_text(std::ceil(seconds)) + " s";
+    if (seconds < 5400) return real_text(std::round(seconds / 60)) + " min";
+    return real_text(std::round(seconds / 360) / 10) + " h";
 }
 
 void add_experiments(CLI::App& app, std::span<const Experiment> experiments, int& exit_code) {

@@ -3,7 +3,6 @@
 #include <filesystem>
 #include <span>
 
-#include "experiment.h"
 #include "experiment_table.h"
 
 namespace CLI {
@@ -22,7 +21,17 @@ void add_experiments(CLI::App& app, std::span<const Experiment> experiments, int
 /// @param exit_code set when the subcommand has run
 void add_merge(CLI::App& app, std::span<const Experiment> experiments, int& exit_code);
 
-/// Shows a finished table: prints the summary, draws the charts, writes the page.
+/// The values of a chart as gnuplot commands: plain variables, finite numbers, and texts of letters, digits and
+/// " _:.+-" in single quotes.
+/// @throws RunError if there is any other
+std::string assignments_of(const Chart& chart);
+
+/// Shows a finished table: prints the summary, draws the charts beside it as SVG and PNG, each by NAME.gnuplot, which
+/// stays there for who wants to change it, and writes index.html, which opens from disk and needs nothing but these.
+/// @throws RunError if a file cannot be read or written, or gnuplot fails
 void present(const Experiment& experiment, const ExperimentTable& table, const std::filesystem::path& file);
+
+/// A time that is left, as people say it: "2 min", "40 s".
+std::string rough_time(double seconds);
 
 }  // namespace drape

@@ -3,40 +3,38 @@
 #include <algorithm>
 #include <cmath>
 
-#include "hierarchy_parts.h"
-#include "hierarchy_report.h"
+#include "hierarchy.h"
 
 namespace drape {
 namespace {
 
-using Row = HierarchyRow;
-using Rows = std::vector<HierarchyRow>;
 using Charts = std::vector<Chart>;
 
+bool has_volume(const HierarchyRows& rows, const std::string& volume) {
+    return std::ranges::find(rows, volume, &HierarchyRow::volume) != rows.end();
+}
+
 /// Adds a chart with a panel for each scene, if there are any rows.
-void add_scenes(Charts& charts, Chart chart, const Rows& rows) {
+void add_scenes(Charts& charts, Chart chart, const HierarchyRows& rows) {
     if (rows.empty()) return;
-    chart.values["scenes"] = in_words(words_of(rows, &Row::scene));
-    chart.values["updates"] = in_words(words_of(rows, &Row::update));
-    for (const Row& row : rows) chart.values["particles_" + row.scene] = row.particles;
+    chart.values["scenes"] = in_words(words_of(rows, &HierarchyRow::scene));
+    chart.values["updates"] = in_words(words_of(rows, &HierarchyRow::update));
+    for (const HierarchyRow& row : rows) chart.values["particles_" + row.scene] = row.particles;
     charts.push_back(std::move(chart));
 }
 
-void add_fits(Charts& charts, const Rows& rows, bool resampled) {
-    Rows drawn = rows;
-    // Of the fits of spheres, the original's
-    std::erase_if(drawn, [resampled](const Row& row) {
+void add_fits(Charts& charts, const HierarchyRows& rows, bool resampled) {
+    HierarchyRows drawn = rows;
+    // Of the fits of spheres, that by the centroid
+    std::erase_if(drawn, [resampled](const HierarchyRow& row) {
         return (row.particles == resampled_particles) != resampled || row.variant() != row.volume;
     });
-    std::vector<std::string> volumes;
-    for (const VolumeVariant& family : volume_families) {
-        const std::string& name = names_of<VolumeKind>()[static_cast<std::size_t>(family.volume)];
-        if (std::ranges::find(drawn, name, &Row::volume) != drawn.end()) volumes.push_back(name);
-    }
-    std::erase_if(drawn, [&volumes](const Row& row) {
+    std::vector<std::string> volumes = names_in(volume_families, name_of<VolumeKind>);
+    std::erase_if(volumes, [&drawn](const std::string& volume) { return !has_volume(drawn, volume); });
+    const bool brute = has_volume(drawn, "brute");
+    std::erase_if(drawn, [&volumes](const HierarchyRow& row) {
         return row.volume != "brute" && std::ranges::find(volumes, row.volume) == volumes.end();
     });
-    const bool brute = std::ranges::find(drawn, "brute", &Row::volume) != drawn.end();
     add_scenes(
         charts,
         {resampled ? "hierarchy_fit_128" : "hierarchy_fit",
@@ -48,8 +46,8 @@ void add_fits(Charts& charts, const Rows& rows, bool resampled) {
         drawn);
 }
 
-void add_spheres(Charts& charts, Rows rows) {
-    std::erase_if(rows, [](const Row& row) {
+void add_spheres(Charts& charts, HierarchyRows rows) {
+    std::erase_if(rows, [](const HierarchyRow& row) {
         return row.particles == resampled_particles || row.volume != "sphere" || row.leaf_cells != 4 ||
                (row.update != "rebuild" && row.update != "merge");
     });
@@ -58,7 +56,7 @@ void add_spheres(Charts& charts, Rows rows) {
                 "hierarchy_spheres",
                 "CPU time of a build against the mean tightness of its spheres. Rebuilding fits every node to its "
                 "particles; merging fits the leaves only and puts a sphere about the spheres below every other node.",
-                {{"fits", in_words(words_of(rows, &Row::sphere_fit))}}},
+                {{"fits", in_words(words_of(rows, &HierarchyRow::sphere_fit))}}},
                rows);
 }
 
@@ -70,7 +68,7 @@ Chart level_chart(const std::string& scene) {
             {{"scene", scene}}};
 }
 
-void add_budget(Charts& charts, const Rows& rows) {
+void add_budget(Charts& charts, const HierarchyRows& rows) {
     add_scenes(charts,
                {"hierarchy_budget",
                 "hierarchy_budget",
@@ -79,18 +77,18 @@ void add_budget(Charts& charts, const Rows& rows) {
                 "end from where the full search has it. At the right end of each line the search is full. Penetrations "
                 "of less than 0.01 mm are drawn as 0.01 mm.",
                 {}},
-               rows_with(rows, &Row::volume, "sphere"));
+               rows_with(rows, &HierarchyRow::volume, "sphere"));
 }
 
-void add_break_even(Charts& charts, const std::string& scene, const Rows& rows) {
+void add_break_even(Charts& charts, const std::string& scene, const HierarchyRows& rows) {
     std::vector<std::string> volumes;
     for (const char* volume : {"sphere", "aabb"}) {
-        if (std::ranges::find(rows, volume, &Row::volume) != rows.end()) volumes.emplace_back(volume);
+        if (has_volume(rows, volume)) volumes.emplace_back(volume);
     }
     if (volumes.empty()) return;
     // The interval next to the rate of a screen, or what is there in a share of the cases
     const auto nearest =
-        std::ranges::min_element(rows, {}, [](const Row& row) { return std::abs(row.interval_s - 1.0 / 60); });
+        std::ranges::min_element(rows, {}, [](const HierarchyRow& row) { return std::abs(row.interval_s - 1.0 / 60); });
     charts.push_back({"hierarchy_break_even_" + scene,
                       "hierarchy_break_even",
                       "Left: CPU time of build, query and exact test of all frames so far, over that of rebuilding; "
@@ -100,10 +98,10 @@ void add_break_even(Charts& charts, const std::string& scene, const Rows& rows) 
                       {{"scene", scene},
                        {"volumes", in_words(volumes)},
                        {"interval", nearest->interval_s},
-                       {"frames", std::ranges::max(rows, {}, &Row::frame).frame}}});
+                       {"frames", std::ranges::max(rows, {}, &HierarchyRow::frame).frame}}});
 }
 
-void add_size(Charts& charts, const Rows& rows) {
+void add_size(Charts& charts, const HierarchyRows& rows) {
     std::vector<std::string> builds, searches;
     for (const Growth& growth : growths(rows)) {
         if (growth.update == "refit" || growth.update == "none") continue;
@@ -122,14 +120,14 @@ void add_size(Charts& charts, const Rows& rows) {
 }  // namespace
 
 std::vector<Chart> hierarchy_charts(const std::vector<HierarchyRow>& rows) {
-    const auto part = [&rows](const char* name) { return rows_with(rows, &Row::part, name); };
+    const auto part = [&rows](const char* name) { return rows_with(rows, &HierarchyRow::part, name); };
     Charts charts;
     for (const bool resampled : {false, true}) add_fits(charts, part("fit"), resampled);
     add_spheres(charts, part("fit"));
-    for (const std::string& scene : words_of(part("level"), &Row::scene)) charts.push_back(level_chart(scene));
+    for (const std::string& scene : words_of(part("level"), &HierarchyRow::scene)) charts.push_back(level_chart(scene));
     add_budget(charts, part("budget"));
-    for (const std::string& scene : words_of(part("break_even"), &Row::scene)) {
-        add_break_even(charts, scene, rows_with(part("break_even"), &Row::scene, scene));
+    for (const std::string& scene : words_of(part("break_even"), &HierarchyRow::scene)) {
+        add_break_even(charts, scene, rows_with(part("break_even"), &HierarchyRow::scene, scene));
     }
     add_size(charts, part("size"));
     return charts;

@@ -1,10 +1,11 @@
-#include "hierarchy_report.h"
+#include "hierarchy.h"
 
 #include <fmt/core.h>
 
 #include <algorithm>
 #include <cmath>
 #include <map>
+#include <set>
 
 #include "drape/base/assert.h"
 #include "drape/base/exact_math.h"
@@ -12,34 +13,32 @@
 namespace drape {
 namespace {
 
-using Key = std::vector<std::string>;
-
 /// The hierarchies of least time a frame, scene by scene.
-std::string fastest(const std::vector<HierarchyRow>& rows) {
-    std::map<std::pair<std::string, double>, const HierarchyRow*> best, brute;
+std::string fastest(const HierarchyRows& rows) {
+    std::map<std::pair<std::string, double>, HierarchyRows> trees, brute;
     for (const HierarchyRow& row : rows) {
-        const HierarchyRow*& least = (row.volume == "brute" ? brute : best)[{row.scene, row.particles}];
-        if (least == nullptr || row.whole_s < least->whole_s) least = &row;
+        (row.volume == "brute" ? brute : trees)[{row.scene, row.particles}].push_back(row);
     }
     std::string text;
-    for (const auto& [key, row] : best) {
-        text += fmt::format("fit: {}, {} particles: fastest is {} {} with leaves of {}, {:.3g} us a frame", row->scene,
-                            row->particles, row->variant(), row->update, row->leaf_cells, 1e6 * row->whole_s);
-        if (brute.contains(key)) text += fmt::format("; brute force {:.3g} us", 1e6 * brute[key]->whole_s);
+    for (const auto& [key, tried] : trees) {
+        const HierarchyRow best = std::ranges::min(tried, {}, [](const HierarchyRow& row) { return row.whole.median; });
+        text += fmt::format("fit: {}, {} particles: fastest is {} {} with leaves of {}, {:.3g} us a frame", best.scene,
+                            best.particles, best.variant(), best.update, best.leaf_cells, 1e6 * best.whole.median);
+        if (brute.contains(key)) text += fmt::format("; brute force {:.3g} us", 1e6 * brute[key][0].whole.median);
         text += "\n";
     }
     return text;
 }
 
 /// When refitting has cost more in all than rebuilding, at each interval between frames.
-std::string break_evens(const std::vector<HierarchyRow>& rows) {
-    std::map<Key, std::map<double, std::map<std::string, std::vector<double>>>> costs;
+std::string break_evens(const HierarchyRows& rows) {
+    std::map<std::string, std::map<double, std::map<std::string, std::vector<double>>>> costs;
     for (const HierarchyRow& row : rows) {
-        costs[{row.scene, row.volume}][row.interval_s][row.update].push_back(row.whole_s);
+        costs[row.scene + " " + row.volume][row.interval_s][row.update].push_back(row.whole.median);
     }
     std::string text;
-    for (const auto& [key, intervals] : costs) {
-        text += fmt::format("break_even: {} {}: refit has cost more than rebuild, frames", key[0], key[1]);
+    for (const auto& [hierarchy, intervals] : costs) {
+        text += fmt::format("break_even: {}: refit has cost more than rebuild, frames", hierarchy);
         for (const auto& [interval, updates] : intervals) {
             const auto frame = break_even_frame(updates.at("refit"), updates.at("rebuild"));
             text += fmt::format(" {:.3g} ms apart: {},", 1e3 * interval,
@@ -51,20 +50,18 @@ std::string break_evens(const std::vector<HierarchyRow>& rows) {
 }
 
 /// What a limited search lets through at its smallest and largest budget.
-std::string budgets(const std::vector<HierarchyRow>& rows) {
-    std::map<Key, std::pair<const HierarchyRow*, const HierarchyRow*>> ends;
+std::string budgets(const HierarchyRows& rows) {
+    std::map<std::string, HierarchyRows> hierarchies;
     for (const HierarchyRow& row : rows) {
-        if (!(row.tests > 0)) continue;
-        auto& [least, most] = ends[{row.scene, row.volume}];
-        if (least == nullptr || row.tests < least->tests) least = &row;
-        if (most == nullptr || row.tests > most->tests) most = &row;
+        if (row.tests > 0) hierarchies[row.scene + " " + row.volume].push_back(row);
     }
     const auto end = [](const HierarchyRow& row) {
         return fmt::format("{:.3g} mm missed with {} tests", 1e3 * row.missed_penetration_m, row.tests);
     };
     std::string text;
-    for (const auto& [key, rows_at] : ends) {
-        text += fmt::format("budget: {} {}: {}, {}\n", key[0], key[1], end(*rows_at.first), end(*rows_at.second));
+    for (const auto& [hierarchy, limited] : hierarchies) {
+        const auto [least, most] = std::ranges::minmax(limited, {}, &HierarchyRow::tests);
+        text += fmt::format("budget: {}: {}, {}\n", hierarchy, end(least), end(most));
     }
     return text;
 }
@@ -86,32 +83,31 @@ std::optional<std::size_t> break_even_frame(std::span<const double> costs, std::
     return since;
 }
 
-std::vector<Growth> growths(const std::vector<HierarchyRow>& rows) {
+std::vector<Growth> growths(const HierarchyRows& rows) {
     if (rows.empty()) return {};
     const auto [least, most] = std::ranges::minmax(rows, {}, &HierarchyRow::particles);
     const double from = std::sqrt(least.particles * most.particles) * (1 - 1e-9);
-    std::map<std::pair<std::string, std::string>, std::vector<const HierarchyRow*>> hierarchies;
+    std::map<std::pair<std::string, std::string>, HierarchyRows> hierarchies;
     for (const HierarchyRow& row : rows) {
-        if (row.particles >= from) hierarchies[{row.volume, row.update}].push_back(&row);
+        if (row.particles >= from) hierarchies[{row.volume, row.update}].push_back(row);
     }
     std::vector<Growth> all;
     for (const auto& [key, sizes] : hierarchies) {
-        const auto same = [&](const HierarchyRow* row) {
-            return natural_log(row->particles) == natural_log(sizes.front()->particles);
-        };
-        if (std::ranges::all_of(sizes, same)) continue;
+        std::set<double> logarithms;
         std::vector<std::pair<double, double>> build, search;
-        for (const HierarchyRow* row : sizes) {
+        for (const HierarchyRow& row : sizes) {
+            logarithms.insert(natural_log(row.particles));
             // Brute force builds nothing: a time of zero is no power law
-            build.emplace_back(row->particles, std::max(row->build_s, 1e-9));
-            search.emplace_back(row->particles, row->query_s + row->exact_s);
+            build.emplace_back(row.particles, std::max(row.build.median, 1e-9));
+            search.emplace_back(row.particles, row.query.median + row.exact.median);
         }
+        if (logarithms.size() < 2) continue;
         all.push_back({key.first, key.second, fit_power_law(build), fit_power_law(search)});
     }
     return all;
 }
 
-std::string hierarchy_summary(const std::vector<HierarchyRow>& rows) {
+std::string hierarchy_summary(const HierarchyRows& rows) {
     const auto part = [&rows](const char* name) { return rows_with(rows, &HierarchyRow::part, name); };
     std::string text = fastest(part("fit")) + budgets(part("budget")) + break_evens(part("break_even"));
     for (const Growth& growth : growths(part("size"))) {

@@ -1,13 +1,77 @@
 #pragma once
 
+#include <map>
+#include <string>
+#include <tuple>
 #include <vector>
 
 #include "drape/bounds/broad_phase.h"
-#include "lab/measure/timing.h"
-#include "recorded_motion.h"
-#include "tightness.h"
+#include "drape/model/ball.h"
+#include "drape/model/grid.h"
+#include "drape/sim/settings.h"
+#include "lab/measure/statistics.h"
 
 namespace drape {
+
+/// Cloth and ball of a scene as its hierarchy meets them, frame after frame: where the integrator has brought the
+/// cloth, before contact has pushed it back.
+struct RecordedMotion {
+    std::string scene;
+    Grid grid;
+    double interval = 0;      ///< between frames [s]
+    std::vector<Points> x;    ///< a frame each [m]
+    std::vector<Ball> balls;  ///< a frame each, grown by the cloth's thickness
+};
+
+/// Which frames of a scene are wanted.
+struct MotionWanted {
+    std::string scene;
+    double from = 0;      ///< simulated time of the first frame [s]
+    double interval = 0;  ///< from frame to frame [s]; the nearest whole number of the scene's steps, at least one
+    int frames = 1;
+    int side = 0;  ///< particles along each side, to which it is resampled; 0: as the scene has them
+};
+
+/// Simulates a scene and keeps frames of its first cloth and first ball, as they are in the scene.
+/// @pre the scene has a ball
+/// @throws RunError if the scene diverges on the way
+RecordedMotion record_motion(const MotionWanted& wanted);
+
+/// The same under other settings than the scene's own.
+RecordedMotion record_motion(const MotionWanted& wanted, Settings settings);
+
+/// The same surfaces under another number of particles, bilinearly between those that there are.
+RecordedMotion resampled(const RecordedMotion& motion, const Grid& grid);
+
+/// Keeps what was recorded, for whoever wants the same again.
+class Motions {
+public:
+    RecordedMotion find(const MotionWanted& wanted);
+
+private:
+    std::map<std::tuple<std::string, double, double, int>, RecordedMotion> recorded_;
+};
+
+/// How large nodes are beside the smallest volumes of their kind about the same particles: 1 is as tight as can be.
+/// Sizes are radii of spheres, and the mean half width of other volumes between their pairs of faces; what a tree has
+/// to be grown by, because it was not fitted again, counts. The smallest sphere is Welzl's; boxes and k-DOPs that are
+/// fitted to particles are the smallest; of turned boxes only the one along the patch's mean directions is known.
+struct Tightness {
+    double sum = 0;  ///< of the ratios
+    std::int64_t nodes = 0;
+
+    [[nodiscard]] double mean() const { return sum / static_cast<double>(nodes); }
+    Tightness& operator+=(const Tightness& other);
+};
+
+/// Adds the nodes of a hierarchy, as last built, to the sums of their levels. Nothing for brute force.
+/// @param x to which it was built
+/// @param levels grows to as many as there are
+/// @par Cost a fit of every node, by Welzl's method for spheres
+void add_tightness(const BroadPhase& hierarchy, const Grid& grid, const Points& x, std::vector<Tightness>& levels);
+
+/// All levels together.
+Tightness over_levels(const std::vector<Tightness>& levels);
 
 /// CPU times of one frame [s].
 struct FrameTimes {

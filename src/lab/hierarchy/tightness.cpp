@@ -1,4 +1,4 @@
-#include "tightness.h"
+#include "hierarchy_run.h"
 
 #include "drape/bounds/cloth_quadtree.h"
 
@@ -19,18 +19,14 @@ Real size_of(const KDop<K>& dop) {
 }
 
 template <class Volume>
-Volume smallest(const Patch& patch) {
-    return fits_of<Volume>({.sphere_fit = SphereFit::Welzl}).patch(patch);
-}
-
-template <class Volume>
 bool add(const BroadPhase& hierarchy, const Grid& grid, const Points& x, std::vector<Tightness>& levels) {
     const auto* tree = dynamic_cast<const ClothQuadtree<Volume>*>(&hierarchy);
     if (tree == nullptr) return false;
+    const auto smallest = fits_of<Volume>({.sphere_fit = SphereFit::Welzl});
     levels.resize(std::max(levels.size(), static_cast<std::size_t>(tree->levels())));
     for (std::size_t n = 0; n < tree->nodes().size(); ++n) {
         const QuadtreeNode& node = tree->nodes()[n];
-        const Real least = size_of(smallest<Volume>(patch_of(grid, node, x)));
+        const Real least = size_of(smallest.patch(patch_of(grid, node, x)));
         if (!(least > 0)) continue;
         const Real ratio = (size_of(tree->volumes()[n]) + tree->slack()) / least;
         levels[static_cast<std::size_t>(node.level)] += {static_cast<double>(ratio), 1};

@@ -7,7 +7,6 @@
 #include "drape/sim/setting_table.h"
 #include "drape/sim/simulation.h"
 #include "lab/experiments.h"
-#include "lab/measure/timing.h"
 
 namespace drape {
 namespace {
@@ -16,7 +15,7 @@ namespace {
 struct KernelsRow {
     std::string stage, kernels;
     double particles = 0;
-    double time = 0, lower = 0, upper = 0;  ///< median and quartiles over steps [s]
+    Quartiles time = {};  ///< over steps [s]
 };
 
 struct Stage {
@@ -63,9 +62,8 @@ std::vector<KernelsRow> run_kernels_case(int side, int steps) {
     std::vector<KernelsRow> rows;
     for (std::size_t s = 0; s < stages.size(); ++s) {
         for (std::size_t k = 0; k < simulations.size(); ++k) {
-            const Quartiles time = quartiles_of(times[k][s]);
-            rows.push_back({stages[s].name, names_of<Kernels>()[k], static_cast<double>(side) * side, time.median,
-                            time.lower, time.upper});
+            rows.push_back(
+                {stages[s].name, names_of<Kernels>()[k], static_cast<double>(side) * side, quartiles_of(times[k][s])});
         }
     }
     return rows;
@@ -81,15 +79,11 @@ std::vector<CaseOf<KernelsRow>> kernels_cases(bool quick) {
 
 RowFormat<KernelsRow> kernels_format() {
     using Row = KernelsRow;
-    std::vector<std::string> names;
-    for (const Stage& stage : stages) names.emplace_back(stage.name);
     return {6,
-            {{word_column("stage", names), &Row::stage},
-             {word_column("kernels", {names_of<Kernels>().begin(), names_of<Kernels>().end()}), &Row::kernels},
+            {{word_column("stage", names_in(stages, &Stage::name)), &Row::stage},
+             {name_column<Kernels>("kernels"), &Row::kernels},
              {whole_column("particles", 4), &Row::particles},
-             {number_column("time_s"), &Row::time},
-             {number_column("time_lower_s"), &Row::lower},
-             {number_column("time_upper_s"), &Row::upper}}};
+             {number_column("time_s"), &Row::time}}};
 }
 
 /// Plain over vector for each stage and size.
@@ -98,7 +92,7 @@ void tell_ratios(const std::vector<KernelsRow>& rows, const Tell& tell) {
     for (const KernelsRow& plain : rows_with(rows, &KernelsRow::kernels, "plain")) {
         for (const KernelsRow& vector : rows_with(rows, &KernelsRow::kernels, "vector")) {
             const bool same = vector.stage == plain.stage && vector.particles == plain.particles;
-            if (same && vector.time > 0) tell(plain, plain.time / vector.time);
+            if (same && vector.time.median > 0) tell(plain, plain.time.median / vector.time.median);
         }
     }
 }
@@ -107,7 +101,7 @@ std::string kernels_summary(const std::vector<KernelsRow>& rows) {
     std::string text;
     tell_ratios(rows, [&text](const KernelsRow& plain, double ratio) {
         text += fmt::format("{}, {} particles: plain {:.3g} us, {:.3g} times vector\n", plain.stage, plain.particles,
-                            1e6 * plain.time, ratio);
+                            1e6 * plain.time.median, ratio);
     });
     return text;
 }

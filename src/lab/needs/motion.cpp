@@ -1,4 +1,4 @@
-#include "motion.h"
+#include "needs.h"
 
 #include <algorithm>
 #include <cmath>
@@ -6,13 +6,13 @@
 #include "drape/base/assert.h"
 #include "drape/model/energy.h"
 #include "drape/sim/simulation.h"
-#include "lab/measure/resampled.h"
-#include "lab/measure/timing.h"
+#include "lab/measure/states.h"
+#include "lab/measure/statistics.h"
 
 namespace drape {
 namespace {
 
-/// A cloth between two of its steps, by the cubic that has its places and velocities at both.
+/// A cloth between two of its steps, by the cubic that has its positions and velocities at both.
 /// @param s in [0, 1] from `cloth.previous` to `cloth.state`
 Points between_steps(const Cloth& cloth, Real s, Real dt) {
     const auto& [x0, v0] = cloth.previous;
@@ -54,8 +54,8 @@ Motion run_to_horizon(const Settings& scene, const Patience& patience, const std
     motion.given_up = motion.step_over_limit > patience.step_over_limit;
     if (motion.given_up) return motion;
     double seconds = 0;
-    while (motion.reached < Motion::moments) {
-        const double moment = horizon * (motion.reached + 1) / Motion::moments;
+    while (motion.passed < Motion::moments) {
+        const double moment = horizon * (motion.passed + 1) / Motion::moments;
         constexpr double rounding = 1e-9;  // of a step
         while (report.time - start < moment - rounding * dt && report.status == Status::Ok) {
             const double before = program_cpu_time();
@@ -74,15 +74,15 @@ Motion run_to_horizon(const Settings& scene, const Patience& patience, const std
         motion.diverged = report.status == Status::Diverged;
         if (motion.diverged || motion.given_up) return motion;
         const double part = std::clamp(1 - (motion.time - moment) / dt, 0.0, 1.0);
-        motion.x[static_cast<std::size_t>(motion.reached)] =
+        motion.x[static_cast<std::size_t>(motion.passed)] =
             between_steps(cloth, static_cast<Real>(part), static_cast<Real>(dt));
-        ++motion.reached;
+        ++motion.passed;
     }
     return motion;
 }
 
 double motion_error(const Motion& motion, const Motion& full, NeedsMeasure measure, Real side) {
-    DRAPE_ASSERT(motion.reached == Motion::moments && full.reached == Motion::moments);
+    DRAPE_ASSERT(motion.passed == Motion::moments && full.passed == Motion::moments);
     double largest = 0;
     for (std::size_t k = 0; k < Motion::moments; ++k) {
         largest = larger(largest, distance(motion.x[k], resampled(full.x[k], full.grid, motion.grid), measure));

@@ -1,15 +1,15 @@
 #include "lab/commands.h"
 
-#include <filesystem>
-#include <iomanip>
+#include <fmt/ranges.h>
 
+#include <filesystem>
+
+#include "configurations.h"
 #include "drape/base/numbers.h"
 #include "drape/base/program.h"
 #include "drape/sim/setting_table.h"
 #include "drape/sim/start.h"
-#include "full_model.h"
-#include "needs_search.h"
-#include "write_scene.h"
+#include "needs.h"
 
 namespace drape {
 namespace {
@@ -26,63 +26,55 @@ std::string value(const Settings& settings, const std::string& name) {
 /// What a configuration is, in a line: its model, and how it is computed.
 std::string described(const Settings& settings) {
     const ClothParameters& cloth = settings.cloths[0];
-    std::string text = std::to_string(cloth.particles.nx) + "x" + std::to_string(cloth.particles.ny);
-    if (cloth.bend != SpringLaw{}) text += " bend";
-    if (cloth.drag > 0) text += " drag";
-    const IntegratorKind kind = settings.solver.integrator;
-    if (kind == IntegratorKind::DormandPrince) return text + ", computed closely";
-    text += ", " + std::string(name_of(kind)) + " " + real_text(settings.solver.dt) + " s";
-    if (has_iterations(kind)) text += " x " + std::to_string(settings.solver.iterations);
-    return text;
+    const SolverSettings& solver = settings.solver;
+    const std::string model = fmt::format("{}x{}{}{}", cloth.particles.nx, cloth.particles.ny,
+                                          cloth.bend != SpringLaw{} ? " bend" : "", cloth.drag > 0 ? " drag" : "");
+    if (solver.integrator == IntegratorKind::DormandPrince) return model + ", computed closely";
+    return fmt::format("{}, {} {} s{}", model, name_of(solver.integrator), real_text(solver.dt),
+                       has_iterations(solver.integrator) ? fmt::format(" x {}", solver.iterations) : "");
 }
 
-/// How a configuration looks for contacts.
+/// How a configuration looks for contacts, after a comma; empty without a ball.
 std::string hierarchy(const Settings& settings) {
-    std::string text = value(settings, "volume");
-    if (settings.contact.volume == VolumeKind::Brute) return text;
-    for (const char* name : {"update", "sphere_fit", "leaf_cells"}) {
-        if (name != std::string("sphere_fit") || settings.contact.volume == VolumeKind::Sphere) {
-            text += " " + value(settings, name);
-        }
-    }
-    return text;
+    if (settings.balls.empty()) return "";
+    const VolumeKind volume = settings.contact.volume;
+    std::string text = ", " + value(settings, "volume");
+    if (volume == VolumeKind::Brute) return text;
+    text += " " + value(settings, "update");
+    if (volume == VolumeKind::Sphere) text += " " + value(settings, "sphere_fit");
+    return text + " " + value(settings, "leaf_cells");
 }
 
 /// One line of the trail.
 void print(const Needs& needs, const Attempt& attempt, const std::string& outcome) {
     const bool has_error = needs.states_error() && (attempt.error > 0 || attempt.qualifies());
-    std::cout << std::setw(9) << (has_error ? percent(attempt.error) : "") << std::setw(10)
-              << real_text(1e3 * attempt.cost, 3) << "  " << std::left << std::setw(55)
-              << described(attempt.settings) +
-                     (attempt.settings.balls.empty() ? "" : ", " + hierarchy(attempt.settings))
-              << std::right << "  " << outcome << std::endl;
+    std::cout << fmt::format("{:>9}{:>10}  {:<55}  {}\n", has_error ? percent(attempt.error) : "",
+                             real_text(1e3 * attempt.cost, 3),
+                             described(attempt.settings) + hierarchy(attempt.settings), outcome)
+              << std::flush;
 }
 
 void print_head(const Needs& needs) {
     const NeedsSettings& stated = needs.scene().needs;
-    std::cout << "Up to " << value(needs.scene(), "needs.horizon") << " s the scene must";
-    const char* link = " ";
-    const auto say = [&link](const std::string& need) {
-        std::cout << link << need;
-        link = ", ";
-    };
-    if (needs.states_error()) {
-        say("be within " + percent(static_cast<double>(stated.position_error)) + " of its full model (" +
-            value(needs.scene(), "needs.measure") + ")");
-    }
     const auto metres = [](Real x) { return real_text(static_cast<double>(x)) + " m"; };
-    if (stated.penetration > 0) say("let the ball in no deeper than " + metres(stated.penetration));
-    if (stated.stretch > 0) say("stretch by no more than " + percent(static_cast<double>(stated.stretch)));
-    if (stated.least_stretch > 0) say("stretch by " + percent(static_cast<double>(stated.least_stretch)));
-    if (stated.diverges) say("diverge");
-    std::cout << ".\n";
+    const auto part = [](Real x) { return percent(static_cast<double>(x)); };
+    std::vector<std::string> must;
+    if (needs.states_error()) {
+        must.push_back(fmt::format("be within {} of its full model ({})", part(stated.position_error),
+                                   value(needs.scene(), "needs.measure")));
+    }
+    if (stated.penetration > 0) must.push_back("let the ball in no deeper than " + metres(stated.penetration));
+    if (stated.stretch > 0) must.push_back("stretch by no more than " + part(stated.stretch));
+    if (stated.least_stretch > 0) must.push_back("stretch by " + part(stated.least_stretch));
+    if (stated.diverges) must.emplace_back("diverge");
+    std::cout << fmt::format("Up to {} s the scene must {}.\n", value(needs.scene(), "needs.horizon"),
+                             fmt::join(must, ", "));
     if (!stated.keep.empty()) std::cout << "By its nature it keeps " << stated.keep << ".\n";
     if (needs.states_error()) {
         std::cout << "Full model: " << described(computed_closely(needs.full(), close_step)) << ".\n"
                   << needs.check_full_model();
     }
-    std::cout << std::setw(9) << "error" << std::setw(10) << "ms/s"
-              << "  tried\n";
+    std::cout << "    error      ms/s  tried\n";
 }
 
 /// Walks the notches of a scene as it is.
@@ -94,33 +86,29 @@ int check_scene(const Needs& needs, const Trail& trail) {
         return Failed;
     }
     const auto spare = spare_notches(needs, trail);
-    for (const Knob knob : spare) {
-        std::cout << "The scene has more than it needs of: " << name_of(knob) << "\n";
-    }
-    if (spare.empty())
-        std::cout << "The scene is minimal: one notch less on any free knob that has an order breaks a need.\n";
-    return spare.empty() ? Done : Failed;
+    for (const Knob knob : spare) std::cout << "The scene has more than it needs of: " << name_of(knob) << "\n";
+    if (!spare.empty()) return Failed;
+    std::cout << "The scene is minimal: one notch less on any free knob that has an order breaks a need.\n";
+    return Done;
 }
 
 int find(const Needs& needs, const Trail& trail, const std::optional<std::filesystem::path>& write_to) {
-    const SearchResult result = search(needs, trail);
-    if (!result.cheapest) {
+    const auto [cheapest, nearest] = search(needs, trail);
+    if (!cheapest) {
         std::cout << "Nothing qualifies.";
-        if (result.nearest) {
-            std::cout << " The nearest miss is " << described(result.nearest->settings) << ": " << result.nearest->why;
-            if (result.nearest->error > 0) std::cout << " (" << percent(result.nearest->error) << ")";
+        if (nearest) {
+            std::cout << " The nearest miss is " << described(nearest->settings) << ": " << nearest->why
+                      << (nearest->error > 0 ? " (" + percent(nearest->error) + ")" : "");
         }
         std::cout << "\n";
         return Failed;
     }
-    const Settings& found = result.cheapest->settings;
-    std::cout << "The cheapest that qualifies is " << described(found);
-    if (!found.balls.empty()) std::cout << ", " << hierarchy(found);
-    std::cout << ": " << real_text(1e3 * result.cheapest->cost, 3) << " ms of CPU time per simulated second";
-    if (needs.states_error()) std::cout << ", error " << percent(result.cheapest->error);
-    std::cout << ".\n";
+    std::cout << fmt::format("The cheapest that qualifies is {}{}: {} ms of CPU time per simulated second{}.\n",
+                             described(cheapest->settings), hierarchy(cheapest->settings),
+                             real_text(1e3 * cheapest->cost, 3),
+                             needs.states_error() ? ", error " + percent(cheapest->error) : "");
     if (write_to) {
-        write_scene(with_full_model(found, needs.full()), *write_to);
+        write_scene(with_full_model(cheapest->settings, needs.full()), *write_to);
         std::cout << "Written to " << write_to->string() << ".\n";
     }
     return Done;

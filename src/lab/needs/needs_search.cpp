@@ -1,10 +1,10 @@
-#include "needs_search.h"
+#include "needs.h"
 
 #include <algorithm>
 #include <map>
 
-#include "full_model.h"
-#include "lab/measure/timing.h"
+#include "configurations.h"
+#include "lab/measure/statistics.h"
 
 namespace drape {
 namespace {
@@ -29,11 +29,10 @@ public:
         if (needs_.states_error()) {
             find_method(models());
         } else {
-            Settings start = needs_.full();
-            take(start, infinite);
+            take(needs_.full());
         }
         if (cheapest_) {
-            take_notches({ordered_knobs().begin(), ordered_knobs().end()});
+            take_notches();
             choose_hierarchy();
         }
         return {cheapest_, nearest_};
@@ -92,22 +91,22 @@ private:
         if (beyond) note(*beyond, "");
     }
 
-    /// Takes notches away until one less of any of these knobs breaks a need.
-    void take_notches(const std::vector<Knob>& knobs) {
+    /// Takes notches away until one less of any knob breaks a need.
+    void take_notches() {
         for (bool taken = true; taken;) {
             taken = false;
-            for (const Knob knob : knobs) {
+            for (const Knob knob : ordered_knobs()) {
                 while (free_.contains(knob)) {
                     const auto less = one_notch_less(cheapest_->settings, knob);
-                    if (!less || !take(*less, infinite)) break;
+                    if (!less || !take(*less)) break;
                     taken = true;
                 }
             }
         }
     }
 
-    bool take(const Settings& settings, double cost_limit) {
-        const Attempt attempt = needs_.attempt(settings, cost_limit);
+    bool take(const Settings& settings) {
+        const Attempt attempt = needs_.attempt(settings);
         note(attempt, "kept: it needs no more");
         if (attempt.qualifies()) cheapest_ = attempt;
         return attempt.qualifies();
@@ -133,16 +132,12 @@ private:
                 if (cheaper) cheapest_ = attempt;
             }
         };
-        using enum VolumeKind;
-        choose(Knob::Volume, &ContactSettings::volume,
-               std::vector{Sphere, Aabb, Kdop6, Kdop14, Kdop18, Kdop26, Obb, Brute});
-        if (cheapest_->settings.contact.volume == Brute) return;
-        choose(Knob::Update, &ContactSettings::update,
-               std::vector{UpdateKind::Rebuild, UpdateKind::Merge, UpdateKind::Refit, UpdateKind::None});
-        if (cheapest_->settings.contact.volume == Sphere) {
-            std::vector<SphereFit> fits;
-            for (std::size_t f = 0; f < names_of<SphereFit>().size(); ++f) fits.push_back(static_cast<SphereFit>(f));
-            choose(Knob::SphereFit, &ContactSettings::sphere_fit, fits);
+        const VolumeKind& volume = cheapest_->settings.contact.volume;
+        choose(Knob::Volume, &ContactSettings::volume, values_of<VolumeKind>());
+        if (volume == VolumeKind::Brute) return;
+        choose(Knob::Update, &ContactSettings::update, values_of<UpdateKind>());
+        if (volume == VolumeKind::Sphere) {
+            choose(Knob::SphereFit, &ContactSettings::sphere_fit, values_of<SphereFit>());
         }
         choose(Knob::LeafCells, &ContactSettings::leaf_cells, std::vector{0, 2, 4, 8, 16});
     }

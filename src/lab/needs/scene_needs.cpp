@@ -1,12 +1,12 @@
-#include "scene_needs.h"
+#include "needs.h"
 
 #include <algorithm>
 #include <cmath>
 
+#include "configurations.h"
 #include "drape/base/input_error.h"
 #include "drape/base/numbers.h"
-#include "full_model.h"
-#include "lab/measure/disturbed_start.h"
+#include "lab/measure/states.h"
 
 namespace drape {
 namespace {
@@ -17,32 +17,13 @@ constexpr double safe_part_of_limit = 0.9;
 /// Of the error that a scene allows, what may be the full model's own.
 constexpr double largest_own_part = 0.25;
 
-/// Keeps the worst of several measures in an attempt.
-class Judge {
-public:
-    explicit Judge(Attempt& attempt) : attempt_(attempt) {}
-
-    /// @param allowed 0: not stated
-    void at_most(double measured, double allowed, const std::string& why) {
-        if (allowed > 0) note(measured / allowed, why);
-    }
-    void at_least(double measured, double wanted, const std::string& why) {
-        if (wanted > 0) note(measured > 0 ? wanted / measured : no_bound, why);
-    }
-    void never(const std::string& why) { note(no_bound, why); }
-
-private:
-    /// What is no number misses by all.
-    void note(double miss, const std::string& why) {
-        if (std::isnan(miss)) miss = no_bound;
-        if (miss > 1 && (miss > attempt_.miss || attempt_.why.empty())) attempt_.why = why;
-        attempt_.miss = std::max(attempt_.miss, miss);
-    }
-
-    Attempt& attempt_;
-};
-
 }  // namespace
+
+void Attempt::note(double measured, const std::string& reason) {
+    const double miss_by = std::isnan(measured) ? no_bound : measured;
+    if (miss_by > 1 && (miss_by > miss || why.empty())) why = reason;
+    miss = std::max(miss, miss_by);
+}
 
 std::string percent(double part) { return real_text(100 * part, 3) + " %"; }
 
@@ -72,34 +53,31 @@ Attempt Needs::attempt(const Settings& settings, double cost_limit) const {
     Attempt attempt;
     attempt.settings = settings;
     attempt.cost = motion.cost;
-    Judge judge(attempt);
     const std::string when = real_text(motion.time, 3) + " s";
-    if (needs.diverges) {
-        if (!motion.diverged) judge.never("has not diverged after " + when);
+    const auto failed = [&attempt](const std::string& why) {
+        attempt.note(no_bound, why);
         return attempt;
-    }
-    if (motion.diverged) {
-        judge.never("diverged after " + when);
-        return attempt;
-    }
-    if (motion.step_over_limit > safe_part_of_limit) {
-        attempt.beyond_limit = true;
-        judge.never("step is " + real_text(motion.step_over_limit, 2) + " of its limit");
-        return attempt;
-    }
-    if (motion.given_up) {
-        judge.never("more expensive than the cheapest so far");
-        return attempt;
-    }
+    };
+    if (needs.diverges) return motion.diverged ? attempt : failed("has not diverged after " + when);
+    if (motion.diverged) return failed("diverged after " + when);
+    attempt.beyond_limit = motion.step_over_limit > safe_part_of_limit;
+    if (attempt.beyond_limit) return failed("step is " + real_text(motion.step_over_limit, 2) + " of its limit");
+    if (motion.given_up) return failed("more expensive than the cheapest so far");
+    const auto at_most = [&attempt](double measured, Real allowed, const std::string& why) {
+        if (allowed > 0) attempt.note(measured / static_cast<double>(allowed), why);
+    };
     if (states_error()) {
         attempt.error = error_of(motion);
-        judge.at_most(attempt.error, static_cast<double>(needs.position_error),
-                      "error above " + percent(static_cast<double>(needs.position_error)));
+        at_most(attempt.error, needs.position_error,
+                "error above " + percent(static_cast<double>(needs.position_error)));
     }
-    const std::string penetration = real_text(motion.penetration, 3), stretch = percent(motion.stretch);
-    judge.at_most(motion.penetration, static_cast<double>(needs.penetration), "ball " + penetration + " m deep");
-    judge.at_most(motion.stretch, static_cast<double>(needs.stretch), "stretched by " + stretch);
-    judge.at_least(motion.stretch, static_cast<double>(needs.least_stretch), "stretched by " + stretch + " only");
+    const std::string stretched = "stretched by " + percent(motion.stretch);
+    at_most(motion.penetration, needs.penetration, "ball " + real_text(motion.penetration, 3) + " m deep");
+    at_most(motion.stretch, needs.stretch, stretched);
+    if (needs.least_stretch > 0) {
+        const double least = static_cast<double>(needs.least_stretch);
+        attempt.note(motion.stretch > 0 ? least / motion.stretch : no_bound, stretched + " only");
+    }
     return attempt;
 }
 

@@ -1,8 +1,7 @@
-#include "original_experiment.h"
+#include "original.h"
 
 #include <algorithm>
 #include <iostream>
-#include <limits>
 #include <memory>
 
 #include "drape/base/resources.h"
@@ -67,32 +66,12 @@ std::string flaw_of_original_case(const OriginalRows& rows) {
 }  // namespace
 
 OriginalRows original_rows(const OriginalPlan& plan, const std::filesystem::path& program, bool& draws) {
-    draws = true;
     OriginalRows rows;
     // What is compared is timed close together: the clock of a processor that others use comes and goes
-    for (const OriginalWay& way : original_ways) {
-        const OriginalTimes times = time_original(way, plan);
-        rows.push_back({.volume = way.volume,
-                        .drawn = way.bounds_drawn ? 1. : 0.,
-                        .execution = times.execution.median,
-                        .execution_lower = times.execution.lower,
-                        .execution_upper = times.execution.upper,
-                        .build = times.scene.build,
-                        .search = times.scene.search,
-                        .exact = times.scene.exact,
-                        .candidates = times.scene.candidates,
-                        .single_build = times.single.build,
-                        .single_search = times.single.search,
-                        .single_exact = times.single.exact,
-                        .single_candidates = times.single.candidates});
-    }
-    for (std::size_t k = 0; k < rows.size(); ++k) {
-        std::optional<OriginalPictures> pictures;
-        if (draws) pictures = draw_original(original_ways[k], plan, program);
-        draws = pictures.has_value();
-        constexpr double none = std::numeric_limits<double>::quiet_NaN();
-        const auto [rate, gl_calls, cpu, vertices] = pictures.value_or(OriginalPictures{none, none, none, none});
-        rows[k].rate = rate, rows[k].gl_calls = gl_calls, rows[k].cpu = cpu, rows[k].vertices = vertices;
+    for (const OriginalWay& way : original_ways) rows.push_back(time_original(way, plan));
+    draws = true;
+    for (std::size_t k = 0; k < rows.size() && draws; ++k) {
+        draws = draw_original(original_ways[k], plan, program, rows[k]);
     }
     return rows;
 }

@@ -1,4 +1,4 @@
-#include "original_frames.h"
+#include "original.h"
 
 #include <algorithm>
 #include <cmath>
@@ -12,11 +12,12 @@
 #include "drape/sim/scene.h"
 #include "drape/sim/setting_table.h"
 #include "drape/sim/simulation.h"
+#include "lab/hierarchy/hierarchy_run.h"
 
 namespace drape {
 namespace {
 
-constexpr const char* scene = "original";
+constexpr const char* original_scene = "original";
 constexpr double frame_rate = 60;  // frames per simulated second, as drape-capture's
 constexpr const char* picture_size = "640x480";
 
@@ -33,40 +34,35 @@ OriginalSearch time_search(const RecordedMotion& motion, const BroadPhaseParamet
     return found;
 }
 
-/// Columns of a table whose first line after comments has their names, and whose other lines are numbers.
-class NumberTable {
-public:
-    explicit NumberTable(const std::filesystem::path& file) : name_(file.string()) {
-        std::ifstream in(file);
-        while (std::getline(in, names_) && names_.starts_with('#')) {
-        }
-        for (std::string line; std::getline(in, line);) {
-            auto row = parse_reals(line);
-            if (!row) throw RunError(name_ + ": is not a table of numbers");
-            rows_.push_back(std::move(*row));
+/// The medians of some columns of a table of numbers, whose first line after comments has their names.
+/// @param first row that counts
+std::vector<double> column_medians(const std::filesystem::path& file, const std::vector<std::string>& columns,
+                                   int first) {
+    std::ifstream in(file);
+    std::string names, line;
+    while (std::getline(in, names) && names.starts_with('#')) {
+    }
+    const auto all = split_at_commas(names);
+    std::vector<std::vector<double>> values(columns.size());
+    for (int row = 0; std::getline(in, line); ++row) {
+        const auto cells = parse_reals(line);
+        if (!cells) throw RunError(file.string() + ": is not a table of numbers");
+        for (std::size_t k = 0; k < columns.size() && row >= first; ++k) {
+            const auto number = static_cast<std::size_t>(std::ranges::find(all, columns[k]) - all.begin());
+            if (number >= cells->size()) throw RunError(file.string() + ": has no column " + columns[k]);
+            values[k].push_back((*cells)[number]);
         }
     }
-
-    /// The median of a column, from a row on.
-    [[nodiscard]] double median(const std::string& column, int first) const {
-        const auto names = split_at_commas(names_);
-        const auto number = static_cast<std::size_t>(std::ranges::find(names, column) - names.begin());
-        if (number == names.size()) throw RunError(name_ + ": has no column " + column);
-        std::vector<double> values;
-        for (auto row = static_cast<std::size_t>(first); row < rows_.size(); ++row) {
-            values.push_back(rows_[row].at(number));
-        }
-        if (values.empty()) throw RunError(name_ + ": has too few rows");
-        return quartiles_of(std::move(values)).median;
+    std::vector<double> medians;
+    for (auto& column : values) {
+        if (column.empty()) throw RunError(file.string() + ": has too few rows");
+        medians.push_back(quartiles_of(std::move(column)).median);
     }
+    return medians;
+}
 
-private:
-    std::string name_, names_;
-    std::vector<std::vector<double>> rows_;
-};
-
-}  // namespace
-
+/// What is set in the scene: a ball that the cloth lies on, a hierarchy rebuilt in every step, nothing saved where
+/// nothing moves.
 std::vector<std::string> original_assignments(const OriginalWay& way) {
     return {"ball.position=0,-0.18,0",
             "volume=" + way.volume,
@@ -77,12 +73,14 @@ std::vector<std::string> original_assignments(const OriginalWay& way) {
             std::string("view.bounds=") + (way.bounds_drawn ? "true" : "false")};
 }
 
-OriginalTimes time_original(const OriginalWay& way, const OriginalPlan& plan) {
-    Settings settings = load_scene(scene);
+}  // namespace
+
+OriginalRow time_original(const OriginalWay& way, const OriginalPlan& plan) {
+    Settings settings = load_scene(original_scene);
     assign_all(settings, original_assignments(way));
     const auto steps = static_cast<int>(std::lround(1 / (frame_rate * settings.solver.dt)));
 
-    Simulation simulation(scene, settings);
+    Simulation simulation(original_scene, settings);
     std::vector<double> frames;
     for (int frame = 0; frame < plan.first + plan.frames; ++frame) {
         const double before = thread_cpu_time();
@@ -91,38 +89,42 @@ OriginalTimes time_original(const OriginalWay& way, const OriginalPlan& plan) {
     }
     if (simulation.report().contacts == 0) throw RunError("original: the cloth does not lie on the ball");
 
-    const RecordedMotion motion = record_motion({.scene = scene,
-                                                 .from = plan.first / frame_rate,
-                                                 .interval = 1 / frame_rate,
-                                                 .frames = std::max(plan.frames, 2)},
-                                                settings);
+    const RecordedMotion motion =
+        record_motion({original_scene, plan.first / frame_rate, 1 / frame_rate, std::max(plan.frames, 2)}, settings);
     BroadPhaseParameters parameters = broad_phase_of(settings);
-    OriginalTimes times{.execution = quartiles_of(std::move(frames)),
-                        .scene = time_search(motion, parameters, plan.passes),
-                        .single = {}};
+    const OriginalSearch with_leaves = time_search(motion, parameters, plan.passes);
     parameters.leaf_cells = 1;
-    times.single = time_search(motion, parameters, plan.passes);
-    return times;
+    const OriginalSearch single = time_search(motion, parameters, plan.passes);
+    const Quartiles execution = quartiles_of(std::move(frames));
+    return {.volume = way.volume,
+            .drawn = way.bounds_drawn ? 1. : 0.,
+            .execution = execution.median,
+            .execution_lower = execution.lower,
+            .execution_upper = execution.upper,
+            .build = with_leaves.build,
+            .search = with_leaves.search,
+            .exact = with_leaves.exact,
+            .candidates = with_leaves.candidates,
+            .single_build = single.build,
+            .single_search = single.search,
+            .single_exact = single.exact,
+            .single_candidates = single.candidates};
 }
 
-std::optional<OriginalPictures> draw_original(const OriginalWay& way, const OriginalPlan& plan,
-                                              const std::filesystem::path& program) {
+bool draw_original(const OriginalWay& way, const OriginalPlan& plan, const std::filesystem::path& program,
+                   OriginalRow& row) {
     const ScratchFolder folder;
     const std::filesystem::path stats = folder.path() / "stats.csv";
-    std::vector<std::string> words{program.string(), scene,
-                                   "--frames",       std::to_string(plan.first + plan.frames),
-                                   "--fps",          real_text(frame_rate),
-                                   "--size",         picture_size,
-                                   "--stats",        stats.string(),
-                                   "--set"};
+    const std::string frames = std::to_string(plan.first + plan.frames), rate = real_text(frame_rate);
+    std::vector<std::string> words{program.string(), original_scene, "--frames", frames,         "--fps", rate,
+                                   "--size",         picture_size,   "--stats",  stats.string(), "--set"};
     for (const std::string& assignment : original_assignments(way)) words.push_back(assignment);
     const auto code = run_child(words);
-    if (!code) return std::nullopt;
-    if (*code != 0) throw RunError(program.string() + " failed on the scene " + scene);
-    const NumberTable table(stats);
-    const auto median = [&](const char* column) { return table.median(column, plan.first); };
-    return OriginalPictures{
-        .rate = median("rate"), .gl_calls = median("gl_calls"), .cpu = median("cpu"), .vertices = median("vertices")};
+    if (!code) return false;
+    if (*code != 0) throw RunError(program.string() + " failed on the scene " + original_scene);
+    const auto medians = column_medians(stats, {"rate", "gl_calls", "cpu", "vertices"}, plan.first);
+    row.rate = medians[0], row.gl_calls = medians[1], row.cpu = medians[2], row.vertices = medians[3];
+    return true;
 }
 
 }  // namespace drape

@@ -1,8 +1,9 @@
 #include <fmt/core.h>
 
 #include <cmath>
+#include <optional>
 
-#include "original_experiment.h"
+#include "original.h"
 
 namespace drape {
 namespace {
@@ -18,11 +19,11 @@ struct Test {
     double published;  ///< by the dissertation, of its own prototype, in the unit of the name
     int digits;
 };
-constexpr Test tests[] = {{"execution time of a frame [ms]", &OriginalRow::execution, 1e3, 235.258, 4},
-                          {"frame rate [1/s]", &OriginalRow::rate, 1, 22, 3},
-                          {"OpenGL calls a frame", &OriginalRow::gl_calls, 1, 15'000, 6},
-                          {"CPU use [%]", &OriginalRow::cpu, 100, 34, 3},
-                          {"vertices a frame", &OriginalRow::vertices, 1, 42'000, 6}};
+constexpr Test five_tests[] = {{"execution time of a frame [ms]", &OriginalRow::execution, 1e3, 235.258, 4},
+                               {"frame rate [1/s]", &OriginalRow::rate, 1, 22, 3},
+                               {"OpenGL calls a frame", &OriginalRow::gl_calls, 1, 15'000, 6},
+                               {"CPU use [%]", &OriginalRow::cpu, 100, 34, 3},
+                               {"vertices a frame", &OriginalRow::vertices, 1, 42'000, 6}};
 
 /// Quartiles of a figure over the rows of a volume; nothing where no row has it.
 /// @param drawn only of rows with or without bounds in the picture
@@ -57,9 +58,9 @@ std::string conclusion(const OriginalRows& rows, double OriginalRow::*build, dou
     return original_conclusion(of("sphere"), of("aabb"));
 }
 
-std::string bar(int test, double place, const std::string& volume, bool drawn, const Quartiles& figure, double factor,
-                int digits) {
-    return fmt::format("{},{},{},{},{:.8g},{:.8g},{:.8g},{:.{}g}\n", test, place, volume, drawn ? 1 : 0,
+std::string bar(int test, double position, const std::string& volume, bool drawn, const Quartiles& figure,
+                double factor, int digits) {
+    return fmt::format("{},{},{},{},{:.8g},{:.8g},{:.8g},{:.{}g}\n", test, position, volume, drawn ? 1 : 0,
                        factor * figure.median, factor * figure.lower, factor * figure.upper, factor * figure.median,
                        digits);
 }
@@ -79,7 +80,7 @@ std::string original_summary(const OriginalRows& rows) {
         text += fmt::format("{:14}", way.volume + (way.bounds_drawn ? " drawn" : ""));
     }
     text += "dissertation\n";
-    for (const Test& test : tests) {
+    for (const Test& test : five_tests) {
         text += fmt::format("{:32}", test.name);
         for (const OriginalWay& way : original_ways) {
             const auto figure = figure_of(rows, way.volume, test.figure, way.bounds_drawn);
@@ -94,23 +95,23 @@ std::string original_summary(const OriginalRows& rows) {
 }
 
 std::vector<Chart> original_charts(const OriginalRows& rows) {
-    std::string bars = "test,place,volume,drawn,median,lower,upper,text\n";
-    for (int number = 1; const Test& test : tests) {
-        for (double place = 0; const OriginalWay& way : original_ways) {
+    std::string bars = "test,position,volume,drawn,median,lower,upper,text\n";
+    for (int number = 1; const Test& test : five_tests) {
+        for (double position = 0; const OriginalWay& way : original_ways) {
             const auto figure = figure_of(rows, way.volume, test.figure, way.bounds_drawn);
-            if (figure) bars += bar(number, place, way.volume, way.bounds_drawn, *figure, test.factor, test.digits);
-            ++place;
+            if (figure) bars += bar(number, position, way.volume, way.bounds_drawn, *figure, test.factor, test.digits);
+            ++position;
         }
         bars += bar(number++, 4, "published", false, {test.published, test.published, test.published}, 1, 6);
     }
-    for (double place = 0; const auto figure : {&OriginalRow::build, &OriginalRow::search, &OriginalRow::single_build,
-                                                &OriginalRow::single_search}) {
+    for (double position = 0; const auto figure : {&OriginalRow::build, &OriginalRow::search,
+                                                   &OriginalRow::single_build, &OriginalRow::single_search}) {
         for (const char* volume : {"sphere", "aabb"}) {
             if (const auto found = figure_of(rows, volume, figure))
-                bars += bar(6, place, volume, false, *found, 1e6, 2);
-            ++place;
+                bars += bar(6, position, volume, false, *found, 1e6, 2);
+            ++position;
         }
-        ++place;
+        ++position;
     }
     return {
         {"original",

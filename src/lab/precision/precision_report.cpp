@@ -1,13 +1,45 @@
+#include "precision.h"
+
 #include <fmt/core.h>
 
 #include <algorithm>
+#include <limits>
 
 #include "drape/base/input_error.h"
-#include "precision_diagram.h"
-#include "reference.h"
 
 namespace drape {
 namespace {
+
+PrecisionCurve curve_of(const std::string& method, const std::vector<PrecisionRow>& rows) {
+    PrecisionCurve curve{method, {}, {}, {}};
+    for (const PrecisionRow& row : rows) {
+        if (row.end == "bounded") curve.points.push_back(row);
+        if (row.end != "bounded") curve.unstable.push_back(row.step);
+    }
+    std::vector<std::pair<double, double>> errors;
+    for (const PrecisionRow& point : curve.points) {
+        const bool below = std::ranges::all_of(curve.unstable, [&point](double step) { return point.step < step; });
+        if (below) errors.emplace_back(point.step, point.error);
+    }
+    curve.order = observed_order(errors);
+    return curve;
+}
+
+/// @param rows of one scene, at least one
+PrecisionDiagram diagram_of(const std::vector<PrecisionRow>& rows) {
+    PrecisionDiagram diagram{rows.front(), {}, {}};
+    std::vector<PrecisionRow> all;
+    std::vector<std::pair<double, double>> pairs;
+    for (const std::string& method : words_of(rows, &PrecisionRow::method)) {
+        diagram.curves.push_back(curve_of(method, rows_with(rows, &PrecisionRow::method, method)));
+        for (const PrecisionRow& point : diagram.curves.back().points) {
+            all.push_back(point);
+            pairs.emplace_back(point.error, point.cost.median);
+        }
+    }
+    for (const std::size_t i : pareto_front(pairs)) diagram.front.push_back(all[i]);
+    return diagram;
+}
 
 /// What the errors of a scene are worth.
 std::string worth(const PrecisionDiagram& diagram) {
@@ -50,7 +82,7 @@ std::string caption_of(const PrecisionRow& scene) {
     const std::string phases = scene.phases == 1
                                    ? ""
                                    : fmt::format(
-                                         " Errors are averaged over {} places of the first impact within a step; from "
+                                         " Errors are averaged over {} phases of the first impact within a step; from "
                                          "that impact on, every method is of order 1.",
                                          scene.phases);
     return fmt::format(
@@ -73,7 +105,8 @@ Chart precision_chart(const PrecisionDiagram& diagram) {
         if (curve.order) chart.values["order_" + curve.method] = curve.order->order;
     }
     const auto [exact, wrong] = std::ranges::minmax(points, {}, &PrecisionRow::error);
-    const auto [cheap, expensive] = std::ranges::minmax(points, {}, &PrecisionRow::cost);
+    const auto [cheap, expensive] =
+        std::ranges::minmax(points, {}, [](const auto& point) { return point.cost.median; });
     chart.values.insert({{"scene", scene.scene},
                          {"particles", scene.particles},
                          {"stiffness", scene.stiffness},
@@ -82,14 +115,28 @@ Chart precision_chart(const PrecisionDiagram& diagram) {
                          {"methods", in_words(methods)},
                          {"least_error", exact.error},
                          {"most_error", wrong.error},
-                         {"least_cost", cheap.cost},
-                         {"most_cost", expensive.cost}});
+                         {"least_cost", cheap.cost.median},
+                         {"most_cost", expensive.cost.median}});
     for (const PrecisionRow& point : diagram.front)
-        chart.data += fmt::format("{:.6g},{:.6g}\n", point.error, point.cost);
+        chart.data += fmt::format("{:.6g},{:.6g}\n", point.error, point.cost.median);
     return chart;
 }
 
 }  // namespace
+
+double PrecisionDiagram::margin() const {
+    double least = std::numeric_limits<double>::infinity();
+    for (const PrecisionRow& point : front) least = std::min(least, point.error);
+    return least / scene.reference_error;
+}
+
+std::vector<PrecisionDiagram> precision_diagrams(const std::vector<PrecisionRow>& rows) {
+    std::vector<PrecisionDiagram> diagrams;
+    for (const std::string& scene : words_of(rows, &PrecisionRow::scene)) {
+        diagrams.push_back(diagram_of(rows_with(rows, &PrecisionRow::scene, scene)));
+    }
+    return diagrams;
+}
 
 std::string precision_summary(const std::vector<PrecisionRow>& rows) {
     std::string all;
@@ -99,7 +146,7 @@ std::string precision_summary(const std::vector<PrecisionRow>& rows) {
         all += "  no other point is both more exact and cheaper than\n";
         for (const PrecisionRow& point : diagram.front) {
             all += fmt::format("    {} at {:.3g} s: error {:.3g}, {:.3g} s/s\n", point.method, point.step, point.error,
-                               point.cost);
+                               point.cost.median);
         }
     }
     return all;

@@ -1,19 +1,29 @@
+#include <fmt/core.h>
+
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <map>
 
 #include "drape/integrate/stability.h"
 #include "drape/integrate/stability_trial.h"
 #include "lab/experiments.h"
-#include "stability_row.h"
+#include "lab/measure/methods.h"
 
 namespace drape {
 namespace {
 
-/// A method under the name that table and chart give it.
-struct Method {
-    std::string name;
-    IntegratorParameters parameters;
+/// A trial: one method with one step on one sheet.
+struct StabilityRow {
+    std::string method, sweep;             ///< what varies: stiffness, damping, or damped_stiffness
+    double side = 0;                       ///< particles along each
+    double stiffness = 0, damping = 0;     ///< of every spring [N/m, N s/m]
+    double omega = 0, zeta = 0;            ///< of the mode that sets the limit [1/s, 1]
+    double predicted = 0;                  ///< linear limit [s]; infinite if there is none
+    double expected = 0;                   ///< where trials should start to fail [s]
+    double measured = 0;                   ///< where they did [s]
+    double step = 0;                       ///< [s]
+    std::string end = {}, agreement = {};  ///< how it ended, and whether that agrees with what is expected
 };
 
 /// What a case is about: a sheet, and the method that moves it.
@@ -30,23 +40,10 @@ constexpr double swept_stiffness[] = {1e2, 1e3, 1e4, 1e5, 1e6};  // N/m
 constexpr Real stiffness_when_damped = 1e4;                      // N/m
 constexpr Real damping_when_damped = Real(0.1);                  // N s/m
 
-std::vector<Method> methods() {
-    using enum IntegratorKind;
-    std::vector<Method> all;
-    const auto add = [&all](std::string name, const IntegratorParameters& parameters) {
-        all.push_back({std::move(name), parameters});
-    };
-    for (const auto kind : {ExplicitEuler, SymplecticEuler, VelocityVerlet, Rk4}) {
-        add(std::string(name_of(kind)), {.kind = kind});
-    }
-    for (const auto kind : {BackwardEuler, ImplicitMidpoint, Bdf2}) {
-        add(std::string(name_of(kind)) + "_clamped", {.kind = kind, .hessian = Hessian::Clamped});
-        add(std::string(name_of(kind)) + "_exact", {.kind = kind, .hessian = Hessian::Exact});
-    }
-    add("xpbd_1", {.kind = Xpbd, .iterations = 1});
-    add("xpbd_20", {.kind = Xpbd, .iterations = 20});
-    add("projective_dynamics", {.kind = ProjectiveDynamics});
-    return all;
+std::vector<Method> stability_methods() {
+    return methods_named({"explicit_euler", "symplectic_euler", "velocity_verlet", "rk4", "backward_euler_clamped",
+                          "backward_euler_exact", "implicit_midpoint_clamped", "implicit_midpoint_exact",
+                          "bdf2_clamped", "bdf2_exact", "xpbd_1", "xpbd_20", "projective_dynamics"});
 }
 
 struct Sheet {
@@ -141,7 +138,7 @@ std::vector<CaseOf<StabilityRow>> stability_cases(bool quick) {
     const auto add = [&all](const Subject& subject) {
         all.push_back([subject] { return run_stability_case(subject); });
     };
-    for (const Method& method : methods()) {
+    for (const Method& method : stability_methods()) {
         const bool limited = has_step_limit(method.parameters.kind);
         const int charted = limited ? (quick ? 16 : 30) : (quick ? 8 : 16);
         const int steps = limited ? 3000 : (quick ? 300 : 1000);
@@ -161,17 +158,13 @@ std::vector<CaseOf<StabilityRow>> stability_cases(bool quick) {
 
 RowFormat<StabilityRow> stability_format() {
     using Row = StabilityRow;
-    std::vector<std::string> names, unlimited, ends;
-    for (const Method& method : methods()) {
-        names.push_back(method.name);
-        if (!has_step_limit(method.parameters.kind)) unlimited.push_back(method.name);
-    }
-    for (int end = 0; end <= static_cast<int>(TrialEnd::Stretched); ++end) {
-        ends.emplace_back(name_of(static_cast<TrialEnd>(end)));
-    }
-    const auto or_none = [&unlimited](const Column& step) { return step.or_words({"inf"}).where("method", unlimited); };
+    std::vector<Method> unlimited = stability_methods();
+    std::erase_if(unlimited, [](const Method& method) { return has_step_limit(method.parameters.kind); });
+    const auto or_none = [names = names_in(unlimited, &Method::name)](const Column& step) {
+        return step.or_words({"inf"}).where("method", names);
+    };
     return {6,
-            {{word_column("method", names), &Row::method},
+            {{word_column("method", names_in(stability_methods(), &Method::name)), &Row::method},
              {word_column("sweep", {"stiffness", "damping", "damped_stiffness"}), &Row::sweep},
              {whole_column("side", 2), &Row::side},
              {number_column("stiffness_N_per_m"), &Row::stiffness},
@@ -182,8 +175,86 @@ RowFormat<StabilityRow> stability_format() {
              {or_none(positive_column("expected_step_s")), &Row::expected},
              {or_none(number_column("measured_step_s")), &Row::measured},
              {positive_column("step_s"), &Row::step},
-             {word_column("end", ends), &Row::end},
-             {word_column("verdict", {"agrees", "disagrees", "close"}), &Row::agreement}}};
+             {name_column<TrialEnd>("end"), &Row::end},
+             {word_column("agreement", {"agrees", "disagrees", "close"}), &Row::agreement}}};
+}
+
+/// How often the trials of a method with a limit speak against the prediction, and how far the measured limits are from
+/// it.
+std::string limited_summary(const std::vector<StabilityRow>& rows) {
+    int against = 0;
+    double lowest = std::numeric_limits<double>::infinity(), highest = 0;
+    for (const StabilityRow& row : rows) {
+        against += row.agreement == "disagrees" ? 1 : 0;
+        lowest = std::min(lowest, row.measured / row.expected);
+        highest = std::max(highest, row.measured / row.expected);
+    }
+    return fmt::format("{} against the prediction, measured limit {:.4g} to {:.4g} of the expected", against, lowest,
+                       highest);
+}
+
+/// How often a method without a limit did not stay bounded, and the shortest step that failed in each sweep.
+std::string unlimited_summary(const std::vector<StabilityRow>& rows) {
+    const auto failed = std::ranges::count_if(rows, [](const StabilityRow& row) { return row.end != "bounded"; });
+    std::map<std::string, std::map<double, double>> shortest;  // by sweep and what varies in it
+    for (const StabilityRow& row : rows) {
+        shortest[row.sweep][row.sweep == "damping" ? row.damping : row.stiffness] = row.measured;
+    }
+    std::string text = fmt::format("{} not bounded; shortest step that failed [s]", failed);
+    for (const auto& [sweep, steps] : shortest) {
+        text += "\n  " + sweep + ":";
+        for (const auto& [value, step] : steps) text += fmt::format(" {:.3g}: {:.6g},", value, step);
+        text.pop_back();
+    }
+    return text;
+}
+
+Chart stability_chart(const std::string& method, std::vector<StabilityRow> rows) {
+    // The sheet that is drawn is the last of its method; the damped sweep of stiffness is for the table only
+    std::erase_if(rows, [](const StabilityRow& row) { return row.sweep == "damped_stiffness"; });
+    const double side = rows.back().side;
+    std::erase_if(rows, [side](const StabilityRow& row) { return row.side != side; });
+    const auto count = [&rows](std::string StabilityRow::*member, const char* word) {
+        return static_cast<double>(std::ranges::count(rows, word, member));
+    };
+    const bool limited = std::isfinite(rows.front().expected);
+    return {"stability_" + method,
+            "stability",
+            limited ? "Steps that stayed bounded and steps that failed, over stiffness and damping, and the longest "
+                      "step that is predicted: every dot should lie below the line, every cross above it."
+                    : "Steps that stayed bounded and steps that failed, over stiffness and damping, under a method "
+                      "that has no linear limit: a cross is a failure that no linear theory predicts.",
+            {{"method", method},
+             {"side", side},
+             {"trials", static_cast<double>(rows.size())},
+             {"against", count(&StabilityRow::agreement, "disagrees")},
+             {"limited", limited ? 1. : 0.},
+             {"stiffness", count(&StabilityRow::sweep, "stiffness") > 0 ? 1. : 0.},
+             {"damping", count(&StabilityRow::sweep, "damping") > 0 ? 1. : 0.}}};
+}
+
+/// Some lines a method on how its trials ended.
+std::string stability_summary(const std::vector<StabilityRow>& rows) {
+    std::map<std::string, std::vector<StabilityRow>> methods;
+    for (const StabilityRow& row : rows) methods[row.method].push_back(row);
+    std::string text;
+    for (const auto& [method, trials] : methods) {
+        const bool limited = std::isfinite(trials.front().expected);
+        text += fmt::format("{}: {} trials, {}\n", method, trials.size(),
+                            limited ? limited_summary(trials) : unlimited_summary(trials));
+    }
+    return text;
+}
+
+/// A chart a method.
+std::vector<Chart> stability_charts(const std::vector<StabilityRow>& rows) {
+    std::vector<Chart> charts;
+    for (const std::string& method : words_of(rows, &StabilityRow::method)) {
+        const auto of_method = rows_with(rows, &StabilityRow::method, method);
+        const auto drawn = [](const StabilityRow& row) { return row.sweep != "damped_stiffness"; };
+        if (std::ranges::any_of(of_method, drawn)) charts.push_back(stability_chart(method, of_method));
+    }
+    return charts;
 }
 
 }  // namespace

@@ -7,7 +7,7 @@ cell("expected_step_s") != "inf" {
         least[method] = most[method] = ratio
     }
     ++trials[method]
-    against[method] += cell("verdict") == "disagrees"
+    against[method] += cell("agreement") == "disagrees"
     if (ratio < least[method]) least[method] = ratio
     if (ratio > most[method]) most[method] = ratio
 }

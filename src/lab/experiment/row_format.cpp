@@ -1,4 +1,6 @@
-#include "table_column.h"
+#include "row_format.h"
+
+#include <fmt/ranges.h>
 
 #include <algorithm>
 #include <cmath>
@@ -35,10 +37,6 @@ bool accepts(const std::vector<Column>& columns, const Column& column, const Tab
     return in_range(column, cell) || (is_one_of(column.words, cell) && may_lack_number(columns, column, row));
 }
 
-Column number_from(std::string name, Column::Kind kind, double least, bool above) {
-    return {.name = std::move(name), .kind = kind, .least = least, .above = above};
-}
-
 }  // namespace
 
 Column Column::or_words(std::vector<std::string> others) const {
@@ -46,9 +44,6 @@ Column Column::or_words(std::vector<std::string> others) const {
     more.words.insert(more.words.end(), others.begin(), others.end());
     return more;
 }
-
-// Some processors give what 0/0 is a sign
-Column Column::or_nan() const { return or_words({"nan", "-nan"}); }
 
 Column Column::where(std::string column, std::vector<std::string> with) const {
     Column bound = *this;
@@ -76,12 +71,14 @@ Column word_column(std::string name, std::vector<std::string> words) {
 }
 
 Column whole_column(std::string name, double least) {
-    return number_from(std::move(name), Column::Kind::Whole, least, false);
+    return {.name = std::move(name), .kind = Column::Kind::Whole, .least = least};
 }
 
-Column number_column(std::string name) { return number_from(std::move(name), Column::Kind::Number, 0, false); }
+Column number_column(std::string name) { return {.name = std::move(name), .kind = Column::Kind::Number, .least = 0}; }
 
-Column positive_column(std::string name) { return number_from(std::move(name), Column::Kind::Number, 0, true); }
+Column positive_column(std::string name) {
+    return {.name = std::move(name), .kind = Column::Kind::Number, .least = 0, .above = true};
+}
 
 std::string flaw_of(const std::vector<Column>& columns, const TableRow& row) {
     DRAPE_ASSERT(row.size() == columns.size());
@@ -91,6 +88,8 @@ std::string flaw_of(const std::vector<Column>& columns, const TableRow& row) {
     }
     return "";
 }
+
+std::string in_words(const std::vector<std::string>& words) { return fmt::format("{}", fmt::join(words, " ")); }
 
 double number_in(const std::string& cell) {
     const auto number = parse_real(cell);

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <filesystem>
 #include <optional>
 #include <set>
 #include <span>
@@ -17,6 +18,14 @@ enum class Knob { Particles, Bend, Drag, Integrator, Dt, Iterations, Volume, Upd
 template <>
 inline constexpr auto enum_names<Knob> = all_names<Knob>("particles", "bend", "drag", "integrator", "dt", "iterations",
                                                          "volume", "update", "sphere_fit", "leaf_cells");
+
+/// All values of an enumeration with names.
+template <NamedEnum Enum>
+std::vector<Enum> values_of() {
+    std::vector<Enum> values;
+    for (std::size_t k = 0; k < names_of<Enum>().size(); ++k) values.push_back(static_cast<Enum>(k));
+    return values;
+}
 
 /// The knobs that a scene leaves free: all but those in its `needs.keep` and those with nothing to act on. Particles
 /// stay where pins or a start state count them, and the hierarchy where there is no ball to search for.
@@ -38,5 +47,31 @@ Settings on_grid(Settings scene, const Grid& grid);
 
 /// Whether a method repeats its passes as often as `solver.iterations` says.
 bool has_iterations(IntegratorKind kind);
+
+/// The step at which the full model is computed [s]. Contact makes every method one of first order, so it is short.
+constexpr double close_step = 1e-4;
+
+/// The scene with all that its model could have: the particles, bend springs and drag of `needs.full`.
+/// @throws InputError if the scene has several cloths, or `needs.full.particles` is no grid
+Settings full_model(const Settings& scene);
+
+/// A scene, computed so closely that only its model is left to err: by Dormand-Prince between contacts, which are those
+/// of each step, and looked for without a limit.
+/// @param dt [s]
+Settings computed_closely(Settings scene, double dt);
+
+/// What is written of a configuration that was found: it, with the full model said in `needs.full`, so that it can be
+/// found again.
+Settings with_full_model(Settings found, const Settings& full);
+
+/// The file in which a scene is written back: its own, or NAME.toml in the current folder if it is a shipped one's
+/// name.
+/// @throws InputError if a shipped one's name is that of a file in the current folder, which is another scene
+std::filesystem::path file_of_scene(const std::string& name_or_path);
+
+/// Writes a scene file whole or not at all: under another name, which then becomes its own. A file that was there stays
+/// as NAME.toml~, and hands on its permissions; through a link, the file that it leads to is written.
+/// @throws RunError if it cannot be written
+void write_scene(const Settings& scene, const std::filesystem::path& file);
 
 }  // namespace drape

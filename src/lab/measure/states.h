@@ -2,11 +2,22 @@
 
 #include <string_view>
 
-#include "disturbed_start.h"
 #include "drape/base/enum_names.h"
+#include "drape/base/real.h"
 #include "drape/model/cloth_model.h"
+#include "drape/model/grid.h"
 
 namespace drape {
+
+/// An error at the start of a motion, as root mean square over the free particles [m]: small against any motion, large
+/// against rounding.
+constexpr Real small_error = sizeof(Real) == sizeof(double) ? Real(1e-9) : Real(1e-4);
+
+/// An error that grows more than this on the way to a horizon makes positions there a matter of luck.
+constexpr double most_growth = 50;
+
+/// A state with that error in every free coordinate, the same each time: symmetry would hide what grows.
+ClothState disturbed(const ClothModel& model, ClothState state);
 
 /// What of two states of a cloth is compared.
 enum class Measure {
@@ -27,5 +38,10 @@ double position_error(const Points& x, const Points& exact, Real side);
 double overall_error(const ClothModel& model, const ClothState& state, const ClothState& exact, Real side);
 
 double error_of(Measure measure, const ClothModel& model, const ClothState& state, const ClothState& exact, Real side);
+
+/// The points of a cloth at which another grid's particles lie, bilinearly between the particles that there are.
+/// @param x of `from`, n x 3 [m]
+/// @return of `to`, n x 3 [m]
+Points resampled(const Points& x, const Grid& from, const Grid& to);
 
 }  // namespace drape

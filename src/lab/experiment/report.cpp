@@ -1,0 +1,146 @@
+#include "run_experiment.h"
+
+#include <fmt/core.h>
+
+#include <algorithm>
+#include <cmath>
+#include <fstream>
+#include <iostream>
+#include <map>
+
+#include "drape/base/child_program.h"
+#include "drape/base/input_error.h"
+#include "drape/base/numbers.h"
+#include "drape/base/output_file.h"
+#include "drape/base/resources.h"
+
+namespace drape {
+namespace {
+
+/// Whether a text has only letters, digits and some other characters: nothing that gnuplot or a shell would run.
+bool is_plain(const std::string& text, std::string_view others) {
+    return std::ranges::all_of(text, [others](char c) {
+        return (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z') || (c >= '0' && c <= '9') ||
+               others.find(c) != std::string_view::npos;
+    });
+}
+
+std::string checked(const std::string& text, std::string_view others = "_") {
+    if (text.empty() && others == "_") throw RunError("a chart's value has no name");
+    if (!is_plain(text, others)) throw RunError("a chart's script may not be told '" + shortened(text) + "'");
+    return text;
+}
+
+std::string text_of(double number) {
+    if (!std::isfinite(number)) throw RunError("a chart's script may not be told a number that is not finite");
+    return real_text(number);
+}
+
+std::string text_of(const std::string& words) { return "'" + checked(words, "_ :.+-") + "'"; }
+
+void add_script(OutputFile& file, const std::string& name) {
+    std::ifstream script(find_resource("charts/" + name + ".gp"));
+    file.stream() << '\n' << script.rdbuf();
+    if (!script) throw RunError("charts/" + name + ".gp cannot be read");
+}
+
+/// @return false if there is no gnuplot
+bool draw_charts(const std::vector<Chart>& charts, const std::filesystem::path& table) {
+    // gnuplot runs beside the table and knows files by names that are ours: no path is part of its program
+    const std::filesystem::path folder = table.has_parent_path() ? table.parent_path() : ".";
+    for (Chart chart : charts) {
+        const std::string name = checked(chart.name), script = name + ".gnuplot";
+        chart.values.insert({{"name", name}, {"table", table.filename().string()}});
+        if (!chart.data.empty()) {
+            chart.values["data"] = name + "_data.csv";
+            OutputFile data((folder / (name + "_data.csv")).string());
+            data.stream() << chart.data;
+            data.close();
+        }
+        OutputFile file((folder / script).string());
+        file.stream() << "# To draw the chart once more, in this folder: gnuplot " << script << "\n"
+                      << assignments_of(chart);
+        add_script(file, "common");
+        add_script(file, chart.script);
+        file.stream() << "\nunset output\nif (kind eq 'svg') { kind = 'png'; load '" << script << "' }\n";
+        file.close();
+        const auto code = run_child({"gnuplot", "--default-settings", script}, folder);
+        if (!code) return false;
+        if (*code != 0) throw RunError("gnuplot failed on " + (folder / script).string());
+    }
+    return true;
+}
+
+constexpr const char* style =
+    "body{font:16px/1.5 'DejaVu Sans',sans-serif;color:#222;max-width:72rem;margin:2rem auto;padding:0 1rem}"
+    "h1{font-size:1.5rem}figure{margin:2.5rem 0}img{max-width:100%;height:auto;border:1px solid #ddd}"
+    "figcaption{max-width:50rem;color:#444}pre{overflow-x:auto;background:#f6f6f6;padding:1rem;font-size:.85rem}"
+    "dl{display:grid;grid-template-columns:max-content auto;gap:.1rem 1.5rem;font-size:.85rem}dd{margin:0}";
+
+/// Text as a page shows it.
+std::string escaped(const std::string& text) {
+    static const std::map<char, std::string> marks{{'&', "&amp;"}, {'<', "&lt;"}, {'>', "&gt;"}, {'"', "&quot;"}};
+    std::string shown;
+    for (const char c : text) shown += marks.contains(c) ? marks.at(c) : std::string(1, c);
+    return shown;
+}
+
+/// Question, charts with captions, what was found, and where it is from.
+/// @param charts that were drawn
+void write_report_page(const Experiment& experiment, const TableHead& head, const std::vector<Chart>& charts,
+                       const std::string& summary, const std::filesystem::path& table) {
+    std::string figures, lines;
+    for (const Chart& chart : charts) {
+        figures += fmt::format(
+            "<figure>\n<a href=\"{0}.svg\"><img src=\"{0}.svg\" alt=\"{1}\"></a>\n<figcaption>{1}</figcaption>\n"
+            "</figure>\n",
+            escaped(chart.name), escaped(chart.caption));
+    }
+    for (const auto& [key, value] : head) {
+        lines += fmt::format("<dt>{}</dt><dd>{}</dd>\n", escaped(key), escaped(value));
+    }
+    OutputFile file((table.parent_path() / "index.html").string());
+    file.stream() << fmt::format(
+        R"(<!doctype html>
+<html lang="en">
+<meta charset="utf-8">
+<meta name="viewport" content="width=device-width">
+<title>Drape: {0}</title>
+<style>{1}</style>
+<h1>{0}: {2}</h1>
+{3}<h2>What was found</h2>
+<pre>{4}</pre>
+<h2>Where it is from</h2>
+<dl>
+{5}<dt>table</dt><dd><a href="{6}">{6}</a></dd>
+</dl>
+</html>
+)",
+        experiment.name, style, escaped(experiment.question), figures, escaped(summary), lines,
+        escaped(table.filename().string()));
+    file.close();
+}
+
+}  // namespace
+
+std::string assignments_of(const Chart& chart) {
+    std::string text;
+    for (const auto& [name, value] : chart.values) {
+        text += checked(name) + " = " + std::visit([](const auto& some) { return text_of(some); }, value) + "\n";
+    }
+    return text;
+}
+
+void present(const Experiment& experiment, const ExperimentTable& table, const std::filesystem::path& file) {
+    const auto rows = table.rows();
+    const std::string summary = experiment.summary(rows);
+    std::cout << summary;
+    auto charts = experiment.charts(rows);
+    if (!draw_charts(charts, file)) {
+        std::cerr << "There is no gnuplot (Debian package gnuplot-nox): the charts are not drawn.\n";
+        charts.clear();
+    }
+    write_report_page(experiment, table.head, charts, summary, file);
+}
+
+}  // namespace drape

@@ -1,0 +1,24 @@
+#include "methods.h"
+
+#include "drape/base/assert.h"
+#include "drape/base/numbers.h"
+
+namespace drape {
+
+std::vector<Method> methods_named(std::initializer_list<std::string> names) {
+    std::vector<Method> methods;
+    for (const std::string& name : names) {
+        const std::size_t end = name.find_last_of('_');
+        const std::string variant = end == std::string::npos ? "" : name.substr(end + 1);
+        const auto iterations = parse_integer(variant);
+        const auto hessian = value_named<Hessian>(variant);
+        const auto kind = value_named<IntegratorKind>(iterations || hessian ? name.substr(0, end) : name);
+        DRAPE_ASSERT(kind.has_value());
+        Method& method = methods.emplace_back(Method{name, {.kind = *kind}});
+        if (hessian) method.parameters.hessian = *hessian;
+        if (iterations) method.parameters.iterations = static_cast<int>(*iterations);
+    }
+    return methods;
+}
+
+}  // namespace drape

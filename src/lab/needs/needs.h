@@ -1,0 +1,128 @@
+#pragma once
+
+#include <array>
+#include <functional>
+#include <limits>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "configurations.h"
+#include "drape/sim/settings.h"
+#include "drape/sim/start_state.h"
+
+namespace drape {
+
+/// What a scene showed on its way to the horizon of its needs.
+struct Motion {
+    static constexpr int moments = 16;  ///< at equal distances, the last at the horizon
+
+    Grid grid;
+    ClothState start;               ///< the first cloth before the first step
+    std::array<Points, moments> x;  ///< the first cloth at each moment; as far as it came
+    int passed = 0;                 ///< moments
+    bool diverged = false;
+    bool given_up = false;       ///< it was too expensive, or its step too long
+    double time = 0;             ///< to which it came, from its start [s]
+    double step_over_limit = 0;  ///< length of a step over its limit, as predicted
+    double penetration = 0;      ///< largest after any step, of its last substep [m]
+    double stretch = 0;          ///< largest after any step
+    double cost = 0;             ///< CPU time of all threads per simulated second [s/s]
+};
+
+/// Beyond which a run is not worth its time.
+struct Patience {
+    double cost = std::numeric_limits<double>::infinity();  ///< CPU time of all threads per simulated second [s/s]
+    double step_over_limit = std::numeric_limits<double>::infinity();  ///< a longer step is not even begun with
+};
+
+/// The larger of two; what is no number is larger than all, so that it is not missed.
+double larger(double a, double b);
+
+/// Runs a scene to the horizon of its needs, or until it diverges or is given up. Between two steps a moment is
+/// interpolated by a cubic of both states (Hermite's), which no second-order method feels.
+/// Cost is that of the steps alone: stretch, which is measured after each, adds a root per structural spring to the
+/// run and nothing to its cost.
+/// @param start where it begins if not where the scene says
+Motion run_to_horizon(const Settings& scene, const Patience& patience = {},
+                      const std::optional<StartState>& start = {});
+
+/// How far a motion is from that of the full model, of the cloth's longer side: the largest over all moments. The
+/// particles of the one are compared with the points of the other's cloth at which they lie, by bilinear
+/// interpolation between its particles. No number if either is not of numbers.
+/// @pre both have passed all moments
+double motion_error(const Motion& motion, const Motion& full, NeedsMeasure measure, Real side);
+
+/// What a scene's needs say about a configuration that was tried.
+struct Attempt {
+    Settings settings;
+    double error = 0;           ///< against the full model, of the cloth's side; 0 if none is stated
+    double cost = 0;            ///< CPU time of all threads per simulated second [s/s]
+    double miss = 0;            ///< the worst of what was measured over what is allowed; above 1 it does not qualify
+    bool beyond_limit = false;  ///< its step is too near to the method's limit, or above: it was not run
+    std::string why;            ///< it does not qualify; empty if it does
+
+    [[nodiscard]] bool qualifies() const { return why.empty(); }
+
+    /// Keeps the worst of several measures.
+    /// @param measured over what is allowed; what is no number misses by all
+    void note(double measured, const std::string& reason);
+};
+
+/// What a scene must show, and whether a configuration of it does.
+class Needs {
+public:
+    /// Computes the full model, where an error against it is stated.
+    /// @throws InputError if nothing is stated
+    /// @throws RunError if the full model itself diverges
+    explicit Needs(Settings scene);
+
+    /// Runs a configuration and says whether it qualifies. Besides what the scene states, a method with a limited step
+    /// must keep below nine tenths of it, as `on_unstable = "substep"` does; but for a scene that is to diverge.
+    /// @param cost_limit it is given up where it costs more [s/s]
+    [[nodiscard]] Attempt attempt(const Settings& settings,
+                                  double cost_limit = std::numeric_limits<double>::infinity()) const;
+
+    /// Finds out what the full model is worth: by how much it differs at twice its step or from a disturbed start.
+    /// @return a line that says so; empty if no error is stated
+    /// @throws InputError if particles are to be compared where a small error grows beyond `most_growth`
+    /// @throws RunError if it is known too little for the error that the scene allows
+    [[nodiscard]] std::string check_full_model() const;
+
+    [[nodiscard]] const Settings& scene() const { return scene_; }
+    [[nodiscard]] const Settings& full() const { return full_; }
+    [[nodiscard]] bool states_error() const { return scene_.needs.position_error > 0; }
+
+private:
+    [[nodiscard]] double error_of(const Motion& motion) const;
+
+    Settings scene_, full_;
+    std::optional<Motion> motion_;  ///< of the full model
+};
+
+/// A part of the cloth's side as a text in per cent.
+std::string percent(double part);
+
+/// Is told each attempt, with what became of it: "kept", "cheapest so far", or why it was rejected.
+using Trail = std::function<void(const Attempt&, const std::string& outcome)>;
+
+/// What a search has come to.
+struct SearchResult {
+    std::optional<Attempt> cheapest;
+    std::optional<Attempt> nearest;  ///< that does not qualify; what to tell where none does
+};
+
+/// Looks for the cheapest configuration that shows what the scene needs.
+///
+/// First the model: with everything computed closely, particles, bend springs and drag are taken away notch by notch as
+/// far as the needs allow. Then the method: for each of these models, the least first, each integrator's longest step
+/// that qualifies, as long as it is not more expensive than the cheapest so far. Then every knob once more, until one
+/// notch less on any that has an order breaks a need. Last, how contacts are looked for: by cost alone, unless the
+/// search has a limit, for then that changes the motion too. A scene that does not state an error has no full model: it
+/// is taken as it is, and only notches are taken away.
+SearchResult search(const Needs& needs, const Trail& trail);
+
+/// The free knobs with an order of which a scene that qualifies has a notch more than it needs; none if it is minimal.
+std::vector<Knob> spare_notches(const Needs& needs, const Trail& trail);
+
+}  // namespace drape
