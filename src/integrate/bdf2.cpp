@@ -45,20 +45,23 @@ public:
         if (goes_on) r_ += (model.particle_mass / 3) * (state.v - before_.v);
         const krylov::Outcome solved = system_.solve(model, s, r_, dv_);
 
-        before_.x = state.x;
-        before_.v = state.v;
         dx_ += s * dv_;
+        advance(model, h, state);
+        return system_.report(solved);
+    }
+
+private:
+    /// By dx and dv, and keeps both ends of the step.
+    void advance(const ClothModel& model, Real h, ClothState& state) {
+        before_ = state;
         for (int p = 0; p < model.grid.particles(); ++p) {
             if (model.pinned(p)) dx_.row(p) = h * state.v.row(p);
         }
         state.x += dx_;
         state.v += dv_;
-        left_.x = state.x;
-        left_.v = state.v;
-        return system_.report(solved);
+        left_ = state;
     }
 
-private:
     ForceSweep forces_;
     NewtonSystem system_;
     ClothState before_, left_;

@@ -70,12 +70,8 @@ public:
             report.force_evaluations += stages - 1;
             const Real error = estimate(inner, h) / allowed;
             if (error <= 1 || is_shortest || inner <= shortest) {
-                state.x.swap(x_);
-                state.v.swap(v_);
-                std::swap(derivatives_.front(), derivatives_.back());
+                take(state, error, report);
                 remaining = parts > 1 ? remaining - inner : 0;
-                ++report.iterations;
-                report += {.residual = error * tolerance_, .unconverged = error <= 1 ? 0 : 1};
                 if (!std::isfinite(error)) break;
             }
             inner = std::max(inner * change_of_step(error), shortest);
@@ -84,6 +80,15 @@ public:
     }
 
 private:
+    /// The inner step that was tried becomes the state; its last derivative is the first of the next.
+    void take(ClothState& state, Real error, SolveReport& report) {
+        state.x.swap(x_);
+        state.v.swap(v_);
+        std::swap(derivatives_.front(), derivatives_.back());
+        ++report.iterations;
+        report += {.residual = error * tolerance_, .unconverged = error <= 1 ? 0 : 1};
+    }
+
     /// dx/dt and dv/dt.
     struct Derivative {
         Points v, a;

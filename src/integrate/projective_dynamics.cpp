@@ -31,11 +31,7 @@ public:
     SolveReport step(const ClothModel& model, ClothState& state, Real h, EnergyFlow* start) override {
         if (start != nullptr) *start = compute_energy_flow(model, state.x, state.v, start_, kernels_);
         global_.prepare(model, h);
-        elastic_ = model;
-        elastic_.structural.damping = elastic_.shear.damping = elastic_.bend.damping = 0;
-        elastic_.gravity.setZero();
-        elastic_.drag = elastic_.air.density = 0;
-
+        keep_springs_of(model);
         damp(model, state, h);
         inertial_.advance(model, state, h);
         guess_ = state.x;
@@ -59,6 +55,13 @@ public:
     }
 
 private:
+    void keep_springs_of(const ClothModel& model) {
+        elastic_ = model;
+        elastic_.structural.damping = elastic_.shear.damping = elastic_.bend.damping = 0;
+        elastic_.gravity.setZero();
+        elastic_.drag = elastic_.air.density = 0;
+    }
+
     /// Slows the springs' ends to where dampers alone would let them get.
     void damp(const ClothModel& model, ClothState& state, Real h) {
         auto springs = spring_stencils(model);

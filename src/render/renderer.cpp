@@ -44,8 +44,6 @@ void set_state(Gl& gl) {
     gl(glPixelStorei, GLenum{GL_PACK_ALIGNMENT}, 1);
 }
 
-}  // namespace
-
 /// Frames per second and processor use, averaged over about a second.
 class FrameMeter {
 public:
@@ -79,6 +77,8 @@ private:
     bool first_second_ = true;
     double rate_ = 0, cpu_ = 0;
 };
+
+}  // namespace
 
 // In the order in which they are made; each may use those above it.
 struct Renderer::Parts {

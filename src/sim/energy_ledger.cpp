@@ -26,7 +26,8 @@ void EnergyLedger::see(const EnergyFlow& now, Book& book) {
     const double change = now.energy.total() - book.seen.energy.total();
     if (book.since == Since::Hand) book.balance.hand += change;
     if (book.since == Since::Step) {
-        // Both ends of the step; the later one is before the contacts
+        // Both ends of the step. For damping and drag the later one is before the contacts, for wind and hand after
+        // them: what contacts change in these two within a step goes to the integrator
         const double half = book.h / 2;
         const Power &first = book.seen.power, &last = now.power, &contact = book.contact_power;
         const double wind = half * (first.wind + last.wind), hand = half * (first.hand + last.hand);

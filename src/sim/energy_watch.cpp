@@ -58,7 +58,7 @@ void EnergyWatch::measure(const Energy& energy) {
     peak_ = in_motion;
 }
 
-bool EnergyWatch::heated() const { return excess_ > allowed(lift_, peak_); }
+bool EnergyWatch::gained() const { return excess_ > allowed(lift_, peak_); }
 
 double EnergyWatch::small_work() const { return small * lift_; }
 

@@ -85,7 +85,7 @@ std::filesystem::path write_failure(const Simulation& simulation, const std::fil
 
 std::string tell_failure(const Simulation& simulation, const std::filesystem::path& folder) {
     const std::string warning = simulation.step_warning(), cause = warning.empty() ? "" : warning + "; ";
-    // What has ended it for its heat is the sum of many steps
+    // The energy that has ended it is the sum of many steps
     if (simulation.run_warning().ends_with(simulation.report().trouble))
         return cause + "no step of it alone shows this";
     try {

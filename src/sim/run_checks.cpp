@@ -21,17 +21,17 @@ std::string solve_trouble(IntegratorKind integrator, const StepReport& report) {
            ", " + tolerance;
 }
 
-std::string heat_trouble(const StepReport& report) {
-    return std::string(name_of(report.heated_by)) + " has made " + real_text(report.energy_excess, 3) +
+std::string gain_trouble(const StepReport& report) {
+    return std::string(name_of(report.gained_by)) + " has made " + real_text(report.energy_excess, 3) +
            " J more mechanical energy than hand, balls and wind can have put in, seen first in step " +
            std::to_string(report.heated_step);
 }
 
-void mark_heat(const EnergyWatch& watch, IntegratorKind integrator, StepReport& report) {
+void mark_gain(const EnergyWatch& watch, IntegratorKind integrator, StepReport& report) {
     report.energy_excess = std::max(report.energy_excess, watch.excess());
-    if (!watch.heated() || report.heated_step > 0) return;
+    if (!watch.gained() || report.heated_step > 0) return;
     report.heated_step = report.step + 1;
-    report.heated_by = integrator;
+    report.gained_by = integrator;
 }
 
 }  // namespace
@@ -45,7 +45,7 @@ std::string check_substep(std::span<Cloth> cloths, std::span<const Ball> balls, 
 
     // An explicit step costs little more than the sum over the springs
     const int least_pause = has_step_limit(solver.integrator) ? 32 : 1;
-    bool heated = false;
+    bool gained = false;
     for (Cloth& cloth : cloths) {
         const MotionSums sums = sum_motion(cloth.state);
         const std::string trouble = divergence(cloth, sums, balls, settings);
@@ -54,12 +54,12 @@ std::string check_substep(std::span<Cloth> cloths, std::span<const Ball> balls, 
                    std::string(name_of(solver.integrator));
         }
         cloth.energy.after_integrator(cloth.model, cloth.state, sums, h, least_pause);
-        mark_heat(cloth.energy.watch(), solver.integrator, report);
-        heated = heated || cloth.energy.watch().heated();
+        mark_gain(cloth.energy.watch(), solver.integrator, report);
+        gained = gained || cloth.energy.watch().gained();
     }
     if (solver.on_unstable != OnUnstable::Stop) return {};
     if (report.solve.unconverged > 0) return solve_trouble(solver.integrator, report);
-    return heated ? heat_trouble(report) : "";
+    return gained ? gain_trouble(report) : "";
 }
 
 std::string doubt_warning(const StepReport& report) {
@@ -69,7 +69,7 @@ std::string doubt_warning(const StepReport& report) {
                " of " + std::to_string(report.step) + " steps to its tolerance, largest residual " +
                real_text(report.worst_residual, 3);
     }
-    if (report.heated_step > 0) text += (text.empty() ? "" : "; ") + heat_trouble(report);
+    if (report.heated_step > 0) text += (text.empty() ? "" : "; ") + gain_trouble(report);
     return text;
 }
 

@@ -16,7 +16,7 @@ void compare_with_single_fits(const Grid& grid, int leaf_cells, const Points& x)
     const Real size = x.cwiseAbs().maxCoeff();
     for (std::size_t n = 0; n < nodes.size(); ++n) {
         const Patch patch = patch_of(grid, nodes[n], x);
-        const BoundingSphere single = sphere_fit_of(SphereFit::Centroid)(patch);
+        const BoundingSphere single = sphere_fit_of(SphereFit::Centroid, Kernels::Vector)(patch);
         ASSERT_LE((spheres[n].centre - single.centre).norm(), 1e-14 * size) << "node " << n;
 
         // To the bit: the farthest particle from the centre that the tree has

@@ -132,7 +132,7 @@ TEST_P(PlainSphere, CatchesAKernelThatMissesAColumn) {
     const auto plain = sphere_fit_of(GetParam(), Kernels::Plain);
     const auto without_column = [&](Patch patch) {
         patch.columns = std::max(1, patch.columns - 1);
-        return sphere_fit_of(GetParam())(patch);
+        return sphere_fit_of(GetParam(), Kernels::Vector)(patch);
     };
     EXPECT_GT(disagreements<BoundingSphere>(plain, without_column, Real(1e-12), all), all / 4);
 }

@@ -301,9 +301,10 @@ TEST(SphereFits, HaveNamesAndAreChosenByThem) {
         tree->build(x);
         std::vector<NodeView> root;
         tree->nodes_at(0, root);
-        EXPECT_EQ(std::get<BoundingSphere>(root.at(0).volume).radius, sphere_fit_of(kind_at(k))(whole(x, grid)).radius)
+        EXPECT_EQ(std::get<BoundingSphere>(root.at(0).volume).radius,
+                  sphere_fit_of(kind_at(k), Kernels::Vector)(whole(x, grid)).radius)
             << names_of<SphereFit>()[k];
-        fits.insert(sphere_fit_of(kind_at(k)));
+        fits.insert(sphere_fit_of(kind_at(k), Kernels::Vector));
     }
     const std::vector<std::string> names{"centroid", "box", "ritter", "epos6", "epos14", "epos26", "welzl"};
     EXPECT_EQ(std::vector(names_of<SphereFit>().begin(), names_of<SphereFit>().end()), names);

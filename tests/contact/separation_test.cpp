@@ -36,7 +36,7 @@ Count count_skips(const BroadPhaseParameters& parameters, Rule may_skip) {
         const Grid grid{12, 9};
         const auto tree = make_broad_phase(parameters, grid),
                    brute = make_broad_phase({.volume = VolumeKind::Brute}, grid);
-        Separation separation(grid);
+        Separation separation(grid, Kernels::Vector);
         Points x = test::random_cloth(grid, random), built_from = x;
         std::vector<Ball> balls(2), balls_at_build;
         for (Ball& ball : balls)
@@ -102,14 +102,14 @@ TEST(Separation, WouldBeWrongIfItForgotThatBallsSwell) {
     const auto with_old_radii = [](const Moment& m) {
         std::vector<Ball> balls(m.balls.begin(), m.balls.end());
         for (std::size_t b = 0; b < m.balls_at_build.size(); ++b) balls[b].radius = m.balls_at_build[b].radius;
-        return none_reaches(m, balls, largest_displacement(m.x, m.built_from));
+        return none_reaches(m, balls, largest_displacement(m.x, m.built_from, Kernels::Vector));
     };
     EXPECT_GT(count_skips({}, with_old_radii).wrong, 10);
 }
 
 TEST(Separation, WouldBeWrongIfItForgotThatBallsLeap) {
     const auto with_old_places = [](const Moment& m) {
-        return none_reaches(m, m.balls_at_build, largest_displacement(m.x, m.built_from));
+        return none_reaches(m, m.balls_at_build, largest_displacement(m.x, m.built_from, Kernels::Vector));
     };
     EXPECT_GT(count_skips({}, with_old_places).wrong, 10);
 }
@@ -121,7 +121,7 @@ TEST(Separation, HoldsNoLongerOnceForgotten) {
     const std::vector<Ball> far{{.centre = Vec3(9, 0, 0), .radius = 1}};
     const auto tree = make_broad_phase({}, grid);
     tree->build(x);
-    Separation separation(grid);
+    Separation separation(grid, Kernels::Vector);
     EXPECT_FALSE(separation.holds(*tree, x, far, 0)) << "nothing was proven yet";
     separation.renew(*tree, x, far, 0);
     EXPECT_TRUE(separation.holds(*tree, x, far, 0));

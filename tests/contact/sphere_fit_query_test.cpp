@@ -68,7 +68,8 @@ TEST(SphereFitQuery, GivesWhatBruteForceGivesWithEveryFitUpdateAndLeafSize) {
                     const auto fit = static_cast<SphereFit>(f);
                     const auto tree = make_broad_phase(
                         {.update = static_cast<UpdateKind>(u), .leaf_cells = leaf_cells, .sphere_fit = fit}, grid);
-                    const FitTally tally = compare_on_moving_cloth(*tree, grid, leaf_cells, sphere_fit_of(fit));
+                    const FitTally tally =
+                        compare_on_moving_cloth(*tree, grid, leaf_cells, sphere_fit_of(fit, Kernels::Vector));
                     EXPECT_EQ(tally.disagreements, 0)
                         << names_of<SphereFit>()[f] << ", " << names_of<UpdateKind>()[u] << ", leaf " << leaf_cells;
                     touching += tally.touching;

@@ -27,6 +27,9 @@ for key in $keys; do grep -qxF "$key" <<<"$cited" || fault "docs/references.bib:
 while IFS= read -r line; do fault "$line: not cited as [key](references.bib)"; done < <(
     grep -onE '\([A-Z][A-Za-z-]+( et al\.| and [A-Z][a-z]+)?,? (19|20)[0-9]{2}\)|[A-Z][a-z]+ et al\.' "${pages[@]}" || true)
 
+# Merges
+while IFS= read -r line; do fault "$line: a merge was not finished"; done < <(grep -nE '^(<<<<<<<|=======|>>>>>>>)( |$)' "${pages[@]}" || true)
+
 # Files
 for page in "${pages[@]}"; do
     folder=$(dirname "$page")

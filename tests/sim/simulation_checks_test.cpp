@@ -87,7 +87,7 @@ TEST(Convergence, IsGivenUpAfterAStatedNumberOfInnerSteps) {
     EXPECT_EQ(simulation.hash(), hash) << "the last good state";
 }
 
-/// 5 % above its limit RK4 heats a sheet for a long while before it loses it, if it does.
+/// 5 % above its limit RK4 adds energy to a sheet for a long while before it diverges, if it does.
 const std::vector<std::string> s1{"cloth.particles=16,16", "integrator=rk4"};
 
 TEST(Heat, ThatAMethodMakesIsReportedAndSaid) {
@@ -126,7 +126,7 @@ TEST(Heat, IsSeenInEverySceneThatFails) {
         run_for(simulation, 1);
         const StepReport& report = simulation.report();
         EXPECT_GT(report.heated_step, 0) << scene;
-        EXPECT_LE(report.heated_step, report.step) << scene << ": before it is lost";
+        EXPECT_LE(report.heated_step, report.step) << scene << ": before it diverges";
     }
 }
 

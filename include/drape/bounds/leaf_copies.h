@@ -10,7 +10,7 @@ namespace drape {
 
 /// The largest distance of a particle from where it was before, max |x_p - before_p|, grown by the rounding [m].
 /// @par Cost O(particles), one pass over both
-Real largest_displacement(const Points& x, const Points& before, Kernels kernels = Kernels::Vector);
+Real largest_displacement(const Points& x, const Points& before, Kernels kernels);
 
 /// For each leaf of a quadtree, the positions to which it was last fitted. Leaves share the particles on their borders,
 /// and may be fitted at different times: each has its own copy.

@@ -14,8 +14,7 @@ public:
     Separation() = default;
 
     /// Makes room, so that `renew` does not allocate.
-    explicit Separation(const Grid& grid, Kernels kernels = Kernels::Vector)
-        : kernels_(kernels), kept_(grid.particles(), 3) {}
+    explicit Separation(const Grid& grid, Kernels kernels) : kernels_(kernels), kept_(grid.particles(), 3) {}
 
     /// Keeps the positions of the build that was just made, unless a ball may touch them: the proof has failed then.
     /// @param balls as the cloth's `thickness` [m] grows them

@@ -17,9 +17,8 @@ enum class SphereFit {
     /// by every particle that stands out of it: five. @cite ritter1990
     Ritter,
     /// The smallest sphere about the particles that are farthest out along 3, 7 or 13 lines (`dop_axes`), grown by
-    /// every
-    /// particle that stands out of it; the smallest sphere itself where there are no more particles than ends of lines:
-    /// one for each line, and two. @cite larsson2008
+    /// every particle that stands out of it; the smallest sphere itself where there are no more particles than ends of
+    /// lines: one for each line, and two. @cite larsson2008
     Epos6,
     Epos14,
     Epos26,
@@ -32,7 +31,7 @@ inline constexpr auto enum_names<SphereFit> = all_names<SphereFit>("centroid", "
                                                                    "epos26", "welzl");
 
 /// The fit of a kind: plain, or with its passes by vector kernels.
-[[nodiscard]] BoundingSphere (*sphere_fit_of(SphereFit kind, Kernels kernels = Kernels::Vector))(const Patch&);
+[[nodiscard]] BoundingSphere (*sphere_fit_of(SphereFit kind, Kernels kernels))(const Patch&);
 
 /// The smallest sphere, to the rounding: the plain `SphereFit::Welzl`.
 BoundingSphere fit_smallest_sphere(const Patch& patch);

@@ -52,7 +52,7 @@ public:
     [[nodiscard]] double excess() const { return excess_; }
 
     /// Whether that is more than a method that is well would make.
-    [[nodiscard]] bool heated() const;
+    [[nodiscard]] bool gained() const;
 
     /// Work so small that a bound of it will do where measuring takes two sums over the springs [J].
     [[nodiscard]] double small_work() const;

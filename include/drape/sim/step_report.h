@@ -44,7 +44,7 @@ struct StepReport {
     double worst_residual = 0;          ///< since the start, as `SolveReport::residual`
     double energy_excess = 0;           ///< largest of any cloth since the start, see `EnergyWatch` [J]
     IntegratorKind unsolved_by{};       ///< the method of the last of them
-    IntegratorKind heated_by{};         ///< the method of `heated_step`
+    IntegratorKind gained_by{};         ///< the method of `heated_step`
     std::int64_t heated_step = 0;       ///< the first that found energy gained from the integrator; 0: none
     double rms_speed = 0;               ///< of the particles [m/s]
     Energy energy;  ///< this, balance and stretch are filled by `Simulation::view`, not by every step

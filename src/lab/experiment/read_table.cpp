@@ -73,12 +73,12 @@ public:
                 continue;
             }
             check_end();
-            return table_;
+            return std::move(table_);
         }
         if (!unfinished_) reader_.fail("cut off: expected '{}', the number of cases", table_end_mark);
         // Its last rows may be missing. Cases are computed in ascending order
         if (!table_.cases.empty()) table_.cases.erase(std::prev(table_.cases.end()));
-        return table_;
+        return std::move(table_);
     }
 
 private:

@@ -272,9 +272,8 @@ HWY_INLINE void sweep(const ForceInput& input, ForceScratch& scratch, const std:
 
 void forces_on(const ForceInput& input, ForceScratch& scratch, const std::function<void(const ForceRun&)>& use) {
     const bool windy = input.wind[0] != nullptr, summed = input.rows != nullptr;
-    (summed  ? windy ? sweep<true, true> : sweep<false, true>
-      : windy ? sweep<true, false>
-             : sweep<false, false>)(input, scratch, use);
+    if (summed) return windy ? sweep<true, true>(input, scratch, use) : sweep<false, true>(input, scratch, use);
+    windy ? sweep<true, false>(input, scratch, use) : sweep<false, false>(input, scratch, use);
 }
 
 void add_scaled(Real s, const Real* u, Eigen::Index u_stride, const Real* w, Eigen::Index count, Real* y,
