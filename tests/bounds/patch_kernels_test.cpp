@@ -24,7 +24,7 @@ struct Answers {
 
 Answers ask(const Patch& patch, const Patch& before, std::span<const Vec3, 7> centres) {
     Answers answers{.sums = kernels::sums(patch),
-                    .sphere = sphere_fit_of(SphereFit::Centroid)(patch),
+                    .sphere = sphere_fit_of(SphereFit::Centroid, Kernels::Vector)(patch),
                     .box = fits_of<Aabb>({}).patch(patch)};
     kernels::raise_to_farthest(patch, centres.data(), 7, answers.squares.data());
     answers.displacement = kernels::largest_displacement_square(patch, before);
@@ -112,10 +112,10 @@ TEST(LargestDisplacement, IsThatOfTheParticleThatMovedFarthest) {
     for (const int particle : {0, 1, 15, 16, 263, grid.particles() - 1}) {
         Points x = before;
         x.row(particle) += Eigen::Matrix<Real, 1, 3>(0.3, -0.4, 1.2);
-        EXPECT_NEAR(largest_displacement(x, before), 1.3, 1e-12);
-        EXPECT_GE(largest_displacement(x, before), (x.row(particle) - before.row(particle)).norm());
+        EXPECT_NEAR(largest_displacement(x, before, Kernels::Vector), 1.3, 1e-12);
+        EXPECT_GE(largest_displacement(x, before, Kernels::Vector), (x.row(particle) - before.row(particle)).norm());
     }
-    EXPECT_EQ(largest_displacement(before, before), 0);
+    EXPECT_EQ(largest_displacement(before, before, Kernels::Vector), 0);
 }
 
 }  // namespace
