@@ -192,7 +192,9 @@ TEST(CaptureFrames, EndTheRunWhereTheirFolderGoesAway) {
     EXPECT_THAT(run->standard_error(), tells_of_frames("a/frame_[0-9]*", ".*", "a/frame_[0-9]*"));
     // The picture that was being written goes with its folder: under a hidden name, and never under that of a frame
     for (const std::string& name : folder.names("b")) {
-        if (name.starts_with("frame_")) EXPECT_EQ(read_png(folder / ("b/" + name)).width, 64) << name;
+        if (name.starts_with("frame_")) {
+            EXPECT_EQ(read_png(folder / ("b/" + name)).width, 64) << name;
+        }
     }
 }
 
