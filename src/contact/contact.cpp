@@ -1,5 +1,7 @@
 #include "drape/contact/contact.h"
 
+#include <algorithm>
+
 #include "contact_geometry.h"
 #include "kernels/near_cells.h"
 
@@ -13,6 +15,64 @@ void for_each_cell(const Grid& grid, std::span<const CellRun> cells, Visit visit
         const int first = run.row * grid.cell_columns() + run.column;
         for (int cell = first; cell < first + run.count; ++cell) visit(cell);
     }
+}
+
+/// The triangle whose task it is to report a particle: one of those it is a corner of, for each particle the same.
+int owner_of(const Grid& grid, int particle) {
+    const int i = particle % grid.nx, j = particle / grid.nx;
+    const int cell = std::min(j, grid.ny - 2) * grid.cell_columns() + std::min(i, grid.nx - 2);
+    return 2 * cell + (i == grid.nx - 1 && j == grid.ny - 1 ? 1 : 0);
+}
+
+/// The contact point at a particle, without a place yet.
+Contact particle_contact(const Grid& grid, int particle) {
+    Contact contact;
+    contact.triangle = owner_of(grid, particle);
+    contact.corners = grid.triangle_corners(contact.triangle);
+    contact.of_particle = true;
+    for (std::size_t k = 0; k < 3; ++k) contact.barycentric[k] = contact.corners[k] == particle ? Real(1) : Real(0);
+    return contact;
+}
+
+/// Whether two triangles share the edge opposite to corner k of the first, and the other one is to report it.
+bool other_reports_edge(const Grid& grid, int triangle, std::size_t k) {
+    // Corners a, c, b and b, c, d: the diagonal b-c is opposite to a and to d and is reported by the first triangle of
+    // the cell; the sides of a cell are reported by the triangle with the lower number, of the cell above or to the
+    // left
+    const int cell = triangle / 2;
+    const bool first = triangle % 2 == 0;
+    if (!first) return k == 2;
+    if (k == 0) return false;
+    return k == 1 ? cell >= grid.cell_columns() : cell % grid.cell_columns() > 0;
+}
+
+/// Whether the closest point of a triangle is a corner, or on an edge that another triangle reports.
+bool reported_elsewhere(const Grid& grid, const Contact& contact) {
+    int zeros = 0;
+    std::size_t opposite = 0;
+    for (std::size_t k = 0; k < 3; ++k) {
+        if (contact.barycentric[k] == 0) ++zeros, opposite = k;
+    }
+    return zeros == 2 || (zeros == 1 && other_reports_edge(grid, contact.triangle, opposite));
+}
+
+/// Adds the contacts that a triangle is to report: those of its own corners, and of its closest point.
+/// @return whether it touches
+bool add_contacts(const Grid& grid, const Points& x, const Ball& ball, int ball_number, Real thickness, int triangle,
+                  std::vector<Contact>& contacts) {
+    Contact contact;
+    contact.ball = ball_number;
+    contact.triangle = triangle;
+    contact.corners = grid.triangle_corners(triangle);
+    if (!locate(x, ball, thickness, contact)) return false;
+    for (const int corner : contact.corners) {
+        if (owner_of(grid, corner) != triangle) continue;
+        Contact of_corner = particle_contact(grid, corner);
+        of_corner.ball = ball_number;
+        if (locate(x, ball, thickness, of_corner)) contacts.push_back(of_corner);
+    }
+    if (!reported_elsewhere(grid, contact)) contacts.push_back(contact);
+    return true;
 }
 
 }  // namespace
@@ -32,22 +92,49 @@ void find_touched_triangles(const Grid& grid, const Points& x, const Ball& ball,
 
 std::int64_t find_contacts(const Grid& grid, const Points& x, const Ball& ball, int ball_number, Real thickness,
                            std::span<const CellRun> cells, std::vector<Contact>& contacts, Kernels kernels) {
-    Contact contact{.ball = ball_number};
     std::int64_t touching = 0;
     const auto test = [&](int cell) {
-        const std::size_t before = contacts.size();
+        bool touches = false;
         for (const int triangle : {2 * cell, 2 * cell + 1}) {
-            contact.triangle = triangle;
-            contact.corners = grid.triangle_corners(triangle);
-            if (locate(x, ball, thickness, contact)) contacts.push_back(contact);
+            touches = add_contacts(grid, x, ball, ball_number, thickness, triangle, contacts) || touches;
         }
-        if (contacts.size() > before) ++touching;
+        if (touches) ++touching;
     };
     if (kernels == Kernels::Plain)
         for_each_cell(grid, cells, test);
     else
         kernels::for_each_near_cell(grid, x, ball.centre, ball.radius + thickness, cells, test);
     return touching;
+}
+
+void find_ground_contacts(const Grid& grid, const Points& x, Real height, Real thickness,
+                          std::vector<Contact>& contacts) {
+    const Real limit = height + thickness;
+    for (int p = 0; p < grid.particles(); ++p) {
+        if (!(x(p, 1) < limit)) continue;
+        Contact contact = particle_contact(grid, p);
+        contact.ball = the_ground;
+        locate_above(x, height, thickness, contact);
+        contacts.push_back(contact);
+    }
+}
+
+void find_ball_contacts(std::span<const Ball> balls, const Ground& ground, std::vector<BallContact>& contacts) {
+    contacts.clear();
+    BallContact contact;
+    const auto test = [&](int first, int second) {
+        contact.first = first;
+        contact.ball = second;
+        if (locate(balls, ground, contact)) contacts.push_back(contact);
+    };
+    const int count = static_cast<int>(balls.size());
+    const auto is_free = [&](int b) { return balls[static_cast<std::size_t>(b)].inverse_mass > 0; };
+    for (int first = 0; first < count; ++first) {
+        if (ground.solid && is_free(first)) test(first, the_ground);
+        for (int second = first + 1; second < count; ++second) {
+            if (is_free(first) || is_free(second)) test(first, second);
+        }
+    }
 }
 
 }  // namespace drape

@@ -23,29 +23,64 @@ inline Vec3 at_point(const Contact& contact, const Points& v) {
            contact.barycentric[2] * position(v, contact.corners[2]);
 }
 
-/// Ball against triangle: from the present positions of a contact's corners, its closest point q, the normal
-/// n = (q - c) / |q - c| and the depth r + thickness - |q - c|. The contact of a node stays at its point of the
-/// triangle. A triangle through the very centre is pushed along its own normal.
-/// @return false, with depth 0 and the rest as it was, if the triangle, or the node's sphere, does not touch the ball
-inline bool locate(const Points& x, const Ball& ball, Real thickness, Contact& contact) {
-    const ClosestPoint closest = contact.of_node ? ClosestPoint{at_point(contact, x), contact.barycentric}
-                                                 : closest_point(x, contact.corners, ball.centre);
-    const Vec3 offset = closest.point + contact.offset - ball.centre;
+/// From the centre of a ball to a point at some distance; along the triangle's own normal where that is the centre.
+inline Vec3 normal_of(const Points& x, const std::array<int, 3>& corners, const Vec3& offset, Real distance) {
+    if (distance > 0) return offset / distance;
+    const auto [a, b, c] = corners;
+    const Vec3 across = (position(x, b) - position(x, a)).cross(position(x, c) - position(x, a));
+    return across.squaredNorm() > 0 ? Vec3(across.normalized()) : Vec3(0, 1, 0);
+}
+
+/// The contact's point q against a ball: the normal n = (q - c) / |q - c| and the depth r + thickness - |q - c|.
+/// @return false, with depth 0 and the normal as it was, if it does not touch
+inline bool touch(const Points& x, const Ball& ball, Real thickness, Contact& contact) {
+    const Vec3 offset = contact.point + contact.offset - ball.centre;
     const Real square = offset.squaredNorm(), radii = ball.radius + thickness + contact.radius;
     contact.depth = 0;
     if (!(square < radii * radii && radii > 0)) return false;
     const Real distance = std::sqrt(square);
     contact.depth = radii - distance;
-    contact.barycentric = closest.barycentric;
-    contact.point = closest.point;
-    if (distance > 0) {
-        contact.normal = offset / distance;
-    } else {
-        const auto [a, b, c] = contact.corners;
-        const Vec3 across = (position(x, b) - position(x, a)).cross(position(x, c) - position(x, a));
-        contact.normal = across.squaredNorm() > 0 ? across.normalized() : Vec3(0, 1, 0);
-    }
+    contact.normal = normal_of(x, contact.corners, offset, distance);
     return true;
+}
+
+/// Ball against triangle: from the present positions of a contact's corners, its closest point, normal and depth. A
+/// particle and the contact of a node stay where they are in the triangle.
+/// @return false, with depth 0, if the triangle, or the node's sphere, does not touch the ball
+inline bool locate(const Points& x, const Ball& ball, Real thickness, Contact& contact) {
+    if (contact.of_node || contact.of_particle) {
+        contact.point = at_point(contact, x);
+    } else {
+        const ClosestPoint closest = closest_point(x, contact.corners, ball.centre);
+        contact.barycentric = closest.barycentric;
+        contact.point = closest.point;
+    }
+    return touch(x, ball, thickness, contact);
+}
+
+/// The same against the ground.
+inline bool locate_above(const Points& x, Real height, Real thickness, Contact& contact) {
+    contact.point = at_point(contact, x);
+    contact.normal = Vec3(0, 1, 0);
+    contact.depth = std::max(height + thickness - contact.point.y(), Real(0));
+    return contact.depth > 0;
+}
+
+/// Ball against ball, or against the ground.
+/// @return false, with depth 0, if they do not touch
+inline bool locate(std::span<const Ball> balls, const Ground& ground, BallContact& contact) {
+    const Ball& first = balls[static_cast<std::size_t>(contact.first)];
+    Real distance = first.centre.y() - ground.height, radii = first.radius;
+    contact.normal = Vec3(0, 1, 0);
+    if (contact.ball != the_ground) {
+        const Ball& second = balls[static_cast<std::size_t>(contact.ball)];
+        const Vec3 offset = first.centre - second.centre;
+        distance = offset.norm();
+        radii += second.radius;
+        if (distance > 0) contact.normal = offset / distance;
+    }
+    contact.depth = std::max(radii - distance, Real(0));
+    return contact.depth > 0;
 }
 
 }  // namespace drape

@@ -9,7 +9,10 @@ namespace drape {
 void find_node_contacts(const Grid& grid, const Points& x, const Ball& ball, int ball_number, Real thickness,
                         Real longest_push, std::span<const StoppedNode> nodes, std::vector<Contact>& contacts) {
     for (const StoppedNode& node : nodes) {
-        Contact contact{.triangle = 2 * node.cell, .ball = ball_number, .of_node = true};
+        Contact contact;
+        contact.triangle = 2 * node.cell;
+        contact.ball = ball_number;
+        contact.of_node = true;
         contact.corners = grid.triangle_corners(contact.triangle);
         contact.barycentric.fill(Real(1) / 3);
         contact.offset = node.sphere.centre - at_point(contact, x);

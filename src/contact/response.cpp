@@ -1,32 +1,24 @@
 #include "drape/contact/response.h"
 
-#include <algorithm>
-#include <array>
 #include <cmath>
+#include <limits>
 
-#include "contact_geometry.h"
+#include "contact_solver.h"
 
 namespace drape {
 namespace {
 
-/// Depth that is left, as a fraction of the radius: a resting contact then lasts from step to step instead of
-/// flickering.
-constexpr Real slop = Real(1e-4);
-
-/// A push shorter than this fraction of the radius leaves a triangle's closest point where it is in the triangle.
-constexpr Real short_push = Real(1e-3);
-
-/// A push shorter than this fraction of the radius is not worth another sweep.
-constexpr Real tolerance = Real(1e-6);
-
-/// Sweeps over the contacts. Positions stop earlier once no contact had to be corrected.
-constexpr int position_sweeps = 6;
-constexpr int velocity_sweeps = 3;
+/// Depth that is left, as a fraction of the radius and at most [m]: a resting contact then lasts from step to step
+/// instead of flickering.
+constexpr Real slop = Real(1e-4), most_slop = Real(3e-5);
 
 /// An approach slower than this many steps of gravity is resting, and does not bounce.
 constexpr Real resting_steps = 4;
 
-const Ball& ball_of(const Contact& contact, std::span<const Ball> balls) {
+/// Tolerance of displacements, of what gravity moves a particle by within a step.
+constexpr Real of_gravity = Real(2e-3);
+
+const Ball& ball_of(const ContactPlane& contact, std::span<const Ball> balls) {
     return balls[static_cast<std::size_t>(contact.ball)];
 }
 
@@ -39,125 +31,146 @@ Real inverse_mass_at(const ClothModel& model, const Contact& contact) {
     return sum;
 }
 
-/// Moves (or speeds up) a contact's corners, each by its share w_k / m_k of an impulse that acts at the contact point.
-void push(const ClothModel& model, const Contact& contact, const Vec3& impulse, Points& p) {
-    for (std::size_t k = 0; k < 3; ++k) {
-        const int corner = contact.corners[k];
-        p.row(corner) += contact.barycentric[k] * model.inverse_mass[corner] * impulse.transpose();
+/// A ball meets a push along the normal with its mass, and one across it with its inertia too: 1/m + r^2 / I = 7/2 / m.
+constexpr Real sliding_share = Real(3.5);
+
+Real inverse_mass_of(int number, std::span<const Ball> balls) {
+    return number == the_ground ? Real(0) : balls[static_cast<std::size_t>(number)].inverse_mass;
+}
+
+/// Fills what does not change while contacts are solved.
+template <class AnyContact>
+void prepare(ContactProblem& problem, Real first_mass, Real first_sliding_mass, AnyContact& contact) {
+    const Real second = inverse_mass_of(contact.ball, problem.balls);
+    contact.inverse_mass = first_mass + second;
+    contact.sliding_inverse_mass = first_sliding_mass + sliding_share * second;
+    contact.friction_coefficient =
+        contact.ball == the_ground ? problem.parameters.ground.friction : problem.parameters.friction;
+    ContactPush& given = contact.displacement;
+    given.friction -= given.friction.dot(contact.normal) * contact.normal;
+    contact.impulse = {0, given.normal / problem.h, given.friction / problem.h};
+    contact.approach = -relative(problem.velocities(), contact).dot(contact.normal);
+    if (contact.approach > problem.resting) {
+        contact.impulse.target = restitution_of(problem.parameters, contact) * contact.approach;
     }
 }
 
-/// The depth after short pushes: the same point of the triangle, where the particles are now. The distance to the
-/// centre is stationary there, so what is left out is of second order.
-void follow(const Points& x, const Ball& ball, Real thickness, Contact& contact) {
-    contact.point = at_point(contact, x);
-    const Real distance = (contact.point + contact.offset - ball.centre).norm();
-    contact.depth = std::max(ball.radius + thickness + contact.radius - distance, Real(0));
-}
-
-/// Pushes one contact out to its slop, x_k += w_k / m_k (depth - slop) m n.
-/// @return how far, 0 if it is out or nothing can move
-Real push_out(const ClothModel& model, Real radius, const Contact& contact, Points& x) {
-    const Real distance = push_of(contact, radius);
-    const Real inverse_mass = distance > tolerance * radius ? inverse_mass_at(model, contact) : Real(0);
-    if (inverse_mass == 0) return 0;
-    push(model, contact, distance / inverse_mass * contact.normal, x);
-    return distance;
-}
-
-/// How far particles have been moved since the contacts were found.
-enum class Moved { Not, Little, Far };
-
-/// Finds a contact again where particles may have moved.
-void refresh(const Points& x, const Ball& ball, Real thickness, Moved moved, Contact& contact) {
-    if (moved == Moved::Far) locate(x, ball, thickness, contact);
-    if (moved == Moved::Little) follow(x, ball, thickness, contact);
-}
-
-/// One sweep of push_out: each contact sees the particles that its neighbours have moved.
-/// @return whether any contact had to be corrected
-bool push_all_out(const ClothModel& model, Real thickness, std::span<const Ball> balls, Moved& moved,
-                  std::vector<Contact>& contacts, Points& x) {
-    bool corrected = false;
-    for (Contact& contact : contacts) {
-        const Ball& ball = ball_of(contact, balls);
-        refresh(x, ball, thickness, moved, contact);
-        const Real distance = push_out(model, ball.radius, contact, x);
-        corrected = corrected || distance > 0;
-        if (distance > 0) moved = std::max(moved, Moved::Little);
-        if (distance > short_push * ball.radius) moved = Moved::Far;
+void prepare_all(ContactProblem& problem) {
+    for (Contact& contact : problem.cloth.contacts) {
+        contact.start = at_point(contact, problem.cloth.before);
+        const Real inverse_mass = inverse_mass_at(problem.cloth.model, contact);
+        prepare(problem, inverse_mass, inverse_mass, contact);
     }
-    return corrected;
-}
-
-/// Pushes all contacts out, and finds them where they are then.
-void separate(const ClothModel& model, Real thickness, std::span<const Ball> balls, std::vector<Contact>& contacts,
-              Points& x) {
-    Moved moved = Moved::Not;
-    for (int sweep = 0; sweep < position_sweeps; ++sweep) {
-        if (!push_all_out(model, thickness, balls, moved, contacts, x)) break;
+    for (BallContact& contact : problem.ball_contacts) {
+        const Real inverse_mass = inverse_mass_of(contact.first, problem.balls);
+        prepare(problem, inverse_mass, sliding_share * inverse_mass, contact);
     }
-    for (Contact& contact : contacts) refresh(x, ball_of(contact, balls), thickness, moved, contact);
 }
 
-/// The speed along the normal at which one contact is to leave: that of the ball, and of a fast approach as much as the
-/// restitution returns.
-void aim(const ClothModel& model, Real restitution, const Vec3& ball_velocity, Real resting, const Points& v,
-         Contact& contact) {
-    const Real ball_speed = ball_velocity.dot(contact.normal);
-    const Real approach = ball_speed - at_point(contact, v).dot(contact.normal);
-    contact.inverse_mass = inverse_mass_at(model, contact);
-    contact.impulse = 0;
-    contact.leaving_speed = ball_speed + (approach > resting ? restitution * approach : Real(0));
+/// The depth of a contact's point where it is now.
+Real depth_in(const Ball& ball, Real thickness, const Contact& contact) {
+    return ball.radius + thickness + contact.radius - (contact.point + contact.offset - ball.centre).norm();
 }
 
-/// Stops one contact's approach, or throws it back: its impulse J grows by m (leaving speed - n.v), downward too where
-/// its neighbours have pushed already, and never pulls, J >= 0 (projected Gauss-Seidel).
-void stop_approach(const ClothModel& model, Contact& contact, Points& v) {
-    if (contact.inverse_mass == 0) return;
-    const Real missing = contact.leaving_speed - at_point(contact, v).dot(contact.normal);
-    const Real impulse = std::max(contact.impulse + missing / contact.inverse_mass, Real(0));
-    if (impulse == contact.impulse) return;
-    push(model, contact, (impulse - contact.impulse) * contact.normal, v);
-    contact.impulse = impulse;
+/// Kinetic energy of the balls that contacts push [J].
+double energy_of(std::span<const Ball> balls) {
+    Real sum = 0;
+    for (const Ball& ball : balls) {
+        if (ball.inverse_mass == 0) continue;
+        sum += ball.velocity.squaredNorm() / ball.inverse_mass + ball.spin.squaredNorm() / ball.inverse_inertia();
+    }
+    return static_cast<double>(sum / 2);
 }
 
-/// Coulomb friction: slows the sliding of one contact by an impulse of at most the coefficient times the normal one.
-/// @return what the ball's motion gives the cloth through normal and sliding impulses [J]
-double slow_sliding(const ClothModel& model, Real friction, const Vec3& ball_velocity, const Contact& contact,
-                    Points& v) {
-    if (contact.impulse <= 0) return 0;
-    const auto work = static_cast<double>(contact.impulse * contact.normal.dot(ball_velocity));
-    const Vec3 relative = at_point(contact, v) - ball_velocity;
-    const Vec3 sliding = relative - relative.dot(contact.normal) * contact.normal;
-    const Real speed = sliding.norm();
-    if (speed == 0) return work;
-    const Real impulse = std::min(speed / contact.inverse_mass, friction * contact.impulse);
-    push(model, contact, -(impulse / speed) * sliding, v);
-    return work - static_cast<double>(impulse / speed * sliding.dot(ball_velocity));
+/// What the balls that nothing pushes have given the cloth through their impulses [J].
+double work_of_led_balls(std::span<const Contact> contacts, std::span<const Ball> balls) {
+    Real work = 0;
+    for (const Contact& contact : contacts) {
+        if (contact.ball == the_ground || ball_of(contact, balls).inverse_mass > 0) continue;
+        const Vec3 impulse = contact.impulse.normal * contact.normal + contact.impulse.friction;
+        work += impulse.dot(ball_of(contact, balls).velocity);
+    }
+    return static_cast<double>(work);
+}
+
+ResponseReport respond_in_kind(ContactProblem& problem) {
+    switch (problem.parameters.kind) {
+        case ResponseKind::Projection:
+            return respond_by_projection(problem);
+        case ResponseKind::Penalty:
+            return respond_by_penalties(problem);
+        case ResponseKind::Impulse:
+            return respond_by_impulses(problem);
+        case ResponseKind::Hybrid:
+            return respond_by_hybrid(problem);
+    }
+    return {};
 }
 
 }  // namespace
 
-Real push_of(const Contact& contact, Real radius) { return contact.depth - slop * radius; }
+Real push_of(const ContactPlane& contact, std::span<const Ball> balls) {
+    if (contact.ball == the_ground) return contact.depth - most_slop;
+    return contact.depth - std::min(slop * ball_of(contact, balls).radius, most_slop);
+}
 
-ResponseReport resolve_contacts(const ClothModel& model, const ResponseParameters& parameters,
-                                std::span<const Ball> balls, Real h, std::vector<Contact>& contacts,
-                                ClothState& state) {
-    separate(model, parameters.thickness, balls, contacts, state.x);
-    const Real resting = resting_steps * h * model.gravity.norm();
-    for (Contact& contact : contacts) {
-        aim(model, parameters.restitution, ball_of(contact, balls).velocity, resting, state.v, contact);
+Real restitution_of(const ResponseParameters& parameters, const ContactPlane& contact) {
+    return contact.ball == the_ground ? parameters.ground.restitution : parameters.restitution;
+}
+
+Real displacement_tolerance(const ContactProblem& problem) {
+    const Real fall = problem.cloth.model.gravity.norm() * problem.h * problem.h;
+    return std::max(of_gravity * fall, 4 * std::numeric_limits<Real>::epsilon());
+}
+
+Real velocity_tolerance(const ContactProblem& problem) { return displacement_tolerance(problem) / problem.h; }
+
+void find_again(const ContactProblem& problem, Contact& contact) {
+    const ClothInContact& cloth = problem.cloth;
+    const Real thickness = problem.parameters.thickness;
+    if (contact.ball == the_ground) {
+        locate_above(cloth.state.x, problem.parameters.ground.height, thickness, contact);
+    } else {
+        locate(cloth.state.x, ball_of(contact, problem.balls), thickness, contact);
     }
-    for (int sweep = 0; sweep < velocity_sweeps; ++sweep) {
-        for (Contact& contact : contacts) stop_approach(model, contact, state.v);
+    contact.start = at_point(contact, cloth.before);
+    contact.displacement.friction -= contact.displacement.friction.dot(contact.normal) * contact.normal;
+    const Real second = inverse_mass_of(contact.ball, problem.balls);
+    const Real inverse_mass = inverse_mass_at(cloth.model, contact);
+    contact.inverse_mass = inverse_mass + second;
+    contact.sliding_inverse_mass = inverse_mass + sliding_share * second;
+}
+
+void find_again(const ContactProblem& problem, BallContact& contact) {
+    locate(problem.balls, problem.parameters.ground, contact);
+}
+
+Real depth_left(ContactProblem& problem) {
+    Real deepest = 0;
+    const ResponseParameters& parameters = problem.parameters;
+    for (Contact& contact : problem.cloth.contacts) {
+        contact.point = at_point(contact, problem.cloth.state.x);
+        contact.depth = contact.ball == the_ground
+                            ? parameters.ground.height + parameters.thickness - contact.point.y()
+                            : depth_in(ball_of(contact, problem.balls), parameters.thickness, contact);
+        deepest = std::max(deepest, contact.depth);
     }
-    ResponseReport report;
-    for (const Contact& contact : contacts) {
-        report.ball_work +=
-            slow_sliding(model, parameters.friction, ball_of(contact, balls).velocity, contact, state.v);
+    for (BallContact& contact : problem.ball_contacts) {
+        find_again(problem, contact);
+        deepest = std::max(deepest, contact.depth);
     }
-    for (const Contact& contact : contacts) report.depth = std::max(report.depth, contact.depth);
+    return std::max(deepest, Real(0));
+}
+
+ResponseReport resolve_contacts(const ResponseParameters& parameters, Real h, ClothInContact cloth,
+                                std::span<Ball> balls, std::span<BallContact> ball_contacts) {
+    if (cloth.contacts.empty() && ball_contacts.empty()) return {};
+    ContactProblem problem{parameters, h, resting_steps * h * cloth.model.gravity.norm(), cloth, balls, ball_contacts};
+    prepare_all(problem);
+    const double before = energy_of(balls);
+    ResponseReport report = respond_in_kind(problem);
+    report.ball_work = before - energy_of(balls) + work_of_led_balls(cloth.contacts, balls);
+    report.depth = depth_left(problem);
     return report;
 }
 

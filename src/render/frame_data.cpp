@@ -103,8 +103,8 @@ FrameData make_frame_data(const FrameView& view, const Camera& camera, int width
     const ViewSettings& settings = view.settings->view;
     const Vec3 target = settings.target;
     const auto distance = static_cast<float>((settings.eye - settings.target).norm());
-    data.stage << static_cast<float>(target.x()), static_cast<float>(settings.ground), static_cast<float>(target.z()),
-        std::max(0.5f, distance);
+    data.stage << static_cast<float>(target.x()), static_cast<float>(view.settings->ground.height),
+        static_cast<float>(target.z()), std::max(0.5f, distance);
 
     const std::size_t balls = std::min<std::size_t>(view.balls.size(), FrameData::most_balls);
     for (std::size_t i = 0; i < balls; ++i) data.balls[i] = drawn_ball(view, i);

@@ -24,6 +24,16 @@ Vec3 tangent(const std::vector<PathPoint>& path, std::size_t k) {
     return (path[1].centre - path[last - 1].centre) / span;
 }
 
+using Quaternion = Eigen::Quaternion<Real>;
+
+/// The keys lead a ball onto the ground, and no farther.
+void stay_above(const Ground& ground, Ball& ball) {
+    const Real lowest = ground.height + ball.radius;
+    if (!ground.solid || ball.centre.y() >= lowest) return;
+    ball.centre.y() = lowest;
+    ball.velocity.y() = std::max(ball.velocity.y(), Real(0));
+}
+
 }  // namespace
 
 Vec3 point_on_path(const std::vector<PathPoint>& path, Real time) {
@@ -45,26 +55,49 @@ Vec3 point_on_path(const std::vector<PathPoint>& path, Real time) {
 
 Ball make_ball(const BallSettings& settings, double time) {
     Ball ball{.centre = settings.position, .radius = settings.radius, .velocity = settings.velocity};
+    ball.inverse_mass = inverse_mass_of(settings);
     if (settings.motion == BallMotion::Path) ball.centre = point_on_path(settings.path, static_cast<Real>(time));
     return ball;
 }
 
-void move_ball(const BallSettings& settings, const Vec3& steer, Real time, Real h, Ball& ball) {
+Real inverse_mass_of(const BallSettings& settings) {
+    return settings.motion == BallMotion::Free ? 1 / settings.mass : Real(0);
+}
+
+void move_ball(const BallSettings& settings, const Vec3& steer, const Ground& ground, Real time, Real h, Ball& ball) {
+    const Vec3 start = ball.centre;
     switch (settings.motion) {
         case BallMotion::Keys:
             ball.velocity += std::min(h / steering_lag, Real(1)) * (settings.speed * steer - ball.velocity);
             ball.centre += h * ball.velocity;
-            return;
+            stay_above(ground, ball);
+            break;
         case BallMotion::Path: {
             const Vec3 there = point_on_path(settings.path, time + h);
             ball.velocity = (there - point_on_path(settings.path, time)) / h;  // wherever a command has put it
             ball.centre = there;
-            return;
+            break;
         }
         case BallMotion::Still:
             ball.velocity.setZero();
-            return;
+            break;
+        case BallMotion::Free:
+            ball.velocity += h * standard_gravity();
+            ball.centre += h * ball.velocity;
+            break;
     }
+    if (ball.inverse_mass == 0) ball.spin.setZero();
+    ball.moved = ball.centre - start;
+    ball.turned = h * ball.spin;
+}
+
+void turn_ball(Ball& ball) {
+    const Vec3& turned = ball.turned;
+    if (turned.isZero(0)) return;
+    const Quaternion rate(0, turned.x() / 2, turned.y() / 2, turned.z() / 2);
+    Quaternion& orientation = ball.orientation;
+    orientation.coeffs() += (rate * orientation).coeffs();
+    orientation.normalize();
 }
 
 }  // namespace drape

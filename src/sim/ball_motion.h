@@ -8,9 +8,17 @@ namespace drape {
 /// The ball as it is at a time [s], at the start or on its path.
 Ball make_ball(const BallSettings& settings, double time);
 
-/// Moves a ball over one step, from `time` to `time + h`, by its kind of motion; its velocity is that of the step.
+/// 1/mass of a free ball, 0 of any other: no contact moves it [1/kg].
+Real inverse_mass_of(const BallSettings& settings);
+
+/// Moves a ball over one substep, from `time` to `time + h`, by its kind of motion; its velocity is that of the
+/// substep. A free ball falls (symplectic Euler, as symplectic_euler does it).
 /// @param steer direction that the keys ask for, of length 0 or 1
-void move_ball(const BallSettings& settings, const Vec3& steer, Real time, Real h, Ball& ball);
+/// @param ground where it is solid, the keys lead no ball below it
+void move_ball(const BallSettings& settings, const Vec3& steer, const Ground& ground, Real time, Real h, Ball& ball);
+
+/// Turns a ball by what it has turned within the substep, contacts included: q += w h / 2 q, of length 1 again.
+void turn_ball(Ball& ball);
 
 /// Where a path leads at a time: a smooth curve through its points. It rests at its last point, or repeats if that is
 /// its first one again.

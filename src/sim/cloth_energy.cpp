@@ -32,7 +32,7 @@ GridRange range_of(std::span<const Contact> contacts, const Grid& grid) {
 double most_push_work(const ClothModel& model, std::span<const Ball> balls, std::span<const Contact> contacts) {
     double squared_push = 0;
     for (const Contact& found : contacts) {
-        const auto push = static_cast<double>(push_of(found, balls[static_cast<std::size_t>(found.ball)].radius));
+        const auto push = static_cast<double>(push_of(found, balls));
         if (push > 0) squared_push += push * push;
     }
     return most_push_work(model, static_cast<Real>(squared_push));
@@ -81,23 +81,33 @@ void ClothEnergy::after_integrator(const ClothModel& model, const ClothState& st
 
 /// What pushing stretches the springs by is the ball's work too. Mostly it is next to nothing, and a bound of it will
 /// do.
-ResponseReport ClothEnergy::respond(const ClothModel& model, const ResponseParameters& response,
-                                    std::span<const Ball> balls, Real h, std::vector<Contact>& contacts,
-                                    ClothState& state) {
-    if (contacts.empty()) return {};
-    const double push_work = most_push_work(model, balls, contacts);
+ResponseReport ClothEnergy::respond(const ResponseParameters& response, Real h, ClothInContact cloth,
+                                    std::span<Ball> balls, std::span<BallContact> ball_contacts) {
+    if (cloth.contacts.empty()) return resolve_contacts(response, h, cloth, balls, ball_contacts);
+    const double push_work = most_push_work(cloth.model, balls, cloth.contacts);
     const bool measured = ledger_ || push_work > watch_.small_work();
-    const GridRange range = range_of(contacts, model.grid);
+    const GridRange range = range_of(cloth.contacts, cloth.model.grid);
     const auto look = [&] {
-        return measured ? compute_energy_around(model, state.x, state.v, range, kernels_) : EnergyFlow{};
+        return measured ? compute_energy_around(cloth.model, cloth.state.x, cloth.state.v, range, kernels_)
+                        : EnergyFlow{};
     };
     const EnergyFlow before = look();
-    const ResponseReport left = resolve_contacts(model, response, balls, h, contacts, state);
+    const ResponseReport left = resolve_contacts(response, h, cloth, balls, ball_contacts);
     const EnergyFlow after = look();
     const double work = after.energy.total() - before.energy.total();
     watch_.give(std::max(push_work > watch_.small_work() ? work : left.ball_work + push_work, 0.0));
     if (ledger_) ledger_->responded(before, after, left.ball_work);
     return left;
+}
+
+void ClothEnergy::warm_start(const ResponseParameters& response, Real h, const ClothModel& model,
+                             std::vector<Contact>& contacts, std::span<Ball> balls, ClothState& state,
+                             WarmStart& start) {
+    if (!ledger_ || contacts.empty()) return start.give(response, h, model, contacts, balls, state.v);
+    const GridRange range = range_of(contacts, model.grid);
+    const EnergyFlow before = compute_energy_around(model, state.x, state.v, range, kernels_);
+    start.give(response, h, model, contacts, balls, state.v);
+    ledger_->responded(before, compute_energy_around(model, state.x, state.v, range, kernels_), 0);
 }
 
 void ClothEnergy::still(const ClothModel& model, const ClothState& state) {

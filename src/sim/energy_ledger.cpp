@@ -24,7 +24,7 @@ void EnergyLedger::see(const EnergyFlow& now) { see(now, now_); }
 
 void EnergyLedger::see(const EnergyFlow& now, Book& book) {
     const double change = now.energy.total() - book.seen.energy.total();
-    if (book.since == Since::Hand) book.balance.hand += change;
+    if (book.since == Since::Hand) book.balance.hand += change - book.contact_energy;
     if (book.since == Since::Step) {
         // Both ends of the step. For damping and drag the later one is before the contacts, for wind and hand after
         // them: what contacts change in these two within a step goes to the integrator

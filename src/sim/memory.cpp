@@ -13,6 +13,9 @@ namespace {
 /// Numbers a particle: its mass, the state and the one before, and the positions of the last build; those of a ledger.
 constexpr double numbers = 1 + 12 + 3, ledger_numbers = 3;
 
+/// Lists with room for two contacts a triangle: those of now, of before, and both merged.
+constexpr double contact_lists = 3 * 2;
+
 /// The search for the longest step: its vectors and Jacobian, on a piece of at most about so many particles.
 constexpr double search_numbers = 42, searched_particles = 3000;
 
@@ -35,7 +38,7 @@ MemoryNeed memory_needed(const Settings& settings) {
         const Grid& grid = cloth.particles;
         const double particles = grid.particles();
         need.cloths += particles * sizeof(Real) * (numbers + (settings.solver.ledger ? ledger_numbers : 0)) +
-                       grid.triangles() * static_cast<double>(sizeof(Contact)) +
+                       contact_lists * grid.triangles() * static_cast<double>(sizeof(Contact)) +
                        hierarchy_bytes(settings.contact, grid) +
                        std::min(particles, searched_particles) * sizeof(Real) * search_numbers;
         need.method += bytes_of_method(integrator_of(settings.solver), grid);

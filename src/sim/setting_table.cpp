@@ -107,11 +107,11 @@ void add_ball(std::vector<Setting>& table) {
         "ball", [](Settings& s, std::size_t i) -> BallSettings& { return s.balls[i]; }, table);
     rows.number("radius", &BallSettings::radius, "m", sizes, "of the ball");
     rows.vector("position", &BallSettings::position, "m", lengths, "of its centre at the start; not used on a path");
-    rows.vector("velocity", &BallSettings::velocity, "m/s", {-1e3, 1e3}, "at the start, under the keys");
-    rows.choice("motion", &BallSettings::motion, "what moves it");
+    rows.vector("velocity", &BallSettings::velocity, "m/s", {-1e3, 1e3}, "at the start, under the keys or free");
+    rows.choice("motion", &BallSettings::motion,
+                "what moves it: the arrow keys, its path, nothing, or (free) gravity and what it meets");
     rows.number("speed", &BallSettings::speed, "m/s", {0, 1e2}, "to which the keys bring it");
-    rows.number("mass", &BallSettings::mass, "kg", {1, 1},
-                "of the ball; nothing moves it yet, so that it has no effect");
+    rows.number("mass", &BallSettings::mass, "kg", {1e-9, 1e6}, "of a free ball, which is solid");
     rows.add("path", SettingKind::Path, "s, m", lengths, {},
              "points t,x,y,z it passes on a smooth curve; repeats if the last is the first again", path_values,
              write_path);
@@ -198,8 +198,28 @@ void add_the_rest(std::vector<Setting>& table) {
     contact.number("friction", &ContactSettings::friction, "", {0, 10}, "Coulomb coefficient between cloth and ball");
     contact.number("restitution", &ContactSettings::restitution, "", {0, 1}, "of the normal speed");
     contact.number("thickness", &ContactSettings::thickness, "m", {0, 1}, "by which the cloth is grown on both sides");
+    contact.number("stiffness", &ContactSettings::stiffness, "N/m", {1e-3, 1e9},
+                   "of a penalty's spring, one a contact; needs a step below 2 sqrt(m/k) of a particle's mass");
+    contact.add(
+        "longest_step", SettingKind::Number, "s", {1e-6, 1}, {},
+        "while anything touches, a longer step of an implicit method is divided into substeps, so that what rests is "
+        "not "
+        "moved farther within one than contact can put back without stretching the cloth",
+        [](const ContactSettings& c) { return c.longest_step; },
+        [](ContactSettings& c, const SettingValue& value) { c.longest_step = std::get<double>(value); });
     contact.flag("continuous", &ContactSettings::continuous, "test the swept ball; not there yet", {0, 0});
     contact.flag("self", &ContactSettings::self, "test the cloth against itself; not there yet", {0, 0});
+
+    SectionRows<Ground> ground(
+        "ground", [](Settings& s, std::size_t) -> Ground& { return s.ground; }, table);
+    ground.number("height", &Ground::height, "m", lengths, "of the plane that is drawn");
+    ground.flag("solid", &Ground::solid, "cloth, balls and hand stay above it; balls on a path go where that leads");
+    ground.number("friction", &Ground::friction, "", {0, 10}, "Coulomb coefficient of what lies on it");
+    ground.number("restitution", &Ground::restitution, "", {0, 1}, "of the normal speed");
+
+    for (Setting& setting : table) {
+        if (setting.section == "ground") setting.full_name_only = true;
+    }
 
     SectionRows<WindSettings> wind(
         "wind", [](Settings& s, std::size_t) -> WindSettings& { return s.wind; }, table);
@@ -218,7 +238,6 @@ void add_the_rest(std::vector<Setting>& table) {
     view.flag("contacts", &ViewSettings::contacts, "show contact points and normals");
     view.vector("eye", &ViewSettings::eye, "m", lengths, "where the camera starts");
     view.vector("target", &ViewSettings::target, "m", lengths, "what the camera looks at");
-    view.number("ground", &ViewSettings::ground, "m", lengths, "height of the ground that is drawn");
 
     add_needs(table);
 }

@@ -173,7 +173,7 @@ const Setting& find_setting(std::string_view name) {
         names.push_back(full);
         names.push_back(setting.name);
         if (full == name) return setting;
-        if (setting.name != name) continue;
+        if (setting.name != name || setting.full_name_only) continue;
         found = &setting;
         endings.push_back(full);
     }

@@ -11,6 +11,16 @@ IntegratorParameters integrator_of(const SolverSettings& solver) {
             .kernels = solver.kernels};
 }
 
+ResponseParameters response_of(const Settings& settings) {
+    const ContactSettings& contact = settings.contact;
+    return {.kind = contact.response,
+            .friction = contact.friction,
+            .restitution = contact.restitution,
+            .thickness = contact.thickness,
+            .stiffness = contact.stiffness,
+            .ground = settings.ground};
+}
+
 BroadPhaseParameters broad_phase_of(const Settings& settings) {
     const ContactSettings& contact = settings.contact;
     return {.volume = contact.volume,

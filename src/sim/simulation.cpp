@@ -40,7 +40,14 @@ void Simulation::begin_step() {
         if (!report_.asleep) cloth.previous = cloth.state;
         cloth.energy.mark();
     }
-    if (plan_is_due(settings_.solver, report_)) plan_substeps(cloths_, settings_.solver, report_.substeps, report_);
+    if (plan_is_due(settings_.solver, report_)) plan(planned_substeps_);
+    const bool touches = report_.contacts > 0 || !ball_contacts_.empty();
+    report_.substeps = substeps_in_contact(settings_, touches, planned_substeps_);
+}
+
+void Simulation::plan(int fewest) {
+    plan_substeps(cloths_, settings_.solver, fewest, report_);
+    planned_substeps_ = report_.substeps;
 }
 
 Simulation::Substep Simulation::substep(int number) const {
@@ -53,9 +60,10 @@ Simulation::Substep Simulation::substep(int number) const {
 bool Simulation::input(const Substep& now) {
     hand_.lead(cloths_, balls_, settings_.contact.thickness, now.h);
     for (std::size_t b = 0; b < balls_.size(); ++b) {
-        move_ball(settings_.balls[b], steer_, static_cast<Real>(now.time), now.h, balls_[b]);
+        if (report_.asleep && !is_led(b)) continue;
+        move_ball(settings_.balls[b], steer_, settings_.ground, static_cast<Real>(now.time), now.h, balls_[b]);
     }
-    if (ball_has_moved()) wake();
+    if (led_ball_has_moved()) wake();
     return !report_.asleep;
 }
 
@@ -63,9 +71,12 @@ bool Simulation::input(const Substep& now) {
 bool Simulation::integrate(const Substep& now) {
     report_.forget_contacts();
     const Air air = air_at(settings_.wind, now.time);
+    const ResponseParameters response = response_of(settings_);
     for (Cloth& cloth : cloths_) {
         cloth.model.air = air;
+        if (report_.substeps > 1) cloth.before = cloth.state.x;
         Stopwatch watch;
+        cloth.energy.warm_start(response, now.h, cloth.model, cloth.contacts, balls_, cloth.state, cloth.warm_start);
         with_memory(settings_, [&] {
             report_.solve += cloth.integrator->step(cloth.model, cloth.state, now.h, cloth.energy.start_of_step());
         });
@@ -101,8 +112,13 @@ void Simulation::narrow(const Substep& now) {
     for (Cloth& cloth : cloths_) {
         report_.false_candidates +=
             cloth.search.narrow(cloth.state.x, balls_, thickness, node_push_speed * now.h, cloth.contacts);
+        if (settings_.ground.solid) {
+            find_ground_contacts(cloth.model.grid, cloth.state.x, settings_.ground.height, thickness, cloth.contacts);
+        }
+        cloth.warm_start.carry_over(response_of(settings_), cloth.state.x, balls_, cloth.contacts);
         report_.contacts += static_cast<std::int64_t>(cloth.contacts.size());
     }
+    find_ball_contacts(balls_, settings_.ground, ball_contacts_);
     report_.times.narrow += watch.lap();
     for (Cloth& cloth : cloths_) {
         report_.false_contacts += cloth.search.false_contacts(cloth.state.x, balls_, thickness);
@@ -110,17 +126,20 @@ void Simulation::narrow(const Substep& now) {
 }
 
 void Simulation::respond(const Substep& now) {
-    const ContactSettings& contact = settings_.contact;
-    const ResponseParameters response{contact.response, contact.friction, contact.restitution, contact.thickness};
+    const ResponseParameters response = response_of(settings_);
     Stopwatch watch;
     for (Cloth& cloth : cloths_) {
         const ResponseReport left =
-            cloth.energy.respond(cloth.model, response, balls_, now.h, cloth.contacts, cloth.state);
+            cloth.energy.respond(response, now.h, {cloth.model, start_of_substep(cloth), cloth.state, cloth.contacts},
+                                 balls_, ball_contacts_);
         report_.penetration = std::max(report_.penetration, static_cast<double>(left.depth));
+        report_.contact_residual = std::max(report_.contact_residual, static_cast<double>(left.residual));
+        report_.contact_sweeps += left.sweeps;
     }
+    for (Ball& ball : balls_) turn_ball(ball);
     report_.times.respond += watch.lap();
     for (Cloth& cloth : cloths_) {
-        const Real missed = cloth.search.missed_penetration(cloth.state.x, balls_, contact.thickness);
+        const Real missed = cloth.search.missed_penetration(cloth.state.x, balls_, response.thickness);
         report_.missed_penetration = std::max(report_.missed_penetration, static_cast<double>(missed));
     }
 }
@@ -138,12 +157,21 @@ void Simulation::close_report() {
 void Simulation::rest() {
     if (report_.asleep) return;
     const Real speed = settings_.solver.sleep_speed;
-    if (speed == 0 || settings_.wind.on || hand_.holds() || ball_has_moved()) return sleep_.restart();
-    if (sleep_.look(cloths_, report_.time, settings_.solver)) fall_asleep();
+    if (speed == 0 || settings_.wind.on || hand_.holds() || led_ball_has_moved()) return sleep_.restart();
+    if (sleep_.look(cloths_, balls_, report_.time, settings_.solver)) fall_asleep();
 }
 
-bool Simulation::ball_has_moved() const {
-    return !std::ranges::equal(balls_, previous_balls_, {}, &Ball::centre, &Ball::centre);
+bool Simulation::is_led(std::size_t ball) const { return balls_[ball].inverse_mass == 0; }
+
+bool Simulation::led_ball_has_moved() const {
+    for (std::size_t b = 0; b < balls_.size(); ++b) {
+        if (is_led(b) && balls_[b].centre != previous_balls_[b].centre) return true;
+    }
+    return false;
+}
+
+const Points& Simulation::start_of_substep(const Cloth& cloth) const {
+    return report_.substeps > 1 ? cloth.before : cloth.previous.x;
 }
 
 /// The last good state stays on show.
@@ -167,7 +195,10 @@ void Simulation::fall_asleep() {
         cloth.state.v.setZero();
         cloth.previous = cloth.state;
     }
-    for (Ball& ball : balls_) ball.velocity.setZero();
+    for (Ball& ball : balls_) {
+        ball.velocity.setZero();
+        ball.spin.setZero();
+    }
     previous_balls_ = balls_;
 }
 

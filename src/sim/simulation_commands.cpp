@@ -84,12 +84,13 @@ void Simulation::restart() {
         cloth.energy.restart(cloth.model, cloth.state, settings_.solver.kernels);
         cloth.energy.keep_ledger(settings_.solver.ledger, cloth.model, cloth.state);
         cloth.search.use(broad_phase_of(settings_), cloth.model.grid, cloth.state.x);
-        cloth.contacts.reserve(static_cast<std::size_t>(parameters.particles.triangles()));
+        cloth.contacts.reserve(2 * static_cast<std::size_t>(parameters.particles.triangles()));
+        cloth.warm_start.reserve(cloth.contacts.capacity());
     }
     balls_.clear();
     for (const BallSettings& ball : settings_.balls) balls_.push_back(make_ball(ball, report_.time));
     previous_balls_ = balls_;
-    plan_substeps(cloths_, settings_.solver, 1, report_);
+    plan(1);
 }
 
 void Simulation::load(const std::string& scene) {
@@ -113,7 +114,7 @@ void Simulation::configure(Settings settings) {
     }
     for (std::size_t c = 0; c < cloths_.size(); ++c) configure_cloth(c, before);
     configure_balls(before);
-    if (!same_step_plan(settings_, before)) plan_substeps(cloths_, settings_.solver, 1, report_);
+    if (!same_step_plan(settings_, before)) plan(1);
     if (!same_motion(settings_, before)) wake();
 }
 
@@ -140,6 +141,7 @@ void Simulation::configure_balls(const Settings& before) {
     for (std::size_t b = 0; b < balls_.size(); ++b) {
         const BallSettings &now = settings_.balls[b], &then = before.balls[b];
         balls_[b].radius = now.radius;
+        balls_[b].inverse_mass = inverse_mass_of(now);
         if (now.position != then.position) balls_[b].centre = now.position;
         if (now.velocity != then.velocity) balls_[b].velocity = now.velocity;
     }

@@ -57,6 +57,9 @@ std::uint64_t Simulation::hash() const {
     for (const Ball& ball : balls_) {
         add(ball.centre.data(), 3);
         add(ball.velocity.data(), 3);
+        if (ball.inverse_mass == 0) continue;
+        add(ball.spin.data(), 3);
+        add(ball.orientation.coeffs().data(), 4);
     }
     return hash;
 }

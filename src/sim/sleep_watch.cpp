@@ -27,11 +27,23 @@ bool RestWatch::look(const Points& x, double time, Real distance, Kernels kernel
 
 void SleepWatch::restart() {
     for (RestWatch& watch : watches_) watch.restart();
+    ball_watch_.restart();
 }
 
-bool SleepWatch::look(std::span<const Cloth> cloths, double time, const SolverSettings& solver) {
+bool SleepWatch::balls_rest(std::span<const Ball> balls, double time, Real speed) {
+    if (std::ranges::none_of(balls, [](const Ball& ball) { return ball.inverse_mass > 0; })) return true;
+    centres_.resize(static_cast<Eigen::Index>(balls.size()), 3);
+    for (std::size_t b = 0; b < balls.size(); ++b) {
+        centres_.row(static_cast<Eigen::Index>(b)) = balls[b].centre.transpose();
+        if (balls[b].radius * balls[b].spin.norm() > speed) ball_watch_.restart();
+    }
+    return ball_watch_.look(centres_, time, speed * static_cast<Real>(RestWatch::duration), Kernels::Plain);
+}
+
+bool SleepWatch::look(std::span<const Cloth> cloths, std::span<const Ball> balls, double time,
+                      const SolverSettings& solver) {
     watches_.resize(cloths.size());
-    bool all_rest = true;
+    bool all_rest = balls_rest(balls, time, solver.sleep_speed);
     for (std::size_t c = 0; c < cloths.size(); ++c) {
         const Cloth& cloth = cloths[c];
         const bool rests =

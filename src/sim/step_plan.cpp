@@ -47,6 +47,13 @@ bool plan_is_due(const SolverSettings& solver, const StepReport& report) {
     return report.step > 0 && report.step % between == 0;
 }
 
+int substeps_in_contact(const Settings& settings, bool touches, int planned) {
+    const SolverSettings& solver = settings.solver;
+    if (!touches || has_step_limit(solver.integrator)) return planned;
+    const double wanted = std::ceil(solver.dt / settings.contact.longest_step * (1 - 1e-12));
+    return std::max(planned, static_cast<int>(std::min(wanted, most_substeps)));
+}
+
 std::string step_limit_warning(const SolverSettings& solver, const StepReport& report) {
     if (!(report.step_limit_ratio > 1)) return {};
     const std::string method(name_of(solver.integrator));

@@ -18,6 +18,10 @@ void plan_substeps(std::span<const Cloth> cloths, const SolverSettings& solver, 
 /// Substeps then only become more: a symplectic method whose step changes to and fro gains energy.
 bool plan_is_due(const SolverSettings& solver, const StepReport& report);
 
+/// In how many substeps a step is made: as planned, or more under an implicit method while cloth or balls touch.
+/// @cite macklin2019
+int substeps_in_contact(const Settings& settings, bool touches, int planned);
+
 /// That a step is longer than the method's limit, in one line; empty if it is not.
 std::string step_limit_warning(const SolverSettings& solver, const StepReport& report);
 

@@ -13,7 +13,7 @@ double nodes(const StepReport& r) { return static_cast<double>(r.traversal.nodes
 double candidates(const StepReport& r) { return static_cast<double>(r.traversal.candidates); }
 double stopped(const StepReport& r) { return static_cast<double>(r.traversal.stopped); }
 
-const std::array<ReportField, 44> fields{{
+const std::array<ReportField, 46> fields{{
     {"step", "", steps, "step", ReportGroup::Time, 3},
     {"time", "s", [](const StepReport& r) { return r.time; }, "time", ReportGroup::Time, 3},
     {"substeps", "", [](const StepReport& r) { return static_cast<double>(r.substeps); }},
@@ -48,6 +48,8 @@ const std::array<ReportField, 44> fields{{
     {"contacts", "", [](const StepReport& r) { return static_cast<double>(r.contacts); }, "contacts",
      ReportGroup::Hierarchy, 3},
     {"penetration", "m", [](const StepReport& r) { return r.penetration; }, "depth left", ReportGroup::Hierarchy, 1},
+    {"contact_residual", "m", [](const StepReport& r) { return r.contact_residual; }},
+    {"contact_sweeps", "", [](const StepReport& r) { return static_cast<double>(r.contact_sweeps); }},
     {"skipped_builds", "", [](const StepReport& r) { return static_cast<double>(r.skipped_builds); }, "skipped",
      ReportGroup::Hierarchy, 2},
     {"stopped", "", stopped, "stopped at", ReportGroup::Limit, 2},

@@ -155,7 +155,7 @@ ExpectedPicture::Ground ExpectedPicture::ground_at(const FrameView& view, int x,
     if (!surely(Seen::Nothing, x, y, 3)) return Ground::Unclear;
     const Vec3 way = direction(x + 0.5, y + 0.5);
     if (way.y() > -0.05) return Ground::Unclear;
-    const Vec3 point = eye_ + way * ((view.settings->view.ground - eye_.y()) / way.y());
+    const Vec3 point = eye_ + way * ((view.settings->ground.height - eye_.y()) / way.y());
     if ((point - view.settings->view.target).norm() > 1.2) return Ground::Unclear;
     int reached = 0;
     for (const auto& [dx, dz] :

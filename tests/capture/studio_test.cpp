@@ -57,7 +57,7 @@ TEST_F(KeptStudio, FollowsCameraBallSizeAndGround) {
     then("ball").balls[0].centre.x() += 0.2;
     then("radius").balls[0].radius *= 0.5;
     then("size").width = 200;
-    then("ground").settings.view.ground = -0.3;
+    then("ground").settings.ground.height = -0.3;
     then("no ball").balls.clear();
 
     std::vector<Image> kept;

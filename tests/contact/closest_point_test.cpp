@@ -84,8 +84,6 @@ TEST(TouchedTriangles, AreThoseWithinTheRadius) {
         const Ball ball{.centre = 0.6 * Vec3(unit(random), unit(random), unit(random)),
                         .radius = 0.2 + 0.19 * unit(random)};
         find_touched_triangles(grid, x, ball, 0.002, all, touched, Kernels::Vector);
-        std::vector<Contact> contacts;
-        find_contacts(grid, x, ball, 3, 0.002, all, contacts, Kernels::Vector);
         std::size_t next = 0;
         for (int t = 0; t < grid.triangles(); ++t) {
             const auto [a, b, c] = grid.triangle_corners(t);
@@ -95,10 +93,6 @@ TEST(TouchedTriangles, AreThoseWithinTheRadius) {
             const bool undecided = std::abs(distance - ball.radius - 0.002) < 1e-12;
             ASSERT_TRUE(undecided || listed == (distance <= ball.radius + 0.002));
             if (!listed) continue;
-            ASSERT_EQ(contacts.at(next).triangle, t);
-            ASSERT_NEAR(contacts[next].depth, ball.radius + 0.002 - distance, 1e-12);
-            ASSERT_EQ(contacts[next].ball, 3);
-            ASSERT_NEAR((contacts[next].point - ball.centre).normalized().dot(contacts[next].normal), 1, 1e-12);
             ++next;
         }
         ASSERT_EQ(next, touched.size());

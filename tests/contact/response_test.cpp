@@ -16,7 +16,8 @@ constexpr Real dt = 1e-4;
 struct Floor {
     ClothModel model;
     ClothState state;
-    ResponseParameters parameters{.kind = ResponseKind::Projection, .friction = 0, .restitution = 0, .thickness = 0};
+    Points before;
+    ResponseParameters parameters{.friction = 0, .restitution = 0, .thickness = 0};
     std::vector<Ball> balls{{.centre = Vec3(0, -floor_radius, 0), .radius = floor_radius}};
     std::vector<Contact> contacts;
     std::vector<CellRun> cells;
@@ -31,18 +32,21 @@ struct Floor {
         cloth.drag = 0;
         model = make_cloth_model(cloth);
         state = make_rest_state(cloth);
+        before = state.x;
         list_all_cells(model.grid, cells);
     }
 
     void respond() {
         contacts.clear();
         find_contacts(model.grid, state.x, balls[0], 0, parameters.thickness, cells, contacts, Kernels::Vector);
-        deepest = resolve_contacts(model, parameters, balls, dt, contacts, state).depth;
+        balls[0].moved = dt * balls[0].velocity;
+        deepest = resolve_contacts(parameters, dt, {model, before, state, contacts}, balls, {}).depth;
     }
 
     void run(Real time) {
         const auto integrator = make_integrator({.kind = IntegratorKind::SymplecticEuler}, model.grid);
         for (int step = 0; step < time / dt; ++step) {
+            before = state.x;
             integrator->step(model, state, dt);
             respond();
         }

@@ -42,7 +42,7 @@ position = [0.5, -0.6, 0.25]
 velocity = [0.125, 0.0, 0.0]
 motion = "still"
 speed = 2
-mass = 1
+mass = 2
 path = [[0, 1, 2, 3], [1.5, 4, 5, 6]]
 [solver]
 integrator = "rk4"
@@ -63,12 +63,19 @@ leaf_cells = 5
 coherence = false
 search_level = 3
 search_tests = 100
-response = "projection"
+response = "hybrid"
+stiffness = 500.0
+longest_step = 1e-3
 friction = 0.25
 restitution = 0.125
 thickness = 0.003
 continuous = false
 self = false
+[ground]
+height = 0.5
+solid = false
+friction = 0.4
+restitution = 0.1
 [wind]
 on = true
 velocity = [1, 2, 3]
@@ -83,7 +90,6 @@ particles = true
 contacts = true
 eye = [3, 2, 1]
 target = [1, 1, 1]
-ground = 0.5
 [needs]
 position_error = 0.01
 measure = "centre_and_spread"

@@ -28,6 +28,7 @@ inline Settings small_settings() {
     ball.position = Vec3(0, 0.2, 0.4);
     ball.motion = BallMotion::Keys;
     settings.balls.push_back(ball);
+    settings.ground.solid = false;
     settings.solver.dt = Real(1) / 1024;  // its multiples are exact
     settings.solver.integrator = IntegratorKind::SymplecticEuler;
     return settings;

@@ -103,6 +103,7 @@ TEST(Substeps, BecomeMoreWhereTheClothIsDrawnOut) {
     settings.cloths[0].mass = 2;
     settings.cloths[0].pinned.kind = Pins::Kind::Two;
     settings.cloths[0].structural = settings.cloths[0].shear = settings.cloths[0].bend = {100, 0};
+    settings.ground.solid = false;
     settings.cloths[0].drag = 0;
     settings.solver.integrator = IntegratorKind::SymplecticEuler;
     settings.solver.dt = Real(0.03);

@@ -7,25 +7,54 @@
 #include "drape/bounds/broad_phase.h"
 #include "drape/model/ball.h"
 #include "drape/model/cloth_model.h"
+#include "drape/model/ground.h"
 
 namespace drape {
 
-/// A triangle of the cloth nearer to a ball than the cloth's thickness, or a node of the hierarchy that stands for the
-/// cloth within it: a sphere that is fixed to the middle of a triangle in the node's middle, and felt there.
-struct Contact {
-    int triangle = 0;
-    int ball = 0;
+/// The number of a contact's ball where the cloth, or a ball, touches the ground.
+inline constexpr int the_ground = -1;
+
+/// What the response gives to one contact, in displacements of the substep or in velocities.
+struct ContactPush {
+    Real target = 0;               ///< least motion along the normal [m or m/s]
+    Real normal = 0;               ///< given along the normal, never less than zero [kg m or N s]
+    Vec3 friction = Vec3::Zero();  ///< given across the normal [kg m or N s]
+};
+
+/// What a contact of the cloth and a contact of two balls have in common: the second body is a ball, or the ground.
+struct ContactPlane {
+    int ball = 0;                ///< the second body, or `the_ground`
+    Vec3 normal = Vec3::Zero();  ///< from the second body to the first, length 1
+    Real depth = 0;              ///< by which they overlap, thickness counted [m]
+
+    // Filled by the response
+    Real friction_coefficient = 0;
+    Real inverse_mass = 0;          ///< that a push along the normal meets, of both bodies [1/kg]
+    Real sliding_inverse_mass = 0;  ///< and one across it [1/kg]
+    Real remaining = 0;             ///< of the substep, after the impact [s]
+    Real approach = 0;              ///< speed at which they meet, less than zero where they part [m/s]
+    ContactPush displacement;       ///< within the substep
+    ContactPush impulse;
+};
+
+/// A point of the cloth that is nearer to a ball, or to the ground, than the cloth's thickness: a particle, or the
+/// point of an edge or of a triangle that is closest to the ball's centre. Or a node of the hierarchy that stands for
+/// the cloth within it: a sphere that is fixed to the middle of a triangle in the node's middle, and felt there.
+struct Contact : ContactPlane {
+    int triangle = 0;                   ///< that the point belongs to
     std::array<int, 3> corners{};       ///< its particles
-    std::array<Real, 3> barycentric{};  ///< of the triangle's point that is closest to the ball's centre
-    Vec3 point = Vec3::Zero();          ///< that point [m]
-    Vec3 normal = Vec3::Zero();         ///< from the ball to the cloth, length 1
-    Real depth = 0;                     ///< radius + thickness - distance > 0 [m]
-    Real inverse_mass = 0;              ///< that a push at the point meets; filled by the response [1/kg]
-    Real leaving_speed = 0;             ///< along the normal, that the response aims at [m/s]
-    Real impulse = 0;                   ///< along the normal, given by the response [N s]
+    std::array<Real, 3> barycentric{};  ///< of the point
+    Vec3 point = Vec3::Zero();          ///< [m]
+    Vec3 start = Vec3::Zero();          ///< where it was at the start of the substep; filled by the response [m]
+    bool of_particle = false;           ///< the point is a corner
     bool of_node = false;               ///< only then there is a sphere:
     Vec3 offset = Vec3::Zero();         ///< from `point` to its centre [m]
     Real radius = 0;                    ///< that counts towards the depth [m]
+};
+
+/// Two balls that touch, or a ball on the ground.
+struct BallContact : ContactPlane {
+    int first = 0;  ///< the first body, a ball
 };
 
 /// The touched triangles, exactly: those whose distance to the ball's centre is at most radius + thickness.
@@ -35,11 +64,21 @@ struct Contact {
 void find_touched_triangles(const Grid& grid, const Points& x, const Ball& ball, Real thickness,
                             std::span<const CellRun> cells, std::vector<int>& triangles, Kernels kernels);
 
-/// The contacts of the candidate cells' triangles with one ball, appended.
+/// The contacts of the candidate cells with one ball, appended: each particle, each edge and each triangle at most
+/// once. A particle counts if it is in the grown ball; a triangle, or an edge, if its closest point to the centre is in
+/// it and none of its corners.
 /// @param ball_number is stored with each contact
 /// @param kernels plain: each cell is tested; vector: cells that their corners show to be too far are left out first
 /// @return how many of the cells touch
 std::int64_t find_contacts(const Grid& grid, const Points& x, const Ball& ball, int ball_number, Real thickness,
                            std::span<const CellRun> cells, std::vector<Contact>& contacts, Kernels kernels);
+
+/// The contacts with the ground, appended: particles alone, for whatever is between them is above the lowest.
+void find_ground_contacts(const Grid& grid, const Points& x, Real height, Real thickness,
+                          std::vector<Contact>& contacts);
+
+/// The contacts of the balls with each other, and with the ground where it is solid; cleared first.
+/// @par Cost O(balls^2)
+void find_ball_contacts(std::span<const Ball> balls, const Ground& ground, std::vector<BallContact>& contacts);
 
 }  // namespace drape

@@ -1,8 +1,6 @@
 #pragma once
 
-#include <memory>
 #include <span>
-#include <string>
 #include <vector>
 
 #include "drape/base/enum_names.h"
@@ -10,36 +8,61 @@
 
 namespace drape {
 
-/// How contacts are answered.
-enum class ResponseKind { Projection };
+/// How contacts are answered; each has a file of its own in src/contact.
+enum class ResponseKind {
+    Projection,  ///< positions are put back onto the surface, then velocities stopped
+    Penalty,     ///< a spring and a damper push out what has entered
+    Impulse,     ///< velocities are changed at the time of impact, positions by what is left of the step
+    Hybrid       ///< impulses on impact, penalties at rest
+};
 
 template <>
-inline constexpr auto enum_names<ResponseKind> = all_names<ResponseKind>("projection");
+inline constexpr auto enum_names<ResponseKind> = all_names<ResponseKind>("projection", "penalty", "impulse", "hybrid");
 
 struct ResponseParameters {
     ResponseKind kind = ResponseKind::Projection;
-    Real friction = Real(0.3);     ///< Coulomb coefficient
-    Real restitution = 0;          ///< of the normal speed
+    Real friction = Real(0.3);     ///< Coulomb coefficient on balls
+    Real restitution = 0;          ///< of the normal speed, on balls
     Real thickness = Real(0.002);  ///< [m]
+    Real stiffness = 1000;         ///< of the penalty's springs, one a contact [N/m]
+    Ground ground = {.solid = false};
 };
 
 /// What a response leaves and what it has done.
 struct ResponseReport {
     Real depth = 0;        ///< the largest that is left [m]
-    double ball_work = 0;  ///< by the balls' motion on the cloth: impulses times their velocities [J]
+    Real residual = 0;     ///< the largest change of any contact's displacement in the last sweep [m]
+    int sweeps = 0;        ///< over the contacts, of both solves
+    double ball_work = 0;  ///< by the balls on the cloth [J]
+};
+
+/// A cloth in contact.
+struct ClothInContact {
+    const ClothModel& model;
+    const Points& before;  ///< positions at the start of the substep, n x 3 [m]
+    ClothState& state;
+    std::vector<Contact>& contacts;  ///< as found at `state.x`; their points are updated
 };
 
 /// By how much a contact is pushed out: what of its depth is not left, for a resting contact to last [m].
-/// @param radius of its ball [m]
-Real push_of(const Contact& contact, Real radius);
+Real push_of(const ContactPlane& contact, std::span<const Ball> balls);
 
-/// Corrects positions and velocities so that the contacts' triangles stay out of the balls and do not enter them.
-/// Gauss-Seidel over the contacts in their order: each closest point is found again before it is used. Impulses act on
-/// a triangle's corners by their weights @cite bridson2002 and add up from sweep to sweep @cite catto2005.
-/// @param contacts as found at `state.x`; their points are updated
+/// The longest stable step of the penalty at a loose particle: h < 2 (sqrt(1 + zeta^2) - zeta) / sqrt(k / m), of a
+/// spring k with damping ratio zeta under symplectic Euler, whose damping is explicit. Springs of the cloth make it
+/// shorter.
+/// @param inverse_mass of the particle [1/kg]
+Real penalty_step_limit(Real stiffness, Real restitution, Real inverse_mass);
+
+/// Corrects positions and velocities so that cloth and balls stay out of each other and of the ground.
+/// Contacts are solved one after the other, again and again, each for both normal and friction, until none changes by
+/// more than a stated tolerance (projected Gauss-Seidel). Pushes act on a triangle's corners by their weights
+/// @cite bridson2002 and add up from sweep to sweep @cite catto2005; that of friction is bounded by the friction
+/// coefficient times the normal one. Friction stops displacements, not velocities alone: else a resting cloth creeps by
+/// what gravity moves it within a step.
+/// @param balls those with an inverse mass are pushed back
 /// @param h the substep [s]; normal speeds that gravity alone brings within it do not bounce
-/// @par Cost O(contacts), allocates nothing
-ResponseReport resolve_contacts(const ClothModel& model, const ResponseParameters& parameters,
-                                std::span<const Ball> balls, Real h, std::vector<Contact>& contacts, ClothState& state);
+/// @par Cost O(contacts) a sweep, allocates nothing
+ResponseReport resolve_contacts(const ResponseParameters& parameters, Real h, ClothInContact cloth,
+                                std::span<Ball> balls, std::span<BallContact> ball_contacts);
 
 }  // namespace drape

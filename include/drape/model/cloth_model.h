@@ -15,6 +15,9 @@ struct ClothState {
     Points v;  ///< n x 3 velocities [m/s]
 };
 
+/// Gravity as every cloth and every free ball feels it [m/s^2].
+inline Vec3 standard_gravity() { return {0, Real(-9.81), 0}; }
+
 /// The air that the cloth moves in. It is constant over one step.
 struct Air {
     Vec3 velocity = Vec3::Zero();  ///< [m/s]
@@ -29,8 +32,8 @@ struct ClothModel {
     Real particle_mass = 0;                              ///< [kg]
     Eigen::Array<Real, Eigen::Dynamic, 1> inverse_mass;  ///< n x 1 [1/kg]
     SpringLaw structural, shear, bend;
-    Real drag = 0;                    ///< [N s/m]
-    Vec3 gravity{0, Real(-9.81), 0};  ///< [m/s^2]
+    Real drag = 0;                      ///< [N s/m]
+    Vec3 gravity = standard_gravity();  ///< [m/s^2]
     Air air;
     std::uint64_t revision = 0;  ///< changes with every change of masses, springs or pins: the key of cached factors
 

@@ -3,7 +3,7 @@
 #include <memory>
 #include <vector>
 
-#include "drape/contact/contact.h"
+#include "drape/contact/warm_start.h"
 #include "drape/integrate/integrator.h"
 #include "drape/model/cloth_model.h"
 #include "drape/sim/cloth_energy.h"
@@ -16,9 +16,11 @@ struct Cloth {
     ClothModel model;
     ClothState state;
     ClothState previous;  ///< one step before `state`
+    Points before;        ///< positions one substep before, where steps are divided
     std::unique_ptr<Integrator> integrator;
     ContactSearch search;
     std::vector<Contact> contacts;  ///< of the last step that was awake
+    WarmStart warm_start;
     ClothEnergy energy;
 };
 

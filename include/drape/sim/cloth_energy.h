@@ -6,6 +6,7 @@
 
 #include "drape/contact/contact.h"
 #include "drape/contact/response.h"
+#include "drape/contact/warm_start.h"
 #include "drape/sim/energy_ledger.h"
 #include "drape/sim/energy_watch.h"
 
@@ -43,8 +44,12 @@ public:
                           int least_pause);
 
     /// Answers the contacts, and enters what that has done.
-    ResponseReport respond(const ClothModel& model, const ResponseParameters& response, std::span<const Ball> balls,
-                           Real h, std::vector<Contact>& contacts, ClothState& state);
+    ResponseReport respond(const ResponseParameters& response, Real h, ClothInContact cloth, std::span<Ball> balls,
+                           std::span<BallContact> ball_contacts);
+
+    /// Gives the cloth the pushes of its last contacts, and enters what that has done.
+    void warm_start(const ResponseParameters& response, Real h, const ClothModel& model, std::vector<Contact>& contacts,
+                    std::span<Ball> balls, ClothState& state, WarmStart& start);
 
     /// Velocities are about to be set to zero by sleep.
     void still(const ClothModel& model, const ClothState& state);

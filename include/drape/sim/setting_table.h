@@ -38,6 +38,8 @@ struct Setting {
     std::function<SettingValue(const Settings&, std::size_t)> read;          ///< of the index-th cloth or ball
     std::function<void(Settings&, std::size_t, const SettingValue&)> write;  ///< the value was checked
 
+    bool full_name_only = false;  ///< its short name belongs to another setting that was there before
+
     [[nodiscard]] std::string full_name() const { return section.empty() ? name : section + "." + name; }
 };
 

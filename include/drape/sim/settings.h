@@ -10,14 +10,15 @@
 #include "drape/contact/response.h"
 #include "drape/integrate/integrator.h"
 #include "drape/model/cloth_parameters.h"
+#include "drape/model/ground.h"
 
 namespace drape {
 
-/// What moves a ball: the keys, a path through points in time, or nothing.
-enum class BallMotion { Keys, Path, Still };
+/// What moves a ball: the keys, a path through points in time, nothing, or gravity and whatever touches it.
+enum class BallMotion { Keys, Path, Still, Free };
 
 template <>
-inline constexpr auto enum_names<BallMotion> = all_names<BallMotion>("keys", "path", "still");
+inline constexpr auto enum_names<BallMotion> = all_names<BallMotion>("keys", "path", "still", "free");
 
 /// A point of a ball's path: where its centre is at a time.
 struct PathPoint {
@@ -31,8 +32,8 @@ struct BallSettings {
     Vec3 position = Vec3::Zero();
     Vec3 velocity = Vec3::Zero();
     BallMotion motion = BallMotion::Keys;
-    Real speed = Real(0.8);  ///< under the keys [m/s]
-    Real mass = 1;
+    Real speed = Real(0.8);       ///< under the keys [m/s]
+    Real mass = 1;                ///< of a free one [kg]
     std::vector<PathPoint> path;  ///< times ascending; repeats if it ends where it starts, else rests there
     bool operator==(const BallSettings&) const = default;
 };
@@ -70,8 +71,10 @@ struct ContactSettings {
     Real friction = Real(0.3);
     Real restitution = 0;
     Real thickness = Real(0.002);
-    bool continuous = false;  ///< only false so far
-    bool self = false;        ///< only false so far
+    Real stiffness = 1000;       ///< of penalties, a contact [N/m]
+    double longest_step = 5e-4;  ///< of an implicit method in contact [s]
+    bool continuous = false;     ///< only false so far
+    bool self = false;           ///< only false so far
     bool operator==(const ContactSettings&) const = default;
 };
 
@@ -93,7 +96,6 @@ struct ViewSettings {
     bool contacts = false;
     Vec3 eye{Real(1.6), Real(0.9), Real(2.2)};
     Vec3 target{0, 0, 0};
-    Real ground = -1;  ///< height of the ground that is drawn [m]
 };
 
 /// What of two motions is compared.
@@ -133,6 +135,7 @@ struct Settings {
     std::vector<BallSettings> balls;
     SolverSettings solver;
     ContactSettings contact;
+    Ground ground;
     WindSettings wind;
     ViewSettings view;
     NeedsSettings needs;
@@ -140,6 +143,9 @@ struct Settings {
 
 /// The integrator that the settings name.
 [[nodiscard]] IntegratorParameters integrator_of(const SolverSettings& solver);
+
+/// The response that the settings name.
+[[nodiscard]] ResponseParameters response_of(const Settings& settings);
 
 /// The hierarchy that the settings name.
 [[nodiscard]] BroadPhaseParameters broad_phase_of(const Settings& settings);

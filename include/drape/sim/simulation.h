@@ -66,6 +66,7 @@ private:
 
     // The stages of a step, in their order
     void begin_step();
+    void plan(int fewest);
     [[nodiscard]] Substep substep(int number) const;
     bool input(const Substep& now);
     bool integrate(const Substep& now);
@@ -76,7 +77,9 @@ private:
     void close_report();
     void rest();
 
-    [[nodiscard]] bool ball_has_moved() const;
+    [[nodiscard]] bool is_led(std::size_t ball) const;
+    [[nodiscard]] bool led_ball_has_moved() const;
+    [[nodiscard]] const Points& start_of_substep(const Cloth& cloth) const;
     void end_with(std::string trouble);
     void fall_asleep();
     void wake();
@@ -93,10 +96,12 @@ private:
     std::optional<StartState> start_;  ///< that the settings name
     std::vector<Cloth> cloths_;
     std::vector<Ball> balls_, previous_balls_;
+    std::vector<BallContact> ball_contacts_;
     Vec3 steer_ = Vec3::Zero();
     Hand hand_;
     SleepWatch sleep_;
     StepReport report_;
+    int planned_substeps_ = 1;  ///< for the stability limit alone
     std::vector<ClothView> shown_;
     std::int64_t counted_from_step_ = 0;  ///< since then dt has been what it is: no error adds up in the time
     double counted_from_time_ = 0;

@@ -22,7 +22,7 @@ public:
     /// One step more; a particle that has gone farther than `distance` makes the watch begin again.
     /// @param time simulated [s]
     /// @param distance how far a particle may go within `duration` [m]
-    /// @return true if every particle has stayed for all of it
+    /// @return true if every particle and every ball has stayed, and no free ball has turned faster, for all of it
     /// @par Cost O(particles), one pass; allocates at the first look only
     bool look(const Points& x, double time, Real distance, Kernels kernels);
 
@@ -32,7 +32,7 @@ private:
     Points start_;  ///< when the watch began
 };
 
-/// Watches over all cloths of a scene whether it may fall asleep.
+/// Watches over all cloths and free balls of a scene whether it may fall asleep.
 class SleepWatch {
 public:
     /// The watch begins again with the next look.
@@ -42,10 +42,14 @@ public:
     /// @param time simulated [s]
     /// @param solver its `sleep_speed` is that of the slowest motion that keeps a scene awake
     /// @return true if every particle has stayed for `RestWatch::duration`
-    bool look(std::span<const Cloth> cloths, double time, const SolverSettings& solver);
+    bool look(std::span<const Cloth> cloths, std::span<const Ball> balls, double time, const SolverSettings& solver);
 
 private:
+    bool balls_rest(std::span<const Ball> balls, double time, Real speed);
+
     std::vector<RestWatch> watches_;  ///< of each cloth
+    RestWatch ball_watch_;
+    Points centres_;  ///< of the balls
 };
 
 }  // namespace drape

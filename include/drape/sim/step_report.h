@@ -35,6 +35,8 @@ struct StepReport {
     TraversalStats traversal;
     std::int64_t false_candidates = 0;  ///< cells handed on of which no triangle touches
     std::int64_t contacts = 0;          ///< triangles touching a ball, and nodes that were taken for them
+    double contact_residual = 0;        ///< of the response, see `ResponseReport::residual` [m]
+    std::int64_t contact_sweeps = 0;    ///< of the response over its contacts
     double penetration = 0;             ///< largest depth left after the response [m]
     std::int64_t skipped_builds = 0;    ///< since the start, because nothing could touch
     std::int64_t false_contacts = 0;    ///< of nodes at which the search has ended and in which no triangle touches
@@ -57,7 +59,8 @@ struct StepReport {
     void forget_contacts() {
         traversal = {};
         contacts = false_candidates = false_contacts = 0;
-        penetration = missed_penetration = 0;
+        penetration = missed_penetration = contact_residual = 0;
+        contact_sweeps = 0;
     }
 };
 

@@ -60,7 +60,9 @@ ContactTrial::ContactTrial(const ContactScene& scene, Real step)
       integrator_(make_integrator(scene.integrator, scene.cloth.particles)) {}
 
 void ContactTrial::advance(BroadPhase& hierarchy) {
-    ball_.centre += h_ * ball_.velocity;
+    before_ = state_.x;
+    ball_.moved = h_ * ball_.velocity;
+    ball_.centre += ball_.moved;
     integrator_->step(model_, state_, h_);
     hierarchy.build(state_.x);
     hierarchy.query(grown(ball_, response_.thickness), candidates_);
@@ -71,7 +73,9 @@ void ContactTrial::advance(BroadPhase& hierarchy) {
                        contacts_);
 }
 
-void ContactTrial::respond() { resolve_contacts(model_, response_, std::span(&ball_, 1), h_, contacts_, state_); }
+void ContactTrial::respond() {
+    resolve_contacts(response_, h_, {model_, before_, state_, contacts_}, std::span(&ball_, 1), {});
+}
 
 bool ContactTrial::has_passed() const {
     return (state_.x.row(aim_).transpose() - ball_.centre).dot(ball_.velocity) < 0;

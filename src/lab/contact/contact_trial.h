@@ -51,6 +51,7 @@ private:
     Real h_;
     ClothModel model_;
     ClothState state_;
+    Points before_;  ///< positions at the start of the step
     Ball ball_;
     int aim_;  ///< the particle nearest to the ball's way
     std::unique_ptr<Integrator> integrator_;

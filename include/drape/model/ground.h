@@ -1,0 +1,16 @@
+#pragma once
+
+#include "drape/base/real.h"
+
+namespace drape {
+
+/// The horizontal plane that is drawn, and on which things rest where it is solid.
+struct Ground {
+    Real height = -1;           ///< [m]
+    bool solid = true;          ///< cloth, balls and hand stay above it
+    Real friction = Real(0.5);  ///< Coulomb coefficient of whatever lies on it
+    Real restitution = 0;       ///< of the normal speed
+    bool operator==(const Ground&) const = default;
+};
+
+}  // namespace drape

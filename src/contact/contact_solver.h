@@ -1,0 +1,114 @@
+#pragma once
+
+#include <algorithm>
+
+#include "contact_motion.h"
+
+namespace drape {
+
+/// All contacts that are solved together, and what is known of the substep.
+struct ContactProblem {
+    const ResponseParameters& parameters;
+    Real h;        ///< the substep [s]
+    Real resting;  ///< an approach slower than this is resting, and does not bounce [m/s]
+    ClothInContact cloth;
+    std::span<Ball> balls;
+    std::span<BallContact> ball_contacts;
+
+    [[nodiscard]] Displacements displacements() { return {cloth.model, cloth.state.x, balls}; }
+    [[nodiscard]] Velocities velocities() { return {cloth.model, cloth.state.v, balls}; }
+};
+
+/// Calls visit(contact) for all contacts, in the order in which they are solved.
+template <class Visit>
+void for_each_contact(ContactProblem& problem, Visit visit) {
+    for (Contact& contact : problem.cloth.contacts) visit(contact);
+    for (BallContact& contact : problem.ball_contacts) visit(contact);
+}
+
+/// What friction is to give to a contact in all, to stop what is left of its sliding, within Coulomb's cone.
+/// @param most it may give
+inline Vec3 friction_within(const ContactPlane& contact, const ContactPush& given, const Vec3& sliding, Real most) {
+    const Vec3 wanted = given.friction - sliding / contact.sliding_inverse_mass;
+    const Real length = wanted.norm();
+    return length > most ? Vec3(most / length * wanted) : wanted;
+}
+
+/// Solves one contact for itself: its push along the normal grows by what its target lacks, n J >= 0, and friction
+/// stops what slides, as far as |F| <= mu J lets it. @cite catto2005
+/// @return by how much that changes its motion [m or m/s]
+template <class Motion, class AnyContact>
+Real solve_contact(Motion& motion, AnyContact& contact) {
+    if (contact.inverse_mass == 0) return 0;
+    ContactPush& given = Motion::given(contact);
+    const Vec3 moves = relative(motion, contact);
+    const Real along = moves.dot(contact.normal);
+    const Real normal = std::max(given.normal + (given.target - along) / contact.inverse_mass, Real(0));
+    const Vec3 friction =
+        friction_within(contact, given, moves - along * contact.normal, contact.friction_coefficient * normal);
+    const Vec3 push = (normal - given.normal) * contact.normal + (friction - given.friction);
+    if (push.isZero(0)) return 0;
+    given.normal = normal;
+    given.friction = friction;
+    push_apart(motion, contact, push);
+    return push.norm() * contact.inverse_mass;
+}
+
+/// The same where the push along the normal is fixed: friction alone.
+template <class Motion, class AnyContact>
+Real solve_friction(Motion& motion, AnyContact& contact) {
+    ContactPush& given = Motion::given(contact);
+    if (contact.inverse_mass == 0 || given.normal == 0) return 0;
+    const Vec3 moves = relative(motion, contact);
+    const Vec3 sliding = moves - moves.dot(contact.normal) * contact.normal;
+    const Vec3 friction = friction_within(contact, given, sliding, contact.friction_coefficient * given.normal);
+    const Vec3 push = friction - given.friction;
+    given.friction = friction;
+    push_apart(motion, contact, push);
+    return push.norm() * contact.inverse_mass;
+}
+
+/// What came of sweeps.
+struct Sweeps {
+    int count = 0;
+    Real residual = 0;  ///< largest change of a contact's motion in the last one [m or m/s]
+};
+
+/// At most this many sweeps. A cloth of a thousand contacts at rest needs ten to thirty.
+inline constexpr int most_sweeps = 60;
+
+/// Sweeps over all contacts until none changes by more than the tolerance.
+/// @param solve solve(contact) returns its change
+template <class Solve>
+Sweeps sweep_until(ContactProblem& problem, Real tolerance, Solve solve) {
+    Sweeps sweeps;
+    do {
+        sweeps.residual = 0;
+        for_each_contact(problem, [&](auto& contact) { sweeps.residual = std::max(sweeps.residual, solve(contact)); });
+        ++sweeps.count;
+    } while (sweeps.residual > tolerance && sweeps.count < most_sweeps);
+    return sweeps;
+}
+
+/// Tolerances: of displacements, a small part of what gravity moves a particle by within a step or of the depth that is
+/// left, whichever is more, and of velocities what that is within a step.
+[[nodiscard]] Real displacement_tolerance(const ContactProblem& problem);
+[[nodiscard]] Real velocity_tolerance(const ContactProblem& problem);
+
+/// The responses, each in a file of its own.
+[[nodiscard]] ResponseReport respond_by_projection(ContactProblem& problem);
+[[nodiscard]] ResponseReport respond_by_impulses(ContactProblem& problem);
+[[nodiscard]] ResponseReport respond_by_penalties(ContactProblem& problem);
+[[nodiscard]] ResponseReport respond_by_hybrid(ContactProblem& problem);
+
+/// Finds a contact again where its bodies have moved: its depth, the point that is closest now, and the normal.
+void find_again(const ContactProblem& problem, Contact& contact);
+void find_again(const ContactProblem& problem, BallContact& contact);
+
+/// The restitution between the bodies of a contact.
+[[nodiscard]] Real restitution_of(const ResponseParameters& parameters, const ContactPlane& contact);
+
+/// The largest depth that is left, at the points of the contacts where they are now [m].
+[[nodiscard]] Real depth_left(ContactProblem& problem);
+
+}  // namespace drape

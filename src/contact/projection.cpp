@@ -1,0 +1,66 @@
+#include "contact_solver.h"
+
+// Positions are projected out of balls and ground @cite provot1995, each contact by the least displacement of its
+// particles, and held against sliding by friction; then the velocities of those that were pushed are stopped, or
+// thrown back. What the projection moves does not become velocity.
+
+namespace drape {
+namespace {
+
+/// Rounds of projection: a longer push shifts the closest points, and these have to be found again.
+constexpr int most_rounds = 4;
+
+/// A push shorter than this fraction of the radius leaves a triangle's closest point where it is in the triangle.
+constexpr Real short_push = Real(1e-3);
+
+/// How far the contact must come along its normal within the substep to be out.
+template <class AnyContact>
+void aim_displacement(const Displacements& motion, std::span<const Ball> balls, AnyContact& contact) {
+    contact.displacement.target = relative(motion, contact).dot(contact.normal) + push_of(contact, balls);
+}
+
+/// The largest push that a contact still asks for, as a fraction of its ball's radius.
+Real longest_push(ContactProblem& problem) {
+    Real longest = 0;
+    for_each_contact(problem, [&](const ContactPlane& contact) {
+        if (contact.ball == the_ground) return;
+        const Real radius = problem.balls[static_cast<std::size_t>(contact.ball)].radius;
+        longest = std::max(longest, push_of(contact, problem.balls) / radius);
+    });
+    return longest;
+}
+
+/// Displaces until all contacts are out and hold.
+void project_positions(ContactProblem& problem, ResponseReport& report) {
+    Displacements motion = problem.displacements();
+    for (int round = 0; round < most_rounds; ++round) {
+        for_each_contact(problem, [&](auto& contact) { aim_displacement(motion, problem.balls, contact); });
+        const bool moves_far = longest_push(problem) > short_push;
+        const Sweeps sweeps = sweep_until(problem, displacement_tolerance(problem),
+                                          [&](auto& contact) { return solve_contact(motion, contact); });
+        report.sweeps += sweeps.count;
+        report.residual = sweeps.residual;
+        if (!moves_far) return;
+        for_each_contact(problem, [&](auto& contact) { find_again(problem, contact); });
+    }
+}
+
+/// Contacts that carry nothing are free to part, and to meet in a later step.
+template <class AnyContact>
+Real stop_if_loaded(Velocities& motion, AnyContact& contact) {
+    return contact.displacement.normal > 0 ? solve_contact(motion, contact) : Real(0);
+}
+
+}  // namespace
+
+ResponseReport respond_by_projection(ContactProblem& problem) {
+    ResponseReport report;
+    project_positions(problem, report);
+    Velocities motion = problem.velocities();
+    report.sweeps += sweep_until(problem, velocity_tolerance(problem), [&](auto& contact) {
+                         return stop_if_loaded(motion, contact);
+                     }).count;
+    return report;
+}
+
+}  // namespace drape
