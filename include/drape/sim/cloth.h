@@ -20,6 +20,7 @@ struct Cloth {
     ContactSearch search;
     std::vector<Contact> contacts;  ///< of the last step that was awake
     ClothEnergy energy;
+    int held = -1;  ///< particle that the hand leads; below 0: none
 };
 
 }  // namespace drape
