@@ -79,6 +79,17 @@ void ClothEnergy::after_integrator(const ClothModel& model, const ClothState& st
     ledger_->integrated(h);
 }
 
+/// The springs that are shortened hand on what hand and balls have pulled and pushed: what that adds to the energy is
+/// their work too. The ledger sees the limit as part of the step.
+StretchReport ClothEnergy::limit_stretch(const ClothModel& model, int held, ClothState& state) {
+    const StretchReport unlimited{.excess = stretch_excess(model, state.x)};
+    if (unlimited.excess <= stretch_tolerance) return unlimited;
+    const double before = compute_energy(model, state, kernels_).total();
+    const StretchReport report = drape::limit_stretch(model, held, state);
+    watch_.give(std::max(compute_energy(model, state, kernels_).total() - before, 0.0));
+    return report;
+}
+
 /// What pushing stretches the springs by is the ball's work too. Mostly it is next to nothing, and a bound of it will
 /// do.
 ResponseReport ClothEnergy::respond(const ClothModel& model, const ResponseParameters& response,

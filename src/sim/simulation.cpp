@@ -11,6 +11,7 @@
 #include "gusts.h"
 #include "run_checks.h"
 #include "step_plan.h"
+#include "stretch_stage.h"
 
 namespace drape {
 
@@ -22,6 +23,7 @@ void Simulation::step() {
         const Substep now = substep(k);
         if (!input(now)) continue;    // asleep
         if (!integrate(now)) return;  // diverged
+        limit_stretch(cloths_, report_);
         build();
         traverse();
         narrow(now);

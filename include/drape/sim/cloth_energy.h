@@ -6,6 +6,7 @@
 
 #include "drape/contact/contact.h"
 #include "drape/contact/response.h"
+#include "drape/model/stretch_limit.h"
 #include "drape/sim/energy_ledger.h"
 #include "drape/sim/energy_watch.h"
 
@@ -41,6 +42,10 @@ public:
     /// @param least_pause substeps from one sum over the springs to the next, at least
     void after_integrator(const ClothModel& model, const ClothState& state, const MotionSums& sums, Real h,
                           int least_pause);
+
+    /// Shortens what is stretched beyond the model's limit, which counts as the integrator's step.
+    /// @param held particle that the hand leads; below 0: none
+    StretchReport limit_stretch(const ClothModel& model, int held, ClothState& state);
 
     /// Answers the contacts, and enters what that has done.
     ResponseReport respond(const ClothModel& model, const ResponseParameters& response, std::span<const Ball> balls,
