@@ -1,6 +1,7 @@
 #include "drape/sim/hand.h"
 
 #include <algorithm>
+#include <cmath>
 #include <string>
 
 #include "drape/base/input_error.h"
@@ -28,11 +29,19 @@ void check_number(const char* what, int number, std::size_t count) {
                      std::to_string(count - 1));
 }
 
+/// How far above a ball and the cloth's thickness the hand stays, so that contacts with it are at other corners of the
+/// triangles around it: contacts cannot push what is held. A chord of the length d dips d^2/(8r) into a ball; twice
+/// that leaves the half of each triangle that is at the held corner outside.
+Real clearance(const ClothModel& model, const Ball& ball) {
+    const Real square = model.hx * model.hx + model.hy * model.hy;
+    return std::min(square / (4 * ball.radius), std::sqrt(square) / 4);
+}
+
 /// What the hand holds cannot be pushed out of the balls: it stays outside.
-Vec3 outside(Vec3 target, std::span<const Ball> balls, Real thickness) {
+Vec3 outside(const ClothModel& model, Vec3 target, std::span<const Ball> balls, Real thickness) {
     for (const Ball& ball : balls) {
         const Vec3 offset = target - ball.centre;
-        const Real least = ball.radius + thickness, distance = offset.norm();
+        const Real least = ball.radius + thickness + clearance(model, ball), distance = offset.norm();
         if (distance < least) target = ball.centre + (distance > 0 ? Vec3(offset / distance) : Vec3(0, 1, 0)) * least;
     }
     return target;
@@ -138,12 +147,12 @@ void Hand::lead(std::span<Cloth> cloths, std::span<const Ball> balls, Real thick
     if (!held_) return;
     Cloth& cloth = cloths[held_->cloth];
     const Vec3 here = cloth.state.x.row(held_->particle).transpose();
-    Vec3 velocity = (outside(held_->target, balls, thickness) - here) / std::max(hand_lag, h);
+    Vec3 velocity = (outside(cloth.model, held_->target, balls, thickness) - here) / std::max(hand_lag, h);
     const Real speed = velocity.norm();
     if (speed > hand_speed) velocity *= hand_speed / speed;
     const Grip grip{cloth.model, cloth.state, held_->particle, h};
     velocity = within_limit(grip, within_bound(grip, velocity));
-    velocity = (outside(here + h * velocity, balls, thickness) - here) / h;
+    velocity = (outside(cloth.model, here + h * velocity, balls, thickness) - here) / h;
     const Real gained = velocity.squaredNorm() - cloth.state.v.row(held_->particle).squaredNorm();
     cloth.energy.give(static_cast<double>(cloth.model.particle_mass / 2 * std::max(gained, Real(0))));
     cloth.energy.touch(cloth.model, cloth.state);
