@@ -45,10 +45,11 @@ void project_positions(ContactProblem& problem, ResponseReport& report) {
     }
 }
 
-/// Contacts that carry nothing are free to part, and to meet in a later step.
+/// Contacts that carry nothing, and were given nothing, are free to part, and to meet in a later step.
 template <class AnyContact>
 Real stop_if_loaded(Velocities& motion, AnyContact& contact) {
-    return contact.displacement.normal > 0 ? solve_contact(motion, contact) : Real(0);
+    const bool loaded = contact.displacement.normal > 0 || contact.impulse.normal > 0;
+    return loaded ? solve_contact(motion, contact) : Real(0);
 }
 
 }  // namespace

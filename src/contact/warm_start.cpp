@@ -48,18 +48,20 @@ void follow_contact(const ResponseParameters& parameters, const Points& x, std::
 }  // namespace
 
 void WarmStart::give(const ResponseParameters& parameters, Real h, const ClothModel& model,
-                     std::vector<Contact>& contacts, std::span<Ball> balls, Points& v) {
+                     std::vector<Contact>& contacts, std::span<Ball> balls, ClothState& state, bool displaces) {
     last_.clear();
     const Real h_before = h_ > 0 ? h_ : h, scale = h / h_before;
     h_ = h;
     if (!solves_for_pushes(parameters.kind)) return;
-    Velocities velocities{model, v, balls};
+    Velocities velocities{model, state.v, balls};
+    Displacements displacements{model, state.x, balls};
     for (Contact& contact : contacts) {
         if (!rests(contact, h_before, model.gravity.norm())) continue;
         contact.displacement.normal *= scale * scale;
         contact.displacement.friction *= scale * scale;
-        push_apart(velocities, contact,
-                   (contact.displacement.normal * contact.normal + contact.displacement.friction) / h);
+        const Vec3 push = contact.displacement.normal * contact.normal + contact.displacement.friction;
+        push_apart(velocities, contact, push / h);
+        if (displaces) push_apart(displacements, contact, push);
         last_.push_back(contact);
     }
     contacts.clear();

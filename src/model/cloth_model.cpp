@@ -29,6 +29,7 @@ ClothModel make_cloth_model(const ClothParameters& parameters) {
     const Grid grid = parameters.particles;
     DRAPE_ASSERT(grid.nx >= 2 && grid.ny >= 2);
     DRAPE_ASSERT(parameters.width > 0 && parameters.height > 0 && parameters.mass > 0 && parameters.drag >= 0);
+    DRAPE_ASSERT(parameters.stretch_limit >= 0);
     ClothModel model;
     model.grid = grid;
     model.hx = parameters.width / static_cast<Real>(grid.nx - 1);
@@ -38,6 +39,7 @@ ClothModel make_cloth_model(const ClothParameters& parameters) {
     model.shear = parameters.shear;
     model.bend = parameters.bend;
     model.drag = parameters.drag;
+    model.stretch_limit = parameters.stretch_limit;
     model.inverse_mass.setConstant(grid.particles(), 1 / model.particle_mass);
     for (int j = 0; j < grid.ny; ++j) {
         for (int i = 0; i < grid.nx; ++i) {

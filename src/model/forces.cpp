@@ -21,18 +21,11 @@ void compute_forces(const ClothModel& model, const Points& x, const Points& v, P
 }
 
 Vec3 force_on(const ClothModel& model, const Points& x, const Points& v, int particle) {
-    const Grid& grid = model.grid;
-    const int column = particle % grid.nx, row = particle / grid.nx;
     Vec3 force = model.particle_mass * model.gravity - model.drag * v.row(particle).transpose();
-    for (const SpringStencil& springs : spring_stencils(model)) {
-        for (const int sign : {1, -1}) {
-            const int i = column + sign * springs.di, j = row + sign * springs.dj;
-            if (i < 0 || i >= grid.nx || j < 0 || j >= grid.ny) continue;
-            const int other = grid.particle(i, j);
-            const Vec3 d = x.row(particle) - x.row(other), w = v.row(particle) - v.row(other);
-            force += spring_force(springs.law, springs.rest_length, d, w);
-        }
-    }
+    for_each_spring_at(model, particle, [&](const SpringStencil& springs, int other) {
+        const Vec3 d = x.row(particle) - x.row(other), w = v.row(particle) - v.row(other);
+        force += spring_force(springs.law, springs.rest_length, d, w);
+    });
     return force;
 }
 

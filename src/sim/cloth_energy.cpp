@@ -79,6 +79,17 @@ void ClothEnergy::after_integrator(const ClothModel& model, const ClothState& st
     ledger_->integrated(h);
 }
 
+/// The springs that are shortened hand on what hand and balls have pulled and pushed: what that adds to the energy is
+/// their work too. The ledger sees the limit as part of the step.
+StretchReport ClothEnergy::limit_stretch(const ClothModel& model, int held, ClothState& state) {
+    const StretchReport unlimited{.excess = stretch_excess(model, state.x)};
+    if (unlimited.excess <= stretch_tolerance) return unlimited;
+    const double before = compute_energy(model, state, kernels_).total();
+    const StretchReport report = drape::limit_stretch(model, held, state);
+    watch_.give(std::max(compute_energy(model, state, kernels_).total() - before, 0.0));
+    return report;
+}
+
 /// What pushing stretches the springs by is the ball's work too. Mostly it is next to nothing, and a bound of it will
 /// do.
 ResponseReport ClothEnergy::respond(const ResponseParameters& response, Real h, ClothInContact cloth,
@@ -102,11 +113,13 @@ ResponseReport ClothEnergy::respond(const ResponseParameters& response, Real h, 
 
 void ClothEnergy::warm_start(const ResponseParameters& response, Real h, const ClothModel& model,
                              std::vector<Contact>& contacts, std::span<Ball> balls, ClothState& state,
-                             WarmStart& start) {
-    if (!ledger_ || contacts.empty()) return start.give(response, h, model, contacts, balls, state.v);
+                             WarmStart& start, bool displaces) {
+    if (!ledger_ || contacts.empty()) {
+        return start.give(response, h, model, contacts, balls, state, displaces);
+    }
     const GridRange range = range_of(contacts, model.grid);
     const EnergyFlow before = compute_energy_around(model, state.x, state.v, range, kernels_);
-    start.give(response, h, model, contacts, balls, state.v);
+    start.give(response, h, model, contacts, balls, state, displaces);
     ledger_->responded(before, compute_energy_around(model, state.x, state.v, range, kernels_), 0);
 }
 

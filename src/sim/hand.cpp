@@ -1,10 +1,13 @@
 #include "drape/sim/hand.h"
 
 #include <algorithm>
+#include <cmath>
 #include <string>
 
 #include "drape/base/input_error.h"
 #include "drape/model/forces.h"
+#include "drape/model/stencils.h"
+#include "drape/model/stretch_limit.h"
 
 namespace drape {
 namespace {
@@ -13,20 +16,89 @@ namespace {
 constexpr Real hand_speed = 3;         // m/s
 constexpr Real hand_lag = Real(0.03);  // s
 
+/// The most that the hand pulls by, of the cloth's weight: it lifts all of the cloth, and speeds it up by twice
+/// gravity. Beside the hand a shipped cloth is then stretched by a sixth.
+constexpr Real hand_weights = 3;
+
+/// Rounds to find the velocity at the bound; each is left with at most some two thirds of the excess.
+constexpr int hand_rounds = 12;
+
 void check_number(const char* what, int number, std::size_t count) {
     if (number >= 0 && static_cast<std::size_t>(number) < count) return;
     throw InputError("grab: " + std::string(what) + " " + std::to_string(number) + ": allowed 0 to " +
                      std::to_string(count - 1));
 }
 
+/// How far above a ball and the cloth's thickness the hand stays, so that contacts with it are at other corners of the
+/// triangles around it: contacts cannot push what is held. A chord of the length d dips d^2/(8r) into a ball; twice
+/// that leaves the half of each triangle that is at the held corner outside.
+Real clearance(const ClothModel& model, const Ball& ball) {
+    const Real square = model.hx * model.hx + model.hy * model.hy;
+    return std::min(square / (4 * ball.radius), std::sqrt(square) / 4);
+}
+
 /// What the hand holds cannot be pushed out of the balls: it stays outside.
-Vec3 outside(Vec3 target, std::span<const Ball> balls, Real thickness) {
+Vec3 outside(const ClothModel& model, Vec3 target, std::span<const Ball> balls, Real thickness) {
     for (const Ball& ball : balls) {
         const Vec3 offset = target - ball.centre;
-        const Real least = ball.radius + thickness, distance = offset.norm();
+        const Real least = ball.radius + thickness + clearance(model, ball), distance = offset.norm();
         if (distance < least) target = ball.centre + (distance > 0 ? Vec3(offset / distance) : Vec3(0, 1, 0)) * least;
     }
     return target;
+}
+
+/// A held particle and its neighbours at the end of a step, should these go on as they do and it have a velocity v.
+struct Grip {
+    const ClothModel& model;
+    const ClothState& state;
+    int particle;
+    Real h;
+
+    /// Calls visit(springs, d, w) for each spring at the particle: d [m], w [m/s] from its other end to the particle.
+    template <class Visit>
+    void for_each_spring(const Vec3& v, Visit visit) const {
+        for_each_spring_at(model, particle, [&](const SpringStencil& springs, int other) {
+            const Vec3 w = v - state.v.row(other).transpose();
+            visit(springs, (state.x.row(particle) - state.x.row(other)).transpose() + h * w, w);
+        });
+    }
+};
+
+/// The velocity nearest to the wanted one at which the springs pull by no more than the bound, in rounds of
+/// v += (f - F f/|f|) / slope: none moves too far, for it takes the largest slope of the pull that there can be.
+Vec3 within_bound(const Grip& grip, Vec3 v) {
+    const ClothModel& model = grip.model;
+    const auto particles = static_cast<Real>(model.grid.particles());
+    const Real bound = hand_weights * particles * model.particle_mass * model.gravity.norm();
+    for (int round = 0; round < hand_rounds; ++round) {
+        Vec3 pull = Vec3::Zero();
+        Real slope = 0;
+        grip.for_each_spring(v, [&](const SpringStencil& springs, const Vec3& d, const Vec3& w) {
+            pull += spring_force(springs.law, springs.rest_length, d, w);
+            slope += springs.law.stiffness * grip.h + springs.law.damping;
+        });
+        const Real size = pull.norm();
+        if (!(size > bound)) break;
+        v += (1 - bound / size) / slope * pull;
+    }
+    return v;
+}
+
+/// A velocity near to the wanted one that stretches no structural spring at the particle beyond the cloth's limit,
+/// found one spring after the other.
+Vec3 within_limit(const Grip& grip, Vec3 v) {
+    const Real limit = grip.model.stretch_limit;
+    if (limit == 0) return v;
+    for (int round = 0; round < hand_rounds; ++round) {
+        const Vec3 wanted = v;
+        grip.for_each_spring(wanted, [&](const SpringStencil& springs, const Vec3& there, const Vec3&) {
+            const Vec3 d = there + grip.h * (v - wanted);
+            const Real length = d.norm(), longest = (1 + limit + stretch_tolerance) * springs.rest_length;
+            if (springs.structural() && length > longest) v -= (1 - longest / length) / grip.h * d;
+        });
+        if (v == wanted) break;
+    }
+    return v;
 }
 
 /// The most energy a second that the hand, which moves a held particle as its velocity says, puts in at a moment [W]:
@@ -47,6 +119,7 @@ void Hand::grab(const command::Grab& command, std::span<Cloth> cloths) {
                  cloth.model.pinned(command.particle)};
     cloth.energy.touch(cloth.model, cloth.state);
     cloth.model.hold(command.particle, true);
+    cloth.held = command.particle;
 }
 
 void Hand::drag(const Vec3& target) {
@@ -62,6 +135,7 @@ void Hand::release(std::span<Cloth> cloths) {
     } else {
         cloth.model.hold(held_->particle, false);
     }
+    cloth.held = -1;
     held_.reset();
 }
 
@@ -73,9 +147,12 @@ void Hand::lead(std::span<Cloth> cloths, std::span<const Ball> balls, Real thick
     if (!held_) return;
     Cloth& cloth = cloths[held_->cloth];
     const Vec3 here = cloth.state.x.row(held_->particle).transpose();
-    Vec3 velocity = (outside(held_->target, balls, thickness) - here) / std::max(hand_lag, h);
+    Vec3 velocity = (outside(cloth.model, held_->target, balls, thickness) - here) / std::max(hand_lag, h);
     const Real speed = velocity.norm();
     if (speed > hand_speed) velocity *= hand_speed / speed;
+    const Grip grip{cloth.model, cloth.state, held_->particle, h};
+    velocity = within_limit(grip, within_bound(grip, velocity));
+    velocity = (outside(cloth.model, here + h * velocity, balls, thickness) - here) / h;
     const Real gained = velocity.squaredNorm() - cloth.state.v.row(held_->particle).squaredNorm();
     cloth.energy.give(static_cast<double>(cloth.model.particle_mass / 2 * std::max(gained, Real(0))));
     cloth.energy.touch(cloth.model, cloth.state);

@@ -82,6 +82,8 @@ void add_cloth(std::vector<Setting>& table) {
     add_spring(rows, "shear", &ClothParameters::shear, "to the 4 diagonals");
     add_spring(rows, "bend", &ClothParameters::bend, "to the 4 at distance two along rows and columns");
     rows.number("drag", &ClothParameters::drag, "N s/m", {0, 1e3}, "b of the air drag -b v, per particle");
+    rows.number("stretch_limit", &ClothParameters::stretch_limit, "", {0, 10},
+                "largest stretch of a structural spring, of its rest length; 0: none");
 }
 
 Values path_values(const BallSettings& ball) {

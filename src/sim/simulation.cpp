@@ -7,10 +7,12 @@
 #include "drape/base/stopwatch.h"
 #include "drape/contact/node_contacts.h"
 #include "drape/contact/response.h"
+#include "drape/integrate/stability.h"
 #include "drape/sim/memory.h"
 #include "gusts.h"
 #include "run_checks.h"
 #include "step_plan.h"
+#include "stretch_stage.h"
 
 namespace drape {
 
@@ -22,6 +24,7 @@ void Simulation::step() {
         const Substep now = substep(k);
         if (!input(now)) continue;    // asleep
         if (!integrate(now)) return;  // diverged
+        limit_stretch(cloths_, report_);
         build();
         traverse();
         narrow(now);
@@ -71,12 +74,12 @@ bool Simulation::input(const Substep& now) {
 bool Simulation::integrate(const Substep& now) {
     report_.forget_contacts();
     const Air air = air_at(settings_.wind, now.time);
-    const ResponseParameters response = response_of(settings_);
+    const bool is_explicit = has_step_limit(settings_.solver.integrator);
     for (Cloth& cloth : cloths_) {
         cloth.model.air = air;
         if (report_.substeps > 1) cloth.before = cloth.state.x;
         Stopwatch watch;
-        cloth.energy.warm_start(response, now.h, cloth.model, cloth.contacts, balls_, cloth.state, cloth.warm_start);
+        if (!is_explicit) warm_start(cloth, now, false);
         with_memory(settings_, [&] {
             report_.solve += cloth.integrator->step(cloth.model, cloth.state, now.h, cloth.energy.start_of_step());
         });
@@ -86,9 +89,19 @@ bool Simulation::integrate(const Substep& now) {
     }
     hand_.count_work(cloths_, now.h);
     std::string trouble = check_substep(cloths_, balls_, settings_, now.h, report_);
-    if (trouble.empty()) return true;
-    end_with(std::move(trouble));
-    return false;
+    if (!trouble.empty()) {
+        end_with(std::move(trouble));
+        return false;
+    }
+    for (Cloth& cloth : cloths_) {
+        if (is_explicit) warm_start(cloth, now, true);
+    }
+    return true;
+}
+
+void Simulation::warm_start(Cloth& cloth, const Substep& now, bool displaces) {
+    cloth.energy.warm_start(response_of(settings_), now.h, cloth.model, cloth.contacts, balls_, cloth.state,
+                            cloth.warm_start, displaces);
 }
 
 void Simulation::build() {

@@ -13,7 +13,7 @@ double nodes(const StepReport& r) { return static_cast<double>(r.traversal.nodes
 double candidates(const StepReport& r) { return static_cast<double>(r.traversal.candidates); }
 double stopped(const StepReport& r) { return static_cast<double>(r.traversal.stopped); }
 
-const std::array<ReportField, 46> fields{{
+const std::array<ReportField, 47> fields{{
     {"step", "", steps, "step", ReportGroup::Time, 3},
     {"time", "s", [](const StepReport& r) { return r.time; }, "time", ReportGroup::Time, 3},
     {"substeps", "", [](const StepReport& r) { return static_cast<double>(r.substeps); }},
@@ -58,7 +58,8 @@ const std::array<ReportField, 46> fields{{
     {"missed_penetration", "m", [](const StepReport& r) { return r.missed_penetration; }, "missed", ReportGroup::Limit,
      2},
     {"rms_speed", "m/s", [](const StepReport& r) { return r.rms_speed; }},
-    {"stretch", "1", [](const StepReport& r) { return r.stretch; }},
+    {"stretch", "1", [](const StepReport& r) { return r.stretch; }, "stretch", ReportGroup::Energy, 3},
+    {"stretch_excess", "1", [](const StepReport& r) { return r.stretch_excess; }},
     {"kinetic", "J", [](const StepReport& r) { return r.energy.kinetic; }, "kinetic", ReportGroup::Energy, 2},
     {"gravity", "J", [](const StepReport& r) { return r.energy.gravity; }, "gravity", ReportGroup::Energy, 1},
     {"spring", "J", [](const StepReport& r) { return r.energy.spring; }, "spring", ReportGroup::Energy, 1},

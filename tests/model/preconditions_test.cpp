@@ -23,6 +23,12 @@ TEST(ModelDeathTest, RefusesAClothWithoutMass) {
     EXPECT_ASSERTION(static_cast<void>(make_cloth_model(parameters)), "mass > 0");
 }
 
+TEST(ModelDeathTest, RefusesAStretchLimitBelowZero) {
+    ClothParameters parameters = sheet(4, 4);
+    parameters.stretch_limit = Real(-0.1);
+    EXPECT_ASSERTION(static_cast<void>(make_cloth_model(parameters)), "stretch_limit >= 0");
+}
+
 TEST(ModelDeathTest, RefusesAPinThatIsNoParticle) {
     ClothParameters parameters = sheet(4, 4);
     parameters.pinned = {Pins::Kind::List, {16}};

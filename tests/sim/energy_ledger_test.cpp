@@ -90,6 +90,19 @@ TEST(EnergyLedger, SharesAnInelasticImpactInHalves) {
     EXPECT_NEAR(balance.contact / balance.ball, 0.5, 0.05);
 }
 
+/// A cloth so soft that its weight draws it out to its limit, which stops its fall.
+TEST(EnergyLedger, CountsWhatTheStretchLimitTakesAsTheMethods) {
+    const std::vector<std::string> soft{"structural.stiffness=1", "shear.stiffness=0",       "bend.stiffness=0",
+                                        "shear.damping=0",        "structural.damping=0",    "bend.damping=0",
+                                        "ball.position=0,-9,0",   "cloth.stretch_limit=0.1", "drag=0"};
+    Simulation simulation = kept_simulation(soft);
+    const double before = mechanical_energy(simulation);
+    make_steps(simulation, 1000);
+    const EnergyBalance balance = simulation.view().report->balance;
+    EXPECT_GT(balance.integrator, 0.01) << "J";
+    EXPECT_NEAR(balance.integrator, before - mechanical_energy(simulation), 1e-10);
+}
+
 TEST(EnergyLedger, ShowsWhatAMethodInvents) {
     Simulation simulation = kept_simulation({"integrator=explicit_euler", "dt=5e-4", "ball.position=0,-9,0",
                                              "structural.damping=0", "shear.damping=0", "bend.damping=0", "drag=0"});

@@ -36,6 +36,7 @@ structural = { stiffness = 1001.0, damping = 0.021 }
 shear      = { stiffness =  501.0, damping = 0.022 }
 bend       = { stiffness =  101.0, damping = 0.023 }
 drag = 2e-4
+stretch_limit = 0.15
 [[ball]]
 radius = 0.31
 position = [0.5, -0.6, 0.25]
@@ -117,6 +118,7 @@ TEST(SceneFile, SetsEveryKeyThatItGives) {
     EXPECT_EQ(cloth.structural, (SpringLaw{1001, 0.021}));
     EXPECT_EQ(cloth.shear, (SpringLaw{501, 0.022}));
     EXPECT_EQ(cloth.bend, (SpringLaw{101, 0.023}));
+    EXPECT_EQ(cloth.stretch_limit, 0.15);
     ASSERT_EQ(settings.balls.size(), 1u);
     EXPECT_EQ(settings.balls[0].motion, BallMotion::Still);
     EXPECT_EQ(settings.balls[0].path[1], (PathPoint{1.5, Vec3(4, 5, 6)}));

@@ -134,7 +134,8 @@ TEST(Heat, IsSeenInEverySceneThatFails) {
 TEST(Heat, OfAFewParticlesOfManyIsSeenLongBeforeTheClothIsLost) {
     Settings settings = load_scene("two_corners");
     for (const char* text : {"cloth.particles=200,200", "integrator=symplectic_euler", "ledger=false",
-                             "cloth.pinned=border", "structural.damping=0", "shear.damping=0", "bend.damping=0"}) {
+                             "cloth.pinned=border", "structural.damping=0", "shear.damping=0", "bend.damping=0",
+                             "stretch_limit=0"}) {
         assign(settings, text);
     }
     settings.solver.dt *= Real(1.05) / static_cast<Real>(Simulation("two_corners", settings).report().step_limit_ratio);
@@ -153,6 +154,45 @@ TEST(Heat, OfAFewParticlesOfManyIsSeenLongBeforeTheClothIsLost) {
     EXPECT_GT(seen_at, 0);
     EXPECT_LT(seen_at, fastest() / 20) << "m/s";
     EXPECT_LE(simulation.report().heated_step, simulation.report().step - 10) << simulation.report().trouble;
+}
+
+TEST(StretchLimit, HoldsWithEveryMethodAndSaysWhatItLeaves) {
+    for (const std::string& method : names_of<IntegratorKind>()) {
+        Simulation simulation =
+            small_simulation({"solver.integrator=" + method, "structural.stiffness=4", "shear.stiffness=1",
+                              "bend.stiffness=0", "ball.position=0,-9,0", "cloth.stretch_limit=0.1"});
+        bool reached = false;
+        for (int step = 0; step < 400; ++step) {
+            simulation.step();
+            const double stretch = simulation.view().report->stretch;
+            reached = reached || stretch > 0.1;
+            ASSERT_NEAR(simulation.report().stretch_excess, std::max(stretch - 0.1, 0.0), 1e-12) << method;
+            ASSERT_LT(stretch, 0.103) << method << ", step " << step;
+        }
+        EXPECT_TRUE(reached) << method;
+        EXPECT_EQ(simulation.report().status, Status::Ok) << simulation.report().trouble;
+        EXPECT_THAT(simulation.run_warning(), IsEmpty()) << method;
+    }
+}
+
+TEST(StretchLimit, ThatIsNeverReachedChangesNoBit) {
+    Simulation free = small_simulation(), limited = small_simulation({"cloth.stretch_limit=0.1"});
+    make_steps(free, 1000), make_steps(limited, 1000);
+    EXPECT_EQ(free.hash(), limited.hash());
+}
+
+/// A limit that is set in mid-run draws a cloth together, but does not throw it about.
+TEST(StretchLimit, SetInMidRunDoesNotThrowTheClothAbout) {
+    Simulation simulation = small_simulation({"structural.stiffness=4", "shear.stiffness=1", "bend.stiffness=0"});
+    make_steps(simulation, 400);
+    ASSERT_GT(simulation.view().report->stretch, 0.3);
+    const double before = simulation.view().report->rms_speed;
+    simulation.apply(parse_command("set cloth.stretch_limit=0.05"));
+    simulation.step();
+    EXPECT_LT(simulation.view().report->rms_speed, 1.1 * before);
+    make_steps(simulation, 400);
+    EXPECT_LT(simulation.view().report->stretch, 0.06);
+    EXPECT_THAT(simulation.run_warning(), IsEmpty());
 }
 
 /// Whoever works on the cloth from outside is not taken for its method.

@@ -8,8 +8,9 @@
 namespace drape {
 
 /// What a response starts from: the pushes of the substep before. @cite catto2005
-/// Given before the integrator's step, they keep what rests from moving at all within it, so that a long step under an
-/// implicit method neither creeps nor quivers, and the response has little left to solve. Only responses that solve for
+/// Given before the step of an implicit method, they are to it a force that lasts for the step, and what rests hardly
+/// moves. An explicit method takes its forces from the start of the step, where they would be a velocity that dampers
+/// answer: they are given after it. Either way the response has little left to solve. Only responses that solve for
 /// pushes can use them; a penalty follows from the depth.
 class WarmStart {
 public:
@@ -21,8 +22,9 @@ public:
 
     /// Gives the pushes of the last response to the velocities.
     /// @param contacts of the substep before; taken, and left empty
+    /// @param displaces positions too: the step has been made
     void give(const ResponseParameters& parameters, Real h, const ClothModel& model, std::vector<Contact>& contacts,
-              std::span<Ball> balls, Points& v);
+              std::span<Ball> balls, ClothState& state, bool displaces);
 
     /// Tells the contacts that were found now what was given to them. Those of before that were not found again join
     /// them, for the response to take back what they do not need.

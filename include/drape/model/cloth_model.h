@@ -33,6 +33,7 @@ struct ClothModel {
     Eigen::Array<Real, Eigen::Dynamic, 1> inverse_mass;  ///< n x 1 [1/kg]
     SpringLaw structural, shear, bend;
     Real drag = 0;                      ///< [N s/m]
+    Real stretch_limit = 0;             ///< largest stretch of a structural spring, of its rest length; 0: none
     Vec3 gravity = standard_gravity();  ///< [m/s^2]
     Air air;
     std::uint64_t revision = 0;  ///< changes with every change of masses, springs or pins: the key of cached factors

@@ -47,6 +47,7 @@ struct ClothParameters {
     SpringLaw shear{500, Real(0.02)};        ///< to the 4 diagonals
     SpringLaw bend{100, Real(0.02)};         ///< to the 4 at distance two along rows and columns
     Real drag = Real(1e-4);                  ///< b of the air drag -b v, per particle [N s/m]
+    Real stretch_limit = 0;                  ///< largest stretch of a structural spring, of its rest length; 0: none
     bool operator==(const ClothParameters&) const = default;
 
     /// From particle (0,0) to the last one, in the cloth's plane [m].

@@ -14,6 +14,9 @@ struct SpringStencil {
     SpringLaw law;
     Real rest_length;
 
+    /// Between neighbours.
+    [[nodiscard]] bool structural() const { return di + dj == 1 && di * dj == 0; }
+
     /// The rows that hold a first end, the first such column, and how many springs a row has.
     [[nodiscard]] int rows(const Grid& grid) const { return grid.ny - dj; }
     [[nodiscard]] int first_column() const { return di < 0 ? -di : 0; }
@@ -58,6 +61,19 @@ inline std::array<SpringStencil, 6> spring_stencils(const ClothModel& model) {
     };
     return {springs(0, model.structural, hx),  springs(1, model.structural, hy), springs(2, model.shear, diagonal),
             springs(3, model.shear, diagonal), springs(4, model.bend, 2 * hx),   springs(5, model.bend, 2 * hy)};
+}
+
+/// Calls visit(springs, other) for each spring at a particle: its direction, and its other end.
+template <class Visit>
+void for_each_spring_at(const ClothModel& model, int particle, Visit visit) {
+    const Grid& grid = model.grid;
+    const int column = particle % grid.nx, row = particle / grid.nx;
+    for (const SpringStencil& springs : spring_stencils(model)) {
+        for (const int sign : {1, -1}) {
+            const int i = column + sign * springs.di, j = row + sign * springs.dj;
+            if (i >= 0 && i < grid.nx && j >= 0 && j < grid.ny) visit(springs, grid.particle(i, j));
+        }
+    }
 }
 
 }  // namespace drape

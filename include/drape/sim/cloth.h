@@ -22,6 +22,7 @@ struct Cloth {
     std::vector<Contact> contacts;  ///< of the last step that was awake
     WarmStart warm_start;
     ClothEnergy energy;
+    int held = -1;  ///< particle that the hand leads; below 0: none
 };
 
 }  // namespace drape

@@ -7,6 +7,7 @@
 #include "drape/contact/contact.h"
 #include "drape/contact/response.h"
 #include "drape/contact/warm_start.h"
+#include "drape/model/stretch_limit.h"
 #include "drape/sim/energy_ledger.h"
 #include "drape/sim/energy_watch.h"
 
@@ -43,13 +44,17 @@ public:
     void after_integrator(const ClothModel& model, const ClothState& state, const MotionSums& sums, Real h,
                           int least_pause);
 
+    /// Shortens what is stretched beyond the model's limit, which counts as the integrator's step.
+    /// @param held particle that the hand leads; below 0: none
+    StretchReport limit_stretch(const ClothModel& model, int held, ClothState& state);
+
     /// Answers the contacts, and enters what that has done.
     ResponseReport respond(const ResponseParameters& response, Real h, ClothInContact cloth, std::span<Ball> balls,
                            std::span<BallContact> ball_contacts);
 
     /// Gives the cloth the pushes of its last contacts, and enters what that has done.
     void warm_start(const ResponseParameters& response, Real h, const ClothModel& model, std::vector<Contact>& contacts,
-                    std::span<Ball> balls, ClothState& state, WarmStart& start);
+                    std::span<Ball> balls, ClothState& state, WarmStart& start, bool displaces);
 
     /// Velocities are about to be set to zero by sleep.
     void still(const ClothModel& model, const ClothState& state);

@@ -13,7 +13,7 @@ struct EnergyBalance {
     double damping = 0;     ///< dissipated in the springs' damping
     double drag = 0;        ///< dissipated in the air
     double contact = 0;     ///< dissipated in contacts; less than zero where pushing the cloth out has stretched it
-    double integrator = 0;  ///< dissipated by the method itself, and nowhere in nature: the rest
+    double integrator = 0;  ///< dissipated by the method itself and the stretch limit, and nowhere in nature: the rest
 
     /// Of a cloth without a ledger: no entry is a number.
     static EnergyBalance unknown();

@@ -9,7 +9,13 @@
 
 namespace drape {
 
-/// Takes one particle of a cloth and leads it: the particle has the hand's velocity, whatever pulls at it.
+/// Takes one particle of a cloth and leads it to a target, with a force that has a bound.
+///
+/// The particle has the hand's velocity, and is pinned for the integrator: every method and every step is stable with
+/// it. That velocity closes the gap to the target within a fixed time, and is at most that of a hand. Where the springs
+/// would then pull by more than the bound at the end of the step, with the neighbours moving on as they do, it is the
+/// velocity at which they pull by just the bound: the hand lags, or gives way. So cloth that is pinned elsewhere is
+/// drawn taut, and no farther. A particle that was pinned is led in the same way.
 class Hand {
 public:
     /// @throws InputError if there is no such cloth or particle; the hand is as before then
@@ -26,7 +32,7 @@ public:
     /// Holds its particle in a model that was made again.
     void hold_in(std::size_t cloth, ClothModel& model) const;
 
-    /// Gives the particle the velocity that takes it towards the target within a step, and counts the work of that.
+    /// Gives the particle the velocity that takes it towards the target, and counts the work of that.
     /// @param thickness by which the hand stays outside the balls [m]
     void lead(std::span<Cloth> cloths, std::span<const Ball> balls, Real thickness, Real h);
 

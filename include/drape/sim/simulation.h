@@ -70,6 +70,7 @@ private:
     [[nodiscard]] Substep substep(int number) const;
     bool input(const Substep& now);
     bool integrate(const Substep& now);
+    void warm_start(Cloth& cloth, const Substep& now, bool displaces);
     void build();
     void traverse();
     void narrow(const Substep& now);

@@ -33,6 +33,7 @@ struct StepReport {
     StageTimes times;
     SolveReport solve;
     TraversalStats traversal;
+    double stretch_excess = 0;          ///< beyond the limit, that shortening has left in a structural spring
     std::int64_t false_candidates = 0;  ///< cells handed on of which no triangle touches
     std::int64_t contacts = 0;          ///< triangles touching a ball, and nodes that were taken for them
     double contact_residual = 0;        ///< of the response, see `ResponseReport::residual` [m]
@@ -55,11 +56,11 @@ struct StepReport {
     Status status = Status::Ok;
     std::string trouble;  ///< one sentence on what broke, with particle and step; empty while all is well
 
-    /// Sets to zero what contacts of a substep add up to.
+    /// Sets to zero what limit and contacts of a substep add up to.
     void forget_contacts() {
         traversal = {};
         contacts = false_candidates = false_contacts = 0;
-        penetration = missed_penetration = contact_residual = 0;
+        penetration = missed_penetration = contact_residual = stretch_excess = 0;
         contact_sweeps = 0;
     }
 };

@@ -1,0 +1,229 @@
+// random_hand [--commands N] [--seed K]: pulls at the cloth of several scenes and moves their balls, at random, and
+// holds to the checks below after every step; now and then lets go, and holds the cloth to what it is at rest.
+
+#include <algorithm>
+#include <cmath>
+#include <cstdio>
+#include <functional>
+#include <iostream>
+#include <random>
+#include <span>
+
+#include "drape/base/numbers.h"
+#include "drape/model/energy.h"
+#include "drape/model/stencils.h"
+#include "drape/sim/scene.h"
+#include "drape/sim/setting_table.h"
+#include "drape/sim/simulation.h"
+
+namespace drape::random_hand {
+namespace {
+
+/// What must be true after every step, whatever hand and ball do.
+struct Check {
+    const char* name;
+    std::function<bool(const Simulation&)> holds;
+};
+
+bool is_finite(const Simulation& simulation) {
+    return std::ranges::all_of(
+        simulation.cloths(), [](const Cloth& cloth) { return cloth.state.x.allFinite() && cloth.state.v.allFinite(); });
+}
+
+Real stretch_of(const Simulation& simulation) {
+    Real largest = -1;
+    for (const Cloth& cloth : simulation.cloths()) {
+        largest = std::max(largest, largest_stretch(cloth.model, cloth.state.x));
+    }
+    return largest;
+}
+
+/// Contact comes after the limit, and may stretch a spring until the next step by what it pushes out.
+constexpr Real pushed = Real(0.02);
+
+bool is_within_its_limit(const Simulation& simulation) {
+    return stretch_of(simulation) <= simulation.cloths()[0].model.stretch_limit + stretch_tolerance + pushed;
+}
+
+const std::vector<Check>& checks() {
+    static const std::vector<Check> list{
+        {"the cloth is finite", is_finite},
+        {"no spring is stretched beyond the limit", is_within_its_limit},
+        {"the run goes on", [](const Simulation& s) { return s.report().status == Status::Ok; }},
+        {"no energy comes from nowhere", [](const Simulation& s) { return s.report().heated_step == 0; }}};
+    return list;
+}
+
+/// The largest difference of a structural spring from its rest length, of that length.
+Real largest_strain(const Cloth& cloth) {
+    Real largest = 0;
+    for (const SpringStencil& springs : spring_stencils(cloth.model)) {
+        if (!springs.structural()) continue;
+        springs.for_each(cloth.model.grid, [&](int a, int b) {
+            const Real length = (cloth.state.x.row(a) - cloth.state.x.row(b)).norm();
+            largest = std::max(largest, std::abs(length / springs.rest_length - 1));
+        });
+    }
+    return largest;
+}
+
+/// A shipped scene in air so thick that its cloth comes to rest soon, with a ball under the keys.
+Settings scene_with_a_ball(const std::string& name) {
+    Settings settings = load_scene(name);
+    settings.cloths[0].drag = Real(2e-3);
+    settings.solver.sleep_speed = 0;
+    if (settings.balls.empty()) {
+        BallSettings& ball = settings.balls.emplace_back();
+        ball.radius = Real(0.15);
+        ball.position = Vec3(0, Real(0.6), Real(-0.5));
+    }
+    settings.balls[0].motion = BallMotion::Keys;
+    return settings;
+}
+
+class RandomHand {
+public:
+    RandomHand(unsigned long seed, const std::string& scene)
+        : random_(seed), scene_(scene), simulation_(scene, scene_with_a_ball(scene)) {
+        run(rest_time);
+        hanging_ = largest_strain(simulation_.cloths()[0]);
+    }
+
+    /// A round of commands, and what comes of it at rest. @return commands
+    int play_round();
+
+    [[nodiscard]] int failed() const { return failed_; }
+    void tell() const;
+
+private:
+    static constexpr double rest_time = 5;  // s
+
+    double between(double low, double high) {
+        return low + (high - low) * static_cast<double>(random_() >> 11) * 0x1p-53;
+    }
+    std::string random_vector(const Vec3& middle, double away);
+    std::string random_command();
+    void run(double seconds);
+    void look();
+    void fail(const std::string& what);
+
+    std::mt19937_64 random_;
+    std::string scene_;
+    Simulation simulation_;
+    std::vector<std::string> done_;  ///< since the start
+    Real hanging_ = 0;               ///< strain of the cloth at rest that nobody has touched
+    Real largest_ = 0, at_rest_ = 0;
+    int failed_ = 0;
+};
+
+std::string RandomHand::random_vector(const Vec3& middle, double away) {
+    std::string text;
+    for (int axis = 0; axis < 3; ++axis) {
+        text += " " + real_text(static_cast<double>(middle[axis]) + between(-away, away), 4);
+    }
+    return text;
+}
+
+std::string RandomHand::random_command() {
+    const Settings& settings = simulation_.settings();
+    const Vec3 middle = settings.cloths[0].centre(), home = settings.balls[0].position - simulation_.balls()[0].centre;
+    switch (random_() % 8) {
+        case 0:
+            return "grab 0 " +
+                   std::to_string(random_() % static_cast<unsigned>(settings.cloths[0].particles.particles()));
+        case 1:
+        case 2:
+        case 3:
+            return "drag" + random_vector(middle, 1.2);
+        case 4:
+            return "release";
+        case 5:
+        case 6:
+            // Not out of sight
+            return "steer" + (home.norm() > Real(0.6) ? random_vector(home, 0.1) : random_vector(Vec3::Zero(), 1));
+        default:
+            return "steer 0 0 0";
+    }
+}
+
+void RandomHand::fail(const std::string& what) {
+    ++failed_;
+    std::cout << "FAILED: " << what << "\n  " << scene_ << ", step " << simulation_.report().step << ", stretch "
+              << stretch_of(simulation_) << " " << simulation_.report().trouble << simulation_.run_warning() << "\n";
+    for (const std::string& command : done_) std::cout << "  " << command << "\n";
+    simulation_.apply(command::Reset{});
+    done_.clear();
+}
+
+void RandomHand::look() {
+    largest_ = std::max(largest_, stretch_of(simulation_));
+    for (const Check& check : checks()) {
+        if (!check.holds(simulation_)) return fail(check.name);
+    }
+}
+
+void RandomHand::run(double seconds) {
+    const double end = simulation_.report().time + seconds;
+    while (simulation_.report().time < end) {
+        const std::int64_t before = simulation_.report().step;
+        simulation_.step();
+        look();
+        if (simulation_.report().step <= before) return;  // a check has failed
+    }
+}
+
+int RandomHand::play_round() {
+    constexpr int commands = 60;
+    for (int c = 0; c < commands; ++c) {
+        const std::string command = random_command();
+        done_.push_back(std::to_string(simulation_.report().step) + " " + command);
+        simulation_.apply(parse_command(command));
+        run(between(0, 0.05));
+    }
+    for (const char* command : {"release", "steer 0 0 0"}) {
+        done_.push_back(std::to_string(simulation_.report().step) + " " + command);
+        simulation_.apply(parse_command(command));
+    }
+    run(rest_time);
+    const Real strain = largest_strain(simulation_.cloths()[0]);
+    at_rest_ = std::max(at_rest_, strain);
+    if (strain > hanging_ + Real(0.02)) fail("the cloth at rest has its rest lengths");
+    // A pin stays where it was left, and a cloth that has fallen off is far away
+    simulation_.apply(command::Reset{});
+    done_.clear();
+    return commands;
+}
+
+void RandomHand::tell() const {
+    std::printf("%s: largest stretch %.4f; at rest %.4f, %.4f if untouched; %d failed\n", scene_.c_str(),
+                static_cast<double>(largest_), static_cast<double>(at_rest_), static_cast<double>(hanging_), failed_);
+}
+
+int run(int argc, char** argv) {
+    long long wanted = 240;
+    unsigned long seed = 1;
+    for (int a = 1; a + 1 < argc; a += 2) {
+        const std::string name = argv[a];
+        if (name == "--commands") wanted = std::stoll(argv[a + 1]);
+        if (name == "--seed") seed = std::stoul(argv[a + 1]);
+    }
+    std::vector<RandomHand> hands;
+    for (const char* scene : {"drop", "hang"}) hands.emplace_back(seed++, scene);
+    long long commands = 0;
+    while (commands < wanted) {
+        for (RandomHand& hand : hands) commands += hand.play_round();
+    }
+    int failed = 0;
+    for (const RandomHand& hand : hands) {
+        hand.tell();
+        failed += hand.failed();
+    }
+    std::printf("%lld commands, %d failed\n", commands, failed);
+    std::printf("result,commands of a random hand,%lld,%d\n", commands, failed);
+    return failed > 0 ? 1 : 0;
+}
+
+}  // namespace
+}  // namespace drape::random_hand
+
+int main(int argc, char** argv) { return drape::random_hand::run(argc, argv); }
