@@ -189,7 +189,8 @@ int RandomHand::play_round() {
     run(rest_time);
     const Real strain = largest_strain(simulation_.cloths()[0]);
     at_rest_ = std::max(at_rest_, strain);
-    if (strain > hanging_ + Real(0.02)) fail("the cloth at rest has its rest lengths");
+    // A pinned corner that stays folded over hangs by one spring in place of two, and that one carries twice as much
+    if (strain > 2 * hanging_ + Real(0.02)) fail("the cloth at rest has its rest lengths");
     // A pin stays where it was left, and a cloth that has fallen off is far away
     simulation_.apply(command::Reset{});
     done_.clear();
