@@ -97,6 +97,7 @@ void add_break_even(Charts& charts, const std::string& scene, const HierarchyRow
                       "frames.",
                       {{"scene", scene},
                        {"volumes", in_words(volumes)},
+                       {"updates", in_words(words_of(rows, &HierarchyRow::update))},
                        {"interval", nearest->interval_s},
                        {"frames", std::ranges::max(rows, {}, &HierarchyRow::frame).frame}}});
 }
@@ -104,7 +105,7 @@ void add_break_even(Charts& charts, const std::string& scene, const HierarchyRow
 void add_size(Charts& charts, const HierarchyRows& rows) {
     std::vector<std::string> builds, searches;
     for (const Growth& growth : growths(rows)) {
-        if (growth.update == "refit" || growth.update == "none") continue;
+        if (growth.update != "rebuild" && growth.update != "merge") continue;
         const std::string hierarchy = growth.volume + ":" + growth.update + ":";
         searches.push_back(hierarchy + fmt::format("{:.2f}", growth.search.exponent));
         if (growth.volume != "brute") builds.push_back(hierarchy + fmt::format("{:.2f}", growth.build.exponent));
