@@ -17,18 +17,28 @@ constexpr double binomial(std::size_t n, std::size_t k) {
     return value;
 }
 
-/// The polynomial `multiply(f(u), g(u))` for a product of numbers or vectors.
-template <class F, class G, std::size_t M, std::size_t N, class Multiply>
-auto product(const std::array<F, M>& f, const std::array<G, N>& g, Multiply multiply) {
-    using Value = decltype(multiply(f[0], g[0]));
-    std::array<Value, M + N - 1> h;
-    for (std::size_t k = 0; k < h.size(); ++k) {
-        const std::size_t first = k < N ? 0 : k - N + 1, last = std::min(k, M - 1);
-        for (std::size_t i = first; i <= last; ++i) {
-            const double weight = binomial(M - 1, i) * binomial(N - 1, k - i) / binomial(M + N - 2, k);
-            const Value term = weight * multiply(f[i], g[k - i]);
-            h[k] = i == first ? term : Value(h[k] + term);
+/// What the product of coefficients i and j of polynomials with M and N of them adds to coefficient i + j.
+template <std::size_t M, std::size_t N>
+constexpr std::array<std::array<double, N>, M> product_weights() {
+    std::array<std::array<double, N>, M> weights{};
+    for (std::size_t i = 0; i < M; ++i) {
+        for (std::size_t j = 0; j < N; ++j) {
+            weights[i][j] = binomial(M - 1, i) * binomial(N - 1, j) / binomial(M + N - 2, i + j);
         }
+    }
+    return weights;
+}
+
+/// The polynomial `multiply(f(u), g(u))` for a product of numbers or vectors.
+/// @param zero of its values
+template <class F, class G, std::size_t M, std::size_t N, class Multiply, class Value>
+std::array<Value, M + N - 1> product(const std::array<F, M>& f, const std::array<G, N>& g, Multiply multiply,
+                                     const Value& zero) {
+    static constexpr auto weights = product_weights<M, N>();
+    std::array<Value, M + N - 1> h;
+    h.fill(zero);
+    for (std::size_t i = 0; i < M; ++i) {
+        for (std::size_t j = 0; j < N; ++j) h[i + j] += weights[i][j] * multiply(f[i], g[j]);
     }
     return h;
 }
@@ -60,14 +70,14 @@ double value_at(std::array<double, Size> f, double u) {
 
 /// The root of a polynomial that is positive at 0, not at 1, and has no other: by secants between two bounds, of which
 /// one that stays is weighed down (Illinois). @cite dowell1971
-/// @return the upper bound, where f <= 0
+/// @return the lower bound, which is early by the root of a digit at the most: what is done with it goes on from there
 template <std::size_t Size>
 double only_root(const std::array<double, Size>& f) {
-    constexpr double narrow = 2 * std::numeric_limits<double>::epsilon();
+    constexpr double narrow = 1e-8;
     constexpr int patience = 100;
     double low = 0, high = 1, at_low = f.front(), at_high = f.back();
     bool high_moved = false, low_moved = false;
-    for (int k = 0; k < patience && high - low > narrow * high && at_high < 0; ++k) {
+    for (int k = 0; k < patience && high - low > narrow; ++k) {
         const double secant = low + (high - low) * (at_low / (at_low - at_high));
         const double u = secant > low && secant < high ? secant : (low + high) / 2;
         const double value = value_at(f, u);
@@ -80,7 +90,7 @@ double only_root(const std::array<double, Size>& f) {
         }
         low_moved = value > 0, high_moved = !low_moved;
     }
-    return high;
+    return low;
 }
 
 /// Calls visit(u) where f falls from above zero to zero or below, from left to right, until it returns true. A stretch

@@ -23,6 +23,13 @@ struct SeenTriangle {
     Real radius = 0;
     Real rounding = 0;  ///< of a distance [m]
 
+    /// Of the corners, and so of all of it [m a step].
+    [[nodiscard]] Real fastest() const {
+        Real square = 0;
+        for (std::size_t k = 0; k < 3; ++k) square = std::max(square, (end[k] - start[k]).squaredNorm());
+        return std::sqrt(square);
+    }
+
     [[nodiscard]] Corners3 at(Real t) const {
         Corners3 corners;
         for (std::size_t k = 0; k < 3; ++k) corners[k] = (1 - t) * start[k] + t * end[k];
@@ -110,28 +117,28 @@ Nearness nearness_at(const SeenTriangle& seen, Real t) {
     return near;
 }
 
-/// Follows the distance from a time at which ball and triangle nearly touch until they do: by Newton's method, and by
-/// halves where that went too far in.
+/// Follows the distance from a time at which ball and triangle do not touch until they do: by Newton's method, and
+/// where that has gone too far in, within bounds that are halved now and then.
 /// @param longest that this may take, in parts of the step
 /// @return the last time tried, or the first if that is the nearer
 Nearness follow_to_touch(const SeenTriangle& seen, const Nearness& first, Real longest) {
-    constexpr int patience = 80;
-    const Real limit = std::min(first.time + longest, Real(1));
+    constexpr int patience = 120;
     Nearness now = first;
     Real outside = first.time, inside = 2;
     for (int k = 0; k < patience; ++k) {
-        Real next = now.time;
-        if (now.beyond > 0) {
+        if (now.beyond > 0)
             outside = now.time;
-            if (inside <= 1)
-                next = (outside + inside) / 2;
-            else if (now.closing() > 0)
-                next = std::min(now.time + now.beyond / now.closing(), limit);
-        } else if (now.beyond < -seen.rounding && now.time > outside) {
+        else if (now.beyond < -seen.rounding && now.time > outside)
             inside = now.time;
+        else
+            break;
+        const Real closing = now.closing();
+        Real next = closing > 0 ? now.time + now.beyond / closing : outside;
+        if (inside > 1)
+            next = std::min({next, first.time + longest, Real(1)});
+        else if (!(next > outside && next < inside) || k % 4 == 3)
             next = (outside + inside) / 2;
-        }
-        if (!(next > outside) || next == now.time) break;
+        if (!(next > outside && next < inside) || next == now.time) break;
         now = nearness_at(seen, next);
     }
     return now.beyond <= std::max(seen.rounding, first.beyond) ? now : first;
@@ -152,8 +159,7 @@ public:
     ImpactSearch(const SeenTriangle& seen, const Stretch& stretch) : seen_(seen), stretch_(stretch) {}
 
     std::optional<Impact> first() {
-        try_at(stretch_.begin);
-        if (!(stretch_.begin < stretch_.end) || (best_ && best_->time <= stretch_.begin)) return best_;
+        if (!narrow()) return best_;
         look_closer();
         if (!search_face()) return best_;
         for (std::size_t k = 0; k < 3; ++k) search_edge(corners_[k], corners_[(k + 1) % 3]);
@@ -164,9 +170,37 @@ public:
 private:
     using Fine3 = Eigen::Vector3d;
     using Linear = std::array<Fine3, 2>;  ///< of u, from 0 at the stretch's beginning to 1 at its end
-    static constexpr auto dot = [](const Fine3& a, const Fine3& b) { return a.dot(b); };
-    static constexpr auto cross = [](const Fine3& a, const Fine3& b) -> Fine3 { return a.cross(b); };
-    static constexpr auto times = [](double a, double b) { return a * b; };
+
+    template <std::size_t M, std::size_t N>
+    static auto dot(const std::array<Fine3, M>& f, const std::array<Fine3, N>& g) {
+        return bernstein::product(
+            f, g, [](const Fine3& a, const Fine3& b) { return a.dot(b); }, 0.0);
+    }
+    static auto cross(const Linear& f, const Linear& g) {
+        return bernstein::product(
+            f, g, [](const Fine3& a, const Fine3& b) -> Fine3 { return a.cross(b); }, Fine3(Fine3::Zero()));
+    }
+    template <std::size_t M, std::size_t N>
+    static auto times(const std::array<double, M>& f, const std::array<double, N>& g) {
+        return bernstein::product(
+            f, g, [](double a, double b) { return a * b; }, 0.0);
+    }
+
+    /// Shortens the stretch to where the first touch may be: not where the triangle cannot get to the ball at its
+    /// speed, and not after a touch that is found by following the distance.
+    /// @return false if none is left
+    bool narrow() {
+        const Nearness first = nearness_at(seen_, stretch_.begin);
+        const Real fastest = seen_.fastest(), length = stretch_.end - stretch_.begin;
+        if (first.beyond > fastest * length + seen_.rounding) return false;
+        const Nearness near = follow_to_touch(seen_, first, length);
+        if (near.beyond > seen_.rounding) return true;
+        best_ = impact_of(seen_, near);
+        // Far enough before the touch for its own root to be beyond, unless it grazes
+        const bool head_on = near.closing() > fastest / 16;
+        stretch_.end = near.time - (head_on ? 64 * seen_.rounding / near.closing() : Real(0));
+        return stretch_.begin < stretch_.end;
+    }
 
     /// Corners within the stretch alone, in units of the largest distance: neither the step's length nor the scale then
     /// cost digits. The radius is grown, so that a touch that is hidden by the rounding of positions has its root.
@@ -227,10 +261,10 @@ private:
     bool search_face() {
         const auto& [a, b, c] = corners_;
         const Linear ab{b[0] - a[0], b[1] - a[1]}, ac{c[0] - a[0], c[1] - a[1]};
-        const auto n = bernstein::product(ab, ac, cross);
-        const auto above = bernstein::product(n, a, dot);
-        const auto area = bernstein::product(bernstein::product(n, n, dot), constant_, times);
-        auto f = bernstein::product(above, above, times);
+        const auto n = cross(ab, ac);
+        const auto above = dot(n, a);
+        const auto area = times(dot(n, n), constant_);
+        auto f = times(above, above);
         for (std::size_t i = 0; i < f.size(); ++i) f[i] -= square_ * area[i];
         const double sides =
             std::max(ab[0].squaredNorm(), ab[1].squaredNorm()) * std::max(ac[0].squaredNorm(), ac[1].squaredNorm());
@@ -243,9 +277,9 @@ private:
     /// The line through a with direction e: |a x e|^2 - r^2 |e|^2 = 0, of degree 4.
     void search_edge(const Linear& a, const Linear& b) {
         const Linear e{b[0] - a[0], b[1] - a[1]};
-        const auto moment = bernstein::product(a, e, cross);
-        const auto length = bernstein::product(bernstein::product(e, e, dot), constant_, times);
-        auto f = bernstein::product(moment, moment, dot);
+        const auto moment = cross(a, e);
+        const auto length = times(dot(e, e), constant_);
+        auto f = dot(moment, moment);
         for (std::size_t i = 0; i < f.size(); ++i) f[i] -= square_ * length[i];
         const double side = std::max(e[0].squaredNorm(), e[1].squaredNorm());
         try_falls(f, coefficient_rounding * side * (1 + square_));
@@ -253,7 +287,7 @@ private:
 
     /// |a|^2 - r^2 = 0, of degree 2.
     void search_corner(const Linear& a) {
-        auto f = bernstein::product(a, a, dot);
+        auto f = dot(a, a);
         for (double& coefficient : f) coefficient -= square_;
         try_falls(f, coefficient_rounding * (1 + square_));
     }
