@@ -270,6 +270,11 @@ private:
             std::max(ab[0].squaredNorm(), ab[1].squaredNorm()) * std::max(ac[0].squaredNorm(), ac[1].squaredNorm());
         const double rounding = coefficient_rounding * sides * (1 + square_);
         if (std::ranges::min(f) > rounding) return false;
+        // Where the centre's foot on the plane is beyond one edge throughout, that edge is nearer
+        const auto is_beyond = [&](const Linear& p, const Linear& q) {
+            return std::ranges::max(dot(n, cross(p, q))) < 0;
+        };
+        if (is_beyond(a, b) || is_beyond(b, c) || is_beyond(c, a)) return true;
         // Before the plane comes as near, the triangle cannot
         return !(try_falls(f, rounding) && f[0] > rounding && std::ranges::min(best_->barycentric) > 0);
     }
@@ -277,6 +282,9 @@ private:
     /// The line through a with direction e: |a x e|^2 - r^2 |e|^2 = 0, of degree 4.
     void search_edge(const Linear& a, const Linear& b) {
         const Linear e{b[0] - a[0], b[1] - a[1]};
+        // Where the centre's foot on the line is beyond one end throughout, that corner is nearer
+        const auto before = dot(a, e), beyond = dot(b, e);
+        if (std::ranges::min(before) > 0 || std::ranges::max(beyond) < 0) return;
         const auto moment = cross(a, e);
         const auto length = times(dot(e, e), constant_);
         auto f = dot(moment, moment);
