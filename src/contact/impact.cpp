@@ -126,7 +126,7 @@ Nearness follow_to_touch(const SeenTriangle& seen, const Nearness& first, Real l
     Nearness now = first;
     Real outside = first.time, inside = 2;
     for (int k = 0; k < patience; ++k) {
-        if (now.beyond > 0)
+        if (now.beyond > seen.rounding / 16)
             outside = now.time;
         else if (now.beyond < -seen.rounding && now.time > outside)
             inside = now.time;
