@@ -3,6 +3,8 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <array>
+#include <cmath>
 
 #include "drape/base/exact_math.h"
 #include "drape/bounds/cloth_quadtree.h"

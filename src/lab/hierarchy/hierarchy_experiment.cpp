@@ -4,6 +4,7 @@
 #include <map>
 #include <tuple>
 
+#include "drape/bounds/node_view.h"
 #include "lab/experiments.h"
 
 namespace drape {
@@ -81,6 +82,13 @@ void HierarchyRow::set_times(const HierarchyRun& run) {
 
 std::string HierarchyRow::variant() const {
     return volume == "sphere" && sphere_fit != names_of<SphereFit>().front() ? volume + " " + sphere_fit : volume;
+}
+
+std::size_t bytes_of_a_node(const std::string& volume) {
+    const auto names = names_of<VolumeKind>();
+    const auto kind = static_cast<VolumeKind>(std::ranges::find(names, volume) - names.begin());
+    if (kind >= VolumeKind::Brute) return 0;
+    return with_volume(kind, []<class Volume>(std::type_identity<Volume>) { return sizeof(Volume); });
 }
 
 RowFormat<HierarchyRow> hierarchy_format() {
