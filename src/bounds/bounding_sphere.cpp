@@ -33,6 +33,18 @@ BoundingSphere BoundingSphere::fit(const Patch& patch) {
     return {centre, radius_of(square)};
 }
 
+void BoundingSphere::include(const Vec3& p) {
+    const Real square = (p - centre).squaredNorm();
+    if (square <= radius * radius) return;
+    const Real distance = std::sqrt(square), beyond = (distance - radius) / 2;
+    if (!(beyond > 0)) return static_cast<void>(radius = distance * rounded_up);
+    const Vec3 before = centre;
+    centre += (p - centre) * (beyond / distance);
+
+    // The centre was rounded: the radius is measured
+    radius = std::max((centre - before).norm() + radius, (p - centre).norm()) * rounded_up;
+}
+
 Real BoundingSphere::radius_of(Real square) { return std::sqrt(square) * rounded_up; }
 
 BoundingSphere BoundingSphere::merge(std::span<const BoundingSphere> children) {

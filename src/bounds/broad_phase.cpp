@@ -11,19 +11,22 @@ public:
     explicit BruteForce(const Grid& grid) : grid_(grid) {}
 
     void build(const Points& /*x*/) override {}
-
-    TraversalStats query(const Ball& /*ball*/, Candidates& found) override {
-        list_all_cells(grid_, found.cells);
-        found.stopped.clear();
-        return {.candidates = grid_.cells()};
-    }
-
+    void build(const Points& /*from*/, const Points& /*to*/) override {}
+    TraversalStats query(const Ball& /*ball*/, Candidates& found) override { return all(found); }
+    TraversalStats query(const SweptBall& /*ball*/, Candidates& found) override { return all(found); }
     [[nodiscard]] bool may_touch(const Ball& /*ball*/, Real /*displacement*/) const override { return true; }
+    [[nodiscard]] bool may_touch(const SweptBall& /*ball*/, Real /*displacement*/) const override { return true; }
     [[nodiscard]] Real slack() const override { return 0; }
     [[nodiscard]] int levels() const override { return 0; }
     void nodes_at(int /*level*/, std::vector<NodeView>& nodes) const override { nodes.clear(); }
 
 private:
+    TraversalStats all(Candidates& found) const {
+        list_all_cells(grid_, found.cells);
+        found.stopped.clear();
+        return {.candidates = grid_.cells()};
+    }
+
     Grid grid_;
 };
 

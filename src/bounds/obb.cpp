@@ -58,6 +58,24 @@ Obb Obb::frame_of(const Patch& patch) {
     return {patch.at(0, 0), axes_of(patch), infinity, -infinity};
 }
 
+void Obb::include(const Vec3& p) {
+    const Vec3 offset = p - origin, along = axes.transpose() * offset;
+    const Vec3 rounding = Vec3::Constant(8 * rounding_unit * offset.cwiseAbs().sum());
+    low = low.cwiseMin(along - rounding);
+    high = high.cwiseMax(along + rounding);
+}
+
+bool Obb::overlaps(const SweptBall& ball) const {
+    const Vec3 start = axes.transpose() * (ball.start - origin), end = axes.transpose() * (ball.end - origin);
+    const Real extent = std::max(low.cwiseAbs().maxCoeff(), high.cwiseAbs().maxCoeff());
+    const Real reach = ball.radius + ball.rounding(origin.cwiseAbs().maxCoeff() + 2 * extent);
+    SlabClip way;
+    for (int k = 0; k < 3; ++k) {
+        if (!way.cut(start[k], end[k], low[k] - reach, high[k] + reach)) return false;
+    }
+    return true;
+}
+
 void Obb::grow_by_rounding() {
     const Real rounding = 8 * rounding_unit * (high - low).sum();
     low.array() -= rounding;

@@ -29,5 +29,7 @@ room_about_data = 'set autoscale fix; set offsets graph 0.05, graph 0.05, graph 
 # Hierarchies look alike in every chart
 colour_of(volume) = volume eq 'sphere' ? blue : volume eq 'aabb' ? red : volume eq 'kdop18' ? green : \
                     volume eq 'obb' ? pink : black
-marker_of(update) = update eq 'rebuild' ? 7 : update eq 'merge' ? 5 : update eq 'refit' ? 9 : 13
-colour_of_update(update) = update eq 'rebuild' ? black : update eq 'merge' ? blue : update eq 'refit' ? red : green
+marker_of(update) = update eq 'rebuild' ? 7 : update eq 'merge' ? 5 : update eq 'insertion' ? 11 : \
+                    update eq 'refit' ? 9 : 13
+colour_of_update(update) = update eq 'rebuild' ? black : update eq 'merge' ? blue : update eq 'insertion' ? pink : \
+                           update eq 'refit' ? red : green

@@ -1,5 +1,5 @@
 # The total cost of the update policies, frame by frame and by the time between frames.
-# scene; volumes: which were measured; interval: between frames on the left [s]; frames: how many
+# scene; volumes, updates: which were measured; interval: between frames on the left [s]; frames: how many
 # Lines continue across rows of others
 set datafile missing NaN
 eval paper(1280, 800)
@@ -7,7 +7,6 @@ set multiplot layout 2,3 margins 0.07,0.985,0.155,0.91 spacing 0.075,0.15 \
   title 'Total cost of the update policies: '.readable(scene).', 64 x 64 particles' font ',13'
 eval room_about_data
 eval legend(0.04)
-updates = 'rebuild merge refit none'
 here(volume, update) = is('part', 'break_even') && is('scene', scene) && is('volume', volume) && is('update', update)
 at_interval(volume, update) = here(volume, update) && column('interval_s') == interval ? column('frame') : NaN
 at_end(volume, update) = here(volume, update) && column('frame') == frames ? 1e3 * column('interval_s') : NaN

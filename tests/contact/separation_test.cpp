@@ -7,6 +7,7 @@
 #include "drape/bounds/leaf_copies.h"
 #include "drape/contact/contact.h"
 #include "support/cloths.h"
+#include "support/containment.h"
 
 namespace drape {
 namespace {
@@ -85,7 +86,7 @@ bool none_reaches(const Moment& m, std::span<const Ball> balls, Real displacemen
 
 TEST(Separation, NeverHoldsWhereAnythingTouches) {
     for (const VolumeKind volume : {VolumeKind::Sphere, VolumeKind::Aabb}) {
-        for (const UpdateKind update : {UpdateKind::Rebuild, UpdateKind::Merge, UpdateKind::Refit, UpdateKind::None}) {
+        for (const UpdateKind update : test::all_updates()) {
             const Count count = count_skips({.volume = volume, .update = update, .leaf_cells = 3}, proven);
             EXPECT_EQ(count.wrong, 0);
             EXPECT_GT(count.skips, count.steps / 20);

@@ -63,15 +63,21 @@ TEST(CompareContacts, CountsWhatTheReferenceTouchedAndTheRunDidNot) {
 class BlindHierarchy final : public BroadPhase {
 public:
     void build(const Points& /*x*/) override {}
-    TraversalStats query(const Ball& /*ball*/, Candidates& found) override {
+    void build(const Points& /*from*/, const Points& /*to*/) override {}
+    TraversalStats query(const Ball& /*ball*/, Candidates& found) override { return nothing(found); }
+    TraversalStats query(const SweptBall& /*ball*/, Candidates& found) override { return nothing(found); }
+    [[nodiscard]] bool may_touch(const Ball& /*ball*/, Real /*displacement*/) const override { return true; }
+    [[nodiscard]] bool may_touch(const SweptBall& /*ball*/, Real /*displacement*/) const override { return true; }
+    [[nodiscard]] Real slack() const override { return 0; }
+    [[nodiscard]] int levels() const override { return 0; }
+    void nodes_at(int /*level*/, std::vector<NodeView>& nodes) const override { nodes.clear(); }
+
+private:
+    static TraversalStats nothing(Candidates& found) {
         found.cells.clear();
         found.stopped.clear();
         return {};
     }
-    [[nodiscard]] bool may_touch(const Ball& /*ball*/, Real /*displacement*/) const override { return true; }
-    [[nodiscard]] Real slack() const override { return 0; }
-    [[nodiscard]] int levels() const override { return 0; }
-    void nodes_at(int /*level*/, std::vector<NodeView>& nodes) const override { nodes.clear(); }
 };
 
 class HungCloth : public ::testing::Test {

@@ -109,6 +109,7 @@ public:
         right_->build(x);
         --healthy_builds_;
     }
+    void build(const Points& from, const Points& to) override { right_->build(from, to); }
     TraversalStats query(const Ball& ball, Candidates& found) override {
         const TraversalStats stats = right_->query(ball, found);
         if (healthy_builds_ >= 0) return stats;
@@ -119,7 +120,9 @@ public:
         if (fault_ == Fault::DropsAStoppedNode) found.stopped.clear();
         return stats;
     }
+    TraversalStats query(const SweptBall& ball, Candidates& found) override { return right_->query(ball, found); }
     [[nodiscard]] bool may_touch(const Ball& ball, Real d) const override { return right_->may_touch(ball, d); }
+    [[nodiscard]] bool may_touch(const SweptBall& ball, Real d) const override { return right_->may_touch(ball, d); }
     [[nodiscard]] Real slack() const override { return right_->slack(); }
     [[nodiscard]] int levels() const override { return right_->levels(); }
     void nodes_at(int level, std::vector<NodeView>& nodes) const override { right_->nodes_at(level, nodes); }

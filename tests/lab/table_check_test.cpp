@@ -244,6 +244,11 @@ TEST(TableCheck, MissesWhatACaseNeeds) {
         frames.push_back(row);
     }
     EXPECT_EQ(hierarchy.flaw_of_case(frames), "");
+    TableRow inserted = frames.front();
+    inserted[place_of(hierarchy, "update")] = "insertion", inserted[place_of(hierarchy, "frame")] = "17";
+    frames.push_back(inserted);
+    EXPECT_THAT(hierarchy.flaw_of_case(frames), HasSubstr("update 'insertion' are not of the same frames"));
+    frames.pop_back();
     frames.erase(frames.begin() + 2);
     EXPECT_THAT(hierarchy.flaw_of_case(frames), HasSubstr("update 'refit' are not of the same frames"));
 }

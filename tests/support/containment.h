@@ -48,6 +48,13 @@ inline long double stands_out(const Obb& box, const Vec3& p) {
 
 using AllVolumes = ::testing::Types<BoundingSphere, Aabb, KDop<6>, KDop<14>, KDop<18>, KDop<26>, Obb>;
 
+/// Every update there is.
+inline std::vector<UpdateKind> all_updates() {
+    std::vector<UpdateKind> updates;
+    for (std::size_t u = 0; u < names_of<UpdateKind>().size(); ++u) updates.push_back(static_cast<UpdateKind>(u));
+    return updates;
+}
+
 /// Names typed tests by their volume.
 struct VolumeNames {
     template <class V>

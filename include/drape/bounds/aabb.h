@@ -19,9 +19,12 @@ struct Aabb {
     /// @par Cost O(particles of the patch), one pass
     static Aabb fit(const Patch& patch) {
         Aabb box{patch.at(0, 0), patch.at(0, 0)};
-        for_each_particle(patch, [&](const Vec3& p) { box.include({p, p}); });
+        for_each_particle(patch, [&](const Vec3& p) { box.include(p); });
         return box;
     }
+
+    /// The first particle.
+    static Aabb start(const Patch& patch) { return {patch.at(0, 0), patch.at(0, 0)}; }
 
     /// The smallest box about boxes, to the bit. @pre one child or more
     static Aabb merge(std::span<const Aabb> children) {
@@ -29,6 +32,12 @@ struct Aabb {
         Aabb all = children[0];
         for (const Aabb& child : children.subspan(1)) all.include(child);
         return all;
+    }
+
+    /// Grows by just as much as a point needs.
+    void include(const Vec3& p) {
+        low = low.cwiseMin(p);
+        high = high.cwiseMax(p);
     }
 
     /// Grows by just as much as another box needs.
@@ -47,6 +56,17 @@ struct Aabb {
         }
         const Real radius = ball.radius * (1 + 8 * std::numeric_limits<Real>::epsilon());
         return square <= radius * radius;
+    }
+
+    /// By what of the ball's way is within the box, grown by the radius. @cite ericson2004
+    [[nodiscard]] bool overlaps(const SweptBall& ball) const {
+        const Real farthest = std::max(low.cwiseAbs().maxCoeff(), high.cwiseAbs().maxCoeff());
+        const Real reach = ball.radius + ball.rounding(farthest);
+        SlabClip way;
+        for (int axis = 0; axis < 3; ++axis) {
+            if (!way.cut(ball.start[axis], ball.end[axis], low[axis] - reach, high[axis] + reach)) return false;
+        }
+        return true;
     }
 
     /// About the middle, through the farthest corner.

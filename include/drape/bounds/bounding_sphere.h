@@ -1,5 +1,6 @@
 #pragma once
 
+#include <algorithm>
 #include <limits>
 
 #include "drape/bounds/bounding_volume.h"
@@ -21,6 +22,12 @@ struct BoundingSphere {
     /// @pre one child or more
     static BoundingSphere merge(std::span<const BoundingSphere> children);
 
+    /// The first particle.
+    static BoundingSphere start(const Patch& patch) { return {patch.at(0, 0), 0}; }
+
+    /// Grows to the smallest sphere about itself and a point. @cite ritter1990
+    void include(const Vec3& p);
+
     /// The radius for a largest squared distance, with what its rounding and the rounding of its use need.
     static Real radius_of(Real square);
 
@@ -28,6 +35,15 @@ struct BoundingSphere {
         const Real dx = centre[0] - ball.centre[0], dy = centre[1] - ball.centre[1], dz = centre[2] - ball.centre[2];
         const Real radii = (radius + ball.radius) * (1 + 8 * std::numeric_limits<Real>::epsilon());
         return dx * dx + dy * dy + dz * dz <= radii * radii;
+    }
+
+    /// By the distance of the centre from the ball's way.
+    [[nodiscard]] bool overlaps(const SweptBall& ball) const {
+        const Vec3 way = ball.end - ball.start, offset = centre - ball.start;
+        const Real square = way.squaredNorm(), along = offset.dot(way);
+        const Real t = square > 0 ? std::clamp(along / square, Real(0), Real(1)) : Real(0);
+        const Real radii = radius + ball.radius + ball.rounding(centre.cwiseAbs().maxCoeff() + radius);
+        return (offset - t * way).squaredNorm() <= radii * radii;
     }
 
     [[nodiscard]] BoundingSphere sphere() const { return *this; }

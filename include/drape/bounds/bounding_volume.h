@@ -3,8 +3,10 @@
 #include <concepts>
 #include <span>
 #include <string_view>
+#include <utility>
 
 #include "drape/base/real.h"
+#include "drape/bounds/swept_ball.h"
 #include "drape/model/ball.h"
 
 namespace drape {
@@ -38,13 +40,19 @@ struct BoundingSphere;
 /// What a hierarchy needs of a volume. `fit` contains every particle of the patch, and so its triangles: it is the
 /// plain one, `fits_of` has that of the vector kernels too. `merge` contains every child. `overlaps` is true whenever
 /// the ball has a point in common with the volume and errs towards true by the rounding; a cloth of some thickness is
-/// tested by a ball grown by it. `sphere` contains the volume.
+/// tested by a ball grown by it; so it is for a ball that is anywhere on its way through a step. `sphere` contains the
+/// volume. `start` is the smallest volume from which `include` grows one about the particles of a patch: each time to
+/// contain one more of them, and all that it has contained.
 template <class V>
-concept BoundingVolume = requires(const V volume, const Patch& patch, std::span<const V> children, const Ball& ball) {
+concept BoundingVolume = requires(V volume, const Patch& patch, std::span<const V> children, const Ball& ball,
+                                  const SweptBall& swept, const Vec3& p) {
     { V::fit(patch) } -> std::same_as<V>;
     { V::merge(children) } -> std::same_as<V>;
-    { volume.overlaps(ball) } -> std::same_as<bool>;
-    { volume.sphere() } -> std::same_as<BoundingSphere>;
+    { std::as_const(volume).overlaps(ball) } -> std::same_as<bool>;
+    { std::as_const(volume).overlaps(swept) } -> std::same_as<bool>;
+    { V::start(patch) } -> std::same_as<V>;
+    { volume.include(p) } -> std::same_as<void>;
+    { std::as_const(volume).sphere() } -> std::same_as<BoundingSphere>;
     { V::name } -> std::convertible_to<std::string_view>;
 };
 

@@ -11,6 +11,7 @@
 #include "drape/base/enum_names.h"
 #include "drape/base/kernels.h"
 #include "drape/bounds/sphere_fits.h"
+#include "drape/bounds/swept_ball.h"
 #include "drape/model/ball.h"
 #include "drape/model/grid.h"
 
@@ -25,14 +26,15 @@ inline constexpr auto enum_names<VolumeKind> = all_names<VolumeKind>("sphere", "
 
 /// How a hierarchy follows the cloth.
 enum class UpdateKind {
-    Rebuild,  ///< every node, from the root down, is fitted to all of its own particles: the dissertation's way
-    Merge,    ///< leaves are fitted to their particles, every other node is merged from its children
-    Refit,    ///< as merge, but only where particles have moved
-    None      ///< the first tree is held, and inflated by the largest displacement since
+    Rebuild,    ///< every node, from the root down, is fitted to all of its own particles: the dissertation's way
+    Merge,      ///< leaves are fitted to their particles, every other node is merged from its children
+    Insertion,  ///< cells are inserted one by one from the root down, and volumes grow on their way
+    Refit,      ///< as merge, but only where particles have moved
+    None        ///< the first tree is held, and inflated by the largest displacement since
 };
 
 template <>
-inline constexpr auto enum_names<UpdateKind> = all_names<UpdateKind>("rebuild", "merge", "refit", "none");
+inline constexpr auto enum_names<UpdateKind> = all_names<UpdateKind>("rebuild", "merge", "insertion", "refit", "none");
 
 /// Where a search may end before the leaves: the nodes whose children it has not visited then stand for what they hold,
 /// as spheres. @cite hubbard1996
@@ -102,14 +104,26 @@ public:
     /// @param x n x 3 [m]
     virtual void build(const Points& x) = 0;
 
+    /// Follows the cloth to all that it passes within a step, in which particles move evenly on lines: every node
+    /// contains both ends of its particles' ways, and so the ways.
+    /// @param from, to n x 3, at the step's beginning and end [m]
+    virtual void build(const Points& from, const Points& to) = 0;
+
     /// @param ball grown by the cloth's thickness
     /// @param found receives the candidates: every cell with a triangle that touches the ball, and perhaps more, unless
     ///        the search is limited. Cleared first; its capacity grows to what a search can find, once.
     /// @pre `build` was called
     virtual TraversalStats query(const Ball& ball, Candidates& found) = 0;
 
+    /// The same for a ball on its way through a step: every cell with a triangle that touches it at some time of the
+    /// step, as `find_impacts` tells. @pre `build` was called for this step
+    virtual TraversalStats query(const SweptBall& ball, Candidates& found) = 0;
+
     /// False only if no particle, moved by up to `displacement` since the last build, can touch the ball.
     [[nodiscard]] virtual bool may_touch(const Ball& ball, Real displacement) const = 0;
+
+    /// The same for a ball on its way through a step.
+    [[nodiscard]] virtual bool may_touch(const SweptBall& ball, Real displacement) const = 0;
 
     /// By how much the nodes may be too small: the query makes up for it [m].
     [[nodiscard]] virtual Real slack() const = 0;
@@ -126,6 +140,10 @@ std::unique_ptr<BroadPhase> make_broad_phase(const BroadPhaseParameters& paramet
 
 /// The ball as a cloth of some thickness meets it.
 [[nodiscard]] inline Ball grown(Ball ball, Real thickness) {
+    ball.radius += thickness;
+    return ball;
+}
+[[nodiscard]] inline SweptBall grown(SweptBall ball, Real thickness) {
     ball.radius += thickness;
     return ball;
 }

@@ -51,6 +51,28 @@ struct KDop {
         return dop;
     }
 
+    /// The first particle.
+    static KDop start(const Patch& patch) {
+        KDop dop;
+        const Vec3 p = patch.at(0, 0);
+        dop.box = {p, p};
+        dop.low.fill(std::numeric_limits<Real>::infinity());
+        dop.high.fill(-std::numeric_limits<Real>::infinity());
+        dop.include(p);
+        return dop;
+    }
+
+    /// Grows by just as much as a point needs, and the rounding of its projections.
+    void include(const Vec3& p) {
+        box.include(p);
+        const Real rounding = 2 * std::numeric_limits<Real>::epsilon() * p.cwiseAbs().sum();
+        for (std::size_t k = 0; k < cuts; ++k) {
+            const Real projection = dop_projection(dop_numbers<K>[k + 3], p);
+            low[k] = std::min(low[k], projection - rounding);
+            high[k] = std::max(high[k], projection + rounding);
+        }
+    }
+
     /// The smallest k-DOP about k-DOPs, to the bit. @pre one child or more
     static KDop merge(std::span<const KDop> children) {
         DRAPE_ASSERT(!children.empty());
@@ -75,6 +97,21 @@ struct KDop {
             const Real radius = ball.radius * (dop_length(number) * (1 + 8 * epsilon)) + rounding;
             const Real centre = dop_projection(number, ball.centre);
             if (low[k] - centre > radius || centre - high[k] > radius) return false;
+        }
+        return true;
+    }
+
+    /// By what of the ball's way is within all slabs, each grown by the radius. @cite ericson2004
+    [[nodiscard]] bool overlaps(const SweptBall& ball) const {
+        const Real farthest = std::max(box.low.cwiseAbs().maxCoeff(), box.high.cwiseAbs().maxCoeff());
+        const Real reach = ball.radius + ball.rounding(farthest);
+        SlabClip way;
+        for (std::size_t k = 0; k < K / 2; ++k) {
+            const int number = dop_numbers<K>[k], axis = static_cast<int>(k);
+            const Real across = reach * dop_length(number) * (1 + 8 * std::numeric_limits<Real>::epsilon());
+            const Real least = k < 3 ? box.low[axis] : low[k - 3], most = k < 3 ? box.high[axis] : high[k - 3];
+            const Real first = dop_projection(number, ball.start), last = dop_projection(number, ball.end);
+            if (!way.cut(first, last, least - across, most + across)) return false;
         }
         return true;
     }

@@ -29,6 +29,12 @@ struct Obb {
     /// Origin and directions of a patch's box; low and high are left empty, from infinity down to -infinity.
     static Obb frame_of(const Patch& patch);
 
+    /// A box without points, along the patch's directions.
+    static Obb start(const Patch& patch) { return frame_of(patch); }
+
+    /// Grows along its directions by just as much as a point needs, and the rounding.
+    void include(const Vec3& p);
+
     /// Makes up for the rounding of coordinates along the axes.
     void grow_by_rounding();
 
@@ -48,6 +54,9 @@ struct Obb {
         const Real radius = ball.radius * (1 + 16 * epsilon) + 8 * epsilon * offset.cwiseAbs().sum();
         return square <= radius * radius;
     }
+
+    /// By what of the ball's way is within the box, grown by the radius, in the box's directions. @cite ericson2004
+    [[nodiscard]] bool overlaps(const SweptBall& ball) const;
 
     /// About the middle, through the corners.
     [[nodiscard]] BoundingSphere sphere() const;

@@ -46,6 +46,33 @@ void add_fits(Charts& charts, const HierarchyRows& rows, bool resampled) {
         drawn);
 }
 
+/// What the volumes of a tree take, beside its time a frame: larger cloth, every leaf size, rebuilt.
+void add_storage(Charts& charts, const HierarchyRows& rows) {
+    std::string data = "scene,volume,bytes,whole_s\n";
+    HierarchyRows drawn;
+    for (const HierarchyRow& row : rows) {
+        const std::size_t bytes = bytes_of_a_node(row.volume);
+        const bool wanted = row.particles == resampled_particles && row.variant() == row.volume &&
+                            row.update == name_of(UpdateKind::Rebuild) && bytes > 0;
+        if (!wanted) continue;
+        data += fmt::format("{},{},{:.0f},{:.8g}\n", row.scene, row.volume, row.nodes * static_cast<double>(bytes),
+                            row.whole.median);
+        drawn.push_back(row);
+    }
+    std::vector<std::string> bytes;
+    for (const std::string& volume : words_of(drawn, &HierarchyRow::volume)) {
+        bytes.push_back(fmt::format("{}:{}", volume, bytes_of_a_node(volume)));
+    }
+    add_scenes(charts,
+               {"hierarchy_storage",
+                "hierarchy_storage",
+                "CPU time of build, query and exact test of a frame against the bytes of the tree's volumes. A line "
+                "joins the leaf sizes of one volume, each rebuilt every frame; the legend has the bytes a node.",
+                {{"volumes", in_words(bytes)}},
+                data},
+               drawn);
+}
+
 void add_spheres(Charts& charts, HierarchyRows rows) {
     std::erase_if(rows, [](const HierarchyRow& row) {
         return row.particles == resampled_particles || row.volume != "sphere" || row.leaf_cells != 4 ||
@@ -97,6 +124,7 @@ void add_break_even(Charts& charts, const std::string& scene, const HierarchyRow
                       "frames.",
                       {{"scene", scene},
                        {"volumes", in_words(volumes)},
+                       {"updates", in_words(words_of(rows, &HierarchyRow::update))},
                        {"interval", nearest->interval_s},
                        {"frames", std::ranges::max(rows, {}, &HierarchyRow::frame).frame}}});
 }
@@ -104,7 +132,7 @@ void add_break_even(Charts& charts, const std::string& scene, const HierarchyRow
 void add_size(Charts& charts, const HierarchyRows& rows) {
     std::vector<std::string> builds, searches;
     for (const Growth& growth : growths(rows)) {
-        if (growth.update == "refit" || growth.update == "none") continue;
+        if (growth.update != "rebuild" && growth.update != "merge") continue;
         const std::string hierarchy = growth.volume + ":" + growth.update + ":";
         searches.push_back(hierarchy + fmt::format("{:.2f}", growth.search.exponent));
         if (growth.volume != "brute") builds.push_back(hierarchy + fmt::format("{:.2f}", growth.build.exponent));
@@ -123,6 +151,7 @@ std::vector<Chart> hierarchy_charts(const std::vector<HierarchyRow>& rows) {
     const auto part = [&rows](const char* name) { return rows_with(rows, &HierarchyRow::part, name); };
     Charts charts;
     for (const bool resampled : {false, true}) add_fits(charts, part("fit"), resampled);
+    add_storage(charts, part("fit"));
     add_spheres(charts, part("fit"));
     for (const std::string& scene : words_of(part("level"), &HierarchyRow::scene)) charts.push_back(level_chart(scene));
     add_budget(charts, part("budget"));

@@ -4,6 +4,7 @@
 #include <map>
 #include <tuple>
 
+#include "drape/bounds/node_view.h"
 #include "lab/experiments.h"
 
 namespace drape {
@@ -27,7 +28,8 @@ std::vector<HierarchyCase> hierarchy_cases(bool quick) {
     return all;
 }
 
-/// Updates are compared over frames: all of them need the same ones.
+/// Updates are compared over frames: all of them need the same ones. Tables from before there was `insertion` have none
+/// of its rows.
 std::string flaw_of_hierarchy_case(const std::vector<HierarchyRow>& rows) {
     using Key = std::tuple<std::string, std::string, double>;
     std::map<Key, std::map<std::string, std::vector<double>>> frames;
@@ -36,6 +38,7 @@ std::string flaw_of_hierarchy_case(const std::vector<HierarchyRow>& rows) {
     }
     for (auto& [key, updates] : frames) {
         for (const std::string& update : names_of<UpdateKind>()) {
+            if (update == name_of(UpdateKind::Insertion) && !updates.contains(update)) continue;
             if (updates[update] == updates[names_of<UpdateKind>().front()]) continue;
             return "the rows of update '" + update + "' are not of the same frames as those of '" +
                    names_of<UpdateKind>().front() + "'";
@@ -79,6 +82,13 @@ void HierarchyRow::set_times(const HierarchyRun& run) {
 
 std::string HierarchyRow::variant() const {
     return volume == "sphere" && sphere_fit != names_of<SphereFit>().front() ? volume + " " + sphere_fit : volume;
+}
+
+std::size_t bytes_of_a_node(const std::string& volume) {
+    const auto names = names_of<VolumeKind>();
+    const auto kind = static_cast<VolumeKind>(std::ranges::find(names, volume) - names.begin());
+    if (kind >= VolumeKind::Brute) return 0;
+    return with_volume(kind, []<class Volume>(std::type_identity<Volume>) { return sizeof(Volume); });
 }
 
 RowFormat<HierarchyRow> hierarchy_format() {

@@ -12,7 +12,8 @@
 namespace drape {
 namespace {
 
-constexpr UpdateKind all_updates[] = {UpdateKind::Rebuild, UpdateKind::Merge, UpdateKind::Refit, UpdateKind::None};
+constexpr UpdateKind all_updates[] = {UpdateKind::Rebuild, UpdateKind::Merge, UpdateKind::Insertion, UpdateKind::Refit,
+                                      UpdateKind::None};
 
 /// A case that measures some hierarchies on one motion.
 /// @param add_rows(motion, parameters, rows) about one of them

@@ -1,0 +1,133 @@
+// No ball goes through a cloth unseen, however fast: 1 cm at up to 100 m/s, at steps of 1/60 s.
+
+#include <gtest/gtest.h>
+
+#include "drape/base/exact_math.h"
+#include "drape/bounds/broad_phase.h"
+#include "drape/contact/contact.h"
+#include "drape/contact/impact.h"
+#include "support/containment.h"
+
+namespace drape {
+namespace {
+
+/// A sheet that hangs in a plane and swings at right angles to it, each particle by itself: at any time a point is on
+/// one side of it or on the other. Balls that begin before it and end behind it, within its outline, have crossed it.
+class Sheet {
+public:
+    static constexpr Real thickness = Real(0.002), radius = Real(0.01);
+
+    explicit Sheet(unsigned seed) : random_(seed) {
+        from.resize(grid.particles(), 3);
+        for (int j = 0; j < grid.ny; ++j) {
+            for (int i = 0; i < grid.nx; ++i) from.row(grid.particle(i, j)) << side(i), side(j), 0;
+        }
+        to = from;
+        swing();
+    }
+
+    /// On to the next step: all of it moves by up to 20 cm, and each particle by a little more or less.
+    void swing() {
+        from.col(2) = to.col(2);
+        const Real middle = Real(0.1) * draw(), rough = Real(0.01) * std::abs(draw());
+        for (Real& z : to.col(2).reshaped()) z = middle + rough * draw();
+    }
+
+    /// @return a ball that crosses the sheet within the step, at up to 100 m/s
+    SweptBall cross() {
+        const Real aside = Real(0.45);
+        Vec3 start(aside * draw(), aside * draw(), 0), end(aside * draw(), aside * draw(), 0);
+        if (random_() % 2 == 0) {
+            start[2] = from.col(2).maxCoeff() + gap(), end[2] = to.col(2).minCoeff() - gap();
+        } else {
+            start[2] = from.col(2).minCoeff() - gap(), end[2] = to.col(2).maxCoeff() + gap();
+        }
+        return {start, end, radius};
+    }
+
+    static constexpr Grid grid{30, 30};
+    Points from, to;
+
+private:
+    static Real side(int k) { return static_cast<Real>(k) / static_cast<Real>(grid.nx - 1) - Real(0.5); }
+    Real draw() { return draw_even<Real>(random_); }
+
+    /// More than touches: often by little.
+    Real gap() {
+        const Real part = draw();
+        return (radius + thickness) * Real(1.001) + Real(0.35) * part * part * part * part;
+    }
+
+    std::mt19937 random_;
+};
+
+struct Shots {
+    long shots = 0, through = 0, discrete = 0;
+};
+
+/// Shoots, and counts the balls that neither query sees; and those that positions after the step alone would miss.
+Shots shoot(const BroadPhaseParameters& parameters, int steps, int balls, bool only_the_end = false) {
+    Sheet sheet(static_cast<unsigned>(steps + static_cast<int>(parameters.volume)));
+    const auto tree = make_broad_phase(parameters, Sheet::grid);
+    Candidates found;
+    std::vector<TriangleImpact> impacts;
+    std::vector<int> touched;
+    Shots count;
+    for (int step = 0; step < steps; ++step) {
+        sheet.swing();
+        if (only_the_end)
+            tree->build(sheet.to);
+        else
+            tree->build(sheet.from, sheet.to);
+        for (int shot = 0; shot < balls; ++shot) {
+            const SweptBall ball = sheet.cross();
+            tree->query(grown(ball, Sheet::thickness), found);
+            impacts.clear();
+            find_impacts(Sheet::grid, sheet.from, sheet.to, grown(ball, Sheet::thickness), found.cells, impacts);
+            ++count.shots;
+            count.through += impacts.empty();
+            tree->query(Ball{.centre = ball.end, .radius = ball.radius + Sheet::thickness}, found);
+            find_touched_triangles(Sheet::grid, sheet.to, {.centre = ball.end, .radius = ball.radius}, Sheet::thickness,
+                                   found.cells, touched, Kernels::Vector);
+            count.discrete += touched.empty();
+        }
+    }
+    return count;
+}
+
+/// Every volume by every update.
+Shots shoot_all(int steps, int balls) {
+    Shots sum;
+    for (std::size_t volume = 0; volume < names_of<VolumeKind>().size(); ++volume) {
+        for (const UpdateKind update : test::all_updates()) {
+            const Shots shots = shoot({.volume = static_cast<VolumeKind>(volume), .update = update}, steps, balls);
+            EXPECT_EQ(shots.through, 0) << names_of<VolumeKind>()[volume] << ", " << name_of(update);
+            sum.shots += shots.shots, sum.through += shots.through, sum.discrete += shots.discrete;
+        }
+    }
+    return sum;
+}
+
+TEST(Bullets, NeverGoThroughUnseen) {
+    const Shots shots = shoot_all(50, 10);
+    EXPECT_GE(shots.shots, 20'000);
+    EXPECT_EQ(shots.discrete, shots.shots) << "positions after the steps alone show none of them";
+}
+
+/// The planted fault: nodes that know the end of the step alone.
+TEST(Bullets, GoThroughATreeThatIsFittedToTheEndOfTheStepOnly) {
+    EXPECT_GT(shoot({.volume = VolumeKind::Obb, .leaf_cells = 1}, 200, 10, true).through, 10);
+}
+
+class MillionBullets : public testing::TestWithParam<int> {};
+
+TEST_P(MillionBullets, NeverGoThroughUnseen) {
+    const Shots shots = shoot_all(2'500, GetParam());
+    EXPECT_GE(shots.shots, 1'000'000);
+}
+
+// Run by `ctest -L nightly`
+INSTANTIATE_TEST_SUITE_P(Nightly, MillionBullets, testing::Values(10));
+
+}  // namespace
+}  // namespace drape
