@@ -58,6 +58,13 @@ inline bool locate(const Points& x, const Ball& ball, Real thickness, Contact& c
     return touch(x, ball, thickness, contact);
 }
 
+/// The depth of a contact's point in its ball: from the surface, or, of an impact, behind the plane at which it met it.
+inline Real depth_in(const Ball& ball, Real thickness, const Contact& contact) {
+    const Vec3 offset = contact.point + contact.offset - ball.centre;
+    const Real distance = contact.of_impact ? offset.dot(contact.normal) : offset.norm();
+    return ball.radius + thickness + contact.radius - distance;
+}
+
 /// The same against the ground.
 inline bool locate_above(const Points& x, Real height, Real thickness, Contact& contact) {
     contact.point = at_point(contact, x);

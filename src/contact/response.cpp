@@ -67,11 +67,6 @@ void prepare_all(ContactProblem& problem) {
     }
 }
 
-/// The depth of a contact's point where it is now.
-Real depth_in(const Ball& ball, Real thickness, const Contact& contact) {
-    return ball.radius + thickness + contact.radius - (contact.point + contact.offset - ball.centre).norm();
-}
-
 /// Kinetic energy of the balls that contacts push [J].
 double energy_of(std::span<const Ball> balls) {
     Real sum = 0;
@@ -128,6 +123,11 @@ Real velocity_tolerance(const ContactProblem& problem) { return displacement_tol
 void find_again(const ContactProblem& problem, Contact& contact) {
     const ClothInContact& cloth = problem.cloth;
     const Real thickness = problem.parameters.thickness;
+    if (contact.of_impact) {
+        contact.point = at_point(contact, cloth.state.x);
+        contact.depth = depth_in(ball_of(contact, problem.balls), thickness, contact);
+        return;
+    }
     if (contact.ball == the_ground) {
         locate_above(cloth.state.x, problem.parameters.ground.height, thickness, contact);
     } else {

@@ -27,7 +27,7 @@ constexpr Real rest_steps = 100;
 
 bool rests(const Contact& contact, Real h, Real gravity) {
     const Real speed = contact.displacement.normal * contact.inverse_mass / h;
-    return !contact.of_node && speed > 0 && speed <= rest_steps * h * gravity;
+    return !contact.of_node && !contact.of_impact && speed > 0 && speed <= rest_steps * h * gravity;
 }
 
 /// Where a contact of before is now, its depth less than zero if it has parted.

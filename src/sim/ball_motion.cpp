@@ -65,19 +65,18 @@ Real inverse_mass_of(const BallSettings& settings) {
 }
 
 void move_ball(const BallSettings& settings, const Vec3& steer, const Ground& ground, Real time, Real h, Ball& ball) {
-    const Vec3 start = ball.centre;
+    Vec3 start = ball.centre;
     switch (settings.motion) {
         case BallMotion::Keys:
             ball.velocity += std::min(h / steering_lag, Real(1)) * (settings.speed * steer - ball.velocity);
             ball.centre += h * ball.velocity;
             stay_above(ground, ball);
             break;
-        case BallMotion::Path: {
-            const Vec3 there = point_on_path(settings.path, time + h);
-            ball.velocity = (there - point_on_path(settings.path, time)) / h;  // wherever a command has put it
-            ball.centre = there;
+        case BallMotion::Path:
+            start = point_on_path(settings.path, time);  // wherever a command has put it
+            ball.centre = point_on_path(settings.path, time + h);
+            ball.velocity = (ball.centre - start) / h;
             break;
-        }
         case BallMotion::Still:
             ball.velocity.setZero();
             break;

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 
+#include "drape/bounds/leaf_copies.h"
 #include "drape/contact/node_contacts.h"
 
 namespace drape {
@@ -25,7 +26,23 @@ void ContactSearch::build_from(const Points& x, std::span<const Ball> balls, con
     if (may_skip) separation_.renew(*hierarchy_, x, balls, contact.thickness);
 }
 
-bool ContactSearch::build(const Points& x, std::span<const Ball> balls, const ContactSettings& contact) {
+bool ContactSearch::may_cross(const Points& before, const Points& x, std::span<const Ball> balls,
+                              Real thickness) const {
+    const Real cloth = largest_displacement(x, before, kernels_);
+    return std::ranges::any_of(
+        balls, [&](const Ball& ball) { return 2 * (ball.moved.norm() + cloth) > ball.radius + thickness; });
+}
+
+bool ContactSearch::build(const Points& before, const Points& x, std::span<const Ball> balls,
+                          const ContactSettings& contact) {
+    sweeps_ = contact.continuous == Continuous::Always ||
+              (contact.continuous == Continuous::Auto && may_cross(before, x, balls, contact.thickness));
+    if (sweeps_) {
+        hierarchy_->build(before, x);
+        built_from_present_ = queried_ = skipped_ = false;
+        separation_.forget();
+        return true;
+    }
     skipped_ = contact.coherence && !audit_ && separation_.holds(*hierarchy_, x, balls, contact.thickness);
     if (!skipped_) build_from(x, balls, contact);
     return !skipped_;
@@ -36,15 +53,16 @@ TraversalStats ContactSearch::traverse(std::span<const Ball> balls, Real thickne
     traversal_ = {};
     candidates_.resize(balls.size());
     for (std::size_t b = 0; b < balls.size(); ++b) {
-        traversal_ += hierarchy_->query(grown(balls[b], thickness), candidates_[b]);
+        traversal_ += sweeps_ ? hierarchy_->query(grown(way_of(balls[b]), thickness), candidates_[b])
+                              : hierarchy_->query(grown(balls[b], thickness), candidates_[b]);
         // In the same order whatever found them, so that contacts are answered in the same order
         std::ranges::sort(candidates_[b].cells);
     }
-    queried_ = true;
+    queried_ = !sweeps_;
     return traversal_;
 }
 
-std::int64_t ContactSearch::narrow(const Points& x, std::span<const Ball> balls, Real thickness, Real longest_push,
+std::int64_t ContactSearch::narrow(const Points& before, const Points& x, std::span<const Ball> balls, Real thickness, Real longest_push,
                                    std::vector<Contact>& contacts) {
     contacts.clear();
     if (skipped_) return 0;
@@ -52,6 +70,11 @@ std::int64_t ContactSearch::narrow(const Points& x, std::span<const Ball> balls,
     for (std::size_t b = 0; b < balls.size(); ++b) {
         const auto& [cells, stopped] = candidates_[b];
         const int number = static_cast<int>(b);
+        if (sweeps_) {
+            find_impact_contacts(grid_, before, x, balls[b], number, thickness, cells, impacts_, contacts);
+            touching = static_cast<std::int64_t>(contacts.size());
+            continue;
+        }
         touching += find_contacts(grid_, x, balls[b], number, thickness, cells, contacts, kernels_);
         find_node_contacts(grid_, x, balls[b], number, thickness, longest_push, stopped, contacts);
     }

@@ -209,7 +209,9 @@ void add_the_rest(std::vector<Setting>& table) {
         "moved farther within one than contact can put back without stretching the cloth",
         [](const ContactSettings& c) { return c.longest_step; },
         [](ContactSettings& c, const SettingValue& value) { c.longest_step = std::get<double>(value); });
-    contact.flag("continuous", &ContactSettings::continuous, "test the swept ball; not there yet", {0, 0});
+    contact.choice("continuous", &ContactSettings::continuous,
+                   "test the way of balls and cloth within a step, and not its end alone; auto: where a ball may get "
+                   "through the cloth within it");
     contact.flag("self", &ContactSettings::self, "test the cloth against itself; not there yet", {0, 0});
 
     SectionRows<Ground> ground(

@@ -51,6 +51,8 @@ std::optional<SettingValue> toml_value(const toml::node& node, SettingKind kind)
             if (const auto number = number_of(node)) return *number;
             return std::nullopt;
         case SettingKind::Choice:
+            if (const auto* flag = node.as_boolean()) return std::string(flag->get() ? "true" : "false");
+            [[fallthrough]];
         case SettingKind::Text:
             if (const auto* text = node.as_string()) return text->get();
             return std::nullopt;

@@ -70,7 +70,7 @@ longest_step = 1e-3
 friction = 0.25
 restitution = 0.125
 thickness = 0.003
-continuous = false
+continuous = true
 self = false
 [ground]
 height = 0.5

@@ -197,10 +197,9 @@ TEST(ContactSettings, GiveTheHierarchyEveryChoiceOfItsKinds) {
 
 TEST(Settings, ThatHaveNoEffectYetTakeNothingElseAndSaySo) {
     Settings settings;
-    settings.balls.emplace_back();
-    EXPECT_NO_THROW(assign(settings, "contact.continuous=false"));
-    EXPECT_EQ(test::input_error_of([&] { assign(settings, "contact.continuous=true"); }),
-              "contact.continuous = true: allowed only false so far");
+    EXPECT_NO_THROW(assign(settings, "contact.self=false"));
+    EXPECT_EQ(test::input_error_of([&] { assign(settings, "contact.self=true"); }),
+              "contact.self = true: allowed only false so far");
 }
 
 }  // namespace

@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "drape/bounds/broad_phase.h"
+#include "drape/contact/impact.h"
 #include "drape/model/ball.h"
 #include "drape/model/cloth_model.h"
 #include "drape/model/ground.h"
@@ -47,6 +48,7 @@ struct Contact : ContactPlane {
     Vec3 point = Vec3::Zero();          ///< [m]
     Vec3 start = Vec3::Zero();          ///< where it was at the start of the substep; filled by the response [m]
     bool of_particle = false;           ///< the point is a corner
+    bool of_impact = false;             ///< found on the way: its normal is that of the impact, and stays
     bool of_node = false;               ///< only then there is a sphere:
     Vec3 offset = Vec3::Zero();         ///< from `point` to its centre [m]
     Real radius = 0;                    ///< that counts towards the depth [m]
@@ -72,6 +74,16 @@ void find_touched_triangles(const Grid& grid, const Points& x, const Ball& ball,
 /// @return how many of the cells touch
 std::int64_t find_contacts(const Grid& grid, const Points& x, const Ball& ball, int ball_number, Real thickness,
                            std::span<const CellRun> cells, std::vector<Contact>& contacts, Kernels kernels);
+
+/// The contacts with a ball that the triangles have met on their way through the substep, appended. Their depth is how
+/// far the point is, at the end, behind the plane at which it met the ball.
+/// @param impacts scratch
+void find_impact_contacts(const Grid& grid, const Points& before, const Points& x, const Ball& ball, int ball_number,
+                          Real thickness, std::span<const CellRun> cells, std::vector<TriangleImpact>& impacts,
+                          std::vector<Contact>& contacts);
+
+/// A ball on its way through the substep.
+[[nodiscard]] SweptBall way_of(const Ball& ball);
 
 /// The contacts with the ground, appended: particles alone, for whatever is between them is above the lowest.
 void find_ground_contacts(const Grid& grid, const Points& x, Real height, Real thickness,

@@ -24,9 +24,19 @@ public:
     /// To be told whenever the positions have changed.
     void positions_changed() { built_from_present_ = false; }
 
+    /// Builds the hierarchy for the end of a substep, or for all of it where its way is to be tested.
+    /// @param before positions at its start, n x 3 [m]
     /// @return false if the build was left out: it is proven that nothing touches. Under a limited search it never is,
     /// for its spheres may touch what the cloth does not
-    bool build(const Points& x, std::span<const Ball> balls, const ContactSettings& contact);
+    bool build(const Points& before, const Points& x, std::span<const Ball> balls, const ContactSettings& contact);
+
+    /// Whether a ball may get through the cloth in a substep, seen from its start and end alone: a ball of radius r
+    /// that is outside must come as far as r before its centre is on the other side. Half of that counts.
+    [[nodiscard]] bool may_cross(const Points& before, const Points& x, std::span<const Ball> balls,
+                                 Real thickness) const;
+
+    /// Whether the last build was for the way.
+    [[nodiscard]] bool sweeps() const { return sweeps_; }
 
     /// Collects the candidates of each ball.
     /// @return what it has cost; after a build that was left out, what the last traversal has
@@ -36,7 +46,7 @@ public:
     /// @param longest_push of a node that stands for the cloth within it [m]
     /// @param contacts receives what touches, ball by ball, cells ascending; cleared first
     /// @return how many candidate cells do not touch
-    std::int64_t narrow(const Points& x, std::span<const Ball> balls, Real thickness, Real longest_push,
+    std::int64_t narrow(const Points& before, const Points& x, std::span<const Ball> balls, Real thickness, Real longest_push,
                         std::vector<Contact>& contacts);
 
     /// What a limited search invents and what it lets through, by testing every cell; nothing for any other search.
@@ -62,6 +72,8 @@ private:
     bool built_from_present_ = false;
     bool queried_ = false;  ///< since the last build
     bool skipped_ = false;  ///< the last build was left out
+    bool sweeps_ = false;   ///< the last build was for the way
+    std::vector<TriangleImpact> impacts_;
     TraversalStats traversal_;
     std::vector<Candidates> candidates_;  ///< of each ball
 };

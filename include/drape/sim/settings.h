@@ -59,6 +59,16 @@ struct SolverSettings {
     bool operator==(const SolverSettings&) const = default;
 };
 
+/// Whether the way of balls and cloth within a step is tested, and not its end alone.
+enum class Continuous {
+    Auto,    ///< where a ball may cross the cloth within a step
+    Always,  ///< in every step
+    Never
+};
+
+template <>
+inline constexpr auto enum_names<Continuous> = all_names<Continuous>("auto", "true", "false");
+
 struct ContactSettings {
     VolumeKind volume = VolumeKind::Sphere;
     UpdateKind update = UpdateKind::Rebuild;
@@ -73,7 +83,7 @@ struct ContactSettings {
     Real thickness = Real(0.002);
     Real stiffness = 1000;       ///< of penalties, a contact [N/m]
     double longest_step = 5e-4;  ///< of an implicit method in contact [s]
-    bool continuous = false;     ///< only false so far
+    Continuous continuous = Continuous::Auto;
     bool self = false;           ///< only false so far
     bool operator==(const ContactSettings&) const = default;
 };

@@ -1,0 +1,231 @@
+#include <gtest/gtest.h>
+
+#include <cmath>
+
+#include "drape/contact/response.h"
+#include "drape/contact/warm_start.h"
+#include "drape/integrate/integrator.h"
+#include "drape/integrate/stability.h"
+
+namespace drape {
+namespace {
+
+/// A sheet of 6 x 6 particles over a solid ground at y = 0, and balls; no thickness, no drag.
+struct SheetOnGround {
+    ClothModel model;
+    ClothState state;
+    Points before;
+    ResponseParameters parameters{.friction = 0, .restitution = 0, .thickness = 0, .ground = {.height = 0}};
+    std::vector<Ball> balls;
+    std::vector<Contact> contacts;
+    std::vector<BallContact> ball_contacts;
+    std::vector<CellRun> cells;
+    WarmStart warm_start;
+    ResponseReport report;
+
+    explicit SheetOnGround(Real height, SpringLaw springs = {}) {
+        ClothParameters cloth;
+        cloth.particles = {6, 6};
+        cloth.width = cloth.height = Real(0.25);
+        cloth.centred = true;
+        cloth.place = {0, height, 0};
+        cloth.drag = 0;
+        cloth.structural = cloth.shear = cloth.bend = springs;
+        model = make_cloth_model(cloth);
+        state = make_rest_state(cloth);
+        list_all_cells(model.grid, cells);
+        contacts.reserve(1000);
+    }
+
+    void give(Real h, bool displaces) { warm_start.give(parameters, h, model, contacts, balls, state, displaces); }
+
+    /// Contacts and their response, as a step has them.
+    void respond(Real h) {
+        contacts.clear();
+        for (std::size_t b = 0; b < balls.size(); ++b) {
+            find_contacts(model.grid, state.x, balls[b], static_cast<int>(b), parameters.thickness, cells, contacts,
+                          Kernels::Vector);
+        }
+        if (parameters.ground.solid) {
+            find_ground_contacts(model.grid, state.x, parameters.ground.height, parameters.thickness, contacts);
+        }
+        find_ball_contacts(balls, parameters.ground, ball_contacts);
+        warm_start.carry_over(parameters, state.x, balls, contacts);
+        report = resolve_contacts(parameters, h, {model, before, state, contacts}, balls, ball_contacts);
+    }
+
+    /// @param visit after each step, with its number
+    template <class Visit>
+    void run(IntegratorKind kind, Real h, Real time, Visit visit) {
+        const auto integrator = make_integrator({.kind = kind}, model.grid);
+        const bool is_explicit = has_step_limit(kind);
+        const int steps = static_cast<int>(std::llround(time / h));
+        for (int step = 1; step <= steps; ++step) {
+            before = state.x;
+            for (Ball& ball : balls) {
+                if (ball.inverse_mass > 0) ball.velocity += h * model.gravity;
+                ball.moved = h * ball.velocity;
+                ball.turned = h * ball.spin;
+                ball.centre += ball.moved;
+            }
+            if (!is_explicit) give(h, false);
+            integrator->step(model, state, h, nullptr);
+            if (is_explicit) give(h, true);
+            respond(h);
+            visit(step);
+        }
+    }
+};
+
+constexpr ResponseKind kinds[] = {ResponseKind::Projection, ResponseKind::Penalty, ResponseKind::Impulse,
+                                  ResponseKind::Hybrid};
+
+class EachResponse : public testing::TestWithParam<ResponseKind> {};
+
+INSTANTIATE_TEST_SUITE_P(Kinds, EachResponse, testing::ValuesIn(kinds),
+                         [](const auto& param) { return std::string(name_of(param.param)); });
+
+// A fall of 0.5 m takes sqrt(2 H / g) = 0.319275428 s, and the n-th bounce comes to e^2n H
+TEST_P(EachResponse, BouncesToTheHeightThatTheRestitutionLeaves) {
+    constexpr Real height = Real(0.5), restitution = Real(0.6), h = Real(1e-4);
+    SheetOnGround sheet(height);
+    sheet.parameters.kind = GetParam();
+    sheet.parameters.ground.restitution = restitution;
+    sheet.parameters.stiffness = Real(2e4);
+    Real touched = 0;
+    std::vector<Real> peaks;
+    Real last = height, speed = 0;
+    sheet.run(IntegratorKind::VelocityVerlet, h, Real(1.2), [&](int step) {
+        const Real y = sheet.state.x.col(1).mean(), now = y - last;
+        if (touched == 0 && !sheet.contacts.empty()) touched = static_cast<Real>(step) * h;
+        if (touched > 0 && speed > 0 && now <= 0) peaks.push_back(last);
+        speed = now;
+        last = y;
+    });
+    EXPECT_NEAR(touched, 0.319275428, 2e-4);
+    ASSERT_GE(peaks.size(), 2u);
+    // A spring that pushes but does not pull lets go a little early, and leaves more speed than it should
+    const Real tolerance = (GetParam() == ResponseKind::Penalty ? Real(0.04) : Real(0.02)) * height;
+    EXPECT_NEAR(peaks[0], restitution * restitution * height, tolerance);
+    EXPECT_NEAR(peaks[1], std::pow(restitution, Real(4)) * height, tolerance);
+}
+
+TEST_P(EachResponse, KeepsTheMomentumOfBallAndClothTogether) {
+    SheetOnGround sheet(Real(0.4), {200, Real(0.02)});
+    sheet.parameters.kind = GetParam();
+    sheet.parameters.friction = Real(0.5);
+    sheet.parameters.restitution = Real(0.3);
+    sheet.parameters.ground.solid = false;
+    sheet.model.gravity.setZero();
+    Ball ball{.centre = Vec3(Real(0.03), Real(0.3), Real(0.01)), .radius = Real(0.08), .velocity = Vec3(1, 2, 0)};
+    ball.inverse_mass = Real(1) / Real(0.1);
+    sheet.balls.push_back(ball);
+    const auto momentum = [&] {
+        return Vec3(sheet.model.particle_mass * sheet.state.v.colwise().sum().transpose() +
+                    sheet.balls[0].velocity / sheet.balls[0].inverse_mass);
+    };
+    const Vec3 before = momentum();
+    bool touched = false;
+    sheet.run(IntegratorKind::SymplecticEuler, Real(1e-4), Real(0.2),
+              [&](int) { touched = touched || !sheet.contacts.empty(); });
+    EXPECT_TRUE(touched);
+    EXPECT_GT((sheet.balls[0].velocity - ball.velocity).norm(), 0.1);
+    EXPECT_GT(sheet.balls[0].spin.norm(), 0.1) << "friction turns the ball";
+    EXPECT_LT((momentum() - before).norm(), 1e-10 * before.norm());
+}
+
+TEST_P(EachResponse, RestsWithoutAQuiver) {
+    SheetOnGround sheet(Real(0.001), {200, Real(0.02)});
+    sheet.parameters.kind = GetParam();
+    sheet.parameters.ground.friction = Real(0.5);
+    sheet.run(IntegratorKind::SymplecticEuler, Real(1e-4), Real(1), [](int) {});
+    const Points there = sheet.state.x;
+    Real farthest = 0;
+    sheet.run(IntegratorKind::SymplecticEuler, Real(1e-4), Real(0.5), [&](int) {
+        farthest = std::max(farthest, (sheet.state.x - there).rowwise().norm().maxCoeff());
+    });
+    EXPECT_LT(farthest, 1e-7);
+}
+
+// Gravity that is tilted by the friction angle, 2 % to either side
+TEST_P(EachResponse, SticksOnASlopeUpToTheFrictionCoefficientAndSlidesBeyond) {
+    constexpr Real friction = Real(0.3), h = Real(1e-4), time = Real(0.5);
+    for (const Real part : {Real(0.98), Real(1.02), Real(2)}) {
+        SheetOnGround sheet(0, {200, Real(0.02)});
+        sheet.parameters.kind = GetParam();
+        sheet.parameters.ground.friction = friction;
+        const Real slope = std::atan(part * friction);
+        sheet.model.gravity = Real(9.81) * Vec3(std::sin(slope), -std::cos(slope), 0);
+        const Real start = sheet.state.x.col(0).mean();
+        sheet.run(IntegratorKind::SymplecticEuler, h, time, [](int) {});
+        const Real way = sheet.state.x.col(0).mean() - start;
+        const Real acceleration = std::max(Real(9.81) * (std::sin(slope) - friction * std::cos(slope)), Real(0));
+        EXPECT_NEAR(way, acceleration * time * time / 2, 0.02 * way + 2e-4) << part;
+    }
+}
+
+struct StepCase {
+    IntegratorKind integrator;
+    Real h;
+};
+
+class FrictionAtAnyStep : public testing::TestWithParam<StepCase> {};
+
+std::vector<StepCase> step_cases() {
+    std::vector<StepCase> cases;
+    for (const IntegratorKind kind :
+         {IntegratorKind::SymplecticEuler, IntegratorKind::VelocityVerlet, IntegratorKind::Rk4}) {
+        for (const Real h : {Real(1e-4), Real(1e-3)}) cases.push_back({kind, h});
+    }
+    for (const IntegratorKind kind : {IntegratorKind::BackwardEuler, IntegratorKind::ImplicitMidpoint,
+                                      IntegratorKind::Bdf2, IntegratorKind::Xpbd, IntegratorKind::ProjectiveDynamics}) {
+        for (const Real h : {Real(1e-4), Real(1e-3), Real(1) / 60}) cases.push_back({kind, h});
+    }
+    return cases;
+}
+
+INSTANTIATE_TEST_SUITE_P(All, FrictionAtAnyStep, testing::ValuesIn(step_cases()), [](const auto& param) {
+    return std::string(name_of(param.param.integrator)) + "_" + std::to_string(static_cast<int>(param.param.h * 1e6)) +
+           "us";
+});
+
+TEST_P(FrictionAtAnyStep, SticksIffTheSlopeIsBelowTheFrictionAngle) {
+    constexpr Real friction = Real(0.3);
+    for (const Real part : {Real(0.98), Real(1.02)}) {
+        SheetOnGround sheet(0, {50, Real(0.02)});
+        sheet.parameters.ground.friction = friction;
+        const Real slope = std::atan(part * friction);
+        sheet.model.gravity = Real(9.81) * Vec3(std::sin(slope), -std::cos(slope), 0);
+        sheet.run(GetParam().integrator, GetParam().h, Real(0.5), [](int) {});
+        const Real half = sheet.state.x.col(0).mean();
+        sheet.run(GetParam().integrator, GetParam().h, Real(0.5), [](int) {});
+        const Real way = sheet.state.x.col(0).mean() - half;
+        const Real acceleration = std::max(Real(9.81) * (std::sin(slope) - friction * std::cos(slope)), Real(0));
+        // From 0.5 s to 1 s, within 5 % and the way of one step more or less
+        EXPECT_NEAR(way, acceleration * Real(0.375), 0.05 * way + 2e-4 + acceleration * GetParam().h) << part;
+    }
+}
+
+TEST(PenaltyStepLimit, IsWhereAResultOfTheSpringGrows) {
+    constexpr Real stiffness = 1000;
+    for (const Real restitution : {Real(1), Real(0.5), Real(0)}) {
+        SheetOnGround sheet(Real(-1e-4));
+        const Real limit = penalty_step_limit(stiffness, restitution, 1 / sheet.model.particle_mass);
+        for (const Real part : {Real(0.95), Real(1.05)}) {
+            // As one spring that also pulls: x' = v, v' = -w^2 x - 2 zeta w v, force from the start of the step
+            const Real w = std::sqrt(stiffness / sheet.model.particle_mass), h = part * limit;
+            const Real decay = restitution > 0 ? -std::log(restitution) : 0;
+            const Real pi = std::acos(Real(-1));
+            const Real zeta = restitution > 0 ? decay / std::sqrt(pi * pi + decay * decay) : 1;
+            Real x = Real(1e-4), v = 0;
+            for (int step = 0; step < 2000; ++step) {
+                v += h * (-w * w * x - 2 * zeta * w * v);
+                x += h * v;
+            }
+            EXPECT_EQ(std::abs(x) + std::abs(v) / w < 1e-3, part < 1) << restitution;
+        }
+    }
+}
+
+}  // namespace
+}  // namespace drape

@@ -1,0 +1,107 @@
+#include <gtest/gtest.h>
+
+#include <string>
+#include <vector>
+
+#include "drape/sim/scene.h"
+#include "small_scene.h"
+
+namespace drape {
+namespace {
+
+Simulation scene_with(const std::string& name, const std::vector<std::string>& assignments) {
+    Settings settings = load_scene(name);
+    for (const std::string& assignment : assignments) assign(settings, assignment);
+    return {name, std::move(settings)};
+}
+
+void run_until(Simulation& simulation, double time) {
+    while (simulation.report().time < time && simulation.report().status == Status::Ok) simulation.step();
+    ASSERT_EQ(simulation.report().status, Status::Ok) << simulation.report().trouble;
+}
+
+TEST(Ground, KeepsWhatFallsAndOnlyWhereItIsSolid) {
+    for (const bool solid : {true, false}) {
+        Simulation simulation =
+            scene_with("drop", {"ball.position=5,0.3,0", solid ? "ground.solid=true" : "ground.solid=false"});
+        run_until(simulation, 2);
+        const Real lowest = simulation.cloths()[0].state.x.col(1).minCoeff();
+        EXPECT_EQ(lowest > simulation.settings().contact.thickness - 1e-3, solid) << lowest;
+    }
+}
+
+TEST(Ground, IsWhereTheKeysCanLeadABallAndNoFarther) {
+    Simulation simulation = scene_with("drop", {"ball.motion=keys"});
+    send(simulation, "steer 0 -1 0");
+    run_until(simulation, 1);
+    EXPECT_EQ(simulation.balls()[0].centre.y(), simulation.settings().ground.height + simulation.balls()[0].radius);
+}
+
+/// A heavy ball that is before a hung curtain at the end of one step, and behind it at the end of the next.
+Simulation bullet(const std::string& integrator, Real speed, const std::string& continuous) {
+    const Real way = speed / 60;
+    return scene_with("curtain",
+                      {"integrator=" + integrator, "dt=0.016666666666666666", "contact.continuous=" + continuous,
+                       "ball.motion=free", "ball.mass=1000", "ball.position=0,0.75," + std::to_string(-Real(3.5) * way),
+                       "ball.velocity=0,0," + std::to_string(speed)});
+}
+
+/// Whether the curtain's middle is then before the ball.
+bool holds(Simulation simulation) {
+    make_steps(simulation, 4);
+    EXPECT_EQ(simulation.report().status, Status::Ok) << simulation.report().trouble;
+    EXPECT_GT(simulation.balls()[0].centre.z(), 0.2);
+    const Cloth& cloth = simulation.cloths()[0];
+    const int middle = cloth.model.grid.particle(cloth.model.grid.nx / 2, cloth.model.grid.ny / 2);
+    return cloth.state.x(middle, 2) > simulation.balls()[0].centre.z();
+}
+
+TEST(ContinuousDetection, StopsABallThatCrossesTheClothWithinAStep) {
+    for (const std::string integrator : {"backward_euler", "xpbd"}) {
+        for (const Real speed : {30, 60, 100}) {
+            EXPECT_TRUE(holds(bullet(integrator, speed, "auto"))) << integrator << " " << speed;
+            EXPECT_FALSE(holds(bullet(integrator, speed, "false"))) << integrator << " " << speed;
+        }
+    }
+}
+
+TEST(ContinuousDetection, ChangesNoBitWhereNothingCanCross) {
+    Simulation automatic = scene_with("drop", {}), never = scene_with("drop", {"contact.continuous=false"});
+    run_until(automatic, 1), run_until(never, 1);
+    EXPECT_EQ(automatic.hash(), never.hash());
+}
+
+TEST(StepsInContact, AreDividedUnderAnImplicitMethodAlone) {
+    for (const std::string integrator : {"backward_euler", "symplectic_euler"}) {
+        Simulation simulation =
+            scene_with("drop", {"integrator=" + integrator, "dt=3e-4", "longest_step=1e-4", "ball.position=0,0.345,0"});
+        EXPECT_EQ(simulation.report().substeps, 1);
+        run_until(simulation, 0.3);
+        ASSERT_GT(simulation.report().contacts, 0);
+        EXPECT_EQ(simulation.report().substeps, integrator == "backward_euler" ? 3 : 1);
+    }
+}
+
+TEST(RestingContact, NeitherCreepsNorQuiversAtALongStep) {
+    for (const std::string integrator : {"backward_euler"}) {
+        Simulation simulation =
+            scene_with("drop", {"integrator=" + integrator, "dt=0.016666666666666666", "sleep_speed=0"});
+        run_until(simulation, 5);
+        const Points there = simulation.cloths()[0].state.x;
+        run_until(simulation, 7);
+        EXPECT_LT((simulation.cloths()[0].state.x - there).rowwise().norm().maxCoeff(), 1e-4) << integrator;
+    }
+}
+
+TEST(FreeBall, FallsOnTheGroundAndRollsWithoutSliding) {
+    Simulation simulation = scene_with("drop", {"ball.motion=free", "ball.radius=0.1", "ball.position=3,0.2,0",
+                                                "ball.velocity=1,0,0", "ground.friction=0.5"});
+    run_until(simulation, 2);
+    const Ball& ball = simulation.balls()[0];
+    EXPECT_NEAR(ball.centre.y(), 0.1, 1e-4);
+    EXPECT_NEAR(ball.velocity.x(), 5.0 / 7, 0.02) << "of a solid ball that slid at first";
+    EXPECT_NEAR(ball.spin.z(), -ball.velocity.x() / ball.radius, 0.01);
+}
+
+}  // namespace
+}  // namespace drape
