@@ -3,9 +3,20 @@
 #include "light.glsl"
 in vec3 world;
 in vec3 world_normal;
+in vec3 own_normal;
 out vec4 colour;
 
-const vec3 albedo = vec3(0.80, 0.775, 0.73);
+const vec3 light_part = vec3(0.80, 0.775, 0.73);
+const vec3 dark_part = vec3(0.50, 0.485, 0.47);
+
+// Two opposite quarters of the ball are darker, and so is a thin ring across them, so that it is seen to turn about any
+// axis. Edges are as soft as a pixel.
+vec3 pattern(vec3 own) {
+    float quarters = own.x * own.z, ring = abs(own.y) - 0.08;
+    float dark = smoothstep(-fwidth(quarters), fwidth(quarters), quarters);
+    float on_ring = 1.0 - smoothstep(-fwidth(ring), fwidth(ring), ring);
+    return mix(light_part, dark_part, max(dark, on_ring));
+}
 
 void main() {
     vec3 normal = normalize(world_normal);
@@ -21,5 +32,5 @@ void main() {
 
     float gloss = pow(max(dot(normal, normalize(to_light.xyz + to_eye)), 0.0), 28.0) * 0.07 * visible;
     float rim = pow(1.0 - max(dot(normal, to_eye), 0.0), 4.0) * 0.10;
-    colour = finish(albedo * (key_colour * key * 0.92 + light_from_around(normal) * ambient) + gloss + rim * ambient);
+    colour = finish(pattern(normalize(own_normal)) * (key_colour * key * 0.92 + light_from_around(normal) * ambient) + gloss + rim * ambient);
 }

@@ -2,12 +2,18 @@
 #include "frame.glsl"
 layout(location = 0) in vec3 position;  // of the unit sphere
 layout(location = 3) in vec4 instance;  // centre, radius
+layout(location = 4) in vec4 orientation;  // quaternion, from the ball's own frame to the world
 
 out vec3 world;
 out vec3 world_normal;
+out vec3 own_normal;  // in the frame that turns with the ball
 
 void main() {
     world = instance.xyz + instance.w * position;
     world_normal = position;
+
+    // Turned back by the quaternion
+    vec3 across = 2.0 * cross(position, orientation.xyz);
+    own_normal = position + orientation.w * across + cross(across, orientation.xyz);
     gl_Position = view_projection * vec4(world, 1.0);
 }

@@ -68,6 +68,14 @@ Eigen::Vector4f drawn_ball(const FrameView& view, std::size_t number) {
     return ball;
 }
 
+Eigen::Vector4f drawn_orientation(const FrameView& view, std::size_t number) {
+    Eigen::Quaternion<Real> orientation = view.balls[number].orientation;
+    if (number < view.previous_balls.size()) {
+        orientation = view.previous_balls[number].orientation.slerp(view.blend, orientation);
+    }
+    return orientation.coeffs().cast<float>();
+}
+
 Extent drawn_extent(const FrameView& view) {
     Eigen::AlignedBox<Real, 3> box;
     for (const ClothView& cloth : view.cloths) {

@@ -34,6 +34,9 @@ Extent drawn_extent(const FrameView& view);
 /// Where a ball is drawn: centre and radius, between its last two positions.
 Eigen::Vector4f drawn_ball(const FrameView& view, std::size_t number);
 
+/// How a ball is turned where it is drawn, between its last two orientations: x, y, z, w of a quaternion of length 1.
+Eigen::Vector4f drawn_orientation(const FrameView& view, std::size_t number);
+
 /// The block but for its `counts`.
 FrameData make_frame_data(const FrameView& view, const Camera& camera, int width, int height, int shadow_texels);
 

@@ -49,10 +49,11 @@ private:
 }  // namespace
 
 PictureBox solid_box(const Eigen::Matrix4f& view_projection, std::span<const ClothVertex> cloth,
-                     std::span<const Eigen::Vector4f> balls, int width, int height) {
+                     std::span<const DrawnBall> balls, int width, int height) {
     Projection projection(view_projection);
     for (const ClothVertex& vertex : cloth) projection.add(Eigen::Map<const Eigen::Vector3f>(vertex.position));
-    for (const Eigen::Vector4f& ball : balls) {
+    for (const DrawnBall& drawn : balls) {
+        const Eigen::Vector4f& ball = drawn.sphere;
         for (int corner = 0; corner < 8; ++corner) {
             const Eigen::Vector3f side(corner & 1 ? 1 : -1, corner & 2 ? 1 : -1, corner & 4 ? 1 : -1);
             projection.add(ball.head<3>() + ball.w() * side);

@@ -14,10 +14,15 @@ struct PictureBox {
     int left = 0, low = 0, width = 0, height = 0;
 };
 
+/// A ball as it is drawn.
+struct DrawnBall {
+    Eigen::Vector4f sphere;       ///< centre, radius [m]
+    Eigen::Vector4f orientation;  ///< x, y, z, w of a quaternion
+};
+
 /// Around all particles and balls as they are drawn; the whole picture if one of them is beside or behind the eye.
-/// @param balls centre and radius [m]
 PictureBox solid_box(const Eigen::Matrix4f& view_projection, std::span<const ClothVertex> cloth,
-                     std::span<const Eigen::Vector4f> balls, int width, int height);
+                     std::span<const DrawnBall> balls, int width, int height);
 
 /// The plain framebuffer that has the picture, and the multisampled one for the box in which there are outlines.
 /// The picture is also the texture of unit 2, to be read while the multisampled framebuffer is drawn into.

@@ -27,6 +27,10 @@ std::vector<Eigen::Vector3f> unit_sphere() {
     return points;
 }
 
+VertexLayout ball_layout() {
+    return {sizeof(DrawnBall), {{3, 4, offsetof(DrawnBall, sphere)}, {4, 4, offsetof(DrawnBall, orientation)}}, true};
+}
+
 }  // namespace
 
 VertexLayout cloth_layout() {
@@ -42,7 +46,7 @@ Solids::Solids(Gl& gl, StreamBuffer& stream)
       ball_program_(gl, "ball"),
       depth_program_(gl, "depth"),
       cloths_(gl, stream, Region::Cloth, cloth_layout()),
-      balls_(gl, stream, Region::Balls, {sizeof(Eigen::Vector4f), {{3, 4, 0}}, true}),
+      balls_(gl, stream, Region::Balls, ball_layout()),
       cloth_indices_(gl),
       sphere_vertices_(gl),
       sphere_indices_(gl) {
@@ -64,7 +68,7 @@ void Solids::need(const FrameView& view, StreamBuffer& stream) {
     for (const ClothView& cloth : view.cloths)
         particle_count_ += static_cast<std::size_t>(cloth.model.grid.particles());
     stream.need(Region::Cloth, particle_count_ * sizeof(ClothVertex));
-    stream.need(Region::Balls, view.balls.size() * sizeof(Eigen::Vector4f));
+    stream.need(Region::Balls, view.balls.size() * sizeof(DrawnBall));
 }
 
 void Solids::arrange(const FrameView& view, const StreamBuffer& stream) {
@@ -84,15 +88,13 @@ void Solids::fill(const FrameView& view, StreamBuffer& stream) const {
         fill_cloth_vertices(cloth, view.blend, vertex);
         vertex += cloth.model.grid.particles();
     }
-    auto* balls = stream.data<float>(Region::Balls);
-    for (std::size_t i = 0; i < view.balls.size(); ++i) {
-        Eigen::Map<Eigen::Vector4f>(balls + 4 * i) = drawn_ball(view, i);
-    }
+    auto* balls = stream.data<DrawnBall>(Region::Balls);
+    for (std::size_t i = 0; i < view.balls.size(); ++i) balls[i] = {drawn_ball(view, i), drawn_orientation(view, i)};
 }
 
 PictureBox Solids::box(const Eigen::Matrix4f& view_projection, StreamBuffer& stream, int width, int height) const {
     return solid_box(view_projection, {stream.data<ClothVertex>(Region::Cloth), particle_count_},
-                     {stream.data<Eigen::Vector4f>(Region::Balls), static_cast<std::size_t>(ball_count_)}, width,
+                     {stream.data<DrawnBall>(Region::Balls), static_cast<std::size_t>(ball_count_)}, width,
                      height);
 }
 

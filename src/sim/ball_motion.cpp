@@ -90,6 +90,17 @@ void move_ball(const BallSettings& settings, const Vec3& steer, const Ground& gr
     ball.turned = h * ball.spin;
 }
 
+void resist_rolling(const Ground& ground, std::span<const BallContact> contacts, std::span<Ball> balls) {
+    if (ground.rolling == 0) return;
+    for (const BallContact& contact : contacts) {
+        Ball& ball = balls[static_cast<std::size_t>(contact.first)];
+        const Real spin = ball.spin.norm();
+        if (contact.ball != the_ground || spin == 0) continue;
+        const Real most = ground.rolling * ball.radius * contact.impulse.normal * ball.inverse_inertia();
+        ball.spin *= std::max(1 - most / spin, Real(0));
+    }
+}
+
 void turn_ball(Ball& ball) {
     const Vec3& turned = ball.turned;
     if (turned.isZero(0)) return;

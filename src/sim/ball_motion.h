@@ -1,5 +1,8 @@
 #pragma once
 
+#include <span>
+
+#include "drape/contact/contact.h"
 #include "drape/model/ball.h"
 #include "drape/sim/settings.h"
 
@@ -16,6 +19,11 @@ Real inverse_mass_of(const BallSettings& settings);
 /// @param steer direction that the keys ask for, of length 0 or 1
 /// @param ground where it is solid, the keys lead no ball below it
 void move_ball(const BallSettings& settings, const Vec3& steer, const Ground& ground, Real time, Real h, Ball& ball);
+
+/// Rolling resistance: slows the spin of balls on the ground by the torque that its load on them allows, and no further
+/// than to a stop. Friction then slows the balls: a rolling one by 5/7 rolling g [m/s^2].
+/// @param contacts as solved: their impulses count
+void resist_rolling(const Ground& ground, std::span<const BallContact> contacts, std::span<Ball> balls);
 
 /// Turns a ball by what it has turned within the substep, contacts included: q += w h / 2 q, of length 1 again.
 void turn_ball(Ball& ball);

@@ -220,6 +220,7 @@ void add_the_rest(std::vector<Setting>& table) {
     ground.flag("solid", &Ground::solid, "cloth, balls and hand stay above it; balls on a path go where that leads");
     ground.number("friction", &Ground::friction, "", {0, 10}, "Coulomb coefficient of what lies on it");
     ground.number("restitution", &Ground::restitution, "", {0, 1}, "of the normal speed");
+    ground.number("rolling", &Ground::rolling, "", {0, 1}, "coefficient of rolling resistance of free balls");
 
     for (Setting& setting : table) {
         if (setting.section == "ground") setting.full_name_only = true;

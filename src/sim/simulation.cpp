@@ -149,6 +149,7 @@ void Simulation::respond(const Substep& now) {
         report_.contact_residual = std::max(report_.contact_residual, static_cast<double>(left.residual));
         report_.contact_sweeps += left.sweeps;
     }
+    resist_rolling(settings_.ground, ball_contacts_, balls_);
     for (Ball& ball : balls_) turn_ball(ball);
     report_.times.respond += watch.lap();
     for (Cloth& cloth : cloths_) {

@@ -39,8 +39,8 @@ TEST(PictureBox, IsAroundTheWholeBall) {
     const Camera camera{ViewSettings()};
     const Ray ray = camera.ray(width / 2, height / 2, width, height);
     const Vec3 centre = ray.origin + 2 * ray.direction;
-    Eigen::Vector4f ball;
-    ball << centre.cast<float>(), 0.2f;
+    DrawnBall ball;
+    ball.sphere << centre.cast<float>(), 0.2f;
     const PictureBox box = solid_box(matrix(), {}, {&ball, 1}, width, height);
     const PictureBox side = box_of(centre + Real(0.2) * camera.right());
     EXPECT_LE(box.left + box.width, width);
