@@ -94,8 +94,7 @@ void Solids::fill(const FrameView& view, StreamBuffer& stream) const {
 
 PictureBox Solids::box(const Eigen::Matrix4f& view_projection, StreamBuffer& stream, int width, int height) const {
     return solid_box(view_projection, {stream.data<ClothVertex>(Region::Cloth), particle_count_},
-                     {stream.data<DrawnBall>(Region::Balls), static_cast<std::size_t>(ball_count_)}, width,
-                     height);
+                     {stream.data<DrawnBall>(Region::Balls), static_cast<std::size_t>(ball_count_)}, width, height);
 }
 
 void Solids::draw_cloths() {

@@ -269,7 +269,8 @@ TEST(SceneFile, IsFoundByPath) {
 
 TEST(ShippedScenes, AllLoadAndHaveATitle) {
     const std::vector<std::string> names = scene_names();
-    EXPECT_THAT(names, testing::IsSupersetOf({"original", "drop", "curtain", "hang", "two_corners"}));
+    EXPECT_THAT(names, testing::IsSupersetOf({"original", "drop", "curtain", "hang", "slide", "three_balls",
+                                              "trampoline", "two_corners"}));
     EXPECT_EQ(names.front(), "original");
     EXPECT_THAT(names.back(), StartsWith("fails_"));
     for (const std::string& name : names) EXPECT_NE(load_scene(name).title, Settings{}.title) << name;

@@ -10,7 +10,7 @@ struct Ground {
     bool solid = true;          ///< cloth, balls and hand stay above it
     Real friction = Real(0.5);  ///< Coulomb coefficient of whatever lies on it
     Real restitution = 0;       ///< of the normal speed
-    Real rolling = 0;           ///< coefficient of rolling resistance of free balls: its torque is rolling * radius * load
+    Real rolling = 0;           ///< resistance to rolling: its torque on a ball is rolling * radius * load
     bool operator==(const Ground&) const = default;
 };
 

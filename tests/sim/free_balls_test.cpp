@@ -1,0 +1,151 @@
+// Balls that gravity and contact move: in the shipped scenes, and against exact formulas.
+
+#include "drape/sim/scene.h"
+#include "sim/small_scene.h"
+#include "support/exact_distance.h"
+
+namespace drape {
+namespace {
+
+constexpr Real gravity = Real(9.81);
+
+/// Free balls on a solid ground at y = 0, far from the cloth.
+Simulation balls_alone(const std::vector<BallSettings>& balls, Real rolling = 0) {
+    Settings settings = small_settings();
+    settings.cloths[0].place = Vec3(0, 50, 0);
+    settings.balls = balls;
+    settings.ground = {.height = 0, .rolling = rolling};
+    settings.contact.restitution = Real(0.5);
+    settings.solver.sleep_speed = 0;
+    return {"drop", std::move(settings)};
+}
+
+BallSettings free_ball(Real radius, Real mass, const Vec3& position, const Vec3& velocity) {
+    BallSettings ball;
+    ball.radius = radius;
+    ball.mass = mass;
+    ball.position = position;
+    ball.velocity = velocity;
+    ball.motion = BallMotion::Free;
+    return ball;
+}
+
+void run(Simulation& simulation, double seconds) {
+    make_steps(simulation, static_cast<int>(std::lround(seconds / simulation.settings().solver.dt)));
+}
+
+Vec3 momentum(const Simulation& simulation) {
+    Vec3 sum = Vec3::Zero();
+    for (const Ball& ball : simulation.balls()) sum += ball.velocity / ball.inverse_mass;
+    return sum;
+}
+
+TEST(FreeBalls, ThatCollideKeepTheirMomentumButForTheFall) {
+    Simulation simulation = balls_alone({free_ball(Real(0.1), Real(0.2), {-1, 30, 0}, {4, 0, 0}),
+                                         free_ball(Real(0.2), Real(1.5), {1, Real(30.05), Real(0.1)}, {-3, 0, 0})});
+    const Vec3 before = momentum(simulation);
+    const Vec3 parting = simulation.balls()[1].velocity - simulation.balls()[0].velocity;
+    run(simulation, 0.5);
+    const Vec3 fall(0, -Real(1.7) * gravity * Real(0.5), 0);
+    EXPECT_LT((momentum(simulation) - before - fall).norm(), 1e-10 * before.norm());
+    const Vec3 parted = simulation.balls()[1].velocity - simulation.balls()[0].velocity;
+    EXPECT_LT(parting.x(), 0);
+    EXPECT_GT(parted.x(), 1) << "they have met, and thrown each other back";
+    EXPECT_GT(simulation.balls()[0].spin.norm(), 1) << "and rubbed";
+}
+
+/// Sliding brings a solid sphere to 5/7 of its speed, whatever the friction.
+TEST(FreeBalls, RollOnTheGroundByDistanceOverRadius) {
+    const Real radius = Real(0.15);
+    Simulation simulation = balls_alone({free_ball(radius, Real(0.4), {0, radius, 0}, {Real(0.7), 0, 0})});
+    run(simulation, 0.5);
+    const Ball start = simulation.balls()[0];
+    EXPECT_NEAR(start.velocity.x(), 0.5, 1e-3);
+    run(simulation, 0.5);
+    const Ball& end = simulation.balls()[0];
+    const Vec3 way = end.centre - start.centre;
+    const Eigen::AngleAxis<Real> turn(end.orientation * start.orientation.conjugate());
+    EXPECT_NEAR(way.x(), 0.25, 1e-3);
+    EXPECT_NEAR(turn.angle(), way.x() / radius, 1e-4);
+    EXPECT_NEAR(turn.axis().z(), -1, 1e-9) << "forwards";
+    EXPECT_NEAR(end.centre.y(), radius, 1e-4);
+}
+
+/// Resistance slows a rolling sphere by 5/7 of coefficient times gravity.
+TEST(FreeBalls, StopAfterTheWayThatRollingResistanceLeavesThem) {
+    const Real radius = Real(0.1), rolling = Real(0.05);
+    Simulation simulation = balls_alone({free_ball(radius, Real(0.3), {0, radius, 0}, {0, 0, Real(0.8)})}, rolling);
+    run(simulation, 0.4);
+    const Ball start = simulation.balls()[0];
+    const Real slowing = rolling * gravity * 5 / 7, speed = start.velocity.z();
+    ASSERT_GT(speed, 0.3);
+    run(simulation, 4);
+    const Ball& end = simulation.balls()[0];
+    EXPECT_NEAR(end.centre.z() - start.centre.z(), speed * speed / (2 * slowing), 0.005);
+    EXPECT_LT(end.velocity.norm(), 1e-6);
+    EXPECT_LT(end.spin.norm(), 1e-6);
+}
+
+/// The push of the sheet on the ball, averaged over a second, against the ball's weight.
+void expect_to_carry_the_ball(Simulation& simulation) {
+    const Real h = static_cast<Real>(simulation.settings().solver.dt);
+    const int steps = static_cast<int>(std::lround(1 / h));
+    Real push = 0;
+    for (int i = 0; i < steps; ++i) {
+        simulation.step();
+        for (const Contact& contact : simulation.cloths()[0].contacts) {
+            push -= contact.impulse.normal * contact.normal.y() + contact.impulse.friction.y();
+        }
+    }
+    const Real weight = simulation.settings().balls[0].mass * gravity;
+    EXPECT_NEAR(push / (static_cast<Real>(steps) * h), weight, 0.02 * weight);
+}
+
+TEST(TrampolineScene, CatchesItsBallThrowsItBackAndCarriesItInTheEnd) {
+    Simulation simulation("trampoline", load_scene("trampoline"));
+    const Cloth& cloth = simulation.cloths()[0];
+    const Ball& ball = simulation.balls()[0];
+    const Real sheet = cloth.state.x(0, 1);
+    run(simulation, 0.6);
+    EXPECT_GT(ball.velocity.y(), 0.5) << "thrown back";
+    run(simulation, 11.4);
+    EXPECT_LT(std::abs(ball.velocity.y()), 0.005) << "it rocks in its hollow, but does not bounce";
+    EXPECT_LT(ball.velocity.norm(), 0.06);
+    EXPECT_LT((ball.centre - Vec3(0, sheet, 0)).norm(), 0.1) << "in the middle of the sheet";
+    EXPECT_GT(ball.centre.y() - ball.radius, cloth.state.x.col(1).minCoeff() - 1e-3) << "not below it";
+    EXPECT_LT(deepest_triangle(cloth.model.grid, cloth.state.x, ball), 1e-3 * ball.radius);
+    EXPECT_LT(cloth.state.x.col(1).minCoeff(), sheet - 0.03) << "which sags";
+    expect_to_carry_the_ball(simulation);
+}
+
+Real lowest(const Simulation& simulation) {
+    Real least = simulation.cloths()[0].state.x.col(1).minCoeff();
+    for (const Ball& ball : simulation.balls()) least = std::min(least, ball.centre.y() - ball.radius);
+    return least;
+}
+
+class SceneOnTheGround : public testing::TestWithParam<const char*> {};
+
+TEST_P(SceneOnTheGround, ComesToRestOnItAndNothingFallsBelow) {
+    Simulation simulation(GetParam(), load_scene(GetParam()));
+    for (int step = 0; step < 32'000 && !simulation.report().asleep; ++step) {
+        simulation.step();
+        ASSERT_GT(lowest(simulation), -1e-3) << "at " << simulation.report().time << " s";
+    }
+    EXPECT_TRUE(simulation.report().asleep);
+    for (const Ball& ball : simulation.balls()) EXPECT_NEAR(ball.centre.y(), ball.radius, 1e-3);
+    EXPECT_LT(simulation.cloths()[0].state.x.col(1).minCoeff(), 0.01) << "the cloth touches it";
+}
+
+INSTANTIATE_TEST_SUITE_P(Shipped, SceneOnTheGround, testing::Values("three_balls", "slide"),
+                         [](const auto& scene) { return std::string(scene.param); });
+
+TEST(SlideScene, HasItsClothBesideTheBallInTheEnd) {
+    Simulation simulation("slide", load_scene("slide"));
+    run(simulation, 5);
+    const Ball& ball = simulation.balls()[0];
+    EXPECT_LT(simulation.cloths()[0].state.x.col(1).maxCoeff(), ball.centre.y()) << "none of it is on the upper half";
+}
+
+}  // namespace
+}  // namespace drape
