@@ -77,6 +77,7 @@ height = 0.5
 solid = false
 friction = 0.4
 restitution = 0.1
+rolling = 0.02
 [wind]
 on = true
 velocity = [1, 2, 3]
