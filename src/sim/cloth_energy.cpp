@@ -112,8 +112,8 @@ ResponseReport ClothEnergy::respond(const ResponseParameters& response, Real h, 
 }
 
 void ClothEnergy::warm_start(const ResponseParameters& response, Real h, const ClothModel& model,
-                             std::vector<Contact>& contacts, std::span<Ball> balls, ClothState& state,
-                             WarmStart& start, bool displaces) {
+                             std::vector<Contact>& contacts, std::span<Ball> balls, ClothState& state, WarmStart& start,
+                             bool displaces) {
     if (!ledger_ || contacts.empty()) {
         return start.give(response, h, model, contacts, balls, state, displaces);
     }

@@ -62,8 +62,8 @@ TraversalStats ContactSearch::traverse(std::span<const Ball> balls, Real thickne
     return traversal_;
 }
 
-std::int64_t ContactSearch::narrow(const Points& before, const Points& x, std::span<const Ball> balls, Real thickness, Real longest_push,
-                                   std::vector<Contact>& contacts) {
+std::int64_t ContactSearch::narrow(const Points& before, const Points& x, std::span<const Ball> balls, Real thickness,
+                                   Real longest_push, std::vector<Contact>& contacts) {
     contacts.clear();
     if (skipped_) return 0;
     std::int64_t touching = 0;

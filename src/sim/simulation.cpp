@@ -108,7 +108,8 @@ void Simulation::build() {
     if (balls_.empty()) return;
     Stopwatch watch;
     for (Cloth& cloth : cloths_) {
-        if (!cloth.search.build(start_of_substep(cloth), cloth.state.x, balls_, settings_.contact)) ++report_.skipped_builds;
+        if (!cloth.search.build(start_of_substep(cloth), cloth.state.x, balls_, settings_.contact))
+            ++report_.skipped_builds;
     }
     report_.times.build += watch.lap();
 }
@@ -123,12 +124,13 @@ void Simulation::narrow(const Substep& now) {
     const Real thickness = settings_.contact.thickness;
     Stopwatch watch;
     for (Cloth& cloth : cloths_) {
-        report_.false_candidates +=
-            cloth.search.narrow(start_of_substep(cloth), cloth.state.x, balls_, thickness, node_push_speed * now.h, cloth.contacts);
+        report_.false_candidates += cloth.search.narrow(start_of_substep(cloth), cloth.state.x, balls_, thickness,
+                                                        node_push_speed * now.h, cloth.contacts);
         if (settings_.ground.solid) {
             find_ground_contacts(cloth.model.grid, cloth.state.x, settings_.ground.height, thickness, cloth.contacts);
         }
-        if (!cloth.search.sweeps()) cloth.warm_start.carry_over(response_of(settings_), cloth.state.x, balls_, cloth.contacts);
+        if (!cloth.search.sweeps())
+            cloth.warm_start.carry_over(response_of(settings_), cloth.state.x, balls_, cloth.contacts);
         report_.contacts += static_cast<std::int64_t>(cloth.contacts.size());
     }
     find_ball_contacts(balls_, settings_.ground, ball_contacts_);

@@ -141,9 +141,8 @@ TEST_P(EachResponse, RestsWithoutAQuiver) {
     sheet.run(IntegratorKind::SymplecticEuler, Real(1e-4), Real(1), [](int) {});
     const Points there = sheet.state.x;
     Real farthest = 0;
-    sheet.run(IntegratorKind::SymplecticEuler, Real(1e-4), Real(0.5), [&](int) {
-        farthest = std::max(farthest, (sheet.state.x - there).rowwise().norm().maxCoeff());
-    });
+    sheet.run(IntegratorKind::SymplecticEuler, Real(1e-4), Real(0.5),
+              [&](int) { farthest = std::max(farthest, (sheet.state.x - there).rowwise().norm().maxCoeff()); });
     EXPECT_LT(farthest, 1e-7);
 }
 

@@ -46,8 +46,8 @@ public:
     /// @param longest_push of a node that stands for the cloth within it [m]
     /// @param contacts receives what touches, ball by ball, cells ascending; cleared first
     /// @return how many candidate cells do not touch
-    std::int64_t narrow(const Points& before, const Points& x, std::span<const Ball> balls, Real thickness, Real longest_push,
-                        std::vector<Contact>& contacts);
+    std::int64_t narrow(const Points& before, const Points& x, std::span<const Ball> balls, Real thickness,
+                        Real longest_push, std::vector<Contact>& contacts);
 
     /// What a limited search invents and what it lets through, by testing every cell; nothing for any other search.
     /// @return contacts of nodes in which no triangle touches
