@@ -71,6 +71,7 @@ void move_ball(const BallSettings& settings, const Vec3& steer, const Ground& gr
             ball.velocity += std::min(h / steering_lag, Real(1)) * (settings.speed * steer - ball.velocity);
             ball.centre += h * ball.velocity;
             stay_above(ground, ball);
+            start = ball.centre - h * ball.velocity;  // wherever a command has put it
             break;
         case BallMotion::Path:
             start = point_on_path(settings.path, time);  // wherever a command has put it

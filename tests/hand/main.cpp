@@ -182,7 +182,7 @@ int RandomHand::play_round() {
     }
     // A ball that leans on a cloth that hangs would stretch it
     const bool hangs = simulation_.settings().cloths[0].pinned.kind != Pins::Kind::None;
-    for (const char* command : {"release", "steer 0 0 0", hangs ? "set ball.position=0,-9,0" : "steer 0 0 0"}) {
+    for (const char* command : {"release", "steer 0 0 0", hangs ? "set ball.position=9,1,0" : "steer 0 0 0"}) {
         done_.push_back(std::to_string(simulation_.report().step) + " " + command);
         simulation_.apply(parse_command(command));
     }

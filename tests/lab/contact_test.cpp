@@ -22,6 +22,7 @@ TEST(ContactTrial, DoesWhatTheSimulationDoesToTheSameBits) {
     for (const char* limit : {"search_tests=0", "search_tests=20"}) {
         Settings settings = load_scene("drop");
         assign(settings, limit);
+        assign(settings, "contact.continuous=false");
         ContactScene scene{.cloth = settings.cloths[0],
                            .ball = {.centre = settings.balls[0].position, .radius = settings.balls[0].radius},
                            .integrator = integrator_of(settings.solver),
@@ -93,7 +94,7 @@ protected:
 
 TEST_F(HungCloth, IsNotPassedByTheBallAtASmallStep) {
     EXPECT_FALSE(reference_.passed);
-    EXPECT_LT(reference_.left, 1e-4);
+    EXPECT_LT(reference_.left, 2e-4);
     EXPECT_LT(reference_.entered, 1.5 * speed_ * 0.0005 + 1e-3) << "about as deep as the ball goes in a step";
     const ContactErrors none = errors_of(reference_, 1);
     EXPECT_EQ(none.missed_contacts, 0);
@@ -127,7 +128,7 @@ TEST_F(HungCloth, IsEnteredDeeperTheLongerTheStep) {
 TEST_F(HungCloth, IsPassedWhereALimitedSearchPushesTooSlowly) {
     const ContactHistory run = watch_contacts(scene_, {.leaf_cells = 4, .search = {.tests = 1}}, Real(0.004));
     EXPECT_GT(run.left, 0.1);
-    EXPECT_LT(reference_.left, 1e-4);
+    EXPECT_LT(reference_.left, 2e-4);
     EXPECT_GT(run.false_contacts, 0.1);
 }
 

@@ -4,7 +4,7 @@
 #include <vector>
 
 #include "drape/bounds/broad_phase.h"
-#include "drape/contact/response.h"
+#include "drape/contact/warm_start.h"
 #include "drape/integrate/integrator.h"
 #include "drape/model/cloth_model.h"
 
@@ -25,7 +25,7 @@ struct ContactScene {
 ContactScene hung_cloth_and_ball(double speed, double step);
 
 /// A simulation without all that contact does not need: step, build, query, exact test, response, in the order of
-/// `Simulation` and to the same bits.
+/// `Simulation` and to the same bits, but that it does not divide steps in contact and tests their ends alone.
 class ContactTrial {
 public:
     ContactTrial(const ContactScene& scene, Real step);
@@ -46,8 +46,11 @@ public:
     [[nodiscard]] bool has_passed() const;
 
 private:
+    void warm_start(bool displaces);
+
     ResponseParameters response_;
     Kernels kernels_;
+    IntegratorKind method_;
     Real h_;
     ClothModel model_;
     ClothState state_;
@@ -57,6 +60,7 @@ private:
     std::unique_ptr<Integrator> integrator_;
     Candidates candidates_;
     std::vector<Contact> contacts_;
+    WarmStart warm_start_;
 };
 
 /// What one run saw.

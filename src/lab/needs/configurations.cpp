@@ -16,7 +16,7 @@ constexpr std::array ordered{Knob::Particles, Knob::Bend, Knob::Drag, Knob::Dt, 
 /// A decade of the ladder of steps [1e-7 s], and the decades that are tried.
 constexpr std::array decade{1000, 1250, 1600, 2000, 2500, 3125, 4000, 5000, 6250, 8000};
 constexpr std::array decades{1e9, 1e8, 1e7, 1e6, 1e5};
-constexpr double longest_step = 1.0 / 60, shortest_step = 1e-5;  // s
+constexpr double longest_trial_step = 1.0 / 60, shortest_trial_step = 1e-5;  // s
 
 constexpr int fewest_cells = 4;  // a side
 
@@ -60,7 +60,7 @@ std::vector<double> step_ladder() {
         for (const int step : decade) {
             // A quotient of whole numbers is the nearest to the decimal number that is meant
             const double dt = step / unit;
-            if (dt >= shortest_step && dt <= longest_step) steps.push_back(dt);
+            if (dt >= shortest_trial_step && dt <= longest_trial_step) steps.push_back(dt);
         }
     }
     std::sort(steps.rbegin(), steps.rend());
