@@ -90,8 +90,8 @@ Sweeps sweep_until(ContactProblem& problem, Real tolerance, Solve solve) {
     return sweeps;
 }
 
-/// Tolerances: of displacements, a small part of what gravity moves a particle by within a step or of the depth that is
-/// left, whichever is more, and of velocities what that is within a step.
+/// Tolerances: of displacements, a small part of what gravity moves a particle by within a step, or the last digits of
+/// a metre where that is more; of velocities, what that is within a step.
 [[nodiscard]] Real displacement_tolerance(const ContactProblem& problem);
 [[nodiscard]] Real velocity_tolerance(const ContactProblem& problem);
 

@@ -61,7 +61,7 @@ Sweeps solve_penalties(ContactProblem& problem, bool (*takes_part)(const Contact
     const Sweeps more = sweep_until(problem, velocity_tolerance(problem), [&](auto& contact) {
         return takes_part(problem, contact) ? solve_friction(velocities, contact) : Real(0);
     });
-    return {sweeps.count + more.count, sweeps.residual};
+    return {sweeps.count + more.count, std::max(sweeps.residual, more.residual * problem.h)};
 }
 
 ResponseReport respond_by_penalties(ContactProblem& problem) {

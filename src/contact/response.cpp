@@ -22,13 +22,20 @@ const Ball& ball_of(const ContactPlane& contact, std::span<const Ball> balls) {
     return balls[static_cast<std::size_t>(contact.ball)];
 }
 
-/// What a push at the contact point meets: 1/m = sum w_k^2 / m_k over its corners. Zero if nothing can move.
+/// Of a particle's inverse mass, the least that a contact point may have, for a push to move no corner farther than
+/// 1 / sqrt(0.05), some 4.5, times as far as the point.
+constexpr Real least_share = Real(0.05);
+
+/// What a push at the contact point meets: 1/m = sum w_k^2 / m_k over its corners. Zero if nothing can move, and where
+/// the point hangs on pinned corners so nearly that a push would throw the free one far.
 Real inverse_mass_at(const ClothModel& model, const Contact& contact) {
-    Real sum = 0;
+    Real sum = 0, largest = 0;
     for (std::size_t k = 0; k < 3; ++k) {
-        sum += contact.barycentric[k] * contact.barycentric[k] * model.inverse_mass[contact.corners[k]];
+        const Real inverse_mass = model.inverse_mass[contact.corners[k]];
+        sum += contact.barycentric[k] * contact.barycentric[k] * inverse_mass;
+        largest = std::max(largest, inverse_mass);
     }
-    return sum;
+    return sum < least_share * largest ? Real(0) : sum;
 }
 
 /// A ball meets a push along the normal with its mass, and one across it with its inertia too: 1/m + r^2 / I = 7/2 / m.
@@ -55,10 +62,20 @@ void prepare(ContactProblem& problem, Real first_mass, Real first_sliding_mass, 
     }
 }
 
+/// The point of a contact, and its depth, where its bodies are now; less than zero where they have parted.
+void follow(const ContactProblem& problem, Contact& contact) {
+    const ResponseParameters& parameters = problem.parameters;
+    contact.point = at_point(contact, problem.cloth.state.x);
+    contact.depth = contact.ball == the_ground
+                        ? parameters.ground.height + parameters.thickness - contact.point.y()
+                        : depth_in(ball_of(contact, problem.balls), parameters.thickness, contact);
+}
+
 void prepare_all(ContactProblem& problem) {
     for (Contact& contact : problem.cloth.contacts) {
         contact.start = at_point(contact, problem.cloth.before);
         const Real inverse_mass = inverse_mass_at(problem.cloth.model, contact);
+        follow(problem, contact);
         prepare(problem, inverse_mass, inverse_mass, contact);
     }
     for (BallContact& contact : problem.ball_contacts) {
@@ -143,16 +160,14 @@ void find_again(const ContactProblem& problem, Contact& contact) {
 
 void find_again(const ContactProblem& problem, BallContact& contact) {
     locate(problem.balls, problem.parameters.ground, contact);
+    Vec3& friction = contact.displacement.friction;
+    friction -= friction.dot(contact.normal) * contact.normal;
 }
 
 Real depth_left(ContactProblem& problem) {
     Real deepest = 0;
-    const ResponseParameters& parameters = problem.parameters;
     for (Contact& contact : problem.cloth.contacts) {
-        contact.point = at_point(contact, problem.cloth.state.x);
-        contact.depth = contact.ball == the_ground
-                            ? parameters.ground.height + parameters.thickness - contact.point.y()
-                            : depth_in(ball_of(contact, problem.balls), parameters.thickness, contact);
+        follow(problem, contact);
         deepest = std::max(deepest, contact.depth);
     }
     for (BallContact& contact : problem.ball_contacts) {

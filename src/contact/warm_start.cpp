@@ -12,6 +12,7 @@ bool solves_for_pushes(ResponseKind kind) { return kind == ResponseKind::Project
 /// Contacts are found in this order: by ball, then by triangle with its particles first; on the ground, which comes
 /// last, by particle.
 std::tuple<unsigned, int, int> order_of(const Contact& contact) {
+    if (contact.of_impact) return {static_cast<unsigned>(contact.ball), contact.triangle, 4};
     if (!contact.of_particle) return {static_cast<unsigned>(contact.ball), contact.triangle, 3};
     int corner = 0;
     while (contact.barycentric[static_cast<std::size_t>(corner)] == 0) ++corner;
@@ -30,19 +31,15 @@ bool rests(const Contact& contact, Real h, Real gravity) {
     return !contact.of_node && !contact.of_impact && speed > 0 && speed <= rest_steps * h * gravity;
 }
 
-/// Where a contact of before is now, its depth less than zero if it has parted.
+/// Where a contact of before is now, its depth less than zero if it has parted. Its normal stays, for the ball may have
+/// come through the cloth since.
 void follow_contact(const ResponseParameters& parameters, const Points& x, std::span<const Ball> balls,
                     Contact& contact) {
     contact.point = at_point(contact, x);
-    if (contact.ball == the_ground) {
-        contact.depth = parameters.ground.height + parameters.thickness - contact.point.y();
-        return;
-    }
-    const Ball& ball = balls[static_cast<std::size_t>(contact.ball)];
-    const Vec3 offset = contact.point - ball.centre;
-    const Real distance = offset.norm();
-    contact.depth = ball.radius + parameters.thickness - distance;
-    if (distance > 0) contact.normal = offset / distance;
+    contact.of_impact = contact.ball != the_ground;
+    contact.depth = contact.of_impact
+                        ? depth_in(balls[static_cast<std::size_t>(contact.ball)], parameters.thickness, contact)
+                        : parameters.ground.height + parameters.thickness - contact.point.y();
 }
 
 }  // namespace

@@ -71,8 +71,7 @@ std::int64_t ContactSearch::narrow(const Points& before, const Points& x, std::s
         const auto& [cells, stopped] = candidates_[b];
         const int number = static_cast<int>(b);
         if (sweeps_) {
-            find_impact_contacts(grid_, before, x, balls[b], number, thickness, cells, impacts_, contacts);
-            touching = static_cast<std::int64_t>(contacts.size());
+            touching += find_impact_contacts(grid_, before, x, balls[b], number, thickness, cells, impacts_, contacts);
             continue;
         }
         touching += find_contacts(grid_, x, balls[b], number, thickness, cells, contacts, kernels_);

@@ -197,11 +197,14 @@ void add_the_rest(std::vector<Setting>& table) {
     contact.integer("search_tests", &ContactSettings::search_tests, {0, 1e9},
                     "volume tests after which a search ends; 0: no end");
     contact.choice("response", &ContactSettings::response, "how contacts are answered");
-    contact.number("friction", &ContactSettings::friction, "", {0, 10}, "Coulomb coefficient between cloth and ball");
+    contact.number("friction", &ContactSettings::friction, "", {0, 10},
+                   "Coulomb coefficient of balls, with cloth and each other");
     contact.number("restitution", &ContactSettings::restitution, "", {0, 1}, "of the normal speed");
     contact.number("thickness", &ContactSettings::thickness, "m", {0, 1}, "by which the cloth is grown on both sides");
     contact.number("stiffness", &ContactSettings::stiffness, "N/m", {1e-3, 1e9},
-                   "of a penalty's spring, one a contact; needs a step below 2 sqrt(m/k) of a particle's mass");
+                   "of a penalty's spring k, one a contact; a particle of mass m needs a step below 0.83 sqrt(m/k), or "
+                   "up to 2 sqrt(m/k) "
+                   "with restitution");
     contact.add(
         "longest_step", SettingKind::Number, "s", {1e-6, 1}, {},
         "while anything touches, a longer step of an implicit method is divided into substeps, so that what rests is "
@@ -217,7 +220,7 @@ void add_the_rest(std::vector<Setting>& table) {
     SectionRows<Ground> ground(
         "ground", [](Settings& s, std::size_t) -> Ground& { return s.ground; }, table);
     ground.number("height", &Ground::height, "m", lengths, "of the plane that is drawn");
-    ground.flag("solid", &Ground::solid, "cloth, balls and hand stay above it; balls on a path go where that leads");
+    ground.flag("solid", &Ground::solid, "cloth and balls stay above it; a ball on a path goes where that leads");
     ground.number("friction", &Ground::friction, "", {0, 10}, "Coulomb coefficient of what lies on it");
     ground.number("restitution", &Ground::restitution, "", {0, 1}, "of the normal speed");
     ground.number("rolling", &Ground::rolling, "", {0, 1}, "coefficient of rolling resistance of free balls");

@@ -129,8 +129,7 @@ void Simulation::narrow(const Substep& now) {
         if (settings_.ground.solid) {
             find_ground_contacts(cloth.model.grid, cloth.state.x, settings_.ground.height, thickness, cloth.contacts);
         }
-        if (!cloth.search.sweeps())
-            cloth.warm_start.carry_over(response_of(settings_), cloth.state.x, balls_, cloth.contacts);
+        cloth.warm_start.carry_over(response_of(settings_), cloth.state.x, balls_, cloth.contacts);
         report_.contacts += static_cast<std::int64_t>(cloth.contacts.size());
     }
     find_ball_contacts(balls_, settings_.ground, ball_contacts_);
@@ -143,10 +142,11 @@ void Simulation::narrow(const Substep& now) {
 void Simulation::respond(const Substep& now) {
     const ResponseParameters response = response_of(settings_);
     Stopwatch watch;
+    std::span<BallContact> ball_contacts = ball_contacts_;
     for (Cloth& cloth : cloths_) {
-        const ResponseReport left =
-            cloth.energy.respond(response, now.h, {cloth.model, start_of_substep(cloth), cloth.state, cloth.contacts},
-                                 balls_, ball_contacts_);
+        const ClothInContact in_contact{cloth.model, start_of_substep(cloth), cloth.state, cloth.contacts};
+        const ResponseReport left = cloth.energy.respond(response, now.h, in_contact, balls_, ball_contacts);
+        ball_contacts = {};  // solved with the first cloth
         report_.penetration = std::max(report_.penetration, static_cast<double>(left.depth));
         report_.contact_residual = std::max(report_.contact_residual, static_cast<double>(left.residual));
         report_.contact_sweeps += left.sweeps;
@@ -214,6 +214,8 @@ void Simulation::fall_asleep() {
     for (Ball& ball : balls_) {
         ball.velocity.setZero();
         ball.spin.setZero();
+        ball.moved.setZero();
+        ball.turned.setZero();
     }
     previous_balls_ = balls_;
 }

@@ -88,6 +88,8 @@ void Simulation::restart() {
         cloth.warm_start.reserve(cloth.contacts.capacity());
     }
     balls_.clear();
+    ball_contacts_.clear();
+    ball_contacts_.reserve(settings_.balls.size() * (settings_.balls.size() + 1) / 2);
     for (const BallSettings& ball : settings_.balls) balls_.push_back(make_ball(ball, report_.time));
     previous_balls_ = balls_;
     plan(1);

@@ -1,5 +1,6 @@
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <string>
 #include <vector>
 
@@ -69,6 +70,28 @@ TEST(ContinuousDetection, ChangesNoBitWhereNothingCanCross) {
     Simulation automatic = scene_with("drop", {}), never = scene_with("drop", {"contact.continuous=false"});
     run_until(automatic, 1), run_until(never, 1);
     EXPECT_EQ(automatic.hash(), never.hash());
+}
+
+// A push at a point that hangs on pinned corners would throw the free one far
+TEST(LedBall, AtThePinsOfACurtainDoesNotThrowTheClothAbout) {
+    for (const std::string height : {"1.05", "1.15", "1.2"}) {
+        Simulation simulation =
+            scene_with("curtain", {"ball.path=[[0,0," + height + ",-0.5],[2.0,0," + height + ",0.5]]"});
+        run_until(simulation, 2);
+        EXPECT_EQ(simulation.run_warning(), "") << height;
+    }
+}
+
+TEST(Ground, ThrowsNothingBackWithoutRestitutionWhileTheWayIsTested) {
+    Simulation simulation =
+        scene_with("drop", {"ball.position=5,0.3,0", "contact.continuous=true", "cloth.centre=0,0.012,0"});
+    Real highest = 0;
+    while (simulation.report().time < 0.2) {
+        simulation.step();
+        if (simulation.report().time > 0.1)
+            highest = std::max(highest, simulation.cloths()[0].state.v.col(1).maxCoeff());
+    }
+    EXPECT_LT(highest, 0.05);
 }
 
 TEST(StepsInContact, AreDividedUnderAnImplicitMethodAlone) {

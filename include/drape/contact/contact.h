@@ -78,9 +78,10 @@ std::int64_t find_contacts(const Grid& grid, const Points& x, const Ball& ball, 
 /// The contacts with a ball that the triangles have met on their way through the substep, appended. Their depth is how
 /// far the point is, at the end, behind the plane at which it met the ball.
 /// @param impacts scratch
-void find_impact_contacts(const Grid& grid, const Points& before, const Points& x, const Ball& ball, int ball_number,
-                          Real thickness, std::span<const CellRun> cells, std::vector<TriangleImpact>& impacts,
-                          std::vector<Contact>& contacts);
+/// @return how many of the cells touch
+std::int64_t find_impact_contacts(const Grid& grid, const Points& before, const Points& x, const Ball& ball,
+                                  int ball_number, Real thickness, std::span<const CellRun> cells,
+                                  std::vector<TriangleImpact>& impacts, std::vector<Contact>& contacts);
 
 /// A ball on its way through the substep.
 [[nodiscard]] SweptBall way_of(const Ball& ball);

@@ -17,11 +17,8 @@ public:
     /// Room for this many contacts without allocating.
     void reserve(std::size_t contacts) { last_.reserve(contacts), merged_.reserve(contacts); }
 
-    /// Nothing was pushed before.
-    void forget() { last_.clear(); }
-
     /// Gives the pushes of the last response to the velocities.
-    /// @param contacts of the substep before; taken, and left empty
+    /// @param contacts of the substep before; taken, and left empty, where the response solves for pushes
     /// @param displaces positions too: the step has been made
     void give(const ResponseParameters& parameters, Real h, const ClothModel& model, std::vector<Contact>& contacts,
               std::span<Ball> balls, ClothState& state, bool displaces);

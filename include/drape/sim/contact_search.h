@@ -35,9 +35,6 @@ public:
     [[nodiscard]] bool may_cross(const Points& before, const Points& x, std::span<const Ball> balls,
                                  Real thickness) const;
 
-    /// Whether the last build was for the way.
-    [[nodiscard]] bool sweeps() const { return sweeps_; }
-
     /// Collects the candidates of each ball.
     /// @return what it has cost; after a build that was left out, what the last traversal has
     TraversalStats traverse(std::span<const Ball> balls, Real thickness);
@@ -72,7 +69,7 @@ private:
     bool built_from_present_ = false;
     bool queried_ = false;  ///< since the last build
     bool skipped_ = false;  ///< the last build was left out
-    bool sweeps_ = false;   ///< the last build was for the way
+    bool sweeps_ = false;   ///< the last build was for the whole substep
     std::vector<TriangleImpact> impacts_;
     TraversalStats traversal_;
     std::vector<Candidates> candidates_;  ///< of each ball

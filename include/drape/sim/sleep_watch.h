@@ -22,7 +22,7 @@ public:
     /// One step more; a particle that has gone farther than `distance` makes the watch begin again.
     /// @param time simulated [s]
     /// @param distance how far a particle may go within `duration` [m]
-    /// @return true if every particle and every ball has stayed, and no free ball has turned faster, for all of it
+    /// @return true if every particle has stayed for all of it
     /// @par Cost O(particles), one pass; allocates at the first look only
     bool look(const Points& x, double time, Real distance, Kernels kernels);
 
@@ -41,7 +41,8 @@ public:
     /// One step more.
     /// @param time simulated [s]
     /// @param solver its `sleep_speed` is that of the slowest motion that keeps a scene awake
-    /// @return true if every particle has stayed for `RestWatch::duration`
+    /// @return true if every particle and every ball has stayed, and no free ball has turned faster, for
+    /// `RestWatch::duration`
     bool look(std::span<const Cloth> cloths, std::span<const Ball> balls, double time, const SolverSettings& solver);
 
 private:

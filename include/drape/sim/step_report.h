@@ -35,7 +35,7 @@ struct StepReport {
     TraversalStats traversal;
     double stretch_excess = 0;          ///< beyond the limit, that shortening has left in a structural spring
     std::int64_t false_candidates = 0;  ///< cells handed on of which no triangle touches
-    std::int64_t contacts = 0;          ///< triangles touching a ball, and nodes that were taken for them
+    std::int64_t contacts = 0;          ///< points in contact, and nodes that were taken for them
     double contact_residual = 0;        ///< of the response, see `ResponseReport::residual` [m]
     std::int64_t contact_sweeps = 0;    ///< of the response over its contacts
     double penetration = 0;             ///< largest depth left after the response [m]
