@@ -4,7 +4,7 @@
 #include <cmath>
 
 #include "drape/contact/closest_point.h"
-#include "drape/contact/contact.h"
+#include "drape/contact/response.h"
 
 namespace drape {
 
@@ -65,7 +65,14 @@ inline Real depth_in(const Ball& ball, Real thickness, const Contact& contact) {
     return ball.radius + thickness + contact.radius - distance;
 }
 
-/// The same against the ground.
+/// The depth of a contact's point where it and its second body are now; less than zero where they have parted.
+inline Real depth_now(const ResponseParameters& parameters, std::span<const Ball> balls, const Contact& contact) {
+    if (contact.ball == the_ground) return parameters.ground.height + parameters.thickness - contact.point.y();
+    return depth_in(balls[static_cast<std::size_t>(contact.ball)], parameters.thickness, contact);
+}
+
+/// A contact with the ground, from the present positions of its corners.
+/// @return false, with depth 0, if it does not touch
 inline bool locate_above(const Points& x, Real height, Real thickness, Contact& contact) {
     contact.point = at_point(contact, x);
     contact.normal = Vec3(0, 1, 0);

@@ -45,12 +45,17 @@ Real inverse_mass_of(int number, std::span<const Ball> balls) {
     return number == the_ground ? Real(0) : balls[static_cast<std::size_t>(number)].inverse_mass;
 }
 
+/// Of both bodies, along the normal and across it.
+void set_inverse_masses(const ContactProblem& problem, Real first, Real first_sliding, ContactPlane& contact) {
+    const Real second = inverse_mass_of(contact.ball, problem.balls);
+    contact.inverse_mass = first + second;
+    contact.sliding_inverse_mass = first_sliding + sliding_share * second;
+}
+
 /// Fills what does not change while contacts are solved.
 template <class AnyContact>
 void prepare(ContactProblem& problem, Real first_mass, Real first_sliding_mass, AnyContact& contact) {
-    const Real second = inverse_mass_of(contact.ball, problem.balls);
-    contact.inverse_mass = first_mass + second;
-    contact.sliding_inverse_mass = first_sliding_mass + sliding_share * second;
+    set_inverse_masses(problem, first_mass, first_sliding_mass, contact);
     contact.friction_coefficient =
         contact.ball == the_ground ? problem.parameters.ground.friction : problem.parameters.friction;
     ContactPush& given = contact.displacement;
@@ -64,11 +69,8 @@ void prepare(ContactProblem& problem, Real first_mass, Real first_sliding_mass, 
 
 /// The point of a contact, and its depth, where its bodies are now; less than zero where they have parted.
 void follow(const ContactProblem& problem, Contact& contact) {
-    const ResponseParameters& parameters = problem.parameters;
     contact.point = at_point(contact, problem.cloth.state.x);
-    contact.depth = contact.ball == the_ground
-                        ? parameters.ground.height + parameters.thickness - contact.point.y()
-                        : depth_in(ball_of(contact, problem.balls), parameters.thickness, contact);
+    contact.depth = depth_now(problem.parameters, problem.balls, contact);
 }
 
 void prepare_all(ContactProblem& problem) {
@@ -82,16 +84,6 @@ void prepare_all(ContactProblem& problem) {
         const Real inverse_mass = inverse_mass_of(contact.first, problem.balls);
         prepare(problem, inverse_mass, sliding_share * inverse_mass, contact);
     }
-}
-
-/// Kinetic energy of the balls that contacts push [J].
-double energy_of(std::span<const Ball> balls) {
-    Real sum = 0;
-    for (const Ball& ball : balls) {
-        if (ball.inverse_mass == 0) continue;
-        sum += ball.velocity.squaredNorm() / ball.inverse_mass + ball.spin.squaredNorm() / ball.inverse_inertia();
-    }
-    return static_cast<double>(sum / 2);
 }
 
 /// What the balls that nothing pushes have given the cloth through their impulses [J].
@@ -121,6 +113,15 @@ ResponseReport respond_in_kind(ContactProblem& problem) {
 
 }  // namespace
 
+double kinetic_energy(std::span<const Ball> balls) {
+    Real sum = 0;
+    for (const Ball& ball : balls) {
+        if (ball.inverse_mass == 0) continue;
+        sum += ball.velocity.squaredNorm() / ball.inverse_mass + ball.spin.squaredNorm() / ball.inverse_inertia();
+    }
+    return static_cast<double>(sum / 2);
+}
+
 Real push_of(const ContactPlane& contact, std::span<const Ball> balls) {
     if (contact.ball == the_ground) return contact.depth - most_slop;
     return contact.depth - std::min(slop * ball_of(contact, balls).radius, most_slop);
@@ -140,11 +141,7 @@ Real velocity_tolerance(const ContactProblem& problem) { return displacement_tol
 void find_again(const ContactProblem& problem, Contact& contact) {
     const ClothInContact& cloth = problem.cloth;
     const Real thickness = problem.parameters.thickness;
-    if (contact.of_impact) {
-        contact.point = at_point(contact, cloth.state.x);
-        contact.depth = depth_in(ball_of(contact, problem.balls), thickness, contact);
-        return;
-    }
+    if (contact.of_impact) return follow(problem, contact);
     if (contact.ball == the_ground) {
         locate_above(cloth.state.x, problem.parameters.ground.height, thickness, contact);
     } else {
@@ -152,10 +149,8 @@ void find_again(const ContactProblem& problem, Contact& contact) {
     }
     contact.start = at_point(contact, cloth.before);
     contact.displacement.friction -= contact.displacement.friction.dot(contact.normal) * contact.normal;
-    const Real second = inverse_mass_of(contact.ball, problem.balls);
     const Real inverse_mass = inverse_mass_at(cloth.model, contact);
-    contact.inverse_mass = inverse_mass + second;
-    contact.sliding_inverse_mass = inverse_mass + sliding_share * second;
+    set_inverse_masses(problem, inverse_mass, inverse_mass, contact);
 }
 
 void find_again(const ContactProblem& problem, BallContact& contact) {
@@ -182,9 +177,9 @@ ResponseReport resolve_contacts(const ResponseParameters& parameters, Real h, Cl
     if (cloth.contacts.empty() && ball_contacts.empty()) return {};
     ContactProblem problem{parameters, h, resting_steps * h * cloth.model.gravity.norm(), cloth, balls, ball_contacts};
     prepare_all(problem);
-    const double before = energy_of(balls);
+    const double before = kinetic_energy(balls);
     ResponseReport report = respond_in_kind(problem);
-    report.ball_work = before - energy_of(balls) + work_of_led_balls(cloth.contacts, balls);
+    report.ball_work = before - kinetic_energy(balls) + work_of_led_balls(cloth.contacts, balls);
     report.depth = depth_left(problem);
     return report;
 }

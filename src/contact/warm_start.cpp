@@ -37,9 +37,7 @@ void follow_contact(const ResponseParameters& parameters, const Points& x, std::
                     Contact& contact) {
     contact.point = at_point(contact, x);
     contact.of_impact = contact.ball != the_ground;
-    contact.depth = contact.of_impact
-                        ? depth_in(balls[static_cast<std::size_t>(contact.ball)], parameters.thickness, contact)
-                        : parameters.ground.height + parameters.thickness - contact.point.y();
+    contact.depth = depth_now(parameters, balls, contact);
 }
 
 }  // namespace

@@ -114,13 +114,17 @@ ResponseReport ClothEnergy::respond(const ResponseParameters& response, Real h, 
 void ClothEnergy::warm_start(const ResponseParameters& response, Real h, const ClothModel& model,
                              std::vector<Contact>& contacts, std::span<Ball> balls, ClothState& state, WarmStart& start,
                              bool displaces) {
-    if (!ledger_ || contacts.empty()) {
-        return start.give(response, h, model, contacts, balls, state, displaces);
-    }
+    const double balls_before = kinetic_energy(balls);
+    const bool measured = ledger_ && !contacts.empty();
     const GridRange range = range_of(contacts, model.grid);
-    const EnergyFlow before = compute_energy_around(model, state.x, state.v, range, kernels_);
+    const auto look = [&] {
+        return measured ? compute_energy_around(model, state.x, state.v, range, kernels_) : EnergyFlow{};
+    };
+    const EnergyFlow before = look();
     start.give(response, h, model, contacts, balls, state, displaces);
-    ledger_->responded(before, compute_energy_around(model, state.x, state.v, range, kernels_), 0);
+    const double ball_work = balls_before - kinetic_energy(balls);
+    watch_.give(std::max(ball_work, 0.0));
+    if (measured) ledger_->responded(before, look(), ball_work);
 }
 
 void ClothEnergy::still(const ClothModel& model, const ClothState& state) {

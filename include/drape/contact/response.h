@@ -44,6 +44,9 @@ struct ClothInContact {
     std::vector<Contact>& contacts;  ///< as found at `state.x`; their points are updated
 };
 
+/// Of the balls that contacts push [J].
+double kinetic_energy(std::span<const Ball> balls);
+
 /// By how much a contact is pushed out: what of its depth is not left, for a resting contact to last [m].
 Real push_of(const ContactPlane& contact, std::span<const Ball> balls);
 
