@@ -14,6 +14,12 @@ public:
     void build(const Points& /*from*/, const Points& /*to*/) override {}
     TraversalStats query(const Ball& /*ball*/, Candidates& found) override { return all(found); }
     TraversalStats query(const SweptBall& /*ball*/, Candidates& found) override { return all(found); }
+    TraversalStats query(const BroadPhase& other, Real /*margin*/, const FoldTest* /*folds*/,
+                         std::vector<LeafPair>& pairs) override {
+        const Grid& other_grid = static_cast<const BruteForce&>(other).grid_;
+        pairs.assign(1, {all_cells(grid_), all_cells(other_grid)});
+        return {.candidates = static_cast<std::int64_t>(grid_.cells()) * other_grid.cells()};
+    }
     [[nodiscard]] bool may_touch(const Ball& /*ball*/, Real /*displacement*/) const override { return true; }
     [[nodiscard]] bool may_touch(const SweptBall& /*ball*/, Real /*displacement*/) const override { return true; }
     [[nodiscard]] Real slack() const override { return 0; }

@@ -76,6 +76,25 @@ bool Obb::overlaps(const SweptBall& ball) const {
     return true;
 }
 
+namespace {
+
+/// Whether a box keeps another farther away than a margin, along its own directions.
+bool keeps_away(const Obb& box, const Obb& other, Real margin) {
+    const BoxAxes turn = box.axes.transpose() * other.axes;
+    const Vec3 offset = other.origin - box.origin;
+    const Vec3 middle = box.axes.transpose() * offset + turn * ((other.low + other.high) / 2);
+    const Vec3 half = turn.cwiseAbs() * ((other.high - other.low) / 2);
+    const Real size = offset.cwiseAbs().sum() + other.low.cwiseAbs().sum() + other.high.cwiseAbs().sum();
+    const Real bound = margin * (1 + 16 * rounding_unit) + 16 * rounding_unit * size;
+    return (middle - half - box.high).maxCoeff() > bound || (box.low - middle - half).maxCoeff() > bound;
+}
+
+}  // namespace
+
+bool Obb::comes_within(const Obb& other, Real margin) const {
+    return !keeps_away(*this, other, margin) && !keeps_away(other, *this, margin);
+}
+
 void Obb::grow_by_rounding() {
     const Real rounding = 8 * rounding_unit * (high - low).sum();
     low.array() -= rounding;

@@ -23,7 +23,7 @@ int measured_leaf_cells(const Grid& grid) {
 std::vector<QuadtreeNode> make_quadtree_nodes(const Grid& grid, int leaf_cells) {
     DRAPE_ASSERT(leaf_cells >= 0);
     if (leaf_cells == 0) leaf_cells = measured_leaf_cells(grid);
-    std::vector<QuadtreeNode> nodes{{.i0 = 0, .j0 = 0, .i1 = grid.cell_columns(), .j1 = grid.cell_rows()}};
+    std::vector<QuadtreeNode> nodes{{{0, 0, grid.cell_columns(), grid.cell_rows()}}};
     for (std::size_t n = 0; n < nodes.size(); ++n) {
         const QuadtreeNode parent = nodes[n];
         const int i_cut = cut(parent.i0, parent.i1, leaf_cells), j_cut = cut(parent.j0, parent.j1, leaf_cells);
@@ -34,7 +34,7 @@ std::vector<QuadtreeNode> make_quadtree_nodes(const Grid& grid, int leaf_cells) 
         for (const auto& [j0, j1] : {std::pair(parent.j0, j_cut), std::pair(j_cut, parent.j1)}) {
             for (const auto& [i0, i1] : {std::pair(parent.i0, i_cut), std::pair(i_cut, parent.i1)}) {
                 if (i0 == i1 || j0 == j1) continue;
-                nodes.push_back({.i0 = i0, .j0 = j0, .i1 = i1, .j1 = j1, .level = parent.level + 1});
+                nodes.push_back({{i0, j0, i1, j1}, 0, 0, parent.level + 1});
                 ++nodes[n].children;
             }
         }

@@ -3,6 +3,7 @@
 #include <algorithm>
 
 #include "contact_geometry.h"
+#include "grid_features.h"
 #include "kernels/near_cells.h"
 
 namespace drape {
@@ -17,13 +18,6 @@ void for_each_cell(const Grid& grid, std::span<const CellRun> cells, Visit visit
     }
 }
 
-/// The triangle whose task it is to report a particle: one of those it is a corner of, for each particle the same.
-int owner_of(const Grid& grid, int particle) {
-    const int i = particle % grid.nx, j = particle / grid.nx;
-    const int cell = std::min(j, grid.ny - 2) * grid.cell_columns() + std::min(i, grid.nx - 2);
-    return 2 * cell + (i == grid.nx - 1 && j == grid.ny - 1 ? 1 : 0);
-}
-
 /// The contact point at a particle, without a place yet.
 Contact particle_contact(const Grid& grid, int particle) {
     Contact contact;
@@ -34,26 +28,10 @@ Contact particle_contact(const Grid& grid, int particle) {
     return contact;
 }
 
-/// Whether two triangles share the edge opposite to corner k of the first, and the other one is to report it.
-bool other_reports_edge(const Grid& grid, int triangle, std::size_t k) {
-    // Corners a, c, b and b, c, d: the diagonal b-c is opposite to a and to d and is reported by the first triangle of
-    // the cell; the sides of a cell are reported by the triangle with the lower number, of the cell above or to the
-    // left
-    const int cell = triangle / 2;
-    const bool first = triangle % 2 == 0;
-    if (!first) return k == 2;
-    if (k == 0) return false;
-    return k == 1 ? cell >= grid.cell_columns() : cell % grid.cell_columns() > 0;
-}
-
 /// Whether the closest point of a triangle is a corner, or on an edge that another triangle reports.
 bool reported_elsewhere(const Grid& grid, const Contact& contact) {
-    int zeros = 0;
-    std::size_t opposite = 0;
-    for (std::size_t k = 0; k < 3; ++k) {
-        if (contact.barycentric[k] == 0) ++zeros, opposite = k;
-    }
-    return zeros == 2 || (zeros == 1 && other_reports_edge(grid, contact.triangle, opposite));
+    const OnTriangle on = feature_at(contact.barycentric);
+    return on.zeros == 2 || (on.zeros == 1 && other_reports_edge(grid, contact.triangle, on.opposite));
 }
 
 /// Adds the contacts that a triangle is to report: those of its own corners, and of its closest point.

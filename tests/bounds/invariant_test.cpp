@@ -85,7 +85,7 @@ TYPED_TEST(Invariant, HoldsForTheSpheresThatASearchEndsAt) {
             ASSERT_EQ(found.stopped.size(), 16u);
             for (const StoppedNode& node : found.stopped) {
                 const Patch patch =
-                    patch_of(grid, {.i0 = node.i0, .j0 = node.j0, .i1 = node.i1, .j1 = node.j1}, cloth.x);
+                    patch_of(grid, node, cloth.x);
                 EXPECT_LE(test::farthest_out(node.sphere, patch), 1e-12L) << static_cast<int>(update);
             }
         }

@@ -9,26 +9,10 @@
 
 #include "drape/contact/contact.h"
 #include "support/cloths.h"
+#include "support/exact_distance.h"
 
 namespace drape {
 namespace {
-
-Real distance_to_segment(const Vec3& p, const Vec3& a, const Vec3& b) {
-    const Vec3 ab = b - a;
-    const Real s = ab.squaredNorm() > 0 ? std::clamp((p - a).dot(ab) / ab.squaredNorm(), Real(0), Real(1)) : Real(0);
-    return (a + s * ab - p).norm();
-}
-
-/// Another way to the same distance: the plane where the foot lies inside, else the nearest of the three edges.
-Real reference_distance(const Vec3& p, const Vec3& a, const Vec3& b, const Vec3& c) {
-    Real best = std::min({distance_to_segment(p, a, b), distance_to_segment(p, b, c), distance_to_segment(p, c, a)});
-    const Vec3 n = (b - a).cross(c - a);
-    if (n.squaredNorm() == 0) return best;
-    const Vec3 foot = p - (p - a).dot(n) / n.squaredNorm() * n;
-    const bool inside = (b - a).cross(foot - a).dot(n) >= 0 && (c - b).cross(foot - b).dot(n) >= 0 &&
-                        (a - c).cross(foot - c).dot(n) >= 0;
-    return inside ? std::min(best, (foot - p).norm()) : best;
-}
 
 TEST(ClosestPoint, IsTheNearestOfTheTriangle) {
     std::mt19937 random(9);
@@ -38,7 +22,7 @@ TEST(ClosestPoint, IsTheNearestOfTheTriangle) {
         const Vec3 p = 2 * point(), a = point(), b = point(), c = point();
         const ClosestPoint closest = closest_point_on_triangle(p, a, b, c);
         const auto& w = closest.barycentric;
-        ASSERT_NEAR((closest.point - p).norm(), reference_distance(p, a, b, c), 1e-12);
+        ASSERT_NEAR((closest.point - p).norm(), distance_to_triangle(p, a, b, c), 1e-12);
         ASSERT_LT((w[0] * a + w[1] * b + w[2] * c - closest.point).norm(), 1e-12);
         ASSERT_TRUE(w[0] >= -1e-15 && w[1] >= -1e-15 && w[2] >= -1e-15 && std::abs(w[0] + w[1] + w[2] - 1) < 1e-14);
     }
@@ -88,7 +72,7 @@ TEST(TouchedTriangles, AreThoseWithinTheRadius) {
         for (int t = 0; t < grid.triangles(); ++t) {
             const auto [a, b, c] = grid.triangle_corners(t);
             const Real distance =
-                reference_distance(ball.centre, x.row(a).transpose(), x.row(b).transpose(), x.row(c).transpose());
+                distance_to_triangle(ball.centre, x.row(a).transpose(), x.row(b).transpose(), x.row(c).transpose());
             const bool listed = next < touched.size() && touched[next] == t;
             const bool undecided = std::abs(distance - ball.radius - 0.002) < 1e-12;
             ASSERT_TRUE(undecided || listed == (distance <= ball.radius + 0.002));

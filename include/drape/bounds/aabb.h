@@ -69,6 +69,13 @@ struct Aabb {
         return true;
     }
 
+    /// By the gaps along the axes.
+    [[nodiscard]] bool comes_within(const Aabb& other, Real margin) const {
+        const Vec3 gap = (low - other.high).cwiseMax(other.low - high).cwiseMax(Real(0));
+        const Real bound = margin * (1 + 8 * std::numeric_limits<Real>::epsilon());
+        return gap.squaredNorm() <= bound * bound;
+    }
+
     /// About the middle, through the farthest corner.
     [[nodiscard]] BoundingSphere sphere() const {
         const Vec3 middle = (low + high) / 2;

@@ -46,6 +46,14 @@ struct BoundingSphere {
         return (offset - t * way).squaredNorm() <= radii * radii;
     }
 
+    /// By the distance of the centres.
+    [[nodiscard]] bool comes_within(const BoundingSphere& other, Real margin) const {
+        constexpr Real epsilon = std::numeric_limits<Real>::epsilon();
+        const Real rounding = 4 * epsilon * (centre.cwiseAbs() + other.centre.cwiseAbs()).sum();
+        const Real radii = (radius + other.radius + margin) * (1 + 8 * epsilon) + rounding;
+        return (centre - other.centre).squaredNorm() <= radii * radii;
+    }
+
     [[nodiscard]] BoundingSphere sphere() const { return *this; }
 };
 

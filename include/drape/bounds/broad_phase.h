@@ -81,10 +81,9 @@ struct CellRun {
 void list_all_cells(const Grid& grid, std::vector<CellRun>& cells);
 
 /// A node at which a search ended.
-struct StoppedNode {
+struct StoppedNode : CellRange {
     BoundingSphere sphere;
-    int cell = 0;                        ///< in the middle of it
-    int i0 = 0, j0 = 0, i1 = 0, j1 = 0;  ///< its cells: columns [i0, i1), rows [j0, j1)
+    int cell = 0;  ///< in the middle of it
 };
 
 /// What a query hands on.
@@ -93,7 +92,13 @@ struct Candidates {
     std::vector<StoppedNode> stopped;  ///< none unless the search is limited
 };
 
+/// Two leaves whose triangles may come near each other; both may be the same.
+struct LeafPair {
+    CellRange first, second;
+};
+
 struct NodeView;
+class FoldTest;
 
 /// Finds the cells of a cloth that may touch a ball.
 class BroadPhase {
@@ -118,6 +123,16 @@ public:
     /// The same for a ball on its way through a step: every cell with a triangle that touches it at some time of the
     /// step, as `find_impacts` tells. @pre `build` was called for this step
     virtual TraversalStats query(const SweptBall& ball, Candidates& found) = 0;
+
+    /// Where the cloth may come as near to another one, or to itself, as a margin.
+    /// @param other built by the same parameters; this one itself for a cloth against itself
+    /// @param folds of the cloth against itself, built from the same positions: it prunes what cannot touch itself; null
+    ///        for volumes alone
+    /// @param pairs receives every pair of leaves with triangles, not both the same, that are no farther from each
+    ///        other than the margin, and perhaps more; those of one cloth once, in either order. Cleared first
+    /// @pre `build` was called for both
+    virtual TraversalStats query(const BroadPhase& other, Real margin, const FoldTest* folds,
+                                 std::vector<LeafPair>& pairs) = 0;
 
     /// False only if no particle, moved by up to `displacement` since the last build, can touch the ball.
     [[nodiscard]] virtual bool may_touch(const Ball& ball, Real displacement) const = 0;

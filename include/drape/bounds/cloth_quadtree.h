@@ -8,6 +8,7 @@
 #include "drape/base/assert.h"
 #include "drape/bounds/bounding_volume.h"
 #include "drape/bounds/broad_phase.h"
+#include "drape/bounds/fold_test.h"
 #include "drape/bounds/leaf_copies.h"
 #include "drape/bounds/node_view.h"
 #include "drape/bounds/quadtree_nodes.h"
@@ -56,6 +57,21 @@ public:
 
     TraversalStats query(const Ball& ball, Candidates& found) override { return search(ball, found); }
     TraversalStats query(const SweptBall& ball, Candidates& found) override { return search(ball, found); }
+
+    TraversalStats query(const BroadPhase& other, Real margin, const FoldTest* folds,
+                         std::vector<LeafPair>& pairs) override {
+        DRAPE_ASSERT(built_ && dynamic_cast<const ClothQuadtree*>(&other) != nullptr);
+        const auto& other_tree = static_cast<const ClothQuadtree&>(other);
+        pairs.clear();
+        PairQuery query{other_tree, margin + slack_ + other_tree.slack_, folds, pairs,
+                        {.nodes = static_cast<std::int64_t>(nodes_.size())}};
+        if (&other_tree == this) {
+            traverse_itself(0, query);
+        } else {
+            traverse_pair(0, 0, query);
+        }
+        return query.stats;
+    }
 
     [[nodiscard]] bool may_touch(const Ball& ball, Real displacement) const override {
         return volumes_[0].overlaps(grown_by_slack(ball, displacement));
@@ -162,6 +178,55 @@ private:
         }
         built_ = true;
         std::ranges::fill(visits_, NodeVisit::Unvisited);
+    }
+
+    struct PairQuery {
+        const ClothQuadtree& other;
+        Real margin;
+        const FoldTest* folds;
+        std::vector<LeafPair>& pairs;
+        TraversalStats stats;
+    };
+
+    /// A node against itself: each child against itself, and against those after it.
+    void traverse_itself(int n, PairQuery& query) {
+        const QuadtreeNode& node = nodes_[at(n)];
+        ++query.stats.visited;
+        if (query.folds && query.folds->keeps_apart(n, query.margin)) return mark(n, NodeVisit::Pruned);
+        if (node.children == 0) return take_pair(n, n, query);
+        mark(n, NodeVisit::Entered);
+        for (int child = 0; child < node.children; ++child) {
+            traverse_itself(node.first_child + child, query);
+            for (int next = child + 1; next < node.children; ++next) {
+                traverse_pair(node.first_child + child, node.first_child + next, query);
+            }
+        }
+    }
+
+    /// A node against one of the other cloth, or of this: the children of both, where both have any.
+    void traverse_pair(int n, int m, PairQuery& query) {
+        const QuadtreeNode &node = nodes_[at(n)], &other = query.other.nodes_[at(m)];
+        ++query.stats.visited;
+        ++query.stats.volume_tests;
+        if (!volumes_[at(n)].comes_within(query.other.volumes_[at(m)], query.margin)) {
+            return mark(n, NodeVisit::Pruned);
+        }
+        if (query.folds && query.folds->keep_apart(n, m, query.margin)) return mark(n, NodeVisit::Pruned);
+        if (node.children == 0 && other.children == 0) return take_pair(n, m, query);
+        mark(n, NodeVisit::Entered);
+        const int first = node.children > 0 ? node.first_child : n, count = std::max(node.children, 1);
+        const int other_first = other.children > 0 ? other.first_child : m, others = std::max(other.children, 1);
+        for (int i = 0; i < count; ++i) {
+            for (int j = 0; j < others; ++j) traverse_pair(first + i, other_first + j, query);
+        }
+    }
+
+    void take_pair(int n, int m, PairQuery& query) {
+        mark(n, NodeVisit::Leaf);
+        const QuadtreeNode &node = nodes_[at(n)], &other = query.other.nodes_[at(m)];
+        query.pairs.push_back({node, other});
+        ++query.stats.leaves;
+        query.stats.candidates += static_cast<std::int64_t>(node.cells()) * other.cells();
     }
 
     template <class AnyBall>

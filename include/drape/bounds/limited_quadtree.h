@@ -53,7 +53,7 @@ private:
         BoundingSphere sphere = this->volumes()[this->at(n)].sphere();
         sphere.radius += this->slack();
         const int middle = (node.j0 + node.j1) / 2 * cell_columns_ + (node.i0 + node.i1) / 2;
-        return {sphere, middle, node.i0, node.j0, node.i1, node.j1};
+        return {node, sphere, middle};
     }
 
     SearchLimit limit_;

@@ -11,13 +11,10 @@ namespace drape {
 /// A rectangle of cells in the quadtree over the grid.
 /// Invariants: the children's rectangles tile their parent's; a node without children has at most leaf_cells x
 /// leaf_cells cells; children follow one another and come after their parent.
-struct QuadtreeNode {
-    int i0, j0, i1, j1;  ///< cell columns [i0, i1), cell rows [j0, j1)
+struct QuadtreeNode : CellRange {
     int first_child = 0;
     int children = 0;  ///< 0 for a leaf, else 2 or 4
     int level = 0;
-
-    [[nodiscard]] bool holds(int i, int j) const { return i >= i0 && i < i1 && j >= j0 && j < j1; }
 };
 
 /// What a query did with a node.
@@ -39,8 +36,8 @@ int measured_leaf_cells(const Grid& grid);
 /// @par Cost O(nodes)
 std::vector<QuadtreeNode> make_quadtree_nodes(const Grid& grid, int leaf_cells);
 
-/// The particles of a node.
-inline Patch patch_of(const Grid& grid, const QuadtreeNode& node, const Points& x) {
+/// The particles of a rectangle of cells, a node's say.
+inline Patch patch_of(const Grid& grid, const CellRange& node, const Points& x) {
     const int first = grid.particle(node.i0, node.j0);
     return {x.col(0).data() + first, x.col(1).data() + first, x.col(2).data() + first,
             node.i1 - node.i0 + 1,   node.j1 - node.j0 + 1,   grid.nx};

@@ -31,6 +31,18 @@ struct Grid {
     bool operator==(const Grid&) const = default;
 };
 
+/// A rectangle of cells: columns [i0, i1), rows [j0, j1).
+struct CellRange {
+    int i0, j0, i1, j1;
+
+    [[nodiscard]] bool holds(int i, int j) const { return i >= i0 && i < i1 && j >= j0 && j < j1; }
+    [[nodiscard]] int cells() const { return (i1 - i0) * (j1 - j0); }
+    bool operator==(const CellRange&) const = default;
+};
+
+/// All cells of a grid.
+inline CellRange all_cells(const Grid& grid) { return {0, 0, grid.cell_columns(), grid.cell_rows()}; }
+
 /// The particles of columns first_column to end_column - 1 in rows first_row to end_row - 1.
 struct GridRange {
     int first_column, end_column;

@@ -1,0 +1,53 @@
+#pragma once
+
+#include <vector>
+
+#include "drape/base/real.h"
+#include "drape/bounds/aabb.h"
+#include "drape/bounds/quadtree_nodes.h"
+
+namespace drape {
+
+/// Tells which nodes of a cloth's hierarchy cannot touch themselves, because they are not folded enough: the cone test
+/// of @cite volino1994 in a form that is proved for distances and needs no look at a patch's outline.
+///
+/// A patch is a map phi from a rectangle of the plane, the cloth at rest, into space, linear on each triangle with the
+/// derivative F = (e_u / hx, e_v / hy), where e_u and e_v are the triangle's edges along rows and columns. Take any two
+/// directions at right angles, the columns of Q. If v.(Q^T F) v >= c |v|^2 on all triangles and for all v, then along
+/// the straight line from p to q in the rectangle (q - p).Q^T (phi(q) - phi(p)) >= c |q - p|^2, and so
+/// |phi(q) - phi(p)| >= c |q - p|: what is apart at rest stays apart. Features that share no particle are at rest at
+/// least hx hy / sqrt(hx^2 + hy^2) apart: a corner of a cell from its diagonal.
+class FoldTest {
+public:
+    FoldTest() = default;
+
+    /// @param leaf_cells of the cloth's hierarchy: its nodes and these have the same numbers
+    FoldTest(const Grid& grid, Real hx, Real hy, int leaf_cells);
+
+    /// Follows the cloth to its present positions.
+    /// @param x n x 3 [m]
+    /// @par Cost O(particles)
+    void build(const Points& x);
+
+    /// Whether all that shares no particle in a node is farther apart than a distance [m].
+    [[nodiscard]] bool keeps_apart(int node, Real distance) const;
+
+    /// The same for two nodes which together are a rectangle; false for all others.
+    [[nodiscard]] bool keep_apart(int first, int second, Real distance) const;
+
+private:
+    /// All derivatives of a patch are within.
+    struct Derivatives {
+        Aabb along, across;  ///< e_u / hx, e_v / hy
+    };
+
+    [[nodiscard]] Derivatives of_leaf(const QuadtreeNode& leaf, const Points& x) const;
+    [[nodiscard]] bool bounds(const Derivatives& derivatives, Real distance) const;
+
+    Grid grid_;
+    Real hx_ = 0, hy_ = 0;
+    std::vector<QuadtreeNode> nodes_;
+    std::vector<Derivatives> derivatives_;  ///< of each node
+};
+
+}  // namespace drape

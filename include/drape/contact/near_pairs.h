@@ -1,0 +1,67 @@
+#pragma once
+
+#include <array>
+#include <compare>
+#include <cstdint>
+#include <vector>
+
+#include "drape/bounds/aabb.h"
+#include "drape/bounds/broad_phase.h"
+
+namespace drape {
+
+/// The particles of two features: a particle and a triangle, or an edge and an edge.
+struct FeaturePair {
+    std::array<int, 2> cloths{};     ///< numbers of the first feature's cloth and of the second's
+    int first_count = 1;             ///< particles of the first feature: 1, or 2 for an edge against an edge
+    std::array<int, 4> particles{};  ///< those of the first feature, then those of the second
+    auto operator<=>(const FeaturePair&) const = default;
+};
+
+/// Two features that are near each other; of one cloth, they share no particle.
+struct NearPair {
+    FeaturePair features;
+    std::array<Real, 4> weights{};  ///< of the particles in the closest points; those of each feature sum to 1
+    Vec3 normal = Vec3::Zero();     ///< from the second's closest point to the first's, length 1
+    Real distance = 0;              ///< of the closest points [m]
+    bool stands_alone = true;       ///< these two points are not those of another pair, which is answered for them
+};
+
+/// A cloth as the search for pairs sees it.
+struct ClothAt {
+    int number;  ///< among all cloths
+    const Grid& grid;
+    const Points& x;  ///< n x 3 [m]
+};
+
+/// The boxes of all cells of a cloth.
+class CellBoxes {
+public:
+    /// @par Cost O(cells)
+    void build(const Grid& grid, const Points& x);
+
+    [[nodiscard]] const Aabb& operator[](int cell) const { return boxes_[static_cast<std::size_t>(cell)]; }
+
+    /// About all cells of a range.
+    [[nodiscard]] Aabb of(const Grid& grid, const CellRange& cells) const;
+
+private:
+    std::vector<Aabb> boxes_;
+};
+
+/// A cloth and the boxes of its cells.
+struct BoxedCloth {
+    ClothAt cloth;
+    const CellBoxes& boxes;
+};
+
+/// Finds every particle and triangle, and every two edges, that share no particle and are nearer to each other than a
+/// margin, each once. @cite bridson2002
+/// @param leaves where they may be, as a query for pairs of these two cloths found
+/// @param pairs receives them, after what it has; in no particular order
+/// @return how many pairs of cells were tested exactly
+/// @par Cost O(pairs of cells in the leaves) tests of boxes, O(pairs of cells whose boxes come near) exact ones
+std::int64_t find_near_pairs(const BoxedCloth& first, const BoxedCloth& second, Real margin,
+                             const std::vector<LeafPair>& leaves, std::vector<NearPair>& pairs);
+
+}  // namespace drape

@@ -1,0 +1,104 @@
+#include "drape/bounds/fold_test.h"
+
+#include <cmath>
+
+namespace drape {
+namespace {
+
+/// Of what a bound loses by rounding, far more than it can.
+constexpr Real fold_rounding = 256 * std::numeric_limits<Real>::epsilon();
+
+/// The two directions at right angles that are nearest to the columns of F: Q = F R^-1 with R = sqrt(F^T F), the
+/// rotation of the polar decomposition. Zero if F has no such.
+Eigen::Matrix<Real, 3, 2> nearest_directions(const Vec3& along, const Vec3& across) {
+    Eigen::Matrix<Real, 3, 2> f;
+    f << along, across;
+    Eigen::Matrix<Real, 2, 2> square = f.transpose() * f;
+    const Real root = std::sqrt(std::max(square.determinant(), Real(0)));
+    const Real scale = std::sqrt(square.trace() + 2 * root);
+    if (!(root > 0)) return Eigen::Matrix<Real, 3, 2>::Zero();
+    square.diagonal().array() += root;
+    return f * (square / scale).inverse();
+}
+
+/// What a direction's product with anything in a box is at least, and at most.
+Real least_along(const Vec3& direction, const Aabb& box) {
+    return direction.dot(box.low + box.high) / 2 - direction.cwiseAbs().dot(box.high - box.low) / 2;
+}
+Real most_along(const Vec3& direction, const Aabb& box) { return -least_along(-direction, box); }
+
+Aabb merged(const Aabb& first, const Aabb& second) { return Aabb::merge(std::array{first, second}); }
+
+/// Whether two rectangles of cells together are one.
+bool make_rectangle(const CellRange& first, const CellRange& second) {
+    const bool same_rows = first.j0 == second.j0 && first.j1 == second.j1;
+    const bool same_columns = first.i0 == second.i0 && first.i1 == second.i1;
+    return (same_rows && (first.i1 == second.i0 || second.i1 == first.i0)) ||
+           (same_columns && (first.j1 == second.j0 || second.j1 == first.j0));
+}
+
+}  // namespace
+
+FoldTest::FoldTest(const Grid& grid, Real hx, Real hy, int leaf_cells)
+    : grid_(grid), hx_(hx), hy_(hy), nodes_(make_quadtree_nodes(grid, leaf_cells)), derivatives_(nodes_.size()) {}
+
+void FoldTest::build(const Points& x) {
+    for (std::size_t n = nodes_.size(); n-- > 0;) {
+        const QuadtreeNode& node = nodes_[n];
+        if (node.children == 0) {
+            derivatives_[n] = of_leaf(node, x);
+            continue;
+        }
+        const auto first = static_cast<std::size_t>(node.first_child);
+        Derivatives all = derivatives_[first];
+        for (std::size_t child = 1; child < static_cast<std::size_t>(node.children); ++child) {
+            all.along.include(derivatives_[first + child].along);
+            all.across.include(derivatives_[first + child].across);
+        }
+        derivatives_[n] = all;
+    }
+}
+
+FoldTest::Derivatives FoldTest::of_leaf(const QuadtreeNode& leaf, const Points& x) const {
+    const auto derivative = [&](int from, int to, Real length) -> Vec3 {
+        return (x.row(to) - x.row(from)).transpose() / length;
+    };
+    const int corner = grid_.particle(leaf.i0, leaf.j0);
+    const Vec3 along = derivative(corner, corner + 1, hx_), across = derivative(corner, corner + grid_.nx, hy_);
+    Derivatives all{{along, along}, {across, across}};
+    for (int j = leaf.j0; j <= leaf.j1; ++j) {
+        for (int i = leaf.i0; i <= leaf.i1; ++i) {
+            const int p = grid_.particle(i, j);
+            if (i < leaf.i1) all.along.include(derivative(p, p + 1, hx_));
+            if (j < leaf.j1) all.across.include(derivative(p, p + grid_.nx, hy_));
+        }
+    }
+    return all;
+}
+
+/// The least eigenvalue of the symmetric part of Q^T F is c.
+bool FoldTest::bounds(const Derivatives& derivatives, Real distance) const {
+    const auto& [along, across] = derivatives;
+    const Eigen::Matrix<Real, 3, 2> q = nearest_directions((along.low + along.high) / 2, (across.low + across.high) / 2);
+    const Vec3 u = q.col(0), v = q.col(1);
+    const Real m11 = least_along(u, along), m22 = least_along(v, across);
+    const Real most = most_along(v, along) + most_along(u, across);
+    const Real least = least_along(v, along) + least_along(u, across);
+    const Real m12 = std::max(std::abs(most), std::abs(least)) / 2, half = (m11 - m22) / 2;
+    const Real c = (m11 + m22) / 2 - std::sqrt(half * half + m12 * m12);
+    const Real apart_at_rest = hx_ * hy_ / std::sqrt(hx_ * hx_ + hy_ * hy_);
+    return (c - fold_rounding) * apart_at_rest > distance;
+}
+
+bool FoldTest::keeps_apart(int node, Real distance) const {
+    return bounds(derivatives_[static_cast<std::size_t>(node)], distance);
+}
+
+bool FoldTest::keep_apart(int first, int second, Real distance) const {
+    const auto f = static_cast<std::size_t>(first), s = static_cast<std::size_t>(second);
+    if (!make_rectangle(nodes_[f], nodes_[s])) return false;
+    const Derivatives &one = derivatives_[f], &two = derivatives_[s];
+    return bounds({merged(one.along, two.along), merged(one.across, two.across)}, distance);
+}
+
+}  // namespace drape

@@ -1,0 +1,152 @@
+#include "drape/contact/near_pairs.h"
+
+#include <algorithm>
+#include <span>
+
+#include "contact_geometry.h"
+#include "drape/contact/segments.h"
+#include "grid_features.h"
+
+namespace drape {
+namespace {
+
+/// The particles and the edges that belong to a cell: its corner a, the edges from it to b and c, and the diagonal; at
+/// the far sides of the cloth also what no other cell has.
+struct CellFeatures {
+    std::array<int, 4> particles{};
+    std::array<std::array<int, 2>, 5> edges{};
+    std::size_t particle_count = 0, edge_count = 0;
+
+    CellFeatures(const Grid& grid, int cell) {
+        const int a = grid.cell_corner(cell), b = a + 1, c = a + grid.nx, d = c + 1;
+        const bool last_column = cell % grid.cell_columns() == grid.cell_columns() - 1;
+        const bool last_row = cell / grid.cell_columns() == grid.cell_rows() - 1;
+        add(a), add(a, b), add(a, c), add(b, c);
+        if (last_column) add(b), add(b, d);
+        if (last_row) add(c), add(c, d);
+        if (last_column && last_row) add(d);
+    }
+
+    [[nodiscard]] auto all_particles() const { return std::span(particles).first(particle_count); }
+    [[nodiscard]] auto all_edges() const { return std::span(edges).first(edge_count); }
+
+private:
+    void add(int particle) { particles[particle_count++] = particle; }
+    void add(int from, int to) { edges[edge_count++] = {from, to}; }
+};
+
+/// Whether a particle's closest point of a triangle is to be answered for there, and not by another triangle that has
+/// it too, nor, where it is a corner, by that corner's particle.
+bool is_answered_here(const Grid& grid, int triangle, const NearPair& pair) {
+    const OnTriangle on = feature_at({pair.weights[1], pair.weights[2], pair.weights[3]});
+    if (on.zeros == 0) return true;
+    if (on.zeros == 1) return !other_reports_edge(grid, triangle, on.opposite);
+    const auto& [cloths, count, particles] = pair.features;
+    std::size_t corner = 1;
+    while (pair.weights[corner] == 0) ++corner;
+    const bool lower = cloths[0] != cloths[1] ? cloths[0] < cloths[1] : particles[0] < particles[corner];
+    return lower && owner_of(grid, particles[corner]) == triangle;
+}
+
+/// Tests features of cells exactly.
+struct FeatureTest {
+    Real margin;
+    std::vector<NearPair>& pairs;
+
+    /// Keeps a pair that is near. Where both points are one, any direction serves.
+    void keep(NearPair pair, const Vec3& offset) const {
+        pair.distance = offset.norm();
+        if (!(pair.distance < margin)) return;
+        pair.normal = pair.distance > 0 ? Vec3(offset / pair.distance) : Vec3(0, 1, 0);
+        pairs.push_back(pair);
+    }
+
+    void particle_and_cell(const ClothAt& first, int particle, const ClothAt& second, int cell) const {
+        const Vec3 p = position(first.x, particle);
+        for (const int triangle : {2 * cell, 2 * cell + 1}) {
+            const std::array<int, 3> corners = second.grid.triangle_corners(triangle);
+            if (first.number == second.number && std::ranges::count(corners, particle) > 0) continue;
+            const ClosestPoint closest = closest_point(second.x, corners, p);
+            const auto [u, v, w] = closest.barycentric;
+            NearPair pair{{{first.number, second.number}, 1, {particle, corners[0], corners[1], corners[2]}},
+                          {1, u, v, w}};
+            pair.stands_alone = is_answered_here(second.grid, triangle, pair);
+            keep(pair, p - closest.point);
+        }
+    }
+
+    void edges(const ClothAt& first, const std::array<int, 2>& e, const ClothAt& second,
+               const std::array<int, 2>& f) const {
+        const bool touch = e[0] == f[0] || e[0] == f[1] || e[1] == f[0] || e[1] == f[1];
+        if (first.number == second.number && touch) return;
+        const auto [s, t, offset] = closest_of_segments(position(first.x, e[0]), position(first.x, e[1]),
+                                                        position(second.x, f[0]), position(second.x, f[1]));
+        NearPair pair{{{first.number, second.number}, 2, {e[0], e[1], f[0], f[1]}}, {1 - s, s, 1 - t, t}};
+        // An end is a particle, and near a triangle
+        pair.stands_alone = s > 0 && s < 1 && t > 0 && t < 1;
+        keep(pair, offset);
+    }
+
+    void cells(const ClothAt& first, int one, const ClothAt& second, int two) const {
+        const bool same = first.number == second.number && one == two;
+        const CellFeatures of_one(first.grid, one), of_two(second.grid, two);
+        for (const int particle : of_one.all_particles()) particle_and_cell(first, particle, second, two);
+        for (const int particle : of_two.all_particles()) {
+            if (!same) particle_and_cell(second, particle, first, one);
+        }
+        for (std::size_t i = 0; i < of_one.edge_count; ++i) {
+            for (std::size_t j = same ? i + 1 : 0; j < of_two.edge_count; ++j) {
+                edges(first, of_one.edges[i], second, of_two.edges[j]);
+            }
+        }
+    }
+};
+
+/// Calls visit(cell) for each cell of a range.
+template <class Visit>
+void for_each_cell_of(const Grid& grid, const CellRange& cells, Visit visit) {
+    for (int j = cells.j0; j < cells.j1; ++j) {
+        for (int i = cells.i0; i < cells.i1; ++i) visit(j * grid.cell_columns() + i);
+    }
+}
+
+}  // namespace
+
+void CellBoxes::build(const Grid& grid, const Points& x) {
+    boxes_.resize(static_cast<std::size_t>(grid.cells()));
+    for (int cell = 0; cell < grid.cells(); ++cell) {
+        const int a = grid.cell_corner(cell);
+        Aabb box{position(x, a), position(x, a)};
+        for (const int p : {a + 1, a + grid.nx, a + grid.nx + 1}) box.include(position(x, p));
+        boxes_[static_cast<std::size_t>(cell)] = box;
+    }
+}
+
+Aabb CellBoxes::of(const Grid& grid, const CellRange& cells) const {
+    Aabb all = (*this)[cells.j0 * grid.cell_columns() + cells.i0];
+    for_each_cell_of(grid, cells, [&](int cell) { all.include((*this)[cell]); });
+    return all;
+}
+
+std::int64_t find_near_pairs(const BoxedCloth& first, const BoxedCloth& second, Real margin,
+                             const std::vector<LeafPair>& leaves, std::vector<NearPair>& pairs) {
+    const FeatureTest test{margin, pairs};
+    std::int64_t tested = 0;
+    for (const auto& [cells, others] : leaves) {
+        const bool same = first.cloth.number == second.cloth.number && cells == others;
+        const Aabb around = second.boxes.of(second.cloth.grid, others);
+        for_each_cell_of(first.cloth.grid, cells, [&](int one) {
+            if (!first.boxes[one].comes_within(around, margin)) return;
+            for_each_cell_of(second.cloth.grid, others, [&](int two) {
+                if ((same && two < one) || !first.boxes[one].comes_within(second.boxes[two], margin)) return;
+                ++tested;
+                // Of one cloth, in the order of the cells whatever the order of the leaves
+                const bool turned = first.cloth.number == second.cloth.number && two < one;
+                turned ? test.cells(second.cloth, two, first.cloth, one) : test.cells(first.cloth, one, second.cloth, two);
+            });
+        });
+    }
+    return tested;
+}
+
+}  // namespace drape

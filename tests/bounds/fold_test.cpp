@@ -1,0 +1,99 @@
+// The cone test says that a patch keeps away from itself only where that is so.
+
+#include "drape/bounds/fold_test.h"
+
+#include <gtest/gtest.h>
+
+#include "drape/contact/near_pairs.h"
+#include "support/cloths.h"
+
+namespace drape {
+namespace {
+
+constexpr Real spacing = Real(0.1);
+
+/// Rolled about an axis along z: a sheet of the given curvature [1/m], waved a little.
+Points rolled(const Grid& grid, Real curvature, Real wave) {
+    Points x(grid.particles(), 3);
+    for (int j = 0; j < grid.ny; ++j) {
+        for (int i = 0; i < grid.nx; ++i) {
+            const Real angle = curvature * spacing * static_cast<Real>(i), z = spacing * static_cast<Real>(j);
+            const Real radius = 1 / curvature + wave * std::sin(9 * z);
+            x.row(grid.particle(i, j)) << radius * std::sin(angle), radius * std::cos(angle), z;
+        }
+    }
+    return x;
+}
+
+/// Pairs within a distance in two leaves, or in one.
+std::size_t pairs_in(const Grid& grid, const Points& x, const CellRange& first, const CellRange& second, Real distance) {
+    CellBoxes boxes;
+    boxes.build(grid, x);
+    std::vector<NearPair> pairs;
+    const BoxedCloth cloth{{0, grid, x}, boxes};
+    find_near_pairs(cloth, cloth, distance, {{first, second}}, pairs);
+    return pairs.size();
+}
+
+TEST(FoldTest, KeepsAFlatSheetApartToNearlyItsRestDistances) {
+    const Grid grid{20, 20};
+    ClothParameters parameters;
+    parameters.particles = grid;
+    FoldTest folds(grid, Real(1) / 19, Real(1) / 19, 4);
+    folds.build(make_rest_state(parameters).x);
+    const Real apart_at_rest = Real(1) / 19 / std::sqrt(Real(2));
+    EXPECT_TRUE(folds.keeps_apart(0, Real(0.999) * apart_at_rest));
+    EXPECT_FALSE(folds.keeps_apart(0, Real(1.001) * apart_at_rest));
+}
+
+TEST(FoldTest, NeverKeepsApartWhatIsNear) {
+    const Grid grid{17, 13};
+    const auto nodes = make_quadtree_nodes(grid, 3);
+    std::mt19937 random(6);
+    std::uniform_real_distribution<Real> unit(0, 1);
+    int proved = 0, refused = 0, pairs_proved = 0;
+    for (int trial = 0; trial < 60; ++trial) {
+        Points x = rolled(grid, Real(0.5) + 8 * unit(random), Real(0.05) * unit(random));
+        x.col(2) *= Real(0.3) + unit(random);
+        const Points noise = test::random_cloth(grid, random);
+        if (trial % 3 == 0) x += Real(0.3) * unit(random) * noise;
+        FoldTest folds(grid, spacing, spacing, 3);
+        folds.build(x);
+        const Real distance = Real(0.06) * unit(random);
+        for (int n = 0; n < static_cast<int>(nodes.size()); ++n) {
+            const QuadtreeNode& node = nodes[static_cast<std::size_t>(n)];
+            const bool apart = folds.keeps_apart(n, distance);
+            ++(apart ? proved : refused);
+            if (apart) {
+                ASSERT_EQ(pairs_in(grid, x, node, node, distance), 0U) << "trial " << trial << " node " << n;
+            }
+            for (int m = n + 1; m < static_cast<int>(nodes.size()); ++m) {
+                if (!folds.keep_apart(n, m, distance)) continue;
+                ++pairs_proved;
+                ASSERT_EQ(pairs_in(grid, x, node, nodes[static_cast<std::size_t>(m)], distance), 0U);
+            }
+        }
+    }
+    EXPECT_GT(proved, 300);
+    EXPECT_GT(pairs_proved, 300);
+    EXPECT_GT(refused, 300);
+}
+
+TEST(FoldTest, SeesAFoldAndACollapsedPatch) {
+    const Grid grid{9, 9};
+    FoldTest folds(grid, spacing, spacing, 2);
+    Points x = rolled(grid, Real(1e-3), 0);
+    folds.build(x);
+    EXPECT_TRUE(folds.keeps_apart(0, Real(0.01)));
+    for (int p = 0; p < grid.particles(); ++p) {
+        if (p % grid.nx > 4) x.row(p) = x.row(p - 2 * (p % grid.nx - 4)) + Eigen::RowVector3d(0, 0.001, 0);
+    }
+    folds.build(x);
+    EXPECT_FALSE(folds.keeps_apart(0, Real(0)));
+    x.col(0).setZero();
+    folds.build(x);
+    EXPECT_FALSE(folds.keeps_apart(0, Real(0)));
+}
+
+}  // namespace
+}  // namespace drape

@@ -1,0 +1,237 @@
+// Pairs of features that are near each other: by hierarchies, by brute force and by the plainest enumeration.
+
+#include "drape/contact/near_pairs.h"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+
+#include "drape/bounds/fold_test.h"
+#include "drape/contact/segments.h"
+#include "support/cloths.h"
+#include "support/exact_distance.h"
+
+namespace drape {
+namespace {
+
+/// A cloth that is squeezed along two axes, so that it comes near itself in many ways.
+Points squeezed_cloth(const Grid& grid, std::mt19937& random) {
+    std::uniform_real_distribution<Real> unit(0, 1);
+    Points x = test::random_cloth(grid, random);
+    x.col(0) *= Real(0.02) + unit(random);
+    x.col(2) *= Real(0.02) + unit(random);
+    return x;
+}
+
+/// A cloth with a hierarchy, the cone test and the boxes of its cells, built about positions.
+struct Searched {
+    Searched(int cloth, const Grid& its_grid, const BroadPhaseParameters& parameters)
+        : number(cloth),
+          grid(its_grid),
+          tree(make_broad_phase(parameters, grid)),
+          folds(grid, Real(1) / static_cast<Real>(grid.nx - 1), Real(1) / static_cast<Real>(grid.ny - 1),
+                parameters.leaf_cells) {}
+
+    void build(const Points& positions) {
+        x = positions;
+        tree->build(x);
+        folds.build(x);
+        boxes.build(grid, x);
+    }
+
+    [[nodiscard]] BoxedCloth boxed() const { return {{number, grid, x}, boxes}; }
+
+    int number;
+    Grid grid;
+    std::unique_ptr<BroadPhase> tree;
+    FoldTest folds;
+    CellBoxes boxes;
+    Points x;
+};
+
+std::vector<FeaturePair> features_of(const std::vector<NearPair>& pairs) {
+    std::vector<FeaturePair> features;
+    for (const NearPair& pair : pairs) features.push_back(pair.features);
+    std::ranges::sort(features);
+    return features;
+}
+
+std::vector<FeaturePair> pairs_within(Searched& first, Searched& second, Real margin, bool with_cones) {
+    std::vector<LeafPair> leaves;
+    first.tree->query(*second.tree, margin, with_cones ? &first.folds : nullptr, leaves);
+    std::vector<NearPair> pairs;
+    find_near_pairs(first.boxed(), second.boxed(), margin, leaves, pairs);
+    return features_of(pairs);
+}
+
+constexpr VolumeKind volumes[] = {VolumeKind::Sphere, VolumeKind::Aabb,   VolumeKind::Kdop14,
+                                  VolumeKind::Kdop18, VolumeKind::Kdop26, VolumeKind::Obb};
+
+TEST(NearPairs, OfACrumpledClothAreThoseOfBruteForceByEveryVolume) {
+    std::mt19937 random(1);
+    for (const VolumeKind volume : volumes) {
+        std::int64_t found = 0;
+        for (int trial = 0; trial < 12; ++trial) {
+            const Grid grid{9 + trial % 5, 8 + trial % 3};
+            Searched cloth(0, grid, {.volume = volume, .leaf_cells = 1 + trial % 4});
+            Searched brute(0, grid, {.volume = VolumeKind::Brute});
+            const Points x = squeezed_cloth(grid, random);
+            cloth.build(x);
+            brute.build(x);
+            const Real margin = Real(0.03);
+            const auto expected = pairs_within(brute, brute, margin, false);
+            found += static_cast<std::int64_t>(expected.size());
+            ASSERT_EQ(pairs_within(cloth, cloth, margin, false), expected) << name_of(volume);
+            ASSERT_EQ(pairs_within(cloth, cloth, margin, true), expected) << name_of(volume) << " with cones";
+        }
+        EXPECT_GT(found, 1000);
+    }
+}
+
+TEST(NearPairs, OfTwoClothsAreThoseOfBruteForce) {
+    std::mt19937 random(2);
+    for (const VolumeKind volume : volumes) {
+        std::int64_t found = 0;
+        for (int trial = 0; trial < 12; ++trial) {
+            const Grid grid{9 + trial % 5, 8}, other_grid{7, 11};
+            Searched cloth(0, grid, {.volume = volume, .leaf_cells = 2}), brute(0, grid, {.volume = VolumeKind::Brute});
+            Searched other(1, other_grid, {.volume = volume, .leaf_cells = 3});
+            Searched other_brute(1, other_grid, {.volume = VolumeKind::Brute});
+            const Points x = squeezed_cloth(grid, random), y = squeezed_cloth(other_grid, random);
+            for (Searched* one : {&cloth, &brute}) one->build(x);
+            for (Searched* one : {&other, &other_brute}) one->build(y);
+            const Real margin = Real(0.05);
+            const auto expected = pairs_within(brute, other_brute, margin, false);
+            found += static_cast<std::int64_t>(expected.size());
+            ASSERT_EQ(pairs_within(cloth, other, margin, false), expected) << name_of(volume);
+        }
+        EXPECT_GT(found, 1000);
+    }
+}
+
+/// Every edge of a grid once.
+std::vector<std::array<int, 2>> all_edges(const Grid& grid) {
+    std::vector<std::array<int, 2>> edges;
+    for (int j = 0; j < grid.ny; ++j) {
+        for (int i = 0; i < grid.nx; ++i) {
+            const int p = grid.particle(i, j);
+            if (i + 1 < grid.nx) edges.push_back({p, p + 1});
+            if (j + 1 < grid.ny) edges.push_back({p, p + grid.nx});
+            if (i + 1 < grid.nx && j + 1 < grid.ny) edges.push_back({p + 1, p + grid.nx});
+        }
+    }
+    return edges;
+}
+
+TEST(NearPairs, AreAllThatTheDefinitionNames) {
+    std::mt19937 random(3);
+    const Grid grid{8, 7};
+    const Real margin = Real(0.06);
+    const auto edges = all_edges(grid);
+    for (int trial = 0; trial < 10; ++trial) {
+        Searched cloth(0, grid, {.volume = VolumeKind::Brute});
+        cloth.build(squeezed_cloth(grid, random));
+        const auto at = [&](int p) -> Vec3 { return cloth.x.row(p).transpose(); };
+        std::vector<FeaturePair> expected;
+        for (int p = 0; p < grid.particles(); ++p) {
+            for (int t = 0; t < grid.triangles(); ++t) {
+                const auto corners = grid.triangle_corners(t);
+                if (std::ranges::count(corners, p) > 0) continue;
+                if (distance_to_triangle(at(p), grid, cloth.x, t) >= margin) continue;
+                expected.push_back({{0, 0}, 1, {p, corners[0], corners[1], corners[2]}});
+            }
+        }
+        auto found = pairs_within(cloth, cloth, margin, false);
+        std::size_t edge_pairs = 0;
+        for (std::size_t e = 0; e < edges.size(); ++e) {
+            for (std::size_t f = e + 1; f < edges.size(); ++f) {
+                if (std::ranges::find_first_of(edges[e], edges[f]) != edges[e].end()) continue;
+                const Vec3 a = at(edges[e][0]), b = at(edges[e][1]), c = at(edges[f][0]), d = at(edges[f][1]);
+                if (closest_of_segments(a, b, c, d).offset.norm() < margin) ++edge_pairs;
+            }
+        }
+        const auto is_edge_pair = [](const FeaturePair& pair) { return pair.first_count == 2; };
+        EXPECT_EQ(static_cast<std::size_t>(std::ranges::count_if(found, is_edge_pair)), edge_pairs);
+        EXPECT_TRUE(std::ranges::adjacent_find(found) == found.end()) << "a pair twice";
+        std::erase_if(found, is_edge_pair);
+        std::ranges::sort(expected);
+        EXPECT_EQ(found, expected);
+    }
+}
+
+TEST(NearPairs, HaveWeightsNormalAndDistanceOfTheirClosestPoints) {
+    std::mt19937 random(4);
+    const Grid grid{9, 9};
+    Searched cloth(0, grid, {.volume = VolumeKind::Sphere, .leaf_cells = 2});
+    cloth.build(squeezed_cloth(grid, random));
+    std::vector<LeafPair> leaves;
+    cloth.tree->query(*cloth.tree, Real(0.05), &cloth.folds, leaves);
+    std::vector<NearPair> pairs;
+    find_near_pairs(cloth.boxed(), cloth.boxed(), Real(0.05), leaves, pairs);
+    ASSERT_GT(pairs.size(), 100U);
+    for (const NearPair& pair : pairs) {
+        Vec3 offset = Vec3::Zero();
+        for (std::size_t k = 0; k < 4; ++k) {
+            const Real side = static_cast<int>(k) < pair.features.first_count ? Real(1) : Real(-1);
+            offset += side * pair.weights[k] * cloth.x.row(pair.features.particles[k]).transpose();
+        }
+        EXPECT_NEAR((offset - pair.distance * pair.normal).norm(), 0, 1e-12);
+        EXPECT_NEAR(pair.normal.norm(), 1, 1e-12);
+    }
+}
+
+TEST(NearPairs, OfFlatSheetsOneAboveTheOtherAreAnsweredForOnce) {
+    // Particles above particles, edges above edges: each of the first cloth's particles meets one of the second
+    const Grid grid{4, 4};
+    ClothParameters parameters;
+    parameters.particles = grid;
+    Points x = make_rest_state(parameters).x, y = x;
+    y.col(1).array() += Real(0.01);
+    Searched first(0, grid, {.volume = VolumeKind::Brute}), second(1, grid, {.volume = VolumeKind::Brute});
+    first.build(x);
+    second.build(y);
+    std::vector<LeafPair> leaves;
+    first.tree->query(*second.tree, Real(0.02), nullptr, leaves);
+    std::vector<NearPair> pairs;
+    find_near_pairs(first.boxed(), second.boxed(), Real(0.02), leaves, pairs);
+    std::vector<int> times(static_cast<std::size_t>(grid.particles()));
+    for (const NearPair& pair : pairs) {
+        if (pair.stands_alone && pair.features.first_count == 1) {
+            ++times[static_cast<std::size_t>(pair.features.particles[0])];
+        }
+    }
+    EXPECT_EQ(times, std::vector<int>(times.size(), 1));
+}
+
+/// The distance of two segments by many points on them, each against the whole other one.
+Real sampled_distance(const Vec3& a, const Vec3& b, const Vec3& c, const Vec3& d) {
+    Real least = distance_to_segment(a, c, d);
+    for (int k = 0; k <= 1000; ++k) {
+        const Real s = Real(k) / 1000;
+        least = std::min({least, distance_to_segment(a + s * (b - a), c, d), distance_to_segment(c + s * (d - c), a, b)});
+    }
+    return least;
+}
+
+TEST(Segments, AreAsFarApartAsManyPointsOnThemSay) {
+    std::mt19937 random(5);
+    std::normal_distribution<Real> normal;
+    const auto point = [&] { return Vec3(normal(random), normal(random), normal(random)); };
+    for (int trial = 0; trial < 2000; ++trial) {
+        const Vec3 a = point(), b = point(), c = point();
+        // Any; parallel; nearly parallel; on one line; a point
+        const Vec3 directions[] = {point(), b - a, (b - a) + Real(1e-7) * point(), b - a, Vec3(0, 0, 0)};
+        const auto kind = static_cast<std::size_t>(trial % 5);
+        const Vec3 from = kind == 3 ? Vec3(a + normal(random) * (b - a)) : c;
+        const Vec3 to = from + normal(random) * directions[kind];
+        const ClosestOfSegments closest = closest_of_segments(a, b, from, to);
+        const Real distance = closest.offset.norm(), sampled = sampled_distance(a, b, from, to);
+        ASSERT_LE(distance, sampled + 1e-12) << trial;
+        ASSERT_GE(distance, sampled - 1e-3 * ((b - a).norm() + (to - from).norm())) << trial;
+        const Vec3 between = (a + closest.first * (b - a)) - (from + closest.second * (to - from));
+        ASSERT_NEAR((between - closest.offset).norm(), 0, 1e-12) << trial;
+    }
+}
+
+}  // namespace
+}  // namespace drape
