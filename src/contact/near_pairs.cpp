@@ -37,15 +37,36 @@ private:
 
 /// Whether a particle's closest point of a triangle is to be answered for there, and not by another triangle that has
 /// it too, nor, where it is a corner, by that corner's particle.
-bool is_answered_here(const Grid& grid, int triangle, const NearPair& pair) {
+bool is_answered_here(const Grid& grid, const NearPair& pair) {
     const OnTriangle on = feature_at({pair.weights[1], pair.weights[2], pair.weights[3]});
     if (on.zeros == 0) return true;
-    if (on.zeros == 1) return !other_reports_edge(grid, triangle, on.opposite);
+    if (on.zeros == 1) return !other_reports_edge(grid, pair.triangle, on.opposite);
     const auto& [cloths, count, particles] = pair.features;
     std::size_t corner = 1;
     while (pair.weights[corner] == 0) ++corner;
     const bool lower = cloths[0] != cloths[1] ? cloths[0] < cloths[1] : particles[0] < particles[corner];
-    return lower && owner_of(grid, particles[corner]) == triangle;
+    return lower && owner_of(grid, particles[corner]) == pair.triangle;
+}
+
+/// From the second feature's closest point to the first's.
+Vec3 locate_on_triangle(const ClothAt& first, const ClothAt& second, NearPair& pair) {
+    const auto& [particle, a, b, c] = pair.features.particles;
+    const Vec3 p = position(first.x, particle);
+    const ClosestPoint closest = closest_point(second.x, {a, b, c}, p);
+    const auto [u, v, w] = closest.barycentric;
+    pair.weights = {1, u, v, w};
+    pair.stands_alone = is_answered_here(second.grid, pair);
+    return p - closest.point;
+}
+
+/// An end is a particle, and near a triangle.
+Vec3 locate_on_edges(const ClothAt& first, const ClothAt& second, NearPair& pair) {
+    const auto& [a, b, c, d] = pair.features.particles;
+    const auto [s, t, offset] =
+        closest_of_segments(position(first.x, a), position(first.x, b), position(second.x, c), position(second.x, d));
+    pair.weights = {1 - s, s, 1 - t, t};
+    pair.stands_alone = s > 0 && s < 1 && t > 0 && t < 1;
+    return offset;
 }
 
 /// Tests features of cells exactly.
@@ -53,25 +74,17 @@ struct FeatureTest {
     Real margin;
     std::vector<NearPair>& pairs;
 
-    /// Keeps a pair that is near. Where both points are one, any direction serves.
-    void keep(NearPair pair, const Vec3& offset) const {
-        pair.distance = offset.norm();
-        if (!(pair.distance < margin)) return;
-        pair.normal = pair.distance > 0 ? Vec3(offset / pair.distance) : Vec3(0, 1, 0);
-        pairs.push_back(pair);
+    void keep(const ClothAt& first, const ClothAt& second, NearPair pair) const {
+        locate(first, second, pair);
+        if (pair.distance < margin) pairs.push_back(pair);
     }
 
     void particle_and_cell(const ClothAt& first, int particle, const ClothAt& second, int cell) const {
-        const Vec3 p = position(first.x, particle);
         for (const int triangle : {2 * cell, 2 * cell + 1}) {
             const std::array<int, 3> corners = second.grid.triangle_corners(triangle);
             if (first.number == second.number && std::ranges::count(corners, particle) > 0) continue;
-            const ClosestPoint closest = closest_point(second.x, corners, p);
-            const auto [u, v, w] = closest.barycentric;
-            NearPair pair{{{first.number, second.number}, 1, {particle, corners[0], corners[1], corners[2]}},
-                          {1, u, v, w}};
-            pair.stands_alone = is_answered_here(second.grid, triangle, pair);
-            keep(pair, p - closest.point);
+            keep(first, second,
+                 {{{first.number, second.number}, 1, {particle, corners[0], corners[1], corners[2]}}, triangle});
         }
     }
 
@@ -79,12 +92,7 @@ struct FeatureTest {
                const std::array<int, 2>& f) const {
         const bool touch = e[0] == f[0] || e[0] == f[1] || e[1] == f[0] || e[1] == f[1];
         if (first.number == second.number && touch) return;
-        const auto [s, t, offset] = closest_of_segments(position(first.x, e[0]), position(first.x, e[1]),
-                                                        position(second.x, f[0]), position(second.x, f[1]));
-        NearPair pair{{{first.number, second.number}, 2, {e[0], e[1], f[0], f[1]}}, {1 - s, s, 1 - t, t}};
-        // An end is a particle, and near a triangle
-        pair.stands_alone = s > 0 && s < 1 && t > 0 && t < 1;
-        keep(pair, offset);
+        keep(first, second, {{{first.number, second.number}, 2, {e[0], e[1], f[0], f[1]}}});
     }
 
     void cells(const ClothAt& first, int one, const ClothAt& second, int two) const {
@@ -111,6 +119,14 @@ void for_each_cell_of(const Grid& grid, const CellRange& cells, Visit visit) {
 }
 
 }  // namespace
+
+/// Where both points are one, any direction serves.
+void locate(const ClothAt& first, const ClothAt& second, NearPair& pair) {
+    const Vec3 offset =
+        pair.triangle < 0 ? locate_on_edges(first, second, pair) : locate_on_triangle(first, second, pair);
+    pair.distance = offset.norm();
+    pair.normal = pair.distance > 0 ? Vec3(offset / pair.distance) : Vec3(0, 1, 0);
+}
 
 void CellBoxes::build(const Grid& grid, const Points& x) {
     boxes_.resize(static_cast<std::size_t>(grid.cells()));

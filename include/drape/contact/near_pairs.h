@@ -21,6 +21,7 @@ struct FeaturePair {
 /// Two features that are near each other; of one cloth, they share no particle.
 struct NearPair {
     FeaturePair features;
+    int triangle = -1;              ///< of the second cloth, against a particle; -1: an edge against an edge
     std::array<Real, 4> weights{};  ///< of the particles in the closest points; those of each feature sum to 1
     Vec3 normal = Vec3::Zero();     ///< from the second's closest point to the first's, length 1
     Real distance = 0;              ///< of the closest points [m]
@@ -33,6 +34,10 @@ struct ClothAt {
     const Grid& grid;
     const Points& x;  ///< n x 3 [m]
 };
+
+/// Finds the closest points of two features again where their cloths are now.
+/// @param first, second the cloths of the features
+void locate(const ClothAt& first, const ClothAt& second, NearPair& pair);
 
 /// The boxes of all cells of a cloth.
 class CellBoxes {
