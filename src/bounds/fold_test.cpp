@@ -79,7 +79,8 @@ FoldTest::Derivatives FoldTest::of_leaf(const QuadtreeNode& leaf, const Points& 
 /// The least eigenvalue of the symmetric part of Q^T F is c.
 bool FoldTest::bounds(const Derivatives& derivatives, Real distance) const {
     const auto& [along, across] = derivatives;
-    const Eigen::Matrix<Real, 3, 2> q = nearest_directions((along.low + along.high) / 2, (across.low + across.high) / 2);
+    const Eigen::Matrix<Real, 3, 2> q =
+        nearest_directions((along.low + along.high) / 2, (across.low + across.high) / 2);
     const Vec3 u = q.col(0), v = q.col(1);
     const Real m11 = least_along(u, along), m22 = least_along(v, across);
     const Real most = most_along(v, along) + most_along(u, across);

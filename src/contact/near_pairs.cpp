@@ -10,14 +10,19 @@
 namespace drape {
 namespace {
 
-/// The particles and the edges that belong to a cell: its corner a, the edges from it to b and c, and the diagonal; at
-/// the far sides of the cloth also what no other cell has.
-struct CellFeatures {
-    std::array<int, 4> particles{};
-    std::array<std::array<int, 2>, 5> edges{};
-    std::size_t particle_count = 0, edge_count = 0;
+/// An edge and its box.
+struct CellEdge {
+    std::array<int, 2> ends;
+    Aabb box;
+};
 
-    CellFeatures(const Grid& grid, int cell) {
+/// The particles and the edges that belong to a cell and come near a box. To it belong its corner a, the edges from
+/// there to b and c, and the diagonal; at the far sides of the cloth also what no other cell has.
+class CellFeatures {
+public:
+    CellFeatures(const ClothAt& cloth, int cell, const Aabb& box, Real margin)
+        : x_(cloth.x), box_(box), margin_(margin) {
+        const Grid& grid = cloth.grid;
         const int a = grid.cell_corner(cell), b = a + 1, c = a + grid.nx, d = c + 1;
         const bool last_column = cell % grid.cell_columns() == grid.cell_columns() - 1;
         const bool last_row = cell / grid.cell_columns() == grid.cell_rows() - 1;
@@ -27,12 +32,26 @@ struct CellFeatures {
         if (last_column && last_row) add(d);
     }
 
-    [[nodiscard]] auto all_particles() const { return std::span(particles).first(particle_count); }
-    [[nodiscard]] auto all_edges() const { return std::span(edges).first(edge_count); }
+    [[nodiscard]] auto particles() const { return std::span(particles_).first(particle_count_); }
+    [[nodiscard]] auto edges() const { return std::span(edges_).first(edge_count_); }
 
 private:
-    void add(int particle) { particles[particle_count++] = particle; }
-    void add(int from, int to) { edges[edge_count++] = {from, to}; }
+    void add(int particle) {
+        const Vec3 p = position(x_, particle);
+        if (Aabb{p, p}.comes_within(box_, margin_)) particles_[particle_count_++] = particle;
+    }
+    void add(int from, int to) {
+        const Vec3 p = position(x_, from), q = position(x_, to);
+        const Aabb box{p.cwiseMin(q), p.cwiseMax(q)};
+        if (box.comes_within(box_, margin_)) edges_[edge_count_++] = {{from, to}, box};
+    }
+
+    const Points& x_;
+    const Aabb& box_;
+    Real margin_;
+    std::array<int, 4> particles_;
+    std::array<CellEdge, 5> edges_;
+    std::size_t particle_count_ = 0, edge_count_ = 0;
 };
 
 /// Whether a particle's closest point of a triangle is to be answered for there, and not by another triangle that has
@@ -95,16 +114,18 @@ struct FeatureTest {
         keep(first, second, {{{first.number, second.number}, 2, {e[0], e[1], f[0], f[1]}}});
     }
 
-    void cells(const ClothAt& first, int one, const ClothAt& second, int two) const {
-        const bool same = first.number == second.number && one == two;
-        const CellFeatures of_one(first.grid, one), of_two(second.grid, two);
-        for (const int particle : of_one.all_particles()) particle_and_cell(first, particle, second, two);
-        for (const int particle : of_two.all_particles()) {
-            if (!same) particle_and_cell(second, particle, first, one);
+    void cells(const BoxedCloth& first, int one, const BoxedCloth& second, int two) const {
+        const bool same = first.cloth.number == second.cloth.number && one == two;
+        const CellFeatures of_one(first.cloth, one, second.boxes[two], margin);
+        const CellFeatures of_two(second.cloth, two, first.boxes[one], margin);
+        for (const int particle : of_one.particles()) particle_and_cell(first.cloth, particle, second.cloth, two);
+        for (const int particle : of_two.particles()) {
+            if (!same) particle_and_cell(second.cloth, particle, first.cloth, one);
         }
-        for (std::size_t i = 0; i < of_one.edge_count; ++i) {
-            for (std::size_t j = same ? i + 1 : 0; j < of_two.edge_count; ++j) {
-                edges(first, of_one.edges[i], second, of_two.edges[j]);
+        for (std::size_t i = 0; i < of_one.edges().size(); ++i) {
+            for (std::size_t j = same ? i + 1 : 0; j < of_two.edges().size(); ++j) {
+                const CellEdge &e = of_one.edges()[i], &f = of_two.edges()[j];
+                if (e.box.comes_within(f.box, margin)) edges(first.cloth, e.ends, second.cloth, f.ends);
             }
         }
     }
@@ -158,7 +179,7 @@ std::int64_t find_near_pairs(const BoxedCloth& first, const BoxedCloth& second, 
                 ++tested;
                 // Of one cloth, in the order of the cells whatever the order of the leaves
                 const bool turned = first.cloth.number == second.cloth.number && two < one;
-                turned ? test.cells(second.cloth, two, first.cloth, one) : test.cells(first.cloth, one, second.cloth, two);
+                turned ? test.cells(second, two, first, one) : test.cells(first, one, second, two);
             });
         });
     }

@@ -27,7 +27,10 @@ void SelfSearch::use(const BroadPhaseParameters& parameters, std::span<const Clo
     surfaces_.clear();
     for (const ClothModel* model : models) {
         surfaces_.push_back({make_broad_phase(parameters, model->grid),
-                             FoldTest(model->grid, model->hx, model->hy, parameters.leaf_cells), {}, false, {}});
+                             FoldTest(model->grid, model->hx, model->hy, parameters.leaf_cells),
+                             {},
+                             false,
+                             {}});
     }
     forget();
 }
@@ -46,9 +49,12 @@ SelfSearchReport SelfSearch::find(std::span<const MovedCloth> cloths, Real thick
     if (!report.kept_list) {
         margin_ = near_margin_ + 2 * substeps_ahead * moves + thickness_ahead * thickness;
         make_list(cloths, report);
+        since_list = 0;
     }
     near_.clear();
-    for (NearPair& pair : list_) {
+    for (const NearPair& listed : list_) {
+        if (listed.distance - 2 * since_list >= near_margin_) continue;
+        NearPair pair = listed;
         if (report.kept_list) locate(at(cloths, pair.features.cloths[0]), at(cloths, pair.features.cloths[1]), pair);
         if (pair.distance < near_margin_) near_.push_back(pair);
     }

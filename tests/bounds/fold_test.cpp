@@ -26,7 +26,8 @@ Points rolled(const Grid& grid, Real curvature, Real wave) {
 }
 
 /// Pairs within a distance in two leaves, or in one.
-std::size_t pairs_in(const Grid& grid, const Points& x, const CellRange& first, const CellRange& second, Real distance) {
+std::size_t pairs_in(const Grid& grid, const Points& x, const CellRange& first, const CellRange& second,
+                     Real distance) {
     CellBoxes boxes;
     boxes.build(grid, x);
     std::vector<NearPair> pairs;

@@ -208,7 +208,8 @@ Real sampled_distance(const Vec3& a, const Vec3& b, const Vec3& c, const Vec3& d
     Real least = distance_to_segment(a, c, d);
     for (int k = 0; k <= 1000; ++k) {
         const Real s = Real(k) / 1000;
-        least = std::min({least, distance_to_segment(a + s * (b - a), c, d), distance_to_segment(c + s * (d - c), a, b)});
+        least =
+            std::min({least, distance_to_segment(a + s * (b - a), c, d), distance_to_segment(c + s * (d - c), a, b)});
     }
     return least;
 }

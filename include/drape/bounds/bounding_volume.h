@@ -42,8 +42,8 @@ struct BoundingSphere;
 /// the ball has a point in common with the volume and errs towards true by the rounding; a cloth of some thickness is
 /// tested by a ball grown by it; so it is for a ball that is anywhere on its way through a step. `sphere` contains the
 /// volume. `comes_within` is true whenever two volumes have points no farther
-/// from each other than a margin, and errs towards true. `start` is the smallest volume from which `include` grows one about the particles of a patch: each time to
-/// contain one more of them, and all that it has contained.
+/// from each other than a margin, and errs towards true. `start` is the smallest volume from which `include` grows one
+/// about the particles of a patch: each time to contain one more of them, and all that it has contained.
 template <class V>
 concept BoundingVolume = requires(V volume, const Patch& patch, std::span<const V> children, const Ball& ball,
                                   const SweptBall& swept, const V& other, Real margin, const Vec3& p) {

@@ -63,7 +63,10 @@ public:
         DRAPE_ASSERT(built_ && dynamic_cast<const ClothQuadtree*>(&other) != nullptr);
         const auto& other_tree = static_cast<const ClothQuadtree&>(other);
         pairs.clear();
-        PairQuery query{other_tree, margin + slack_ + other_tree.slack_, folds, pairs,
+        PairQuery query{other_tree,
+                        margin + slack_ + other_tree.slack_,
+                        folds,
+                        pairs,
                         {.nodes = static_cast<std::int64_t>(nodes_.size())}};
         if (&other_tree == this) {
             traverse_itself(0, query);

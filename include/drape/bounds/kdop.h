@@ -120,7 +120,8 @@ struct KDop {
     [[nodiscard]] bool comes_within(const KDop& other, Real margin) const {
         if (!box.comes_within(other.box, margin)) return false;
         for (std::size_t k = 0; k < cuts; ++k) {
-            const Real bound = margin * dop_length(dop_numbers<K>[k + 3]) * (1 + 8 * std::numeric_limits<Real>::epsilon());
+            const Real bound =
+                margin * dop_length(dop_numbers<K>[k + 3]) * (1 + 8 * std::numeric_limits<Real>::epsilon());
             if (std::max(low[k] - other.high[k], other.low[k] - high[k]) > bound) return false;
         }
         return true;

@@ -10,9 +10,9 @@ namespace drape {
 
 /// What bounds have cost.
 struct BoundedMotion {
-    int particles = 0;     ///< that were held back
-    Real longest = 0;      ///< by which one was held back [m]
-    double energy = 0;     ///< kinetic energy that this took [J]
+    int particles = 0;       ///< that were held back
+    Real longest = 0;        ///< by which one was held back [m]
+    double energy = 0;       ///< kinetic energy that this took [J]
     Vec3 momentum{0, 0, 0};  ///< and momentum [kg m/s]
 };
 

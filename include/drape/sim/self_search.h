@@ -20,9 +20,9 @@ struct MovedCloth {
 /// What a search has cost.
 struct SelfSearchReport {
     TraversalStats traversal;
-    std::int64_t cells = 0;    ///< pairs of them that were tested exactly
-    std::int64_t listed = 0;   ///< pairs of features that are looked at
-    bool kept_list = false;    ///< the list of the last search still served
+    std::int64_t cells = 0;   ///< pairs of them that were tested exactly
+    std::int64_t listed = 0;  ///< pairs of features that are looked at
+    bool kept_list = false;   ///< the list of the last search still served
 };
 
 /// Finds where the cloths of a scene come near themselves and each other. What was found within a wide margin serves
@@ -62,7 +62,8 @@ private:
     std::vector<Surface> surfaces_;  ///< of each cloth
     Real margin_ = 0;                ///< of the list; 0: there is none
     std::vector<LeafPair> leaves_;
-    std::vector<NearPair> list_, near_;
+    std::vector<NearPair> list_;  ///< as they were when it was made
+    std::vector<NearPair> near_;
     Real near_margin_ = 0;
 };
 
