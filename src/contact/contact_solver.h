@@ -11,19 +11,24 @@ struct ContactProblem {
     const ResponseParameters& parameters;
     Real h;        ///< the substep [s]
     Real share;    ///< of h, that a constant force displaces for, see `displacement_share`
+    Real gravity;  ///< [m/s^2]
     Real resting;  ///< an approach slower than this is resting, and does not bounce [m/s]
-    ClothInContact cloth;
+    std::span<const ClothInContact> cloths;
+    std::span<PairContact> pairs;
     std::span<Ball> balls;
     std::span<BallContact> ball_contacts;
 
-    [[nodiscard]] Displacements displacements() { return {cloth.model, cloth.state.x, balls}; }
-    [[nodiscard]] Velocities velocities() { return {cloth.model, cloth.state.v, balls}; }
+    [[nodiscard]] Displacements displacements() const { return {cloths, balls}; }
+    [[nodiscard]] Velocities velocities() const { return {cloths, balls}; }
 };
 
 /// Calls visit(contact) for all contacts, in the order in which they are solved.
 template <class Visit>
 void for_each_contact(ContactProblem& problem, Visit visit) {
-    for (Contact& contact : problem.cloth.contacts) visit(contact);
+    for (const ClothInContact& cloth : problem.cloths) {
+        for (Contact& contact : cloth.contacts) visit(contact);
+    }
+    for (PairContact& contact : problem.pairs) visit(contact);
     for (BallContact& contact : problem.ball_contacts) visit(contact);
 }
 
@@ -113,10 +118,14 @@ Sweeps sweep_until(ContactProblem& problem, Real tolerance, Solve solve) {
 
 /// Finds a contact again where its bodies have moved: its depth, the point that is closest now, and the normal.
 void find_again(const ContactProblem& problem, Contact& contact);
+void find_again(const ContactProblem& problem, PairContact& contact);
 void find_again(const ContactProblem& problem, BallContact& contact);
 
-/// The restitution between the bodies of a contact.
-[[nodiscard]] Real restitution_of(const ResponseParameters& parameters, const ContactPlane& contact);
+/// The restitution between the bodies of a contact; a cloth does not bounce off a cloth.
+[[nodiscard]] Real restitution_of(const ResponseParameters& parameters, const BodyContact& contact);
+[[nodiscard]] inline Real restitution_of(const ResponseParameters& /*parameters*/, const PairContact& /*contact*/) {
+    return 0;
+}
 
 /// The largest depth that is left, at the points of the contacts where they are now [m].
 [[nodiscard]] Real depth_left(ContactProblem& problem);

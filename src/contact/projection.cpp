@@ -19,14 +19,16 @@ void aim_displacement(const Displacements& motion, std::span<const Ball> balls, 
     contact.displacement.target = relative(motion, contact).dot(contact.normal) + push_of(contact, balls);
 }
 
-/// The largest push that a contact still asks for, as a fraction of its ball's radius.
+/// The largest push that a contact still asks for, as a fraction of its ball's radius. Planes do not turn.
 Real longest_push(ContactProblem& problem) {
     Real longest = 0;
-    for_each_contact(problem, [&](const ContactPlane& contact) {
+    const auto look = [&](const BodyContact& contact) {
         if (contact.ball == the_ground) return;
         const Real radius = problem.balls[static_cast<std::size_t>(contact.ball)].radius;
         longest = std::max(longest, push_of(contact, problem.balls) / radius);
-    });
+    };
+    for (const ClothInContact& cloth : problem.cloths) std::ranges::for_each(cloth.contacts, look);
+    std::ranges::for_each(problem.ball_contacts, look);
     return longest;
 }
 

@@ -18,7 +18,7 @@ constexpr Real resting_steps = 4;
 /// Tolerance of displacements, of what gravity moves a particle by within a step.
 constexpr Real of_gravity = Real(2e-3);
 
-const Ball& ball_of(const ContactPlane& contact, std::span<const Ball> balls) {
+const Ball& ball_of(const BodyContact& contact, std::span<const Ball> balls) {
     return balls[static_cast<std::size_t>(contact.ball)];
 }
 
@@ -45,19 +45,33 @@ Real inverse_mass_of(int number, std::span<const Ball> balls) {
     return number == the_ground ? Real(0) : balls[static_cast<std::size_t>(number)].inverse_mass;
 }
 
+/// What a push meets at the points of both features.
+Real inverse_mass_at(std::span<const ClothInContact> cloths, const NearPair& pair) {
+    Real sum = 0, largest = 0;
+    for_each_particle_of(pair, [&](int cloth, int particle, Real share) {
+        const Real inverse_mass = cloths[static_cast<std::size_t>(cloth)].model.inverse_mass[particle];
+        sum += share * share * inverse_mass;
+        largest = std::max(largest, inverse_mass);
+    });
+    return sum < least_share * largest ? Real(0) : sum;
+}
+
 /// Of both bodies, along the normal and across it.
-void set_inverse_masses(const ContactProblem& problem, Real first, Real first_sliding, ContactPlane& contact) {
+void set_inverse_masses(const ContactProblem& problem, Real first, Real first_sliding, BodyContact& contact) {
     const Real second = inverse_mass_of(contact.ball, problem.balls);
     contact.inverse_mass = first + second;
     contact.sliding_inverse_mass = first_sliding + sliding_share * second;
 }
 
-/// Fills what does not change while contacts are solved.
+Real friction_of(const ResponseParameters& parameters, const BodyContact& contact) {
+    return contact.ball == the_ground ? parameters.ground.friction : parameters.friction;
+}
+Real friction_of(const ResponseParameters& parameters, const PairContact& /*contact*/) { return parameters.friction; }
+
+/// Fills what does not change while contacts are solved, but for masses.
 template <class AnyContact>
-void prepare(ContactProblem& problem, Real first_mass, Real first_sliding_mass, AnyContact& contact) {
-    set_inverse_masses(problem, first_mass, first_sliding_mass, contact);
-    contact.friction_coefficient =
-        contact.ball == the_ground ? problem.parameters.ground.friction : problem.parameters.friction;
+void prepare(ContactProblem& problem, AnyContact& contact) {
+    contact.friction_coefficient = friction_of(problem.parameters, contact);
     for (ContactPush* given : {&contact.displacement, &contact.impulse}) {
         given->friction -= given->friction.dot(contact.normal) * contact.normal;
     }
@@ -68,22 +82,51 @@ void prepare(ContactProblem& problem, Real first_mass, Real first_sliding_mass, 
     }
 }
 
+/// From the second feature's point to the first's at the start of the substep.
+Vec3 offset_before(std::span<const ClothInContact> cloths, const NearPair& pair) {
+    Vec3 offset = Vec3::Zero();
+    for_each_particle_of(pair, [&](int cloth, int particle, Real share) {
+        offset += share * position(cloths[static_cast<std::size_t>(cloth)].before, particle);
+    });
+    return offset;
+}
+
+const ClothInContact& cloth_of(const ContactProblem& problem, const Contact& contact) {
+    return problem.cloths[static_cast<std::size_t>(contact.cloth)];
+}
+
 /// The point of a contact, and its depth, where its bodies are now; less than zero where they have parted.
 void follow(const ContactProblem& problem, Contact& contact) {
-    contact.point = at_point(contact, problem.cloth.state.x);
+    contact.point = at_point(contact, cloth_of(problem, contact).state.x);
     contact.depth = depth_now(problem.parameters, problem.balls, contact);
+}
+void follow(const ContactProblem& problem, PairContact& contact) {
+    const Vec3 offset = contact.start + relative(problem.displacements(), contact);
+    contact.depth = problem.parameters.pair_thickness - offset.dot(contact.normal);
 }
 
 void prepare_all(ContactProblem& problem) {
-    for (Contact& contact : problem.cloth.contacts) {
-        contact.start = at_point(contact, problem.cloth.before);
-        const Real inverse_mass = inverse_mass_at(problem.cloth.model, contact);
+    for (std::size_t c = 0; c < problem.cloths.size(); ++c) {
+        const ClothInContact& cloth = problem.cloths[c];
+        for (Contact& contact : cloth.contacts) {
+            contact.cloth = static_cast<int>(c);
+            contact.start = at_point(contact, cloth.before);
+            const Real inverse_mass = inverse_mass_at(cloth.model, contact);
+            set_inverse_masses(problem, inverse_mass, inverse_mass, contact);
+            follow(problem, contact);
+            prepare(problem, contact);
+        }
+    }
+    for (PairContact& contact : problem.pairs) {
+        contact.start = offset_before(problem.cloths, contact.pair);
+        contact.inverse_mass = contact.sliding_inverse_mass = inverse_mass_at(problem.cloths, contact.pair);
         follow(problem, contact);
-        prepare(problem, inverse_mass, inverse_mass, contact);
+        prepare(problem, contact);
     }
     for (BallContact& contact : problem.ball_contacts) {
         const Real inverse_mass = inverse_mass_of(contact.first, problem.balls);
-        prepare(problem, inverse_mass, sliding_share * inverse_mass, contact);
+        set_inverse_masses(problem, inverse_mass, sliding_share * inverse_mass, contact);
+        prepare(problem, contact);
     }
 }
 
@@ -123,24 +166,26 @@ double kinetic_energy(std::span<const Ball> balls) {
     return static_cast<double>(sum / 2);
 }
 
-Real push_of(const ContactPlane& contact, std::span<const Ball> balls) {
+Real push_of(const PairContact& contact, std::span<const Ball> /*balls*/) { return contact.depth - most_slop; }
+
+Real push_of(const BodyContact& contact, std::span<const Ball> balls) {
     if (contact.ball == the_ground) return contact.depth - most_slop;
     return contact.depth - std::min(slop * ball_of(contact, balls).radius, most_slop);
 }
 
-Real restitution_of(const ResponseParameters& parameters, const ContactPlane& contact) {
+Real restitution_of(const ResponseParameters& parameters, const BodyContact& contact) {
     return contact.ball == the_ground ? parameters.ground.restitution : parameters.restitution;
 }
 
 Real displacement_tolerance(const ContactProblem& problem) {
-    const Real fall = problem.cloth.model.gravity.norm() * problem.h * problem.h;
+    const Real fall = problem.gravity * problem.h * problem.h;
     return std::max(of_gravity * fall, 4 * std::numeric_limits<Real>::epsilon());
 }
 
 Real velocity_tolerance(const ContactProblem& problem) { return displacement_tolerance(problem) / problem.h; }
 
 void find_again(const ContactProblem& problem, Contact& contact) {
-    const ClothInContact& cloth = problem.cloth;
+    const ClothInContact& cloth = cloth_of(problem, contact);
     const Real thickness = problem.parameters.thickness;
     if (contact.of_impact) return follow(problem, contact);
     if (contact.ball == the_ground) {
@@ -154,6 +199,9 @@ void find_again(const ContactProblem& problem, Contact& contact) {
     set_inverse_masses(problem, inverse_mass, inverse_mass, contact);
 }
 
+/// On the sides where they were at the start.
+void find_again(const ContactProblem& problem, PairContact& contact) { follow(problem, contact); }
+
 void find_again(const ContactProblem& problem, BallContact& contact) {
     locate(problem.balls, problem.parameters.ground, contact);
     Vec3& friction = contact.displacement.friction;
@@ -162,7 +210,13 @@ void find_again(const ContactProblem& problem, BallContact& contact) {
 
 Real depth_left(ContactProblem& problem) {
     Real deepest = 0;
-    for (Contact& contact : problem.cloth.contacts) {
+    for (const ClothInContact& cloth : problem.cloths) {
+        for (Contact& contact : cloth.contacts) {
+            follow(problem, contact);
+            deepest = std::max(deepest, contact.depth);
+        }
+    }
+    for (PairContact& contact : problem.pairs) {
         follow(problem, contact);
         deepest = std::max(deepest, contact.depth);
     }
@@ -173,20 +227,26 @@ Real depth_left(ContactProblem& problem) {
     return std::max(deepest, Real(0));
 }
 
-ResponseReport resolve_contacts(const ResponseParameters& parameters, Real h, ClothInContact cloth,
-                                std::span<Ball> balls, std::span<BallContact> ball_contacts) {
-    if (cloth.contacts.empty() && ball_contacts.empty()) return {};
+ResponseReport resolve_contacts(const ResponseParameters& parameters, Real h, std::span<const ClothInContact> cloths,
+                                std::span<PairContact> pairs, std::span<Ball> balls,
+                                std::span<BallContact> ball_contacts) {
+    const bool none = std::ranges::all_of(cloths, [](const ClothInContact& cloth) { return cloth.contacts.empty(); });
+    if (none && pairs.empty() && ball_contacts.empty()) return {};
+    const Real gravity = cloths.front().model.gravity.norm();
     ContactProblem problem{.parameters = parameters,
                            .h = h,
                            .share = displacement_share(parameters.integrator),
-                           .resting = resting_steps * h * cloth.model.gravity.norm(),
-                           .cloth = cloth,
+                           .gravity = gravity,
+                           .resting = resting_steps * h * gravity,
+                           .cloths = cloths,
+                           .pairs = pairs,
                            .balls = balls,
                            .ball_contacts = ball_contacts};
     prepare_all(problem);
     const double before = kinetic_energy(balls);
     ResponseReport report = respond_in_kind(problem);
-    report.ball_work = before - kinetic_energy(balls) + work_of_led_balls(cloth.contacts, balls);
+    report.ball_work = before - kinetic_energy(balls);
+    for (const ClothInContact& cloth : cloths) report.ball_work += work_of_led_balls(cloth.contacts, balls);
     report.depth = depth_left(problem);
     return report;
 }

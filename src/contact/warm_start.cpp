@@ -23,13 +23,19 @@ std::tuple<unsigned, int, int> order_of(const Contact& contact) {
     return {static_cast<unsigned>(contact.ball), contact.triangle, corner};
 }
 
+const FeaturePair& order_of(const PairContact& contact) { return contact.pair.features; }
+
 /// What changes a speed by more than gravity does in this many steps is no rest: an impact, or the way out of a ball
 /// that was put into the cloth.
 constexpr Real rest_steps = 100;
 
-bool rests(const Contact& contact, Real h, Real gravity) {
+bool is_of_surface(const Contact& contact) { return !contact.of_node && !contact.of_impact; }
+bool is_of_surface(const PairContact& /*contact*/) { return true; }
+
+template <class AnyContact>
+bool rests(const AnyContact& contact, Real h, Real gravity) {
     const Real speed = contact.displacement.normal * contact.inverse_mass / h;
-    return !contact.of_node && !contact.of_impact && speed > 0 && speed <= rest_steps * h * gravity;
+    return is_of_surface(contact) && speed > 0 && speed <= rest_steps * h * gravity;
 }
 
 void scale(ContactPush& push, Real factor) {
@@ -41,26 +47,38 @@ Vec3 push_along(const ContactPush& push, const Vec3& normal) { return push.norma
 
 /// Where a contact of before is now, its depth less than zero if it has parted. Its normal stays, for the ball may have
 /// come through the cloth since.
-void follow_contact(const ResponseParameters& parameters, const Points& x, std::span<const Ball> balls,
-                    Contact& contact) {
-    contact.point = at_point(contact, x);
+void follow_contact(const ResponseParameters& parameters, std::span<const ClothInContact> cloths,
+                    std::span<const Ball> balls, Contact& contact) {
+    contact.point = at_point(contact, cloths[static_cast<std::size_t>(contact.cloth)].state.x);
     contact.of_impact = contact.ball != the_ground;
     contact.depth = depth_now(parameters, balls, contact);
 }
 
+/// The response follows it.
+void follow_contact(const ResponseParameters& /*parameters*/, std::span<const ClothInContact> /*cloths*/,
+                    std::span<const Ball> /*balls*/, PairContact& /*contact*/) {}
+
+/// To an implicit method a push on a ball displaces it too: it has moved before the step.
+void displace_ball(BallDisplacements& balls, const Contact& contact) {
+    balls.push_ball(contact.ball, contact.normal, -push_along(contact.displacement, contact.normal));
+}
+void displace_ball(BallDisplacements& /*balls*/, const PairContact& /*contact*/) {}
+
 }  // namespace
 
-void WarmStart::take(const ResponseParameters& parameters, Real h, const ClothModel& model,
-                     std::vector<Contact>& contacts) {
+template <class AnyContact>
+void WarmStart<AnyContact>::take(const ResponseParameters& parameters, Real h, Real gravity,
+                                 std::vector<AnyContact>& contacts) {
     last_.clear();
-    const Real h_before = h_ > 0 ? h_ : h, factor = h / h_before,
-               share = parameters.kind == ResponseKind::Impulse ? displacement_share(parameters.integrator) : Real(1);
+    const Real h_before = h_ > 0 ? h_ : h, factor = h / h_before;
+    const Real share =
+        parameters.kind == ResponseKind::Impulse ? displacement_share(parameters.integrator) : Real(1);
     h_ = h;
     if (!solves_for_pushes(parameters.kind)) return;
     is_explicit_ = has_step_limit(parameters.integrator);
     before_ = is_explicit_ ? Real(0) : share;
-    for (Contact& contact : contacts) {
-        if (!rests(contact, h_before, model.gravity.norm())) continue;
+    for (AnyContact& contact : contacts) {
+        if (!rests(contact, h_before, gravity)) continue;
         scale(contact.displacement, factor * factor);
         contact.impulse = contact.displacement;
         scale(contact.impulse, 1 / (share * h));
@@ -69,32 +87,35 @@ void WarmStart::take(const ResponseParameters& parameters, Real h, const ClothMo
     contacts.clear();
 }
 
-void WarmStart::before_step(const ClothModel& model, std::span<Ball> balls, ClothState& state) const {
+template <class AnyContact>
+void WarmStart<AnyContact>::before_step(std::span<const ClothInContact> cloths, std::span<Ball> balls) const {
     if (is_explicit_) return;
-    Velocities velocities{model, state.v, balls};
-    Displacements displacements{model, state.x, balls};
-    for (const Contact& contact : last_) {
+    Velocities velocities(cloths, balls);
+    BallDisplacements displacements{balls};
+    for (const AnyContact& contact : last_) {
         push_apart(velocities, contact, before_ * push_along(contact.impulse, contact.normal));
-        displacements.push_ball(contact.ball, contact.normal, -push_along(contact.displacement, contact.normal));
+        displace_ball(displacements, contact);
     }
 }
 
-void WarmStart::after_step(const ClothModel& model, std::span<Ball> balls, ClothState& state) const {
+template <class AnyContact>
+void WarmStart<AnyContact>::after_step(std::span<const ClothInContact> cloths, std::span<Ball> balls) const {
     if (before_ == 1) return;
-    Velocities velocities{model, state.v, balls};
-    Displacements displacements{model, state.x, balls};
-    for (const Contact& contact : last_) {
+    Velocities velocities(cloths, balls);
+    Displacements displacements(cloths, balls);
+    for (const AnyContact& contact : last_) {
         push_apart(velocities, contact, (1 - before_) * push_along(contact.impulse, contact.normal));
         if (is_explicit_) push_apart(displacements, contact, push_along(contact.displacement, contact.normal));
     }
 }
 
-void WarmStart::carry_over(const ResponseParameters& parameters, const Points& x, std::span<const Ball> balls,
-                           std::vector<Contact>& contacts) {
+template <class AnyContact>
+void WarmStart<AnyContact>::carry_over(const ResponseParameters& parameters, std::span<const ClothInContact> cloths,
+                                       std::span<const Ball> balls, std::vector<AnyContact>& contacts) {
     if (last_.empty()) return;
     merged_.clear();
     auto found = contacts.begin();
-    for (Contact& before : last_) {
+    for (AnyContact& before : last_) {
         const auto order = order_of(before);
         while (found != contacts.end() && order_of(*found) < order) merged_.push_back(*found++);
         if (found != contacts.end() && order_of(*found) == order) {
@@ -102,12 +123,15 @@ void WarmStart::carry_over(const ResponseParameters& parameters, const Points& x
             found->impulse = before.impulse;
             merged_.push_back(*found++);
         } else {
-            follow_contact(parameters, x, balls, before);
+            follow_contact(parameters, cloths, balls, before);
             merged_.push_back(before);
         }
     }
     merged_.insert(merged_.end(), found, contacts.end());
     contacts.swap(merged_);
 }
+
+template class WarmStart<Contact>;
+template class WarmStart<PairContact>;
 
 }  // namespace drape

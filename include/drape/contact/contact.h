@@ -6,6 +6,7 @@
 
 #include "drape/bounds/broad_phase.h"
 #include "drape/contact/impact.h"
+#include "drape/contact/near_pairs.h"
 #include "drape/model/ball.h"
 #include "drape/model/cloth_model.h"
 #include "drape/model/ground.h"
@@ -22,9 +23,8 @@ struct ContactPush {
     Vec3 friction = Vec3::Zero();  ///< given across the normal [kg m or N s]
 };
 
-/// What a contact of the cloth and a contact of two balls have in common: the second body is a ball, or the ground.
+/// What all contacts have in common.
 struct ContactPlane {
-    int ball = 0;                ///< the second body, or `the_ground`
     Vec3 normal = Vec3::Zero();  ///< from the second body to the first, length 1
     Real depth = 0;              ///< by which they overlap, thickness counted [m]
 
@@ -38,10 +38,16 @@ struct ContactPlane {
     ContactPush impulse;
 };
 
+/// A contact whose second body is a ball, or the ground.
+struct BodyContact : ContactPlane {
+    int ball = 0;  ///< or `the_ground`
+};
+
 /// A point of the cloth that is nearer to a ball, or to the ground, than the cloth's thickness: a particle, or the
 /// point of an edge or of a triangle that is closest to the ball's centre. Or a node of the hierarchy that stands for
 /// the cloth within it: a sphere that is fixed to the middle of a triangle in the node's middle, and felt there.
-struct Contact : ContactPlane {
+struct Contact : BodyContact {
+    int cloth = 0;                      ///< filled by the response
     int triangle = 0;                   ///< that the point belongs to
     std::array<int, 3> corners{};       ///< its particles
     std::array<Real, 3> barycentric{};  ///< of the point
@@ -55,8 +61,15 @@ struct Contact : ContactPlane {
 };
 
 /// Two balls that touch, or a ball on the ground.
-struct BallContact : ContactPlane {
+struct BallContact : BodyContact {
     int first = 0;  ///< the first body, a ball
+};
+
+/// Two features of cloths that may come nearer to each other within the substep than the cloths' thickness. The plane
+/// between them is that of the start of the substep, when they were on the right sides of each other.
+struct PairContact : ContactPlane {
+    NearPair pair;
+    Vec3 start = Vec3::Zero();  ///< from the second's point to the first's at the start; filled by the response [m]
 };
 
 /// The touched triangles, exactly: those whose distance to the ball's centre is at most radius + thickness.

@@ -25,6 +25,7 @@ struct ResponseParameters {
     Real friction = Real(0.3);     ///< Coulomb coefficient on balls
     Real restitution = 0;          ///< of the normal speed, on balls
     Real thickness = Real(0.002);  ///< [m]
+    Real pair_thickness = Real(0.002);  ///< at which cloth keeps away from cloth [m]
     Real stiffness = 1000;         ///< of the penalty's springs, one a contact [N/m]
     Ground ground = {.solid = false};
     IntegratorKind integrator = IntegratorKind::SymplecticEuler;  ///< that makes the substeps between responses
@@ -43,14 +44,15 @@ struct ClothInContact {
     const ClothModel& model;
     const Points& before;  ///< positions at the start of the substep, n x 3 [m]
     ClothState& state;
-    std::vector<Contact>& contacts;  ///< as found at `state.x`; their points are updated
+    std::vector<Contact>& contacts;  ///< with balls and ground, as found at `state.x`; their points are updated
 };
 
 /// Of the balls that contacts push [J].
 double kinetic_energy(std::span<const Ball> balls);
 
 /// By how much a contact is pushed out: what of its depth is not left, for a resting contact to last [m].
-Real push_of(const ContactPlane& contact, std::span<const Ball> balls);
+Real push_of(const BodyContact& contact, std::span<const Ball> balls);
+Real push_of(const PairContact& contact, std::span<const Ball> balls);
 
 /// The longest stable step of the penalty at a loose particle: h < 2 (sqrt(1 + zeta^2) - zeta) / sqrt(k / m), of a
 /// spring k with damping ratio zeta under symplectic Euler, whose damping is explicit. Springs of the cloth make it
@@ -64,10 +66,13 @@ Real penalty_step_limit(Real stiffness, Real restitution, Real inverse_mass);
 /// @cite bridson2002 and add up from sweep to sweep @cite catto2005; that of friction is bounded by the friction
 /// coefficient times the normal one. Friction stops displacements, not velocities alone: else a resting cloth creeps by
 /// what gravity moves it within a step.
+/// @param cloths all that are in contact, the number of each its index
+/// @param pairs of features of these cloths
 /// @param balls those with an inverse mass are pushed back
 /// @param h the substep [s]; normal speeds that gravity alone brings within it do not bounce
 /// @par Cost O(contacts) a sweep, allocates nothing
-ResponseReport resolve_contacts(const ResponseParameters& parameters, Real h, ClothInContact cloth,
-                                std::span<Ball> balls, std::span<BallContact> ball_contacts);
+ResponseReport resolve_contacts(const ResponseParameters& parameters, Real h, std::span<const ClothInContact> cloths,
+                                std::span<PairContact> pairs, std::span<Ball> balls,
+                                std::span<BallContact> ball_contacts);
 
 }  // namespace drape

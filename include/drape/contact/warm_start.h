@@ -13,6 +13,8 @@ namespace drape {
 /// rests does not move then. An explicit method takes its forces from the start of the step, where a velocity would be
 /// answered by dampers: it is given the pushes after the step, displacements too. Either way the response has little
 /// left to solve. Only responses that solve for pushes can use them; a penalty follows from the depth.
+/// @tparam AnyContact `Contact`, of one cloth with balls and ground, or `PairContact`
+template <class AnyContact>
 class WarmStart {
 public:
     /// Room for this many contacts without allocating.
@@ -20,26 +22,27 @@ public:
 
     /// Takes the pushes of the substep before.
     /// @param h the substep to come [s]
+    /// @param gravity [m/s^2]
     /// @param contacts of the substep before; left empty where the response solves for pushes
-    void take(const ResponseParameters& parameters, Real h, const ClothModel& model, std::vector<Contact>& contacts);
+    void take(const ResponseParameters& parameters, Real h, Real gravity, std::vector<AnyContact>& contacts);
 
     /// Gives what a method is to have before its step, and after it. Balls have moved before either.
-    void before_step(const ClothModel& model, std::span<Ball> balls, ClothState& state) const;
-    void after_step(const ClothModel& model, std::span<Ball> balls, ClothState& state) const;
+    void before_step(std::span<const ClothInContact> cloths, std::span<Ball> balls) const;
+    void after_step(std::span<const ClothInContact> cloths, std::span<Ball> balls) const;
 
     /// Tells the contacts that were found now what was given to them. Those of before that were not found again join
     /// them, for the response to take back what they do not need.
-    void carry_over(const ResponseParameters& parameters, const Points& x, std::span<const Ball> balls,
-                    std::vector<Contact>& contacts);
+    void carry_over(const ResponseParameters& parameters, std::span<const ClothInContact> cloths,
+                    std::span<const Ball> balls, std::vector<AnyContact>& contacts);
 
     /// The contacts whose pushes were taken.
-    [[nodiscard]] std::span<const Contact> pushes() const { return last_; }
+    [[nodiscard]] std::span<const AnyContact> pushes() const { return last_; }
 
 private:
     Real h_ = 0;               ///< of the last pushes [s]
     Real before_ = 0;          ///< what of a velocity is given before the step
     bool is_explicit_ = true;  ///< nothing is, and displacements are given
-    std::vector<Contact> last_, merged_;
+    std::vector<AnyContact> last_, merged_;
 };
 
 }  // namespace drape
