@@ -37,8 +37,6 @@ struct SheetOnGround {
         contacts.reserve(1000);
     }
 
-    void give(Real h, bool displaces) { warm_start.give(parameters, h, model, contacts, balls, state, displaces); }
-
     /// Contacts and their response, as a step has them.
     void respond(Real h) {
         contacts.clear();
@@ -58,7 +56,7 @@ struct SheetOnGround {
     template <class Visit>
     void run(IntegratorKind kind, Real h, Real time, Visit visit) {
         const auto integrator = make_integrator({.kind = kind}, model.grid);
-        const bool is_explicit = has_step_limit(kind);
+        parameters.integrator = kind;
         const int steps = static_cast<int>(std::llround(time / h));
         for (int step = 1; step <= steps; ++step) {
             before = state.x;
@@ -68,9 +66,10 @@ struct SheetOnGround {
                 ball.turned = h * ball.spin;
                 ball.centre += ball.moved;
             }
-            if (!is_explicit) give(h, false);
+            warm_start.take(parameters, h, model, contacts);
+            warm_start.before_step(model, balls, state);
             integrator->step(model, state, h, nullptr);
-            if (is_explicit) give(h, true);
+            warm_start.after_step(model, balls, state);
             respond(h);
             visit(step);
         }

@@ -7,7 +7,6 @@
 #include "drape/base/assert.h"
 #include "drape/contact/node_contacts.h"
 #include "drape/contact/search_audit.h"
-#include "drape/integrate/stability.h"
 
 namespace drape {
 namespace {
@@ -53,22 +52,23 @@ std::vector<int> touched_triangles(const ContactTrial& trial) {
 ContactTrial::ContactTrial(const ContactScene& scene, Real step)
     : response_(scene.response),
       kernels_(scene.integrator.kernels),
-      method_(scene.integrator.kind),
       h_(step),
       model_(make_cloth_model(scene.cloth)),
       state_(make_rest_state(scene.cloth)),
       ball_(scene.ball),
       aim_(nearest_to_way(state_.x, scene.ball)),
-      integrator_(make_integrator(scene.integrator, scene.cloth.particles)) {}
+      integrator_(make_integrator(scene.integrator, scene.cloth.particles)) {
+    response_.integrator = scene.integrator.kind;
+}
 
 void ContactTrial::advance(BroadPhase& hierarchy) {
     before_ = state_.x;
     ball_.moved = h_ * ball_.velocity;
     ball_.centre += ball_.moved;
-    const bool is_explicit = has_step_limit(method_);
-    if (!is_explicit) warm_start(false);
+    warm_start_.take(response_, h_, model_, contacts_);
+    warm_start_.before_step(model_, std::span(&ball_, 1), state_);
     integrator_->step(model_, state_, h_);
-    if (is_explicit) warm_start(true);
+    warm_start_.after_step(model_, std::span(&ball_, 1), state_);
     hierarchy.build(state_.x);
     hierarchy.query(grown(ball_, response_.thickness), candidates_);
     std::ranges::sort(candidates_.cells);
@@ -77,10 +77,6 @@ void ContactTrial::advance(BroadPhase& hierarchy) {
     find_node_contacts(model_.grid, state_.x, ball_, 0, response_.thickness, node_push_speed * h_, candidates_.stopped,
                        contacts_);
     warm_start_.carry_over(response_, state_.x, std::span(&ball_, 1), contacts_);
-}
-
-void ContactTrial::warm_start(bool displaces) {
-    warm_start_.give(response_, h_, model_, contacts_, std::span(&ball_, 1), state_, displaces);
 }
 
 void ContactTrial::respond() {

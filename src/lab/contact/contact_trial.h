@@ -46,11 +46,8 @@ public:
     [[nodiscard]] bool has_passed() const;
 
 private:
-    void warm_start(bool displaces);
-
     ResponseParameters response_;
     Kernels kernels_;
-    IntegratorKind method_;
     Real h_;
     ClothModel model_;
     ClothState state_;
