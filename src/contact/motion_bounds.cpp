@@ -4,6 +4,14 @@
 
 namespace drape {
 
+BoundedMotion& BoundedMotion::operator+=(const BoundedMotion& other) {
+    particles += other.particles;
+    longest = std::max(longest, other.longest);
+    energy += other.energy;
+    momentum += other.momentum;
+    return *this;
+}
+
 void MotionBounds::start(std::span<const int> particles, Real margin) {
     first_.clear();
     std::size_t all = 0;
@@ -14,7 +22,9 @@ void MotionBounds::start(std::span<const int> particles, Real margin) {
     bounds_.assign(all, share * margin / 2);
 }
 
+/// What begins in one place has met already.
 void MotionBounds::tighten(const NearPair& pair) {
+    if (pair.distance == 0) return;
     const auto& [cloths, first_count, particles] = pair.features;
     for (int k = 0; k < 4; ++k) {
         const int cloth = cloths[k < first_count ? 0 : 1], particle = particles[static_cast<std::size_t>(k)];

@@ -13,28 +13,35 @@ double most_push_work(const ClothModel& model, Real squared_push) {
     return static_cast<double>(stiffness) * static_cast<double>(squared_push);
 }
 
-/// The smallest range that holds all corners of the contacts.
-GridRange range_of(std::span<const Contact> contacts, const Grid& grid) {
+/// The smallest range that holds all particles that are pushed.
+GridRange range_of(const Pushes& pushes, const Grid& grid) {
     GridRange range{grid.nx, 0, grid.ny, 0};
-    for (const Contact& contact : contacts) {
-        for (const int corner : contact.corners) {
-            const int i = corner % grid.nx, j = corner / grid.nx;
-            range.first_column = std::min(range.first_column, i);
-            range.end_column = std::max(range.end_column, i + 1);
-            range.first_row = std::min(range.first_row, j);
-            range.end_row = std::max(range.end_row, j + 1);
+    const auto include = [&](int particle) {
+        const int i = particle % grid.nx, j = particle / grid.nx;
+        range.first_column = std::min(range.first_column, i);
+        range.end_column = std::max(range.end_column, i + 1);
+        range.first_row = std::min(range.first_row, j);
+        range.end_row = std::max(range.end_row, j + 1);
+    };
+    for (const Contact& contact : pushes.contacts) std::ranges::for_each(contact.corners, include);
+    for (const PairContact& contact : pushes.pairs) {
+        const auto& [cloths, first_count, particles] = contact.pair.features;
+        for (std::size_t k = 0; k < 4; ++k) {
+            if (cloths[static_cast<int>(k) < first_count ? 0 : 1] == pushes.cloth) include(particles[k]);
         }
     }
     return range;
 }
 
 /// What the contacts push the springs by, at the most [J].
-double most_push_work(const ClothModel& model, std::span<const Ball> balls, std::span<const Contact> contacts) {
+double most_push_work(const ClothModel& model, const Pushes& pushes) {
     double squared_push = 0;
-    for (const Contact& found : contacts) {
-        const auto push = static_cast<double>(push_of(found, balls));
+    const auto add = [&](const auto& contact) {
+        const auto push = static_cast<double>(push_of(contact, pushes.balls));
         if (push > 0) squared_push += push * push;
-    }
+    };
+    std::ranges::for_each(pushes.contacts, add);
+    std::ranges::for_each(pushes.pairs, add);
     return most_push_work(model, static_cast<Real>(squared_push));
 }
 
@@ -90,50 +97,27 @@ StretchReport ClothEnergy::limit_stretch(const ClothModel& model, int held, Clot
     return report;
 }
 
-/// What pushing stretches the springs by is the ball's work too. Mostly it is next to nothing, and a bound of it will
-/// do.
-ResponseReport ClothEnergy::respond(const ResponseParameters& response, Real h, ClothInContact cloth,
-                                    std::span<Ball> balls, std::span<BallContact> ball_contacts) {
-    if (cloth.contacts.empty()) return resolve_contacts(response, h, cloth, balls, ball_contacts);
-    const double push_work = most_push_work(cloth.model, balls, cloth.contacts);
-    const bool measured = ledger_ || push_work > watch_.small_work();
-    const GridRange range = range_of(cloth.contacts, cloth.model.grid);
-    const auto look = [&] {
-        return measured ? compute_energy_around(cloth.model, cloth.state.x, cloth.state.v, range, kernels_)
-                        : EnergyFlow{};
-    };
-    const EnergyFlow before = look();
-    const ResponseReport left = resolve_contacts(response, h, cloth, balls, ball_contacts);
-    const EnergyFlow after = look();
-    const double work = after.energy.total() - before.energy.total();
-    watch_.give(std::max(push_work > watch_.small_work() ? work : left.ball_work + push_work, 0.0));
-    if (ledger_) ledger_->responded(before, after, left.ball_work);
-    return left;
+/// What pushing stretches the springs by is work too. Mostly it is next to nothing, and a bound of it will do.
+void ClothEnergy::before_pushes(const ClothModel& model, const ClothState& state, const Pushes& pushes) {
+    pushed_ = range_of(pushes, model.grid);
+    if (pushed_.first_column >= pushed_.end_column) return;
+    most_push_work_ = pushes.known ? 0 : most_push_work(model, pushes);
+    before_pushes_ = pushed_flow(model, state);
 }
 
-void ClothEnergy::before_step(const ClothModel& model, std::span<Ball> balls, ClothState& state,
-                              const WarmStart& start) {
-    warm_start(model, balls, state, start, &WarmStart::before_step);
+bool ClothEnergy::after_pushes(const ClothModel& model, const ClothState& state, double ball_work) {
+    if (pushed_.first_column >= pushed_.end_column) return false;
+    const EnergyFlow after = pushed_flow(model, state);
+    const double work = after.energy.total() - before_pushes_.energy.total();
+    watch_.give(std::max(most_push_work_ > watch_.small_work() ? work : ball_work + most_push_work_, 0.0));
+    if (ledger_) ledger_->responded(before_pushes_, after, ball_work);
+    return true;
 }
 
-void ClothEnergy::after_step(const ClothModel& model, std::span<Ball> balls, ClothState& state,
-                             const WarmStart& start) {
-    warm_start(model, balls, state, start, &WarmStart::after_step);
-}
-
-void ClothEnergy::warm_start(const ClothModel& model, std::span<Ball> balls, ClothState& state, const WarmStart& start,
-                             Give pushes) {
-    if (start.pushes().empty()) return;
-    const double balls_before = kinetic_energy(balls);
-    const GridRange range = range_of(start.pushes(), model.grid);
-    const auto look = [&] {
-        return ledger_ ? compute_energy_around(model, state.x, state.v, range, kernels_) : EnergyFlow{};
-    };
-    const EnergyFlow before = look();
-    (start.*pushes)(model, balls, state);
-    const double ball_work = balls_before - kinetic_energy(balls);
-    watch_.give(std::max(ball_work, 0.0));
-    if (ledger_) ledger_->responded(before, look(), ball_work);
+/// Of what is being pushed, where it is to be measured.
+EnergyFlow ClothEnergy::pushed_flow(const ClothModel& model, const ClothState& state) const {
+    if (!ledger_ && most_push_work_ <= watch_.small_work()) return {};
+    return compute_energy_around(model, state.x, state.v, pushed_, kernels_);
 }
 
 void ClothEnergy::still(const ClothModel& model, const ClothState& state) {

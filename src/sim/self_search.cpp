@@ -15,8 +15,8 @@ constexpr Real response_allowance = Real(1.5);
 constexpr Real substeps_ahead = 8, thickness_ahead = Real(0.5);
 
 /// A cloth at the start of the substep.
-ClothAt at(std::span<const MovedCloth> cloths, int number) {
-    const MovedCloth& cloth = cloths[static_cast<std::size_t>(number)];
+ClothAt at(std::span<const ClothInContact> cloths, int number) {
+    const ClothInContact& cloth = cloths[static_cast<std::size_t>(number)];
     return {number, cloth.model.grid, cloth.before};
 }
 
@@ -35,11 +35,11 @@ void SelfSearch::use(const BroadPhaseParameters& parameters, std::span<const Clo
     forget();
 }
 
-SelfSearchReport SelfSearch::find(std::span<const MovedCloth> cloths, Real thickness) {
+SelfSearchReport SelfSearch::find(std::span<const ClothInContact> cloths, Real thickness) {
     SelfSearchReport report;
     Real moves = 0, since_list = 0;
     for (std::size_t c = 0; c < cloths.size(); ++c) {
-        moves = std::max(moves, largest_displacement(cloths[c].x, cloths[c].before, kernels_));
+        moves = std::max(moves, largest_displacement(cloths[c].state.x, cloths[c].before, kernels_));
         if (margin_ == 0) continue;
         since_list = std::max(since_list, largest_displacement(cloths[c].before, surfaces_[c].kept, kernels_));
     }
@@ -62,7 +62,7 @@ SelfSearchReport SelfSearch::find(std::span<const MovedCloth> cloths, Real thick
     return report;
 }
 
-void SelfSearch::make_list(std::span<const MovedCloth> cloths, SelfSearchReport& report) {
+void SelfSearch::make_list(std::span<const ClothInContact> cloths, SelfSearchReport& report) {
     for (std::size_t c = 0; c < cloths.size(); ++c) {
         Surface& surface = surfaces_[c];
         surface.kept = cloths[c].before;
@@ -79,7 +79,7 @@ void SelfSearch::make_list(std::span<const MovedCloth> cloths, SelfSearchReport&
 }
 
 /// Boxes are built where anything comes near at all.
-void SelfSearch::search(std::span<const MovedCloth> cloths, int first, int second, SelfSearchReport& report) {
+void SelfSearch::search(std::span<const ClothInContact> cloths, int first, int second, SelfSearchReport& report) {
     Surface &one = surfaces_[static_cast<std::size_t>(first)], &two = surfaces_[static_cast<std::size_t>(second)];
     report.traversal += one.tree->query(*two.tree, margin_, first == second ? &one.folds : nullptr, leaves_);
     if (leaves_.empty()) return;

@@ -1,5 +1,8 @@
 #include "drape/sim/settings.h"
 
+#include <algorithm>
+#include <cmath>
+
 namespace drape {
 
 IntegratorParameters integrator_of(const SolverSettings& solver) {
@@ -11,12 +14,29 @@ IntegratorParameters integrator_of(const SolverSettings& solver) {
             .kernels = solver.kernels};
 }
 
+namespace {
+
+/// Cloth keeps away from cloth by the thickness, but never by so much that a flat one would push itself apart: by half
+/// of what features that share no particle are apart at rest.
+Real pair_thickness_of(const Settings& settings) {
+    Real thickness = settings.contact.thickness;
+    for (const ClothParameters& cloth : settings.cloths) {
+        const Real hx = cloth.width / static_cast<Real>(cloth.particles.nx - 1);
+        const Real hy = cloth.height / static_cast<Real>(cloth.particles.ny - 1);
+        thickness = std::min(thickness, hx * hy / std::sqrt(hx * hx + hy * hy) / 2);
+    }
+    return thickness;
+}
+
+}  // namespace
+
 ResponseParameters response_of(const Settings& settings) {
     const ContactSettings& contact = settings.contact;
     return {.kind = contact.response,
             .friction = contact.friction,
             .restitution = contact.restitution,
             .thickness = contact.thickness,
+            .pair_thickness = pair_thickness_of(settings),
             .stiffness = contact.stiffness,
             .ground = settings.ground,
             .integrator = settings.solver.integrator};

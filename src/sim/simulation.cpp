@@ -44,7 +44,7 @@ void Simulation::begin_step() {
         cloth.energy.mark();
     }
     if (plan_is_due(settings_.solver, report_)) plan(planned_substeps_);
-    const bool touches = report_.contacts > 0 || !ball_contacts_.empty();
+    const bool touches = report_.contacts > 0 || !ball_contacts_.empty() || self_contact_.is_near();
     report_.substeps = substeps_in_contact(settings_, touches, planned_substeps_);
 }
 
@@ -75,12 +75,12 @@ bool Simulation::input(const Substep& now) {
 bool Simulation::integrate(const Substep& now) {
     report_.forget_contacts();
     const Air air = air_at(settings_.wind, now.time);
+    look_at_cloths();
+    take_pushes(now);
+    warm_start(WarmStartStage::Before);
     for (Cloth& cloth : cloths_) {
         cloth.model.air = air;
-        if (report_.substeps > 1) cloth.before = cloth.state.x;
         Stopwatch watch;
-        cloth.warm_start.take(response_of(settings_), now.h, cloth.model, cloth.contacts);
-        cloth.energy.before_step(cloth.model, balls_, cloth.state, cloth.warm_start);
         with_memory(settings_, [&] {
             report_.solve += cloth.integrator->step(cloth.model, cloth.state, now.h, cloth.energy.start_of_step());
         });
@@ -94,8 +94,54 @@ bool Simulation::integrate(const Substep& now) {
         end_with(std::move(trouble));
         return false;
     }
-    for (Cloth& cloth : cloths_) cloth.energy.after_step(cloth.model, balls_, cloth.state, cloth.warm_start);
+    warm_start(WarmStartStage::After);
     return true;
+}
+
+/// As contact sees them within this substep.
+void Simulation::look_at_cloths() {
+    in_contact_.clear();
+    for (Cloth& cloth : cloths_) {
+        if (report_.substeps > 1) cloth.before = cloth.state.x;
+        in_contact_.push_back({cloth.model, start_of_substep(cloth), cloth.state, cloth.contacts});
+    }
+}
+
+/// Of the substep before.
+void Simulation::take_pushes(const Substep& now) {
+    const ResponseParameters response = response_of(settings_);
+    for (Cloth& cloth : cloths_) {
+        cloth.warm_start.take(response, now.h, cloth.model.gravity.norm(), cloth.contacts);
+    }
+    self_contact_.take_pushes(response, now.h, standard_gravity().norm());
+}
+
+/// Gives the pushes of the substep before.
+void Simulation::warm_start(WarmStartStage stage) {
+    const auto& pairs = self_contact_.warm_start();
+    const bool any =
+        std::ranges::any_of(cloths_, [](const Cloth& cloth) { return !cloth.warm_start.pushes().empty(); });
+    if (!any && pairs.pushes().empty()) return;
+    const double balls_before = kinetic_energy(balls_);
+    for (std::size_t c = 0; c < cloths_.size(); ++c) {
+        Cloth& cloth = cloths_[c];
+        cloth.energy.before_pushes(cloth.model, cloth.state,
+                                   {cloth.warm_start.pushes(), pairs.pushes(), static_cast<int>(c), balls_, true});
+    }
+    const auto give = [&](const auto& start) {
+        stage == WarmStartStage::Before ? start.before_step(in_contact_, balls_)
+                                        : start.after_step(in_contact_, balls_);
+    };
+    for (const Cloth& cloth : cloths_) give(cloth.warm_start);
+    give(pairs);
+    enter_pushes(balls_before - kinetic_energy(balls_));
+}
+
+/// @param ball_work by all balls, which the first cloth that was pushed enters [J]
+void Simulation::enter_pushes(double ball_work) {
+    for (Cloth& cloth : cloths_) {
+        if (cloth.energy.after_pushes(cloth.model, cloth.state, ball_work)) ball_work = 0;
+    }
 }
 
 void Simulation::build() {
@@ -123,11 +169,14 @@ void Simulation::narrow(const Substep& now) {
         if (settings_.ground.solid) {
             find_ground_contacts(cloth.model.grid, cloth.state.x, settings_.ground.height, thickness, cloth.contacts);
         }
-        cloth.warm_start.carry_over(response_of(settings_), cloth.state.x, balls_, cloth.contacts);
+        cloth.warm_start.carry_over(response_of(settings_), in_contact_, balls_, cloth.contacts);
         report_.contacts += static_cast<std::int64_t>(cloth.contacts.size());
     }
     find_ball_contacts(balls_, settings_.ground, ball_contacts_);
     report_.times.narrow += watch.lap();
+    self_contact_.find(response_of(settings_), in_contact_, balls_);
+    report_.pairs += static_cast<std::int64_t>(self_contact_.contacts().size());
+    report_.times.pairs += watch.lap();
     for (Cloth& cloth : cloths_) {
         report_.false_contacts += cloth.search.false_contacts(cloth.state.x, balls_, thickness);
     }
@@ -136,15 +185,19 @@ void Simulation::narrow(const Substep& now) {
 void Simulation::respond(const Substep& now) {
     const ResponseParameters response = response_of(settings_);
     Stopwatch watch;
-    std::span<BallContact> ball_contacts = ball_contacts_;
-    for (Cloth& cloth : cloths_) {
-        const ClothInContact in_contact{cloth.model, start_of_substep(cloth), cloth.state, cloth.contacts};
-        const ResponseReport left = cloth.energy.respond(response, now.h, in_contact, balls_, ball_contacts);
-        ball_contacts = {};  // solved with the first cloth
-        report_.penetration = std::max(report_.penetration, static_cast<double>(left.depth));
-        report_.contact_residual = std::max(report_.contact_residual, static_cast<double>(left.residual));
-        report_.contact_sweeps += left.sweeps;
+    for (std::size_t c = 0; c < cloths_.size(); ++c) {
+        Cloth& cloth = cloths_[c];
+        cloth.energy.before_pushes(cloth.model, cloth.state,
+                                   {cloth.contacts, self_contact_.contacts(), static_cast<int>(c), balls_});
     }
+    const ResponseReport left =
+        resolve_contacts(response, now.h, in_contact_, self_contact_.contacts(), balls_, ball_contacts_);
+    const BoundedMotion held = self_contact_.hold_back(in_contact_);
+    enter_pushes(left.ball_work);
+    report_.held_back += held.particles;
+    report_.penetration = std::max(report_.penetration, static_cast<double>(left.depth));
+    report_.contact_residual = std::max(report_.contact_residual, static_cast<double>(left.residual));
+    report_.contact_sweeps += left.sweeps;
     resist_rolling();
     for (Ball& ball : balls_) turn_ball(ball);
     report_.times.respond += watch.lap();
@@ -209,6 +262,7 @@ void Simulation::end_with(std::string trouble) {
         cloth.search.positions_changed();
         cloth.energy.return_to_mark();
     }
+    self_contact_.forget();
     balls_ = previous_balls_;
 }
 

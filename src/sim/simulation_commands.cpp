@@ -87,6 +87,7 @@ void Simulation::restart() {
         cloth.contacts.reserve(2 * static_cast<std::size_t>(parameters.particles.triangles()));
         cloth.warm_start.reserve(cloth.contacts.capacity());
     }
+    use_self_contact();
     balls_.clear();
     ball_contacts_.clear();
     ball_contacts_.reserve(settings_.balls.size() * (settings_.balls.size() + 1) / 2);
@@ -115,6 +116,8 @@ void Simulation::configure(Settings settings) {
         counted_from_time_ = report_.time;
     }
     for (std::size_t c = 0; c < cloths_.size(); ++c) configure_cloth(c, before);
+    const bool same_search = broad_phase_of(settings_) == broad_phase_of(before);
+    if (settings_.contact.self != before.contact.self || !same_search) use_self_contact();
     configure_balls(before);
     if (!same_step_plan(settings_, before)) plan(1);
     if (!same_motion(settings_, before)) wake();
@@ -137,6 +140,12 @@ void Simulation::configure_cloth(std::size_t number, const Settings& before) {
     }
     const BroadPhaseParameters hierarchy = broad_phase_of(settings_);
     if (hierarchy != broad_phase_of(before)) cloth.search.use(hierarchy, cloth.model.grid, cloth.state.x);
+}
+
+void Simulation::use_self_contact() {
+    std::vector<const ClothModel*> models;
+    for (const Cloth& cloth : cloths_) models.push_back(&cloth.model);
+    self_contact_.use(settings_, models);
 }
 
 void Simulation::configure_balls(const Settings& before) {

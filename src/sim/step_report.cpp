@@ -13,7 +13,7 @@ double nodes(const StepReport& r) { return static_cast<double>(r.traversal.nodes
 double candidates(const StepReport& r) { return static_cast<double>(r.traversal.candidates); }
 double stopped(const StepReport& r) { return static_cast<double>(r.traversal.stopped); }
 
-const std::array<ReportField, 47> fields{{
+const std::array<ReportField, 50> fields{{
     {"step", "", steps, "step", ReportGroup::Time, 3},
     {"time", "s", [](const StepReport& r) { return r.time; }, "time", ReportGroup::Time, 3},
     {"substeps", "", [](const StepReport& r) { return static_cast<double>(r.substeps); }},
@@ -32,6 +32,7 @@ const std::array<ReportField, 47> fields{{
      ReportGroup::Stages, 1, total_time},
     {"narrow_time", "us", [](const StepReport& r) { return micro * r.times.narrow; }, "narrow", ReportGroup::Stages, 1,
      total_time},
+    {"pairs_time", "us", [](const StepReport& r) { return micro * r.times.pairs; }},
     {"respond_time", "us", [](const StepReport& r) { return micro * r.times.respond; }, "respond", ReportGroup::Stages,
      1, total_time},
     {"total_time", "us", total_time},
@@ -49,6 +50,8 @@ const std::array<ReportField, 47> fields{{
      ReportGroup::Hierarchy, 3},
     {"penetration", "m", [](const StepReport& r) { return r.penetration; }, "depth left", ReportGroup::Hierarchy, 1},
     {"contact_residual", "m", [](const StepReport& r) { return r.contact_residual; }},
+    {"pairs", "", [](const StepReport& r) { return static_cast<double>(r.pairs); }},
+    {"held_back", "", [](const StepReport& r) { return static_cast<double>(r.held_back); }},
     {"contact_sweeps", "", [](const StepReport& r) { return static_cast<double>(r.contact_sweeps); }},
     {"skipped_builds", "", [](const StepReport& r) { return static_cast<double>(r.skipped_builds); }, "skipped",
      ReportGroup::Hierarchy, 2},

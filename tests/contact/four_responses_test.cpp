@@ -20,7 +20,7 @@ struct SheetOnGround {
     std::vector<Contact> contacts;
     std::vector<BallContact> ball_contacts;
     std::vector<CellRun> cells;
-    WarmStart warm_start;
+    WarmStart<Contact> warm_start;
     ResponseReport report;
 
     explicit SheetOnGround(Real height, SpringLaw springs = {}) {
@@ -37,6 +37,8 @@ struct SheetOnGround {
         contacts.reserve(1000);
     }
 
+    ClothInContact in_contact() { return {model, before, state, contacts}; }
+
     /// Contacts and their response, as a step has them.
     void respond(Real h) {
         contacts.clear();
@@ -48,8 +50,9 @@ struct SheetOnGround {
             find_ground_contacts(model.grid, state.x, parameters.ground.height, parameters.thickness, contacts);
         }
         find_ball_contacts(balls, parameters.ground, ball_contacts);
-        warm_start.carry_over(parameters, state.x, balls, contacts);
-        report = resolve_contacts(parameters, h, {model, before, state, contacts}, balls, ball_contacts);
+        const ClothInContact sheet = in_contact();
+        warm_start.carry_over(parameters, std::span(&sheet, 1), balls, contacts);
+        report = resolve_contacts(parameters, h, std::span(&sheet, 1), {}, balls, ball_contacts);
     }
 
     /// @param visit after each step, with its number
@@ -66,10 +69,11 @@ struct SheetOnGround {
                 ball.turned = h * ball.spin;
                 ball.centre += ball.moved;
             }
-            warm_start.take(parameters, h, model, contacts);
-            warm_start.before_step(model, balls, state);
+            const ClothInContact sheet = in_contact();
+            warm_start.take(parameters, h, model.gravity.norm(), contacts);
+            warm_start.before_step(std::span(&sheet, 1), balls);
             integrator->step(model, state, h, nullptr);
-            warm_start.after_step(model, balls, state);
+            warm_start.after_step(std::span(&sheet, 1), balls);
             respond(h);
             visit(step);
         }

@@ -40,7 +40,8 @@ struct Floor {
         contacts.clear();
         find_contacts(model.grid, state.x, balls[0], 0, parameters.thickness, cells, contacts, Kernels::Vector);
         balls[0].moved = dt * balls[0].velocity;
-        deepest = resolve_contacts(parameters, dt, {model, before, state, contacts}, balls, {}).depth;
+        const ClothInContact cloth{model, before, state, contacts};
+        deepest = resolve_contacts(parameters, dt, std::span(&cloth, 1), {}, balls, {}).depth;
     }
 
     void run(Real time) {

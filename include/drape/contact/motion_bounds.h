@@ -14,6 +14,8 @@ struct BoundedMotion {
     Real longest = 0;        ///< by which one was held back [m]
     double energy = 0;       ///< kinetic energy that this took [J]
     Vec3 momentum{0, 0, 0};  ///< and momentum [kg m/s]
+
+    BoundedMotion& operator+=(const BoundedMotion& other);
 };
 
 /// How far each particle may go in a substep for no two features to touch on their way: the fail-safe of contact

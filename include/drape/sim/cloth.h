@@ -20,7 +20,7 @@ struct Cloth {
     std::unique_ptr<Integrator> integrator;
     ContactSearch search;
     std::vector<Contact> contacts;  ///< of the last step that was awake
-    WarmStart warm_start;
+    WarmStart<Contact> warm_start;
     ClothEnergy energy;
     int held = -1;  ///< particle that the hand leads; below 0: none
 };

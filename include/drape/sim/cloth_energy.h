@@ -6,12 +6,20 @@
 
 #include "drape/contact/contact.h"
 #include "drape/contact/response.h"
-#include "drape/contact/warm_start.h"
 #include "drape/model/stretch_limit.h"
 #include "drape/sim/energy_ledger.h"
 #include "drape/sim/energy_watch.h"
 
 namespace drape {
+
+/// What pushes one cloth.
+struct Pushes {
+    std::span<const Contact> contacts;
+    std::span<const PairContact> pairs;  ///< of all cloths
+    int cloth;                           ///< the number of this one
+    std::span<const Ball> balls;
+    bool known = false;  ///< no more than what was found to be needed in the substep before
+};
 
 /// Where the energy of one cloth comes from and goes to, told event by event in the order of a substep: the watch that
 /// every run has, and the ledger while one is kept.
@@ -48,14 +56,13 @@ public:
     /// @param held particle that the hand leads; below 0: none
     StretchReport limit_stretch(const ClothModel& model, int held, ClothState& state);
 
-    /// Answers the contacts, and enters what that has done.
-    ResponseReport respond(const ResponseParameters& response, Real h, ClothInContact cloth, std::span<Ball> balls,
-                           std::span<BallContact> ball_contacts);
+    /// Contacts are about to push the cloth.
+    void before_pushes(const ClothModel& model, const ClothState& state, const Pushes& pushes);
 
-    /// Gives the cloth what of the pushes of its last contacts belongs before the integrator's step, or after it, and
-    /// enters what that has done.
-    void before_step(const ClothModel& model, std::span<Ball> balls, ClothState& state, const WarmStart& start);
-    void after_step(const ClothModel& model, std::span<Ball> balls, ClothState& state, const WarmStart& start);
+    /// They have, and that is entered.
+    /// @param ball_work by balls on the cloth [J]
+    /// @return whether anything has pushed it
+    bool after_pushes(const ClothModel& model, const ClothState& state, double ball_work);
 
     /// Velocities are about to be set to zero by sleep.
     void still(const ClothModel& model, const ClothState& state);
@@ -67,16 +74,17 @@ public:
     [[nodiscard]] Energy energy(const ClothModel& model, const ClothState& state, EnergyBalance& balance);
 
 private:
-    using Give = void (WarmStart::*)(const ClothModel&, std::span<Ball>, ClothState&) const;
-    void warm_start(const ClothModel& model, std::span<Ball> balls, ClothState& state, const WarmStart& start,
-                    Give pushes);
     EnergyFlow flow(const ClothModel& model, const ClothState& state);
+    [[nodiscard]] EnergyFlow pushed_flow(const ClothModel& model, const ClothState& state) const;
 
     Kernels kernels_ = Kernels::Plain;
     EnergyWatch watch_;
     std::optional<EnergyLedger> ledger_;
     EnergyFlow start_;
-    Points wind_;  ///< scratch, while a ledger is kept
+    GridRange pushed_{0, 0, 0, 0};  ///< particles that are being pushed
+    EnergyFlow before_pushes_;
+    double most_push_work_ = 0;  ///< a bound [J]
+    Points wind_;                ///< scratch, while a ledger is kept
 };
 
 }  // namespace drape

@@ -6,16 +6,9 @@
 
 #include "drape/bounds/fold_test.h"
 #include "drape/contact/near_pairs.h"
-#include "drape/model/cloth_model.h"
+#include "drape/contact/response.h"
 
 namespace drape {
-
-/// A cloth within a substep, as the search for contact between cloths sees it.
-struct MovedCloth {
-    const ClothModel& model;
-    const Points& before;  ///< positions at the start of the substep, n x 3 [m]
-    const Points& x;       ///< and after the integrator's step
-};
 
 /// What a search has cost.
 struct SelfSearchReport {
@@ -33,9 +26,9 @@ public:
     /// Takes new hierarchies.
     void use(const BroadPhaseParameters& parameters, std::span<const ClothModel* const> models);
 
-    /// Finds the pairs, at the start of the substep, that may come into contact within it.
+    /// Finds the pairs, at the start of the substep, that may come into contact within it, after the integrator's step.
     /// @param thickness of the cloths [m]
-    SelfSearchReport find(std::span<const MovedCloth> cloths, Real thickness);
+    SelfSearchReport find(std::span<const ClothInContact> cloths, Real thickness);
 
     /// Positions have been set from outside.
     void forget() { margin_ = 0; }
@@ -55,8 +48,8 @@ private:
         Points kept;         ///< what the list was made from
     };
 
-    void make_list(std::span<const MovedCloth> cloths, SelfSearchReport& report);
-    void search(std::span<const MovedCloth> cloths, int first, int second, SelfSearchReport& report);
+    void make_list(std::span<const ClothInContact> cloths, SelfSearchReport& report);
+    void search(std::span<const ClothInContact> cloths, int first, int second, SelfSearchReport& report);
 
     Kernels kernels_ = Kernels::Vector;
     std::vector<Surface> surfaces_;  ///< of each cloth

@@ -85,7 +85,7 @@ struct ContactSettings {
     Real stiffness = 1000;       ///< of penalties, a contact [N/m]
     double longest_step = 5e-4;  ///< of an implicit method in contact [s]
     Continuous continuous = Continuous::Auto;
-    bool self = false;  ///< only false so far
+    bool self = false;  ///< cloths meet themselves and each other
     bool operator==(const ContactSettings&) const = default;
 };
 

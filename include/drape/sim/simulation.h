@@ -10,6 +10,7 @@
 #include "drape/sim/command.h"
 #include "drape/sim/frame_view.h"
 #include "drape/sim/hand.h"
+#include "drape/sim/self_contact.h"
 #include "drape/sim/settings.h"
 #include "drape/sim/sleep_watch.h"
 #include "drape/sim/start_state.h"
@@ -59,6 +60,8 @@ public:
     [[nodiscard]] int steps_wanted() const { return steps_wanted_; }
 
 private:
+    enum class WarmStartStage { Before, After };  ///< the integrator's step
+
     struct Substep {
         double time;  ///< simulated, at its start [s]
         Real h;       ///< [s]
@@ -70,6 +73,10 @@ private:
     [[nodiscard]] Substep substep(int number) const;
     bool input(const Substep& now);
     bool integrate(const Substep& now);
+    void look_at_cloths();
+    void take_pushes(const Substep& now);
+    void warm_start(WarmStartStage stage);
+    void enter_pushes(double ball_work);
     void build();
     void traverse();
     void narrow(const Substep& now);
@@ -91,6 +98,7 @@ private:
     void configure(Settings settings);
     void configure_cloth(std::size_t number, const Settings& before);
     void configure_balls(const Settings& before);
+    void use_self_contact();
 
     std::string scene_;
     Settings settings_;
@@ -98,6 +106,8 @@ private:
     std::vector<Cloth> cloths_;
     std::vector<Ball> balls_, previous_balls_;
     std::vector<BallContact> ball_contacts_;
+    SelfContact self_contact_;
+    std::vector<ClothInContact> in_contact_;  ///< the cloths, within a substep
     Vec3 steer_ = Vec3::Zero();
     Hand hand_;
     SleepWatch sleep_;

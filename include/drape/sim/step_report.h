@@ -18,8 +18,8 @@ enum class Status { Ok, Diverged };
 
 /// Wall time of each stage of one step [s].
 struct StageTimes {
-    double step = 0, build = 0, traverse = 0, narrow = 0, respond = 0;
-    [[nodiscard]] double total() const { return step + build + traverse + narrow + respond; }
+    double step = 0, build = 0, traverse = 0, narrow = 0, pairs = 0, respond = 0;
+    [[nodiscard]] double total() const { return step + build + traverse + narrow + pairs + respond; }
 };
 
 /// What one step was and did; each stage fills its fields as it ends. Times and solves are those of all substeps,
@@ -37,6 +37,8 @@ struct StepReport {
     std::int64_t false_candidates = 0;  ///< cells handed on of which no triangle touches
     std::int64_t contacts = 0;          ///< points in contact, and nodes that were taken for them
     double contact_residual = 0;        ///< of the response, see `ResponseReport::residual` [m]
+    std::int64_t pairs = 0;             ///< of features of cloths, that the response was given
+    std::int64_t held_back = 0;         ///< particles, by the fail-safe
     std::int64_t contact_sweeps = 0;    ///< of the response over its contacts
     double penetration = 0;             ///< largest depth left after the response [m]
     std::int64_t skipped_builds = 0;    ///< since the start, because nothing could touch
@@ -61,7 +63,7 @@ struct StepReport {
         traversal = {};
         contacts = false_candidates = false_contacts = 0;
         penetration = missed_penetration = contact_residual = stretch_excess = 0;
-        contact_sweeps = 0;
+        contact_sweeps = pairs = held_back = 0;
     }
 };
 

@@ -65,10 +65,12 @@ void ContactTrial::advance(BroadPhase& hierarchy) {
     before_ = state_.x;
     ball_.moved = h_ * ball_.velocity;
     ball_.centre += ball_.moved;
-    warm_start_.take(response_, h_, model_, contacts_);
-    warm_start_.before_step(model_, std::span(&ball_, 1), state_);
+    const ClothInContact cloth = in_contact();
+    const std::span balls(&ball_, 1);
+    warm_start_.take(response_, h_, model_.gravity.norm(), contacts_);
+    warm_start_.before_step(std::span(&cloth, 1), balls);
     integrator_->step(model_, state_, h_);
-    warm_start_.after_step(model_, std::span(&ball_, 1), state_);
+    warm_start_.after_step(std::span(&cloth, 1), balls);
     hierarchy.build(state_.x);
     hierarchy.query(grown(ball_, response_.thickness), candidates_);
     std::ranges::sort(candidates_.cells);
@@ -76,11 +78,12 @@ void ContactTrial::advance(BroadPhase& hierarchy) {
     find_contacts(model_.grid, state_.x, ball_, 0, response_.thickness, candidates_.cells, contacts_, kernels_);
     find_node_contacts(model_.grid, state_.x, ball_, 0, response_.thickness, node_push_speed * h_, candidates_.stopped,
                        contacts_);
-    warm_start_.carry_over(response_, state_.x, std::span(&ball_, 1), contacts_);
+    warm_start_.carry_over(response_, std::span(&cloth, 1), balls, contacts_);
 }
 
 void ContactTrial::respond() {
-    resolve_contacts(response_, h_, {model_, before_, state_, contacts_}, std::span(&ball_, 1), {});
+    const ClothInContact cloth = in_contact();
+    resolve_contacts(response_, h_, std::span(&cloth, 1), {}, std::span(&ball_, 1), {});
 }
 
 bool ContactTrial::has_passed() const {

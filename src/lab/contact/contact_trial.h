@@ -46,6 +46,8 @@ public:
     [[nodiscard]] bool has_passed() const;
 
 private:
+    [[nodiscard]] ClothInContact in_contact() { return {model_, before_, state_, contacts_}; }
+
     ResponseParameters response_;
     Kernels kernels_;
     Real h_;
@@ -57,7 +59,7 @@ private:
     std::unique_ptr<Integrator> integrator_;
     Candidates candidates_;
     std::vector<Contact> contacts_;
-    WarmStart warm_start_;
+    WarmStart<Contact> warm_start_;
 };
 
 /// What one run saw.
