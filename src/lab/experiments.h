@@ -32,6 +32,10 @@ Experiment kernels_experiment();
 /// whole way. Every swept query is checked against all cells; a disagreement ends the run.
 Experiment continuous_experiment();
 
+/// The scene `drop` by every integrator, response and detection, with every volume and update: penetration, energy and
+/// speed within bounds, and the same bits by every tree as by brute force; a disagreement ends the run.
+Experiment combinations_experiment();
+
 /// Every experiment of the laboratory.
 std::vector<Experiment> all_experiments();
 
