@@ -36,6 +36,10 @@ Experiment continuous_experiment();
 /// speed within bounds, and the same bits by every tree as by brute force; a disagreement ends the run.
 Experiment combinations_experiment();
 
+/// The four responses: what a step costs them in time of impact, height of a bounce and friction, and the step limit
+/// of the penalty, predicted and measured.
+Experiment responses_experiment();
+
 /// Every experiment of the laboratory.
 std::vector<Experiment> all_experiments();
 
