@@ -80,7 +80,8 @@ std::string response_summary(const ResponseRows& rows) {
     std::string text;
     for (const ResponseRow& row : rows_with(rows, &ResponseRow::part, "step")) {
         text += fmt::format(
-            "{} at a step of {:.3g} ms: impact {:.3g} ms late, height of the bounce off by {:.3g} %, drift {:.3g} "
+            "{} at a step of {:.3g} ms: time of impact off by {:.3g} ms, height of the bounce off by {:.3g} %, drift "
+            "{:.3g} "
             "mm/s\n",
             row.response, 1e3 * row.step, 1e3 * row.impact_error, 1e2 * row.height_error, 1e3 * row.drift);
     }

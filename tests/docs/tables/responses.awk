@@ -9,7 +9,7 @@ cell("part") == "step" {
     cost[r, rate] = 1e6 * cell("respond_s")
 }
 END {
-    print "| Response | Sweeps at rest | CPU time of a response at rest [us] | Impact late [ms], step 1/60 s | 1/960 s | 1/15360 s | Bounce off by [%], step 1/60 s | 1/960 s | 1/15360 s |"
+    print "| Response | Sweeps at rest | CPU time of a response at rest [us] | Time of impact off by [ms], step 1/60 s | 1/960 s | 1/15360 s | Bounce off by [%], step 1/60 s | 1/960 s | 1/15360 s |"
     print "| --- | ---: | ---: | ---: | ---: | ---: | ---: | ---: | ---: |"
     for (i = 1; i <= count; ++i) {
         r = names[i]
