@@ -10,8 +10,8 @@
 namespace drape {
 namespace {
 
-constexpr double earth_g = 9.81;  // m/s^2
-constexpr Real slope_friction = Real(0.5);
+constexpr double earth_g = 9.81;                      // m/s^2
+constexpr double half_a_degree = 0.0087268677907587;  // its tangent
 
 /// A sheet of 0.25 m, 6 x 6 particles, above a solid ground at y = 0; no thickness, no drag. The ball is far away.
 ContactScene sheet_above_ground(Real height, const SpringLaw& springs) {
@@ -94,12 +94,14 @@ Bounce drop_sheet(ResponseKind kind, Real step) {
 
 Slide lay_on_slope(ResponseKind kind, Real step) {
     constexpr double half = 0.5;  // s
-    const Real pi = std::acos(Real(-1)), slope = std::atan(slope_friction) - pi / 360;
+    // The tangent of a difference of angles
+    const double friction = 0.5, slope = (friction - half_a_degree) / (1 + friction * half_a_degree);
+    const double along = slope / std::sqrt(1 + slope * slope), down = 1 / std::sqrt(1 + slope * slope);
     ContactScene scene = sheet_above_ground(0, {50, Real(0.02)});
     scene.integrator.kind = IntegratorKind::BackwardEuler;  // stable at each of the steps
     scene.response.kind = kind;
-    scene.response.ground.friction = slope_friction;
-    scene.gravity = static_cast<Real>(earth_g) * Vec3(std::sin(slope), -std::cos(slope), 0);
+    scene.response.ground.friction = static_cast<Real>(friction);
+    scene.gravity = Vec3(static_cast<Real>(earth_g * along), static_cast<Real>(-earth_g * down), 0);
     SheetTrial sheet(scene, step);
     const auto steps = std::llround(half / static_cast<double>(step));
     for (std::int64_t k = 0; k < steps; ++k) sheet.step();
