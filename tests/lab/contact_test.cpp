@@ -127,12 +127,12 @@ TEST_F(HungCloth, IsEnteredDeeperTheLongerTheStep) {
 }
 
 TEST_F(HungCloth, IsHeldByAContinuousSearchAtTheStepsAtWhichADiscreteOneIsPassed) {
-    // In a step the ball goes more than half a metre
-    const ContactScene scene = hung_cloth_and_ball(32, Real(1) / 60);
+    // In a step the ball goes more than a metre
+    const ContactScene scene = hung_cloth_and_ball(32, Real(1) / 30);
     const Detection oracle{{.volume = VolumeKind::Brute}, true};
-    const ContactHistory truth = watch_contacts(scene, oracle, Real(1) / 6000);
-    const ContactHistory discrete = watch_contacts(scene, discrete_, Real(1) / 60);
-    const ContactHistory continuous = watch_contacts(scene, {{.leaf_cells = 4}, true}, Real(1) / 60);
+    const ContactHistory truth = watch_contacts(scene, oracle, Real(1) / 3000);
+    const ContactHistory discrete = watch_contacts(scene, discrete_, Real(1) / 30);
+    const ContactHistory continuous = watch_contacts(scene, {{.leaf_cells = 4}, true}, Real(1) / 30);
     EXPECT_FALSE(truth.passed);
     EXPECT_TRUE(discrete.passed);
     EXPECT_FALSE(continuous.passed);
