@@ -10,6 +10,7 @@ namespace drape {
 struct ContactProblem {
     const ResponseParameters& parameters;
     Real h;        ///< the substep [s]
+    Real share;    ///< of h, that a constant force displaces for, see `displacement_share`
     Real resting;  ///< an approach slower than this is resting, and does not bounce [m/s]
     ClothInContact cloth;
     std::span<Ball> balls;

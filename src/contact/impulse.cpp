@@ -13,8 +13,9 @@ template <class AnyContact>
 void aim_impulse(const ContactProblem& problem, AnyContact& contact) {
     const Real depth = push_of(contact, problem.balls);
     const bool impact = contact.approach > problem.resting;
-    contact.remaining = impact ? std::min(problem.h, std::max(depth, Real(0)) / contact.approach) : problem.h;
-    const Real out = std::min(depth / problem.h - contact.approach, push_out_speed);
+    const Real of_rest = problem.share * problem.h;
+    contact.remaining = impact ? std::min(problem.h, std::max(depth, Real(0)) / contact.approach) : of_rest;
+    const Real out = std::min(depth / of_rest - contact.approach, push_out_speed);
     contact.impulse.target = impact ? contact.impulse.target : out;
 }
 
@@ -32,8 +33,8 @@ ResponseReport respond_by_impulses(ContactProblem& problem) {
     const Sweeps sweeps = solve_impulses(problem, [](const ContactProblem&, const ContactPlane&) { return true; });
     for_each_contact(problem, [&](ContactPlane& contact) {
         const bool rests = contact.approach <= problem.resting;
-        contact.displacement.normal = rests ? problem.h * contact.impulse.normal : Real(0);
-        contact.displacement.friction = rests ? Vec3(problem.h * contact.impulse.friction) : Vec3(Vec3::Zero());
+        contact.displacement.normal = rests ? contact.remaining * contact.impulse.normal : Real(0);
+        contact.displacement.friction = rests ? Vec3(contact.remaining * contact.impulse.friction) : Vec3(Vec3::Zero());
     });
     return {.residual = sweeps.residual * problem.h, .sweeps = sweeps.count};
 }

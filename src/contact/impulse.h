@@ -20,7 +20,7 @@ template <class AnyContact>
 Vec3 relative(const Impacts& motion, const AnyContact& contact) {
     const Vec3 velocity = relative(motion.velocities, contact);
     if (contact.approach > motion.resting) return velocity;
-    const Vec3 mean = relative(motion.displacements, contact) / motion.h;
+    const Vec3 mean = relative(motion.displacements, contact) / contact.remaining;
     return mean + (velocity - mean).dot(contact.normal) * contact.normal;
 }
 

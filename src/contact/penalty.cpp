@@ -38,7 +38,7 @@ void push_by_penalty(ContactProblem& problem, AnyContact& contact) {
     Velocities velocities = problem.velocities();
     contact.displacement = contact.impulse = {};
     contact.impulse.normal = penalty_of(problem, contact);
-    contact.displacement.normal = problem.h * contact.impulse.normal;
+    contact.displacement.normal = problem.share * problem.h * contact.impulse.normal;
     push_apart(velocities, contact, contact.impulse.normal * contact.normal);
 }
 

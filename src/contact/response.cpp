@@ -58,9 +58,10 @@ void prepare(ContactProblem& problem, Real first_mass, Real first_sliding_mass, 
     set_inverse_masses(problem, first_mass, first_sliding_mass, contact);
     contact.friction_coefficient =
         contact.ball == the_ground ? problem.parameters.ground.friction : problem.parameters.friction;
-    ContactPush& given = contact.displacement;
-    given.friction -= given.friction.dot(contact.normal) * contact.normal;
-    contact.impulse = {0, given.normal / problem.h, given.friction / problem.h};
+    for (ContactPush* given : {&contact.displacement, &contact.impulse}) {
+        given->friction -= given->friction.dot(contact.normal) * contact.normal;
+    }
+    contact.impulse.target = 0;
     contact.approach = -relative(problem.velocities(), contact).dot(contact.normal);
     if (contact.approach > problem.resting) {
         contact.impulse.target = restitution_of(problem.parameters, contact) * contact.approach;
@@ -175,7 +176,13 @@ Real depth_left(ContactProblem& problem) {
 ResponseReport resolve_contacts(const ResponseParameters& parameters, Real h, ClothInContact cloth,
                                 std::span<Ball> balls, std::span<BallContact> ball_contacts) {
     if (cloth.contacts.empty() && ball_contacts.empty()) return {};
-    ContactProblem problem{parameters, h, resting_steps * h * cloth.model.gravity.norm(), cloth, balls, ball_contacts};
+    ContactProblem problem{.parameters = parameters,
+                           .h = h,
+                           .share = displacement_share(parameters.integrator),
+                           .resting = resting_steps * h * cloth.model.gravity.norm(),
+                           .cloth = cloth,
+                           .balls = balls,
+                           .ball_contacts = ball_contacts};
     prepare_all(problem);
     const double before = kinetic_energy(balls);
     ResponseReport report = respond_in_kind(problem);

@@ -3,6 +3,7 @@
 #include <tuple>
 
 #include "contact_motion.h"
+#include "drape/integrate/stability.h"
 
 namespace drape {
 namespace {
@@ -31,6 +32,13 @@ bool rests(const Contact& contact, Real h, Real gravity) {
     return !contact.of_node && !contact.of_impact && speed > 0 && speed <= rest_steps * h * gravity;
 }
 
+void scale(ContactPush& push, Real factor) {
+    push.normal *= factor;
+    push.friction *= factor;
+}
+
+Vec3 push_along(const ContactPush& push, const Vec3& normal) { return push.normal * normal + push.friction; }
+
 /// Where a contact of before is now, its depth less than zero if it has parted. Its normal stays, for the ball may have
 /// come through the cloth since.
 void follow_contact(const ResponseParameters& parameters, const Points& x, std::span<const Ball> balls,
@@ -42,24 +50,43 @@ void follow_contact(const ResponseParameters& parameters, const Points& x, std::
 
 }  // namespace
 
-void WarmStart::give(const ResponseParameters& parameters, Real h, const ClothModel& model,
-                     std::vector<Contact>& contacts, std::span<Ball> balls, ClothState& state, bool displaces) {
+void WarmStart::take(const ResponseParameters& parameters, Real h, const ClothModel& model,
+                     std::vector<Contact>& contacts) {
     last_.clear();
-    const Real h_before = h_ > 0 ? h_ : h, scale = h / h_before;
+    const Real h_before = h_ > 0 ? h_ : h, factor = h / h_before,
+               share = parameters.kind == ResponseKind::Impulse ? displacement_share(parameters.integrator) : Real(1);
     h_ = h;
     if (!solves_for_pushes(parameters.kind)) return;
-    Velocities velocities{model, state.v, balls};
-    Displacements displacements{model, state.x, balls};
+    is_explicit_ = has_step_limit(parameters.integrator);
+    before_ = is_explicit_ ? Real(0) : share;
     for (Contact& contact : contacts) {
         if (!rests(contact, h_before, model.gravity.norm())) continue;
-        contact.displacement.normal *= scale * scale;
-        contact.displacement.friction *= scale * scale;
-        const Vec3 push = contact.displacement.normal * contact.normal + contact.displacement.friction;
-        push_apart(velocities, contact, push / h);
-        if (displaces) push_apart(displacements, contact, push);
+        scale(contact.displacement, factor * factor);
+        contact.impulse = contact.displacement;
+        scale(contact.impulse, 1 / (share * h));
         last_.push_back(contact);
     }
     contacts.clear();
+}
+
+void WarmStart::before_step(const ClothModel& model, std::span<Ball> balls, ClothState& state) const {
+    if (is_explicit_) return;
+    Velocities velocities{model, state.v, balls};
+    Displacements displacements{model, state.x, balls};
+    for (const Contact& contact : last_) {
+        push_apart(velocities, contact, before_ * push_along(contact.impulse, contact.normal));
+        displacements.push_ball(contact.ball, contact.normal, -push_along(contact.displacement, contact.normal));
+    }
+}
+
+void WarmStart::after_step(const ClothModel& model, std::span<Ball> balls, ClothState& state) const {
+    if (before_ == 1) return;
+    Velocities velocities{model, state.v, balls};
+    Displacements displacements{model, state.x, balls};
+    for (const Contact& contact : last_) {
+        push_apart(velocities, contact, (1 - before_) * push_along(contact.impulse, contact.normal));
+        if (is_explicit_) push_apart(displacements, contact, push_along(contact.displacement, contact.normal));
+    }
 }
 
 void WarmStart::carry_over(const ResponseParameters& parameters, const Points& x, std::span<const Ball> balls,
@@ -72,6 +99,7 @@ void WarmStart::carry_over(const ResponseParameters& parameters, const Points& x
         while (found != contacts.end() && order_of(*found) < order) merged_.push_back(*found++);
         if (found != contacts.end() && order_of(*found) == order) {
             found->displacement = before.displacement;
+            found->impulse = before.impulse;
             merged_.push_back(*found++);
         } else {
             follow_contact(parameters, x, balls, before);

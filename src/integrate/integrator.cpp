@@ -34,4 +34,16 @@ std::unique_ptr<Integrator> make_integrator(const IntegratorParameters& paramete
     return nullptr;
 }
 
+Real displacement_share(IntegratorKind kind) {
+    switch (kind) {
+        case IntegratorKind::VelocityVerlet:
+        case IntegratorKind::Rk4:
+        case IntegratorKind::ImplicitMidpoint:
+        case IntegratorKind::DormandPrince:
+            return Real(0.5);
+        default:
+            return 1;
+    }
+}
+
 }  // namespace drape

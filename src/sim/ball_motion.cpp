@@ -64,7 +64,8 @@ Real inverse_mass_of(const BallSettings& settings) {
     return settings.motion == BallMotion::Free ? 1 / settings.mass : Real(0);
 }
 
-void move_ball(const BallSettings& settings, const Vec3& steer, const Ground& ground, Real time, Real h, Ball& ball) {
+void move_ball(const BallSettings& settings, const Vec3& steer, const Ground& ground, Real share, Real time, Real h,
+               Ball& ball) {
     Vec3 start = ball.centre;
     switch (settings.motion) {
         case BallMotion::Keys:
@@ -83,7 +84,7 @@ void move_ball(const BallSettings& settings, const Vec3& steer, const Ground& gr
             break;
         case BallMotion::Free:
             ball.velocity += h * standard_gravity();
-            ball.centre += h * ball.velocity;
+            ball.centre += h * (ball.velocity - (1 - share) * h * standard_gravity());
             break;
     }
     if (ball.inverse_mass == 0) ball.spin.setZero();
@@ -91,15 +92,11 @@ void move_ball(const BallSettings& settings, const Vec3& steer, const Ground& gr
     ball.turned = h * ball.spin;
 }
 
-void resist_rolling(const Ground& ground, std::span<const BallContact> contacts, std::span<Ball> balls) {
-    if (ground.rolling == 0) return;
-    for (const BallContact& contact : contacts) {
-        Ball& ball = balls[static_cast<std::size_t>(contact.first)];
-        const Real spin = ball.spin.norm();
-        if (contact.ball != the_ground || spin == 0) continue;
-        const Real most = ground.rolling * ball.radius * contact.impulse.normal * ball.inverse_inertia();
-        ball.spin *= std::max(1 - most / spin, Real(0));
-    }
+void resist_rolling(Real coefficient, Real load, Ball& ball) {
+    const Real spin = ball.spin.norm();
+    if (spin == 0) return;
+    const Real most = coefficient * ball.radius * load * ball.inverse_inertia();
+    ball.spin *= std::max(1 - most / spin, Real(0));
 }
 
 void turn_ball(Ball& ball) {

@@ -1,8 +1,5 @@
 #pragma once
 
-#include <span>
-
-#include "drape/contact/contact.h"
 #include "drape/model/ball.h"
 #include "drape/sim/settings.h"
 
@@ -15,15 +12,17 @@ Ball make_ball(const BallSettings& settings, double time);
 Real inverse_mass_of(const BallSettings& settings);
 
 /// Moves a ball over one substep, from `time` to `time + h`, by its kind of motion; its velocity is that of the
-/// substep. A free ball falls (symplectic Euler, as symplectic_euler does it).
+/// substep. A free ball falls as a particle does, so that what rests on the other has the same balance of pushes.
 /// @param steer direction that the keys ask for, of length 0 or 1
 /// @param ground where it is solid, the keys lead no ball below it
-void move_ball(const BallSettings& settings, const Vec3& steer, const Ground& ground, Real time, Real h, Ball& ball);
+/// @param share of the integrator, see `displacement_share`
+void move_ball(const BallSettings& settings, const Vec3& steer, const Ground& ground, Real share, Real time, Real h,
+               Ball& ball);
 
-/// Rolling resistance: slows the spin of balls on the ground by the torque that its load on them allows, and no further
-/// than to a stop. Friction then slows the balls: a rolling one by 5/7 rolling g [m/s^2].
-/// @param contacts as solved: their impulses count
-void resist_rolling(const Ground& ground, std::span<const BallContact> contacts, std::span<Ball> balls);
+/// Rolling resistance: slows the spin of a ball by the torque coefficient * radius * load, and no further than to a
+/// stop. Friction then slows the ball: a rolling one by 5/7 coefficient * g [m/s^2].
+/// @param load impulse that what it lies on has given it within the substep [N s]
+void resist_rolling(Real coefficient, Real load, Ball& ball);
 
 /// Turns a ball by what it has turned within the substep, contacts included: q += w h / 2 q, of length 1 again.
 void turn_ball(Ball& ball);

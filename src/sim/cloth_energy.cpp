@@ -111,20 +111,29 @@ ResponseReport ClothEnergy::respond(const ResponseParameters& response, Real h, 
     return left;
 }
 
-void ClothEnergy::warm_start(const ResponseParameters& response, Real h, const ClothModel& model,
-                             std::vector<Contact>& contacts, std::span<Ball> balls, ClothState& state, WarmStart& start,
-                             bool displaces) {
+void ClothEnergy::before_step(const ClothModel& model, std::span<Ball> balls, ClothState& state,
+                              const WarmStart& start) {
+    warm_start(model, balls, state, start, &WarmStart::before_step);
+}
+
+void ClothEnergy::after_step(const ClothModel& model, std::span<Ball> balls, ClothState& state,
+                             const WarmStart& start) {
+    warm_start(model, balls, state, start, &WarmStart::after_step);
+}
+
+void ClothEnergy::warm_start(const ClothModel& model, std::span<Ball> balls, ClothState& state, const WarmStart& start,
+                             Give pushes) {
+    if (start.pushes().empty()) return;
     const double balls_before = kinetic_energy(balls);
-    const bool measured = ledger_ && !contacts.empty();
-    const GridRange range = range_of(contacts, model.grid);
+    const GridRange range = range_of(start.pushes(), model.grid);
     const auto look = [&] {
-        return measured ? compute_energy_around(model, state.x, state.v, range, kernels_) : EnergyFlow{};
+        return ledger_ ? compute_energy_around(model, state.x, state.v, range, kernels_) : EnergyFlow{};
     };
     const EnergyFlow before = look();
-    start.give(response, h, model, contacts, balls, state, displaces);
+    (start.*pushes)(model, balls, state);
     const double ball_work = balls_before - kinetic_energy(balls);
     watch_.give(std::max(ball_work, 0.0));
-    if (measured) ledger_->responded(before, look(), ball_work);
+    if (ledger_) ledger_->responded(before, look(), ball_work);
 }
 
 void ClothEnergy::still(const ClothModel& model, const ClothState& state) {

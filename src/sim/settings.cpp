@@ -18,7 +18,8 @@ ResponseParameters response_of(const Settings& settings) {
             .restitution = contact.restitution,
             .thickness = contact.thickness,
             .stiffness = contact.stiffness,
-            .ground = settings.ground};
+            .ground = settings.ground,
+            .integrator = settings.solver.integrator};
 }
 
 BroadPhaseParameters broad_phase_of(const Settings& settings) {

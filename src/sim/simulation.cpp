@@ -7,7 +7,7 @@
 #include "drape/base/stopwatch.h"
 #include "drape/contact/node_contacts.h"
 #include "drape/contact/response.h"
-#include "drape/integrate/stability.h"
+#include "drape/integrate/integrator.h"
 #include "drape/sim/memory.h"
 #include "gusts.h"
 #include "run_checks.h"
@@ -64,7 +64,8 @@ bool Simulation::input(const Substep& now) {
     hand_.lead(cloths_, balls_, settings_.contact.thickness, now.h);
     for (std::size_t b = 0; b < balls_.size(); ++b) {
         if (report_.asleep && !is_led(b)) continue;
-        move_ball(settings_.balls[b], steer_, settings_.ground, static_cast<Real>(now.time), now.h, balls_[b]);
+        move_ball(settings_.balls[b], steer_, settings_.ground, displacement_share(settings_.solver.integrator),
+                  static_cast<Real>(now.time), now.h, balls_[b]);
     }
     if (led_ball_has_moved()) wake();
     return !report_.asleep;
@@ -74,12 +75,12 @@ bool Simulation::input(const Substep& now) {
 bool Simulation::integrate(const Substep& now) {
     report_.forget_contacts();
     const Air air = air_at(settings_.wind, now.time);
-    const bool is_explicit = has_step_limit(settings_.solver.integrator);
     for (Cloth& cloth : cloths_) {
         cloth.model.air = air;
         if (report_.substeps > 1) cloth.before = cloth.state.x;
         Stopwatch watch;
-        if (!is_explicit) warm_start(cloth, now, false);
+        cloth.warm_start.take(response_of(settings_), now.h, cloth.model, cloth.contacts);
+        cloth.energy.before_step(cloth.model, balls_, cloth.state, cloth.warm_start);
         with_memory(settings_, [&] {
             report_.solve += cloth.integrator->step(cloth.model, cloth.state, now.h, cloth.energy.start_of_step());
         });
@@ -93,15 +94,8 @@ bool Simulation::integrate(const Substep& now) {
         end_with(std::move(trouble));
         return false;
     }
-    for (Cloth& cloth : cloths_) {
-        if (is_explicit) warm_start(cloth, now, true);
-    }
+    for (Cloth& cloth : cloths_) cloth.energy.after_step(cloth.model, balls_, cloth.state, cloth.warm_start);
     return true;
-}
-
-void Simulation::warm_start(Cloth& cloth, const Substep& now, bool displaces) {
-    cloth.energy.warm_start(response_of(settings_), now.h, cloth.model, cloth.contacts, balls_, cloth.state,
-                            cloth.warm_start, displaces);
 }
 
 void Simulation::build() {
@@ -151,12 +145,26 @@ void Simulation::respond(const Substep& now) {
         report_.contact_residual = std::max(report_.contact_residual, static_cast<double>(left.residual));
         report_.contact_sweeps += left.sweeps;
     }
-    resist_rolling(settings_.ground, ball_contacts_, balls_);
+    resist_rolling();
     for (Ball& ball : balls_) turn_ball(ball);
     report_.times.respond += watch.lap();
     for (Cloth& cloth : cloths_) {
         const Real missed = cloth.search.missed_penetration(cloth.state.x, balls_, response.thickness);
         report_.missed_penetration = std::max(report_.missed_penetration, static_cast<double>(missed));
+    }
+}
+
+void Simulation::resist_rolling() {
+    const auto resist = [&](Real coefficient, int ball, Real load) {
+        if (coefficient > 0) drape::resist_rolling(coefficient, load, balls_[static_cast<std::size_t>(ball)]);
+    };
+    for (const BallContact& contact : ball_contacts_) {
+        if (contact.ball == the_ground) resist(settings_.ground.rolling, contact.first, contact.impulse.normal);
+    }
+    for (const Cloth& cloth : cloths_) {
+        for (const Contact& contact : cloth.contacts) {
+            if (contact.ball != the_ground) resist(settings_.contact.rolling, contact.ball, contact.impulse.normal);
+        }
     }
 }
 

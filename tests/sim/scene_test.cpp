@@ -69,6 +69,7 @@ stiffness = 500.0
 longest_step = 1e-3
 friction = 0.25
 restitution = 0.125
+rolling = 0.03
 thickness = 0.003
 continuous = true
 self = false

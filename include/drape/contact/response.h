@@ -5,6 +5,7 @@
 
 #include "drape/base/enum_names.h"
 #include "drape/contact/contact.h"
+#include "drape/integrate/integrator.h"
 
 namespace drape {
 
@@ -26,6 +27,7 @@ struct ResponseParameters {
     Real thickness = Real(0.002);  ///< [m]
     Real stiffness = 1000;         ///< of the penalty's springs, one a contact [N/m]
     Ground ground = {.solid = false};
+    IntegratorKind integrator = IntegratorKind::SymplecticEuler;  ///< that makes the substeps between responses
 };
 
 /// What a response leaves and what it has done.

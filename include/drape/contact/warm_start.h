@@ -8,28 +8,37 @@
 namespace drape {
 
 /// What a response starts from: the pushes of the substep before. @cite catto2005
-/// Given before the step of an implicit method, they are to it a force that lasts for the step, and what rests hardly
-/// moves. An explicit method takes its forces from the start of the step, where they would be a velocity that dampers
-/// answer: they are given after it. Either way the response has little left to solve. Only responses that solve for
-/// pushes can use them; a penalty follows from the depth.
+/// To an implicit method they are a force that lasts for its step: a velocity that is given before the step, or half
+/// before and half after it where a force displaces by half of what its velocity would (`displacement_share`). What
+/// rests does not move then. An explicit method takes its forces from the start of the step, where a velocity would be
+/// answered by dampers: it is given the pushes after the step, displacements too. Either way the response has little
+/// left to solve. Only responses that solve for pushes can use them; a penalty follows from the depth.
 class WarmStart {
 public:
     /// Room for this many contacts without allocating.
     void reserve(std::size_t contacts) { last_.reserve(contacts), merged_.reserve(contacts); }
 
-    /// Gives the pushes of the last response to the velocities.
-    /// @param contacts of the substep before; taken, and left empty, where the response solves for pushes
-    /// @param displaces positions too: the step has been made
-    void give(const ResponseParameters& parameters, Real h, const ClothModel& model, std::vector<Contact>& contacts,
-              std::span<Ball> balls, ClothState& state, bool displaces);
+    /// Takes the pushes of the substep before.
+    /// @param h the substep to come [s]
+    /// @param contacts of the substep before; left empty where the response solves for pushes
+    void take(const ResponseParameters& parameters, Real h, const ClothModel& model, std::vector<Contact>& contacts);
+
+    /// Gives what a method is to have before its step, and after it. Balls have moved before either.
+    void before_step(const ClothModel& model, std::span<Ball> balls, ClothState& state) const;
+    void after_step(const ClothModel& model, std::span<Ball> balls, ClothState& state) const;
 
     /// Tells the contacts that were found now what was given to them. Those of before that were not found again join
     /// them, for the response to take back what they do not need.
     void carry_over(const ResponseParameters& parameters, const Points& x, std::span<const Ball> balls,
                     std::vector<Contact>& contacts);
 
+    /// The contacts whose pushes were taken.
+    [[nodiscard]] std::span<const Contact> pushes() const { return last_; }
+
 private:
-    Real h_ = 0;  ///< of the last pushes [s]
+    Real h_ = 0;               ///< of the last pushes [s]
+    Real before_ = 0;          ///< what of a velocity is given before the step
+    bool is_explicit_ = true;  ///< nothing is, and displacements are given
     std::vector<Contact> last_, merged_;
 };
 

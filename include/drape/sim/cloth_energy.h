@@ -52,9 +52,10 @@ public:
     ResponseReport respond(const ResponseParameters& response, Real h, ClothInContact cloth, std::span<Ball> balls,
                            std::span<BallContact> ball_contacts);
 
-    /// Gives the cloth the pushes of its last contacts, and enters what that has done.
-    void warm_start(const ResponseParameters& response, Real h, const ClothModel& model, std::vector<Contact>& contacts,
-                    std::span<Ball> balls, ClothState& state, WarmStart& start, bool displaces);
+    /// Gives the cloth what of the pushes of its last contacts belongs before the integrator's step, or after it, and
+    /// enters what that has done.
+    void before_step(const ClothModel& model, std::span<Ball> balls, ClothState& state, const WarmStart& start);
+    void after_step(const ClothModel& model, std::span<Ball> balls, ClothState& state, const WarmStart& start);
 
     /// Velocities are about to be set to zero by sleep.
     void still(const ClothModel& model, const ClothState& state);
@@ -66,6 +67,9 @@ public:
     [[nodiscard]] Energy energy(const ClothModel& model, const ClothState& state, EnergyBalance& balance);
 
 private:
+    using Give = void (WarmStart::*)(const ClothModel&, std::span<Ball>, ClothState&) const;
+    void warm_start(const ClothModel& model, std::span<Ball> balls, ClothState& state, const WarmStart& start,
+                    Give pushes);
     EnergyFlow flow(const ClothModel& model, const ClothState& state);
 
     Kernels kernels_ = Kernels::Plain;

@@ -70,11 +70,11 @@ private:
     [[nodiscard]] Substep substep(int number) const;
     bool input(const Substep& now);
     bool integrate(const Substep& now);
-    void warm_start(Cloth& cloth, const Substep& now, bool displaces);
     void build();
     void traverse();
     void narrow(const Substep& now);
     void respond(const Substep& now);
+    void resist_rolling();
     void close_report();
     void rest();
 

@@ -7,7 +7,6 @@
 #include "drape/base/assert.h"
 #include "drape/contact/node_contacts.h"
 #include "drape/contact/search_audit.h"
-#include "drape/integrate/stability.h"
 
 namespace drape {
 namespace {
@@ -40,7 +39,6 @@ ContactTrial::ContactTrial(const ContactScene& scene, Real step, bool continuous
     : response_(scene.response),
       continuous_(continuous),
       kernels_(scene.integrator.kernels),
-      method_(scene.integrator.kind),
       h_(step),
       model_(make_cloth_model(scene.cloth)),
       state_(make_rest_state(scene.cloth)),
@@ -48,16 +46,17 @@ ContactTrial::ContactTrial(const ContactScene& scene, Real step, bool continuous
       aim_(nearest_to_way(state_.x, scene.ball)),
       integrator_(make_integrator(scene.integrator, scene.cloth.particles)) {
     model_.gravity = scene.gravity;
+    response_.integrator = scene.integrator.kind;
 }
 
 void ContactTrial::advance(BroadPhase& hierarchy) {
     before_ = state_.x;
     ball_.moved = h_ * ball_.velocity;
     ball_.centre += ball_.moved;
-    const bool is_explicit = has_step_limit(method_);
-    if (!is_explicit) warm_start(false);
+    warm_start_.take(response_, h_, model_, contacts_);
+    warm_start_.before_step(model_, std::span(&ball_, 1), state_);
     integrator_->step(model_, state_, h_);
-    if (is_explicit) warm_start(true);
+    warm_start_.after_step(model_, std::span(&ball_, 1), state_);
     find(hierarchy);
     if (response_.ground.solid) {
         find_ground_contacts(model_.grid, state_.x, response_.ground.height, response_.thickness, contacts_);
@@ -84,10 +83,6 @@ void ContactTrial::find(BroadPhase& hierarchy) {
     find_contacts(model_.grid, state_.x, ball_, 0, thickness, candidates_.cells, contacts_, kernels_);
     find_node_contacts(model_.grid, state_.x, ball_, 0, thickness, node_push_speed * h_, candidates_.stopped,
                        contacts_);
-}
-
-void ContactTrial::warm_start(bool displaces) {
-    warm_start_.give(response_, h_, model_, contacts_, std::span(&ball_, 1), state_, displaces);
 }
 
 ResponseReport ContactTrial::respond() {

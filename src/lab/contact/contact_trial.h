@@ -61,13 +61,11 @@ public:
     [[nodiscard]] bool has_passed() const;
 
 private:
-    void warm_start(bool displaces);
     void find(BroadPhase& hierarchy);
 
     ResponseParameters response_;
     bool continuous_;
     Kernels kernels_;
-    IntegratorKind method_;
     Real h_;
     ClothModel model_;
     ClothState state_;

@@ -1,0 +1,112 @@
+// A cloth on a ball, and a ball on a cloth, come to rest; what rests falls asleep, and its books stay.
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <tuple>
+#include <utility>
+
+#include "drape/integrate/stability.h"
+#include "drape/sim/scene.h"
+#include "small_scene.h"
+
+namespace drape {
+namespace {
+
+/// A tenth of the default: what sleeps is then slower than 0.1 mm/s.
+constexpr Real slow = Real(2e-5);
+
+/// `drop` of few particles, with a ledger.
+Simulation small_drop(IntegratorKind integrator, ResponseKind response) {
+    Settings settings = load_scene("drop");
+    ClothParameters& cloth = settings.cloths[0];
+    cloth.drag *= static_cast<Real>(cloth.particles.particles()) / 81;  // the same on the whole cloth
+    cloth.particles = {9, 9};
+    settings.contact.response = response;
+    settings.solver.integrator = integrator;
+    settings.solver.dt = has_step_limit(integrator) ? 3.125e-4 : 1.0 / 60;
+    settings.solver.ledger = true;
+    settings.solver.sleep_speed = slow;
+    return {"drop", std::move(settings)};
+}
+
+double rms_speed(const Simulation& simulation) {
+    const Points& v = simulation.cloths()[0].state.v;
+    return static_cast<double>(std::sqrt(v.squaredNorm() / static_cast<Real>(v.rows())));
+}
+
+/// Runs until the scene sleeps.
+/// @return RMS speed in the step before [m/s]
+double run_to_sleep(Simulation& simulation, double longest) {
+    double speed = 0;
+    while (!simulation.report().asleep && simulation.report().status == Status::Ok &&
+           simulation.report().time < longest) {
+        speed = rms_speed(simulation);
+        simulation.step();
+    }
+    return speed;
+}
+
+/// The report with its energy balance.
+StepReport books(Simulation& simulation) {
+    static_cast<void>(simulation.view());
+    return simulation.report();
+}
+
+using RestCase = std::tuple<IntegratorKind, ResponseKind>;
+
+class RestOnABall : public testing::TestWithParam<RestCase> {};
+
+/// What comes below 0.1 mm/s at these steps: projection under every method, and impulses under symplectic Euler. Under
+/// the others the sweeps over impulses end at their cap; penalties and the hybrid leave what a spring of their
+/// stiffness quivers by.
+std::vector<RestCase> rest_cases() {
+    std::vector<RestCase> cases;
+    for (std::size_t i = 1; i < names_of<IntegratorKind>().size(); ++i) {
+        const auto integrator = static_cast<IntegratorKind>(i);
+        cases.emplace_back(integrator, ResponseKind::Projection);
+        if (integrator == IntegratorKind::SymplecticEuler) cases.emplace_back(integrator, ResponseKind::Impulse);
+    }
+    return cases;
+}
+
+INSTANTIATE_TEST_SUITE_P(All, RestOnABall, testing::ValuesIn(rest_cases()), [](const auto& param) {
+    return std::string(name_of(std::get<0>(param.param))) + "_" + std::string(name_of(std::get<1>(param.param)));
+});
+
+TEST_P(RestOnABall, IsReachedAndNothingIsBookedAfterIt) {
+    const auto [integrator, response] = GetParam();
+    Simulation simulation = small_drop(integrator, response);
+    const double speed = run_to_sleep(simulation, 10);
+    ASSERT_TRUE(simulation.report().asleep) << speed << " m/s";
+    EXPECT_LT(speed, 1e-4);
+    const StepReport then = books(simulation);
+    make_steps(simulation, 100);
+    const StepReport now = books(simulation);
+    for (const std::string_view row :
+         {"damping_loss", "drag_loss", "contact_loss", "integrator_loss", "ball_work", "hand_work", "energy"})
+        EXPECT_EQ(figure(now, row), figure(then, row)) << row;
+}
+
+TEST(RestInATrampoline, IsReachedByTheShippedSceneAndCostsNothing) {
+    Settings settings = load_scene("trampoline");
+    const Real sleep_speed = std::exchange(settings.solver.sleep_speed, Real(0));
+    Simulation simulation("trampoline", std::move(settings));
+    double fast = 0;  // when it last was
+    while (simulation.report().time - fast < 0.5 && simulation.report().time < 15) {
+        simulation.step();
+        if (rms_speed(simulation) > 1e-4) fast = simulation.report().time;
+    }
+    EXPECT_LT(fast, 12);
+    send(simulation, "set solver.sleep_speed=" + std::to_string(sleep_speed));
+    run_to_sleep(simulation, fast + 1.1);
+    ASSERT_TRUE(simulation.report().asleep);
+    EXPECT_EQ(simulation.balls()[0].velocity, Vec3(0, 0, 0));
+    const std::uint64_t hash = simulation.hash();
+    simulation.step();
+    EXPECT_EQ(simulation.hash(), hash);
+    EXPECT_EQ(simulation.report().solve.force_evaluations, 0);
+}
+
+}  // namespace
+}  // namespace drape
