@@ -61,7 +61,7 @@ Simulation::Substep Simulation::substep(int number) const {
 /// What moves on its own: hand and balls. Commands were carried out between two steps.
 /// @return false while the scene is asleep
 bool Simulation::input(const Substep& now) {
-    hand_.lead(cloths_, balls_, settings_.contact.thickness, now.h);
+    hand_.lead(cloths_, {balls_, settings_.ground, settings_.contact.thickness}, now.h);
     for (std::size_t b = 0; b < balls_.size(); ++b) {
         if (report_.asleep && !is_led(b)) continue;
         move_ball(settings_.balls[b], steer_, settings_.ground, static_cast<Real>(now.time), now.h, balls_[b]);

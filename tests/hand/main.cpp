@@ -6,10 +6,12 @@
 #include <cstdio>
 #include <functional>
 #include <iostream>
+#include <limits>
 #include <random>
 #include <span>
 
 #include "drape/base/numbers.h"
+#include "drape/contact/search_audit.h"
 #include "drape/model/energy.h"
 #include "drape/model/stencils.h"
 #include "drape/sim/scene.h"
@@ -45,9 +47,44 @@ bool is_within_its_limit(const Simulation& simulation) {
     return stretch_of(simulation) <= simulation.cloths()[0].model.stretch_limit + stretch_tolerance + pushed;
 }
 
+/// Where nothing of the cloth belongs, its thickness not counted: contact stops it at that distance already. A ball that
+/// the keys press down leaves cloth between it and the ground no room at all [m].
+constexpr Real entered = Real(0.001);
+
+Real deepest_in_balls(const Simulation& simulation) {
+    Real deepest = 0;
+    for (const Cloth& cloth : simulation.cloths()) {
+        SearchAudit audit(cloth.model.grid, Kernels::Vector);
+        deepest = std::max(deepest, audit.penetration(cloth.state.x, simulation.balls(), 0));
+    }
+    return deepest;
+}
+
+Real lowest_of(const Simulation& simulation) {
+    Real lowest = std::numeric_limits<Real>::infinity();
+    for (const Cloth& cloth : simulation.cloths()) lowest = std::min(lowest, cloth.state.x.col(1).minCoeff());
+    return lowest;
+}
+
+bool is_above_the_ground(const Simulation& simulation) {
+    const Ground& ground = simulation.settings().ground;
+    return !ground.solid || lowest_of(simulation) >= ground.height - entered;
+}
+
+/// Farther away no hand and no ball can have taken the cloth [m].
+constexpr Real far_away = 20;
+
+bool is_near(const Simulation& simulation) {
+    return std::ranges::all_of(simulation.cloths(),
+                               [](const Cloth& cloth) { return cloth.state.x.cwiseAbs().maxCoeff() < far_away; });
+}
+
 const std::vector<Check>& checks() {
     static const std::vector<Check> list{
         {"the cloth is finite", is_finite},
+        {"nothing of the cloth is far away", is_near},
+        {"no cloth is inside a ball", [](const Simulation& s) { return deepest_in_balls(s) <= entered; }},
+        {"no cloth is below the ground", is_above_the_ground},
         {"no spring is stretched beyond the limit", is_within_its_limit},
         {"the run goes on", [](const Simulation& s) { return s.report().status == Status::Ok; }},
         {"no energy comes from nowhere", [](const Simulation& s) { return s.report().heated_step == 0; }}};
@@ -112,7 +149,7 @@ private:
     Simulation simulation_;
     std::vector<std::string> done_;  ///< since the start
     Real hanging_ = 0;               ///< strain of the cloth at rest that nobody has touched
-    Real largest_ = 0, at_rest_ = 0;
+    Real largest_ = 0, at_rest_ = 0, deepest_ = 0, lowest_ = std::numeric_limits<Real>::infinity();
     int failed_ = 0;
 };
 
@@ -157,6 +194,8 @@ void RandomHand::fail(const std::string& what) {
 
 void RandomHand::look() {
     largest_ = std::max(largest_, stretch_of(simulation_));
+    deepest_ = std::max(deepest_, deepest_in_balls(simulation_));
+    lowest_ = std::min(lowest_, lowest_of(simulation_) - simulation_.settings().ground.height);
     for (const Check& check : checks()) {
         if (!check.holds(simulation_)) return fail(check.name);
     }
@@ -173,12 +212,12 @@ void RandomHand::run(double seconds) {
 }
 
 int RandomHand::play_round() {
-    constexpr int commands = 60;
+    constexpr int commands = 240;
     for (int c = 0; c < commands; ++c) {
         const std::string command = random_command();
         done_.push_back(std::to_string(simulation_.report().step) + " " + command);
         simulation_.apply(parse_command(command));
-        run(between(0, 0.05));
+        run(between(0, random_() % 16 == 0 ? 0.6 : 0.03));  // now and then long enough to come where it leads
     }
     // A ball that leans on a cloth that hangs would stretch it
     const bool hangs = simulation_.settings().cloths[0].pinned.kind != Pins::Kind::None;
@@ -198,8 +237,11 @@ int RandomHand::play_round() {
 }
 
 void RandomHand::tell() const {
-    std::printf("%s: largest stretch %.4f; at rest %.4f, %.4f if untouched; %d failed\n", scene_.c_str(),
-                static_cast<double>(largest_), static_cast<double>(at_rest_), static_cast<double>(hanging_), failed_);
+    std::printf("%s: largest stretch %.4f; at rest %.4f, %.4f if untouched; %.4f mm into a ball, lowest %.4f mm; %d "
+                "failed\n",
+                scene_.c_str(), static_cast<double>(largest_), static_cast<double>(at_rest_),
+                static_cast<double>(hanging_), 1e3 * static_cast<double>(deepest_), 1e3 * static_cast<double>(lowest_),
+                failed_);
 }
 
 int run(int argc, char** argv) {
@@ -211,7 +253,7 @@ int run(int argc, char** argv) {
         if (name == "--seed") seed = std::stoul(argv[a + 1]);
     }
     std::vector<RandomHand> hands;
-    for (const char* scene : {"drop", "hang"}) hands.emplace_back(seed++, scene);
+    for (const char* scene : {"drop", "hang", "original"}) hands.emplace_back(seed++, scene);
     long long commands = 0;
     while (commands < wanted) {
         for (RandomHand& hand : hands) commands += hand.play_round();

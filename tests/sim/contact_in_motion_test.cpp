@@ -38,6 +38,39 @@ TEST(Ground, IsWhereTheKeysCanLeadABallAndNoFarther) {
     EXPECT_EQ(simulation.balls()[0].centre.y(), simulation.settings().ground.height + simulation.balls()[0].radius);
 }
 
+/// How high the hand is, lowest, on its way to a target far below the ground.
+Real lowest_of_hand(bool solid) {
+    Simulation simulation = scene_with("drop", {"cloth.particles=12,12", std::string("ground.solid=") + (solid ? "true" : "false")});
+    send(simulation, "grab 0 0");
+    send(simulation, "drag 0.02 -1 0");
+    Real lowest = 1;
+    while (simulation.report().time < 1.2) {
+        simulation.step();
+        lowest = std::min(lowest, simulation.cloths()[0].state.x(0, 1));
+    }
+    return lowest;
+}
+
+TEST(Ground, StopsTheHandAndOnlyWhereItIsSolid) {
+    const Real thickness = load_scene("drop").contact.thickness;
+    EXPECT_GE(lowest_of_hand(true), thickness * (1 - 1e-9));
+    EXPECT_LT(lowest_of_hand(false), -0.3);
+}
+
+/// Between ball and ground the hand has but one way out.
+TEST(Ground, AndABallOnItLeaveTheHandOutsideBoth) {
+    Simulation simulation = scene_with("drop", {"cloth.particles=12,12"});
+    send(simulation, "grab 0 0");
+    send(simulation, "drag 0.02 -1 0.01");
+    const Ball ball = simulation.balls()[0];
+    while (simulation.report().time < 1.2) {
+        simulation.step();
+        const Vec3 hand = simulation.cloths()[0].state.x.row(0).transpose();
+        ASSERT_GE((hand - ball.centre).norm(), ball.radius);
+        ASSERT_GE(hand.y(), 0);
+    }
+}
+
 /// A heavy ball that is before a hung curtain at the end of one step, and behind it at the end of the next.
 Simulation bullet(const std::string& integrator, Real speed, const std::string& continuous) {
     const Real way = speed / 60;
