@@ -54,8 +54,8 @@ Vec3 out_of_ball(const Ball& ball, Real least, Real lowest, const Vec3& target) 
 
 /// What the hand holds cannot be pushed: it stays outside balls and ground.
 Vec3 outside(const ClothModel& model, Vec3 target, const Obstacles& obstacles) {
-    const Real lowest = obstacles.ground.solid ? obstacles.ground.height + obstacles.thickness
-                                               : -std::numeric_limits<Real>::infinity();
+    const Real lowest =
+        obstacles.ground.solid ? obstacles.ground.height + obstacles.thickness : -std::numeric_limits<Real>::infinity();
     target.y() = std::max(target.y(), lowest);
     for (std::size_t round = 0; round < obstacles.balls.size(); ++round) {
         for (const Ball& ball : obstacles.balls) {

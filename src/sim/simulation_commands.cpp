@@ -144,8 +144,16 @@ void Simulation::configure_balls(const Settings& before) {
         const BallSettings &now = settings_.balls[b], &then = before.balls[b];
         balls_[b].radius = now.radius;
         balls_[b].inverse_mass = inverse_mass_of(now);
-        if (now.position != then.position) balls_[b].centre = now.position;
+        if (now.position != then.position) put_ball(b, now.position);
         if (now.velocity != then.velocity) balls_[b].velocity = now.velocity;
+    }
+}
+
+/// Nothing that touched the ball where it was does so where it is now.
+void Simulation::put_ball(std::size_t number, const Vec3& centre) {
+    balls_[number].centre = centre;
+    for (Cloth& cloth : cloths_) {
+        std::erase_if(cloth.contacts, [&](const Contact& contact) { return contact.ball == static_cast<int>(number); });
     }
 }
 

@@ -40,7 +40,8 @@ TEST(Ground, IsWhereTheKeysCanLeadABallAndNoFarther) {
 
 /// How high the hand is, lowest, on its way to a target far below the ground.
 Real lowest_of_hand(bool solid) {
-    Simulation simulation = scene_with("drop", {"cloth.particles=12,12", std::string("ground.solid=") + (solid ? "true" : "false")});
+    Simulation simulation =
+        scene_with("drop", {"cloth.particles=12,12", std::string("ground.solid=") + (solid ? "true" : "false")});
     send(simulation, "grab 0 0");
     send(simulation, "drag 0.02 -1 0");
     Real lowest = 1;
@@ -69,6 +70,16 @@ TEST(Ground, AndABallOnItLeaveTheHandOutsideBoth) {
         ASSERT_GE((hand - ball.centre).norm(), ball.radius);
         ASSERT_GE(hand.y(), 0);
     }
+}
+
+TEST(LedBall, ThatACommandTakesAwayLeavesTheClothWhereItIs) {
+    Simulation simulation = scene_with("original", {"cloth.particles=15,15", "ball.position=0,-0.2,0"});
+    run_until(simulation, 0.3);
+    ASSERT_GT(simulation.report().contacts, 0);
+    send(simulation, "set ball.position=9,1,0");
+    const Points before = simulation.cloths()[0].state.x;
+    simulation.step();
+    EXPECT_LT((simulation.cloths()[0].state.x - before).cwiseAbs().maxCoeff(), 0.01);
 }
 
 /// A heavy ball that is before a hung curtain at the end of one step, and behind it at the end of the next.

@@ -91,6 +91,7 @@ private:
     void configure(Settings settings);
     void configure_cloth(std::size_t number, const Settings& before);
     void configure_balls(const Settings& before);
+    void put_ball(std::size_t number, const Vec3& centre);
 
     std::string scene_;
     Settings settings_;
