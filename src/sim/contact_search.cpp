@@ -80,6 +80,18 @@ std::int64_t ContactSearch::narrow(const Points& before, const Points& x, std::s
     return traversal_.candidates - touching;
 }
 
+TraversalStats ContactSearch::meet_ground(const Points& x, Real height, Real thickness,
+                                          std::vector<Contact>& contacts) {
+    const bool is_built = built_from_present_ || (sweeps_ && !skipped_);
+    if (!is_built || hierarchy_->levels() == 0) {
+        find_ground_contacts(grid_, x, height, thickness, contacts);
+        return {};
+    }
+    const TraversalStats stats = hierarchy_->query_below(height + thickness, low_);
+    find_ground_contacts(grid_, x, height, thickness, low_.cells, low_particles_, contacts);
+    return stats;
+}
+
 std::int64_t ContactSearch::false_contacts(const Points& x, std::span<const Ball> balls, Real thickness) {
     std::int64_t count = 0;
     for (std::size_t b = 0; audit_ && b < balls.size(); ++b) {

@@ -127,7 +127,8 @@ void Simulation::narrow(const Substep& now) {
         report_.false_candidates += cloth.search.narrow(start_of_substep(cloth), cloth.state.x, balls_, thickness,
                                                         node_push_speed * now.h, cloth.contacts);
         if (settings_.ground.solid) {
-            find_ground_contacts(cloth.model.grid, cloth.state.x, settings_.ground.height, thickness, cloth.contacts);
+            report_.ground +=
+                cloth.search.meet_ground(cloth.state.x, settings_.ground.height, thickness, cloth.contacts);
         }
         cloth.warm_start.carry_over(response_of(settings_), cloth.state.x, balls_, cloth.contacts);
         report_.contacts += static_cast<std::int64_t>(cloth.contacts.size());

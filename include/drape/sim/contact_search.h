@@ -46,6 +46,12 @@ public:
     std::int64_t narrow(const Points& before, const Points& x, std::span<const Ball> balls, Real thickness,
                         Real longest_push, std::vector<Contact>& contacts);
 
+    /// Tests the cloth against the ground: where the present hierarchy holds it, what that has not pruned, else all of
+    /// it.
+    /// @param contacts receives what touches, particles ascending, after what is there
+    /// @return what the traversal has cost; zero without one
+    TraversalStats meet_ground(const Points& x, Real height, Real thickness, std::vector<Contact>& contacts);
+
     /// What a limited search invents and what it lets through, by testing every cell; nothing for any other search.
     /// @return contacts of nodes in which no triangle touches
     std::int64_t false_contacts(const Points& x, std::span<const Ball> balls, Real thickness);
@@ -73,6 +79,8 @@ private:
     std::vector<TriangleImpact> impacts_;
     TraversalStats traversal_;
     std::vector<Candidates> candidates_;  ///< of each ball
+    Candidates low_;                      ///< near the ground
+    std::vector<CellRun> low_particles_;
 };
 
 }  // namespace drape
