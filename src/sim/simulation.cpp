@@ -25,7 +25,7 @@ void Simulation::step() {
         if (!input(now)) continue;    // asleep
         if (!integrate(now)) return;  // diverged
         limit_stretch(cloths_, report_);
-        build();
+        build(now);
         traverse();
         narrow(now);
         respond(now);
@@ -104,12 +104,15 @@ void Simulation::warm_start(Cloth& cloth, const Substep& now, bool displaces) {
                             cloth.warm_start, displaces);
 }
 
-void Simulation::build() {
+void Simulation::build(const Substep& now) {
     if (balls_.empty()) return;
     Stopwatch watch;
     for (Cloth& cloth : cloths_) {
         if (!cloth.search.build(start_of_substep(cloth), cloth.state.x, balls_, settings_.contact))
             ++report_.skipped_builds;
+        if (settings_.contact.continuous == Continuous::Never) {
+            mark_crossing(cloth.search.crossing(), now.time, now.h, report_);
+        }
     }
     report_.times.build += watch.lap();
 }

@@ -41,7 +41,7 @@ Real stretch_of(const Simulation& simulation) {
 }
 
 /// Contact comes after the limit, and may stretch a spring until the next step by what it pushes out.
-constexpr Real pushed = Real(0.04);
+constexpr Real pushed = Real(0.06);
 
 bool is_within_its_limit(const Simulation& simulation) {
     return stretch_of(simulation) <= simulation.cloths()[0].model.stretch_limit + stretch_tolerance + pushed;
@@ -201,7 +201,8 @@ std::string RandomHand::random_command() {
 void RandomHand::fail(const std::string& what) {
     ++failed_;
     std::cout << "FAILED: " << what << "\n  " << scene_ << ", step " << simulation_.report().step << ", stretch "
-              << stretch_of(simulation_) << " " << simulation_.report().trouble << simulation_.run_warning() << "\n";
+              << stretch_of(simulation_) << ", " << deepest_in_balls(simulation_) << " m into a ball, lowest at "
+              << lowest_of(simulation_) << " m " << simulation_.report().trouble << simulation_.run_warning() << "\n";
     for (const std::string& command : done_) std::cout << "  " << command << "\n";
     simulation_.apply(command::Reset{});
     done_.clear();
