@@ -89,12 +89,15 @@ std::int64_t ContactSearch::narrow(const Points& before, const Points& x, std::s
 TraversalStats ContactSearch::meet_ground(const Points& x, Real height, Real thickness,
                                           std::vector<Contact>& contacts) {
     const bool is_built = built_from_present_ || (sweeps_ && !skipped_);
-    if (!is_built || hierarchy_->levels() == 0) {
+    const bool asks = is_built && hierarchy_->levels() > 0;
+    const TraversalStats stats = asks ? hierarchy_->query_below(height + thickness, low_) : TraversalStats{};
+    // A pass in the order of memory is faster than picking more than some of the particles
+    const bool picks = asks && 4 * stats.candidates < grid_.cells();
+    if (picks) {
+        find_ground_contacts(grid_, x, height, thickness, low_.cells, low_particles_, contacts);
+    } else {
         find_ground_contacts(grid_, x, height, thickness, contacts);
-        return {};
     }
-    const TraversalStats stats = hierarchy_->query_below(height + thickness, low_);
-    find_ground_contacts(grid_, x, height, thickness, low_.cells, low_particles_, contacts);
     return stats;
 }
 

@@ -31,6 +31,22 @@ TEST(Ground, KeepsWhatFallsAndOnlyWhereItIsSolid) {
     }
 }
 
+TEST(Ground, IsFoundThroughTheHierarchyWithTheSameBits) {
+    const std::vector<std::string> low{"cloth.particles=20,20", "ball.radius=0.15", "ball.position=0,0.15,0"};
+    std::vector<std::string> brute = low;
+    brute.emplace_back("volume=brute");
+    Simulation tree = scene_with("drop", low), pass = scene_with("drop", brute);
+    int picked = 0;
+    while (tree.report().time < 0.6) {
+        tree.step(), pass.step();
+        const TraversalStats& ground = tree.report().ground;
+        if (ground.pruned > 0 && ground.candidates > 0) ++picked;
+        ASSERT_EQ(tree.hash(), pass.hash()) << tree.report().time;
+        EXPECT_EQ(pass.report().ground.visited, 0);
+    }
+    EXPECT_GT(picked, 20) << "some of the cloth is on the ground, and some is pruned";
+}
+
 TEST(Ground, IsWhereTheKeysCanLeadABallAndNoFarther) {
     Simulation simulation = scene_with("drop", {"ball.motion=keys"});
     send(simulation, "steer 0 -1 0");
