@@ -14,6 +14,7 @@ public:
     void build(const Points& /*from*/, const Points& /*to*/) override {}
     TraversalStats query(const Ball& /*ball*/, Candidates& found) override { return all(found); }
     TraversalStats query(const SweptBall& /*ball*/, Candidates& found) override { return all(found); }
+    TraversalStats query_below(Real /*height*/, Candidates& found) const override { return all(found); }
     [[nodiscard]] bool may_touch(const Ball& /*ball*/, Real /*displacement*/) const override { return true; }
     [[nodiscard]] bool may_touch(const SweptBall& /*ball*/, Real /*displacement*/) const override { return true; }
     [[nodiscard]] Real slack() const override { return 0; }
@@ -36,6 +37,7 @@ TraversalStats& TraversalStats::operator+=(const TraversalStats& other) {
     nodes += other.nodes;
     visited += other.visited;
     volume_tests += other.volume_tests;
+    pruned += other.pruned;
     leaves += other.leaves;
     candidates += other.candidates;
     stopped += other.stopped;

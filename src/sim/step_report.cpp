@@ -13,7 +13,7 @@ double nodes(const StepReport& r) { return static_cast<double>(r.traversal.nodes
 double candidates(const StepReport& r) { return static_cast<double>(r.traversal.candidates); }
 double stopped(const StepReport& r) { return static_cast<double>(r.traversal.stopped); }
 
-const std::array<ReportField, 47> fields{{
+const std::array<ReportField, 50> fields{{
     {"step", "", steps, "step", ReportGroup::Time, 3},
     {"time", "s", [](const StepReport& r) { return r.time; }, "time", ReportGroup::Time, 3},
     {"substeps", "", [](const StepReport& r) { return static_cast<double>(r.substeps); }},
@@ -41,12 +41,15 @@ const std::array<ReportField, 47> fields{{
     {"visited", "", [](const StepReport& r) { return static_cast<double>(r.traversal.visited); }},
     {"volume_tests", "", [](const StepReport& r) { return static_cast<double>(r.traversal.volume_tests); },
      "node tests", ReportGroup::Hierarchy, 3, nodes},
+    {"pruned", "", [](const StepReport& r) { return static_cast<double>(r.traversal.pruned); }},
     {"leaves", "", [](const StepReport& r) { return static_cast<double>(r.traversal.leaves); }},
     {"candidates", "", candidates, "candidates", ReportGroup::Hierarchy, 2},
     {"false_candidates", "", [](const StepReport& r) { return static_cast<double>(r.false_candidates); }, "false cand.",
      ReportGroup::Hierarchy, 1, candidates},
     {"contacts", "", [](const StepReport& r) { return static_cast<double>(r.contacts); }, "contacts",
      ReportGroup::Hierarchy, 3},
+    {"ground_visited", "", [](const StepReport& r) { return static_cast<double>(r.ground.visited); }},
+    {"ground_pruned", "", [](const StepReport& r) { return static_cast<double>(r.ground.pruned); }},
     {"penetration", "m", [](const StepReport& r) { return r.penetration; }, "depth left", ReportGroup::Hierarchy, 1},
     {"contact_residual", "m", [](const StepReport& r) { return r.contact_residual; }},
     {"contact_sweeps", "", [](const StepReport& r) { return static_cast<double>(r.contact_sweeps); }},

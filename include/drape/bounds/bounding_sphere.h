@@ -1,6 +1,7 @@
 #pragma once
 
 #include <algorithm>
+#include <cmath>
 #include <limits>
 
 #include "drape/bounds/bounding_volume.h"
@@ -44,6 +45,11 @@ struct BoundingSphere {
         const Real t = square > 0 ? std::clamp(along / square, Real(0), Real(1)) : Real(0);
         const Real radii = radius + ball.radius + ball.rounding(centre.cwiseAbs().maxCoeff() + radius);
         return (offset - t * way).squaredNorm() <= radii * radii;
+    }
+
+    /// y of the lowest point [m]
+    [[nodiscard]] Real lowest() const {
+        return centre.y() - radius - 8 * std::numeric_limits<Real>::epsilon() * (std::abs(centre.y()) + radius);
     }
 
     [[nodiscard]] BoundingSphere sphere() const { return *this; }

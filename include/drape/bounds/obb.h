@@ -58,6 +58,9 @@ struct Obb {
     /// By what of the ball's way is within the box, grown by the radius, in the box's directions. @cite ericson2004
     [[nodiscard]] bool overlaps(const SweptBall& ball) const;
 
+    /// y of the lowest corner [m]
+    [[nodiscard]] Real lowest() const;
+
     /// About the middle, through the corners.
     [[nodiscard]] BoundingSphere sphere() const;
 };

@@ -45,8 +45,13 @@ public:
     [[nodiscard]] const std::string& scene() const { return scene_; }
     [[nodiscard]] bool paused() const { return paused_; }
 
-    /// What the user should know before the next step: that it is longer than the method's limit. Empty if nothing.
+    /// What the user should know before the next step: that it is longer than the limit of the method, or of
+    /// the penalty. Empty if nothing.
     [[nodiscard]] std::string step_warning() const;
+
+    /// That ball and cloth are so fast that one may pass through the other, while `contact.continuous` forbids to look,
+    /// as of the last time that this began (`StepReport::crossing`). Empty if never.
+    [[nodiscard]] std::string crossing_warning() const;
 
     /// Why the run so far is not to be trusted, one line: steps that were not solved, energy that its method has made.
     /// Empty if nothing.
@@ -70,7 +75,7 @@ private:
     [[nodiscard]] Substep substep(int number) const;
     bool input(const Substep& now);
     bool integrate(const Substep& now);
-    void build();
+    void build(const Substep& now);
     void traverse();
     void narrow(const Substep& now);
     void respond(const Substep& now);
@@ -91,6 +96,11 @@ private:
     void configure(Settings settings);
     void configure_cloth(std::size_t number, const Settings& before);
     void configure_balls(const Settings& before);
+    void put_ball(std::size_t number, const Vec3& centre);
+    void choose_ball();
+    void give_ball_back();
+    void move_ball_by(BallMotion motion);
+    void throw_ball(const command::Throw& command);
 
     std::string scene_;
     Settings settings_;
@@ -99,6 +109,8 @@ private:
     std::vector<Ball> balls_, previous_balls_;
     std::vector<BallContact> ball_contacts_;
     Vec3 steer_ = Vec3::Zero();
+    std::size_t users_ball_ = 0;                 ///< that the user leads, drops and throws
+    std::optional<BallMotion> motion_by_scene_;  ///< of that ball, once the user has taken it over
     Hand hand_;
     SleepWatch sleep_;
     StepReport report_;
