@@ -85,7 +85,7 @@ std::vector<Entry> make_entries(const std::vector<std::string>& scenes) {
         {"Ball", {"PageUp", "E"}, "Ball up", "steer 0 1 0", Manner::WhileHeld},
         {"Ball", {"PageDown", "Shift+Q"}, "Ball down", "steer 0 -1 0", Manner::WhileHeld},
         {"Ball", {"X"}, "Throw the ball where you look", "throw 0 0 0 0 0 0", Manner::Aimed},
-        {"Ball", {"Shift+X"}, "Let the ball fall", "fall"},
+        {"Ball", {"Z"}, "Let the ball fall", "fall"},
         {"", {"V"}, "Wind", "next wind.on"},
         {"", {"F12"}, "Picture as PNG", "picture"},
         {"", {"H", "?"}, "Help", "next view.help"},
