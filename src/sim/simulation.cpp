@@ -64,8 +64,8 @@ bool Simulation::input(const Substep& now) {
     hand_.lead(cloths_, {balls_, settings_.ground, settings_.contact.thickness}, now.h);
     for (std::size_t b = 0; b < balls_.size(); ++b) {
         if (report_.asleep && !is_led(b)) continue;
-        move_ball(settings_.balls[b], steer_, settings_.ground, displacement_share(settings_.solver.integrator),
-                  static_cast<Real>(now.time), now.h, balls_[b]);
+        move_ball(settings_.balls[b], steer_, settings_.ground, settings_.contact.thickness,
+                  displacement_share(settings_.solver.integrator), static_cast<Real>(now.time), now.h, balls_[b]);
     }
     if (led_ball_has_moved()) wake();
     return !report_.asleep;

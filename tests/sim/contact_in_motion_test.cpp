@@ -47,11 +47,16 @@ TEST(Ground, IsFoundThroughTheHierarchyWithTheSameBits) {
     EXPECT_GT(picked, 20) << "some of the cloth is on the ground, and some is pruned";
 }
 
-TEST(Ground, IsWhereTheKeysCanLeadABallAndNoFarther) {
-    Simulation simulation = scene_with("drop", {"ball.motion=keys"});
+TEST(Ground, IsWhereTheKeysCanLeadABallAndNoFartherThanClothUnderItLetsThem) {
+    Simulation simulation = scene_with(
+        "drop", {"cloth.particles=12,12", "cloth.centre=0,0.01,0", "ball.position=0,0.4,0", "ball.motion=keys"});
+    run_until(simulation, 0.2);
     send(simulation, "steer 0 -1 0");
     run_until(simulation, 1);
-    EXPECT_EQ(simulation.balls()[0].centre.y(), simulation.settings().ground.height + simulation.balls()[0].radius);
+    const Ball& ball = simulation.balls()[0];
+    const Real ground = simulation.settings().ground.height, thickness = simulation.settings().contact.thickness;
+    EXPECT_EQ(ball.centre.y(), ground + ball.radius + 2 * thickness);
+    EXPECT_GE(simulation.cloths()[0].state.x.col(1).minCoeff(), ground + thickness / 2);
 }
 
 /// How high the hand is, lowest, on its way to a target far below the ground.
