@@ -84,6 +84,8 @@ std::vector<Entry> make_entries(const std::vector<std::string>& scenes) {
         {"Ball", {"Down", "S"}, "Ball towards you", "steer 0 0 -1", Manner::WhileHeld},
         {"Ball", {"PageUp", "E"}, "Ball up", "steer 0 1 0", Manner::WhileHeld},
         {"Ball", {"PageDown", "Shift+Q"}, "Ball down", "steer 0 -1 0", Manner::WhileHeld},
+        {"Ball", {"X"}, "Throw the ball where you look", "throw 0 0 0 0 0 0", Manner::Aimed},
+        {"Ball", {"Z"}, "Let the ball fall", "fall"},
         {"", {"V"}, "Wind", "next wind.on"},
         {"", {"F12"}, "Picture as PNG", "picture"},
         {"", {"H", "?"}, "Help", "next view.help"},

@@ -12,6 +12,7 @@ namespace drape {
 enum class Manner {
     Once,       ///< as the key goes down
     WhileHeld,  ///< a `steer` as the viewer sees it (right, up, ahead), until the key goes up
+    Aimed,      ///< a `throw` from the viewer's side to where the view looks
     OneFrame,   ///< a `step` of as many steps as one displayed frame takes
 };
 

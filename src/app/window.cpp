@@ -67,6 +67,7 @@ void Window::on_tick() {
     session_.advance(elapsed, std::max(least_budget, picture_time_));
     follow_replay();
     tell_of_drops();
+    tell_of_crossings();
 
     const Simulation& simulation = session_.simulation();
     if (simulation.report().status == Status::Ok) {
@@ -123,12 +124,28 @@ void Window::steer(double elapsed) {
         held_keys_.clear();
     }
     steering_.advance(elapsed);
-    if (const auto command = steering_.update(camera_)) carry_out(*command);
+    if (const auto command = steering_.update(camera_)) {
+        if (!command->direction.isZero(0)) tell_whose_ball();
+        carry_out(*command);
+    }
 }
 
 void Window::follow_replay() {
     for (const Command& command : session_.take_view_commands()) camera_.apply(command, session_.view());
     if (scene_ != session_.simulation().scene()) start_scene();
+}
+
+void Window::tell_whose_ball() {
+    const std::vector<BallSettings>& balls = session_.simulation().settings().balls;
+    if (balls.empty()) return notices_.add("ball", "This scene has no ball for the keys");
+    const bool led = std::ranges::find(balls, BallMotion::Keys, &BallSettings::motion) != balls.end();
+    if (!led) notices_.add("ball", "The keys lead the ball from now on; R gives it back to the scene");
+}
+
+void Window::tell_of_crossings() {
+    const std::int64_t starts = session_.simulation().report().crossing.starts;
+    if (starts != crossings_told_ && starts > 0) notices_.add("crossing", session_.simulation().crossing_warning());
+    crossings_told_ = starts;
 }
 
 void Window::tell_of_drops() {

@@ -72,6 +72,8 @@ private:
     void steer(double elapsed);
     void follow_replay();
     void tell_of_drops();
+    void tell_of_crossings();
+    void tell_whose_ball();
     void start_scene();
     void show_title();
     void draw();
@@ -98,6 +100,7 @@ private:
     double picture_time_ = 0;       ///< that the last picture took, its way to the display included [s]
     double dropped_ = 0;            ///< of which the user was told [s]
     std::int64_t drawn_step_ = -1;
+    std::int64_t crossings_told_ = 0;
     int window_ = 0;
     int width_ = 0, height_ = 0;
     int signal_ = 0;

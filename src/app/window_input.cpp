@@ -122,6 +122,7 @@ void Window::on_reshape(int width, int height) {
 }
 
 Command Window::command_of(const Entry& entry) {
+    if (entry.manner == Manner::Aimed) return camera_.aimed_throw();
     if (entry.manner == Manner::OneFrame) {
         const double steps = 1.0 / 60 / session_.simulation().settings().solver.dt;
         return command::Step{std::max(1, static_cast<int>(std::lround(steps)))};

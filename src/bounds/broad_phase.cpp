@@ -20,6 +20,7 @@ public:
         pairs.assign(1, {all_cells(grid_), all_cells(other_grid)});
         return {.candidates = static_cast<std::int64_t>(grid_.cells()) * other_grid.cells()};
     }
+    TraversalStats query_below(Real /*height*/, Candidates& found) const override { return all(found); }
     [[nodiscard]] bool may_touch(const Ball& /*ball*/, Real /*displacement*/) const override { return true; }
     [[nodiscard]] bool may_touch(const SweptBall& /*ball*/, Real /*displacement*/) const override { return true; }
     [[nodiscard]] Real slack() const override { return 0; }
@@ -42,6 +43,7 @@ TraversalStats& TraversalStats::operator+=(const TraversalStats& other) {
     nodes += other.nodes;
     visited += other.visited;
     volume_tests += other.volume_tests;
+    pruned += other.pruned;
     leaves += other.leaves;
     candidates += other.candidates;
     stopped += other.stopped;

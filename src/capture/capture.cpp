@@ -71,6 +71,7 @@ int Capture::run() {
     for (int frame = 1; frame <= options_.frames && exit_code == Done; ++frame) {
         const double time = session_.start_time() + frame / options_.fps;
         const bool whole = session_.run_until(time, [this] { return signals_.arrived() != 0; });
+        tell_of_crossings();
         if (diverged()) {
             tell_divergence();
             exit_code = Failed;
@@ -82,6 +83,14 @@ int Capture::run() {
     finish();
     if ((!finish_video() || session_.replay_differs()) && exit_code == Done) exit_code = Failed;
     return exit_code;
+}
+
+void Capture::tell_of_crossings() {
+    const std::int64_t starts = session_.simulation().report().crossing.starts;
+    if (starts != crossings_told_ && starts > 0) {
+        std::cerr << "warning: " << session_.simulation().crossing_warning() << "\n";
+    }
+    crossings_told_ = starts;
 }
 
 void Capture::draw_frame(int frame) {

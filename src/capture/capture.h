@@ -28,6 +28,7 @@ public:
     int run();
 
 private:
+    void tell_of_crossings();
     void draw_frame(int frame);
     void follow_replay();
     void draw();
@@ -49,6 +50,7 @@ private:
     std::unique_ptr<Renderer> renderer_;
     Progress progress_;
     bool divergence_told_ = false;
+    std::int64_t crossings_told_ = 0;
 };
 
 }  // namespace drape

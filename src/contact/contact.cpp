@@ -53,6 +53,28 @@ bool add_contacts(const Grid& grid, const Points& x, const Ball& ball, int ball_
     return true;
 }
 
+/// Of the particles from `first` up to `end`.
+void add_ground_contacts(const Grid& grid, const Points& x, Real height, Real thickness, int first, int end,
+                         std::vector<Contact>& contacts) {
+    const Real limit = height + thickness;
+    for (int p = first; p < end; ++p) {
+        if (!(x(p, 1) < limit)) continue;
+        Contact contact = particle_contact(grid, p);
+        contact.ball = the_ground;
+        locate_above(x, height, thickness, contact);
+        contacts.push_back(contact);
+    }
+}
+
+/// The corners of cells as runs of particles, row by row; runs may overlap.
+void list_corners(std::span<const CellRun> cells, std::vector<CellRun>& particles) {
+    particles.clear();
+    for (const CellRun& run : cells) {
+        for (const int row : {run.row, run.row + 1}) particles.push_back({row, run.column, run.count + 1});
+    }
+    std::ranges::sort(particles);
+}
+
 }  // namespace
 
 void find_touched_triangles(const Grid& grid, const Points& x, const Ball& ball, Real thickness,
@@ -113,13 +135,18 @@ std::int64_t find_impact_contacts(const Grid& grid, const Points& before, const 
 
 void find_ground_contacts(const Grid& grid, const Points& x, Real height, Real thickness,
                           std::vector<Contact>& contacts) {
-    const Real limit = height + thickness;
-    for (int p = 0; p < grid.particles(); ++p) {
-        if (!(x(p, 1) < limit)) continue;
-        Contact contact = particle_contact(grid, p);
-        contact.ball = the_ground;
-        locate_above(x, height, thickness, contact);
-        contacts.push_back(contact);
+    add_ground_contacts(grid, x, height, thickness, 0, grid.particles(), contacts);
+}
+
+void find_ground_contacts(const Grid& grid, const Points& x, Real height, Real thickness,
+                          std::span<const CellRun> cells, std::vector<CellRun>& particles,
+                          std::vector<Contact>& contacts) {
+    list_corners(cells, particles);
+    int done = 0;
+    for (const CellRun& run : particles) {
+        const int first = grid.particle(run.column, run.row), end = first + run.count;
+        add_ground_contacts(grid, x, height, thickness, std::max(first, done), end, contacts);
+        done = std::max(done, end);
     }
 }
 

@@ -34,9 +34,8 @@ void for_each_contact(ContactProblem& problem, Visit visit) {
 
 /// What friction is to give to a contact in all, to stop what is left of its sliding, within Coulomb's cone.
 /// @param most it may give
-inline Vec3 friction_within(const ContactPlane& contact, const ContactPush& given, const Vec3& sliding, Real most,
-                            Real relaxation) {
-    const Vec3 wanted = given.friction - relaxation * sliding / contact.sliding_inverse_mass;
+inline Vec3 friction_within(const ContactPlane& contact, const ContactPush& given, const Vec3& sliding, Real most) {
+    const Vec3 wanted = given.friction - sliding / contact.sliding_inverse_mass;
     const Real length = wanted.norm();
     return length > most ? Vec3(most / length * wanted) : wanted;
 }
@@ -45,14 +44,14 @@ inline Vec3 friction_within(const ContactPlane& contact, const ContactPush& give
 /// stops what slides, as far as |F| <= mu J lets it. @cite catto2005
 /// @return by how much that changes its motion [m or m/s]
 template <class Motion, class AnyContact>
-Real solve_contact(Motion& motion, AnyContact& contact, Real relaxation) {
+Real solve_contact(Motion& motion, AnyContact& contact) {
     if (contact.inverse_mass == 0) return 0;
     ContactPush& given = Motion::given(contact);
     const Vec3 moves = relative(motion, contact);
     const Real along = moves.dot(contact.normal);
-    const Real normal = std::max(given.normal + relaxation * (given.target - along) / contact.inverse_mass, Real(0));
-    const Vec3 friction = friction_within(contact, given, moves - along * contact.normal,
-                                          contact.friction_coefficient * normal, relaxation);
+    const Real normal = std::max(given.normal + (given.target - along) / contact.inverse_mass, Real(0));
+    const Vec3 friction =
+        friction_within(contact, given, moves - along * contact.normal, contact.friction_coefficient * normal);
     const Vec3 push = (normal - given.normal) * contact.normal + (friction - given.friction);
     if (push.isZero(0)) return 0;
     given.normal = normal;
@@ -63,13 +62,12 @@ Real solve_contact(Motion& motion, AnyContact& contact, Real relaxation) {
 
 /// The same where the push along the normal is fixed: friction alone.
 template <class Motion, class AnyContact>
-Real solve_friction(Motion& motion, AnyContact& contact, Real relaxation) {
+Real solve_friction(Motion& motion, AnyContact& contact) {
     ContactPush& given = Motion::given(contact);
     if (contact.inverse_mass == 0 || given.normal == 0) return 0;
     const Vec3 moves = relative(motion, contact);
     const Vec3 sliding = moves - moves.dot(contact.normal) * contact.normal;
-    const Vec3 friction =
-        friction_within(contact, given, sliding, contact.friction_coefficient * given.normal, relaxation);
+    const Vec3 friction = friction_within(contact, given, sliding, contact.friction_coefficient * given.normal);
     const Vec3 push = friction - given.friction;
     given.friction = friction;
     push_apart(motion, contact, push);
@@ -85,21 +83,14 @@ struct Sweeps {
 /// At most this many sweeps. A cloth of a thousand contacts at rest needs ten to thirty.
 inline constexpr int most_sweeps = 60;
 
-/// The first sweeps solve each contact for itself; those that then follow are over-relaxed, for what is left changes
-/// slowly from sweep to sweep.
-inline constexpr int plain_sweeps = 4;
-inline constexpr Real over_relaxation = Real(1.3);
-
 /// Sweeps over all contacts until none changes by more than the tolerance.
-/// @param solve solve(contact, relaxation) returns its change
+/// @param solve solve(contact) returns its change
 template <class Solve>
 Sweeps sweep_until(ContactProblem& problem, Real tolerance, Solve solve) {
     Sweeps sweeps;
     do {
         sweeps.residual = 0;
-        const Real relaxation = sweeps.count < plain_sweeps ? Real(1) : over_relaxation;
-        for_each_contact(
-            problem, [&](auto& contact) { sweeps.residual = std::max(sweeps.residual, solve(contact, relaxation)); });
+        for_each_contact(problem, [&](auto& contact) { sweeps.residual = std::max(sweeps.residual, solve(contact)); });
         ++sweeps.count;
     } while (sweeps.residual > tolerance && sweeps.count < most_sweeps);
     return sweeps;

@@ -24,8 +24,8 @@ void aim_impulse(const ContactProblem& problem, AnyContact& contact) {
 Sweeps solve_impulses(ContactProblem& problem, bool (*takes_part)(const ContactProblem&, const ContactPlane&)) {
     Impacts motion{problem.displacements(), problem.velocities(), problem.h, problem.resting};
     for_each_contact(problem, [&](auto& contact) { aim_impulse(problem, contact); });
-    return sweep_until(problem, velocity_tolerance(problem), [&](auto& contact, Real relaxation) {
-        return takes_part(problem, contact) ? solve_contact(motion, contact, relaxation) : Real(0);
+    return sweep_until(problem, velocity_tolerance(problem), [&](auto& contact) {
+        return takes_part(problem, contact) ? solve_contact(motion, contact) : Real(0);
     });
 }
 

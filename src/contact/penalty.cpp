@@ -54,12 +54,12 @@ Sweeps solve_penalties(ContactProblem& problem, bool (*takes_part)(const Contact
         if (takes_part(problem, contact)) push_by_penalty(problem, contact);
     });
     Displacements displacements = problem.displacements();
-    const Sweeps sweeps = sweep_until(problem, displacement_tolerance(problem), [&](auto& contact, Real relaxation) {
-        return takes_part(problem, contact) ? solve_friction(displacements, contact, relaxation) : Real(0);
+    const Sweeps sweeps = sweep_until(problem, displacement_tolerance(problem), [&](auto& contact) {
+        return takes_part(problem, contact) ? solve_friction(displacements, contact) : Real(0);
     });
     Velocities velocities = problem.velocities();
-    const Sweeps more = sweep_until(problem, velocity_tolerance(problem), [&](auto& contact, Real relaxation) {
-        return takes_part(problem, contact) ? solve_friction(velocities, contact, relaxation) : Real(0);
+    const Sweeps more = sweep_until(problem, velocity_tolerance(problem), [&](auto& contact) {
+        return takes_part(problem, contact) ? solve_friction(velocities, contact) : Real(0);
     });
     return {sweeps.count + more.count, std::max(sweeps.residual, more.residual * problem.h)};
 }

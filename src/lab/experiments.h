@@ -32,6 +32,14 @@ Experiment kernels_experiment();
 /// whole way. Every swept query is checked against all cells; a disagreement ends the run.
 Experiment continuous_experiment();
 
+/// The scene `drop` by every integrator, response and detection, with every volume and update: penetration, energy and
+/// speed within bounds, and the same bits by every tree as by brute force; a disagreement ends the run.
+Experiment combinations_experiment();
+
+/// The four responses: what a step costs them in time of impact, height of a bounce and friction, and the step limit
+/// of the penalty, predicted and measured.
+Experiment responses_experiment();
+
 /// Every experiment of the laboratory.
 std::vector<Experiment> all_experiments();
 

@@ -93,6 +93,13 @@ Ray Camera::ray(int x, int y, int width, int height) const {
     return {eye().cast<Real>(), direction.normalized().cast<Real>()};
 }
 
+command::Throw Camera::aimed_throw() const {
+    constexpr float before = 0.5F, speed = 6, lift = 1.2F;  // m, m/s, and m/s up against what it falls on its way
+    const Eigen::Vector3f sight = (target_ - eye()).normalized();
+    const Eigen::Vector3f velocity = speed * sight + lift * Eigen::Vector3f::UnitY();
+    return {(eye() + before * sight).cast<Real>(), velocity.cast<Real>()};
+}
+
 Vec3 Camera::on_facing_plane(const Ray& ray, const Vec3& through) const {
     const Vec3 normal = axes_of(yaw_, pitch_).back.cast<Real>();
     const Real towards = ray.direction.dot(normal);

@@ -26,9 +26,9 @@ Vec3 tangent(const std::vector<PathPoint>& path, std::size_t k) {
 
 using Quaternion = Eigen::Quaternion<Real>;
 
-/// The keys lead a ball onto the ground, and no farther.
-void stay_above(const Ground& ground, Ball& ball) {
-    const Real lowest = ground.height + ball.radius;
+/// The keys lead a ball onto the ground, and no farther than cloth that lies there lets it.
+void stay_above(const Ground& ground, Real thickness, Ball& ball) {
+    const Real lowest = ground.height + ball.radius + 2 * thickness;
     if (!ground.solid || ball.centre.y() >= lowest) return;
     ball.centre.y() = lowest;
     ball.velocity.y() = std::max(ball.velocity.y(), Real(0));
@@ -64,14 +64,14 @@ Real inverse_mass_of(const BallSettings& settings) {
     return settings.motion == BallMotion::Free ? 1 / settings.mass : Real(0);
 }
 
-void move_ball(const BallSettings& settings, const Vec3& steer, const Ground& ground, Real share, Real time, Real h,
-               Ball& ball) {
+void move_ball(const BallSettings& settings, const Vec3& steer, const Ground& ground, Real thickness, Real share,
+               Real time, Real h, Ball& ball) {
     Vec3 start = ball.centre;
     switch (settings.motion) {
         case BallMotion::Keys:
             ball.velocity += std::min(h / steering_lag, Real(1)) * (settings.speed * steer - ball.velocity);
             ball.centre += h * ball.velocity;
-            stay_above(ground, ball);
+            stay_above(ground, thickness, ball);
             start = ball.centre - h * ball.velocity;  // wherever a command has put it
             break;
         case BallMotion::Path:

@@ -46,6 +46,8 @@ constexpr std::tuple table{
     row<Next>("next SETTING", &Next::setting),
     row<Add>("add SETTING AMOUNT", &Add::setting, &Add::amount),
     row<Steer>("steer X Y Z", &Steer::direction),
+    row<Throw>("throw X Y Z VX VY VZ", &Throw::from, &Throw::velocity),
+    row<Fall>("fall"),
     row<Grab>("grab CLOTH PARTICLE", &Grab::cloth, &Grab::particle),
     row<Drag>("drag X Y Z", &Drag::target),
     row<Release>("release"),

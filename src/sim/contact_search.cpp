@@ -26,17 +26,23 @@ void ContactSearch::build_from(const Points& x, std::span<const Ball> balls, con
     if (may_skip) separation_.renew(*hierarchy_, x, balls, contact.thickness);
 }
 
-bool ContactSearch::may_cross(const Points& before, const Points& x, std::span<const Ball> balls,
-                              Real thickness) const {
+Crossing ContactSearch::nearest_crossing(const Points& before, const Points& x, std::span<const Ball> balls,
+                                         Real thickness) const {
     const Real cloth = largest_displacement(x, before, kernels_);
-    return std::ranges::any_of(
-        balls, [&](const Ball& ball) { return 2 * (ball.moved.norm() + cloth) > ball.radius + thickness; });
+    Crossing nearest;
+    for (const Ball& ball : balls) {
+        const Crossing one{ball.moved.norm() + cloth, ball.radius + thickness};
+        const bool first = nearest.radius == 0;
+        if (first || 2 * one.distance - one.radius > 2 * nearest.distance - nearest.radius) nearest = one;
+    }
+    return nearest;
 }
 
 bool ContactSearch::build(const Points& before, const Points& x, std::span<const Ball> balls,
                           const ContactSettings& contact) {
-    sweeps_ = contact.continuous == Continuous::Always ||
-              (contact.continuous == Continuous::Auto && may_cross(before, x, balls, contact.thickness));
+    const bool always = contact.continuous == Continuous::Always;
+    crossing_ = always ? Crossing{} : nearest_crossing(before, x, balls, contact.thickness);
+    sweeps_ = always || (contact.continuous == Continuous::Auto && crossing_.possible());
     if (sweeps_) {
         hierarchy_->build(before, x);
         built_from_present_ = queried_ = skipped_ = false;
@@ -78,6 +84,21 @@ std::int64_t ContactSearch::narrow(const Points& before, const Points& x, std::s
         find_node_contacts(grid_, x, balls[b], number, thickness, longest_push, stopped, contacts);
     }
     return traversal_.candidates - touching;
+}
+
+TraversalStats ContactSearch::meet_ground(const Points& x, Real height, Real thickness,
+                                          std::vector<Contact>& contacts) {
+    const bool is_built = built_from_present_ || (sweeps_ && !skipped_);
+    const bool asks = is_built && hierarchy_->levels() > 0;
+    const TraversalStats stats = asks ? hierarchy_->query_below(height + thickness, low_) : TraversalStats{};
+    // A pass in the order of memory is faster than picking more than some of the particles
+    const bool picks = asks && 4 * stats.candidates < grid_.cells();
+    if (picks) {
+        find_ground_contacts(grid_, x, height, thickness, low_.cells, low_particles_, contacts);
+    } else {
+        find_ground_contacts(grid_, x, height, thickness, contacts);
+    }
+    return stats;
 }
 
 std::int64_t ContactSearch::false_contacts(const Points& x, std::span<const Ball> balls, Real thickness) {

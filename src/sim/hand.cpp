@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <string>
 
 #include "drape/base/input_error.h"
@@ -37,12 +38,30 @@ Real clearance(const ClothModel& model, const Ball& ball) {
     return std::min(square / (4 * ball.radius), std::sqrt(square) / 4);
 }
 
-/// What the hand holds cannot be pushed out of the balls: it stays outside.
-Vec3 outside(const ClothModel& model, Vec3 target, std::span<const Ball> balls, Real thickness) {
-    for (const Ball& ball : balls) {
-        const Vec3 offset = target - ball.centre;
-        const Real least = ball.radius + thickness + clearance(model, ball), distance = offset.norm();
-        if (distance < least) target = ball.centre + (distance > 0 ? Vec3(offset / distance) : Vec3(0, 1, 0)) * least;
+/// Out of one ball, the shortest way; where that leads into the ground, along the ground.
+/// @pre target at `lowest` or higher, all in [m]
+Vec3 out_of_ball(const Ball& ball, Real least, Real lowest, const Vec3& target) {
+    const Vec3 offset = target - ball.centre;
+    const Real distance = offset.norm();
+    if (distance >= least) return target;
+    const Vec3 nearest = ball.centre + (distance > 0 ? Vec3(offset / distance) : Vec3(0, 1, 0)) * least;
+    if (nearest.y() >= lowest) return nearest;
+    const Real below = lowest - ball.centre.y();
+    const Vec3 level(offset.x(), 0, offset.z());
+    const Vec3 along = level.isZero(0) ? Vec3(1, 0, 0) : Vec3(level.normalized());
+    return ball.centre + Vec3(0, below, 0) + std::sqrt(std::max(least * least - below * below, Real(0))) * along;
+}
+
+/// What the hand holds cannot be pushed: it stays outside balls and ground.
+Vec3 outside(const ClothModel& model, Vec3 target, const Obstacles& obstacles) {
+    const Real lowest =
+        obstacles.ground.solid ? obstacles.ground.height + obstacles.thickness : -std::numeric_limits<Real>::infinity();
+    target.y() = std::max(target.y(), lowest);
+    for (std::size_t round = 0; round < obstacles.balls.size(); ++round) {
+        for (const Ball& ball : obstacles.balls) {
+            const Real least = ball.radius + obstacles.thickness + clearance(model, ball);
+            target = out_of_ball(ball, least, lowest, target);
+        }
     }
     return target;
 }
@@ -143,16 +162,16 @@ void Hand::hold_in(std::size_t cloth, ClothModel& model) const {
     if (held_ && held_->cloth == cloth) model.hold(held_->particle, true);
 }
 
-void Hand::lead(std::span<Cloth> cloths, std::span<const Ball> balls, Real thickness, Real h) {
+void Hand::lead(std::span<Cloth> cloths, const Obstacles& obstacles, Real h) {
     if (!held_) return;
     Cloth& cloth = cloths[held_->cloth];
     const Vec3 here = cloth.state.x.row(held_->particle).transpose();
-    Vec3 velocity = (outside(cloth.model, held_->target, balls, thickness) - here) / std::max(hand_lag, h);
+    Vec3 velocity = (outside(cloth.model, held_->target, obstacles) - here) / std::max(hand_lag, h);
     const Real speed = velocity.norm();
     if (speed > hand_speed) velocity *= hand_speed / speed;
     const Grip grip{cloth.model, cloth.state, held_->particle, h};
     velocity = within_limit(grip, within_bound(grip, velocity));
-    velocity = (outside(cloth.model, here + h * velocity, balls, thickness) - here) / h;
+    velocity = (outside(cloth.model, here + h * velocity, obstacles) - here) / h;
     const Real gained = velocity.squaredNorm() - cloth.state.v.row(held_->particle).squaredNorm();
     cloth.energy.give(static_cast<double>(cloth.model.particle_mass / 2 * std::max(gained, Real(0))));
     cloth.energy.touch(cloth.model, cloth.state);

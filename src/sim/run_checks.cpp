@@ -62,6 +62,25 @@ std::string check_substep(std::span<Cloth> cloths, std::span<const Ball> balls, 
     return gained ? gain_trouble(report) : "";
 }
 
+void mark_crossing(const Crossing& crossing, double time, Real h, StepReport& report) {
+    constexpr double calm = 0.5;  // s, between one danger and the next
+    if (!crossing.possible()) return;
+    CrossingDanger& danger = report.crossing;
+    if (danger.starts == 0 || time > danger.last + calm) {
+        ++danger.starts;
+        danger.speed = static_cast<double>(crossing.distance / h);
+        danger.safe_speed = static_cast<double>(crossing.radius / (2 * h));
+    }
+    danger.last = time;
+}
+
+std::string crossing_warning(const CrossingDanger& danger) {
+    if (danger.starts == 0) return {};
+    return "contact.continuous = false: ball and cloth move at " + real_text(danger.speed, 3) +
+           " m/s together, and above " + real_text(danger.safe_speed, 3) +
+           " m/s one may pass through the other within a step";
+}
+
 std::string doubt_warning(const StepReport& report) {
     std::string text;
     if (report.unconverged > 0) {

@@ -17,6 +17,13 @@ namespace drape {
 std::string check_substep(std::span<Cloth> cloths, std::span<const Ball> balls, const Settings& settings, Real h,
                           StepReport& report);
 
+/// Marks in the report that in a substep at a time, of length h [s], something may have passed through the cloth
+/// unseen.
+void mark_crossing(const Crossing& crossing, double time, Real h, StepReport& report);
+
+/// That this was so, with the speeds as it began; empty if never.
+std::string crossing_warning(const CrossingDanger& danger);
+
 /// Why the run so far is not to be trusted, one line; empty if nothing.
 std::string doubt_warning(const StepReport& report);
 

@@ -25,7 +25,7 @@ void Simulation::step() {
         if (!input(now)) continue;    // asleep
         if (!integrate(now)) return;  // diverged
         limit_stretch(cloths_, report_);
-        build();
+        build(now);
         traverse();
         narrow(now);
         respond(now);
@@ -61,11 +61,11 @@ Simulation::Substep Simulation::substep(int number) const {
 /// What moves on its own: hand and balls. Commands were carried out between two steps.
 /// @return false while the scene is asleep
 bool Simulation::input(const Substep& now) {
-    hand_.lead(cloths_, balls_, settings_.contact.thickness, now.h);
+    hand_.lead(cloths_, {balls_, settings_.ground, settings_.contact.thickness}, now.h);
     for (std::size_t b = 0; b < balls_.size(); ++b) {
         if (report_.asleep && !is_led(b)) continue;
-        move_ball(settings_.balls[b], steer_, settings_.ground, displacement_share(settings_.solver.integrator),
-                  static_cast<Real>(now.time), now.h, balls_[b]);
+        move_ball(settings_.balls[b], steer_, settings_.ground, settings_.contact.thickness,
+                  displacement_share(settings_.solver.integrator), static_cast<Real>(now.time), now.h, balls_[b]);
     }
     if (led_ball_has_moved()) wake();
     return !report_.asleep;
@@ -144,12 +144,15 @@ void Simulation::enter_pushes(double ball_work) {
     }
 }
 
-void Simulation::build() {
+void Simulation::build(const Substep& now) {
     if (balls_.empty()) return;
     Stopwatch watch;
     for (Cloth& cloth : cloths_) {
         if (!cloth.search.build(start_of_substep(cloth), cloth.state.x, balls_, settings_.contact))
             ++report_.skipped_builds;
+        if (settings_.contact.continuous == Continuous::Never) {
+            mark_crossing(cloth.search.crossing(), now.time, now.h, report_);
+        }
     }
     report_.times.build += watch.lap();
 }
@@ -167,7 +170,8 @@ void Simulation::narrow(const Substep& now) {
         report_.false_candidates += cloth.search.narrow(start_of_substep(cloth), cloth.state.x, balls_, thickness,
                                                         node_push_speed * now.h, cloth.contacts);
         if (settings_.ground.solid) {
-            find_ground_contacts(cloth.model.grid, cloth.state.x, settings_.ground.height, thickness, cloth.contacts);
+            report_.ground +=
+                cloth.search.meet_ground(cloth.state.x, settings_.ground.height, thickness, cloth.contacts);
         }
         cloth.warm_start.carry_over(response_of(settings_), in_contact_, balls_, cloth.contacts);
         report_.contacts += static_cast<std::int64_t>(cloth.contacts.size());

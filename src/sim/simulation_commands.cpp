@@ -43,7 +43,10 @@ void Simulation::carry_out(const Command& command) {
                           [&](const command::Steer& steer) {
                               const Real length = steer.direction.norm();
                               steer_ = length > 0 ? Vec3(steer.direction / length) : Vec3(Vec3::Zero());
+                              if (length > 0 && !balls_.empty()) move_ball_by(BallMotion::Keys);
                           },
+                          [&](const command::Throw& thrown) { throw_ball(thrown); },
+                          [&](const command::Fall&) { move_ball_by(BallMotion::Free); },
                           [&](const command::Grab& grab) { hand_.grab(grab, cloths_), wake(); },
                           [&](const command::Drag& drag) { hand_.drag(drag.target); },
                           [&](const command::Release&) {
@@ -63,6 +66,7 @@ Simulation::Simulation(std::string scene, Settings settings, std::optional<Start
 }
 
 void Simulation::restart() {
+    give_ball_back();
     hand_ = {};
     steer_.setZero();
     steps_wanted_ = 0;
@@ -93,6 +97,7 @@ void Simulation::restart() {
     ball_contacts_.reserve(settings_.balls.size() * (settings_.balls.size() + 1) / 2);
     for (const BallSettings& ball : settings_.balls) balls_.push_back(make_ball(ball, report_.time));
     previous_balls_ = balls_;
+    choose_ball();
     plan(1);
 }
 
@@ -102,6 +107,7 @@ void Simulation::load(const std::string& scene) {
     start_ = find_start(settings);
     scene_ = scene;
     settings_ = std::move(settings);
+    motion_by_scene_.reset();
     restart();
 }
 
@@ -146,16 +152,6 @@ void Simulation::use_self_contact() {
     std::vector<const ClothModel*> models;
     for (const Cloth& cloth : cloths_) models.push_back(&cloth.model);
     self_contact_.use(settings_, models);
-}
-
-void Simulation::configure_balls(const Settings& before) {
-    for (std::size_t b = 0; b < balls_.size(); ++b) {
-        const BallSettings &now = settings_.balls[b], &then = before.balls[b];
-        balls_[b].radius = now.radius;
-        balls_[b].inverse_mass = inverse_mass_of(now);
-        if (now.position != then.position) balls_[b].centre = now.position;
-        if (now.velocity != then.velocity) balls_[b].velocity = now.velocity;
-    }
 }
 
 }  // namespace drape

@@ -38,7 +38,13 @@ FrameView Simulation::view(Real blend) {
             .held = hand_.holds()};
 }
 
-std::string Simulation::step_warning() const { return step_limit_warning(settings_.solver, report_); }
+std::string Simulation::step_warning() const {
+    const std::string method = step_limit_warning(settings_.solver, report_);
+    const std::string penalty = penalty_limit_warning(settings_, cloths_, planned_substeps_);
+    return method + (method.empty() || penalty.empty() ? "" : "; ") + penalty;
+}
+
+std::string Simulation::crossing_warning() const { return drape::crossing_warning(report_.crossing); }
 
 std::string Simulation::run_warning() const { return doubt_warning(report_); }
 

@@ -4,7 +4,9 @@
 #include <cmath>
 #include <limits>
 
+#include "ball_motion.h"
 #include "drape/base/numbers.h"
+#include "drape/contact/response.h"
 #include "drape/integrate/stability.h"
 
 namespace drape {
@@ -24,6 +26,21 @@ StepLimit shortest_limit(std::span<const Cloth> cloths, const SolverSettings& so
         if (one.step < shortest.step) shortest = one;
     }
     return shortest;
+}
+
+/// That a penalty pushes: a particle's, less where a free ball gives way [kg].
+Real lightest_mass(const Settings& settings, const ClothModel& model) {
+    Real ball = 0;
+    for (const BallSettings& one : settings.balls) ball = std::max(ball, inverse_mass_of(one));
+    return 1 / (1 / model.particle_mass + ball);
+}
+
+/// The stiffest damper is where least bounces.
+Real least_restitution(const Settings& settings) {
+    Real least = 1;
+    if (!settings.balls.empty()) least = settings.contact.restitution;
+    if (settings.ground.solid) least = std::min(least, settings.ground.restitution);
+    return least;
 }
 
 }  // namespace
@@ -52,6 +69,24 @@ int substeps_in_contact(const Settings& settings, bool touches, int planned) {
     if (!touches || has_step_limit(solver.integrator)) return planned;
     const double wanted = std::ceil(solver.dt / settings.contact.longest_step * (1 - 1e-12));
     return std::max(planned, static_cast<int>(std::min(wanted, most_substeps)));
+}
+
+std::string penalty_limit_warning(const Settings& settings, std::span<const Cloth> cloths, int planned) {
+    const ContactSettings& contact = settings.contact;
+    if (contact.response != ResponseKind::Penalty && contact.response != ResponseKind::Hybrid) return {};
+    if (settings.balls.empty() && !settings.ground.solid) return {};
+    const double substep = settings.solver.dt / substeps_in_contact(settings, true, planned);
+    for (const Cloth& cloth : cloths) {
+        const Real mass = lightest_mass(settings, cloth.model);
+        const Real limit = penalty_step_limit(contact.stiffness, least_restitution(settings), 1 / mass);
+        const double ratio = substep / static_cast<double>(limit);
+        if (!(ratio > 1)) continue;
+        return "in contact a substep of " + real_text(substep, 4) + " s is " + real_text(ratio, 3) +
+               " times the step limit of the penalty, contact.stiffness = " +
+               real_text(static_cast<double>(contact.stiffness), 4) + " N/m on " +
+               real_text(static_cast<double>(1e3 * mass), 3) + " g";
+    }
+    return {};
 }
 
 std::string step_limit_warning(const SolverSettings& solver, const StepReport& report) {

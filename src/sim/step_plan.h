@@ -22,6 +22,11 @@ bool plan_is_due(const SolverSettings& solver, const StepReport& report);
 /// @cite macklin2019
 int substeps_in_contact(const Settings& settings, bool touches, int planned);
 
+/// That a substep is longer than the limit of the penalty at a particle of some cloth, where the response has one, in
+/// one line; empty if it is not.
+/// @param planned substeps of a step without contact
+std::string penalty_limit_warning(const Settings& settings, std::span<const Cloth> cloths, int planned);
+
 /// That a step is longer than the method's limit, in one line; empty if it is not.
 std::string step_limit_warning(const SolverSettings& solver, const StepReport& report);
 

@@ -121,14 +121,15 @@ TEST(SphereQuadtree, RefitsOnlyLeavesThatHaveMoved) {
 }
 
 TEST(TraversalStats, AddUp) {
-    TraversalStats sum{1, 2, 3, 4, 5, 6};
-    sum += TraversalStats{10, 20, 30, 40, 50, 60};
+    TraversalStats sum{1, 2, 3, 4, 5, 6, 7};
+    sum += TraversalStats{10, 20, 30, 40, 50, 60, 70};
     EXPECT_EQ(sum.nodes, 11);
     EXPECT_EQ(sum.visited, 22);
     EXPECT_EQ(sum.volume_tests, 33);
-    EXPECT_EQ(sum.leaves, 44);
-    EXPECT_EQ(sum.candidates, 55);
-    EXPECT_EQ(sum.stopped, 66);
+    EXPECT_EQ(sum.pruned, 44);
+    EXPECT_EQ(sum.leaves, 55);
+    EXPECT_EQ(sum.candidates, 66);
+    EXPECT_EQ(sum.stopped, 77);
 }
 
 TEST(BroadPhases, AllocateNothingAfterTheFirstFrame) {

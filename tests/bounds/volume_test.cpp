@@ -54,6 +54,16 @@ TYPED_TEST(Volume, ContainsItsParticlesAtAnyScaleAndFarOut) {
     });
 }
 
+TYPED_TEST(Volume, IsNowhereBelowItsLowestPoint) {
+    for_many_patches([](const Grid& grid, const Points& x) {
+        for (const Kernels kernels : {Kernels::Vector, Kernels::Plain}) {
+            const TypeParam volume = fits_of<TypeParam>({.kernels = kernels}).patch(whole(x, grid));
+            ASSERT_LE(volume.lowest(), x.col(1).minCoeff()) << grid.nx << " columns";
+            ASSERT_GE(volume.lowest(), volume.sphere().lowest());
+        }
+    });
+}
+
 TYPED_TEST(Volume, OverlapsABallWithoutRadiusAtEachOfItsParticles) {
     for_many_patches([](const Grid& grid, const Points& x) {
         const TypeParam volume = TypeParam::fit(whole(x, grid));

@@ -1,5 +1,6 @@
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
 
 #include "drape/contact/response.h"
@@ -23,10 +24,10 @@ struct SheetOnGround {
     WarmStart<Contact> warm_start;
     ResponseReport report;
 
-    explicit SheetOnGround(Real height, SpringLaw springs = {}) {
+    explicit SheetOnGround(Real height, SpringLaw springs = {}, Real side = Real(0.25)) {
         ClothParameters cloth;
         cloth.particles = {6, 6};
-        cloth.width = cloth.height = Real(0.25);
+        cloth.width = cloth.height = side;
         cloth.centred = true;
         cloth.place = {0, height, 0};
         cloth.drag = 0;
@@ -164,6 +165,24 @@ TEST_P(EachResponse, SticksOnASlopeUpToTheFrictionCoefficientAndSlidesBeyond) {
         const Real acceleration = std::max(Real(9.81) * (std::sin(slope) - friction * std::cos(slope)), Real(0));
         EXPECT_NEAR(way, acceleration * time * time / 2, 0.02 * way + 2e-4) << part;
     }
+}
+
+// A point that starts at the top leaves a frictionless ball where cos(a) = 2/3 + v^2 / (3 g R), R to the point
+TEST_P(EachResponse, LetsAPatchLeaveAFrictionlessBallWhereTheFormulaSays) {
+    constexpr Real radius = Real(0.3), speed = Real(0.1), h = Real(1e-4);
+    SheetOnGround patch(radius, {200, Real(0.02)}, Real(0.01));
+    patch.parameters.kind = GetParam();
+    patch.parameters.ground.solid = false;
+    patch.balls.push_back({.centre = Vec3::Zero(), .radius = radius});
+    patch.state.v.col(0).setConstant(speed);
+    Real angle = 0, time = 0;
+    patch.run(IntegratorKind::SymplecticEuler, h, Real(0.8), [&](int step) {
+        const Vec3 middle = patch.state.x.colwise().mean().transpose();
+        const bool pushed = std::ranges::any_of(patch.contacts, [](const Contact& c) { return c.impulse.normal > 0; });
+        if (pushed) angle = std::atan2(middle.x(), middle.y()), time = static_cast<Real>(step) * h;
+    });
+    const Real expected = std::acos(Real(2) / 3 + speed * speed / (3 * Real(9.81) * radius));
+    EXPECT_NEAR(angle, expected, 0.01) << "0.01 rad, 0.6 degrees; left at " << time << " s";
 }
 
 struct StepCase {

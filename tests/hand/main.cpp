@@ -6,10 +6,12 @@
 #include <cstdio>
 #include <functional>
 #include <iostream>
+#include <limits>
 #include <random>
 #include <span>
 
 #include "drape/base/numbers.h"
+#include "drape/contact/search_audit.h"
 #include "drape/model/energy.h"
 #include "drape/model/stencils.h"
 #include "drape/sim/scene.h"
@@ -39,33 +41,82 @@ Real stretch_of(const Simulation& simulation) {
 }
 
 /// Contact comes after the limit, and may stretch a spring until the next step by what it pushes out.
-constexpr Real pushed = Real(0.02);
+constexpr Real pushed = Real(0.06);
 
 bool is_within_its_limit(const Simulation& simulation) {
     return stretch_of(simulation) <= simulation.cloths()[0].model.stretch_limit + stretch_tolerance + pushed;
 }
 
+/// Contact stops cloth at its thickness already. But a ball that the keys press onto the ground leaves cloth between
+/// the two no room, and contact with one pushes it by as much into the other [m].
+constexpr Real entered = Real(0.0025);
+
+Real deepest_in_balls(const Simulation& simulation) {
+    Real deepest = 0;
+    for (const Cloth& cloth : simulation.cloths()) {
+        SearchAudit audit(cloth.model.grid, Kernels::Vector);
+        deepest = std::max(deepest, audit.penetration(cloth.state.x, simulation.balls(), 0));
+    }
+    return deepest;
+}
+
+Real lowest_of(const Simulation& simulation) {
+    Real lowest = std::numeric_limits<Real>::infinity();
+    for (const Cloth& cloth : simulation.cloths()) lowest = std::min(lowest, cloth.state.x.col(1).minCoeff());
+    return lowest;
+}
+
+bool is_above_the_ground(const Simulation& simulation) {
+    const Ground& ground = simulation.settings().ground;
+    return !ground.solid || lowest_of(simulation) >= ground.height - entered;
+}
+
+/// Farther away no hand and no ball can have taken the cloth [m].
+constexpr Real far_away = 20;
+
+bool is_near(const Simulation& simulation) {
+    return std::ranges::all_of(simulation.cloths(),
+                               [](const Cloth& cloth) { return cloth.state.x.cwiseAbs().maxCoeff() < far_away; });
+}
+
 const std::vector<Check>& checks() {
     static const std::vector<Check> list{
         {"the cloth is finite", is_finite},
+        {"nothing of the cloth is far away", is_near},
+        {"no cloth is inside a ball", [](const Simulation& s) { return deepest_in_balls(s) <= entered; }},
+        {"no cloth is below the ground", is_above_the_ground},
         {"no spring is stretched beyond the limit", is_within_its_limit},
         {"the run goes on", [](const Simulation& s) { return s.report().status == Status::Ok; }},
         {"no energy comes from nowhere", [](const Simulation& s) { return s.report().heated_step == 0; }}};
     return list;
 }
 
-/// The largest difference of a structural spring from its rest length, of that length.
-Real largest_strain(const Cloth& cloth) {
+/// How far structural springs are from their rest lengths, of those lengths.
+struct Strain {
+    Real rms = 0;
     Real largest = 0;
+};
+
+Strain strain_of(const Cloth& cloth) {
+    Strain strain;
+    Real squares = 0, count = 0;
     for (const SpringStencil& springs : spring_stencils(cloth.model)) {
         if (!springs.structural()) continue;
         springs.for_each(cloth.model.grid, [&](int a, int b) {
             const Real length = (cloth.state.x.row(a) - cloth.state.x.row(b)).norm();
-            largest = std::max(largest, std::abs(length / springs.rest_length - 1));
+            const Real difference = std::abs(length / springs.rest_length - 1);
+            strain.largest = std::max(strain.largest, difference);
+            squares += difference * difference;
+            count += 1;
         });
     }
-    return largest;
+    strain.rms = std::sqrt(squares / count);
+    return strain;
 }
+
+/// How near in the mean a cloth comes back to its rest lengths. A single spring may stay farther from its own, within
+/// the limit: where cloth is crumpled, cells that are folded across a diagonal stay so, and pull at those around them.
+constexpr Real at_rest = Real(0.02);
 
 /// A shipped scene in air so thick that its cloth comes to rest soon, with a ball under the keys.
 Settings scene_with_a_ball(const std::string& name) {
@@ -86,7 +137,7 @@ public:
     RandomHand(unsigned long seed, const std::string& scene)
         : random_(seed), scene_(scene), simulation_(scene, scene_with_a_ball(scene)) {
         run(rest_time);
-        hanging_ = largest_strain(simulation_.cloths()[0]);
+        hanging_ = strain_of(simulation_.cloths()[0]).largest;
     }
 
     /// A round of commands, and what comes of it at rest. @return commands
@@ -111,8 +162,9 @@ private:
     std::string scene_;
     Simulation simulation_;
     std::vector<std::string> done_;  ///< since the start
-    Real hanging_ = 0;               ///< strain of the cloth at rest that nobody has touched
-    Real largest_ = 0, at_rest_ = 0;
+    Real hanging_ = 0;               ///< largest strain of the cloth at rest that nobody has touched
+    Strain rested_;                  ///< the largest of every rest
+    Real largest_ = 0, deepest_ = 0, lowest_ = std::numeric_limits<Real>::infinity();
     int failed_ = 0;
 };
 
@@ -149,7 +201,8 @@ std::string RandomHand::random_command() {
 void RandomHand::fail(const std::string& what) {
     ++failed_;
     std::cout << "FAILED: " << what << "\n  " << scene_ << ", step " << simulation_.report().step << ", stretch "
-              << stretch_of(simulation_) << " " << simulation_.report().trouble << simulation_.run_warning() << "\n";
+              << stretch_of(simulation_) << ", " << deepest_in_balls(simulation_) << " m into a ball, lowest at "
+              << lowest_of(simulation_) << " m " << simulation_.report().trouble << simulation_.run_warning() << "\n";
     for (const std::string& command : done_) std::cout << "  " << command << "\n";
     simulation_.apply(command::Reset{});
     done_.clear();
@@ -157,6 +210,8 @@ void RandomHand::fail(const std::string& what) {
 
 void RandomHand::look() {
     largest_ = std::max(largest_, stretch_of(simulation_));
+    deepest_ = std::max(deepest_, deepest_in_balls(simulation_));
+    lowest_ = std::min(lowest_, lowest_of(simulation_) - simulation_.settings().ground.height);
     for (const Check& check : checks()) {
         if (!check.holds(simulation_)) return fail(check.name);
     }
@@ -173,12 +228,12 @@ void RandomHand::run(double seconds) {
 }
 
 int RandomHand::play_round() {
-    constexpr int commands = 60;
+    constexpr int commands = 240;
     for (int c = 0; c < commands; ++c) {
         const std::string command = random_command();
         done_.push_back(std::to_string(simulation_.report().step) + " " + command);
         simulation_.apply(parse_command(command));
-        run(between(0, 0.05));
+        run(between(0, random_() % 16 == 0 ? 0.6 : 0.03));  // now and then long enough to come where it leads
     }
     // A ball that leans on a cloth that hangs would stretch it
     const bool hangs = simulation_.settings().cloths[0].pinned.kind != Pins::Kind::None;
@@ -187,10 +242,9 @@ int RandomHand::play_round() {
         simulation_.apply(parse_command(command));
     }
     run(rest_time);
-    const Real strain = largest_strain(simulation_.cloths()[0]);
-    at_rest_ = std::max(at_rest_, strain);
-    // A pinned corner that stays folded over hangs by one spring in place of two, and that one carries twice as much
-    if (strain > 2 * hanging_ + Real(0.02)) fail("the cloth at rest has its rest lengths");
+    const Strain strain = strain_of(simulation_.cloths()[0]);
+    rested_ = {std::max(rested_.rms, strain.rms), std::max(rested_.largest, strain.largest)};
+    if (strain.rms > at_rest) fail("the cloth at rest has its rest lengths");
     // A pin stays where it was left, and a cloth that has fallen off is far away
     simulation_.apply(command::Reset{});
     done_.clear();
@@ -198,8 +252,12 @@ int RandomHand::play_round() {
 }
 
 void RandomHand::tell() const {
-    std::printf("%s: largest stretch %.4f; at rest %.4f, %.4f if untouched; %d failed\n", scene_.c_str(),
-                static_cast<double>(largest_), static_cast<double>(at_rest_), static_cast<double>(hanging_), failed_);
+    std::printf(
+        "%s: stretch at most %.4f; at rest RMS strain %.4f, largest %.4f, %.4f if untouched; %.2f mm into a "
+        "ball, lowest at %.2f mm; %d failed\n",
+        scene_.c_str(), static_cast<double>(largest_), static_cast<double>(rested_.rms),
+        static_cast<double>(rested_.largest), static_cast<double>(hanging_), 1e3 * static_cast<double>(deepest_),
+        1e3 * static_cast<double>(lowest_), failed_);
 }
 
 int run(int argc, char** argv) {
@@ -211,7 +269,7 @@ int run(int argc, char** argv) {
         if (name == "--seed") seed = std::stoul(argv[a + 1]);
     }
     std::vector<RandomHand> hands;
-    for (const char* scene : {"drop", "hang"}) hands.emplace_back(seed++, scene);
+    for (const char* scene : {"drop", "hang", "original"}) hands.emplace_back(seed++, scene);
     long long commands = 0;
     while (commands < wanted) {
         for (RandomHand& hand : hands) commands += hand.play_round();

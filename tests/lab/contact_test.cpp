@@ -19,15 +19,15 @@ using test::lines_of;
 using ::testing::HasSubstr;
 
 TEST(ContactTrial, DoesWhatTheSimulationDoesToTheSameBits) {
-    for (const char* limit : {"search_tests=0", "search_tests=20"}) {
+    for (const char* limit : {"continuous=false", "search_tests=20", "continuous=true"}) {
         Settings settings = load_scene("drop");
-        assign(settings, limit);
         assign(settings, "contact.continuous=false");
+        assign(settings, limit);
         ContactScene scene{.cloth = settings.cloths[0],
                            .ball = {.centre = settings.balls[0].position, .radius = settings.balls[0].radius},
                            .integrator = integrator_of(settings.solver),
-                           .response = {.friction = settings.contact.friction}};
-        ContactTrial trial(scene, settings.solver.dt);
+                           .response = response_of(settings)};
+        ContactTrial trial(scene, settings.solver.dt, settings.contact.continuous == Continuous::Always);
         const auto hierarchy = make_broad_phase(broad_phase_of(settings), settings.cloths[0].particles);
         Simulation simulation("drop", settings);
         std::int64_t contacts = 0;
@@ -67,6 +67,7 @@ public:
     void build(const Points& /*from*/, const Points& /*to*/) override {}
     TraversalStats query(const Ball& /*ball*/, Candidates& found) override { return nothing(found); }
     TraversalStats query(const SweptBall& /*ball*/, Candidates& found) override { return nothing(found); }
+    TraversalStats query_below(Real /*height*/, Candidates& found) const override { return nothing(found); }
     [[nodiscard]] bool may_touch(const Ball& /*ball*/, Real /*displacement*/) const override { return true; }
     [[nodiscard]] bool may_touch(const SweptBall& /*ball*/, Real /*displacement*/) const override { return true; }
     [[nodiscard]] Real slack() const override { return 0; }
@@ -84,8 +85,9 @@ private:
 class HungCloth : public ::testing::Test {
 protected:
     static constexpr double speed_ = 8;  // m/s
+    Detection discrete_{.search = {.leaf_cells = 4}};
     ContactScene scene_ = hung_cloth_and_ball(speed_, 0.004);
-    ContactHistory reference_ = watch_contacts(scene_, {.leaf_cells = 4}, Real(0.0005));
+    ContactHistory reference_ = watch_contacts(scene_, discrete_, Real(0.0005));
 
     [[nodiscard]] ContactErrors errors_of(const ContactHistory& run, int finer) const {
         return compare_contacts(run, reference_, finer);
@@ -104,7 +106,7 @@ TEST_F(HungCloth, IsNotPassedByTheBallAtASmallStep) {
 
 TEST_F(HungCloth, CountsAllContactsAsMissedWhereARunIgnoresThem) {
     BlindHierarchy blind;
-    const ContactHistory run = watch_contacts(scene_, blind, Real(0.004));
+    const ContactHistory run = watch_contacts(scene_, blind, false, Real(0.004));
     const ContactErrors errors = errors_of(run, 8);
     EXPECT_EQ(errors.missed_contacts, 1);
     EXPECT_EQ(errors.missed_steps, 1);
@@ -115,18 +117,37 @@ TEST_F(HungCloth, CountsAllContactsAsMissedWhereARunIgnoresThem) {
 TEST_F(HungCloth, IsEnteredDeeperTheLongerTheStep) {
     double before = reference_.entered;
     for (const int finer : {2, 8}) {
-        const ContactHistory run = watch_contacts(scene_, {.leaf_cells = 4}, static_cast<Real>(0.0005 * finer));
+        const ContactHistory run = watch_contacts(scene_, discrete_, static_cast<Real>(0.0005 * finer));
         EXPECT_GT(run.entered, before) << finer;
         EXPECT_LT(errors_of(run, finer).missed_contacts, 0.2) << finer;
         before = run.entered;
     }
     // In a step of 0.032 s the ball goes a quarter of a metre: farther than its radius
-    const ContactHistory run = watch_contacts(hung_cloth_and_ball(speed_, 0.032), {.leaf_cells = 4}, Real(0.032));
+    const ContactHistory run = watch_contacts(hung_cloth_and_ball(speed_, 0.032), discrete_, Real(0.032));
     EXPECT_TRUE(run.passed);
 }
 
+TEST_F(HungCloth, IsHeldByAContinuousSearchAtTheStepsAtWhichADiscreteOneIsPassed) {
+    // In a step the ball goes more than a metre
+    const ContactScene scene = hung_cloth_and_ball(32, Real(1) / 30);
+    const Detection oracle{{.volume = VolumeKind::Brute}, true};
+    const ContactHistory truth = watch_contacts(scene, oracle, Real(1) / 3000);
+    const ContactHistory discrete = watch_contacts(scene, discrete_, Real(1) / 30);
+    const ContactHistory continuous = watch_contacts(scene, {{.leaf_cells = 4}, true}, Real(1) / 30);
+    EXPECT_FALSE(truth.passed);
+    EXPECT_TRUE(discrete.passed);
+    EXPECT_FALSE(continuous.passed);
+    const ContactErrors missed = compare_contacts(discrete, truth, 100);
+    const ContactErrors found = compare_contacts(continuous, truth, 100);
+    EXPECT_EQ(missed.missed_contacts, 1);
+    EXPECT_EQ(found.missed_steps, 0);
+    EXPECT_LT(found.missed_contacts, 0.1);
+    EXPECT_LT(found.momentum, missed.momentum);
+}
+
 TEST_F(HungCloth, IsPassedWhereALimitedSearchPushesTooSlowly) {
-    const ContactHistory run = watch_contacts(scene_, {.leaf_cells = 4, .search = {.tests = 1}}, Real(0.004));
+    const ContactHistory run =
+        watch_contacts(scene_, {.search = {.leaf_cells = 4, .search = {.tests = 1}}}, Real(0.004));
     EXPECT_GT(run.left, 0.1);
     EXPECT_LT(reference_.left, 2e-4);
     EXPECT_GT(run.false_contacts, 0.1);
@@ -140,21 +161,21 @@ TEST(LabContact, WritesARowASearchAndTheSameErrorsInEveryRun) {
         // The shortest of its runs: a fast ball at long steps
         const LabRun run = folder.run({"contact", "--quick", "--share", "14/" + all, "--out", out});
         ASSERT_EQ(run.code, 0) << run.err;
-        EXPECT_THAT(run.out, HasSubstr("full search, ball at 32 m/s: "));
+        EXPECT_THAT(run.out, HasSubstr("discrete, ball at 32 m/s: "));
         std::vector<std::string> lines = lines_of(folder.read(std::string(out) + "/contact.csv"));
         std::erase_if(lines, [](const std::string& line) { return line.starts_with('#'); });
-        ASSERT_EQ(lines.size(), 4u) << "a header and three searches";
+        ASSERT_EQ(lines.size(), 5u) << "a header and four searches";
         runs.push_back(lines);
     }
     EXPECT_EQ(runs[0][0], runs[1][0]);
     // All that stands before the times
     const auto errors = [](const std::string& line) {
         std::size_t end = 0;
-        for (int k = 0; k < 10; ++k) end = line.find(',', end + 1);
+        for (int k = 0; k < 11; ++k) end = line.find(',', end + 1);
         return line.substr(0, end);
     };
-    for (std::size_t k = 1; k < 4; ++k) EXPECT_EQ(errors(runs[0][k]), errors(runs[1][k]));
-    EXPECT_THAT(runs[0][1], HasSubstr("full,0,32,")) << runs[0][1];
+    for (std::size_t k = 1; k < 5; ++k) EXPECT_EQ(errors(runs[0][k]), errors(runs[1][k]));
+    EXPECT_THAT(runs[0][1], HasSubstr("discrete,0,32,")) << runs[0][1];
 }
 
 }  // namespace

@@ -26,6 +26,8 @@ std::vector<Command> one_of_each() {
             Next{"ball[1].motion"},
             Add{"view.level", -1.5},
             Steer{Vec3(1, 0, -0.1)},
+            Throw{Vec3(0.5, 1, -2), Vec3(0, 1.5, -6)},
+            Fall{},
             Grab{1, 17},
             Drag{Vec3(0.1, 1e-300, -2e8)},
             Release{},

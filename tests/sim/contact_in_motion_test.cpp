@@ -31,11 +31,76 @@ TEST(Ground, KeepsWhatFallsAndOnlyWhereItIsSolid) {
     }
 }
 
-TEST(Ground, IsWhereTheKeysCanLeadABallAndNoFarther) {
-    Simulation simulation = scene_with("drop", {"ball.motion=keys"});
+TEST(Ground, IsFoundThroughTheHierarchyWithTheSameBits) {
+    const std::vector<std::string> low{"cloth.particles=20,20", "ball.radius=0.15", "ball.position=0,0.15,0"};
+    std::vector<std::string> brute = low;
+    brute.emplace_back("volume=brute");
+    Simulation tree = scene_with("drop", low), pass = scene_with("drop", brute);
+    int picked = 0;
+    while (tree.report().time < 0.6) {
+        tree.step(), pass.step();
+        const TraversalStats& ground = tree.report().ground;
+        if (ground.pruned > 0 && ground.candidates > 0) ++picked;
+        ASSERT_EQ(tree.hash(), pass.hash()) << tree.report().time;
+        EXPECT_EQ(pass.report().ground.visited, 0);
+    }
+    EXPECT_GT(picked, 20) << "some of the cloth is on the ground, and some is pruned";
+}
+
+TEST(Ground, IsWhereTheKeysCanLeadABallAndNoFartherThanClothUnderItLetsThem) {
+    Simulation simulation = scene_with(
+        "drop", {"cloth.particles=12,12", "cloth.centre=0,0.01,0", "ball.position=0,0.4,0", "ball.motion=keys"});
+    run_until(simulation, 0.2);
     send(simulation, "steer 0 -1 0");
     run_until(simulation, 1);
-    EXPECT_EQ(simulation.balls()[0].centre.y(), simulation.settings().ground.height + simulation.balls()[0].radius);
+    const Ball& ball = simulation.balls()[0];
+    const Real ground = simulation.settings().ground.height, thickness = simulation.settings().contact.thickness;
+    EXPECT_EQ(ball.centre.y(), ground + ball.radius + 2 * thickness);
+    EXPECT_GE(simulation.cloths()[0].state.x.col(1).minCoeff(), ground + thickness / 2);
+}
+
+/// How high the hand is, lowest, on its way to a target far below the ground.
+Real lowest_of_hand(bool solid) {
+    Simulation simulation =
+        scene_with("drop", {"cloth.particles=12,12", std::string("ground.solid=") + (solid ? "true" : "false")});
+    send(simulation, "grab 0 0");
+    send(simulation, "drag 0.02 -1 0");
+    Real lowest = 1;
+    while (simulation.report().time < 1.2) {
+        simulation.step();
+        lowest = std::min(lowest, simulation.cloths()[0].state.x(0, 1));
+    }
+    return lowest;
+}
+
+TEST(Ground, StopsTheHandAndOnlyWhereItIsSolid) {
+    const Real thickness = load_scene("drop").contact.thickness;
+    EXPECT_GE(lowest_of_hand(true), thickness * (1 - 1e-9));
+    EXPECT_LT(lowest_of_hand(false), -0.3);
+}
+
+/// Between ball and ground the hand has but one way out.
+TEST(Ground, AndABallOnItLeaveTheHandOutsideBoth) {
+    Simulation simulation = scene_with("drop", {"cloth.particles=12,12"});
+    send(simulation, "grab 0 0");
+    send(simulation, "drag 0.02 -1 0.01");
+    const Ball ball = simulation.balls()[0];
+    while (simulation.report().time < 1.2) {
+        simulation.step();
+        const Vec3 hand = simulation.cloths()[0].state.x.row(0).transpose();
+        ASSERT_GE((hand - ball.centre).norm(), ball.radius);
+        ASSERT_GE(hand.y(), 0);
+    }
+}
+
+TEST(LedBall, ThatACommandTakesAwayLeavesTheClothWhereItIs) {
+    Simulation simulation = scene_with("original", {"cloth.particles=15,15", "ball.position=0,-0.2,0"});
+    run_until(simulation, 0.3);
+    ASSERT_GT(simulation.report().contacts, 0);
+    send(simulation, "set ball.position=9,1,0");
+    const Points before = simulation.cloths()[0].state.x;
+    simulation.step();
+    EXPECT_LT((simulation.cloths()[0].state.x - before).cwiseAbs().maxCoeff(), 0.01);
 }
 
 /// A heavy ball that is before a hung curtain at the end of one step, and behind it at the end of the next.

@@ -2,6 +2,7 @@
 
 #include <map>
 
+#include "drape/contact/response.h"
 #include "drape/integrate/stability.h"
 #include "sim/scene_lists.h"
 #include "sim/small_scene.h"
@@ -69,6 +70,16 @@ TEST(FailingScenes, AboveALimitAreTwoPercentAboveItAndRunWithThreePercentLess) {
         settings.solver.dt *= 0.97;
         EXPECT_EQ(after_a_while(name, settings), Status::Ok) << name;
     }
+}
+
+TEST(FailingScenes, OfThePenaltyIsFarAboveItsLimitAndRunsBelow) {
+    Settings settings = load_scene("fails_penalty");
+    const ClothModel model = make_cloth_model(settings.cloths[0]);
+    const Real ratio = static_cast<Real>(settings.solver.dt) /
+                       penalty_step_limit(settings.contact.stiffness, 0, 1 / model.particle_mass);
+    EXPECT_NEAR(ratio, 25, 0.5);
+    settings.contact.stiffness *= Real(0.9) / (ratio * ratio);
+    EXPECT_EQ(after_a_while("fails_penalty", settings), Status::Ok);
 }
 
 TEST(FailingScenes, OfExplicitEulerRunWithAnotherMethodAtThatStep) {

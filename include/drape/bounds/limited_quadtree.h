@@ -34,11 +34,13 @@ private:
             if (!spent) ++stats.volume_tests;
             if (!spent && !this->volumes()[this->at(n)].overlaps(grown_ball)) {
                 this->mark(n, NodeVisit::Pruned);
+                ++stats.pruned;
             } else if (spent || (node.level == limit_.level && node.children > 0)) {
                 this->mark(n, NodeVisit::Entered);
                 found.stopped.push_back(stop_at(n));
             } else if (node.children == 0) {
-                this->take_leaf(n, found, stats);
+                this->mark(n, NodeVisit::Leaf);
+                this->take_leaf(node, found, stats);
             } else {
                 this->mark(n, NodeVisit::Entered);
                 for (int child = 0; child < node.children; ++child) queue_.push_back(node.first_child + child);

@@ -103,6 +103,12 @@ std::int64_t find_impact_contacts(const Grid& grid, const Points& before, const 
 void find_ground_contacts(const Grid& grid, const Points& x, Real height, Real thickness,
                           std::vector<Contact>& contacts);
 
+/// The same among the corners of candidate cells, in the same order.
+/// @param particles scratch
+void find_ground_contacts(const Grid& grid, const Points& x, Real height, Real thickness,
+                          std::span<const CellRun> cells, std::vector<CellRun>& particles,
+                          std::vector<Contact>& contacts);
+
 /// The contacts of the balls with each other, and with the ground where it is solid; cleared first.
 /// @par Cost O(balls^2)
 void find_ball_contacts(std::span<const Ball> balls, const Ground& ground, std::vector<BallContact>& contacts);

@@ -31,6 +31,9 @@ public:
     /// The ray through a pixel, (0, 0) at the top left.
     [[nodiscard]] Ray ray(int x, int y, int width, int height) const;
 
+    /// A ball that flies from a point on the line of sight, before the viewer, about to where the line of sight leads.
+    [[nodiscard]] command::Throw aimed_throw() const;
+
     /// The point where a ray meets the plane through `through` that faces the camera: how a dragged hand moves.
     [[nodiscard]] Vec3 on_facing_plane(const Ray& ray, const Vec3& through) const;
 

@@ -30,10 +30,15 @@ struct Add {  ///< `add view.level 1`: to a number, kept in its range
     std::string setting;
     double amount = 0;
 };
-struct Steer {  ///< `steer 1 0 0`: where the keys send the ball; zero lets go
+struct Steer {  ///< `steer 1 0 0`: where the keys send the user's ball, of whatever motion; zero stops it
     Vec3 direction = Vec3::Zero();
 };
-struct Grab {  ///< `grab 0 17`: takes a particle of a cloth in hand
+struct Throw {  ///< `throw 0 1 2 0 0 -6`: the user's ball flies from a point [m] at a velocity [m/s]
+    Vec3 from = Vec3::Zero();
+    Vec3 velocity = Vec3::Zero();
+};
+struct Fall {};  ///< `fall`: the user's ball is let go, and falls
+struct Grab {    ///< `grab 0 17`: takes a particle of a cloth in hand
     int cloth = 0;
     int particle = 0;
 };
@@ -61,10 +66,10 @@ concept OfThePicture = std::is_same_v<C, Orbit> || std::is_same_v<C, Pan> || std
 
 }  // namespace command
 
-using Command =
-    std::variant<command::Pause, command::Step, command::Reset, command::LoadScene, command::Set, command::Next,
-                 command::Add, command::Steer, command::Grab, command::Drag, command::Release, command::Orbit,
-                 command::Pan, command::Zoom, command::Frame, command::Picture, command::Quit>;
+using Command = std::variant<command::Pause, command::Step, command::Reset, command::LoadScene, command::Set,
+                             command::Next, command::Add, command::Steer, command::Throw, command::Fall, command::Grab,
+                             command::Drag, command::Release, command::Orbit, command::Pan, command::Zoom,
+                             command::Frame, command::Picture, command::Quit>;
 
 /// The text form: one line without its end.
 std::string command_text(const Command& command);

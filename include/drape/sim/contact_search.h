@@ -13,6 +13,15 @@
 
 namespace drape {
 
+/// Whether a ball may get through the cloth in a substep, seen from its start and end alone: a ball of radius r that is
+/// outside must come as far as r before its centre is on the other side. Half of that counts.
+struct Crossing {
+    Real distance = 0;  ///< by which ball and cloth can have come nearer, at most [m]
+    Real radius = 0;    ///< of the ball, thickness counted [m]
+
+    [[nodiscard]] bool possible() const { return 2 * distance > radius; }
+};
+
 /// Finds where one cloth touches the balls, stage by stage: build, traverse, narrow. A build is left out while it is
 /// proven that nothing can touch, and the two stages after it then find nothing.
 class ContactSearch {
@@ -30,10 +39,8 @@ public:
     /// for its spheres may touch what the cloth does not
     bool build(const Points& before, const Points& x, std::span<const Ball> balls, const ContactSettings& contact);
 
-    /// Whether a ball may get through the cloth in a substep, seen from its start and end alone: a ball of radius r
-    /// that is outside must come as far as r before its centre is on the other side. Half of that counts.
-    [[nodiscard]] bool may_cross(const Points& before, const Points& x, std::span<const Ball> balls,
-                                 Real thickness) const;
+    /// Of the last substep, unless all of its way was tested without asking.
+    [[nodiscard]] const Crossing& crossing() const { return crossing_; }
 
     /// Collects the candidates of each ball.
     /// @return what it has cost; after a build that was left out, what the last traversal has
@@ -45,6 +52,12 @@ public:
     /// @return how many candidate cells do not touch
     std::int64_t narrow(const Points& before, const Points& x, std::span<const Ball> balls, Real thickness,
                         Real longest_push, std::vector<Contact>& contacts);
+
+    /// Tests the cloth against the ground: where the present hierarchy holds it, what that has not pruned, else all of
+    /// it.
+    /// @param contacts receives what touches, particles ascending, after what is there
+    /// @return what the traversal has cost; zero without one
+    TraversalStats meet_ground(const Points& x, Real height, Real thickness, std::vector<Contact>& contacts);
 
     /// What a limited search invents and what it lets through, by testing every cell; nothing for any other search.
     /// @return contacts of nodes in which no triangle touches
@@ -59,6 +72,8 @@ public:
     [[nodiscard]] const BroadPhase& hierarchy() const { return *hierarchy_; }
 
 private:
+    [[nodiscard]] Crossing nearest_crossing(const Points& before, const Points& x, std::span<const Ball> balls,
+                                            Real thickness) const;
     void build_from(const Points& x, std::span<const Ball> balls, const ContactSettings& contact);
 
     Grid grid_{0, 0};
@@ -66,6 +81,7 @@ private:
     std::unique_ptr<BroadPhase> hierarchy_;
     Separation separation_;
     std::optional<SearchAudit> audit_;  ///< while the search is limited
+    Crossing crossing_;
     bool built_from_present_ = false;
     bool queried_ = false;  ///< since the last build
     bool skipped_ = false;  ///< the last build was left out
@@ -73,6 +89,8 @@ private:
     std::vector<TriangleImpact> impacts_;
     TraversalStats traversal_;
     std::vector<Candidates> candidates_;  ///< of each ball
+    Candidates low_;                      ///< near the ground
+    std::vector<CellRun> low_particles_;
 };
 
 }  // namespace drape

@@ -4,10 +4,18 @@
 #include <span>
 
 #include "drape/model/ball.h"
+#include "drape/model/ground.h"
 #include "drape/sim/cloth.h"
 #include "drape/sim/command.h"
 
 namespace drape {
+
+/// What the hand cannot lead its particle into.
+struct Obstacles {
+    std::span<const Ball> balls;
+    const Ground& ground;
+    Real thickness;  ///< of the cloth: the hand stays as far outside [m]
+};
 
 /// Takes one particle of a cloth and leads it to a target, with a force that has a bound.
 ///
@@ -33,8 +41,7 @@ public:
     void hold_in(std::size_t cloth, ClothModel& model) const;
 
     /// Gives the particle the velocity that takes it towards the target, and counts the work of that.
-    /// @param thickness by which the hand stays outside the balls [m]
-    void lead(std::span<Cloth> cloths, std::span<const Ball> balls, Real thickness, Real h);
+    void lead(std::span<Cloth> cloths, const Obstacles& obstacles, Real h);
 
     /// Counts the work that the hand has done in the step since `lead`.
     void count_work(std::span<Cloth> cloths, Real h) const;

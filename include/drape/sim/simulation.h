@@ -46,8 +46,13 @@ public:
     [[nodiscard]] const std::string& scene() const { return scene_; }
     [[nodiscard]] bool paused() const { return paused_; }
 
-    /// What the user should know before the next step: that it is longer than the method's limit. Empty if nothing.
+    /// What the user should know before the next step: that it is longer than the limit of the method, or of
+    /// the penalty. Empty if nothing.
     [[nodiscard]] std::string step_warning() const;
+
+    /// That ball and cloth are so fast that one may pass through the other, while `contact.continuous` forbids to look,
+    /// as of the last time that this began (`StepReport::crossing`). Empty if never.
+    [[nodiscard]] std::string crossing_warning() const;
 
     /// Why the run so far is not to be trusted, one line: steps that were not solved, energy that its method has made.
     /// Empty if nothing.
@@ -77,7 +82,7 @@ private:
     void take_pushes(const Substep& now);
     void warm_start(WarmStartStage stage);
     void enter_pushes(double ball_work);
-    void build();
+    void build(const Substep& now);
     void traverse();
     void narrow(const Substep& now);
     void respond(const Substep& now);
@@ -99,6 +104,11 @@ private:
     void configure_cloth(std::size_t number, const Settings& before);
     void configure_balls(const Settings& before);
     void use_self_contact();
+    void put_ball(std::size_t number, const Vec3& centre);
+    void choose_ball();
+    void give_ball_back();
+    void move_ball_by(BallMotion motion);
+    void throw_ball(const command::Throw& command);
 
     std::string scene_;
     Settings settings_;
@@ -109,6 +119,8 @@ private:
     SelfContact self_contact_;
     std::vector<ClothInContact> in_contact_;  ///< the cloths, within a substep
     Vec3 steer_ = Vec3::Zero();
+    std::size_t users_ball_ = 0;                 ///< that the user leads, drops and throws
+    std::optional<BallMotion> motion_by_scene_;  ///< of that ball, once the user has taken it over
     Hand hand_;
     SleepWatch sleep_;
     StepReport report_;

@@ -22,6 +22,14 @@ struct StageTimes {
     [[nodiscard]] double total() const { return step + build + traverse + narrow + pairs + respond; }
 };
 
+/// Where the way within a step is not tested: that ball or cloth are so fast that one may pass through the other.
+struct CrossingDanger {
+    std::int64_t starts = 0;  ///< of such dangers, each after half a second without
+    double last = 0;          ///< time of the last substep in danger [s]
+    double speed = 0;         ///< of ball and cloth together, as the last danger started [m/s]
+    double safe_speed = 0;    ///< up to which nothing passes through in such a substep [m/s]
+};
+
 /// What one step was and did; each stage fills its fields as it ends. Times and solves are those of all substeps,
 /// counts those of the last.
 struct StepReport {
@@ -32,7 +40,8 @@ struct StepReport {
     bool limit_is_least = false;  ///< the limit is at least as long as predicted: the true ratio may be less
     StageTimes times;
     SolveReport solve;
-    TraversalStats traversal;
+    TraversalStats traversal;           ///< for the balls
+    TraversalStats ground;              ///< for the ground; zero where the hierarchy was not asked
     double stretch_excess = 0;          ///< beyond the limit, that shortening has left in a structural spring
     std::int64_t false_candidates = 0;  ///< cells handed on of which no triangle touches
     std::int64_t contacts = 0;          ///< points in contact, and nodes that were taken for them
@@ -55,12 +64,13 @@ struct StepReport {
     Energy energy;  ///< this, balance and stretch are filled by `Simulation::view`, not by every step
     EnergyBalance balance = EnergyBalance::unknown();  ///< since the ledger began, over all cloths
     double stretch = 0;                                ///< largest elongation of a structural spring, as `energy`
+    CrossingDanger crossing;                           ///< since the start
     Status status = Status::Ok;
     std::string trouble;  ///< one sentence on what broke, with particle and step; empty while all is well
 
     /// Sets to zero what limit and contacts of a substep add up to.
     void forget_contacts() {
-        traversal = {};
+        traversal = ground = {};
         contacts = false_candidates = false_contacts = 0;
         penetration = missed_penetration = contact_residual = stretch_excess = 0;
         contact_sweeps = pairs = held_back = 0;

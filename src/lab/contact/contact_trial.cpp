@@ -23,34 +23,21 @@ int nearest_to_way(const Points& x, const Ball& ball) {
     return nearest;
 }
 
-/// The triangles in contact with the front of the ball, and all of a node whose sphere is.
-std::vector<int> touched_triangles(const ContactTrial& trial) {
-    std::vector<int> triangles;
-    const auto is_in_front = [&](const Contact& contact) { return contact.normal.dot(trial.ball().velocity) >= 0; };
-    for (const Contact& contact : trial.contacts()) {
-        if (!contact.of_node && is_in_front(contact)) triangles.push_back(contact.triangle);
-    }
-    for (const StoppedNode& node : trial.stopped()) {
-        const auto is_its = [&](const Contact& contact) {
-            return contact.of_node && contact.triangle == 2 * node.cell && is_in_front(contact);
-        };
-        if (std::ranges::none_of(trial.contacts(), is_its)) continue;
-        for (int j = node.j0; j < node.j1; ++j) {
-            for (int i = node.i0; i < node.i1; ++i) {
-                const int cell = j * trial.grid().cell_columns() + i;
-                triangles.push_back(2 * cell);
-                triangles.push_back(2 * cell + 1);
-            }
+void add_triangles(const Grid& grid, const StoppedNode& node, std::vector<int>& triangles) {
+    for (int j = node.j0; j < node.j1; ++j) {
+        for (int i = node.i0; i < node.i1; ++i) {
+            const int cell = j * grid.cell_columns() + i;
+            triangles.push_back(2 * cell);
+            triangles.push_back(2 * cell + 1);
         }
     }
-    std::ranges::sort(triangles);
-    return triangles;
 }
 
 }  // namespace
 
-ContactTrial::ContactTrial(const ContactScene& scene, Real step)
+ContactTrial::ContactTrial(const ContactScene& scene, Real step, bool continuous)
     : response_(scene.response),
+      continuous_(continuous),
       kernels_(scene.integrator.kernels),
       h_(step),
       model_(make_cloth_model(scene.cloth)),
@@ -58,6 +45,7 @@ ContactTrial::ContactTrial(const ContactScene& scene, Real step)
       ball_(scene.ball),
       aim_(nearest_to_way(state_.x, scene.ball)),
       integrator_(make_integrator(scene.integrator, scene.cloth.particles)) {
+    model_.gravity = scene.gravity;
     response_.integrator = scene.integrator.kind;
 }
 
@@ -71,32 +59,70 @@ void ContactTrial::advance(BroadPhase& hierarchy) {
     warm_start_.before_step(std::span(&cloth, 1), balls);
     integrator_->step(model_, state_, h_);
     warm_start_.after_step(std::span(&cloth, 1), balls);
-    hierarchy.build(state_.x);
-    hierarchy.query(grown(ball_, response_.thickness), candidates_);
-    std::ranges::sort(candidates_.cells);
-    contacts_.clear();
-    find_contacts(model_.grid, state_.x, ball_, 0, response_.thickness, candidates_.cells, contacts_, kernels_);
-    find_node_contacts(model_.grid, state_.x, ball_, 0, response_.thickness, node_push_speed * h_, candidates_.stopped,
-                       contacts_);
+    find(hierarchy);
+    if (response_.ground.solid) {
+        find_ground_contacts(model_.grid, state_.x, response_.ground.height, response_.thickness, contacts_);
+    }
     warm_start_.carry_over(response_, std::span(&cloth, 1), balls, contacts_);
 }
 
-void ContactTrial::respond() {
+void ContactTrial::find(BroadPhase& hierarchy) {
+    const Real thickness = response_.thickness;
+    if (continuous_) {
+        hierarchy.build(before_, state_.x);
+        hierarchy.query(grown(way_of(ball_), thickness), candidates_);
+    } else {
+        hierarchy.build(state_.x);
+        hierarchy.query(grown(ball_, thickness), candidates_);
+    }
+    std::ranges::sort(candidates_.cells);
+    contacts_.clear();
+    if (continuous_) {
+        find_impact_contacts(model_.grid, before_, state_.x, ball_, 0, thickness, candidates_.cells, impacts_,
+                             contacts_);
+        return;
+    }
+    find_contacts(model_.grid, state_.x, ball_, 0, thickness, candidates_.cells, contacts_, kernels_);
+    find_node_contacts(model_.grid, state_.x, ball_, 0, thickness, node_push_speed * h_, candidates_.stopped,
+                       contacts_);
+}
+
+ResponseReport ContactTrial::respond() {
     const ClothInContact cloth = in_contact();
-    resolve_contacts(response_, h_, std::span(&cloth, 1), {}, std::span(&ball_, 1), {});
+    return resolve_contacts(response_, h_, std::span(&cloth, 1), {}, std::span(&ball_, 1), {});
+}
+
+std::vector<int> ContactTrial::touched_triangles() const {
+    const auto is_in_front = [&](const Vec3& normal) { return normal.dot(ball_.velocity) >= 0; };
+    const SweptBall end{ball_.centre, ball_.centre, ball_.radius};
+    std::vector<TriangleImpact> impacts;
+    find_impacts(grid(), continuous_ ? before_ : state_.x, state_.x,
+                 grown(continuous_ ? way_of(ball_) : end, response_.thickness), candidates_.cells, impacts);
+    std::vector<int> triangles;
+    for (const TriangleImpact& found : impacts) {
+        if (is_in_front(found.impact.normal)) triangles.push_back(found.triangle);
+    }
+    for (const StoppedNode& node : candidates_.stopped) {
+        const auto is_its = [&](const Contact& contact) {
+            return contact.of_node && contact.triangle == 2 * node.cell && is_in_front(contact.normal);
+        };
+        if (std::ranges::any_of(contacts_, is_its)) add_triangles(grid(), node, triangles);
+    }
+    std::ranges::sort(triangles);
+    return triangles;
 }
 
 bool ContactTrial::has_passed() const {
     return (state_.x.row(aim_).transpose() - ball_.centre).dot(ball_.velocity) < 0;
 }
 
-ContactHistory watch_contacts(const ContactScene& scene, const BroadPhaseParameters& search, Real step) {
-    const auto hierarchy = make_broad_phase(search, scene.cloth.particles);
-    return watch_contacts(scene, *hierarchy, step);
+ContactHistory watch_contacts(const ContactScene& scene, const Detection& detection, Real step) {
+    const auto hierarchy = make_broad_phase(detection.search, scene.cloth.particles);
+    return watch_contacts(scene, *hierarchy, detection.continuous, step);
 }
 
-ContactHistory watch_contacts(const ContactScene& scene, BroadPhase& hierarchy, Real step) {
-    ContactTrial trial(scene, step);
+ContactHistory watch_contacts(const ContactScene& scene, BroadPhase& hierarchy, bool continuous, Real step) {
+    ContactTrial trial(scene, step, continuous);
     SearchAudit audit(trial.grid(), scene.integrator.kernels);
     ContactHistory history;
     const auto deepen = [&](double& deepest) {
@@ -107,7 +133,7 @@ ContactHistory watch_contacts(const ContactScene& scene, BroadPhase& hierarchy, 
     for (std::int64_t k = 0; k < steps; ++k) {
         trial.advance(hierarchy);
         deepen(history.entered);
-        history.touched.push_back(touched_triangles(trial));
+        history.touched.push_back(trial.touched_triangles());
         if (!trial.stopped().empty()) {
             const std::int64_t found =
                 audit.false_contacts(trial.positions(), trial.ball(), scene.response.thickness, trial.stopped());
@@ -117,6 +143,7 @@ ContactHistory watch_contacts(const ContactScene& scene, BroadPhase& hierarchy, 
         deepen(history.left);
     }
     history.passed = trial.has_passed();
+    history.momentum = trial.model().particle_mass * trial.velocities().colwise().sum().transpose();
     return history;
 }
 
@@ -141,6 +168,7 @@ ContactErrors compare_contacts(const ContactHistory& run, const ContactHistory& 
     };
     return {.missed_contacts = part(missed_contacts, contacts),
             .missed_steps = part(missed_steps, steps),
+            .momentum = static_cast<double>((run.momentum - reference.momentum).norm() / reference.momentum.norm()),
             .passed = run.passed && !reference.passed};
 }
 

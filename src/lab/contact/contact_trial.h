@@ -4,6 +4,7 @@
 #include <vector>
 
 #include "drape/bounds/broad_phase.h"
+#include "drape/contact/impact.h"
 #include "drape/contact/warm_start.h"
 #include "drape/integrate/integrator.h"
 #include "drape/model/cloth_model.h"
@@ -17,6 +18,13 @@ struct ContactScene {
     double end = 0;  ///< of a run [s]
     IntegratorParameters integrator;
     ResponseParameters response;
+    Vec3 gravity = standard_gravity();  ///< [m/s^2]
+};
+
+/// How a run finds what touches.
+struct Detection {
+    BroadPhaseParameters search;
+    bool continuous = false;  ///< on the whole way of a step, not at its end alone
 };
 
 /// A hung cloth of 1 m and a ball on its way through the middle of it, from a quarter of a metre before they meet.
@@ -25,21 +33,28 @@ struct ContactScene {
 ContactScene hung_cloth_and_ball(double speed, double step);
 
 /// A simulation without all that contact does not need: step, build, query, exact test, response, in the order of
-/// `Simulation` and to the same bits, but that it does not divide steps in contact and tests their ends alone.
+/// `Simulation` and to the same bits, but that it does not divide steps in contact.
 class ContactTrial {
 public:
-    ContactTrial(const ContactScene& scene, Real step);
+    /// @param continuous the whole way of every step is tested
+    ContactTrial(const ContactScene& scene, Real step, bool continuous = false);
 
     /// Moves ball and cloth by one step and finds what then touches.
     void advance(BroadPhase& hierarchy);
 
     /// Answers what was found.
-    void respond();
+    ResponseReport respond();
 
+    /// The triangles that touch the front of the ball, ascending: of the cells that the search has found, and all of a
+    /// node at which it has ended and that is taken for a contact. At the back of the ball the cloth is on the wrong
+    /// side.
+    [[nodiscard]] std::vector<int> touched_triangles() const;
+
+    [[nodiscard]] const ClothModel& model() const { return model_; }
     [[nodiscard]] const Grid& grid() const { return model_.grid; }
     [[nodiscard]] const Points& positions() const { return state_.x; }
+    [[nodiscard]] const Points& velocities() const { return state_.v; }
     [[nodiscard]] const Ball& ball() const { return ball_; }
-    [[nodiscard]] const std::vector<Contact>& contacts() const { return contacts_; }
     [[nodiscard]] std::span<const StoppedNode> stopped() const { return candidates_.stopped; }
 
     /// Whether the ball's centre is farther on its way than the particle that was nearest to it at the start.
@@ -47,8 +62,10 @@ public:
 
 private:
     [[nodiscard]] ClothInContact in_contact() { return {model_, before_, state_, contacts_}; }
+    void find(BroadPhase& hierarchy);
 
     ResponseParameters response_;
+    bool continuous_;
     Kernels kernels_;
     Real h_;
     ClothModel model_;
@@ -58,6 +75,7 @@ private:
     int aim_;  ///< the particle nearest to the ball's way
     std::unique_ptr<Integrator> integrator_;
     Candidates candidates_;
+    std::vector<TriangleImpact> impacts_;
     std::vector<Contact> contacts_;
     WarmStart<Contact> warm_start_;
 };
@@ -69,20 +87,21 @@ struct ContactHistory {
     double left = 0;                        ///< and after it [m]
     double false_contacts = 0;              ///< nodes taken for contacts in which nothing touches, a step
     bool passed = false;                    ///< at the end
+    Vec3 momentum = Vec3::Zero();           ///< of the cloth, at the end [kg m/s]
 };
 
-/// Runs a scene to its end. A contact of a node at which a limited search has ended counts for all triangles within. A
-/// contact with the back of the ball does not count: the cloth is on the wrong side there.
-ContactHistory watch_contacts(const ContactScene& scene, const BroadPhaseParameters& search, Real step);
+/// Runs a scene to its end.
+ContactHistory watch_contacts(const ContactScene& scene, const Detection& detection, Real step);
 
 /// The same with a hierarchy of the caller's.
-ContactHistory watch_contacts(const ContactScene& scene, BroadPhase& hierarchy, Real step);
+ContactHistory watch_contacts(const ContactScene& scene, BroadPhase& hierarchy, bool continuous, Real step);
 
 /// What a run has of its contacts wrong.
 struct ContactErrors {
     double missed_contacts = 0;  ///< part of the triangles, step by step, that the reference touched within the step,
-                                 ///< and the run not at its end
+                                 ///< and the run has not found
     double missed_steps = 0;     ///< part of the steps within which the reference touched, and the run not at all
+    double momentum = 0;         ///< of the cloth at the end: its difference from the reference's, over that
     bool passed = false;         ///< the ball has gone through the cloth, and that of the reference has not
 };
 

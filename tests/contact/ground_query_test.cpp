@@ -1,0 +1,68 @@
+// The ground's contacts through the hierarchy are those of the pass over all heights, in the same order.
+
+#include <gtest/gtest.h>
+
+#include "drape/bounds/cloth_quadtree.h"
+#include "drape/contact/contact.h"
+#include "support/cloths.h"
+#include "support/containment.h"
+
+namespace drape {
+namespace {
+
+template <class V>
+class GroundQuery : public ::testing::Test {};
+
+TYPED_TEST_SUITE(GroundQuery, test::AllVolumes, test::VolumeNames);
+
+struct GroundSeen {
+    int touching = 0;
+    std::int64_t pruned = 0;
+};
+
+/// Compares a tree about x with the pass, at heights between the cloth's lowest and highest particles and beyond.
+void compare_with_pass(const Grid& grid, const BroadPhase& tree, const Points& x, GroundSeen& seen) {
+    constexpr Real thickness = Real(0.002);
+    std::vector<Contact> expected, found;
+    std::vector<CellRun> particles;
+    Candidates low;
+    const Real bottom = x.col(1).minCoeff(), span = x.col(1).maxCoeff() - bottom;
+    for (const Real part : {-0.1, 0.0, 1e-9, 0.05, 0.3, 0.9, 1.1}) {
+        const Real height = bottom + part * span - thickness;
+        expected.clear(), found.clear();
+        find_ground_contacts(grid, x, height, thickness, expected);
+        seen.pruned += tree.query_below(height + thickness, low).pruned;
+        find_ground_contacts(grid, x, height, thickness, low.cells, particles, found);
+        ASSERT_EQ(found.size(), expected.size()) << part;
+        for (std::size_t c = 0; c < found.size(); ++c) {
+            ASSERT_EQ(found[c].point, expected[c].point);
+            ASSERT_EQ(found[c].depth, expected[c].depth);
+        }
+        if (!found.empty()) ++seen.touching;
+    }
+}
+
+TYPED_TEST(GroundQuery, FindsTheContactsOfAPassOverAllHeights) {
+    std::mt19937 random(5);
+    GroundSeen seen;
+    for (const Grid& grid : {Grid{2, 2}, Grid{9, 5}, Grid{31, 17}}) {
+        for (const UpdateKind update :
+             {UpdateKind::Rebuild, UpdateKind::Merge, UpdateKind::Insertion, UpdateKind::Refit, UpdateKind::None}) {
+            ClothQuadtree<TypeParam> tree(grid, {.update = update, .leaf_cells = 2});
+            Points x = test::random_cloth(grid, random);
+            for (int step = 0; step < 6; ++step) {
+                tree.build(x);
+                compare_with_pass(grid, tree, x, seen);
+                const Points before = x;
+                x = (1 - Real(0.1)) * x + Real(0.1) * test::random_cloth(grid, random);
+                tree.build(before, x);
+                compare_with_pass(grid, tree, x, seen);
+            }
+        }
+    }
+    EXPECT_GT(seen.touching, 300);
+    EXPECT_GT(seen.pruned, 1000);
+}
+
+}  // namespace
+}  // namespace drape

@@ -1,0 +1,63 @@
+#include <gmock/gmock.h>
+
+#include <cmath>
+
+#include "lab/lab_run.h"
+#include "lab/responses/responses.h"
+
+namespace drape {
+namespace {
+
+using test::LabFolder;
+using test::LabRun;
+using test::table_of;
+using testing::HasSubstr;
+
+constexpr ResponseKind every_response[] = {ResponseKind::Projection, ResponseKind::Penalty, ResponseKind::Impulse,
+                                           ResponseKind::Hybrid};
+
+TEST(LabBounce, ConvergesForResponsesThatAreHard) {
+    for (const ResponseKind kind : {ResponseKind::Projection, ResponseKind::Impulse, ResponseKind::Hybrid}) {
+        const Bounce coarse = drop_sheet(kind, Real(1) / 240), fine = drop_sheet(kind, Real(1) / 15360);
+        EXPECT_LT(fine.height_error, 0.002) << name_of(kind);
+        EXPECT_LT(fine.height_error, coarse.height_error / 4) << name_of(kind);
+        EXPECT_LT(fine.impact_error, 1e-4) << name_of(kind);
+    }
+}
+
+/// The planted fault: at a penalty's depth the sheet turns back later than on hard ground.
+TEST(LabBounce, ComesLateFromAPenaltyByHalfASwing) {
+    const double mass = 0.2 / 36, stiffness = 1000;
+    const Bounce bounce = drop_sheet(ResponseKind::Penalty, Real(1) / 15360);
+    EXPECT_NEAR(bounce.impact_error, std::acos(-1) * std::sqrt(mass / stiffness), 2e-4);
+}
+
+TEST(LabSlope, HoldsTheSheetAtEveryStepButBeyondTheLimitOfAPenalty) {
+    for (const ResponseKind kind : every_response) {
+        EXPECT_LT(lay_on_slope(kind, Real(1) / 960).drift, 1e-6) << name_of(kind);
+        const double drift = lay_on_slope(kind, Real(1) / 60).drift;
+        const bool is_hard = kind == ResponseKind::Projection || kind == ResponseKind::Impulse;
+        EXPECT_EQ(drift < 1e-6, is_hard) << name_of(kind) << ": " << drift << " m/s";
+    }
+}
+
+TEST(LabPenaltyLimit, FallsWithTheRootOfTheStiffnessAndIsNearThePrediction) {
+    const PenaltyLimit soft = find_penalty_limit(100, Real(0.5)), stiff = find_penalty_limit(10000, Real(0.5));
+    EXPECT_NEAR(soft.measured / stiff.measured, 10, 0.3);
+    EXPECT_NEAR(soft.predicted / stiff.predicted, 10, 1e-3);
+    EXPECT_NEAR(soft.measured / soft.predicted, 1, 0.1);
+}
+
+TEST(LabResponses, WritesARowAStepAndARowALimit) {
+    const LabFolder folder;
+    const LabRun run = folder.run({"responses", "--quick", "--cases", "16-17", "--out", "out"});
+    ASSERT_EQ(run.code, 0) << run.err;
+    const auto rows = table_of(folder, "out/responses.csv");
+    ASSERT_EQ(rows.size(), 3u);
+    EXPECT_THAT(rows[1], HasSubstr("16,step,hybrid,0.00026042,"));
+    EXPECT_THAT(rows[2], HasSubstr("17,limit,penalty,nan,"));
+    EXPECT_THAT(run.out, HasSubstr("penalty of 100 N/m, restitution 0: longest step predicted 6.17 ms, measured "));
+}
+
+}  // namespace
+}  // namespace drape

@@ -1,0 +1,102 @@
+// The ball that the user leads, drops and throws, and what the user is told of balls that are too fast.
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include "drape/sim/scene.h"
+#include "small_scene.h"
+#include "support/input_errors.h"
+
+namespace drape {
+namespace {
+
+using testing::AllOf;
+using testing::HasSubstr;
+using testing::IsEmpty;
+
+Simulation shipped(const std::string& name, const std::vector<std::string>& assignments = {}) {
+    Settings settings = load_scene(name);
+    for (const std::string& assignment : assignments) assign(settings, assignment);
+    return {name, std::move(settings)};
+}
+
+TEST(UsersBall, IsLedByTheKeysWhateverMovedItAndGivenBackByAReset) {
+    for (const std::string scene : {"drop", "curtain", "trampoline"}) {
+        Simulation simulation = shipped(scene);
+        const BallMotion motion = simulation.settings().balls[0].motion;
+        const Vec3 start = simulation.balls()[0].centre;
+        send(simulation, "steer 0 1 0");
+        make_steps(simulation, 500);
+        EXPECT_GT(simulation.balls()[0].velocity.y(), 0.3) << scene;
+        send(simulation, "reset");
+        EXPECT_EQ(simulation.settings().balls[0].motion, motion) << scene;
+        EXPECT_EQ(simulation.balls()[0].centre, start) << scene;
+    }
+}
+
+TEST(UsersBall, FallsWhenItIsLetGo) {
+    Simulation simulation = shipped("original", {"ball.position=5,0,0"});
+    send(simulation, "fall");
+    make_steps(simulation, 320);
+    EXPECT_NEAR(simulation.balls()[0].centre.y(), -9.81 * 0.01 / 2, 1e-3);
+    send(simulation, "steer 1 0 0");
+    make_steps(simulation, 1000);
+    EXPECT_NEAR(simulation.balls()[0].velocity.y(), 0, 0.05) << "the keys have it again";
+}
+
+TEST(UsersBall, FliesWhereItIsThrown) {
+    Simulation simulation = shipped("drop");
+    send(simulation, "throw 5 1 0 3 2 0");
+    make_steps(simulation, 320);
+    const Ball& ball = simulation.balls()[0];
+    EXPECT_NEAR(ball.centre.x(), 5.3, 1e-6);
+    EXPECT_NEAR(ball.centre.y(), 1.2 - 9.81 * 0.01 / 2, 1e-3);
+}
+
+TEST(UsersBall, CannotBeThrownWhereThereIsNone) {
+    Simulation simulation = shipped("hang");
+    EXPECT_THAT(input_error_of([&] { send(simulation, "throw 0 1 0 0 0 0"); }), HasSubstr("no ball"));
+    EXPECT_THAT(input_error_of([&] { send(simulation, "fall"); }), HasSubstr("no ball"));
+    send(simulation, "steer 1 0 0");
+}
+
+TEST(Bullet, IsCaughtByTheSheet) {
+    Simulation simulation = shipped("bullet");
+    while (simulation.report().time < 0.5) {
+        simulation.step();
+        ASSERT_EQ(simulation.report().status, Status::Ok) << simulation.report().trouble;
+        ASSERT_LT(simulation.balls()[0].centre.z(), 0.7) << "the sheet lets it no farther";
+    }
+    EXPECT_THAT(simulation.run_warning(), IsEmpty());
+    EXPECT_LT(simulation.balls()[0].velocity.z(), 1);
+}
+
+TEST(CrossingWarning, NamesTheSpeedsOnceForEachDanger) {
+    const std::vector<std::string> fast{"ball.motion=free", "ball.position=0,0.75,-3", "ball.velocity=0,0,30",
+                                        "integrator=backward_euler", "dt=0.016666666666666666"};
+    std::vector<std::string> blind = fast;
+    blind.emplace_back("contact.continuous=false");
+    Simulation simulation = shipped("curtain", blind);
+    EXPECT_THAT(simulation.crossing_warning(), IsEmpty());
+    simulation.step();
+    EXPECT_LT(simulation.balls()[0].centre.z(), -2) << "before it can have crossed";
+    EXPECT_THAT(simulation.crossing_warning(), AllOf(HasSubstr("30"), HasSubstr("above 6.66 m/s")));
+    make_steps(simulation, 5);
+    EXPECT_EQ(simulation.report().crossing.starts, 1);
+
+    Simulation automatic = shipped("curtain", fast), slow = shipped("curtain", {"contact.continuous=false"});
+    make_steps(automatic, 6), make_steps(slow, 100);
+    EXPECT_THAT(automatic.crossing_warning(), IsEmpty());
+    EXPECT_THAT(slow.crossing_warning(), IsEmpty());
+}
+
+TEST(PenaltyLimit, JoinsTheWarningOfTheStep) {
+    const std::vector<std::string> stiff{"contact.stiffness=4000", "contact.response=penalty"};
+    EXPECT_THAT(shipped("drop", stiff).step_warning(),
+                AllOf(HasSubstr("1.6 times the step limit of the penalty"), HasSubstr("4000 N/m")));
+    EXPECT_THAT(shipped("drop", {"contact.stiffness=1500", "contact.response=hybrid"}).step_warning(), IsEmpty());
+    EXPECT_THAT(shipped("drop", {"contact.stiffness=4000"}).step_warning(), IsEmpty()) << "projection has no limit";
+}
+
+}  // namespace
+}  // namespace drape
