@@ -171,14 +171,12 @@ TEST(StepsInContact, AreDividedUnderAnImplicitMethodAlone) {
 }
 
 TEST(RestingContact, NeitherCreepsNorQuiversAtALongStep) {
-    for (const std::string integrator : {"backward_euler"}) {
-        Simulation simulation =
-            scene_with("drop", {"integrator=" + integrator, "dt=0.016666666666666666", "sleep_speed=0"});
-        run_until(simulation, 5);
-        const Points there = simulation.cloths()[0].state.x;
-        run_until(simulation, 6);
-        EXPECT_LT((simulation.cloths()[0].state.x - there).rowwise().norm().maxCoeff(), 1e-4) << integrator;
-    }
+    Simulation simulation = scene_with("drop", {"cloth.particles=14,14", "cloth.drag=3e-3", "integrator=backward_euler",
+                                                "dt=0.016666666666666666", "sleep_speed=0"});
+    run_until(simulation, 5);
+    const Points there = simulation.cloths()[0].state.x;
+    run_until(simulation, 6);
+    EXPECT_LT((simulation.cloths()[0].state.x - there).rowwise().norm().maxCoeff(), 1e-4);
 }
 
 TEST(FreeBall, FallsOnTheGroundAndRollsWithoutSliding) {
