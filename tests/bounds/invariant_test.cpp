@@ -84,8 +84,7 @@ TYPED_TEST(Invariant, HoldsForTheSpheresThatASearchEndsAt) {
             tree.query({.centre = Vec3::Zero(), .radius = 99}, found);
             ASSERT_EQ(found.stopped.size(), 16u);
             for (const StoppedNode& node : found.stopped) {
-                const Patch patch =
-                    patch_of(grid, node, cloth.x);
+                const Patch patch = patch_of(grid, node, cloth.x);
                 EXPECT_LE(test::farthest_out(node.sphere, patch), 1e-12L) << static_cast<int>(update);
             }
         }

@@ -67,6 +67,11 @@ public:
     void build(const Points& /*from*/, const Points& /*to*/) override {}
     TraversalStats query(const Ball& /*ball*/, Candidates& found) override { return nothing(found); }
     TraversalStats query(const SweptBall& /*ball*/, Candidates& found) override { return nothing(found); }
+    TraversalStats query(const BroadPhase& /*other*/, Real /*margin*/, const FoldTest* /*folds*/,
+                         std::vector<LeafPair>& pairs) override {
+        pairs.clear();
+        return {};
+    }
     TraversalStats query_below(Real /*height*/, Candidates& found) const override { return nothing(found); }
     [[nodiscard]] bool may_touch(const Ball& /*ball*/, Real /*displacement*/) const override { return true; }
     [[nodiscard]] bool may_touch(const SweptBall& /*ball*/, Real /*displacement*/) const override { return true; }

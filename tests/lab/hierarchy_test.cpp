@@ -121,6 +121,10 @@ public:
         return stats;
     }
     TraversalStats query(const SweptBall& ball, Candidates& found) override { return right_->query(ball, found); }
+    TraversalStats query(const BroadPhase& other, Real margin, const FoldTest* folds,
+                         std::vector<LeafPair>& pairs) override {
+        return right_->query(other, margin, folds, pairs);
+    }
     TraversalStats query_below(Real y, Candidates& found) const override { return right_->query_below(y, found); }
     [[nodiscard]] bool may_touch(const Ball& ball, Real d) const override { return right_->may_touch(ball, d); }
     [[nodiscard]] bool may_touch(const SweptBall& ball, Real d) const override { return right_->may_touch(ball, d); }

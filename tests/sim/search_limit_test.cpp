@@ -99,7 +99,8 @@ TEST(SearchAudit, TellsTrueNodesFromFalse) {
     const Grid grid{5, 3};
     Points x(grid.particles(), 3);
     for (int p = 0; p < grid.particles(); ++p) x.row(p) << Real(p % 5), 0, Real(p / 5);
-    const StoppedNode left{{Vec3(1, 0, 1), Real(1.5)}, 1, 0, 0, 2, 2}, right{{Vec3(3, 0, 1), Real(1.5)}, 3, 2, 0, 4, 2};
+    const StoppedNode left{{.i0 = 0, .j0 = 0, .i1 = 2, .j1 = 2}, {Vec3(1, 0, 1), Real(1.5)}, 1};
+    const StoppedNode right{{.i0 = 2, .j0 = 0, .i1 = 4, .j1 = 2}, {Vec3(3, 0, 1), Real(1.5)}, 3};
     const Ball ball{.centre = Vec3(Real(1.4), Real(0.2), 1), .radius = Real(0.5)};
     SearchAudit audit(grid, Kernels::Vector);
     EXPECT_EQ(audit.false_contacts(x, ball, 0, std::vector{left}), 0);
