@@ -5,12 +5,41 @@
 
 namespace drape {
 
-/// Moves (or speeds up) a contact's corners, each by its share w_k / m_k of a push at the contact point.
-inline void push_corners(const ClothModel& model, const Contact& contact, const Vec3& push, Points& p) {
+/// Adds a particle to those that a contact pushes.
+inline void add_particle(std::span<const ClothInContact> cloths, int cloth, int particle, Real weight,
+                         ContactPlane& contact) {
+    if (weight == 0) return;
+    const Real inverse_mass = cloths[static_cast<std::size_t>(cloth)].model.inverse_mass[particle];
+    contact.particles[static_cast<std::size_t>(contact.particle_count++)] = {cloth, particle, weight,
+                                                                             weight * inverse_mass};
+}
+
+/// The particles that a contact pushes.
+inline void list_particles(std::span<const ClothInContact> cloths, Contact& contact) {
+    contact.particle_count = 0;
     for (std::size_t k = 0; k < 3; ++k) {
-        const int corner = contact.corners[k];
-        p.row(corner) += contact.barycentric[k] * model.inverse_mass[corner] * push.transpose();
+        add_particle(cloths, contact.cloth, contact.corners[k], contact.barycentric[k], contact);
     }
+}
+inline void list_particles(std::span<const ClothInContact> cloths, PairContact& contact) {
+    const auto& [numbers, first_count, particles] = contact.pair.features;
+    contact.particle_count = 0;
+    for (std::size_t k = 0; k < 4; ++k) {
+        const bool of_first = static_cast<int>(k) < first_count;
+        const Real weight = contact.pair.weights[k];
+        add_particle(cloths, numbers[of_first ? 0 : 1], particles[k], of_first ? weight : -weight, contact);
+    }
+}
+
+/// What a contact has of the motion of its particles.
+/// @param of_cloth of_cloth(number) is n x 3, a row a particle
+template <class OfCloth>
+Vec3 weighted_sum(const ContactPlane& contact, OfCloth of_cloth) {
+    Vec3 sum = Vec3::Zero();
+    for (const PushedParticle& p : contact.pushed()) {
+        sum += p.weight * position(of_cloth(p.cloth), p.particle);
+    }
+    return sum;
 }
 
 /// From a ball's centre to where it touches; `normal` leads out of it.
@@ -28,6 +57,7 @@ struct BallDisplacements {
     void push_ball(int number, const Vec3& normal, const Vec3& push) {
         if (number == the_ground) return;
         Ball& ball = balls[static_cast<std::size_t>(number)];
+        if (ball.inverse_mass == 0) return;
         ball.moved += ball.inverse_mass * push;
         ball.centre += ball.inverse_mass * push;
         ball.turned += ball.inverse_inertia() * arm(ball, normal).cross(push);
@@ -46,20 +76,11 @@ struct BallVelocities {
     void push_ball(int number, const Vec3& normal, const Vec3& push) {
         if (number == the_ground) return;
         Ball& ball = balls[static_cast<std::size_t>(number)];
+        if (ball.inverse_mass == 0) return;
         ball.velocity += ball.inverse_mass * push;
         ball.spin += ball.inverse_inertia() * arm(ball, normal).cross(push);
     }
 };
-
-/// Calls visit(cloth, particle, share) for each particle of a pair of features; the shares of the second are negative.
-template <class Visit>
-void for_each_particle_of(const NearPair& pair, Visit visit) {
-    const auto& [cloths, first_count, particles] = pair.features;
-    for (std::size_t k = 0; k < 4; ++k) {
-        const bool of_first = static_cast<int>(k) < first_count;
-        visit(cloths[of_first ? 0 : 1], particles[k], of_first ? pair.weights[k] : -pair.weights[k]);
-    }
-}
 
 /// Displacements within the substep, of cloths and balls.
 struct Displacements : BallDisplacements {
@@ -69,10 +90,7 @@ struct Displacements : BallDisplacements {
         : BallDisplacements{all_balls}, cloths(all_cloths) {}
 
     [[nodiscard]] Points& of_cloth(int number) const { return cloths[static_cast<std::size_t>(number)].state.x; }
-    [[nodiscard]] Vec3 of_first(const Contact& contact) const {
-        return at_point(contact, of_cloth(contact.cloth)) - contact.start;
-    }
-    static Vec3 since(const PairContact& contact, const Vec3& now) { return now - contact.start; }
+    static Vec3 since_start(const ContactPlane& contact, const Vec3& now) { return now - contact.start; }
     static ContactPush& given(ContactPlane& contact) { return contact.displacement; }
 };
 
@@ -84,48 +102,53 @@ struct Velocities : BallVelocities {
         : BallVelocities{all_balls}, cloths(all_cloths) {}
 
     [[nodiscard]] Points& of_cloth(int number) const { return cloths[static_cast<std::size_t>(number)].state.v; }
-    [[nodiscard]] Vec3 of_first(const Contact& contact) const { return at_point(contact, of_cloth(contact.cloth)); }
-    static Vec3 since(const PairContact& /*contact*/, const Vec3& now) { return now; }
+    static Vec3 since_start(const ContactPlane& /*contact*/, const Vec3& now) { return now; }
     static ContactPush& given(ContactPlane& contact) { return contact.impulse; }
 };
 
 /// Motion of one kind, asked of each body.
 template <class Motion>
-concept BodyMotion = requires(const Motion& motion, const Contact& contact) {
-    motion.of_first(contact);
+concept BodyMotion = requires(const Motion& motion) {
+    motion.of_cloth(0);
 };
+
+template <BodyMotion Motion>
+Vec3 of_particles(const Motion& motion, const ContactPlane& contact) {
+    const auto of_cloth = [&](int cloth) -> const Points& { return motion.of_cloth(cloth); };
+    return motion.since_start(contact, weighted_sum(contact, of_cloth));
+}
 
 /// How the first body of a contact moves against the second.
 template <BodyMotion Motion>
 Vec3 relative(const Motion& motion, const Contact& contact) {
-    return motion.of_first(contact) - motion.of_ball(contact.ball, contact.normal);
+    return of_particles(motion, contact) - motion.of_ball(contact.ball, contact.normal);
 }
 template <BodyMotion Motion>
 Vec3 relative(const Motion& motion, const PairContact& contact) {
-    Vec3 sum = Vec3::Zero();
-    for_each_particle_of(contact.pair, [&](int cloth, int particle, Real share) {
-        sum += share * position(motion.of_cloth(cloth), particle);
-    });
-    return motion.since(contact, sum);
+    return of_particles(motion, contact);
 }
 template <BodyMotion Motion>
 Vec3 relative(const Motion& motion, const BallContact& contact) {
     return motion.of_ball(contact.first, -contact.normal) - motion.of_ball(contact.ball, contact.normal);
 }
 
+/// Moves, or speeds up, the particles of a contact by their shares of a push.
+template <BodyMotion Motion>
+void push_particles(Motion& motion, const ContactPlane& contact, const Vec3& push) {
+    for (const PushedParticle& p : contact.pushed()) {
+        motion.of_cloth(p.cloth).row(p.particle) += p.share * push.transpose();
+    }
+}
+
 /// Pushes the first body of a contact, and the second the other way.
 template <BodyMotion Motion>
 void push_apart(Motion& motion, const Contact& contact, const Vec3& push) {
-    const ClothModel& model = motion.cloths[static_cast<std::size_t>(contact.cloth)].model;
-    push_corners(model, contact, push, motion.of_cloth(contact.cloth));
+    push_particles(motion, contact, push);
     motion.push_ball(contact.ball, contact.normal, -push);
 }
 template <BodyMotion Motion>
 void push_apart(Motion& motion, const PairContact& contact, const Vec3& push) {
-    for_each_particle_of(contact.pair, [&](int cloth, int particle, Real share) {
-        const ClothModel& model = motion.cloths[static_cast<std::size_t>(cloth)].model;
-        motion.of_cloth(cloth).row(particle) += share * model.inverse_mass[particle] * push.transpose();
-    });
+    push_particles(motion, contact, push);
 }
 template <BodyMotion Motion>
 void push_apart(Motion& motion, const BallContact& contact, const Vec3& push) {

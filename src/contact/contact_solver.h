@@ -1,6 +1,7 @@
 #pragma once
 
 #include <algorithm>
+#include <cmath>
 
 #include "contact_motion.h"
 
@@ -32,24 +33,31 @@ void for_each_contact(ContactProblem& problem, Visit visit) {
     for (BallContact& contact : problem.ball_contacts) visit(contact);
 }
 
+/// Chooses the contacts that a solve is about.
+template <class TakesPart>
+void choose(ContactProblem& problem, TakesPart takes_part) {
+    for_each_contact(
+        problem, [&](ContactPlane& contact) { contact.takes_part = contact.inverse_mass > 0 && takes_part(contact); });
+}
+
 /// What friction is to give to a contact in all, to stop what is left of its sliding, within Coulomb's cone.
 /// @param most it may give
 inline Vec3 friction_within(const ContactPlane& contact, const ContactPush& given, const Vec3& sliding, Real most) {
-    const Vec3 wanted = given.friction - sliding / contact.sliding_inverse_mass;
-    const Real length = wanted.norm();
-    return length > most ? Vec3(most / length * wanted) : wanted;
+    const Vec3 wanted = given.friction - contact.sliding_mass * sliding;
+    const Real square = wanted.squaredNorm();
+    return square > most * most ? Vec3(most / std::sqrt(square) * wanted) : wanted;
 }
 
 /// Solves one contact for itself: its push along the normal grows by what its target lacks, n J >= 0, and friction
 /// stops what slides, as far as |F| <= mu J lets it. @cite catto2005
-/// @return by how much that changes its motion [m or m/s]
+/// @return the square of how much that changes its motion [m^2 or m^2/s^2]
 template <class Motion, class AnyContact>
 Real solve_contact(Motion& motion, AnyContact& contact) {
-    if (contact.inverse_mass == 0) return 0;
+    if (!contact.takes_part) return 0;
     ContactPush& given = Motion::given(contact);
     const Vec3 moves = relative(motion, contact);
     const Real along = moves.dot(contact.normal);
-    const Real normal = std::max(given.normal + (given.target - along) / contact.inverse_mass, Real(0));
+    const Real normal = std::max(given.normal + (given.target - along) * contact.mass, Real(0));
     const Vec3 friction =
         friction_within(contact, given, moves - along * contact.normal, contact.friction_coefficient * normal);
     const Vec3 push = (normal - given.normal) * contact.normal + (friction - given.friction);
@@ -57,21 +65,21 @@ Real solve_contact(Motion& motion, AnyContact& contact) {
     given.normal = normal;
     given.friction = friction;
     push_apart(motion, contact, push);
-    return push.norm() * contact.inverse_mass;
+    return push.squaredNorm() * contact.inverse_mass * contact.inverse_mass;
 }
 
 /// The same where the push along the normal is fixed: friction alone.
 template <class Motion, class AnyContact>
 Real solve_friction(Motion& motion, AnyContact& contact) {
     ContactPush& given = Motion::given(contact);
-    if (contact.inverse_mass == 0 || given.normal == 0) return 0;
+    if (!contact.takes_part || given.normal == 0) return 0;
     const Vec3 moves = relative(motion, contact);
     const Vec3 sliding = moves - moves.dot(contact.normal) * contact.normal;
     const Vec3 friction = friction_within(contact, given, sliding, contact.friction_coefficient * given.normal);
     const Vec3 push = friction - given.friction;
     given.friction = friction;
     push_apart(motion, contact, push);
-    return push.norm() * contact.inverse_mass;
+    return push.squaredNorm() * contact.inverse_mass * contact.inverse_mass;
 }
 
 /// What came of sweeps.
@@ -83,16 +91,18 @@ struct Sweeps {
 /// At most this many sweeps. A cloth of a thousand contacts at rest needs ten to thirty.
 inline constexpr int most_sweeps = 60;
 
-/// Sweeps over all contacts until none changes by more than the tolerance.
-/// @param solve solve(contact) returns its change
+/// Sweeps over the contacts until none changes by more than the tolerance.
+/// @param solve solve(contact) returns the square of its change
 template <class Solve>
 Sweeps sweep_until(ContactProblem& problem, Real tolerance, Solve solve) {
     Sweeps sweeps;
+    Real square = 0;
     do {
-        sweeps.residual = 0;
-        for_each_contact(problem, [&](auto& contact) { sweeps.residual = std::max(sweeps.residual, solve(contact)); });
+        square = 0;
+        for_each_contact(problem, [&](auto& contact) { square = std::max(square, solve(contact)); });
         ++sweeps.count;
-    } while (sweeps.residual > tolerance && sweeps.count < most_sweeps);
+    } while (square > tolerance * tolerance && sweeps.count < most_sweeps);
+    sweeps.residual = std::sqrt(square);
     return sweeps;
 }
 

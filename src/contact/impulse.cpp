@@ -24,9 +24,9 @@ void aim_impulse(const ContactProblem& problem, AnyContact& contact) {
 Sweeps solve_impulses(ContactProblem& problem, bool (*takes_part)(const ContactProblem&, const ContactPlane&)) {
     Impacts motion{problem.displacements(), problem.velocities(), problem.h, problem.resting};
     for_each_contact(problem, [&](auto& contact) { aim_impulse(problem, contact); });
-    return sweep_until(problem, velocity_tolerance(problem), [&](auto& contact) {
-        return takes_part(problem, contact) ? solve_contact(motion, contact) : Real(0);
-    });
+    choose(problem, [&](const ContactPlane& contact) { return takes_part(problem, contact); });
+    return sweep_until(problem, velocity_tolerance(problem),
+                       [&](auto& contact) { return solve_contact(motion, contact); });
 }
 
 ResponseReport respond_by_impulses(ContactProblem& problem) {

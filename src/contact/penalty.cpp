@@ -25,7 +25,6 @@ Real damping_ratio(Real restitution) {
 /// The impulse of one contact's spring and damper in the substep.
 template <class AnyContact>
 Real penalty_of(const ContactProblem& problem, const AnyContact& contact) {
-    if (contact.inverse_mass == 0) return 0;
     const Real stiffness = problem.parameters.stiffness;
     const Real damping =
         2 * damping_ratio(restitution_of(problem.parameters, contact)) * std::sqrt(stiffness / contact.inverse_mass);
@@ -50,17 +49,16 @@ Real penalty_step_limit(Real stiffness, Real restitution, Real inverse_mass) {
 }
 
 Sweeps solve_penalties(ContactProblem& problem, bool (*takes_part)(const ContactProblem&, const ContactPlane&)) {
+    choose(problem, [&](const ContactPlane& contact) { return takes_part(problem, contact); });
     for_each_contact(problem, [&](auto& contact) {
-        if (takes_part(problem, contact)) push_by_penalty(problem, contact);
+        if (contact.takes_part) push_by_penalty(problem, contact);
     });
     Displacements displacements = problem.displacements();
-    const Sweeps sweeps = sweep_until(problem, displacement_tolerance(problem), [&](auto& contact) {
-        return takes_part(problem, contact) ? solve_friction(displacements, contact) : Real(0);
-    });
+    const Sweeps sweeps = sweep_until(problem, displacement_tolerance(problem),
+                                      [&](auto& contact) { return solve_friction(displacements, contact); });
     Velocities velocities = problem.velocities();
-    const Sweeps more = sweep_until(problem, velocity_tolerance(problem), [&](auto& contact) {
-        return takes_part(problem, contact) ? solve_friction(velocities, contact) : Real(0);
-    });
+    const Sweeps more = sweep_until(problem, velocity_tolerance(problem),
+                                    [&](auto& contact) { return solve_friction(velocities, contact); });
     return {sweeps.count + more.count, std::max(sweeps.residual, more.residual * problem.h)};
 }
 

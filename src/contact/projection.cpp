@@ -38,6 +38,7 @@ void project_positions(ContactProblem& problem, ResponseReport& report) {
     for (int round = 0; round < most_rounds; ++round) {
         for_each_contact(problem, [&](auto& contact) { aim_displacement(motion, problem.balls, contact); });
         const bool moves_far = longest_push(problem) > short_push;
+        choose(problem, [](const ContactPlane& /*contact*/) { return true; });
         const Sweeps sweeps = sweep_until(problem, displacement_tolerance(problem),
                                           [&](auto& contact) { return solve_contact(motion, contact); });
         report.sweeps += sweeps.count;
@@ -48,11 +49,7 @@ void project_positions(ContactProblem& problem, ResponseReport& report) {
 }
 
 /// Contacts that carry nothing, and were given nothing, are free to part, and to meet in a later step.
-template <class AnyContact>
-Real stop_if_loaded(Velocities& motion, AnyContact& contact) {
-    const bool loaded = contact.displacement.normal > 0 || contact.impulse.normal > 0;
-    return loaded ? solve_contact(motion, contact) : Real(0);
-}
+bool is_loaded(const ContactPlane& contact) { return contact.displacement.normal > 0 || contact.impulse.normal > 0; }
 
 }  // namespace
 
@@ -60,8 +57,9 @@ ResponseReport respond_by_projection(ContactProblem& problem) {
     ResponseReport report;
     project_positions(problem, report);
     Velocities motion = problem.velocities();
+    choose(problem, is_loaded);
     report.sweeps += sweep_until(problem, velocity_tolerance(problem), [&](auto& contact) {
-                         return stop_if_loaded(motion, contact);
+                         return solve_contact(motion, contact);
                      }).count;
     return report;
 }

@@ -1,5 +1,6 @@
 #include "drape/contact/response.h"
 
+#include <algorithm>
 #include <cmath>
 #include <limits>
 
@@ -28,12 +29,11 @@ constexpr Real least_share = Real(0.05);
 
 /// What a push at the contact point meets: 1/m = sum w_k^2 / m_k over its corners. Zero if nothing can move, and where
 /// the point hangs on pinned corners so nearly that a push would throw the free one far.
-Real inverse_mass_at(const ClothModel& model, const Contact& contact) {
+Real inverse_mass_of_particles(const ContactPlane& contact) {
     Real sum = 0, largest = 0;
-    for (std::size_t k = 0; k < 3; ++k) {
-        const Real inverse_mass = model.inverse_mass[contact.corners[k]];
-        sum += contact.barycentric[k] * contact.barycentric[k] * inverse_mass;
-        largest = std::max(largest, inverse_mass);
+    for (const PushedParticle& p : contact.pushed()) {
+        sum += p.weight * p.share;
+        largest = std::max(largest, p.share / p.weight);
     }
     return sum < least_share * largest ? Real(0) : sum;
 }
@@ -45,22 +45,31 @@ Real inverse_mass_of(int number, std::span<const Ball> balls) {
     return number == the_ground ? Real(0) : balls[static_cast<std::size_t>(number)].inverse_mass;
 }
 
-/// What a push meets at the points of both features.
-Real inverse_mass_at(std::span<const ClothInContact> cloths, const NearPair& pair) {
-    Real sum = 0, largest = 0;
-    for_each_particle_of(pair, [&](int cloth, int particle, Real share) {
-        const Real inverse_mass = cloths[static_cast<std::size_t>(cloth)].model.inverse_mass[particle];
-        sum += share * share * inverse_mass;
-        largest = std::max(largest, inverse_mass);
-    });
-    return sum < least_share * largest ? Real(0) : sum;
+/// The weighted sum of where its particles were at the start of the substep.
+Vec3 start_of(const ContactProblem& problem, const ContactPlane& contact) {
+    return weighted_sum(
+        contact, [&](int cloth) -> const Points& { return problem.cloths[static_cast<std::size_t>(cloth)].before; });
 }
 
-/// Of both bodies, along the normal and across it.
-void set_inverse_masses(const ContactProblem& problem, Real first, Real first_sliding, BodyContact& contact) {
-    const Real second = inverse_mass_of(contact.ball, problem.balls);
-    contact.inverse_mass = first + second;
-    contact.sliding_inverse_mass = first_sliding + sliding_share * second;
+/// @param inverse, sliding inverse masses of both bodies together, along the normal and across it
+void set_masses(Real inverse, Real sliding, ContactPlane& contact) {
+    contact.inverse_mass = inverse;
+    contact.mass = inverse > 0 ? 1 / inverse : Real(0);
+    contact.sliding_mass = sliding > 0 ? 1 / sliding : Real(0);
+}
+
+/// Where the particles of a contact were, and what a push meets.
+void set_particles(const ContactProblem& problem, Contact& contact) {
+    list_particles(problem.cloths, contact);
+    contact.start = start_of(problem, contact);
+    const Real first = inverse_mass_of_particles(contact), second = inverse_mass_of(contact.ball, problem.balls);
+    set_masses(first + second, first + sliding_share * second, contact);
+}
+void set_particles(const ContactProblem& problem, PairContact& contact) {
+    list_particles(problem.cloths, contact);
+    contact.start = start_of(problem, contact);
+    const Real inverse_mass = inverse_mass_of_particles(contact);
+    set_masses(inverse_mass, inverse_mass, contact);
 }
 
 Real friction_of(const ResponseParameters& parameters, const BodyContact& contact) {
@@ -82,15 +91,6 @@ void prepare(ContactProblem& problem, AnyContact& contact) {
     }
 }
 
-/// From the second feature's point to the first's at the start of the substep.
-Vec3 offset_before(std::span<const ClothInContact> cloths, const NearPair& pair) {
-    Vec3 offset = Vec3::Zero();
-    for_each_particle_of(pair, [&](int cloth, int particle, Real share) {
-        offset += share * position(cloths[static_cast<std::size_t>(cloth)].before, particle);
-    });
-    return offset;
-}
-
 const ClothInContact& cloth_of(const ContactProblem& problem, const Contact& contact) {
     return problem.cloths[static_cast<std::size_t>(contact.cloth)];
 }
@@ -110,22 +110,20 @@ void prepare_all(ContactProblem& problem) {
         const ClothInContact& cloth = problem.cloths[c];
         for (Contact& contact : cloth.contacts) {
             contact.cloth = static_cast<int>(c);
-            contact.start = at_point(contact, cloth.before);
-            const Real inverse_mass = inverse_mass_at(cloth.model, contact);
-            set_inverse_masses(problem, inverse_mass, inverse_mass, contact);
+            set_particles(problem, contact);
             follow(problem, contact);
             prepare(problem, contact);
         }
     }
     for (PairContact& contact : problem.pairs) {
-        contact.start = offset_before(problem.cloths, contact.pair);
-        contact.inverse_mass = contact.sliding_inverse_mass = inverse_mass_at(problem.cloths, contact.pair);
+        set_particles(problem, contact);
         follow(problem, contact);
         prepare(problem, contact);
     }
     for (BallContact& contact : problem.ball_contacts) {
-        const Real inverse_mass = inverse_mass_of(contact.first, problem.balls);
-        set_inverse_masses(problem, inverse_mass, sliding_share * inverse_mass, contact);
+        const Real inverse_mass =
+            inverse_mass_of(contact.first, problem.balls) + inverse_mass_of(contact.ball, problem.balls);
+        set_masses(inverse_mass, sliding_share * inverse_mass, contact);
         prepare(problem, contact);
     }
 }
@@ -193,10 +191,8 @@ void find_again(const ContactProblem& problem, Contact& contact) {
     } else {
         locate(cloth.state.x, ball_of(contact, problem.balls), thickness, contact);
     }
-    contact.start = at_point(contact, cloth.before);
+    set_particles(problem, contact);
     contact.displacement.friction -= contact.displacement.friction.dot(contact.normal) * contact.normal;
-    const Real inverse_mass = inverse_mass_at(cloth.model, contact);
-    set_inverse_masses(problem, inverse_mass, inverse_mass, contact);
 }
 
 /// On the sides where they were at the start.

@@ -71,8 +71,7 @@ void WarmStart<AnyContact>::take(const ResponseParameters& parameters, Real h, R
                                  std::vector<AnyContact>& contacts) {
     last_.clear();
     const Real h_before = h_ > 0 ? h_ : h, factor = h / h_before;
-    const Real share =
-        parameters.kind == ResponseKind::Impulse ? displacement_share(parameters.integrator) : Real(1);
+    const Real share = parameters.kind == ResponseKind::Impulse ? displacement_share(parameters.integrator) : Real(1);
     h_ = h;
     if (!solves_for_pushes(parameters.kind)) return;
     is_explicit_ = has_step_limit(parameters.integrator);

@@ -22,11 +22,11 @@ inline constexpr auto enum_names<ResponseKind> = all_names<ResponseKind>("projec
 
 struct ResponseParameters {
     ResponseKind kind = ResponseKind::Projection;
-    Real friction = Real(0.3);     ///< Coulomb coefficient on balls
-    Real restitution = 0;          ///< of the normal speed, on balls
-    Real thickness = Real(0.002);  ///< [m]
+    Real friction = Real(0.3);          ///< Coulomb coefficient on balls
+    Real restitution = 0;               ///< of the normal speed, on balls
+    Real thickness = Real(0.002);       ///< [m]
     Real pair_thickness = Real(0.002);  ///< at which cloth keeps away from cloth [m]
-    Real stiffness = 1000;         ///< of the penalty's springs, one a contact [N/m]
+    Real stiffness = 1000;              ///< of the penalty's springs, one a contact [N/m]
     Ground ground = {.solid = false};
     IntegratorKind integrator = IntegratorKind::SymplecticEuler;  ///< that makes the substeps between responses
 };
