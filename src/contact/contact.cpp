@@ -37,8 +37,9 @@ bool add_contacts(const Grid& grid, const Points& x, const Ball& ball, int ball_
     contact.triangle = triangle;
     contact.corners = grid.triangle_corners(triangle);
     if (!locate(x, ball, thickness, contact)) return false;
+    const unsigned owned = owned_corners(grid, triangle, triangle / 2 / grid.cell_columns());
     for (std::size_t k = 0; k < 3; ++k) {
-        if (!reports_corner(grid, triangle, k)) continue;
+        if ((owned >> k & 1u) == 0) continue;
         Contact of_corner = particle_contact(grid, contact.corners[k]);
         of_corner.ball = ball_number;
         if (locate(x, ball, thickness, of_corner)) contacts.push_back(of_corner);

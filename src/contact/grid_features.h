@@ -16,16 +16,13 @@ inline int owner_of(const Grid& grid, int particle) {
     return 2 * cell + (i == grid.nx - 1 && j == grid.ny - 1 ? 1 : 0);
 }
 
-/// Whether a triangle is the owner of its corner k.
-inline bool reports_corner(const Grid& grid, int triangle, std::size_t k) {
+/// The corners that a triangle is the owner of, a bit each.
+/// @param row of its cell
+inline unsigned owned_corners(const Grid& grid, int triangle, int row) {
     // Of corners a, c, b or b, c, d: a cell's first triangle has a, and at the end of a row or column of cells, b or c
-    const bool first = triangle % 2 == 0;
-    if (first && k == 0) return true;
-    if (!first && k != 2) return false;
-    const int cell = triangle / 2;
-    const bool last_row = cell >= grid.cells() - grid.cell_columns();
-    if (first && k == 1) return last_row;
-    return (first || last_row) && (cell + 1) % grid.cell_columns() == 0;
+    const bool last_row = row == grid.ny - 2, last_column = triangle / 2 + 1 == (row + 1) * grid.cell_columns();
+    if (triangle % 2 != 0) return last_row && last_column ? 0b100u : 0u;
+    return 0b001u | (last_row ? 0b010u : 0u) | (last_column ? 0b100u : 0u);
 }
 
 /// Whether two triangles share the edge opposite to corner k of the first, and the other one is to report it.

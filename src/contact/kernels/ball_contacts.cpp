@@ -8,25 +8,29 @@
 namespace drape::kernels {
 namespace {
 
-/// The contacts of triangles with one ball, in the order in which the triangles come.
+/// The contacts of cells with one ball, in the order in which the cells come.
 class BallContacts {
 public:
     BallContacts(const Grid& grid, const Points& x, const Ball& ball, int ball_number, Real thickness,
                  std::vector<Contact>& contacts)
-        : grid_(grid), x_(x), ball_(ball), ball_number_(ball_number), thickness_(thickness), contacts_(contacts) {
-        const Real radii = ball.radius + thickness;
-        square_ = radii > 0 ? radii * radii : Real(0);
+        : grid_(grid),
+          beyond_a_{0, 1, grid.nx, grid.nx + 1},
+          x_(x),
+          ball_(ball),
+          radii_(ball.radius + thickness),
+          contacts_(contacts) {
+        square_ = radii_ > 0 ? radii_ * radii_ : Real(0);
+        blank_.ball = ball_number;
     }
 
     void add_near_of(const CellBits& bits) {
-        for (std::uint32_t near = bits.near(); near != 0; near &= near - 1) {
-            const int k = std::countr_zero(near), cell = bits.cell + k;
-            if ((bits.first | bits.first_open) >> k & 1u) add(2 * cell);
-            if ((bits.second | bits.second_open) >> k & 1u) add(2 * cell + 1);
-        }
+        for_each_set(grid_, bits, bits.near(), [&](int cell, int a) {
+            batch_.add(grid_, x_, cell, a);
+            if (batch_.full()) report_all();
+        });
     }
 
-    /// Turns the triangles that are left into contacts.
+    /// Turns the cells that are left into contacts.
     /// @return how many cells touch
     std::int64_t finish() {
         report_all();
@@ -34,61 +38,62 @@ public:
     }
 
 private:
-    void add(int triangle) {
-        batch_.add(grid_, x_, triangle);
-        if (batch_.full()) report_all();
-    }
-
     void report_all() {
         find_closest_points(batch_, ball_.centre);
         for (std::size_t k = 0; k < batch_.count; ++k) {
-            if (batch_.square[k] < square_) report(k);
+            const bool first = batch_.closest[0].square[k] < square_, second = batch_.closest[1].square[k] < square_;
+            if (first) report(k, 0);
+            if (second) report(k, 1);
+            touching_ += first || second;
         }
         batch_.count = 0;
     }
 
-    void report(std::size_t k) {
-        const int triangle = batch_.triangle[k];
-        touching_ += triangle / 2 != last_cell_;
-        last_cell_ = triangle / 2;
+    void report(std::size_t k, std::size_t second) {
+        const int triangle = 2 * batch_.cell[k] + static_cast<int>(second), a = batch_.corner_a[k];
+        const unsigned owned = owned_corners(grid_, triangle, a - batch_.cell[k]);
         for (std::size_t corner = 0; corner < 3; ++corner) {
-            if (reports_corner(grid_, triangle, corner)) report_corner(k, corner);
+            if (owned >> corner & 1u) report_corner(k, triangle, corner);
         }
-        const std::array<Real, 3> barycentric{batch_.barycentric[0][k], batch_.barycentric[1][k],
-                                              batch_.barycentric[2][k]};
+        const CellBatch::Closest& closest = batch_.closest[second];
+        const std::array<Real, 3> barycentric{closest.barycentric[0][k], closest.barycentric[1][k],
+                                              closest.barycentric[2][k]};
         if (reported_elsewhere(grid_, triangle, barycentric)) return;
-        Contact& contact = start_contact(triangle);
-        contact.barycentric = barycentric;
-        contact.point = {batch_.point[0][k], batch_.point[1][k], batch_.point[2][k]};
-        touch(x_, ball_, thickness_, contact);
+        const Vec3 point = at(closest.point, k);
+        add(triangle, a, point, point - ball_.centre, closest.square[k]).barycentric = barycentric;
     }
 
-    void report_corner(std::size_t k, std::size_t corner) {
-        const TriangleBatch::Vectors& at = batch_.corners[corner];
-        if (!((Vec3(at[0][k], at[1][k], at[2][k]) - ball_.centre).squaredNorm() < square_)) return;
-        Contact& contact = start_contact(batch_.triangle[k]);
+    void report_corner(std::size_t k, int triangle, std::size_t corner) {
+        const auto second = static_cast<std::size_t>(triangle % 2);
+        const Vec3 point = at(batch_.corners[CellBatch::corners_of[second][corner]], k), offset = point - ball_.centre;
+        const Real square = offset.squaredNorm();
+        if (!(square < square_)) return;
+        Contact& contact = add(triangle, batch_.corner_a[k], point, offset, square);
         contact.of_particle = true;
         contact.barycentric[corner] = 1;
-        locate(x_, ball_, thickness_, contact);
     }
 
-    Contact& start_contact(int triangle) {
-        Contact& contact = contacts_.emplace_back();
-        contact.ball = ball_number_;
+    static Vec3 at(const CellBatch::Vectors& from, std::size_t k) { return {from[0][k], from[1][k], from[2][k]}; }
+
+    Contact& add(int triangle, int a, const Vec3& point, const Vec3& offset, Real square) {
+        Contact& contact = contacts_.emplace_back(blank_);
         contact.triangle = triangle;
-        contact.corners = grid_.triangle_corners(triangle);
+        const auto& corners = CellBatch::corners_of[static_cast<std::size_t>(triangle % 2)];
+        for (std::size_t k = 0; k < 3; ++k) contact.corners[k] = a + beyond_a_[corners[k]];
+        contact.point = point;
+        measure(x_, radii_, offset, square, contact);
         return contact;
     }
 
     const Grid& grid_;
+    std::array<int, 4> beyond_a_;  ///< by how much the numbers of a cell's corners are beyond that of corner a
     const Points& x_;
     const Ball& ball_;
-    int ball_number_;
-    Real thickness_;
-    Real square_;  ///< of the grown ball's radius
+    Real radii_;   ///< of the ball, thickness counted
+    Real square_;  ///< of that
     std::vector<Contact>& contacts_;
-    TriangleBatch batch_;
-    int last_cell_ = -1;
+    Contact blank_;  ///< copied into each: faster than to make one
+    CellBatch batch_;
     std::int64_t touching_ = 0;
 };
 

@@ -13,6 +13,13 @@ HWY_BEFORE_NAMESPACE();
 namespace drape::kernels::HWY_NAMESPACE {
 namespace hn = hwy::HWY_NAMESPACE;
 
+template <class D, class M>
+HWY_INLINE std::uint32_t lane_bits(D d, M mask) {
+    std::uint8_t bytes[8] = {};
+    hn::StoreMaskBits(d, mask, bytes);
+    return bytes[0] | static_cast<std::uint32_t>(bytes[1]) << 8;
+}
+
 /// As many vectors in space as a register has lanes.
 template <class V>
 struct Lanes3 {
@@ -20,7 +27,7 @@ struct Lanes3 {
 };
 
 template <class D>
-HWY_INLINE Lanes3<hn::Vec<D>> load3(D d, const TriangleBatch::Vectors& from, std::size_t k) {
+HWY_INLINE Lanes3<hn::Vec<D>> load3(D d, const CellBatch::Vectors& from, std::size_t k) {
     return {hn::Load(d, from[0].data() + k), hn::Load(d, from[1].data() + k), hn::Load(d, from[2].data() + k)};
 }
 
@@ -109,12 +116,22 @@ HWY_INLINE Regions<D> regions_of(D d, const L& ab, const L& ac, const L& bc, con
             pick(hn::Add(hn::Add(va, vb), vc), hn::Add(along, back), hn::Sub(d2, d6), hn::Sub(d1, d3), one)};
 }
 
-/// @return which of the triangles from k on are needles, a bit each: for them nothing is stored that counts
 template <class D>
-HWY_INLINE std::uint64_t closest_of(D d, TriangleBatch& batch, const Lanes3<hn::Vec<D>>& p, std::size_t k) {
+HWY_INLINE void store3(D d, const Lanes3<hn::Vec<D>>& from, CellBatch::Vectors& to, std::size_t k) {
+    hn::Store(from.x, d, to[0].data() + k);
+    hn::Store(from.y, d, to[1].data() + k);
+    hn::Store(from.z, d, to[2].data() + k);
+}
+
+/// One triangle of each cell from k on.
+/// @return which of them are needles, a bit each: what is stored of these does not count
+template <class D>
+HWY_INLINE std::uint32_t closest_of(D d, CellBatch& batch, const Lanes3<hn::Vec<D>>& p, std::size_t second,
+                                    std::size_t k) {
     using V = hn::Vec<D>;
-    const Lanes3<V> a = load3(d, batch.corners[0], k), b = load3(d, batch.corners[1], k),
-                    c = load3(d, batch.corners[2], k);
+    const auto& corners = CellBatch::corners_of[second];
+    const Lanes3<V> a = load3(d, batch.corners[corners[0]], k), b = load3(d, batch.corners[corners[1]], k),
+                    c = load3(d, batch.corners[corners[2]], k);
     const Lanes3<V> ab = difference(b, a), ac = difference(c, a), bc = difference(c, b);
     const Regions<D> in = regions_of(d, ab, ac, bc, difference(p, a), difference(p, b), difference(p, c));
 
@@ -124,25 +141,19 @@ HWY_INLINE std::uint64_t closest_of(D d, TriangleBatch& batch, const Lanes3<hn::
     const Lanes3<V> inside = moved_along(moved_along(a, v, ab), w, ac);
     const Lanes3<V> other = chosen(in.at_b, b, chosen(in.at_c, c, chosen(in.on_bc, moved_along(b, w, bc), inside)));
     const Lanes3<V> point = chosen(in.at_a, a, other), off = difference(point, p);
-
-    hn::Store(u, d, batch.barycentric[0].data() + k);
-    hn::Store(v, d, batch.barycentric[1].data() + k);
-    hn::Store(w, d, batch.barycentric[2].data() + k);
-    hn::Store(point.x, d, batch.point[0].data() + k);
-    hn::Store(point.y, d, batch.point[1].data() + k);
-    hn::Store(point.z, d, batch.point[2].data() + k);
-    hn::Store(dot3(off, off), d, batch.square.data() + k);
-    std::uint8_t bytes[8] = {};
-    hn::StoreMaskBits(d, in.needle, bytes);
-    return bytes[0] | static_cast<std::uint64_t>(bytes[1]) << 8;
+    CellBatch::Closest& closest = batch.closest[second];
+    store3(d, {u, v, w}, closest.barycentric, k);
+    store3(d, point, closest.point, k);
+    hn::Store(dot3(off, off), d, closest.square.data() + k);
+    return lane_bits(d, in.needle);
 }
 
-std::uint64_t closest_points_of(TriangleBatch& batch, const Vec3& centre) {
+std::uint32_t closest_points_of(CellBatch& batch, std::size_t second, const Vec3& centre) {
     const hn::CappedTag<Real, 16> d;
     const Lanes3<hn::Vec<decltype(d)>> p{hn::Set(d, centre[0]), hn::Set(d, centre[1]), hn::Set(d, centre[2])};
-    std::uint64_t found = 0;
-    for (std::size_t k = 0; k < batch.count; k += hn::Lanes(d)) found |= closest_of(d, batch, p, k) << k;
-    return found;
+    std::uint32_t needles = 0;
+    for (std::size_t k = 0; k < batch.count; k += hn::Lanes(d)) needles |= closest_of(d, batch, p, second, k) << k;
+    return needles;
 }
 
 }  // namespace drape::kernels::HWY_NAMESPACE
@@ -157,24 +168,29 @@ HWY_EXPORT(closest_points_of);
 
 namespace {
 
-void find_of_needle(TriangleBatch& batch, std::size_t k, const Vec3& centre) {
-    const auto corner = [&](const TriangleBatch::Vectors& from) { return Vec3(from[0][k], from[1][k], from[2][k]); };
-    const ClosestPoint closest =
-        closest_point_on_triangle(centre, corner(batch.corners[0]), corner(batch.corners[1]), corner(batch.corners[2]));
+void find_of_needle(CellBatch& batch, std::size_t second, std::size_t k, const Vec3& centre) {
+    const auto corner = [&](std::size_t of_triangle) {
+        const CellBatch::Vectors& at = batch.corners[CellBatch::corners_of[second][of_triangle]];
+        return Vec3(at[0][k], at[1][k], at[2][k]);
+    };
+    const ClosestPoint found = closest_point_on_triangle(centre, corner(0), corner(1), corner(2));
+    CellBatch::Closest& closest = batch.closest[second];
     for (std::size_t i = 0; i < 3; ++i) {
-        batch.barycentric[i][k] = closest.barycentric[i];
-        batch.point[i][k] = closest.point[static_cast<Eigen::Index>(i)];
+        closest.barycentric[i][k] = found.barycentric[i];
+        closest.point[i][k] = found.point[static_cast<Eigen::Index>(i)];
     }
-    batch.square[k] = (closest.point - centre).squaredNorm();
+    closest.square[k] = (found.point - centre).squaredNorm();
 }
 
 }  // namespace
 
-void find_closest_points(TriangleBatch& batch, const Vec3& centre) {
-    std::uint64_t needles = HWY_DYNAMIC_DISPATCH(closest_points_of)(batch, centre);
-    if (batch.count < TriangleBatch::size) needles &= (std::uint64_t{1} << batch.count) - 1;
-    for (; needles != 0; needles &= needles - 1) {
-        find_of_needle(batch, static_cast<std::size_t>(std::countr_zero(needles)), centre);
+void find_closest_points(CellBatch& batch, const Vec3& centre) {
+    const std::uint64_t used = (std::uint64_t{1} << batch.count) - 1;
+    for (const std::size_t second : {0u, 1u}) {
+        std::uint64_t needles = used & HWY_DYNAMIC_DISPATCH(closest_points_of)(batch, second, centre);
+        for (; needles != 0; needles &= needles - 1) {
+            find_of_needle(batch, second, static_cast<std::size_t>(std::countr_zero(needles)), centre);
+        }
     }
 }
 

@@ -13,25 +13,22 @@ public:
 
     void decide(std::span<CellBits> cells) {
         for (CellBits& bits : cells) {
-            for (std::uint32_t open = bits.first_open; open != 0; open &= open - 1) add(bits, open, 0);
-            for (std::uint32_t open = bits.second_open; open != 0; open &= open - 1) add(bits, open, 1);
+            for_each_set(grid_, bits, bits.open(), [&](int cell, int a) {
+                asker_[batch_.count] = &bits;
+                batch_.add(grid_, x_, cell, a);
+                if (batch_.full()) settle();
+            });
         }
         settle();
     }
 
 private:
-    void add(CellBits& bits, std::uint32_t open, int second) {
-        asker_[batch_.count] = &bits;
-        batch_.add(grid_, x_, 2 * (bits.cell + std::countr_zero(open)) + second);
-        if (batch_.full()) settle();
-    }
-
     void settle() {
         find_closest_points(batch_, p_);
         for (std::size_t k = 0; k < batch_.count; ++k) {
-            const int triangle = batch_.triangle[k];
-            const std::uint32_t touches = batch_.square[k] <= square_ ? 1 : 0;
-            (triangle % 2 == 0 ? asker_[k]->first : asker_[k]->second) |= touches << (triangle / 2 - asker_[k]->cell);
+            const int bit = batch_.cell[k] - asker_[k]->cell;
+            asker_[k]->first |= (batch_.closest[0].square[k] <= square_ ? 1u : 0u) << bit;
+            asker_[k]->second |= (batch_.closest[1].square[k] <= square_ ? 1u : 0u) << bit;
         }
         batch_.count = 0;
     }
@@ -40,8 +37,8 @@ private:
     const Points& x_;
     const Vec3& p_;
     Real square_;
-    TriangleBatch batch_;
-    std::array<CellBits*, TriangleBatch::size> asker_{};
+    CellBatch batch_;
+    std::array<CellBits*, CellBatch::size> asker_{};
 };
 
 void append(const CellBits& bits, std::vector<int>& triangles) {
