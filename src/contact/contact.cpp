@@ -4,7 +4,7 @@
 
 #include "contact_geometry.h"
 #include "grid_features.h"
-#include "kernels/near_cells.h"
+#include "kernels/ball_contacts.h"
 
 namespace drape {
 namespace {
@@ -28,12 +28,6 @@ Contact particle_contact(const Grid& grid, int particle) {
     return contact;
 }
 
-/// Whether the closest point of a triangle is a corner, or on an edge that another triangle reports.
-bool reported_elsewhere(const Grid& grid, const Contact& contact) {
-    const OnTriangle on = feature_at(contact.barycentric);
-    return on.zeros == 2 || (on.zeros == 1 && other_reports_edge(grid, contact.triangle, on.opposite));
-}
-
 /// Adds the contacts that a triangle is to report: those of its own corners, and of its closest point.
 /// @return whether it touches
 bool add_contacts(const Grid& grid, const Points& x, const Ball& ball, int ball_number, Real thickness, int triangle,
@@ -43,13 +37,14 @@ bool add_contacts(const Grid& grid, const Points& x, const Ball& ball, int ball_
     contact.triangle = triangle;
     contact.corners = grid.triangle_corners(triangle);
     if (!locate(x, ball, thickness, contact)) return false;
-    for (const int corner : contact.corners) {
-        if (owner_of(grid, corner) != triangle) continue;
-        Contact of_corner = particle_contact(grid, corner);
+    const unsigned owned = owned_corners(grid, triangle, triangle / 2 / grid.cell_columns());
+    for (std::size_t k = 0; k < 3; ++k) {
+        if ((owned >> k & 1u) == 0) continue;
+        Contact of_corner = particle_contact(grid, contact.corners[k]);
         of_corner.ball = ball_number;
         if (locate(x, ball, thickness, of_corner)) contacts.push_back(of_corner);
     }
-    if (!reported_elsewhere(grid, contact)) contacts.push_back(contact);
+    if (!reported_elsewhere(grid, triangle, contact.barycentric)) contacts.push_back(contact);
     return true;
 }
 
@@ -92,18 +87,17 @@ void find_touched_triangles(const Grid& grid, const Points& x, const Ball& ball,
 
 std::int64_t find_contacts(const Grid& grid, const Points& x, const Ball& ball, int ball_number, Real thickness,
                            std::span<const CellRun> cells, std::vector<Contact>& contacts, Kernels kernels) {
+    if (kernels == Kernels::Vector) {
+        return kernels::find_contacts(grid, x, ball, ball_number, thickness, cells, contacts);
+    }
     std::int64_t touching = 0;
-    const auto test = [&](int cell) {
+    for_each_cell(grid, cells, [&](int cell) {
         bool touches = false;
         for (const int triangle : {2 * cell, 2 * cell + 1}) {
             touches = add_contacts(grid, x, ball, ball_number, thickness, triangle, contacts) || touches;
         }
         if (touches) ++touching;
-    };
-    if (kernels == Kernels::Plain)
-        for_each_cell(grid, cells, test);
-    else
-        kernels::for_each_near_cell(grid, x, ball.centre, ball.radius + thickness, cells, test);
+    });
     return touching;
 }
 

@@ -31,6 +31,15 @@ inline Vec3 normal_of(const Points& x, const std::array<int, 3>& corners, const 
     return across.squaredNorm() > 0 ? Vec3(across.normalized()) : Vec3(0, 1, 0);
 }
 
+/// Depth and normal of a contact whose point is at an offset from the centre of a ball.
+/// @param square of the offset's length
+/// @param radii of both, thickness counted
+inline void measure(const Points& x, Real radii, const Vec3& offset, Real square, Contact& contact) {
+    const Real distance = std::sqrt(square);
+    contact.depth = radii - distance;
+    contact.normal = normal_of(x, contact.corners, offset, distance);
+}
+
 /// The contact's point q against a ball: the normal n = (q - c) / |q - c| and the depth r + thickness - |q - c|.
 /// @return false, with depth 0 and the normal as it was, if it does not touch
 inline bool touch(const Points& x, const Ball& ball, Real thickness, Contact& contact) {
@@ -38,9 +47,7 @@ inline bool touch(const Points& x, const Ball& ball, Real thickness, Contact& co
     const Real square = offset.squaredNorm(), radii = ball.radius + thickness + contact.radius;
     contact.depth = 0;
     if (!(square < radii * radii && radii > 0)) return false;
-    const Real distance = std::sqrt(square);
-    contact.depth = radii - distance;
-    contact.normal = normal_of(x, contact.corners, offset, distance);
+    measure(x, radii, offset, square, contact);
     return true;
 }
 

@@ -4,6 +4,7 @@
 #include <array>
 #include <cstddef>
 
+#include "drape/base/real.h"
 #include "drape/model/grid.h"
 
 namespace drape {
@@ -13,6 +14,15 @@ inline int owner_of(const Grid& grid, int particle) {
     const int i = particle % grid.nx, j = particle / grid.nx;
     const int cell = std::min(j, grid.ny - 2) * grid.cell_columns() + std::min(i, grid.nx - 2);
     return 2 * cell + (i == grid.nx - 1 && j == grid.ny - 1 ? 1 : 0);
+}
+
+/// The corners that a triangle is the owner of, a bit each.
+/// @param row of its cell
+inline unsigned owned_corners(const Grid& grid, int triangle, int row) {
+    // Of corners a, c, b or b, c, d: a cell's first triangle has a, and at the end of a row or column of cells, b or c
+    const bool last_row = row == grid.ny - 2, last_column = triangle / 2 + 1 == (row + 1) * grid.cell_columns();
+    if (triangle % 2 != 0) return last_row && last_column ? 0b100u : 0u;
+    return 0b001u | (last_row ? 0b010u : 0u) | (last_column ? 0b100u : 0u);
 }
 
 /// Whether two triangles share the edge opposite to corner k of the first, and the other one is to report it.
@@ -40,6 +50,13 @@ inline OnTriangle feature_at(const std::array<Real, 3>& weights) {
         if (weights[k] == 0) ++on.zeros, on.opposite = k;
     }
     return on;
+}
+
+/// Whether a triangle's point with some weights is one that it does not report as its own: a corner, or on an edge that
+/// another triangle reports.
+inline bool reported_elsewhere(const Grid& grid, int triangle, const std::array<Real, 3>& weights) {
+    const OnTriangle on = feature_at(weights);
+    return on.zeros == 2 || (on.zeros == 1 && other_reports_edge(grid, triangle, on.opposite));
 }
 
 }  // namespace drape

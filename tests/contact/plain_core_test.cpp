@@ -40,7 +40,9 @@ public:
         touching += plain_.touching > 0;
         return vector_.triangles == plain_.triangles && vector_.touching == plain_.touching &&
                std::ranges::equal(vector_.contacts, plain_.contacts, [](const Contact& a, const Contact& b) {
-                   return a.triangle == b.triangle && a.point == b.point && a.normal == b.normal && a.depth == b.depth;
+                   return a.triangle == b.triangle && a.corners == b.corners && a.of_particle == b.of_particle &&
+                          a.barycentric == b.barycentric && a.point == b.point && a.normal == b.normal &&
+                          a.depth == b.depth;
                });
     }
 
@@ -109,6 +111,12 @@ TEST(PlainCore, FindsWhatTheKernelsFindWithEverySphereFit) {
                 << names_of<SphereFit>()[f];
         }
     }
+}
+
+TEST(PlainCore, FindsWhatTheKernelsFindWhereMoreCellsTouchThanABatchHolds) {
+    const Tally tally = compare({.volume = VolumeKind::Brute}, {40, 30});
+    EXPECT_EQ(tally.disagreements, 0);
+    EXPECT_GT(tally.touching, tally.balls / 5);
 }
 
 /// The planted fault: the last run of candidate cells is dropped.

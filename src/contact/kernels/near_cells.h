@@ -13,18 +13,21 @@ namespace drape::kernels {
 
 /// What their corners say about the triangles of cells that follow one another, and a ball: a bit a cell.
 struct CellBits {
-    int cell;                 ///< of bit 0
-    int count;                ///< of cells
-    std::uint32_t first;      ///< triangle 2 cell has a corner in the ball
-    std::uint32_t second;     ///< triangle 2 cell + 1 has one
-    std::uint32_t undecided;  ///< a triangle without such a corner may touch the ball all the same
+    int cell;                   ///< of bit 0
+    int count;                  ///< of cells
+    std::uint32_t first;        ///< triangle 2 cell has a corner in the ball
+    std::uint32_t second;       ///< triangle 2 cell + 1 has one
+    std::uint32_t first_open;   ///< triangle 2 cell has none, and may touch the ball all the same
+    std::uint32_t second_open;  ///< so may triangle 2 cell + 1
 
-    [[nodiscard]] std::uint32_t near() const { return first | second | undecided; }
+    [[nodiscard]] std::uint32_t near() const { return first | second | open(); }
+    [[nodiscard]] std::uint32_t open() const { return first_open | second_open; }
 };
 
 /// Classifies cells by their corners. For a point of a triangle with weights w_i,
 /// |p - sum w_i v_i|^2 = sum w_i |p - v_i|^2 - sum_{i<j} w_i w_j |v_i - v_j|^2 (Leibniz), which is at least the
-/// smallest |p - v_i|^2 less a third of the longest edge squared: beyond that nothing is undecided.
+/// smallest |p - v_i|^2 less a third of the longest edge squared: a triangle for which this is beyond the ball does not
+/// touch it.
 /// @param x n x 3, by coordinate
 /// @param p, radius of the ball, grown by the cloth's thickness
 /// @param bits receives those with a bit set; room for one a cell
@@ -33,10 +36,21 @@ struct CellBits {
 int classify_cells(const Grid& grid, const Real* const x[3], const Vec3& p, Real radius, std::span<const CellRun> cells,
                    CellBits* bits);
 
-/// Calls visit(bits) for the cells of which one may touch.
+/// Calls visit(cell, a) for each cell of which a bit is set, and the particle at its corner a.
 template <class Visit>
-void for_each_near(const Grid& grid, const Points& x, const Vec3& p, Real radius, std::span<const CellRun> cells,
-                   Visit visit) {
+void for_each_set(const Grid& grid, const CellBits& bits, std::uint32_t set, Visit visit) {
+    if (set == 0) return;
+    const int a = grid.cell_corner(bits.cell);
+    for (; set != 0; set &= set - 1) {
+        const int k = std::countr_zero(set);
+        visit(bits.cell + k, a + k);
+    }
+}
+
+/// Calls visit(some) for the cells that have a bit set, some thousand of them at a time.
+template <class Visit>
+void visit_near(const Grid& grid, const Points& x, const Vec3& p, Real radius, std::span<const CellRun> cells,
+                Visit visit) {
     const Real* const xs[3] = {x.col(0).data(), x.col(1).data(), x.col(2).data()};
     std::array<CellBits, 4096> bits;  // a run of a grid is no longer
     for (std::size_t begin = 0, end = 0; begin < cells.size(); begin = end) {
@@ -47,21 +61,8 @@ void for_each_near(const Grid& grid, const Points& x, const Vec3& p, Real radius
         }
         DRAPE_ASSERT(end > begin);
         const int found = classify_cells(grid, xs, p, radius, cells.subspan(begin, end - begin), bits.data());
-        for (const CellBits& some : std::span(bits).first(static_cast<std::size_t>(found))) visit(some);
+        visit(std::span(bits).first(static_cast<std::size_t>(found)));
     }
 }
-
-/// Calls visit(cell) for each cell that may touch.
-template <class Visit>
-void for_each_near_cell(const Grid& grid, const Points& x, const Vec3& p, Real radius, std::span<const CellRun> cells,
-                        Visit visit) {
-    for_each_near(grid, x, p, radius, cells, [&](const CellBits& bits) {
-        for (std::uint32_t near = bits.near(); near != 0; near &= near - 1) visit(bits.cell + std::countr_zero(near));
-    });
-}
-
-/// Appends the triangles that touch the ball; only those that are undecided cost a closest point.
-void find_touched(const Grid& grid, const Points& x, const Vec3& p, Real radius, std::span<const CellRun> cells,
-                  std::vector<int>& triangles);
 
 }  // namespace drape::kernels
