@@ -101,32 +101,6 @@ std::int64_t find_contacts(const Grid& grid, const Points& x, const Ball& ball, 
     return touching;
 }
 
-SweptBall way_of(const Ball& ball) { return {ball.centre - ball.moved, ball.centre, ball.radius}; }
-
-std::int64_t find_impact_contacts(const Grid& grid, const Points& before, const Points& x, const Ball& ball,
-                                  int ball_number, Real thickness, std::span<const CellRun> cells,
-                                  std::vector<TriangleImpact>& impacts, std::vector<Contact>& contacts) {
-    impacts.clear();
-    std::int64_t touching = 0;
-    int last_cell = -1;
-    find_impacts(grid, before, x, grown(way_of(ball), thickness), cells, impacts);
-    for (const TriangleImpact& found : impacts) {
-        if (found.triangle / 2 != last_cell) ++touching;
-        last_cell = found.triangle / 2;
-        Contact contact;
-        contact.ball = ball_number;
-        contact.triangle = found.triangle;
-        contact.corners = found.corners;
-        contact.barycentric = found.impact.barycentric;
-        contact.normal = found.impact.normal;
-        contact.of_impact = true;
-        contact.point = at_point(contact, x);
-        contact.depth = depth_in(ball, thickness, contact);
-        if (contact.depth > 0) contacts.push_back(contact);
-    }
-    return touching;
-}
-
 void find_ground_contacts(const Grid& grid, const Points& x, Real height, Real thickness,
                           std::vector<Contact>& contacts) {
     add_ground_contacts(grid, x, height, thickness, 0, grid.particles(), contacts);

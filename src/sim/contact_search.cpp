@@ -26,6 +26,13 @@ void ContactSearch::build_from(const Points& x, std::span<const Ball> balls, con
     if (may_skip) separation_.renew(*hierarchy_, x, balls, contact.thickness);
 }
 
+void ContactSearch::build_from_way(const Points& before, const Points& x) {
+    hierarchy_->build(before, x);
+    sweeps_ = true;
+    built_from_present_ = queried_ = skipped_ = false;
+    separation_.forget();
+}
+
 Crossing ContactSearch::nearest_crossing(const Points& before, const Points& x, std::span<const Ball> balls,
                                          Real thickness) const {
     const Real cloth = largest_displacement(x, before, kernels_);
@@ -44,9 +51,7 @@ bool ContactSearch::build(const Points& before, const Points& x, std::span<const
     crossing_ = always ? Crossing{} : nearest_crossing(before, x, balls, contact.thickness);
     sweeps_ = always || (contact.continuous == Continuous::Auto && crossing_.possible());
     if (sweeps_) {
-        hierarchy_->build(before, x);
-        built_from_present_ = queried_ = skipped_ = false;
-        separation_.forget();
+        build_from_way(before, x);
         return true;
     }
     skipped_ = contact.coherence && !audit_ && separation_.holds(*hierarchy_, x, balls, contact.thickness);
@@ -71,19 +76,29 @@ TraversalStats ContactSearch::traverse(std::span<const Ball> balls, Real thickne
 std::int64_t ContactSearch::narrow(const Points& before, const Points& x, std::span<const Ball> balls, Real thickness,
                                    Real longest_push, std::vector<Contact>& contacts) {
     contacts.clear();
+    found_passing_ = false;
     if (skipped_) return 0;
     std::int64_t touching = 0;
     for (std::size_t b = 0; b < balls.size(); ++b) {
         const auto& [cells, stopped] = candidates_[b];
         const int number = static_cast<int>(b);
         if (sweeps_) {
-            touching += find_impact_contacts(grid_, before, x, balls[b], number, thickness, cells, impacts_, contacts);
+            touching +=
+                find_swept_contacts(grid_, before, x, balls[b], number, thickness, cells, impacts_, contacts, kernels_);
             continue;
         }
         touching += find_contacts(grid_, x, balls[b], number, thickness, cells, contacts, kernels_);
         find_node_contacts(grid_, x, balls[b], number, thickness, longest_push, stopped, contacts);
     }
+    found_passing_ = sweeps_ && std::ranges::any_of(contacts, &Contact::of_impact);
     return traversal_.candidates - touching;
+}
+
+void ContactSearch::look_again(const Points& before, const Points& x, std::span<const Ball> balls, Real thickness,
+                               std::vector<Contact>& contacts) {
+    build_from_way(before, x);
+    traverse(balls, thickness);
+    narrow(before, x, balls, thickness, 0, contacts);
 }
 
 TraversalStats ContactSearch::meet_ground(const Points& x, Real height, Real thickness,

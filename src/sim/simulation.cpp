@@ -187,28 +187,32 @@ void Simulation::narrow(const Substep& now) {
 }
 
 void Simulation::respond(const Substep& now) {
-    const ResponseParameters response = response_of(settings_);
     Stopwatch watch;
-    for (std::size_t c = 0; c < cloths_.size(); ++c) {
-        Cloth& cloth = cloths_[c];
-        cloth.energy.before_pushes(cloth.model, cloth.state,
-                                   {cloth.contacts, self_contact_.contacts(), static_cast<int>(c), balls_});
-    }
-    const ResponseReport left =
-        resolve_contacts(response, now.h, in_contact_, self_contact_.contacts(), balls_, ball_contacts_);
-    const BoundedMotion held = self_contact_.hold_back(in_contact_);
-    enter_pushes(left.ball_work);
-    report_.held_back += held.particles;
-    report_.penetration = std::max(report_.penetration, static_cast<double>(left.depth));
-    report_.contact_residual = std::max(report_.contact_residual, static_cast<double>(left.residual));
-    report_.contact_sweeps += left.sweeps;
+    answer(now, self_contact_.contacts(), ball_contacts_);
+    look_again(now);
     resist_rolling();
     for (Ball& ball : balls_) turn_ball(ball);
     report_.times.respond += watch.lap();
     for (Cloth& cloth : cloths_) {
-        const Real missed = cloth.search.missed_penetration(cloth.state.x, balls_, response.thickness);
+        const Real missed = cloth.search.missed_penetration(cloth.state.x, balls_, settings_.contact.thickness);
         report_.missed_penetration = std::max(report_.missed_penetration, static_cast<double>(missed));
     }
+}
+
+/// Answers the contacts of the cloths, and these with them.
+void Simulation::answer(const Substep& now, std::span<PairContact> pairs, std::span<BallContact> ball_contacts) {
+    for (std::size_t c = 0; c < cloths_.size(); ++c) {
+        Cloth& cloth = cloths_[c];
+        cloth.energy.before_pushes(cloth.model, cloth.state, {cloth.contacts, pairs, static_cast<int>(c), balls_});
+    }
+    const ResponseReport left =
+        resolve_contacts(response_of(settings_), now.h, in_contact_, pairs, balls_, ball_contacts);
+    const BoundedMotion held = self_contact_.hold_back(in_contact_);
+    enter_pushes(left.ball_work);
+    report_.held_back += held.particles;
+    report_.penetration = static_cast<double>(left.depth);
+    report_.contact_residual = std::max(report_.contact_residual, static_cast<double>(left.residual));
+    report_.contact_sweeps += left.sweeps;
 }
 
 void Simulation::resist_rolling() {

@@ -4,6 +4,7 @@
 #include <string>
 #include <vector>
 
+#include "drape/contact/search_audit.h"
 #include "drape/sim/scene.h"
 #include "small_scene.h"
 
@@ -131,10 +132,110 @@ TEST(ContinuousDetection, StopsABallThatCrossesTheClothWithinAStep) {
     }
 }
 
-TEST(ContinuousDetection, ChangesNoBitWhereNothingCanCross) {
-    Simulation automatic = scene_with("drop", {}), never = scene_with("drop", {"contact.continuous=false"});
-    run_until(automatic, 1), run_until(never, 1);
-    EXPECT_EQ(automatic.hash(), never.hash());
+/// A shot at a small curtain by a heavy ball, until the ball is behind where the curtain hung.
+struct Shot {
+    double left = 0;       ///< the deepest of any triangle in the ball, after any step [m]
+    bool through = false;  ///< what was nearest to the ball's way is behind it, in its shadow
+    std::uint64_t hash = 0;
+};
+
+Shot shoot(const std::string& continuous, Real speed, Real rate, Real radius) {
+    const Real from = radius + Real(0.02) + Real(0.37) * speed / rate;
+    Simulation simulation =
+        scene_with("curtain", {"cloth.particles=21,15", "integrator=backward_euler", "contact.continuous=" + continuous,
+                               "dt=" + std::to_string(1 / rate), "ball.radius=" + std::to_string(radius),
+                               "ball.motion=free", "ball.mass=1000", "ball.position=0.03,0.7," + std::to_string(-from),
+                               "ball.velocity=0,0," + std::to_string(speed)});
+    const Cloth& cloth = simulation.cloths()[0];
+    const Ball& ball = simulation.balls()[0];
+    SearchAudit audit(cloth.model.grid, Kernels::Vector);
+    Eigen::Index aim = 0;
+    (cloth.state.x.rowwise() - Vec3(Real(0.03), Real(0.7), 0).transpose()).rowwise().norm().minCoeff(&aim);
+    Shot shot;
+    while (ball.centre.z() < radius / 2) {
+        simulation.step();
+        const Real depth =
+            audit.penetration(cloth.state.x, simulation.balls(), simulation.settings().contact.thickness);
+        shot.left = std::max(shot.left, static_cast<double>(depth));
+    }
+    const Vec3 offset = cloth.state.x.row(aim).transpose() - ball.centre;
+    shot.through = offset.z() < 0 && offset.head<2>().norm() < radius;
+    shot.hash = simulation.hash();
+    return shot;
+}
+
+TEST(ContinuousDetection, LeavesTheBallNoDeeperInTheClothThanDiscreteDoes) {
+    int slow = 0, fast = 0;
+    for (const Real radius : {Real(0.06), Real(0.22)}) {
+        for (const Real rate : {30, 60, 240}) {
+            for (const Real speed : {1, 3, 10, 30}) {
+                const Shot discrete = shoot("false", speed, rate, radius), swept = shoot("true", speed, rate, radius);
+                const std::string what =
+                    std::to_string(radius) + " m, " + std::to_string(rate) + " /s, " + std::to_string(speed) + " m/s";
+                EXPECT_FALSE(swept.through) << what;
+                if (discrete.through) {
+                    ++fast;
+                    EXPECT_LT(swept.left, radius / 10) << what;
+                    continue;
+                }
+                EXPECT_LE(swept.left, 1.01 * discrete.left + 1e-4) << what;
+                slow += swept.hash == discrete.hash;
+            }
+        }
+    }
+    EXPECT_GE(fast, 4) << "some shots need continuous detection";
+    EXPECT_GE(slow, 8) << "and some have the bits of discrete detection";
+}
+
+/// Particles and balls together.
+Vec3 whole_momentum(const Simulation& simulation) {
+    const Cloth& cloth = simulation.cloths()[0];
+    Vec3 sum = cloth.model.particle_mass * cloth.state.v.colwise().sum().transpose();
+    for (const Ball& ball : simulation.balls()) sum += ball.velocity / ball.inverse_mass;
+    return sum;
+}
+
+double ball_energy(const Ball& ball, const Vec3& velocity) {
+    return static_cast<double>(velocity.squaredNorm() / ball.inverse_mass +
+                               ball.spin.squaredNorm() / ball.inverse_inertia()) /
+           2;
+}
+
+TEST(ContinuousDetection, KeepsMomentumAndBooksWhatTheBallLoses) {
+    constexpr Real h = Real(1) / 64;
+    for (const std::string response : {"projection", "impulse", "hybrid"}) {
+        Simulation simulation = scene_with(
+            "bullet", {"cloth.particles=16,16", "cloth.pinned=none", "cloth.drag=0", "ground.solid=false",
+                       "integrator=xpbd", "dt=0.015625", "longest_step=0.015625", "ledger=true",
+                       "contact.response=" + response, "ball.position=0.05,0.72,-0.1", "ball.velocity=0,0,24"});
+        const Ball& ball = simulation.balls()[0];
+        const Vec3 fall = (1 / ball.inverse_mass + simulation.settings().cloths[0].mass) * h * standard_gravity();
+        const double start = ball_energy(ball, ball.velocity);
+        double lost = 0;
+        for (int step = 0; step < 5; ++step) {
+            const Vec3 before = whole_momentum(simulation);
+            const double energy = ball_energy(ball, ball.velocity + h * standard_gravity());
+            simulation.step();
+            EXPECT_LT((whole_momentum(simulation) - before - fall).norm(), 1e-10 * before.norm()) << response;
+            lost += energy - ball_energy(ball, ball.velocity);
+        }
+        static_cast<void>(simulation.view());
+        EXPECT_GT(lost, start / 20) << response << ": they have met";
+        EXPECT_NEAR(figure(simulation.report(), "ball_work"), lost, 1e-9 * start) << response;
+    }
+}
+
+/// Neither where it looks only where something could, nor where it always looks.
+TEST(ContinuousDetection, ChangesNoBitWhereNothingCrosses) {
+    const std::string few = "cloth.particles=16,16";
+    Simulation never = scene_with("drop", {few, "contact.continuous=false"});
+    run_until(never, 0.7);
+    ASSERT_GT(never.report().contacts, 0);
+    for (const std::string looks : {"auto", "true"}) {
+        Simulation looking = scene_with("drop", {few, "contact.continuous=" + looks});
+        run_until(looking, 0.7);
+        EXPECT_EQ(looking.hash(), never.hash()) << looks;
+    }
 }
 
 // A push at a point that hangs on pinned corners would throw the free one far

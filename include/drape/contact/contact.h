@@ -98,13 +98,15 @@ void find_touched_triangles(const Grid& grid, const Points& x, const Ball& ball,
 std::int64_t find_contacts(const Grid& grid, const Points& x, const Ball& ball, int ball_number, Real thickness,
                            std::span<const CellRun> cells, std::vector<Contact>& contacts, Kernels kernels);
 
-/// The contacts with a ball that the triangles have met on their way through the substep, appended. Their depth is how
-/// far the point is, at the end, behind the plane at which it met the ball.
+/// The contacts of the candidate cells with a ball, for the whole substep, appended: what `find_contacts` finds at its
+/// end, in the same order, and what has passed the ball on the way. What touches at the end and has come past the
+/// ball's middle is not to go on to the other side: like what has passed, its contact is the plane at which it met the
+/// ball, and its depth is how far its point is behind that. Without either, the contacts are those of `find_contacts`.
 /// @param impacts scratch
-/// @return how many of the cells touch
-std::int64_t find_impact_contacts(const Grid& grid, const Points& before, const Points& x, const Ball& ball,
-                                  int ball_number, Real thickness, std::span<const CellRun> cells,
-                                  std::vector<TriangleImpact>& impacts, std::vector<Contact>& contacts);
+/// @return how many of the cells have touched
+std::int64_t find_swept_contacts(const Grid& grid, const Points& before, const Points& x, const Ball& ball,
+                                 int ball_number, Real thickness, std::span<const CellRun> cells,
+                                 std::vector<TriangleImpact>& impacts, std::vector<Contact>& contacts, Kernels kernels);
 
 /// A ball on its way through the substep.
 [[nodiscard]] SweptBall way_of(const Ball& ball);

@@ -19,7 +19,8 @@ struct Cloth {
     Points before;        ///< positions one substep before, where steps are divided
     std::unique_ptr<Integrator> integrator;
     ContactSearch search;
-    std::vector<Contact> contacts;  ///< of the last step that was awake
+    std::vector<Contact> contacts;        ///< of the last step that was awake
+    std::vector<Contact> first_contacts;  ///< keeps these during a second look
     WarmStart<Contact> warm_start;
     ClothEnergy energy;
     int held = -1;  ///< particle that the hand leads; below 0: none

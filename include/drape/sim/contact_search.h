@@ -53,6 +53,14 @@ public:
     std::int64_t narrow(const Points& before, const Points& x, std::span<const Ball> balls, Real thickness,
                         Real longest_push, std::vector<Contact>& contacts);
 
+    /// Whether the last test has found something that has passed a ball, or has come past its middle.
+    [[nodiscard]] bool found_passing() const { return found_passing_; }
+
+    /// Builds, traverses and tests once more, for the whole substep as it is after the response.
+    /// @param contacts as `narrow` has it
+    void look_again(const Points& before, const Points& x, std::span<const Ball> balls, Real thickness,
+                    std::vector<Contact>& contacts);
+
     /// Tests the cloth against the ground: where the present hierarchy holds it, what that has not pruned, else all of
     /// it.
     /// @param contacts receives what touches, particles ascending, after what is there
@@ -74,6 +82,7 @@ public:
 private:
     [[nodiscard]] Crossing nearest_crossing(const Points& before, const Points& x, std::span<const Ball> balls,
                                             Real thickness) const;
+    void build_from_way(const Points& before, const Points& x);
     void build_from(const Points& x, std::span<const Ball> balls, const ContactSettings& contact);
 
     Grid grid_{0, 0};
@@ -83,9 +92,10 @@ private:
     std::optional<SearchAudit> audit_;  ///< while the search is limited
     Crossing crossing_;
     bool built_from_present_ = false;
-    bool queried_ = false;  ///< since the last build
-    bool skipped_ = false;  ///< the last build was left out
-    bool sweeps_ = false;   ///< the last build was for the whole substep
+    bool queried_ = false;        ///< since the last build
+    bool skipped_ = false;        ///< the last build was left out
+    bool sweeps_ = false;         ///< the last build was for the whole substep
+    bool found_passing_ = false;  ///< by the last test
     std::vector<TriangleImpact> impacts_;
     TraversalStats traversal_;
     std::vector<Candidates> candidates_;  ///< of each ball

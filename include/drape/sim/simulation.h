@@ -86,6 +86,8 @@ private:
     void traverse();
     void narrow(const Substep& now);
     void respond(const Substep& now);
+    void answer(const Substep& now, std::span<PairContact> pairs, std::span<BallContact> ball_contacts);
+    void look_again(const Substep& now);
     void resist_rolling();
     void close_report();
     void rest();

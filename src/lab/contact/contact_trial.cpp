@@ -59,27 +59,32 @@ void ContactTrial::advance(BroadPhase& hierarchy) {
     warm_start_.before_step(std::span(&cloth, 1), balls);
     integrator_->step(model_, state_, h_);
     warm_start_.after_step(std::span(&cloth, 1), balls);
-    find(hierarchy);
-    if (response_.ground.solid) {
-        find_ground_contacts(model_.grid, state_.x, response_.ground.height, response_.thickness, contacts_);
-    }
+    hierarchy_ = &hierarchy;
+    find();
     warm_start_.carry_over(response_, std::span(&cloth, 1), balls, contacts_);
 }
 
-void ContactTrial::find(BroadPhase& hierarchy) {
+void ContactTrial::find() {
+    contacts_.clear();
+    find_on_ball();
+    passing_ = continuous_ && std::ranges::any_of(contacts_, &Contact::of_impact);
+    if (!response_.ground.solid) return;
+    find_ground_contacts(model_.grid, state_.x, response_.ground.height, response_.thickness, contacts_);
+}
+
+void ContactTrial::find_on_ball() {
     const Real thickness = response_.thickness;
     if (continuous_) {
-        hierarchy.build(before_, state_.x);
-        hierarchy.query(grown(way_of(ball_), thickness), candidates_);
+        hierarchy_->build(before_, state_.x);
+        hierarchy_->query(grown(way_of(ball_), thickness), candidates_);
     } else {
-        hierarchy.build(state_.x);
-        hierarchy.query(grown(ball_, thickness), candidates_);
+        hierarchy_->build(state_.x);
+        hierarchy_->query(grown(ball_, thickness), candidates_);
     }
     std::ranges::sort(candidates_.cells);
-    contacts_.clear();
     if (continuous_) {
-        find_impact_contacts(model_.grid, before_, state_.x, ball_, 0, thickness, candidates_.cells, impacts_,
-                             contacts_);
+        find_swept_contacts(model_.grid, before_, state_.x, ball_, 0, thickness, candidates_.cells, impacts_, contacts_,
+                            kernels_);
         return;
     }
     find_contacts(model_.grid, state_.x, ball_, 0, thickness, candidates_.cells, contacts_, kernels_);
@@ -88,6 +93,16 @@ void ContactTrial::find(BroadPhase& hierarchy) {
 }
 
 ResponseReport ContactTrial::respond() {
+    const ResponseReport report = answer();
+    if (!passing_ || response_.kind != ResponseKind::Projection) return report;
+    contacts_.swap(first_contacts_);
+    find();
+    const ResponseReport last = answer();
+    contacts_.swap(first_contacts_);
+    return last;
+}
+
+ResponseReport ContactTrial::answer() {
     const ClothInContact cloth = in_contact();
     return resolve_contacts(response_, h_, std::span(&cloth, 1), {}, std::span(&ball_, 1), {});
 }

@@ -40,9 +40,10 @@ public:
     ContactTrial(const ContactScene& scene, Real step, bool continuous = false);
 
     /// Moves ball and cloth by one step and finds what then touches.
+    /// @param hierarchy is used by `respond` too
     void advance(BroadPhase& hierarchy);
 
-    /// Answers what was found.
+    /// Answers what was found, and what that has caused.
     ResponseReport respond();
 
     /// The triangles that touch the front of the ball, ascending: of the cells that the search has found, and all of a
@@ -62,7 +63,9 @@ public:
 
 private:
     [[nodiscard]] ClothInContact in_contact() { return {model_, before_, state_, contacts_}; }
-    void find(BroadPhase& hierarchy);
+    void find();
+    void find_on_ball();
+    ResponseReport answer();
 
     ResponseParameters response_;
     bool continuous_;
@@ -76,7 +79,9 @@ private:
     std::unique_ptr<Integrator> integrator_;
     Candidates candidates_;
     std::vector<TriangleImpact> impacts_;
-    std::vector<Contact> contacts_;
+    BroadPhase* hierarchy_ = nullptr;  ///< of the last step
+    std::vector<Contact> contacts_, first_contacts_;
+    bool passing_ = false;  ///< something has come past the ball's middle
     WarmStart<Contact> warm_start_;
 };
 

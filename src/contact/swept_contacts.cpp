@@ -1,0 +1,116 @@
+#include <algorithm>
+#include <cmath>
+#include <tuple>
+
+#include "contact_geometry.h"
+#include "drape/contact/contact.h"
+
+// Continuous detection says what the positions at the end of a substep do not show: what has passed a ball within it,
+// and on which side of the ball the rest belongs. All else is answered as without it.
+
+namespace drape {
+namespace {
+
+/// The least cosine of the angle between a push out of the ball and the normal at which the point met it.
+constexpr Real same_side = Real(0.5);
+
+/// The normal at which a point met a ball, or at which it began in it.
+/// @param from, to the point seen from the centre, at both ends of the substep; the end is within the radius [m]
+Vec3 met_at(const Vec3& from, const Vec3& to, Real radius) {
+    const Real outside = from.squaredNorm() - radius * radius;
+    const Vec3 way = to - from;
+    const Real approach = -from.dot(way);
+    const Real square = approach * approach - way.squaredNorm() * outside;
+    if (!(outside > 0 && approach > 0 && square >= 0)) return from.normalized();
+    return (from + outside / (approach + std::sqrt(square)) * way).normalized();
+}
+
+/// The contact becomes the plane at which the ball was met.
+void fix_plane(const Ball& ball, Real thickness, const Vec3& normal, Contact& contact) {
+    contact.of_impact = true;
+    contact.normal = normal;
+    contact.depth = depth_in(ball, thickness, contact);
+}
+
+/// Keeps a contact that has come past the ball's middle on its side.
+void keep_side(const Points& before, const Ball& ball, Real thickness, Contact& contact) {
+    const Vec3 from = at_point(contact, before) - way_of(ball).start;
+    const Vec3 normal = met_at(from, contact.point - ball.centre, ball.radius + thickness);
+    if (normal.dot(contact.normal) < same_side && !normal.isZero(0)) fix_plane(ball, thickness, normal, contact);
+}
+
+/// What of a triangle an impact is on: its particles in ascending order, after -1 for each that has no weight.
+std::array<int, 3> feature_of(const TriangleImpact& found) {
+    std::array<int, 3> feature = found.corners;
+    for (std::size_t k = 0; k < 3; ++k) {
+        if (found.impact.barycentric[k] == 0) feature[k] = -1;
+    }
+    std::ranges::sort(feature);
+    return feature;
+}
+
+/// Leaves the first impact of each particle, edge and triangle, triangles ascending.
+void leave_first_of_each(std::vector<TriangleImpact>& impacts) {
+    std::ranges::sort(impacts, {}, [](const TriangleImpact& found) {
+        return std::tuple(feature_of(found), found.impact.time, found.triangle);
+    });
+    const auto rest = std::ranges::unique(impacts, {}, feature_of);
+    impacts.erase(rest.begin(), rest.end());
+    std::ranges::sort(impacts, {}, &TriangleImpact::triangle);
+}
+
+Contact impact_contact(const Points& x, const Ball& ball, int ball_number, Real thickness,
+                       const TriangleImpact& found) {
+    Contact contact;
+    contact.ball = ball_number;
+    contact.triangle = found.triangle;
+    contact.corners = found.corners;
+    contact.barycentric = found.impact.barycentric;
+    contact.point = at_point(contact, x);
+    fix_plane(ball, thickness, found.impact.normal, contact);
+    return contact;
+}
+
+/// Whether the point of an impact is behind its plane at the end, and no longer in the ball.
+bool has_passed(const Ball& ball, Real thickness, const Contact& contact) {
+    return contact.depth > 0 && (contact.point - ball.centre).norm() >= ball.radius + thickness;
+}
+
+std::int64_t count_cells(std::span<const TriangleImpact> impacts) {
+    std::int64_t cells = 0;
+    int last = -1;
+    for (const TriangleImpact& found : impacts) {
+        if (found.triangle / 2 != last) ++cells;
+        last = found.triangle / 2;
+    }
+    return cells;
+}
+
+}  // namespace
+
+SweptBall way_of(const Ball& ball) { return {ball.centre - ball.moved, ball.centre, ball.radius}; }
+
+std::int64_t find_swept_contacts(const Grid& grid, const Points& before, const Points& x, const Ball& ball,
+                                 int ball_number, Real thickness, std::span<const CellRun> cells,
+                                 std::vector<TriangleImpact>& impacts, std::vector<Contact>& contacts,
+                                 Kernels kernels) {
+    impacts.clear();
+    find_impacts(grid, before, x, grown(way_of(ball), thickness), cells, impacts);
+    const std::int64_t touched = count_cells(impacts);
+    const auto first = static_cast<std::ptrdiff_t>(contacts.size());
+    find_contacts(grid, x, ball, ball_number, thickness, cells, contacts, kernels);
+    for (Contact& contact : std::span(contacts).subspan(static_cast<std::size_t>(first))) {
+        keep_side(before, ball, thickness, contact);
+    }
+    leave_first_of_each(impacts);
+    for (const TriangleImpact& found : impacts) {
+        const Contact contact = impact_contact(x, ball, ball_number, thickness, found);
+        if (has_passed(ball, thickness, contact)) contacts.push_back(contact);
+    }
+    std::stable_sort(contacts.begin() + first, contacts.end(), [](const Contact& a, const Contact& b) {
+        return std::tuple(a.triangle, a.of_impact) < std::tuple(b.triangle, b.of_impact);
+    });
+    return touched;
+}
+
+}  // namespace drape
