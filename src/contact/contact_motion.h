@@ -5,43 +5,40 @@
 
 namespace drape {
 
-/// Lists the particles that a pair pushes.
-inline void list_particles(std::span<const ClothInContact> cloths, PairContact& contact) {
-    const auto& [numbers, first_count, particles] = contact.pair.features;
-    for (std::size_t k = 0; k < 4; ++k) {
-        const bool of_first = static_cast<int>(k) < first_count;
-        const int cloth = numbers[of_first ? 0 : 1], particle = particles[k];
-        const Real weight = of_first ? contact.pair.weights[k] : -contact.pair.weights[k];
-        const Real inverse_mass = cloths[static_cast<std::size_t>(cloth)].model.inverse_mass[particle];
-        contact.particles[k] = {cloth, particle, weight, weight * inverse_mass};
-    }
+/// Adds a particle to those that a contact pushes.
+inline void add_particle(std::span<const ClothInContact> cloths, int cloth, int particle, Real weight,
+                         ContactPlane& contact) {
+    if (weight == 0) return;
+    const Real inverse_mass = cloths[static_cast<std::size_t>(cloth)].model.inverse_mass[particle];
+    contact.particles[static_cast<std::size_t>(contact.particle_count++)] = {cloth, particle, weight,
+                                                                             weight * inverse_mass};
 }
 
-/// Calls visit(cloth, particle, weight, share) for each particle that a contact pushes, see `PushedParticle`.
-template <class Visit>
-void for_each_pushed(std::span<const ClothInContact> cloths, const Contact& contact, Visit visit) {
-    const auto& inverse_mass = cloths[static_cast<std::size_t>(contact.cloth)].model.inverse_mass;
+/// The particles that a contact pushes.
+inline void list_particles(std::span<const ClothInContact> cloths, Contact& contact) {
+    contact.particle_count = 0;
     for (std::size_t k = 0; k < 3; ++k) {
-        const Real weight = contact.barycentric[k];
-        const int corner = contact.corners[k];
-        if (weight != 0) visit(contact.cloth, corner, weight, weight * inverse_mass[corner]);
+        add_particle(cloths, contact.cloth, contact.corners[k], contact.barycentric[k], contact);
     }
 }
-template <class Visit>
-void for_each_pushed(std::span<const ClothInContact> /*cloths*/, const PairContact& contact, Visit visit) {
-    for (const auto& [cloth, particle, weight, share] : contact.particles) {
-        if (weight != 0) visit(cloth, particle, weight, share);
+inline void list_particles(std::span<const ClothInContact> cloths, PairContact& contact) {
+    const auto& [numbers, first_count, particles] = contact.pair.features;
+    contact.particle_count = 0;
+    for (std::size_t k = 0; k < 4; ++k) {
+        const bool of_first = static_cast<int>(k) < first_count;
+        const Real weight = contact.pair.weights[k];
+        add_particle(cloths, numbers[of_first ? 0 : 1], particles[k], of_first ? weight : -weight, contact);
     }
 }
 
 /// What a contact has of the motion of its particles.
 /// @param of_cloth of_cloth(number) is n x 3, a row a particle
-template <class AnyContact, class OfCloth>
-Vec3 weighted_sum(std::span<const ClothInContact> cloths, const AnyContact& contact, OfCloth of_cloth) {
+template <class OfCloth>
+Vec3 weighted_sum(const ContactPlane& contact, OfCloth of_cloth) {
     Vec3 sum = Vec3::Zero();
-    for_each_pushed(cloths, contact, [&](int cloth, int particle, Real weight, Real /*share*/) {
-        sum += weight * position(of_cloth(cloth), particle);
-    });
+    for (const PushedParticle& p : contact.pushed()) {
+        sum += p.weight * position(of_cloth(p.cloth), p.particle);
+    }
     return sum;
 }
 
@@ -115,10 +112,10 @@ concept BodyMotion = requires(const Motion& motion) {
     motion.of_cloth(0);
 };
 
-template <BodyMotion Motion, class AnyContact>
-Vec3 of_particles(const Motion& motion, const AnyContact& contact) {
+template <BodyMotion Motion>
+Vec3 of_particles(const Motion& motion, const ContactPlane& contact) {
     const auto of_cloth = [&](int cloth) -> const Points& { return motion.of_cloth(cloth); };
-    return motion.since_start(contact, weighted_sum(motion.cloths, contact, of_cloth));
+    return motion.since_start(contact, weighted_sum(contact, of_cloth));
 }
 
 /// How the first body of a contact moves against the second.
@@ -136,11 +133,11 @@ Vec3 relative(const Motion& motion, const BallContact& contact) {
 }
 
 /// Moves, or speeds up, the particles of a contact by their shares of a push.
-template <BodyMotion Motion, class AnyContact>
-void push_particles(Motion& motion, const AnyContact& contact, const Vec3& push) {
-    for_each_pushed(motion.cloths, contact, [&](int cloth, int particle, Real /*weight*/, Real share) {
-        motion.of_cloth(cloth).row(particle) += share * push.transpose();
-    });
+template <BodyMotion Motion>
+void push_particles(Motion& motion, const ContactPlane& contact, const Vec3& push) {
+    for (const PushedParticle& p : contact.pushed()) {
+        motion.of_cloth(p.cloth).row(p.particle) += p.share * push.transpose();
+    }
 }
 
 /// Pushes the first body of a contact, and the second the other way.

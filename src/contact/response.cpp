@@ -29,13 +29,12 @@ constexpr Real least_share = Real(0.05);
 
 /// What a push at the contact point meets: 1/m = sum w_k^2 / m_k over its corners. Zero if nothing can move, and where
 /// the point hangs on pinned corners so nearly that a push would throw the free one far.
-template <class AnyContact>
-Real inverse_mass_of_particles(const ContactProblem& problem, const AnyContact& contact) {
+Real inverse_mass_of_particles(const ContactPlane& contact) {
     Real sum = 0, largest = 0;
-    for_each_pushed(problem.cloths, contact, [&](int cloth, int particle, Real weight, Real share) {
-        sum += weight * share;
-        largest = std::max(largest, problem.cloths[static_cast<std::size_t>(cloth)].model.inverse_mass[particle]);
-    });
+    for (const PushedParticle& p : contact.pushed()) {
+        sum += p.weight * p.share;
+        largest = std::max(largest, p.share / p.weight);
+    }
     return sum < least_share * largest ? Real(0) : sum;
 }
 
@@ -47,11 +46,9 @@ Real inverse_mass_of(int number, std::span<const Ball> balls) {
 }
 
 /// The weighted sum of where its particles were at the start of the substep.
-template <class AnyContact>
-Vec3 start_of(const ContactProblem& problem, const AnyContact& contact) {
-    return weighted_sum(problem.cloths, contact, [&](int cloth) -> const Points& {
-        return problem.cloths[static_cast<std::size_t>(cloth)].before;
-    });
+Vec3 start_of(const ContactProblem& problem, const ContactPlane& contact) {
+    return weighted_sum(
+        contact, [&](int cloth) -> const Points& { return problem.cloths[static_cast<std::size_t>(cloth)].before; });
 }
 
 /// @param inverse, sliding inverse masses of both bodies together, along the normal and across it
@@ -63,15 +60,15 @@ void set_masses(Real inverse, Real sliding, ContactPlane& contact) {
 
 /// Where the particles of a contact were, and what a push meets.
 void set_particles(const ContactProblem& problem, Contact& contact) {
+    list_particles(problem.cloths, contact);
     contact.start = start_of(problem, contact);
-    const Real first = inverse_mass_of_particles(problem, contact),
-               second = inverse_mass_of(contact.ball, problem.balls);
+    const Real first = inverse_mass_of_particles(contact), second = inverse_mass_of(contact.ball, problem.balls);
     set_masses(first + second, first + sliding_share * second, contact);
 }
 void set_particles(const ContactProblem& problem, PairContact& contact) {
     list_particles(problem.cloths, contact);
     contact.start = start_of(problem, contact);
-    const Real inverse_mass = inverse_mass_of_particles(problem, contact);
+    const Real inverse_mass = inverse_mass_of_particles(contact);
     set_masses(inverse_mass, inverse_mass, contact);
 }
 

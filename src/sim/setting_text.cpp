@@ -99,9 +99,6 @@ std::string list_form(const Setting& setting) {
 }
 
 std::string range_text(const Setting& setting) {
-    if (setting.range.low == setting.range.high) {
-        return "only " + real_text(setting.range.low) + (setting.unit.empty() ? "" : " " + setting.unit) + " so far";
-    }
     return real_text(setting.range.low) + " <= " + (is_list(setting.kind) ? "x" : setting.name) +
            " <= " + real_text(setting.range.high) + (setting.unit.empty() ? "" : " " + setting.unit);
 }
@@ -111,10 +108,9 @@ std::string range_text(const Setting& setting) {
 std::string accepted(const Setting& setting) {
     switch (setting.kind) {
         case SettingKind::Flag:
-            return setting.range.high < 1 ? "only false so far" : "true or false";
+            return "true or false";
         case SettingKind::Choice:
-            return setting.choices.size() == 1 ? "only " + listed(setting.choices) + " so far"
-                                               : listed(setting.choices);
+            return listed(setting.choices);
         case SettingKind::Text:
             return "a text of one line";
         case SettingKind::Integer:

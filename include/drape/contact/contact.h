@@ -23,6 +23,13 @@ struct ContactPush {
     Vec3 friction = Vec3::Zero();  ///< given across the normal [kg m or N s]
 };
 
+/// A particle that a contact pushes.
+struct PushedParticle {
+    int cloth = 0, particle = 0;
+    Real weight = 0;  ///< of its motion in that of the contact point; less than zero if it is of the second feature
+    Real share = 0;   ///< of a push, that it moves by: weight times inverse mass [1/kg]
+};
+
 /// What all contacts have in common.
 struct ContactPlane {
     Vec3 normal = Vec3::Zero();  ///< from the second body to the first, length 1
@@ -30,15 +37,21 @@ struct ContactPlane {
 
     // Filled by the response
     Real friction_coefficient = 0;
-    bool takes_part = false;    ///< in the solve under way
-    Real inverse_mass = 0;      ///< that a push along the normal meets, of both bodies; 0 if none moves [1/kg]
-    Real mass = 0;              ///< 1 / inverse_mass, or 0 [kg]
-    Real sliding_mass = 0;      ///< the same for a push across the normal [kg]
+    bool takes_part = false;  ///< in the solve under way
+    Real inverse_mass = 0;    ///< that a push along the normal meets, of both bodies; 0 if none moves [1/kg]
+    Real mass = 0;            ///< 1 / inverse_mass, or 0 [kg]
+    Real sliding_mass = 0;    ///< the same for a push across the normal [kg]
+    int particle_count = 0;
+    std::array<PushedParticle, 4> particles{};  ///< the first `particle_count`
     Vec3 start = Vec3::Zero();  ///< the first point, or its offset from the second, at the start of the substep [m]
     Real remaining = 0;         ///< of the substep, after the impact [s]
     Real approach = 0;          ///< speed at which they meet, less than zero where they part [m/s]
     ContactPush displacement;   ///< within the substep
     ContactPush impulse;
+
+    [[nodiscard]] std::span<const PushedParticle> pushed() const {
+        return std::span(particles).first(static_cast<std::size_t>(particle_count));
+    }
 };
 
 /// A contact whose second body is a ball, or the ground.
@@ -67,19 +80,10 @@ struct BallContact : BodyContact {
     int first = 0;  ///< the first body, a ball
 };
 
-/// A particle that a pair of features pushes.
-struct PushedParticle {
-    int cloth = 0;
-    int particle = 0;
-    Real weight = 0;  ///< of its motion in that of the contact point; less than zero if it is of the second feature
-    Real share = 0;   ///< of a push, that it moves by: weight times inverse mass [1/kg]
-};
-
 /// Two features of cloths that may come nearer to each other within the substep than the cloths' thickness. The plane
 /// between them is that of the start of the substep, when they were on the right sides of each other.
 struct PairContact : ContactPlane {
     NearPair pair;
-    std::array<PushedParticle, 4> particles{};  ///< filled by the response
 };
 
 /// The touched triangles, exactly: those whose distance to the ball's centre is at most radius + thickness.
