@@ -72,7 +72,7 @@ restitution = 0.125
 rolling = 0.03
 thickness = 0.003
 continuous = true
-self = false
+self = true
 [ground]
 height = 0.5
 solid = false
