@@ -63,6 +63,9 @@ HWY_INLINE CellBits classify(D d, const Grid& grid, const Real* const x[3], cons
     const V diagonal = square_between(corner_b, corner_c);
     const V above = hn::Max(square_between(corner_a, corner_b), square_between(corner_a, corner_c));
     const V below = hn::Max(square_between(corner_d, corner_b), square_between(corner_d, corner_c));
+    const V longest = hn::Max(hn::Max(above, below), diagonal);
+    if ((open_bits(d, hn::Min(of_first, of_second), longest, square) & wanted) == 0) return bits;
+
     bits.first_open = open_bits(d, of_first, hn::Max(above, diagonal), square) & ~bits.first;
     bits.second_open = open_bits(d, of_second, hn::Max(below, diagonal), square) & ~bits.second;
     return bits;
