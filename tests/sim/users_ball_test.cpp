@@ -14,7 +14,7 @@ using testing::AllOf;
 using testing::HasSubstr;
 using testing::IsEmpty;
 
-Simulation shipped(const std::string& name, const std::vector<std::string>& assignments = {}) {
+Simulation scene_for_user(const std::string& name, const std::vector<std::string>& assignments = {}) {
     Settings settings = load_scene(name);
     for (const std::string& assignment : assignments) assign(settings, assignment);
     return {name, std::move(settings)};
@@ -22,7 +22,7 @@ Simulation shipped(const std::string& name, const std::vector<std::string>& assi
 
 TEST(UsersBall, IsLedByTheKeysWhateverMovedItAndGivenBackByAReset) {
     for (const std::string scene : {"drop", "curtain", "trampoline"}) {
-        Simulation simulation = shipped(scene);
+        Simulation simulation = scene_for_user(scene);
         const BallMotion motion = simulation.settings().balls[0].motion;
         const Vec3 start = simulation.balls()[0].centre;
         send(simulation, "steer 0 1 0");
@@ -35,7 +35,7 @@ TEST(UsersBall, IsLedByTheKeysWhateverMovedItAndGivenBackByAReset) {
 }
 
 TEST(UsersBall, FallsWhenItIsLetGo) {
-    Simulation simulation = shipped("original", {"ball.position=5,0,0"});
+    Simulation simulation = scene_for_user("original", {"ball.position=5,0,0"});
     send(simulation, "fall");
     make_steps(simulation, 320);
     EXPECT_NEAR(simulation.balls()[0].centre.y(), -9.81 * 0.01 / 2, 1e-3);
@@ -45,7 +45,7 @@ TEST(UsersBall, FallsWhenItIsLetGo) {
 }
 
 TEST(UsersBall, FliesWhereItIsThrown) {
-    Simulation simulation = shipped("drop");
+    Simulation simulation = scene_for_user("drop");
     send(simulation, "throw 5 1 0 3 2 0");
     make_steps(simulation, 320);
     const Ball& ball = simulation.balls()[0];
@@ -54,14 +54,14 @@ TEST(UsersBall, FliesWhereItIsThrown) {
 }
 
 TEST(UsersBall, CannotBeThrownWhereThereIsNone) {
-    Simulation simulation = shipped("hang");
+    Simulation simulation = scene_for_user("hang");
     EXPECT_THAT(input_error_of([&] { send(simulation, "throw 0 1 0 0 0 0"); }), HasSubstr("no ball"));
     EXPECT_THAT(input_error_of([&] { send(simulation, "fall"); }), HasSubstr("no ball"));
     send(simulation, "steer 1 0 0");
 }
 
 TEST(Bullet, IsCaughtByTheSheet) {
-    Simulation simulation = shipped("bullet");
+    Simulation simulation = scene_for_user("bullet");
     while (simulation.report().time < 0.5) {
         simulation.step();
         ASSERT_EQ(simulation.report().status, Status::Ok) << simulation.report().trouble;
@@ -76,7 +76,7 @@ TEST(CrossingWarning, NamesTheSpeedsOnceForEachDanger) {
                                         "integrator=backward_euler", "dt=0.016666666666666666"};
     std::vector<std::string> blind = fast;
     blind.emplace_back("contact.continuous=false");
-    Simulation simulation = shipped("curtain", blind);
+    Simulation simulation = scene_for_user("curtain", blind);
     EXPECT_THAT(simulation.crossing_warning(), IsEmpty());
     simulation.step();
     EXPECT_LT(simulation.balls()[0].centre.z(), -2) << "before it can have crossed";
@@ -84,7 +84,7 @@ TEST(CrossingWarning, NamesTheSpeedsOnceForEachDanger) {
     make_steps(simulation, 5);
     EXPECT_EQ(simulation.report().crossing.starts, 1);
 
-    Simulation automatic = shipped("curtain", fast), slow = shipped("curtain", {"contact.continuous=false"});
+    Simulation automatic = scene_for_user("curtain", fast), slow = scene_for_user("curtain", {"contact.continuous=false"});
     make_steps(automatic, 6), make_steps(slow, 100);
     EXPECT_THAT(automatic.crossing_warning(), IsEmpty());
     EXPECT_THAT(slow.crossing_warning(), IsEmpty());
@@ -92,10 +92,10 @@ TEST(CrossingWarning, NamesTheSpeedsOnceForEachDanger) {
 
 TEST(PenaltyLimit, JoinsTheWarningOfTheStep) {
     const std::vector<std::string> stiff{"contact.stiffness=4000", "contact.response=penalty"};
-    EXPECT_THAT(shipped("drop", stiff).step_warning(),
+    EXPECT_THAT(scene_for_user("drop", stiff).step_warning(),
                 AllOf(HasSubstr("1.6 times the step limit of the penalty"), HasSubstr("4000 N/m")));
-    EXPECT_THAT(shipped("drop", {"contact.stiffness=1500", "contact.response=hybrid"}).step_warning(), IsEmpty());
-    EXPECT_THAT(shipped("drop", {"contact.stiffness=4000"}).step_warning(), IsEmpty()) << "projection has no limit";
+    EXPECT_THAT(scene_for_user("drop", {"contact.stiffness=1500", "contact.response=hybrid"}).step_warning(), IsEmpty());
+    EXPECT_THAT(scene_for_user("drop", {"contact.stiffness=4000"}).step_warning(), IsEmpty()) << "projection has no limit";
 }
 
 }  // namespace
