@@ -8,7 +8,7 @@
 
 namespace drape::kernels {
 
-/// The triangles that touch a ball, appended; only those that are open cost a closest point.
+/// The triangles that touch a ball, appended; only those of undecided cells cost a closest point.
 /// @param radius of the ball about p, grown by the cloth's thickness
 void find_touched(const Grid& grid, const Points& x, const Vec3& p, Real radius, std::span<const CellRun> cells,
                   std::vector<int>& triangles);

@@ -35,39 +35,31 @@ HWY_INLINE std::uint32_t bits_of(D d, M mask) {
     return bytes[0] | static_cast<std::uint32_t>(bytes[1]) << 8;
 }
 
-/// The triangles that may touch the ball though the nearest of their corners is outside.
-template <class D, class V>
-HWY_INLINE std::uint32_t open_bits(D d, V nearest, V longest, V square) {
-    constexpr Real rounding = 32 * std::numeric_limits<Real>::epsilon();
-    const V sure =
-        hn::Sub(hn::Mul(nearest, hn::Set(d, 1 - rounding)), hn::Mul(longest, hn::Set(d, (1 + rounding) / 3)));
-    return bits_of(d, hn::Not(hn::Gt(sure, square)));
-}
-
 /// The bits of as many cells as a vector has lanes; corner a of the first is particle `at`.
 /// @param wanted the cells that matter, a bit each
 template <class D>
 HWY_INLINE CellBits classify(D d, const Grid& grid, const Real* const x[3], const Vec3& p, Real radius, int at,
                              std::uint32_t wanted) {
     using V = hn::Vec<D>;
+    constexpr Real rounding = 32 * std::numeric_limits<Real>::epsilon();
     const Corners<V> centre{hn::Set(d, p[0]), hn::Set(d, p[1]), hn::Set(d, p[2])};
     const Corners<V> corner_a = corners_at(d, x, at), corner_b = corners_at(d, x, at + 1),
                      corner_c = corners_at(d, x, at + grid.nx), corner_d = corners_at(d, x, at + grid.nx + 1);
+    const V from_a = square_between(corner_a, centre), from_b = square_between(corner_b, centre),
+            from_c = square_between(corner_c, centre), from_d = square_between(corner_d, centre);
     const V square = hn::Set(d, radius * radius);
-    const V of_diagonal = hn::Min(square_between(corner_b, centre), square_between(corner_c, centre));
-    const V of_first = hn::Min(square_between(corner_a, centre), of_diagonal);
-    const V of_second = hn::Min(square_between(corner_d, centre), of_diagonal);
-    CellBits bits{0, 0, bits_of(d, hn::Le(of_first, square)), bits_of(d, hn::Le(of_second, square)), 0, 0};
+    const V diagonal = hn::Min(from_b, from_c);
+    CellBits bits{0, 0, bits_of(d, hn::Le(hn::Min(from_a, diagonal), square)),
+                  bits_of(d, hn::Le(hn::Min(from_d, diagonal), square)), 0};
     if ((bits.first & bits.second & wanted) == wanted) return bits;
 
-    const V diagonal = square_between(corner_b, corner_c);
-    const V above = hn::Max(square_between(corner_a, corner_b), square_between(corner_a, corner_c));
-    const V below = hn::Max(square_between(corner_d, corner_b), square_between(corner_d, corner_c));
-    const V longest = hn::Max(hn::Max(above, below), diagonal);
-    if ((open_bits(d, hn::Min(of_first, of_second), longest, square) & wanted) == 0) return bits;
-
-    bits.first_open = open_bits(d, of_first, hn::Max(above, diagonal), square) & ~bits.first;
-    bits.second_open = open_bits(d, of_second, hn::Max(below, diagonal), square) & ~bits.second;
+    const V nearest = hn::Min(hn::Min(from_a, from_d), diagonal);
+    const V sides = hn::Max(hn::Max(square_between(corner_a, corner_b), square_between(corner_a, corner_c)),
+                            hn::Max(square_between(corner_d, corner_b), square_between(corner_d, corner_c)));
+    const V longest = hn::Max(sides, square_between(corner_b, corner_c));
+    const V sure =
+        hn::Sub(hn::Mul(nearest, hn::Set(d, 1 - rounding)), hn::Mul(longest, hn::Set(d, (1 + rounding) / 3)));
+    bits.undecided = bits_of(d, hn::Not(hn::Gt(sure, square))) & ~(bits.first & bits.second);
     return bits;
 }
 
@@ -84,9 +76,8 @@ HWY_INLINE int classify_all(D d, const Grid& grid, const Real* const x[3], const
             const int count = HWY_MIN(lanes, run.count - k);
             const std::uint32_t wanted = (1u << count) - 1;
             const CellBits some = classify(d, grid, x, p, radius, at, wanted << skipped);
-            const auto kept = [&](std::uint32_t all) { return all >> skipped & wanted; };
-            bits[found] = {
-                cell + k, count, kept(some.first), kept(some.second), kept(some.first_open), kept(some.second_open)};
+            bits[found] = {cell + k, count, some.first >> skipped & wanted, some.second >> skipped & wanted,
+                           some.undecided >> skipped & wanted};
             found += bits[found].near() != 0;
         }
     }

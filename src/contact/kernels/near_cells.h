@@ -13,21 +13,18 @@ namespace drape::kernels {
 
 /// What their corners say about the triangles of cells that follow one another, and a ball: a bit a cell.
 struct CellBits {
-    int cell;                   ///< of bit 0
-    int count;                  ///< of cells
-    std::uint32_t first;        ///< triangle 2 cell has a corner in the ball
-    std::uint32_t second;       ///< triangle 2 cell + 1 has one
-    std::uint32_t first_open;   ///< triangle 2 cell has none, and may touch the ball all the same
-    std::uint32_t second_open;  ///< so may triangle 2 cell + 1
+    int cell;                 ///< of bit 0
+    int count;                ///< of cells
+    std::uint32_t first;      ///< triangle 2 cell has a corner in the ball
+    std::uint32_t second;     ///< triangle 2 cell + 1 has one
+    std::uint32_t undecided;  ///< a triangle without such a corner may touch the ball all the same
 
-    [[nodiscard]] std::uint32_t near() const { return first | second | open(); }
-    [[nodiscard]] std::uint32_t open() const { return first_open | second_open; }
+    [[nodiscard]] std::uint32_t near() const { return first | second | undecided; }
 };
 
 /// Classifies cells by their corners. For a point of a triangle with weights w_i,
 /// |p - sum w_i v_i|^2 = sum w_i |p - v_i|^2 - sum_{i<j} w_i w_j |v_i - v_j|^2 (Leibniz), which is at least the
-/// smallest |p - v_i|^2 less a third of the longest edge squared: a triangle for which this is beyond the ball does not
-/// touch it.
+/// smallest |p - v_i|^2 less a third of the longest edge squared: beyond that nothing is undecided.
 /// @param x n x 3, by coordinate
 /// @param p, radius of the ball, grown by the cloth's thickness
 /// @param bits receives those with a bit set; room for one a cell
