@@ -84,7 +84,8 @@ TEST(CrossingWarning, NamesTheSpeedsOnceForEachDanger) {
     make_steps(simulation, 5);
     EXPECT_EQ(simulation.report().crossing.starts, 1);
 
-    Simulation automatic = scene_for_user("curtain", fast), slow = scene_for_user("curtain", {"contact.continuous=false"});
+    Simulation automatic = scene_for_user("curtain", fast),
+               slow = scene_for_user("curtain", {"contact.continuous=false"});
     make_steps(automatic, 6), make_steps(slow, 100);
     EXPECT_THAT(automatic.crossing_warning(), IsEmpty());
     EXPECT_THAT(slow.crossing_warning(), IsEmpty());
@@ -94,8 +95,10 @@ TEST(PenaltyLimit, JoinsTheWarningOfTheStep) {
     const std::vector<std::string> stiff{"contact.stiffness=4000", "contact.response=penalty"};
     EXPECT_THAT(scene_for_user("drop", stiff).step_warning(),
                 AllOf(HasSubstr("1.6 times the step limit of the penalty"), HasSubstr("4000 N/m")));
-    EXPECT_THAT(scene_for_user("drop", {"contact.stiffness=1500", "contact.response=hybrid"}).step_warning(), IsEmpty());
-    EXPECT_THAT(scene_for_user("drop", {"contact.stiffness=4000"}).step_warning(), IsEmpty()) << "projection has no limit";
+    EXPECT_THAT(scene_for_user("drop", {"contact.stiffness=1500", "contact.response=hybrid"}).step_warning(),
+                IsEmpty());
+    EXPECT_THAT(scene_for_user("drop", {"contact.stiffness=4000"}).step_warning(), IsEmpty())
+        << "projection has no limit";
 }
 
 }  // namespace
