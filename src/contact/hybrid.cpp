@@ -2,7 +2,7 @@
 #include "penalty.h"
 
 // The penalty-impulse hybrid: an impulse where bodies meet faster than gravity alone brings them together within a few
-// steps, a penalty where they rest.
+// steps, a penalty where they rest. @cite constantinescu2005
 
 namespace drape {
 namespace {

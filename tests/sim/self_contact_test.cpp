@@ -24,17 +24,22 @@ Settings base_settings() {
     return settings;
 }
 
-/// A sheet that hangs upright in the air, falls onto the ground and folds there.
+/// A sheet that slips off a ball, and comes to lie folded on the ground.
 Settings folding_sheet() {
     Settings settings = base_settings();
     ClothParameters cloth;
-    cloth.particles = {12, 12};
-    cloth.plane = Plane::XY;
-    cloth.place = {Real(-0.5), 0, 0};
+    cloth.particles = {13, 13};
+    cloth.width = cloth.height = Real(0.8);
+    cloth.centred = true;
+    cloth.place = {Real(0.17), Real(0.1), Real(0.11)};
     cloth.bend.stiffness = 2;
     settings.cloths.push_back(cloth);
-    settings.ground.height = Real(-0.4);
-    settings.ground.friction = Real(0.5);
+    BallSettings ball;
+    ball.radius = Real(0.12);
+    ball.motion = BallMotion::Still;
+    settings.balls.push_back(ball);
+    settings.contact.friction = Real(0.6);
+    settings.ground.height = -1;
     return settings;
 }
 
@@ -85,10 +90,13 @@ Tally run(Settings settings, double time) {
         EXPECT_EQ(simulation.report().status, Status::Ok) << simulation.report().trouble;
         if (simulation.report().status != Status::Ok) break;
         tally.pairs += simulation.report().pairs;
-        if (simulation.report().step % 5 == 0) tally.crossings += crossings_in(simulation);
+        if (simulation.report().step % 20 == 0) tally.crossings += crossings_in(simulation);
     }
     return tally;
 }
+
+/// For cloth to come onto cloth [s].
+double time_of(Settings (*scene)()) { return scene == folding_sheet ? 1.8 : test::sanitized ? 0.4 : 1.0; }
 
 class SelfContactScene : public testing::TestWithParam<Settings (*)()> {};
 
@@ -96,7 +104,7 @@ INSTANTIATE_TEST_SUITE_P(All, SelfContactScene, testing::Values(folding_sheet, s
                          [](const auto& param) { return param.index == 0 ? "fold" : "stack"; });
 
 TEST_P(SelfContactScene, NeverHasACrossing) {
-    const Tally tally = run(GetParam()(), test::sanitized ? 0.4 : 1.0);
+    const Tally tally = run(GetParam()(), time_of(GetParam()));
     EXPECT_EQ(tally.crossings, 0);
     EXPECT_GT(tally.pairs, 1000) << "cloth has touched cloth";
 }
@@ -104,7 +112,7 @@ TEST_P(SelfContactScene, NeverHasACrossing) {
 TEST_P(SelfContactScene, HasCrossingsWithoutTheSearch) {
     Settings settings = GetParam()();
     settings.contact.self = false;
-    const Tally tally = run(std::move(settings), 1.0);
+    const Tally tally = run(std::move(settings), time_of(GetParam()));
     EXPECT_GT(tally.crossings, 100);
     EXPECT_EQ(tally.pairs, 0);
 }
