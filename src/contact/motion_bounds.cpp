@@ -12,24 +12,36 @@ BoundedMotion& BoundedMotion::operator+=(const BoundedMotion& other) {
     return *this;
 }
 
-void MotionBounds::start(std::span<const int> particles, Real margin) {
+void MotionBounds::start(std::span<const int> particles, std::span<const Real> reaches) {
     first_.clear();
     std::size_t all = 0;
     for (const int count : particles) {
         first_.push_back(all);
         all += static_cast<std::size_t>(count);
     }
-    bounds_.assign(all, share * margin / 2);
+    reaches_ = reaches;
+    bounds_.resize(all);
+    std::ranges::transform(reaches, bounds_.begin(), [](Real reach) { return share * reach; });
+}
+
+/// Of the k-th particle of a pair, among all.
+std::size_t MotionBounds::number_of(const NearPair& pair, std::size_t k) const {
+    const auto& [cloths, first_count, particles] = pair.features;
+    const int cloth = cloths[static_cast<int>(k) < first_count ? 0 : 1];
+    return first_[static_cast<std::size_t>(cloth)] + static_cast<std::size_t>(particles[k]);
 }
 
 /// What begins in one place has met already.
 void MotionBounds::tighten(const NearPair& pair) {
     if (pair.distance == 0) return;
-    const auto& [cloths, first_count, particles] = pair.features;
-    for (int k = 0; k < 4; ++k) {
-        const int cloth = cloths[k < first_count ? 0 : 1], particle = particles[static_cast<std::size_t>(k)];
-        Real& bound = bounds_[first_[static_cast<std::size_t>(cloth)] + static_cast<std::size_t>(particle)];
-        bound = std::min(bound, share * pair.distance / 2);
+    const auto is_second = [&](std::size_t k) { return static_cast<int>(k) < pair.features.first_count ? 0u : 1u; };
+    std::array<Real, 2> reach{};
+    for (std::size_t k = 0; k < 4; ++k) {
+        reach[is_second(k)] = std::max(reach[is_second(k)], reaches_[number_of(pair, k)]);
+    }
+    for (std::size_t k = 0; k < 4; ++k) {
+        Real& bound = bounds_[number_of(pair, k)];
+        bound = std::min(bound, share * pair.distance * reach[is_second(k)] / (reach[0] + reach[1]));
     }
 }
 

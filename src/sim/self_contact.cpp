@@ -41,12 +41,12 @@ SelfSearchReport SelfContact::find(const ResponseParameters& parameters, std::sp
     if (!on_) return {};
     const Real thickness = parameters.pair_thickness;
     const SelfSearchReport report = search_.find(cloths, thickness);
-    bounds_.start(particles_, search_.margin());
+    bounds_.start(particles_, search_.reaches());
     contacts_.clear();
-    // A pair that stays well apart is left to the fail-safe
-    const Real ahead = (search_.margin() - thickness) / 4;
     for (const NearPair& pair : search_.pairs()) {
         bounds_.tighten(pair);
+        // A pair that stays well apart is left to the fail-safe
+        const Real ahead = (search_.reach_of(pair.features) - thickness) / 4;
         if (!pair.stands_alone || gap_after(cloths, pair, thickness) > ahead) continue;
         PairContact contact;
         contact.pair = pair;

@@ -2,8 +2,6 @@
 
 #include <algorithm>
 
-#include "drape/bounds/leaf_copies.h"
-
 namespace drape {
 namespace {
 
@@ -23,7 +21,6 @@ ClothAt at(std::span<const ClothInContact> cloths, int number) {
 }  // namespace
 
 void SelfSearch::use(const BroadPhaseParameters& parameters, std::span<const ClothModel* const> models) {
-    kernels_ = parameters.kernels;
     surfaces_.clear();
     for (const ClothModel* model : models) {
         surfaces_.push_back({make_broad_phase(parameters, model->grid),
@@ -35,28 +32,53 @@ void SelfSearch::use(const BroadPhaseParameters& parameters, std::span<const Clo
     forget();
 }
 
+/// @return the longest way of a particle in the substep [m]
+Real SelfSearch::find_reaches(std::span<const ClothInContact> cloths, Real thickness) {
+    Real longest = 0;
+    reaches_.clear();
+    strayed_.clear();
+    first_particle_.clear();
+    for (std::size_t c = 0; c < cloths.size(); ++c) {
+        const Points &x = cloths[c].state.x, &before = cloths[c].before, &kept = surfaces_[c].kept;
+        first_particle_.push_back(reaches_.size());
+        for (Eigen::Index p = 0; p < x.rows(); ++p) {
+            const Real way = (x.row(p) - before.row(p)).norm(), reach = thickness / 2 + response_allowance * way;
+            longest = std::max(longest, way);
+            reaches_.push_back(reach);
+            strayed_.push_back(margin_ > 0 ? reach + (before.row(p) - kept.row(p)).norm() : reach);
+        }
+    }
+    return longest;
+}
+
+/// Of the particles of both features, the largest numbers together.
+Real SelfSearch::sum_of_largest(const FeaturePair& pair, std::span<const Real> of_particles) const {
+    std::array<Real, 2> largest{};
+    for (std::size_t k = 0; k < 4; ++k) {
+        const std::size_t feature = static_cast<int>(k) < pair.first_count ? 0 : 1;
+        const auto cloth = static_cast<std::size_t>(pair.cloths[feature]);
+        const Real number = of_particles[first_particle_[cloth] + static_cast<std::size_t>(pair.particles[k])];
+        largest[feature] = std::max(largest[feature], number);
+    }
+    return largest[0] + largest[1];
+}
+
+/// A pair that was farther apart than both features have strayed, and may yet reach, is not near.
 SelfSearchReport SelfSearch::find(std::span<const ClothInContact> cloths, Real thickness) {
     SelfSearchReport report;
-    Real moves = 0, since_list = 0;
-    for (std::size_t c = 0; c < cloths.size(); ++c) {
-        moves = std::max(moves, largest_displacement(cloths[c].state.x, cloths[c].before, kernels_));
-        if (margin_ == 0) continue;
-        since_list = std::max(since_list, largest_displacement(cloths[c].before, surfaces_[c].kept, kernels_));
-    }
-    // Two particles may come towards each other
-    near_margin_ = thickness + 2 * response_allowance * moves;
-    report.kept_list = margin_ - 2 * since_list >= near_margin_;
+    const Real longest = find_reaches(cloths, thickness);
+    report.kept_list = margin_ >= 2 * std::ranges::max(strayed_);
     if (!report.kept_list) {
-        margin_ = near_margin_ + 2 * substeps_ahead * moves + thickness_ahead * thickness;
+        margin_ = 2 * std::ranges::max(reaches_) + 2 * substeps_ahead * longest + thickness_ahead * thickness;
         make_list(cloths, report);
-        since_list = 0;
+        strayed_ = reaches_;
     }
     near_.clear();
-    for (const NearPair& listed : list_) {
-        if (listed.distance - 2 * since_list >= near_margin_) continue;
-        NearPair pair = listed;
-        if (report.kept_list) locate(at(cloths, pair.features.cloths[0]), at(cloths, pair.features.cloths[1]), pair);
-        if (pair.distance < near_margin_) near_.push_back(pair);
+    for (const auto& [features, triangle, distance] : list_) {
+        if (distance >= sum_of_largest(features, strayed_)) continue;
+        NearPair pair{features, triangle};
+        locate(at(cloths, features.cloths[0]), at(cloths, features.cloths[1]), pair);
+        if (pair.distance < reach_of(features)) near_.push_back(pair);
     }
     report.listed = static_cast<std::int64_t>(list_.size());
     return report;
@@ -70,12 +92,14 @@ void SelfSearch::make_list(std::span<const ClothInContact> cloths, SelfSearchRep
         surface.folds.build(surface.kept);
         surface.boxed = false;
     }
-    list_.clear();
+    near_.clear();
     const int count = static_cast<int>(cloths.size());
     for (int first = 0; first < count; ++first) {
         for (int second = first; second < count; ++second) search(cloths, first, second, report);
     }
-    std::ranges::sort(list_, {}, &NearPair::features);
+    list_.clear();
+    for (const NearPair& pair : near_) list_.push_back({pair.features, pair.triangle, pair.distance});
+    std::ranges::sort(list_, {}, &Listed::features);
 }
 
 /// Boxes are built where anything comes near at all.
@@ -87,7 +111,7 @@ void SelfSearch::search(std::span<const ClothInContact> cloths, int first, int s
     if (!one.boxed) one.boxes.build(at_one.grid, at_one.x);
     if (!two.boxed) two.boxes.build(at_two.grid, at_two.x);
     one.boxed = two.boxed = true;
-    report.cells += find_near_pairs({at_one, one.boxes}, {at_two, two.boxes}, margin_, leaves_, list_);
+    report.cells += find_near_pairs({at_one, one.boxes}, {at_two, two.boxes}, margin_, leaves_, near_);
 }
 
 }  // namespace drape

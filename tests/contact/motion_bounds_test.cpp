@@ -78,7 +78,8 @@ TEST(MotionBounds, LetNoTwoFeaturesMeetHoweverParticlesMove) {
         const std::array counts{cloths.models[0].grid.particles(), cloths.models[1].grid.particles()};
         for (int substep = 0; substep < 4; ++substep) {
             MotionBounds bounds;
-            bounds.start(counts, margin);
+            const std::vector<Real> reaches(static_cast<std::size_t>(counts[0] + counts[1]), margin / 2);
+            bounds.start(counts, reaches);
             for (const NearPair& pair : cloths.pairs_within(margin)) bounds.tighten(pair);
             const std::array before{cloths.states[0].x, cloths.states[1].x};
             for (ClothState& state : cloths.states) move_wildly(state, Real(0.05), random);
@@ -107,7 +108,8 @@ TEST(MotionBounds, TellWhatTheyTake) {
     cloths.states[1].x.col(1).array() = Real(0.01);
     const std::array counts{4, 4};
     MotionBounds bounds;
-    bounds.start(counts, 1);
+    const std::vector<Real> reaches(8, Real(0.5));
+    bounds.start(counts, reaches);
     for (const NearPair& pair : cloths.pairs_within(Real(0.1))) bounds.tighten(pair);
     const Points before = cloths.states[0].x;
     cloths.states[0].x(2, 1) += Real(0.009);

@@ -20,7 +20,8 @@ struct SelfSearchReport {
 
 /// Finds where the cloths of a scene come near themselves and each other. What was found within a wide margin serves
 /// as a list for as long as nothing has moved far enough for other pairs to come near @cite verlet1967: most substeps
-/// look at the pairs in the list alone, and where it is empty they cost one pass over the displacements.
+/// look at those pairs of the list alone whose particles have moved enough since, and where it is empty they cost one
+/// pass over the displacements.
 class SelfSearch {
 public:
     /// Takes new hierarchies.
@@ -36,8 +37,12 @@ public:
     /// In the order of their features, whatever found them.
     [[nodiscard]] std::span<const NearPair> pairs() const { return near_; }
 
-    /// All others are farther apart [m].
-    [[nodiscard]] Real margin() const { return near_margin_; }
+    /// How far each particle may come to reach within the substep, with half the thickness: features of pairs that were
+    /// not found are farther apart than both reach together. Cloth after cloth [m].
+    [[nodiscard]] std::span<const Real> reaches() const { return reaches_; }
+
+    /// How far both features of a pair reach together [m].
+    [[nodiscard]] Real reach_of(const FeaturePair& pair) const { return sum_of_largest(pair, reaches_); }
 
 private:
     struct Surface {
@@ -48,16 +53,26 @@ private:
         Points kept;         ///< what the list was made from
     };
 
+    /// A pair as it was when the list was made.
+    struct Listed {
+        FeaturePair features;
+        int triangle;
+        Real distance;  ///< [m]
+    };
+
+    Real find_reaches(std::span<const ClothInContact> cloths, Real thickness);
+    [[nodiscard]] Real sum_of_largest(const FeaturePair& pair, std::span<const Real> of_particles) const;
     void make_list(std::span<const ClothInContact> cloths, SelfSearchReport& report);
     void search(std::span<const ClothInContact> cloths, int first, int second, SelfSearchReport& report);
 
-    Kernels kernels_ = Kernels::Vector;
     std::vector<Surface> surfaces_;  ///< of each cloth
     Real margin_ = 0;                ///< of the list; 0: there is none
     std::vector<LeafPair> leaves_;
-    std::vector<NearPair> list_;  ///< as they were when it was made
+    std::vector<Listed> list_;
     std::vector<NearPair> near_;
-    Real near_margin_ = 0;
+    std::vector<std::size_t> first_particle_;  ///< of each cloth, among all
+    std::vector<Real> reaches_;                ///< of all particles [m]
+    std::vector<Real> strayed_;                ///< by what each has moved since the list was made, and its reach [m]
 };
 
 }  // namespace drape
