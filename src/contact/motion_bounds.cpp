@@ -47,7 +47,7 @@ void MotionBounds::tighten(const NearPair& pair) {
 
 BoundedMotion MotionBounds::hold_back(int cloth, const ClothModel& model, const Points& before,
                                       ClothState& state) const {
-    BoundedMotion lost;
+    BoundedMotion held;
     const std::size_t first = first_[static_cast<std::size_t>(cloth)];
     for (int p = 0; p < model.grid.particles(); ++p) {
         const Real bound = bounds_[first + static_cast<std::size_t>(p)];
@@ -58,12 +58,12 @@ BoundedMotion MotionBounds::hold_back(int cloth, const ClothModel& model, const 
         const Vec3 velocity = state.v.row(p).transpose();
         state.x.row(p) = before.row(p) + kept * way.transpose();
         state.v.row(p) = kept * velocity.transpose();
-        ++lost.particles;
-        lost.longest = std::max(lost.longest, length - bound);
-        lost.energy += static_cast<double>(model.particle_mass / 2 * (1 - kept * kept) * velocity.squaredNorm());
-        lost.momentum += model.particle_mass * (1 - kept) * velocity;
+        ++held.particles;
+        held.longest = std::max(held.longest, length - bound);
+        held.energy += static_cast<double>(model.particle_mass / 2 * (1 - kept * kept) * velocity.squaredNorm());
+        held.momentum += model.particle_mass * (1 - kept) * velocity;
     }
-    return lost;
+    return held;
 }
 
 }  // namespace drape

@@ -128,17 +128,6 @@ void prepare_all(ContactProblem& problem) {
     }
 }
 
-/// What the balls that nothing pushes have given the cloth through their impulses [J].
-double work_of_led_balls(std::span<const Contact> contacts, std::span<const Ball> balls) {
-    Real work = 0;
-    for (const Contact& contact : contacts) {
-        if (contact.ball == the_ground || ball_of(contact, balls).inverse_mass > 0) continue;
-        const Vec3 impulse = contact.impulse.normal * contact.normal + contact.impulse.friction;
-        work += impulse.dot(ball_of(contact, balls).velocity);
-    }
-    return static_cast<double>(work);
-}
-
 ResponseReport respond_in_kind(ContactProblem& problem) {
     switch (problem.parameters.kind) {
         case ResponseKind::Projection:
@@ -154,6 +143,16 @@ ResponseReport respond_in_kind(ContactProblem& problem) {
 }
 
 }  // namespace
+
+double work_of_led_balls(std::span<const Contact> contacts, std::span<const Ball> balls) {
+    Real work = 0;
+    for (const Contact& contact : contacts) {
+        if (contact.ball == the_ground || ball_of(contact, balls).inverse_mass > 0) continue;
+        const Vec3 impulse = contact.impulse.normal * contact.normal + contact.impulse.friction;
+        work += impulse.dot(ball_of(contact, balls).velocity);
+    }
+    return static_cast<double>(work);
+}
 
 double kinetic_energy(std::span<const Ball> balls) {
     Real sum = 0;
@@ -241,8 +240,7 @@ ResponseReport resolve_contacts(const ResponseParameters& parameters, Real h, st
     prepare_all(problem);
     const double before = kinetic_energy(balls);
     ResponseReport report = respond_in_kind(problem);
-    report.ball_work = before - kinetic_energy(balls);
-    for (const ClothInContact& cloth : cloths) report.ball_work += work_of_led_balls(cloth.contacts, balls);
+    report.free_ball_work = before - kinetic_energy(balls);
     report.depth = depth_left(problem);
     return report;
 }

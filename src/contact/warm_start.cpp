@@ -68,7 +68,7 @@ void displace_ball(BallDisplacements& /*balls*/, const PairContact& /*contact*/)
 
 template <class AnyContact>
 void WarmStart<AnyContact>::take(const ResponseParameters& parameters, Real h, Real gravity,
-                                 std::vector<AnyContact>& contacts) {
+                                 std::span<const ClothInContact> cloths, std::vector<AnyContact>& contacts) {
     last_.clear();
     const Real h_before = h_ > 0 ? h_ : h, factor = h / h_before;
     const Real share = parameters.kind == ResponseKind::Impulse ? displacement_share(parameters.integrator) : Real(1);
@@ -82,6 +82,7 @@ void WarmStart<AnyContact>::take(const ResponseParameters& parameters, Real h, R
         contact.impulse = contact.displacement;
         scale(contact.impulse, 1 / (share * h));
         last_.push_back(contact);
+        list_particles(cloths, last_.back());
     }
     contacts.clear();
 }

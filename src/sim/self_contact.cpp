@@ -23,6 +23,8 @@ Real gap_after(std::span<const ClothInContact> cloths, const NearPair& pair, Rea
 void SelfContact::use(const Settings& settings, std::span<const ClothModel* const> models) {
     on_ = settings.contact.self;
     contacts_.clear();
+    warm_start_.forget();
+    search_ = {};
     if (!on_) return;
     BroadPhaseParameters parameters = broad_phase_of(settings);
     parameters.search = {};
@@ -32,8 +34,9 @@ void SelfContact::use(const Settings& settings, std::span<const ClothModel* cons
     for (const ClothModel* model : models) particles_.push_back(model->grid.particles());
 }
 
-void SelfContact::take_pushes(const ResponseParameters& parameters, Real h, Real gravity) {
-    if (on_) warm_start_.take(parameters, h, gravity, contacts_);
+void SelfContact::take_pushes(const ResponseParameters& parameters, Real h, Real gravity,
+                              std::span<const ClothInContact> cloths) {
+    if (on_) warm_start_.take(parameters, h, gravity, cloths, contacts_);
 }
 
 SelfSearchReport SelfContact::find(const ResponseParameters& parameters, std::span<const ClothInContact> cloths,

@@ -108,7 +108,7 @@ std::string range_text(const Setting& setting) {
 std::string accepted(const Setting& setting) {
     switch (setting.kind) {
         case SettingKind::Flag:
-            return "true or false";
+            return setting.range.high < 1 ? "only false so far" : "true or false";
         case SettingKind::Choice:
             return listed(setting.choices);
         case SettingKind::Text:

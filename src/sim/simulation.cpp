@@ -111,9 +111,9 @@ void Simulation::look_at_cloths() {
 void Simulation::take_pushes(const Substep& now) {
     const ResponseParameters response = response_of(settings_);
     for (Cloth& cloth : cloths_) {
-        cloth.warm_start.take(response, now.h, cloth.model.gravity.norm(), cloth.contacts);
+        cloth.warm_start.take(response, now.h, cloth.model.gravity.norm(), in_contact_, cloth.contacts);
     }
-    self_contact_.take_pushes(response, now.h, standard_gravity().norm());
+    self_contact_.take_pushes(response, now.h, standard_gravity().norm(), in_contact_);
 }
 
 /// Gives the pushes of the substep before.
@@ -134,14 +134,14 @@ void Simulation::warm_start(WarmStartStage stage) {
     };
     for (const Cloth& cloth : cloths_) give(cloth.warm_start);
     give(pairs);
-    enter_pushes(balls_before - kinetic_energy(balls_));
+    double free_work = balls_before - kinetic_energy(balls_);
+    for (Cloth& cloth : cloths_) enter_pushes(cloth, 0, free_work);
 }
 
-/// @param ball_work by all balls, which the first cloth that was pushed enters [J]
-void Simulation::enter_pushes(double ball_work) {
-    for (Cloth& cloth : cloths_) {
-        if (cloth.energy.after_pushes(cloth.model, cloth.state, ball_work)) ball_work = 0;
-    }
+/// @param led_work by balls that nothing pushes, on this cloth [J]
+/// @param free_work by all free balls, which the first cloth that was pushed enters; 0 after that [J]
+void Simulation::enter_pushes(Cloth& cloth, double led_work, double& free_work) {
+    if (cloth.energy.after_pushes(cloth.model, cloth.state, led_work + free_work)) free_work = 0;
 }
 
 void Simulation::build(const Substep& now) {
@@ -205,10 +205,11 @@ void Simulation::answer(const Substep& now, std::span<PairContact> pairs, std::s
         Cloth& cloth = cloths_[c];
         cloth.energy.before_pushes(cloth.model, cloth.state, {cloth.contacts, pairs, static_cast<int>(c), balls_});
     }
-    const ResponseReport left =
-        resolve_contacts(response_of(settings_), now.h, in_contact_, pairs, balls_, ball_contacts);
+    ResponseReport left = resolve_contacts(response_of(settings_), now.h, in_contact_, pairs, balls_, ball_contacts);
     const BoundedMotion held = self_contact_.hold_back(in_contact_);
-    enter_pushes(left.ball_work);
+    for (Cloth& cloth : cloths_) {
+        enter_pushes(cloth, work_of_led_balls(cloth.contacts, balls_), left.free_ball_work);
+    }
     report_.held_back += held.particles;
     report_.penetration = static_cast<double>(left.depth);
     report_.contact_residual = std::max(report_.contact_residual, static_cast<double>(left.residual));

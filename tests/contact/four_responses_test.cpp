@@ -71,7 +71,7 @@ struct SheetOnGround {
                 ball.centre += ball.moved;
             }
             const ClothInContact sheet = in_contact();
-            warm_start.take(parameters, h, model.gravity.norm(), contacts);
+            warm_start.take(parameters, h, model.gravity.norm(), std::span(&sheet, 1), contacts);
             warm_start.before_step(std::span(&sheet, 1), balls);
             integrator->step(model, state, h, nullptr);
             warm_start.after_step(std::span(&sheet, 1), balls);

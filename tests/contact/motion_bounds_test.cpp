@@ -114,13 +114,13 @@ TEST(MotionBounds, TellWhatTheyTake) {
     const Points before = cloths.states[0].x;
     cloths.states[0].x(2, 1) += Real(0.009);
     cloths.states[0].v(2, 1) = 3;
-    const BoundedMotion lost = bounds.hold_back(0, cloths.models[0], before, cloths.states[0]);
-    EXPECT_EQ(lost.particles, 1);
+    const BoundedMotion taken = bounds.hold_back(0, cloths.models[0], before, cloths.states[0]);
+    EXPECT_EQ(taken.particles, 1);
     EXPECT_NEAR(cloths.states[0].x(2, 1), 0.0045, 1e-15);
-    EXPECT_NEAR(lost.longest, 0.0045, 1e-15);
+    EXPECT_NEAR(taken.longest, 0.0045, 1e-15);
     EXPECT_NEAR(cloths.states[0].v(2, 1), 1.5, 1e-14);
-    EXPECT_NEAR(lost.energy, 0.05 * (9 - 1.5 * 1.5), 1e-14);
-    EXPECT_NEAR(lost.momentum.y(), 0.1 * 1.5, 1e-15);
+    EXPECT_NEAR(taken.energy, 0.05 * (9 - 1.5 * 1.5), 1e-14);
+    EXPECT_NEAR(taken.momentum.y(), 0.1 * 1.5, 1e-15);
 }
 
 }  // namespace

@@ -203,5 +203,35 @@ TEST(EnergyLedger, IsKeptOnlyIfItIsWanted) {
     EXPECT_TRUE(std::isnan(simulation.view().report->balance.change()));
 }
 
+/// Two small cloths far apart, each lifted by a ball of its own.
+Settings two_lifts() {
+    Settings settings;
+    settings.cloths.clear();
+    for (const Real x : {Real(0), Real(2)}) {
+        ClothParameters cloth;
+        cloth.particles = {7, 7};
+        cloth.width = cloth.height = Real(0.4);
+        cloth.centred = true;
+        cloth.place = {x, Real(0.002), 0};
+        settings.cloths.push_back(cloth);
+        BallSettings ball;
+        ball.motion = BallMotion::Path;
+        ball.path = {{0, {x, Real(-0.3), 0}}, {Real(0.2), {x, Real(-0.3), 0}}, {Real(1.2), {x, Real(0.7), 0}}};
+        settings.balls.push_back(ball);
+    }
+    settings.contact.friction = 1;
+    settings.ground.height = -1;
+    settings.solver.integrator = IntegratorKind::BackwardEuler;
+    settings.solver.dt = 2e-3;
+    return settings;
+}
+
+TEST(EnergyWatch, GivesEachClothTheWorkOfTheBallsThatPushIt) {
+    Simulation simulation("two lifts", two_lifts());
+    make_steps(simulation, 600);
+    EXPECT_GT(simulation.cloths()[1].state.x.col(1).maxCoeff(), 0.8) << "it has been lifted";
+    EXPECT_EQ(simulation.run_warning(), "");
+}
+
 }  // namespace
 }  // namespace drape

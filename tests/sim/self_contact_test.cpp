@@ -1,4 +1,4 @@
-// Cloth against itself and against other cloths, in whole scenes: an exact count of crossings is zero after every step.
+// Cloth against itself and against other cloths, in whole scenes: an exact count of crossings is zero all along.
 
 #include <gtest/gtest.h>
 
@@ -106,7 +106,7 @@ INSTANTIATE_TEST_SUITE_P(All, SelfContactScene, testing::Values(folding_sheet, s
 TEST_P(SelfContactScene, NeverHasACrossing) {
     const Tally tally = run(GetParam()(), time_of(GetParam()));
     EXPECT_EQ(tally.crossings, 0);
-    EXPECT_GT(tally.pairs, 1000) << "cloth has touched cloth";
+    EXPECT_GT(tally.pairs, 100) << "cloth has touched cloth";
 }
 
 TEST_P(SelfContactScene, HasCrossingsWithoutTheSearch) {

@@ -33,10 +33,10 @@ struct ResponseParameters {
 
 /// What a response leaves and what it has done.
 struct ResponseReport {
-    Real depth = 0;        ///< the largest that is left [m]
-    Real residual = 0;     ///< the largest change of any contact's displacement in the last sweep [m]
-    int sweeps = 0;        ///< over the contacts, of both solves
-    double ball_work = 0;  ///< by the balls on the cloth [J]
+    Real depth = 0;             ///< the largest that is left [m]
+    Real residual = 0;          ///< the largest change of any contact's displacement in the last sweep [m]
+    int sweeps = 0;             ///< over the contacts, of both solves
+    double free_ball_work = 0;  ///< by free balls on cloths, ground and each other [J]
 };
 
 /// A cloth in contact.
@@ -46,6 +46,9 @@ struct ClothInContact {
     ClothState& state;
     std::vector<Contact>& contacts;  ///< with balls and ground, as found at `state.x`; their points are updated
 };
+
+/// What the balls that nothing pushes have given a cloth in the response, through these contacts [J].
+double work_of_led_balls(std::span<const Contact> contacts, std::span<const Ball> balls);
 
 /// Of the balls that contacts push [J].
 double kinetic_energy(std::span<const Ball> balls);

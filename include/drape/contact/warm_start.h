@@ -23,8 +23,13 @@ public:
     /// Takes the pushes of the substep before.
     /// @param h the substep to come [s]
     /// @param gravity [m/s^2]
+    /// @param cloths as they are now: a particle may have been grabbed, or a mass set, since
     /// @param contacts of the substep before; left empty where the response solves for pushes
-    void take(const ResponseParameters& parameters, Real h, Real gravity, std::vector<AnyContact>& contacts);
+    void take(const ResponseParameters& parameters, Real h, Real gravity, std::span<const ClothInContact> cloths,
+              std::vector<AnyContact>& contacts);
+
+    /// Forgets the pushes.
+    void forget() { last_.clear(); }
 
     /// Gives what a method is to have before its step, and after it. Balls have moved before either.
     void before_step(std::span<const ClothInContact> cloths, std::span<Ball> balls) const;

@@ -14,7 +14,7 @@ namespace drape {
 /// nothing, and costs nothing, where a scene has not asked for it.
 class SelfContact {
 public:
-    /// Begins anew for these cloths.
+    /// Starts from nothing with these cloths.
     void use(const Settings& settings, std::span<const ClothModel* const> models);
 
     [[nodiscard]] bool on() const { return on_; }
@@ -23,7 +23,8 @@ public:
     void forget() { search_.forget(); }
 
     /// Takes the pushes of the substep before for a warm start.
-    void take_pushes(const ResponseParameters& parameters, Real h, Real gravity);
+    void take_pushes(const ResponseParameters& parameters, Real h, Real gravity,
+                     std::span<const ClothInContact> cloths);
     [[nodiscard]] const WarmStart<PairContact>& warm_start() const { return warm_start_; }
 
     /// Finds what may touch within the substep, after the integrator's step and the warm start.

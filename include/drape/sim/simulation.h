@@ -81,7 +81,7 @@ private:
     void look_at_cloths();
     void take_pushes(const Substep& now);
     void warm_start(WarmStartStage stage);
-    void enter_pushes(double ball_work);
+    void enter_pushes(Cloth& cloth, double led_work, double& free_work);
     void build(const Substep& now);
     void traverse();
     void narrow(const Substep& now);

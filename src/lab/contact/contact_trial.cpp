@@ -55,7 +55,7 @@ void ContactTrial::advance(BroadPhase& hierarchy) {
     ball_.centre += ball_.moved;
     const ClothInContact cloth = in_contact();
     const std::span balls(&ball_, 1);
-    warm_start_.take(response_, h_, model_.gravity.norm(), contacts_);
+    warm_start_.take(response_, h_, model_.gravity.norm(), std::span(&cloth, 1), contacts_);
     warm_start_.before_step(std::span(&cloth, 1), balls);
     integrator_->step(model_, state_, h_);
     warm_start_.after_step(std::span(&cloth, 1), balls);
