@@ -22,12 +22,10 @@ inline void list_particles(std::span<const ClothInContact> cloths, Contact& cont
     }
 }
 inline void list_particles(std::span<const ClothInContact> cloths, PairContact& contact) {
-    const auto& [numbers, first_count, particles] = contact.pair.features;
+    const FeaturePair& features = contact.pair.features;
     contact.particle_count = 0;
     for (std::size_t k = 0; k < 4; ++k) {
-        const bool of_first = static_cast<int>(k) < first_count;
-        const Real weight = contact.pair.weights[k];
-        add_particle(cloths, numbers[of_first ? 0 : 1], particles[k], of_first ? weight : -weight, contact);
+        add_particle(cloths, features.cloth_of(k), features.particles[k], contact.pair.signed_weight(k), contact);
     }
 }
 

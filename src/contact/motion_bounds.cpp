@@ -26,22 +26,21 @@ void MotionBounds::start(std::span<const int> particles, std::span<const Real> r
 
 /// Of the k-th particle of a pair, among all.
 std::size_t MotionBounds::number_of(const NearPair& pair, std::size_t k) const {
-    const auto& [cloths, first_count, particles] = pair.features;
-    const int cloth = cloths[static_cast<int>(k) < first_count ? 0 : 1];
-    return first_[static_cast<std::size_t>(cloth)] + static_cast<std::size_t>(particles[k]);
+    return first_[static_cast<std::size_t>(pair.features.cloth_of(k))] +
+           static_cast<std::size_t>(pair.features.particles[k]);
 }
 
-/// What begins in one place has met already.
+/// A pair at distance 0 has no bound: it has met already.
 void MotionBounds::tighten(const NearPair& pair) {
     if (pair.distance == 0) return;
-    const auto is_second = [&](std::size_t k) { return static_cast<int>(k) < pair.features.first_count ? 0u : 1u; };
     std::array<Real, 2> reach{};
     for (std::size_t k = 0; k < 4; ++k) {
-        reach[is_second(k)] = std::max(reach[is_second(k)], reaches_[number_of(pair, k)]);
+        Real& of_feature = reach[pair.features.feature_of(k)];
+        of_feature = std::max(of_feature, reaches_[number_of(pair, k)]);
     }
     for (std::size_t k = 0; k < 4; ++k) {
         Real& bound = bounds_[number_of(pair, k)];
-        bound = std::min(bound, share * pair.distance * reach[is_second(k)] / (reach[0] + reach[1]));
+        bound = std::min(bound, share * pair.distance * reach[pair.features.feature_of(k)] / (reach[0] + reach[1]));
     }
 }
 

@@ -25,9 +25,9 @@ GridRange range_of(const Pushes& pushes, const Grid& grid) {
     };
     for (const Contact& contact : pushes.contacts) std::ranges::for_each(contact.corners, include);
     for (const PairContact& contact : pushes.pairs) {
-        const auto& [cloths, first_count, particles] = contact.pair.features;
+        const FeaturePair& features = contact.pair.features;
         for (std::size_t k = 0; k < 4; ++k) {
-            if (cloths[static_cast<int>(k) < first_count ? 0 : 1] == pushes.cloth) include(particles[k]);
+            if (features.cloth_of(k) == pushes.cloth) include(features.particles[k]);
         }
     }
     return range;

@@ -9,11 +9,9 @@ constexpr int pair_leaf_cells = 4;
 /// How far two features are beyond the thickness after the integrator's step, along the normal of its start.
 Real gap_after(std::span<const ClothInContact> cloths, const NearPair& pair, Real thickness) {
     Vec3 offset = Vec3::Zero();
-    const auto& [numbers, first_count, particles] = pair.features;
     for (std::size_t k = 0; k < 4; ++k) {
-        const bool of_first = static_cast<int>(k) < first_count;
-        const ClothInContact& cloth = cloths[static_cast<std::size_t>(numbers[of_first ? 0 : 1])];
-        offset += (of_first ? pair.weights[k] : -pair.weights[k]) * cloth.state.x.row(particles[k]).transpose();
+        const ClothInContact& cloth = cloths[static_cast<std::size_t>(pair.features.cloth_of(k))];
+        offset += pair.signed_weight(k) * cloth.state.x.row(pair.features.particles[k]).transpose();
     }
     return offset.dot(pair.normal) - thickness;
 }
@@ -25,6 +23,7 @@ void SelfContact::use(const Settings& settings, std::span<const ClothModel* cons
     contacts_.clear();
     warm_start_.forget();
     search_ = {};
+    bounds_ = {};
     if (!on_) return;
     BroadPhaseParameters parameters = broad_phase_of(settings);
     parameters.search = {};

@@ -55,10 +55,9 @@ Real SelfSearch::find_reaches(std::span<const ClothInContact> cloths, Real thick
 Real SelfSearch::sum_of_largest(const FeaturePair& pair, std::span<const Real> of_particles) const {
     std::array<Real, 2> largest{};
     for (std::size_t k = 0; k < 4; ++k) {
-        const std::size_t feature = static_cast<int>(k) < pair.first_count ? 0 : 1;
-        const auto cloth = static_cast<std::size_t>(pair.cloths[feature]);
+        const auto cloth = static_cast<std::size_t>(pair.cloth_of(k));
         const Real number = of_particles[first_particle_[cloth] + static_cast<std::size_t>(pair.particles[k])];
-        largest[feature] = std::max(largest[feature], number);
+        largest[pair.feature_of(k)] = std::max(largest[pair.feature_of(k)], number);
     }
     return largest[0] + largest[1];
 }

@@ -16,6 +16,10 @@ struct FeaturePair {
     int first_count = 1;             ///< particles of the first feature: 1, or 2 for an edge against an edge
     std::array<int, 4> particles{};  ///< those of the first feature, then those of the second
     auto operator<=>(const FeaturePair&) const = default;
+
+    /// Which feature the k-th particle belongs to, 0 or 1; and the number of its cloth.
+    [[nodiscard]] std::size_t feature_of(std::size_t k) const { return static_cast<int>(k) < first_count ? 0 : 1; }
+    [[nodiscard]] int cloth_of(std::size_t k) const { return cloths[feature_of(k)]; }
 };
 
 /// Two features that are near each other; of one cloth, they share no particle.
@@ -26,6 +30,12 @@ struct NearPair {
     Vec3 normal = Vec3::Zero();     ///< from the second's closest point to the first's, length 1
     Real distance = 0;              ///< of the closest points [m]
     bool stands_alone = true;       ///< these two points are not those of another pair, which is answered for them
+
+    /// What the k-th particle has of the way from the second's closest point to the first's: less than zero for those
+    /// of the second.
+    [[nodiscard]] Real signed_weight(std::size_t k) const {
+        return features.feature_of(k) == 0 ? weights[k] : -weights[k];
+    }
 };
 
 /// A cloth as the search for pairs sees it.

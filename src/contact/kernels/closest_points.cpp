@@ -9,31 +9,15 @@
 #include <hwy/foreach_target.h>
 #include <hwy/highway.h>
 
+#include "contact/kernels/lanes-inl.h"
+
 HWY_BEFORE_NAMESPACE();
 namespace drape::kernels::HWY_NAMESPACE {
 namespace hn = hwy::HWY_NAMESPACE;
 
-template <class D, class M>
-HWY_INLINE std::uint32_t lane_bits(D d, M mask) {
-    std::uint8_t bytes[8] = {};
-    hn::StoreMaskBits(d, mask, bytes);
-    return bytes[0] | static_cast<std::uint32_t>(bytes[1]) << 8;
-}
-
-/// As many vectors in space as a register has lanes.
-template <class V>
-struct Lanes3 {
-    V x, y, z;
-};
-
 template <class D>
 HWY_INLINE Lanes3<hn::Vec<D>> load3(D d, const CellBatch::Vectors& from, std::size_t k) {
     return {hn::Load(d, from[0].data() + k), hn::Load(d, from[1].data() + k), hn::Load(d, from[2].data() + k)};
-}
-
-template <class V>
-HWY_INLINE Lanes3<V> difference(const Lanes3<V>& a, const Lanes3<V>& b) {
-    return {hn::Sub(a.x, b.x), hn::Sub(a.y, b.y), hn::Sub(a.z, b.z)};
 }
 
 /// a + w b

@@ -7,32 +7,21 @@
 #include <hwy/foreach_target.h>
 #include <hwy/highway.h>
 
+#include "contact/kernels/lanes-inl.h"
+
 HWY_BEFORE_NAMESPACE();
 namespace drape::kernels::HWY_NAMESPACE {
 namespace hn = hwy::HWY_NAMESPACE;
 
-/// One coordinate after the other of neighbouring particles.
-template <class V>
-struct Corners {
-    V x, y, z;
-};
-
 template <class D>
-HWY_INLINE Corners<hn::Vec<D>> corners_at(D d, const Real* const x[3], int at) {
+HWY_INLINE Lanes3<hn::Vec<D>> corners_at(D d, const Real* const x[3], int at) {
     return {hn::LoadU(d, x[0] + at), hn::LoadU(d, x[1] + at), hn::LoadU(d, x[2] + at)};
 }
 
 template <class V>
-HWY_INLINE V square_between(const Corners<V>& a, const Corners<V>& b) {
-    const V dx = hn::Sub(a.x, b.x), dy = hn::Sub(a.y, b.y), dz = hn::Sub(a.z, b.z);
-    return hn::Add(hn::Add(hn::Mul(dx, dx), hn::Mul(dy, dy)), hn::Mul(dz, dz));
-}
-
-template <class D, class M>
-HWY_INLINE std::uint32_t bits_of(D d, M mask) {
-    std::uint8_t bytes[8] = {};
-    hn::StoreMaskBits(d, mask, bytes);
-    return bytes[0] | static_cast<std::uint32_t>(bytes[1]) << 8;
+HWY_INLINE V square_between(const Lanes3<V>& a, const Lanes3<V>& b) {
+    const Lanes3<V> d = difference(a, b);
+    return hn::Add(hn::Add(hn::Mul(d.x, d.x), hn::Mul(d.y, d.y)), hn::Mul(d.z, d.z));
 }
 
 /// The bits of as many cells as a vector has lanes; corner a of the first is particle `at`.
@@ -42,15 +31,15 @@ HWY_INLINE CellBits classify(D d, const Grid& grid, const Real* const x[3], cons
                              std::uint32_t wanted) {
     using V = hn::Vec<D>;
     constexpr Real rounding = 32 * std::numeric_limits<Real>::epsilon();
-    const Corners<V> centre{hn::Set(d, p[0]), hn::Set(d, p[1]), hn::Set(d, p[2])};
-    const Corners<V> corner_a = corners_at(d, x, at), corner_b = corners_at(d, x, at + 1),
-                     corner_c = corners_at(d, x, at + grid.nx), corner_d = corners_at(d, x, at + grid.nx + 1);
+    const Lanes3<V> centre{hn::Set(d, p[0]), hn::Set(d, p[1]), hn::Set(d, p[2])};
+    const Lanes3<V> corner_a = corners_at(d, x, at), corner_b = corners_at(d, x, at + 1),
+                    corner_c = corners_at(d, x, at + grid.nx), corner_d = corners_at(d, x, at + grid.nx + 1);
     const V from_a = square_between(corner_a, centre), from_b = square_between(corner_b, centre),
             from_c = square_between(corner_c, centre), from_d = square_between(corner_d, centre);
     const V square = hn::Set(d, radius * radius);
     const V diagonal = hn::Min(from_b, from_c);
-    CellBits bits{0, 0, bits_of(d, hn::Le(hn::Min(from_a, diagonal), square)),
-                  bits_of(d, hn::Le(hn::Min(from_d, diagonal), square)), 0};
+    CellBits bits{0, 0, lane_bits(d, hn::Le(hn::Min(from_a, diagonal), square)),
+                  lane_bits(d, hn::Le(hn::Min(from_d, diagonal), square)), 0};
     if ((bits.first & bits.second & wanted) == wanted) return bits;
 
     const V nearest = hn::Min(hn::Min(from_a, from_d), diagonal);
@@ -59,7 +48,7 @@ HWY_INLINE CellBits classify(D d, const Grid& grid, const Real* const x[3], cons
     const V longest = hn::Max(sides, square_between(corner_b, corner_c));
     const V sure =
         hn::Sub(hn::Mul(nearest, hn::Set(d, 1 - rounding)), hn::Mul(longest, hn::Set(d, (1 + rounding) / 3)));
-    bits.undecided = bits_of(d, hn::Not(hn::Gt(sure, square))) & ~(bits.first & bits.second);
+    bits.undecided = lane_bits(d, hn::Not(hn::Gt(sure, square))) & ~(bits.first & bits.second);
     return bits;
 }
 
