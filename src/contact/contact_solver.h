@@ -18,6 +18,7 @@ struct ContactProblem {
     std::span<PairContact> pairs;
     std::span<Ball> balls;
     std::span<BallContact> ball_contacts;
+    bool with_bodies = true;  ///< contacts of cloths with balls and ground are solved too
 
     [[nodiscard]] Displacements displacements() const { return {cloths, balls}; }
     [[nodiscard]] Velocities velocities() const { return {cloths, balls}; }
@@ -26,8 +27,10 @@ struct ContactProblem {
 /// Calls visit(contact) for all contacts, in the order in which they are solved.
 template <class Visit>
 void for_each_contact(ContactProblem& problem, Visit visit) {
-    for (const ClothInContact& cloth : problem.cloths) {
-        for (Contact& contact : cloth.contacts) visit(contact);
+    if (problem.with_bodies) {
+        for (const ClothInContact& cloth : problem.cloths) {
+            for (Contact& contact : cloth.contacts) visit(contact);
+        }
     }
     for (PairContact& contact : problem.pairs) visit(contact);
     for (BallContact& contact : problem.ball_contacts) visit(contact);

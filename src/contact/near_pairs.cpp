@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <span>
 
+#include "cell_pairs.h"
 #include "contact_geometry.h"
 #include "drape/contact/segments.h"
 #include "grid_features.h"
@@ -16,13 +17,17 @@ struct CellEdge {
     Aabb box;
 };
 
-/// The particles and the edges that belong to a cell and come near a box. To it belong its corner a, the edges from
+Real reach_of_edge(std::span<const Real> reaches, int from, int to) {
+    return std::max(reaches[static_cast<std::size_t>(from)], reaches[static_cast<std::size_t>(to)]);
+}
+
+/// The particles and the edges that belong to a cell and reach a box. To it belong its corner a, the edges from
 /// there to b and c, and the diagonal; at the far sides of the cloth also what no other cell has.
 class CellFeatures {
 public:
-    CellFeatures(const ClothAt& cloth, int cell, const Aabb& box, Real margin)
-        : x_(cloth.x), box_(box), margin_(margin) {
-        const Grid& grid = cloth.grid;
+    CellFeatures(const BoxedCloth& cloth, int cell, const Aabb& box)
+        : x_(cloth.cloth.x), reaches_(cloth.reaches), box_(box) {
+        const Grid& grid = cloth.cloth.grid;
         const int a = grid.cell_corner(cell), b = a + 1, c = a + grid.nx, d = c + 1;
         const bool last_column = cell % grid.cell_columns() == grid.cell_columns() - 1;
         const bool last_row = cell / grid.cell_columns() == grid.cell_rows() - 1;
@@ -38,17 +43,19 @@ public:
 private:
     void add(int particle) {
         const Vec3 p = position(x_, particle);
-        if (Aabb{p, p}.comes_within(box_, margin_)) particles_[particle_count_++] = particle;
+        if (Aabb{p, p}.comes_within(box_, reaches_[static_cast<std::size_t>(particle)])) {
+            particles_[particle_count_++] = particle;
+        }
     }
     void add(int from, int to) {
         const Vec3 p = position(x_, from), q = position(x_, to);
         const Aabb box{p.cwiseMin(q), p.cwiseMax(q)};
-        if (box.comes_within(box_, margin_)) edges_[edge_count_++] = {{from, to}, box};
+        if (box.comes_within(box_, reach_of_edge(reaches_, from, to))) edges_[edge_count_++] = {{from, to}, box};
     }
 
     const Points& x_;
+    std::span<const Real> reaches_;
     const Aabb& box_;
-    Real margin_;
     std::array<int, 4> particles_;
     std::array<CellEdge, 5> edges_;
     std::size_t particle_count_ = 0, edge_count_ = 0;
@@ -90,54 +97,53 @@ Vec3 locate_on_edges(const ClothAt& first, const ClothAt& second, NearPair& pair
 
 /// Tests features of cells exactly.
 struct FeatureTest {
-    Real margin;
     std::vector<NearPair>& pairs;
 
-    void keep(const ClothAt& first, const ClothAt& second, NearPair pair) const {
-        locate(first, second, pair);
-        if (pair.distance < margin) pairs.push_back(pair);
+    void keep(const BoxedCloth& first, const BoxedCloth& second, NearPair pair) const {
+        std::array<Real, 2> reach{};
+        for (std::size_t k = 0; k < 4; ++k) {
+            Real& of_feature = reach[pair.features.feature_of(k)];
+            const auto& reaches = pair.features.feature_of(k) == 0 ? first.reaches : second.reaches;
+            of_feature = std::max(of_feature, reaches[static_cast<std::size_t>(pair.features.particles[k])]);
+        }
+        locate(first.cloth, second.cloth, pair);
+        if (pair.distance < reach[0] + reach[1]) pairs.push_back(pair);
     }
 
-    void particle_and_cell(const ClothAt& first, int particle, const ClothAt& second, int cell) const {
+    void particle_and_cell(const BoxedCloth& first, int particle, const BoxedCloth& second, int cell) const {
+        const std::array cloths{first.cloth.number, second.cloth.number};
         for (const int triangle : {2 * cell, 2 * cell + 1}) {
-            const std::array<int, 3> corners = second.grid.triangle_corners(triangle);
-            if (first.number == second.number && std::ranges::count(corners, particle) > 0) continue;
-            keep(first, second,
-                 {{{first.number, second.number}, 1, {particle, corners[0], corners[1], corners[2]}}, triangle});
+            const std::array<int, 3> corners = second.cloth.grid.triangle_corners(triangle);
+            if (cloths[0] == cloths[1] && std::ranges::count(corners, particle) > 0) continue;
+            keep(first, second, {{cloths, 1, {particle, corners[0], corners[1], corners[2]}}, triangle});
         }
     }
 
-    void edges(const ClothAt& first, const std::array<int, 2>& e, const ClothAt& second,
-               const std::array<int, 2>& f) const {
+    void edges(const BoxedCloth& first, const CellEdge& one, const BoxedCloth& second, const CellEdge& two) const {
+        const auto &e = one.ends, &f = two.ends;
+        const std::array cloths{first.cloth.number, second.cloth.number};
         const bool touch = e[0] == f[0] || e[0] == f[1] || e[1] == f[0] || e[1] == f[1];
-        if (first.number == second.number && touch) return;
-        keep(first, second, {{{first.number, second.number}, 2, {e[0], e[1], f[0], f[1]}}});
+        if (cloths[0] == cloths[1] && touch) return;
+        const Real reach = reach_of_edge(first.reaches, e[0], e[1]) + reach_of_edge(second.reaches, f[0], f[1]);
+        if (!one.box.comes_within(two.box, reach)) return;
+        keep(first, second, {{cloths, 2, {e[0], e[1], f[0], f[1]}}});
     }
 
     void cells(const BoxedCloth& first, int one, const BoxedCloth& second, int two) const {
         const bool same = first.cloth.number == second.cloth.number && one == two;
-        const CellFeatures of_one(first.cloth, one, second.boxes[two], margin);
-        const CellFeatures of_two(second.cloth, two, first.boxes[one], margin);
-        for (const int particle : of_one.particles()) particle_and_cell(first.cloth, particle, second.cloth, two);
+        const CellFeatures of_one(first, one, second.boxes[two]);
+        const CellFeatures of_two(second, two, first.boxes[one]);
+        for (const int particle : of_one.particles()) particle_and_cell(first, particle, second, two);
         for (const int particle : of_two.particles()) {
-            if (!same) particle_and_cell(second.cloth, particle, first.cloth, one);
+            if (!same) particle_and_cell(second, particle, first, one);
         }
         for (std::size_t i = 0; i < of_one.edges().size(); ++i) {
             for (std::size_t j = same ? i + 1 : 0; j < of_two.edges().size(); ++j) {
-                const CellEdge &e = of_one.edges()[i], &f = of_two.edges()[j];
-                if (e.box.comes_within(f.box, margin)) edges(first.cloth, e.ends, second.cloth, f.ends);
+                edges(first, of_one.edges()[i], second, of_two.edges()[j]);
             }
         }
     }
 };
-
-/// Calls visit(cell) for each cell of a range.
-template <class Visit>
-void for_each_cell_of(const Grid& grid, const CellRange& cells, Visit visit) {
-    for (int j = cells.j0; j < cells.j1; ++j) {
-        for (int i = cells.i0; i < cells.i1; ++i) visit(j * grid.cell_columns() + i);
-    }
-}
 
 }  // namespace
 
@@ -149,12 +155,18 @@ void locate(const ClothAt& first, const ClothAt& second, NearPair& pair) {
     pair.normal = pair.distance > 0 ? Vec3(offset / pair.distance) : Vec3(0, 1, 0);
 }
 
-void CellBoxes::build(const Grid& grid, const Points& x) {
+void CellBoxes::build(const Grid& grid, const Points& x, std::span<const Real> reaches) {
     boxes_.resize(static_cast<std::size_t>(grid.cells()));
     for (int cell = 0; cell < grid.cells(); ++cell) {
         const int a = grid.cell_corner(cell);
         Aabb box{position(x, a), position(x, a)};
-        for (const int p : {a + 1, a + grid.nx, a + grid.nx + 1}) box.include(position(x, p));
+        Real reach = 0;
+        for (const int p : {a, a + 1, a + grid.nx, a + grid.nx + 1}) {
+            box.include(position(x, p));
+            if (!reaches.empty()) reach = std::max(reach, reaches[static_cast<std::size_t>(p)]);
+        }
+        box.low.array() -= reach;
+        box.high.array() += reach;
         boxes_[static_cast<std::size_t>(cell)] = box;
     }
 }
@@ -165,24 +177,16 @@ Aabb CellBoxes::of(const Grid& grid, const CellRange& cells) const {
     return all;
 }
 
-std::int64_t find_near_pairs(const BoxedCloth& first, const BoxedCloth& second, Real margin,
-                             const std::vector<LeafPair>& leaves, std::vector<NearPair>& pairs) {
-    const FeatureTest test{margin, pairs};
+std::int64_t find_near_pairs(const BoxedCloth& first, const BoxedCloth& second, const std::vector<LeafPair>& leaves,
+                             std::vector<NearPair>& pairs) {
+    const FeatureTest test{pairs};
     std::int64_t tested = 0;
-    for (const auto& [cells, others] : leaves) {
-        const bool same = first.cloth.number == second.cloth.number && cells == others;
-        const Aabb around = second.boxes.of(second.cloth.grid, others);
-        for_each_cell_of(first.cloth.grid, cells, [&](int one) {
-            if (!first.boxes[one].comes_within(around, margin)) return;
-            for_each_cell_of(second.cloth.grid, others, [&](int two) {
-                if ((same && two < one) || !first.boxes[one].comes_within(second.boxes[two], margin)) return;
-                ++tested;
-                // Of one cloth, in the order of the cells whatever the order of the leaves
-                const bool turned = first.cloth.number == second.cloth.number && two < one;
-                turned ? test.cells(second, two, first, one) : test.cells(first, one, second, two);
-            });
-        });
-    }
+    for_each_pair_of_cells(first, second, leaves, [&](int one, int two) {
+        ++tested;
+        // Of one cloth, in the order of the cells whatever the order of the leaves
+        const bool turned = first.cloth.number == second.cloth.number && two < one;
+        turned ? test.cells(second, two, first, one) : test.cells(first, one, second, two);
+    });
     return tested;
 }
 

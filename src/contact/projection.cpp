@@ -27,7 +27,9 @@ Real longest_push(ContactProblem& problem) {
         const Real radius = problem.balls[static_cast<std::size_t>(contact.ball)].radius;
         longest = std::max(longest, push_of(contact, problem.balls) / radius);
     };
-    for (const ClothInContact& cloth : problem.cloths) std::ranges::for_each(cloth.contacts, look);
+    if (problem.with_bodies) {
+        for (const ClothInContact& cloth : problem.cloths) std::ranges::for_each(cloth.contacts, look);
+    }
     std::ranges::for_each(problem.ball_contacts, look);
     return longest;
 }

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <utility>
 
 #include "contact_solver.h"
 
@@ -142,6 +143,22 @@ ResponseReport respond_in_kind(ContactProblem& problem) {
     return {};
 }
 
+/// Pairs are always answered by projection: penalties of many pairs at one particle would add up, and an impulse is for
+/// what meets, not for what is to keep apart.
+ResponseReport respond(ContactProblem& problem) {
+    if (problem.parameters.kind == ResponseKind::Projection || problem.pairs.empty()) return respond_in_kind(problem);
+    const auto pairs = std::exchange(problem.pairs, {});
+    ResponseReport report = respond_in_kind(problem);
+    problem.pairs = pairs;
+    ContactProblem of_pairs = problem;
+    of_pairs.with_bodies = false;
+    of_pairs.ball_contacts = {};
+    const ResponseReport more = respond_by_projection(of_pairs);
+    report.sweeps += more.sweeps;
+    report.residual = std::max(report.residual, more.residual);
+    return report;
+}
+
 }  // namespace
 
 double work_of_led_balls(std::span<const Contact> contacts, std::span<const Ball> balls) {
@@ -203,23 +220,27 @@ void find_again(const ContactProblem& problem, BallContact& contact) {
     friction -= friction.dot(contact.normal) * contact.normal;
 }
 
-Real depth_left(ContactProblem& problem) {
+Real depth_left(const ResponseParameters& parameters, std::span<const ClothInContact> cloths,
+                std::span<const Ball> balls) {
     Real deepest = 0;
-    for (const ClothInContact& cloth : problem.cloths) {
+    for (const ClothInContact& cloth : cloths) {
         for (Contact& contact : cloth.contacts) {
-            follow(problem, contact);
+            contact.point = at_point(contact, cloth.state.x);
+            contact.depth = depth_now(parameters, balls, contact);
             deepest = std::max(deepest, contact.depth);
         }
     }
-    for (PairContact& contact : problem.pairs) {
-        follow(problem, contact);
-        deepest = std::max(deepest, contact.depth);
-    }
+    return deepest;
+}
+
+Real depth_left(ContactProblem& problem) {
+    Real deepest = depth_left(problem.parameters, problem.cloths, problem.balls);
+    for (PairContact& contact : problem.pairs) follow(problem, contact);
     for (BallContact& contact : problem.ball_contacts) {
         find_again(problem, contact);
         deepest = std::max(deepest, contact.depth);
     }
-    return std::max(deepest, Real(0));
+    return deepest;
 }
 
 ResponseReport resolve_contacts(const ResponseParameters& parameters, Real h, std::span<const ClothInContact> cloths,
@@ -239,7 +260,7 @@ ResponseReport resolve_contacts(const ResponseParameters& parameters, Real h, st
                            .ball_contacts = ball_contacts};
     prepare_all(problem);
     const double before = kinetic_energy(balls);
-    ResponseReport report = respond_in_kind(problem);
+    ResponseReport report = respond(problem);
     report.free_ball_work = before - kinetic_energy(balls);
     report.depth = depth_left(problem);
     return report;

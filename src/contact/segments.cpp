@@ -6,10 +6,6 @@
 namespace drape {
 namespace {
 
-/// Of the product of their squared lengths, below which two segments count as parallel: the lines' closest points would
-/// have no digits, and an end is as near.
-constexpr Real parallel = 64 * std::numeric_limits<Real>::epsilon();
-
 /// The weight of q on a segment's line, of the point closest to p.
 Real weight_within(const Vec3& p, const Vec3& from, const Vec3& direction, Real square) {
     return square > 0 ? std::clamp((p - from).dot(direction) / square, Real(0), Real(1)) : Real(0);
@@ -34,7 +30,8 @@ ClosestOfSegments closest_of_segments(const Vec3& a, const Vec3& b, const Vec3& 
     take(weight_within(c, a, u, uu), 0);
     take(weight_within(d, a, u, uu), 1);
     const Real uv = u.dot(v), across = uu * vv - uv * uv;
-    if (!(across > parallel * uu * vv)) return best;
+    // Of lines that are nearly parallel this has few digits: what it finds is taken only where it is nearer
+    if (!(across > 0)) return best;
     const Vec3 w = a - c;
     const Real s = (uv * v.dot(w) - vv * u.dot(w)) / across;
     if (!(s > 0 && s < 1)) return best;

@@ -54,9 +54,17 @@ void follow_contact(const ResponseParameters& parameters, std::span<const ClothI
     contact.depth = depth_now(parameters, balls, contact);
 }
 
-/// The response follows it.
-void follow_contact(const ResponseParameters& /*parameters*/, std::span<const ClothInContact> /*cloths*/,
-                    std::span<const Ball> /*balls*/, PairContact& /*contact*/) {}
+/// The plane of a pair is that of this substep's start.
+void follow_contact(const ResponseParameters& /*parameters*/, std::span<const ClothInContact> cloths,
+                    std::span<const Ball> /*balls*/, PairContact& contact) {
+    const auto at = [&](int number) -> ClothAt {
+        const ClothInContact& cloth = cloths[static_cast<std::size_t>(number)];
+        return {number, cloth.model.grid, cloth.before};
+    };
+    const auto [first, second] = contact.pair.features.cloths;
+    locate(at(first), at(second), contact.pair);
+    contact.normal = contact.pair.normal;
+}
 
 /// To an implicit method a push on a ball displaces it too: it has moved before the step.
 void displace_ball(BallDisplacements& balls, const Contact& contact) {

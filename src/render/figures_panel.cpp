@@ -126,6 +126,7 @@ void add_report_rows(const FrameView& view, std::vector<Row>& rows) {
     const ReportField* before = nullptr;
     for (const ReportField& field : report_fields()) {
         if (field.label.empty() || (field.group == ReportGroup::Limit && !limited)) continue;
+        if (field.group == ReportGroup::Pairs && !view.settings->contact.self) continue;
         if (field.group == ReportGroup::Doubt && !in_doubt(*view.report)) continue;
         if (field.group == ReportGroup::Balance && !view.settings->solver.ledger) continue;
         const bool opens = before == nullptr || before->group != field.group;

@@ -1,6 +1,7 @@
 #include "drape/sim/cloth_energy.h"
 
 #include <algorithm>
+#include <limits>
 
 namespace drape {
 namespace {
@@ -33,7 +34,14 @@ GridRange range_of(const Pushes& pushes, const Grid& grid) {
     return range;
 }
 
-/// What the contacts push the springs by, at the most [J].
+/// Whether a pair of features pushes this cloth.
+bool pushes_of_cloths(const Pushes& pushes) {
+    return std::ranges::any_of(pushes.pairs, [&](const PairContact& contact) {
+        return std::ranges::count(contact.pair.features.cloths, pushes.cloth) > 0;
+    });
+}
+
+/// What the contacts with balls and ground push the springs by, at the most [J].
 double most_push_work(const ClothModel& model, const Pushes& pushes) {
     double squared_push = 0;
     const auto add = [&](const auto& contact) {
@@ -41,7 +49,6 @@ double most_push_work(const ClothModel& model, const Pushes& pushes) {
         if (push > 0) squared_push += push * push;
     };
     std::ranges::for_each(pushes.contacts, add);
-    std::ranges::for_each(pushes.pairs, add);
     return most_push_work(model, static_cast<Real>(squared_push));
 }
 
@@ -102,6 +109,8 @@ void ClothEnergy::before_pushes(const ClothModel& model, const ClothState& state
     pushed_ = range_of(pushes, model.grid);
     if (pushed_.first_column >= pushed_.end_column) return;
     most_push_work_ = pushes.known ? 0 : most_push_work(model, pushes);
+    // What another cloth gives, or another part of this one, no bound tells
+    if (pushes_of_cloths(pushes)) most_push_work_ = std::numeric_limits<double>::infinity();
     before_pushes_ = pushed_flow(model, state);
 }
 
@@ -112,6 +121,19 @@ bool ClothEnergy::after_pushes(const ClothModel& model, const ClothState& state,
     watch_.give(std::max(most_push_work_ > watch_.small_work() ? work : ball_work + most_push_work_, 0.0));
     if (ledger_) ledger_->responded(before_pushes_, after, ball_work);
     return true;
+}
+
+void ClothEnergy::before_hold(const ClothModel& model, const ClothState& state) { before_hold_ = held_flow(model, state); }
+
+void ClothEnergy::after_hold(const ClothModel& model, const ClothState& state) {
+    const EnergyFlow after = held_flow(model, state);
+    watch_.give(std::max(after.energy.total() - before_hold_.energy.total(), 0.0));
+    if (ledger_) ledger_->held_back(before_hold_, after);
+}
+
+/// Of the whole cloth.
+EnergyFlow ClothEnergy::held_flow(const ClothModel& model, const ClothState& state) {
+    return ledger_ ? flow(model, state) : EnergyFlow{compute_energy(model, state, kernels_), {}};
 }
 
 /// Of what is being pushed, where it is to be measured.

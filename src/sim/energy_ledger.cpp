@@ -6,7 +6,7 @@ namespace drape {
 
 EnergyBalance EnergyBalance::unknown() {
     constexpr double none = std::numeric_limits<double>::quiet_NaN();
-    return {none, none, none, none, none, none, none};
+    return {none, none, none, none, none, none, none, none};
 }
 
 EnergyBalance& EnergyBalance::operator+=(const EnergyBalance& other) {
@@ -16,6 +16,7 @@ EnergyBalance& EnergyBalance::operator+=(const EnergyBalance& other) {
     damping += other.damping;
     drag += other.drag;
     contact += other.contact;
+    held += other.held;
     integrator += other.integrator;
     return *this;
 }
@@ -54,7 +55,16 @@ void EnergyLedger::responded(const EnergyFlow& before, const EnergyFlow& after, 
     const double change = after.energy.total() - before.energy.total();
     now_.balance.ball += ball_work;
     now_.balance.contact += ball_work - change;
-    now_.contact_energy += change;
+    changed_after_step(before, after);
+}
+
+void EnergyLedger::held_back(const EnergyFlow& before, const EnergyFlow& after) {
+    now_.balance.held += before.energy.total() - after.energy.total();
+    changed_after_step(before, after);
+}
+
+void EnergyLedger::changed_after_step(const EnergyFlow& before, const EnergyFlow& after) {
+    now_.contact_energy += after.energy.total() - before.energy.total();
     now_.contact_power.damping += after.power.damping - before.power.damping;
     now_.contact_power.drag += after.power.drag - before.power.drag;
 }

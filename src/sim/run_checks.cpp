@@ -81,6 +81,12 @@ std::string crossing_warning(const CrossingDanger& danger) {
            " m/s one may pass through the other within a step";
 }
 
+std::string start_warning(std::int64_t crossings) {
+    if (crossings == 0) return {};
+    return "edges cross triangles of cloth " + std::to_string(crossings) +
+           (crossings == 1 ? " time" : " times") + " at the start, and may stay so";
+}
+
 std::string doubt_warning(const StepReport& report) {
     std::string text;
     if (report.unconverged > 0) {

@@ -24,6 +24,9 @@ void mark_crossing(const Crossing& crossing, double time, Real h, StepReport& re
 /// That this was so, with the speeds as it began; empty if never.
 std::string crossing_warning(const CrossingDanger& danger);
 
+/// That cloth crossed cloth at the start, so many times; empty if it did not.
+std::string start_warning(std::int64_t crossings);
+
 /// Why the run so far is not to be trusted, one line; empty if nothing.
 std::string doubt_warning(const StepReport& report);
 

@@ -16,37 +16,43 @@ Real gap_after(std::span<const ClothInContact> cloths, const NearPair& pair, Rea
     return offset.dot(pair.normal) - thickness;
 }
 
+/// Whatever answers balls, pairs are projected.
+ResponseParameters of_pairs(ResponseParameters parameters) {
+    parameters.kind = ResponseKind::Projection;
+    return parameters;
+}
+
 }  // namespace
 
-void SelfContact::use(const Settings& settings, std::span<const ClothModel* const> models) {
+void SelfContact::use(const Settings& settings, std::span<const ClothModel* const> models,
+                      std::span<const Points* const> x) {
     on_ = settings.contact.self;
     contacts_.clear();
     warm_start_.forget();
     search_ = {};
-    bounds_ = {};
+    zones_ = {};
+    report_ = {};
+    crossings_at_start_ = 0;
     if (!on_) return;
     BroadPhaseParameters parameters = broad_phase_of(settings);
     parameters.search = {};
     if (parameters.leaf_cells == 0) parameters.leaf_cells = pair_leaf_cells;
     search_.use(parameters, models);
-    particles_.clear();
-    for (const ClothModel* model : models) particles_.push_back(model->grid.particles());
+    crossings_at_start_ = search_.count_crossings(x);
 }
 
 void SelfContact::take_pushes(const ResponseParameters& parameters, Real h, Real gravity,
                               std::span<const ClothInContact> cloths) {
-    if (on_) warm_start_.take(parameters, h, gravity, cloths, contacts_);
+    if (on_) warm_start_.take(of_pairs(parameters), h, gravity, cloths, contacts_);
 }
 
-SelfSearchReport SelfContact::find(const ResponseParameters& parameters, std::span<const ClothInContact> cloths,
+void SelfContact::find(const ResponseParameters& parameters, std::span<const ClothInContact> cloths,
                                    std::span<const Ball> balls) {
-    if (!on_) return {};
+    if (!on_) return;
     const Real thickness = parameters.pair_thickness;
-    const SelfSearchReport report = search_.find(cloths, thickness);
-    bounds_.start(particles_, search_.reaches());
+    report_ = search_.find(cloths, thickness);
     contacts_.clear();
     for (const NearPair& pair : search_.pairs()) {
-        bounds_.tighten(pair);
         // A pair that stays well apart is left to the fail-safe
         const Real ahead = (search_.reach_of(pair.features) - thickness) / 4;
         if (!pair.stands_alone || gap_after(cloths, pair, thickness) > ahead) continue;
@@ -55,18 +61,20 @@ SelfSearchReport SelfContact::find(const ResponseParameters& parameters, std::sp
         contact.normal = pair.normal;
         contacts_.push_back(contact);
     }
-    warm_start_.carry_over(parameters, cloths, balls, contacts_);
-    return report;
+    warm_start_.carry_over(of_pairs(parameters), cloths, balls, contacts_);
 }
 
-BoundedMotion SelfContact::hold_back(std::span<const ClothInContact> cloths) const {
-    BoundedMotion all;
-    if (!on_) return all;
-    for (std::size_t c = 0; c < cloths.size(); ++c) {
-        const ClothInContact& cloth = cloths[c];
-        all += bounds_.hold_back(static_cast<int>(c), cloth.model, cloth.before, cloth.state);
-    }
-    return all;
+bool SelfContact::would_cross(std::span<const ClothInContact> cloths) {
+    if (!on_) return false;
+    search_.extend(cloths, report_);
+    return is_near() && zones_.find(search_.pairs(), cloths, search_.first_particles());
+}
+
+/// What is held back may go another way than the search has assumed.
+ZoneReport SelfContact::hold_back(std::span<const ClothInContact> cloths) {
+    do zones_.hold_back(search_.pairs(), cloths);
+    while (search_.extend(cloths, report_));
+    return zones_.report(cloths);
 }
 
 }  // namespace drape

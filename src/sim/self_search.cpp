@@ -2,15 +2,17 @@
 
 #include <algorithm>
 
+#include "drape/contact/crossings.h"
+
 namespace drape {
 namespace {
 
-/// How much farther than the integrator has moved it a response may move a particle: what it moves farther is held
-/// back.
+/// How much farther than the integrator has moved it a response is thought to move a particle.
 constexpr Real response_allowance = Real(1.5);
 
-/// For how many substeps like this one a list is to last, and how much of the thickness at rest.
-constexpr Real substeps_ahead = 8, thickness_ahead = Real(0.5);
+/// For how many substeps like this one a list is to last, by at most a part of the particles' spacing, and how much of
+/// the thickness at rest.
+constexpr Real substeps_ahead = 8, spacing_ahead = Real(0.5), thickness_ahead = Real(0.25);
 
 /// A cloth at the start of the substep.
 ClothAt at(std::span<const ClothInContact> cloths, int number) {
@@ -18,57 +20,144 @@ ClothAt at(std::span<const ClothInContact> cloths, int number) {
     return {number, cloth.model.grid, cloth.before};
 }
 
+/// What all particles move by together from one set of positions to another.
+/// @param from, to give the positions of a cloth
+template <class From, class To>
+Vec3 common_motion(std::size_t cloths, From from, To to) {
+    Vec3 sum = Vec3::Zero();
+    Eigen::Index particles = 0;
+    for (std::size_t c = 0; c < cloths; ++c) {
+        sum += (to(c) - from(c)).colwise().sum().transpose();
+        particles += to(c).rows();
+    }
+    return sum / static_cast<Real>(particles);
+}
+
+/// How far each particle of a cloth has moved, but for a common motion.
+auto lengths_of_motion(const Points& from, const Points& to, const Vec3& common) {
+    const auto along = [&](int axis) { return to.col(axis).array() - from.col(axis).array() - common[axis]; };
+    return (along(0).square() + along(1).square() + along(2).square()).sqrt().eval();
+}
+
 }  // namespace
 
 void SelfSearch::use(const BroadPhaseParameters& parameters, std::span<const ClothModel* const> models) {
     surfaces_.clear();
+    first_.assign(1, 0);
     for (const ClothModel* model : models) {
-        surfaces_.push_back({make_broad_phase(parameters, model->grid),
-                             FoldTest(model->grid, model->hx, model->hy, parameters.leaf_cells),
-                             {},
-                             false,
-                             {}});
+        surfaces_.push_back({.tree = make_broad_phase(parameters, model->grid),
+                             .folds = FoldTest(model->grid, model->hx, model->hy, parameters.leaf_cells),
+                             .boxes = {},
+                             .kept = {},
+                             .grid = model->grid,
+                             .spacing = std::min(model->hx, model->hy)});
+        first_.push_back(first_.back() + static_cast<std::size_t>(model->grid.particles()));
     }
+    const auto all = static_cast<Eigen::Index>(first_.back());
+    for (Numbers* numbers : {&ways_, &reaches_, &strayed_, &allowed_}) numbers->setZero(all);
     forget();
 }
 
-/// @return the longest way of a particle in the substep [m]
-Real SelfSearch::find_reaches(std::span<const ClothInContact> cloths, Real thickness) {
-    Real longest = 0;
-    reaches_.clear();
-    strayed_.clear();
-    first_particle_.clear();
-    for (std::size_t c = 0; c < cloths.size(); ++c) {
-        const Points &x = cloths[c].state.x, &before = cloths[c].before, &kept = surfaces_[c].kept;
-        first_particle_.push_back(reaches_.size());
-        for (Eigen::Index p = 0; p < x.rows(); ++p) {
-            const Real way = (x.row(p) - before.row(p)).norm(), reach = thickness / 2 + response_allowance * way;
-            longest = std::max(longest, way);
-            reaches_.push_back(reach);
-            strayed_.push_back(margin_ > 0 ? reach + (before.row(p) - kept.row(p)).norm() : reach);
+std::int64_t SelfSearch::count_crossings(std::span<const Points* const> x) {
+    forget();
+    std::vector<BoxedCloth> boxed;
+    for (std::size_t c = 0; c < x.size(); ++c) {
+        Surface& surface = surfaces_[c];
+        surface.tree->build(*x[c]);
+        surface.boxes.build(surface.grid, *x[c]);
+        boxed.push_back({{static_cast<int>(c), surface.grid, *x[c]}, surface.boxes});
+    }
+    std::int64_t count = 0;
+    for (std::size_t first = 0; first < x.size(); ++first) {
+        for (std::size_t second = first; second < x.size(); ++second) {
+            surfaces_[first].tree->query(*surfaces_[second].tree, 0, nullptr, leaves_);
+            count += drape::count_crossings(boxed[first], boxed[second], leaves_);
         }
     }
-    return longest;
+    return count;
+}
+
+void SelfSearch::forget() {
+    listed_ = false;
+    list_.clear();
+    near_.clear();
+}
+
+std::span<const Real> SelfSearch::of_cloth(const Numbers& of_particles, int cloth) const {
+    const auto c = static_cast<std::size_t>(cloth);
+    return {of_particles.data() + first_[c], first_[c + 1] - first_[c]};
+}
+
+void SelfSearch::find_ways(std::span<const ClothInContact> cloths) {
+    const auto before = [&](std::size_t c) -> const Points& { return cloths[c].before; };
+    const auto now = [&](std::size_t c) -> const Points& { return cloths[c].state.x; };
+    const Vec3 common = common_motion(cloths.size(), before, now);
+    for (std::size_t c = 0; c < cloths.size(); ++c) {
+        const auto from = static_cast<Eigen::Index>(first_[c]), count = before(c).rows();
+        ways_.segment(from, count) = lengths_of_motion(before(c), now(c), common);
+    }
+}
+
+void SelfSearch::find_strayed(std::span<const ClothInContact> cloths) {
+    strayed_ = reaches_;
+    if (!listed_) return;
+    const auto kept = [&](std::size_t c) -> const Points& { return surfaces_[c].kept; };
+    const auto before = [&](std::size_t c) -> const Points& { return cloths[c].before; };
+    const Vec3 common = common_motion(cloths.size(), kept, before);
+    for (std::size_t c = 0; c < cloths.size(); ++c) {
+        const auto from = static_cast<Eigen::Index>(first_[c]), count = before(c).rows();
+        strayed_.segment(from, count) += lengths_of_motion(kept(c), before(c), common);
+    }
+}
+
+/// What a new list is to allow for.
+void SelfSearch::allow_for() {
+    for (std::size_t c = 0; c < surfaces_.size(); ++c) {
+        const auto from = static_cast<Eigen::Index>(first_[c]), count = static_cast<Eigen::Index>(first_[c + 1]) - from;
+        const Real most = spacing_ahead * surfaces_[c].spacing;
+        allowed_.segment(from, count) = reaches_.segment(from, count) + thickness_ahead * thickness_ +
+                                        (substeps_ahead * ways_.segment(from, count)).min(most);
+    }
 }
 
 /// Of the particles of both features, the largest numbers together.
-Real SelfSearch::sum_of_largest(const FeaturePair& pair, std::span<const Real> of_particles) const {
+Real SelfSearch::sum_of_largest(const FeaturePair& pair, const Numbers& of_particles) const {
     std::array<Real, 2> largest{};
     for (std::size_t k = 0; k < 4; ++k) {
-        const auto cloth = static_cast<std::size_t>(pair.cloth_of(k));
-        const Real number = of_particles[first_particle_[cloth] + static_cast<std::size_t>(pair.particles[k])];
-        largest[pair.feature_of(k)] = std::max(largest[pair.feature_of(k)], number);
+        const std::size_t number =
+            first_[static_cast<std::size_t>(pair.cloth_of(k))] + static_cast<std::size_t>(pair.particles[k]);
+        Real& of_feature = largest[pair.feature_of(k)];
+        of_feature = std::max(of_feature, of_particles[static_cast<Eigen::Index>(number)]);
     }
     return largest[0] + largest[1];
 }
 
-/// A pair that was farther apart than both features have strayed, and may yet reach, is not near.
+Real SelfSearch::reach_of(const FeaturePair& pair) const { return sum_of_largest(pair, reaches_); }
+
 SelfSearchReport SelfSearch::find(std::span<const ClothInContact> cloths, Real thickness) {
     SelfSearchReport report;
-    const Real longest = find_reaches(cloths, thickness);
-    report.kept_list = margin_ >= 2 * std::ranges::max(strayed_);
+    thickness_ = thickness;
+    find_ways(cloths);
+    reaches_ = thickness / 2 + response_allowance * ways_;
+    look_at_pairs(cloths, report);
+    return report;
+}
+
+bool SelfSearch::extend(std::span<const ClothInContact> cloths, SelfSearchReport& report) {
+    find_ways(cloths);
+    // Half of the thickness is what features that were not found keep between them
+    if ((ways_ + thickness_ / 4 <= reaches_).all()) return false;
+    reaches_ = reaches_.max(ways_ + thickness_ / 2);
+    look_at_pairs(cloths, report);
+    return true;
+}
+
+/// A pair that was farther apart than both features have strayed, and may yet reach, is not near.
+void SelfSearch::look_at_pairs(std::span<const ClothInContact> cloths, SelfSearchReport& report) {
+    find_strayed(cloths);
+    report.kept_list = listed_ && (strayed_ <= allowed_).all();
     if (!report.kept_list) {
-        margin_ = 2 * std::ranges::max(reaches_) + 2 * substeps_ahead * longest + thickness_ahead * thickness;
+        allow_for();
         make_list(cloths, report);
         strayed_ = reaches_;
     }
@@ -80,7 +169,6 @@ SelfSearchReport SelfSearch::find(std::span<const ClothInContact> cloths, Real t
         if (pair.distance < reach_of(features)) near_.push_back(pair);
     }
     report.listed = static_cast<std::int64_t>(list_.size());
-    return report;
 }
 
 void SelfSearch::make_list(std::span<const ClothInContact> cloths, SelfSearchReport& report) {
@@ -99,18 +187,24 @@ void SelfSearch::make_list(std::span<const ClothInContact> cloths, SelfSearchRep
     list_.clear();
     for (const NearPair& pair : near_) list_.push_back({pair.features, pair.triangle, pair.distance});
     std::ranges::sort(list_, {}, &Listed::features);
+    listed_ = true;
 }
 
 /// Boxes are built where anything comes near at all.
 void SelfSearch::search(std::span<const ClothInContact> cloths, int first, int second, SelfSearchReport& report) {
-    Surface &one = surfaces_[static_cast<std::size_t>(first)], &two = surfaces_[static_cast<std::size_t>(second)];
-    report.traversal += one.tree->query(*two.tree, margin_, first == second ? &one.folds : nullptr, leaves_);
+    const auto box = [&](int number) {
+        Surface& surface = surfaces_[static_cast<std::size_t>(number)];
+        const ClothAt cloth = at(cloths, number);
+        if (!surface.boxed) surface.boxes.build(cloth.grid, cloth.x, of_cloth(allowed_, number));
+        surface.boxed = true;
+        return BoxedCloth{cloth, surface.boxes, of_cloth(allowed_, number)};
+    };
+    const auto largest = [&](int number) { return std::ranges::max(of_cloth(allowed_, number)); };
+    const Surface &one = surfaces_[static_cast<std::size_t>(first)], &two = surfaces_[static_cast<std::size_t>(second)];
+    const Real margin = largest(first) + largest(second);
+    report.traversal += one.tree->query(*two.tree, margin, first == second ? &one.folds : nullptr, leaves_);
     if (leaves_.empty()) return;
-    const ClothAt at_one = at(cloths, first), at_two = at(cloths, second);
-    if (!one.boxed) one.boxes.build(at_one.grid, at_one.x);
-    if (!two.boxed) two.boxes.build(at_two.grid, at_two.x);
-    one.boxed = two.boxed = true;
-    report.cells += find_near_pairs({at_one, one.boxes}, {at_two, two.boxes}, margin_, leaves_, near_);
+    report.cells += find_near_pairs(box(first), box(second), leaves_, near_);
 }
 
 }  // namespace drape

@@ -91,6 +91,13 @@ void check_ball(const BallSettings& ball, std::size_t index) {
     }
 }
 
+/// Cloth keeps away from cloth by its thickness.
+void check_contact(const ContactSettings& contact) {
+    if (!contact.self || contact.thickness > 0) return;
+    throw MisfitError("contact", 0, "self",
+                      "contact.self = true: allowed only with a contact.thickness greater than 0");
+}
+
 }  // namespace
 
 void assign(Settings& settings, std::string_view assignment) {
@@ -153,6 +160,7 @@ void check(const Settings& settings) {
                               std::to_string(most_particles));
     }
     check_memory(settings);
+    check_contact(settings.contact);
     for (std::size_t b = 0; b < settings.balls.size(); ++b) check_ball(settings.balls[b], b);
 }
 

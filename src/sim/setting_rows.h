@@ -72,10 +72,9 @@ public:
             });
     }
 
-    /// @param range of the flag as a number: {0, 0} accepts only false
-    void flag(std::string name, bool Values::*member, std::string help, Range range = {0, 1}) {
+    void flag(std::string name, bool Values::*member, std::string help) {
         add(
-            std::move(name), SettingKind::Flag, "", range, {}, std::move(help),
+            std::move(name), SettingKind::Flag, "", {0, 1}, {}, std::move(help),
             [member](Values& values) { return values.*member; },
             [member](Values& values, const SettingValue& value) { values.*member = std::get<bool>(value); });
     }

@@ -217,7 +217,9 @@ void add_the_rest(std::vector<Setting>& table) {
     contact.choice("continuous", &ContactSettings::continuous,
                    "test the way of balls and cloth within a step, and not its end alone; auto: where a ball may get "
                    "through the cloth within it");
-    contact.flag("self", &ContactSettings::self, "cloths meet themselves and each other; not ready yet", {0, 0});
+    contact.flag("self", &ContactSettings::self,
+                 "cloths meet themselves and each other, and keep apart by contact.thickness, but by no more than half "
+                 "of what particles are from the diagonals beside them; always answered by projection");
 
     SectionRows<Ground> ground(
         "ground", [](Settings& s, std::size_t) -> Ground& { return s.ground; }, table);

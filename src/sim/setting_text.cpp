@@ -69,8 +69,8 @@ bool accepts_list(const Setting& setting, const Values& values) {
 
 bool accepts(const Setting& setting, const SettingValue& value) {
     if (const auto* list = std::get_if<Values>(&value)) return is_list(setting.kind) && accepts_list(setting, *list);
-    if (const auto* flag = std::get_if<bool>(&value)) {
-        return setting.kind == SettingKind::Flag && in_range(setting.range, *flag ? 1 : 0);
+    if (std::holds_alternative<bool>(value)) {
+        return setting.kind == SettingKind::Flag;
     }
     if (const auto* number = std::get_if<double>(&value)) {
         if (setting.kind == SettingKind::Integer) return in_range(setting.range, *number) && is_whole(*number);
@@ -108,7 +108,7 @@ std::string range_text(const Setting& setting) {
 std::string accepted(const Setting& setting) {
     switch (setting.kind) {
         case SettingKind::Flag:
-            return setting.range.high < 1 ? "only false so far" : "true or false";
+            return "true or false";
         case SettingKind::Choice:
             return listed(setting.choices);
         case SettingKind::Text:

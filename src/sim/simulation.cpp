@@ -46,6 +46,7 @@ void Simulation::begin_step() {
     if (plan_is_due(settings_.solver, report_)) plan(planned_substeps_);
     const bool touches = report_.contacts > 0 || !ball_contacts_.empty() || self_contact_.is_near();
     report_.substeps = substeps_in_contact(settings_, touches, planned_substeps_);
+    if (self_contact_.on()) report_.substeps = std::max(report_.substeps, substeps_of_motion(cloths_, settings_.solver));
 }
 
 void Simulation::plan(int fewest) {
@@ -179,7 +180,9 @@ void Simulation::narrow(const Substep& now) {
     find_ball_contacts(balls_, settings_.ground, ball_contacts_);
     report_.times.narrow += watch.lap();
     self_contact_.find(response_of(settings_), in_contact_, balls_);
-    report_.pairs += static_cast<std::int64_t>(self_contact_.contacts().size());
+    report_.pairs = static_cast<std::int64_t>(self_contact_.contacts().size());
+    report_.listed_pairs = self_contact_.report().listed;
+    report_.between_cloths += self_contact_.report().traversal;
     report_.times.pairs += watch.lap();
     for (Cloth& cloth : cloths_) {
         report_.false_contacts += cloth.search.false_contacts(cloth.state.x, balls_, thickness);
@@ -190,6 +193,9 @@ void Simulation::respond(const Substep& now) {
     Stopwatch watch;
     answer(now, self_contact_.contacts(), ball_contacts_);
     look_again(now);
+    report_.times.respond += watch.lap();
+    hold_back();
+    report_.times.pairs += watch.lap();
     resist_rolling();
     for (Ball& ball : balls_) turn_ball(ball);
     report_.times.respond += watch.lap();
@@ -206,14 +212,22 @@ void Simulation::answer(const Substep& now, std::span<PairContact> pairs, std::s
         cloth.energy.before_pushes(cloth.model, cloth.state, {cloth.contacts, pairs, static_cast<int>(c), balls_});
     }
     ResponseReport left = resolve_contacts(response_of(settings_), now.h, in_contact_, pairs, balls_, ball_contacts);
-    const BoundedMotion held = self_contact_.hold_back(in_contact_);
     for (Cloth& cloth : cloths_) {
         enter_pushes(cloth, work_of_led_balls(cloth.contacts, balls_), left.free_ball_work);
     }
-    report_.held_back += held.particles;
     report_.penetration = static_cast<double>(left.depth);
     report_.contact_residual = std::max(report_.contact_residual, static_cast<double>(left.residual));
     report_.contact_sweeps += left.sweeps;
+}
+
+/// The fail-safe of contact between cloths.
+void Simulation::hold_back() {
+    if (!self_contact_.would_cross(in_contact_)) return;
+    for (Cloth& cloth : cloths_) cloth.energy.before_hold(cloth.model, cloth.state);
+    const ZoneReport held = self_contact_.hold_back(in_contact_);
+    for (Cloth& cloth : cloths_) cloth.energy.after_hold(cloth.model, cloth.state);
+    report_.held_back += held.particles;
+    report_.penetration = static_cast<double>(depth_left(response_of(settings_), in_contact_, balls_));
 }
 
 void Simulation::resist_rolling() {

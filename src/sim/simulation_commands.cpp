@@ -150,8 +150,12 @@ void Simulation::configure_cloth(std::size_t number, const Settings& before) {
 
 void Simulation::use_self_contact() {
     std::vector<const ClothModel*> models;
-    for (const Cloth& cloth : cloths_) models.push_back(&cloth.model);
-    self_contact_.use(settings_, models);
+    std::vector<const Points*> positions;
+    for (const Cloth& cloth : cloths_) {
+        models.push_back(&cloth.model);
+        positions.push_back(&cloth.state.x);
+    }
+    self_contact_.use(settings_, models, positions);
 }
 
 }  // namespace drape

@@ -39,9 +39,13 @@ FrameView Simulation::view(Real blend) {
 }
 
 std::string Simulation::step_warning() const {
-    const std::string method = step_limit_warning(settings_.solver, report_);
-    const std::string penalty = penalty_limit_warning(settings_, cloths_, planned_substeps_);
-    return method + (method.empty() || penalty.empty() ? "" : "; ") + penalty;
+    std::string all;
+    for (const std::string& one :
+         {step_limit_warning(settings_.solver, report_), penalty_limit_warning(settings_, cloths_, planned_substeps_),
+          start_warning(self_contact_.crossings_at_start())}) {
+        all += (all.empty() || one.empty() ? "" : "; ") + one;
+    }
+    return all;
 }
 
 std::string Simulation::crossing_warning() const { return drape::crossing_warning(report_.crossing); }

@@ -71,6 +71,23 @@ int substeps_in_contact(const Settings& settings, bool touches, int planned) {
     return std::max(planned, static_cast<int>(std::min(wanted, most_substeps)));
 }
 
+int substeps_of_motion(std::span<const Cloth> cloths, const SolverSettings& solver) {
+    Vec3 sum = Vec3::Zero();
+    Eigen::Index particles = 0;
+    for (const Cloth& cloth : cloths) {
+        sum += cloth.state.v.colwise().sum().transpose();
+        particles += cloth.state.v.rows();
+    }
+    const Vec3 mean = sum / static_cast<Real>(particles);
+    Real most = 0;
+    for (const Cloth& cloth : cloths) {
+        const auto along = [&](int axis) { return (cloth.state.v.col(axis).array() - mean[axis]).square(); };
+        const Real speed = std::sqrt((along(0) + along(1) + along(2)).maxCoeff());
+        most = std::max(most, 2 * speed / std::min(cloth.model.hx, cloth.model.hy));
+    }
+    return static_cast<int>(std::clamp(std::ceil(solver.dt * static_cast<double>(most)), 1.0, most_substeps));
+}
+
 std::string penalty_limit_warning(const Settings& settings, std::span<const Cloth> cloths, int planned) {
     const ContactSettings& contact = settings.contact;
     if (contact.response != ResponseKind::Penalty && contact.response != ResponseKind::Hybrid) return {};

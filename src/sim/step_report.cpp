@@ -13,7 +13,7 @@ double nodes(const StepReport& r) { return static_cast<double>(r.traversal.nodes
 double candidates(const StepReport& r) { return static_cast<double>(r.traversal.candidates); }
 double stopped(const StepReport& r) { return static_cast<double>(r.traversal.stopped); }
 
-const std::array<ReportField, 53> fields{{
+const std::array<ReportField, 56> fields{{
     {"step", "", steps, "step", ReportGroup::Time, 3},
     {"time", "s", [](const StepReport& r) { return r.time; }, "time", ReportGroup::Time, 3},
     {"substeps", "", [](const StepReport& r) { return static_cast<double>(r.substeps); }},
@@ -32,7 +32,6 @@ const std::array<ReportField, 53> fields{{
      ReportGroup::Stages, 1, total_time},
     {"narrow_time", "us", [](const StepReport& r) { return micro * r.times.narrow; }, "narrow", ReportGroup::Stages, 1,
      total_time},
-    {"pairs_time", "us", [](const StepReport& r) { return micro * r.times.pairs; }},
     {"respond_time", "us", [](const StepReport& r) { return micro * r.times.respond; }, "respond", ReportGroup::Stages,
      1, total_time},
     {"total_time", "us", total_time},
@@ -53,8 +52,6 @@ const std::array<ReportField, 53> fields{{
     {"ground_pruned", "", [](const StepReport& r) { return static_cast<double>(r.ground.pruned); }},
     {"penetration", "m", [](const StepReport& r) { return r.penetration; }, "depth left", ReportGroup::Hierarchy, 1},
     {"contact_residual", "m", [](const StepReport& r) { return r.contact_residual; }},
-    {"pairs", "", [](const StepReport& r) { return static_cast<double>(r.pairs); }},
-    {"held_back", "", [](const StepReport& r) { return static_cast<double>(r.held_back); }},
     {"contact_sweeps", "", [](const StepReport& r) { return static_cast<double>(r.contact_sweeps); }},
     {"skipped_builds", "", [](const StepReport& r) { return static_cast<double>(r.skipped_builds); }, "skipped",
      ReportGroup::Hierarchy, 2},
@@ -63,6 +60,15 @@ const std::array<ReportField, 53> fields{{
      ReportGroup::Limit, 2, stopped},
     {"missed_penetration", "m", [](const StepReport& r) { return r.missed_penetration; }, "missed", ReportGroup::Limit,
      2},
+    {"pairs_time", "us", [](const StepReport& r) { return micro * r.times.pairs; }, "pairs", ReportGroup::Pairs, 1,
+     total_time},
+    {"pair_tests", "", [](const StepReport& r) { return static_cast<double>(r.between_cloths.volume_tests); },
+     "pair tests", ReportGroup::Pairs, 1},
+    {"listed_pairs", "", [](const StepReport& r) { return static_cast<double>(r.listed_pairs); }, "near",
+     ReportGroup::Pairs, 2},
+    {"pairs", "", [](const StepReport& r) { return static_cast<double>(r.pairs); }, "touching", ReportGroup::Pairs, 2},
+    {"held_back", "", [](const StepReport& r) { return static_cast<double>(r.held_back); }, "held back",
+     ReportGroup::Pairs, 2},
     {"rms_speed", "m/s", [](const StepReport& r) { return r.rms_speed; }},
     {"stretch", "1", [](const StepReport& r) { return r.stretch; }, "stretch", ReportGroup::Energy, 3},
     {"stretch_excess", "1", [](const StepReport& r) { return r.stretch_excess; }},
@@ -73,6 +79,7 @@ const std::array<ReportField, 53> fields{{
     {"damping_loss", "J", [](const StepReport& r) { return r.balance.damping; }, "to damping", ReportGroup::Balance, 1},
     {"drag_loss", "J", [](const StepReport& r) { return r.balance.drag; }, "to drag", ReportGroup::Balance, 1},
     {"contact_loss", "J", [](const StepReport& r) { return r.balance.contact; }, "to contact", ReportGroup::Balance, 1},
+    {"held_loss", "J", [](const StepReport& r) { return r.balance.held; }, "to fail-safe", ReportGroup::Balance, 1},
     {"integrator_loss", "J", [](const StepReport& r) { return r.balance.integrator; }, "to method",
      ReportGroup::Balance, 1},
     {"wind_work", "J", [](const StepReport& r) { return r.balance.wind; }, "from wind", ReportGroup::Balance, 1},

@@ -29,10 +29,11 @@ Points rolled(const Grid& grid, Real curvature, Real wave) {
 std::size_t pairs_in(const Grid& grid, const Points& x, const CellRange& first, const CellRange& second,
                      Real distance) {
     CellBoxes boxes;
-    boxes.build(grid, x);
+    const std::vector<Real> reaches(static_cast<std::size_t>(grid.particles()), distance / 2);
+    boxes.build(grid, x, reaches);
     std::vector<NearPair> pairs;
-    const BoxedCloth cloth{{0, grid, x}, boxes};
-    find_near_pairs(cloth, cloth, distance, {{first, second}}, pairs);
+    const BoxedCloth cloth{{0, grid, x}, boxes, reaches};
+    find_near_pairs(cloth, cloth, {{first, second}}, pairs);
     return pairs.size();
 }
 

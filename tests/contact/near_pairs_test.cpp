@@ -36,16 +36,21 @@ struct Searched {
         x = positions;
         tree->build(x);
         folds.build(x);
-        boxes.build(grid, x);
     }
 
-    [[nodiscard]] BoxedCloth boxed() const { return {{number, grid, x}, boxes}; }
+    /// @param margin by which features may be apart: each reaches half of it
+    [[nodiscard]] BoxedCloth boxed(Real margin) {
+        reaches.assign(static_cast<std::size_t>(grid.particles()), margin / 2);
+        boxes.build(grid, x, reaches);
+        return {{number, grid, x}, boxes, reaches};
+    }
 
     int number;
     Grid grid;
     std::unique_ptr<BroadPhase> tree;
     FoldTest folds;
     CellBoxes boxes;
+    std::vector<Real> reaches;
     Points x;
 };
 
@@ -60,7 +65,7 @@ std::vector<FeaturePair> pairs_within(Searched& first, Searched& second, Real ma
     std::vector<LeafPair> leaves;
     first.tree->query(*second.tree, margin, with_cones ? &first.folds : nullptr, leaves);
     std::vector<NearPair> pairs;
-    find_near_pairs(first.boxed(), second.boxed(), margin, leaves, pairs);
+    find_near_pairs(first.boxed(margin), second.boxed(margin), leaves, pairs);
     return features_of(pairs);
 }
 
@@ -167,7 +172,7 @@ TEST(NearPairs, HaveWeightsNormalAndDistanceOfTheirClosestPoints) {
     std::vector<LeafPair> leaves;
     cloth.tree->query(*cloth.tree, Real(0.05), &cloth.folds, leaves);
     std::vector<NearPair> pairs;
-    find_near_pairs(cloth.boxed(), cloth.boxed(), Real(0.05), leaves, pairs);
+    find_near_pairs(cloth.boxed(Real(0.05)), cloth.boxed(Real(0.05)), leaves, pairs);
     ASSERT_GT(pairs.size(), 100U);
     for (const NearPair& pair : pairs) {
         Vec3 offset = Vec3::Zero();
@@ -193,7 +198,7 @@ TEST(NearPairs, OfFlatSheetsOneAboveTheOtherAreAnsweredForOnce) {
     std::vector<LeafPair> leaves;
     first.tree->query(*second.tree, Real(0.02), nullptr, leaves);
     std::vector<NearPair> pairs;
-    find_near_pairs(first.boxed(), second.boxed(), Real(0.02), leaves, pairs);
+    find_near_pairs(first.boxed(Real(0.02)), second.boxed(Real(0.02)), leaves, pairs);
     std::vector<int> times(static_cast<std::size_t>(grid.particles()));
     for (const NearPair& pair : pairs) {
         if (pair.stands_alone && pair.features.first_count == 1) {

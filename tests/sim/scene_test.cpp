@@ -72,7 +72,7 @@ restitution = 0.125
 rolling = 0.03
 thickness = 0.003
 continuous = true
-self = false
+self = true
 [ground]
 height = 0.5
 solid = false
@@ -136,7 +136,6 @@ TEST(SceneFile, CanGiveEveryRowOfTheTable) {
     defaults.balls.emplace_back();
     const Settings settings = parse_scene(full_scene, "full.toml");
     for (const Setting& setting : setting_table()) {
-        if (setting.full_name() == "contact.self") continue;  // only false so far
         EXPECT_NE(setting.read(settings, 0), setting.read(defaults, 0)) << setting.full_name() << " was not read";
     }
 }

@@ -122,7 +122,6 @@ TEST(NextValue, TurnsAFlagOver) {
     const Settings settings;
     EXPECT_TRUE(with_next(settings, "wind.on").wind.on);
     EXPECT_FALSE(with_next(with_next(settings, "wind.on"), "wind.on").wind.on);
-    EXPECT_THROW(with_next(settings, "contact.self"), InputError) << "only false so far";
     EXPECT_THROW(with_next(settings, "solver.dt"), InputError);
     EXPECT_THROW(with_next(settings, "title"), InputError);
 }

@@ -195,12 +195,5 @@ TEST(ContactSettings, GiveTheHierarchyEveryChoiceOfItsKinds) {
                                                               .sphere_fit = SphereFit::Epos26}));
 }
 
-TEST(Settings, ThatAreNotReadyTakeNothingElseAndSaySo) {
-    Settings settings;
-    EXPECT_NO_THROW(assign(settings, "contact.self=false"));
-    EXPECT_EQ(test::input_error_of([&] { assign(settings, "contact.self=true"); }),
-              "contact.self = true: allowed only false so far");
-}
-
 }  // namespace
 }  // namespace drape

@@ -3,6 +3,7 @@
 #include <array>
 #include <compare>
 #include <cstdint>
+#include <span>
 #include <vector>
 
 #include "drape/bounds/aabb.h"
@@ -49,11 +50,12 @@ struct ClothAt {
 /// @param first, second the cloths of the features
 void locate(const ClothAt& first, const ClothAt& second, NearPair& pair);
 
-/// The boxes of all cells of a cloth.
+/// The boxes of all cells of a cloth, each grown by as far as its particles reach.
 class CellBoxes {
 public:
+    /// @param reaches of each particle [m]; empty: none of them reaches farther than it is
     /// @par Cost O(cells)
-    void build(const Grid& grid, const Points& x);
+    void build(const Grid& grid, const Points& x, std::span<const Real> reaches = {});
 
     [[nodiscard]] const Aabb& operator[](int cell) const { return boxes_[static_cast<std::size_t>(cell)]; }
 
@@ -64,19 +66,20 @@ private:
     std::vector<Aabb> boxes_;
 };
 
-/// A cloth and the boxes of its cells.
+/// A cloth, how far its particles reach, and the boxes of its cells that were built about both.
 struct BoxedCloth {
     ClothAt cloth;
     const CellBoxes& boxes;
+    std::span<const Real> reaches = {};  ///< of each particle [m]
 };
 
-/// Finds every particle and triangle, and every two edges, that share no particle and are nearer to each other than a
-/// margin, each once. @cite bridson2002
+/// Finds every particle and triangle, and every two edges, that share no particle and are nearer to each other than
+/// both reach, each once: a feature reaches as far as that of its particles which reaches farthest. @cite bridson2002
 /// @param leaves where they may be, as a query for pairs of these two cloths found
 /// @param pairs receives them, after what it has; in no particular order
 /// @return how many pairs of cells were tested exactly
 /// @par Cost O(pairs of cells in the leaves) tests of boxes, O(pairs of cells whose boxes come near) exact ones
-std::int64_t find_near_pairs(const BoxedCloth& first, const BoxedCloth& second, Real margin,
-                             const std::vector<LeafPair>& leaves, std::vector<NearPair>& pairs);
+std::int64_t find_near_pairs(const BoxedCloth& first, const BoxedCloth& second, const std::vector<LeafPair>& leaves,
+                             std::vector<NearPair>& pairs);
 
 }  // namespace drape

@@ -57,6 +57,10 @@ double kinetic_energy(std::span<const Ball> balls);
 Real push_of(const BodyContact& contact, std::span<const Ball> balls);
 Real push_of(const PairContact& contact, std::span<const Ball> balls);
 
+/// The largest depth at the points of the cloths' contacts with balls and ground, where they are now [m].
+Real depth_left(const ResponseParameters& parameters, std::span<const ClothInContact> cloths,
+                std::span<const Ball> balls);
+
 /// The longest stable step of the penalty at a loose particle: h < 2 (sqrt(1 + zeta^2) - zeta) / sqrt(k / m), of a
 /// spring k with damping ratio zeta under symplectic Euler, whose damping is explicit. Springs of the cloth make it
 /// shorter.

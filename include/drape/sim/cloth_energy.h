@@ -64,6 +64,10 @@ public:
     /// @return whether anything has pushed it
     bool after_pushes(const ClothModel& model, const ClothState& state, double ball_work);
 
+    /// The fail-safe of contact between cloths is about to hold the cloth back, and has done so.
+    void before_hold(const ClothModel& model, const ClothState& state);
+    void after_hold(const ClothModel& model, const ClothState& state);
+
     /// Velocities are about to be set to zero by sleep.
     void still(const ClothModel& model, const ClothState& state);
 
@@ -75,6 +79,7 @@ public:
 
 private:
     EnergyFlow flow(const ClothModel& model, const ClothState& state);
+    EnergyFlow held_flow(const ClothModel& model, const ClothState& state);
     [[nodiscard]] EnergyFlow pushed_flow(const ClothModel& model, const ClothState& state) const;
 
     Kernels kernels_ = Kernels::Plain;
@@ -82,7 +87,7 @@ private:
     std::optional<EnergyLedger> ledger_;
     EnergyFlow start_;
     GridRange pushed_{0, 0, 0, 0};  ///< particles that are being pushed
-    EnergyFlow before_pushes_;
+    EnergyFlow before_pushes_, before_hold_;
     double most_push_work_ = 0;  ///< a bound [J]
     Points wind_;                ///< scratch, while a ledger is kept
 };

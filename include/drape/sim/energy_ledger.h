@@ -5,7 +5,7 @@
 namespace drape {
 
 /// What has come to a cloth's mechanical energy and gone from it [J]: it has changed by
-/// wind + hand + ball - damping - drag - contact - integrator.
+/// wind + hand + ball - damping - drag - contact - held - integrator.
 struct EnergyBalance {
     double wind = 0;        ///< given by the wind
     double hand = 0;        ///< given by whoever drags the cloth, or changes what it is made of
@@ -13,6 +13,7 @@ struct EnergyBalance {
     double damping = 0;     ///< dissipated in the springs' damping
     double drag = 0;        ///< dissipated in the air
     double contact = 0;     ///< dissipated in contacts; less than zero where pushing the cloth out has stretched it
+    double held = 0;        ///< taken by the fail-safe of contact between cloths
     double integrator = 0;  ///< dissipated by the method itself and the stretch limit, and nowhere in nature: the rest
 
     /// Of a cloth without a ledger: no entry is a number.
@@ -21,7 +22,7 @@ struct EnergyBalance {
     EnergyBalance& operator+=(const EnergyBalance& other);
 
     /// What the energy has changed by.
-    [[nodiscard]] double change() const { return wind + hand + ball - damping - drag - contact - integrator; }
+    [[nodiscard]] double change() const { return wind + hand + ball - damping - drag - contact - held - integrator; }
 };
 
 /// Keeps the balance of one cloth. It is told what happens to the cloth, and now and then sees the energy: what that
@@ -44,6 +45,10 @@ public:
     /// @param before,after of the part of the cloth that this may have moved
     /// @param ball_work as the response reports it [J]
     void responded(const EnergyFlow& before, const EnergyFlow& after, double ball_work);
+
+    /// The fail-safe of contact between cloths has held the cloth back.
+    /// @param before,after of the whole cloth
+    void held_back(const EnergyFlow& before, const EnergyFlow& after);
 
     /// State or model are about to be changed from outside, which is the hand's work.
     /// @pre the present energy has been seen, or this was said before
@@ -68,11 +73,12 @@ private:
         EnergyFlow seen;
         Since since = Since::Nothing;  ///< what has happened since then
         double h = 0;                  ///< of the step [s]
-        double contact_energy = 0;     ///< by which contacts have changed the energy since the step [J]
+        double contact_energy = 0;     ///< by which contacts and fail-safe have changed the energy since the step [J]
         Power contact_power;           ///< and the power
     };
 
     static void see(const EnergyFlow& now, Book& book);
+    void changed_after_step(const EnergyFlow& before, const EnergyFlow& after);
 
     Book now_, marked_;
 };

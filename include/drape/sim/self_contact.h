@@ -3,7 +3,7 @@
 #include <span>
 #include <vector>
 
-#include "drape/contact/motion_bounds.h"
+#include "drape/contact/impact_zones.h"
 #include "drape/contact/warm_start.h"
 #include "drape/sim/self_search.h"
 #include "drape/sim/settings.h"
@@ -15,7 +15,8 @@ namespace drape {
 class SelfContact {
 public:
     /// Starts from nothing with these cloths.
-    void use(const Settings& settings, std::span<const ClothModel* const> models);
+    /// @param x their positions [m]
+    void use(const Settings& settings, std::span<const ClothModel* const> models, std::span<const Points* const> x);
 
     [[nodiscard]] bool on() const { return on_; }
 
@@ -28,8 +29,8 @@ public:
     [[nodiscard]] const WarmStart<PairContact>& warm_start() const { return warm_start_; }
 
     /// Finds what may touch within the substep, after the integrator's step and the warm start.
-    SelfSearchReport find(const ResponseParameters& parameters, std::span<const ClothInContact> cloths,
-                          std::span<const Ball> balls);
+    void find(const ResponseParameters& parameters, std::span<const ClothInContact> cloths,
+              std::span<const Ball> balls);
 
     /// Those found, and after the response those that were answered.
     [[nodiscard]] std::span<PairContact> contacts() { return contacts_; }
@@ -38,16 +39,26 @@ public:
     /// Whether anything is so near that it has been looked at.
     [[nodiscard]] bool is_near() const { return !search_.pairs().empty(); }
 
-    /// After the response: holds back what could have crossed.
-    BoundedMotion hold_back(std::span<const ClothInContact> cloths) const;
+    /// After the response: whether features would meet on their way, for all that it has done.
+    bool would_cross(std::span<const ClothInContact> cloths);
+
+    /// If so, holds them back.
+    ZoneReport hold_back(std::span<const ClothInContact> cloths);
+
+    /// How many times cloth crossed cloth at the start: what keeps the sides of cloths cannot part these.
+    [[nodiscard]] std::int64_t crossings_at_start() const { return crossings_at_start_; }
+
+    /// What the search of this substep has cost.
+    [[nodiscard]] const SelfSearchReport& report() const { return report_; }
 
 private:
     bool on_ = false;
     SelfSearch search_;
-    MotionBounds bounds_;
+    SelfSearchReport report_;
+    std::int64_t crossings_at_start_ = 0;
+    ImpactZones zones_;
     WarmStart<PairContact> warm_start_;
     std::vector<PairContact> contacts_;
-    std::vector<int> particles_;  ///< of each cloth
 };
 
 }  // namespace drape

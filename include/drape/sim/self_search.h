@@ -21,7 +21,8 @@ struct SelfSearchReport {
 /// Finds where the cloths of a scene come near themselves and each other. What was found within a wide margin serves
 /// as a list for as long as nothing has moved far enough for other pairs to come near @cite verlet1967: most substeps
 /// look at those pairs of the list alone whose particles have moved enough since, and where it is empty they cost one
-/// pass over the displacements.
+/// pass over the displacements. What all particles move by together brings nothing nearer to anything, and does not
+/// count.
 class SelfSearch {
 public:
     /// Takes new hierarchies.
@@ -31,26 +32,38 @@ public:
     /// @param thickness of the cloths [m]
     SelfSearchReport find(std::span<const ClothInContact> cloths, Real thickness);
 
+    /// Looks whether any particle has been pushed farther than `find` has assumed, and if so finds the pairs that may
+    /// meet on these longer ways too.
+    /// @return whether it had to
+    bool extend(std::span<const ClothInContact> cloths, SelfSearchReport& report);
+
+    /// How many times cloths cross themselves and each other, see `count_crossings`.
+    /// @param x positions of each cloth [m]
+    std::int64_t count_crossings(std::span<const Points* const> x);
+
     /// Positions have been set from outside.
-    void forget() { margin_ = 0; }
+    void forget();
 
     /// In the order of their features, whatever found them.
     [[nodiscard]] std::span<const NearPair> pairs() const { return near_; }
 
-    /// How far each particle may come to reach within the substep, with half the thickness: features of pairs that were
-    /// not found are farther apart than both reach together. Cloth after cloth [m].
-    [[nodiscard]] std::span<const Real> reaches() const { return reaches_; }
+    /// How far both features of a pair reach together within the substep [m].
+    [[nodiscard]] Real reach_of(const FeaturePair& pair) const;
 
-    /// How far both features of a pair reach together [m].
-    [[nodiscard]] Real reach_of(const FeaturePair& pair) const { return sum_of_largest(pair, reaches_); }
+    /// The number of each cloth's first particle among all, and of all in the end.
+    [[nodiscard]] std::span<const std::size_t> first_particles() const { return first_; }
 
 private:
+    using Numbers = Eigen::Array<Real, Eigen::Dynamic, 1>;
+
     struct Surface {
         std::unique_ptr<BroadPhase> tree;
         FoldTest folds;
         CellBoxes boxes;
         bool boxed = false;  ///< since the last list was begun
         Points kept;         ///< what the list was made from
+        Grid grid;
+        Real spacing;        ///< of its particles at rest [m]
     };
 
     /// A pair as it was when the list was made.
@@ -60,19 +73,26 @@ private:
         Real distance;  ///< [m]
     };
 
-    Real find_reaches(std::span<const ClothInContact> cloths, Real thickness);
-    [[nodiscard]] Real sum_of_largest(const FeaturePair& pair, std::span<const Real> of_particles) const;
+    void find_ways(std::span<const ClothInContact> cloths);
+    void find_strayed(std::span<const ClothInContact> cloths);
+    void allow_for();
+    void look_at_pairs(std::span<const ClothInContact> cloths, SelfSearchReport& report);
     void make_list(std::span<const ClothInContact> cloths, SelfSearchReport& report);
     void search(std::span<const ClothInContact> cloths, int first, int second, SelfSearchReport& report);
+    [[nodiscard]] Real sum_of_largest(const FeaturePair& pair, const Numbers& of_particles) const;
+    [[nodiscard]] std::span<const Real> of_cloth(const Numbers& of_particles, int cloth) const;
 
-    std::vector<Surface> surfaces_;  ///< of each cloth
-    Real margin_ = 0;                ///< of the list; 0: there is none
+    Real thickness_ = 0;
+    std::vector<Surface> surfaces_;   ///< of each cloth
+    std::vector<std::size_t> first_;  ///< particle of each cloth, among all
+    bool listed_ = false;             ///< there is a list
     std::vector<LeafPair> leaves_;
     std::vector<Listed> list_;
     std::vector<NearPair> near_;
-    std::vector<std::size_t> first_particle_;  ///< of each cloth, among all
-    std::vector<Real> reaches_;                ///< of all particles [m]
-    std::vector<Real> strayed_;                ///< by what each has moved since the list was made, and its reach [m]
+    Numbers ways_;     ///< of all particles within the substep, but for what they move by together [m]
+    Numbers reaches_;  ///< how far each may come within it, with half the thickness [m]
+    Numbers strayed_;  ///< the reach, and what each has moved by since the list was made [m]
+    Numbers allowed_;  ///< by the list: it serves while nothing has strayed farther [m]
 };
 
 }  // namespace drape

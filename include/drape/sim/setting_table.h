@@ -92,7 +92,8 @@ public:
     std::string name;
 };
 
-/// Checks that need more than one setting: pins on the grid, ascending path times, a ball path where motion is "path".
+/// Checks that need more than one setting: pins on the grid, ascending path times, a ball path where motion is "path",
+/// a thickness where cloth meets itself.
 /// @throws MisfitError
 void check(const Settings& settings);
 

@@ -88,6 +88,7 @@ private:
     void respond(const Substep& now);
     void answer(const Substep& now, std::span<PairContact> pairs, std::span<BallContact> ball_contacts);
     void look_again(const Substep& now);
+    void hold_back();
     void resist_rolling();
     void close_report();
     void rest();

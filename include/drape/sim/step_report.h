@@ -46,8 +46,10 @@ struct StepReport {
     std::int64_t false_candidates = 0;  ///< cells handed on of which no triangle touches
     std::int64_t contacts = 0;          ///< points in contact, and nodes that were taken for them
     double contact_residual = 0;        ///< of the response, see `ResponseReport::residual` [m]
-    std::int64_t pairs = 0;             ///< of features of cloths, that the response was given
-    std::int64_t held_back = 0;         ///< particles, by the fail-safe
+    TraversalStats between_cloths;      ///< for pairs of features of cloths
+    std::int64_t listed_pairs = 0;      ///< of these, that are looked at
+    std::int64_t pairs = 0;             ///< that the response was given
+    std::int64_t held_back = 0;         ///< particles, by the fail-safe between cloths
     std::int64_t contact_sweeps = 0;    ///< of the response over its contacts
     double penetration = 0;             ///< largest depth left after the response [m]
     std::int64_t skipped_builds = 0;    ///< since the start, because nothing could touch
@@ -70,16 +72,16 @@ struct StepReport {
 
     /// Sets to zero what limit and contacts of a substep add up to.
     void forget_contacts() {
-        traversal = ground = {};
+        traversal = ground = between_cloths = {};
         contacts = false_candidates = false_contacts = 0;
         penetration = missed_penetration = contact_residual = stretch_excess = 0;
-        contact_sweeps = pairs = held_back = 0;
+        contact_sweeps = listed_pairs = pairs = held_back = 0;
     }
 };
 
 /// What figures are about; the panel sets them apart by it, and shows those of `Limit` only while the search is
-/// limited, those of `Balance` only while a ledger is kept, those of `Doubt` only once there is one.
-enum class ReportGroup { Time, Doubt, Stages, Hierarchy, Limit, Energy, Balance };
+/// limited, those of `Pairs` only while cloths meet themselves and each other, those of `Balance` only while a ledger is kept, those of `Doubt` only once there is one.
+enum class ReportGroup { Time, Doubt, Stages, Hierarchy, Limit, Pairs, Energy, Balance };
 
 /// Whether a run that goes on is not to be trusted: steps were not solved, or the integrator has made energy.
 inline bool in_doubt(const StepReport& report) { return report.unconverged > 0 || report.heated_step > 0; }

@@ -1,0 +1,30 @@
+#pragma once
+
+#include <array>
+
+#include "drape/base/real.h"
+
+namespace drape {
+
+/// Two features on their way through a substep, on which each particle moves straight and evenly.
+struct FeatureMotion {
+    int first_count = 1;          ///< particles of the first feature: 1 against a triangle, or 2 for two edges
+    std::array<Vec3, 4> start{};  ///< the particles of the first feature, then those of the second [m]
+    std::array<Vec3, 4> way{};    ///< [m]
+
+    /// How far the features are apart after a part of the way [m].
+    [[nodiscard]] Real distance_after(Real part) const;
+
+    /// No two of their points come nearer to each other, nor farther from each other, than by this in all [m].
+    [[nodiscard]] Real longest_approach() const;
+};
+
+/// Which part of their way two features may go and still stay apart: 1 if they come nowhere nearer to each other than
+/// a fifth of their distance, or else a part after which at least a tenth of it is left. Conservative advancement: what
+/// is left of the distance, divided by the longest approach, is a part of the way on which they cannot meet, and from
+/// where that ends they go on @cite li2021. No root of a cubic has to be found, and none can be lost.
+/// @param distance at the start, above zero [m]
+/// @par Cost a distance a round; what is not about to meet needs none or one
+Real safe_part_of(const FeatureMotion& motion, Real distance);
+
+}  // namespace drape

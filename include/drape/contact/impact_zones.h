@@ -1,0 +1,63 @@
+#pragma once
+
+#include <span>
+#include <vector>
+
+#include "drape/contact/feature_motion.h"
+#include "drape/contact/near_pairs.h"
+#include "drape/contact/response.h"
+
+namespace drape {
+
+/// What impact zones have taken.
+struct ZoneReport {
+    int particles = 0;       ///< in zones
+    Real longest = 0;        ///< by which one was held back [m]
+    Vec3 momentum{0, 0, 0};  ///< that only pinned particles can have taken [kg m/s]
+};
+
+/// The fail-safe of contact between cloths: whatever the response has done, a substep that begins without a crossing
+/// ends without one. Particles of features that would meet on their way form a zone @cite provot1997 which goes on with
+/// its mean motion, and with only such a part of the motion within it that none of its features meet: what moves as a
+/// whole keeps its distances. What a zone then meets joins it. In the end all may be one zone, and that has no meeting:
+/// so this ends. A zone keeps its momentum, unless something in it is pinned.
+class ImpactZones {
+public:
+    /// Looks for pairs that meet.
+    /// @param first number of each cloth's first particle among all, and of all in the end; it has to last
+    /// @return whether there are any
+    bool find(std::span<const NearPair> pairs, std::span<const ClothInContact> cloths,
+              std::span<const std::size_t> first);
+
+    /// Holds back what was found, and what meets these in turn.
+    /// @param pairs all that may meet
+    void hold_back(std::span<const NearPair> pairs, std::span<const ClothInContact> cloths);
+
+    /// Of all that was held back since the last `find`.
+    [[nodiscard]] ZoneReport report(std::span<const ClothInContact> cloths) const;
+
+private:
+    struct Member {
+        int cloth, particle;
+        Vec3 way, velocity;  ///< as they would have been [m, m/s]
+    };
+    struct Zone {
+        std::vector<Member> members;
+        Real part = 1;  ///< of the motion within
+    };
+
+    [[nodiscard]] std::size_t number_of(const NearPair& pair, std::size_t k) const;
+    [[nodiscard]] FeatureMotion motion_of(const NearPair& pair, std::span<const ClothInContact> cloths) const;
+    [[nodiscard]] FeatureMotion first_motion_of(const NearPair& pair, std::span<const ClothInContact> cloths) const;
+    [[nodiscard]] bool within_one_zone(const NearPair& pair) const;
+    [[nodiscard]] bool touches_zone(const NearPair& pair) const;
+    void join(const NearPair& pair, std::span<const ClothInContact> cloths, Real part);
+    void move_zones(std::span<const ClothInContact> cloths) const;
+
+    std::span<const std::size_t> first_;  ///< particle of each cloth, among all
+    std::vector<int> zone_of_;            ///< of each particle; -1: none
+    std::vector<int> place_in_;           ///< there
+    std::vector<Zone> zones_;             ///< those that have joined others are empty
+};
+
+}  // namespace drape

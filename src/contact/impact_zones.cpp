@@ -1,0 +1,172 @@
+#include "drape/contact/impact_zones.h"
+
+#include <algorithm>
+#include <utility>
+
+#include "contact_geometry.h"
+
+namespace drape {
+namespace {
+
+const ClothInContact& cloth_of(std::span<const ClothInContact> cloths, int number) {
+    return cloths[static_cast<std::size_t>(number)];
+}
+
+Vec3 way_of_particle(const ClothInContact& cloth, int particle) {
+    return position(cloth.state.x, particle) - position(cloth.before, particle);
+}
+
+/// The mean of what the members of a zone have, by mass; that of the pinned ones where there are any.
+template <class Members, class Value>
+Vec3 mean_of(std::span<const ClothInContact> cloths, const Members& members, Value value) {
+    Vec3 sum = Vec3::Zero(), of_pinned = Vec3::Zero();
+    Real mass = 0, pinned = 0;
+    for (const auto& member : members) {
+        const ClothModel& model = cloth_of(cloths, member.cloth).model;
+        if (model.pinned(member.particle)) {
+            of_pinned += value(member);
+            pinned += 1;
+        } else {
+            sum += model.particle_mass * value(member);
+            mass += model.particle_mass;
+        }
+    }
+    return pinned > 0 ? Vec3(of_pinned / pinned) : Vec3(sum / mass);
+}
+
+}  // namespace
+
+std::size_t ImpactZones::number_of(const NearPair& pair, std::size_t k) const {
+    return first_[static_cast<std::size_t>(pair.features.cloth_of(k))] +
+           static_cast<std::size_t>(pair.features.particles[k]);
+}
+
+/// As its particles are to move now.
+FeatureMotion ImpactZones::motion_of(const NearPair& pair, std::span<const ClothInContact> cloths) const {
+    FeatureMotion motion{.first_count = pair.features.first_count};
+    for (std::size_t k = 0; k < 4; ++k) {
+        const ClothInContact& cloth = cloth_of(cloths, pair.features.cloth_of(k));
+        motion.start[k] = position(cloth.before, pair.features.particles[k]);
+        motion.way[k] = way_of_particle(cloth, pair.features.particles[k]);
+    }
+    return motion;
+}
+
+/// As they would have moved.
+FeatureMotion ImpactZones::first_motion_of(const NearPair& pair, std::span<const ClothInContact> cloths) const {
+    FeatureMotion motion = motion_of(pair, cloths);
+    for (std::size_t k = 0; k < 4; ++k) {
+        const std::size_t number = number_of(pair, k);
+        if (zone_of_[number] < 0) continue;
+        const Zone& zone = zones_[static_cast<std::size_t>(zone_of_[number])];
+        motion.way[k] = zone.members[static_cast<std::size_t>(place_in_[number])].way;
+    }
+    return motion;
+}
+
+bool ImpactZones::touches_zone(const NearPair& pair) const {
+    for (std::size_t k = 0; k < 4; ++k) {
+        if (zone_of_[number_of(pair, k)] >= 0) return true;
+    }
+    return false;
+}
+
+bool ImpactZones::within_one_zone(const NearPair& pair) const {
+    const int zone = zone_of_[number_of(pair, 0)];
+    for (std::size_t k = 1; k < 4; ++k) {
+        if (zone_of_[number_of(pair, k)] != zone) return false;
+    }
+    return zone >= 0;
+}
+
+/// All particles of a pair, and of the zones that they are in, become one zone.
+void ImpactZones::join(const NearPair& pair, std::span<const ClothInContact> cloths, Real part) {
+    int all = -1;
+    for (std::size_t k = 0; k < 4; ++k) all = std::max(all, zone_of_[number_of(pair, k)]);
+    if (all < 0) {
+        all = static_cast<int>(zones_.size());
+        zones_.emplace_back();
+    }
+    Zone& zone = zones_[static_cast<std::size_t>(all)];
+    zone.part = std::min(zone.part, part);
+    const auto add = [&](const Member& member) {
+        const std::size_t number =
+            first_[static_cast<std::size_t>(member.cloth)] + static_cast<std::size_t>(member.particle);
+        zone_of_[number] = all;
+        place_in_[number] = static_cast<int>(zone.members.size());
+        zone.members.push_back(member);
+    };
+    for (std::size_t k = 0; k < 4; ++k) {
+        const int number = pair.features.cloth_of(k), particle = pair.features.particles[k];
+        const int other = zone_of_[number_of(pair, k)];
+        if (other == all) continue;
+        if (other < 0) {
+            const ClothInContact& cloth = cloth_of(cloths, number);
+            add({number, particle, way_of_particle(cloth, particle), position(cloth.state.v, particle)});
+            continue;
+        }
+        Zone& joined = zones_[static_cast<std::size_t>(other)];
+        zone.part = std::min(zone.part, joined.part);
+        for (const Member& member : std::exchange(joined.members, {})) add(member);
+    }
+}
+
+void ImpactZones::move_zones(std::span<const ClothInContact> cloths) const {
+    for (const Zone& zone : zones_) {
+        if (zone.members.empty()) continue;
+        const Vec3 way = mean_of(cloths, zone.members, [](const Member& member) { return member.way; });
+        const Vec3 velocity = mean_of(cloths, zone.members, [](const Member& member) { return member.velocity; });
+        for (const Member& member : zone.members) {
+            const ClothInContact& cloth = cloth_of(cloths, member.cloth);
+            cloth.state.x.row(member.particle) =
+                cloth.before.row(member.particle) + (way + zone.part * (member.way - way)).transpose();
+            cloth.state.v.row(member.particle) = (velocity + zone.part * (member.velocity - velocity)).transpose();
+        }
+    }
+}
+
+/// A pair without any distance has met already.
+bool ImpactZones::find(std::span<const NearPair> pairs, std::span<const ClothInContact> cloths,
+                       std::span<const std::size_t> first) {
+    first_ = first;
+    zone_of_.assign(first.back(), -1);
+    place_in_.resize(first.back());
+    zones_.clear();
+    for (const NearPair& pair : pairs) {
+        if (pair.distance == 0) continue;
+        const Real part = safe_part_of(first_motion_of(pair, cloths), pair.distance);
+        if (part < 1) join(pair, cloths, part);
+    }
+    return !zones_.empty();
+}
+
+/// Within a zone only that part of the motion is made in which no pair of it meets, whatever its other particles do.
+void ImpactZones::hold_back(std::span<const NearPair> pairs, std::span<const ClothInContact> cloths) {
+    for (bool meets = true; meets;) {
+        move_zones(cloths);
+        meets = false;
+        for (const NearPair& pair : pairs) {
+            if (pair.distance == 0 || !touches_zone(pair) || within_one_zone(pair)) continue;
+            if (safe_part_of(motion_of(pair, cloths), pair.distance) == 1) continue;
+            join(pair, cloths, safe_part_of(first_motion_of(pair, cloths), pair.distance));
+            meets = true;
+        }
+    }
+}
+
+ZoneReport ImpactZones::report(std::span<const ClothInContact> cloths) const {
+    ZoneReport report;
+    for (const Zone& zone : zones_) {
+        for (const Member& member : zone.members) {
+            const ClothInContact& cloth = cloth_of(cloths, member.cloth);
+            const Vec3 back = member.way - way_of_particle(cloth, member.particle);
+            report.longest = std::max(report.longest, back.norm());
+            report.momentum +=
+                cloth.model.particle_mass * (member.velocity - position(cloth.state.v, member.particle));
+            ++report.particles;
+        }
+    }
+    return report;
+}
+
+}  // namespace drape
