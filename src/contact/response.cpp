@@ -20,6 +20,10 @@ constexpr Real resting_steps = 4;
 /// Tolerance of displacements, of what gravity moves a particle by within a step.
 constexpr Real of_gravity = Real(2e-3);
 
+/// And where cloth meets cloth, of the thickness between them: many layers pass a push on slowly, from sweep to sweep
+/// and from substep to substep.
+constexpr Real of_thickness = Real(1e-3);
+
 const Ball& ball_of(const BodyContact& contact, std::span<const Ball> balls) {
     return balls[static_cast<std::size_t>(contact.ball)];
 }
@@ -193,7 +197,8 @@ Real restitution_of(const ResponseParameters& parameters, const BodyContact& con
 
 Real displacement_tolerance(const ContactProblem& problem) {
     const Real fall = problem.gravity * problem.h * problem.h;
-    return std::max(of_gravity * fall, 4 * std::numeric_limits<Real>::epsilon());
+    const Real of_pairs = problem.pairs.empty() ? Real(0) : of_thickness * problem.parameters.pair_thickness;
+    return std::max({of_gravity * fall, of_pairs, 4 * std::numeric_limits<Real>::epsilon()});
 }
 
 Real velocity_tolerance(const ContactProblem& problem) { return displacement_tolerance(problem) / problem.h; }
