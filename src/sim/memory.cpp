@@ -30,6 +30,16 @@ double hierarchy_bytes(const ContactSettings& contact, const Grid& grid) {
     return nodes * static_cast<double>(sizeof(QuadtreeNode) + 2 * sizeof(int) + bytes_of_volume(contact.volume));
 }
 
+/// Where cloths meet themselves and each other: a second hierarchy and the boxes of its cells, numbers of a particle,
+/// and room for pairs of features, as many as where much of a cloth lies on cloth.
+double self_contact_bytes(const ContactSettings& contact, const Grid& grid) {
+    constexpr double pairs = 30, touching = 2, numbers_of_search = 3 + 4 + 6;
+    if (!contact.self) return 0;
+    const double of_particle =
+        sizeof(Real) * numbers_of_search + sizeof(Aabb) + pairs * sizeof(NearPair) + touching * sizeof(PairContact);
+    return hierarchy_bytes(contact, grid) + grid.particles() * of_particle;
+}
+
 }  // namespace
 
 MemoryNeed memory_needed(const Settings& settings) {
@@ -39,7 +49,7 @@ MemoryNeed memory_needed(const Settings& settings) {
         const double particles = grid.particles();
         need.cloths += particles * sizeof(Real) * (numbers + (settings.solver.ledger ? ledger_numbers : 0)) +
                        contact_lists * grid.triangles() * static_cast<double>(sizeof(Contact)) +
-                       hierarchy_bytes(settings.contact, grid) +
+                       hierarchy_bytes(settings.contact, grid) + self_contact_bytes(settings.contact, grid) +
                        std::min(particles, searched_particles) * sizeof(Real) * search_numbers;
         need.method += bytes_of_method(integrator_of(settings.solver), grid);
     }

@@ -81,10 +81,15 @@ std::string crossing_warning(const CrossingDanger& danger) {
            " m/s one may pass through the other within a step";
 }
 
+std::string search_trouble(const StepReport& report) {
+    return "cloth moves so far within step " + std::to_string(report.step + 1) +
+           " that contact.self cannot look at all that may meet; a shorter solver.dt divides its way";
+}
+
 std::string start_warning(std::int64_t crossings) {
     if (crossings == 0) return {};
-    return "edges cross triangles of cloth " + std::to_string(crossings) +
-           (crossings == 1 ? " time" : " times") + " at the start, and may stay so";
+    return "edges cross triangles of cloth " + std::to_string(crossings) + (crossings == 1 ? " time" : " times") +
+           " at the start, and may stay so";
 }
 
 std::string doubt_warning(const StepReport& report) {

@@ -24,6 +24,9 @@ void mark_crossing(const Crossing& crossing, double time, Real h, StepReport& re
 /// That this was so, with the speeds as it began; empty if never.
 std::string crossing_warning(const CrossingDanger& danger);
 
+/// That cloth moves too far within a substep for contact between cloths.
+std::string search_trouble(const StepReport& report);
+
 /// That cloth crossed cloth at the start, so many times; empty if it did not.
 std::string start_warning(std::int64_t crossings);
 

@@ -14,6 +14,10 @@ constexpr Real response_allowance = Real(1.5);
 /// the thickness at rest.
 constexpr Real substeps_ahead = 8, spacing_ahead = Real(0.5), thickness_ahead = Real(0.25);
 
+/// Pairs that a list has room for, a particle in the mean; and how many of the same sheet there are within a reach, a
+/// square of the particles' spacing.
+constexpr Real most_pairs = 2000, pairs_a_square = 30;
+
 /// A cloth at the start of the substep.
 ClothAt at(std::span<const ClothInContact> cloths, int number) {
     const ClothInContact& cloth = cloths[static_cast<std::size_t>(number)];
@@ -120,6 +124,18 @@ void SelfSearch::allow_for() {
     }
 }
 
+/// Whether so many particles reach so far that a list of all that is near would not fit.
+bool SelfSearch::is_too_far() const {
+    Real squares = 0;
+    for (std::size_t c = 0; c < surfaces_.size(); ++c) {
+        for (const Real reach : of_cloth(reaches_, static_cast<int>(c))) {
+            const Real spacings = 2 * reach / surfaces_[c].spacing;
+            squares += spacings * spacings;
+        }
+    }
+    return !(pairs_a_square * squares <= most_pairs * static_cast<Real>(first_.back()));
+}
+
 /// Of the particles of both features, the largest numbers together.
 Real SelfSearch::sum_of_largest(const FeaturePair& pair, const Numbers& of_particles) const {
     std::array<Real, 2> largest{};
@@ -149,11 +165,14 @@ bool SelfSearch::extend(std::span<const ClothInContact> cloths, SelfSearchReport
     if ((ways_ + thickness_ / 4 <= reaches_).all()) return false;
     reaches_ = reaches_.max(ways_ + thickness_ / 2);
     look_at_pairs(cloths, report);
-    return true;
+    return !report.gave_up;
 }
 
 /// A pair that was farther apart than both features have strayed, and may yet reach, is not near.
 void SelfSearch::look_at_pairs(std::span<const ClothInContact> cloths, SelfSearchReport& report) {
+    near_.clear();
+    report.gave_up = is_too_far();
+    if (report.gave_up) return forget();
     find_strayed(cloths);
     report.kept_list = listed_ && (strayed_ <= allowed_).all();
     if (!report.kept_list) {

@@ -28,7 +28,7 @@ void Simulation::step() {
         build(now);
         traverse();
         narrow(now);
-        respond(now);
+        if (!respond(now)) return;  // too fast
     }
     close_report();
     rest();
@@ -46,7 +46,8 @@ void Simulation::begin_step() {
     if (plan_is_due(settings_.solver, report_)) plan(planned_substeps_);
     const bool touches = report_.contacts > 0 || !ball_contacts_.empty() || self_contact_.is_near();
     report_.substeps = substeps_in_contact(settings_, touches, planned_substeps_);
-    if (self_contact_.on()) report_.substeps = std::max(report_.substeps, substeps_of_motion(cloths_, settings_.solver));
+    if (self_contact_.on())
+        report_.substeps = std::max(report_.substeps, substeps_of_motion(cloths_, settings_.solver));
 }
 
 void Simulation::plan(int fewest) {
@@ -189,7 +190,8 @@ void Simulation::narrow(const Substep& now) {
     }
 }
 
-void Simulation::respond(const Substep& now) {
+/// @return false if the run has come to its end
+bool Simulation::respond(const Substep& now) {
     Stopwatch watch;
     answer(now, self_contact_.contacts(), ball_contacts_);
     look_again(now);
@@ -203,6 +205,8 @@ void Simulation::respond(const Substep& now) {
         const Real missed = cloth.search.missed_penetration(cloth.state.x, balls_, settings_.contact.thickness);
         report_.missed_penetration = std::max(report_.missed_penetration, static_cast<double>(missed));
     }
+    if (self_contact_.report().gave_up) end_with(search_trouble(report_));
+    return report_.status == Status::Ok;
 }
 
 /// Answers the contacts of the cloths, and these with them.

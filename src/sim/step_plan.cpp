@@ -16,6 +16,9 @@ namespace {
 constexpr Real safe_part = Real(0.9);
 constexpr double most_substeps = 1000;
 
+/// The most substeps of a step because cloth moves fast.
+constexpr double most_for_motion = 32;
+
 /// From one plan to the next [s].
 constexpr double search_pause = 0.25;
 
@@ -85,7 +88,7 @@ int substeps_of_motion(std::span<const Cloth> cloths, const SolverSettings& solv
         const Real speed = std::sqrt((along(0) + along(1) + along(2)).maxCoeff());
         most = std::max(most, 2 * speed / std::min(cloth.model.hx, cloth.model.hy));
     }
-    return static_cast<int>(std::clamp(std::ceil(solver.dt * static_cast<double>(most)), 1.0, most_substeps));
+    return static_cast<int>(std::clamp(std::ceil(solver.dt * static_cast<double>(most)), 1.0, most_for_motion));
 }
 
 std::string penalty_limit_warning(const Settings& settings, std::span<const Cloth> cloths, int planned) {

@@ -41,7 +41,7 @@ Real stretch_of(const Simulation& simulation) {
 }
 
 /// Contact comes after the limit, and may stretch a spring until the next step by what it pushes out.
-constexpr Real pushed = Real(0.06);
+constexpr Real pushed = Real(0.08);
 
 bool is_within_its_limit(const Simulation& simulation) {
     return stretch_of(simulation) <= simulation.cloths()[0].model.stretch_limit + stretch_tolerance + pushed;
@@ -49,7 +49,7 @@ bool is_within_its_limit(const Simulation& simulation) {
 
 /// Contact stops cloth at its thickness already. But a ball that the keys press onto the ground leaves cloth between
 /// the two no room, and contact with one pushes it by as much into the other [m].
-constexpr Real entered = Real(0.0025);
+constexpr Real entered = Real(0.003);
 
 Real deepest_in_balls(const Simulation& simulation) {
     Real deepest = 0;

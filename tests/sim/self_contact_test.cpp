@@ -1,7 +1,8 @@
 // Cloth against itself and against other cloths, in whole scenes: an exact count of crossings is zero all along.
 
-#include <gtest/gtest.h>
+#include <gmock/gmock.h>
 
+#include "drape/integrate/stability.h"
 #include "drape/sim/scene.h"
 #include "drape/sim/simulation.h"
 #include "support/crossings.h"
@@ -79,10 +80,11 @@ std::int64_t crossings_in(const Simulation& simulation) {
 }
 
 struct Tally {
-    std::int64_t crossings = 0, pairs = 0;
+    std::int64_t crossings = 0, pairs = 0, held_back = 0;
 };
 
-Tally run(Settings settings, double time) {
+/// @param looks steps from one exact count to the next
+Tally run(Settings settings, double time, std::int64_t looks = 20) {
     Simulation simulation("self contact", std::move(settings));
     Tally tally;
     while (simulation.report().time < time) {
@@ -90,8 +92,10 @@ Tally run(Settings settings, double time) {
         EXPECT_EQ(simulation.report().status, Status::Ok) << simulation.report().trouble;
         if (simulation.report().status != Status::Ok) break;
         tally.pairs += simulation.report().pairs;
-        if (simulation.report().step % 20 == 0) tally.crossings += crossings_in(simulation);
+        tally.held_back += simulation.report().held_back;
+        if (simulation.report().step % looks == 0) tally.crossings += crossings_in(simulation);
     }
+    EXPECT_EQ(simulation.run_warning(), "");
     return tally;
 }
 
@@ -115,6 +119,106 @@ TEST_P(SelfContactScene, HasCrossingsWithoutTheSearch) {
     const Tally tally = run(std::move(settings), time_of(GetParam()));
     EXPECT_GT(tally.crossings, 100);
     EXPECT_EQ(tally.pairs, 0);
+}
+
+class SelfContactMethod : public testing::TestWithParam<std::tuple<IntegratorKind, ResponseKind>> {};
+
+/// Each integrator that is stable there, and each response to the ball.
+INSTANTIATE_TEST_SUITE_P(All, SelfContactMethod,
+                         testing::Combine(testing::Values(IntegratorKind::SymplecticEuler,
+                                                          IntegratorKind::VelocityVerlet, IntegratorKind::BackwardEuler,
+                                                          IntegratorKind::Bdf2, IntegratorKind::ImplicitMidpoint,
+                                                          IntegratorKind::Xpbd, IntegratorKind::ProjectiveDynamics),
+                                          testing::Values(ResponseKind::Projection, ResponseKind::Penalty,
+                                                          ResponseKind::Impulse)),
+                         [](const auto& param) {
+                             return std::string(name_of(std::get<0>(param.param))) + "_" +
+                                    std::string(name_of(std::get<1>(param.param)));
+                         });
+
+TEST_P(SelfContactMethod, NeverHasACrossing) {
+    Settings settings = stacked_sheets();
+    std::tie(settings.solver.integrator, settings.contact.response) = GetParam();
+    settings.solver.dt = has_step_limit(settings.solver.integrator) ? 5e-4 : 1.0 / 120;
+    // Steps of explicit methods are many
+    const std::int64_t looks = has_step_limit(settings.solver.integrator) ? 20 : 1;
+    const Tally tally = run(std::move(settings), test::sanitized ? 0.3 : 0.7, looks);
+    EXPECT_EQ(tally.crossings, 0);
+    EXPECT_GT(tally.pairs, 100) << "cloth has touched cloth";
+}
+
+class ShippedSelfContact : public testing::TestWithParam<std::string> {};
+
+INSTANTIATE_TEST_SUITE_P(All, ShippedSelfContact, testing::Values("fold", "stack", "pinch"),
+                         [](const auto& param) { return param.param; });
+
+TEST_P(ShippedSelfContact, NeverHasACrossing) {
+    Settings settings = load_scene(GetParam());
+    const bool is_late = GetParam() == "pinch";
+    const double time = is_late ? 2.6 : test::sanitized ? 0.35 : 1;
+    const Tally tally = run(std::move(settings), time, is_late ? 200 : 50);
+    EXPECT_EQ(tally.crossings, 0);
+    EXPECT_GT(tally.pairs, 100) << "cloth has touched cloth";
+}
+
+TEST(SelfContact, ChangesNoBitWhereNothingComesNear) {
+    // A sheet in free fall moves fast, but as a whole
+    const auto hash_of = [](bool self) {
+        Settings settings = base_settings();
+        settings.contact.self = self;
+        settings.solver.integrator = IntegratorKind::BackwardEuler;
+        settings.solver.dt = 1.0 / 60;
+        settings.ground.solid = false;
+        settings.cloths.emplace_back();
+        Simulation simulation("fall", std::move(settings));
+        for (int step = 0; step < 120; ++step) simulation.step();
+        EXPECT_EQ(simulation.report().substeps, 1);
+        return simulation.hash();
+    };
+    EXPECT_EQ(hash_of(true), hash_of(false));
+}
+
+TEST(SelfContact, ComesBackToTheSameBitsAfterAReset) {
+    Simulation simulation("stack", stacked_sheets());
+    const auto run_on = [&] {
+        for (int step = 0; step < 800; ++step) simulation.step();
+        return simulation.hash();
+    };
+    const std::uint64_t first = run_on();
+    EXPECT_GT(simulation.report().pairs, 0);
+    simulation.apply(command::Reset{});
+    EXPECT_EQ(run_on(), first);
+}
+
+TEST(SelfContact, LetsAFastBallLiftTheCloth) {
+    const auto height_of = [](bool self) {
+        Settings settings = base_settings();
+        settings.contact.self = self;
+        settings.ground.solid = false;
+        ClothParameters cloth;
+        cloth.particles = {13, 13};
+        cloth.centred = true;
+        settings.cloths.push_back(cloth);
+        BallSettings ball;
+        ball.radius = Real(0.15);
+        ball.motion = BallMotion::Path;
+        ball.path = {{0, {0, Real(-0.8), 0}}, {Real(0.1), {0, Real(0.2), 0}}, {Real(0.3), {0, Real(2.2), 0}}};
+        settings.balls.push_back(ball);
+        Simulation simulation("fast ball", std::move(settings));
+        while (simulation.report().time < 0.2) simulation.step();
+        return simulation.cloths()[0].state.x.col(1).mean();
+    };
+    const Real without = height_of(false);
+    EXPECT_GT(without, 0.3) << "the ball lifts it";
+    EXPECT_NEAR(height_of(true), without, 0.1);
+}
+
+TEST(SelfContact, SaysThatASceneStartsWithCrossings) {
+    Settings settings = stacked_sheets();
+    EXPECT_EQ(Simulation("apart", settings).step_warning(), "");
+    settings.cloths[1].plane = Plane::XY;
+    settings.cloths[1].place = settings.cloths[0].place;
+    EXPECT_THAT(Simulation("crossed", settings).step_warning(), testing::HasSubstr("at the start"));
 }
 
 }  // namespace

@@ -16,6 +16,7 @@ struct SelfSearchReport {
     std::int64_t cells = 0;   ///< pairs of them that were tested exactly
     std::int64_t listed = 0;  ///< pairs of features that are looked at
     bool kept_list = false;   ///< the list of the last search still served
+    bool gave_up = false;     ///< cloth moves so far that the list would be too long; nothing was found
 };
 
 /// Finds where the cloths of a scene come near themselves and each other. What was found within a wide margin serves
@@ -63,7 +64,7 @@ private:
         bool boxed = false;  ///< since the last list was begun
         Points kept;         ///< what the list was made from
         Grid grid;
-        Real spacing;        ///< of its particles at rest [m]
+        Real spacing;  ///< of its particles at rest [m]
     };
 
     /// A pair as it was when the list was made.
@@ -76,6 +77,7 @@ private:
     void find_ways(std::span<const ClothInContact> cloths);
     void find_strayed(std::span<const ClothInContact> cloths);
     void allow_for();
+    [[nodiscard]] bool is_too_far() const;
     void look_at_pairs(std::span<const ClothInContact> cloths, SelfSearchReport& report);
     void make_list(std::span<const ClothInContact> cloths, SelfSearchReport& report);
     void search(std::span<const ClothInContact> cloths, int first, int second, SelfSearchReport& report);

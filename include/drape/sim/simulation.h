@@ -85,7 +85,7 @@ private:
     void build(const Substep& now);
     void traverse();
     void narrow(const Substep& now);
-    void respond(const Substep& now);
+    bool respond(const Substep& now);
     void answer(const Substep& now, std::span<PairContact> pairs, std::span<BallContact> ball_contacts);
     void look_again(const Substep& now);
     void hold_back();
