@@ -161,8 +161,7 @@ ZoneReport ImpactZones::report(std::span<const ClothInContact> cloths) const {
             const ClothInContact& cloth = cloth_of(cloths, member.cloth);
             const Vec3 back = member.way - way_of_particle(cloth, member.particle);
             report.longest = std::max(report.longest, back.norm());
-            report.momentum +=
-                cloth.model.particle_mass * (member.velocity - position(cloth.state.v, member.particle));
+            report.momentum += cloth.model.particle_mass * (member.velocity - position(cloth.state.v, member.particle));
             ++report.particles;
         }
     }

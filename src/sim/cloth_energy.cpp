@@ -123,7 +123,9 @@ bool ClothEnergy::after_pushes(const ClothModel& model, const ClothState& state,
     return true;
 }
 
-void ClothEnergy::before_hold(const ClothModel& model, const ClothState& state) { before_hold_ = held_flow(model, state); }
+void ClothEnergy::before_hold(const ClothModel& model, const ClothState& state) {
+    before_hold_ = held_flow(model, state);
+}
 
 void ClothEnergy::after_hold(const ClothModel& model, const ClothState& state) {
     const EnergyFlow after = held_flow(model, state);

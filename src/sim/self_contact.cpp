@@ -47,7 +47,7 @@ void SelfContact::take_pushes(const ResponseParameters& parameters, Real h, Real
 }
 
 void SelfContact::find(const ResponseParameters& parameters, std::span<const ClothInContact> cloths,
-                                   std::span<const Ball> balls) {
+                       std::span<const Ball> balls) {
     if (!on_) return;
     const Real thickness = parameters.pair_thickness;
     report_ = search_.find(cloths, thickness);

@@ -80,7 +80,8 @@ struct StepReport {
 };
 
 /// What figures are about; the panel sets them apart by it, and shows those of `Limit` only while the search is
-/// limited, those of `Pairs` only while cloths meet themselves and each other, those of `Balance` only while a ledger is kept, those of `Doubt` only once there is one.
+/// limited, those of `Pairs` only while cloths meet themselves and each other, those of `Balance` only while a ledger
+/// is kept, those of `Doubt` only once there is one.
 enum class ReportGroup { Time, Doubt, Stages, Hierarchy, Limit, Pairs, Energy, Balance };
 
 /// Whether a run that goes on is not to be trusted: steps were not solved, or the integrator has made energy.
