@@ -115,8 +115,8 @@ private:
     void find_mesh(const toml::node& node, std::string& file) {
         const std::filesystem::path folder = std::filesystem::path(file_).parent_path(), path = folder / file;
         std::error_code none;
-        const auto base = std::filesystem::weakly_canonical(folder.empty() ? "." : folder, none);
-        const auto relative = std::filesystem::weakly_canonical(path, none).lexically_relative(base);
+        const auto base = std::filesystem::weakly_canonical(absolute(folder.empty() ? "." : folder), none);
+        const auto relative = std::filesystem::weakly_canonical(absolute(path), none).lexically_relative(base);
         if (none || relative.empty() || *relative.begin() == "..") {
             fail(node, "solid.file = " + toml_text(node) + ": allowed only a file in the scene's folder or below");
         }
