@@ -21,6 +21,9 @@ public:
         return {.candidates = static_cast<std::int64_t>(grid_.cells()) * other_grid.cells()};
     }
     TraversalStats query_below(Real /*height*/, Candidates& found) const override { return all(found); }
+    TraversalStats query_near(const DistanceField& /*body*/, Real /*margin*/, Candidates& found) const override {
+        return all(found);
+    }
     [[nodiscard]] bool may_touch(const Ball& /*ball*/, Real /*displacement*/) const override { return true; }
     [[nodiscard]] bool may_touch(const SweptBall& /*ball*/, Real /*displacement*/) const override { return true; }
     [[nodiscard]] Real slack() const override { return 0; }

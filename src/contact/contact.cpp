@@ -61,15 +61,6 @@ void add_ground_contacts(const Grid& grid, const Points& x, Real height, Real th
     }
 }
 
-/// The corners of cells as runs of particles, row by row; runs may overlap.
-void list_corners(std::span<const CellRun> cells, std::vector<CellRun>& particles) {
-    particles.clear();
-    for (const CellRun& run : cells) {
-        for (const int row : {run.row, run.row + 1}) particles.push_back({row, run.column, run.count + 1});
-    }
-    std::ranges::sort(particles);
-}
-
 }  // namespace
 
 void find_touched_triangles(const Grid& grid, const Points& x, const Ball& ball, Real thickness,

@@ -75,6 +75,9 @@ inline Real depth_in(const Ball& ball, Real thickness, const Contact& contact) {
 /// The depth of a contact's point where it and its second body are now; less than zero where they have parted.
 inline Real depth_now(const ResponseParameters& parameters, std::span<const Ball> balls, const Contact& contact) {
     if (contact.ball == the_ground) return parameters.ground.height + parameters.thickness - contact.point.y();
+    if (is_solid(contact.ball)) {
+        return contact.plane.height + parameters.thickness - contact.normal.dot(contact.point);
+    }
     return depth_in(balls[static_cast<std::size_t>(contact.ball)], parameters.thickness, contact);
 }
 

@@ -52,8 +52,9 @@ struct BallDisplacements {
         const Ball& ball = balls[static_cast<std::size_t>(number)];
         return ball.moved + ball.turned.cross(arm(ball, normal));
     }
+    static const Vec3& of_plane(const SolidPlane& plane) { return plane.moved; }
     void push_ball(int number, const Vec3& normal, const Vec3& push) {
-        if (number == the_ground) return;
+        if (is_plane(number)) return;
         Ball& ball = balls[static_cast<std::size_t>(number)];
         if (ball.inverse_mass == 0) return;
         ball.moved += ball.inverse_mass * push;
@@ -71,8 +72,9 @@ struct BallVelocities {
         const Ball& ball = balls[static_cast<std::size_t>(number)];
         return ball.velocity + ball.spin.cross(arm(ball, normal));
     }
+    static const Vec3& of_plane(const SolidPlane& plane) { return plane.velocity; }
     void push_ball(int number, const Vec3& normal, const Vec3& push) {
-        if (number == the_ground) return;
+        if (is_plane(number)) return;
         Ball& ball = balls[static_cast<std::size_t>(number)];
         if (ball.inverse_mass == 0) return;
         ball.velocity += ball.inverse_mass * push;
@@ -119,6 +121,7 @@ Vec3 of_particles(const Motion& motion, const ContactPlane& contact) {
 /// How the first body of a contact moves against the second.
 template <BodyMotion Motion>
 Vec3 relative(const Motion& motion, const Contact& contact) {
+    if (is_solid(contact.ball)) return of_particles(motion, contact) - motion.of_plane(contact.plane);
     return of_particles(motion, contact) - motion.of_ball(contact.ball, contact.normal);
 }
 template <BodyMotion Motion>

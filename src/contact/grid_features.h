@@ -3,8 +3,11 @@
 #include <algorithm>
 #include <array>
 #include <cstddef>
+#include <span>
+#include <vector>
 
 #include "drape/base/real.h"
+#include "drape/bounds/broad_phase.h"
 #include "drape/model/grid.h"
 
 namespace drape {
@@ -57,6 +60,15 @@ inline OnTriangle feature_at(const std::array<Real, 3>& weights) {
 inline bool reported_elsewhere(const Grid& grid, int triangle, const std::array<Real, 3>& weights) {
     const OnTriangle on = feature_at(weights);
     return on.zeros == 2 || (on.zeros == 1 && other_reports_edge(grid, triangle, on.opposite));
+}
+
+/// The corners of cells as runs of particles, row by row; runs may overlap.
+inline void list_corners(std::span<const CellRun> cells, std::vector<CellRun>& particles) {
+    particles.clear();
+    for (const CellRun& run : cells) {
+        for (const int row : {run.row, run.row + 1}) particles.push_back({row, run.column, run.count + 1});
+    }
+    std::ranges::sort(particles);
 }
 
 }  // namespace drape

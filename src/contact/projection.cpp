@@ -23,7 +23,7 @@ void aim_displacement(const Displacements& motion, std::span<const Ball> balls, 
 Real longest_push(ContactProblem& problem) {
     Real longest = 0;
     const auto look = [&](const BodyContact& contact) {
-        if (contact.ball == the_ground) return;
+        if (is_plane(contact.ball)) return;
         const Real radius = problem.balls[static_cast<std::size_t>(contact.ball)].radius;
         longest = std::max(longest, push_of(contact, problem.balls) / radius);
     };

@@ -47,7 +47,7 @@ Real inverse_mass_of_particles(const ContactPlane& contact) {
 constexpr Real sliding_share = Real(3.5);
 
 Real inverse_mass_of(int number, std::span<const Ball> balls) {
-    return number == the_ground ? Real(0) : balls[static_cast<std::size_t>(number)].inverse_mass;
+    return is_plane(number) ? Real(0) : balls[static_cast<std::size_t>(number)].inverse_mass;
 }
 
 /// The weighted sum of where its particles were at the start of the substep.
@@ -168,9 +168,9 @@ ResponseReport respond(ContactProblem& problem) {
 double work_of_led_balls(std::span<const Contact> contacts, std::span<const Ball> balls) {
     Real work = 0;
     for (const Contact& contact : contacts) {
-        if (contact.ball == the_ground || ball_of(contact, balls).inverse_mass > 0) continue;
+        if (contact.ball == the_ground || inverse_mass_of(contact.ball, balls) > 0) continue;
         const Vec3 impulse = contact.impulse.normal * contact.normal + contact.impulse.friction;
-        work += impulse.dot(ball_of(contact, balls).velocity);
+        work += impulse.dot(is_solid(contact.ball) ? contact.plane.velocity : ball_of(contact, balls).velocity);
     }
     return static_cast<double>(work);
 }
@@ -187,7 +187,7 @@ double kinetic_energy(std::span<const Ball> balls) {
 Real push_of(const PairContact& contact, std::span<const Ball> /*balls*/) { return contact.depth - most_slop; }
 
 Real push_of(const BodyContact& contact, std::span<const Ball> balls) {
-    if (contact.ball == the_ground) return contact.depth - most_slop;
+    if (is_plane(contact.ball)) return contact.depth - most_slop;
     return contact.depth - std::min(slop * ball_of(contact, balls).radius, most_slop);
 }
 
@@ -206,7 +206,7 @@ Real velocity_tolerance(const ContactProblem& problem) { return displacement_tol
 void find_again(const ContactProblem& problem, Contact& contact) {
     const ClothInContact& cloth = cloth_of(problem, contact);
     const Real thickness = problem.parameters.thickness;
-    if (contact.of_impact) return follow(problem, contact);
+    if (contact.of_impact || is_solid(contact.ball)) return follow(problem, contact);
     if (contact.ball == the_ground) {
         locate_above(cloth.state.x, problem.parameters.ground.height, thickness, contact);
     } else {

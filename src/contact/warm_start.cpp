@@ -10,8 +10,8 @@ namespace {
 
 bool solves_for_pushes(ResponseKind kind) { return kind == ResponseKind::Projection || kind == ResponseKind::Impulse; }
 
-/// Contacts are found in this order: by ball, then by triangle with its particles first; on the ground, which comes
-/// last, by particle.
+/// Contacts are found in this order: by ball, then by solid, in each by triangle with its particles first; on the
+/// ground, which comes last, by particle.
 std::tuple<unsigned, int, int> order_of(const Contact& contact) {
     if (contact.of_impact) return {static_cast<unsigned>(contact.ball), contact.triangle, 4};
     if (!contact.of_particle) return {static_cast<unsigned>(contact.ball), contact.triangle, 3};
@@ -46,11 +46,12 @@ void scale(ContactPush& push, Real factor) {
 Vec3 push_along(const ContactPush& push, const Vec3& normal) { return push.normal * normal + push.friction; }
 
 /// Where a contact of before is now, its depth less than zero if it has parted. Its normal stays, for the ball may have
-/// come through the cloth since.
+/// come through the cloth since; a solid has moved on as it did.
 void follow_contact(const ResponseParameters& parameters, std::span<const ClothInContact> cloths,
                     std::span<const Ball> balls, Contact& contact) {
     contact.point = at_point(contact, cloths[static_cast<std::size_t>(contact.cloth)].state.x);
-    contact.of_impact = contact.ball != the_ground;
+    contact.of_impact = !is_plane(contact.ball);
+    if (is_solid(contact.ball)) contact.plane.height += contact.normal.dot(contact.plane.moved);
     contact.depth = depth_now(parameters, balls, contact);
 }
 

@@ -37,6 +37,7 @@ Eigen::AlignedBox3f casters(const FrameView& view, const Eigen::Matrix3f& axes) 
         box.extend(Eigen::Vector3f(centre.array() - ball.w()));
         box.extend(Eigen::Vector3f(centre.array() + ball.w()));
     }
+    for (std::size_t i = 0; i < view.solids.size(); ++i) box.extend(drawn_solid_box(view, i, axes));
     if (box.isEmpty() || !box.sizes().allFinite()) return {Eigen::Vector3f::Constant(-1), Eigen::Vector3f::Constant(1)};
     return box;
 }
@@ -68,6 +69,27 @@ Eigen::Vector4f drawn_ball(const FrameView& view, std::size_t number) {
     return ball;
 }
 
+Eigen::Vector3f drawn_solid(const FrameView& view, std::size_t number) {
+    Vec3 position = view.solids[number].position;
+    if (number < view.previous_solids.size()) {
+        const Vec3& before = view.previous_solids[number].position;
+        position = before + view.blend * (position - before);
+    }
+    return position.cast<float>();
+}
+
+Eigen::AlignedBox3f drawn_solid_box(const FrameView& view, std::size_t number, const Eigen::Matrix3f& axes) {
+    const Solid& solid = view.solids[number];
+    const std::array<Vec3, 2> extent = solid.shape->extent();
+    const Eigen::Vector3f position = drawn_solid(view, number);
+    Eigen::AlignedBox3f box;
+    for (std::size_t corner = 0; corner < 8; ++corner) {
+        const Vec3 own(extent[corner & 1].x(), extent[corner >> 1 & 1].y(), extent[corner >> 2].z());
+        box.extend(axes * (position + (solid.orientation * own).cast<float>()));
+    }
+    return box;
+}
+
 Eigen::Vector4f drawn_orientation(const FrameView& view, std::size_t number) {
     Eigen::Quaternion<Real> orientation = view.balls[number].orientation;
     if (number < view.previous_balls.size()) {
@@ -87,6 +109,9 @@ Extent drawn_extent(const FrameView& view) {
         box.extend(Vec3(ball.centre.array() - ball.radius));
         box.extend(Vec3(ball.centre.array() + ball.radius));
     }
+    for (std::size_t i = 0; i < view.solids.size(); ++i) {
+        box.extend(drawn_solid_box(view, i, Eigen::Matrix3f::Identity()).cast<Real>());
+    }
     Extent extent;
     if (!box.isEmpty() && box.sizes().allFinite()) {
         extent.centre = box.center().cast<float>();
@@ -94,6 +119,27 @@ Extent drawn_extent(const FrameView& view) {
     }
     return extent;
 }
+
+namespace {
+
+// A solid darkens what is about it like a ball in its middle
+Eigen::Vector4f dark_ball(const FrameView& view, std::size_t number) {
+    const Eigen::AlignedBox3f box = drawn_solid_box(view, number, Eigen::Matrix3f::Identity());
+    const std::array<Vec3, 2> extent = view.solids[number].shape->extent();
+    Eigen::Vector4f ball;
+    ball << box.center(), static_cast<float>((extent[1] - extent[0]).minCoeff() / 2);
+    return ball;
+}
+
+// @return how many of them there are
+int list_dark_balls(const FrameView& view, std::array<Eigen::Vector4f, FrameData::most_balls>& dark) {
+    std::size_t count = 0;
+    for (std::size_t i = 0; i < view.balls.size() && count < dark.size(); ++i) dark[count++] = drawn_ball(view, i);
+    for (std::size_t i = 0; i < view.solids.size() && count < dark.size(); ++i) dark[count++] = dark_ball(view, i);
+    return static_cast<int>(count);
+}
+
+}  // namespace
 
 FrameData make_frame_data(const FrameView& view, const Camera& camera, int width, int height, int shadow_texels) {
     FrameData data{};
@@ -114,9 +160,7 @@ FrameData make_frame_data(const FrameView& view, const Camera& camera, int width
     data.stage << static_cast<float>(target.x()), static_cast<float>(view.settings->ground.height),
         static_cast<float>(target.z()), std::max(0.5f, distance);
 
-    const std::size_t balls = std::min<std::size_t>(view.balls.size(), FrameData::most_balls);
-    for (std::size_t i = 0; i < balls; ++i) data.balls[i] = drawn_ball(view, i);
-    data.counts = {0, 0, 0, static_cast<int>(balls)};
+    data.counts = {0, 0, 0, list_dark_balls(view, data.balls)};
     return data;
 }
 

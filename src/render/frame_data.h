@@ -24,7 +24,7 @@ struct FrameData {
     std::array<Eigen::Vector4f, most_balls> balls;  ///< centre, radius [m]
 };
 
-/// A sphere around all cloths and balls as they are drawn.
+/// A sphere around all cloths, balls and solids as they are drawn.
 struct Extent {
     Eigen::Vector3f centre = Eigen::Vector3f::Zero();
     float radius = 1;
@@ -33,6 +33,12 @@ Extent drawn_extent(const FrameView& view);
 
 /// Where a ball is drawn: centre and radius, between its last two positions.
 Eigen::Vector4f drawn_ball(const FrameView& view, std::size_t number);
+
+/// Where a solid is drawn: its position between the last two.
+Eigen::Vector3f drawn_solid(const FrameView& view, std::size_t number);
+
+/// The box about a solid where it is drawn.
+Eigen::AlignedBox3f drawn_solid_box(const FrameView& view, std::size_t number, const Eigen::Matrix3f& axes);
 
 /// How a ball is turned where it is drawn, between its last two orientations: x, y, z, w of a quaternion of length 1.
 Eigen::Vector4f drawn_orientation(const FrameView& view, std::size_t number);

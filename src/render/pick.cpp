@@ -37,6 +37,19 @@ Real hit_ball(const Ray& ray, const Vec3& centre, Real radius) {
     return middle - std::sqrt(inside);
 }
 
+// By steps of the distance, which meet nothing on their way
+Real hit_solid(const Ray& ray, const Solid& solid) {
+    constexpr Real near = Real(1e-4), far = 1000;
+    constexpr int most_steps = 256;
+    Real along = 0;
+    for (int step = 0; step < most_steps && along < far; ++step) {
+        const Real distance = solid.distance(ray.origin + along * ray.direction);
+        if (distance < near) return along;
+        along += distance;
+    }
+    return nothing;
+}
+
 Vec3 drawn_particle(const ClothView& cloth, Real blend, int particle) {
     const Vec3 now = cloth.x.row(particle);
     if (cloth.previous.rows() != cloth.x.rows()) return now;
@@ -53,6 +66,7 @@ Pick pick_particle(const FrameView& view, const Ray& ray) {
         const Eigen::Vector4f ball = drawn_ball(view, i);
         nearest = std::min(nearest, hit_ball(ray, ball.head<3>().cast<Real>(), static_cast<Real>(ball.w())));
     }
+    for (const Solid& solid : view.solids) nearest = std::min(nearest, hit_solid(ray, solid));
     for (std::size_t number = 0; number < view.cloths.size(); ++number) {
         const ClothView& cloth = view.cloths[number];
         const Grid& grid = cloth.model.grid;

@@ -57,9 +57,9 @@ std::string shader_source(const std::string& file, int depth) {
     return text;
 }
 
-Program::Program(Gl& gl, const std::string& name) : gl_(gl) {
-    const GLuint vertex = compile(gl, GL_VERTEX_SHADER, name + ".vert");
-    const GLuint fragment = compile(gl, GL_FRAGMENT_SHADER, name + ".frag");
+Program::Program(Gl& gl, const std::string& vertex_name, const std::string& fragment_name) : gl_(gl) {
+    const GLuint vertex = compile(gl, GL_VERTEX_SHADER, vertex_name + ".vert");
+    const GLuint fragment = compile(gl, GL_FRAGMENT_SHADER, fragment_name + ".frag");
     name_ = gl(glCreateProgram);
     gl(glAttachShader, name_, vertex);
     gl(glAttachShader, name_, fragment);
@@ -73,7 +73,7 @@ Program::Program(Gl& gl, const std::string& name) : gl_(gl) {
         std::vector<char> log(4096, '\0');
         gl(glGetProgramInfoLog, name_, static_cast<GLsizei>(log.size()), static_cast<GLsizei*>(nullptr), log.data());
         gl(glDeleteProgram, name_);
-        throw RunError("shaders/" + name + " does not link: " + log.data());
+        throw RunError("shaders/" + fragment_name + " does not link: " + log.data());
     }
 
     // Where the shared block and the textures are

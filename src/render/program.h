@@ -12,7 +12,10 @@ class Program {
 public:
     /// @param name of `shaders/NAME.vert` and `shaders/NAME.frag`
     /// @throws RunError with the compiler's log
-    Program(Gl& gl, const std::string& name);
+    Program(Gl& gl, const std::string& name) : Program(gl, name, name) {}
+
+    /// @param vertex, fragment the names of both files
+    Program(Gl& gl, const std::string& vertex, const std::string& fragment);
     ~Program();
     Program(const Program&) = delete;
     Program& operator=(const Program&) = delete;

@@ -1,6 +1,7 @@
 #include "solids.h"
 
 #include <Eigen/Core>
+#include <algorithm>
 #include <cmath>
 #include <cstddef>
 #include <numbers>
@@ -31,6 +32,31 @@ VertexLayout ball_layout() {
     return {sizeof(DrawnBall), {{3, 4, offsetof(DrawnBall, sphere)}, {4, 4, offsetof(DrawnBall, orientation)}}, true};
 }
 
+void store(const Eigen::Vector3f& from, float (&to)[3]) { std::copy_n(from.data(), 3, to); }
+
+// A solid's points where it is drawn; returns the vertex after them
+ClothVertex* fill_body(const FrameView& view, std::size_t number, const TriangleMesh& mesh, ClothVertex* vertex) {
+    const Eigen::Quaternionf orientation = view.solids[number].orientation.cast<float>();
+    const Eigen::Vector3f position = drawn_solid(view, number);
+    for (std::size_t p = 0; p < mesh.points.size(); ++p, ++vertex) {
+        store(position + orientation * mesh.points[p].cast<float>(), vertex->position);
+        store(orientation * mesh.normals[p].cast<float>(), vertex->normal);
+        vertex->pinned = 0;
+    }
+    return vertex;
+}
+
+// The points of solids follow the particles
+void append_indices(std::span<const TriangleMesh> meshes, std::size_t first, std::vector<std::uint32_t>& indices) {
+    for (const TriangleMesh& mesh : meshes) {
+        for (const std::array<int, 3>& triangle : mesh.triangles) {
+            for (const int corner : triangle)
+                indices.push_back(static_cast<std::uint32_t>(first) + static_cast<std::uint32_t>(corner));
+        }
+        first += mesh.points.size();
+    }
+}
+
 }  // namespace
 
 VertexLayout cloth_layout() {
@@ -44,6 +70,7 @@ Solids::Solids(Gl& gl, StreamBuffer& stream)
     : gl_(gl),
       cloth_program_(gl, "cloth"),
       ball_program_(gl, "ball"),
+      body_program_(gl, "cloth", "solid"),
       depth_program_(gl, "depth"),
       cloths_(gl, stream, Region::Cloth, cloth_layout()),
       balls_(gl, stream, Region::Balls, ball_layout()),
@@ -67,17 +94,33 @@ void Solids::need(const FrameView& view, StreamBuffer& stream) {
     particle_count_ = 0;
     for (const ClothView& cloth : view.cloths)
         particle_count_ += static_cast<std::size_t>(cloth.model.grid.particles());
-    stream.need(Region::Cloth, particle_count_ * sizeof(ClothVertex));
+    bodies_changed_ = update_bodies(view);
+    stream.need(Region::Cloth, (particle_count_ + body_vertex_count_) * sizeof(ClothVertex));
     stream.need(Region::Balls, view.balls.size() * sizeof(DrawnBall));
+}
+
+// @return false if their meshes were at hand
+bool Solids::update_bodies(const FrameView& view) {
+    if (std::ranges::equal(view.solids, shapes_, {}, &Solid::shape)) return false;
+    shapes_.clear();
+    meshes_.clear();
+    body_vertex_count_ = 0;
+    for (const Solid& solid : view.solids) {
+        shapes_.push_back(solid.shape);
+        body_vertex_count_ += meshes_.emplace_back(solid.shape->surface()).points.size();
+    }
+    return true;
 }
 
 void Solids::arrange(const FrameView& view, const StreamBuffer& stream) {
     cloths_.follow(stream);
     balls_.follow(stream);
     ball_count_ = static_cast<int>(view.balls.size());
-    if (!update_grids(view, grids_)) return;
-    const std::vector<std::uint32_t> indices = triangle_indices(grids_);
+    if (!update_grids(view, grids_) && !bodies_changed_) return;
+    std::vector<std::uint32_t> indices = triangle_indices(grids_);
     cloth_index_count_ = static_cast<int>(indices.size());
+    append_indices(meshes_, particle_count_, indices);
+    body_index_count_ = static_cast<int>(indices.size()) - cloth_index_count_;
     cloths_.bind();
     fill_static(gl_, GL_ELEMENT_ARRAY_BUFFER, cloth_indices_, indices);
 }
@@ -88,12 +131,13 @@ void Solids::fill(const FrameView& view, StreamBuffer& stream) const {
         fill_cloth_vertices(cloth, view.blend, vertex);
         vertex += cloth.model.grid.particles();
     }
+    for (std::size_t i = 0; i < view.solids.size(); ++i) vertex = fill_body(view, i, meshes_[i], vertex);
     auto* balls = stream.data<DrawnBall>(Region::Balls);
     for (std::size_t i = 0; i < view.balls.size(); ++i) balls[i] = {drawn_ball(view, i), drawn_orientation(view, i)};
 }
 
 PictureBox Solids::box(const Eigen::Matrix4f& view_projection, StreamBuffer& stream, int width, int height) const {
-    return solid_box(view_projection, {stream.data<ClothVertex>(Region::Cloth), particle_count_},
+    return solid_box(view_projection, {stream.data<ClothVertex>(Region::Cloth), particle_count_ + body_vertex_count_},
                      {stream.data<DrawnBall>(Region::Balls), static_cast<std::size_t>(ball_count_)}, width, height);
 }
 
@@ -107,9 +151,19 @@ void Solids::draw_balls() {
     gl_.draw_elements_instanced(GL_TRIANGLES, sphere_index_count_, ball_count_);
 }
 
+// They are closed, and half of their triangles face away
+void Solids::draw_bodies() {
+    cloths_.bind();
+    gl_(glEnable, GLenum{GL_CULL_FACE});
+    gl_.draw_elements(GL_TRIANGLES, body_index_count_,
+                      static_cast<std::size_t>(cloth_index_count_) * sizeof(std::uint32_t));
+    gl_(glDisable, GLenum{GL_CULL_FACE});
+}
+
 void Solids::draw_shadow() {
     depth_program_.use();
     draw_cloths();
+    if (body_index_count_ > 0) draw_bodies();
     if (ball_count_ > 0) draw_balls();
 }
 
@@ -118,6 +172,10 @@ void Solids::draw(bool wireframe) {
     if (wireframe) gl_(glPolygonMode, GLenum{GL_FRONT_AND_BACK}, GLenum{GL_LINE});
     draw_cloths();
     if (wireframe) gl_(glPolygonMode, GLenum{GL_FRONT_AND_BACK}, GLenum{GL_FILL});
+    if (body_index_count_ > 0) {
+        body_program_.use();
+        draw_bodies();
+    }
     if (ball_count_ > 0) {
         ball_program_.use();
         // Balls are closed, and half of their triangles face away

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <memory>
 #include <vector>
 
 #include "drape/sim/frame_view.h"
@@ -13,7 +14,7 @@ namespace drape {
 /// How the shaders get a `ClothVertex`.
 VertexLayout cloth_layout();
 
-/// The cloths and the balls: what is seen and what casts shadows.
+/// The cloths, the balls and the solids: what is seen and what casts shadows.
 class Solids {
 public:
     Solids(Gl& gl, StreamBuffer& stream);
@@ -38,14 +39,19 @@ public:
 private:
     void draw_cloths();
     void draw_balls();
+    void draw_bodies();
+    bool update_bodies(const FrameView& view);
 
     Gl& gl_;
-    Program cloth_program_, ball_program_, depth_program_;
+    Program cloth_program_, ball_program_, body_program_, depth_program_;
     StreamArray cloths_, balls_;
     Buffer cloth_indices_, sphere_vertices_, sphere_indices_;
     std::vector<Grid> grids_;
-    std::size_t particle_count_ = 0;
-    int cloth_index_count_ = 0, sphere_index_count_ = 0, ball_count_ = 0;
+    std::vector<std::shared_ptr<const SolidShape>> shapes_;  ///< of the solids
+    std::vector<TriangleMesh> meshes_;                       ///< of the shapes
+    bool bodies_changed_ = false;
+    std::size_t particle_count_ = 0, body_vertex_count_ = 0;
+    int cloth_index_count_ = 0, body_index_count_ = 0, sphere_index_count_ = 0, ball_count_ = 0;
 };
 
 }  // namespace drape

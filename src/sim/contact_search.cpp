@@ -101,6 +101,32 @@ void ContactSearch::look_again(const Points& before, const Points& x, std::span<
     narrow(before, x, balls, thickness, 0, contacts);
 }
 
+TraversalStats ContactSearch::meet_solids(const Points& before, const Points& x, std::span<const Solid> solids,
+                                          const ContactSettings& contact, std::vector<Contact>& contacts) {
+    TraversalStats stats;
+    if (solids.empty()) return stats;
+    const Real cloth = largest_displacement(x, before, kernels_);
+    const auto is_swept = [&](const Solid& solid) {
+        const bool may_pass = 2 * (cloth + solid.moved.norm()) > contact.thickness;
+        return contact.continuous == Continuous::Always || (contact.continuous == Continuous::Auto && may_pass);
+    };
+    const bool has_way = sweeps_ && !skipped_;
+    if (std::ranges::any_of(solids, is_swept) && !has_way) build_from_way(before, x);
+    if (!sweeps_ && !built_from_present_) build_from(x, {}, contact);
+    for (std::size_t s = 0; s < solids.size(); ++s) {
+        const Solid& solid = solids[s];
+        const int number = static_cast<int>(s);
+        stats += hierarchy_->query_near(solid, contact.thickness + solid.moved.norm(), near_);
+        std::ranges::sort(near_.cells);
+        if (is_swept(solid)) {
+            solid_search_.find_swept(grid_, before, x, solid, number, contact.thickness, near_.cells, contacts);
+        } else {
+            solid_search_.find(grid_, x, solid, number, contact.thickness, near_.cells, contacts);
+        }
+    }
+    return stats;
+}
+
 TraversalStats ContactSearch::meet_ground(const Points& x, Real height, Real thickness,
                                           std::vector<Contact>& contacts) {
     const bool is_built = built_from_present_ || (sweeps_ && !skipped_);

@@ -53,6 +53,20 @@ Settings present_settings(const Simulation& simulation) {
     return settings;
 }
 
+/// Puts the meshes of solids beside a scene, which may name no others.
+/// @return false if there are other files of these names
+bool keep_meshes(const Settings& settings, const std::filesystem::path& folder, const std::string& name,
+                 Settings& written) {
+    for (std::size_t s = 0; s < settings.solids.size(); ++s) {
+        if (settings.solids[s].file.empty()) continue;
+        const std::string copy = name + "-solid-" + std::to_string(s) + ".obj";
+        const std::string text = read_text(settings.solids[s].file);
+        if (!has_text(folder / copy, text) && !write_new_file(folder / copy, text)) return false;
+        written.solids[s].file = copy;
+    }
+    return true;
+}
+
 }  // namespace
 
 std::filesystem::path write_failure(const Simulation& simulation, const std::filesystem::path& folder) {
@@ -69,6 +83,7 @@ std::filesystem::path write_failure(const Simulation& simulation, const std::fil
         const std::string name = number == 1 ? "unstable" : "unstable-" + std::to_string(number);
         const auto scene_file = folder / (name + ".toml"), state_file = folder / (name + ".csv");
         settings.start = state_file.filename().string();
+        if (!keep_meshes(simulation.settings(), folder, name, settings)) continue;
         const std::string scene = remark + scene_text(settings);
         if (exists(scene_file) || exists(state_file)) {
             // The same failure again, after a reset

@@ -52,7 +52,18 @@ Vec3 out_of_ball(const Ball& ball, Real least, Real lowest, const Vec3& target) 
     return ball.centre + Vec3(0, below, 0) + std::sqrt(std::max(least * least - below * below, Real(0))) * along;
 }
 
-/// What the hand holds cannot be pushed: it stays outside balls and ground.
+/// Out of one solid, the shortest way; where the surface curves, a few times.
+Vec3 out_of_solid(const Solid& solid, Real least, Vec3 target) {
+    constexpr int rounds = 4;
+    for (int round = 0; round < rounds; ++round) {
+        const SurfaceDistance surface = solid.measure(target);
+        if (surface.distance >= least) break;
+        target += (least - surface.distance) * surface.normal;
+    }
+    return target;
+}
+
+/// What the hand holds cannot be pushed: it stays outside balls, solids and ground.
 Vec3 outside(const ClothModel& model, Vec3 target, const Obstacles& obstacles) {
     const Real lowest =
         obstacles.ground.solid ? obstacles.ground.height + obstacles.thickness : -std::numeric_limits<Real>::infinity();
@@ -63,6 +74,7 @@ Vec3 outside(const ClothModel& model, Vec3 target, const Obstacles& obstacles) {
             target = out_of_ball(ball, least, lowest, target);
         }
     }
+    for (const Solid& solid : obstacles.solids) target = out_of_solid(solid, obstacles.thickness, target);
     return target;
 }
 

@@ -46,6 +46,8 @@ private:
             read_several(node, name, settings_.cloths);
         } else if (name == "ball") {
             read_several(node, name, settings_.balls);
+        } else if (name == "solid") {
+            read_several(node, name, settings_.solids);
         } else if (std::any_of(setting_table().begin(), setting_table().end(),
                                [&](const Setting& setting) { return setting.section == name; })) {
             read_section(table_of(node, name), name, "", 0);
@@ -105,6 +107,20 @@ private:
         if (setting.name == "start" && !settings_.start.empty()) {
             settings_.start = (std::filesystem::path(file_).parent_path() / settings_.start).string();
         }
+        const bool is_mesh = setting.section == "solid" && setting.name == "file";
+        if (is_mesh && !settings_.solids[index].file.empty()) find_mesh(node, settings_.solids[index].file);
+    }
+
+    /// A scene of somebody else's is to read no files but those that came with it.
+    void find_mesh(const toml::node& node, std::string& file) {
+        const std::filesystem::path folder = std::filesystem::path(file_).parent_path(), path = folder / file;
+        std::error_code none;
+        const auto base = std::filesystem::weakly_canonical(absolute(folder.empty() ? "." : folder), none);
+        const auto relative = std::filesystem::weakly_canonical(absolute(path), none).lexically_relative(base);
+        if (none || relative.empty() || *relative.begin() == "..") {
+            fail(node, "solid.file = " + toml_text(node) + ": allowed only a file in the scene's folder or below");
+        }
+        file = path.string();
     }
 
     const toml::table& table_of(const toml::node& node, const std::string& name) {

@@ -69,6 +69,7 @@ std::string lines_of(const std::string& section, const Settings& settings, const
 std::string scene_text(const Settings& settings) {
     Settings defaults;
     defaults.balls.emplace_back();
+    defaults.solids.emplace_back();
     std::string text = lines_of("", settings, defaults, 0);
     for (std::size_t c = 0; c < settings.cloths.size(); ++c) {
         text += "\n[[cloth]]\n" + lines_of("cloth", settings, defaults, c);
@@ -76,10 +77,14 @@ std::string scene_text(const Settings& settings) {
     for (std::size_t b = 0; b < settings.balls.size(); ++b) {
         text += "\n[[ball]]\n" + lines_of("ball", settings, defaults, b);
     }
+    for (std::size_t s = 0; s < settings.solids.size(); ++s) {
+        text += "\n[[solid]]\n" + lines_of("solid", settings, defaults, s);
+    }
     std::string last = "cloth";
     for (const Setting& setting : setting_table()) {
         const std::string& section = setting.section;
-        if (section.empty() || section == "ball" || section == "cloth" || section == last) continue;
+        if (section.empty() || section == "ball" || section == "solid" || section == "cloth" || section == last)
+            continue;
         last = section;
         const std::string lines = lines_of(section, settings, defaults, 0);
         if (!lines.empty()) text += "\n[" + section + "]\n" + lines;

@@ -14,6 +14,7 @@ void Simulation::look_again(const Substep& now) {
         cloth.contacts.swap(cloth.first_contacts);
         cloth.search.look_again(start_of_substep(cloth), cloth.state.x, balls_, settings_.contact.thickness,
                                 cloth.contacts);
+        meet_solids(cloth);
         if (!settings_.ground.solid) continue;
         cloth.search.meet_ground(cloth.state.x, settings_.ground.height, settings_.contact.thickness, cloth.contacts);
     }

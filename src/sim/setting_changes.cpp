@@ -7,6 +7,7 @@
 #include "drape/base/numbers.h"
 #include "drape/sim/memory.h"
 #include "drape/sim/setting_table.h"
+#include "setting_rows.h"
 
 namespace drape {
 namespace {
@@ -37,10 +38,11 @@ Target find_target(std::string_view name) {
 std::size_t section_count(const Settings& settings, const Setting& setting) {
     if (setting.section == "cloth") return settings.cloths.size();
     if (setting.section == "ball") return settings.balls.size();
+    if (setting.section == "solid") return settings.solids.size();
     return 1;
 }
 
-/// The cloths or balls that a target means: all of its section, or the one it names.
+/// The cloths, balls or solids that a target means: all of its section, or the one it names.
 /// @throws InputError if there is none
 std::pair<std::size_t, std::size_t> range_of(const Settings& settings, const Target& target) {
     const Setting& setting = *target.setting;
@@ -78,16 +80,29 @@ void check_memory(const Settings& settings) {
         memory_text(settings) + ": allowed at most " + bytes_text(limit.bytes) + ", " + std::string(limit.whose));
 }
 
-void check_ball(const BallSettings& ball, std::size_t index) {
-    if (ball.motion == BallMotion::Path && ball.path.size() < 2) {
-        throw MisfitError("ball", index, ball.path.empty() ? "motion" : "path",
-                          "ball.motion = path: allowed only with a ball.path of at least two points [t, x, y, z]");
+/// @param section "ball" or "solid"
+void check_path(const std::string& section, std::size_t index, bool is_used, const std::vector<PathPoint>& path) {
+    if (is_used && path.size() < 2) {
+        throw MisfitError(
+            section, index, path.empty() ? "motion" : "path",
+            section + ".motion = path: allowed only with a " + section + ".path of at least two points [t, x, y, z]");
     }
-    for (std::size_t k = 1; k < ball.path.size(); ++k) {
-        if (ball.path[k].time > ball.path[k - 1].time) continue;
-        throw MisfitError("ball", index, "path",
-                          "ball.path: time " + real_text(static_cast<double>(ball.path[k].time)) +
+    for (std::size_t k = 1; k < path.size(); ++k) {
+        if (path[k].time > path[k - 1].time) continue;
+        throw MisfitError(section, index, "path",
+                          section + ".path: time " + real_text(static_cast<double>(path[k].time)) +
                               ": allowed only times that ascend from point to point");
+    }
+}
+
+void check_solid(const SolidSettings& solid, std::size_t index) {
+    check_path("solid", index, solid.motion == SolidMotion::Path, solid.path);
+    if (solid.axis.squaredNorm() < Real(1e-12)) {
+        throw MisfitError("solid", index, "axis",
+                          "solid.axis = " + value_text(values_of(solid.axis)) + ": allowed a length of at least 1e-06");
+    }
+    if (solid.shape == SolidKind::Mesh && solid.file.empty()) {
+        throw MisfitError("solid", index, "shape", "solid.shape = mesh: allowed only with a solid.file");
     }
 }
 
@@ -161,7 +176,10 @@ void check(const Settings& settings) {
     }
     check_memory(settings);
     check_contact(settings.contact);
-    for (std::size_t b = 0; b < settings.balls.size(); ++b) check_ball(settings.balls[b], b);
+    for (std::size_t b = 0; b < settings.balls.size(); ++b) {
+        check_path("ball", b, settings.balls[b].motion == BallMotion::Path, settings.balls[b].path);
+    }
+    for (std::size_t s = 0; s < settings.solids.size(); ++s) check_solid(settings.solids[s], s);
 }
 
 }  // namespace drape

@@ -86,21 +86,23 @@ void add_cloth(std::vector<Setting>& table) {
                 "largest stretch of a structural spring, of its rest length; 0: none");
 }
 
-Values path_values(const BallSettings& ball) {
+template <class Moved>
+Values path_values(const Moved& moved) {
     Values values;
-    for (const PathPoint& point : ball.path) {
+    for (const PathPoint& point : moved.path) {
         values.push_back(static_cast<double>(point.time));
         for (int axis = 0; axis < 3; ++axis) values.push_back(static_cast<double>(point.centre[axis]));
     }
     return values;
 }
 
-void write_path(BallSettings& ball, const SettingValue& value) {
+template <class Moved>
+void write_path(Moved& moved, const SettingValue& value) {
     const auto& list = std::get<Values>(value);
-    ball.path.clear();
+    moved.path.clear();
     for (std::size_t k = 0; k + 3 < list.size(); k += 4) {
         const auto at = [&](std::size_t offset) { return static_cast<Real>(list[k + offset]); };
-        ball.path.push_back({at(0), Vec3(at(1), at(2), at(3))});
+        moved.path.push_back({at(0), Vec3(at(1), at(2), at(3))});
     }
 }
 
@@ -115,8 +117,33 @@ void add_ball(std::vector<Setting>& table) {
     rows.number("speed", &BallSettings::speed, "m/s", {0, 1e2}, "to which the keys bring it");
     rows.number("mass", &BallSettings::mass, "kg", {1e-9, 1e6}, "of a free ball, which is solid");
     rows.add("path", SettingKind::Path, "s, m", lengths, {},
-             "points t,x,y,z it passes on a smooth curve; repeats if the last is the first again", path_values,
-             write_path);
+             "points t,x,y,z it passes on a smooth curve; repeats if the last is the first again",
+             path_values<BallSettings>, write_path<BallSettings>);
+}
+
+void add_solid(std::vector<Setting>& table) {
+    SectionRows<SolidSettings> rows(
+        "solid", [](Settings& s, std::size_t i) -> SolidSettings& { return s.solids[i]; }, table);
+    rows.choice("shape", &SolidSettings::shape, "a box, a capsule along its y axis, or a closed mesh of triangles");
+    rows.vector("position", &SolidSettings::position, "m", lengths,
+                "of its centre, or of a mesh's origin; not used on a path");
+    rows.vector("axis", &SolidSettings::axis, "", {-1, 1}, "about which it is turned; not all zero");
+    rows.number("angle", &SolidSettings::angle, "degree", {-360, 360}, "by which it is turned about the axis");
+    rows.vector("size", &SolidSettings::size, "m", sizes, "of a box, along x, y and z");
+    rows.number("radius", &SolidSettings::radius, "m", sizes, "of a capsule");
+    rows.number("length", &SolidSettings::length, "m", sizes, "of the segment that a capsule is about");
+    rows.add(
+        "file", SettingKind::Text, "", any_text, {},
+        "OBJ file of a mesh, in metres; a scene names one in its own folder or below",
+        [](const SolidSettings& s) { return s.file; },
+        [](SolidSettings& s, const SettingValue& value) { s.file = std::get<std::string>(value); });
+    rows.choice("motion", &SolidSettings::motion, "what moves it: nothing, or its path");
+    rows.add("path", SettingKind::Path, "s, m", lengths, {},
+             "points t,x,y,z its position passes on a smooth curve; repeats if the last is the first again",
+             path_values<SolidSettings>, write_path<SolidSettings>);
+    for (Setting& setting : table) {
+        if (setting.section == "solid") setting.full_name_only = true;
+    }
 }
 
 void add_needs(std::vector<Setting>& table) {
@@ -198,7 +225,7 @@ void add_the_rest(std::vector<Setting>& table) {
                     "volume tests after which a search ends; 0: no end");
     contact.choice("response", &ContactSettings::response, "how contacts are answered");
     contact.number("friction", &ContactSettings::friction, "", {0, 10},
-                   "Coulomb coefficient of balls, with cloth and each other");
+                   "Coulomb coefficient of balls, with cloth and each other, and of solids");
     contact.number("rolling", &ContactSettings::rolling, "", {0, 1},
                    "coefficient of rolling resistance of free balls on cloth");
     contact.number("restitution", &ContactSettings::restitution, "", {0, 1}, "of the normal speed");
@@ -269,6 +296,7 @@ std::vector<Setting> make_table() {
         [](Settings& s, const SettingValue& value) { s.start = std::get<std::string>(value); });
     add_cloth(table);
     add_ball(table);
+    add_solid(table);
     add_the_rest(table);
     return table;
 }

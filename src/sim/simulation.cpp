@@ -39,6 +39,7 @@ void Simulation::begin_step() {
     report_.times = {};
     report_.solve = {};
     previous_balls_ = balls_;
+    previous_solids_ = solids_;
     for (Cloth& cloth : cloths_) {
         if (!report_.asleep) cloth.previous = cloth.state;
         cloth.energy.mark();
@@ -60,16 +61,17 @@ Simulation::Substep Simulation::substep(int number) const {
     return {report_.time + number * static_cast<double>(h), h};
 }
 
-/// What moves on its own: hand and balls. Commands were carried out between two steps.
+/// What moves on its own: hand, balls and solids. Commands were carried out between two steps.
 /// @return false while the scene is asleep
 bool Simulation::input(const Substep& now) {
-    hand_.lead(cloths_, {balls_, settings_.ground, settings_.contact.thickness}, now.h);
+    hand_.lead(cloths_, {balls_, solids_, settings_.ground, settings_.contact.thickness}, now.h);
     for (std::size_t b = 0; b < balls_.size(); ++b) {
         if (report_.asleep && !is_led(b)) continue;
         move_ball(settings_.balls[b], steer_, settings_.ground, settings_.contact.thickness,
                   displacement_share(settings_.solver.integrator), static_cast<Real>(now.time), now.h, balls_[b]);
     }
-    if (led_ball_has_moved()) wake();
+    move_solids(now);
+    if (led_body_has_moved()) wake();
     return !report_.asleep;
 }
 
@@ -171,6 +173,7 @@ void Simulation::narrow(const Substep& now) {
     for (Cloth& cloth : cloths_) {
         report_.false_candidates += cloth.search.narrow(start_of_substep(cloth), cloth.state.x, balls_, thickness,
                                                         node_push_speed * now.h, cloth.contacts);
+        meet_solids(cloth);
         if (settings_.ground.solid) {
             report_.ground +=
                 cloth.search.meet_ground(cloth.state.x, settings_.ground.height, thickness, cloth.contacts);
@@ -243,7 +246,7 @@ void Simulation::resist_rolling() {
     }
     for (const Cloth& cloth : cloths_) {
         for (const Contact& contact : cloth.contacts) {
-            if (contact.ball != the_ground) resist(settings_.contact.rolling, contact.ball, contact.impulse.normal);
+            if (!is_plane(contact.ball)) resist(settings_.contact.rolling, contact.ball, contact.impulse.normal);
         }
     }
 }
@@ -261,17 +264,17 @@ void Simulation::close_report() {
 void Simulation::rest() {
     if (report_.asleep) return;
     const Real speed = settings_.solver.sleep_speed;
-    if (speed == 0 || settings_.wind.on || hand_.holds() || led_ball_has_moved()) return sleep_.restart();
+    if (speed == 0 || settings_.wind.on || hand_.holds() || led_body_has_moved()) return sleep_.restart();
     if (sleep_.look(cloths_, balls_, report_.time, settings_.solver)) fall_asleep();
 }
 
 bool Simulation::is_led(std::size_t ball) const { return balls_[ball].inverse_mass == 0; }
 
-bool Simulation::led_ball_has_moved() const {
+bool Simulation::led_body_has_moved() const {
     for (std::size_t b = 0; b < balls_.size(); ++b) {
         if (is_led(b) && balls_[b].centre != previous_balls_[b].centre) return true;
     }
-    return false;
+    return !std::ranges::equal(solids_, previous_solids_, {}, &Solid::position, &Solid::position);
 }
 
 const Points& Simulation::start_of_substep(const Cloth& cloth) const {
@@ -291,6 +294,7 @@ void Simulation::end_with(std::string trouble) {
     }
     self_contact_.forget();
     balls_ = previous_balls_;
+    solids_ = previous_solids_;
 }
 
 void Simulation::fall_asleep() {

@@ -7,6 +7,7 @@
 #include "drape/sim/setting_table.h"
 #include "drape/sim/simulation.h"
 #include "same_motion.h"
+#include "solid_motion.h"
 #include "step_plan.h"
 
 namespace drape {
@@ -62,6 +63,7 @@ Simulation::Simulation(std::string scene, Settings settings, std::optional<Start
     : scene_(std::move(scene)), settings_(std::move(settings)), start_(std::move(start)) {
     check(settings_);
     if (!start_) start_ = find_start(settings_);
+    solids_ = make_solids(settings_.solids);
     with_memory(settings_, [&] { restart(); });
 }
 
@@ -97,6 +99,8 @@ void Simulation::restart() {
     ball_contacts_.reserve(settings_.balls.size() * (settings_.balls.size() + 1) / 2);
     for (const BallSettings& ball : settings_.balls) balls_.push_back(make_ball(ball, report_.time));
     previous_balls_ = balls_;
+    put_solids(settings_.solids, report_.time, solids_);
+    previous_solids_ = solids_;
     choose_ball();
     plan(1);
 }
@@ -104,7 +108,9 @@ void Simulation::restart() {
 void Simulation::load(const std::string& scene) {
     Settings settings = load_scene(scene);
     check(settings);
+    std::vector<Solid> solids = make_solids(settings.solids);
     start_ = find_start(settings);
+    solids_ = std::move(solids);
     scene_ = scene;
     settings_ = std::move(settings);
     motion_by_scene_.reset();
@@ -113,9 +119,12 @@ void Simulation::load(const std::string& scene) {
 
 void Simulation::configure(Settings settings) {
     check(settings);
+    std::vector<Solid> solids = solids_;
+    if (settings.solids != settings_.solids) solids = make_solids(settings.solids);
     const bool keeps_state = same_start(settings_, settings);
     if (!keeps_state) start_ = find_start(settings);
     const Settings before = std::exchange(settings_, std::move(settings));
+    configure_solids(before, std::move(solids));
     if (!keeps_state) return restart();
     if (settings_.solver.dt != before.solver.dt) {
         counted_from_step_ = report_.step;

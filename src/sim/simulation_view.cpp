@@ -30,6 +30,8 @@ FrameView Simulation::view(Real blend) {
     return {.cloths = shown_,
             .balls = balls_,
             .previous_balls = previous_balls_,
+            .solids = solids_,
+            .previous_solids = previous_solids_,
             .blend = std::clamp(blend, Real(0), Real(1)),
             .settings = &settings_,
             .report = &report_,

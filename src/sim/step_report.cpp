@@ -13,7 +13,7 @@ double nodes(const StepReport& r) { return static_cast<double>(r.traversal.nodes
 double candidates(const StepReport& r) { return static_cast<double>(r.traversal.candidates); }
 double stopped(const StepReport& r) { return static_cast<double>(r.traversal.stopped); }
 
-const std::array<ReportField, 56> fields{{
+const std::array<ReportField, 58> fields{{
     {"step", "", steps, "step", ReportGroup::Time, 3},
     {"time", "s", [](const StepReport& r) { return r.time; }, "time", ReportGroup::Time, 3},
     {"substeps", "", [](const StepReport& r) { return static_cast<double>(r.substeps); }},
@@ -50,6 +50,8 @@ const std::array<ReportField, 56> fields{{
      ReportGroup::Hierarchy, 3},
     {"ground_visited", "", [](const StepReport& r) { return static_cast<double>(r.ground.visited); }},
     {"ground_pruned", "", [](const StepReport& r) { return static_cast<double>(r.ground.pruned); }},
+    {"solid_visited", "", [](const StepReport& r) { return static_cast<double>(r.solids.visited); }},
+    {"solid_pruned", "", [](const StepReport& r) { return static_cast<double>(r.solids.pruned); }},
     {"penetration", "m", [](const StepReport& r) { return r.penetration; }, "depth left", ReportGroup::Hierarchy, 1},
     {"contact_residual", "m", [](const StepReport& r) { return r.contact_residual; }},
     {"contact_sweeps", "", [](const StepReport& r) { return static_cast<double>(r.contact_sweeps); }},

@@ -18,6 +18,7 @@ Settings two_of_each() {
     settings.cloths.resize(2);
     for (ClothParameters& cloth : settings.cloths) cloth.particles = {4, 3};
     settings.balls.resize(2);
+    settings.solids.resize(2);
     return settings;
 }
 

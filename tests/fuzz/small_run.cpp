@@ -14,6 +14,7 @@ constexpr int steps = 2;
 std::size_t parts_of(const Settings& settings, const std::string& section) {
     if (section == "cloth") return settings.cloths.size();
     if (section == "ball") return settings.balls.size();
+    if (section == "solid") return settings.solids.size();
     return 1;
 }
 
@@ -28,6 +29,7 @@ std::optional<Settings> made_small(Settings settings) {
         if (particles > most_particles) return {};
     }
     settings.start.clear();  // any file could be named
+    std::erase_if(settings.solids, [](const SolidSettings& solid) { return solid.shape == SolidKind::Mesh; });
     settings.solver.iterations = std::min(settings.solver.iterations, 20);
     settings.solver.threads = std::min(settings.solver.threads, 2);
     return settings;

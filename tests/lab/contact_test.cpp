@@ -73,6 +73,9 @@ public:
         return {};
     }
     TraversalStats query_below(Real /*height*/, Candidates& found) const override { return nothing(found); }
+    TraversalStats query_near(const DistanceField& /*body*/, Real /*margin*/, Candidates& found) const override {
+        return nothing(found);
+    }
     [[nodiscard]] bool may_touch(const Ball& /*ball*/, Real /*displacement*/) const override { return true; }
     [[nodiscard]] bool may_touch(const SweptBall& /*ball*/, Real /*displacement*/) const override { return true; }
     [[nodiscard]] Real slack() const override { return 0; }

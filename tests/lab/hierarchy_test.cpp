@@ -126,6 +126,9 @@ public:
         return right_->query(other, margin, folds, pairs);
     }
     TraversalStats query_below(Real y, Candidates& found) const override { return right_->query_below(y, found); }
+    TraversalStats query_near(const DistanceField& body, Real margin, Candidates& found) const override {
+        return right_->query_near(body, margin, found);
+    }
     [[nodiscard]] bool may_touch(const Ball& ball, Real d) const override { return right_->may_touch(ball, d); }
     [[nodiscard]] bool may_touch(const SweptBall& ball, Real d) const override { return right_->may_touch(ball, d); }
     [[nodiscard]] Real slack() const override { return right_->slack(); }

@@ -45,6 +45,17 @@ motion = "still"
 speed = 2
 mass = 2
 path = [[0, 1, 2, 3], [1.5, 4, 5, 6]]
+[[solid]]
+shape = "mesh"
+position = [1, 2, 3]
+axis = [1, 0, 0]
+angle = 30
+size = [0.1, 0.2, 0.3]
+radius = 0.2
+length = 0.4
+file = "mesh.obj"
+motion = "path"
+path = [[0, 1, 2, 3], [1.5, 4, 5, 6]]
 [solver]
 integrator = "rk4"
 hessian = "exact"
@@ -134,6 +145,7 @@ TEST(SceneFile, SetsEveryKeyThatItGives) {
 TEST(SceneFile, CanGiveEveryRowOfTheTable) {
     Settings defaults;
     defaults.balls.emplace_back();
+    defaults.solids.emplace_back();
     const Settings settings = parse_scene(full_scene, "full.toml");
     for (const Setting& setting : setting_table()) {
         EXPECT_NE(setting.read(settings, 0), setting.read(defaults, 0)) << setting.full_name() << " was not read";

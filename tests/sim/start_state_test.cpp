@@ -121,10 +121,12 @@ TEST(StartState, ThatIsBadChangesNothing) {
 void expect_same(const Settings& a, const Settings& b, const std::string& name) {
     ASSERT_EQ(a.cloths.size(), b.cloths.size());
     ASSERT_EQ(a.balls.size(), b.balls.size());
+    ASSERT_EQ(a.solids.size(), b.solids.size());
     for (const Setting& setting : setting_table()) {
-        const std::size_t parts = setting.section == "cloth"  ? a.cloths.size()
-                                  : setting.section == "ball" ? a.balls.size()
-                                                              : 1;
+        const std::size_t parts = setting.section == "cloth"   ? a.cloths.size()
+                                  : setting.section == "ball"  ? a.balls.size()
+                                  : setting.section == "solid" ? a.solids.size()
+                                                               : 1;
         for (std::size_t i = 0; i < parts; ++i) {
             EXPECT_EQ(setting.read(a, i), setting.read(b, i)) << name << ": " << setting.full_name();
         }
@@ -134,7 +136,7 @@ void expect_same(const Settings& a, const Settings& b, const std::string& name) 
 TEST(SceneText, IsReadBackAsTheSameSettings) {
     for (const std::string& name : scene_names()) {
         const Settings settings = load_scene(name);
-        expect_same(parse_scene(scene_text(settings), "again.toml"), settings, name);
+        expect_same(parse_scene(scene_text(settings), scene_file(name).string()), settings, name);
     }
     Settings odd = small_settings();
     odd.title = R"(quotes " and \ backslashes)";

@@ -10,6 +10,7 @@
 
 #include "drape/base/enum_names.h"
 #include "drape/base/kernels.h"
+#include "drape/bounds/distance_field.h"
 #include "drape/bounds/sphere_fits.h"
 #include "drape/bounds/swept_ball.h"
 #include "drape/model/ball.h"
@@ -139,6 +140,11 @@ public:
     /// Every cell with a corner below a height, and perhaps more; no limit of the search ends this one.
     /// @param height [m] @pre `build` was called
     virtual TraversalStats query_below(Real height, Candidates& found) const = 0;
+
+    /// Every cell with a triangle that comes as near to a body as a margin, and perhaps more; no limit of the search
+    /// ends this one either.
+    /// @param margin [m] @pre `build` was called
+    virtual TraversalStats query_near(const DistanceField& body, Real margin, Candidates& found) const = 0;
 
     /// False only if no particle, moved by up to `displacement` since the last build, can touch the ball.
     [[nodiscard]] virtual bool may_touch(const Ball& ball, Real displacement) const = 0;

@@ -85,6 +85,13 @@ public:
         return stats;
     }
 
+    TraversalStats query_near(const DistanceField& body, Real margin, Candidates& found) const override {
+        begin_query(found);
+        TraversalStats stats{.nodes = static_cast<std::int64_t>(nodes_.size())};
+        traverse_near(0, body, margin + slack_, found, stats);
+        return stats;
+    }
+
     [[nodiscard]] bool may_touch(const Ball& ball, Real displacement) const override {
         return volumes_[0].overlaps(grown_by_slack(ball, displacement));
     }
@@ -172,6 +179,25 @@ private:
         } else {
             for (int child = 0; child < node.children; ++child) {
                 traverse_below(node.first_child + child, height, found, stats);
+            }
+        }
+    }
+
+    /// The same against a body: a node is apart where the middle of its sphere is farther than the sphere is wide.
+    void traverse_near(int n, const DistanceField& body, Real margin, Candidates& found, TraversalStats& stats) const {
+        const QuadtreeNode& node = nodes_[at(n)];
+        const BoundingSphere sphere = volumes_[at(n)].sphere();
+        const Real size = sphere.centre.cwiseAbs().sum() + sphere.radius;
+        const Real farthest = sphere.radius + margin + 64 * std::numeric_limits<Real>::epsilon() * size;
+        ++stats.visited;
+        ++stats.volume_tests;
+        if (body.distance(sphere.centre) > farthest) {
+            ++stats.pruned;
+        } else if (node.children == 0) {
+            take_leaf(node, found, stats);
+        } else {
+            for (int child = 0; child < node.children; ++child) {
+                traverse_near(node.first_child + child, body, margin, found, stats);
             }
         }
     }

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <array>
+#include <limits>
 #include <span>
 #include <vector>
 
@@ -15,6 +16,13 @@ namespace drape {
 
 /// The number of a contact's ball where the cloth, or a ball, touches the ground.
 inline constexpr int the_ground = -1;
+
+/// The number of a contact's ball where the cloth touches the first solid; those of further solids follow.
+inline constexpr int first_solid = std::numeric_limits<int>::min();
+
+/// Whether a contact's second body is a plane for this substep: the ground, or the surface of a solid next to it.
+[[nodiscard]] constexpr bool is_plane(int ball) { return ball < 0; }
+[[nodiscard]] constexpr bool is_solid(int ball) { return ball < the_ground; }
 
 /// What the response gives to one contact, in displacements of the substep or in velocities.
 struct ContactPush {
@@ -54,9 +62,16 @@ struct ContactPlane {
     }
 };
 
-/// A contact whose second body is a ball, or the ground.
+/// A contact whose second body is a ball, the ground, or a solid.
 struct BodyContact : ContactPlane {
-    int ball = 0;  ///< or `the_ground`
+    int ball = 0;  ///< or `the_ground`, or `first_solid` and more
+};
+
+/// The surface of a solid next to a contact.
+struct SolidPlane {
+    Real height = 0;               ///< of the surface along the contact's normal [m]
+    Vec3 moved = Vec3::Zero();     ///< within the substep [m]
+    Vec3 velocity = Vec3::Zero();  ///< [m/s]
 };
 
 /// A point of the cloth that is nearer to a ball, or to the ground, than the cloth's thickness: a particle, or the
@@ -73,6 +88,7 @@ struct Contact : BodyContact {
     bool of_node = false;               ///< only then there is a sphere:
     Vec3 offset = Vec3::Zero();         ///< from `point` to its centre [m]
     Real radius = 0;                    ///< that counts towards the depth [m]
+    SolidPlane plane;                   ///< where the second body is a solid
 };
 
 /// Two balls that touch, or a ball on the ground.

@@ -44,10 +44,10 @@ struct ClothInContact {
     const ClothModel& model;
     const Points& before;  ///< positions at the start of the substep, n x 3 [m]
     ClothState& state;
-    std::vector<Contact>& contacts;  ///< with balls and ground, as found at `state.x`; their points are updated
+    std::vector<Contact>& contacts;  ///< with balls, solids and ground, as found at `state.x`; their points are updated
 };
 
-/// What the balls that nothing pushes have given a cloth in the response, through these contacts [J].
+/// What solids, and the balls that nothing pushes, have given a cloth in the response, through these contacts [J].
 double work_of_led_balls(std::span<const Contact> contacts, std::span<const Ball> balls);
 
 /// Of the balls that contacts push [J].

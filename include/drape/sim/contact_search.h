@@ -9,6 +9,7 @@
 #include "drape/bounds/separation.h"
 #include "drape/contact/contact.h"
 #include "drape/contact/search_audit.h"
+#include "drape/contact/solid_contacts.h"
 #include "drape/sim/settings.h"
 
 namespace drape {
@@ -31,7 +32,7 @@ public:
     void use(const BroadPhaseParameters& parameters, const Grid& grid, const Points& x);
 
     /// To be told whenever the positions have changed.
-    void positions_changed() { built_from_present_ = false; }
+    void positions_changed() { built_from_present_ = sweeps_ = false; }
 
     /// Builds the hierarchy for the end of a substep, or for all of it where its way is to be tested.
     /// @param before positions at its start, n x 3 [m]
@@ -60,6 +61,12 @@ public:
     /// @param contacts as `narrow` has it
     void look_again(const Points& before, const Points& x, std::span<const Ball> balls, Real thickness,
                     std::vector<Contact>& contacts);
+
+    /// Tests the cloth against solids, and builds the hierarchy for it where that is not done yet. The whole substep is
+    /// tested as `contact.continuous` says; under auto where cloth and solid may come nearer by half the thickness.
+    /// @param contacts receives what touches, solid by solid, cells ascending, after what is there
+    TraversalStats meet_solids(const Points& before, const Points& x, std::span<const Solid> solids,
+                               const ContactSettings& contact, std::vector<Contact>& contacts);
 
     /// Tests the cloth against the ground: where the present hierarchy holds it, what that has not pruned, else all of
     /// it.
@@ -100,6 +107,8 @@ private:
     TraversalStats traversal_;
     std::vector<Candidates> candidates_;  ///< of each ball
     Candidates low_;                      ///< near the ground
+    Candidates near_;                     ///< a solid
+    SolidSearch solid_search_;
     std::vector<CellRun> low_particles_;
 };
 

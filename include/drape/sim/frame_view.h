@@ -5,6 +5,7 @@
 
 #include "drape/bounds/broad_phase.h"
 #include "drape/contact/contact.h"
+#include "drape/contact/solid.h"
 #include "drape/model/ball.h"
 #include "drape/model/cloth_model.h"
 #include "drape/sim/settings.h"
@@ -26,7 +27,9 @@ struct FrameView {
     std::span<const ClothView> cloths;
     std::span<const Ball> balls;
     std::span<const Ball> previous_balls;  ///< one step before
-    Real blend = 1;                        ///< the picture shows previous + blend (now - previous)
+    std::span<const Solid> solids;
+    std::span<const Solid> previous_solids;  ///< one step before
+    Real blend = 1;                          ///< the picture shows previous + blend (now - previous)
     const Settings* settings = nullptr;
     const StepReport* report = nullptr;
     std::string_view scene;  ///< name or path

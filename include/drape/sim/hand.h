@@ -3,6 +3,7 @@
 #include <optional>
 #include <span>
 
+#include "drape/contact/solid.h"
 #include "drape/model/ball.h"
 #include "drape/model/ground.h"
 #include "drape/sim/cloth.h"
@@ -13,6 +14,7 @@ namespace drape {
 /// What the hand cannot lead its particle into.
 struct Obstacles {
     std::span<const Ball> balls;
+    std::span<const Solid> solids;
     const Ground& ground;
     Real thickness;  ///< of the cloth: the hand stays as far outside [m]
 };

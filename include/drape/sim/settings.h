@@ -38,6 +38,32 @@ struct BallSettings {
     bool operator==(const BallSettings&) const = default;
 };
 
+/// The shape of a solid.
+enum class SolidKind { Box, Capsule, Mesh };
+
+template <>
+inline constexpr auto enum_names<SolidKind> = all_names<SolidKind>("box", "capsule", "mesh");
+
+/// What moves a solid.
+enum class SolidMotion { Still, Path };
+
+template <>
+inline constexpr auto enum_names<SolidMotion> = all_names<SolidMotion>("still", "path");
+
+struct SolidSettings {
+    SolidKind shape = SolidKind::Box;
+    Vec3 position = Vec3::Zero();
+    Vec3 axis{0, 1, 0};                          ///< about which it is turned, of any length but zero
+    Real angle = 0;                              ///< by which [degree]
+    Vec3 size{Real(0.5), Real(0.5), Real(0.5)};  ///< of a box [m]
+    Real radius = Real(0.1);                     ///< of a capsule [m]
+    Real length = Real(0.3);                     ///< of a capsule's segment [m]
+    std::string file;                            ///< of a mesh
+    SolidMotion motion = SolidMotion::Still;
+    std::vector<PathPoint> path;  ///< as a ball's
+    bool operator==(const SolidSettings&) const = default;
+};
+
 /// What to do about steps that are too long: freeze a state that has diverged and say so; divide every step into as
 /// many substeps as its limit asks for; or end with the state.
 enum class OnUnstable { Warn, Substep, Stop };
@@ -144,6 +170,7 @@ struct Settings {
     std::string start;  ///< file of the state in which the cloths start; empty: at rest
     std::vector<ClothParameters> cloths{ClothParameters{}};
     std::vector<BallSettings> balls;
+    std::vector<SolidSettings> solids;
     SolverSettings solver;
     ContactSettings contact;
     Ground ground;

@@ -43,6 +43,7 @@ public:
     [[nodiscard]] const Settings& settings() const { return settings_; }
     [[nodiscard]] std::span<const Cloth> cloths() const { return cloths_; }
     [[nodiscard]] std::span<const Ball> balls() const { return balls_; }
+    [[nodiscard]] std::span<const Solid> solids() const { return solids_; }
     [[nodiscard]] const std::string& scene() const { return scene_; }
     [[nodiscard]] bool paused() const { return paused_; }
 
@@ -94,7 +95,7 @@ private:
     void rest();
 
     [[nodiscard]] bool is_led(std::size_t ball) const;
-    [[nodiscard]] bool led_ball_has_moved() const;
+    [[nodiscard]] bool led_body_has_moved() const;
     [[nodiscard]] const Points& start_of_substep(const Cloth& cloth) const;
     void end_with(std::string trouble);
     void fall_asleep();
@@ -108,6 +109,9 @@ private:
     void configure_balls(const Settings& before);
     void use_self_contact();
     void put_ball(std::size_t number, const Vec3& centre);
+    void move_solids(const Substep& now);
+    void meet_solids(Cloth& cloth);
+    void configure_solids(const Settings& before, std::vector<Solid> solids);
     void choose_ball();
     void give_ball_back();
     void move_ball_by(BallMotion motion);
@@ -118,6 +122,7 @@ private:
     std::optional<StartState> start_;  ///< that the settings name
     std::vector<Cloth> cloths_;
     std::vector<Ball> balls_, previous_balls_;
+    std::vector<Solid> solids_, previous_solids_;
     std::vector<BallContact> ball_contacts_;
     SelfContact self_contact_;
     std::vector<ClothInContact> in_contact_;  ///< the cloths, within a substep

@@ -42,6 +42,7 @@ struct StepReport {
     SolveReport solve;
     TraversalStats traversal;           ///< for the balls
     TraversalStats ground;              ///< for the ground; zero where the hierarchy was not asked
+    TraversalStats solids;              ///< for the solids
     double stretch_excess = 0;          ///< beyond the limit, that shortening has left in a structural spring
     std::int64_t false_candidates = 0;  ///< cells handed on of which no triangle touches
     std::int64_t contacts = 0;          ///< points in contact, and nodes that were taken for them
@@ -72,7 +73,7 @@ struct StepReport {
 
     /// Sets to zero what limit and contacts of a substep add up to.
     void forget_contacts() {
-        traversal = ground = between_cloths = {};
+        traversal = ground = solids = between_cloths = {};
         contacts = false_candidates = false_contacts = 0;
         penetration = missed_penetration = contact_residual = stretch_excess = 0;
         contact_sweeps = listed_pairs = pairs = held_back = 0;

@@ -1,0 +1,24 @@
+#pragma once
+
+#include <array>
+
+#include "drape/contact/solid.h"
+
+namespace drape {
+
+/// The point of a triangle with the least signed distance from a solid.
+struct DeepestPoint {
+    std::array<Real, 3> barycentric{};
+    Vec3 point = Vec3::Zero();  ///< [m]
+    SurfaceDistance surface;
+};
+
+/// Finds it among the corners and the points that are nearest to the ridges of the shape; where that does not prove it,
+/// by descent along the triangle from the lowest of these, the middles of edges and the centroid. @cite macklin2020
+/// Outside a convex shape it is exact; else it may be a point that is lowest nearby.
+/// @param corners of the triangle [m]
+/// @param at_corners what the solid says of them
+DeepestPoint find_deepest_point(const Solid& solid, const std::array<Vec3, 3>& corners,
+                                const std::array<SurfaceDistance, 3>& at_corners);
+
+}  // namespace drape

@@ -1,0 +1,61 @@
+#include "solid_motion.h"
+
+#include <numbers>
+
+#include "ball_motion.h"
+#include "drape/base/exact_math.h"
+#include "mesh_file.h"
+
+namespace drape {
+namespace {
+
+std::shared_ptr<const SolidShape> shape_of(const SolidSettings& settings) {
+    switch (settings.shape) {
+        case SolidKind::Box:
+            return make_box(settings.size);
+        case SolidKind::Capsule:
+            return make_capsule(settings.radius, settings.length);
+        case SolidKind::Mesh:
+            return make_mesh_shape(read_mesh(settings.file));
+    }
+    return nullptr;
+}
+
+Eigen::Quaternion<Real> orientation_of(const SolidSettings& settings) {
+    constexpr double half_turn = std::numbers::pi;
+    const double half = static_cast<double>(settings.angle) / 360 * half_turn;
+    Eigen::Quaternion<Real> orientation;
+    orientation.w() = static_cast<Real>(sine(half + half_turn / 2));
+    orientation.vec() = static_cast<Real>(sine(half)) * settings.axis.normalized();
+    return orientation.normalized();
+}
+
+}  // namespace
+
+std::vector<Solid> make_solids(const std::vector<SolidSettings>& settings) {
+    std::vector<Solid> solids;
+    for (const SolidSettings& one : settings) {
+        Solid& solid = solids.emplace_back();
+        solid.shape = shape_of(one);
+        solid.orientation = orientation_of(one);
+    }
+    return solids;
+}
+
+void put_solids(const std::vector<SolidSettings>& settings, double time, std::vector<Solid>& solids) {
+    for (std::size_t s = 0; s < solids.size(); ++s) {
+        const bool on_path = settings[s].motion == SolidMotion::Path;
+        solids[s].position = on_path ? point_on_path(settings[s].path, static_cast<Real>(time)) : settings[s].position;
+        solids[s].velocity.setZero();
+        solids[s].moved.setZero();
+    }
+}
+
+void move_solid(const SolidSettings& settings, Real time, Real h, Solid& solid) {
+    if (settings.motion == SolidMotion::Still) return;
+    solid.position = point_on_path(settings.path, time + h);
+    solid.moved = solid.position - point_on_path(settings.path, time);
+    solid.velocity = solid.moved / h;
+}
+
+}  // namespace drape

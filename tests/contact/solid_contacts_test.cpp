@@ -1,0 +1,185 @@
+#include "drape/contact/solid_contacts.h"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cmath>
+#include <random>
+
+#include "drape/base/exact_math.h"
+#include "solid_at.h"
+
+namespace drape {
+namespace {
+
+using test::solid_at;
+
+constexpr Real thickness = 0.002;
+
+/// A sheet of one metre in the plane y = height, somewhat crumpled.
+Points sheet(const Grid& grid, Real height, Real crumple, std::mt19937& random) {
+    Points x(grid.particles(), 3);
+    for (int j = 0; j < grid.ny; ++j) {
+        for (int i = 0; i < grid.nx; ++i) {
+            x.row(grid.particle(i, j)) << Real(i) / (grid.nx - 1) - 0.5 + crumple * draw_even<Real>(random),
+                height + crumple * draw_even<Real>(random), Real(j) / (grid.ny - 1) - 0.5;
+        }
+    }
+    return x;
+}
+
+std::vector<CellRun> all_cells_of(const Grid& grid) {
+    std::vector<CellRun> cells;
+    list_all_cells(grid, cells);
+    return cells;
+}
+
+TEST(SolidContacts, AnEdgeOfABoxUnderTheMiddleOfTrianglesIsFound) {
+    const Grid grid{2, 2};
+    Points x(4, 3);
+    x << -1, 0.1, -1, 1, 0.1, -1, -1, 0.1, 1, 1, 0.1, 1;
+    const Solid box = solid_at(make_box({0.2, 0.2, 0.2}));  // whose top is at 0.1
+    std::vector<Contact> contacts;
+    SolidSearch().find(grid, x, box, 0, thickness, all_cells_of(grid), contacts);
+    ASSERT_FALSE(contacts.empty());
+    for (const Contact& contact : contacts) {
+        EXPECT_TRUE(is_solid(contact.ball));
+        EXPECT_FALSE(contact.of_particle);
+        EXPECT_NEAR(contact.depth, thickness, 1e-6);
+        EXPECT_NEAR(contact.normal.y(), 1, 1e-6);
+    }
+}
+
+TEST(SolidContacts, EveryParticleWithinTheThicknessIsAContactOnceAndInTheOrderOfTheWarmStart) {
+    std::mt19937 random(1);
+    const Grid grid{20, 20};
+    const Solid capsule = solid_at(make_capsule(0.3, 0.3), {0.03, -0.15, 0.01});
+    const Points x = sheet(grid, 0.28, 0.01, random);
+    std::vector<Contact> contacts;
+    SolidSearch().find(grid, x, capsule, 2, thickness, all_cells_of(grid), contacts);
+    std::vector<int> particles;
+    for (const Contact& contact : contacts) {
+        EXPECT_EQ(contact.ball, first_solid + 2);
+        if (!contact.of_particle) continue;
+        for (std::size_t k = 0; k < 3; ++k) {
+            if (contact.barycentric[k] == 1) particles.push_back(contact.corners[k]);
+        }
+    }
+    std::ranges::sort(particles);
+    std::vector<int> expected;
+    for (int p = 0; p < grid.particles(); ++p) {
+        if (capsule.distance(x.row(p).transpose()) < thickness) expected.push_back(p);
+    }
+    ASSERT_FALSE(expected.empty());
+    EXPECT_EQ(particles, expected);
+    EXPECT_TRUE(std::ranges::is_sorted(contacts, {}, &Contact::triangle));
+}
+
+/// What a hierarchy hands on, and what it costs.
+TEST(SolidContacts, EveryHierarchyFindsTheSameAsBruteForce) {
+    std::mt19937 random(2);
+    const Grid grid{33, 29};
+    Solid box = solid_at(make_box({0.3, 0.2, 0.15}));
+    box.orientation = Eigen::AngleAxis<Real>(1.1, Vec3(3, 1, 2).normalized());
+    for (int trial = 0; trial < 20; ++trial) {
+        const Points x = sheet(grid, 0.15 * draw_even<Real>(random), 0.01, random);
+        std::vector<Contact> expected;
+        SolidSearch().find(grid, x, box, 0, thickness, all_cells_of(grid), expected);
+        for (const auto volume : {VolumeKind::Sphere, VolumeKind::Aabb, VolumeKind::Kdop18, VolumeKind::Obb}) {
+            for (const auto update : {UpdateKind::Rebuild, UpdateKind::Merge, UpdateKind::Refit, UpdateKind::None}) {
+                const auto tree = make_broad_phase({.volume = volume, .update = update, .leaf_cells = 3}, grid);
+                Points start = x;
+                start.col(1).array() += 0.03;
+                tree->build(start);
+                tree->build(x);
+                Candidates found;
+                tree->query_near(box, thickness, found);
+                std::ranges::sort(found.cells);
+                std::vector<Contact> contacts;
+                SolidSearch().find(grid, x, box, 0, thickness, found.cells, contacts);
+                ASSERT_EQ(contacts.size(), expected.size());
+                for (std::size_t c = 0; c < contacts.size(); ++c) {
+                    ASSERT_EQ(contacts[c].triangle, expected[c].triangle);
+                    ASSERT_EQ(contacts[c].depth, expected[c].depth);
+                }
+            }
+        }
+    }
+}
+
+/// A search that has seen the cloth before measures only what can have come near since.
+TEST(SolidContacts, WhatIsKnownOfParticlesChangesNoContact) {
+    std::mt19937 random(6);
+    const Grid grid{15, 15};
+    Solid box = solid_at(make_box({0.4, 0.1, 0.3}));
+    SolidSearch search;
+    std::size_t found = 0;
+    for (int step = 0; step < 200; ++step) {
+        const Points x = sheet(grid, 0.06 + 0.1 * draw_even<Real>(random), 0.02, random);
+        box.position.x() = 0.1 * draw_even<Real>(random);
+        std::vector<Contact> contacts, expected;
+        search.find(grid, x, box, 0, thickness, all_cells_of(grid), contacts);
+        SolidSearch().find(grid, x, box, 0, thickness, all_cells_of(grid), expected);
+        ASSERT_EQ(contacts.size(), expected.size());
+        for (std::size_t c = 0; c < contacts.size(); ++c) ASSERT_EQ(contacts[c].depth, expected[c].depth);
+        found += contacts.size();
+    }
+    EXPECT_GT(found, 1000u);
+}
+
+TEST(SolidContacts, ANodeFarFromTheSolidIsPruned) {
+    std::mt19937 random(3);
+    const Grid grid{65, 65};
+    const auto tree = make_broad_phase({.leaf_cells = 4}, grid);
+    tree->build(sheet(grid, 0, 0, random));
+    Candidates found;
+    const Solid box = solid_at(make_box({0.1, 0.1, 0.1}), {0.3, 0, 0.3});
+    const TraversalStats stats = tree->query_near(box, thickness, found);
+    EXPECT_GT(stats.pruned, 0);
+    EXPECT_LT(stats.candidates, grid.cells() / 8);
+}
+
+/// A plate thinner than the cloth is passed in one step, from either side, or turns the cloth's contact to its back.
+TEST(SolidContacts, WhatPassesAThinPlateWithinAStepIsHeldOnItsSide) {
+    std::mt19937 random(4);
+    const Grid grid{12, 12};
+    Solid plate = solid_at(make_box({1.4, 0.0005, 1.4}));
+    for (const Real end : {-0.5, -0.05, -0.001, -0.0002}) {
+        const Points before = sheet(grid, 0.05, 0.005, random);
+        Points x = before;
+        x.col(1).array() += end - 0.05;
+        std::vector<Contact> contacts;
+        SolidSearch().find_swept(grid, before, x, plate, 0, thickness, all_cells_of(grid), contacts);
+        std::vector<bool> held(static_cast<std::size_t>(grid.particles()));
+        for (const Contact& contact : contacts) {
+            if (!contact.of_particle) continue;
+            EXPECT_NEAR(contact.normal.y(), 1, 1e-9);
+            EXPECT_NEAR(contact.depth, 0.00025 + thickness - contact.point.y(), 1e-9);
+            for (std::size_t k = 0; k < 3; ++k) {
+                if (contact.barycentric[k] == 1) held[static_cast<std::size_t>(contact.corners[k])] = true;
+            }
+        }
+        for (int p = 0; p < grid.particles(); ++p) {
+            EXPECT_TRUE(x(p, 1) >= thickness || held[static_cast<std::size_t>(p)]) << p << " to " << end;
+        }
+    }
+}
+
+TEST(SolidContacts, AMovingSolidCarriesWhatItMeets) {
+    const Grid grid{2, 2};
+    Points x(4, 3);
+    x << -1, 0, -1, 1, 0, -1, -1, 0, 1, 1, 0, 1;
+    Solid ball = solid_at(make_capsule(0.1, 0.001), {0.3, 0.5, 0.2});
+    ball.moved = {0, 1.0, 0};  // from below the sheet to above it
+    ball.velocity = {0, 100, 0};
+    std::vector<Contact> contacts;
+    SolidSearch().find_swept(grid, x, x, ball, 0, thickness, all_cells_of(grid), contacts);
+    ASSERT_EQ(contacts.size(), 1u);
+    EXPECT_TRUE(contacts[0].of_impact);
+    EXPECT_NEAR(contacts[0].normal.y(), 1, 1e-3);
+    EXPECT_NEAR(contacts[0].depth, 0.5 + 0.1 + 0.0005 + thickness, 1e-3);
+    EXPECT_EQ(contacts[0].plane.velocity.y(), 100);
+}
+
+}  // namespace
+}  // namespace drape

@@ -1,0 +1,166 @@
+#include "drape/contact/solid_shape.h"
+
+#include <gtest/gtest.h>
+
+#include <Eigen/Geometry>
+#include <cmath>
+#include <random>
+
+#include "drape/base/exact_math.h"
+#include "drape/contact/deepest_point.h"
+#include "solid_at.h"
+
+namespace drape {
+namespace {
+
+using test::solid_at;
+
+Vec3 draw_point(std::mt19937& random, Real size) {
+    Vec3 p;
+    for (Real& coordinate : p) coordinate = size * draw_even<Real>(random);
+    return p;
+}
+
+/// The distance from a segment, by its own formula.
+Real from_segment(const Vec3& p, const Vec3& a, const Vec3& b) {
+    const Vec3 along = b - a;
+    const Real t = std::clamp((p - a).dot(along) / along.squaredNorm(), Real(0), Real(1));
+    return (p - a - t * along).norm();
+}
+
+/// The distance from a triangle: above its inside that of its plane, else that of its nearest side.
+Real from_triangle(const Vec3& p, const Vec3& a, const Vec3& b, const Vec3& c) {
+    const Vec3 normal = (b - a).cross(c - a).normalized();
+    const auto is_left = [&](const Vec3& from, const Vec3& to) { return (to - from).cross(p - from).dot(normal) >= 0; };
+    if (is_left(a, b) && is_left(b, c) && is_left(c, a)) return std::abs((p - a).dot(normal));
+    return std::min({from_segment(p, a, b), from_segment(p, b, c), from_segment(p, c, a)});
+}
+
+/// The solid angle that a triangle fills, over 4 pi; summed over a closed surface 1 inside and 0 outside.
+/// @cite vanoosterom1983
+double winding(const Vec3& p, Vec3 a, Vec3 b, Vec3 c) {
+    a -= p, b -= p, c -= p;
+    const double la = a.norm(), lb = b.norm(), lc = c.norm();
+    const double across = a.dot(b.cross(c)), along = la * lb * lc + a.dot(b) * lc + b.dot(c) * la + c.dot(a) * lb;
+    return std::atan2(across, along) / (2 * 3.14159265358979323846);
+}
+
+struct Brute {
+    Real distance = std::numeric_limits<Real>::infinity();  ///< without its sign
+    double inside = 0;
+
+    Brute(const TriangleMesh& mesh, const Vec3& p) {
+        const auto at = [&](int k) -> const Vec3& { return mesh.points[static_cast<std::size_t>(k)]; };
+        for (const auto& [i, j, k] : mesh.triangles) {
+            distance = std::min(distance, from_triangle(p, at(i), at(j), at(k)));
+            inside += winding(p, at(i), at(j), at(k));
+        }
+    }
+    [[nodiscard]] Real signed_distance() const { return inside > 0.5 ? -distance : distance; }
+};
+
+/// A closed surface with dents and spikes: a sphere of rings whose radius is drawn for each point.
+TriangleMesh spiky(std::mt19937& random) {
+    constexpr int rings = 7, columns = 9;
+    TriangleMesh mesh;
+    mesh.points.emplace_back(0, -1, 0);
+    const double pi = 3.14159265358979323846;
+    for (int r = 0; r < rings; ++r) {
+        for (int c = 0; c < columns; ++c) {
+            const double polar = pi * (r + 1) / (rings + 1), turn = 2 * pi * c / columns;
+            const double radius = 0.75 + 0.4 * draw_even<Real>(random);
+            mesh.points.push_back(
+                radius * Vec3(std::sin(polar) * std::cos(turn), -std::cos(polar), -std::sin(polar) * std::sin(turn)));
+        }
+    }
+    mesh.points.emplace_back(0, 1, 0);
+    const int top = rings * columns + 1;
+    const auto at = [&](int r, int c) { return 1 + r * columns + c % columns; };
+    for (int c = 0; c < columns; ++c) {
+        mesh.triangles.push_back({0, at(0, c + 1), at(0, c)});
+        mesh.triangles.push_back({top, at(rings - 1, c), at(rings - 1, c + 1)});
+        for (int r = 0; r + 1 < rings; ++r) {
+            mesh.triangles.push_back({at(r, c), at(r, c + 1), at(r + 1, c)});
+            mesh.triangles.push_back({at(r, c + 1), at(r + 1, c + 1), at(r + 1, c)});
+        }
+    }
+    return mesh;
+}
+
+void expect_surface(const SolidShape& shape, const TriangleMesh& mesh, std::mt19937& random, Real tolerance) {
+    const std::array<Vec3, 2> extent = shape.extent();
+    const Vec3 half = Real(0.5) * (extent[1] - extent[0]), middle = Real(0.5) * (extent[1] + extent[0]);
+    for (int trial = 0; trial < 300; ++trial) {
+        const Vec3 p = middle + Real(1.5) * half.cwiseProduct(draw_point(random, 1));
+        const SurfaceDistance found = shape.measure(p);
+        ASSERT_NEAR(found.distance, Brute(mesh, p).signed_distance(), tolerance) << p.transpose();
+        ASSERT_NEAR(found.normal.norm(), 1, 1e-12);
+        // One distance along the normal leads to the surface
+        ASSERT_NEAR(Brute(mesh, p - found.distance * found.normal).distance, 0, tolerance) << p.transpose();
+    }
+}
+
+TEST(SolidShape, ABoxIsAsFarAsTheTrianglesOfItsSurface) {
+    std::mt19937 random(1);
+    const auto box = make_box({0.4, 0.7, 1.1});
+    expect_surface(*box, box->surface(), random, 1e-12);
+}
+
+TEST(SolidShape, ACapsuleIsAsFarAsTheTrianglesOfItsSurfaceUpToTheirSize) {
+    std::mt19937 random(2);
+    const auto capsule = make_capsule(0.2, 0.5);
+    expect_surface(*capsule, capsule->surface(), random, 2e-3);
+}
+
+/// With normals that are not weighted by angles, points beside some corners are on the wrong side. @cite baerentzen2005
+TEST(SolidShape, AMeshIsAsFarAsItsTrianglesWhateverItsDents) {
+    std::mt19937 random(3);
+    for (int trial = 0; trial < 8; ++trial) {
+        const TriangleMesh mesh = spiky(random);
+        expect_surface(*make_mesh_shape(mesh), mesh, random, 1e-12);
+    }
+}
+
+/// The least distance on a grid of points of a triangle.
+Real sampled_least(const Solid& solid, const std::array<Vec3, 3>& corners) {
+    constexpr int steps = 60;
+    Real least = std::numeric_limits<Real>::infinity();
+    for (int i = 0; i <= steps; ++i) {
+        for (int j = 0; i + j <= steps; ++j) {
+            const Real u = Real(i) / steps, v = Real(j) / steps;
+            least = std::min(
+                least, solid.distance(corners[0] + u * (corners[1] - corners[0]) + v * (corners[2] - corners[0])));
+        }
+    }
+    return least;
+}
+
+void expect_deepest(const Solid& solid, Real far, std::mt19937& random) {
+    for (int trial = 0; trial < 200; ++trial) {
+        const Vec3 middle = draw_point(random, far);
+        const std::array<Vec3, 3> corners{middle + draw_point(random, 0.1), middle + draw_point(random, 0.1),
+                                          middle + draw_point(random, 0.1)};
+        const DeepestPoint found = find_deepest_point(
+            solid, corners, {solid.measure(corners[0]), solid.measure(corners[1]), solid.measure(corners[2])});
+        const Vec3 there =
+            found.barycentric[0] * corners[0] + found.barycentric[1] * corners[1] + found.barycentric[2] * corners[2];
+        ASSERT_LT((there - found.point).norm(), 1e-12);
+        ASSERT_EQ(solid.distance(found.point), found.surface.distance);
+        ASSERT_TRUE(found.surface.distance <= 0 || found.surface.distance < sampled_least(solid, corners) + 1e-5);
+    }
+}
+
+TEST(DeepestPoint, IsAsLowAsAnyPointOfTheTriangleOutsideABox) {
+    std::mt19937 random(5);
+    Solid box = solid_at(make_box({0.3, 0.2, 0.4}));
+    box.orientation = Eigen::AngleAxis<Real>(0.7, Vec3(1, 2, 3).normalized());
+    expect_deepest(box, 0.3, random);
+}
+
+TEST(DeepestPoint, IsAsLowAsAnyPointOfTheTriangleOutsideACapsule) {
+    std::mt19937 random(6);
+    expect_deepest(solid_at(make_capsule(0.1, 0.3)), 0.3, random);
+}
+
+}  // namespace
+}  // namespace drape

@@ -1,0 +1,191 @@
+// Cloth on boxes, capsules and meshes, in whole scenes.
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include "drape/base/scratch_folder.h"
+#include "drape/contact/deepest_point.h"
+#include "drape/sim/failure.h"
+#include "drape/sim/scene.h"
+#include "drape/sim/scene_text.h"
+#include "drape/sim/simulation.h"
+#include "support/input_errors.h"
+
+namespace drape {
+namespace {
+
+using test::input_error_of;
+using testing::HasSubstr;
+
+/// The deepest point of any triangle in any solid, below the cloth's thickness, by a grid of points of each.
+Real deepest(const Simulation& simulation) {
+    constexpr int steps = 12;
+    Real depth = 0;
+    const Cloth& cloth = simulation.cloths()[0];
+    for (int t = 0; t < cloth.model.grid.triangles(); ++t) {
+        const auto corners = cloth.model.grid.triangle_corners(t);
+        const auto at = [&](std::size_t k) { return Vec3(cloth.state.x.row(corners[k]).transpose()); };
+        for (int i = 0; i <= steps; ++i) {
+            for (int j = 0; i + j <= steps; ++j) {
+                const Vec3 p = at(0) + Real(i) / steps * (at(1) - at(0)) + Real(j) / steps * (at(2) - at(0));
+                for (const Solid& solid : simulation.solids()) {
+                    depth = std::max(depth, simulation.settings().contact.thickness - solid.distance(p));
+                }
+            }
+        }
+    }
+    return depth;
+}
+
+Settings small(const std::string& scene, int particles) {
+    Settings settings = load_scene(scene);
+    ClothParameters& cloth = settings.cloths[0];
+    cloth.drag *= static_cast<Real>(cloth.particles.particles()) / static_cast<Real>(particles * particles);
+    cloth.particles = {particles, particles};
+    return settings;
+}
+
+void run(Simulation& simulation, double time) {
+    while (simulation.report().time < time && simulation.report().status == Status::Ok) simulation.step();
+}
+
+TEST(Solids, NothingOfAClothThatRestsOnABoxIsDeeperThanTheSlop) {
+    Simulation simulation("table", small("table", 12));
+    run(simulation, 1.2);
+    EXPECT_GT(simulation.report().contacts, 3);
+    EXPECT_LT(deepest(simulation), 5e-5);
+    EXPECT_EQ(simulation.report().status, Status::Ok);
+}
+
+TEST(Solids, ATableclothFallsAsleep) {
+    Settings settings = small("table", 8);
+    Simulation simulation("table", settings);
+    while (!simulation.report().asleep && simulation.report().time < 20) simulation.step();
+    EXPECT_TRUE(simulation.report().asleep);
+    EXPECT_GT(simulation.report().contacts, 3);
+    EXPECT_LT(deepest(simulation), 5e-5);
+}
+
+TEST(Solids, EachResponseAndMethodKeepsClothOutOfThem) {
+    for (const auto response :
+         {ResponseKind::Projection, ResponseKind::Impulse, ResponseKind::Hybrid, ResponseKind::Penalty}) {
+        for (const auto integrator : {IntegratorKind::SymplecticEuler, IntegratorKind::BackwardEuler}) {
+            Settings settings = small("table", 10);
+            settings.contact.response = response;
+            settings.solver.integrator = integrator;
+            Simulation simulation("table", settings);
+            run(simulation, 0.5);
+            EXPECT_GT(simulation.report().contacts, 3);
+            EXPECT_LT(deepest(simulation), 0.002) << name_of(response) << ", " << name_of(integrator);
+        }
+    }
+}
+
+TEST(Solids, NothingOfAClothThatRestsOnAMeshIsDeeperThanTheSlop) {
+    Settings settings = small("figure", 10);
+    Simulation simulation("figure", settings);
+    run(simulation, 0.4);
+    EXPECT_GT(simulation.report().contacts, 3);
+    EXPECT_LT(deepest(simulation), 2e-4);  // a mesh is not convex: what is lowest nearby is found
+}
+
+/// A plate as thin as a hair, as fast as a bullet.
+TEST(Solids, AFastThinPlateTakesTheClothAlong) {
+    for (const auto continuous : {Continuous::Auto, Continuous::Never}) {
+        Settings settings = small("table", 8);
+        settings.solver.dt = 1e-3;
+        settings.ground.solid = false;
+        settings.contact.continuous = continuous;
+        settings.cloths[0].structural.damping = settings.cloths[0].shear.damping = Real(0.02);
+        SolidSettings& plate = settings.solids[0];
+        plate.size = {2, Real(1e-4), 2};
+        plate.angle = 0;
+        plate.motion = SolidMotion::Path;
+        plate.path = {{0, Vec3(0, 0.3, 0)}, {Real(0.02), Vec3(0, 1.3, 0)}};
+        Simulation simulation("plate", settings);
+        run(simulation, 0.02);
+        const bool above = simulation.cloths()[0].state.x.col(1).minCoeff() > simulation.solids()[0].position.y();
+        EXPECT_EQ(above, continuous == Continuous::Auto);
+    }
+}
+
+TEST(Solids, APathCarriesThemAndAResetBringsThemBack) {
+    Settings settings = small("table", 6);
+    settings.solids[0].motion = SolidMotion::Path;
+    settings.solids[0].path = {{0, Vec3(0, 0.2, 0)}, {Real(0.1), Vec3(0.3, 0.2, 0)}};
+    Simulation simulation("table", settings);
+    run(simulation, 0.2);
+    EXPECT_NEAR(simulation.solids()[0].position.x(), 0.3, 1e-9);
+    const std::uint64_t hash = simulation.hash();
+    simulation.apply(command::Reset{});
+    EXPECT_NEAR(simulation.solids()[0].position.x(), 0, 1e-9);
+    run(simulation, 0.2);
+    EXPECT_EQ(simulation.hash(), hash);
+}
+
+TEST(Solids, ASettingOfTheirsIsChangedInMidRunAndWakesTheScene) {
+    Simulation simulation("table", small("table", 6));
+    run(simulation, 0.1);
+    simulation.apply(command::Set{"solid.position=0,0.1,0"});
+    EXPECT_EQ(simulation.solids()[0].position.y(), Real(0.1));
+    EXPECT_THAT(input_error_of([&] { simulation.apply(command::Set{"solid.shape=mesh"}); }),
+                HasSubstr("allowed only with a solid.file"));
+    EXPECT_EQ(simulation.settings().solids[0].shape, SolidKind::Box);
+}
+
+TEST(Solids, TheBitsDoNotDependOnTheHierarchy) {
+    Settings settings = small("table", 14);
+    std::vector<std::uint64_t> hashes;
+    for (const auto volume : {VolumeKind::Brute, VolumeKind::Sphere, VolumeKind::Obb}) {
+        settings.contact.volume = volume;
+        Simulation simulation("table", settings);
+        run(simulation, 0.35);
+        EXPECT_GT(simulation.report().contacts, 0);
+        hashes.push_back(simulation.hash());
+    }
+    EXPECT_EQ(hashes[1], hashes[0]);
+    EXPECT_EQ(hashes[2], hashes[0]);
+}
+
+TEST(Solids, AreWrittenToASceneFileAndReadBack) {
+    Settings settings = load_scene("table");
+    SolidSettings& capsule = settings.solids.emplace_back();
+    capsule.shape = SolidKind::Capsule;
+    capsule.position = {1, 2, 3};
+    capsule.axis = {0, 0, 1};
+    capsule.angle = 30;
+    const Settings read = parse_scene(scene_text(settings), "mine.toml");
+    EXPECT_EQ(read.solids, settings.solids);
+}
+
+TEST(Solids, TheSceneOfAFailureHasItsMeshBesideIt) {
+    Settings settings = small("figure", 6);
+    settings.solver.dt = 0.05;
+    settings.solver.integrator = IntegratorKind::ExplicitEuler;
+    Simulation simulation("figure", settings);
+    while (simulation.report().status == Status::Ok && simulation.report().step < 10000) simulation.step();
+    ASSERT_EQ(simulation.report().status, Status::Diverged);
+    const ScratchFolder folder;
+    const Settings read = load_scene(write_failure(simulation, folder.path()).string());
+    EXPECT_EQ(Simulation("unstable", read).solids().size(), 1u);
+}
+
+TEST(Solids, BadSettingsAreNamedWithTheirLine) {
+    const auto error_of = [](const std::string& lines) {
+        return input_error_of([&] { parse_scene("[cloth]\n[[solid]]\n" + lines, "mine.toml"); });
+    };
+    EXPECT_THAT(error_of("shape = \"cone\""),
+                HasSubstr("mine.toml:3:9: solid.shape = cone: allowed 'box', 'capsule' or 'mesh'"));
+    EXPECT_THAT(error_of("size = [1, 0, 1]"),
+                HasSubstr("mine.toml:3:8: solid.size = [1, 0, 1]: allowed three numbers"));
+    EXPECT_THAT(error_of("axis = [0, 0, 0]"),
+                HasSubstr("mine.toml:3:8: solid.axis = [0, 0, 0]: allowed a length of at least 1e-06"));
+    EXPECT_THAT(error_of("motion = \"path\""),
+                HasSubstr("mine.toml:3:10: solid.motion = path: allowed only with a solid.path"));
+    EXPECT_THAT(error_of("shape = \"mesh\""),
+                HasSubstr("mine.toml:3:9: solid.shape = mesh: allowed only with a solid.file"));
+    EXPECT_THAT(error_of("colour = 1"), HasSubstr("unknown key 'solid.colour'"));
+}
+
+}  // namespace
+}  // namespace drape
