@@ -109,6 +109,7 @@ TEST(NextValue, GoesThroughEveryChoiceAndBack) {
     for (const Setting& setting : setting_table()) {
         if (setting.kind != SettingKind::Choice) continue;
         Settings settings = with_balls(1);
+        settings.solids.emplace_back();
         assign(settings, setting.full_name() + "=" + setting.choices[0]);
         for (std::size_t i = 0; i < 2 * setting.choices.size(); ++i) {
             EXPECT_EQ(std::get<std::string>(setting.read(settings, 0)), setting.choices[i % setting.choices.size()])
