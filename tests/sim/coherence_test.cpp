@@ -23,11 +23,11 @@ bool touches_anything(const Simulation& simulation) {
     return false;
 }
 
-/// One step. @return true if its build was left out
+/// One step. @return true if the build of every cloth was left out
 bool step_skips(Simulation& simulation) {
     const std::int64_t before = simulation.report().skipped_builds;
     simulation.step();
-    return simulation.report().skipped_builds > before;
+    return simulation.report().skipped_builds == before + static_cast<std::int64_t>(simulation.cloths().size());
 }
 
 class CoherentScene : public testing::TestWithParam<std::string> {};
@@ -39,7 +39,10 @@ TEST_P(CoherentScene, TouchesNothingInTheStepsThatItSkipsAndHasTheSameBits) {
     settings.contact.coherence = false;
     Simulation plain(GetParam(), settings);
     int skips = 0;
-    for (int step = 0; step < 4000; ++step) {
+    // Cloth on cloth and on meshes takes long
+    const bool is_costly = settings.contact.self || !settings.solids.empty();
+    const int steps = is_costly ? 500 : 4000;
+    for (int step = 0; step < steps; ++step) {
         plain.step();
         if (!step_skips(coherent)) continue;
         if (skips++ % 10 > 0) continue;
