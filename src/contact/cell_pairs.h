@@ -1,6 +1,6 @@
 #pragma once
 
-#include <vector>
+#include <span>
 
 #include "drape/contact/near_pairs.h"
 
@@ -16,7 +16,7 @@ void for_each_cell_of(const Grid& grid, const CellRange& cells, Visit visit) {
 
 /// Calls visit(one, two) for each pair of cells in pairs of leaves whose boxes meet; of one leaf, once for each.
 template <class Visit>
-void for_each_pair_of_cells(const BoxedCloth& first, const BoxedCloth& second, const std::vector<LeafPair>& leaves,
+void for_each_pair_of_cells(const BoxedCloth& first, const BoxedCloth& second, std::span<const LeafPair> leaves,
                             Visit visit) {
     for (const auto& [cells, others] : leaves) {
         const bool same = first.cloth.number == second.cloth.number && cells == others;

@@ -44,7 +44,7 @@ std::int64_t through_cell(const ClothAt& of_edges, int edge_cell, const ClothAt&
 
 }  // namespace
 
-std::int64_t count_crossings(const BoxedCloth& first, const BoxedCloth& second, const std::vector<LeafPair>& leaves) {
+std::int64_t count_crossings(const BoxedCloth& first, const BoxedCloth& second, std::span<const LeafPair> leaves) {
     std::int64_t count = 0;
     for_each_pair_of_cells(first, second, leaves, [&](int one, int two) {
         count += through_cell(first.cloth, one, second.cloth, two);

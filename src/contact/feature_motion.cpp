@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 
 #include "drape/contact/closest_point.h"
 #include "drape/contact/segments.h"
@@ -9,8 +10,12 @@
 namespace drape {
 namespace {
 
-/// Of the distance at the start: less than this is a meeting, and nothing comes nearer than that.
-constexpr Real meeting = Real(0.2), nearest = Real(0.1);
+/// Of the distance at the start: nothing comes nearer than this, and what would come nearer than somewhat more is
+/// stopped.
+constexpr Real nearest_part = Real(0.1), margin_part = Real(0.1);
+
+/// The same of a distance that is not to become smaller at all: as little as rounding lets through.
+constexpr Real hardly_nearer = 1 - 256 * std::numeric_limits<Real>::epsilon();
 
 /// Features that still creep along each other after so many rounds are stopped where they are.
 constexpr int most_advances = 400;
@@ -33,15 +38,18 @@ Real FeatureMotion::longest_approach() const {
     return std::sqrt(square);
 }
 
-Real safe_part_of(const FeatureMotion& motion, Real distance) {
+Real safe_part_of(const FeatureMotion& motion, Real distance, Real least) {
+    const Real of_distance = distance > least ? std::max(nearest_part, least / distance) : hardly_nearer;
+    const Real nearest = std::min(of_distance, hardly_nearer) * distance;
+    const Real meeting = nearest + std::min(margin_part * distance, (distance - nearest) / 2);
     const Real approach = motion.longest_approach();
     Real part = 0, left = distance;
     for (int round = 0; round < most_advances; ++round) {
-        if ((1 - part) * approach <= left - meeting * distance) return 1;
-        part += (left - nearest * distance) / approach;
+        if ((1 - part) * approach <= left - meeting) return 1;
+        part += (left - nearest) / approach;
         if (part >= 1) part = 1;
         left = motion.distance_after(part);
-        if (left < meeting * distance) return part;
+        if (left < meeting) return part;
         if (part == 1) return 1;
     }
     return part;

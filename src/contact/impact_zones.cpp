@@ -16,22 +16,25 @@ Vec3 way_of_particle(const ClothInContact& cloth, int particle) {
     return position(cloth.state.x, particle) - position(cloth.before, particle);
 }
 
-/// The mean of what the members of a zone have, by mass; that of the pinned ones where there are any.
+/// The mean of what the members of a zone have, by mass. Where there are pinned ones, what the slowest of them has: a
+/// pin stays, and one that the hand leads may be held back.
 template <class Members, class Value>
 Vec3 mean_of(std::span<const ClothInContact> cloths, const Members& members, Value value) {
     Vec3 sum = Vec3::Zero(), of_pinned = Vec3::Zero();
-    Real mass = 0, pinned = 0;
+    Real mass = 0;
+    bool any_pinned = false;
     for (const auto& member : members) {
         const ClothModel& model = cloth_of(cloths, member.cloth).model;
         if (model.pinned(member.particle)) {
-            of_pinned += value(member);
-            pinned += 1;
+            const Vec3 one = value(member);
+            if (!any_pinned || one.squaredNorm() < of_pinned.squaredNorm()) of_pinned = one;
+            any_pinned = true;
         } else {
             sum += model.particle_mass * value(member);
             mass += model.particle_mass;
         }
     }
-    return pinned > 0 ? Vec3(of_pinned / pinned) : Vec3(sum / mass);
+    return any_pinned ? of_pinned : Vec3(sum / mass);
 }
 
 }  // namespace
@@ -81,8 +84,10 @@ bool ImpactZones::within_one_zone(const NearPair& pair) const {
 
 /// All particles of a pair, and of the zones that they are in, become one zone.
 void ImpactZones::join(const NearPair& pair, std::span<const ClothInContact> cloths, Real part) {
+    const auto size_of = [&](int zone) { return zone < 0 ? 0 : zones_[static_cast<std::size_t>(zone)].members.size(); };
     int all = -1;
-    for (std::size_t k = 0; k < 4; ++k) all = std::max(all, zone_of_[number_of(pair, k)]);
+    for (std::size_t k = 0; k < 4; ++k)
+        all = std::max(all, zone_of_[number_of(pair, k)], [&](int a, int b) { return size_of(a) < size_of(b); });
     if (all < 0) {
         all = static_cast<int>(zones_.size());
         zones_.emplace_back();
@@ -127,14 +132,15 @@ void ImpactZones::move_zones(std::span<const ClothInContact> cloths) const {
 
 /// A pair without any distance has met already.
 bool ImpactZones::find(std::span<const NearPair> pairs, std::span<const ClothInContact> cloths,
-                       std::span<const std::size_t> first) {
+                       std::span<const std::size_t> first, Real least) {
+    least_ = least;
     first_ = first;
     zone_of_.assign(first.back(), -1);
     place_in_.resize(first.back());
     zones_.clear();
     for (const NearPair& pair : pairs) {
         if (pair.distance == 0) continue;
-        const Real part = safe_part_of(first_motion_of(pair, cloths), pair.distance);
+        const Real part = safe_part_of(first_motion_of(pair, cloths), pair.distance, least_);
         if (part < 1) join(pair, cloths, part);
     }
     return !zones_.empty();
@@ -147,8 +153,8 @@ void ImpactZones::hold_back(std::span<const NearPair> pairs, std::span<const Clo
         meets = false;
         for (const NearPair& pair : pairs) {
             if (pair.distance == 0 || !touches_zone(pair) || within_one_zone(pair)) continue;
-            if (safe_part_of(motion_of(pair, cloths), pair.distance) == 1) continue;
-            join(pair, cloths, safe_part_of(first_motion_of(pair, cloths), pair.distance));
+            if (safe_part_of(motion_of(pair, cloths), pair.distance, least_) == 1) continue;
+            join(pair, cloths, safe_part_of(first_motion_of(pair, cloths), pair.distance, least_));
             meets = true;
         }
     }

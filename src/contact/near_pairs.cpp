@@ -177,17 +177,14 @@ Aabb CellBoxes::of(const Grid& grid, const CellRange& cells) const {
     return all;
 }
 
-std::int64_t find_near_pairs(const BoxedCloth& first, const BoxedCloth& second, const std::vector<LeafPair>& leaves,
-                             std::vector<NearPair>& pairs) {
+void find_near_pairs(const BoxedCloth& first, const BoxedCloth& second, std::span<const LeafPair> leaves,
+                     std::vector<NearPair>& pairs) {
     const FeatureTest test{pairs};
-    std::int64_t tested = 0;
     for_each_pair_of_cells(first, second, leaves, [&](int one, int two) {
-        ++tested;
         // Of one cloth, in the order of the cells whatever the order of the leaves
         const bool turned = first.cloth.number == second.cloth.number && two < one;
         turned ? test.cells(second, two, first, one) : test.cells(first, one, second, two);
     });
-    return tested;
 }
 
 }  // namespace drape

@@ -33,7 +33,7 @@ double hierarchy_bytes(const ContactSettings& contact, const Grid& grid) {
 /// Where cloths meet themselves and each other: a second hierarchy and the boxes of its cells, numbers of a particle,
 /// and room for pairs of features, as many as where much of a cloth lies on cloth.
 double self_contact_bytes(const ContactSettings& contact, const Grid& grid) {
-    constexpr double pairs = 30, touching = 2, numbers_of_search = 3 + 4 + 6;
+    constexpr double pairs = 60, touching = 2, numbers_of_search = 3 + 4 + 6;
     if (!contact.self) return 0;
     const double of_particle =
         sizeof(Real) * numbers_of_search + sizeof(Aabb) + pairs * sizeof(NearPair) + touching * sizeof(PairContact);

@@ -82,14 +82,14 @@ std::string crossing_warning(const CrossingDanger& danger) {
 }
 
 std::string search_trouble(const StepReport& report) {
-    return "cloth moves so far within step " + std::to_string(report.step + 1) +
-           " that contact.self cannot look at all that may meet; a shorter solver.dt divides its way";
+    return "so much cloth is near, or moves so far within step " + std::to_string(report.step + 1) +
+           ", that contact.self cannot look at all that may meet; reduce solver.dt or contact.thickness";
 }
 
 std::string start_warning(std::int64_t crossings) {
     if (crossings == 0) return {};
-    return "edges cross triangles of cloth " + std::to_string(crossings) + (crossings == 1 ? " time" : " times") +
-           " at the start, and may stay so";
+    return "cloth crosses cloth in " + std::to_string(crossings) + (crossings == 1 ? " place" : " places") +
+           " at the start and may stay crossed";
 }
 
 std::string doubt_warning(const StepReport& report) {

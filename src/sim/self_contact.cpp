@@ -1,10 +1,16 @@
 #include "drape/sim/self_contact.h"
 
+#include <algorithm>
+#include <limits>
+
 namespace drape {
 namespace {
 
 /// The side of a leaf where none is given: a pair of leaves is tested cell by cell.
 constexpr int pair_leaf_cells = 4;
+
+/// Of the thickness, that cloth keeps from cloth whatever presses it.
+constexpr Real of_thickness_kept = Real(1e-3);
 
 /// How far two features are beyond the thickness after the integrator's step, along the normal of its start.
 Real gap_after(std::span<const ClothInContact> cloths, const NearPair& pair, Real thickness) {
@@ -34,11 +40,16 @@ void SelfContact::use(const Settings& settings, std::span<const ClothModel* cons
     report_ = {};
     crossings_at_start_ = 0;
     if (!on_) return;
+    use_hierarchy(settings, models);
+    crossings_at_start_ = search_.count_crossings(x);
+}
+
+void SelfContact::use_hierarchy(const Settings& settings, std::span<const ClothModel* const> models) {
+    if (!on_) return;
     BroadPhaseParameters parameters = broad_phase_of(settings);
     parameters.search = {};
     if (parameters.leaf_cells == 0) parameters.leaf_cells = pair_leaf_cells;
     search_.use(parameters, models);
-    crossings_at_start_ = search_.count_crossings(x);
 }
 
 void SelfContact::take_pushes(const ResponseParameters& parameters, Real h, Real gravity,
@@ -67,7 +78,9 @@ void SelfContact::find(const ResponseParameters& parameters, std::span<const Clo
 bool SelfContact::would_cross(std::span<const ClothInContact> cloths) {
     if (!on_) return false;
     search_.extend(cloths, report_);
-    return is_near() && zones_.find(search_.pairs(), cloths, search_.first_particles());
+    const Real rounding = 64 * std::numeric_limits<Real>::epsilon();
+    const Real least = std::max(of_thickness_kept * search_.thickness(), rounding);
+    return is_near() && zones_.find(search_.pairs(), cloths, search_.first_particles(), least);
 }
 
 /// What is held back may go another way than the search has assumed.

@@ -14,9 +14,11 @@ constexpr Real response_allowance = Real(1.5);
 /// the thickness at rest.
 constexpr Real substeps_ahead = 8, spacing_ahead = Real(0.5), thickness_ahead = Real(0.25);
 
-/// Pairs that a list has room for, a particle in the mean; and how many of the same sheet there are within a reach, a
-/// square of the particles' spacing.
-constexpr Real most_pairs = 2000, pairs_a_square = 30;
+/// Pairs of a flat sheet that are within a reach, a particle and a square of the particles' spacing.
+constexpr Real pairs_a_square = 30;
+
+/// Pairs of leaves that are looked through from one look at the length of the list to the next.
+constexpr std::size_t leaves_at_once = 1024;
 
 /// A cloth at the start of the substep.
 ClothAt at(std::span<const ClothInContact> cloths, int number) {
@@ -136,6 +138,8 @@ bool SelfSearch::is_too_far() const {
     return !(pairs_a_square * squares <= most_pairs * static_cast<Real>(first_.back()));
 }
 
+bool SelfSearch::is_too_long(std::size_t list) const { return list > most_pairs * first_.back(); }
+
 /// Of the particles of both features, the largest numbers together.
 Real SelfSearch::sum_of_largest(const FeaturePair& pair, const Numbers& of_particles) const {
     std::array<Real, 2> largest{};
@@ -170,14 +174,13 @@ bool SelfSearch::extend(std::span<const ClothInContact> cloths, SelfSearchReport
 
 /// A pair that was farther apart than both features have strayed, and may yet reach, is not near.
 void SelfSearch::look_at_pairs(std::span<const ClothInContact> cloths, SelfSearchReport& report) {
-    near_.clear();
     report.gave_up = is_too_far();
     if (report.gave_up) return forget();
     find_strayed(cloths);
-    report.kept_list = listed_ && (strayed_ <= allowed_).all();
-    if (!report.kept_list) {
+    if (!listed_ || (strayed_ > allowed_).any()) {
         allow_for();
         make_list(cloths, report);
+        if (report.gave_up) return forget();
         strayed_ = reaches_;
     }
     near_.clear();
@@ -223,7 +226,13 @@ void SelfSearch::search(std::span<const ClothInContact> cloths, int first, int s
     const Real margin = largest(first) + largest(second);
     report.traversal += one.tree->query(*two.tree, margin, first == second ? &one.folds : nullptr, leaves_);
     if (leaves_.empty()) return;
-    report.cells += find_near_pairs(box(first), box(second), leaves_, near_);
+    const BoxedCloth at_one = box(first), at_two = box(second);
+    for (std::size_t k = 0; k < leaves_.size(); k += leaves_at_once) {
+        const auto some = std::span(leaves_).subspan(k, std::min(leaves_at_once, leaves_.size() - k));
+        find_near_pairs(at_one, at_two, some, near_);
+        report.gave_up = report.gave_up || is_too_long(near_.size());
+        if (report.gave_up) return;
+    }
 }
 
 }  // namespace drape

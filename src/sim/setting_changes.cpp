@@ -106,11 +106,15 @@ void check_solid(const SolidSettings& solid, std::size_t index) {
     }
 }
 
-/// Cloth keeps away from cloth by its thickness.
-void check_contact(const ContactSettings& contact) {
-    if (!contact.self || contact.thickness > 0) return;
+/// Cloth keeps away from cloth by its thickness, which has to be well above the depth that resting contacts keep.
+void check_self_contact(const Settings& settings) {
+    constexpr Real least = Real(1e-4);  // m
+    const Real thickness = response_of(settings).pair_thickness;
+    if (!settings.contact.self || thickness >= least) return;
     throw MisfitError("contact", 0, "self",
-                      "contact.self = true: allowed only with a contact.thickness greater than 0");
+                      "contact.self = true: cloth would keep " + real_text(static_cast<double>(thickness)) +
+                          " m from cloth, by contact.thickness and half of what particles are from diagonals: "
+                          "allowed only with at least 0.0001 m");
 }
 
 }  // namespace
@@ -175,7 +179,7 @@ void check(const Settings& settings) {
                               std::to_string(most_particles));
     }
     check_memory(settings);
-    check_contact(settings.contact);
+    check_self_contact(settings);
     for (std::size_t b = 0; b < settings.balls.size(); ++b) {
         check_path("ball", b, settings.balls[b].motion == BallMotion::Path, settings.balls[b].path);
     }

@@ -185,8 +185,6 @@ void Simulation::narrow(const Substep& now) {
     report_.times.narrow += watch.lap();
     self_contact_.find(response_of(settings_), in_contact_, balls_);
     report_.pairs = static_cast<std::int64_t>(self_contact_.contacts().size());
-    report_.listed_pairs = self_contact_.report().listed;
-    report_.between_cloths += self_contact_.report().traversal;
     report_.times.pairs += watch.lap();
     for (Cloth& cloth : cloths_) {
         report_.false_contacts += cloth.search.false_contacts(cloth.state.x, balls_, thickness);
@@ -200,6 +198,8 @@ bool Simulation::respond(const Substep& now) {
     look_again(now);
     report_.times.respond += watch.lap();
     hold_back();
+    report_.listed_pairs = self_contact_.report().listed;
+    report_.between_cloths = self_contact_.report().traversal;
     report_.times.pairs += watch.lap();
     resist_rolling();
     for (Ball& ball : balls_) turn_ball(ball);
@@ -233,7 +233,7 @@ void Simulation::hold_back() {
     for (Cloth& cloth : cloths_) cloth.energy.before_hold(cloth.model, cloth.state);
     const ZoneReport held = self_contact_.hold_back(in_contact_);
     for (Cloth& cloth : cloths_) cloth.energy.after_hold(cloth.model, cloth.state);
-    report_.held_back += held.particles;
+    report_.held_back = held.particles;
     report_.penetration = static_cast<double>(depth_left(response_of(settings_), in_contact_, balls_));
 }
 

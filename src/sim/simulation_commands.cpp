@@ -132,7 +132,11 @@ void Simulation::configure(Settings settings) {
     }
     for (std::size_t c = 0; c < cloths_.size(); ++c) configure_cloth(c, before);
     const bool same_search = broad_phase_of(settings_) == broad_phase_of(before);
-    if (settings_.contact.self != before.contact.self || !same_search) use_self_contact();
+    if (settings_.contact.self != before.contact.self) {
+        use_self_contact();
+    } else if (!same_search) {
+        self_contact_.use_hierarchy(settings_, cloth_models());
+    }
     configure_balls(before);
     if (!same_step_plan(settings_, before)) plan(1);
     if (!same_motion(settings_, before)) wake();
@@ -157,14 +161,16 @@ void Simulation::configure_cloth(std::size_t number, const Settings& before) {
     if (hierarchy != broad_phase_of(before)) cloth.search.use(hierarchy, cloth.model.grid, cloth.state.x);
 }
 
-void Simulation::use_self_contact() {
+std::vector<const ClothModel*> Simulation::cloth_models() const {
     std::vector<const ClothModel*> models;
+    for (const Cloth& cloth : cloths_) models.push_back(&cloth.model);
+    return models;
+}
+
+void Simulation::use_self_contact() {
     std::vector<const Points*> positions;
-    for (const Cloth& cloth : cloths_) {
-        models.push_back(&cloth.model);
-        positions.push_back(&cloth.state.x);
-    }
-    self_contact_.use(settings_, models, positions);
+    for (const Cloth& cloth : cloths_) positions.push_back(&cloth.state.x);
+    self_contact_.use(settings_, cloth_models(), positions);
 }
 
 }  // namespace drape

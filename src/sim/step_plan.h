@@ -24,7 +24,7 @@ int substeps_in_contact(const Settings& settings, bool touches, int planned);
 
 /// In how many substeps a step is made where cloths meet themselves and each other: in none of them a particle goes
 /// farther than half of what particles are apart at rest, but for what all move by together. What is longer would bring
-/// every neighbour near. At most 32: cloth that moves faster ends the run.
+/// every neighbour near. By the velocities at its start, and at most 32.
 int substeps_of_motion(std::span<const Cloth> cloths, const SolverSettings& solver);
 
 /// That a substep is longer than the limit of the penalty at a particle of some cloth, where the response has one, in

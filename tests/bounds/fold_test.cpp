@@ -33,7 +33,8 @@ std::size_t pairs_in(const Grid& grid, const Points& x, const CellRange& first, 
     boxes.build(grid, x, reaches);
     std::vector<NearPair> pairs;
     const BoxedCloth cloth{{0, grid, x}, boxes, reaches};
-    find_near_pairs(cloth, cloth, {{first, second}}, pairs);
+    const LeafPair leaves{first, second};
+    find_near_pairs(cloth, cloth, {&leaves, 1}, pairs);
     return pairs.size();
 }
 

@@ -12,6 +12,9 @@ namespace {
 
 using test::crossings;
 
+/// Distance that cloth is to keep [m].
+constexpr Real least_gap = Real(1e-6);
+
 /// Two cloths that come near each other and themselves.
 struct TwoCloths {
     std::array<ClothModel, 2> models;
@@ -38,7 +41,8 @@ struct TwoCloths {
         std::vector<NearPair> pairs;
         for (const auto& [first, second] : {std::pair(0, 0), std::pair(0, 1), std::pair(1, 1)}) {
             const BoxedCloth &one = all[first], &two = all[second];
-            find_near_pairs(one, two, {{all_cells(one.cloth.grid), all_cells(two.cloth.grid)}}, pairs);
+            const LeafPair all_of_both{all_cells(one.cloth.grid), all_cells(two.cloth.grid)};
+            find_near_pairs(one, two, {&all_of_both, 1}, pairs);
         }
         return pairs;
     }
@@ -58,7 +62,7 @@ struct TwoCloths {
         ImpactZones zones;
         const auto cloths = in_contact();
         const auto first = first_particles();
-        if (!zones.find(pairs, cloths, first)) return {};
+        if (!zones.find(pairs, cloths, first, least_gap)) return {};
         zones.hold_back(pairs, cloths);
         return zones.report(cloths);
     }
@@ -194,13 +198,13 @@ TEST(SafePart, IsWholeWhereNothingMeetsAndEndsShortOfAMeeting) {
         for (std::size_t k = 0; k < 4; ++k) motion.start[k] = point(), motion.way[k] = 2 * point();
         const Real distance = motion.distance_after(0);
         if (distance < Real(1e-3)) continue;
-        const Real part = safe_part_of(motion, distance);
-        Real least = distance;
+        const Real part = safe_part_of(motion, distance, least_gap);
+        Real nearest = distance;
         constexpr int samples = 2000;
         for (int s = 0; s <= samples; ++s) {
-            least = std::min(least, motion.distance_after(part * static_cast<Real>(s) / samples));
+            nearest = std::min(nearest, motion.distance_after(part * static_cast<Real>(s) / samples));
         }
-        ASSERT_GE(least, Real(0.1) * distance * (1 - Real(1e-9))) << trial;
+        ASSERT_GE(nearest, Real(0.1) * distance * (1 - Real(1e-9))) << trial;
         if (part == 1) {
             ++parted;
             continue;
@@ -212,14 +216,29 @@ TEST(SafePart, IsWholeWhereNothingMeetsAndEndsShortOfAMeeting) {
     EXPECT_GT(parted, 1000);
 }
 
+TEST(SafePart, LeavesTheLeastDistanceUnderALoadThatLasts) {
+    // Pressed on and on, and then let go
+    FeatureMotion motion{.first_count = 1,
+                         .start = {Vec3(0, Real(1e-3), 0), Vec3(-1, 0, -1), Vec3(1, 0, -1), Vec3(0, 0, 1)},
+                         .way = {Vec3(0, Real(-0.01), 0), Vec3::Zero(), Vec3::Zero(), Vec3::Zero()}};
+    for (int substep = 0; substep < 2000; ++substep) {
+        const Real distance = motion.distance_after(0);
+        motion.start[0] += safe_part_of(motion, distance, least_gap) * motion.way[0];
+    }
+    EXPECT_GT(motion.distance_after(0), Real(0.99) * least_gap);
+    EXPECT_LT(motion.distance_after(0), 3 * least_gap);
+    motion.way[0] = -motion.way[0];
+    EXPECT_EQ(safe_part_of(motion, motion.distance_after(0), least_gap), 1);
+}
+
 TEST(SafePart, EndsBeforeAMeetingAtTheVeryEndOfTheWay) {
     FeatureMotion motion{.first_count = 1,
                          .start = {Vec3(0, 1, 0), Vec3(-1, 0, -1), Vec3(1, 0, -1), Vec3(0, 0, 1)},
                          .way = {Vec3(0, -1, 0), Vec3::Zero(), Vec3::Zero(), Vec3::Zero()}};
-    EXPECT_GE(safe_part_of(motion, 1), 0.8);
-    EXPECT_LE(safe_part_of(motion, 1), 0.9);
+    EXPECT_GE(safe_part_of(motion, 1, least_gap), 0.8);
+    EXPECT_LE(safe_part_of(motion, 1, least_gap), 0.9);
     motion.way[0].y() = Real(-0.79);
-    EXPECT_EQ(safe_part_of(motion, 1), 1);
+    EXPECT_EQ(safe_part_of(motion, 1, least_gap), 1);
 }
 
 }  // namespace

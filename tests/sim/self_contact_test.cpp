@@ -213,6 +213,87 @@ TEST(SelfContact, LetsAFastBallLiftTheCloth) {
     EXPECT_NEAR(height_of(true), without, 0.1);
 }
 
+/// A ball that presses three sheets onto the ground, and leaves them no room.
+Settings pressed_sheets() {
+    Settings settings = stacked_sheets();
+    settings.ground.height = 0;
+    settings.balls[0].motion = BallMotion::Path;
+    settings.balls[0].path = {{0, {0, Real(0.3), 0}}, {Real(0.15), {0, Real(0.203), 0}}, {1, {0, Real(0.203), 0}}};
+    for (std::size_t c = 0; c < 3; ++c) settings.cloths[c].place = {0, Real(0.012) * static_cast<Real>(c + 1), 0};
+    return settings;
+}
+
+TEST(SelfContact, HasNoCrossingWhereSheetsHaveNoRoom) {
+    Simulation simulation("pressed", pressed_sheets());
+    std::int64_t held_back = 0;
+    while (simulation.report().time < (test::sanitized ? 0.2 : 0.3)) {
+        simulation.step();
+        if (simulation.report().status != Status::Ok) break;
+        held_back += simulation.report().held_back;
+        if (simulation.report().step % 10 == 0) {
+            ASSERT_EQ(crossings_in(simulation), 0) << simulation.report().time << " s";
+        }
+    }
+    EXPECT_GT(held_back, 0);
+}
+
+TEST(SelfContact, LeavesPinsWhereTheyAreWhateverTheHandPulls) {
+    Settings settings = base_settings();
+    settings.ground.solid = false;
+    for (const Real height : {Real(0), Real(0.03)}) {
+        ClothParameters cloth;
+        cloth.particles = {3, 3};
+        cloth.width = cloth.height = Real(0.2);
+        cloth.centred = true;
+        cloth.place = {0, height, 0};
+        if (height == 0) cloth.pinned = {Pins::Kind::List, {0, 1, 2, 3, 5, 6, 7, 8}};
+        settings.cloths.push_back(cloth);
+    }
+    Simulation simulation("pins", std::move(settings));
+    const Points before = simulation.cloths()[0].state.x;
+    simulation.apply(parse_command("grab 1 4"));
+    simulation.apply(parse_command("drag 0.02 -0.4 0.03"));
+    while (simulation.report().time < 0.5) simulation.step();
+    for (const int pin : {0, 1, 2, 3, 5, 6, 7, 8}) {
+        EXPECT_EQ(simulation.cloths()[0].state.x.row(pin), before.row(pin)) << pin;
+    }
+    EXPECT_EQ(crossings_in(simulation), 0);
+}
+
+TEST(SelfContact, HasTheSameBitsWithAnyHierarchy) {
+    const auto hash_with = [](const char* command) {
+        Simulation simulation("stack", stacked_sheets());
+        for (int step = 0; step < 800; ++step) {
+            if (step == 600) simulation.apply(parse_command(command));
+            simulation.step();
+        }
+        return simulation.hash();
+    };
+    EXPECT_EQ(hash_with("set contact.volume=aabb"), hash_with("set contact.leaf_cells=2"));
+    EXPECT_EQ(hash_with("set contact.volume=aabb"), hash_with("set contact.coherence=false"));
+}
+
+TEST(SelfContact, EndsTheRunWhereTooMuchIsNear) {
+    Settings settings = base_settings();
+    for (int k = 0; k < 64; ++k) {
+        ClothParameters cloth;
+        cloth.particles = {6, 6};
+        cloth.width = cloth.height = Real(0.1);
+        cloth.place = {0, Real(1e-4) * static_cast<Real>(k), 0};
+        settings.cloths.push_back(cloth);
+    }
+    Simulation simulation("layers", std::move(settings));
+    simulation.step();
+    EXPECT_EQ(simulation.report().status, Status::Diverged);
+    EXPECT_THAT(simulation.report().trouble, testing::HasSubstr("contact.self"));
+}
+
+TEST(SelfContact, IsRefusedWhereClothWouldKeepNextToNothingApart) {
+    Settings settings = stacked_sheets();
+    settings.contact.thickness = Real(1e-5);
+    EXPECT_THROW(check(settings), MisfitError);
+}
+
 TEST(SelfContact, SaysThatASceneStartsWithCrossings) {
     Settings settings = stacked_sheets();
     EXPECT_EQ(Simulation("apart", settings).step_warning(), "");

@@ -1,6 +1,6 @@
 #pragma once
 
-#include <vector>
+#include <span>
 
 #include "drape/contact/near_pairs.h"
 
@@ -11,6 +11,6 @@ namespace drape {
 /// What only touches may count or not, by the last digits.
 /// @param leaves where cells may meet, as a query for pairs of these two cloths found
 /// @par Cost O(pairs of cells in the leaves)
-std::int64_t count_crossings(const BoxedCloth& first, const BoxedCloth& second, const std::vector<LeafPair>& leaves);
+std::int64_t count_crossings(const BoxedCloth& first, const BoxedCloth& second, std::span<const LeafPair> leaves);
 
 }  // namespace drape

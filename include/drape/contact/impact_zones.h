@@ -25,9 +25,10 @@ class ImpactZones {
 public:
     /// Looks for pairs that meet.
     /// @param first number of each cloth's first particle among all, and of all in the end; it has to last
+    /// @param least distance that cloth is to keep from cloth, whatever presses it [m]
     /// @return whether there are any
     bool find(std::span<const NearPair> pairs, std::span<const ClothInContact> cloths,
-              std::span<const std::size_t> first);
+              std::span<const std::size_t> first, Real least);
 
     /// Holds back what was found, and what meets these in turn.
     /// @param pairs all that may meet
@@ -54,6 +55,7 @@ private:
     void join(const NearPair& pair, std::span<const ClothInContact> cloths, Real part);
     void move_zones(std::span<const ClothInContact> cloths) const;
 
+    Real least_ = 0;                      ///< distance [m]
     std::span<const std::size_t> first_;  ///< particle of each cloth, among all
     std::vector<int> zone_of_;            ///< of each particle; -1: none
     std::vector<int> place_in_;           ///< there

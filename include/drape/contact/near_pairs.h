@@ -77,9 +77,8 @@ struct BoxedCloth {
 /// both reach, each once: a feature reaches as far as that of its particles which reaches farthest. @cite bridson2002
 /// @param leaves where they may be, as a query for pairs of these two cloths found
 /// @param pairs receives them, after what it has; in no particular order
-/// @return how many pairs of cells were tested exactly
 /// @par Cost O(pairs of cells in the leaves) tests of boxes, O(pairs of cells whose boxes come near) exact ones
-std::int64_t find_near_pairs(const BoxedCloth& first, const BoxedCloth& second, const std::vector<LeafPair>& leaves,
-                             std::vector<NearPair>& pairs);
+void find_near_pairs(const BoxedCloth& first, const BoxedCloth& second, std::span<const LeafPair> leaves,
+                     std::vector<NearPair>& pairs);
 
 }  // namespace drape

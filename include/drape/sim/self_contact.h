@@ -18,6 +18,9 @@ public:
     /// @param x their positions [m]
     void use(const Settings& settings, std::span<const ClothModel* const> models, std::span<const Points* const> x);
 
+    /// Goes on with another hierarchy, which finds the same.
+    void use_hierarchy(const Settings& settings, std::span<const ClothModel* const> models);
+
     [[nodiscard]] bool on() const { return on_; }
 
     /// Positions have been set from outside.

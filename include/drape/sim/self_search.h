@@ -13,10 +13,8 @@ namespace drape {
 /// What a search has cost.
 struct SelfSearchReport {
     TraversalStats traversal;
-    std::int64_t cells = 0;   ///< pairs of them that were tested exactly
     std::int64_t listed = 0;  ///< pairs of features that are looked at
-    bool kept_list = false;   ///< the list of the last search still served
-    bool gave_up = false;     ///< cloth moves so far that the list would be too long; nothing was found
+    bool gave_up = false;     ///< so much is near that the list would be too long; nothing was found
 };
 
 /// Finds where the cloths of a scene come near themselves and each other. What was found within a wide margin serves
@@ -26,6 +24,9 @@ struct SelfSearchReport {
 /// count.
 class SelfSearch {
 public:
+    /// Pairs that there may be, a particle in the mean.
+    static constexpr int most_pairs = 400;
+
     /// Takes new hierarchies.
     void use(const BroadPhaseParameters& parameters, std::span<const ClothModel* const> models);
 
@@ -47,6 +48,9 @@ public:
 
     /// In the order of their features, whatever found them.
     [[nodiscard]] std::span<const NearPair> pairs() const { return near_; }
+
+    /// Of the cloths, as in the last search [m].
+    [[nodiscard]] Real thickness() const { return thickness_; }
 
     /// How far both features of a pair reach together within the substep [m].
     [[nodiscard]] Real reach_of(const FeaturePair& pair) const;
@@ -78,6 +82,7 @@ private:
     void find_strayed(std::span<const ClothInContact> cloths);
     void allow_for();
     [[nodiscard]] bool is_too_far() const;
+    [[nodiscard]] bool is_too_long(std::size_t list) const;
     void look_at_pairs(std::span<const ClothInContact> cloths, SelfSearchReport& report);
     void make_list(std::span<const ClothInContact> cloths, SelfSearchReport& report);
     void search(std::span<const ClothInContact> cloths, int first, int second, SelfSearchReport& report);

@@ -107,6 +107,7 @@ private:
     void configure(Settings settings);
     void configure_cloth(std::size_t number, const Settings& before);
     void configure_balls(const Settings& before);
+    [[nodiscard]] std::vector<const ClothModel*> cloth_models() const;
     void use_self_contact();
     void put_ball(std::size_t number, const Vec3& centre);
     void move_solids(const Substep& now);
