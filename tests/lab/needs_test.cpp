@@ -242,8 +242,15 @@ std::string name_of_case(const testing::TestParamInfo<std::string>& info) { retu
 const auto walked_at_once = testing::Values("two_corners", "fails_symplectic_euler", "fails_xpbd");
 INSTANTIATE_TEST_SUITE_P(Quick, MinimalScene, walked_at_once, name_of_case);
 
+/// The shipped scenes with one cloth: of several, no search is made yet.
+std::vector<std::string> scenes_with_needs() {
+    std::vector<std::string> names = scene_names();
+    std::erase_if(names, [](const std::string& name) { return load_scene(name).cloths.size() > 1; });
+    return names;
+}
+
 // Run by `ctest -L nightly`, for they take a minute
-INSTANTIATE_TEST_SUITE_P(Nightly, MinimalScene, testing::ValuesIn(scene_names()), name_of_case);
+INSTANTIATE_TEST_SUITE_P(Nightly, MinimalScene, testing::ValuesIn(scenes_with_needs()), name_of_case);
 
 }  // namespace
 }  // namespace drape
