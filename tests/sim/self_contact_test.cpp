@@ -155,7 +155,7 @@ INSTANTIATE_TEST_SUITE_P(All, ShippedSelfContact, testing::Values("fold", "stack
 TEST_P(ShippedSelfContact, NeverHasACrossing) {
     Settings settings = load_scene(GetParam());
     const bool is_late = GetParam() == "pinch";
-    const double time = is_late ? 2.6 : test::sanitized ? 0.35 : 0.6;
+    const double time = is_late ? 2.6 : test::sanitized ? 0.45 : 0.6;
     const Tally tally = run(std::move(settings), time, is_late ? 400 : 100);
     EXPECT_EQ(tally.crossings, 0);
     EXPECT_GT(tally.pairs, 100) << "cloth has touched cloth";
