@@ -17,16 +17,6 @@ bool crosses(const Vec3& p, const Vec3& q, const Vec3& a, const Vec3& b, const V
     return (ab > 0 && bc > 0 && ca > 0) || (ab < 0 && bc < 0 && ca < 0);
 }
 
-/// The edges that belong to a cell, so that each edge belongs to one: from its corner a to b and c, the diagonal, and
-/// at the far sides of the cloth what no other cell has.
-template <class Visit>
-void for_each_edge_of(const Grid& grid, int cell, Visit visit) {
-    const int a = grid.cell_corner(cell), b = a + 1, c = a + grid.nx, d = c + 1;
-    visit(a, b), visit(a, c), visit(b, c);
-    if (cell % grid.cell_columns() == grid.cell_columns() - 1) visit(b, d);
-    if (cell / grid.cell_columns() == grid.cell_rows() - 1) visit(c, d);
-}
-
 /// The edges of one cell through the triangles of another.
 std::int64_t through_cell(const ClothAt& of_edges, int edge_cell, const ClothAt& of_triangles, int cell) {
     std::int64_t count = 0;

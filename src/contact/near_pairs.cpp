@@ -21,20 +21,13 @@ Real reach_of_edge(std::span<const Real> reaches, int from, int to) {
     return std::max(reaches[static_cast<std::size_t>(from)], reaches[static_cast<std::size_t>(to)]);
 }
 
-/// The particles and the edges that belong to a cell and reach a box. To it belong its corner a, the edges from
-/// there to b and c, and the diagonal; at the far sides of the cloth also what no other cell has.
+/// The particles and the edges that belong to a cell and reach a box.
 class CellFeatures {
 public:
     CellFeatures(const BoxedCloth& cloth, int cell, const Aabb& box)
         : x_(cloth.cloth.x), reaches_(cloth.reaches), box_(box) {
-        const Grid& grid = cloth.cloth.grid;
-        const int a = grid.cell_corner(cell), b = a + 1, c = a + grid.nx, d = c + 1;
-        const bool last_column = cell % grid.cell_columns() == grid.cell_columns() - 1;
-        const bool last_row = cell / grid.cell_columns() == grid.cell_rows() - 1;
-        add(a), add(a, b), add(a, c), add(b, c);
-        if (last_column) add(b), add(b, d);
-        if (last_row) add(c), add(c, d);
-        if (last_column && last_row) add(d);
+        for_each_particle_of(cloth.cloth.grid, cell, [&](int particle) { add(particle); });
+        for_each_edge_of(cloth.cloth.grid, cell, [&](int from, int to) { add(from, to); });
     }
 
     [[nodiscard]] auto particles() const { return std::span(particles_).first(particle_count_); }

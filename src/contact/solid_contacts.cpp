@@ -4,7 +4,6 @@
 #include <cmath>
 #include <limits>
 #include <optional>
-#include <tuple>
 
 #include "contact_geometry.h"
 #include "drape/contact/deepest_point.h"
@@ -75,7 +74,8 @@ struct TriangleBeside {
 
     [[nodiscard]] Real lowest() const { return std::ranges::min(surface, {}, &SurfaceDistance::distance).distance; }
 
-    /// A distance below which no point of the triangle is: by its size, and by slopes where the distance is convex.
+    /// A lower bound on the distance of every point of the triangle: from its size, and where the distance is a convex
+    /// function, from its slopes at the corners [m].
     [[nodiscard]] Real bound(bool is_convex) const {
         Real bound = -std::numeric_limits<Real>::infinity();
         for (std::size_t k = 0; k < 3; ++k) {
@@ -196,7 +196,7 @@ Real longest_side(const Grid& grid, const Points& x, std::span<const CellRun> ce
 
 }  // namespace
 
-/// Only what may be within the thickness, or be a corner of a triangle that may, is measured anew.
+/// A particle is measured again only if it may be within the thickness now, or be a corner of a triangle that may.
 void SolidSearch::look_at_particles(const Grid& grid, const Points& x, const Solid& solid, int number, Real thickness,
                                     std::span<const CellRun> cells) {
     known_.resize(std::max(known_.size(), static_cast<std::size_t>(number) + 1));
@@ -235,18 +235,17 @@ void SolidSearch::find_swept(const Grid& grid, const Points& before, const Point
                              Real thickness, std::span<const CellRun> cells, std::vector<Contact>& contacts) {
     look_at_particles(grid, x, solid, number, thickness, cells);
     const ContactMaker make{grid, x, solid, number, thickness};
-    const auto first = static_cast<std::ptrdiff_t>(contacts.size());
     for_each_beside(make, cells, surface_, [&](const TriangleBeside& beside, unsigned owned) {
+        std::array<std::optional<Contact>, 4> found;
         for (std::size_t k = 0; k < 3; ++k) {
-            if ((owned >> k & 1u) == 0) continue;
-            const auto found = make.on_its_side(before, beside, k, make.of_corner(beside, k));
-            if (found) contacts.push_back(*found);
+            if ((owned >> k & 1u) != 0) found[k] = make.on_its_side(before, beside, k, make.of_corner(beside, k));
         }
-        const auto found = make.on_its_side(before, beside, 3, make.of_inside(beside));
-        if (found) contacts.push_back(*found);
-    });
-    std::stable_sort(contacts.begin() + first, contacts.end(), [](const Contact& a, const Contact& b) {
-        return std::tuple(a.triangle, a.of_impact) < std::tuple(b.triangle, b.of_impact);
+        found[3] = make.on_its_side(before, beside, 3, make.of_inside(beside));
+        for (const bool of_impact : {false, true}) {
+            for (const auto& one : found) {
+                if (one && one->of_impact == of_impact) contacts.push_back(*one);
+            }
+        }
     });
 }
 

@@ -35,7 +35,7 @@ GridRange range_of(const Pushes& pushes, const Grid& grid) {
 }
 
 /// Whether a pair of features pushes this cloth.
-bool pushes_of_cloths(const Pushes& pushes) {
+bool is_pushed_by_cloth(const Pushes& pushes) {
     return std::ranges::any_of(pushes.pairs, [&](const PairContact& contact) {
         return std::ranges::count(contact.pair.features.cloths, pushes.cloth) > 0;
     });
@@ -110,7 +110,7 @@ void ClothEnergy::before_pushes(const ClothModel& model, const ClothState& state
     if (pushed_.first_column >= pushed_.end_column) return;
     most_push_work_ = pushes.known ? 0 : most_push_work(model, pushes);
     // What another cloth gives, or another part of this one, no bound tells
-    if (pushes_of_cloths(pushes)) most_push_work_ = std::numeric_limits<double>::infinity();
+    if (is_pushed_by_cloth(pushes)) most_push_work_ = std::numeric_limits<double>::infinity();
     before_pushes_ = pushed_flow(model, state);
 }
 

@@ -84,10 +84,10 @@ bool SelfContact::would_cross(std::span<const ClothInContact> cloths) {
 }
 
 /// What is held back may go another way than the search has assumed.
-ZoneReport SelfContact::hold_back(std::span<const ClothInContact> cloths) {
+std::int64_t SelfContact::hold_back(std::span<const ClothInContact> cloths) {
     do zones_.hold_back(search_.pairs(), cloths);
     while (search_.extend(cloths, report_));
-    return zones_.report(cloths);
+    return zones_.particles();
 }
 
 }  // namespace drape

@@ -39,10 +39,13 @@ Vec3 common_motion(std::size_t cloths, From from, To to) {
     return sum / static_cast<Real>(particles);
 }
 
-/// How far each particle of a cloth has moved, but for a common motion.
-auto lengths_of_motion(const Points& from, const Points& to, const Vec3& common) {
-    const auto along = [&](int axis) { return to.col(axis).array() - from.col(axis).array() - common[axis]; };
-    return (along(0).square() + along(1).square() + along(2).square()).sqrt().eval();
+/// Adds how far each particle of a cloth has moved, but for a common motion.
+template <class Numbers>
+void add_lengths_of_motion(const Points& from, const Points& to, const Vec3& common, Numbers lengths) {
+    const auto along = [&](int axis) {
+        return (to.col(axis).array() - from.col(axis).array() - common[axis]).square();
+    };
+    lengths += (along(0) + along(1) + along(2)).sqrt();
 }
 
 }  // namespace
@@ -98,9 +101,10 @@ void SelfSearch::find_ways(std::span<const ClothInContact> cloths) {
     const auto before = [&](std::size_t c) -> const Points& { return cloths[c].before; };
     const auto now = [&](std::size_t c) -> const Points& { return cloths[c].state.x; };
     const Vec3 common = common_motion(cloths.size(), before, now);
+    ways_.setZero();
     for (std::size_t c = 0; c < cloths.size(); ++c) {
         const auto from = static_cast<Eigen::Index>(first_[c]), count = before(c).rows();
-        ways_.segment(from, count) = lengths_of_motion(before(c), now(c), common);
+        add_lengths_of_motion(before(c), now(c), common, ways_.segment(from, count));
     }
 }
 
@@ -112,12 +116,12 @@ void SelfSearch::find_strayed(std::span<const ClothInContact> cloths) {
     const Vec3 common = common_motion(cloths.size(), kept, before);
     for (std::size_t c = 0; c < cloths.size(); ++c) {
         const auto from = static_cast<Eigen::Index>(first_[c]), count = before(c).rows();
-        strayed_.segment(from, count) += lengths_of_motion(kept(c), before(c), common);
+        add_lengths_of_motion(kept(c), before(c), common, strayed_.segment(from, count));
     }
 }
 
-/// What a new list is to allow for.
-void SelfSearch::allow_for() {
+/// For a new list: by how much each particle may stray while it serves.
+void SelfSearch::set_allowances() {
     for (std::size_t c = 0; c < surfaces_.size(); ++c) {
         const auto from = static_cast<Eigen::Index>(first_[c]), count = static_cast<Eigen::Index>(first_[c + 1]) - from;
         const Real most = spacing_ahead * surfaces_[c].spacing;
@@ -178,7 +182,7 @@ void SelfSearch::look_at_pairs(std::span<const ClothInContact> cloths, SelfSearc
     if (report.gave_up) return forget();
     find_strayed(cloths);
     if (!listed_ || (strayed_ > allowed_).any()) {
-        allow_for();
+        set_allowances();
         make_list(cloths, report);
         if (report.gave_up) return forget();
         strayed_ = reaches_;

@@ -69,9 +69,7 @@ bool accepts_list(const Setting& setting, const Values& values) {
 
 bool accepts(const Setting& setting, const SettingValue& value) {
     if (const auto* list = std::get_if<Values>(&value)) return is_list(setting.kind) && accepts_list(setting, *list);
-    if (std::holds_alternative<bool>(value)) {
-        return setting.kind == SettingKind::Flag;
-    }
+    if (std::holds_alternative<bool>(value)) return setting.kind == SettingKind::Flag;
     if (const auto* number = std::get_if<double>(&value)) {
         if (setting.kind == SettingKind::Integer) return in_range(setting.range, *number) && is_whole(*number);
         return setting.kind == SettingKind::Number && in_range(setting.range, *number);

@@ -231,9 +231,8 @@ void Simulation::answer(const Substep& now, std::span<PairContact> pairs, std::s
 void Simulation::hold_back() {
     if (!self_contact_.would_cross(in_contact_)) return;
     for (Cloth& cloth : cloths_) cloth.energy.before_hold(cloth.model, cloth.state);
-    const ZoneReport held = self_contact_.hold_back(in_contact_);
+    report_.held_back = self_contact_.hold_back(in_contact_);
     for (Cloth& cloth : cloths_) cloth.energy.after_hold(cloth.model, cloth.state);
-    report_.held_back = held.particles;
     report_.penetration = static_cast<double>(depth_left(response_of(settings_), in_contact_, balls_));
 }
 

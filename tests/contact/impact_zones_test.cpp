@@ -57,14 +57,15 @@ struct TwoCloths {
         return {0, particles(0), particles(0) + particles(1)};
     }
 
-    /// Holds back what would meet; all that is nearer than the margin may.
-    ZoneReport hold_back(const std::vector<NearPair>& pairs) {
+    /// Holds back what would meet.
+    /// @return how many particles
+    std::int64_t hold_back(const std::vector<NearPair>& pairs) {
         ImpactZones zones;
         const auto cloths = in_contact();
         const auto first = first_particles();
-        if (!zones.find(pairs, cloths, first, least_gap)) return {};
+        if (!zones.find(pairs, cloths, first, least_gap)) return 0;
         zones.hold_back(pairs, cloths);
-        return zones.report(cloths);
+        return zones.particles();
     }
 
     [[nodiscard]] Vec3 momentum() const {
@@ -125,12 +126,10 @@ TEST_P(Zones, LetNoTwoFeaturesMeetHoweverParticlesMove) {
             move_wildly(cloths, length, Vec3::Zero(), random);
             without += cloths.all_crossings();
             const Vec3 momentum = cloths.momentum();
-            const ZoneReport report = cloths.hold_back(pairs);
-            held += report.particles;
+            held += cloths.hold_back(pairs);
             ASSERT_EQ(cloths.all_crossings(), 0) << "trial " << trial;
-            ASSERT_LT((momentum - report.momentum - cloths.momentum()).norm(), 1e-13);
             if (GetParam() == Pins::Kind::None) {
-                ASSERT_LT(report.momentum.norm(), 1e-13);
+                ASSERT_LT((momentum - cloths.momentum()).norm(), 1e-13);
             }
             for (std::size_t c = 0; c < 2; ++c) {
                 for (int p = 0; p < cloths.models[c].grid.particles(); ++p) {
@@ -150,7 +149,7 @@ TEST(ImpactZones, AreNoneWhereAllMoveTogether) {
     const std::vector<NearPair> pairs = cloths.pairs_within(Real(0.02));
     ASSERT_GT(pairs.size(), 100u);
     move_wildly(cloths, 0, {3, -40, 7}, random);
-    EXPECT_EQ(cloths.hold_back(pairs).particles, 0);
+    EXPECT_EQ(cloths.hold_back(pairs), 0);
 }
 
 /// Two squares of four particles, the second above the first.
@@ -169,15 +168,13 @@ TwoCloths squares(Real above) {
     return cloths;
 }
 
-TEST(ImpactZones, TellWhatTheyTake) {
+TEST(ImpactZones, GoOnWithTheirMeanMotion) {
     // The second square falls through the first: both go on together, with a tenth to a fifth of the gap left
     TwoCloths cloths = squares(Real(0.01));
     const std::vector<NearPair> pairs = cloths.pairs_within(Real(0.1));
     cloths.states[1].x.col(1).array() -= Real(0.03);
     cloths.states[1].v.col(1).array() = -3;
-    const ZoneReport report = cloths.hold_back(pairs);
-    EXPECT_EQ(report.particles, 8);
-    EXPECT_LT(report.momentum.norm(), 1e-15);
+    EXPECT_EQ(cloths.hold_back(pairs), 8);
     EXPECT_NEAR(cloths.momentum().y(), -0.4 * 3, 1e-15);
     const Real gap = cloths.states[1].x(0, 1) - cloths.states[0].x(0, 1);
     EXPECT_GE(gap, 0.1 * 0.01 - 1e-15);
@@ -185,7 +182,6 @@ TEST(ImpactZones, TellWhatTheyTake) {
     EXPECT_NEAR(cloths.states[0].x(0, 1) + cloths.states[1].x(0, 1), 0.01 - 0.03, 1e-15) << "the centre of mass";
     const Real part = (Real(0.01) - gap) / Real(0.03);
     EXPECT_NEAR(cloths.states[1].v(0, 1) - cloths.states[0].v(0, 1), -3 * part, 1e-12);
-    EXPECT_NEAR(report.longest, (1 - part) * 0.03 / 2, 1e-12);
 }
 
 TEST(SafePart, IsWholeWhereNothingMeetsAndEndsShortOfAMeeting) {

@@ -12,6 +12,7 @@
 #include "drape/bounds/fold_test.h"
 #include "drape/bounds/leaf_copies.h"
 #include "drape/bounds/node_view.h"
+#include "drape/bounds/pair_traversal.h"
 #include "drape/bounds/quadtree_nodes.h"
 
 namespace drape {
@@ -62,33 +63,33 @@ public:
     TraversalStats query(const BroadPhase& other, Real margin, const FoldTest* folds,
                          std::vector<LeafPair>& pairs) override {
         DRAPE_ASSERT(built_ && dynamic_cast<const ClothQuadtree*>(&other) != nullptr);
-        const auto& other_tree = static_cast<const ClothQuadtree&>(other);
-        pairs.clear();
-        PairQuery query{other_tree,
-                        margin + slack_ + other_tree.slack_,
-                        folds,
-                        pairs,
-                        {.nodes = static_cast<std::int64_t>(nodes_.size())}};
-        if (&other_tree == this) {
-            traverse_itself(0, query);
-        } else {
-            traverse_pair(0, 0, query);
-        }
-        return query.stats;
+        const auto& second = static_cast<const ClothQuadtree&>(other);
+        const NodesInSpace<Volume> nodes{nodes_, volumes_}, others{second.nodes_, second.volumes_};
+        PairTraversal<Volume> traversal(nodes, others, margin + slack_ + second.slack_, folds, visits_, pairs);
+        return &second == this ? traversal.of_one() : traversal.of_two();
     }
 
     TraversalStats query_below(Real height, Candidates& found) const override {
         begin_query(found);
         TraversalStats stats{.nodes = static_cast<std::int64_t>(nodes_.size())};
         const Real rounding = 16 * std::numeric_limits<Real>::epsilon() * (std::abs(height) + slack_);
-        traverse_below(0, height + slack_ + rounding, found, stats);
+        const Real highest = height + slack_ + rounding;
+        traverse_unmarked(
+            0, [&](const Volume& volume) { return volume.lowest() > highest; }, found, stats);
         return stats;
     }
 
     TraversalStats query_near(const DistanceField& body, Real margin, Candidates& found) const override {
         begin_query(found);
         TraversalStats stats{.nodes = static_cast<std::int64_t>(nodes_.size())};
-        traverse_near(0, body, margin + slack_, found, stats);
+        // Where the middle of its sphere is farther from the body than the sphere is wide
+        const auto is_apart = [&](const Volume& volume) {
+            const BoundingSphere sphere = volume.sphere();
+            const Real size = sphere.centre.cwiseAbs().sum() + sphere.radius;
+            const Real rounding = 64 * std::numeric_limits<Real>::epsilon() * size;
+            return body.distance(sphere.centre) > sphere.radius + margin + slack_ + rounding;
+        };
+        traverse_unmarked(0, is_apart, found, stats);
         return stats;
     }
 
@@ -167,37 +168,20 @@ protected:
     void mark(int n, NodeVisit visit) { visits_[at(n)] = std::max(visits_[at(n)], visit); }
 
 private:
-    /// The same against the ground, in which nothing is marked: the marks are those of balls.
-    void traverse_below(int n, Real height, Candidates& found, TraversalStats& stats) const {
+    /// The same, into every node that is not apart from something else than a ball. Nothing is marked: the marks are
+    /// those of balls.
+    template <class IsApart>
+    void traverse_unmarked(int n, const IsApart& is_apart, Candidates& found, TraversalStats& stats) const {
         const QuadtreeNode& node = nodes_[at(n)];
         ++stats.visited;
         ++stats.volume_tests;
-        if (volumes_[at(n)].lowest() > height) {
+        if (is_apart(volumes_[at(n)])) {
             ++stats.pruned;
         } else if (node.children == 0) {
             take_leaf(node, found, stats);
         } else {
             for (int child = 0; child < node.children; ++child) {
-                traverse_below(node.first_child + child, height, found, stats);
-            }
-        }
-    }
-
-    /// The same against a body: a node is apart where the middle of its sphere is farther than the sphere is wide.
-    void traverse_near(int n, const DistanceField& body, Real margin, Candidates& found, TraversalStats& stats) const {
-        const QuadtreeNode& node = nodes_[at(n)];
-        const BoundingSphere sphere = volumes_[at(n)].sphere();
-        const Real size = sphere.centre.cwiseAbs().sum() + sphere.radius;
-        const Real farthest = sphere.radius + margin + 64 * std::numeric_limits<Real>::epsilon() * size;
-        ++stats.visited;
-        ++stats.volume_tests;
-        if (body.distance(sphere.centre) > farthest) {
-            ++stats.pruned;
-        } else if (node.children == 0) {
-            take_leaf(node, found, stats);
-        } else {
-            for (int child = 0; child < node.children; ++child) {
-                traverse_near(node.first_child + child, body, margin, found, stats);
+                traverse_unmarked(node.first_child + child, is_apart, found, stats);
             }
         }
     }
@@ -232,55 +216,6 @@ private:
         }
         built_ = true;
         std::ranges::fill(visits_, NodeVisit::Unvisited);
-    }
-
-    struct PairQuery {
-        const ClothQuadtree& other;
-        Real margin;
-        const FoldTest* folds;
-        std::vector<LeafPair>& pairs;
-        TraversalStats stats;
-    };
-
-    /// A node against itself: each child against itself, and against those after it.
-    void traverse_itself(int n, PairQuery& query) {
-        const QuadtreeNode& node = nodes_[at(n)];
-        ++query.stats.visited;
-        if (query.folds && query.folds->keeps_apart(n, query.margin)) return mark(n, NodeVisit::Pruned);
-        if (node.children == 0) return take_pair(n, n, query);
-        mark(n, NodeVisit::Entered);
-        for (int child = 0; child < node.children; ++child) {
-            traverse_itself(node.first_child + child, query);
-            for (int next = child + 1; next < node.children; ++next) {
-                traverse_pair(node.first_child + child, node.first_child + next, query);
-            }
-        }
-    }
-
-    /// A node against one of the other cloth, or of this: the children of both, where both have any.
-    void traverse_pair(int n, int m, PairQuery& query) {
-        const QuadtreeNode &node = nodes_[at(n)], &other = query.other.nodes_[at(m)];
-        ++query.stats.visited;
-        ++query.stats.volume_tests;
-        if (!volumes_[at(n)].comes_within(query.other.volumes_[at(m)], query.margin)) {
-            return mark(n, NodeVisit::Pruned);
-        }
-        if (query.folds && query.folds->keep_apart(n, m, query.margin)) return mark(n, NodeVisit::Pruned);
-        if (node.children == 0 && other.children == 0) return take_pair(n, m, query);
-        mark(n, NodeVisit::Entered);
-        const int first = node.children > 0 ? node.first_child : n, count = std::max(node.children, 1);
-        const int other_first = other.children > 0 ? other.first_child : m, others = std::max(other.children, 1);
-        for (int i = 0; i < count; ++i) {
-            for (int j = 0; j < others; ++j) traverse_pair(first + i, other_first + j, query);
-        }
-    }
-
-    void take_pair(int n, int m, PairQuery& query) {
-        mark(n, NodeVisit::Leaf);
-        const QuadtreeNode &node = nodes_[at(n)], &other = query.other.nodes_[at(m)];
-        query.pairs.push_back({node, other});
-        ++query.stats.leaves;
-        query.stats.candidates += static_cast<std::int64_t>(node.cells()) * other.cells();
     }
 
     template <class AnyBall>

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <cstdint>
 #include <span>
 #include <vector>
 
@@ -9,18 +10,11 @@
 
 namespace drape {
 
-/// What impact zones have taken.
-struct ZoneReport {
-    int particles = 0;       ///< in zones
-    Real longest = 0;        ///< by which one was held back [m]
-    Vec3 momentum{0, 0, 0};  ///< that only pinned particles can have taken [kg m/s]
-};
-
 /// The fail-safe of contact between cloths: whatever the response has done, a substep that begins without a crossing
-/// ends without one. Particles of features that would meet on their way form a zone @cite provot1997 which goes on with
-/// its mean motion, and with only such a part of the motion within it that none of its features meet: what moves as a
-/// whole keeps its distances. What a zone then meets joins it. In the end all may be one zone, and that has no meeting:
-/// so this ends. A zone keeps its momentum, unless something in it is pinned.
+/// or a touch ends without one. Particles of features that would meet on their way form a zone @cite provot1997 which
+/// goes on with its mean motion, and with only such a part of the motion within it that none of its features meet: what
+/// moves as a whole keeps its distances. What a zone then meets joins it. In the end all may be one zone, and that has
+/// nothing to meet: so this ends. A zone keeps its momentum, unless something in it is pinned.
 class ImpactZones {
 public:
     /// Looks for pairs that meet.
@@ -34,8 +28,8 @@ public:
     /// @param pairs all that may meet
     void hold_back(std::span<const NearPair> pairs, std::span<const ClothInContact> cloths);
 
-    /// Of all that was held back since the last `find`.
-    [[nodiscard]] ZoneReport report(std::span<const ClothInContact> cloths) const;
+    /// How many particles are in zones, since the last `find`.
+    [[nodiscard]] std::int64_t particles() const;
 
 private:
     struct Member {
@@ -47,12 +41,16 @@ private:
         Real part = 1;  ///< of the motion within
     };
 
-    [[nodiscard]] std::size_t number_of(const NearPair& pair, std::size_t k) const;
+    [[nodiscard]] std::size_t number_of(int cloth, int particle) const;
+    [[nodiscard]] int zone_of(const NearPair& pair, std::size_t k) const;
     [[nodiscard]] FeatureMotion motion_of(const NearPair& pair, std::span<const ClothInContact> cloths) const;
     [[nodiscard]] FeatureMotion first_motion_of(const NearPair& pair, std::span<const ClothInContact> cloths) const;
     [[nodiscard]] bool within_one_zone(const NearPair& pair) const;
     [[nodiscard]] bool touches_zone(const NearPair& pair) const;
+    [[nodiscard]] int largest_zone_of(const NearPair& pair) const;
     void join(const NearPair& pair, std::span<const ClothInContact> cloths, Real part);
+    void add(int zone, const Member& member);
+    static Vec3 mean(std::span<const ClothInContact> cloths, const Zone& zone, Vec3 Member::*value);
     void move_zones(std::span<const ClothInContact> cloths) const;
 
     Real least_ = 0;                      ///< distance [m]

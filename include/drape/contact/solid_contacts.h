@@ -23,7 +23,7 @@ public:
 
     /// The same for the whole substep: what has passed the solid within it, and what is nearer to another of its sides
     /// than to the one at which they met, has the plane at which they met. That is found by conservative advancement:
-    /// the way to be gone is at least the distance. @cite mirtich1996
+    /// the way to be gone is at least the distance. Of one triangle, such contacts come last. @cite mirtich1996
     /// @param before at the start of the substep, n x 3 [m]
     void find_swept(const Grid& grid, const Points& before, const Points& x, const Solid& solid, int number,
                     Real thickness, std::span<const CellRun> cells, std::vector<Contact>& contacts);

@@ -37,7 +37,6 @@ public:
 
     /// Those found, and after the response those that were answered.
     [[nodiscard]] std::span<PairContact> contacts() { return contacts_; }
-    [[nodiscard]] std::span<const PairContact> contacts() const { return contacts_; }
 
     /// Whether anything is so near that it has been looked at.
     [[nodiscard]] bool is_near() const { return !search_.pairs().empty(); }
@@ -46,7 +45,8 @@ public:
     bool would_cross(std::span<const ClothInContact> cloths);
 
     /// If so, holds them back.
-    ZoneReport hold_back(std::span<const ClothInContact> cloths);
+    /// @return how many particles
+    std::int64_t hold_back(std::span<const ClothInContact> cloths);
 
     /// How many times cloth crossed cloth at the start: what keeps the sides of cloths cannot part these.
     [[nodiscard]] std::int64_t crossings_at_start() const { return crossings_at_start_; }

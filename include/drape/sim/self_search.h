@@ -80,7 +80,7 @@ private:
 
     void find_ways(std::span<const ClothInContact> cloths);
     void find_strayed(std::span<const ClothInContact> cloths);
-    void allow_for();
+    void set_allowances();
     [[nodiscard]] bool is_too_far() const;
     [[nodiscard]] bool is_too_long(std::size_t list) const;
     void look_at_pairs(std::span<const ClothInContact> cloths, SelfSearchReport& report);

@@ -9,7 +9,7 @@
 #include <hwy/foreach_target.h>
 #include <hwy/highway.h>
 
-#include "contact/kernels/lanes-inl.h"
+#include "model/kernels/lanes-inl.h"
 
 HWY_BEFORE_NAMESPACE();
 namespace drape::kernels::HWY_NAMESPACE {
@@ -116,15 +116,15 @@ HWY_INLINE std::uint32_t closest_of(D d, CellBatch& batch, const Lanes3<hn::Vec<
     const auto& corners = CellBatch::corners_of[second];
     const Lanes3<V> a = load3(d, batch.corners[corners[0]], k), b = load3(d, batch.corners[corners[1]], k),
                     c = load3(d, batch.corners[corners[2]], k);
-    const Lanes3<V> ab = difference(b, a), ac = difference(c, a), bc = difference(c, b);
-    const Regions<D> in = regions_of(d, ab, ac, bc, difference(p, a), difference(p, b), difference(p, c));
+    const Lanes3<V> ab = minus(b, a), ac = minus(c, a), bc = minus(c, b);
+    const Regions<D> in = regions_of(d, ab, ac, bc, minus(p, a), minus(p, b), minus(p, c));
 
     const V one = hn::Set(d, Real(1)), quotient = hn::Div(in.of_b, in.whole), w = hn::Div(in.of_c, in.whole);
     const V v = hn::IfThenElse(in.on_bc, hn::Sub(one, w), quotient);
     const V u = hn::IfThenZeroElse(in.on_bc, hn::Sub(hn::Sub(one, v), w));
     const Lanes3<V> inside = moved_along(moved_along(a, v, ab), w, ac);
     const Lanes3<V> other = chosen(in.at_b, b, chosen(in.at_c, c, chosen(in.on_bc, moved_along(b, w, bc), inside)));
-    const Lanes3<V> point = chosen(in.at_a, a, other), off = difference(point, p);
+    const Lanes3<V> point = chosen(in.at_a, a, other), off = minus(point, p);
     CellBatch::Closest& closest = batch.closest[second];
     store3(d, {u, v, w}, closest.barycentric, k);
     store3(d, point, closest.point, k);

@@ -7,7 +7,7 @@
 #include <hwy/foreach_target.h>
 #include <hwy/highway.h>
 
-#include "contact/kernels/lanes-inl.h"
+#include "model/kernels/lanes-inl.h"
 
 HWY_BEFORE_NAMESPACE();
 namespace drape::kernels::HWY_NAMESPACE {
@@ -20,8 +20,8 @@ HWY_INLINE Lanes3<hn::Vec<D>> corners_at(D d, const Real* const x[3], int at) {
 
 template <class V>
 HWY_INLINE V square_between(const Lanes3<V>& a, const Lanes3<V>& b) {
-    const Lanes3<V> d = difference(a, b);
-    return hn::Add(hn::Add(hn::Mul(d.x, d.x), hn::Mul(d.y, d.y)), hn::Mul(d.z, d.z));
+    const Lanes3<V> offset = minus(a, b);
+    return dot(offset, offset);
 }
 
 /// The bits of as many cells as a vector has lanes; corner a of the first is particle `at`.

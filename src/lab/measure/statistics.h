@@ -37,9 +37,10 @@ struct ObservedOrder {
     std::size_t points = 0;  ///< how many of the finest it is fitted to
 };
 
-/// The order of a method: the exponent that fits best where the error follows a power of the step. Such points are the
-/// finest 3, unless their two slopes differ by half an order or half of the larger, and of the coarser ones as many as
-/// keep the slope from one to the next close to what is fitted so far: within 0.15, or 15 % of it.
+/// The order of a method: the exponent that fits best where the error follows a power of the step. The fit begins with
+/// the 3 finest points; if the two slopes between them differ by half an order, or by half of the larger one, there is
+/// none. Coarser points join one by one, as long as the slope to the next is within 0.15, or 15 %, of what is fitted so
+/// far.
 /// @param points (step, error), all positive, from coarse to fine
 /// @return nothing if there are fewer than 3 points, or the finest do not follow one power
 std::optional<ObservedOrder> observed_order(std::span<const std::pair<double, double>> points);

@@ -10,46 +10,22 @@
 #include <limits>
 
 #include "drape/model/stencils.h"
+#include "model/kernels/lanes-inl.h"
 
 HWY_BEFORE_NAMESPACE();
 namespace drape::kernels::HWY_NAMESPACE {
 namespace hn = hwy::HWY_NAMESPACE;
 
-template <class V>
-struct Triple {
-    V x, y, z;
-};
-
 template <class D>
-HWY_INLINE Triple<hn::Vec<D>> load(D d, const Rows& rows, int i) {
+HWY_INLINE Lanes3<hn::Vec<D>> load(D d, const Rows& rows, int i) {
     return {hn::LoadU(d, rows[0] + i), hn::LoadU(d, rows[1] + i), hn::LoadU(d, rows[2] + i)};
 }
 
 template <class D>
-HWY_INLINE void store(const Triple<hn::Vec<D>>& values, D d, const Rows& rows, int i) {
+HWY_INLINE void store(const Lanes3<hn::Vec<D>>& values, D d, const Rows& rows, int i) {
     hn::StoreU(values.x, d, rows[0] + i);
     hn::StoreU(values.y, d, rows[1] + i);
     hn::StoreU(values.z, d, rows[2] + i);
-}
-
-template <class V>
-HWY_INLINE Triple<V> plus(const Triple<V>& a, const Triple<V>& b) {
-    return {hn::Add(a.x, b.x), hn::Add(a.y, b.y), hn::Add(a.z, b.z)};
-}
-
-template <class V>
-HWY_INLINE Triple<V> minus(const Triple<V>& a, const Triple<V>& b) {
-    return {hn::Sub(a.x, b.x), hn::Sub(a.y, b.y), hn::Sub(a.z, b.z)};
-}
-
-template <class V>
-HWY_INLINE Triple<V> times(const Triple<V>& a, V factor) {
-    return {hn::Mul(a.x, factor), hn::Mul(a.y, factor), hn::Mul(a.z, factor)};
-}
-
-template <class V>
-HWY_INLINE V dot(const Triple<V>& a, const Triple<V>& b) {
-    return hn::Add(hn::Add(hn::Mul(a.x, b.x), hn::Mul(a.y, b.y)), hn::Mul(a.z, b.z));
 }
 
 /// Copies some numbers, of which the last vector may reach back into the one before.
@@ -129,8 +105,8 @@ HWY_INLINE void add_flow(D d, const SpringPair& pair, int s, V length, V closing
 /// Finds the pull of one spring of a pair, (k - k L0/|d| + c d.dv/|d|^2) d, and takes it from the force on a.
 /// @return d.dv
 template <class D, class V = hn::Vec<D>>
-HWY_INLINE V pull(D d, const SpringPair& pair, int s, const Triple<V>& offset, V one_over_length, const Triple<V>& v,
-                  int i, Triple<V>& force) {
+HWY_INLINE V pull(D d, const SpringPair& pair, int s, const Lanes3<V>& offset, V one_over_length, const Lanes3<V>& v,
+                  int i, Lanes3<V>& force) {
     const auto k = hn::Set(d, pair.law.stiffness), c = hn::Set(d, pair.law.damping);
     const auto closing = dot(offset, minus(v, load(d, pair.v[s], i + pair.di[s])));
     const auto rest = hn::Set(d, pair.law.stiffness * pair.rest_length[s]);
@@ -145,7 +121,7 @@ HWY_INLINE V pull(D d, const SpringPair& pair, int s, const Triple<V>& offset, V
 /// Both springs, with d = x_a - x_b. One division serves both lengths. A zero length is lifted to a tiny one, of which
 /// even the product with another has a finite inverse; the pull is zero, as d is.
 template <bool summed, class D, class V = hn::Vec<D>>
-HWY_INLINE void pull(D d, const SpringPair& pair, const Triple<V>& x, const Triple<V>& v, int i, Triple<V>& force,
+HWY_INLINE void pull(D d, const SpringPair& pair, const Lanes3<V>& x, const Lanes3<V>& v, int i, Lanes3<V>& force,
                      SpringFlow<V>& flow) {
     const auto tiny = hn::Set(d, std::sqrt(std::numeric_limits<Real>::min()));
     const auto d0 = minus(x, load(d, pair.x[0], i + pair.di[0])), d1 = minus(x, load(d, pair.x[1], i + pair.di[1]));
@@ -177,7 +153,7 @@ HWY_INLINE void find_pulls(const ForceInput& input, const std::array<SpringStenc
     for (int i = ForceScratch::margin; i < end; i += static_cast<int>(hn::Lanes(d))) {
         const auto x = load(d, row_x, i), v = load(d, row_v, i);
         SpringFlow<hn::Vec<decltype(d)>> flow{hn::Zero(d), hn::Zero(d)};
-        Triple<hn::Vec<decltype(d)>> f{hn::Set(d, weight[0]), hn::Set(d, weight[1]), hn::Set(d, weight[2])};
+        Lanes3<hn::Vec<decltype(d)>> f{hn::Set(d, weight[0]), hn::Set(d, weight[1]), hn::Set(d, weight[2])};
         f = minus(f, times(v, hn::Set(d, drag)));
         if constexpr (windy) f = plus(f, load(d, wind, i));
         if (has[0]) pull<summed>(d, structural, x, v, i, f, flow);
@@ -185,7 +161,7 @@ HWY_INLINE void find_pulls(const ForceInput& input, const std::array<SpringStenc
         if (has[2]) pull<summed>(d, bend, x, v, i, f, flow);
         store(f, d, force, i);
         if constexpr (summed) {
-            const Triple<hn::Vec<decltype(d)>> g{hn::Set(d, gravity[0]), hn::Set(d, gravity[1]),
+            const Lanes3<hn::Vec<decltype(d)>> g{hn::Set(d, gravity[0]), hn::Set(d, gravity[1]),
                                                  hn::Set(d, gravity[2])};
             hn::StoreU(dot(v, v), d, scratch.addend(0) + i);
             hn::StoreU(dot(g, x), d, scratch.addend(1) + i);

@@ -22,8 +22,24 @@ struct Lanes3 {
 };
 
 template <class V>
-HWY_INLINE Lanes3<V> difference(const Lanes3<V>& a, const Lanes3<V>& b) {
+HWY_INLINE Lanes3<V> plus(const Lanes3<V>& a, const Lanes3<V>& b) {
+    return {hn::Add(a.x, b.x), hn::Add(a.y, b.y), hn::Add(a.z, b.z)};
+}
+
+template <class V>
+HWY_INLINE Lanes3<V> minus(const Lanes3<V>& a, const Lanes3<V>& b) {
     return {hn::Sub(a.x, b.x), hn::Sub(a.y, b.y), hn::Sub(a.z, b.z)};
+}
+
+template <class V>
+HWY_INLINE Lanes3<V> times(const Lanes3<V>& a, V factor) {
+    return {hn::Mul(a.x, factor), hn::Mul(a.y, factor), hn::Mul(a.z, factor)};
+}
+
+/// From x to z.
+template <class V>
+HWY_INLINE V dot(const Lanes3<V>& a, const Lanes3<V>& b) {
+    return hn::Add(hn::Add(hn::Mul(a.x, b.x), hn::Mul(a.y, b.y)), hn::Mul(a.z, b.z));
 }
 
 /// The lanes for which a mask is true, a bit each.
