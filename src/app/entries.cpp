@@ -27,15 +27,17 @@ void append_choices(std::vector<Entry>& entries, const std::string& menu, const 
 
 std::vector<Entry> make_entries(const std::vector<std::string>& scenes) {
     std::vector<Entry> entries{
-        {"", {"Space", "P"}, "Pause, resume", "pause"},
-        {"", {"O", "."}, "One step", "step 1"},
-        {"", {"Shift+O"}, "One frame of 1/60 s", "step 1", Manner::OneFrame},
+        {"", {"Space", "P"}, "Pause / Resume", "pause"},
+        {"", {"O", "."}, "Single step", "step 1"},
+        {"", {"Shift+O"}, "Single frame of 1/60 s", "step 1", Manner::OneFrame},
         {"", {"R"}, "Reset", "reset"},
+        {"", {"Shift+R"}, "Reset with a time step at 0.9 of the stability limit", "reset", Manner::SafeStep},
     };
     for (std::size_t s = 0; s < scenes.size(); ++s) {
         std::vector<std::string> keys;
         if (s < 9) keys.push_back(std::to_string(s + 1));
-        entries.push_back({"Scene", keys, scenes[s], "scene " + scenes[s]});
+        const bool fails = scenes[s].starts_with("fails_");
+        entries.push_back({fails ? "Failures" : "Scene", keys, scenes[s], "scene " + scenes[s]});
     }
     entries.push_back({"Integrator", {"I"}, "Next integrator", "next solver.integrator"});
     append_choices(entries, "Integrator", "solver.integrator", names_of<IntegratorKind>());
@@ -46,36 +48,36 @@ std::vector<Entry> make_entries(const std::vector<std::string>& scenes) {
         const std::string text(milliseconds);
         entries.push_back({"Time step", {}, text + " ms", "set solver.dt=" + text + "e-3"});
     }
-    entries.push_back({"Time step", {}, "Beyond the stability limit: warn", "set solver.on_unstable=warn"});
-    entries.push_back(
-        {"Time step", {}, "Beyond the stability limit: smaller substeps", "set solver.on_unstable=substep"});
-    entries.push_back({"Time step", {}, "Beyond the stability limit: stop", "set solver.on_unstable=stop"});
-    entries.push_back({"Bounding volume", {"T"}, "Next bounding volume", "next contact.volume"});
-    append_choices(entries, "Bounding volume", "contact.volume", names_of<VolumeKind>());
+    entries.push_back({"Time step", {}, "Above the stability limit: warn", "set solver.on_unstable=warn"});
+    entries.push_back({"Time step", {}, "Above the stability limit: substep", "set solver.on_unstable=substep"});
+    entries.push_back({"Time step", {}, "Above the stability limit: quit", "set solver.on_unstable=stop"});
+    entries.push_back({"Bounding volumes", {"T"}, "Next bounding volume", "next contact.volume"});
+    append_choices(entries, "Bounding volumes", "contact.volume", names_of<VolumeKind>());
     entries.push_back({"Sphere fit", {"Y"}, "Next sphere fit", "next contact.sphere_fit"});
     append_choices(entries, "Sphere fit", "contact.sphere_fit", names_of<SphereFit>());
-    entries.push_back({"Update policy", {"U"}, "Next update policy", "next contact.update"});
-    append_choices(entries, "Update policy", "contact.update", names_of<UpdateKind>());
+    entries.push_back({"BVH update", {"U"}, "Next BVH update policy", "next contact.update"});
+    append_choices(entries, "BVH update", "contact.update", names_of<UpdateKind>());
     const std::vector<Entry> rest{
-        {"Leaf size", {}, "Fastest as measured", "set contact.leaf_cells=0"},
+        {"Leaf size", {}, "Auto", "set contact.leaf_cells=0"},
         {"Leaf size", {}, "2 x 2 cells", "set contact.leaf_cells=2"},
         {"Leaf size", {}, "4 x 4 cells", "set contact.leaf_cells=4"},
         {"Leaf size", {}, "7 x 7 cells", "set contact.leaf_cells=7"},
         {"Leaf size", {}, "15 x 15 cells", "set contact.leaf_cells=15"},
-        {"Search depth", {}, "All levels", "set contact.search_level=30"},
+        {"Search depth", {}, "Unlimited", "set contact.search_level=30"},
         {"Search depth", {}, "To level 4", "set contact.search_level=4"},
         {"Search depth", {}, "To level 3", "set contact.search_level=3"},
         {"Search depth", {}, "To level 2", "set contact.search_level=2"},
-        {"Search depth", {}, "Skip the build while nothing can touch", "next contact.coherence"},
+        {"Search depth", {}, "Skip build when contact is impossible", "next contact.coherence"},
         {"Sleep", {}, "At rest", "set solver.sleep_speed=2e-04"},
         {"Sleep", {}, "Never", "set solver.sleep_speed=0"},
         {"View", {"B"}, "Bounding volumes", "next view.bounds"},
-        {"View", {"["}, "Coarser level of bounding volumes", "add view.level -1"},
-        {"View", {"]"}, "Finer level of bounding volumes", "add view.level 1"},
+        {"View", {"["}, "Level -", "add view.level -1"},
+        {"View", {"]"}, "Level +", "add view.level 1"},
         {"View", {"C"}, "Contacts", "next view.contacts"},
         {"View", {"L"}, "Wireframe", "next view.wireframe"},
         {"View", {"N"}, "Particles and springs", "next view.particles"},
-        {"View", {"Tab"}, "Panel of figures", "next view.overlay"},
+        {"View", {"Tab"}, "Stats panel: compact, full, off", "next view.panel"},
+        {"View", {"M"}, "Settings panel", "next view.controls"},
         {"View", {"K"}, "Energy balance", "next solver.ledger"},
         {"View", {"F"}, "Frame the scene", "frame"},
         {"Ball", {"Left", "A"}, "Ball to the left", "steer -1 0 0", Manner::WhileHeld},
@@ -86,8 +88,13 @@ std::vector<Entry> make_entries(const std::vector<std::string>& scenes) {
         {"Ball", {"PageDown", "Shift+Q"}, "Ball down", "steer 0 -1 0", Manner::WhileHeld},
         {"Ball", {"X"}, "Throw the ball where you look", "throw 0 0 0 0 0 0", Manner::Aimed},
         {"Ball", {"Z"}, "Let the ball fall", "fall"},
+        {"", {"G"}, "Let go of pinned cloth", "set cloth.pinned=none"},
+        {"", {"-"}, "Slower", "set view.speed=0.5", Manner::Slower},
+        {"", {"=", "+"}, "Faster", "set view.speed=2", Manner::Faster},
         {"", {"V"}, "Wind", "next wind.on"},
-        {"", {"F12"}, "Picture as PNG", "picture"},
+        {"", {"F12"}, "Save screenshot", "picture"},
+        {"Tour", {"F1"}, "Tour: next stop", "scene hang", Manner::NextStop},
+        {"Tour", {"F2"}, "Tour: stop before", "scene hang", Manner::StopBefore},
         {"", {"H", "?"}, "Help", "next view.help"},
         {"", {"Esc", "Q"}, "Quit", "quit"},
     };
@@ -102,12 +109,25 @@ const Entry* find_entry(const std::vector<Entry>& entries, std::string_view key)
     return key.starts_with(shift) ? find_entry(entries, key.substr(shift.size())) : nullptr;
 }
 
+std::vector<KeyHelp> first_hints() {
+    return {
+        {"Drag", "Pull the cloth; beside it, orbit the view"},
+        {"Right button", "Menu: scenes, integrators, bounding volumes"},
+        {"Arrow keys", "Move the ball; E and Shift+Q up and down"},
+        {"Space", "Pause / Resume"},
+        {"B", "Bounding volumes that the ball is tested against"},
+        {"F1", "A tour of twelve stops"},
+        {"H", "All keys"},
+    };
+}
+
 std::string key_text(const Entry& entry) { return joined(entry.keys); }
 
 std::vector<KeyHelp> help_lines(const std::vector<Entry>& entries) {
     std::vector<KeyHelp> lines{
         {"Left drag", "Orbit the view; on the cloth: pull it"},
         {"Middle or Shift+left drag", "Pan the view"},
+        {"Ctrl+click", "Pin or free a particle"},
         {"Wheel", "Zoom"},
         {"Right button", "Menu"},
     };

@@ -14,6 +14,11 @@ enum class Manner {
     WhileHeld,  ///< a `steer` as the viewer sees it (right, up, ahead), until the key goes up
     Aimed,      ///< a `throw` from the viewer's side to where the view looks
     OneFrame,   ///< a `step` of as many steps as one displayed frame takes
+    SafeStep,   ///< a `reset` after a time step at 0.9 of the stability limit, where there is one
+    Slower,     ///< half the speed of time
+    Faster,     ///< twice
+    NextStop,   ///< of the tour: its scene and what it changes in it
+    StopBefore,
 };
 
 /// One thing that the user can do: from these, keys, menu, help panel and the README's table are made.
@@ -34,6 +39,9 @@ const Entry* find_entry(const std::vector<Entry>& entries, std::string_view key)
 
 /// "Space, P".
 std::string key_text(const Entry& entry);
+
+/// What a newcomer may try first.
+std::vector<KeyHelp> first_hints();
 
 /// The mouse's lines, then one for each entry with a key; the scenes share one.
 std::vector<KeyHelp> help_lines(const std::vector<Entry>& entries);

@@ -13,6 +13,7 @@ struct Options {
     StartOptions start;
     std::string record;  ///< file to write; empty: none
     PictureSize size;    ///< of the window
+    bool tour = false;   ///< begin with the tour
     bool hash = false;   ///< print the hash of the last state
 };
 

@@ -11,12 +11,12 @@ constexpr double wheel_factor = 0.9;  // of the distance, a notch
 
 }  // namespace
 
-std::vector<Command> Pointer::press(Button button, bool shift, int x, int y, const Sight& sight) {
+std::vector<Command> Pointer::press(Button button, Modifiers held, int x, int y, const Sight& sight) {
     if (doing_ != Doing::Nothing) return {};
     button_ = button;
     from_x_ = x_ = x;
     from_y_ = y_ = y;
-    if (button == Button::Middle || shift) {
+    if (button == Button::Middle || held.shift) {
         doing_ = Doing::Panning;
         return {};
     }
@@ -25,6 +25,7 @@ std::vector<Command> Pointer::press(Button button, bool shift, int x, int y, con
         doing_ = Doing::Orbiting;
         return {};
     }
+    if (held.control) return {command::Pin{pick.cloth, pick.particle}};
     doing_ = Doing::Pulling;
     hand_ = pick.point;
     return {command::Grab{pick.cloth, pick.particle}};

@@ -16,18 +16,27 @@ struct Sight {
 };
 
 /// Turns the mouse into commands: the left button turns the view or pulls the cloth, the middle one (or Shift and left)
-/// moves the view. Movements wait for `flush`, so that there is at most one command a frame.
+/// moves the view, and Control and left pin and free a particle. Movements wait for `flush`, so that there is at most
+/// one command a frame.
 class Pointer {
 public:
     enum class Button { Left, Middle };
 
-    [[nodiscard]] std::vector<Command> press(Button button, bool shift, int x, int y, const Sight& sight);
+    /// Keys that are held with a button.
+    struct Modifiers {
+        bool shift = false, control = false;
+    };
+
+    [[nodiscard]] std::vector<Command> press(Button button, Modifiers held, int x, int y, const Sight& sight);
     [[nodiscard]] std::vector<Command> release(Button button, const Sight& sight);
     void move(int x, int y);
     [[nodiscard]] std::vector<Command> flush(const Sight& sight);
 
     /// Whether anything waits for `flush`.
     [[nodiscard]] bool moved() const { return doing_ != Doing::Nothing && (x_ != from_x_ || y_ != from_y_); }
+
+    /// Whether something is being done.
+    [[nodiscard]] bool busy() const { return doing_ != Doing::Nothing; }
 
     /// Ends what is being done without a command, as when the scene it was done in is gone.
     void forget() { doing_ = Doing::Nothing; }

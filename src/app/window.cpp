@@ -22,7 +22,7 @@ constexpr double least_budget = 0.025;  // s for the steps of one frame
 
 }  // namespace
 
-Window::Window(Session& session, PictureSize size, const StopSignals& signals)
+Window::Window(Session& session, PictureSize size, const StopSignals& signals, bool tour)
     : session_(session),
       signals_(signals),
       entries_(make_entries(scene_names())),
@@ -38,6 +38,13 @@ Window::Window(Session& session, PictureSize size, const StopSignals& signals)
     if (glewInit() != GLEW_OK) throw RunError("this display does not give access to OpenGL's functions");
     renderer_ = std::make_unique<Renderer>();
     renderer_->set_help(help_lines(entries_));
+    renderer_->set_hint(first_hints());
+    hinting_ = true;
+    renderer_->set_scene(session.simulation().settings());
+    if (tour) {
+        carry_out(go_to_stop(0));
+        show_stop();
+    }
     register_callbacks();
     show_title();
     on_reshape(glutGet(GLUT_WINDOW_WIDTH), glutGet(GLUT_WINDOW_HEIGHT));
@@ -83,6 +90,8 @@ void Window::on_tick() {
     }
     dirty_ |= notices_.advance(elapsed) || !simulation.paused() || simulation.report().step != drawn_step_;
     menu_->update(simulation);
+    take_panel_changes();
+    if (panel_frames_ > 0) --panel_frames_, dirty_ = true;
     if (dirty_ && drawable()) glutPostRedisplay();
     schedule();
 }
@@ -109,8 +118,9 @@ void Window::draw() {
     const FrameView view = session_.view();
     std::vector<std::string> lines = notices_.lines(session_.replay_notice());
     if (!view.report->trouble.empty()) {
-        lines.push_back(view.report->trouble + "; R resets");
+        lines.push_back(view.report->trouble);
         lines.push_back(failure_file_);
+        lines.emplace_back("R resets as it was, Shift+R with a time step at 0.9 of the stability limit");
     } else if (const std::string warning = session_.simulation().step_warning(); !warning.empty()) {
         lines.push_back(warning);
     }
@@ -160,7 +170,14 @@ void Window::tell_of_drops() {
 void Window::start_scene() {
     scene_ = session_.simulation().scene();
     camera_ = Camera(session_.simulation().settings().view);
+    renderer_->set_scene(session_.simulation().settings());
+    renderer_->set_hint({});
+    hinting_ = false;
     show_title();
+}
+
+void Window::take_panel_changes() {
+    for (const std::string& change : renderer_->take_changes()) carry_out(command::Set{change});
 }
 
 void Window::show_title() { glutSetWindowTitle(("Drape - " + session_.simulation().settings().title).c_str()); }

@@ -27,7 +27,8 @@ public:
     /// Opens the window.
     /// @param signals that end it
     /// @pre glutInit was called
-    Window(Session& session, PictureSize size, const StopSignals& signals);
+    /// @param tour begin with the first stop of the tour
+    Window(Session& session, PictureSize size, const StopSignals& signals, bool tour);
     ~Window();
     Window(const Window&) = delete;
     Window& operator=(const Window&) = delete;
@@ -49,7 +50,8 @@ private:
     void on_key(const std::string& key, bool down);
     void on_button(int button, int state, int x, int y);
     void on_motion(int x, int y);
-    void on_wheel(int notches);
+    void on_passive_motion(int x, int y);
+    void on_wheel(int notches, int x, int y);
     void on_menu(bool open);
     void on_choice(int entry);
     void on_close();
@@ -68,7 +70,14 @@ private:
 
     void carry_out(const Command& command);
     void carry_out(const std::vector<Command>& commands);
-    [[nodiscard]] Command command_of(const Entry& entry);
+    void give(const Entry& entry);
+    [[nodiscard]] std::vector<Command> commands_of(const Entry& entry);
+    [[nodiscard]] std::vector<Command> safe_step();
+    [[nodiscard]] std::vector<Command> go_to_stop(int stop);
+    void show_stop();
+    void forget_hint();
+    bool at_panel(const PanelPointer& pointer);
+    void take_panel_changes();
     void steer(double elapsed);
     void follow_replay();
     void tell_of_drops();
@@ -107,6 +116,9 @@ private:
     bool visible_ = true;
     bool dirty_ = true;  ///< the picture is not up to date
     bool closed_ = false;
+    int panel_frames_ = 0;  ///< to be drawn for what the settings panel was told
+    int stop_ = -1;         ///< of the tour; -1: none yet
+    bool hinting_ = false;  ///< the first hints are on show
 };
 
 }  // namespace drape

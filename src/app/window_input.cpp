@@ -3,18 +3,30 @@
 #include <GL/freeglut.h>
 #include <GL/freeglut_ucall.h>
 
+#include <algorithm>
 #include <cmath>
 #include <filesystem>
+#include <utility>
 
 #include "display.h"
 #include "drape/base/input_error.h"
 #include "drape/base/numbers.h"
+#include "drape/sim/scene_text.h"
+#include "drape/sim/setting_table.h"
+#include "drape/sim/tour.h"
 #include "keys.h"
+#include "outcome.h"
 #include "window.h"
 
 namespace drape {
 
 namespace {
+
+// Kept in the range of the setting
+command::Set set_speed(double speed) {
+    const Range range = find_setting("view.speed").range;
+    return {"view.speed=" + real_text(std::clamp(speed, range.low, range.high), 4)};
+}
 
 constexpr int wheel_up = 3, wheel_down = 4;  // buttons, where the wheel comes as such
 
@@ -41,8 +53,10 @@ void Window::register_callbacks() {
                           void* user) { guarded_call(user, &Window::on_button, button, state, x, y); },
                        this);
     glutMotionFuncUcall([](int x, int y, void* user) { guarded_call(user, &Window::on_motion, x, y); }, this);
+    glutPassiveMotionFuncUcall([](int x, int y, void* user) { guarded_call(user, &Window::on_passive_motion, x, y); },
+                               this);
     glutMouseWheelFuncUcall(
-        [](int, int notches, int, int, void* user) { guarded_call(user, &Window::on_wheel, notches); }, this);
+        [](int, int notches, int x, int y, void* user) { guarded_call(user, &Window::on_wheel, notches, x, y); }, this);
     glutKeyboardFuncUcall(
         [](unsigned char code, int, int, void* user) { guarded_call(user, &Window::on_character, code, true); }, this);
     glutKeyboardUpFuncUcall(
@@ -60,6 +74,10 @@ void Window::register_callbacks() {
 
 void Window::on_character(unsigned char code, bool down) {
     const int modifiers = glutGetModifiers();
+    if (down && renderer_->panel_has_keyboard()) {
+        panel_frames_ = 2;
+        return renderer_->type(code);
+    }
     if (down && (modifiers & (GLUT_ACTIVE_CTRL | GLUT_ACTIVE_ALT)) != 0) return;
     on_key(character_key(code, (modifiers & GLUT_ACTIVE_SHIFT) != 0), down);
 }
@@ -71,43 +89,91 @@ void Window::on_key(const std::string& key, bool down) {
         return steering_.release(key);
     }
     if (!held_keys_.insert(without_shift(key)).second) return;  // it repeats
+    forget_hint();
     const Entry* entry = find_entry(entries_, key);
     if (entry == nullptr) return;
     if (entry->manner == Manner::WhileHeld) return steering_.press(key, *entry);
-    carry_out(command_of(*entry));
+    give(*entry);
 }
 
 void Window::on_choice(int number) {
     const Entry& entry = entries_.at(static_cast<std::size_t>(number));
     if (entry.manner == Manner::WhileHeld) return steering_.nudge(entry);
-    carry_out(command_of(entry));
+    give(entry);
+}
+
+void Window::give(const Entry& entry) {
+    const std::vector<Command> commands = commands_of(entry);
+    carry_out(commands);
+    if (entry.manner == Manner::NextStop || entry.manner == Manner::StopBefore) return show_stop();
+    for (const Command& command : commands) {
+        const std::string outcome = outcome_of(command, session_.simulation());
+        if (!outcome.empty()) notices_.add("outcome", outcome);
+    }
+}
+
+void Window::show_stop() {
+    const auto stops = tour_stops();
+    const TourStop& stop = stops[static_cast<std::size_t>(stop_)];
+    const auto line = [](std::string key, std::string_view text) { return KeyHelp{std::move(key), std::string(text)}; };
+    renderer_->set_hint({line(std::to_string(stop_ + 1) + " of " + std::to_string(stops.size()), stop.title),
+                         line("See", stop.look), line("Try", stop.try_it), line("Read", stop.file),
+                         line("F1, F2", "Next stop, stop before")});
+    renderer_->set_scene(session_.simulation().settings());
+    hinting_ = false;
+}
+
+void Window::forget_hint() {
+    if (!std::exchange(hinting_, false)) return;
+    renderer_->set_hint({});
+    dirty_ = true;
 }
 
 void Window::on_menu(bool open) {
+    forget_hint();
     menu_->set_open(open);
     if (open) steering_.release_all();
 }
 
 void Window::on_button(int button, int state, int x, int y) {
     if (button == wheel_up || button == wheel_down) {
-        if (state == GLUT_DOWN) on_wheel(button == wheel_up ? 1 : -1);
+        if (state == GLUT_DOWN) on_wheel(button == wheel_up ? 1 : -1, x, y);
         return;
     }
     if ((button != GLUT_LEFT_BUTTON && button != GLUT_MIDDLE_BUTTON) || !drawable()) return;
     const auto which = button == GLUT_LEFT_BUTTON ? Pointer::Button::Left : Pointer::Button::Middle;
-    const bool shift = (glutGetModifiers() & GLUT_ACTIVE_SHIFT) != 0;
+    const int modifiers = glutGetModifiers();
+    const Pointer::Modifiers held{(modifiers & GLUT_ACTIVE_SHIFT) != 0, (modifiers & GLUT_ACTIVE_CTRL) != 0};
+    const bool down = state == GLUT_DOWN;
+    if (which == Pointer::Button::Left && at_panel({.x = x, .y = y, .down = down, .control = held.control})) return;
     const Sight sight{session_.view(), camera_, width_, height_};
-    if (state == GLUT_DOWN) {
-        carry_out(pointer_.press(which, shift, x, y, sight));
+    if (down) {
+        forget_hint();
+        carry_out(pointer_.press(which, held, x, y, sight));
     } else {
         pointer_.move(x, y);
         carry_out(pointer_.release(which, sight));
     }
 }
 
-void Window::on_motion(int x, int y) { pointer_.move(x, y); }
+bool Window::at_panel(const PanelPointer& pointer) {
+    if (!session_.simulation().settings().view.controls) return false;
+    constexpr int frames = 3;  // that a press, a release and what follows from them take to be seen
+    renderer_->point(pointer);
+    panel_frames_ = frames;
+    return renderer_->panel_has_pointer() && !pointer_.busy();
+}
 
-void Window::on_wheel(int notches) { carry_out(Pointer::wheel(notches)); }
+void Window::on_motion(int x, int y) {
+    at_panel({.x = x, .y = y, .down = !pointer_.busy()});
+    pointer_.move(x, y);
+}
+
+void Window::on_passive_motion(int x, int y) { at_panel({.x = x, .y = y}); }
+
+void Window::on_wheel(int notches, int x, int y) {
+    if (!at_panel({.x = x, .y = y, .notches = notches})) carry_out(Pointer::wheel(notches));
+}
 
 void Window::on_visibility(int state) {
     visible_ = state == GLUT_VISIBLE;
@@ -121,13 +187,44 @@ void Window::on_reshape(int width, int height) {
     dirty_ = true;
 }
 
-Command Window::command_of(const Entry& entry) {
-    if (entry.manner == Manner::Aimed) return camera_.aimed_throw();
-    if (entry.manner == Manner::OneFrame) {
-        const double steps = 1.0 / 60 / session_.simulation().settings().solver.dt;
-        return command::Step{std::max(1, static_cast<int>(std::lround(steps)))};
+std::vector<Command> Window::commands_of(const Entry& entry) {
+    const Settings& settings = session_.simulation().settings();
+    switch (entry.manner) {
+        case Manner::Aimed:
+            return {camera_.aimed_throw()};
+        case Manner::OneFrame:
+            return {command::Step{std::max(1, static_cast<int>(std::lround(1.0 / 60 / settings.solver.dt)))}};
+        case Manner::SafeStep:
+            return safe_step();
+        case Manner::NextStop:
+            return go_to_stop(stop_ + 1);
+        case Manner::StopBefore:
+            return go_to_stop(stop_ - 1);
+        case Manner::Slower:
+            return {set_speed(settings.view.speed / 2)};
+        case Manner::Faster:
+            return {set_speed(settings.view.speed * 2)};
+        default:
+            return {parse_command(entry.command)};
     }
-    return parse_command(entry.command);
+}
+
+std::vector<Command> Window::go_to_stop(int stop) {
+    const auto stops = tour_stops();
+    const int count = static_cast<int>(stops.size());
+    stop_ = (stop + count) % count;
+    const TourStop& now = stops[static_cast<std::size_t>(stop_)];
+    std::vector<Command> commands{command::LoadScene{std::string(now.scene)}};
+    for (const std::string_view change : now.changes) commands.emplace_back(command::Set{std::string(change)});
+    return commands;
+}
+
+std::vector<Command> Window::safe_step() {
+    const StepReport& report = session_.simulation().report();
+    const double ratio = report.step_limit_ratio, dt = session_.simulation().settings().solver.dt;
+    if (!(ratio > 0) || !std::isfinite(ratio)) return {command::Reset{}};
+    const double step = 0.9 * dt / report.substeps / ratio;
+    return {command::Set{"solver.dt=" + real_text(step, 3)}, command::Reset{}};
 }
 
 void Window::carry_out(const std::vector<Command>& commands) {
@@ -155,7 +252,13 @@ void Window::take_picture() {
     if (!drawable() || closed_) return;
     try {
         draw();
-        notices_.add("picture", "Picture written: " + write_next(renderer_->read_back()).string());
+        Image picture = renderer_->read_back();
+        const Simulation& simulation = session_.simulation();
+        picture.texts = {{"Software", std::string("Drape ") + DRAPE_VERSION},
+                         {"Scene", simulation.scene()},
+                         {"Time", real_text(simulation.report().time) + " s"},
+                         {"Settings", scene_text(simulation.settings())}};
+        notices_.add("picture", "Picture written: " + write_next(picture).string());
     } catch (const RunError& error) {
         notices_.add("picture", error.what());
     }

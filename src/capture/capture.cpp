@@ -119,7 +119,7 @@ void Capture::follow_replay() {
 void Capture::draw() {
     FrameView view = session_.view();
     Settings shown = *view.settings;
-    shown.view.overlay = options_.overlay;
+    if (!options_.overlay) shown.view.panel = PanelSize::Off;
     view.settings = &shown;
     std::vector<std::string> notices;
     if (options_.overlay && !view.report->trouble.empty()) notices.push_back(view.report->trouble);

@@ -53,7 +53,7 @@ std::optional<CaptureOptions> read_capture_options(int argc, char** argv) {
                    "write a row of figures for each drawn frame; its first line has the units")
         ->type_name("FILE.csv");
     app.add_option("--state", options.state, "write every particle at the end")->type_name("FILE.csv");
-    app.add_flag("--overlay", options.overlay, "draw the panel of figures");
+    app.add_flag("--overlay", options.overlay, "draw the stats panel, as the window does");
     app.add_flag("--hash", options.hash, "print the hash of the last state");
     app.footer([] { return "Settings:\n" + settings_help(); });
     if (!parse_command_line(app, argc, argv)) return std::nullopt;

@@ -86,13 +86,17 @@ std::vector<Row> step_rows(const FrameView& view) {
     const double substep = view.settings->solver.dt / report.substeps;
     std::string text = report.substeps > 1 ? format("%d x ", report.substeps) : "";
     text += format("%.3g ms", 1000 * substep);
-    std::vector<Row> rows{{"step size", text, -1, 3}};
+    std::vector<Row> rows{{"time step", text, -1, 3}};
+    if (const double speed = view.settings->view.speed; speed != 1) {
+        rows.push_back({"speed", format("%.3g x real time", speed), -1, 3, ink::wait});
+    }
     const double ratio = report.step_limit_ratio;
     if (ratio == 0) return rows;
     const ImU32 colour = ratio <= 0.9 ? ink::good : ratio <= 1 ? ink::wait : ink::bad;
     const std::string number = format(report.limit_is_least ? "%.2f at most" : "%.2f", ratio);
     const std::string value = std::isfinite(ratio) ? number : "no stable step";
-    rows.push_back({"step / limit", value, static_cast<float>(std::min(ratio, 1.0)), 4, colour});
+    rows.push_back({"dt / limit", value, static_cast<float>(std::min(ratio, 1.0)), 4, colour});
+    if (std::isfinite(ratio)) rows.push_back({"limit", format("%.3g ms", 1000 * substep / ratio), -1, 2});
     return rows;
 }
 
@@ -108,7 +112,8 @@ std::vector<Row> rows_ahead(ReportGroup group, const FrameView& view) {
     const Settings& settings = *view.settings;
     switch (group) {
         case ReportGroup::Time: {
-            std::vector<Row> rows{state_row(view), {"method", std::string(name_of(settings.solver.integrator)), -1, 4}};
+            std::vector<Row> rows{state_row(view),
+                                  {"integrator", std::string(name_of(settings.solver.integrator)), -1, 4}};
             std::ranges::move(step_rows(view), std::back_inserter(rows));
             return rows;
         }
@@ -118,6 +123,15 @@ std::vector<Row> rows_ahead(ReportGroup group, const FrameView& view) {
         default:
             return {};
     }
+}
+
+// What a glance takes in
+std::vector<Row> compact_rows(const FrameView& view, const FrameReport& last) {
+    std::vector<Row> rows = rows_ahead(ReportGroup::Time, view);
+    rows.push_back({"contacts", grouped(static_cast<double>(view.report->contacts)), -1, 3});
+    rows.push_back({"FPS", format("%.1f", last.rate), -1, 3});
+    rows.push_back({"Tab", "all figures", -1, 1, ink::quiet});
+    return rows;
 }
 
 // Every figure of a step that has a label, group by group
@@ -141,8 +155,8 @@ void add_report_rows(const FrameView& view, std::vector<Row>& rows) {
 }
 
 void add_cost_rows(const FrameReport& last, std::vector<Row>& rows) {
-    rows.push_back({"frames", format("%.1f / s", last.rate), -1, 3, ink::text, true});
-    rows.push_back({"processor", format("%.0f %%", 100 * last.cpu), -1, 2});
+    rows.push_back({"FPS", format("%.1f", last.rate), -1, 3, ink::text, true});
+    rows.push_back({"CPU", format("%.0f %%", 100 * last.cpu), -1, 2});
     rows.push_back({"GL calls", grouped(last.gl_calls), -1, 2});
     rows.push_back({"vertices", grouped(last.vertices), -1, 2});
 }
@@ -204,15 +218,19 @@ void draw_row(const Row& row, float top, const Columns& columns) {
 
 float figures_panel(const FrameView& view, const FrameReport& last, ImFont* title, const OverlayPage& page) {
     std::vector<Row> rows;
-    add_report_rows(view, rows);
-    add_cost_rows(last, rows);
+    if (view.settings->view.panel == PanelSize::Compact) {
+        rows = compact_rows(view, last);
+    } else {
+        add_report_rows(view, rows);
+        add_cost_rows(last, rows);
+    }
 
     // As large as it must be, at most as the picture
     const float margin = page.margin, size = ImGui::GetFontSize();
     const float line = ImGui::GetTextLineHeightWithSpacing(), gap = 0.45f * size;
     const float title_height = title->FontSize + 0.4f * size;
     drop_rows(rows, line, gap, page.height - 4 * margin - title_height);
-    const float width = std::min(15.5f * size + 2 * margin, page.width - 2 * margin);
+    const float width = std::min(16.9f * size + 2 * margin, page.width - 2 * margin);
     const float height = std::min(height_of(rows, line, gap) + title_height + 2 * margin, page.height - 2 * margin);
     draw_panel({margin, margin}, {width, height});
 
@@ -220,7 +238,7 @@ float figures_panel(const FrameView& view, const FrameReport& last, ImFont* titl
     ImGui::PushFont(shown.font);
     text_at({2 * margin, 2 * margin}, ink::text, shown.text.c_str());
     ImGui::PopFont();
-    const float value = 2 * margin + 5.8f * size;
+    const float value = 2 * margin + 7.2f * size;
     const Columns columns{2 * margin, value, value + 5.2f * size, width};
     float top = 2 * margin + title_height;
     for (const Row& row : rows) {

@@ -13,8 +13,9 @@ struct OverlayPage {
     float margin;
 };
 
-/// The panel of figures at the top left: scene, method, time, stages, hierarchy, energy, cost. Rows that do not fit are
-/// left out, the least important first.
+/// The stats panel at the top left: scene, integrator, time, stages, hierarchy, energy, cost; a few of these where it
+/// is compact. Rows that do not fit are left out, the least important first.
+/// @pre the panel is not off
 /// @param last what the frame before this one cost
 /// @return the panel's right edge [pixel]
 float figures_panel(const FrameView& view, const FrameReport& last, ImFont* title, const OverlayPage& page);

@@ -1,6 +1,10 @@
 #include "drape/render/image.h"
 
 #include <png.h>
+#include <zlib.h>
+
+#include <array>
+#include <string_view>
 
 #include "drape/base/input_error.h"
 #include "drape/base/numbers.h"
@@ -9,6 +13,21 @@
 namespace drape {
 
 namespace {
+
+std::string big_endian(std::uint32_t number) {
+    std::string bytes;
+    for (const int shift : {24, 16, 8, 0}) bytes += static_cast<char>(number >> shift & 0xFF);
+    return bytes;
+}
+
+/// A chunk "iTXt" of a PNG: not compressed, of no language.
+std::string text_chunk(const ImageText& text) {
+    using namespace std::string_view_literals;
+    const std::string body = "iTXt" + text.keyword + std::string("\0\0\0\0\0"sv) + text.text;
+    const auto* bytes = reinterpret_cast<const Bytef*>(body.data());
+    const auto sum = static_cast<std::uint32_t>(crc32(0, bytes, static_cast<uInt>(body.size())));
+    return big_endian(static_cast<std::uint32_t>(body.size() - 4)) + body + big_endian(sum);
+}
 
 /// Encodes a picture into a file that is still to get its name. The fast way of libpng takes a sixth of the time that
 /// better compression would.
@@ -24,7 +43,11 @@ void write_to(OutputFile& file, const Image& image, const std::filesystem::path&
     if (!png_image_write_to_memory(&png, bytes.data(), &size, 0, image.rgb.data(), 0, nullptr)) {
         throw RunError(name.string() + " cannot be written: " + png.message);
     }
-    file.stream().write(bytes.data(), static_cast<std::streamsize>(size));
+    // Texts stand between the header, which has one length in all PNGs, and the picture
+    constexpr std::size_t header = 33;
+    file.stream().write(bytes.data(), header);
+    for (const ImageText& text : image.texts) file.stream() << text_chunk(text);
+    file.stream().write(bytes.data() + header, static_cast<std::streamsize>(size - header));
 }
 
 }  // namespace

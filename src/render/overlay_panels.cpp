@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <cstddef>
 #include <filesystem>
+#include <utility>
 
 #include "figures_panel.h"
 #include "overlay_style.h"
@@ -46,77 +47,56 @@ void set_style() {
     style.WindowMinSize = {1, 1};
     style.WindowPadding = {0, 0};
     style.ItemSpacing = {6, 2};
-}
-
-}  // namespace
-
-void OverlayPanels::DestroyContext::operator()(ImGuiContext* context) const { ImGui::DestroyContext(context); }
-
-OverlayPanels::OverlayPanels() {
-    IMGUI_CHECKVERSION();
-    context_.reset(ImGui::CreateContext());
-    ImGui::SetCurrentContext(context_.get());
-    ImGuiIO& io = ImGui::GetIO();
-    io.IniFilename = nullptr;
-    io.LogFilename = nullptr;
-    io.BackendFlags |= ImGuiBackendFlags_RendererHasVtxOffset;
-    set_style();
-    add_fonts(fonts_);
-}
-
-bool OverlayPanels::build(const FrameView& view, const FrameReport& last, std::span<const std::string> notices,
-                          int width, int height) {
-    const ViewSettings& shown = view.settings->view;
-    const bool showing_help = shown.help && !help.empty();
-    if (width < least_width || height < least_height) return false;
-    if (!shown.overlay && !showing_help && notices.empty()) return false;
-
-    ImGui::SetCurrentContext(context_.get());
-    const auto w = static_cast<float>(width), h = static_cast<float>(height);
-    ImGui::GetIO().DisplaySize = {w, h};
-    ImGui::GetIO().DeltaTime = 1.0f / 60;
-    const std::size_t size = height < 600 || width < 900 ? 0 : height < 1000 ? 1 : 2;
-    const float margin = size == 0 ? 8.0f : 12.0f;
-
-    ImGui::NewFrame();
-    ImGui::SetNextWindowPos({0, 0});
-    ImGui::SetNextWindowSize({w, h});
-    ImGui::Begin("overlay", nullptr, window_flags);
-    ImGui::PushFont(fonts_[size]);
-    float taken = 0;
-    if (shown.overlay) taken = figures_panel(view, last, fonts_[size + 1], {w, h, margin});
-    if (showing_help) help_panel({w, h, margin}, taken);
-    if (!notices.empty()) notice_panel(notices, {w, h, margin});
-    ImGui::PopFont();
-    ImGui::End();
-    ImGui::Render();
-    return ImGui::GetDrawData()->TotalIdxCount > 0;
-}
-
-void OverlayPanels::help_panel(const OverlayPage& page, float taken) const {
-    const float row = ImGui::GetTextLineHeightWithSpacing(), gap = ImGui::GetFontSize();
-    float keys = 0, texts = 0;
-    for (const KeyHelp& line : help) {
-        keys = std::max(keys, ImGui::CalcTextSize(line.key.c_str()).x);
-        texts = std::max(texts, ImGui::CalcTextSize(line.text.c_str()).x);
+    style.FramePadding = {6, 1};
+    style.FrameRounding = 3;
+    style.ScrollbarSize = 10;
+    style.Colors[ImGuiCol_FrameBg] = ImGui::ColorConvertU32ToFloat4(ink::groove);
+    style.Colors[ImGuiCol_SliderGrab] = ImGui::ColorConvertU32ToFloat4(ink::bar);
+    style.Colors[ImGuiCol_PopupBg] = ImGui::ColorConvertU32ToFloat4(ink::popup);
+    for (const ImGuiCol part : {ImGuiCol_Header, ImGuiCol_Button}) {
+        style.Colors[part] = ImGui::ColorConvertU32ToFloat4(ink::groove);
+        for (const int state : {1, 2}) style.Colors[part + state] = ImGui::ColorConvertU32ToFloat4(ink::lit);
     }
-    const float margin = page.margin;
-    const float width =
-        std::min(keys + gap + texts + 2 * margin, std::max(page.width - taken - 2 * margin, page.width / 3));
-    const auto fitting = static_cast<std::size_t>(std::max(1.0f, (page.height - 4 * margin) / row));
-    const std::size_t rows = std::min(help.size(), fitting);
+    for (const ImGuiCol part : {ImGuiCol_FrameBgHovered, ImGuiCol_FrameBgActive}) {
+        style.Colors[part] = ImGui::ColorConvertU32ToFloat4(ink::lit);
+    }
+    style.Colors[ImGuiCol_SliderGrabActive] = ImGui::ColorConvertU32ToFloat4(ink::wait);
+    style.Colors[ImGuiCol_CheckMark] = ImGui::ColorConvertU32ToFloat4(ink::bar);
+}
 
-    ImVec2 corner{page.width - width - margin, margin};
-    draw_panel(corner, {width, static_cast<float>(rows) * row + 2 * margin});
+// The keys of a text field, by the character that they make
+constexpr std::array<std::pair<ImGuiKey, unsigned char>, 3> field_keys{
+    {{ImGuiKey_Backspace, 8}, {ImGuiKey_Enter, 13}, {ImGuiKey_Escape, 27}}};
+
+// Where the texts of keys start beside them
+struct KeyColumns {
+    float texts_from = 0, texts = 0;
+    [[nodiscard]] float width() const { return texts_from + texts; }
+};
+
+KeyColumns columns_of(std::span<const KeyHelp> lines) {
+    KeyColumns columns;
+    for (const KeyHelp& line : lines) {
+        columns.texts_from = std::max(columns.texts_from, ImGui::CalcTextSize(line.key.c_str()).x);
+        columns.texts = std::max(columns.texts, ImGui::CalcTextSize(line.text.c_str()).x);
+    }
+    columns.texts_from += ImGui::GetFontSize();
+    return columns;
+}
+
+void key_panel(std::span<const KeyHelp> lines, const KeyColumns& columns, ImVec2 corner, float width, float margin) {
+    const float row = ImGui::GetTextLineHeightWithSpacing();
+    draw_panel(corner, {width, static_cast<float>(lines.size()) * row + 2 * margin});
     corner = {corner.x + margin, corner.y + margin};
-    for (std::size_t i = 0; i < rows; ++i) {
-        text_at(corner, ink::wait, help[i].key.c_str());
-        text_at({corner.x + keys + gap, corner.y}, ink::text, help[i].text.c_str());
+    for (const KeyHelp& line : lines) {
+        text_at(corner, ink::wait, line.key.c_str());
+        text_at({corner.x + columns.texts_from, corner.y}, ink::text, line.text.c_str());
         corner.y += row;
     }
 }
 
-void OverlayPanels::notice_panel(std::span<const std::string> notices, const OverlayPage& page) const {
+// @return the height that is taken at the bottom [pixel]
+float notice_panel(std::span<const std::string> notices, const OverlayPage& page) {
     const float most = page.width - 4 * page.margin;
     ImVec2 size{0, 0};
     for (const std::string& notice : notices) {
@@ -134,6 +114,119 @@ void OverlayPanels::notice_panel(std::span<const std::string> notices, const Ove
         line.y += ImGui::CalcTextSize(notice.c_str(), nullptr, false, most).y;
     }
     ImGui::PopTextWrapPos();
+    return panel.y + page.margin;
+}
+
+}  // namespace
+
+void OverlayPanels::DestroyContext::operator()(ImGuiContext* context) const { ImGui::DestroyContext(context); }
+
+OverlayPanels::OverlayPanels() {
+    IMGUI_CHECKVERSION();
+    context_.reset(ImGui::CreateContext());
+    ImGui::SetCurrentContext(context_.get());
+    ImGuiIO& io = ImGui::GetIO();
+    io.IniFilename = nullptr;
+    io.LogFilename = nullptr;
+    io.BackendFlags |= ImGuiBackendFlags_RendererHasVtxOffset;
+    for (const auto& [key, code] : field_keys) io.KeyMap[key] = code;
+    set_style();
+    add_fonts(fonts_);
+}
+
+void OverlayPanels::point(const PanelPointer& pointer) {
+    const int notches = input_.pointer.notches + pointer.notches;
+    input_.pressed = input_.pressed || (pointer.down && !input_.pointer.down);
+    input_.pointer = pointer;
+    input_.pointer.notches = notches;
+}
+
+void OverlayPanels::type(unsigned char code) { input_.typed += static_cast<char>(code); }
+
+bool OverlayPanels::have_pointer() const {
+    ImGui::SetCurrentContext(context_.get());
+    return settings.covers(static_cast<float>(input_.pointer.x), static_cast<float>(input_.pointer.y)) ||
+           ImGui::GetIO().WantCaptureMouse;
+}
+
+bool OverlayPanels::have_keyboard() const {
+    ImGui::SetCurrentContext(context_.get());
+    return ImGui::GetIO().WantTextInput;
+}
+
+void OverlayPanels::hand_over_input() {
+    ImGuiIO& io = ImGui::GetIO();
+    io.MousePos = {static_cast<float>(input_.pointer.x), static_cast<float>(input_.pointer.y)};
+    io.MouseDown[0] = input_.pointer.down || input_.pressed;
+    io.MouseWheel = static_cast<float>(input_.pointer.notches);
+    io.KeyCtrl = input_.pressed && input_.pointer.control;
+    for (const auto& [key, code] : field_keys) {
+        io.KeysDown[code] = input_.typed.find(static_cast<char>(code)) != std::string::npos;
+    }
+    for (const char code : input_.typed) {
+        if (code >= ' ') io.AddInputCharacter(static_cast<unsigned char>(code));
+    }
+    input_.pressed = false;
+    input_.pointer.notches = 0;
+    input_.typed.clear();
+}
+
+bool OverlayPanels::build(const FrameView& view, const FrameReport& last, std::span<const std::string> notices,
+                          int width, int height) {
+    const ViewSettings& shown = view.settings->view;
+    const bool showing_help = shown.help && !help.empty();
+    if (width < least_width || height < least_height) return false;
+    const bool showing_panel = shown.panel != PanelSize::Off;
+    if (!showing_panel && !showing_help && notices.empty() && hint.empty() && !shown.controls) return false;
+
+    ImGui::SetCurrentContext(context_.get());
+    const auto w = static_cast<float>(width), h = static_cast<float>(height);
+    ImGui::GetIO().DisplaySize = {w, h};
+    ImGui::GetIO().DeltaTime = 1.0f / 60;
+    const std::size_t size = height < 600 || width < 900 ? 0 : height < 1000 ? 1 : 2;
+    const float margin = size == 0 ? 8.0f : 12.0f;
+
+    hand_over_input();
+    ImGui::NewFrame();
+    ImGui::PushFont(fonts_[size]);
+    ImGui::SetNextWindowPos({0, 0});
+    ImGui::SetNextWindowSize({w, h});
+    ImGui::Begin("overlay", nullptr, window_flags);
+    float taken = 0;
+    if (showing_panel) taken = figures_panel(view, last, fonts_[size + 1], {w, h, margin});
+    if (showing_help) help_panel({w, h, margin}, taken);
+    float below = 0;
+    if (!notices.empty()) below = notice_panel(notices, {w, h, margin});
+    if (!hint.empty() && !showing_help) hint_panel({w, h, margin}, below);
+    ImGui::End();
+    if (shown.controls) {
+        settings.draw(*view.settings, {w, h, margin});
+    } else {
+        settings.hide();
+    }
+    ImGui::PopFont();
+    ImGui::Render();
+    return ImGui::GetDrawData()->TotalIdxCount > 0;
+}
+
+void OverlayPanels::help_panel(const OverlayPage& page, float taken) const {
+    const KeyColumns columns = columns_of(help);
+    const float margin = page.margin;
+    const float width =
+        std::min(columns.width() + 2 * margin, std::max(page.width - taken - 2 * margin, page.width / 3));
+    const auto fitting =
+        static_cast<std::size_t>(std::max(1.0f, (page.height - 4 * margin) / ImGui::GetTextLineHeightWithSpacing()));
+    key_panel({help.data(), std::min(help.size(), fitting)}, columns, {page.width - width - margin, margin}, width,
+              margin);
+}
+
+void OverlayPanels::hint_panel(const OverlayPage& page, float below) const {
+    const KeyColumns columns = columns_of(hint);
+    const float margin = page.margin;
+    const float width = std::min(columns.width() + 2 * margin, page.width - 2 * margin);
+    const float height = static_cast<float>(hint.size()) * ImGui::GetTextLineHeightWithSpacing() + 2 * margin;
+    if (height + below + 2 * margin > page.height / 2) return;
+    key_panel(hint, columns, {(page.width - width) / 2, page.height - below - height - margin}, width, margin);
 }
 
 }  // namespace drape

@@ -8,14 +8,15 @@
 
 #include "drape/render/renderer.h"
 #include "figures_panel.h"
+#include "settings_panel.h"
 
 struct ImFont;
 struct ImGuiContext;
 
 namespace drape {
 
-/// The panels over the picture, made with Dear ImGui: figures at the top left, help at the right, notices at the
-/// bottom. Dear ImGui's context lives as long as this does.
+/// The panels over the picture, made with Dear ImGui: figures at the top left, help at the right, a hint for the first
+/// moments and notices at the bottom. Dear ImGui's context lives as long as this does.
 class OverlayPanels {
 public:
     OverlayPanels();
@@ -26,7 +27,15 @@ public:
     bool build(const FrameView& view, const FrameReport& last, std::span<const std::string> notices, int width,
                int height);
 
+    /// The user's pointer and keyboard, as `Renderer` has them.
+    void point(const PanelPointer& pointer);
+    void type(unsigned char code);
+    [[nodiscard]] bool have_pointer() const;
+    [[nodiscard]] bool have_keyboard() const;
+
+    SettingsPanel settings;
     std::vector<KeyHelp> help;
+    std::vector<KeyHelp> hint;  ///< what to try first; empty: not shown
 
 private:
     struct DestroyContext {
@@ -34,9 +43,19 @@ private:
     };
 
     void help_panel(const OverlayPage& page, float taken) const;
-    void notice_panel(std::span<const std::string> notices, const OverlayPage& page) const;
+    void hint_panel(const OverlayPage& page, float below) const;
+
+    void hand_over_input();
+
+    /// What has come since the last frame: a press and a release within one are seen one after the other.
+    struct Input {
+        PanelPointer pointer;
+        bool pressed = false;
+        std::string typed;
+    };
 
     std::unique_ptr<ImGuiContext, DestroyContext> context_;
+    Input input_;
     std::array<ImFont*, 4> fonts_{};  ///< from small to large
 };
 

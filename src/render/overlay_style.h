@@ -13,6 +13,8 @@ inline constexpr ImU32 wait = IM_COL32(255, 200, 87, 255);
 inline constexpr ImU32 bad = IM_COL32(255, 107, 94, 255);
 inline constexpr ImU32 bar = IM_COL32(240, 128, 96, 255);
 inline constexpr ImU32 groove = IM_COL32(255, 255, 255, 26);
+inline constexpr ImU32 lit = IM_COL32(255, 255, 255, 52);
+inline constexpr ImU32 popup = IM_COL32(34, 38, 48, 245);
 inline constexpr ImU32 panel = IM_COL32(22, 26, 34, 196);
 }  // namespace ink
 

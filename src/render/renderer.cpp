@@ -83,6 +83,20 @@ void Renderer::resize(int width, int height) {
 
 void Renderer::set_help(std::vector<KeyHelp> lines) { parts_->panels.help = std::move(lines); }
 
+void Renderer::set_hint(std::vector<KeyHelp> lines) { parts_->panels.hint = std::move(lines); }
+
+void Renderer::set_scene(const Settings& settings) { parts_->panels.settings.set_scene(settings); }
+
+void Renderer::point(const PanelPointer& pointer) { parts_->panels.point(pointer); }
+
+void Renderer::type(unsigned char code) { parts_->panels.type(code); }
+
+bool Renderer::panel_has_pointer() const { return parts_->panels.have_pointer(); }
+
+bool Renderer::panel_has_keyboard() const { return parts_->panels.have_keyboard(); }
+
+std::vector<std::string> Renderer::take_changes() { return parts_->panels.settings.take_changes(); }
+
 void Renderer::draw(const FrameView& view, const Camera& camera, std::span<const std::string> notices) {
     Parts& parts = *parts_;
     if (!parts.target) return;

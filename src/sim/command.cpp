@@ -51,6 +51,7 @@ constexpr std::tuple table{
     row<Grab>("grab CLOTH PARTICLE", &Grab::cloth, &Grab::particle),
     row<Drag>("drag X Y Z", &Drag::target),
     row<Release>("release"),
+    row<Pin>("pin CLOTH PARTICLE", &Pin::cloth, &Pin::particle),
     row<Orbit>("orbit YAW PITCH", &Orbit::yaw, &Orbit::pitch),
     row<Pan>("pan RIGHT UP", &Pan::right, &Pan::up),
     row<Zoom>("zoom FACTOR", &Zoom::factor),

@@ -45,11 +45,12 @@ std::string spring_name(const ClothModel& model, const Points& x, Eigen::Index p
             const Real off = std::isfinite(ratio) ? std::abs(ratio - 1) : std::numeric_limits<Real>::infinity();
             if (!(off > worst)) continue;
             worst = off;
-            name = std::string(kinds[s]) + " spring to " + std::to_string(other) +
-                   (std::isfinite(ratio) ? " at " + real_text(static_cast<double>(ratio), 3) + " of its length" : "");
+            name =
+                std::string(kinds[s]) + " spring to " + std::to_string(other) +
+                (std::isfinite(ratio) ? " at " + real_text(static_cast<double>(ratio), 3) + " x its rest length" : "");
         }
     }
-    return name.empty() ? "" : ", its " + name + ",";
+    return name.empty() ? "" : ", its " + name;
 }
 
 }  // namespace
@@ -70,13 +71,13 @@ std::string divergence(const Cloth& cloth, const MotionSums& sums, std::span<con
     Real largest = -1;
     for (Eigen::Index p = 0; p < v.rows(); ++p) {
         if (!x.row(p).allFinite() || !v.row(p).allFinite()) {
-            return particle_name(cloth.model.grid, p) + spring_name(cloth.model, x, p) + " is no longer finite";
+            return particle_name(cloth.model.grid, p) + " is no longer finite" + spring_name(cloth.model, x, p);
         }
         const Real speed = (v.row(p).transpose() - mean).squaredNorm();
         if (speed > largest) largest = speed, fastest = p;
     }
-    return particle_name(cloth.model.grid, fastest) + spring_name(cloth.model, x, fastest) + " moves at " +
-           real_text(static_cast<double>(std::sqrt(largest)), 3) + " m/s, which nothing in the scene explains,";
+    return particle_name(cloth.model.grid, fastest) + " at " + real_text(static_cast<double>(std::sqrt(largest)), 3) +
+           " m/s" + spring_name(cloth.model, x, fastest);
 }
 
 }  // namespace drape

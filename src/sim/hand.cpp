@@ -24,10 +24,9 @@ constexpr Real hand_weights = 3;
 /// Rounds to find the velocity at the bound; each is left with at most some two thirds of the excess.
 constexpr int hand_rounds = 12;
 
-void check_number(const char* what, int number, std::size_t count) {
+void check_number(const std::string& what, int number, std::size_t count) {
     if (number >= 0 && static_cast<std::size_t>(number) < count) return;
-    throw InputError("grab: " + std::string(what) + " " + std::to_string(number) + ": allowed 0 to " +
-                     std::to_string(count - 1));
+    throw InputError(what + " " + std::to_string(number) + ": allowed 0 to " + std::to_string(count - 1));
 }
 
 /// How far above a ball and the cloth's thickness the hand stays, so that contacts with it are at other corners of the
@@ -140,11 +139,16 @@ double hand_power(const ClothModel& model, const ClothState& state, int particle
 
 }  // namespace
 
+void check_particle(const std::string& command, int cloth, int particle, std::span<const Cloth> cloths) {
+    check_number(command + ": cloth", cloth, cloths.size());
+    const Grid& grid = cloths[static_cast<std::size_t>(cloth)].model.grid;
+    check_number(command + ": particle", particle, static_cast<std::size_t>(grid.particles()));
+}
+
 void Hand::grab(const command::Grab& command, std::span<Cloth> cloths) {
-    check_number("cloth", command.cloth, cloths.size());
+    check_particle("grab", command.cloth, command.particle, cloths);
     const auto number = static_cast<std::size_t>(command.cloth);
     Cloth& cloth = cloths[number];
-    check_number("particle", command.particle, static_cast<std::size_t>(cloth.model.grid.particles()));
     release(cloths);
     held_ = Held{number, command.particle, cloth.state.x.row(command.particle).transpose(),
                  cloth.model.pinned(command.particle)};

@@ -50,8 +50,8 @@ std::string check_substep(std::span<Cloth> cloths, std::span<const Ball> balls, 
         const MotionSums sums = sum_motion(cloth.state);
         const std::string trouble = divergence(cloth, sums, balls, settings);
         if (!trouble.empty()) {
-            return trouble + " in step " + std::to_string(report.step + 1) + " of " +
-                   std::string(name_of(solver.integrator));
+            return "diverged at step " + std::to_string(report.step + 1) + " (" +
+                   std::string(name_of(solver.integrator)) + "): " + trouble;
         }
         cloth.energy.after_integrator(cloth.model, cloth.state, sums, h, least_pause);
         mark_gain(cloth.energy.watch(), solver.integrator, report);

@@ -25,7 +25,7 @@ Settings laws_of(Settings settings, bool limited) {
 
 bool same_start(const ClothParameters& a, const ClothParameters& b) {
     return a.particles == b.particles && a.width == b.width && a.height == b.height && a.plane == b.plane &&
-           a.origin() == b.origin() && a.pinned == b.pinned;
+           a.origin() == b.origin();
 }
 
 }  // namespace

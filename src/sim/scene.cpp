@@ -202,9 +202,7 @@ std::vector<std::string> scene_names() {
     for (const auto& entry : std::filesystem::directory_iterator(find_resource("scenes"))) {
         if (entry.path().extension() == ".toml") names.push_back(entry.path().stem().string());
     }
-    const auto rank = [](const std::string& name) {
-        return name == "original" ? 0 : name.starts_with("fails_") ? 2 : 1;
-    };
+    const auto rank = [](const std::string& name) { return name == "drop" ? 0 : name.starts_with("fails_") ? 2 : 1; };
     std::sort(names.begin(), names.end(), [&](const std::string& a, const std::string& b) {
         return std::pair(rank(a), a) < std::pair(rank(b), b);
     });

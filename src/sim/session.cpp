@@ -102,9 +102,10 @@ void Session::advance(double elapsed, double budget) {
         while (simulation_.paused() && simulation_.steps_wanted() > 0 && watch.seconds() < budget) step();
         return;
     }
-    behind_ += std::max(0.0, elapsed);
-    dropped_ += std::max(0.0, behind_ - longest_frame);
-    behind_ = std::min(behind_, longest_frame);
+    const double speed = simulation_.settings().view.speed, longest = longest_frame * std::max(1.0, speed);
+    behind_ += std::max(0.0, elapsed) * speed;
+    dropped_ += std::max(0.0, behind_ - longest);
+    behind_ = std::min(behind_, longest);
     while (!simulation_.paused() && behind_ >= dt()) {
         behind_ -= dt();
         step();

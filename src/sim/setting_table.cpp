@@ -268,7 +268,8 @@ void add_the_rest(std::vector<Setting>& table) {
 
     SectionRows<ViewSettings> view(
         "view", [](Settings& s, std::size_t) -> ViewSettings& { return s.view; }, table);
-    view.flag("overlay", &ViewSettings::overlay, "show the panel of figures");
+    view.choice("panel", &ViewSettings::panel, "how much the stats panel shows");
+    view.flag("controls", &ViewSettings::controls, "show the settings panel, in the window");
     view.flag("help", &ViewSettings::help, "show keys and menu");
     view.flag("bounds", &ViewSettings::bounds, "show the bounding volumes of a level");
     view.integer("level", &ViewSettings::level, {0, 30}, "of the hierarchy whose bounds are shown; 0 is the root");
@@ -277,6 +278,8 @@ void add_the_rest(std::vector<Setting>& table) {
     view.flag("contacts", &ViewSettings::contacts, "show contact points and normals");
     view.vector("eye", &ViewSettings::eye, "m", lengths, "where the camera starts");
     view.vector("target", &ViewSettings::target, "m", lengths, "what the camera looks at");
+    view.number("speed", &ViewSettings::speed, "", {1e-4, 100},
+                "simulated seconds in a second at the window: 1 is real time, less is slow motion");
 
     add_needs(table);
 }

@@ -103,6 +103,13 @@ std::string range_text(const Setting& setting) {
 
 }  // namespace
 
+std::string setting_label(const Setting& setting) {
+    std::string label = setting.name == "on" ? setting.section : setting.name;
+    std::ranges::replace(label, '_', ' ');
+    std::ranges::replace(label, '.', ' ');
+    return label;
+}
+
 std::string accepted(const Setting& setting) {
     switch (setting.kind) {
         case SettingKind::Flag:

@@ -20,6 +20,12 @@ struct Overloaded : Handlers... {
 template <class... Handlers>
 Overloaded(Handlers...) -> Overloaded<Handlers...>;  // Clang 14 does not deduce it yet
 
+void stop_pins(Cloth& cloth) {
+    for (int p = 0; p < cloth.model.grid.particles(); ++p) {
+        if (cloth.model.pinned(p)) cloth.state.v.row(p).setZero();
+    }
+}
+
 }  // namespace
 
 void Simulation::apply(const Command& command) {
@@ -55,7 +61,7 @@ void Simulation::carry_out(const Command& command) {
                               hand_.release(cloths_);
                               wake();
                           },
-                          [](const command::OfThePicture auto&) {}},
+                          [&](const command::Pin& pin) { change_pin(pin); }, [](const command::OfThePicture auto&) {}},
                command);
 }
 
@@ -82,9 +88,7 @@ void Simulation::restart() {
         Cloth& cloth = cloths_.emplace_back();
         cloth.model = make_cloth_model(parameters);
         cloth.state = start_ ? start_->states[cloths_.size() - 1] : make_rest_state(parameters);
-        for (int p = 0; p < parameters.particles.particles(); ++p) {
-            if (cloth.model.pinned(p)) cloth.state.v.row(p).setZero();
-        }
+        stop_pins(cloth);
         cloth.previous = cloth.state;
         cloth.integrator = make_integrator(integrator_of(settings_.solver), parameters.particles);
         cloth.energy.restart(cloth.model, cloth.state, settings_.solver.kernels);
@@ -115,6 +119,20 @@ void Simulation::load(const std::string& scene) {
     settings_ = std::move(settings);
     motion_by_scene_.reset();
     restart();
+}
+
+void Simulation::change_pin(const command::Pin& pin) {
+    check_particle("pin", pin.cloth, pin.particle, cloths_);
+    const auto number = static_cast<std::size_t>(pin.cloth);
+    const ClothModel model = make_cloth_model(settings_.cloths[number]);  // in which the hand holds nothing
+    Pins pins{Pins::Kind::List, {}};
+    for (int p = 0; p < model.grid.particles(); ++p) {
+        if (model.pinned(p) != (p == pin.particle)) pins.list.push_back(p);
+    }
+    if (pins.list.empty()) pins.kind = Pins::Kind::None;
+    Settings changed = settings_;
+    changed.cloths[number].pinned = std::move(pins);
+    configure(std::move(changed));
 }
 
 void Simulation::configure(Settings settings) {
@@ -152,6 +170,7 @@ void Simulation::configure_cloth(std::size_t number, const Settings& before) {
         cloth.model = make_cloth_model(settings_.cloths[number]);
         cloth.model.revision = revision + 1;
         hand_.hold_in(number, cloth.model);
+        stop_pins(cloth);
         cloth.energy.restart(cloth.model, cloth.state, settings_.solver.kernels);
     }
     if (!same_integrator(before.solver, settings_.solver)) {

@@ -2,12 +2,14 @@
 
 #include <gtest/gtest.h>
 
+#include <filesystem>
 #include <set>
 
 #include "../../src/app/keys.h"
 #include "../../src/app/menu.h"
 #include "drape/sim/command.h"
 #include "drape/sim/scene.h"
+#include "drape/sim/tour.h"
 #include "support/process.h"
 
 namespace drape {
@@ -80,6 +82,12 @@ TEST(Entries, AreTheTableOfTheReadme) {
     for (const KeyHelp& line : help_lines(make_entries(scene_names()))) {
         EXPECT_NE(readme.find("| " + line.key + " | " + line.text + " |"), std::string::npos)
             << "missing: | " << line.key << " | " << line.text << " |";
+    }
+}
+
+TEST(Tour, NamesFilesThatExist) {
+    for (const TourStop& stop : tour_stops()) {
+        EXPECT_TRUE(std::filesystem::is_regular_file(std::filesystem::path(DRAPE_SOURCE_DIR) / stop.file)) << stop.file;
     }
 }
 

@@ -115,7 +115,7 @@ protected:
         settings.contact.volume = volume;
         settings.view.bounds = true;
         settings.view.level = level;
-        settings.view.overlay = false;
+        settings.view.panel = PanelSize::Off;
         simulation_.emplace("hang", settings);
         while (simulation_->report().time < 0.4) simulation_->step();
         FrameView view = simulation_->view();

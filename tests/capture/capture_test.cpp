@@ -282,7 +282,7 @@ TEST(Capture, FollowsTheViewOfAReplay) {
 
 TEST(Capture, DrawsThePanelOnlyIfItIsAskedTo) {
     const TestFolder folder;
-    Words words{"drop", "--frames", "1", "--size", "640x480", "--out", folder / "a", "--set", "view.overlay=true"};
+    Words words{"drop", "--frames", "1", "--size", "640x480", "--out", folder / "a", "--set", "view.panel=full"};
     run_program("drape-capture", words);
     words[6] = folder / "b";
     words.emplace_back("--overlay");

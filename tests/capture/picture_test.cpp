@@ -37,7 +37,7 @@ protected:
         while (simulation_.report().time < GetParam().time) simulation_.step();
         view_ = simulation_.view();
         settings_ = *view_.settings;
-        settings_.view.overlay = false;
+        settings_.view.panel = PanelSize::Off;
         view_.settings = &settings_;
     }
 

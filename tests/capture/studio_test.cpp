@@ -40,7 +40,7 @@ protected:
 
     Simulation simulation_{"drop", [] {
                                Settings settings = load_scene("drop");
-                               settings.view.overlay = false;
+                               settings.view.panel = PanelSize::Off;
                                return settings;
                            }()};
     Look look_{"first", Camera(simulation_.settings().view), {}, simulation_.settings()};

@@ -23,7 +23,7 @@ class TurningBall : public testing::Test {
 protected:
     TurningBall() : simulation_("trampoline", load_scene("trampoline")), settings_(simulation_.settings()) {
         ball_ = simulation_.balls()[0];
-        settings_.view.overlay = false;
+        settings_.view.panel = PanelSize::Off;
         settings_.view.target = ball_.centre;
         settings_.view.eye = ball_.centre + Vec3(Real(0.5), Real(0.6), Real(0.7));
         renderer_.resize(picture_side, picture_side);

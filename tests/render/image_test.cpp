@@ -1,6 +1,7 @@
 #include "drape/render/image.h"
 
 #include <gtest/gtest.h>
+#include <png.h>
 #include <sys/resource.h>
 #include <unistd.h>
 
@@ -45,6 +46,38 @@ TEST_F(ImageFile, ReadsBackAsItWasWritten) {
     EXPECT_EQ(read.height, 21);
     EXPECT_EQ(read.rgb, image.rgb);
     EXPECT_EQ(files(), 1);
+}
+
+/// The texts of a PNG, as libpng reads them.
+std::vector<ImageText> texts_of(const fs::path& file) {
+    FILE* in = std::fopen(file.c_str(), "rb");
+    png_structp png = png_create_read_struct(PNG_LIBPNG_VER_STRING, nullptr, nullptr, nullptr);
+    png_infop info = png_create_info_struct(png);
+    std::vector<ImageText> texts;
+    // libpng leaps here from an error
+    if (setjmp(png_jmpbuf(png)) == 0) {
+        png_set_crc_action(png, PNG_CRC_ERROR_QUIT, PNG_CRC_ERROR_QUIT);
+        png_init_io(png, in);
+        png_read_info(png, info);
+        png_textp found = nullptr;
+        const int count = png_get_text(png, info, &found, nullptr);
+        for (int i = 0; i < count; ++i) texts.push_back({found[i].key, found[i].text});
+    }
+    png_destroy_read_struct(&png, &info, nullptr);
+    std::fclose(in);
+    return texts;
+}
+
+TEST_F(ImageFile, CarriesTexts) {
+    Image image = noise(5, 4);
+    image.texts = {{"Scene", "drop"}, {"Settings", "title = \"Tuch \u00e4\"\n[cloth]\n"}};
+    write_png(image, folder_ / "a.png");
+    const std::vector<ImageText> texts = texts_of(folder_ / "a.png");
+    ASSERT_EQ(texts.size(), 2u);
+    EXPECT_EQ(texts[0].keyword, "Scene");
+    EXPECT_EQ(texts[0].text, "drop");
+    EXPECT_EQ(texts[1].text, image.texts[1].text);
+    EXPECT_EQ(read_png(folder_ / "a.png").rgb, image.rgb);
 }
 
 TEST_F(ImageFile, KeepsTheOldPictureIfTheNewOneDoesNotFit) {

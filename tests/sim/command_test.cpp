@@ -31,6 +31,7 @@ std::vector<Command> one_of_each() {
             Grab{1, 17},
             Drag{Vec3(0.1, 1e-300, -2e8)},
             Release{},
+            Pin{1, 17},
             Orbit{0.1, 1.0 / 3},
             Pan{-0.25, 1e-17},
             Zoom{0.9},

@@ -95,7 +95,9 @@ on = true
 velocity = [1, 2, 3]
 gust = 0.25
 [view]
-overlay = false
+panel = "off"
+controls = true
+speed = 0.5
 help = true
 bounds = true
 level = 2
@@ -281,7 +283,7 @@ TEST(ShippedScenes, AllLoadAndHaveATitle) {
     const std::vector<std::string> names = scene_names();
     EXPECT_THAT(names, testing::IsSupersetOf({"original", "drop", "curtain", "hang", "slide", "three_balls",
                                               "trampoline", "two_corners"}));
-    EXPECT_EQ(names.front(), "original");
+    EXPECT_EQ(names.front(), "drop");
     EXPECT_THAT(names.back(), StartsWith("fails_"));
     for (const std::string& name : names) EXPECT_NE(load_scene(name).title, Settings{}.title) << name;
 }

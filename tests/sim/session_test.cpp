@@ -71,6 +71,16 @@ TEST(Session, MakesAsManyStepsAsTimePasses) {
     EXPECT_EQ(session.dropped(), 0);
 }
 
+TEST(Session, MakesFewerOrMoreOfThemInSlowMotionAndFasterThanReal) {
+    for (const double speed : {0.25, 4.0}) {
+        Session session = small_session();
+        session.send(command::Set{"view.speed=" + std::to_string(speed)});
+        for (int frame = 0; frame < 64; ++frame) session.advance(1.0 / 64, unlimited);
+        EXPECT_EQ(steps_made(session), static_cast<std::int64_t>(1024 * speed));
+        EXPECT_EQ(session.dropped(), 0);
+    }
+}
+
 TEST(Session, RunsUntilTheLastStepNotBeyondATime) {
     Session session = small_session();
     session.run_until(2.75 * step_length);

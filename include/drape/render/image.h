@@ -17,11 +17,18 @@ struct PictureSize {
 /// @throws InputError unless both lie in 1 to 8192
 PictureSize parse_size(const std::string& text);
 
+/// A text that goes with a picture, in UTF-8.
+struct ImageText {
+    std::string keyword;  ///< "Software": 1 to 79 printing characters of ASCII
+    std::string text;
+};
+
 /// A picture: 8-bit RGB, rows from the top.
 struct Image {
     int width = 0;
     int height = 0;
     std::vector<std::uint8_t> rgb;
+    std::vector<ImageText> texts = {};  ///< written with it, and not read
 
     [[nodiscard]] const std::uint8_t* pixel(int x, int y) const {
         return &rgb[3 * (static_cast<std::size_t>(y) * static_cast<std::size_t>(width) + static_cast<std::size_t>(x))];

@@ -37,6 +37,14 @@ struct KeyHelp {
     std::string text;
 };
 
+/// The pointer, as panels see it.
+struct PanelPointer {
+    int x = -1, y = -1;    ///< from the upper left [pixel]
+    bool down = false;     ///< its left button
+    bool control = false;  ///< Control is held: a click opens a field to type into
+    int notches = 0;       ///< of the wheel since the last one, positive away from the user
+};
+
 /// Draws a `FrameView` with OpenGL 3.3 core, multisampled, into a framebuffer of its own.
 /// Needs a current context with GLEW initialised from construction to destruction.
 class Renderer {
@@ -52,6 +60,25 @@ public:
 
     /// The lines of the help panel, which `settings->view.help` shows.
     void set_help(std::vector<KeyHelp> lines);
+
+    /// What a newcomer may try, in a panel at the bottom; no lines: no panel.
+    void set_hint(std::vector<KeyHelp> lines);
+
+    /// The settings to which the settings panel's buttons lead back.
+    void set_scene(const Settings& settings);
+
+    /// What the user's pointer does, for the settings panel, which follows in the next frames.
+    void point(const PanelPointer& pointer);
+
+    /// A typed character for a field of the settings panel: 8 deletes, 13 ends, 27 gives up.
+    void type(unsigned char code);
+
+    /// Whether pointer and keyboard are the settings panel's now.
+    [[nodiscard]] bool panel_has_pointer() const;
+    [[nodiscard]] bool panel_has_keyboard() const;
+
+    /// What the user has changed at the settings panel since the last call, as "solver.dt=0.001".
+    [[nodiscard]] std::vector<std::string> take_changes();
 
     /// Draws one frame: shadow, sky, ground, balls, cloths, what `settings->view` asks for, overlay.
     /// @param notices lines for the user (an error, a replay that ended), shown with the overlay or without

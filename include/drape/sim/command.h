@@ -46,7 +46,11 @@ struct Drag {  ///< `drag 0.1 0.2 0.3`: where the hand goes [m]
     Vec3 target = Vec3::Zero();
 };
 struct Release {};  ///< `release`: the hand lets go
-struct Orbit {      ///< `orbit 0.1 0.05`: the camera about its target [rad]
+struct Pin {        ///< `pin 0 17`: pins a particle of a cloth where it is, or frees a pinned one
+    int cloth = 0;
+    int particle = 0;
+};
+struct Orbit {  ///< `orbit 0.1 0.05`: the camera about its target [rad]
     double yaw = 0, pitch = 0;
 };
 struct Pan {  ///< `pan 0.1 0`: eye and target, in units of the distance
@@ -68,7 +72,7 @@ concept OfThePicture = std::is_same_v<C, Orbit> || std::is_same_v<C, Pan> || std
 
 using Command = std::variant<command::Pause, command::Step, command::Reset, command::LoadScene, command::Set,
                              command::Next, command::Add, command::Steer, command::Throw, command::Fall, command::Grab,
-                             command::Drag, command::Release, command::Orbit, command::Pan, command::Zoom,
+                             command::Drag, command::Release, command::Pin, command::Orbit, command::Pan, command::Zoom,
                              command::Frame, command::Picture, command::Quit>;
 
 /// The text form: one line without its end.

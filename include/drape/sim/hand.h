@@ -2,6 +2,7 @@
 
 #include <optional>
 #include <span>
+#include <string>
 
 #include "drape/contact/solid.h"
 #include "drape/model/ball.h"
@@ -18,6 +19,9 @@ struct Obstacles {
     const Ground& ground;
     Real thickness;  ///< of the cloth: the hand stays as far outside [m]
 };
+
+/// @throws InputError that starts with the command's name, if there is no such cloth or particle
+void check_particle(const std::string& command, int cloth, int particle, std::span<const Cloth> cloths);
 
 /// Takes one particle of a cloth and leads it to a target, with a force that has a bound.
 ///

@@ -20,7 +20,7 @@ std::filesystem::path scene_file(const std::string& name_or_path);
 /// @throws InputError
 Settings parse_scene(std::string_view text, const std::string& file);
 
-/// The names of the shipped scenes in the order of the keys 1-9: `original` first, the rest by name, and those
+/// The names of the shipped scenes in the order of the keys 1-9: `drop` first, the rest by name, and those
 /// that are made to fail (`fails_...`) last.
 std::vector<std::string> scene_names();
 

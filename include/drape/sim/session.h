@@ -29,9 +29,10 @@ public:
     /// @throws InputError as `Simulation::apply`; it is not recorded then
     void send(const Command& command);
 
-    /// Lets `elapsed` seconds of wall time pass: makes as many whole steps as fit, at most 0.25 s worth of them, and
-    /// stops early when they have taken `budget` seconds of wall time themselves. What is left over stays, what is cut
-    /// is dropped. Paused, it makes only the steps that were asked for.
+    /// Lets `elapsed` seconds of wall time pass, each of which is `view.speed` simulated ones: makes as many whole
+    /// steps as fit, at most 0.25 s worth of them at speed 1, and stops early when they have taken `budget` seconds of
+    /// wall time themselves. What is left over stays, what is cut is dropped. Paused, it makes only the steps that were
+    /// asked for.
     void advance(double elapsed, double budget);
 
     /// Makes steps until the simulated time is the last one that whole steps come to and that is not beyond `time` [s];

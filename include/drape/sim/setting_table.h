@@ -50,6 +50,9 @@ std::span<const Setting> setting_table();
 /// @throws InputError that names the nearest known one, or the candidates of a short name that fits several
 const Setting& find_setting(std::string_view name);
 
+/// The setting's name in words, without its section: "structural stiffness"; of a section's switch, the section's name.
+std::string setting_label(const Setting& setting);
+
 /// What is accepted, as an error message says it: "1e-09 <= dt <= 0.1 s", "'rk4' or 'velocity_verlet'".
 std::string accepted(const Setting& setting);
 

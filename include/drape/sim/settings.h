@@ -122,10 +122,17 @@ struct WindSettings {
     bool operator==(const WindSettings&) const = default;
 };
 
+/// How much the stats panel shows: nothing, what a glance takes in, or every figure.
+enum class PanelSize { Off, Compact, Full };
+
+template <>
+inline constexpr auto enum_names<PanelSize> = all_names<PanelSize>("off", "compact", "full");
+
 /// What the picture shows besides cloth and ball. It changes no state.
 struct ViewSettings {
-    bool overlay = true;
+    PanelSize panel = PanelSize::Compact;
     bool help = false;
+    bool controls = false;  ///< the panel of settings
     bool bounds = false;
     int level = 3;
     bool wireframe = false;
@@ -133,6 +140,7 @@ struct ViewSettings {
     bool contacts = false;
     Vec3 eye{Real(1.6), Real(0.9), Real(2.2)};
     Vec3 target{0, 0, 0};
+    double speed = 1;  ///< simulated seconds that pass in a second at the window
 };
 
 /// What of two motions is compared.

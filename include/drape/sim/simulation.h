@@ -104,6 +104,7 @@ private:
     void carry_out(const Command& command);
     void restart();
     void load(const std::string& scene);
+    void change_pin(const command::Pin& pin);
     void configure(Settings settings);
     void configure_cloth(std::size_t number, const Settings& before);
     void configure_balls(const Settings& before);

@@ -1,0 +1,27 @@
+#pragma once
+
+#include <span>
+#include <string_view>
+
+#include "drape/sim/settings.h"
+
+namespace drape {
+
+/// A stop of the tour: a scene with some settings changed, what to look at in it, and where the code explains it.
+struct TourStop {
+    std::string_view title;
+    std::string_view scene;
+    std::span<const std::string_view> changes;  ///< "name=value"
+    std::string_view look;                      ///< what to look at
+    std::string_view try_it;                    ///< what to do
+    std::string_view file;                      ///< that explains it
+    double time;                                ///< simulated, at which a picture of it tells the most [s]
+};
+
+/// The stops in their order.
+std::span<const TourStop> tour_stops();
+
+/// The scene of a stop with its changes.
+Settings settings_of(const TourStop& stop);
+
+}  // namespace drape

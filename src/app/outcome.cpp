@@ -1,0 +1,86 @@
+#include "outcome.h"
+
+#include <algorithm>
+#include <array>
+#include <string_view>
+
+#include "drape/integrate/stability.h"
+#include "drape/sim/setting_table.h"
+
+namespace drape {
+
+namespace {
+
+std::string shown_value(const Setting& setting, const Settings& settings) {
+    const SettingValue value = setting.read(settings, 0);
+    if (const bool* flag = std::get_if<bool>(&value)) return *flag ? "on" : "off";
+    return value_text(value) + (setting.unit.empty() ? "" : " " + setting.unit);
+}
+
+// Settings of a hierarchy, which brute force has not
+constexpr std::array<std::string_view, 7> of_a_hierarchy{
+    "contact.update",    "contact.leaf_cells", "contact.sphere_fit", "contact.search_level",
+    "contact.coherence", "view.bounds",        "view.level"};
+
+bool solves_a_system(IntegratorKind integrator) {
+    return integrator == IntegratorKind::BackwardEuler || integrator == IntegratorKind::ImplicitMidpoint ||
+           integrator == IntegratorKind::Bdf2;
+}
+
+bool makes_rounds(IntegratorKind integrator) {
+    return integrator == IntegratorKind::Xpbd || integrator == IntegratorKind::ProjectiveDynamics;
+}
+
+// Why a setting changes nothing here; empty if it does
+std::string why_without_effect(const std::string& name, const Settings& settings) {
+    const VolumeKind volume = settings.contact.volume;
+    const IntegratorKind integrator = settings.solver.integrator;
+    if (volume == VolumeKind::Brute && std::ranges::find(of_a_hierarchy, name) != of_a_hierarchy.end()) {
+        return "no effect, for brute force has no hierarchy";
+    }
+    if (name == "contact.sphere_fit" && volume != VolumeKind::Sphere) {
+        return "no effect while the bounding volume is " + std::string(name_of(volume));
+    }
+    if (name == "view.level" && !settings.view.bounds) return "B shows it";
+    const bool unused = (name == "solver.hessian" && !solves_a_system(integrator)) ||
+                        (name == "solver.iterations" && !makes_rounds(integrator));
+    if (unused) return "no effect with " + std::string(name_of(integrator));
+    if (name.starts_with("wind.") && name != "wind.on" && !settings.wind.on) return "no effect without wind (V)";
+    return {};
+}
+
+// What a new integrator makes of the time step
+std::string step_advice(const Simulation& simulation) {
+    const IntegratorKind integrator = simulation.settings().solver.integrator;
+    if (!has_step_limit(integrator)) return "no stability limit, a longer time step works too (menu)";
+    if (simulation.report().step_limit_ratio > 1) return "Shift+R resets with a time step at 0.9 of its limit";
+    return {};
+}
+
+std::string outcome_for(const Setting& setting, const Simulation& simulation) {
+    const std::string name = setting.full_name();
+    const std::string text = setting_label(setting) + ": " + shown_value(setting, simulation.settings());
+    std::string remark = why_without_effect(name, simulation.settings());
+    if (name == "solver.integrator") remark = step_advice(simulation);
+    if (name == "view.speed") remark = "simulated seconds in a second";
+    const bool is_seen = setting.section == "view" && name != "view.speed";
+    if (remark.empty()) return is_seen ? "" : text;
+    return text + "; " + remark;
+}
+
+}  // namespace
+
+std::string outcome_of(const Command& command, const Simulation& simulation) {
+    if (const auto* next = std::get_if<command::Next>(&command)) {
+        return outcome_for(find_setting(next->setting), simulation);
+    }
+    if (const auto* add = std::get_if<command::Add>(&command)) {
+        return outcome_for(find_setting(add->setting), simulation);
+    }
+    if (const auto* set = std::get_if<command::Set>(&command)) {
+        return outcome_for(find_setting(set->assignment.substr(0, set->assignment.find('='))), simulation);
+    }
+    return {};
+}
+
+}  // namespace drape

@@ -1,0 +1,222 @@
+#include "settings_panel.h"
+
+#include <imgui.h>
+
+#include <algorithm>
+#include <cctype>
+#include <cmath>
+#include <utility>
+
+#include "drape/base/numbers.h"
+#include "overlay_style.h"
+
+namespace drape {
+
+namespace {
+
+constexpr double decades = 100;  // of a slider to both sides
+constexpr double narrow = 25;    // up to which a slider from 0 on is even
+
+ImGuiWindowFlags panel_flags() {
+    return ImGuiWindowFlags_NoTitleBar | ImGuiWindowFlags_NoMove | ImGuiWindowFlags_NoResize |
+           ImGuiWindowFlags_NoSavedSettings | ImGuiWindowFlags_NoNav | ImGuiWindowFlags_NoFocusOnAppearing;
+}
+
+std::string capitalised(std::string text) {
+    if (!text.empty()) text[0] = static_cast<char>(std::toupper(static_cast<unsigned char>(text[0])));
+    return text;
+}
+
+// "%.4g N/m"
+std::string number_format(const Setting& setting) { return "%.4g" + (setting.unit.empty() ? "" : " " + setting.unit); }
+
+// What is said of a setting under the pointer
+void tooltip(const Setting& setting) {
+    if (!ImGui::IsItemHovered() || ImGui::IsItemActive()) return;
+    ImGui::BeginTooltip();
+    ImGui::PushTextWrapPos(28 * ImGui::GetFontSize());
+    ImGui::TextUnformatted((setting.full_name() + ": " + setting.help).c_str());
+    ImGui::PushStyleColor(ImGuiCol_Text, ink::quiet);
+    ImGui::TextUnformatted(accepted(setting).c_str());
+    ImGui::PopStyleColor();
+    ImGui::PopTextWrapPos();
+    ImGui::EndTooltip();
+}
+
+// A list of names
+std::optional<SettingValue> edited_choice(const Setting& setting, const SettingValue& value) {
+    const auto* name = std::get_if<std::string>(&value);
+    std::optional<SettingValue> chosen;
+    if (!ImGui::BeginCombo("##value", name == nullptr ? "a list" : name->c_str())) return chosen;
+    for (const std::string& choice : setting.choices) {
+        if (ImGui::Selectable(choice.c_str(), name != nullptr && choice == *name)) chosen = choice;
+    }
+    ImGui::EndCombo();
+    return chosen;
+}
+
+// Of the first cloth, ball or solid; nothing where there is none
+std::optional<SettingValue> first_value(const Setting& setting, const Settings& settings) {
+    const bool absent = (setting.section == "cloth" && settings.cloths.empty()) ||
+                        (setting.section == "ball" && settings.balls.empty()) ||
+                        (setting.section == "solid" && settings.solids.empty());
+    if (absent) return std::nullopt;
+    return setting.read(settings, 0);
+}
+
+double first_number(const Setting& setting, const Settings& settings) {
+    const std::optional<SettingValue> value = first_value(setting, settings);
+    const double* number = value ? std::get_if<double>(&*value) : nullptr;
+    return number == nullptr ? 0 : *number;
+}
+
+double default_number(const Setting& setting) {
+    Settings defaults;
+    defaults.balls.resize(1);
+    defaults.solids.resize(1);
+    return first_number(setting, defaults);
+}
+
+// Numbers that a user reads, and a recording keeps
+double rounded(double value) { return parse_real(real_text(value, 4)).value_or(value); }
+
+}  // namespace
+
+SliderScale slider_scale(const Setting& setting, double scene_value) {
+    const Range& range = setting.range;
+    if (scene_value == 0) scene_value = default_number(setting);
+    if (scene_value < 0) return {std::max(range.low, -10.0), std::min(range.high, 10.0), false};
+    if (scene_value == 0) return {std::max(range.low, 0.0), std::min(range.high, 1.0), false};
+    const bool is_narrow = range.low == 0 && range.high <= narrow * scene_value;
+    if (is_narrow) return {range.low, range.high, false};
+    const double low = range.low > 0 ? std::max(range.low, scene_value / decades) : 0;
+    return {low, std::min(range.high, scene_value * decades), true};
+}
+
+bool has_panel_row(const Setting& setting) {
+    const bool is_start_of_view = setting.full_name() == "view.eye" || setting.full_name() == "view.target";
+    return !is_start_of_view && setting.section != "needs" && !setting.section.empty() &&
+           setting.kind != SettingKind::Text && setting.kind != SettingKind::Path;
+}
+
+bool SettingsPanel::covers(float x, float y) const {
+    return x >= left_ && x < left_ + width_ && y >= top_ && y < top_ + height_;
+}
+
+void SettingsPanel::draw(const Settings& settings, const OverlayPage& page) {
+    const float size = ImGui::GetFontSize();
+    width_ = std::min(27 * size, page.width - 2 * page.margin);
+    height_ = page.height - 2 * page.margin;
+    left_ = page.width - page.margin - width_;
+    top_ = page.margin;
+    ImGui::SetNextWindowPos({left_, top_});
+    ImGui::SetNextWindowSize({width_, height_});
+    ImGui::PushStyleVar(ImGuiStyleVar_WindowPadding, {page.margin, page.margin});
+    ImGui::PushStyleVar(ImGuiStyleVar_WindowRounding, 8);
+    ImGui::PushStyleColor(ImGuiCol_WindowBg, ink::panel);
+    if (ImGui::Begin("settings", nullptr, panel_flags())) {
+        std::string section;
+        bool open = false;
+        for (const Setting& setting : setting_table()) {
+            if (!has_panel_row(setting) || !first_value(setting, settings)) continue;
+            if (setting.section != section) {
+                section = setting.section;
+                ImGui::SetNextItemOpen(section == "solver" || section == "contact", ImGuiCond_Once);
+                open = ImGui::CollapsingHeader(capitalised(section).c_str());
+            }
+            if (open) row(setting, settings);
+        }
+    }
+    ImGui::End();
+    ImGui::PopStyleColor();
+    ImGui::PopStyleVar(2);
+}
+
+void SettingsPanel::row(const Setting& setting, const Settings& settings) {
+    const std::string name = setting.full_name();
+    const SettingValue value = setting.read(settings, 0);
+    ImGui::PushID(name.c_str());
+    ImGui::SetNextItemWidth(0.48f * width_);
+    if (const auto chosen = edited(setting, value)) changes_.push_back(name + "=" + value_text(*chosen));
+    tooltip(setting);
+    ImGui::SameLine();
+    ImGui::TextUnformatted(setting_label(setting).c_str());
+    tooltip(setting);
+
+    const std::optional<SettingValue> of_the_scene = first_value(setting, scene_);
+    if (of_the_scene && *of_the_scene != value) {
+        ImGui::SameLine(width_ - 4.5f * ImGui::GetFontSize());
+        if (ImGui::SmallButton("reset")) changes_.push_back(name + "=" + value_text(*of_the_scene));
+    }
+    ImGui::PopID();
+}
+
+std::optional<SettingValue> SettingsPanel::edited(const Setting& setting, const SettingValue& value) {
+    switch (setting.kind) {
+        case SettingKind::Flag: {
+            bool flag = std::get<bool>(value);
+            if (ImGui::Checkbox("##value", &flag)) return flag;
+            return std::nullopt;
+        }
+        case SettingKind::Choice:
+        case SettingKind::Pins:
+            return edited_choice(setting, value);
+        case SettingKind::Number:
+        case SettingKind::Integer:
+            return edited_number(setting, std::get<double>(value));
+        default:
+            return edited_list(setting, std::get<std::vector<double>>(value));
+    }
+}
+
+std::optional<SettingValue> SettingsPanel::edited_number(const Setting& setting, double value) {
+    const SliderScale scale = slider_scale(setting, first_number(setting, scene_));
+    ImGuiSliderFlags flags = ImGuiSliderFlags_NoRoundToFormat;
+    if (scale.logarithmic) flags |= ImGuiSliderFlags_Logarithmic;
+    double changed = value;
+    const std::string format = setting.kind == SettingKind::Integer ? "%.0f" : number_format(setting);
+    const bool moved =
+        ImGui::SliderScalar("##value", ImGuiDataType_Double, &changed, &scale.low, &scale.high, format.c_str(), flags);
+    const bool is_held = held_setting_ == setting.full_name();
+    if (moved && ImGui::GetIO().WantTextInput) {
+        // Half a number is none: what is typed counts once it is whole
+        held_setting_ = setting.full_name();
+        held_values_ = {changed};
+        return std::nullopt;
+    }
+    if (is_held && !ImGui::IsItemActive()) {
+        changed = held_values_.front();
+        held_setting_.clear();
+    } else if (!moved || is_held) {
+        return std::nullopt;
+    }
+    changed = setting.kind == SettingKind::Integer ? std::round(changed) : rounded(changed);
+    changed = std::clamp(changed, setting.range.low, setting.range.high);
+    if (changed == value) return std::nullopt;
+    return changed;
+}
+
+// Some of these make the cloth again, so a drag is carried out as it ends
+std::optional<SettingValue> SettingsPanel::edited_list(const Setting& setting, std::vector<double> values) {
+    const std::string name = setting.full_name();
+    if (held_setting_ == name && held_values_.size() == values.size()) values = held_values_;
+    const bool is_grid = setting.kind == SettingKind::Grid;
+    const float speed = is_grid ? 0.2f : 0.01f;
+    const std::string format = is_grid ? "%.0f" : "%.3g";
+    const bool changed =
+        ImGui::DragScalarN("##value", ImGuiDataType_Double, values.data(), static_cast<int>(values.size()), speed,
+                           &setting.range.low, &setting.range.high, format.c_str(), ImGuiSliderFlags_NoRoundToFormat);
+    if (changed) {
+        for (double& value : values) value = is_grid ? value : rounded(value);
+        held_setting_ = name;
+        held_values_ = values;
+    }
+    if (held_setting_ != name || ImGui::IsAnyItemActive()) return std::nullopt;
+    held_setting_.clear();
+    if (is_grid) {
+        for (double& value : values) value = std::round(value);
+    }
+    return values;
+}
+
+}  // namespace drape

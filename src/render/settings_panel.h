@@ -1,0 +1,58 @@
+#pragma once
+
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "drape/sim/setting_table.h"
+#include "figures_panel.h"
+
+namespace drape {
+
+/// The numbers that a slider leads over, which are fewer than the setting accepts.
+struct SliderScale {
+    double low, high;
+    bool logarithmic;
+};
+
+/// The whole range, evenly, where that is from 0 to not much more than the scene's value, else two decades to both
+/// sides of it.
+/// @param scene_value of the setting in the scene as it was loaded
+SliderScale slider_scale(const Setting& setting, double scene_value);
+
+/// Whether the panel has a row for a setting: texts, paths, where the view starts and what a scene needs have none.
+bool has_panel_row(const Setting& setting);
+
+/// The panel of every setting at the right, made from the table of settings, with Dear ImGui's widgets: a slider, a box
+/// or a list each, the help under the pointer, and a button back to the scene's value. It changes nothing by itself.
+class SettingsPanel {
+public:
+    /// The values that the buttons lead back to.
+    void set_scene(const Settings& settings) { scene_ = settings; }
+
+    /// Makes the panel of a frame.
+    void draw(const Settings& settings, const OverlayPage& page);
+
+    /// What the user has changed since the last call, as "solver.dt=0.001".
+    [[nodiscard]] std::vector<std::string> take_changes() { return std::exchange(changes_, {}); }
+
+    /// Whether a point of the picture lies on the panel as it was last drawn [pixel].
+    [[nodiscard]] bool covers(float x, float y) const;
+
+    /// The panel is not shown.
+    void hide() { width_ = 0; }
+
+private:
+    void row(const Setting& setting, const Settings& settings);
+    std::optional<SettingValue> edited(const Setting& setting, const SettingValue& value);
+    std::optional<SettingValue> edited_number(const Setting& setting, double value);
+    std::optional<SettingValue> edited_list(const Setting& setting, std::vector<double> values);
+
+    Settings scene_;
+    std::vector<std::string> changes_;
+    std::string held_setting_;  ///< that is being changed, and waits for the button to go up
+    std::vector<double> held_values_;
+    float left_ = 0, top_ = 0, width_ = 0, height_ = 0;
+};
+
+}  // namespace drape

@@ -1,0 +1,124 @@
+// Every row of the settings panel does something: it changes the motion, or the picture.
+
+#include "render/settings_panel.h"
+
+#include <gtest/gtest.h>
+
+#include <set>
+
+#include "capture/offscreen_context.h"
+#include "drape/render/renderer.h"
+#include "drape/sim/scene.h"
+#include "drape/sim/simulation.h"
+
+namespace drape::test {
+namespace {
+
+// What changes neither: how fast the same motion is computed, and how fast it is shown
+const std::set<std::string> of_speed_alone{"solver.threads", "solver.kernels", "contact.coherence", "view.speed"};
+
+// Scenes that have between them balls, solids, several cloths, wind, a penalty, and limits of the search
+struct Trial {
+    const char* scene;
+    std::vector<const char*> changes;
+};
+const Trial trials[] = {
+    {"drop", {"view.panel=full", "view.bounds=true"}},
+    {"drop", {"solver.integrator=xpbd", "contact.search_level=3", "view.panel=full"}},
+    {"drop", {"solver.integrator=backward_euler", "solver.dt=0.01", "contact.response=penalty"}},
+    {"drop", {"solver.integrator=dormand_prince", "solver.dt=0.005"}},
+    {"trampoline", {}},
+    {"table", {"solid.angle=20"}},
+    {"table", {"solid.shape=capsule"}},
+    {"table", {"solid.path=0,0,0.4,0,1,0,0.6,0"}},
+    {"flag", {}},
+    {"fails_rk4", {}},
+    {"fold", {}},
+};
+
+// Another value of a setting, as a user of the panel might choose
+std::string other_value(const Setting& setting, const Settings& settings) {
+    const SettingValue value = setting.read(settings, 0);
+    if (const bool* flag = std::get_if<bool>(&value)) return *flag ? "false" : "true";
+    if (const double* number = std::get_if<double>(&value)) {
+        const SliderScale scale = slider_scale(setting, *number);
+        double other = *number == 0 ? (scale.low + scale.high) / 3 : 1.7 * *number;
+        if (setting.kind == SettingKind::Integer) other = std::round(*number > 5 ? *number - 4 : *number + 2);
+        return value_text(std::clamp(other, scale.low, scale.high));
+    }
+    if (const auto* name = std::get_if<std::string>(&value)) {
+        const auto found = std::find(setting.choices.begin(), setting.choices.end(), *name);
+        return *name == setting.choices.back() ? setting.choices.front() : *(found + 1);
+    }
+    auto list = std::get<std::vector<double>>(value);
+    if (setting.kind == SettingKind::Pins) return setting.choices.front();
+    for (double& number : list) {
+        number = setting.kind == SettingKind::Grid ? number + 1 : 1.2 * number + 0.05;
+        number = std::clamp(number, setting.range.low, setting.range.high);
+    }
+    return value_text(list);
+}
+
+class SettingsPanelRows : public testing::Test {
+protected:
+    std::vector<std::uint8_t> picture_of(Simulation& simulation) {
+        renderer_.resize(320, 320);
+        FrameView view = simulation.view();
+        StepReport report = *view.report;
+        report.times = {};  // of the clock, which is never the same
+        view.report = &report;
+        const Camera camera(view.settings->view);
+        renderer_.draw(view, camera, {});
+        return renderer_.read_back().rgb;
+    }
+
+    // Whether a change shows in a scene after some steps, by which cloth, balls and solids have met
+    bool shows(const Trial& trial, const Setting& setting) {
+        Settings settings = load_scene(trial.scene);
+        settings.view.panel = PanelSize::Off;
+        if (settings.cloths[0].pinned.kind != Pins::Kind::List) assign(settings, "cloth.particles=16,16");
+        for (const char* change : trial.changes) assign(settings, change);
+        if (setting.section == "ball" && settings.balls.empty()) return false;
+        if (setting.section == "solid" && settings.solids.empty()) return false;
+        const std::string change = setting.full_name() + "=" + other_value(setting, settings);
+        Simulation as_it_is(trial.scene, settings), changed(trial.scene, settings);
+        const auto steps = static_cast<int>(0.5 / settings.solver.dt);
+        for (int step = 0; step < steps; ++step) as_it_is.step(), changed.step();
+        try {
+            changed.apply(command::Set{change});
+        } catch (const InputError&) {
+            return false;  // it does not fit this scene
+        }
+        for (int step = 0; step < steps / 6; ++step) as_it_is.step(), changed.step();
+        return as_it_is.hash() != changed.hash() || picture_of(as_it_is) != picture_of(changed);
+    }
+
+    OffscreenContext context_;
+    Renderer renderer_;
+};
+
+TEST_F(SettingsPanelRows, EachChangesMotionOrPicture) {
+    int rows = 0;
+    for (const Setting& setting : setting_table()) {
+        if (!has_panel_row(setting) || of_speed_alone.contains(setting.full_name())) continue;
+        ++rows;
+        const bool alive = std::ranges::any_of(trials, [&](const Trial& trial) { return shows(trial, setting); });
+        EXPECT_TRUE(alive) << setting.full_name();
+    }
+    EXPECT_GT(rows, 50);
+}
+
+TEST(SliderScale, LeadsOverTwoDecadesAboutTheScenesValue) {
+    const SliderScale stiffness = slider_scale(find_setting("cloth.structural.stiffness"), 1000);
+    EXPECT_TRUE(stiffness.logarithmic);
+    EXPECT_EQ(stiffness.high, 1e5);
+    const SliderScale step = slider_scale(find_setting("solver.dt"), 1e-3);
+    EXPECT_EQ(step.low, 1e-5);
+    EXPECT_EQ(step.high, 0.1);
+    const SliderScale restitution = slider_scale(find_setting("contact.restitution"), 0);
+    EXPECT_FALSE(restitution.logarithmic);
+    EXPECT_EQ(restitution.high, 1);
+}
+
+}  // namespace
+}  // namespace drape::test

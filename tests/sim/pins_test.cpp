@@ -1,0 +1,64 @@
+// Pins that the user sets and takes out in mid-run.
+
+#include <gmock/gmock.h>
+
+#include "sim/small_scene.h"
+#include "support/input_errors.h"
+
+namespace drape {
+namespace {
+
+Simulation pinned_simulation() { return small_simulation({"cloth.pinned=0,5", "ball.position=0,-50,0"}); }
+
+TEST(PinCommand, HoldsAParticleWhereItIs) {
+    Simulation simulation = pinned_simulation();
+    make_steps(simulation, 200);
+    const Vec3 before = position_of(simulation, 40);
+    send(simulation, "pin 0 40");
+    make_steps(simulation, 200);
+    EXPECT_EQ(position_of(simulation, 40), before);
+    EXPECT_THAT(simulation.settings().cloths[0].pinned.list, testing::ElementsAre(0, 5, 40));
+}
+
+TEST(PinCommand, FreesAPinnedParticle) {
+    Simulation simulation = pinned_simulation();
+    make_steps(simulation, 200);
+    const std::uint64_t before = simulation.hash();
+    send(simulation, "pin 0 5");
+    EXPECT_EQ(simulation.hash(), before);
+    const Vec3 held = position_of(simulation, 0), freed = position_of(simulation, 5);
+    make_steps(simulation, 200);
+    EXPECT_EQ(position_of(simulation, 0), held);
+    EXPECT_LT(position_of(simulation, 5).y(), freed.y() - Real(0.01));
+    send(simulation, "pin 0 0");
+    EXPECT_EQ(simulation.settings().cloths[0].pinned, Pins{});
+}
+
+TEST(PinCommand, WakesClothThatRests) {
+    Simulation simulation = small_simulation({"cloth.pinned=border", "cloth.drag=0.01", "ball.position=0,-50,0"});
+    for (int step = 0; step < 20'000 && !simulation.report().asleep; ++step) simulation.step();
+    ASSERT_TRUE(simulation.report().asleep);
+    send(simulation, "set cloth.pinned=none");
+    const Vec3 before = position_of(simulation, 0);
+    make_steps(simulation, 100);
+    EXPECT_LT(position_of(simulation, 0).y(), before.y());
+}
+
+TEST(PinCommand, LeavesOutWhatTheHandHolds) {
+    Simulation simulation = pinned_simulation();
+    send(simulation, "grab 0 17");
+    send(simulation, "pin 0 40");
+    EXPECT_THAT(simulation.settings().cloths[0].pinned.list, testing::ElementsAre(0, 5, 40));
+    send(simulation, "release");
+    EXPECT_FALSE(simulation.cloths()[0].model.pinned(17));
+}
+
+TEST(PinCommand, IsRefusedForParticlesThatDoNotExist) {
+    Simulation simulation = pinned_simulation();
+    EXPECT_THAT(test::input_error_of([&] { send(simulation, "pin 1 0"); }), testing::HasSubstr("pin: cloth 1"));
+    EXPECT_THAT(test::input_error_of([&] { send(simulation, "pin 0 100000"); }), testing::HasSubstr("pin: particle"));
+    EXPECT_THAT(simulation.settings().cloths[0].pinned.list, testing::ElementsAre(0, 5));
+}
+
+}  // namespace
+}  // namespace drape
