@@ -4,6 +4,7 @@
 
 #include "drape/bounds/broad_phase.h"
 #include "drape/integrate/integrator.h"
+#include "drape/sim/settings.h"
 
 namespace drape {
 
@@ -56,6 +57,8 @@ std::vector<Entry> make_entries(const std::vector<std::string>& scenes) {
     append_choices(entries, "Sphere fit", "contact.sphere_fit", names_of<SphereFit>());
     entries.push_back({"Update policy", {"U"}, "Next update policy", "next contact.update"});
     append_choices(entries, "Update policy", "contact.update", names_of<UpdateKind>());
+    entries.push_back({"Colour by", {"J"}, "Colour the cloth by the next quantity", "next view.colour"});
+    append_choices(entries, "Colour by", "view.colour", names_of<ColourBy>());
     const std::vector<Entry> rest{
         {"Leaf size", {}, "Fastest as measured", "set contact.leaf_cells=0"},
         {"Leaf size", {}, "2 x 2 cells", "set contact.leaf_cells=2"},

@@ -6,6 +6,7 @@
 #include <cstddef>
 #include <filesystem>
 
+#include "colour_panel.h"
 #include "figures_panel.h"
 #include "overlay_style.h"
 
@@ -85,12 +86,22 @@ bool OverlayPanels::build(const FrameView& view, const FrameReport& last, std::s
     ImGui::PushFont(fonts_[size]);
     float taken = 0;
     if (shown.overlay) taken = figures_panel(view, last, fonts_[size + 1], {w, h, margin});
-    if (showing_help) help_panel({w, h, margin}, taken);
+    if (showing_help) {
+        help_panel({w, h, margin}, taken);
+    } else if (shown.overlay) {
+        legends(view, {w, h, margin});
+    }
     if (!notices.empty()) notice_panel(notices, {w, h, margin});
     ImGui::PopFont();
     ImGui::End();
     ImGui::Render();
     return ImGui::GetDrawData()->TotalIdxCount > 0;
+}
+
+void OverlayPanels::legends(const FrameView& view, const OverlayPage& page) {
+    float right = page.width - page.margin;
+    if (view.settings->view.bounds) right = hierarchy_.draw(view, right, page) - page.margin;
+    if (colours.by != ColourBy::Plain) colour_panel(colours, shown_level(view).level, right, page);
 }
 
 void OverlayPanels::help_panel(const OverlayPage& page, float taken) const {

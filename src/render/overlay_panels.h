@@ -6,8 +6,10 @@
 #include <string>
 #include <vector>
 
+#include "cloth_colours.h"
 #include "drape/render/renderer.h"
 #include "figures_panel.h"
+#include "hierarchy_panel.h"
 
 struct ImFont;
 struct ImGuiContext;
@@ -27,15 +29,18 @@ public:
                int height);
 
     std::vector<KeyHelp> help;
+    ColourScale colours;  ///< of the cloth in this frame
 
 private:
     struct DestroyContext {
         void operator()(ImGuiContext* context) const;
     };
 
+    void legends(const FrameView& view, const OverlayPage& page);
     void help_panel(const OverlayPage& page, float taken) const;
     void notice_panel(std::span<const std::string> notices, const OverlayPage& page) const;
 
+    HierarchyPanel hierarchy_;
     std::unique_ptr<ImGuiContext, DestroyContext> context_;
     std::array<ImFont*, 4> fonts_{};  ///< from small to large
 };

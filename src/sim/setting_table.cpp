@@ -271,10 +271,15 @@ void add_the_rest(std::vector<Setting>& table) {
     view.flag("overlay", &ViewSettings::overlay, "show the panel of figures");
     view.flag("help", &ViewSettings::help, "show keys and menu");
     view.flag("bounds", &ViewSettings::bounds, "show the bounding volumes of a level");
-    view.integer("level", &ViewSettings::level, {0, 30}, "of the hierarchy whose bounds are shown; 0 is the root");
+    view.integer("level", &ViewSettings::level, {0, 30},
+                 "of the hierarchy whose bounds are shown; 0 is the root, and past the finest are all");
     view.flag("wireframe", &ViewSettings::wireframe, "show the triangles' edges");
     view.flag("particles", &ViewSettings::particles, "show particles and springs");
     view.flag("contacts", &ViewSettings::contacts, "show contact points and normals");
+    view.choice(
+        "colour", &ViewSettings::colour,
+        "what the cloth's colour says: nothing, strain, speed, contact depth, the node of the shown level, side");
+    view.flag("weave", &ViewSettings::weave, "show the cloth's weave, which stretches with it");
     view.vector("eye", &ViewSettings::eye, "m", lengths, "where the camera starts");
     view.vector("target", &ViewSettings::target, "m", lengths, "what the camera looks at");
 

@@ -122,6 +122,19 @@ struct WindSettings {
     bool operator==(const WindSettings&) const = default;
 };
 
+/// What the colour of the cloth says.
+enum class ColourBy {
+    Plain,   ///< nothing but front and back
+    Strain,  ///< of the structural springs of a particle
+    Speed,
+    Depth,  ///< of the contacts of a particle
+    Level,  ///< the node of the shown level of the hierarchy
+    Side    ///< front or back, in colours that colour-blind eyes tell apart
+};
+
+template <>
+inline constexpr auto enum_names<ColourBy> = all_names<ColourBy>("plain", "strain", "speed", "depth", "level", "side");
+
 /// What the picture shows besides cloth and ball. It changes no state.
 struct ViewSettings {
     bool overlay = true;
@@ -131,6 +144,8 @@ struct ViewSettings {
     bool wireframe = false;
     bool particles = false;  ///< particles and springs
     bool contacts = false;
+    ColourBy colour = ColourBy::Plain;
+    bool weave = true;
     Vec3 eye{Real(1.6), Real(0.9), Real(2.2)};
     Vec3 target{0, 0, 0};
 };
