@@ -1,6 +1,5 @@
 #version 330 core
-#include "node_colour.glsl"
-flat in int node_state;
+flat in vec4 node_colour;
 out vec4 colour;
 
-void main() { colour = node_colour(node_state); }
+void main() { colour = node_colour; }

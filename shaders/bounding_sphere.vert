@@ -3,7 +3,8 @@
 layout(location = 0) in vec3 centre;
 layout(location = 1) in float radius;
 layout(location = 2) in float state;
-flat out int node_state;
+layout(location = 5) in float hidden;  // 1 behind something
+flat out vec4 node_colour;
 
 // Four circles of a sphere, as lines: three along the axes, and the outline as the eye sees it
 void main() {
@@ -21,6 +22,6 @@ void main() {
         vec3 side = normalize(cross(ahead, abs(ahead.y) < 0.9 ? vec3(0.0, 1.0, 0.0) : vec3(1.0, 0.0, 0.0)));
         point = ahead / far + sqrt(1.0 - 1.0 / (far * far)) * (side * turn.x + cross(ahead, side) * turn.y);
     }
-    node_state = int(state + 0.5);
+    node_colour = node_colours[int(state + 0.5)] * vec4(1.0, 1.0, 1.0, 1.0 - 0.65 * hidden);
     gl_Position = view_projection * vec4(centre + radius * point, 1.0);
 }

@@ -4,6 +4,7 @@
 
 #include "drape/bounds/broad_phase.h"
 #include "drape/integrate/integrator.h"
+#include "drape/sim/settings.h"
 
 namespace drape {
 
@@ -57,6 +58,8 @@ std::vector<Entry> make_entries(const std::vector<std::string>& scenes) {
     append_choices(entries, "Sphere fit", "contact.sphere_fit", names_of<SphereFit>());
     entries.push_back({"BVH update", {"U"}, "Next BVH update policy", "next contact.update"});
     append_choices(entries, "BVH update", "contact.update", names_of<UpdateKind>());
+    entries.push_back({"Colour by", {"J"}, "Colour the cloth by the next quantity", "next view.colour"});
+    append_choices(entries, "Colour by", "view.colour", names_of<ColourBy>());
     const std::vector<Entry> rest{
         {"Leaf size", {}, "Auto", "set contact.leaf_cells=0"},
         {"Leaf size", {}, "2 x 2 cells", "set contact.leaf_cells=2"},
@@ -78,6 +81,7 @@ std::vector<Entry> make_entries(const std::vector<std::string>& scenes) {
         {"View", {"N"}, "Particles and springs", "next view.particles"},
         {"View", {"Tab"}, "Stats panel: compact, full, off", "next view.panel"},
         {"View", {"M"}, "Settings panel", "next view.controls"},
+        {"View", {"Shift+K"}, "Plots of the last seconds", "next view.plots"},
         {"View", {"K"}, "Energy balance", "next solver.ledger"},
         {"View", {"F"}, "Frame the scene", "frame"},
         {"Ball", {"Left", "A"}, "Ball to the left", "steer -1 0 0", Manner::WhileHeld},

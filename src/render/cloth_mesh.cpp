@@ -38,6 +38,7 @@ void fill_cloth_vertices(const ClothView& cloth, Real blend, ClothVertex* vertic
             const Real x = before(p, axis) + blend * (now(p, axis) - before(p, axis));
             vertices[p].position[axis] = static_cast<float>(x);
         }
+        vertices[p].value = 0;
         vertices[p].pinned = cloth.model.pinned(p) ? 1.0f : 0.0f;
     }
 
@@ -63,6 +64,17 @@ void fill_cloth_vertices(const ClothView& cloth, Real blend, ClothVertex* vertic
     }
 }
 
+void append_places(const ClothModel& model, std::vector<ClothPlace>& places) {
+    const Grid& grid = model.grid;
+    const auto hx = static_cast<float>(model.hx), hy = static_cast<float>(model.hy);
+    const float width = hx * static_cast<float>(grid.nx - 1), height = hy * static_cast<float>(grid.ny - 1);
+    for (int j = 0; j < grid.ny; ++j) {
+        for (int i = 0; i < grid.nx; ++i) {
+            places.push_back({hx * static_cast<float>(i), hy * static_cast<float>(j), width, height});
+        }
+    }
+}
+
 bool update_grids(const FrameView& view, std::vector<Grid>& grids) {
     const auto grid_of = [](const ClothView& cloth) { return cloth.model.grid; };
     if (std::ranges::equal(view.cloths, grids, {}, grid_of)) return false;
@@ -76,9 +88,9 @@ std::vector<std::uint32_t> triangle_indices(std::span<const Grid> grids) {
     int first = 0;
     for (const Grid& grid : grids) {
         for (int t = 0; t < grid.triangles(); ++t) {
-            for (const int corner : grid.triangle_corners(t)) {
-                indices.push_back(static_cast<std::uint32_t>(first + corner));
-            }
+            std::array<int, 3> corners = grid.triangle_corners(t);
+            if (t % 2 == 1) std::ranges::rotate(corners, corners.begin() + 1);
+            for (const int corner : corners) indices.push_back(static_cast<std::uint32_t>(first + corner));
         }
         first += grid.particles();
     }

@@ -13,7 +13,16 @@ struct ClothVertex {
     float position[3];
     float normal[3];  ///< of length 1, on the front's side
     float pinned;     ///< 1 or 0
+    float value;      ///< that colours the cloth, if one does
 };
+
+/// What of a particle stays the same from frame to frame: where it is in the cloth, laid out flat, and how large that
+/// is [m].
+struct ClothPlace {
+    float u, v, width, height;
+    bool operator==(const ClothPlace&) const = default;
+};
+void append_places(const ClothModel& model, std::vector<ClothPlace>& places);
 
 /// The cloth as drawn: particles between their last two positions, with smooth normals.
 /// @param vertices receives one a particle
@@ -24,7 +33,8 @@ void fill_cloth_vertices(const ClothView& cloth, Real blend, ClothVertex* vertic
 /// @return false if `grids` had them already
 bool update_grids(const FrameView& view, std::vector<Grid>& grids);
 
-/// The triangles of grids whose particles follow one another, three indices each, counter-clockwise on the front.
+/// The triangles of grids whose particles follow one another, three indices each, counter-clockwise on the front. The
+/// last corner of both triangles of a cell is its corner b.
 std::vector<std::uint32_t> triangle_indices(std::span<const Grid> grids);
 
 /// The ends of all their springs, two indices each, kind by kind.

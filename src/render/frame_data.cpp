@@ -3,6 +3,10 @@
 #include <Eigen/Geometry>
 #include <Eigen/LU>
 #include <algorithm>
+#include <cmath>
+
+#include "cloth_colours.h"
+#include "node_states.h"
 
 namespace drape {
 
@@ -141,6 +145,16 @@ int list_dark_balls(const FrameView& view, std::array<Eigen::Vector4f, FrameData
 
 }  // namespace
 
+namespace {
+
+// From sRGB
+Eigen::Vector4f linear(const std::array<float, 3>& colour) {
+    const auto decoded = [](float c) { return c <= 0.04045f ? c / 12.92f : std::pow((c + 0.055f) / 1.055f, 2.4f); };
+    return {decoded(colour[0]), decoded(colour[1]), decoded(colour[2]), 1};
+}
+
+}  // namespace
+
 FrameData make_frame_data(const FrameView& view, const Camera& camera, int width, int height, int shadow_texels) {
     FrameData data{};
     const float aspect = static_cast<float>(width) / static_cast<float>(height);
@@ -159,6 +173,13 @@ FrameData make_frame_data(const FrameView& view, const Camera& camera, int width
     const auto distance = static_cast<float>((settings.eye - settings.target).norm());
     data.stage << static_cast<float>(target.x()), static_cast<float>(view.settings->ground.height),
         static_cast<float>(target.z()), std::max(0.5f, distance);
+
+    const auto colour_of = [](const NodeLook& look) { return Eigen::Vector4f(look.colour.data()); };
+    std::ranges::transform(node_looks(), data.node_colours.begin(), colour_of);
+    std::ranges::transform(value_colours(), data.value_colours.begin(), linear);
+    std::ranges::transform(group_colours(), data.group_colours.begin(), linear);
+    const ColourBy by = settings.colour;
+    data.look = {by == ColourBy::Level ? 1 : by == ColourBy::Side ? 2 : 0, settings.weave ? 1 : 0, 0, 0};
 
     data.counts = {0, 0, 0, list_dark_balls(view, data.balls)};
     return data;

@@ -22,6 +22,10 @@ struct FrameData {
     Eigen::Vector4f shadow;     ///< a texel [m], a metre in the texture along both sides; the particles' spacing [m]
     std::array<int, 4> counts;  ///< structural springs, shear springs, segments of a sphere's circle, balls that darken
     std::array<Eigen::Vector4f, most_balls> balls;  ///< centre, radius [m]
+    std::array<Eigen::Vector4f, 6> node_colours;    ///< of `node_looks`
+    std::array<Eigen::Vector4f, 9> value_colours;   ///< linear
+    std::array<Eigen::Vector4f, 4> group_colours;   ///< linear
+    std::array<int, 4> look;                        ///< groups: 1, sides: 2, else 0; the weave: 1, no weave: 0
 };
 
 /// A sphere around all cloths, balls and solids as they are drawn.

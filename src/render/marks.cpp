@@ -29,7 +29,8 @@ struct EdgeMark {
 
 constexpr int circles_per_sphere = 4;
 constexpr int contact_vertices = 9;
-constexpr float bend_lift = 0.22f;  // of the bend springs over the cloth, in spacings
+constexpr GLuint hidden_attribute = 5;  // of lines behind something: 1
+constexpr float bend_lift = 0.22f;      // of the bend springs over the cloth, in spacings
 
 void copy(const Vec3& from, float* to) {
     for (int axis = 0; axis < 3; ++axis) to[axis] = static_cast<float>(from[axis]);
@@ -81,16 +82,18 @@ void Marks::need(const FrameView& view, StreamBuffer& stream) {
 }
 
 void Marks::collect_bounds(const FrameView& view) {
+    const ShownLevel shown = shown_level(view);
     for (const ClothView& cloth : view.cloths) {
-        if (cloth.hierarchy->levels() < 1) continue;
-        touched_cells_.clear();
-        for (const Contact& contact : cloth.contacts) touched_cells_.push_back(contact.triangle / 2);
-        std::sort(touched_cells_.begin(), touched_cells_.end());
-        touched_cells_.erase(std::unique(touched_cells_.begin(), touched_cells_.end()), touched_cells_.end());
-
-        const int level = std::clamp(view.settings->view.level, 0, cloth.hierarchy->levels() - 1);
-        cloth.hierarchy->nodes_at(level, nodes_);
-        append_nodes(nodes_, cloth.hierarchy->slack(), cloth.model.grid, touched_cells_, bounds_);
+        const BroadPhase& hierarchy = *cloth.hierarchy;
+        touched_.take(cloth.model.grid, cloth.contacts, view.report->step > 0);
+        if (!shown.all && hierarchy.levels() > 0) {
+            hierarchy.nodes_at(std::min(shown.level, hierarchy.levels() - 1), nodes_);
+            append_nodes(nodes_, hierarchy.slack(), touched_, bounds_);
+        }
+        for (int level = 0; shown.all && level < hierarchy.levels(); ++level) {
+            nodes_of_level(hierarchy, level, nodes_);
+            append_nodes(nodes_, hierarchy.slack(), touched_, bounds_);
+        }
     }
 }
 
@@ -157,22 +160,34 @@ void Marks::draw() {
         particle_program_.use();
         gl_.draw_arrays(GL_POINTS, particle_count_);
     }
-    if (!bounds_.spheres.empty()) {
-        sphere_program_.use();
-        spheres_.bind();
-        gl_.draw_arrays_instanced(GL_LINES, 2 * circles_per_sphere * segments(),
-                                  static_cast<int>(bounds_.spheres.size()));
-    }
-    if (!bounds_.edges.empty()) {
-        edge_program_.use();
-        edges_.bind();
-        gl_.draw_arrays(GL_LINES, 2 * static_cast<int>(bounds_.edges.size()));
-    }
     if (contact_count_ > 0) {
         contact_program_.use();
         contacts_.bind();
         gl_.draw_arrays_instanced(GL_TRIANGLES, contact_vertices, contact_count_);
     }
+    if (!bounds_.spheres.empty()) {
+        sphere_program_.use();
+        spheres_.bind();
+        draw_seen_and_hidden([this] {
+            gl_.draw_arrays_instanced(GL_LINES, 2 * circles_per_sphere * segments(),
+                                      static_cast<int>(bounds_.spheres.size()));
+        });
+    }
+    if (!bounds_.edges.empty()) {
+        edge_program_.use();
+        edges_.bind();
+        draw_seen_and_hidden([this] { gl_.draw_arrays(GL_LINES, 2 * static_cast<int>(bounds_.edges.size())); });
+    }
+}
+
+template <class Draw>
+void Marks::draw_seen_and_hidden(Draw draw) {
+    draw();
+    gl_(glVertexAttrib1f, hidden_attribute, 1.0f);
+    gl_(glDepthFunc, GLenum{GL_GREATER});
+    draw();
+    gl_(glDepthFunc, GLenum{GL_LEQUAL});
+    gl_(glVertexAttrib1f, hidden_attribute, 0.0f);
 }
 
 }  // namespace drape

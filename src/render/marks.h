@@ -23,7 +23,7 @@ public:
 
     void fill(const FrameView& view, StreamBuffer& stream) const;
 
-    /// Over the solids; blending is on.
+    /// Over the solids, and last of all that has a depth; blending is on.
     void draw();
 
     [[nodiscard]] int structural_springs() const { return structural_count_; }
@@ -36,6 +36,10 @@ private:
     void collect_bounds(const FrameView& view);
     void index_springs(const FrameView& view);
 
+    /// Fainter where something is before it. Nothing that asks for depths may be drawn afterwards.
+    template <class Draw>
+    void draw_seen_and_hidden(Draw draw);
+
     Gl& gl_;
     Program spring_program_, particle_program_, contact_program_, sphere_program_, edge_program_;
     StreamArray springs_, contacts_, spheres_, edges_;
@@ -43,7 +47,7 @@ private:
     std::vector<Grid> grids_;
     Outlines bounds_;
     std::vector<NodeView> nodes_;
-    std::vector<int> touched_cells_;
+    TouchedCells touched_;
     bool show_particles_ = false;
     int particle_count_ = 0, contact_count_ = 0;
     int structural_count_ = 0, shear_count_ = 0, bend_count_ = 0;

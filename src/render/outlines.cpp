@@ -84,14 +84,10 @@ void append_polytope(std::span<const Slab> slabs, NodeState state, Outlines& out
 
 }  // namespace
 
-void append_nodes(std::span<const NodeView> nodes, Real slack, const Grid& grid, std::span<const int> touched_cells,
-                  Outlines& outlines) {
+void append_nodes(std::span<const NodeView> nodes, Real slack, const TouchedCells& touched, Outlines& outlines) {
     const std::size_t first_sphere = outlines.spheres.size();
     for (const NodeView& node : nodes) {
-        const bool touching = node.visit >= NodeVisit::Entered && std::ranges::any_of(touched_cells, [&](int cell) {
-                                  return node.cells.holds(cell % grid.cell_columns(), cell / grid.cell_columns());
-                              });
-        const NodeState state = touching ? NodeState::Touching : static_cast<NodeState>(node.visit);
+        const NodeState state = touched.state_of(node);
         std::visit([&](const auto& volume) { append_outline(volume, state, outlines); }, node.volume);
     }
     for (std::size_t k = first_sphere; k < outlines.spheres.size(); ++k) {

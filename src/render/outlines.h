@@ -1,16 +1,11 @@
 #pragma once
 
-#include <cstdint>
 #include <span>
 #include <vector>
 
-#include "drape/bounds/node_view.h"
+#include "node_states.h"
 
 namespace drape {
-
-/// How a node is drawn: by what queries did with it, and whether anything in it touches. The order is that of the
-/// shader's colours.
-enum class NodeState : std::uint8_t { Unvisited, Pruned, Entered, Leaf, Touching };
 
 /// Nodes as they are drawn, in the true shape of their volumes: spheres, and the edges of bodies with flat faces.
 struct Outlines {
@@ -33,9 +28,7 @@ struct Outlines {
 };
 
 /// Appends nodes of a hierarchy. Spheres are drawn grown by its slack [m]; of other volumes the faces are as fitted.
-/// @param touched_cells cells with a contact
-void append_nodes(std::span<const NodeView> nodes, Real slack, const Grid& grid, std::span<const int> touched_cells,
-                  Outlines& outlines);
+void append_nodes(std::span<const NodeView> nodes, Real slack, const TouchedCells& touched, Outlines& outlines);
 
 void append_outline(const BoundingSphere& sphere, NodeState state, Outlines& outlines);
 

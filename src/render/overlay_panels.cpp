@@ -7,6 +7,7 @@
 #include <filesystem>
 #include <utility>
 
+#include "colour_panel.h"
 #include "figures_panel.h"
 #include "overlay_style.h"
 
@@ -174,10 +175,12 @@ void OverlayPanels::hand_over_input() {
 bool OverlayPanels::build(const FrameView& view, const FrameReport& last, std::span<const std::string> notices,
                           int width, int height) {
     const ViewSettings& shown = view.settings->view;
+    plots_.keep(view);
     const bool showing_help = shown.help && !help.empty();
     if (width < least_width || height < least_height) return false;
     const bool showing_panel = shown.panel != PanelSize::Off;
-    if (!showing_panel && !showing_help && notices.empty() && hint.empty() && !shown.controls) return false;
+    if (!showing_panel && !showing_help && notices.empty() && hint.empty() && !shown.controls && !shown.plots)
+        return false;
 
     ImGui::SetCurrentContext(context_.get());
     const auto w = static_cast<float>(width), h = static_cast<float>(height);
@@ -192,21 +195,32 @@ bool OverlayPanels::build(const FrameView& view, const FrameReport& last, std::s
     ImGui::SetNextWindowPos({0, 0});
     ImGui::SetNextWindowSize({w, h});
     ImGui::Begin("overlay", nullptr, window_flags);
+    OverlayPage page{w, h, margin};
+    if (shown.plots) page.height -= plots_.draw(page);
     float taken = 0;
-    if (showing_panel) taken = figures_panel(view, last, fonts_[size + 1], {w, h, margin});
-    if (showing_help) help_panel({w, h, margin}, taken);
+    if (showing_panel) taken = figures_panel(view, last, fonts_[size + 1], page);
+    if (showing_help) {
+        help_panel(page, taken);
+    } else if (showing_panel) {
+        legends(view, settings.left() > 0 ? settings.left() - margin : w - margin, page);
+    }
     float below = 0;
-    if (!notices.empty()) below = notice_panel(notices, {w, h, margin});
-    if (!hint.empty() && !showing_help) hint_panel({w, h, margin}, below);
+    if (!notices.empty()) below = notice_panel(notices, page);
+    if (!hint.empty() && !showing_help) hint_panel(page, below);
     ImGui::End();
     if (shown.controls) {
-        settings.draw(*view.settings, {w, h, margin});
+        settings.draw(*view.settings, page);
     } else {
         settings.hide();
     }
     ImGui::PopFont();
     ImGui::Render();
     return ImGui::GetDrawData()->TotalIdxCount > 0;
+}
+
+void OverlayPanels::legends(const FrameView& view, float right, const OverlayPage& page) {
+    if (view.settings->view.bounds) right = hierarchy_.draw(view, right, page) - page.margin;
+    if (colours.by != ColourBy::Plain) colour_panel(colours, shown_level(view).level, right, page);
 }
 
 void OverlayPanels::help_panel(const OverlayPage& page, float taken) const {

@@ -6,8 +6,11 @@
 #include <string>
 #include <vector>
 
+#include "cloth_colours.h"
 #include "drape/render/renderer.h"
 #include "figures_panel.h"
+#include "hierarchy_panel.h"
+#include "plots_panel.h"
 #include "settings_panel.h"
 
 struct ImFont;
@@ -36,12 +39,14 @@ public:
     SettingsPanel settings;
     std::vector<KeyHelp> help;
     std::vector<KeyHelp> hint;  ///< what to try first; empty: not shown
+    ColourScale colours;        ///< of the cloth in this frame
 
 private:
     struct DestroyContext {
         void operator()(ImGuiContext* context) const;
     };
 
+    void legends(const FrameView& view, float right, const OverlayPage& page);
     void help_panel(const OverlayPage& page, float taken) const;
     void hint_panel(const OverlayPage& page, float below) const;
 
@@ -54,6 +59,8 @@ private:
         std::string typed;
     };
 
+    HierarchyPanel hierarchy_;
+    PlotsPanel plots_;
     std::unique_ptr<ImGuiContext, DestroyContext> context_;
     Input input_;
     std::array<ImFont*, 4> fonts_{};  ///< from small to large

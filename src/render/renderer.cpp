@@ -7,6 +7,7 @@
 #include <string>
 #include <utility>
 
+#include "cloth_colours.h"
 #include "drape/base/input_error.h"
 #include "frame_data.h"
 #include "frame_meter.h"
@@ -52,6 +53,7 @@ struct Renderer::Parts {
     StreamBuffer stream{gl};
     ShadowMap shadow{gl};
     Solids solids{gl, stream};
+    ClothColours colours;
     Studio studio{gl};
     Marks marks{gl, stream};
     OverlayPanels panels;
@@ -114,6 +116,8 @@ void Renderer::draw(const FrameView& view, const Camera& camera, std::span<const
 
 void Renderer::Parts::prepare(const FrameView& view, const Camera& camera, std::span<const std::string> notices) {
     // What each part needs of the one buffer
+    colours.collect(view);
+    panels.colours = colours.scale();
     const bool overlay = panels.build(view, report, notices, width, height);
     stream.need(Region::Frame, sizeof(FrameData));
     solids.need(view, stream);
@@ -133,7 +137,7 @@ void Renderer::Parts::prepare(const FrameView& view, const Camera& camera, std::
     data.counts[2] = marks.segments();
     data.shadow[3] = marks.spacing();
     *stream.data<FrameData>(Region::Frame) = data;
-    solids.fill(view, stream);
+    solids.fill(view, colours, stream);
     marks.fill(view, stream);
     painter.fill(stream);
     stream.upload();
@@ -147,14 +151,13 @@ void Renderer::Parts::paint(const FrameView& view) {
     studio.follow(data);
     target->begin();
     studio.copy();
-    target->begin();
     studio.draw_shadows();
 
     const ViewSettings& shown = view.settings->view;
     const bool marked = shown.bounds || shown.contacts || shown.particles;
     target->begin_samples(marked ? PictureBox{0, 0, width, height}
                                  : solids.box(data.view_projection, stream, width, height));
-    solids.draw(shown.wireframe);
+    solids.draw(shown);
     studio.draw_behind();
     gl(glEnable, GLenum{GL_BLEND});
     marks.draw();

@@ -39,6 +39,9 @@ public:
     /// Whether a point of the picture lies on the panel as it was last drawn [pixel].
     [[nodiscard]] bool covers(float x, float y) const;
 
+    /// Its left edge as it was last drawn; 0 where it is not shown [pixel].
+    [[nodiscard]] float left() const { return width_ > 0 ? left_ : 0; }
+
     /// The panel is not shown.
     void hide() { width_ = 0; }
 

@@ -32,6 +32,8 @@ VertexLayout ball_layout() {
     return {sizeof(DrawnBall), {{3, 4, offsetof(DrawnBall, sphere)}, {4, 4, offsetof(DrawnBall, orientation)}}, true};
 }
 
+const VertexLayout place_layout{sizeof(ClothPlace), {{5, 4, 0}}};
+
 void store(const Eigen::Vector3f& from, float (&to)[3]) { std::copy_n(from.data(), 3, to); }
 
 // A solid's points where it is drawn; returns the vertex after them
@@ -41,7 +43,7 @@ ClothVertex* fill_body(const FrameView& view, std::size_t number, const Triangle
     for (std::size_t p = 0; p < mesh.points.size(); ++p, ++vertex) {
         store(position + orientation * mesh.points[p].cast<float>(), vertex->position);
         store(orientation * mesh.normals[p].cast<float>(), vertex->normal);
-        vertex->pinned = 0;
+        vertex->pinned = vertex->value = 0;
     }
     return vertex;
 }
@@ -63,18 +65,21 @@ VertexLayout cloth_layout() {
     return {sizeof(ClothVertex),
             {{0, 3, offsetof(ClothVertex, position)},
              {1, 3, offsetof(ClothVertex, normal)},
-             {2, 1, offsetof(ClothVertex, pinned)}}};
+             {2, 1, offsetof(ClothVertex, pinned)},
+             {6, 1, offsetof(ClothVertex, value)}}};
 }
 
 Solids::Solids(Gl& gl, StreamBuffer& stream)
     : gl_(gl),
       cloth_program_(gl, "cloth"),
+      value_program_(gl, "cloth", "cloth_value"),
       ball_program_(gl, "ball"),
       body_program_(gl, "cloth", "solid"),
       depth_program_(gl, "depth"),
       cloths_(gl, stream, Region::Cloth, cloth_layout()),
       balls_(gl, stream, Region::Balls, ball_layout()),
       cloth_indices_(gl),
+      cloth_places_(gl),
       sphere_vertices_(gl),
       sphere_indices_(gl) {
     // The sphere is a grid that is rolled up
@@ -87,6 +92,11 @@ Solids::Solids(Gl& gl, StreamBuffer& stream)
     fill_static(gl, GL_ARRAY_BUFFER, sphere_vertices_, unit_sphere());
     points.enable(gl);
     points.set(gl, 0);
+
+    cloths_.bind();
+    fill_static(gl, GL_ARRAY_BUFFER, cloth_places_, std::vector<ClothPlace>{{}});
+    place_layout.enable(gl);
+    place_layout.set(gl, 0);
     stream.bind_vertices();
 }
 
@@ -112,11 +122,31 @@ bool Solids::update_bodies(const FrameView& view) {
     return true;
 }
 
-void Solids::arrange(const FrameView& view, const StreamBuffer& stream) {
+// @return false if they were at hand
+bool Solids::update_spacings(const FrameView& view) {
+    const auto spacing_of = [](const ClothView& cloth) { return std::array{cloth.model.hx, cloth.model.hy}; };
+    if (std::ranges::equal(view.cloths, spacings_, {}, spacing_of)) return false;
+    spacings_.clear();
+    for (const ClothView& cloth : view.cloths) spacings_.push_back(spacing_of(cloth));
+    return true;
+}
+
+// Solids have vertices of the same kind, and no place in a cloth
+void Solids::fill_places(const FrameView& view, StreamBuffer& stream) {
+    std::vector<ClothPlace> places;
+    for (const ClothView& cloth : view.cloths) append_places(cloth.model, places);
+    places.resize(particle_count_ + body_vertex_count_);
+    fill_static(gl_, GL_ARRAY_BUFFER, cloth_places_, places);
+    stream.bind_vertices();
+}
+
+void Solids::arrange(const FrameView& view, StreamBuffer& stream) {
     cloths_.follow(stream);
     balls_.follow(stream);
     ball_count_ = static_cast<int>(view.balls.size());
-    if (!update_grids(view, grids_) && !bodies_changed_) return;
+    const bool regrown = update_grids(view, grids_) || bodies_changed_;
+    if (update_spacings(view) || regrown) fill_places(view, stream);
+    if (!regrown) return;
     std::vector<std::uint32_t> indices = triangle_indices(grids_);
     cloth_index_count_ = static_cast<int>(indices.size());
     append_indices(meshes_, particle_count_, indices);
@@ -125,12 +155,13 @@ void Solids::arrange(const FrameView& view, const StreamBuffer& stream) {
     fill_static(gl_, GL_ELEMENT_ARRAY_BUFFER, cloth_indices_, indices);
 }
 
-void Solids::fill(const FrameView& view, StreamBuffer& stream) const {
+void Solids::fill(const FrameView& view, const ClothColours& colours, StreamBuffer& stream) const {
     auto* vertex = stream.data<ClothVertex>(Region::Cloth);
     for (const ClothView& cloth : view.cloths) {
         fill_cloth_vertices(cloth, view.blend, vertex);
         vertex += cloth.model.grid.particles();
     }
+    colours.fill({stream.data<ClothVertex>(Region::Cloth), particle_count_});
     for (std::size_t i = 0; i < view.solids.size(); ++i) vertex = fill_body(view, i, meshes_[i], vertex);
     auto* balls = stream.data<DrawnBall>(Region::Balls);
     for (std::size_t i = 0; i < view.balls.size(); ++i) balls[i] = {drawn_ball(view, i), drawn_orientation(view, i)};
@@ -167,8 +198,9 @@ void Solids::draw_shadow() {
     if (ball_count_ > 0) draw_balls();
 }
 
-void Solids::draw(bool wireframe) {
-    cloth_program_.use();
+void Solids::draw(const ViewSettings& shown) {
+    const bool wireframe = shown.wireframe;
+    shown.colour == ColourBy::Plain ? cloth_program_.use() : value_program_.use();
     if (wireframe) gl_(glPolygonMode, GLenum{GL_FRONT_AND_BACK}, GLenum{GL_LINE});
     draw_cloths();
     if (wireframe) gl_(glPolygonMode, GLenum{GL_FRONT_AND_BACK}, GLenum{GL_FILL});

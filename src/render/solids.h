@@ -1,8 +1,10 @@
 #pragma once
 
+#include <array>
 #include <memory>
 #include <vector>
 
+#include "cloth_colours.h"
 #include "drape/sim/frame_view.h"
 #include "gl_objects.h"
 #include "picture_target.h"
@@ -22,9 +24,9 @@ public:
     void need(const FrameView& view, StreamBuffer& stream);
 
     /// Follows new grids, and regions of the stream that moved.
-    void arrange(const FrameView& view, const StreamBuffer& stream);
+    void arrange(const FrameView& view, StreamBuffer& stream);
 
-    void fill(const FrameView& view, StreamBuffer& stream) const;
+    void fill(const FrameView& view, const ClothColours& colours, StreamBuffer& stream) const;
 
     /// Where the picture shows what was filled in.
     [[nodiscard]] PictureBox box(const Eigen::Matrix4f& view_projection, StreamBuffer& stream, int width,
@@ -33,20 +35,23 @@ public:
     /// Into the shadow map that is bound.
     void draw_shadow();
 
-    /// @param wireframe draws the cloth's triangles as lines
-    void draw(bool wireframe);
+    /// @param shown how the cloth is drawn: its triangles as lines, its colours
+    void draw(const ViewSettings& shown);
 
 private:
     void draw_cloths();
     void draw_balls();
     void draw_bodies();
     bool update_bodies(const FrameView& view);
+    bool update_spacings(const FrameView& view);
+    void fill_places(const FrameView& view, StreamBuffer& stream);
 
     Gl& gl_;
-    Program cloth_program_, ball_program_, body_program_, depth_program_;
+    Program cloth_program_, value_program_, ball_program_, body_program_, depth_program_;
     StreamArray cloths_, balls_;
-    Buffer cloth_indices_, sphere_vertices_, sphere_indices_;
+    Buffer cloth_indices_, cloth_places_, sphere_vertices_, sphere_indices_;
     std::vector<Grid> grids_;
+    std::vector<std::array<Real, 2>> spacings_;              ///< of the grids [m]
     std::vector<std::shared_ptr<const SolidShape>> shapes_;  ///< of the solids
     std::vector<TriangleMesh> meshes_;                       ///< of the shapes
     bool bodies_changed_ = false;

@@ -270,12 +270,18 @@ void add_the_rest(std::vector<Setting>& table) {
         "view", [](Settings& s, std::size_t) -> ViewSettings& { return s.view; }, table);
     view.choice("panel", &ViewSettings::panel, "how much the stats panel shows");
     view.flag("controls", &ViewSettings::controls, "show the settings panel, in the window");
+    view.flag("plots", &ViewSettings::plots, "plot times, energy, contacts, nodes and dt / limit of the last 10 s");
     view.flag("help", &ViewSettings::help, "show keys and menu");
     view.flag("bounds", &ViewSettings::bounds, "show the bounding volumes of a level");
-    view.integer("level", &ViewSettings::level, {0, 30}, "of the hierarchy whose bounds are shown; 0 is the root");
+    view.integer("level", &ViewSettings::level, {0, 30},
+                 "of the hierarchy whose bounds are shown; 0 is the root, and past the finest are all");
     view.flag("wireframe", &ViewSettings::wireframe, "show the triangles' edges");
     view.flag("particles", &ViewSettings::particles, "show particles and springs");
     view.flag("contacts", &ViewSettings::contacts, "show contact points and normals");
+    view.choice(
+        "colour", &ViewSettings::colour,
+        "what the cloth's colour says: nothing, strain, speed, contact depth, the node of the shown level, side");
+    view.flag("weave", &ViewSettings::weave, "show the cloth's weave, which stretches with it");
     view.vector("eye", &ViewSettings::eye, "m", lengths, "where the camera starts");
     view.vector("target", &ViewSettings::target, "m", lengths, "what the camera looks at");
     view.number("speed", &ViewSettings::speed, "", {1e-4, 100},

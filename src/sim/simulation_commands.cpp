@@ -33,36 +33,37 @@ void Simulation::apply(const Command& command) {
 }
 
 void Simulation::carry_out(const Command& command) {
-    std::visit(Overloaded{[&](const command::Pause&) { paused_ = !paused_, steps_wanted_ = 0; },
-                          [&](const command::Step& step) {
-                              paused_ = true;
-                              steps_wanted_ = report_.status == Status::Ok ? step.count : 0;
-                          },
-                          [&](const command::Reset&) { restart(); },
-                          [&](const command::LoadScene& scene) { load(scene.name); },
-                          [&](const command::Set& set) {
-                              Settings changed = settings_;
-                              assign(changed, set.assignment);
-                              configure(std::move(changed));
-                          },
-                          [&](const command::Next& next) { configure(with_next(settings_, next.setting)); },
-                          [&](const command::Add& add) { configure(with_added(settings_, add.setting, add.amount)); },
-                          [&](const command::Steer& steer) {
-                              const Real length = steer.direction.norm();
-                              steer_ = length > 0 ? Vec3(steer.direction / length) : Vec3(Vec3::Zero());
-                              if (length > 0 && !balls_.empty()) move_ball_by(BallMotion::Keys);
-                          },
-                          [&](const command::Throw& thrown) { throw_ball(thrown); },
-                          [&](const command::Fall&) { move_ball_by(BallMotion::Free); },
-                          [&](const command::Grab& grab) { hand_.grab(grab, cloths_), wake(); },
-                          [&](const command::Drag& drag) { hand_.drag(drag.target); },
-                          [&](const command::Release&) {
-                              if (!hand_.holds()) return;
-                              hand_.release(cloths_);
-                              wake();
-                          },
-                          [&](const command::Pin& pin) { change_pin(pin); }, [](const command::OfThePicture auto&) {}},
-               command);
+    std::visit(
+        Overloaded{[&](const command::Pause&) { paused_ = !paused_, steps_wanted_ = 0; },
+                   [&](const command::Step& step) {
+                       paused_ = true;
+                       steps_wanted_ = report_.status == Status::Ok ? step.count : 0;
+                   },
+                   [&](const command::Reset&) { restart(); },
+                   [&](const command::LoadScene& scene) { load(scene.name); },
+                   [&](const command::Set& set) {
+                       Settings changed = settings_;
+                       assign(changed, set.assignment);
+                       configure(std::move(changed));
+                   },
+                   [&](const command::Next& next) { configure(with_next(settings_, next.setting)); },
+                   [&](const command::Add& add) { configure(with_added(within_levels(), add.setting, add.amount)); },
+                   [&](const command::Steer& steer) {
+                       const Real length = steer.direction.norm();
+                       steer_ = length > 0 ? Vec3(steer.direction / length) : Vec3(Vec3::Zero());
+                       if (length > 0 && !balls_.empty()) move_ball_by(BallMotion::Keys);
+                   },
+                   [&](const command::Throw& thrown) { throw_ball(thrown); },
+                   [&](const command::Fall&) { move_ball_by(BallMotion::Free); },
+                   [&](const command::Grab& grab) { hand_.grab(grab, cloths_), wake(); },
+                   [&](const command::Drag& drag) { hand_.drag(drag.target); },
+                   [&](const command::Release&) {
+                       if (!hand_.holds()) return;
+                       hand_.release(cloths_);
+                       wake();
+                   },
+                   [&](const command::Pin& pin) { change_pin(pin); }, [](const command::OfThePicture auto&) {}},
+        command);
 }
 
 Simulation::Simulation(std::string scene, Settings settings, std::optional<StartState> start)
@@ -158,6 +159,14 @@ void Simulation::configure(Settings settings) {
     configure_balls(before);
     if (!same_step_plan(settings_, before)) plan(1);
     if (!same_motion(settings_, before)) wake();
+}
+
+Settings Simulation::within_levels() const {
+    int levels = 0;
+    for (const Cloth& cloth : cloths_) levels = std::max(levels, cloth.search.hierarchy().levels());
+    Settings settings = settings_;
+    if (levels > 0) settings.view.level = std::min(settings.view.level, levels);
+    return settings;
 }
 
 void Simulation::configure_cloth(std::size_t number, const Settings& before) {

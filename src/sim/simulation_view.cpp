@@ -24,7 +24,8 @@ FrameView Simulation::view(Real blend) {
         square_sum += static_cast<double>(cloth.state.v.squaredNorm());
         particles += static_cast<double>(cloth.state.v.rows());
         if (settings_.view.bounds) cloth.search.show(cloth.state.x, balls_, settings_.contact);
-        shown_.push_back({cloth.model, cloth.state.x, cloth.previous.x, cloth.contacts, &cloth.search.hierarchy()});
+        shown_.push_back({cloth.model, cloth.state.x, cloth.previous.x, cloth.contacts, &cloth.search.hierarchy(),
+                          &cloth.state.v, cloth.held});
     }
     report_.rms_speed = std::sqrt(square_sum / particles);
     return {.cloths = shown_,

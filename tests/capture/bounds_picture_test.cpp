@@ -18,7 +18,7 @@
 namespace drape::test {
 namespace {
 
-constexpr int width = 1280, height = 720, level = 1;
+constexpr int width = 1280, height = 720, level = 1, all_levels = 30;
 
 /// The points p with normal . p <= distance.
 struct HalfSpace {
@@ -92,11 +92,11 @@ std::vector<HalfSpace> obb_about(const Patch& patch) {
     return spaces;
 }
 
-/// The edges of all nodes of the level.
-std::vector<Edge> expected_edges(VolumeKind volume, const Grid& grid, const Points& x) {
+/// The edges of all nodes of a level, or of all levels.
+std::vector<Edge> expected_edges(VolumeKind volume, const Grid& grid, const Points& x, int shown) {
     std::vector<Edge> edges;
     for (const QuadtreeNode& node : make_quadtree_nodes(grid, ContactSettings().leaf_cells)) {
-        if (node.level != level) continue;
+        if (node.level != shown && shown != all_levels) continue;
         const Patch patch = patch_of(grid, node, x);
         const auto of_node = edges_of(volume == VolumeKind::Obb      ? obb_about(patch)
                                       : volume == VolumeKind::Kdop14 ? dop_about(patch, dop_numbers<14>)
@@ -110,11 +110,11 @@ std::vector<Edge> expected_edges(VolumeKind volume, const Grid& grid, const Poin
 
 class BoundsPicture : public testing::Test {
 protected:
-    void show(VolumeKind volume) {
+    void show(VolumeKind volume, int shown = level) {
         Settings settings = load_scene("hang");
         settings.contact.volume = volume;
         settings.view.bounds = true;
-        settings.view.level = level;
+        settings.view.level = shown;
         settings.view.panel = PanelSize::Off;
         simulation_.emplace("hang", settings);
         while (simulation_->report().time < 0.4) simulation_->step();
@@ -143,14 +143,14 @@ protected:
 
     /// What is wrong with the lines beside the cloth, where nothing hides them: how many pixels of the edges have no
     /// line, and how many pixels have a line and no edge.
-    [[nodiscard]] std::vector<std::string> complaints(VolumeKind volume, Real larger = 1) {
+    [[nodiscard]] std::vector<std::string> complaints(VolumeKind volume, Real larger = 1, int shown = level) {
         const FrameView view = simulation_->view();
         const ExpectedPicture expected(view, width, height);
         const ClothView& cloth = view.cloths[0];
         constexpr int margin = 4;
         std::vector<bool> edge_near(static_cast<std::size_t>(width) * height);
         int samples = 0, missing = 0, lines = 0, stray = 0;
-        for (const Edge& edge : expected_edges(volume, cloth.model.grid, larger * cloth.x)) {
+        for (const Edge& edge : expected_edges(volume, cloth.model.grid, larger * cloth.x, shown)) {
             for (int step = 0; step <= 1000; ++step) {
                 const auto place = expected.project(edge.from + (edge.to - edge.from) * (step / Real(1000)));
                 const int x = static_cast<int>(place.x), y = static_cast<int>(place.y);
@@ -182,6 +182,26 @@ protected:
         return all;
     }
 
+    /// What part of the edges behind the cloth is drawn nevertheless.
+    [[nodiscard]] double part_seen_through(VolumeKind volume) {
+        const FrameView view = simulation_->view();
+        const ExpectedPicture expected(view, width, height);
+        const ClothView& cloth = view.cloths[0];
+        int samples = 0, drawn = 0;
+        for (const Edge& edge : expected_edges(volume, cloth.model.grid, cloth.x, level)) {
+            for (int step = 0; step <= 1000; ++step) {
+                const auto place = expected.project(edge.from + (edge.to - edge.from) * (step / Real(1000)));
+                const int x = static_cast<int>(place.x), y = static_cast<int>(place.y);
+                if (x < 2 || y < 2 || x >= width - 2 || y >= height - 2) continue;
+                if (expected.at(x, y) == Seen::Nothing || place.depth < expected.depth(x, y) + 0.02) continue;
+                ++samples;
+                drawn += drawn_at(x, y) || drawn_at(x - 1, y) || drawn_at(x, y - 1);
+            }
+        }
+        EXPECT_GT(samples, 500);
+        return drawn / static_cast<double>(samples);
+    }
+
     std::optional<Simulation> simulation_;
     Image with_, without_;
 };
@@ -207,6 +227,18 @@ INSTANTIATE_TEST_SUITE_P(Volumes, EdgesPicture, testing::ValuesIn(with_edges),
 TEST_F(BoundsPicture, IsRefusedForEveryOtherVolumeIfSpheresAreDrawn) {
     show(VolumeKind::Sphere);
     for (const VolumeKind volume : with_edges) EXPECT_THAT(complaints(volume), testing::SizeIs(2));
+}
+
+TEST_F(BoundsPicture, ShowsAllLevelsPastTheFinest) {
+    show(VolumeKind::Aabb, all_levels);
+    EXPECT_THAT(complaints(VolumeKind::Aabb, 1, all_levels), testing::IsEmpty());
+    show(VolumeKind::Aabb);
+    EXPECT_THAT(complaints(VolumeKind::Aabb, 1, all_levels), testing::SizeIs(1)) << "one level is not all";
+}
+
+TEST_F(BoundsPicture, ShowsThroughTheClothWhatIsBehindIt) {
+    show(VolumeKind::Aabb);
+    EXPECT_GT(part_seen_through(VolumeKind::Aabb), 0.9);
 }
 
 TEST_F(BoundsPicture, IsRefusedIfADirectionIsLost) {

@@ -20,6 +20,9 @@ public:
     /// As `at`, and the same in all pixels up to `margin` away.
     [[nodiscard]] bool surely(Seen what, int x, int y, int margin) const;
 
+    /// How far ahead of the eye what it shows is; infinite where nothing is [m].
+    [[nodiscard]] double depth(int x, int y) const { return depth_[index(x, y)]; }
+
     [[nodiscard]] int count(Seen what) const;
 
     /// Where a point is in the picture [pixel], and how far ahead of the eye [m].

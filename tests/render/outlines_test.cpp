@@ -25,25 +25,31 @@ TEST(Outlines, OfALevelShowWhatTheQueryDidAndWhatTouches) {
         tree->query({.centre = Vec3(0, 0, 0), .radius = Real(0.05)}, found);
         std::vector<NodeView> nodes;
         tree->nodes_at(1, nodes);
-        const auto states = [&](std::span<const int> touched_cells) {
+        const auto states = [&](std::span<const Contact> contacts, bool tested) {
+            TouchedCells touched;
+            touched.take(grid, contacts, tested);
             Outlines outlines;
-            append_nodes(nodes, 0, grid, touched_cells, outlines);
+            append_nodes(nodes, 0, touched, outlines);
             std::set<NodeState> all;
             for (const Outlines::Sphere& sphere : outlines.spheres) all.insert(sphere.state);
             for (const Outlines::Edge& edge : outlines.edges) all.insert(edge.state);
             return all;
         };
-        const int first[] = {0}, last[] = {grid.cells() - 1};
-        EXPECT_EQ(states({}), (std::set{NodeState::Pruned, NodeState::Leaf}));
-        EXPECT_EQ(states(first), (std::set{NodeState::Pruned, NodeState::Touching}));
-        EXPECT_EQ(states(last), (std::set{NodeState::Pruned, NodeState::Leaf})) << "the query has left that one out";
+        Contact first, last;
+        first.triangle = 0;
+        last.triangle = 2 * grid.cells() - 1;
+        EXPECT_EQ(states({}, true), (std::set{NodeState::Pruned, NodeState::FalseCandidate}));
+        EXPECT_EQ(states({}, false), (std::set{NodeState::Pruned, NodeState::Leaf})) << "nothing is known yet";
+        EXPECT_EQ(states({&first, 1}, true), (std::set{NodeState::Pruned, NodeState::Touching}));
+        EXPECT_EQ(states({&last, 1}, true), (std::set{NodeState::Pruned, NodeState::FalseCandidate}))
+            << "the query has left that one out";
     }
 }
 
 TEST(Outlines, OfSpheresAreGrownByTheSlack) {
     const std::vector<NodeView> nodes{{{}, NodeVisit::Leaf, BoundingSphere{Vec3(1, 2, 3), 4}}};
     Outlines outlines;
-    append_nodes(nodes, Real(0.5), {2, 2}, {}, outlines);
+    append_nodes(nodes, Real(0.5), {}, outlines);
     ASSERT_EQ(outlines.spheres.size(), 1u);
     EXPECT_EQ(outlines.spheres[0].radius, 4.5);
 }
@@ -83,7 +89,7 @@ template <int K>
 void check_outline(const Points& x, const Grid& grid) {
     const KDop<K> dop = KDop<K>::fit(whole(x, grid));
     Outlines outlines;
-    append_outline(dop, NodeState::Entered, outlines);
+    append_outline(dop, NodeState::Visited, outlines);
     const long double size = dop.sphere().radius;
     EXPECT_GE(outlines.edges.size(), 6u);
     EXPECT_LE(outlines.edges.size(), 3u * K - 6);
@@ -125,7 +131,7 @@ TEST(Outlines, OfACubeWithCutCornersAreTheEdgesOfATruncatedCube) {
     dop.low.fill(-2.5);
     dop.high.fill(2.5);
     Outlines outlines;
-    append_outline(dop, NodeState::Entered, outlines);
+    append_outline(dop, NodeState::Visited, outlines);
     EXPECT_EQ(outlines.edges.size(), 12u + 24u);
 }
 
@@ -139,7 +145,7 @@ TEST(Outlines, OfAFlatClothHaveEachEdgeTwice) {
     }
     for (const auto& [x, side] : {std::pair(square, 4.0), std::pair(diamond, std::sqrt(32.0))}) {
         Outlines outlines;
-        append_outline(KDop<26>::fit(whole(x, grid)), NodeState::Entered, outlines);
+        append_outline(KDop<26>::fit(whole(x, grid)), NodeState::Visited, outlines);
         EXPECT_EQ(outlines.edges.size(), 8u);
         for (const Outlines::Edge& edge : outlines.edges) EXPECT_NEAR((edge.to - edge.from).norm(), side, 1e-3);
     }
@@ -148,11 +154,11 @@ TEST(Outlines, OfAFlatClothHaveEachEdgeTwice) {
 TEST(Outlines, OfAPointOrALineAreNothingOrTheLine) {
     const Grid grid{3, 3};
     Outlines outlines;
-    append_outline(KDop<26>::fit(whole(Points::Constant(9, 3, 0.1), grid)), NodeState::Entered, outlines);
+    append_outline(KDop<26>::fit(whole(Points::Constant(9, 3, 0.1), grid)), NodeState::Visited, outlines);
     EXPECT_TRUE(outlines.edges.empty());
     Points x = Points::Zero(9, 3);
     for (int p = 0; p < 9; ++p) x(p, 1) = p;
-    append_outline(KDop<26>::fit(whole(x, grid)), NodeState::Entered, outlines);
+    append_outline(KDop<26>::fit(whole(x, grid)), NodeState::Visited, outlines);
     ASSERT_FALSE(outlines.edges.empty());
     for (const Outlines::Edge& edge : outlines.edges) EXPECT_NEAR((edge.to - edge.from).norm(), 8, 1e-3);
 }

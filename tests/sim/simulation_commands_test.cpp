@@ -2,6 +2,7 @@
 
 #include <tuple>
 
+#include "drape/bounds/node_view.h"
 #include "drape/integrate/stability.h"
 #include "drape/model/forces.h"
 #include "drape/sim/scene.h"
@@ -84,6 +85,45 @@ TEST(SetCommand, KeepsTheStateWhenMethodsChangeInMidRun) {
         make_steps(simulation, 100);
         EXPECT_EQ(simulation.view().report->status, Status::Ok) << change;
         EXPECT_EQ(simulation.report().step, 400) << change;
+    }
+}
+
+/// Past the finest level all are shown; however often the key was pressed there, one press leads back.
+TEST(AddCommand, GoesNoFurtherPastTheFinestLevelThanOne) {
+    Simulation simulation = small_simulation({"leaf_cells=2"});
+    const int levels = simulation.view().cloths[0].hierarchy->levels();
+    ASSERT_GT(levels, 1);
+    for (int press = 0; press < 40; ++press) send(simulation, "add view.level 1");
+    EXPECT_GE(simulation.settings().view.level, levels);
+    send(simulation, "add view.level -1");
+    EXPECT_EQ(simulation.settings().view.level, levels - 1);
+}
+
+/// Without a step in between, and marked by the queries.
+TEST(SetCommand, ShowsTheNewHierarchyAtOnce) {
+    for (const char* change : {"set volume=obb", "set leaf_cells=3", "set sphere_fit=welzl", "set update=merge"}) {
+        Simulation simulation = small_simulation({"view.bounds=true", "leaf_cells=2"});
+        make_steps(simulation, 400);
+        send(simulation, "pause");
+        const std::uint64_t hash = simulation.hash();
+        send(simulation, change);
+        const ClothView cloth = simulation.view().cloths[0];
+        std::vector<NodeView> shown;
+        cloth.hierarchy->nodes_at(cloth.hierarchy->levels() - 1, shown);
+        const auto expected = make_broad_phase(broad_phase_of(simulation.settings()), cloth.model.grid);
+        expected->build(cloth.x);
+        std::vector<NodeView> nodes;
+        expected->nodes_at(expected->levels() - 1, nodes);
+        ASSERT_EQ(shown.size(), nodes.size()) << change;
+        bool visited = false;
+        for (std::size_t n = 0; n < nodes.size(); ++n) {
+            const auto middle = [](const auto& volume) { return volume.sphere().centre; };
+            ASSERT_EQ(shown[n].volume.index(), nodes[n].volume.index()) << change;
+            EXPECT_EQ(std::visit(middle, shown[n].volume), std::visit(middle, nodes[n].volume)) << change;
+            visited = visited || shown[n].visit != NodeVisit::Unvisited;
+        }
+        EXPECT_TRUE(visited) << change;
+        EXPECT_EQ(simulation.hash(), hash) << change;
     }
 }
 

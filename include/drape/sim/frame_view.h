@@ -20,6 +20,8 @@ struct ClothView {
     const Points& previous;   ///< one step before
     std::span<const Contact> contacts;
     const BroadPhase* hierarchy = nullptr;  ///< as last searched; never null
+    const Points* v = nullptr;              ///< n x 3 [m/s]; null: at rest
+    int held = -1;                          ///< the particle that the hand holds; -1: none
 };
 
 /// What the renderer needs of a moment; all of it belongs to the simulation and lasts until its next change.

@@ -128,16 +128,32 @@ enum class PanelSize { Off, Compact, Full };
 template <>
 inline constexpr auto enum_names<PanelSize> = all_names<PanelSize>("off", "compact", "full");
 
+/// What the colour of the cloth says.
+enum class ColourBy {
+    Plain,   ///< nothing but front and back
+    Strain,  ///< of the structural springs of a particle
+    Speed,
+    Depth,  ///< of the contacts of a particle
+    Level,  ///< the node of the shown level of the hierarchy
+    Side    ///< front or back, in colours that colour-blind eyes tell apart
+};
+
+template <>
+inline constexpr auto enum_names<ColourBy> = all_names<ColourBy>("plain", "strain", "speed", "depth", "level", "side");
+
 /// What the picture shows besides cloth and ball. It changes no state.
 struct ViewSettings {
     PanelSize panel = PanelSize::Compact;
     bool help = false;
     bool controls = false;  ///< the panel of settings
+    bool plots = false;     ///< figures over the last seconds
     bool bounds = false;
     int level = 3;
     bool wireframe = false;
     bool particles = false;  ///< particles and springs
     bool contacts = false;
+    ColourBy colour = ColourBy::Plain;
+    bool weave = true;
     Vec3 eye{Real(1.6), Real(0.9), Real(2.2)};
     Vec3 target{0, 0, 0};
     double speed = 1;  ///< simulated seconds that pass in a second at the window

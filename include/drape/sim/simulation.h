@@ -106,6 +106,9 @@ private:
     void load(const std::string& scene);
     void change_pin(const command::Pin& pin);
     void configure(Settings settings);
+
+    /// The settings, with a shown level that is no further past the finest than one: from there, one less is finest.
+    [[nodiscard]] Settings within_levels() const;
     void configure_cloth(std::size_t number, const Settings& before);
     void configure_balls(const Settings& before);
     [[nodiscard]] std::vector<const ClothModel*> cloth_models() const;

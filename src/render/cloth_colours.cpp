@@ -1,0 +1,150 @@
+#include "cloth_colours.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "drape/model/stencils.h"
+
+namespace drape {
+
+namespace {
+
+// The least of 1, 2 and 5 times a power of ten that is not less, so that the scale seldom changes
+double round_number_above(double value) {
+    const double power = std::pow(10.0, std::floor(std::log10(value)));
+    for (const double factor : {1.0, 2.0, 5.0}) {
+        if (factor * power >= value * (1 - 1e-9)) return factor * power;
+    }
+    return 10 * power;
+}
+
+// Of each particle, the largest of its structural springs; compressed ones count as nothing
+void strains(const ClothView& cloth, float* values) {
+    const Grid& grid = cloth.model.grid;
+    const Points& x = cloth.x;
+    for (std::size_t k = 0; k < 2; ++k) {
+        const auto [di, dj] = spring_directions[k];
+        const Real rest = k == 0 ? cloth.model.hx : cloth.model.hy;
+        SpringStencil{di, dj, {}, 0}.for_each(grid, [&](int a, int b) {
+            const auto strain = static_cast<float>((x.row(a) - x.row(b)).norm() / rest - 1);
+            for (const int end : {a, b}) values[end] = std::max(values[end], strain);
+        });
+    }
+}
+
+void speeds(const ClothView& cloth, float* values) {
+    if (cloth.v == nullptr) return;
+    for (int p = 0; p < cloth.model.grid.particles(); ++p) values[p] = static_cast<float>(cloth.v->row(p).norm());
+}
+
+void depths(const ClothView& cloth, float* values) {
+    for (const Contact& contact : cloth.contacts) {
+        for (std::size_t k = 0; k < 3; ++k) {
+            if (contact.barycentric[k] <= 0) continue;
+            float& value = values[contact.corners[k]];
+            value = std::max(value, static_cast<float>(contact.depth));
+        }
+    }
+}
+
+// In the scale's unit
+double units_in_one(ColourBy by) { return by == ColourBy::Strain ? 100 : by == ColourBy::Depth ? 1000 : 1; }
+
+ColourScale scale_of(ColourBy by) {
+    switch (by) {
+        case ColourBy::Strain:
+            return {by, 1, "Strain", "%"};
+        case ColourBy::Speed:
+            return {by, 1, "Speed", "m/s"};
+        case ColourBy::Depth:
+            return {by, 1, "Contact depth", "mm"};
+        case ColourBy::Level:
+            return {by, 1, "Nodes of level", ""};
+        case ColourBy::Side:
+            return {by, 1, "Side", ""};
+        case ColourBy::Plain:
+            break;
+    }
+    return {};
+}
+
+}  // namespace
+
+std::span<const std::array<float, 3>, 9> value_colours() {
+    // The map "viridis" at multiples of 1/8
+    static constexpr std::array<std::array<float, 3>, 9> colours{{{0.267f, 0.004f, 0.329f},
+                                                                  {0.278f, 0.176f, 0.482f},
+                                                                  {0.231f, 0.322f, 0.545f},
+                                                                  {0.173f, 0.447f, 0.557f},
+                                                                  {0.129f, 0.569f, 0.549f},
+                                                                  {0.157f, 0.682f, 0.502f},
+                                                                  {0.369f, 0.788f, 0.384f},
+                                                                  {0.678f, 0.863f, 0.188f},
+                                                                  {0.992f, 0.906f, 0.145f}}};
+    return colours;
+}
+
+std::span<const std::array<float, 3>, 4> group_colours() {
+    static constexpr std::array<std::array<float, 3>, 4> colours{
+        {{0.902f, 0.624f, 0.000f}, {0.000f, 0.447f, 0.698f}, {0.337f, 0.706f, 0.914f}, {0.941f, 0.894f, 0.259f}}};
+    return colours;
+}
+
+void ClothColours::collect(const FrameView& view) {
+    scale_ = scale_of(view.settings->view.colour);
+    if (scale_.by == ColourBy::Plain || scale_.by == ColourBy::Side) return;
+    std::size_t particles = 0;
+    for (const ClothView& cloth : view.cloths) particles += static_cast<std::size_t>(cloth.model.grid.particles());
+    values_.assign(particles, 0);
+    scale_.by == ColourBy::Level ? collect_groups(view) : collect_values(view);
+}
+
+void ClothColours::collect_values(const FrameView& view) {
+    float* values = values_.data();
+    for (const ClothView& cloth : view.cloths) {
+        if (scale_.by == ColourBy::Strain) strains(cloth, values);
+        if (scale_.by == ColourBy::Speed) speeds(cloth, values);
+        if (scale_.by == ColourBy::Depth) depths(cloth, values);
+        values += cloth.model.grid.particles();
+    }
+    const double units = units_in_one(scale_.by);
+    const double largest = values_.empty() ? 0 : units * static_cast<double>(*std::ranges::max_element(values_));
+    // A thousandth of a unit and less is rounding
+    scale_.most = std::isfinite(largest) ? round_number_above(std::max(largest, 1e-3)) : 1;
+    for (float& value : values_) value *= static_cast<float>(units / scale_.most);
+}
+
+// Nodes lie like the fields of a board, so that two colours along rows and two along columns part neighbours
+void ClothColours::collect_groups(const FrameView& view) {
+    const int shown = shown_level(view).level;
+    float* values = values_.data();
+    for (const ClothView& cloth : view.cloths) {
+        const Grid& grid = cloth.model.grid;
+        nodes_.clear();
+        if (cloth.hierarchy->levels() > 0) {
+            cloth.hierarchy->nodes_at(std::min(shown, cloth.hierarchy->levels() - 1), nodes_);
+        }
+        columns_.assign(static_cast<std::size_t>(grid.nx), 0);
+        rows_.assign(static_cast<std::size_t>(grid.ny), 0);
+        for (const NodeView& node : nodes_) {
+            columns_[static_cast<std::size_t>(node.cells.i0)] = 1;
+            rows_[static_cast<std::size_t>(node.cells.j0)] = 1;
+        }
+        for (const NodeView& node : nodes_) {
+            const auto column = std::count(columns_.begin(), columns_.begin() + node.cells.i0, 1);
+            const auto row = std::count(rows_.begin(), rows_.begin() + node.cells.j0, 1);
+            const auto group = static_cast<float>(column % 2 + 2 * (row % 2));
+            for (int j = node.cells.j0; j < node.cells.j1; ++j) {
+                for (int i = node.cells.i0; i < node.cells.i1; ++i) values[grid.particle(i + 1, j)] = group;
+            }
+        }
+        values += grid.particles();
+    }
+}
+
+void ClothColours::fill(std::span<ClothVertex> vertices) const {
+    if (scale_.by == ColourBy::Plain || scale_.by == ColourBy::Side) return;
+    for (std::size_t p = 0; p < values_.size(); ++p) vertices[p].value = values_[p];
+}
+
+}  // namespace drape

@@ -1,0 +1,67 @@
+#pragma once
+
+#include <array>
+#include <cstdint>
+#include <span>
+#include <string_view>
+#include <vector>
+
+#include "drape/bounds/node_view.h"
+#include "drape/sim/frame_view.h"
+
+namespace drape {
+
+/// How a node is drawn: by what queries did with it, and whether anything in it touches.
+enum class NodeState : std::uint8_t { Unvisited, Pruned, Visited, Leaf, FalseCandidate, Touching };
+
+/// What the legend says of a state, and the colour of both: red, green, blue, opacity.
+struct NodeLook {
+    std::string_view text;
+    std::array<float, 4> colour;
+};
+
+/// In the order of `NodeState`. Hues are apart for colour-blind eyes too. @cite okabe2008
+std::span<const NodeLook, 6> node_looks();
+
+/// The cells of a cloth with a contact, to be asked for by rectangles.
+class TouchedCells {
+public:
+    /// @param tested whether candidates have been tested: before the first step they have not
+    void take(const Grid& grid, std::span<const Contact> contacts, bool tested);
+
+    /// @par Cost O(rows log(touched cells))
+    [[nodiscard]] bool any_in(const CellRange& cells) const;
+
+    /// Of a leaf that was handed on it is known whether it touches, once it has been tested.
+    [[nodiscard]] NodeState state_of(const NodeView& node) const;
+
+private:
+    int columns_ = 1;  ///< of cells
+    bool tested_ = false;
+    std::vector<int> cells_;  ///< ascending, each once
+};
+
+/// Which level of the hierarchies is shown.
+struct ShownLevel {
+    int levels = 0;  ///< of the deepest hierarchy
+    int level = 0;
+    bool all = false;  ///< `view.level` is past the finest
+};
+ShownLevel shown_level(const FrameView& view);
+
+/// Nodes of one level and no other.
+/// @param nodes receives them; cleared first
+void nodes_of_level(const BroadPhase& hierarchy, int level, std::vector<NodeView>& nodes);
+
+/// What queries did with the nodes of one level.
+struct LevelCounts {
+    int nodes = 0;
+    int visited = 0;          ///< pruned or not
+    int pruned = 0;           ///< visited and found apart
+    int false_positives = 0;  ///< overlapping, and nothing in them touches
+    int touching = 0;
+    LevelCounts& operator+=(const LevelCounts& other);
+};
+LevelCounts counts_of(std::span<const NodeView> nodes, const TouchedCells& touched);
+
+}  // namespace drape
