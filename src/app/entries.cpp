@@ -32,7 +32,7 @@ std::vector<Entry> make_entries(const std::vector<std::string>& scenes) {
         {"", {"O", "."}, "Single step", "step 1"},
         {"", {"Shift+O"}, "Single frame of 1/60 s", "step 1", Manner::OneFrame},
         {"", {"R"}, "Reset", "reset"},
-        {"", {"Shift+R"}, "Reset with a time step at 0.9 of the stability limit", "reset", Manner::SafeStep},
+        {"", {"Shift+R"}, "Reset with a stable time step", "reset", Manner::SafeStep},
     };
     for (std::size_t s = 0; s < scenes.size(); ++s) {
         std::vector<std::string> keys;
@@ -74,8 +74,8 @@ std::vector<Entry> make_entries(const std::vector<std::string>& scenes) {
         {"Sleep", {}, "At rest", "set solver.sleep_speed=2e-04"},
         {"Sleep", {}, "Never", "set solver.sleep_speed=0"},
         {"View", {"B"}, "Bounding volumes", "next view.bounds"},
-        {"View", {"["}, "Level -", "add view.level -1"},
-        {"View", {"]"}, "Level +", "add view.level 1"},
+        {"View", {"["}, "Level -", "add view.level -1", Manner::Once, "Coarser, finer level of bounding volumes"},
+        {"View", {"]"}, "Level +", "add view.level 1", Manner::Once, "Coarser, finer level of bounding volumes"},
         {"View", {"C"}, "Contacts", "next view.contacts"},
         {"View", {"L"}, "Wireframe", "next view.wireframe"},
         {"View", {"N"}, "Particles and springs", "next view.particles"},
@@ -84,21 +84,41 @@ std::vector<Entry> make_entries(const std::vector<std::string>& scenes) {
         {"View", {"Shift+K"}, "Plots of the last seconds", "next view.plots"},
         {"View", {"K"}, "Energy balance", "next solver.ledger"},
         {"View", {"F"}, "Frame the scene", "frame"},
-        {"Ball", {"Left", "A"}, "Ball to the left", "steer -1 0 0", Manner::WhileHeld},
-        {"Ball", {"Right", "D"}, "Ball to the right", "steer 1 0 0", Manner::WhileHeld},
-        {"Ball", {"Up", "W"}, "Ball away from you", "steer 0 0 1", Manner::WhileHeld},
-        {"Ball", {"Down", "S"}, "Ball towards you", "steer 0 0 -1", Manner::WhileHeld},
-        {"Ball", {"PageUp", "E"}, "Ball up", "steer 0 1 0", Manner::WhileHeld},
-        {"Ball", {"PageDown", "Shift+Q"}, "Ball down", "steer 0 -1 0", Manner::WhileHeld},
+        {"Ball",
+         {"Left", "A"},
+         "Ball to the left",
+         "steer -1 0 0",
+         Manner::WhileHeld,
+         "Ball left, right, away from you, towards you"},
+        {"Ball",
+         {"Right", "D"},
+         "Ball to the right",
+         "steer 1 0 0",
+         Manner::WhileHeld,
+         "Ball left, right, away from you, towards you"},
+        {"Ball",
+         {"Up", "W"},
+         "Ball away from you",
+         "steer 0 0 1",
+         Manner::WhileHeld,
+         "Ball left, right, away from you, towards you"},
+        {"Ball",
+         {"Down", "S"},
+         "Ball towards you",
+         "steer 0 0 -1",
+         Manner::WhileHeld,
+         "Ball left, right, away from you, towards you"},
+        {"Ball", {"PageUp", "E"}, "Ball up", "steer 0 1 0", Manner::WhileHeld, "Ball up, down"},
+        {"Ball", {"PageDown", "Shift+Q"}, "Ball down", "steer 0 -1 0", Manner::WhileHeld, "Ball up, down"},
         {"Ball", {"X"}, "Throw the ball where you look", "throw 0 0 0 0 0 0", Manner::Aimed},
         {"Ball", {"Z"}, "Let the ball fall", "fall"},
         {"", {"G"}, "Let go of pinned cloth", "set cloth.pinned=none"},
-        {"", {"-"}, "Slower", "set view.speed=0.5", Manner::Slower},
-        {"", {"=", "+"}, "Faster", "set view.speed=2", Manner::Faster},
+        {"", {"-"}, "Slower", "set view.speed=0.5", Manner::Slower, "Slower, faster"},
+        {"", {"=", "+"}, "Faster", "set view.speed=2", Manner::Faster, "Slower, faster"},
         {"", {"V"}, "Wind", "next wind.on"},
         {"", {"F12"}, "Save screenshot", "picture"},
-        {"Tour", {"F1"}, "Tour: next stop", "scene hang", Manner::NextStop},
-        {"Tour", {"F2"}, "Tour: stop before", "scene hang", Manner::StopBefore},
+        {"Tour", {"F1"}, "Tour: next stop", "scene hang", Manner::NextStop, "Tour: next stop, stop before"},
+        {"Tour", {"F2"}, "Tour: stop before", "scene hang", Manner::StopBefore, "Tour: next stop, stop before"},
         {"", {"H", "?"}, "Help", "next view.help"},
         {"", {"Esc", "Q"}, "Quit", "quit"},
     };
@@ -135,14 +155,13 @@ std::vector<KeyHelp> help_lines(const std::vector<Entry>& entries) {
         {"Wheel", "Zoom"},
         {"Right button", "Menu"},
     };
-    bool scenes_listed = false;
     for (const Entry& entry : entries) {
         if (entry.keys.empty()) continue;
-        if (entry.menu != "Scene") {
-            lines.push_back({key_text(entry), entry.text});
-        } else if (!scenes_listed) {
-            lines.push_back({"1-9", "Scenes"});
-            scenes_listed = true;
+        const std::string text = entry.menu == "Scene" ? "Scenes" : entry.help.empty() ? entry.text : entry.help;
+        if (lines.back().text != text) {
+            lines.push_back({entry.menu == "Scene" ? "1-9" : key_text(entry), text});
+        } else if (entry.menu != "Scene") {
+            lines.back().key += ", " + key_text(entry);
         }
     }
     return lines;

@@ -28,6 +28,7 @@ struct Entry {
     std::string text;               ///< as in the menu
     std::string command;            ///< in text form
     Manner manner = Manner::Once;
+    std::string help = {};  ///< of its line in the help, which it shares with the entries before it that have the same
 };
 
 /// Everything that keys and menu can do, in the order of the menu.

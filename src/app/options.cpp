@@ -21,17 +21,19 @@ std::string key_help() {
 
 std::optional<Options> read_options(int argc, char** argv) {
     Options options;
-    std::string size;
+    std::string size, scale;
     CLI::App app("A cloth, a ball and a hierarchy of bounding spheres, in a window.", "drape");
     app.add_option("scene", options.start.scene, "name of a shipped scene, or a TOML file")->type_name("SCENE");
     app.add_option("--set", options.start.assignments, "change settings")->type_name("name=value");
     app.add_option("--record", options.record, "write every command to a file")->type_name("FILE");
     app.add_option("--replay", options.start.replay, "play a recording")->type_name("FILE");
     app.add_option("--size", size, "of the window; 1280x720 if not given")->type_name("WxH");
+    app.add_option("--scale", scale, "of the text; 1 if not given")->type_name("FACTOR");
     app.add_flag("--tour", options.tour, "begin with the tour: twelve scenes, with what to see in each");
     app.add_flag("--hash", options.hash, "print the hash of the last state");
     app.footer([] { return key_help() + "\nSettings:\n" + settings_help(); });
     if (!parse_command_line(app, argc, argv)) return std::nullopt;
+    if (!scale.empty()) options.start.assignments.push_back("view.text_scale=" + scale);
     if (!size.empty()) options.size = parse_size(size);
     return options;
 }

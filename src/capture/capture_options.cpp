@@ -41,8 +41,8 @@ std::optional<CaptureOptions> read_capture_options(int argc, char** argv) {
     app.add_option("--set", options.start.assignments, "change settings, as in --set dt=1e-4")->type_name("name=value");
     app.add_option("--replay", options.start.replay, "play a recording")->type_name("FILE");
     app.add_option("--frames", frames, "number of frames; frame k shows the time k/fps after the start")
-        ->type_name("N")
-        ->required();
+        ->type_name("N");
+    app.add_flag("--tour", options.tour, "draw a picture of each stop of the tour instead of a scene's frames");
     app.add_option("--fps", fps, "frames per simulated second; 60 if not given")->type_name("RATE");
     app.add_option("--size", size, "of the pictures; 1280x720 if not given")->type_name("WxH");
     app.add_option("--out", options.out, "write frame_0001.png ... into this folder")->type_name("DIR");
@@ -58,10 +58,15 @@ std::optional<CaptureOptions> read_capture_options(int argc, char** argv) {
     app.footer([] { return "Settings:\n" + settings_help(); });
     if (!parse_command_line(app, argc, argv)) return std::nullopt;
 
+    options.size = parse_size(size);
+    if (options.tour) {
+        if (options.out.empty()) throw InputError("--tour needs --out DIR, for its pictures");
+        return options;
+    }
+    if (frames.empty()) throw InputError("--frames is required", help_hint(app));
     options.frames = whole_number("--frames", frames, most_frames);
     options.every = whole_number("--every", every, options.frames);
     options.fps = frame_rate(fps);
-    options.size = parse_size(size);
     const bool anything = !options.out.empty() || !options.video.empty() || !options.stats.empty() ||
                           !options.state.empty() || options.hash;
     if (!anything) throw InputError("nothing to write: say --out DIR, or one of --video, --stats, --state and --hash");

@@ -21,6 +21,7 @@ struct CaptureOptions {
     std::string state;            ///< file; empty: none
     bool again = false;           ///< the folder's frames of an earlier run are replaced
     bool overlay = false;
+    bool tour = false;  ///< a picture of each stop of the tour, and nothing else
     bool hash = false;
 
     /// Whether anything that is asked for needs pictures.

@@ -57,7 +57,7 @@ void draw_swatch(ImVec2 corner, const std::array<float, 3>& colour, const char* 
 
 }  // namespace
 
-void colour_panel(const ColourScale& scale, int level, float right, const OverlayPage& page) {
+float colour_panel(const ColourScale& scale, int level, float right, const OverlayPage& page) {
     const float row = ImGui::GetTextLineHeightWithSpacing(), size = ImGui::GetFontSize();
     const float inner = 15 * size, width = inner + 2 * page.margin;
     const float height = 3 * row + 2 * page.margin;
@@ -78,6 +78,7 @@ void colour_panel(const ColourScale& scale, int level, float right, const Overla
     } else {
         draw_scale(scale, below, inner);
     }
+    return panel.x;
 }
 
 }  // namespace drape

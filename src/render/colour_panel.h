@@ -9,6 +9,7 @@ namespace drape {
 /// is what.
 /// @param right the panel's right edge [pixel]
 /// @param level whose nodes are shown
-void colour_panel(const ColourScale& scale, int level, float right, const OverlayPage& page);
+/// @return its left edge [pixel]
+float colour_panel(const ColourScale& scale, int level, float right, const OverlayPage& page);
 
 }  // namespace drape

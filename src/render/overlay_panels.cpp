@@ -15,7 +15,7 @@ namespace drape {
 
 namespace {
 
-constexpr std::array<float, 4> font_sizes{11, 14, 17, 22};  // pixel
+constexpr std::array<float, 8> font_sizes{11, 14, 17, 22, 28, 36, 46, 60};  // pixel
 
 // Below this nothing could be read
 constexpr int least_width = 120, least_height = 60;
@@ -24,7 +24,7 @@ constexpr ImGuiWindowFlags window_flags = ImGuiWindowFlags_NoDecoration | ImGuiW
                                           ImGuiWindowFlags_NoInputs | ImGuiWindowFlags_NoNav |
                                           ImGuiWindowFlags_NoSavedSettings | ImGuiWindowFlags_NoMove;
 
-void add_fonts(std::array<ImFont*, 4>& fonts) {
+void add_fonts(std::array<ImFont*, font_sizes.size()>& fonts) {
     ImFontAtlas& atlas = *ImGui::GetIO().Fonts;
     const std::filesystem::path file = DRAPE_FONT;
     std::error_code ignored;
@@ -39,6 +39,15 @@ void add_fonts(std::array<ImFont*, 4>& fonts) {
         }
     }
     atlas.Build();
+}
+
+// The largest font that is not larger than a window of that size should have; one more is left for titles
+std::size_t font_for(int width, int height, double scale) {
+    const int side = std::min(height, 2 * width / 3);
+    const double wanted = scale * (side < 600 ? 11 : side < 1000 ? 14 : side < 1300 ? 17 : side < 1800 ? 22 : 28);
+    std::size_t size = 0;
+    while (size + 2 < font_sizes.size() && static_cast<double>(font_sizes[size + 1]) <= wanted) ++size;
+    return size;
 }
 
 void set_style() {
@@ -85,8 +94,8 @@ KeyColumns columns_of(std::span<const KeyHelp> lines) {
     return columns;
 }
 
-void key_panel(std::span<const KeyHelp> lines, const KeyColumns& columns, ImVec2 corner, float width, float margin) {
-    const float row = ImGui::GetTextLineHeightWithSpacing();
+void key_panel(std::span<const KeyHelp> lines, const KeyColumns& columns, float row, ImVec2 corner, float width,
+               float margin) {
     draw_panel(corner, {width, static_cast<float>(lines.size()) * row + 2 * margin});
     corner = {corner.x + margin, corner.y + margin};
     for (const KeyHelp& line : lines) {
@@ -96,16 +105,26 @@ void key_panel(std::span<const KeyHelp> lines, const KeyColumns& columns, ImVec2
     }
 }
 
-// @return the height that is taken at the bottom [pixel]
-float notice_panel(std::span<const std::string> notices, const OverlayPage& page) {
-    const float most = page.width - 4 * page.margin;
+// The room between panels at both sides
+struct Between {
+    float left, right;
+    [[nodiscard]] float middle() const { return (left + right) / 2; }
+    [[nodiscard]] float width() const { return right - left; }
+};
+
+// At the top where there is room for it beside the others, else at the bottom
+void notice_panel(std::span<const std::string> notices, Between room, const OverlayPage& page) {
+    const bool at_top = room.width() > 20 * ImGui::GetFontSize();
+    if (!at_top) room = {page.margin, page.width - page.margin};
+    const float most = room.width() - 2 * page.margin;
     ImVec2 size{0, 0};
     for (const std::string& notice : notices) {
         const ImVec2 part = ImGui::CalcTextSize(notice.c_str(), nullptr, false, most);
         size = {std::max(size.x, part.x), size.y + part.y};
     }
     const ImVec2 panel{size.x + 2 * page.margin, std::min(size.y + 2 * page.margin, page.height - 2 * page.margin)};
-    const ImVec2 corner{(page.width - panel.x) / 2, page.height - panel.y - page.margin};
+    const float top = at_top ? page.margin : page.height - panel.y - page.margin;
+    const ImVec2 corner{room.middle() - panel.x / 2, top};
     draw_panel(corner, panel);
 
     ImVec2 line{corner.x + page.margin, corner.y + page.margin};
@@ -115,7 +134,6 @@ float notice_panel(std::span<const std::string> notices, const OverlayPage& page
         line.y += ImGui::CalcTextSize(notice.c_str(), nullptr, false, most).y;
     }
     ImGui::PopTextWrapPos();
-    return panel.y + page.margin;
 }
 
 }  // namespace
@@ -186,8 +204,8 @@ bool OverlayPanels::build(const FrameView& view, const FrameReport& last, std::s
     const auto w = static_cast<float>(width), h = static_cast<float>(height);
     ImGui::GetIO().DisplaySize = {w, h};
     ImGui::GetIO().DeltaTime = 1.0f / 60;
-    const std::size_t size = height < 600 || width < 900 ? 0 : height < 1000 ? 1 : 2;
-    const float margin = size == 0 ? 8.0f : 12.0f;
+    const std::size_t size = font_for(width, height, shown.text_scale);
+    const float margin = size == 0 ? 8.0f : std::max(12.0f, 0.7f * font_sizes[size]);
 
     hand_over_input();
     ImGui::NewFrame();
@@ -197,16 +215,17 @@ bool OverlayPanels::build(const FrameView& view, const FrameReport& last, std::s
     ImGui::Begin("overlay", nullptr, window_flags);
     OverlayPage page{w, h, margin};
     if (shown.plots) page.height -= plots_.draw(page);
-    float taken = 0;
-    if (showing_panel) taken = figures_panel(view, last, fonts_[size + 1], page);
+    Between room{margin, settings.left() > 0 ? settings.left() - margin : w - margin};
+    const float right = room.right;
+    float legends_left = right;
+    if (showing_panel) room.left = figures_panel(view, last, fonts_[size + 1], page) + margin;
     if (showing_help) {
-        help_panel(page, taken);
+        room.right = help_panel(page, room.left) - margin;
     } else if (showing_panel) {
-        legends(view, settings.left() > 0 ? settings.left() - margin : w - margin, page);
+        legends_left = legends(view, right, page);
     }
-    float below = 0;
-    if (!notices.empty()) below = notice_panel(notices, page);
-    if (!hint.empty() && !showing_help) hint_panel(page, below);
+    if (!hint.empty() && !showing_help) hint_panel(page, legends_left);
+    if (!notices.empty()) notice_panel(notices, room, page);
     ImGui::End();
     if (shown.controls) {
         settings.draw(*view.settings, page);
@@ -218,29 +237,35 @@ bool OverlayPanels::build(const FrameView& view, const FrameReport& last, std::s
     return ImGui::GetDrawData()->TotalIdxCount > 0;
 }
 
-void OverlayPanels::legends(const FrameView& view, float right, const OverlayPage& page) {
+float OverlayPanels::legends(const FrameView& view, float right, const OverlayPage& page) {
     if (view.settings->view.bounds) right = hierarchy_.draw(view, right, page) - page.margin;
-    if (colours.by != ColourBy::Plain) colour_panel(colours, shown_level(view).level, right, page);
+    if (colours.by != ColourBy::Plain)
+        right = colour_panel(colours, shown_level(view).level, right, page) - page.margin;
+    return right;
 }
 
-void OverlayPanels::help_panel(const OverlayPage& page, float taken) const {
+float OverlayPanels::help_panel(const OverlayPage& page, float taken) const {
     const KeyColumns columns = columns_of(help);
-    const float margin = page.margin;
+    const float margin = page.margin, room = page.height - 4 * margin;
     const float width =
         std::min(columns.width() + 2 * margin, std::max(page.width - taken - 2 * margin, page.width / 3));
-    const auto fitting =
-        static_cast<std::size_t>(std::max(1.0f, (page.height - 4 * margin) / ImGui::GetTextLineHeightWithSpacing()));
-    key_panel({help.data(), std::min(help.size(), fitting)}, columns, {page.width - width - margin, margin}, width,
-              margin);
+    // Closer lines where they would not all fit
+    const float row = std::clamp(room / static_cast<float>(help.size()), ImGui::GetTextLineHeight(),
+                                 ImGui::GetTextLineHeightWithSpacing());
+    const auto fitting = static_cast<std::size_t>(std::max(1.0f, room / row));
+    const ImVec2 corner{page.width - width - margin, margin};
+    key_panel({help.data(), std::min(help.size(), fitting)}, columns, row, corner, width, margin);
+    return corner.x;
 }
 
-void OverlayPanels::hint_panel(const OverlayPage& page, float below) const {
+void OverlayPanels::hint_panel(const OverlayPage& page, float right) const {
     const KeyColumns columns = columns_of(hint);
-    const float margin = page.margin;
+    const float margin = page.margin, row = ImGui::GetTextLineHeightWithSpacing();
     const float width = std::min(columns.width() + 2 * margin, page.width - 2 * margin);
-    const float height = static_cast<float>(hint.size()) * ImGui::GetTextLineHeightWithSpacing() + 2 * margin;
-    if (height + below + 2 * margin > page.height / 2) return;
-    key_panel(hint, columns, {(page.width - width) / 2, page.height - below - height - margin}, width, margin);
+    const float height = static_cast<float>(hint.size()) * row + 2 * margin;
+    if (height + 2 * margin > page.height / 2) return;
+    const float left = std::max((right - width) / 2, margin);
+    key_panel(hint, columns, row, {left, page.height - height - margin}, width, margin);
 }
 
 }  // namespace drape

@@ -18,8 +18,9 @@ struct ImGuiContext;
 
 namespace drape {
 
-/// The panels over the picture, made with Dear ImGui: figures at the top left, help at the right, a hint for the first
-/// moments and notices at the bottom. Dear ImGui's context lives as long as this does.
+/// The panels over the picture, made with Dear ImGui: figures at the top left, help at the right, legends at the lower
+/// right, a hint for the first moments at the bottom, and notices at the top between the others. Dear ImGui's context
+/// lives as long as this does.
 class OverlayPanels {
 public:
     OverlayPanels();
@@ -46,9 +47,9 @@ private:
         void operator()(ImGuiContext* context) const;
     };
 
-    void legends(const FrameView& view, float right, const OverlayPage& page);
-    void help_panel(const OverlayPage& page, float taken) const;
-    void hint_panel(const OverlayPage& page, float below) const;
+    float legends(const FrameView& view, float right, const OverlayPage& page);
+    float help_panel(const OverlayPage& page, float taken) const;
+    void hint_panel(const OverlayPage& page, float right) const;
 
     void hand_over_input();
 
@@ -63,7 +64,7 @@ private:
     PlotsPanel plots_;
     std::unique_ptr<ImGuiContext, DestroyContext> context_;
     Input input_;
-    std::array<ImFont*, 4> fonts_{};  ///< from small to large
+    std::array<ImFont*, 8> fonts_{};  ///< from small to large
 };
 
 }  // namespace drape

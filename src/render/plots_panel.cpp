@@ -39,7 +39,7 @@ constexpr double micro = 1e6;
 
 constexpr std::array<Curve, 11> all_curves{{
     {"integrate", orange, [](const StepReport& r) { return micro * r.times.step; }},
-    {"hierarchy", sky, [](const StepReport& r) { return micro * (r.times.build + r.times.traverse); }},
+    {"BVH", sky, [](const StepReport& r) { return micro * (r.times.build + r.times.traverse); }},
     {"narrow", green, [](const StepReport& r) { return micro * (r.times.narrow + r.times.pairs); }},
     {"response", yellow, [](const StepReport& r) { return micro * r.times.respond; }},
     {"total", orange, [](const StepReport& r) { return r.energy.total(); }},
@@ -61,7 +61,7 @@ constexpr std::array<Plot, 5> plots{{
 
 std::array<char, 24> short_number(double value) {
     std::array<char, 24> text{};
-    std::snprintf(text.data(), text.size(), "%.3g", value);
+    std::snprintf(text.data(), text.size(), std::abs(value) < 1000 ? "%.3g" : "%.0f", value);
     return text;
 }
 

@@ -5,11 +5,13 @@
 #include <csignal>
 #include <filesystem>
 #include <fstream>
+#include <set>
 #include <sstream>
 
 #include "drape/render/image.h"
 #include "drape/render/renderer.h"
 #include "drape/sim/step_report.h"
+#include "drape/sim/tour.h"
 #include "program.h"
 
 namespace drape::test {
@@ -292,6 +294,17 @@ TEST(Capture, DrawsThePanelOnlyIfItIsAskedTo) {
     EXPECT_GT(without.pixel(12, 100)[1], 100);
     EXPECT_LT(with.pixel(12, 100)[1], 100);
     EXPECT_EQ(with.pixel(600, 400)[1], without.pixel(600, 400)[1]);
+}
+
+TEST(Capture, DrawsAPictureOfEachStopOfTheTour) {
+    const TestFolder folder;
+    EXPECT_EQ(run_program("drape-capture", {"--tour", "--size", "96x54", "--out", folder / "a"}).exit_code, 0);
+    const std::vector<std::string> names = folder.names("a");
+    ASSERT_EQ(names.size(), tour_stops().size());
+    std::set<std::vector<std::uint8_t>> pictures;
+    for (const std::string& name : names) pictures.insert(read_png(folder / ("a/" + name)).rgb);
+    EXPECT_EQ(pictures.size(), names.size()) << "each is another";
+    EXPECT_EQ(run_program("drape-capture", {"--tour"}).exit_code, 2);
 }
 
 TEST(Capture, NeverNamesLibGl) {

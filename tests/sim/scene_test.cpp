@@ -97,6 +97,7 @@ gust = 0.25
 [view]
 panel = "off"
 controls = true
+text_scale = 1.5
 plots = true
 speed = 0.5
 help = true

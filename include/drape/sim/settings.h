@@ -145,6 +145,7 @@ inline constexpr auto enum_names<ColourBy> = all_names<ColourBy>("plain", "strai
 struct ViewSettings {
     PanelSize panel = PanelSize::Compact;
     bool help = false;
+    double text_scale = 1;  ///< of the panels' text, which follows the window's size
     bool controls = false;  ///< the panel of settings
     bool plots = false;     ///< figures over the last seconds
     bool bounds = false;

@@ -1,0 +1,41 @@
+#include "tour_pictures.h"
+
+#include <memory>
+
+#include "drape/base/run_program.h"
+#include "drape/render/renderer.h"
+#include "drape/sim/simulation.h"
+#include "drape/sim/tour.h"
+#include "frame_writer.h"
+#include "offscreen_context.h"
+
+namespace drape {
+
+int draw_tour(const CaptureOptions& options, const StopSignals& signals) {
+    const auto stops = tour_stops();
+    FrameWriter pictures(options.out, static_cast<int>(stops.size()), options.again);
+    const OffscreenContext context;
+    Renderer renderer;
+    renderer.resize(options.size.width, options.size.height);
+    int number = 0;
+    for (const TourStop& stop : stops) {
+        Settings settings = settings_of(stop);
+        if (!options.overlay) settings.view.panel = PanelSize::Off;
+        Simulation simulation(std::string(stop.scene), settings);
+        while (simulation.report().time < stop.time && simulation.report().status == Status::Ok) {
+            if (signals.arrived() != 0) break;
+            simulation.step();
+        }
+        if (const int signal = signals.arrived()) {
+            pictures.finish();
+            return 128 + signal;
+        }
+        renderer.draw(simulation.view(), Camera(settings.view), {});
+        pictures.write(std::make_shared<const Image>(renderer.read_back()), ++number);
+    }
+    pictures.finish();
+    pictures.remove_older();
+    return Done;
+}
+
+}  // namespace drape
