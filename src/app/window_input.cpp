@@ -161,7 +161,8 @@ bool Window::at_panel(const PanelPointer& pointer) {
     constexpr int frames = 3;  // that a press, a release and what follows from them take to be seen
     renderer_->point(pointer);
     panel_frames_ = frames;
-    return renderer_->panel_has_pointer() && !pointer_.busy();
+    const bool is_drawn = renderer_->report().frame > 0;  // until then nobody knows where it is
+    return (renderer_->panel_has_pointer() || !is_drawn) && !pointer_.busy();
 }
 
 void Window::on_motion(int x, int y) {
