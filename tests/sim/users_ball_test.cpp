@@ -10,6 +10,7 @@
 namespace drape {
 namespace {
 
+using test::input_error_of;
 using testing::AllOf;
 using testing::HasSubstr;
 using testing::IsEmpty;
