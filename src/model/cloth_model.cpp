@@ -3,9 +3,9 @@
 #include "drape/base/assert.h"
 
 namespace drape {
-namespace {
 
-bool is_pinned(const Pins& pins, const Grid& grid, int i, int j) {
+bool is_pinned(const Pins& pins, const Grid& grid, int particle) {
+    const int i = particle % grid.nx, j = particle / grid.nx;
     const bool left = i == 0, right = i == grid.nx - 1, first = j == 0, last = j == grid.ny - 1;
     switch (pins.kind) {
         case Pins::Kind::Two:
@@ -23,8 +23,6 @@ bool is_pinned(const Pins& pins, const Grid& grid, int i, int j) {
     return false;
 }
 
-}  // namespace
-
 ClothModel make_cloth_model(const ClothParameters& parameters) {
     const Grid grid = parameters.particles;
     DRAPE_ASSERT(grid.nx >= 2 && grid.ny >= 2);
@@ -41,10 +39,8 @@ ClothModel make_cloth_model(const ClothParameters& parameters) {
     model.drag = parameters.drag;
     model.stretch_limit = parameters.stretch_limit;
     model.inverse_mass.setConstant(grid.particles(), 1 / model.particle_mass);
-    for (int j = 0; j < grid.ny; ++j) {
-        for (int i = 0; i < grid.nx; ++i) {
-            if (is_pinned(parameters.pinned, grid, i, j)) model.inverse_mass[grid.particle(i, j)] = 0;
-        }
+    for (int p = 0; p < grid.particles(); ++p) {
+        if (is_pinned(parameters.pinned, grid, p)) model.inverse_mass[p] = 0;
     }
     for (const int particle : parameters.pinned.list) {
         DRAPE_ASSERT(particle >= 0 && particle < grid.particles());

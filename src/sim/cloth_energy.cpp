@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <limits>
 
+#include "drape/sim/held_power.h"
+
 namespace drape {
 namespace {
 
@@ -60,7 +62,28 @@ void ClothEnergy::restart(const ClothModel& model, const ClothState& state, Kern
 }
 
 EnergyFlow ClothEnergy::flow(const ClothModel& model, const ClothState& state) {
-    return compute_energy_flow(model, state.x, state.v, wind_, kernels_);
+    EnergyFlow flow = compute_energy_flow(model, state.x, state.v, wind_, kernels_);
+    tell_pins_apart(hand_power(model, state), flow.power);
+    return flow;
+}
+
+EnergyFlow* ClothEnergy::start_of_step(const ClothModel& model, const ClothState& state, int held) {
+    if (!ledger_) return nullptr;
+    held_ = held;
+    hand_at_start_ = hand_power(model, state);
+    return &start_;
+}
+
+/// Where pins move too.
+double ClothEnergy::hand_power(const ClothModel& model, const ClothState& state) const {
+    return has_pins_ && held_ >= 0 ? held_power(model, state, held_) : 0;
+}
+
+/// What all held particles are given, but for the hand's, is the pins'.
+void ClothEnergy::tell_pins_apart(double of_hand, Power& power) const {
+    if (!has_pins_) return;
+    power.pins = power.hand - of_hand;
+    power.hand = of_hand;
 }
 
 void ClothEnergy::keep_ledger(bool keep, const ClothModel& model, const ClothState& state) {
@@ -72,9 +95,17 @@ void ClothEnergy::keep_ledger(bool keep, const ClothModel& model, const ClothSta
 }
 
 void ClothEnergy::touch(const ClothModel& model, const ClothState& state) {
+    touch(model, state, EnergyLedger::Since::Hand);
+}
+
+void ClothEnergy::touch_pins(const ClothModel& model, const ClothState& state) {
+    touch(model, state, EnergyLedger::Since::Pins);
+}
+
+void ClothEnergy::touch(const ClothModel& model, const ClothState& state, EnergyLedger::Since by) {
     if (!ledger_) return;
-    if (ledger_->must_see()) ledger_->see(flow(model, state));
-    ledger_->touched();
+    if (ledger_->must_see(by)) ledger_->see(flow(model, state));
+    ledger_->touched(by);
 }
 
 void ClothEnergy::mark() {
@@ -89,6 +120,7 @@ void ClothEnergy::after_integrator(const ClothModel& model, const ClothState& st
                                    int least_pause) {
     if (watch_.look(model, sums, h, least_pause)) watch_.measure(compute_energy(model, state, kernels_));
     if (!ledger_) return;
+    tell_pins_apart(hand_at_start_, start_.power);
     ledger_->see(start_);
     ledger_->integrated(h);
 }

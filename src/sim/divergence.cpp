@@ -12,11 +12,11 @@ namespace {
 /// How much faster than plausible particles may move. The whip crack of a free corner comes to about five times it.
 constexpr Real margin = 20;
 
-/// The fastest that gravity, wind and balls can plausibly make a particle move against the rest [m/s].
+/// The fastest that gravity, wind, balls and pins can plausibly make a particle move against the rest [m/s].
 Real plausible_speed(const Cloth& cloth, std::span<const Ball> balls, const Settings& settings) {
     const ClothModel& model = cloth.model;
     const Real height = model.hx * static_cast<Real>(model.grid.nx) + model.hy * static_cast<Real>(model.grid.ny);
-    Real speed = std::sqrt(2 * model.gravity.norm() * height) + settings.wind.velocity.norm();
+    Real speed = std::sqrt(2 * model.gravity.norm() * height) + settings.wind.velocity.norm() + cloth.pin_speed;
     for (const Ball& ball : balls) speed += ball.velocity.norm();
     return speed;
 }

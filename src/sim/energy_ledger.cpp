@@ -6,12 +6,13 @@ namespace drape {
 
 EnergyBalance EnergyBalance::unknown() {
     constexpr double none = std::numeric_limits<double>::quiet_NaN();
-    return {none, none, none, none, none, none, none, none};
+    return {none, none, none, none, none, none, none, none, none};
 }
 
 EnergyBalance& EnergyBalance::operator+=(const EnergyBalance& other) {
     wind += other.wind;
     hand += other.hand;
+    pins += other.pins;
     ball += other.ball;
     damping += other.damping;
     drag += other.drag;
@@ -26,19 +27,22 @@ void EnergyLedger::see(const EnergyFlow& now) { see(now, now_); }
 void EnergyLedger::see(const EnergyFlow& now, Book& book) {
     const double change = now.energy.total() - book.seen.energy.total();
     if (book.since == Since::Hand) book.balance.hand += change - book.contact_energy;
+    if (book.since == Since::Pins) book.balance.pins += change - book.contact_energy;
     if (book.since == Since::Step) {
-        // Both ends of the step. For damping and drag the later one is before the contacts, for wind and hand after
-        // them: what contacts change in these two within a step goes to the integrator
+        // Both ends of the step. For damping and drag the later one is before the contacts, for wind, hand and pins
+        // after them: what contacts change in these two within a step goes to the integrator
         const double half = book.h / 2;
         const Power &first = book.seen.power, &last = now.power, &contact = book.contact_power;
         const double wind = half * (first.wind + last.wind), hand = half * (first.hand + last.hand);
+        const double pins = half * (first.pins + last.pins);
         const double damping = half * (first.damping + last.damping - contact.damping);
         const double drag = half * (first.drag + last.drag - contact.drag);
         book.balance.wind += wind;
         book.balance.hand += hand;
+        book.balance.pins += pins;
         book.balance.damping += damping;
         book.balance.drag += drag;
-        book.balance.integrator += wind + hand - damping - drag - (change - book.contact_energy);
+        book.balance.integrator += wind + hand + pins - damping - drag - (change - book.contact_energy);
     }
     book.seen = now;
     book.since = Since::Nothing;

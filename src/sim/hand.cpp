@@ -9,6 +9,7 @@
 #include "drape/model/forces.h"
 #include "drape/model/stencils.h"
 #include "drape/model/stretch_limit.h"
+#include "drape/sim/held_power.h"
 
 namespace drape {
 namespace {
@@ -131,12 +132,6 @@ Vec3 within_limit(const Grip& grip, Vec3 v) {
     return v;
 }
 
-/// The most energy a second that the hand, which moves a held particle as its velocity says, puts in at a moment [W]:
-/// the work against the forces of springs, air and gravity on that particle; less than zero where they pull it along.
-double hand_power(const ClothModel& model, const ClothState& state, int particle) {
-    return -static_cast<double>(force_on(model, state.x, state.v, particle).dot(state.v.row(particle)));
-}
-
 }  // namespace
 
 void check_particle(const std::string& command, int cloth, int particle, std::span<const Cloth> cloths) {
@@ -192,14 +187,14 @@ void Hand::lead(std::span<Cloth> cloths, const Obstacles& obstacles, Real h) {
     cloth.energy.give(static_cast<double>(cloth.model.particle_mass / 2 * std::max(gained, Real(0))));
     cloth.energy.touch(cloth.model, cloth.state);
     cloth.state.v.row(held_->particle) = velocity.transpose();
-    held_->power = hand_power(cloth.model, cloth.state, held_->particle);
+    held_->power = held_power(cloth.model, cloth.state, held_->particle);
 }
 
 /// The larger of both ends of the step stands for all of it: a spring that is drawn out pulls ever more.
 void Hand::count_work(std::span<Cloth> cloths, Real h) const {
     if (!held_) return;
     Cloth& cloth = cloths[held_->cloth];
-    const double power = hand_power(cloth.model, cloth.state, held_->particle);
+    const double power = held_power(cloth.model, cloth.state, held_->particle);
     cloth.energy.give(std::max({held_->power, power, 0.0}) * static_cast<double>(h));
 }
 

@@ -23,7 +23,7 @@ std::string solve_trouble(IntegratorKind integrator, const StepReport& report) {
 
 std::string gain_trouble(const StepReport& report) {
     return std::string(name_of(report.gained_by)) + " has made " + real_text(report.energy_excess, 3) +
-           " J more mechanical energy than hand, balls and wind can have put in, seen first in step " +
+           " J more mechanical energy than hand, pins, balls and wind can have put in, seen first in step " +
            std::to_string(report.heated_step);
 }
 

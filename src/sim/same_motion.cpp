@@ -34,8 +34,8 @@ bool same_motion(const Settings& a, const Settings& b) {
     const bool limited = !broad_phase_of(a).search.none() || !broad_phase_of(b).search.none();
     const Settings first = laws_of(a, limited), second = laws_of(b, limited);
     return first.cloths == second.cloths && first.balls == second.balls && first.solids == second.solids &&
-           first.solver == second.solver && first.contact == second.contact && first.ground == second.ground &&
-           first.wind == second.wind;
+           first.pins == second.pins && first.solver == second.solver && first.contact == second.contact &&
+           first.ground == second.ground && first.wind == second.wind;
 }
 
 bool same_start(const Settings& a, const Settings& b) {

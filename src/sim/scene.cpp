@@ -48,6 +48,8 @@ private:
             read_several(node, name, settings_.balls);
         } else if (name == "solid") {
             read_several(node, name, settings_.solids);
+        } else if (name == "pins") {
+            read_several(node, name, settings_.pins);
         } else if (std::any_of(setting_table().begin(), setting_table().end(),
                                [&](const Setting& setting) { return setting.section == name; })) {
             read_section(table_of(node, name), name, "", 0);

@@ -70,6 +70,7 @@ std::string scene_text(const Settings& settings) {
     Settings defaults;
     defaults.balls.emplace_back();
     defaults.solids.emplace_back();
+    defaults.pins.emplace_back();
     std::string text = lines_of("", settings, defaults, 0);
     for (std::size_t c = 0; c < settings.cloths.size(); ++c) {
         text += "\n[[cloth]]\n" + lines_of("cloth", settings, defaults, c);
@@ -80,11 +81,14 @@ std::string scene_text(const Settings& settings) {
     for (std::size_t s = 0; s < settings.solids.size(); ++s) {
         text += "\n[[solid]]\n" + lines_of("solid", settings, defaults, s);
     }
+    for (std::size_t p = 0; p < settings.pins.size(); ++p) {
+        text += "\n[[pins]]\n" + lines_of("pins", settings, defaults, p);
+    }
     std::string last = "cloth";
     for (const Setting& setting : setting_table()) {
         const std::string& section = setting.section;
-        if (section.empty() || section == "ball" || section == "solid" || section == "cloth" || section == last)
-            continue;
+        const bool is_several = section == "cloth" || section == "ball" || section == "solid" || section == "pins";
+        if (section.empty() || is_several || section == last) continue;
         last = section;
         const std::string lines = lines_of(section, settings, defaults, 0);
         if (!lines.empty()) text += "\n[" + section + "]\n" + lines;

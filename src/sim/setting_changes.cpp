@@ -5,6 +5,7 @@
 #include "drape/base/input_error.h"
 #include "drape/base/memory_limit.h"
 #include "drape/base/numbers.h"
+#include "drape/model/cloth_model.h"
 #include "drape/sim/memory.h"
 #include "drape/sim/setting_table.h"
 #include "setting_rows.h"
@@ -39,10 +40,11 @@ std::size_t section_count(const Settings& settings, const Setting& setting) {
     if (setting.section == "cloth") return settings.cloths.size();
     if (setting.section == "ball") return settings.balls.size();
     if (setting.section == "solid") return settings.solids.size();
+    if (setting.section == "pins") return settings.pins.size();
     return 1;
 }
 
-/// The cloths, balls or solids that a target means: all of its section, or the one it names.
+/// The cloths, balls, solids or pins that a target means: all of its section, or the one it names.
 /// @throws InputError if there is none
 std::pair<std::size_t, std::size_t> range_of(const Settings& settings, const Target& target) {
     const Setting& setting = *target.setting;
@@ -80,6 +82,17 @@ void check_memory(const Settings& settings) {
         memory_text(settings) + ": allowed at most " + bytes_text(limit.bytes) + ", " + std::string(limit.whose));
 }
 
+/// @param name of the path within its section
+void check_times(const std::string& section, std::size_t index, const std::string& name,
+                 const std::vector<PathPoint>& path) {
+    for (std::size_t k = 1; k < path.size(); ++k) {
+        if (path[k].time > path[k - 1].time) continue;
+        throw MisfitError(section, index, name,
+                          section + "." + name + ": time " + real_text(static_cast<double>(path[k].time)) +
+                              ": allowed only times that ascend from point to point");
+    }
+}
+
 /// @param section "ball" or "solid"
 void check_path(const std::string& section, std::size_t index, bool is_used, const std::vector<PathPoint>& path) {
     if (is_used && path.size() < 2) {
@@ -87,12 +100,7 @@ void check_path(const std::string& section, std::size_t index, bool is_used, con
             section, index, path.empty() ? "motion" : "path",
             section + ".motion = path: allowed only with a " + section + ".path of at least two points [t, x, y, z]");
     }
-    for (std::size_t k = 1; k < path.size(); ++k) {
-        if (path[k].time > path[k - 1].time) continue;
-        throw MisfitError(section, index, "path",
-                          section + ".path: time " + real_text(static_cast<double>(path[k].time)) +
-                              ": allowed only times that ascend from point to point");
-    }
+    check_times(section, index, "path", path);
 }
 
 void check_solid(const SolidSettings& solid, std::size_t index) {
@@ -104,6 +112,57 @@ void check_solid(const SolidSettings& solid, std::size_t index) {
     if (solid.shape == SolidKind::Mesh && solid.file.empty()) {
         throw MisfitError("solid", index, "shape", "solid.shape = mesh: allowed only with a solid.file");
     }
+}
+
+/// Pins start where the cloth does: nothing is torn from where it was.
+void check_pin_path(std::size_t index, const std::string& name, const std::vector<PathPoint>& path) {
+    if (path.empty()) return;
+    if (path.size() < 2) {
+        throw MisfitError("pins", index, name, "pins." + name + ": allowed only at least two points [t, x, y, z]");
+    }
+    check_times("pins", index, name, path);
+    if (!path.front().centre.isZero(0)) {
+        throw MisfitError("pins", index, name,
+                          "pins." + name + " begins with " + value_text(values_of(path.front().centre)) +
+                              ": allowed only 0, 0, 0, for pins start where the cloth does");
+    }
+}
+
+bool pins_any(const ClothParameters& cloth, int first, int last) {
+    const Pins& pins = cloth.pinned;
+    if (pins.kind == Pins::Kind::List) {
+        return std::ranges::any_of(pins.list, [&](int pin) { return pin >= first && pin <= last; });
+    }
+    int p = first;
+    while (p <= last && !is_pinned(pins, cloth.particles, p)) ++p;
+    return p <= last;
+}
+
+void check_pins(const Settings& settings, std::size_t index) {
+    const PinSettings& pins = settings.pins[index];
+    const auto count = static_cast<int>(settings.cloths.size());
+    if (pins.cloth >= count) {
+        throw MisfitError(
+            "pins", index, "cloth",
+            "pins.cloth = " + std::to_string(pins.cloth) + ": allowed 0 <= cloth <= " + std::to_string(count - 1));
+    }
+    const ClothParameters& cloth = settings.cloths[static_cast<std::size_t>(pins.cloth)];
+    const int first = pins.particles.nx, last = pins.particles.ny, particles = cloth.particles.particles();
+    const std::string these = "pins.particles = [" + std::to_string(first) + ", " + std::to_string(last) + "]: ";
+    if (first > last || last >= particles) {
+        throw MisfitError("pins", index, "particles",
+                          these + "allowed 0 <= first <= second <= " + std::to_string(particles - 1));
+    }
+    if (!pins_any(cloth, first, last)) {
+        throw MisfitError("pins", index, "particles", these + "allowed only where cloth.pinned pins some of them");
+    }
+    for (std::size_t other = 0; other < index; ++other) {
+        const PinSettings& before = settings.pins[other];
+        if (before.cloth != pins.cloth || before.particles.nx > last || before.particles.ny < first) continue;
+        throw MisfitError("pins", index, "particles", these + "allowed only particles that no other [[pins]] has");
+    }
+    check_pin_path(index, "shift", pins.shift);
+    check_pin_path(index, "turns", pins.turns);
 }
 
 /// Cloth keeps away from cloth by its thickness, which has to be well above the depth that resting contacts keep.
@@ -184,6 +243,7 @@ void check(const Settings& settings) {
         check_path("ball", b, settings.balls[b].motion == BallMotion::Path, settings.balls[b].path);
     }
     for (std::size_t s = 0; s < settings.solids.size(); ++s) check_solid(settings.solids[s], s);
+    for (std::size_t p = 0; p < settings.pins.size(); ++p) check_pins(settings, p);
 }
 
 }  // namespace drape

@@ -86,24 +86,33 @@ void add_cloth(std::vector<Setting>& table) {
                 "largest stretch of a structural spring, of its rest length; 0: none");
 }
 
-template <class Moved>
-Values path_values(const Moved& moved) {
+Values path_values(const std::vector<PathPoint>& path) {
     Values values;
-    for (const PathPoint& point : moved.path) {
+    for (const PathPoint& point : path) {
         values.push_back(static_cast<double>(point.time));
         for (int axis = 0; axis < 3; ++axis) values.push_back(static_cast<double>(point.centre[axis]));
     }
     return values;
 }
 
-template <class Moved>
-void write_path(Moved& moved, const SettingValue& value) {
+std::vector<PathPoint> path_of(const SettingValue& value) {
     const auto& list = std::get<Values>(value);
-    moved.path.clear();
+    std::vector<PathPoint> path;
     for (std::size_t k = 0; k + 3 < list.size(); k += 4) {
         const auto at = [&](std::size_t offset) { return static_cast<Real>(list[k + offset]); };
-        moved.path.push_back({at(0), Vec3(at(1), at(2), at(3))});
+        path.push_back({at(0), Vec3(at(1), at(2), at(3))});
     }
+    return path;
+}
+
+/// A row that is points in time.
+template <class Moved>
+void add_path(SectionRows<Moved>& rows, const std::string& name, std::vector<PathPoint> Moved::*path,
+              const std::string& unit, const std::string& help) {
+    rows.add(
+        name, SettingKind::Path, unit, lengths, {}, help,
+        [path](const Moved& moved) { return path_values(moved.*path); },
+        [path](Moved& moved, const SettingValue& value) { moved.*path = path_of(value); });
 }
 
 void add_ball(std::vector<Setting>& table) {
@@ -116,9 +125,8 @@ void add_ball(std::vector<Setting>& table) {
                 "what moves it: the arrow keys, its path, nothing, or (free) gravity and what it meets");
     rows.number("speed", &BallSettings::speed, "m/s", {0, 1e2}, "to which the keys bring it");
     rows.number("mass", &BallSettings::mass, "kg", {1e-9, 1e6}, "of a free ball, which is solid");
-    rows.add("path", SettingKind::Path, "s, m", lengths, {},
-             "points t,x,y,z it passes on a smooth curve; repeats if the last is the first again",
-             path_values<BallSettings>, write_path<BallSettings>);
+    add_path(rows, "path", &BallSettings::path, "s, m",
+             "points t,x,y,z it passes on a smooth curve; repeats if the last is the first again");
 }
 
 void add_solid(std::vector<Setting>& table) {
@@ -138,12 +146,24 @@ void add_solid(std::vector<Setting>& table) {
         [](const SolidSettings& s) { return s.file; },
         [](SolidSettings& s, const SettingValue& value) { s.file = std::get<std::string>(value); });
     rows.choice("motion", &SolidSettings::motion, "what moves it: nothing, or its path");
-    rows.add("path", SettingKind::Path, "s, m", lengths, {},
-             "points t,x,y,z its position passes on a smooth curve; repeats if the last is the first again",
-             path_values<SolidSettings>, write_path<SolidSettings>);
-    for (Setting& setting : table) {
-        if (setting.section == "solid") setting.full_name_only = true;
-    }
+    add_path(rows, "path", &SolidSettings::path, "s, m",
+             "points t,x,y,z its position passes on a smooth curve; repeats if the last is the first again");
+}
+
+void add_pins(std::vector<Setting>& table) {
+    SectionRows<PinSettings> rows(
+        "pins", [](Settings& s, std::size_t i) -> PinSettings& { return s.pins[i]; }, table);
+    rows.integer("cloth", &PinSettings::cloth, {0, 63}, "number of the cloth that they pin, counted from 0");
+    rows.add(
+        "particles", SettingKind::Grid, "", {0, 4096.0 * 4096 - 1}, {},
+        "those that cloth.pinned pins from the first to the second of these particles move together",
+        [](const PinSettings& p) { return grid_values(p.particles); },
+        [](PinSettings& p, const SettingValue& value) { p.particles = grid_of(value); });
+    add_path(rows, "shift", &PinSettings::shift, "s, m",
+             "points t,x,y,z of their way from where they start, on a smooth curve; repeats if the last is the first "
+             "again");
+    add_path(rows, "turns", &PinSettings::turns, "s, turns",
+             "points t,x,y,z of whole turns about the direction x,y,z through their middle; likewise");
 }
 
 void add_needs(std::vector<Setting>& table) {
@@ -307,6 +327,10 @@ std::vector<Setting> make_table() {
     add_cloth(table);
     add_ball(table);
     add_solid(table);
+    add_pins(table);
+    for (Setting& setting : table) {
+        if (setting.section == "solid" || setting.section == "pins") setting.full_name_only = true;
+    }
     add_the_rest(table);
     return table;
 }

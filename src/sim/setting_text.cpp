@@ -188,6 +188,7 @@ std::string settings_help() {
     Settings defaults;
     defaults.balls.emplace_back();
     defaults.solids.emplace_back();
+    defaults.pins.emplace_back();
     std::string text;
     for (const Setting& setting : setting_table()) {
         std::string left = "  " + setting.full_name() + " = " + value_text(setting.read(defaults, 0));

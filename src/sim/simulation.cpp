@@ -40,6 +40,7 @@ void Simulation::begin_step() {
     report_.solve = {};
     previous_balls_ = balls_;
     previous_solids_ = solids_;
+    pins_have_moved_ = false;
     for (Cloth& cloth : cloths_) {
         if (!report_.asleep) cloth.previous = cloth.state;
         cloth.energy.mark();
@@ -61,7 +62,7 @@ Simulation::Substep Simulation::substep(int number) const {
     return {report_.time + number * static_cast<double>(h), h};
 }
 
-/// What moves on its own: hand, balls and solids. Commands were carried out between two steps.
+/// What moves on its own: hand, balls, solids and pins. Commands were carried out between two steps.
 /// @return false while the scene is asleep
 bool Simulation::input(const Substep& now) {
     hand_.lead(cloths_, {balls_, solids_, settings_.ground, settings_.contact.thickness}, now.h);
@@ -71,6 +72,7 @@ bool Simulation::input(const Substep& now) {
                   displacement_share(settings_.solver.integrator), static_cast<Real>(now.time), now.h, balls_[b]);
     }
     move_solids(now);
+    move_pins(now);
     if (led_body_has_moved()) wake();
     return !report_.asleep;
 }
@@ -86,13 +88,15 @@ bool Simulation::integrate(const Substep& now) {
         cloth.model.air = air;
         Stopwatch watch;
         with_memory(settings_, [&] {
-            report_.solve += cloth.integrator->step(cloth.model, cloth.state, now.h, cloth.energy.start_of_step());
+            report_.solve += cloth.integrator->step(cloth.model, cloth.state, now.h,
+                                                    cloth.energy.start_of_step(cloth.model, cloth.state, cloth.held));
         });
         report_.times.step += watch.lap();
         cloth.search.positions_changed();
         if (settings_.wind.on) cloth.energy.give(most_wind_power(cloth.model) * static_cast<double>(now.h));
     }
     hand_.count_work(cloths_, now.h);
+    pins_.count_work(cloths_, now.h);
     std::string trouble = check_substep(cloths_, balls_, settings_, now.h, report_);
     if (!trouble.empty()) {
         end_with(std::move(trouble));
@@ -146,6 +150,10 @@ void Simulation::warm_start(WarmStartStage stage) {
 /// @param free_work by all free balls, which the first cloth that was pushed enters; 0 after that [J]
 void Simulation::enter_pushes(Cloth& cloth, double led_work, double& free_work) {
     if (cloth.energy.after_pushes(cloth.model, cloth.state, led_work + free_work)) free_work = 0;
+}
+
+void Simulation::move_pins(const Substep& now) {
+    if (pins_.lead(cloths_, static_cast<Real>(now.time), now.h)) pins_have_moved_ = true;
 }
 
 void Simulation::build(const Substep& now) {
@@ -273,7 +281,7 @@ bool Simulation::led_body_has_moved() const {
     for (std::size_t b = 0; b < balls_.size(); ++b) {
         if (is_led(b) && balls_[b].centre != previous_balls_[b].centre) return true;
     }
-    return !std::ranges::equal(solids_, previous_solids_, {}, &Solid::position, &Solid::position);
+    return pins_have_moved_ || !std::ranges::equal(solids_, previous_solids_, {}, &Solid::position, &Solid::position);
 }
 
 const Points& Simulation::start_of_substep(const Cloth& cloth) const {

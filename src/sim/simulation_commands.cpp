@@ -98,6 +98,7 @@ void Simulation::restart() {
         cloth.contacts.reserve(2 * static_cast<std::size_t>(parameters.particles.triangles()));
         cloth.warm_start.reserve(cloth.contacts.capacity());
     }
+    use_pins();
     use_self_contact();
     balls_.clear();
     ball_contacts_.clear();
@@ -157,6 +158,10 @@ void Simulation::configure(Settings settings) {
         self_contact_.use_hierarchy(settings_, cloth_models());
     }
     configure_balls(before);
+    if (settings_.pins != before.pins) {
+        pins_.let_go(cloths_);
+        use_pins();
+    }
     if (!same_step_plan(settings_, before)) plan(1);
     if (!same_motion(settings_, before)) wake();
 }
@@ -193,6 +198,13 @@ std::vector<const ClothModel*> Simulation::cloth_models() const {
     std::vector<const ClothModel*> models;
     for (const Cloth& cloth : cloths_) models.push_back(&cloth.model);
     return models;
+}
+
+void Simulation::use_pins() {
+    pins_.use(settings_);
+    for (Cloth& cloth : cloths_) cloth.energy.expect_pins(false);
+    for (const PinSettings& pins : settings_.pins)
+        cloths_[static_cast<std::size_t>(pins.cloth)].energy.expect_pins(true);
 }
 
 void Simulation::use_self_contact() {

@@ -13,7 +13,7 @@ double nodes(const StepReport& r) { return static_cast<double>(r.traversal.nodes
 double candidates(const StepReport& r) { return static_cast<double>(r.traversal.candidates); }
 double stopped(const StepReport& r) { return static_cast<double>(r.traversal.stopped); }
 
-const std::array<ReportField, 58> fields{{
+const std::array<ReportField, 59> fields{{
     {"step", "", steps, "step", ReportGroup::Time, 3},
     {"time", "s", [](const StepReport& r) { return r.time; }, "time", ReportGroup::Time, 3},
     {"substeps", "", [](const StepReport& r) { return static_cast<double>(r.substeps); }},
@@ -86,6 +86,7 @@ const std::array<ReportField, 58> fields{{
      ReportGroup::Balance, 1},
     {"wind_work", "J", [](const StepReport& r) { return r.balance.wind; }, "from wind", ReportGroup::Balance, 1},
     {"hand_work", "J", [](const StepReport& r) { return r.balance.hand; }, "from hand", ReportGroup::Balance, 1},
+    {"pin_work", "J", [](const StepReport& r) { return r.balance.pins; }, "from pins", ReportGroup::Balance, 1},
     {"ball_work", "J", [](const StepReport& r) { return r.balance.ball; }, "from ball", ReportGroup::Balance, 1},
     {"asleep", "", [](const StepReport& r) { return r.asleep ? 1.0 : 0.0; }},
     {"diverged", "", [](const StepReport& r) { return r.status == Status::Diverged ? 1.0 : 0.0; }},

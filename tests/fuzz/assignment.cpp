@@ -1,4 +1,5 @@
-// What stands after `--set`: a line each, applied one after another to a scene of two cloths and two balls.
+// What stands after `--set`: a line each, applied one after another to a scene of two cloths, two balls, two solids and
+// two groups of pins.
 
 #include <sstream>
 #include <string>
@@ -19,6 +20,9 @@ Settings two_of_each() {
     for (ClothParameters& cloth : settings.cloths) cloth.particles = {4, 3};
     settings.balls.resize(2);
     settings.solids.resize(2);
+    settings.cloths[0].pinned.kind = Pins::Kind::Row;
+    settings.pins.resize(2);
+    settings.pins[1].particles = {1, 3};
     return settings;
 }
 

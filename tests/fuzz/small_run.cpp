@@ -15,6 +15,7 @@ std::size_t parts_of(const Settings& settings, const std::string& section) {
     if (section == "cloth") return settings.cloths.size();
     if (section == "ball") return settings.balls.size();
     if (section == "solid") return settings.solids.size();
+    if (section == "pins") return settings.pins.size();
     return 1;
 }
 

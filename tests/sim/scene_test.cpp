@@ -25,7 +25,7 @@ std::string error_of(const std::string& text) {
 /// Every key of a scene file, with values that are no defaults.
 constexpr const char* full_scene = R"(title = "Two corners, free fall"
 start = "state.csv"
-[cloth]
+[[cloth]]
 particles = [16, 12]
 size = [1.5, 2.5]
 mass = 0.25
@@ -37,6 +37,8 @@ shear      = { stiffness =  501.0, damping = 0.022 }
 bend       = { stiffness =  101.0, damping = 0.023 }
 drag = 2e-4
 stretch_limit = 0.15
+[[cloth]]
+pinned = "row"
 [[ball]]
 radius = 0.31
 position = [0.5, -0.6, 0.25]
@@ -56,6 +58,11 @@ length = 0.4
 file = "mesh.obj"
 motion = "path"
 path = [[0, 1, 2, 3], [1.5, 4, 5, 6]]
+[[pins]]
+cloth = 1
+particles = [1, 2]
+shift = [[0, 0, 0, 0], [1.5, 4, 5, 6]]
+turns = [[0, 0, 0, 0], [1.5, 0.25, 0, 0]]
 [solver]
 integrator = "rk4"
 hessian = "exact"
@@ -125,7 +132,7 @@ full.drag = 0.01
 TEST(SceneFile, SetsEveryKeyThatItGives) {
     const Settings settings = parse_scene(full_scene, "full.toml");
     EXPECT_EQ(settings.title, "Two corners, free fall");
-    ASSERT_EQ(settings.cloths.size(), 1u);
+    ASSERT_EQ(settings.cloths.size(), 2u);
     const ClothParameters& cloth = settings.cloths[0];
     EXPECT_EQ(cloth.particles, (Grid{16, 12}));
     EXPECT_EQ(cloth.width, 1.5);
@@ -150,6 +157,7 @@ TEST(SceneFile, CanGiveEveryRowOfTheTable) {
     Settings defaults;
     defaults.balls.emplace_back();
     defaults.solids.emplace_back();
+    defaults.pins.emplace_back();
     const Settings settings = parse_scene(full_scene, "full.toml");
     for (const Setting& setting : setting_table()) {
         EXPECT_NE(setting.read(settings, 0), setting.read(defaults, 0)) << setting.full_name() << " was not read";

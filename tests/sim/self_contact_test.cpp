@@ -149,12 +149,12 @@ TEST_P(SelfContactMethod, NeverHasACrossing) {
 
 class ShippedSelfContact : public testing::TestWithParam<std::string> {};
 
-INSTANTIATE_TEST_SUITE_P(All, ShippedSelfContact, testing::Values("fold", "stack", "pinch"),
+INSTANTIATE_TEST_SUITE_P(All, ShippedSelfContact, testing::Values("fold", "stack", "pinch", "twist"),
                          [](const auto& param) { return param.param; });
 
 TEST_P(ShippedSelfContact, NeverHasACrossing) {
     Settings settings = load_scene(GetParam());
-    const bool is_late = GetParam() == "pinch";
+    const bool is_late = GetParam() == "pinch" || GetParam() == "twist";
     const double time = is_late ? 2.6 : test::sanitized ? 0.45 : 0.6;
     const Tally tally = run(std::move(settings), time, is_late ? 400 : 100);
     EXPECT_EQ(tally.crossings, 0);

@@ -18,10 +18,12 @@ using testing::IsEmpty;
 using testing::Not;
 
 /// Settings in which every row of the table has something to read and write.
-Settings with_a_ball_and_a_solid() {
+Settings with_one_of_each() {
     Settings settings;
     settings.balls.emplace_back();
     settings.solids.emplace_back();
+    settings.cloths[0].pinned.kind = Pins::Kind::Row;
+    settings.pins.emplace_back();
     return settings;
 }
 
@@ -57,14 +59,14 @@ TEST(SettingTable, NamesEverySettingOnceAndExplainsIt) {
 }
 
 TEST(SettingTable, AcceptsItsOwnDefaults) {
-    const Settings settings = with_a_ball_and_a_solid();
+    const Settings settings = with_one_of_each();
     for (const Setting& setting : setting_table()) EXPECT_EQ(refusal(setting, setting.read(settings, 0)), "");
     EXPECT_NO_THROW(check(settings));
 }
 
 TEST(SettingTable, ReadsBackEveryValueThatItWrites) {
     for (const Setting& setting : setting_table()) {
-        Settings settings = with_a_ball_and_a_solid();
+        Settings settings = with_one_of_each();
         const SettingValue value = setting.read(settings, 0);
         EXPECT_EQ(parse_value(setting, value_text(value)), value) << setting.full_name();
         ASSERT_NO_THROW(assign(settings, setting.full_name() + "=" + value_text(value))) << setting.full_name();
@@ -76,7 +78,7 @@ TEST(SettingTable, WritesWhatItReadsAtBothEndsOfEveryRange) {
     for (const Setting& setting : setting_table()) {
         if (!holds_numbers(setting)) continue;
         for (const double end : {setting.range.low, setting.range.high}) {
-            Settings settings = with_a_ball_and_a_solid();
+            Settings settings = with_one_of_each();
             const SettingValue value = filled_with(setting, end);
             ASSERT_EQ(refusal(setting, value), "");
             setting.write(settings, 0, value);
@@ -88,7 +90,7 @@ TEST(SettingTable, WritesWhatItReadsAtBothEndsOfEveryRange) {
 TEST(SettingTable, WritesEachChoiceByItsName) {
     for (const Setting& setting : setting_table()) {
         for (const std::string& choice : setting.choices) {
-            Settings settings = with_a_ball_and_a_solid();
+            Settings settings = with_one_of_each();
             assign(settings, setting.full_name() + "=" + choice);
             EXPECT_EQ(setting.read(settings, 0), SettingValue(choice)) << setting.full_name();
         }
@@ -118,7 +120,7 @@ TEST(SettingTable, RefusesNanAndInfinityInEveryNumber) {
         for (const double number : {std::nan(""), infinity, -infinity}) {
             EXPECT_NE(refusal(setting, filled_with(setting, number)), "") << setting.full_name();
         }
-        Settings settings = with_a_ball_and_a_solid();
+        Settings settings = with_one_of_each();
         for (const char* word : {"nan", "inf", "-inf", "[nan, nan]", "inf,inf,inf", "0,0,0,nan"}) {
             EXPECT_THROW(assign(settings, setting.full_name() + "=" + word), InputError) << setting.full_name();
         }
@@ -126,7 +128,7 @@ TEST(SettingTable, RefusesNanAndInfinityInEveryNumber) {
 }
 
 TEST(SettingTable, RefusesOneBadNumberAmongGoodOnes) {
-    Settings settings = with_a_ball_and_a_solid();
+    Settings settings = with_one_of_each();
     for (const char* bad : {"cloth.particles=4,nan", "cloth.size=1,0", "ball.position=0,0,1e5", "cloth.pinned=0,-1",
                             "cloth.particles=1,8", "cloth.particles=8,1", "cloth.particles=0,0"}) {
         EXPECT_THROW(assign(settings, bad), InputError) << bad;
@@ -143,14 +145,14 @@ TEST(SettingTable, RefusesValuesOfAnotherKind) {
 }
 
 TEST(SettingTable, RefusesFractionsWhereWholeNumbersAreWanted) {
-    Settings settings = with_a_ball_and_a_solid();
+    Settings settings = with_one_of_each();
     for (const char* bad : {"contact.leaf_cells=4.5", "view.level=0.5", "cloth.particles=4.5,4", "cloth.pinned=1.5"}) {
         EXPECT_THROW(assign(settings, bad), InputError) << bad;
     }
 }
 
 TEST(SettingTable, RefusesListsOfAnotherLength) {
-    Settings settings = with_a_ball_and_a_solid();
+    Settings settings = with_one_of_each();
     for (const char* bad : {"cloth.particles=4", "cloth.particles=4,4,4", "cloth.size=[]", "ball.position=1,2",
                             "ball.position=1,2,3,4", "ball.path=1,2,3", "cloth.origin="}) {
         EXPECT_THROW(assign(settings, bad), InputError) << bad;

@@ -44,6 +44,9 @@ struct ClothModel {
     void hold(int particle, bool held);
 };
 
+/// Whether pins that have a name hold a particle of a grid.
+[[nodiscard]] bool is_pinned(const Pins& pins, const Grid& grid, int particle);
+
 /// @pre every length, mass and stiffness lies in its setting's range, and a pin list names particles of the grid.
 ClothModel make_cloth_model(const ClothParameters& parameters);
 

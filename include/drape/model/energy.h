@@ -14,12 +14,13 @@ struct Energy {
 };
 
 /// What takes mechanical energy from a cloth at a moment, and what gives it [W]. With no error in time,
-/// dE/dt = wind + hand - damping - drag.
+/// dE/dt = wind + hand + pins - damping - drag.
 struct Power {
     double damping = 0;  ///< taken by the springs: sum of c (n.(v_a - v_b))^2
     double drag = 0;     ///< taken by the air: sum of b v^2
     double wind = 0;     ///< given by the wind: sum of f.v
     double hand = 0;     ///< given by what moves the particles that are held: sum of -f.v over them
+    double pins = 0;     ///< what of that pins that move give, once it is told apart
 };
 
 /// @par Cost O(n), as a force evaluation; sums run in a fixed order

@@ -23,7 +23,8 @@ struct Cloth {
     std::vector<Contact> first_contacts;  ///< keeps these during a second look
     WarmStart<Contact> warm_start;
     ClothEnergy energy;
-    int held = -1;  ///< particle that the hand leads; below 0: none
+    int held = -1;       ///< particle that the hand leads; below 0: none
+    Real pin_speed = 0;  ///< of the fastest pin that `MovingPins` leads [m/s]
 };
 
 }  // namespace drape

@@ -37,7 +37,13 @@ public:
     /// @par Cost a force evaluation while a ledger is kept, the first time after a substep
     void touch(const ClothModel& model, const ClothState& state);
 
-    /// Hand, ball or wind have put in at least this [J].
+    /// The same, by pins that move.
+    void touch_pins(const ClothModel& model, const ClothState& state);
+
+    /// Pins of this cloth may move.
+    void expect_pins(bool expected) { has_pins_ = expected; }
+
+    /// Hand, pins, ball or wind have put in at least this [J].
     void give(double work) { watch_.give(work); }
 
     /// Remembers the entries so far, and forgets those since.
@@ -45,7 +51,8 @@ public:
     void return_to_mark();
 
     /// What the integrator fills at the start of a step; null without a ledger.
-    EnergyFlow* start_of_step() { return ledger_ ? &start_ : nullptr; }
+    /// @param held particle that the hand leads; below 0: none
+    EnergyFlow* start_of_step(const ClothModel& model, const ClothState& state, int held);
 
     /// Enters what the integrator has done.
     /// @param least_pause substeps from one sum over the springs to the next, at least
@@ -78,6 +85,9 @@ public:
     [[nodiscard]] Energy energy(const ClothModel& model, const ClothState& state, EnergyBalance& balance);
 
 private:
+    void touch(const ClothModel& model, const ClothState& state, EnergyLedger::Since by);
+    [[nodiscard]] double hand_power(const ClothModel& model, const ClothState& state) const;
+    void tell_pins_apart(double of_hand, Power& power) const;
     EnergyFlow flow(const ClothModel& model, const ClothState& state);
     EnergyFlow held_flow(const ClothModel& model, const ClothState& state);
     [[nodiscard]] EnergyFlow pushed_flow(const ClothModel& model, const ClothState& state) const;
@@ -86,6 +96,9 @@ private:
     EnergyWatch watch_;
     std::optional<EnergyLedger> ledger_;
     EnergyFlow start_;
+    bool has_pins_ = false;
+    int held_ = -1;                 ///< particle that the hand leads
+    double hand_at_start_ = 0;      ///< its power at the start of a step, where pins move too [W]
     GridRange pushed_{0, 0, 0, 0};  ///< particles that are being pushed
     EnergyFlow before_pushes_, before_hold_;
     double most_push_work_ = 0;  ///< a bound [J]

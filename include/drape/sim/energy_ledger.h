@@ -5,10 +5,11 @@
 namespace drape {
 
 /// What has come to a cloth's mechanical energy and gone from it [J]: it has changed by
-/// wind + hand + ball - damping - drag - contact - held - integrator.
+/// wind + hand + pins + ball - damping - drag - contact - held - integrator.
 struct EnergyBalance {
     double wind = 0;        ///< given by the wind
     double hand = 0;        ///< given by whoever drags the cloth, or changes what it is made of
+    double pins = 0;        ///< given by pins that move
     double ball = 0;        ///< given by the balls' motion, through the impulses of their contacts
     double damping = 0;     ///< dissipated in the springs' damping
     double drag = 0;        ///< dissipated in the air
@@ -22,17 +23,22 @@ struct EnergyBalance {
     EnergyBalance& operator+=(const EnergyBalance& other);
 
     /// What the energy has changed by.
-    [[nodiscard]] double change() const { return wind + hand + ball - damping - drag - contact - held - integrator; }
+    [[nodiscard]] double change() const {
+        return wind + hand + pins + ball - damping - drag - contact - held - integrator;
+    }
 };
 
 /// Keeps the balance of one cloth. It is told what happens to the cloth, and now and then sees the energy: what that
 /// has changed by since it was last seen belongs to what has happened in between. A method finds the energy at the
 /// start of a step on the way to its forces, and so the end of a step is seen at the start of the next.
 ///
-/// Damping, drag, wind and hand are integrated by the trapezoidal rule from both ends of the integrator's step, so that
-/// what a step is too long for counts as the integrator's.
+/// Damping, drag, wind, hand and pins are integrated by the trapezoidal rule from both ends of the integrator's step,
+/// so that what a step is too long for counts as the integrator's.
 class EnergyLedger {
 public:
+    /// What has happened since the energy was last seen: nothing, a step, or a change by the hand or the pins.
+    enum class Since { Nothing, Step, Hand, Pins };
+
     explicit EnergyLedger(const EnergyFlow& now) { now_.seen = now; }
 
     /// @param now energy of the present state, and its flow
@@ -50,12 +56,12 @@ public:
     /// @param before,after of the whole cloth
     void held_back(const EnergyFlow& before, const EnergyFlow& after);
 
-    /// State or model are about to be changed from outside, which is the hand's work.
-    /// @pre the present energy has been seen, or this was said before
-    void touched() { now_.since = Since::Hand; }
+    /// State or model are about to be changed from outside, which is the work of the hand or of pins.
+    /// @pre the present energy has been seen, or the same was said before
+    void touched(Since by) { now_.since = by; }
 
     /// Whether the energy must be seen before a change from outside.
-    [[nodiscard]] bool must_see() const { return now_.since == Since::Step; }
+    [[nodiscard]] bool must_see(Since by) const { return now_.since != Since::Nothing && now_.since != by; }
 
     /// Since the ledger began.
     /// @param now as for `see`
@@ -66,8 +72,6 @@ public:
     void return_to_mark() { now_ = marked_; }
 
 private:
-    enum class Since { Nothing, Step, Hand };
-
     struct Book {
         EnergyBalance balance;
         EnergyFlow seen;

@@ -35,7 +35,7 @@ struct Setting {
     Range range;                                                             ///< of every number in the value
     std::vector<std::string> choices;                                        ///< of a Choice or of Pins
     std::string help;                                                        ///< one line
-    std::function<SettingValue(const Settings&, std::size_t)> read;          ///< of the index-th cloth, ball or solid
+    std::function<SettingValue(const Settings&, std::size_t)> read;          ///< of the index-th cloth, ball, ...
     std::function<void(Settings&, std::size_t, const SettingValue&)> write;  ///< the value was checked
 
     bool full_name_only = false;  ///< its short name belongs to another setting that was there before
@@ -67,8 +67,8 @@ SettingValue parse_value(const Setting& setting, std::string_view text);
 /// The text that `parse_value` reads back.
 std::string value_text(const SettingValue& value);
 
-/// Applies "name=value". The name of a cloth's, ball's or solid's setting sets all of them, or one: "ball[1].radius" is
-/// the second.
+/// Applies "name=value". The name of a cloth's, ball's, solid's or pins' setting sets all of them, or one:
+/// "ball[1].radius" is the second.
 /// @throws InputError whose text starts with the setting; `settings` is then unchanged
 void assign(Settings& settings, std::string_view assignment);
 
@@ -91,7 +91,7 @@ public:
         : InputError(message), section(std::move(of_section)), index(of_index), name(std::move(of_name)) {}
 
     std::string section;
-    std::size_t index;  ///< of the cloth, ball or solid
+    std::size_t index;  ///< of the cloth, ball, solid or pins
     std::string name;
 };
 

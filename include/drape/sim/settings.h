@@ -64,6 +64,16 @@ struct SolidSettings {
     bool operator==(const SolidSettings&) const = default;
 };
 
+/// Pins of a cloth that move together: shifted, and turned about an axis through their middle.
+struct PinSettings {
+    int cloth = 0;                 ///< its number
+    Grid particles{0, 0};          ///< the pins from the first to the second of these particles
+    std::vector<PathPoint> shift;  ///< from where the cloth starts, as a ball's path; none: not shifted
+    std::vector<PathPoint>
+        turns;  ///< about x, y and z; their sum as vectors is the axis, and how far; none: not turned
+    bool operator==(const PinSettings&) const = default;
+};
+
 /// What to do about steps that are too long: freeze a state that has diverged and say so; divide every step into as
 /// many substeps as its limit asks for; or end with the state.
 enum class OnUnstable { Warn, Substep, Stop };
@@ -196,6 +206,7 @@ struct Settings {
     std::vector<ClothParameters> cloths{ClothParameters{}};
     std::vector<BallSettings> balls;
     std::vector<SolidSettings> solids;
+    std::vector<PinSettings> pins;  ///< that move
     SolverSettings solver;
     ContactSettings contact;
     Ground ground;

@@ -10,6 +10,7 @@
 #include "drape/sim/command.h"
 #include "drape/sim/frame_view.h"
 #include "drape/sim/hand.h"
+#include "drape/sim/moving_pins.h"
 #include "drape/sim/self_contact.h"
 #include "drape/sim/settings.h"
 #include "drape/sim/sleep_watch.h"
@@ -113,8 +114,10 @@ private:
     void configure_balls(const Settings& before);
     [[nodiscard]] std::vector<const ClothModel*> cloth_models() const;
     void use_self_contact();
+    void use_pins();
     void put_ball(std::size_t number, const Vec3& centre);
     void move_solids(const Substep& now);
+    void move_pins(const Substep& now);
     void meet_solids(Cloth& cloth);
     void configure_solids(const Settings& before, std::vector<Solid> solids);
     void choose_ball();
@@ -135,6 +138,8 @@ private:
     std::size_t users_ball_ = 0;                 ///< that the user leads, drops and throws
     std::optional<BallMotion> motion_by_scene_;  ///< of that ball, once the user has taken it over
     Hand hand_;
+    MovingPins pins_;
+    bool pins_have_moved_ = false;  ///< in this step
     SleepWatch sleep_;
     StepReport report_;
     int planned_substeps_ = 1;  ///< for the stability limit alone

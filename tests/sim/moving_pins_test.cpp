@@ -1,0 +1,266 @@
+// Pins that a scene moves: where they are, what they do to the cloth, its energy and its sleep, and bad input.
+
+#include <gmock/gmock.h>
+
+#include <fstream>
+
+#include "drape/base/scratch_folder.h"
+#include "drape/integrate/stability.h"
+#include "drape/sim/scene.h"
+#include "drape/sim/scene_text.h"
+#include "small_scene.h"
+#include "support/input_errors.h"
+
+namespace drape {
+namespace {
+
+using test::input_error_of;
+using testing::HasSubstr;
+
+constexpr double whole_turn = 0.8;  // s
+
+/// `small_settings` without its ball, hung by row 0, which is shifted by (0.1, 0.2, 0) m and turned by a quarter about
+/// the vertical until 0.8 s.
+Settings turned_row() {
+    Settings settings = small_settings();
+    settings.balls.clear();
+    settings.cloths[0].plane = Plane::XY;
+    settings.cloths[0].pinned.kind = Pins::Kind::Row;
+    PinSettings& pins = settings.pins.emplace_back();
+    pins.particles = {0, 9};
+    const Real end = static_cast<Real>(whole_turn);
+    pins.shift = {{0, {0, 0, 0}}, {end, {Real(0.1), Real(0.2), 0}}};
+    pins.turns = {{0, {0, 0, 0}}, {end, {0, Real(0.25), 0}}};
+    return settings;
+}
+
+Simulation turned_row_under(IntegratorKind integrator, double dt) {
+    Settings settings = turned_row();
+    settings.solver.integrator = integrator;
+    settings.solver.dt = dt;
+    return {"pins", std::move(settings)};
+}
+
+void run_to(Simulation& simulation, double time) {
+    while (simulation.report().time < time - 1e-9 && simulation.report().status == Status::Ok) simulation.step();
+}
+
+const Points& positions_in(const Simulation& simulation) { return simulation.cloths()[0].state.x; }
+
+/// The largest distance of a pin from where its row is to be once it has turned.
+Real off_by_the_end(const Simulation& simulation) {
+    const Vec3 middle(0, Real(0.6), 0), shift(Real(0.1), Real(0.2), 0);
+    Real off = 0;
+    for (int p = 0; p < 10; ++p) {
+        const Real arm = static_cast<Real>(p) / 9 - Real(0.5);
+        off = std::max(off, (position_of(simulation, p) - middle - shift - Vec3(0, 0, -arm)).norm());
+    }
+    return off;
+}
+
+class MovingPinsUnder : public testing::TestWithParam<IntegratorKind> {};
+
+INSTANTIATE_TEST_SUITE_P(All, MovingPinsUnder,
+                         testing::Values(IntegratorKind::SymplecticEuler, IntegratorKind::VelocityVerlet,
+                                         IntegratorKind::Rk4, IntegratorKind::BackwardEuler,
+                                         IntegratorKind::ImplicitMidpoint, IntegratorKind::Bdf2, IntegratorKind::Xpbd,
+                                         IntegratorKind::ProjectiveDynamics, IntegratorKind::DormandPrince),
+                         [](const auto& param) { return std::string(name_of(param.param)); });
+
+TEST_P(MovingPinsUnder, EndWhereTheirPathsDo) {
+    Simulation simulation = turned_row_under(GetParam(), has_step_limit(GetParam()) ? 1.0 / 1024 : 1.0 / 60);
+    run_to(simulation, whole_turn + 0.1);
+    EXPECT_LT(off_by_the_end(simulation), 1e-6);
+    EXPECT_TRUE(simulation.cloths()[0].state.v.topRows(10).isZero(0));
+    EXPECT_EQ(simulation.run_warning(), "");
+}
+
+TEST_P(MovingPinsUnder, HaveTheVelocityOfTheirMotion) {
+    constexpr double dt = 1.0 / 1024;
+    Simulation simulation = turned_row_under(GetParam(), dt);
+    run_to(simulation, whole_turn / 2);
+    const Points before = positions_in(simulation);
+    simulation.step();
+    const Points moved = (positions_in(simulation) - before) / static_cast<Real>(dt);
+    const Points& v = simulation.cloths()[0].state.v;
+    EXPECT_GT(v.topRows(1).norm(), 0.5);
+    EXPECT_LT((moved - v).topRows(10).norm(), 1e-9);
+}
+
+/// The particles hang on pins whose motion every method is to see alike.
+TEST_P(MovingPinsUnder, LeadTheClothAsEveryMethodHasIt) {
+    Simulation simulation = turned_row_under(GetParam(), 1.0 / 8192);
+    Simulation reference = turned_row_under(IntegratorKind::Rk4, 1.0 / 4096);
+    run_to(simulation, 0.5);
+    run_to(reference, 0.5);
+    EXPECT_LT((positions_in(simulation) - positions_in(reference)).rowwise().norm().maxCoeff(), 2e-3);
+}
+
+TEST(MovingPins, HaveTheirWorkInTheBalanceWhichCloses) {
+    for (const IntegratorKind kind : {IntegratorKind::Rk4, IntegratorKind::VelocityVerlet}) {
+        Settings settings = turned_row();
+        settings.solver.integrator = kind;
+        settings.solver.dt = 1.0 / 8192;
+        settings.solver.ledger = true;
+        Simulation simulation("pins", std::move(settings));
+        const auto row = [&](const char* name) {
+            static_cast<void>(simulation.view());
+            return figure(simulation.report(), name);
+        };
+        const double start = row("energy");
+        run_to(simulation, whole_turn + 0.1);
+        EXPECT_GT(row("pin_work"), 0.15) << "the cloth is lifted by 0.2 m";
+        EXPECT_NEAR(row("integrator_loss"), 0, 1e-4 * row("pin_work"));
+        EXPECT_NEAR(row("energy") - start, row("pin_work") - row("damping_loss") - row("drag_loss"), 1e-4);
+        EXPECT_EQ(row("hand_work"), 0);
+    }
+}
+
+TEST(MovingPins, ShareTheBalanceWithAHand) {
+    Settings settings = turned_row();
+    settings.solver.integrator = IntegratorKind::Rk4;
+    settings.solver.dt = 1.0 / 8192;
+    settings.solver.ledger = true;
+    settings.pins[0].shift.clear();
+    settings.pins[0].turns.back().centre = {0, Real(0.001), 0};  // next to nothing
+    Simulation simulation("pins", std::move(settings));
+    send(simulation, "grab 0 74");
+    send(simulation, "drag 0 0.3 0");
+    run_to(simulation, 0.4);
+    static_cast<void>(simulation.view());
+    EXPECT_GT(figure(simulation.report(), "hand_work"), 0.01);
+    EXPECT_LT(std::abs(figure(simulation.report(), "pin_work")), 0.001);
+    EXPECT_NEAR(figure(simulation.report(), "integrator_loss"), 0, 2e-4);
+}
+
+TEST(MovingPins, ChangeNoBitWhereTheyStandStill) {
+    const auto hash_with = [](bool pins) {
+        Settings settings = turned_row();
+        settings.pins[0].shift = {{0, {0, 0, 0}}, {1, {0, 0, 0}}};
+        settings.pins[0].turns.clear();
+        if (!pins) settings.pins.clear();
+        Simulation simulation("pins", std::move(settings));
+        make_steps(simulation, 500);
+        return simulation.hash();
+    };
+    EXPECT_EQ(hash_with(true), hash_with(false));
+}
+
+TEST(MovingPins, ComeBackToTheSameBitsAfterAReset) {
+    Simulation simulation("pins", turned_row());
+    make_steps(simulation, 500);
+    const std::uint64_t first = simulation.hash();
+    send(simulation, "reset");
+    make_steps(simulation, 500);
+    EXPECT_EQ(simulation.hash(), first);
+}
+
+/// A cloth in thick air that is asleep after a second.
+Settings sleepy() {
+    Settings settings = turned_row();
+    settings.cloths[0].drag = Real(0.02);
+    settings.cloths[0].structural.damping = Real(0.5);
+    settings.solver.integrator = IntegratorKind::BackwardEuler;
+    settings.solver.dt = 1.0 / 128;
+    settings.solver.sleep_speed = Real(0.01);
+    return settings;
+}
+
+TEST(MovingPins, WakeTheClothAndKeepItAwake) {
+    Settings settings = sleepy();
+    settings.pins[0].turns.clear();
+    settings.pins[0].shift = {
+        {0, {0, 0, 0}}, {5, {0, 0, 0}}, {6, {0, 0, 0}}, {10, {0, 0, Real(0.01)}}};  // slower than sleep
+    Simulation simulation("pins", std::move(settings));
+    run_to(simulation, 4.9);
+    ASSERT_TRUE(simulation.report().asleep);
+    run_to(simulation, 6.1);
+    EXPECT_FALSE(simulation.report().asleep);
+    run_to(simulation, 9.9);
+    EXPECT_FALSE(simulation.report().asleep);
+    run_to(simulation, 14);
+    EXPECT_TRUE(simulation.report().asleep);
+    EXPECT_NEAR(position_of(simulation, 0).z(), 0.01, 1e-5);
+}
+
+TEST(MovingPins, GoBackToTheirWayOnceTheHandLetsGo) {
+    Simulation simulation("pins", turned_row());
+    run_to(simulation, 0.2);
+    send(simulation, "grab 0 0");
+    send(simulation, "drag -0.6 0.4 0.3");
+    run_to(simulation, 0.5);
+    send(simulation, "release");
+    Real fastest = 0;
+    while (simulation.report().time < 2) {
+        simulation.step();
+        fastest = std::max(fastest, simulation.cloths()[0].state.v.row(0).norm());
+    }
+    EXPECT_LT(off_by_the_end(simulation), 2e-6);
+    EXPECT_LT(fastest, 6) << "no faster than a hand and the way together";
+}
+
+TEST(MovingPins, StayWhereTheyAreWhenTheyAreLetGo) {
+    Simulation simulation("pins", turned_row());
+    run_to(simulation, 0.4);
+    send(simulation, "set pins.particles=0,0");
+    const Vec3 here = position_of(simulation, 9);
+    make_steps(simulation, 100);
+    EXPECT_EQ(position_of(simulation, 9), here);
+}
+
+TEST(MovingPins, GoOnFromAFileOfStates) {
+    const ScratchFolder folder;
+    Simulation whole("pins", turned_row());
+    run_to(whole, 0.3);
+    const std::string file = (folder.path() / "state.csv").string();
+    std::ofstream(file) << state_text(whole);
+    run_to(whole, 0.6);
+    Settings settings = turned_row();
+    settings.start = file;
+    Simulation later("pins", std::move(settings));
+    run_to(later, 0.6);
+    EXPECT_LT((positions_in(later) - positions_in(whole)).norm(), 1e-6);
+}
+
+struct BadPins {
+    const char* lines;
+    const char* message;
+};
+
+class BadPinsOf : public testing::TestWithParam<BadPins> {};
+
+INSTANTIATE_TEST_SUITE_P(
+    Input, BadPinsOf,
+    testing::Values(
+        BadPins{"cloth = 1", "6:9: pins.cloth = 1: allowed 0 <= cloth <= 0"},
+        BadPins{"cloth = -1", "6:9: pins.cloth = -1: allowed whole 0 <= cloth <= 63"},
+        BadPins{"particles = [0, 16]", "6:13: pins.particles = [0, 16]: allowed 0 <= first <= second <= 15"},
+        BadPins{"particles = [3, 2]", "6:13: pins.particles = [3, 2]: allowed 0 <= first <= second <= 15"},
+        BadPins{"particles = [4, 15]", "6:13: pins.particles = [4, 15]: allowed only where cloth.pinned pins some"},
+        BadPins{"particles = [0, nan]", "6:13: pins.particles = [0, nan]: allowed two whole numbers"},
+        BadPins{"shift = [[0, 0, 0, 0]]", "6:9: pins.shift: allowed only at least two points"},
+        BadPins{"shift = [[0, 0, 0, 0], [0, 1, 0, 0]]", "6:9: pins.shift: time 0: allowed only times that ascend"},
+        BadPins{"shift = [[0, 1, 0, 0], [1, 1, 0, 0]]", "6:9: pins.shift begins with [1, 0, 0]: allowed only 0, 0, 0"},
+        BadPins{"turns = [[0, 0, 0, 0], [1, inf, 0, 0]]", "6:9: pins.turns = [0, 0, 0, 0, 1, inf, 0, 0]: allowed rows"},
+        BadPins{"turns = [[0, 0, 0, 0], [1, 2e4, 0, 0]]", "each -10000 <= x <= 10000 s, turns"},
+        BadPins{"turns = [[0, 0, 0, 0], [1, 0.1, 0, 0], [0.5, 0, 0, 0]]", "6:9: pins.turns: time 0.5: allowed only"},
+        BadPins{"turn = 3", "6:8: unknown key 'pins.turn': did you mean 'pins.turns'?"},
+        BadPins{"particles = [0, 2]\n[[pins]]\nparticles = [2, 3]",
+                "8:13: pins.particles = [2, 3]: allowed only part"}),
+    [](const auto& param) { return std::to_string(param.index); });
+
+TEST_P(BadPinsOf, IsRefusedWithItsLine) {
+    const std::string scene = "[cloth]\nparticles = [4, 4]\npinned = \"row\"\n\n[[pins]]\n";
+    const std::string error =
+        input_error_of([&] { static_cast<void>(parse_scene(scene + GetParam().lines, "s.toml")); });
+    EXPECT_THAT(error, HasSubstr(GetParam().message));
+    EXPECT_THAT(error, testing::StartsWith("s.toml:"));
+}
+
+TEST(MovingPins, AreWrittenWithTheirScene) {
+    const Settings settings = turned_row();
+    EXPECT_EQ(parse_scene(scene_text(settings), "again.toml").pins, settings.pins);
+}
+
+}  // namespace
+}  // namespace drape
