@@ -78,6 +78,7 @@ std::vector<Entry> make_entries(const std::vector<std::string>& scenes) {
         {"View", {"C"}, "Contacts", "next view.contacts"},
         {"View", {"L"}, "Wireframe", "next view.wireframe"},
         {"View", {"N"}, "Particles and springs", "next view.particles"},
+        {"View", {}, "Weave of the cloth", "next view.weave"},
         {"View", {"Tab"}, "Panel of figures", "next view.overlay"},
         {"View", {"K"}, "Energy balance", "next solver.ledger"},
         {"View", {"F"}, "Frame the scene", "frame"},
