@@ -89,7 +89,7 @@ bool OverlayPanels::build(const FrameView& view, const FrameReport& last, std::s
     if (showing_help) {
         help_panel({w, h, margin}, taken);
     } else if (shown.overlay) {
-        legends(view, {w, h, margin});
+        legends(view, taken, {w, h, margin});
     }
     if (!notices.empty()) notice_panel(notices, {w, h, margin});
     ImGui::PopFont();
@@ -98,10 +98,9 @@ bool OverlayPanels::build(const FrameView& view, const FrameReport& last, std::s
     return ImGui::GetDrawData()->TotalIdxCount > 0;
 }
 
-void OverlayPanels::legends(const FrameView& view, const OverlayPage& page) {
-    float right = page.width - page.margin;
-    if (view.settings->view.bounds) right = hierarchy_.draw(view, right, page) - page.margin;
-    if (colours.by != ColourBy::Plain) colour_panel(colours, shown_level(view).level, right, page);
+void OverlayPanels::legends(const FrameView& view, float taken, OverlayPage page) {
+    if (view.settings->view.bounds) page.height -= hierarchy_.draw(view, taken, page);
+    if (colours.by != ColourBy::Plain) colour_panel(colours, shown_level(view).level, taken, page);
 }
 
 void OverlayPanels::help_panel(const OverlayPage& page, float taken) const {

@@ -36,7 +36,7 @@ private:
         void operator()(ImGuiContext* context) const;
     };
 
-    void legends(const FrameView& view, const OverlayPage& page);
+    void legends(const FrameView& view, float taken, OverlayPage page);
     void help_panel(const OverlayPage& page, float taken) const;
     void notice_panel(std::span<const std::string> notices, const OverlayPage& page) const;
 
