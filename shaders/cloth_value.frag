@@ -4,6 +4,7 @@
 #include "fabric.glsl"
 in vec3 world;
 in vec3 world_normal;
+in float hollow_front;
 in float vertex_value;
 flat in float cell_value;
 out vec4 colour;
@@ -20,6 +21,6 @@ void main() {
     vec3 shown = value_colour(vertex_value);
     if (look.x == 1) shown = group_colours[int(cell_value + 0.5)].rgb;
     if (look.x == 2) shown = group_colours[gl_FrontFacing ? 0 : 1].rgb;
-    Fabric fabric = fabric_light(world, side * normalize(world_normal));
+    Fabric fabric = fabric_light(world, side * normalize(world_normal), side * hollow_front);
     colour = finish(shown * (0.42 + 0.42 * fabric.diffuse));
 }

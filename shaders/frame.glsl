@@ -7,7 +7,7 @@ layout(std140) uniform Frame {
     vec4 to_light;
     vec4 viewport;       // width, height [pixel] and their inverses
     vec4 stage;          // centre x, height of the ground, centre z, radius [m]
-    vec4 shadow;         // a texel [m], a metre in the texture along both sides; the particles' spacing [m]
+    vec4 shadow;         // a texel of the shadow map [m], the particles' spacing [m]
     ivec4 counts;        // structural springs, shear springs, segments of a sphere's circle, balls that darken
     vec4 balls[8];       // centre, radius [m]
     vec4 node_colours[6];  // by what the last query did with a node

@@ -5,4 +5,4 @@
 in vec3 world;
 out vec4 colour;
 
-void main() { colour = studio(world, true, key_visibility(world, vec3(0.0, 1.0, 0.0), 0.015)); }
+void main() { colour = studio(world, true, key_visibility(world, vec3(0.0, 1.0, 0.0))); }

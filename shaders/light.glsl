@@ -21,17 +21,17 @@ vec4 finish(vec3 colour) {
     return vec4(coded + (pixel_noise() - 0.5) / 255.0, 1.0);
 }
 
-// The part of the key light that arrives, in [0, 1]; `spread` is half the width of a shadow's edge [m].
+// The part of the key light that arrives, in [0, 1].
 // Four probes tell light and shadow; only an edge is worth the rest. The loops make no turn where nothing can cast.
-float key_visibility(vec3 point, vec3 normal, float spread) {
+float key_visibility(vec3 point, vec3 normal) {
     float slope = 1.0 - abs(dot(normal, to_light.xyz));
     vec3 position = (shadow_matrix * vec4(point + normal * shadow.x * (1.2 + 2.0 * slope), 1.0)).xyz * 0.5 + 0.5;
-    vec2 half_width = spread * shadow.yz;
+    vec2 texel = 1.0 / vec2(textureSize(shadow_probe, 0)), half_width = 2.2 * texel;
     float depth = min(position.z - 0.0015, 1.0);
     vec2 beyond = abs(position.xy - 0.5);
     int probes = max(beyond.x, beyond.y) < 0.5 ? 1 : 0;
     float lit = probes > 0 ? 0.0 : 4.0;
-    vec2 away = half_width + 1.0 / vec2(textureSize(shadow_probe, 0));
+    vec2 away = half_width + texel;
     for (int i = 0; i < probes; ++i) {
         lit += texture(shadow_probe, vec3(position.xy + away * vec2(-1.0, -1.0), depth));
         lit += texture(shadow_probe, vec3(position.xy + away * vec2(1.0, -1.0), depth));
@@ -39,7 +39,8 @@ float key_visibility(vec3 point, vec3 normal, float spread) {
         lit += texture(shadow_probe, vec3(position.xy + away * vec2(1.0, 1.0), depth));
     }
 
-    // Nine samples, evenly over a square, in rows that fan out: along straight columns an edge would fade in steps
+    // Nine samples, evenly over a square, in rows that fan out, less than two texels apart, which is how far each is smoothed:
+    // along straight columns, or farther apart, an edge would fade in steps
     int rows = lit > 0.01 && lit < 3.99 ? 3 : 0;
     float sum = rows > 0 ? 0.0 : lit * 2.25;
     for (int i = 0; i < rows; ++i) {

@@ -3,7 +3,7 @@ vec4 matte(vec3 albedo, vec3 world, vec3 normal) {
     vec3 to_eye = normalize(eye.xyz - world);
     float facing = dot(normal, to_light.xyz);
     float wrapped = max((facing + 0.12) / 1.12, 0.0);
-    float visible = key_visibility(world, normal, 0.010);
+    float visible = key_visibility(world, normal);
     float key = wrapped * mix(1.0, visible, smoothstep(0.08, 0.40, facing));
 
     // The ground darkens what faces it

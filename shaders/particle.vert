@@ -11,7 +11,7 @@ void main() {
     gl_Position = view_projection * vec4(world, 1.0);
 
     // No larger than the spacing leaves room for
-    float room = 0.55 * shadow.w * viewport.y / distance(eye.xyz, position) * 1.45;
+    float room = 0.55 * shadow.y * viewport.y / distance(eye.xyz, position) * 1.45;
     size = clamp(room, 2.0, viewport.y / 720.0 * 7.0) * (pinned > 0.5 ? 1.7 : 1.0) + 1.0;
     gl_PointSize = size;
 }

@@ -39,7 +39,7 @@ void fill_cloth_vertices(const ClothView& cloth, Real blend, ClothVertex* vertic
             vertices[p].position[axis] = static_cast<float>(x);
         }
         vertices[p].value = 0;
-        vertices[p].pinned = cloth.model.pinned(p) ? 1.0f : 0.0f;
+        vertices[p].pinned = p == cloth.held ? 2.0f : cloth.model.pinned(p) ? 1.0f : 0.0f;
     }
 
     // Normals: across the neighbours along the row and along the column
@@ -60,6 +60,27 @@ void fill_cloth_vertices(const ClothView& cloth, Real blend, ClothVertex* vertic
             normal[0] = n.x;
             normal[1] = n.y;
             normal[2] = n.z;
+            vertices[grid.particle(i, j)].hollow = 0;
+        }
+    }
+}
+
+void fill_hollows(const ClothModel& model, ClothVertex* vertices) {
+    // A fold of this radius is as dark as any: light comes in from half of all sides or less
+    constexpr float radius = 0.04f;
+    const Grid& grid = model.grid;
+    const auto hx = static_cast<float>(model.hx), hy = static_cast<float>(model.hy);
+    for (int j = 1; j + 1 < grid.ny; ++j) {
+        for (int i = 1; i + 1 < grid.nx; ++i) {
+            ClothVertex& vertex = vertices[grid.particle(i, j)];
+            const auto bent = [&](int before, int after, float spacing) {
+                const Float3 a = difference(vertices[before], vertex), b = difference(vertices[after], vertex);
+                const float* n = vertex.normal;
+                return ((a.x + b.x) * n[0] + (a.y + b.y) * n[1] + (a.z + b.z) * n[2]) / (spacing * spacing);
+            };
+            const float curvature = bent(grid.particle(i - 1, j), grid.particle(i + 1, j), hx) +
+                                    bent(grid.particle(i, j - 1), grid.particle(i, j + 1), hy);
+            vertex.hollow = std::clamp(radius * curvature, -1.0f, 1.0f);
         }
     }
 }

@@ -12,8 +12,9 @@ namespace drape {
 struct ClothVertex {
     float position[3];
     float normal[3];  ///< of length 1, on the front's side
-    float pinned;     ///< 1 or 0
+    float pinned;     ///< 2 in the hand, else 1 or 0
     float value;      ///< that colours the cloth, if one does
+    float hollow;     ///< how deep in a fold of the front, in [-1, 1]
 };
 
 /// What of a particle stays the same from frame to frame: where it is in the cloth, laid out flat, and how large that
@@ -28,6 +29,10 @@ void append_places(const ClothModel& model, std::vector<ClothPlace>& places);
 /// @param vertices receives one a particle
 /// @par Cost O(n), allocates nothing
 void fill_cloth_vertices(const ClothView& cloth, Real blend, ClothVertex* vertices);
+
+/// How deep the particles are in folds, from the curvature of the cloth as it is drawn; 0 at its edges.
+/// @par Cost O(n)
+void fill_hollows(const ClothModel& model, ClothVertex* vertices);
 
 /// Keeps the grids of the cloths in view.
 /// @return false if `grids` had them already

@@ -57,11 +57,12 @@ void draw_swatch(ImVec2 corner, const std::array<float, 3>& colour, const char* 
 
 }  // namespace
 
-float colour_panel(const ColourScale& scale, int level, float right, const OverlayPage& page) {
+void colour_panel(const ColourScale& scale, int level, float taken, const OverlayPage& page) {
     const float row = ImGui::GetTextLineHeightWithSpacing(), size = ImGui::GetFontSize();
     const float inner = 15 * size, width = inner + 2 * page.margin;
     const float height = 3 * row + 2 * page.margin;
-    const ImVec2 panel{right - width, page.height - page.margin - height};
+    const ImVec2 panel{page.width - page.margin - width, page.height - page.margin - height};
+    if (panel.x < taken || panel.y < page.margin) return;
     draw_panel(panel, {width, height});
     const ImVec2 line{panel.x + page.margin, panel.y + page.margin};
     text_at(line, ink::wait, title_of(scale, level).data());
@@ -78,7 +79,6 @@ float colour_panel(const ColourScale& scale, int level, float right, const Overl
     } else {
         draw_scale(scale, below, inner);
     }
-    return panel.x;
 }
 
 }  // namespace drape

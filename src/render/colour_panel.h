@@ -5,11 +5,10 @@
 
 namespace drape {
 
-/// The panel that says what the cloth's colours mean, at the bottom: a scale with numbers and a unit, or which colour
-/// is what.
-/// @param right the panel's right edge [pixel]
+/// The panel that says what the cloth's colours mean, at the lower right: a scale with numbers and a unit, or which
+/// colour is what. Nothing where there is no room.
+/// @param taken what is left of this belongs to others [pixel]
 /// @param level whose nodes are shown
-/// @return its left edge [pixel]
-float colour_panel(const ColourScale& scale, int level, float right, const OverlayPage& page);
+void colour_panel(const ColourScale& scale, int level, float taken, const OverlayPage& page);
 
 }  // namespace drape

@@ -56,7 +56,7 @@ void light_the_scene(const FrameView& view, int texels, FrameData& data) {
     data.shadow_matrix.topLeftCorner<3, 3>() = half.cwiseInverse().asDiagonal() * axes;
     data.shadow_matrix.topRightCorner<3, 1>() = -middle.cwiseQuotient(half);
     data.to_light = {to_light.x(), to_light.y(), to_light.z(), 0};
-    data.shadow = {2 * half.head<2>().maxCoeff() / static_cast<float>(texels), 0.5f / half.x(), 0.5f / half.y(), 0};
+    data.shadow = {2 * half.head<2>().maxCoeff() / static_cast<float>(texels), 0, 0, 0};
 }
 
 }  // namespace

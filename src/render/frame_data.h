@@ -19,7 +19,7 @@ struct FrameData {
     Eigen::Vector4f to_light;
     Eigen::Vector4f viewport;   ///< width, height [pixel] and their inverses
     Eigen::Vector4f stage;      ///< centre x, height of the ground, centre z, radius [m]
-    Eigen::Vector4f shadow;     ///< a texel [m], a metre in the texture along both sides; the particles' spacing [m]
+    Eigen::Vector4f shadow;     ///< a texel of the shadow map [m], the particles' spacing [m]
     std::array<int, 4> counts;  ///< structural springs, shear springs, segments of a sphere's circle, balls that darken
     std::array<Eigen::Vector4f, most_balls> balls;  ///< centre, radius [m]
     std::array<Eigen::Vector4f, 6> node_colours;    ///< of `node_looks`

@@ -95,7 +95,7 @@ void HierarchyPanel::count(const FrameView& view, int levels) {
     }
 }
 
-float HierarchyPanel::draw(const FrameView& view, float right, const OverlayPage& page) {
+float HierarchyPanel::draw(const FrameView& view, float taken, const OverlayPage& page) {
     const ShownLevel shown = shown_level(view);
     count(view, shown.levels);
     const float row = ImGui::GetTextLineHeightWithSpacing(), gap = 0.45f * ImGui::GetFontSize();
@@ -103,7 +103,8 @@ float HierarchyPanel::draw(const FrameView& view, float right, const OverlayPage
     float height = row + 2 * page.margin;
     if (shown.levels > 0) height += (1 + static_cast<float>(counts_.size())) * row + 3 * row + 2 * gap;
 
-    const ImVec2 panel{right - width, page.height - page.margin - height};
+    const ImVec2 panel{page.width - page.margin - width, page.height - page.margin - height};
+    if (panel.x < taken || panel.y < page.margin) return 0;
     draw_panel(panel, {width, height});
     ImVec2 line{panel.x + page.margin, panel.y + page.margin};
     text_at(line, ink::wait, heading(view, shown).data());
@@ -113,7 +114,7 @@ float HierarchyPanel::draw(const FrameView& view, float right, const OverlayPage
         line.y += static_cast<float>(counts_.size() + 1) * row + gap;
         draw_colours(line, 0.52f * table_width());
     }
-    return panel.x;
+    return height + page.margin;
 }
 
 }  // namespace drape

@@ -11,9 +11,10 @@ namespace drape {
 /// query did level by level, and what the colours say.
 class HierarchyPanel {
 public:
-    /// @param right the panel's right edge [pixel]
-    /// @return its left edge [pixel]
-    float draw(const FrameView& view, float right, const OverlayPage& page);
+    /// Nothing where there is no room.
+    /// @param taken what is left of this belongs to others [pixel]
+    /// @return how high it is, with a margin [pixel]
+    float draw(const FrameView& view, float taken, const OverlayPage& page);
 
 private:
     void count(const FrameView& view, int levels);

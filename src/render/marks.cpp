@@ -32,6 +32,13 @@ constexpr int contact_vertices = 9;
 constexpr GLuint hidden_attribute = 5;  // of lines behind something: 1
 constexpr float bend_lift = 0.22f;      // of the bend springs over the cloth, in spacings
 
+bool has_pins(const ClothView& cloth) {
+    for (int p = 0; p < cloth.model.grid.particles(); ++p) {
+        if (cloth.model.pinned(p)) return true;
+    }
+    return false;
+}
+
 void copy(const Vec3& from, float* to) {
     for (int axis = 0; axis < 3; ++axis) to[axis] = static_cast<float>(from[axis]);
 }
@@ -42,6 +49,7 @@ Marks::Marks(Gl& gl, StreamBuffer& stream)
     : gl_(gl),
       spring_program_(gl, "spring"),
       particle_program_(gl, "particle"),
+      pin_program_(gl, "pin"),
       contact_program_(gl, "contact"),
       sphere_program_(gl, "bounding_sphere"),
       edge_program_(gl, "edge"),
@@ -70,9 +78,11 @@ void Marks::need(const FrameView& view, StreamBuffer& stream) {
     const ViewSettings& shown = view.settings->view;
     show_particles_ = shown.particles;
     contact_count_ = particle_count_ = 0;
+    show_pins_ = false;
     bounds_.clear();
     for (const ClothView& cloth : view.cloths) {
         particle_count_ += cloth.model.grid.particles();
+        show_pins_ = show_pins_ || has_pins(cloth);
         if (shown.contacts) contact_count_ += static_cast<int>(cloth.contacts.size());
     }
     if (shown.bounds) collect_bounds(view);
@@ -99,14 +109,14 @@ void Marks::collect_bounds(const FrameView& view) {
 
 void Marks::arrange(const FrameView& view, const StreamBuffer& stream) {
     for (const StreamArray* array : {&springs_, &contacts_, &spheres_, &edges_}) array->follow(stream);
-    if (show_particles_) index_springs(view);
-}
-
-void Marks::index_springs(const FrameView& view) {
     if (!view.cloths.empty()) {
         const ClothModel& model = view.cloths.front().model;
         spacing_ = static_cast<float>(std::min(model.hx, model.hy));
     }
+    if (show_particles_) index_springs(view);
+}
+
+void Marks::index_springs(const FrameView& view) {
     if (!update_grids(view, grids_)) return;
 
     SpringIndices springs = spring_indices(grids_);
@@ -158,6 +168,11 @@ void Marks::draw() {
         gl_(glVertexAttrib1f, 4u, bend_lift * spacing_);
         gl_.draw_elements(GL_LINES, 2 * bend_count_, 2 * static_cast<std::size_t>(plain) * sizeof(std::uint32_t));
         particle_program_.use();
+        gl_.draw_arrays(GL_POINTS, particle_count_);
+    }
+    if (show_pins_) {
+        pin_program_.use();
+        springs_.bind();
         gl_.draw_arrays(GL_POINTS, particle_count_);
     }
     if (contact_count_ > 0) {

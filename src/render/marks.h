@@ -10,7 +10,8 @@
 
 namespace drape {
 
-/// What explains the picture, as far as the settings ask for it: particles and springs, contacts, bounds.
+/// What explains the picture: pins and what the hand holds; as far as the settings ask for them, particles and springs,
+/// contacts, bounds.
 class Marks {
 public:
     Marks(Gl& gl, StreamBuffer& stream);
@@ -25,6 +26,9 @@ public:
 
     /// Over the solids, and last of all that has a depth; blending is on.
     void draw();
+
+    /// How far marks stand out of the solids whose box is drawn [pixel].
+    [[nodiscard]] int room() const { return show_pins_ ? 24 : 0; }
 
     [[nodiscard]] int structural_springs() const { return structural_count_; }
     [[nodiscard]] int shear_springs() const { return shear_count_; }
@@ -41,7 +45,7 @@ private:
     void draw_seen_and_hidden(Draw draw);
 
     Gl& gl_;
-    Program spring_program_, particle_program_, contact_program_, sphere_program_, edge_program_;
+    Program spring_program_, particle_program_, pin_program_, contact_program_, sphere_program_, edge_program_;
     StreamArray springs_, contacts_, spheres_, edges_;
     Buffer spring_indices_;
     std::vector<Grid> grids_;
@@ -49,6 +53,7 @@ private:
     std::vector<NodeView> nodes_;
     TouchedCells touched_;
     bool show_particles_ = false;
+    bool show_pins_ = false;
     int particle_count_ = 0, contact_count_ = 0;
     int structural_count_ = 0, shear_count_ = 0, bend_count_ = 0;
     float spacing_ = 0;  ///< of the particles of the first cloth [m]

@@ -5,7 +5,7 @@
 namespace drape {
 
 std::span<const NodeLook, 6> node_looks() {
-    static constexpr std::array<NodeLook, 6> looks{{{"not visited", {0.45f, 0.48f, 0.52f, 0.25f}},
+    static constexpr std::array<NodeLook, 6> looks{{{"not visited", {0.45f, 0.48f, 0.52f, 0.40f}},
                                                     {"pruned", {0.20f, 0.23f, 0.28f, 0.50f}},
                                                     {"visited", {0.00f, 0.36f, 0.75f, 0.60f}},
                                                     {"leaf, not tested yet", {0.00f, 0.50f, 0.34f, 0.65f}},

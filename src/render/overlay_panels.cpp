@@ -222,7 +222,9 @@ bool OverlayPanels::build(const FrameView& view, const FrameReport& last, std::s
     if (showing_help) {
         room.right = help_panel(page, room.left) - margin;
     } else if (showing_panel) {
-        legends_left = legends(view, right, page);
+        legends(view, room.left - margin, {right + margin, page.height, margin});
+        // As wide as the wider of them
+        if (shown.bounds || colours.by != ColourBy::Plain) legends_left -= 26 * ImGui::GetFontSize();
     }
     if (!hint.empty() && !showing_help) hint_panel(page, legends_left);
     if (!notices.empty()) notice_panel(notices, room, page);
@@ -237,11 +239,9 @@ bool OverlayPanels::build(const FrameView& view, const FrameReport& last, std::s
     return ImGui::GetDrawData()->TotalIdxCount > 0;
 }
 
-float OverlayPanels::legends(const FrameView& view, float right, const OverlayPage& page) {
-    if (view.settings->view.bounds) right = hierarchy_.draw(view, right, page) - page.margin;
-    if (colours.by != ColourBy::Plain)
-        right = colour_panel(colours, shown_level(view).level, right, page) - page.margin;
-    return right;
+void OverlayPanels::legends(const FrameView& view, float taken, OverlayPage page) {
+    if (view.settings->view.bounds) page.height -= hierarchy_.draw(view, taken, page);
+    if (colours.by != ColourBy::Plain) colour_panel(colours, shown_level(view).level, taken, page);
 }
 
 float OverlayPanels::help_panel(const OverlayPage& page, float taken) const {

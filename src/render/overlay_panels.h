@@ -47,7 +47,7 @@ private:
         void operator()(ImGuiContext* context) const;
     };
 
-    float legends(const FrameView& view, float right, const OverlayPage& page);
+    void legends(const FrameView& view, float taken, OverlayPage page);
     float help_panel(const OverlayPage& page, float taken) const;
     void hint_panel(const OverlayPage& page, float right) const;
 

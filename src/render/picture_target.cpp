@@ -48,6 +48,12 @@ private:
 
 }  // namespace
 
+PictureBox grown(const PictureBox& box, int room, int width, int height) {
+    const int left = std::max(box.left - room, 0), low = std::max(box.low - room, 0);
+    const int right = std::min(box.left + box.width + room, width);
+    return {left, low, right - left, std::min(box.low + box.height + room, height) - low};
+}
+
 PictureBox solid_box(const Eigen::Matrix4f& view_projection, std::span<const ClothVertex> cloth,
                      std::span<const DrawnBall> balls, int width, int height) {
     Projection projection(view_projection);

@@ -14,6 +14,9 @@ struct PictureBox {
     int left = 0, low = 0, width = 0, height = 0;
 };
 
+/// With as much room on all sides as the picture of this size has, up to `room` [pixel].
+PictureBox grown(const PictureBox& box, int room, int width, int height);
+
 /// A ball as it is drawn.
 struct DrawnBall {
     Eigen::Vector4f sphere;       ///< centre, radius [m]

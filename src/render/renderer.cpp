@@ -135,7 +135,7 @@ void Renderer::Parts::prepare(const FrameView& view, const Camera& camera, std::
     data.counts[0] = marks.structural_springs();
     data.counts[1] = marks.shear_springs();
     data.counts[2] = marks.segments();
-    data.shadow[3] = marks.spacing();
+    data.shadow[1] = marks.spacing();
     *stream.data<FrameData>(Region::Frame) = data;
     solids.fill(view, colours, stream);
     marks.fill(view, stream);
@@ -155,8 +155,8 @@ void Renderer::Parts::paint(const FrameView& view) {
 
     const ViewSettings& shown = view.settings->view;
     const bool marked = shown.bounds || shown.contacts || shown.particles;
-    target->begin_samples(marked ? PictureBox{0, 0, width, height}
-                                 : solids.box(data.view_projection, stream, width, height));
+    const PictureBox box = solids.box(data.view_projection, stream, width, height);
+    target->begin_samples(marked ? PictureBox{0, 0, width, height} : grown(box, marks.room(), width, height));
     solids.draw(shown);
     studio.draw_behind();
     gl(glEnable, GLenum{GL_BLEND});

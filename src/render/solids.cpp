@@ -43,7 +43,7 @@ ClothVertex* fill_body(const FrameView& view, std::size_t number, const Triangle
     for (std::size_t p = 0; p < mesh.points.size(); ++p, ++vertex) {
         store(position + orientation * mesh.points[p].cast<float>(), vertex->position);
         store(orientation * mesh.normals[p].cast<float>(), vertex->normal);
-        vertex->pinned = vertex->value = 0;
+        vertex->pinned = vertex->value = vertex->hollow = 0;
     }
     return vertex;
 }
@@ -66,7 +66,8 @@ VertexLayout cloth_layout() {
             {{0, 3, offsetof(ClothVertex, position)},
              {1, 3, offsetof(ClothVertex, normal)},
              {2, 1, offsetof(ClothVertex, pinned)},
-             {6, 1, offsetof(ClothVertex, value)}}};
+             {6, 1, offsetof(ClothVertex, value)},
+             {7, 1, offsetof(ClothVertex, hollow)}}};
 }
 
 Solids::Solids(Gl& gl, StreamBuffer& stream)
@@ -159,6 +160,7 @@ void Solids::fill(const FrameView& view, const ClothColours& colours, StreamBuff
     auto* vertex = stream.data<ClothVertex>(Region::Cloth);
     for (const ClothView& cloth : view.cloths) {
         fill_cloth_vertices(cloth, view.blend, vertex);
+        fill_hollows(cloth.model, vertex);
         vertex += cloth.model.grid.particles();
     }
     colours.fill({stream.data<ClothVertex>(Region::Cloth), particle_count_});

@@ -2,6 +2,9 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
+#include <cmath>
+#include <numbers>
 #include <set>
 
 namespace drape {
@@ -43,6 +46,60 @@ TEST(ClothMesh, MarksPinnedParticles) {
     std::vector<ClothVertex> vertices(30);
     fill_cloth_vertices(FlatCloth(Plane::XZ).view(), 1, vertices.data());
     for (int p = 0; p < 30; ++p) EXPECT_EQ(vertices[static_cast<std::size_t>(p)].pinned, p == 0 || p == 5 ? 1 : 0);
+}
+
+TEST(ClothMesh, KnowsWhatTheHandHolds) {
+    std::vector<ClothVertex> vertices(30);
+    const FlatCloth cloth(Plane::XZ);
+    ClothView view = cloth.view();
+    view.held = 7;
+    fill_cloth_vertices(view, 1, vertices.data());
+    EXPECT_EQ(vertices[7].pinned, 2);
+}
+
+/// Waves along x, seen from above: hollow in the valleys, the contrary on the crests, nothing in between.
+TEST(ClothMesh, IsHollowInTheFoldsOfItsFront) {
+    ClothParameters parameters;
+    parameters.particles = {41, 5};
+    const ClothModel model = make_cloth_model(parameters);
+    Points x = make_rest_state(parameters).x;
+    for (int p = 0; p < 205; ++p) x(p, 1) = Real(0.05) * std::cos(2 * std::numbers::pi_v<Real> * (p % 41) / 20);
+    std::vector<ClothVertex> vertices(205);
+    fill_cloth_vertices({model, x, x, {}, nullptr}, 1, vertices.data());
+    fill_hollows(model, vertices.data());
+    const auto hollow = [&](int i) { return vertices[static_cast<std::size_t>(model.grid.particle(i, 2))].hollow; };
+    EXPECT_GT(hollow(10), 0.2f);
+    EXPECT_LT(hollow(20), -0.2f);
+    EXPECT_NEAR(hollow(15), 0, 0.02f);
+    x.col(1).setZero();
+    fill_cloth_vertices({model, x, x, {}, nullptr}, 1, vertices.data());
+    fill_hollows(model, vertices.data());
+    for (const ClothVertex& vertex : vertices) EXPECT_NEAR(vertex.hollow, 0, 1e-3f);
+}
+
+/// Laid out flat; the last corner of both triangles of a cell is its corner b.
+TEST(ClothMesh, HasPlacesInMetresAndTrianglesThatEndAtCornerB) {
+    ClothParameters parameters;
+    parameters.particles = {6, 5};
+    parameters.width = 2;
+    std::vector<ClothPlace> places;
+    append_places(make_cloth_model(parameters), places);
+    ASSERT_EQ(places.size(), 30u);
+    EXPECT_EQ(places[0], (ClothPlace{0, 0, 2, 1}));
+    EXPECT_FLOAT_EQ(places[13].u, 0.4f);
+    EXPECT_FLOAT_EQ(places[13].v, 0.5f);
+
+    const Grid grid{6, 5};
+    const std::vector<std::uint32_t> indices = triangle_indices({&grid, 1});
+    for (std::size_t t = 0; 3 * t < indices.size(); ++t) {
+        const auto cell = static_cast<int>(t / 2);
+        EXPECT_EQ(indices[3 * t + 2], static_cast<std::uint32_t>(grid.cell_corner(cell) + 1));
+        std::array<int, 3> corners = grid.triangle_corners(static_cast<int>(t));
+        std::array<int, 3> drawn;
+        for (std::size_t k = 0; k < 3; ++k) drawn[k] = static_cast<int>(indices[3 * t + k]);
+        while (drawn[0] != corners[0]) std::ranges::rotate(drawn, drawn.begin() + 1);
+        EXPECT_EQ(drawn, corners) << "the same side is the front";
+    }
 }
 
 TEST(ClothMesh, HasNoNormalThatIsNoneWhereAllParticlesMeet) {

@@ -16,7 +16,7 @@ Eigen::Matrix4f matrix() {
 
 PictureBox box_of(const Vec3& point) {
     const Eigen::Vector3f p = point.cast<float>();
-    const ClothVertex vertex{{p.x(), p.y(), p.z()}, {0, 1, 0}, 0, 0};
+    const ClothVertex vertex{{p.x(), p.y(), p.z()}, {0, 1, 0}, 0, 0, 0};
     return solid_box(matrix(), {&vertex, 1}, {}, width, height);
 }
 
