@@ -20,6 +20,10 @@ struct Overloaded : Handlers... {
 template <class... Handlers>
 Overloaded(Handlers...) -> Overloaded<Handlers...>;  // Clang 14 does not deduce it yet
 
+bool same_pinned(const Settings& a, const Settings& b) {
+    return std::ranges::equal(a.cloths, b.cloths, {}, &ClothParameters::pinned, &ClothParameters::pinned);
+}
+
 void stop_pins(Cloth& cloth) {
     for (int p = 0; p < cloth.model.grid.particles(); ++p) {
         if (cloth.model.pinned(p)) cloth.state.v.row(p).setZero();
@@ -158,7 +162,7 @@ void Simulation::configure(Settings settings) {
         self_contact_.use_hierarchy(settings_, cloth_models());
     }
     configure_balls(before);
-    if (settings_.pins != before.pins) {
+    if (settings_.pins != before.pins || !same_pinned(settings_, before)) {
         pins_.let_go(cloths_);
         use_pins();
     }
@@ -184,7 +188,7 @@ void Simulation::configure_cloth(std::size_t number, const Settings& before) {
         cloth.model = make_cloth_model(settings_.cloths[number]);
         cloth.model.revision = revision + 1;
         hand_.hold_in(number, cloth.model);
-        stop_pins(cloth);
+        if (settings_.cloths[number].pinned != before.cloths[number].pinned) stop_pins(cloth);
         cloth.energy.restart(cloth.model, cloth.state, settings_.solver.kernels);
     }
     if (!same_integrator(before.solver, settings_.solver)) {

@@ -262,5 +262,24 @@ TEST(MovingPins, AreWrittenWithTheirScene) {
     EXPECT_EQ(parse_scene(scene_text(settings), "again.toml").pins, settings.pins);
 }
 
+TEST(MovingPins, LeadAParticleNoLongerOnceItIsFreed) {
+    Simulation simulation("twist", load_scene("twist"));
+    while (simulation.report().time < 0.3) simulation.step();
+    const auto other = [&] { return Vec3(simulation.cloths()[0].state.x.row(1)); };
+    const auto freed = [&] { return Vec3(simulation.cloths()[0].state.x.row(0)); };
+    simulation.apply(parse_command("pin 0 0"));
+    const Vec3 freed_at = freed(), led_from = other();
+    EXPECT_EQ(Vec3(simulation.cloths()[0].state.v.row(0)), Vec3::Zero());
+    while (simulation.report().time < 0.6) simulation.step();
+    EXPECT_TRUE(simulation.cloths()[0].model.pinned(1));
+    EXPECT_FALSE(simulation.cloths()[0].model.pinned(0));
+    EXPECT_GT((other() - led_from).norm(), Real(0.005));
+    // It hangs at its neighbours now, and not where it would have been led to
+    Simulation led("twist", load_scene("twist"));
+    while (led.report().time < 0.6) led.step();
+    EXPECT_GT((freed() - Vec3(led.cloths()[0].state.x.row(0))).norm(), Real(0.002));
+    EXPECT_NE(freed(), freed_at);
+}
+
 }  // namespace
 }  // namespace drape

@@ -104,6 +104,8 @@ gust = 0.25
 [view]
 panel = "off"
 controls = true
+colour = "speed"
+weave = false
 text_scale = 1.5
 plots = true
 speed = 0.5
