@@ -39,8 +39,8 @@ float key_visibility(vec3 point, vec3 normal) {
         lit += texture(shadow_probe, vec3(position.xy + away * vec2(1.0, 1.0), depth));
     }
 
-    // Nine samples, evenly over a square, in rows that fan out, less than two texels apart, which is how far each is smoothed:
-    // along straight columns, or farther apart, an edge would fade in steps
+    // Nine samples, evenly over a square, in rows that fan out, less than two texels apart, which is how far each is
+    // smoothed: along straight columns, or farther apart, an edge would fade in steps
     int rows = lit > 0.01 && lit < 3.99 ? 3 : 0;
     float sum = rows > 0 ? 0.0 : lit * 2.25;
     for (int i = 0; i < rows; ++i) {
