@@ -167,7 +167,7 @@ TEST(Simulation, LosesAClothWithTooLargeAStepAndFreezesItsLastGoodState) {
     ASSERT_EQ(simulation.report().status, Status::Diverged);
     EXPECT_THAT(simulation.report().trouble,
                 AllOf(HasSubstr("particle "), HasSubstr("row "), HasSubstr("explicit_euler"),
-                      HasSubstr("in step " + std::to_string(steps) + " ")));
+                      HasSubstr("at step " + std::to_string(steps) + " ")));
     const Cloth& cloth = simulation.cloths()[0];
     EXPECT_TRUE(cloth.state.x.allFinite() && cloth.state.v.allFinite());
     const std::uint64_t frozen = simulation.hash();
