@@ -51,7 +51,6 @@ void follow_contact(const ResponseParameters& parameters, std::span<const ClothI
                     std::span<const Ball> balls, Contact& contact) {
     contact.point = at_point(contact, cloths[static_cast<std::size_t>(contact.cloth)].state.x);
     contact.of_impact = !is_plane(contact.ball);
-    contact.motion = {};
     if (is_solid(contact.ball)) contact.plane.height += contact.normal.dot(contact.plane.moved);
     contact.depth = depth_now(parameters, balls, contact);
 }
@@ -74,37 +73,6 @@ void displace_ball(BallDisplacements& balls, const Contact& contact) {
 }
 void displace_ball(BallDisplacements& /*balls*/, const PairContact& /*contact*/) {}
 
-/// By how many substeps of its motion the push of a contact goes ahead of it: within two to four, cloth that rocks on a
-/// ball comes to rest; the motion is half that of the last substep, for else it goes back and forth with the push.
-constexpr Real lead = 3, new_part = Real(0.5);
-
-/// Of all three barycentric coordinates.
-std::array<Real, 3> motion_of(const Contact& contact) {
-    return {contact.motion[0], contact.motion[1], -contact.motion[0] - contact.motion[1]};
-}
-
-/// The push acts where the contact is going to be, within its triangle.
-void go_ahead(Real substeps, Contact& contact) {
-    const auto motion = motion_of(contact);
-    for (std::size_t k = 0; k < 3; ++k) {
-        if (contact.barycentric[k] + substeps * motion[k] < 0) substeps = -contact.barycentric[k] / motion[k];
-    }
-    contact.ahead = substeps;
-    for (std::size_t k = 0; k < 3; ++k) contact.barycentric[k] += substeps * motion[k];
-}
-void go_ahead(Real /*substeps*/, PairContact& /*contact*/) {}
-
-/// What the same contact has moved by since the substep before. A free ball rolls with its contacts: nothing goes
-/// ahead.
-void measure_motion(const Contact& before, std::span<const Ball> balls, Contact& contact) {
-    if (!is_plane(contact.ball) && balls[static_cast<std::size_t>(contact.ball)].inverse_mass > 0) return;
-    for (std::size_t k = 0; k < 2; ++k) {
-        const Real moved = contact.barycentric[k] - (before.barycentric[k] - before.ahead * before.motion[k]);
-        contact.motion[k] = before.motion[k] + new_part * (moved - before.motion[k]);
-    }
-}
-void measure_motion(const PairContact& /*before*/, std::span<const Ball> /*balls*/, PairContact& /*contact*/) {}
-
 }  // namespace
 
 template <class AnyContact>
@@ -123,7 +91,6 @@ void WarmStart<AnyContact>::take(const ResponseParameters& parameters, Real h, R
         contact.impulse = contact.displacement;
         scale(contact.impulse, 1 / (share * h));
         last_.push_back(contact);
-        go_ahead(is_explicit_ ? Real(0) : lead * factor, last_.back());
         list_particles(cloths, last_.back());
     }
     contacts.clear();
@@ -163,7 +130,6 @@ void WarmStart<AnyContact>::carry_over(const ResponseParameters& parameters, std
         if (found != contacts.end() && order_of(*found) == order) {
             found->displacement = before.displacement;
             found->impulse = before.impulse;
-            measure_motion(before, balls, *found);
             merged_.push_back(*found++);
         } else {
             follow_contact(parameters, cloths, balls, before);

@@ -82,8 +82,6 @@ struct Contact : BodyContact {
     int triangle = 0;                   ///< that the point belongs to
     std::array<int, 3> corners{};       ///< its particles
     std::array<Real, 3> barycentric{};  ///< of the point
-    std::array<Real, 2> motion{};       ///< of the first two of these from substep to substep; kept by the warm start
-    Real ahead = 0;                     ///< substeps of that motion by which they are ahead; likewise
     Vec3 point = Vec3::Zero();          ///< [m]
     bool of_particle = false;           ///< the point is a corner
     bool of_impact = false;             ///< found on the way: its normal is that of the impact, and stays
