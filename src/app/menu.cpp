@@ -56,7 +56,11 @@ Menu::Menu(const std::vector<Entry>& entries, void (*choose)(int entry, void* us
         }
         glutSetMenu(menu->number);
         glutAddMenuEntry(entry.text.c_str(), static_cast<int>(e));
-        items_.push_back({with_keys(entry), MenuMark(entry.command), menu->number, ++menu->length, entry.text});
+        // What an entry sets by itself is no choice among others
+        const bool is_choice =
+            entry.manner == Manner::Once && !(entry.menu.empty() && entry.command.starts_with("set "));
+        items_.push_back(
+            {with_keys(entry), MenuMark(is_choice ? entry.command : "quit"), menu->number, ++menu->length, entry.text});
     }
     first_window_ = glutGetWindow() + 1;
     last_window_ = glutGetWindow() + static_cast<int>(menus.size());

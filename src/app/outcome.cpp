@@ -17,7 +17,7 @@ std::string shown_value(const Setting& setting, const Settings& settings) {
     return value_text(value) + (setting.unit.empty() ? "" : " " + setting.unit);
 }
 
-// Settings of a hierarchy, which brute force has not
+// Settings of a hierarchy, which brute force does not have
 constexpr std::array<std::string_view, 7> of_a_hierarchy{
     "contact.update",    "contact.leaf_cells", "contact.sphere_fit", "contact.search_level",
     "contact.coherence", "view.bounds",        "view.level"};
@@ -36,12 +36,12 @@ std::string why_without_effect(const std::string& name, const Settings& settings
     const VolumeKind volume = settings.contact.volume;
     const IntegratorKind integrator = settings.solver.integrator;
     if (volume == VolumeKind::Brute && std::ranges::find(of_a_hierarchy, name) != of_a_hierarchy.end()) {
-        return "no effect, for brute force has no hierarchy";
+        return "brute force has no hierarchy";
     }
     if (name == "contact.sphere_fit" && volume != VolumeKind::Sphere) {
         return "no effect while the bounding volume is " + std::string(name_of(volume));
     }
-    if (name == "view.level" && !settings.view.bounds) return "B shows it";
+    if (name == "view.level" && !settings.view.bounds && settings.view.colour != ColourBy::Level) return "B shows it";
     const bool unused = (name == "solver.hessian" && !solves_a_system(integrator)) ||
                         (name == "solver.iterations" && !makes_rounds(integrator));
     if (unused) return "no effect with " + std::string(name_of(integrator));

@@ -6,6 +6,7 @@
 #include <GL/freeglut_ucall.h>
 
 #include <algorithm>
+#include <cmath>
 #include <iostream>
 
 #include "display.h"
@@ -120,7 +121,10 @@ void Window::draw() {
     if (!view.report->trouble.empty()) {
         lines.push_back(view.report->trouble);
         lines.push_back(failure_file_);
-        lines.emplace_back("R resets as it was, Shift+R with a time step at 0.9 of the stability limit");
+        const double ratio = view.report->step_limit_ratio;
+        const bool helps = ratio > 0.9 && std::isfinite(ratio);
+        lines.emplace_back(std::string("R resets with the same time step") +
+                           (helps ? ", Shift+R with 0.9 of its limit" : ""));
     } else if (const std::string warning = session_.simulation().step_warning(); !warning.empty()) {
         lines.push_back(warning);
     }
@@ -141,8 +145,10 @@ void Window::steer(double elapsed) {
 }
 
 void Window::follow_replay() {
-    for (const Command& command : session_.take_view_commands()) camera_.apply(command, session_.view());
-    if (scene_ != session_.simulation().scene()) start_scene();
+    for (const Command& command : session_.take_view_commands()) {
+        if (std::holds_alternative<command::LoadScene>(command)) start_scene();
+        camera_.apply(command, session_.view());
+    }
 }
 
 void Window::tell_whose_ball() {
@@ -164,7 +170,9 @@ void Window::tell_of_drops() {
     dropped_ = dropped;
     std::string seconds = std::to_string(dropped);
     seconds.resize(seconds.find('.') + 2);
-    notices_.add("dropped", "Slower than real time: " + seconds + " s left out so far");
+    const bool real = session_.simulation().settings().view.speed == 1;
+    notices_.add("dropped", std::string("Slower than ") + (real ? "real time: " : "view.speed asks: ") + seconds +
+                                " s left out so far");
 }
 
 void Window::start_scene() {

@@ -47,6 +47,7 @@ private:
     void on_reshape(int width, int height);
     void on_visibility(int state);
     void on_character(unsigned char code, bool down);
+    void on_special(int code);
     void on_key(const std::string& key, bool down);
     void on_button(int button, int state, int x, int y);
     void on_motion(int x, int y);
@@ -68,7 +69,7 @@ private:
         }
     }
 
-    void carry_out(const Command& command);
+    bool carry_out(const Command& command);
     void carry_out(const std::vector<Command>& commands);
     void give(const Entry& entry);
     [[nodiscard]] std::vector<Command> commands_of(const Entry& entry);
@@ -116,9 +117,10 @@ private:
     bool visible_ = true;
     bool dirty_ = true;  ///< the picture is not up to date
     bool closed_ = false;
-    int panel_frames_ = 0;  ///< to be drawn for what the settings panel was told
-    int stop_ = -1;         ///< of the tour; -1: none yet
-    bool hinting_ = false;  ///< the first hints are on show
+    bool panel_button_ = false;  ///< the left button is down at the settings panel
+    int panel_frames_ = 0;       ///< to be drawn for what the settings panel was told
+    int stop_ = -1;              ///< of the tour; -1: none yet
+    bool hinting_ = false;       ///< the first hints are on show
 };
 
 }  // namespace drape

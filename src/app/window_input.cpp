@@ -61,8 +61,7 @@ void Window::register_callbacks() {
         [](unsigned char code, int, int, void* user) { guarded_call(user, &Window::on_character, code, true); }, this);
     glutKeyboardUpFuncUcall(
         [](unsigned char code, int, int, void* user) { guarded_call(user, &Window::on_character, code, false); }, this);
-    glutSpecialFuncUcall(
-        [](int code, int, int, void* user) { guarded_call(user, &Window::on_key, special_key(code), true); }, this);
+    glutSpecialFuncUcall([](int code, int, int, void* user) { guarded_call(user, &Window::on_special, code); }, this);
     glutSpecialUpFuncUcall(
         [](int code, int, int, void* user) { guarded_call(user, &Window::on_key, special_key(code), false); }, this);
     menu_.emplace(
@@ -75,11 +74,15 @@ void Window::register_callbacks() {
 void Window::on_character(unsigned char code, bool down) {
     const int modifiers = glutGetModifiers();
     if (down && renderer_->panel_has_keyboard()) {
-        panel_frames_ = 2;
+        panel_frames_ = 8;
         return renderer_->type(code);
     }
     if (down && (modifiers & (GLUT_ACTIVE_CTRL | GLUT_ACTIVE_ALT)) != 0) return;
     on_key(character_key(code, (modifiers & GLUT_ACTIVE_SHIFT) != 0), down);
+}
+
+void Window::on_special(int code) {
+    if (!renderer_->panel_has_keyboard()) on_key(special_key(code), true);
 }
 
 void Window::on_key(const std::string& key, bool down) {
@@ -104,12 +107,13 @@ void Window::on_choice(int number) {
 
 void Window::give(const Entry& entry) {
     const std::vector<Command> commands = commands_of(entry);
-    carry_out(commands);
-    if (entry.manner == Manner::NextStop || entry.manner == Manner::StopBefore) return show_stop();
+    const bool of_the_tour = entry.manner == Manner::NextStop || entry.manner == Manner::StopBefore;
     for (const Command& command : commands) {
+        if (!carry_out(command) || of_the_tour) continue;
         const std::string outcome = outcome_of(command, session_.simulation());
         if (!outcome.empty()) notices_.add("outcome", outcome);
     }
+    if (of_the_tour) show_stop();
 }
 
 void Window::show_stop() {
@@ -118,7 +122,7 @@ void Window::show_stop() {
     const auto line = [](std::string key, std::string_view text) { return KeyHelp{std::move(key), std::string(text)}; };
     renderer_->set_hint({line(std::to_string(stop_ + 1) + " of " + std::to_string(stops.size()), stop.title),
                          line("See", stop.look), line("Try", stop.try_it), line("Read", stop.file),
-                         line("F1, F2", "Next stop, stop before")});
+                         line("F1, F2", "Next stop, previous stop")});
     renderer_->set_scene(session_.simulation().settings());
     hinting_ = false;
 }
@@ -145,7 +149,12 @@ void Window::on_button(int button, int state, int x, int y) {
     const int modifiers = glutGetModifiers();
     const Pointer::Modifiers held{(modifiers & GLUT_ACTIVE_SHIFT) != 0, (modifiers & GLUT_ACTIVE_CTRL) != 0};
     const bool down = state == GLUT_DOWN;
-    if (which == Pointer::Button::Left && at_panel({.x = x, .y = y, .down = down, .control = held.control})) return;
+    if (which == Pointer::Button::Left) {
+        const bool was_at_panel = std::exchange(panel_button_, false);
+        const bool is_at_panel = at_panel({.x = x, .y = y, .down = down, .control = held.control});
+        panel_button_ = down && is_at_panel;
+        if (is_at_panel || was_at_panel) return;
+    }
     const Sight sight{session_.view(), camera_, width_, height_};
     if (down) {
         forget_hint();
@@ -158,7 +167,7 @@ void Window::on_button(int button, int state, int x, int y) {
 
 bool Window::at_panel(const PanelPointer& pointer) {
     if (!session_.simulation().settings().view.controls) return false;
-    constexpr int frames = 3;  // that a press, a release and what follows from them take to be seen
+    constexpr int frames = 8;  // that a press, a release and what follows from them take to be seen
     renderer_->point(pointer);
     panel_frames_ = frames;
     const bool is_drawn = renderer_->report().frame > 0;  // until then nobody knows where it is
@@ -166,14 +175,14 @@ bool Window::at_panel(const PanelPointer& pointer) {
 }
 
 void Window::on_motion(int x, int y) {
-    at_panel({.x = x, .y = y, .down = !pointer_.busy()});
+    at_panel({.x = x, .y = y, .down = panel_button_});
     pointer_.move(x, y);
 }
 
 void Window::on_passive_motion(int x, int y) { at_panel({.x = x, .y = y}); }
 
 void Window::on_wheel(int notches, int x, int y) {
-    if (!at_panel({.x = x, .y = y, .notches = notches})) carry_out(Pointer::wheel(notches));
+    if (!at_panel({.x = x, .y = y, .down = panel_button_, .notches = notches})) carry_out(Pointer::wheel(notches));
 }
 
 void Window::on_visibility(int state) {
@@ -200,7 +209,7 @@ std::vector<Command> Window::commands_of(const Entry& entry) {
         case Manner::NextStop:
             return go_to_stop(stop_ + 1);
         case Manner::StopBefore:
-            return go_to_stop(stop_ - 1);
+            return go_to_stop(std::max(stop_, 0) - 1);
         case Manner::Slower:
             return {set_speed(settings.view.speed / 2)};
         case Manner::Faster:
@@ -224,7 +233,7 @@ std::vector<Command> Window::safe_step() {
     const StepReport& report = session_.simulation().report();
     const double ratio = report.step_limit_ratio, dt = session_.simulation().settings().solver.dt;
     if (!(ratio > 0) || !std::isfinite(ratio)) return {command::Reset{}};
-    const double step = 0.9 * dt / report.substeps / ratio;
+    const double step = std::min(dt, 0.9 * dt / report.substeps / ratio);
     return {command::Set{"solver.dt=" + real_text(step, 3)}, command::Reset{}};
 }
 
@@ -232,12 +241,13 @@ void Window::carry_out(const std::vector<Command>& commands) {
     for (const Command& command : commands) carry_out(command);
 }
 
-void Window::carry_out(const Command& command) {
+bool Window::carry_out(const Command& command) {
     dirty_ = true;
     try {
         session_.send(command);
     } catch (const InputError& error) {
-        return notices_.add("input", error.what());
+        notices_.add("input", error.what());
+        return false;
     }
     camera_.apply(command, session_.view());
     if (std::holds_alternative<command::Picture>(command)) take_picture();
@@ -247,6 +257,7 @@ void Window::carry_out(const Command& command) {
         pointer_.forget();
         steering_.forget_given();
     }
+    return true;
 }
 
 void Window::take_picture() {

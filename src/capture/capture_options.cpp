@@ -61,6 +61,10 @@ std::optional<CaptureOptions> read_capture_options(int argc, char** argv) {
     options.size = parse_size(size);
     if (options.tour) {
         if (options.out.empty()) throw InputError("--tour needs --out DIR, for its pictures");
+        const StartOptions& start = options.start;
+        const bool alone = start.scene.empty() && start.assignments.empty() && start.replay.empty() && frames.empty() &&
+                           options.video.empty() && options.stats.empty() && options.state.empty() && !options.hash;
+        if (!alone) throw InputError("--tour goes with --out, --size, --again and --overlay only", help_hint(app));
         return options;
     }
     if (frames.empty()) throw InputError("--frames is required", help_hint(app));

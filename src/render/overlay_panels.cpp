@@ -154,40 +154,60 @@ OverlayPanels::OverlayPanels() {
 }
 
 void OverlayPanels::point(const PanelPointer& pointer) {
-    const int notches = input_.pointer.notches + pointer.notches;
-    input_.pressed = input_.pressed || (pointer.down && !input_.pointer.down);
-    input_.pointer = pointer;
-    input_.pointer.notches = notches;
+    std::vector<PanelPointer>& next = input_.next;
+    const bool was_down = next.size() > 1 ? next[next.size() - 2].down : input_.seen.down;
+    const bool only_moved = !next.empty() && next.back().down == pointer.down && was_down == pointer.down;
+    if (!only_moved) {
+        next.push_back(pointer);
+        return;
+    }
+    const int notches = next.back().notches + pointer.notches;
+    next.back() = pointer;
+    next.back().notches = notches;
 }
 
 void OverlayPanels::type(unsigned char code) { input_.typed += static_cast<char>(code); }
 
 bool OverlayPanels::have_pointer() const {
     ImGui::SetCurrentContext(context_.get());
-    return settings.covers(static_cast<float>(input_.pointer.x), static_cast<float>(input_.pointer.y)) ||
-           ImGui::GetIO().WantCaptureMouse;
+    const PanelPointer& pointer = input_.last();
+    return settings.covers(static_cast<float>(pointer.x), static_cast<float>(pointer.y)) ||
+           (settings.left() > 0 && ImGui::GetIO().WantCaptureMouse);
 }
 
 bool OverlayPanels::have_keyboard() const {
     ImGui::SetCurrentContext(context_.get());
-    return ImGui::GetIO().WantTextInput;
+    return settings.left() > 0 && ImGui::GetIO().WantTextInput;
+}
+
+void OverlayPanels::hide_settings() {
+    settings.hide();
+    input_ = {};
 }
 
 void OverlayPanels::hand_over_input() {
     ImGuiIO& io = ImGui::GetIO();
-    io.MousePos = {static_cast<float>(input_.pointer.x), static_cast<float>(input_.pointer.y)};
-    io.MouseDown[0] = input_.pointer.down || input_.pressed;
-    io.MouseWheel = static_cast<float>(input_.pointer.notches);
-    io.KeyCtrl = input_.pressed && input_.pointer.control;
-    for (const auto& [key, code] : field_keys) {
-        io.KeysDown[code] = input_.typed.find(static_cast<char>(code)) != std::string::npos;
+    const bool was_down = input_.seen.down;
+    input_.seen.notches = 0;
+    if (!input_.next.empty()) {
+        input_.seen = input_.next.front();
+        input_.next.erase(input_.next.begin());
     }
-    for (const char code : input_.typed) {
-        if (code >= ' ') io.AddInputCharacter(static_cast<unsigned char>(code));
+    io.MousePos = {static_cast<float>(input_.seen.x), static_cast<float>(input_.seen.y)};
+    io.MouseDown[0] = input_.seen.down;
+    io.MouseWheel = static_cast<float>(input_.seen.notches);
+    io.KeyCtrl = input_.seen.control && input_.seen.down && !was_down;
+
+    // Characters up to the next key that makes none, and of those one in every other frame
+    for (const auto& [key, code] : field_keys) io.KeysDown[code] = false;
+    while (!input_.typed.empty() && static_cast<unsigned char>(input_.typed.front()) >= ' ') {
+        io.AddInputCharacter(static_cast<unsigned char>(input_.typed.front()));
+        input_.typed.erase(input_.typed.begin());
     }
-    input_.pressed = false;
-    input_.pointer.notches = 0;
-    input_.typed.clear();
+    input_.key_seen = !input_.key_seen && !input_.typed.empty();
+    if (!input_.key_seen) return;
+    io.KeysDown[static_cast<unsigned char>(input_.typed.front())] = true;
+    input_.typed.erase(input_.typed.begin());
 }
 
 bool OverlayPanels::build(const FrameView& view, const FrameReport& last, std::span<const std::string> notices,
@@ -195,10 +215,12 @@ bool OverlayPanels::build(const FrameView& view, const FrameReport& last, std::s
     const ViewSettings& shown = view.settings->view;
     plots_.keep(view);
     const bool showing_help = shown.help && !help.empty();
-    if (width < least_width || height < least_height) return false;
     const bool showing_panel = shown.panel != PanelSize::Off;
-    if (!showing_panel && !showing_help && notices.empty() && hint.empty() && !shown.controls && !shown.plots)
+    const bool nothing = !showing_panel && !showing_help && notices.empty() && hint.empty() && !shown.controls;
+    if (width < least_width || height < least_height || (nothing && !shown.plots)) {
+        hide_settings();
         return false;
+    }
 
     ImGui::SetCurrentContext(context_.get());
     const auto w = static_cast<float>(width), h = static_cast<float>(height);
@@ -232,7 +254,7 @@ bool OverlayPanels::build(const FrameView& view, const FrameReport& last, std::s
     if (shown.controls) {
         settings.draw(*view.settings, page);
     } else {
-        settings.hide();
+        hide_settings();
     }
     ImGui::PopFont();
     ImGui::Render();

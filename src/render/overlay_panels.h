@@ -53,11 +53,15 @@ private:
 
     void hand_over_input();
 
-    /// What has come since the last frame: a press and a release within one are seen one after the other.
+    void hide_settings();
+
+    /// What has come and was not seen yet: each frame sees one press or release, where it was.
     struct Input {
-        PanelPointer pointer;
-        bool pressed = false;
+        PanelPointer seen;
+        std::vector<PanelPointer> next;
         std::string typed;
+        bool key_seen = false;  ///< in the last frame, that makes no character
+        [[nodiscard]] const PanelPointer& last() const { return next.empty() ? seen : next.back(); }
     };
 
     HierarchyPanel hierarchy_;

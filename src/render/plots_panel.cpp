@@ -48,7 +48,7 @@ constexpr std::array<Curve, 11> all_curves{{
     {"contacts", sky, [](const StepReport& r) { return static_cast<double>(r.contacts); }},
     {"all", orange, [](const StepReport& r) { return static_cast<double>(r.traversal.nodes); }},
     {"tested", sky, [](const StepReport& r) { return static_cast<double>(r.traversal.volume_tests); }},
-    {"dt / limit", orange, [](const StepReport& r) { return r.step_limit_ratio; }},
+    {"dt / limit", orange, [](const StepReport& r) { return std::min(r.step_limit_ratio, 10.0); }},
 }};
 
 constexpr std::array<Plot, 5> plots{{
@@ -83,7 +83,7 @@ void PlotsPanel::keep(const FrameView& view) {
     now.time = report.time;
     for (std::size_t c = 0; c < all_curves.size(); ++c) {
         const double value = all_curves[c].read(report);
-        now.values[c] = std::isfinite(value) ? static_cast<float>(value) : 0;
+        now.values[c] = std::isnan(value) ? 0 : static_cast<float>(std::clamp(value, -1e30, 1e30));
     }
 }
 
@@ -94,6 +94,8 @@ float PlotsPanel::draw(const OverlayPage& page) const {
     ImDrawList& list = *ImGui::GetWindowDrawList();
     const double end = moment(count_ - 1).time;
     std::array<ImVec2, most> points;
+    std::size_t oldest = 0;
+    while (end - moment(oldest).time > span_) ++oldest;
     for (std::size_t p = 0; p < plots.size(); ++p) {
         const Plot& plot = plots[p];
         const ImVec2 corner{margin + static_cast<float>(p) * (width + margin), page.height - height - margin};
@@ -101,7 +103,7 @@ float PlotsPanel::draw(const OverlayPage& page) const {
 
         // What the axis has room for
         double low = 0, high = plot.scale;
-        for (std::size_t k = 0; k < count_; ++k) {
+        for (std::size_t k = oldest; k < count_; ++k) {
             for (std::size_t c = plot.first; c < plot.end; ++c) {
                 low = std::min(low, static_cast<double>(moment(k).values[c]));
                 high = std::max(high, static_cast<double>(moment(k).values[c]));
@@ -117,11 +119,12 @@ float PlotsPanel::draw(const OverlayPage& page) const {
         if (plot.has_limit) list.AddLine({left, level(1)}, {right, level(1)}, ink::bad);
 
         for (std::size_t c = plot.first; c < plot.end; ++c) {
-            for (std::size_t k = 0; k < count_; ++k) {
+            for (std::size_t k = oldest; k < count_; ++k) {
                 const auto back = static_cast<float>((end - moment(k).time) / span_);
-                points[k] = {right - std::min(back, 1.0f) * (right - left), level(moment(k).values[c])};
+                points[k - oldest] = {right - back * (right - left), level(moment(k).values[c])};
             }
-            list.AddPolyline(points.data(), static_cast<int>(count_), all_curves[c].colour, ImDrawFlags_None, 1.5f);
+            list.AddPolyline(points.data(), static_cast<int>(count_ - oldest), all_curves[c].colour, ImDrawFlags_None,
+                             1.5f);
         }
 
         // Title, axis and legend

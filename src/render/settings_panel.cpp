@@ -28,7 +28,7 @@ std::string capitalised(std::string text) {
 }
 
 // "%.4g N/m"
-std::string number_format(const Setting& setting) { return "%.4g" + (setting.unit.empty() ? "" : " " + setting.unit); }
+std::string number_format(const Setting& setting) { return "%.12g" + (setting.unit.empty() ? "" : " " + setting.unit); }
 
 // What is said of a setting under the pointer
 void tooltip(const Setting& setting) {
@@ -55,12 +55,9 @@ std::optional<SettingValue> edited_choice(const Setting& setting, const SettingV
     return chosen;
 }
 
-// Of the first cloth, ball or solid; nothing where there is none
+// Of the first of its section; nothing where there is none
 std::optional<SettingValue> first_value(const Setting& setting, const Settings& settings) {
-    const bool absent = (setting.section == "cloth" && settings.cloths.empty()) ||
-                        (setting.section == "ball" && settings.balls.empty()) ||
-                        (setting.section == "solid" && settings.solids.empty());
-    if (absent) return std::nullopt;
+    if (section_count(settings, setting) == 0) return std::nullopt;
     return setting.read(settings, 0);
 }
 
@@ -74,6 +71,7 @@ double default_number(const Setting& setting) {
     Settings defaults;
     defaults.balls.resize(1);
     defaults.solids.resize(1);
+    defaults.pins.resize(1);
     return first_number(setting, defaults);
 }
 
@@ -89,8 +87,7 @@ SliderScale slider_scale(const Setting& setting, double scene_value) {
     if (scene_value == 0) return {std::max(range.low, 0.0), std::min(range.high, 1.0), false};
     const bool is_narrow = range.low == 0 && range.high <= narrow * scene_value;
     if (is_narrow) return {range.low, range.high, false};
-    const double low = range.low > 0 ? std::max(range.low, scene_value / decades) : 0;
-    return {low, std::min(range.high, scene_value * decades), true};
+    return {std::max(range.low, scene_value / decades), std::min(range.high, scene_value * decades), true};
 }
 
 bool has_panel_row(const Setting& setting) {
@@ -133,7 +130,9 @@ void SettingsPanel::draw(const Settings& settings, const OverlayPage& page) {
 }
 
 void SettingsPanel::row(const Setting& setting, const Settings& settings) {
-    const std::string name = setting.full_name();
+    // Of several cloths, balls, solids or pins the first is shown and changed
+    const std::size_t count = section_count(settings, setting);
+    const std::string name = count > 1 ? setting.section + "[0]." + setting.name : setting.full_name();
     const SettingValue value = setting.read(settings, 0);
     ImGui::PushID(name.c_str());
     ImGui::SetNextItemWidth(0.48f * width_);
@@ -173,23 +172,20 @@ std::optional<SettingValue> SettingsPanel::edited_number(const Setting& setting,
     const SliderScale scale = slider_scale(setting, first_number(setting, scene_));
     ImGuiSliderFlags flags = ImGuiSliderFlags_NoRoundToFormat;
     if (scale.logarithmic) flags |= ImGuiSliderFlags_Logarithmic;
-    double changed = value;
     const std::string format = setting.kind == SettingKind::Integer ? "%.0f" : number_format(setting);
+    const bool is_held = held_setting_ == setting.full_name();
+    double changed = is_held ? held_values_.front() : value;
     const bool moved =
         ImGui::SliderScalar("##value", ImGuiDataType_Double, &changed, &scale.low, &scale.high, format.c_str(), flags);
-    const bool is_held = held_setting_ == setting.full_name();
-    if (moved && ImGui::GetIO().WantTextInput) {
+    const bool is_active = ImGui::IsItemActive();
+    if (is_active && ImGui::GetIO().WantTextInput && !ImGui::IsMouseDown(ImGuiMouseButton_Left)) {
         // Half a number is none: what is typed counts once it is whole
         held_setting_ = setting.full_name();
         held_values_ = {changed};
         return std::nullopt;
     }
-    if (is_held && !ImGui::IsItemActive()) {
-        changed = held_values_.front();
-        held_setting_.clear();
-    } else if (!moved || is_held) {
-        return std::nullopt;
-    }
+    if (is_held) held_setting_.clear();
+    if (!moved && !is_held) return std::nullopt;
     changed = setting.kind == SettingKind::Integer ? std::round(changed) : rounded(changed);
     changed = std::clamp(changed, setting.range.low, setting.range.high);
     if (changed == value) return std::nullopt;

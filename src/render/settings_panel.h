@@ -24,11 +24,15 @@ SliderScale slider_scale(const Setting& setting, double scene_value);
 bool has_panel_row(const Setting& setting);
 
 /// The panel of every setting at the right, made from the table of settings, with Dear ImGui's widgets: a slider, a box
-/// or a list each, the help under the pointer, and a button back to the scene's value. It changes nothing by itself.
+/// or a list each, the help under the pointer, and a button back to the scene's value. Of several cloths, balls, solids
+/// or pins it has the first. It changes nothing by itself.
 class SettingsPanel {
 public:
     /// The values that the buttons lead back to.
-    void set_scene(const Settings& settings) { scene_ = settings; }
+    void set_scene(const Settings& settings) {
+        scene_ = settings;
+        held_setting_.clear();
+    }
 
     /// Makes the panel of a frame.
     void draw(const Settings& settings, const OverlayPage& page);
@@ -43,7 +47,10 @@ public:
     [[nodiscard]] float left() const { return width_ > 0 ? left_ : 0; }
 
     /// The panel is not shown.
-    void hide() { width_ = 0; }
+    void hide() {
+        width_ = 0;
+        held_setting_.clear();
+    }
 
 private:
     void row(const Setting& setting, const Settings& settings);

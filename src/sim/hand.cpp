@@ -169,8 +169,10 @@ void Hand::release(std::span<Cloth> cloths) {
     held_.reset();
 }
 
-void Hand::hold_in(std::size_t cloth, ClothModel& model) const {
-    if (held_ && held_->cloth == cloth) model.hold(held_->particle, true);
+void Hand::hold_in(std::size_t cloth, ClothModel& model) {
+    if (!held_ || held_->cloth != cloth) return;
+    held_->was_pinned = model.pinned(held_->particle);
+    model.hold(held_->particle, true);
 }
 
 void Hand::lead(std::span<Cloth> cloths, const Obstacles& obstacles, Real h) {

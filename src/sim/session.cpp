@@ -102,19 +102,20 @@ void Session::advance(double elapsed, double budget) {
         while (simulation_.paused() && simulation_.steps_wanted() > 0 && watch.seconds() < budget) step();
         return;
     }
-    const double speed = simulation_.settings().view.speed, longest = longest_frame * std::max(1.0, speed);
+    const double speed = simulation_.settings().view.speed, longest = longest_frame * speed;
     behind_ += std::max(0.0, elapsed) * speed;
-    dropped_ += std::max(0.0, behind_ - longest);
-    behind_ = std::min(behind_, longest);
+    const double kept = std::min(behind_, std::max(longest, dt()));
+    dropped_ += behind_ - kept;
+    behind_ = kept;
     while (!simulation_.paused() && behind_ >= dt()) {
         behind_ -= dt();
         step();
         if (watch.seconds() < budget || behind_ < dt()) continue;
 
         // The machine cannot keep up: what is left of whole steps is dropped
-        const double kept = std::fmod(behind_, dt());
-        dropped_ += behind_ - kept;
-        behind_ = kept;
+        const double rest = std::fmod(behind_, dt());
+        dropped_ += behind_ - rest;
+        behind_ = rest;
     }
 }
 

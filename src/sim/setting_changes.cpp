@@ -35,15 +35,6 @@ Target find_target(std::string_view name) {
     return {&find_setting(plain), static_cast<std::size_t>(*index)};
 }
 
-/// How many times a section stands in the settings.
-std::size_t section_count(const Settings& settings, const Setting& setting) {
-    if (setting.section == "cloth") return settings.cloths.size();
-    if (setting.section == "ball") return settings.balls.size();
-    if (setting.section == "solid") return settings.solids.size();
-    if (setting.section == "pins") return settings.pins.size();
-    return 1;
-}
-
 /// The cloths, balls, solids or pins that a target means: all of its section, or the one it names.
 /// @throws InputError if there is none
 std::pair<std::size_t, std::size_t> range_of(const Settings& settings, const Target& target) {
@@ -177,6 +168,14 @@ void check_self_contact(const Settings& settings) {
 }
 
 }  // namespace
+
+std::size_t section_count(const Settings& settings, const Setting& setting) {
+    if (setting.section == "cloth") return settings.cloths.size();
+    if (setting.section == "ball") return settings.balls.size();
+    if (setting.section == "solid") return settings.solids.size();
+    if (setting.section == "pins") return settings.pins.size();
+    return 1;
+}
 
 void assign(Settings& settings, std::string_view assignment) {
     const std::size_t equals = assignment.find('=');

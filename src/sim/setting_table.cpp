@@ -289,7 +289,7 @@ void add_the_rest(std::vector<Setting>& table) {
     SectionRows<ViewSettings> view(
         "view", [](Settings& s, std::size_t) -> ViewSettings& { return s.view; }, table);
     view.choice("panel", &ViewSettings::panel, "how much the stats panel shows");
-    view.number("text_scale", &ViewSettings::text_scale, "", {0.5, 4}, "size of the text, which follows the window's");
+    view.number("text_scale", &ViewSettings::text_scale, "", {0.5, 4}, "text size; it scales with the window");
     view.flag("controls", &ViewSettings::controls, "show the settings panel, in the window");
     view.flag("plots", &ViewSettings::plots, "plot times, energy, contacts, nodes and dt / limit of the last 10 s");
     view.flag("help", &ViewSettings::help, "show keys and menu");

@@ -122,6 +122,10 @@ void Simulation::load(const std::string& scene) {
     start_ = find_start(settings);
     solids_ = std::move(solids);
     scene_ = scene;
+    // How the user has the window, whatever is in it
+    settings.view.text_scale = settings_.view.text_scale;
+    settings.view.controls = settings_.view.controls;
+    settings.view.plots = settings_.view.plots;
     settings_ = std::move(settings);
     motion_by_scene_.reset();
     restart();

@@ -53,6 +53,18 @@ TEST(PinCommand, LeavesOutWhatTheHandHolds) {
     EXPECT_FALSE(simulation.cloths()[0].model.pinned(17));
 }
 
+TEST(PinCommand, CountsForWhatTheHandHolds) {
+    Simulation simulation = pinned_simulation();
+    send(simulation, "grab 0 0");
+    send(simulation, "set cloth.pinned=none");
+    send(simulation, "release");
+    EXPECT_FALSE(simulation.cloths()[0].model.pinned(0));
+    send(simulation, "grab 0 40");
+    send(simulation, "pin 0 40");
+    send(simulation, "release");
+    EXPECT_TRUE(simulation.cloths()[0].model.pinned(40));
+}
+
 TEST(PinCommand, IsRefusedForParticlesThatDoNotExist) {
     Simulation simulation = pinned_simulation();
     EXPECT_THAT(test::input_error_of([&] { send(simulation, "pin 1 0"); }), testing::HasSubstr("pin: cloth 1"));

@@ -44,7 +44,7 @@ public:
     [[nodiscard]] bool holds() const { return held_.has_value(); }
 
     /// Holds its particle in a model that was made again.
-    void hold_in(std::size_t cloth, ClothModel& model) const;
+    void hold_in(std::size_t cloth, ClothModel& model);
 
     /// Gives the particle the velocity that takes it towards the target, and counts the work of that.
     void lead(std::span<Cloth> cloths, const Obstacles& obstacles, Real h);

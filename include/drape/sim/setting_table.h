@@ -46,6 +46,10 @@ struct Setting {
 /// All settings, in the order of the scene file.
 std::span<const Setting> setting_table();
 
+/// How many times the section of a setting stands in the settings: for cloths, balls, solids and pins as many as there
+/// are, else once.
+std::size_t section_count(const Settings& settings, const Setting& setting);
+
 /// The setting called `name`: its full name ("solver.dt") or, where only one setting ends so, its short one ("dt").
 /// @throws InputError that names the nearest known one, or the candidates of a short name that fits several
 const Setting& find_setting(std::string_view name);
