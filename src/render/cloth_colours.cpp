@@ -47,7 +47,7 @@ void depths(const ClothView& cloth, float* values) {
     }
 }
 
-// In the scale's unit
+// Of the scale in one SI unit
 double units_in_one(ColourBy by) { return by == ColourBy::Strain ? 100 : by == ColourBy::Depth ? 1000 : 1; }
 
 ColourScale scale_of(ColourBy by) {
@@ -114,7 +114,7 @@ void ClothColours::collect_values(const FrameView& view) {
     for (float& value : values_) value *= static_cast<float>(units / scale_.most);
 }
 
-// Nodes lie like the fields of a board, so that two colours along rows and two along columns part neighbours
+// Nodes lie like the squares of a chessboard: two colours along rows and two along columns keep neighbours apart
 void ClothColours::collect_groups(const FrameView& view) {
     const int shown = shown_level(view).level;
     float* values = values_.data();
