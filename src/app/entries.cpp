@@ -31,6 +31,8 @@ std::vector<Entry> make_entries(const std::vector<std::string>& scenes) {
         {"", {"Space", "P"}, "Pause / Resume", "pause"},
         {"", {"O", "."}, "Single step", "step 1"},
         {"", {"Shift+O"}, "Single frame of 1/60 s", "step 1", Manner::OneFrame},
+        {"", {","}, "One step back", "step 1", Manner::StepBack, "One step back, 1/60 s back"},
+        {"", {"<"}, "1/60 s back", "step 1", Manner::FrameBack, "One step back, 1/60 s back"},
         {"", {"R"}, "Reset", "reset"},
         {"", {"Shift+R"}, "Reset with a stable time step", "reset", Manner::SafeStep},
     };

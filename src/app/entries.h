@@ -13,6 +13,8 @@ enum class Manner {
     Once,       ///< as the key goes down
     WhileHeld,  ///< a `steer` as the viewer sees it (right, up, ahead), until the key goes up
     Aimed,      ///< a `throw` from the viewer's side to where the view looks
+    StepBack,   ///< one step back in time
+    FrameBack,  ///< as many as one displayed frame takes
     OneFrame,   ///< a `step` of as many steps as one displayed frame takes
     SafeStep,   ///< a `reset` after a time step at 0.9 of the stability limit, where there is one
     Slower,     ///< half the speed of time

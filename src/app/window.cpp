@@ -37,6 +37,7 @@ Window::Window(Session& session, PictureSize size, const StopSignals& signals, b
     window_ = glutCreateWindow("Drape");
     glewExperimental = GL_TRUE;
     if (glewInit() != GLEW_OK) throw RunError("this display does not give access to OpenGL's functions");
+    session_.keep_history({});
     renderer_ = std::make_unique<Renderer>();
     renderer_->set_help(help_lines(entries_));
     renderer_->set_hint(first_hints());
@@ -78,12 +79,8 @@ void Window::on_tick() {
     tell_of_crossings();
 
     const Simulation& simulation = session_.simulation();
-    if (simulation.report().status == Status::Ok) {
-        failure_file_.clear();
-    } else if (failure_file_.empty()) {
-        failure_file_ = tell_failure(simulation, "");
-        std::cerr << "drape: " << simulation.report().trouble << "\n" << failure_file_ << "\n";
-    }
+    tell_of_failure();
+    tell_of_takeover();
     if (simulation.report().status == Status::Diverged &&
         simulation.settings().solver.on_unstable == OnUnstable::Stop) {
         failure_ = std::make_exception_ptr(RunError(simulation.report().trouble));
@@ -108,15 +105,14 @@ void Window::schedule() {
 void Window::on_display() {
     if (closed_ || !drawable()) return;
     const Stopwatch watch;
-    draw();
+    draw(session_.view());
     renderer_->present();
     glutSwapBuffers();
     picture_time_ = watch.seconds();
     dirty_ = false;
 }
 
-void Window::draw() {
-    const FrameView view = session_.view();
+void Window::draw(FrameView view) {
     std::vector<std::string> lines = notices_.lines(session_.replay_notice());
     if (!view.report->trouble.empty()) {
         lines.push_back(view.report->trouble);
@@ -164,6 +160,22 @@ void Window::tell_of_crossings() {
     crossings_told_ = starts;
 }
 
+// Once, however often the user comes back to it
+void Window::tell_of_failure() {
+    const Simulation& simulation = session_.simulation();
+    const std::string& trouble = simulation.report().trouble;
+    if (simulation.report().status == Status::Ok || trouble == told_failure_) return;
+    told_failure_ = trouble;
+    failure_file_ = tell_failure(simulation, "");
+    std::cerr << "drape: " << trouble << "\n" << failure_file_ << "\n";
+}
+
+void Window::tell_of_takeover() {
+    if (session_.takeover_notice() == takeover_) return;
+    takeover_ = session_.takeover_notice();
+    notices_.add("takeover", takeover_);
+}
+
 void Window::tell_of_drops() {
     const double dropped = session_.dropped();
     if (dropped < dropped_ + 0.1) return;
@@ -185,6 +197,7 @@ void Window::start_scene() {
 }
 
 void Window::take_panel_changes() {
+    if (const auto step = renderer_->take_wanted_step()) go_to(*step);
     for (const std::string& change : renderer_->take_changes()) carry_out(command::Set{change});
 }
 

@@ -74,6 +74,8 @@ private:
     void give(const Entry& entry);
     [[nodiscard]] std::vector<Command> commands_of(const Entry& entry);
     [[nodiscard]] std::vector<Command> safe_step();
+    [[nodiscard]] std::int64_t steps_of_a_frame() const;
+    void go_to(std::int64_t step);
     [[nodiscard]] std::vector<Command> go_to_stop(int stop);
     void show_stop();
     void forget_hint();
@@ -83,10 +85,12 @@ private:
     void follow_replay();
     void tell_of_drops();
     void tell_of_crossings();
+    void tell_of_failure();
+    void tell_of_takeover();
     void tell_whose_ball();
     void start_scene();
     void show_title();
-    void draw();
+    void draw(FrameView view);
     void take_picture();
     void schedule();
     void leave();
@@ -104,7 +108,9 @@ private:
     std::optional<Menu> menu_;
     Stopwatch clock_;  ///< since the last tick
     std::exception_ptr failure_;
-    std::string failure_file_;      // what tells of the file of the failure that is on show
+    std::string failure_file_;      // what tells of the file of the last failure
+    std::string told_failure_;      ///< of which it tells
+    std::string takeover_;          ///< of which the user was told
     std::string scene_;             ///< that the camera was set for
     double frame_time_ = 1.0 / 60;  ///< from tick to tick [s]
     double picture_time_ = 0;       ///< that the last picture took, its way to the display included [s]

@@ -106,6 +106,8 @@ void Window::on_choice(int number) {
 }
 
 void Window::give(const Entry& entry) {
+    if (entry.manner == Manner::StepBack) return go_to(session_.timeline().now - 1);
+    if (entry.manner == Manner::FrameBack) return go_to(session_.timeline().now - steps_of_a_frame());
     const std::vector<Command> commands = commands_of(entry);
     const bool of_the_tour = entry.manner == Manner::NextStop || entry.manner == Manner::StopBefore;
     for (const Command& command : commands) {
@@ -166,7 +168,7 @@ void Window::on_button(int button, int state, int x, int y) {
 }
 
 bool Window::at_panel(const PanelPointer& pointer) {
-    if (!session_.simulation().settings().view.controls) return false;
+    if (!session_.simulation().settings().view.controls && !renderer_->shows_timeline()) return false;
     constexpr int frames = 8;  // that a press, a release and what follows from them take to be seen
     renderer_->point(pointer);
     panel_frames_ = frames;
@@ -203,7 +205,7 @@ std::vector<Command> Window::commands_of(const Entry& entry) {
         case Manner::Aimed:
             return {camera_.aimed_throw()};
         case Manner::OneFrame:
-            return {command::Step{std::max(1, static_cast<int>(std::lround(1.0 / 60 / settings.solver.dt)))}};
+            return {command::Step{static_cast<int>(steps_of_a_frame())}};
         case Manner::SafeStep:
             return safe_step();
         case Manner::NextStop:
@@ -217,6 +219,18 @@ std::vector<Command> Window::commands_of(const Entry& entry) {
         default:
             return {parse_command(entry.command)};
     }
+}
+
+std::int64_t Window::steps_of_a_frame() const {
+    return std::max(1L, std::lround(1.0 / 60 / session_.simulation().settings().solver.dt));
+}
+
+void Window::go_to(std::int64_t step) {
+    dirty_ = true;
+    if (session_.timeline().bytes == 0) return notices_.add("time", "This scene is too large to go back in");
+    pointer_.forget();
+    session_.go_to(step);
+    if (step < session_.timeline().oldest) notices_.add("time", "Nothing is kept of what was before");
 }
 
 std::vector<Command> Window::go_to_stop(int stop) {
@@ -263,7 +277,9 @@ bool Window::carry_out(const Command& command) {
 void Window::take_picture() {
     if (!drawable() || closed_) return;
     try {
-        draw();
+        FrameView view = session_.view();
+        view.timeline = {};  // it is no part of the picture
+        draw(view);
         Image picture = renderer_->read_back();
         const Simulation& simulation = session_.simulation();
         picture.texts = {{"Software", std::string("Drape ") + DRAPE_VERSION},

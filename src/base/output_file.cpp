@@ -78,6 +78,13 @@ void OutputFile::flush() {
     if (!out_.flush()) throw RunError(name_ + ": could not be written whole" + buffer_->reason());
 }
 
+bool OutputFile::cut_at(std::int64_t byte) {
+    flush();
+    if (!unfinished_ || ftruncate(buffer_->fd(), byte) != 0) return false;
+    out_.seekp(byte);
+    return static_cast<bool>(out_);
+}
+
 void OutputFile::end_stream() {
     flush();
     if (buffer_->close() == nullptr) throw RunError(name_ + ": could not be written whole: " + std::strerror(errno));

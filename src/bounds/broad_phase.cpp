@@ -10,6 +10,8 @@ class BruteForce final : public BroadPhase {
 public:
     explicit BruteForce(const Grid& grid) : grid_(grid) {}
 
+    [[nodiscard]] std::unique_ptr<BroadPhase> clone() const override { return std::make_unique<BruteForce>(*this); }
+
     void build(const Points& /*x*/) override {}
     void build(const Points& /*from*/, const Points& /*to*/) override {}
     TraversalStats query(const Ball& /*ball*/, Candidates& found) override { return all(found); }

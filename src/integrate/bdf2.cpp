@@ -1,5 +1,3 @@
-#include <cstdint>
-
 #include "drape/model/force_sweep.h"
 #include "methods.h"
 #include "newton_system.h"
@@ -20,21 +18,25 @@ public:
     Bdf2(const IntegratorParameters& parameters, const Grid& grid)
         : forces_(grid, parameters.kernels),
           system_(grid, parameters.hessian, parameters.kernels),
-          before_{Points(grid.particles(), 3), Points(grid.particles(), 3)},
-          left_{Points(grid.particles(), 3), Points(grid.particles(), 3)},
+          last_{.from = {Points(grid.particles(), 3), Points(grid.particles(), 3)},
+                .to = {Points(grid.particles(), 3), Points(grid.particles(), 3)}},
           dx_(grid.particles(), 3),
           r_(grid.particles(), 3),
           dv_(grid.particles(), 3) {}
 
+    [[nodiscard]] StepBefore step_before() const override { return last_; }
+    void go_on_after(const StepBefore& step) override { last_ = step; }
+
     SolveReport step(const ClothModel& model, ClothState& state, Real h, EnergyFlow* start) override {
-        const bool goes_on = h == h_ && model.revision == revision_ && state.x == left_.x && state.v == left_.v;
-        h_ = h;
-        revision_ = model.revision;
+        const bool goes_on =
+            h == last_.h && model.revision == last_.revision && state.x == last_.to.x && state.v == last_.to.v;
+        last_.h = h;
+        last_.revision = model.revision;
 
         // s and the known part of dx = x_{n+1} - x_n; backward Euler is s = h without a past
         const Real s = goes_on ? 2 * h / 3 : h;
         if (goes_on) {
-            dx_ = (state.x - before_.x) / 3 + s * state.v;
+            dx_ = (state.x - last_.from.x) / 3 + s * state.v;
         } else {
             dx_ = s * state.v;
         }
@@ -42,7 +44,7 @@ public:
         system_.linearise(model, state.x, state.v);
         system_.add_stiffness(-1, dx_, r_);
         r_ *= s;
-        if (goes_on) r_ += (model.particle_mass / 3) * (state.v - before_.v);
+        if (goes_on) r_ += (model.particle_mass / 3) * (state.v - last_.from.v);
         const krylov::Outcome solved = system_.solve(model, s, r_, dv_);
 
         dx_ += s * dv_;
@@ -53,20 +55,18 @@ public:
 private:
     /// By dx and dv, and keeps both ends of the step.
     void advance(const ClothModel& model, Real h, ClothState& state) {
-        before_ = state;
+        last_.from = state;
         for (int p = 0; p < model.grid.particles(); ++p) {
             if (model.pinned(p)) dx_.row(p) = h * state.v.row(p);
         }
         state.x += dx_;
         state.v += dv_;
-        left_ = state;
+        last_.to = state;
     }
 
     ForceSweep forces_;
     NewtonSystem system_;
-    ClothState before_, left_;
-    Real h_ = 0;  ///< of the last step; 0 before the first
-    std::uint64_t revision_ = 0;
+    StepBefore last_;
     Points dx_, r_, dv_;
 };
 

@@ -171,8 +171,9 @@ void OverlayPanels::type(unsigned char code) { input_.typed += static_cast<char>
 bool OverlayPanels::have_pointer() const {
     ImGui::SetCurrentContext(context_.get());
     const PanelPointer& pointer = input_.last();
-    return settings.covers(static_cast<float>(pointer.x), static_cast<float>(pointer.y)) ||
-           (settings.left() > 0 && ImGui::GetIO().WantCaptureMouse);
+    const auto x = static_cast<float>(pointer.x), y = static_cast<float>(pointer.y);
+    const bool shown = settings.left() > 0 || timeline.shown();
+    return settings.covers(x, y) || timeline.covers(x, y) || (shown && ImGui::GetIO().WantCaptureMouse);
 }
 
 bool OverlayPanels::have_keyboard() const {
@@ -180,9 +181,8 @@ bool OverlayPanels::have_keyboard() const {
     return settings.left() > 0 && ImGui::GetIO().WantTextInput;
 }
 
-void OverlayPanels::hide_settings() {
-    settings.hide();
-    input_ = {};
+void OverlayPanels::forget_input() {
+    if (settings.left() == 0 && !timeline.shown()) input_ = {};
 }
 
 void OverlayPanels::hand_over_input() {
@@ -216,9 +216,12 @@ bool OverlayPanels::build(const FrameView& view, const FrameReport& last, std::s
     plots_.keep(view);
     const bool showing_help = shown.help && !help.empty();
     const bool showing_panel = shown.panel != PanelSize::Off;
+    const bool showing_time = TimelinePanel::is_due(view.timeline, view.paused);
     const bool nothing = !showing_panel && !showing_help && notices.empty() && hint.empty() && !shown.controls;
-    if (width < least_width || height < least_height || (nothing && !shown.plots)) {
-        hide_settings();
+    if (width < least_width || height < least_height || (nothing && !shown.plots && !showing_time)) {
+        settings.hide();
+        timeline.hide();
+        forget_input();
         return false;
     }
 
@@ -237,6 +240,8 @@ bool OverlayPanels::build(const FrameView& view, const FrameReport& last, std::s
     ImGui::Begin("overlay", nullptr, window_flags);
     OverlayPage page{w, h, margin};
     if (shown.plots) page.height -= plots_.draw(page);
+    const OverlayPage above_plots = page;
+    if (showing_time) page.height -= TimelinePanel::height(page);
     Between room{margin, settings.left() > 0 ? settings.left() - margin : w - margin};
     const float right = room.right;
     float legends_left = right;
@@ -254,8 +259,14 @@ bool OverlayPanels::build(const FrameView& view, const FrameReport& last, std::s
     if (shown.controls) {
         settings.draw(*view.settings, page);
     } else {
-        hide_settings();
+        settings.hide();
     }
+    if (showing_time) {
+        timeline.draw(view.timeline, above_plots);
+    } else {
+        timeline.hide();
+    }
+    forget_input();
     ImGui::PopFont();
     ImGui::Render();
     return ImGui::GetDrawData()->TotalIdxCount > 0;

@@ -12,6 +12,7 @@
 #include "hierarchy_panel.h"
 #include "plots_panel.h"
 #include "settings_panel.h"
+#include "timeline_panel.h"
 
 struct ImFont;
 struct ImGuiContext;
@@ -38,6 +39,7 @@ public:
     [[nodiscard]] bool have_keyboard() const;
 
     SettingsPanel settings;
+    TimelinePanel timeline;
     std::vector<KeyHelp> help;
     std::vector<KeyHelp> hint;  ///< what to try first; empty: not shown
     ColourScale colours;        ///< of the cloth in this frame
@@ -53,7 +55,7 @@ private:
 
     void hand_over_input();
 
-    void hide_settings();
+    void forget_input();
 
     /// What has come and was not seen yet: each frame sees one press or release, where it was.
     struct Input {

@@ -99,6 +99,10 @@ bool Renderer::panel_has_keyboard() const { return parts_->panels.have_keyboard(
 
 std::vector<std::string> Renderer::take_changes() { return parts_->panels.settings.take_changes(); }
 
+bool Renderer::shows_timeline() const { return parts_->panels.timeline.shown(); }
+
+std::optional<std::int64_t> Renderer::take_wanted_step() { return parts_->panels.timeline.take_wanted(); }
+
 void Renderer::draw(const FrameView& view, const Camera& camera, std::span<const std::string> notices) {
     Parts& parts = *parts_;
     if (!parts.target) return;

@@ -192,4 +192,13 @@ bool changes_state(const Command& command) {
     return std::visit([]<class C>(const C&) { return !command::OfThePicture<C>; }, command);
 }
 
+bool changes_motion(const Command& command) {
+    const auto of_the_view = [](std::string_view setting) { return setting.starts_with("view."); };
+    if (std::holds_alternative<command::Pause>(command) || std::holds_alternative<command::Step>(command)) return false;
+    if (const auto* set = std::get_if<command::Set>(&command)) return !of_the_view(set->assignment);
+    if (const auto* next = std::get_if<command::Next>(&command)) return !of_the_view(next->setting);
+    if (const auto* add = std::get_if<command::Add>(&command)) return !of_the_view(add->setting);
+    return changes_state(command);
+}
+
 }  // namespace drape

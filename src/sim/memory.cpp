@@ -6,6 +6,7 @@
 #include "drape/bounds/node_view.h"
 #include "drape/contact/contact.h"
 #include "drape/integrate/method_memory.h"
+#include "drape/sim/simulation.h"
 
 namespace drape {
 namespace {
@@ -54,6 +55,20 @@ MemoryNeed memory_needed(const Settings& settings) {
         need.method += bytes_of_method(integrator_of(settings.solver), grid);
     }
     return need;
+}
+
+double moment_bytes(const Simulation& simulation) {
+    const Settings& settings = simulation.settings();
+    constexpr double numbers_of_start = 6, numbers_of_step_before = 12;
+    double bytes = sizeof(Simulation);
+    for (const Cloth& cloth : simulation.cloths()) {
+        const Grid& grid = cloth.model.grid;
+        const double all = numbers + ledger_numbers + numbers_of_start + numbers_of_step_before;
+        bytes += grid.particles() * sizeof(Real) * all + hierarchy_bytes(settings.contact, grid) +
+                 self_contact_bytes(settings.contact, grid) +
+                 3 * static_cast<double>(cloth.contacts.size() * sizeof(Contact));
+    }
+    return bytes;
 }
 
 std::string memory_text(const Settings& settings) {

@@ -1,5 +1,6 @@
 #include "drape/sim/recording.h"
 
+#include <algorithm>
 #include <charconv>
 
 #include "drape/base/input_error.h"
@@ -102,11 +103,25 @@ Recorder::Recorder(const std::string& file, const std::string& scene, const std:
     file_.flush();
 }
 
+void Recorder::begin_line(std::int64_t step) { lines_.push_back({step, file_.stream().tellp(), paused_}); }
+
+bool Recorder::cut_after(std::int64_t step) {
+    const auto later = std::ranges::upper_bound(lines_, step, {}, &Line::step);
+    if (later != lines_.end() && !file_.cut_at(later->begin)) return false;
+    if (later != lines_.end()) paused_ = later->paused;
+    lines_.erase(later, lines_.end());
+    return true;
+}
+
 void Recorder::write(std::int64_t step, const Command& command) {
+    begin_line(step);
+    if (std::holds_alternative<command::Pause>(command)) paused_ = !paused_;
+    if (std::holds_alternative<command::Step>(command)) paused_ = true;
     file_.stream() << step << ' ' << command_text(command) << std::endl;
 }
 
 void Recorder::write_hash(std::int64_t step, std::uint64_t hash) {
+    begin_line(step);
     file_.stream() << step << " hash " << hash_text(hash) << std::endl;
 }
 

@@ -2,10 +2,12 @@
 
 #include <algorithm>
 #include <cmath>
+#include <iterator>
 #include <limits>
 #include <utility>
 
 #include "drape/base/input_error.h"
+#include "drape/base/numbers.h"
 #include "drape/base/stopwatch.h"
 
 namespace drape {
@@ -44,39 +46,128 @@ void Session::record(const std::string& file, const std::vector<std::string>& as
 
 void Session::replay(Recording recording) {
     replay_ = std::move(recording);
-    next_entry_ = 0;
-    if (replay_.entries.empty()) say_cut();
-    play_due_entries();
+    log_.assign(std::make_move_iterator(replay_.entries.begin()), std::make_move_iterator(replay_.entries.end()));
+    last_step_ = replay_.last_step.value_or(log_.empty() ? 0 : log_.back().step);
+    replay_.entries.clear();
+    first_entry_ = next_entry_ = 0;
+    play_due_entries(true);
+    if (log_.empty()) say_cut();
+}
+
+void Session::keep_history(HistoryLimits limits) {
+    history_.emplace(limits);
+    begin_history();
 }
 
 void Session::send(const Command& command) {
-    simulation_.apply(command);
-    if (recorder_) recorder_->write(steps_made_, command);
-}
-
-void Session::play_due_entries() {
-    if (next_entry_ == replay_.entries.size()) return;
-    while (next_entry_ < replay_.entries.size() && replay_.entries[next_entry_].step <= steps_made_) {
-        play(replay_.entries[next_entry_++]);
+    // A command that is refused takes nothing over
+    if (any_lies_ahead() && changes_motion(command)) {
+        Simulation trial = simulation_;
+        trial.apply(command);
+        take_over();
     }
-    if (next_entry_ == replay_.entries.size()) say_cut();
+    carry_out(command, steps_made_ >= newest_);
+    if (!history_ || !changes_motion(command)) return;
+    log_.push_back({steps_made_, command});
+    next_entry_ = end_of_log();
+    if (std::holds_alternative<command::LoadScene>(command)) begin_history();
 }
 
-void Session::play(const RecordedEntry& entry) {
+void Session::carry_out(const Command& command, bool is_new) {
+    simulation_.apply(command);
+    if (is_new && recorder_) recorder_->write(steps_made_, command);
+}
+
+/// There is no way back from here.
+void Session::begin_history() {
+    history_->forget();
+    pass_moment();
+}
+
+void Session::pass_moment() {
+    history_->pass(steps_made_, next_entry_, dt() / simulation_.settings().view.speed, simulation_);
+    const std::size_t first = history_->empty() ? next_entry_ : history_->oldest().next_entry;
+    for (; first_entry_ < first; ++first_entry_) log_.pop_front();
+}
+
+bool Session::any_lies_ahead() const { return next_entry_ < end_of_log() || steps_made_ < known_end(); }
+
+std::int64_t Session::known_end() const { return std::max(newest_, last_step_); }
+
+void Session::take_over() {
+    const double seconds = static_cast<double>(known_end() - steps_made_) * dt();
+    takeover_notice_ = steps_made_ >= newest_
+                           ? "You take over from the replay before step " + std::to_string(steps_made_)
+                           : "You go on from here: the " + real_text(seconds, 3) + " s that came after are forgotten";
+    log_.resize(next_entry_ - first_entry_);
+    target_.reset();
+    newest_ = last_step_ = steps_made_;
+    if (history_) history_->forget_after(steps_made_);
+    if (recorder_ && !recorder_->cut_after(steps_made_)) {
+        takeover_notice_ += "; the recording cannot be cut back, and keeps them";
+    }
+    for (const Command& command : simulation_.commands_to_let_go()) send(command);
+}
+
+void Session::go_to(std::int64_t step) {
+    if (!history_ || history_->empty()) return;
+    if (!simulation_.paused()) simulation_.apply(command::Pause{});
+    if (!any_lies_ahead()) {
+        for (const Command& command : simulation_.commands_to_let_go()) send(command);
+    }
+    step = std::clamp(step, history_->oldest().step, known_end());
+    const History::Moment& moment = *history_->before(step);
+    if (step < steps_made_ || moment.step > steps_made_) {
+        simulation_.go_to(moment.simulation);
+        steps_made_ = moment.step;
+        next_entry_ = moment.next_entry;
+        play_due_entries(false);
+    }
+    target_ = step;
+    behind_ = 0;
+}
+
+Timeline Session::timeline() const {
+    const bool has_past = history_ && !history_->empty();
+    return {.oldest = has_past ? history_->oldest().step : steps_made_,
+            .now = target_.value_or(std::min(steps_made_, known_end())),
+            .newest = known_end(),
+            .dt = dt(),
+            .bytes = has_past ? history_->bytes() : 0,
+            .replay = last_step_ > newest_};
+}
+
+FrameView Session::view() {
+    FrameView view = simulation_.view(blend());
+    view.timeline = timeline();
+    return view;
+}
+
+void Session::play_due_entries(bool is_new) {
+    if (next_entry_ == end_of_log()) return;
+    while (next_entry_ < end_of_log() && log_[next_entry_ - first_entry_].step <= steps_made_) {
+        const RecordedEntry entry = log_[next_entry_++ - first_entry_];
+        play(entry, is_new);
+    }
+    if (next_entry_ == end_of_log()) say_cut();
+}
+
+void Session::play(const RecordedEntry& entry, bool is_new) {
     if (const auto* hash = std::get_if<std::uint64_t>(&entry.content)) {
         if (*hash != simulation_.hash()) differ("first seen before step " + std::to_string(entry.step));
         return;
     }
     const Command& command = std::get<Command>(entry.content);
     try {
-        send(command);
+        carry_out(command, is_new);
     } catch (const InputError& error) {
         // It was carried out when it was recorded
         differ(replay_.file + ":" + std::to_string(entry.line) + ": '" + shortened(command_text(command)) +
                "' is refused: " + error.what());
         return;
     }
-    view_commands_.push_back(command);
+    if (history_ && std::holds_alternative<command::LoadScene>(command)) begin_history();
+    if (is_new) view_commands_.push_back(command);
 }
 
 void Session::differ(const std::string& how) {
@@ -85,19 +176,40 @@ void Session::differ(const std::string& how) {
 }
 
 void Session::say_cut() {
-    if (replay_.notice.empty()) return;
+    if (replay_.notice.empty() || std::exchange(cut_was_said_, true)) return;
     replay_notice_ += (replay_notice_.empty() ? "" : "; ") + replay_.notice;
 }
 
 void Session::step() {
+    const bool is_new = steps_made_ >= newest_, is_over = simulation_.report().status != Status::Ok;
+    if (is_new && recorder_) go_on_recording();
     simulation_.step();
     ++steps_made_;
-    if (recorder_ && steps_made_ % hash_interval == 0) recorder_->write_hash(steps_made_, simulation_.hash());
-    play_due_entries();
+    if (is_new && recorder_ && steps_made_ % hash_interval == 0) {
+        recorder_->write_hash(steps_made_, simulation_.hash());
+    }
+    if (!is_over) newest_ = std::max(newest_, steps_made_);
+    play_due_entries(is_new);
+    if (!history_ || is_over) return;
+    if (is_new) {
+        pass_moment();
+    } else if (target_) {
+        history_->pass_again(steps_made_, next_entry_, *target_, simulation_);
+    }
+}
+
+/// A pause that ended in the past is not in the recording.
+void Session::go_on_recording() {
+    if (recorder_->paused() && !simulation_.paused()) recorder_->write(steps_made_, command::Pause{});
 }
 
 void Session::advance(double elapsed, double budget) {
     const Stopwatch watch;
+    if (target_) {
+        while (steps_made_ < *target_ && watch.seconds() < budget) step();
+        if (steps_made_ >= *target_) target_.reset();
+        return;
+    }
     if (simulation_.paused()) {
         while (simulation_.paused() && simulation_.steps_wanted() > 0 && watch.seconds() < budget) step();
         return;
@@ -144,9 +256,7 @@ bool Session::run_until(double time, const std::function<bool()>& stop) {
 }
 
 bool Session::run_replay(const std::function<bool()>& stop) {
-    const std::int64_t last_whole = replay_.entries.empty() ? 0 : replay_.entries.back().step;
-    const std::int64_t end = replay_.last_step.value_or(last_whole);
-    while (steps_made_ < end) {
+    while (steps_made_ < last_step_) {
         if (stop && stop()) return false;
         step();
     }

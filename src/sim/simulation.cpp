@@ -88,8 +88,8 @@ bool Simulation::integrate(const Substep& now) {
         cloth.model.air = air;
         Stopwatch watch;
         with_memory(settings_, [&] {
-            report_.solve += cloth.integrator->step(cloth.model, cloth.state, now.h,
-                                                    cloth.energy.start_of_step(cloth.model, cloth.state, cloth.held));
+            report_.solve += cloth.integrator.step(cloth.model, cloth.state, now.h,
+                                                   cloth.energy.start_of_step(cloth.model, cloth.state, cloth.held));
         });
         report_.times.step += watch.lap();
         cloth.search.positions_changed();

@@ -78,6 +78,22 @@ Simulation::Simulation(std::string scene, Settings settings, std::optional<Start
     with_memory(settings_, [&] { restart(); });
 }
 
+void Simulation::go_to(const Simulation& moment) {
+    const ViewSettings view = settings_.view;
+    const bool paused = paused_;
+    *this = moment;
+    settings_.view = view;
+    paused_ = paused;
+    steps_wanted_ = 0;
+}
+
+std::vector<Command> Simulation::commands_to_let_go() const {
+    std::vector<Command> commands;
+    if (!steer_.isZero(0)) commands.emplace_back(command::Steer{});
+    if (hand_.holds()) commands.emplace_back(command::Release{});
+    return commands;
+}
+
 void Simulation::restart() {
     give_ball_back();
     hand_ = {};
@@ -95,7 +111,7 @@ void Simulation::restart() {
         cloth.state = start_ ? start_->states[cloths_.size() - 1] : make_rest_state(parameters);
         stop_pins(cloth);
         cloth.previous = cloth.state;
-        cloth.integrator = make_integrator(integrator_of(settings_.solver), parameters.particles);
+        cloth.integrator.use(integrator_of(settings_.solver), parameters.particles);
         cloth.energy.restart(cloth.model, cloth.state, settings_.solver.kernels);
         cloth.energy.keep_ledger(settings_.solver.ledger, cloth.model, cloth.state);
         cloth.search.use(broad_phase_of(settings_), cloth.model.grid, cloth.state.x);
@@ -196,7 +212,7 @@ void Simulation::configure_cloth(std::size_t number, const Settings& before) {
         cloth.energy.restart(cloth.model, cloth.state, settings_.solver.kernels);
     }
     if (!same_integrator(before.solver, settings_.solver)) {
-        cloth.integrator = make_integrator(integrator_of(settings_.solver), cloth.model.grid);
+        cloth.integrator.use(integrator_of(settings_.solver), cloth.model.grid);
     }
     const BroadPhaseParameters hierarchy = broad_phase_of(settings_);
     if (hierarchy != broad_phase_of(before)) cloth.search.use(hierarchy, cloth.model.grid, cloth.state.x);

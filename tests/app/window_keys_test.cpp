@@ -14,9 +14,9 @@ using test::WindowTest;
 // An entry's key as xdotool calls it.
 std::string symbol_of(const std::string& key) {
     static const std::map<std::string, std::string> names{
-        {"Space", "space"},    {".", "period"},     {"?", "question"},   {"[", "bracketleft"},
-        {"]", "bracketright"}, {"-", "minus"},      {"=", "equal"},      {"+", "plus"},
-        {"Esc", "Escape"},     {"PageUp", "Prior"}, {"PageDown", "Next"}};
+        {"Space", "space"},   {".", "period"},       {",", "comma"},      {"<", "less"},  {"?", "question"},
+        {"[", "bracketleft"}, {"]", "bracketright"}, {"-", "minus"},      {"=", "equal"}, {"+", "plus"},
+        {"Esc", "Escape"},    {"PageUp", "Prior"},   {"PageDown", "Next"}};
     if (const auto found = names.find(key); found != names.end()) return found->second;
     if (key.starts_with("Shift+")) return "shift+" + symbol_of(key.substr(6));
     return key.size() == 1 && std::isupper(static_cast<unsigned char>(key[0])) != 0

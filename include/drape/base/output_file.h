@@ -2,6 +2,7 @@
 
 #include <ext/stdio_filebuf.h>
 
+#include <cstdint>
 #include <filesystem>
 #include <optional>
 #include <ostream>
@@ -32,6 +33,11 @@ public:
 
     /// @throws RunError if not everything that was written until now reached the file
     void flush();
+
+    /// Takes back all that was written from a byte on, and goes on there.
+    /// @return false if this cannot be done to what it writes (a device, a FIFO)
+    /// @throws RunError if not everything that was written until now reached the file
+    [[nodiscard]] bool cut_at(std::int64_t byte);
 
     /// Gives the file its name now, and goes on writing it.
     /// @throws RunError if not everything reached it

@@ -107,6 +107,8 @@ class BroadPhase {
 public:
     virtual ~BroadPhase() = default;
 
+    [[nodiscard]] virtual std::unique_ptr<BroadPhase> clone() const = 0;
+
     /// Follows the cloth to its present positions.
     /// @param x n x 3 [m]
     virtual void build(const Points& x) = 0;

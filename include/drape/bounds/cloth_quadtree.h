@@ -54,6 +54,8 @@ public:
         }
     }
 
+    [[nodiscard]] std::unique_ptr<BroadPhase> clone() const override { return std::make_unique<ClothQuadtree>(*this); }
+
     void build(const Points& x) override { build_about(std::array{&x}); }
     void build(const Points& from, const Points& to) override { build_about(std::array{&from, &to}); }
 

@@ -14,6 +14,10 @@ public:
         queue_.reserve(this->nodes().size());
     }
 
+    [[nodiscard]] std::unique_ptr<BroadPhase> clone() const override {
+        return std::make_unique<LimitedQuadtree>(*this);
+    }
+
     /// Level by level, so that what ends it has seen all of the cloth alike.
     TraversalStats query(const Ball& ball, Candidates& found) override { return search(ball, found); }
     TraversalStats query(const SweptBall& ball, Candidates& found) override { return search(ball, found); }

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <algorithm>
+#include <cstdint>
 #include <memory>
 #include <span>
 #include <string>
@@ -82,11 +83,23 @@ struct SolveReport {
     }
 };
 
+/// What a method knows of the step before, beside the state: nothing, for all but BDF2.
+struct StepBefore {
+    ClothState from, to;
+    Real h = 0;                  ///< [s]; 0: nothing is known
+    std::uint64_t revision = 0;  ///< of the model
+};
+
 /// Advances a cloth by one step from its state, so that the kind can change between any two steps. BDF2 alone also uses
 /// the state before; where the state was changed from outside, it restarts with backward Euler.
 class Integrator {
 public:
     virtual ~Integrator() = default;
+
+    [[nodiscard]] virtual StepBefore step_before() const { return {}; }
+
+    /// Goes on as another one of the same parameters would, to the bit.
+    virtual void go_on_after(const StepBefore& /*step*/) {}
 
     /// @param state advanced in place; pinned particles keep their velocity (zero, or that of the hand that holds them)
     /// @param h step [s]

@@ -2,6 +2,7 @@
 
 #include <cstdint>
 #include <memory>
+#include <optional>
 #include <span>
 #include <string>
 #include <string_view>
@@ -79,6 +80,12 @@ public:
 
     /// What the user has changed at the settings panel since the last call, as "solver.dt=0.001".
     [[nodiscard]] std::vector<std::string> take_changes();
+
+    /// Whether the bar of time is shown, which follows the pointer as the settings panel does.
+    [[nodiscard]] bool shows_timeline() const;
+
+    /// The step that the user has asked for at the bar of time since the last call.
+    [[nodiscard]] std::optional<std::int64_t> take_wanted_step();
 
     /// Draws one frame: shadow, sky, ground, balls, cloths, what `settings->view` asks for, overlay.
     /// @param notices lines for the user (an error, a replay that ended), shown with the overlay or without

@@ -1,12 +1,11 @@
 #pragma once
 
-#include <memory>
 #include <vector>
 
 #include "drape/contact/warm_start.h"
-#include "drape/integrate/integrator.h"
 #include "drape/model/cloth_model.h"
 #include "drape/sim/cloth_energy.h"
+#include "drape/sim/cloth_integrator.h"
 #include "drape/sim/contact_search.h"
 
 namespace drape {
@@ -17,7 +16,7 @@ struct Cloth {
     ClothState state;
     ClothState previous;  ///< one step before `state`
     Points before;        ///< positions one substep before, where steps are divided
-    std::unique_ptr<Integrator> integrator;
+    ClothIntegrator integrator;
     ContactSearch search;
     std::vector<Contact> contacts;        ///< of the last step that was awake
     std::vector<Contact> first_contacts;  ///< keeps these during a second look

@@ -1,10 +1,10 @@
 #pragma once
 
-#include <memory>
 #include <optional>
 #include <span>
 #include <vector>
 
+#include "drape/base/copied.h"
 #include "drape/bounds/broad_phase.h"
 #include "drape/bounds/separation.h"
 #include "drape/contact/contact.h"
@@ -94,7 +94,7 @@ private:
 
     Grid grid_{0, 0};
     Kernels kernels_ = Kernels::Vector;
-    std::unique_ptr<BroadPhase> hierarchy_;
+    Copied<BroadPhase> hierarchy_;
     Separation separation_;
     std::optional<SearchAudit> audit_;  ///< while the search is limited
     Crossing crossing_;

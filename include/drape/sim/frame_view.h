@@ -10,6 +10,7 @@
 #include "drape/model/cloth_model.h"
 #include "drape/sim/settings.h"
 #include "drape/sim/step_report.h"
+#include "drape/sim/timeline.h"
 
 namespace drape {
 
@@ -36,7 +37,8 @@ struct FrameView {
     const StepReport* report = nullptr;
     std::string_view scene;  ///< name or path
     bool paused = false;
-    bool held = false;  ///< the hand holds a particle
+    bool held = false;       ///< the hand holds a particle
+    Timeline timeline = {};  ///< of the session
 };
 
 }  // namespace drape

@@ -8,6 +8,8 @@
 
 namespace drape {
 
+class Simulation;
+
 /// About what a simulation takes at most [bytes]; pictures come on top.
 struct MemoryNeed {
     double cloths = 0;  ///< states, contacts and hierarchies
@@ -18,6 +20,9 @@ struct MemoryNeed {
 
 /// @pre the grids have at least 2 x 2 particles
 MemoryNeed memory_needed(const Settings& settings);
+
+/// About what a copy of a simulation takes, its integrators not counted [bytes].
+double moment_bytes(const Simulation& simulation);
 
 /// "22500 particles with projective_dynamics need about 54 MB, 43 MB of it for the method".
 std::string memory_text(const Settings& settings);

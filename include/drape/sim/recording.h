@@ -46,6 +46,14 @@ public:
     void write(std::int64_t step, const Command& command);
     void write_hash(std::int64_t step, std::uint64_t hash);
 
+    /// Whether a replay of what was written stands still.
+    [[nodiscard]] bool paused() const { return paused_; }
+
+    /// Takes back all that was written of later steps.
+    /// @return false if this file cannot be cut: all is as it was
+    /// @throws RunError if not everything could be written
+    bool cut_after(std::int64_t step);
+
     /// @throws RunError if not everything could be written
     void close(std::int64_t step);
 
@@ -53,7 +61,18 @@ public:
     [[nodiscard]] std::filesystem::path set_aside() const { return file_.set_aside(); }
 
 private:
+    /// Where a line begins in the file.
+    struct Line {
+        std::int64_t step;
+        std::int64_t begin;
+        bool paused;  ///< before it
+    };
+
+    void begin_line(std::int64_t step);
+
     OutputFile file_;
+    std::vector<Line> lines_;
+    bool paused_ = false;
 };
 
 }  // namespace drape

@@ -1,9 +1,9 @@
 #pragma once
 
-#include <memory>
 #include <span>
 #include <vector>
 
+#include "drape/base/copied.h"
 #include "drape/bounds/fold_test.h"
 #include "drape/contact/near_pairs.h"
 #include "drape/contact/response.h"
@@ -62,7 +62,7 @@ private:
     using Numbers = Eigen::Array<Real, Eigen::Dynamic, 1>;
 
     struct Surface {
-        std::unique_ptr<BroadPhase> tree;
+        Copied<BroadPhase> tree;
         FoldTest folds;
         CellBoxes boxes;
         bool boxed = false;  ///< since the last list was begun

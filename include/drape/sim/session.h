@@ -1,18 +1,27 @@
 #pragma once
 
 #include <cstdint>
+#include <deque>
 #include <functional>
 #include <memory>
+#include <optional>
 #include <string>
 #include <vector>
 
+#include "drape/sim/history.h"
 #include "drape/sim/recording.h"
 #include "drape/sim/simulation.h"
+#include "drape/sim/timeline.h"
 
 namespace drape {
 
 /// A simulation in time, with its recording or its replay: the one loop that window, capture and lab share. Commands
 /// take effect between steps, and a recording keeps the number of the step before which each came.
+///
+/// All commands that the motion follows from stand in a log, with those of a replay that are still to come. To go back
+/// is to take up a moment that was kept and to make the steps from there again with the log's commands, which gives the
+/// same bits. While any of the log lies ahead, a command that would change the motion takes over: what lay ahead is
+/// forgotten.
 class Session {
 public:
     explicit Session(Simulation simulation);
@@ -24,6 +33,18 @@ public:
 
     /// Feeds the commands of a recording as their steps come.
     void replay(Recording recording);
+
+    /// Keeps moments from now on, to go back to.
+    void keep_history(HistoryLimits limits);
+
+    /// Goes to a step of the timeline, the nearest there is, and pauses. What has to be computed for it is computed by
+    /// `advance`. Nothing happens without a history.
+    void go_to(std::int64_t step);
+
+    [[nodiscard]] Timeline timeline() const;
+
+    /// How many seconds of what had been were given up when a command last took over, and with what; empty: never.
+    [[nodiscard]] const std::string& takeover_notice() const { return takeover_notice_; }
 
     /// Carries out a command and records it.
     /// @throws InputError as `Simulation::apply`; it is not recorded then
@@ -56,7 +77,7 @@ public:
     /// Between 0 and 1: how far the present lies beyond the last step.
     [[nodiscard]] Real blend() const;
 
-    [[nodiscard]] FrameView view() { return simulation_.view(blend()); }
+    [[nodiscard]] FrameView view();
     [[nodiscard]] Simulation& simulation() { return simulation_; }
 
     /// Simulated seconds that were cut because the machine could not keep up or stood still.
@@ -81,8 +102,16 @@ public:
 
 private:
     void step();
-    void play_due_entries();
-    void play(const RecordedEntry& entry);
+    void play_due_entries(bool is_new);
+    void play(const RecordedEntry& entry, bool is_new);
+    void carry_out(const Command& command, bool is_new);
+    void take_over();
+    void begin_history();
+    void pass_moment();
+    void go_on_recording();
+    [[nodiscard]] std::int64_t known_end() const;
+    [[nodiscard]] bool any_lies_ahead() const;
+    [[nodiscard]] std::size_t end_of_log() const { return first_entry_ + log_.size(); }
     void differ(const std::string& how);
     void say_cut();
     double time_after_next_step();
@@ -90,12 +119,20 @@ private:
 
     Simulation simulation_;
     std::unique_ptr<Recorder> recorder_;
-    Recording replay_;
-    std::size_t next_entry_ = 0;
+    Recording replay_;               ///< but for its entries, which are in the log
+    std::deque<RecordedEntry> log_;  ///< of commands that were carried out, or will be
+    std::size_t first_entry_ = 0;    ///< the number of the log's first: older ones have been forgotten
+    std::size_t next_entry_ = 0;     ///< to be played
+    std::optional<History> history_;
+    std::int64_t newest_ = 0;             ///< step that was reached; steps of a run that has diverged do not count
+    std::int64_t last_step_ = 0;          ///< of the recording
+    std::optional<std::int64_t> target_;  ///< step on the way to which steps are made again
+    std::string takeover_notice_;
+    bool cut_was_said_ = false;
     std::vector<Command> view_commands_;
     std::string replay_notice_;
     bool replay_differs_ = false;
-    std::int64_t steps_made_ = 0;  ///< by this session; a reset does not set it back
+    std::int64_t steps_made_ = 0;  ///< by this session; a reset does not set it back, but `go_to` does
     double start_time_;            ///< [s]
     double time_;                  ///< start and the steps that `run_until` made; a reset does not set it back [s]
     double counted_from_ = 0;      ///< time_ is this plus counted_steps_ steps of counted_dt_: no error adds up

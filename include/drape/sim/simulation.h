@@ -6,6 +6,7 @@
 #include <string>
 #include <vector>
 
+#include "drape/base/copied.h"
 #include "drape/sim/cloth.h"
 #include "drape/sim/command.h"
 #include "drape/sim/frame_view.h"
@@ -30,6 +31,13 @@ public:
     /// Carries out what concerns the simulation; camera, picture and quit pass by.
     /// @throws InputError if the command names something that does not exist; nothing is changed then
     void apply(const Command& command);
+
+    /// Goes to another moment of its scene, to the bit, but as it is paused and seen now.
+    void go_to(const Simulation& moment);
+
+    /// Ends what the user is doing: the hand lets go, the keys leave the ball where it is.
+    /// @return the commands that do it; none, if nothing is being done
+    [[nodiscard]] std::vector<Command> commands_to_let_go() const;
 
     /// One step of one or more substeps. Does nothing once diverged, and nothing but count while asleep: once no
     /// particle has gone anywhere for a while, nothing moves until a command or a ball does.
@@ -133,7 +141,7 @@ private:
     std::vector<Solid> solids_, previous_solids_;
     std::vector<BallContact> ball_contacts_;
     SelfContact self_contact_;
-    std::vector<ClothInContact> in_contact_;  ///< the cloths, within a substep
+    NotCopied<std::vector<ClothInContact>> in_contact_;  ///< the cloths, within a substep
     Vec3 steer_ = Vec3::Zero();
     std::size_t users_ball_ = 0;                 ///< that the user leads, drops and throws
     std::optional<BallMotion> motion_by_scene_;  ///< of that ball, once the user has taken it over
@@ -143,7 +151,7 @@ private:
     SleepWatch sleep_;
     StepReport report_;
     int planned_substeps_ = 1;  ///< for the stability limit alone
-    std::vector<ClothView> shown_;
+    NotCopied<std::vector<ClothView>> shown_;
     std::int64_t counted_from_step_ = 0;  ///< since then dt has been what it is: no error adds up in the time
     double counted_from_time_ = 0;
     bool paused_ = false;

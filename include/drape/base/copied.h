@@ -1,0 +1,44 @@
+#pragma once
+
+#include <memory>
+#include <utility>
+
+namespace drape {
+
+/// Owns an object of a class with a `clone` function; a copy owns a copy of it.
+template <class T>
+class Copied {
+public:
+    Copied() = default;
+    Copied(std::unique_ptr<T> object) : object_(std::move(object)) {}  // NOLINT(google-explicit-constructor)
+    Copied(const Copied& other) : object_(other.object_ ? other.object_->clone() : nullptr) {}
+    Copied(Copied&&) noexcept = default;
+    Copied& operator=(Copied other) noexcept {
+        object_ = std::move(other.object_);
+        return *this;
+    }
+    ~Copied() = default;
+
+    T& operator*() const { return *object_; }
+    T* operator->() const { return object_.get(); }
+
+private:
+    std::unique_ptr<T> object_;
+};
+
+/// A container that copies of its owner begin without: what it holds is made anew where it is needed.
+template <class Container>
+class NotCopied : public Container {
+public:
+    NotCopied() = default;
+    NotCopied(const NotCopied& /*other*/) : Container() {}
+    NotCopied(NotCopied&&) noexcept = default;
+    NotCopied& operator=(const NotCopied& /*other*/) {
+        this->clear();
+        return *this;
+    }
+    NotCopied& operator=(NotCopied&&) noexcept = default;
+    ~NotCopied() = default;
+};
+
+}  // namespace drape

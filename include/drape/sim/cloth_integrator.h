@@ -1,0 +1,32 @@
+#pragma once
+
+#include <memory>
+
+#include "drape/integrate/integrator.h"
+
+namespace drape {
+
+/// The integrator of a cloth. A copy makes one of its own at its first step, and goes on to the bit: what an integrator
+/// keeps beside `StepBefore` is scratch, and may be much.
+class ClothIntegrator {
+public:
+    ClothIntegrator() = default;
+    ClothIntegrator(const ClothIntegrator& other);
+    ClothIntegrator(ClothIntegrator&&) noexcept = default;
+    ClothIntegrator& operator=(const ClothIntegrator& other);
+    ClothIntegrator& operator=(ClothIntegrator&&) noexcept = default;
+    ~ClothIntegrator() = default;
+
+    /// Takes a new one, that knows of no step before.
+    void use(const IntegratorParameters& parameters, const Grid& grid);
+
+    /// As `Integrator::step`. @pre `use` was called
+    SolveReport step(const ClothModel& model, ClothState& state, Real h, EnergyFlow* start);
+
+private:
+    IntegratorParameters parameters_;
+    StepBefore before_;  ///< of a copy that has made none yet
+    std::unique_ptr<Integrator> integrator_;
+};
+
+}  // namespace drape

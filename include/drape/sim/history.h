@@ -1,0 +1,68 @@
+#pragma once
+
+#include <cstdint>
+#include <deque>
+
+#include "drape/sim/simulation.h"
+
+namespace drape {
+
+/// How much of the past is kept.
+struct HistoryLimits {
+    double seconds = 20;   ///< as they were watched: of simulated time, over `view.speed`
+    double bytes = 256e6;  ///< about, of memory
+};
+
+/// Moments of a run, from which a session can go back and make the steps between them again.
+class History {
+public:
+    struct Moment {
+        std::int64_t step;       ///< of the session
+        std::size_t next_entry;  ///< of the session's log, counted from the first that there ever was
+        double watched;          ///< [s]
+        double bytes;            ///< about
+        bool between;            ///< made on the way back, to go further back quickly
+        Simulation simulation;
+    };
+
+    explicit History(HistoryLimits limits) : limits_(limits) {}
+
+    /// Keeps this moment, if it is time for it.
+    /// @param next_entry of the log
+    /// @param length of a step, as it was watched [s]
+    void pass(std::int64_t step, std::size_t next_entry, double length, const Simulation& simulation);
+
+    /// Keeps a moment on the way back to an earlier step, where the moments before it lie far apart.
+    /// @param target the step it goes back to
+    void pass_again(std::int64_t step, std::size_t next_entry, std::int64_t target, const Simulation& simulation);
+
+    /// Forgets those on the way back.
+    void forget_between();
+
+    /// Forgets what came after a step.
+    void forget_after(std::int64_t step);
+
+    void forget();
+
+    /// The last moment that is not after a step; null: there is none
+    [[nodiscard]] const Moment* before(std::int64_t step) const;
+
+    [[nodiscard]] bool empty() const { return moments_.empty(); }
+
+    /// The first one. @pre there are any
+    [[nodiscard]] const Moment& oldest() const { return moments_.front(); }
+
+    /// About, of memory.
+    [[nodiscard]] double bytes() const { return bytes_; }
+
+private:
+    void keep(std::deque<Moment>::iterator place, Moment moment);
+    void drop_oldest();
+
+    HistoryLimits limits_;
+    std::deque<Moment> moments_;  ///< by their steps
+    double watched_ = 0;          ///< until the newest step [s]
+    double bytes_ = 0;
+};
+
+}  // namespace drape

@@ -1,0 +1,83 @@
+#include "timeline_panel.h"
+
+#include <imgui.h>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <cstdio>
+
+#include "overlay_style.h"
+
+namespace drape {
+
+namespace {
+
+constexpr ImGuiWindowFlags bar_flags =
+    ImGuiWindowFlags_NoDecoration | ImGuiWindowFlags_NoNav | ImGuiWindowFlags_NoSavedSettings | ImGuiWindowFlags_NoMove;
+
+using Line = std::array<char, 96>;
+
+// What the bar says of where the run stands
+Line line_of(const Timeline& timeline) {
+    const auto seconds = [&](std::int64_t from, std::int64_t to) {
+        return static_cast<double>(to - from) * timeline.dt;
+    };
+    Line line{};
+    const double kept = seconds(timeline.oldest, timeline.newest), megabytes = timeline.bytes / 1e6;
+    if (timeline.replay) {
+        std::snprintf(line.data(), line.size(), "Replay: %.2f of %.2f s", seconds(0, timeline.now),
+                      seconds(0, timeline.newest));
+    } else if (timeline.is_live()) {
+        std::snprintf(line.data(), line.size(), "Now; , steps back through %.2f s (%.0f MB)", kept, megabytes);
+    } else {
+        std::snprintf(line.data(), line.size(), "%.3f s back of %.2f s (%.0f MB); Space plays from here",
+                      seconds(timeline.now, timeline.newest), kept, megabytes);
+    }
+    return line;
+}
+
+}  // namespace
+
+bool TimelinePanel::is_due(const Timeline& timeline, bool paused) {
+    return timeline.newest > timeline.oldest && (paused || timeline.replay || !timeline.is_live());
+}
+
+float TimelinePanel::height(const OverlayPage& page) { return 2.9f * ImGui::GetFontSize() + page.margin; }
+
+void TimelinePanel::draw(const Timeline& timeline, const OverlayPage& page) {
+    const float size = ImGui::GetFontSize(), pad = 0.5f * size;
+    width_ = std::min(page.width - 2 * page.margin, 56 * size);
+    height_ = height(page) - page.margin;
+    left_ = (page.width - width_) / 2;
+    top_ = page.height - page.margin - height_;
+    ImGui::SetNextWindowPos({left_, top_});
+    ImGui::SetNextWindowSize({width_, height_});
+    ImGui::PushStyleVar(ImGuiStyleVar_WindowRounding, 8);
+    ImGui::PushStyleColor(ImGuiCol_WindowBg, ink::panel);
+    if (ImGui::Begin("timeline", nullptr, bar_flags)) {
+        text_at({left_ + pad, top_ + 0.3f * size}, timeline.is_live() ? ink::text : ink::wait,
+                line_of(timeline).data());
+
+        const float from = left_ + pad, to = left_ + width_ - pad, middle = top_ + 2.2f * size;
+        const auto span = static_cast<double>(timeline.newest - timeline.oldest);
+        ImGui::SetCursorScreenPos({from, top_ + 1.6f * size});
+        ImGui::InvisibleButton("bar", {to - from, 1.2f * size});
+        if (ImGui::IsItemActive()) {
+            const double part = std::clamp((ImGui::GetIO().MousePos.x - from) / (to - from), 0.0f, 1.0f);
+            const auto step = timeline.oldest + static_cast<std::int64_t>(std::lround(part * span));
+            if (step != timeline.now) wanted_ = step;
+        }
+        const auto passed = static_cast<float>(static_cast<double>(timeline.now - timeline.oldest) / span);
+        const float now = from + passed * (to - from);
+        ImDrawList& list = *ImGui::GetWindowDrawList();
+        list.AddRectFilled({from, middle - 0.15f * size}, {to, middle + 0.15f * size}, ink::lit, 2);
+        list.AddRectFilled({from, middle - 0.15f * size}, {now, middle + 0.15f * size}, ink::bar, 2);
+        list.AddCircleFilled({now, middle}, 0.45f * size, ink::text);
+    }
+    ImGui::End();
+    ImGui::PopStyleColor();
+    ImGui::PopStyleVar();
+}
+
+}  // namespace drape

@@ -1,0 +1,43 @@
+#pragma once
+
+#include <cstdint>
+#include <optional>
+#include <utility>
+
+#include "drape/sim/timeline.h"
+#include "figures_panel.h"
+
+namespace drape {
+
+/// The bar of time at the bottom, with Dear ImGui's widgets: where the run stands between the oldest step that is kept
+/// and the newest, or in the recording that is replayed. A drag on it asks for another step.
+class TimelinePanel {
+public:
+    /// Whether there is anything to show: the run stands still, or is in its past, or is a replay.
+    static bool is_due(const Timeline& timeline, bool paused);
+
+    /// What it takes at the bottom of a page [pixel].
+    static float height(const OverlayPage& page);
+
+    /// Makes the panel of a frame.
+    void draw(const Timeline& timeline, const OverlayPage& page);
+
+    /// The step that the user has asked for since the last call.
+    [[nodiscard]] std::optional<std::int64_t> take_wanted() { return std::exchange(wanted_, std::nullopt); }
+
+    /// Whether it is shown.
+    [[nodiscard]] bool shown() const { return width_ > 0; }
+
+    /// Whether a point of the picture lies on it, as it was last drawn [pixel].
+    [[nodiscard]] bool covers(float x, float y) const {
+        return shown() && x >= left_ && x < left_ + width_ && y >= top_ && y < top_ + height_;
+    }
+
+    void hide() { width_ = 0; }
+
+private:
+    std::optional<std::int64_t> wanted_;
+    float left_ = 0, top_ = 0, width_ = 0, height_ = 0;
+};
+
+}  // namespace drape

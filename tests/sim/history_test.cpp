@@ -1,0 +1,239 @@
+#include "drape/sim/history.h"
+
+#include <gmock/gmock.h>
+
+#include <random>
+
+#include "drape/base/numbers.h"
+#include "drape/sim/memory.h"
+#include "drape/sim/scene.h"
+#include "drape/sim/session.h"
+#include "sim/small_scene.h"
+#include "support/scratch_file.h"
+
+namespace drape {
+namespace {
+
+using test::ScratchFile;
+using testing::HasSubstr;
+
+constexpr double no_hurry = 1e9;  // s of wall time that the steps may take
+
+/// A session that keeps its past, and the hash of each step that it has made.
+struct Traveller {
+    Session session;
+    std::vector<std::uint64_t> hashes;
+
+    explicit Traveller(Simulation simulation, HistoryLimits limits = {}) : session(std::move(simulation)) {
+        session.keep_history(limits);
+        hashes.push_back(session.simulation().hash());
+    }
+
+    void run(int steps) {
+        hashes.back() = session.simulation().hash();  // after what was done before the next step
+        for (int k = 0; k < steps; ++k) {
+            session.send(command::Step{1});
+            session.advance(0, no_hurry);
+            hashes.push_back(session.simulation().hash());
+        }
+    }
+
+    /// Goes to a step, and tells whether it is what it was.
+    bool finds_again(std::int64_t step) {
+        session.go_to(step);
+        session.advance(0, no_hurry);
+        return session.timeline().now == step && session.simulation().hash() == hashes[static_cast<std::size_t>(step)];
+    }
+};
+
+/// What a user does, of all that the motion follows from.
+void play_with(Traveller& traveller) {
+    Session& session = traveller.session;
+    traveller.run(90);
+    session.send(command::Grab{0, 75});
+    session.send(command::Drag{Vec3(0.2, 0.5, 0.5)});
+    traveller.run(80);
+    session.send(command::Release{});
+    session.send(parse_command("steer 1 0 -1"));
+    traveller.run(70);
+    session.send(parse_command("set wind.on=true"));
+    session.send(parse_command("set view.wireframe=true"));
+    traveller.run(60);
+    session.send(parse_command("pin 0 40"));
+    session.send(parse_command("set solver.dt=0.0004"));
+    traveller.run(300);
+    session.send(command::Reset{});
+    traveller.run(40);
+}
+
+class TimeTravel : public testing::TestWithParam<const char*> {};
+
+TEST_P(TimeTravel, HasTheSameBitsBackAndForth) {
+    std::vector<std::string> assignments;
+    for (const std::string_view word : split_at_commas(GetParam())) assignments.emplace_back(word);
+    Traveller traveller(small_simulation(assignments));
+    play_with(traveller);
+    const auto newest = static_cast<std::int64_t>(traveller.hashes.size()) - 1;
+    ASSERT_EQ(traveller.session.timeline().newest, newest);
+    ASSERT_EQ(traveller.session.timeline().oldest, 0);
+    for (std::int64_t step = newest - 1; step > newest - 60; --step) {
+        ASSERT_TRUE(traveller.finds_again(step)) << "one back, to " << step;
+    }
+    std::mt19937 random(3);
+    for (int k = 0; k < 40; ++k) {
+        const auto step = std::uniform_int_distribution<std::int64_t>(0, newest)(random);
+        ASSERT_TRUE(traveller.finds_again(step)) << "anywhere, to " << step;
+    }
+    ASSERT_TRUE(traveller.finds_again(200));
+    Session& session = traveller.session;
+    session.send(command::Pause{});
+    while (session.timeline().now < newest) session.advance(session.timeline().dt, no_hurry);
+    EXPECT_EQ(session.simulation().hash(), traveller.hashes.back()) << "played again";
+    EXPECT_EQ(session.takeover_notice(), "");
+}
+
+INSTANTIATE_TEST_SUITE_P(
+    Settings, TimeTravel,
+    testing::Values("solver.integrator=bdf2,solver.hessian=exact", "solver.integrator=projective_dynamics",
+                    "solver.integrator=xpbd,contact.volume=obb,contact.update=refit",
+                    "solver.integrator=velocity_verlet,contact.update=none,contact.search_level=2",
+                    "solver.integrator=symplectic_euler,contact.self=true",
+                    "solver.integrator=implicit_midpoint,contact.response=hybrid,contact.volume=brute",
+                    "solver.integrator=dormand_prince,solver.ledger=true,contact.update=insertion"));
+
+TEST(History, LetsTheUserGoOnFromAnEarlierStep) {
+    const ScratchFile file("travel.txt");
+    Traveller traveller(small_simulation());
+    traveller.session.record(file.name(), {});
+    play_with(traveller);
+    ASSERT_TRUE(traveller.finds_again(130));  // the hand holds a particle there
+    EXPECT_EQ(traveller.session.takeover_notice(), "");
+    traveller.session.send(parse_command("set view.bounds=true"));
+    EXPECT_GT(traveller.session.timeline().newest, 600) << "what is seen takes nothing over";
+    EXPECT_THROW(traveller.session.send(parse_command("set solver.dt=-1")), InputError);
+    EXPECT_GT(traveller.session.timeline().newest, 600) << "nor does what is refused";
+
+    traveller.session.send(parse_command("set wind.on=true"));
+    EXPECT_EQ(traveller.session.timeline().newest, 130);
+    EXPECT_THAT(traveller.session.takeover_notice(), HasSubstr("forgotten"));
+    EXPECT_FALSE(traveller.session.view().held) << "nobody's hand";
+    traveller.run(50);
+    EXPECT_EQ(traveller.session.timeline().newest, 180);
+    const std::uint64_t end = traveller.session.simulation().hash();
+    EXPECT_NE(end, traveller.hashes[180]);
+    traveller.session.close();
+
+    // The recording is of the run that the user has made of it
+    Session again(small_simulation());
+    again.replay(read_recording(file.name()));
+    EXPECT_TRUE(again.run_replay());
+    EXPECT_EQ(again.replay_notice(), "");
+    EXPECT_EQ(again.simulation().hash(), end);
+}
+
+TEST(History, RecordsThatAPauseHasEnded) {
+    const ScratchFile file("pause.txt");
+    Session session(small_simulation());
+    session.keep_history({});
+    session.record(file.name(), {});
+    const double dt = session.timeline().dt;
+    for (int k = 0; k < 20; ++k) session.advance(dt, no_hurry);
+    session.send(command::Pause{});
+    session.go_to(10);
+    session.send(command::Pause{});
+    while (session.timeline().newest < 40) session.advance(dt, no_hurry);
+    const std::uint64_t end = session.simulation().hash();
+    session.close();
+    Session again(small_simulation());
+    again.replay(read_recording(file.name()));
+    for (int k = 0; k < 40; ++k) again.advance(dt, no_hurry);
+    EXPECT_EQ(again.simulation().hash(), end);
+}
+
+TEST(History, LetsTheUserTakeOverFromAReplay) {
+    Recording recording{.scene = "drop", .assignments = {}, .entries = {}, .last_step = 500, .notice = {}};
+    recording.entries.push_back({100, parse_command("set wind.on=true")});
+    Session session(small_simulation());
+    session.keep_history({});
+    session.replay(recording);
+    EXPECT_EQ(session.timeline().newest, 500);
+    EXPECT_TRUE(session.timeline().replay);
+    session.send(command::Pause{});
+    session.send(command::Step{50});
+    session.advance(0, no_hurry);
+    EXPECT_TRUE(session.timeline().replay) << "a pause takes nothing over";
+    session.send(parse_command("steer 1 0 0"));
+    EXPECT_FALSE(session.timeline().replay);
+    EXPECT_THAT(session.takeover_notice(), HasSubstr("replay"));
+    session.send(command::Step{100});
+    session.advance(0, no_hurry);
+    EXPECT_FALSE(session.simulation().settings().wind.on);
+}
+
+TEST(History, GoesForthInAReplayToWhatWasNotSeenYet) {
+    Recording recording{.scene = "drop", .assignments = {}, .entries = {}, .last_step = 300, .notice = {}};
+    recording.entries.push_back({100, parse_command("set wind.on=true")});
+    Session session(small_simulation());
+    session.keep_history({});
+    session.replay(recording);
+    session.go_to(200);
+    session.advance(0, no_hurry);
+    EXPECT_EQ(session.timeline().now, 200);
+    EXPECT_TRUE(session.simulation().settings().wind.on);
+    EXPECT_TRUE(session.simulation().paused());
+}
+
+TEST(History, StaysWithinItsMemoryAndItsTime) {
+    const double moment = moment_bytes(small_simulation());
+    Traveller traveller(small_simulation(), {.seconds = 2, .bytes = 6 * moment});
+    const int steps_a_second = static_cast<int>(1 / traveller.session.timeline().dt);
+    for (int second = 0; second < 8; ++second) {
+        traveller.run(steps_a_second);
+        EXPECT_LE(traveller.session.timeline().bytes, 6 * moment);
+    }
+    const Timeline full = traveller.session.timeline();
+    EXPECT_GT(full.oldest, 5 * steps_a_second);
+    EXPECT_LE(full.oldest, 6 * steps_a_second) << "two seconds and what is before the next moment";
+    EXPECT_TRUE(traveller.finds_again(full.oldest));
+    EXPECT_TRUE(traveller.finds_again(full.newest - 1));
+    EXPECT_LE(traveller.session.timeline().bytes, 6 * moment) << "on the way back too";
+    EXPECT_FALSE(traveller.finds_again(full.oldest - 1)) << "forgotten";
+}
+
+TEST(History, KeepsNothingWhereNotEvenTwoMomentsFit) {
+    Traveller traveller(small_simulation(), {.seconds = 20, .bytes = 1000});
+    traveller.run(10);
+    EXPECT_EQ(traveller.session.timeline().bytes, 0);
+    traveller.session.go_to(5);
+    EXPECT_EQ(traveller.session.timeline().now, 10);
+}
+
+TEST(History, BeginsAnewWithAScene) {
+    Traveller traveller(small_simulation());
+    traveller.run(20);
+    traveller.session.send(command::LoadScene{"hang"});
+    EXPECT_EQ(traveller.session.timeline().oldest, 20);
+    traveller.session.send(command::Step{5});
+    traveller.session.advance(0, no_hurry);
+    traveller.session.go_to(0);
+    EXPECT_EQ(traveller.session.simulation().scene(), "hang");
+    EXPECT_EQ(traveller.session.timeline().now, 20);
+}
+
+TEST(History, LeadsBackFromARunThatHasDiverged) {
+    Session session(Simulation("fails_rk4", load_scene("fails_rk4")));
+    session.keep_history({});
+    session.send(command::Step{5000});
+    session.advance(0, no_hurry);
+    ASSERT_EQ(session.simulation().report().status, Status::Diverged);
+    const std::int64_t end = session.timeline().newest;
+    for (int k = 0; k < 100; ++k) session.advance(0.1, 0.01);
+    EXPECT_EQ(session.timeline().newest, end) << "nothing happens any more";
+    session.go_to(end - 2);
+    session.advance(0, no_hurry);
+    EXPECT_EQ(session.simulation().report().status, Status::Ok);
+    EXPECT_EQ(session.timeline().now, end - 2);
+}
+
+}  // namespace
+}  // namespace drape
