@@ -62,6 +62,17 @@ std::vector<Entry> make_entries(const std::vector<std::string>& scenes) {
     append_choices(entries, "BVH update", "contact.update", names_of<UpdateKind>());
     entries.push_back({"Colour by", {"J"}, "Colour the cloth by the next quantity", "next view.colour"});
     append_choices(entries, "Colour by", "view.colour", names_of<ColourBy>());
+    const auto compare = [&](const char* text, const char* scene, const char* change, const char* versus) {
+        entries.push_back({"Compare", {}, text, std::string("scene ") + scene, Manner::Compare, {}, {change, versus}});
+    };
+    const char* fast =
+        "contact.continuous=false,solver.dt=5e-3,solver.integrator=backward_euler,ball.velocity=0,1,60,view.speed=0.05";
+    compare("Explicit Euler against backward Euler", "fails_explicit_euler", "", "solver.integrator=backward_euler");
+    compare("Spheres against AABBs", "drop", "contact.volume=sphere", "contact.volume=aabb");
+    compare("Discrete against continuous detection", "bullet", fast, "contact.continuous=true");
+    compare("Penalty against hybrid response", "drop", "contact.response=penalty", "contact.response=hybrid");
+    compare("15 x 15 against 29 x 29 particles", "original", "cloth.particles=15,15", "cloth.particles=29,29");
+    compare("End of the comparison", "drop", "", "");
     const std::vector<Entry> rest{
         {"Leaf size", {}, "Auto", "set contact.leaf_cells=0"},
         {"Leaf size", {}, "2 x 2 cells", "set contact.leaf_cells=2"},

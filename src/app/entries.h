@@ -21,6 +21,13 @@ enum class Manner {
     Faster,     ///< twice
     NextStop,   ///< of the tour: its scene and what it changes in it
     StopBefore,
+    Compare,  ///< loads a scene and compares it, see `Pair`
+};
+
+/// What a scene is changed in, and what it is then compared with.
+struct Pair {
+    std::string change;  ///< "name=value,name=value"; empty: nothing
+    std::string versus;  ///< as `Session::compare` has it
 };
 
 /// One thing that the user can do: from these, keys, menu, help panel and the README's table are made.
@@ -31,6 +38,7 @@ struct Entry {
     std::string command;            ///< in text form
     Manner manner = Manner::Once;
     std::string help = {};  ///< of its line in the help, which it shares with the entries before it that have the same
+    Pair pair = {};
 };
 
 /// Everything that keys and menu can do, in the order of the menu.

@@ -25,6 +25,8 @@ std::optional<Options> read_options(int argc, char** argv) {
     CLI::App app("A cloth, a ball and a hierarchy of bounding spheres, in a window.", "drape");
     app.add_option("scene", options.start.scene, "name of a shipped scene, or a TOML file")->type_name("SCENE");
     app.add_option("--set", options.start.assignments, "change settings")->type_name("name=value");
+    app.add_option("--versus", options.start.versus, "compare the scene with itself under other settings")
+        ->type_name("name=value,...");
     app.add_option("--record", options.record, "write every command to a file")->type_name("FILE");
     app.add_option("--replay", options.start.replay, "play a recording")->type_name("FILE");
     app.add_option("--size", size, "of the window; 1280x720 if not given")->type_name("WxH");

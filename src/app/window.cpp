@@ -105,7 +105,9 @@ void Window::schedule() {
 void Window::on_display() {
     if (closed_ || !drawable()) return;
     const Stopwatch watch;
-    draw(session_.view());
+    FrameView view = session_.view();
+    view.timeline = session_.timeline();
+    draw(view);
     renderer_->present();
     glutSwapBuffers();
     picture_time_ = watch.seconds();

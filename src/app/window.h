@@ -76,6 +76,7 @@ private:
     [[nodiscard]] std::vector<Command> safe_step();
     [[nodiscard]] std::int64_t steps_of_a_frame() const;
     void go_to(std::int64_t step);
+    void compare(const Entry& entry);
     [[nodiscard]] std::vector<Command> go_to_stop(int stop);
     void show_stop();
     void forget_hint();

@@ -11,6 +11,7 @@
 #include "display.h"
 #include "drape/base/input_error.h"
 #include "drape/base/numbers.h"
+#include "drape/sim/comparison.h"
 #include "drape/sim/scene_text.h"
 #include "drape/sim/setting_table.h"
 #include "drape/sim/tour.h"
@@ -105,7 +106,17 @@ void Window::on_choice(int number) {
     give(entry);
 }
 
+void Window::compare(const Entry& entry) {
+    if (!entry.pair.versus.empty()) {
+        if (!carry_out(parse_command(entry.command))) return;
+        for (const std::string& change : split_assignments(entry.pair.change)) carry_out(command::Set{change});
+    }
+    session_.compare(entry.pair.versus);
+    dirty_ = true;
+}
+
 void Window::give(const Entry& entry) {
+    if (entry.manner == Manner::Compare) return compare(entry);
     if (entry.manner == Manner::StepBack) return go_to(session_.timeline().now - 1);
     if (entry.manner == Manner::FrameBack) return go_to(session_.timeline().now - steps_of_a_frame());
     const std::vector<Command> commands = commands_of(entry);
@@ -277,9 +288,7 @@ bool Window::carry_out(const Command& command) {
 void Window::take_picture() {
     if (!drawable() || closed_) return;
     try {
-        FrameView view = session_.view();
-        view.timeline = {};  // it is no part of the picture
-        draw(view);
+        draw(session_.view());  // the bar of time is no part of the picture
         Image picture = renderer_->read_back();
         const Simulation& simulation = session_.simulation();
         picture.texts = {{"Software", std::string("Drape ") + DRAPE_VERSION},

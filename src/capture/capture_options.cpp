@@ -39,6 +39,8 @@ std::optional<CaptureOptions> read_capture_options(int argc, char** argv) {
     CLI::App app("Draws a scene into numbered pictures, with no display.", "drape-capture");
     app.add_option("scene", options.start.scene, "name of a shipped scene, or a TOML file")->type_name("SCENE");
     app.add_option("--set", options.start.assignments, "change settings, as in --set dt=1e-4")->type_name("name=value");
+    app.add_option("--versus", options.start.versus, "compare the scene with itself under other settings")
+        ->type_name("name=value,...");
     app.add_option("--replay", options.start.replay, "play a recording")->type_name("FILE");
     app.add_option("--frames", frames, "number of frames; frame k shows the time k/fps after the start")
         ->type_name("N");

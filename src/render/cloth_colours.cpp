@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "drape/model/stencils.h"
+#include "drape/sim/comparison.h"
 
 namespace drape {
 
@@ -47,8 +48,15 @@ void depths(const ClothView& cloth, float* values) {
     }
 }
 
+void differences(const ComparisonView* comparison, std::size_t cloth, float* values) {
+    if (comparison != nullptr) std::ranges::copy(comparison->distances[cloth], values);
+}
+
 // Of the scale in one SI unit
-double units_in_one(ColourBy by) { return by == ColourBy::Strain ? 100 : by == ColourBy::Depth ? 1000 : 1; }
+double units_in_one(ColourBy by) {
+    const bool is_length = by == ColourBy::Depth || by == ColourBy::Difference;
+    return by == ColourBy::Strain ? 100 : is_length ? 1000 : 1;
+}
 
 ColourScale scale_of(ColourBy by) {
     switch (by) {
@@ -62,6 +70,8 @@ ColourScale scale_of(ColourBy by) {
             return {by, 1, "Nodes of level", ""};
         case ColourBy::Side:
             return {by, 1, "Side", ""};
+        case ColourBy::Difference:
+            return {by, 1, "Apart", "mm"};
         case ColourBy::Plain:
             break;
     }
@@ -101,7 +111,9 @@ void ClothColours::collect(const FrameView& view) {
 
 void ClothColours::collect_values(const FrameView& view) {
     float* values = values_.data();
+    std::size_t number = 0;
     for (const ClothView& cloth : view.cloths) {
+        if (scale_.by == ColourBy::Difference) differences(view.comparison, number++, values);
         if (scale_.by == ColourBy::Strain) strains(cloth, values);
         if (scale_.by == ColourBy::Speed) speeds(cloth, values);
         if (scale_.by == ColourBy::Depth) depths(cloth, values);

@@ -176,6 +176,7 @@ FrameData make_frame_data(const FrameView& view, const Camera& camera, int width
 
     const auto colour_of = [](const NodeLook& look) { return Eigen::Vector4f(look.colour.data()); };
     std::ranges::transform(node_looks(), data.node_colours.begin(), colour_of);
+    data.node_colours.back() = {0.05f, 0.05f, 0.08f, 0.75f};
     std::ranges::transform(value_colours(), data.value_colours.begin(), linear);
     std::ranges::transform(group_colours(), data.group_colours.begin(), linear);
     const ColourBy by = settings.colour;

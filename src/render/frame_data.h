@@ -22,7 +22,7 @@ struct FrameData {
     Eigen::Vector4f shadow;     ///< a texel of the shadow map [m], the particles' spacing [m]
     std::array<int, 4> counts;  ///< structural springs, shear springs, segments of a sphere's circle, balls that darken
     std::array<Eigen::Vector4f, most_balls> balls;  ///< centre, radius [m]
-    std::array<Eigen::Vector4f, 6> node_colours;    ///< of `node_looks`
+    std::array<Eigen::Vector4f, 7> node_colours;    ///< of `node_looks`, and of the cloth that is compared
     std::array<Eigen::Vector4f, 9> value_colours;   ///< linear
     std::array<Eigen::Vector4f, 4> group_colours;   ///< linear
     std::array<int, 4> look;                        ///< groups: 1, sides: 2, else 0; the weave: 1, no weave: 0

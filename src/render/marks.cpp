@@ -4,6 +4,8 @@
 #include <cstddef>
 
 #include "cloth_mesh.h"
+#include "drape/model/stencils.h"
+#include "drape/sim/comparison.h"
 #include "solids.h"
 
 namespace drape {
@@ -69,8 +71,7 @@ Marks::Marks(Gl& gl, StreamBuffer& stream)
 
 int Marks::segments() const {
     constexpr std::size_t vertices_wanted = 300'000;
-    const std::size_t share =
-        vertices_wanted / (2 * circles_per_sphere * std::max<std::size_t>(bounds_.spheres.size(), 1));
+    const std::size_t share = vertices_wanted / (2 * circles_per_sphere * std::max<std::size_t>(sphere_count(), 1));
     return static_cast<int>(std::clamp<std::size_t>(share, 8, 48));
 }
 
@@ -87,8 +88,33 @@ void Marks::need(const FrameView& view, StreamBuffer& stream) {
     }
     if (shown.bounds) collect_bounds(view);
     stream.need(Region::Contacts, static_cast<std::size_t>(contact_count_) * sizeof(ContactMark));
-    stream.need(Region::Spheres, bounds_.spheres.size() * sizeof(SphereMark));
-    stream.need(Region::Edges, 2 * bounds_.edges.size() * sizeof(EdgeMark));
+    collect_compared(view);
+    stream.need(Region::Spheres, sphere_count() * sizeof(SphereMark));
+    stream.need(Region::Edges, 2 * edge_count() * sizeof(EdgeMark));
+}
+
+void Marks::collect_compared(const FrameView& view) {
+    compared_.clear();
+    compared_balls_.clear();
+    if (view.comparison == nullptr) return;
+    const Real blend = view.comparison->blend;
+    for (std::size_t b = 0; b < std::min(view.balls.size(), view.comparison->balls.size()); ++b) {
+        const Ball &before = view.comparison->previous_balls[b], &now = view.comparison->balls[b];
+        const Vec3 centre = (1 - blend) * before.centre + blend * now.centre;
+        constexpr Real seen = Real(1e-3);  // of its radius
+        if ((centre - view.balls[b].centre).norm() > seen * now.radius) compared_balls_.push_back({centre, now.radius});
+    }
+    for (const ClothView& cloth : view.comparison->cloths) {
+        const auto at = [&](int p) -> Vec3 {
+            return ((1 - blend) * cloth.previous.row(p) + blend * cloth.x.row(p)).transpose();
+        };
+        for (std::size_t k = 0; k < 2; ++k) {
+            const auto [di, dj] = spring_directions[k];
+            SpringStencil{di, dj, {}, 0}.for_each(cloth.model.grid, [&](int a, int b) {
+                compared_.push_back({at(a), at(b)});
+            });
+        }
+    }
 }
 
 void Marks::collect_bounds(const FrameView& view) {
@@ -142,20 +168,27 @@ void Marks::fill(const FrameView& view, StreamBuffer& stream) const {
         }
     }
     auto* sphere_mark = stream.data<SphereMark>(Region::Spheres);
-    for (const Outlines::Sphere& sphere : bounds_.spheres) {
-        copy(sphere.centre, sphere_mark->centre);
-        sphere_mark->radius = static_cast<float>(sphere.radius);
-        sphere_mark->state = static_cast<float>(sphere.state);
+    const auto add_sphere = [&sphere_mark](const Vec3& centre, Real radius, float state) {
+        copy(centre, sphere_mark->centre);
+        sphere_mark->radius = static_cast<float>(radius);
+        sphere_mark->state = state;
         ++sphere_mark;
+    };
+    for (const Outlines::Sphere& sphere : bounds_.spheres) {
+        add_sphere(sphere.centre, sphere.radius, static_cast<float>(sphere.state));
     }
+    const auto past_nodes = static_cast<float>(node_looks().size());  // the colour of the other simulation
+    for (const BoundingSphere& ball : compared_balls_) add_sphere(ball.centre, ball.radius, past_nodes);
     auto* edge_mark = stream.data<EdgeMark>(Region::Edges);
-    for (const Outlines::Edge& edge : bounds_.edges) {
-        for (const Vec3* end : {&edge.from, &edge.to}) {
+    const auto add_edge = [&edge_mark](const Vec3& from, const Vec3& to, float state) {
+        for (const Vec3* end : {&from, &to}) {
             copy(*end, edge_mark->point);
-            edge_mark->state = static_cast<float>(edge.state);
+            edge_mark->state = state;
             ++edge_mark;
         }
-    }
+    };
+    for (const Outlines::Edge& edge : bounds_.edges) add_edge(edge.from, edge.to, static_cast<float>(edge.state));
+    for (const auto& [from, to] : compared_) add_edge(from, to, past_nodes);
 }
 
 void Marks::draw() {
@@ -180,18 +213,17 @@ void Marks::draw() {
         contacts_.bind();
         gl_.draw_arrays_instanced(GL_TRIANGLES, contact_vertices, contact_count_);
     }
-    if (!bounds_.spheres.empty()) {
+    if (sphere_count() > 0) {
         sphere_program_.use();
         spheres_.bind();
         draw_seen_and_hidden([this] {
-            gl_.draw_arrays_instanced(GL_LINES, 2 * circles_per_sphere * segments(),
-                                      static_cast<int>(bounds_.spheres.size()));
+            gl_.draw_arrays_instanced(GL_LINES, 2 * circles_per_sphere * segments(), static_cast<int>(sphere_count()));
         });
     }
-    if (!bounds_.edges.empty()) {
+    if (edge_count() > 0) {
         edge_program_.use();
         edges_.bind();
-        draw_seen_and_hidden([this] { gl_.draw_arrays(GL_LINES, 2 * static_cast<int>(bounds_.edges.size())); });
+        draw_seen_and_hidden([this] { gl_.draw_arrays(GL_LINES, 2 * static_cast<int>(edge_count())); });
     }
 }
 

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <array>
 #include <vector>
 
 #include "drape/sim/frame_view.h"
@@ -38,7 +39,11 @@ public:
 
 private:
     void collect_bounds(const FrameView& view);
+    void collect_compared(const FrameView& view);
     void index_springs(const FrameView& view);
+
+    [[nodiscard]] std::size_t sphere_count() const { return bounds_.spheres.size() + compared_balls_.size(); }
+    [[nodiscard]] std::size_t edge_count() const { return bounds_.edges.size() + compared_.size(); }
 
     /// Fainter where something is before it. Nothing that asks for depths may be drawn afterwards.
     template <class Draw>
@@ -50,6 +55,8 @@ private:
     Buffer spring_indices_;
     std::vector<Grid> grids_;
     Outlines bounds_;
+    std::vector<std::array<Vec3, 2>> compared_;   ///< structural springs of the other simulation
+    std::vector<BoundingSphere> compared_balls_;  ///< where they are elsewhere
     std::vector<NodeView> nodes_;
     TouchedCells touched_;
     bool show_particles_ = false;

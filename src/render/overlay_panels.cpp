@@ -214,11 +214,13 @@ bool OverlayPanels::build(const FrameView& view, const FrameReport& last, std::s
                           int width, int height) {
     const ViewSettings& shown = view.settings->view;
     plots_.keep(view);
+    comparison_.keep(view);
     const bool showing_help = shown.help && !help.empty();
     const bool showing_panel = shown.panel != PanelSize::Off;
     const bool showing_time = TimelinePanel::is_due(view.timeline, view.paused);
     const bool nothing = !showing_panel && !showing_help && notices.empty() && hint.empty() && !shown.controls;
-    if (width < least_width || height < least_height || (nothing && !shown.plots && !showing_time)) {
+    if (width < least_width || height < least_height ||
+        (nothing && !shown.plots && !showing_time && view.comparison == nullptr)) {
         settings.hide();
         timeline.hide();
         forget_input();
@@ -246,6 +248,9 @@ bool OverlayPanels::build(const FrameView& view, const FrameReport& last, std::s
     const float right = room.right;
     float legends_left = right;
     if (showing_panel) room.left = figures_panel(view, last, fonts_[size + 1], page) + margin;
+    if (view.comparison != nullptr && !showing_help) {
+        room.right = comparison_.draw(view, page, right) - margin;
+    }
     if (showing_help) {
         room.right = help_panel(page, room.left) - margin;
     } else if (showing_panel) {

@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "cloth_colours.h"
+#include "comparison_panel.h"
 #include "drape/render/renderer.h"
 #include "figures_panel.h"
 #include "hierarchy_panel.h"
@@ -68,6 +69,7 @@ private:
 
     HierarchyPanel hierarchy_;
     PlotsPanel plots_;
+    ComparisonPanel comparison_;
     std::unique_ptr<ImGuiContext, DestroyContext> context_;
     Input input_;
     std::array<ImFont*, 8> fonts_{};  ///< from small to large

@@ -158,7 +158,7 @@ void Renderer::Parts::paint(const FrameView& view) {
     studio.draw_shadows();
 
     const ViewSettings& shown = view.settings->view;
-    const bool marked = shown.bounds || shown.contacts || shown.particles;
+    const bool marked = shown.bounds || shown.contacts || shown.particles || view.comparison != nullptr;
     const PictureBox box = solids.box(data.view_projection, stream, width, height);
     target->begin_samples(marked ? PictureBox{0, 0, width, height} : grown(box, marks.room(), width, height));
     solids.draw(shown);

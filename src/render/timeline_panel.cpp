@@ -29,7 +29,8 @@ Line line_of(const Timeline& timeline) {
         std::snprintf(line.data(), line.size(), "Replay: %.2f of %.2f s", seconds(0, timeline.now),
                       seconds(0, timeline.newest));
     } else if (timeline.is_live()) {
-        std::snprintf(line.data(), line.size(), "Now; , steps back through %.2f s (%.0f MB)", kept, megabytes);
+        std::snprintf(line.data(), line.size(), "Now; the comma key steps back, %.2f s are kept (%.0f MB)", kept,
+                      megabytes);
     } else {
         std::snprintf(line.data(), line.size(), "%.3f s back of %.2f s (%.0f MB); Space plays from here",
                       seconds(timeline.now, timeline.newest), kept, megabytes);

@@ -75,6 +75,7 @@ void Session::send(const Command& command) {
 
 void Session::carry_out(const Command& command, bool is_new) {
     simulation_.apply(command);
+    compare_after(command);
     if (is_new && recorder_) recorder_->write(steps_made_, command);
 }
 
@@ -85,9 +86,19 @@ void Session::begin_history() {
 }
 
 void Session::pass_moment() {
-    history_->pass(steps_made_, next_entry_, dt() / simulation_.settings().view.speed, simulation_);
+    history_->pass(steps_made_, next_entry_, dt() / simulation_.settings().view.speed, simulation_, comparison_);
     const std::size_t first = history_->empty() ? next_entry_ : history_->oldest().next_entry;
     for (; first_entry_ < first; ++first_entry_) log_.pop_front();
+}
+
+void Session::compare_after(const Command& command) {
+    if (!comparison_) return;
+    try {
+        comparison_->apply(command, simulation_);
+    } catch (const InputError& error) {
+        comparison_.reset();
+        takeover_notice_ = one_line(std::string("The comparison has ended: ") + error.what());
+    }
 }
 
 bool Session::any_lies_ahead() const { return next_entry_ < end_of_log() || steps_made_ < known_end(); }
@@ -119,6 +130,7 @@ void Session::go_to(std::int64_t step) {
     const History::Moment& moment = *history_->before(step);
     if (step < steps_made_ || moment.step > steps_made_) {
         simulation_.go_to(moment.simulation);
+        if (comparison_ && moment.comparison) comparison_ = moment.comparison;
         steps_made_ = moment.step;
         next_entry_ = moment.next_entry;
         play_due_entries(false);
@@ -139,8 +151,22 @@ Timeline Session::timeline() const {
 
 FrameView Session::view() {
     FrameView view = simulation_.view(blend());
-    view.timeline = timeline();
+    if (!comparison_) return view;
+    compared_ = comparison_->view(simulation_);
+    view.comparison = &compared_;
     return view;
+}
+
+void Session::compare(const std::string& assignments) {
+    if (assignments.empty()) {
+        comparison_.reset();
+    } else {
+        Comparison comparison(simulation_, assignments);
+        send(command::Reset{});
+        comparison_.emplace(std::move(comparison));
+    }
+    simulation_.apply(command::Set{assignments.empty() ? "view.colour=plain" : "view.colour=difference"});
+    if (history_) begin_history();
 }
 
 void Session::play_due_entries(bool is_new) {
@@ -184,6 +210,7 @@ void Session::step() {
     const bool is_new = steps_made_ >= newest_, is_over = simulation_.report().status != Status::Ok;
     if (is_new && recorder_) go_on_recording();
     simulation_.step();
+    if (comparison_) comparison_->follow(simulation_);
     ++steps_made_;
     if (is_new && recorder_ && steps_made_ % hash_interval == 0) {
         recorder_->write_hash(steps_made_, simulation_.hash());
@@ -194,7 +221,7 @@ void Session::step() {
     if (is_new) {
         pass_moment();
     } else if (target_) {
-        history_->pass_again(steps_made_, next_entry_, *target_, simulation_);
+        history_->pass_again(steps_made_, next_entry_, *target_, simulation_, comparison_);
     }
 }
 

@@ -33,6 +33,7 @@ Start make_start(StartOptions options) {
     } catch (const InputError& error) {
         throw InputError(std::string("--set: ") + error.what());
     }
+    start.versus = std::move(options.versus);
     return start;
 }
 
@@ -46,6 +47,13 @@ std::vector<NamedFile> input_files(const StartOptions& options, const Start& sta
 Session make_session(Start start, const std::string& record) {
     Session session(Simulation(std::move(start.scene), std::move(start.settings)));
     if (!record.empty()) session.record(record, start.assignments);
+    if (!start.versus.empty()) {
+        try {
+            session.compare(start.versus);
+        } catch (const InputError& error) {
+            throw InputError(std::string("--versus: ") + error.what());
+        }
+    }
     if (start.replay) session.replay(std::move(*start.replay));
     return session;
 }

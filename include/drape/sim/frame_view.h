@@ -25,6 +25,8 @@ struct ClothView {
     int held = -1;                          ///< the particle that the hand holds; -1: none
 };
 
+struct ComparisonView;
+
 /// What the renderer needs of a moment; all of it belongs to the simulation and lasts until its next change.
 struct FrameView {
     std::span<const ClothView> cloths;
@@ -37,8 +39,9 @@ struct FrameView {
     const StepReport* report = nullptr;
     std::string_view scene;  ///< name or path
     bool paused = false;
-    bool held = false;       ///< the hand holds a particle
-    Timeline timeline = {};  ///< of the session
+    bool held = false;                           ///< the hand holds a particle
+    Timeline timeline = {};                      ///< of the session; where there is none to be shown, nothing
+    const ComparisonView* comparison = nullptr;  ///< with another simulation; null: none
 };
 
 }  // namespace drape

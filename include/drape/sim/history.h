@@ -2,7 +2,9 @@
 
 #include <cstdint>
 #include <deque>
+#include <optional>
 
+#include "drape/sim/comparison.h"
 #include "drape/sim/simulation.h"
 
 namespace drape {
@@ -23,6 +25,7 @@ public:
         double bytes;            ///< about
         bool between;            ///< made on the way back, to go further back quickly
         Simulation simulation;
+        std::optional<Comparison> comparison;
     };
 
     explicit History(HistoryLimits limits) : limits_(limits) {}
@@ -30,11 +33,13 @@ public:
     /// Keeps this moment, if it is time for it.
     /// @param next_entry of the log
     /// @param length of a step, as it was watched [s]
-    void pass(std::int64_t step, std::size_t next_entry, double length, const Simulation& simulation);
+    void pass(std::int64_t step, std::size_t next_entry, double length, const Simulation& simulation,
+              const std::optional<Comparison>& comparison);
 
     /// Keeps a moment on the way back to an earlier step, where the moments before it lie far apart.
     /// @param target the step it goes back to
-    void pass_again(std::int64_t step, std::size_t next_entry, std::int64_t target, const Simulation& simulation);
+    void pass_again(std::int64_t step, std::size_t next_entry, std::int64_t target, const Simulation& simulation,
+                    const std::optional<Comparison>& comparison);
 
     /// Forgets those on the way back.
     void forget_between();

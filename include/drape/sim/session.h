@@ -8,6 +8,7 @@
 #include <string>
 #include <vector>
 
+#include "drape/sim/comparison.h"
 #include "drape/sim/history.h"
 #include "drape/sim/recording.h"
 #include "drape/sim/simulation.h"
@@ -43,7 +44,12 @@ public:
 
     [[nodiscard]] Timeline timeline() const;
 
-    /// How many seconds of what had been were given up when a command last took over, and with what; empty: never.
+    /// Compares the simulation, from its start on, with another one of the same scene. It is no part of a recording.
+    /// @param assignments as `Comparison` has them; empty: ends the comparison
+    /// @throws InputError if they do not fit the scene
+    void compare(const std::string& assignments);
+
+    /// What a command has ended, when one last did: what lay ahead, or a comparison; empty: nothing yet.
     [[nodiscard]] const std::string& takeover_notice() const { return takeover_notice_; }
 
     /// Carries out a command and records it.
@@ -105,6 +111,7 @@ private:
     void play_due_entries(bool is_new);
     void play(const RecordedEntry& entry, bool is_new);
     void carry_out(const Command& command, bool is_new);
+    void compare_after(const Command& command);
     void take_over();
     void begin_history();
     void pass_moment();
@@ -124,6 +131,8 @@ private:
     std::size_t first_entry_ = 0;    ///< the number of the log's first: older ones have been forgotten
     std::size_t next_entry_ = 0;     ///< to be played
     std::optional<History> history_;
+    std::optional<Comparison> comparison_;
+    ComparisonView compared_;             ///< as it was last viewed
     std::int64_t newest_ = 0;             ///< step that was reached; steps of a run that has diverged do not count
     std::int64_t last_step_ = 0;          ///< of the recording
     std::optional<std::int64_t> target_;  ///< step on the way to which steps are made again

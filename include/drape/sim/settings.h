@@ -143,13 +143,15 @@ enum class ColourBy {
     Plain,   ///< nothing but front and back
     Strain,  ///< of the structural springs of a particle
     Speed,
-    Depth,  ///< of the contacts of a particle
-    Level,  ///< the node of the shown level of the hierarchy
-    Side    ///< front or back, in colours that colour-blind eyes tell apart
+    Depth,      ///< of the contacts of a particle
+    Level,      ///< the node of the shown level of the hierarchy
+    Side,       ///< front or back, in colours that colour-blind eyes tell apart
+    Difference  ///< from the simulation that this one is compared with
 };
 
 template <>
-inline constexpr auto enum_names<ColourBy> = all_names<ColourBy>("plain", "strain", "speed", "depth", "level", "side");
+inline constexpr auto enum_names<ColourBy> = all_names<ColourBy>("plain", "strain", "speed", "depth", "level", "side",
+                                                                 "difference");
 
 /// What the picture shows besides cloth and ball. It changes no state.
 struct ViewSettings {

@@ -16,6 +16,7 @@ struct StartOptions {
     std::string scene;                     ///< name or path; empty: that of the replay, else the first shipped one
     std::vector<std::string> assignments;  ///< "name=value"; a word without '=' is the scene if none was given
     std::string replay;                    ///< file; empty: none
+    std::string versus = {};               ///< what the scene is compared with, as `Comparison` has it; empty: nothing
 };
 
 /// What a run starts from, found and checked before anything is opened or written.
@@ -24,6 +25,7 @@ struct Start {
     std::vector<std::string> assignments;  ///< of the recording and of the command line, in this order
     Settings settings;
     std::optional<Recording> replay;
+    std::string versus = {};
 };
 
 /// @throws InputError if a file, a scene or an assignment is bad

@@ -1,0 +1,59 @@
+#pragma once
+
+#include <span>
+#include <string>
+#include <vector>
+
+#include "drape/sim/simulation.h"
+
+namespace drape {
+
+/// How far apart two simulations are, and what there is to draw of the other one.
+struct ComparisonView {
+    std::span<const ClothView> cloths;              ///< of the other simulation
+    std::span<const Ball> balls, previous_balls;
+    std::span<const std::vector<float>> distances;  ///< for each cloth, of each particle from its place there [m]
+    double rms = 0, largest = 0;                    ///< of these [m]
+    Real blend = 1;                                 ///< where the other one is at this time, as in `FrameView`
+    const Settings* settings = nullptr;             ///< of the other one
+    const StepReport* report = nullptr;
+    std::string_view assignments;  ///< in which they differ: "solver.integrator=backward_euler"
+};
+
+/// A second simulation of a scene with other settings, which does what is done to the first one, and comes along in
+/// time. Cloths are compared where their particles lie in the flat cloth, so that grids may differ.
+class Comparison {
+public:
+    /// Begins the other one at its start, where the first has to be.
+    /// @param assignments "name=value,name=value"; a part without "=" belongs to the value before it
+    /// @throws InputError if they do not fit the scene; nothing is changed then
+    Comparison(const Simulation& first, std::string assignments);
+
+    /// Does to the other simulation what has been done to the first, where it can; of settings, those that are not
+    /// compared. A scene that is loaded is compared in the same settings.
+    /// @throws InputError if that scene does not take them
+    void apply(const Command& command, const Simulation& first);
+
+    /// Makes the steps until it is no earlier than the first one, unless it has diverged.
+    void follow(const Simulation& first);
+
+    /// @param settings that the first is seen with
+    [[nodiscard]] ComparisonView view(const Simulation& first);
+
+    [[nodiscard]] const Simulation& other() const { return other_; }
+
+private:
+    [[nodiscard]] bool compares(const std::string& setting) const;
+    [[nodiscard]] static Simulation make_other(const Simulation& first, const std::vector<std::string>& assignments);
+
+    std::string text_;
+    std::vector<std::string> assignments_;
+    Simulation other_;
+    std::vector<std::vector<float>> distances_;
+};
+
+/// "a=1,2,b=3" as "a=1,2" and "b=3".
+/// @throws InputError if the first has no "="
+std::vector<std::string> split_assignments(const std::string& text);
+
+}  // namespace drape

@@ -1,0 +1,109 @@
+#include "comparison_panel.h"
+
+#include <imgui.h>
+
+#include <algorithm>
+#include <cstdio>
+
+#include "overlay_style.h"
+
+namespace drape {
+
+namespace {
+
+constexpr double kept_interval = 1.0 / 24;  // s of scene time between two that are kept
+
+using FigureText = std::array<char, 32>;
+
+struct ComparedFigure {
+    const char* label;  // with its unit
+    const char* format;
+    double (*read)(const StepReport&);
+};
+
+constexpr std::array<ComparedFigure, 8> compared_figures{{
+    {"step [us]", "%.0f", [](const StepReport& r) { return 1e6 * r.times.total(); }},
+    {"BVH [us]", "%.1f", [](const StepReport& r) { return 1e6 * (r.times.build + r.times.traverse); }},
+    {"volume tests", "%.0f", [](const StepReport& r) { return static_cast<double>(r.traversal.volume_tests); }},
+    {"candidates", "%.0f", [](const StepReport& r) { return static_cast<double>(r.traversal.candidates); }},
+    {"contacts", "%.0f", [](const StepReport& r) { return static_cast<double>(r.contacts); }},
+    {"depth left [mm]", "%.3f", [](const StepReport& r) { return 1e3 * r.penetration; }},
+    {"stretch [%]", "%.2f", [](const StepReport& r) { return 100 * r.stretch; }},
+    {"energy [J]", "%.4f", [](const StepReport& r) { return r.energy.total(); }},
+}};
+
+// Less than a picometre is rounding
+double millimetres(double metres) { return metres < 1e-12 ? 0 : 1e3 * metres; }
+
+FigureText figure_text(const ComparedFigure& row, const StepReport& report) {
+    FigureText text{};
+    if (report.status == Status::Ok) {
+        std::snprintf(text.data(), text.size(), row.format, row.read(report));
+    } else {
+        std::snprintf(text.data(), text.size(), "diverged");
+    }
+    return text;
+}
+
+}  // namespace
+
+void ComparisonPanel::keep(const FrameView& view) {
+    if (view.comparison == nullptr || view.report->time < time_) first_ = count_ = 0;
+    if (view.comparison == nullptr || (count_ > 0 && view.report->time < time_ + kept_interval)) return;
+    if (count_ == most) {
+        first_ = (first_ + 1) % most;
+        --count_;
+    }
+    distances_[(first_ + count_++) % most] = view.comparison->rms;
+    time_ = view.report->time;
+}
+
+float ComparisonPanel::draw(const FrameView& view, const OverlayPage& page, float right) const {
+    const float row = ImGui::GetTextLineHeightWithSpacing(), size = ImGui::GetFontSize(), margin = page.margin;
+    const float width = 24 * size, curve = 3 * size;
+    const float height = static_cast<float>(compared_figures.size() + 4) * row + curve + 2 * margin;
+    const ImVec2 panel{right - width, margin};
+    if (height + 2 * margin > page.height || panel.x < margin) return right;
+    draw_panel(panel, {width, height});
+    ImVec2 line{panel.x + margin, panel.y + margin};
+    const float first = line.x + 9 * size, other = line.x + 15.5f * size, end = right - margin;
+    FigureText text{};
+
+    text_at(line, ink::wait, "Compared with");
+    ImGui::PushClipRect({line.x, line.y}, {end, line.y + 3 * row}, true);
+    text_at({line.x, line.y + row}, ink::text, view.comparison->assignments.data());
+    ImGui::PopClipRect();
+    line.y += 2 * row;
+    text_at({first, line.y}, ink::quiet, "surface");
+    text_at({other, line.y}, ink::quiet, "lines");
+    for (const ComparedFigure& figures : compared_figures) {
+        line.y += row;
+        text_at(line, ink::quiet, figures.label);
+        text_at({first, line.y}, ink::text, figure_text(figures, *view.report).data());
+        text_at({other, line.y}, ink::text, figure_text(figures, *view.comparison->report).data());
+    }
+    line.y += row;
+    std::snprintf(text.data(), text.size(), "%.3g mm, most %.3g mm", millimetres(view.comparison->rms),
+                  millimetres(view.comparison->largest));
+    text_at(line, ink::quiet, "apart (RMS)");
+    text_at({first, line.y}, ink::wait, text.data());
+
+    // The curve, from 0 to the largest that is kept
+    line.y += row;
+    double largest = 1e-12;
+    for (std::size_t k = 0; k < count_; ++k) largest = std::max(largest, kept(k));
+    const float bottom = line.y + curve;
+    std::array<ImVec2, most> points;
+    for (std::size_t k = 0; k < count_; ++k) {
+        const float back = static_cast<float>(count_ - 1 - k) / static_cast<float>(most - 1);
+        points[k] = {end - back * (end - line.x), bottom - static_cast<float>(kept(k) / largest) * curve};
+    }
+    ImDrawList& list = *ImGui::GetWindowDrawList();
+    list.AddLine({line.x, bottom}, {end, bottom}, ink::groove);
+    list.AddPolyline(points.data(), static_cast<int>(count_), ink::bar, ImDrawFlags_None, 1.5f);
+    std::snprintf(text.data(), text.size(), "%.3g mm", millimetres(largest));
+    text_at({line.x, line.y}, ink::quiet, text.data());
+    return panel.x;
+}
+
+}  // namespace drape

@@ -1,0 +1,148 @@
+#include "drape/sim/comparison.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "drape/base/input_error.h"
+#include "drape/base/numbers.h"
+#include "drape/sim/setting_table.h"
+
+namespace drape {
+namespace {
+
+/// A place in a flat cloth: both in [0, 1].
+struct FlatPlace {
+    Real u, v;
+};
+
+FlatPlace place_of(const Grid& grid, int particle) {
+    const Real columns = static_cast<Real>(grid.nx - 1), rows = static_cast<Real>(grid.ny - 1);
+    return {static_cast<Real>(particle % grid.nx) / columns, static_cast<Real>(particle / grid.nx) / rows};
+}
+
+int nearest_particle(const Grid& grid, FlatPlace place) {
+    const auto i = static_cast<int>(std::lround(place.u * static_cast<Real>(grid.nx - 1)));
+    const auto j = static_cast<int>(std::lround(place.v * static_cast<Real>(grid.ny - 1)));
+    return grid.particle(i, j);
+}
+
+/// Where that place is in space, between the particles about it.
+Vec3 point_at(const Grid& grid, const ClothState& before, const ClothState& now, Real blend, FlatPlace place) {
+    const Real along = place.u * static_cast<Real>(grid.nx - 1), across = place.v * static_cast<Real>(grid.ny - 1);
+    const int i = std::min(static_cast<int>(along), grid.nx - 2), j = std::min(static_cast<int>(across), grid.ny - 2);
+    const Real s = along - static_cast<Real>(i), t = across - static_cast<Real>(j);
+    const auto at = [&](int p) -> Vec3 { return ((1 - blend) * before.x.row(p) + blend * now.x.row(p)).transpose(); };
+    return (1 - t) * ((1 - s) * at(grid.particle(i, j)) + s * at(grid.particle(i + 1, j))) +
+           t * ((1 - s) * at(grid.particle(i, j + 1)) + s * at(grid.particle(i + 1, j + 1)));
+}
+
+std::string name_in(const std::string& assignment) { return assignment.substr(0, assignment.find('=')); }
+
+/// The same particle of another grid.
+template <class AtParticle>
+Command moved_to(const AtParticle& command, const Simulation& first, const Simulation& other) {
+    AtParticle moved = command;
+    const auto cloth = static_cast<std::size_t>(command.cloth);
+    moved.particle = nearest_particle(other.cloths()[cloth].model.grid,
+                                      place_of(first.cloths()[cloth].model.grid, command.particle));
+    return moved;
+}
+
+}  // namespace
+
+std::vector<std::string> split_assignments(const std::string& text) {
+    std::vector<std::string> assignments;
+    if (text.empty()) return assignments;
+    for (const std::string_view part : split_at_commas(text)) {
+        if (part.find('=') != std::string_view::npos) {
+            assignments.emplace_back(part);
+        } else if (!assignments.empty()) {
+            assignments.back() += "," + std::string(part);
+        } else {
+            throw InputError("'" + shortened(text) + "': expected name=value, or several of these with commas");
+        }
+    }
+    return assignments;
+}
+
+Comparison::Comparison(const Simulation& first, std::string assignments)
+    : text_(std::move(assignments)), assignments_(split_assignments(text_)), other_(make_other(first, assignments_)) {}
+
+Simulation Comparison::make_other(const Simulation& first, const std::vector<std::string>& assignments) {
+    Settings settings = first.settings();
+    for (const std::string& assignment : assignments) assign(settings, assignment);
+    return {first.scene(), std::move(settings)};
+}
+
+bool Comparison::compares(const std::string& setting) const {
+    return std::ranges::any_of(assignments_, [&](const std::string& assignment) {
+        const std::string name = name_in(assignment);
+        return name == setting || name.ends_with("." + setting) || setting.ends_with("." + name);
+    });
+}
+
+void Comparison::apply(const Command& command, const Simulation& first) {
+    if (!changes_motion(command)) return;
+    if (std::holds_alternative<command::LoadScene>(command)) {
+        other_ = make_other(first, assignments_);
+        return;
+    }
+    if (const auto* set = std::get_if<command::Set>(&command); set != nullptr && compares(name_in(set->assignment))) {
+        return;
+    }
+    if (const auto* next = std::get_if<command::Next>(&command); next != nullptr && compares(next->setting)) return;
+    if (const auto* add = std::get_if<command::Add>(&command); add != nullptr && compares(add->setting)) return;
+    try {
+        if (const auto* grab = std::get_if<command::Grab>(&command)) {
+            other_.apply(moved_to(*grab, first, other_));
+        } else if (const auto* pin = std::get_if<command::Pin>(&command)) {
+            other_.apply(moved_to(*pin, first, other_));
+        } else {
+            other_.apply(command);
+        }
+    } catch (const InputError&) {
+        // What the other one cannot do shows as a difference
+    }
+}
+
+void Comparison::follow(const Simulation& first) {
+    const double tolerance = 1e-6 * other_.settings().solver.dt;
+    while (other_.report().status == Status::Ok && other_.report().time < first.report().time - tolerance) {
+        other_.step();
+    }
+}
+
+ComparisonView Comparison::view(const Simulation& first) {
+    const FrameView other = other_.view();
+    const double ahead = (other_.report().time - first.report().time) / other_.settings().solver.dt;
+    const auto blend = static_cast<Real>(std::clamp(1 - ahead, 0.0, 1.0));
+    double squares = 0, count = 0, largest = 0;
+    distances_.resize(first.cloths().size());
+    for (std::size_t c = 0; c < first.cloths().size(); ++c) {
+        const Cloth &one = first.cloths()[c], &two = other_.cloths()[c];
+        const Grid& grid = one.model.grid;
+        std::vector<float>& distances = distances_[c];
+        distances.resize(static_cast<std::size_t>(grid.particles()));
+        for (int p = 0; p < grid.particles(); ++p) {
+            const Vec3 there = point_at(two.model.grid, two.previous, two.state, blend, place_of(grid, p));
+            const Vec3 here = one.state.x.row(p).transpose();
+            const auto distance = static_cast<double>((here - there).norm());
+            distances[static_cast<std::size_t>(p)] = static_cast<float>(distance);
+            squares += distance * distance;
+            largest = std::max(largest, distance);
+        }
+        count += grid.particles();
+    }
+    return {.cloths = other.cloths,
+            .balls = other.balls,
+            .previous_balls = other.previous_balls,
+            .distances = distances_,
+            .rms = std::sqrt(squares / count),
+            .largest = largest,
+            .blend = blend,
+            .settings = other.settings,
+            .report = other.report,
+            .assignments = text_};
+}
+
+}  // namespace drape

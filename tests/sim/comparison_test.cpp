@@ -1,0 +1,134 @@
+#include "drape/sim/comparison.h"
+
+#include <gmock/gmock.h>
+
+#include "drape/base/input_error.h"
+#include "drape/sim/session.h"
+#include "sim/small_scene.h"
+
+namespace drape {
+namespace {
+
+using testing::ElementsAre;
+using testing::HasSubstr;
+
+void run(Session& session, int steps) {
+    session.send(command::Step{steps});
+    session.advance(0, 1e9);
+}
+
+Session compared(const std::string& versus, const std::vector<std::string>& assignments = {}) {
+    Session session(small_simulation(assignments));
+    session.compare(versus);
+    return session;
+}
+
+TEST(Comparison, KnowsWhereAnAssignmentEnds) {
+    EXPECT_THAT(split_assignments("a=1,2,b.c=x"), ElementsAre("a=1,2", "b.c=x"));
+    EXPECT_THROW(static_cast<void>(split_assignments("1,a=2")), InputError);
+    Session session(small_simulation());
+    EXPECT_THROW(session.compare("solver.integratr=rk4"), InputError);
+    EXPECT_THROW(session.compare("solver.dt=-1"), InputError);
+    EXPECT_EQ(session.view().comparison, nullptr);
+}
+
+TEST(Comparison, FindsNoDifferenceWhereThereIsNone) {
+    Session session = compared("contact.volume=aabb");
+    run(session, 100);
+    session.send(command::Grab{0, 75});
+    session.send(command::Drag{Vec3(0.2, 0.5, 0.5)});
+    run(session, 100);
+    session.send(command::Release{});
+    session.send(parse_command("steer 1 0 -1"));
+    session.send(parse_command("set wind.on=true"));
+    run(session, 100);
+    session.send(parse_command("pin 0 40"));
+    session.send(parse_command("set solver.dt=0.0005"));
+    run(session, 300);
+    const FrameView view = session.view();
+    ASSERT_NE(view.comparison, nullptr);
+    EXPECT_EQ(view.comparison->settings->contact.volume, VolumeKind::Aabb);
+    EXPECT_EQ(view.comparison->largest, 0);
+    EXPECT_GT(view.report->traversal.visited, 0);
+    session.compare("");
+    EXPECT_EQ(session.view().comparison, nullptr);
+}
+
+TEST(Comparison, LeavesTheFirstSimulationAsItIs) {
+    Session session = compared("solver.integrator=backward_euler"), alone(small_simulation());
+    run(session, 200);
+    run(alone, 200);
+    EXPECT_EQ(session.simulation().hash(), alone.simulation().hash());
+    const FrameView view = session.view();
+    EXPECT_GT(view.comparison->rms, 1e-5);
+    EXPECT_GT(view.comparison->largest, view.comparison->rms);
+}
+
+TEST(Comparison, MeasuresADistanceThatIsKnown) {
+    // Two balls elsewhere, neither of which touches
+    Session session = compared("ball.position=0,5,0", {"ball.position=0,-5,0", "ground.solid=false"});
+    run(session, 50);
+    EXPECT_EQ(session.view().comparison->largest, 0);
+
+    // A cloth that begins a decimetre higher stays there
+    Session shifted = compared("cloth.origin=-0.5,0.7,0", {"ball.position=0,-5,0"});
+    run(shifted, 50);
+    const FrameView view = shifted.view();
+    EXPECT_NEAR(view.comparison->rms, 0.1, 1e-6);
+    EXPECT_NEAR(view.comparison->largest, 0.1, 1e-6);
+    for (const float distance : view.comparison->distances[0]) EXPECT_NEAR(distance, 0.1, 1e-6);
+}
+
+TEST(Comparison, ComparesGridsWhereTheirParticlesLie) {
+    Session session = compared("cloth.particles=19,15", {"integrator=backward_euler"});
+    EXPECT_NEAR(session.view().comparison->largest, 0, 1e-12) << "both are flat";
+    run(session, 100);
+    EXPECT_GT(session.view().comparison->largest, 1e-4);
+    EXPECT_LT(session.view().comparison->largest, 0.1);
+
+    // Another corner is another place of the other grid
+    session.send(command::Grab{0, 79});
+    EXPECT_EQ(session.view().comparison->cloths[0].held, 19 * 15 - 1);
+}
+
+TEST(Comparison, ComparesTheSameTimeWhateverTheSteps) {
+    Session session = compared("solver.dt=0.00048828125");
+    run(session, 101);
+    EXPECT_DOUBLE_EQ(session.view().comparison->report->time, session.simulation().report().time);
+    Session longer = compared("solver.dt=0.002");
+    run(longer, 100);
+    const ComparisonView& other = *longer.view().comparison;
+    EXPECT_LT(other.report->time - longer.simulation().report().time, 0.002);
+    EXPECT_GE(other.report->time, longer.simulation().report().time);
+    EXPECT_NEAR(static_cast<double>(other.blend), 1 - (other.report->time - longer.simulation().report().time) / 0.002,
+                1e-6);
+}
+
+TEST(Comparison, KeepsWhatIsComparedApart) {
+    Session session = compared("solver.integrator=backward_euler");
+    session.send(parse_command("next integrator"));
+    EXPECT_EQ(session.view().comparison->settings->solver.integrator, IntegratorKind::BackwardEuler);
+    session.send(parse_command("set friction=0.7"));
+    EXPECT_EQ(session.view().comparison->settings->contact.friction, Real(0.7)) << "the rest is the same in both";
+    session.send(command::LoadScene{"hang"});
+    EXPECT_EQ(session.view().comparison->settings->solver.integrator, IntegratorKind::BackwardEuler);
+    run(session, 20);
+    EXPECT_LT(session.view().comparison->largest, 0.1) << "of the same scene";
+}
+
+TEST(Comparison, GoesBackInTimeWithBoth) {
+    Session session(small_simulation());
+    session.keep_history({});
+    session.compare("solver.integrator=backward_euler");
+    run(session, 250);
+    const double before = session.view().comparison->rms;
+    run(session, 250);
+    EXPECT_NE(session.view().comparison->rms, before);
+    session.go_to(250);
+    session.advance(0, 1e9);
+    EXPECT_EQ(session.view().comparison->rms, before);
+    EXPECT_THAT(session.takeover_notice(), testing::Not(HasSubstr("ended")));
+}
+
+}  // namespace
+}  // namespace drape
