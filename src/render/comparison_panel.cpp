@@ -13,7 +13,7 @@ namespace {
 
 constexpr double kept_interval = 1.0 / 24;  // s of scene time between two that are kept
 
-using FigureText = std::array<char, 32>;
+using FigureText = std::array<char, 40>;
 
 struct ComparedFigure {
     const char* label;  // with its unit
@@ -33,7 +33,11 @@ constexpr std::array<ComparedFigure, 8> compared_figures{{
 }};
 
 // Less than a picometre is rounding
-double millimetres(double metres) { return metres < 1e-12 ? 0 : 1e3 * metres; }
+FigureText millimetres(double metres) {
+    FigureText text{};
+    std::snprintf(text.data(), 12, metres < 1e-12 ? "0" : metres < 0.1 ? "%.3g" : "%.0f", 1e3 * metres);
+    return text;
+}
 
 FigureText figure_text(const ComparedFigure& row, const StepReport& report) {
     FigureText text{};
@@ -83,8 +87,8 @@ float ComparisonPanel::draw(const FrameView& view, const OverlayPage& page, floa
         text_at({other, line.y}, ink::text, figure_text(figures, *view.comparison->report).data());
     }
     line.y += row;
-    std::snprintf(text.data(), text.size(), "%.3g mm, most %.3g mm", millimetres(view.comparison->rms),
-                  millimetres(view.comparison->largest));
+    const FigureText rms = millimetres(view.comparison->rms), apart = millimetres(view.comparison->largest);
+    std::snprintf(text.data(), text.size(), "%s mm, most %s mm", rms.data(), apart.data());
     text_at(line, ink::quiet, "apart (RMS)");
     text_at({first, line.y}, ink::wait, text.data());
 
@@ -101,7 +105,7 @@ float ComparisonPanel::draw(const FrameView& view, const OverlayPage& page, floa
     ImDrawList& list = *ImGui::GetWindowDrawList();
     list.AddLine({line.x, bottom}, {end, bottom}, ink::groove);
     list.AddPolyline(points.data(), static_cast<int>(count_), ink::bar, ImDrawFlags_None, 1.5f);
-    std::snprintf(text.data(), text.size(), "%.3g mm", millimetres(largest));
+    std::snprintf(text.data(), text.size(), "%s mm", millimetres(largest).data());
     text_at({line.x, line.y}, ink::quiet, text.data());
     return panel.x;
 }
