@@ -13,5 +13,6 @@ layout(std140) uniform Frame {
     vec4 node_colours[7];  // by what the last query did with a node
     vec4 value_colours[9];  // from the least to the most, linear
     vec4 group_colours[4];  // linear
-    ivec4 look;          // groups: 1, sides: 2, else 0; the weave: 1, no weave: 0
+    ivec4 look;          // groups: 1, sides: 2, else 0; the weave: 1, no weave: 0; the ground's grid: 1 or 0
+    vec4 failure[2];     // where the run has diverged, and the other end of a spring there [m]; w: 0 if not shown
 };

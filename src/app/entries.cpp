@@ -93,6 +93,8 @@ std::vector<Entry> make_entries(const std::vector<std::string>& scenes) {
         {"View", {"L"}, "Wireframe", "next view.wireframe"},
         {"View", {"N"}, "Particles and springs", "next view.particles"},
         {"View", {}, "Weave of the cloth", "next view.weave"},
+        {"View", {}, "Smooth outlines", "next view.smooth"},
+        {"View", {}, "Grid on the ground", "next view.grid"},
         {"View", {"Tab"}, "Stats panel: compact, full, off", "next view.panel"},
         {"View", {"M"}, "Settings panel", "next view.controls"},
         {"View", {"Shift+K"}, "Plots of the last seconds", "next view.plots"},

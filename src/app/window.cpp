@@ -28,6 +28,7 @@ Window::Window(Session& session, PictureSize size, const StopSignals& signals, b
       signals_(signals),
       entries_(make_entries(scene_names())),
       camera_(session.simulation().settings().view),
+      shown_(camera_),
       scene_(session.simulation().scene()) {
     glutInitContextVersion(3, 3);
     glutInitContextProfile(GLUT_CORE_PROFILE);
@@ -70,11 +71,12 @@ void Window::on_tick() {
 
     const double elapsed = clock_.lap();
     steer(elapsed);
-    if (pointer_.moved()) carry_out(pointer_.flush({session_.view(), camera_, width_, height_}));
+    if (pointer_.moved()) carry_out(pointer_.flush({session_.view(), shown_, width_, height_}));
     // Steps may take as long as drawing does: a slow scene still answers the mouse, a slow display does not slow the
     // cloth.
     session_.advance(elapsed, std::max(least_budget, picture_time_));
     follow_replay();
+    dirty_ |= shown_.ease_towards(camera_, elapsed);
     tell_of_drops();
     tell_of_crossings();
 
@@ -126,7 +128,7 @@ void Window::draw(FrameView view) {
     } else if (const std::string warning = session_.simulation().step_warning(); !warning.empty()) {
         lines.push_back(warning);
     }
-    renderer_->draw(view, camera_, lines);
+    renderer_->draw(view, shown_, lines);
     drawn_step_ = view.report->step;
 }
 
@@ -191,7 +193,7 @@ void Window::tell_of_drops() {
 
 void Window::start_scene() {
     scene_ = session_.simulation().scene();
-    camera_ = Camera(session_.simulation().settings().view);
+    camera_ = shown_ = Camera(session_.simulation().settings().view);
     renderer_->set_scene(session_.simulation().settings());
     renderer_->set_hint({});
     hinting_ = false;

@@ -100,7 +100,8 @@ private:
     Session& session_;
     const StopSignals& signals_;
     std::vector<Entry> entries_;
-    Camera camera_;
+    Camera camera_;  ///< where the commands have led
+    Camera shown_;   ///< what the picture shows, on its way there
     Pointer pointer_;
     Steering steering_;
     std::set<std::string> held_keys_;  ///< by the names they have without Shift

@@ -168,7 +168,7 @@ void Window::on_button(int button, int state, int x, int y) {
         panel_button_ = down && is_at_panel;
         if (is_at_panel || was_at_panel) return;
     }
-    const Sight sight{session_.view(), camera_, width_, height_};
+    const Sight sight{session_.view(), shown_, width_, height_};
     if (down) {
         forget_hint();
         carry_out(pointer_.press(which, held, x, y, sight));

@@ -60,6 +60,23 @@ void Camera::apply(const Command& command, const FrameView& view) {
     }
 }
 
+bool Camera::ease_towards(const Camera& goal, double elapsed) {
+    constexpr double pace = 0.1;       // s
+    constexpr float unseen = 2.5e-4f;  // of the distance, and of a radian: a quarter of a pixel
+    if (*this == goal) return false;
+    const auto part = static_cast<float>(-std::expm1(-std::max(elapsed, 0.0) / pace));
+    const float turn = std::remainder(goal.yaw_ - yaw_, 2 * std::numbers::pi_v<float>);
+    yaw_ = std::remainder(yaw_ + part * turn, 2 * std::numbers::pi_v<float>);
+    pitch_ += part * (goal.pitch_ - pitch_);
+    target_ += part * (goal.target_ - target_);
+    distance_ *= std::pow(goal.distance_ / distance_, part);
+
+    const float left = std::abs(1 - part) * std::abs(turn) + std::abs(goal.pitch_ - pitch_) +
+                       (goal.target_ - target_).norm() / distance_ + std::abs(goal.distance_ / distance_ - 1);
+    if (!(left > unseen)) *this = goal;
+    return true;
+}
+
 Eigen::Vector3f Camera::eye() const { return target_ + distance_ * axes_of(yaw_, pitch_).back; }
 
 Eigen::Matrix4f Camera::view_matrix() const {

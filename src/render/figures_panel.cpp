@@ -125,11 +125,17 @@ std::vector<Row> rows_ahead(ReportGroup group, const FrameView& view) {
     }
 }
 
+// What the lines on the ground are apart
+void add_grid_row(const FrameView& view, std::vector<Row>& rows) {
+    if (view.settings->view.grid) rows.push_back({"ground grid", "10 cm, 1 m", -1, 1});
+}
+
 // What a glance takes in
 std::vector<Row> compact_rows(const FrameView& view, const FrameReport& last) {
     std::vector<Row> rows = rows_ahead(ReportGroup::Time, view);
     rows.push_back({"contacts", grouped(static_cast<double>(view.report->contacts)), -1, 3});
     rows.push_back({"FPS", format("%.1f", last.rate), -1, 3});
+    add_grid_row(view, rows);
     rows.push_back({"Tab", "all figures", -1, 1, ink::quiet});
     return rows;
 }
@@ -223,6 +229,7 @@ float figures_panel(const FrameView& view, const FrameReport& last, ImFont* titl
     } else {
         add_report_rows(view, rows);
         add_cost_rows(last, rows);
+        add_grid_row(view, rows);
     }
 
     // As large as it must be, at most as the picture

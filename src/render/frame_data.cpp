@@ -155,6 +155,26 @@ Eigen::Vector4f linear(const std::array<float, 3>& colour) {
 
 }  // namespace
 
+namespace {
+
+// The first particle that has diverged, and the other end of its spring, in the last good state
+std::array<Eigen::Vector4f, 2> failure_ends(const FrameView& view) {
+    std::array<Eigen::Vector4f, 2> ends{Eigen::Vector4f::Zero(), Eigen::Vector4f::Zero()};
+    const FailureSpot& spot = view.report->failure;
+    if (view.report->status == Status::Ok || spot.cloth < 0 || spot.cloth >= static_cast<int>(view.cloths.size())) {
+        return ends;
+    }
+    const Points& x = view.cloths[static_cast<std::size_t>(spot.cloth)].x;
+    const int particles[] = {spot.particle, spot.other < 0 ? spot.particle : spot.other};
+    for (std::size_t end = 0; end < ends.size(); ++end) {
+        if (particles[end] >= x.rows() || !x.row(particles[end]).allFinite()) return {ends[0] * 0, ends[1] * 0};
+        ends[end] << x.row(particles[end]).transpose().cast<float>(), 1;
+    }
+    return ends;
+}
+
+}  // namespace
+
 FrameData make_frame_data(const FrameView& view, const Camera& camera, int width, int height, int shadow_texels) {
     FrameData data{};
     const float aspect = static_cast<float>(width) / static_cast<float>(height);
@@ -180,7 +200,11 @@ FrameData make_frame_data(const FrameView& view, const Camera& camera, int width
     std::ranges::transform(value_colours(), data.value_colours.begin(), linear);
     std::ranges::transform(group_colours(), data.group_colours.begin(), linear);
     const ColourBy by = settings.colour;
-    data.look = {by == ColourBy::Level ? 1 : by == ColourBy::Side ? 2 : 0, settings.weave ? 1 : 0, 0, 0};
+    data.look = {by == ColourBy::Level  ? 1
+                 : by == ColourBy::Side ? 2
+                                        : 0,
+                 settings.weave ? 1 : 0, settings.grid ? 1 : 0, 0};
+    data.failure = failure_ends(view);
 
     data.counts = {0, 0, 0, list_dark_balls(view, data.balls)};
     return data;

@@ -9,6 +9,7 @@
 
 #include "cloth_colours.h"
 #include "drape/base/input_error.h"
+#include "failure_mark.h"
 #include "frame_data.h"
 #include "frame_meter.h"
 #include "marks.h"
@@ -56,6 +57,7 @@ struct Renderer::Parts {
     ClothColours colours;
     Studio studio{gl};
     Marks marks{gl, stream};
+    FailureMark failure_mark{gl};
     OverlayPanels panels;
     OverlayPainter painter{gl, stream};
     std::optional<PictureTarget> target;
@@ -141,7 +143,8 @@ void Renderer::Parts::prepare(const FrameView& view, const Camera& camera, std::
     data.counts[2] = marks.segments();
     data.shadow[1] = marks.spacing();
     *stream.data<FrameData>(Region::Frame) = data;
-    solids.fill(view, colours, stream);
+    const float pixels = data.view_projection.row(1).head<3>().norm() * static_cast<float>(height) / 2;
+    solids.fill(view, colours, {camera.eye(), pixels}, stream);
     marks.fill(view, stream);
     painter.fill(stream);
     stream.upload();
@@ -158,13 +161,15 @@ void Renderer::Parts::paint(const FrameView& view) {
     studio.draw_shadows();
 
     const ViewSettings& shown = view.settings->view;
-    const bool marked = shown.bounds || shown.contacts || shown.particles || view.comparison != nullptr;
+    const bool failed = FailureMark::is_shown(data);
+    const bool marked = shown.bounds || shown.contacts || shown.particles || failed || view.comparison != nullptr;
     const PictureBox box = solids.box(data.view_projection, stream, width, height);
     target->begin_samples(marked ? PictureBox{0, 0, width, height} : grown(box, marks.room(), width, height));
-    solids.draw(shown);
+    solids.draw(shown, stream);
     studio.draw_behind();
     gl(glEnable, GLenum{GL_BLEND});
     marks.draw();
+    if (failed) failure_mark.draw();
     target->resolve();
     painter.draw(stream);
     gl(glDisable, GLenum{GL_BLEND});

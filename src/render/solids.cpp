@@ -34,6 +34,19 @@ VertexLayout ball_layout() {
 
 const VertexLayout place_layout{sizeof(ClothPlace), {{5, 4, 0}}};
 
+// Of the middles of edges, in the order of `SmoothOutline`; the places of the particles are there, from `first` on
+void append_middle_places(const Grid& grid, std::size_t first, std::vector<ClothPlace>& places) {
+    for (int p = 0; p < grid.particles(); ++p) {
+        const int right = p % grid.nx + 1 < grid.nx ? p + 1 : p;
+        const int step = p / grid.nx + 1 < grid.ny ? grid.nx : 0;
+        for (const auto& [from, to] : {std::array{p, right}, std::array{p, p + step}, std::array{right, p + step}}) {
+            const ClothPlace a = places[first + static_cast<std::size_t>(from)],
+                             b = places[first + static_cast<std::size_t>(to)];
+            places.push_back({(a.u + b.u) / 2, (a.v + b.v) / 2, a.width, a.height});
+        }
+    }
+}
+
 void store(const Eigen::Vector3f& from, float (&to)[3]) { std::copy_n(from.data(), 3, to); }
 
 // A solid's points where it is drawn; returns the vertex after them
@@ -78,6 +91,7 @@ Solids::Solids(Gl& gl, StreamBuffer& stream)
       body_program_(gl, "cloth", "solid"),
       depth_program_(gl, "depth"),
       cloths_(gl, stream, Region::Cloth, cloth_layout()),
+      outlined_(gl, stream, Region::Cloth, cloth_layout()),
       balls_(gl, stream, Region::Balls, ball_layout()),
       cloth_indices_(gl),
       cloth_places_(gl),
@@ -94,10 +108,13 @@ Solids::Solids(Gl& gl, StreamBuffer& stream)
     points.enable(gl);
     points.set(gl, 0);
 
-    cloths_.bind();
     fill_static(gl, GL_ARRAY_BUFFER, cloth_places_, std::vector<ClothPlace>{{}});
-    place_layout.enable(gl);
-    place_layout.set(gl, 0);
+    for (const StreamArray* array : {&cloths_, &outlined_}) {
+        array->bind();
+        place_layout.enable(gl);
+        place_layout.set(gl, 0);
+    }
+    stream.bind_indices();
     stream.bind_vertices();
 }
 
@@ -106,7 +123,14 @@ void Solids::need(const FrameView& view, StreamBuffer& stream) {
     for (const ClothView& cloth : view.cloths)
         particle_count_ += static_cast<std::size_t>(cloth.model.grid.particles());
     bodies_changed_ = update_bodies(view);
-    stream.need(Region::Cloth, (particle_count_ + body_vertex_count_) * sizeof(ClothVertex));
+
+    // The colours of nodes are those of whole cells, and lines are drawn between particles
+    const ViewSettings& shown = view.settings->view;
+    smooth_ = shown.smooth && !shown.wireframe && shown.colour != ColourBy::Level &&
+              particle_count_ <= SmoothOutline::most_particles;
+    const std::size_t middles = smooth_ ? SmoothOutline::middles_each * particle_count_ : 0;
+    stream.need(Region::Cloth, (fixed_vertices() + middles) * sizeof(ClothVertex));
+    stream.need(Region::ClothIndices, smooth_ ? 24 * particle_count_ * sizeof(std::uint32_t) : 0);
     stream.need(Region::Balls, view.balls.size() * sizeof(DrawnBall));
 }
 
@@ -136,13 +160,21 @@ bool Solids::update_spacings(const FrameView& view) {
 void Solids::fill_places(const FrameView& view, StreamBuffer& stream) {
     std::vector<ClothPlace> places;
     for (const ClothView& cloth : view.cloths) append_places(cloth.model, places);
-    places.resize(particle_count_ + body_vertex_count_);
+    places.resize(fixed_vertices());
+    if (particle_count_ <= SmoothOutline::most_particles) {
+        std::size_t first = 0;
+        for (const ClothView& cloth : view.cloths) {
+            append_middle_places(cloth.model.grid, first, places);
+            first += static_cast<std::size_t>(cloth.model.grid.particles());
+        }
+    }
     fill_static(gl_, GL_ARRAY_BUFFER, cloth_places_, places);
     stream.bind_vertices();
 }
 
 void Solids::arrange(const FrameView& view, StreamBuffer& stream) {
     cloths_.follow(stream);
+    outlined_.follow(stream);
     balls_.follow(stream);
     ball_count_ = static_cast<int>(view.balls.size());
     const bool regrown = update_grids(view, grids_) || bodies_changed_;
@@ -156,7 +188,7 @@ void Solids::arrange(const FrameView& view, StreamBuffer& stream) {
     fill_static(gl_, GL_ELEMENT_ARRAY_BUFFER, cloth_indices_, indices);
 }
 
-void Solids::fill(const FrameView& view, const ClothColours& colours, StreamBuffer& stream) const {
+void Solids::fill(const FrameView& view, const ClothColours& colours, const Viewpoint& from, StreamBuffer& stream) {
     auto* vertex = stream.data<ClothVertex>(Region::Cloth);
     for (const ClothView& cloth : view.cloths) {
         fill_cloth_vertices(cloth, view.blend, vertex);
@@ -165,13 +197,34 @@ void Solids::fill(const FrameView& view, const ClothColours& colours, StreamBuff
     }
     colours.fill({stream.data<ClothVertex>(Region::Cloth), particle_count_});
     for (std::size_t i = 0; i < view.solids.size(); ++i) vertex = fill_body(view, i, meshes_[i], vertex);
+    outline_room_ = 0;
+    if (smooth_) fill_outlines(view, from, stream);
     auto* balls = stream.data<DrawnBall>(Region::Balls);
     for (std::size_t i = 0; i < view.balls.size(); ++i) balls[i] = {drawn_ball(view, i), drawn_orientation(view, i)};
 }
 
+void Solids::fill_outlines(const FrameView& view, const Viewpoint& from, StreamBuffer& stream) {
+    auto* const vertices = stream.data<ClothVertex>(Region::Cloth);
+    auto* const indices = stream.data<std::uint32_t>(Region::ClothIndices);
+    std::size_t first = 0;
+    std::uint32_t* end = indices;
+    for (const ClothView& cloth : view.cloths) {
+        const std::size_t first_middle = fixed_vertices() + SmoothOutline::middles_each * first;
+        end = outline_.fill(cloth.model.grid,
+                            {vertices + first, vertices + first_middle, static_cast<std::uint32_t>(first),
+                             static_cast<std::uint32_t>(first_middle)},
+                            from, end);
+        outline_room_ = std::max(outline_room_, outline_.farthest());
+        first += static_cast<std::size_t>(cloth.model.grid.particles());
+    }
+    outlined_index_count_ = static_cast<int>(end - indices);
+}
+
 PictureBox Solids::box(const Eigen::Matrix4f& view_projection, StreamBuffer& stream, int width, int height) const {
-    return solid_box(view_projection, {stream.data<ClothVertex>(Region::Cloth), particle_count_ + body_vertex_count_},
-                     {stream.data<DrawnBall>(Region::Balls), static_cast<std::size_t>(ball_count_)}, width, height);
+    const PictureBox box =
+        solid_box(view_projection, {stream.data<ClothVertex>(Region::Cloth), fixed_vertices()},
+                  {stream.data<DrawnBall>(Region::Balls), static_cast<std::size_t>(ball_count_)}, width, height);
+    return grown(box, static_cast<int>(std::ceil(std::min(outline_room_, 1e4f))), width, height);
 }
 
 void Solids::draw_cloths() {
@@ -200,11 +253,16 @@ void Solids::draw_shadow() {
     if (ball_count_ > 0) draw_balls();
 }
 
-void Solids::draw(const ViewSettings& shown) {
+void Solids::draw(const ViewSettings& shown, const StreamBuffer& stream) {
     const bool wireframe = shown.wireframe;
     shown.colour == ColourBy::Plain ? cloth_program_.use() : value_program_.use();
     if (wireframe) gl_(glPolygonMode, GLenum{GL_FRONT_AND_BACK}, GLenum{GL_LINE});
-    draw_cloths();
+    if (smooth_) {
+        outlined_.bind();
+        gl_.draw_elements(GL_TRIANGLES, outlined_index_count_, stream.start(Region::ClothIndices));
+    } else {
+        draw_cloths();
+    }
     if (wireframe) gl_(glPolygonMode, GLenum{GL_FRONT_AND_BACK}, GLenum{GL_FILL});
     if (body_index_count_ > 0) {
         body_program_.use();

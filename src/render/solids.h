@@ -9,6 +9,7 @@
 #include "gl_objects.h"
 #include "picture_target.h"
 #include "program.h"
+#include "smooth_outline.h"
 #include "stream_buffer.h"
 
 namespace drape {
@@ -17,6 +18,7 @@ namespace drape {
 VertexLayout cloth_layout();
 
 /// The cloths, the balls and the solids: what is seen and what casts shadows.
+/// In the buffer, the points of solids follow the particles, and the middles of edges follow those.
 class Solids {
 public:
     Solids(Gl& gl, StreamBuffer& stream);
@@ -26,7 +28,7 @@ public:
     /// Follows new grids, and regions of the stream that moved.
     void arrange(const FrameView& view, StreamBuffer& stream);
 
-    void fill(const FrameView& view, const ClothColours& colours, StreamBuffer& stream) const;
+    void fill(const FrameView& view, const ClothColours& colours, const Viewpoint& from, StreamBuffer& stream);
 
     /// Where the picture shows what was filled in.
     [[nodiscard]] PictureBox box(const Eigen::Matrix4f& view_projection, StreamBuffer& stream, int width,
@@ -36,7 +38,7 @@ public:
     void draw_shadow();
 
     /// @param shown how the cloth is drawn: its triangles as lines, its colours
-    void draw(const ViewSettings& shown);
+    void draw(const ViewSettings& shown, const StreamBuffer& stream);
 
 private:
     void draw_cloths();
@@ -45,15 +47,21 @@ private:
     bool update_bodies(const FrameView& view);
     bool update_spacings(const FrameView& view);
     void fill_places(const FrameView& view, StreamBuffer& stream);
+    void fill_outlines(const FrameView& view, const Viewpoint& from, StreamBuffer& stream);
+    [[nodiscard]] std::size_t fixed_vertices() const { return particle_count_ + body_vertex_count_; }
 
     Gl& gl_;
     Program cloth_program_, value_program_, ball_program_, body_program_, depth_program_;
-    StreamArray cloths_, balls_;
+    StreamArray cloths_, outlined_, balls_;
     Buffer cloth_indices_, cloth_places_, sphere_vertices_, sphere_indices_;
     std::vector<Grid> grids_;
     std::vector<std::array<Real, 2>> spacings_;              ///< of the grids [m]
     std::vector<std::shared_ptr<const SolidShape>> shapes_;  ///< of the solids
     std::vector<TriangleMesh> meshes_;                       ///< of the shapes
+    SmoothOutline outline_;
+    bool smooth_ = false;
+    int outlined_index_count_ = 0;
+    float outline_room_ = 0;  ///< how far the outline stands out of the triangles between particles [pixel]
     bool bodies_changed_ = false;
     std::size_t particle_count_ = 0, body_vertex_count_ = 0;
     int cloth_index_count_ = 0, body_index_count_ = 0, sphere_index_count_ = 0, ball_count_ = 0;

@@ -9,7 +9,18 @@
 namespace drape {
 
 /// What changes from frame to frame, in the order in which it lies in the one buffer.
-enum class Region { Frame, Balls, Cloth, Contacts, Spheres, Edges, OverlayVertices, OverlayIndices, Count };
+enum class Region {
+    Frame,
+    Balls,
+    Cloth,
+    ClothIndices,
+    Contacts,
+    Spheres,
+    Edges,
+    OverlayVertices,
+    OverlayIndices,
+    Count
+};
 
 /// One buffer for all that changes from frame to frame, so that a frame needs one upload.
 /// It stays bound to GL_ARRAY_BUFFER, for the upload and for `VertexLayout::set`.

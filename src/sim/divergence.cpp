@@ -21,17 +21,11 @@ Real plausible_speed(const Cloth& cloth, std::span<const Ball> balls, const Sett
     return speed;
 }
 
-std::string particle_name(const Grid& grid, Eigen::Index particle) {
-    const int p = static_cast<int>(particle);
-    return "particle " + std::to_string(p) + " (column " + std::to_string(p % grid.nx) + ", row " +
-           std::to_string(p / grid.nx) + ")";
-}
-
-/// The spring of a particle that is the farthest from its rest length, or the first without a length.
-std::string spring_name(const ClothModel& model, const Points& x, Eigen::Index particle) {
+/// Adds the spring of the particle that is the farthest from its rest length, or the first without a length.
+void add_spring(const ClothModel& model, const Points& x, Divergence& found) {
     static const char* const kinds[] = {"structural", "structural", "shear", "shear", "bend", "bend"};
     const Grid& grid = model.grid;
-    const int i = static_cast<int>(particle) % grid.nx, j = static_cast<int>(particle) / grid.nx;
+    const int particle = found.particle, i = particle % grid.nx, j = particle / grid.nx;
     const auto stencils = spring_stencils(model);
     Real worst = -1;
     std::string name;
@@ -45,18 +39,28 @@ std::string spring_name(const ClothModel& model, const Points& x, Eigen::Index p
             const Real off = std::isfinite(ratio) ? std::abs(ratio - 1) : std::numeric_limits<Real>::infinity();
             if (!(off > worst)) continue;
             worst = off;
+            found.other = other;
             name =
                 std::string(kinds[s]) + " spring to " + std::to_string(other) +
                 (std::isfinite(ratio) ? " at " + real_text(static_cast<double>(ratio), 3) + " x its rest length" : "");
         }
     }
-    return name.empty() ? "" : ", its " + name;
+    if (!name.empty()) found.clause += ", its " + name;
+}
+
+Divergence diverged_at(const Cloth& cloth, Eigen::Index particle, const std::string& how) {
+    const int p = static_cast<int>(particle), columns = cloth.model.grid.nx;
+    Divergence found{"particle " + std::to_string(p) + " (column " + std::to_string(p % columns) + ", row " +
+                         std::to_string(p / columns) + ") " + how,
+                     p};
+    add_spring(cloth.model, cloth.state.x, found);
+    return found;
 }
 
 }  // namespace
 
-std::string divergence(const Cloth& cloth, const MotionSums& sums, std::span<const Ball> balls,
-                       const Settings& settings) {
+Divergence divergence(const Cloth& cloth, const MotionSums& sums, std::span<const Ball> balls,
+                      const Settings& settings) {
     const Points &x = cloth.state.x, &v = cloth.state.v;
     const auto n = static_cast<Real>(v.rows());
 
@@ -70,14 +74,11 @@ std::string divergence(const Cloth& cloth, const MotionSums& sums, std::span<con
     Eigen::Index fastest = 0;
     Real largest = -1;
     for (Eigen::Index p = 0; p < v.rows(); ++p) {
-        if (!x.row(p).allFinite() || !v.row(p).allFinite()) {
-            return particle_name(cloth.model.grid, p) + " is no longer finite" + spring_name(cloth.model, x, p);
-        }
+        if (!x.row(p).allFinite() || !v.row(p).allFinite()) return diverged_at(cloth, p, "is no longer finite");
         const Real speed = (v.row(p).transpose() - mean).squaredNorm();
         if (speed > largest) largest = speed, fastest = p;
     }
-    return particle_name(cloth.model.grid, fastest) + " at " + real_text(static_cast<double>(std::sqrt(largest)), 3) +
-           " m/s" + spring_name(cloth.model, x, fastest);
+    return diverged_at(cloth, fastest, "at " + real_text(static_cast<double>(std::sqrt(largest)), 3) + " m/s");
 }
 
 }  // namespace drape

@@ -48,10 +48,11 @@ std::string check_substep(std::span<Cloth> cloths, std::span<const Ball> balls, 
     bool gained = false;
     for (Cloth& cloth : cloths) {
         const MotionSums sums = sum_motion(cloth.state);
-        const std::string trouble = divergence(cloth, sums, balls, settings);
-        if (!trouble.empty()) {
+        const Divergence found = divergence(cloth, sums, balls, settings);
+        if (!found.clause.empty()) {
+            report.failure = {static_cast<int>(&cloth - cloths.data()), found.particle, found.other};
             return "diverged at step " + std::to_string(report.step + 1) + " (" +
-                   std::string(name_of(solver.integrator)) + "): " + trouble;
+                   std::string(name_of(solver.integrator)) + "): " + found.clause;
         }
         cloth.energy.after_integrator(cloth.model, cloth.state, sums, h, least_pause);
         mark_gain(cloth.energy.watch(), solver.integrator, report);

@@ -303,6 +303,9 @@ void add_the_rest(std::vector<Setting>& table) {
         "colour", &ViewSettings::colour,
         "what the cloth's colour says: nothing, strain, speed, contact depth, the node of the shown level, side");
     view.flag("weave", &ViewSettings::weave, "show the cloth's weave, which stretches with it");
+    view.flag("smooth", &ViewSettings::smooth, "draw the cloth's outline as curves through its particles");
+    view.flag("grid", &ViewSettings::grid,
+              "show a grid on the ground, a line every 10 cm and a stronger one every metre");
     view.vector("eye", &ViewSettings::eye, "m", lengths, "where the camera starts");
     view.vector("target", &ViewSettings::target, "m", lengths, "what the camera looks at");
     view.number("speed", &ViewSettings::speed, "", {1e-4, 100},

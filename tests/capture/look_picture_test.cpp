@@ -101,6 +101,43 @@ TEST_F(Weave, LiesInTheClothAndStretchesWithIt) {
 
 TEST_F(Weave, IsRefusedIfItIsAsideByHalfAStripe) { EXPECT_LT(contrast(1, 0.0125), 0.03); }
 
+struct GroundGrid : LookPicture {
+    /// How much darker the ground is on its lines than between them, where they are expected `aside` along x [m].
+    double contrast(double aside) {
+        settings_.view.grid = true;
+        const Image with = draw(view_.cloths[0]);
+        settings_.view.grid = false;
+        const Image without = draw(view_.cloths[0]);
+        const ExpectedPicture expected(view_, look_width, look_height);
+        const auto darker = [&](double x, double z) {
+            const auto place = expected.project({Real(x), settings_.ground.height, Real(z)});
+            const int i = static_cast<int>(place.x), j = static_cast<int>(place.y);
+            if (!expected.surely(Seen::Nothing, i, j, 3)) return 0.0;
+            double most = 0;
+            for (int down = -1; down <= 1; ++down) {
+                for (int right = -1; right <= 1; ++right) {
+                    most = std::max(most, 1 - brightness_at(with, i + right, j + down) /
+                                                  brightness_at(without, i + right, j + down));
+                }
+            }
+            return most;
+        };
+        double sum = 0;
+        int points = 0;
+        for (int line = -4; line <= 4; ++line) {
+            for (int row = 0; row < 8; ++row, ++points) {
+                const double x = 0.1 * line + aside, z = 0.1 * row + 0.05;
+                sum += darker(x, z) - darker(x + 0.05, z);
+            }
+        }
+        return sum / points;
+    }
+};
+
+TEST_F(GroundGrid, HasALineEveryTenCentimetres) { EXPECT_GT(contrast(0), 0.004); }
+
+TEST_F(GroundGrid, IsRefusedIfItIsAsideByHalfOfThat) { EXPECT_LT(contrast(0.05), 0); }
+
 struct Pinned : LookPicture {
     Pinned() : LookPicture("hang") {}
 

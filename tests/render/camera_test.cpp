@@ -115,5 +115,53 @@ TEST(Camera, FindsThePointOnThePlaneThatFacesIt) {
     EXPECT_NEAR((point - through).dot(Vec3(1, 2, 3).normalized()), 0, 1e-5);
 }
 
+Camera turned(double yaw, double pitch, double factor) {
+    Camera camera(looking({0, 1, 3}, {0, 0, 0}));
+    camera.apply(command::Orbit{yaw, pitch}, {});
+    camera.apply(command::Zoom{factor}, {});
+    camera.apply(command::Pan{0.2, 0.1}, {});
+    return camera;
+}
+
+TEST(EasedCamera, MakesTheSameWayInLongAndShortFrames) {
+    const Camera goal = turned(1, 0.3, 0.5);
+    Camera once = turned(0, 0, 1), often = once;
+    once.ease_towards(goal, 0.12);
+    for (int frame = 0; frame < 12; ++frame) often.ease_towards(goal, 0.01);
+    EXPECT_TRUE(once.view_matrix().isApprox(often.view_matrix(), 1e-4f));
+
+    Camera nearer = turned(0, 0, 1);
+    const float far = nearer.eye().norm();
+    Camera close = nearer;
+    close.apply(command::Zoom{0.5}, {});
+    nearer.ease_towards(close, 0.1);
+    const Eigen::Vector3f target = 2 * close.eye() - turned(0, 0, 1).eye();  // the eye moves half of the way to it
+    const float way = std::log((nearer.eye() - target).norm() / (turned(0, 0, 1).eye() - target).norm());
+    EXPECT_NEAR(way / std::log(0.5f), 1 - std::exp(-1.0f), 1e-3) << "of the zoom, from " << far;
+}
+
+/// With equal bits, so that an idle window stops drawing.
+TEST(EasedCamera, ArrivesAndStaysThere) {
+    const Camera goal = turned(-2, 0.4, 2);
+    Camera camera = turned(0, 0, 1);
+    int frames = 0;
+    while (camera.ease_towards(goal, 1.0 / 60)) ASSERT_LT(++frames, 120);
+    EXPECT_GT(frames, 30);
+    EXPECT_EQ(camera, goal);
+    EXPECT_EQ(camera.view_matrix(), goal.view_matrix());
+    Camera late = turned(0, 0, 1);
+    late.ease_towards(goal, 1e6);
+    EXPECT_EQ(late, goal) << "after a long pause";
+}
+
+TEST(EasedCamera, TurnsTheShortWay) {
+    Camera camera = turned(3, 0, 1);
+    const Camera goal = turned(-3, 0, 1);
+    camera.ease_towards(goal, 0.05);
+    const auto angle_to = [&](const Camera& other) { return std::acos(camera.ahead().dot(other.ahead())); };
+    EXPECT_LT(angle_to(goal), 2 * std::numbers::pi - 6);
+    EXPECT_LT(angle_to(turned(3, 0, 1)), 2 * std::numbers::pi - 6);
+}
+
 }  // namespace
 }  // namespace drape

@@ -37,6 +37,20 @@ TEST_P(FailingScene, FailsAsItsTitleSays) {
     EXPECT_EQ(after_a_while(GetParam(), load_scene(GetParam())), Status::Diverged);
 }
 
+TEST(FailingScenes, SayWhichParticleAndSpringWereFirst) {
+    for (const std::string name : {"fails_rk4", "fails_symplectic_euler"}) {
+        Simulation simulation(name, load_scene(name));
+        EXPECT_EQ(simulation.report().failure.particle, -1);
+        while (simulation.report().status == Status::Ok && simulation.report().time < run_time) simulation.step();
+        const StepReport& report = simulation.report();
+        EXPECT_EQ(report.failure.cloth, 0);
+        EXPECT_THAT(report.trouble, testing::HasSubstr("particle " + std::to_string(report.failure.particle) + " ("));
+        EXPECT_THAT(report.trouble, testing::HasSubstr("spring to " + std::to_string(report.failure.other)));
+        simulation.apply(command::Reset{});
+        EXPECT_EQ(simulation.report().failure.particle, -1) << "after a reset";
+    }
+}
+
 double stretch_of_xpbd(int iterations) {
     Settings settings = load_scene("fails_xpbd");
     settings.solver.iterations = iterations;

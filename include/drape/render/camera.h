@@ -23,6 +23,14 @@ public:
     /// @param view what `frame` fits into the picture
     void apply(const Command& command, const FrameView& view);
 
+    /// Moves towards what another camera shows, so that 63 % of the way is made in 0.1 s, however long the frames are;
+    /// what is left of it, once nobody would see it, at once.
+    /// @param elapsed since the last call [s]
+    /// @return false if it is there already, and equal to it
+    bool ease_towards(const Camera& goal, double elapsed);
+
+    bool operator==(const Camera&) const = default;
+
     [[nodiscard]] Eigen::Vector3f eye() const;
     [[nodiscard]] Eigen::Matrix4f view_matrix() const;
     /// @param aspect width over height of the picture

@@ -167,6 +167,8 @@ struct ViewSettings {
     bool contacts = false;
     ColourBy colour = ColourBy::Plain;
     bool weave = true;
+    bool smooth = true;  ///< outlines of the cloth are curves through the particles
+    bool grid = true;    ///< a grid on the ground says how large things are
     Vec3 eye{Real(1.6), Real(0.9), Real(2.2)};
     Vec3 target{0, 0, 0};
     double speed = 1;  ///< simulated seconds that pass in a second at the window

@@ -30,6 +30,11 @@ struct CrossingDanger {
     double safe_speed = 0;    ///< up to which nothing passes through in such a substep [m/s]
 };
 
+/// Where a run has diverged: the first particle, and the other end of the worst of its springs; -1: none.
+struct FailureSpot {
+    int cloth = -1, particle = -1, other = -1;
+};
+
 /// What one step was and did; each stage fills its fields as it ends. Times and solves are those of all substeps,
 /// counts those of the last.
 struct StepReport {
@@ -69,6 +74,7 @@ struct StepReport {
     double stretch = 0;                                ///< largest elongation of a structural spring, as `energy`
     CrossingDanger crossing;                           ///< since the start
     Status status = Status::Ok;
+    FailureSpot failure;
     std::string trouble;  ///< one sentence on what broke, with particle and step; empty while all is well
 
     /// Sets to zero what limit and contacts of a substep add up to.

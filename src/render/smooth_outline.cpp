@@ -1,0 +1,140 @@
+#include "smooth_outline.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace drape {
+
+namespace {
+
+// The outline is near an edge if the normal at one of its ends is no more than this off the picture's plane, as a
+// cosine; from half of it on, all of the cubic's bend is drawn
+constexpr float near_outline = 0.4f;
+
+// A bend that is not seen, with the samples that a pixel has [pixel]
+constexpr float unseen = 0.3f;
+
+}  // namespace
+
+std::uint32_t* SmoothOutline::fill(const Grid& grid, const Vertices& vertices, const Viewpoint& from,
+                                   std::uint32_t* indices) {
+    look(grid, vertices.particles, from);
+    divide_edges(grid, vertices);
+    for (int j = 0; j + 1 < grid.ny; ++j) {
+        for (int i = 0; i + 1 < grid.nx; ++i) {
+            const int a = grid.particle(i, j), b = a + 1, c = a + grid.nx, d = c + 1;
+            const int across = 3 * a + 2;
+            indices = divide_triangle(vertices, {a, c, b}, {3 * a + 1, across, 3 * a}, indices);
+            indices = divide_triangle(vertices, {c, d, b}, {3 * c, 3 * b + 1, across}, indices);
+        }
+    }
+    return indices;
+}
+
+void SmoothOutline::look(const Grid& grid, const ClothVertex* particles, const Viewpoint& from) {
+    seen_.resize(static_cast<std::size_t>(grid.particles()));
+    for (std::size_t p = 0; p < seen_.size(); ++p) {
+        const Eigen::Vector3f to_eye = from.eye - Eigen::Map<const Eigen::Vector3f>(particles[p].position);
+        const float per_distance = 1 / std::max(to_eye.norm(), 1e-3f);
+        seen_[p] = {to_eye.dot(Eigen::Map<const Eigen::Vector3f>(particles[p].normal)) * per_distance,
+                    from.pixels * per_distance};
+    }
+}
+
+void SmoothOutline::divide_edges(const Grid& grid, const Vertices& vertices) {
+    farthest_ = 0;
+    divided_.assign(middles_each * static_cast<std::size_t>(grid.particles()), 0);
+    for (int j = 0; j < grid.ny; ++j) {
+        const bool first_row = j == 0, last_row = j + 1 == grid.ny;
+        for (int i = 0; i < grid.nx; ++i) {
+            const bool first_column = i == 0, last_column = i + 1 == grid.nx;
+            const bool one_right = !last_column, two_right = i + 2 < grid.nx;
+            const bool one_down = !last_row, two_down = j + 2 < grid.ny;
+            const int p = grid.particle(i, j);
+            const auto try_edge = [&](int number, const Edge& edge) {
+                const int place = middles_each * p + number;
+                divided_[static_cast<std::size_t>(place)] = divide(edge, vertices.particles, vertices.middles[place]);
+            };
+            if (one_right) try_edge(0, {p, p + 1, !first_column, two_right, first_row || last_row});
+            if (one_down) try_edge(1, {p, p + grid.nx, !first_row, two_down, first_column || last_column});
+            if (one_right && one_down)
+                try_edge(2, {p + 1, p + grid.nx, two_right && !first_row, !first_column && two_down, false});
+        }
+    }
+}
+
+// @return false if it stays straight
+bool SmoothOutline::divide(const Edge& edge, const ClothVertex* particles, ClothVertex& middle) {
+    // None of the bend is drawn far from the outline, so that it comes and goes without a jump
+    const Seen &from = seen_[static_cast<std::size_t>(edge.from)], &to = seen_[static_cast<std::size_t>(edge.to)];
+    const bool turns = from.facing * to.facing <= 0;
+    const float facing = edge.is_border || turns ? 0 : std::min(std::abs(from.facing), std::abs(to.facing));
+    if (facing >= near_outline) return false;
+    const float part = std::min(2 - 2 * facing / near_outline, 1.0f);
+
+    // By how much the cubic is off the middle; without a particle beyond one end, the parabola
+    const int stride = edge.to - edge.from;
+    const ClothVertex &a = particles[edge.from], &b = particles[edge.to];
+    const ClothVertex *before = particles + edge.from - stride, *after = particles + edge.to + stride;
+    const float share = part / (edge.has_before && edge.has_after ? 16 : 8);
+    float bend[3], square = 0;
+    for (int axis = 0; axis < 3; ++axis) {
+        const float p = a.position[axis], q = b.position[axis];
+        const float at_from = edge.has_before ? 2 * p - q - before->position[axis] : 0;
+        const float at_to = edge.has_after ? 2 * q - p - after->position[axis] : 0;
+        bend[axis] = (at_from + at_to) * share;
+        square += bend[axis] * bend[axis];
+    }
+    const float off = std::sqrt(square) * from.pixels;
+    if (!(off > unseen)) return false;
+    farthest_ = std::max(farthest_, off);
+
+    for (int axis = 0; axis < 3; ++axis) {
+        middle.position[axis] = (a.position[axis] + b.position[axis]) / 2 + bend[axis];
+        middle.normal[axis] = (a.normal[axis] + b.normal[axis]) / 2;
+    }
+    middle.pinned = 0;
+    middle.value = (a.value + b.value) / 2;
+    middle.hollow = (a.hollow + b.hollow) / 2;
+    return true;
+}
+
+// Into two, three or four where its edges are divided; edge k leads from corner k to the next
+std::uint32_t* SmoothOutline::divide_triangle(const Vertices& vertices, std::array<int, 3> corners,
+                                              std::array<int, 3> edges, std::uint32_t* indices) const {
+    const auto divided = [&](std::size_t k) -> unsigned { return divided_[static_cast<std::size_t>(edges[k])]; };
+    const unsigned which = divided(0) | divided(1) << 1 | divided(2) << 2;
+
+    // Turned so that the divided edges come first
+    constexpr std::array<std::ptrdiff_t, 8> turns{0, 0, 1, 0, 2, 2, 1, 0};
+    std::ranges::rotate(corners, corners.begin() + turns[which]);
+    std::ranges::rotate(edges, edges.begin() + turns[which]);
+    const auto corner = [&](std::size_t k) { return vertices.first_particle + static_cast<std::uint32_t>(corners[k]); };
+    const auto middle = [&](std::size_t k) { return vertices.first_middle + static_cast<std::uint32_t>(edges[k]); };
+    const auto add = [&](std::uint32_t p, std::uint32_t q, std::uint32_t r) {
+        *indices++ = p, *indices++ = q, *indices++ = r;
+    };
+    const std::uint32_t p = corner(0), q = corner(1), r = corner(2);
+    switch (divided(0) + divided(1) + divided(2)) {
+        case 0:
+            add(p, q, r);
+            break;
+        case 1:
+            add(p, middle(0), r);
+            add(middle(0), q, r);
+            break;
+        case 2:
+            add(p, middle(0), r);
+            add(middle(0), middle(1), r);
+            add(middle(0), q, middle(1));
+            break;
+        default:
+            add(p, middle(0), middle(2));
+            add(middle(0), q, middle(1));
+            add(middle(2), middle(1), r);
+            add(middle(0), middle(1), middle(2));
+    }
+    return indices;
+}
+
+}  // namespace drape
