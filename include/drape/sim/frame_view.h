@@ -1,5 +1,6 @@
 #pragma once
 
+#include <cstdint>
 #include <span>
 #include <string_view>
 
@@ -24,6 +25,14 @@ struct ClothView {
     int held = -1;                          ///< the particle that the hand holds; -1: none
 };
 
+/// What a search of all cloths for all balls costs with the hierarchy and without it.
+struct SearchTimes {
+    double hierarchy = 0;                      ///< build, traversal and test of the candidates [s]
+    double brute_force = 0;                    ///< test of every cell [s]
+    std::int64_t contacts = 0;                 ///< found with the hierarchy
+    std::int64_t contacts_by_brute_force = 0;  ///< as many, for both are exact
+};
+
 /// What the renderer needs of a moment; all of it belongs to the simulation and lasts until its next change.
 struct FrameView {
     std::span<const ClothView> cloths;
@@ -36,7 +45,8 @@ struct FrameView {
     const StepReport* report = nullptr;
     std::string_view scene;  ///< name or path
     bool paused = false;
-    bool held = false;  ///< the hand holds a particle
+    bool held = false;                    ///< the hand holds a particle
+    const SearchTimes* search = nullptr;  ///< a comparison of about now; null: none was made
 };
 
 }  // namespace drape
