@@ -117,6 +117,7 @@ void Window::on_display() {
 }
 
 void Window::draw(FrameView view) {
+    if (view.settings->view.panel == PanelSize::Full) view.search = search_timer_.look(view);
     std::vector<std::string> lines = notices_.lines(session_.replay_notice());
     if (!view.report->trouble.empty()) {
         lines.push_back(view.report->trouble);

@@ -12,6 +12,7 @@
 #include "drape/base/stopwatch.h"
 #include "drape/render/camera.h"
 #include "drape/render/renderer.h"
+#include "drape/sim/search_timer.h"
 #include "drape/sim/session.h"
 #include "entries.h"
 #include "menu.h"
@@ -106,6 +107,7 @@ private:
     Steering steering_;
     std::set<std::string> held_keys_;  ///< by the names they have without Shift
     Notices notices_;
+    SearchTimer search_timer_;
     std::unique_ptr<Renderer> renderer_;
     std::optional<Menu> menu_;
     Stopwatch clock_;  ///< since the last tick

@@ -107,6 +107,35 @@ std::string volume_text(const ContactSettings& contact) {
     return name + ", " + name_of(contact.sphere_fit);
 }
 
+// Of every cell, for every ball; 0 where no hierarchy saves any
+double tests_of_brute_force(const FrameView& view) {
+    if (view.settings->contact.volume == VolumeKind::Brute) return 0;
+    double cells = 0;
+    for (const ClothView& cloth : view.cloths) cells += cloth.model.grid.cells();
+    return cells * static_cast<double>(view.balls.size());
+}
+
+Row candidates_row(const FrameView& view) {
+    std::string text = grouped(static_cast<double>(view.report->traversal.candidates));
+    if (const double all = tests_of_brute_force(view); all > 0) text += " of " + grouped(all);
+    return {"candidates", text, -1, 2};
+}
+
+// What the hierarchy saves: tests, and time where that was measured
+std::vector<Row> saving_rows(const FrameView& view) {
+    const double all = tests_of_brute_force(view);
+    if (all == 0) return {};
+    const auto tested = static_cast<double>(view.report->traversal.candidates);
+    std::vector<Row> rows{{"brute force", tested > 0 ? format("%.3g x the tests", all / tested) : "tests them all", -1,
+                           3, tested < all ? ink::good : ink::wait}};
+    if (view.search == nullptr) return rows;
+    const double time = view.search->hierarchy, brute = view.search->brute_force;
+    rows.push_back({"search, in all", format("%.3g ms", 1000 * time), -1, 2});
+    rows.push_back({"by brute force", format("%.3g ms, %.2g x", 1000 * brute, brute / time), -1, 2,
+                    brute > time ? ink::good : ink::wait});
+    return rows;
+}
+
 // What stands above the figures of a group
 std::vector<Row> rows_ahead(ReportGroup group, const FrameView& view) {
     const Settings& settings = *view.settings;
@@ -117,9 +146,12 @@ std::vector<Row> rows_ahead(ReportGroup group, const FrameView& view) {
             std::ranges::move(step_rows(view), std::back_inserter(rows));
             return rows;
         }
-        case ReportGroup::Hierarchy:
-            return {{"volume", volume_text(settings.contact), -1, 2},
-                    {"update", name_of(settings.contact.update), -1, 1}};
+        case ReportGroup::Hierarchy: {
+            std::vector<Row> rows{{"volume", volume_text(settings.contact), -1, 2},
+                                  {"update", name_of(settings.contact.update), -1, 1}};
+            std::ranges::move(saving_rows(view), std::back_inserter(rows));
+            return rows;
+        }
         default:
             return {};
     }
@@ -134,6 +166,8 @@ void add_grid_row(const FrameView& view, std::vector<Row>& rows) {
 std::vector<Row> compact_rows(const FrameView& view, const FrameReport& last) {
     std::vector<Row> rows = rows_ahead(ReportGroup::Time, view);
     rows.push_back({"contacts", grouped(static_cast<double>(view.report->contacts)), -1, 3});
+    if (tests_of_brute_force(view) > 0) rows.push_back(candidates_row(view));
+    std::ranges::move(saving_rows(view), std::back_inserter(rows));
     rows.push_back({"FPS", format("%.1f", last.rate), -1, 3});
     add_grid_row(view, rows);
     rows.push_back({"Tab", "all figures", -1, 1, ink::quiet});
@@ -154,7 +188,7 @@ void add_report_rows(const FrameView& view, std::vector<Row>& rows) {
         if (opens) {
             for (Row& row : rows_ahead(field.group, view)) rows.push_back(std::move(row));
         }
-        rows.push_back(report_row(field, *view.report));
+        rows.push_back(field.name == "candidates" ? candidates_row(view) : report_row(field, *view.report));
         rows[first].opens_group = opens && before != nullptr;
         before = &field;
     }

@@ -49,6 +49,8 @@ void Matrix::add_volumes() {
 
 void Matrix::add_scenes(const Words& methods) {
     for (const std::string& scene : scene_names()) {
+        // Its methods are in the cases above, and an emulator needs minutes for it
+        if (load_scene(scene).cloths[0].particles.particles() > 10'000) continue;
         for (const std::string& method : methods) {
             const std::string given = method.empty() ? "" : " integrator=" + method;
             add(scene + " --time 0.02 --set on_unstable=substep" + given);

@@ -39,9 +39,7 @@ TEST_P(CoherentScene, TouchesNothingInTheStepsThatItSkipsAndHasTheSameBits) {
     settings.contact.coherence = false;
     Simulation plain(GetParam(), settings);
     int skips = 0;
-    // Cloth on cloth and on meshes takes long
-    const bool is_costly = settings.contact.self || !settings.solids.empty();
-    const int steps = is_costly ? 500 : 4000;
+    const int steps = cost_of(settings) == Cost::Small ? 4000 : 500;
     for (int step = 0; step < steps; ++step) {
         plain.step();
         if (!step_skips(coherent)) continue;

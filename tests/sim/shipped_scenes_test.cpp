@@ -25,9 +25,10 @@ class ShippedScene : public testing::TestWithParam<std::string> {};
 TEST_P(ShippedScene, RunsForSecondsInNoDoubtAndStretchesNoFurtherThanCloth) {
     Simulation simulation(GetParam(), load_scene(GetParam()));
     const int steps_of_a_tenth = static_cast<int>(std::lround(0.1 / simulation.settings().solver.dt));
-    // Cloth on cloth and on meshes takes long
-    const bool is_costly = simulation.settings().contact.self || !simulation.settings().solids.empty();
-    const int tenths = test::sanitized ? (is_costly ? 3 : 15) : (is_costly ? 6 : 100);
+    const Cost cost = cost_of(simulation.settings());
+    const int tenths = cost == Cost::Large    ? (test::sanitized ? 1 : 4)
+                       : cost == Cost::Costly ? (test::sanitized ? 3 : 6)
+                                              : (test::sanitized ? 15 : 100);
     double largest = 0;
     for (int tenth = 0; tenth < tenths; ++tenth) {
         make_steps(simulation, steps_of_a_tenth);

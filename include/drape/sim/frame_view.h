@@ -1,5 +1,6 @@
 #pragma once
 
+#include <cstdint>
 #include <span>
 #include <string_view>
 
@@ -27,6 +28,14 @@ struct ClothView {
 
 struct ComparisonView;
 
+/// What a search of all cloths for all balls costs with the hierarchy and without it.
+struct SearchTimes {
+    double hierarchy = 0;                      ///< build, traversal and test of the candidates [s]
+    double brute_force = 0;                    ///< test of every cell [s]
+    std::int64_t contacts = 0;                 ///< found with the hierarchy
+    std::int64_t contacts_by_brute_force = 0;  ///< as many, for both are exact
+};
+
 /// What the renderer needs of a moment; all of it belongs to the simulation and lasts until its next change.
 struct FrameView {
     std::span<const ClothView> cloths;
@@ -42,6 +51,7 @@ struct FrameView {
     bool held = false;                           ///< the hand holds a particle
     Timeline timeline = {};                      ///< of the session; where there is none to be shown, nothing
     const ComparisonView* comparison = nullptr;  ///< with another simulation; null: none
+    const SearchTimes* search = nullptr;         ///< a measurement of about now; null: none was made
 };
 
 }  // namespace drape

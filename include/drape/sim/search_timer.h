@@ -1,0 +1,44 @@
+#pragma once
+
+#include <cstdint>
+#include <memory>
+#include <optional>
+#include <vector>
+
+#include "drape/base/stopwatch.h"
+#include "drape/sim/frame_view.h"
+
+namespace drape {
+
+/// Compares the hierarchy with brute force now and then, on the state that is shown and with hierarchies of its own:
+/// the simulation does not notice. For the window alone, since it costs a test of every cell.
+class SearchTimer {
+public:
+    /// The latest comparison, made again where a second has passed; null where none can be made.
+    const SearchTimes* look(const FrameView& view);
+
+    /// Searches every cloth for every ball, both ways, three times, of which the fastest counts.
+    /// @return nothing without a ball or a hierarchy, under a limit of the search, and for an update that depends on
+    /// the steps before (refit, none): what that costs shows in a run only
+    std::optional<SearchTimes> measure(const FrameView& view);
+
+private:
+    struct OfCloth {
+        Grid grid;
+        std::unique_ptr<BroadPhase> hierarchy;
+        std::vector<CellRun> all_cells;
+    };
+
+    void prepare(const FrameView& view);
+    void search(const FrameView& view, bool by_hierarchy);
+
+    Stopwatch watch_;
+    bool looked_ = false;
+    std::optional<SearchTimes> times_;
+    BroadPhaseParameters parameters_;
+    std::vector<OfCloth> cloths_;
+    Candidates found_;
+    std::vector<Contact> contacts_;  ///< of all cloths
+};
+
+}  // namespace drape

@@ -1,0 +1,76 @@
+#include "drape/sim/search_timer.h"
+
+#include <gtest/gtest.h>
+
+#include "drape/sim/scene.h"
+#include "sim/small_scene.h"
+
+namespace drape {
+namespace {
+
+/// The small cloth while it lies against its ball.
+Simulation touching_simulation(const std::vector<std::string>& assignments = {}) {
+    Simulation simulation = small_simulation(assignments);
+    for (int step = 0; step < 4096 && simulation.report().contacts < 3; ++step) simulation.step();
+    EXPECT_GE(simulation.report().contacts, 3);
+    return simulation;
+}
+
+TEST(SearchTimer, FindsTheSameContactsBothWaysAsTheStep) {
+    Simulation simulation = touching_simulation();
+    const FrameView view = simulation.view(1);
+    SearchTimer timer;
+    const auto times = timer.measure(view);
+    ASSERT_TRUE(times);
+    EXPECT_GT(times->contacts, 0);
+    EXPECT_EQ(times->contacts, times->contacts_by_brute_force);
+    EXPECT_GT(times->hierarchy, 0);
+    EXPECT_GT(times->brute_force, 0);
+}
+
+TEST(SearchTimer, FollowsTheSceneAndChangesNothing) {
+    SearchTimer timer;
+    Simulation small = touching_simulation(), other = touching_simulation({"contact.volume=obb"});
+    const std::uint64_t bits = small.hash();
+    for (Simulation* simulation : {&small, &other, &small}) {
+        const auto times = timer.measure(simulation->view(1));
+        ASSERT_TRUE(times);
+        EXPECT_EQ(times->contacts, times->contacts_by_brute_force);
+    }
+    EXPECT_EQ(small.hash(), bits);
+    small.step();
+    Simulation undisturbed = touching_simulation();
+    undisturbed.step();
+    EXPECT_EQ(small.hash(), undisturbed.hash());
+}
+
+TEST(SearchTimer, SaysNothingWhereThereIsNothingToCompare) {
+    SearchTimer timer;
+    for (const char* assignment :
+         {"contact.volume=brute", "contact.update=refit", "contact.update=none", "contact.search_level=2"}) {
+        Simulation simulation = small_simulation({assignment});
+        EXPECT_FALSE(timer.measure(simulation.view(1))) << assignment;
+        EXPECT_EQ(timer.look(simulation.view(1)), nullptr) << assignment;
+    }
+    Settings settings = small_settings();
+    settings.balls.clear();
+    Simulation without_ball("drop", std::move(settings));
+    EXPECT_FALSE(timer.measure(without_ball.view(1)));
+}
+
+TEST(SearchTimer, FindsThatTheLargeSceneTestsLessThanOneCellInThirty) {
+    Settings settings = load_scene("large");
+    settings.balls[0].position = Vec3(0, Real(1.17), 0);  // about to touch
+    Simulation simulation("large", std::move(settings));
+    make_steps(simulation, 100);
+    const StepReport& report = simulation.report();
+    ASSERT_GT(report.contacts, 0);
+    const std::int64_t all = 255 * 255 * static_cast<std::int64_t>(simulation.balls().size());
+    EXPECT_LT(30 * report.traversal.candidates, all);
+    const auto times = SearchTimer().measure(simulation.view(1));
+    ASSERT_TRUE(times);
+    EXPECT_EQ(times->contacts, times->contacts_by_brute_force);
+}
+
+}  // namespace
+}  // namespace drape
