@@ -56,7 +56,7 @@ Capture::Capture(CaptureOptions options, const StopSignals& signals)
         stats_.stream() << '\n';
     }
     if (options_.drawing()) {
-        context_ = std::make_unique<OffscreenContext>();
+        context_ = std::make_unique<OffscreenContext>(options_.context);
         renderer_ = std::make_unique<Renderer>();
         renderer_->resize(options_.size.width, options_.size.height);
         // The panel shows what the frame before cost, and the first picture shall have one

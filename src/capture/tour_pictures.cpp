@@ -14,7 +14,7 @@ namespace drape {
 int draw_tour(const CaptureOptions& options, const StopSignals& signals) {
     const auto stops = tour_stops();
     FrameWriter pictures(options.out, static_cast<int>(stops.size()), options.again);
-    const OffscreenContext context;
+    const OffscreenContext context(options.context);
     Renderer renderer;
     renderer.resize(options.size.width, options.size.height);
     int number = 0;

@@ -307,13 +307,5 @@ TEST(Capture, DrawsAPictureOfEachStopOfTheTour) {
     EXPECT_EQ(run_program("drape-capture", {"--tour"}).exit_code, 2);
 }
 
-TEST(Capture, NeverNamesLibGl) {
-    const std::string program = text_of(std::string(DRAPE_PROGRAMS) + "/drape-capture");
-    const std::size_t mesa = program.find("libOSMesa.so");
-    EXPECT_NE(mesa, std::string::npos);
-    EXPECT_EQ(program.find("libGL.so"), std::string::npos);
-    EXPECT_LT(mesa, program.find("libGLEW.so"));
-}
-
 }  // namespace
 }  // namespace drape::test
