@@ -28,6 +28,7 @@ Window::Window(Session& session, PictureSize size, const StopSignals& signals, b
       signals_(signals),
       entries_(make_entries(scene_names())),
       camera_(session.simulation().settings().view),
+      video_(signals),
       scene_(session.simulation().scene()) {
     glutInitContextVersion(3, 3);
     glutInitContextProfile(GLUT_CORE_PROFILE);
@@ -57,6 +58,7 @@ int Window::run() {
     clock_.lap();
     schedule();
     glutMainLoop();
+    if (const std::string news = video_.close(); !news.empty()) std::cerr << "drape: " << news << "\n";
     if (failure_) std::rethrow_exception(failure_);
     return signal_ == 0 ? 0 : 128 + signal_;
 }
@@ -93,6 +95,8 @@ void Window::on_tick() {
     menu_->update(simulation);
     take_panel_changes();
     if (panel_frames_ > 0) --panel_frames_, dirty_ = true;
+    if (const std::string news = video_.news(); !news.empty()) notices_.add("video", news), dirty_ = true;
+    dirty_ |= video_.recording();
     if (dirty_ && drawable()) glutPostRedisplay();
     schedule();
 }
@@ -109,6 +113,7 @@ void Window::on_display() {
     if (closed_ || !drawable()) return;
     const Stopwatch watch;
     draw();
+    if (video_.due()) video_.take(renderer_->read_back());
     renderer_->present();
     glutSwapBuffers();
     picture_time_ = watch.seconds();

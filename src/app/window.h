@@ -18,6 +18,7 @@
 #include "notices.h"
 #include "pointer.h"
 #include "steering.h"
+#include "window_video.h"
 
 namespace drape {
 
@@ -100,6 +101,7 @@ private:
     Steering steering_;
     std::set<std::string> held_keys_;  ///< by the names they have without Shift
     Notices notices_;
+    WindowVideo video_;
     std::unique_ptr<Renderer> renderer_;
     std::optional<Menu> menu_;
     Stopwatch clock_;  ///< since the last tick

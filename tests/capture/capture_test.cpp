@@ -8,6 +8,7 @@
 #include <set>
 #include <sstream>
 
+#include "drape/base/commit.h"
 #include "drape/render/image.h"
 #include "drape/render/renderer.h"
 #include "drape/sim/step_report.h"
@@ -181,6 +182,19 @@ TEST(Capture, RefusesBadNumbersWithTheirRange) {
         EXPECT_EQ(outcome.exit_code, 2) << said;
         EXPECT_THAT(outcome.err, HasSubstr(said));
     }
+}
+
+TEST(Capture, SaysInItsPicturesHowTheyWereMade) {
+    const TestFolder folder;
+    run_program("drape-capture", small("drop", {"--frames", "1", "--out", folder / "a", "--set", "dt=1e-4"}));
+    const std::string bytes = text_of(folder / "a/frame_0001.png");
+    const auto chunk = [](const std::string& keyword, const std::string& text) {
+        return "iTXt" + keyword + std::string(5, '\0') + text;
+    };
+    EXPECT_THAT(bytes, HasSubstr(chunk("Commit", commit())));
+    EXPECT_THAT(bytes, HasSubstr(chunk("Scene", "drop")));
+    EXPECT_THAT(bytes, HasSubstr(chunk("Time", "0.0083 s")));
+    EXPECT_THAT(bytes, HasSubstr("dt = 0.0001"));
 }
 
 TEST(Capture, DrawsOnePixel) {
