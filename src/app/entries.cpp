@@ -133,6 +133,7 @@ std::vector<Entry> make_entries(const std::vector<std::string>& scenes) {
         {"", {"=", "+"}, "Faster", "set view.speed=2", Manner::Faster, "Slower, faster"},
         {"", {"V"}, "Wind", "next wind.on"},
         {"", {"F12"}, "Save screenshot", "picture"},
+        {"", {"Shift+F12"}, "Record video: start, end", "video"},
         {"Tour", {"F1"}, "Tour: next stop", "scene hang", Manner::NextStop, "Tour: next, previous stop"},
         {"Tour", {"F2"}, "Tour: previous stop", "scene hang", Manner::StopBefore, "Tour: next, previous stop"},
         {"", {"H", "?"}, "Help", "next view.help"},

@@ -27,7 +27,7 @@ std::string character_key(unsigned char code, bool shift) {
     return code > ' ' && code < 127 ? std::string(1, static_cast<char>(code)) : std::string();
 }
 
-std::string special_key(int code) {
+std::string special_key(int code, bool shift) {
     static constexpr std::array<std::pair<int, const char*>, 6> names{{{GLUT_KEY_LEFT, "Left"},
                                                                        {GLUT_KEY_RIGHT, "Right"},
                                                                        {GLUT_KEY_UP, "Up"},
@@ -37,7 +37,9 @@ std::string special_key(int code) {
     for (const auto& [key, name] : names) {
         if (key == code) return name;
     }
-    if (code >= GLUT_KEY_F1 && code <= GLUT_KEY_F12) return "F" + std::to_string(code - GLUT_KEY_F1 + 1);
+    if (code >= GLUT_KEY_F1 && code <= GLUT_KEY_F12) {
+        return (shift ? "Shift+F" : "F") + std::to_string(code - GLUT_KEY_F1 + 1);
+    }
     return {};
 }
 

@@ -29,6 +29,7 @@ Window::Window(Session& session, PictureSize size, const StopSignals& signals, b
       entries_(make_entries(scene_names())),
       camera_(session.simulation().settings().view),
       shown_(camera_),
+      video_(signals),
       scene_(session.simulation().scene()) {
     glutInitContextVersion(3, 3);
     glutInitContextProfile(GLUT_CORE_PROFILE);
@@ -59,6 +60,7 @@ int Window::run() {
     clock_.lap();
     schedule();
     glutMainLoop();
+    if (const std::string news = video_.close(); !news.empty()) std::cerr << "drape: " << news << "\n";
     if (failure_) std::rethrow_exception(failure_);
     return signal_ == 0 ? 0 : 128 + signal_;
 }
@@ -92,6 +94,8 @@ void Window::on_tick() {
     menu_->update(simulation);
     take_panel_changes();
     if (panel_frames_ > 0) --panel_frames_, dirty_ = true;
+    if (const std::string news = video_.news(); !news.empty()) notices_.add("video", news), dirty_ = true;
+    dirty_ |= video_.recording();
     if (dirty_ && drawable()) glutPostRedisplay();
     schedule();
 }
@@ -110,6 +114,7 @@ void Window::on_display() {
     FrameView view = session_.view();
     view.timeline = session_.timeline();
     draw(view);
+    if (video_.due()) video_.take(renderer_->read_back());
     renderer_->present();
     glutSwapBuffers();
     picture_time_ = watch.seconds();

@@ -19,6 +19,7 @@
 #include "notices.h"
 #include "pointer.h"
 #include "steering.h"
+#include "window_video.h"
 
 namespace drape {
 
@@ -108,6 +109,7 @@ private:
     std::set<std::string> held_keys_;  ///< by the names they have without Shift
     Notices notices_;
     SearchTimer search_timer_;
+    WindowVideo video_;
     std::unique_ptr<Renderer> renderer_;
     std::optional<Menu> menu_;
     Stopwatch clock_;  ///< since the last tick

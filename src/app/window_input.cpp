@@ -11,11 +11,12 @@
 #include "display.h"
 #include "drape/base/input_error.h"
 #include "drape/base/numbers.h"
+#include "drape/render/picture_texts.h"
 #include "drape/sim/comparison.h"
-#include "drape/sim/scene_text.h"
 #include "drape/sim/setting_table.h"
 #include "drape/sim/tour.h"
 #include "keys.h"
+#include "numbered_name.h"
 #include "outcome.h"
 #include "window.h"
 
@@ -31,12 +32,10 @@ command::Set set_speed(double speed) {
 
 constexpr int wheel_up = 3, wheel_down = 4;  // buttons, where the wheel comes as such
 
-// Writes "drape-0007.png", the first that is not there yet.
+// Writes the first numbered picture that is not there yet.
 std::filesystem::path write_next(const Image& picture) {
     for (int number = 1;; ++number) {
-        std::string digits = std::to_string(number);
-        if (digits.size() < 4) digits.insert(0, 4 - digits.size(), '0');
-        std::filesystem::path file = "drape-" + digits + ".png";
+        const std::filesystem::path file = numbered_name(number, ".png");
         if (!exists(symlink_status(file)) && write_new_png(picture, file)) return file;
     }
 }
@@ -64,7 +63,8 @@ void Window::register_callbacks() {
         [](unsigned char code, int, int, void* user) { guarded_call(user, &Window::on_character, code, false); }, this);
     glutSpecialFuncUcall([](int code, int, int, void* user) { guarded_call(user, &Window::on_special, code); }, this);
     glutSpecialUpFuncUcall(
-        [](int code, int, int, void* user) { guarded_call(user, &Window::on_key, special_key(code), false); }, this);
+        [](int code, int, int, void* user) { guarded_call(user, &Window::on_key, special_key(code, false), false); },
+        this);
     menu_.emplace(
         entries_, [](int entry, void* user) { guarded_call(user, &Window::on_choice, entry); }, this);
     glutMenuStatusFuncUcall(
@@ -83,7 +83,8 @@ void Window::on_character(unsigned char code, bool down) {
 }
 
 void Window::on_special(int code) {
-    if (!renderer_->panel_has_keyboard()) on_key(special_key(code), true);
+    if (renderer_->panel_has_keyboard()) return;
+    on_key(special_key(code, (glutGetModifiers() & GLUT_ACTIVE_SHIFT) != 0), true);
 }
 
 void Window::on_key(const std::string& key, bool down) {
@@ -207,6 +208,7 @@ void Window::on_reshape(int width, int height) {
     width_ = width;
     height_ = height;
     if (renderer_) renderer_->resize(width, height);
+    video_.resize({width, height});
     dirty_ = true;
 }
 
@@ -276,6 +278,9 @@ bool Window::carry_out(const Command& command) {
     }
     camera_.apply(command, session_.view());
     if (std::holds_alternative<command::Picture>(command)) take_picture();
+    if (std::holds_alternative<command::Video>(command) && drawable() && !closed_) {
+        notices_.add("video", video_.toggle({width_, height_}));
+    }
     if (std::holds_alternative<command::Quit>(command)) leave();
     if (std::holds_alternative<command::LoadScene>(command)) start_scene();
     if (std::holds_alternative<command::LoadScene>(command) || std::holds_alternative<command::Reset>(command)) {
@@ -290,11 +295,7 @@ void Window::take_picture() {
     try {
         draw(session_.view());  // the bar of time is no part of the picture
         Image picture = renderer_->read_back();
-        const Simulation& simulation = session_.simulation();
-        picture.texts = {{"Software", std::string("Drape ") + DRAPE_VERSION},
-                         {"Scene", simulation.scene()},
-                         {"Time", real_text(simulation.report().time) + " s"},
-                         {"Settings", scene_text(simulation.settings())}};
+        picture.texts = picture_texts(session_.simulation());
         notices_.add("picture", "Picture written: " + write_next(picture).string());
     } catch (const RunError& error) {
         notices_.add("picture", error.what());

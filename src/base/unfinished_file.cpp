@@ -66,6 +66,17 @@ int rename_if_free(const files::path& from, const files::path& to) {
     return unlink(from.c_str()) == 0 ? 0 : errno;
 }
 
+/// Gives a file the first free name of those that lie beside another.
+files::path rename_beside(const files::path& from, const files::path& other) {
+    for (int number = 1;; ++number) {
+        files::path name =
+            other.parent_path() / (other.stem().string() + "-" + std::to_string(number) + other.extension().string());
+        const int error = rename_if_free(from, name);
+        if (error == 0) return name;
+        if (error != EEXIST) fail(name, std::strerror(error));
+    }
+}
+
 }  // namespace
 
 bool has_name(int descriptor, const files::path& name) {
@@ -91,15 +102,7 @@ void remove_left_over(const files::path& file) {
     if (is_hidden_name(file) && files::is_regular_file(files::symlink_status(file, ignored))) removed_if_dead(file);
 }
 
-files::path set_file_aside(const files::path& file) {
-    for (int number = 1;; ++number) {
-        files::path name =
-            file.parent_path() / (file.stem().string() + "-" + std::to_string(number) + file.extension().string());
-        const int error = rename_if_free(file, name);
-        if (error == 0) return name;
-        if (error != EEXIST) fail(name, std::strerror(error));
-    }
-}
+files::path set_file_aside(const files::path& file) { return rename_beside(file, file); }
 
 UnfinishedFile::UnfinishedFile(const files::path& file, LeftOver left_over)
     : file_(file), target_(link_target(file)), left_over_(left_over) {
@@ -178,6 +181,13 @@ bool UnfinishedFile::finish_if_free() {
     if (error != 0) fail(file_, std::strerror(error));
     finished_ = true;
     return true;
+}
+
+files::path UnfinishedFile::finish_beside() {
+    if (finish_if_free()) return file_;
+    const files::path name = rename_beside(name_, target_);
+    finished_ = true;
+    return file_.parent_path() / name.filename();
 }
 
 }  // namespace drape

@@ -8,6 +8,7 @@
 #include "drape/base/input_error.h"
 #include "drape/base/numbers.h"
 #include "drape/base/run_program.h"
+#include "drape/render/picture_texts.h"
 #include "drape/sim/failure.h"
 #include "drape/sim/state_csv.h"
 
@@ -56,7 +57,7 @@ Capture::Capture(CaptureOptions options, const StopSignals& signals)
         stats_.stream() << '\n';
     }
     if (options_.drawing()) {
-        context_ = std::make_unique<OffscreenContext>();
+        context_ = std::make_unique<OffscreenContext>(options_.context);
         renderer_ = std::make_unique<Renderer>();
         renderer_->resize(options_.size.width, options_.size.height);
         // The panel shows what the frame before cost, and the first picture shall have one
@@ -98,7 +99,8 @@ void Capture::draw_frame(int frame) {
     if (frame % options_.every != 0) return;
     draw();
     if (frames_ || video_) {
-        const auto image = std::make_shared<const Image>(renderer_->read_back());
+        const auto image = std::make_shared<Image>(renderer_->read_back());
+        if (frames_) image->texts = picture_texts(session_.simulation());
         if (frames_) frames_->write(image, frame);
         if (frames_) progress_.count();
         if (video_) video_->write(*image);

@@ -7,11 +7,11 @@
 #include "drape/base/output_file.h"
 #include "drape/base/stop_signals.h"
 #include "drape/render/renderer.h"
+#include "drape/render/video_pipe.h"
 #include "drape/sim/session.h"
 #include "frame_writer.h"
 #include "offscreen_context.h"
 #include "progress.h"
-#include "video_pipe.h"
 
 namespace drape {
 

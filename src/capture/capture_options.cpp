@@ -31,11 +31,16 @@ double frame_rate(const std::string& text) {
     return *number;
 }
 
+ContextKind context_kind(const std::string& text) {
+    if (const auto kind = value_named<ContextKind>(text)) return *kind;
+    throw InputError("--context " + shortened(text) + ": allowed " + listed(names_of<ContextKind>()));
+}
+
 }  // namespace
 
 std::optional<CaptureOptions> read_capture_options(int argc, char** argv) {
     CaptureOptions options;
-    std::string frames, fps = "60", size = "1280x720", every = "1";
+    std::string frames, fps = "60", size = "1280x720", every = "1", context = "auto";
     CLI::App app("Draws a scene into numbered pictures, with no display.", "drape-capture");
     app.add_option("scene", options.start.scene, "name of a shipped scene, or a TOML file")->type_name("SCENE");
     app.add_option("--set", options.start.assignments, "change settings, as in --set dt=1e-4")->type_name("name=value");
@@ -56,17 +61,21 @@ std::optional<CaptureOptions> read_capture_options(int argc, char** argv) {
         ->type_name("FILE.csv");
     app.add_option("--state", options.state, "write every particle at the end")->type_name("FILE.csv");
     app.add_flag("--overlay", options.overlay, "draw the stats panel, as the window does");
+    app.add_option("--context", context, "what draws: osmesa, egl, or auto, which is egl only where osmesa is missing")
+        ->type_name("NAME");
     app.add_flag("--hash", options.hash, "print the hash of the last state");
     app.footer([] { return "Settings:\n" + settings_help(); });
     if (!parse_command_line(app, argc, argv)) return std::nullopt;
 
     options.size = parse_size(size);
+    options.context = context_kind(context);
     if (options.tour) {
         if (options.out.empty()) throw InputError("--tour needs --out DIR, for its pictures");
         const StartOptions& start = options.start;
         const bool alone = start.scene.empty() && start.assignments.empty() && start.replay.empty() && frames.empty() &&
                            options.video.empty() && options.stats.empty() && options.state.empty() && !options.hash;
-        if (!alone) throw InputError("--tour goes with --out, --size, --again and --overlay only", help_hint(app));
+        if (!alone)
+            throw InputError("--tour goes with --out, --size, --again, --overlay and --context only", help_hint(app));
         return options;
     }
     if (frames.empty()) throw InputError("--frames is required", help_hint(app));

@@ -5,6 +5,7 @@
 
 #include "drape/render/image.h"
 #include "drape/sim/start.h"
+#include "gl_context.h"
 
 namespace drape {
 
@@ -23,6 +24,7 @@ struct CaptureOptions {
     bool overlay = false;
     bool tour = false;  ///< a picture of each stop of the tour, and nothing else
     bool hash = false;
+    ContextKind context = ContextKind::Auto;
 
     /// Whether anything that is asked for needs pictures.
     [[nodiscard]] bool drawing() const { return !out.empty() || !video.empty() || !stats.empty(); }

@@ -2,21 +2,19 @@
 
 #include <memory>
 
+#include "gl_context.h"
+
 namespace drape {
 
 /// An OpenGL 3.3 core context without a display, current from construction to destruction, with GLEW initialised.
-/// Pictures go into framebuffer objects; there is no default framebuffer to speak of.
+/// Pictures go into framebuffer objects; there is no default framebuffer to speak of. There may be one at a time.
 class OffscreenContext {
 public:
     /// @throws RunError if the system has no such context
-    OffscreenContext();
-    ~OffscreenContext();
-    OffscreenContext(const OffscreenContext&) = delete;
-    OffscreenContext& operator=(const OffscreenContext&) = delete;
+    explicit OffscreenContext(ContextKind kind = ContextKind::Auto);
 
 private:
-    struct Mesa;
-    std::unique_ptr<Mesa> mesa_;
+    std::unique_ptr<GlContext> context_;
 };
 
 }  // namespace drape

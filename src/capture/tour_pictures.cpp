@@ -3,6 +3,7 @@
 #include <memory>
 
 #include "drape/base/run_program.h"
+#include "drape/render/picture_texts.h"
 #include "drape/render/renderer.h"
 #include "drape/sim/simulation.h"
 #include "drape/sim/tour.h"
@@ -14,7 +15,7 @@ namespace drape {
 int draw_tour(const CaptureOptions& options, const StopSignals& signals) {
     const auto stops = tour_stops();
     FrameWriter pictures(options.out, static_cast<int>(stops.size()), options.again);
-    const OffscreenContext context;
+    const OffscreenContext context(options.context);
     Renderer renderer;
     renderer.resize(options.size.width, options.size.height);
     int number = 0;
@@ -31,7 +32,9 @@ int draw_tour(const CaptureOptions& options, const StopSignals& signals) {
             return 128 + signal;
         }
         renderer.draw(simulation.view(), Camera(settings.view), {});
-        pictures.write(std::make_shared<const Image>(renderer.read_back()), ++number);
+        const auto image = std::make_shared<Image>(renderer.read_back());
+        image->texts = picture_texts(simulation);
+        pictures.write(image, ++number);
     }
     pictures.finish();
     pictures.remove_older();

@@ -14,6 +14,7 @@ namespace {
 constexpr double kept_interval = 1.0 / 24;  // s of scene time between two that are kept
 
 using FigureText = std::array<char, 40>;
+using ShortText = std::array<char, 12>;
 
 struct ComparedFigure {
     const char* label;  // with its unit
@@ -33,9 +34,9 @@ constexpr std::array<ComparedFigure, 8> compared_figures{{
 }};
 
 // Less than a picometre is rounding
-FigureText millimetres(double metres) {
-    FigureText text{};
-    std::snprintf(text.data(), 12, metres < 1e-12 ? "0" : metres < 0.1 ? "%.3g" : "%.0f", 1e3 * metres);
+ShortText millimetres(double metres) {
+    ShortText text{};
+    std::snprintf(text.data(), text.size(), metres < 1e-12 ? "0" : metres < 0.1 ? "%.3g" : "%.0f", 1e3 * metres);
     return text;
 }
 
@@ -87,7 +88,7 @@ float ComparisonPanel::draw(const FrameView& view, const OverlayPage& page, floa
         text_at({other, line.y}, ink::text, figure_text(figures, *view.comparison->report).data());
     }
     line.y += row;
-    const FigureText rms = millimetres(view.comparison->rms), apart = millimetres(view.comparison->largest);
+    const ShortText rms = millimetres(view.comparison->rms), apart = millimetres(view.comparison->largest);
     std::snprintf(text.data(), text.size(), "%s mm, most %s mm", rms.data(), apart.data());
     text_at(line, ink::quiet, "apart (RMS)");
     text_at({first, line.y}, ink::wait, text.data());

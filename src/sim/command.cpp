@@ -57,6 +57,7 @@ constexpr std::tuple table{
     row<Zoom>("zoom FACTOR", &Zoom::factor),
     row<Frame>("frame"),
     row<Picture>("picture"),
+    row<Video>("video"),
     row<Quit>("quit"),
 };
 

@@ -131,6 +131,7 @@ TEST_F(WindowTest, PicturesDoNotOverwriteOneAnother) {
     desktop_.key("F12");
     EXPECT_TRUE(eventually([&] { return std::filesystem::exists(file("drape-0002.png")); }));
     EXPECT_EQ(read_file(file("drape-0001.png")), first);
+    EXPECT_NE(first.find("iTXtCommit"), std::string::npos);
     quit();
 }
 

@@ -63,6 +63,7 @@ TEST(CompareContacts, CountsWhatTheReferenceTouchedAndTheRunDidNot) {
 /// The planted fault: a hierarchy that finds nothing.
 class BlindHierarchy final : public BroadPhase {
 public:
+    [[nodiscard]] std::unique_ptr<BroadPhase> clone() const override { return std::make_unique<BlindHierarchy>(*this); }
     void build(const Points& /*x*/) override {}
     void build(const Points& /*from*/, const Points& /*to*/) override {}
     TraversalStats query(const Ball& /*ball*/, Candidates& found) override { return nothing(found); }

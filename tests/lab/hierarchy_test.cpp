@@ -105,6 +105,10 @@ public:
           fault_(fault),
           healthy_builds_(from_build) {}
 
+    [[nodiscard]] std::unique_ptr<BroadPhase> clone() const override {
+        return std::make_unique<FaultyHierarchy>(*this);
+    }
+
     void build(const Points& x) override {
         right_->build(x);
         --healthy_builds_;
@@ -136,7 +140,7 @@ public:
     void nodes_at(int level, std::vector<NodeView>& nodes) const override { right_->nodes_at(level, nodes); }
 
 private:
-    std::unique_ptr<BroadPhase> right_;
+    Copied<BroadPhase> right_;
     Fault fault_;
     int healthy_builds_;
 };

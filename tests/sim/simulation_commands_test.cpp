@@ -374,7 +374,8 @@ TEST(CameraCommands, PassTheSimulationBy) {
     Simulation simulation = small_simulation();
     make_steps(simulation, 10);
     const std::uint64_t hash = simulation.hash();
-    for (const char* text : {"orbit 1 1", "pan 1 1", "zoom 0.5", "frame", "picture", "quit"}) send(simulation, text);
+    for (const char* text : {"orbit 1 1", "pan 1 1", "zoom 0.5", "frame", "picture", "video", "quit"})
+        send(simulation, text);
     EXPECT_EQ(simulation.hash(), hash);
     EXPECT_FALSE(simulation.paused());
 }

@@ -45,6 +45,11 @@ public:
     /// @throws RunError
     [[nodiscard]] bool finish_if_free();
 
+    /// Gives it its own name, or where a file has that, the first free one of "NAME-1.mp4", "NAME-2.mp4" ...
+    /// @return its name
+    /// @throws RunError
+    std::filesystem::path finish_beside();
+
 private:
     void open_hidden();
     void open_kept();

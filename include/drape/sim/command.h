@@ -61,19 +61,20 @@ struct Zoom {  ///< `zoom 0.9`: the distance times a factor
 };
 struct Frame {};    ///< `frame`: the whole scene into the picture
 struct Picture {};  ///< `picture`: writes a PNG
+struct Video {};    ///< `video`: begins a video of what is shown, or ends it
 struct Quit {};     ///< `quit`
 
 /// Of the camera, the picture or the program: nothing that cloth or ball follows from.
 template <class C>
 concept OfThePicture = std::is_same_v<C, Orbit> || std::is_same_v<C, Pan> || std::is_same_v<C, Zoom> ||
-    std::is_same_v<C, Frame> || std::is_same_v<C, Picture> || std::is_same_v<C, Quit>;
+    std::is_same_v<C, Frame> || std::is_same_v<C, Picture> || std::is_same_v<C, Video> || std::is_same_v<C, Quit>;
 
 }  // namespace command
 
 using Command = std::variant<command::Pause, command::Step, command::Reset, command::LoadScene, command::Set,
                              command::Next, command::Add, command::Steer, command::Throw, command::Fall, command::Grab,
                              command::Drag, command::Release, command::Pin, command::Orbit, command::Pan, command::Zoom,
-                             command::Frame, command::Picture, command::Quit>;
+                             command::Frame, command::Picture, command::Video, command::Quit>;
 
 /// The text form: one line without its end.
 std::string command_text(const Command& command);

@@ -8,6 +8,7 @@
 #include <fstream>
 
 #include "drape/base/assert.h"
+#include "drape/base/commit.h"
 #include "drape/base/input_error.h"
 #include "drape/base/real.h"
 

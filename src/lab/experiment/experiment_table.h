@@ -17,9 +17,6 @@ namespace drape {
 /// What a table says of where it is from, a line each: "machine", "Intel ...".
 using TableHead = std::vector<std::pair<std::string, std::string>>;
 
-/// The commit that the program was built from, with a hash of what was changed since; "unknown" outside of a clone.
-std::string commit();
-
 /// The head of a table that is computed here and now.
 /// @param settings that say which cases: "--quick"
 TableHead head_of(const Experiment& experiment, const std::string& settings, std::size_t cases);

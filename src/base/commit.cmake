@@ -21,7 +21,7 @@ if(NOT commit)
   set(commit unknown)
 endif()
 file(CONFIGURE OUTPUT ${TO} @ONLY CONTENT [[
-#include "lab/experiment/experiment_table.h"
+#include "drape/base/commit.h"
 
 namespace drape {
 

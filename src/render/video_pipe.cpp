@@ -1,4 +1,4 @@
-#include "video_pipe.h"
+#include "drape/render/video_pipe.h"
 
 #include <poll.h>
 #include <unistd.h>
@@ -10,12 +10,13 @@
 
 #include "drape/base/input_error.h"
 #include "drape/base/numbers.h"
+#include "drape/base/stopwatch.h"
 
 namespace drape {
 
 namespace {
 
-constexpr double patience = 5;  // s that ffmpeg may stand still once a signal has come
+constexpr double patience = 5;  // s that ffmpeg may stand still where nobody waits for it
 constexpr double glance = 0.1;  // s between two looks for a signal
 
 std::vector<std::string> command_line(const std::filesystem::path& file, PictureSize size, double rate) {
@@ -44,8 +45,9 @@ std::vector<std::string> command_line(const std::filesystem::path& file, Picture
 
 }  // namespace
 
-VideoPipe::VideoPipe(const std::filesystem::path& file, PictureSize size, double rate, const StopSignals& signals)
-    : signals_(signals), file_(file) {
+VideoPipe::VideoPipe(const std::filesystem::path& file, PictureSize size, double rate, const StopSignals& signals,
+                     Use use)
+    : signals_(signals), use_(use), name_(file), file_(file) {
     std::signal(SIGPIPE, SIG_IGN);
     ffmpeg_.emplace(command_line(file_.name(), size, rate), ChildProgram::Input::Fed);
     if (ffmpeg_->error() == 0) return;
@@ -80,8 +82,9 @@ void VideoPipe::write(const Image& image) {
 
 void VideoPipe::wait_for_room(double& waited) {
     pollfd room{.fd = ffmpeg_->feed(), .events = POLLOUT, .revents = 0};
+    const Stopwatch watch;
     poll(&room, 1, static_cast<int>(1000 * glance));
-    if (signals_.arrived() != 0) waited += glance;
+    if (use_ == Use::Live || signals_.arrived() != 0) waited += watch.seconds();
     if (waited > patience) give_up();
 }
 
@@ -91,25 +94,42 @@ void VideoPipe::give_up() {
     trouble_ = "ffmpeg stood still and was ended";
 }
 
-void VideoPipe::close() {
-    if (!ffmpeg_) return;
-    ffmpeg_->end_feed();
-    std::optional<int> code;
-    for (double waited = 0; !(code = ffmpeg_->wait(glance));) {
-        if (signals_.arrived() != 0) waited += glance;
-        if (waited > patience) return give_up();
-    }
+void VideoPipe::end() {
+    if (ffmpeg_) ffmpeg_->end_feed();
+}
+
+bool VideoPipe::finished(double seconds) {
+    if (!ffmpeg_) return true;
+    const std::optional<int> code = ffmpeg_->wait(seconds);
+    if (!code) return false;
     ffmpeg_.reset();
     if (*code > 128 && *code <= 128 + SIGRTMAX) {
         trouble_ = "ffmpeg was ended by signal " + std::to_string(*code - 128);
     } else if (*code != 0) {
         trouble_ = "ffmpeg failed with status " + std::to_string(*code);
     } else if (fed_) {
-        try {
+        name_file();
+    }
+    return true;
+}
+
+void VideoPipe::name_file() {
+    try {
+        if (use_ == Use::Live) {
+            name_ = file_.finish_beside();
+        } else {
             file_.finish();
-        } catch (const RunError& error) {
-            trouble_ = error.what();
         }
+    } catch (const RunError& error) {
+        trouble_ = error.what();
+    }
+}
+
+void VideoPipe::close() {
+    end();
+    for (double waited = 0; !finished(glance);) {
+        if (signals_.arrived() != 0) waited += glance;
+        if (waited > patience) return give_up();
     }
 }
 

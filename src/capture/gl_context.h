@@ -1,0 +1,45 @@
+#pragma once
+
+#include <functional>
+#include <memory>
+
+#include "drape/base/enum_names.h"
+
+namespace drape {
+
+/// Who draws without a display: whichever can be made, Mesa's off-screen library, or EGL without a surface.
+enum class ContextKind { Auto, Osmesa, Egl };
+
+template <>
+inline constexpr auto enum_names<ContextKind> = all_names<ContextKind>("auto", "osmesa", "egl");
+
+/// An OpenGL 3.3 core context without a display, current from construction to destruction.
+class GlContext {
+public:
+    using Function = void (*)();
+
+    GlContext() = default;
+    virtual ~GlContext() = default;
+    GlContext(const GlContext&) = delete;
+    GlContext& operator=(const GlContext&) = delete;
+
+    /// The context's own function of a name; null if it has none.
+    [[nodiscard]] virtual Function function(const char* name) const = 0;
+};
+
+/// Makes a context. @throws RunError that says why there is none
+using MakeContext = std::function<std::unique_ptr<GlContext>()>;
+
+/// Mesa's off-screen library, which Mesa has left out since its version 25.1.
+/// @throws RunError if there is no such context, or if this build goes without that library
+std::unique_ptr<GlContext> make_osmesa_context();
+
+/// EGL on Mesa's surfaceless platform.
+/// @throws RunError if there is no such context
+std::unique_ptr<GlContext> make_egl_context();
+
+/// The context of a kind; for `Auto` that of EGL only where OSMesa's cannot be made.
+/// @throws RunError that says why, of both where both were tried
+std::unique_ptr<GlContext> make_context(ContextKind kind, const MakeContext& osmesa, const MakeContext& egl);
+
+}  // namespace drape
