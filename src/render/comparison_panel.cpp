@@ -63,12 +63,12 @@ void ComparisonPanel::keep(const FrameView& view) {
     time_ = view.report->time;
 }
 
-float ComparisonPanel::draw(const FrameView& view, const OverlayPage& page, float right) const {
+float ComparisonPanel::draw(const FrameView& view, const OverlayPage& page, float left, float right) const {
     const float row = ImGui::GetTextLineHeightWithSpacing(), size = ImGui::GetFontSize(), margin = page.margin;
     const float width = 24 * size, curve = 3 * size;
     const float height = static_cast<float>(compared_figures.size() + 4) * row + curve + 2 * margin;
     const ImVec2 panel{right - width, margin};
-    if (height + 2 * margin > page.height || panel.x < margin) return right;
+    if (height + 2 * margin > page.height || panel.x < left) return right;
     draw_panel(panel, {width, height});
     ImVec2 line{panel.x + margin, panel.y + margin};
     const float first = line.x + 9 * size, other = line.x + 15.5f * size, end = right - margin;

@@ -16,9 +16,9 @@ public:
     void keep(const FrameView& view);
 
     /// Makes the panel of a frame. @pre there is a comparison
-    /// @param right edge [pixel]
-    /// @return its left edge [pixel]
-    float draw(const FrameView& view, const OverlayPage& page, float right) const;
+    /// @param left, right edges of the room for it; without room it is left out [pixel]
+    /// @return its left edge, or `right` [pixel]
+    float draw(const FrameView& view, const OverlayPage& page, float left, float right) const;
 
     /// How far apart they were, root mean square over the particles, from the oldest to now [m].
     [[nodiscard]] std::size_t size() const { return count_; }

@@ -271,7 +271,7 @@ float figures_panel(const FrameView& view, const FrameReport& last, ImFont* titl
     const float line = ImGui::GetTextLineHeightWithSpacing(), gap = 0.45f * size;
     const float title_height = title->FontSize + 0.4f * size;
     drop_rows(rows, line, gap, page.height - 4 * margin - title_height);
-    const float width = std::min(16.9f * size + 2 * margin, page.width - 2 * margin);
+    const float width = std::min(figures_columns * size + 2 * margin, page.width - 2 * margin);
     const float height = std::min(height_of(rows, line, gap) + title_height + 2 * margin, page.height - 2 * margin);
     draw_panel({margin, margin}, {width, height});
 

@@ -1,17 +1,14 @@
 #pragma once
 
 #include "drape/render/renderer.h"
+#include "panel_boxes.h"
 
 struct ImFont;
 
 namespace drape {
 
-/// The picture as the panels see it, and the space around them and within [pixel].
-struct OverlayPage {
-    float width;
-    float height;
-    float margin;
-};
+/// Of the stats panel, where there is room [font size].
+inline constexpr float figures_columns = 16.9f;
 
 /// The stats panel at the top left: scene, integrator, time, stages, hierarchy, energy, cost; a few of these where it
 /// is compact. Rows that do not fit are left out, the least important first.

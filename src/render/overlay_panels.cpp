@@ -10,12 +10,15 @@
 #include "colour_panel.h"
 #include "figures_panel.h"
 #include "overlay_style.h"
+#include "panel_boxes.h"
 
 namespace drape {
 
 namespace {
 
 constexpr std::array<float, 8> font_sizes{11, 14, 17, 22, 28, 36, 46, 60};  // pixel
+
+constexpr float hint_columns = 24;  // that a hint is wide at least, if its text is [font size]
 
 // Below this nothing could be read
 constexpr int least_width = 120, least_height = 60;
@@ -50,6 +53,8 @@ std::size_t font_for(int width, int height, double scale) {
     return size;
 }
 
+float margin_for(float font) { return font <= font_sizes[0] ? 8.0f : std::max(12.0f, 0.7f * font); }
+
 void set_style() {
     ImGuiStyle& style = ImGui::GetStyle();
     ImGui::StyleColorsDark();
@@ -78,7 +83,19 @@ void set_style() {
 constexpr std::array<std::pair<ImGuiKey, unsigned char>, 3> field_keys{
     {{ImGuiKey_Backspace, 8}, {ImGuiKey_Enter, 13}, {ImGuiKey_Escape, 27}}};
 
-// Where the texts of keys start beside them
+// Whether the panels that are shown have room beside and below one another
+bool panels_fit(const ViewSettings& shown, bool hinted, float width, float height, float font) {
+    const float margin = margin_for(font);
+    float columns = 0, rows = 0, margins = 1;
+    if (shown.panel != PanelSize::Off) columns += figures_columns, margins += 3, rows = 12;
+    if (shown.controls) columns += SettingsPanel::columns, margins += 1, rows = 12;
+    if (hinted && (shown.controls || shown.panel == PanelSize::Full)) columns += hint_columns;
+    if (hinted) rows += 10;
+    if (shown.plots) columns = std::max(columns, PlotsPanel::columns), rows += PlotsPanel::rows + 2;
+    return columns * font + margins * margin <= width && rows * font <= height;
+}
+
+// Keys, and their texts beside them, which are wrapped where they are too long
 struct KeyColumns {
     float texts_from = 0, texts = 0;
     [[nodiscard]] float width() const { return texts_from + texts; }
@@ -94,46 +111,40 @@ KeyColumns columns_of(std::span<const KeyHelp> lines) {
     return columns;
 }
 
-void key_panel(std::span<const KeyHelp> lines, const KeyColumns& columns, float row, ImVec2 corner, float width,
-               float margin) {
-    draw_panel(corner, {width, static_cast<float>(lines.size()) * row + 2 * margin});
+float row_height(const KeyHelp& line, float texts, float row) {
+    const float text = ImGui::CalcTextSize(line.text.c_str(), nullptr, false, texts).y;
+    return std::max(row, text + row - ImGui::GetTextLineHeight());
+}
+
+ImVec2 key_panel_size(std::span<const KeyHelp> lines, float most_width, float row, float margin) {
+    KeyColumns columns = columns_of(lines);
+    columns.texts = std::min(columns.texts, most_width - 2 * margin - columns.texts_from);
+    float height = 2 * margin;
+    for (const KeyHelp& line : lines) height += row_height(line, columns.texts + 1, row);
+    return {columns.width() + 2 * margin, height};
+}
+
+void key_panel(std::span<const KeyHelp> lines, ImVec2 corner, ImVec2 size, float row, float margin) {
+    draw_panel(corner, size);
     corner = {corner.x + margin, corner.y + margin};
+    const KeyColumns columns = columns_of(lines);
+    const float texts = size.x - 2 * margin - columns.texts_from + 1;
     for (const KeyHelp& line : lines) {
         text_at(corner, ink::wait, line.key.c_str());
+        ImGui::PushTextWrapPos(corner.x + columns.texts_from + texts);
         text_at({corner.x + columns.texts_from, corner.y}, ink::text, line.text.c_str());
-        corner.y += row;
+        ImGui::PopTextWrapPos();
+        corner.y += row_height(line, texts, row);
     }
 }
 
-// The room between panels at both sides
-struct Between {
-    float left, right;
-    [[nodiscard]] float middle() const { return (left + right) / 2; }
-    [[nodiscard]] float width() const { return right - left; }
-};
-
-// At the top where there is room for it beside the others, else at the bottom
-void notice_panel(std::span<const std::string> notices, Between room, const OverlayPage& page) {
-    const bool at_top = room.width() > 20 * ImGui::GetFontSize();
-    if (!at_top) room = {page.margin, page.width - page.margin};
-    const float most = room.width() - 2 * page.margin;
+ImVec2 notices_size(std::span<const std::string> notices, float most_width, float margin) {
     ImVec2 size{0, 0};
     for (const std::string& notice : notices) {
-        const ImVec2 part = ImGui::CalcTextSize(notice.c_str(), nullptr, false, most);
+        const ImVec2 part = ImGui::CalcTextSize(notice.c_str(), nullptr, false, most_width - 2 * margin);
         size = {std::max(size.x, part.x), size.y + part.y};
     }
-    const ImVec2 panel{size.x + 2 * page.margin, std::min(size.y + 2 * page.margin, page.height - 2 * page.margin)};
-    const float top = at_top ? page.margin : page.height - panel.y - page.margin;
-    const ImVec2 corner{room.middle() - panel.x / 2, top};
-    draw_panel(corner, panel);
-
-    ImVec2 line{corner.x + page.margin, corner.y + page.margin};
-    ImGui::PushTextWrapPos(line.x + most + 1);
-    for (const std::string& notice : notices) {
-        text_at(line, ink::wait, notice.c_str());
-        line.y += ImGui::CalcTextSize(notice.c_str(), nullptr, false, most).y;
-    }
-    ImGui::PopTextWrapPos();
+    return {size.x + 2 * margin, size.y + 2 * margin};
 }
 
 }  // namespace
@@ -218,6 +229,7 @@ bool OverlayPanels::build(const FrameView& view, const FrameReport& last, std::s
     const bool showing_help = shown.help && !help.empty();
     const bool showing_panel = shown.panel != PanelSize::Off;
     const bool showing_time = TimelinePanel::is_due(view.timeline, view.paused);
+    const bool hinted = !hint.empty() && !showing_help;
     const bool nothing = !showing_panel && !showing_help && notices.empty() && hint.empty() && !shown.controls;
     if (width < least_width || height < least_height ||
         (nothing && !shown.plots && !showing_time && view.comparison == nullptr)) {
@@ -231,8 +243,11 @@ bool OverlayPanels::build(const FrameView& view, const FrameReport& last, std::s
     const auto w = static_cast<float>(width), h = static_cast<float>(height);
     ImGui::GetIO().DisplaySize = {w, h};
     ImGui::GetIO().DeltaTime = 1.0f / 60;
-    const std::size_t size = font_for(width, height, shown.text_scale);
-    const float margin = size == 0 ? 8.0f : std::max(12.0f, 0.7f * font_sizes[size]);
+    ImGui::GetIO().UserData = &boxes_;
+    boxes_.clear();
+    std::size_t size = font_for(width, height, shown.text_scale);
+    while (size > 0 && !panels_fit(shown, hinted, w, h, font_sizes[size])) --size;
+    const float margin = margin_for(font_sizes[size]);
 
     hand_over_input();
     ImGui::NewFrame();
@@ -241,33 +256,51 @@ bool OverlayPanels::build(const FrameView& view, const FrameReport& last, std::s
     ImGui::SetNextWindowSize({w, h});
     ImGui::Begin("overlay", nullptr, window_flags);
     OverlayPage page{w, h, margin};
-    if (shown.plots) page.height -= plots_.draw(page);
+    const float font = font_sizes[size];
+    const bool help_is_tight = showing_help && h < 50 * font;
+    if (shown.plots && !help_is_tight) page.height -= plots_.draw(page);
     const OverlayPage above_plots = page;
     if (showing_time) page.height -= TimelinePanel::height(page);
-    Between room{margin, settings.left() > 0 ? settings.left() - margin : w - margin};
-    const float right = room.right;
-    float legends_left = right;
-    if (showing_panel) room.left = figures_panel(view, last, fonts_[size + 1], page) + margin;
-    if (view.comparison != nullptr && !showing_help) {
-        room.right = comparison_.draw(view, page, right) - margin;
-    }
-    if (showing_help) {
-        room.right = help_panel(page, room.left) - margin;
-    } else if (showing_panel) {
-        legends(view, room.left - margin, {right + margin, page.height, margin});
-        // As wide as the wider of them
-        if (shown.bounds || colours.by != ColourBy::Plain) legends_left -= 26 * ImGui::GetFontSize();
-    }
-    if (!hint.empty() && !showing_help) hint_panel(page, legends_left);
-    if (!notices.empty()) notice_panel(notices, room, page);
-    ImGui::End();
     if (shown.controls) {
-        settings.draw(*view.settings, page);
+        boxes_.push_back(settings.place(page));
     } else {
         settings.hide();
     }
+    const float right = shown.controls ? settings.left() - margin : w - margin;
+
+    // Help is nearly as high as the page: above notices
+    if (showing_help && !notices.empty()) page.height = notice_panel(notices, page, size, false);
+
+    // Help goes first where there is no room beside it
+    std::optional<std::size_t> help_size;
+    bool beside = showing_panel;
+    if (showing_help) {
+        help_size = help_font(page, right, showing_panel, size);
+        if (!help_size) beside = false, help_size = help_font(page, right, false, size).value_or(0);
+    }
+    // Nor is there room for a hint beside both other panels of a narrow page
+    const float middle = right - 3 * margin - figures_columns * font;
+    if (hinted && shown.controls && middle < hint_columns * font) beside = false;
+    float left = margin;
+    if (beside) left = figures_panel(view, last, fonts_[size + 1], page) + margin;
+    // On a small page a hint is worth more than legends
+    const bool legend_room = !hinted || right - left > (hint_columns + 26) * font || page.height > 36 * font;
+    if (help_size) {
+        ImGui::PushFont(fonts_[*help_size]);
+        help_panel(page, left, right);
+        ImGui::PopFont();
+    } else {
+        const bool compared = view.comparison != nullptr && comparison_.draw(view, page, left, right) < right;
+        const bool low = compared && page.height < 46 * font;
+        if (showing_panel && legend_room && !low) legends(view, left - margin, {right + margin, page.height, margin});
+    }
+    if (!showing_help && !notices.empty()) notice_panel(notices, page, size, true);
+    if (hinted) hint_panel(page, size);
+    ImGui::End();
+    if (shown.controls) settings.draw(*view.settings, page);
     if (showing_time) {
         timeline.draw(view.timeline, above_plots);
+        boxes_.push_back(timeline.box());
     } else {
         timeline.hide();
     }
@@ -282,28 +315,79 @@ void OverlayPanels::legends(const FrameView& view, float taken, OverlayPage page
     if (colours.by != ColourBy::Plain) colour_panel(colours, shown_level(view).level, taken, page);
 }
 
-float OverlayPanels::help_panel(const OverlayPage& page, float taken) const {
-    const KeyColumns columns = columns_of(help);
-    const float margin = page.margin, room = page.height - 4 * margin;
-    const float width =
-        std::min(columns.width() + 2 * margin, std::max(page.width - taken - 2 * margin, page.width / 3));
-    // Closer lines where they would not all fit
-    const float row = std::clamp(room / static_cast<float>(help.size()), ImGui::GetTextLineHeight(),
-                                 ImGui::GetTextLineHeightWithSpacing());
-    const auto fitting = static_cast<std::size_t>(std::max(1.0f, room / row));
-    const ImVec2 corner{page.width - width - margin, margin};
-    key_panel({help.data(), std::min(help.size(), fitting)}, columns, row, corner, width, margin);
-    return corner.x;
+// The largest font, up to one, in which all keys are seen
+std::optional<std::size_t> OverlayPanels::help_font(const OverlayPage& page, float right, bool beside,
+                                                    std::size_t font) const {
+    const float left = page.margin + (beside ? figures_columns * font_sizes[font] + 3 * page.margin : 0);
+    for (std::size_t smaller = font + 1; smaller-- > 0;) {
+        ImGui::PushFont(fonts_[smaller]);
+        const bool fits = help_fits(page, left, right);
+        ImGui::PopFont();
+        if (fits) return smaller;
+    }
+    return std::nullopt;
 }
 
-void OverlayPanels::hint_panel(const OverlayPage& page, float right) const {
-    const KeyColumns columns = columns_of(hint);
-    const float margin = page.margin, row = ImGui::GetTextLineHeightWithSpacing();
-    const float width = std::min(columns.width() + 2 * margin, page.width - 2 * margin);
-    const float height = static_cast<float>(hint.size()) * row + 2 * margin;
-    if (height + 2 * margin > page.height / 2) return;
-    const float left = std::max((right - width) / 2, margin);
-    key_panel(hint, columns, row, {left, page.height - height - margin}, width, margin);
+bool OverlayPanels::help_fits(const OverlayPage& page, float left, float right) const {
+    const ImVec2 size = key_panel_size(help, 1e6f, ImGui::GetTextLineHeight(), page.margin);
+    return size.x <= right - left && size.y <= page.height - 2 * page.margin;
+}
+
+void OverlayPanels::help_panel(const OverlayPage& page, float left, float right) const {
+    const float margin = page.margin, room = page.height - 2 * margin;
+    // Closer lines where they would not all fit
+    const float row = std::clamp((room - 2 * margin) / static_cast<float>(help.size()), ImGui::GetTextLineHeight(),
+                                 ImGui::GetTextLineHeightWithSpacing());
+    std::size_t fitting = help.size();
+    ImVec2 size = key_panel_size(help, right - left, row, margin);
+    while (size.y > room + 1 && fitting > 1) size = key_panel_size({help.data(), --fitting}, right - left, row, margin);
+    key_panel({help.data(), fitting}, {right - size.x, margin}, size, row, margin);
+}
+
+// In a smaller font where there is no room
+void OverlayPanels::hint_panel(const OverlayPage& page, std::size_t font) const {
+    for (std::size_t smaller = font + 1; smaller-- > 0;) {
+        ImGui::PushFont(fonts_[smaller]);
+        const float row = ImGui::GetTextLineHeightWithSpacing();
+        const auto size_within = [&](float width) { return key_panel_size(hint, width, row, page.margin); };
+        const float least = std::min(size_within(1e6f).x, hint_columns * ImGui::GetFontSize());
+        const std::optional<PanelBox> box = free_place(page, boxes_, size_within, least, false);
+        if (box)
+            key_panel(hint, {box->left, box->top}, {box->right - box->left, box->bottom - box->top}, row, page.margin);
+        ImGui::PopFont();
+        if (box) return;
+    }
+}
+
+// At the top where there is room for it beside the others, else at the bottom; what is said is never left out
+float OverlayPanels::notice_panel(std::span<const std::string> notices, const OverlayPage& page, std::size_t font,
+                                  bool at_top) const {
+    const float margin = page.margin;
+    const auto size_within = [&](float width) { return notices_size(notices, width, margin); };
+    std::optional<PanelBox> box;
+    for (std::size_t smaller = font + 1; smaller-- > 0 && !box;) {
+        ImGui::PushFont(fonts_[smaller]);
+        const float least = std::min(size_within(1e6f).x, 20 * ImGui::GetFontSize());
+        if (at_top) box = free_place(page, boxes_, size_within, least, true);
+        if (!box) box = free_place(page, boxes_, size_within, least, false);
+        if (!box && smaller == 0) {
+            const ImVec2 size = size_within(page.width - 2 * margin);
+            box = PanelBox{margin, margin, margin + size.x, std::min(margin + size.y, page.height - margin)};
+        }
+        if (box) {
+            draw_panel({box->left, box->top}, {box->right - box->left, box->bottom - box->top});
+            ImVec2 line{box->left + margin, box->top + margin};
+            const float most = box->right - box->left - 2 * margin + 1;
+            ImGui::PushTextWrapPos(line.x + most);
+            for (const std::string& notice : notices) {
+                text_at(line, ink::wait, notice.c_str());
+                line.y += ImGui::CalcTextSize(notice.c_str(), nullptr, false, most).y;
+            }
+            ImGui::PopTextWrapPos();
+        }
+        ImGui::PopFont();
+    }
+    return box->top;
 }
 
 }  // namespace drape

@@ -1,7 +1,9 @@
 #pragma once
 
 #include <array>
+#include <cstddef>
 #include <memory>
+#include <optional>
 #include <span>
 #include <string>
 #include <vector>
@@ -11,6 +13,7 @@
 #include "drape/render/renderer.h"
 #include "figures_panel.h"
 #include "hierarchy_panel.h"
+#include "panel_boxes.h"
 #include "plots_panel.h"
 #include "settings_panel.h"
 #include "timeline_panel.h"
@@ -33,6 +36,9 @@ public:
     bool build(const FrameView& view, const FrameReport& last, std::span<const std::string> notices, int width,
                int height);
 
+    /// Where the panels of the last frame are.
+    [[nodiscard]] const std::vector<PanelBox>& boxes() const { return boxes_; }
+
     /// The user's pointer and keyboard, as `Renderer` has them.
     void point(const PanelPointer& pointer);
     void type(unsigned char code);
@@ -51,8 +57,13 @@ private:
     };
 
     void legends(const FrameView& view, float taken, OverlayPage page);
-    float help_panel(const OverlayPage& page, float taken) const;
-    void hint_panel(const OverlayPage& page, float right) const;
+    void help_panel(const OverlayPage& page, float left, float right) const;
+    void hint_panel(const OverlayPage& page, std::size_t font) const;
+    float notice_panel(std::span<const std::string> notices, const OverlayPage& page, std::size_t font,
+                       bool at_top) const;
+    [[nodiscard]] bool help_fits(const OverlayPage& page, float left, float right) const;
+    [[nodiscard]] std::optional<std::size_t> help_font(const OverlayPage& page, float right, bool beside,
+                                                       std::size_t font) const;
 
     void hand_over_input();
 
@@ -70,6 +81,7 @@ private:
     HierarchyPanel hierarchy_;
     PlotsPanel plots_;
     ComparisonPanel comparison_;
+    std::vector<PanelBox> boxes_;
     std::unique_ptr<ImGuiContext, DestroyContext> context_;
     Input input_;
     std::array<ImFont*, 8> fonts_{};  ///< from small to large

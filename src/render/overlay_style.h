@@ -2,6 +2,10 @@
 
 #include <imgui.h>
 
+#include <vector>
+
+#include "panel_boxes.h"
+
 namespace drape {
 
 /// Colours of the overlay.
@@ -18,10 +22,13 @@ inline constexpr ImU32 popup = IM_COL32(34, 38, 48, 245);
 inline constexpr ImU32 panel = IM_COL32(22, 26, 34, 196);
 }  // namespace ink
 
-/// Draws a panel's ground.
+/// Draws a panel's ground, and adds it to the panels of the frame, which are Dear ImGui's user data.
 /// All panels are parts of one window as large as the picture, so that the overlay is one draw call.
 inline void draw_panel(ImVec2 corner, ImVec2 size) {
     const float rounding = 8;
+    if (auto* boxes = static_cast<std::vector<PanelBox>*>(ImGui::GetIO().UserData)) {
+        boxes->push_back({corner.x, corner.y, corner.x + size.x, corner.y + size.y});
+    }
     ImGui::GetWindowDrawList()->AddRectFilled(corner, {corner.x + size.x, corner.y + size.y}, ink::panel, rounding);
 }
 

@@ -88,7 +88,7 @@ void PlotsPanel::keep(const FrameView& view) {
 }
 
 float PlotsPanel::draw(const OverlayPage& page) const {
-    const float size = ImGui::GetFontSize(), margin = page.margin, height = 8 * size;
+    const float size = ImGui::GetFontSize(), margin = page.margin, height = rows * size;
     const float width = (page.width - margin * static_cast<float>(plots.size() + 1)) / static_cast<float>(plots.size());
     if (width < 6 * size || count_ == 0) return 0;
     ImDrawList& list = *ImGui::GetWindowDrawList();

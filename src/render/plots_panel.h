@@ -11,6 +11,8 @@ namespace drape {
 /// time by stage, energy, contacts, nodes, dt / limit. A reset begins again.
 class PlotsPanel {
 public:
+    static constexpr float columns = 52.5f, rows = 8;  ///< that it takes [font size]
+
     /// Keeps the figures of a moment, unless it is the same as the last or too near to it to be told apart.
     void keep(const FrameView& view);
 

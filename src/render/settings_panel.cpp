@@ -100,12 +100,15 @@ bool SettingsPanel::covers(float x, float y) const {
     return x >= left_ && x < left_ + width_ && y >= top_ && y < top_ + height_;
 }
 
-void SettingsPanel::draw(const Settings& settings, const OverlayPage& page) {
-    const float size = ImGui::GetFontSize();
-    width_ = std::min(27 * size, page.width - 2 * page.margin);
+PanelBox SettingsPanel::place(const OverlayPage& page) {
+    width_ = std::min(columns * ImGui::GetFontSize(), page.width - 2 * page.margin);
     height_ = page.height - 2 * page.margin;
     left_ = page.width - page.margin - width_;
     top_ = page.margin;
+    return {left_, top_, left_ + width_, top_ + height_};
+}
+
+void SettingsPanel::draw(const Settings& settings, const OverlayPage& page) {
     ImGui::SetNextWindowPos({left_, top_});
     ImGui::SetNextWindowSize({width_, height_});
     ImGui::PushStyleVar(ImGuiStyleVar_WindowPadding, {page.margin, page.margin});

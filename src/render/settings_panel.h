@@ -28,13 +28,18 @@ bool has_panel_row(const Setting& setting);
 /// or pins it has the first. It changes nothing by itself.
 class SettingsPanel {
 public:
+    static constexpr float columns = 27;  ///< of the width, where there is room [font size]
+
     /// The values that the buttons lead back to.
     void set_scene(const Settings& settings) {
         scene_ = settings;
         held_setting_.clear();
     }
 
-    /// Makes the panel of a frame.
+    /// Where the panel of a frame is.
+    PanelBox place(const OverlayPage& page);
+
+    /// Makes it there.
     void draw(const Settings& settings, const OverlayPage& page);
 
     /// What the user has changed since the last call, as "solver.dt=0.001".

@@ -33,6 +33,9 @@ public:
         return shown() && x >= left_ && x < left_ + width_ && y >= top_ && y < top_ + height_;
     }
 
+    /// As it was last drawn.
+    [[nodiscard]] PanelBox box() const { return {left_, top_, left_ + width_, top_ + height_}; }
+
     void hide() { width_ = 0; }
 
 private:

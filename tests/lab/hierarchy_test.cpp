@@ -6,6 +6,7 @@
 #include <cmath>
 #include <random>
 
+#include "drape/base/copied.h"
 #include "drape/base/input_error.h"
 #include "drape/bounds/cloth_quadtree.h"
 #include "drape/bounds/obb.h"

@@ -1,0 +1,37 @@
+#include "panel_boxes.h"
+
+#include <imgui.h>
+
+#include <algorithm>
+
+namespace drape {
+
+std::optional<PanelBox> free_place(const OverlayPage& page, const std::vector<PanelBox>& others,
+                                   const std::function<ImVec2(float)>& size_within, float least_width, bool at_top) {
+    const float gap = page.margin / 2;
+    float left = page.margin, right = page.width - page.margin, top = page.margin, bottom = page.height - page.margin;
+    // Each turn leaves at least one of the others behind
+    for (std::size_t turn = 0; turn <= others.size(); ++turn) {
+        if (right - left < least_width) return std::nullopt;
+        const ImVec2 size = size_within(right - left);
+        if (size.y > bottom - top || size.x > right - left) return std::nullopt;
+        const float middle = (left + right) / 2, edge = at_top ? top : bottom - size.y;
+        const PanelBox box{middle - size.x / 2, edge, middle + size.x / 2, edge + size.y};
+        const auto in_the_way =
+            std::ranges::find_if(others, [&](const PanelBox& other) { return overlap(box, other, gap); });
+        if (in_the_way == others.end()) return box;
+        const float before = in_the_way->left - page.margin, after = in_the_way->right + page.margin;
+        if (right - after >= std::max(least_width, before - left)) {
+            left = after;
+        } else if (before - left >= least_width) {
+            right = before;
+        } else if (at_top) {
+            top = in_the_way->bottom + page.margin;
+        } else {
+            bottom = in_the_way->top - page.margin;
+        }
+    }
+    return std::nullopt;
+}
+
+}  // namespace drape

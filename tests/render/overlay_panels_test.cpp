@@ -1,0 +1,117 @@
+// With everything on, no panel lies on another or is cut by the edge of the picture, at any size.
+
+#include "render/overlay_panels.h"
+
+#include <gtest/gtest.h>
+
+#include <string>
+#include <vector>
+
+#include "drape/sim/scene.h"
+#include "drape/sim/simulation.h"
+
+namespace drape {
+namespace {
+
+struct PictureShape {
+    int width, height;
+};
+
+class PanelBoxes : public testing::Test {
+protected:
+    PanelBoxes() : simulation_("drop", load_scene("drop")) {
+        simulation_.step();
+        panels_.settings.set_scene(simulation_.settings());
+        settings_ = simulation_.settings();
+        settings_.view.bounds = true;
+        settings_.view.level = 30;
+        settings_.solver.ledger = true;
+        panels_.help.assign(36, {"Left, A, Right, D", "Ball left, right, away from you, towards you"});
+    }
+
+    /// As long as the stops of the tour.
+    void give_hint() {
+        panels_.hint = {
+            {"12 of 12", "No more than needed"},
+            {"See",
+             "Both cloths move alike, and the one with a quarter of the particles takes a tenth of the time: "
+             "a scene should model no more than what it shows."},
+            {"Try", "M, Cloth, particles: with ever fewer of them the folds go first, and the outline last."},
+            {"Read", "src/lab/needs/needs.cpp"},
+            {"F1, F2", "Next stop, previous stop"}};
+    }
+
+    const std::vector<PanelBox>& boxes(PictureShape size, const std::vector<std::string>& notices) {
+        FrameView view = simulation_.view();
+        view.settings = &settings_;
+        FrameReport report;
+        panels_.colours.by = ColourBy::Strain;
+        for (int frame = 0; frame < 2; ++frame) panels_.build(view, report, notices, size.width, size.height);
+        return panels_.boxes();
+    }
+
+    void expect_apart(PictureShape size, const std::vector<std::string>& notices) {
+        const std::vector<PanelBox>& all = boxes(size, notices);
+        SCOPED_TRACE(std::to_string(size.width) + " x " + std::to_string(size.height) + ", text " +
+                     std::to_string(settings_.view.text_scale) + ", controls " +
+                     std::to_string(settings_.view.controls) + ", plots " + std::to_string(settings_.view.plots) +
+                     ", help " + std::to_string(settings_.view.help));
+        for (std::size_t i = 0; i < all.size(); ++i) {
+            const PanelBox& box = all[i];
+            EXPECT_TRUE(box.left >= 0 && box.top >= 0 && box.right <= static_cast<float>(size.width) &&
+                        box.bottom <= static_cast<float>(size.height))
+                << i << ": " << box.left << ", " << box.top << " to " << box.right << ", " << box.bottom;
+            for (std::size_t k = 0; k < i; ++k) EXPECT_FALSE(overlap(box, all[k])) << k << " and " << i;
+        }
+    }
+
+    Simulation simulation_;
+    Settings settings_;
+    OverlayPanels panels_;
+};
+
+const PictureShape picture_shapes[] = {{640, 480}, {1280, 720}, {3840, 2160}};
+
+TEST_F(PanelBoxes, AreApartAndWithinThePictureAtEverySize) {
+    give_hint();
+    const std::vector<std::string> notice{
+        "Diverged at step 242 (RK4): particle 103 (column 7, row 6) at 520 m/s, its structural spring to 102"};
+    for (const PictureShape& size : picture_shapes) {
+        for (const double scale : {0.5, 1.0, 2.0, 4.0}) {
+            for (int on = 0; on < 16; ++on) {
+                settings_.view.text_scale = scale;
+                settings_.view.controls = (on & 1) != 0;
+                settings_.view.plots = (on & 2) != 0;
+                settings_.view.help = (on & 4) != 0;
+                settings_.view.panel = (on & 8) != 0 ? PanelSize::Full : PanelSize::Compact;
+                expect_apart(size, on % 3 == 0 ? notice : std::vector<std::string>{});
+            }
+        }
+    }
+}
+
+TEST_F(PanelBoxes, AlwaysHaveTheTour) {
+    for (const PictureShape& size : picture_shapes) {
+        for (const double scale : {1.0, 2.0, 4.0}) {
+            for (int on = 0; on < 4; ++on) {
+                settings_.view.text_scale = scale;
+                settings_.view.controls = (on & 1) != 0;
+                settings_.view.plots = (on & 2) != 0;
+                settings_.view.panel = PanelSize::Full;
+                settings_.view.bounds = false;
+                panels_.colours = {};
+                give_hint();
+                boxes(size, {});
+                // The settings and the tour's panel are there, whatever goes
+                const std::vector<PanelBox> with = panels_.boxes();
+                const float tour = with.back().right - with.back().left;
+                EXPECT_GT(tour, 200) << size.width << ", text " << scale << ", " << on;
+                EXPECT_GT(with.back().top, static_cast<float>(size.height) / 4)
+                    << size.width << ", " << scale << ", " << on;
+            }
+        }
+    }
+}
+
+}  // namespace
+}  // namespace drape
