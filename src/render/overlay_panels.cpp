@@ -210,14 +210,15 @@ void OverlayPanels::hand_over_input() {
     input_.typed.erase(input_.typed.begin());
 }
 
-bool OverlayPanels::build(const FrameView& view, const FrameReport& last, std::span<const std::string> notices,
-                          int width, int height) {
+bool OverlayPanels::build(const FrameView& view, const Camera& camera, const FrameReport& last,
+                          std::span<const std::string> notices, int width, int height) {
     const ViewSettings& shown = view.settings->view;
     plots_.keep(view);
     const bool showing_help = shown.help && !help.empty();
     const bool showing_panel = shown.panel != PanelSize::Off;
+    const bool names_nodes = shown.bounds && hover_x >= 0;
     const bool nothing = !showing_panel && !showing_help && notices.empty() && hint.empty() && !shown.controls;
-    if (width < least_width || height < least_height || (nothing && !shown.plots)) {
+    if (width < least_width || height < least_height || (nothing && !shown.plots && !names_nodes)) {
         hide_settings();
         return false;
     }
@@ -246,10 +247,12 @@ bool OverlayPanels::build(const FrameView& view, const FrameReport& last, std::s
     } else if (showing_panel) {
         legends(view, room.left - margin, {right + margin, page.height, margin});
         // As wide as the wider of them
-        if (shown.bounds || colours.by != ColourBy::Plain) legends_left -= 26 * ImGui::GetFontSize();
+        if (shown.bounds || colours.by != ColourBy::Plain) legends_left -= 32 * ImGui::GetFontSize();
     }
     if (!hint.empty() && !showing_help) hint_panel(page, legends_left);
     if (!notices.empty()) notice_panel(notices, room, page);
+    const bool at_settings = settings.covers(static_cast<float>(hover_x), static_cast<float>(hover_y));
+    if (names_nodes && !at_settings) hierarchy_.name_node(view, camera, hover_x, hover_y, {w, h, margin});
     ImGui::End();
     if (shown.controls) {
         settings.draw(*view.settings, page);

@@ -4,6 +4,7 @@
 
 #include "drape/integrate/stability.h"
 #include "drape/sim/scene.h"
+#include "drape/sim/setting_table.h"
 #include "drape/sim/simulation.h"
 #include "support/crossings.h"
 #include "support/sanitized.h"

@@ -23,6 +23,7 @@ struct ClothView {
     const BroadPhase* hierarchy = nullptr;  ///< as last searched; never null
     const Points* v = nullptr;              ///< n x 3 [m/s]; null: at rest
     int held = -1;                          ///< the particle that the hand holds; -1: none
+    std::span<const int> pair_cells = {};   ///< that touch cloth, while bounding volumes are shown
 };
 
 /// What a search of all cloths for all balls costs with the hierarchy and without it.
@@ -46,6 +47,7 @@ struct FrameView {
     std::string_view scene;  ///< name or path
     bool paused = false;
     bool held = false;                    ///< the hand holds a particle
+    TraversalStats pair_search;           ///< of cloth against cloth, while bounding volumes are shown
     const SearchTimes* search = nullptr;  ///< a comparison of about now; null: none was made
 };
 
