@@ -191,9 +191,14 @@ bool Window::at_panel(const PanelPointer& pointer) {
 void Window::on_motion(int x, int y) {
     at_panel({.x = x, .y = y, .down = panel_button_});
     pointer_.move(x, y);
+    renderer_->hover(x, y);
 }
 
-void Window::on_passive_motion(int x, int y) { at_panel({.x = x, .y = y}); }
+void Window::on_passive_motion(int x, int y) {
+    at_panel({.x = x, .y = y});
+    renderer_->hover(x, y);
+    dirty_ |= session_.simulation().settings().view.bounds;
+}
 
 void Window::on_wheel(int notches, int x, int y) {
     if (!at_panel({.x = x, .y = y, .down = panel_button_, .notches = notches})) carry_out(Pointer::wheel(notches));

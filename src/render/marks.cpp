@@ -121,7 +121,7 @@ void Marks::collect_bounds(const FrameView& view) {
     const ShownLevel shown = shown_level(view);
     for (const ClothView& cloth : view.cloths) {
         const BroadPhase& hierarchy = *cloth.hierarchy;
-        touched_.take(cloth.model.grid, cloth.contacts, view.report->step > 0);
+        touched_.take(cloth, *view.report);
         if (!shown.all && hierarchy.levels() > 0) {
             hierarchy.nodes_at(std::min(shown.level, hierarchy.levels() - 1), nodes_);
             append_nodes(nodes_, hierarchy.slack(), touched_, bounds_);

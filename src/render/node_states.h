@@ -27,7 +27,11 @@ std::span<const NodeLook, 6> node_looks();
 class TouchedCells {
 public:
     /// @param tested whether candidates have been tested: before the first step they have not
-    void take(const Grid& grid, std::span<const Contact> contacts, bool tested);
+    /// @param more cells that touch, in any order
+    void take(const Grid& grid, std::span<const Contact> contacts, bool tested, std::span<const int> more = {});
+    void take(const ClothView& cloth, const StepReport& report) {
+        take(cloth.model.grid, cloth.contacts, report.step > 0, cloth.pair_cells);
+    }
 
     /// @par Cost O(rows log(touched cells))
     [[nodiscard]] bool any_in(const CellRange& cells) const;

@@ -221,8 +221,8 @@ void OverlayPanels::hand_over_input() {
     input_.typed.erase(input_.typed.begin());
 }
 
-bool OverlayPanels::build(const FrameView& view, const FrameReport& last, std::span<const std::string> notices,
-                          int width, int height) {
+bool OverlayPanels::build(const FrameView& view, const Camera& camera, const FrameReport& last,
+                          std::span<const std::string> notices, int width, int height) {
     const ViewSettings& shown = view.settings->view;
     plots_.keep(view);
     comparison_.keep(view);
@@ -231,8 +231,9 @@ bool OverlayPanels::build(const FrameView& view, const FrameReport& last, std::s
     const bool showing_time = TimelinePanel::is_due(view.timeline, view.paused);
     const bool hinted = !hint.empty() && !showing_help;
     const bool nothing = !showing_panel && !showing_help && notices.empty() && hint.empty() && !shown.controls;
+    const bool names_nodes = shown.bounds && hover_x >= 0;
     if (width < least_width || height < least_height ||
-        (nothing && !shown.plots && !showing_time && view.comparison == nullptr)) {
+        (nothing && !shown.plots && !names_nodes && !showing_time && view.comparison == nullptr)) {
         settings.hide();
         timeline.hide();
         forget_input();
@@ -284,7 +285,7 @@ bool OverlayPanels::build(const FrameView& view, const FrameReport& last, std::s
     float left = margin;
     if (beside) left = figures_panel(view, last, fonts_[size + 1], page) + margin;
     // On a small page a hint is worth more than legends
-    const bool legend_room = !hinted || right - left > (hint_columns + 26) * font || page.height > 36 * font;
+    const bool legend_room = !hinted || right - left > (hint_columns + 32) * font || page.height > 36 * font;
     if (help_size) {
         ImGui::PushFont(fonts_[*help_size]);
         help_panel(page, left, right);
@@ -296,6 +297,8 @@ bool OverlayPanels::build(const FrameView& view, const FrameReport& last, std::s
     }
     if (!showing_help && !notices.empty()) notice_panel(notices, page, size, true);
     if (hinted) hint_panel(page, size);
+    const bool at_settings = settings.covers(static_cast<float>(hover_x), static_cast<float>(hover_y));
+    if (names_nodes && !at_settings) hierarchy_.name_node(view, camera, hover_x, hover_y, {w, h, margin});
     ImGui::End();
     if (shown.controls) settings.draw(*view.settings, page);
     if (showing_time) {

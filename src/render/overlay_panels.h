@@ -33,8 +33,8 @@ public:
     /// Makes the panels of a frame as Dear ImGui's draw data.
     /// @param last what the frame before this one cost
     /// @return false if there is nothing to show, or no room
-    bool build(const FrameView& view, const FrameReport& last, std::span<const std::string> notices, int width,
-               int height);
+    bool build(const FrameView& view, const Camera& camera, const FrameReport& last,
+               std::span<const std::string> notices, int width, int height);
 
     /// Where the panels of the last frame are.
     [[nodiscard]] const std::vector<PanelBox>& boxes() const { return boxes_; }
@@ -48,8 +48,9 @@ public:
     SettingsPanel settings;
     TimelinePanel timeline;
     std::vector<KeyHelp> help;
-    std::vector<KeyHelp> hint;  ///< what to try first; empty: not shown
-    ColourScale colours;        ///< of the cloth in this frame
+    std::vector<KeyHelp> hint;       ///< what to try first; empty: not shown
+    ColourScale colours;             ///< of the cloth in this frame
+    int hover_x = -1, hover_y = -1;  ///< of the pointer over the picture; -1: not known [pixel]
 
 private:
     struct DestroyContext {

@@ -93,6 +93,11 @@ void Renderer::set_scene(const Settings& settings) { parts_->panels.settings.set
 
 void Renderer::point(const PanelPointer& pointer) { parts_->panels.point(pointer); }
 
+void Renderer::hover(int x, int y) {
+    parts_->panels.hover_x = x;
+    parts_->panels.hover_y = y;
+}
+
 void Renderer::type(unsigned char code) { parts_->panels.type(code); }
 
 bool Renderer::panel_has_pointer() const { return parts_->panels.have_pointer(); }
@@ -124,7 +129,7 @@ void Renderer::Parts::prepare(const FrameView& view, const Camera& camera, std::
     // What each part needs of the one buffer
     colours.collect(view);
     panels.colours = colours.scale();
-    const bool overlay = panels.build(view, report, notices, width, height);
+    const bool overlay = panels.build(view, camera, report, notices, width, height);
     stream.need(Region::Frame, sizeof(FrameData));
     solids.need(view, stream);
     marks.need(view, stream);

@@ -115,16 +115,15 @@ void SettingsPanel::draw(const Settings& settings, const OverlayPage& page) {
     ImGui::PushStyleVar(ImGuiStyleVar_WindowRounding, 8);
     ImGui::PushStyleColor(ImGuiCol_WindowBg, ink::panel);
     if (ImGui::Begin("settings", nullptr, panel_flags())) {
-        std::string section;
+        if (!is_up_to_date(settings)) make_rows(settings);
         bool open = false;
-        for (const Setting& setting : setting_table()) {
-            if (!has_panel_row(setting) || !first_value(setting, settings)) continue;
-            if (setting.section != section) {
-                section = setting.section;
+        for (const Row& row : rows_) {
+            if (!row.heading.empty()) {
+                const std::string& section = row.setting->section;
                 ImGui::SetNextItemOpen(section == "solver" || section == "contact", ImGuiCond_Once);
-                open = ImGui::CollapsingHeader(capitalised(section).c_str());
+                open = ImGui::CollapsingHeader(row.heading.c_str());
             }
-            if (open) row(setting, settings);
+            if (open) show(row);
         }
     }
     ImGui::End();
@@ -132,62 +131,96 @@ void SettingsPanel::draw(const Settings& settings, const OverlayPage& page) {
     ImGui::PopStyleVar(2);
 }
 
-void SettingsPanel::row(const Setting& setting, const Settings& settings) {
-    // Of several cloths, balls, solids or pins the first is shown and changed
-    const std::size_t count = section_count(settings, setting);
-    const std::string name = count > 1 ? setting.section + "[0]." + setting.name : setting.full_name();
-    const SettingValue value = setting.read(settings, 0);
-    ImGui::PushID(name.c_str());
-    ImGui::SetNextItemWidth(0.48f * width_);
-    if (const auto chosen = edited(setting, value)) changes_.push_back(name + "=" + value_text(*chosen));
-    tooltip(setting);
-    ImGui::SameLine();
-    ImGui::TextUnformatted(setting_label(setting).c_str());
-    tooltip(setting);
+/// Those of the view have no comparison of their own, and no value that would need memory.
+bool SettingsPanel::is_up_to_date(const Settings& settings) const {
+    const auto is_shown = [&](const Row& row) {
+        return row.setting->section != "view" || row.setting->read(settings, 0) == row.value;
+    };
+    const auto same = [&](auto... parts) { return ((settings.*parts == shown_.*parts) && ...); };
+    return !rows_.empty() &&
+           same(&Settings::cloths, &Settings::balls, &Settings::solids, &Settings::pins, &Settings::solver,
+                &Settings::contact, &Settings::ground, &Settings::wind) &&
+           std::ranges::all_of(rows_, is_shown);
+}
 
-    const std::optional<SettingValue> of_the_scene = first_value(setting, scene_);
-    if (of_the_scene && *of_the_scene != value) {
+/// Texts are made here, not in every frame.
+void SettingsPanel::make_rows(const Settings& settings) {
+    rows_.clear();
+    shown_ = settings;
+    ++times_made_;
+    std::string_view section;
+    for (const Setting& setting : setting_table()) {
+        const std::optional<SettingValue> value = first_value(setting, settings);
+        if (!has_panel_row(setting) || !value) continue;
+        // Of several cloths, balls, solids or pins the first is shown and changed
+        const bool is_first = section_count(settings, setting) > 1;
+        const bool is_whole = setting.kind == SettingKind::Integer || setting.kind == SettingKind::Grid;
+        const bool is_list = setting.kind != SettingKind::Number && setting.kind != SettingKind::Integer;
+        rows_.push_back({.setting = &setting,
+                         .name = is_first ? setting.section + "[0]." + setting.name : setting.full_name(),
+                         .heading = setting.section == section ? "" : capitalised(setting.section),
+                         .label = setting_label(setting),
+                         .format = is_whole  ? "%.0f"
+                                   : is_list ? "%.3g"
+                                             : number_format(setting),
+                         .value = *value,
+                         .of_the_scene = first_value(setting, scene_),
+                         .scale = slider_scale(setting, first_number(setting, scene_))});
+        section = setting.section;
+    }
+}
+
+void SettingsPanel::show(const Row& row) {
+    ImGui::PushID(row.name.c_str());
+    ImGui::SetNextItemWidth(0.48f * width_);
+    if (const auto chosen = edited(row)) changes_.push_back(row.name + "=" + value_text(*chosen));
+    tooltip(*row.setting);
+    ImGui::SameLine();
+    ImGui::TextUnformatted(row.label.c_str());
+    tooltip(*row.setting);
+
+    if (row.of_the_scene && *row.of_the_scene != row.value) {
         ImGui::SameLine(width_ - 4.5f * ImGui::GetFontSize());
-        if (ImGui::SmallButton("reset")) changes_.push_back(name + "=" + value_text(*of_the_scene));
+        if (ImGui::SmallButton("reset")) changes_.push_back(row.name + "=" + value_text(*row.of_the_scene));
     }
     ImGui::PopID();
 }
 
-std::optional<SettingValue> SettingsPanel::edited(const Setting& setting, const SettingValue& value) {
-    switch (setting.kind) {
+std::optional<SettingValue> SettingsPanel::edited(const Row& row) {
+    switch (row.setting->kind) {
         case SettingKind::Flag: {
-            bool flag = std::get<bool>(value);
+            bool flag = std::get<bool>(row.value);
             if (ImGui::Checkbox("##value", &flag)) return flag;
             return std::nullopt;
         }
         case SettingKind::Choice:
         case SettingKind::Pins:
-            return edited_choice(setting, value);
+            return edited_choice(*row.setting, row.value);
         case SettingKind::Number:
         case SettingKind::Integer:
-            return edited_number(setting, std::get<double>(value));
+            return edited_number(row);
         default:
-            return edited_list(setting, std::get<std::vector<double>>(value));
+            return edited_list(row);
     }
 }
 
-std::optional<SettingValue> SettingsPanel::edited_number(const Setting& setting, double value) {
-    const SliderScale scale = slider_scale(setting, first_number(setting, scene_));
+std::optional<SettingValue> SettingsPanel::edited_number(const Row& row) {
+    const Setting& setting = *row.setting;
+    const double value = std::get<double>(row.value);
     ImGuiSliderFlags flags = ImGuiSliderFlags_NoRoundToFormat;
-    if (scale.logarithmic) flags |= ImGuiSliderFlags_Logarithmic;
-    const std::string format = setting.kind == SettingKind::Integer ? "%.0f" : number_format(setting);
-    const bool is_held = held_setting_ == setting.full_name();
+    if (row.scale.logarithmic) flags |= ImGuiSliderFlags_Logarithmic;
+    const bool is_held = held_setting_ == &setting;
     double changed = is_held ? held_values_.front() : value;
-    const bool moved =
-        ImGui::SliderScalar("##value", ImGuiDataType_Double, &changed, &scale.low, &scale.high, format.c_str(), flags);
+    const bool moved = ImGui::SliderScalar("##value", ImGuiDataType_Double, &changed, &row.scale.low, &row.scale.high,
+                                           row.format.c_str(), flags);
     const bool is_active = ImGui::IsItemActive();
     if (is_active && ImGui::GetIO().WantTextInput && !ImGui::IsMouseDown(ImGuiMouseButton_Left)) {
         // Half a number is none: what is typed counts once it is whole
-        held_setting_ = setting.full_name();
+        held_setting_ = &setting;
         held_values_ = {changed};
         return std::nullopt;
     }
-    if (is_held) held_setting_.clear();
+    if (is_held) held_setting_ = nullptr;
     if (!moved && !is_held) return std::nullopt;
     changed = setting.kind == SettingKind::Integer ? std::round(changed) : rounded(changed);
     changed = std::clamp(changed, setting.range.low, setting.range.high);
@@ -196,22 +229,23 @@ std::optional<SettingValue> SettingsPanel::edited_number(const Setting& setting,
 }
 
 // Some of these make the cloth again, so a drag is carried out as it ends
-std::optional<SettingValue> SettingsPanel::edited_list(const Setting& setting, std::vector<double> values) {
-    const std::string name = setting.full_name();
-    if (held_setting_ == name && held_values_.size() == values.size()) values = held_values_;
+std::optional<SettingValue> SettingsPanel::edited_list(const Row& row) {
+    const Setting& setting = *row.setting;
+    std::vector<double>& values = drawn_values_;
+    values = std::get<std::vector<double>>(row.value);
+    if (held_setting_ == &setting && held_values_.size() == values.size()) values = held_values_;
     const bool is_grid = setting.kind == SettingKind::Grid;
     const float speed = is_grid ? 0.2f : 0.01f;
-    const std::string format = is_grid ? "%.0f" : "%.3g";
-    const bool changed =
-        ImGui::DragScalarN("##value", ImGuiDataType_Double, values.data(), static_cast<int>(values.size()), speed,
-                           &setting.range.low, &setting.range.high, format.c_str(), ImGuiSliderFlags_NoRoundToFormat);
+    const bool changed = ImGui::DragScalarN("##value", ImGuiDataType_Double, values.data(),
+                                            static_cast<int>(values.size()), speed, &setting.range.low,
+                                            &setting.range.high, row.format.c_str(), ImGuiSliderFlags_NoRoundToFormat);
     if (changed) {
         for (double& value : values) value = is_grid ? value : rounded(value);
-        held_setting_ = name;
+        held_setting_ = &setting;
         held_values_ = values;
     }
-    if (held_setting_ != name || ImGui::IsAnyItemActive()) return std::nullopt;
-    held_setting_.clear();
+    if (held_setting_ != &setting || ImGui::IsAnyItemActive()) return std::nullopt;
+    held_setting_ = nullptr;
     if (is_grid) {
         for (double& value : values) value = std::round(value);
     }

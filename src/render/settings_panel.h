@@ -2,6 +2,7 @@
 
 #include <optional>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include "drape/sim/setting_table.h"
@@ -33,7 +34,8 @@ public:
     /// The values that the buttons lead back to.
     void set_scene(const Settings& settings) {
         scene_ = settings;
-        held_setting_.clear();
+        rows_.clear();
+        held_setting_ = nullptr;
     }
 
     /// Where the panel of a frame is.
@@ -54,19 +56,39 @@ public:
     /// The panel is not shown.
     void hide() {
         width_ = 0;
-        held_setting_.clear();
+        held_setting_ = nullptr;
     }
 
+    /// How many times the texts of the rows were made: once, and once for each change of a setting or of the scene.
+    [[nodiscard]] int times_made() const { return times_made_; }
+
 private:
-    void row(const Setting& setting, const Settings& settings);
-    std::optional<SettingValue> edited(const Setting& setting, const SettingValue& value);
-    std::optional<SettingValue> edited_number(const Setting& setting, double value);
-    std::optional<SettingValue> edited_list(const Setting& setting, std::vector<double> values);
+    /// What a row shows of its setting.
+    struct Row {
+        const Setting* setting;
+        std::string name;     ///< of what it changes
+        std::string heading;  ///< of a section that begins; else empty
+        std::string label, format;
+        SettingValue value;
+        std::optional<SettingValue> of_the_scene;
+        SliderScale scale;  ///< of a number
+    };
+
+    [[nodiscard]] bool is_up_to_date(const Settings& settings) const;
+    void make_rows(const Settings& settings);
+    void show(const Row& row);
+    std::optional<SettingValue> edited(const Row& row);
+    std::optional<SettingValue> edited_number(const Row& row);
+    std::optional<SettingValue> edited_list(const Row& row);
 
     Settings scene_;
     std::vector<std::string> changes_;
-    std::string held_setting_;  ///< that is being changed, and waits for the button to go up
+    std::vector<Row> rows_;  ///< of `shown_`
+    Settings shown_;
+    int times_made_ = 0;
+    const Setting* held_setting_ = nullptr;  ///< that is being changed, and waits for the button to go up
     std::vector<double> held_values_;
+    std::vector<double> drawn_values_;
     float left_ = 0, top_ = 0, width_ = 0, height_ = 0;
 };
 

@@ -28,6 +28,11 @@ FrameView Simulation::view(Real blend) {
                           &cloth.state.v, cloth.held});
     }
     report_.rms_speed = std::sqrt(square_sum / particles);
+    TraversalStats pair_search;
+    if (settings_.view.bounds && settings_.contact.self) {
+        pair_search = pair_marks_.mark(cloths_, self_contact_.contacts(), settings_.contact);
+        for (std::size_t c = 0; c < shown_.size(); ++c) shown_[c].pair_cells = pair_marks_.touched_cells(c);
+    }
     return {.cloths = shown_,
             .balls = balls_,
             .previous_balls = previous_balls_,
@@ -38,7 +43,8 @@ FrameView Simulation::view(Real blend) {
             .report = &report_,
             .scene = scene_,
             .paused = paused_,
-            .held = hand_.holds()};
+            .held = hand_.holds(),
+            .pair_search = pair_search};
 }
 
 std::string Simulation::step_warning() const {

@@ -71,6 +71,9 @@ public:
     /// What the user's pointer does, for the settings panel, which follows in the next frames.
     void point(const PanelPointer& pointer);
 
+    /// Where the pointer is over the picture: while bounding volumes are shown, the node there is named [pixel].
+    void hover(int x, int y);
+
     /// A typed character for a field of the settings panel: 8 deletes, 13 ends, 27 gives up.
     void type(unsigned char code);
 

@@ -10,7 +10,7 @@ namespace drape {
 
 /// How far apart two simulations are, and what there is to draw of the other one.
 struct ComparisonView {
-    std::span<const ClothView> cloths;              ///< of the other simulation
+    std::span<const ClothView> cloths;  ///< of the other simulation
     std::span<const Ball> balls, previous_balls;
     std::span<const std::vector<float>> distances;  ///< for each cloth, of each particle from its place there [m]
     double rms = 0, largest = 0;                    ///< of these [m]

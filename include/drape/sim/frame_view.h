@@ -24,6 +24,7 @@ struct ClothView {
     const BroadPhase* hierarchy = nullptr;  ///< as last searched; never null
     const Points* v = nullptr;              ///< n x 3 [m/s]; null: at rest
     int held = -1;                          ///< the particle that the hand holds; -1: none
+    std::span<const int> pair_cells = {};   ///< that touch cloth, while bounding volumes are shown
 };
 
 struct ComparisonView;
@@ -51,6 +52,7 @@ struct FrameView {
     bool held = false;                           ///< the hand holds a particle
     Timeline timeline = {};                      ///< of the session; where there is none to be shown, nothing
     const ComparisonView* comparison = nullptr;  ///< with another simulation; null: none
+    TraversalStats pair_search = {};             ///< of cloth against cloth, while bounding volumes are shown
     const SearchTimes* search = nullptr;         ///< a measurement of about now; null: none was made
 };
 

@@ -12,6 +12,7 @@
 #include "drape/sim/frame_view.h"
 #include "drape/sim/hand.h"
 #include "drape/sim/moving_pins.h"
+#include "drape/sim/pair_marks.h"
 #include "drape/sim/self_contact.h"
 #include "drape/sim/settings.h"
 #include "drape/sim/sleep_watch.h"
@@ -152,6 +153,7 @@ private:
     StepReport report_;
     int planned_substeps_ = 1;  ///< for the stability limit alone
     NotCopied<std::vector<ClothView>> shown_;
+    PairMarks pair_marks_;                ///< on the hierarchies that are shown
     std::int64_t counted_from_step_ = 0;  ///< since then dt has been what it is: no error adds up in the time
     double counted_from_time_ = 0;
     bool paused_ = false;

@@ -1,0 +1,40 @@
+#pragma once
+
+#include <span>
+#include <vector>
+
+#include "drape/bounds/fold_test.h"
+#include "drape/contact/contact.h"
+#include "drape/sim/cloth.h"
+
+namespace drape {
+
+/// Marks what searches of cloth against cloth do with the nodes of the hierarchies that are shown. For pictures alone:
+/// these searches are for what is nearer than the thickness at this moment, and no contact depends on them. (Those of a
+/// run look farther ahead and keep what they find, see `SelfSearch`.)
+class PairMarks {
+public:
+    /// @param cloths with hierarchies that are fit to be drawn, see `ContactSearch::show`
+    /// @param pairs in contact
+    /// @return what the searches have cost
+    TraversalStats mark(std::span<Cloth> cloths, std::span<const PairContact> pairs, const ContactSettings& contact);
+
+    /// The cells of a cloth with a particle of such a pair, in no particular order.
+    [[nodiscard]] std::span<const int> touched_cells(std::size_t cloth) const { return of_cloths_[cloth].touched; }
+
+private:
+    struct OfCloth {
+        Grid grid;
+        int leaf_cells = -1;  ///< none yet
+        Real hx = 0, hy = 0;  ///< of its particles at rest [m]
+        FoldTest folds;
+        std::vector<int> touched;
+    };
+
+    void follow(std::span<const Cloth> cloths, const ContactSettings& contact);
+
+    std::vector<OfCloth> of_cloths_;
+    std::vector<LeafPair> leaves_;
+};
+
+}  // namespace drape

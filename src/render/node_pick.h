@@ -1,0 +1,56 @@
+#pragma once
+
+#include <array>
+#include <optional>
+#include <vector>
+
+#include "drape/render/camera.h"
+#include "node_states.h"
+#include "outlines.h"
+
+namespace drape {
+
+/// A node under the pointer, and why it is what it is.
+struct NodePick {
+    std::size_t cloth = 0;
+    int number = 0;  ///< among the nodes of its level
+    NodeView node;
+    NodeState state{};
+    Real gap = 0;  ///< from its volume to the nearest ball, thickness and slack counted; less than 0: they overlap [m]
+};
+
+/// Finds the node under the pointer: of the drawn one whose line is nearest to it, within a few pixels; else of the
+/// shown level, or of the leaves, the one that holds the cloth there.
+class NodePicker {
+public:
+    /// @param x, y of the pointer, from the upper left [pixel]
+    /// @par Cost O(nodes shown), and O(triangles) where no line is near
+    std::optional<NodePick> pick(const FrameView& view, const Camera& camera, int x, int y, int width, int height);
+
+private:
+    struct Pointed;
+    void look_for_lines(const Pointed& pointed, const ClothView& cloth, std::size_t number);
+    [[nodiscard]] std::optional<NodePick> node_on_cloth(const FrameView& view, const Ray& ray);
+    void complete(const FrameView& view, NodePick& pick);
+    void list_shown(const FrameView& view, const BroadPhase& hierarchy);
+
+    std::vector<NodeView> shown_, nodes_;
+    Outlines outlines_;
+    TouchedCells touched_;
+    std::optional<NodePick> best_;
+    float best_distance_ = 0, best_depth_ = 0;
+};
+
+/// The gap between a volume and a ball, as the test of the query sees it: by how much the ball must grow to overlap,
+/// or, less than zero, may shrink until it no longer does; at most its radius. Found by halving.
+Real gap_to_ball(const AnyVolume& volume, const Ball& ball);
+
+using NodeText = std::array<char, 160>;
+
+/// "Level 3, node 21: columns 8-15, rows 0-7", of cells; with several cloths, which.
+NodeText node_title(const NodePick& pick, const FrameView& view);
+
+/// "pruned: 3.2 cm beyond the ball"
+NodeText node_reason(const NodePick& pick, const FrameView& view);
+
+}  // namespace drape

@@ -1,0 +1,34 @@
+#pragma once
+
+#include <optional>
+#include <span>
+#include <vector>
+
+#include "node_states.h"
+
+namespace drape {
+
+/// How much larger a node's volume is than it must be: the radius of its sphere (of the sphere about it, for another
+/// volume), with the hierarchy's slack, over that of the smallest sphere about its particles.
+/// @param x n x 3 [m]
+double tightness(const NodeView& node, Real slack, const Grid& grid, const Points& x);
+
+/// The mean tightness of the nodes of each level, over all cloths; looked at again now and then while the cloth moves,
+/// and at once where it has stopped, or for another hierarchy.
+class LevelTightness {
+public:
+    /// @return one number a level, valid until the next call
+    /// @par Cost O(particles) a level, about ten passes, in one of `frames_between` frames
+    std::span<const double> look(const FrameView& view, int levels);
+
+private:
+    static constexpr int frames_between = 15;
+
+    std::vector<double> means_;
+    std::vector<NodeView> nodes_;
+    std::optional<BroadPhaseParameters> parameters_;  ///< of the last look
+    std::int64_t step_ = -1;
+    int frames_ = 0;
+};
+
+}  // namespace drape

@@ -1,0 +1,157 @@
+#include "render/node_pick.h"
+
+#include <gmock/gmock.h>
+
+#include "render/tightness.h"
+
+namespace drape {
+namespace {
+
+using testing::HasSubstr;
+
+/// A flat cloth of 1 m at y = 0, a ball over its corner at the origin, and a camera that looks down on it.
+class NodesUnderThePointer : public testing::Test {
+protected:
+    static constexpr int width = 800, height = 600;
+
+    explicit NodesUnderThePointer(VolumeKind volume = VolumeKind::Sphere) {
+        ClothParameters parameters;
+        parameters.particles = {33, 33};
+        model_ = make_cloth_model(parameters);
+        x_ = make_rest_state(parameters).x;
+        settings_.contact.volume = volume;
+        settings_.contact.leaf_cells = 4;
+        settings_.view.bounds = true;
+        settings_.view.eye = Vec3(Real(0.5), 3, Real(0.6));
+        settings_.view.target = Vec3(Real(0.5), 0, Real(0.5));
+        tree_ = make_broad_phase(broad_phase_of(settings_), model_.grid);
+        tree_->build(x_);
+        balls_.push_back({Vec3::Zero(), Real(0.1), Vec3::Zero()});
+        tree_->query(grown(balls_[0], settings_.contact.thickness), found_);
+        report_.step = 1;
+        cloths_.push_back({model_, x_, x_, {}, tree_.get()});
+        view_.cloths = cloths_;
+        view_.balls = balls_;
+        view_.settings = &settings_;
+        view_.report = &report_;
+    }
+
+    /// The pixel that shows a point.
+    [[nodiscard]] Eigen::Vector2i pixel(const Vec3& point) const {
+        const Camera camera(settings_.view);
+        const Eigen::Vector4f clip =
+            camera.projection_matrix(float(width) / height) * camera.view_matrix() * point.cast<float>().homogeneous();
+        return {static_cast<int>((clip.x() / clip.w() + 1) / 2 * width),
+                static_cast<int>((1 - clip.y() / clip.w()) / 2 * height)};
+    }
+    std::optional<NodePick> pick(const Vec3& point) {
+        const Eigen::Vector2i at = pixel(point);
+        return picker_.pick(view_, Camera(settings_.view), at.x(), at.y(), width, height);
+    }
+
+    Settings settings_;
+    ClothModel model_;
+    Points x_;
+    std::unique_ptr<BroadPhase> tree_;
+    Candidates found_;
+    std::vector<Ball> balls_;
+    std::vector<ClothView> cloths_;
+    StepReport report_;
+    FrameView view_;
+    NodePicker picker_;
+};
+
+class BoxesUnderThePointer : public NodesUnderThePointer {
+protected:
+    BoxesUnderThePointer() : NodesUnderThePointer(VolumeKind::Aabb) {}
+};
+
+TEST_F(BoxesUnderThePointer, AreFoundByTheClothInThem) {
+    settings_.view.level = 2;  // of 16 nodes, 8 x 8 cells each
+    for (const auto& [x, z] : {std::pair{0.37, 0.13}, {0.13, 0.87}, {0.63, 0.62}}) {
+        const auto found = pick(Vec3(static_cast<Real>(x), 0, static_cast<Real>(z)));
+        ASSERT_TRUE(found);
+        EXPECT_EQ(found->node.cells.level, 2);
+        EXPECT_TRUE(found->node.cells.holds(static_cast<int>(32 * x), static_cast<int>(32 * z)));
+        EXPECT_EQ(found->node.cells.cells(), 64);
+    }
+    EXPECT_FALSE(pick(Vec3(Real(1.3), 0, Real(0.5)))) << "beside the cloth";
+    EXPECT_FALSE(picker_.pick(view_, Camera(settings_.view), -1, 5, width, height)) << "beside the picture";
+}
+
+TEST_F(BoxesUnderThePointer, AreFoundByTheNearestEdge) {
+    settings_.view.level = 30;  // all: lines alone tell them apart
+    const auto root = pick(Vec3(Real(1.003), 0, Real(0.53)));
+    ASSERT_TRUE(root);
+    EXPECT_EQ(root->node.cells.i1, 32) << "one that ends at the cloth's edge";
+    settings_.view.level = 0;
+    const auto only = pick(Vec3(Real(1.003), 0, Real(0.53)));
+    ASSERT_TRUE(only);
+    EXPECT_EQ(only->node.cells.cells(), 32 * 32);
+}
+
+TEST_F(NodesUnderThePointer, AreFoundByTheOutlineOfTheirSphere) {
+    settings_.view.level = 1;
+    std::vector<NodeView> nodes;
+    nodes_of_level(*tree_, 1, nodes);
+    const auto& sphere = std::get<BoundingSphere>(nodes[3].volume);
+    // Beside the cloth, where the spheres of the others do not come
+    const auto found = pick(sphere.centre + Vec3(sphere.radius, 0, 0));
+    ASSERT_TRUE(found);
+    EXPECT_EQ(found->number, 3);
+    EXPECT_EQ(found->cloth, 0u);
+}
+
+TEST_F(NodesUnderThePointer, SayWhoTheyAreAndWhy) {
+    settings_.view.level = 2;
+    std::vector<NodeView> nodes;
+    nodes_of_level(*tree_, 2, nodes);
+    std::set<NodeState> states;
+    for (const NodeView& node : nodes) {
+        const auto& sphere = std::get<BoundingSphere>(node.volume);
+        const auto found = pick(sphere.centre);
+        ASSERT_TRUE(found);
+        states.insert(found->state);
+        const std::string title = node_title(*found, view_).data(), reason = node_reason(*found, view_).data();
+        const CellRange& cells = found->node.cells;
+        EXPECT_EQ(title, "Level 2, node " + std::to_string(found->number) + ": columns " + std::to_string(cells.i0) +
+                             "-" + std::to_string(cells.i1 - 1) + ", rows " + std::to_string(cells.j0) + "-" +
+                             std::to_string(cells.j1 - 1));
+        const BoundingSphere volume = std::get<BoundingSphere>(found->node.volume);
+        const Real gap = volume.centre.norm() - volume.radius - Real(0.1) - settings_.contact.thickness;
+        EXPECT_NEAR(static_cast<double>(found->gap), static_cast<double>(std::max(gap, Real(-0.102))), 1e-9);
+        if (found->state == NodeState::Pruned) {
+            EXPECT_GT(found->gap, 0);
+            EXPECT_THAT(reason, testing::MatchesRegex("pruned: [0-9.]+ (cm|mm) beyond the ball"));
+        }
+        if (found->state == NodeState::Unvisited) {
+            EXPECT_THAT(reason, HasSubstr("not visited"));
+        }
+    }
+    EXPECT_TRUE(states.contains(NodeState::Pruned));
+    EXPECT_TRUE(states.contains(NodeState::Unvisited));
+}
+
+TEST(GapToBall, IsThatOfEveryKindOfVolume) {
+    const Ball ball{Vec3(3, 0, 0), Real(0.5), Vec3::Zero()};
+    EXPECT_NEAR(static_cast<double>(gap_to_ball(BoundingSphere{Vec3::Zero(), 1}, ball)), 1.5, 1e-9);
+    EXPECT_NEAR(static_cast<double>(gap_to_ball(Aabb{Vec3(-1, -1, -1), Vec3(1, 1, 1)}, ball)), 1.5, 1e-9);
+    EXPECT_NEAR(static_cast<double>(gap_to_ball(Aabb{Vec3(-1, -1, -1), Vec3(Real(2.8), 1, 1)}, ball)), -0.3, 1e-9);
+    EXPECT_EQ(gap_to_ball(BoundingSphere{Vec3(3, 0, 0), 1}, ball), -ball.radius) << "the centre is in it";
+}
+
+TEST_F(BoxesUnderThePointer, AreTightWhereTheyAreNoLargerThanTheSmallestSphere) {
+    std::vector<NodeView> nodes;
+    tree_->nodes_at(1, nodes);
+    EXPECT_NEAR(tightness(nodes[0], 0, model_.grid, x_), 1, 1e-9) << "a flat square";
+    const Real half = Real(0.5) * std::sqrt(Real(0.5));  // of its diagonal
+    EXPECT_NEAR(tightness(nodes[0], half, model_.grid, x_), 2, 1e-9) << "slack counts";
+
+    LevelTightness tightness_of;
+    for (const double mean : tightness_of.look(view_, tree_->levels())) EXPECT_NEAR(mean, 1, 1e-9);
+    nodes[0].volume = Aabb{Vec3(-1, 0, -1), Vec3(2, 0, 2)};
+    EXPECT_NEAR(tightness(nodes[0], 0, model_.grid, x_), 6, 1e-9);
+}
+
+}  // namespace
+}  // namespace drape

@@ -1,0 +1,132 @@
+#include "render/plot_history.h"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <limits>
+
+namespace drape {
+namespace {
+
+/// A scene whose figures say when they were.
+class PlottedScene : public testing::Test {
+protected:
+    PlottedScene() {
+        view_.settings = &settings_;
+        view_.report = &report_;
+        view_.scene = "drop";
+    }
+
+    void keep(double time) {
+        report_.time = time;
+        report_.energy.kinetic = 100 + time;
+        history_.keep(view_);
+    }
+
+    /// Frames at 60 Hz of scene time.
+    void run(double from, double to, double frame = 1.0 / 60) {
+        for (int k = 0; from + k * frame <= to; ++k) keep(from + k * frame);
+    }
+
+    static constexpr std::size_t kinetic = 5;
+    Settings settings_;
+    StepReport report_;
+    FrameView view_;
+    PlotHistory history_;
+};
+
+TEST_F(PlottedScene, KeepsEachFigureWithTheTimeThatItIsOf) {
+    run(0, 5);
+    ASSERT_GT(history_.size(), 75u);
+    EXPECT_EQ(history_.time(0), 0);
+    EXPECT_GT(history_.time(history_.size() - 1), 4.9);
+    for (std::size_t k = 0; k < history_.size(); ++k) {
+        EXPECT_FLOAT_EQ(history_.value(k, kinetic), static_cast<float>(100 + history_.time(k)));
+        if (k > 0) {
+            EXPECT_LT(history_.time(k - 1), history_.time(k)) << "oldest first";
+        }
+    }
+}
+
+TEST_F(PlottedScene, ShowsTheLastTenSecondsAndForgetsWhatWasBefore) {
+    run(0, 27);
+    const std::size_t last = history_.size() - 1, oldest = history_.oldest_shown();
+    EXPECT_EQ(history_.span(), 10);
+    EXPECT_LE(history_.size(), PlotHistory::most);
+    EXPECT_GT(history_.time(last), 26.9);
+    EXPECT_LE(history_.time(last) - history_.time(oldest), 10);
+    EXPECT_GT(history_.time(last) - history_.time(oldest), 9.9) << "all ten of them";
+    for (std::size_t k = 1; k <= last; ++k) {
+        EXPECT_LT(history_.time(k - 1), history_.time(k));
+        EXPECT_LT(history_.time(k) - history_.time(k - 1), 0.1) << "without a hole";
+        EXPECT_FLOAT_EQ(history_.value(k, kinetic), static_cast<float>(100 + history_.time(k)));
+    }
+}
+
+TEST_F(PlottedScene, KeepsTheSameMomentOnce) {
+    keep(1);
+    keep(1);
+    keep(1.001);  // could not be told apart
+    EXPECT_EQ(history_.size(), 1u);
+    keep(1.05);
+    EXPECT_EQ(history_.size(), 2u);
+}
+
+TEST_F(PlottedScene, BeginsAgainAfterAReset) {
+    run(0, 3);
+    keep(0);
+    ASSERT_EQ(history_.size(), 1u);
+    EXPECT_EQ(history_.time(0), 0);
+    run(0.1, 1);
+    EXPECT_EQ(history_.oldest_shown(), 0u);
+}
+
+TEST_F(PlottedScene, BeginsAgainInAnotherScene) {
+    run(0, 3);
+    view_.scene = "curtain";  // whose clock may be later
+    keep(5);
+    ASSERT_EQ(history_.size(), 1u);
+    EXPECT_EQ(history_.time(0), 5);
+}
+
+TEST_F(PlottedScene, CoversTenSecondsOfTheWallInSlowMotion) {
+    settings_.view.speed = 0.01;
+    run(0, 0.3, 0.01 / 60);
+    EXPECT_DOUBLE_EQ(history_.span(), 0.1);
+    const double shown = history_.time(history_.size() - 1) - history_.time(history_.oldest_shown());
+    EXPECT_LE(shown, 0.1);
+    EXPECT_GT(shown, 0.099);
+    settings_.view.speed = 1;
+    run(0.31, 1);
+    EXPECT_EQ(history_.span(), 10);
+    EXPECT_EQ(history_.oldest_shown(), 0u) << "what was kept in slow motion is still there";
+}
+
+TEST_F(PlottedScene, HasANumberForEveryFigure) {
+    report_.step_limit_ratio = std::numeric_limits<double>::infinity();
+    report_.energy.spring = std::nan("");
+    keep(1);
+    for (std::size_t c = 0; c < plot_curve_count; ++c) EXPECT_TRUE(std::isfinite(history_.value(0, c))) << c;
+}
+
+TEST(Plots, HaveEachCurveOnce) {
+    std::size_t next = 0;
+    for (const Plot& plot : plots()) {
+        EXPECT_EQ(plot.first, next) << plot.title;
+        next = plot.end;
+    }
+    EXPECT_EQ(next, plot_curve_count);
+    StepReport report;
+    report.times = {.step = 1e-6, .build = 2e-6, .traverse = 3e-6, .narrow = 4e-6, .pairs = 5e-6, .respond = 6e-6};
+    report.energy = {.kinetic = 7, .gravity = 8, .spring = 9};
+    report.traversal = {.nodes = 10, .volume_tests = 11, .candidates = 12};
+    report.contacts = 13;
+    report.step_limit_ratio = 0.5;
+    const double expected[] = {1, 5, 9, 6, 24, 7, 12, 13, 10, 11, 0.5};
+    for (std::size_t c = 0; c < plot_curve_count; ++c) {
+        EXPECT_DOUBLE_EQ(plot_curves()[c].read(report), expected[c]) << plot_curves()[c].label;
+    }
+}
+
+}  // namespace
+}  // namespace drape

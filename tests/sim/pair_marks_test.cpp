@@ -1,0 +1,90 @@
+// Nodes of searches of cloth against cloth, as they are shown.
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+
+#include "drape/bounds/node_view.h"
+#include "drape/sim/scene.h"
+#include "sim/small_scene.h"
+
+namespace drape {
+namespace {
+
+/// Without its balls what is marked is the pairs' alone.
+Simulation shown_scene(const std::string& name, bool with_balls = false) {
+    Settings settings = load_scene(name);
+    if (!with_balls) settings.balls.clear();
+    settings.view.bounds = true;
+    return {name, std::move(settings)};
+}
+
+std::int64_t nodes_with(const ClothView& cloth, NodeVisit visit) {
+    std::int64_t count = 0;
+    std::vector<NodeView> nodes;
+    for (int level = 0; level < cloth.hierarchy->levels(); ++level) {
+        cloth.hierarchy->nodes_at(level, nodes);
+        count += std::ranges::count_if(
+            nodes, [&](const NodeView& node) { return node.cells.level == level && node.visit == visit; });
+    }
+    return count;
+}
+
+TEST(PairMarks, ShowASheetThatCannotTouchItselfPrunedAtTheRootAndAFoldedOneVisited) {
+    Simulation hanging = shown_scene("fold");
+    const FrameView flat = hanging.view(1);
+    EXPECT_EQ(nodes_with(flat.cloths[0], NodeVisit::Pruned), 1);
+    EXPECT_EQ(nodes_with(flat.cloths[0], NodeVisit::Entered), 0);
+    EXPECT_TRUE(flat.cloths[0].pair_cells.empty());
+
+    Simulation simulation = shown_scene("fold", true);
+    while (simulation.report().pairs == 0 && simulation.report().time < 1) simulation.step();
+    ASSERT_GT(simulation.report().pairs, 0);
+    const FrameView folded = simulation.view(1);
+    EXPECT_GT(nodes_with(folded.cloths[0], NodeVisit::Entered), 0);
+    EXPECT_GT(nodes_with(folded.cloths[0], NodeVisit::Leaf), 0);
+    EXPECT_GT(folded.pair_search.leaves, 0);
+    EXPECT_FALSE(folded.cloths[0].pair_cells.empty());
+
+    // What touches is in leaves whose cells are tested, but for what was found to come near within the step alone
+    std::vector<NodeView> leaves;
+    folded.cloths[0].hierarchy->nodes_at(SearchLimit::all_levels, leaves);
+    const Grid& grid = folded.cloths[0].model.grid;
+    const auto is_tested = [&](int cell) {
+        return std::ranges::any_of(leaves, [&](const NodeView& node) {
+            return node.visit == NodeVisit::Leaf &&
+                   node.cells.holds(cell % grid.cell_columns(), cell / grid.cell_columns());
+        });
+    };
+    EXPECT_TRUE(std::ranges::any_of(folded.cloths[0].pair_cells, is_tested));
+}
+
+TEST(PairMarks, AreOnBothOfTwoCloths) {
+    Simulation simulation = shown_scene("stack");
+    while (simulation.report().pairs == 0 && simulation.report().time < 1) simulation.step();
+    ASSERT_GT(simulation.report().pairs, 0);
+    const FrameView view = simulation.view(1);
+    ASSERT_GT(view.cloths.size(), 1u);
+    for (const ClothView& cloth : view.cloths) {
+        EXPECT_GT(nodes_with(cloth, NodeVisit::Pruned) + nodes_with(cloth, NodeVisit::Entered), 0);
+    }
+    EXPECT_GT(nodes_with(view.cloths[1], NodeVisit::Leaf), 0) << "the second cloth too";
+}
+
+TEST(PairMarks, AreNotMadeUnlessTheyAreShownAndChangeNoBits) {
+    Simulation shown = shown_scene("stack"), hidden = shown_scene("stack");
+    send(hidden, "set view.bounds=false");
+    for (int step = 0; step < 200; ++step) {
+        shown.step();
+        hidden.step();
+        if (step % 10 > 0) continue;
+        EXPECT_GT(shown.view(1).pair_search.visited, 0);
+        const FrameView view = hidden.view(1);
+        EXPECT_EQ(view.pair_search.visited, 0);
+        EXPECT_TRUE(view.cloths[0].pair_cells.empty());
+    }
+    EXPECT_EQ(shown.hash(), hidden.hash());
+}
+
+}  // namespace
+}  // namespace drape
