@@ -15,6 +15,7 @@
 #include "drape/base/resources.h"
 #include "drape/base/run_program.h"
 #include "drape/base/stop_signals.h"
+#include "drape/sim/tour.h"
 #include "options.h"
 #include "window.h"
 
@@ -24,24 +25,30 @@ namespace {
 /// Says in one line why there is no window, and becomes `drape-capture` of the same scene.
 /// @throws RunError if that program is not beside this one
 [[noreturn]] void capture_instead(const Options& options, const std::string& reason) {
-    constexpr int frames = 120;
+    const std::size_t frames = options.tour ? tour_stops().size() : 120;
     const std::string program = (program_folder() / "drape-capture").string();
     const std::string out = std::filesystem::absolute("drape-frames").string();
     const std::string size = std::to_string(options.size.width) + "x" + std::to_string(options.size.height);
     std::vector<std::string> words{program};
-    if (!options.start.scene.empty()) {
+    if (options.tour) {
+        words.emplace_back("--tour");
+    } else if (!options.start.scene.empty()) {
         words.push_back(options.start.scene);
     } else if (options.start.replay.empty()) {
         words.insert(words.end(), {"drop", "--set", "view.eye=0.85,0.7,1.25"});  // the README's picture
     }
-    for (const std::string& assignment : options.start.assignments) words.insert(words.end(), {"--set", assignment});
-    if (!options.start.replay.empty()) words.insert(words.end(), {"--replay", options.start.replay});
-    if (options.hash) words.emplace_back("--hash");
-    words.insert(words.end(), {"--frames", std::to_string(frames), "--size", size, "--out", out, "--again"});
+    if (!options.tour) {
+        for (const std::string& setting : options.start.assignments) words.insert(words.end(), {"--set", setting});
+        if (!options.start.replay.empty()) words.insert(words.end(), {"--replay", options.start.replay});
+        if (options.hash) words.emplace_back("--hash");
+        words.insert(words.end(), {"--frames", std::to_string(frames)});
+    }
+    words.insert(words.end(), {"--size", size, "--out", out, "--again"});
 
     std::cerr << "drape: " << reason << "; drawing " << frames << " pictures into " << out << " instead"
               << (std::filesystem::exists(out) ? ", in place of those that are there" : "")
-              << (options.record.empty() ? "" : " (nothing is recorded)") << std::endl;
+              << (options.record.empty() ? "" : " (nothing is recorded)")
+              << (options.tour && options.hash ? " (a tour has no hash)" : "") << std::endl;
     become_program(std::move(words));
 }
 

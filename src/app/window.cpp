@@ -124,16 +124,7 @@ void Window::on_display() {
 void Window::draw(FrameView view) {
     if (view.settings->view.panel == PanelSize::Full) view.search = search_timer_.look(view);
     std::vector<std::string> lines = notices_.lines(session_.replay_notice());
-    if (!view.report->trouble.empty()) {
-        lines.push_back(view.report->trouble);
-        lines.push_back(failure_file_);
-        const double ratio = view.report->step_limit_ratio;
-        const bool helps = ratio > 0.9 && std::isfinite(ratio);
-        lines.emplace_back(std::string("R resets with the same time step") +
-                           (helps ? ", Shift+R with 0.9 of its limit" : ""));
-    } else if (const std::string warning = session_.simulation().step_warning(); !warning.empty()) {
-        lines.push_back(warning);
-    }
+    for (std::string& line : state_notices(session_.simulation(), failure_file_)) lines.push_back(std::move(line));
     renderer_->draw(view, shown_, lines);
     drawn_step_ = view.report->step;
 }

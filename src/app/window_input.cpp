@@ -12,6 +12,7 @@
 #include "drape/base/input_error.h"
 #include "drape/base/numbers.h"
 #include "drape/render/picture_texts.h"
+#include "drape/render/tour_hint.h"
 #include "drape/sim/comparison.h"
 #include "drape/sim/setting_table.h"
 #include "drape/sim/tour.h"
@@ -131,12 +132,7 @@ void Window::give(const Entry& entry) {
 }
 
 void Window::show_stop() {
-    const auto stops = tour_stops();
-    const TourStop& stop = stops[static_cast<std::size_t>(stop_)];
-    const auto line = [](std::string key, std::string_view text) { return KeyHelp{std::move(key), std::string(text)}; };
-    renderer_->set_hint({line(std::to_string(stop_ + 1) + " of " + std::to_string(stops.size()), stop.title),
-                         line("See", stop.look), line("Try", stop.try_it), line("Read", stop.file),
-                         line("F1, F2", "Next stop, previous stop")});
+    renderer_->set_hint(tour_hint(static_cast<std::size_t>(stop_)));
     renderer_->set_scene(session_.simulation().settings());
     hinting_ = false;
 }

@@ -41,9 +41,13 @@ Capture::Capture(CaptureOptions options, const StopSignals& signals)
       stats_(options_.stats),
       state_(options_.state),
       progress_(options_.frames / options_.every) {
+    // A scene in slow motion has more frames, which a video shows as slowly as a window does
+    constexpr double display_rate = 60;
+    const double video_rate = options_.fps.value_or(display_rate) / options_.every;
+    frame_rate_ = options_.fps.value_or(display_rate / session_.simulation().settings().view.speed);
     if (!options_.out.empty()) frames_.emplace(options_.out, options_.frames, options_.again);
     if (!options_.video.empty()) {
-        video_.emplace(options_.video, options_.size, options_.fps / options_.every, signals_);
+        video_.emplace(options_.video, options_.size, video_rate, signals_);
         if (!video_->trouble().empty() && !frames_) throw RunError(video_->trouble());
     }
     if (stats_.wanted()) {
@@ -60,6 +64,7 @@ Capture::Capture(CaptureOptions options, const StopSignals& signals)
         context_ = std::make_unique<OffscreenContext>(options_.context);
         renderer_ = std::make_unique<Renderer>();
         renderer_->resize(options_.size.width, options_.size.height);
+        renderer_->set_scene(session_.simulation().settings());
         // The panel shows what the frame before cost, and the first picture shall have one
         if (options_.overlay) draw();
     }
@@ -70,14 +75,16 @@ int Capture::run() {
     const std::string warning = session_.simulation().step_warning();
     if (!warning.empty()) std::cerr << "warning: " << warning << "\n";
     for (int frame = 1; frame <= options_.frames && exit_code == Done; ++frame) {
-        const double time = session_.start_time() + frame / options_.fps;
+        const double time = session_.start_time() + frame / frame_rate_;
         const bool whole = session_.run_until(time, [this] { return signals_.arrived() != 0; });
         tell_of_crossings();
         if (diverged()) {
-            tell_divergence();
+            fail(frame);
             exit_code = Failed;
+        } else if (whole && options_.drawing()) {
+            follow_replay();
+            if (frame % options_.every == 0) draw_frame(frame);
         }
-        if (exit_code == Done && whole && options_.drawing()) draw_frame(frame);
         if (const int signal = signals_.arrived()) exit_code = 128 + signal;
     }
     if (frames_) end_frames(exit_code == Done);
@@ -95,8 +102,6 @@ void Capture::tell_of_crossings() {
 }
 
 void Capture::draw_frame(int frame) {
-    follow_replay();
-    if (frame % options_.every != 0) return;
     draw();
     if (frames_ || video_) {
         const auto image = std::make_shared<Image>(renderer_->read_back());
@@ -112,6 +117,7 @@ void Capture::follow_replay() {
     for (const Command& command : session_.take_view_commands()) {
         if (std::holds_alternative<command::LoadScene>(command)) {
             camera_ = Camera(session_.simulation().settings().view);
+            renderer_->set_scene(session_.simulation().settings());
         } else {
             camera_.apply(command, session_.view());
         }
@@ -124,8 +130,10 @@ void Capture::draw() {
     if (!options_.overlay) shown.view.panel = PanelSize::Off;
     view.settings = &shown;
     std::vector<std::string> notices;
-    if (options_.overlay && !view.report->trouble.empty()) notices.push_back(view.report->trouble);
-    if (options_.overlay && !session_.replay_notice().empty()) notices.push_back(session_.replay_notice());
+    if (options_.overlay) {
+        if (!session_.replay_notice().empty()) notices.push_back(session_.replay_notice());
+        for (std::string& line : state_notices(session_.simulation(), failure_)) notices.push_back(std::move(line));
+    }
     renderer_->draw(view, camera_, notices);
 }
 
@@ -140,13 +148,18 @@ void Capture::write_stats(int frame) {
 
 bool Capture::diverged() { return session_.simulation().report().status == Status::Diverged; }
 
-void Capture::tell_divergence() {
-    if (std::exchange(divergence_told_, true)) return;
+// Its last good state is the last picture.
+void Capture::fail(int frame) {
+    failure_ = tell_failure(session_.simulation(), options_.out);
+    if (options_.drawing()) {
+        follow_replay();
+        draw_frame(frame);
+    }
     if (frames_) frames_->finish();
     progress_.clear();
     std::cerr << "drape-capture: " << session_.simulation().report().trouble;
-    if (frames_ && !frames_->last().empty()) std::cerr << "; the frame before is " << frames_->last().string();
-    std::cerr << "\n" << tell_failure(session_.simulation(), options_.out) << "\n";
+    if (frames_) std::cerr << "; " << frames_->last().string() << " shows the last good state";
+    std::cerr << "\n" << failure_ << "\n";
 }
 
 void Capture::end_frames(bool all) {

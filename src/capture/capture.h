@@ -34,7 +34,7 @@ private:
     void draw();
     void write_stats(int frame);
     [[nodiscard]] bool diverged();
-    void tell_divergence();
+    void fail(int frame);
     void end_frames(bool all);
     void finish();
     [[nodiscard]] bool finish_video();
@@ -49,7 +49,8 @@ private:
     std::unique_ptr<OffscreenContext> context_;
     std::unique_ptr<Renderer> renderer_;
     Progress progress_;
-    bool divergence_told_ = false;
+    double frame_rate_ = 0;  ///< per simulated second
+    std::string failure_;    ///< what was told of the state that has diverged
     std::int64_t crossings_told_ = 0;
 };
 

@@ -40,7 +40,7 @@ ContextKind context_kind(const std::string& text) {
 
 std::optional<CaptureOptions> read_capture_options(int argc, char** argv) {
     CaptureOptions options;
-    std::string frames, fps = "60", size = "1280x720", every = "1", context = "auto";
+    std::string frames, fps, size = "1280x720", every = "1", context = "auto";
     CLI::App app("Draws a scene into numbered pictures, with no display.", "drape-capture");
     app.add_option("scene", options.start.scene, "name of a shipped scene, or a TOML file")->type_name("SCENE");
     app.add_option("--set", options.start.assignments, "change settings, as in --set dt=1e-4")->type_name("name=value");
@@ -50,7 +50,7 @@ std::optional<CaptureOptions> read_capture_options(int argc, char** argv) {
     app.add_option("--frames", frames, "number of frames; frame k shows the time k/fps after the start")
         ->type_name("N");
     app.add_flag("--tour", options.tour, "draw a picture of each stop of the tour instead of a scene's frames");
-    app.add_option("--fps", fps, "frames per simulated second; 60 if not given")->type_name("RATE");
+    app.add_option("--fps", fps, "frames per simulated second; 60 / view.speed if not given")->type_name("RATE");
     app.add_option("--size", size, "of the pictures; 1280x720 if not given")->type_name("WxH");
     app.add_option("--out", options.out, "write frame_0001.png ... into this folder")->type_name("DIR");
     app.add_flag("--again", options.again, "replace the frames of an earlier run in that folder");
@@ -81,7 +81,7 @@ std::optional<CaptureOptions> read_capture_options(int argc, char** argv) {
     if (frames.empty()) throw InputError("--frames is required", help_hint(app));
     options.frames = whole_number("--frames", frames, most_frames);
     options.every = whole_number("--every", every, options.frames);
-    options.fps = frame_rate(fps);
+    if (!fps.empty()) options.fps = frame_rate(fps);
     const bool anything = !options.out.empty() || !options.video.empty() || !options.stats.empty() ||
                           !options.state.empty() || options.hash;
     if (!anything) throw InputError("nothing to write: say --out DIR, or one of --video, --stats, --state and --hash");

@@ -13,8 +13,8 @@ namespace drape {
 struct CaptureOptions {
     StartOptions start;
     int frames = 0;
-    double fps = 60;  ///< frames per simulated second
-    int every = 1;    ///< only each so many-th frame is drawn
+    std::optional<double> fps;  ///< frames per simulated second; none: 60 in a second of a window
+    int every = 1;              ///< only each so many-th frame is drawn
     PictureSize size;
     std::filesystem::path out;    ///< folder of the pictures; empty: none
     std::filesystem::path video;  ///< file; empty: none

@@ -5,10 +5,12 @@
 #include "drape/base/run_program.h"
 #include "drape/render/picture_texts.h"
 #include "drape/render/renderer.h"
+#include "drape/render/tour_hint.h"
 #include "drape/sim/simulation.h"
 #include "drape/sim/tour.h"
 #include "frame_writer.h"
 #include "offscreen_context.h"
+#include "progress.h"
 
 namespace drape {
 
@@ -18,6 +20,7 @@ int draw_tour(const CaptureOptions& options, const StopSignals& signals) {
     const OffscreenContext context(options.context);
     Renderer renderer;
     renderer.resize(options.size.width, options.size.height);
+    Progress progress(static_cast<int>(stops.size()));
     int number = 0;
     for (const TourStop& stop : stops) {
         Settings settings = settings_of(stop);
@@ -31,12 +34,15 @@ int draw_tour(const CaptureOptions& options, const StopSignals& signals) {
             pictures.finish();
             return 128 + signal;
         }
+        if (options.overlay) renderer.set_hint(tour_hint(static_cast<std::size_t>(number)));
         renderer.draw(simulation.view(), Camera(settings.view), {});
         const auto image = std::make_shared<Image>(renderer.read_back());
         image->texts = picture_texts(simulation);
         pictures.write(image, ++number);
+        progress.count();
     }
     pictures.finish();
+    progress.close(options.out);
     pictures.remove_older();
     return Done;
 }

@@ -7,6 +7,7 @@
 #include "drape/integrate/integrator.h"
 #include "drape/sim/scene.h"
 #include "drape/sim/setting_table.h"
+#include "drape/sim/tour.h"
 
 namespace drape {
 
@@ -22,6 +23,7 @@ void add_list(CLI::App& app, std::span<const Experiment> experiments, int& exit_
              for (const std::string& name : scene_names()) std::cout << name << ": " << load_scene(name).title << '\n';
          }},
         {"settings", [] { std::cout << settings_help(); }},
+        {"tour", [] { std::cout << tour_page(); }},
         {"experiments",
          [experiments] {
              for (const Experiment& one : experiments) std::cout << one.name << ": " << one.question << '\n';

@@ -1,5 +1,6 @@
 #include "drape/sim/failure.h"
 
+#include <cmath>
 #include <sstream>
 #include <string_view>
 
@@ -108,6 +109,17 @@ std::string tell_failure(const Simulation& simulation, const std::filesystem::pa
     } catch (const std::exception& error) {
         return cause + error.what();
     }
+}
+
+std::vector<std::string> state_notices(const Simulation& simulation, const std::string& failure) {
+    const StepReport& report = simulation.report();
+    if (report.trouble.empty()) {
+        const std::string warning = simulation.step_warning();
+        return warning.empty() ? std::vector<std::string>() : std::vector{warning};
+    }
+    const bool shorter_helps = report.step_limit_ratio > 0.9 && std::isfinite(report.step_limit_ratio);
+    return {report.trouble, failure,
+            std::string("R resets with the same time step") + (shorter_helps ? ", Shift+R with 0.9 of its limit" : "")};
 }
 
 }  // namespace drape

@@ -28,7 +28,7 @@ constexpr std::array<std::string_view, 2> coarse{"cloth.particles=15,15", "view.
 constexpr std::array<TourStop, 12> stops{{
     {"What a spring does", "hang", with_springs,
      "Particles, and springs between them: each pulls by its stiffness times its stretch.",
-     "Drag a corner, and watch the springs pass the pull on.", "include/drape/model/forces.h", 1.0},
+     "Drag a corner, and watch the springs pass the pull on.", "include/drape/model/forces.h", 0.4},
     {"Structural springs are not enough", "hang", structural_only,
      "Without shear springs the cells shear freely, and the sheet sags like a net.",
      "M, Cloth: raise shear stiffness, and it is cloth again.", "include/drape/model/stencils.h", 1.5},

@@ -85,6 +85,21 @@ TEST(Entries, AreTheTableOfTheReadme) {
     }
 }
 
+TEST(Tour, IsThePageOfTheDocsWithSmallPictures) {
+    const std::filesystem::path docs = std::filesystem::path(DRAPE_SOURCE_DIR) / "docs";
+    EXPECT_EQ(test::read_file(docs / "tour.md"), tour_page()) << "drape-lab list tour > docs/tour.md";
+    std::uintmax_t bytes = 0;
+    std::size_t number = 0;
+    for (const TourStop& stop : tour_stops()) {
+        const std::string digits = std::to_string(++number);
+        const auto picture = docs / "tour" / ("frame_" + std::string(4 - digits.size(), '0') + digits + ".png");
+        const std::string scene = "iTXtScene" + std::string(5, '\0') + std::string(stop.scene);
+        EXPECT_NE(test::read_file(picture).find(scene), std::string::npos) << picture << " is of another scene";
+        bytes += test::read_file(picture).size();
+    }
+    EXPECT_LT(bytes, 1'500'000u);
+}
+
 TEST(Tour, NamesFilesThatExist) {
     for (const TourStop& stop : tour_stops()) {
         EXPECT_TRUE(std::filesystem::is_regular_file(std::filesystem::path(DRAPE_SOURCE_DIR) / stop.file)) << stop.file;

@@ -6,6 +6,7 @@
 #include "app/window_fixture.h"
 #include "drape/base/numbers.h"
 #include "drape/base/stopwatch.h"
+#include "drape/sim/tour.h"
 
 namespace drape {
 namespace {
@@ -231,6 +232,16 @@ TEST_F(WindowTest, WithoutADisplayItDrawsOffScreen) {
         pictures += entry.path().extension() == ".png" ? 1 : 0;
     }
     EXPECT_EQ(pictures, 120);
+}
+
+TEST_F(WindowTest, WithoutADisplayTheTourIsDrawnOffScreen) {
+    Process blind({program("drape"), "--tour", "--size", "64x48", "--scale", "2"}, {{"DISPLAY", ""}}, folder_);
+    EXPECT_EQ(blind.wait(300), 0) << blind.standard_error();
+    EXPECT_TRUE(blind.standard_error().ends_with("12 pictures in " + file("drape-frames") + "\n"))
+        << blind.standard_error();
+    const std::string first = read_file(file("drape-frames/frame_0001.png"));
+    EXPECT_NE(first.find("iTXtScene" + std::string(5, '\0') + std::string(tour_stops().front().scene)),
+              std::string::npos);
 }
 
 TEST_F(WindowTest, BadInputIsToldBeforeAnythingOpens) {

@@ -194,7 +194,7 @@ TEST(Capture, SaysInItsPicturesHowTheyWereMade) {
     EXPECT_THAT(bytes, HasSubstr(chunk("Commit", commit())));
     EXPECT_THAT(bytes, HasSubstr(chunk("Scene", "drop")));
     EXPECT_THAT(bytes, HasSubstr(chunk("Time", "0.0083 s")));
-    EXPECT_THAT(bytes, HasSubstr("dt = 0.0001"));
+    EXPECT_THAT(bytes, HasSubstr("dt = 1e-04"));
 }
 
 TEST(Capture, DrawsOnePixel) {
@@ -275,6 +275,19 @@ TEST(Capture, EndsWithTheFramesKeptWhenTheStepIsUnstable) {
     EXPECT_THAT(stopped.err, HasSubstr("particle"));
     EXPECT_GT(folder.names("a").size(), 0u);
     EXPECT_LT(folder.names("a").size(), 60u);
+}
+
+TEST(Capture, EndsWithAPictureOfTheFailure) {
+    const TestFolder folder;
+    // In slow motion, as in the window: 4e-3 of real time
+    const Words words{"fails_rk4", "--frames", "600", "--every", "100", "--size", "160x90", "--out", folder / "a"};
+    const Outcome failed = run_program("drape-capture", words);
+    EXPECT_EQ(failed.exit_code, 1);
+    EXPECT_THAT(folder.names("a"), ElementsAre("frame_0100.png", "frame_0200.png", "frame_0300.png", "frame_0381.png",
+                                               "unstable.csv", "unstable.toml"));
+    EXPECT_THAT(failed.err, HasSubstr("frame_0381.png shows the last good state"));
+    EXPECT_THAT(failed.err, testing::EndsWith("4 pictures in " + (folder / "a") + "\n"));
+    EXPECT_NE(read_png(folder / "a/frame_0381.png").rgb, read_png(folder / "a/frame_0300.png").rgb);
 }
 
 TEST(Capture, RefusesToWriteNothing) {

@@ -1,6 +1,8 @@
 #pragma once
 
 #include <filesystem>
+#include <string>
+#include <vector>
 
 #include "drape/sim/simulation.h"
 
@@ -20,5 +22,10 @@ std::filesystem::path write_failure(const Simulation& simulation, const std::fil
 /// The same for a message: the step's length if that is the cause, and "unstable.toml starts from the last good state",
 /// or why there is no such file.
 std::string tell_failure(const Simulation& simulation, const std::filesystem::path& folder);
+
+/// What a picture says of a simulation for as long as it is so: why it ended and what helps, else a warning about its
+/// step; nothing where all is well.
+/// @param failure what `tell_failure` said of it
+std::vector<std::string> state_notices(const Simulation& simulation, const std::string& failure);
 
 }  // namespace drape

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <span>
+#include <string>
 #include <string_view>
 
 #include "drape/sim/settings.h"
@@ -23,5 +24,8 @@ std::span<const TourStop> tour_stops();
 
 /// The scene of a stop with its changes.
 Settings settings_of(const TourStop& stop);
+
+/// The tour as a page in Markdown, with the pictures that `drape-capture --tour` makes, in a folder `tour` beside it.
+std::string tour_page();
 
 }  // namespace drape
