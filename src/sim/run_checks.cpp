@@ -5,6 +5,7 @@
 #include "divergence.h"
 #include "drape/base/numbers.h"
 #include "drape/integrate/stability.h"
+#include "step_plan.h"
 
 namespace drape {
 namespace {
@@ -50,8 +51,10 @@ std::string check_substep(std::span<Cloth> cloths, std::span<const Ball> balls, 
         const MotionSums sums = sum_motion(cloth.state);
         const std::string trouble = divergence(cloth, sums, balls, settings);
         if (!trouble.empty()) {
-            return "diverged at step " + std::to_string(report.step + 1) + " (" +
-                   std::string(name_of(solver.integrator)) + "): " + trouble;
+            const double longest = longest_step(settings, cloths, report, report.substeps);
+            return "Diverged at step " + std::to_string(report.step + 1) + " (" +
+                   std::string(name_of(solver.integrator)) + "). " + limit_advice(settings, longest, report.substeps) +
+                   "First: " + trouble;
         }
         cloth.energy.after_integrator(cloth.model, cloth.state, sums, h, least_pause);
         mark_gain(cloth.energy.watch(), solver.integrator, report);
