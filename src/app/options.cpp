@@ -30,6 +30,7 @@ std::optional<Options> read_options(int argc, char** argv) {
     app.add_option("--size", size, "of the window; 1280x720 if not given")->type_name("WxH");
     app.add_option("--scale", scale, "text size factor; 1 if not given")->type_name("FACTOR");
     app.add_flag("--tour", options.tour, "begin with the tour: twelve scenes, with what to see in each");
+    app.add_flag("--check", options.check, "end with exit code 1 at an OpenGL error or a position that is not finite");
     app.add_flag("--hash", options.hash, "print the hash of the last state");
     app.footer([] { return key_help() + "\nSettings:\n" + settings_help(); });
     if (!parse_command_line(app, argc, argv)) return std::nullopt;

@@ -23,7 +23,7 @@ constexpr double least_budget = 0.025;  // s for the steps of one frame
 
 }  // namespace
 
-Window::Window(Session& session, PictureSize size, const StopSignals& signals, bool tour)
+Window::Window(Session& session, const Options& options, const StopSignals& signals)
     : session_(session),
       signals_(signals),
       entries_(make_entries(scene_names())),
@@ -31,18 +31,20 @@ Window::Window(Session& session, PictureSize size, const StopSignals& signals, b
       scene_(session.simulation().scene()) {
     glutInitContextVersion(3, 3);
     glutInitContextProfile(GLUT_CORE_PROFILE);
+    if (options.check) check_.emplace();
     glutInitDisplayMode(GLUT_DOUBLE | GLUT_RGB);
     glutSetOption(GLUT_ACTION_ON_WINDOW_CLOSE, GLUT_ACTION_GLUTMAINLOOP_RETURNS);
-    glutInitWindowSize(size.width, size.height);
+    glutInitWindowSize(options.size.width, options.size.height);
     window_ = glutCreateWindow("Drape");
     glewExperimental = GL_TRUE;
     if (glewInit() != GLEW_OK) throw RunError("this display does not give access to OpenGL's functions");
+    if (check_) check_->listen();
     renderer_ = std::make_unique<Renderer>();
     renderer_->set_help(help_lines(entries_));
     renderer_->set_hint(first_hints());
     hinting_ = true;
     renderer_->set_scene(session.simulation().settings());
-    if (tour) {
+    if (options.tour) {
         carry_out(go_to_stop(0));
         show_stop();
     }
@@ -111,6 +113,7 @@ void Window::on_display() {
     draw();
     renderer_->present();
     glutSwapBuffers();
+    if (check_) check_->check(session_.view(), camera_);
     picture_time_ = watch.seconds();
     dirty_ = false;
 }
@@ -121,8 +124,8 @@ void Window::draw() {
     if (!view.report->trouble.empty()) {
         lines.push_back(view.report->trouble);
         lines.push_back(failure_file_);
-        const double ratio = view.report->step_limit_ratio;
-        const bool helps = ratio > 0.9 && std::isfinite(ratio);
+        const double longest = session_.simulation().longest_step();
+        const bool helps = longest > 0 && view.settings->solver.dt > 0.9 * longest;
         lines.emplace_back(std::string("R resets with the same time step") +
                            (helps ? ", Shift+R with 0.9 of its limit" : ""));
     } else if (const std::string warning = session_.simulation().step_warning(); !warning.empty()) {

@@ -75,6 +75,7 @@ void Window::on_character(unsigned char code, bool down) {
     const int modifiers = glutGetModifiers();
     if (down && renderer_->panel_has_keyboard()) {
         panel_frames_ = 8;
+        held_keys_.insert(character_key(code, false));
         return renderer_->type(code);
     }
     if (down && (modifiers & (GLUT_ACTIVE_CTRL | GLUT_ACTIVE_ALT)) != 0) return;
@@ -93,6 +94,7 @@ void Window::on_key(const std::string& key, bool down) {
     }
     if (!held_keys_.insert(without_shift(key)).second) return;  // it repeats
     forget_hint();
+    if (key == "Esc" && close_topmost()) return;
     const Entry* entry = find_entry(entries_, key);
     if (entry == nullptr) return;
     if (entry->manner == Manner::WhileHeld) return steering_.press(key, *entry);
@@ -125,6 +127,24 @@ void Window::show_stop() {
                          line("F1, F2", "Next stop, previous stop")});
     renderer_->set_scene(session_.simulation().settings());
     hinting_ = false;
+}
+
+// What lies over the others, first
+bool Window::close_topmost() {
+    const ViewSettings& view = session_.simulation().settings().view;
+    if (menu_->open()) {
+        click_beside_menus();
+    } else if (renderer_->panel_has_list()) {
+        renderer_->close_list();
+        panel_frames_ = 8;
+    } else if (view.help) {
+        carry_out(command::Set{"view.help=false"});
+    } else if (view.controls) {
+        carry_out(command::Set{"view.controls=false"});
+    } else {
+        return false;
+    }
+    return true;
 }
 
 void Window::forget_hint() {
@@ -230,10 +250,9 @@ std::vector<Command> Window::go_to_stop(int stop) {
 }
 
 std::vector<Command> Window::safe_step() {
-    const StepReport& report = session_.simulation().report();
-    const double ratio = report.step_limit_ratio, dt = session_.simulation().settings().solver.dt;
-    if (!(ratio > 0) || !std::isfinite(ratio)) return {command::Reset{}};
-    const double step = std::min(dt, 0.9 * dt / report.substeps / ratio);
+    const double longest = session_.simulation().longest_step();
+    if (!(longest > 0) || !std::isfinite(longest)) return {command::Reset{}};
+    const double step = std::min(session_.simulation().settings().solver.dt, 0.9 * longest);
     return {command::Set{"solver.dt=" + real_text(step, 3)}, command::Reset{}};
 }
 

@@ -43,18 +43,6 @@ void tooltip(const Setting& setting) {
     ImGui::EndTooltip();
 }
 
-// A list of names
-std::optional<SettingValue> edited_choice(const Setting& setting, const SettingValue& value) {
-    const auto* name = std::get_if<std::string>(&value);
-    std::optional<SettingValue> chosen;
-    if (!ImGui::BeginCombo("##value", name == nullptr ? "a list" : name->c_str())) return chosen;
-    for (const std::string& choice : setting.choices) {
-        if (ImGui::Selectable(choice.c_str(), name != nullptr && choice == *name)) chosen = choice;
-    }
-    ImGui::EndCombo();
-    return chosen;
-}
-
 // Of the first of its section; nothing where there is none
 std::optional<SettingValue> first_value(const Setting& setting, const Settings& settings) {
     if (section_count(settings, setting) == 0) return std::nullopt;
@@ -101,6 +89,7 @@ bool SettingsPanel::covers(float x, float y) const {
 }
 
 void SettingsPanel::draw(const Settings& settings, const OverlayPage& page) {
+    list_open_ = false;
     const float size = ImGui::GetFontSize();
     width_ = std::min(27 * size, page.width - 2 * page.margin);
     height_ = page.height - 2 * page.margin;
@@ -127,6 +116,7 @@ void SettingsPanel::draw(const Settings& settings, const OverlayPage& page) {
     ImGui::End();
     ImGui::PopStyleColor();
     ImGui::PopStyleVar(2);
+    if (std::exchange(closing_list_, false)) list_open_ = false;
 }
 
 void SettingsPanel::row(const Setting& setting, const Settings& settings) {
@@ -166,6 +156,19 @@ std::optional<SettingValue> SettingsPanel::edited(const Setting& setting, const 
         default:
             return edited_list(setting, std::get<std::vector<double>>(value));
     }
+}
+
+std::optional<SettingValue> SettingsPanel::edited_choice(const Setting& setting, const SettingValue& value) {
+    const auto* name = std::get_if<std::string>(&value);
+    std::optional<SettingValue> chosen;
+    if (!ImGui::BeginCombo("##value", name == nullptr ? "a list" : name->c_str())) return chosen;
+    list_open_ = true;
+    for (const std::string& choice : setting.choices) {
+        if (ImGui::Selectable(choice.c_str(), name != nullptr && choice == *name)) chosen = choice;
+    }
+    if (closing_list_) ImGui::CloseCurrentPopup();
+    ImGui::EndCombo();
+    return chosen;
 }
 
 std::optional<SettingValue> SettingsPanel::edited_number(const Setting& setting, double value) {

@@ -46,15 +46,21 @@ public:
     /// Its left edge as it was last drawn; 0 where it is not shown [pixel].
     [[nodiscard]] float left() const { return width_ > 0 ? left_ : 0; }
 
+    /// Whether a list of names was open as it was last drawn, and closes it as it is drawn next.
+    [[nodiscard]] bool list_open() const { return list_open_; }
+    void close_list() { closing_list_ = true; }
+
     /// The panel is not shown.
     void hide() {
         width_ = 0;
+        list_open_ = closing_list_ = false;
         held_setting_.clear();
     }
 
 private:
     void row(const Setting& setting, const Settings& settings);
     std::optional<SettingValue> edited(const Setting& setting, const SettingValue& value);
+    std::optional<SettingValue> edited_choice(const Setting& setting, const SettingValue& value);
     std::optional<SettingValue> edited_number(const Setting& setting, double value);
     std::optional<SettingValue> edited_list(const Setting& setting, std::vector<double> values);
 
@@ -62,6 +68,7 @@ private:
     std::vector<std::string> changes_;
     std::string held_setting_;  ///< that is being changed, and waits for the button to go up
     std::vector<double> held_values_;
+    bool list_open_ = false, closing_list_ = false;
     float left_ = 0, top_ = 0, width_ = 0, height_ = 0;
 };
 

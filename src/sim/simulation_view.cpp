@@ -41,9 +41,7 @@ FrameView Simulation::view(Real blend) {
             .held = hand_.holds()};
 }
 
-double Simulation::longest_step() const {
-    return drape::longest_step(settings_, cloths_, report_, planned_substeps_);
-}
+double Simulation::longest_step() const { return drape::longest_step(settings_, cloths_, report_, planned_substeps_); }
 
 std::string Simulation::step_warning() const {
     std::string all;
