@@ -39,6 +39,21 @@ bool window_has_keyboard() {
     return focus == PointerRoot || focus == glXGetCurrentDrawable();
 }
 
+void click_beside_menus() {
+    Display* display = glXGetCurrentDisplay();
+    DRAPE_ASSERT(display != nullptr);
+    constexpr int beside = -10000;  // pixel
+    XEvent event{};
+    event.xbutton.type = ButtonPress;
+    event.xbutton.display = display;
+    event.xbutton.window = glXGetCurrentDrawable();
+    event.xbutton.root = DefaultRootWindow(display);
+    event.xbutton.x = event.xbutton.y = event.xbutton.x_root = event.xbutton.y_root = beside;
+    event.xbutton.button = Button1;
+    event.xbutton.same_screen = True;
+    XSendEvent(display, event.xbutton.window, False, NoEventMask, &event);
+}
+
 void make_repeats_detectable() {
     Display* display = glXGetCurrentDisplay();
     DRAPE_ASSERT(display != nullptr);

@@ -27,4 +27,7 @@ bool window_has_keyboard();
 /// @pre a window is open
 void make_repeats_detectable();
 
+/// Closes menus that are open in the window whose context is current: GLUT has no other way than a click beside them.
+void click_beside_menus();
+
 }  // namespace drape

@@ -91,7 +91,7 @@ int run(int argc, char** argv) {
     if (const std::string notice = session.record_notice(); !notice.empty()) std::cerr << "drape: " << notice << "\n";
     const std::string warning = session.simulation().step_warning();
     if (!warning.empty()) std::cerr << "warning: " << warning << "\n";
-    Window window(session, options->size, signals, options->tour);
+    Window window(session, *options, signals);
     progress.window_open = true;
     const int code = window.run();
     session.close();

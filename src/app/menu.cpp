@@ -68,6 +68,17 @@ Menu::Menu(const std::vector<Entry>& entries, void (*choose)(int entry, void* us
     glutAttachMenu(GLUT_RIGHT_BUTTON);
 }
 
+void Menu::set_open(bool open) {
+    open_ = open;
+    if (open_) return;
+    const int present = glutGetWindow();
+    for (int window = first_window_; window <= last_window_; ++window) {
+        glutSetWindow(window);
+        glutHideWindow();
+    }
+    glutSetWindow(present);
+}
+
 void Menu::draw_again() const {
     for (int window = first_window_; window <= last_window_; ++window) glutPostWindowRedisplay(window);
 }

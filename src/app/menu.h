@@ -36,8 +36,9 @@ public:
     /// @param choose is called with the number of the chosen entry and `user`
     Menu(const std::vector<Entry>& entries, void (*choose)(int entry, void* user), void* user);
 
-    /// GLUT's word on whether the menu is in use.
-    void set_open(bool open) { open_ = open; }
+    /// GLUT's word on whether the menu is in use. One that closes is hidden: freeglut hides it at once, and shows it
+    /// with its next work, so that one which opens and closes within a frame would stay on the screen.
+    void set_open(bool open);
     [[nodiscard]] bool open() const { return open_; }
 
     /// Brings the texts up to date, unless the menu is open; then has it drawn again, for freeglut's first drawing of a

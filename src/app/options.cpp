@@ -32,12 +32,14 @@ std::optional<Options> read_options(int argc, char** argv) {
     app.add_option("--size", size, "of the window; 1280x720 if not given")->type_name("WxH");
     app.add_option("--scale", scale, "text size factor; 1 if not given")->type_name("FACTOR");
     app.add_flag("--tour", options.tour, "begin with the tour: twelve scenes, with what to see in each");
+    app.add_flag("--check", options.check, "end with exit code 1 at an OpenGL error or a position that is not finite");
     app.add_flag("--hash", options.hash, "print the hash of the last state");
     app.footer([] { return key_help() + "\nSettings:\n" + settings_help(); });
     if (!parse_command_line(app, argc, argv)) return std::nullopt;
     const StartOptions& start = options.start;
-    if (options.tour && !(start.scene.empty() && start.assignments.empty() && start.replay.empty())) {
-        throw InputError("--tour has scenes and settings of its own: leave out SCENE, --set and --replay",
+    if (options.tour &&
+        !(start.scene.empty() && start.assignments.empty() && start.replay.empty() && start.versus.empty())) {
+        throw InputError("--tour has scenes and settings of its own: leave out SCENE, --set, --versus and --replay",
                          help_hint(app));
     }
     if (!scale.empty()) options.start.assignments.push_back("view.text_scale=" + scale);

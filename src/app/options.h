@@ -14,6 +14,7 @@ struct Options {
     std::string record;  ///< file to write; empty: none
     PictureSize size;    ///< of the window
     bool tour = false;   ///< begin with the tour
+    bool check = false;  ///< end at the first fault of OpenGL, or number that is not finite
     bool hash = false;   ///< print the hash of the last state
 };
 

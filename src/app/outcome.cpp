@@ -2,8 +2,10 @@
 
 #include <algorithm>
 #include <array>
+#include <cmath>
 #include <string_view>
 
+#include "drape/base/numbers.h"
 #include "drape/integrate/stability.h"
 #include "drape/sim/setting_table.h"
 
@@ -68,6 +70,15 @@ std::string outcome_for(const Setting& setting, const Simulation& simulation) {
     return text + "; " + remark;
 }
 
+// With which time step a scene begins again
+std::string outcome_of_reset(const Simulation& simulation) {
+    const double dt = simulation.settings().solver.dt, part = dt / simulation.longest_step();
+    const std::string text = "Reset with a time step of " + real_text(1e3 * dt, 4) + " ms";
+    if (!std::isfinite(part)) return text + ", and no step of this method is stable here";
+    if (part == 0 || simulation.settings().solver.on_unstable == OnUnstable::Substep) return text;
+    return text + ", " + real_text(part, 3) + " x its limit" + (part > 1 ? "; Shift+R uses 0.9 x" : "");
+}
+
 }  // namespace
 
 std::string outcome_of(const Command& command, const Simulation& simulation) {
@@ -80,6 +91,7 @@ std::string outcome_of(const Command& command, const Simulation& simulation) {
     if (const auto* set = std::get_if<command::Set>(&command)) {
         return outcome_for(find_setting(set->assignment.substr(0, set->assignment.find('='))), simulation);
     }
+    if (std::holds_alternative<command::Reset>(command)) return outcome_of_reset(simulation);
     return {};
 }
 

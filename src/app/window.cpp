@@ -23,7 +23,7 @@ constexpr double least_budget = 0.025;  // s for the steps of one frame
 
 }  // namespace
 
-Window::Window(Session& session, PictureSize size, const StopSignals& signals, bool tour)
+Window::Window(Session& session, const Options& options, const StopSignals& signals)
     : session_(session),
       signals_(signals),
       entries_(make_entries(scene_names())),
@@ -33,19 +33,21 @@ Window::Window(Session& session, PictureSize size, const StopSignals& signals, b
       scene_(session.simulation().scene()) {
     glutInitContextVersion(3, 3);
     glutInitContextProfile(GLUT_CORE_PROFILE);
+    if (options.check) check_.emplace();
     glutInitDisplayMode(GLUT_DOUBLE | GLUT_RGB);
     glutSetOption(GLUT_ACTION_ON_WINDOW_CLOSE, GLUT_ACTION_GLUTMAINLOOP_RETURNS);
-    glutInitWindowSize(size.width, size.height);
+    glutInitWindowSize(options.size.width, options.size.height);
     window_ = glutCreateWindow("Drape");
     glewExperimental = GL_TRUE;
     if (glewInit() != GLEW_OK) throw RunError("this display does not give access to OpenGL's functions");
+    if (check_) check_->listen();
     session_.keep_history({});
     renderer_ = std::make_unique<Renderer>();
     renderer_->set_help(help_lines(entries_));
     renderer_->set_hint(first_hints());
     hinting_ = true;
     renderer_->set_scene(session.simulation().settings());
-    if (tour) {
+    if (options.tour) {
         carry_out(go_to_stop(0));
         show_stop();
     }
@@ -117,6 +119,7 @@ void Window::on_display() {
     if (video_.due()) video_.take(renderer_->read_back());
     renderer_->present();
     glutSwapBuffers();
+    if (check_) check_->check(session_.view(), camera_);
     picture_time_ = watch.seconds();
     dirty_ = false;
 }

@@ -15,8 +15,10 @@
 #include "drape/sim/search_timer.h"
 #include "drape/sim/session.h"
 #include "entries.h"
+#include "frame_check.h"
 #include "menu.h"
 #include "notices.h"
+#include "options.h"
 #include "pointer.h"
 #include "steering.h"
 #include "window_video.h"
@@ -27,10 +29,10 @@ namespace drape {
 class Window {
 public:
     /// Opens the window.
+    /// @param options its size, `tour` and `check`
     /// @param signals that end it
     /// @pre glutInit was called
-    /// @param tour begin with the first stop of the tour
-    Window(Session& session, PictureSize size, const StopSignals& signals, bool tour);
+    Window(Session& session, const Options& options, const StopSignals& signals);
     ~Window();
     Window(const Window&) = delete;
     Window& operator=(const Window&) = delete;
@@ -82,6 +84,7 @@ private:
     [[nodiscard]] std::vector<Command> go_to_stop(int stop);
     void show_stop();
     void forget_hint();
+    bool close_topmost();
     bool at_panel(const PanelPointer& pointer);
     void take_panel_changes();
     void steer(double elapsed);
@@ -110,6 +113,7 @@ private:
     Notices notices_;
     SearchTimer search_timer_;
     WindowVideo video_;
+    std::optional<FrameCheck> check_;  ///< where the user asks for it
     std::unique_ptr<Renderer> renderer_;
     std::optional<Menu> menu_;
     Stopwatch clock_;  ///< since the last tick

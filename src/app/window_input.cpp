@@ -77,6 +77,7 @@ void Window::on_character(unsigned char code, bool down) {
     const int modifiers = glutGetModifiers();
     if (down && renderer_->panel_has_keyboard()) {
         panel_frames_ = 8;
+        held_keys_.insert(character_key(code, false));
         return renderer_->type(code);
     }
     if (down && (modifiers & (GLUT_ACTIVE_CTRL | GLUT_ACTIVE_ALT)) != 0) return;
@@ -96,6 +97,7 @@ void Window::on_key(const std::string& key, bool down) {
     }
     if (!held_keys_.insert(without_shift(key)).second) return;  // it repeats
     forget_hint();
+    if (key == "Esc" && close_topmost()) return;
     const Entry* entry = find_entry(entries_, key);
     if (entry == nullptr) return;
     if (entry->manner == Manner::WhileHeld) return steering_.press(key, *entry);
@@ -113,8 +115,12 @@ void Window::compare(const Entry& entry) {
         if (!carry_out(parse_command(entry.command))) return;
         for (const std::string& change : split_assignments(entry.pair.change)) carry_out(command::Set{change});
     }
-    session_.compare(entry.pair.versus);
     dirty_ = true;
+    try {
+        session_.compare(entry.pair.versus);
+    } catch (const std::runtime_error& error) {
+        notices_.add("input", error.what());
+    }
 }
 
 void Window::give(const Entry& entry) {
@@ -135,6 +141,24 @@ void Window::show_stop() {
     renderer_->set_hint(tour_hint(static_cast<std::size_t>(stop_)));
     renderer_->set_scene(session_.simulation().settings());
     hinting_ = false;
+}
+
+// What lies over the others, first
+bool Window::close_topmost() {
+    const ViewSettings& view = session_.simulation().settings().view;
+    if (menu_->open()) {
+        click_beside_menus();
+    } else if (renderer_->panel_has_list()) {
+        renderer_->close_list();
+        panel_frames_ = 8;
+    } else if (view.help) {
+        carry_out(command::Set{"view.help=false"});
+    } else if (view.controls) {
+        carry_out(command::Set{"view.controls=false"});
+    } else {
+        return false;
+    }
+    return true;
 }
 
 void Window::forget_hint() {
@@ -243,7 +267,9 @@ void Window::go_to(std::int64_t step) {
     dirty_ = true;
     if (session_.timeline().bytes == 0) return notices_.add("time", "This scene is too large to go back in");
     pointer_.forget();
+    steering_.release_all();
     session_.go_to(step);
+    steering_.forget_given();
     if (step < session_.timeline().oldest) notices_.add("time", "Nothing is kept of what was before");
 }
 
@@ -258,10 +284,9 @@ std::vector<Command> Window::go_to_stop(int stop) {
 }
 
 std::vector<Command> Window::safe_step() {
-    const StepReport& report = session_.simulation().report();
-    const double ratio = report.step_limit_ratio, dt = session_.simulation().settings().solver.dt;
-    if (!(ratio > 0) || !std::isfinite(ratio)) return {command::Reset{}};
-    const double step = std::min(dt, 0.9 * dt / report.substeps / ratio);
+    const double longest = session_.simulation().longest_step();
+    if (!(longest > 0) || !std::isfinite(longest)) return {command::Reset{}};
+    const double step = std::min(session_.simulation().settings().solver.dt, 0.9 * longest);
     return {command::Set{"solver.dt=" + real_text(step, 3)}, command::Reset{}};
 }
 
@@ -287,6 +312,7 @@ bool Window::carry_out(const Command& command) {
     if (std::holds_alternative<command::LoadScene>(command) || std::holds_alternative<command::Reset>(command)) {
         pointer_.forget();
         steering_.forget_given();
+        told_failure_.clear();
     }
     return true;
 }

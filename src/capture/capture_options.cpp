@@ -72,8 +72,9 @@ std::optional<CaptureOptions> read_capture_options(int argc, char** argv) {
     if (options.tour) {
         if (options.out.empty()) throw InputError("--tour needs --out DIR, for its pictures");
         const StartOptions& start = options.start;
-        const bool alone = start.scene.empty() && start.assignments.empty() && start.replay.empty() && frames.empty() &&
-                           options.video.empty() && options.stats.empty() && options.state.empty() && !options.hash;
+        const bool alone = start.scene.empty() && start.assignments.empty() && start.replay.empty() &&
+                           start.versus.empty() && frames.empty() && options.video.empty() && options.stats.empty() &&
+                           options.state.empty() && !options.hash;
         if (!alone)
             throw InputError("--tour goes with --out, --size, --again, --overlay and --context only", help_hint(app));
         return options;

@@ -104,6 +104,10 @@ bool Renderer::panel_has_pointer() const { return parts_->panels.have_pointer();
 
 bool Renderer::panel_has_keyboard() const { return parts_->panels.have_keyboard(); }
 
+bool Renderer::panel_has_list() const { return parts_->panels.settings.list_open(); }
+
+void Renderer::close_list() { parts_->panels.settings.close_list(); }
+
 std::vector<std::string> Renderer::take_changes() { return parts_->panels.settings.take_changes(); }
 
 bool Renderer::shows_timeline() const { return parts_->panels.timeline.shown(); }

@@ -43,18 +43,6 @@ void tooltip(const Setting& setting) {
     ImGui::EndTooltip();
 }
 
-// A list of names
-std::optional<SettingValue> edited_choice(const Setting& setting, const SettingValue& value) {
-    const auto* name = std::get_if<std::string>(&value);
-    std::optional<SettingValue> chosen;
-    if (!ImGui::BeginCombo("##value", name == nullptr ? "a list" : name->c_str())) return chosen;
-    for (const std::string& choice : setting.choices) {
-        if (ImGui::Selectable(choice.c_str(), name != nullptr && choice == *name)) chosen = choice;
-    }
-    ImGui::EndCombo();
-    return chosen;
-}
-
 // Of the first of its section; nothing where there is none
 std::optional<SettingValue> first_value(const Setting& setting, const Settings& settings) {
     if (section_count(settings, setting) == 0) return std::nullopt;
@@ -109,6 +97,7 @@ PanelBox SettingsPanel::place(const OverlayPage& page) {
 }
 
 void SettingsPanel::draw(const Settings& settings, const OverlayPage& page) {
+    list_open_ = false;
     ImGui::SetNextWindowPos({left_, top_});
     ImGui::SetNextWindowSize({width_, height_});
     ImGui::PushStyleVar(ImGuiStyleVar_WindowPadding, {page.margin, page.margin});
@@ -129,6 +118,7 @@ void SettingsPanel::draw(const Settings& settings, const OverlayPage& page) {
     ImGui::End();
     ImGui::PopStyleColor();
     ImGui::PopStyleVar(2);
+    if (std::exchange(closing_list_, false)) list_open_ = false;
 }
 
 /// Those of the view have no comparison of their own, and no value that would need memory.
@@ -202,6 +192,19 @@ std::optional<SettingValue> SettingsPanel::edited(const Row& row) {
         default:
             return edited_list(row);
     }
+}
+
+std::optional<SettingValue> SettingsPanel::edited_choice(const Setting& setting, const SettingValue& value) {
+    const auto* name = std::get_if<std::string>(&value);
+    std::optional<SettingValue> chosen;
+    if (!ImGui::BeginCombo("##value", name == nullptr ? "a list" : name->c_str())) return chosen;
+    list_open_ = true;
+    for (const std::string& choice : setting.choices) {
+        if (ImGui::Selectable(choice.c_str(), name != nullptr && choice == *name)) chosen = choice;
+    }
+    if (closing_list_) ImGui::CloseCurrentPopup();
+    ImGui::EndCombo();
+    return chosen;
 }
 
 std::optional<SettingValue> SettingsPanel::edited_number(const Row& row) {

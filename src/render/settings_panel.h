@@ -53,9 +53,14 @@ public:
     /// Its left edge as it was last drawn; 0 where it is not shown [pixel].
     [[nodiscard]] float left() const { return width_ > 0 ? left_ : 0; }
 
+    /// Whether a list of names was open as it was last drawn, and closes it as it is drawn next.
+    [[nodiscard]] bool list_open() const { return list_open_; }
+    void close_list() { closing_list_ = true; }
+
     /// The panel is not shown.
     void hide() {
         width_ = 0;
+        list_open_ = closing_list_ = false;
         held_setting_ = nullptr;
     }
 
@@ -78,6 +83,7 @@ private:
     void make_rows(const Settings& settings);
     void show(const Row& row);
     std::optional<SettingValue> edited(const Row& row);
+    std::optional<SettingValue> edited_choice(const Setting& setting, const SettingValue& value);
     std::optional<SettingValue> edited_number(const Row& row);
     std::optional<SettingValue> edited_list(const Row& row);
 
@@ -89,6 +95,7 @@ private:
     const Setting* held_setting_ = nullptr;  ///< that is being changed, and waits for the button to go up
     std::vector<double> held_values_;
     std::vector<double> drawn_values_;
+    bool list_open_ = false, closing_list_ = false;
     float left_ = 0, top_ = 0, width_ = 0, height_ = 0;
 };
 

@@ -10,6 +10,9 @@
 namespace drape {
 namespace {
 
+/// Of the other simulation within a step of the first.
+constexpr int most_steps = 1000;
+
 /// A place in a flat cloth: both in [0, 1].
 struct FlatPlace {
     Real u, v;
@@ -71,6 +74,11 @@ Comparison::Comparison(const Simulation& first, std::string assignments)
 Simulation Comparison::make_other(const Simulation& first, const std::vector<std::string>& assignments) {
     Settings settings = first.settings();
     for (const std::string& assignment : assignments) assign(settings, assignment);
+    const double least = first.settings().solver.dt / most_steps;
+    if (settings.solver.dt < least) {
+        throw InputError("solver.dt = " + real_text(settings.solver.dt) + ": allowed " + real_text(least, 3) +
+                         " and more, a thousandth of the step that it is compared with");
+    }
     return {first.scene(), std::move(settings)};
 }
 
@@ -83,6 +91,12 @@ bool Comparison::compares(const std::string& setting) const {
 
 void Comparison::apply(const Command& command, const Simulation& first) {
     if (!changes_motion(command)) return;
+    follow_command(command, first);
+    // Where only one of both has begun again, both do
+    if (first.report().step == 0 && other_.report().step != 0) other_.apply(command::Reset{});
+}
+
+void Comparison::follow_command(const Command& command, const Simulation& first) {
     if (std::holds_alternative<command::LoadScene>(command)) {
         other_ = make_other(first, assignments_);
         return;
@@ -107,7 +121,8 @@ void Comparison::apply(const Command& command, const Simulation& first) {
 
 void Comparison::follow(const Simulation& first) {
     const double tolerance = 1e-6 * other_.settings().solver.dt;
-    while (other_.report().status == Status::Ok && other_.report().time < first.report().time - tolerance) {
+    for (int k = 0; k < most_steps; ++k) {
+        if (other_.report().status != Status::Ok || other_.report().time >= first.report().time - tolerance) break;
         other_.step();
     }
 }

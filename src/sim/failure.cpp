@@ -117,7 +117,8 @@ std::vector<std::string> state_notices(const Simulation& simulation, const std::
         const std::string warning = simulation.step_warning();
         return warning.empty() ? std::vector<std::string>() : std::vector{warning};
     }
-    const bool shorter_helps = report.step_limit_ratio > 0.9 && std::isfinite(report.step_limit_ratio);
+    const double longest = simulation.longest_step();
+    const bool shorter_helps = longest > 0 && simulation.settings().solver.dt > 0.9 * longest;
     return {report.trouble, failure,
             std::string("R resets with the same time step") + (shorter_helps ? ", Shift+R with 0.9 of its limit" : "")};
 }

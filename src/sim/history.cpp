@@ -28,9 +28,10 @@ void History::pass(std::int64_t step, std::size_t next_entry, double length, con
     const double bytes = bytes_of(simulation, comparison);
     const double room = share * limits_.bytes;
     const double gaps = std::floor(room / bytes) - 1;
-    if (gaps < 1) return forget();  // not even two would fit
+    if (gaps < 1) return;  // not even two would fit
     const double apart = std::clamp(limits_.seconds / gaps, nearest, farthest);
     if (!moments_.empty() && watched_ < moments_.back().watched + apart) return;
+    forget_between();
     keep(moments_.end(), {step, next_entry, watched_, bytes, false, simulation, comparison});
     while (bytes_ > room) drop_oldest();
     while (moments_.size() > 2 && moments_[1].watched < watched_ - limits_.seconds) drop_oldest();

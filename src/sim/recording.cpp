@@ -105,18 +105,25 @@ Recorder::Recorder(const std::string& file, const std::string& scene, const std:
 
 void Recorder::begin_line(std::int64_t step) { lines_.push_back({step, file_.stream().tellp(), paused_}); }
 
+void Recorder::begin_step(std::int64_t step) {
+    if (paused_ && granted_ == 0) write(step, command::Pause{});
+    granted_ = std::max<std::int64_t>(granted_ - 1, 0);
+}
+
 bool Recorder::cut_after(std::int64_t step) {
     const auto later = std::ranges::upper_bound(lines_, step, {}, &Line::step);
     if (later != lines_.end() && !file_.cut_at(later->begin)) return false;
     if (later != lines_.end()) paused_ = later->paused;
+    granted_ = 0;
     lines_.erase(later, lines_.end());
     return true;
 }
 
 void Recorder::write(std::int64_t step, const Command& command) {
     begin_line(step);
-    if (std::holds_alternative<command::Pause>(command)) paused_ = !paused_;
-    if (std::holds_alternative<command::Step>(command)) paused_ = true;
+    const auto* steps = std::get_if<command::Step>(&command);
+    if (std::holds_alternative<command::Pause>(command)) paused_ = !paused_, granted_ = 0;
+    if (steps != nullptr) paused_ = true, granted_ = steps->count;
     file_.stream() << step << ' ' << command_text(command) << std::endl;
 }
 

@@ -5,6 +5,7 @@
 #include "divergence.h"
 #include "drape/base/numbers.h"
 #include "drape/integrate/stability.h"
+#include "step_plan.h"
 
 namespace drape {
 namespace {
@@ -51,8 +52,10 @@ std::string check_substep(std::span<Cloth> cloths, std::span<const Ball> balls, 
         const Divergence found = divergence(cloth, sums, balls, settings);
         if (!found.clause.empty()) {
             report.failure = {static_cast<int>(&cloth - cloths.data()), found.particle, found.other};
-            return "diverged at step " + std::to_string(report.step + 1) + " (" +
-                   std::string(name_of(solver.integrator)) + "): " + found.clause;
+            const double longest = longest_step(settings, cloths, report, report.substeps);
+            return "Diverged at step " + std::to_string(report.step + 1) + " (" +
+                   std::string(name_of(solver.integrator)) + "). " + limit_advice(settings, longest, report.substeps) +
+                   "First: " + found.clause;
         }
         cloth.energy.after_integrator(cloth.model, cloth.state, sums, h, least_pause);
         mark_gain(cloth.energy.watch(), solver.integrator, report);

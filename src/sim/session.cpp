@@ -4,6 +4,7 @@
 #include <cmath>
 #include <iterator>
 #include <limits>
+#include <stdexcept>
 #include <utility>
 
 #include "drape/base/input_error.h"
@@ -60,8 +61,10 @@ void Session::keep_history(HistoryLimits limits) {
 }
 
 void Session::send(const Command& command) {
-    // A command that is refused takes nothing over
+    if (changes_motion(command) || std::holds_alternative<command::Step>(command)) arrive();
+    // A command that is refused takes nothing over, nor does one that lets go of nothing
     if (any_lies_ahead() && changes_motion(command)) {
+        if (lets_go_of_nothing(command)) return;
         Simulation trial = simulation_;
         trial.apply(command);
         take_over();
@@ -82,6 +85,7 @@ void Session::carry_out(const Command& command, bool is_new) {
 /// There is no way back from here.
 void Session::begin_history() {
     history_->forget();
+    idle_from_.reset();
     pass_moment();
 }
 
@@ -95,10 +99,23 @@ void Session::compare_after(const Command& command) {
     if (!comparison_) return;
     try {
         comparison_->apply(command, simulation_);
-    } catch (const InputError& error) {
+    } catch (const std::runtime_error& error) {
         comparison_.reset();
         takeover_notice_ = one_line(std::string("The comparison has ended: ") + error.what());
     }
+}
+
+/// Makes what is left of the way to a step.
+void Session::arrive() {
+    while (target_ && steps_made_ < *target_) step();
+    target_.reset();
+}
+
+bool Session::lets_go_of_nothing(const Command& command) const {
+    const auto* steer = std::get_if<command::Steer>(&command);
+    const bool lets_go = std::holds_alternative<command::Release>(command) || (steer && steer->direction.isZero(0));
+    return lets_go && std::ranges::none_of(simulation_.commands_to_let_go(),
+                                           [&](const Command& needed) { return needed.index() == command.index(); });
 }
 
 bool Session::any_lies_ahead() const { return next_entry_ < end_of_log() || steps_made_ < known_end(); }
@@ -110,23 +127,24 @@ void Session::take_over() {
     takeover_notice_ = steps_made_ >= newest_
                            ? "You take over from the replay before step " + std::to_string(steps_made_)
                            : "You go on from here: the " + real_text(seconds, 3) + " s that came after are forgotten";
-    log_.resize(next_entry_ - first_entry_);
-    target_.reset();
-    newest_ = last_step_ = steps_made_;
-    if (history_) history_->forget_after(steps_made_);
     if (recorder_ && !recorder_->cut_after(steps_made_)) {
-        takeover_notice_ += "; the recording cannot be cut back, and keeps them";
+        std::exchange(recorder_, nullptr)->close(newest_);
+        takeover_notice_ += "; the recording cannot be cut back, and ends with them";
     }
+    log_.resize(next_entry_ - first_entry_);
+    newest_ = last_step_ = steps_made_;
+    idle_from_.reset();
+    if (history_) history_->forget_after(steps_made_);
     for (const Command& command : simulation_.commands_to_let_go()) send(command);
 }
 
 void Session::go_to(std::int64_t step) {
     if (!history_ || history_->empty()) return;
-    if (!simulation_.paused()) simulation_.apply(command::Pause{});
+    simulation_.apply(command::Step{0});  // pauses
     if (!any_lies_ahead()) {
         for (const Command& command : simulation_.commands_to_let_go()) send(command);
     }
-    step = std::clamp(step, history_->oldest().step, known_end());
+    step = std::clamp(step, history_->oldest().step, timeline().newest);
     const History::Moment& moment = *history_->before(step);
     if (step < steps_made_ || moment.step > steps_made_) {
         simulation_.go_to(moment.simulation);
@@ -141,9 +159,10 @@ void Session::go_to(std::int64_t step) {
 
 Timeline Session::timeline() const {
     const bool has_past = history_ && !history_->empty();
+    const std::int64_t newest = last_step_ > newest_ ? last_step_ : idle_from_.value_or(newest_);
     return {.oldest = has_past ? history_->oldest().step : steps_made_,
-            .now = target_.value_or(std::min(steps_made_, known_end())),
-            .newest = known_end(),
+            .now = target_.value_or(std::min(steps_made_, newest)),
+            .newest = newest,
             .dt = dt(),
             .bytes = has_past ? history_->bytes() : 0,
             .replay = last_step_ > newest_};
@@ -158,12 +177,13 @@ FrameView Session::view() {
 }
 
 void Session::compare(const std::string& assignments) {
+    if (assignments.empty() && !comparison_) return;
     if (assignments.empty()) {
         comparison_.reset();
     } else {
-        Comparison comparison(simulation_, assignments);
+        Comparison trial(simulation_, assignments);  // throws before anything is changed
         send(command::Reset{});
-        comparison_.emplace(std::move(comparison));
+        comparison_.emplace(simulation_, assignments);
     }
     simulation_.apply(command::Set{assignments.empty() ? "view.colour=plain" : "view.colour=difference"});
     if (history_) begin_history();
@@ -184,6 +204,14 @@ void Session::play(const RecordedEntry& entry, bool is_new) {
         return;
     }
     const Command& command = std::get<Command>(entry.content);
+    // Who goes back sees as now, and pauses as now
+    if (!is_new && !changes_motion(command)) return;
+    const bool pauses =
+        std::holds_alternative<command::Pause>(command) || std::holds_alternative<command::Step>(command);
+    if (target_ && pauses) {
+        if (recorder_) recorder_->write(steps_made_, command);
+        return;
+    }
     try {
         carry_out(command, is_new);
     } catch (const InputError& error) {
@@ -193,7 +221,8 @@ void Session::play(const RecordedEntry& entry, bool is_new) {
         return;
     }
     if (history_ && std::holds_alternative<command::LoadScene>(command)) begin_history();
-    if (is_new) view_commands_.push_back(command);
+    const bool is_seen = !changes_state(command) || std::holds_alternative<command::LoadScene>(command);
+    if (is_new && is_seen) view_commands_.push_back(command);
 }
 
 void Session::differ(const std::string& how) {
@@ -207,27 +236,26 @@ void Session::say_cut() {
 }
 
 void Session::step() {
-    const bool is_new = steps_made_ >= newest_, is_over = simulation_.report().status != Status::Ok;
-    if (is_new && recorder_) go_on_recording();
+    const bool is_new = steps_made_ >= newest_, was_over = simulation_.report().status != Status::Ok;
+    if (is_new && recorder_) recorder_->begin_step(steps_made_);
     simulation_.step();
     if (comparison_) comparison_->follow(simulation_);
     ++steps_made_;
     if (is_new && recorder_ && steps_made_ % hash_interval == 0) {
         recorder_->write_hash(steps_made_, simulation_.hash());
     }
-    if (!is_over) newest_ = std::max(newest_, steps_made_);
+    if (is_new) {
+        newest_ = steps_made_;
+        if (!was_over) idle_from_.reset();
+        if (was_over && !idle_from_) idle_from_ = steps_made_ - 1;
+    }
     play_due_entries(is_new);
-    if (!history_ || is_over) return;
+    if (!history_ || was_over) return;
     if (is_new) {
         pass_moment();
     } else if (target_) {
         history_->pass_again(steps_made_, next_entry_, *target_, simulation_, comparison_);
     }
-}
-
-/// A pause that ended in the past is not in the recording.
-void Session::go_on_recording() {
-    if (recorder_->paused() && !simulation_.paused()) recorder_->write(steps_made_, command::Pause{});
 }
 
 void Session::advance(double elapsed, double budget) {
@@ -306,8 +334,8 @@ std::string Session::record_notice() const {
 void Session::close() {
     if (!recorder_) return;
     const auto recorder = std::exchange(recorder_, nullptr);
-    recorder->write_hash(steps_made_, simulation_.hash());
-    recorder->close(steps_made_);
+    if (steps_made_ >= newest_) recorder->write_hash(steps_made_, simulation_.hash());
+    recorder->close(std::max(steps_made_, newest_));
 }
 
 }  // namespace drape

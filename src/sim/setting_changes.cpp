@@ -169,6 +169,14 @@ void check_self_contact(const Settings& settings) {
 
 }  // namespace
 
+void end_pins_without_particles(Settings& settings) {
+    std::erase_if(settings.pins, [&](const PinSettings& pins) {
+        const auto cloth = static_cast<std::size_t>(pins.cloth);
+        return cloth < settings.cloths.size() &&
+               !pins_any(settings.cloths[cloth], pins.particles.nx, pins.particles.ny);
+    });
+}
+
 std::size_t section_count(const Settings& settings, const Setting& setting) {
     if (setting.section == "cloth") return settings.cloths.size();
     if (setting.section == "ball") return settings.balls.size();

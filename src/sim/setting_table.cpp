@@ -299,9 +299,9 @@ void add_the_rest(std::vector<Setting>& table) {
     view.flag("wireframe", &ViewSettings::wireframe, "show the triangles' edges");
     view.flag("particles", &ViewSettings::particles, "show particles and springs");
     view.flag("contacts", &ViewSettings::contacts, "show contact points and normals");
-    view.choice(
-        "colour", &ViewSettings::colour,
-        "what the cloth's colour says: nothing, strain, speed, contact depth, the node of the shown level, side");
+    view.choice("colour", &ViewSettings::colour,
+                "what the cloth's colour says: nothing, strain, speed, contact depth, the node of the shown level, "
+                "side, difference from what is compared");
     view.flag("weave", &ViewSettings::weave, "show the cloth's weave, which stretches with it");
     view.flag("smooth", &ViewSettings::smooth, "draw the cloth's outline as curves through its particles");
     view.flag("grid", &ViewSettings::grid,

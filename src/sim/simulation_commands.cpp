@@ -48,6 +48,7 @@ void Simulation::carry_out(const Command& command) {
                    [&](const command::Set& set) {
                        Settings changed = settings_;
                        assign(changed, set.assignment);
+                       if (!same_pinned(changed, settings_)) end_pins_without_particles(changed);
                        configure(std::move(changed));
                    },
                    [&](const command::Next& next) { configure(with_next(settings_, next.setting)); },
@@ -158,6 +159,7 @@ void Simulation::change_pin(const command::Pin& pin) {
     if (pins.list.empty()) pins.kind = Pins::Kind::None;
     Settings changed = settings_;
     changed.cloths[number].pinned = std::move(pins);
+    end_pins_without_particles(changed);
     configure(std::move(changed));
 }
 

@@ -47,6 +47,8 @@ FrameView Simulation::view(Real blend) {
             .pair_search = pair_search};
 }
 
+double Simulation::longest_step() const { return drape::longest_step(settings_, cloths_, report_, planned_substeps_); }
+
 std::string Simulation::step_warning() const {
     std::string all;
     for (const std::string& one :

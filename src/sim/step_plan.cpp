@@ -46,6 +46,18 @@ Real least_restitution(const Settings& settings) {
     return least;
 }
 
+bool pushes_by_penalty(const Settings& settings) {
+    const ResponseKind response = settings.contact.response;
+    if (response != ResponseKind::Penalty && response != ResponseKind::Hybrid) return false;
+    return !settings.balls.empty() || settings.ground.solid;
+}
+
+/// Of a substep [s].
+double penalty_limit(const Settings& settings, const ClothModel& model) {
+    const Real mass = lightest_mass(settings, model);
+    return static_cast<double>(penalty_step_limit(settings.contact.stiffness, least_restitution(settings), 1 / mass));
+}
+
 }  // namespace
 
 void plan_substeps(std::span<const Cloth> cloths, const SolverSettings& solver, int fewest, StepReport& report) {
@@ -91,20 +103,41 @@ int substeps_of_motion(std::span<const Cloth> cloths, const SolverSettings& solv
     return static_cast<int>(std::clamp(std::ceil(solver.dt * static_cast<double>(most)), 1.0, most_for_motion));
 }
 
+double longest_step(const Settings& settings, std::span<const Cloth> cloths, const StepReport& report, int planned) {
+    constexpr double none = std::numeric_limits<double>::infinity();
+    const double ratio = report.step_limit_ratio;
+    double longest = ratio > 0 ? settings.solver.dt / planned / ratio : none;
+    if (!pushes_by_penalty(settings)) return longest;
+    // Under an implicit method contact has substeps of its own
+    const double in_contact =
+        has_step_limit(settings.solver.integrator) ? none : static_cast<double>(settings.contact.longest_step);
+    for (const Cloth& cloth : cloths) {
+        const double limit = penalty_limit(settings, cloth.model);
+        if (limit < in_contact) longest = std::min(longest, limit);
+    }
+    return longest;
+}
+
+std::string limit_advice(const Settings& settings, double longest, int substeps) {
+    const double substep = settings.solver.dt / substeps;
+    if (longest <= 0)
+        return "No time step of " + std::string(name_of(settings.solver.integrator)) + " is stable here. ";
+    if (!(substep > longest)) return {};
+    // Rounded to no more than the limit
+    return "Time step is " + real_text(substep / longest, 3) + " x the limit; use at most " +
+           real_text(995 * longest, 3) + " ms. ";
+}
+
 std::string penalty_limit_warning(const Settings& settings, std::span<const Cloth> cloths, int planned) {
-    const ContactSettings& contact = settings.contact;
-    if (contact.response != ResponseKind::Penalty && contact.response != ResponseKind::Hybrid) return {};
-    if (settings.balls.empty() && !settings.ground.solid) return {};
+    if (!pushes_by_penalty(settings)) return {};
     const double substep = settings.solver.dt / substeps_in_contact(settings, true, planned);
     for (const Cloth& cloth : cloths) {
-        const Real mass = lightest_mass(settings, cloth.model);
-        const Real limit = penalty_step_limit(contact.stiffness, least_restitution(settings), 1 / mass);
-        const double ratio = substep / static_cast<double>(limit);
+        const double ratio = substep / penalty_limit(settings, cloth.model);
         if (!(ratio > 1)) continue;
         return "in contact a substep of " + real_text(substep, 4) + " s is " + real_text(ratio, 3) +
                " times the step limit of the penalty, contact.stiffness = " +
-               real_text(static_cast<double>(contact.stiffness), 4) + " N/m on " +
-               real_text(static_cast<double>(1e3 * mass), 3) + " g";
+               real_text(static_cast<double>(settings.contact.stiffness), 4) + " N/m on " +
+               real_text(static_cast<double>(1e3 * lightest_mass(settings, cloth.model)), 3) + " g";
     }
     return {};
 }

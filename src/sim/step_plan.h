@@ -27,6 +27,14 @@ int substeps_in_contact(const Settings& settings, bool touches, int planned);
 /// every neighbour near. By the velocities at its start, and at most 32.
 int substeps_of_motion(std::span<const Cloth> cloths, const SolverSettings& solver);
 
+/// The longest `solver.dt` that is stable undivided, by the limits of the method, as in the report, and of the penalty
+/// [s]. Infinity: no limit; 0: no step is stable.
+/// @param planned substeps of a step without contact
+double longest_step(const Settings& settings, std::span<const Cloth> cloths, const StepReport& report, int planned);
+
+/// What is wrong where a substep is longer, as a sentence with a space after it; empty if nothing.
+std::string limit_advice(const Settings& settings, double longest, int substeps);
+
 /// That a substep is longer than the limit of the penalty at a particle of some cloth, where the response has one, in
 /// one line; empty if it is not.
 /// @param planned substeps of a step without contact

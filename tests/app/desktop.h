@@ -51,9 +51,10 @@ public:
     /// What a window manager sends when its close button is pressed.
     void ask_to_close(const std::string& window);
 
-private:
+    /// Windows and menus that are on show.
     [[nodiscard]] int visible_windows() const;
 
+private:
     std::filesystem::path folder_;
     std::string display_;
     std::unique_ptr<Process> server_;

@@ -42,5 +42,17 @@ TEST(Outcome, OfAnIntegratorSaysWhatItMakesOfTheTimeStep) {
     EXPECT_THAT(after(simulation, "set solver.integrator=symplectic_euler"), HasSubstr("Shift+R"));
 }
 
+TEST(Outcome, OfAResetSaysWithWhichStep) {
+    for (const char* scene : {"fails_rk4", "fails_penalty"}) {
+        Simulation above(scene, load_scene(scene));
+        EXPECT_THAT(after(above, "reset"), testing::EndsWith(" x its limit; Shift+R uses 0.9 x")) << scene;
+    }
+    Simulation below("drop", load_scene("drop"));
+    EXPECT_THAT(after(below, "reset"),
+                testing::MatchesRegex("Reset with a time step of [0-9.]+ ms, 0\\.[0-9]+ x its limit"));
+    EXPECT_THAT(after(below, "set solver.integrator=backward_euler"), HasSubstr("no stability limit"));
+    EXPECT_THAT(after(below, "reset"), testing::EndsWith(" ms"));
+}
+
 }  // namespace
 }  // namespace drape

@@ -78,7 +78,7 @@ long long WindowTest::last_step() const {
 }
 
 std::string WindowTest::quit() {
-    desktop_.key("Escape");
+    desktop_.key("q");
     EXPECT_EQ(drape_->wait(60), 0) << drape_->standard_error();
     return drape_->standard_output();
 }

@@ -5,6 +5,7 @@
 #include "../../src/app/entries.h"
 #include "app/window_fixture.h"
 #include "drape/sim/scene.h"
+#include "drape/sim/tour.h"
 
 namespace drape {
 namespace {
@@ -57,6 +58,48 @@ TEST_F(WindowTest, TimeGoesBackAndFromThereOn) {
     desktop_.key("v");
     ASSERT_TRUE(recorded("next wind.on"));
     EXPECT_FALSE(recorded_now("pause")) << "it came after";
+    quit();
+}
+
+TEST_F(WindowTest, SlowerAndFasterGoOppositeWays) {
+    start({"hang"});
+    desktop_.key("minus");
+    EXPECT_TRUE(recorded("set view.speed=0.5"));
+    for (const char* speed : {"1", "2"}) {
+        const std::size_t before = commands().size();
+        desktop_.key("equal");
+        EXPECT_TRUE(recorded(std::string("set view.speed=") + speed, before));
+    }
+    quit();
+}
+
+TEST_F(WindowTest, TheTourGoesForwardAndBack) {
+    start({"curtain"});
+    const auto stops = tour_stops();
+    // The last stop comes before the first
+    const auto goes_to = [&](const char* key, std::size_t stop) {
+        const std::size_t before = commands().size();
+        desktop_.key(key);
+        EXPECT_TRUE(recorded("scene " + std::string(stops[stop].scene), before)) << key << " to stop " << stop + 1;
+        for (const std::string_view change : stops[stop].changes) {
+            EXPECT_TRUE(recorded("set " + std::string(change), before)) << key << " to stop " << stop + 1;
+        }
+    };
+    goes_to("F1", 0);
+    goes_to("F1", 1);
+    goes_to("F1", 2);
+    goes_to("F2", 1);
+    goes_to("F2", 0);
+    goes_to("F2", stops.size() - 1);
+    goes_to("F1", 0);
+    quit();
+}
+
+TEST_F(WindowTest, TheSafeStepIsBelowTheLimitOfThePenalty) {
+    start({"fails_penalty"});
+    desktop_.key("shift+r");
+    EXPECT_TRUE(recorded("set solver.dt=1.11e-05")) << "0.9 of 0.3125 ms / 25.3";
+    EXPECT_TRUE(recorded("reset"));
     quit();
 }
 
@@ -123,6 +166,45 @@ TEST_F(WindowTest, AMenuThatIsOpenWhileItsTextsChangeDoesNoHarm) {
     EXPECT_TRUE(drape_->running());
     desktop_.move_to(600, 20);
     desktop_.click(1);
+    quit();
+}
+
+TEST_F(WindowTest, ASceneThatIsLoadedUnderAnOpenMenuDoesNoHarm) {
+    start({"hang"});
+    desktop_.open_menu(100, 100);
+    for (const char* key : {"2", "F1", "3"}) {
+        const std::size_t before = commands().size();
+        desktop_.key(key);
+        EXPECT_TRUE(recorded("scene ", before)) << key;
+    }
+    desktop_.move_to(120, 100 + 25 / 2);
+    desktop_.click(1);
+    EXPECT_TRUE(recorded("pause")) << "the first entry of the menu";
+    EXPECT_TRUE(test::eventually([&] { return desktop_.visible_windows() == 1; }));
+    quit();
+}
+
+TEST_F(WindowTest, EscapeClosesWhatIsOpenBeforeItQuits) {
+    start({"hang", "--set", "view.controls=true", "view.help=true"});
+    desktop_.open_menu(20, 100);
+    desktop_.key("Escape");
+    ASSERT_TRUE(test::eventually([&] { return desktop_.visible_windows() == 1; })) << "the menu stays";
+    EXPECT_TRUE(commands().empty());
+    desktop_.key("Escape");
+    ASSERT_TRUE(recorded("set view.help=false"));
+    desktop_.key("Escape");
+    ASSERT_TRUE(recorded("set view.controls=false"));
+    EXPECT_TRUE(drape_->running());
+    desktop_.key("Escape");
+    EXPECT_EQ(drape_->wait(60), 0) << drape_->standard_error();
+}
+
+TEST_F(WindowTest, EscapeThatIsHeldClosesOneThing) {
+    start({"hang", "--set", "view.controls=true", "view.help=true"});
+    desktop_.hold("Escape", window_, 5);
+    desktop_.key("c");
+    ASSERT_TRUE(recorded("next view.contacts"));
+    EXPECT_FALSE(recorded_now("set view.controls"));
     quit();
 }
 

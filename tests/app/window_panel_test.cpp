@@ -25,6 +25,28 @@ TEST_F(WindowTest, TheSettingsPanelMakesCommandsOfWhatItIsTold) {
     quit();
 }
 
+TEST_F(WindowTest, ABackspaceThatIsHeldRepeatsInAField) {
+    start({"hang", "--set", "view.controls=true"});
+    desktop_.move_to(400, 141);
+    desktop_.act({"keydown", "ctrl", "click", "1", "keyup", "ctrl"});
+    // A letter that no number has is a command as long as no field has the keyboard; the wheel always is one
+    const bool field_open = test::eventually([&] {
+        const std::size_t before = commands().size();
+        desktop_.key("v");
+        desktop_.move_to(20, 300);
+        desktop_.click(4);
+        return recorded("zoom ", before) && !recorded_now("next wind.on", before);
+    });
+    ASSERT_TRUE(field_open);
+    for (int digit = 0; digit < 8; ++digit) desktop_.key("4");
+    desktop_.hold("BackSpace", window_, 12);
+    for (const char* key : {"3", "e", "minus", "4", "Return"}) desktop_.key(key);
+    EXPECT_TRUE(recorded("set solver.dt=3e-04"));
+    // The field may have the keyboard for another frame
+    desktop_.ask_to_close(window_);
+    EXPECT_EQ(drape_->wait(60), 0) << drape_->standard_error();
+}
+
 TEST_F(WindowTest, TheWheelOverTheSettingsPanelScrollsItAndBesideItZooms) {
     start({"hang", "--set", "view.controls=true"});
     desktop_.move_to(500, 240);

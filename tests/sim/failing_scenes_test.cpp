@@ -96,6 +96,35 @@ TEST(FailingScenes, OfThePenaltyIsFarAboveItsLimitAndRunsBelow) {
     EXPECT_EQ(after_a_while("fails_penalty", settings), Status::Ok);
 }
 
+std::string trouble_of(const std::string& scene) {
+    Simulation simulation(scene, load_scene(scene));
+    while (simulation.report().status == Status::Ok && simulation.report().time < run_time) simulation.step();
+    return simulation.report().trouble;
+}
+
+TEST(FailingScenes, SayHowFarAboveWhichLimitTheyAre) {
+    EXPECT_THAT(trouble_of("fails_rk4"),
+                testing::MatchesRegex("Diverged at step [0-9]+ \\(rk4\\)\\. Time step is 1\\.02 x the limit; use at "
+                                      "most [0-9.]+ ms\\. First: particle [0-9]+ .* at [0-9.]+ m/s.*"));
+    EXPECT_THAT(trouble_of("fails_penalty"),
+                testing::HasSubstr(". Time step is 25.3 x the limit; use at most 0.0123 ms. "
+                                   "First: particle "));
+    EXPECT_THAT(trouble_of("fails_explicit_euler"),
+                testing::HasSubstr(". No time step of explicit_euler is stable here. First: "));
+}
+
+TEST(FailingScenes, RunAtNineTenthsOfTheLongestStep) {
+    for (const std::string name : {"fails_symplectic_euler", "fails_rk4", "fails_penalty"}) {
+        Settings settings = load_scene(name);
+        const double longest = Simulation(name, settings).longest_step();
+        EXPECT_LT(longest, settings.solver.dt) << name;
+        settings.solver.dt = 0.9 * longest;
+        Simulation simulation(name, settings);
+        while (simulation.report().time < 0.4 * run_time && simulation.report().status == Status::Ok) simulation.step();
+        EXPECT_EQ(simulation.report().status, Status::Ok) << name;
+    }
+}
+
 TEST(FailingScenes, OfExplicitEulerRunWithAnotherMethodAtThatStep) {
     Settings settings = load_scene("fails_explicit_euler");
     EXPECT_EQ(predicted(settings), 0);

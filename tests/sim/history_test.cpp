@@ -224,6 +224,56 @@ TEST(History, BeginsAnewWithAScene) {
     EXPECT_EQ(traveller.session.timeline().now, 20);
 }
 
+TEST(History, RecordsARunThatIsLeftInItsPast) {
+    const ScratchFile file("left.txt");
+    Session session(small_simulation());
+    session.keep_history({});
+    session.record(file.name(), {});
+    session.send(command::Step{700});
+    session.advance(0, no_hurry);
+    const std::uint64_t end = session.simulation().hash();
+    session.go_to(300);
+    session.advance(0, no_hurry);
+    session.close();
+    Session again(small_simulation());
+    again.replay(read_recording(file.name()));
+    EXPECT_TRUE(again.run_replay());
+    EXPECT_EQ(again.replay_notice(), "") << "nothing is cut";
+    EXPECT_EQ(again.simulation().hash(), end) << "all of it is there";
+}
+
+TEST(History, FinishesItsWayBeforeACommand) {
+    Traveller traveller(small_simulation());
+    traveller.run(200);
+    traveller.session.go_to(150);
+    traveller.session.send(parse_command("steer 0 0 0"));
+    EXPECT_EQ(traveller.session.timeline().newest, 200) << "the keys steer nothing: nothing is taken over";
+    traveller.session.send(parse_command("set wind.on=true"));
+    EXPECT_EQ(traveller.session.timeline().newest, 150) << "not where the way had come to";
+}
+
+TEST(History, LeavesPausesOfAReplayAloneOnTheWay) {
+    Recording recording{.scene = "drop", .assignments = {}, .entries = {}, .last_step = 300, .notice = {}};
+    for (const char* text : {"pause", "step 5", "next view.bounds"}) {
+        recording.entries.push_back({100, parse_command(text)});
+    }
+    recording.entries.push_back({105, parse_command("pause")});
+    Session session(small_simulation());
+    session.keep_history({});
+    session.replay(recording);
+    session.go_to(200);
+    session.advance(0, no_hurry);
+    const bool bounds = session.simulation().settings().view.bounds;
+    for (const std::int64_t step : {50, 200, 102, 300}) {
+        session.go_to(step);
+        session.advance(0, no_hurry);
+        EXPECT_EQ(session.timeline().now, step);
+        EXPECT_TRUE(session.simulation().paused());
+        EXPECT_EQ(session.simulation().steps_wanted(), 0);
+        EXPECT_EQ(session.simulation().settings().view.bounds, bounds) << "as it is seen now";
+    }
+}
+
 TEST(History, LeadsBackFromARunThatHasDiverged) {
     Session session(Simulation("fails_rk4", load_scene("fails_rk4")));
     session.keep_history({});

@@ -281,5 +281,40 @@ TEST(MovingPins, LeadAParticleNoLongerOnceItIsFreed) {
     EXPECT_NE(freed(), freed_at);
 }
 
+TEST(MovingPins, EndWithTheLastOfTheirParticles) {
+    Settings settings = turned_row();
+    settings.pins[0].particles = {0, 1};
+    Simulation simulation("pins", std::move(settings));
+    run_to(simulation, 0.2);
+    send(simulation, "pin 0 0");
+    EXPECT_EQ(simulation.settings().pins.size(), 1u);
+    send(simulation, "pin 0 1");
+    EXPECT_TRUE(simulation.settings().pins.empty());
+    EXPECT_TRUE(simulation.cloths()[0].model.pinned(2));
+}
+
+TEST(MovingPins, LetTheClothGoWithAllOthers) {
+    Simulation simulation("twist", load_scene("twist"));
+    run_to(simulation, 0.3);
+    const std::uint64_t before = simulation.hash();
+    const Vec3 corner = position_of(simulation, 0);
+    send(simulation, "set cloth.pinned=none");
+    EXPECT_TRUE(simulation.settings().pins.empty());
+    EXPECT_EQ(position_of(simulation, 0), corner) << "it goes on from where it is";
+    EXPECT_NE(simulation.hash(), before) << "the pins' velocities are part of the state";
+    run_to(simulation, 0.5);
+    EXPECT_LT(position_of(simulation, 0).y(), corner.y() - Real(0.1)) << "it falls";
+    EXPECT_EQ(simulation.report().status, Status::Ok);
+}
+
+TEST(MovingPins, AreNoneOfASceneThatPinsNothing) {
+    EXPECT_THAT(input_error_of([] {
+                    Settings settings = load_scene("twist");
+                    assign(settings, "cloth.pinned=none");
+                    static_cast<void>(Simulation("twist", std::move(settings)));
+                }),
+                HasSubstr("allowed only where cloth.pinned pins some of them"));
+}
+
 }  // namespace
 }  // namespace drape

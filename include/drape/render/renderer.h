@@ -81,6 +81,10 @@ public:
     [[nodiscard]] bool panel_has_pointer() const;
     [[nodiscard]] bool panel_has_keyboard() const;
 
+    /// Whether a list of names of the settings panel is open, and closes it with the next frame.
+    [[nodiscard]] bool panel_has_list() const;
+    void close_list();
+
     /// What the user has changed at the settings panel since the last call, as "solver.dt=0.001".
     [[nodiscard]] std::vector<std::string> take_changes();
 

@@ -43,13 +43,14 @@ public:
     [[nodiscard]] const Simulation& other() const { return other_; }
 
 private:
+    void follow_command(const Command& command, const Simulation& first);
     [[nodiscard]] bool compares(const std::string& setting) const;
     [[nodiscard]] static Simulation make_other(const Simulation& first, const std::vector<std::string>& assignments);
 
     std::string text_;
     std::vector<std::string> assignments_;
     Simulation other_;
-    std::vector<std::vector<float>> distances_;
+    NotCopied<std::vector<std::vector<float>>> distances_;
 };
 
 /// "a=1,2,b=3" as "a=1,2" and "b=3".

@@ -37,7 +37,8 @@ struct SearchTimes {
     std::int64_t contacts_by_brute_force = 0;  ///< as many, for both are exact
 };
 
-/// What the renderer needs of a moment; all of it belongs to the simulation and lasts until its next change.
+/// What the renderer needs of a moment; all of it belongs to the simulation and its session, and lasts until their next
+/// change.
 struct FrameView {
     std::span<const ClothView> cloths;
     std::span<const Ball> balls;

@@ -46,8 +46,8 @@ public:
     void write(std::int64_t step, const Command& command);
     void write_hash(std::int64_t step, std::uint64_t hash);
 
-    /// Whether a replay of what was written stands still.
-    [[nodiscard]] bool paused() const { return paused_; }
+    /// A step is made. If a replay of what was written would stand still here, it is written that it goes on.
+    void begin_step(std::int64_t step);
 
     /// Takes back all that was written of later steps.
     /// @return false if this file cannot be cut: all is as it was
@@ -72,7 +72,8 @@ private:
 
     OutputFile file_;
     std::vector<Line> lines_;
-    bool paused_ = false;
+    bool paused_ = false;       ///< a replay is, at this point
+    std::int64_t granted_ = 0;  ///< steps that it makes all the same
 };
 
 }  // namespace drape

@@ -115,7 +115,8 @@ private:
     void take_over();
     void begin_history();
     void pass_moment();
-    void go_on_recording();
+    void arrive();
+    [[nodiscard]] bool lets_go_of_nothing(const Command& command) const;
     [[nodiscard]] std::int64_t known_end() const;
     [[nodiscard]] bool any_lies_ahead() const;
     [[nodiscard]] std::size_t end_of_log() const { return first_entry_ + log_.size(); }
@@ -132,10 +133,11 @@ private:
     std::size_t next_entry_ = 0;     ///< to be played
     std::optional<History> history_;
     std::optional<Comparison> comparison_;
-    ComparisonView compared_;             ///< as it was last viewed
-    std::int64_t newest_ = 0;             ///< step that was reached; steps of a run that has diverged do not count
-    std::int64_t last_step_ = 0;          ///< of the recording
-    std::optional<std::int64_t> target_;  ///< step on the way to which steps are made again
+    ComparisonView compared_;                ///< as it was last viewed
+    std::int64_t newest_ = 0;                ///< step that was reached
+    std::optional<std::int64_t> idle_from_;  ///< step from which on nothing happened: the run had diverged
+    std::int64_t last_step_ = 0;             ///< of the recording
+    std::optional<std::int64_t> target_;     ///< step on the way to which steps are made again
     std::string takeover_notice_;
     bool cut_was_said_ = false;
     std::vector<Command> view_commands_;

@@ -104,6 +104,9 @@ public:
 /// @throws MisfitError
 void check(const Settings& settings);
 
+/// Leaves out the moving pins of which a user's change has left none pinned.
+void end_pins_without_particles(Settings& settings);
+
 /// The table as text for `--help` and `list settings`: name, default, unit, range, help.
 std::string settings_help();
 

@@ -61,6 +61,10 @@ public:
     /// the penalty. Empty if nothing.
     [[nodiscard]] std::string step_warning() const;
 
+    /// The longest `solver.dt` that is stable undivided, by the limits of the method and of the penalty [s]. Infinity:
+    /// no limit; 0: no step is stable.
+    [[nodiscard]] double longest_step() const;
+
     /// That ball and cloth are so fast that one may pass through the other, while `contact.continuous` forbids to look,
     /// as of the last time that this began (`StepReport::crossing`). Empty if never.
     [[nodiscard]] std::string crossing_warning() const;
