@@ -7,6 +7,7 @@
 #include <string>
 #include <vector>
 
+#include "drape/sim/comparison.h"
 #include "drape/sim/scene.h"
 #include "drape/sim/simulation.h"
 
@@ -46,7 +47,13 @@ protected:
         view.settings = &settings_;
         FrameReport report;
         panels_.colours.by = ColourBy::Strain;
-        for (int frame = 0; frame < 2; ++frame) panels_.build(view, report, notices, size.width, size.height);
+        if (compares_) {
+            compared_ = comparison_.view(simulation_);
+            view.comparison = &compared_;
+            view.timeline = {.oldest = 0, .now = 50, .newest = 100, .dt = 1e-3};
+        }
+        const Camera camera(settings_.view);
+        for (int frame = 0; frame < 2; ++frame) panels_.build(view, camera, report, notices, size.width, size.height);
         return panels_.boxes();
     }
 
@@ -67,6 +74,9 @@ protected:
 
     Simulation simulation_;
     Settings settings_;
+    Comparison comparison_{simulation_, "solver.integrator=backward_euler"};
+    ComparisonView compared_;
+    bool compares_ = false;
     OverlayPanels panels_;
 };
 
@@ -78,12 +88,13 @@ TEST_F(PanelBoxes, AreApartAndWithinThePictureAtEverySize) {
         "Diverged at step 242 (RK4): particle 103 (column 7, row 6) at 520 m/s, its structural spring to 102"};
     for (const PictureShape& size : picture_shapes) {
         for (const double scale : {0.5, 1.0, 2.0, 4.0}) {
-            for (int on = 0; on < 16; ++on) {
+            for (int on = 0; on < 32; ++on) {
                 settings_.view.text_scale = scale;
                 settings_.view.controls = (on & 1) != 0;
                 settings_.view.plots = (on & 2) != 0;
                 settings_.view.help = (on & 4) != 0;
                 settings_.view.panel = (on & 8) != 0 ? PanelSize::Full : PanelSize::Compact;
+                compares_ = (on & 16) != 0;
                 expect_apart(size, on % 3 == 0 ? notice : std::vector<std::string>{});
             }
         }
