@@ -26,6 +26,10 @@ constexpr double step_tolerance = 1e-6;
 /// Likewise of a late time, whose own rounding is more than that.
 constexpr double clock_tolerance = 4 * std::numeric_limits<double>::epsilon();
 
+bool pauses(const Command& command) {
+    return std::holds_alternative<command::Pause>(command) || std::holds_alternative<command::Step>(command);
+}
+
 }  // namespace
 
 Session::Session(Simulation simulation)
@@ -69,7 +73,9 @@ void Session::send(const Command& command) {
         trial.apply(command);
         take_over();
     }
-    carry_out(command, steps_made_ >= newest_);
+    const bool is_new = steps_made_ >= newest_;
+    carry_out(command, is_new);
+    if (!is_new && recorder_ && !pauses(command)) recorder_->write(newest_, command);  // what is seen, in its order
     if (!history_ || !changes_motion(command)) return;
     log_.push_back({steps_made_, command});
     next_entry_ = end_of_log();
@@ -206,9 +212,7 @@ void Session::play(const RecordedEntry& entry, bool is_new) {
     const Command& command = std::get<Command>(entry.content);
     // Who goes back sees as now, and pauses as now
     if (!is_new && !changes_motion(command)) return;
-    const bool pauses =
-        std::holds_alternative<command::Pause>(command) || std::holds_alternative<command::Step>(command);
-    if (target_ && pauses) {
+    if (target_ && pauses(command)) {
         if (recorder_) recorder_->write(steps_made_, command);
         return;
     }
@@ -333,9 +337,15 @@ std::string Session::record_notice() const {
 
 void Session::close() {
     if (!recorder_) return;
+    // The last state is that of the recording, wherever the user has looked
+    if (steps_made_ < newest_) {
+        go_to(newest_);
+        target_ = newest_;
+        arrive();
+    }
     const auto recorder = std::exchange(recorder_, nullptr);
-    if (steps_made_ >= newest_) recorder->write_hash(steps_made_, simulation_.hash());
-    recorder->close(std::max(steps_made_, newest_));
+    recorder->write_hash(steps_made_, simulation_.hash());
+    recorder->close(steps_made_);
 }
 
 }  // namespace drape
