@@ -166,6 +166,35 @@ TEST(Capture, NeedsAtMostSixtyCallsForThePictureWithEverythingOn) {
     EXPECT_GT(most, 40) << "less than all of it can need";
 }
 
+/// The most OpenGL calls of a frame but the first.
+double most_calls(const Words& shown) {
+    const TestFolder folder;
+    const std::string file = folder / "s.csv";
+    Words words{"drop",  "--size",     "640x360", "--frames", "40",    "--every",          "10",
+                "--out", folder / "a", "--stats", file,       "--set", "view.bounds=true", "view.level=2"};
+    words.insert(words.end(), shown.begin(), shown.end());
+    EXPECT_EQ(run_program("drape-capture", words).exit_code, 0);
+    const std::vector<Words> rows = table(file);
+    EXPECT_EQ(rows.size(), 5u);
+    const auto column = std::find(rows[0].begin(), rows[0].end(), "gl_calls") - rows[0].begin();
+    double most = 0;
+    for (std::size_t i = 2; i < rows.size(); ++i) {
+        most = std::max(most, std::stod(rows[i][static_cast<std::size_t>(column)]));
+    }
+    return most;
+}
+
+TEST(Capture, NeedsFewCallsForThePanelsBesideThoseForThePicture) {
+    const double picture = most_calls({});
+    const double figures = most_calls({"view.panel=full", "view.plots=true", "--overlay"});
+    const double settings = most_calls({"view.panel=full", "view.plots=true", "view.controls=true", "--overlay"});
+    EXPECT_LE(picture, 60);
+    EXPECT_GT(figures, picture) << "panels are drawn";
+    EXPECT_LE(figures - picture, 6) << "figures, plots and the table of the hierarchy are one draw call";
+    EXPECT_GT(settings, figures);
+    EXPECT_LE(settings - figures, 12) << "the settings scroll in a window of their own";
+}
+
 TEST(Capture, RefusesBadNumbersWithTheirRange) {
     for (const auto& [words, said] : std::vector<std::pair<Words, std::string>>{
              {{"--frames", "0"}, "--frames 0: allowed 1 to"},
