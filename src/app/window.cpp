@@ -20,6 +20,7 @@ namespace {
 
 constexpr double hidden_tick = 0.1;     // s between ticks while there is nothing to draw
 constexpr double least_budget = 0.025;  // s for the steps of one frame
+constexpr double asleep_tick = 0.5;     // s between pictures of what sleeps, whose time goes on
 
 }  // namespace
 
@@ -92,12 +93,16 @@ void Window::on_tick() {
         failure_ = std::make_exception_ptr(RunError(simulation.report().trouble));
         return leave();
     }
-    dirty_ |= notices_.advance(elapsed) || !simulation.paused() || simulation.report().step != drawn_step_;
+    const bool sleeps = simulation.report().asleep && !simulation.paused() && session_.view().comparison == nullptr;
+    dirty_ |= notices_.advance(elapsed) || (simulation.paused() ? simulation.report().step != drawn_step_ : !sleeps);
     menu_->update(simulation);
     take_panel_changes();
     if (panel_frames_ > 0) --panel_frames_, dirty_ = true;
     if (const std::string news = video_.news(); !news.empty()) notices_.add("video", news), dirty_ = true;
     dirty_ |= video_.recording();
+    pace_.follow(dirty_, elapsed);
+    since_drawn_ += elapsed;
+    dirty_ |= pace_.unfinished() || (sleeps && since_drawn_ >= asleep_tick);
     if (dirty_ && drawable()) glutPostRedisplay();
     schedule();
 }
@@ -115,12 +120,17 @@ void Window::on_display() {
     const Stopwatch watch;
     FrameView view = session_.view();
     view.timeline = session_.timeline();
+    view.hurried = pace_.hurried();
     draw(view);
     if (video_.due()) video_.take(renderer_->read_back());
     renderer_->present();
     glutSwapBuffers();
     if (check_) check_->check(session_.view(), camera_);
     picture_time_ = watch.seconds();
+    if (pace_.drew(is_fast(view), picture_time_)) {
+        notices_.add("quality", "Slow display: what moves is drawn fast, with one sample a pixel (view.quality)");
+    }
+    since_drawn_ = 0;
     dirty_ = false;
 }
 

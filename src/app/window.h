@@ -19,6 +19,7 @@
 #include "menu.h"
 #include "notices.h"
 #include "options.h"
+#include "picture_pace.h"
 #include "pointer.h"
 #include "steering.h"
 #include "window_video.h"
@@ -112,6 +113,7 @@ private:
     std::set<std::string> held_keys_;  ///< by the names they have without Shift
     Notices notices_;
     SearchTimer search_timer_;
+    PicturePace pace_;
     WindowVideo video_;
     std::optional<FrameCheck> check_;  ///< where the user asks for it
     std::unique_ptr<Renderer> renderer_;
@@ -125,6 +127,7 @@ private:
     double frame_time_ = 1.0 / 60;  ///< from tick to tick [s]
     double picture_time_ = 0;       ///< that the last picture took, its way to the display included [s]
     double dropped_ = 0;            ///< of which the user was told [s]
+    double since_drawn_ = 0;        ///< time since the last picture [s]
     std::int64_t drawn_step_ = -1;
     std::int64_t crossings_told_ = 0;
     int window_ = 0;

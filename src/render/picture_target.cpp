@@ -77,30 +77,29 @@ PictureBox solid_box(const Eigen::Matrix4f& view_projection, std::span<const Clo
     return {left, low, edge(most.x(), width, 2) - left, edge(most.y(), height, 2) - low};
 }
 
+SampleBuffers::SampleBuffers(Gl& gl, int width, int height, int samples) : colour_(gl), depth_(gl), framebuffer_(gl) {
+    GLint most = 0;
+    gl(glGetIntegerv, GLenum{GL_MAX_SAMPLES}, &most);
+    const int count = samples > 1 ? std::min(samples, static_cast<int>(most)) : 0;
+    const auto store = [&](const Renderbuffer& buffer, GLenum format) {
+        gl(glBindRenderbuffer, GLenum{GL_RENDERBUFFER}, buffer.name());
+        gl(glRenderbufferStorageMultisample, GLenum{GL_RENDERBUFFER}, count, format, width, height);
+    };
+    store(colour_, GL_RGBA8);
+    store(depth_, GL_DEPTH_COMPONENT24);
+    gl(glBindFramebuffer, GLenum{GL_FRAMEBUFFER}, framebuffer_.name());
+    attach(gl, colour_, GL_COLOR_ATTACHMENT0);
+    attach(gl, depth_, GL_DEPTH_ATTACHMENT);
+    check_complete(gl, width, height);
+}
+
 PictureTarget::PictureTarget(Gl& gl, int width, int height)
     : gl_(gl),
       width_(width),
       height_(height),
-      colour_(gl),
-      depth_(gl),
+      samples_(gl, width, height, wanted_samples),
       resolved_colour_(gl),
-      samples_(gl),
       resolved_(gl) {
-    GLint most = 0;
-    gl(glGetIntegerv, GLenum{GL_MAX_SAMPLES}, &most);
-    const int count = std::min(wanted_samples, static_cast<int>(most));
-
-    // Colour and depth with samples
-    gl(glBindRenderbuffer, GLenum{GL_RENDERBUFFER}, colour_.name());
-    gl(glRenderbufferStorageMultisample, GLenum{GL_RENDERBUFFER}, count, GLenum{GL_RGBA8}, width, height);
-    gl(glBindRenderbuffer, GLenum{GL_RENDERBUFFER}, depth_.name());
-    gl(glRenderbufferStorageMultisample, GLenum{GL_RENDERBUFFER}, count, GLenum{GL_DEPTH_COMPONENT24}, width, height);
-    gl(glBindFramebuffer, GLenum{GL_FRAMEBUFFER}, samples_.name());
-    attach(gl, colour_, GL_COLOR_ATTACHMENT0);
-    attach(gl, depth_, GL_DEPTH_ATTACHMENT);
-    check_complete(gl, width, height);
-
-    // Colour alone without
     const GLenum target = GL_TEXTURE_2D;
     gl(glActiveTexture, GLenum{GL_TEXTURE2});
     gl(glBindTexture, target, resolved_colour_.name());
@@ -120,9 +119,11 @@ void PictureTarget::begin() {
     gl_(glViewport, 0, 0, width_, height_);
 }
 
-void PictureTarget::begin_samples(const PictureBox& box) {
+void PictureTarget::begin_samples(const PictureBox& box, bool fast) {
     box_ = box;
-    gl_(glBindFramebuffer, GLenum{GL_FRAMEBUFFER}, samples_.name());
+    if (fast && !single_) single_.emplace(gl_, width_, height_, 1);
+    const SampleBuffers& samples = fast ? *single_ : samples_;
+    gl_(glBindFramebuffer, GLenum{GL_FRAMEBUFFER}, samples.framebuffer().name());
     gl_(glEnable, GLenum{GL_SCISSOR_TEST});
     gl_(glScissor, box.left, box.low, box.width, box.height);
     gl_(glClear, GLbitfield{GL_COLOR_BUFFER_BIT | GL_DEPTH_BUFFER_BIT});

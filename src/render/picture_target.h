@@ -1,6 +1,7 @@
 #pragma once
 
 #include <Eigen/Core>
+#include <optional>
 #include <span>
 
 #include "cloth_mesh.h"
@@ -27,8 +28,22 @@ struct DrawnBall {
 PictureBox solid_box(const Eigen::Matrix4f& view_projection, std::span<const ClothVertex> cloth,
                      std::span<const DrawnBall> balls, int width, int height);
 
-/// The plain framebuffer that has the picture, and the multisampled one for the box in which there are outlines.
-/// The picture is also the texture of unit 2, to be read while the multisampled framebuffer is drawn into.
+/// Samples of colour and depth, some for each pixel.
+class SampleBuffers {
+public:
+    /// @param samples for each pixel, as far as OpenGL has them
+    /// @throws RunError if OpenGL refuses the size
+    SampleBuffers(Gl& gl, int width, int height, int samples);
+
+    [[nodiscard]] const Framebuffer& framebuffer() const { return framebuffer_; }
+
+private:
+    Renderbuffer colour_, depth_;
+    Framebuffer framebuffer_;
+};
+
+/// The plain framebuffer that has the picture, and that with samples for the box in which there are outlines.
+/// The picture is also the texture of unit 2, to be read while the samples are drawn.
 class PictureTarget {
 public:
     /// @throws RunError if OpenGL refuses the size
@@ -37,8 +52,10 @@ public:
     /// Starts a picture: what follows is drawn plainly and without depth.
     void begin();
 
-    /// What follows is drawn multisampled, from nothing, and into a box only.
-    void begin_samples(const PictureBox& box);
+    /// What follows is drawn into samples, from nothing, and into a box only.
+    /// @param fast one sample for each pixel, at half the cost with llvmpipe
+    /// @throws RunError if OpenGL refuses the size
+    void begin_samples(const PictureBox& box, bool fast);
 
     /// Puts the averages of the samples into the picture; what follows is drawn plainly again.
     void resolve();
@@ -52,9 +69,10 @@ private:
     Gl& gl_;
     int width_, height_;
     PictureBox box_;
-    Renderbuffer colour_, depth_;
+    SampleBuffers samples_;
+    std::optional<SampleBuffers> single_;  ///< for fast pictures, once there is one
     Texture resolved_colour_;
-    Framebuffer samples_, resolved_;
+    Framebuffer resolved_;
 };
 
 }  // namespace drape

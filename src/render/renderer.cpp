@@ -173,7 +173,8 @@ void Renderer::Parts::paint(const FrameView& view) {
     const bool failed = FailureMark::is_shown(data);
     const bool marked = shown.bounds || shown.contacts || shown.particles || failed || view.comparison != nullptr;
     const PictureBox box = solids.box(data.view_projection, stream, width, height);
-    target->begin_samples(marked ? PictureBox{0, 0, width, height} : grown(box, marks.room(), width, height));
+    target->begin_samples(marked ? PictureBox{0, 0, width, height} : grown(box, marks.room(), width, height),
+                          is_fast(view));
     solids.draw(shown, stream);
     studio.draw_behind();
     gl(glEnable, GLenum{GL_BLEND});

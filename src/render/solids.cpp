@@ -16,6 +16,9 @@ namespace {
 // Fine enough that the outline of a ball that fills the picture is round: 0.1 % of the radius off
 constexpr int sphere_rows = 36, sphere_columns = 72;
 
+// Of larger cloths, fast pictures show every second particle
+constexpr std::size_t most_drawn_fast = 20'000;
+
 std::vector<Eigen::Vector3f> unit_sphere() {
     std::vector<Eigen::Vector3f> points;
     for (int row = 0; row <= sphere_rows; ++row) {
@@ -128,6 +131,7 @@ void Solids::need(const FrameView& view, StreamBuffer& stream) {
     const ViewSettings& shown = view.settings->view;
     smooth_ = shown.smooth && !shown.wireframe && shown.colour != ColourBy::Level &&
               particle_count_ <= SmoothOutline::most_particles;
+    coarse_ = is_fast(view) && particle_count_ > most_drawn_fast;
     const std::size_t middles = smooth_ ? SmoothOutline::middles_each * particle_count_ : 0;
     stream.need(Region::Cloth, (fixed_vertices() + middles) * sizeof(ClothVertex));
     stream.need(Region::ClothIndices, smooth_ ? 24 * particle_count_ * sizeof(std::uint32_t) : 0);
@@ -184,6 +188,9 @@ void Solids::arrange(const FrameView& view, StreamBuffer& stream) {
     cloth_index_count_ = static_cast<int>(indices.size());
     append_indices(meshes_, particle_count_, indices);
     body_index_count_ = static_cast<int>(indices.size()) - cloth_index_count_;
+    const std::vector<std::uint32_t> coarse = coarse_triangle_indices(grids_);
+    coarse_index_count_ = static_cast<int>(coarse.size());
+    indices.insert(indices.end(), coarse.begin(), coarse.end());
     cloths_.bind();
     fill_static(gl_, GL_ELEMENT_ARRAY_BUFFER, cloth_indices_, indices);
 }
@@ -227,9 +234,15 @@ PictureBox Solids::box(const Eigen::Matrix4f& view_projection, StreamBuffer& str
     return grown(box, static_cast<int>(std::ceil(std::min(outline_room_, 1e4f))), width, height);
 }
 
-void Solids::draw_cloths() {
+// Cloths, then solids, then cloths with every second particle
+void Solids::draw_indices(int first, int count) {
     cloths_.bind();
-    gl_.draw_elements(GL_TRIANGLES, cloth_index_count_);
+    gl_.draw_elements(GL_TRIANGLES, count, static_cast<std::size_t>(first) * sizeof(std::uint32_t));
+}
+
+void Solids::draw_cloths() {
+    if (coarse_) return draw_indices(cloth_index_count_ + body_index_count_, coarse_index_count_);
+    draw_indices(0, cloth_index_count_);
 }
 
 void Solids::draw_balls() {
@@ -239,10 +252,8 @@ void Solids::draw_balls() {
 
 // They are closed, and half of their triangles face away
 void Solids::draw_bodies() {
-    cloths_.bind();
     gl_(glEnable, GLenum{GL_CULL_FACE});
-    gl_.draw_elements(GL_TRIANGLES, body_index_count_,
-                      static_cast<std::size_t>(cloth_index_count_) * sizeof(std::uint32_t));
+    draw_indices(cloth_index_count_, body_index_count_);
     gl_(glDisable, GLenum{GL_CULL_FACE});
 }
 

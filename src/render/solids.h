@@ -48,6 +48,7 @@ private:
     bool update_spacings(const FrameView& view);
     void fill_places(const FrameView& view, StreamBuffer& stream);
     void fill_outlines(const FrameView& view, const Viewpoint& from, StreamBuffer& stream);
+    void draw_indices(int first, int count);
     [[nodiscard]] std::size_t fixed_vertices() const { return particle_count_ + body_vertex_count_; }
 
     Gl& gl_;
@@ -60,11 +61,13 @@ private:
     std::vector<TriangleMesh> meshes_;                       ///< of the shapes
     SmoothOutline outline_;
     bool smooth_ = false;
+    bool coarse_ = false;  ///< every second particle is drawn
     int outlined_index_count_ = 0;
     float outline_room_ = 0;  ///< how far the outline stands out of the triangles between particles [pixel]
     bool bodies_changed_ = false;
     std::size_t particle_count_ = 0, body_vertex_count_ = 0;
-    int cloth_index_count_ = 0, body_index_count_ = 0, sphere_index_count_ = 0, ball_count_ = 0;
+    int cloth_index_count_ = 0, coarse_index_count_ = 0, body_index_count_ = 0, sphere_index_count_ = 0,
+        ball_count_ = 0;
 };
 
 }  // namespace drape

@@ -148,6 +148,32 @@ TEST(Capture, WritesTheLastState) {
     EXPECT_GT(text_of(ours).size(), 1000u);
 }
 
+/// The greatest number in a column of the figures of frames, but for the first, which also sends what stays the same.
+double most_of(const std::string& file, const std::string& name) {
+    const std::vector<Words> rows = table(file);
+    const auto column = std::find(rows[0].begin(), rows[0].end(), name) - rows[0].begin();
+    double most = 0;
+    for (std::size_t i = 2; i < rows.size(); ++i)
+        most = std::max(most, std::stod(rows[i][static_cast<std::size_t>(column)]));
+    return most;
+}
+
+TEST(Capture, DrawsFastWithFewerVerticesOfALargeClothAndItsOwnPicture) {
+    const TestFolder folder;
+    const auto draw = [&](const std::string& quality) {
+        const std::string folder_of_it = folder / quality, file = folder / (quality + ".csv");
+        const Words words = small("hang", {"--frames", "2", "--out", folder_of_it, "--stats", file, "--set",
+                                           "cloth.particles=160,160", "dt=1e-5", "view.quality=" + quality});
+        EXPECT_EQ(run_program("drape-capture", words).exit_code, 0);
+        return std::pair{text_of(folder_of_it + "/frame_0002.png"), most_of(file, "vertices")};
+    };
+    const auto [full, full_vertices] = draw("full");
+    const auto [fast, fast_vertices] = draw("fast");
+    EXPECT_EQ(full, draw("auto").first) << "a capture has time";
+    EXPECT_NE(full, fast);
+    EXPECT_LT(fast_vertices, 0.4 * full_vertices);
+}
+
 TEST(Capture, NeedsAtMostSixtyCallsForThePictureWithEverythingOn) {
     const TestFolder folder;
     const std::string file = folder / "s.csv";
@@ -155,13 +181,8 @@ TEST(Capture, NeedsAtMostSixtyCallsForThePictureWithEverythingOn) {
         small("drop", {"--frames", "60", "--every", "6", "--out", folder / "a", "--stats", file, "--set",
                        "view.bounds=true", "view.contacts=true", "view.particles=true", "view.wireframe=true"});
     EXPECT_EQ(run_program("drape-capture", words).exit_code, 0);
-    const std::vector<Words> rows = table(file);
-    ASSERT_EQ(rows.size(), 11u);
-    const auto column = std::find(rows[0].begin(), rows[0].end(), "gl_calls") - rows[0].begin();
-    double most = 0;
-    // The first frame also sends what stays the same
-    for (std::size_t i = 2; i < rows.size(); ++i)
-        most = std::max(most, std::stod(rows[i][static_cast<std::size_t>(column)]));
+    ASSERT_EQ(table(file).size(), 11u);
+    const double most = most_of(file, "gl_calls");
     EXPECT_LE(most, 60);
     EXPECT_GT(most, 40) << "less than all of it can need";
 }
@@ -174,14 +195,8 @@ double most_calls(const Words& shown) {
                 "--out", folder / "a", "--stats", file,       "--set", "view.bounds=true", "view.level=2"};
     words.insert(words.end(), shown.begin(), shown.end());
     EXPECT_EQ(run_program("drape-capture", words).exit_code, 0);
-    const std::vector<Words> rows = table(file);
-    EXPECT_EQ(rows.size(), 5u);
-    const auto column = std::find(rows[0].begin(), rows[0].end(), "gl_calls") - rows[0].begin();
-    double most = 0;
-    for (std::size_t i = 2; i < rows.size(); ++i) {
-        most = std::max(most, std::stod(rows[i][static_cast<std::size_t>(column)]));
-    }
-    return most;
+    EXPECT_EQ(table(file).size(), 5u);
+    return most_of(file, "gl_calls");
 }
 
 TEST(Capture, NeedsFewCallsForThePanelsBesideThoseForThePicture) {

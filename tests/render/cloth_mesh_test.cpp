@@ -102,6 +102,30 @@ TEST(ClothMesh, HasPlacesInMetresAndTrianglesThatEndAtCornerB) {
     }
 }
 
+TEST(ClothMesh, ReachesTheEdgesOfEachClothWithEverySecondParticleToo) {
+    for (const auto& [nx, ny, cells] : {std::tuple{7, 5, 6}, {6, 4, 6}, {2, 2, 1}, {3, 8, 4}}) {
+        const std::vector<Grid> grids{{nx, ny}, {nx, ny}};
+        const std::vector<std::uint32_t> indices = coarse_triangle_indices(grids);
+        ASSERT_EQ(indices.size(), 2u * 2 * 3 * static_cast<std::size_t>(cells));
+
+        // Seen from the front, all turn the same way, and together they cover the whole grid, twice
+        int twice_the_area = 0;
+        for (std::size_t t = 0; t < indices.size(); t += 3) {
+            std::array<int, 3> column, row;
+            for (std::size_t k = 0; k < 3; ++k) {
+                const int p = static_cast<int>(indices[t + k]) % (nx * ny);
+                column[k] = p % nx;
+                row[k] = p / nx;
+            }
+            const int area = (column[1] - column[0]) * (row[2] - row[0]) - (column[2] - column[0]) * (row[1] - row[0]);
+            EXPECT_NE(area, 0);
+            twice_the_area += area;
+        }
+        EXPECT_EQ(std::abs(twice_the_area), 2 * 2 * (nx - 1) * (ny - 1)) << nx << " x " << ny;
+        EXPECT_GE(indices.back(), static_cast<std::uint32_t>(nx * ny)) << "the second cloth has its own";
+    }
+}
+
 TEST(ClothMesh, HasNoNormalThatIsNoneWhereAllParticlesMeet) {
     FlatCloth cloth(Plane::XZ);
     cloth.x.setZero();

@@ -108,6 +108,7 @@ colour = "speed"
 weave = false
 smooth = false
 grid = false
+quality = "fast"
 text_scale = 1.5
 plots = true
 speed = 0.5

@@ -55,6 +55,13 @@ struct FrameView {
     const ComparisonView* comparison = nullptr;  ///< with another simulation; null: none
     TraversalStats pair_search = {};             ///< of cloth against cloth, while bounding volumes are shown
     const SearchTimes* search = nullptr;         ///< a measurement of about now; null: none was made
+    bool hurried = false;                        ///< to be drawn fast, where `view.quality` leaves it open
 };
+
+/// Whether a view is drawn fast.
+inline bool is_fast(const FrameView& view) {
+    const PictureQuality quality = view.settings->view.quality;
+    return quality == PictureQuality::Fast || (quality == PictureQuality::Auto && view.hurried);
+}
 
 }  // namespace drape

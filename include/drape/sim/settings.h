@@ -153,6 +153,16 @@ template <>
 inline constexpr auto enum_names<ColourBy> = all_names<ColourBy>("plain", "strain", "speed", "depth", "level", "side",
                                                                  "difference");
 
+/// How much is spent on a picture.
+enum class PictureQuality {
+    Auto,  ///< fast in a window whose display is slow while something moves, else full
+    Fast,  ///< one sample a pixel, and every second particle of a large cloth
+    Full   ///< smooth edges
+};
+
+template <>
+inline constexpr auto enum_names<PictureQuality> = all_names<PictureQuality>("auto", "fast", "full");
+
 /// What the picture shows besides cloth and ball. It changes no state.
 struct ViewSettings {
     PanelSize panel = PanelSize::Compact;
@@ -169,6 +179,7 @@ struct ViewSettings {
     bool weave = true;
     bool smooth = true;  ///< outlines of the cloth are curves through the particles
     bool grid = true;    ///< a grid on the ground says how large things are
+    PictureQuality quality = PictureQuality::Auto;
     Vec3 eye{Real(1.6), Real(0.9), Real(2.2)};
     Vec3 target{0, 0, 0};
     double speed = 1;  ///< simulated seconds that pass in a second at the window

@@ -1,0 +1,21 @@
+#include "picture_pace.h"
+
+namespace drape {
+
+void PicturePace::follow(bool moves, double elapsed) { still_ = moves ? 0 : still_ + elapsed; }
+
+bool PicturePace::drew(bool fast, double seconds) {
+    drawn_fast_ = fast;
+    if (fast != slow_) return false;  // a full picture of what stands still says nothing of a display known as slow
+    const bool speaks_for_change = slow_ ? seconds < shortest : seconds > longest;
+    in_a_row_ = speaks_for_change ? in_a_row_ + 1 : 0;
+    row_time_ = speaks_for_change ? row_time_ + seconds : 0;
+    const bool changes = slow_ ? in_a_row_ >= least_quick : in_a_row_ >= least_slow && row_time_ >= most_lost;
+    if (!changes) return false;
+    slow_ = !slow_;
+    in_a_row_ = 0;
+    row_time_ = 0;
+    return slow_;
+}
+
+}  // namespace drape

@@ -1,0 +1,37 @@
+#pragma once
+
+namespace drape {
+
+/// Decides when the window draws fast (`PictureQuality`): on a slow display, while something moves. What stands still
+/// is drawn in full.
+class PicturePace {
+public:
+    /// A tick passed, in which the picture has to change or not.
+    /// @param elapsed since the last tick [s]
+    void follow(bool moves, double elapsed);
+
+    /// A picture was drawn, in this time [s].
+    /// @return whether the display is known as slow from now on
+    bool drew(bool fast, double seconds);
+
+    /// Whether the next picture is to be drawn fast.
+    [[nodiscard]] bool hurried() const { return slow_ && still_ < patience; }
+
+    /// Whether the last picture was drawn fast, and what it shows stands still by now.
+    [[nodiscard]] bool unfinished() const { return drawn_fast_ && !hurried(); }
+
+    static constexpr double patience = 0.3;       ///< without motion, before a picture is drawn in full [s]
+    static constexpr double longest = 1.0 / 25;   ///< that a full picture may take [s]
+    static constexpr double most_lost = 0.2;      ///< on full pictures that take longer, one after the other [s]
+    static constexpr int least_slow = 3;          ///< of them; the first pictures of a scene take longer than others
+    static constexpr double shortest = 1.0 / 60;  ///< of a fast picture, if full ones are to be tried again [s]
+    static constexpr int least_quick = 50;        ///< such pictures, one after the other
+
+private:
+    bool slow_ = false, drawn_fast_ = false;
+    int in_a_row_ = 0;     ///< pictures that speak for a change
+    double row_time_ = 0;  ///< that they took [s]
+    double still_ = 0;     ///< without motion [s]
+};
+
+}  // namespace drape

@@ -1,0 +1,61 @@
+#include "../../src/app/picture_pace.h"
+
+#include <gtest/gtest.h>
+
+namespace drape {
+namespace {
+
+constexpr double slow = 2 * PicturePace::longest, quick = PicturePace::shortest / 2;
+
+// A pace that has seen a row of slow pictures
+PicturePace after_slow_pictures() {
+    PicturePace pace;
+    pace.follow(true, slow);
+    for (double lost = 0; lost < PicturePace::most_lost; lost += slow) pace.drew(false, slow);
+    return pace;
+}
+
+TEST(PicturePace, DrawsInFullUntilARowOfPicturesWasSlow) {
+    PicturePace pace;
+    pace.follow(true, slow);
+    for (int i = 0; i < 31; ++i) EXPECT_FALSE(pace.drew(false, i % 3 == 0 ? quick : slow)) << "slow now and then";
+    for (int i = 1; i < PicturePace::least_slow; ++i) {
+        EXPECT_FALSE(pace.drew(false, 10 * PicturePace::most_lost)) << "first pictures take long";
+    }
+    EXPECT_FALSE(pace.hurried());
+    EXPECT_TRUE(pace.drew(false, slow));
+    EXPECT_TRUE(pace.hurried());
+    EXPECT_TRUE(after_slow_pictures().hurried());
+}
+
+TEST(PicturePace, DrawsWhatStandsStillInFullOnce) {
+    PicturePace pace = after_slow_pictures();
+    EXPECT_FALSE(pace.drew(true, slow));
+    EXPECT_FALSE(pace.unfinished()) << "it still moves";
+    pace.follow(false, PicturePace::patience / 2);
+    EXPECT_TRUE(pace.hurried()) << "it may go on at once";
+    pace.follow(false, PicturePace::patience);
+    EXPECT_TRUE(pace.unfinished());
+    EXPECT_FALSE(pace.hurried());
+    pace.drew(false, slow);
+    EXPECT_FALSE(pace.unfinished()) << "once is enough";
+    pace.follow(true, 0.01);
+    EXPECT_TRUE(pace.hurried()) << "it moves again";
+}
+
+TEST(PicturePace, TriesFullPicturesAgainWhereFastOnesTakeNearlyNoTime) {
+    PicturePace pace = after_slow_pictures();
+    for (int i = 1; i < PicturePace::least_quick; ++i) pace.drew(true, quick);
+    EXPECT_TRUE(pace.hurried());
+    EXPECT_FALSE(pace.drew(true, quick));
+    EXPECT_FALSE(pace.hurried());
+}
+
+TEST(PicturePace, LearnsNothingFromFullPicturesOfWhatStandsStill) {
+    PicturePace pace = after_slow_pictures();
+    for (int i = 0; i < 2 * PicturePace::least_quick; ++i) pace.drew(false, quick);
+    EXPECT_TRUE(pace.hurried());
+}
+
+}  // namespace
+}  // namespace drape
