@@ -203,6 +203,7 @@ void Window::start_scene() {
 void Window::take_panel_changes() {
     if (const auto step = renderer_->take_wanted_step()) go_to(*step);
     for (const std::string& change : renderer_->take_changes()) carry_out(command::Set{change});
+    if (const auto versus = renderer_->take_wanted_comparison()) compare_with(*versus);
 }
 
 void Window::show_title() { glutSetWindowTitle(("Drape - " + session_.simulation().settings().title).c_str()); }

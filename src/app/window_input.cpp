@@ -115,9 +115,13 @@ void Window::compare(const Entry& entry) {
         if (!carry_out(parse_command(entry.command))) return;
         for (const std::string& change : split_assignments(entry.pair.change)) carry_out(command::Set{change});
     }
+    compare_with(entry.pair.versus);
+}
+
+void Window::compare_with(const std::string& versus) {
     dirty_ = true;
     try {
-        session_.compare(entry.pair.versus);
+        session_.compare(versus);
     } catch (const std::runtime_error& error) {
         notices_.add("input", error.what());
     }
