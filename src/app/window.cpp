@@ -170,7 +170,8 @@ void Window::tell_whose_ball() {
 
 void Window::tell_of_crossings() {
     const std::int64_t starts = session_.simulation().report().crossing.starts;
-    if (starts != crossings_told_ && starts > 0) notices_.add("crossing", session_.simulation().crossing_warning());
+    if (starts <= crossings_told_) return;  // the user may have gone back to before it
+    notices_.add("crossing", session_.simulation().crossing_warning());
     crossings_told_ = starts;
 }
 
@@ -188,6 +189,7 @@ void Window::tell_of_takeover() {
     if (session_.takeover_notice() == takeover_) return;
     takeover_ = session_.takeover_notice();
     notices_.add("takeover", takeover_);
+    crossings_told_ = session_.simulation().report().crossing.starts;
 }
 
 void Window::tell_of_drops() {
@@ -203,6 +205,7 @@ void Window::tell_of_drops() {
 
 void Window::start_scene() {
     scene_ = session_.simulation().scene();
+    crossings_told_ = 0;
     camera_ = shown_ = Camera(session_.simulation().settings().view);
     renderer_->set_scene(session_.simulation().settings());
     renderer_->set_hint({});
@@ -213,6 +216,7 @@ void Window::start_scene() {
 void Window::take_panel_changes() {
     if (const auto step = renderer_->take_wanted_step()) go_to(*step);
     for (const std::string& change : renderer_->take_changes()) carry_out(command::Set{change});
+    if (const auto versus = renderer_->take_wanted_comparison()) compare_with(*versus);
 }
 
 void Window::show_title() { glutSetWindowTitle(("Drape - " + session_.simulation().settings().title).c_str()); }

@@ -82,6 +82,7 @@ private:
     [[nodiscard]] std::int64_t steps_of_a_frame() const;
     void go_to(std::int64_t step);
     void compare(const Entry& entry);
+    void compare_with(const std::string& versus);
     [[nodiscard]] std::vector<Command> go_to_stop(int stop);
     void show_stop();
     void forget_hint();

@@ -115,9 +115,13 @@ void Window::compare(const Entry& entry) {
         if (!carry_out(parse_command(entry.command))) return;
         for (const std::string& change : split_assignments(entry.pair.change)) carry_out(command::Set{change});
     }
+    compare_with(entry.pair.versus);
+}
+
+void Window::compare_with(const std::string& versus) {
     dirty_ = true;
     try {
-        session_.compare(entry.pair.versus);
+        session_.compare(versus);
     } catch (const std::runtime_error& error) {
         notices_.add("input", error.what());
     }
@@ -313,6 +317,7 @@ bool Window::carry_out(const Command& command) {
         pointer_.forget();
         steering_.forget_given();
         told_failure_.clear();
+        crossings_told_ = 0;
     }
     return true;
 }
@@ -320,7 +325,10 @@ bool Window::carry_out(const Command& command) {
 void Window::take_picture() {
     if (!drawable() || closed_) return;
     try {
-        draw(session_.view());  // the bar of time is no part of the picture
+        // The bar of time is no part of the picture, but a drag of it would end with a frame without it
+        FrameView view = session_.view();
+        if (panel_button_) view.timeline = session_.timeline();
+        draw(view);
         Image picture = renderer_->read_back();
         picture.texts = picture_texts(session_.simulation());
         notices_.add("picture", "Picture written: " + write_next(picture).string());

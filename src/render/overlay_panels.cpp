@@ -300,7 +300,7 @@ bool OverlayPanels::build(const FrameView& view, const Camera& camera, const Fra
     const bool at_settings = settings.covers(static_cast<float>(hover_x), static_cast<float>(hover_y));
     if (names_nodes && !at_settings) hierarchy_.name_node(view, camera, hover_x, hover_y, {w, h, margin});
     ImGui::End();
-    if (shown.controls) settings.draw(*view.settings, page);
+    if (shown.controls) settings.draw(view, page);
     if (showing_time) {
         timeline.draw(view.timeline, above_plots);
         boxes_.push_back(timeline.box());

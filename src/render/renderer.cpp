@@ -110,6 +110,8 @@ void Renderer::close_list() { parts_->panels.settings.close_list(); }
 
 std::vector<std::string> Renderer::take_changes() { return parts_->panels.settings.take_changes(); }
 
+std::optional<std::string> Renderer::take_wanted_comparison() { return parts_->panels.settings.compare.take_wanted(); }
+
 bool Renderer::shows_timeline() const { return parts_->panels.timeline.shown(); }
 
 std::optional<std::int64_t> Renderer::take_wanted_step() { return parts_->panels.timeline.take_wanted(); }

@@ -16,8 +16,9 @@ namespace drape {
 
 namespace {
 
-constexpr double patience = 5;  // s that ffmpeg may stand still where nobody waits for it
-constexpr double glance = 0.1;  // s between two looks for a signal
+constexpr double patience = 5;       // s that ffmpeg may stand still where nobody waits for it
+constexpr double end_patience = 20;  // s that it may take to finish its file where a user waits for the end
+constexpr double glance = 0.1;       // s between two looks for a signal
 
 std::vector<std::string> command_line(const std::filesystem::path& file, PictureSize size, double rate) {
     // Most players want even sides and this pixel format
@@ -127,9 +128,10 @@ void VideoPipe::name_file() {
 
 void VideoPipe::close() {
     end();
-    for (double waited = 0; !finished(glance);) {
-        if (signals_.arrived() != 0) waited += glance;
-        if (waited > patience) return give_up();
+    for (double waited = 0, after_signal = 0; !finished(glance);) {
+        if (use_ == Use::Live) waited += glance;
+        if (signals_.arrived() != 0) after_signal += glance;
+        if (waited > end_patience || after_signal > patience) return give_up();
     }
 }
 

@@ -11,11 +11,11 @@ using test::WindowTest;
 TEST_F(WindowTest, TheSettingsPanelMakesCommandsOfWhatItIsTold) {
     start({"hang", "--set", "view.controls=true"});
     const std::size_t before = commands().size();
-    desktop_.move_to(400, 141);
+    desktop_.move_to(400, 157);
     desktop_.act({"mousedown", "1"});
     int x = 400;
     const bool slid = test::eventually([&] {
-        desktop_.move_to(x = x < 460 ? x + 4 : 360, 141);
+        desktop_.move_to(x = x < 460 ? x + 4 : 360, 157);
         return recorded_now("set solver.", before);
     });
     desktop_.act({"mouseup", "1"});
@@ -27,7 +27,7 @@ TEST_F(WindowTest, TheSettingsPanelMakesCommandsOfWhatItIsTold) {
 
 TEST_F(WindowTest, ABackspaceThatIsHeldRepeatsInAField) {
     start({"hang", "--set", "view.controls=true"});
-    desktop_.move_to(400, 141);
+    desktop_.move_to(400, 157);
     desktop_.act({"keydown", "ctrl", "click", "1", "keyup", "ctrl"});
     // A letter that no number has is a command as long as no field has the keyboard; the wheel always is one
     const bool field_open = test::eventually([&] {

@@ -117,6 +117,14 @@ TEST_F(WindowVideoTest, SaysWhyThereIsNone) {
     EXPECT_EQ(std::distance(fs::directory_iterator("."), fs::directory_iterator()), 1) << "bin, and nothing else";
 }
 
+TEST_F(WindowVideoTest, DoesNotWaitForEverForOneThatIsStopped) {
+    put_ffmpeg("cat > \"$last\"; kill -STOP $$");
+    video_.toggle({8, 4});
+    take(video_);
+    EXPECT_EQ(video_.close(), "No video: ffmpeg stood still and was ended");
+    EXPECT_EQ(std::distance(fs::directory_iterator("."), fs::directory_iterator()), 1) << "bin, and nothing else";
+}
+
 // What ffprobe finds in a video: "640,480,12", width, height and frames.
 std::string contents(const std::string& video, const fs::path& folder) {
     const fs::path place = folder / "probe";

@@ -30,6 +30,37 @@ std::int64_t nodes_with(const ClothView& cloth, NodeVisit visit) {
     return count;
 }
 
+/// A search leaves out no child of a node that it has entered, and goes nowhere else.
+void expect_all_children_visited(const ClothView& cloth) {
+    std::vector<NodeView> parents, nodes;
+    int entered = 0;
+    for (int level = 1; level < cloth.hierarchy->levels(); ++level) {
+        cloth.hierarchy->nodes_at(level - 1, parents);
+        cloth.hierarchy->nodes_at(level, nodes);
+        for (const NodeView& node : nodes) {
+            if (node.cells.level != level) continue;
+            const auto parent = std::ranges::find_if(
+                parents, [&](const NodeView& one) { return one.cells.holds(node.cells.i0, node.cells.j0); });
+            ASSERT_NE(parent, parents.end());
+            entered += parent->visit == NodeVisit::Entered;
+            EXPECT_EQ(node.visit != NodeVisit::Unvisited, parent->visit == NodeVisit::Entered)
+                << "level " << level << ", from cell " << node.cells.i0 << ", " << node.cells.j0;
+        }
+    }
+    EXPECT_GT(entered, 0);
+}
+
+TEST(PairMarks, AreOnEveryChildOfANodeThatWasEntered) {
+    for (const char* scene : {"fold", "stack"}) {
+        SCOPED_TRACE(scene);
+        Simulation simulation = shown_scene(scene, std::string(scene) == "fold");
+        while (simulation.report().pairs == 0 && simulation.report().time < 1) simulation.step();
+        ASSERT_GT(simulation.report().pairs, 0);
+        const FrameView view = simulation.view(1);
+        for (const ClothView& cloth : view.cloths) expect_all_children_visited(cloth);
+    }
+}
+
 TEST(PairMarks, ShowASheetThatCannotTouchItselfPrunedAtTheRootAndAFoldedOneVisited) {
     Simulation hanging = shown_scene("fold");
     const FrameView flat = hanging.view(1);

@@ -17,7 +17,7 @@ class VideoPipe {
 public:
     enum class Use {
         Batch,  ///< waits for an ffmpeg that stands still until a signal comes, and replaces the file of that name
-        Live,   ///< waits 5 s for it, and leaves a file of that name alone: a number is added to the video's
+        Live,   ///< waits 5 s for it, at the end 20 s, and leaves a file of that name alone: a number is added
     };
 
     /// Starts ffmpeg. Pipes that break are no longer fatal to this process from here on.

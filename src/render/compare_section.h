@@ -1,0 +1,42 @@
+#pragma once
+
+#include <optional>
+#include <string>
+#include <utility>
+
+#include "drape/sim/frame_view.h"
+#include "setting_editor.h"
+
+namespace drape {
+
+/// The section of the settings panel that begins a comparison of the run with one in which a setting has another value,
+/// and ends it.
+class CompareSection {
+public:
+    /// Makes it in the present window of Dear ImGui.
+    /// @param scene as it was loaded
+    void draw(const FrameView& view, const Settings& scene, float widget_width);
+
+    /// What the user wants to compare with since the last call, as "solver.integrator=xpbd"; empty: nothing any more.
+    [[nodiscard]] std::optional<std::string> take_wanted() { return std::exchange(wanted_, std::nullopt); }
+
+    [[nodiscard]] bool list_open() const { return editor_.list_open(); }
+    void close_list() { editor_.close_list(); }
+    void hide() { editor_.hide(); }
+
+    /// Another scene has begun.
+    void forget() {
+        row_.reset();
+        editor_.forget();
+    }
+
+private:
+    void choose(const Setting& setting, const Settings& settings, const Settings& scene);
+    void choice_of_setting(const Settings& settings, const Settings& scene);
+
+    std::optional<SettingRow> row_;  ///< of the other simulation
+    std::optional<std::string> wanted_;
+    SettingEditor editor_;
+};
+
+}  // namespace drape

@@ -1,0 +1,171 @@
+#include "setting_editor.h"
+
+#include <imgui.h>
+
+#include <algorithm>
+#include <cmath>
+
+#include "drape/base/numbers.h"
+#include "overlay_style.h"
+
+namespace drape {
+
+namespace {
+
+constexpr double decades = 100;  // of a slider to both sides
+constexpr double narrow = 25;    // up to which a slider from 0 on is even
+
+// "%.4g N/m"
+std::string number_format(const Setting& setting) { return "%.12g" + (setting.unit.empty() ? "" : " " + setting.unit); }
+
+double number_in(const std::optional<SettingValue>& value) {
+    const double* number = value ? std::get_if<double>(&*value) : nullptr;
+    return number == nullptr ? 0 : *number;
+}
+
+double default_number(const Setting& setting) {
+    Settings defaults;
+    defaults.balls.resize(1);
+    defaults.solids.resize(1);
+    defaults.pins.resize(1);
+    return number_in(setting.read(defaults, 0));
+}
+
+// Numbers that a user reads, and a recording keeps
+double rounded(double value) { return parse_real(real_text(value, 4)).value_or(value); }
+
+}  // namespace
+
+SliderScale slider_scale(const Setting& setting, double scene_value) {
+    const Range& range = setting.range;
+    if (scene_value == 0) scene_value = default_number(setting);
+    if (scene_value < 0) return {std::max(range.low, -10.0), std::min(range.high, 10.0), false};
+    if (scene_value == 0) return {std::max(range.low, 0.0), std::min(range.high, 1.0), false};
+    const bool is_narrow = range.low == 0 && range.high <= narrow * scene_value;
+    if (is_narrow) return {range.low, range.high, false};
+    return {std::max(range.low, scene_value / decades), std::min(range.high, scene_value * decades), true};
+}
+
+SettingRow make_setting_row(const Setting& setting, std::size_t number, const Settings& settings,
+                            const Settings& scene) {
+    const bool is_whole = setting.kind == SettingKind::Integer || setting.kind == SettingKind::Grid;
+    const bool is_list = setting.kind != SettingKind::Number && setting.kind != SettingKind::Integer;
+    const std::size_t count = section_count(settings, setting);
+    std::optional<SettingValue> of_the_scene;
+    if (number < section_count(scene, setting)) of_the_scene = setting.read(scene, number);
+    const SliderScale scale = slider_scale(setting, number_in(of_the_scene));
+    return {
+        .setting = &setting,
+        .name = count > 1 ? setting.section + "[" + std::to_string(number) + "]." + setting.name : setting.full_name(),
+        .number = number,
+        .count = count,
+        .label = setting_label(setting),
+        .format = is_whole  ? "%.0f"
+                  : is_list ? "%.3g"
+                            : number_format(setting),
+        .value = setting.read(settings, number),
+        .of_the_scene = std::move(of_the_scene),
+        .scale = scale};
+}
+
+void SettingEditor::explain(const Setting& setting) {
+    if (!ImGui::IsItemHovered() || ImGui::IsItemActive()) return;
+    ImGui::BeginTooltip();
+    ImGui::PushTextWrapPos(28 * ImGui::GetFontSize());
+    ImGui::TextUnformatted((setting.full_name() + ": " + setting.help).c_str());
+    ImGui::PushStyleColor(ImGuiCol_Text, ink::quiet);
+    ImGui::TextUnformatted(accepted(setting).c_str());
+    ImGui::PopStyleColor();
+    ImGui::PopTextWrapPos();
+    ImGui::EndTooltip();
+}
+
+std::optional<SettingValue> SettingEditor::edit(const SettingRow& row) {
+    switch (row.setting->kind) {
+        case SettingKind::Flag: {
+            bool flag = std::get<bool>(row.value);
+            if (ImGui::Checkbox("##value", &flag)) return flag;
+            return std::nullopt;
+        }
+        case SettingKind::Choice:
+        case SettingKind::Pins:
+            return choice(row);
+        case SettingKind::Number:
+        case SettingKind::Integer:
+            return number(row);
+        default:
+            return list(row);
+    }
+}
+
+std::optional<SettingValue> SettingEditor::choice(const SettingRow& row) {
+    const auto* name = std::get_if<std::string>(&row.value);
+    std::optional<SettingValue> chosen;
+    if (!begin_list("##value", name == nullptr ? "a list" : name->c_str())) return chosen;
+    for (const std::string& one : row.setting->choices) {
+        if (ImGui::Selectable(one.c_str(), name != nullptr && one == *name)) chosen = one;
+    }
+    end_list();
+    return chosen;
+}
+
+bool SettingEditor::begin_list(const char* label, const char* shown) {
+    if (!ImGui::BeginCombo(label, shown)) return false;
+    list_open_ = true;
+    return true;
+}
+
+void SettingEditor::end_list() {
+    if (closing_list_) ImGui::CloseCurrentPopup();
+    ImGui::EndCombo();
+}
+
+std::optional<SettingValue> SettingEditor::number(const SettingRow& row) {
+    const Setting& setting = *row.setting;
+    const double value = std::get<double>(row.value);
+    ImGuiSliderFlags flags = ImGuiSliderFlags_NoRoundToFormat;
+    if (row.scale.logarithmic) flags |= ImGuiSliderFlags_Logarithmic;
+    const bool is_held = held_setting_ == &setting;
+    double changed = is_held ? held_values_.front() : value;
+    const bool moved = ImGui::SliderScalar("##value", ImGuiDataType_Double, &changed, &row.scale.low, &row.scale.high,
+                                           row.format.c_str(), flags);
+    const bool is_active = ImGui::IsItemActive();
+    if (is_active && ImGui::GetIO().WantTextInput && !ImGui::IsMouseDown(ImGuiMouseButton_Left)) {
+        // Half a number is none: what is typed counts once it is whole
+        held_setting_ = &setting;
+        held_values_ = {changed};
+        return std::nullopt;
+    }
+    if (is_held) held_setting_ = nullptr;
+    if (!moved && !is_held) return std::nullopt;
+    changed = setting.kind == SettingKind::Integer ? std::round(changed) : rounded(changed);
+    changed = std::clamp(changed, setting.range.low, setting.range.high);
+    if (changed == value) return std::nullopt;
+    return changed;
+}
+
+// Some of these make the cloth again, so a drag is carried out as it ends
+std::optional<SettingValue> SettingEditor::list(const SettingRow& row) {
+    const Setting& setting = *row.setting;
+    std::vector<double>& values = drawn_values_;
+    values = std::get<std::vector<double>>(row.value);
+    if (held_setting_ == &setting && held_values_.size() == values.size()) values = held_values_;
+    const bool is_grid = setting.kind == SettingKind::Grid;
+    const float speed = is_grid ? 0.2f : 0.01f;
+    const bool changed = ImGui::DragScalarN("##value", ImGuiDataType_Double, values.data(),
+                                            static_cast<int>(values.size()), speed, &setting.range.low,
+                                            &setting.range.high, row.format.c_str(), ImGuiSliderFlags_NoRoundToFormat);
+    if (changed) {
+        for (double& value : values) value = is_grid ? value : rounded(value);
+        held_setting_ = &setting;
+        held_values_ = values;
+    }
+    if (held_setting_ != &setting || ImGui::IsAnyItemActive()) return std::nullopt;
+    held_setting_ = nullptr;
+    if (is_grid) {
+        for (double& value : values) value = std::round(value);
+    }
+    return values;
+}
+
+}  // namespace drape

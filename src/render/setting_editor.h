@@ -1,0 +1,80 @@
+#pragma once
+
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "drape/sim/setting_table.h"
+
+namespace drape {
+
+/// The numbers that a slider leads over, which are fewer than the setting accepts.
+struct SliderScale {
+    double low, high;
+    bool logarithmic;
+};
+
+/// The whole range, evenly, where that is from 0 to not much more than the scene's value, else two decades to both
+/// sides of it.
+/// @param scene_value of the setting in the scene as it was loaded
+SliderScale slider_scale(const Setting& setting, double scene_value);
+
+/// What a row of the settings panel shows of its setting. Texts are made with the row, not in every frame.
+struct SettingRow {
+    const Setting* setting;
+    std::string name;           ///< of what it changes: "solver.dt", "ball[1].radius"
+    std::size_t number, count;  ///< which of several cloths, balls, solids or pins it is of
+    std::string label, format;
+    SettingValue value;
+    std::optional<SettingValue> of_the_scene;
+    SliderScale scale;  ///< of a number
+};
+
+/// @param number of the cloth, ball, solid or pins; those of `settings` have it, those of `scene` may not
+SettingRow make_setting_row(const Setting& setting, std::size_t number, const Settings& settings,
+                            const Settings& scene);
+
+/// Dear ImGui's widgets that change a setting's value: a slider, a box or a list each. It knows which of its rows is
+/// being changed.
+class SettingEditor {
+public:
+    /// Makes the widget of a row, as wide as the next item's width says.
+    /// @return the value that the user has chosen in this frame
+    std::optional<SettingValue> edit(const SettingRow& row);
+
+    /// Says under the pointer what the last item's setting is and accepts.
+    static void explain(const Setting& setting);
+
+    /// Begins a list of names, which `end_list` ends if it is open.
+    bool begin_list(const char* label, const char* shown);
+    void end_list();
+
+    /// A frame has begun, and has ended.
+    void begin_frame() { list_open_ = false; }
+    void end_frame() {
+        if (closing_list_) list_open_ = closing_list_ = false;
+    }
+
+    /// Whether a list of names was open as it was last drawn, and closes it as it is drawn next.
+    [[nodiscard]] bool list_open() const { return list_open_; }
+    void close_list() { closing_list_ = true; }
+
+    /// Nothing is being changed any more.
+    void forget() { held_setting_ = nullptr; }
+    void hide() {
+        list_open_ = closing_list_ = false;
+        forget();
+    }
+
+private:
+    std::optional<SettingValue> choice(const SettingRow& row);
+    std::optional<SettingValue> number(const SettingRow& row);
+    std::optional<SettingValue> list(const SettingRow& row);
+
+    const Setting* held_setting_ = nullptr;  ///< that is being changed, and waits for the button to go up
+    std::vector<double> held_values_;
+    std::vector<double> drawn_values_;
+    bool list_open_ = false, closing_list_ = false;
+};
+
+}  // namespace drape

@@ -1,0 +1,138 @@
+// The window's picture, and that of drape-capture --overlay: the same.
+
+#include <algorithm>
+#include <cstdlib>
+#include <filesystem>
+#include <fstream>
+
+#include "app/window_fixture.h"
+#include "drape/base/numbers.h"
+#include "drape/render/image.h"
+#include "drape/sim/scene.h"
+
+namespace drape {
+namespace {
+
+using test::eventually;
+using test::Process;
+using test::program;
+
+// Pixels in which two pictures differ by more than drivers may: 8 of 255 in one of the colours
+class PictureDifference {
+public:
+    PictureDifference(const Image& one, const Image& other) {
+        EXPECT_EQ(one.width, other.width);
+        EXPECT_EQ(one.height, other.height);
+        for (int y = 0; y < one.height; ++y) {
+            for (int x = 0; x < one.width; ++x) {
+                int most = 0;
+                for (int c = 0; c < 3; ++c) most = std::max(most, std::abs(one.pixel(x, y)[c] - other.pixel(x, y)[c]));
+                if (most > 8) add(x, y);
+            }
+        }
+    }
+
+    /// Whether one figure of the panel is all: FPS, which depends on the machine. A few pixels at edges may differ.
+    [[nodiscard]] bool is_only_fps() const {
+        constexpr int most_outside = 30, figure_width = 40, figure_height = 14;
+        return outside_ <= most_outside && right_ - left_ <= figure_width && bottom_ - top_ <= figure_height;
+    }
+
+    [[nodiscard]] std::string text() const {
+        return std::to_string(outside_) + " pixels beside the panel; in it from " + std::to_string(left_) + ", " +
+               std::to_string(top_) + " to " + std::to_string(right_) + ", " + std::to_string(bottom_);
+    }
+
+private:
+    void add(int x, int y) {
+        constexpr int panel_right = 215, panel_bottom = 200;  // at 640 x 480, from the upper left
+        if (x >= panel_right || y >= panel_bottom) {
+            ++outside_;
+            return;
+        }
+        const bool is_first = right_ == 0;
+        left_ = is_first ? x : std::min(left_, x), top_ = is_first ? y : std::min(top_, y);
+        right_ = std::max(right_, x), bottom_ = std::max(bottom_, y);
+    }
+
+    int outside_ = 0, left_ = 0, top_ = 0, right_ = 0, bottom_ = 0;
+};
+
+class WindowPicture : public test::WindowTest {
+protected:
+    // A recording that makes some steps of a scene and stays there
+    [[nodiscard]] std::string recording_of(const std::string& scene, int steps) const {
+        const std::string name = file(scene + "-" + std::to_string(steps) + ".txt");
+        std::ofstream(name) << "drape-recording 1\nscene " << scene << "\n0 pause\n0 step " << steps << "\n"
+                            << steps << " end\n";
+        return name;
+    }
+
+    // The picture of F12 after these steps
+    Image picture_of_window(const std::string& recorded_run, int steps) {
+        std::filesystem::remove(file("drape-0001.png"));
+        start({"--replay", recorded_run});
+        // A key that changes nothing when it is pressed twice is recorded with the number of the step. One that is
+        // pressed before the window has the keyboard goes nowhere
+        const auto toggles = [this] {
+            const std::vector<std::string> all = commands();
+            return std::ranges::count(all, "next view.wireframe");
+        };
+        EXPECT_TRUE(eventually([&] {
+            const auto before = toggles();
+            desktop_.key("l");
+            eventually([&] { return toggles() > before; }, 5);
+            return toggles() % 2 == 0 && last_step() >= steps;
+        }));
+        desktop_.key("F12");
+        EXPECT_TRUE(eventually([&] { return std::filesystem::exists(file("drape-0001.png")); }));
+        quit();
+        return read_png(file("drape-0001.png"));
+    }
+
+    // One frame at the time of these steps
+    Image picture_of_capture(const std::string& recorded_run, double time, const std::vector<std::string>& more) {
+        std::vector<std::string> words{program("drape-capture"),
+                                       "--replay",
+                                       recorded_run,
+                                       "--frames",
+                                       "1",
+                                       "--fps",
+                                       real_text(1 / time),
+                                       "--size",
+                                       "640x480",
+                                       "--out",
+                                       file("frames"),
+                                       "--again"};
+        words.insert(words.end(), more.begin(), more.end());
+        Process capture(words, {}, folder_);
+        EXPECT_EQ(capture.wait(120), 0) << capture.standard_error();
+        return read_png(file("frames/frame_0001.png"));
+    }
+
+    // Between two steps, so that rounding does not count
+    static double time_of(const std::string& scene, int steps) { return (steps + 0.5) * load_scene(scene).solver.dt; }
+};
+
+TEST_F(WindowPicture, IsThatOfDrapeCaptureInEveryScene) {
+    for (const std::string& scene : scene_names()) {
+        if (scene == "large") continue;  // a minute for each of its pictures
+        const int steps = scene.starts_with("fails_") ? 5 : static_cast<int>(0.2 / load_scene(scene).solver.dt);
+        const std::string recorded_run = recording_of(scene, steps);
+        const PictureDifference found(picture_of_window(recorded_run, steps),
+                                      picture_of_capture(recorded_run, time_of(scene, steps), {"--overlay"}));
+        EXPECT_TRUE(found.is_only_fps()) << scene << ": " << found.text();
+    }
+}
+
+TEST_F(WindowPicture, IsToldFromOthers) {
+    const std::string recorded_run = recording_of("drop", 60), later = recording_of("drop", 400);
+    const Image window = picture_of_window(recorded_run, 60);
+    const PictureDifference without(window, picture_of_capture(recorded_run, time_of("drop", 60), {}));
+    EXPECT_FALSE(without.is_only_fps()) << "without the panel";
+    const PictureDifference moved(window, picture_of_capture(later, time_of("drop", 400), {"--overlay"}));
+    EXPECT_FALSE(moved.is_only_fps()) << "another moment: " << moved.text();
+}
+
+}  // namespace
+}  // namespace drape

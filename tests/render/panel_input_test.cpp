@@ -1,0 +1,266 @@
+// What a user does to the settings panel, without a window: slides, types, chooses, changes their mind.
+
+#include <gmock/gmock.h>
+
+#include <optional>
+#include <set>
+
+#include "drape/sim/comparison.h"
+#include "drape/sim/scene.h"
+#include "drape/sim/simulation.h"
+#include "render/overlay_panels.h"
+
+namespace drape {
+namespace {
+
+using testing::ElementsAre;
+using testing::IsEmpty;
+
+constexpr int page_width = 1280, page_height = 1400;
+constexpr int first_row = 24, row_height = 18;  // of the panel
+constexpr unsigned char backspace = 8, enter = 13, escape = 27;
+
+Settings shown_settings(const std::string& scene) {
+    Settings settings = load_scene(scene);
+    settings.view.panel = PanelSize::Off;
+    settings.view.controls = true;
+    return settings;
+}
+
+class PanelInput : public testing::Test {
+protected:
+    explicit PanelInput(const std::string& scene = "drop") : simulation_(scene, shown_settings(scene)) {
+        panels_.settings.set_scene(simulation_.settings());
+        frames();
+        left_ = static_cast<int>(panels_.settings.left());
+    }
+
+    void frames(int count = 6) {
+        for (int f = 0; f < count; ++f)
+            panels_.build(simulation_.view(), Camera(simulation_.settings().view), {}, {}, page_width, page_height);
+    }
+
+    void point(int x, int y, bool down, bool control = false) {
+        panels_.point({.x = x, .y = y, .down = down, .control = control});
+        frames(4);
+    }
+
+    void click(int x, int y, bool control = false) {
+        point(x, y, false);
+        point(x, y, true, control);
+        point(x, y, false);
+    }
+
+    void type(const std::string& text) {
+        for (const char c : text) panels_.type(static_cast<unsigned char>(c));
+        frames(4 + 2 * static_cast<int>(text.size()));
+    }
+
+    void type(unsigned char key) { type(std::string(1, static_cast<char>(key))); }
+
+    /// Types a number into what is there, and closes a list that opens in its place.
+    void type_at(int y, const std::string& number) {
+        click(widget(), y, true);
+        close_list();
+        type(number);
+        type(enter);
+    }
+
+    void close_list() {
+        if (!panels_.settings.list_open()) return;
+        panels_.settings.close_list();
+        frames();
+    }
+
+    std::vector<std::string> changes() { return panels_.settings.take_changes(); }
+
+    /// What the window does with them.
+    void carry_out_changes() {
+        for (const std::string& change : changes()) simulation_.apply(command::Set{change});
+        frames();
+    }
+
+    /// The height at which a number that is typed is one of the solver's settings: below the headers of comparison,
+    /// cloth and ball, which are closed, and solver.
+    int row_of(const std::string& name) {
+        for (int y = first_row + 4 * row_height; y < page_height / 2; y += 6) {
+            type_at(y, "7");
+            for (const std::string& change : changes()) {
+                if (change.starts_with(name + "=")) return y + row_height / 3;
+            }
+        }
+        ADD_FAILURE() << "no row takes a number for " << name;
+        return 0;
+    }
+
+    /// Where sliders and lists are.
+    [[nodiscard]] int widget() const { return left_ + 60; }
+
+    OverlayPanels panels_;
+    Simulation simulation_;
+    int left_ = 0;
+};
+
+TEST_F(PanelInput, ATypedValueCountsOnceItIsWhole) {
+    const int y = row_of("solver.dt");
+    click(widget(), y, true);
+    EXPECT_TRUE(panels_.have_keyboard());
+    type("2e-4");
+    EXPECT_THAT(changes(), IsEmpty()) << "half a number is none";
+    type(enter);
+    EXPECT_THAT(changes(), ElementsAre("solver.dt=2e-04"));
+    EXPECT_FALSE(panels_.have_keyboard());
+}
+
+TEST_F(PanelInput, AValueThatIsTypedAgainReplacesTheFirst) {
+    const int y = row_of("solver.dt");
+    for (const char* value : {"2e-4", "1e-4"}) {
+        click(widget(), y, true);
+        type(value);
+        type(enter);
+        carry_out_changes();
+    }
+    EXPECT_EQ(simulation_.settings().solver.dt, 1e-4);
+}
+
+TEST_F(PanelInput, EscapeLeavesTheOldValue) {
+    const int y = row_of("solver.dt");
+    click(widget(), y, true);
+    type("2e-4");
+    type(escape);
+    EXPECT_THAT(changes(), IsEmpty());
+    EXPECT_FALSE(panels_.have_keyboard());
+}
+
+TEST_F(PanelInput, BackspacesThatComeTogetherEachTakeACharacter) {
+    const int y = row_of("solver.dt");
+    click(widget(), y, true);
+    type("2e-4444" + std::string(3, static_cast<char>(backspace)) + static_cast<char>(enter));
+    EXPECT_THAT(changes(), ElementsAre("solver.dt=2e-04"));
+}
+
+TEST_F(PanelInput, TheButtonLeadsBackToTheScenesValue) {
+    const int y = row_of("solver.dt");
+    const double of_the_scene = simulation_.settings().solver.dt;
+    simulation_.apply(parse_command("set solver.dt=1e-4"));
+    frames();
+    std::vector<std::string> given;
+    for (int x = page_width - 20; x > page_width - 120 && given.empty(); x -= 5) {
+        click(x, y);
+        given = changes();
+    }
+    ASSERT_EQ(given.size(), 1u);
+    simulation_.apply(command::Set{given.front()});
+    EXPECT_EQ(simulation_.settings().solver.dt, of_the_scene);
+    frames();
+    for (int x = page_width - 20; x > page_width - 120; x -= 5) click(x, y);
+    EXPECT_THAT(changes(), IsEmpty()) << "there is no button where nothing is changed";
+}
+
+TEST_F(PanelInput, AListThatIsDraggedOverCountsAsTheButtonGoesUp) {
+    click(widget(), first_row + 3 * row_height / 2);  // the second header
+    std::vector<std::string> given;
+    for (int y = first_row + 2 * row_height; y < page_height / 2 && given.empty(); y += 6) {
+        point(widget(), y, false);
+        point(widget(), y, true);
+        for (int x = 0; x < 60; x += 10) point(widget() + x, y, true);
+        const std::vector<std::string> meanwhile = changes();
+        point(widget() + 60, y, false);
+        given = changes();
+        const bool is_list = !given.empty() && given.front().starts_with("cloth.size=");
+        if (!is_list) {
+            given.clear();
+            continue;
+        }
+        EXPECT_THAT(meanwhile, IsEmpty());
+        EXPECT_EQ(given.size(), 1u);
+    }
+    EXPECT_FALSE(given.empty()) << "no list of numbers was found";
+}
+
+TEST_F(PanelInput, HiddenInMidDragItForgetsTheDrag) {
+    const int y = row_of("solver.dt");
+    point(widget(), y, true);
+    point(widget() + 20, y, true);
+    carry_out_changes();
+    const double slid = simulation_.settings().solver.dt;
+    simulation_.apply(parse_command("set view.controls=false"));
+    frames();
+    EXPECT_FALSE(panels_.have_pointer());
+    point(widget() + 40, y, false);
+    simulation_.apply(parse_command("set view.controls=true"));
+    frames();
+    point(widget() + 80, y, false);
+    EXPECT_THAT(changes(), IsEmpty());
+    EXPECT_EQ(simulation_.settings().solver.dt, slid);
+    click(widget() + 90, y);
+    EXPECT_FALSE(changes().empty()) << "it works again";
+}
+
+TEST_F(PanelInput, AListOfNamesIsClosedFromOutside) {
+    std::vector<std::string> given;
+    int y = 0;
+    while (!panels_.settings.list_open() && (y += 6) < page_height) click(widget(), y);
+    ASSERT_TRUE(panels_.settings.list_open());
+    static_cast<void>(changes());
+    panels_.settings.close_list();
+    frames();
+    EXPECT_FALSE(panels_.settings.list_open());
+    EXPECT_THAT(changes(), IsEmpty());
+    click(widget(), y);
+    EXPECT_TRUE(panels_.settings.list_open()) << "it opens again";
+}
+
+/// Opens the first header, under which a comparison begins, and goes down from there.
+TEST_F(PanelInput, ComparesWithAnotherValue) {
+    click(widget(), first_row + row_height / 2);
+    std::optional<std::string> wanted;
+    for (int y = first_row + row_height; y < first_row + 5 * row_height && !wanted; y += 6) {
+        click(widget(), y);
+        close_list();
+        wanted = panels_.settings.compare.take_wanted();
+    }
+    ASSERT_TRUE(wanted);
+    Comparison comparison(simulation_, *wanted);
+    EXPECT_NE(comparison.other().settings().solver.integrator, simulation_.settings().solver.integrator);
+    EXPECT_THAT(changes(), IsEmpty()) << "what runs stays as it is";
+}
+
+class PanelOfSeveral : public PanelInput {
+protected:
+    PanelOfSeveral() : PanelInput("three_balls") {}
+
+    /// Which balls the numbers that take a typed value are of.
+    std::set<std::string> balls_typed_into() {
+        std::set<std::string> balls;
+        for (int y = first_row; y < page_height; y += 6) {
+            type_at(y, "7");
+            for (const std::string& change : changes()) {
+                if (change.starts_with("ball[")) balls.insert(change.substr(0, change.find('.')));
+            }
+        }
+        return balls;
+    }
+
+    void open_balls() { click(widget(), first_row + 5 * row_height / 2); }
+};
+
+TEST_F(PanelOfSeveral, ShowsTheOneThatIsChosen) {
+    ASSERT_EQ(simulation_.settings().balls.size(), 4u);
+    open_balls();
+    EXPECT_THAT(balls_typed_into(), ElementsAre("ball[0]"));
+    panels_.settings.show("ball", 2);
+    EXPECT_THAT(balls_typed_into(), ElementsAre("ball[2]"));
+    panels_.settings.set_scene(simulation_.settings());
+    EXPECT_THAT(balls_typed_into(), ElementsAre("ball[0]"));
+}
+
+TEST_F(PanelOfSeveral, LeadsOnToTheNextByAButton) {
+    open_balls();
+    const int selector = first_row + 7 * row_height / 2;
+    for (int x = left_ + 90; x < left_ + 160; x += 12) click(x, selector);
+    EXPECT_THAT(balls_typed_into(), testing::AllOf(testing::SizeIs(1), testing::Not(testing::Contains("ball[0]"))));
+}
+
+}  // namespace
+}  // namespace drape
