@@ -90,10 +90,14 @@ inline bool locate_above(const Points& x, Real height, Real thickness, Contact& 
     return contact.depth > 0;
 }
 
-/// Ball against ball, or against the ground.
+/// Ball against ball, or against the ground, or against the surface of a solid next to it.
 /// @return false, with depth 0, if they do not touch
 inline bool locate(std::span<const Ball> balls, const Ground& ground, BallContact& contact) {
     const Ball& first = balls[static_cast<std::size_t>(contact.first)];
+    if (is_solid(contact.ball)) {
+        contact.depth = std::max(contact.plane.height + first.radius - contact.normal.dot(first.centre), Real(0));
+        return contact.depth > 0;
+    }
     Real distance = first.centre.y() - ground.height, radii = first.radius;
     contact.normal = Vec3(0, 1, 0);
     if (contact.ball != the_ground) {

@@ -130,6 +130,9 @@ Vec3 relative(const Motion& motion, const PairContact& contact) {
 }
 template <BodyMotion Motion>
 Vec3 relative(const Motion& motion, const BallContact& contact) {
+    if (is_solid(contact.ball)) {
+        return motion.of_ball(contact.first, -contact.normal) - motion.of_plane(contact.plane);
+    }
     return motion.of_ball(contact.first, -contact.normal) - motion.of_ball(contact.ball, contact.normal);
 }
 

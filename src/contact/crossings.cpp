@@ -1,6 +1,8 @@
 #include "drape/contact/crossings.h"
 
 #include <algorithm>
+#include <cmath>
+#include <limits>
 
 #include "cell_pairs.h"
 #include "contact_geometry.h"
@@ -8,8 +10,15 @@
 namespace drape {
 namespace {
 
-/// Six times the volume of the tetrahedron: its sign tells on which side of a, b, c the point d is.
-Real side(const Vec3& a, const Vec3& b, const Vec3& c, const Vec3& d) { return (b - a).cross(c - a).dot(d - a); }
+/// Six times the volume of the tetrahedron: its sign tells on which side of a, b, c the point d is; 0 where that is
+/// rounding alone.
+Real side(const Vec3& a, const Vec3& b, const Vec3& c, const Vec3& d) {
+    const Vec3 u = b - a, v = c - a, w = d - a;
+    const Real size = std::max({a.cwiseAbs().maxCoeff(), d.cwiseAbs().maxCoeff(), u.norm(), v.norm(), w.norm()});
+    const Real rounding = 64 * std::numeric_limits<Real>::epsilon() * size * u.norm() * v.norm();
+    const Real six_volumes = u.cross(v).dot(w);
+    return std::abs(six_volumes) > rounding ? six_volumes : Real(0);
+}
 
 bool crosses(const Vec3& p, const Vec3& q, const Vec3& a, const Vec3& b, const Vec3& c) {
     if (!(side(a, b, c, p) * side(a, b, c, q) < 0)) return false;

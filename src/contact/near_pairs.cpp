@@ -4,6 +4,7 @@
 #include <span>
 
 #include "cell_pairs.h"
+#include "coincident.h"
 #include "contact_geometry.h"
 #include "drape/contact/segments.h"
 #include "grid_features.h"
@@ -140,12 +141,13 @@ struct FeatureTest {
 
 }  // namespace
 
-/// Where both points are one, any direction serves.
+/// Where both points are one, but for rounding, they have the distance 0.
 void locate(const ClothAt& first, const ClothAt& second, NearPair& pair) {
     const Vec3 offset =
         pair.triangle < 0 ? locate_on_edges(first, second, pair) : locate_on_triangle(first, second, pair);
     pair.distance = offset.norm();
-    pair.normal = pair.distance > 0 ? Vec3(offset / pair.distance) : Vec3(0, 1, 0);
+    if (is_rounding(first, second, pair)) pair.distance = 0;
+    pair.normal = pair.distance > 0 ? Vec3(offset / pair.distance) : parting_direction(first, second, pair);
 }
 
 void CellBoxes::build(const Grid& grid, const Points& x, std::span<const Real> reaches) {

@@ -10,6 +10,7 @@
 #include "drape/base/output_file.h"
 #include "drape/sim/scene_text.h"
 #include "drape/sim/state_csv.h"
+#include "mesh_file.h"
 
 namespace drape {
 namespace {
@@ -60,7 +61,7 @@ bool keep_meshes(const Settings& settings, const std::filesystem::path& folder, 
                  Settings& written) {
     for (std::size_t s = 0; s < settings.solids.size(); ++s) {
         if (settings.solids[s].file.empty()) continue;
-        const std::string copy = name + "-solid-" + std::to_string(s) + ".obj";
+        const std::string copy = name + "-solid-" + std::to_string(s) + mesh_extension(settings.solids[s].file);
         const std::string text = read_text(settings.solids[s].file);
         if (!has_text(folder / copy, text) && !write_new_file(folder / copy, text)) return false;
         written.solids[s].file = copy;

@@ -7,13 +7,16 @@
 
 namespace drape {
 
-/// Reads a closed mesh from an OBJ file: its lines `v x y z` [m] and `f a b c ...`, of faces that are convex and may
-/// name textures and normals too, which are left out like any other line.
-/// @throws InputError as `file:line: ... allowed ...`: what is no number, what is out of range, a mesh that is too
-/// large, not closed, not consistently oriented, or inside out
+/// The format in which a mesh is read, by the name of its file: ".stl", or else ".obj".
+std::string mesh_extension(const std::string& file);
+
+/// Reads a closed mesh from a file. OBJ: its lines `v x y z` [m] and `f a b c ...`, of faces that are convex and may
+/// name textures and normals too, which are left out like any other line. STL, text or binary: see `read_stl`.
+/// @throws InputError as `file:line: ... allowed ...`, of binary files as `file: byte N: ...`: what is no number, what
+/// is out of range, a mesh that is too large, not closed, not consistently oriented, or inside out
 TriangleMesh read_mesh(const std::string& file);
 
-/// The same from a stream; `file` names it in errors.
+/// The same from a stream; `file` names it in errors, and its format.
 TriangleMesh read_mesh(std::istream& in, const std::string& file);
 
 }  // namespace drape

@@ -90,10 +90,17 @@ std::string search_trouble(const StepReport& report) {
            ", that contact.self cannot look at all that may meet; reduce solver.dt or contact.thickness";
 }
 
-std::string start_warning(std::int64_t crossings) {
-    if (crossings == 0) return {};
-    return "cloth crosses cloth in " + std::to_string(crossings) + (crossings == 1 ? " place" : " places") +
-           " at the start and may stay crossed";
+std::string start_warning(std::int64_t crossings, std::int64_t coincident) {
+    const auto places = [](std::int64_t count) {
+        return std::to_string(count) + (count == 1 ? " place" : " places") + " at the start and ";
+    };
+    std::string text;
+    if (crossings > 0) text = "cloth crosses cloth in " + places(crossings) + "may stay crossed";
+    if (coincident > 0) {
+        text += (text.empty() ? "" : "; ") + ("cloth touches cloth at distance 0 in " + places(coincident)) +
+                "is moved apart by contact.thickness";
+    }
+    return text;
 }
 
 std::string doubt_warning(const StepReport& report) {

@@ -27,8 +27,8 @@ std::string crossing_warning(const CrossingDanger& danger);
 /// That cloth moves too far within a substep for contact between cloths.
 std::string search_trouble(const StepReport& report);
 
-/// That cloth crossed cloth at the start, so many times; empty if it did not.
-std::string start_warning(std::int64_t crossings);
+/// That cloth crossed cloth at the start, or touched it at distance 0, so many times; empty if it did not.
+std::string start_warning(std::int64_t crossings, std::int64_t coincident);
 
 /// Why the run so far is not to be trusted, one line; empty if nothing.
 std::string doubt_warning(const StepReport& report);

@@ -38,10 +38,11 @@ void SelfContact::use(const Settings& settings, std::span<const ClothModel* cons
     search_ = {};
     zones_ = {};
     report_ = {};
-    crossings_at_start_ = 0;
+    crossings_at_start_ = coincident_at_start_ = 0;
     if (!on_) return;
     use_hierarchy(settings, models);
     crossings_at_start_ = search_.count_crossings(x);
+    coincident_at_start_ = search_.count_coincident(x);
 }
 
 void SelfContact::use_hierarchy(const Settings& settings, std::span<const ClothModel* const> models) {

@@ -20,6 +20,9 @@ constexpr Real pairs_a_square = 30;
 /// Pairs of leaves that are looked through from one look at the length of the list to the next.
 constexpr std::size_t leaves_at_once = 1024;
 
+/// Within which what touches at distance 0 is looked for [m].
+constexpr Real coincident_reach = Real(1e-6);
+
 /// A cloth at the start of the substep.
 ClothAt at(std::span<const ClothInContact> cloths, int number) {
     const ClothInContact& cloth = cloths[static_cast<std::size_t>(number)];
@@ -67,22 +70,44 @@ void SelfSearch::use(const BroadPhaseParameters& parameters, std::span<const Clo
     forget();
 }
 
-std::int64_t SelfSearch::count_crossings(std::span<const Points* const> x) {
+/// Sums up count(first, second, leaves), over all pairs of cloths, and each with itself.
+/// @param reach by which boxes are grown [m]
+template <class Count>
+std::int64_t SelfSearch::count_between(std::span<const Points* const> x, Real reach, Count count) {
     forget();
+    reaches_ = reach;
     std::vector<BoxedCloth> boxed;
     for (std::size_t c = 0; c < x.size(); ++c) {
         Surface& surface = surfaces_[c];
+        const std::span<const Real> reaches = of_cloth(reaches_, static_cast<int>(c));
         surface.tree->build(*x[c]);
-        surface.boxes.build(surface.grid, *x[c]);
-        boxed.push_back({{static_cast<int>(c), surface.grid, *x[c]}, surface.boxes});
+        surface.boxes.build(surface.grid, *x[c], reaches);
+        boxed.push_back({{static_cast<int>(c), surface.grid, *x[c]}, surface.boxes, reaches});
     }
-    std::int64_t count = 0;
+    std::int64_t sum = 0;
     for (std::size_t first = 0; first < x.size(); ++first) {
         for (std::size_t second = first; second < x.size(); ++second) {
-            surfaces_[first].tree->query(*surfaces_[second].tree, 0, nullptr, leaves_);
-            count += drape::count_crossings(boxed[first], boxed[second], leaves_);
+            surfaces_[first].tree->query(*surfaces_[second].tree, 2 * reach, nullptr, leaves_);
+            sum += count(boxed[first], boxed[second]);
         }
     }
+    return sum;
+}
+
+std::int64_t SelfSearch::count_crossings(std::span<const Points* const> x) {
+    return count_between(x, 0, [&](const BoxedCloth& first, const BoxedCloth& second) {
+        return drape::count_crossings(first, second, leaves_);
+    });
+}
+
+std::int64_t SelfSearch::count_coincident(std::span<const Points* const> x) {
+    const std::int64_t count = count_between(x, coincident_reach, [&](const auto& first, const auto& second) {
+        near_.clear();
+        find_near_pairs(first, second, leaves_, near_);
+        return std::ranges::count_if(near_,
+                                     [](const NearPair& pair) { return pair.stands_alone && pair.distance == 0; });
+    });
+    near_.clear();
     return count;
 }
 

@@ -142,7 +142,7 @@ void add_solid(std::vector<Setting>& table) {
     rows.number("length", &SolidSettings::length, "m", sizes, "of the segment that a capsule is about");
     rows.add(
         "file", SettingKind::Text, "", any_text, {},
-        "OBJ file of a mesh, in metres; a scene names one in its own folder or below",
+        "OBJ or STL file of a mesh, in metres; a scene names one in its own folder or below",
         [](const SolidSettings& s) { return s.file; },
         [](SolidSettings& s, const SettingValue& value) { s.file = std::get<std::string>(value); });
     rows.choice("motion", &SolidSettings::motion, "what moves it: nothing, or its path");

@@ -5,6 +5,7 @@
 
 #include "ball_motion.h"
 #include "drape/base/stopwatch.h"
+#include "drape/contact/ball_solids.h"
 #include "drape/contact/node_contacts.h"
 #include "drape/contact/response.h"
 #include "drape/integrate/integrator.h"
@@ -72,6 +73,7 @@ bool Simulation::input(const Substep& now) {
                   displacement_share(settings_.solver.integrator), static_cast<Real>(now.time), now.h, balls_[b]);
     }
     move_solids(now);
+    stop_balls(now);
     move_pins(now);
     if (led_body_has_moved()) wake();
     return !report_.asleep;
@@ -190,6 +192,7 @@ void Simulation::narrow(const Substep& now) {
         report_.contacts += static_cast<std::int64_t>(cloth.contacts.size());
     }
     find_ball_contacts(balls_, settings_.ground, ball_contacts_);
+    find_ball_contacts(balls_, solids_, ball_contacts_);
     report_.times.narrow += watch.lap();
     self_contact_.find(response_of(settings_), in_contact_, balls_);
     report_.pairs = static_cast<std::int64_t>(self_contact_.contacts().size());
@@ -250,6 +253,7 @@ void Simulation::resist_rolling() {
     };
     for (const BallContact& contact : ball_contacts_) {
         if (contact.ball == the_ground) resist(settings_.ground.rolling, contact.first, contact.impulse.normal);
+        if (is_solid(contact.ball)) resist(settings_.contact.rolling, contact.first, contact.impulse.normal);
     }
     for (const Cloth& cloth : cloths_) {
         for (const Contact& contact : cloth.contacts) {

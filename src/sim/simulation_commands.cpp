@@ -123,7 +123,8 @@ void Simulation::restart() {
     use_self_contact();
     balls_.clear();
     ball_contacts_.clear();
-    ball_contacts_.reserve(settings_.balls.size() * (settings_.balls.size() + 1) / 2);
+    const std::size_t balls = settings_.balls.size();
+    ball_contacts_.reserve(balls * (balls + 1) / 2 + balls * settings_.solids.size());
     for (const BallSettings& ball : settings_.balls) balls_.push_back(make_ball(ball, report_.time));
     previous_balls_ = balls_;
     put_solids(settings_.solids, report_.time, solids_);

@@ -62,16 +62,17 @@ struct ContactPlane {
     }
 };
 
-/// A contact whose second body is a ball, the ground, or a solid.
-struct BodyContact : ContactPlane {
-    int ball = 0;  ///< or `the_ground`, or `first_solid` and more
-};
-
 /// The surface of a solid next to a contact.
 struct SolidPlane {
     Real height = 0;               ///< of the surface along the contact's normal [m]
     Vec3 moved = Vec3::Zero();     ///< within the substep [m]
     Vec3 velocity = Vec3::Zero();  ///< [m/s]
+};
+
+/// A contact whose second body is a ball, the ground, or a solid.
+struct BodyContact : ContactPlane {
+    int ball = 0;      ///< or `the_ground`, or `first_solid` and more
+    SolidPlane plane;  ///< where the second body is a solid
 };
 
 /// A point of the cloth that is nearer to a ball, or to the ground, than the cloth's thickness: a particle, or the
@@ -88,10 +89,9 @@ struct Contact : BodyContact {
     bool of_node = false;               ///< only then there is a sphere:
     Vec3 offset = Vec3::Zero();         ///< from `point` to its centre [m]
     Real radius = 0;                    ///< that counts towards the depth [m]
-    SolidPlane plane;                   ///< where the second body is a solid
 };
 
-/// Two balls that touch, or a ball on the ground.
+/// Two balls that touch, or a ball on the ground or on a solid.
 struct BallContact : BodyContact {
     int first = 0;  ///< the first body, a ball
 };

@@ -29,7 +29,7 @@ struct NearPair {
     int triangle = -1;              ///< of the second cloth, against a particle; -1: an edge against an edge
     std::array<Real, 4> weights{};  ///< of the particles in the closest points; those of each feature sum to 1
     Vec3 normal = Vec3::Zero();     ///< from the second's closest point to the first's, length 1
-    Real distance = 0;              ///< of the closest points [m]
+    Real distance = 0;              ///< of the closest points; 0: no more than rounding [m]
     bool stands_alone = true;       ///< these two points are not those of another pair, which is answered for them
 
     /// What the k-th particle has of the way from the second's closest point to the first's: less than zero for those

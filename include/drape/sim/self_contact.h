@@ -51,6 +51,9 @@ public:
     /// How many times cloth crossed cloth at the start: what keeps the sides of cloths cannot part these.
     [[nodiscard]] std::int64_t crossings_at_start() const { return crossings_at_start_; }
 
+    /// In how many places cloth touched cloth at distance 0 then: these are parted.
+    [[nodiscard]] std::int64_t coincident_at_start() const { return coincident_at_start_; }
+
     /// What the search of this substep has cost.
     [[nodiscard]] const SelfSearchReport& report() const { return report_; }
 
@@ -58,7 +61,7 @@ private:
     bool on_ = false;
     SelfSearch search_;
     SelfSearchReport report_;
-    std::int64_t crossings_at_start_ = 0;
+    std::int64_t crossings_at_start_ = 0, coincident_at_start_ = 0;
     ImpactZones zones_;
     WarmStart<PairContact> warm_start_;
     std::vector<PairContact> contacts_;

@@ -43,6 +43,10 @@ public:
     /// @param x positions of each cloth [m]
     std::int64_t count_crossings(std::span<const Points* const> x);
 
+    /// In how many places cloths touch themselves and each other at distance 0.
+    /// @param x positions of each cloth [m]
+    std::int64_t count_coincident(std::span<const Points* const> x);
+
     /// Positions have been set from outside.
     void forget();
 
@@ -78,6 +82,8 @@ private:
         Real distance;  ///< [m]
     };
 
+    template <class Count>
+    std::int64_t count_between(std::span<const Points* const> x, Real reach, Count count);
     void find_ways(std::span<const ClothInContact> cloths);
     void find_strayed(std::span<const ClothInContact> cloths);
     void set_allowances();

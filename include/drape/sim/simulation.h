@@ -130,6 +130,7 @@ private:
     void use_pins();
     void put_ball(std::size_t number, const Vec3& centre);
     void move_solids(const Substep& now);
+    void stop_balls(const Substep& now);
     void move_pins(const Substep& now);
     void meet_solids(Cloth& cloth);
     void configure_solids(const Settings& before, std::vector<Solid> solids);

@@ -1,0 +1,104 @@
+#include "drape/contact/ball_solids.h"
+
+#include <algorithm>
+#include <optional>
+
+namespace drape {
+namespace {
+
+/// What advances on its way goes on until it is as near as this [m].
+constexpr Real nearest_way = Real(1e-6);
+
+constexpr int most_ways = 256;
+
+/// The least cosine between the normal at the end and that at which they met, for both to be of one side.
+constexpr Real same_side_of_ball = Real(0.5);
+
+/// Planes that a led ball is stopped by within a substep, one after the other: a corner has three.
+constexpr int most_planes = 4;
+
+/// The surface of a solid next to a ball's centre.
+struct NextTo {
+    Vec3 normal;
+    Real height;  ///< along the normal [m]
+};
+
+NextTo surface_next_to(const Solid& solid, const Vec3& centre) {
+    const SurfaceDistance surface = solid.measure(centre);
+    return {surface.normal, surface.normal.dot(centre) - surface.distance};
+}
+
+/// Where a ball first comes as near as its radius, on a way that is seen from the solid.
+std::optional<NextTo> first_meeting(const Solid& solid, const Vec3& from, const Vec3& to, Real radius) {
+    const Real length = (to - from).norm();
+    if (length == 0) return std::nullopt;
+    Real gone = 0;
+    for (int k = 0; k < most_ways; ++k) {
+        const Vec3 centre = from + gone / length * (to - from);
+        const SurfaceDistance surface = solid.measure(centre);
+        const Real left = surface.distance - radius;
+        if (left <= nearest_way || k + 1 == most_ways) {
+            return NextTo{surface.normal, surface.normal.dot(centre) - surface.distance};
+        }
+        gone += left - nearest_way / 2;
+        if (!(gone < length)) return std::nullopt;
+    }
+    return std::nullopt;
+}
+
+/// The plane that holds a ball within the substep: that at its end, or where it has met the solid.
+std::optional<NextTo> plane_for(const Solid& solid, const Vec3& from, const Vec3& to, Real radius) {
+    const NextTo at_end = surface_next_to(solid, to);
+    const bool touches = at_end.normal.dot(to) - at_end.height < radius;
+    const auto met = first_meeting(solid, from, to, radius);
+    const bool has_passed = met && met->normal.dot(to) - met->height < radius;
+    if (has_passed && (!touches || met->normal.dot(at_end.normal) < same_side_of_ball)) return met;
+    return touches ? std::optional(at_end) : std::nullopt;
+}
+
+}  // namespace
+
+void find_ball_contacts(std::span<const Ball> balls, std::span<const Solid> solids,
+                        std::vector<BallContact>& contacts) {
+    for (std::size_t b = 0; b < balls.size(); ++b) {
+        const Ball& ball = balls[b];
+        if (ball.inverse_mass == 0) continue;
+        for (std::size_t s = 0; s < solids.size(); ++s) {
+            const Solid& solid = solids[s];
+            const auto plane = plane_for(solid, ball.centre - ball.moved + solid.moved, ball.centre, ball.radius);
+            if (!plane) continue;
+            BallContact contact;
+            contact.first = static_cast<int>(b);
+            contact.ball = first_solid + static_cast<int>(s);
+            contact.normal = plane->normal;
+            contact.plane = {plane->height, solid.moved, solid.velocity};
+            contact.depth = plane->height + ball.radius - plane->normal.dot(ball.centre);
+            contacts.push_back(contact);
+        }
+    }
+}
+
+void stay_outside(std::span<const Solid> solids, Real gap, Real h, Ball& ball) {
+    if (solids.empty()) return;
+    const Vec3 start = ball.centre - ball.moved;
+    const Real radius = ball.radius + gap;
+    bool is_out = false;
+    for (int k = 0; k < most_planes && !is_out; ++k) {
+        is_out = true;
+        for (const Solid& solid : solids) {
+            const auto plane = plane_for(solid, start + solid.moved, ball.centre, radius);
+            if (!plane) continue;
+            is_out = false;
+            ball.centre += (plane->height + radius - plane->normal.dot(ball.centre)) * plane->normal;
+            const Real towards = plane->normal.dot(ball.velocity - solid.velocity);
+            ball.velocity -= std::min(towards, Real(0)) * plane->normal;
+            ball.moved = h * ball.velocity;
+        }
+    }
+    if (is_out) return;
+    ball.centre = start;  // wedged
+    ball.velocity.setZero();
+    ball.moved.setZero();
+}
+
+}  // namespace drape

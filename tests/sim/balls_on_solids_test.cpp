@@ -1,0 +1,201 @@
+// Balls that fall on solids, and balls that the keys lead against them.
+
+#include <gmock/gmock.h>
+
+#include <cmath>
+
+#include "drape/sim/scene.h"
+#include "sim/small_scene.h"
+
+namespace drape {
+namespace {
+
+constexpr Real size_of_ball = Real(0.1);
+
+/// A ball, and a cloth far from it.
+Settings ball_alone(BallMotion motion, const Vec3& position, const Vec3& velocity = Vec3::Zero()) {
+    Settings settings = small_settings();
+    settings.cloths[0].place = Vec3(0, 50, 0);
+    BallSettings& ball = settings.balls[0];
+    ball.radius = size_of_ball;
+    ball.mass = Real(0.3);
+    ball.motion = motion;
+    ball.position = position;
+    ball.velocity = velocity;
+    settings.contact.restitution = Real(0.6);
+    settings.ground = {.height = 0, .solid = false, .friction = settings.contact.friction, .restitution = Real(0.6)};
+    settings.solver.sleep_speed = 0;
+    return settings;
+}
+
+/// A box whose upper side is at height 0.
+SolidSettings slab(Real thickness) {
+    SolidSettings solid;
+    solid.size = {4, thickness, 4};
+    solid.position = {0, -thickness / 2, 0};
+    return solid;
+}
+
+Settings on_slab(Settings settings, Real thickness = Real(0.2)) {
+    settings.solids = {slab(thickness)};
+    return settings;
+}
+
+class BallOnABox : public testing::TestWithParam<ResponseKind> {};
+
+INSTANTIATE_TEST_SUITE_P(All, BallOnABox,
+                         testing::Values(ResponseKind::Projection, ResponseKind::Impulse, ResponseKind::Penalty,
+                                         ResponseKind::Hybrid),
+                         [](const auto& param) { return std::string(name_of(param.param)); });
+
+TEST_P(BallOnABox, FallsBouncesAndRestsAsOnTheGround) {
+    Settings settings = ball_alone(BallMotion::Free, {0, size_of_ball + Real(0.5), 0}, {Real(0.2), 0, 0});
+    settings.contact.response = GetParam();
+    Simulation on_box("box", on_slab(settings));
+    settings.ground.solid = true;
+    Simulation on_ground("ground", settings);
+    for (int step = 0; step < 3000; ++step) {
+        on_box.step(), on_ground.step();
+        ASSERT_LT((on_box.balls()[0].centre - on_ground.balls()[0].centre).norm(), 1e-9) << step;
+        ASSERT_LT((on_box.balls()[0].spin - on_ground.balls()[0].spin).norm(), 1e-6) << step;
+    }
+    EXPECT_GT(on_box.balls()[0].spin.norm(), 0.1) << "friction turns it";
+}
+
+TEST(BallsOnSolids, ADropOfHalfAMetreHasItsTimeAndItsBounce) {
+    Settings settings = ball_alone(BallMotion::Free, {0, size_of_ball + Real(0.5), 0});
+    settings.contact.response = ResponseKind::Impulse;
+    Simulation simulation("drop", on_slab(settings));
+    const Ball& ball = simulation.balls()[0];
+    while (ball.velocity.y() <= 0 && simulation.report().time < 1) simulation.step();
+    const double h = settings.solver.dt, fall = std::sqrt(2 * 0.5 / 9.81);
+    EXPECT_NEAR(simulation.report().time, fall, 1.5 * h);
+    while (ball.velocity.y() > 0) simulation.step();
+    EXPECT_NEAR(simulation.report().time, 1.6 * fall, 3 * h);
+    EXPECT_NEAR(ball.centre.y() - size_of_ball, 0.36 * 0.5, 0.01 * 0.36 * 0.5 + 3 * h * h * 9.81);
+}
+
+TEST(BallsOnSolids, ABallComesToRestOnABoxAndOnACapsule) {
+    for (const SolidKind shape : {SolidKind::Box, SolidKind::Capsule}) {
+        Settings settings = ball_alone(BallMotion::Free, {0, size_of_ball + Real(0.1), 0});
+        settings.contact.restitution = 0;
+        settings.solids = {slab(Real(0.2))};
+        settings.solids[0].shape = shape;
+        settings.solids[0].radius = Real(0.3);
+        settings.solids[0].length = Real(0.5);
+        const Real top = shape == SolidKind::Box ? Real(0) : settings.solids[0].position.y() + Real(0.3) + Real(0.25);
+        settings.balls[0].position.y() = top + size_of_ball + Real(0.1);
+        Simulation simulation("rest", settings);
+        make_steps(simulation, 1500);
+        const Ball& ball = simulation.balls()[0];
+        EXPECT_NEAR(ball.centre.y(), top + size_of_ball, 1e-4);
+        EXPECT_LT(ball.velocity.norm(), 1e-6);
+        EXPECT_LT(simulation.report().penetration, 1e-4);
+    }
+}
+
+TEST(BallsOnSolids, NoBallPassesAPlateHoweverFastAndThin) {
+    // Within a long step, from these heights, it would end on the near side, in the plate, and on the far side
+    for (const Real height : {Real(0.9), Real(0.8), Real(0.77), Real(0.5)}) {
+        for (const double dt : {1.0 / 1024, 1.0 / 60}) {
+            for (const Real turn : {Real(0), Real(35)}) {
+                Settings settings = ball_alone(BallMotion::Free, {0, height, 0}, {0, -50, 0});
+                settings.solver.dt = dt;
+                settings.solver.integrator = IntegratorKind::BackwardEuler;
+                settings.solids = {slab(Real(0.001))};
+                settings.solids[0].axis = {0, 0, 1};
+                settings.solids[0].angle = turn;
+                Simulation simulation("plate", settings);
+                make_steps(simulation, 1);
+                for (int step = 0; step < 20; ++step) {
+                    const Solid& plate = simulation.solids()[0];
+                    const Vec3 seen = plate.orientation.conjugate() * (simulation.balls()[0].centre - plate.position);
+                    ASSERT_GT(seen.y(), size_of_ball - 1e-4) << "from " << height << ", step " << step;
+                    make_steps(simulation, 1);
+                    if (std::abs(seen.x()) > 1 || std::abs(seen.z()) > 1) break;
+                }
+            }
+        }
+    }
+}
+
+TEST(BallsOnSolids, APlateOnAPathTakesABallAlong) {
+    Settings settings = on_slab(ball_alone(BallMotion::Free, {0, Real(0.3), 0}), Real(0.001));
+    settings.contact.restitution = 0;
+    settings.solids[0].motion = SolidMotion::Path;
+    settings.solids[0].path = {{0, Vec3(0, 0, 0)}, {Real(0.1), Vec3(0, 4, 0)}};
+    settings.solver.dt = 1.0 / 60;
+    settings.solver.integrator = IntegratorKind::BackwardEuler;
+    Simulation simulation("lift", settings);
+    make_steps(simulation, 6);
+    EXPECT_GT(simulation.balls()[0].centre.y(), simulation.solids()[0].position.y());
+}
+
+TEST(BallsOnSolids, TheKeysLeadABallOntoThemAndAlongThem) {
+    Settings settings = on_slab(ball_alone(BallMotion::Keys, {0, Real(0.5), 0}));
+    settings.balls[0].speed = 2;
+    Simulation simulation("keys", settings);
+    const Ball& ball = simulation.balls()[0];
+    send(simulation, "steer 0 -1 0");
+    const Real lowest = size_of_ball + 2 * settings.contact.thickness;
+    for (int step = 0; step < 1000; ++step) {
+        simulation.step();
+        ASSERT_GT(ball.centre.y(), lowest - 1e-9);
+    }
+    EXPECT_NEAR(ball.centre.y(), lowest, 1e-9);
+    EXPECT_NEAR(ball.velocity.y(), 0, 1e-9);
+    send(simulation, "steer 0.8 -0.6 0");
+    make_steps(simulation, 500);
+    EXPECT_GT(ball.centre.x(), 0.3) << "it slides";
+    EXPECT_GT(ball.centre.y(), lowest - 1e-9);
+}
+
+TEST(BallsOnSolids, TheKeysLeadABallIntoNoCornerHoweverFast) {
+    Settings settings = on_slab(ball_alone(BallMotion::Keys, {0, Real(0.5), 0}));
+    for (const Vec3& wall : {Vec3(1, 0, 0), Vec3(0, 0, 1)}) {
+        SolidSettings& solid = settings.solids.emplace_back(slab(Real(0.2)));
+        solid.size = {4, 4, 4};
+        solid.size -= Real(3.999) * wall;
+        solid.position = wall;
+    }
+    settings.balls[0].speed = 100;
+    settings.solver.dt = 1.0 / 60;
+    settings.solver.integrator = IntegratorKind::BackwardEuler;
+    Simulation simulation("corner", settings);
+    for (const char* way : {"steer 0.6 -0.5 0.6", "steer 0.7 0 0.7", "steer 0 -0.7 0.7"}) {
+        send(simulation, way);
+        for (int step = 0; step < 40; ++step) {
+            simulation.step();
+            for (const Solid& solid : simulation.solids()) {
+                ASSERT_GT(solid.distance(simulation.balls()[0].centre), size_of_ball) << way << " " << step;
+            }
+            ASSERT_LT(simulation.balls()[0].centre.x(), 1);
+            ASSERT_LT(simulation.balls()[0].centre.z(), 1);
+            ASSERT_GT(simulation.balls()[0].centre.y(), 0);
+        }
+    }
+}
+
+TEST(BallsOnSolids, TheKeysPressABallIntoNoGroove) {
+    Settings settings = ball_alone(BallMotion::Keys, {Real(0.02), Real(0.6), 0});
+    constexpr Real sine_of_60 = Real(0.8660254037844386);
+    for (const Real side : {Real(1), Real(-1)}) {
+        SolidSettings& solid = settings.solids.emplace_back(slab(Real(0.2)));
+        solid.axis = {0, 0, 1};
+        solid.angle = 60 * side;
+        solid.position = {side * Real(0.1) * sine_of_60, Real(-0.05), 0};
+    }
+    settings.balls[0].speed = 60;
+    Simulation simulation("groove", settings);
+    send(simulation, "steer 0 -1 0");
+    for (int step = 0; step < 1000; ++step) {
+        simulation.step();
+        for (const Solid& solid : simulation.solids()) {
+            ASSERT_GT(solid.distance(simulation.balls()[0].centre), size_of_ball) << step;
+        }
+    }
+    EXPECT_NEAR(simulation.balls()[0].centre.y(), 2 * (size_of_ball + 2 * settings.contact.thickness), 0.1);
+}
+
+}  // namespace
+}  // namespace drape
