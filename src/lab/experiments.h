@@ -21,6 +21,10 @@ Experiment hierarchy_experiment();
 /// the full search and with limited ones, against the full search at a step a hundred times smaller.
 Experiment contact_experiment();
 
+/// What response and fail-safe leave where a sheet is thrown at another: crossings, penetration, error of the momentum
+/// that is passed on, tests and time, over thickness and step, with the fail-safe and without, against a shorter step.
+Experiment self_contact_experiment();
+
 /// The five tests of the dissertation that the original was written for: a hierarchy of spheres against one of boxes,
 /// on the original's scene.
 Experiment original_experiment();

@@ -1,0 +1,146 @@
+#include "self_contact_trial.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "drape/contact/crossings.h"
+
+namespace drape {
+namespace {
+
+constexpr std::array<std::size_t, 2> sheets{0, 1};
+
+/// Waved along both axes, by amplitudes at which it nearly keeps its rest lengths.
+void wave(Points& x) {
+    for (Eigen::Index p = 0; p < x.rows(); ++p)
+        x(p, 1) += Real(0.01) * std::sin(9 * x(p, 0)) + Real(0.006) * std::cos(13 * x(p, 2));
+}
+
+/// About the middle.
+void turn(Points& x, const Vec3& axis, Real angle) {
+    const Eigen::RowVector<Real, 3> middle = x.colwise().mean();
+    const Eigen::Matrix<Real, 3, 3> rotation = Eigen::AngleAxis<Real>(angle, axis.normalized()).toRotationMatrix();
+    x = ((x.rowwise() - middle) * rotation.transpose()).rowwise() + middle;
+}
+
+}  // namespace
+
+ThrownSheet throw_sheet(Real speed, Real thickness) {
+    ThrownSheet scene;
+    Settings& settings = scene.settings;
+    settings.cloths.clear();
+    // So far that waves and turns leave a gap, and beside each other so that edges meet the inside
+    for (const Vec3& centre : {Vec3(Real(0.22), Real(0.12), Real(0.31)), Vec3(0, 0, 0)}) {
+        ClothParameters cloth;
+        cloth.particles = {25, 25};
+        cloth.place = centre;
+        cloth.centred = true;
+        cloth.structural = {400, Real(0.02)};
+        cloth.shear = {200, Real(0.02)};
+        cloth.bend = {5, Real(0.01)};
+        cloth.drag = 0;
+        settings.cloths.push_back(cloth);
+        scene.start.push_back(make_rest_state(cloth));
+    }
+    wave(scene.start[0].x);
+    turn(scene.start[0].x, Vec3(Real(0.12), 1, Real(0.08)), Real(0.5));
+    scene.start[0].v.rowwise() = Vec3(speed / 8, -speed, speed / 16).transpose();
+    settings.contact.self = true;
+    settings.contact.thickness = thickness;
+    settings.solver.integrator = IntegratorKind::BackwardEuler;
+    scene.end = 0.1;
+    return scene;
+}
+
+SelfContactTrial::SelfContactTrial(const ThrownSheet& scene, Real step, bool fail_safe)
+    : response_(response_of(scene.settings)), fail_safe_(fail_safe), h_(step) {
+    for (const std::size_t s : sheets) {
+        models_[s] = make_cloth_model(scene.settings.cloths[s]);
+        models_[s].gravity = scene.gravity;
+        states_[s] = scene.start[s];
+        integrators_[s] = make_integrator(integrator_of(scene.settings.solver), models_[s].grid);
+    }
+    const std::array<const ClothModel*, 2> models{&models_[0], &models_[1]};
+    const std::array<const Points*, 2> positions{&states_[0].x, &states_[1].x};
+    contact_.use(scene.settings, models, positions);
+}
+
+SelfContactStep SelfContactTrial::advance() {
+    std::vector<ClothInContact> cloths;
+    for (const std::size_t s : sheets) {
+        before_[s] = states_[s].x;
+        cloths.push_back({models_[s], before_[s], states_[s], no_contacts_[s]});
+    }
+    contact_.take_pushes(response_, h_, standard_gravity().norm(), cloths);
+    contact_.warm_start().before_step(cloths, {});
+    for (const std::size_t s : sheets) integrators_[s]->step(models_[s], states_[s], h_);
+    contact_.warm_start().after_step(cloths, {});
+    contact_.find(response_, cloths, {});
+    resolve_contacts(response_, h_, cloths, contact_.contacts(), {}, {});
+    SelfContactStep step;
+    if (fail_safe_ && contact_.would_cross(cloths)) step.held_back = contact_.hold_back(cloths);
+    step.pair_tests = contact_.report().traversal.volume_tests + contact_.report().listed;
+    step.searched = !contact_.report().gave_up;
+    return step;
+}
+
+Vec3 SelfContactTrial::momentum(std::size_t sheet) const {
+    return models_[sheet].particle_mass * states_[sheet].v.colwise().sum().transpose();
+}
+
+/// Both sheets with themselves and with each other, as boxed cloths, and all of their cells.
+template <class Visit>
+void SelfContactTrial::for_each_two_sheets(Real reach, Visit visit) const {
+    const std::vector<Real> reaches(static_cast<std::size_t>(models_[0].grid.particles()), reach);
+    std::array<CellBoxes, 2> boxes;
+    for (const std::size_t s : sheets) boxes[s].build(models_[s].grid, states_[s].x, reaches);
+    for (const auto& [a, b] : {std::pair(0, 0), std::pair(0, 1), std::pair(1, 1)}) {
+        const auto first = static_cast<std::size_t>(a), second = static_cast<std::size_t>(b);
+        const LeafPair all{all_cells(models_[first].grid), all_cells(models_[second].grid)};
+        visit(BoxedCloth{{a, models_[first].grid, states_[first].x}, boxes[first], reaches},
+              BoxedCloth{{b, models_[second].grid, states_[second].x}, boxes[second], reaches},
+              std::span<const LeafPair>(&all, 1));
+    }
+}
+
+std::int64_t SelfContactTrial::crossings() const {
+    std::int64_t count = 0;
+    for_each_two_sheets(0, [&](const auto&... pair) { count += count_crossings(pair...); });
+    return count;
+}
+
+Real SelfContactTrial::penetration() const {
+    std::vector<NearPair> pairs;
+    const Real thickness = response_.pair_thickness;
+    for_each_two_sheets(thickness / 2, [&](const auto&... pair) { find_near_pairs(pair..., pairs); });
+    Real nearest = thickness;
+    for (const NearPair& pair : pairs) nearest = std::min(nearest, pair.distance);
+    return thickness - nearest;
+}
+
+SelfContactHistory watch_sheets(const ThrownSheet& scene, Real step, bool fail_safe) {
+    SelfContactTrial trial(scene, step, fail_safe);
+    const Vec3 first = trial.momentum(0), both = first + trial.momentum(1);
+    SelfContactHistory history;
+    const auto steps = std::llround(scene.end / static_cast<double>(step));
+    const double share = 1 / static_cast<double>(steps);
+    for (std::int64_t k = 0; k < steps; ++k) {
+        const SelfContactStep done = trial.advance();
+        history.pair_tests += share * static_cast<double>(done.pair_tests);
+        history.held_back += share * static_cast<double>(done.held_back);
+        history.unsearched_steps += done.searched ? 0 : share;
+        history.crossings = trial.crossings();
+        history.crossed_steps += history.crossings > 0 ? share : 0;
+        const Real depth = history.crossings > 0 ? scene.settings.contact.thickness : trial.penetration();
+        history.penetration = std::max(history.penetration, static_cast<double>(depth));
+    }
+    history.given = first - trial.momentum(0);
+    history.momentum_change = static_cast<double>((trial.momentum(0) + trial.momentum(1) - both).norm() / both.norm());
+    return history;
+}
+
+double momentum_error(const SelfContactHistory& run, const SelfContactHistory& reference) {
+    return static_cast<double>((run.given - reference.given).norm() / reference.given.norm());
+}
+
+}  // namespace drape

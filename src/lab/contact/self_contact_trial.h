@@ -1,0 +1,85 @@
+#pragma once
+
+#include <array>
+#include <memory>
+#include <vector>
+
+#include "drape/integrate/integrator.h"
+#include "drape/model/cloth_model.h"
+#include "drape/sim/self_contact.h"
+
+namespace drape {
+
+/// Two free sheets of 1 m: the first, waved and askew, is thrown at the second, which lies still in the air.
+struct ThrownSheet {
+    Settings settings;              ///< of the sheets and their contact, the step left open
+    std::vector<ClothState> start;  ///< of the sheets
+    Vec3 gravity = Vec3::Zero();    ///< [m/s^2]
+    double end = 0;                 ///< of a run [s]
+};
+
+/// @param speed of the first sheet [m/s]
+/// @param thickness of both [m]
+ThrownSheet throw_sheet(Real speed, Real thickness);
+
+/// What a step of a trial has done.
+struct SelfContactStep {
+    std::int64_t pair_tests = 0;  ///< of two volumes, and of two features
+    std::int64_t held_back = 0;   ///< particles
+    bool searched = false;        ///< the search has not given up
+};
+
+/// A simulation without all that contact between cloths does not need: step, search, response, fail-safe, in the order
+/// of `Simulation` and to the same bits, but that it does not divide steps, and may go without the fail-safe.
+class SelfContactTrial {
+public:
+    SelfContactTrial(const ThrownSheet& scene, Real step, bool fail_safe);
+
+    SelfContactStep advance();
+
+    [[nodiscard]] const ClothState& state(std::size_t sheet) const { return states_[sheet]; }
+
+    /// Of one sheet [kg m/s].
+    [[nodiscard]] Vec3 momentum(std::size_t sheet) const;
+
+    /// How many edges cross triangles that they share no particle with, in a sheet or between both: by every pair of
+    /// cells, so that no search is trusted.
+    [[nodiscard]] std::int64_t crossings() const;
+
+    /// By how much two features that share no particle are nearer than the thickness, at most [m].
+    [[nodiscard]] Real penetration() const;
+
+private:
+    template <class Visit>
+    void for_each_two_sheets(Real reach, Visit visit) const;
+
+    ResponseParameters response_;
+    bool fail_safe_;
+    Real h_;
+    std::array<ClothModel, 2> models_;
+    std::array<ClothState, 2> states_;
+    std::array<Points, 2> before_;  ///< positions at the start of the step
+    std::array<std::vector<Contact>, 2> no_contacts_;
+    std::array<std::unique_ptr<Integrator>, 2> integrators_;
+    SelfContact contact_;
+};
+
+/// What one run saw.
+struct SelfContactHistory {
+    std::int64_t crossings = 0;   ///< at the end
+    double crossed_steps = 0;     ///< part of the steps that ended with crossings
+    double unsearched_steps = 0;  ///< part of the steps in which the search gave up
+    double penetration = 0;       ///< largest after any step; the thickness, where cloth crosses cloth [m]
+    Vec3 given = Vec3::Zero();    ///< momentum that the first sheet has lost at the end [kg m/s]
+    double momentum_change = 0;   ///< of both together, part of that at the start
+    double pair_tests = 0;        ///< a step
+    double held_back = 0;         ///< particles, a step
+};
+
+/// Runs a scene to its end.
+SelfContactHistory watch_sheets(const ThrownSheet& scene, Real step, bool fail_safe);
+
+/// By how much what a run has given to the second sheet differs from what a reference has, part of that.
+double momentum_error(const SelfContactHistory& run, const SelfContactHistory& reference);
+
+}  // namespace drape

@@ -1,0 +1,224 @@
+// count_crossings [--time S] [--side N]... [--scene NAME]... [--integrator NAME]... [--play S] [--self false] [--seed
+// K]: counts crossings exactly after every step of the scenes of self contact. First each scene for S seconds, with
+// each grid and each integrator that is stable there; then each for S seconds more as it is shipped, while hand, keys,
+// pins and wind do at random what a user may do.
+
+#include <chrono>
+#include <cstdio>
+#include <iostream>
+#include <random>
+
+#include "drape/base/numbers.h"
+#include "drape/sim/setting_table.h"
+#include "self_scenes.h"
+#include "support/scene_crossings.h"
+
+namespace drape::crossings {
+namespace {
+
+struct Options {
+    std::vector<std::string> scenes, integrators;
+    std::vector<int> sides;
+    double time = 0, play = 0;  ///< simulated [s]
+    bool self = true;
+    unsigned long seed = 1;
+};
+
+Options read_options(int argc, char** argv) {
+    Options options;
+    for (int a = 1; a + 1 < argc; a += 2) {
+        const std::string name = argv[a], value = argv[a + 1];
+        if (name == "--scene") options.scenes.push_back(value);
+        if (name == "--integrator") options.integrators.push_back(value);
+        if (name == "--side") options.sides.push_back(std::stoi(value));
+        if (name == "--time") options.time = std::stod(value);
+        if (name == "--play") options.play = std::stod(value);
+        if (name == "--self") options.self = value != "false";
+        if (name == "--seed") options.seed = std::stoul(value);
+    }
+    if (options.scenes.empty()) options.scenes = {"fold", "stack", "twist", "pinch"};
+    if (options.integrators.empty()) {
+        const auto names = names_of<IntegratorKind>();
+        options.integrators.assign(names.begin(), names.end());
+    }
+    return options;
+}
+
+/// What was seen after the steps of a run.
+struct Tally {
+    std::int64_t steps = 0, crossed = 0, pairs = 0, held_back = 0;
+    int ended = 0;  ///< runs that came to their end before their time
+    std::string trouble;
+    test::SceneCrossings oracle;
+
+    /// @return whether nothing has crossed
+    bool look(const Simulation& simulation) {
+        ++steps;
+        pairs += simulation.report().pairs;
+        held_back += simulation.report().held_back;
+        if (simulation.report().status != Status::Ok) ++ended, trouble = simulation.report().trouble;
+        const std::int64_t count = oracle.count(simulation);
+        if (count > 0) ++crossed;
+        return count == 0;
+    }
+
+    void tell(const std::string& what, double simulated, double seconds) const {
+        std::printf(
+            "%s: %.3f s, %lld steps, %lld with crossings, %lld pairs answered, %lld particles held back, %d ended, "
+            "%.0f s of the clock\n",
+            what.c_str(), simulated, static_cast<long long>(steps), static_cast<long long>(crossed),
+            static_cast<long long>(pairs), static_cast<long long>(held_back), ended, seconds);
+        if (!trouble.empty()) std::printf("  %s\n", trouble.c_str());
+        std::fflush(stdout);
+    }
+};
+
+class Clock {
+public:
+    [[nodiscard]] double seconds() const {
+        return std::chrono::duration<double>(std::chrono::steady_clock::now() - start_).count();
+    }
+
+private:
+    std::chrono::steady_clock::time_point start_ = std::chrono::steady_clock::now();
+};
+
+/// A run that nobody touches. @return its tally; one without steps if the method is stable at none
+Tally run(const Options& options, const std::string& scene, int side, const std::string& integrator) {
+    Tally tally;
+    const Clock clock;
+    Settings settings = scene_of_side(scene, side);
+    settings.contact.self = options.self;
+    if (!use_method(settings, value_named<IntegratorKind>(integrator).value())) return tally;
+    Simulation simulation(scene, std::move(settings));
+    while (simulation.report().time < options.time && simulation.report().status == Status::Ok) {
+        simulation.step();
+        tally.look(simulation);
+    }
+    tally.tell(scene + ", " + std::to_string(side) + " a side, " + integrator, simulation.report().time,
+               clock.seconds());
+    return tally;
+}
+
+/// What a user may do, at random.
+class Player {
+public:
+    Player(const Options& options, const std::string& scene)
+        : random_(options.seed), simulation_(scene, scene_of(scene)) {}
+
+    Tally play(double seconds) {
+        Tally tally;
+        const Clock clock;
+        double played = 0;
+        while (played < seconds) {
+            const std::string command = next_command();
+            done_.push_back(std::to_string(simulation_.report().step) + " " + command);
+            simulation_.apply(parse_command(command));
+            if (command == "reset") done_.clear();
+            const double start = simulation_.report().time, end = start + between(0, random_() % 8 == 0 ? 0.8 : 0.05);
+            bool good = true;
+            while (simulation_.report().time < end && good) {
+                simulation_.step();
+                good = tally.look(simulation_);
+                if (!good) show();
+                good = good && simulation_.report().status == Status::Ok;
+            }
+            played += simulation_.report().time - start;
+            if (!good) simulation_.apply(command::Reset{}), done_.clear();
+        }
+        tally.tell(simulation_.scene() + ", played with", played, clock.seconds());
+        return tally;
+    }
+
+private:
+    static Settings scene_of(const std::string& scene) {
+        Settings settings = scene_of_side(scene, 0);
+        settings.solver.sleep_speed = 0;
+        if (settings.balls.empty()) {
+            BallSettings& ball = settings.balls.emplace_back();
+            ball.radius = Real(0.1);
+            ball.position = Vec3(0, Real(0.3), Real(0.5));
+        }
+        return settings;
+    }
+
+    double between(double low, double high) {
+        return low + (high - low) * static_cast<double>(random_() >> 11) * 0x1p-53;
+    }
+
+    std::string vector(double away) {
+        std::string text;
+        for (int axis = 0; axis < 3; ++axis) text += " " + real_text(between(-away, away), 4);
+        return text;
+    }
+
+    std::string particle() {
+        const std::span<const Cloth> cloths = simulation_.cloths();
+        const std::size_t cloth = random_() % cloths.size();
+        const auto count = static_cast<unsigned>(cloths[cloth].model.grid.particles());
+        return " " + std::to_string(cloth) + " " + std::to_string(random_() % count);
+    }
+
+    std::string next_command() {
+        switch (random_() % 24) {
+            case 0:
+                return "reset";
+            case 1:
+                return "throw" + vector(1) + vector(5);
+            case 2:
+                return "fall";
+            case 3:
+                return "set wind.on=true";
+            case 4:
+                return "set wind.on=false";
+            case 5:
+                return "pin" + particle();
+            case 6:
+            case 7:
+                return "release";
+            case 8:
+            case 9:
+            case 10:
+                return "grab" + particle();
+            case 11:
+            case 12:
+            case 13:
+                return "steer" + vector(1);
+            case 14:
+                return "steer 0 0 0";
+            default:
+                return "drag" + vector(0.8);
+        }
+    }
+
+    void show() const {
+        std::cout << "CROSSED: " << simulation_.scene() << ", step " << simulation_.report().step << "\n";
+        for (const std::string& command : done_) std::cout << "  " << command << "\n";
+    }
+
+    std::mt19937_64 random_;
+    Simulation simulation_;
+    std::vector<std::string> done_;  ///< since the start
+};
+
+int main(int argc, char** argv) {
+    const Options options = read_options(argc, argv);
+    std::int64_t steps = 0, crossed = 0;
+    const auto add = [&](const Tally& tally) { steps += tally.steps, crossed += tally.crossed; };
+    for (const int side : options.sides) {
+        for (const std::string& scene : options.scenes) {
+            for (const std::string& integrator : options.integrators) add(run(options, scene, side, integrator));
+        }
+    }
+    for (const std::string& scene : options.scenes) {
+        if (options.play > 0) add(Player(options, scene).play(options.play));
+    }
+    std::printf("result,steps of scenes of self contact that are searched for crossings,%lld,%lld\n",
+                static_cast<long long>(steps), static_cast<long long>(crossed));
+    return crossed > 0 ? 1 : 0;
+}
+
+}  // namespace
+}  // namespace drape::crossings
+
+int main(int argc, char** argv) { return drape::crossings::main(argc, argv); }
