@@ -44,6 +44,10 @@ Experiment combinations_experiment();
 /// of the penalty, predicted and measured.
 Experiment responses_experiment();
 
+/// How fast the scenes `drop` and `trampoline` are when they fall asleep, and after that with sleep switched off, by
+/// every integrator and response that is stable there.
+Experiment rest_experiment();
+
 /// Every experiment of the laboratory.
 std::vector<Experiment> all_experiments();
 

@@ -1,0 +1,83 @@
+#include "rest_run.h"
+
+#include <algorithm>
+#include <cmath>
+#include <deque>
+#include <numeric>
+#include <utility>
+
+#include "drape/integrate/stability.h"
+#include "drape/sim/scene.h"
+#include "drape/sim/simulation.h"
+#include "drape/sim/sleep_watch.h"
+
+namespace drape {
+namespace {
+
+constexpr double long_step = 1.0 / 60, safe_part = 0.9, after_sleep = 2;
+
+/// Mean square speed of the particles over the last half second.
+class RecentSpeed {
+public:
+    explicit RecentSpeed(double step)
+        : steps_(static_cast<std::size_t>(std::max(1.0, std::round(RestWatch::duration / step)))) {}
+
+    void look(const Points& v) {
+        squares_.push_back(static_cast<double>(v.squaredNorm()) / static_cast<double>(v.rows()));
+        if (squares_.size() > steps_) squares_.pop_front();
+    }
+    [[nodiscard]] double rms() const {
+        return std::sqrt(std::accumulate(squares_.begin(), squares_.end(), 0.0) / static_cast<double>(squares_.size()));
+    }
+
+private:
+    std::size_t steps_;
+    std::deque<double> squares_;
+};
+
+}  // namespace
+
+Settings rest_settings(const RestCase& one, int particles) {
+    Settings settings = load_scene(one.scene);
+    ClothParameters& cloth = settings.cloths[0];
+    if (particles > 0) {
+        cloth.drag *= static_cast<Real>(cloth.particles.particles()) / static_cast<Real>(particles * particles);
+        cloth.particles = {particles, particles};
+    }
+    settings.solver.integrator = one.integrator;
+    settings.contact.response = one.response;
+    if (!has_step_limit(one.integrator)) settings.solver.dt = long_step;
+    const double shortest = settings.solver.dt / 64;
+    const auto is_stable = [&] {
+        return settings.solver.dt <= safe_part * Simulation(one.scene, settings).longest_step();
+    };
+    while (settings.solver.dt >= shortest && !is_stable()) settings.solver.dt /= 2;
+    if (settings.solver.dt < shortest) settings.solver.dt = 0;
+    return settings;
+}
+
+RestRun run_to_rest(const std::string& scene, Settings settings, double seconds) {
+    SolverSettings watched = settings.solver;
+    settings.solver.sleep_speed = 0;
+    Simulation simulation(scene, std::move(settings));
+    SleepWatch watch;
+    RestRun run{.step = watched.dt};
+    RecentSpeed speed(watched.dt);
+    const StepReport& report = simulation.report();
+    const auto goes_on = [&] {
+        const double end = run.asleep < 0 ? seconds : run.asleep + after_sleep;
+        return !run.diverged && report.time < end;
+    };
+    while (goes_on()) {
+        simulation.step();
+        run.diverged = report.status == Status::Diverged;
+        speed.look(simulation.cloths()[0].state.v);
+        if (run.asleep >= 0 || !watch.look(simulation.cloths(), simulation.balls(), report.time, watched)) continue;
+        run.asleep = report.time;
+        run.speed_before = speed.rms();
+    }
+    run.speed_after = speed.rms();
+    return run;
+}
+
+}  // namespace drape

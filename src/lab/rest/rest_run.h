@@ -1,0 +1,40 @@
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "drape/contact/response.h"
+#include "drape/integrate/integrator.h"
+#include "drape/sim/settings.h"
+
+namespace drape {
+
+/// What decides how a scene comes to rest.
+struct RestCase {
+    std::string scene;
+    IntegratorKind integrator{};
+    ResponseKind response{};
+};
+
+/// How a scene has come to rest. All of it is measured without sleep: the scene moves on after the moment at which it
+/// would have fallen asleep.
+struct RestRun {
+    double step = 0;           ///< [s]
+    bool diverged = false;     ///< and ended early
+    double asleep = -1;        ///< when it would have fallen asleep; -1: never [s]
+    double speed_before = -1;  ///< RMS over the particles and the last half second before that; -1: never [m/s]
+    double speed_after = 0;    ///< the same of the last half second of the run [m/s]
+};
+
+/// The settings of a shipped scene with another integrator and response, at the step of the scene under a method that
+/// has a step limit, halved until it is below nine tenths of the limits of method and penalty, else at 1/60 s.
+/// @param particles on each side of its cloth; 0: as shipped. The drag on the whole cloth stays the same.
+/// @return dt = 0 where no step above a 64th of that is stable
+Settings rest_settings(const RestCase& one, int particles);
+
+/// Runs until two seconds after it would have fallen asleep.
+/// @param seconds simulated at most
+/// @param settings whose `sleep_speed` decides when that is
+RestRun run_to_rest(const std::string& scene, Settings settings, double seconds);
+
+}  // namespace drape
