@@ -10,7 +10,7 @@ namespace drape {
 
 namespace {
 
-constexpr std::string_view shift = "Shift+";
+constexpr std::string_view with_shift = "Shift+";
 
 std::string joined(const std::vector<std::string>& words) {
     std::string text;
@@ -147,7 +147,7 @@ const Entry* find_entry(const std::vector<Entry>& entries, std::string_view key)
     const auto found = std::ranges::find_if(
         entries, [&](const Entry& entry) { return std::ranges::find(entry.keys, key) != entry.keys.end(); });
     if (found != entries.end()) return &*found;
-    return key.starts_with(shift) ? find_entry(entries, key.substr(shift.size())) : nullptr;
+    return key.starts_with(with_shift) ? find_entry(entries, key.substr(with_shift.size())) : nullptr;
 }
 
 std::vector<KeyHelp> first_hints() {

@@ -191,6 +191,18 @@ void Marks::fill(const FrameView& view, StreamBuffer& stream) const {
     for (const auto& [from, to] : compared_) add_edge(from, to, past_nodes);
 }
 
+void Marks::add_to(PictureBounds& bounds) const {
+    const auto add = [&bounds](const Vec3& point) { bounds.add(point.cast<float>().eval()); };
+    for (const Outlines::Sphere& sphere : bounds_.spheres) {
+        bounds.add(sphere.centre.cast<float>(), static_cast<float>(sphere.radius));
+    }
+    for (const BoundingSphere& ball : compared_balls_) {
+        bounds.add(ball.centre.cast<float>(), static_cast<float>(ball.radius));
+    }
+    for (const Outlines::Edge& edge : bounds_.edges) add(edge.from), add(edge.to);
+    for (const auto& [from, to] : compared_) add(from), add(to);
+}
+
 void Marks::draw() {
     if (show_particles_) {
         const int plain = structural_count_ + shear_count_;

@@ -6,6 +6,7 @@
 #include "drape/sim/frame_view.h"
 #include "gl_objects.h"
 #include "outlines.h"
+#include "picture_target.h"
 #include "program.h"
 #include "stream_buffer.h"
 
@@ -24,6 +25,9 @@ public:
     void arrange(const FrameView& view, const StreamBuffer& stream);
 
     void fill(const FrameView& view, StreamBuffer& stream) const;
+
+    /// Adds bounds, and what is compared; the rest is at solids, or anywhere.
+    void add_to(PictureBounds& bounds) const;
 
     /// Over the solids, and last of all that has a depth; blending is on.
     void draw();

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <Eigen/Core>
+#include <Eigen/Geometry>
 #include <optional>
 #include <span>
 
@@ -24,9 +25,24 @@ struct DrawnBall {
     Eigen::Vector4f orientation;  ///< x, y, z, w of a quaternion
 };
 
-/// Around all particles and balls as they are drawn; the whole picture if one of them is beside or behind the eye.
-PictureBox solid_box(const Eigen::Matrix4f& view_projection, std::span<const ClothVertex> cloth,
-                     std::span<const DrawnBall> balls, int width, int height);
+/// The box around all that is drawn; the whole picture if something is beside or behind the eye.
+class PictureBounds {
+public:
+    /// @param view_projection from the world to the picture, whose corners are (-1, -1) and (1, 1)
+    PictureBounds(const Eigen::Matrix4f& view_projection, int width, int height)
+        : matrix_(view_projection), width_(width), height_(height) {}
+
+    void add(const Eigen::Vector3f& point);
+    void add(const Eigen::Vector3f& centre, float radius);
+
+    /// Whole pixels, and one around them for what is smoothed; empty if nothing was added.
+    [[nodiscard]] PictureBox box() const;
+
+private:
+    Eigen::Matrix4f matrix_;
+    Eigen::AlignedBox2f box_;
+    int width_, height_;
+};
 
 /// Samples of colour and depth, some for each pixel.
 class SampleBuffers {

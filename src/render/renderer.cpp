@@ -2,6 +2,7 @@
 
 #include <imgui.h>
 
+#include <algorithm>
 #include <array>
 #include <optional>
 #include <string>
@@ -173,9 +174,12 @@ void Renderer::Parts::paint(const FrameView& view) {
 
     const ViewSettings& shown = view.settings->view;
     const bool failed = FailureMark::is_shown(data);
-    const bool marked = shown.bounds || shown.contacts || shown.particles || failed || view.comparison != nullptr;
-    const PictureBox box = solids.box(data.view_projection, stream, width, height);
-    target->begin_samples(marked ? PictureBox{0, 0, width, height} : grown(box, marks.room(), width, height),
+    PictureBounds bounds(data.view_projection, width, height);
+    solids.add_to(bounds, stream);
+    marks.add_to(bounds);
+    const bool anywhere = shown.contacts || shown.particles || failed;
+    const int room = std::max(solids.room(), marks.room());
+    target->begin_samples(anywhere ? PictureBox{0, 0, width, height} : grown(bounds.box(), room, width, height),
                           is_fast(view));
     solids.draw(shown, stream);
     studio.draw_behind();

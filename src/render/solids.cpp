@@ -227,11 +227,14 @@ void Solids::fill_outlines(const FrameView& view, const Viewpoint& from, StreamB
     outlined_index_count_ = static_cast<int>(end - indices);
 }
 
-PictureBox Solids::box(const Eigen::Matrix4f& view_projection, StreamBuffer& stream, int width, int height) const {
-    const PictureBox box =
-        solid_box(view_projection, {stream.data<ClothVertex>(Region::Cloth), fixed_vertices()},
-                  {stream.data<DrawnBall>(Region::Balls), static_cast<std::size_t>(ball_count_)}, width, height);
-    return grown(box, static_cast<int>(std::ceil(std::min(outline_room_, 1e4f))), width, height);
+void Solids::add_to(PictureBounds& bounds, StreamBuffer& stream) const {
+    for (const ClothVertex& vertex : std::span(stream.data<ClothVertex>(Region::Cloth), fixed_vertices())) {
+        bounds.add(Eigen::Map<const Eigen::Vector3f>(vertex.position));
+    }
+    for (const DrawnBall& ball :
+         std::span(stream.data<DrawnBall>(Region::Balls), static_cast<std::size_t>(ball_count_))) {
+        bounds.add(ball.sphere.head<3>(), ball.sphere.w());
+    }
 }
 
 // Cloths, then solids, then cloths with every second particle

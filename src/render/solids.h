@@ -1,6 +1,8 @@
 #pragma once
 
+#include <algorithm>
 #include <array>
+#include <cmath>
 #include <memory>
 #include <vector>
 
@@ -30,9 +32,11 @@ public:
 
     void fill(const FrameView& view, const ClothColours& colours, const Viewpoint& from, StreamBuffer& stream);
 
-    /// Where the picture shows what was filled in.
-    [[nodiscard]] PictureBox box(const Eigen::Matrix4f& view_projection, StreamBuffer& stream, int width,
-                                 int height) const;
+    /// Adds what was filled in.
+    void add_to(PictureBounds& bounds, StreamBuffer& stream) const;
+
+    /// How far the cloth's outline stands out of what was added [pixel].
+    [[nodiscard]] int room() const { return static_cast<int>(std::ceil(std::min(outline_room_, 1e4f))); }
 
     /// Into the shadow map that is bound.
     void draw_shadow();

@@ -165,12 +165,12 @@ TEST(Capture, DrawsFastWithFewerVerticesOfALargeClothAndItsOwnPicture) {
         const Words words = small("hang", {"--frames", "2", "--out", folder_of_it, "--stats", file, "--set",
                                            "cloth.particles=160,160", "dt=1e-5", "view.quality=" + quality});
         EXPECT_EQ(run_program("drape-capture", words).exit_code, 0);
-        return std::pair{text_of(folder_of_it + "/frame_0002.png"), most_of(file, "vertices")};
+        return std::pair{read_png(folder_of_it + "/frame_0002.png").rgb, most_of(file, "vertices")};
     };
     const auto [full, full_vertices] = draw("full");
     const auto [fast, fast_vertices] = draw("fast");
-    EXPECT_EQ(full, draw("auto").first) << "a capture has time";
-    EXPECT_NE(full, fast);
+    EXPECT_TRUE(full == draw("auto").first) << "a capture has time";
+    EXPECT_TRUE(full != fast);
     EXPECT_LT(fast_vertices, 0.4 * full_vertices);
 }
 

@@ -16,8 +16,9 @@ Eigen::Matrix4f matrix() {
 
 PictureBox box_of(const Vec3& point) {
     const Eigen::Vector3f p = point.cast<float>();
-    const ClothVertex vertex{{p.x(), p.y(), p.z()}, {0, 1, 0}, 0, 0, 0};
-    return solid_box(matrix(), {&vertex, 1}, {}, width, height);
+    PictureBounds bounds(matrix(), width, height);
+    bounds.add(p);
+    return bounds.box();
 }
 
 TEST(PictureBox, IsAroundThePixelOfAParticle) {
@@ -39,9 +40,9 @@ TEST(PictureBox, IsAroundTheWholeBall) {
     const Camera camera{ViewSettings()};
     const Ray ray = camera.ray(width / 2, height / 2, width, height);
     const Vec3 centre = ray.origin + 2 * ray.direction;
-    DrawnBall ball;
-    ball.sphere << centre.cast<float>(), 0.2f;
-    const PictureBox box = solid_box(matrix(), {}, {&ball, 1}, width, height);
+    PictureBounds bounds(matrix(), width, height);
+    bounds.add(centre.cast<float>(), 0.2f);
+    const PictureBox box = bounds.box();
     const PictureBox side = box_of(centre + Real(0.2) * camera.right());
     EXPECT_LE(box.left + box.width, width);
     EXPECT_GE(box.left + box.width, side.left + side.width - 1);
@@ -59,7 +60,7 @@ TEST(PictureBox, IsTheWholePictureIfSomethingIsBehindTheEye) {
 }
 
 TEST(PictureBox, IsEmptyIfThereIsNothing) {
-    const PictureBox box = solid_box(matrix(), {}, {}, width, height);
+    const PictureBox box = PictureBounds(matrix(), width, height).box();
     EXPECT_EQ(box.width, 0);
     EXPECT_EQ(box.height, 0);
 }
