@@ -100,6 +100,7 @@ void Window::on_tick() {
     if (panel_frames_ > 0) --panel_frames_, dirty_ = true;
     if (const std::string news = video_.news(); !news.empty()) notices_.add("video", news), dirty_ = true;
     dirty_ |= video_.recording();
+    if (simulation.settings().view.quality != PictureQuality::Auto) pace_ = {};
     pace_.follow(dirty_, elapsed);
     since_drawn_ += elapsed;
     dirty_ |= pace_.unfinished() || (sleeps && since_drawn_ >= asleep_tick);
@@ -127,7 +128,7 @@ void Window::on_display() {
     glutSwapBuffers();
     if (check_) check_->check(session_.view(), camera_);
     picture_time_ = watch.seconds();
-    if (pace_.drew(is_fast(view), picture_time_)) {
+    if (view.settings->view.quality == PictureQuality::Auto && pace_.drew(view.hurried, picture_time_)) {
         notices_.add("quality", "Slow display: what moves is drawn fast, with one sample a pixel (view.quality)");
     }
     since_drawn_ = 0;
@@ -157,6 +158,7 @@ void Window::steer(double elapsed) {
 void Window::follow_replay() {
     for (const Command& command : session_.take_view_commands()) {
         if (std::holds_alternative<command::LoadScene>(command)) start_scene();
+        if (std::holds_alternative<command::Reset>(command)) crossings_told_ = 0;
         camera_.apply(command, session_.view());
     }
 }

@@ -86,6 +86,7 @@ private:
     [[nodiscard]] std::vector<Command> go_to_stop(int stop);
     void show_stop();
     void forget_hint();
+    void forget_run();
     bool close_topmost();
     bool at_panel(const PanelPointer& pointer);
     void take_panel_changes();

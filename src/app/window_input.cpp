@@ -122,6 +122,7 @@ void Window::compare_with(const std::string& versus) {
     dirty_ = true;
     try {
         session_.compare(versus);
+        if (!versus.empty()) forget_run();
     } catch (const std::runtime_error& error) {
         notices_.add("input", error.what());
     }
@@ -314,12 +315,17 @@ bool Window::carry_out(const Command& command) {
     if (std::holds_alternative<command::Quit>(command)) leave();
     if (std::holds_alternative<command::LoadScene>(command)) start_scene();
     if (std::holds_alternative<command::LoadScene>(command) || std::holds_alternative<command::Reset>(command)) {
-        pointer_.forget();
-        steering_.forget_given();
-        told_failure_.clear();
-        crossings_told_ = 0;
+        forget_run();
     }
     return true;
+}
+
+// What was of the run that begins again
+void Window::forget_run() {
+    pointer_.forget();
+    steering_.forget_given();
+    told_failure_.clear();
+    crossings_told_ = 0;
 }
 
 void Window::take_picture() {

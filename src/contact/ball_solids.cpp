@@ -1,6 +1,8 @@
 #include "drape/contact/ball_solids.h"
 
 #include <algorithm>
+#include <cmath>
+#include <limits>
 #include <optional>
 
 namespace drape {
@@ -16,6 +18,9 @@ constexpr Real same_side_of_ball = Real(0.5);
 
 /// Planes that a led ball is stopped by within a substep, one after the other: a corner has three.
 constexpr int most_planes = 4;
+
+/// Of a height that was computed.
+constexpr Real height_rounding = 16 * std::numeric_limits<Real>::epsilon();
 
 /// The surface of a solid next to a ball's centre.
 struct NextTo {
@@ -88,8 +93,10 @@ void stay_outside(std::span<const Solid> solids, Real gap, Real h, Ball& ball) {
         for (const Solid& solid : solids) {
             const auto plane = plane_for(solid, start + solid.moved, ball.centre, radius);
             if (!plane) continue;
+            const Real depth = plane->height + radius - plane->normal.dot(ball.centre);
+            if (depth <= height_rounding * (std::abs(plane->height) + radius)) continue;  // on it, as near as numbers come
             is_out = false;
-            ball.centre += (plane->height + radius - plane->normal.dot(ball.centre)) * plane->normal;
+            ball.centre += depth * plane->normal;
             const Real towards = plane->normal.dot(ball.velocity - solid.velocity);
             ball.velocity -= std::min(towards, Real(0)) * plane->normal;
             ball.moved = h * ball.velocity;

@@ -11,7 +11,7 @@ namespace drape {
 namespace {
 
 /// No coordinate of a scene is larger [m].
-constexpr Real largest_coordinate = Real(1e3);
+constexpr Real largest_coordinate = Real(1e4);
 
 /// Of what is computed from coordinates up to a size [m].
 Real rounding_of(Real size) { return 64 * std::numeric_limits<Real>::epsilon() * size; }
@@ -30,10 +30,9 @@ Vec3 across(const Vec3& u, const Vec3& v) {
 int triangle_beside(const Grid& grid, int from, int to) {
     const auto [first, last] = std::minmax(from, to);
     const int i = first % grid.nx, j = first / grid.nx, cell = j * grid.cell_columns() + i;
-    const int step = last - first;
     // At the far sides of the cloth it is the second one of the cell before
-    if (step == 1) return j < grid.cell_rows() ? 2 * cell : 2 * (cell - grid.cell_columns()) + 1;
-    if (step == grid.nx) return i < grid.cell_columns() ? 2 * cell : 2 * (cell - 1) + 1;
+    if (last / grid.nx == j) return j < grid.cell_rows() ? 2 * cell : 2 * (cell - grid.cell_columns()) + 1;
+    if (last - first == grid.nx) return i < grid.cell_columns() ? 2 * cell : 2 * (cell - 1) + 1;
     return 2 * (cell - 1);
 }
 

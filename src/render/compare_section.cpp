@@ -3,6 +3,7 @@
 #include <imgui.h>
 
 #include <algorithm>
+#include <cmath>
 
 #include "drape/sim/comparison.h"
 #include "overlay_style.h"
@@ -16,11 +17,17 @@ bool can_compare(const Setting& setting, const Settings& settings) {
     return has_panel_row(setting) && setting.section != "view" && section_count(settings, setting) > 0;
 }
 
-// A value to begin with: the next name, the other of two, twice the number
+// A value to begin with: the next name, the other of two, twice the numbers
 SettingValue another_value(const SettingRow& row) {
     if (const bool* flag = std::get_if<bool>(&row.value)) return !*flag;
     if (const double* number = std::get_if<double>(&row.value)) {
-        return *number == 0 ? row.scale.high / 2 : std::clamp(2 * *number, row.scale.low, row.scale.high);
+        const double other = *number == 0 ? row.scale.high / 2 : std::clamp(2 * *number, row.scale.low, row.scale.high);
+        return row.setting->kind == SettingKind::Integer ? std::max(1.0, std::round(other)) : other;
+    }
+    if (const auto* numbers = std::get_if<std::vector<double>>(&row.value)) {
+        std::vector<double> others = *numbers;
+        for (double& one : others) one = std::clamp(2 * one, row.setting->range.low, row.setting->range.high);
+        return others;
     }
     const auto* name = std::get_if<std::string>(&row.value);
     if (name == nullptr) return row.value;

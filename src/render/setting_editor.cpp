@@ -134,6 +134,7 @@ std::optional<SettingValue> SettingEditor::number(const SettingRow& row) {
         // Half a number is none: what is typed counts once it is whole
         held_setting_ = &setting;
         held_values_ = {changed};
+        held_drawn_ = true;
         return std::nullopt;
     }
     if (is_held) held_setting_ = nullptr;
@@ -160,6 +161,7 @@ std::optional<SettingValue> SettingEditor::list(const SettingRow& row) {
         held_setting_ = &setting;
         held_values_ = values;
     }
+    held_drawn_ = held_drawn_ || held_setting_ == &setting;
     if (held_setting_ != &setting || ImGui::IsAnyItemActive()) return std::nullopt;
     held_setting_ = nullptr;
     if (is_grid) {

@@ -50,8 +50,9 @@ public:
     void end_list();
 
     /// A frame has begun, and has ended.
-    void begin_frame() { list_open_ = false; }
+    void begin_frame() { list_open_ = held_drawn_ = false; }
     void end_frame() {
+        if (!held_drawn_) forget();  // its row is folded away
         if (closing_list_) list_open_ = closing_list_ = false;
     }
 
@@ -74,6 +75,7 @@ private:
     const Setting* held_setting_ = nullptr;  ///< that is being changed, and waits for the button to go up
     std::vector<double> held_values_;
     std::vector<double> drawn_values_;
+    bool held_drawn_ = false;  ///< in this frame
     bool list_open_ = false, closing_list_ = false;
 };
 

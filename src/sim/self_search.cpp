@@ -1,6 +1,7 @@
 #include "drape/sim/self_search.h"
 
 #include <algorithm>
+#include <limits>
 
 #include "drape/contact/crossings.h"
 
@@ -20,8 +21,12 @@ constexpr Real pairs_a_square = 30;
 /// Pairs of leaves that are looked through from one look at the length of the list to the next.
 constexpr std::size_t leaves_at_once = 1024;
 
-/// Within which what touches at distance 0 is looked for [m].
-constexpr Real coincident_reach = Real(1e-6);
+/// Within which what touches at distance 0 is looked for [m]: more than the rounding of a scene of some metres.
+constexpr Real coincident_reach = std::max(Real(1e-6), 256 * std::numeric_limits<Real>::epsilon());
+
+/// Pairs of leaves of which all pairs at distance 0 are listed at once: where whole cloths are in one place, there are
+/// thousands in each.
+constexpr std::size_t coincident_leaves_at_once = 64;
 
 /// A cloth at the start of the substep.
 ClothAt at(std::span<const ClothInContact> cloths, int number) {
@@ -102,10 +107,16 @@ std::int64_t SelfSearch::count_crossings(std::span<const Points* const> x) {
 
 std::int64_t SelfSearch::count_coincident(std::span<const Points* const> x) {
     const std::int64_t count = count_between(x, coincident_reach, [&](const auto& first, const auto& second) {
-        near_.clear();
-        find_near_pairs(first, second, leaves_, near_);
-        return std::ranges::count_if(near_,
-                                     [](const NearPair& pair) { return pair.stands_alone && pair.distance == 0; });
+        const std::span all(leaves_);
+        std::int64_t sum = 0;
+        for (std::size_t at = 0; at < all.size(); at += coincident_leaves_at_once) {
+            near_.clear();
+            find_near_pairs(first, second, all.subspan(at, std::min(coincident_leaves_at_once, all.size() - at)),
+                            near_);
+            sum += std::ranges::count_if(near_,
+                                         [](const NearPair& pair) { return pair.stands_alone && pair.distance == 0; });
+        }
+        return sum;
     });
     near_.clear();
     return count;

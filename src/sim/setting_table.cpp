@@ -247,7 +247,7 @@ void add_the_rest(std::vector<Setting>& table) {
     contact.number("friction", &ContactSettings::friction, "", {0, 10},
                    "Coulomb coefficient of balls, with cloth and each other, and of solids");
     contact.number("rolling", &ContactSettings::rolling, "", {0, 1},
-                   "coefficient of rolling resistance of free balls on cloth");
+                   "coefficient of rolling resistance of free balls on cloth and solids");
     contact.number("restitution", &ContactSettings::restitution, "", {0, 1}, "of the normal speed");
     contact.number("thickness", &ContactSettings::thickness, "m", {0, 1}, "by which the cloth is grown on both sides");
     contact.number("stiffness", &ContactSettings::stiffness, "N/m", {1e-3, 1e9},

@@ -132,22 +132,26 @@ TEST(BallsOnSolids, APlateOnAPathTakesABallAlong) {
 }
 
 TEST(BallsOnSolids, TheKeysLeadABallOntoThemAndAlongThem) {
-    Settings settings = on_slab(ball_alone(BallMotion::Keys, {0, Real(0.5), 0}));
-    settings.balls[0].speed = 2;
-    Simulation simulation("keys", settings);
-    const Ball& ball = simulation.balls()[0];
-    send(simulation, "steer 0 -1 0");
-    const Real lowest = size_of_ball + 2 * settings.contact.thickness;
-    for (int step = 0; step < 1000; ++step) {
-        simulation.step();
-        ASSERT_GT(ball.centre.y(), lowest - 1e-9);
+    // Heights at which sums with the radius are rounded, up or down, and one at which they are not
+    for (const Real height : {Real(0), Real(1), Real(0.7), Real(1.3)}) {
+        Settings settings = on_slab(ball_alone(BallMotion::Keys, {0, height + Real(0.5), 0}));
+        settings.solids[0].position.y() += height;
+        settings.balls[0].speed = 2;
+        Simulation simulation("keys", settings);
+        const Ball& ball = simulation.balls()[0];
+        send(simulation, "steer 0 -1 0");
+        const Real lowest = height + size_of_ball + 2 * settings.contact.thickness;
+        for (int step = 0; step < 1000; ++step) {
+            simulation.step();
+            ASSERT_GT(ball.centre.y(), lowest - 1e-9);
+        }
+        EXPECT_NEAR(ball.centre.y(), lowest, 1e-9);
+        EXPECT_NEAR(ball.velocity.y(), 0, 1e-9);
+        send(simulation, "steer 0.8 -0.6 0");
+        make_steps(simulation, 500);
+        EXPECT_GT(ball.centre.x(), 0.3) << "it slides at " << height;
+        EXPECT_GT(ball.centre.y(), lowest - 1e-9);
     }
-    EXPECT_NEAR(ball.centre.y(), lowest, 1e-9);
-    EXPECT_NEAR(ball.velocity.y(), 0, 1e-9);
-    send(simulation, "steer 0.8 -0.6 0");
-    make_steps(simulation, 500);
-    EXPECT_GT(ball.centre.x(), 0.3) << "it slides";
-    EXPECT_GT(ball.centre.y(), lowest - 1e-9);
 }
 
 TEST(BallsOnSolids, TheKeysLeadABallIntoNoCornerHoweverFast) {

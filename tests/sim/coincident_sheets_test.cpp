@@ -163,6 +163,30 @@ TEST(CoincidentFold, IsSaidMovedApartAndCalm) {
     }
 }
 
+// Of such a narrow cloth, a diagonal's particles are as far apart in number as those along a row
+TEST(CoincidentCloths, MayBeOneCellWide) {
+    for (const Grid grid : {Grid{2, 2}, Grid{2, 6}, Grid{6, 2}}) {
+        Settings settings = sheets_at({sheet(Plane::XZ, grid), sheet(Plane::XZ, grid)});
+        Simulation simulation("narrow", settings);
+        EXPECT_THAT(simulation.step_warning(), HasSubstr("cloth touches cloth at distance 0"));
+        run_disturbed(simulation);
+        EXPECT_EQ(crossings_of(simulation), 0) << grid.nx << " x " << grid.ny;
+    }
+}
+
+// Every cell is in one place with every other: a list of all such pairs would not fit
+TEST(CoincidentCloths, MayHaveAllTheirCellsInOnePlace) {
+    Settings settings = sheets_at({sheet(Plane::XZ, {24, 24})});
+    settings.cloths[0].pinned.kind = Pins::Kind::None;
+    std::string state = "t,particle,x,y,z,vx,vy,vz\n";
+    for (int p = 0; p < 24 * 24; ++p) state += "0," + std::to_string(p) + ",0.1,0.2,0.3,0,0,0\n";
+    const test::ScratchFile file("speck.csv");
+    file.write(state);
+    settings.start = file.name();
+    Simulation simulation("speck", settings);
+    EXPECT_THAT(simulation.step_warning(), HasSubstr("cloth touches cloth at distance 0"));
+}
+
 /// Parallel, one above the other.
 TEST(SheetsOnSheets, ComeToRestAThicknessApart) {
     Settings settings = sheets_at({sheet(Plane::XZ), sheet(Plane::XZ, {6, 8}), sheet(Plane::XZ)});

@@ -1,8 +1,10 @@
 #include "self_contact_trial.h"
 
+#include <Eigen/Geometry>
 #include <algorithm>
-#include <cmath>
+#include <numbers>
 
+#include "drape/base/exact_math.h"
 #include "drape/contact/crossings.h"
 
 namespace drape {
@@ -10,16 +12,21 @@ namespace {
 
 constexpr std::array<std::size_t, 2> sheets{0, 1};
 
+constexpr double right_angle = std::numbers::pi / 2;
+
 /// Waved along both axes, by amplitudes at which it nearly keeps its rest lengths.
 void wave(Points& x) {
     for (Eigen::Index p = 0; p < x.rows(); ++p)
-        x(p, 1) += Real(0.01) * std::sin(9 * x(p, 0)) + Real(0.006) * std::cos(13 * x(p, 2));
+        x(p, 1) += static_cast<Real>(0.01 * sine(9 * x(p, 0)) + 0.006 * sine(13 * x(p, 2) + right_angle));
 }
 
 /// About the middle.
 void turn(Points& x, const Vec3& axis, Real angle) {
     const Eigen::RowVector<Real, 3> middle = x.colwise().mean();
-    const Eigen::Matrix<Real, 3, 3> rotation = Eigen::AngleAxis<Real>(angle, axis.normalized()).toRotationMatrix();
+    Eigen::Quaternion<Real> turned;
+    turned.w() = static_cast<Real>(sine(angle / 2 + right_angle));
+    turned.vec() = static_cast<Real>(sine(angle / 2)) * axis.normalized();
+    const Eigen::Matrix<Real, 3, 3> rotation = turned.toRotationMatrix();
     x = ((x.rowwise() - middle) * rotation.transpose()).rowwise() + middle;
 }
 
