@@ -94,7 +94,7 @@ void stay_outside(std::span<const Solid> solids, Real gap, Real h, Ball& ball) {
             const auto plane = plane_for(solid, start + solid.moved, ball.centre, radius);
             if (!plane) continue;
             const Real depth = plane->height + radius - plane->normal.dot(ball.centre);
-            if (depth <= height_rounding * (std::abs(plane->height) + radius)) continue;  // on it, as near as numbers come
+            if (depth <= height_rounding * (std::abs(plane->height) + radius)) continue;  // as near as numbers come
             is_out = false;
             ball.centre += depth * plane->normal;
             const Real towards = plane->normal.dot(ball.velocity - solid.velocity);
