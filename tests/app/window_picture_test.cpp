@@ -60,10 +60,11 @@ private:
 
 class WindowPicture : public test::WindowTest {
 protected:
-    // A recording that makes some steps of a scene and stays there
+    // A recording that makes some steps of a scene and stays there; a window that is slow would say so in its picture
     [[nodiscard]] std::string recording_of(const std::string& scene, int steps) const {
         const std::string name = file(scene + "-" + std::to_string(steps) + ".txt");
-        std::ofstream(name) << "drape-recording 1\nscene " << scene << "\n0 pause\n0 step " << steps << "\n"
+        std::ofstream(name) << "drape-recording 1\nscene " << scene << "\n0 set view.quality=full\n0 pause\n0 step "
+                            << steps << "\n"
                             << steps << " end\n";
         return name;
     }
