@@ -5,7 +5,8 @@ layout(std140) uniform Frame {
     mat4 shadow_matrix;  // world to the shadow map's clip space
     vec4 eye;
     vec4 to_light;
-    vec4 viewport;       // width, height [pixel] and their inverses
+    vec4 viewport;       // width, height [pixel] and their inverses, of what the scene is drawn into
+    vec4 page;           // the same of the picture, for the panels
     vec4 stage;          // centre x, height of the ground, centre z, radius [m]
     vec4 shadow;         // a texel of the shadow map [m], the particles' spacing [m]
     ivec4 counts;        // structural springs, shear springs, segments of a sphere's circle, balls that darken

@@ -9,6 +9,6 @@ out vec4 paint;
 void main() {
     texture_position = texture_position_in;
     paint = tint;
-    vec2 clip = position * viewport.zw * 2.0 - 1.0;
+    vec2 clip = position * page.zw * 2.0 - 1.0;
     gl_Position = vec4(clip.x, -clip.y, 0.0, 1.0);
 }

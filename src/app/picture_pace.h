@@ -20,12 +20,12 @@ public:
     /// Whether the last picture was drawn fast, and what it shows stands still by now.
     [[nodiscard]] bool unfinished() const { return drawn_fast_ && !hurried(); }
 
-    static constexpr double patience = 0.3;       ///< without motion, before a picture is drawn in full [s]
-    static constexpr double longest = 1.0 / 25;   ///< that a full picture may take [s]
-    static constexpr double most_lost = 0.2;      ///< on full pictures that take longer, one after the other [s]
-    static constexpr int least_slow = 3;          ///< of them; the first pictures of a scene take longer than others
-    static constexpr double shortest = 1.0 / 60;  ///< of a fast picture, if full ones are to be tried again [s]
-    static constexpr int least_quick = 50;        ///< such pictures, one after the other
+    static constexpr double patience = 0.3;        ///< without motion, before a picture is drawn in full [s]
+    static constexpr double longest = 1.0 / 25;    ///< that a full picture may take [s]
+    static constexpr double most_lost = 0.2;       ///< on full pictures that take longer, one after the other [s]
+    static constexpr int least_slow = 3;           ///< of them; the first pictures of a scene take longer than others
+    static constexpr double shortest = 1.0 / 120;  ///< of a fast picture, if full ones are to be tried again [s]
+    static constexpr int least_quick = 50;         ///< such pictures, one after the other
 
 private:
     bool slow_ = false, drawn_fast_ = false;

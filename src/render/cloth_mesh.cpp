@@ -118,15 +118,16 @@ std::vector<std::uint32_t> triangle_indices(std::span<const Grid> grids) {
     return indices;
 }
 
-std::vector<std::uint32_t> coarse_triangle_indices(std::span<const Grid> grids) {
+std::vector<std::uint32_t> coarse_triangle_indices(std::span<const Grid> grids, int step) {
     std::vector<std::uint32_t> indices;
     int first = 0;
     for (const Grid& grid : grids) {
-        const Grid coarse{grid.nx / 2 + 1, grid.ny / 2 + 1};
+        const auto cells = [step](int particles) { return (particles - 2 + step) / step; };
+        const Grid coarse{cells(grid.nx) + 1, cells(grid.ny) + 1};
         for (const std::uint32_t corner : triangle_indices({&coarse, 1})) {
             const int p = static_cast<int>(corner);
-            const int column = std::min(2 * (p % coarse.nx), grid.nx - 1);
-            const int row = std::min(2 * (p / coarse.nx), grid.ny - 1);
+            const int column = std::min(step * (p % coarse.nx), grid.nx - 1);
+            const int row = std::min(step * (p / coarse.nx), grid.ny - 1);
             indices.push_back(static_cast<std::uint32_t>(first + row * grid.nx + column));
         }
         first += grid.particles();

@@ -42,8 +42,8 @@ bool update_grids(const FrameView& view, std::vector<Grid>& grids);
 /// last corner of both triangles of a cell is its corner b.
 std::vector<std::uint32_t> triangle_indices(std::span<const Grid> grids);
 
-/// The same of every second row and column of their particles, and of the last ones: a quarter of the triangles.
-std::vector<std::uint32_t> coarse_triangle_indices(std::span<const Grid> grids);
+/// The same of each `step`-th row and column of their particles, and of the last ones: step * step times fewer.
+std::vector<std::uint32_t> coarse_triangle_indices(std::span<const Grid> grids, int step);
 
 /// The ends of all their springs, two indices each, kind by kind.
 struct SpringIndices {

@@ -175,15 +175,25 @@ std::array<Eigen::Vector4f, 2> failure_ends(const FrameView& view) {
 
 }  // namespace
 
-FrameData make_frame_data(const FrameView& view, const Camera& camera, int width, int height, int shadow_texels) {
+namespace {
+
+Eigen::Vector4f sides_and_inverses(const PictureSize& size) {
+    const auto width = static_cast<float>(size.width), height = static_cast<float>(size.height);
+    return {width, height, 1 / width, 1 / height};
+}
+
+}  // namespace
+
+FrameData make_frame_data(const FrameView& view, const Camera& camera, const PictureSize& picture,
+                          const PictureSize& drawn, int shadow_texels) {
     FrameData data{};
-    const float aspect = static_cast<float>(width) / static_cast<float>(height);
+    data.viewport = sides_and_inverses(drawn);
+    data.page = sides_and_inverses(picture);
+    const float aspect = data.page.x() / data.page.y();
     data.view_projection = camera.projection_matrix(aspect) * camera.view_matrix();
     data.inverse_view_projection = data.view_projection.inverse();
     const Eigen::Vector3f eye = camera.eye();
     data.eye = {eye.x(), eye.y(), eye.z(), 1};
-    data.viewport << static_cast<float>(width), static_cast<float>(height), 1 / static_cast<float>(width),
-        1 / static_cast<float>(height);
 
     light_the_scene(view, shadow_texels, data);
 
@@ -197,6 +207,8 @@ FrameData make_frame_data(const FrameView& view, const Camera& camera, int width
     const auto colour_of = [](const NodeLook& look) { return Eigen::Vector4f(look.colour.data()); };
     std::ranges::transform(node_looks(), data.node_colours.begin(), colour_of);
     data.node_colours.back() = {0.05f, 0.05f, 0.08f, 0.75f};
+    // Lines are a pixel wide; those that are magnified are fainter instead
+    for (Eigen::Vector4f& colour : data.node_colours) colour.w() *= data.viewport.x() / data.page.x();
     std::ranges::transform(value_colours(), data.value_colours.begin(), linear);
     std::ranges::transform(group_colours(), data.group_colours.begin(), linear);
     const ColourBy by = settings.colour;

@@ -4,6 +4,7 @@
 #include <array>
 
 #include "drape/render/camera.h"
+#include "drape/render/image.h"
 #include "drape/sim/frame_view.h"
 
 namespace drape {
@@ -17,7 +18,8 @@ struct FrameData {
     Eigen::Matrix4f shadow_matrix;  ///< world to the shadow map's clip space
     Eigen::Vector4f eye;
     Eigen::Vector4f to_light;
-    Eigen::Vector4f viewport;   ///< width, height [pixel] and their inverses
+    Eigen::Vector4f viewport;   ///< width, height [pixel] and their inverses, of what the scene is drawn into
+    Eigen::Vector4f page;       ///< the same of the picture, for the panels
     Eigen::Vector4f stage;      ///< centre x, height of the ground, centre z, radius [m]
     Eigen::Vector4f shadow;     ///< a texel of the shadow map [m], the particles' spacing [m]
     std::array<int, 4> counts;  ///< structural springs, shear springs, segments of a sphere's circle, balls that darken
@@ -49,6 +51,8 @@ Eigen::AlignedBox3f drawn_solid_box(const FrameView& view, std::size_t number, c
 Eigen::Vector4f drawn_orientation(const FrameView& view, std::size_t number);
 
 /// The block but for its `counts`.
-FrameData make_frame_data(const FrameView& view, const Camera& camera, int width, int height, int shadow_texels);
+/// @param drawn what the scene is drawn into, in the shape of the picture
+FrameData make_frame_data(const FrameView& view, const Camera& camera, const PictureSize& picture,
+                          const PictureSize& drawn, int shadow_texels);
 
 }  // namespace drape

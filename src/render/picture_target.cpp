@@ -13,13 +13,9 @@ namespace {
 
 constexpr int wanted_samples = 4;
 
-void attach(Gl& gl, const Renderbuffer& buffer, GLenum attachment) {
-    gl(glFramebufferRenderbuffer, GLenum{GL_FRAMEBUFFER}, attachment, GLenum{GL_RENDERBUFFER}, buffer.name());
-}
-
-void check_complete(Gl& gl, int width, int height) {
+void check_complete(Gl& gl, const PictureSize& size) {
     if (gl(glCheckFramebufferStatus, GLenum{GL_FRAMEBUFFER}) != GL_FRAMEBUFFER_COMPLETE) {
-        throw RunError("OpenGL refuses a picture of " + std::to_string(width) + "x" + std::to_string(height) +
+        throw RunError("OpenGL refuses a picture of " + std::to_string(size.width) + "x" + std::to_string(size.height) +
                        " pixels");
     }
 }
@@ -60,53 +56,63 @@ PictureBox PictureBounds::box() const {
     return {left, low, edge(most.x(), width_, 2) - left, edge(most.y(), height_, 2) - low};
 }
 
-SampleBuffers::SampleBuffers(Gl& gl, int width, int height, int samples) : colour_(gl), depth_(gl), framebuffer_(gl) {
+// Leaves its texture bound to unit 2
+PictureLayer::PictureLayer(Gl& gl, const PictureSize& size, int samples)
+    : size_(size), colour_(gl), sample_colour_(gl), sample_depth_(gl), plain_(gl), samples_(gl) {
+    const auto attach = [&gl](const Renderbuffer& buffer, GLenum attachment) {
+        gl(glFramebufferRenderbuffer, GLenum{GL_FRAMEBUFFER}, attachment, GLenum{GL_RENDERBUFFER}, buffer.name());
+    };
     GLint most = 0;
     gl(glGetIntegerv, GLenum{GL_MAX_SAMPLES}, &most);
     const int count = samples > 1 ? std::min(samples, static_cast<int>(most)) : 0;
     const auto store = [&](const Renderbuffer& buffer, GLenum format) {
         gl(glBindRenderbuffer, GLenum{GL_RENDERBUFFER}, buffer.name());
-        gl(glRenderbufferStorageMultisample, GLenum{GL_RENDERBUFFER}, count, format, width, height);
+        gl(glRenderbufferStorageMultisample, GLenum{GL_RENDERBUFFER}, count, format, size.width, size.height);
     };
-    store(colour_, GL_RGBA8);
-    store(depth_, GL_DEPTH_COMPONENT24);
-    gl(glBindFramebuffer, GLenum{GL_FRAMEBUFFER}, framebuffer_.name());
-    attach(gl, colour_, GL_COLOR_ATTACHMENT0);
-    attach(gl, depth_, GL_DEPTH_ATTACHMENT);
-    check_complete(gl, width, height);
-}
+    store(sample_colour_, GL_RGBA8);
+    store(sample_depth_, GL_DEPTH_COMPONENT24);
+    gl(glBindFramebuffer, GLenum{GL_FRAMEBUFFER}, samples_.name());
+    attach(sample_colour_, GL_COLOR_ATTACHMENT0);
+    attach(sample_depth_, GL_DEPTH_ATTACHMENT);
+    check_complete(gl, size);
 
-PictureTarget::PictureTarget(Gl& gl, int width, int height)
-    : gl_(gl),
-      width_(width),
-      height_(height),
-      samples_(gl, width, height, wanted_samples),
-      resolved_colour_(gl),
-      resolved_(gl) {
     const GLenum target = GL_TEXTURE_2D;
     gl(glActiveTexture, GLenum{GL_TEXTURE2});
-    gl(glBindTexture, target, resolved_colour_.name());
-    gl(glTexImage2D, target, 0, GLint{GL_RGBA8}, width, height, 0, GLenum{GL_RGBA}, GLenum{GL_UNSIGNED_BYTE},
+    gl(glBindTexture, target, colour_.name());
+    gl(glTexImage2D, target, 0, GLint{GL_RGBA8}, size.width, size.height, 0, GLenum{GL_RGBA}, GLenum{GL_UNSIGNED_BYTE},
        static_cast<const void*>(nullptr));
     gl(glTexParameteri, target, GLenum{GL_TEXTURE_MIN_FILTER}, GLint{GL_NEAREST});
     gl(glTexParameteri, target, GLenum{GL_TEXTURE_MAG_FILTER}, GLint{GL_NEAREST});
     gl(glActiveTexture, GLenum{GL_TEXTURE0});
-    gl(glBindFramebuffer, GLenum{GL_FRAMEBUFFER}, resolved_.name());
-    gl(glFramebufferTexture2D, GLenum{GL_FRAMEBUFFER}, GLenum{GL_COLOR_ATTACHMENT0}, target, resolved_colour_.name(),
-       0);
-    check_complete(gl, width, height);
+    gl(glBindFramebuffer, GLenum{GL_FRAMEBUFFER}, plain_.name());
+    gl(glFramebufferTexture2D, GLenum{GL_FRAMEBUFFER}, GLenum{GL_COLOR_ATTACHMENT0}, target, colour_.name(), 0);
+    check_complete(gl, size);
 }
 
-void PictureTarget::begin() {
-    gl_(glBindFramebuffer, GLenum{GL_FRAMEBUFFER}, resolved_.name());
-    gl_(glViewport, 0, 0, width_, height_);
+PictureTarget::PictureTarget(Gl& gl, const PictureSize& size)
+    : gl_(gl), full_(gl, size, wanted_samples), layer_(&full_) {}
+
+PictureSize PictureTarget::drawn_size(bool fast) const {
+    const PictureSize& size = full_.size();
+    return fast ? PictureSize{(size.width + 1) / 2, (size.height + 1) / 2} : size;
 }
 
-void PictureTarget::begin_samples(const PictureBox& box, bool fast) {
+void PictureTarget::begin(bool fast) {
+    if (fast && !half_) half_.emplace(gl_, drawn_size(fast), 1);
+    const PictureLayer* const wanted = fast ? &*half_ : &full_;
+    if (wanted != layer_) {
+        layer_ = wanted;
+        gl_(glActiveTexture, GLenum{GL_TEXTURE2});
+        gl_(glBindTexture, GLenum{GL_TEXTURE_2D}, layer_->texture());
+        gl_(glActiveTexture, GLenum{GL_TEXTURE0});
+    }
+    gl_(glBindFramebuffer, GLenum{GL_FRAMEBUFFER}, layer_->plain());
+    gl_(glViewport, 0, 0, layer_->size().width, layer_->size().height);
+}
+
+void PictureTarget::begin_samples(const PictureBox& box) {
     box_ = box;
-    if (fast && !single_) single_.emplace(gl_, width_, height_, 1);
-    const SampleBuffers& samples = fast ? *single_ : samples_;
-    gl_(glBindFramebuffer, GLenum{GL_FRAMEBUFFER}, samples.framebuffer().name());
+    gl_(glBindFramebuffer, GLenum{GL_FRAMEBUFFER}, layer_->samples());
     gl_(glEnable, GLenum{GL_SCISSOR_TEST});
     gl_(glScissor, box.left, box.low, box.width, box.height);
     gl_(glClear, GLbitfield{GL_COLOR_BUFFER_BIT | GL_DEPTH_BUFFER_BIT});
@@ -115,32 +121,40 @@ void PictureTarget::begin_samples(const PictureBox& box, bool fast) {
 void PictureTarget::resolve() {
     const int right = box_.left + box_.width, high = box_.low + box_.height;
     gl_(glDisable, GLenum{GL_SCISSOR_TEST});
-    gl_(glBindFramebuffer, GLenum{GL_DRAW_FRAMEBUFFER}, resolved_.name());
+    gl_(glBindFramebuffer, GLenum{GL_DRAW_FRAMEBUFFER}, layer_->plain());
     gl_(glBlitFramebuffer, box_.left, box_.low, right, high, box_.left, box_.low, right, high,
         GLbitfield{GL_COLOR_BUFFER_BIT}, GLenum{GL_NEAREST});
+    if (layer_ == &full_) return;
+    const auto [width, height] = full_.size();
+    gl_(glBindFramebuffer, GLenum{GL_READ_FRAMEBUFFER}, layer_->plain());
+    gl_(glBindFramebuffer, GLenum{GL_DRAW_FRAMEBUFFER}, full_.plain());
+    gl_(glBlitFramebuffer, 0, 0, layer_->size().width, layer_->size().height, 0, 0, width, height,
+        GLbitfield{GL_COLOR_BUFFER_BIT}, GLenum{GL_LINEAR});
+    gl_(glViewport, 0, 0, width, height);
 }
 
 void PictureTarget::present() {
-    gl_(glBindFramebuffer, GLenum{GL_READ_FRAMEBUFFER}, resolved_.name());
+    const auto [width, height] = full_.size();
+    gl_(glBindFramebuffer, GLenum{GL_READ_FRAMEBUFFER}, full_.plain());
     gl_(glBindFramebuffer, GLenum{GL_DRAW_FRAMEBUFFER}, 0u);
-    gl_(glBlitFramebuffer, 0, 0, width_, height_, 0, 0, width_, height_, GLbitfield{GL_COLOR_BUFFER_BIT},
+    gl_(glBlitFramebuffer, 0, 0, width, height, 0, 0, width, height, GLbitfield{GL_COLOR_BUFFER_BIT},
         GLenum{GL_NEAREST});
 }
 
 Image PictureTarget::read_back() {
     // With four bytes a pixel, as it is stored, it is copied; with three it would be converted, at ten times the cost
-    const auto pixels = static_cast<std::size_t>(width_) * static_cast<std::size_t>(height_);
+    const auto [width, height] = full_.size();
+    const auto pixels = static_cast<std::size_t>(width) * static_cast<std::size_t>(height);
     std::vector<std::uint8_t> rgba(4 * pixels);
-    gl_(glBindFramebuffer, GLenum{GL_READ_FRAMEBUFFER}, resolved_.name());
-    gl_(glReadPixels, 0, 0, width_, height_, GLenum{GL_RGBA}, GLenum{GL_UNSIGNED_BYTE},
-        static_cast<void*>(rgba.data()));
+    gl_(glBindFramebuffer, GLenum{GL_READ_FRAMEBUFFER}, full_.plain());
+    gl_(glReadPixels, 0, 0, width, height, GLenum{GL_RGBA}, GLenum{GL_UNSIGNED_BYTE}, static_cast<void*>(rgba.data()));
 
     // OpenGL's first row is the lowest
-    Image image{width_, height_, std::vector<std::uint8_t>(3 * pixels)};
+    Image image{width, height, std::vector<std::uint8_t>(3 * pixels)};
     std::uint8_t* to = image.rgb.data();
-    for (int y = height_ - 1; y >= 0; --y) {
-        const std::uint8_t* from = &rgba[4 * static_cast<std::size_t>(y) * static_cast<std::size_t>(width_)];
-        for (int x = 0; x < width_; ++x, from += 4, to += 3) std::copy_n(from, 3, to);
+    for (int y = height - 1; y >= 0; --y) {
+        const std::uint8_t* from = &rgba[4 * static_cast<std::size_t>(y) * static_cast<std::size_t>(width)];
+        for (int x = 0; x < width; ++x, from += 4, to += 3) std::copy_n(from, 3, to);
     }
     return image;
 }

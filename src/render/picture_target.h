@@ -44,51 +44,59 @@ private:
     int width_, height_;
 };
 
-/// Samples of colour and depth, some for each pixel.
-class SampleBuffers {
+/// A plain framebuffer of a size, and one with samples for the box in which there are outlines. The plain one is also a
+/// texture, to be read while the samples are drawn.
+class PictureLayer {
 public:
     /// @param samples for each pixel, as far as OpenGL has them
     /// @throws RunError if OpenGL refuses the size
-    SampleBuffers(Gl& gl, int width, int height, int samples);
+    PictureLayer(Gl& gl, const PictureSize& size, int samples);
 
-    [[nodiscard]] const Framebuffer& framebuffer() const { return framebuffer_; }
+    [[nodiscard]] const PictureSize& size() const { return size_; }
+    [[nodiscard]] GLuint texture() const { return colour_.name(); }
+    [[nodiscard]] GLuint plain() const { return plain_.name(); }
+    [[nodiscard]] GLuint samples() const { return samples_.name(); }
 
 private:
-    Renderbuffer colour_, depth_;
-    Framebuffer framebuffer_;
+    PictureSize size_;
+    Texture colour_;
+    Renderbuffer sample_colour_, sample_depth_;
+    Framebuffer plain_, samples_;
 };
 
-/// The plain framebuffer that has the picture, and that with samples for the box in which there are outlines.
-/// The picture is also the texture of unit 2, to be read while the samples are drawn.
+/// The picture, and what the scene is drawn into: the picture itself, or for fast pictures a layer of half its width
+/// and height with one sample for each pixel, at a quarter of the cost with llvmpipe.
 class PictureTarget {
 public:
     /// @throws RunError if OpenGL refuses the size
-    PictureTarget(Gl& gl, int width, int height);
+    PictureTarget(Gl& gl, const PictureSize& size);
+
+    /// How large the scene is drawn, of a picture that is drawn in full or fast.
+    [[nodiscard]] PictureSize drawn_size(bool fast) const;
 
     /// Starts a picture: what follows is drawn plainly and without depth.
-    void begin();
-
-    /// What follows is drawn into samples, from nothing, and into a box only.
-    /// @param fast one sample for each pixel, at half the cost with llvmpipe
     /// @throws RunError if OpenGL refuses the size
-    void begin_samples(const PictureBox& box, bool fast);
+    void begin(bool fast);
 
-    /// Puts the averages of the samples into the picture; what follows is drawn plainly again.
+    /// What follows is drawn into samples, from nothing, and into a box only. What was drawn plainly is the texture of
+    /// unit 2.
+    void begin_samples(const PictureBox& box);
+
+    /// Puts the averages of the samples into the picture, magnified if the layer is smaller; what follows is drawn
+    /// plainly, over the whole picture.
     void resolve();
 
-    /// Copies the resolved picture to framebuffer 0, and leaves that bound.
+    /// Copies the picture to framebuffer 0, and leaves that bound.
     void present();
 
     [[nodiscard]] Image read_back();
 
 private:
     Gl& gl_;
-    int width_, height_;
     PictureBox box_;
-    SampleBuffers samples_;
-    std::optional<SampleBuffers> single_;  ///< for fast pictures, once there is one
-    Texture resolved_colour_;
-    Framebuffer resolved_;
+    PictureLayer full_;
+    std::optional<PictureLayer> half_;  ///< once a picture was drawn fast
+    const PictureLayer* layer_;         ///< into which the scene is drawn
 };
 
 }  // namespace drape

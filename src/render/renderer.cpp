@@ -83,7 +83,7 @@ void Renderer::resize(int width, int height) {
     parts_->width = width;
     parts_->height = height;
     parts_->target.reset();
-    if (width >= 1 && height >= 1) parts_->target.emplace(parts_->gl, width, height);
+    if (width >= 1 && height >= 1) parts_->target.emplace(parts_->gl, PictureSize{width, height});
 }
 
 void Renderer::set_help(std::vector<KeyHelp> lines) { parts_->panels.help = std::move(lines); }
@@ -149,13 +149,14 @@ void Renderer::Parts::prepare(const FrameView& view, const Camera& camera, std::
     painter.arrange(stream);
 
     // Everything into it, and up
-    FrameData data = make_frame_data(view, camera, width, height, ShadowMap::texels);
+    const PictureSize drawn = target->drawn_size(is_fast(view));
+    FrameData data = make_frame_data(view, camera, {width, height}, drawn, ShadowMap::texels);
     data.counts[0] = marks.structural_springs();
     data.counts[1] = marks.shear_springs();
     data.counts[2] = marks.segments();
     data.shadow[1] = marks.spacing();
     *stream.data<FrameData>(Region::Frame) = data;
-    const float pixels = data.view_projection.row(1).head<3>().norm() * static_cast<float>(height) / 2;
+    const float pixels = data.view_projection.row(1).head<3>().norm() * static_cast<float>(drawn.height) / 2;
     solids.fill(view, colours, {camera.eye(), pixels}, stream);
     marks.fill(view, stream);
     painter.fill(stream);
@@ -168,19 +169,19 @@ void Renderer::Parts::paint(const FrameView& view) {
 
     const FrameData& data = *stream.data<FrameData>(Region::Frame);
     studio.follow(data);
-    target->begin();
+    target->begin(is_fast(view));
     studio.copy();
     studio.draw_shadows();
 
     const ViewSettings& shown = view.settings->view;
     const bool failed = FailureMark::is_shown(data);
-    PictureBounds bounds(data.view_projection, width, height);
+    const auto [wide, high] = target->drawn_size(is_fast(view));
+    PictureBounds bounds(data.view_projection, wide, high);
     solids.add_to(bounds, stream);
     marks.add_to(bounds);
     const bool anywhere = shown.contacts || shown.particles || failed;
     const int room = std::max(solids.room(), marks.room());
-    target->begin_samples(anywhere ? PictureBox{0, 0, width, height} : grown(bounds.box(), room, width, height),
-                          is_fast(view));
+    target->begin_samples(anywhere ? PictureBox{0, 0, wide, high} : grown(bounds.box(), room, wide, high));
     solids.draw(shown, stream);
     studio.draw_behind();
     gl(glEnable, GLenum{GL_BLEND});

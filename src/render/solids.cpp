@@ -16,8 +16,15 @@ namespace {
 // Fine enough that the outline of a ball that fills the picture is round: 0.1 % of the radius off
 constexpr int sphere_rows = 36, sphere_columns = 72;
 
-// Of larger cloths, fast pictures show every second particle
-constexpr std::size_t most_drawn_fast = 20'000;
+// Of larger cloths, fast pictures leave out rows and columns
+constexpr std::size_t most_drawn_fast = 10'000;
+
+// Every how many-th row and column fast pictures show
+int coarse_step(std::size_t particles) {
+    int step = 1;
+    while (particles / static_cast<std::size_t>(step * step) > most_drawn_fast) ++step;
+    return step;
+}
 
 std::vector<Eigen::Vector3f> unit_sphere() {
     std::vector<Eigen::Vector3f> points;
@@ -188,7 +195,7 @@ void Solids::arrange(const FrameView& view, StreamBuffer& stream) {
     cloth_index_count_ = static_cast<int>(indices.size());
     append_indices(meshes_, particle_count_, indices);
     body_index_count_ = static_cast<int>(indices.size()) - cloth_index_count_;
-    const std::vector<std::uint32_t> coarse = coarse_triangle_indices(grids_);
+    const std::vector<std::uint32_t> coarse = coarse_triangle_indices(grids_, coarse_step(particle_count_));
     coarse_index_count_ = static_cast<int>(coarse.size());
     indices.insert(indices.end(), coarse.begin(), coarse.end());
     cloths_.bind();

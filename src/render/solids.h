@@ -65,7 +65,7 @@ private:
     std::vector<TriangleMesh> meshes_;                       ///< of the shapes
     SmoothOutline outline_;
     bool smooth_ = false;
-    bool coarse_ = false;  ///< every second particle is drawn
+    bool coarse_ = false;  ///< rows and columns of particles are left out
     int outlined_index_count_ = 0;
     float outline_room_ = 0;  ///< how far the outline stands out of the triangles between particles [pixel]
     bool bodies_changed_ = false;

@@ -102,10 +102,17 @@ TEST(ClothMesh, HasPlacesInMetresAndTrianglesThatEndAtCornerB) {
     }
 }
 
-TEST(ClothMesh, ReachesTheEdgesOfEachClothWithEverySecondParticleToo) {
-    for (const auto& [nx, ny, cells] : {std::tuple{7, 5, 6}, {6, 4, 6}, {2, 2, 1}, {3, 8, 4}}) {
+TEST(ClothMesh, ReachesTheEdgesOfEachClothWithFewerParticlesToo) {
+    for (const auto& [nx, ny, step, cells] : {std::tuple{7, 5, 2, 6},
+                                              {6, 4, 2, 6},
+                                              {2, 2, 2, 1},
+                                              {3, 8, 2, 4},
+                                              {7, 5, 1, 24},
+                                              {7, 8, 3, 6},
+                                              {8, 9, 3, 9},
+                                              {3, 2, 5, 1}}) {
         const std::vector<Grid> grids{{nx, ny}, {nx, ny}};
-        const std::vector<std::uint32_t> indices = coarse_triangle_indices(grids);
+        const std::vector<std::uint32_t> indices = coarse_triangle_indices(grids, step);
         ASSERT_EQ(indices.size(), 2u * 2 * 3 * static_cast<std::size_t>(cells));
 
         // Seen from the front, all turn the same way, and together they cover the whole grid, twice
