@@ -5,10 +5,10 @@
 #include <string_view>
 #include <vector>
 
+#include "drape/render/entries.h"
 #include "drape/sim/command.h"
 #include "drape/sim/setting_table.h"
 #include "drape/sim/simulation.h"
-#include "entries.h"
 
 namespace drape {
 

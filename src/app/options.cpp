@@ -1,9 +1,9 @@
 #include "options.h"
 
 #include "drape/base/program.h"
+#include "drape/render/entries.h"
 #include "drape/sim/scene.h"
 #include "drape/sim/setting_table.h"
-#include "entries.h"
 
 namespace drape {
 

@@ -5,7 +5,7 @@
 #include <vector>
 
 #include "drape/render/camera.h"
-#include "entries.h"
+#include "drape/render/entries.h"
 
 namespace drape {
 

@@ -8,8 +8,10 @@
 #include "drape/base/input_error.h"
 #include "drape/base/numbers.h"
 #include "drape/base/run_program.h"
+#include "drape/render/entries.h"
 #include "drape/render/picture_texts.h"
 #include "drape/sim/failure.h"
+#include "drape/sim/scene.h"
 #include "drape/sim/state_csv.h"
 
 namespace drape {
@@ -64,6 +66,7 @@ Capture::Capture(CaptureOptions options, const StopSignals& signals)
         context_ = std::make_unique<OffscreenContext>(options_.context);
         renderer_ = std::make_unique<Renderer>();
         renderer_->resize(options_.size.width, options_.size.height);
+        renderer_->set_help(help_lines(make_entries(scene_names())));
         renderer_->set_scene(session_.simulation().settings());
         // The panel shows what the frame before cost, and the first picture shall have one
         if (options_.overlay) draw();

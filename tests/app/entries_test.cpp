@@ -1,4 +1,4 @@
-#include "../../src/app/entries.h"
+#include "drape/render/entries.h"
 
 #include <gtest/gtest.h>
 

@@ -2,9 +2,9 @@
 
 #include <map>
 
-#include "../../src/app/entries.h"
 #include "../../src/app/keys.h"
 #include "app/window_fixture.h"
+#include "drape/render/entries.h"
 #include "drape/sim/scene.h"
 #include "drape/sim/tour.h"
 

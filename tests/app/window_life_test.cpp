@@ -74,6 +74,27 @@ TEST_F(WindowTest, ARunThatDivergesClosesItsRecording) {
     EXPECT_TRUE(closed(read_file(file("session.txt"))));
 }
 
+TEST_F(WindowTest, AfterADivergenceShiftRStartsAgainWithAStepThatHolds) {
+    start({"fails_rk4", "--set", "view.speed=1"});
+    const auto failures = [this] {
+        const std::string said = drape_->standard_error();
+        int count = 0;
+        for (std::size_t at = 0; (at = said.find("Diverged at step", at)) != std::string::npos; ++at) ++count;
+        return count;
+    };
+    ASSERT_TRUE(eventually([&] { return failures() == 1; }));
+    desktop_.key("shift+r");
+    EXPECT_TRUE(recorded("set solver.dt="));
+    EXPECT_TRUE(recorded("reset"));
+    constexpr int far_beyond_the_failure = 2000;  // which comes at step 241
+    EXPECT_TRUE(eventually([&] {
+        desktop_.key("l");
+        return last_step() > far_beyond_the_failure;
+    }));
+    EXPECT_EQ(failures(), 1);
+    quit();
+}
+
 TEST_F(WindowTest, ItsRecordingIsNoFileThatItReads) {
     std::ofstream(file("r.txt")) << "drape-recording 1\nscene hang\n9 end\n";
     std::filesystem::create_symlink("r.txt", file("link.txt"));

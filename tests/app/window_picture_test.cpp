@@ -61,10 +61,10 @@ private:
 class WindowPicture : public test::WindowTest {
 protected:
     // A recording that makes some steps of a scene and stays there; a window that is slow would say so in its picture
-    [[nodiscard]] std::string recording_of(const std::string& scene, int steps) const {
+    [[nodiscard]] std::string recording_of(const std::string& scene, int steps, const std::string& set = {}) const {
         const std::string name = file(scene + "-" + std::to_string(steps) + ".txt");
-        std::ofstream(name) << "drape-recording 1\nscene " << scene << "\n0 set view.quality=full\n0 pause\n0 step "
-                            << steps << "\n"
+        std::ofstream(name) << "drape-recording 1\nscene " << scene << "\n0 set view.quality=full\n"
+                            << (set.empty() ? "" : "0 set " + set + "\n") << "0 pause\n0 step " << steps << "\n"
                             << steps << " end\n";
         return name;
     }
@@ -124,6 +124,13 @@ TEST_F(WindowPicture, IsThatOfDrapeCaptureInEveryScene) {
                                       picture_of_capture(recorded_run, time_of(scene, steps), {"--overlay"}));
         EXPECT_TRUE(found.is_only_fps()) << scene << ": " << found.text();
     }
+}
+
+TEST_F(WindowPicture, HasTheSameHelpInACapture) {
+    const std::string recorded_run = recording_of("drop", 60, "view.help=true");
+    const PictureDifference found(picture_of_window(recorded_run, 60),
+                                  picture_of_capture(recorded_run, time_of("drop", 60), {"--overlay"}));
+    EXPECT_TRUE(found.is_only_fps()) << found.text();
 }
 
 TEST_F(WindowPicture, IsToldFromOthers) {

@@ -1,4 +1,4 @@
-#include "entries.h"
+#include "drape/render/entries.h"
 
 #include <algorithm>
 
