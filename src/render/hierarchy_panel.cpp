@@ -27,8 +27,8 @@ PanelText heading(const FrameView& view, const ShownLevel& shown) {
     return text;
 }
 
-constexpr std::array<const char*, 7> column_names{"level",      "nodes",    "visited",  "pruned",
-                                                  "false pos.", "touching", "tightness"};
+constexpr std::array<const char*, 8> column_names{"level",      "nodes",    "visited",   "pruned",
+                                                  "false pos.", "touching", "tightness", "fit [us]"};
 
 // One column after the other, each as wide as its name
 template <class Cell>
@@ -47,7 +47,7 @@ float table_width() {
 }
 
 // Numbers end at the right edges of their columns
-void draw_levels(ImVec2 corner, std::span<const LevelCounts> counts, std::span<const double> tightness,
+void draw_levels(ImVec2 corner, std::span<const LevelCounts> counts, std::span<const LevelFit> fits,
                  const ShownLevel& shown) {
     const float row = ImGui::GetTextLineHeightWithSpacing();
     for_each_column(corner.x, [&](std::size_t c, float right) {
@@ -63,8 +63,10 @@ void draw_levels(ImVec2 corner, std::span<const LevelCounts> counts, std::span<c
             PanelText text{};
             if (c < numbers.size()) {
                 std::snprintf(text.data(), text.size(), "%d", numbers[c]);
+            } else if (c == numbers.size()) {
+                std::snprintf(text.data(), text.size(), "%.2f", fits[level].tightness);
             } else {
-                std::snprintf(text.data(), text.size(), "%.2f", tightness[level]);
+                std::snprintf(text.data(), text.size(), "%.1f", 1e6 * fits[level].seconds);
             }
             text_at({right - ImGui::CalcTextSize(text.data()).x, corner.y}, colour, text.data());
         });
@@ -75,7 +77,7 @@ void draw_levels(ImVec2 corner, std::span<const LevelCounts> counts, std::span<c
 int notes(const FrameView& view, std::array<PanelText, 3>& lines) {
     const StepReport& report = *view.report;
     std::snprintf(lines[0].data(), lines[0].size(), "tightness: mean radius / least possible radius");
-    std::snprintf(lines[1].data(), lines[1].size(), "build, all levels in one pass: %.0f us",
+    std::snprintf(lines[1].data(), lines[1].size(), "fit: one level by itself; build of all levels: %.0f us",
                   1e6 * report.times.build / report.substeps);
     if (!view.settings->contact.self) return 2;
     std::snprintf(lines[2].data(), lines[2].size(), "cloth on cloth: %lld pair tests, %lld pruned, %lld left",
@@ -130,7 +132,7 @@ float HierarchyPanel::draw(const FrameView& view, float taken, const OverlayPage
     text_at(line, ink::wait, heading(view, shown).data());
     if (shown.levels > 0) {
         line.y += row + gap;
-        draw_levels(line, counts_, tightness_.look(view, shown.levels), shown);
+        draw_levels(line, counts_, fits_.look(view, shown.levels), shown);
         line.y += rows * row + gap;
         for (int k = 0; k < line_count; ++k, line.y += row) {
             text_at(line, ink::quiet, lines[static_cast<std::size_t>(k)].data());

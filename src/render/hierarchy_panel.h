@@ -28,7 +28,7 @@ private:
     std::vector<LevelCounts> counts_;
     std::vector<NodeView> nodes_;
     TouchedCells touched_;
-    LevelTightness tightness_;
+    LevelFits fits_;
     NodePicker picker_;
 };
 

@@ -1,7 +1,10 @@
 #include "tightness.h"
 
+#include <algorithm>
 #include <limits>
 
+#include "drape/base/stopwatch.h"
+#include "drape/bounds/refit_nodes.h"
 #include "drape/bounds/sphere_fits.h"
 
 namespace drape {
@@ -13,28 +16,41 @@ double tightness(const NodeView& node, Real slack, const Grid& grid, const Point
     return least > 0 ? static_cast<double>(radius / least) : std::numeric_limits<double>::infinity();
 }
 
-std::span<const double> LevelTightness::look(const FrameView& view, int levels) {
+std::span<const LevelFit> LevelFits::look(const FrameView& view, int levels) {
     const BroadPhaseParameters parameters = broad_phase_of(*view.settings);
-    const bool same = parameters_ == parameters && means_.size() == static_cast<std::size_t>(levels);
+    const bool same = parameters_ == parameters && fits_.size() == static_cast<std::size_t>(levels);
     ++frames_;
     const bool waits = frames_ < frames_between && !view.paused;
-    if (same && (waits || view.report->step == step_)) return means_;
+    if (same && (waits || view.report->step == step_)) return fits_;
     parameters_ = parameters;
     step_ = view.report->step;
     frames_ = 0;
-    means_.assign(static_cast<std::size_t>(levels), 0);
-    for (std::size_t level = 0; level < means_.size(); ++level) {
-        double sum = 0, count = 0;
-        for (const ClothView& cloth : view.cloths) {
-            nodes_of_level(*cloth.hierarchy, static_cast<int>(level), nodes_);
-            for (const NodeView& node : nodes_) {
-                sum += tightness(node, cloth.hierarchy->slack(), cloth.model.grid, cloth.x);
-                ++count;
-            }
+    fits_.clear();
+    for (int level = 0; level < levels; ++level) fits_.push_back(fit_of(view, level));
+    return fits_;
+}
+
+// The time is the least of some
+LevelFit LevelFits::fit_of(const FrameView& view, int level) {
+    constexpr int repetitions = 3;
+    LevelFit fit;
+    double count = 0;
+    for (const ClothView& cloth : view.cloths) {
+        nodes_of_level(*cloth.hierarchy, level, nodes_);
+        for (const NodeView& node : nodes_) {
+            fit.tightness += tightness(node, cloth.hierarchy->slack(), cloth.model.grid, cloth.x);
+            ++count;
         }
-        means_[level] = count > 0 ? sum / count : 0;
+        double least = std::numeric_limits<double>::infinity();
+        for (int r = 0; r < repetitions; ++r) {
+            const Stopwatch watch;
+            refit_nodes(*parameters_, cloth.model.grid, cloth.x, nodes_);
+            least = std::min(least, watch.seconds());
+        }
+        fit.seconds += least;
     }
-    return means_;
+    if (count > 0) fit.tightness /= count;
+    return fit;
 }
 
 }  // namespace drape

@@ -13,18 +13,26 @@ namespace drape {
 /// @param x n x 3 [m]
 double tightness(const NodeView& node, Real slack, const Grid& grid, const Points& x);
 
-/// The mean tightness of the nodes of each level, over all cloths; looked at again now and then while the cloth moves,
-/// and at once where it has stopped, or for another hierarchy.
-class LevelTightness {
+/// How well and how fast the nodes of a level are fitted.
+struct LevelFit {
+    double tightness = 0;  ///< mean of the nodes, over all cloths
+    double seconds = 0;    ///< that it takes to fit them all, each to its own particles
+};
+
+/// The fits of all levels; looked at again now and then while the cloth moves, and at once where it has stopped, or for
+/// another hierarchy.
+class LevelFits {
 public:
-    /// @return one number a level, valid until the next call
-    /// @par Cost O(particles) a level, about ten passes, in one of `frames_between` frames
-    std::span<const double> look(const FrameView& view, int levels);
+    /// @return one for each level, valid until the next call
+    /// @par Cost O(particles) a level, about fifteen passes, in one of `frames_between` frames
+    std::span<const LevelFit> look(const FrameView& view, int levels);
 
 private:
-    static constexpr int frames_between = 15;
+    static constexpr int frames_between = 30;
 
-    std::vector<double> means_;
+    LevelFit fit_of(const FrameView& view, int level);
+
+    std::vector<LevelFit> fits_;
     std::vector<NodeView> nodes_;
     std::optional<BroadPhaseParameters> parameters_;  ///< of the last look
     std::int64_t step_ = -1;

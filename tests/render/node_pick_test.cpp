@@ -147,8 +147,8 @@ TEST_F(BoxesUnderThePointer, AreTightWhereTheyAreNoLargerThanTheSmallestSphere) 
     const Real half = Real(0.5) * std::sqrt(Real(0.5));  // of its diagonal
     EXPECT_NEAR(tightness(nodes[0], half, model_.grid, x_), 2, 1e-9) << "slack counts";
 
-    LevelTightness tightness_of;
-    for (const double mean : tightness_of.look(view_, tree_->levels())) EXPECT_NEAR(mean, 1, 1e-9);
+    LevelFits fits;
+    for (const LevelFit& fit : fits.look(view_, tree_->levels())) EXPECT_NEAR(fit.tightness, 1, 1e-9);
     nodes[0].volume = Aabb{Vec3(-1, 0, -1), Vec3(2, 0, 2)};
     EXPECT_NEAR(tightness(nodes[0], 0, model_.grid, x_), 6, 1e-9);
 }

@@ -1,0 +1,48 @@
+#include "drape/bounds/refit_nodes.h"
+
+#include <gtest/gtest.h>
+
+namespace drape {
+namespace {
+
+// A sheet that is bent, differently at each time
+Points bent_sheet(const Grid& grid, Real time) {
+    Points x(grid.particles(), 3);
+    for (int j = 0; j < grid.ny; ++j) {
+        for (int i = 0; i < grid.nx; ++i) {
+            const Real u = Real(0.1) * static_cast<Real>(i), v = Real(0.1) * static_cast<Real>(j);
+            x.row(grid.particle(i, j)) << u, time * u * (v - 1), v + time * u;
+        }
+    }
+    return x;
+}
+
+TEST(RefitNodes, GivesEachLevelTheVolumesOfABuild) {
+    const Grid grid{23, 17};
+    const Points before = bent_sheet(grid, 0), now = bent_sheet(grid, 1);
+    for (std::size_t kind = 0; kind < names_of<VolumeKind>().size(); ++kind) {
+        const BroadPhaseParameters parameters{.volume = static_cast<VolumeKind>(kind), .leaf_cells = 3};
+        const auto built = make_broad_phase(parameters, grid), old = make_broad_phase(parameters, grid);
+        built->build(now);
+        old->build(before);
+        for (int level = 0; level < built->levels(); ++level) {
+            std::vector<NodeView> nodes, refitted;
+            built->nodes_at(level, nodes);
+            old->nodes_at(level, refitted);
+            refit_nodes(parameters, grid, now, refitted);
+            const auto sphere_of = [](const NodeView& node) {
+                return std::visit([](const auto& volume) { return volume.sphere(); }, node.volume);
+            };
+            ASSERT_EQ(refitted.size(), nodes.size());
+            for (std::size_t n = 0; n < nodes.size(); ++n) {
+                const BoundingSphere expected = sphere_of(nodes[n]), found = sphere_of(refitted[n]);
+                const std::string which = names_of<VolumeKind>()[kind] + ", level " + std::to_string(level);
+                EXPECT_NEAR((found.centre - expected.centre).norm(), 0, 1e-9) << which;
+                EXPECT_NEAR(found.radius, expected.radius, 1e-9) << which;
+            }
+        }
+    }
+}
+
+}  // namespace
+}  // namespace drape
