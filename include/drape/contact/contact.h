@@ -17,7 +17,7 @@ namespace drape {
 /// The number of a contact's ball where the cloth, or a ball, touches the ground.
 inline constexpr int the_ground = -1;
 
-/// The number of a contact's ball where the cloth touches the first solid; those of further solids follow.
+/// The number of a contact's ball where the cloth, or a ball, touches the first solid; those of further solids follow.
 inline constexpr int first_solid = std::numeric_limits<int>::min();
 
 /// Whether a contact's second body is a plane for this substep: the ground, or the surface of a solid next to it.

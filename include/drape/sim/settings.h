@@ -115,7 +115,7 @@ struct ContactSettings {
     int search_tests = 0;  ///< of one query; 0: no end
     ResponseKind response = ResponseKind::Projection;
     Real friction = Real(0.3);
-    Real rolling = 0;  ///< resistance of cloth to the rolling of free balls, as `Ground::rolling`
+    Real rolling = 0;  ///< resistance to the rolling of free balls on cloth and solids, as `Ground::rolling`
     Real restitution = 0;
     Real thickness = Real(0.002);
     Real stiffness = 1000;       ///< of penalties, a contact [N/m]
