@@ -9,7 +9,7 @@ const vec2 corners[6] = vec2[](vec2(0, -1), vec2(1, -1), vec2(0, 1), vec2(0, 1),
 // Two rectangles on the screen, before everything: about the particle, and about its spring
 void main() {
     vec4 from = view_projection * vec4(failure[0].xyz, 1.0), to = view_projection * vec4(failure[1].xyz, 1.0);
-    scale = max(viewport.y / 720.0, 0.6);
+    scale = max(page.y / 720.0, 0.6) * magnified.x;
     vec2 start = from.xy / from.w * 0.5 * viewport.xy, end = to.xy / to.w * 0.5 * viewport.xy;
     bool is_ring = gl_VertexID >= 6;
     along = is_ring ? 0.0 : length(end - start);

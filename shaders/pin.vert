@@ -11,8 +11,9 @@ flat out float size;
 void main() {
     is_held = pinned > 1.5 ? 1.0 : 0.0;
     float pixels = viewport.y * 1.45 / distance(eye.xyz, position);  // in a metre there
-    size = clamp(0.014 * pixels, 5.0, max(0.6 * shadow.y * pixels, 5.0)) + 1.0;
-    if (is_held > 0.5) size = 22.0 * max(viewport.y / 720.0, 0.6);
+    float least = 5.0 * magnified.x;
+    size = clamp(0.014 * pixels, least, max(0.6 * shadow.y * pixels, least)) + magnified.x;
+    if (is_held > 0.5) size = 22.0 * max(page.y / 720.0, 0.6) * magnified.x;
     gl_PointSize = size;
     vec3 world = position + (eye.xyz - position) * (is_held > 0.5 ? 0.03 : 0.006);
     gl_Position = pinned > 0.5 ? view_projection * vec4(world, 1.0) : vec4(0.0, 0.0, 2.0, 1.0);

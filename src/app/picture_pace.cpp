@@ -10,9 +10,10 @@ bool PicturePace::drew(bool fast, double seconds) {
     const bool speaks_for_change = slow_ ? seconds < shortest : seconds > longest;
     in_a_row_ = speaks_for_change ? in_a_row_ + 1 : 0;
     row_time_ = speaks_for_change ? row_time_ + seconds : 0;
-    const bool changes = slow_ ? in_a_row_ >= least_quick : in_a_row_ >= least_slow && row_time_ >= most_lost;
+    const bool changes = slow_ ? in_a_row_ >= wanted_quick_ : in_a_row_ >= least_slow && row_time_ >= most_lost;
     if (!changes) return false;
     slow_ = !slow_;
+    if (!slow_) wanted_quick_ *= 2;
     in_a_row_ = 0;
     row_time_ = 0;
     return slow_;

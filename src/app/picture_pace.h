@@ -25,10 +25,11 @@ public:
     static constexpr double most_lost = 0.2;       ///< on full pictures that take longer, one after the other [s]
     static constexpr int least_slow = 3;           ///< of them; the first pictures of a scene take longer than others
     static constexpr double shortest = 1.0 / 120;  ///< of a fast picture, if full ones are to be tried again [s]
-    static constexpr int least_quick = 50;         ///< such pictures, one after the other
+    static constexpr int least_quick = 50;  ///< such pictures, one after the other; twice as many each further time
 
 private:
     bool slow_ = false, drawn_fast_ = false;
+    int wanted_quick_ = least_quick;
     int in_a_row_ = 0;     ///< pictures that speak for a change
     double row_time_ = 0;  ///< that they took [s]
     double still_ = 0;     ///< without motion [s]

@@ -77,8 +77,8 @@ void Window::on_tick() {
     const double elapsed = clock_.lap();
     steer(elapsed);
     if (pointer_.moved()) carry_out(pointer_.flush({session_.view(), shown_, width_, height_}));
-    // Steps may take half as long as drawing does: a slow scene still answers the mouse, a slow display does not slow
-    // the cloth.
+    // Steps may take half as long as drawing does: a slow scene still answers the mouse, and a slow display does not
+    // slow a cloth whose steps take less than a third of real time.
     session_.advance(elapsed, std::max(least_budget, picture_time_ / 2));
     follow_replay();
     dirty_ |= shown_.ease_towards(camera_, elapsed);
@@ -121,17 +121,16 @@ void Window::on_display() {
     const Stopwatch watch;
     FrameView view = session_.view();
     view.timeline = session_.timeline();
-    view.hurried = pace_.hurried();
+    view.hurried = pace_.hurried() && !video_.recording();
     draw(view);
     if (video_.due()) video_.take(renderer_->read_back());
     renderer_->present();
-    if (view.hurried) glFinish();  // else a fast picture takes as long as the wait for the display's next refresh
+    glFinish();  // without it, the time to draw would have the wait for the display in it
     const double drawing = watch.seconds();
     glutSwapBuffers();
     if (check_) check_->check(session_.view(), camera_);
     picture_time_ = watch.seconds();
-    if (view.settings->view.quality == PictureQuality::Auto &&
-        pace_.drew(view.hurried, view.hurried ? drawing : picture_time_)) {
+    if (view.settings->view.quality == PictureQuality::Auto && pace_.drew(view.hurried, drawing)) {
         notices_.add("quality", "Slow display: what moves is drawn at half the resolution (view.quality)");
     }
     since_drawn_ = 0;

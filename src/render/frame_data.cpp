@@ -143,19 +143,11 @@ int list_dark_balls(const FrameView& view, std::array<Eigen::Vector4f, FrameData
     return static_cast<int>(count);
 }
 
-}  // namespace
-
-namespace {
-
 // From sRGB
 Eigen::Vector4f linear(const std::array<float, 3>& colour) {
     const auto decoded = [](float c) { return c <= 0.04045f ? c / 12.92f : std::pow((c + 0.055f) / 1.055f, 2.4f); };
     return {decoded(colour[0]), decoded(colour[1]), decoded(colour[2]), 1};
 }
-
-}  // namespace
-
-namespace {
 
 // The first particle that has diverged, and the other end of its spring, in the last good state
 std::array<Eigen::Vector4f, 2> failure_ends(const FrameView& view) {
@@ -173,10 +165,6 @@ std::array<Eigen::Vector4f, 2> failure_ends(const FrameView& view) {
     return ends;
 }
 
-}  // namespace
-
-namespace {
-
 Eigen::Vector4f sides_and_inverses(const PictureSize& size) {
     const auto width = static_cast<float>(size.width), height = static_cast<float>(size.height);
     return {width, height, 1 / width, 1 / height};
@@ -189,6 +177,7 @@ FrameData make_frame_data(const FrameView& view, const Camera& camera, const Pic
     FrameData data{};
     data.viewport = sides_and_inverses(drawn);
     data.page = sides_and_inverses(picture);
+    data.magnified.x() = data.viewport.y() / data.page.y();
     const float aspect = data.page.x() / data.page.y();
     data.view_projection = camera.projection_matrix(aspect) * camera.view_matrix();
     data.inverse_view_projection = data.view_projection.inverse();
@@ -207,8 +196,8 @@ FrameData make_frame_data(const FrameView& view, const Camera& camera, const Pic
     const auto colour_of = [](const NodeLook& look) { return Eigen::Vector4f(look.colour.data()); };
     std::ranges::transform(node_looks(), data.node_colours.begin(), colour_of);
     data.node_colours.back() = {0.05f, 0.05f, 0.08f, 0.75f};
-    // Lines are a pixel wide; those that are magnified are fainter instead
-    for (Eigen::Vector4f& colour : data.node_colours) colour.w() *= data.viewport.x() / data.page.x();
+    // Their lines are a pixel wide; those that are magnified are fainter instead
+    for (Eigen::Vector4f& colour : data.node_colours) colour.w() *= data.magnified.x();
     std::ranges::transform(value_colours(), data.value_colours.begin(), linear);
     std::ranges::transform(group_colours(), data.group_colours.begin(), linear);
     const ColourBy by = settings.colour;

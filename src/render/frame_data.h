@@ -22,6 +22,7 @@ struct FrameData {
     Eigen::Vector4f page;       ///< the same of the picture, for the panels
     Eigen::Vector4f stage;      ///< centre x, height of the ground, centre z, radius [m]
     Eigen::Vector4f shadow;     ///< a texel of the shadow map [m], the particles' spacing [m]
+    Eigen::Vector4f magnified;  ///< x: how much smaller the scene is drawn than it is shown, in (0, 1]
     std::array<int, 4> counts;  ///< structural springs, shear springs, segments of a sphere's circle, balls that darken
     std::array<Eigen::Vector4f, most_balls> balls;  ///< centre, radius [m]
     std::array<Eigen::Vector4f, 7> node_colours;    ///< of `node_looks`, and of the cloth that is compared

@@ -65,7 +65,7 @@ private:
 };
 
 /// The picture, and what the scene is drawn into: the picture itself, or for fast pictures a layer of half its width
-/// and height with one sample for each pixel, at a quarter of the cost with llvmpipe.
+/// and height with one sample for each pixel, at about a third of the cost with llvmpipe.
 class PictureTarget {
 public:
     /// @throws RunError if OpenGL refuses the size

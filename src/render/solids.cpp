@@ -244,7 +244,7 @@ void Solids::add_to(PictureBounds& bounds, StreamBuffer& stream) const {
     }
 }
 
-// Cloths, then solids, then cloths with every second particle
+// Cloths, then solids, then cloths with fewer particles
 void Solids::draw_indices(int first, int count) {
     cloths_.bind();
     gl_.draw_elements(GL_TRIANGLES, count, static_cast<std::size_t>(first) * sizeof(std::uint32_t));

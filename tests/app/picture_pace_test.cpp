@@ -51,6 +51,19 @@ TEST(PicturePace, TriesFullPicturesAgainWhereFastOnesTakeNearlyNoTime) {
     EXPECT_FALSE(pace.hurried());
 }
 
+TEST(PicturePace, DoesNotGoBackAndForthWhereOnlyFastPicturesAreQuick) {
+    PicturePace pace = after_slow_pictures();
+    int changes = 0;
+    for (int i = 0; i < 10'000; ++i) {
+        pace.follow(true, quick);
+        const bool was_fast = pace.hurried();
+        pace.drew(was_fast, was_fast ? quick : slow);
+        if (pace.hurried() != was_fast) ++changes;
+    }
+    EXPECT_GT(changes, 0);
+    EXPECT_LT(changes, 20);
+}
+
 TEST(PicturePace, LearnsNothingFromFullPicturesOfWhatStandsStill) {
     PicturePace pace = after_slow_pictures();
     for (int i = 0; i < 2 * PicturePace::least_quick; ++i) pace.drew(false, quick);

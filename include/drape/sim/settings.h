@@ -156,7 +156,7 @@ inline constexpr auto enum_names<ColourBy> = all_names<ColourBy>("plain", "strai
 /// How much is spent on a picture.
 enum class PictureQuality {
     Auto,  ///< fast in a window whose display is slow while something moves, else full
-    Fast,  ///< one sample a pixel, and every second particle of a large cloth
+    Fast,  ///< half the width and height, one sample a pixel, fewer particles of a large cloth
     Full   ///< smooth edges
 };
 
