@@ -18,7 +18,8 @@ struct ContactProblem {
     std::span<PairContact> pairs;
     std::span<Ball> balls;
     std::span<BallContact> ball_contacts;
-    bool with_bodies = true;  ///< contacts of cloths with balls and ground are solved too
+    ContactBatches* batches = nullptr;  ///< for solves by vector; none: all are solved by plain code
+    bool with_bodies = true;            ///< contacts of cloths with balls and ground are solved too
 
     [[nodiscard]] Displacements displacements() const { return {cloths, balls}; }
     [[nodiscard]] Velocities velocities() const { return {cloths, balls}; }

@@ -1,4 +1,4 @@
-#include "contact_solver.h"
+#include "batched_solve.h"
 
 // Positions are projected out of balls and ground @cite provot1995, each contact by the least displacement of its
 // particles, and held against sliding by friction; then the velocities of those that were pushed are stopped, or
@@ -41,8 +41,7 @@ void project_positions(ContactProblem& problem, ResponseReport& report) {
         for_each_contact(problem, [&](auto& contact) { aim_displacement(motion, problem.balls, contact); });
         const bool moves_far = longest_push(problem) > short_push;
         choose(problem, [](const ContactPlane& /*contact*/) { return true; });
-        const Sweeps sweeps = sweep_until(problem, displacement_tolerance(problem),
-                                          [&](auto& contact) { return solve_contact(motion, contact); });
+        const Sweeps sweeps = solve_contacts(problem, motion, displacement_tolerance(problem));
         report.sweeps += sweeps.count;
         report.residual = sweeps.residual;
         if (!moves_far) return;
@@ -60,9 +59,7 @@ ResponseReport respond_by_projection(ContactProblem& problem) {
     project_positions(problem, report);
     Velocities motion = problem.velocities();
     choose(problem, is_loaded);
-    report.sweeps += sweep_until(problem, velocity_tolerance(problem), [&](auto& contact) {
-                         return solve_contact(motion, contact);
-                     }).count;
+    report.sweeps += solve_contacts(problem, motion, velocity_tolerance(problem)).count;
     return report;
 }
 

@@ -5,6 +5,7 @@
 
 #include "drape/base/enum_names.h"
 #include "drape/contact/contact.h"
+#include "drape/contact/solver_memory.h"
 #include "drape/integrate/integrator.h"
 
 namespace drape {
@@ -77,9 +78,10 @@ Real penalty_step_limit(Real stiffness, Real restitution, Real inverse_mass);
 /// @param pairs of features of these cloths
 /// @param balls those with an inverse mass are pushed back
 /// @param h the substep [s]; normal speeds that gravity alone brings within it do not bounce
+/// @param memory for solves by vector, which have the same bits; none: plain code alone
 /// @par Cost O(contacts) a sweep, allocates nothing
 ResponseReport resolve_contacts(const ResponseParameters& parameters, Real h, std::span<const ClothInContact> cloths,
                                 std::span<PairContact> pairs, std::span<Ball> balls,
-                                std::span<BallContact> ball_contacts);
+                                std::span<BallContact> ball_contacts, SolverMemory* memory = nullptr);
 
 }  // namespace drape
