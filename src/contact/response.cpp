@@ -5,7 +5,7 @@
 #include <limits>
 #include <utility>
 
-#include "contact_batches.h"
+#include "contact_rows.h"
 #include "contact_solver.h"
 
 namespace drape {
