@@ -16,8 +16,7 @@ inline bool has_fixed_bodies(const ContactProblem& problem) {
 /// What `solve_contact` reads of a contact.
 /// @param offsets receives how many count, of this row and those before
 template <BodyMotion Motion>
-ContactRow row_of(const Motion& motion, const Contact& contact, const ContactPush& given, int& offsets) {
-    ContactRow row;
+void fill_row(const Motion& motion, const Contact& contact, const ContactPush& given, ContactRow& row, int& offsets) {
     row.normal = contact.normal;
     row.friction = given.friction;
     row.offsets = {motion.start(contact), of_second(motion, contact)};
@@ -37,23 +36,24 @@ ContactRow row_of(const Motion& motion, const Contact& contact, const ContactPus
     for (int k = offsets; k < 2; ++k) {
         if (!row.offsets[static_cast<std::size_t>(k)].isZero(0)) offsets = k + 1;
     }
-    return row;
 }
 
 /// `sweep_until` of `solve_contact`, with the same bits.
 template <BodyMotion Motion>
 Sweeps solve_rows(ContactProblem& problem, Motion& motion, Real tolerance) {
-    auto& [rows, cloths, offsets] = *problem.batches;
-    rows.clear();
+    auto& [rows, cloths, offsets] = *problem.rows;
     cloths.clear();
     offsets = 0;
+    std::size_t count = 0;
     for (std::size_t c = 0; c < problem.cloths.size(); ++c) {
         Points& of_cloth = motion.of_cloth(static_cast<int>(c));
-        const std::size_t first = rows.size();
-        for (Contact& contact : problem.cloths[c].contacts) {
-            if (contact.takes_part) rows.push_back(row_of(motion, contact, Motion::given(contact), offsets));
+        std::vector<Contact>& contacts = problem.cloths[c].contacts;
+        const std::size_t first = count;
+        if (rows.size() < first + contacts.size()) rows.resize(first + contacts.size());
+        for (Contact& contact : contacts) {
+            if (contact.takes_part) fill_row(motion, contact, Motion::given(contact), rows[count++], offsets);
         }
-        cloths.push_back({of_cloth.data(), of_cloth.rows(), first, rows.size()});
+        cloths.push_back({of_cloth.data(), of_cloth.rows(), first, count});
     }
     Sweeps sweeps;
     Real square = 0;
@@ -82,7 +82,7 @@ Sweeps solve_rows(ContactProblem& problem, Motion& motion, Real tolerance) {
 /// Solves the contacts that take part, one after the other, again and again.
 template <BodyMotion Motion>
 Sweeps solve_contacts(ContactProblem& problem, Motion& motion, Real tolerance) {
-    if (problem.batches != nullptr && has_fixed_bodies(problem)) return solve_rows(problem, motion, tolerance);
+    if (problem.rows != nullptr && has_fixed_bodies(problem)) return solve_rows(problem, motion, tolerance);
     return sweep_until(problem, tolerance, [&](auto& contact) { return solve_contact(motion, contact); });
 }
 

@@ -32,7 +32,7 @@ inline void list_particles(std::span<const ClothInContact> cloths, PairContact& 
 /// What a contact has of the motion of its particles.
 /// @param of_cloth of_cloth(number) is n x 3, a row a particle
 template <class OfCloth>
-Vec3 weighted_sum(const ContactPlane& contact, OfCloth of_cloth) {
+[[gnu::always_inline]] inline Vec3 weighted_sum(const ContactPlane& contact, OfCloth of_cloth) {
     Vec3 sum = Vec3::Zero();
     for (const PushedParticle& p : contact.pushed()) {
         sum += p.weight * position(of_cloth(p.cloth), p.particle);

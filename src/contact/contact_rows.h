@@ -7,8 +7,8 @@
 
 namespace drape {
 
-/// What a sweep needs of a contact that cannot move its second body, and nothing else: most sweeps then find all of them
-/// in the cache nearest to the processor.
+/// What a sweep needs of a contact that cannot move its second body, and nothing else: most sweeps then find all of
+/// them in the cache nearest to the processor.
 struct ContactRow {
     Vec3 normal, friction;
     std::array<Vec3, 2> offsets;  ///< subtracted from the motion of its particles, one after the other
@@ -28,9 +28,8 @@ struct ClothRows {
 };
 
 /// The contacts that take part in a solve, in its order.
-class ContactBatches {
-public:
-    std::vector<ContactRow> rows;
+struct ContactRows {
+    std::vector<ContactRow> rows;  ///< as many as there have ever been at once
     std::vector<ClothRows> cloths;
     int offsets = 0;  ///< how many of each row are not all zero
 };

@@ -7,6 +7,7 @@
 
 #include "contact_rows.h"
 #include "contact_solver.h"
+#include "drape/contact/solver_memory.h"
 
 namespace drape {
 namespace {
@@ -264,7 +265,7 @@ ResponseReport resolve_contacts(const ResponseParameters& parameters, Real h, st
                            .pairs = pairs,
                            .balls = balls,
                            .ball_contacts = ball_contacts,
-                           .batches = memory != nullptr ? &memory->batches() : nullptr};
+                           .rows = memory != nullptr ? &memory->rows() : nullptr};
     prepare_all(problem);
     const double before = kinetic_energy(balls);
     ResponseReport report = respond(problem);

@@ -4,13 +4,15 @@
 
 namespace drape {
 
-SolverMemory::SolverMemory() : batches_(std::make_unique<ContactBatches>()) {}
+SolverMemory::SolverMemory() : rows_(std::make_unique<ContactRows>()) {}
 SolverMemory::SolverMemory(const SolverMemory& /*other*/) : SolverMemory() {}
 SolverMemory::SolverMemory(SolverMemory&&) noexcept = default;
 SolverMemory& SolverMemory::operator=(const SolverMemory& /*other*/) { return *this; }
 SolverMemory& SolverMemory::operator=(SolverMemory&&) noexcept = default;
 SolverMemory::~SolverMemory() = default;
 
-void SolverMemory::reserve(std::size_t contacts) { batches_->rows.reserve(contacts); }
+std::size_t SolverMemory::bytes_of_contact() { return sizeof(ContactRow); }
+
+void SolverMemory::reserve(std::size_t contacts) { rows_->rows.reserve(contacts); }
 
 }  // namespace drape

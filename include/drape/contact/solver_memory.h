@@ -1,12 +1,13 @@
 #pragma once
 
+#include <cstddef>
 #include <memory>
 
 namespace drape {
 
-class ContactBatches;
+struct ContactRows;
 
-/// Memory of solves by vector, for `resolve_contacts`. A copy begins with none.
+/// What `resolve_contacts` lays out anew in each call, kept so that it allocates nothing. A copy begins with none.
 class SolverMemory {
 public:
     SolverMemory();
@@ -19,10 +20,13 @@ public:
     /// Room for as many contacts without allocating.
     void reserve(std::size_t contacts);
 
-    [[nodiscard]] ContactBatches& batches() { return *batches_; }
+    /// What room for one takes [bytes].
+    [[nodiscard]] static std::size_t bytes_of_contact();
+
+    [[nodiscard]] ContactRows& rows() { return *rows_; }
 
 private:
-    std::unique_ptr<ContactBatches> batches_;
+    std::unique_ptr<ContactRows> rows_;
 };
 
 }  // namespace drape

@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "drape/base/copied.h"
+#include "drape/contact/solver_memory.h"
 #include "drape/sim/cloth.h"
 #include "drape/sim/command.h"
 #include "drape/sim/frame_view.h"
