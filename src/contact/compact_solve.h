@@ -41,39 +41,40 @@ void fill_row(const Motion& motion, const Contact& contact, const ContactPush& g
 /// `sweep_until` of `solve_contact`, with the same bits.
 template <BodyMotion Motion>
 Sweeps solve_rows(ContactProblem& problem, Motion& motion, Real tolerance) {
-    auto& [rows, cloths, offsets] = *problem.rows;
-    cloths.clear();
-    offsets = 0;
-    std::size_t count = 0;
+    ContactRows& rows = *problem.rows;
+    rows.clear();
     for (std::size_t c = 0; c < problem.cloths.size(); ++c) {
         Points& of_cloth = motion.of_cloth(static_cast<int>(c));
         std::vector<Contact>& contacts = problem.cloths[c].contacts;
-        const std::size_t first = count;
-        if (rows.size() < first + contacts.size()) rows.resize(first + contacts.size());
+        const std::size_t first = rows.places.size();
+        rows.add_places(contacts, of_cloth.rows());
+        if (rows.rows.size() < rows.places.size()) rows.rows.resize(rows.places.size());
+        auto place = rows.places.begin() + static_cast<std::ptrdiff_t>(first);
         for (Contact& contact : contacts) {
-            if (contact.takes_part) fill_row(motion, contact, Motion::given(contact), rows[count++], offsets);
+            if (!contact.takes_part) continue;
+            fill_row(motion, contact, Motion::given(contact), rows.rows[*place++], rows.offsets);
         }
-        cloths.push_back({of_cloth.data(), of_cloth.rows(), first, count});
+        rows.cloths.push_back({of_cloth.data(), of_cloth.rows(), first, rows.places.size()});
     }
     Sweeps sweeps;
     Real square = 0;
     do {
         square = 0;
-        for (const ClothRows& cloth : cloths) {
-            const auto of_cloth = std::span(rows).subspan(cloth.first, cloth.end - cloth.first);
-            square = std::max(square, kernels::sweep_rows(cloth, of_cloth, offsets));
+        for (const ClothRows& cloth : rows.cloths) {
+            const auto of_cloth = std::span(rows.rows).subspan(cloth.first, cloth.end - cloth.first);
+            square = std::max(square, kernels::sweep_rows(cloth, of_cloth, rows.offsets));
         }
         ++sweeps.count;
     } while (square > tolerance * tolerance && sweeps.count < most_sweeps);
     sweeps.residual = std::sqrt(square);
 
-    auto row = rows.begin();
+    auto place = rows.places.begin();
     for (const ClothInContact& cloth : problem.cloths) {
         for (Contact& contact : cloth.contacts) {
             if (!contact.takes_part) continue;
-            Motion::given(contact).normal = row->push;
-            Motion::given(contact).friction = row->friction;
-            ++row;
+            const ContactRow& row = rows.rows[*place++];
+            Motion::given(contact).normal = row.push;
+            Motion::given(contact).friction = row.friction;
         }
     }
     return sweeps;

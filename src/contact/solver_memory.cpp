@@ -11,8 +11,8 @@ SolverMemory& SolverMemory::operator=(const SolverMemory& /*other*/) { return *t
 SolverMemory& SolverMemory::operator=(SolverMemory&&) noexcept = default;
 SolverMemory::~SolverMemory() = default;
 
-std::size_t SolverMemory::bytes_of_contact() { return sizeof(ContactRow); }
+std::size_t SolverMemory::bytes_of_contact() { return sizeof(ContactRow) + 3 * sizeof(std::size_t); }
 
-void SolverMemory::reserve(std::size_t contacts) { rows_->rows.reserve(contacts); }
+void SolverMemory::reserve(std::size_t contacts) { rows_->reserve(contacts); }
 
 }  // namespace drape
