@@ -32,7 +32,7 @@ inline void list_particles(std::span<const ClothInContact> cloths, PairContact& 
 /// What a contact has of the motion of its particles.
 /// @param of_cloth of_cloth(number) is n x 3, a row a particle
 template <class OfCloth>
-Vec3 weighted_sum(const ContactPlane& contact, OfCloth of_cloth) {
+[[gnu::always_inline]] inline Vec3 weighted_sum(const ContactPlane& contact, OfCloth of_cloth) {
     Vec3 sum = Vec3::Zero();
     for (const PushedParticle& p : contact.pushed()) {
         sum += p.weight * position(of_cloth(p.cloth), p.particle);
@@ -90,7 +90,7 @@ struct Displacements : BallDisplacements {
         : BallDisplacements{all_balls}, cloths(all_cloths) {}
 
     [[nodiscard]] Points& of_cloth(int number) const { return cloths[static_cast<std::size_t>(number)].state.x; }
-    static Vec3 since_start(const ContactPlane& contact, const Vec3& now) { return now - contact.start; }
+    static Vec3 start(const ContactPlane& contact) { return contact.start; }
     static ContactPush& given(ContactPlane& contact) { return contact.displacement; }
 };
 
@@ -102,7 +102,7 @@ struct Velocities : BallVelocities {
         : BallVelocities{all_balls}, cloths(all_cloths) {}
 
     [[nodiscard]] Points& of_cloth(int number) const { return cloths[static_cast<std::size_t>(number)].state.v; }
-    static Vec3 since_start(const ContactPlane& /*contact*/, const Vec3& now) { return now; }
+    static Vec3 start(const ContactPlane& /*contact*/) { return Vec3::Zero(); }
     static ContactPush& given(ContactPlane& contact) { return contact.impulse; }
 };
 
@@ -115,14 +115,19 @@ concept BodyMotion = requires(const Motion& motion) {
 template <BodyMotion Motion>
 Vec3 of_particles(const Motion& motion, const ContactPlane& contact) {
     const auto of_cloth = [&](int cloth) -> const Points& { return motion.of_cloth(cloth); };
-    return motion.since_start(contact, weighted_sum(contact, of_cloth));
+    return weighted_sum(contact, of_cloth) - motion.start(contact);
+}
+
+/// How the second body of a contact moves where it touches.
+template <BodyMotion Motion>
+Vec3 of_second(const Motion& motion, const BodyContact& contact) {
+    return is_solid(contact.ball) ? motion.of_plane(contact.plane) : motion.of_ball(contact.ball, contact.normal);
 }
 
 /// How the first body of a contact moves against the second.
 template <BodyMotion Motion>
 Vec3 relative(const Motion& motion, const Contact& contact) {
-    if (is_solid(contact.ball)) return of_particles(motion, contact) - motion.of_plane(contact.plane);
-    return of_particles(motion, contact) - motion.of_ball(contact.ball, contact.normal);
+    return of_particles(motion, contact) - of_second(motion, contact);
 }
 template <BodyMotion Motion>
 Vec3 relative(const Motion& motion, const PairContact& contact) {
@@ -130,10 +135,7 @@ Vec3 relative(const Motion& motion, const PairContact& contact) {
 }
 template <BodyMotion Motion>
 Vec3 relative(const Motion& motion, const BallContact& contact) {
-    if (is_solid(contact.ball)) {
-        return motion.of_ball(contact.first, -contact.normal) - motion.of_plane(contact.plane);
-    }
-    return motion.of_ball(contact.first, -contact.normal) - motion.of_ball(contact.ball, contact.normal);
+    return motion.of_ball(contact.first, -contact.normal) - of_second(motion, contact);
 }
 
 /// Moves, or speeds up, the particles of a contact by their shares of a push.

@@ -7,6 +7,8 @@
 
 namespace drape {
 
+struct ContactRows;
+
 /// All contacts that are solved together, and what is known of the substep.
 struct ContactProblem {
     const ResponseParameters& parameters;
@@ -18,7 +20,8 @@ struct ContactProblem {
     std::span<PairContact> pairs;
     std::span<Ball> balls;
     std::span<BallContact> ball_contacts;
-    bool with_bodies = true;  ///< contacts of cloths with balls and ground are solved too
+    ContactRows* rows = nullptr;  ///< for solves over compact rows; none: all are solved by plain code
+    bool with_bodies = true;      ///< contacts of cloths with balls and ground are solved too
 
     [[nodiscard]] Displacements displacements() const { return {cloths, balls}; }
     [[nodiscard]] Velocities velocities() const { return {cloths, balls}; }

@@ -1,4 +1,4 @@
-#include "contact_solver.h"
+#include "compact_solve.h"
 
 // Positions are projected out of balls and ground @cite provot1995, each contact by the least displacement of its
 // particles, and held against sliding by friction; then the velocities of those that were pushed are stopped, or
@@ -19,33 +19,27 @@ void aim_displacement(const Displacements& motion, std::span<const Ball> balls, 
     contact.displacement.target = relative(motion, contact).dot(contact.normal) + push_of(contact, balls);
 }
 
-/// The largest push that a contact still asks for, as a fraction of its ball's radius. Planes do not turn.
-Real longest_push(ContactProblem& problem) {
-    Real longest = 0;
-    const auto look = [&](const BodyContact& contact) {
-        if (is_plane(contact.ball)) return;
-        const Real radius = problem.balls[static_cast<std::size_t>(contact.ball)].radius;
-        longest = std::max(longest, push_of(contact, problem.balls) / radius);
-    };
-    if (problem.with_bodies) {
-        for (const ClothInContact& cloth : problem.cloths) std::ranges::for_each(cloth.contacts, look);
-    }
-    std::ranges::for_each(problem.ball_contacts, look);
-    return longest;
+/// The push that a contact still asks for, as a fraction of its ball's radius. Planes do not turn.
+Real length_of_push(const ContactProblem& problem, const BodyContact& contact) {
+    if (is_plane(contact.ball)) return 0;
+    return push_of(contact, problem.balls) / problem.balls[static_cast<std::size_t>(contact.ball)].radius;
 }
+Real length_of_push(const ContactProblem& /*problem*/, const PairContact& /*contact*/) { return 0; }
 
 /// Displaces until all contacts are out and hold.
 void project_positions(ContactProblem& problem, ResponseReport& report) {
     Displacements motion = problem.displacements();
     for (int round = 0; round < most_rounds; ++round) {
-        for_each_contact(problem, [&](auto& contact) { aim_displacement(motion, problem.balls, contact); });
-        const bool moves_far = longest_push(problem) > short_push;
-        choose(problem, [](const ContactPlane& /*contact*/) { return true; });
-        const Sweeps sweeps = sweep_until(problem, displacement_tolerance(problem),
-                                          [&](auto& contact) { return solve_contact(motion, contact); });
+        Real longest = 0;
+        for_each_contact(problem, [&](auto& contact) {
+            aim_displacement(motion, problem.balls, contact);
+            longest = std::max(longest, length_of_push(problem, contact));
+            contact.takes_part = contact.inverse_mass > 0;
+        });
+        const Sweeps sweeps = solve_contacts(problem, motion, displacement_tolerance(problem));
         report.sweeps += sweeps.count;
         report.residual = sweeps.residual;
-        if (!moves_far) return;
+        if (longest <= short_push) return;
         for_each_contact(problem, [&](auto& contact) { find_again(problem, contact); });
     }
 }
@@ -60,9 +54,7 @@ ResponseReport respond_by_projection(ContactProblem& problem) {
     project_positions(problem, report);
     Velocities motion = problem.velocities();
     choose(problem, is_loaded);
-    report.sweeps += sweep_until(problem, velocity_tolerance(problem), [&](auto& contact) {
-                         return solve_contact(motion, contact);
-                     }).count;
+    report.sweeps += solve_contacts(problem, motion, velocity_tolerance(problem)).count;
     return report;
 }
 

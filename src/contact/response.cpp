@@ -5,7 +5,9 @@
 #include <limits>
 #include <utility>
 
+#include "contact_rows.h"
 #include "contact_solver.h"
+#include "drape/contact/solver_memory.h"
 
 namespace drape {
 namespace {
@@ -250,7 +252,7 @@ Real depth_left(ContactProblem& problem) {
 
 ResponseReport resolve_contacts(const ResponseParameters& parameters, Real h, std::span<const ClothInContact> cloths,
                                 std::span<PairContact> pairs, std::span<Ball> balls,
-                                std::span<BallContact> ball_contacts) {
+                                std::span<BallContact> ball_contacts, SolverMemory* memory) {
     const bool none = std::ranges::all_of(cloths, [](const ClothInContact& cloth) { return cloth.contacts.empty(); });
     if (none && pairs.empty() && ball_contacts.empty()) return {};
     const Real gravity = cloths.front().model.gravity.norm();
@@ -262,7 +264,8 @@ ResponseReport resolve_contacts(const ResponseParameters& parameters, Real h, st
                            .cloths = cloths,
                            .pairs = pairs,
                            .balls = balls,
-                           .ball_contacts = ball_contacts};
+                           .ball_contacts = ball_contacts,
+                           .rows = memory != nullptr ? &memory->rows() : nullptr};
     prepare_all(problem);
     const double before = kinetic_energy(balls);
     ResponseReport report = respond(problem);

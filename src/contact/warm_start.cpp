@@ -1,5 +1,6 @@
 #include "drape/contact/warm_start.h"
 
+#include <algorithm>
 #include <tuple>
 
 #include "contact_motion.h"
@@ -85,15 +86,14 @@ void WarmStart<AnyContact>::take(const ResponseParameters& parameters, Real h, R
     if (!solves_for_pushes(parameters.kind)) return;
     is_explicit_ = has_step_limit(parameters.integrator);
     before_ = is_explicit_ ? Real(0) : share;
-    for (AnyContact& contact : contacts) {
-        if (!rests(contact, h_before, gravity)) continue;
+    last_.swap(contacts);
+    std::erase_if(last_, [&](const AnyContact& contact) { return !rests(contact, h_before, gravity); });
+    for (AnyContact& contact : last_) {
         scale(contact.displacement, factor * factor);
         contact.impulse = contact.displacement;
         scale(contact.impulse, 1 / (share * h));
-        last_.push_back(contact);
-        list_particles(cloths, last_.back());
+        list_particles(cloths, contact);
     }
-    contacts.clear();
 }
 
 template <class AnyContact>
@@ -121,23 +121,35 @@ void WarmStart<AnyContact>::after_step(std::span<const ClothInContact> cloths, s
 template <class AnyContact>
 void WarmStart<AnyContact>::carry_over(const ResponseParameters& parameters, std::span<const ClothInContact> cloths,
                                        std::span<const Ball> balls, std::vector<AnyContact>& contacts) {
-    if (last_.empty()) return;
-    merged_.clear();
+    parted_.clear();
+    gaps_.clear();
     auto found = contacts.begin();
     for (AnyContact& before : last_) {
         const auto order = order_of(before);
-        while (found != contacts.end() && order_of(*found) < order) merged_.push_back(*found++);
+        while (found != contacts.end() && order_of(*found) < order) ++found;
         if (found != contacts.end() && order_of(*found) == order) {
             found->displacement = before.displacement;
             found->impulse = before.impulse;
-            merged_.push_back(*found++);
+            ++found;
         } else {
             follow_contact(parameters, cloths, balls, before);
-            merged_.push_back(before);
+            parted_.push_back(before);
+            gaps_.push_back(found - contacts.begin());
         }
     }
-    merged_.insert(merged_.end(), found, contacts.end());
-    contacts.swap(merged_);
+    insert(contacts);
+}
+
+/// Those that have parted, from the last to the first: what is behind one moves by as many as there are up to it.
+template <class AnyContact>
+void WarmStart<AnyContact>::insert(std::vector<AnyContact>& contacts) const {
+    auto end = static_cast<std::ptrdiff_t>(contacts.size());
+    contacts.resize(contacts.size() + parted_.size());
+    for (std::size_t k = parted_.size(); k-- > 0; end = gaps_[k]) {
+        const auto begin = contacts.begin(), place = begin + gaps_[k] + static_cast<std::ptrdiff_t>(k);
+        std::move_backward(begin + gaps_[k], begin + end, place + 1 + end - gaps_[k]);
+        *place = parted_[k];
+    }
 }
 
 template class WarmStart<Contact>;

@@ -138,11 +138,13 @@ StretchReport ClothEnergy::limit_stretch(const ClothModel& model, int held, Clot
 
 /// What pushing stretches the springs by is work too. Mostly it is next to nothing, and a bound of it will do.
 void ClothEnergy::before_pushes(const ClothModel& model, const ClothState& state, const Pushes& pushes) {
-    pushed_ = range_of(pushes, model.grid);
-    if (pushed_.first_column >= pushed_.end_column) return;
+    pushed_ = {0, 0, 0, 0};
+    const bool by_cloth = is_pushed_by_cloth(pushes);
+    if (pushes.contacts.empty() && !by_cloth) return;
     most_push_work_ = pushes.known ? 0 : most_push_work(model, pushes);
     // What another cloth gives, or another part of this one, no bound tells
-    if (is_pushed_by_cloth(pushes)) most_push_work_ = std::numeric_limits<double>::infinity();
+    if (by_cloth) most_push_work_ = std::numeric_limits<double>::infinity();
+    pushed_ = measures_pushes() ? range_of(pushes, model.grid) : GridRange{0, model.grid.nx, 0, model.grid.ny};
     before_pushes_ = pushed_flow(model, state);
 }
 
@@ -170,9 +172,11 @@ EnergyFlow ClothEnergy::held_flow(const ClothModel& model, const ClothState& sta
     return ledger_ ? flow(model, state) : EnergyFlow{compute_energy(model, state, kernels_), {}};
 }
 
+bool ClothEnergy::measures_pushes() const { return ledger_ || most_push_work_ > watch_.small_work(); }
+
 /// Of what is being pushed, where it is to be measured.
 EnergyFlow ClothEnergy::pushed_flow(const ClothModel& model, const ClothState& state) const {
-    if (!ledger_ && most_push_work_ <= watch_.small_work()) return {};
+    if (!measures_pushes()) return {};
     return compute_energy_around(model, state.x, state.v, pushed_, kernels_);
 }
 

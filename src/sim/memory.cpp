@@ -5,6 +5,7 @@
 #include "drape/base/memory_limit.h"
 #include "drape/bounds/node_view.h"
 #include "drape/contact/contact.h"
+#include "drape/contact/solver_memory.h"
 #include "drape/integrate/method_memory.h"
 #include "drape/sim/simulation.h"
 
@@ -14,7 +15,8 @@ namespace {
 /// Numbers a particle: its mass, the state and the one before, and the positions of the last build; those of a ledger.
 constexpr double numbers = 1 + 12 + 3, ledger_numbers = 3;
 
-/// Lists with room for two contacts a triangle: those of now, of before, and both merged.
+/// Lists with room for two contacts a triangle, as the solver has: those of now, of before, and of these what has
+/// parted.
 constexpr double contact_lists = 3 * 2;
 
 /// The search for the longest step: its vectors and Jacobian, on a piece of at most about so many particles.
@@ -50,6 +52,7 @@ MemoryNeed memory_needed(const Settings& settings) {
         const double particles = grid.particles();
         need.cloths += particles * sizeof(Real) * (numbers + (settings.solver.ledger ? ledger_numbers : 0)) +
                        contact_lists * grid.triangles() * static_cast<double>(sizeof(Contact)) +
+                       2.0 * grid.triangles() * static_cast<double>(SolverMemory::bytes_of_contact()) +
                        hierarchy_bytes(settings.contact, grid) + self_contact_bytes(settings.contact, grid) +
                        std::min(particles, searched_particles) * sizeof(Real) * search_numbers;
         need.method += bytes_of_method(integrator_of(settings.solver), grid);

@@ -119,6 +119,9 @@ void Simulation::restart() {
         cloth.contacts.reserve(2 * static_cast<std::size_t>(parameters.particles.triangles()));
         cloth.warm_start.reserve(cloth.contacts.capacity());
     }
+    std::size_t most_contacts = 0;
+    for (const Cloth& cloth : cloths_) most_contacts += cloth.contacts.capacity();
+    contact_memory_.reserve(most_contacts);
     use_pins();
     use_self_contact();
     balls_.clear();

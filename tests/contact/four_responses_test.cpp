@@ -53,7 +53,7 @@ struct SheetOnGround {
         find_ball_contacts(balls, parameters.ground, ball_contacts);
         const ClothInContact sheet = in_contact();
         warm_start.carry_over(parameters, std::span(&sheet, 1), balls, contacts);
-        report = resolve_contacts(parameters, h, std::span(&sheet, 1), {}, balls, ball_contacts);
+        report = resolve_contacts(parameters, h, std::span(&sheet, 1), {}, balls, ball_contacts, nullptr);
     }
 
     /// @param visit after each step, with its number

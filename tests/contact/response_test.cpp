@@ -41,7 +41,7 @@ struct Floor {
         find_contacts(model.grid, state.x, balls[0], 0, parameters.thickness, cells, contacts, Kernels::Vector);
         balls[0].moved = dt * balls[0].velocity;
         const ClothInContact cloth{model, before, state, contacts};
-        deepest = resolve_contacts(parameters, dt, std::span(&cloth, 1), {}, balls, {}).depth;
+        deepest = resolve_contacts(parameters, dt, std::span(&cloth, 1), {}, balls, {}, nullptr).depth;
     }
 
     void run(Real time) {

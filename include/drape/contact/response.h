@@ -9,6 +9,8 @@
 
 namespace drape {
 
+class SolverMemory;
+
 /// How contacts are answered; each has a file of its own in src/contact.
 enum class ResponseKind {
     Projection,  ///< positions are put back onto the surface, then velocities stopped
@@ -77,9 +79,10 @@ Real penalty_step_limit(Real stiffness, Real restitution, Real inverse_mass);
 /// @param pairs of features of these cloths
 /// @param balls those with an inverse mass are pushed back
 /// @param h the substep [s]; normal speeds that gravity alone brings within it do not bounce
+/// @param memory for faster solves, which have the same bits; none: plain code alone
 /// @par Cost O(contacts) a sweep, allocates nothing
 ResponseReport resolve_contacts(const ResponseParameters& parameters, Real h, std::span<const ClothInContact> cloths,
                                 std::span<PairContact> pairs, std::span<Ball> balls,
-                                std::span<BallContact> ball_contacts);
+                                std::span<BallContact> ball_contacts, SolverMemory* memory);
 
 }  // namespace drape

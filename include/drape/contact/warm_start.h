@@ -1,5 +1,6 @@
 #pragma once
 
+#include <cstddef>
 #include <span>
 #include <vector>
 
@@ -18,7 +19,7 @@ template <class AnyContact>
 class WarmStart {
 public:
     /// Room for this many contacts without allocating.
-    void reserve(std::size_t contacts) { last_.reserve(contacts), merged_.reserve(contacts); }
+    void reserve(std::size_t contacts) { last_.reserve(contacts), parted_.reserve(contacts), gaps_.reserve(contacts); }
 
     /// Takes the pushes of the substep before.
     /// @param h the substep to come [s]
@@ -44,10 +45,13 @@ public:
     [[nodiscard]] std::span<const AnyContact> pushes() const { return last_; }
 
 private:
+    void insert(std::vector<AnyContact>& contacts) const;
+
     Real h_ = 0;               ///< of the last pushes [s]
     Real before_ = 0;          ///< what of a velocity is given before the step
     bool is_explicit_ = true;  ///< nothing is, and displacements are given
-    std::vector<AnyContact> last_, merged_;
+    std::vector<AnyContact> last_, parted_;
+    std::vector<std::ptrdiff_t> gaps_;  ///< where those that have parted belong
 };
 
 }  // namespace drape

@@ -90,6 +90,7 @@ private:
     void tell_pins_apart(double of_hand, Power& power) const;
     EnergyFlow flow(const ClothModel& model, const ClothState& state);
     EnergyFlow held_flow(const ClothModel& model, const ClothState& state);
+    [[nodiscard]] bool measures_pushes() const;
     [[nodiscard]] EnergyFlow pushed_flow(const ClothModel& model, const ClothState& state) const;
 
     Kernels kernels_ = Kernels::Plain;
@@ -99,7 +100,7 @@ private:
     bool has_pins_ = false;
     int held_ = -1;                 ///< particle that the hand leads
     double hand_at_start_ = 0;      ///< its power at the start of a step, where pins move too [W]
-    GridRange pushed_{0, 0, 0, 0};  ///< particles that are being pushed
+    GridRange pushed_{0, 0, 0, 0};  ///< particles that are being pushed; all, where none is measured
     EnergyFlow before_pushes_, before_hold_;
     double most_push_work_ = 0;  ///< a bound [J]
     Points wind_;                ///< scratch, while a ledger is kept

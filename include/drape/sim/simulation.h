@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "drape/base/copied.h"
+#include "drape/contact/solver_memory.h"
 #include "drape/sim/cloth.h"
 #include "drape/sim/command.h"
 #include "drape/sim/frame_view.h"
@@ -148,6 +149,7 @@ private:
     std::vector<BallContact> ball_contacts_;
     SelfContact self_contact_;
     NotCopied<std::vector<ClothInContact>> in_contact_;  ///< the cloths, within a substep
+    SolverMemory contact_memory_;
     Vec3 steer_ = Vec3::Zero();
     std::size_t users_ball_ = 0;                 ///< that the user leads, drops and throws
     std::optional<BallMotion> motion_by_scene_;  ///< of that ball, once the user has taken it over

@@ -83,7 +83,7 @@ SelfContactStep SelfContactTrial::advance() {
     for (const std::size_t s : sheets) integrators_[s]->step(models_[s], states_[s], h_);
     contact_.warm_start().after_step(cloths, {});
     contact_.find(response_, cloths, {});
-    resolve_contacts(response_, h_, cloths, contact_.contacts(), {}, {});
+    resolve_contacts(response_, h_, cloths, contact_.contacts(), {}, {}, nullptr);
     SelfContactStep step;
     if (fail_safe_ && contact_.would_cross(cloths)) step.held_back = contact_.hold_back(cloths);
     step.pair_tests = contact_.report().traversal.volume_tests + contact_.report().listed;

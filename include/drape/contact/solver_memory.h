@@ -1,0 +1,32 @@
+#pragma once
+
+#include <cstddef>
+#include <memory>
+
+namespace drape {
+
+struct ContactRows;
+
+/// What `resolve_contacts` lays out anew in each call, kept so that it allocates nothing. A copy begins with none.
+class SolverMemory {
+public:
+    SolverMemory();
+    SolverMemory(const SolverMemory& other);
+    SolverMemory(SolverMemory&&) noexcept;
+    SolverMemory& operator=(const SolverMemory& other);
+    SolverMemory& operator=(SolverMemory&&) noexcept;
+    ~SolverMemory();
+
+    /// Room for as many contacts without allocating.
+    void reserve(std::size_t contacts);
+
+    /// What room for one takes [bytes].
+    [[nodiscard]] static std::size_t bytes_of_contact();
+
+    [[nodiscard]] ContactRows& rows() { return *rows_; }
+
+private:
+    std::unique_ptr<ContactRows> rows_;
+};
+
+}  // namespace drape
