@@ -182,14 +182,12 @@ bool SelfSearch::is_too_long(std::size_t list) const { return list > most_pairs 
 
 /// Of the particles of both features, the largest numbers together.
 Real SelfSearch::sum_of_largest(const FeaturePair& pair, const Numbers& of_particles) const {
-    std::array<Real, 2> largest{};
-    for (std::size_t k = 0; k < 4; ++k) {
-        const std::size_t number =
-            first_[static_cast<std::size_t>(pair.cloth_of(k))] + static_cast<std::size_t>(pair.particles[k]);
-        Real& of_feature = largest[pair.feature_of(k)];
-        of_feature = std::max(of_feature, of_particles[static_cast<Eigen::Index>(number)]);
-    }
-    return largest[0] + largest[1];
+    const auto& [cloths, count, p] = pair;
+    const Real* const of_first = of_particles.data() + first_[static_cast<std::size_t>(cloths[0])];
+    const Real* const of_second = of_particles.data() + first_[static_cast<std::size_t>(cloths[1])];
+    const Real of_two = std::max(of_second[p[2]], of_second[p[3]]);
+    return count == 1 ? of_first[p[0]] + std::max(of_second[p[1]], of_two)
+                      : std::max(of_first[p[0]], of_first[p[1]]) + of_two;
 }
 
 Real SelfSearch::reach_of(const FeaturePair& pair) const { return sum_of_largest(pair, reaches_); }

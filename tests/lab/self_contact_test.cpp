@@ -2,11 +2,13 @@
 
 #include <gmock/gmock.h>
 
+#include "drape/contact/segments.h"
 #include "drape/sim/simulation.h"
 #include "lab/contact/self_contact_trial.h"
 #include "lab/experiments.h"
 #include "lab/lab_run.h"
 #include "support/crossings.h"
+#include "support/exact_distance.h"
 
 namespace drape {
 namespace {
@@ -33,9 +35,12 @@ TEST(SelfContactTrial, DoesWhatTheSimulationDoesToTheSameBits) {
     std::int64_t pairs = 0;
     for (int step = 0; step < 120; ++step) {
         simulation.step();
-        trial.advance();
-        ASSERT_EQ(simulation.report().substeps, 1);
-        pairs += simulation.report().pairs;
+        const SelfContactStep done = trial.advance();
+        const StepReport& report = simulation.report();
+        ASSERT_EQ(report.substeps, 1);
+        ASSERT_EQ(done.pair_tests, report.between_cloths.volume_tests + report.listed_pairs) << step;
+        ASSERT_EQ(done.held_back, report.held_back) << step;
+        pairs += report.pairs;
     }
     EXPECT_GT(pairs, 1000);
     for (const std::size_t sheet : {0u, 1u}) {
@@ -76,6 +81,16 @@ TEST(ThrownSheets, PassOnTheMomentumOfTheReferenceTheBetterTheShorterTheStep) {
     EXPECT_EQ(momentum_error(reference, reference), 0);
 }
 
+TEST(ThrownSheets, HaveAnErrorOfMomentumThatIsAPartOfTheReference) {
+    SelfContactHistory run, reference;
+    run.given = Vec3(1, 4, 0), reference.given = Vec3(1, 0, -3);
+    EXPECT_DOUBLE_EQ(momentum_error(run, reference), static_cast<double>(5 / std::sqrt(Real(10))));
+    const SelfContactTrial trial(thin_sheets(), long_step, true);
+    const Vec3 thrown = thin_sheets().settings.cloths[0].mass * Vec3(1, -8, Real(0.5));
+    EXPECT_LT((trial.momentum(0) - thrown).norm(), 1e-6);
+    EXPECT_EQ(trial.momentum(1), Vec3::Zero());
+}
+
 TEST(SelfContactTrial, CountsTheCrossingsOfExactArithmetic) {
     SelfContactTrial trial(thin_sheets(), long_step, false);
     std::int64_t all = 0;
@@ -97,6 +112,68 @@ TEST(SelfContactTrial, CountsTheCrossingsOfExactArithmetic) {
     EXPECT_GT(all, 0);
 }
 
+/// The distance of the nearest two features that share no particle, of both sheets, by all of them.
+Real nearest_features(const SelfContactTrial& trial) {
+    const Grid grid = thin_sheets().settings.cloths[0].particles;
+    std::vector<std::array<int, 2>> edges;
+    for (int p = 0; p < grid.particles(); ++p) {
+        const int i = p % grid.nx, j = p / grid.nx;
+        if (i + 1 < grid.nx) edges.push_back({p, p + 1});
+        if (j + 1 < grid.ny) edges.push_back({p, p + grid.nx});
+        if (i + 1 < grid.nx && j + 1 < grid.ny) edges.push_back({p + 1, p + grid.nx});
+    }
+    Real nearest = 1;
+    for (const std::size_t one : {0u, 1u}) {
+        for (const std::size_t two : {0u, 1u}) {
+            const Points &x = trial.state(one).x, &y = trial.state(two).x;
+            const auto at = [](const Points& points, int p) -> Vec3 { return points.row(p).transpose(); };
+            for (int p = 0; p < grid.particles(); ++p) {
+                for (int t = 0; t < grid.triangles(); ++t) {
+                    if (one == two && std::ranges::count(grid.triangle_corners(t), p) > 0) continue;
+                    nearest = std::min(nearest, distance_to_triangle(at(x, p), grid, y, t));
+                }
+            }
+            for (const auto& [a, b] : edges) {
+                if (one > two) break;  // they have been seen from the other side
+                for (const auto& [c, d] : edges) {
+                    if (one == two && (a == c || a == d || b == c || b == d)) continue;
+                    const Vec3 offset = closest_of_segments(at(x, a), at(x, b), at(y, c), at(y, d)).offset;
+                    nearest = std::min(nearest, offset.norm());
+                }
+            }
+        }
+    }
+    return nearest;
+}
+
+TEST(SelfContactTrial, MeasuresHowFarTheNearestFeaturesAreWithinTheThickness) {
+    SelfContactTrial trial(thin_sheets(), long_step, true);
+    int within = 0;
+    for (int step = 0; step < 24; ++step) {
+        trial.advance();
+        if (step % 8 != 5) continue;
+        const Real thickness = thin_sheets().settings.contact.thickness;
+        const Real depth = std::max(thickness - nearest_features(trial), Real(0));
+        EXPECT_NEAR(trial.penetration(), depth, 1e-9) << step;
+        within += depth > thickness / 10 ? 1 : 0;
+    }
+    EXPECT_GT(within, 1);
+}
+
+/// A row of the table and what the trial sees are the same.
+void expect_row(const std::string& row, double step, const std::string& fail_safe,
+                const SelfContactHistory& reference) {
+    SCOPED_TRACE(row);
+    const SelfContactHistory run = watch_sheets(thin_sheets(), static_cast<Real>(step), fail_safe == "on");
+    const std::vector<double> values = test::values_of(test::replaced(row, "," + fail_safe + ",", ",0,"));
+    const std::vector seen{
+        static_cast<double>(run.crossings), run.crossed_steps,   run.unsearched_steps, run.penetration,
+        momentum_error(run, reference),     run.momentum_change, run.pair_tests,       run.held_back};
+    for (std::size_t k = 0; k < seen.size(); ++k) {
+        EXPECT_NEAR(values[4 + k], seen[k], 1e-5 * std::abs(seen[k])) << "column " << k;
+    }
+}
+
 TEST(LabSelfContact, WritesARowForEachStepWithTheFailSafeAndWithout) {
     const LabFolder folder;
     const LabRun run = folder.run({"self_contact", "--quick", "--cases", "1-1", "--out", "out"});
@@ -106,6 +183,9 @@ TEST(LabSelfContact, WritesARowForEachStepWithTheFailSafeAndWithout) {
     ASSERT_EQ(lines.size(), 9u) << "a header, four steps twice";
     EXPECT_THAT(lines[1], HasSubstr("1,0.000125,0.00833333,on,"));
     EXPECT_THAT(lines[2], HasSubstr("1,0.000125,0.00833333,off,"));
+    const SelfContactHistory reference = watch_sheets(thin_sheets(), Real(1) / 1920, true);
+    expect_row(lines[3], 1.0 / 240, "on", reference);
+    expect_row(lines[4], 1.0 / 240, "off", reference);
     EXPECT_THAT(run.out, HasSubstr("0.125 mm, step 1/240 s, fail-safe on: crossings after 0 % of the steps"));
 }
 

@@ -1,0 +1,245 @@
+// Contact between cloths: its broad phase and its whole search where three sheets lie on a ball (`stack`), what it adds
+// to the step of a sheet that cannot touch itself, and a second of `fold`. tests/bench/self_speed.sh makes the table of
+// docs/contact.md from it. Times are of the processor: on a machine with other work the clock says nothing.
+
+#include <benchmark/benchmark.h>
+
+#include <map>
+#include <string>
+
+#include "crossings/self_scenes.h"
+#include "drape/sim/self_search.h"
+#include "drape/sim/simulation.h"
+
+namespace drape::bench {
+namespace {
+
+/// The grid that is simulated; finer ones have its surface, because theirs would take an hour.
+constexpr int finest_simulated = 64;
+
+/// The same surface on another grid, bilinear between the particles that there are.
+Points refined(const Grid& to, const Grid& from, const Points& x) {
+    if (to == from) return x;
+    Points fine(to.particles(), 3);
+    for (int j = 0; j < to.ny; ++j) {
+        for (int i = 0; i < to.nx; ++i) {
+            const Real u = static_cast<Real>(i * (from.nx - 1)) / static_cast<Real>(to.nx - 1);
+            const Real w = static_cast<Real>(j * (from.ny - 1)) / static_cast<Real>(to.ny - 1);
+            const int column = std::min(static_cast<int>(u), from.nx - 2);
+            const int p = from.particle(column, std::min(static_cast<int>(w), from.ny - 2));
+            const Real s = u - static_cast<Real>(column), t = w - static_cast<Real>(p / from.nx);
+            fine.row(to.particle(i, j)) = (1 - t) * ((1 - s) * x.row(p) + s * x.row(p + 1)) +
+                                          t * ((1 - s) * x.row(p + from.nx) + s * x.row(p + from.nx + 1));
+        }
+    }
+    return fine;
+}
+
+/// The sheets of `stack` after half a second, and a step of symplectic Euler later.
+struct LyingSheets {
+    std::vector<ClothModel> models;
+    std::vector<Points> before;
+    std::vector<ClothState> states;
+    std::vector<std::vector<Contact>> no_contacts;
+    std::vector<ClothInContact> cloths;
+    BroadPhaseParameters search;
+    Real thickness;
+    int triangles = 0;
+
+    explicit LyingSheets(int side) {
+        Settings settings = crossings::scene_of_side("stack", side);
+        crossings::use_method(settings, IntegratorKind::SymplecticEuler);
+        const auto h = static_cast<Real>(settings.solver.dt);
+        search = broad_phase_of(settings);
+        search.search = {};
+        search.leaf_cells = 4;
+        thickness = response_of(settings).pair_thickness;
+        const Simulation simulation = lying(std::min(side, finest_simulated));
+        for (std::size_t c = 0; c < settings.cloths.size(); ++c) {
+            const auto& [x, v] = simulation.cloths()[c].state;
+            const Grid& grid = simulation.cloths()[c].model.grid;
+            models.push_back(make_cloth_model(settings.cloths[c]));
+            before.push_back(refined(models[c].grid, grid, x));
+            states.push_back({before[c], refined(models[c].grid, grid, v)});
+            states[c].x += h * states[c].v;
+            triangles += models[c].grid.triangles();
+        }
+        no_contacts.resize(models.size());
+        for (std::size_t c = 0; c < models.size(); ++c) {
+            cloths.push_back({models[c], before[c], states[c], no_contacts[c]});
+        }
+    }
+
+    /// By XPBD, whose longer steps get there sooner.
+    static Simulation lying(int side) {
+        Settings settings = crossings::scene_of_side("stack", side);
+        crossings::use_method(settings, IntegratorKind::Xpbd);
+        settings.solver.iterations = 3;
+        Simulation simulation("stack", settings);
+        while (simulation.report().time < 0.5) simulation.step();
+        return simulation;
+    }
+
+    /// Made once.
+    static LyingSheets& of_side(int side) {
+        static std::map<int, LyingSheets> all;
+        return all.try_emplace(side, side).first->second;
+    }
+
+    [[nodiscard]] std::vector<const ClothModel*> list_models() const {
+        std::vector<const ClothModel*> list;
+        for (const ClothModel& model : models) list.push_back(&model);
+        return list;
+    }
+
+    /// How far a cloth's particles may come while a list of `SelfSearch` serves, at most.
+    [[nodiscard]] Real largest_allowance(std::size_t cloth) const {
+        Vec3 common = Vec3::Zero();
+        Real particles = 0;
+        for (std::size_t c = 0; c < models.size(); ++c) {
+            common += (states[c].x - before[c]).colwise().sum().transpose();
+            particles += static_cast<Real>(before[c].rows());
+        }
+        common /= particles;
+        const Points ways = (states[cloth].x - before[cloth]).rowwise() - common.transpose();
+        const Real way = ways.rowwise().norm().maxCoeff(), spacing = std::min(models[cloth].hx, models[cloth].hy);
+        return thickness * Real(0.75) + Real(1.5) * way + std::min(8 * way, spacing / 2);
+    }
+};
+
+void per_triangle(benchmark::State& state, int triangles) {
+    state.counters["triangles"] = triangles;
+    state.counters["per_triangle"] =
+        benchmark::Counter(triangles, benchmark::Counter::kIsIterationInvariantRate | benchmark::Counter::kInvert);
+}
+
+/// All trees are built, and all cloths are traversed against themselves and each other, as for a new list of pairs.
+void self_broad_phase(benchmark::State& state, int side) {
+    LyingSheets& sheets = LyingSheets::of_side(side);
+    const std::size_t count = sheets.models.size();
+    std::vector<std::unique_ptr<BroadPhase>> trees;
+    std::vector<FoldTest> folds;
+    std::vector<Real> allowances;
+    for (std::size_t c = 0; c < count; ++c) {
+        const ClothModel& model = sheets.models[c];
+        trees.push_back(make_broad_phase(sheets.search, model.grid));
+        folds.emplace_back(model.grid, model.hx, model.hy, sheets.search.leaf_cells);
+        allowances.push_back(sheets.largest_allowance(c));
+    }
+    std::vector<LeafPair> leaves;
+    TraversalStats stats;
+    for (auto _ : state) {
+        stats = {};
+        for (std::size_t c = 0; c < count; ++c) trees[c]->build(sheets.before[c]), folds[c].build(sheets.before[c]);
+        for (std::size_t a = 0; a < count; ++a) {
+            for (std::size_t b = a; b < count; ++b) {
+                stats +=
+                    trees[a]->query(*trees[b], allowances[a] + allowances[b], a == b ? &folds[a] : nullptr, leaves);
+            }
+        }
+    }
+    SelfSearch search;
+    search.use(sheets.search, sheets.list_models());
+    const TraversalStats meant = search.find(sheets.cloths, sheets.thickness).traversal;
+    if (meant.leaves != stats.leaves) state.SkipWithError("this is not what SelfSearch does");
+    state.counters["tests_a_triangle"] = static_cast<double>(stats.volume_tests) / sheets.triangles;
+    state.counters["leaves_a_triangle"] = static_cast<double>(stats.leaves) / sheets.triangles;
+    per_triangle(state, sheets.triangles);
+}
+
+/// A search that makes a new list, and one that has it.
+void self_search(benchmark::State& state, int side, bool listed) {
+    LyingSheets& sheets = LyingSheets::of_side(side);
+    SelfSearch search;
+    search.use(sheets.search, sheets.list_models());
+    SelfSearchReport report = search.find(sheets.cloths, sheets.thickness);
+    for (auto _ : state) {
+        if (!listed) search.forget();
+        report = search.find(sheets.cloths, sheets.thickness);
+    }
+    if (report.gave_up) state.SkipWithError("the search gave up");
+    state.counters["listed"] = static_cast<double>(report.listed);
+    state.counters["near"] = static_cast<double>(search.pairs().size());
+    per_triangle(state, sheets.triangles);
+}
+
+/// A sheet that cannot touch itself, of 128 x 128 particles: a flat one that falls, or one that lies over a ball.
+Settings single_sheet(bool draped) {
+    Settings settings = crossings::scene_of_side("stack", 128);
+    settings.cloths.resize(1);
+    settings.ground.solid = false;
+    settings.solver.sleep_speed = 0;
+    if (!draped) settings.balls.clear();
+    crossings::use_method(settings, IntegratorKind::SymplecticEuler);
+    return settings;
+}
+
+void single_sheet_step(benchmark::State& state, bool draped, bool self) {
+    Settings settings = single_sheet(draped);
+    settings.contact.self = self;
+    Simulation simulation("sheet", settings);
+    const double start = draped ? 0.25 : 0.0;
+    while (simulation.report().time < start) simulation.step();
+    double near = 0;
+    for (auto _ : state) {
+        simulation.step();
+        near += static_cast<double>(simulation.report().pairs);
+    }
+    state.counters["pairs"] = near;
+}
+
+/// What the integrator alone needs for the same sheet.
+void single_sheet_integration(benchmark::State& state) {
+    const Settings settings = single_sheet(false);
+    const ClothModel model = make_cloth_model(settings.cloths[0]);
+    ClothState sheet = make_rest_state(settings.cloths[0]);
+    const auto integrator = make_integrator(integrator_of(settings.solver), model.grid);
+    for (auto _ : state) integrator->step(model, sheet, static_cast<Real>(settings.solver.dt));
+}
+
+/// `fold` with 64 x 64 particles, from its start to 1 s.
+void fold_second(benchmark::State& state, IntegratorKind integrator) {
+    Settings settings = crossings::scene_of_side("fold", 64);
+    settings.solver.sleep_speed = 0;
+    crossings::use_method(settings, integrator);
+    double steps = 0;
+    for (auto _ : state) {
+        Simulation simulation("fold", settings);
+        while (simulation.report().time < 1 && simulation.report().status == Status::Ok) simulation.step();
+        if (simulation.report().status != Status::Ok) state.SkipWithError(simulation.report().trouble.c_str());
+        steps = static_cast<double>(simulation.report().step);
+    }
+    state.counters["steps"] = steps;
+}
+
+void register_all() {
+    const auto add = [](const std::string& name, auto run) {
+        return benchmark::RegisterBenchmark(("self/" + name).c_str(), run)->Unit(benchmark::kMicrosecond);
+    };
+    for (const int side : {32, 64, 128, 256}) {
+        const std::string of_side = "/" + std::to_string(side);
+        add("broad_phase" + of_side, [=](benchmark::State& state) { self_broad_phase(state, side); });
+        add("new_list" + of_side, [=](benchmark::State& state) { self_search(state, side, false); });
+        add("listed" + of_side, [=](benchmark::State& state) { self_search(state, side, true); });
+    }
+    add("integration/128", [](benchmark::State& state) { single_sheet_integration(state); });
+    for (const bool draped : {false, true}) {
+        for (const bool self : {false, true}) {
+            const std::string name = std::string(draped ? "draped" : "flat") + (self ? "_self" : "");
+            add(name + "/128", [=](benchmark::State& state) {
+                single_sheet_step(state, draped, self);
+            })->Iterations(400);
+        }
+    }
+    for (const auto integrator : {IntegratorKind::SymplecticEuler, IntegratorKind::BackwardEuler, IntegratorKind::Xpbd,
+                                  IntegratorKind::ProjectiveDynamics}) {
+        add("fold_" + names_of<IntegratorKind>()[static_cast<std::size_t>(integrator)] + "/64",
+            [=](benchmark::State& state) { fold_second(state, integrator); })
+            ->Iterations(1);
+    }
+}
+
+const bool registered = (register_all(), true);
+
+}  // namespace
+}  // namespace drape::bench

@@ -1,0 +1,31 @@
+#!/bin/sh
+# Measures what contact between cloths costs: broad phase and search of `stack` at several sizes, a sheet that cannot
+# touch itself with contact and without, and a second of `fold`; in processor time, medians of three (`fold` once).
+# usage: tests/bench/self_speed.sh BENCH [CSV]
+# Writes CSV, docs/self_speed.csv if not given; tests/docs/tables.sh then makes the tables of docs/contact.md.
+set -eu
+export LC_ALL=C
+docs=$(cd "$(dirname "$0")/../../docs" && pwd)
+program=$1 table=${2:-$docs/self_speed.csv}
+made=$(mktemp)
+trap 'rm -f "$made"' EXIT
+{
+    echo "# commit: $(git -C "$docs" describe --always --dirty=+ --exclude='*' 2>/dev/null || echo unknown)"
+    echo "# machine: $(sed -n 's/^model name[^:]*: \(.*\)/\1/p' /proc/cpuinfo | head -n 1 | tr ',' ' ')"
+    echo "# compiler: $(c++ --version | sed -n '1s/^c++ .*) /g++ /p')"
+    echo "# date: $(date -u +%Y-%m-%d)"
+    echo "# note: processor time; medians of three; fold once"
+    echo "what,side,triangles,cpu_us"
+    # Sheets that fold take minutes, and once is enough for them
+    {
+        "$program" --benchmark_filter='^self/([^f]|flat)' --benchmark_repetitions=3 --benchmark_min_time=0.1 \
+            --benchmark_report_aggregates_only=true
+        "$program" --benchmark_filter=^self/fold
+    } 2>/dev/null | awk '$1 ~ /_median$|\/fold_/ {
+        sub("/iterations:[0-9]+", "", $1); sub("_median$", "", $1); split($1, name, "/")
+        sheets = name[2] ~ /^(broad_phase|new_list|listed)$/ ? 3 : 1
+        printf "%s,%s,%d,%s\n", name[2], name[3], sheets * 2 * (name[3] - 1) ^ 2, $4
+    }'
+} >"$made"
+grep -q ^fold_projective_dynamics, "$made" || { echo "$program: ended before the last benchmark" >&2 && exit 1; }
+cat "$made" >"$table"
