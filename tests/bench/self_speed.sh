@@ -14,7 +14,7 @@ trap 'rm -f "$made"' EXIT
     echo "# machine: $(sed -n 's/^model name[^:]*: \(.*\)/\1/p' /proc/cpuinfo | head -n 1 | tr ',' ' ')"
     echo "# compiler: $(c++ --version | sed -n '1s/^c++ .*) /g++ /p')"
     echo "# date: $(date -u +%Y-%m-%d)"
-    echo "# note: processor time; medians of three; fold once"
+    echo "# note: processor time, medians of three, fold once"
     echo "what,side,triangles,cpu_us"
     # Sheets that fold take minutes, and once is enough for them
     {

@@ -3,7 +3,7 @@ function need(what) { if (!(what in us)) fail("there is no row " what); return u
 { us[cell("what")] = cell("cpu_us") + 0 }
 END {
     if (failed) exit 2
-    print "| What | CPU time | Of the goal |"
+    print "| What | CPU time | Compared |"
     print "| --- | ---: | ---: |"
     integration = need("integration")
     for (i = 1; i <= split("flat draped", sheets, " "); ++i) {
