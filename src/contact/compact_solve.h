@@ -13,6 +13,12 @@ inline bool has_fixed_bodies(const ContactProblem& problem) {
            std::ranges::none_of(problem.balls, is_free);
 }
 
+/// How the second body of a contact moves where it touches.
+template <BodyMotion Motion>
+Vec3 of_second(const Motion& motion, const Contact& contact) {
+    return is_solid(contact.ball) ? motion.of_plane(contact.plane) : motion.of_ball(contact.ball, contact.normal);
+}
+
 /// What `solve_contact` reads of a contact.
 /// @param offsets receives how many count, of this row and those before
 template <BodyMotion Motion>

@@ -53,7 +53,7 @@ struct BallDisplacements {
         return ball.moved + ball.turned.cross(arm(ball, normal));
     }
     static const Vec3& of_plane(const SolidPlane& plane) { return plane.moved; }
-    void push_ball(int number, const Vec3& normal, const Vec3& push) {
+    [[gnu::always_inline]] void push_ball(int number, const Vec3& normal, const Vec3& push) {
         if (is_plane(number)) return;
         Ball& ball = balls[static_cast<std::size_t>(number)];
         if (ball.inverse_mass == 0) return;
@@ -73,7 +73,7 @@ struct BallVelocities {
         return ball.velocity + ball.spin.cross(arm(ball, normal));
     }
     static const Vec3& of_plane(const SolidPlane& plane) { return plane.velocity; }
-    void push_ball(int number, const Vec3& normal, const Vec3& push) {
+    [[gnu::always_inline]] void push_ball(int number, const Vec3& normal, const Vec3& push) {
         if (is_plane(number)) return;
         Ball& ball = balls[static_cast<std::size_t>(number)];
         if (ball.inverse_mass == 0) return;
@@ -91,6 +91,7 @@ struct Displacements : BallDisplacements {
 
     [[nodiscard]] Points& of_cloth(int number) const { return cloths[static_cast<std::size_t>(number)].state.x; }
     static Vec3 start(const ContactPlane& contact) { return contact.start; }
+    static Vec3 since_start(const ContactPlane& contact, const Vec3& now) { return now - contact.start; }
     static ContactPush& given(ContactPlane& contact) { return contact.displacement; }
 };
 
@@ -103,6 +104,7 @@ struct Velocities : BallVelocities {
 
     [[nodiscard]] Points& of_cloth(int number) const { return cloths[static_cast<std::size_t>(number)].state.v; }
     static Vec3 start(const ContactPlane& /*contact*/) { return Vec3::Zero(); }
+    static Vec3 since_start(const ContactPlane& /*contact*/, const Vec3& now) { return now; }
     static ContactPush& given(ContactPlane& contact) { return contact.impulse; }
 };
 
@@ -113,21 +115,16 @@ concept BodyMotion = requires(const Motion& motion) {
 };
 
 template <BodyMotion Motion>
-Vec3 of_particles(const Motion& motion, const ContactPlane& contact) {
+[[gnu::always_inline]] inline Vec3 of_particles(const Motion& motion, const ContactPlane& contact) {
     const auto of_cloth = [&](int cloth) -> const Points& { return motion.of_cloth(cloth); };
-    return weighted_sum(contact, of_cloth) - motion.start(contact);
-}
-
-/// How the second body of a contact moves where it touches.
-template <BodyMotion Motion>
-Vec3 of_second(const Motion& motion, const BodyContact& contact) {
-    return is_solid(contact.ball) ? motion.of_plane(contact.plane) : motion.of_ball(contact.ball, contact.normal);
+    return motion.since_start(contact, weighted_sum(contact, of_cloth));
 }
 
 /// How the first body of a contact moves against the second.
 template <BodyMotion Motion>
-Vec3 relative(const Motion& motion, const Contact& contact) {
-    return of_particles(motion, contact) - of_second(motion, contact);
+[[gnu::always_inline]] inline Vec3 relative(const Motion& motion, const Contact& contact) {
+    if (is_solid(contact.ball)) return of_particles(motion, contact) - motion.of_plane(contact.plane);
+    return of_particles(motion, contact) - motion.of_ball(contact.ball, contact.normal);
 }
 template <BodyMotion Motion>
 Vec3 relative(const Motion& motion, const PairContact& contact) {
@@ -135,12 +132,15 @@ Vec3 relative(const Motion& motion, const PairContact& contact) {
 }
 template <BodyMotion Motion>
 Vec3 relative(const Motion& motion, const BallContact& contact) {
-    return motion.of_ball(contact.first, -contact.normal) - of_second(motion, contact);
+    if (is_solid(contact.ball)) {
+        return motion.of_ball(contact.first, -contact.normal) - motion.of_plane(contact.plane);
+    }
+    return motion.of_ball(contact.first, -contact.normal) - motion.of_ball(contact.ball, contact.normal);
 }
 
 /// Moves, or speeds up, the particles of a contact by their shares of a push.
 template <BodyMotion Motion>
-void push_particles(Motion& motion, const ContactPlane& contact, const Vec3& push) {
+[[gnu::always_inline]] inline void push_particles(Motion& motion, const ContactPlane& contact, const Vec3& push) {
     for (const PushedParticle& p : contact.pushed()) {
         motion.of_cloth(p.cloth).row(p.particle) += p.share * push.transpose();
     }
@@ -148,7 +148,7 @@ void push_particles(Motion& motion, const ContactPlane& contact, const Vec3& pus
 
 /// Pushes the first body of a contact, and the second the other way.
 template <BodyMotion Motion>
-void push_apart(Motion& motion, const Contact& contact, const Vec3& push) {
+[[gnu::always_inline]] inline void push_apart(Motion& motion, const Contact& contact, const Vec3& push) {
     push_particles(motion, contact, push);
     motion.push_ball(contact.ball, contact.normal, -push);
 }

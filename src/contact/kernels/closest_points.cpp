@@ -31,6 +31,13 @@ HWY_INLINE Lanes3<V> chosen(M mask, const Lanes3<V>& yes, const Lanes3<V>& no) {
     return {hn::IfThenElse(mask, yes.x, no.x), hn::IfThenElse(mask, yes.y, no.y), hn::IfThenElse(mask, yes.z, no.z)};
 }
 
+/// In the order of Eigen, which adds up a pair of doubles first.
+template <class V>
+HWY_INLINE V dot3(const Lanes3<V>& a, const Lanes3<V>& b) {
+    const V x = hn::Mul(a.x, b.x), y = hn::Mul(a.y, b.y), z = hn::Mul(a.z, b.z);
+    return sizeof(Real) == sizeof(double) ? hn::Add(hn::Add(x, y), z) : hn::Add(x, hn::Add(y, z));
+}
+
 template <class V>
 HWY_INLINE V difference_of_products(V a, V b, V c, V d) {
     return hn::Sub(hn::Mul(a, b), hn::Mul(c, d));
@@ -46,10 +53,10 @@ HWY_INLINE Lanes3<V> cross3(const Lanes3<V>& a, const Lanes3<V>& b) {
 template <class D, class L>
 HWY_INLINE hn::Mask<D> needles(D d, const L& ab, const L& ac, const L& bc) {
     constexpr Real smallest = std::numeric_limits<Real>::min() / std::numeric_limits<Real>::epsilon();
-    const auto longest = hn::Max(hn::Max(eigen_dot(ab, ab), eigen_dot(ac, ac)), eigen_dot(bc, bc));
+    const auto longest = hn::Max(hn::Max(dot3(ab, ab), dot3(ac, ac)), dot3(bc, bc));
     const auto least = hn::Mul(hn::Mul(hn::Set(d, Real(1) / 64), longest), longest);
     const L across = cross3(ab, ac);
-    return hn::Not(hn::Gt(eigen_dot(across, across), hn::Max(least, hn::Set(d, smallest))));
+    return hn::Not(hn::Gt(dot3(across, across), hn::Max(least, hn::Set(d, smallest))));
 }
 
 /// The regions of the plane, each point in one, and the weights of b and c as quotients.
@@ -64,8 +71,8 @@ template <class D, class L>
 HWY_INLINE Regions<D> regions_of(D d, const L& ab, const L& ac, const L& bc, const L& ap, const L& bp, const L& cp) {
     using V = hn::Vec<D>;
     const V zero = hn::Zero(d), one = hn::Set(d, Real(1));
-    const V d1 = eigen_dot(ab, ap), d2 = eigen_dot(ac, ap), d3 = eigen_dot(ab, bp), d4 = eigen_dot(ac, bp), d5 = eigen_dot(ab, cp),
-            d6 = eigen_dot(ac, cp);
+    const V d1 = dot3(ab, ap), d2 = dot3(ac, ap), d3 = dot3(ab, bp), d4 = dot3(ac, bp), d5 = dot3(ab, cp),
+            d6 = dot3(ac, cp);
     const auto at_a = hn::And(hn::Le(d1, zero), hn::Le(d2, zero));
     const auto at_b = hn::AndNot(at_a, hn::And(hn::Ge(d3, zero), hn::Le(d4, d3)));
     const auto at_c = hn::AndNot(hn::Or(at_a, at_b), hn::And(hn::Ge(d6, zero), hn::Le(d5, d6)));
@@ -121,7 +128,7 @@ HWY_INLINE std::uint32_t closest_of(D d, CellBatch& batch, const Lanes3<hn::Vec<
     CellBatch::Closest& closest = batch.closest[second];
     store3(d, {u, v, w}, closest.barycentric, k);
     store3(d, point, closest.point, k);
-    hn::Store(eigen_dot(off, off), d, closest.square.data() + k);
+    hn::Store(dot3(off, off), d, closest.square.data() + k);
     return lane_bits(d, in.needle);
 }
 

@@ -42,13 +42,6 @@ HWY_INLINE V dot(const Lanes3<V>& a, const Lanes3<V>& b) {
     return hn::Add(hn::Add(hn::Mul(a.x, b.x), hn::Mul(a.y, b.y)), hn::Mul(a.z, b.z));
 }
 
-/// In the order of Eigen, which adds up a pair of doubles first.
-template <class V>
-HWY_INLINE V eigen_dot(const Lanes3<V>& a, const Lanes3<V>& b) {
-    const V x = hn::Mul(a.x, b.x), y = hn::Mul(a.y, b.y), z = hn::Mul(a.z, b.z);
-    return sizeof(hn::TFromV<V>) == sizeof(double) ? hn::Add(hn::Add(x, y), z) : hn::Add(x, hn::Add(y, z));
-}
-
 /// The lanes for which a mask is true, a bit each.
 template <class D, class M>
 HWY_INLINE std::uint32_t lane_bits(D d, M mask) {
