@@ -90,7 +90,9 @@ Sweeps solve_rows(ContactProblem& problem, Motion& motion, Real tolerance) {
 template <BodyMotion Motion>
 Sweeps solve_contacts(ContactProblem& problem, Motion& motion, Real tolerance) {
     if (problem.rows != nullptr && has_fixed_bodies(problem)) return solve_rows(problem, motion, tolerance);
-    return sweep_until(problem, tolerance, [&](auto& contact) { return solve_contact(motion, contact); });
+    // Flat, for GCC would call a function for each sum of three numbers
+    const auto solve = [&](auto& contact) __attribute__((flatten)) { return solve_contact(motion, contact); };
+    return sweep_until(problem, tolerance, solve);
 }
 
 }  // namespace drape

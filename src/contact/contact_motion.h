@@ -32,7 +32,7 @@ inline void list_particles(std::span<const ClothInContact> cloths, PairContact& 
 /// What a contact has of the motion of its particles.
 /// @param of_cloth of_cloth(number) is n x 3, a row a particle
 template <class OfCloth>
-[[gnu::always_inline]] inline Vec3 weighted_sum(const ContactPlane& contact, OfCloth of_cloth) {
+Vec3 weighted_sum(const ContactPlane& contact, OfCloth of_cloth) {
     Vec3 sum = Vec3::Zero();
     for (const PushedParticle& p : contact.pushed()) {
         sum += p.weight * position(of_cloth(p.cloth), p.particle);
@@ -53,7 +53,7 @@ struct BallDisplacements {
         return ball.moved + ball.turned.cross(arm(ball, normal));
     }
     static const Vec3& of_plane(const SolidPlane& plane) { return plane.moved; }
-    [[gnu::always_inline]] void push_ball(int number, const Vec3& normal, const Vec3& push) {
+    void push_ball(int number, const Vec3& normal, const Vec3& push) {
         if (is_plane(number)) return;
         Ball& ball = balls[static_cast<std::size_t>(number)];
         if (ball.inverse_mass == 0) return;
@@ -73,7 +73,7 @@ struct BallVelocities {
         return ball.velocity + ball.spin.cross(arm(ball, normal));
     }
     static const Vec3& of_plane(const SolidPlane& plane) { return plane.velocity; }
-    [[gnu::always_inline]] void push_ball(int number, const Vec3& normal, const Vec3& push) {
+    void push_ball(int number, const Vec3& normal, const Vec3& push) {
         if (is_plane(number)) return;
         Ball& ball = balls[static_cast<std::size_t>(number)];
         if (ball.inverse_mass == 0) return;
@@ -115,14 +115,14 @@ concept BodyMotion = requires(const Motion& motion) {
 };
 
 template <BodyMotion Motion>
-[[gnu::always_inline]] inline Vec3 of_particles(const Motion& motion, const ContactPlane& contact) {
+Vec3 of_particles(const Motion& motion, const ContactPlane& contact) {
     const auto of_cloth = [&](int cloth) -> const Points& { return motion.of_cloth(cloth); };
     return motion.since_start(contact, weighted_sum(contact, of_cloth));
 }
 
 /// How the first body of a contact moves against the second.
 template <BodyMotion Motion>
-[[gnu::always_inline]] inline Vec3 relative(const Motion& motion, const Contact& contact) {
+Vec3 relative(const Motion& motion, const Contact& contact) {
     if (is_solid(contact.ball)) return of_particles(motion, contact) - motion.of_plane(contact.plane);
     return of_particles(motion, contact) - motion.of_ball(contact.ball, contact.normal);
 }
@@ -140,7 +140,7 @@ Vec3 relative(const Motion& motion, const BallContact& contact) {
 
 /// Moves, or speeds up, the particles of a contact by their shares of a push.
 template <BodyMotion Motion>
-[[gnu::always_inline]] inline void push_particles(Motion& motion, const ContactPlane& contact, const Vec3& push) {
+void push_particles(Motion& motion, const ContactPlane& contact, const Vec3& push) {
     for (const PushedParticle& p : contact.pushed()) {
         motion.of_cloth(p.cloth).row(p.particle) += p.share * push.transpose();
     }
@@ -148,7 +148,7 @@ template <BodyMotion Motion>
 
 /// Pushes the first body of a contact, and the second the other way.
 template <BodyMotion Motion>
-[[gnu::always_inline]] inline void push_apart(Motion& motion, const Contact& contact, const Vec3& push) {
+void push_apart(Motion& motion, const Contact& contact, const Vec3& push) {
     push_particles(motion, contact, push);
     motion.push_ball(contact.ball, contact.normal, -push);
 }

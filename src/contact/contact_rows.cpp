@@ -5,7 +5,8 @@
 
 namespace drape {
 
-void ContactRows::reserve(std::size_t contacts) {
+void ContactRows::reserve(std::size_t contacts, std::size_t cloth_count) {
+    cloths.reserve(cloth_count);
     rows.reserve(contacts);
     places.reserve(contacts);
     levels_.reserve(contacts);

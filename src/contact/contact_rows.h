@@ -36,7 +36,7 @@ struct ContactRows {
     std::vector<std::size_t> places;  ///< rows of the contacts, in the order of these
     int offsets = 0;                  ///< how many of each row are not all zero
 
-    void reserve(std::size_t contacts);
+    void reserve(std::size_t contacts, std::size_t cloth_count);
     void clear();
 
     /// Appends the places of the contacts of a cloth that take part. A contact is one level above the highest of those

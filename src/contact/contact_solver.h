@@ -48,8 +48,7 @@ void choose(ContactProblem& problem, TakesPart takes_part) {
 
 /// What friction is to give to a contact in all, to stop what is left of its sliding, within Coulomb's cone.
 /// @param most it may give
-[[gnu::always_inline]] inline Vec3 friction_within(const ContactPlane& contact, const ContactPush& given,
-                                                   const Vec3& sliding, Real most) {
+inline Vec3 friction_within(const ContactPlane& contact, const ContactPush& given, const Vec3& sliding, Real most) {
     const Vec3 wanted = given.friction - contact.sliding_mass * sliding;
     const Real square = wanted.squaredNorm();
     return square > most * most ? Vec3(most / std::sqrt(square) * wanted) : wanted;
@@ -59,7 +58,7 @@ void choose(ContactProblem& problem, TakesPart takes_part) {
 /// stops what slides, as far as |F| <= mu J lets it. @cite catto2005
 /// @return the square of how much that changes its motion [m^2 or m^2/s^2]
 template <class Motion, class AnyContact>
-[[gnu::always_inline]] inline Real solve_contact(Motion& motion, AnyContact& contact) {
+Real solve_contact(Motion& motion, AnyContact& contact) {
     if (!contact.takes_part) return 0;
     ContactPush& given = Motion::given(contact);
     const Vec3 moves = relative(motion, contact);

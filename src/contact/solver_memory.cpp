@@ -7,12 +7,15 @@ namespace drape {
 SolverMemory::SolverMemory() : rows_(std::make_unique<ContactRows>()) {}
 SolverMemory::SolverMemory(const SolverMemory& /*other*/) : SolverMemory() {}
 SolverMemory::SolverMemory(SolverMemory&&) noexcept = default;
-SolverMemory& SolverMemory::operator=(const SolverMemory& /*other*/) { return *this; }
+SolverMemory& SolverMemory::operator=(const SolverMemory& /*other*/) {
+    if (!rows_) rows_ = std::make_unique<ContactRows>();
+    return *this;
+}
 SolverMemory& SolverMemory::operator=(SolverMemory&&) noexcept = default;
 SolverMemory::~SolverMemory() = default;
 
 std::size_t SolverMemory::bytes_of_contact() { return sizeof(ContactRow) + 3 * sizeof(std::size_t); }
 
-void SolverMemory::reserve(std::size_t contacts) { rows_->reserve(contacts); }
+void SolverMemory::reserve(std::size_t contacts, std::size_t cloths) { rows_->reserve(contacts, cloths); }
 
 }  // namespace drape

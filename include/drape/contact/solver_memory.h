@@ -7,7 +7,8 @@ namespace drape {
 
 struct ContactRows;
 
-/// What `resolve_contacts` lays out anew in each call, kept so that it allocates nothing. A copy begins with none.
+/// What `resolve_contacts` fills in each call, kept so that it allocates nothing. A copy
+/// begins with none, and what is assigned to keeps its own.
 class SolverMemory {
 public:
     SolverMemory();
@@ -17,8 +18,8 @@ public:
     SolverMemory& operator=(SolverMemory&&) noexcept;
     ~SolverMemory();
 
-    /// Room for as many contacts without allocating.
-    void reserve(std::size_t contacts);
+    /// Room for as many contacts of as many cloths without allocating.
+    void reserve(std::size_t contacts, std::size_t cloths);
 
     /// What room for one takes [bytes].
     [[nodiscard]] static std::size_t bytes_of_contact();
