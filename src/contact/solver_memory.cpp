@@ -1,8 +1,16 @@
 #include "drape/contact/solver_memory.h"
 
+#include <algorithm>
+
 #include "contact_rows.h"
 
 namespace drape {
+
+namespace {
+
+constexpr std::size_t most_reserved = 100'000;  // contacts
+
+}  // namespace
 
 SolverMemory::SolverMemory() : rows_(std::make_unique<ContactRows>()) {}
 SolverMemory::SolverMemory(const SolverMemory& /*other*/) : SolverMemory() {}
@@ -14,8 +22,12 @@ SolverMemory& SolverMemory::operator=(const SolverMemory& /*other*/) {
 SolverMemory& SolverMemory::operator=(SolverMemory&&) noexcept = default;
 SolverMemory::~SolverMemory() = default;
 
-std::size_t SolverMemory::bytes_of_contact() { return sizeof(ContactRow) + 3 * sizeof(std::size_t); }
+std::size_t SolverMemory::bytes_for(std::size_t contacts) {
+    return std::min(contacts, most_reserved) * (sizeof(ContactRow) + 3 * sizeof(std::size_t));
+}
 
-void SolverMemory::reserve(std::size_t contacts, std::size_t cloths) { rows_->reserve(contacts, cloths); }
+void SolverMemory::reserve(std::size_t contacts, std::size_t cloths) {
+    rows_->reserve(std::min(contacts, most_reserved), cloths);
+}
 
 }  // namespace drape

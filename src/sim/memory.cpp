@@ -52,7 +52,7 @@ MemoryNeed memory_needed(const Settings& settings) {
         const double particles = grid.particles();
         need.cloths += particles * sizeof(Real) * (numbers + (settings.solver.ledger ? ledger_numbers : 0)) +
                        contact_lists * grid.triangles() * static_cast<double>(sizeof(Contact)) +
-                       2.0 * grid.triangles() * static_cast<double>(SolverMemory::bytes_of_contact()) +
+                       static_cast<double>(SolverMemory::bytes_for(2 * static_cast<std::size_t>(grid.triangles()))) +
                        hierarchy_bytes(settings.contact, grid) + self_contact_bytes(settings.contact, grid) +
                        std::min(particles, searched_particles) * sizeof(Real) * search_numbers;
         need.method += bytes_of_method(integrator_of(settings.solver), grid);

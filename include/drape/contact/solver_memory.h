@@ -18,11 +18,12 @@ public:
     SolverMemory& operator=(SolverMemory&&) noexcept;
     ~SolverMemory();
 
-    /// Room for as many contacts of as many cloths without allocating.
+    /// Room for as many contacts of as many cloths without allocating, but for no more than a hundred thousand
+    /// contacts: a scene with more of them at a time makes more room once.
     void reserve(std::size_t contacts, std::size_t cloths);
 
-    /// What room for one takes [bytes].
-    [[nodiscard]] static std::size_t bytes_of_contact();
+    /// What that room takes [bytes].
+    [[nodiscard]] static std::size_t bytes_for(std::size_t contacts);
 
     [[nodiscard]] ContactRows& rows() { return *rows_; }
 
