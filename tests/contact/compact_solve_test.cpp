@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <random>
 
+#include "contact/contact_rows.h"
 #include "drape/contact/response.h"
 #include "drape/contact/solver_memory.h"
 
@@ -99,7 +100,9 @@ TEST(CompactSolve, HasTheBitsOfThePlainOne) {
                 for (unsigned seed = 1; seed <= 20; ++seed) {
                     TwoSheets plain(seed, ball, parameters), compact = plain;
                     plain.respond(parameters, nullptr);
+                    memory.rows().clear();
                     compact.respond(parameters, &memory);
+                    EXPECT_FALSE(memory.rows().places.empty()) << "solved by plain code";
                     EXPECT_TRUE(same_result(plain, compact))
                         << "friction " << friction << ", restitution " << restitution << ", seed " << seed;
                     contacts += plain.contacts[0].size() + plain.contacts[1].size();
@@ -110,6 +113,19 @@ TEST(CompactSolve, HasTheBitsOfThePlainOne) {
     }
     EXPECT_GT(contacts, 4'000u);
     EXPECT_GT(sweeps, 1'000);
+}
+
+TEST(CompactSolve, IsLeftToThePlainOneWhereContactsPushABall) {
+    SolverMemory memory;
+    const ResponseParameters parameters{.ground = {.height = 0}};
+    const Ball free{.centre = Vec3(0, Real(-0.25), 0), .radius = Real(0.3), .inverse_mass = 2};
+    TwoSheets plain(1, free, parameters), compact = plain;
+    plain.respond(parameters, nullptr);
+    compact.respond(parameters, &memory);
+    EXPECT_TRUE(memory.rows().places.empty());
+    EXPECT_TRUE(same_result(plain, compact));
+    EXPECT_NE(compact.balls[0].velocity, free.velocity) << "it was pushed";
+    EXPECT_EQ(compact.balls[0].velocity, plain.balls[0].velocity);
 }
 
 }  // namespace
