@@ -1,7 +1,7 @@
 #pragma once
 
-#include "contact_rows.h"
 #include "contact_solver.h"
+#include "drape/contact/contact_rows.h"
 #include "kernels/row_sweeps.h"
 
 namespace drape {
@@ -22,7 +22,8 @@ Vec3 of_second(const Motion& motion, const Contact& contact) {
 /// What `solve_contact` reads of a contact.
 /// @param offsets receives how many count, of this row and those before
 template <BodyMotion Motion>
-void fill_row(const Motion& motion, const Contact& contact, const ContactPush& given, ContactRow& row, int& offsets) {
+void fill_row(const Motion& motion, const Contact& contact, const ContactPush& given, CompactContact& row,
+              int& offsets) {
     row.normal = contact.normal;
     row.friction = given.friction;
     row.offsets = {motion.start(contact), of_second(motion, contact)};
@@ -78,7 +79,7 @@ Sweeps solve_rows(ContactProblem& problem, Motion& motion, Real tolerance) {
     for (const ClothInContact& cloth : problem.cloths) {
         for (Contact& contact : cloth.contacts) {
             if (!contact.takes_part) continue;
-            const ContactRow& row = rows.rows[*place++];
+            const CompactContact& row = rows.rows[*place++];
             Motion::given(contact).normal = row.push;
             Motion::given(contact).friction = row.friction;
         }

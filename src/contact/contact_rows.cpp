@@ -1,11 +1,22 @@
-#include "contact_rows.h"
+#include "drape/contact/contact_rows.h"
 
 #include <algorithm>
 #include <utility>
 
 namespace drape {
 
+namespace {
+
+constexpr std::size_t most_reserved = 100'000;  // contacts
+
+}  // namespace
+
+std::size_t ContactRows::bytes_for(std::size_t contacts) {
+    return std::min(contacts, most_reserved) * (sizeof(CompactContact) + 3 * sizeof(std::size_t));
+}
+
 void ContactRows::reserve(std::size_t contacts, std::size_t cloth_count) {
+    contacts = std::min(contacts, most_reserved);
     cloths.reserve(cloth_count);
     rows.reserve(contacts);
     places.reserve(contacts);

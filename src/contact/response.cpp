@@ -5,9 +5,7 @@
 #include <limits>
 #include <utility>
 
-#include "contact_rows.h"
 #include "contact_solver.h"
-#include "drape/contact/solver_memory.h"
 
 namespace drape {
 namespace {
@@ -252,7 +250,7 @@ Real depth_left(ContactProblem& problem) {
 
 ResponseReport resolve_contacts(const ResponseParameters& parameters, Real h, std::span<const ClothInContact> cloths,
                                 std::span<PairContact> pairs, std::span<Ball> balls,
-                                std::span<BallContact> ball_contacts, SolverMemory* memory) {
+                                std::span<BallContact> ball_contacts, ContactRows* rows) {
     const bool none = std::ranges::all_of(cloths, [](const ClothInContact& cloth) { return cloth.contacts.empty(); });
     if (none && pairs.empty() && ball_contacts.empty()) return {};
     const Real gravity = cloths.front().model.gravity.norm();
@@ -265,7 +263,7 @@ ResponseReport resolve_contacts(const ResponseParameters& parameters, Real h, st
                            .pairs = pairs,
                            .balls = balls,
                            .ball_contacts = ball_contacts,
-                           .rows = memory != nullptr ? &memory->rows() : nullptr};
+                           .rows = rows};
     prepare_all(problem);
     const double before = kinetic_energy(balls);
     ResponseReport report = respond(problem);

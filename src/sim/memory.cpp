@@ -5,7 +5,7 @@
 #include "drape/base/memory_limit.h"
 #include "drape/bounds/node_view.h"
 #include "drape/contact/contact.h"
-#include "drape/contact/solver_memory.h"
+#include "drape/contact/contact_rows.h"
 #include "drape/integrate/method_memory.h"
 #include "drape/sim/simulation.h"
 
@@ -52,7 +52,7 @@ MemoryNeed memory_needed(const Settings& settings) {
         const double particles = grid.particles();
         need.cloths += particles * sizeof(Real) * (numbers + (settings.solver.ledger ? ledger_numbers : 0)) +
                        contact_lists * grid.triangles() * static_cast<double>(sizeof(Contact)) +
-                       static_cast<double>(SolverMemory::bytes_for(2 * static_cast<std::size_t>(grid.triangles()))) +
+                       static_cast<double>(ContactRows::bytes_for(2 * static_cast<std::size_t>(grid.triangles()))) +
                        hierarchy_bytes(settings.contact, grid) + self_contact_bytes(settings.contact, grid) +
                        std::min(particles, searched_particles) * sizeof(Real) * search_numbers;
         need.method += bytes_of_method(integrator_of(settings.solver), grid);

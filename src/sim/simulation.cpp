@@ -229,9 +229,9 @@ void Simulation::answer(const Substep& now, std::span<PairContact> pairs, std::s
         Cloth& cloth = cloths_[c];
         cloth.energy.before_pushes(cloth.model, cloth.state, {cloth.contacts, pairs, static_cast<int>(c), balls_});
     }
-    SolverMemory* const memory = settings_.solver.kernels == Kernels::Vector ? &contact_memory_ : nullptr;
+    ContactRows* const rows = settings_.solver.kernels == Kernels::Vector ? &contact_rows_ : nullptr;
     ResponseReport left =
-        resolve_contacts(response_of(settings_), now.h, in_contact_, pairs, balls_, ball_contacts, memory);
+        resolve_contacts(response_of(settings_), now.h, in_contact_, pairs, balls_, ball_contacts, rows);
     for (Cloth& cloth : cloths_) {
         enter_pushes(cloth, work_of_led_balls(cloth.contacts, balls_), left.free_ball_work);
     }

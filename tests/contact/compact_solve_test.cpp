@@ -5,9 +5,8 @@
 #include <algorithm>
 #include <random>
 
-#include "contact/contact_rows.h"
+#include "drape/contact/contact_rows.h"
 #include "drape/contact/response.h"
-#include "drape/contact/solver_memory.h"
 
 namespace drape {
 namespace {
@@ -57,12 +56,12 @@ struct TwoSheets {
         }
     }
 
-    void respond(const ResponseParameters& parameters, SolverMemory* memory) {
+    void respond(const ResponseParameters& parameters, ContactRows* rows) {
         std::vector<ClothInContact> cloths;
         for (std::size_t c = 0; c < models.size(); ++c) {
             cloths.push_back({models[c], before[c], states[c], contacts[c]});
         }
-        report = resolve_contacts(parameters, Real(1e-3), cloths, {}, balls, {}, memory);
+        report = resolve_contacts(parameters, Real(1e-3), cloths, {}, balls, {}, rows);
     }
 };
 
@@ -83,7 +82,7 @@ bool same_result(const TwoSheets& a, const TwoSheets& b) {
 }
 
 TEST(CompactSolve, HasTheBitsOfThePlainOne) {
-    SolverMemory memory;
+    ContactRows rows;
     const Ball still{.centre = Vec3(0, Real(-0.25), 0), .radius = Real(0.3)};
     Ball turning = still;
     turning.moved = Vec3(Real(1e-3), Real(2e-3), 0);
@@ -100,9 +99,9 @@ TEST(CompactSolve, HasTheBitsOfThePlainOne) {
                 for (unsigned seed = 1; seed <= 20; ++seed) {
                     TwoSheets plain(seed, ball, parameters), compact = plain;
                     plain.respond(parameters, nullptr);
-                    memory.rows().clear();
-                    compact.respond(parameters, &memory);
-                    EXPECT_FALSE(memory.rows().places.empty()) << "solved by plain code";
+                    rows.clear();
+                    compact.respond(parameters, &rows);
+                    EXPECT_FALSE(rows.places.empty()) << "solved by plain code";
                     EXPECT_TRUE(same_result(plain, compact))
                         << "friction " << friction << ", restitution " << restitution << ", seed " << seed;
                     contacts += plain.contacts[0].size() + plain.contacts[1].size();
@@ -116,13 +115,13 @@ TEST(CompactSolve, HasTheBitsOfThePlainOne) {
 }
 
 TEST(CompactSolve, IsLeftToThePlainOneWhereContactsPushABall) {
-    SolverMemory memory;
+    ContactRows rows;
     const ResponseParameters parameters{.ground = {.height = 0}};
     const Ball free{.centre = Vec3(0, Real(-0.25), 0), .radius = Real(0.3), .inverse_mass = 2};
     TwoSheets plain(1, free, parameters), compact = plain;
     plain.respond(parameters, nullptr);
-    compact.respond(parameters, &memory);
-    EXPECT_TRUE(memory.rows().places.empty());
+    compact.respond(parameters, &rows);
+    EXPECT_TRUE(rows.places.empty());
     EXPECT_TRUE(same_result(plain, compact));
     EXPECT_NE(compact.balls[0].velocity, free.velocity) << "it was pushed";
     EXPECT_EQ(compact.balls[0].velocity, plain.balls[0].velocity);

@@ -26,7 +26,7 @@ private:
     std::unique_ptr<T> object_;
 };
 
-/// A container that copies of its owner begin without: what it holds is made anew where it is needed.
+/// A container that copies of its owner begin without: what it holds is made again where it is needed.
 template <class Container>
 class NotCopied : public Container {
 public:

@@ -7,7 +7,7 @@
 #include <vector>
 
 #include "drape/base/copied.h"
-#include "drape/contact/solver_memory.h"
+#include "drape/contact/contact_rows.h"
 #include "drape/sim/cloth.h"
 #include "drape/sim/command.h"
 #include "drape/sim/frame_view.h"
@@ -149,7 +149,7 @@ private:
     std::vector<BallContact> ball_contacts_;
     SelfContact self_contact_;
     NotCopied<std::vector<ClothInContact>> in_contact_;  ///< the cloths, within a substep
-    SolverMemory contact_memory_;
+    NotCopied<ContactRows> contact_rows_;                ///< within a response
     Vec3 steer_ = Vec3::Zero();
     std::size_t users_ball_ = 0;                 ///< that the user leads, drops and throws
     std::optional<BallMotion> motion_by_scene_;  ///< of that ball, once the user has taken it over

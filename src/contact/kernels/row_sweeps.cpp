@@ -44,7 +44,7 @@ struct Motion {
 
 /// `relative`
 template <int particles, int offsets>
-HWY_INLINE Three relative_motion(const Motion& motion, const ContactRow& row) {
+HWY_INLINE Three relative_motion(const Motion& motion, const CompactContact& row) {
     Three sum = Three{0, 0, 0} + row.weights[0] * motion[row.particles[0]];
     if constexpr (particles > 1) sum = sum + row.weights[1] * motion[row.particles[1]];
     if constexpr (particles > 2) sum = sum + row.weights[2] * motion[row.particles[2]];
@@ -55,7 +55,7 @@ HWY_INLINE Three relative_motion(const Motion& motion, const ContactRow& row) {
 
 /// `solve_contact`
 template <int particles, int offsets>
-HWY_INLINE Real solve_row(const Motion& motion, ContactRow& row) {
+HWY_INLINE Real solve_row(const Motion& motion, CompactContact& row) {
     const Three moves = relative_motion<particles, offsets>(motion, row), n = of(row.normal), before = of(row.friction);
     const Real along = eigen_dot(moves, n);
     const Real normal = std::max(row.push + (row.target - along) * row.mass, Real(0));
@@ -77,9 +77,9 @@ HWY_INLINE Real solve_row(const Motion& motion, ContactRow& row) {
 }
 
 template <int offsets>
-HWY_INLINE Real sweep(const Motion& motion, std::span<ContactRow> rows) {
+HWY_INLINE Real sweep(const Motion& motion, std::span<CompactContact> rows) {
     Real square = 0;
-    for (ContactRow& row : rows) {
+    for (CompactContact& row : rows) {
         const Real changed = row.count == 3   ? solve_row<3, offsets>(motion, row)
                              : row.count == 2 ? solve_row<2, offsets>(motion, row)
                                               : solve_row<1, offsets>(motion, row);
@@ -88,7 +88,7 @@ HWY_INLINE Real sweep(const Motion& motion, std::span<ContactRow> rows) {
     return square;
 }
 
-Real sweep_rows_of(const ClothRows& cloth, std::span<ContactRow> rows, int offsets) {
+Real sweep_rows_of(const ClothRows& cloth, std::span<CompactContact> rows, int offsets) {
     const Motion motion{cloth.motion, cloth.motion + cloth.stride, cloth.motion + 2 * cloth.stride};
     switch (offsets) {
         case 0:
@@ -108,7 +108,7 @@ namespace drape::kernels {
 
 HWY_EXPORT(sweep_rows_of);
 
-Real sweep_rows(const ClothRows& cloth, std::span<ContactRow> rows, int offsets) {
+Real sweep_rows(const ClothRows& cloth, std::span<CompactContact> rows, int offsets) {
     return HWY_DYNAMIC_DISPATCH(sweep_rows_of)(cloth, rows, offsets);
 }
 

@@ -104,8 +104,8 @@ ResponseReport ContactTrial::respond() {
 
 ResponseReport ContactTrial::answer() {
     const ClothInContact cloth = in_contact();
-    SolverMemory* const memory = kernels_ == Kernels::Vector ? &memory_ : nullptr;
-    return resolve_contacts(response_, h_, std::span(&cloth, 1), {}, std::span(&ball_, 1), {}, memory);
+    ContactRows* const rows = kernels_ == Kernels::Vector ? &rows_ : nullptr;
+    return resolve_contacts(response_, h_, std::span(&cloth, 1), {}, std::span(&ball_, 1), {}, rows);
 }
 
 std::vector<int> ContactTrial::touched_triangles() const {
