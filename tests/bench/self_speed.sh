@@ -10,11 +10,7 @@ program=$1 table=${2:-$docs/self_speed.csv}
 made=$(mktemp)
 trap 'rm -f "$made"' EXIT
 {
-    echo "# commit: $(git -C "$docs" describe --always --dirty=+ --exclude='*' 2>/dev/null || echo unknown)"
-    echo "# machine: $(sed -n 's/^model name[^:]*: \(.*\)/\1/p' /proc/cpuinfo | head -n 1 | tr ',' ' ')"
-    echo "# compiler: $(c++ --version | sed -n '1s/^c++ .*) /g++ /p')"
-    echo "# date: $(date -u +%Y-%m-%d)"
-    echo "# note: processor time, medians of three, fold once"
+    "$(dirname "$0")/table_head.sh" "processor time, medians of three, fold once"
     echo "what,side,triangles,cpu_us"
     # Sheets that fold take minutes, and once is enough for them
     {

@@ -1,0 +1,60 @@
+#pragma once
+
+#include <memory>
+#include <string>
+#include <vector>
+
+namespace drape::peers {
+
+/// Medians over the frames that a method was timed on.
+struct Result {
+    std::string method;
+    int frames = 0;
+    int ties = 0;       ///< what rounding has decided otherwise than brute force, of all frames
+    double update = 0;  ///< [s]
+    double query = 0;   ///< down to what is sought [s]
+    double total = 0;   ///< of both in one frame [s]
+    bool ours = false;  ///< a tree of Drape's
+};
+
+/// One method of a race, and where it is in the motion.
+class Runner {
+public:
+    /// @param frames of the motion; after the last comes the first
+    Runner(std::string method, std::size_t frames, bool ours)
+        : method_(std::move(method)), frames_(frames), ours_(ours) {}
+    virtual ~Runner() = default;
+    Runner(const Runner&) = delete;
+    Runner& operator=(const Runner&) = delete;
+
+    /// Runs through the motion, again and again for at least 10 ms and for no longer than 1 s, from where it stopped.
+    /// @throws RunError if the method finds something else than brute force
+    void take_turn(bool timed);
+
+    [[nodiscard]] Result result() const;
+
+protected:
+    /// What is not timed: positions are as near as after the step that made them.
+    virtual void prepare(std::size_t frame) = 0;
+    virtual void update() = 0;
+    virtual void query() = 0;
+
+    /// @return ties
+    /// @throws RunError if what was found is wrong
+    virtual int check(std::size_t frame) = 0;
+
+private:
+    double run(bool timed);
+
+    std::string method_;
+    std::size_t frames_;
+    bool ours_;
+    std::size_t next_ = 0;
+    int ties_ = 0;
+    std::vector<double> updates_, queries_, totals_;
+};
+
+/// All take their turns in their order; the first turn only warms up.
+std::vector<Result> take_turns(std::vector<std::unique_ptr<Runner>>& runners, int turns);
+
+}  // namespace drape::peers
