@@ -2,7 +2,7 @@
 
 #include <algorithm>
 
-#include "drape/model/grid.h"
+#include "drape/model/cloth_model.h"
 
 namespace drape::bench {
 

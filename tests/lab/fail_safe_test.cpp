@@ -1,0 +1,103 @@
+// The fail-safe where it has to act: what would cross without it, by exact arithmetic, never does with it.
+
+#include <gmock/gmock.h>
+
+#include "drape/sim/simulation.h"
+#include "lab/contact/self_contact_trial.h"
+#include "support/sanitized.h"
+#include "support/scene_crossings.h"
+
+namespace drape {
+namespace {
+
+/// What an exact count has seen after every step.
+struct ExactTally {
+    int crossed_steps = 0;
+    std::int64_t held_back = 0;
+};
+
+/// A sheet is thrown at another, with the fail-safe or without.
+ExactTally throw_at_sheet(const ThrownSheet& scene, bool fail_safe) {
+    constexpr int steps = 24;
+    SelfContactTrial trial(scene, Real(1) / 240, fail_safe);
+    ExactTally tally;
+    for (int step = 0; step < steps; ++step) {
+        tally.held_back += trial.advance().held_back;
+        std::array<CellBoxes, 2> boxes;
+        std::vector<BoxedCloth> sheets;
+        for (const std::size_t s : {0u, 1u}) {
+            const Grid& grid = scene.settings.cloths[s].particles;
+            boxes[s].build(grid, trial.state(s).x);
+            sheets.push_back({{static_cast<int>(s), grid, trial.state(s).x}, boxes[s]});
+        }
+        const std::int64_t crossings = test::crossings(sheets[0], sheets[0]) + test::crossings(sheets[1], sheets[1]) +
+                                       test::crossings(sheets[0], sheets[1]);
+        tally.crossed_steps += crossings > 0 ? 1 : 0;
+    }
+    return tally;
+}
+
+TEST(FailSafe, LeavesNoCrossingWhereSheetsAreThrownAtEachOther) {
+    for (const auto& [speed, thickness] : {std::pair(8, 1.25e-4), std::pair(8, 5e-4), std::pair(5, 5e-5)}) {
+        const ThrownSheet scene = throw_sheet(static_cast<Real>(speed), static_cast<Real>(thickness));
+        const ExactTally with = throw_at_sheet(scene, true), without = throw_at_sheet(scene, false);
+        EXPECT_EQ(with.crossed_steps, 0) << speed << " m/s, " << thickness << " m";
+        EXPECT_GT(with.held_back, 0) << speed << " m/s, " << thickness << " m";
+        EXPECT_GT(without.crossed_steps, 0) << speed << " m/s, " << thickness << " m";
+        EXPECT_EQ(without.held_back, 0);
+    }
+}
+
+/// A sheet in pleats, the one above the other, which falls on the ground at 10 m/s.
+ThrownSheet pleated_sheet() {
+    constexpr Real pleat = Real(0.25), slope = Real(0.06);
+    ThrownSheet scene;
+    Settings& settings = scene.settings;
+    settings.cloths.clear();
+    ClothParameters cloth;
+    cloth.particles = {13, 25};
+    cloth.bend = {1, Real(0.001)};
+    settings.cloths.push_back(cloth);
+    ClothState start = make_rest_state(cloth);
+    for (Eigen::Index p = 0; p < start.x.rows(); ++p) {
+        const Real way = start.x(p, 2), pleats = std::floor(way / pleat), rest = way - pleats * pleat;
+        const bool back = static_cast<int>(pleats) % 2 == 1;
+        start.x.row(p) << start.x(p, 0), slope * way + Real(0.02), back ? pleat - rest : rest;
+    }
+    start.v.rowwise() = Vec3(Real(0.3), -10, 0).transpose();
+    scene.start.push_back(start);
+    settings.contact.self = true;
+    settings.contact.thickness = Real(2e-4);
+    settings.ground.solid = true;
+    settings.ground.height = 0;
+    settings.solver.integrator = IntegratorKind::BackwardEuler;
+    settings.solver.dt = 1.0 / 240;
+    return scene;
+}
+
+ExactTally let_fall(const ThrownSheet& scene, bool self) {
+    Settings settings = scene.settings;
+    settings.contact.self = self;
+    Simulation simulation("pleats", std::move(settings), StartState{0, scene.start});
+    test::SceneCrossings oracle;
+    ExactTally tally;
+    const int steps = test::sanitized ? 12 : 48;
+    for (int step = 0; step < steps && simulation.report().status == Status::Ok; ++step) {
+        simulation.step();
+        EXPECT_EQ(simulation.report().status, Status::Ok) << simulation.report().trouble;
+        tally.held_back += simulation.report().held_back;
+        tally.crossed_steps += oracle.count(simulation) > 0 ? 1 : 0;
+    }
+    return tally;
+}
+
+TEST(FailSafe, LeavesNoCrossingInASheetInPleatsThatFallsOnTheGround) {
+    const ThrownSheet scene = pleated_sheet();
+    const ExactTally with = let_fall(scene, true), without = let_fall(scene, false);
+    EXPECT_EQ(with.crossed_steps, 0);
+    EXPECT_GT(with.held_back, 0);
+    EXPECT_GT(without.crossed_steps, 0);
+}
+
+}  // namespace
+}  // namespace drape
