@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <span>
 
+#include "apart.h"
 #include "cell_pairs.h"
 #include "coincident.h"
 #include "contact_geometry.h"
@@ -18,8 +19,10 @@ struct CellEdge {
     Aabb box;
 };
 
-Real reach_of_edge(std::span<const Real> reaches, int from, int to) {
-    return std::max(reaches[static_cast<std::size_t>(from)], reaches[static_cast<std::size_t>(to)]);
+/// Of the feature of some particles.
+template <class... Particles>
+Real reach_of(std::span<const Real> reaches, Particles... particles) {
+    return std::max({reaches[static_cast<std::size_t>(particles)]...});
 }
 
 /// The particles and the edges that belong to a cell and reach a box.
@@ -37,14 +40,14 @@ public:
 private:
     void add(int particle) {
         const Vec3 p = position(x_, particle);
-        if (Aabb{p, p}.comes_within(box_, reaches_[static_cast<std::size_t>(particle)])) {
+        if (Aabb{p, p}.comes_within(box_, reach_of(reaches_, particle))) {
             particles_[particle_count_++] = particle;
         }
     }
     void add(int from, int to) {
         const Vec3 p = position(x_, from), q = position(x_, to);
         const Aabb box{p.cwiseMin(q), p.cwiseMax(q)};
-        if (box.comes_within(box_, reach_of_edge(reaches_, from, to))) edges_[edge_count_++] = {{from, to}, box};
+        if (box.comes_within(box_, reach_of(reaches_, from, to))) edges_[edge_count_++] = {{from, to}, box};
     }
 
     const Points& x_;
@@ -93,15 +96,18 @@ Vec3 locate_on_edges(const ClothAt& first, const ClothAt& second, NearPair& pair
 struct FeatureTest {
     std::vector<NearPair>& pairs;
 
-    void keep(const BoxedCloth& first, const BoxedCloth& second, NearPair pair) const {
-        std::array<Real, 2> reach{};
-        for (std::size_t k = 0; k < 4; ++k) {
-            Real& of_feature = reach[pair.features.feature_of(k)];
-            const auto& reaches = pair.features.feature_of(k) == 0 ? first.reaches : second.reaches;
-            of_feature = std::max(of_feature, reaches[static_cast<std::size_t>(pair.features.particles[k])]);
-        }
+    /// @param reach of both features together [m]
+    void keep(const BoxedCloth& first, const BoxedCloth& second, NearPair pair, Real reach) const {
+        const auto at = [&](std::size_t k) {
+            return position(pair.features.feature_of(k) == 0 ? first.cloth.x : second.cloth.x,
+                            pair.features.particles[k]);
+        };
+        // Most are, and this is cheaper than where their closest points are
+        const bool apart = pair.triangle < 0 ? segments_are_apart(at(0), at(1), at(2), at(3), with_rounding(reach))
+                                             : triangle_is_apart(at(0), at(1), at(2), at(3), with_rounding(reach));
+        if (apart) return;
         locate(first.cloth, second.cloth, pair);
-        if (pair.distance < reach[0] + reach[1]) pairs.push_back(pair);
+        if (pair.distance < reach) pairs.push_back(pair);
     }
 
     void particle_and_cell(const BoxedCloth& first, int particle, const BoxedCloth& second, int cell) const {
@@ -109,7 +115,9 @@ struct FeatureTest {
         for (const int triangle : {2 * cell, 2 * cell + 1}) {
             const std::array<int, 3> corners = second.cloth.grid.triangle_corners(triangle);
             if (cloths[0] == cloths[1] && std::ranges::count(corners, particle) > 0) continue;
-            keep(first, second, {{cloths, 1, {particle, corners[0], corners[1], corners[2]}}, triangle});
+            const Real reach =
+                reach_of(first.reaches, particle) + reach_of(second.reaches, corners[0], corners[1], corners[2]);
+            keep(first, second, {{cloths, 1, {particle, corners[0], corners[1], corners[2]}}, triangle}, reach);
         }
     }
 
@@ -118,9 +126,9 @@ struct FeatureTest {
         const std::array cloths{first.cloth.number, second.cloth.number};
         const bool touch = e[0] == f[0] || e[0] == f[1] || e[1] == f[0] || e[1] == f[1];
         if (cloths[0] == cloths[1] && touch) return;
-        const Real reach = reach_of_edge(first.reaches, e[0], e[1]) + reach_of_edge(second.reaches, f[0], f[1]);
+        const Real reach = reach_of(first.reaches, e[0], e[1]) + reach_of(second.reaches, f[0], f[1]);
         if (!one.box.comes_within(two.box, reach)) return;
-        keep(first, second, {{cloths, 2, {e[0], e[1], f[0], f[1]}}});
+        keep(first, second, {{cloths, 2, {e[0], e[1], f[0], f[1]}}}, reach);
     }
 
     void cells(const BoxedCloth& first, int one, const BoxedCloth& second, int two) const {
