@@ -80,6 +80,7 @@ void Window::on_tick() {
     // Steps may take half as long as drawing does: a slow scene still answers the mouse, and a slow display does not
     // slow a cloth whose steps take less than a third of real time.
     session_.advance(elapsed, std::max(least_budget, picture_time_ / 2));
+    show_drawn();
     follow_replay();
     dirty_ |= shown_.ease_towards(camera_, elapsed);
     tell_of_drops();
@@ -118,30 +119,44 @@ void Window::schedule() {
 
 void Window::on_display() {
     if (closed_ || !drawable()) return;
+    show_drawn();
     const Stopwatch watch;
     FrameView view = session_.view();
     view.timeline = session_.timeline();
     view.hurried = pace_.hurried() && !video_.recording();
-    draw(view);
+    draw(view, video_.due() ? DrawnFor::Picture : DrawnFor::Window);
     if (video_.due()) video_.take(renderer_->read_back());
     renderer_->present();
-    glFinish();  // without it, the time to draw would have the wait for the display in it
-    const double drawing = watch.seconds();
-    glutSwapBuffers();
-    if (check_) check_->check(session_.view(), camera_);
-    picture_time_ = watch.seconds();
-    if (view.settings->view.quality == PictureQuality::Auto && pace_.drew(view.hurried, drawing)) {
-        notices_.add("quality", "Slow display: what moves is drawn at half the resolution (view.quality)");
-    }
+    glFlush();
     since_drawn_ = 0;
     dirty_ = false;
+    // A slow display draws while the next steps are made. Where pictures seem quick, one is drawn by itself, to know.
+    const bool waits = is_fast(view) && drawing_time_ >= PicturePace::shortest;
+    drawing_time_ = watch.seconds();
+    unshown_ = view.hurried;
+    if (!waits) show_drawn();
 }
 
-void Window::draw(FrameView view) {
+void Window::show_drawn() {
+    if (!unshown_) return;
+    const bool hurried = *std::exchange(unshown_, std::nullopt);
+    const Stopwatch watch;
+    glFinish();  // without it, the time to draw would have the wait for the display in it
+    const double wait = watch.seconds();
+    glutSwapBuffers();
+    if (check_) check_->check(session_.view(), camera_);
+    picture_time_ = drawing_time_ + watch.seconds();
+    drawing_time_ += wait;
+    if (session_.simulation().settings().view.quality == PictureQuality::Auto && pace_.drew(hurried, drawing_time_)) {
+        notices_.add("quality", "Slow display: what moves is drawn at half the resolution (view.quality)");
+    }
+}
+
+void Window::draw(FrameView view, DrawnFor use) {
     if (view.settings->view.panel == PanelSize::Full) view.search = search_timer_.look(view);
     std::vector<std::string> lines = notices_.lines(session_.replay_notice());
     for (std::string& line : state_notices(session_.simulation(), failure_file_)) lines.push_back(std::move(line));
-    renderer_->draw(view, shown_, lines);
+    renderer_->draw(view, shown_, lines, use);
     drawn_step_ = view.report->step;
 }
 

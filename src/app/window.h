@@ -99,7 +99,8 @@ private:
     void tell_whose_ball();
     void start_scene();
     void show_title();
-    void draw(FrameView view);
+    void draw(FrameView view, DrawnFor use);
+    void show_drawn();
     void take_picture();
     void schedule();
     void leave();
@@ -127,7 +128,8 @@ private:
     std::string takeover_;          ///< of which the user was told
     std::string scene_;             ///< that the camera was set for
     double frame_time_ = 1.0 / 60;  ///< from tick to tick [s]
-    double picture_time_ = 0;       ///< that the last picture took, its way to the display included [s]
+    double drawing_time_ = 0;       ///< of the last picture, as far as nothing else was done meanwhile [s]
+    double picture_time_ = 0;       ///< the same, its way to the display included [s]
     double dropped_ = 0;            ///< of which the user was told [s]
     double since_drawn_ = 0;        ///< time since the last picture [s]
     std::int64_t drawn_step_ = -1;
@@ -136,7 +138,8 @@ private:
     int width_ = 0, height_ = 0;
     int signal_ = 0;
     bool visible_ = true;
-    bool dirty_ = true;  ///< the picture is not up to date
+    bool dirty_ = true;            ///< the picture is not up to date
+    std::optional<bool> unshown_;  ///< a picture is being drawn and has to be shown: whether it is a fast one
     bool closed_ = false;
     bool panel_button_ = false;  ///< the left button is down at the settings panel
     int panel_frames_ = 0;       ///< to be drawn for what the settings panel was told

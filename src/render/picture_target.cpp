@@ -5,6 +5,7 @@
 #include <cmath>
 #include <string>
 
+#include "drape/base/assert.h"
 #include "drape/base/input_error.h"
 
 namespace drape {
@@ -118,22 +119,24 @@ void PictureTarget::begin_samples(const PictureBox& box) {
     gl_(glClear, GLbitfield{GL_COLOR_BUFFER_BIT | GL_DEPTH_BUFFER_BIT});
 }
 
-void PictureTarget::resolve() {
+void PictureTarget::resolve(bool for_window) {
     const int right = box_.left + box_.width, high = box_.low + box_.height;
     gl_(glDisable, GLenum{GL_SCISSOR_TEST});
     gl_(glBindFramebuffer, GLenum{GL_DRAW_FRAMEBUFFER}, layer_->plain());
     gl_(glBlitFramebuffer, box_.left, box_.low, right, high, box_.left, box_.low, right, high,
         GLbitfield{GL_COLOR_BUFFER_BIT}, GLenum{GL_NEAREST});
+    in_window_ = for_window && layer_ != &full_;
     if (layer_ == &full_) return;
     const auto [width, height] = full_.size();
     gl_(glBindFramebuffer, GLenum{GL_READ_FRAMEBUFFER}, layer_->plain());
-    gl_(glBindFramebuffer, GLenum{GL_DRAW_FRAMEBUFFER}, full_.plain());
+    gl_(glBindFramebuffer, GLenum{GL_DRAW_FRAMEBUFFER}, in_window_ ? 0u : full_.plain());
     gl_(glBlitFramebuffer, 0, 0, layer_->size().width, layer_->size().height, 0, 0, width, height,
         GLbitfield{GL_COLOR_BUFFER_BIT}, GLenum{GL_LINEAR});
     gl_(glViewport, 0, 0, width, height);
 }
 
 void PictureTarget::present() {
+    if (in_window_) return;
     const auto [width, height] = full_.size();
     gl_(glBindFramebuffer, GLenum{GL_READ_FRAMEBUFFER}, full_.plain());
     gl_(glBindFramebuffer, GLenum{GL_DRAW_FRAMEBUFFER}, 0u);
@@ -142,6 +145,7 @@ void PictureTarget::present() {
 }
 
 Image PictureTarget::read_back() {
+    DRAPE_ASSERT(!in_window_);
     // With four bytes a pixel, as it is stored, it is copied; with three it would be converted, at ten times the cost
     const auto [width, height] = full_.size();
     const auto pixels = static_cast<std::size_t>(width) * static_cast<std::size_t>(height);

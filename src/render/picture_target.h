@@ -84,11 +84,13 @@ public:
 
     /// Puts the averages of the samples into the picture, magnified if the layer is smaller; what follows is drawn
     /// plainly, over the whole picture.
-    void resolve();
+    /// @param for_window whether what is magnified becomes a picture in framebuffer 0 at once, and has no other copy
+    void resolve(bool for_window);
 
-    /// Copies the picture to framebuffer 0, and leaves that bound.
+    /// Copies the picture to framebuffer 0, unless it is there, and leaves that bound.
     void present();
 
+    /// @pre the picture was not drawn for a window
     [[nodiscard]] Image read_back();
 
 private:
@@ -97,6 +99,7 @@ private:
     PictureLayer full_;
     std::optional<PictureLayer> half_;  ///< once a picture was drawn fast
     const PictureLayer* layer_;         ///< into which the scene is drawn
+    bool in_window_ = false;            ///< the picture is in framebuffer 0 and nowhere else
 };
 
 }  // namespace drape

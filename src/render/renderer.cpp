@@ -67,7 +67,7 @@ struct Renderer::Parts {
     FrameReport report;
 
     void prepare(const FrameView& view, const Camera& camera, std::span<const std::string> notices);
-    void paint(const FrameView& view);
+    void paint(const FrameView& view, DrawnFor use);
     void note_cost() {
         report.gl_calls = static_cast<double>(gl.calls());
         report.vertices = static_cast<double>(gl.vertices());
@@ -117,13 +117,13 @@ bool Renderer::shows_timeline() const { return parts_->panels.timeline.shown(); 
 
 std::optional<std::int64_t> Renderer::take_wanted_step() { return parts_->panels.timeline.take_wanted(); }
 
-void Renderer::draw(const FrameView& view, const Camera& camera, std::span<const std::string> notices) {
+void Renderer::draw(const FrameView& view, const Camera& camera, std::span<const std::string> notices, DrawnFor use) {
     Parts& parts = *parts_;
     if (!parts.target) return;
     const Stopwatch watch;
     parts.gl.restart_count();
     parts.prepare(view, camera, notices);
-    parts.paint(view);
+    parts.paint(view, use);
     parts.meter.count();
     ++parts.report.frame;
     parts.report.draw_time = watch.seconds();
@@ -163,7 +163,7 @@ void Renderer::Parts::prepare(const FrameView& view, const Camera& camera, std::
     stream.upload();
 }
 
-void Renderer::Parts::paint(const FrameView& view) {
+void Renderer::Parts::paint(const FrameView& view, DrawnFor use) {
     shadow.begin();
     solids.draw_shadow();
 
@@ -187,7 +187,7 @@ void Renderer::Parts::paint(const FrameView& view) {
     gl(glEnable, GLenum{GL_BLEND});
     marks.draw();
     if (failed) failure_mark.draw();
-    target->resolve();
+    target->resolve(use == DrawnFor::Window);
     painter.draw(stream);
     gl(glDisable, GLenum{GL_BLEND});
 }

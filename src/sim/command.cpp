@@ -42,6 +42,7 @@ constexpr std::tuple table{
     row<Step>("step COUNT", &Step::count),
     row<Reset>("reset"),
     row<LoadScene>("scene NAME", LineMember{&LoadScene::name}),
+    row<Compare>("compare NAME=VALUE,...", LineMember{&Compare::assignments}),
     row<Set>("set NAME=VALUE", LineMember{&Set::assignment}),
     row<Next>("next SETTING", &Next::setting),
     row<Add>("add SETTING AMOUNT", &Add::setting, &Add::amount),
@@ -196,6 +197,7 @@ bool changes_state(const Command& command) {
 bool changes_motion(const Command& command) {
     const auto of_the_view = [](std::string_view setting) { return setting.starts_with("view."); };
     if (std::holds_alternative<command::Pause>(command) || std::holds_alternative<command::Step>(command)) return false;
+    if (const auto* compare = std::get_if<command::Compare>(&command)) return compare->begins();
     if (const auto* set = std::get_if<command::Set>(&command)) return !of_the_view(set->assignment);
     if (const auto* next = std::get_if<command::Next>(&command)) return !of_the_view(next->setting);
     if (const auto* add = std::get_if<command::Add>(&command)) return !of_the_view(add->setting);

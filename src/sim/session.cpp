@@ -26,6 +26,11 @@ constexpr double step_tolerance = 1e-6;
 /// Likewise of a late time, whose own rounding is more than that.
 constexpr double clock_tolerance = 4 * std::numeric_limits<double>::epsilon();
 
+/// Whether nothing that was before can be gone back to.
+bool begins_history(const Command& command) {
+    return std::holds_alternative<command::LoadScene>(command) || std::holds_alternative<command::Compare>(command);
+}
+
 bool pauses(const Command& command) {
     return std::holds_alternative<command::Pause>(command) || std::holds_alternative<command::Step>(command);
 }
@@ -70,21 +75,28 @@ void Session::send(const Command& command) {
     if (any_lies_ahead() && changes_motion(command)) {
         if (lets_go_of_nothing(command)) return;
         Simulation trial = simulation_;
+        if (const auto* begun = std::get_if<command::Compare>(&command)) Comparison(trial, begun->assignments);
         trial.apply(command);
         take_over();
     }
     const bool is_new = steps_made_ >= newest_;
     carry_out(command, is_new);
     if (!is_new && recorder_ && !pauses(command)) recorder_->write(newest_, command);  // what is seen, in its order
-    if (!history_ || !changes_motion(command)) return;
-    log_.push_back({steps_made_, command});
-    next_entry_ = end_of_log();
-    if (std::holds_alternative<command::LoadScene>(command)) begin_history();
+    if (!history_) return;
+    if (changes_motion(command)) {
+        log_.push_back({steps_made_, command});
+        next_entry_ = end_of_log();
+    }
+    if (begins_history(command)) begin_history();
 }
 
 void Session::carry_out(const Command& command, bool is_new) {
-    simulation_.apply(command);
-    compare_after(command);
+    if (const auto* begun = std::get_if<command::Compare>(&command)) {
+        compare(*begun);
+    } else {
+        simulation_.apply(command);
+        compare_after(command);
+    }
     if (is_new && recorder_) recorder_->write(steps_made_, command);
 }
 
@@ -183,16 +195,15 @@ FrameView Session::view() {
 }
 
 void Session::compare(const std::string& assignments) {
-    if (assignments.empty() && !comparison_) return;
-    if (assignments.empty()) {
-        comparison_.reset();
-    } else {
-        Comparison trial(simulation_, assignments);  // throws before anything is changed
-        send(command::Reset{});
-        comparison_.emplace(simulation_, assignments);
-    }
-    simulation_.apply(command::Set{assignments.empty() ? "view.colour=plain" : "view.colour=difference"});
-    if (history_) begin_history();
+    if (!assignments.empty() || comparison_) send(command::Compare{assignments.empty() ? "none" : assignments});
+}
+
+void Session::compare(const command::Compare& command) {
+    std::optional<Comparison> begun;
+    if (command.begins()) begun.emplace(simulation_, command.assignments);  // throws before anything is changed
+    simulation_.apply(command);
+    comparison_ = std::move(begun);
+    simulation_.apply(command::Set{comparison_ ? "view.colour=difference" : "view.colour=plain"});
 }
 
 void Session::play_due_entries(bool is_new) {
@@ -224,7 +235,7 @@ void Session::play(const RecordedEntry& entry, bool is_new) {
                "' is refused: " + error.what());
         return;
     }
-    if (history_ && std::holds_alternative<command::LoadScene>(command)) begin_history();
+    if (history_ && begins_history(command)) begin_history();
     const bool is_seen = !changes_state(command) || std::holds_alternative<command::LoadScene>(command);
     if (is_new && is_seen) view_commands_.push_back(command);
 }

@@ -45,6 +45,9 @@ void Simulation::carry_out(const Command& command) {
                    },
                    [&](const command::Reset&) { restart(); },
                    [&](const command::LoadScene& scene) { load(scene.name); },
+                   [&](const command::Compare& compare) {
+                       if (compare.begins()) restart();
+                   },
                    [&](const command::Set& set) {
                        Settings changed = settings_;
                        assign(changed, set.assignment);

@@ -5,6 +5,7 @@
 // After the others: X11 defines None and Bool
 #include <X11/XKBlib.h>
 #include <X11/Xlib.h>
+#include <X11/Xutil.h>
 
 namespace drape::test {
 
@@ -44,6 +45,27 @@ std::string Desktop::find_window() {
     move_to(20, 20);
     act({"windowfocus", window});
     return window;
+}
+
+Image Desktop::picture_of(const std::string& window) const {
+    Display* const connection = XOpenDisplay(display_.c_str());
+    if (connection == nullptr) return {};
+    const ::Window id = std::stoul(window);
+    XWindowAttributes attributes{};
+    XGetWindowAttributes(connection, id, &attributes);
+    const int width = attributes.width, height = attributes.height;
+    XImage* const pixels = XGetImage(connection, id, 0, 0, static_cast<unsigned>(width), static_cast<unsigned>(height),
+                                     AllPlanes, ZPixmap);
+    Image image{width, height, {}};
+    for (int y = 0; y < height; ++y) {
+        for (int x = 0; x < width; ++x) {
+            const unsigned long pixel = XGetPixel(pixels, x, y);
+            for (const int shift : {16, 8, 0}) image.rgb.push_back(static_cast<std::uint8_t>(pixel >> shift & 255));
+        }
+    }
+    XDestroyImage(pixels);
+    XCloseDisplay(connection);
+    return image;
 }
 
 void Desktop::drag(const std::vector<std::string>& keys, int button, Place from, Place to) {

@@ -5,6 +5,7 @@
 #include <string>
 #include <vector>
 
+#include "drape/render/image.h"
 #include "support/process.h"
 
 namespace drape::test {
@@ -50,6 +51,9 @@ public:
 
     /// What a window manager sends when its close button is pressed.
     void ask_to_close(const std::string& window);
+
+    /// What a window shows now; nothing covers it.
+    [[nodiscard]] Image picture_of(const std::string& window) const;
 
     /// Windows and menus that are on show.
     [[nodiscard]] int visible_windows() const;

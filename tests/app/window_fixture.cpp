@@ -2,6 +2,7 @@
 
 #include <unistd.h>
 
+#include <algorithm>
 #include <sstream>
 
 namespace drape::test {
@@ -10,10 +11,17 @@ namespace fs = std::filesystem;
 
 namespace {
 
+// Those of values have a slash in their names
+std::string test_name(const testing::TestInfo& test) {
+    std::string name = test.name();
+    std::ranges::replace(name, '/', '-');
+    return name;
+}
+
 fs::path make_folder() {
     const auto* test = testing::UnitTest::GetInstance()->current_test_info();
     const fs::path folder =
-        fs::path(testing::TempDir()) / ("drape-" + std::string(test->name()) + "-" + std::to_string(getpid()));
+        fs::path(testing::TempDir()) / ("drape-" + test_name(*test) + "-" + std::to_string(getpid()));
     fs::create_directories(folder);
     return folder;
 }

@@ -173,8 +173,13 @@ Turns watch_turns(const Process& process) {
     return {process.processor_time() - before, watch.seconds()};
 }
 
-TEST_F(WindowTest, PausedItRests) {
-    start({"hang", "--set", "solver.sleep_speed=0", "view.bounds=true"});
+// With pictures of one kind that are never drawn again in another, too
+class PausedWindow : public WindowTest, public testing::WithParamInterface<std::string> {};
+INSTANTIATE_TEST_SUITE_P(Qualities, PausedWindow, testing::Values("auto", "fast"),
+                         [](const auto& quality) { return quality.param; });
+
+TEST_P(PausedWindow, Rests) {
+    start({"hang", "--set", "solver.sleep_speed=0", "view.bounds=true", "view.quality=" + GetParam()});
     desktop_.key("v");
     ASSERT_TRUE(recorded("next wind.on"));
     const Turns running = watch_turns(*drape_);

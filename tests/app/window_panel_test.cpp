@@ -25,6 +25,28 @@ TEST_F(WindowTest, TheSettingsPanelMakesCommandsOfWhatItIsTold) {
     quit();
 }
 
+// The section Compare is closed at first; open, it has its button where the label of a row was before.
+TEST_F(WindowTest, TheSettingsPanelComparesTheRunWithTheValueThatIsChosen) {
+    start({"hang", "--set", "view.controls=true"});
+    const auto label_shown = [this] {
+        const Image picture = desktop_.picture_of(window_);
+        for (int pixel = 0; pixel < 115 * 14; ++pixel) {
+            if (*picture.pixel(485 + pixel % 115, 60 + pixel / 115) > 200) return true;
+        }
+        return false;
+    };
+    ASSERT_TRUE(test::eventually(label_shown));
+    desktop_.move_to(400, 22);
+    desktop_.click(1);
+    ASSERT_TRUE(test::eventually([&] { return !label_shown(); }));
+    desktop_.move_to(400, 67);
+    desktop_.click(1);
+    EXPECT_TRUE(recorded("compare solver.integrator=velocity_verlet")) << "the one after symplectic_euler";
+    const long long begun = last_step();
+    EXPECT_TRUE(test::eventually([&] { return last_step() > begun; })) << "no hash of a later step";
+    quit();
+}
+
 TEST_F(WindowTest, ABackspaceThatIsHeldRepeatsInAField) {
     start({"hang", "--set", "view.controls=true"});
     desktop_.move_to(400, 157);

@@ -61,9 +61,10 @@ private:
 class WindowPicture : public test::WindowTest {
 protected:
     // A recording that makes some steps of a scene and stays there; a window that is slow would say so in its picture
-    [[nodiscard]] std::string recording_of(const std::string& scene, int steps, const std::string& set = {}) const {
+    [[nodiscard]] std::string recording_of(const std::string& scene, int steps, const std::string& set = {},
+                                           const std::string& quality = "full") const {
         const std::string name = file(scene + "-" + std::to_string(steps) + ".txt");
-        std::ofstream(name) << "drape-recording 1\nscene " << scene << "\n0 set view.quality=full\n"
+        std::ofstream(name) << "drape-recording 1\nscene " << scene << "\n0 set view.quality=" << quality << "\n"
                             << (set.empty() ? "" : "0 set " + set + "\n") << "0 pause\n0 step " << steps << "\n"
                             << steps << " end\n";
         return name;
@@ -71,8 +72,14 @@ protected:
 
     // The picture of F12 after these steps
     Image picture_of_window(const std::string& recorded_run, int steps) {
-        std::filesystem::remove(file("drape-0001.png"));
         start({"--replay", recorded_run});
+        Image picture = screenshot_after(steps);
+        quit();
+        return picture;
+    }
+
+    Image screenshot_after(int steps) {
+        std::filesystem::remove(file("drape-0001.png"));
         // A key that changes nothing when it is pressed twice is recorded with the number of the step. One that is
         // pressed before the window has the keyboard goes nowhere
         const auto toggles = [this] {
@@ -87,7 +94,6 @@ protected:
         }));
         desktop_.key("F12");
         EXPECT_TRUE(eventually([&] { return std::filesystem::exists(file("drape-0001.png")); }));
-        quit();
         return read_png(file("drape-0001.png"));
     }
 
@@ -131,6 +137,31 @@ TEST_F(WindowPicture, HasTheSameHelpInACapture) {
     const PictureDifference found(picture_of_window(recorded_run, 60),
                                   picture_of_capture(recorded_run, time_of("drop", 60), {"--overlay"}));
     EXPECT_TRUE(found.is_only_fps()) << found.text();
+}
+
+// A picture without the bar of time, which is no part of screenshots
+Image without_bar(Image image) {
+    constexpr int below = 6, height = 60;  // pixel
+    const auto row = static_cast<std::ptrdiff_t>(3 * image.width);
+    std::fill(image.rgb.end() - (below + height) * row, image.rgb.end() - below * row, std::uint8_t{0});
+    return image;
+}
+
+// In the window they are magnified into its own pixels, and the panels are drawn over them there
+TEST_F(WindowPicture, IsInItsPixelsAsInItsScreenshotWhereItIsDrawnFast) {
+    start({"--replay", recording_of("drop", 400, "view.contacts=true", "fast")});
+    desktop_.act({"windowsize", "--sync", window_, "641", "361"});
+    const Image screenshot = screenshot_after(400);
+    ASSERT_EQ(screenshot.width, 641);
+    // A notice tells of the screenshot for some seconds
+    std::string difference;
+    const bool same = eventually([&] {
+        const PictureDifference found(without_bar(screenshot), without_bar(desktop_.picture_of(window_)));
+        difference = found.text();
+        return found.is_only_fps();
+    });
+    EXPECT_TRUE(same) << difference;
+    quit();
 }
 
 TEST_F(WindowPicture, IsToldFromOthers) {

@@ -28,6 +28,53 @@ double difference_of(const Image& one, const Image& other, int side) {
     return sum / squares;
 }
 
+/// How far a strip of one picture looks moved in the other, along x or along y [pixel]: the move of the least
+/// difference, up to two pixels.
+int move_of(const Image& one, const Image& other, bool along_x, int from, int to) {
+    constexpr int most = 2;
+    const auto difference = [&](int move) {
+        const int dx = along_x ? move : 0, dy = along_x ? 0 : move;
+        long sum = 0;
+        for (int y = along_x ? most : from; y < (along_x ? one.height - most : to); ++y) {
+            for (int x = along_x ? from : most; x < (along_x ? to : one.width - most); ++x) {
+                for (int c = 0; c < 3; ++c) sum += std::abs(one.pixel(x, y)[c] - other.pixel(x + dx, y + dy)[c]);
+            }
+        }
+        return sum;
+    };
+    int least = -most;
+    for (int move = -most; move <= most; ++move) {
+        if (difference(move) < difference(least)) least = move;
+    }
+    return least;
+}
+
+// 641 is magnified from 321 and 361 from 181: by less than two
+TEST(FastPicture, IsMagnifiedUpToItsLastPixelWhereItsSizeIsOdd) {
+    const TestFolder folder;
+    const auto draw = [&](const std::string& quality) {
+        const std::vector<std::string> words{"drop",
+                                             "--frames",
+                                             "60",
+                                             "--every",
+                                             "60",
+                                             "--size",
+                                             "641x361",
+                                             "--out",
+                                             folder / "a",
+                                             "--again",
+                                             "--set",
+                                             "view.eye=0.5,0.5,0.6",
+                                             "view.colour=level",
+                                             "view.quality=" + quality};
+        EXPECT_EQ(run_program("drape-capture", words).exit_code, 0);
+        return read_png(folder / "a/frame_0060.png");
+    };
+    const Image full = draw("full"), fast = draw("fast");
+    for (const int from : {2, 270, 539}) EXPECT_EQ(move_of(full, fast, true, from, from + 100), 0) << "column " << from;
+    for (const int from : {2, 150, 299}) EXPECT_EQ(move_of(full, fast, false, from, from + 60), 0) << "row " << from;
+}
+
 TEST(FastPicture, ShowsWhatAFullOneDoesButCoarserAndTextAsSharp) {
     const TestFolder folder;
     for (const std::string size : {"640x360", "641x363"}) {

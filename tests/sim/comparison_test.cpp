@@ -5,6 +5,7 @@
 #include "drape/base/input_error.h"
 #include "drape/sim/session.h"
 #include "sim/small_scene.h"
+#include "support/scratch_file.h"
 
 namespace drape {
 namespace {
@@ -128,6 +129,71 @@ TEST(Comparison, GoesBackInTimeWithBoth) {
     session.advance(0, 1e9);
     EXPECT_EQ(session.view().comparison->rms, before);
     EXPECT_THAT(session.takeover_notice(), testing::Not(HasSubstr("ended")));
+}
+
+TEST(Comparison, IsPartOfARecording) {
+    const test::ScratchFile file("compared.txt");
+    Session session(small_simulation());
+    session.record(file.name(), {});
+    run(session, 40);
+    session.compare("solver.integrator=backward_euler,contact.friction=0.7");
+    EXPECT_EQ(session.view().report->step, 0) << "both begin again";
+    run(session, 150);
+    const double apart = session.view().comparison->rms;
+    EXPECT_GT(apart, 1e-6);
+    session.close();
+
+    Session again(small_simulation());
+    again.keep_history({});
+    again.replay(read_recording(file.name()));
+    EXPECT_TRUE(again.run_replay());
+    EXPECT_FALSE(again.replay_differs()) << again.replay_notice();
+    ASSERT_NE(again.view().comparison, nullptr);
+    EXPECT_EQ(again.view().comparison->rms, apart);
+    EXPECT_EQ(again.view().settings->view.colour, ColourBy::Difference);
+    again.go_to(0);
+    again.advance(0, 1e9);
+    EXPECT_EQ(again.timeline().now, 40) << "nothing is kept of what was before";
+    EXPECT_NE(again.view().comparison, nullptr);
+    again.go_to(190);
+    again.advance(0, 1e9);
+    EXPECT_EQ(again.view().comparison->rms, apart);
+}
+
+TEST(Comparison, EndsInAReplayWhereItEnded) {
+    const test::ScratchFile file("ended.txt");
+    Session session(small_simulation());
+    session.record(file.name(), {});
+    session.compare("contact.friction=0.7");
+    run(session, 20);
+    session.compare("");
+    run(session, 20);
+    EXPECT_EQ(session.view().report->step, 40) << "the run goes on";
+    session.close();
+
+    Session again(small_simulation());
+    again.replay(read_recording(file.name()));
+    const auto shown = [&] { return again.view().comparison != nullptr; };
+    EXPECT_TRUE(again.run_until(19.0 / 1024));
+    EXPECT_TRUE(shown());
+    EXPECT_TRUE(again.run_replay());
+    EXPECT_FALSE(shown());
+    EXPECT_FALSE(again.replay_differs()) << again.replay_notice();
+}
+
+// A recording may come from anywhere
+TEST(Comparison, OfARecordingIsCheckedBeforeAnythingChanges) {
+    for (const std::string versus :
+         {"solver.dt=-1", "solver.dt=1e-9", "solver.integratr=rk4", "cloth.particles=1,1", "1,a=2", "cloth.mass=nan"}) {
+        std::istringstream text("drape-recording 1\nscene small\n30 compare " + versus + "\n60 end\n");
+        Session session(small_simulation());
+        session.replay(read_recording(text, "foreign.txt"));
+        EXPECT_TRUE(session.run_replay());
+        EXPECT_TRUE(session.replay_differs()) << versus;
+        EXPECT_THAT(session.replay_notice(), HasSubstr("foreign.txt:3: 'compare " + versus + "' is refused"));
+        EXPECT_EQ(session.view().comparison, nullptr);
+        EXPECT_EQ(session.view().report->step, 60) << "and nothing has begun again";
+    }
 }
 
 }  // namespace

@@ -46,6 +46,10 @@ struct PanelPointer {
     int notches = 0;       ///< of the wheel since the last one, positive away from the user
 };
 
+/// What may follow when a frame is drawn: `read_back` and `present`, or `present` only, at less cost if it is drawn
+/// fast.
+enum class DrawnFor { Picture, Window };
+
 /// Draws a `FrameView` with OpenGL 3.3 core, multisampled, into a framebuffer of its own.
 /// Needs a current context with GLEW initialised from construction to destruction.
 class Renderer {
@@ -99,12 +103,14 @@ public:
 
     /// Draws one frame: shadow, sky, ground, balls, cloths, what `settings->view` asks for, overlay.
     /// @param notices lines for the user (an error, a replay that ended), shown with the overlay or without
-    void draw(const FrameView& view, const Camera& camera, std::span<const std::string> notices);
+    void draw(const FrameView& view, const Camera& camera, std::span<const std::string> notices,
+              DrawnFor use = DrawnFor::Picture);
 
-    /// Copies the drawn frame to framebuffer 0, for a window.
+    /// Has the drawn frame in framebuffer 0, for a window.
     void present();
 
     /// The drawn frame.
+    /// @pre it was drawn for a picture
     [[nodiscard]] Image read_back() const;
 
     [[nodiscard]] const FrameReport& report() const;

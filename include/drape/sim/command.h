@@ -20,6 +20,10 @@ struct Reset {};    ///< `reset`: the scene as it was loaded, with the settings 
 struct LoadScene {  ///< `scene drop`
     std::string name;
 };
+struct Compare {  ///< `compare dt=1e-4,friction=0`: begins again, beside a run with other settings; `compare none` ends
+    std::string assignments;
+    [[nodiscard]] bool begins() const { return assignments != "none"; }
+};
 struct Set {  ///< `set solver.dt=1e-4`
     std::string assignment;
 };
@@ -71,10 +75,10 @@ concept OfThePicture = std::is_same_v<C, Orbit> || std::is_same_v<C, Pan> || std
 
 }  // namespace command
 
-using Command = std::variant<command::Pause, command::Step, command::Reset, command::LoadScene, command::Set,
-                             command::Next, command::Add, command::Steer, command::Throw, command::Fall, command::Grab,
-                             command::Drag, command::Release, command::Pin, command::Orbit, command::Pan, command::Zoom,
-                             command::Frame, command::Picture, command::Video, command::Quit>;
+using Command = std::variant<command::Pause, command::Step, command::Reset, command::LoadScene, command::Compare,
+                             command::Set, command::Next, command::Add, command::Steer, command::Throw, command::Fall,
+                             command::Grab, command::Drag, command::Release, command::Pin, command::Orbit, command::Pan,
+                             command::Zoom, command::Frame, command::Picture, command::Video, command::Quit>;
 
 /// The text form: one line without its end.
 std::string command_text(const Command& command);

@@ -44,7 +44,7 @@ public:
 
     [[nodiscard]] Timeline timeline() const;
 
-    /// Compares the simulation, from its start on, with another one of the same scene. It is no part of a recording.
+    /// Sends the command that compares the simulation, from its start on, with another one of the same scene.
     /// @param assignments as `Comparison` has them; empty: ends the comparison
     /// @throws InputError if they do not fit the scene
     void compare(const std::string& assignments);
@@ -111,6 +111,7 @@ private:
     void play_due_entries(bool is_new);
     void play(const RecordedEntry& entry, bool is_new);
     void carry_out(const Command& command, bool is_new);
+    void compare(const command::Compare& command);
     void compare_after(const Command& command);
     void take_over();
     void begin_history();
