@@ -1,10 +1,13 @@
 #include "drape/contact/warm_start.h"
 
 #include <algorithm>
+#include <cmath>
+#include <limits>
 #include <tuple>
 
 #include "contact_motion.h"
 #include "drape/integrate/stability.h"
+#include "resting.h"
 
 namespace drape {
 namespace {
@@ -26,18 +29,11 @@ std::tuple<unsigned, int, int> order_of(const Contact& contact) {
 
 const FeaturePair& order_of(const PairContact& contact) { return contact.pair.features; }
 
-/// What changes a speed by more than gravity does in this many steps is no rest: an impact, or the way out of a ball
-/// that was put into the cloth.
-constexpr Real rest_steps = 100;
-
 bool is_of_surface(const Contact& contact) { return !contact.of_node && !contact.of_impact; }
 bool is_of_surface(const PairContact& /*contact*/) { return true; }
 
-template <class AnyContact>
-bool rests(const AnyContact& contact, Real h, Real gravity) {
-    const Real speed = contact.displacement.normal * contact.inverse_mass / h;
-    return is_of_surface(contact) && speed > 0 && speed <= rest_steps * h * gravity;
-}
+/// Such a contact is kept with a push of zero, to be told that it lasts.
+bool meets_heavier(const ContactPlane& contact) { return least_inverse_mass(contact) < contact.inverse_mass; }
 
 void scale(ContactPush& push, Real factor) {
     push.normal *= factor;
@@ -52,6 +48,7 @@ void follow_contact(const ResponseParameters& parameters, std::span<const ClothI
                     std::span<const Ball> balls, Contact& contact) {
     contact.point = at_point(contact, cloths[static_cast<std::size_t>(contact.cloth)].state.x);
     contact.of_impact = !is_plane(contact.ball);
+    contact.motion = {};
     if (is_solid(contact.ball)) contact.plane.height += contact.normal.dot(contact.plane.moved);
     contact.depth = depth_now(parameters, balls, contact);
 }
@@ -74,6 +71,42 @@ void displace_ball(BallDisplacements& balls, const Contact& contact) {
 }
 void displace_ball(BallDisplacements& /*balls*/, const PairContact& /*contact*/) {}
 
+/// By how many substeps of its motion the push of a contact goes ahead of it: within two to four, cloth that rocks on a
+/// ball comes to rest; the motion is half that of the last substep, for else it goes back and forth with the push.
+constexpr Real lead = 3, new_part = Real(0.5);
+
+/// Of all three barycentric coordinates.
+std::array<Real, 3> motion_of(const Contact& contact) {
+    return {contact.motion[0], contact.motion[1], -contact.motion[0] - contact.motion[1]};
+}
+
+/// The push acts where the contact is going to be, within its triangle. What is zero but for rounding is zero: a
+/// contact on an edge stays there.
+void go_ahead(Real substeps, Contact& contact) {
+    constexpr Real rounding = 16 * std::numeric_limits<Real>::epsilon();
+    const auto motion = motion_of(contact);
+    for (std::size_t k = 0; k < 3; ++k) {
+        if (contact.barycentric[k] + substeps * motion[k] < -rounding) substeps = -contact.barycentric[k] / motion[k];
+    }
+    contact.ahead = substeps;
+    for (std::size_t k = 0; k < 3; ++k) {
+        const Real moved = contact.barycentric[k] + substeps * motion[k];
+        contact.barycentric[k] = std::abs(moved) <= rounding ? Real(0) : moved;
+    }
+}
+void go_ahead(Real /*substeps*/, PairContact& /*contact*/) {}
+
+/// What the same contact has moved by since the substep before. A free ball rolls with its contacts: nothing goes
+/// ahead.
+void measure_motion(const Contact& before, std::span<const Ball> balls, Contact& contact) {
+    if (!is_plane(contact.ball) && balls[static_cast<std::size_t>(contact.ball)].inverse_mass > 0) return;
+    for (std::size_t k = 0; k < 2; ++k) {
+        const Real moved = contact.barycentric[k] - (before.barycentric[k] - before.ahead * before.motion[k]);
+        contact.motion[k] = before.motion[k] + new_part * (moved - before.motion[k]);
+    }
+}
+void measure_motion(const PairContact& /*before*/, std::span<const Ball> /*balls*/, PairContact& /*contact*/) {}
+
 }  // namespace
 
 template <class AnyContact>
@@ -81,17 +114,23 @@ void WarmStart<AnyContact>::take(const ResponseParameters& parameters, Real h, R
                                  std::span<const ClothInContact> cloths, std::vector<AnyContact>& contacts) {
     last_.clear();
     const Real h_before = h_ > 0 ? h_ : h, factor = h / h_before;
-    const Real share = parameters.kind == ResponseKind::Impulse ? displacement_share(parameters.integrator) : Real(1);
+    const Real of_force = displacement_share(parameters.integrator);
+    const Real share = parameters.kind == ResponseKind::Impulse ? of_force : Real(1);
     h_ = h;
     if (!solves_for_pushes(parameters.kind)) return;
     is_explicit_ = has_step_limit(parameters.integrator);
     before_ = is_explicit_ ? Real(0) : share;
     last_.swap(contacts);
-    std::erase_if(last_, [&](const AnyContact& contact) { return !rests(contact, h_before, gravity); });
+    std::erase_if(last_, [&](const AnyContact& contact) {
+        if (!is_of_surface(contact) || contact.displacement.normal == 0) return true;
+        return !may_rest(contact, h_before, gravity) && !meets_heavier(contact);
+    });
     for (AnyContact& contact : last_) {
+        if (!may_rest(contact, h_before, gravity)) scale(contact.displacement, 0);
         scale(contact.displacement, factor * factor);
         contact.impulse = contact.displacement;
         scale(contact.impulse, 1 / (share * h));
+        if (!is_explicit_ && of_force == 1) go_ahead(lead * factor, contact);
         list_particles(cloths, contact);
     }
 }
@@ -130,8 +169,10 @@ void WarmStart<AnyContact>::carry_over(const ResponseParameters& parameters, std
         if (found != contacts.end() && order_of(*found) == order) {
             found->displacement = before.displacement;
             found->impulse = before.impulse;
+            found->lasts = true;
+            measure_motion(before, balls, *found);
             ++found;
-        } else {
+        } else if (before.displacement.normal > 0) {
             follow_contact(parameters, cloths, balls, before);
             parted_.push_back(before);
             gaps_.push_back(found - contacts.begin());

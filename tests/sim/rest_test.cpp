@@ -3,12 +3,14 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
+#include <string>
 #include <tuple>
 #include <utility>
 
 #include "drape/integrate/stability.h"
 #include "drape/sim/scene.h"
 #include "small_scene.h"
+#include "support/sanitized.h"
 
 namespace drape {
 namespace {
@@ -87,6 +89,48 @@ TEST_P(RestOnABall, IsReachedAndNothingIsBookedAfterIt) {
          {"damping_loss", "drag_loss", "contact_loss", "integrator_loss", "ball_work", "hand_work", "energy"})
         EXPECT_EQ(figure(now, row), figure(then, row)) << row;
 }
+
+/// A shipped scene under another method, in which nothing sleeps.
+Settings awake(const char* scene, IntegratorKind integrator) {
+    Settings settings = load_scene(scene);
+    settings.solver.integrator = integrator;
+    if (!has_step_limit(integrator)) settings.solver.dt = 1.0 / 120;
+    settings.solver.sleep_speed = 0;
+    return settings;
+}
+
+void expect_rest_after(Simulation simulation, double time) {
+    while (simulation.report().time < time) simulation.step();
+    for (int k = 0; k < 20; ++k) {
+        simulation.step();
+        EXPECT_LT(rms_speed(simulation), 1e-4) << simulation.report().time << " s";
+    }
+}
+
+class RestOfTheShippedDrop : public testing::TestWithParam<IntegratorKind> {};
+
+TEST_P(RestOfTheShippedDrop, IsReached) {
+    if (test::sanitized) GTEST_SKIP() << "takes minutes";
+    expect_rest_after({"drop", awake("drop", GetParam())}, 8);
+}
+
+INSTANTIATE_TEST_SUITE_P(Methods, RestOfTheShippedDrop,
+                         testing::Values(IntegratorKind::SymplecticEuler, IntegratorKind::BackwardEuler,
+                                         IntegratorKind::Bdf2, IntegratorKind::Xpbd),
+                         [](const auto& method) { return std::string(name_of(method.param)); });
+
+class RestOfTheShippedTrampoline : public testing::TestWithParam<IntegratorKind> {};
+
+/// Cloth that carries a ball is pushed by many times its own weight: without a start from these pushes it quivers.
+TEST_P(RestOfTheShippedTrampoline, IsReached) {
+    if (test::sanitized) GTEST_SKIP() << "takes minutes";
+    expect_rest_after({"trampoline", awake("trampoline", GetParam())}, 12);
+}
+
+INSTANTIATE_TEST_SUITE_P(Methods, RestOfTheShippedTrampoline,
+                         testing::Values(IntegratorKind::BackwardEuler, IntegratorKind::Bdf2,
+                                         IntegratorKind::ProjectiveDynamics),
+                         [](const auto& method) { return std::string(name_of(method.param)); });
 
 TEST(RestInATrampoline, IsReachedByTheShippedSceneAndCostsNothing) {
     Settings settings = load_scene("trampoline");

@@ -49,6 +49,7 @@ struct ContactPlane {
     Real inverse_mass = 0;    ///< that a push along the normal meets, of both bodies; 0 if none moves [1/kg]
     Real mass = 0;            ///< 1 / inverse_mass, or 0 [kg]
     Real sliding_mass = 0;    ///< the same for a push across the normal [kg]
+    bool lasts = false;       ///< it was there in the substep before; kept by the warm start
     int particle_count = 0;
     std::array<PushedParticle, 4> particles{};  ///< the first `particle_count`
     Vec3 start = Vec3::Zero();  ///< the first point, or its offset from the second, at the start of the substep [m]
@@ -83,6 +84,8 @@ struct Contact : BodyContact {
     int triangle = 0;                   ///< that the point belongs to
     std::array<int, 3> corners{};       ///< its particles
     std::array<Real, 3> barycentric{};  ///< of the point
+    std::array<Real, 2> motion{};       ///< of the first two of these from substep to substep; kept by the warm start
+    Real ahead = 0;                     ///< substeps of that motion by which they are ahead; likewise
     Vec3 point = Vec3::Zero();          ///< [m]
     bool of_particle = false;           ///< the point is a corner
     bool of_impact = false;             ///< found on the way: its normal is that of the impact, and stays

@@ -1,0 +1,30 @@
+#pragma once
+
+#include <algorithm>
+
+#include "drape/contact/response.h"
+
+namespace drape {
+
+/// What changes a speed by more than gravity does in this many steps is no rest: an impact, or the way out of a ball
+/// that was put into the cloth.
+inline constexpr Real rest_steps = 100;
+
+/// Of the heavier body that can move.
+inline Real least_inverse_mass(const ContactPlane& contact) {
+    Real first = 0;
+    for (const PushedParticle& p : contact.pushed()) first += p.weight * p.share;
+    const Real second = contact.inverse_mass - first;
+    return second > 0 ? std::min(first, second) : contact.inverse_mass;
+}
+
+/// Whether a contact pushes no harder than what rests does. Cloth that carries a ball is pushed by many times its own
+/// weight, but so it is by an impact: the ball's weight counts where the contact was there in the substep before.
+/// @param h the substep of its displacement [s]
+/// @param gravity [m/s^2]
+inline bool may_rest(const ContactPlane& contact, Real h, Real gravity) {
+    const Real inverse_mass = contact.lasts ? least_inverse_mass(contact) : contact.inverse_mass;
+    return contact.displacement.normal * inverse_mass / h <= rest_steps * h * gravity;
+}
+
+}  // namespace drape
