@@ -124,8 +124,9 @@ void Window::on_display() {
     FrameView view = session_.view();
     view.timeline = session_.timeline();
     view.hurried = pace_.hurried() && !video_.recording();
-    draw(view, video_.due() ? DrawnFor::Picture : DrawnFor::Window);
-    if (video_.due()) video_.take(renderer_->read_back());
+    const bool is_for_video = video_.due();
+    draw(view, is_for_video ? DrawnFor::Picture : DrawnFor::Window);
+    if (is_for_video) video_.take(renderer_->read_back());
     renderer_->present();
     glFlush();
     since_drawn_ = 0;
@@ -175,7 +176,8 @@ void Window::steer(double elapsed) {
 void Window::follow_replay() {
     for (const Command& command : session_.take_view_commands()) {
         if (std::holds_alternative<command::LoadScene>(command)) start_scene();
-        if (std::holds_alternative<command::Reset>(command)) crossings_told_ = 0;
+        if (std::holds_alternative<command::Reset>(command)) forget_run();
+        if (std::holds_alternative<command::Compare>(command)) forget_run();
         camera_.apply(command, session_.view());
     }
 }

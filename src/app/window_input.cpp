@@ -237,6 +237,7 @@ void Window::on_visibility(int state) {
 void Window::on_reshape(int width, int height) {
     width_ = width;
     height_ = height;
+    unshown_.reset();
     if (renderer_) renderer_->resize(width, height);
     video_.resize({width, height});
     dirty_ = true;

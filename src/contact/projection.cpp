@@ -1,5 +1,4 @@
 #include "compact_solve.h"
-#include "resting.h"
 
 // Positions are projected out of balls and ground @cite provot1995, each contact by the least displacement of its
 // particles, and held against sliding by friction; then the velocities of those that were pushed are stopped, or
@@ -45,22 +44,6 @@ void project_positions(ContactProblem& problem, ResponseReport& report) {
     }
 }
 
-/// The impulse of what rests, before it is solved for: its force is that which has displaced it. Impulses that are
-/// solved for from another start may leave cloth that does not move with velocities, for contacts that share particles
-/// have more than one set of pushes that stop them.
-void match_displacements(ContactProblem& problem, Velocities& motion) {
-    const Real factor = 1 / (problem.share * problem.h);
-    for_each_contact(problem, [&](auto& contact) {
-        if (contact.approach > problem.resting || !may_rest(contact, problem.h, problem.gravity)) return;
-        const Real normal = factor * contact.displacement.normal;
-        const Vec3 friction = factor * contact.displacement.friction;
-        push_apart(motion, contact,
-                   (normal - contact.impulse.normal) * contact.normal + (friction - contact.impulse.friction));
-        contact.impulse.normal = normal;
-        contact.impulse.friction = friction;
-    });
-}
-
 /// Contacts that carry nothing, and were given nothing, are free to part, and to meet in a later step.
 bool is_loaded(const ContactPlane& contact) { return contact.displacement.normal > 0 || contact.impulse.normal > 0; }
 
@@ -70,7 +53,6 @@ ResponseReport respond_by_projection(ContactProblem& problem) {
     ResponseReport report;
     project_positions(problem, report);
     Velocities motion = problem.velocities();
-    match_displacements(problem, motion);
     choose(problem, is_loaded);
     report.sweeps += solve_contacts(problem, motion, velocity_tolerance(problem)).count;
     return report;

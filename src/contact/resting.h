@@ -15,7 +15,7 @@ inline Real least_inverse_mass(const ContactPlane& contact) {
     Real first = 0;
     for (const PushedParticle& p : contact.pushed()) first += p.weight * p.share;
     const Real second = contact.inverse_mass - first;
-    return second > 0 ? std::min(first, second) : contact.inverse_mass;
+    return first > 0 && second > 0 ? std::min(first, second) : contact.inverse_mass;
 }
 
 /// Whether a contact pushes no harder than what rests does. Cloth that carries a ball is pushed by many times its own

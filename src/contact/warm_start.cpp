@@ -73,7 +73,7 @@ void displace_ball(BallDisplacements& /*balls*/, const PairContact& /*contact*/)
 
 /// By how many substeps of its motion the push of a contact goes ahead of it: within two to four, cloth that rocks on a
 /// ball comes to rest; the motion is half that of the last substep, for else it goes back and forth with the push.
-constexpr Real lead = 3, new_part = Real(0.5);
+constexpr Real lead = 3, smoothing = Real(0.5);
 
 /// Of all three barycentric coordinates.
 std::array<Real, 3> motion_of(const Contact& contact) {
@@ -102,7 +102,7 @@ void measure_motion(const Contact& before, std::span<const Ball> balls, Contact&
     if (!is_plane(contact.ball) && balls[static_cast<std::size_t>(contact.ball)].inverse_mass > 0) return;
     for (std::size_t k = 0; k < 2; ++k) {
         const Real moved = contact.barycentric[k] - (before.barycentric[k] - before.ahead * before.motion[k]);
-        contact.motion[k] = before.motion[k] + new_part * (moved - before.motion[k]);
+        contact.motion[k] = before.motion[k] + smoothing * (moved - before.motion[k]);
     }
 }
 void measure_motion(const PairContact& /*before*/, std::span<const Ball> /*balls*/, PairContact& /*contact*/) {}

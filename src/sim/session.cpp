@@ -28,7 +28,8 @@ constexpr double clock_tolerance = 4 * std::numeric_limits<double>::epsilon();
 
 /// Whether nothing that was before can be gone back to.
 bool begins_history(const Command& command) {
-    return std::holds_alternative<command::LoadScene>(command) || std::holds_alternative<command::Compare>(command);
+    const auto* const compare = std::get_if<command::Compare>(&command);
+    return std::holds_alternative<command::LoadScene>(command) || (compare != nullptr && compare->begins());
 }
 
 bool pauses(const Command& command) {
@@ -199,8 +200,13 @@ void Session::compare(const std::string& assignments) {
 }
 
 void Session::compare(const command::Compare& command) {
+    if (!command.begins() && !comparison_) return;
     std::optional<Comparison> begun;
-    if (command.begins()) begun.emplace(simulation_, command.assignments);  // throws before anything is changed
+    if (command.begins()) {
+        Simulation first = simulation_;
+        first.apply(command);
+        begun.emplace(first, command.assignments);  // throws before anything is changed
+    }
     simulation_.apply(command);
     comparison_ = std::move(begun);
     simulation_.apply(command::Set{comparison_ ? "view.colour=difference" : "view.colour=plain"});
@@ -236,7 +242,10 @@ void Session::play(const RecordedEntry& entry, bool is_new) {
         return;
     }
     if (history_ && begins_history(command)) begin_history();
-    const bool is_seen = !changes_state(command) || std::holds_alternative<command::LoadScene>(command);
+    const bool begins_again = std::holds_alternative<command::LoadScene>(command) ||
+                              std::holds_alternative<command::Reset>(command) ||
+                              std::holds_alternative<command::Compare>(command);
+    const bool is_seen = !changes_state(command) || begins_again;
     if (is_new && is_seen) view_commands_.push_back(command);
 }
 

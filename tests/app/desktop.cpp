@@ -56,6 +56,10 @@ Image Desktop::picture_of(const std::string& window) const {
     const int width = attributes.width, height = attributes.height;
     XImage* const pixels = XGetImage(connection, id, 0, 0, static_cast<unsigned>(width), static_cast<unsigned>(height),
                                      AllPlanes, ZPixmap);
+    if (pixels == nullptr) {
+        XCloseDisplay(connection);
+        return {};
+    }
     Image image{width, height, {}};
     for (int y = 0; y < height; ++y) {
         for (int x = 0; x < width; ++x) {
