@@ -40,7 +40,9 @@ void hold_against_distance(Tells tells, Measure measure) {
         const Real distance = measure(p);
         const Real reach = trial % 3 == 0 ? distance : part(random) * distance;
         const bool tells_apart = tells(p, with_rounding(reach));
-        if (tells_apart) ASSERT_GT(distance, reach) << trial;
+        if (tells_apart) {
+            ASSERT_GT(distance, reach) << trial;
+        }
         if (distance > Real(1.2) * reach) ++apart, told += tells_apart ? 1 : 0;
     }
     EXPECT_GT(apart, 10000);
