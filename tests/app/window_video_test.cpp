@@ -155,6 +155,19 @@ TEST_F(WindowTest, ShiftF12StartsAVideoAndEndsIt) {
     quit();
 }
 
+// Fast pictures are magnified in the window, but for those that a video takes.
+TEST_F(WindowTest, AVideoOfFastPicturesIsWritten) {
+    start({"drop", "--set", "view.quality=fast"});
+    desktop_.key("shift+F12");
+    ASSERT_TRUE(recorded("video"));
+    const double used = drape_->processor_time();
+    ASSERT_TRUE(eventually([&] { return drape_->processor_time() > used + 2; }));
+    desktop_.key("shift+F12");
+    ASSERT_TRUE(eventually([&] { return fs::exists(file("drape-0001.mp4")); }));
+    EXPECT_THAT(contents(file("drape-0001.mp4"), folder_), MatchesRegex("640,480,[0-9]+"));
+    quit();
+}
+
 TEST_F(WindowTest, AnotherSizeEndsAVideo) {
     start({"hang"});
     desktop_.key("shift+F12");
