@@ -13,7 +13,9 @@ namespace drape {
 /// before and half after it where a force displaces by half of what its velocity would (`displacement_share`). What
 /// rests does not move then. An explicit method takes its forces from the start of the step, where a velocity would be
 /// answered by dampers: it is given the pushes after the step, displacements too. Either way the response has little
-/// left to solve. Only responses that solve for pushes can use them; a penalty follows from the depth.
+/// left to solve. Under an implicit method whose forces displace by all that their velocities do, the push of a contact
+/// that rolls goes ahead of it, where it would feed the rocking of cloth otherwise. Only responses that solve for
+/// pushes can use them; a penalty follows from the depth.
 /// @tparam AnyContact `Contact`, of one cloth with balls and ground, or `PairContact`
 template <class AnyContact>
 class WarmStart {
