@@ -133,10 +133,11 @@ void PictureTarget::resolve(bool for_window) {
     gl_(glBlitFramebuffer, 0, 0, layer_->size().width, layer_->size().height, 0, 0, width, height,
         GLbitfield{GL_COLOR_BUFFER_BIT}, GLenum{GL_LINEAR});
     gl_(glViewport, 0, 0, width, height);
+    if (in_window_) gl_(glDisable, GLenum{GL_DEPTH_TEST});  // it may have depths of its own
 }
 
 void PictureTarget::present() {
-    if (in_window_) return;
+    if (in_window_) return gl_(glEnable, GLenum{GL_DEPTH_TEST});
     const auto [width, height] = full_.size();
     gl_(glBindFramebuffer, GLenum{GL_READ_FRAMEBUFFER}, full_.plain());
     gl_(glBindFramebuffer, GLenum{GL_DRAW_FRAMEBUFFER}, 0u);

@@ -188,9 +188,7 @@ void Renderer::Parts::paint(const FrameView& view, DrawnFor use) {
     marks.draw();
     if (failed) failure_mark.draw();
     target->resolve(use == DrawnFor::Window);
-    gl(glDisable, GLenum{GL_DEPTH_TEST});  // a window may have depths of its own
     painter.draw(stream);
-    gl(glEnable, GLenum{GL_DEPTH_TEST});
     gl(glDisable, GLenum{GL_BLEND});
 }
 
