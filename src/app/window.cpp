@@ -176,8 +176,8 @@ void Window::steer(double elapsed) {
 void Window::follow_replay() {
     for (const Command& command : session_.take_view_commands()) {
         if (std::holds_alternative<command::LoadScene>(command)) start_scene();
-        if (std::holds_alternative<command::Reset>(command)) forget_run();
-        if (std::holds_alternative<command::Compare>(command)) forget_run();
+        const bool compares = std::holds_alternative<command::Compare>(command);
+        if (compares || std::holds_alternative<command::Reset>(command)) forget_run();
         camera_.apply(command, session_.view());
     }
 }

@@ -72,8 +72,11 @@ void displace_ball(BallDisplacements& balls, const Contact& contact) {
 void displace_ball(BallDisplacements& /*balls*/, const PairContact& /*contact*/) {}
 
 /// By how many substeps of its motion the push of a contact goes ahead of it: within two to four, cloth that rocks on a
-/// ball comes to rest; the motion is half that of the last substep, for else it goes back and forth with the push.
-constexpr Real lead = 3, smoothing = Real(0.5);
+/// ball comes to rest.
+constexpr Real lead = 3;
+
+/// How much of the last substep is in a contact's motion: of all of it, the contact goes back and forth with the push.
+constexpr Real newest_part = Real(0.5);
 
 /// Of all three barycentric coordinates.
 std::array<Real, 3> motion_of(const Contact& contact) {
@@ -102,7 +105,7 @@ void measure_motion(const Contact& before, std::span<const Ball> balls, Contact&
     if (!is_plane(contact.ball) && balls[static_cast<std::size_t>(contact.ball)].inverse_mass > 0) return;
     for (std::size_t k = 0; k < 2; ++k) {
         const Real moved = contact.barycentric[k] - (before.barycentric[k] - before.ahead * before.motion[k]);
-        contact.motion[k] = before.motion[k] + smoothing * (moved - before.motion[k]);
+        contact.motion[k] = before.motion[k] + newest_part * (moved - before.motion[k]);
     }
 }
 void measure_motion(const PairContact& /*before*/, std::span<const Ball> /*balls*/, PairContact& /*contact*/) {}
@@ -114,12 +117,13 @@ void WarmStart<AnyContact>::take(const ResponseParameters& parameters, Real h, R
                                  std::span<const ClothInContact> cloths, std::vector<AnyContact>& contacts) {
     last_.clear();
     const Real h_before = h_ > 0 ? h_ : h, factor = h / h_before;
-    const Real of_force = displacement_share(parameters.integrator);
-    const Real share = parameters.kind == ResponseKind::Impulse ? of_force : Real(1);
+    const Real force_share = displacement_share(parameters.integrator);
+    const Real share = parameters.kind == ResponseKind::Impulse ? force_share : Real(1);
     h_ = h;
     if (!solves_for_pushes(parameters.kind)) return;
     is_explicit_ = has_step_limit(parameters.integrator);
     before_ = is_explicit_ ? Real(0) : share;
+    const bool goes_ahead = !is_explicit_ && force_share == 1;
     last_.swap(contacts);
     std::erase_if(last_, [&](const AnyContact& contact) {
         if (!is_of_surface(contact) || contact.displacement.normal == 0) return true;
@@ -130,7 +134,7 @@ void WarmStart<AnyContact>::take(const ResponseParameters& parameters, Real h, R
         scale(contact.displacement, factor * factor);
         contact.impulse = contact.displacement;
         scale(contact.impulse, 1 / (share * h));
-        if (!is_explicit_ && of_force == 1) go_ahead(lead * factor, contact);
+        if (goes_ahead) go_ahead(lead * factor, contact);
         list_particles(cloths, contact);
     }
 }

@@ -84,7 +84,7 @@ struct Contact : BodyContact {
     int triangle = 0;                   ///< that the point belongs to
     std::array<int, 3> corners{};       ///< its particles
     std::array<Real, 3> barycentric{};  ///< of the point
-    std::array<Real, 2> motion{};       ///< of the first two of these from substep to substep; kept by the warm start
+    std::array<Real, 2> motion{};       ///< of the first two of these in a substep, smoothed; kept by the warm start
     Real ahead = 0;                     ///< substeps of that motion by which they are ahead; likewise
     Vec3 point = Vec3::Zero();          ///< [m]
     bool of_particle = false;           ///< the point is a corner

@@ -43,7 +43,7 @@ public:
     void carry_over(const ResponseParameters& parameters, std::span<const ClothInContact> cloths,
                     std::span<const Ball> balls, std::vector<AnyContact>& contacts);
 
-    /// The contacts whose pushes were taken.
+    /// The contacts whose pushes were taken; zero of those that may have been an impact.
     [[nodiscard]] std::span<const AnyContact> pushes() const { return last_; }
 
 private:

@@ -3,7 +3,7 @@
     where = cell("scene") " " cell("side") "²"; method = cell("method")
     if (!(where in first)) { place[++places] = where; first[where] = cell("total_us"); boxes[where] = cell("box_pairs"); near[where] = cell("near_pairs") }
     if (!(method in known)) { known[method] = 1; name[++methods] = method }
-    ratio[method, where] = cell("ratio"); share[method, where] = 100 * cell("update_us") / cell("total_us")
+    ratio[method, where] = cell("ratio")
     if (cell("ties") != 0) fail(method " has ties: the page says that there are none")
 }
 function row(title, values, format,   i, line) {

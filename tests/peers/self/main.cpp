@@ -1,5 +1,5 @@
 // Pairs of triangles of cloth that may touch: Drape's hierarchies beside those of FCL, Bullet and Embree, on the same
-// frames of `fold` and `stack`, one thread, double precision. See docs/contact.md.
+// frames of `fold` and `stack`, one thread, double precision but for Embree. See docs/contact.md.
 
 #include <algorithm>
 #include <cstdio>
