@@ -32,8 +32,17 @@ const FeaturePair& order_of(const PairContact& contact) { return contact.pair.fe
 bool is_of_surface(const Contact& contact) { return !contact.of_node && !contact.of_impact; }
 bool is_of_surface(const PairContact& /*contact*/) { return true; }
 
-/// Such a contact is kept with a push of zero, to be told that it lasts.
-bool meets_heavier(const ContactPlane& contact) { return least_inverse_mass(contact) < contact.inverse_mass; }
+/// Whether it pushes a free ball too. Such a contact is kept with a push of zero, to be told that it lasts.
+bool moves_both(const ContactPlane& contact) { return least_inverse_mass(contact) < contact.inverse_mass; }
+
+/// Whether the pushes that go on are those that stopped velocities, and not those that displaced. Where a force
+/// displaces by half of what its velocity would, these are no measure of the force; but cloth that carries a ball is
+/// calmer by them.
+template <class AnyContact>
+bool takes_impulses(const ResponseParameters& parameters, const std::vector<AnyContact>& contacts) {
+    return parameters.kind == ResponseKind::Projection && parameters.integrator == IntegratorKind::ImplicitMidpoint &&
+           std::ranges::none_of(contacts, moves_both);
+}
 
 void scale(ContactPush& push, Real factor) {
     push.normal *= factor;
@@ -118,16 +127,23 @@ void WarmStart<AnyContact>::take(const ResponseParameters& parameters, Real h, R
     last_.clear();
     const Real h_before = h_ > 0 ? h_ : h, factor = h / h_before;
     const Real force_share = displacement_share(parameters.integrator);
-    const Real share = parameters.kind == ResponseKind::Impulse ? force_share : Real(1);
+    of_velocities_ = takes_impulses(parameters, contacts);
+    const Real share = of_velocities_ || parameters.kind == ResponseKind::Impulse ? force_share : Real(1);
     h_ = h;
     if (!solves_for_pushes(parameters.kind)) return;
     is_explicit_ = has_step_limit(parameters.integrator);
     before_ = is_explicit_ ? Real(0) : share;
-    const bool goes_ahead = !is_explicit_ && force_share == 1;
+    const bool goes_ahead = of_velocities_ || (!is_explicit_ && force_share == 1);
     last_.swap(contacts);
+    if (of_velocities_) {
+        for (AnyContact& contact : last_) {
+            contact.displacement = contact.impulse;
+            scale(contact.displacement, share * h_before);
+        }
+    }
     std::erase_if(last_, [&](const AnyContact& contact) {
         if (!is_of_surface(contact) || contact.displacement.normal == 0) return true;
-        return !may_rest(contact, h_before, gravity) && !meets_heavier(contact);
+        return !may_rest(contact, h_before, gravity) && !moves_both(contact);
     });
     for (AnyContact& contact : last_) {
         if (!may_rest(contact, h_before, gravity)) scale(contact.displacement, 0);
@@ -171,7 +187,7 @@ void WarmStart<AnyContact>::carry_over(const ResponseParameters& parameters, std
         const auto order = order_of(before);
         while (found != contacts.end() && order_of(*found) < order) ++found;
         if (found != contacts.end() && order_of(*found) == order) {
-            found->displacement = before.displacement;
+            if (!of_velocities_) found->displacement = before.displacement;
             found->impulse = before.impulse;
             found->lasts = true;
             measure_motion(before, balls, *found);

@@ -85,6 +85,19 @@ TEST(RestingPush, PushesWhereTheContactIsUnderAnExplicitMethod) {
     EXPECT_EQ(rolling.pushed_at(), Real(0.38));
 }
 
+/// Of the first particle with a body above which it lies.
+Contact contact_of_particle(const ClothModel& model, Real inverse_mass_of_body) {
+    Contact contact;
+    contact.corners = model.grid.triangle_corners(0);
+    contact.barycentric = {1, 0, 0};
+    contact.of_particle = true;
+    contact.normal = {0, 1, 0};
+    contact.inverse_mass = 1 / model.particle_mass + inverse_mass_of_body;
+    contact.particle_count = 1;
+    contact.particles[0] = {0, contact.corners[0], 1, 1 / model.particle_mass};
+    return contact;
+}
+
 /// How much of a push is given on to the next substep, and to the one after it, of a particle that meets a body.
 /// @param gravities the push, in what gravity gives the particle within a step
 std::vector<Real> given_on(Real gravities, Real inverse_mass_of_body) {
@@ -93,15 +106,7 @@ std::vector<Real> given_on(Real gravities, Real inverse_mass_of_body) {
     const Real push = gravities * sheet.model.particle_mass * earth * substep * substep;
     std::vector<Real> given;
     for (int k = 0; k < 3; ++k) {
-        Contact contact;
-        contact.corners = sheet.model.grid.triangle_corners(0);
-        contact.barycentric = {1, 0, 0};
-        contact.of_particle = true;
-        contact.normal = {0, 1, 0};
-        contact.inverse_mass = 1 / sheet.model.particle_mass + inverse_mass_of_body;
-        contact.particle_count = 1;
-        contact.particles[0] = {0, contact.corners[0], 1, 1 / sheet.model.particle_mass};
-        sheet.contacts = {contact};
+        sheet.contacts = {contact_of_particle(sheet.model, inverse_mass_of_body)};
         sheet.warm_start.carry_over(sheet.parameters, std::span(&cloth, 1), std::span(&sheet.ball, 1), sheet.contacts);
         given.push_back(sheet.contacts[0].displacement.normal / push);
         sheet.contacts[0].displacement.normal = push;
@@ -117,6 +122,29 @@ TEST(RestingPush, IsGivenOn) {
 
 TEST(RestingPush, IsNoneWhereALightClothIsHitByWhatDoesNotMove) {
     EXPECT_EQ(given_on(200, 0), (std::vector<Real>{0, 0, 0}));
+}
+
+/// Half of it before the step, which displaces the particle by all that its impulse can, and half of it after.
+TEST(RestingPush, IsAnImpulseInTwoHalvesUnderTheImplicitMidpointRule) {
+    RollingContact sheet(IntegratorKind::ImplicitMidpoint);
+    const ClothInContact cloth = sheet.in_contact();
+    const auto cloths = std::span(&cloth, 1);
+    const auto balls = std::span(&sheet.ball, 1);
+    const Real impulse = sheet.model.particle_mass * earth * substep;
+    sheet.contacts = {contact_of_particle(sheet.model, 0)};
+    sheet.contacts[0].displacement.normal = impulse * substep / 5;
+    sheet.contacts[0].impulse.normal = impulse;
+    sheet.warm_start.take(sheet.parameters, substep, earth, cloths, sheet.contacts);
+    const auto upward = [&] { return sheet.state.v(sheet.model.grid.triangle_corners(0)[0], 1); };
+    sheet.warm_start.before_step(cloths, balls);
+    EXPECT_NEAR(upward() / (earth * substep), 0.5, 1e-6);
+    sheet.warm_start.after_step(cloths, balls);
+    EXPECT_NEAR(upward() / (earth * substep), 1, 1e-6);
+
+    sheet.contacts = {contact_of_particle(sheet.model, 0)};
+    sheet.warm_start.carry_over(sheet.parameters, cloths, balls, sheet.contacts);
+    EXPECT_EQ(sheet.contacts[0].displacement.normal, 0) << "what the step displaced by is not taken back";
+    EXPECT_NEAR(sheet.contacts[0].impulse.normal / impulse, 1, 1e-6);
 }
 
 /// As a ball is carried that is heavier than the particles under it; that it lies there is seen in the second substep.
