@@ -77,7 +77,7 @@ void CompareSection::draw(const FrameView& view, const Settings& scene, float wi
         if (ImGui::SmallButton("Compare from the start")) wanted_ = row_->name + "=" + value_text(row_->value);
         if (view.comparison != nullptr) {
             ImGui::SameLine();
-            if (ImGui::SmallButton("End")) wanted_ = "";
+            if (ImGui::SmallButton("End")) wanted_ = "none";
         }
         ImGui::PopID();
     }

@@ -50,7 +50,7 @@ protected:
         if (compares_) {
             compared_ = comparison_.view(simulation_);
             view.comparison = &compared_;
-            view.timeline = {.oldest = 0, .now = 50, .newest = 100, .dt = 1e-3};
+            view.timeline = {.oldest = 0, .now = 50, .newest = 100, .back = 0.05};
         }
         const Camera camera(settings_.view);
         for (int frame = 0; frame < 2; ++frame) panels_.build(view, camera, report, notices, size.width, size.height);
