@@ -44,7 +44,7 @@ constexpr Way ways[] = {
     {"cloth and ball (the view turns)", "view.panel=off,view.grid=false", true},
     {"with the grid on the ground (the view turns)", "view.panel=off", true},
     {"with the compact panel", "view.panel=compact"},
-    {"with full panel, plots and hierarchy", "view.panel=full,view.plots=true,view.bounds=true,view.level=30"},
+    {"with full panel and plots and hierarchy", "view.panel=full,view.plots=true,view.bounds=true,view.level=30"},
     {"with the settings panel too",
      "view.panel=full,view.plots=true,view.bounds=true,view.level=30,view.controls=true"},
 };
