@@ -143,7 +143,7 @@ bool Session::any_lies_ahead() const { return next_entry_ < end_of_log() || step
 std::int64_t Session::known_end() const { return std::max(newest_, last_step_); }
 
 void Session::take_over() {
-    const double seconds = step_times_.at(newest_) - step_times_.at(steps_made_);
+    const double seconds = timeline().back;
     takeover_notice_ = last_step_ > newest_ || steps_made_ >= newest_
                            ? "You take over from the replay before step " + std::to_string(steps_made_)
                            : "You go on from here: the " + real_text(seconds, 3) + " s that came after are forgotten";

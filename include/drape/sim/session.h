@@ -49,7 +49,7 @@ public:
     [[nodiscard]] const std::string& takeover_notice() const { return takeover_notice_; }
 
     /// Carries out a command and records it.
-    /// @throws InputError as `Simulation::apply`; it is not recorded then
+    /// @throws InputError as `Simulation::apply` and `Comparison`; it is not recorded then
     void send(const Command& command);
 
     /// Lets `elapsed` seconds of wall time pass, each of which is `view.speed` simulated ones: makes as many whole

@@ -17,8 +17,8 @@ public:
     /// Nobody asks for steps before this one any more. Times stay as they are.
     void forget_before(std::int64_t step);
 
-    /// The simulated time between the first step of all and this one [s]; of a step that was not made yet, as if its
-    /// length and that of all before it were those of the last.
+    /// The simulated time from the first step of all to the beginning of this one [s]. Steps that are not made yet
+    /// count as long as the last.
     [[nodiscard]] double at(std::int64_t step) const;
 
 private:
