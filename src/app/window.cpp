@@ -84,9 +84,9 @@ void Window::on_tick() {
     follow_replay();
     dirty_ |= shown_.ease_towards(camera_, elapsed);
     tell_of_drops();
-    tell_of_crossings();
 
     const Simulation& simulation = session_.simulation();
+    if (const std::string news = crossing_news_.take(simulation); !news.empty()) notices_.add("crossing", news);
     tell_of_failure();
     tell_of_takeover();
     if (simulation.report().status == Status::Diverged &&
@@ -176,8 +176,7 @@ void Window::steer(double elapsed) {
 void Window::follow_replay() {
     for (const Command& command : session_.take_view_commands()) {
         if (std::holds_alternative<command::LoadScene>(command)) start_scene();
-        const bool compares = std::holds_alternative<command::Compare>(command);
-        if (compares || std::holds_alternative<command::Reset>(command)) forget_run();
+        if (begins_again(command)) forget_run();
         camera_.apply(command, session_.view());
     }
 }
@@ -187,13 +186,6 @@ void Window::tell_whose_ball() {
     if (balls.empty()) return notices_.add("ball", "This scene has no ball for the keys");
     const bool led = std::ranges::find(balls, BallMotion::Keys, &BallSettings::motion) != balls.end();
     if (!led) notices_.add("ball", "The keys lead the ball from now on; R gives it back to the scene");
-}
-
-void Window::tell_of_crossings() {
-    const std::int64_t starts = session_.simulation().report().crossing.starts;
-    if (starts <= crossings_told_) return;  // the user may have gone back to before it
-    notices_.add("crossing", session_.simulation().crossing_warning());
-    crossings_told_ = starts;
 }
 
 // Once, however often the user comes back to it
@@ -210,7 +202,7 @@ void Window::tell_of_takeover() {
     if (session_.takeover_notice() == takeover_) return;
     takeover_ = session_.takeover_notice();
     notices_.add("takeover", takeover_);
-    crossings_told_ = session_.simulation().report().crossing.starts;
+    crossing_news_.go_on_from(session_.simulation());
 }
 
 void Window::tell_of_drops() {
@@ -226,7 +218,7 @@ void Window::tell_of_drops() {
 
 void Window::start_scene() {
     scene_ = session_.simulation().scene();
-    crossings_told_ = 0;
+    crossing_news_.forget();
     camera_ = shown_ = Camera(session_.simulation().settings().view);
     renderer_->set_scene(session_.simulation().settings());
     renderer_->set_hint({});
@@ -237,7 +229,7 @@ void Window::start_scene() {
 void Window::take_panel_changes() {
     if (const auto step = renderer_->take_wanted_step()) go_to(*step);
     for (const std::string& change : renderer_->take_changes()) carry_out(command::Set{change});
-    if (const auto versus = renderer_->take_wanted_comparison()) compare_with(*versus);
+    if (const auto versus = renderer_->take_wanted_comparison()) carry_out(command::Compare{*versus});
 }
 
 void Window::show_title() { glutSetWindowTitle(("Drape - " + session_.simulation().settings().title).c_str()); }

@@ -8,6 +8,7 @@
 #include <utility>
 #include <vector>
 
+#include "crossing_news.h"
 #include "drape/base/stop_signals.h"
 #include "drape/base/stopwatch.h"
 #include "drape/render/camera.h"
@@ -82,7 +83,6 @@ private:
     [[nodiscard]] std::int64_t steps_of_a_frame() const;
     void go_to(std::int64_t step);
     void compare(const Entry& entry);
-    void compare_with(const std::string& versus);
     [[nodiscard]] std::vector<Command> go_to_stop(int stop);
     void show_stop();
     void forget_hint();
@@ -93,7 +93,6 @@ private:
     void steer(double elapsed);
     void follow_replay();
     void tell_of_drops();
-    void tell_of_crossings();
     void tell_of_failure();
     void tell_of_takeover();
     void tell_whose_ball();
@@ -115,6 +114,7 @@ private:
     Steering steering_;
     std::set<std::string> held_keys_;  ///< by the names they have without Shift
     Notices notices_;
+    CrossingNews crossing_news_;
     SearchTimer search_timer_;
     PicturePace pace_;
     WindowVideo video_;
@@ -133,7 +133,6 @@ private:
     double dropped_ = 0;            ///< of which the user was told [s]
     double since_drawn_ = 0;        ///< time since the last picture [s]
     std::int64_t drawn_step_ = -1;
-    std::int64_t crossings_told_ = 0;
     int window_ = 0;
     int width_ = 0, height_ = 0;
     int signal_ = 0;

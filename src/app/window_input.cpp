@@ -111,21 +111,9 @@ void Window::on_choice(int number) {
 }
 
 void Window::compare(const Entry& entry) {
-    if (!entry.pair.versus.empty()) {
-        if (!carry_out(parse_command(entry.command))) return;
-        for (const std::string& change : split_assignments(entry.pair.change)) carry_out(command::Set{change});
-    }
-    compare_with(entry.pair.versus);
-}
-
-void Window::compare_with(const std::string& versus) {
-    dirty_ = true;
-    try {
-        session_.compare(versus);
-        if (!versus.empty()) forget_run();
-    } catch (const std::runtime_error& error) {
-        notices_.add("input", error.what());
-    }
+    if (!carry_out(parse_command(entry.command))) return;
+    for (const std::string& change : split_assignments(entry.pair.change)) carry_out(command::Set{change});
+    carry_out(command::Compare{entry.pair.versus});
 }
 
 void Window::give(const Entry& entry) {
@@ -315,9 +303,7 @@ bool Window::carry_out(const Command& command) {
     }
     if (std::holds_alternative<command::Quit>(command)) leave();
     if (std::holds_alternative<command::LoadScene>(command)) start_scene();
-    if (std::holds_alternative<command::LoadScene>(command) || std::holds_alternative<command::Reset>(command)) {
-        forget_run();
-    }
+    if (begins_again(command)) forget_run();
     return true;
 }
 
@@ -326,7 +312,7 @@ void Window::forget_run() {
     pointer_.forget();
     steering_.forget_given();
     told_failure_.clear();
-    crossings_told_ = 0;
+    crossing_news_.forget();
 }
 
 void Window::take_picture() {

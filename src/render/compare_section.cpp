@@ -72,12 +72,12 @@ void CompareSection::draw(const FrameView& view, const Settings& scene, float wi
         if (auto chosen = editor_.edit(*row_)) row_->value = std::move(*chosen);
         SettingEditor::explain(*row_->setting);
         ImGui::SameLine();
-        ImGui::TextUnformatted("of the other");
+        ImGui::TextUnformatted("in the other run");
 
         if (ImGui::SmallButton("Compare from the start")) wanted_ = row_->name + "=" + value_text(row_->value);
         if (view.comparison != nullptr) {
             ImGui::SameLine();
-            if (ImGui::SmallButton("End")) wanted_ = "";
+            if (ImGui::SmallButton("End")) wanted_ = "none";
         }
         ImGui::PopID();
     }

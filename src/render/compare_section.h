@@ -17,7 +17,7 @@ public:
     /// @param scene as it was loaded
     void draw(const FrameView& view, const Settings& scene, float widget_width);
 
-    /// What the user wants to compare with since the last call, as "solver.integrator=xpbd"; empty: nothing any more.
+    /// What the user wants to compare with since the last call, as `command::Compare` has it.
     [[nodiscard]] std::optional<std::string> take_wanted() { return std::exchange(wanted_, std::nullopt); }
 
     [[nodiscard]] bool list_open() const { return editor_.list_open(); }

@@ -50,6 +50,30 @@ FigureText figure_text(const ComparedFigure& row, const StepReport& report) {
     return text;
 }
 
+// Which of both cloths is which
+void draw_legend(const char* other_settings, ImVec2 line, float end) {
+    const float row = ImGui::GetTextLineHeightWithSpacing(), size = ImGui::GetFontSize(), text = line.x + 6 * size;
+    ImDrawList& list = *ImGui::GetWindowDrawList();
+    const ImVec2 swatch{line.x, line.y + 0.1f * size}, far{swatch.x + 1.5f * size, swatch.y + 0.9f * size};
+    list.AddRectFilled(swatch, far, ink::quiet, 2);
+    text_at({line.x + 2 * size, line.y}, ink::quiet, "surface");
+    text_at({text, line.y}, ink::text, "this run");
+
+    // Lines as in the picture, on a light ground
+    const float down = row, third = (far.x - swatch.x) / 3;
+    list.AddRectFilled({swatch.x, swatch.y + down}, {far.x, far.y + down}, ink::quiet, 2);
+    for (int k = 1; k < 3; ++k) {
+        const float x = swatch.x + static_cast<float>(k) * third;
+        list.AddLine({x, swatch.y + down}, {x, far.y + down}, ink::popup, 1);
+    }
+    const float middle = (swatch.y + far.y) / 2 + down;
+    list.AddLine({swatch.x, middle}, {far.x, middle}, ink::popup, 1);
+    text_at({line.x + 2 * size, line.y + row}, ink::quiet, "lines");
+    ImGui::PushClipRect({text, line.y}, {end, line.y + 3 * row}, true);
+    text_at({text, line.y + row}, ink::text, other_settings);
+    ImGui::PopClipRect();
+}
+
 }  // namespace
 
 void ComparisonPanel::keep(const FrameView& view) {
@@ -74,10 +98,7 @@ float ComparisonPanel::draw(const FrameView& view, const OverlayPage& page, floa
     const float first = line.x + 9 * size, other = line.x + 15.5f * size, end = right - margin;
     FigureText text{};
 
-    text_at(line, ink::wait, "Compared with");
-    ImGui::PushClipRect({line.x, line.y}, {end, line.y + 3 * row}, true);
-    text_at({line.x, line.y + row}, ink::text, view.comparison->assignments.data());
-    ImGui::PopClipRect();
+    draw_legend(view.comparison->assignments.data(), line, end);
     line.y += 2 * row;
     text_at({first, line.y}, ink::quiet, "surface");
     text_at({other, line.y}, ink::quiet, "lines");

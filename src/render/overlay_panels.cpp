@@ -373,6 +373,8 @@ float OverlayPanels::notice_panel(std::span<const std::string> notices, const Ov
         const float least = std::min(size_within(1e6f).x, 20 * ImGui::GetFontSize());
         if (at_top) box = free_place(page, boxes_, size_within, least, true);
         if (!box) box = free_place(page, boxes_, size_within, least, false);
+        // Rather many short lines than over another panel
+        if (!box && smaller == 0) box = free_place(page, boxes_, size_within, 9 * ImGui::GetFontSize(), at_top);
         if (!box && smaller == 0) {
             const ImVec2 size = size_within(page.width - 2 * margin);
             box = PanelBox{margin, margin, margin + size.x, std::min(margin + size.y, page.height - margin)};

@@ -20,20 +20,18 @@ using Line = std::array<char, 96>;
 
 // What the bar says of where the run stands
 Line line_of(const Timeline& timeline) {
-    const auto seconds = [&](std::int64_t from, std::int64_t to) {
-        return static_cast<double>(to - from) * timeline.dt;
-    };
     Line line{};
-    const double kept = seconds(timeline.oldest, timeline.newest), megabytes = timeline.bytes / 1e6;
+    const double megabytes = timeline.bytes / 1e6;
     if (timeline.replay) {
-        std::snprintf(line.data(), line.size(), "Replay: %.2f of %.2f s", seconds(0, timeline.now),
-                      seconds(0, timeline.newest));
+        // What lies ahead may change the time step: nobody knows yet how long it takes
+        std::snprintf(line.data(), line.size(), "Replay: %.2f s, step %lld of %lld", timeline.passed,
+                      static_cast<long long>(timeline.now), static_cast<long long>(timeline.newest));
     } else if (timeline.is_live()) {
-        std::snprintf(line.data(), line.size(), "Now; the comma key steps back, %.2f s are kept (%.0f MB)", kept,
-                      megabytes);
+        std::snprintf(line.data(), line.size(), "Now; the comma key steps back, %.2f s are kept (%.0f MB)",
+                      timeline.kept, megabytes);
     } else {
-        std::snprintf(line.data(), line.size(), "%.3f s back of %.2f s (%.0f MB); Space plays from here",
-                      seconds(timeline.now, timeline.newest), kept, megabytes);
+        std::snprintf(line.data(), line.size(), "%.3f s back of %.2f s (%.0f MB); Space plays from here", timeline.back,
+                      timeline.kept, megabytes);
     }
     return line;
 }

@@ -42,7 +42,7 @@ constexpr std::tuple table{
     row<Step>("step COUNT", &Step::count),
     row<Reset>("reset"),
     row<LoadScene>("scene NAME", LineMember{&LoadScene::name}),
-    row<Compare>("compare NAME=VALUE,...", LineMember{&Compare::assignments}),
+    row<Compare>("compare NAME=VALUE,... | none", LineMember{&Compare::assignments}),
     row<Set>("set NAME=VALUE", LineMember{&Set::assignment}),
     row<Next>("next SETTING", &Next::setting),
     row<Add>("add SETTING AMOUNT", &Add::setting, &Add::amount),
@@ -192,6 +192,12 @@ Command parse_command(std::string_view text) {
 
 bool changes_state(const Command& command) {
     return std::visit([]<class C>(const C&) { return !command::OfThePicture<C>; }, command);
+}
+
+bool begins_again(const Command& command) {
+    const auto* compare = std::get_if<command::Compare>(&command);
+    return std::holds_alternative<command::LoadScene>(command) || std::holds_alternative<command::Reset>(command) ||
+           (compare != nullptr && compare->begins());
 }
 
 bool changes_motion(const Command& command) {

@@ -112,6 +112,7 @@ void Session::pass_moment() {
     history_->pass(steps_made_, next_entry_, dt() / simulation_.settings().view.speed, simulation_, comparison_);
     const std::size_t first = history_->empty() ? next_entry_ : history_->oldest().next_entry;
     for (; first_entry_ < first; ++first_entry_) log_.pop_front();
+    step_times_.forget_before(history_->empty() ? steps_made_ : history_->oldest().step);
 }
 
 void Session::compare_after(const Command& command) {
@@ -142,8 +143,8 @@ bool Session::any_lies_ahead() const { return next_entry_ < end_of_log() || step
 std::int64_t Session::known_end() const { return std::max(newest_, last_step_); }
 
 void Session::take_over() {
-    const double seconds = static_cast<double>(known_end() - steps_made_) * dt();
-    takeover_notice_ = steps_made_ >= newest_
+    const double seconds = timeline().back;
+    takeover_notice_ = last_step_ > newest_ || steps_made_ >= newest_
                            ? "You take over from the replay before step " + std::to_string(steps_made_)
                            : "You go on from here: the " + real_text(seconds, 3) + " s that came after are forgotten";
     if (recorder_ && !recorder_->cut_after(steps_made_)) {
@@ -152,6 +153,7 @@ void Session::take_over() {
     }
     log_.resize(next_entry_ - first_entry_);
     newest_ = last_step_ = steps_made_;
+    step_times_.forget_from(steps_made_);
     idle_from_.reset();
     if (history_) history_->forget_after(steps_made_);
     for (const Command& command : simulation_.commands_to_let_go()) send(command);
@@ -179,10 +181,14 @@ void Session::go_to(std::int64_t step) {
 Timeline Session::timeline() const {
     const bool has_past = history_ && !history_->empty();
     const std::int64_t newest = last_step_ > newest_ ? last_step_ : idle_from_.value_or(newest_);
-    return {.oldest = has_past ? history_->oldest().step : steps_made_,
-            .now = target_.value_or(std::min(steps_made_, newest)),
+    const std::int64_t oldest = has_past ? history_->oldest().step : steps_made_;
+    const std::int64_t now = target_.value_or(std::min(steps_made_, newest));
+    return {.oldest = oldest,
+            .now = now,
             .newest = newest,
-            .dt = dt(),
+            .passed = step_times_.at(now),
+            .back = step_times_.at(newest) - step_times_.at(now),
+            .kept = step_times_.at(newest) - step_times_.at(oldest),
             .bytes = has_past ? history_->bytes() : 0,
             .replay = last_step_ > newest_};
 }
@@ -193,10 +199,6 @@ FrameView Session::view() {
     compared_ = comparison_->view(simulation_);
     view.comparison = &compared_;
     return view;
-}
-
-void Session::compare(const std::string& assignments) {
-    if (!assignments.empty() || comparison_) send(command::Compare{assignments.empty() ? "none" : assignments});
 }
 
 void Session::compare(const command::Compare& command) {
@@ -242,10 +244,7 @@ void Session::play(const RecordedEntry& entry, bool is_new) {
         return;
     }
     if (history_ && begins_history(command)) begin_history();
-    const bool begins_again = std::holds_alternative<command::LoadScene>(command) ||
-                              std::holds_alternative<command::Reset>(command) ||
-                              std::holds_alternative<command::Compare>(command);
-    const bool is_seen = !changes_state(command) || begins_again;
+    const bool is_seen = !changes_state(command) || begins_again(command);
     if (is_new && is_seen) view_commands_.push_back(command);
 }
 
@@ -261,6 +260,7 @@ void Session::say_cut() {
 
 void Session::step() {
     const bool is_new = steps_made_ >= newest_, was_over = simulation_.report().status != Status::Ok;
+    if (is_new) step_times_.pass(steps_made_, dt());
     if (is_new && recorder_) recorder_->begin_step(steps_made_);
     simulation_.step();
     if (comparison_) comparison_->follow(simulation_);

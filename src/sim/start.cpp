@@ -49,7 +49,7 @@ Session make_session(Start start, const std::string& record) {
     if (!record.empty()) session.record(record, start.assignments);
     if (!start.versus.empty()) {
         try {
-            session.compare(start.versus);
+            session.send(command::Compare{start.versus});
         } catch (const InputError& error) {
             throw InputError(std::string("--versus: ") + error.what());
         }

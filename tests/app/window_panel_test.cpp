@@ -1,5 +1,8 @@
 // The settings panel, under the pointer.
 
+#include <algorithm>
+#include <span>
+
 #include "app/window_fixture.h"
 
 namespace drape {
@@ -77,6 +80,30 @@ TEST_F(WindowTest, TheWheelOverTheSettingsPanelScrollsItAndBesideItZooms) {
     desktop_.click(4);
     ASSERT_TRUE(recorded("zoom "));
     EXPECT_EQ(commands().size(), 1u);
+    quit();
+}
+
+// The bar of time lies along the lower edge, with a white knob where the run stands.
+TEST_F(WindowTest, AScreenshotDoesNotEndADragOfTheTimeBar) {
+    start({"hang"});
+    ASSERT_TRUE(test::eventually([&] { return last_step() >= 500; })) << "no hash of a later step";
+    desktop_.key("space");
+    constexpr int bar = 464;
+    const auto knob_comes_to = [&](int x) {
+        return test::eventually([&] {
+            const Image picture = desktop_.picture_of(window_);
+            return std::ranges::all_of(std::span(picture.pixel(x, bar), 3), [](int colour) { return colour > 200; });
+        });
+    };
+    ASSERT_TRUE(knob_comes_to(621)) << "at the end";
+    desktop_.move_to(400, bar);
+    desktop_.act({"mousedown", "1"});
+    ASSERT_TRUE(knob_comes_to(400));
+    desktop_.key("F12");
+    ASSERT_TRUE(test::eventually([&] { return std::filesystem::exists(file("drape-0001.png")); }));
+    desktop_.move_to(200, bar - 150);  // beside the bar, where no new drag of it would begin
+    EXPECT_TRUE(knob_comes_to(200));
+    desktop_.act({"mouseup", "1"});
     quit();
 }
 

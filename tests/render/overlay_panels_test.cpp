@@ -50,7 +50,9 @@ protected:
         if (compares_) {
             compared_ = comparison_.view(simulation_);
             view.comparison = &compared_;
-            view.timeline = {.oldest = 0, .now = 50, .newest = 100, .dt = 1e-3};
+        }
+        if (compares_ || in_past_) {
+            view.timeline = {.oldest = 0, .now = 50, .newest = 100, .back = 0.05};
         }
         const Camera camera(settings_.view);
         for (int frame = 0; frame < 2; ++frame) panels_.build(view, camera, report, notices, size.width, size.height);
@@ -76,7 +78,7 @@ protected:
     Settings settings_;
     Comparison comparison_{simulation_, "solver.integrator=backward_euler"};
     ComparisonView compared_;
-    bool compares_ = false;
+    bool compares_ = false, in_past_ = false;
     OverlayPanels panels_;
 };
 
@@ -99,6 +101,17 @@ TEST_F(PanelBoxes, AreApartAndWithinThePictureAtEverySize) {
             }
         }
     }
+}
+
+TEST_F(PanelBoxes, HaveANoticeBetweenThemWhereTheRoomIsNarrow) {
+    settings_.view.controls = true;
+    settings_.view.panel = PanelSize::Full;
+    settings_.view.bounds = false;
+    in_past_ = true;
+    expect_apart({640, 480}, {});
+    const std::size_t others = panels_.boxes().size();
+    expect_apart({640, 480}, {"Slower than real time: 1.6 s left out so far"});
+    EXPECT_EQ(panels_.boxes().size(), others + 1);
 }
 
 TEST_F(PanelBoxes, AlwaysHaveTheTour) {

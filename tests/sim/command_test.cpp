@@ -56,6 +56,14 @@ TEST(Command, OfEveryKindReadsBackFromItsText) {
     }
 }
 
+TEST(Command, CompareNoneEndsAComparison) {
+    const Command command = parse_command("compare none");
+    EXPECT_FALSE(std::get<command::Compare>(command).begins());
+    EXPECT_EQ(command_text(command), "compare none");
+    EXPECT_TRUE(std::get<command::Compare>(parse_command("compare contact.friction=0.7")).begins());
+    EXPECT_THAT(input_error_of([] { parse_command("compare"); }), HasSubstr("'compare NAME=VALUE,... | none'"));
+}
+
 TEST(Command, KeepsItsArgumentsToTheLastBit) {
     const auto set = std::get<command::Set>(parse_command("set  ball.position=[1, 2, 3]"));
     EXPECT_EQ(set.assignment, "ball.position=[1, 2, 3]");

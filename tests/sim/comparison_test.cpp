@@ -5,6 +5,7 @@
 #include "drape/base/input_error.h"
 #include "drape/sim/session.h"
 #include "sim/small_scene.h"
+#include "support/process.h"
 #include "support/scratch_file.h"
 
 namespace drape {
@@ -20,7 +21,7 @@ void run(Session& session, int steps) {
 
 Session compared(const std::string& versus, const std::vector<std::string>& assignments = {}) {
     Session session(small_simulation(assignments));
-    session.compare(versus);
+    session.send(command::Compare{versus});
     return session;
 }
 
@@ -28,8 +29,8 @@ TEST(Comparison, KnowsWhereAnAssignmentEnds) {
     EXPECT_THAT(split_assignments("a=1,2,b.c=x"), ElementsAre("a=1,2", "b.c=x"));
     EXPECT_THROW(static_cast<void>(split_assignments("1,a=2")), InputError);
     Session session(small_simulation());
-    EXPECT_THROW(session.compare("solver.integratr=rk4"), InputError);
-    EXPECT_THROW(session.compare("solver.dt=-1"), InputError);
+    EXPECT_THROW(session.send(command::Compare{"solver.integratr=rk4"}), InputError);
+    EXPECT_THROW(session.send(command::Compare{"solver.dt=-1"}), InputError);
     EXPECT_EQ(session.view().comparison, nullptr);
 }
 
@@ -51,7 +52,7 @@ TEST(Comparison, FindsNoDifferenceWhereThereIsNone) {
     EXPECT_EQ(view.comparison->settings->contact.volume, VolumeKind::Aabb);
     EXPECT_EQ(view.comparison->largest, 0);
     EXPECT_GT(view.report->traversal.visited, 0);
-    session.compare("");
+    session.send(command::Compare{"none"});
     EXPECT_EQ(session.view().comparison, nullptr);
 }
 
@@ -120,7 +121,7 @@ TEST(Comparison, KeepsWhatIsComparedApart) {
 TEST(Comparison, GoesBackInTimeWithBoth) {
     Session session(small_simulation());
     session.keep_history({});
-    session.compare("solver.integrator=backward_euler");
+    session.send(command::Compare{"solver.integrator=backward_euler"});
     run(session, 250);
     const double before = session.view().comparison->rms;
     run(session, 250);
@@ -136,7 +137,7 @@ TEST(Comparison, IsPartOfARecording) {
     Session session(small_simulation());
     session.record(file.name(), {});
     run(session, 40);
-    session.compare("solver.integrator=backward_euler,contact.friction=0.7");
+    session.send(command::Compare{"solver.integrator=backward_euler,contact.friction=0.7"});
     EXPECT_EQ(session.view().report->step, 0) << "both begin again";
     run(session, 150);
     const double apart = session.view().comparison->rms;
@@ -165,7 +166,7 @@ TEST(Comparison, BeginsWithTheBallAsTheSceneHasIt) {
     session.send(parse_command("steer 1 0 0"));
     run(session, 20);
     ASSERT_EQ(session.simulation().settings().balls[0].motion, BallMotion::Keys);
-    session.compare("contact.friction=0.7");
+    session.send(command::Compare{"contact.friction=0.7"});
     EXPECT_EQ(session.simulation().settings().balls[0].motion, BallMotion::Still);
     EXPECT_EQ(session.view().comparison->settings->balls[0].motion, BallMotion::Still);
 }
@@ -174,12 +175,13 @@ TEST(Comparison, EndsInAReplayWhereItEnded) {
     const test::ScratchFile file("ended.txt");
     Session session(small_simulation());
     session.record(file.name(), {});
-    session.compare("contact.friction=0.7");
+    session.send(command::Compare{"contact.friction=0.7"});
     run(session, 20);
-    session.compare("");
+    session.send(command::Compare{"none"});
     run(session, 20);
     EXPECT_EQ(session.view().report->step, 40) << "the run goes on";
     session.close();
+    EXPECT_THAT(test::read_file(file.name()), HasSubstr("\n20 compare none\n"));
 
     Session again(small_simulation());
     again.replay(read_recording(file.name()));

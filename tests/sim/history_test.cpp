@@ -88,7 +88,7 @@ TEST_P(TimeTravel, HasTheSameBitsBackAndForth) {
     ASSERT_TRUE(traveller.finds_again(200));
     Session& session = traveller.session;
     session.send(command::Pause{});
-    while (session.timeline().now < newest) session.advance(session.timeline().dt, no_hurry);
+    while (session.timeline().now < newest) session.advance(session.simulation().settings().solver.dt, no_hurry);
     EXPECT_EQ(session.simulation().hash(), traveller.hashes.back()) << "played again";
     EXPECT_EQ(session.takeover_notice(), "");
 }
@@ -101,6 +101,46 @@ INSTANTIATE_TEST_SUITE_P(
                     "solver.integrator=symplectic_euler,contact.self=true",
                     "solver.integrator=implicit_midpoint,contact.response=hybrid,contact.volume=brute",
                     "solver.integrator=dormand_prince,solver.ledger=true,contact.update=insertion"));
+
+// Time steps are powers of two: sums of them are exact.
+TEST(History, TellsTheTimeOfStepsOfSeveralLengths) {
+    Traveller traveller(small_simulation());
+    Session& session = traveller.session;
+    const double dt = 1.0 / 1024;
+    traveller.run(64);
+    session.send(parse_command("set solver.dt=0.001953125"));
+    traveller.run(32);
+    session.send(parse_command("set solver.dt=0.00048828125"));
+    traveller.run(128);
+    EXPECT_EQ(session.timeline().passed, 192 * dt);
+    EXPECT_EQ(session.timeline().back, 0);
+    EXPECT_EQ(session.timeline().kept, 192 * dt);
+
+    // In the past, where the time step is another
+    for (const auto& [step, passed] : {std::pair{160, 160}, {96, 128}, {80, 96}, {64, 64}, {10, 10}}) {
+        ASSERT_TRUE(traveller.finds_again(step));
+        EXPECT_EQ(session.timeline().passed, passed * dt) << step;
+        EXPECT_EQ(session.timeline().back, (192 - passed) * dt) << step;
+        EXPECT_EQ(session.timeline().kept, 192 * dt) << step;
+    }
+    ASSERT_TRUE(traveller.finds_again(80));
+    session.send(parse_command("set solver.dt=0.00048828125"));
+    EXPECT_THAT(session.takeover_notice(), HasSubstr("the 0.0938 s that came after"));
+    traveller.hashes.resize(81);
+    traveller.run(16);
+    EXPECT_EQ(session.timeline().kept, 104 * dt) << "the last change of the step came earlier than before";
+}
+
+TEST(History, TellsTheTimeOfWhatItStillKeeps) {
+    Traveller traveller(small_simulation({"solver.dt=0.001953125"}), {.seconds = 2});
+    traveller.run(512);
+    traveller.session.send(parse_command("set solver.dt=0.0009765625"));
+    traveller.run(4096);
+    const Timeline timeline = traveller.session.timeline();
+    ASSERT_GT(timeline.oldest, 512);
+    EXPECT_EQ(timeline.passed, 5);
+    EXPECT_EQ(timeline.kept, static_cast<double>(timeline.newest - timeline.oldest) / 1024);
+}
 
 TEST(History, LetsTheUserGoOnFromAnEarlierStep) {
     const ScratchFile file("travel.txt");
@@ -140,7 +180,7 @@ TEST(History, RecordsThatAPauseHasEnded) {
     Session session(small_simulation());
     session.keep_history({});
     session.record(file.name(), {});
-    const double dt = session.timeline().dt;
+    const double dt = session.simulation().settings().solver.dt;
     for (int k = 0; k < 20; ++k) session.advance(dt, no_hurry);
     session.send(command::Pause{});
     session.go_to(10);
@@ -190,7 +230,7 @@ TEST(History, GoesForthInAReplayToWhatWasNotSeenYet) {
 TEST(History, StaysWithinItsMemoryAndItsTime) {
     const double moment = moment_bytes(small_simulation());
     Traveller traveller(small_simulation(), {.seconds = 2, .bytes = 6 * moment});
-    const int steps_a_second = static_cast<int>(1 / traveller.session.timeline().dt);
+    const int steps_a_second = static_cast<int>(1 / traveller.session.simulation().settings().solver.dt);
     for (int second = 0; second < 8; ++second) {
         traveller.run(steps_a_second);
         EXPECT_LE(traveller.session.timeline().bytes, 6 * moment);

@@ -27,7 +27,7 @@ enum class Manner {
 /// What a scene is changed in, and what it is then compared with.
 struct Pair {
     std::string change;  ///< "name=value,name=value"; empty: nothing
-    std::string versus;  ///< as `Session::compare` has it
+    std::string versus;  ///< as `command::Compare` has it
 };
 
 /// One thing that the user can do: from these, keys, menu, help panel and the README's table are made.

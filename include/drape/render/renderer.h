@@ -92,7 +92,7 @@ public:
     /// What the user has changed at the settings panel since the last call, as "solver.dt=0.001".
     [[nodiscard]] std::vector<std::string> take_changes();
 
-    /// What the user wants to compare the run with since the last call, as `Session::compare` has it.
+    /// What the user wants to compare the run with since the last call, as `command::Compare` has it.
     [[nodiscard]] std::optional<std::string> take_wanted_comparison();
 
     /// Whether the bar of time is shown, which follows the pointer as the settings panel does.

@@ -90,6 +90,9 @@ Command parse_command(std::string_view text);
 /// True for commands that can change the cloth or the ball; the others change the picture or the program only.
 bool changes_state(const Command& command);
 
+/// True for those after which the run is at its start again.
+bool begins_again(const Command& command);
+
 /// True for those of these that the motion follows from: not for pauses, single steps and settings of the view.
 bool changes_motion(const Command& command);
 

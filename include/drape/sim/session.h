@@ -12,6 +12,7 @@
 #include "drape/sim/history.h"
 #include "drape/sim/recording.h"
 #include "drape/sim/simulation.h"
+#include "drape/sim/step_times.h"
 #include "drape/sim/timeline.h"
 
 namespace drape {
@@ -44,16 +45,11 @@ public:
 
     [[nodiscard]] Timeline timeline() const;
 
-    /// Sends the command that compares the simulation, from its start on, with another one of the same scene.
-    /// @param assignments as `Comparison` has them; empty: ends the comparison
-    /// @throws InputError if they do not fit the scene
-    void compare(const std::string& assignments);
-
     /// What a command has ended, when one last did: what lay ahead, or a comparison; empty: nothing yet.
     [[nodiscard]] const std::string& takeover_notice() const { return takeover_notice_; }
 
     /// Carries out a command and records it.
-    /// @throws InputError as `Simulation::apply`; it is not recorded then
+    /// @throws InputError as `Simulation::apply` and `Comparison`; it is not recorded then
     void send(const Command& command);
 
     /// Lets `elapsed` seconds of wall time pass, each of which is `view.speed` simulated ones: makes as many whole
@@ -133,6 +129,7 @@ private:
     std::size_t first_entry_ = 0;    ///< the number of the log's first: older ones have been forgotten
     std::size_t next_entry_ = 0;     ///< to be played
     std::optional<History> history_;
+    StepTimes step_times_;  ///< of the new steps
     std::optional<Comparison> comparison_;
     ComparisonView compared_;                ///< as it was last viewed
     std::int64_t newest_ = 0;                ///< step that was reached
