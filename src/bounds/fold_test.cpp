@@ -1,6 +1,8 @@
 #include "drape/bounds/fold_test.h"
 
+#include <algorithm>
 #include <cmath>
+#include <limits>
 
 namespace drape {
 namespace {
@@ -42,11 +44,11 @@ bool make_rectangle(const CellRange& first, const CellRange& second) {
 FoldTest::FoldTest(const Grid& grid, Real hx, Real hy, int leaf_cells)
     : grid_(grid), hx_(hx), hy_(hy), nodes_(make_quadtree_nodes(grid, leaf_cells)), derivatives_(nodes_.size()) {}
 
-void FoldTest::build(const Points& x) {
+void FoldTest::build(const Points& x, std::span<const Real> reaches) {
     for (std::size_t n = nodes_.size(); n-- > 0;) {
         const QuadtreeNode& node = nodes_[n];
         if (node.children == 0) {
-            derivatives_[n] = of_leaf(node, x);
+            derivatives_[n] = of_leaf(node, x, reaches);
             continue;
         }
         const auto first = static_cast<std::size_t>(node.first_child);
@@ -54,21 +56,24 @@ void FoldTest::build(const Points& x) {
         for (std::size_t child = 1; child < static_cast<std::size_t>(node.children); ++child) {
             all.along.include(derivatives_[first + child].along);
             all.across.include(derivatives_[first + child].across);
+            all.reach = std::max(all.reach, derivatives_[first + child].reach);
         }
         derivatives_[n] = all;
     }
 }
 
-FoldTest::Derivatives FoldTest::of_leaf(const QuadtreeNode& leaf, const Points& x) const {
+FoldTest::Derivatives FoldTest::of_leaf(const QuadtreeNode& leaf, const Points& x,
+                                        std::span<const Real> reaches) const {
     const auto derivative = [&](int from, int to, Real length) -> Vec3 {
         return (x.row(to) - x.row(from)).transpose() / length;
     };
     const int corner = grid_.particle(leaf.i0, leaf.j0);
     const Vec3 along = derivative(corner, corner + 1, hx_), across = derivative(corner, corner + grid_.nx, hy_);
-    Derivatives all{{along, along}, {across, across}};
+    Derivatives all{{along, along}, {across, across}, reaches.empty() ? std::numeric_limits<Real>::infinity() : 0};
     for (int j = leaf.j0; j <= leaf.j1; ++j) {
         for (int i = leaf.i0; i <= leaf.i1; ++i) {
             const int p = grid_.particle(i, j);
+            if (!reaches.empty()) all.reach = std::max(all.reach, reaches[static_cast<std::size_t>(p)]);
             if (i < leaf.i1) all.along.include(derivative(p, p + 1, hx_));
             if (j < leaf.j1) all.across.include(derivative(p, p + grid_.nx, hy_));
         }
@@ -78,7 +83,7 @@ FoldTest::Derivatives FoldTest::of_leaf(const QuadtreeNode& leaf, const Points& 
 
 /// The least eigenvalue of the symmetric part of Q^T F is c.
 bool FoldTest::bounds(const Derivatives& derivatives, Real distance) const {
-    const auto& [along, across] = derivatives;
+    const auto& [along, across, reach] = derivatives;
     const Eigen::Matrix<Real, 3, 2> q =
         nearest_directions((along.low + along.high) / 2, (across.low + across.high) / 2);
     const Vec3 u = q.col(0), v = q.col(1);
@@ -88,7 +93,7 @@ bool FoldTest::bounds(const Derivatives& derivatives, Real distance) const {
     const Real m12 = std::max(std::abs(most), std::abs(least)) / 2, half = (m11 - m22) / 2;
     const Real c = (m11 + m22) / 2 - std::sqrt(half * half + m12 * m12);
     const Real apart_at_rest = hx_ * hy_ / std::sqrt(hx_ * hx_ + hy_ * hy_);
-    return (c - fold_rounding) * apart_at_rest > distance;
+    return (c - fold_rounding) * apart_at_rest > std::min(distance, 2 * reach);
 }
 
 bool FoldTest::keeps_apart(int node, Real distance) const {
@@ -99,7 +104,8 @@ bool FoldTest::keep_apart(int first, int second, Real distance) const {
     const auto f = static_cast<std::size_t>(first), s = static_cast<std::size_t>(second);
     if (!make_rectangle(nodes_[f], nodes_[s])) return false;
     const Derivatives &one = derivatives_[f], &two = derivatives_[s];
-    return bounds({merged(one.along, two.along), merged(one.across, two.across)}, distance);
+    return bounds({merged(one.along, two.along), merged(one.across, two.across), (one.reach + two.reach) / 2},
+                  distance);
 }
 
 }  // namespace drape

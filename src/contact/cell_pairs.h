@@ -1,5 +1,6 @@
 #pragma once
 
+#include <algorithm>
 #include <span>
 
 #include "drape/contact/near_pairs.h"
@@ -36,6 +37,18 @@ void for_each_particle_of(const Grid& grid, int cell, Visit visit) {
     if (last_column && last_row) visit(d);
 }
 
+/// The smallest range that has all cells of a range whose boxes meet a box; empty if none does.
+inline CellRange those_that_meet(const Aabb& box, const BoxedCloth& cloth, const CellRange& cells) {
+    CellRange met{cells.i1, cells.j1, cells.i0, cells.j0};
+    for (int j = cells.j0; j < cells.j1; ++j) {
+        for (int i = cells.i0; i < cells.i1; ++i) {
+            if (!cloth.boxes[j * cloth.cloth.grid.cell_columns() + i].comes_within(box, 0)) continue;
+            met = {std::min(met.i0, i), std::min(met.j0, j), std::max(met.i1, i + 1), std::max(met.j1, j + 1)};
+        }
+    }
+    return met;
+}
+
 /// Calls visit(one, two) for each pair of cells in pairs of leaves whose boxes meet; of one leaf, once for each.
 template <class Visit>
 void for_each_pair_of_cells(const BoxedCloth& first, const BoxedCloth& second, std::span<const LeafPair> leaves,
@@ -43,11 +56,13 @@ void for_each_pair_of_cells(const BoxedCloth& first, const BoxedCloth& second, s
     for (const auto& [cells, others] : leaves) {
         const bool same = first.cloth.number == second.cloth.number && cells == others;
         const Aabb around = second.boxes.of(second.cloth.grid, others);
-        for_each_cell_of(first.cloth.grid, cells, [&](int one) {
-            if (!first.boxes[one].comes_within(around, 0)) return;
-            for_each_cell_of(second.cloth.grid, others, [&](int two) {
-                if (same && two < one) return;
-                if (first.boxes[one].comes_within(second.boxes[two], 0)) visit(one, two);
+        const CellRange near = same ? cells : those_that_meet(around, first, cells);
+        if (near.i0 >= near.i1) continue;
+        const CellRange there = same ? cells : those_that_meet(first.boxes.of(first.cloth.grid, near), second, others);
+        for_each_cell_of(first.cloth.grid, near, [&](int one) {
+            const int from = same ? one : 0;
+            for_each_cell_of(second.cloth.grid, there, [&](int two) {
+                if (two >= from && first.boxes[one].comes_within(second.boxes[two], 0)) visit(one, two);
             });
         });
     }

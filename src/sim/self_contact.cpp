@@ -40,6 +40,7 @@ void SelfContact::use(const Settings& settings, std::span<const ClothModel* cons
     report_ = {};
     crossings_at_start_ = coincident_at_start_ = 0;
     if (!on_) return;
+    share(settings.solver.threads);
     use_hierarchy(settings, models);
     crossings_at_start_ = search_.count_crossings(x);
     coincident_at_start_ = search_.count_coincident(x);

@@ -13,7 +13,7 @@ constexpr Real response_allowance = Real(1.5);
 
 /// For how many substeps like this one a list is to last, by at most a part of the particles' spacing, and how much of
 /// the thickness at rest.
-constexpr Real substeps_ahead = 8, spacing_ahead = Real(0.5), thickness_ahead = Real(0.25);
+constexpr Real substeps_ahead = 4, spacing_ahead = Real(0.2), thickness_ahead = Real(0.25);
 
 /// Pairs of a flat sheet that are within a reach, a particle and a square of the particles' spacing.
 constexpr Real pairs_a_square = 30;
@@ -221,13 +221,13 @@ void SelfSearch::look_at_pairs(std::span<const ClothInContact> cloths, SelfSearc
         if (report.gave_up) return forget();
         strayed_ = reaches_;
     }
-    near_.clear();
-    for (const auto& [features, triangle, distance] : list_) {
-        if (distance >= sum_of_largest(features, strayed_)) continue;
+    list_.look_through(near_, [&](const PairList::Listed& listed, std::vector<NearPair>& near) {
+        const auto& [features, triangle, distance] = listed;
+        if (distance >= sum_of_largest(features, strayed_)) return;
         NearPair pair{features, triangle};
         locate(at(cloths, features.cloths[0]), at(cloths, features.cloths[1]), pair);
-        if (pair.distance < reach_of(features)) near_.push_back(pair);
-    }
+        if (pair.distance < reach_of(features)) near.push_back(pair);
+    });
     report.listed = static_cast<std::int64_t>(list_.size());
 }
 
@@ -236,17 +236,15 @@ void SelfSearch::make_list(std::span<const ClothInContact> cloths, SelfSearchRep
         Surface& surface = surfaces_[c];
         surface.kept = cloths[c].before;
         surface.tree->build(surface.kept);
-        surface.folds.build(surface.kept);
+        surface.folds.build(surface.kept, of_cloth(allowed_, static_cast<int>(c)));
         surface.boxed = false;
     }
-    near_.clear();
+    list_.clear();
     const int count = static_cast<int>(cloths.size());
     for (int first = 0; first < count; ++first) {
         for (int second = first; second < count; ++second) search(cloths, first, second, report);
     }
-    list_.clear();
-    for (const NearPair& pair : near_) list_.push_back({pair.features, pair.triangle, pair.distance});
-    std::ranges::sort(list_, {}, &Listed::features);
+    list_.close();
     listed_ = true;
 }
 
@@ -267,8 +265,8 @@ void SelfSearch::search(std::span<const ClothInContact> cloths, int first, int s
     const BoxedCloth at_one = box(first), at_two = box(second);
     for (std::size_t k = 0; k < leaves_.size(); k += leaves_at_once) {
         const auto some = std::span(leaves_).subspan(k, std::min(leaves_at_once, leaves_.size() - k));
-        find_near_pairs(at_one, at_two, some, near_);
-        report.gave_up = report.gave_up || is_too_long(near_.size());
+        list_.add(at_one, at_two, some);
+        report.gave_up = report.gave_up || is_too_long(list_.size());
         if (report.gave_up) return;
     }
 }

@@ -214,8 +214,9 @@ void add_the_rest(std::vector<Setting>& table) {
     solver.number(
         "tolerance", &SolverSettings::tolerance, "", {1e-14, 0.1},
         "of dormand_prince: error of an inner step, of the cloth's spacing; at most 10000 are tried in a step");
-    solver.integer("threads", &SolverSettings::threads, {1, 64},
-                   "that share a step of the explicit methods; the motion is the same");
+    solver.integer(
+        "threads", &SolverSettings::threads, {1, 64},
+        "that share a step of the explicit methods, and the search where cloths touch; the motion is the same");
     solver.choice("kernels", &SolverSettings::kernels,
                   "of forces, hierarchy and contact: vectors, or the plain code that is there to be read");
     solver.number("dt", &SolverSettings::dt, "s", {1e-9, 0.1}, "length of one step");

@@ -190,6 +190,7 @@ void Simulation::configure(Settings settings) {
     } else if (!same_search) {
         self_contact_.use_hierarchy(settings_, cloth_models());
     }
+    self_contact_.share(settings_.solver.threads);
     configure_balls(before);
     if (settings_.pins != before.pins || !same_pinned(settings_, before)) {
         pins_.let_go(cloths_);

@@ -75,8 +75,8 @@ struct LyingSheets {
         return list;
     }
 
-    /// How far a cloth's particles may come while a list of `SelfSearch` serves, at most.
-    [[nodiscard]] Real largest_allowance(std::size_t cloth) const {
+    /// How far each of a cloth's particles may come while a list of `SelfSearch` serves.
+    [[nodiscard]] std::vector<Real> allowances(std::size_t cloth) const {
         Vec3 common = Vec3::Zero();
         Real particles = 0;
         for (std::size_t c = 0; c < models.size(); ++c) {
@@ -85,8 +85,12 @@ struct LyingSheets {
         }
         common /= particles;
         const Points ways = (states[cloth].x - before[cloth]).rowwise() - common.transpose();
-        const Real way = ways.rowwise().norm().maxCoeff(), spacing = std::min(models[cloth].hx, models[cloth].hy);
-        return thickness * Real(0.75) + Real(1.5) * way + std::min(8 * way, spacing / 2);
+        const Real spacing = std::min(models[cloth].hx, models[cloth].hy);
+        std::vector<Real> all;
+        for (const Real way : ways.rowwise().norm().eval()) {
+            all.push_back(thickness * Real(0.75) + Real(1.5) * way + std::min(4 * way, spacing / 5));
+        }
+        return all;
     }
 };
 
@@ -102,22 +106,25 @@ void self_broad_phase(benchmark::State& state, int side) {
     const std::size_t count = sheets.models.size();
     std::vector<std::unique_ptr<BroadPhase>> trees;
     std::vector<FoldTest> folds;
-    std::vector<Real> allowances;
+    std::vector<std::vector<Real>> allowances;
     for (std::size_t c = 0; c < count; ++c) {
         const ClothModel& model = sheets.models[c];
         trees.push_back(make_broad_phase(sheets.search, model.grid));
         folds.emplace_back(model.grid, model.hx, model.hy, sheets.search.leaf_cells);
-        allowances.push_back(sheets.largest_allowance(c));
+        allowances.push_back(sheets.allowances(c));
     }
     std::vector<LeafPair> leaves;
     TraversalStats stats;
     for (auto _ : state) {
         stats = {};
-        for (std::size_t c = 0; c < count; ++c) trees[c]->build(sheets.before[c]), folds[c].build(sheets.before[c]);
+        for (std::size_t c = 0; c < count; ++c) {
+            trees[c]->build(sheets.before[c]);
+            folds[c].build(sheets.before[c], allowances[c]);
+        }
         for (std::size_t a = 0; a < count; ++a) {
             for (std::size_t b = a; b < count; ++b) {
-                stats +=
-                    trees[a]->query(*trees[b], allowances[a] + allowances[b], a == b ? &folds[a] : nullptr, leaves);
+                const Real margin = std::ranges::max(allowances[a]) + std::ranges::max(allowances[b]);
+                stats += trees[a]->query(*trees[b], margin, a == b ? &folds[a] : nullptr, leaves);
             }
         }
     }

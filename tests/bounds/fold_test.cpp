@@ -25,17 +25,23 @@ Points rolled(const Grid& grid, Real curvature, Real wave) {
     return x;
 }
 
-/// Pairs within a distance in two leaves, or in one.
-std::size_t pairs_in(const Grid& grid, const Points& x, const CellRange& first, const CellRange& second,
-                     Real distance) {
+/// Pairs in two leaves, or in one, that are within what they reach.
+std::size_t pairs_within_reach(const Grid& grid, const Points& x, const CellRange& first, const CellRange& second,
+                               std::span<const Real> reaches) {
     CellBoxes boxes;
-    const std::vector<Real> reaches(static_cast<std::size_t>(grid.particles()), distance / 2);
     boxes.build(grid, x, reaches);
     std::vector<NearPair> pairs;
     const BoxedCloth cloth{{0, grid, x}, boxes, reaches};
     const LeafPair leaves{first, second};
     find_near_pairs(cloth, cloth, {&leaves, 1}, pairs);
     return pairs.size();
+}
+
+/// The same within a distance.
+std::size_t pairs_in(const Grid& grid, const Points& x, const CellRange& first, const CellRange& second,
+                     Real distance) {
+    return pairs_within_reach(grid, x, first, second,
+                              std::vector<Real>(static_cast<std::size_t>(grid.particles()), distance / 2));
 }
 
 TEST(FoldTest, KeepsAFlatSheetApartToNearlyItsRestDistances) {
@@ -80,6 +86,39 @@ TEST(FoldTest, NeverKeepsApartWhatIsNear) {
     EXPECT_GT(proved, 300);
     EXPECT_GT(pairs_proved, 300);
     EXPECT_GT(refused, 300);
+}
+
+TEST(FoldTest, AsksForNoMoreThanParticlesReachAndNoLess) {
+    const Grid grid{17, 13};
+    const auto nodes = make_quadtree_nodes(grid, 3);
+    std::mt19937 random(8);
+    std::uniform_real_distribution<Real> unit(0, 1);
+    int proved = 0, by_reach_alone = 0;
+    for (int trial = 0; trial < 200; ++trial) {
+        Points x = rolled(grid, Real(0.5) + 8 * unit(random), Real(0.05) * unit(random));
+        x.col(2) *= Real(0.3) + unit(random);
+        // Some particles reach far, and most do not
+        std::vector<Real> reaches(static_cast<std::size_t>(grid.particles()));
+        for (Real& reach : reaches) reach = unit(random) < Real(0.01) ? Real(0.1) : Real(0.03) * unit(random);
+        FoldTest folds(grid, spacing, spacing, 3), without(grid, spacing, spacing, 3);
+        folds.build(x, reaches);
+        without.build(x);
+        const Real largest = 2 * std::ranges::max(reaches);
+        for (int n = 0; n < static_cast<int>(nodes.size()); ++n) {
+            const QuadtreeNode& node = nodes[static_cast<std::size_t>(n)];
+            for (int m = n; m < static_cast<int>(nodes.size()); ++m) {
+                const auto apart = [&](const FoldTest& test) {
+                    return m == n ? test.keeps_apart(n, largest) : test.keep_apart(n, m, largest);
+                };
+                if (!apart(folds)) continue;
+                ++proved;
+                by_reach_alone += !apart(without);
+                ASSERT_EQ(pairs_within_reach(grid, x, node, nodes[static_cast<std::size_t>(m)], reaches), 0U);
+            }
+        }
+    }
+    EXPECT_GT(proved, 300);
+    EXPECT_GT(by_reach_alone, 300);
 }
 
 TEST(FoldTest, SeesAFoldAndACollapsedPatch) {

@@ -1,7 +1,7 @@
-// count_crossings [--time S] [--side N]... [--scene NAME]... [--integrator NAME]... [--play S] [--self false] [--seed
-// K]: counts crossings exactly after every step of the scenes of self contact. First each scene for S seconds, with
-// each grid and each integrator that is stable there; then each for S seconds more as it is shipped, while hand, keys,
-// pins and wind do at random what a user may do.
+// count_crossings [--time S] [--side N]... [--scene NAME]... [--integrator NAME]... [--set NAME=VALUE]... [--play S]
+// [--self false] [--seed K]: counts crossings exactly after every step of the scenes of self contact. First each scene
+// for S seconds, with each grid, each integrator that is stable there and the settings that are given; then each for S
+// seconds more as it is shipped, while hand, keys, pins and wind do at random what a user may do.
 
 #include <chrono>
 #include <cstdio>
@@ -17,7 +17,7 @@ namespace drape::crossings {
 namespace {
 
 struct Options {
-    std::vector<std::string> scenes, integrators;
+    std::vector<std::string> scenes, integrators, assignments;
     std::vector<int> sides;
     double time = 0, play = 0;  ///< simulated [s]
     bool self = true;
@@ -30,6 +30,7 @@ Options read_options(int argc, char** argv) {
         const std::string name = argv[a], value = argv[a + 1];
         if (name == "--scene") options.scenes.push_back(value);
         if (name == "--integrator") options.integrators.push_back(value);
+        if (name == "--set") options.assignments.push_back(value);
         if (name == "--side") options.sides.push_back(std::stoi(value));
         if (name == "--time") options.time = std::stod(value);
         if (name == "--play") options.play = std::stod(value);
@@ -90,6 +91,7 @@ Tally run(const Options& options, const std::string& scene, int side, const std:
     Settings settings = scene_of_side(scene, side);
     settings.contact.self = options.self;
     if (!use_method(settings, value_named<IntegratorKind>(integrator).value())) return tally;
+    assign_all(settings, options.assignments);
     Simulation simulation(scene, std::move(settings));
     while (simulation.report().time < options.time && simulation.report().status == Status::Ok) {
         simulation.step();

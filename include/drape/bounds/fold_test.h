@@ -1,5 +1,6 @@
 #pragma once
 
+#include <span>
 #include <vector>
 
 #include "drape/base/real.h"
@@ -26,22 +27,25 @@ public:
 
     /// Follows the cloth to its present positions.
     /// @param x n x 3 [m]
+    /// @param reaches of each particle [m]: what is farther apart than those of its nodes together is apart enough;
+    /// empty: nothing is but what is asked for
     /// @par Cost O(particles)
-    void build(const Points& x);
+    void build(const Points& x, std::span<const Real> reaches = {});
 
-    /// Whether all that shares no particle in a node is farther apart than a distance [m].
+    /// Whether all that shares no particle in a node is farther apart than a distance [m], or than it reaches.
     [[nodiscard]] bool keeps_apart(int node, Real distance) const;
 
     /// The same for two nodes which together are a rectangle; false for all others.
     [[nodiscard]] bool keep_apart(int first, int second, Real distance) const;
 
 private:
-    /// All derivatives of a patch are within.
+    /// All derivatives of a patch are within, and none of its particles reaches farther.
     struct Derivatives {
         Aabb along, across;  ///< e_u / hx, e_v / hy
+        Real reach;          ///< [m]
     };
 
-    [[nodiscard]] Derivatives of_leaf(const QuadtreeNode& leaf, const Points& x) const;
+    [[nodiscard]] Derivatives of_leaf(const QuadtreeNode& leaf, const Points& x, std::span<const Real> reaches) const;
     [[nodiscard]] bool bounds(const Derivatives& derivatives, Real distance) const;
 
     Grid grid_;

@@ -21,6 +21,9 @@ public:
     /// Goes on with another hierarchy, which finds the same.
     void use_hierarchy(const Settings& settings, std::span<const ClothModel* const> models);
 
+    /// Goes on with another number of threads, which find the same.
+    void share(int threads) { search_.share(threads); }
+
     [[nodiscard]] bool on() const { return on_; }
 
     /// Positions have been set from outside.

@@ -7,6 +7,7 @@
 #include "drape/bounds/fold_test.h"
 #include "drape/contact/near_pairs.h"
 #include "drape/contact/response.h"
+#include "drape/sim/pair_list.h"
 
 namespace drape {
 
@@ -29,6 +30,10 @@ public:
 
     /// Takes new hierarchies.
     void use(const BroadPhaseParameters& parameters, std::span<const ClothModel* const> models);
+
+    /// What it finds does not depend on them.
+    /// @param threads that share the work, at least 1
+    void share(int threads) { list_.use(threads); }
 
     /// Finds the pairs, at the start of the substep, that may come into contact within it, after the integrator's step.
     /// @param thickness of the cloths [m]
@@ -75,13 +80,6 @@ private:
         Real spacing;  ///< of its particles at rest [m]
     };
 
-    /// A pair as it was when the list was made.
-    struct Listed {
-        FeaturePair features;
-        int triangle;
-        Real distance;  ///< [m]
-    };
-
     template <class Count>
     std::int64_t count_between(std::span<const Points* const> x, Real reach, Count count);
     void find_ways(std::span<const ClothInContact> cloths);
@@ -100,7 +98,7 @@ private:
     std::vector<std::size_t> first_;  ///< particle of each cloth, among all
     bool listed_ = false;             ///< there is a list
     std::vector<LeafPair> leaves_;
-    std::vector<Listed> list_;
+    PairList list_;
     std::vector<NearPair> near_;
     Numbers ways_;     ///< of all particles within the substep, but for what they move by together [m]
     Numbers reaches_;  ///< how far each may come within it, with half the thickness [m]
