@@ -10,6 +10,14 @@ namespace {
 
 using test::WindowTest;
 
+// Where the panel has the label of its first row, once it is drawn.
+bool has_label(const Image& picture) {
+    for (int pixel = 0; pixel < 115 * 14; ++pixel) {
+        if (*picture.pixel(485 + pixel % 115, 60 + pixel / 115) > 200) return true;
+    }
+    return false;
+}
+
 // The window is 640 x 480 pixels, and the panel has its right half, with the solver's sliders at the top.
 TEST_F(WindowTest, TheSettingsPanelMakesCommandsOfWhatItIsTold) {
     start({"hang", "--set", "view.controls=true"});
@@ -31,13 +39,7 @@ TEST_F(WindowTest, TheSettingsPanelMakesCommandsOfWhatItIsTold) {
 // The section Compare is closed at first; open, it has its button where the label of a row was before.
 TEST_F(WindowTest, TheSettingsPanelComparesTheRunWithTheValueThatIsChosen) {
     start({"hang", "--set", "view.controls=true"});
-    const auto label_shown = [this] {
-        const Image picture = desktop_.picture_of(window_);
-        for (int pixel = 0; pixel < 115 * 14; ++pixel) {
-            if (*picture.pixel(485 + pixel % 115, 60 + pixel / 115) > 200) return true;
-        }
-        return false;
-    };
+    const auto label_shown = [this] { return has_label(desktop_.picture_of(window_)); };
     ASSERT_TRUE(test::eventually(label_shown));
     desktop_.move_to(400, 22);
     desktop_.click(1);
@@ -74,6 +76,7 @@ TEST_F(WindowTest, ABackspaceThatIsHeldRepeatsInAField) {
 
 TEST_F(WindowTest, TheWheelOverTheSettingsPanelScrollsItAndBesideItZooms) {
     start({"hang", "--set", "view.controls=true"});
+    ASSERT_TRUE(test::eventually([&] { return has_label(desktop_.picture_of(window_)); }));
     desktop_.move_to(500, 240);
     desktop_.click(5);
     desktop_.move_to(100, 300);
