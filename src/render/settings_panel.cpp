@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <cctype>
+#include <cmath>
 
 #include "overlay_style.h"
 
@@ -19,6 +20,13 @@ ImGuiWindowFlags panel_flags() {
 std::string capitalised(std::string text) {
     if (!text.empty()) text[0] = static_cast<char>(std::toupper(static_cast<unsigned char>(text[0])));
     return text;
+}
+
+/// A time step that suits a method: 0.9 of its limit, or the time between two pictures where that is shorter.
+/// @param longest `Simulation::longest_step` [s]
+double suitable_step(double longest) {
+    constexpr double picture = 1.0 / 60, below_the_limit = 0.895;  // 0.9 at most, however its digits are rounded
+    return std::min(below_the_limit * longest, picture);
 }
 
 }  // namespace
@@ -61,6 +69,7 @@ void SettingsPanel::draw(const FrameView& view, const OverlayPage& page) {
                 if (open && row.count > 1) selector(row);
             }
             if (open) draw_row(row);
+            if (open && row.name == "solver.dt") offer_step(view);
         }
         if (wanted_) show(wanted_->first, wanted_->second);
         wanted_.reset();
@@ -115,6 +124,20 @@ void SettingsPanel::make_rows(const Settings& settings) {
                          setting.section == section ? "" : capitalised(setting.section)});
         section = setting.section;
     }
+}
+
+/// Where the method is no longer the scene's, or the step too long for it.
+void SettingsPanel::offer_step(const FrameView& view) {
+    const SolverSettings& solver = view.settings->solver;
+    const double step = suitable_step(view.longest_step);
+    const bool changed = solver.integrator != scene_.solver.integrator || solver.dt > view.longest_step;
+    const bool suits = std::abs(solver.dt - step) < 0.05 * step;
+    if (!changed || suits || step == 0) return;
+    if (ImGui::SmallButton(("Use " + real_text(1e3 * step, 3) + " ms").c_str())) {
+        changes_.push_back("solver.dt=" + real_text(step, 3));
+    }
+    ImGui::SameLine();
+    ImGui::TextUnformatted(2 * step < view.longest_step ? "one step a picture" : "0.9 of its limit");
 }
 
 void SettingsPanel::draw_row(const Row& row) {

@@ -18,7 +18,8 @@ bool has_panel_row(const Setting& setting);
 
 /// The panel of every setting at the right, made from the table of settings, with Dear ImGui's widgets: a slider, a box
 /// or a list each, the help under the pointer, and a button back to the scene's value. Of several cloths, balls, solids
-/// or pins it has one at a time, with buttons to the others. It changes nothing by itself.
+/// or pins it has one at a time, with buttons to the others. Where the method is another one than the scene's, it
+/// offers a time step that suits it. It changes nothing by itself.
 class SettingsPanel {
 public:
     static constexpr float columns = 27;  ///< of the width, where there is room [font size]
@@ -79,6 +80,7 @@ private:
     void make_rows(const Settings& settings);
     void selector(const Row& first);
     void draw_row(const Row& row);
+    void offer_step(const FrameView& view);
 
     Settings scene_;
     std::vector<std::string> changes_;

@@ -41,6 +41,7 @@ FrameView Simulation::view(Real blend) {
             .blend = std::clamp(blend, Real(0), Real(1)),
             .settings = &settings_,
             .report = &report_,
+            .longest_step = longest_step(),
             .scene = scene_,
             .paused = paused_,
             .held = hand_.holds(),

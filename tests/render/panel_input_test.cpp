@@ -226,6 +226,31 @@ TEST_F(PanelInput, ComparesWithAnotherValue) {
     EXPECT_THAT(changes(), IsEmpty()) << "what runs stays as it is";
 }
 
+TEST_F(PanelInput, AnotherMethodIsOfferedAStepThatSuitsIt) {
+    const int below = row_of("solver.dt") + row_height;
+    const auto offered = [&] {
+        click(left_ + 40, below);
+        close_list();
+        std::vector<std::string> of_step = changes();
+        std::erase_if(of_step, [](const std::string& change) { return !change.starts_with("solver.dt="); });
+        return of_step;
+    };
+    EXPECT_THAT(offered(), IsEmpty()) << "the scene's own";
+    simulation_.apply(command::Set{"solver.integrator=xpbd"});
+    frames();
+    EXPECT_THAT(offered(), ElementsAre("solver.dt=0.0167"));
+
+    simulation_.apply(command::Set{"solver.integrator=explicit_euler"});
+    frames();
+    const auto step = offered();
+    ASSERT_EQ(step.size(), 1u);
+    simulation_.apply(command::Set{step[0]});
+    frames();
+    EXPECT_NEAR(simulation_.report().step_limit_ratio, 0.9, 0.01);
+    EXPECT_LE(simulation_.report().step_limit_ratio, 0.9);
+    EXPECT_THAT(offered(), IsEmpty()) << "it is taken";
+}
+
 class PanelOfSeveral : public PanelInput {
 protected:
     PanelOfSeveral() : PanelInput("three_balls") {}

@@ -48,7 +48,8 @@ struct FrameView {
     Real blend = 1;                          ///< the picture shows previous + blend (now - previous)
     const Settings* settings = nullptr;
     const StepReport* report = nullptr;
-    std::string_view scene;  ///< name or path
+    double longest_step = 0;  ///< `Simulation::longest_step` [s]
+    std::string_view scene;   ///< name or path
     bool paused = false;
     bool held = false;                           ///< the hand holds a particle
     Timeline timeline = {};                      ///< of the session; where there is none to be shown, nothing
