@@ -20,11 +20,12 @@ inline Real least_inverse_mass(const ContactPlane& contact) {
 
 /// Whether a contact pushes no harder than what rests does. Cloth that carries a ball is pushed by many times its own
 /// weight, but so it is by an impact: the ball's weight counts where the contact was there in the substep before.
-/// @param h the substep of its displacement [s]
+/// @param impulse along its normal [kg m/s]
+/// @param h its substep [s]
 /// @param gravity [m/s^2]
-inline bool may_rest(const ContactPlane& contact, Real h, Real gravity) {
+inline bool may_rest(const ContactPlane& contact, Real impulse, Real h, Real gravity) {
     const Real inverse_mass = contact.lasts ? least_inverse_mass(contact) : contact.inverse_mass;
-    return contact.displacement.normal * inverse_mass / h <= rest_steps * h * gravity;
+    return impulse * inverse_mass <= rest_steps * h * gravity;
 }
 
 }  // namespace drape

@@ -38,15 +38,26 @@ bool moves_both(const ContactPlane& contact) { return least_inverse_mass(contact
 /// Whether the pushes that go on are those that stopped velocities, and not those that displaced. Where a force
 /// displaces by half of what its velocity would, these are no measure of the force; but cloth that carries a ball is
 /// calmer by them.
-template <class AnyContact>
-bool takes_impulses(const ResponseParameters& parameters, const std::vector<AnyContact>& contacts) {
+bool takes_impulses(const ResponseParameters& parameters, const std::vector<Contact>& contacts) {
     return parameters.kind == ResponseKind::Projection && parameters.integrator == IntegratorKind::ImplicitMidpoint &&
            std::ranges::none_of(contacts, moves_both);
+}
+
+/// Of two cloths, both move.
+bool takes_impulses(const ResponseParameters& /*parameters*/, const std::vector<PairContact>& /*contacts*/) {
+    return false;
 }
 
 void scale(ContactPush& push, Real factor) {
     push.normal *= factor;
     push.friction *= factor;
+}
+
+/// What a force displaces by, if it gives the contact's impulse.
+/// @param h the part of the substep that its velocity would displace for [s]
+void displace_by_impulse(Real h, ContactPlane& contact) {
+    contact.displacement = contact.impulse;
+    scale(contact.displacement, h);
 }
 
 Vec3 push_along(const ContactPush& push, const Vec3& normal) { return push.normal * normal + push.friction; }
@@ -127,6 +138,7 @@ void WarmStart<AnyContact>::take(const ResponseParameters& parameters, Real h, R
     last_.clear();
     const Real h_before = h_ > 0 ? h_ : h, factor = h / h_before;
     const Real force_share = displacement_share(parameters.integrator);
+    const bool were_of_velocities = of_velocities_;
     of_velocities_ = takes_impulses(parameters, contacts);
     const Real share = of_velocities_ || parameters.kind == ResponseKind::Impulse ? force_share : Real(1);
     h_ = h;
@@ -135,18 +147,18 @@ void WarmStart<AnyContact>::take(const ResponseParameters& parameters, Real h, R
     before_ = is_explicit_ ? Real(0) : share;
     const bool goes_ahead = of_velocities_ || (!is_explicit_ && force_share == 1);
     last_.swap(contacts);
-    if (of_velocities_) {
-        for (AnyContact& contact : last_) {
-            contact.displacement = contact.impulse;
-            scale(contact.displacement, share * h_before);
-        }
+    if (of_velocities_ || were_of_velocities) {
+        for (AnyContact& contact : last_) displace_by_impulse(force_share * h_before, contact);
     }
+    const auto rests = [&](const AnyContact& contact) {
+        return may_rest(contact, contact.displacement.normal / (share * h_before), h_before, gravity);
+    };
     std::erase_if(last_, [&](const AnyContact& contact) {
         if (!is_of_surface(contact) || contact.displacement.normal == 0) return true;
-        return !may_rest(contact, h_before, gravity) && !moves_both(contact);
+        return !rests(contact) && !moves_both(contact);
     });
     for (AnyContact& contact : last_) {
-        if (!may_rest(contact, h_before, gravity)) scale(contact.displacement, 0);
+        if (!rests(contact)) scale(contact.displacement, 0);
         scale(contact.displacement, factor * factor);
         contact.impulse = contact.displacement;
         scale(contact.impulse, 1 / (share * h));
@@ -187,7 +199,7 @@ void WarmStart<AnyContact>::carry_over(const ResponseParameters& parameters, std
         const auto order = order_of(before);
         while (found != contacts.end() && order_of(*found) < order) ++found;
         if (found != contacts.end() && order_of(*found) == order) {
-            if (!of_velocities_) found->displacement = before.displacement;
+            if (!of_velocities_) found->displacement = before.displacement;  // else nothing is to be taken back
             found->impulse = before.impulse;
             found->lasts = true;
             measure_motion(before, balls, *found);

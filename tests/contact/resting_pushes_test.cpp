@@ -4,6 +4,7 @@
 
 #include <gtest/gtest.h>
 
+#include <array>
 #include <vector>
 
 namespace drape {
@@ -124,27 +125,77 @@ TEST(RestingPush, IsNoneWhereALightClothIsHitByWhatDoesNotMove) {
     EXPECT_EQ(given_on(200, 0), (std::vector<Real>{0, 0, 0}));
 }
 
+/// Under the implicit midpoint rule, whose pushes are impulses.
+struct MidpointContact : RollingContact {
+    ClothInContact cloth = in_contact();
+    std::array<Ball, 2> balls;
+    Real impulse = model.particle_mass * earth * substep;  ///< what gravity gives within a substep
+
+    MidpointContact() : RollingContact(IntegratorKind::ImplicitMidpoint) {}
+
+    void take() { warm_start.take(parameters, substep, earth, std::span(&cloth, 1), contacts); }
+    void carry_over() { warm_start.carry_over(parameters, std::span(&cloth, 1), balls, contacts); }
+
+    /// A contact that has pushed with so many times what gravity gives, and displaced by some of that.
+    void push(Real gravities) {
+        contacts = {contact_of_particle(model, 0)};
+        contacts[0].displacement.normal = gravities * impulse * substep / 5;
+        contacts[0].impulse.normal = gravities * impulse;
+    }
+
+    [[nodiscard]] Real given_on() const { return warm_start.pushes()[0].impulse.normal / impulse; }
+};
+
 /// Half of it before the step, which displaces the particle by all that its impulse can, and half of it after.
 TEST(RestingPush, IsAnImpulseInTwoHalvesUnderTheImplicitMidpointRule) {
-    RollingContact sheet(IntegratorKind::ImplicitMidpoint);
-    const ClothInContact cloth = sheet.in_contact();
-    const auto cloths = std::span(&cloth, 1);
-    const auto balls = std::span(&sheet.ball, 1);
-    const Real impulse = sheet.model.particle_mass * earth * substep;
-    sheet.contacts = {contact_of_particle(sheet.model, 0)};
-    sheet.contacts[0].displacement.normal = impulse * substep / 5;
-    sheet.contacts[0].impulse.normal = impulse;
-    sheet.warm_start.take(sheet.parameters, substep, earth, cloths, sheet.contacts);
+    MidpointContact sheet;
+    sheet.push(1);
+    sheet.take();
     const auto upward = [&] { return sheet.state.v(sheet.model.grid.triangle_corners(0)[0], 1); };
-    sheet.warm_start.before_step(cloths, balls);
+    sheet.warm_start.before_step(std::span(&sheet.cloth, 1), sheet.balls);
     EXPECT_NEAR(upward() / (earth * substep), 0.5, 1e-6);
-    sheet.warm_start.after_step(cloths, balls);
+    sheet.warm_start.after_step(std::span(&sheet.cloth, 1), sheet.balls);
     EXPECT_NEAR(upward() / (earth * substep), 1, 1e-6);
 
     sheet.contacts = {contact_of_particle(sheet.model, 0)};
-    sheet.warm_start.carry_over(sheet.parameters, cloths, balls, sheet.contacts);
+    sheet.carry_over();
     EXPECT_EQ(sheet.contacts[0].displacement.normal, 0) << "what the step displaced by is not taken back";
-    EXPECT_NEAR(sheet.contacts[0].impulse.normal / impulse, 1, 1e-6);
+    EXPECT_NEAR(sheet.contacts[0].impulse.normal / sheet.impulse, 1, 1e-6);
+}
+
+TEST(RestingPush, IsTakenBackWhereAContactPartedUnderTheImplicitMidpointRule) {
+    MidpointContact sheet;
+    sheet.push(1);
+    sheet.take();
+    sheet.contacts.clear();
+    sheet.carry_over();
+    ASSERT_EQ(sheet.contacts.size(), 1u);
+    EXPECT_NEAR(sheet.contacts[0].displacement.normal / (sheet.impulse * substep), 0.5, 1e-6) << "all that it gave";
+    EXPECT_NEAR(sheet.contacts[0].impulse.normal / sheet.impulse, 1, 1e-6);
+}
+
+TEST(RestingPush, IsNoneOfAnImpactUnderTheImplicitMidpointRule) {
+    MidpointContact sheet;
+    sheet.push(90);
+    sheet.take();
+    EXPECT_NEAR(sheet.given_on(), 90, 1e-4);
+    sheet.push(150);
+    sheet.take();
+    EXPECT_TRUE(sheet.warm_start.pushes().empty());
+}
+
+/// As a displacement: half of the impulse, all of it before the step.
+TEST(RestingPush, GoesOnWhereAFreeBallComesToTouchUnderTheImplicitMidpointRule) {
+    MidpointContact sheet;
+    sheet.push(1);
+    sheet.take();
+    sheet.contacts = {contact_of_particle(sheet.model, 0), contact_of_particle(sheet.model, 1)};
+    sheet.contacts[1].ball = 1;
+    sheet.balls[1].inverse_mass = 1;
+    sheet.carry_over();
+    sheet.take();
+    ASSERT_FALSE(sheet.warm_start.pushes().empty());
+    EXPECT_NEAR(sheet.given_on(), 0.5, 1e-6);
 }
 
 /// As a ball is carried that is heavier than the particles under it; that it lies there is seen in the second substep.

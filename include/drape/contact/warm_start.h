@@ -14,9 +14,9 @@ namespace drape {
 /// rests does not move then. An explicit method takes its forces from the start of the step, where a velocity would be
 /// answered by dampers: it is given the pushes after the step, displacements too. Either way the response has little
 /// left to solve. Under an implicit method, but for adaptive ones, the push of a contact that rolls goes ahead of it,
-/// where it would feed the rocking of cloth otherwise. Under the implicit midpoint rule the projection has two answers,
-/// of half a force and of all of it: only the second goes on. Only responses that solve for pushes can use them; a
-/// penalty follows from the depth.
+/// where it would feed the rocking of cloth otherwise. What the projection displaces by under the implicit midpoint
+/// rule does not measure a force. The impulses that stop velocities do measure it, and go on instead, unless a free
+/// ball touches the cloth. Only responses that solve for pushes can use them; a penalty follows from the depth.
 /// @tparam AnyContact `Contact`, of one cloth with balls and ground, or `PairContact`
 template <class AnyContact>
 class WarmStart {
@@ -53,7 +53,7 @@ private:
     Real h_ = 0;                  ///< of the last pushes [s]
     Real before_ = 0;             ///< what of a velocity is given before the step
     bool is_explicit_ = true;     ///< nothing is, and displacements are given
-    bool of_velocities_ = false;  ///< the pushes are impulses; what they displaced by is not taken back
+    bool of_velocities_ = false;  ///< the pushes are impulses; what they displaced by goes back where a contact parted
     std::vector<AnyContact> last_, parted_;
     std::vector<std::ptrdiff_t> gaps_;  ///< where those that have parted belong
 };
