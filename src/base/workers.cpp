@@ -1,7 +1,9 @@
 #include "drape/base/workers.h"
 
+#include <algorithm>
 #include <cstdio>
 #include <system_error>
+#include <utility>
 
 #include "drape/base/assert.h"
 
@@ -28,7 +30,7 @@ void warn_of_few_threads(int wanted, int started, const std::exception& error) {
 
 }  // namespace
 
-Workers::Workers(int threads) {
+Workers::Workers(int threads) : errors_(static_cast<std::size_t>(std::max(threads, 1))) {
     DRAPE_ASSERT(threads >= 1);
     own_.reserve(static_cast<std::size_t>(threads));
     try {
@@ -47,24 +49,39 @@ Workers::~Workers() {
 
 void Workers::run(int parts, const std::function<void(int)>& work) {
     DRAPE_ASSERT(parts >= 1 && parts <= threads());
-    if (parts > 1) {
-        work_ = &work;
-        parts_ = parts;
-        working_ = static_cast<int>(own_.size());
-        ++round_;
-        round_.notify_all();
+    if (parts == 1) return work(0);
+    work_ = &work;
+    parts_ = parts;
+    working_ = static_cast<int>(own_.size());
+    ++round_;
+    round_.notify_all();
+    do_part(0);
+    for (int working = working_; working > 0; working = working_) wait_while(working_, working);
+    rethrow_first(parts);
+}
+
+void Workers::do_part(int part) noexcept {
+    try {
+        (*work_)(part);
+    } catch (...) {
+        errors_[static_cast<std::size_t>(part)] = std::current_exception();
     }
-    work(0);
-    if (parts > 1) {
-        for (int working = working_; working > 0; working = working_) wait_while(working_, working);
+}
+
+/// Forgets what the others have thrown.
+void Workers::rethrow_first(int parts) {
+    std::exception_ptr first;
+    for (auto part = static_cast<std::size_t>(parts); part-- > 0;) {
+        if (errors_[part]) first = std::exchange(errors_[part], nullptr);
     }
+    if (first) std::rethrow_exception(first);
 }
 
 void Workers::serve(int part) {
     for (int round = 0;; ++round) {
         wait_while(round_, round);
         if (closing_) return;
-        if (part < parts_) (*work_)(part);
+        if (part < parts_) do_part(part);
         --working_;
         working_.notify_one();
     }

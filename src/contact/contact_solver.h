@@ -112,8 +112,9 @@ Sweeps sweep_until(ContactProblem& problem, Real tolerance, Solve solve) {
     return sweeps;
 }
 
-/// Tolerances: of displacements, a small part of what gravity moves a particle by within a step, or the last digits of
-/// a metre where that is more; of velocities, what that is within a step.
+/// Tolerances: of displacements, a small part of what gravity moves a particle by within a step or, if more, of the
+/// thickness between cloths that touch, or the last digits of a metre; of velocities, what that is within a step, but
+/// between cloths no more than what is seen as rest.
 [[nodiscard]] Real displacement_tolerance(const ContactProblem& problem);
 [[nodiscard]] Real velocity_tolerance(const ContactProblem& problem);
 

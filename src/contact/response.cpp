@@ -24,6 +24,10 @@ constexpr Real of_gravity = Real(2e-3);
 /// and from substep to substep.
 constexpr Real of_thickness = Real(1e-3);
 
+/// The tolerance of velocities where cloth meets cloth [m/s]. What rests is stopped anew in every substep, and what is
+/// not stopped of a few particles is what the whole cloth moves by: a fifth of this, in the mean square.
+constexpr Real of_pair_velocities = Real(1e-3);
+
 const Ball& ball_of(const BodyContact& contact, std::span<const Ball> balls) {
     return balls[static_cast<std::size_t>(contact.ball)];
 }
@@ -133,6 +137,14 @@ void prepare_all(ContactProblem& problem) {
     }
 }
 
+/// Of displacements within the substep.
+/// @param of_pairs that between cloths [m]
+Real tolerance_of(const ContactProblem& problem, Real of_pairs) {
+    const Real fall = problem.gravity * problem.h * problem.h;
+    return std::max(
+        {of_gravity * fall, problem.pairs.empty() ? Real(0) : of_pairs, 4 * std::numeric_limits<Real>::epsilon()});
+}
+
 ResponseReport respond_in_kind(ContactProblem& problem) {
     switch (problem.parameters.kind) {
         case ResponseKind::Projection:
@@ -196,12 +208,13 @@ Real restitution_of(const ResponseParameters& parameters, const BodyContact& con
 }
 
 Real displacement_tolerance(const ContactProblem& problem) {
-    const Real fall = problem.gravity * problem.h * problem.h;
-    const Real of_pairs = problem.pairs.empty() ? Real(0) : of_thickness * problem.parameters.pair_thickness;
-    return std::max({of_gravity * fall, of_pairs, 4 * std::numeric_limits<Real>::epsilon()});
+    return tolerance_of(problem, of_thickness * problem.parameters.pair_thickness);
 }
 
-Real velocity_tolerance(const ContactProblem& problem) { return displacement_tolerance(problem) / problem.h; }
+Real velocity_tolerance(const ContactProblem& problem) {
+    const Real of_pairs = std::min(of_thickness * problem.parameters.pair_thickness, of_pair_velocities * problem.h);
+    return tolerance_of(problem, of_pairs) / problem.h;
+}
 
 void find_again(const ContactProblem& problem, Contact& contact) {
     const ClothInContact& cloth = cloth_of(problem, contact);

@@ -17,6 +17,7 @@ void PairList::clear() {
         part.near.clear();
         part.listed.clear();
     }
+    size_ = 0;
     list_.clear();
 }
 
@@ -28,17 +29,13 @@ void PairList::add(const BoxedCloth& first, const BoxedCloth& second, std::span<
             find_near_pairs(first, second, block, parts_[p].near);
         }
     });
-}
-
-std::size_t PairList::size() const {
-    std::size_t sum = 0;
-    for (const Part& part : parts_) sum += part.near.size();
-    return std::max(sum, list_.size());
+    size_ = 0;
+    for (const Part& part : parts_) size_ += part.near.size();
 }
 
 /// Each thread puts its own in order; then whichever of them has the least goes first.
 void PairList::close() {
-    workers_.run(size() / worth_a_thread, [&](int part, int parts) {
+    workers_.run(size_ / worth_a_thread, [&](int part, int parts) {
         for (auto p = static_cast<std::size_t>(part); p < parts_.size(); p += static_cast<std::size_t>(parts)) {
             auto& [near, listed] = parts_[p];
             for (const NearPair& pair : near) listed.push_back({pair.features, pair.triangle, pair.distance});

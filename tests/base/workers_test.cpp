@@ -4,9 +4,11 @@
 
 #include <algorithm>
 #include <array>
+#include <chrono>
 #include <cstdlib>
 #include <filesystem>
 #include <set>
+#include <stdexcept>
 
 #include "support/address_space.h"
 #include "support/process.h"
@@ -72,6 +74,36 @@ TEST(Workers, DoTheirPartsAtTheSameTime) {
     };
     workers.run(4, std::cref(work));
     EXPECT_EQ(arrived, 4);
+}
+
+/// What comes out of a round of four parts of which some throw their number; "" if nothing.
+std::string thrown_by(Workers& workers, const std::set<int>& throwing, std::atomic<int>& ended) {
+    const auto work = [&](int part) {
+        if (throwing.contains(part)) throw std::runtime_error(std::to_string(part));
+        std::this_thread::sleep_for(std::chrono::milliseconds(2));  // the others have thrown long since
+        ++ended;
+    };
+    try {
+        workers.run(4, std::cref(work));
+    } catch (const std::runtime_error& error) {
+        return error.what();
+    }
+    return "";
+}
+
+TEST(Workers, EndAllPartsBeforeTheErrorOfTheLowestOneIsThrown) {
+    Workers workers(4);
+    const std::vector<std::set<int>> cases{{0}, {1}, {0, 1}, {1, 3}, {0, 1, 2, 3}};
+    for (int round = 0; round < 5; ++round) {
+        for (const std::set<int>& throwing : cases) {
+            std::atomic<int> ended = 0;
+            EXPECT_EQ(thrown_by(workers, throwing, ended), std::to_string(*throwing.begin()));
+            EXPECT_EQ(ended, 4 - static_cast<int>(throwing.size())) << "parts that ended before the error came out";
+            ended = 0;
+            EXPECT_EQ(thrown_by(workers, {}, ended), "") << "of the round after it";
+            EXPECT_EQ(ended, 4);
+        }
+    }
 }
 
 #ifdef DRAPE_CAN_LIMIT_ADDRESS_SPACE

@@ -74,24 +74,6 @@ struct LyingSheets {
         for (const ClothModel& model : models) list.push_back(&model);
         return list;
     }
-
-    /// How far each of a cloth's particles may come while a list of `SelfSearch` serves.
-    [[nodiscard]] std::vector<Real> allowances(std::size_t cloth) const {
-        Vec3 common = Vec3::Zero();
-        Real particles = 0;
-        for (std::size_t c = 0; c < models.size(); ++c) {
-            common += (states[c].x - before[c]).colwise().sum().transpose();
-            particles += static_cast<Real>(before[c].rows());
-        }
-        common /= particles;
-        const Points ways = (states[cloth].x - before[cloth]).rowwise() - common.transpose();
-        const Real spacing = std::min(models[cloth].hx, models[cloth].hy);
-        std::vector<Real> all;
-        for (const Real way : ways.rowwise().norm().eval()) {
-            all.push_back(thickness * Real(0.75) + Real(1.5) * way + std::min(4 * way, spacing / 5));
-        }
-        return all;
-    }
 };
 
 void per_triangle(benchmark::State& state, int triangles) {
@@ -106,12 +88,17 @@ void self_broad_phase(benchmark::State& state, int side) {
     const std::size_t count = sheets.models.size();
     std::vector<std::unique_ptr<BroadPhase>> trees;
     std::vector<FoldTest> folds;
-    std::vector<std::vector<Real>> allowances;
+    SelfSearch search;
+    search.use(sheets.search, sheets.list_models());
+    const TraversalStats meant = search.find(sheets.cloths, sheets.thickness).traversal;
     for (std::size_t c = 0; c < count; ++c) {
         const ClothModel& model = sheets.models[c];
         trees.push_back(make_broad_phase(sheets.search, model.grid));
         folds.emplace_back(model.grid, model.hx, model.hy, sheets.search.leaf_cells);
-        allowances.push_back(sheets.allowances(c));
+    }
+    std::vector<Real> largest;
+    for (std::size_t c = 0; c < count; ++c) {
+        largest.push_back(std::ranges::max(search.allowances(static_cast<int>(c))));
     }
     std::vector<LeafPair> leaves;
     TraversalStats stats;
@@ -119,18 +106,15 @@ void self_broad_phase(benchmark::State& state, int side) {
         stats = {};
         for (std::size_t c = 0; c < count; ++c) {
             trees[c]->build(sheets.before[c]);
-            folds[c].build(sheets.before[c], allowances[c]);
+            folds[c].build(sheets.before[c], search.allowances(static_cast<int>(c)));
         }
         for (std::size_t a = 0; a < count; ++a) {
             for (std::size_t b = a; b < count; ++b) {
-                const Real margin = std::ranges::max(allowances[a]) + std::ranges::max(allowances[b]);
+                const Real margin = largest[a] + largest[b];
                 stats += trees[a]->query(*trees[b], margin, a == b ? &folds[a] : nullptr, leaves);
             }
         }
     }
-    SelfSearch search;
-    search.use(sheets.search, sheets.list_models());
-    const TraversalStats meant = search.find(sheets.cloths, sheets.thickness).traversal;
     if (meant.leaves != stats.leaves) state.SkipWithError("this is not what SelfSearch does");
     state.counters["tests_a_triangle"] = static_cast<double>(stats.volume_tests) / sheets.triangles;
     state.counters["leaves_a_triangle"] = static_cast<double>(stats.leaves) / sheets.triangles;

@@ -4,6 +4,7 @@
 
 #include <cstdlib>
 #include <iostream>
+#include <iterator>
 #include <sstream>
 
 #include "drape/bounds/broad_phase.h"
@@ -24,10 +25,30 @@ std::string bits_of(const LabFolder& folder, const Way& way, const std::string& 
     return told ? run.out.substr(0, 16) + ", exit code " + std::to_string(run.code) : "no hash: " + run.err;
 }
 
+namespace {
+
+Words words_of(const std::string& command_line) {
+    std::istringstream in(command_line);
+    return {std::istream_iterator<std::string>(in), {}};
+}
+
+/// A figure of the report of a run's last step.
+double last_statistic(const LabFolder& folder, const std::string& command_line, const std::string& name) {
+    const LabRun run = folder.run(words_of("simulate " + command_line + " --stats statistics.csv"));
+    const std::vector<std::string> lines = lines_of(folder.read("statistics.csv"));
+    if (run.code != 0 || lines.size() < 3) return 0;
+    std::istringstream names(lines[1]);
+    std::string column;
+    for (const double value : values_of(lines.back())) {
+        if (std::getline(names, column, ',') && column == name) return value;
+    }
+    return 0;
+}
+
+}  // namespace
+
 void Matrix::add(const std::string& command_line) {
-    std::istringstream in("simulate --hash " + command_line);
-    Words& words = cells_.emplace_back();
-    for (std::string word; in >> word;) words.push_back(word);
+    const Words& words = cells_.emplace_back(words_of("simulate --hash " + command_line));
     plain_.push_back(bits_of(folder_, {"plainly"}, DRAPE_LAB, words));
     EXPECT_FALSE(plain_.back().starts_with("no hash")) << command_line << ": " << plain_.back();
 }
@@ -42,8 +63,11 @@ void Matrix::add_threaded() {
         add(large + "wind.on=1 integrator=" + method);
     }
     // Threads share the search for pairs too: a sheet that has begun to fold
-    add("fold --time 0.6 --set cloth.particles=64,64 integrator=xpbd solver.iterations=2 solver.dt=1.6666e-2 "
-        "contact.longest_step=1e-3");
+    const std::string folded =
+        "fold --time 0.6 --set cloth.particles=64,64 integrator=xpbd solver.iterations=2 "
+        "solver.dt=1.6666e-2 contact.longest_step=1e-3";
+    add(folded);
+    EXPECT_GT(last_statistic(folder_, folded, "listed_pairs"), 4 * 1024) << "enough for four threads";
 }
 
 void Matrix::add_volumes() {

@@ -4,7 +4,9 @@
 #include <sys/mman.h>
 
 #include <cstdlib>
+#include <utility>
 
+#include "drape/sim/scene.h"
 #include "small_scene.h"
 #include "support/address_space.h"
 #include "support/allocations.h"
@@ -25,18 +27,18 @@ Settings settings_of(const std::string& method, int side, const std::vector<std:
     return settings;
 }
 
-/// The most that making a simulation and three steps of it take, as counted [bytes].
-double bytes_taken(const Settings& settings) {
+/// The most that making a simulation and some steps of it take, as counted [bytes].
+double bytes_taken(const Settings& settings, int steps) {
     const long long before = test::bytes_held();
     test::forget_most_bytes_held();
     Simulation simulation("counted", settings);
-    make_steps(simulation, 3);
+    make_steps(simulation, steps);
     return static_cast<double>(test::most_bytes_held() - before);
 }
 
 /// Expects the estimate to be near what is taken.
-void expect_near(const Settings& settings, const std::string& told) {
-    const double taken = bytes_taken(settings);
+void expect_near(const Settings& settings, const std::string& told, int steps = 3) {
+    const double taken = bytes_taken(settings, steps);
     if (test::allocations() == 0) GTEST_SKIP() << "a sanitizer counts for itself";
     EXPECT_GT(memory_needed(settings).total(), 0.8 * taken) << told << ", bytes taken: " << taken;
     EXPECT_LT(memory_needed(settings).total(), 1.5 * taken) << told << ", bytes taken: " << taken;
@@ -60,6 +62,26 @@ TEST(Memory, IsEstimatedForEveryVolumeWithTheSmallestLeaves) {
     for (const std::string& volume : names_of<VolumeKind>()) {
         expect_near(settings_of("xpbd", 100, {"contact.leaf_cells=1", "contact.volume=" + volume}), volume);
     }
+}
+
+/// Three flat sheets that lie on each other, whose pairs some threads look through.
+Settings lying_sheets(int side) {
+    Settings settings = load_scene("stack");
+    settings.balls.clear();
+    Real height = Real(0.004);
+    for (ClothParameters& cloth : settings.cloths) {
+        cloth.particles = {side, side};
+        cloth.place = {0, std::exchange(height, height + Real(0.0045)), 0};
+        cloth.width = cloth.height = 1;
+    }
+    settings.solver.dt = 1e-4;
+    settings.solver.threads = 4;
+    settings.solver.sleep_speed = 0;
+    return settings;
+}
+
+TEST(Memory, IsEstimatedWhereClothLiesOnCloth) {
+    for (const int side : {30, 60}) expect_near(lying_sheets(side), "stack " + std::to_string(side), 20);
 }
 
 TEST(Memory, ThatRunsOutIsToldWithWhatNeededHowMuch) {

@@ -79,6 +79,7 @@ TEST(PairList, GoesOnWithAnotherNumberOfThreadsAndInACopy) {
     list.use(3);
     list.add(sheet.boxed(), sheet.boxed(), sheet.leaves);
     list.close();
+    ASSERT_GT(list.size(), 8 * 1024U) << "enough for eight threads";
     PairList copy = list;
     list.use(8);
     const auto keep = [](const PairList::Listed& listed, std::vector<NearPair>& found) {

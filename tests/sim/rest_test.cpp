@@ -33,8 +33,12 @@ Simulation small_drop(IntegratorKind integrator, ResponseKind response) {
 }
 
 double rms_speed(const Simulation& simulation) {
-    const Points& v = simulation.cloths()[0].state.v;
-    return static_cast<double>(std::sqrt(v.squaredNorm() / static_cast<Real>(v.rows())));
+    Real squares = 0, particles = 0;
+    for (const Cloth& cloth : simulation.cloths()) {
+        squares += cloth.state.v.squaredNorm();
+        particles += static_cast<Real>(cloth.state.v.rows());
+    }
+    return static_cast<double>(std::sqrt(squares / particles));
 }
 
 /// Runs until the scene sleeps.
@@ -154,6 +158,30 @@ TEST(RestInATrampoline, IsReachedByTheShippedSceneAndCostsNothing) {
     simulation.step();
     EXPECT_EQ(simulation.hash(), hash);
     EXPECT_EQ(simulation.report().solve.force_evaluations, 0);
+}
+
+/// `stack` of few particles, and with so much drag that it rests after two seconds.
+Simulation small_stack() {
+    Settings settings = load_scene("stack");
+    for (ClothParameters& cloth : settings.cloths) {
+        cloth.particles = {16, 16};
+        cloth.drag = Real(8.4375e-3);
+    }
+    settings.solver.dt = 4e-4;
+    settings.solver.sleep_speed = 0;
+    return {"stack", std::move(settings)};
+}
+
+TEST(Rest, OfSheetsThatLieOnEachOtherIsSlowerThanHalfAMillimetreASecond) {
+    Simulation simulation = small_stack();
+    while (simulation.report().time < 2.2) simulation.step();
+    double fastest = 0;
+    while (simulation.report().time < 2.4) {
+        simulation.step();
+        fastest = std::max(fastest, rms_speed(simulation));
+    }
+    EXPECT_GT(simulation.report().pairs, 100);
+    EXPECT_LT(fastest, 0.5e-3);
 }
 
 }  // namespace

@@ -28,8 +28,6 @@ public:
         threads_ = threads;
     }
 
-    [[nodiscard]] int threads() const { return threads_; }
-
     /// Calls work(part, parts) for each of some parts, see `Workers::run`.
     /// @param most parts that the work is worth; there are no more than threads, and one or more
     template <class Work>

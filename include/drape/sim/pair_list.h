@@ -36,7 +36,7 @@ public:
     void close();
 
     /// Pairs that were added.
-    [[nodiscard]] std::size_t size() const;
+    [[nodiscard]] std::size_t size() const { return size_; }
 
     /// Calls look(listed, near) for each pair of the closed list.
     /// @param look adds to `near` what it takes the pair to be now, or nothing; called by several threads at a time
@@ -58,8 +58,9 @@ public:
     }
 
 private:
-    /// Of a thread: what it has found, and in order.
-    struct Part {
+    /// Of a thread: what it has found, and in order. In cache lines of its own, as the ends of both change with every
+    /// pair.
+    struct alignas(64) Part {
         std::vector<NearPair> near;
         std::vector<Listed> listed;
     };
@@ -69,6 +70,7 @@ private:
 
     LazyWorkers workers_;
     std::vector<Part> parts_ = std::vector<Part>(1);  ///< one a thread
+    std::size_t size_ = 0;
     std::vector<Listed> list_;
 };
 

@@ -61,6 +61,9 @@ public:
     /// Of the cloths, as in the last search [m].
     [[nodiscard]] Real thickness() const { return thickness_; }
 
+    /// How far each particle of a cloth may come, that the last list was made for [m].
+    [[nodiscard]] std::span<const Real> allowances(int cloth) const { return of_cloth(allowed_, cloth); }
+
     /// How far both features of a pair reach together within the substep [m].
     [[nodiscard]] Real reach_of(const FeaturePair& pair) const;
 
