@@ -312,7 +312,6 @@ void Window::forget_run() {
     pointer_.forget();
     steering_.forget_given();
     told_failure_.clear();
-    crossing_news_.forget();
 }
 
 void Window::take_picture() {

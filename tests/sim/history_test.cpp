@@ -175,6 +175,23 @@ TEST(History, LetsTheUserGoOnFromAnEarlierStep) {
     EXPECT_EQ(again.simulation().hash(), end);
 }
 
+TEST(History, CountsATakeoverWhoseNoticeIsLikeTheOneBefore) {
+    Session session(small_simulation());
+    session.keep_history({});
+    const auto take_over_at_20_of_60 = [&] {
+        while (session.timeline().newest < 60) session.send(command::Step{1}), session.advance(0, no_hurry);
+        session.go_to(20);
+        session.advance(0, no_hurry);
+        session.send(parse_command("next wind.on"));
+        return session.takeover_notice();
+    };
+    EXPECT_EQ(session.takeovers(), 0);
+    const std::string notice = take_over_at_20_of_60();
+    EXPECT_EQ(session.takeovers(), 1);
+    ASSERT_EQ(take_over_at_20_of_60(), notice);
+    EXPECT_EQ(session.takeovers(), 2);
+}
+
 TEST(History, RecordsThatAPauseHasEnded) {
     const ScratchFile file("pause.txt");
     Session session(small_simulation());
