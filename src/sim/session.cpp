@@ -266,7 +266,7 @@ void Session::say_cut() {
 
 void Session::step() {
     const bool is_new = steps_made_ >= newest_, was_over = simulation_.report().status != Status::Ok;
-    if (is_new) step_times_.pass(steps_made_, dt());
+    if (is_new) step_times_.pass(steps_made_, was_over ? 0 : dt());
     if (is_new && recorder_) recorder_->begin_step(steps_made_);
     const std::int64_t dangers = simulation_.report().crossing.starts;
     simulation_.step();
