@@ -56,7 +56,7 @@ public:
     [[nodiscard]] int crossing_dangers() const { return crossing_dangers_; }
 
     /// Carries out a command and records it.
-    /// @throws InputError as `Simulation::apply` and `Comparison`; it is not recorded then
+    /// @throws InputError as `Simulation::apply` and `Comparison`, RunError as the latter; it is not recorded then
     void send(const Command& command);
 
     /// Lets `elapsed` seconds of wall time pass, each of which is `view.speed` simulated ones: makes as many whole
