@@ -39,6 +39,7 @@ namespace {
     }
     if (!options.tour) {
         for (const std::string& setting : options.start.assignments) words.insert(words.end(), {"--set", setting});
+        if (!options.start.versus.empty()) words.insert(words.end(), {"--versus", options.start.versus});
         if (!options.start.replay.empty()) words.insert(words.end(), {"--replay", options.start.replay});
         if (options.hash) words.emplace_back("--hash");
         words.insert(words.end(), {"--frames", std::to_string(frames)});

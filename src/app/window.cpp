@@ -86,9 +86,9 @@ void Window::on_tick() {
     tell_of_drops();
 
     const Simulation& simulation = session_.simulation();
-    if (const std::string news = crossing_news_.take(simulation); !news.empty()) notices_.add("crossing", news);
     tell_of_failure();
     tell_of_takeover();
+    tell_of_dangers();
     if (simulation.report().status == Status::Diverged &&
         simulation.settings().solver.on_unstable == OnUnstable::Stop) {
         failure_ = std::make_exception_ptr(RunError(simulation.report().trouble));
@@ -199,10 +199,13 @@ void Window::tell_of_failure() {
 }
 
 void Window::tell_of_takeover() {
-    if (session_.takeover_notice() == takeover_) return;
-    takeover_ = session_.takeover_notice();
-    notices_.add("takeover", takeover_);
-    crossing_news_.go_on_from(session_.simulation());
+    if (std::exchange(takeovers_, session_.takeovers()) == session_.takeovers()) return;
+    notices_.add("takeover", session_.takeover_notice());
+}
+
+void Window::tell_of_dangers() {
+    if (std::exchange(crossing_dangers_, session_.crossing_dangers()) == session_.crossing_dangers()) return;
+    notices_.add("crossing", session_.simulation().crossing_warning());
 }
 
 void Window::tell_of_drops() {
@@ -218,7 +221,6 @@ void Window::tell_of_drops() {
 
 void Window::start_scene() {
     scene_ = session_.simulation().scene();
-    crossing_news_.forget();
     camera_ = shown_ = Camera(session_.simulation().settings().view);
     renderer_->set_scene(session_.simulation().settings());
     renderer_->set_hint({});

@@ -8,7 +8,6 @@
 #include <utility>
 #include <vector>
 
-#include "crossing_news.h"
 #include "drape/base/stop_signals.h"
 #include "drape/base/stopwatch.h"
 #include "drape/render/camera.h"
@@ -95,6 +94,7 @@ private:
     void tell_of_drops();
     void tell_of_failure();
     void tell_of_takeover();
+    void tell_of_dangers();
     void tell_whose_ball();
     void start_scene();
     void show_title();
@@ -114,7 +114,6 @@ private:
     Steering steering_;
     std::set<std::string> held_keys_;  ///< by the names they have without Shift
     Notices notices_;
-    CrossingNews crossing_news_;
     SearchTimer search_timer_;
     PicturePace pace_;
     WindowVideo video_;
@@ -125,7 +124,8 @@ private:
     std::exception_ptr failure_;
     std::string failure_file_;      // what tells of the file of the last failure
     std::string told_failure_;      ///< of which it tells
-    std::string takeover_;          ///< of which the user was told
+    int takeovers_ = 0;             ///< of which the user was told
+    int crossing_dangers_ = 0;      ///< likewise
     std::string scene_;             ///< that the camera was set for
     double frame_time_ = 1.0 / 60;  ///< from tick to tick [s]
     double drawing_time_ = 0;       ///< of the last picture, as far as nothing else was done meanwhile [s]

@@ -295,6 +295,11 @@ bool Window::carry_out(const Command& command) {
     } catch (const InputError& error) {
         notices_.add("input", error.what());
         return false;
+    } catch (const RunError& error) {
+        // A run goes on where memory is too little for another one beside it
+        if (!std::holds_alternative<command::Compare>(command)) throw;
+        notices_.add("input", error.what());
+        return false;
     }
     camera_.apply(command, session_.view());
     if (std::holds_alternative<command::Picture>(command)) take_picture();
@@ -312,7 +317,6 @@ void Window::forget_run() {
     pointer_.forget();
     steering_.forget_given();
     told_failure_.clear();
-    crossing_news_.forget();
 }
 
 void Window::take_picture() {

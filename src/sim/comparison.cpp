@@ -79,11 +79,7 @@ Simulation Comparison::make_other(const Simulation& first, const std::vector<std
         throw InputError("solver.dt = " + real_text(settings.solver.dt) + ": allowed " + real_text(least, 3) +
                          " and more, a thousandth of the step that it is compared with");
     }
-    try {
-        return {first.scene(), std::move(settings)};
-    } catch (const RunError& error) {
-        throw InputError(error.what());  // too little memory for both: the first one goes on
-    }
+    return {first.scene(), std::move(settings)};
 }
 
 bool Comparison::compares(const std::string& setting) const {

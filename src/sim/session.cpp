@@ -121,7 +121,7 @@ void Session::compare_after(const Command& command) {
         comparison_->apply(command, simulation_);
     } catch (const std::runtime_error& error) {
         comparison_.reset();
-        takeover_notice_ = one_line(std::string("The comparison has ended: ") + error.what());
+        tell_of_takeover(one_line(std::string("The comparison has ended: ") + error.what()));
     }
 }
 
@@ -144,19 +144,25 @@ std::int64_t Session::known_end() const { return std::max(newest_, last_step_); 
 
 void Session::take_over() {
     const double seconds = timeline().back;
-    takeover_notice_ = last_step_ > newest_ || steps_made_ >= newest_
-                           ? "You take over from the replay before step " + std::to_string(steps_made_)
-                           : "You go on from here: the " + real_text(seconds, 3) + " s that came after are forgotten";
+    std::string notice = last_step_ > newest_ || steps_made_ >= newest_
+                             ? "You take over from the replay before step " + std::to_string(steps_made_)
+                             : "You go on from here: the " + real_text(seconds, 3) + " s that came after are forgotten";
     if (recorder_ && !recorder_->cut_after(steps_made_)) {
         std::exchange(recorder_, nullptr)->close(newest_);
-        takeover_notice_ += "; the recording cannot be cut back, and ends with them";
+        notice += "; the recording cannot be cut back, and ends with them";
     }
+    tell_of_takeover(std::move(notice));
     log_.resize(next_entry_ - first_entry_);
     newest_ = last_step_ = steps_made_;
     step_times_.forget_from(steps_made_);
     idle_from_.reset();
     if (history_) history_->forget_after(steps_made_);
     for (const Command& command : simulation_.commands_to_let_go()) send(command);
+}
+
+void Session::tell_of_takeover(std::string notice) {
+    takeover_notice_ = std::move(notice);
+    ++takeovers_;
 }
 
 void Session::go_to(std::int64_t step) {
@@ -260,9 +266,11 @@ void Session::say_cut() {
 
 void Session::step() {
     const bool is_new = steps_made_ >= newest_, was_over = simulation_.report().status != Status::Ok;
-    if (is_new) step_times_.pass(steps_made_, dt());
+    if (is_new) step_times_.pass(steps_made_, was_over ? 0 : dt());
     if (is_new && recorder_) recorder_->begin_step(steps_made_);
+    const std::int64_t dangers = simulation_.report().crossing.starts;
     simulation_.step();
+    if (is_new && simulation_.report().crossing.starts > dangers) ++crossing_dangers_;
     if (comparison_) comparison_->follow(simulation_);
     ++steps_made_;
     if (is_new && recorder_ && steps_made_ % hash_interval == 0) {

@@ -1,5 +1,7 @@
 #include <algorithm>
 #include <cmath>
+#include <string_view>
+#include <utility>
 
 #include "drape/base/input_error.h"
 #include "drape/base/numbers.h"
@@ -101,9 +103,30 @@ std::string range_text(const Setting& setting) {
            " <= " + real_text(setting.range.high) + (setting.unit.empty() ? "" : " " + setting.unit);
 }
 
+// The menu's words, where a setting's name is none that a user of such programs expects
+constexpr std::pair<std::string_view, std::string_view> words_of_the_menu[] = {
+    {"solver.dt", "time step"},
+    {"solver.on_unstable", "above the limit"},
+    {"solver.ledger", "energy balance"},
+    {"contact.volume", "bounding volume"},
+    {"contact.update", "BVH update"},
+    {"contact.leaf_cells", "leaf size"},
+    {"contact.search_level", "search depth"},
+    {"contact.coherence", "skip builds"},
+    {"contact.self", "self-contact"},
+    {"view.panel", "stats panel"},
+    {"view.controls", "settings panel"},
+    {"view.bounds", "bounding volumes"},
+    {"view.colour", "colour by"},
+};
+
 }  // namespace
 
 std::string setting_label(const Setting& setting) {
+    const std::string full = setting.full_name();
+    for (const auto& [name, words] : words_of_the_menu) {
+        if (name == full) return std::string(words);
+    }
     std::string label = setting.name == "on" ? setting.section : setting.name;
     std::ranges::replace(label, '_', ' ');
     std::ranges::replace(label, '.', ' ');

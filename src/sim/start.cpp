@@ -52,6 +52,8 @@ Session make_session(Start start, const std::string& record) {
             session.send(command::Compare{start.versus});
         } catch (const InputError& error) {
             throw InputError(std::string("--versus: ") + error.what());
+        } catch (const RunError& error) {
+            throw RunError(std::string("--versus: ") + error.what());
         }
     }
     if (start.replay) session.replay(std::move(*start.replay));

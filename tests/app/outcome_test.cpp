@@ -17,8 +17,8 @@ std::string after(Simulation& simulation, const char* text) {
 
 TEST(Outcome, NamesWhatAKeyHasChosen) {
     Simulation simulation("drop", load_scene("drop"));
-    EXPECT_EQ(after(simulation, "next contact.volume"), "volume: aabb");
-    EXPECT_EQ(after(simulation, "set solver.dt=1e-4"), "dt: 1e-04 s");
+    EXPECT_EQ(after(simulation, "next contact.volume"), "bounding volume: aabb");
+    EXPECT_EQ(after(simulation, "set solver.dt=1e-4"), "time step: 1e-04 s");
     EXPECT_EQ(after(simulation, "next wind.on"), "wind: on");
     EXPECT_EQ(after(simulation, "next view.wireframe"), "");
     EXPECT_EQ(after(simulation, "pause"), "");

@@ -276,6 +276,10 @@ TEST_F(WindowTest, BadInputIsToldBeforeAnythingOpens) {
         EXPECT_EQ(wrong.wait(60), 2);
         EXPECT_NE(wrong.standard_error().find("dt"), std::string::npos) << wrong.standard_error();
         EXPECT_EQ(wrong.standard_error().find("drape-frames"), std::string::npos);
+
+        Process compared({program("drape"), "hang", "--versus", "solver.dt=nan"}, {{"DISPLAY", display}}, folder_);
+        EXPECT_EQ(compared.wait(60), 2) << "on display '" << display << "'";
+        EXPECT_NE(compared.standard_error().find("--versus: solver.dt"), std::string::npos);
     }
 }
 

@@ -131,6 +131,30 @@ TEST(History, TellsTheTimeOfStepsOfSeveralLengths) {
     EXPECT_EQ(session.timeline().kept, 104 * dt) << "the last change of the step came earlier than before";
 }
 
+// Far beyond its limit the time step makes the cloth diverge at once.
+TEST(History, CountsNoTimeWhileARunThatHasDivergedStandsStill) {
+    Session session(small_simulation());
+    session.keep_history({});
+    const double dt = 1.0 / 1024;
+    const auto run = [&](int steps) {
+        for (int k = 0; k < steps; ++k) session.advance(session.simulation().settings().solver.dt, no_hurry);
+    };
+    run(64);
+    session.send(parse_command("set solver.integrator=explicit_euler"));
+    session.send(parse_command("set solver.dt=0.0625"));
+    run(100);
+    ASSERT_EQ(session.simulation().report().status, Status::Diverged);
+    const double diverged_at = session.timeline().passed;
+    EXPECT_GT(diverged_at, 64 * dt);
+    EXPECT_LT(diverged_at, 20 * 0.0625);
+    session.send(parse_command("set solver.dt=0.0009765625"));
+    session.send(command::Reset{});
+    run(32);
+    ASSERT_EQ(session.simulation().report().status, Status::Ok);
+    EXPECT_EQ(session.timeline().passed, diverged_at + 32 * dt);
+    EXPECT_EQ(session.timeline().kept, diverged_at + 32 * dt);
+}
+
 TEST(History, TellsTheTimeOfWhatItStillKeeps) {
     Traveller traveller(small_simulation({"solver.dt=0.001953125"}), {.seconds = 2});
     traveller.run(512);
@@ -173,6 +197,23 @@ TEST(History, LetsTheUserGoOnFromAnEarlierStep) {
     EXPECT_TRUE(again.run_replay());
     EXPECT_EQ(again.replay_notice(), "");
     EXPECT_EQ(again.simulation().hash(), end);
+}
+
+TEST(History, CountsATakeoverWhoseNoticeIsLikeTheOneBefore) {
+    Session session(small_simulation());
+    session.keep_history({});
+    const auto take_over_at_20_of_60 = [&] {
+        while (session.timeline().newest < 60) session.send(command::Step{1}), session.advance(0, no_hurry);
+        session.go_to(20);
+        session.advance(0, no_hurry);
+        session.send(parse_command("next wind.on"));
+        return session.takeover_notice();
+    };
+    EXPECT_EQ(session.takeovers(), 0);
+    const std::string notice = take_over_at_20_of_60();
+    EXPECT_EQ(session.takeovers(), 1);
+    ASSERT_EQ(take_over_at_20_of_60(), notice);
+    EXPECT_EQ(session.takeovers(), 2);
 }
 
 TEST(History, RecordsThatAPauseHasEnded) {

@@ -198,5 +198,27 @@ TEST(ContactSettings, GiveTheHierarchyEveryChoiceOfItsKinds) {
                                                               .sphere_fit = SphereFit::Epos26}));
 }
 
+TEST(SettingTable, HasTheMenusWordsForThePanel) {
+    std::set<std::string> labels;
+    for (const Setting& setting : setting_table()) labels.insert(setting_label(setting));
+    for (const char* word : {"time step", "above the limit", "energy balance", "bounding volume", "BVH update",
+                             "leaf size", "search depth", "skip builds", "self-contact", "stats panel",
+                             "settings panel", "bounding volumes", "colour by", "wind"}) {
+        EXPECT_TRUE(labels.contains(word)) << word;
+    }
+    EXPECT_EQ(setting_label(find_setting("solver.dt")), "time step");
+    EXPECT_EQ(setting_label(find_setting("cloth.structural.stiffness")), "structural stiffness");
+}
+
+// A reset button stands beside them
+TEST(SettingTable, HasShortLabelsThatDifferWithinASection) {
+    std::set<std::string> seen;
+    for (const Setting& setting : setting_table()) {
+        const std::string label = setting_label(setting);
+        EXPECT_LE(label.size(), 20U) << setting.full_name();
+        EXPECT_TRUE(seen.insert(setting.section + ": " + label).second) << setting.full_name();
+    }
+}
+
 }  // namespace
 }  // namespace drape

@@ -26,7 +26,7 @@ class Comparison {
 public:
     /// Begins the other one at its start, where the first has to be.
     /// @param assignments "name=value,name=value"; a part without "=" belongs to the value before it
-    /// @throws InputError if they do not fit the scene; nothing is changed then
+    /// @throws InputError if they do not fit the scene, RunError if there is too little memory for both
     Comparison(const Simulation& first, std::string assignments);
 
     /// Does to the other simulation what has been done to the first, where it can; of settings, those that are not

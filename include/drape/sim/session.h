@@ -48,8 +48,15 @@ public:
     /// What a command has ended, when one last did: what lay ahead, or a comparison; empty: nothing yet.
     [[nodiscard]] const std::string& takeover_notice() const { return takeover_notice_; }
 
+    /// How often a command has ended something: a notice may say the same as the one before it.
+    [[nodiscard]] int takeovers() const { return takeovers_; }
+
+    /// How often a danger began that ball and cloth pass through each other (`StepReport::crossing`), in steps that
+    /// were made for the first time: one that the user goes back to and plays again does not count again.
+    [[nodiscard]] int crossing_dangers() const { return crossing_dangers_; }
+
     /// Carries out a command and records it.
-    /// @throws InputError as `Simulation::apply` and `Comparison`; it is not recorded then
+    /// @throws InputError as `Simulation::apply` and `Comparison`, RunError as the latter; it is not recorded then
     void send(const Command& command);
 
     /// Lets `elapsed` seconds of wall time pass, each of which is `view.speed` simulated ones: makes as many whole
@@ -110,6 +117,7 @@ private:
     void compare(const command::Compare& command);
     void compare_after(const Command& command);
     void take_over();
+    void tell_of_takeover(std::string notice);
     void begin_history();
     void pass_moment();
     void arrive();
@@ -137,6 +145,8 @@ private:
     std::int64_t last_step_ = 0;             ///< of the recording
     std::optional<std::int64_t> target_;     ///< step on the way to which steps are made again
     std::string takeover_notice_;
+    int takeovers_ = 0;
+    int crossing_dangers_ = 0;
     bool cut_was_said_ = false;
     std::vector<Command> view_commands_;
     std::string replay_notice_;

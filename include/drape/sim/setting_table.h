@@ -54,7 +54,8 @@ std::size_t section_count(const Settings& settings, const Setting& setting);
 /// @throws InputError that names the nearest known one, or the candidates of a short name that fits several
 const Setting& find_setting(std::string_view name);
 
-/// The setting's name in words, without its section: "structural stiffness"; of a section's switch, the section's name.
+/// What panel and messages call the setting: the menu's words where it has any ("time step"), else its name without its
+/// section ("structural stiffness"), or, of a section's switch, the section's name.
 std::string setting_label(const Setting& setting);
 
 /// What is accepted, as an error message says it: "1e-09 <= dt <= 0.1 s", "'rk4' or 'velocity_verlet'".

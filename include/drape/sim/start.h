@@ -36,7 +36,8 @@ std::vector<NamedFile> input_files(const StartOptions& options, const Start& sta
 
 /// The simulation of a start, with its replay running.
 /// @param record file for a recording of all that follows, the replay's commands included; empty: none
-/// @throws RunError if the recording cannot be written
+/// @throws InputError if `Start::versus` does not fit the scene
+/// @throws RunError if the recording cannot be written, or memory is too little for a comparison
 Session make_session(Start start, const std::string& record = {});
 
 }  // namespace drape

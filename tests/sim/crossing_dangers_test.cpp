@@ -1,0 +1,77 @@
+#include <gtest/gtest.h>
+
+#include "drape/sim/comparison.h"
+#include "drape/sim/scene.h"
+#include "drape/sim/session.h"
+#include "drape/sim/setting_table.h"
+
+namespace drape {
+namespace {
+
+constexpr int calm_steps = 20, steps_to_danger = 60;
+
+// A ball that becomes too fast for its time step as it falls
+class CrossingDangersTest : public testing::Test {
+protected:
+    CrossingDangersTest() : session_(falling_ball()) { session_.keep_history({}); }
+
+    static Simulation falling_ball() {
+        Settings settings = load_scene("bullet");
+        const char* changes =
+            "contact.continuous=false,solver.dt=5e-3,solver.integrator=backward_euler,ball.velocity=0,-2,0,"
+            "ball.position=0,50,-5,ground.solid=false";
+        for (const std::string& assignment : split_assignments(changes)) assign(settings, assignment);
+        return Simulation("bullet", settings);
+    }
+
+    void make_steps(int count) {
+        for (int k = 0; k < count; ++k) {
+            session_.send(command::Step{1});
+            session_.advance(0, 1e9);
+        }
+    }
+
+    void go_to(std::int64_t step) {
+        session_.go_to(step);
+        session_.advance(0, 1e9);
+    }
+
+    /// Dangers since the start of the present run.
+    [[nodiscard]] std::int64_t of_the_run() { return session_.simulation().report().crossing.starts; }
+
+    Session session_;
+};
+
+TEST_F(CrossingDangersTest, CountOnceHoweverOftenTheyArePlayed) {
+    make_steps(steps_to_danger);
+    EXPECT_EQ(session_.crossing_dangers(), 1);
+    go_to(calm_steps);
+    ASSERT_EQ(of_the_run(), 0);
+    make_steps(steps_to_danger - calm_steps);
+    ASSERT_EQ(of_the_run(), 1);
+    EXPECT_EQ(session_.crossing_dangers(), 1) << "played again";
+}
+
+TEST_F(CrossingDangersTest, CountOnceAlsoWhereTheUserGoesBackBeforeAReset) {
+    make_steps(steps_to_danger);
+    session_.send(command::Reset{});
+    make_steps(calm_steps);
+    EXPECT_EQ(session_.crossing_dangers(), 1);
+    go_to(calm_steps);
+    make_steps(steps_to_danger);
+    EXPECT_EQ(session_.crossing_dangers(), 1) << "the first run, played again";
+    make_steps(steps_to_danger - calm_steps);
+    EXPECT_EQ(session_.crossing_dangers(), 2) << "the second run is new from there on";
+}
+
+TEST_F(CrossingDangersTest, AreNewWhereTheUserGoesOnInAnotherWay) {
+    make_steps(steps_to_danger);
+    go_to(calm_steps);
+    session_.send(parse_command("set contact.friction=0.7"));
+    EXPECT_EQ(session_.crossing_dangers(), 1);
+    make_steps(steps_to_danger);
+    EXPECT_EQ(session_.crossing_dangers(), 2);
+}
+
+}  // namespace
+}  // namespace drape
