@@ -8,7 +8,8 @@ namespace drape {
 /// When each step of a run began, where the time step changes on the way: one entry for each change.
 class StepTimes {
 public:
-    /// A new step is made, of this length; 0 while a run that has diverged stands still [s]. Steps come in order, from 0.
+    /// A new step is made, of this length; 0 while a run that has diverged stands still [s]. Steps come in order, from
+    /// 0.
     void pass(std::int64_t step, double dt);
 
     /// The run goes on from here in another way: forgets the steps from this one on.
