@@ -205,7 +205,8 @@ void Window::tell_of_takeover() {
 
 void Window::tell_of_dangers() {
     if (std::exchange(crossing_dangers_, session_.crossing_dangers()) == session_.crossing_dangers()) return;
-    notices_.add("crossing", session_.simulation().crossing_warning());
+    const std::string warning = session_.simulation().crossing_warning();
+    if (!warning.empty()) notices_.add("crossing", warning);  // a reset in the same frame leaves none
 }
 
 void Window::tell_of_drops() {

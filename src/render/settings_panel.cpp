@@ -105,7 +105,7 @@ bool SettingsPanel::is_up_to_date(const Settings& settings) const {
     const auto same = [&](auto... parts) { return ((settings.*parts == shown_.*parts) && ...); };
     return !rows_.empty() &&
            same(&Settings::cloths, &Settings::balls, &Settings::solids, &Settings::pins, &Settings::solver,
-                &Settings::contact, &Settings::ground, &Settings::wind) &&
+                &Settings::contact, &Settings::ground, &Settings::world, &Settings::wind) &&
            std::ranges::all_of(rows_, is_shown);
 }
 

@@ -64,8 +64,8 @@ Real inverse_mass_of(const BallSettings& settings) {
     return settings.motion == BallMotion::Free ? 1 / settings.mass : Real(0);
 }
 
-void move_ball(const BallSettings& settings, const Vec3& steer, const Ground& ground, Real thickness, Real share,
-               Real time, Real h, Ball& ball) {
+void move_ball(const BallSettings& settings, const Vec3& steer, const Ground& ground, Real thickness,
+               const Vec3& gravity, Real share, Real time, Real h, Ball& ball) {
     Vec3 start = ball.centre;
     switch (settings.motion) {
         case BallMotion::Keys:
@@ -83,8 +83,8 @@ void move_ball(const BallSettings& settings, const Vec3& steer, const Ground& gr
             ball.velocity.setZero();
             break;
         case BallMotion::Free:
-            ball.velocity += h * standard_gravity();
-            ball.centre += h * (ball.velocity - (1 - share) * h * standard_gravity());
+            ball.velocity += h * gravity;
+            ball.centre += h * (ball.velocity - (1 - share) * h * gravity);
             break;
     }
     if (ball.inverse_mass == 0) ball.spin.setZero();

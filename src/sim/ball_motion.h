@@ -16,9 +16,10 @@ Real inverse_mass_of(const BallSettings& settings);
 /// @param steer direction that the keys ask for, of length 0 or 1
 /// @param ground where it is solid, the keys lead no ball below it
 /// @param thickness of the cloth, which fits between them [m]
+/// @param gravity of a free ball [m/s^2]
 /// @param share of the integrator, see `displacement_share`
-void move_ball(const BallSettings& settings, const Vec3& steer, const Ground& ground, Real thickness, Real share,
-               Real time, Real h, Ball& ball);
+void move_ball(const BallSettings& settings, const Vec3& steer, const Ground& ground, Real thickness,
+               const Vec3& gravity, Real share, Real time, Real h, Ball& ball);
 
 /// Rolling resistance: slows the spin of a ball by the torque coefficient * radius * load, and no further than to a
 /// stop. Friction then slows the ball: a rolling one by 5/7 coefficient * g [m/s^2].

@@ -16,7 +16,7 @@ constexpr Real margin = 20;
 Real plausible_speed(const Cloth& cloth, std::span<const Ball> balls, const Settings& settings) {
     const ClothModel& model = cloth.model;
     const Real height = model.hx * static_cast<Real>(model.grid.nx) + model.hy * static_cast<Real>(model.grid.ny);
-    Real speed = std::sqrt(2 * model.gravity.norm() * height) + settings.wind.velocity.norm() + cloth.pin_speed;
+    Real speed = std::sqrt(2 * gravity_scale(model) * height) + settings.wind.velocity.norm() + cloth.pin_speed;
     for (const Ball& ball : balls) speed += ball.velocity.norm();
     return speed;
 }

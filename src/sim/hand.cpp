@@ -100,7 +100,7 @@ struct Grip {
 Vec3 within_bound(const Grip& grip, Vec3 v) {
     const ClothModel& model = grip.model;
     const auto particles = static_cast<Real>(model.grid.particles());
-    const Real bound = hand_weights * particles * model.particle_mass * model.gravity.norm();
+    const Real bound = hand_weights * particles * model.particle_mass * gravity_scale(model);
     for (int round = 0; round < hand_rounds; ++round) {
         Vec3 pull = Vec3::Zero();
         Real slope = 0;

@@ -35,7 +35,7 @@ bool same_motion(const Settings& a, const Settings& b) {
     const Settings first = laws_of(a, limited), second = laws_of(b, limited);
     return first.cloths == second.cloths && first.balls == second.balls && first.solids == second.solids &&
            first.pins == second.pins && first.solver == second.solver && first.contact == second.contact &&
-           first.ground == second.ground && first.wind == second.wind;
+           first.ground == second.ground && first.world == second.world && first.wind == second.wind;
 }
 
 bool same_start(const Settings& a, const Settings& b) {

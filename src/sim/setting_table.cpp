@@ -281,6 +281,10 @@ void add_the_rest(std::vector<Setting>& table) {
         if (setting.section == "ground") setting.full_name_only = true;
     }
 
+    SectionRows<WorldSettings> world(
+        "world", [](Settings& s, std::size_t) -> WorldSettings& { return s.world; }, table);
+    world.number("gravity", &WorldSettings::gravity, "m/s^2", {0, 50}, "of cloths and free balls, downwards");
+
     SectionRows<WindSettings> wind(
         "wind", [](Settings& s, std::size_t) -> WindSettings& { return s.wind; }, table);
     wind.flag("on", &WindSettings::on, "let the wind blow");

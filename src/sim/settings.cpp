@@ -5,6 +5,8 @@
 
 namespace drape {
 
+Vec3 gravity_of(const Settings& settings) { return {0, -settings.world.gravity, 0}; }
+
 IntegratorParameters integrator_of(const SolverSettings& solver) {
     return {.kind = solver.integrator,
             .hessian = solver.hessian,

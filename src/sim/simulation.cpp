@@ -69,7 +69,7 @@ bool Simulation::input(const Substep& now) {
     hand_.lead(cloths_, {balls_, solids_, settings_.ground, settings_.contact.thickness}, now.h);
     for (std::size_t b = 0; b < balls_.size(); ++b) {
         if (report_.asleep && !is_led(b)) continue;
-        move_ball(settings_.balls[b], steer_, settings_.ground, settings_.contact.thickness,
+        move_ball(settings_.balls[b], steer_, settings_.ground, settings_.contact.thickness, gravity_of(settings_),
                   displacement_share(settings_.solver.integrator), static_cast<Real>(now.time), now.h, balls_[b]);
     }
     move_solids(now);
@@ -123,7 +123,7 @@ void Simulation::take_pushes(const Substep& now) {
     for (Cloth& cloth : cloths_) {
         cloth.warm_start.take(response, now.h, cloth.model.gravity.norm(), in_contact_, cloth.contacts);
     }
-    self_contact_.take_pushes(response, now.h, standard_gravity().norm(), in_contact_);
+    self_contact_.take_pushes(response, now.h, gravity_of(settings_).norm(), in_contact_);
 }
 
 /// Gives the pushes of the substep before.

@@ -112,6 +112,7 @@ void Simulation::restart() {
     for (const ClothParameters& parameters : settings_.cloths) {
         Cloth& cloth = cloths_.emplace_back();
         cloth.model = make_cloth_model(parameters);
+        cloth.model.gravity = gravity_of(settings_);
         cloth.state = start_ ? start_->states[cloths_.size() - 1] : make_rest_state(parameters);
         stop_pins(cloth);
         cloth.previous = cloth.state;
@@ -213,9 +214,10 @@ void Simulation::configure_cloth(std::size_t number, const Settings& before) {
     cloth.energy.touch(cloth.model, cloth.state);
     cloth.energy.use(settings_.solver.kernels);
     cloth.energy.keep_ledger(settings_.solver.ledger, cloth.model, cloth.state);
-    if (settings_.cloths[number] != before.cloths[number]) {
+    if (settings_.cloths[number] != before.cloths[number] || settings_.world != before.world) {
         const std::uint64_t revision = cloth.model.revision;
         cloth.model = make_cloth_model(settings_.cloths[number]);
+        cloth.model.gravity = gravity_of(settings_);
         cloth.model.revision = revision + 1;
         hand_.hold_in(number, cloth.model);
         if (settings_.cloths[number].pinned != before.cloths[number].pinned) stop_pins(cloth);

@@ -97,6 +97,9 @@ solid = false
 friction = 0.4
 restitution = 0.1
 rolling = 0.02
+[world]
+gravity = 1.6
+
 [wind]
 on = true
 velocity = [1, 2, 3]

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <Eigen/Core>
+#include <algorithm>
 #include <cstdint>
 
 #include "drape/base/real.h"
@@ -15,7 +16,7 @@ struct ClothState {
     Points v;  ///< n x 3 velocities [m/s]
 };
 
-/// Gravity as every cloth and every free ball feels it [m/s^2].
+/// That of the earth [m/s^2].
 inline Vec3 standard_gravity() { return {0, Real(-9.81), 0}; }
 
 /// The air that the cloth moves in. It is constant over one step.
@@ -43,6 +44,10 @@ struct ClothModel {
     /// Holds a particle (it keeps whatever velocity it is given) or lets it go.
     void hold(int particle, bool held);
 };
+
+/// The earth's gravity, or that of the cloth where it is stronger: what forces and speeds are measured by, and so never
+/// zero [m/s^2].
+inline Real gravity_scale(const ClothModel& model) { return std::max(model.gravity.norm(), standard_gravity().norm()); }
 
 /// Whether pins that have a name hold a particle of a grid.
 [[nodiscard]] bool is_pinned(const Pins& pins, const Grid& grid, int particle);

@@ -9,6 +9,7 @@
 #include "drape/bounds/broad_phase.h"
 #include "drape/contact/response.h"
 #include "drape/integrate/integrator.h"
+#include "drape/model/cloth_model.h"
 #include "drape/model/cloth_parameters.h"
 #include "drape/model/ground.h"
 
@@ -125,6 +126,11 @@ struct ContactSettings {
     bool operator==(const ContactSettings&) const = default;
 };
 
+struct WorldSettings {
+    Real gravity = -standard_gravity()[1];  ///< of cloths and free balls, downwards [m/s^2]
+    bool operator==(const WorldSettings&) const = default;
+};
+
 struct WindSettings {
     bool on = false;
     Vec3 velocity{Real(1.5), 0, Real(-2.5)};  ///< mean [m/s]
@@ -225,10 +231,14 @@ struct Settings {
     SolverSettings solver;
     ContactSettings contact;
     Ground ground;
+    WorldSettings world;
     WindSettings wind;
     ViewSettings view;
     NeedsSettings needs;
 };
+
+/// Of cloths and free balls [m/s^2].
+[[nodiscard]] Vec3 gravity_of(const Settings& settings);
 
 /// The integrator that the settings name.
 [[nodiscard]] IntegratorParameters integrator_of(const SolverSettings& solver);
