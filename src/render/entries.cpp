@@ -157,8 +157,7 @@ std::vector<KeyHelp> first_hints() {
         {"Arrow keys", "Move the ball; E and Shift+Q up and down"},
         {"Space", "Pause / Resume"},
         {"B", "Bounding volumes that the ball is tested against"},
-        {"F1", "A tour of twelve stops"},
-        {"H", "All keys"},
+        {"H, F1", "All keys; a tour of twelve stops"},
     };
 }
 

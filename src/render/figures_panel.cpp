@@ -126,8 +126,9 @@ std::vector<Row> saving_rows(const FrameView& view) {
     const double all = tests_of_brute_force(view);
     if (all == 0) return {};
     const auto tested = static_cast<double>(view.report->traversal.candidates);
-    std::vector<Row> rows{{"brute force", tested > 0 ? format("%.3g x the tests", all / tested) : "tests them all", -1,
-                           3, tested < all ? ink::good : ink::wait}};
+    const bool saves = all > 1.05 * tested;
+    const std::string text = tested == 0 ? "tests them all" : format("%.3g x the tests", all / tested);
+    std::vector<Row> rows{{"brute force", saves ? text : "as many tests", -1, 3, saves ? ink::good : ink::wait}};
     if (view.search == nullptr) return rows;
     const double time = view.search->hierarchy, brute = view.search->brute_force;
     rows.push_back({"search, in all", format("%.3g ms", 1000 * time), -1, 2});
@@ -216,26 +217,31 @@ void drop_rows(std::vector<Row>& rows, float line, float gap, float room) {
     }
 }
 
-// A title in a font that lets it fit, and cut where none does
+// A title in the large font where that fits into a line; else in the small one, in two lines, and cut where it is
+// longer
 struct Title {
     ImFont* font;
     std::string text;
+    float height;
 };
 
+float height_within(float room, const ImFont* font, const std::string& text) {
+    return font->CalcTextSizeA(font->FontSize, FLT_MAX, room, text.c_str()).y;
+}
+
 Title fit_title(std::string text, ImFont* large, float room) {
-    const auto width = [](ImFont* font, const std::string& line) {
-        return font->CalcTextSizeA(font->FontSize, FLT_MAX, 0, line.c_str()).x;
-    };
     if (text.empty()) text = "Drape";
-    if (width(large, text) <= room) return {large, text};
+    if (height_within(room, large, text) <= large->FontSize) return {large, text, large->FontSize};
     ImFont* font = ImGui::GetFont();
-    if (width(font, text) <= room) return {font, text};
-    while (!text.empty() && width(font, text + "...") > room) {
+    const float most = 2 * font->FontSize;
+    std::string shown = text;
+    while (!text.empty() && height_within(room, font, shown) > most) {
         // A whole character at a time
         while (!text.empty() && (text.back() & 0xC0) == 0x80) text.pop_back();
         if (!text.empty()) text.pop_back();
+        shown = text + "...";
     }
-    return {font, text + "..."};
+    return {font, shown, height_within(room, font, shown)};
 }
 
 // Where the parts of a row start, and where it ends
@@ -246,7 +252,8 @@ struct Columns {
 void draw_row(const Row& row, float top, const Columns& columns) {
     text_at({columns.name, top}, ink::quiet, row.name.c_str());
     text_at({columns.value, top}, row.colour, row.value.c_str());
-    if (row.part < 0) return;
+    const bool room = columns.value + ImGui::CalcTextSize(row.value.c_str()).x < columns.bar;
+    if (row.part < 0 || !room) return;
     ImDrawList& list = *ImGui::GetWindowDrawList();
     const float line = ImGui::GetTextLineHeight(), upper = top + 0.36f * line, lower = top + 0.74f * line;
     list.AddRectFilled({columns.bar, upper}, {columns.end, lower}, ink::groove, 2);
@@ -269,15 +276,17 @@ float figures_panel(const FrameView& view, const FrameReport& last, ImFont* titl
     // As large as it must be, at most as the picture
     const float margin = page.margin, size = ImGui::GetFontSize();
     const float line = ImGui::GetTextLineHeightWithSpacing(), gap = 0.45f * size;
-    const float title_height = title->FontSize + 0.4f * size;
-    drop_rows(rows, line, gap, page.height - 4 * margin - title_height);
     const float width = std::min(figures_columns * size + 2 * margin, page.width - 2 * margin);
+    const Title shown = fit_title(view.settings->title, title, width - 2 * margin);
+    const float title_height = shown.height + 0.4f * size;
+    drop_rows(rows, line, gap, page.height - 4 * margin - title_height);
     const float height = std::min(height_of(rows, line, gap) + title_height + 2 * margin, page.height - 2 * margin);
     draw_panel({margin, margin}, {width, height});
 
-    const Title shown = fit_title(view.settings->title, title, width - 2 * margin);
     ImGui::PushFont(shown.font);
+    ImGui::PushTextWrapPos(width);
     text_at({2 * margin, 2 * margin}, ink::text, shown.text.c_str());
+    ImGui::PopTextWrapPos();
     ImGui::PopFont();
     const float value = 2 * margin + 7.2f * size;
     const Columns columns{2 * margin, value, value + 5.2f * size, width};

@@ -61,24 +61,6 @@ TEST(Simulation, HasTheSameBitsWithBruteForceAndAnyLeaves) {
     EXPECT_NE(sphere.hash(), no_ball.hash());
 }
 
-TEST(Simulation, HasTheSameBitsWithAnyNumberOfThreads) {
-    for (const char* integrator : {"explicit_euler", "symplectic_euler", "velocity_verlet", "rk4"}) {
-        std::vector<std::uint64_t> hashes;
-        for (const std::string threads : {"threads=1", "threads=2", "threads=7"}) {
-            Settings settings = small_settings();
-            settings.cloths[0].particles = {300, 200};  // enough for each of the threads to get some
-            for (const std::string& set : {std::string("dt=1e-5"), std::string("integrator=") + integrator, threads}) {
-                assign(settings, set);
-            }
-            Simulation simulation("drop", std::move(settings));
-            for (int i = 0; i < 5; ++i) simulation.step();
-            hashes.push_back(simulation.hash());
-        }
-        EXPECT_EQ(hashes[1], hashes[0]) << integrator;
-        EXPECT_EQ(hashes[2], hashes[0]) << integrator;
-    }
-}
-
 TEST(Simulation, ReportsWhatTheLastStepDid) {
     Simulation simulation = small_simulation({"ledger=true"}), without_ledger = small_simulation();
     make_steps(simulation, 700);

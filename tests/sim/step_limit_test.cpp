@@ -16,8 +16,6 @@ namespace {
 using testing::AllOf;
 using testing::HasSubstr;
 
-Simulation plain_copy(const Simulation& simulation) { return {simulation.scene(), simulation.settings()}; }
-
 double limit_of(const Simulation& simulation) {
     const Cloth& cloth = simulation.cloths()[0];
     return predicted_limit(cloth.model, cloth.state, simulation.settings().solver.integrator, Kernels::Vector).step;
@@ -140,24 +138,6 @@ TEST(Substeps, AreNotTriedWhereAThousandAreTooFew) {
                                                     "structural.damping=0", "shear.damping=0", "bend.damping=0"});
     EXPECT_EQ(simulation.report().substeps, 1);
     EXPECT_THAT(simulation.step_warning(), HasSubstr("too long to be divided into substeps"));
-}
-
-TEST(Substeps, DoNotDependOnThreadsOrLedger) {
-    Simulation plain = small_simulation({"dt=0.0078125", "on_unstable=substep"}), other = plain_copy(plain);
-    make_steps(plain, 20), make_steps(other, 20);
-    send(other, "set solver.threads=2");
-    send(other, "set solver.ledger=true");
-    make_steps(plain, 40), make_steps(other, 40);
-    EXPECT_EQ(plain.hash(), other.hash());
-}
-
-TEST(Threads, DoNotMakeBdf2Forget) {
-    Simulation plain = small_simulation({"integrator=bdf2", "ball.position=0,-9,0"});
-    Simulation other = plain_copy(plain);
-    make_steps(plain, 20), make_steps(other, 20);
-    send(other, "set solver.threads=2");
-    make_steps(plain, 20), make_steps(other, 20);
-    EXPECT_EQ(plain.hash(), other.hash());
 }
 
 Simulation lost_simulation() {

@@ -1,0 +1,52 @@
+// Results do not depend on the number of threads.
+
+#include <gtest/gtest.h>
+
+#include <string>
+#include <vector>
+
+#include "sim/small_scene.h"
+
+namespace drape {
+namespace {
+
+Simulation plain_copy(const Simulation& simulation) { return {simulation.scene(), simulation.settings()}; }
+
+TEST(Threads, OfAnyNumberGiveTheSameBits) {
+    for (const char* integrator : {"explicit_euler", "symplectic_euler", "velocity_verlet", "rk4"}) {
+        std::vector<std::uint64_t> hashes;
+        for (const std::string threads : {"threads=1", "threads=2", "threads=7"}) {
+            Settings settings = small_settings();
+            settings.cloths[0].particles = {300, 200};  // enough for each of the threads to get some
+            for (const std::string& set : {std::string("dt=1e-5"), std::string("integrator=") + integrator, threads}) {
+                assign(settings, set);
+            }
+            Simulation simulation("drop", std::move(settings));
+            for (int i = 0; i < 5; ++i) simulation.step();
+            hashes.push_back(simulation.hash());
+        }
+        EXPECT_EQ(hashes[1], hashes[0]) << integrator;
+        EXPECT_EQ(hashes[2], hashes[0]) << integrator;
+    }
+}
+
+TEST(Threads, AndLedgerDoNotChangeSubsteps) {
+    Simulation plain = small_simulation({"dt=0.0078125", "on_unstable=substep"}), other = plain_copy(plain);
+    make_steps(plain, 20), make_steps(other, 20);
+    send(other, "set solver.threads=2");
+    send(other, "set solver.ledger=true");
+    make_steps(plain, 40), make_steps(other, 40);
+    EXPECT_EQ(plain.hash(), other.hash());
+}
+
+TEST(Threads, DoNotMakeBdf2Forget) {
+    Simulation plain = small_simulation({"integrator=bdf2", "ball.position=0,-9,0"});
+    Simulation other = plain_copy(plain);
+    make_steps(plain, 20), make_steps(other, 20);
+    send(other, "set solver.threads=2");
+    make_steps(plain, 20), make_steps(other, 20);
+    EXPECT_EQ(plain.hash(), other.hash());
+}
+
+}  // namespace
+}  // namespace drape
