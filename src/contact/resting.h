@@ -10,6 +10,10 @@ namespace drape {
 /// that was put into the cloth.
 inline constexpr Real rest_steps = 100;
 
+/// By how many times its weight a ball that rests presses on a particle at most. One that is pressed on the ground, or
+/// held by another contact, would fly off with more as soon as only one of both pushes goes on.
+inline constexpr Real resting_weights = 3;
+
 /// Of the heavier body that can move.
 inline Real least_inverse_mass(const ContactPlane& contact) {
     Real first = 0;
@@ -24,8 +28,9 @@ inline Real least_inverse_mass(const ContactPlane& contact) {
 /// @param h its substep [s]
 /// @param gravity [m/s^2]
 inline bool may_rest(const ContactPlane& contact, Real impulse, Real h, Real gravity) {
-    const Real inverse_mass = contact.lasts ? least_inverse_mass(contact) : contact.inverse_mass;
-    return impulse * inverse_mass <= rest_steps * h * gravity;
+    const Real in_a_step = h * gravity;
+    if (impulse * contact.inverse_mass <= rest_steps * in_a_step) return true;
+    return contact.lasts && impulse * least_inverse_mass(contact) <= resting_weights * in_a_step;
 }
 
 }  // namespace drape

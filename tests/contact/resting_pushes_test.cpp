@@ -200,8 +200,9 @@ TEST(RestingPush, GoesOnWhereAFreeBallComesToTouchUnderTheImplicitMidpointRule) 
 
 /// As a ball is carried that is heavier than the particles under it; that it lies there is seen in the second substep.
 TEST(RestingPush, MayBeThatOfAHeavyBallIfItLasts) {
-    EXPECT_EQ(given_on(200, Real(0.1)), (std::vector<Real>{0, 0, 1}));
-    EXPECT_EQ(given_on(Real(1e6), Real(0.1)), (std::vector<Real>{0, 0, 0})) << "an impact of a ball, too";
+    EXPECT_EQ(given_on(200, Real(0.1)), (std::vector<Real>{0, 0, 1})) << "its weight";
+    EXPECT_EQ(given_on(500, Real(0.1)), (std::vector<Real>{0, 0, 1})) << "2.5 times its weight";
+    EXPECT_EQ(given_on(700, Real(0.1)), (std::vector<Real>{0, 0, 0})) << "3.5 times, an impact of the ball";
 }
 
 }  // namespace

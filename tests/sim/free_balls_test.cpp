@@ -54,6 +54,27 @@ TEST(FreeBalls, ThatCollideKeepTheirMomentumButForTheFall) {
     EXPECT_GT(simulation.balls()[0].spin.norm(), 1) << "and rubbed";
 }
 
+class BallOnLyingCloth : public testing::TestWithParam<IntegratorKind> {};
+
+/// Cloth between a heavy ball and the ground is pushed from both sides.
+TEST_P(BallOnLyingCloth, GivesItNoEnergyFromNowhere) {
+    Settings settings = load_scene("drop");
+    settings.cloths[0].particles = {16, 16};
+    settings.cloths[0].place = Vec3(0, Real(0.005), 0);
+    settings.balls = {free_ball(Real(0.15), 1, {Real(-0.3), Real(0.25), 0}, {5, -4, 0})};
+    settings.solver.integrator = GetParam();
+    settings.solver.dt = 4e-3;
+    Simulation simulation("drop", std::move(settings));
+    run(simulation, 0.5);
+    EXPECT_GT(simulation.report().contacts, 0);
+    EXPECT_EQ(simulation.report().heated_step, 0) << simulation.report().energy_excess << " J";
+}
+
+INSTANTIATE_TEST_SUITE_P(ImplicitMethods, BallOnLyingCloth,
+                         testing::Values(IntegratorKind::BackwardEuler, IntegratorKind::Bdf2,
+                                         IntegratorKind::ImplicitMidpoint, IntegratorKind::Xpbd),
+                         [](const auto& about) { return std::string(name_of(about.param)); });
+
 /// Sliding brings a solid sphere to 5/7 of its speed, whatever the friction.
 TEST(FreeBalls, RollOnTheGroundByDistanceOverRadius) {
     const Real radius = Real(0.15);
