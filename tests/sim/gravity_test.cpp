@@ -8,12 +8,12 @@ namespace drape {
 namespace {
 
 /// A cloth in free fall, and a free ball far below it.
-Simulation falling(std::vector<std::string> assignments) {
-    for (const char* free : {"pinned=none", "drag=0", "ball.motion=free", "ball.position=0,-9,0", "ball.velocity=0,0,0",
-                             "ground.solid=false", "sleep_speed=0", "dt=2.5e-4", "ledger=true"}) {
-        assignments.emplace_back(free);
-    }
-    return small_simulation(assignments);
+Simulation falling(const std::vector<std::string>& assignments) {
+    std::vector<std::string> all{
+        "pinned=none",        "drag=0",        "ball.motion=free", "ball.position=0,-9,0", "ball.velocity=0,0,0",
+        "ground.solid=false", "sleep_speed=0", "dt=2.5e-4",        "ledger=true"};
+    all.insert(all.end(), assignments.begin(), assignments.end());
+    return small_simulation(all);
 }
 
 void expect_speed(const Simulation& simulation, double speed) {
@@ -43,7 +43,7 @@ TEST(Gravity, OfTheSceneMovesClothAndFreeBalls) {
 }
 
 TEST(Gravity, OfNoneLeavesAllWhereItIs) {
-    Simulation simulation = falling({"world.gravity=0"});
+    Simulation simulation = falling({"world.gravity=0", "wind.velocity=0,0,0"});
     make_steps(simulation, 400);
     expect_speed(simulation, 0);
 
@@ -53,6 +53,15 @@ TEST(Gravity, OfNoneLeavesAllWhereItIs) {
     EXPECT_GT(simulation.cloths()[0].state.v.row(40).norm(), 0.05) << "the hand pulls it along";
     EXPECT_EQ(simulation.report().status, Status::Ok);
     EXPECT_EQ(simulation.report().heated_step, 0);
+}
+
+TEST(Gravity, ThatChangesWakesAClothThatSleeps) {
+    Simulation simulation = falling({"world.gravity=0", "sleep_speed=1e-4"});
+    while (!simulation.report().asleep && simulation.report().time < 10) simulation.step();
+    ASSERT_TRUE(simulation.report().asleep);
+    simulation.apply(parse_command("set world.gravity=1.6"));
+    make_steps(simulation, 400);
+    expect_speed(simulation, 1.6 * 0.1);
 }
 
 /// As of a cloth that is made heavier, what the change gives is the hand's.
