@@ -93,6 +93,7 @@ struct Displacements : BallDisplacements {
     static Vec3 start(const ContactPlane& contact) { return contact.start; }
     static Vec3 since_start(const ContactPlane& contact, const Vec3& now) { return now - contact.start; }
     static ContactPush& given(ContactPlane& contact) { return contact.displacement; }
+    static const ContactPush& given(const ContactPlane& contact) { return contact.displacement; }
 };
 
 /// The same of velocities.
@@ -106,6 +107,7 @@ struct Velocities : BallVelocities {
     static Vec3 start(const ContactPlane& /*contact*/) { return Vec3::Zero(); }
     static Vec3 since_start(const ContactPlane& /*contact*/, const Vec3& now) { return now; }
     static ContactPush& given(ContactPlane& contact) { return contact.impulse; }
+    static const ContactPush& given(const ContactPlane& contact) { return contact.impulse; }
 };
 
 /// Motion of one kind, asked of each body.

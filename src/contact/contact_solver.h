@@ -20,7 +20,7 @@ struct ContactProblem {
     std::span<PairContact> pairs;
     std::span<Ball> balls;
     std::span<BallContact> ball_contacts;
-    ContactRows* rows = nullptr;  ///< for solves over compact rows; none: all are solved by plain code
+    ContactRows* rows = nullptr;  ///< for solves over compact rows; none: by plain code
     bool with_bodies = true;      ///< contacts of cloths with balls and ground are solved too
 
     [[nodiscard]] Displacements displacements() const { return {cloths, balls}; }

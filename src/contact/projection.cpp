@@ -29,18 +29,21 @@ Real length_of_push(const ContactProblem& /*problem*/, const PairContact& /*cont
 /// Displaces until all contacts are out and hold.
 void project_positions(ContactProblem& problem, ResponseReport& report) {
     Displacements motion = problem.displacements();
+    order_rows(problem);
     for (int round = 0; round < most_rounds; ++round) {
         Real longest = 0;
-        for_each_contact(problem, [&](auto& contact) {
-            aim_displacement(motion, problem.balls, contact);
-            longest = std::max(longest, length_of_push(problem, contact));
-            contact.takes_part = contact.inverse_mass > 0;
-        });
+        for_each_contact(
+            problem, [&](auto& contact) __attribute__((flatten)) {
+                aim_displacement(motion, problem.balls, contact);
+                longest = std::max(longest, length_of_push(problem, contact));
+                contact.takes_part = contact.inverse_mass > 0;
+            });
         const Sweeps sweeps = solve_contacts(problem, motion, displacement_tolerance(problem));
         report.sweeps += sweeps.count;
         report.residual = sweeps.residual;
         if (longest <= short_push) return;
         for_each_contact(problem, [&](auto& contact) { find_again(problem, contact); });
+        order_rows(problem);
     }
 }
 

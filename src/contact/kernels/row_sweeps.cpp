@@ -11,73 +11,104 @@
 
 HWY_BEFORE_NAMESPACE();
 namespace drape::kernels::HWY_NAMESPACE {
+namespace hn = hwy::HWY_NAMESPACE;
 
-/// A vector in space, in registers.
-struct Three {
-    Real x, y, z;
+using D = hn::CappedTag<Real, 4>;
+
+constexpr int lanes = static_cast<int>(hn::MaxLanes(D())), vectors = 4 / lanes;
+
+/// A vector in space and a zero, in as many registers as they take.
+struct Four {
+    hn::Vec<D> part[vectors];
 };
 
-HWY_INLINE Three of(const Vec3& v) { return {v[0], v[1], v[2]}; }
-HWY_INLINE Three operator+(const Three& a, const Three& b) { return {a.x + b.x, a.y + b.y, a.z + b.z}; }
-HWY_INLINE Three operator-(const Three& a, const Three& b) { return {a.x - b.x, a.y - b.y, a.z - b.z}; }
-HWY_INLINE Three operator*(Real factor, const Three& a) { return {factor * a.x, factor * a.y, factor * a.z}; }
+HWY_INLINE Four load(const Real4& from) {
+    Four values;
+    for (int p = 0; p < vectors; ++p) values.part[p] = hn::LoadU(D(), from.data() + p * lanes);
+    return values;
+}
+
+HWY_INLINE void store(const Four& values, Real4& to) {
+    for (int p = 0; p < vectors; ++p) hn::StoreU(values.part[p], D(), to.data() + p * lanes);
+}
+
+HWY_INLINE Four operator+(Four a, const Four& b) {
+    for (int p = 0; p < vectors; ++p) a.part[p] = hn::Add(a.part[p], b.part[p]);
+    return a;
+}
+
+HWY_INLINE Four operator-(Four a, const Four& b) {
+    for (int p = 0; p < vectors; ++p) a.part[p] = hn::Sub(a.part[p], b.part[p]);
+    return a;
+}
+
+HWY_INLINE Four operator*(Real factor, Four a) {
+    for (int p = 0; p < vectors; ++p) a.part[p] = hn::Mul(hn::Set(D(), factor), a.part[p]);
+    return a;
+}
+
+/// x, y or z.
+template <int axis>
+HWY_INLINE Real coordinate(const Four& a) {
+    const auto part = a.part[axis / lanes];
+    if constexpr (axis % lanes == 0) return hn::GetLane(part);
+#if HWY_TARGET != HWY_SCALAR
+    if constexpr (axis % lanes == 1) return hn::GetLane(hn::DupOdd(part));
+    if constexpr (axis % lanes == 2) return hn::GetLane(hn::UpperHalf(hn::Half<D>(), part));
+#endif
+}
 
 /// In the order of Eigen, which adds up a pair of doubles first.
-HWY_INLINE Real eigen_dot(const Three& a, const Three& b) {
-    const Real x = a.x * b.x, y = a.y * b.y, z = a.z * b.z;
+HWY_INLINE Real eigen_dot(const Four& a, const Four& b) {
+    Four product;
+    for (int p = 0; p < vectors; ++p) product.part[p] = hn::Mul(a.part[p], b.part[p]);
+    const Real x = coordinate<0>(product), y = coordinate<1>(product), z = coordinate<2>(product);
     return sizeof(Real) == sizeof(double) ? (x + y) + z : x + (y + z);
 }
 
-HWY_INLINE bool is_zero(const Three& a) { return a.x == 0 && a.y == 0 && a.z == 0; }
-
-/// The motion of the particles of a cloth.
-struct Motion {
-    Real *x, *y, *z;
-
-    HWY_INLINE Three operator[](int p) const { return {x[p], y[p], z[p]}; }
-    HWY_INLINE void add(int p, const Three& change) const {
-        x[p] += change.x;
-        y[p] += change.y;
-        z[p] += change.z;
-    }
-};
-
-/// `relative`
-template <int particles, int offsets>
-HWY_INLINE Three relative_motion(const Motion& motion, const CompactContact& row) {
-    Three sum = Three{0, 0, 0} + row.weights[0] * motion[row.particles[0]];
-    if constexpr (particles > 1) sum = sum + row.weights[1] * motion[row.particles[1]];
-    if constexpr (particles > 2) sum = sum + row.weights[2] * motion[row.particles[2]];
-    if constexpr (offsets > 0) sum = sum - of(row.offsets[0]);
-    if constexpr (offsets > 1) sum = sum - of(row.offsets[1]);
-    return sum;
+HWY_INLINE bool is_zero(const Four& a) {
+    bool zero = true;
+    for (int p = 0; p < vectors; ++p) zero = zero && hn::AllTrue(D(), hn::Eq(a.part[p], hn::Zero(D())));
+    return zero;
 }
 
-/// `solve_contact`
+HWY_INLINE void push_particle(Real share, const Four& push, Real4& motion) {
+    store(load(motion) + share * push, motion);
+}
+
+/// `solve_contact`. Each waits for the one before that pushes the same particle: branches that are mostly foreseen are
+/// faster than what would be computed in their place.
 template <int particles, int offsets>
-HWY_INLINE Real solve_row(const Motion& motion, CompactContact& row) {
-    const Three moves = relative_motion<particles, offsets>(motion, row), n = of(row.normal), before = of(row.friction);
+HWY_INLINE Real solve_row(std::span<Real4> motion, CompactContact& row) {
+    const auto at = [&](std::size_t k) -> Real4& { return motion[static_cast<std::size_t>(row.particles[k])]; };
+    Four moves = load(Real4{}) + row.weights[0] * load(at(0));
+    if constexpr (particles > 1) moves = moves + row.weights[1] * load(at(1));
+    if constexpr (particles > 2) moves = moves + row.weights[2] * load(at(2));
+    if constexpr (offsets > 0) moves = moves - load(row.offsets[0]);
+    if constexpr (offsets > 1) moves = moves - load(row.offsets[1]);
+    const Four n = load(row.normal), before = load(row.friction);
     const Real along = eigen_dot(moves, n);
     const Real normal = std::max(row.push + (row.target - along) * row.mass, Real(0));
     const Real most = row.friction_coefficient * normal;
-    const Three wanted = before - row.sliding_mass * (moves - along * n);
+    const Four wanted = before - row.sliding_mass * (moves - along * n);
     const Real square = eigen_dot(wanted, wanted);
     // Most contacts that carry nothing go on so, and need no root
     const bool idle = normal == 0 && row.push == 0 && is_zero(before);
     if (idle && square < std::numeric_limits<Real>::infinity()) return 0;
-    const Three friction = square > most * most ? (most / std::sqrt(square)) * wanted : wanted;
-    const Three push = (normal - row.push) * n + (friction - before);
+    Four friction = wanted;
+    if (square > most * most) friction = (most / std::sqrt(square)) * wanted;
+    const Four push = (normal - row.push) * n + (friction - before);
     if (is_zero(push)) return 0;
     row.push = normal;
-    row.friction = Vec3(friction.x, friction.y, friction.z);
-    motion.add(row.particles[0], row.shares[0] * push);
-    if constexpr (particles > 1) motion.add(row.particles[1], row.shares[1] * push);
-    if constexpr (particles > 2) motion.add(row.particles[2], row.shares[2] * push);
+    store(friction, row.friction);
+    push_particle(row.shares[0], push, at(0));
+    if constexpr (particles > 1) push_particle(row.shares[1], push, at(1));
+    if constexpr (particles > 2) push_particle(row.shares[2], push, at(2));
     return eigen_dot(push, push) * row.inverse_mass * row.inverse_mass;
 }
 
 template <int offsets>
-HWY_INLINE Real sweep(const Motion& motion, std::span<CompactContact> rows) {
+HWY_INLINE Real sweep(std::span<Real4> motion, std::span<CompactContact> rows) {
     Real square = 0;
     for (CompactContact& row : rows) {
         const Real changed = row.count == 3   ? solve_row<3, offsets>(motion, row)
@@ -88,8 +119,7 @@ HWY_INLINE Real sweep(const Motion& motion, std::span<CompactContact> rows) {
     return square;
 }
 
-Real sweep_rows_of(const ClothRows& cloth, std::span<CompactContact> rows, int offsets) {
-    const Motion motion{cloth.motion, cloth.motion + cloth.stride, cloth.motion + 2 * cloth.stride};
+Real sweep_rows_of(std::span<Real4> motion, std::span<CompactContact> rows, int offsets) {
     switch (offsets) {
         case 0:
             return sweep<0>(motion, rows);
@@ -108,8 +138,8 @@ namespace drape::kernels {
 
 HWY_EXPORT(sweep_rows_of);
 
-Real sweep_rows(const ClothRows& cloth, std::span<CompactContact> rows, int offsets) {
-    return HWY_DYNAMIC_DISPATCH(sweep_rows_of)(cloth, rows, offsets);
+Real sweep_rows(std::span<Real4> motion, std::span<CompactContact> rows, int offsets) {
+    return HWY_DYNAMIC_DISPATCH(sweep_rows_of)(motion, rows, offsets);
 }
 
 }  // namespace drape::kernels
