@@ -59,20 +59,22 @@ void fill_row(const Motion& motion, const Contact& contact, const std::array<int
 /// `sweep_until` of `solve_contact` over the contacts that were ordered, with the same bits.
 template <BodyMotion Motion>
 Sweeps solve_rows(ContactRows& rows, Motion& motion, Real tolerance) {
-    rows.rows.clear();
     rows.motion.clear();
     rows.offsets = 0;
     for (const auto [cloth, particle] : rows.particles) {
         rows.motion.push_back(four(position(motion.of_cloth(cloth), particle)));
     }
+    if (rows.rows.size() < rows.contacts.size()) rows.rows.resize(rows.contacts.size());
+    auto next = rows.rows.begin();
     for (const ContactRows::Ordered& ordered : rows.contacts) {
         if (!ordered.contact->takes_part) continue;
-        fill_row(motion, *ordered.contact, ordered.particles, rows.rows.emplace_back(), rows.offsets);
+        fill_row(motion, *ordered.contact, ordered.particles, *next++, rows.offsets);
     }
+    const std::span solved(rows.rows.begin(), next);
     Sweeps sweeps;
     Real square = 0;
     do {
-        square = kernels::sweep_rows(rows.motion, rows.rows, rows.offsets);
+        square = kernels::sweep_rows(rows.motion, solved, rows.offsets);
         ++sweeps.count;
     } while (square > tolerance * tolerance && sweeps.count < most_sweeps);
     sweeps.residual = std::sqrt(square);
@@ -82,7 +84,7 @@ Sweeps solve_rows(ContactRows& rows, Motion& motion, Real tolerance) {
         const auto [x, y, z, zero] = *moved++;
         motion.of_cloth(cloth).row(particle) << x, y, z;
     }
-    auto row = rows.rows.begin();
+    auto row = solved.begin();
     for (const ContactRows::Ordered& ordered : rows.contacts) {
         if (!ordered.contact->takes_part) continue;
         ContactPush& given = Motion::given(*ordered.contact);

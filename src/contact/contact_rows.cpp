@@ -35,8 +35,6 @@ void ContactRows::reserve(std::size_t count) {
 void ContactRows::clear() {
     contacts.clear();
     particles.clear();
-    rows.clear();
-    offsets = 0;
 }
 
 void ContactRows::order(std::span<const ClothInContact> cloths) {

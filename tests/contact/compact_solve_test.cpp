@@ -101,7 +101,7 @@ TEST(CompactSolve, HasTheBitsOfThePlainOne) {
                     plain.respond(parameters, nullptr);
                     rows.clear();
                     compact.respond(parameters, &rows);
-                    EXPECT_FALSE(rows.rows.empty()) << "solved by plain code";
+                    EXPECT_FALSE(rows.contacts.empty()) << "solved by plain code";
                     EXPECT_TRUE(same_result(plain, compact))
                         << "friction " << friction << ", restitution " << restitution << ", seed " << seed;
                     contacts += plain.contacts[0].size() + plain.contacts[1].size();
@@ -121,7 +121,7 @@ TEST(CompactSolve, IsLeftToThePlainOneWhereContactsPushABall) {
     TwoSheets plain(1, free, parameters), compact = plain;
     plain.respond(parameters, nullptr);
     compact.respond(parameters, &rows);
-    EXPECT_TRUE(rows.rows.empty());
+    EXPECT_TRUE(rows.contacts.empty());
     EXPECT_TRUE(same_result(plain, compact));
     EXPECT_NE(compact.balls[0].velocity, free.velocity) << "it was pushed";
     EXPECT_EQ(compact.balls[0].velocity, plain.balls[0].velocity);

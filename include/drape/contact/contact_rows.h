@@ -41,7 +41,7 @@ struct ContactRows {
     std::vector<Ordered> contacts;
     std::vector<Particle> particles;
     std::vector<Real4> motion;         ///< of these, in a solve
-    std::vector<CompactContact> rows;  ///< of those that take part in it
+    std::vector<CompactContact> rows;  ///< first those of the contacts that take part in it; never made fewer
     int offsets = 0;                   ///< how many of each row are not all zero
 
     /// Room for as many contacts without allocating, but for no more than a hundred thousand: a scene with more of them
@@ -51,6 +51,7 @@ struct ContactRows {
     /// What that room takes [bytes].
     [[nodiscard]] static std::size_t bytes_for(std::size_t count);
 
+    /// Forgets the contacts.
     void clear();
 
     /// Takes the contacts of the cloths. A contact is one level above the highest of those before it that share a
