@@ -2,20 +2,24 @@
 
 #include <algorithm>
 #include <limits>
+#include <utility>
 
+#include "drape/integrate/stability.h"
 #include "lab/experiments.h"
 #include "rest_run.h"
 
 namespace drape {
 namespace {
 
-/// A scene by one integrator with one response.
+/// A scene by one integrator with one response: how it comes to rest, or how it then creeps.
 struct RestRow {
     static constexpr double none = std::numeric_limits<double>::quiet_NaN();
 
+    std::string part;  ///< rest or drift
     std::string scene, integrator, response, end;
     double step = none;  ///< [s]
     double asleep = none, speed_before = none, speed_after = none;
+    double watched = none, drift = none;  ///< of `DriftRun` [s], [m]
 };
 
 /// Below this a scene is at rest [m/s].
@@ -25,7 +29,7 @@ constexpr double longest_run = 15;
 constexpr int quick_particles = 9;
 
 std::vector<RestRow> run_rest_case(const RestCase& one, bool quick) {
-    RestRow row{one.scene, name_of(one.integrator), name_of(one.response), "no_stable_step"};
+    RestRow row{"rest", one.scene, name_of(one.integrator), name_of(one.response), "no_stable_step"};
     const Settings settings = rest_settings(one, quick ? quick_particles : 0);
     if (settings.solver.dt == 0) return {row};
     const RestRun run = run_to_rest(one.scene, settings, longest_run);
@@ -40,6 +44,57 @@ std::vector<RestRow> run_rest_case(const RestCase& one, bool quick) {
     return {row};
 }
 
+/// One integrator at one step, watched for a time.
+struct DriftCase {
+    IntegratorKind integrator{};
+    double step = 0;     ///< [s]
+    double seconds = 0;  ///< simulated, after `settle`
+};
+
+/// After so long everything rests that is going to [s].
+constexpr double settle = 10, quick_settle = 8;
+
+std::vector<RestRow> run_drift_case(const DriftCase& one, bool quick) {
+    const RestCase rest{"drop", one.integrator, ResponseKind::Projection};
+    Settings settings = rest_settings(rest, quick ? quick_particles : 0);
+    settings.solver.dt = one.step;
+    const DriftRun run = watch_drift(rest.scene, settings, quick ? quick_settle : settle, one.seconds);
+    RestRow row{"drift", rest.scene, name_of(rest.integrator), name_of(rest.response),
+                run.diverged ? "diverged" : "awake"};
+    row.step = one.step;
+    row.watched = one.seconds;
+    if (run.diverged) return {row};
+    row.drift = run.drift;
+    row.speed_after = run.speed;
+    return {row};
+}
+
+/// Every method that can make them, by steps from a tenth of a millisecond to a sixtieth of a second; then for ten
+/// minutes by the longest. Long runs come last, for these take hours.
+std::vector<DriftCase> drift_list(bool quick) {
+    constexpr double shipped = 3.125e-4, ten_minutes = 600;
+    struct Watch {
+        double step, seconds;
+    };
+    const std::vector<Watch> with_limit = {{shipped, 30}, {1e-4, 5}, {shipped, ten_minutes}};
+    const std::vector<Watch> without = {{long_step, 30}, {1e-3, 10}, {1e-4, 5}, {long_step, ten_minutes}};
+    std::vector<DriftCase> all;
+    for (const std::string& name : names_of<IntegratorKind>()) {
+        const IntegratorKind integrator = value_named<IntegratorKind>(name).value();
+        if (integrator == IntegratorKind::ExplicitEuler) continue;  // no step of it is stable there
+        for (const Watch& watch : has_step_limit(integrator) ? with_limit : without) {
+            all.push_back({integrator, watch.step, watch.seconds});
+        }
+    }
+    if (quick) {
+        std::erase_if(all, [](const DriftCase& one) { return one.step < shipped || one.seconds == ten_minutes; });
+        for (DriftCase& one : all) one.seconds = 2;
+    }
+    std::ranges::stable_sort(all, {},
+                             [](const DriftCase& one) { return std::pair(one.seconds == ten_minutes, -one.step); });
+    return all;
+}
+
 std::vector<CaseOf<RestRow>> rest_cases(bool quick) {
     std::vector<CaseOf<RestRow>> all;
     for (const std::string& response : names_of<ResponseKind>()) {
@@ -52,6 +107,7 @@ std::vector<CaseOf<RestRow>> rest_cases(bool quick) {
             }
         }
     }
+    for (const DriftCase& one : drift_list(quick)) all.push_back([=] { return run_drift_case(one, quick); });
     return all;
 }
 
@@ -64,17 +120,21 @@ RowFormat<RestRow> rest_format() {
         return column.or_nan().where("end", {"awake", "diverged", "no_stable_step"});
     };
     return {3,
-            {{word_column("scene", {"drop", "trampoline"}), &Row::scene},
+            {{word_column("part", {"rest", "drift"}), &Row::part},
+             {word_column("scene", {"drop", "trampoline"}), &Row::scene},
              {name_column<ResponseKind>("response"), &Row::response},
              {name_column<IntegratorKind>("integrator"), &Row::integrator},
              {positive_column("step_s").or_nan().where("end", {"no_stable_step"}), &Row::step},
              {word_column("end", {"asleep", "awake", "diverged", "no_stable_step"}), &Row::end},
              {of_sleep(positive_column("asleep_s")), &Row::asleep},
              {of_sleep(number_column("speed_before_m_per_s")), &Row::speed_before},
-             {of_runs(number_column("speed_after_m_per_s")), &Row::speed_after}}};
+             {of_runs(number_column("speed_after_m_per_s")), &Row::speed_after},
+             {positive_column("watched_s").or_nan().where("part", {"rest"}), &Row::watched},
+             {number_column("drift_m").or_nan(), &Row::drift}}};
 }
 
-std::string rest_summary(const std::vector<RestRow>& rows) {
+std::string summary_of_rest(const std::vector<RestRow>& rows) {
+    if (rows.empty()) return {};
     const auto rests = [](const RestRow& row) { return row.end == "asleep" && row.speed_before < resting_speed; };
     std::string text = fmt::format("{} of {} are below {} mm/s RMS when they fall asleep\n",
                                    std::ranges::count_if(rows, rests), rows.size(), 1e3 * resting_speed);
@@ -88,11 +148,22 @@ std::string rest_summary(const std::vector<RestRow>& rows) {
     return text;
 }
 
+std::string rest_summary(const std::vector<RestRow>& rows) {
+    std::string text = summary_of_rest(rows_with(rows, &RestRow::part, "rest"));
+    for (const RestRow& row : rows_with(rows, &RestRow::part, "drift")) {
+        text += fmt::format("{}, step {:.3g} ms: ", row.integrator, 1e3 * row.step);
+        text += row.end == "diverged"
+                    ? "diverged\n"
+                    : fmt::format("has crept by {:.3g} mm after {:.3g} s\n", 1e3 * row.drift, row.watched);
+    }
+    return text;
+}
+
 }  // namespace
 
 Experiment rest_experiment() {
     return ExperimentOf<RestRow>{"rest",
-                                 "do cloth and ball come to rest under every integrator and response?",
+                                 "do cloth and ball come to rest under every integrator and response, and stay there?",
                                  rest_format(),
                                  rest_cases,
                                  [](const auto&) { return std::vector<Chart>{}; },

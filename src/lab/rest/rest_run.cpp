@@ -14,7 +14,7 @@
 namespace drape {
 namespace {
 
-constexpr double long_step = 1.0 / 60, safe_part = 0.9, after_sleep = 2;
+constexpr double safe_part = 0.9, after_sleep = 2;
 
 /// Mean square speed of the particles over the last half second.
 class RecentSpeed {
@@ -77,6 +77,31 @@ RestRun run_to_rest(const std::string& scene, Settings settings, double seconds)
         run.speed_before = speed.rms();
     }
     run.speed_after = speed.rms();
+    return run;
+}
+
+DriftRun watch_drift(const std::string& scene, Settings settings, double settle, double seconds) {
+    settings.solver.sleep_speed = 0;
+    const double step = settings.solver.dt;
+    Simulation simulation(scene, std::move(settings));
+    RecentSpeed speed(step);
+    DriftRun run;
+    const auto run_until = [&](double time) {
+        while (simulation.report().status != Status::Diverged && simulation.report().time < time - step / 2) {
+            simulation.step();
+            speed.look(simulation.cloths()[0].state.v);
+        }
+    };
+    run_until(settle);
+    const Points rest = simulation.cloths()[0].state.x;
+    for (double watched = 0; watched < seconds;) {
+        watched = std::min(watched + 1, seconds);
+        run_until(settle + watched);
+        const Points moved = simulation.cloths()[0].state.x - rest;
+        run.drift = std::max(run.drift, static_cast<double>(moved.rowwise().norm().maxCoeff()));
+    }
+    run.diverged = simulation.report().status == Status::Diverged;
+    run.speed = speed.rms();
     return run;
 }
 

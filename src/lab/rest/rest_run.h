@@ -9,6 +9,9 @@
 
 namespace drape {
 
+/// At which methods without a step limit run [s].
+inline constexpr double long_step = 1.0 / 60;
+
 /// What decides how a scene comes to rest.
 struct RestCase {
     std::string scene;
@@ -27,7 +30,7 @@ struct RestRun {
 };
 
 /// The settings of a shipped scene with another integrator and response, at the step of the scene under a method that
-/// has a step limit, halved until it is below nine tenths of the limits of method and penalty, else at 1/60 s.
+/// has a step limit, halved until it is below nine tenths of the limits of method and penalty, else at `long_step`.
 /// @param particles on each side of its cloth; 0: as shipped. The drag on the whole cloth stays the same.
 /// @return dt = 0 where no step above a 64th of that is stable
 Settings rest_settings(const RestCase& one, int particles);
@@ -36,5 +39,17 @@ Settings rest_settings(const RestCase& one, int particles);
 /// @param seconds simulated at most
 /// @param settings whose `sleep_speed` decides when that is
 RestRun run_to_rest(const std::string& scene, Settings settings, double seconds);
+
+/// How far a cloth that rests creeps. Measured without sleep.
+struct DriftRun {
+    bool diverged = false;  ///< and ended early
+    double drift = 0;       ///< the farthest that any particle was from where it had come to rest [m]
+    double speed = 0;       ///< RMS over the particles and the last half second [m/s]
+};
+
+/// Lets a scene come to rest, and then looks once a simulated second how far its first cloth has crept.
+/// @param settle when it counts as at rest [s]
+/// @param seconds for which it is watched then
+DriftRun watch_drift(const std::string& scene, Settings settings, double settle, double seconds);
 
 }  // namespace drape
