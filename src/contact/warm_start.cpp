@@ -35,11 +35,11 @@ bool is_of_surface(const PairContact& /*contact*/) { return true; }
 /// Whether it pushes a free ball too. Such a contact is kept with a push of zero, to be told that it lasts.
 bool moves_both(const ContactPlane& contact) { return least_inverse_mass(contact) < contact.inverse_mass; }
 
-/// Whether the pushes that go on are those that stopped velocities, and not those that displaced. Where a force
-/// displaces by half of what its velocity would, these are no measure of the force; but cloth that carries a ball is
-/// calmer by them.
+/// Whether the pushes that go on are those that stopped velocities, and not those that displaced; they are forces of
+/// the step then. Where a force displaces by half of what its velocity would, displacements are no measure of it; but
+/// cloth that carries a ball is calmer by them.
 bool takes_impulses(const ResponseParameters& parameters, const std::vector<Contact>& contacts) {
-    return parameters.kind == ResponseKind::Projection && parameters.integrator == IntegratorKind::ImplicitMidpoint &&
+    return parameters.kind == ResponseKind::Projection && displacement_share(parameters.integrator) < 1 &&
            std::ranges::none_of(contacts, moves_both);
 }
 
@@ -168,8 +168,23 @@ void WarmStart<AnyContact>::take(const ResponseParameters& parameters, Real h, R
 }
 
 template <class AnyContact>
+const Real* WarmStart<AnyContact>::within_step(const ClothModel& model) {
+    if (!of_velocities_ || last_.empty()) return nullptr;
+    const Eigen::Index n = model.grid.particles();
+    forces_.assign(static_cast<std::size_t>(3 * n), 0);
+    Eigen::Map<Points> forces(forces_.data(), n, 3);
+    for (const AnyContact& contact : last_) {
+        const Vec3 force = push_along(contact.impulse, contact.normal) / h_;
+        for (const PushedParticle& p : contact.pushed()) {
+            if (p.share != 0) forces.row(p.particle) += p.weight * force.transpose();
+        }
+    }
+    return forces_.data();
+}
+
+template <class AnyContact>
 void WarmStart<AnyContact>::before_step(std::span<const ClothInContact> cloths, std::span<Ball> balls) const {
-    if (is_explicit_) return;
+    if (is_explicit_ || of_velocities_) return;
     Velocities velocities(cloths, balls);
     BallDisplacements displacements{balls};
     for (const AnyContact& contact : last_) {
@@ -182,7 +197,7 @@ void WarmStart<AnyContact>::before_step(std::span<const ClothInContact> cloths, 
 template <class AnyContact>
 __attribute__((flatten)) void WarmStart<AnyContact>::after_step(std::span<const ClothInContact> cloths,
                                                                 std::span<Ball> balls) const {
-    if (before_ == 1) return;
+    if (before_ == 1 || of_velocities_) return;
     Velocities velocities(cloths, balls);
     Displacements displacements(cloths, balls);
     for (const AnyContact& contact : last_) {

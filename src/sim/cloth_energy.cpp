@@ -125,6 +125,12 @@ void ClothEnergy::after_integrator(const ClothModel& model, const ClothState& st
     ledger_->integrated(h);
 }
 
+void ClothEnergy::pushed_steadily(const ClothModel& model, const Points& before, const Points& after) {
+    if (!ledger_ || model.steady == nullptr) return;
+    const Eigen::Map<const Points> force(model.steady, after.rows(), 3);
+    ledger_->pushed(static_cast<double>(force.cwiseProduct(after - before).sum()));
+}
+
 /// The springs that are shortened hand on what hand and balls have pulled and pushed: what that adds to the energy is
 /// their work too. The ledger sees the limit as part of the step.
 StretchReport ClothEnergy::limit_stretch(const ClothModel& model, int held, ClothState& state) {

@@ -55,6 +55,11 @@ void EnergyLedger::integrated(Real h) {
     now_.h = static_cast<double>(h);
 }
 
+void EnergyLedger::pushed(double work) {
+    now_.balance.contact -= work;
+    now_.contact_energy += work;
+}
+
 void EnergyLedger::responded(const EnergyFlow& before, const EnergyFlow& after, double ball_work) {
     const double change = after.energy.total() - before.energy.total();
     now_.balance.ball += ball_work;

@@ -88,6 +88,7 @@ bool Simulation::integrate(const Substep& now) {
     warm_start(WarmStartStage::Before);
     for (Cloth& cloth : cloths_) {
         cloth.model.air = air;
+        cloth.model.steady = cloth.warm_start.within_step(cloth.model);
         Stopwatch watch;
         with_memory(settings_, [&] {
             report_.solve += cloth.integrator.step(cloth.model, cloth.state, now.h,
@@ -100,6 +101,10 @@ bool Simulation::integrate(const Substep& now) {
     hand_.count_work(cloths_, now.h);
     pins_.count_work(cloths_, now.h);
     std::string trouble = check_substep(cloths_, balls_, settings_, now.h, report_);
+    for (Cloth& cloth : cloths_) {
+        cloth.energy.pushed_steadily(cloth.model, start_of_substep(cloth), cloth.state.x);
+        cloth.model.steady = nullptr;
+    }
     if (!trouble.empty()) {
         end_with(std::move(trouble));
         return false;

@@ -90,6 +90,20 @@ TEST(EnergyLedger, SharesAnInelasticImpactInHalves) {
     EXPECT_NEAR(balance.contact / balance.ball, 0.5, 0.05);
 }
 
+/// A ball lifts a cloth by pushes that are forces of the method's steps: their work is none of the method's.
+TEST(EnergyLedger, CountsPushesWithinAStepAsThoseOfContact) {
+    for (const char* kernels : {"plain", "vector"}) {
+        Simulation simulation = kept_simulation(
+            {"integrator=rk4", "dt=2.5e-4", "pinned=none", "plane=xz", "centre=0,0.26,0", "ball.position=0,0,0",
+             std::string("solver.kernels=") + kernels, "motion=path", "path=0,0,0,0,1,0,0.3,0"});
+        make_steps(simulation, 2000);
+        const EnergyBalance balance = simulation.view().report->balance;
+        EXPECT_GT(balance.ball, 0.05);
+        EXPECT_LT(std::abs(balance.integrator), 0.01 * balance.ball) << kernels;
+        EXPECT_EQ(balance.wind, 0);
+    }
+}
+
 /// A cloth so soft that its weight draws it out to its limit, which stops its fall.
 TEST(EnergyLedger, CountsWhatTheStretchLimitTakesAsTheMethods) {
     const std::vector<std::string> soft{"structural.stiffness=1", "shear.stiffness=0",       "bend.stiffness=0",

@@ -125,20 +125,20 @@ TEST_P(RestOfShippedScenes, IsReached) {
     expect_rest_after({scene, awake(scene, integrator)}, after);
 }
 
-/// On the ball of `drop` cloth would rock if pushes did not go ahead of its contacts; in `trampoline` it would quiver
-/// if it did not start from the pushes that carry the ball.
-INSTANTIATE_TEST_SUITE_P(Methods, RestOfShippedScenes,
-                         testing::Values(ShippedRest{"drop", 8, IntegratorKind::SymplecticEuler},
-                                         ShippedRest{"drop", 8, IntegratorKind::BackwardEuler},
-                                         ShippedRest{"drop", 8, IntegratorKind::Bdf2},
-                                         ShippedRest{"drop", 8, IntegratorKind::ImplicitMidpoint},
-                                         ShippedRest{"drop", 8, IntegratorKind::Xpbd},
-                                         ShippedRest{"trampoline", 12, IntegratorKind::BackwardEuler},
-                                         ShippedRest{"trampoline", 12, IntegratorKind::Bdf2},
-                                         ShippedRest{"trampoline", 12, IntegratorKind::ProjectiveDynamics}),
-                         [](const auto& rest) {
-                             return std::string(rest.param.scene) + "_" + std::string(name_of(rest.param.integrator));
-                         });
+/// On the ball of `drop` cloth would rock if pushes did not go ahead of its contacts, and methods that ask for forces
+/// more than once in a step would find springs that their own step has stretched if pushes were not among these; in
+/// `trampoline` it would quiver if it did not start from the pushes that carry the ball.
+INSTANTIATE_TEST_SUITE_P(
+    Methods, RestOfShippedScenes,
+    testing::Values(ShippedRest{"drop", 8, IntegratorKind::SymplecticEuler},
+                    ShippedRest{"drop", 8, IntegratorKind::BackwardEuler}, ShippedRest{"drop", 8, IntegratorKind::Bdf2},
+                    ShippedRest{"drop", 5, IntegratorKind::ImplicitMidpoint},
+                    ShippedRest{"drop", 5, IntegratorKind::VelocityVerlet}, ShippedRest{"drop", 5, IntegratorKind::Rk4},
+                    ShippedRest{"drop", 5, IntegratorKind::DormandPrince}, ShippedRest{"drop", 8, IntegratorKind::Xpbd},
+                    ShippedRest{"trampoline", 12, IntegratorKind::BackwardEuler},
+                    ShippedRest{"trampoline", 12, IntegratorKind::Bdf2},
+                    ShippedRest{"trampoline", 12, IntegratorKind::ProjectiveDynamics}),
+    [](const auto& rest) { return std::string(rest.param.scene) + "_" + std::string(name_of(rest.param.integrator)); });
 
 TEST(RestInATrampoline, IsReachedByTheShippedSceneAndCostsNothing) {
     Settings settings = load_scene("trampoline");

@@ -4,25 +4,32 @@
 #include <span>
 #include <vector>
 
+#include "drape/base/copied.h"
 #include "drape/contact/response.h"
 
 namespace drape {
 
 /// What a response starts from: the pushes of the substep before. @cite catto2005
-/// To an implicit method they are a force that lasts for its step: a velocity that is given before the step, or half
-/// before and half after it where a force displaces by half of what its velocity would (`displacement_share`). What
-/// rests does not move then. An explicit method takes its forces from the start of the step, where a velocity would be
-/// answered by dampers: it is given the pushes after the step, displacements too. Either way the response has little
-/// left to solve. Under an implicit method, but for adaptive ones, the push of a contact that rolls goes ahead of it,
-/// where it would feed the rocking of cloth otherwise. What the projection displaces by under the implicit midpoint
-/// rule does not measure a force. The impulses that stop velocities do measure it, and go on instead, unless a free
-/// ball touches the cloth. Only responses that solve for pushes can use them; a penalty follows from the depth.
+/// To an implicit method they are a force that lasts for its step: a velocity that is given before the step. What rests
+/// does not move then. The Euler methods that are explicit take their forces from the start of the step, where a
+/// velocity would be answered by dampers: they are given the pushes after the step, displacements too. Either way the
+/// response has little left to solve.
+/// Where a force displaces by half of what its velocity would (`displacement_share`), what the projection displaces by
+/// does not measure it. The impulses that stop velocities do, and go on instead, as forces among those of the cloth:
+/// these methods ask for the forces more than once in a step, and what rests must rest there too. Unless a free ball
+/// touches the cloth: then displacements go on as for the others.
+/// The push of a contact that rolls goes ahead of it, where it would feed the rocking of cloth otherwise; not under the
+/// explicit Euler methods, and not of displacements that go on where a force displaces by half.
+/// Only responses that solve for pushes can use them; a penalty follows from the depth.
 /// @tparam AnyContact `Contact`, of one cloth with balls and ground, or `PairContact`
 template <class AnyContact>
 class WarmStart {
 public:
-    /// Room for this many contacts without allocating.
-    void reserve(std::size_t contacts) { last_.reserve(contacts), parted_.reserve(contacts), gaps_.reserve(contacts); }
+    /// Room for this many contacts, and the forces on so many particles, without allocating.
+    void reserve(std::size_t contacts, std::size_t particles) {
+        last_.reserve(contacts), parted_.reserve(contacts), gaps_.reserve(contacts);
+        forces_.reserve(3 * particles);
+    }
 
     /// Takes the pushes of the substep before.
     /// @param h the substep to come [s]
@@ -35,7 +42,10 @@ public:
     /// Forgets the pushes.
     void forget() { last_.clear(); }
 
-    /// Gives what a method is to have before its step, and after it. Balls have moved before either.
+    /// The pushes that are forces of the step, n x 3 [N]; null if none are. They last until this is called again.
+    [[nodiscard]] const Real* within_step(const ClothModel& model);
+
+    /// Gives the others: what a method is to have before its step, and after it. Balls have moved before either.
     void before_step(std::span<const ClothInContact> cloths, std::span<Ball> balls) const;
     void after_step(std::span<const ClothInContact> cloths, std::span<Ball> balls) const;
 
@@ -54,6 +64,7 @@ private:
     Real before_ = 0;             ///< what of a velocity is given before the step
     bool is_explicit_ = true;     ///< nothing is, and displacements are given
     bool of_velocities_ = false;  ///< the pushes are impulses; what they displaced by goes back where a contact parted
+    NotCopied<std::vector<Real>> forces_;  ///< of `within_step`
     std::vector<AnyContact> last_, parted_;
     std::vector<std::ptrdiff_t> gaps_;  ///< where those that have parted belong
 };

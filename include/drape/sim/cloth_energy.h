@@ -59,6 +59,9 @@ public:
     void after_integrator(const ClothModel& model, const ClothState& state, const MotionSums& sums, Real h,
                           int least_pause);
 
+    /// Enters the work of the model's steady forces within that step, which are contacts'.
+    void pushed_steadily(const ClothModel& model, const Points& before, const Points& after);
+
     /// Shortens what is stretched beyond the model's limit, which counts as the integrator's step.
     /// @param held particle that the hand leads; below 0: none
     StretchReport limit_stretch(const ClothModel& model, int held, ClothState& state);

@@ -47,6 +47,10 @@ public:
     /// The integrator has made a step [s] from the state that was seen last.
     void integrated(Real h);
 
+    /// Contacts have pushed with steady forces within that step.
+    /// @param work by them [J]
+    void pushed(double work);
+
     /// Contacts were answered.
     /// @param before,after of the part of the cloth that this may have moved
     /// @param ball_work as the response reports it [J]

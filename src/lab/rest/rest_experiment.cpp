@@ -52,13 +52,13 @@ struct DriftCase {
 };
 
 /// After so long everything rests that is going to [s].
-constexpr double settle = 10, quick_settle = 8;
+constexpr double settle = 8;
 
 std::vector<RestRow> run_drift_case(const DriftCase& one, bool quick) {
     const RestCase rest{"drop", one.integrator, ResponseKind::Projection};
     Settings settings = rest_settings(rest, quick ? quick_particles : 0);
     settings.solver.dt = one.step;
-    const DriftRun run = watch_drift(rest.scene, settings, quick ? quick_settle : settle, one.seconds);
+    const DriftRun run = watch_drift(rest.scene, settings, settle, one.seconds);
     RestRow row{"drift", rest.scene, name_of(rest.integrator), name_of(rest.response),
                 run.diverged ? "diverged" : "awake"};
     row.step = one.step;
@@ -76,8 +76,8 @@ std::vector<DriftCase> drift_list(bool quick) {
     struct Watch {
         double step, seconds;
     };
-    const std::vector<Watch> with_limit = {{shipped, 30}, {1e-4, 5}, {shipped, ten_minutes}};
-    const std::vector<Watch> without = {{long_step, 30}, {1e-3, 10}, {1e-4, 5}, {long_step, ten_minutes}};
+    const std::vector<Watch> with_limit = {{shipped, 20}, {1e-4, 2}, {shipped, ten_minutes}};
+    const std::vector<Watch> without = {{long_step, 20}, {1e-3, 5}, {1e-4, 2}, {long_step, ten_minutes}};
     std::vector<DriftCase> all;
     for (const std::string& name : names_of<IntegratorKind>()) {
         const IntegratorKind integrator = value_named<IntegratorKind>(name).value();
