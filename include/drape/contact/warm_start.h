@@ -11,15 +11,15 @@ namespace drape {
 
 /// What a response starts from: the pushes of the substep before. @cite catto2005
 /// To an implicit method they are a force that lasts for its step: a velocity that is given before the step. What rests
-/// does not move then. The Euler methods that are explicit take their forces from the start of the step, where a
+/// does not move then. Explicit and symplectic Euler take their forces from the start of the step, where a
 /// velocity would be answered by dampers: they are given the pushes after the step, displacements too. Either way the
 /// response has little left to solve.
 /// Where a force displaces by half of what its velocity would (`displacement_share`), what the projection displaces by
 /// does not measure it. The impulses that stop velocities do, and go on instead, as forces among those of the cloth:
 /// these methods ask for the forces more than once in a step, and what rests must rest there too. Unless a free ball
 /// touches the cloth: then displacements go on as for the others.
-/// The push of a contact that rolls goes ahead of it, where it would feed the rocking of cloth otherwise; not under the
-/// explicit Euler methods, and not of displacements that go on where a force displaces by half.
+/// The push of a contact that rolls goes ahead of it, where it would feed the rocking of cloth otherwise; not under
+/// these two Euler methods, and not of displacements that go on where a force displaces by half.
 /// Only responses that solve for pushes can use them; a penalty follows from the depth.
 /// @tparam AnyContact `Contact`, of one cloth with balls and ground, or `PairContact`
 template <class AnyContact>
