@@ -1,5 +1,7 @@
 #include <gmock/gmock.h>
 
+#include <algorithm>
+
 #include "drape/sim/simulation.h"
 #include "lab/lab_run.h"
 #include "lab/rest/rest_run.h"
@@ -30,6 +32,29 @@ TEST(RestRun, SaysHowFastAClothIsThatDoesNotComeToRest) {
     EXPECT_GT(run.speed_after, 0.01);
 }
 
+TEST(DriftRun, IsHowFarTheFarthestParticleWasFromWhereItRested) {
+    const Settings settings = rest_settings(quick_case, 9);
+    EXPECT_LT(watch_drift("drop", settings, 6, 0.5).drift, 1e-4);
+    const DriftRun fall = watch_drift("drop", settings, 0, 2.5);
+    Simulation simulation("drop", settings);
+    const Points start = simulation.cloths()[0].state.x;
+    double farthest = 0;
+    for (const double time : {1.0, 2.0, 2.5}) {
+        while (simulation.report().time < time - 1e-6) simulation.step();
+        const Points moved = simulation.cloths()[0].state.x - start;
+        farthest = std::max(farthest, static_cast<double>(moved.rowwise().norm().maxCoeff()));
+    }
+    EXPECT_EQ(fall.drift, farthest);
+    EXPECT_GT(farthest, 0.1);
+    EXPECT_FALSE(fall.diverged);
+}
+
+TEST(DriftRun, SaysThatAClothHasDiverged) {
+    Settings settings = rest_settings(quick_case, 9);
+    settings.solver.dt = 0.02;
+    EXPECT_TRUE(watch_drift("drop", settings, 1, 1).diverged);
+}
+
 TEST(RestSettings, HaveAStepThatIsStable) {
     EXPECT_EQ(rest_settings(quick_case, 9).solver.dt, 3.125e-4);
     EXPECT_EQ(rest_settings({"drop", IntegratorKind::Xpbd, ResponseKind::Projection}, 0).solver.dt, 1.0 / 60);
@@ -45,7 +70,17 @@ TEST(LabRest, WritesARowACase) {
     EXPECT_THAT(run.out, HasSubstr("1 of 1 are below 0.1 mm/s RMS when they fall asleep"));
     const auto rows = table_of(folder, "out/rest.csv");
     ASSERT_EQ(rows.size(), 2u);
-    EXPECT_THAT(rows[1], HasSubstr("2,drop,projection,symplectic_euler,0.000313,asleep,"));
+    EXPECT_THAT(rows[1], HasSubstr("2,rest,drop,projection,symplectic_euler,0.000313,asleep,"));
+}
+
+TEST(LabRest, WritesHowFarAClothHasCrept) {
+    const LabFolder folder;
+    const LabRun run = folder.run({"rest", "--quick", "--cases", "22-22", "--out", "out"});
+    ASSERT_EQ(run.code, 0) << run.err;
+    EXPECT_THAT(run.out, HasSubstr("velocity_verlet, step 0.313 ms: has crept by "));
+    const auto rows = table_of(folder, "out/rest.csv");
+    ASSERT_EQ(rows.size(), 2u);
+    EXPECT_THAT(rows[1], HasSubstr("22,drift,drop,projection,velocity_verlet,0.000313,awake,nan,nan,"));
 }
 
 }  // namespace
