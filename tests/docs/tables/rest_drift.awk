@@ -1,27 +1,28 @@
-# How far a cloth creeps that rests, by method and step, and what that is in ten minutes.
+# How far a cloth has crept that rests, by method and step, and what ten minutes at that pace are.
 cell("part") == "drift" {
     m = cell("integrator")
     if (!(m in known)) known[m] = names[++count] = m
     step = sprintf("%.3g", 1e3 * cell("step_s"))
-    drift[m, step] = cell("end") == "diverged" ? "diverged" \
-                     : sprintf("%.2g", 1e3 * cell("drift_m") * 600 / cell("watched_s"))
-    speed[m, step] = cell("end") == "diverged" ? "" : sprintf("%.2g", 1e3 * cell("speed_after_m_per_s"))
     watched[m, step] = sprintf("%.0f", cell("watched_s"))
+    if (cell("end") == "diverged") {
+        found[m, step] = "diverged | | "
+    } else {
+        drift = 1e3 * cell("drift_m")
+        found[m, step] = sprintf("%.2g | %.2g | %.2g", drift, drift * 600 / cell("watched_s"), 1e3 * cell("speed_after_m_per_s"))
+    }
     if (!(step in seen)) {
         seen[step] = 1
         steps[++step_count] = step
     }
 }
 END {
-    print "| Method | Step [ms] | Watched for [s] | Creep in ten minutes [mm] | Speed [mm/s] |"
-    print "| --- | ---: | ---: | ---: | ---: |"
+    print "| Method | Step [ms] | Watched for [s] | Farthest of any particle [mm] | Ten minutes at that pace [mm] | Speed, RMS [mm/s] |"
+    print "| --- | ---: | ---: | ---: | ---: | ---: |"
     for (i = 1; i <= count; ++i) {
         for (k = 1; k <= step_count; ++k) {
             m = names[i]
             s = steps[k]
-            if ((m, s) in drift) {
-                printf "| `%s` | %s | %s | %s | %s |\n", m, s, watched[m, s], drift[m, s], speed[m, s]
-            }
+            if ((m, s) in found) printf "| `%s` | %s | %s | %s |\n", m, s, watched[m, s], found[m, s]
         }
     }
 }
