@@ -1,7 +1,7 @@
 #include "drape/sim/pair_list.h"
 
 #include <algorithm>
-#include <functional>
+#include <numeric>
 
 namespace drape {
 namespace {
@@ -13,10 +13,7 @@ constexpr std::size_t leaves_in_a_block = 16;
 }  // namespace
 
 void PairList::clear() {
-    for (Part& part : parts_) {
-        part.near.clear();
-        part.listed.clear();
-    }
+    for (Part& part : parts_) part.near.clear();
     size_ = 0;
     list_.clear();
 }
@@ -33,25 +30,45 @@ void PairList::add(const BoxedCloth& first, const BoxedCloth& second, std::span<
     for (const Part& part : parts_) size_ += part.near.size();
 }
 
-/// Each thread puts its own in order; then whichever of them has the least goes first.
+/// Brings the list into the order of a number of each pair; pairs with the same number stay in the order they had.
+/// @param numbers that there are
+template <class Number>
+void PairList::sort_by(std::size_t numbers, Number number_of) {
+    places_.assign(numbers + 1, 0);
+    for (const Listed& pair : list_) ++places_[number_of(pair.features) + 1];
+    std::partial_sum(places_.begin(), places_.end(), places_.begin());
+    other_list_.resize(list_.size());
+    for (const Listed& pair : list_) other_list_[places_[number_of(pair.features)]++] = pair;
+    list_.swap(other_list_);
+}
+
+/// By what comes last in the order of features first: their first particles, then their cloths and kind. That leaves
+/// few pairs that are alike in all these, to be sorted by their other particles.
 void PairList::close() {
-    workers_.run(size_ / worth_a_thread, [&](int part, int parts) {
-        for (auto p = static_cast<std::size_t>(part); p < parts_.size(); p += static_cast<std::size_t>(parts)) {
-            auto& [near, listed] = parts_[p];
-            for (const NearPair& pair : near) listed.push_back({pair.features, pair.triangle, pair.distance});
-            near.clear();
-            std::ranges::sort(listed, std::greater{}, &Listed::features);
+    int particles = 0, cloths = 0;
+    for (Part& part : parts_) {
+        for (const NearPair& pair : part.near) {
+            list_.push_back({pair.features, pair.triangle, pair.distance});
+            particles = std::max(particles, pair.features.particles[0] + 1);
+            cloths = std::max({cloths, pair.features.cloths[0] + 1, pair.features.cloths[1] + 1});
         }
-    });
-    for (;;) {
-        Part* least = nullptr;
-        for (Part& part : parts_) {
-            if (part.listed.empty()) continue;
-            if (!least || part.listed.back().features < least->listed.back().features) least = &part;
-        }
-        if (!least) return;
-        list_.push_back(least->listed.back());
-        least->listed.pop_back();
+        part.near.clear();
+    }
+    const auto kind_of = [&](const FeaturePair& pair) {
+        return static_cast<std::size_t>((pair.cloths[0] * cloths + pair.cloths[1]) * 2 + pair.first_count - 1);
+    };
+    sort_by(static_cast<std::size_t>(particles),
+            [](const FeaturePair& pair) { return static_cast<std::size_t>(pair.particles[0]); });
+    sort_by(static_cast<std::size_t>(2 * cloths * cloths), kind_of);
+    const auto are_alike = [&](const Listed& one, const Listed& two) {
+        return one.features.particles[0] == two.features.particles[0] && kind_of(one.features) == kind_of(two.features);
+    };
+    for (auto begin = list_.begin(); begin != list_.end();) {
+        const auto end =
+            std::find_if_not(begin, list_.end(), [&](const Listed& pair) { return are_alike(*begin, pair); });
+        std::sort(begin, end,
+                  [](const Listed& one, const Listed& two) { return one.features.particles < two.features.particles; });
+        begin = end;
     }
 }
 

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <limits>
+#include <utility>
 
 #include "drape/contact/crossings.h"
 
@@ -34,28 +35,6 @@ ClothAt at(std::span<const ClothInContact> cloths, int number) {
     return {number, cloth.model.grid, cloth.before};
 }
 
-/// What all particles move by together from one set of positions to another.
-/// @param from, to give the positions of a cloth
-template <class From, class To>
-Vec3 common_motion(std::size_t cloths, From from, To to) {
-    Vec3 sum = Vec3::Zero();
-    Eigen::Index particles = 0;
-    for (std::size_t c = 0; c < cloths; ++c) {
-        sum += (to(c) - from(c)).colwise().sum().transpose();
-        particles += to(c).rows();
-    }
-    return sum / static_cast<Real>(particles);
-}
-
-/// Adds how far each particle of a cloth has moved, but for a common motion.
-template <class Numbers>
-void add_lengths_of_motion(const Points& from, const Points& to, const Vec3& common, Numbers lengths) {
-    const auto along = [&](int axis) {
-        return (to.col(axis).array() - from.col(axis).array() - common[axis]).square();
-    };
-    lengths += (along(0) + along(1) + along(2)).sqrt();
-}
-
 }  // namespace
 
 void SelfSearch::use(const BroadPhaseParameters& parameters, std::span<const ClothModel* const> models) {
@@ -71,7 +50,10 @@ void SelfSearch::use(const BroadPhaseParameters& parameters, std::span<const Clo
         first_.push_back(first_.back() + static_cast<std::size_t>(model->grid.particles()));
     }
     const auto all = static_cast<Eigen::Index>(first_.back());
-    for (Numbers* numbers : {&ways_, &reaches_, &strayed_, &allowed_}) numbers->setZero(all);
+    for (Numbers* numbers : {&reaches_, &strayed_, &allowed_, &more_reaches_, &more_strayed_}) {
+        numbers->setZero(all);
+    }
+    kernels_ = parameters.kernels;
     forget();
 }
 
@@ -133,27 +115,41 @@ std::span<const Real> SelfSearch::of_cloth(const Numbers& of_particles, int clot
     return {of_particles.data() + first_[c], first_[c + 1] - first_[c]};
 }
 
-void SelfSearch::find_ways(std::span<const ClothInContact> cloths) {
-    const auto before = [&](std::size_t c) -> const Points& { return cloths[c].before; };
-    const auto now = [&](std::size_t c) -> const Points& { return cloths[c].state.x; };
-    const Vec3 common = common_motion(cloths.size(), before, now);
-    ways_.setZero();
-    for (std::size_t c = 0; c < cloths.size(); ++c) {
-        const auto from = static_cast<Eigen::Index>(first_[c]), count = before(c).rows();
-        add_lengths_of_motion(before(c), now(c), common, ways_.segment(from, count));
-    }
+std::span<Real> SelfSearch::of_cloth(Numbers& of_particles, int cloth) const {
+    const auto c = static_cast<std::size_t>(cloth);
+    return {of_particles.data() + first_[c], first_[c + 1] - first_[c]};
 }
 
-void SelfSearch::find_strayed(std::span<const ClothInContact> cloths) {
-    strayed_ = reaches_;
-    if (!listed_) return;
-    const auto kept = [&](std::size_t c) -> const Points& { return surfaces_[c].kept; };
-    const auto before = [&](std::size_t c) -> const Points& { return cloths[c].before; };
-    const Vec3 common = common_motion(cloths.size(), kept, before);
-    for (std::size_t c = 0; c < cloths.size(); ++c) {
-        const auto from = static_cast<Eigen::Index>(first_[c]), count = before(c).rows();
-        add_lengths_of_motion(kept(c), before(c), common, strayed_.segment(from, count));
+void SelfSearch::find_common_motion(std::span<const ClothInContact> cloths) {
+    common_ = mean_ = Vec3::Zero();
+    for (const ClothInContact& cloth : cloths) {
+        const WaySums sums = sum_ways(cloth.before, cloth.state.x, kernels_);
+        common_ += sums.way;
+        mean_ += sums.before;
     }
+    common_ /= static_cast<Real>(first_.back());
+    mean_ /= static_cast<Real>(first_.back());
+}
+
+/// Without a list nothing has strayed.
+RelativeWays SelfSearch::ways_of(std::span<const ClothInContact> cloths, std::size_t cloth) const {
+    const ClothInContact& of = cloths[cloth];
+    const Points& kept = listed_ ? surfaces_[cloth].kept : of.before;
+    return {kept, of.before, of.state.x, listed_ ? Vec3(mean_ - kept_mean_) : Vec3::Zero(), common_};
+}
+
+/// @return whether nothing has strayed farther than the list allows
+bool SelfSearch::find_reaches(std::span<const ClothInContact> cloths, Real least, Real factor, Numbers& reaches,
+                              Numbers& strayed) {
+    bool all_within = true;
+    for (std::size_t c = 0; c < cloths.size(); ++c) {
+        const int cloth = static_cast<int>(c);
+        const bool within =
+            drape::find_reaches(ways_of(cloths, c), least, factor, of_cloth(std::as_const(allowed_), cloth),
+                                of_cloth(reaches, cloth), of_cloth(strayed, cloth), kernels_);
+        all_within = all_within && within;
+    }
+    return all_within;
 }
 
 /// For a new list: by how much each particle may stray while it serves.
@@ -161,8 +157,9 @@ void SelfSearch::set_allowances() {
     for (std::size_t c = 0; c < surfaces_.size(); ++c) {
         const auto from = static_cast<Eigen::Index>(first_[c]), count = static_cast<Eigen::Index>(first_[c + 1]) - from;
         const Real most = spacing_ahead * surfaces_[c].spacing;
-        allowed_.segment(from, count) = reaches_.segment(from, count) + thickness_ahead * thickness_ +
-                                        (substeps_ahead * ways_.segment(from, count)).min(most);
+        const auto reaches = reaches_.segment(from, count);
+        const auto ways = (reaches - thickness_ / 2) / response_allowance;
+        allowed_.segment(from, count) = reaches + thickness_ahead * thickness_ + (substeps_ahead * ways).min(most);
     }
 }
 
@@ -195,32 +192,42 @@ Real SelfSearch::reach_of(const FeaturePair& pair) const { return sum_of_largest
 SelfSearchReport SelfSearch::find(std::span<const ClothInContact> cloths, Real thickness) {
     SelfSearchReport report;
     thickness_ = thickness;
-    find_ways(cloths);
-    reaches_ = thickness / 2 + response_allowance * ways_;
-    look_at_pairs(cloths, report);
+    find_common_motion(cloths);
+    const bool none_strays = find_reaches(cloths, thickness / 2, response_allowance, reaches_, strayed_);
+    if (!listed_ || !none_strays) renew_list(cloths, report);
+    if (!report.gave_up) look_at_pairs(cloths, report);
     return report;
 }
 
 bool SelfSearch::extend(std::span<const ClothInContact> cloths, SelfSearchReport& report) {
-    find_ways(cloths);
     // Half of the thickness is what features that were not found keep between them
-    if ((ways_ + thickness_ / 4 <= reaches_).all()) return false;
-    reaches_ = reaches_.max(ways_ + thickness_ / 2);
-    look_at_pairs(cloths, report);
+    const auto is_within = [&](std::size_t c) {
+        return are_within(ways_of(cloths, c), thickness_ / 4, of_cloth(std::as_const(reaches_), static_cast<int>(c)),
+                          kernels_);
+    };
+    bool ways_are_within = true;
+    for (std::size_t c = 0; c < cloths.size() && ways_are_within; ++c) ways_are_within = is_within(c);
+    if (ways_are_within) return false;
+    const bool none_strays = find_reaches(cloths, thickness_ / 2, 1, more_reaches_, more_strayed_);
+    reaches_ = reaches_.max(more_reaches_);
+    strayed_ = strayed_.max(more_strayed_);
+    if (!listed_ || !none_strays) renew_list(cloths, report);
+    if (!report.gave_up) look_at_pairs(cloths, report);
     return !report.gave_up;
+}
+
+void SelfSearch::renew_list(std::span<const ClothInContact> cloths, SelfSearchReport& report) {
+    report.gave_up = is_too_far();
+    if (!report.gave_up) {
+        set_allowances();
+        make_list(cloths, report);
+    }
+    if (report.gave_up) return forget();
+    strayed_ = reaches_;
 }
 
 /// A pair that was farther apart than both features have strayed, and may yet reach, is not near.
 void SelfSearch::look_at_pairs(std::span<const ClothInContact> cloths, SelfSearchReport& report) {
-    report.gave_up = is_too_far();
-    if (report.gave_up) return forget();
-    find_strayed(cloths);
-    if (!listed_ || (strayed_ > allowed_).any()) {
-        set_allowances();
-        make_list(cloths, report);
-        if (report.gave_up) return forget();
-        strayed_ = reaches_;
-    }
     list_.look_through(near_, [&](const PairList::Listed& listed, std::vector<NearPair>& near) {
         const auto& [features, triangle, distance] = listed;
         if (distance >= sum_of_largest(features, strayed_)) return;
@@ -236,9 +243,10 @@ void SelfSearch::make_list(std::span<const ClothInContact> cloths, SelfSearchRep
         Surface& surface = surfaces_[c];
         surface.kept = cloths[c].before;
         surface.tree->build(surface.kept);
-        surface.folds.build(surface.kept, of_cloth(allowed_, static_cast<int>(c)));
+        surface.folds.build(surface.kept, of_cloth(std::as_const(allowed_), static_cast<int>(c)));
         surface.boxed = false;
     }
+    kept_mean_ = mean_;
     list_.clear();
     const int count = static_cast<int>(cloths.size());
     for (int first = 0; first < count; ++first) {

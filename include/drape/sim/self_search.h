@@ -6,6 +6,7 @@
 #include "drape/base/copied.h"
 #include "drape/bounds/fold_test.h"
 #include "drape/contact/near_pairs.h"
+#include "drape/contact/relative_ways.h"
 #include "drape/contact/response.h"
 #include "drape/sim/pair_list.h"
 
@@ -20,8 +21,8 @@ struct SelfSearchReport {
 
 /// Finds where the cloths of a scene come near themselves and each other. What was found within a wide margin serves
 /// as a list for as long as nothing has moved far enough for other pairs to come near @cite verlet1967: most substeps
-/// look at those pairs of the list alone whose particles have moved enough since, and where it is empty they cost one
-/// pass over the displacements. What all particles move by together brings nothing nearer to anything, and does not
+/// look at those pairs of the list alone whose particles have moved enough since, and where it is empty they cost some
+/// passes over the displacements. What all particles move by together brings nothing nearer to anything, and does not
 /// count.
 class SelfSearch {
 public:
@@ -85,16 +86,20 @@ private:
 
     template <class Count>
     std::int64_t count_between(std::span<const Points* const> x, Real reach, Count count);
-    void find_ways(std::span<const ClothInContact> cloths);
-    void find_strayed(std::span<const ClothInContact> cloths);
+    bool find_reaches(std::span<const ClothInContact> cloths, Real least, Real factor, Numbers& reaches,
+                      Numbers& strayed);
+    [[nodiscard]] RelativeWays ways_of(std::span<const ClothInContact> cloths, std::size_t cloth) const;
+    void find_common_motion(std::span<const ClothInContact> cloths);
     void set_allowances();
     [[nodiscard]] bool is_too_far() const;
     [[nodiscard]] bool is_too_long(std::size_t list) const;
     void look_at_pairs(std::span<const ClothInContact> cloths, SelfSearchReport& report);
+    void renew_list(std::span<const ClothInContact> cloths, SelfSearchReport& report);
     void make_list(std::span<const ClothInContact> cloths, SelfSearchReport& report);
     void search(std::span<const ClothInContact> cloths, int first, int second, SelfSearchReport& report);
     [[nodiscard]] Real sum_of_largest(const FeaturePair& pair, const Numbers& of_particles) const;
     [[nodiscard]] std::span<const Real> of_cloth(const Numbers& of_particles, int cloth) const;
+    [[nodiscard]] std::span<Real> of_cloth(Numbers& of_particles, int cloth) const;
 
     Real thickness_ = 0;
     std::vector<Surface> surfaces_;   ///< of each cloth
@@ -103,10 +108,14 @@ private:
     std::vector<LeafPair> leaves_;
     PairList list_;
     std::vector<NearPair> near_;
-    Numbers ways_;     ///< of all particles within the substep, but for what they move by together [m]
-    Numbers reaches_;  ///< how far each may come within it, with half the thickness [m]
-    Numbers strayed_;  ///< the reach, and what each has moved by since the list was made [m]
-    Numbers allowed_;  ///< by the list: it serves while nothing has strayed farther [m]
+    Kernels kernels_ = Kernels::Vector;
+    Vec3 common_ = Vec3::Zero();           ///< what all particles move by together within the substep [m]
+    Vec3 mean_ = Vec3::Zero();             ///< of their positions at its start [m]
+    Vec3 kept_mean_ = Vec3::Zero();        ///< the same when the list was made [m]
+    Numbers reaches_;                      ///< how far each particle may come within it, with half the thickness [m]
+    Numbers strayed_;                      ///< the reach, and what each has moved by since the list was made [m]
+    Numbers allowed_;                      ///< by the list: it serves while nothing has strayed farther [m]
+    Numbers more_reaches_, more_strayed_;  ///< of what the response has moved
 };
 
 }  // namespace drape
