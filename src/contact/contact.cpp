@@ -65,9 +65,9 @@ void add_ground_contacts(const Grid& grid, const Points& x, Real height, Real th
 
 void find_touched_triangles(const Grid& grid, const Points& x, const Ball& ball, Real thickness,
                             std::span<const CellRun> cells, std::vector<int>& triangles, Kernels kernels) {
-    triangles.clear();
     const Real radius = ball.radius + thickness;
     if (kernels == Kernels::Vector) return kernels::find_touched(grid, x, ball.centre, radius, cells, triangles);
+    triangles.clear();
     for_each_cell(grid, cells, [&](int cell) {
         for (const int triangle : {2 * cell, 2 * cell + 1}) {
             const ClosestPoint closest = closest_point(x, grid.triangle_corners(triangle), ball.centre);

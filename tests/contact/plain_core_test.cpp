@@ -3,6 +3,9 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <array>
+#include <cmath>
+#include <limits>
 
 #include "drape/bounds/broad_phase.h"
 #include "drape/contact/contact.h"
@@ -117,6 +120,47 @@ TEST(PlainCore, FindsWhatTheKernelsFindWhereMoreCellsTouchThanABatchHolds) {
     const Tally tally = compare({.volume = VolumeKind::Brute}, {40, 30});
     EXPECT_EQ(tally.disagreements, 0);
     EXPECT_GT(tally.touching, tally.balls / 5);
+}
+
+TEST(PlainCore, FindsWhatTheKernelsFindInLeavesOfEveryWidth) {
+    for (const int leaf_cells : {7, 8, 15, 16, 17, 31, 32, 33, 64}) {
+        const Tally tally =
+            compare({.volume = VolumeKind::Aabb, .update = UpdateKind::Merge, .leaf_cells = leaf_cells}, {70, 40});
+        EXPECT_EQ(tally.disagreements, 0) << "leaves of " << leaf_cells;
+        EXPECT_GT(tally.touching, tally.balls / 5);
+    }
+}
+
+/// A row of particles is not at any place, as in a motion that has diverged: what is found of the others does not
+/// change. The cells before it are longer than the ball is wide, and those behind it short.
+TEST(PlainCore, FindsWhatTheKernelsFindBesideParticlesThatAreNowhere) {
+    const Grid grid{40, 16};
+    std::mt19937 random(57);
+    std::uniform_real_distribution<Real> unit(0, 1);
+    std::vector<CellRun> all;
+    list_all_cells(grid, all);
+    Points x(grid.particles(), 3);
+    for (int p = 0; p < grid.particles(); ++p) {
+        const int i = p % grid.nx, j = p / grid.nx;
+        x.row(p) << static_cast<Real>(i) / 40, 0, 1 - std::pow(Real(0.8), static_cast<Real>(j));
+        if (j == 10) x(p, p % 3) = std::numeric_limits<Real>::quiet_NaN();
+    }
+    int touching = 0;
+    for (int round = 0; round < 200; ++round) {
+        const Ball ball{.centre = Vec3(unit(random), 0, unit(random)), .radius = Real(0.05)};
+        std::array<std::vector<int>, 2> found;
+        for (const Kernels kernels : {Kernels::Plain, Kernels::Vector}) {
+            std::vector<int>& triangles = found[kernels == Kernels::Vector];
+            find_touched_triangles(grid, x, ball, 0, all, triangles, kernels);
+            std::erase_if(triangles, [&](int triangle) {
+                const auto corners = grid.triangle_corners(triangle);
+                return std::ranges::any_of(corners, [&](int c) { return !x.row(c).allFinite(); });
+            });
+        }
+        EXPECT_EQ(found[0], found[1]);
+        touching += !found[0].empty();
+    }
+    EXPECT_GT(touching, 100);
 }
 
 /// The planted fault: the last run of candidate cells is dropped.
