@@ -2,6 +2,7 @@
 
 #include "drape/bounds/cloth_quadtree.h"
 #include "kernels/centroid_tree.h"
+#include "kernels/leaf_boxes.h"
 #include "kernels/patch_kernels.h"
 
 // Which fit runs: plain, or by vector kernels.
@@ -39,6 +40,9 @@ Fits<Volume> fits_of(const BroadPhaseParameters& parameters) {
         const bool at_once = !plain && parameters.sphere_fit == SphereFit::Centroid;
         return {.patch = sphere_fit_of(parameters.sphere_fit, parameters.kernels),
                 .tree = at_once ? kernels::fit_centroid_tree : nullptr};
+    } else if constexpr (std::is_same_v<Volume, Aabb>) {
+        if (plain) return {.patch = Aabb::fit};
+        return {.patch = fit_by_kernels<Aabb>, .leaves = kernels::fit_leaf_boxes};
     } else {
         return {.patch = plain ? Volume::fit : fit_by_kernels<Volume>};
     }

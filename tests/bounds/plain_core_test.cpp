@@ -96,9 +96,8 @@ TYPED_TEST(PlainCore, CatchesAKernelThatMissesARowOrAColumn) {
 
 /// The setting is obeyed: every node has the plain fit, to the bit.
 template <class V>
-int nodes_with_another_fit(const BroadPhaseParameters& parameters) {
+int nodes_with_another_fit(const BroadPhaseParameters& parameters, const Grid& grid = {31, 17}) {
     std::mt19937 random(53);
-    const Grid grid{31, 17};
     const Points x = test::random_cloth(grid, random);
     ClothQuadtree<V> tree(grid, parameters);
     tree.build(x);
@@ -116,6 +115,18 @@ TYPED_TEST(PlainCore, FitsEveryNodeOfATreeThatIsToBePlain) {
 TEST(PlainTree, HasTheCentroidSphereOfEachNodeAndTheVectorTreeOneThatIsRounded) {
     EXPECT_EQ(nodes_with_another_fit<BoundingSphere>({.leaf_cells = 3, .kernels = Kernels::Plain}), 0);
     EXPECT_GT(nodes_with_another_fit<BoundingSphere>({.leaf_cells = 3}), 20);
+}
+
+/// Boxes are fitted to many leaves at once: more of them in a row than are taken together, narrow ones at the sides, a
+/// grid so wide that its rows are taken by fours, and leaves of one row of cells.
+TEST(BoxTree, HasThePlainBoxOfEveryNodeThoughItsLeavesAreFittedAtOnce) {
+    for (const Grid& grid : {Grid{2, 2}, Grid{31, 17}, Grid{250, 9}, Grid{300, 23}, Grid{2, 300}}) {
+        for (const int leaf_cells : {1, 3, 5, 8, 15, 20}) {
+            const BroadPhaseParameters merged{.update = UpdateKind::Merge, .leaf_cells = leaf_cells};
+            EXPECT_EQ(nodes_with_another_fit<Aabb>(merged, grid), 0)
+                << grid.nx << " x " << grid.ny << ", leaves of " << leaf_cells;
+        }
+    }
 }
 
 class PlainSphere : public ::testing::TestWithParam<SphereFit> {};

@@ -4,6 +4,7 @@
 #include <array>
 #include <cmath>
 #include <limits>
+#include <utility>
 #include <vector>
 
 #include "drape/base/assert.h"
@@ -27,6 +28,11 @@ struct Fits {
     /// way. `volumes` are those of `nodes`.
     void (*tree)(const Grid& grid, std::span<const QuadtreeNode> nodes, const Points& x,
                  std::span<Volume> volumes) = nullptr;
+
+    /// Fits all leaves, as `patch` does, in the order of the particles; null if there is no such way.
+    /// @param leaves their numbers, row by row
+    void (*leaves)(const Grid& grid, std::span<const QuadtreeNode> nodes, std::span<const int> leaves, const Points& x,
+                   std::span<Volume> volumes) = nullptr;
 };
 
 /// The fits of these parameters: plain, or vector kernels.
@@ -49,9 +55,13 @@ public:
           nodes_(make_quadtree_nodes(grid, parameters.leaf_cells)),
           volumes_(nodes_.size()),
           visits_(nodes_.size()) {
-        for (const QuadtreeNode& node : nodes_) {
-            if (node.children == 0) leaf_rows_ += static_cast<std::size_t>(node.j1 - node.j0);
+        for (std::size_t n = 0; n < nodes_.size(); ++n) {
+            const QuadtreeNode& node = nodes_[n];
+            if (node.children > 0) continue;
+            leaf_rows_ += static_cast<std::size_t>(node.j1 - node.j0);
+            leaves_.push_back(static_cast<int>(n));
         }
+        std::ranges::sort(leaves_, {}, [this](int n) { return std::pair(nodes_[at(n)].j0, nodes_[at(n)].i0); });
     }
 
     [[nodiscard]] std::unique_ptr<BroadPhase> clone() const override { return std::make_unique<ClothQuadtree>(*this); }
@@ -267,9 +277,14 @@ private:
     /// @par Cost O(particles)
     template <std::size_t count>
     void merge(const Ends<count>& ends) {
+        const bool at_once = count == 1 && fits_.leaves;
+        if (at_once) fits_.leaves(grid_, nodes_, leaves_, *ends[0], volumes_);
         for (std::size_t n = nodes_.size(); n-- > 0;) {
             const QuadtreeNode& node = nodes_[n];
-            volumes_[n] = node.children > 0 ? merged(node) : fitted(node, ends);
+            if (node.children > 0)
+                volumes_[n] = merged(node);
+            else if (!at_once)
+                volumes_[n] = fitted(node, ends);
         }
     }
 
@@ -364,6 +379,7 @@ private:
     std::vector<Volume> volumes_;
     std::vector<Volume> end_volumes_;  ///< at the end of a step, where all nodes are fitted at once
     std::vector<NodeVisit> visits_;
+    std::vector<int> leaves_;    ///< numbers of nodes, row by row
     std::size_t leaf_rows_ = 0;  ///< of all leaves together: the most runs of cells that a query finds
     bool built_ = false;
     Real slack_ = 0;
