@@ -154,6 +154,30 @@ Impact impact_of(const SeenTriangle& seen, const Nearness& near) {
     return {near.time, near.closest.barycentric, near.velocity.dot(normal) > 0 ? Vec3(-normal) : normal};
 }
 
+/// Whether a touch is the first one for sure: where all corners come towards the plane between ball and triangle, from
+/// beyond it, the triangle was beyond it before. Each at a part of the speed of the fastest at least, so that rounding
+/// does not matter; else it must be looked for.
+bool is_first(const SeenTriangle& seen, const Impact& touch) {
+    const Real slowest = seen.fastest() / 16;
+    for (std::size_t k = 0; k < 3; ++k) {
+        if (!(-touch.normal.dot(seen.end[k] - seen.start[k]) > slowest)) return false;
+    }
+    return true;
+}
+
+/// Whether the triangle surely stays beyond a plane beside the ball, along the way of the point that came near.
+bool passes_beside(const SeenTriangle& seen, const Nearness& near) {
+    const Real square = near.velocity.squaredNorm();
+    if (!(square > 0)) return false;
+    const Vec3& offset = near.closest.point;
+    const Vec3 aside = (offset - offset.dot(near.velocity) / square * near.velocity).stableNormalized();
+    const Real reach = seen.radius + 2 * seen.rounding;
+    for (std::size_t k = 0; k < 3; ++k) {
+        if (!(aside.dot(seen.start[k]) > reach && aside.dot(seen.end[k]) > reach)) return false;
+    }
+    return true;
+}
+
 /// The search for the first touch within a stretch in which there may be one.
 class ImpactSearch {
 public:
@@ -195,8 +219,9 @@ private:
         const Real fastest = seen_.fastest(), length = stretch_.end - stretch_.begin;
         if (first.beyond > fastest * length + seen_.rounding) return false;
         const Nearness near = follow_to_touch(seen_, first, length);
-        if (near.beyond > seen_.rounding) return true;
+        if (near.beyond > seen_.rounding) return !passes_beside(seen_, near);
         best_ = impact_of(seen_, near);
+        if (is_first(seen_, *best_)) return false;
         // Far enough before the touch for its own root to be beyond, unless it grazes
         const bool head_on = near.closing() > fastest / 16;
         stretch_.end = near.time - (head_on ? 64 * seen_.rounding / near.closing() : Real(0));
