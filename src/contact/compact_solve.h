@@ -99,7 +99,7 @@ Sweeps solve_rows(ContactRows& rows, Motion& motion, Real tolerance) {
 template <BodyMotion Motion>
 Sweeps solve_contacts(ContactProblem& problem, Motion& motion, Real tolerance) {
     if (problem.rows != nullptr) return solve_rows(*problem.rows, motion, tolerance);
-    // Flat, for GCC would call a function for each sum of three numbers
+    // Flat, because GCC would call a function for each sum of three numbers
     const auto solve = [&](auto& contact) __attribute__((flatten)) { return solve_contact(motion, contact); };
     return sweep_until(problem, tolerance, solve);
 }

@@ -16,7 +16,7 @@ constexpr std::size_t groups_of_level = 3;
 
 std::size_t ContactRows::bytes_for(std::size_t count) {
     constexpr std::size_t of_contact = sizeof(Ordered) + sizeof(Particle) + sizeof(Real4) + sizeof(CompactContact) +
-                                       sizeof(Found) + sizeof(Seen) + sizeof(std::size_t);
+                                       sizeof(Found) + sizeof(Seen) + groups_of_level * sizeof(std::size_t);
     return std::min(count, most_reserved) * of_contact;
 }
 
@@ -29,7 +29,7 @@ void ContactRows::reserve(std::size_t count) {
     rows.reserve(count);
     found_.reserve(count);
     seen_.reserve(count);
-    first_.reserve(count);
+    first_.reserve(groups_of_level * (count + 1));
 }
 
 void ContactRows::clear() {

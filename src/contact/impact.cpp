@@ -154,13 +154,15 @@ Impact impact_of(const SeenTriangle& seen, const Nearness& near) {
     return {near.time, near.closest.barycentric, near.velocity.dot(normal) > 0 ? Vec3(-normal) : normal};
 }
 
-/// Whether a touch is the first one for sure: where all corners come towards the plane between ball and triangle, from
+/// Whether a touch is certainly the first: where all corners come towards the plane between ball and triangle, from
 /// beyond it, the triangle was beyond it before. Each at a part of the speed of the fastest at least, so that rounding
 /// does not matter; else it must be looked for.
 bool is_first(const SeenTriangle& seen, const Impact& touch) {
     const Real slowest = seen.fastest() / 16;
+    const auto at_touch = seen.at(touch.time);
     for (std::size_t k = 0; k < 3; ++k) {
-        if (!(-touch.normal.dot(seen.end[k] - seen.start[k]) > slowest)) return false;
+        const bool is_beyond = touch.normal.dot(at_touch[k]) > seen.radius - 4 * seen.rounding;
+        if (!is_beyond || !(-touch.normal.dot(seen.end[k] - seen.start[k]) > slowest)) return false;
     }
     return true;
 }

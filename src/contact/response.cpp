@@ -114,7 +114,7 @@ void follow(const ContactProblem& problem, PairContact& contact) {
     contact.depth = problem.parameters.pair_thickness - offset.dot(contact.normal);
 }
 
-/// Flat, for GCC would call a function for each sum of three numbers.
+/// Flat, because GCC would call a function for each sum of three numbers.
 __attribute__((flatten)) void prepare_all(ContactProblem& problem) {
     for (std::size_t c = 0; c < problem.cloths.size(); ++c) {
         const ClothInContact& cloth = problem.cloths[c];

@@ -184,23 +184,23 @@ const Real* WarmStart<AnyContact>::within_step(const ClothModel& model) {
 
 template <class AnyContact>
 void WarmStart<AnyContact>::before_step(std::span<const ClothInContact> cloths, std::span<Ball> balls) const {
-    if (is_explicit_ || of_velocities_) return;
+    if (is_explicit_) return;
     Velocities velocities(cloths, balls);
     BallDisplacements displacements{balls};
-    for (const AnyContact& contact : last_) {
+    for (const AnyContact& contact : beside_step()) {
         push_apart(velocities, contact, before_ * push_along(contact.impulse, contact.normal));
         displace_ball(displacements, contact);
     }
 }
 
-/// Flat, for GCC would call a function for each sum of three numbers.
+/// Flat, because GCC would call a function for each sum of three numbers.
 template <class AnyContact>
 __attribute__((flatten)) void WarmStart<AnyContact>::after_step(std::span<const ClothInContact> cloths,
                                                                 std::span<Ball> balls) const {
-    if (before_ == 1 || of_velocities_) return;
+    if (before_ == 1) return;
     Velocities velocities(cloths, balls);
     Displacements displacements(cloths, balls);
-    for (const AnyContact& contact : last_) {
+    for (const AnyContact& contact : beside_step()) {
         push_apart(velocities, contact, (1 - before_) * push_along(contact.impulse, contact.normal));
         if (is_explicit_) push_apart(displacements, contact, push_along(contact.displacement, contact.normal));
     }

@@ -81,8 +81,10 @@ void ForceSweep::sweep(const ClothModel& model, const Points& x, const Points& v
     kernels::ForceInput input{
         .model = &model, .x = kernels::axes(x), .v = kernels::axes(v), .wind = {}, .rows = nullptr};
     if (model.air.density > 0 || model.steady != nullptr) {
-        forces_.setZero();
-        if (model.steady != nullptr) forces_ = Eigen::Map<const Points>(model.steady, n, 3);
+        if (model.steady != nullptr)
+            forces_ = Eigen::Map<const Points>(model.steady, n, 3);
+        else
+            forces_.setZero();
         if (model.air.density > 0) kernels::add_wind_forces(model, x, v, forces_);
         input.wind = kernels::axes(static_cast<const Points&>(forces_));
     }

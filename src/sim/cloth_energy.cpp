@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <limits>
+#include <utility>
 
 #include "drape/sim/held_power.h"
 
@@ -123,12 +124,14 @@ void ClothEnergy::after_integrator(const ClothModel& model, const ClothState& st
     tell_pins_apart(hand_at_start_, start_.power);
     ledger_->see(start_);
     ledger_->integrated(h);
+    ledger_->pushed(steady_work_);
 }
 
 void ClothEnergy::pushed_steadily(const ClothModel& model, const Points& before, const Points& after) {
-    if (!ledger_ || model.steady == nullptr) return;
+    steady_work_ = 0;
+    if (model.steady == nullptr) return;
     const Eigen::Map<const Points> force(model.steady, after.rows(), 3);
-    ledger_->pushed(static_cast<double>(force.cwiseProduct(after - before).sum()));
+    steady_work_ = static_cast<double>(force.cwiseProduct(after - before).sum());
 }
 
 /// The springs that are shortened hand on what hand and balls have pulled and pushed: what that adds to the energy is
@@ -154,11 +157,13 @@ void ClothEnergy::before_pushes(const ClothModel& model, const ClothState& state
     before_pushes_ = pushed_flow(model, state);
 }
 
+/// What balls give by steady forces is part of their work; where work is measured instead, it is added once.
 bool ClothEnergy::after_pushes(const ClothModel& model, const ClothState& state, double ball_work) {
     if (pushed_.first_column >= pushed_.end_column) return false;
     const EnergyFlow after = pushed_flow(model, state);
     const double work = after.energy.total() - before_pushes_.energy.total();
-    watch_.give(std::max(most_push_work_ > watch_.small_work() ? work : ball_work + most_push_work_, 0.0));
+    const bool measured = most_push_work_ > watch_.small_work();
+    watch_.give(std::max(measured ? work + std::exchange(steady_work_, 0) : ball_work + most_push_work_, 0.0));
     if (ledger_) ledger_->responded(before_pushes_, after, ball_work);
     return true;
 }

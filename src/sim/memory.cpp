@@ -13,8 +13,9 @@
 namespace drape {
 namespace {
 
-/// Numbers a particle: its mass, the state and the one before, and the positions of the last build; those of a ledger.
-constexpr double numbers = 1 + 12 + 3, ledger_numbers = 3;
+/// Numbers a particle: its mass, the state and the one before, and the positions of the last build; the forces by which
+/// contacts push within a step; those of a ledger.
+constexpr double numbers = 1 + 12 + 3, push_numbers = 3, ledger_numbers = 3;
 
 /// Lists with room for two contacts a triangle, as the solver has: those of now, of before, and of these what has
 /// parted.
@@ -55,11 +56,12 @@ MemoryNeed memory_needed(const Settings& settings) {
     for (const ClothParameters& cloth : settings.cloths) {
         const Grid& grid = cloth.particles;
         const double particles = grid.particles();
-        need.cloths += particles * sizeof(Real) * (numbers + (settings.solver.ledger ? ledger_numbers : 0)) +
-                       contact_lists * grid.triangles() * static_cast<double>(sizeof(Contact)) +
-                       static_cast<double>(ContactRows::bytes_for(2 * static_cast<std::size_t>(grid.triangles()))) +
-                       hierarchy_bytes(settings.contact, grid) + self_contact_bytes(settings.contact, grid) +
-                       std::min(particles, searched_particles) * sizeof(Real) * search_numbers;
+        need.cloths +=
+            particles * sizeof(Real) * (numbers + push_numbers + (settings.solver.ledger ? ledger_numbers : 0)) +
+            contact_lists * grid.triangles() * static_cast<double>(sizeof(Contact)) +
+            static_cast<double>(ContactRows::bytes_for(2 * static_cast<std::size_t>(grid.triangles()))) +
+            hierarchy_bytes(settings.contact, grid) + self_contact_bytes(settings.contact, grid) +
+            std::min(particles, searched_particles) * sizeof(Real) * search_numbers;
         need.method += bytes_of_method(integrator_of(settings.solver), grid);
     }
     return need;

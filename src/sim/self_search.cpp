@@ -153,12 +153,13 @@ bool SelfSearch::find_reaches(std::span<const ClothInContact> cloths, Real least
 }
 
 /// For a new list: by how much each particle may stray while it serves.
-void SelfSearch::set_allowances() {
+/// @param factor of each way in its reach
+void SelfSearch::set_allowances(Real factor) {
     for (std::size_t c = 0; c < surfaces_.size(); ++c) {
         const auto from = static_cast<Eigen::Index>(first_[c]), count = static_cast<Eigen::Index>(first_[c + 1]) - from;
         const Real most = spacing_ahead * surfaces_[c].spacing;
         const auto reaches = reaches_.segment(from, count);
-        const auto ways = (reaches - thickness_ / 2) / response_allowance;
+        const auto ways = (reaches - thickness_ / 2) / factor;
         allowed_.segment(from, count) = reaches + thickness_ahead * thickness_ + (substeps_ahead * ways).min(most);
     }
 }
@@ -194,7 +195,7 @@ SelfSearchReport SelfSearch::find(std::span<const ClothInContact> cloths, Real t
     thickness_ = thickness;
     find_common_motion(cloths);
     const bool none_strays = find_reaches(cloths, thickness / 2, response_allowance, reaches_, strayed_);
-    if (!listed_ || !none_strays) renew_list(cloths, report);
+    if (!listed_ || !none_strays) renew_list(cloths, response_allowance, report);
     if (!report.gave_up) look_at_pairs(cloths, report);
     return report;
 }
@@ -211,15 +212,15 @@ bool SelfSearch::extend(std::span<const ClothInContact> cloths, SelfSearchReport
     const bool none_strays = find_reaches(cloths, thickness_ / 2, 1, more_reaches_, more_strayed_);
     reaches_ = reaches_.max(more_reaches_);
     strayed_ = strayed_.max(more_strayed_);
-    if (!listed_ || !none_strays) renew_list(cloths, report);
+    if (!listed_ || !none_strays) renew_list(cloths, 1, report);
     if (!report.gave_up) look_at_pairs(cloths, report);
     return !report.gave_up;
 }
 
-void SelfSearch::renew_list(std::span<const ClothInContact> cloths, SelfSearchReport& report) {
+void SelfSearch::renew_list(std::span<const ClothInContact> cloths, Real factor, SelfSearchReport& report) {
     report.gave_up = is_too_far();
     if (!report.gave_up) {
-        set_allowances();
+        set_allowances(factor);
         make_list(cloths, report);
     }
     if (report.gave_up) return forget();

@@ -95,16 +95,14 @@ bool Simulation::integrate(const Substep& now) {
                                                    cloth.energy.start_of_step(cloth.model, cloth.state, cloth.held));
         });
         report_.times.step += watch.lap();
+        cloth.energy.pushed_steadily(cloth.model, start_of_substep(cloth), cloth.state.x);
+        cloth.model.steady = nullptr;
         cloth.search.positions_changed();
         if (settings_.wind.on) cloth.energy.give(most_wind_power(cloth.model) * static_cast<double>(now.h));
     }
     hand_.count_work(cloths_, now.h);
     pins_.count_work(cloths_, now.h);
     std::string trouble = check_substep(cloths_, balls_, settings_, now.h, report_);
-    for (Cloth& cloth : cloths_) {
-        cloth.energy.pushed_steadily(cloth.model, start_of_substep(cloth), cloth.state.x);
-        cloth.model.steady = nullptr;
-    }
     if (!trouble.empty()) {
         end_with(std::move(trouble));
         return false;
@@ -135,13 +133,14 @@ void Simulation::take_pushes(const Substep& now) {
 void Simulation::warm_start(WarmStartStage stage) {
     const auto& pairs = self_contact_.warm_start();
     const bool any =
-        std::ranges::any_of(cloths_, [](const Cloth& cloth) { return !cloth.warm_start.pushes().empty(); });
-    if (!any && pairs.pushes().empty()) return;
+        std::ranges::any_of(cloths_, [](const Cloth& cloth) { return !cloth.warm_start.beside_step().empty(); });
+    if (!any && pairs.beside_step().empty()) return;
     const double balls_before = kinetic_energy(balls_);
     for (std::size_t c = 0; c < cloths_.size(); ++c) {
         Cloth& cloth = cloths_[c];
-        cloth.energy.before_pushes(cloth.model, cloth.state,
-                                   {cloth.warm_start.pushes(), pairs.pushes(), static_cast<int>(c), balls_, true});
+        cloth.energy.before_pushes(
+            cloth.model, cloth.state,
+            {cloth.warm_start.beside_step(), pairs.beside_step(), static_cast<int>(c), balls_, true});
     }
     const auto give = [&](const auto& start) {
         stage == WarmStartStage::Before ? start.before_step(in_contact_, balls_)

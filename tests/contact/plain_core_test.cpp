@@ -131,9 +131,9 @@ TEST(PlainCore, FindsWhatTheKernelsFindInLeavesOfEveryWidth) {
     }
 }
 
-/// A row of particles is not at any place, as in a motion that has diverged: what is found of the others does not
-/// change. The cells before it are longer than the ball is wide, and those behind it short.
-TEST(PlainCore, FindsWhatTheKernelsFindBesideParticlesThatAreNowhere) {
+/// A row of particles has positions that are no numbers, as in a motion that has diverged: what is found of the others
+/// does not change. The cells before it are longer than the ball is wide, and those behind it short.
+TEST(PlainCore, FindsWhatTheKernelsFindBesidePositionsThatAreNoNumbers) {
     const Grid grid{40, 16};
     std::mt19937 random(57);
     std::uniform_real_distribution<Real> unit(0, 1);

@@ -303,5 +303,16 @@ TEST(SelfContact, SaysThatASceneStartsWithCrossings) {
     EXPECT_THAT(Simulation("crossed", settings).step_warning(), testing::HasSubstr("at the start"));
 }
 
+/// What balls give by forces within a step is their work, also where work is measured because cloth pushes cloth.
+TEST(SelfContact, MakesNoEnergyOfItsOwnWhereABallLiftsSheets) {
+    for (const IntegratorKind method : {IntegratorKind::VelocityVerlet, IntegratorKind::ImplicitMidpoint}) {
+        Settings settings = stacked_sheets();
+        settings.solver.integrator = method;
+        settings.balls[0].motion = BallMotion::Path;
+        assign(settings, "ball.path=[[0.5, 0, 0, 0], [1.1, 0, 1, 0]]");
+        EXPECT_GT(run(std::move(settings), 1.1, 1'000'000).pairs, 0);
+    }
+}
+
 }  // namespace
 }  // namespace drape

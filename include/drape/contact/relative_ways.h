@@ -21,7 +21,7 @@ struct WaySums {
 struct RelativeWays {
     const Points &kept, &before, &now;  ///< some time ago, at the start of the substep and now, n x 3 [m]
     Vec3 since_kept;                    ///< what all have moved by together, from `kept` to `before` [m]
-    Vec3 common;                        ///< the same from `before` to `now` [m]
+    Vec3 common;                        ///< the same from `before` to `now`, about: any will do if all have it [m]
 };
 
 /// For each particle, a least reach and its way times a factor; and with it, what the particle has strayed by since

@@ -11,15 +11,16 @@ namespace drape {
 
 /// What a response starts from: the pushes of the substep before. @cite catto2005
 /// To an implicit method they are a force that lasts for its step: a velocity that is given before the step. What rests
-/// does not move then. Explicit and symplectic Euler take their forces from the start of the step, where a
-/// velocity would be answered by dampers: they are given the pushes after the step, displacements too. Either way the
-/// response has little left to solve.
+/// does not move then. An explicit method takes its forces from the start of the step, where a velocity would be
+/// answered by dampers: it is given the pushes after the step, displacements too. Either way the response has little
+/// left to solve.
 /// Where a force displaces by half of what its velocity would (`displacement_share`), what the projection displaces by
 /// does not measure it. The impulses that stop velocities do, and go on instead, as forces among those of the cloth:
-/// these methods ask for the forces more than once in a step, and what rests must rest there too. Unless a free ball
-/// touches the cloth: then displacements go on as for the others.
-/// The push of a contact that rolls goes ahead of it, where it would feed the rocking of cloth otherwise; not under
-/// these two Euler methods, and not of displacements that go on where a force displaces by half.
+/// these methods ask for the forces more than once in a step, and what rests must rest there too. This is not done for
+/// pairs, nor while a free ball touches the cloth: then displacements go on as for the others. Nor is it done for the
+/// response by impulses, of which an implicit method of this kind gets half before its step and half after it.
+/// The push of a contact that rolls goes ahead of it, where it would feed the rocking of cloth otherwise: where it is a
+/// force of the step, and under implicit methods to which a force displaces by all of what its velocity would.
 /// Only responses that solve for pushes can use them; a penalty follows from the depth.
 /// @tparam AnyContact `Contact`, of one cloth with balls and ground, or `PairContact`
 template <class AnyContact>
@@ -45,7 +46,12 @@ public:
     /// The pushes that are forces of the step, n x 3 [N]; null if none are. They last until this is called again.
     [[nodiscard]] const Real* within_step(const ClothModel& model);
 
-    /// Gives the others: what a method is to have before its step, and after it. Balls have moved before either.
+    /// The contacts of the others.
+    [[nodiscard]] std::span<const AnyContact> beside_step() const {
+        return of_velocities_ ? std::span<const AnyContact>{} : last_;
+    }
+
+    /// Gives these: what a method is to have before its step, and after it. Balls have moved before either.
     void before_step(std::span<const ClothInContact> cloths, std::span<Ball> balls) const;
     void after_step(std::span<const ClothInContact> cloths, std::span<Ball> balls) const;
 

@@ -54,13 +54,13 @@ public:
     /// @param held particle that the hand leads; below 0: none
     EnergyFlow* start_of_step(const ClothModel& model, const ClothState& state, int held);
 
-    /// Enters what the integrator has done.
+    /// The model's steady forces, which are contacts', have done work within the integrator's step.
+    void pushed_steadily(const ClothModel& model, const Points& before, const Points& after);
+
+    /// Enters what the integrator has done, and that work.
     /// @param least_pause substeps from one sum over the springs to the next, at least
     void after_integrator(const ClothModel& model, const ClothState& state, const MotionSums& sums, Real h,
                           int least_pause);
-
-    /// Enters the work of the model's steady forces within that step, which are contacts'.
-    void pushed_steadily(const ClothModel& model, const Points& before, const Points& after);
 
     /// Shortens what is stretched beyond the model's limit, which counts as the integrator's step.
     /// @param held particle that the hand leads; below 0: none
@@ -106,6 +106,7 @@ private:
     GridRange pushed_{0, 0, 0, 0};  ///< particles that are being pushed; all, where none is measured
     EnergyFlow before_pushes_, before_hold_;
     double most_push_work_ = 0;  ///< a bound [J]
+    double steady_work_ = 0;     ///< of the substep, until it is given to the watch [J]
     Points wind_;                ///< scratch, while a ledger is kept
 };
 

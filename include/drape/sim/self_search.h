@@ -90,11 +90,11 @@ private:
                       Numbers& strayed);
     [[nodiscard]] RelativeWays ways_of(std::span<const ClothInContact> cloths, std::size_t cloth) const;
     void find_common_motion(std::span<const ClothInContact> cloths);
-    void set_allowances();
+    void set_allowances(Real factor);
     [[nodiscard]] bool is_too_far() const;
     [[nodiscard]] bool is_too_long(std::size_t list) const;
     void look_at_pairs(std::span<const ClothInContact> cloths, SelfSearchReport& report);
-    void renew_list(std::span<const ClothInContact> cloths, SelfSearchReport& report);
+    void renew_list(std::span<const ClothInContact> cloths, Real factor, SelfSearchReport& report);
     void make_list(std::span<const ClothInContact> cloths, SelfSearchReport& report);
     void search(std::span<const ClothInContact> cloths, int first, int second, SelfSearchReport& report);
     [[nodiscard]] Real sum_of_largest(const FeaturePair& pair, const Numbers& of_particles) const;

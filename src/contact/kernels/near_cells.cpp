@@ -42,7 +42,7 @@ HWY_INLINE Real longest_side_square(const Patch& patch) {
                                                 hn::LoadU(d, patch.z + p)};
         };
         auto longest = hn::Zero(d);
-        // Where the first of two is not a number, the processor takes the second
+        // Where the first of two is not a number, x86 takes the second; elsewhere all stay open
         const auto see = [&](const auto& from, const auto& to)
                              HWY_ATTR { longest = hn::Max(square_between(from, to), longest); };
         for (int i = 0;; i += lanes) {

@@ -13,7 +13,7 @@ namespace hn = hwy::HWY_NAMESPACE;
 
 /// Calls visit(d, p) for the first particle of each vector, and then for each that is left alone.
 template <class Visit>
-HWY_INLINE void for_each_vector(std::size_t particles, Visit visit) {
+HWY_INLINE void for_all_particles(std::size_t particles, Visit visit) {
     const hn::CappedTag<Real, 16> d;
     std::size_t p = 0;
     for (; p + hn::Lanes(d) <= particles; p += hn::Lanes(d)) visit(d, p);
@@ -70,7 +70,7 @@ WaySums sum_ways_of(const Points& before, const Points& now) {
 bool find_reaches_of(const RelativeWays& ways, Real least, Real factor, std::span<const Real> allowed,
                      std::span<Real> reaches, std::span<Real> strayed) {
     bool all_within = true;
-    for_each_vector(reaches.size(), [&](auto d, std::size_t p) HWY_ATTR {
+    for_all_particles(reaches.size(), [&](auto d, std::size_t p) HWY_ATTR {
         const auto way = lengths(d, ways.before, ways.now, ways.common, p);
         const auto reach = hn::Add(hn::Set(d, least), hn::Mul(hn::Set(d, factor), way));
         const auto stray = hn::Add(reach, lengths(d, ways.kept, ways.before, ways.since_kept, p));
@@ -83,7 +83,7 @@ bool find_reaches_of(const RelativeWays& ways, Real least, Real factor, std::spa
 
 bool are_within_of(const RelativeWays& ways, Real margin, std::span<const Real> reaches) {
     bool all_within = true;
-    for_each_vector(reaches.size(), [&](auto d, std::size_t p) HWY_ATTR {
+    for_all_particles(reaches.size(), [&](auto d, std::size_t p) HWY_ATTR {
         const auto way = lengths(d, ways.before, ways.now, ways.common, p);
         const auto within = hn::Le(hn::Add(way, hn::Set(d, margin)), hn::LoadU(d, reaches.data() + p));
         all_within = all_within && hn::AllTrue(d, within);

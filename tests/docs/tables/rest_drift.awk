@@ -3,6 +3,7 @@ cell("part") == "drift" {
     m = cell("integrator")
     if (!(m in known)) known[m] = names[++count] = m
     step = sprintf("%.3g", 1e3 * cell("step_s"))
+    if ((m, step) in watched) fail("two runs of " m " at " step " ms: take the cases of one time alone")
     watched[m, step] = sprintf("%.0f", cell("watched_s"))
     if (cell("end") == "diverged") {
         found[m, step] = "diverged | | "
