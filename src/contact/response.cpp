@@ -24,7 +24,7 @@ constexpr Real of_gravity = Real(2e-3);
 /// and from substep to substep.
 constexpr Real of_thickness = Real(1e-3);
 
-/// The tolerance of velocities where cloth meets cloth [m/s]. What rests is stopped anew in every substep, and what is
+/// The tolerance of velocities where cloth meets cloth [m/s]. What rests is stopped again in every substep, and what is
 /// not stopped of a few particles is what the whole cloth moves by: a fifth of this, in the mean square.
 constexpr Real of_pair_velocities = Real(1e-3);
 
