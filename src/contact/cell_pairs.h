@@ -4,14 +4,15 @@
 #include <span>
 
 #include "drape/contact/near_pairs.h"
+#include "drape/model/tiles.h"
 
 namespace drape {
 
-/// Calls visit(cell) for each cell of a range.
+/// Calls visit(i, j) for each cell of a range.
 template <class Visit>
-void for_each_cell_of(const Grid& grid, const CellRange& cells, Visit visit) {
+void for_each_cell_of(const CellRange& cells, Visit visit) {
     for (int j = cells.j0; j < cells.j1; ++j) {
-        for (int i = cells.i0; i < cells.i1; ++i) visit(j * grid.cell_columns() + i);
+        for (int i = cells.i0; i < cells.i1; ++i) visit(i, j);
     }
 }
 
@@ -37,32 +38,42 @@ void for_each_particle_of(const Grid& grid, int cell, Visit visit) {
     if (last_column && last_row) visit(d);
 }
 
+/// Whether all particles of two ranges of cells are of tiles that touch.
+inline bool are_local(const CellRange& one, const CellRange& two) {
+    return in_touching_tiles({std::min(one.i0, two.i0), std::max(one.i1, two.i1) + 1, std::min(one.j0, two.j0),
+                              std::max(one.j1, two.j1) + 1});
+}
+
 /// The smallest range that has all cells of a range whose boxes meet a box; empty if none does.
-inline CellRange those_that_meet(const Aabb& box, const BoxedCloth& cloth, const CellRange& cells) {
+inline CellRange those_that_meet(const Aabb& box, const BoxedCloth& cloth, const CellRange& cells, bool local) {
     CellRange met{cells.i1, cells.j1, cells.i0, cells.j0};
-    for (int j = cells.j0; j < cells.j1; ++j) {
-        for (int i = cells.i0; i < cells.i1; ++i) {
-            if (!cloth.boxes[j * cloth.cloth.grid.cell_columns() + i].comes_within(box, 0)) continue;
-            met = {std::min(met.i0, i), std::min(met.j0, j), std::max(met.i1, i + 1), std::max(met.j1, j + 1)};
-        }
-    }
+    for_each_cell_of(cells, [&](int i, int j) {
+        if (!cloth.boxes.of(j * cloth.cloth.grid.cell_columns() + i, local).comes_within(box, 0)) return;
+        met = {std::min(met.i0, i), std::min(met.j0, j), std::max(met.i1, i + 1), std::max(met.j1, j + 1)};
+    });
     return met;
 }
 
-/// Calls visit(one, two) for each pair of cells in pairs of leaves whose boxes meet; of one leaf, once for each.
+/// Calls visit(one, two, local) for each pair of cells in pairs of leaves whose boxes meet; of one leaf, once for each.
+/// `local` says whether all pairs of features of these leaves are.
 template <class Visit>
 void for_each_pair_of_cells(const BoxedCloth& first, const BoxedCloth& second, std::span<const LeafPair> leaves,
                             Visit visit) {
     for (const auto& [cells, others] : leaves) {
-        const bool same = first.cloth.number == second.cloth.number && cells == others;
-        const Aabb around = second.boxes.of(second.cloth.grid, others);
-        const CellRange near = same ? cells : those_that_meet(around, first, cells);
+        const bool one_cloth = first.cloth.number == second.cloth.number;
+        const bool same = one_cloth && cells == others, local = one_cloth && are_local(cells, others);
+        const Aabb around = second.boxes.of(second.cloth.grid, others, local);
+        const CellRange near = same ? cells : those_that_meet(around, first, cells, local);
         if (near.i0 >= near.i1) continue;
-        const CellRange there = same ? cells : those_that_meet(first.boxes.of(first.cloth.grid, near), second, others);
-        for_each_cell_of(first.cloth.grid, near, [&](int one) {
-            const int from = same ? one : 0;
-            for_each_cell_of(second.cloth.grid, there, [&](int two) {
-                if (two >= from && first.boxes[one].comes_within(second.boxes[two], 0)) visit(one, two);
+        const Aabb around_near = first.boxes.of(first.cloth.grid, near, local);
+        const CellRange there = same ? cells : those_that_meet(around_near, second, others, local);
+        const FlatBlocks* const flat = one_cloth ? first.flat : nullptr;
+        for_each_cell_of(near, [&](int i, int j) {
+            const int one = j * first.cloth.grid.cell_columns() + i;
+            for_each_cell_of(there, [&](int other_i, int other_j) {
+                const int two = other_j * second.cloth.grid.cell_columns() + other_i;
+                if ((same && two < one) || (flat && flat->keep_apart(i, j, other_i, other_j))) return;
+                if (first.boxes.of(one, local).comes_within(second.boxes.of(two, local), 0)) visit(one, two, local);
             });
         });
     }

@@ -25,11 +25,17 @@ Real reach_of(std::span<const Real> reaches, Particles... particles) {
     return std::max({reaches[static_cast<std::size_t>(particles)]...});
 }
 
+Aabb grown(Aabb box, Real by) {
+    box.low.array() -= by;
+    box.high.array() += by;
+    return box;
+}
+
 /// The particles and the edges that belong to a cell and reach a box.
 class CellFeatures {
 public:
-    CellFeatures(const BoxedCloth& cloth, int cell, const Aabb& box)
-        : x_(cloth.cloth.x), reaches_(cloth.reaches), box_(box) {
+    CellFeatures(const BoxedCloth& cloth, int cell, const Aabb& box, bool local)
+        : x_(cloth.cloth.x), reaches_(cloth.reaches_to(local)), box_(box) {
         for_each_particle_of(cloth.cloth.grid, cell, [&](int particle) { add(particle); });
         for_each_edge_of(cloth.cloth.grid, cell, [&](int from, int to) { add(from, to); });
     }
@@ -92,9 +98,19 @@ Vec3 locate_on_edges(const ClothAt& first, const ClothAt& second, NearPair& pair
     return offset;
 }
 
+/// Whether all particles of a pair are of one cloth and of tiles that touch.
+bool is_local(const Grid& grid, const FeaturePair& pair) {
+    if (pair.cloths[0] != pair.cloths[1]) return false;
+    const auto [first, last] = std::ranges::minmax(pair.particles);
+    const auto column = [&](int particle) { return particle % grid.nx; };
+    const auto [left, right] = std::ranges::minmax(pair.particles, {}, column);
+    return in_touching_tiles({column(left), column(right) + 1, first / grid.nx, last / grid.nx + 1});
+}
+
 /// Tests features of cells exactly.
 struct FeatureTest {
     std::vector<NearPair>& pairs;
+    bool local;  ///< all of them are
 
     /// @param reach of both features together [m]
     void keep(const BoxedCloth& first, const BoxedCloth& second, NearPair pair, Real reach) const {
@@ -107,7 +123,9 @@ struct FeatureTest {
                                              : triangle_is_apart(at(0), at(1), at(2), at(3), with_rounding(reach));
         if (apart) return;
         locate(first.cloth, second.cloth, pair);
-        if (pair.distance < reach) pairs.push_back(pair);
+        if (!(pair.distance < reach)) return;
+        pair.local = local || is_local(first.cloth.grid, pair.features);
+        pairs.push_back(pair);
     }
 
     void particle_and_cell(const BoxedCloth& first, int particle, const BoxedCloth& second, int cell) const {
@@ -115,8 +133,8 @@ struct FeatureTest {
         for (const int triangle : {2 * cell, 2 * cell + 1}) {
             const std::array<int, 3> corners = second.cloth.grid.triangle_corners(triangle);
             if (cloths[0] == cloths[1] && std::ranges::count(corners, particle) > 0) continue;
-            const Real reach =
-                reach_of(first.reaches, particle) + reach_of(second.reaches, corners[0], corners[1], corners[2]);
+            const Real reach = reach_of(first.reaches_to(local), particle) +
+                               reach_of(second.reaches_to(local), corners[0], corners[1], corners[2]);
             keep(first, second, {{cloths, 1, {particle, corners[0], corners[1], corners[2]}}, triangle}, reach);
         }
     }
@@ -126,15 +144,16 @@ struct FeatureTest {
         const std::array cloths{first.cloth.number, second.cloth.number};
         const bool touch = e[0] == f[0] || e[0] == f[1] || e[1] == f[0] || e[1] == f[1];
         if (cloths[0] == cloths[1] && touch) return;
-        const Real reach = reach_of(first.reaches, e[0], e[1]) + reach_of(second.reaches, f[0], f[1]);
+        const Real reach =
+            reach_of(first.reaches_to(local), e[0], e[1]) + reach_of(second.reaches_to(local), f[0], f[1]);
         if (!one.box.comes_within(two.box, reach)) return;
         keep(first, second, {{cloths, 2, {e[0], e[1], f[0], f[1]}}}, reach);
     }
 
     void cells(const BoxedCloth& first, int one, const BoxedCloth& second, int two) const {
         const bool same = first.cloth.number == second.cloth.number && one == two;
-        const CellFeatures of_one(first, one, second.boxes[two]);
-        const CellFeatures of_two(second, two, first.boxes[one]);
+        const CellFeatures of_one(first, one, second.boxes.of(two, local), local);
+        const CellFeatures of_two(second, two, first.boxes.of(one, local), local);
         for (const int particle : of_one.particles()) particle_and_cell(first, particle, second, two);
         for (const int particle : of_two.particles()) {
             if (!same) particle_and_cell(second, particle, first, one);
@@ -158,32 +177,30 @@ void locate(const ClothAt& first, const ClothAt& second, NearPair& pair) {
     pair.normal = pair.distance > 0 ? Vec3(offset / pair.distance) : parting_direction(first, second, pair);
 }
 
-void CellBoxes::build(const Grid& grid, const Points& x, std::span<const Real> reaches) {
+void CellBoxes::build(const Grid& grid, const Points& x, std::span<const Real> reaches,
+                      std::span<const Real> local_reaches) {
     boxes_.resize(static_cast<std::size_t>(grid.cells()));
+    local_.resize(local_reaches.empty() ? 0 : boxes_.size());
     for (int cell = 0; cell < grid.cells(); ++cell) {
-        const int a = grid.cell_corner(cell);
+        const int a = grid.cell_corner(cell), b = a + 1, c = a + grid.nx, d = c + 1;
         Aabb box{position(x, a), position(x, a)};
-        Real reach = 0;
-        for (const int p : {a, a + 1, a + grid.nx, a + grid.nx + 1}) {
-            box.include(position(x, p));
-            if (!reaches.empty()) reach = std::max(reach, reaches[static_cast<std::size_t>(p)]);
-        }
-        box.low.array() -= reach;
-        box.high.array() += reach;
-        boxes_[static_cast<std::size_t>(cell)] = box;
+        for (const int p : {b, c, d}) box.include(position(x, p));
+        const auto k = static_cast<std::size_t>(cell);
+        boxes_[k] = reaches.empty() ? box : grown(box, reach_of(reaches, a, b, c, d));
+        if (!local_.empty()) local_[k] = grown(box, reach_of(local_reaches, a, b, c, d));
     }
 }
 
-Aabb CellBoxes::of(const Grid& grid, const CellRange& cells) const {
-    Aabb all = (*this)[cells.j0 * grid.cell_columns() + cells.i0];
-    for_each_cell_of(grid, cells, [&](int cell) { all.include((*this)[cell]); });
+Aabb CellBoxes::of(const Grid& grid, const CellRange& cells, bool local) const {
+    Aabb all = of(cells.j0 * grid.cell_columns() + cells.i0, local);
+    for_each_cell_of(cells, [&](int i, int j) { all.include(of(j * grid.cell_columns() + i, local)); });
     return all;
 }
 
 void find_near_pairs(const BoxedCloth& first, const BoxedCloth& second, std::span<const LeafPair> leaves,
                      std::vector<NearPair>& pairs) {
-    const FeatureTest test{pairs};
-    for_each_pair_of_cells(first, second, leaves, [&](int one, int two) {
+    for_each_pair_of_cells(first, second, leaves, [&](int one, int two, bool local) {
+        const FeatureTest test{pairs, local};
         // Of one cloth, in the order of the cells whatever the order of the leaves
         const bool turned = first.cloth.number == second.cloth.number && two < one;
         turned ? test.cells(second, two, first, one) : test.cells(first, one, second, two);

@@ -67,7 +67,7 @@ void SelfContact::find(const ResponseParameters& parameters, std::span<const Clo
     contacts_.clear();
     for (const NearPair& pair : search_.pairs()) {
         // A pair that stays well apart is left to the fail-safe
-        const Real ahead = (search_.reach_of(pair.features) - thickness) / 4;
+        const Real ahead = (search_.reach_of(pair) - thickness) / 4;
         if (!pair.stands_alone || gap_after(cloths, pair, thickness) > ahead) continue;
         PairContact contact;
         contact.pair = pair;

@@ -12,9 +12,16 @@ namespace {
 /// How much farther than the integrator has moved it a response is thought to move a particle.
 constexpr Real response_allowance = Real(1.5);
 
-/// For how many substeps like this one a list is to last, by at most a part of the particles' spacing, and how much of
-/// the thickness at rest.
-constexpr Real substeps_ahead = 4, spacing_ahead = Real(0.2), thickness_ahead = Real(0.25);
+/// For how many substeps like this one a list is to last, by at most a part of the particles' spacing.
+struct Ahead {
+    Real substeps, spacings;
+};
+
+/// What is local has neighbours at about the spacing, which a wide margin would list; of all else, little is near.
+constexpr Ahead local_ahead{12, Real(0.4)}, overall_ahead{12, Real(1)};
+
+/// How much of the thickness besides, for what is at rest.
+constexpr Real thickness_ahead = Real(0.1);
 
 /// Pairs of a flat sheet that are within a reach, a particle and a square of the particles' spacing.
 constexpr Real pairs_a_square = 30;
@@ -43,15 +50,28 @@ void SelfSearch::use(const BroadPhaseParameters& parameters, std::span<const Clo
     for (const ClothModel* model : models) {
         surfaces_.push_back({.tree = make_broad_phase(parameters, model->grid),
                              .folds = FoldTest(model->grid, model->hx, model->hy, parameters.leaf_cells),
+                             .flat = FlatBlocks(model->grid, model->hx, model->hy),
                              .boxes = {},
                              .kept = {},
                              .grid = model->grid,
-                             .spacing = std::min(model->hx, model->hy)});
+                             .spacing = std::min(model->hx, model->hy),
+                             .tiles = Tiles(model->grid),
+                             .sums = {},
+                             .kept_means = {},
+                             .since_kept = {},
+                             .within = {}});
+        Surface& surface = surfaces_.back();
+        const auto tiles = static_cast<std::size_t>(surface.tiles.count());
+        surface.sums.resize(tiles);
+        surface.kept_means.assign(tiles, Vec3::Zero());
+        surface.since_kept.resize(tiles);
+        surface.within.resize(tiles);
         first_.push_back(first_.back() + static_cast<std::size_t>(model->grid.particles()));
     }
     const auto all = static_cast<Eigen::Index>(first_.back());
-    for (Numbers* numbers : {&reaches_, &strayed_, &allowed_, &more_reaches_, &more_strayed_}) {
-        numbers->setZero(all);
+    for (Reaches* reaches : {&reaches_, &strayed_, &allowed_, &more_reaches_, &more_strayed_}) {
+        reaches->local.setZero(all);
+        reaches->overall.setZero(all);
     }
     kernels_ = parameters.kernels;
     forget();
@@ -62,11 +82,11 @@ void SelfSearch::use(const BroadPhaseParameters& parameters, std::span<const Clo
 template <class Count>
 std::int64_t SelfSearch::count_between(std::span<const Points* const> x, Real reach, Count count) {
     forget();
-    reaches_ = reach;
+    reaches_.overall = reach;
     std::vector<BoxedCloth> boxed;
     for (std::size_t c = 0; c < x.size(); ++c) {
         Surface& surface = surfaces_[c];
-        const std::span<const Real> reaches = of_cloth(reaches_, static_cast<int>(c));
+        const std::span<const Real> reaches = of_cloth(reaches_, static_cast<int>(c)).overall;
         surface.tree->build(*x[c]);
         surface.boxes.build(surface.grid, *x[c], reaches);
         boxed.push_back({{static_cast<int>(c), surface.grid, *x[c]}, surface.boxes, reaches});
@@ -110,42 +130,53 @@ void SelfSearch::forget() {
     near_.clear();
 }
 
-std::span<const Real> SelfSearch::of_cloth(const Numbers& of_particles, int cloth) const {
+ReachSpans<const Real> SelfSearch::of_cloth(const Reaches& of_particles, int cloth) const {
     const auto c = static_cast<std::size_t>(cloth);
-    return {of_particles.data() + first_[c], first_[c + 1] - first_[c]};
+    const std::size_t from = first_[c], count = first_[c + 1] - from;
+    return {{of_particles.local.data() + from, count}, {of_particles.overall.data() + from, count}};
 }
 
-std::span<Real> SelfSearch::of_cloth(Numbers& of_particles, int cloth) const {
+ReachSpans<Real> SelfSearch::of_cloth(Reaches& of_particles, int cloth) const {
     const auto c = static_cast<std::size_t>(cloth);
-    return {of_particles.data() + first_[c], first_[c + 1] - first_[c]};
+    const std::size_t from = first_[c], count = first_[c + 1] - from;
+    return {{of_particles.local.data() + from, count}, {of_particles.overall.data() + from, count}};
 }
 
-void SelfSearch::find_common_motion(std::span<const ClothInContact> cloths) {
-    common_ = mean_ = Vec3::Zero();
-    for (const ClothInContact& cloth : cloths) {
-        const WaySums sums = sum_ways(cloth.before, cloth.state.x, kernels_);
-        common_ += sums.way;
-        mean_ += sums.before;
+/// Within the substep, and since the list was made: without a list nothing has moved since.
+void SelfSearch::find_tile_motion(std::span<const ClothInContact> cloths) {
+    Vec3 moved = Vec3::Zero(), moved_since = Vec3::Zero();
+    for (std::size_t c = 0; c < surfaces_.size(); ++c) {
+        Surface& of = surfaces_[c];
+        sum_tiles(of.tiles, cloths[c].before, cloths[c].state.x, of.sums, kernels_);
+        for (std::size_t t = 0; t < of.sums.size(); ++t) {
+            const Real particles = static_cast<Real>(of.tiles.particles(static_cast<int>(t)).particles());
+            of.within[t].mean = of.sums[t].moved / particles;
+            of.since_kept[t].mean = listed_ ? Vec3(of.sums[t].before / particles - of.kept_means[t]) : Vec3::Zero();
+            moved += of.sums[t].moved;
+            moved_since += particles * of.since_kept[t].mean;
+        }
     }
-    common_ /= static_cast<Real>(first_.back());
-    mean_ /= static_cast<Real>(first_.back());
+    const auto all = static_cast<Real>(first_.back());
+    for (Surface& of : surfaces_) {
+        compare_tiles(of.tiles, moved / all, of.within);
+        compare_tiles(of.tiles, moved_since / all, of.since_kept);
+    }
 }
 
-/// Without a list nothing has strayed.
-RelativeWays SelfSearch::ways_of(std::span<const ClothInContact> cloths, std::size_t cloth) const {
-    const ClothInContact& of = cloths[cloth];
-    const Points& kept = listed_ ? surfaces_[cloth].kept : of.before;
-    return {kept, of.before, of.state.x, listed_ ? Vec3(mean_ - kept_mean_) : Vec3::Zero(), common_};
+ParticleMotion SelfSearch::motion_of(std::span<const ClothInContact> cloths, std::size_t cloth) const {
+    const ClothInContact& now = cloths[cloth];
+    const Surface& of = surfaces_[cloth];
+    return {of.tiles, listed_ ? of.kept : now.before, now.before, now.state.x, of.since_kept, of.within};
 }
 
 /// @return whether nothing has strayed farther than the list allows
-bool SelfSearch::find_reaches(std::span<const ClothInContact> cloths, Real least, Real factor, Numbers& reaches,
-                              Numbers& strayed) {
+bool SelfSearch::find_reaches(std::span<const ClothInContact> cloths, Real least, Real factor, Reaches& reaches,
+                              Reaches& strayed) {
     bool all_within = true;
     for (std::size_t c = 0; c < cloths.size(); ++c) {
         const int cloth = static_cast<int>(c);
         const bool within =
-            drape::find_reaches(ways_of(cloths, c), least, factor, of_cloth(std::as_const(allowed_), cloth),
+            drape::find_reaches(motion_of(cloths, c), least, factor, of_cloth(std::as_const(allowed_), cloth),
                                 of_cloth(reaches, cloth), of_cloth(strayed, cloth), kernels_);
         all_within = all_within && within;
     }
@@ -153,14 +184,18 @@ bool SelfSearch::find_reaches(std::span<const ClothInContact> cloths, Real least
 }
 
 /// For a new list: by how much each particle may stray while it serves.
-/// @param factor of each way in its reach
+/// @param factor of each displacement in its reach
 void SelfSearch::set_allowances(Real factor) {
     for (std::size_t c = 0; c < surfaces_.size(); ++c) {
         const auto from = static_cast<Eigen::Index>(first_[c]), count = static_cast<Eigen::Index>(first_[c + 1]) - from;
-        const Real most = spacing_ahead * surfaces_[c].spacing;
-        const auto reaches = reaches_.segment(from, count);
-        const auto ways = (reaches - thickness_ / 2) / factor;
-        allowed_.segment(from, count) = reaches + thickness_ahead * thickness_ + (substeps_ahead * ways).min(most);
+        const auto set = [&](const Numbers& reaches_of_all, const Ahead& ahead, Numbers& allowed) {
+            const Real most = ahead.spacings * surfaces_[c].spacing;
+            const auto reaches = reaches_of_all.segment(from, count);
+            const auto moved = (reaches - thickness_ / 2) / factor;
+            allowed.segment(from, count) = reaches + thickness_ahead * thickness_ + (ahead.substeps * moved).min(most);
+        };
+        set(reaches_.local, local_ahead, allowed_.local);
+        set(reaches_.overall, overall_ahead, allowed_.overall);
     }
 }
 
@@ -168,7 +203,7 @@ void SelfSearch::set_allowances(Real factor) {
 bool SelfSearch::is_too_far() const {
     Real squares = 0;
     for (std::size_t c = 0; c < surfaces_.size(); ++c) {
-        for (const Real reach : of_cloth(reaches_, static_cast<int>(c))) {
+        for (const Real reach : of_cloth(reaches_, static_cast<int>(c)).overall) {
             const Real spacings = 2 * reach / surfaces_[c].spacing;
             squares += spacings * spacings;
         }
@@ -179,39 +214,44 @@ bool SelfSearch::is_too_far() const {
 bool SelfSearch::is_too_long(std::size_t list) const { return list > most_pairs * first_.back(); }
 
 /// Of the particles of both features, the largest numbers together.
-Real SelfSearch::sum_of_largest(const FeaturePair& pair, const Numbers& of_particles) const {
+Real SelfSearch::sum_of_largest(const FeaturePair& pair, bool local, const Reaches& of_particles) const {
     const auto& [cloths, count, p] = pair;
-    const Real* const of_first = of_particles.data() + first_[static_cast<std::size_t>(cloths[0])];
-    const Real* const of_second = of_particles.data() + first_[static_cast<std::size_t>(cloths[1])];
+    const Numbers& numbers = local ? of_particles.local : of_particles.overall;
+    const Real* const of_first = numbers.data() + first_[static_cast<std::size_t>(cloths[0])];
+    const Real* const of_second = numbers.data() + first_[static_cast<std::size_t>(cloths[1])];
     const Real of_two = std::max(of_second[p[2]], of_second[p[3]]);
     return count == 1 ? of_first[p[0]] + std::max(of_second[p[1]], of_two)
                       : std::max(of_first[p[0]], of_first[p[1]]) + of_two;
 }
 
-Real SelfSearch::reach_of(const FeaturePair& pair) const { return sum_of_largest(pair, reaches_); }
+Real SelfSearch::reach_of(const NearPair& pair) const { return sum_of_largest(pair.features, pair.local, reaches_); }
 
 SelfSearchReport SelfSearch::find(std::span<const ClothInContact> cloths, Real thickness) {
     SelfSearchReport report;
     thickness_ = thickness;
-    find_common_motion(cloths);
+    find_tile_motion(cloths);
     const bool none_strays = find_reaches(cloths, thickness / 2, response_allowance, reaches_, strayed_);
     if (!listed_ || !none_strays) renew_list(cloths, response_allowance, report);
     if (!report.gave_up) look_at_pairs(cloths, report);
     return report;
 }
 
+namespace {
+void raise(auto& numbers, const auto& others) { numbers = numbers.max(others); }
+}  // namespace
+
 bool SelfSearch::extend(std::span<const ClothInContact> cloths, SelfSearchReport& report) {
     // Half of the thickness is what features that were not found keep between them
     const auto is_within = [&](std::size_t c) {
-        return are_within(ways_of(cloths, c), thickness_ / 4, of_cloth(std::as_const(reaches_), static_cast<int>(c)),
-                          kernels_);
+        return are_within(motion_of(cloths, c), thickness_ / 4,
+                          of_cloth(std::as_const(reaches_), static_cast<int>(c)).local, kernels_);
     };
     bool ways_are_within = true;
     for (std::size_t c = 0; c < cloths.size() && ways_are_within; ++c) ways_are_within = is_within(c);
     if (ways_are_within) return false;
     const bool none_strays = find_reaches(cloths, thickness_ / 2, 1, more_reaches_, more_strayed_);
-    reaches_ = reaches_.max(more_reaches_);
-    strayed_ = strayed_.max(more_strayed_);
+    raise(reaches_.local, more_reaches_.local), raise(reaches_.overall, more_reaches_.overall);
+    raise(strayed_.local, more_strayed_.local), raise(strayed_.overall, more_strayed_.overall);
     if (!listed_ || !none_strays) renew_list(cloths, 1, report);
     if (!report.gave_up) look_at_pairs(cloths, report);
     return !report.gave_up;
@@ -230,11 +270,11 @@ void SelfSearch::renew_list(std::span<const ClothInContact> cloths, Real factor,
 /// A pair that was farther apart than both features have strayed, and may yet reach, is not near.
 void SelfSearch::look_at_pairs(std::span<const ClothInContact> cloths, SelfSearchReport& report) {
     list_.look_through(near_, [&](const PairList::Listed& listed, std::vector<NearPair>& near) {
-        const auto& [features, triangle, distance] = listed;
-        if (distance >= sum_of_largest(features, strayed_)) return;
-        NearPair pair{features, triangle};
+        const auto& [features, triangle, local, distance] = listed;
+        if (distance >= sum_of_largest(features, local, strayed_)) return;
+        NearPair pair{.features = features, .triangle = triangle, .local = local};
         locate(at(cloths, features.cloths[0]), at(cloths, features.cloths[1]), pair);
-        if (pair.distance < reach_of(features)) near.push_back(pair);
+        if (pair.distance < reach_of(pair)) near.push_back(pair);
     });
     report.listed = static_cast<std::int64_t>(list_.size());
 }
@@ -244,10 +284,15 @@ void SelfSearch::make_list(std::span<const ClothInContact> cloths, SelfSearchRep
         Surface& surface = surfaces_[c];
         surface.kept = cloths[c].before;
         surface.tree->build(surface.kept);
-        surface.folds.build(surface.kept, of_cloth(std::as_const(allowed_), static_cast<int>(c)));
+        const ReachSpans<const Real> allowed = allowances(static_cast<int>(c));
+        surface.folds.build(surface.kept, allowed.overall, allowed.local);
+        surface.flat.build(surface.kept, allowed.local, kernels_);
         surface.boxed = false;
+        for (std::size_t t = 0; t < surface.sums.size(); ++t) {
+            const int particles = surface.tiles.particles(static_cast<int>(t)).particles();
+            surface.kept_means[t] = surface.sums[t].before / static_cast<Real>(particles);
+        }
     }
-    kept_mean_ = mean_;
     list_.clear();
     const int count = static_cast<int>(cloths.size());
     for (int first = 0; first < count; ++first) {
@@ -262,11 +307,12 @@ void SelfSearch::search(std::span<const ClothInContact> cloths, int first, int s
     const auto box = [&](int number) {
         Surface& surface = surfaces_[static_cast<std::size_t>(number)];
         const ClothAt cloth = at(cloths, number);
-        if (!surface.boxed) surface.boxes.build(cloth.grid, cloth.x, of_cloth(allowed_, number));
+        const auto [local, overall] = allowances(number);
+        if (!surface.boxed) surface.boxes.build(cloth.grid, cloth.x, overall, local);
         surface.boxed = true;
-        return BoxedCloth{cloth, surface.boxes, of_cloth(allowed_, number)};
+        return BoxedCloth{cloth, surface.boxes, overall, local, &surface.flat};
     };
-    const auto largest = [&](int number) { return std::ranges::max(of_cloth(allowed_, number)); };
+    const auto largest = [&](int number) { return std::ranges::max(allowances(number).overall); };
     const Surface &one = surfaces_[static_cast<std::size_t>(first)], &two = surfaces_[static_cast<std::size_t>(second)];
     const Real margin = largest(first) + largest(second);
     report.traversal += one.tree->query(*two.tree, margin, first == second ? &one.folds : nullptr, leaves_);

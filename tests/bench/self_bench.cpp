@@ -98,7 +98,7 @@ void self_broad_phase(benchmark::State& state, int side) {
     }
     std::vector<Real> largest;
     for (std::size_t c = 0; c < count; ++c) {
-        largest.push_back(std::ranges::max(search.allowances(static_cast<int>(c))));
+        largest.push_back(std::ranges::max(search.allowances(static_cast<int>(c)).overall));
     }
     std::vector<LeafPair> leaves;
     TraversalStats stats;
@@ -106,7 +106,8 @@ void self_broad_phase(benchmark::State& state, int side) {
         stats = {};
         for (std::size_t c = 0; c < count; ++c) {
             trees[c]->build(sheets.before[c]);
-            folds[c].build(sheets.before[c], search.allowances(static_cast<int>(c)));
+            const auto [local, overall] = search.allowances(static_cast<int>(c));
+            folds[c].build(sheets.before[c], overall, local);
         }
         for (std::size_t a = 0; a < count; ++a) {
             for (std::size_t b = a; b < count; ++b) {

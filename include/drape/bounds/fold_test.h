@@ -1,5 +1,6 @@
 #pragma once
 
+#include <cmath>
 #include <span>
 #include <vector>
 
@@ -9,6 +10,9 @@
 
 namespace drape {
 
+/// How far apart features that share no particle are at least at rest: a corner of a cell and its diagonal [m].
+inline Real apart_at_rest(Real hx, Real hy) { return hx * hy / std::sqrt(hx * hx + hy * hy); }
+
 /// Tells which nodes of a cloth's hierarchy cannot touch themselves, because they are not folded enough: the cone test
 /// of @cite volino1994 in a form that is proved for distances and needs no look at a patch's outline.
 ///
@@ -17,7 +21,8 @@ namespace drape {
 /// directions at right angles, the columns of Q. If v.(Q^T F) v >= c |v|^2 on all triangles and for all v, then along
 /// the straight line from p to q in the rectangle (q - p).Q^T (phi(q) - phi(p)) >= c |q - p|^2, and so
 /// |phi(q) - phi(p)| >= c |q - p|: what is apart at rest stays apart. Features that share no particle are at rest at
-/// least hx hy / sqrt(hx^2 + hy^2) apart: a corner of a cell from its diagonal.
+/// least `apart_at_rest`. Features with particles of tiles that do
+/// not touch are at least 7 spacings apart.
 class FoldTest {
 public:
     FoldTest() = default;
@@ -29,8 +34,9 @@ public:
     /// @param x n x 3 [m]
     /// @param reaches of each particle [m]: what is farther apart than those of its nodes together is apart enough;
     /// empty: nothing is but what is asked for
+    /// @param local_reaches the same towards particles of the same and of touching tiles; empty: as all others
     /// @par Cost O(particles)
-    void build(const Points& x, std::span<const Real> reaches = {});
+    void build(const Points& x, std::span<const Real> reaches = {}, std::span<const Real> local_reaches = {});
 
     /// Whether all that shares no particle in a node is farther apart than a distance [m], or than it reaches.
     [[nodiscard]] bool keeps_apart(int node, Real distance) const;
@@ -41,11 +47,12 @@ public:
 private:
     /// All derivatives of a patch are within, and none of its particles reaches farther.
     struct Derivatives {
-        Aabb along, across;  ///< e_u / hx, e_v / hy
-        Real reach;          ///< [m]
+        Aabb along, across;       ///< e_u / hx, e_v / hy
+        Real reach, local_reach;  ///< [m]
     };
 
-    [[nodiscard]] Derivatives of_leaf(const QuadtreeNode& leaf, const Points& x, std::span<const Real> reaches) const;
+    [[nodiscard]] Derivatives of_leaf(const QuadtreeNode& leaf, const Points& x, std::span<const Real> reaches,
+                                      std::span<const Real> local_reaches) const;
     [[nodiscard]] bool bounds(const Derivatives& derivatives, Real distance) const;
 
     Grid grid_;

@@ -16,6 +16,7 @@ public:
     struct Listed {
         FeaturePair features;
         int triangle;
+        bool local;     ///< as in `NearPair`
         Real distance;  ///< [m]
     };
 

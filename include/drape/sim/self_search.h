@@ -6,8 +6,8 @@
 #include "drape/base/copied.h"
 #include "drape/bounds/fold_test.h"
 #include "drape/contact/near_pairs.h"
-#include "drape/contact/relative_ways.h"
 #include "drape/contact/response.h"
+#include "drape/contact/tile_motion.h"
 #include "drape/sim/pair_list.h"
 
 namespace drape {
@@ -22,8 +22,9 @@ struct SelfSearchReport {
 /// Finds where the cloths of a scene come near themselves and each other. What was found within a wide margin serves
 /// as a list for as long as nothing has moved far enough for other pairs to come near @cite verlet1967: most substeps
 /// look at those pairs of the list alone whose particles have moved enough since, and where it is empty they cost some
-/// passes over the displacements. What all particles move by together brings nothing nearer to anything, and does not
-/// count.
+/// passes over the displacements. What particles move by together brings none of them nearer to another, and does not
+/// count: a particle has a local reach, which counts what it moves by against its tile and the tiles that touch it, for
+/// pairs within these, and an overall one for all others.
 class SelfSearch {
 public:
     /// Pairs that there may be, a particle in the mean.
@@ -62,11 +63,11 @@ public:
     /// Of the cloths, as in the last search [m].
     [[nodiscard]] Real thickness() const { return thickness_; }
 
-    /// How far each particle of a cloth may come, that the last list was made for [m].
-    [[nodiscard]] std::span<const Real> allowances(int cloth) const { return of_cloth(allowed_, cloth); }
+    /// How far each particle of a cloth may come, that the last list was made for.
+    [[nodiscard]] ReachSpans<const Real> allowances(int cloth) const { return of_cloth(allowed_, cloth); }
 
     /// How far both features of a pair reach together within the substep [m].
-    [[nodiscard]] Real reach_of(const FeaturePair& pair) const;
+    [[nodiscard]] Real reach_of(const NearPair& pair) const;
 
     /// The number of each cloth's first particle among all, and of all in the end.
     [[nodiscard]] std::span<const std::size_t> first_particles() const { return first_; }
@@ -74,22 +75,32 @@ public:
 private:
     using Numbers = Eigen::Array<Real, Eigen::Dynamic, 1>;
 
+    /// Of the particles of all cloths.
+    struct Reaches {
+        Numbers local, overall;
+    };
+
     struct Surface {
         Copied<BroadPhase> tree;
         FoldTest folds;
+        FlatBlocks flat;
         CellBoxes boxes;
         bool boxed = false;  ///< since the last list was begun
         Points kept;         ///< what the list was made from
         Grid grid;
         Real spacing;  ///< of its particles at rest [m]
+        Tiles tiles;
+        std::vector<TileSums> sums;    ///< of each tile, in this substep
+        std::vector<Vec3> kept_means;  ///< of their positions when the list was made
+        std::vector<TileMotion> since_kept, within;
     };
 
     template <class Count>
     std::int64_t count_between(std::span<const Points* const> x, Real reach, Count count);
-    bool find_reaches(std::span<const ClothInContact> cloths, Real least, Real factor, Numbers& reaches,
-                      Numbers& strayed);
-    [[nodiscard]] RelativeWays ways_of(std::span<const ClothInContact> cloths, std::size_t cloth) const;
-    void find_common_motion(std::span<const ClothInContact> cloths);
+    bool find_reaches(std::span<const ClothInContact> cloths, Real least, Real factor, Reaches& reaches,
+                      Reaches& strayed);
+    [[nodiscard]] ParticleMotion motion_of(std::span<const ClothInContact> cloths, std::size_t cloth) const;
+    void find_tile_motion(std::span<const ClothInContact> cloths);
     void set_allowances(Real factor);
     [[nodiscard]] bool is_too_far() const;
     [[nodiscard]] bool is_too_long(std::size_t list) const;
@@ -97,9 +108,9 @@ private:
     void renew_list(std::span<const ClothInContact> cloths, Real factor, SelfSearchReport& report);
     void make_list(std::span<const ClothInContact> cloths, SelfSearchReport& report);
     void search(std::span<const ClothInContact> cloths, int first, int second, SelfSearchReport& report);
-    [[nodiscard]] Real sum_of_largest(const FeaturePair& pair, const Numbers& of_particles) const;
-    [[nodiscard]] std::span<const Real> of_cloth(const Numbers& of_particles, int cloth) const;
-    [[nodiscard]] std::span<Real> of_cloth(Numbers& of_particles, int cloth) const;
+    [[nodiscard]] Real sum_of_largest(const FeaturePair& pair, bool local, const Reaches& of_particles) const;
+    [[nodiscard]] ReachSpans<const Real> of_cloth(const Reaches& of_particles, int cloth) const;
+    [[nodiscard]] ReachSpans<Real> of_cloth(Reaches& of_particles, int cloth) const;
 
     Real thickness_ = 0;
     std::vector<Surface> surfaces_;   ///< of each cloth
@@ -109,13 +120,10 @@ private:
     PairList list_;
     std::vector<NearPair> near_;
     Kernels kernels_ = Kernels::Vector;
-    Vec3 common_ = Vec3::Zero();           ///< what all particles move by together within the substep [m]
-    Vec3 mean_ = Vec3::Zero();             ///< of their positions at its start [m]
-    Vec3 kept_mean_ = Vec3::Zero();        ///< the same when the list was made [m]
-    Numbers reaches_;                      ///< how far each particle may come within it, with half the thickness [m]
-    Numbers strayed_;                      ///< the reach, and what each has moved by since the list was made [m]
-    Numbers allowed_;                      ///< by the list: it serves while nothing has strayed farther [m]
-    Numbers more_reaches_, more_strayed_;  ///< of what the response has moved
+    Reaches reaches_;                      ///< how far each particle may come within it, with half the thickness
+    Reaches strayed_;                      ///< the reach, and what each has moved by since the list was made
+    Reaches allowed_;                      ///< by the list: it serves while nothing has strayed farther
+    Reaches more_reaches_, more_strayed_;  ///< of what the response has moved
 };
 
 }  // namespace drape

@@ -1,0 +1,124 @@
+// Blocks of 2 x 2 cells are called flat only where nothing in them can come near; plain and by vectors.
+
+#include "drape/contact/flat_blocks.h"
+
+#include <gtest/gtest.h>
+
+#include <random>
+
+#include "drape/contact/near_pairs.h"
+
+namespace drape {
+namespace {
+
+constexpr Real spacing = Real(0.1);
+constexpr Kernels both[] = {Kernels::Plain, Kernels::Vector};
+
+/// Rolled about an axis along z, compressed, sheared and ruffled.
+Points crumpled(const Grid& grid, std::mt19937& random) {
+    std::uniform_real_distribution<Real> unit(-1, 1);
+    const Real curvature = Real(0.5) + 6 * std::abs(unit(random)), noise = Real(0.03) * std::abs(unit(random));
+    const Real shear = unit(random), narrow = 1 - Real(0.5) * std::abs(unit(random));
+    Points x(grid.particles(), 3);
+    for (int j = 0; j < grid.ny; ++j) {
+        for (int i = 0; i < grid.nx; ++i) {
+            const Real z = spacing * static_cast<Real>(j);
+            const Real angle = curvature * (spacing * static_cast<Real>(i) + shear * z);
+            x.row(grid.particle(i, j)) << std::sin(angle) / curvature, std::cos(angle) / curvature, narrow * z;
+        }
+    }
+    for (Real& value : x.reshaped()) value += noise * unit(random);
+    return x;
+}
+
+/// Pairs of two cells that are within what they reach.
+std::size_t pairs_within_reach(const Grid& grid, const Points& x, const CellRange& one, const CellRange& two,
+                               std::span<const Real> reaches) {
+    CellBoxes boxes;
+    boxes.build(grid, x, reaches);
+    std::vector<NearPair> pairs;
+    const BoxedCloth cloth{{0, grid, x}, boxes, reaches};
+    const LeafPair leaves{one, two};
+    find_near_pairs(cloth, cloth, {&leaves, 1}, pairs);
+    return pairs.size();
+}
+
+TEST(FlatBlocks, NeverKeepApartWhatIsWithinReach) {
+    const Grid grid{12, 9};
+    std::mt19937 random(5);
+    std::uniform_real_distribution<Real> unit(0, 1);
+    int flat = 0, nearly_touched = 0, refused = 0;
+    for (int trial = 0; trial < 60; ++trial) {
+        const Points x = crumpled(grid, random);
+        std::vector<Real> reaches(static_cast<std::size_t>(grid.particles()));
+        const Real most = Real(0.04) * unit(random);
+        for (Real& reach : reaches) reach = most * (1 - Real(0.2) * unit(random));
+        std::vector<Real> farther = reaches;
+        for (Real& reach : farther) reach *= Real(1.5);
+        FlatBlocks blocks(grid, spacing, spacing);
+        blocks.build(x, reaches, Kernels::Vector);
+        for (int one = 0; one < grid.cells(); ++one) {
+            for (int two = one; two < grid.cells(); ++two) {
+                const int i = one % 11, j = one / 11, k = two % 11, m = two / 11;
+                const bool touch = std::abs(i - k) <= 1 && std::abs(j - m) <= 1;
+                if (!blocks.keep_apart(i, j, k, m)) {
+                    refused += touch;
+                    continue;
+                }
+                ASSERT_TRUE(touch);
+                ++flat;
+                const CellRange first{i, j, i + 1, j + 1}, second{k, m, k + 1, m + 1};
+                ASSERT_EQ(pairs_within_reach(grid, x, first, second, reaches), 0U) << "trial " << trial;
+                nearly_touched += pairs_within_reach(grid, x, first, second, farther) > 0;
+            }
+        }
+    }
+    EXPECT_GT(flat, 3000);
+    EXPECT_GT(nearly_touched, 100) << "the bound is so careful that these sheets say nothing about it";
+    EXPECT_GT(refused, 3000);
+}
+
+TEST(FlatBlocks, KeepAFlatSheetApartToNearlyItsRestDistances) {
+    const Grid grid{12, 9};
+    Points x(grid.particles(), 3);
+    for (int p = 0; p < grid.particles(); ++p) x.row(p) << spacing * Real(p % 12), 1, -Real(0.2) * Real(p / 12);
+    const auto keep_apart = [&](Real reach, int i, int j, int other_i, int other_j) {
+        FlatBlocks blocks(grid, spacing, Real(0.2));
+        blocks.build(x, std::vector<Real>(static_cast<std::size_t>(grid.particles()), reach), Kernels::Vector);
+        return blocks.keep_apart(i, j, other_i, other_j);
+    };
+    const Real half = apart_at_rest(spacing, Real(0.2)) / 2;
+    for (const auto& [i, j] : {std::pair(0, 0), {10, 0}, {0, 7}, {10, 7}, {4, 3}}) {
+        EXPECT_TRUE(keep_apart(Real(0.999) * half, i, j, i, j));
+        EXPECT_TRUE(keep_apart(Real(0.999) * half, i, j, i == 10 ? 9 : i + 1, j == 7 ? 6 : j + 1));
+        EXPECT_FALSE(keep_apart(Real(1.001) * half, i, j, i, j));
+    }
+    EXPECT_FALSE(keep_apart(0, 4, 3, 6, 3)) << "they do not touch";
+}
+
+TEST(FlatBlocks, SeeACollapsedBlock) {
+    const Grid grid{3, 3};
+    for (const Kernels kernels : both) {
+        FlatBlocks blocks(grid, spacing, spacing);
+        blocks.build(Points::Zero(9, 3), std::vector<Real>(9, 0), kernels);
+        EXPECT_FALSE(blocks.keep_apart(0, 0, 1, 1));
+    }
+    EXPECT_FALSE(FlatBlocks({2, 5}, spacing, spacing).keep_apart(0, 0, 0, 1)) << "a strip of one cell has no block";
+}
+
+TEST(FlatBlocks, HaveTheSameBitsPlainAndByVectors) {
+    std::mt19937 random(9);
+    for (const Grid& grid : {Grid{3, 3}, Grid{4, 11}, Grid{29, 7}}) {
+        for (int trial = 0; trial < 20; ++trial) {
+            const Points x = crumpled(grid, random);
+            const std::vector<Real> reaches(static_cast<std::size_t>(grid.particles()), Real(0.01));
+            std::vector<Real> plain(static_cast<std::size_t>((grid.nx - 2) * (grid.ny - 2))), vector = plain;
+            find_block_room({grid, x, reaches, spacing, Real(0.11)}, plain, Kernels::Plain);
+            find_block_room({grid, x, reaches, spacing, Real(0.11)}, vector, Kernels::Vector);
+            ASSERT_EQ(plain, vector);
+        }
+    }
+}
+
+}  // namespace
+}  // namespace drape
