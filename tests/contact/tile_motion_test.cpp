@@ -16,8 +16,9 @@ const Grid grids[] = {{2, 2}, {8, 8}, {9, 17}, {30, 21}};
 
 /// Positions at three times, between which a cloth turns, stretches, and shakes a little.
 struct ThreeTimes {
-    explicit ThreeTimes(const Grid& grid) : tiles(grid), since_kept(tile_count()), within(tile_count()) {
-        std::mt19937 random(3);
+    explicit ThreeTimes(const Grid& grid, unsigned seed = 3)
+        : tiles(grid), since_kept(tile_count()), within(tile_count()) {
+        std::mt19937 random(seed);
         std::uniform_real_distribution<Real> unit(-1, 1);
         const auto noise = [&] {
             return Points(Points::NullaryExpr(grid.particles(), 3, [&] { return unit(random); }));
@@ -115,24 +116,38 @@ TEST(TileMotion, SumsUpWhatEachTileMovesBy) {
 }
 
 TEST(TileMotion, BringsNothingNearerThanBothReach) {
-    for (const Grid& grid : grids) {
-        const ThreeTimes times(grid);
-        for (const Kernels kernels : both) {
-            const Found found(times, 0, 1, 100, kernels);
-            const Real rounding = 100 * std::numeric_limits<Real>::epsilon();
-            for (int p = 0; p < grid.particles(); ++p) {
-                for (int q = p + 1; q < grid.particles(); ++q) {
-                    const auto k = static_cast<std::size_t>(p), m = static_cast<std::size_t>(q);
-                    const auto apart = [&](const Points& x) { return Vec3((x.row(p) - x.row(q)).transpose()); };
-                    const Real moved = (apart(times.now) - apart(times.before)).norm() - rounding;
-                    const Real strayed = moved + (apart(times.before) - apart(times.kept)).norm() - rounding;
-                    ASSERT_LE(moved, found.overall[k] + found.overall[m]) << p << " and " << q;
-                    ASSERT_LE(strayed, found.overall_strayed[k] + found.overall_strayed[m]) << p << " and " << q;
-                    if (!are_local(grid, p, q)) continue;
-                    ASSERT_LE(moved, found.local[k] + found.local[m]) << p << " and " << q;
-                    ASSERT_LE(strayed, found.local_strayed[k] + found.local_strayed[m]) << p << " and " << q;
-                }
+    for (unsigned seed = 0; seed < 6; ++seed) {
+        const Grid grid = grids[seed % 4];
+        const ThreeTimes times(grid, seed);
+        const Found found(times, 0, 1, 100, both[seed / 3]);
+        const Real rounding = 100 * std::numeric_limits<Real>::epsilon();
+        for (int p = 0; p < grid.particles(); ++p) {
+            for (int q = p + 1; q < grid.particles(); ++q) {
+                const auto k = static_cast<std::size_t>(p), m = static_cast<std::size_t>(q);
+                const auto apart = [&](const Points& x) { return Vec3((x.row(p) - x.row(q)).transpose()); };
+                const Real moved = (apart(times.now) - apart(times.before)).norm() - rounding;
+                const Real strayed = moved + (apart(times.before) - apart(times.kept)).norm() - rounding;
+                ASSERT_LE(moved, found.overall[k] + found.overall[m]) << p << " and " << q;
+                ASSERT_LE(strayed, found.overall_strayed[k] + found.overall_strayed[m]) << p << " and " << q;
+                if (!are_local(grid, p, q)) continue;
+                ASSERT_LE(moved, found.local[k] + found.local[m]) << p << " and " << q;
+                ASSERT_LE(strayed, found.local_strayed[k] + found.local_strayed[m]) << p << " and " << q;
             }
+        }
+    }
+}
+
+/// The means of tiles are compared at each side and at each corner.
+TEST(TileMotion, DiffersFromEachTouchingTile) {
+    const Tiles tiles({24, 24});
+    for (int t = 0; t < 9; ++t) {
+        std::vector<TileMotion> motion(9);
+        motion[static_cast<std::size_t>(t)].mean = {2, 0, 0};
+        compare_tiles(tiles, {1, 0, 0}, motion);
+        for (int u = 0; u < 9; ++u) {
+            const bool touch = std::abs(t % 3 - u % 3) <= 1 && std::abs(t / 3 - u / 3) <= 1;
+            EXPECT_EQ(motion[static_cast<std::size_t>(u)].local, touch ? 1 : 0) << t << " and " << u;
+            EXPECT_EQ(motion[static_cast<std::size_t>(u)].overall, 1);
         }
     }
 }

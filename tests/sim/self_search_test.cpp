@@ -57,8 +57,10 @@ private:
     Real along_, speed_, spin_, shake_, narrow_;
 };
 
-/// All pairs of features that are as near as both reach, from all pairs of cells.
-std::vector<FeaturePair> all_within_reach(const SelfSearch& search, const Grid& grid, const Points& x) {
+/// All pairs of features that are as near as both reach at the start of a substep, from all pairs of cells; none comes
+/// nearer within it than they reach.
+std::vector<FeaturePair> all_within_reach(const SelfSearch& search, const Grid& grid, const Points& x,
+                                          const Points& now) {
     const std::vector<Real> far(static_cast<std::size_t>(grid.particles()), Real(0.05));
     CellBoxes boxes;
     boxes.build(grid, x, far);
@@ -68,8 +70,12 @@ std::vector<FeaturePair> all_within_reach(const SelfSearch& search, const Grid& 
     find_near_pairs(cloth, cloth, {&all, 1}, near);
     std::vector<FeaturePair> within;
     for (const NearPair& pair : near) {
-        EXPECT_LT(search.reach_of(pair), Real(0.1));
-        if (pair.distance < search.reach_of(pair)) within.push_back(pair.features);
+        const Real reach = search.reach_of(pair);
+        EXPECT_LT(reach, Real(0.1));
+        if (pair.distance < reach) within.push_back(pair.features);
+        NearPair then = pair;
+        locate({0, grid, now}, {0, grid, now}, then);
+        EXPECT_GT(then.distance, pair.distance - (reach - kept_apart) - Real(1e-6));
     }
     std::ranges::sort(within);
     return within;
@@ -100,7 +106,8 @@ TEST(SelfSearch, FindsWhatIsWithinReachWhileItsListServes) {
                 ++(pair.local ? local : not_local);
             }
             if (step % 4 == 1) {
-                ASSERT_EQ(found, all_within_reach(search, model.grid, before)) << "sheet " << seed << ", step " << step;
+                ASSERT_EQ(found, all_within_reach(search, model.grid, before, state.x))
+                    << "sheet " << seed << ", step " << step;
             }
             lists += report.traversal.volume_tests > 0;
             ++substeps;
