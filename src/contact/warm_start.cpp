@@ -35,11 +35,18 @@ bool is_of_surface(const PairContact& /*contact*/) { return true; }
 /// Whether it pushes a free ball too. Such a contact is kept with a push of zero, to be told that it lasts.
 bool moves_both(const ContactPlane& contact) { return least_inverse_mass(contact) < contact.inverse_mass; }
 
+/// Whether pushes may be forces of the step. Not of a method that takes its forces from the start of the step alone;
+/// and one to which a force displaces by all of what its velocity would has them beside the pushes of pairs only, and
+/// moves more if both are not of one kind.
+bool takes_forces(const ResponseParameters& parameters) {
+    if (displacement_share(parameters.integrator) < 1) return true;
+    return !has_step_limit(parameters.integrator) && !parameters.pairs;
+}
+
 /// Whether the pushes that go on are those that stopped velocities, and not those that displaced; they are forces of
-/// the step then. Where a force displaces by half of what its velocity would, displacements are no measure of it; but
-/// cloth that carries a ball is calmer by them.
+/// the step then. Cloth that carries a ball is calmer by displacements.
 bool takes_impulses(const ResponseParameters& parameters, const std::vector<Contact>& contacts) {
-    return parameters.kind == ResponseKind::Projection && displacement_share(parameters.integrator) < 1 &&
+    return parameters.kind == ResponseKind::Projection && takes_forces(parameters) &&
            std::ranges::none_of(contacts, moves_both);
 }
 

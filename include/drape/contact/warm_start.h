@@ -10,15 +10,15 @@
 namespace drape {
 
 /// What a response starts from: the pushes of the substep before. @cite catto2005
-/// To an implicit method they are a force that lasts for its step: a velocity that is given before the step. What rests
-/// does not move then. An explicit method takes its forces from the start of the step, where a velocity would be
-/// answered by dampers: it is given the pushes after the step, displacements too. Either way the response has little
-/// left to solve.
-/// Where a force displaces by half of what its velocity would (`displacement_share`), what the projection displaces by
-/// does not measure it. The impulses that stop velocities do, and go on instead, as forces among those of the cloth:
-/// these methods ask for the forces more than once in a step, and what rests must rest there too. This is not done for
-/// pairs, nor while a free ball touches the cloth: then displacements go on as for the others. Nor is it done for the
-/// response by impulses, of which an implicit method of this kind gets half before its step and half after it.
+/// Those that go on are the impulses that stopped velocities, as forces among those of the cloth: what rests does not
+/// move in the step then, and the projection has nothing left to displace. What it did displace by is no measure of the
+/// force. It holds every contact to its depth, and where one is a micrometre too high it pushes less: given on, that
+/// rocks the cloth between its contacts.
+/// There are exceptions. A method that takes its forces from the start of the step alone would answer a push there by
+/// dampers: it is given the pushes after the step, displacements too. For pairs, and while a free ball touches the
+/// cloth, displacements go on: to an implicit method as a velocity before the step, to others half before and half
+/// after it. So they do where cloths meet, under an implicit method to which a force displaces by all of what its
+/// velocity would. And so do the impulses of the response by impulses.
 /// The push of a contact that rolls goes ahead of it, where it would feed the rocking of cloth otherwise: where it is a
 /// force of the step, and under implicit methods to which a force displaces by all of what its velocity would.
 /// Only responses that solve for pushes can use them; a penalty follows from the depth.
