@@ -43,11 +43,17 @@ bool takes_forces(const ResponseParameters& parameters) {
     return !has_step_limit(parameters.integrator) && !parameters.pairs;
 }
 
+/// While a free ball touches the cloth: in the long substeps of a method without a step limit cloth that carries a ball
+/// is calmer by displacements, which keep its contacts.
+bool takes_forces_under_balls(IntegratorKind integrator) {
+    return has_step_limit(integrator) || integrator == IntegratorKind::DormandPrince;
+}
+
 /// Whether the pushes that go on are those that stopped velocities, and not those that displaced; they are forces of
-/// the step then. Cloth that carries a ball is calmer by displacements.
+/// the step then.
 bool takes_impulses(const ResponseParameters& parameters, const std::vector<Contact>& contacts) {
     return parameters.kind == ResponseKind::Projection && takes_forces(parameters) &&
-           std::ranges::none_of(contacts, moves_both);
+           (takes_forces_under_balls(parameters.integrator) || std::ranges::none_of(contacts, moves_both));
 }
 
 /// Of two cloths, both move.
@@ -97,6 +103,10 @@ void displace_ball(BallDisplacements& balls, const Contact& contact) {
     balls.push_ball(contact.ball, contact.normal, -push_along(contact.displacement, contact.normal));
 }
 void displace_ball(BallDisplacements& /*balls*/, const PairContact& /*contact*/) {}
+void speed_up_ball(BallVelocities& balls, const Contact& contact) {
+    balls.push_ball(contact.ball, contact.normal, -push_along(contact.impulse, contact.normal));
+}
+void speed_up_ball(BallVelocities& /*balls*/, const PairContact& /*contact*/) {}
 
 /// By how many substeps of its motion the push of a contact goes ahead of it: within two to four, cloth that rocks on a
 /// ball comes to rest.
@@ -187,6 +197,17 @@ const Real* WarmStart<AnyContact>::within_step(const ClothModel& model) {
         }
     }
     return forces_.data();
+}
+
+template <class AnyContact>
+void WarmStart<AnyContact>::push_balls(std::span<Ball> balls) const {
+    if (!of_velocities_) return;
+    BallDisplacements displacements{balls};
+    BallVelocities velocities{balls};
+    for (const AnyContact& contact : last_) {
+        displace_ball(displacements, contact);
+        speed_up_ball(velocities, contact);
+    }
 }
 
 template <class AnyContact>

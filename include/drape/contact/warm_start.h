@@ -15,10 +15,11 @@ namespace drape {
 /// force. It holds every contact to its depth, and where one is a micrometre too high it pushes less: given on, that
 /// rocks the cloth between its contacts.
 /// There are exceptions. A method that takes its forces from the start of the step alone would answer a push there by
-/// dampers: it is given the pushes after the step, displacements too. For pairs, and while a free ball touches the
-/// cloth, displacements go on: to an implicit method as a velocity before the step, to others half before and half
-/// after it. So they do where cloths meet, under an implicit method to which a force displaces by all of what its
-/// velocity would. And so do the impulses of the response by impulses.
+/// dampers: it is given the pushes after the step, displacements too. For pairs, displacements go on: to an implicit
+/// method as a velocity before the step, or half before and half after it, to others after it. So they do under methods
+/// without a step limit while a free ball touches the cloth, for contacts that nothing holds to their depth come loose
+/// under it in long substeps; and where cloths meet, if a force displaces by all of what its velocity would. So do the
+/// impulses of the response by impulses.
 /// The push of a contact that rolls goes ahead of it, where it would feed the rocking of cloth otherwise: where it is a
 /// force of the step, and under implicit methods to which a force displaces by all of what its velocity would.
 /// Only responses that solve for pushes can use them; a penalty follows from the depth.
@@ -45,6 +46,9 @@ public:
 
     /// The pushes that are forces of the step, n x 3 [N]; null if none are. They last until this is called again.
     [[nodiscard]] const Real* within_step(const ClothModel& model);
+
+    /// Gives free balls what pushes them by these forces. They have moved before the step.
+    void push_balls(std::span<Ball> balls) const;
 
     /// The contacts of the others.
     [[nodiscard]] std::span<const AnyContact> beside_step() const {
