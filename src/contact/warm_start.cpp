@@ -36,8 +36,8 @@ bool is_of_surface(const PairContact& /*contact*/) { return true; }
 bool moves_both(const ContactPlane& contact) { return least_inverse_mass(contact) < contact.inverse_mass; }
 
 /// Whether pushes may be forces of the step. Not of a method that takes its forces from the start of the step alone;
-/// and one to which a force displaces by all of what its velocity would has them beside the pushes of pairs only, and
-/// moves more if both are not of one kind.
+/// nor, where a force displaces by all of what its velocity would, beside those of pairs, which go on as displacements:
+/// cloth that is pushed by both kinds is less calm.
 bool takes_forces(const ResponseParameters& parameters) {
     if (displacement_share(parameters.integrator) < 1) return true;
     return !has_step_limit(parameters.integrator) && !parameters.pairs;

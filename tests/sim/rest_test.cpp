@@ -193,6 +193,19 @@ TEST(BallOnATrampoline, BouncesLessHighAfterTheFirstTimeUnderXpbd) {
     EXPECT_LT(later, 1);
 }
 
+TEST(BallOnATrampoline, FallsOnASheetThatNothingHasTouchedAfterAReset) {
+    Settings settings = awake("trampoline", IntegratorKind::Xpbd);
+    settings.solver.dt = 1.0 / 60;
+    Simulation simulation("trampoline", std::move(settings));
+    make_steps(simulation, 18);
+    const std::uint64_t hash = simulation.hash();
+    make_steps(simulation, 12);
+    ASSERT_GT(simulation.report().substeps, 1);
+    send(simulation, "reset");
+    make_steps(simulation, 18);
+    EXPECT_EQ(simulation.hash(), hash);
+}
+
 TEST(RestInATrampoline, IsReachedByTheShippedSceneAndCostsNothing) {
     Settings settings = load_scene("trampoline");
     const Real sleep_speed = std::exchange(settings.solver.sleep_speed, Real(0));
