@@ -14,15 +14,15 @@ namespace drape {
 /// move in the step then, and the projection has nothing left to displace. What it did displace by is no measure of the
 /// force. It holds every contact to its depth, and where one is a micrometre too high it pushes less: given on, that
 /// rocks the cloth between its contacts.
-/// There are exceptions. A method that takes its forces from the start of the step alone would answer a push there by
-/// dampers: it is given the pushes after the step, displacements too. For pairs, displacements go on: to an implicit
-/// method as a velocity before the step, or half before and half after it, to others after it. So they do under methods
-/// without a step limit while a free ball touches the cloth, for contacts that nothing holds to their depth come loose
-/// under it in long substeps; and where cloths meet, if a force displaces by all of what its velocity would. So do the
-/// impulses of the response by impulses.
-/// The push of a contact that rolls goes ahead of it, where it would feed the rocking of cloth otherwise: where it is a
-/// force of the step, and under implicit methods to which a force displaces by all of what its velocity would.
-/// Only responses that solve for pushes can use them; a penalty follows from the depth.
+/// There are exceptions, and BDF2 is one: there displacements go on. A method that takes its forces from the start of
+/// the step alone would answer a push there by dampers: it is given the pushes after the step, displacements too. For
+/// pairs, displacements go on: to an implicit method as a velocity before the step, or half before and half after it,
+/// to others after it. So they do under methods without a step limit while a free ball touches the cloth, for contacts
+/// that nothing holds to their depth come loose under it in long substeps; and where cloths meet, if a force displaces
+/// by all of what its velocity would. So do the impulses of the response by impulses. The push of a contact that rolls
+/// goes ahead of it, where it would feed the rocking of cloth otherwise: where it is a force of the step, and under
+/// implicit methods to which a force displaces by all of what its velocity would. Only responses that solve for pushes
+/// can use them; a penalty follows from the depth.
 /// @tparam AnyContact `Contact`, of one cloth with balls and ground, or `PairContact`
 template <class AnyContact>
 class WarmStart {
