@@ -35,12 +35,26 @@ bool is_of_surface(const PairContact& /*contact*/) { return true; }
 /// Whether it pushes a free ball too. Such a contact is kept with a push of zero, to be told that it lasts.
 bool moves_both(const ContactPlane& contact) { return least_inverse_mass(contact) < contact.inverse_mass; }
 
+/// Whether pushes may be forces of the step. Not of a method that takes its forces from the start of the step alone;
+/// nor, where a force displaces by all of what its velocity would, beside those of pairs, which go on as displacements:
+/// cloth that is pushed by both kinds is less calm. Nor of BDF2: what a force displaces by is another there after each
+/// restart, and in substeps of 0.1 ms cloth quivers by that.
+bool takes_forces(const ResponseParameters& parameters) {
+    if (displacement_share(parameters.integrator) < 1) return true;
+    return !has_step_limit(parameters.integrator) && parameters.integrator != IntegratorKind::Bdf2 && !parameters.pairs;
+}
+
+/// While a free ball touches the cloth: in the long substeps of a method without a step limit cloth that carries a ball
+/// is calmer by displacements, which keep its contacts.
+bool takes_forces_under_balls(IntegratorKind integrator) {
+    return has_step_limit(integrator) || integrator == IntegratorKind::DormandPrince;
+}
+
 /// Whether the pushes that go on are those that stopped velocities, and not those that displaced; they are forces of
-/// the step then. Where a force displaces by half of what its velocity would, displacements are no measure of it; but
-/// cloth that carries a ball is calmer by them.
+/// the step then.
 bool takes_impulses(const ResponseParameters& parameters, const std::vector<Contact>& contacts) {
-    return parameters.kind == ResponseKind::Projection && displacement_share(parameters.integrator) < 1 &&
-           std::ranges::none_of(contacts, moves_both);
+    return parameters.kind == ResponseKind::Projection && takes_forces(parameters) &&
+           (takes_forces_under_balls(parameters.integrator) || std::ranges::none_of(contacts, moves_both));
 }
 
 /// Of two cloths, both move.
@@ -90,6 +104,10 @@ void displace_ball(BallDisplacements& balls, const Contact& contact) {
     balls.push_ball(contact.ball, contact.normal, -push_along(contact.displacement, contact.normal));
 }
 void displace_ball(BallDisplacements& /*balls*/, const PairContact& /*contact*/) {}
+void speed_up_ball(BallVelocities& balls, const Contact& contact) {
+    balls.push_ball(contact.ball, contact.normal, -push_along(contact.impulse, contact.normal));
+}
+void speed_up_ball(BallVelocities& /*balls*/, const PairContact& /*contact*/) {}
 
 /// By how many substeps of its motion the push of a contact goes ahead of it: within two to four, cloth that rocks on a
 /// ball comes to rest.
@@ -180,6 +198,17 @@ const Real* WarmStart<AnyContact>::within_step(const ClothModel& model) {
         }
     }
     return forces_.data();
+}
+
+template <class AnyContact>
+void WarmStart<AnyContact>::push_balls(std::span<Ball> balls) const {
+    if (!of_velocities_) return;
+    BallDisplacements displacements{balls};
+    BallVelocities velocities{balls};
+    for (const AnyContact& contact : last_) {
+        displace_ball(displacements, contact);
+        speed_up_ball(velocities, contact);
+    }
 }
 
 template <class AnyContact>

@@ -39,6 +39,7 @@ ResponseParameters response_of(const Settings& settings) {
             .restitution = contact.restitution,
             .thickness = contact.thickness,
             .pair_thickness = pair_thickness_of(settings),
+            .pairs = contact.self,
             .stiffness = contact.stiffness,
             .ground = settings.ground,
             .integrator = settings.solver.integrator};

@@ -48,7 +48,8 @@ void Simulation::begin_step() {
     }
     if (plan_is_due(settings_.solver, report_)) plan(planned_substeps_);
     const bool touches = report_.contacts > 0 || !ball_contacts_.empty() || self_contact_.is_near();
-    report_.substeps = substeps_in_contact(settings_, touches, planned_substeps_);
+    if (touches) touched_ = report_.time;
+    report_.substeps = substeps_in_contact(settings_, report_.time - touched_, planned_substeps_);
     if (self_contact_.on())
         report_.substeps = std::max(report_.substeps, substeps_of_motion(cloths_, settings_.solver));
 }
@@ -86,6 +87,7 @@ bool Simulation::integrate(const Substep& now) {
     look_at_cloths();
     take_pushes(now);
     warm_start(WarmStartStage::Before);
+    push_balls();
     for (Cloth& cloth : cloths_) {
         cloth.model.air = air;
         cloth.model.steady = cloth.warm_start.within_step(cloth.model);
@@ -127,6 +129,13 @@ void Simulation::take_pushes(const Substep& now) {
         cloth.warm_start.take(response, now.h, cloth.model.gravity.norm(), in_contact_, cloth.contacts);
     }
     self_contact_.take_pushes(response, now.h, gravity_of(settings_).norm(), in_contact_);
+}
+
+/// Gives free balls the pushes that are forces of the cloths' steps.
+void Simulation::push_balls() {
+    const double before = kinetic_energy(balls_);
+    for (const Cloth& cloth : cloths_) cloth.warm_start.push_balls(balls_);
+    steady_work_ = before - kinetic_energy(balls_);
 }
 
 /// Gives the pushes of the substep before.
@@ -236,8 +245,9 @@ void Simulation::answer(const Substep& now, std::span<PairContact> pairs, std::s
     ContactRows* const rows = settings_.solver.kernels == Kernels::Vector ? &contact_rows_ : nullptr;
     ResponseReport left =
         resolve_contacts(response_of(settings_), now.h, in_contact_, pairs, balls_, ball_contacts, rows);
+    double free_work = left.free_ball_work + std::exchange(steady_work_, 0);
     for (Cloth& cloth : cloths_) {
-        enter_pushes(cloth, work_of_led_balls(cloth.contacts, balls_), left.free_ball_work);
+        enter_pushes(cloth, work_of_led_balls(cloth.contacts, balls_), free_work);
     }
     report_.penetration = static_cast<double>(left.depth);
     report_.contact_residual = std::max(report_.contact_residual, static_cast<double>(left.residual));

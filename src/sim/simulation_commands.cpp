@@ -107,6 +107,7 @@ void Simulation::restart() {
     report_.time = start_ ? start_->time : 0;
     counted_from_step_ = 0;
     counted_from_time_ = report_.time;
+    touched_ = -never;
     sleep_ = {};
     cloths_.clear();
     for (const ClothParameters& parameters : settings_.cloths) {

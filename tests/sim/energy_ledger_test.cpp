@@ -4,6 +4,8 @@
 
 #include <cmath>
 
+#include "drape/contact/response.h"
+#include "drape/sim/scene.h"
 #include "small_scene.h"
 
 namespace drape {
@@ -101,6 +103,22 @@ TEST(EnergyLedger, CountsPushesWithinAStepAsThoseOfContact) {
         EXPECT_GT(balance.ball, 0.05);
         EXPECT_LT(std::abs(balance.integrator), 0.01 * balance.ball) << kernels;
         EXPECT_EQ(balance.wind, 0);
+    }
+}
+
+/// What a free ball loses is its work on the sheet that it comes to lie in, by pushes within the step and after it.
+TEST(EnergyLedger, CountsWhatAFreeBallGivesWithinAStep) {
+    Settings settings = load_scene("trampoline");
+    settings.solver.integrator = IntegratorKind::VelocityVerlet;
+    settings.solver.ledger = true;
+    const double weight = static_cast<double>(settings.balls[0].mass) * 9.81;
+    const auto start = static_cast<double>(settings.balls[0].position.y());
+    Simulation simulation("trampoline", std::move(settings));
+    for (const double time : {0.5, 3.0}) {
+        while (simulation.report().time < time) simulation.step();
+        const Ball ball = simulation.balls()[0];
+        const double lost = weight * (start - static_cast<double>(ball.centre.y())) - kinetic_energy({&ball, 1});
+        EXPECT_NEAR(simulation.view().report->balance.ball / lost, 1, 0.01) << time << " s";
     }
 }
 

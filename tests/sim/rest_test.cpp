@@ -2,6 +2,7 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
 #include <string>
 #include <tuple>
@@ -115,14 +116,17 @@ struct ShippedRest {
     const char* scene;
     double after;  ///< [s]
     IntegratorKind integrator;
+    double step = 0;  ///< 0: that of `awake` [s]
 };
 
 class RestOfShippedScenes : public testing::TestWithParam<ShippedRest> {};
 
 TEST_P(RestOfShippedScenes, IsReached) {
     if (test::sanitized) GTEST_SKIP() << "takes minutes";
-    const auto [scene, after, integrator] = GetParam();
-    expect_rest_after({scene, awake(scene, integrator)}, after);
+    const auto [scene, after, integrator, step] = GetParam();
+    Settings settings = awake(scene, integrator);
+    if (step > 0) settings.solver.dt = step;
+    expect_rest_after({scene, std::move(settings)}, after);
 }
 
 /// On the ball of `drop` cloth would rock if pushes did not go ahead of its contacts, and methods that ask for forces
@@ -135,10 +139,71 @@ INSTANTIATE_TEST_SUITE_P(
                     ShippedRest{"drop", 5, IntegratorKind::ImplicitMidpoint},
                     ShippedRest{"drop", 5, IntegratorKind::VelocityVerlet}, ShippedRest{"drop", 5, IntegratorKind::Rk4},
                     ShippedRest{"drop", 5, IntegratorKind::DormandPrince}, ShippedRest{"drop", 8, IntegratorKind::Xpbd},
+                    ShippedRest{"drop", 8, IntegratorKind::ProjectiveDynamics},
                     ShippedRest{"trampoline", 12, IntegratorKind::BackwardEuler},
                     ShippedRest{"trampoline", 12, IntegratorKind::Bdf2},
-                    ShippedRest{"trampoline", 12, IntegratorKind::ProjectiveDynamics}),
+                    ShippedRest{"trampoline", 12, IntegratorKind::ProjectiveDynamics},
+                    ShippedRest{"trampoline", 12, IntegratorKind::Xpbd},
+                    ShippedRest{"trampoline", 12, IntegratorKind::VelocityVerlet},
+                    ShippedRest{"trampoline", 12, IntegratorKind::Rk4},
+                    ShippedRest{"trampoline", 12, IntegratorKind::DormandPrince, 1.25e-4}),
     [](const auto& rest) { return std::string(rest.param.scene) + "_" + std::string(name_of(rest.param.integrator)); });
+
+/// At a step a frame, whose substeps are those of contact.
+class RestOfDropAtAStepAFrame : public testing::TestWithParam<IntegratorKind> {};
+
+INSTANTIATE_TEST_SUITE_P(Methods, RestOfDropAtAStepAFrame,
+                         testing::Values(IntegratorKind::BackwardEuler, IntegratorKind::ImplicitMidpoint,
+                                         IntegratorKind::Xpbd, IntegratorKind::ProjectiveDynamics),
+                         [](const auto& param) { return std::string(name_of(param.param)); });
+
+/// What displaced contacts would rock the cloth between them if it went on as a force. What stopped them does not: the
+/// response has nothing left to do.
+TEST_P(RestOfDropAtAStepAFrame, IsSlowerThanAThousandthOfAMillimetreASecond) {
+    if (test::sanitized) GTEST_SKIP() << "takes minutes";
+    Settings settings = awake("drop", GetParam());
+    settings.solver.dt = 1.0 / 60;
+    Simulation simulation("drop", std::move(settings));
+    while (simulation.report().time < 8) simulation.step();
+    for (int k = 0; k < 20; ++k) {
+        simulation.step();
+        EXPECT_LT(rms_speed(simulation), 1e-6) << simulation.report().time << " s";
+        EXPECT_LE(simulation.report().contact_sweeps, 4) << simulation.report().time << " s";
+    }
+}
+
+/// At a step a frame the sheet is softer than in the substeps of contact. It is so before the first bounce, and must
+/// not be so again before the next ones.
+TEST(BallOnATrampoline, BouncesLessHighAfterTheFirstTimeUnderXpbd) {
+    Settings settings = awake("trampoline", IntegratorKind::Xpbd);
+    settings.solver.dt = 1.0 / 60;
+    Simulation simulation("trampoline", std::move(settings));
+    const auto highest_until = [&](double time) {
+        Real highest = 0;
+        while (simulation.report().time < time) {
+            simulation.step();
+            highest = std::max(highest, simulation.balls()[0].centre.y());
+        }
+        return highest;
+    };
+    highest_until(0.4);
+    const Real first = highest_until(1.2), later = highest_until(5);
+    EXPECT_GT(first, 1);
+    EXPECT_LT(later, 1);
+}
+
+TEST(BallOnATrampoline, FallsOnASheetThatNothingHasTouchedAfterAReset) {
+    Settings settings = awake("trampoline", IntegratorKind::Xpbd);
+    settings.solver.dt = 1.0 / 60;
+    Simulation simulation("trampoline", std::move(settings));
+    make_steps(simulation, 18);
+    const std::uint64_t hash = simulation.hash();
+    make_steps(simulation, 12);
+    ASSERT_GT(simulation.report().substeps, 1);
+    send(simulation, "reset");
+    make_steps(simulation, 18);
+    EXPECT_EQ(simulation.hash(), hash);
+}
 
 TEST(RestInATrampoline, IsReachedByTheShippedSceneAndCostsNothing) {
     Settings settings = load_scene("trampoline");

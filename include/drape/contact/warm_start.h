@@ -10,18 +10,19 @@
 namespace drape {
 
 /// What a response starts from: the pushes of the substep before. @cite catto2005
-/// To an implicit method they are a force that lasts for its step: a velocity that is given before the step. What rests
-/// does not move then. An explicit method takes its forces from the start of the step, where a velocity would be
-/// answered by dampers: it is given the pushes after the step, displacements too. Either way the response has little
-/// left to solve.
-/// Where a force displaces by half of what its velocity would (`displacement_share`), what the projection displaces by
-/// does not measure it. The impulses that stop velocities do, and go on instead, as forces among those of the cloth:
-/// these methods ask for the forces more than once in a step, and what rests must rest there too. This is not done for
-/// pairs, nor while a free ball touches the cloth: then displacements go on as for the others. Nor is it done for the
-/// response by impulses, of which an implicit method of this kind gets half before its step and half after it.
-/// The push of a contact that rolls goes ahead of it, where it would feed the rocking of cloth otherwise: where it is a
-/// force of the step, and under implicit methods to which a force displaces by all of what its velocity would.
-/// Only responses that solve for pushes can use them; a penalty follows from the depth.
+/// Those that go on are the impulses that stopped velocities, as forces among those of the cloth: what rests does not
+/// move in the step then, and the projection has nothing left to displace. What it did displace by is no measure of the
+/// force. It holds every contact to its depth, and where one is a micrometre too high it pushes less: given on, that
+/// rocks the cloth between its contacts.
+/// There are exceptions, and BDF2 is one: there displacements go on. A method that takes its forces from the start of
+/// the step alone would answer a push there by dampers: it is given the pushes after the step, displacements too. For
+/// pairs, displacements go on: to an implicit method as a velocity before the step, or half before and half after it,
+/// to others after it. So they do under methods without a step limit while a free ball touches the cloth, for contacts
+/// that nothing holds to their depth come loose under it in long substeps; and where cloths meet, if a force displaces
+/// by all of what its velocity would. So do the impulses of the response by impulses. The push of a contact that rolls
+/// goes ahead of it, where it would feed the rocking of cloth otherwise: where it is a force of the step, and under
+/// implicit methods to which a force displaces by all of what its velocity would. Only responses that solve for pushes
+/// can use them; a penalty follows from the depth.
 /// @tparam AnyContact `Contact`, of one cloth with balls and ground, or `PairContact`
 template <class AnyContact>
 class WarmStart {
@@ -45,6 +46,9 @@ public:
 
     /// The pushes that are forces of the step, n x 3 [N]; null if none are. They last until this is called again.
     [[nodiscard]] const Real* within_step(const ClothModel& model);
+
+    /// Gives free balls what pushes them by these forces. They have moved before the step.
+    void push_balls(std::span<Ball> balls) const;
 
     /// The contacts of the others.
     [[nodiscard]] std::span<const AnyContact> beside_step() const {

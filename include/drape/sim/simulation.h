@@ -1,6 +1,7 @@
 #pragma once
 
 #include <cstdint>
+#include <limits>
 #include <optional>
 #include <span>
 #include <string>
@@ -96,6 +97,7 @@ private:
     bool integrate(const Substep& now);
     void look_at_cloths();
     void take_pushes(const Substep& now);
+    void push_balls();
     void warm_start(WarmStartStage stage);
     void enter_pushes(Cloth& cloth, double led_work, double& free_work);
     void build(const Substep& now);
@@ -140,6 +142,8 @@ private:
     void move_ball_by(BallMotion motion);
     void throw_ball(const command::Throw& command);
 
+    static constexpr double never = std::numeric_limits<double>::infinity();
+
     std::string scene_;
     Settings settings_;
     std::optional<StartState> start_;  ///< that the settings name
@@ -159,6 +163,8 @@ private:
     SleepWatch sleep_;
     StepReport report_;
     int planned_substeps_ = 1;  ///< for the stability limit alone
+    double touched_ = -never;   ///< when anything last did [s]
+    double steady_work_ = 0;    ///< of free balls in this substep, by pushes that are forces of the cloths' steps [J]
     NotCopied<std::vector<ClothView>> shown_;
     PairMarks pair_marks_;                ///< on the hierarchies that are shown
     std::int64_t counted_from_step_ = 0;  ///< since then dt has been what it is: no error adds up in the time
