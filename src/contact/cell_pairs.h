@@ -55,7 +55,7 @@ inline CellRange those_that_meet(const Aabb& box, const BoxedCloth& cloth, const
 }
 
 /// Calls visit(one, two, local) for each pair of cells in pairs of leaves whose boxes meet; of one leaf, once for each.
-/// `local` says whether all pairs of features of these leaves are.
+/// `local` says whether all pairs of features of these leaves are local.
 template <class Visit>
 void for_each_pair_of_cells(const BoxedCloth& first, const BoxedCloth& second, std::span<const LeafPair> leaves,
                             Visit visit) {

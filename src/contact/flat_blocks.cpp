@@ -20,11 +20,12 @@ Real room_around(const BlockRoom& of, int middle) {
     const Vec3 along = (at(0, 1) - at(0, -1)) * (to_along / 2), across = (at(1, 0) - at(-1, 0)) * (to_across / 2);
     const Vec3 normal = along.cross(across);
     const Real normal_square = dot(normal, normal), of_square = 1 / normal_square;
-    // The squares of the largest deviations within the plane
+    // The squares of the largest deviations within the plane; never by a difference of squares, which would lose half
+    // of the digits
     Real of_along = 0, of_across = 0;
     const auto raise = [&](Real& most, const Vec3& deviation) {
-        const Real outwards = dot(deviation, normal);
-        most = std::max(most, dot(deviation, deviation) - outwards * outwards * of_square);
+        const Vec3 within = deviation - normal * (dot(deviation, normal) * of_square);
+        most = std::max(most, dot(within, within));
     };
     for (const int k : {-1, 0, 1}) {
         for (const int from : {-1, 0}) {
@@ -39,8 +40,9 @@ Real room_around(const BlockRoom& of, int middle) {
         }
     }
     const Real a = dot(along, along), b = dot(across, across), ab = dot(along, across);
-    const Real smaller = (a + b - std::sqrt((a - b) * (a - b) + 4 * ab * ab)) / 2;
-    const Real least = std::sqrt(std::max(smaller, Real(0))) - std::sqrt(of_along + of_across) - block_rounding;
+    const Real larger = (a + b + std::sqrt((a - b) * (a - b) + 4 * ab * ab)) / 2;
+    const Real rounding = block_rounding * (1 + std::sqrt(larger));
+    const Real least = std::sqrt(normal_square / larger) - std::sqrt(of_along + of_across) - rounding;
     return normal_square > 0 ? least * apart_at_rest(of.hx, of.hy) - 2 * reach : Real(-1);
 }
 

@@ -13,7 +13,8 @@ class InertialGuess {
 public:
     InertialGuess(const Grid& grid, Kernels kernels) : forces_(grid, kernels) {}
 
-    /// v += h f / (m + h b) with f of gravity, drag and wind at the start; x += h v. Pinned particles move as held.
+    /// v += h f / (m + h b) with f of gravity, drag, wind and steady pushes at the start; x += h v. Pinned particles
+    /// move as held.
     void advance(const ClothModel& model, ClothState& state, Real h);
 
 private:

@@ -119,6 +119,9 @@ void ClothEnergy::return_to_mark() {
 
 void ClothEnergy::after_integrator(const ClothModel& model, const ClothState& state, const MotionSums& sums, Real h,
                                    int least_pause) {
+    // What balls have given within the step is in the energy already
+    given_ = std::max(steady_work_, 0.0);
+    watch_.give(given_);
     if (watch_.look(model, sums, h, least_pause)) watch_.measure(compute_energy(model, state, kernels_));
     if (!ledger_) return;
     tell_pins_apart(hand_at_start_, start_.power);
@@ -157,13 +160,15 @@ void ClothEnergy::before_pushes(const ClothModel& model, const ClothState& state
     before_pushes_ = pushed_flow(model, state);
 }
 
-/// What balls give by steady forces is part of their work; where work is measured instead, it is added once.
+/// What balls give by steady forces is part of their work; where work is measured instead, it is added once. The watch
+/// has had it before it looked.
 bool ClothEnergy::after_pushes(const ClothModel& model, const ClothState& state, double ball_work) {
     if (pushed_.first_column >= pushed_.end_column) return false;
     const EnergyFlow after = pushed_flow(model, state);
     const double work = after.energy.total() - before_pushes_.energy.total();
     const bool measured = most_push_work_ > watch_.small_work();
-    watch_.give(std::max(measured ? work + std::exchange(steady_work_, 0) : ball_work + most_push_work_, 0.0));
+    const double steady = std::exchange(steady_work_, 0), given = std::exchange(given_, 0);
+    watch_.give(std::max(measured ? work + steady : ball_work + most_push_work_, 0.0) - given);
     if (ledger_) ledger_->responded(before_pushes_, after, ball_work);
     return true;
 }

@@ -236,10 +236,6 @@ SelfSearchReport SelfSearch::find(std::span<const ClothInContact> cloths, Real t
     return report;
 }
 
-namespace {
-void raise(auto& numbers, const auto& others) { numbers = numbers.max(others); }
-}  // namespace
-
 bool SelfSearch::extend(std::span<const ClothInContact> cloths, SelfSearchReport& report) {
     // Half of the thickness is what features that were not found keep between them
     const auto is_within = [&](std::size_t c) {
@@ -250,8 +246,10 @@ bool SelfSearch::extend(std::span<const ClothInContact> cloths, SelfSearchReport
     for (std::size_t c = 0; c < cloths.size() && ways_are_within; ++c) ways_are_within = is_within(c);
     if (ways_are_within) return false;
     const bool none_strays = find_reaches(cloths, thickness_ / 2, 1, more_reaches_, more_strayed_);
-    raise(reaches_.local, more_reaches_.local), raise(reaches_.overall, more_reaches_.overall);
-    raise(strayed_.local, more_strayed_.local), raise(strayed_.overall, more_strayed_.overall);
+    for (const auto& [reaches, more] : {std::pair(&reaches_, &more_reaches_), {&strayed_, &more_strayed_}}) {
+        reaches->local = reaches->local.max(more->local);
+        reaches->overall = reaches->overall.max(more->overall);
+    }
     if (!listed_ || !none_strays) renew_list(cloths, 1, report);
     if (!report.gave_up) look_at_pairs(cloths, report);
     return !report.gave_up;
@@ -288,6 +286,7 @@ void SelfSearch::make_list(std::span<const ClothInContact> cloths, SelfSearchRep
         surface.folds.build(surface.kept, allowed.overall, allowed.local);
         surface.flat.build(surface.kept, allowed.local, kernels_);
         surface.boxed = false;
+        std::ranges::fill(surface.since_kept, TileMotion{});
         for (std::size_t t = 0; t < surface.sums.size(); ++t) {
             const int particles = surface.tiles.particles(static_cast<int>(t)).particles();
             surface.kept_means[t] = surface.sums[t].before / static_cast<Real>(particles);

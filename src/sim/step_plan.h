@@ -21,7 +21,7 @@ bool plan_is_due(const SolverSettings& solver, const StepReport& report);
 /// In how many substeps a step is made: as planned, or more under an implicit method while cloth or balls touch, and
 /// under XPBD for a while after that. Its springs are softer in a long step than in a short one: a sheet that was
 /// divided only while a ball touched it would sag when it left, and throw it higher at each bounce.
-/// @param since when nothing has touched any more; 0: something does [s]
+/// @param since the last touch; 0: something touches [s]
 /// @cite macklin2019
 int substeps_in_contact(const Settings& settings, double since, int planned);
 

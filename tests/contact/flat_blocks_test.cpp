@@ -4,6 +4,7 @@
 
 #include <gtest/gtest.h>
 
+#include <cmath>
 #include <random>
 
 #include "drape/contact/near_pairs.h"
@@ -12,7 +13,7 @@ namespace drape {
 namespace {
 
 constexpr Real spacing = Real(0.1);
-constexpr Kernels both[] = {Kernels::Plain, Kernels::Vector};
+constexpr Kernels both_kinds[] = {Kernels::Plain, Kernels::Vector};
 
 /// Rolled about an axis along z, compressed, sheared and ruffled.
 Points crumpled(const Grid& grid, std::mt19937& random) {
@@ -98,9 +99,20 @@ TEST(FlatBlocks, KeepAFlatSheetApartToNearlyItsRestDistances) {
 
 TEST(FlatBlocks, SeeACollapsedBlock) {
     const Grid grid{3, 3};
-    for (const Kernels kernels : both) {
+    for (const Kernels kernels : both_kinds) {
         FlatBlocks blocks(grid, spacing, spacing);
         blocks.build(Points::Zero(9, 3), std::vector<Real>(9, 0), kernels);
+        EXPECT_FALSE(blocks.keep_apart(0, 0, 1, 1));
+    }
+    // But for rounding, corners b and c of each cell are in one place
+    std::mt19937 random(2);
+    std::uniform_real_distribution<Real> unit(0, 1);
+    for (int trial = 0; trial < 200; ++trial) {
+        const Vec3 along = Vec3(unit(random), unit(random), unit(random)).normalized() * spacing;
+        Points x(9, 3);
+        for (int p = 0; p < 9; ++p) x.row(p) = (1 + (p % 3 + p / 3) * along.array()).matrix().transpose();
+        FlatBlocks blocks(grid, spacing, spacing);
+        blocks.build(x, std::vector<Real>(9, 0), both_kinds[trial % 2]);
         EXPECT_FALSE(blocks.keep_apart(0, 0, 1, 1));
     }
     EXPECT_FALSE(FlatBlocks({2, 5}, spacing, spacing).keep_apart(0, 0, 0, 1)) << "a strip of one cell has no block";

@@ -6,6 +6,8 @@
 
 #include <limits>
 #include <random>
+#include <tuple>
+#include <utility>
 #include <vector>
 
 namespace drape {

@@ -4,6 +4,8 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
+#include <array>
 #include <random>
 
 #include "drape/contact/near_pairs.h"
@@ -58,9 +60,10 @@ private:
 };
 
 /// All pairs of features that are as near as both reach at the start of a substep, from all pairs of cells; none comes
-/// nearer within it than they reach.
+/// nearer within it than they reach, less what is to be kept between them.
+/// @param kept [m]
 std::vector<FeaturePair> all_within_reach(const SelfSearch& search, const Grid& grid, const Points& x,
-                                          const Points& now) {
+                                          const Points& now, Real kept) {
     const std::vector<Real> far(static_cast<std::size_t>(grid.particles()), Real(0.05));
     CellBoxes boxes;
     boxes.build(grid, x, far);
@@ -75,48 +78,106 @@ std::vector<FeaturePair> all_within_reach(const SelfSearch& search, const Grid& 
         if (pair.distance < reach) within.push_back(pair.features);
         NearPair then = pair;
         locate({0, grid, now}, {0, grid, now}, then);
-        EXPECT_GT(then.distance, pair.distance - (reach - kept_apart) - Real(1e-6));
+        EXPECT_GT(then.distance, pair.distance - (reach - kept) - Real(1e-6));
     }
     std::ranges::sort(within);
     return within;
 }
 
+/// A sheet that is searched for a while, substep by substep.
+class Search {
+public:
+    explicit Search(unsigned seed)
+        : sheet_({21, 19}, seed),
+          model_(make_cloth_model(sheet_.parameters())),
+          step_(seed % 5 == 0 ? Real(4e-3) : Real(5e-4)),
+          before_(sheet_.at(0)) {
+        const ClothModel* const models[] = {&model_};
+        search_.use({.volume = seed % 2 == 0 ? VolumeKind::Sphere : VolumeKind::Aabb,
+                     .leaf_cells = seed % 3 == 0 ? 9 : 4,
+                     .kernels = seed % 4 == 0 ? Kernels::Plain : Kernels::Vector},
+                    models);
+    }
+
+    /// The next substep. @return whether it made a list
+    bool find() {
+        if (state_.x.rows() > 0) before_ = state_.x;
+        state_ = {sheet_.at(step_ * static_cast<Real>(++steps_)), Points::Zero(before_.rows(), 3)};
+        report_ = search_.find(cloths(), kept_apart);
+        return report_.traversal.volume_tests > 0;
+    }
+
+    /// After a push, as a response gives it. @return whether it made a list
+    bool extend_after(int particle, const Vec3& push) {
+        state_.x.row(particle) += push.transpose();
+        const auto tests = report_.traversal.volume_tests;
+        const bool has_to = search_.extend(cloths(), report_);
+        EXPECT_FALSE(search_.extend(cloths(), report_)) << "nothing has been pushed since";
+        EXPECT_TRUE(has_to || report_.traversal.volume_tests == tests);
+        return report_.traversal.volume_tests > tests;
+    }
+
+    void expect_definition(std::int64_t& local, std::int64_t& others, Real kept) const {
+        EXPECT_FALSE(report_.gave_up);
+        std::vector<FeaturePair> found;
+        for (const NearPair& pair : search_.pairs()) {
+            found.push_back(pair.features);
+            ++(pair.local ? local : others);
+        }
+        EXPECT_EQ(found, all_within_reach(search_, model_.grid, before_, state_.x, kept)) << "step " << steps_;
+    }
+
+private:
+    std::array<ClothInContact, 1> cloths() { return {{{model_, before_, state_, none_}}}; }
+
+    RollingSheet sheet_;
+    ClothModel model_;
+    Real step_;
+    Points before_;
+    ClothState state_;
+    std::vector<Contact> none_;
+    SelfSearch search_;
+    SelfSearchReport report_;
+    int steps_ = 0;
+};
+
 TEST(SelfSearch, FindsWhatIsWithinReachWhileItsListServes) {
-    std::int64_t local = 0, not_local = 0, lists = 0, substeps = 0;
+    std::int64_t local = 0, others = 0;
+    int lists = 0;
     for (unsigned seed = 0; seed < 16; ++seed) {
-        RollingSheet sheet({21, 19}, seed);
-        const ClothModel model = make_cloth_model(sheet.parameters());
-        const ClothModel* const models[] = {&model};
-        SelfSearch search;
-        search.use({.volume = seed % 2 == 0 ? VolumeKind::Sphere : VolumeKind::Aabb,
-                    .leaf_cells = seed % 3 == 0 ? 9 : 4,
-                    .kernels = seed % 4 == 0 ? Kernels::Plain : Kernels::Vector},
-                   models);
-        const Real h = seed % 5 == 0 ? Real(4e-3) : Real(5e-4);
-        Points before = sheet.at(0);
-        for (int step = 1; step <= 25; ++step) {
-            ClothState state{sheet.at(h * static_cast<Real>(step)), Points::Zero(before.rows(), 3)};
-            std::vector<Contact> none;
-            const ClothInContact cloths[] = {{model, before, state, none}};
-            const SelfSearchReport report = search.find(cloths, kept_apart);
-            ASSERT_FALSE(report.gave_up);
-            std::vector<FeaturePair> found;
-            for (const NearPair& pair : search.pairs()) {
-                found.push_back(pair.features);
-                ++(pair.local ? local : not_local);
-            }
-            if (step % 4 == 1) {
-                ASSERT_EQ(found, all_within_reach(search, model.grid, before, state.x))
-                    << "sheet " << seed << ", step " << step;
-            }
-            lists += report.traversal.volume_tests > 0;
-            ++substeps;
-            before = state.x;
+        SCOPED_TRACE(seed);
+        Search search(seed);
+        for (int step = 0; step < 25; ++step) {
+            lists += search.find();
+            if (step % 4 == 0) search.expect_definition(local, others, kept_apart);
         }
     }
     EXPECT_GT(local, 1000);
-    EXPECT_GT(not_local, 1000);
-    EXPECT_LT(3 * lists, substeps) << "a list is to serve for more than one substep";
+    EXPECT_GT(others, 1000);
+    EXPECT_LT(3 * lists, 16 * 25) << "a list is to serve for more than one substep";
+}
+
+TEST(SelfSearch, FindsWhatAPushBringsWithinReach) {
+    std::int64_t local = 0, others = 0;
+    int lists = 0;
+    for (unsigned seed = 0; seed < 16; ++seed) {
+        SCOPED_TRACE(seed);
+        Search search(seed);
+        for (int step = 0; step < 24; ++step) {
+            search.find();
+            const int particle = static_cast<int>(37 * seed) % 300 + step;
+            const bool made = search.extend_after(particle, Vec3(0, step % 2 == 0 ? Real(0.003) : Real(0.03), 0));
+            lists += made;
+            // A list is made with room for more of the same
+            if (made && step % 2 == 1) {
+                EXPECT_FALSE(search.extend_after(particle, Vec3(0, Real(0.01), 0))) << "step " << step;
+            }
+            if (step % 6 < 2) search.expect_definition(local, others, kept_apart / 2);
+        }
+    }
+    EXPECT_GT(local, 1000);
+    EXPECT_GT(others, 1000);
+    EXPECT_GT(lists, 100);
 }
 
 }  // namespace

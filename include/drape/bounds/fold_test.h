@@ -21,8 +21,8 @@ inline Real apart_at_rest(Real hx, Real hy) { return hx * hy / std::sqrt(hx * hx
 /// directions at right angles, the columns of Q. If v.(Q^T F) v >= c |v|^2 on all triangles and for all v, then along
 /// the straight line from p to q in the rectangle (q - p).Q^T (phi(q) - phi(p)) >= c |q - p|^2, and so
 /// |phi(q) - phi(p)| >= c |q - p|: what is apart at rest stays apart. Features that share no particle are at rest at
-/// least `apart_at_rest`. Features with particles of tiles that do
-/// not touch are at least 7 spacings apart.
+/// least `apart_at_rest`. Features with
+/// particles of tiles that do not touch are at least 7 spacings apart.
 class FoldTest {
 public:
     FoldTest() = default;

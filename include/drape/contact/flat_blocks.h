@@ -43,7 +43,7 @@ private:
     std::vector<Real> room_;  ///< of each block: beyond what two particles in it reach [m]
 };
 
-/// Of what the bound on a block's derivatives loses by rounding, far more than it can.
+/// More than the bound on a block's derivatives loses by rounding, for derivatives of length 1.
 constexpr Real block_rounding = 1024 * std::numeric_limits<Real>::epsilon();
 
 /// What the room of blocks is made from: see `FlatBlocks`.

@@ -22,7 +22,7 @@ void sum_tiles(const Tiles& tiles, const Points& before, const Points& now, std:
 
 /// What the particles of a tile move by together, and what that can bring nearer.
 struct TileMotion {
-    Vec3 mean = Vec3::Zero();  ///< about: any will do that all its particles have [m]
+    Vec3 mean = Vec3::Zero();  ///< displacement; the bounds hold for any other one too, if not so tightly [m]
     Real local = 0;            ///< at least half of what a touching tile's differs from it by [m]
     Real overall = 0;          ///< at least what that of all cloth differs from it by, and no less than `local` [m]
 };
@@ -59,7 +59,7 @@ bool find_reaches(const ParticleMotion& motion, Real least, Real factor, ReachSp
                   ReachSpans<Real> reaches, ReachSpans<Real> strayed, Kernels kernels);
 
 /// Whether what each particle has moved by from `before` to `now`, and a margin [m], is within its local reach. Then it
-/// is within the overall one too, if `find_reaches` has found both with a least reach that is no less than the margin.
+/// is within the overall one too, if `find_reaches` has found both with a factor of at least 1.
 /// @par Cost O(particles)
 [[nodiscard]] bool are_within(const ParticleMotion& motion, Real margin, std::span<const Real> local_reaches,
                               Kernels kernels);

@@ -11,15 +11,17 @@ namespace drape {
 
 /// What a response starts from: the pushes of the substep before. @cite catto2005
 /// Those that go on are the impulses that stopped velocities, as forces among those of the cloth: what rests does not
-/// move in the step then, and the projection has nothing left to displace. What it did displace by is no measure of the
+/// move in the step then, and the projection has little left to displace. What it did displace by is no measure of the
 /// force. It holds every contact to its depth, and where one is a micrometre too high it pushes less: given on, that
 /// rocks the cloth between its contacts.
 /// There are exceptions, and BDF2 is one: there displacements go on. A method that takes its forces from the start of
 /// the step alone would answer a push there by dampers: it is given the pushes after the step, displacements too. For
-/// pairs, displacements go on: to an implicit method as a velocity before the step, or half before and half after it,
-/// to others after it. So they do under methods without a step limit while a free ball touches the cloth, for contacts
-/// that nothing holds to their depth come loose under it in long substeps; and where cloths meet, if a force displaces
-/// by all of what its velocity would. So do the impulses of the response by impulses. The push of a contact that rolls
+/// pairs, displacements go on: to an implicit method as a velocity before the step, to others after it. So they do for
+/// all contacts where cloths meet, if a force displaces by all of what its velocity would, and, under methods without a
+/// step limit but Dormand-Prince, while a free ball touches the cloth: contacts that nothing holds to their depth part
+/// under it in long substeps. Impulses of the response by impulses are given before the step of a method that displaces
+/// by all of a velocity, half before and half after that of the midpoint rule and of Dormand-Prince, else after the
+/// step. The push of a contact that rolls
 /// goes ahead of it, where it would feed the rocking of cloth otherwise: where it is a force of the step, and under
 /// implicit methods to which a force displaces by all of what its velocity would. Only responses that solve for pushes
 /// can use them; a penalty follows from the depth.

@@ -106,7 +106,8 @@ private:
     GridRange pushed_{0, 0, 0, 0};  ///< particles that are being pushed; all, where none is measured
     EnergyFlow before_pushes_, before_hold_;
     double most_push_work_ = 0;  ///< a bound [J]
-    double steady_work_ = 0;     ///< of the substep, until it is given to the watch [J]
+    double steady_work_ = 0;     ///< of the substep, until the work of its pushes is given to the watch [J]
+    double given_ = 0;           ///< of that, what the watch has had [J]
     Points wind_;                ///< scratch, while a ledger is kept
 };
 

@@ -36,7 +36,7 @@ public:
     void restart(const ClothModel& model, const Energy& energy);
 
     /// Counts what has been put in.
-    /// @param work at least what it was, and not less than zero [J]
+    /// @param work at least what it was; less than zero where that is taken back from what was given before [J]
     void give(double work) { base_ += work; }
 
     /// @param sums of the present state

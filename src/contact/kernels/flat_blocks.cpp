@@ -30,9 +30,8 @@ HWY_INLINE hn::Vec<D> room_around(D d, const BlockRoom& of, std::size_t middle) 
     const V normal_square = dot(normal, normal), of_square = hn::Div(hn::Set(d, Real(1)), normal_square);
     V of_along = hn::Zero(d), of_across = hn::Zero(d);
     const auto raise = [&](V& most, const Lanes3<V>& deviation) HWY_ATTR {
-        const V outwards = dot(deviation, normal);
-        const V across_plane = hn::Mul(hn::Mul(outwards, outwards), of_square);
-        most = hn::Max(most, hn::Sub(dot(deviation, deviation), across_plane));
+        const Lanes3<V> within = minus(deviation, times(normal, hn::Mul(dot(deviation, normal), of_square)));
+        most = hn::Max(most, dot(within, within));
     };
     for (const std::ptrdiff_t k : {-1, 0, 1}) {
         for (const std::ptrdiff_t from : {-1, 0}) {
@@ -50,8 +49,10 @@ HWY_INLINE hn::Vec<D> room_around(D d, const BlockRoom& of, std::size_t middle) 
     const V a = dot(along, along), b = dot(across, across), ab = dot(along, across), two = hn::Set(d, Real(2));
     const V difference = hn::Sub(a, b);
     const V root = hn::Sqrt(hn::Add(hn::Mul(difference, difference), hn::Mul(hn::Mul(hn::Set(d, Real(4)), ab), ab)));
-    const V smaller = hn::Sqrt(hn::Max(hn::Div(hn::Sub(hn::Add(a, b), root), two), hn::Zero(d)));
-    const V least = hn::Sub(hn::Sub(smaller, hn::Sqrt(hn::Add(of_along, of_across))), hn::Set(d, block_rounding));
+    const V larger = hn::Div(hn::Add(hn::Add(a, b), root), two), one = hn::Set(d, Real(1));
+    const V rounding = hn::Mul(hn::Set(d, block_rounding), hn::Add(one, hn::Sqrt(larger)));
+    const V smaller = hn::Sqrt(hn::Div(normal_square, larger));
+    const V least = hn::Sub(hn::Sub(smaller, hn::Sqrt(hn::Add(of_along, of_across))), rounding);
     const V room = hn::Sub(hn::Mul(least, hn::Set(d, apart_at_rest(of.hx, of.hy))), hn::Mul(two, reach));
     return hn::IfThenElse(hn::Gt(normal_square, hn::Zero(d)), room, hn::Set(d, Real(-1)));
 }
