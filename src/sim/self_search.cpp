@@ -48,24 +48,19 @@ void SelfSearch::use(const BroadPhaseParameters& parameters, std::span<const Clo
     surfaces_.clear();
     first_.assign(1, 0);
     for (const ClothModel* model : models) {
+        const Tiles tiles(model->grid);
+        const auto count = static_cast<std::size_t>(tiles.count());
         surfaces_.push_back({.tree = make_broad_phase(parameters, model->grid),
                              .folds = FoldTest(model->grid, model->hx, model->hy, parameters.leaf_cells),
                              .flat = FlatBlocks(model->grid, model->hx, model->hy),
                              .boxes = {},
                              .kept = {},
-                             .grid = model->grid,
                              .spacing = std::min(model->hx, model->hy),
-                             .tiles = Tiles(model->grid),
-                             .sums = {},
-                             .kept_means = {},
-                             .since_kept = {},
-                             .within = {}});
-        Surface& surface = surfaces_.back();
-        const auto tiles = static_cast<std::size_t>(surface.tiles.count());
-        surface.sums.resize(tiles);
-        surface.kept_means.assign(tiles, Vec3::Zero());
-        surface.since_kept.resize(tiles);
-        surface.within.resize(tiles);
+                             .tiles = tiles,
+                             .sums = std::vector<TileSums>(count),
+                             .kept_means = std::vector<Vec3>(count, Vec3::Zero()),
+                             .since_kept = std::vector<TileMotion>(count),
+                             .within = std::vector<TileMotion>(count)});
         first_.push_back(first_.back() + static_cast<std::size_t>(model->grid.particles()));
     }
     const auto all = static_cast<Eigen::Index>(first_.back());
@@ -88,8 +83,8 @@ std::int64_t SelfSearch::count_between(std::span<const Points* const> x, Real re
         Surface& surface = surfaces_[c];
         const std::span<const Real> reaches = of_cloth(reaches_, static_cast<int>(c)).overall;
         surface.tree->build(*x[c]);
-        surface.boxes.build(surface.grid, *x[c], reaches);
-        boxed.push_back({{static_cast<int>(c), surface.grid, *x[c]}, surface.boxes, reaches});
+        surface.boxes.build(surface.tiles.grid, *x[c], reaches);
+        boxed.push_back({{static_cast<int>(c), surface.tiles.grid, *x[c]}, surface.boxes, reaches});
     }
     std::int64_t sum = 0;
     for (std::size_t first = 0; first < x.size(); ++first) {

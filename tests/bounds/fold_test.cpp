@@ -4,8 +4,8 @@
 
 #include <gtest/gtest.h>
 
-#include "drape/contact/near_pairs.h"
 #include "support/cloths.h"
+#include "support/pairs_within_reach.h"
 
 namespace drape {
 namespace {
@@ -25,23 +25,11 @@ Points rolled(const Grid& grid, Real curvature, Real wave) {
     return x;
 }
 
-/// Pairs in two leaves, or in one, that are within what they reach.
-std::size_t pairs_within_reach(const Grid& grid, const Points& x, const CellRange& first, const CellRange& second,
-                               std::span<const Real> reaches) {
-    CellBoxes boxes;
-    boxes.build(grid, x, reaches);
-    std::vector<NearPair> pairs;
-    const BoxedCloth cloth{{0, grid, x}, boxes, reaches};
-    const LeafPair leaves{first, second};
-    find_near_pairs(cloth, cloth, {&leaves, 1}, pairs);
-    return pairs.size();
-}
-
 /// The same within a distance.
 std::size_t pairs_in(const Grid& grid, const Points& x, const CellRange& first, const CellRange& second,
                      Real distance) {
-    return pairs_within_reach(grid, x, first, second,
-                              std::vector<Real>(static_cast<std::size_t>(grid.particles()), distance / 2));
+    return test::pairs_within_reach(grid, x, first, second,
+                                    std::vector<Real>(static_cast<std::size_t>(grid.particles()), distance / 2));
 }
 
 TEST(FoldTest, KeepsAFlatSheetApartToNearlyItsRestDistances) {
@@ -113,7 +101,7 @@ TEST(FoldTest, AsksForNoMoreThanParticlesReachAndNoLess) {
                 if (!apart(folds)) continue;
                 ++proved;
                 by_reach_alone += !apart(without);
-                ASSERT_EQ(pairs_within_reach(grid, x, node, nodes[static_cast<std::size_t>(m)], reaches), 0U);
+                ASSERT_EQ(test::pairs_within_reach(grid, x, node, nodes[static_cast<std::size_t>(m)], reaches), 0U);
             }
         }
     }

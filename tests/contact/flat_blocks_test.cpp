@@ -7,7 +7,7 @@
 #include <cmath>
 #include <random>
 
-#include "drape/contact/near_pairs.h"
+#include "support/pairs_within_reach.h"
 
 namespace drape {
 namespace {
@@ -30,18 +30,6 @@ Points crumpled(const Grid& grid, std::mt19937& random) {
     }
     for (Real& value : x.reshaped()) value += noise * unit(random);
     return x;
-}
-
-/// Pairs of two cells that are within what they reach.
-std::size_t pairs_within_reach(const Grid& grid, const Points& x, const CellRange& one, const CellRange& two,
-                               std::span<const Real> reaches) {
-    CellBoxes boxes;
-    boxes.build(grid, x, reaches);
-    std::vector<NearPair> pairs;
-    const BoxedCloth cloth{{0, grid, x}, boxes, reaches};
-    const LeafPair leaves{one, two};
-    find_near_pairs(cloth, cloth, {&leaves, 1}, pairs);
-    return pairs.size();
 }
 
 TEST(FlatBlocks, NeverKeepApartWhatIsWithinReach) {
@@ -69,8 +57,8 @@ TEST(FlatBlocks, NeverKeepApartWhatIsWithinReach) {
                 ASSERT_TRUE(touch);
                 ++flat;
                 const CellRange first{i, j, i + 1, j + 1}, second{k, m, k + 1, m + 1};
-                ASSERT_EQ(pairs_within_reach(grid, x, first, second, reaches), 0U) << "trial " << trial;
-                nearly_touched += pairs_within_reach(grid, x, first, second, farther) > 0;
+                ASSERT_EQ(test::pairs_within_reach(grid, x, first, second, reaches), 0U) << "trial " << trial;
+                nearly_touched += test::pairs_within_reach(grid, x, first, second, farther) > 0;
             }
         }
     }

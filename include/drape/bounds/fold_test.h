@@ -10,7 +10,7 @@
 
 namespace drape {
 
-/// How far apart features that share no particle are at least at rest: a corner of a cell and its diagonal [m].
+/// The least distance at rest of features that share no particle: of a corner of a cell from its diagonal [m].
 inline Real apart_at_rest(Real hx, Real hy) { return hx * hy / std::sqrt(hx * hx + hy * hy); }
 
 /// Tells which nodes of a cloth's hierarchy cannot touch themselves, because they are not folded enough: the cone test
@@ -20,9 +20,9 @@ inline Real apart_at_rest(Real hx, Real hy) { return hx * hy / std::sqrt(hx * hx
 /// derivative F = (e_u / hx, e_v / hy), where e_u and e_v are the triangle's edges along rows and columns. Take any two
 /// directions at right angles, the columns of Q. If v.(Q^T F) v >= c |v|^2 on all triangles and for all v, then along
 /// the straight line from p to q in the rectangle (q - p).Q^T (phi(q) - phi(p)) >= c |q - p|^2, and so
-/// |phi(q) - phi(p)| >= c |q - p|: what is apart at rest stays apart. Features that share no particle are at rest at
-/// least `apart_at_rest`. Features with
-/// particles of tiles that do not touch are at least 7 spacings apart.
+/// |phi(q) - phi(p)| >= c |q - p|: what is apart at rest stays apart. At rest, features that share no particle are at
+/// least `apart_at_rest` apart. Those with particles of `Tiles` that do not touch are 7 spacings apart or more: 9
+/// columns or rows lie between such particles, and each feature goes on for one.
 class FoldTest {
 public:
     FoldTest() = default;

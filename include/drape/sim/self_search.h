@@ -85,14 +85,14 @@ private:
         FoldTest folds;
         FlatBlocks flat;
         CellBoxes boxes;
-        bool boxed = false;  ///< since the last list was begun
-        Points kept;         ///< what the list was made from
-        Grid grid;
-        Real spacing;  ///< of its particles at rest [m]
-        Tiles tiles;
-        std::vector<TileSums> sums;    ///< of each tile, in this substep
-        std::vector<Vec3> kept_means;  ///< of their positions when the list was made
-        std::vector<TileMotion> since_kept, within;
+        bool boxed = false;                  ///< since the last list was begun
+        Points kept;                         ///< what the list was made from
+        Real spacing;                        ///< of its particles at rest [m]
+        Tiles tiles;                         ///< of its grid
+        std::vector<TileSums> sums;          ///< of each tile, in this substep
+        std::vector<Vec3> kept_means;        ///< of the positions of each tile when the list was made [m]
+        std::vector<TileMotion> since_kept;  ///< of each tile, from then to the start of the substep
+        std::vector<TileMotion> within;      ///< of each tile, within the substep
     };
 
     template <class Count>
