@@ -56,8 +56,10 @@ void ContactTrial::advance(BroadPhase& hierarchy) {
     const ClothInContact cloth = in_contact();
     const std::span balls(&ball_, 1);
     warm_start_.take(response_, h_, model_.gravity.norm(), std::span(&cloth, 1), contacts_);
+    model_.steady = warm_start_.within_step(model_);
     warm_start_.before_step(std::span(&cloth, 1), balls);
     integrator_->step(model_, state_, h_);
+    model_.steady = nullptr;
     warm_start_.after_step(std::span(&cloth, 1), balls);
     hierarchy_ = &hierarchy;
     find();
