@@ -21,10 +21,19 @@
 namespace drape::random_hand {
 namespace {
 
+/// What is seen of a simulation after a step.
+struct Sight {
+    Real stretch = 0;   ///< of the longest spring, relative
+    Real deepest = 0;   ///< in a ball [m]
+    Real lowest = 0;    ///< above the ground [m]
+    Real farthest = 0;  ///< largest coordinate [m]
+    bool finite = true;
+};
+
 /// What must be true after every step, whatever hand and ball do.
 struct Check {
     const char* name;
-    std::function<bool(const Simulation&)> holds;
+    std::function<bool(const Simulation&, const Sight&)> holds;
 };
 
 bool is_finite(const Simulation& simulation) {
@@ -43,8 +52,8 @@ Real stretch_of(const Simulation& simulation) {
 /// Contact comes after the limit, and may stretch a spring until the next step by what it pushes out.
 constexpr Real pushed = Real(0.08);
 
-bool is_within_its_limit(const Simulation& simulation) {
-    return stretch_of(simulation) <= simulation.cloths()[0].model.stretch_limit + stretch_tolerance + pushed;
+bool is_within_its_limit(const Simulation& simulation, const Sight& sight) {
+    return sight.stretch <= simulation.cloths()[0].model.stretch_limit + stretch_tolerance + pushed;
 }
 
 /// Contact stops cloth at its thickness already. But a ball that the keys press onto the ground leaves cloth between
@@ -66,28 +75,38 @@ Real lowest_of(const Simulation& simulation) {
     return lowest;
 }
 
-bool is_above_the_ground(const Simulation& simulation) {
-    const Ground& ground = simulation.settings().ground;
-    return !ground.solid || lowest_of(simulation) >= ground.height - entered;
+bool is_above_the_ground(const Simulation& simulation, const Sight& sight) {
+    return !simulation.settings().ground.solid || sight.lowest >= -entered;
 }
 
 /// Farther away no hand and no ball can have taken the cloth [m].
 constexpr Real far_away = 20;
 
-bool is_near(const Simulation& simulation) {
-    return std::ranges::all_of(simulation.cloths(),
-                               [](const Cloth& cloth) { return cloth.state.x.cwiseAbs().maxCoeff() < far_away; });
+Real farthest_of(const Simulation& simulation) {
+    Real farthest = 0;
+    for (const Cloth& cloth : simulation.cloths()) farthest = std::max(farthest, cloth.state.x.cwiseAbs().maxCoeff());
+    return farthest;
+}
+
+Sight look_at(const Simulation& simulation) {
+    return {.stretch = stretch_of(simulation),
+            .deepest = deepest_in_balls(simulation),
+            .lowest = lowest_of(simulation) - simulation.settings().ground.height,
+            .farthest = farthest_of(simulation),
+            .finite = is_finite(simulation)};
 }
 
 const std::vector<Check>& checks() {
     static const std::vector<Check> list{
-        {"the cloth is finite", is_finite},
-        {"nothing of the cloth is far away", is_near},
-        {"no cloth is inside a ball", [](const Simulation& s) { return deepest_in_balls(s) <= entered; }},
+        {"the cloth is finite", [](const Simulation&, const Sight& sight) { return sight.finite; }},
+        {"nothing of the cloth is far away",
+         [](const Simulation&, const Sight& sight) { return sight.farthest < far_away; }},
+        {"no cloth is inside a ball", [](const Simulation&, const Sight& sight) { return sight.deepest <= entered; }},
         {"no cloth is below the ground", is_above_the_ground},
         {"no spring is stretched beyond the limit", is_within_its_limit},
-        {"the run goes on", [](const Simulation& s) { return s.report().status == Status::Ok; }},
-        {"no energy comes from nowhere", [](const Simulation& s) { return s.report().heated_step == 0; }}};
+        {"the run goes on", [](const Simulation& s, const Sight&) { return s.report().status == Status::Ok; }},
+        {"no energy comes from nowhere",
+         [](const Simulation& s, const Sight&) { return s.report().heated_step == 0; }}};
     return list;
 }
 
@@ -209,11 +228,12 @@ void RandomHand::fail(const std::string& what) {
 }
 
 void RandomHand::look() {
-    largest_ = std::max(largest_, stretch_of(simulation_));
-    deepest_ = std::max(deepest_, deepest_in_balls(simulation_));
-    lowest_ = std::min(lowest_, lowest_of(simulation_) - simulation_.settings().ground.height);
+    const Sight sight = look_at(simulation_);
+    largest_ = std::max(largest_, sight.stretch);
+    deepest_ = std::max(deepest_, sight.deepest);
+    lowest_ = std::min(lowest_, sight.lowest);
     for (const Check& check : checks()) {
-        if (!check.holds(simulation_)) return fail(check.name);
+        if (!check.holds(simulation_, sight)) return fail(check.name);
     }
 }
 
