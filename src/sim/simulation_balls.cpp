@@ -1,7 +1,9 @@
 #include <algorithm>
 
 #include "ball_motion.h"
+#include "ball_stops.h"
 #include "drape/base/input_error.h"
+#include "drape/contact/ball_solids.h"
 #include "drape/sim/simulation.h"
 
 namespace drape {
@@ -22,6 +24,19 @@ void Simulation::put_ball(std::size_t number, const Vec3& centre) {
     balls_[number].centre = centre;
     for (Cloth& cloth : cloths_) {
         std::erase_if(cloth.contacts, [&](const Contact& contact) { return contact.ball == static_cast<int>(number); });
+    }
+}
+
+/// Nothing pushes a ball under the keys back, but it stops where cloth cannot give way to it.
+void Simulation::stop_balls(const Substep& now) {
+    for (std::size_t b = 0; b < balls_.size(); ++b) {
+        Ball& ball = balls_[b];
+        if (settings_.balls[b].motion != BallMotion::Keys) continue;
+        if (!ball.moved.isZero(0)) {
+            stop_at_taut_cloth(cloths_, static_cast<int>(b), now.h, ball);
+            stop_at_pins(cloths_, settings_.contact.thickness, now.h, ball);
+        }
+        stay_outside(solids_, 2 * settings_.contact.thickness, now.h, ball);
     }
 }
 

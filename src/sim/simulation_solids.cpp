@@ -1,7 +1,6 @@
 #include <algorithm>
 #include <utility>
 
-#include "drape/contact/ball_solids.h"
 #include "drape/sim/simulation.h"
 #include "solid_motion.h"
 
@@ -10,14 +9,6 @@ namespace drape {
 void Simulation::move_solids(const Substep& now) {
     for (std::size_t s = 0; s < solids_.size(); ++s) {
         move_solid(settings_.solids[s], static_cast<Real>(now.time), now.h, solids_[s]);
-    }
-}
-
-/// The keys lead a ball onto solids, as onto the ground.
-void Simulation::stop_balls(const Substep& now) {
-    for (std::size_t b = 0; b < balls_.size(); ++b) {
-        if (settings_.balls[b].motion != BallMotion::Keys) continue;
-        stay_outside(solids_, 2 * settings_.contact.thickness, now.h, balls_[b]);
     }
 }
 

@@ -41,6 +41,12 @@ int wait_for(pid_t child) {
     return WIFEXITED(status) ? WEXITSTATUS(status) : 128 + WTERMSIG(status);
 }
 
+/// The child stays to be waited for.
+bool has_ended(pid_t child) {
+    siginfo_t info{};
+    return waitid(P_PID, static_cast<id_t>(child), &info, WEXITED | WNOHANG | WNOWAIT) == 0 && info.si_pid == child;
+}
+
 }  // namespace
 
 Outcome run_program(const std::string& name, const std::vector<std::string>& arguments,
@@ -57,7 +63,7 @@ Outcome interrupt_program(const std::string& name, const std::vector<std::string
                           int signal) {
     const TestFolder folder;
     const pid_t child = start(name, arguments, {}, folder / "out", folder / "err");
-    for (int i = 0; i < 3000 && !fs::exists(file); ++i) std::this_thread::sleep_for(std::chrono::milliseconds(10));
+    while (!fs::exists(file) && !has_ended(child)) std::this_thread::sleep_for(std::chrono::milliseconds(10));
     kill(child, signal);
     Outcome outcome;
     outcome.exit_code = wait_for(child);

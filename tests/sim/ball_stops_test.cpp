@@ -1,0 +1,98 @@
+// What stops a ball under the keys: cloth that is taut, and pins.
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <string>
+#include <vector>
+
+#include "drape/model/energy.h"
+#include "drape/sim/scene.h"
+#include "small_scene.h"
+
+namespace drape {
+namespace {
+
+/// The cloth of `original`, which four pins hold, and the ball below it.
+class StoppedBall : public testing::Test {
+protected:
+    void start(const std::vector<std::string>& assignments) {
+        Settings settings = load_scene("original");
+        for (const std::string& assignment : assignments) assign(settings, assignment);
+        simulation_.emplace("original", std::move(settings));
+    }
+
+    /// @param look is called after each step
+    template <class Look>
+    void steer(const std::string& direction, double seconds, Look look) {
+        send(*simulation_, "steer " + direction);
+        const double end = simulation_->report().time + seconds;
+        while (simulation_->report().time < end) {
+            simulation_->step();
+            ASSERT_EQ(simulation_->report().status, Status::Ok) << simulation_->report().trouble;
+            look();
+        }
+    }
+
+    [[nodiscard]] const Ball& ball() const { return simulation_->balls()[0]; }
+    [[nodiscard]] const Cloth& cloth() const { return simulation_->cloths()[0]; }
+
+    /// From the ball's surface to the nearest pin [m].
+    [[nodiscard]] Real gap_to_pins() const {
+        Real gap = 1;
+        for (int p = 0; p < cloth().model.grid.particles(); ++p) {
+            if (!cloth().model.pinned(p)) continue;
+            gap = std::min(gap, (cloth().state.x.row(p).transpose() - ball().centre).norm() - ball().radius);
+        }
+        return gap;
+    }
+
+    std::optional<Simulation> simulation_;
+};
+
+TEST_F(StoppedBall, DoesNotStretchClothThatPinsHoldTaut) {
+    start({});
+    const Real limit = cloth().model.stretch_limit, from = ball().centre.y();
+    Real longest = 0;
+    steer("0 1 0", 1.5, [&] { longest = std::max(longest, largest_stretch(cloth().model, cloth().state.x)); });
+    EXPECT_GT(longest, limit + Real(0.01)) << "it comes as far as the cloth lets it";
+    EXPECT_LT(longest, limit + Real(0.03));
+    EXPECT_LT(ball().velocity.norm(), 0.1);
+    const Real highest = ball().centre.y();
+    EXPECT_GT(highest, from + Real(0.2));
+    steer("0 -1 0", 0.5, [] {});
+    EXPECT_LT(ball().centre.y(), highest - Real(0.2)) << "it can go back";
+}
+
+TEST_F(StoppedBall, PushesClothWithoutALimitAsFarAsTheKeysLeadIt) {
+    start({"stretch_limit=0"});
+    const Real from = ball().centre.y();
+    steer("0 1 0", 1.5, [] {});
+    EXPECT_GT(ball().centre.y(), from + Real(0.9) * Real(1.4) * simulation_->settings().balls[0].speed);
+}
+
+TEST_F(StoppedBall, NeverTakesAPinIn) {
+    const std::string limits[] = {"stretch_limit=0", "stretch_limit=0.1"};
+    for (const std::string& limit : limits) {
+        start({limit});
+        const Real thickness = simulation_->settings().contact.thickness;
+        Real nearest = 1;
+        steer("-0.67 0.31 -0.67", 2, [&] { nearest = std::min(nearest, gap_to_pins()); });
+        EXPECT_GT(nearest, thickness * Real(0.999)) << limit;
+        EXPECT_LT(nearest, thickness * 2) << limit << ": it comes to the pin";
+    }
+}
+
+TEST_F(StoppedBall, ThatIsInAPinStaysWhereItIsAndMayLeave) {
+    start({"ball.position=-0.45,-0.05,-0.45"});
+    ASSERT_LT(gap_to_pins(), -0.1);
+    const Vec3 from = ball().centre;
+    const Real deepest = gap_to_pins();
+    steer("-0.67 0.31 -0.67", 0.1, [&] { EXPECT_GE(gap_to_pins(), deepest - Real(1e-6)); });
+    EXPECT_LT((ball().centre - from).norm(), 0.01);
+    steer("0.67 -0.31 0.67", 1, [] {});
+    EXPECT_GT(gap_to_pins(), 0.1);
+}
+
+}  // namespace
+}  // namespace drape
