@@ -83,11 +83,11 @@ void find_ball_contacts(std::span<const Ball> balls, std::span<const Solid> soli
     }
 }
 
-void stay_outside(std::span<const Solid> solids, Real gap, Real h, Ball& ball) {
-    if (solids.empty()) return;
+bool stay_outside(std::span<const Solid> solids, Real gap, Real h, Ball& ball) {
+    if (solids.empty()) return false;
     const Vec3 start = ball.centre - ball.moved;
     const Real radius = ball.radius + gap;
-    bool is_out = false;
+    bool is_out = false, was_out = true;
     for (int k = 0; k < most_planes && !is_out; ++k) {
         is_out = true;
         for (const Solid& solid : solids) {
@@ -95,17 +95,18 @@ void stay_outside(std::span<const Solid> solids, Real gap, Real h, Ball& ball) {
             if (!plane) continue;
             const Real depth = plane->height + radius - plane->normal.dot(ball.centre);
             if (depth <= height_rounding * (std::abs(plane->height) + radius)) continue;  // as near as numbers come
-            is_out = false;
+            is_out = was_out = false;
             ball.centre += depth * plane->normal;
             const Real towards = plane->normal.dot(ball.velocity - solid.velocity);
             ball.velocity -= std::min(towards, Real(0)) * plane->normal;
             ball.moved = h * ball.velocity;
         }
     }
-    if (is_out) return;
+    if (is_out) return !was_out;
     ball.centre = start;  // wedged
     ball.velocity.setZero();
     ball.moved.setZero();
+    return true;
 }
 
 }  // namespace drape

@@ -26,14 +26,6 @@ Vec3 tangent(const std::vector<PathPoint>& path, std::size_t k) {
 
 using Quaternion = Eigen::Quaternion<Real>;
 
-/// The keys lead a ball onto the ground, and no farther than cloth that lies there lets it.
-void stay_above(const Ground& ground, Real thickness, Ball& ball) {
-    const Real lowest = ground.height + ball.radius + 2 * thickness;
-    if (!ground.solid || ball.centre.y() >= lowest) return;
-    ball.centre.y() = lowest;
-    ball.velocity.y() = std::max(ball.velocity.y(), Real(0));
-}
-
 }  // namespace
 
 Vec3 point_on_path(const std::vector<PathPoint>& path, Real time) {
@@ -62,6 +54,14 @@ Ball make_ball(const BallSettings& settings, double time) {
 
 Real inverse_mass_of(const BallSettings& settings) {
     return settings.motion == BallMotion::Free ? 1 / settings.mass : Real(0);
+}
+
+bool stay_above(const Ground& ground, Real thickness, Ball& ball) {
+    const Real lowest = ground.height + ball.radius + 2 * thickness;
+    if (!ground.solid || ball.centre.y() >= lowest) return false;
+    ball.centre.y() = lowest;
+    ball.velocity.y() = std::max(ball.velocity.y(), Real(0));
+    return true;
 }
 
 void move_ball(const BallSettings& settings, const Vec3& steer, const Ground& ground, Real thickness,

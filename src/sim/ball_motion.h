@@ -21,6 +21,11 @@ Real inverse_mass_of(const BallSettings& settings);
 void move_ball(const BallSettings& settings, const Vec3& steer, const Ground& ground, Real thickness,
                const Vec3& gravity, Real share, Real time, Real h, Ball& ball);
 
+/// Keeps a ball above the ground where that is solid, and above cloth that lies there.
+/// @param thickness of the cloth, which fits between them twice [m]
+/// @return whether it had to
+bool stay_above(const Ground& ground, Real thickness, Ball& ball);
+
 /// Rolling resistance: slows the spin of a ball by the torque coefficient * radius * load, and no further than to a
 /// stop. Friction then slows the ball: a rolling one by 5/7 coefficient * g [m/s^2].
 /// @param load impulse that what it lies on has given it within the substep [N s]

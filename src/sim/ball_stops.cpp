@@ -1,64 +1,111 @@
 #include "ball_stops.h"
 
 #include <algorithm>
+#include <limits>
 
-#include "drape/model/stretch_limit.h"
+#include "ball_motion.h"
+#include "drape/contact/ball_solids.h"
+#include "drape/model/stencils.h"
 
 namespace drape {
 namespace {
 
-/// By how much of its rest length a spring is beyond the limit where cloth counts as taut: contact, which comes after
-/// the limit, has drawn it out by as much.
+/// By how much of its rest length a spring is beyond the limit where cloth counts as taut. Contact, which comes after
+/// the limit, leaves less in cloth that can give way, but for what the ball has just moved by.
 constexpr Real taut = Real(0.02);
 
-/// Contacts are gone through so many times; where the ball still moves into one, it is wedged.
+/// A ball that is not free of everything after so many rounds is wedged.
 constexpr int most_rounds = 8;
 
-/// Takes from the way of a ball within the substep some of what goes along a normal, and its velocity along it.
+/// Of a length that was computed from others.
+constexpr Real length_rounding = 16 * std::numeric_limits<Real>::epsilon();
+
+/// Moves a ball back along a normal, and takes its velocity along it.
 void take_back(const Vec3& normal, Real length, Real h, Ball& ball) {
     ball.centre -= length * normal;
     ball.velocity -= std::max(normal.dot(ball.velocity), Real(0)) * normal;
     ball.moved = h * ball.velocity;
 }
 
-/// @return whether the ball goes into no contact
-bool stop_at_contacts(const Cloth& cloth, int number, Real h, Ball& ball) {
-    bool is_free = true;
-    for (const Contact& contact : cloth.contacts) {
-        const Real towards = contact.normal.dot(ball.moved);
-        if (contact.ball != number || !(towards > 0)) continue;
-        is_free = false;
-        take_back(contact.normal, towards, h, ball);
+/// Whether a structural spring at the particles of a contact is taut.
+/// @param drawn by the ball within the substep [m]
+bool is_taut_at(const Cloth& cloth, const Contact& contact, Real drawn) {
+    const ClothModel& model = cloth.model;
+    bool found = false;
+    for (std::size_t k = 0; k < 3 && !found; ++k) {
+        for_each_spring_at(model, contact.corners[k], [&](const SpringStencil& springs, int other) {
+            const Real longest = (1 + model.stretch_limit + taut) * springs.rest_length + drawn;
+            const Vec3 d = cloth.state.x.row(contact.corners[k]) - cloth.state.x.row(other);
+            found = found || (springs.structural() && d.squaredNorm() > longest * longest);
+        });
     }
-    return is_free;
+    return found;
+}
+
+bool touches_taut_cloth(std::span<const Cloth> cloths, int number, Real drawn) {
+    return std::ranges::any_of(cloths, [&](const Cloth& cloth) {
+        return cloth.model.stretch_limit > 0 && std::ranges::any_of(cloth.contacts, [&](const Contact& contact) {
+                   return contact.ball == number && is_taut_at(cloth, contact, drawn);
+               });
+    });
+}
+
+/// @return whether it had to be stopped
+bool stop_at_contacts(std::span<const Cloth> cloths, int number, Real rounding, Real h, Ball& ball) {
+    bool stopped = false;
+    for (const Cloth& cloth : cloths) {
+        for (const Contact& contact : cloth.contacts) {
+            const Real towards = contact.normal.dot(ball.moved);
+            if (contact.ball != number || !(towards > rounding)) continue;
+            take_back(contact.normal, towards, h, ball);
+            stopped = true;
+        }
+    }
+    return stopped;
+}
+
+/// @param start of the ball's centre [m]
+/// @return whether it had to be stopped
+bool stop_at_pins(const BallStops& stops, const Vec3& start, Real h, Ball& ball) {
+    bool stopped = false;
+    for (const Cloth& cloth : stops.cloths) {
+        for (int p = 0; p < cloth.model.grid.particles(); ++p) {
+            if (!cloth.model.pinned(p) || p == cloth.held) continue;
+            const Vec3 pin = cloth.state.x.row(p).transpose(), offset = pin - ball.centre;
+            const Real distance = offset.norm(), least = std::min(ball.radius + stops.thickness, (pin - start).norm());
+            const Real rounding = length_rounding * (pin.cwiseAbs().sum() + least);
+            if (!(distance < least - rounding) || distance == 0) continue;
+            take_back(offset / distance, least - distance, h, ball);
+            stopped = true;
+        }
+    }
+    return stopped;
 }
 
 }  // namespace
 
-void stop_at_taut_cloth(std::span<const Cloth> cloths, int number, Real h, Ball& ball) {
-    for (const Cloth& cloth : cloths) {
-        if (std::ranges::find(cloth.contacts, number, &Contact::ball) == cloth.contacts.end()) continue;
-        if (!(stretch_excess(cloth.model, cloth.state.x) > taut)) continue;
-        const Vec3 start = ball.centre - ball.moved;
-        int round = 0;
-        while (!stop_at_contacts(cloth, number, h, ball) && round < most_rounds) ++round;
-        if (round < most_rounds) continue;
-        ball.centre = start;
-        ball.velocity.setZero();
-        ball.moved.setZero();
+void stop_ball(const BallStops& stops, int number, Real h, Ball& ball) {
+    const Real room = 2 * stops.thickness;
+    if (ball.moved.isZero(0)) {
+        stay_outside(stops.solids, room, h, ball);  // they may move towards it
+        return;
     }
-}
-
-void stop_at_pins(std::span<const Cloth> cloths, Real gap, Real h, Ball& ball) {
     const Vec3 start = ball.centre - ball.moved;
-    for (const Cloth& cloth : cloths) {
-        for (int p = 0; p < cloth.model.grid.particles(); ++p) {
-            if (!cloth.model.pinned(p) || p == cloth.held) continue;  // the hand gives way
-            const Vec3 pin = cloth.state.x.row(p).transpose(), offset = pin - ball.centre;
-            const Real distance = offset.norm(), least = std::min(ball.radius + gap, (pin - start).norm());
-            if (distance < least && distance > 0) take_back(offset / distance, least - distance, h, ball);
+    const Real moved = ball.moved.norm(), rounding = length_rounding * moved;
+    const bool is_taut = touches_taut_cloth(stops.cloths, number, moved);
+    for (int round = 0; round < most_rounds; ++round) {
+        bool stopped = is_taut && stop_at_contacts(stops.cloths, number, rounding, h, ball);
+        stopped = stop_at_pins(stops, start, h, ball) || stopped;
+        if (stay_above(stops.ground, stops.thickness, ball)) {
+            ball.moved = h * ball.velocity;
+            stopped = true;
         }
+        stopped = stay_outside(stops.solids, room, h, ball) || stopped;
+        if (!stopped) return;
     }
+    ball.centre = start;
+    ball.velocity.setZero();
+    ball.moved.setZero();
 }
 
 }  // namespace drape

@@ -2,24 +2,32 @@
 
 #include <span>
 
+#include "drape/contact/solid.h"
 #include "drape/model/ball.h"
+#include "drape/model/ground.h"
 #include "drape/sim/cloth.h"
 
 namespace drape {
 
-// What stops a ball under the keys, which nothing pushes, besides ground and solids. It may slide along, and go back.
+/// What can stop a ball under the keys, which nothing pushes.
+struct BallStops {
+    std::span<const Cloth> cloths;  ///< with the contacts of the substep before
+    std::span<const Solid> solids;
+    const Ground& ground;
+    Real thickness;  ///< of the cloth: a pin has it, and ground and solids leave room for two [m]
+};
 
-/// Stops a ball at all cloth that touched it in the substep before and is stretched well beyond its limit, be it
-/// between pins, in the hand, or under the ball.
+/// Stops a ball within the substep. It may slide along what stops it, and go back.
+/// - Cloth stops it while a spring where they touch is well beyond the cloth's stretch limit: pins, the hand, or what
+///   presses from the other side then leave it no more to give. Cloth without a limit always gives way.
+/// - So does a pinned particle, unless it is in the hand, which gives way; one that is inside the ball already may come
+///   no nearer to its centre. Where the ball is at the end of the substep counts, not what it has passed.
+/// - So do ground and solids.
+///
+/// A ball that cannot get out of all of these stays where it was.
 /// @param number of the ball
 /// @param h the substep, in which the ball has moved [s]
-/// @par Cost one pass over the springs of each cloth that touches it and has a limit
-void stop_at_taut_cloth(std::span<const Cloth> cloths, int number, Real h, Ball& ball);
-
-/// Stops a ball at pinned particles. One that is in it already may come no nearer to its centre.
-/// @param gap to leave [m]
-/// @param h the substep, in which the ball has moved [s]
-/// @par Cost O(particles)
-void stop_at_pins(std::span<const Cloth> cloths, Real gap, Real h, Ball& ball);
+/// @par Cost O(particles) where the ball moves
+void stop_ball(const BallStops& stops, int number, Real h, Ball& ball);
 
 }  // namespace drape

@@ -3,7 +3,6 @@
 #include "ball_motion.h"
 #include "ball_stops.h"
 #include "drape/base/input_error.h"
-#include "drape/contact/ball_solids.h"
 #include "drape/sim/simulation.h"
 
 namespace drape {
@@ -27,16 +26,10 @@ void Simulation::put_ball(std::size_t number, const Vec3& centre) {
     }
 }
 
-/// Nothing pushes a ball under the keys back, but it stops where cloth cannot give way to it.
 void Simulation::stop_balls(const Substep& now) {
+    const BallStops stops{cloths_, solids_, settings_.ground, settings_.contact.thickness};
     for (std::size_t b = 0; b < balls_.size(); ++b) {
-        Ball& ball = balls_[b];
-        if (settings_.balls[b].motion != BallMotion::Keys) continue;
-        if (!ball.moved.isZero(0)) {
-            stop_at_taut_cloth(cloths_, static_cast<int>(b), now.h, ball);
-            stop_at_pins(cloths_, settings_.contact.thickness, now.h, ball);
-        }
-        stay_outside(solids_, 2 * settings_.contact.thickness, now.h, ball);
+        if (settings_.balls[b].motion == BallMotion::Keys) stop_ball(stops, static_cast<int>(b), now.h, balls_[b]);
     }
 }
 

@@ -185,7 +185,8 @@ private:
     Points start_;                   ///< positions at the start
     std::vector<std::string> done_;  ///< since the start
     Real hanging_ = 0;               ///< largest strain of the cloth at rest that nobody has touched
-    Strain rested_;                  ///< the largest of every rest
+    Strain rested_;                  ///< the largest of every rest that is looked at
+    int rests_ = 0;                  ///< that are looked at
     Real largest_ = 0, deepest_ = 0, lowest_ = std::numeric_limits<Real>::infinity();
     int failed_ = 0;
 };
@@ -276,6 +277,7 @@ int RandomHand::play_round() {
     run(rest_time);
     if (pins_are_in_place()) {
         const Strain strain = strain_of(simulation_.cloths()[0]);
+        ++rests_;
         rested_ = {std::max(rested_.rms, strain.rms), std::max(rested_.largest, strain.largest)};
         if (strain.rms > at_rest) fail("the cloth at rest has its rest lengths");
     }
@@ -287,9 +289,9 @@ int RandomHand::play_round() {
 
 void RandomHand::tell() const {
     std::printf(
-        "%s: stretch at most %.4f; at rest RMS strain %.4f, largest %.4f, %.4f if untouched; %.2f mm into a "
+        "%s: stretch at most %.4f; in %d rests RMS strain %.4f, largest %.4f, %.4f if untouched; %.2f mm into a "
         "ball, lowest at %.2f mm; %d failed\n",
-        scene_.c_str(), static_cast<double>(largest_), static_cast<double>(rested_.rms),
+        scene_.c_str(), static_cast<double>(largest_), rests_, static_cast<double>(rested_.rms),
         static_cast<double>(rested_.largest), static_cast<double>(hanging_), 1e3 * static_cast<double>(deepest_),
         1e3 * static_cast<double>(lowest_), failed_);
 }

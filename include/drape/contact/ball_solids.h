@@ -18,6 +18,7 @@ void find_ball_contacts(std::span<const Ball> balls, std::span<const Solid> soli
 /// them.
 /// @param gap to leave [m]
 /// @param h the substep [s]
-void stay_outside(std::span<const Solid> solids, Real gap, Real h, Ball& ball);
+/// @return whether it had to
+bool stay_outside(std::span<const Solid> solids, Real gap, Real h, Ball& ball);
 
 }  // namespace drape
