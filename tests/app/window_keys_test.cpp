@@ -60,6 +60,7 @@ TEST_F(WindowTest, TimeGoesBackAndFromThereOn) {
     start({"hang"});
     desktop_.key("c");
     ASSERT_TRUE(recorded("next view.contacts"));
+    ASSERT_TRUE(test::eventually([&] { return last_step() > 0; })) << "a hash tells of steps to go back";
     desktop_.key("space");
     ASSERT_TRUE(recorded("pause"));
     desktop_.key("comma");
