@@ -54,6 +54,7 @@ bool touches_taut_cloth(std::span<const Cloth> cloths, int number, Real drawn) {
 bool stop_at_contacts(std::span<const Cloth> cloths, int number, Real rounding, Real h, Ball& ball) {
     bool stopped = false;
     for (const Cloth& cloth : cloths) {
+        if (cloth.model.stretch_limit == 0) continue;  // it always gives way
         for (const Contact& contact : cloth.contacts) {
             const Real towards = contact.normal.dot(ball.moved);
             if (contact.ball != number || !(towards > rounding)) continue;
