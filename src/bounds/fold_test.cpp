@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <map>
+#include <utility>
 
 #include "drape/model/tiles.h"
 
@@ -43,8 +45,32 @@ bool make_rectangle(const CellRange& first, const CellRange& second) {
 
 }  // namespace
 
-FoldTest::FoldTest(const Grid& grid, Real hx, Real hy, int leaf_cells)
-    : grid_(grid), hx_(hx), hy_(hy), nodes_(make_quadtree_nodes(grid, leaf_cells)), derivatives_(nodes_.size()) {}
+FoldTest::FoldTest(const Grid& grid, Real hx, Real hy, int leaf_cells, Real apart)
+    : grid_(grid),
+      hx_(hx),
+      hy_(hy),
+      apart_(apart),
+      nodes_(make_quadtree_nodes(grid, leaf_cells)),
+      beside_(nodes_.size()),
+      derivatives_(nodes_.size()) {
+    std::map<std::array<int, 3>, int> by_corner;
+    for (std::size_t n = 0; n < nodes_.size(); ++n) {
+        by_corner[{nodes_[n].level, nodes_[n].i0, nodes_[n].j0}] = static_cast<int>(n);
+    }
+    for (std::size_t n = 0; n < nodes_.size(); ++n) {
+        const QuadtreeNode& node = nodes_[n];
+        if (const auto found = by_corner.find({node.level, node.i1, node.j0}); found != by_corner.end()) {
+            const auto right = static_cast<std::size_t>(found->second);
+            if (make_rectangle(node, nodes_[right])) {
+                beside_[n].right = found->second;
+                beside_[right].left = static_cast<int>(n);
+            }
+        }
+        if (const auto found = by_corner.find({node.level, node.i0, node.j1}); found != by_corner.end()) {
+            if (make_rectangle(node, nodes_[static_cast<std::size_t>(found->second)])) beside_[n].below = found->second;
+        }
+    }
+}
 
 void FoldTest::build(const Points& x, std::span<const Real> reaches, std::span<const Real> local_reaches) {
     for (std::size_t n = nodes_.size(); n-- > 0;) {
@@ -101,7 +127,7 @@ bool FoldTest::bounds(const Derivatives& derivatives, Real distance) const {
     const Real c = (m11 + m22) / 2 - std::sqrt(half * half + m12 * m12);
     const Real least = c - fold_rounding;
     const Real of_tiles_apart = (Tiles::side - 1) * std::min(hx_, hy_);
-    return least * apart_at_rest(hx_, hy_) > std::min(distance, 2 * local_reach) &&
+    return least * apart_ > std::min(distance, 2 * local_reach) &&
            least * of_tiles_apart > std::min(distance, 2 * reach);
 }
 
@@ -109,13 +135,33 @@ bool FoldTest::keeps_apart(int node, Real distance) const {
     return bounds(derivatives_[static_cast<std::size_t>(node)], distance);
 }
 
+/// The other two of four nodes that meet at a corner and are a rectangle together; -1: these two are no such.
+std::array<int, 2> FoldTest::at_corner_of(int first, int second) const {
+    const auto at = [&](int node) { return beside_[static_cast<std::size_t>(node)]; };
+    if (nodes_[static_cast<std::size_t>(second)].j0 < nodes_[static_cast<std::size_t>(first)].j0) {
+        std::swap(first, second);
+    }
+    const auto [left, right, below] = at(first);
+    if (below < 0) return {-1, -1};
+    if (right >= 0 && at(right).below == second && at(below).right == second) return {right, below};
+    if (left >= 0 && at(left).below == second && at(below).left == second) return {left, below};
+    return {-1, -1};
+}
+
 bool FoldTest::keep_apart(int first, int second, Real distance) const {
-    const auto f = static_cast<std::size_t>(first), s = static_cast<std::size_t>(second);
-    if (!make_rectangle(nodes_[f], nodes_[s])) return false;
-    const Derivatives &one = derivatives_[f], &two = derivatives_[s];
-    return bounds({merged(one.along, two.along), merged(one.across, two.across), (one.reach + two.reach) / 2,
-                   (one.local_reach + two.local_reach) / 2},
-                  distance);
+    const auto of = [&](int node) -> const Derivatives& { return derivatives_[static_cast<std::size_t>(node)]; };
+    const Derivatives &one = of(first), &two = of(second);
+    Derivatives all{merged(one.along, two.along), merged(one.across, two.across), (one.reach + two.reach) / 2,
+                    (one.local_reach + two.local_reach) / 2};
+    if (!make_rectangle(nodes_[static_cast<std::size_t>(first)], nodes_[static_cast<std::size_t>(second)])) {
+        const std::array<int, 2> others = at_corner_of(first, second);
+        if (others[0] < 0) return false;
+        for (const int other : others) {
+            all.along.include(of(other).along);
+            all.across.include(of(other).across);
+        }
+    }
+    return bounds(all, distance);
 }
 
 }  // namespace drape

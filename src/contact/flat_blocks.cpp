@@ -49,11 +49,16 @@ Real room_around(const BlockRoom& of, int middle) {
 }  // namespace
 
 FlatBlocks::FlatBlocks(const Grid& grid, Real hx, Real hy) : grid_(grid), hx_(hx), hy_(hy) {
-    room_.resize(static_cast<std::size_t>((grid.nx - 2) * (grid.ny - 2)), Real(-1));
+    room_.resize(static_cast<std::size_t>(columns() * rows()), Real(-1));
 }
 
 void FlatBlocks::build(const Points& x, std::span<const Real> reaches, Kernels kernels) {
-    if (!room_.empty()) find_block_room({grid_, x, reaches, hx_, hy_}, room_, kernels);
+    const bool is_strip = grid_.nx < 3 || grid_.ny < 3;
+    if (!is_strip) find_block_room({grid_, x, reaches, hx_, hy_}, room_, kernels);
+    uneven_.clear();
+    for (std::size_t block = 0; block < room_.size(); ++block) {
+        if (!(room_[block] > 0)) uneven_.push_back(static_cast<int>(block));
+    }
 }
 
 void find_block_room(const BlockRoom& of, std::span<Real> room, Kernels kernels) {

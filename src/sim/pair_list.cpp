@@ -6,9 +6,9 @@
 namespace drape {
 namespace {
 
-/// Pairs of leaves that a thread takes at once: where cloth is folded, some that follow each other have much in them,
-/// and those after them nothing.
-constexpr std::size_t leaves_in_a_block = 16;
+/// Pairs of leaves, or blocks, that a thread takes at once: where cloth is folded, some that follow each other have much
+/// in them, and those after them nothing.
+constexpr std::size_t places_at_once = 16;
 
 }  // namespace
 
@@ -18,16 +18,29 @@ void PairList::clear() {
     list_.clear();
 }
 
-void PairList::add(const BoxedCloth& first, const BoxedCloth& second, std::span<const LeafPair> leaves) {
-    workers_.run(leaves.size() / leaves_in_a_block, [&](int part, int parts) {
-        const auto p = static_cast<std::size_t>(part), step = leaves_in_a_block * static_cast<std::size_t>(parts);
-        for (std::size_t k = leaves_in_a_block * p; k < leaves.size(); k += step) {
-            const auto block = leaves.subspan(k, std::min(leaves_in_a_block, leaves.size() - k));
-            find_near_pairs(first, second, block, parts_[p].near);
+/// Shares places, leaves or blocks, among threads.
+/// @param find adds to `near` what it finds in some of them
+template <class Place, class Find>
+void PairList::find_in(std::span<const Place> places, Find find) {
+    workers_.run(places.size() / places_at_once, [&](int part, int parts) {
+        const auto p = static_cast<std::size_t>(part), step = places_at_once * static_cast<std::size_t>(parts);
+        for (std::size_t k = places_at_once * p; k < places.size(); k += step) {
+            find(places.subspan(k, std::min(places_at_once, places.size() - k)), parts_[p].near);
         }
     });
     size_ = 0;
     for (const Part& part : parts_) size_ += part.near.size();
+}
+
+void PairList::add(const BoxedCloth& first, const BoxedCloth& second, std::span<const LeafPair> leaves) {
+    find_in(leaves, [&](std::span<const LeafPair> some, std::vector<NearPair>& near) {
+        find_near_pairs(first, second, some, near);
+    });
+}
+
+void PairList::add(const BoxedCloth& cloth, std::span<const int> blocks) {
+    find_in(blocks,
+            [&](std::span<const int> some, std::vector<NearPair>& near) { find_near_pairs(cloth, some, near); });
 }
 
 /// Brings the list into the order of a number of each pair; pairs with the same number stay in the order they had.

@@ -48,7 +48,7 @@ TEST(FoldTest, NeverKeepsApartWhatIsNear) {
     const auto nodes = make_quadtree_nodes(grid, 3);
     std::mt19937 random(6);
     std::uniform_real_distribution<Real> unit(0, 1);
-    int proved = 0, refused = 0, pairs_proved = 0;
+    int proved = 0, refused = 0, pairs_proved = 0, corners_proved = 0;
     for (int trial = 0; trial < 60; ++trial) {
         Points x = rolled(grid, Real(0.5) + 8 * unit(random), Real(0.05) * unit(random));
         x.col(2) *= Real(0.3) + unit(random);
@@ -66,14 +66,71 @@ TEST(FoldTest, NeverKeepsApartWhatIsNear) {
             }
             for (int m = n + 1; m < static_cast<int>(nodes.size()); ++m) {
                 if (!folds.keep_apart(n, m, distance)) continue;
+                const QuadtreeNode& other = nodes[static_cast<std::size_t>(m)];
                 ++pairs_proved;
-                ASSERT_EQ(pairs_in(grid, x, node, nodes[static_cast<std::size_t>(m)], distance), 0U);
+                corners_proved += node.i0 != other.i0 && node.j0 != other.j0;
+                ASSERT_EQ(pairs_in(grid, x, node, other, distance), 0U);
             }
         }
     }
     EXPECT_GT(proved, 300);
     EXPECT_GT(pairs_proved, 300);
+    EXPECT_GT(corners_proved, 200);
     EXPECT_GT(refused, 300);
+}
+
+/// One of two leaves that touch at a corner is flat, and so is the other: the fold is in the two beside them.
+TEST(FoldTest, LooksAtAllFourNodesThatMeetAtACorner) {
+    const Grid grid{5, 5};
+    const auto nodes = make_quadtree_nodes(grid, 2);
+    ASSERT_EQ(nodes.size(), 5U);
+    Points x = rolled(grid, Real(1e-3), 0);
+    FoldTest folds(grid, spacing, spacing, 2);
+    folds.build(x);
+    EXPECT_TRUE(folds.keep_apart(1, 4, Real(0.01)));
+    EXPECT_TRUE(folds.keep_apart(2, 3, Real(0.01)));
+    x.row(grid.particle(4, 0)) = x.row(grid.particle(2, 2));  // of node 2 alone
+    folds.build(x);
+    EXPECT_FALSE(folds.keep_apart(1, 4, Real(0)));
+    EXPECT_FALSE(folds.keep_apart(2, 3, Real(0)));
+    EXPECT_TRUE(folds.keep_apart(3, 4, Real(0.01)));
+}
+
+TEST(FoldTest, MayBeAskedAboutCellsThatDoNotTouch) {
+    const Grid grid{17, 13};
+    const auto nodes = make_quadtree_nodes(grid, 3);
+    std::mt19937 random(9);
+    std::uniform_real_distribution<Real> unit(0, 1);
+    int by_this_alone = 0, nearly_touched = 0;
+    for (int trial = 0; trial < 60; ++trial) {
+        Points x = rolled(grid, Real(0.5) + 8 * unit(random), Real(0.05) * unit(random));
+        x.col(2) *= Real(0.3) + unit(random);
+        FoldTest folds(grid, spacing, spacing, 3, apart_beyond_touching_cells(spacing, spacing));
+        FoldTest all(grid, spacing, spacing, 3);
+        const FlatBlocks touching(grid, spacing, spacing);
+        const Real distance = Real(0.04) + Real(0.06) * unit(random);
+        const std::vector<Real> reaches(static_cast<std::size_t>(grid.particles()), distance / 2);
+        const std::vector<Real> farther(reaches.size(), Real(0.75) * distance);
+        folds.build(x);
+        all.build(x);
+        for (int n = 0; n < static_cast<int>(nodes.size()); ++n) {
+            for (int m = n; m < static_cast<int>(nodes.size()); ++m) {
+                const auto apart = [&](const FoldTest& test) {
+                    return m == n ? test.keeps_apart(n, distance) : test.keep_apart(n, m, distance);
+                };
+                if (!apart(folds)) continue;
+                by_this_alone += !apart(all);
+                const auto pairs = [&](std::span<const Real> of) {
+                    return test::pairs_within_reach(grid, x, nodes[static_cast<std::size_t>(n)],
+                                                    nodes[static_cast<std::size_t>(m)], of, &touching);
+                };
+                ASSERT_EQ(pairs(reaches), 0U) << "trial " << trial;
+                nearly_touched += pairs(farther) > 0;
+            }
+        }
+    }
+    EXPECT_GT(by_this_alone, 300);
+    EXPECT_GT(nearly_touched, 100);
 }
 
 TEST(FoldTest, AsksForNoMoreThanParticlesReachAndNoLess) {

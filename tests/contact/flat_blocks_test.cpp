@@ -4,7 +4,10 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
+#include <array>
 #include <cmath>
+#include <map>
 #include <random>
 
 #include "support/pairs_within_reach.h"
@@ -32,11 +35,46 @@ Points crumpled(const Grid& grid, std::mt19937& random) {
     return x;
 }
 
-TEST(FlatBlocks, NeverKeepApartWhatIsWithinReach) {
+using CellPairs = std::map<std::array<int, 2>, int>;
+
+/// How many times each two cells are in blocks that are not flat.
+CellPairs pairs_to_look_at(const FlatBlocks& blocks) {
+    CellPairs pairs;
+    for (const int block : blocks.uneven()) {
+        blocks.for_each_pair_of_cells(block, [&](int one, int two) { ++pairs[{one, two}]; });
+    }
+    return pairs;
+}
+
+/// All touching cells, and each cell with itself, once.
+CellPairs touching_cells(const Grid& grid) {
+    const int columns = grid.cell_columns();
+    CellPairs pairs;
+    for (int one = 0; one < grid.cells(); ++one) {
+        for (int two = one; two < grid.cells(); ++two) {
+            const bool touch =
+                std::abs(one % columns - two % columns) <= 1 && std::abs(one / columns - two / columns) <= 1;
+            if (touch) pairs[{one, two}] = 1;
+        }
+    }
+    return pairs;
+}
+
+TEST(FlatBlocks, HaveEachTwoTouchingCellsOnce) {
+    for (const Grid& grid : {Grid{3, 3}, Grid{4, 7}, Grid{9, 5}, Grid{2, 2}, Grid{2, 6}, Grid{5, 2}}) {
+        FlatBlocks blocks(grid, spacing, spacing);
+        blocks.build(Points::Zero(grid.particles(), 3), std::vector<Real>(static_cast<std::size_t>(grid.particles())),
+                     Kernels::Vector);
+        EXPECT_EQ(pairs_to_look_at(blocks), touching_cells(grid)) << grid.nx << " x " << grid.ny;
+    }
+}
+
+TEST(FlatBlocks, LeaveOutNothingThatIsWithinReach) {
     const Grid grid{12, 9};
     std::mt19937 random(5);
     std::uniform_real_distribution<Real> unit(0, 1);
-    int flat = 0, nearly_touched = 0, refused = 0;
+    int flat = 0, nearly_touched = 0;
+    std::size_t refused = 0;
     for (int trial = 0; trial < 60; ++trial) {
         const Points x = crumpled(grid, random);
         std::vector<Real> reaches(static_cast<std::size_t>(grid.particles()));
@@ -46,52 +84,44 @@ TEST(FlatBlocks, NeverKeepApartWhatIsWithinReach) {
         for (Real& reach : farther) reach *= Real(1.5);
         FlatBlocks blocks(grid, spacing, spacing);
         blocks.build(x, reaches, Kernels::Vector);
-        for (int one = 0; one < grid.cells(); ++one) {
-            for (int two = one; two < grid.cells(); ++two) {
-                const int i = one % 11, j = one / 11, k = two % 11, m = two / 11;
-                const bool touch = std::abs(i - k) <= 1 && std::abs(j - m) <= 1;
-                if (!blocks.keep_apart(i, j, k, m)) {
-                    refused += touch;
-                    continue;
-                }
-                ASSERT_TRUE(touch);
-                ++flat;
-                const CellRange first{i, j, i + 1, j + 1}, second{k, m, k + 1, m + 1};
-                ASSERT_EQ(test::pairs_within_reach(grid, x, first, second, reaches), 0U) << "trial " << trial;
-                nearly_touched += test::pairs_within_reach(grid, x, first, second, farther) > 0;
-            }
+        const CellPairs looked_at = pairs_to_look_at(blocks);
+        refused += looked_at.size();
+        for (const auto& [cells, times] : touching_cells(grid)) {
+            if (looked_at.contains(cells)) continue;
+            ++flat;
+            const int i = cells[0] % 11, j = cells[0] / 11, k = cells[1] % 11, m = cells[1] / 11;
+            const CellRange first{i, j, i + 1, j + 1}, second{k, m, k + 1, m + 1};
+            ASSERT_EQ(test::pairs_within_reach(grid, x, first, second, reaches), 0U) << "trial " << trial;
+            nearly_touched += test::pairs_within_reach(grid, x, first, second, farther) > 0;
         }
     }
     EXPECT_GT(flat, 3000);
     EXPECT_GT(nearly_touched, 100) << "the bound is so careful that these sheets say nothing about it";
-    EXPECT_GT(refused, 3000);
+    EXPECT_GT(refused, 3000U);
 }
 
 TEST(FlatBlocks, KeepAFlatSheetApartToNearlyItsRestDistances) {
     const Grid grid{12, 9};
     Points x(grid.particles(), 3);
     for (int p = 0; p < grid.particles(); ++p) x.row(p) << spacing * Real(p % 12), 1, -Real(0.2) * Real(p / 12);
-    const auto keep_apart = [&](Real reach, int i, int j, int other_i, int other_j) {
+    const auto uneven = [&](Real reach) {
         FlatBlocks blocks(grid, spacing, Real(0.2));
         blocks.build(x, std::vector<Real>(static_cast<std::size_t>(grid.particles()), reach), Kernels::Vector);
-        return blocks.keep_apart(i, j, other_i, other_j);
+        return blocks.uneven().size();
     };
     const Real half = apart_at_rest(spacing, Real(0.2)) / 2;
-    for (const auto& [i, j] : {std::pair(0, 0), {10, 0}, {0, 7}, {10, 7}, {4, 3}}) {
-        EXPECT_TRUE(keep_apart(Real(0.999) * half, i, j, i, j));
-        EXPECT_TRUE(keep_apart(Real(0.999) * half, i, j, i == 10 ? 9 : i + 1, j == 7 ? 6 : j + 1));
-        EXPECT_FALSE(keep_apart(Real(1.001) * half, i, j, i, j));
-    }
-    EXPECT_FALSE(keep_apart(0, 4, 3, 6, 3)) << "they do not touch";
+    EXPECT_EQ(uneven(Real(0.999) * half), 0U);
+    EXPECT_EQ(uneven(Real(1.001) * half), 10U * 7U);
 }
 
 TEST(FlatBlocks, SeeACollapsedBlock) {
     const Grid grid{3, 3};
-    for (const Kernels kernels : both_kinds) {
+    const auto is_flat = [&](const Points& x, Kernels kernels) {
         FlatBlocks blocks(grid, spacing, spacing);
-        blocks.build(Points::Zero(9, 3), std::vector<Real>(9, 0), kernels);
-        EXPECT_FALSE(blocks.keep_apart(0, 0, 1, 1));
-    }
+        blocks.build(x, std::vector<Real>(9, 0), kernels);
+        return blocks.uneven().empty();
+    };
+    for (const Kernels kernels : both_kinds) EXPECT_FALSE(is_flat(Points::Zero(9, 3), kernels));
     // But for rounding, corners b and c of each cell are in one place
     std::mt19937 random(2);
     std::uniform_real_distribution<Real> unit(0, 1);
@@ -99,11 +129,8 @@ TEST(FlatBlocks, SeeACollapsedBlock) {
         const Vec3 along = Vec3(unit(random), unit(random), unit(random)).normalized() * spacing;
         Points x(9, 3);
         for (int p = 0; p < 9; ++p) x.row(p) = (1 + (p % 3 + p / 3) * along.array()).matrix().transpose();
-        FlatBlocks blocks(grid, spacing, spacing);
-        blocks.build(x, std::vector<Real>(9, 0), both_kinds[trial % 2]);
-        EXPECT_FALSE(blocks.keep_apart(0, 0, 1, 1));
+        EXPECT_FALSE(is_flat(x, both_kinds[trial % 2]));
     }
-    EXPECT_FALSE(FlatBlocks({2, 5}, spacing, spacing).keep_apart(0, 0, 0, 1)) << "a strip of one cell has no block";
 }
 
 TEST(FlatBlocks, HaveTheSameBitsPlainAndByVectors) {

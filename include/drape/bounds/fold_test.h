@@ -1,5 +1,7 @@
 #pragma once
 
+#include <algorithm>
+#include <array>
 #include <cmath>
 #include <span>
 #include <vector>
@@ -13,6 +15,9 @@ namespace drape {
 /// The least distance at rest of features that share no particle: of a corner of a cell from its diagonal [m].
 inline Real apart_at_rest(Real hx, Real hy) { return hx * hy / std::sqrt(hx * hx + hy * hy); }
 
+/// The same for features of cells that do not touch, be it at a corner.
+inline Real apart_beyond_touching_cells(Real hx, Real hy) { return std::min(hx, hy); }
+
 /// Tells which nodes of a cloth's hierarchy cannot touch themselves, because they are not folded enough: the cone test
 /// of @cite volino1994 in a form that is proved for distances and needs no look at a patch's outline.
 ///
@@ -21,14 +26,19 @@ inline Real apart_at_rest(Real hx, Real hy) { return hx * hy / std::sqrt(hx * hx
 /// directions at right angles, the columns of Q. If v.(Q^T F) v >= c |v|^2 on all triangles and for all v, then along
 /// the straight line from p to q in the rectangle (q - p).Q^T (phi(q) - phi(p)) >= c |q - p|^2, and so
 /// |phi(q) - phi(p)| >= c |q - p|: what is apart at rest stays apart. At rest, features that share no particle are at
-/// least `apart_at_rest` apart. Those with particles of `Tiles` that do not touch are 7 spacings apart or more: 9
+/// least `apart_at_rest` apart, and those of cells that do not touch `apart_beyond_touching_cells`. Those with particles of `Tiles` that do not touch are 7 spacings apart or more: 9
 /// columns or rows lie between such particles, and each feature goes on for one.
 class FoldTest {
 public:
     FoldTest() = default;
 
     /// @param leaf_cells of the cloth's hierarchy: its nodes and these have the same numbers
-    FoldTest(const Grid& grid, Real hx, Real hy, int leaf_cells);
+    /// @param apart the least distance at rest of the features that are asked about [m]
+    FoldTest(const Grid& grid, Real hx, Real hy, int leaf_cells, Real apart);
+
+    /// Asked about all that share no particle.
+    FoldTest(const Grid& grid, Real hx, Real hy, int leaf_cells)
+        : FoldTest(grid, hx, hy, leaf_cells, apart_at_rest(hx, hy)) {}
 
     /// Follows the cloth to its present positions.
     /// @param x n x 3 [m]
@@ -38,10 +48,11 @@ public:
     /// @par Cost O(particles)
     void build(const Points& x, std::span<const Real> reaches = {}, std::span<const Real> local_reaches = {});
 
-    /// Whether all that shares no particle in a node is farther apart than a distance [m], or than it reaches.
+    /// Whether all that is asked about in a node is farther apart than a distance [m], or than it reaches.
     [[nodiscard]] bool keeps_apart(int node, Real distance) const;
 
-    /// The same for two nodes which together are a rectangle; false for all others.
+    /// The same for two nodes which together are a rectangle, or touch at a corner and are a rectangle together with
+    /// the two nodes on both sides of it; false for all others.
     [[nodiscard]] bool keep_apart(int first, int second, Real distance) const;
 
 private:
@@ -51,13 +62,20 @@ private:
         Real reach, local_reach;  ///< [m]
     };
 
+    /// The nodes of the same level that share a whole side with a node; -1: there is none.
+    struct Beside {
+        int left = -1, right = -1, below = -1;
+    };
+
+    [[nodiscard]] std::array<int, 2> at_corner_of(int first, int second) const;
     [[nodiscard]] Derivatives of_leaf(const QuadtreeNode& leaf, const Points& x, std::span<const Real> reaches,
                                       std::span<const Real> local_reaches) const;
     [[nodiscard]] bool bounds(const Derivatives& derivatives, Real distance) const;
 
     Grid grid_;
-    Real hx_ = 0, hy_ = 0;
+    Real hx_ = 0, hy_ = 0, apart_ = 0;
     std::vector<QuadtreeNode> nodes_;
+    std::vector<Beside> beside_;            ///< each node
     std::vector<Derivatives> derivatives_;  ///< of each node
 };
 

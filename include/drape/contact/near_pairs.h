@@ -79,7 +79,7 @@ struct BoxedCloth {
     const CellBoxes& boxes;
     std::span<const Real> reaches = {};        ///< of each particle [m]
     std::span<const Real> local_reaches = {};  ///< towards what is local, never more [m]; empty: as all others
-    const FlatBlocks* flat = nullptr;          ///< built from local reaches; null: it is not known what is flat
+    const FlatBlocks* blocks = nullptr;        ///< built from local reaches, for cells that touch; null: none
 
     [[nodiscard]] std::span<const Real> reaches_to(bool local) const {
         return local && !local_reaches.empty() ? local_reaches : reaches;
@@ -94,5 +94,9 @@ struct BoxedCloth {
 /// @par Cost O(pairs of cells in the leaves) tests of boxes, O(pairs of cells whose boxes come near) exact ones
 void find_near_pairs(const BoxedCloth& first, const BoxedCloth& second, std::span<const LeafPair> leaves,
                      std::vector<NearPair>& pairs);
+
+/// The same in cells of one cloth that touch, where that has blocks: then they are not looked for in its leaves.
+/// @param blocks numbers of some
+void find_near_pairs(const BoxedCloth& cloth, std::span<const int> blocks, std::vector<NearPair>& pairs);
 
 }  // namespace drape
