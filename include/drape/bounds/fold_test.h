@@ -26,8 +26,9 @@ inline Real apart_beyond_touching_cells(Real hx, Real hy) { return std::min(hx, 
 /// directions at right angles, the columns of Q. If v.(Q^T F) v >= c |v|^2 on all triangles and for all v, then along
 /// the straight line from p to q in the rectangle (q - p).Q^T (phi(q) - phi(p)) >= c |q - p|^2, and so
 /// |phi(q) - phi(p)| >= c |q - p|: what is apart at rest stays apart. At rest, features that share no particle are at
-/// least `apart_at_rest` apart, and those of cells that do not touch `apart_beyond_touching_cells`. Those with particles of `Tiles` that do not touch are 7 spacings apart or more: 9
-/// columns or rows lie between such particles, and each feature goes on for one.
+/// least `apart_at_rest` apart, and those of cells that do not touch `apart_beyond_touching_cells`. Those with
+/// particles of `Tiles` that do not touch are 7 spacings apart or more: 9 columns or rows lie between such particles,
+/// and each feature goes on for one.
 class FoldTest {
 public:
     FoldTest() = default;
