@@ -49,7 +49,7 @@ inline bool are_local(const CellRange& one, const CellRange& two) {
 inline CellRange those_that_meet(const Aabb& box, const BoxedCloth& cloth, const CellRange& cells, bool local) {
     CellRange met{cells.i1, cells.j1, cells.i0, cells.j0};
     for_each_cell_of(cells, [&](int i, int j) {
-        if (!cloth.boxes.of(j * cloth.cloth.grid.cell_columns() + i, local).comes_within(box, 0)) return;
+        if (!cloth.boxes.of(j * cloth.cloth.grid.cell_columns() + i, local).meets(box)) return;
         met = {std::min(met.i0, i), std::min(met.j0, j), std::max(met.i1, i + 1), std::max(met.j1, j + 1)};
     });
     return met;
@@ -76,7 +76,7 @@ void for_each_pair_of_cells(const BoxedCloth& first, const BoxedCloth& second, s
                 const int two = other_j * second.cloth.grid.cell_columns() + other_i;
                 const bool touch = std::abs(i - other_i) <= 1 && std::abs(j - other_j) <= 1;
                 if ((same && two < one) || (has_blocks && touch)) return;
-                if (first.boxes.of(one, local).comes_within(second.boxes.of(two, local), 0)) visit(one, two, local);
+                if (first.boxes.of(one, local).meets(second.boxes.of(two, local))) visit(one, two, local);
             });
         });
     }

@@ -211,7 +211,7 @@ void find_near_pairs(const BoxedCloth& cloth, std::span<const int> blocks, std::
     const FeatureTest test{pairs, true};
     for (const int block : blocks) {
         cloth.blocks->for_each_pair_of_cells(block, [&](int one, int two) {
-            if (!cloth.boxes.of(one, true).comes_within(cloth.boxes.of(two, true), 0)) return;
+            if (!cloth.boxes.of(one, true).meets(cloth.boxes.of(two, true))) return;
             test.cells(cloth, one, cloth, two);
         });
     }

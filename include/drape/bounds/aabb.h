@@ -76,6 +76,12 @@ struct Aabb {
         return gap.squaredNorm() <= bound * bound;
     }
 
+    /// As `comes_within` with no margin.
+    [[nodiscard]] bool meets(const Aabb& other) const {
+        return low.x() <= other.high.x() && other.low.x() <= high.x() && low.y() <= other.high.y() &&
+               other.low.y() <= high.y() && low.z() <= other.high.z() && other.low.z() <= high.z();
+    }
+
     /// y of the lower face, to the bit [m]
     [[nodiscard]] Real lowest() const { return low.y(); }
 
