@@ -61,6 +61,19 @@ double penalty_limit(const Settings& settings, const ClothModel& model) {
     return static_cast<double>(penalty_step_limit(settings.contact.stiffness, least_restitution(settings), 1 / mass));
 }
 
+/// Whether something gives way to the cloth's pushes.
+bool has_free_ball(const Settings& settings) {
+    return std::ranges::any_of(settings.balls, [](const BallSettings& ball) { return inverse_mass_of(ball) > 0; });
+}
+
+/// Of a method without a step limit [s]. A free ball presses few particles with all of its weight. What they vibrate by
+/// between it and the springs is shorter than the longest substep, and these two methods do not damp it.
+double longest_in_contact(const Settings& settings) {
+    const IntegratorKind integrator = settings.solver.integrator;
+    const bool damps = integrator != IntegratorKind::ImplicitMidpoint && integrator != IntegratorKind::DormandPrince;
+    return settings.contact.longest_step * (damps || !has_free_ball(settings) ? 1 : 0.5);
+}
+
 }  // namespace
 
 void plan_substeps(std::span<const Cloth> cloths, const SolverSettings& solver, int fewest, StepReport& report) {
@@ -86,7 +99,7 @@ int substeps_in_contact(const Settings& settings, double since, int planned) {
     const SolverSettings& solver = settings.solver;
     const double longest = solver.integrator == IntegratorKind::Xpbd ? time_of_a_bounce : 0;
     if (since > longest || has_step_limit(solver.integrator)) return planned;
-    const double wanted = std::ceil(solver.dt / settings.contact.longest_step * (1 - 1e-12));
+    const double wanted = std::ceil(solver.dt / longest_in_contact(settings) * (1 - 1e-12));
     return std::max(planned, static_cast<int>(std::min(wanted, most_substeps)));
 }
 
@@ -113,8 +126,7 @@ double longest_step(const Settings& settings, std::span<const Cloth> cloths, con
     double longest = ratio > 0 ? settings.solver.dt / planned / ratio : none;
     if (!pushes_by_penalty(settings)) return longest;
     // Under an implicit method contact has substeps of its own
-    const double in_contact =
-        has_step_limit(settings.solver.integrator) ? none : static_cast<double>(settings.contact.longest_step);
+    const double in_contact = has_step_limit(settings.solver.integrator) ? none : longest_in_contact(settings);
     for (const Cloth& cloth : cloths) {
         const double limit = penalty_limit(settings, cloth.model);
         if (limit < in_contact) longest = std::min(longest, limit);
