@@ -66,6 +66,20 @@ TEST_F(StoppedBall, DoesNotStretchClothThatPinsHoldTaut) {
     EXPECT_LT(ball().centre.y(), highest - Real(0.2)) << "it can go back";
 }
 
+/// Towards a side it goes lower, where cloth between the pins lets it.
+TEST_F(StoppedBall, SlidesAlongTautCloth) {
+    start({});
+    steer("0 1 0", 1.2, [] {});
+    ASSERT_LT(ball().velocity.norm(), 0.1);
+    const Vec3 from = ball().centre;
+    Real longest = 0;
+    steer("0.8 0.6 0", 0.5, [&] { longest = std::max(longest, largest_stretch(cloth().model, cloth().state.x)); });
+    EXPECT_GT(longest, cloth().model.stretch_limit + Real(0.01)) << "the cloth is taut";
+    EXPECT_LT(longest, cloth().model.stretch_limit + Real(0.05));
+    EXPECT_GT(ball().centre.x(), from.x() + Real(0.01));
+    EXPECT_LT(ball().centre.y(), from.y());
+}
+
 TEST_F(StoppedBall, PushesClothWithoutALimitAsFarAsTheKeysLeadIt) {
     start({"stretch_limit=0"});
     const Real from = ball().centre.y();
