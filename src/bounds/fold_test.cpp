@@ -135,7 +135,7 @@ bool FoldTest::keeps_apart(int node, Real distance) const {
     return bounds(derivatives_[static_cast<std::size_t>(node)], distance);
 }
 
-/// The other two of four nodes that meet at a corner and are a rectangle together; -1: these two are no such.
+/// The other two of four nodes that meet at a corner and are a rectangle together; -1: there are none.
 std::array<int, 2> FoldTest::at_corner_of(int first, int second) const {
     const auto at = [&](int node) { return beside_[static_cast<std::size_t>(node)]; };
     if (nodes_[static_cast<std::size_t>(second)].j0 < nodes_[static_cast<std::size_t>(first)].j0) {
@@ -150,12 +150,14 @@ std::array<int, 2> FoldTest::at_corner_of(int first, int second) const {
 
 bool FoldTest::keep_apart(int first, int second, Real distance) const {
     const auto of = [&](int node) -> const Derivatives& { return derivatives_[static_cast<std::size_t>(node)]; };
+    const bool side_by_side =
+        make_rectangle(nodes_[static_cast<std::size_t>(first)], nodes_[static_cast<std::size_t>(second)]);
+    const std::array<int, 2> others = side_by_side ? std::array{first, second} : at_corner_of(first, second);
+    if (others[0] < 0) return false;
     const Derivatives &one = of(first), &two = of(second);
     Derivatives all{merged(one.along, two.along), merged(one.across, two.across), (one.reach + two.reach) / 2,
                     (one.local_reach + two.local_reach) / 2};
-    if (!make_rectangle(nodes_[static_cast<std::size_t>(first)], nodes_[static_cast<std::size_t>(second)])) {
-        const std::array<int, 2> others = at_corner_of(first, second);
-        if (others[0] < 0) return false;
+    if (!side_by_side) {
         for (const int other : others) {
             all.along.include(of(other).along);
             all.across.include(of(other).across);

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <numeric>
 
 #include "contact_geometry.h"
 #include "kernels/flat_blocks.h"
@@ -50,6 +51,8 @@ Real room_around(const BlockRoom& of, int middle) {
 
 FlatBlocks::FlatBlocks(const Grid& grid, Real hx, Real hy) : grid_(grid), hx_(hx), hy_(hy) {
     room_.resize(static_cast<std::size_t>(columns() * rows()), Real(-1));
+    uneven_.resize(room_.size());
+    std::iota(uneven_.begin(), uneven_.end(), 0);
 }
 
 void FlatBlocks::build(const Points& x, std::span<const Real> reaches, Kernels kernels) {

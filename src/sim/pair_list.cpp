@@ -6,9 +6,9 @@
 namespace drape {
 namespace {
 
-/// Pairs of leaves, or blocks, that a thread takes at once: where cloth is folded, some that follow each other have much
-/// in them, and those after them nothing.
-constexpr std::size_t places_at_once = 16;
+/// Pairs of leaves, or blocks, that a thread takes at once: where cloth is folded, some that follow each other have
+/// much in them, and those after them nothing.
+constexpr std::size_t items_a_thread = 16;
 
 }  // namespace
 
@@ -18,14 +18,14 @@ void PairList::clear() {
     list_.clear();
 }
 
-/// Shares places, leaves or blocks, among threads.
+/// Shares pairs of leaves, or blocks, among threads.
 /// @param find adds to `near` what it finds in some of them
-template <class Place, class Find>
-void PairList::find_in(std::span<const Place> places, Find find) {
-    workers_.run(places.size() / places_at_once, [&](int part, int parts) {
-        const auto p = static_cast<std::size_t>(part), step = places_at_once * static_cast<std::size_t>(parts);
-        for (std::size_t k = places_at_once * p; k < places.size(); k += step) {
-            find(places.subspan(k, std::min(places_at_once, places.size() - k)), parts_[p].near);
+template <class Item, class Find>
+void PairList::find_in(std::span<const Item> items, Find find) {
+    workers_.run(items.size() / items_a_thread, [&](int part, int parts) {
+        const auto p = static_cast<std::size_t>(part), step = items_a_thread * static_cast<std::size_t>(parts);
+        for (std::size_t k = items_a_thread * p; k < items.size(); k += step) {
+            find(items.subspan(k, std::min(items_a_thread, items.size() - k)), parts_[p].near);
         }
     });
     size_ = 0;

@@ -27,7 +27,7 @@ constexpr Real thickness_ahead = Real(0.1);
 constexpr Real pairs_a_square = 30;
 
 /// Pairs of leaves, or blocks, that are looked through from one look at the length of the list to the next.
-constexpr std::size_t places_at_once = 1024;
+constexpr std::size_t items_at_once = 1024;
 
 /// Within which what touches at distance 0 is looked for [m]: more than the rounding of a scene of some metres.
 constexpr Real coincident_reach = std::max(Real(1e-6), 256 * std::numeric_limits<Real>::epsilon());
@@ -314,9 +314,9 @@ void SelfSearch::search(std::span<const ClothInContact> cloths, int first, int s
     const std::span<const int> uneven = first == second ? one.blocks.uneven() : std::span<const int>();
     if (leaves_.empty() && uneven.empty()) return;
     const BoxedCloth at_one = box(first), at_two = box(second);
-    const auto look_in = [&](auto places, auto add) {
-        for (std::size_t k = 0; k < places.size() && !report.gave_up; k += places_at_once) {
-            add(places.subspan(k, std::min(places_at_once, places.size() - k)));
+    const auto look_in = [&](auto items, auto add) {
+        for (std::size_t k = 0; k < items.size() && !report.gave_up; k += items_at_once) {
+            add(items.subspan(k, std::min(items_at_once, items.size() - k)));
             report.gave_up = is_too_long(list_.size());
         }
     };

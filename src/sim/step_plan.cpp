@@ -34,11 +34,16 @@ StepLimit shortest_limit(std::span<const Cloth> cloths, const SolverSettings& so
     return shortest;
 }
 
+/// Of the lightest free ball; 0: there is none [1/kg].
+Real greatest_inverse_mass(const Settings& settings) {
+    Real greatest = 0;
+    for (const BallSettings& ball : settings.balls) greatest = std::max(greatest, inverse_mass_of(ball));
+    return greatest;
+}
+
 /// That a penalty pushes: a particle's, less where a free ball gives way [kg].
 Real lightest_mass(const Settings& settings, const ClothModel& model) {
-    Real ball = 0;
-    for (const BallSettings& one : settings.balls) ball = std::max(ball, inverse_mass_of(one));
-    return 1 / (1 / model.particle_mass + ball);
+    return 1 / (1 / model.particle_mass + greatest_inverse_mass(settings));
 }
 
 /// The stiffest damper is where least bounces.
@@ -61,17 +66,12 @@ double penalty_limit(const Settings& settings, const ClothModel& model) {
     return static_cast<double>(penalty_step_limit(settings.contact.stiffness, least_restitution(settings), 1 / mass));
 }
 
-/// Whether something gives way to the cloth's pushes.
-bool has_free_ball(const Settings& settings) {
-    return std::ranges::any_of(settings.balls, [](const BallSettings& ball) { return inverse_mass_of(ball) > 0; });
-}
-
-/// Of a method without a step limit [s]. A free ball presses few particles with all of its weight. What they vibrate by
-/// between it and the springs is shorter than the longest substep, and these two methods do not damp it.
+/// Of a method without a step limit [s]. A free ball presses few particles with all of its weight. They vibrate between
+/// it and the springs faster than the longest substep resolves, and these two methods do not damp that.
 double longest_in_contact(const Settings& settings) {
     const IntegratorKind integrator = settings.solver.integrator;
     const bool damps = integrator != IntegratorKind::ImplicitMidpoint && integrator != IntegratorKind::DormandPrince;
-    return settings.contact.longest_step * (damps || !has_free_ball(settings) ? 1 : 0.5);
+    return settings.contact.longest_step * (damps || greatest_inverse_mass(settings) == 0 ? 1 : 0.5);
 }
 
 }  // namespace

@@ -4,6 +4,7 @@
 
 #include <gtest/gtest.h>
 
+#include "drape/contact/flat_blocks.h"
 #include "support/cloths.h"
 #include "support/pairs_within_reach.h"
 
@@ -89,11 +90,26 @@ TEST(FoldTest, LooksAtAllFourNodesThatMeetAtACorner) {
     folds.build(x);
     EXPECT_TRUE(folds.keep_apart(1, 4, Real(0.01)));
     EXPECT_TRUE(folds.keep_apart(2, 3, Real(0.01)));
-    x.row(grid.particle(4, 0)) = x.row(grid.particle(2, 2));  // of node 2 alone
+    // In each of them alone
+    for (const auto& [i, j] : {std::pair(0, 0), {4, 0}, {0, 4}, {4, 4}}) {
+        Points folded = x;
+        folded.row(grid.particle(i, j)) = x.row(grid.particle(2, 2));
+        folds.build(folded);
+        EXPECT_FALSE(folds.keep_apart(1, 4, Real(0))) << i << ", " << j;
+        EXPECT_FALSE(folds.keep_apart(2, 3, Real(0))) << i << ", " << j;
+        EXPECT_EQ(folds.keep_apart(3, 4, Real(0.01)), j == 0);
+    }
+}
+
+TEST(FoldTest, KeepsFlatCellsThatDoNotTouchApartToNearlyTheShorterSpacing) {
+    const Grid grid{20, 20};
+    const Real hx = Real(0.1), hy = Real(0.04);
+    Points x(grid.particles(), 3);
+    for (int p = 0; p < grid.particles(); ++p) x.row(p) << hx * Real(p % 20), 1, hy * Real(p / 20);
+    FoldTest folds(grid, hx, hy, 4, apart_beyond_touching_cells(hx, hy));
     folds.build(x);
-    EXPECT_FALSE(folds.keep_apart(1, 4, Real(0)));
-    EXPECT_FALSE(folds.keep_apart(2, 3, Real(0)));
-    EXPECT_TRUE(folds.keep_apart(3, 4, Real(0.01)));
+    EXPECT_TRUE(folds.keeps_apart(0, Real(0.999) * hy));
+    EXPECT_FALSE(folds.keeps_apart(0, Real(1.001) * hy));
 }
 
 TEST(FoldTest, MayBeAskedAboutCellsThatDoNotTouch) {

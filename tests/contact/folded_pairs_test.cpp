@@ -7,6 +7,7 @@
 
 #include "drape/bounds/fold_test.h"
 #include "drape/contact/feature_motion.h"
+#include "drape/contact/flat_blocks.h"
 #include "drape/contact/near_pairs.h"
 #include "drape/contact/segments.h"
 #include "support/cloths.h"
@@ -148,6 +149,7 @@ TEST_P(FoldedPairs, AreThoseOfTheDefinition) {
     std::vector<FoldedSheet> sheets;
     for (const VolumeKind volume : {VolumeKind::Sphere, VolumeKind::Aabb, VolumeKind::Kdop18, VolumeKind::Obb}) {
         for (const Grid& grid : {Grid{4, 4}, Grid{5, 3}, Grid{4, 6}}) sheets.emplace_back(grid, volume, 1);
+        for (const Grid& grid : {Grid{2, 6}, Grid{6, 5}}) sheets.emplace_back(grid, volume, 2);
     }
     std::int64_t found = 0, touched = 0;
     for (int trial = 0; trial < GetParam(); ++trial) {

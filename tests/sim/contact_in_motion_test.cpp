@@ -271,6 +271,21 @@ TEST(StepsInContact, AreDividedUnderAnImplicitMethodAlone) {
     }
 }
 
+/// By what vibrates under a free ball, which these two do not damp.
+TEST(StepsInContact, AreHalfAsLongWithAFreeBallUnderMethodsThatDoNotDamp) {
+    for (const std::string integrator : {"backward_euler", "implicit_midpoint", "dormand_prince"}) {
+        for (const std::string motion : {"still", "free"}) {
+            Simulation simulation =
+                scene_with("drop", {"integrator=" + integrator, "dt=3e-4", "longest_step=1e-4", "ball.motion=" + motion,
+                                    "ball.position=0,0.345,0", "ground.height=0.045"});
+            run_until(simulation, 0.3);
+            ASSERT_GT(simulation.report().contacts, 0);
+            EXPECT_EQ(simulation.report().substeps, motion == "free" && integrator != "backward_euler" ? 6 : 3)
+                << integrator << ", " << motion;
+        }
+    }
+}
+
 TEST(RestingContact, NeitherCreepsNorQuiversAtALongStep) {
     Simulation simulation = scene_with("drop", {"cloth.particles=14,14", "cloth.drag=3e-3", "integrator=backward_euler",
                                                 "dt=0.016666666666666666", "sleep_speed=0"});

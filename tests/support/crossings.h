@@ -79,7 +79,7 @@ inline std::int64_t crossings(const BoxedCloth& first, const BoxedCloth& second,
     const Grid &grid = first.cloth.grid, &other = second.cloth.grid;
     std::int64_t count = 0;
     const auto visit = [&](int one, int two, bool ordered) {
-        if ((ordered && two < one) || !first.boxes.of(one).comes_within(second.boxes.of(two), 0)) return;
+        if ((ordered && two < one) || !first.boxes.of(one).meets(second.boxes.of(two))) return;
         count += crossings_of_cells(first.cloth, one, second.cloth, two);
         if (!ordered || one != two) count += crossings_of_cells(second.cloth, two, first.cloth, one);
     };

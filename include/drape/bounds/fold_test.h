@@ -15,7 +15,7 @@ namespace drape {
 /// The least distance at rest of features that share no particle: of a corner of a cell from its diagonal [m].
 inline Real apart_at_rest(Real hx, Real hy) { return hx * hy / std::sqrt(hx * hx + hy * hy); }
 
-/// The same for features of cells that do not touch, be it at a corner.
+/// The same for features of cells that do not touch, not even at a corner.
 inline Real apart_beyond_touching_cells(Real hx, Real hy) { return std::min(hx, hy); }
 
 /// Tells which nodes of a cloth's hierarchy cannot touch themselves, because they are not folded enough: the cone test
@@ -37,7 +37,7 @@ public:
     /// @param apart the least distance at rest of the features that are asked about [m]
     FoldTest(const Grid& grid, Real hx, Real hy, int leaf_cells, Real apart);
 
-    /// Asked about all that share no particle.
+    /// For all features that share no particle.
     FoldTest(const Grid& grid, Real hx, Real hy, int leaf_cells)
         : FoldTest(grid, hx, hy, leaf_cells, apart_at_rest(hx, hy)) {}
 
@@ -53,7 +53,7 @@ public:
     [[nodiscard]] bool keeps_apart(int node, Real distance) const;
 
     /// The same for two nodes which together are a rectangle, or touch at a corner and are a rectangle together with
-    /// the two nodes on both sides of it; false for all others.
+    /// the other two nodes at that corner; false for all others.
     [[nodiscard]] bool keep_apart(int first, int second, Real distance) const;
 
 private:

@@ -1,7 +1,6 @@
 #pragma once
 
 #include <algorithm>
-#include <cstdlib>
 #include <limits>
 #include <span>
 #include <vector>
@@ -14,10 +13,10 @@
 namespace drape {
 
 /// Tells in which blocks of 2 x 2 cells features may come near each other that share no particle. Touching cells are
-/// always near each other, but nearly all of them are in a block that is so flat that nothing in it can meet. The proof is that of `FoldTest`, with
-/// another bound that costs less. With F0 the derivative in the middle of a block, P the projection onto its plane, and
-/// v a vector at rest, |F v| >= |P F v| >= (s - d) |v|, where s is the smaller singular value of F0 and d the largest
-/// |P (F - F0)| of the block's triangles.
+/// always near each other, but nearly all of them are in a block that is so flat that nothing in it can meet. The proof
+/// is that of `FoldTest`, with another bound that costs less. With F0 the derivative in the middle of a block, P the
+/// projection onto its plane, and v a vector at rest, |F v| >= |P F v| >= (s - d) |v|, where s is the smaller singular
+/// value of F0 and d the largest |P (F - F0)| of the block's triangles. Until it is built, no block is flat.
 class FlatBlocks {
 public:
     FlatBlocks() = default;
@@ -32,7 +31,7 @@ public:
     /// The blocks in which something may be within reach.
     [[nodiscard]] std::span<const int> uneven() const { return uneven_; }
 
-    /// Calls visit(one, two) with the numbers of each two touching cells of a block, and of each cell with itself;
+    /// Calls visit(one, two) with the numbers of every two touching cells of a block, and of each cell with itself;
     /// over all blocks, once for each such pair.
     template <class Visit>
     void for_each_pair_of_cells(int block, Visit visit) const {

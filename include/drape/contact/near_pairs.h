@@ -79,7 +79,8 @@ struct BoxedCloth {
     const CellBoxes& boxes;
     std::span<const Real> reaches = {};        ///< of each particle [m]
     std::span<const Real> local_reaches = {};  ///< towards what is local, never more [m]; empty: as all others
-    const FlatBlocks* blocks = nullptr;        ///< built from local reaches, for cells that touch; null: none
+    /// Built from local reaches; then cells that touch are looked for in these alone, not in leaves. Null: in leaves.
+    const FlatBlocks* blocks = nullptr;
 
     [[nodiscard]] std::span<const Real> reaches_to(bool local) const {
         return local && !local_reaches.empty() ? local_reaches : reaches;
@@ -95,8 +96,9 @@ struct BoxedCloth {
 void find_near_pairs(const BoxedCloth& first, const BoxedCloth& second, std::span<const LeafPair> leaves,
                      std::vector<NearPair>& pairs);
 
-/// The same in cells of one cloth that touch, where that has blocks: then they are not looked for in its leaves.
-/// @param blocks numbers of some
+/// The same for touching cells of one cloth that has blocks; the search of leaves leaves these out.
+/// @pre cloth.blocks
+/// @param blocks numbers of some; all that is near is in those that are not even
 void find_near_pairs(const BoxedCloth& cloth, std::span<const int> blocks, std::vector<NearPair>& pairs);
 
 }  // namespace drape

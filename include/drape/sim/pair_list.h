@@ -67,8 +67,8 @@ private:
         std::vector<NearPair> near;
     };
 
-    template <class Place, class Find>
-    void find_in(std::span<const Place> places, Find find);
+    template <class Item, class Find>
+    void find_in(std::span<const Item> items, Find find);
     template <class Number>
     void sort_by(std::size_t numbers, Number number_of);
 

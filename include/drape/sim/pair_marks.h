@@ -11,7 +11,7 @@ namespace drape {
 
 /// Marks what searches of cloth against cloth do with the nodes of the hierarchies that are shown. For pictures alone:
 /// these searches are for what is nearer than the thickness at this moment, and no contact depends on them. (Those of a
-/// run look farther ahead and keep what they find, see `SelfSearch`.)
+/// run look farther ahead, find touching cells in another way, and keep what they find, see `SelfSearch`.)
 class PairMarks {
 public:
     /// @param cloths with hierarchies that are fit to be drawn, see `ContactSearch::show`

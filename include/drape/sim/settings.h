@@ -120,7 +120,7 @@ struct ContactSettings {
     Real restitution = 0;
     Real thickness = Real(0.002);
     Real stiffness = 1000;       ///< of penalties, a contact [N/m]
-    double longest_step = 5e-4;  ///< of an implicit method in contact [s]
+    double longest_step = 5e-4;  ///< of an implicit method in contact, see `substeps_in_contact` [s]
     Continuous continuous = Continuous::Auto;
     bool self = false;  ///< cloths meet themselves and each other
     bool operator==(const ContactSettings&) const = default;

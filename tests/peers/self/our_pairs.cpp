@@ -1,5 +1,5 @@
-// Drape's quadtrees, one a cloth, traversed in pairs down to cells; with the test for folds, which SelfSearch uses too,
-// or without.
+// Drape's quadtrees, one a cloth, traversed in pairs down to cells; with the test for folds, or
+// without. SelfSearch asks that test about cells that do not touch alone, and has another one for those that do.
 
 #include <optional>
 
