@@ -20,7 +20,14 @@ trap 'rm -f "$made"' EXIT
     } 2>/dev/null | awk '$1 ~ /_median$|\/fold_/ {
         sub("/iterations:[0-9]+", "", $1); sub("_median$", "", $1); split($1, name, "/")
         sheets = name[2] ~ /^(broad_phase|new_list|listed)$/ ? 3 : 1
-        printf "%s,%s,%d,%s\n", name[2], name[3], sheets * 2 * (name[3] - 1) ^ 2, $4
+        triangles = sheets * 2 * (name[3] - 1) ^ 2
+        if (name[2] !~ /^(flat|draped)$/) printf "%s,%s,%d,%s\n", name[2], name[3], triangles, $4
+        # Seconds as 12.3u or 1.23m
+        for (k = 5; k <= NF; ++k) {
+            if (split($k, counter, "=") != 2 || counter[1] !~ /^(with|without|integration)$/) continue
+            us = counter[2] * (counter[2] ~ /m$/ ? 1000 : counter[2] ~ /u$/ ? 1 : 1e6)
+            printf "%s_%s,%s,%d,%g\n", name[2], counter[1], name[3], triangles, us
+        }
     }'
 } >"$made"
 grep -q ^fold_projective_dynamics, "$made" || { echo "$program: ended before the last benchmark" >&2 && exit 1; }
