@@ -24,11 +24,14 @@ trap 'rm -f "$made"' EXIT
         if (name[2] !~ /^(flat|draped)$/) printf "%s,%s,%d,%s\n", name[2], name[3], triangles, $4
         # Seconds as 12.3u or 1.23m
         for (k = 5; k <= NF; ++k) {
-            if (split($k, counter, "=") != 2 || counter[1] !~ /^(with|without|integration)$/) continue
-            us = counter[2] * (counter[2] ~ /m$/ ? 1000 : counter[2] ~ /u$/ ? 1 : 1e6)
+            if (split($k, counter, "=") != 2 || counter[1] !~ /^(added|integration)$/) continue
+            us = counter[2] * (counter[2] ~ /m$/ ? 1000 : counter[2] ~ /u$/ ? 1 : "?")
             printf "%s_%s,%s,%d,%g\n", name[2], counter[1], name[3], triangles, us
         }
     }'
 } >"$made"
-grep -q ^fold_projective_dynamics, "$made" || { echo "$program: ended before the last benchmark" >&2 && exit 1; }
+for row in broad_phase,256 new_list,256 listed,256 flat_added,128 flat_integration,128 draped_added,128 \
+    draped_integration,128 fold_symplectic_euler,64 fold_backward_euler,64 fold_xpbd,64 fold_projective_dynamics,64; do
+    grep -Eq "^$row,[0-9]+,[1-9]" "$made" || { echo "$program: did not measure $row" >&2 && exit 1; }
+done
 cat "$made" >"$table"

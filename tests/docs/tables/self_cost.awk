@@ -6,7 +6,7 @@ END {
     print "| What | CPU time | Compared |"
     print "| --- | ---: | ---: |"
     for (i = 1; i <= split("flat draped", sheets, " "); ++i) {
-        added = need(sheets[i] "_with") - need(sheets[i] "_without")
+        added = need(sheets[i] "_added")
         integration = need(sheets[i] "_integration")
         printf "| `self = true` for %s, a step | %.0f us | %.1f of its integration, %.0f us |\n", i == 1 ? "the flat sheet" : "the sheet that falls over the ball", added, \
                added / integration, integration
