@@ -77,15 +77,22 @@ void displace_by_impulse(Real h, ContactPlane& contact) {
 Vec3 push_along(const ContactPush& push, const Vec3& normal) { return push.normal * normal + push.friction; }
 
 /// Where a contact of before is now, its depth less than zero if it has parted. Its normal stays, for the ball may have
-/// come through the cloth since; a solid has moved on as it did.
+/// come through the cloth since; a solid has moved on as it did. As an impact it is there for this substep alone: a
+/// solid ends where the plane of a contact goes on.
 void follow_contact(const ResponseParameters& parameters, std::span<const ClothInContact> cloths,
                     std::span<const Ball> balls, Contact& contact) {
     contact.point = at_point(contact, cloths[static_cast<std::size_t>(contact.cloth)].state.x);
-    contact.of_impact = !is_plane(contact.ball);
+    contact.of_impact = contact.ball != the_ground;
     contact.motion = {};
     if (is_solid(contact.ball)) contact.plane.height += contact.normal.dot(contact.plane.moved);
     contact.depth = depth_now(parameters, balls, contact);
 }
+
+/// Whether it has nothing to take its push back from: the ground has been taken away, or put lower.
+bool is_gone(const ResponseParameters& parameters, const Contact& contact) {
+    return contact.ball == the_ground && (!parameters.ground.solid || contact.depth < -parameters.thickness);
+}
+bool is_gone(const ResponseParameters& /*parameters*/, const PairContact& /*contact*/) { return false; }
 
 /// The plane of a pair is that of this substep's start.
 void follow_contact(const ResponseParameters& /*parameters*/, std::span<const ClothInContact> cloths,
@@ -252,6 +259,7 @@ void WarmStart<AnyContact>::carry_over(const ResponseParameters& parameters, std
             ++found;
         } else if (before.displacement.normal > 0) {
             follow_contact(parameters, cloths, balls, before);
+            if (is_gone(parameters, before)) continue;
             parted_.push_back(before);
             gaps_.push_back(found - contacts.begin());
         }

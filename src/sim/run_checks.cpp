@@ -38,7 +38,7 @@ void mark_gain(const EnergyWatch& watch, IntegratorKind integrator, StepReport& 
 }  // namespace
 
 std::string check_substep(std::span<Cloth> cloths, std::span<const Ball> balls, const Settings& settings, Real h,
-                          StepReport& report) {
+                          int planned, StepReport& report) {
     const SolverSettings& solver = settings.solver;
     const auto residual = static_cast<double>(report.solve.residual);
     if (!(residual <= report.worst_residual)) report.worst_residual = residual;
@@ -52,7 +52,7 @@ std::string check_substep(std::span<Cloth> cloths, std::span<const Ball> balls, 
         const Divergence found = divergence(cloth, sums, balls, settings);
         if (!found.clause.empty()) {
             report.failure = {static_cast<int>(&cloth - cloths.data()), found.particle, found.other};
-            const double longest = longest_step(settings, cloths, report, report.substeps);
+            const double longest = longest_step(settings, cloths, report, planned);
             return "Diverged at step " + std::to_string(report.step + 1) + " (" +
                    std::string(name_of(solver.integrator)) + "). " + limit_advice(settings, longest, report.substeps) +
                    "First: " + found.clause;

@@ -12,10 +12,11 @@ namespace drape {
 /// Looks at what the integrators have made of a substep, enters it in each cloth's energy, and marks in the report what
 /// is in doubt.
 /// @param h substep that was made [s]
+/// @param planned substeps of a step without contact
 /// @return why the run must end, one line: a cloth has diverged or a step could not be made; under
 ///         `on_unstable = stop` also a doubt. Empty while it goes on
 std::string check_substep(std::span<Cloth> cloths, std::span<const Ball> balls, const Settings& settings, Real h,
-                          StepReport& report);
+                          int planned, StepReport& report);
 
 /// Marks in the report that in a substep at a time, of length h [s], something may have passed through the cloth
 /// unseen.

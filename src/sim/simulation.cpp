@@ -49,7 +49,8 @@ void Simulation::begin_step() {
     if (plan_is_due(settings_.solver, report_)) plan(planned_substeps_);
     const bool touches = report_.contacts > 0 || !ball_contacts_.empty() || self_contact_.is_near();
     if (touches) touched_ = report_.time;
-    report_.substeps = substeps_in_contact(settings_, report_.time - touched_, planned_substeps_);
+    const double since = may_cross(settings_, cloths_, balls_) ? 0 : report_.time - touched_;
+    report_.substeps = substeps_in_contact(settings_, since, planned_substeps_);
     if (self_contact_.on())
         report_.substeps = std::max(report_.substeps, substeps_of_motion(cloths_, settings_.solver));
 }
@@ -104,7 +105,7 @@ bool Simulation::integrate(const Substep& now) {
     }
     hand_.count_work(cloths_, now.h);
     pins_.count_work(cloths_, now.h);
-    std::string trouble = check_substep(cloths_, balls_, settings_, now.h, report_);
+    std::string trouble = check_substep(cloths_, balls_, settings_, now.h, planned_substeps_, report_);
     if (!trouble.empty()) {
         end_with(std::move(trouble));
         return false;
@@ -158,13 +159,17 @@ void Simulation::warm_start(WarmStartStage stage) {
     for (const Cloth& cloth : cloths_) give(cloth.warm_start);
     give(pairs);
     double free_work = balls_before - kinetic_energy(balls_);
-    for (Cloth& cloth : cloths_) enter_pushes(cloth, 0, free_work);
+    for (Cloth& cloth : cloths_) enter_pushes(cloth, cloth.warm_start.beside_step(), 0, free_work);
 }
 
 /// @param led_work by balls that nothing pushes, on this cloth [J]
-/// @param free_work by all free balls, which the first cloth that was pushed enters; 0 after that [J]
-void Simulation::enter_pushes(Cloth& cloth, double led_work, double& free_work) {
-    if (cloth.energy.after_pushes(cloth.model, cloth.state, led_work + free_work)) free_work = 0;
+/// @param free_work by all free balls, which the first cloth that touches one enters; 0 after that [J]
+void Simulation::enter_pushes(Cloth& cloth, std::span<const Contact> contacts, double led_work, double& free_work) {
+    const bool takes = std::ranges::any_of(contacts, [&](const Contact& contact) {
+        return !is_plane(contact.ball) && !is_led(static_cast<std::size_t>(contact.ball));
+    });
+    const double work = led_work + (takes ? free_work : 0);
+    if (cloth.energy.after_pushes(cloth.model, cloth.state, work) && takes) free_work = 0;
 }
 
 void Simulation::move_pins(const Substep& now) {
@@ -247,7 +252,7 @@ void Simulation::answer(const Substep& now, std::span<PairContact> pairs, std::s
         resolve_contacts(response_of(settings_), now.h, in_contact_, pairs, balls_, ball_contacts, rows);
     double free_work = left.free_ball_work + std::exchange(steady_work_, 0);
     for (Cloth& cloth : cloths_) {
-        enter_pushes(cloth, work_of_led_balls(cloth.contacts, balls_), free_work);
+        enter_pushes(cloth, cloth.contacts, work_of_led_balls(cloth.contacts, balls_), free_work);
     }
     report_.penetration = static_cast<double>(left.depth);
     report_.contact_residual = std::max(report_.contact_residual, static_cast<double>(left.residual));

@@ -53,7 +53,8 @@ double Simulation::longest_step() const { return drape::longest_step(settings_, 
 std::string Simulation::step_warning() const {
     std::string all;
     for (const std::string& one :
-         {step_limit_warning(settings_.solver, report_), penalty_limit_warning(settings_, cloths_, planned_substeps_),
+         {step_limit_warning(settings_.solver, report_, planned_substeps_),
+          penalty_limit_warning(settings_, cloths_, planned_substeps_),
           start_warning(self_contact_.crossings_at_start(), self_contact_.coincident_at_start())}) {
         all += (all.empty() || one.empty() ? "" : "; ") + one;
     }

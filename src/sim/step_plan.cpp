@@ -6,6 +6,7 @@
 
 #include "ball_motion.h"
 #include "drape/base/numbers.h"
+#include "drape/bounds/aabb.h"
 #include "drape/contact/response.h"
 #include "drape/integrate/stability.h"
 
@@ -103,6 +104,25 @@ int substeps_in_contact(const Settings& settings, double since, int planned) {
     return std::max(planned, static_cast<int>(std::min(wanted, most_substeps)));
 }
 
+bool may_cross(const Settings& settings, std::span<const Cloth> cloths, std::span<const Ball> balls) {
+    const SolverSettings& solver = settings.solver;
+    const bool is_divided = !has_step_limit(solver.integrator) && solver.dt > longest_in_contact(settings);
+    if (!is_divided || settings.contact.continuous == Continuous::Never) return false;
+    const auto dt = static_cast<Real>(solver.dt);
+    const Real fall = gravity_of(settings).norm() * dt;
+    for (const Cloth& cloth : cloths) {
+        const Points &x = cloth.state.x, &v = cloth.state.v;
+        const Real cloth_speed = std::sqrt(v.rowwise().squaredNorm().maxCoeff());
+        const Aabb box{x.colwise().minCoeff(), x.colwise().maxCoeff()};
+        for (const Ball& ball : balls) {
+            const Real way = (ball.velocity.norm() + cloth_speed + fall) * dt;
+            const Real radius = ball.radius + settings.contact.thickness;
+            if (2 * way > radius && Aabb{ball.centre, ball.centre}.comes_within(box, radius + way)) return true;
+        }
+    }
+    return false;
+}
+
 int substeps_of_motion(std::span<const Cloth> cloths, const SolverSettings& solver) {
     Vec3 sum = Vec3::Zero();
     Eigen::Index particles = 0;
@@ -158,7 +178,7 @@ std::string penalty_limit_warning(const Settings& settings, std::span<const Clot
     return {};
 }
 
-std::string step_limit_warning(const SolverSettings& solver, const StepReport& report) {
+std::string step_limit_warning(const SolverSettings& solver, const StepReport& report, int planned) {
     if (!(report.step_limit_ratio > 1)) return {};
     const std::string method(name_of(solver.integrator));
     const std::string step = "solver.dt = " + real_text(solver.dt, 4) + " s";
@@ -168,7 +188,7 @@ std::string step_limit_warning(const SolverSettings& solver, const StepReport& r
                " on this cloth";
     }
     const bool in_vain = solver.on_unstable == OnUnstable::Substep;
-    const double ratio = report.step_limit_ratio * report.substeps;
+    const double ratio = report.step_limit_ratio * planned;
     const std::string limit = real_text(solver.dt / ratio, 3);
     return step + " is " + (report.limit_is_least ? "up to " : "") + real_text(ratio, 3) +
            " times the stability limit of " + method + " on this cloth" +

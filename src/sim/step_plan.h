@@ -26,6 +26,13 @@ bool plan_is_due(const SolverSettings& solver, const StepReport& report);
 /// @cite macklin2019
 int substeps_in_contact(const Settings& settings, double since, int planned);
 
+/// Whether a ball could come past the middle of its way into a cloth within an undivided step, or a cloth past that of
+/// a ball, by where they are and how fast at its start. Only where the whole way is tested, and under a method whose
+/// steps are divided while anything touches: the impact is to be in such a substep too, for a light ball that a long
+/// step stops is thrown back, or is let through, by the springs that it has drawn out within that step.
+/// @par Cost O(particles); none for other methods
+bool may_cross(const Settings& settings, std::span<const Cloth> cloths, std::span<const Ball> balls);
+
 /// In how many substeps a step is made where cloths meet themselves and each other: in none of them a particle goes
 /// farther than half of what particles are apart at rest, but for what all move by together. What is longer would bring
 /// every neighbour near. By the velocities at its start, and at most 32.
@@ -45,6 +52,7 @@ std::string limit_advice(const Settings& settings, double longest, int substeps)
 std::string penalty_limit_warning(const Settings& settings, std::span<const Cloth> cloths, int planned);
 
 /// That a step is longer than the method's limit, in one line; empty if it is not.
-std::string step_limit_warning(const SolverSettings& solver, const StepReport& report);
+/// @param planned substeps of a step, as in the report's ratio
+std::string step_limit_warning(const SolverSettings& solver, const StepReport& report, int planned);
 
 }  // namespace drape

@@ -118,6 +118,18 @@ TEST(Comparison, KeepsWhatIsComparedApart) {
     EXPECT_LT(session.view().comparison->largest, 0.1) << "of the same scene";
 }
 
+/// A setting of all and that of one of them are the same setting here.
+TEST(Comparison, KeepsWhatIsComparedApartWhateverItIsCalled) {
+    for (const auto& [compared_as, set_as] :
+         {std::pair("ball.radius", "ball[0].radius"), {"ball[0].radius", "radius"}, {"cloth.mass", "cloth[0].mass"}}) {
+        Session session = compared(std::string(compared_as) + "=0.11");
+        session.send(command::Set{std::string(set_as) + "=0.23"});
+        const Settings& other = *session.view().comparison->settings;
+        const bool of_cloth = std::string(compared_as) == "cloth.mass";
+        EXPECT_EQ(of_cloth ? other.cloths[0].mass : other.balls[0].radius, Real(0.11)) << compared_as;
+    }
+}
+
 TEST(Comparison, GoesBackInTimeWithBoth) {
     Session session(small_simulation());
     session.keep_history({});

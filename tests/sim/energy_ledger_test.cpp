@@ -122,6 +122,35 @@ TEST(EnergyLedger, CountsWhatAFreeBallGivesWithinAStep) {
     }
 }
 
+/// A ball that bounces beside a cloth that lies on the ground gives that cloth nothing; the cloth that it hits has all.
+TEST(EnergyLedger, CountsAFreeBallForTheClothThatItTouches) {
+    Settings settings = load_scene("drop");
+    settings.cloths[0].particles = {8, 8};
+    assign(settings, "cloth.centre=3,0.004,0");
+    BallSettings& ball = settings.balls[0];
+    ball.motion = BallMotion::Free;
+    ball.mass = Real(0.5);
+    ball.position = {0, 1, 0};
+    settings.solver.ledger = true;
+    for (const bool has_second : {false, true}) {
+        if (has_second) {
+            settings.cloths.push_back(settings.cloths[0]);
+            assign(settings, "cloth[1].centre=0,0.5,0");
+            assign(settings, "cloth[1].pinned=border");
+        }
+        Simulation simulation("ball", settings);
+        while (simulation.report().time < 0.6) simulation.step();
+        EXPECT_GT(simulation.report().contacts, 20);
+        EXPECT_EQ(simulation.report().heated_step, 0);
+        const double work = simulation.view().report->balance.ball;
+        if (has_second) {
+            EXPECT_GT(work, 0.05);
+        } else {
+            EXPECT_EQ(work, 0);
+        }
+    }
+}
+
 /// A cloth so soft that its weight draws it out to its limit, which stops its fall.
 TEST(EnergyLedger, CountsWhatTheStretchLimitTakesAsTheMethods) {
     const std::vector<std::string> soft{"structural.stiffness=1", "shear.stiffness=0",       "bend.stiffness=0",

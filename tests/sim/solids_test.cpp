@@ -109,6 +109,49 @@ TEST(Solids, AFastThinPlateTakesTheClothAlong) {
     }
 }
 
+/// A small cloth on a box, with nothing below it for a while.
+Settings cloth_on_a_box(IntegratorKind integrator) {
+    Settings settings = small("table", 8);
+    ClothParameters& cloth = settings.cloths[0];
+    cloth.width = cloth.height = Real(0.3);
+    cloth.mass = Real(0.05);
+    cloth.drag = 0;
+    settings.solver.integrator = integrator;
+    settings.ground.height = -5;
+    return settings;
+}
+
+/// The plane of a contact goes on where the solid ends.
+TEST(Solids, HoldNoClothThatHasLeftThem) {
+    for (const auto integrator : {IntegratorKind::VelocityVerlet, IntegratorKind::Rk4, IntegratorKind::SymplecticEuler,
+                                  IntegratorKind::BackwardEuler, IntegratorKind::Bdf2}) {
+        for (const bool slides : {true, false}) {
+            Settings settings = cloth_on_a_box(integrator);
+            SolidSettings& box = settings.solids[0];
+            settings.contact.friction = slides ? Real(0) : Real(0.3);
+            if (slides) {
+                box.axis = {0, 0, 1};
+                box.angle = 20;
+            } else {
+                box.angle = 0;
+                box.motion = SolidMotion::Path;
+                box.path = {{0, box.position}, {Real(0.5), box.position}, {Real(0.7), box.position - Vec3(0, 3, 0)}};
+            }
+            Simulation simulation("table", std::move(settings));
+            SCOPED_TRACE(name_of(integrator) + (slides ? ", slides off" : ", the box drops away"));
+            std::int64_t most = 0;
+            while (simulation.report().time < 2 && simulation.report().status == Status::Ok) {
+                simulation.step();
+                if (simulation.report().time < 0.5) most = std::max(most, simulation.report().contacts);
+            }
+            EXPECT_GT(most, 3);
+            const Cloth& cloth = simulation.cloths()[0];
+            EXPECT_LT(cloth.state.x.col(1).minCoeff(), slides ? -4 : -2) << "on the ground, or on the box again";
+            for (const Contact& contact : cloth.contacts) EXPECT_FALSE(slides && is_solid(contact.ball));
+        }
+    }
+}
+
 TEST(Solids, APathCarriesThemAndAResetBringsThemBack) {
     Settings settings = small("table", 6);
     settings.solids[0].motion = SolidMotion::Path;

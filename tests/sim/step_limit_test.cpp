@@ -54,6 +54,19 @@ TEST(StepWarning, FollowsEveryChange) {
     EXPECT_THAT(simulation.step_warning(), HasSubstr("no stable step"));
 }
 
+/// The limit is the method's, into however many substeps cloth that meets itself divides a step as it moves.
+TEST(StepWarning, IsTheSameWhileAStepIsDividedForMotion) {
+    Settings settings = load_scene("fold");
+    settings.cloths[0].particles = {14, 14};
+    settings.solver.dt = 2e-3;
+    Simulation simulation("fold", std::move(settings));
+    const std::string before = simulation.step_warning();
+    EXPECT_THAT(before, HasSubstr("times the stability limit"));
+    for (int step = 0; step < 400 && simulation.report().substeps == 1; ++step) simulation.step();
+    EXPECT_GT(simulation.report().substeps, 1);
+    EXPECT_EQ(simulation.step_warning(), before);
+}
+
 TEST(StepWarning, SaysAtLeastWhereTheLimitIsOnlyABound) {
     Simulation simulation = small_simulation({"integrator=explicit_euler", "structural.damping=0", "bend.damping=0",
                                               "shear.damping=1", "cloth.drag=0.01", "dt=0.01"});

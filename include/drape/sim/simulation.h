@@ -99,7 +99,7 @@ private:
     void take_pushes(const Substep& now);
     void push_balls();
     void warm_start(WarmStartStage stage);
-    void enter_pushes(Cloth& cloth, double led_work, double& free_work);
+    void enter_pushes(Cloth& cloth, std::span<const Contact> contacts, double led_work, double& free_work);
     void build(const Substep& now);
     void traverse();
     void narrow(const Substep& now);
