@@ -303,6 +303,31 @@ TEST(SelfContact, SaysThatASceneStartsWithCrossings) {
     EXPECT_THAT(Simulation("crossed", settings).step_warning(), testing::HasSubstr("at the start"));
 }
 
+/// Nothing parts cloths that have crossed, but nothing throws them apart either.
+TEST(SelfContact, GoesOnCalmlyWithSheetsThatStartCrossed) {
+    for (const IntegratorKind method : {IntegratorKind::SymplecticEuler, IntegratorKind::BackwardEuler}) {
+        Settings settings = stacked_sheets();
+        settings.cloths.pop_back();
+        settings.balls.clear();
+        for (ClothParameters& cloth : settings.cloths) cloth.particles = {17, 17};
+        settings.cloths[1].plane = Plane::XY;
+        settings.cloths[1].place = settings.cloths[0].place + Vec3(Real(0.013), Real(0.02), Real(0.011));
+        settings.contact.thickness = Real(0.004);
+        settings.solver.integrator = method;
+        settings.solver.dt = 2.5e-4;
+        Simulation simulation("crossed", std::move(settings));
+        EXPECT_THAT(simulation.step_warning(), testing::HasSubstr("at the start"));
+        while (simulation.report().time < 0.4 && simulation.report().status == Status::Ok) {
+            simulation.step();
+            for (const Cloth& cloth : simulation.cloths()) {
+                ASSERT_LT(cloth.state.v.rowwise().norm().maxCoeff(), 5) << simulation.report().time << " s";
+            }
+        }
+        EXPECT_EQ(simulation.report().status, Status::Ok) << simulation.report().trouble;
+        EXPECT_EQ(simulation.report().heated_step, 0);
+    }
+}
+
 /// What balls give by forces within a step is their work, also where work is measured because cloth pushes cloth.
 TEST(SelfContact, MakesNoEnergyOfItsOwnWhereABallLiftsSheets) {
     for (const IntegratorKind method : {IntegratorKind::VelocityVerlet, IntegratorKind::ImplicitMidpoint}) {

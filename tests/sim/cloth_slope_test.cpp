@@ -1,0 +1,131 @@
+// Friction of cloth on cloth: a free sheet on a pinned, tilted one sticks, or slides as far as the formula says.
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <numeric>
+#include <optional>
+#include <sstream>
+
+#include "drape/base/numbers.h"
+#include "drape/sim/simulation.h"
+#include "support/scratch_file.h"
+
+namespace drape {
+namespace {
+
+constexpr Real between_sheets = Real(0.004), spacing = Real(0.05);
+
+struct SlopeCase {
+    IntegratorKind integrator;
+    double step;  // s
+};
+
+/// Two sheets on a slope, the upper one by the thickness of cloth above the lower.
+class SheetOnSlope {
+public:
+    SheetOnSlope(const SlopeCase& method, double tangent, Real friction)
+        : angle_(std::atan(tangent)), file_("slope.csv") {
+        Settings settings;
+        settings.balls.clear();
+        settings.cloths.clear();
+        for (const Grid& grid : {Grid{27, 11}, Grid{9, 9}}) {
+            ClothParameters& cloth = settings.cloths.emplace_back();
+            cloth.particles = grid;
+            cloth.width = spacing * static_cast<Real>(grid.nx - 1);
+            cloth.height = spacing * static_cast<Real>(grid.ny - 1);
+            cloth.mass = Real(0.05);
+            cloth.drag = 0;
+        }
+        Pins& pins = settings.cloths[0].pinned;
+        pins.kind = Pins::Kind::List;
+        pins.list.resize(static_cast<std::size_t>(settings.cloths[0].particles.particles()));
+        std::iota(pins.list.begin(), pins.list.end(), 0);
+        settings.contact.self = true;
+        settings.contact.thickness = between_sheets;
+        settings.contact.friction = friction;
+        settings.ground.solid = false;
+        settings.solver.integrator = method.integrator;
+        settings.solver.dt = method.step;
+        settings.solver.sleep_speed = 0;
+        file_.write(start_of(settings));
+        settings.start = file_.name();
+        simulation_.emplace("slope", std::move(settings));
+    }
+
+    void run_until(double time) {
+        while (simulation_->report().time < time && simulation_->report().status == Status::Ok) simulation_->step();
+        ASSERT_EQ(simulation_->report().status, Status::Ok) << simulation_->report().trouble;
+    }
+
+    [[nodiscard]] double time() const { return simulation_->report().time; }
+
+    /// Down the slope, of the mean of the upper sheet [m].
+    [[nodiscard]] double way() const {
+        const Vec3 mean = simulation_->cloths()[1].state.x.colwise().mean().transpose();
+        return static_cast<double>(mean.x()) * std::cos(angle_) - static_cast<double>(mean.y()) * std::sin(angle_);
+    }
+
+private:
+    [[nodiscard]] std::string start_of(const Settings& settings) const {
+        std::ostringstream text;
+        text << "t,cloth,particle,x,y,z,vx,vy,vz\n";
+        for (int c = 0; c < 2; ++c) {
+            const Grid& grid = settings.cloths[static_cast<std::size_t>(c)].particles;
+            for (int p = 0; p < grid.particles(); ++p) {
+                // The upper sheet's particles are above no edge and no particle of the lower one
+                const double along = spacing * (p % grid.nx + 1.37 * c), across = spacing * (p / grid.nx + 0.8 * c);
+                const double above = between_sheets * c;
+                text << "0," << c << ',' << p;
+                for (const double x : {along * std::cos(angle_) + above * std::sin(angle_),
+                                       above * std::cos(angle_) - along * std::sin(angle_), across, 0.0, 0.0, 0.0}) {
+                    text << ',' << real_text(x, 17);
+                }
+                text << '\n';
+            }
+        }
+        return text.str();
+    }
+
+    double angle_;
+    test::ScratchFile file_;
+    std::optional<Simulation> simulation_;
+};
+
+class ClothOnClothSlope : public testing::TestWithParam<SlopeCase> {};
+
+TEST_P(ClothOnClothSlope, SticksBelowTheAngleOfFriction) {
+    SheetOnSlope sheet(GetParam(), 0.98 * 0.3, Real(0.3));
+    sheet.run_until(0.2);
+    const double before = sheet.way();
+    sheet.run_until(1);
+    EXPECT_NEAR(sheet.way(), before, 2e-5);
+}
+
+TEST_P(ClothOnClothSlope, SlidesAsTheFormulaSays) {
+    struct Slide {
+        double tangent, friction, from, to;
+    };
+    for (const Slide& slide : {Slide{1.02 * 0.3, 0.3, 0.2, 1}, {0.6, 0.3, 0.02, 0.25}, {0.3, 0, 0.02, 0.25}}) {
+        SheetOnSlope sheet(GetParam(), slide.tangent, static_cast<Real>(slide.friction));
+        sheet.run_until(slide.from);
+        const double start = sheet.time(), before = sheet.way();
+        sheet.run_until(slide.to);
+        const double cosine = 1 / std::hypot(1, slide.tangent);
+        const double acceleration = 9.81 * cosine * (slide.tangent - slide.friction);
+        const double way = acceleration * (sheet.time() * sheet.time() - start * start) / 2;
+        EXPECT_NEAR(sheet.way() - before, way, 0.02 * way) << slide.tangent << ", friction " << slide.friction;
+    }
+}
+
+INSTANTIATE_TEST_SUITE_P(
+    , ClothOnClothSlope,
+    testing::Values(SlopeCase{IntegratorKind::SymplecticEuler, 5e-4}, SlopeCase{IntegratorKind::VelocityVerlet, 1e-4},
+                    SlopeCase{IntegratorKind::BackwardEuler, 1.0 / 60},
+                    SlopeCase{IntegratorKind::ImplicitMidpoint, 1.0 / 60}, SlopeCase{IntegratorKind::Bdf2, 1.0 / 60},
+                    SlopeCase{IntegratorKind::Xpbd, 1.0 / 60}, SlopeCase{IntegratorKind::ProjectiveDynamics, 1.0 / 60},
+                    SlopeCase{IntegratorKind::DormandPrince, 1.0 / 60}),
+    [](const auto& one) { return name_of(one.param.integrator); });
+
+}  // namespace
+}  // namespace drape
