@@ -7,15 +7,19 @@
 
 namespace drape {
 
+/// With other motions another ball may be the user's, unless one has been taken over.
 void Simulation::configure_balls(const Settings& before) {
+    bool other_motion = false;
     for (std::size_t b = 0; b < balls_.size(); ++b) {
         const BallSettings &now = settings_.balls[b], &then = before.balls[b];
         if (now.motion != then.motion && b == users_ball_) motion_by_scene_.reset();
+        other_motion = other_motion || now.motion != then.motion;
         balls_[b].radius = now.radius;
         balls_[b].inverse_mass = inverse_mass_of(now);
         if (now.position != then.position) put_ball(b, now.position);
         if (now.velocity != then.velocity) balls_[b].velocity = now.velocity;
     }
+    if (other_motion && !motion_by_scene_) choose_ball();
 }
 
 /// Nothing that touched the ball where it was does so where it is now.

@@ -35,6 +35,18 @@ TEST(UsersBall, IsLedByTheKeysWhateverMovedItAndGivenBackByAReset) {
     }
 }
 
+TEST(UsersBall, IsTheOneThatIsGivenToTheKeys) {
+    Simulation simulation = scene_for_user("three_balls");
+    for (const char* change : {"ball[0].motion=still", "ball[1].motion=keys"})
+        send(simulation, "set " + std::string(change));
+    send(simulation, "steer 1 0 0");
+    EXPECT_EQ(simulation.settings().balls[0].motion, BallMotion::Still);
+    make_steps(simulation, 100);
+    EXPECT_GT(simulation.balls()[1].velocity.x(), 0);
+    send(simulation, "set ball[0].motion=free");
+    EXPECT_EQ(simulation.settings().balls[1].motion, BallMotion::Keys);
+}
+
 TEST(UsersBall, FallsWhenItIsLetGo) {
     Simulation simulation = scene_for_user("original", {"ball.position=5,0,0"});
     send(simulation, "fall");
