@@ -243,6 +243,20 @@ __attribute__((flatten)) void WarmStart<AnyContact>::after_step(std::span<const 
 }
 
 template <class AnyContact>
+double WarmStart<AnyContact>::work_beside_step(std::span<const ClothInContact> cloths, int cloth) const {
+    const ClothInContact& of = cloths[static_cast<std::size_t>(cloth)];
+    Real work = 0;
+    for (const AnyContact& contact : beside_step()) {
+        const Vec3 force = push_along(contact.impulse, contact.normal) / h_;
+        for (const PushedParticle& p : contact.pushed()) {
+            if (p.cloth != cloth || p.share == 0) continue;
+            work += p.weight * force.dot(position(of.state.x, p.particle) - position(of.before, p.particle));
+        }
+    }
+    return static_cast<double>(work);
+}
+
+template <class AnyContact>
 void WarmStart<AnyContact>::carry_over(const ResponseParameters& parameters, std::span<const ClothInContact> cloths,
                                        std::span<const Ball> balls, std::vector<AnyContact>& contacts) {
     parted_.clear();

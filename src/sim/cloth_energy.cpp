@@ -151,9 +151,10 @@ StretchReport ClothEnergy::limit_stretch(const ClothModel& model, int held, Clot
 /// What pushing stretches the springs by is work too. Mostly it is next to nothing, and a bound of it will do.
 void ClothEnergy::before_pushes(const ClothModel& model, const ClothState& state, const Pushes& pushes) {
     pushed_ = {0, 0, 0, 0};
+    known_ = pushes.known;
     const bool by_cloth = is_pushed_by_cloth(pushes);
     if (pushes.contacts.empty() && !by_cloth) return;
-    most_push_work_ = pushes.known ? 0 : most_push_work(model, pushes);
+    most_push_work_ = known_ != Pushes::Known::No ? 0 : most_push_work(model, pushes);
     // What another cloth gives, or another part of this one, no bound tells
     if (by_cloth) most_push_work_ = std::numeric_limits<double>::infinity();
     pushed_ = measures_pushes() ? range_of(pushes, model.grid) : GridRange{0, model.grid.nx, 0, model.grid.ny};
@@ -169,8 +170,18 @@ bool ClothEnergy::after_pushes(const ClothModel& model, const ClothState& state,
     const bool measured = most_push_work_ > watch_.small_work();
     const double steady = std::exchange(steady_work_, 0), given = std::exchange(given_, 0);
     watch_.give(std::max(measured ? work + steady : ball_work + most_push_work_, 0.0) - given);
-    if (ledger_) ledger_->responded(before_pushes_, after, ball_work);
+    if (!ledger_) return true;
+    if (known_ == Pushes::Known::No) {
+        ledger_->responded(before_pushes_, after, ball_work);
+    } else {
+        const bool first = known_ == Pushes::Known::BeforeStep;
+        ledger_->pushed_beside_step(first ? &before_pushes_ : nullptr, after, ball_work);
+    }
     return true;
+}
+
+void ClothEnergy::pushed_beside_step(double work) {
+    if (ledger_) ledger_->pushed(work);
 }
 
 void ClothEnergy::before_hold(const ClothModel& model, const ClothState& state) {

@@ -3,6 +3,14 @@
 #include <limits>
 
 namespace drape {
+namespace {
+
+void add_change(const EnergyFlow& before, const EnergyFlow& after, Power& power) {
+    power.damping += after.power.damping - before.power.damping;
+    power.drag += after.power.drag - before.power.drag;
+}
+
+}  // namespace
 
 EnergyBalance EnergyBalance::unknown() {
     constexpr double none = std::numeric_limits<double>::quiet_NaN();
@@ -53,11 +61,22 @@ void EnergyLedger::see(const EnergyFlow& now, Book& book) {
 void EnergyLedger::integrated(Real h) {
     now_.since = Since::Step;
     now_.h = static_cast<double>(h);
+    now_.seen.power.damping -= now_.start_power.damping;
+    now_.seen.power.drag -= now_.start_power.drag;
+    now_.start_power = {};
 }
 
 void EnergyLedger::pushed(double work) {
     now_.balance.contact -= work;
     now_.contact_energy += work;
+}
+
+void EnergyLedger::pushed_beside_step(const EnergyFlow* before, const EnergyFlow& after, double ball_work) {
+    now_.balance.ball += ball_work;
+    now_.balance.contact += ball_work;
+    if (before == nullptr) return;
+    add_change(*before, after, now_.contact_power);
+    add_change(*before, after, now_.start_power);
 }
 
 void EnergyLedger::responded(const EnergyFlow& before, const EnergyFlow& after, double ball_work) {
@@ -74,8 +93,7 @@ void EnergyLedger::held_back(const EnergyFlow& before, const EnergyFlow& after) 
 
 void EnergyLedger::changed_after_step(const EnergyFlow& before, const EnergyFlow& after) {
     now_.contact_energy += after.energy.total() - before.energy.total();
-    now_.contact_power.damping += after.power.damping - before.power.damping;
-    now_.contact_power.drag += after.power.drag - before.power.drag;
+    add_change(before, after, now_.contact_power);
 }
 
 EnergyBalance EnergyLedger::balance(const EnergyFlow& now) const {

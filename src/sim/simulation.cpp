@@ -146,11 +146,12 @@ void Simulation::warm_start(WarmStartStage stage) {
         std::ranges::any_of(cloths_, [](const Cloth& cloth) { return !cloth.warm_start.beside_step().empty(); });
     if (!any && pairs.beside_step().empty()) return;
     const double balls_before = kinetic_energy(balls_);
+    const auto known = stage == WarmStartStage::Before ? Pushes::Known::BeforeStep : Pushes::Known::AfterStep;
     for (std::size_t c = 0; c < cloths_.size(); ++c) {
         Cloth& cloth = cloths_[c];
         cloth.energy.before_pushes(
             cloth.model, cloth.state,
-            {cloth.warm_start.beside_step(), pairs.beside_step(), static_cast<int>(c), balls_, true});
+            {cloth.warm_start.beside_step(), pairs.beside_step(), static_cast<int>(c), balls_, known});
     }
     const auto give = [&](const auto& start) {
         stage == WarmStartStage::Before ? start.before_step(in_contact_, balls_)
@@ -227,6 +228,7 @@ bool Simulation::respond(const Substep& now) {
     look_again(now);
     report_.times.respond += watch.lap();
     hold_back();
+    enter_pushes_beside_step();
     report_.listed_pairs = self_contact_.report().listed;
     report_.between_cloths = self_contact_.report().traversal;
     report_.times.pairs += watch.lap();
@@ -266,6 +268,15 @@ void Simulation::hold_back() {
     report_.held_back = self_contact_.hold_back(in_contact_);
     for (Cloth& cloth : cloths_) cloth.energy.after_hold(cloth.model, cloth.state);
     report_.penetration = static_cast<double>(depth_left(response_of(settings_), in_contact_, balls_));
+}
+
+void Simulation::enter_pushes_beside_step() {
+    if (!settings_.solver.ledger) return;
+    for (std::size_t c = 0; c < cloths_.size(); ++c) {
+        const int number = static_cast<int>(c);
+        cloths_[c].energy.pushed_beside_step(cloths_[c].warm_start.work_beside_step(in_contact_, number) +
+                                             self_contact_.warm_start().work_beside_step(in_contact_, number));
+    }
 }
 
 void Simulation::resist_rolling() {

@@ -61,6 +61,10 @@ public:
     void before_step(std::span<const ClothInContact> cloths, std::span<Ball> balls) const;
     void after_step(std::span<const ClothInContact> cloths, std::span<Ball> balls) const;
 
+    /// The work of the others on a cloth, as steady forces along all that its particles have moved by in the substep
+    /// [J].
+    [[nodiscard]] double work_beside_step(std::span<const ClothInContact> cloths, int cloth) const;
+
     /// Tells the contacts that were found now what was given to them. Those of before that were not found again join
     /// them, for the response to take back what they do not need.
     void carry_over(const ResponseParameters& parameters, std::span<const ClothInContact> cloths,

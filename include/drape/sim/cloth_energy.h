@@ -14,11 +14,15 @@ namespace drape {
 
 /// What pushes one cloth.
 struct Pushes {
+    /// Whether they are no more than what was found to be needed in the substep before, given before a step or after
+    /// it.
+    enum class Known { No, BeforeStep, AfterStep };
+
     std::span<const Contact> contacts;
     std::span<const PairContact> pairs;  ///< of all cloths
     int cloth;                           ///< the number of this one
     std::span<const Ball> balls;
-    bool known = false;  ///< no more than what was found to be needed in the substep before
+    Known known = Known::No;
 };
 
 /// Where the energy of one cloth comes from and goes to, told event by event in the order of a substep: the watch that
@@ -74,6 +78,9 @@ public:
     /// @return whether anything has pushed it
     bool after_pushes(const ClothModel& model, const ClothState& state, double ball_work);
 
+    /// In the end of a substep: the work of known pushes, as forces along all of its motion [J].
+    void pushed_beside_step(double work);
+
     /// The fail-safe of contact between cloths is about to hold the cloth back, and has done so.
     void before_hold(const ClothModel& model, const ClothState& state);
     void after_hold(const ClothModel& model, const ClothState& state);
@@ -105,6 +112,7 @@ private:
     double hand_at_start_ = 0;      ///< its power at the start of a step, where pins move too [W]
     GridRange pushed_{0, 0, 0, 0};  ///< particles that are being pushed; all, where none is measured
     EnergyFlow before_pushes_, before_hold_;
+    Pushes::Known known_ = Pushes::Known::No;
     double most_push_work_ = 0;  ///< a bound [J]
     double steady_work_ = 0;     ///< of the substep, until the work of its pushes is given to the watch [J]
     double given_ = 0;           ///< of that, what the watch has had [J]

@@ -99,6 +99,7 @@ private:
     void take_pushes(const Substep& now);
     void push_balls();
     void warm_start(WarmStartStage stage);
+    void enter_pushes_beside_step();
     void enter_pushes(Cloth& cloth, std::span<const Contact> contacts, double led_work, double& free_work);
     void build(const Substep& now);
     void traverse();
