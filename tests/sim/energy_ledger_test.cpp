@@ -177,6 +177,30 @@ TEST(EnergyLedger, BooksNothingWhileNothingMoves) {
     }
 }
 
+/// A ball that lifts cloth gives what that gains in height, and the contacts that hand it on keep next to nothing of
+/// it.
+TEST(EnergyLedger, HandsOnTheWorkOfABallThatLifts) {
+    for (const auto integrator : {IntegratorKind::SymplecticEuler, IntegratorKind::VelocityVerlet}) {
+        Settings settings = load_scene("drop");
+        settings.cloths[0].drag *= Real(900) / 196;
+        settings.cloths[0].particles = {14, 14};
+        settings.solver.integrator = integrator;
+        settings.solver.ledger = true;
+        const Vec3 low = settings.balls[0].position, high = low + Vec3(0, Real(0.2), 0);
+        settings.balls[0].motion = BallMotion::Path;
+        settings.balls[0].path = {{0, low}, {4, low}, {5, low}, {7, high}, {8, high}};
+        Simulation simulation("drop", std::move(settings));
+        while (simulation.report().time < 4) simulation.step();
+        const EnergyBalance before = simulation.view().report->balance;
+        while (simulation.report().time < 8) simulation.step();
+        const EnergyBalance after = simulation.view().report->balance;
+        const double given = after.ball - before.ball;
+        EXPECT_GT(given, 0.1) << name_of(integrator);
+        EXPECT_NEAR(after.contact, before.contact, 0.1 * given) << name_of(integrator);
+        EXPECT_NEAR(after.integrator, before.integrator, 0.1 * given) << name_of(integrator);
+    }
+}
+
 /// A cloth so soft that its weight draws it out to its limit, which stops its fall.
 TEST(EnergyLedger, CountsWhatTheStretchLimitTakesAsTheMethods) {
     const std::vector<std::string> soft{"structural.stiffness=1", "shear.stiffness=0",       "bend.stiffness=0",
