@@ -224,7 +224,7 @@ void Simulation::narrow(const Substep& now) {
 /// @return false if the run has come to its end
 bool Simulation::respond(const Substep& now) {
     Stopwatch watch;
-    answer(now, self_contact_.contacts(), ball_contacts_);
+    answer(response_of(settings_), now, self_contact_.contacts(), ball_contacts_);
     look_again(now);
     report_.times.respond += watch.lap();
     hold_back();
@@ -244,14 +244,14 @@ bool Simulation::respond(const Substep& now) {
 }
 
 /// Answers the contacts of the cloths, and these with them.
-void Simulation::answer(const Substep& now, std::span<PairContact> pairs, std::span<BallContact> ball_contacts) {
+void Simulation::answer(const ResponseParameters& response, const Substep& now, std::span<PairContact> pairs,
+                        std::span<BallContact> ball_contacts) {
     for (std::size_t c = 0; c < cloths_.size(); ++c) {
         Cloth& cloth = cloths_[c];
         cloth.energy.before_pushes(cloth.model, cloth.state, {cloth.contacts, pairs, static_cast<int>(c), balls_});
     }
     ContactRows* const rows = settings_.solver.kernels == Kernels::Vector ? &contact_rows_ : nullptr;
-    ResponseReport left =
-        resolve_contacts(response_of(settings_), now.h, in_contact_, pairs, balls_, ball_contacts, rows);
+    ResponseReport left = resolve_contacts(response, now.h, in_contact_, pairs, balls_, ball_contacts, rows);
     double free_work = left.free_ball_work + std::exchange(steady_work_, 0);
     for (Cloth& cloth : cloths_) {
         enter_pushes(cloth, cloth.contacts, work_of_led_balls(cloth.contacts, balls_), free_work);

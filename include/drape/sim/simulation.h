@@ -105,7 +105,8 @@ private:
     void traverse();
     void narrow(const Substep& now);
     bool respond(const Substep& now);
-    void answer(const Substep& now, std::span<PairContact> pairs, std::span<BallContact> ball_contacts);
+    void answer(const ResponseParameters& response, const Substep& now, std::span<PairContact> pairs,
+                std::span<BallContact> ball_contacts);
     void look_again(const Substep& now);
     void hold_back();
     void resist_rolling();
