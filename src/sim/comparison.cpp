@@ -41,13 +41,6 @@ Vec3 point_at(const Grid& grid, const ClothState& before, const ClothState& now,
 
 std::string name_in(const std::string& assignment) { return assignment.substr(0, assignment.find('=')); }
 
-/// Of the setting of one ball, the name of that of all: what is compared stays, whichever of them is changed.
-std::string name_of_all(std::string name) {
-    const auto begin = name.find('['), end = name.find(']');
-    if (begin < end && end != std::string::npos) name.erase(begin, end + 1 - begin);
-    return name;
-}
-
 /// The same particle of another grid.
 template <class AtParticle>
 Command moved_to(const AtParticle& command, const Simulation& first, const Simulation& other) {
@@ -89,11 +82,10 @@ Simulation Comparison::make_other(const Simulation& first, const std::vector<std
     return {first.scene(), std::move(settings)};
 }
 
-bool Comparison::compares(const std::string& setting_of_one) const {
-    const std::string setting = name_of_all(setting_of_one);
+/// A setting of all balls and that of one of them are the same here.
+bool Comparison::compares(const std::string& setting) const {
     return std::ranges::any_of(assignments_, [&](const std::string& assignment) {
-        const std::string name = name_of_all(name_in(assignment));
-        return name == setting || name.ends_with("." + setting) || setting.ends_with("." + name);
+        return &setting_meant_by(name_in(assignment)) == &setting_meant_by(setting);
     });
 }
 

@@ -185,6 +185,8 @@ std::size_t section_count(const Settings& settings, const Setting& setting) {
     return 1;
 }
 
+const Setting& setting_meant_by(std::string_view name) { return *find_target(name).setting; }
+
 void assign(Settings& settings, std::string_view assignment) {
     const std::size_t equals = assignment.find('=');
     if (equals == std::string_view::npos || equals == 0) {

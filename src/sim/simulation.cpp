@@ -49,7 +49,8 @@ void Simulation::begin_step() {
     if (plan_is_due(settings_.solver, report_)) plan(planned_substeps_);
     const bool touches = report_.contacts > 0 || !ball_contacts_.empty() || self_contact_.is_near();
     if (touches) touched_ = report_.time;
-    const double since = may_cross(settings_, cloths_, balls_) ? 0 : report_.time - touched_;
+    const bool crosses = !report_.asleep && may_cross(settings_, cloths_, balls_);
+    const double since = crosses ? 0 : report_.time - touched_;
     report_.substeps = substeps_in_contact(settings_, since, planned_substeps_);
     if (self_contact_.on())
         report_.substeps = std::max(report_.substeps, substeps_of_motion(cloths_, settings_.solver));
@@ -163,6 +164,7 @@ void Simulation::warm_start(WarmStartStage stage) {
     for (Cloth& cloth : cloths_) enter_pushes(cloth, cloth.warm_start.beside_step(), 0, free_work);
 }
 
+/// @param contacts that push it
 /// @param led_work by balls that nothing pushes, on this cloth [J]
 /// @param free_work by all free balls, which the first cloth that touches one enters; 0 after that [J]
 void Simulation::enter_pushes(Cloth& cloth, std::span<const Contact> contacts, double led_work, double& free_work) {

@@ -54,6 +54,10 @@ std::size_t section_count(const Settings& settings, const Setting& setting);
 /// @throws InputError that names the nearest known one, or the candidates of a short name that fits several
 const Setting& find_setting(std::string_view name);
 
+/// The setting of all cloths, balls, solids or pins where the name may be that of one of them: "ball[1].radius".
+/// @throws InputError as `find_setting`
+const Setting& setting_meant_by(std::string_view name);
+
 /// What panel and messages call the setting: the menu's words where it has any ("time step"), else its name without its
 /// section ("structural stiffness"), or, of a section's switch, the section's name.
 std::string setting_label(const Setting& setting);
