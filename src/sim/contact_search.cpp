@@ -6,6 +6,15 @@
 #include "drape/contact/node_contacts.h"
 
 namespace drape {
+namespace {
+
+/// The one that is farthest beyond what is possible, or nearest to it.
+void take_nearer(Crossing& nearest, const Crossing& other) {
+    const bool first = nearest.radius == 0;
+    if (first || 2 * other.distance - other.radius > 2 * nearest.distance - nearest.radius) nearest = other;
+}
+
+}  // namespace
 
 void ContactSearch::use(const BroadPhaseParameters& parameters, const Grid& grid, const Points& x) {
     if (grid != grid_ || parameters.kernels != kernels_) separation_ = Separation(grid, parameters.kernels);
@@ -38,9 +47,18 @@ Crossing ContactSearch::nearest_crossing(const Points& before, const Points& x, 
     const Real cloth = largest_displacement(x, before, kernels_);
     Crossing nearest;
     for (const Ball& ball : balls) {
-        const Crossing one{ball.moved.norm() + cloth, ball.radius + thickness};
-        const bool first = nearest.radius == 0;
-        if (first || 2 * one.distance - one.radius > 2 * nearest.distance - nearest.radius) nearest = one;
+        take_nearer(nearest, {ball.moved.norm() + cloth, ball.radius + thickness});
+    }
+    return nearest;
+}
+
+Crossing ContactSearch::crossing(const Points& before, const Points& x, std::span<const Solid> solids,
+                                 Real thickness) const {
+    const Real cloth = largest_displacement(x, before, kernels_);
+    Crossing nearest;
+    for (const Solid& solid : solids) {
+        const auto [low, high] = solid.shape->extent();
+        take_nearer(nearest, {solid.moved.norm() + cloth, (high - low).minCoeff() / 2 + thickness});
     }
     return nearest;
 }

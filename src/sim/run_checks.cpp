@@ -80,7 +80,7 @@ void mark_crossing(const Crossing& crossing, double time, Real h, StepReport& re
 
 std::string crossing_warning(const CrossingDanger& danger) {
     if (danger.starts == 0) return {};
-    return "contact.continuous = false: ball and cloth move at " + real_text(danger.speed, 3) +
+    return "contact.continuous = false: cloth and a ball or a solid move at " + real_text(danger.speed, 3) +
            " m/s together, and above " + real_text(danger.safe_speed, 3) +
            " m/s one may pass through the other within a step";
 }
@@ -90,7 +90,21 @@ std::string search_trouble(const StepReport& report) {
            ", that contact.self cannot look at all that may meet; reduce solver.dt or contact.thickness";
 }
 
-std::string start_warning(std::int64_t crossings, std::int64_t coincident) {
+Real deepest_particle(std::span<const Cloth> cloths, std::span<const Ball> balls, std::span<const Solid> solids,
+                      const Ground& ground, Real thickness) {
+    Real depth = 0;
+    for (const Cloth& cloth : cloths) {
+        for (const auto& row : cloth.state.x.rowwise()) {
+            const Vec3 p = row.transpose();
+            for (const Ball& ball : balls) depth = std::max(depth, ball.radius - (p - ball.centre).norm());
+            for (const Solid& solid : solids) depth = std::max(depth, -solid.distance(p));
+            if (ground.solid) depth = std::max(depth, ground.height - p.y());
+        }
+    }
+    return depth > thickness ? depth : 0;
+}
+
+std::string start_warning(std::int64_t crossings, std::int64_t coincident, Real depth) {
     const auto places = [](std::int64_t count) {
         return std::to_string(count) + (count == 1 ? " place" : " places") + " at the start and ";
     };
@@ -99,6 +113,10 @@ std::string start_warning(std::int64_t crossings, std::int64_t coincident) {
     if (coincident > 0) {
         text += (text.empty() ? "" : "; ") + ("cloth touches cloth at distance 0 in " + places(coincident)) +
                 "is moved apart by contact.thickness";
+    }
+    if (depth > 0) {
+        text += (text.empty() ? "" : "; ") + ("cloth starts " + real_text(static_cast<double>(depth), 3)) +
+                " m deep in a ball, a solid or the ground; it is pushed out at once, and may be thrown off";
     }
     return text;
 }

@@ -28,8 +28,14 @@ std::string crossing_warning(const CrossingDanger& danger);
 /// That cloth moves too far within a substep for contact between cloths.
 std::string search_trouble(const StepReport& report);
 
-/// That cloth crossed cloth at the start, or touched it at distance 0, so many times; empty if it did not.
-std::string start_warning(std::int64_t crossings, std::int64_t coincident);
+/// How deep the deepest particle is in a ball, a solid or the ground [m]; 0 if none is deeper than the cloth is thick.
+/// @par Cost O(particles * (balls + solids))
+Real deepest_particle(std::span<const Cloth> cloths, std::span<const Ball> balls, std::span<const Solid> solids,
+                      const Ground& ground, Real thickness);
+
+/// That cloth crossed cloth at the start, or touched it at distance 0, so many times, or was so deep in something;
+/// empty if nothing of this.
+std::string start_warning(std::int64_t crossings, std::int64_t coincident, Real depth);
 
 /// Why the run so far is not to be trusted, one line; empty if nothing.
 std::string doubt_warning(const StepReport& report);

@@ -48,10 +48,8 @@ void Simulation::begin_step() {
     }
     if (plan_is_due(settings_.solver, report_)) plan(planned_substeps_);
     const bool touches = report_.contacts > 0 || !ball_contacts_.empty() || self_contact_.is_near();
-    if (touches) touched_ = report_.time;
     const bool crosses = !report_.asleep && may_cross(settings_, cloths_, balls_);
-    const double since = crosses ? 0 : report_.time - touched_;
-    report_.substeps = substeps_in_contact(settings_, since, planned_substeps_);
+    report_.substeps = substeps_in_contact(settings_, touches || crosses, planned_substeps_);
     if (self_contact_.on())
         report_.substeps = std::max(report_.substeps, substeps_of_motion(cloths_, settings_.solver));
 }
@@ -205,6 +203,7 @@ void Simulation::narrow(const Substep& now) {
         report_.false_candidates += cloth.search.narrow(start_of_substep(cloth), cloth.state.x, balls_, thickness,
                                                         node_push_speed * now.h, cloth.contacts);
         meet_solids(cloth);
+        watch_for_solids(cloth, now);
         if (settings_.ground.solid) {
             report_.ground +=
                 cloth.search.meet_ground(cloth.state.x, settings_.ground.height, thickness, cloth.contacts);

@@ -107,7 +107,6 @@ void Simulation::restart() {
     report_.time = start_ ? start_->time : 0;
     counted_from_step_ = 0;
     counted_from_time_ = report_.time;
-    touched_ = -never;
     sleep_ = {};
     cloths_.clear();
     for (const ClothParameters& parameters : settings_.cloths) {
@@ -137,6 +136,7 @@ void Simulation::restart() {
     previous_balls_ = balls_;
     put_solids(settings_.solids, report_.time, solids_);
     previous_solids_ = solids_;
+    depth_at_start_ = deepest_particle(cloths_, balls_, solids_, settings_.ground, settings_.contact.thickness);
     choose_ball();
     plan(1);
 }

@@ -2,6 +2,7 @@
 #include <utility>
 
 #include "drape/sim/simulation.h"
+#include "run_checks.h"
 #include "solid_motion.h"
 
 namespace drape {
@@ -15,6 +16,13 @@ void Simulation::move_solids(const Substep& now) {
 void Simulation::meet_solids(Cloth& cloth) {
     report_.solids +=
         cloth.search.meet_solids(start_of_substep(cloth), cloth.state.x, solids_, settings_.contact, cloth.contacts);
+}
+
+void Simulation::watch_for_solids(const Cloth& cloth, const Substep& now) {
+    if (settings_.contact.continuous != Continuous::Never || solids_.empty()) return;
+    const Crossing crossing =
+        cloth.search.crossing(start_of_substep(cloth), cloth.state.x, solids_, settings_.contact.thickness);
+    mark_crossing(crossing, now.time, now.h, report_);
 }
 
 /// Nothing that touched a solid where it was does so where it is now.

@@ -20,9 +20,6 @@ constexpr double most_substeps = 1000;
 /// The most substeps of a step because cloth moves fast.
 constexpr double most_for_motion = 32;
 
-/// For which a ball may be in the air between two bounces: it comes 1.2 m high then [s].
-constexpr double time_of_a_bounce = 1;
-
 /// From one plan to the next [s].
 constexpr double search_pause = 0.25;
 
@@ -96,10 +93,10 @@ bool plan_is_due(const SolverSettings& solver, const StepReport& report) {
     return report.step > 0 && report.step % between == 0;
 }
 
-int substeps_in_contact(const Settings& settings, double since, int planned) {
+int substeps_in_contact(const Settings& settings, bool touches, int planned) {
     const SolverSettings& solver = settings.solver;
-    const double longest = solver.integrator == IntegratorKind::Xpbd ? time_of_a_bounce : 0;
-    if (since > longest || has_step_limit(solver.integrator)) return planned;
+    const bool softens = solver.integrator == IntegratorKind::Xpbd && greatest_inverse_mass(settings) > 0;
+    if (!(touches || softens) || has_step_limit(solver.integrator)) return planned;
     const double wanted = std::ceil(solver.dt / longest_in_contact(settings) * (1 - 1e-12));
     return std::max(planned, static_cast<int>(std::min(wanted, most_substeps)));
 }
@@ -166,7 +163,7 @@ std::string limit_advice(const Settings& settings, double longest, int substeps)
 
 std::string penalty_limit_warning(const Settings& settings, std::span<const Cloth> cloths, int planned) {
     if (!pushes_by_penalty(settings)) return {};
-    const double substep = settings.solver.dt / substeps_in_contact(settings, 0, planned);
+    const double substep = settings.solver.dt / substeps_in_contact(settings, true, planned);
     for (const Cloth& cloth : cloths) {
         const double ratio = substep / penalty_limit(settings, cloth.model);
         if (!(ratio > 1)) continue;

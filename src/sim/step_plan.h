@@ -19,12 +19,11 @@ void plan_substeps(std::span<const Cloth> cloths, const SolverSettings& solver, 
 bool plan_is_due(const SolverSettings& solver, const StepReport& report);
 
 /// In how many substeps a step is made: as planned, or more under an implicit method while cloth or balls touch, twice
-/// as many of these in a scene with a free ball under methods that do not damp, and under XPBD for a while after that.
-/// Its springs are softer in a long step than in a short one: a sheet that was divided only while a ball touched it
-/// would sag when it left, and throw it higher at each bounce.
-/// @param since the last touch; 0: something touches [s]
+/// as many of these in a scene with a free ball under methods that do not damp; and under XPBD always where a ball is
+/// free. Its springs are softer in a long step than in a short one: a sheet whose steps were divided only while a ball
+/// touched it would sag at all other times, and throw the ball higher than it fell from.
 /// @cite macklin2019
-int substeps_in_contact(const Settings& settings, double since, int planned);
+int substeps_in_contact(const Settings& settings, bool touches, int planned);
 
 /// Whether a ball could come past the middle of its way into a cloth within an undivided step, or a cloth past that of
 /// a ball, by where they are and how fast at its start. Only where the whole way is tested, and under a method whose

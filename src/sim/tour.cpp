@@ -56,7 +56,7 @@ constexpr std::array<TourStop, 12> stops{{
     {"Friction",
      "slide",
      {},
-     "With a friction coefficient of 0.05 the cloth slides off the ball.",
+     "With a friction coefficient of 0.05 the cloth slides off the ball and down the incline.",
      "M, Contact: set friction to 0.5, then R: it stays.",
      "src/contact/contact_solver.h",
      0.9},

@@ -193,13 +193,14 @@ struct StepCase {
 class FrictionAtAnyStep : public testing::TestWithParam<StepCase> {};
 
 std::vector<StepCase> step_cases() {
-    std::vector<StepCase> cases;
+    std::vector<StepCase> cases{{IntegratorKind::ExplicitEuler, Real(1e-4)}};  // diverges at 1 ms
     for (const IntegratorKind kind :
          {IntegratorKind::SymplecticEuler, IntegratorKind::VelocityVerlet, IntegratorKind::Rk4}) {
         for (const Real h : {Real(1e-4), Real(1e-3)}) cases.push_back({kind, h});
     }
-    for (const IntegratorKind kind : {IntegratorKind::BackwardEuler, IntegratorKind::ImplicitMidpoint,
-                                      IntegratorKind::Bdf2, IntegratorKind::Xpbd, IntegratorKind::ProjectiveDynamics}) {
+    for (const IntegratorKind kind :
+         {IntegratorKind::BackwardEuler, IntegratorKind::ImplicitMidpoint, IntegratorKind::Bdf2, IntegratorKind::Xpbd,
+          IntegratorKind::ProjectiveDynamics, IntegratorKind::DormandPrince}) {
         for (const Real h : {Real(1e-4), Real(1e-3), Real(1) / 60}) cases.push_back({kind, h});
     }
     return cases;
@@ -212,7 +213,7 @@ INSTANTIATE_TEST_SUITE_P(All, FrictionAtAnyStep, testing::ValuesIn(step_cases())
 
 TEST_P(FrictionAtAnyStep, SticksIffTheSlopeIsBelowTheFrictionAngle) {
     constexpr Real friction = Real(0.3);
-    for (const Real part : {Real(0.98), Real(1.02)}) {
+    for (const Real part : {Real(0.98), Real(1.02), Real(2)}) {
         SheetOnGround sheet(0, {50, Real(0.02)});
         sheet.parameters.ground.friction = friction;
         const Real slope = std::atan(part * friction);
@@ -222,8 +223,8 @@ TEST_P(FrictionAtAnyStep, SticksIffTheSlopeIsBelowTheFrictionAngle) {
         sheet.run(GetParam().integrator, GetParam().h, Real(0.5), [](int) {});
         const Real way = sheet.state.x.col(0).mean() - half;
         const Real acceleration = std::max(Real(9.81) * (std::sin(slope) - friction * std::cos(slope)), Real(0));
-        // From 0.5 s to 1 s, within 5 % and the way of one step more or less
-        EXPECT_NEAR(way, acceleration * Real(0.375), 0.05 * way + 2e-4 + acceleration * GetParam().h) << part;
+        // From 0.5 s to 1 s
+        EXPECT_NEAR(way, acceleration * Real(0.375), 0.02 * way + 1e-6) << part;
     }
 }
 

@@ -3,6 +3,7 @@
 #include "drape/sim/scene.h"
 #include "sim/small_scene.h"
 #include "support/exact_distance.h"
+#include "support/scene_crossings.h"
 
 namespace drape {
 namespace {
@@ -161,11 +162,23 @@ TEST_P(SceneOnTheGround, ComesToRestOnItAndNothingFallsBelow) {
 INSTANTIATE_TEST_SUITE_P(Shipped, SceneOnTheGround, testing::Values("three_balls", "slide"),
                          [](const auto& scene) { return std::string(scene.param); });
 
-TEST(SlideScene, HasItsClothBesideTheBallInTheEnd) {
-    Simulation simulation("slide", load_scene("slide"));
-    run(simulation, 5);
-    const Ball& ball = simulation.balls()[0];
-    EXPECT_LT(simulation.cloths()[0].state.x.col(1).maxCoeff(), ball.centre.y()) << "none of it is on the upper half";
+/// Off the ball, down the incline, and onto the ground, on which it rests with its front; no fold lies on another. With
+/// more friction than the tangent of the angle it stays where it is.
+TEST(SlideScene, TakesItsClothDownTheInclineUnlessFrictionHoldsIt) {
+    const auto end_with = [](Real friction) {
+        Settings settings = load_scene("slide");
+        settings.contact.friction = friction;
+        Simulation simulation("slide", std::move(settings));
+        run(simulation, 5);
+        return simulation;
+    };
+    const Simulation slides = end_with(Real(0.05)), sticks = end_with(Real(0.5));
+    const Points &down = slides.cloths()[0].state.x, &held = sticks.cloths()[0].state.x;
+    EXPECT_GT(down.col(0).minCoeff(), slides.balls()[0].centre.x() + slides.balls()[0].radius) << "beside the ball";
+    EXPECT_LT(down.col(1).minCoeff(), 0.01) << "on the ground";
+    EXPECT_GT(down.col(1).maxCoeff(), 0.1) << "and on the incline";
+    EXPECT_LT(held.col(0).minCoeff(), 0) << "still on the ball";
+    EXPECT_EQ(test::SceneCrossings().count(slides), 0);
 }
 
 }  // namespace

@@ -104,6 +104,31 @@ TEST(CrossingWarning, NamesTheSpeedsOnceForEachDanger) {
     EXPECT_THAT(slow.crossing_warning(), IsEmpty());
 }
 
+TEST(CrossingWarning, IsAboutSolidsToo) {
+    const std::vector<std::string> fast{"integrator=backward_euler", "dt=0.05", "solid.motion=path",
+                                        "solid.path=0,0,-3,0,1,0,40,0"};
+    std::vector<std::string> blind = fast;
+    blind.emplace_back("contact.continuous=false");
+    Simulation simulation = scene_for_user("table", blind), automatic = scene_for_user("table", fast);
+    Simulation slow = scene_for_user("table", {"contact.continuous=false"});
+    simulation.step(), automatic.step(), make_steps(slow, 100);
+    EXPECT_THAT(simulation.crossing_warning(), AllOf(HasSubstr("a solid"), HasSubstr("above 2.27 m/s")));
+    EXPECT_THAT(automatic.crossing_warning(), IsEmpty());
+    EXPECT_THAT(slow.crossing_warning(), IsEmpty());
+}
+
+TEST(StartWarning, SaysHowDeepClothStartsInSomething) {
+    const auto warning_of = [](const std::string& scene, const std::string& change) {
+        return scene_for_user(scene, {change}).step_warning();
+    };
+    EXPECT_THAT(warning_of("drop", "ball.position=0,0.8,0"), HasSubstr("cloth starts 0."));
+    EXPECT_THAT(warning_of("table", "cloth.centre=0,0.4,0"), HasSubstr("cloth starts 0.1 m deep"));
+    EXPECT_THAT(warning_of("drop", "ground.height=2"), HasSubstr("deep in a ball, a solid or the ground"));
+    for (const std::string& scene : scene_names()) {
+        EXPECT_THAT(warning_of(scene, "view.speed=1"), testing::Not(HasSubstr("cloth starts"))) << scene;
+    }
+}
+
 TEST(PenaltyLimit, JoinsTheWarningOfTheStep) {
     const std::vector<std::string> stiff{"contact.stiffness=4000", "contact.response=penalty"};
     EXPECT_THAT(scene_for_user("drop", stiff).step_warning(),

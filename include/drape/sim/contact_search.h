@@ -15,10 +15,10 @@
 namespace drape {
 
 /// Whether a ball may get through the cloth in a substep, seen from its start and end alone: a ball of radius r that is
-/// outside must come as far as r before its centre is on the other side. Half of that counts.
+/// outside must come as far as r before its centre is on the other side. Half of that counts. The same for a solid.
 struct Crossing {
-    Real distance = 0;  ///< by which ball and cloth can have come nearer, at most [m]
-    Real radius = 0;    ///< of the ball, thickness counted [m]
+    Real distance = 0;  ///< by which it and cloth can have come nearer, at most [m]
+    Real radius = 0;    ///< of the ball, or half of what a box about the solid is thin; thickness counted [m]
 
     [[nodiscard]] bool possible() const { return 2 * distance > radius; }
 };
@@ -40,8 +40,13 @@ public:
     /// for its spheres may touch what the cloth does not
     bool build(const Points& before, const Points& x, std::span<const Ball> balls, const ContactSettings& contact);
 
-    /// Of the last substep, unless all of its way was tested without asking.
+    /// With a ball in the last substep, unless all of its way was tested without asking.
     [[nodiscard]] const Crossing& crossing() const { return crossing_; }
+
+    /// With a solid that has moved.
+    /// @param before, x positions at the start and at the end of the substep, n x 3 [m]
+    [[nodiscard]] Crossing crossing(const Points& before, const Points& x, std::span<const Solid> solids,
+                                    Real thickness) const;
 
     /// Collects the candidates of each ball.
     /// @return what it has cost; after a build that was left out, what the last traversal has

@@ -1,7 +1,6 @@
 #pragma once
 
 #include <cstdint>
-#include <limits>
 #include <optional>
 #include <span>
 #include <string>
@@ -138,13 +137,12 @@ private:
     void stop_balls(const Substep& now);
     void move_pins(const Substep& now);
     void meet_solids(Cloth& cloth);
+    void watch_for_solids(const Cloth& cloth, const Substep& now);
     void configure_solids(const Settings& before, std::vector<Solid> solids);
     void choose_ball();
     void give_ball_back();
     void move_ball_by(BallMotion motion);
     void throw_ball(const command::Throw& command);
-
-    static constexpr double never = std::numeric_limits<double>::infinity();
 
     std::string scene_;
     Settings settings_;
@@ -156,6 +154,7 @@ private:
     SelfContact self_contact_;
     NotCopied<std::vector<ClothInContact>> in_contact_;  ///< the cloths, within a substep
     NotCopied<ContactRows> contact_rows_;                ///< within a response
+    Real depth_at_start_ = 0;  ///< of the deepest particle in what cloth should be outside of [m]
     Vec3 steer_ = Vec3::Zero();
     std::size_t users_ball_ = 0;                 ///< that the user leads, drops and throws
     std::optional<BallMotion> motion_by_scene_;  ///< of that ball, once the user has taken it over
@@ -165,7 +164,6 @@ private:
     SleepWatch sleep_;
     StepReport report_;
     int planned_substeps_ = 1;  ///< for the stability limit alone
-    double touched_ = -never;   ///< when anything last did [s]
     double steady_work_ = 0;    ///< of free balls in this substep, by pushes that are forces of the cloths' steps [J]
     NotCopied<std::vector<ClothView>> shown_;
     PairMarks pair_marks_;                ///< on the hierarchies that are shown
