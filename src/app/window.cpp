@@ -225,7 +225,7 @@ void Window::start_scene() {
     camera_ = shown_ = Camera(session_.simulation().settings().view);
     renderer_->set_scene(session_.simulation().settings());
     renderer_->set_hint({});
-    hinting_ = false;
+    hinting_ = touring_ = false;
     show_title();
 }
 

@@ -84,6 +84,7 @@ private:
     void compare(const Entry& entry);
     [[nodiscard]] std::vector<Command> go_to_stop(int stop);
     void show_stop();
+    void leave_tour();
     void forget_hint();
     void forget_run();
     bool close_topmost();
@@ -143,6 +144,7 @@ private:
     bool panel_button_ = false;  ///< the left button is down at the settings panel
     int panel_frames_ = 0;       ///< to be drawn for what the settings panel was told
     int stop_ = -1;              ///< of the tour; -1: none yet
+    bool touring_ = false;       ///< the scene is a stop's, and its panel is on show
     bool hinting_ = false;       ///< the first hints are on show
 };
 

@@ -134,6 +134,15 @@ void Window::show_stop() {
     renderer_->set_hint(tour_hint(static_cast<std::size_t>(stop_)));
     renderer_->set_scene(session_.simulation().settings());
     hinting_ = false;
+    touring_ = true;
+}
+
+// Its scene stays
+void Window::leave_tour() {
+    touring_ = false;
+    renderer_->set_hint({});
+    notices_.add("tour", "The tour has ended; F1 takes it up again, Esc quits");
+    dirty_ = true;
 }
 
 // What lies over the others, first
@@ -148,6 +157,8 @@ bool Window::close_topmost() {
         carry_out(command::Set{"view.help=false"});
     } else if (view.controls) {
         carry_out(command::Set{"view.controls=false"});
+    } else if (touring_) {
+        leave_tour();
     } else {
         return false;
     }

@@ -137,7 +137,7 @@ std::vector<Entry> make_entries(const std::vector<std::string>& scenes) {
         {"Tour", {"F1"}, "Tour: next stop", "scene hang", Manner::NextStop, "Tour: next, previous stop"},
         {"Tour", {"F2"}, "Tour: previous stop", "scene hang", Manner::StopBefore, "Tour: next, previous stop"},
         {"", {"H", "?"}, "Help", "next view.help"},
-        {"", {"Esc", "Q"}, "Quit", "quit", Manner::Once, "Quit; Esc closes menu, list, help and settings first"},
+        {"", {"Esc", "Q"}, "Quit", "quit", Manner::Once, "Quit; Esc closes menu, list, help, settings and tour first"},
     };
     entries.insert(entries.end(), rest.begin(), rest.end());
     return entries;

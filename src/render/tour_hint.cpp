@@ -13,7 +13,7 @@ std::vector<KeyHelp> tour_hint(std::size_t stop) {
             {"See", std::string(now.look)},
             {"Try", std::string(now.try_it)},
             {"Read", std::string(now.file)},
-            {"F1, F2", "Next stop, previous stop"}};
+            {"F1, F2, Esc", "Next stop, previous stop, end of the tour"}};
 }
 
 }  // namespace drape

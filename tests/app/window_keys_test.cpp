@@ -209,6 +209,21 @@ TEST_F(WindowTest, EscapeClosesWhatIsOpenBeforeItQuits) {
     EXPECT_EQ(drape_->wait(60), 0) << drape_->standard_error();
 }
 
+TEST_F(WindowTest, EscapeLeavesTheTourBeforeItQuits) {
+    start({"--tour"});
+    desktop_.key("F1");
+    ASSERT_TRUE(recorded("scene " + std::string(tour_stops()[1].scene)));
+    desktop_.key("Escape");
+    desktop_.key("c");
+    ASSERT_TRUE(recorded("next view.contacts")) << "the program runs on";
+    desktop_.key("F1");
+    ASSERT_TRUE(recorded("scene " + std::string(tour_stops()[2].scene))) << "the tour goes on where it was";
+    desktop_.key("3");
+    ASSERT_TRUE(recorded("scene " + scene_names()[2])) << "another scene is none of the tour";
+    desktop_.key("Escape");
+    EXPECT_EQ(drape_->wait(60), 0) << drape_->standard_error();
+}
+
 TEST_F(WindowTest, EscapeThatIsHeldClosesOneThing) {
     start({"hang", "--set", "view.controls=true", "view.help=true"});
     desktop_.hold("Escape", window_, 5);

@@ -39,7 +39,7 @@ protected:
              "a scene should model no more than what it shows."},
             {"Try", "M, Cloth, particles: with ever fewer of them the folds go first, and the outline last."},
             {"Read", "src/lab/needs/needs.cpp"},
-            {"F1, F2", "Next stop, previous stop"}};
+            {"F1, F2, Esc", "Next stop, previous stop, end of the tour"}};
     }
 
     const std::vector<PanelBox>& boxes(PictureShape size, const std::vector<std::string>& notices) {
