@@ -77,6 +77,7 @@ void draw_legend(const char* other_settings, ImVec2 line, float end) {
 }  // namespace
 
 void ComparisonPanel::keep(const FrameView& view) {
+    if (view.comparison != nullptr) other_medians_.keep(*view.comparison->report);
     if (view.comparison == nullptr || view.report->time < time_) first_ = count_ = 0;
     if (view.comparison == nullptr || (count_ > 0 && view.report->time < time_ + kept_interval)) return;
     if (count_ == most) {
@@ -96,6 +97,7 @@ float ComparisonPanel::draw(const FrameView& view, const OverlayPage& page, floa
     draw_panel(panel, {width, height});
     ImVec2 line{panel.x + margin, panel.y + margin};
     const float first = line.x + 9 * size, other = line.x + 15.5f * size, end = right - margin;
+    const StepReport other_report = other_medians_.steadied(*view.comparison->report);
     FigureText text{};
 
     draw_legend(view.comparison->assignments.data(), line, end);
@@ -106,7 +108,7 @@ float ComparisonPanel::draw(const FrameView& view, const OverlayPage& page, floa
         line.y += row;
         text_at(line, ink::quiet, figures.label);
         text_at({first, line.y}, ink::text, figure_text(figures, *view.report).data());
-        text_at({other, line.y}, ink::text, figure_text(figures, *view.comparison->report).data());
+        text_at({other, line.y}, ink::text, figure_text(figures, other_report).data());
     }
     line.y += row;
     const ShortText rms = millimetres(view.comparison->rms), apart = millimetres(view.comparison->largest);

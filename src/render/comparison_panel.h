@@ -5,6 +5,7 @@
 
 #include "drape/sim/comparison.h"
 #include "figures_panel.h"
+#include "step_medians.h"
 
 namespace drape {
 
@@ -26,6 +27,7 @@ public:
 
 private:
     static constexpr std::size_t most = 240;
+    StepMedians other_medians_;
     std::array<double, most> distances_{};
     std::size_t first_ = 0, count_ = 0;
     double time_ = 0;  ///< of the last one [s]

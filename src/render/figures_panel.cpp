@@ -50,7 +50,7 @@ std::string grouped(double value) {
 std::string value_text(double value, std::string_view unit) {
     if (unit.empty()) return grouped(value);
     if (unit == "1") return format("%.2f %%", 100 * value);
-    if (unit == "us") return format("%.1f us", value);
+    if (unit == "us") return time_text(value);
     if (unit == "m") return format("%.2f mm", 1000 * value);
     if (unit == "J") return format("%.4f J", value);
     return format("%.3f", value) + " " + std::string(unit);
@@ -262,6 +262,10 @@ void draw_row(const Row& row, float top, const Columns& columns) {
 }
 
 }  // namespace
+
+std::string time_text(double microseconds) {
+    return microseconds < 999.95 ? format("%.1f us", microseconds) : format("%.2f ms", microseconds / 1000);
+}
 
 float figures_panel(const FrameView& view, const FrameReport& last, ImFont* title, const OverlayPage& page) {
     std::vector<Row> rows;

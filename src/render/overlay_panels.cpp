@@ -221,9 +221,12 @@ void OverlayPanels::hand_over_input() {
     input_.typed.erase(input_.typed.begin());
 }
 
-bool OverlayPanels::build(const FrameView& view, const Camera& camera, const FrameReport& last,
+bool OverlayPanels::build(FrameView view, const Camera& camera, const FrameReport& last,
                           std::span<const std::string> notices, int width, int height) {
     const ViewSettings& shown = view.settings->view;
+    step_medians_.keep(*view.report);
+    const StepReport steady = step_medians_.steadied(*view.report);
+    view.report = &steady;
     plots_.keep(view);
     comparison_.keep(view);
     const bool showing_help = shown.help && !help.empty();

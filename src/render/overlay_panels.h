@@ -16,6 +16,7 @@
 #include "panel_boxes.h"
 #include "plots_panel.h"
 #include "settings_panel.h"
+#include "step_medians.h"
 #include "timeline_panel.h"
 
 struct ImFont;
@@ -33,8 +34,8 @@ public:
     /// Makes the panels of a frame as Dear ImGui's draw data.
     /// @param last what the frame before this one cost
     /// @return false if there is nothing to show, or no room
-    bool build(const FrameView& view, const Camera& camera, const FrameReport& last,
-               std::span<const std::string> notices, int width, int height);
+    bool build(FrameView view, const Camera& camera, const FrameReport& last, std::span<const std::string> notices,
+               int width, int height);
 
     /// Where the panels of the last frame are.
     [[nodiscard]] const std::vector<PanelBox>& boxes() const { return boxes_; }
@@ -79,6 +80,7 @@ private:
         [[nodiscard]] const PanelPointer& last() const { return next.empty() ? seen : next.back(); }
     };
 
+    StepMedians step_medians_;
     HierarchyPanel hierarchy_;
     PlotsPanel plots_;
     ComparisonPanel comparison_;

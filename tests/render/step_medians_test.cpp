@@ -1,0 +1,60 @@
+#include "render/step_medians.h"
+
+#include <gtest/gtest.h>
+
+#include "render/figures_panel.h"
+
+namespace drape {
+namespace {
+
+class MedianSteps : public testing::Test {
+protected:
+    /// A step that took so long to integrate [s].
+    void make_step(double time) {
+        ++report_.step;
+        report_.times.step = time;
+        medians_.keep(report_);
+    }
+
+    [[nodiscard]] double shown() const { return medians_.steadied(report_).times.step; }
+
+    StepReport report_;
+    StepMedians medians_;
+};
+
+TEST_F(MedianSteps, DoNotShowAPauseOfTheMachine) {
+    for (int k = 0; k < 100; ++k) make_step(1e-4);
+    make_step(0.2);
+    EXPECT_EQ(shown(), 1e-4);
+    EXPECT_EQ(report_.times.step, 0.2) << "the report itself stays";
+}
+
+TEST_F(MedianSteps, FollowStepsThatTakeLongerNow) {
+    for (int k = 0; k < 100; ++k) make_step(1e-4);
+    for (std::size_t k = 0; k <= StepMedians::most / 2; ++k) make_step(3e-4);
+    EXPECT_EQ(shown(), 3e-4);
+}
+
+TEST_F(MedianSteps, CountAStepOnceHoweverOftenItIsDrawn) {
+    for (int k = 0; k < 3; ++k) make_step(1e-4);
+    report_.times.step = 1;
+    for (int picture = 0; picture < 50; ++picture) medians_.keep(report_);
+    EXPECT_EQ(shown(), 1e-4);
+}
+
+TEST_F(MedianSteps, BeginAgainWithTheRun) {
+    for (int k = 0; k < 100; ++k) make_step(1e-4);
+    report_.step = 0;
+    make_step(5e-4);
+    EXPECT_EQ(shown(), 5e-4);
+}
+
+TEST(TimeText, IsInMillisecondsFromAThousandMicrosecondsOn) {
+    EXPECT_EQ(time_text(812.34), "812.3 us");
+    EXPECT_EQ(time_text(999.94), "999.9 us");
+    EXPECT_EQ(time_text(999.96), "1.00 ms");
+    EXPECT_EQ(time_text(12346), "12.35 ms");
+}
+
+}  // namespace
+}  // namespace drape
