@@ -6,8 +6,12 @@ namespace drape {
 
 void Notices::add(const std::string& topic, const std::string& text) {
     constexpr double shown_for = 5;  // s
-    std::erase_if(notices_, [&](const Notice& notice) { return notice.topic == topic; });
+    remove(topic);
     notices_.push_back({topic, text, shown_for});
+}
+
+void Notices::remove(const std::string& topic) {
+    std::erase_if(notices_, [&](const Notice& notice) { return notice.topic == topic; });
 }
 
 bool Notices::advance(double elapsed) {

@@ -12,6 +12,9 @@ public:
     /// @param topic a text takes the place of the one before it on the same topic
     void add(const std::string& topic, const std::string& text);
 
+    /// Takes the text on a topic away, if there is one.
+    void remove(const std::string& topic);
+
     /// Lets time pass. @return whether a text went away
     bool advance(double elapsed);
 

@@ -211,6 +211,7 @@ void Window::tell_of_dangers() {
 
 void Window::tell_of_drops() {
     const double dropped = session_.dropped();
+    dropped_ = std::min(dropped_, dropped);
     if (dropped < dropped_ + 0.1) return;
     dropped_ = dropped;
     std::string seconds = std::to_string(dropped);
@@ -227,6 +228,7 @@ void Window::start_scene() {
     renderer_->set_hint({});
     hinting_ = touring_ = false;
     show_title();
+    clock_.lap();  // nothing is left out of a scene while it is loaded
 }
 
 void Window::take_panel_changes() {

@@ -328,6 +328,7 @@ void Window::forget_run() {
     pointer_.forget();
     steering_.forget_given();
     told_failure_.clear();
+    notices_.remove("dropped");
 }
 
 void Window::take_picture() {

@@ -98,6 +98,7 @@ void Session::carry_out(const Command& command, bool is_new) {
         simulation_.apply(command);
         compare_after(command);
     }
+    if (is_new && begins_again(command)) dropped_ = 0;
     if (is_new && recorder_) recorder_->write(steps_made_, command);
 }
 

@@ -171,6 +171,17 @@ TEST(Session, MakesUpForAQuarterOfASecondAfterAStallAndSaysWhatItDropped) {
     EXPECT_EQ(steps_made(session), 257) << "a clock that goes back makes no steps and takes none";
 }
 
+TEST(Session, CountsWhatItDroppedFromWhereTheRunBegan) {
+    for (const Command& again : {Command(command::Reset{}), Command(command::LoadScene{"hang"})}) {
+        Session session = small_session();
+        session.advance(10, unlimited);
+        session.send(command::Set{"view.speed=0.5"});
+        EXPECT_DOUBLE_EQ(session.dropped(), 9.75);
+        session.send(again);
+        EXPECT_EQ(session.dropped(), 0);
+    }
+}
+
 TEST(Session, GivesUpWholeStepsThatItsBudgetDoesNotCover) {
     Session session = small_session();
     session.advance(10.5 * step_length, 0);

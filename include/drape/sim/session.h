@@ -89,7 +89,8 @@ public:
     [[nodiscard]] FrameView view();
     [[nodiscard]] Simulation& simulation() { return simulation_; }
 
-    /// Simulated seconds that were cut because the machine could not keep up or stood still.
+    /// Simulated seconds of this run that were cut because the machine could not keep up or stood still: none as it
+    /// begins again.
     [[nodiscard]] double dropped() const { return dropped_; }
 
     /// What a replay has to say: how it first differed, and that its recording was cut. Empty while all is well.
