@@ -154,9 +154,10 @@ std::vector<KeyHelp> first_hints() {
     return {
         {"Drag", "Pull the cloth; beside it, orbit the view"},
         {"Right button", "Menu: scenes, integrators, bounding volumes"},
-        {"Arrow keys", "Move the ball; E and Shift+Q up and down"},
+        {"Arrow keys", "Move the ball; E and Shift+Q up and down", ShownIn::ScenesWithBall},
         {"Space", "Pause / Resume"},
-        {"B", "Bounding volumes that the ball is tested against"},
+        {"B", "Bounding volumes that the ball is tested against", ShownIn::ScenesWithBall},
+        {"B", "Bounding volumes of the cloth", ShownIn::ScenesWithoutBall},
         {"H, F1", "All keys; a tour of twelve stops"},
     };
 }
@@ -175,7 +176,8 @@ std::vector<KeyHelp> help_lines(const std::vector<Entry>& entries) {
         if (entry.keys.empty()) continue;
         const std::string text = entry.menu == "Scene" ? "Scenes" : entry.help.empty() ? entry.text : entry.help;
         if (lines.back().text != text) {
-            lines.push_back({entry.menu == "Scene" ? "1-9" : key_text(entry), text});
+            const ShownIn where = entry.menu == "Ball" ? ShownIn::ScenesWithBall : ShownIn::AnyScene;
+            lines.push_back({entry.menu == "Scene" ? "1-9" : key_text(entry), text, where});
         } else if (entry.menu != "Scene") {
             lines.back().key += ", " + key_text(entry);
         }

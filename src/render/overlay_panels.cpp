@@ -95,6 +95,15 @@ bool panels_fit(const ViewSettings& shown, bool hinted, float width, float heigh
     return columns * font + margins * margin <= width && rows * font <= height;
 }
 
+// Those that mean something in a scene
+void choose_lines(const std::vector<KeyHelp>& all, bool has_ball, std::vector<KeyHelp>& chosen) {
+    chosen.clear();
+    const ShownIn elsewhere = has_ball ? ShownIn::ScenesWithoutBall : ShownIn::ScenesWithBall;
+    for (const KeyHelp& line : all) {
+        if (line.where != elsewhere) chosen.push_back(line);
+    }
+}
+
 // Keys, and their texts beside them, which are wrapped where they are too long
 struct KeyColumns {
     float texts_from = 0, texts = 0;
@@ -230,6 +239,8 @@ bool OverlayPanels::build(FrameView view, const Camera& camera, const FrameRepor
     plots_.keep(view);
     comparison_.keep(view);
     const bool showing_help = shown.help && !help.empty();
+    if (showing_help) choose_lines(help, !view.balls.empty(), shown_help_);
+    choose_lines(hint, !view.balls.empty(), shown_hint_);
     const bool showing_panel = shown.panel != PanelSize::Off;
     const bool showing_time = TimelinePanel::is_due(view.timeline, view.paused);
     const bool hinted = !hint.empty() && !showing_help;
@@ -335,19 +346,20 @@ std::optional<std::size_t> OverlayPanels::help_font(const OverlayPage& page, flo
 }
 
 bool OverlayPanels::help_fits(const OverlayPage& page, float left, float right) const {
-    const ImVec2 size = key_panel_size(help, 1e6f, ImGui::GetTextLineHeight(), page.margin);
+    const ImVec2 size = key_panel_size(shown_help_, 1e6f, ImGui::GetTextLineHeight(), page.margin);
     return size.x <= right - left && size.y <= page.height - 2 * page.margin;
 }
 
 void OverlayPanels::help_panel(const OverlayPage& page, float left, float right) const {
     const float margin = page.margin, room = page.height - 2 * margin;
     // Closer lines where they would not all fit
-    const float row = std::clamp((room - 2 * margin) / static_cast<float>(help.size()), ImGui::GetTextLineHeight(),
-                                 ImGui::GetTextLineHeightWithSpacing());
-    std::size_t fitting = help.size();
-    ImVec2 size = key_panel_size(help, right - left, row, margin);
-    while (size.y > room + 1 && fitting > 1) size = key_panel_size({help.data(), --fitting}, right - left, row, margin);
-    key_panel({help.data(), fitting}, {right - size.x, margin}, size, row, margin);
+    const float row = std::clamp((room - 2 * margin) / static_cast<float>(shown_help_.size()),
+                                 ImGui::GetTextLineHeight(), ImGui::GetTextLineHeightWithSpacing());
+    std::size_t fitting = shown_help_.size();
+    ImVec2 size = key_panel_size(shown_help_, right - left, row, margin);
+    while (size.y > room + 1 && fitting > 1)
+        size = key_panel_size({shown_help_.data(), --fitting}, right - left, row, margin);
+    key_panel({shown_help_.data(), fitting}, {right - size.x, margin}, size, row, margin);
 }
 
 // In a smaller font where there is no room
@@ -355,11 +367,12 @@ void OverlayPanels::hint_panel(const OverlayPage& page, std::size_t font) const 
     for (std::size_t smaller = font + 1; smaller-- > 0;) {
         ImGui::PushFont(fonts_[smaller]);
         const float row = ImGui::GetTextLineHeightWithSpacing();
-        const auto size_within = [&](float width) { return key_panel_size(hint, width, row, page.margin); };
+        const auto size_within = [&](float width) { return key_panel_size(shown_hint_, width, row, page.margin); };
         const float least = std::min(size_within(1e6f).x, hint_columns * ImGui::GetFontSize());
         const std::optional<PanelBox> box = free_place(page, boxes_, size_within, least, false);
         if (box)
-            key_panel(hint, {box->left, box->top}, {box->right - box->left, box->bottom - box->top}, row, page.margin);
+            key_panel(shown_hint_, {box->left, box->top}, {box->right - box->left, box->bottom - box->top}, row,
+                      page.margin);
         ImGui::PopFont();
         if (box) return;
     }

@@ -84,6 +84,7 @@ private:
     HierarchyPanel hierarchy_;
     PlotsPanel plots_;
     ComparisonPanel comparison_;
+    std::vector<KeyHelp> shown_help_, shown_hint_;  ///< lines that mean something in the scene
     std::vector<PanelBox> boxes_;
     std::unique_ptr<ImGuiContext, DestroyContext> context_;
     Input input_;

@@ -77,6 +77,14 @@ TEST(Entries, ALetterIsItsKeyInEitherCaseUnlessShiftHasItsOwn) {
     EXPECT_EQ(command_of('#', false), "");
 }
 
+TEST(Entries, OfTheBallHelpOnlyInScenesThatHaveOne) {
+    for (const KeyHelp& line : help_lines(make_entries(scene_names()))) {
+        const bool of_a_ball =
+            line.text.find("ball") != std::string::npos || line.text.find("Ball") != std::string::npos;
+        EXPECT_EQ(line.where == ShownIn::ScenesWithBall, of_a_ball) << line.text;
+    }
+}
+
 TEST(Entries, AreTheTableOfTheReadme) {
     const std::string readme = test::read_file(std::string(DRAPE_SOURCE_DIR) + "/README.md");
     for (const KeyHelp& line : help_lines(make_entries(scene_names()))) {

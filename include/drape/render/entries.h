@@ -51,7 +51,7 @@ const Entry* find_entry(const std::vector<Entry>& entries, std::string_view key)
 /// "Space, P".
 std::string key_text(const Entry& entry);
 
-/// What a newcomer may try first.
+/// What a newcomer may try first, in scenes with a ball and in those without.
 std::vector<KeyHelp> first_hints();
 
 /// The mouse's lines, then one for each entry with a key; the scenes share one.

@@ -32,10 +32,14 @@ struct FrameField {
 };
 std::span<const FrameField> frame_fields();
 
-/// What a key does, for the help panel.
+/// In which scenes a line is shown.
+enum class ShownIn { AnyScene, ScenesWithBall, ScenesWithoutBall };
+
+/// What a key does, for the panels of help and hints.
 struct KeyHelp {
     std::string key;
     std::string text;
+    ShownIn where = ShownIn::AnyScene;
 };
 
 /// The pointer, as panels see it.
