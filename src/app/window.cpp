@@ -94,7 +94,7 @@ void Window::on_tick() {
         failure_ = std::make_exception_ptr(RunError(simulation.report().trouble));
         return leave();
     }
-    const bool sleeps = simulation.report().asleep && !simulation.paused() && session_.view().comparison == nullptr;
+    const bool sleeps = simulation.report().asleep && !simulation.paused() && is_at_rest(session_.view());
     dirty_ |= notices_.advance(elapsed) || (simulation.paused() ? simulation.report().step != drawn_step_ : !sleeps);
     menu_->update(simulation);
     take_panel_changes();

@@ -158,6 +158,12 @@ std::vector<Row> rows_ahead(ReportGroup group, const FrameView& view) {
     }
 }
 
+// Of what is at rest there is none
+std::string rate_text(const FrameView& view, const FrameReport& last) {
+    if (is_at_rest(view)) return view.paused ? "paused" : "asleep";
+    return format("%.1f", last.rate);
+}
+
 // What the lines on the ground are apart
 void add_grid_row(const FrameView& view, std::vector<Row>& rows) {
     if (view.settings->view.grid) rows.push_back({"ground grid", "10 cm, 1 m", -1, 1});
@@ -169,7 +175,7 @@ std::vector<Row> compact_rows(const FrameView& view, const FrameReport& last) {
     rows.push_back({"contacts", grouped(static_cast<double>(view.report->contacts)), -1, 3});
     if (tests_of_brute_force(view) > 0) rows.push_back(candidates_row(view));
     std::ranges::move(saving_rows(view), std::back_inserter(rows));
-    rows.push_back({"FPS", format("%.1f", last.rate), -1, 3});
+    rows.push_back({"FPS", rate_text(view, last), -1, 3});
     add_grid_row(view, rows);
     rows.push_back({"Tab", "all figures", -1, 1, ink::quiet});
     return rows;
@@ -195,8 +201,8 @@ void add_report_rows(const FrameView& view, std::vector<Row>& rows) {
     }
 }
 
-void add_cost_rows(const FrameReport& last, std::vector<Row>& rows) {
-    rows.push_back({"FPS", format("%.1f", last.rate), -1, 3, ink::text, true});
+void add_cost_rows(const FrameView& view, const FrameReport& last, std::vector<Row>& rows) {
+    rows.push_back({"FPS", rate_text(view, last), -1, 3, ink::text, true});
     rows.push_back({"CPU", format("%.0f %%", 100 * last.cpu), -1, 2});
     rows.push_back({"GL calls", grouped(last.gl_calls), -1, 2});
     rows.push_back({"vertices", grouped(last.vertices), -1, 2});
@@ -273,7 +279,7 @@ float figures_panel(const FrameView& view, const FrameReport& last, ImFont* titl
         rows = compact_rows(view, last);
     } else {
         add_report_rows(view, rows);
-        add_cost_rows(last, rows);
+        add_cost_rows(view, last, rows);
         add_grid_row(view, rows);
     }
 

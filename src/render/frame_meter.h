@@ -23,7 +23,13 @@ public:
             cpu_ = processor / elapsed;
         }
         if (!over) return;
+        begin_again();
         first_second_ = false;
+    }
+
+    /// The pictures so far came now and then: the average begins again with this one.
+    void begin_again() {
+        first_second_ = true;
         frames_ = 0;
         processor_start_ = std::clock();
         watch_.lap();

@@ -59,6 +59,11 @@ struct FrameView {
     bool hurried = false;                        ///< to be drawn fast, where `view.quality` leaves it open
 };
 
+/// Whether nothing in a view moves until something is done to it: a window draws it now and then.
+inline bool is_at_rest(const FrameView& view) {
+    return view.paused || (view.report->asleep && view.comparison == nullptr);
+}
+
 /// Whether a view is drawn fast.
 inline bool is_fast(const FrameView& view) {
     const PictureQuality quality = view.settings->view.quality;
