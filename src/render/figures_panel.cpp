@@ -173,6 +173,9 @@ void add_grid_row(const FrameView& view, std::vector<Row>& rows) {
 std::vector<Row> compact_rows(const FrameView& view, const FrameReport& last) {
     std::vector<Row> rows = rows_ahead(ReportGroup::Time, view);
     rows.push_back({"contacts", grouped(static_cast<double>(view.report->contacts)), -1, 3});
+    if (view.settings->contact.self) {
+        rows.push_back({"touching pairs", grouped(static_cast<double>(view.report->pairs)), -1, 3});
+    }
     if (tests_of_brute_force(view) > 0) rows.push_back(candidates_row(view));
     std::ranges::move(saving_rows(view), std::back_inserter(rows));
     rows.push_back({"FPS", rate_text(view, last), -1, 3});
