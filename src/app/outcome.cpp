@@ -44,6 +44,8 @@ std::string why_without_effect(const std::string& name, const Settings& settings
         return "no effect while the bounding volume is " + std::string(name_of(volume));
     }
     if (name == "view.level" && !settings.view.bounds && settings.view.colour != ColourBy::Level) return "B shows it";
+    if (name == "solver.ledger" && settings.solver.ledger && settings.view.panel == PanelSize::Off)
+        return "Tab shows it";
     const bool unused = (name == "solver.hessian" && !solves_a_system(integrator)) ||
                         (name == "solver.iterations" && !makes_rounds(integrator));
     if (unused) return "no effect with " + std::string(name_of(integrator));

@@ -169,7 +169,17 @@ void add_grid_row(const FrameView& view, std::vector<Row>& rows) {
     if (view.settings->view.grid) rows.push_back({"ground grid", "10 cm, 1 m", -1, 1});
 }
 
-// What a glance takes in
+// Where energy went to and came from, while a ledger is kept
+void add_balance_rows(const FrameView& view, std::vector<Row>& rows) {
+    if (!view.settings->solver.ledger) return;
+    const std::size_t first = rows.size();
+    for (const ReportField& field : report_fields()) {
+        if (field.group == ReportGroup::Balance) rows.push_back(report_row(field, *view.report));
+    }
+    rows[first].opens_group = true;
+}
+
+// What a glance takes in, and what the user has asked for
 std::vector<Row> compact_rows(const FrameView& view, const FrameReport& last) {
     std::vector<Row> rows = rows_ahead(ReportGroup::Time, view);
     rows.push_back({"contacts", grouped(static_cast<double>(view.report->contacts)), -1, 3});
@@ -180,6 +190,7 @@ std::vector<Row> compact_rows(const FrameView& view, const FrameReport& last) {
     std::ranges::move(saving_rows(view), std::back_inserter(rows));
     rows.push_back({"FPS", rate_text(view, last), -1, 3});
     add_grid_row(view, rows);
+    add_balance_rows(view, rows);
     rows.push_back({"Tab", "all figures", -1, 1, ink::quiet});
     return rows;
 }

@@ -16,7 +16,8 @@ inline constexpr float figures_columns = 16.9f;
 std::string time_text(double microseconds);
 
 /// The stats panel at the top left: scene, integrator, time, stages, hierarchy, energy, cost; a few of these where it
-/// is compact. Rows that do not fit are left out, the least important first.
+/// is compact, and the energy balance while a ledger is kept. Rows that do not fit are left out, the least important
+/// first.
 /// @pre the panel is not off
 /// @param last what the frame before this one cost
 /// @return the panel's right edge [pixel]

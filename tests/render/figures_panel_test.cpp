@@ -32,5 +32,13 @@ TEST_F(CompactPanel, CountsPairsOfClothThatMeetsItself) {
     EXPECT_GT(height(), without);
 }
 
+TEST_F(CompactPanel, HasTheEnergyBalanceThatTheUserAsksFor) {
+    settings_.solver.ledger = false;
+    const float without = height();
+    settings_.solver.ledger = true;
+    const float row = 15;
+    EXPECT_GT(height(), without + 9 * row);
+}
+
 }  // namespace
 }  // namespace drape
