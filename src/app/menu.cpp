@@ -9,6 +9,29 @@ namespace drape {
 
 namespace {
 
+// As far as it is made
+struct Submenu {
+    std::string path;
+    int number;  // GLUT's
+    int length;  // in entries
+};
+
+// The place of a menu among those that are made; it and what it is in are made where they are not there yet.
+std::size_t submenu(const std::string& path, std::vector<Submenu>& menus, void (*choose)(int entry, void* user),
+                    void* user) {
+    const auto found = std::ranges::find(menus, path, &Submenu::path);
+    if (found != menus.end()) return static_cast<std::size_t>(found - menus.begin());
+    const std::size_t slash = path.rfind('/');
+    const bool is_nested = slash != std::string::npos;
+    Submenu& around = menus[submenu(is_nested ? path.substr(0, slash) : "", menus, choose, user)];
+    const int number = glutCreateMenuUcall(choose, user);
+    glutSetMenu(around.number);
+    glutAddSubMenu(path.substr(is_nested ? slash + 1 : 0).c_str(), number);
+    ++around.length;
+    menus.push_back({path, number, 0});
+    return menus.size() - 1;
+}
+
 std::string with_keys(const Entry& entry) {
     return entry.keys.empty() ? entry.text : entry.text + "  (" + key_text(entry) + ")";
 }
@@ -38,22 +61,10 @@ std::string MenuMark::text(const Simulation& simulation) const {
 }
 
 Menu::Menu(const std::vector<Entry>& entries, void (*choose)(int entry, void* user), void* user) {
-    struct Submenu {
-        std::string title;
-        int number;
-        int length;
-    };
     std::vector<Submenu> menus{{"", glutCreateMenuUcall(choose, user), 0}};
     for (std::size_t e = 0; e < entries.size(); ++e) {
         const Entry& entry = entries[e];
-        auto menu = std::ranges::find(menus, entry.menu, &Submenu::title);
-        if (menu == menus.end()) {
-            menus.push_back({entry.menu, glutCreateMenuUcall(choose, user), 0});
-            menu = menus.end() - 1;
-            glutSetMenu(menus.front().number);
-            glutAddSubMenu(menu->title.c_str(), menu->number);
-            ++menus.front().length;
-        }
+        Submenu* const menu = &menus[submenu(entry.menu, menus, choose, user)];
         glutSetMenu(menu->number);
         glutAddMenuEntry(entry.text.c_str(), static_cast<int>(e));
         // What an entry sets by itself is no choice among others

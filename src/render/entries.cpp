@@ -29,10 +29,10 @@ void append_choices(std::vector<Entry>& entries, const std::string& menu, const 
 std::vector<Entry> make_entries(const std::vector<std::string>& scenes) {
     std::vector<Entry> entries{
         {"", {"Space", "P"}, "Pause / Resume", "pause"},
-        {"", {"O", "."}, "Single step", "step 1"},
-        {"", {"Shift+O"}, "Single frame of 1/60 s", "step 1", Manner::OneFrame},
-        {"", {","}, "One step back", "step 1", Manner::StepBack, "One step back, 1/60 s back"},
-        {"", {"<"}, "1/60 s back", "step 1", Manner::FrameBack, "One step back, 1/60 s back"},
+        {"Time", {"O", "."}, "Single step", "step 1"},
+        {"Time", {"Shift+O"}, "Single frame of 1/60 s", "step 1", Manner::OneFrame},
+        {"Time", {","}, "One step back", "step 1", Manner::StepBack, "One step back, 1/60 s back"},
+        {"Time", {"<"}, "1/60 s back", "step 1", Manner::FrameBack, "One step back, 1/60 s back"},
         {"", {"R"}, "Reset", "reset"},
         {"", {"Shift+R"}, "Reset with a stable time step", "reset", Manner::SafeStep},
     };
@@ -54,14 +54,14 @@ std::vector<Entry> make_entries(const std::vector<std::string>& scenes) {
     entries.push_back({"Time step", {}, "Above the stability limit: warn", "set solver.on_unstable=warn"});
     entries.push_back({"Time step", {}, "Above the stability limit: substep", "set solver.on_unstable=substep"});
     entries.push_back({"Time step", {}, "Above the stability limit: quit", "set solver.on_unstable=stop"});
-    entries.push_back({"Bounding volumes", {"T"}, "Next bounding volume", "next contact.volume"});
-    append_choices(entries, "Bounding volumes", "contact.volume", names_of<VolumeKind>());
-    entries.push_back({"Sphere fit", {"Y"}, "Next sphere fit", "next contact.sphere_fit"});
-    append_choices(entries, "Sphere fit", "contact.sphere_fit", names_of<SphereFit>());
-    entries.push_back({"BVH update", {"U"}, "Next BVH update policy", "next contact.update"});
-    append_choices(entries, "BVH update", "contact.update", names_of<UpdateKind>());
-    entries.push_back({"Colour by", {"J"}, "Colour the cloth by the next quantity", "next view.colour"});
-    append_choices(entries, "Colour by", "view.colour", names_of<ColourBy>());
+    entries.push_back({"Hierarchy/Bounding volume", {"T"}, "Next bounding volume", "next contact.volume"});
+    append_choices(entries, "Hierarchy/Bounding volume", "contact.volume", names_of<VolumeKind>());
+    entries.push_back({"Hierarchy/Sphere fit", {"Y"}, "Next sphere fit", "next contact.sphere_fit"});
+    append_choices(entries, "Hierarchy/Sphere fit", "contact.sphere_fit", names_of<SphereFit>());
+    entries.push_back({"Hierarchy/BVH update policy", {"U"}, "Next BVH update policy", "next contact.update"});
+    append_choices(entries, "Hierarchy/BVH update policy", "contact.update", names_of<UpdateKind>());
+    entries.push_back({"View/Colour by", {"J"}, "Colour the cloth by the next quantity", "next view.colour"});
+    append_choices(entries, "View/Colour by", "view.colour", names_of<ColourBy>());
     const auto compare = [&](const char* text, const char* scene, const char* change, const char* versus) {
         entries.push_back({"Compare", {}, text, std::string("scene ") + scene, Manner::Compare, {}, {change, versus}});
     };
@@ -74,18 +74,18 @@ std::vector<Entry> make_entries(const std::vector<std::string>& scenes) {
     compare("15 x 15 against 29 x 29 particles", "original", "cloth.particles=15,15", "cloth.particles=29,29");
     entries.push_back({"Compare", {}, "End of the comparison", "compare none"});
     const std::vector<Entry> rest{
-        {"Leaf size", {}, "Auto", "set contact.leaf_cells=0"},
-        {"Leaf size", {}, "2 x 2 cells", "set contact.leaf_cells=2"},
-        {"Leaf size", {}, "4 x 4 cells", "set contact.leaf_cells=4"},
-        {"Leaf size", {}, "7 x 7 cells", "set contact.leaf_cells=7"},
-        {"Leaf size", {}, "15 x 15 cells", "set contact.leaf_cells=15"},
-        {"Search depth", {}, "Unlimited", "set contact.search_level=30"},
-        {"Search depth", {}, "To level 4", "set contact.search_level=4"},
-        {"Search depth", {}, "To level 3", "set contact.search_level=3"},
-        {"Search depth", {}, "To level 2", "set contact.search_level=2"},
-        {"Search depth", {}, "Skip build when contact is impossible", "next contact.coherence"},
-        {"Sleep", {}, "At rest", "set solver.sleep_speed=2e-04"},
-        {"Sleep", {}, "Never", "set solver.sleep_speed=0"},
+        {"Hierarchy/Leaf size", {}, "Auto", "set contact.leaf_cells=0"},
+        {"Hierarchy/Leaf size", {}, "2 x 2 cells", "set contact.leaf_cells=2"},
+        {"Hierarchy/Leaf size", {}, "4 x 4 cells", "set contact.leaf_cells=4"},
+        {"Hierarchy/Leaf size", {}, "7 x 7 cells", "set contact.leaf_cells=7"},
+        {"Hierarchy/Leaf size", {}, "15 x 15 cells", "set contact.leaf_cells=15"},
+        {"Hierarchy/Search depth", {}, "Unlimited", "set contact.search_level=30"},
+        {"Hierarchy/Search depth", {}, "To level 4", "set contact.search_level=4"},
+        {"Hierarchy/Search depth", {}, "To level 3", "set contact.search_level=3"},
+        {"Hierarchy/Search depth", {}, "To level 2", "set contact.search_level=2"},
+        {"Hierarchy/Search depth", {}, "Skip build when contact is impossible", "next contact.coherence"},
+        {"Time/Sleep", {}, "At rest", "set solver.sleep_speed=2e-04"},
+        {"Time/Sleep", {}, "Never", "set solver.sleep_speed=0"},
         {"View", {"B"}, "Bounding volumes", "next view.bounds"},
         {"View", {"["}, "Level -", "add view.level -1", Manner::Once, "Coarser, finer level of bounding volumes"},
         {"View", {"]"}, "Level +", "add view.level 1", Manner::Once, "Coarser, finer level of bounding volumes"},
@@ -129,8 +129,8 @@ std::vector<Entry> make_entries(const std::vector<std::string>& scenes) {
         {"Ball", {"X"}, "Throw the ball where you look", "throw 0 0 0 0 0 0", Manner::Aimed},
         {"Ball", {"Z"}, "Let the ball fall", "fall"},
         {"", {"G"}, "Remove all pins", "set cloth.pinned=none"},
-        {"", {"-"}, "Slower", "set view.speed=0.5", Manner::Slower, "Slower, faster"},
-        {"", {"=", "+"}, "Faster", "set view.speed=2", Manner::Faster, "Slower, faster"},
+        {"Time", {"-"}, "Slower", "set view.speed=0.5", Manner::Slower, "Slower, faster"},
+        {"Time", {"=", "+"}, "Faster", "set view.speed=2", Manner::Faster, "Slower, faster"},
         {"", {"V"}, "Wind", "next wind.on"},
         {"", {"F12"}, "Save screenshot", "picture"},
         {"", {"Shift+F12"}, "Record video: start, end", "video"},

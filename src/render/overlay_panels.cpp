@@ -9,6 +9,7 @@
 
 #include "colour_panel.h"
 #include "figures_panel.h"
+#include "key_panels.h"
 #include "overlay_style.h"
 #include "panel_boxes.h"
 
@@ -101,49 +102,6 @@ void choose_lines(const std::vector<KeyHelp>& all, bool has_ball, std::vector<Ke
     const ShownIn elsewhere = has_ball ? ShownIn::ScenesWithoutBall : ShownIn::ScenesWithBall;
     for (const KeyHelp& line : all) {
         if (line.where != elsewhere) chosen.push_back(line);
-    }
-}
-
-// Keys, and their texts beside them, which are wrapped where they are too long
-struct KeyColumns {
-    float texts_from = 0, texts = 0;
-    [[nodiscard]] float width() const { return texts_from + texts; }
-};
-
-KeyColumns columns_of(std::span<const KeyHelp> lines) {
-    KeyColumns columns;
-    for (const KeyHelp& line : lines) {
-        columns.texts_from = std::max(columns.texts_from, ImGui::CalcTextSize(line.key.c_str()).x);
-        columns.texts = std::max(columns.texts, ImGui::CalcTextSize(line.text.c_str()).x);
-    }
-    columns.texts_from += ImGui::GetFontSize();
-    return columns;
-}
-
-float row_height(const KeyHelp& line, float texts, float row) {
-    const float text = ImGui::CalcTextSize(line.text.c_str(), nullptr, false, texts).y;
-    return std::max(row, text + row - ImGui::GetTextLineHeight());
-}
-
-ImVec2 key_panel_size(std::span<const KeyHelp> lines, float most_width, float row, float margin) {
-    KeyColumns columns = columns_of(lines);
-    columns.texts = std::min(columns.texts, most_width - 2 * margin - columns.texts_from);
-    float height = 2 * margin;
-    for (const KeyHelp& line : lines) height += row_height(line, columns.texts + 1, row);
-    return {columns.width() + 2 * margin, height};
-}
-
-void key_panel(std::span<const KeyHelp> lines, ImVec2 corner, ImVec2 size, float row, float margin) {
-    draw_panel(corner, size);
-    corner = {corner.x + margin, corner.y + margin};
-    const KeyColumns columns = columns_of(lines);
-    const float texts = size.x - 2 * margin - columns.texts_from + 1;
-    for (const KeyHelp& line : lines) {
-        text_at(corner, ink::wait, line.key.c_str());
-        ImGui::PushTextWrapPos(corner.x + columns.texts_from + texts);
-        text_at({corner.x + columns.texts_from, corner.y}, ink::text, line.text.c_str());
-        ImGui::PopTextWrapPos();
-        corner.y += row_height(line, texts, row);
     }
 }
 
@@ -287,11 +245,11 @@ bool OverlayPanels::build(FrameView view, const Camera& camera, const FrameRepor
     if (showing_help && !notices.empty()) page.height = notice_panel(notices, page, size, false);
 
     // Help goes first where there is no room beside it
-    std::optional<std::size_t> help_size;
+    std::optional<Help> help_shown;
     bool beside = showing_panel;
     if (showing_help) {
-        help_size = help_font(page, right, showing_panel, size);
-        if (!help_size) beside = false, help_size = help_font(page, right, false, size).value_or(0);
+        help_shown = choose_help(page, right, showing_panel, size);
+        if (!help_shown->layout) beside = false, help_shown = choose_help(page, right, false, size);
     }
     // Nor is there room for a hint beside both other panels of a narrow page
     const float middle = right - 3 * margin - figures_columns * font;
@@ -300,10 +258,8 @@ bool OverlayPanels::build(FrameView view, const Camera& camera, const FrameRepor
     if (beside) left = figures_panel(view, last, fonts_[size + 1], page) + margin;
     // On a small page a hint is worth more than legends
     const bool legend_room = !hinted || right - left > (hint_columns + 32) * font || page.height > 36 * font;
-    if (help_size) {
-        ImGui::PushFont(fonts_[*help_size]);
-        help_panel(page, left, right);
-        ImGui::PopFont();
+    if (help_shown) {
+        draw_help(*help_shown, page, left, right);
     } else {
         const bool compared = view.comparison != nullptr && comparison_.draw(view, page, left, right) < right;
         const bool low = compared && page.height < 46 * font;
@@ -333,33 +289,26 @@ void OverlayPanels::legends(const FrameView& view, float taken, OverlayPage page
 }
 
 // The largest font, up to one, in which all keys are seen
-std::optional<std::size_t> OverlayPanels::help_font(const OverlayPage& page, float right, bool beside,
-                                                    std::size_t font) const {
+OverlayPanels::Help OverlayPanels::choose_help(const OverlayPage& page, float right, bool beside,
+                                               std::size_t font) const {
     const float left = page.margin + (beside ? figures_columns * font_sizes[font] + 3 * page.margin : 0);
     for (std::size_t smaller = font + 1; smaller-- > 0;) {
         ImGui::PushFont(fonts_[smaller]);
-        const bool fits = help_fits(page, left, right);
+        auto layout = lay_out_help(shown_help_, right - left, page.height - 2 * page.margin, page.margin);
         ImGui::PopFont();
-        if (fits) return smaller;
+        if (layout) return {smaller, std::move(layout)};
     }
-    return std::nullopt;
+    return {0, std::nullopt};
 }
 
-bool OverlayPanels::help_fits(const OverlayPage& page, float left, float right) const {
-    const ImVec2 size = key_panel_size(shown_help_, 1e6f, ImGui::GetTextLineHeight(), page.margin);
-    return size.x <= right - left && size.y <= page.height - 2 * page.margin;
-}
-
-void OverlayPanels::help_panel(const OverlayPage& page, float left, float right) const {
-    const float margin = page.margin, room = page.height - 2 * margin;
-    // Closer lines where they would not all fit
-    const float row = std::clamp((room - 2 * margin) / static_cast<float>(shown_help_.size()),
-                                 ImGui::GetTextLineHeight(), ImGui::GetTextLineHeightWithSpacing());
-    std::size_t fitting = shown_help_.size();
-    ImVec2 size = key_panel_size(shown_help_, right - left, row, margin);
-    while (size.y > room + 1 && fitting > 1)
-        size = key_panel_size({shown_help_.data(), --fitting}, right - left, row, margin);
-    key_panel({shown_help_.data(), fitting}, {right - size.x, margin}, size, row, margin);
+void OverlayPanels::draw_help(const Help& shown, const OverlayPage& page, float left, float right) const {
+    ImGui::PushFont(fonts_[shown.font]);
+    if (shown.layout) {
+        help_panel(shown_help_, *shown.layout, right, page.margin, page.margin);
+    } else {
+        cut_help_panel(shown_help_, left, right, page.height - 2 * page.margin, page.margin);
+    }
+    ImGui::PopFont();
 }
 
 // In a smaller font where there is no room

@@ -13,6 +13,7 @@
 #include "drape/render/renderer.h"
 #include "figures_panel.h"
 #include "hierarchy_panel.h"
+#include "key_panels.h"
 #include "panel_boxes.h"
 #include "plots_panel.h"
 #include "settings_panel.h"
@@ -59,13 +60,17 @@ private:
     };
 
     void legends(const FrameView& view, float taken, OverlayPage page);
-    void help_panel(const OverlayPage& page, float left, float right) const;
     void hint_panel(const OverlayPage& page, std::size_t font) const;
     float notice_panel(std::span<const std::string> notices, const OverlayPage& page, std::size_t font,
                        bool at_top) const;
-    [[nodiscard]] bool help_fits(const OverlayPage& page, float left, float right) const;
-    [[nodiscard]] std::optional<std::size_t> help_font(const OverlayPage& page, float right, bool beside,
-                                                       std::size_t font) const;
+
+    /// Of all lines, or without a layout where some have to be left out.
+    struct Help {
+        std::size_t font;  ///< of `fonts_`
+        std::optional<HelpLayout> layout;
+    };
+    [[nodiscard]] Help choose_help(const OverlayPage& page, float right, bool beside, std::size_t font) const;
+    void draw_help(const Help& shown, const OverlayPage& page, float left, float right) const;
 
     void hand_over_input();
 

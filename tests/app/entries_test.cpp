@@ -3,6 +3,7 @@
 #include <gtest/gtest.h>
 
 #include <filesystem>
+#include <map>
 #include <set>
 
 #include "../../src/app/keys.h"
@@ -75,6 +76,20 @@ TEST(Entries, ALetterIsItsKeyInEitherCaseUnlessShiftHasItsOwn) {
     EXPECT_EQ(command_of(27, false), "quit");
     EXPECT_EQ(command_of('q', false), "quit");
     EXPECT_EQ(command_of('#', false), "");
+}
+
+TEST(Entries, MakeMenusThatFitOnASmallScreen) {
+    constexpr int screen = 600, row = 25;  // pixel, the latter in freeglut's menu
+    std::map<std::string, std::set<std::string>> menus;
+    for (const Entry& entry : make_entries(scene_names())) {
+        menus[entry.menu].insert("entry " + entry.text);
+        for (std::string menu = entry.menu; !menu.empty();) {
+            const std::string name = menu;
+            menu = name.find('/') == std::string::npos ? "" : name.substr(0, name.rfind('/'));
+            menus[menu].insert("menu " + name);
+        }
+    }
+    for (const auto& [name, items] : menus) EXPECT_LE(static_cast<int>(items.size()) * row, screen) << name;
 }
 
 TEST(Entries, OfTheBallHelpOnlyInScenesThatHaveOne) {

@@ -155,7 +155,7 @@ TEST_F(WindowTest, LosingTheKeyboardLetsGoOfTheBall) {
 
 TEST_F(WindowTest, TheMenuChoosesUnderThePointer) {
     start({"hang"});
-    desktop_.choose_in_menu(100, 100, 6);
+    desktop_.choose_in_menu(100, 100, 3);
     EXPECT_TRUE(recorded("reset"));
     desktop_.choose_in_menu(100, 100, 1);
     EXPECT_TRUE(recorded("pause", 1));

@@ -32,7 +32,7 @@ struct Pair {
 
 /// One thing that the user can do: from these, keys, menu, help panel and the README's table are made.
 struct Entry {
-    std::string menu;               ///< the submenu it is in; empty for the menu itself
+    std::string menu;               ///< the submenu it is in, as "View/Colour by"; empty for the menu itself
     std::vector<std::string> keys;  ///< "P", "Space", "F12", "Shift+O": letters without Shift fit either case
     std::string text;               ///< as in the menu
     std::string command;            ///< in text form

@@ -1,0 +1,134 @@
+#include "key_panels.h"
+
+#include <imgui.h>
+
+#include <algorithm>
+
+#include "overlay_style.h"
+
+namespace drape {
+
+namespace {
+
+constexpr float most_keys = 0.4f;        // of a column, that keys are wide
+constexpr float least_column = 22;       // that is readable [font size]
+constexpr std::size_t most_columns = 3;  // of help
+constexpr float unwrapped = 1e6f;        // wider than any text [pixel]
+constexpr float columns_apart = 2;       // [margin]
+
+KeyColumns columns_of(std::span<const KeyHelp> lines, float most_width) {
+    KeyColumns columns{.gap = ImGui::GetFontSize()};
+    for (const KeyHelp& line : lines) {
+        columns.keys = std::max(columns.keys, ImGui::CalcTextSize(line.key.c_str()).x);
+        columns.texts = std::max(columns.texts, ImGui::CalcTextSize(line.text.c_str()).x);
+    }
+    if (columns.width() <= most_width) return columns;
+    columns.keys = std::min(columns.keys, most_keys * most_width);
+    columns.texts = std::min(columns.texts, most_width - columns.keys - columns.gap);
+    return columns;
+}
+
+float text_height(const std::string& text, float width) {
+    return ImGui::CalcTextSize(text.c_str(), nullptr, false, width + 1).y;
+}
+
+float line_height(const KeyHelp& line, const KeyColumns& columns, float row) {
+    const float text = std::max(text_height(line.key, columns.keys), text_height(line.text, columns.texts));
+    return std::max(row, text + row - ImGui::GetTextLineHeight());
+}
+
+float height_of(std::span<const KeyHelp> lines, const KeyColumns& columns, float row) {
+    float height = 0;
+    for (const KeyHelp& line : lines) height += line_height(line, columns, row);
+    return height;
+}
+
+void wrapped_text(ImVec2 corner, float width, ImU32 colour, const std::string& text) {
+    ImGui::PushTextWrapPos(corner.x + width + 1);
+    text_at(corner, colour, text.c_str());
+    ImGui::PopTextWrapPos();
+}
+
+void draw_lines(std::span<const KeyHelp> lines, ImVec2 corner, const KeyColumns& columns, float row) {
+    for (const KeyHelp& line : lines) {
+        wrapped_text(corner, columns.keys, ink::wait, line.key);
+        wrapped_text({corner.x + columns.keys + columns.gap, corner.y}, columns.texts, ink::text, line.text);
+        corner.y += line_height(line, columns, row);
+    }
+}
+
+// Columns that are no higher than this, but for a line that is higher by itself
+HelpLayout filled_columns(std::span<const KeyHelp> lines, const KeyColumns& widths, float row, float height) {
+    HelpLayout layout{widths, {0}, row, 0};
+    float filled = 0;
+    for (std::size_t k = 0; k < lines.size(); ++k) {
+        const float line = line_height(lines[k], widths, row);
+        if (filled > 0 && filled + line > height) layout.starts.push_back(k), filled = 0;
+        filled += line;
+        layout.height = std::max(layout.height, filled);
+    }
+    return layout;
+}
+
+// As even as they can be
+HelpLayout even_columns(std::span<const KeyHelp> lines, const KeyColumns& widths, float row, std::size_t count) {
+    float height = height_of(lines, widths, row) / static_cast<float>(count);
+    for (;; height += row) {
+        HelpLayout layout = filled_columns(lines, widths, row, height + 0.5f);
+        if (layout.starts.size() <= count) return layout;
+    }
+}
+
+}  // namespace
+
+ImVec2 key_panel_size(std::span<const KeyHelp> lines, float most_width, float row, float margin) {
+    const KeyColumns columns = columns_of(lines, most_width - 2 * margin);
+    return {columns.width() + 2 * margin, height_of(lines, columns, row) + 2 * margin};
+}
+
+void key_panel(std::span<const KeyHelp> lines, ImVec2 corner, ImVec2 size, float row, float margin) {
+    draw_panel(corner, size);
+    const KeyColumns columns = columns_of(lines, size.x - 2 * margin + 0.5f);
+    draw_lines(lines, {corner.x + margin, corner.y + margin}, columns, row);
+}
+
+std::optional<HelpLayout> lay_out_help(std::span<const KeyHelp> lines, float width, float height, float margin) {
+    const float widest = columns_of(lines, unwrapped).width();
+    for (std::size_t count = 1; count <= most_columns; ++count) {
+        const auto columns = static_cast<float>(count);
+        const float each = (width - 2 * margin - (columns - 1) * columns_apart * margin) / columns;
+        if (each < std::min(widest, least_column * ImGui::GetFontSize())) break;
+        const KeyColumns widths = columns_of(lines, each);
+        // Closer lines where they would not all fit
+        for (const float row : {ImGui::GetTextLineHeightWithSpacing(), ImGui::GetTextLineHeight()}) {
+            HelpLayout layout = even_columns(lines, widths, row, count);
+            if (layout.height + 2 * margin <= height) return layout;
+        }
+    }
+    return std::nullopt;
+}
+
+void help_panel(std::span<const KeyHelp> lines, const HelpLayout& layout, float right, float top, float margin) {
+    const float step = layout.widths.width() + columns_apart * margin;
+    const float width = static_cast<float>(layout.starts.size()) * step - columns_apart * margin + 2 * margin;
+    draw_panel({right - width, top}, {width, layout.height + 2 * margin});
+    ImVec2 corner{right - width + margin, top + margin};
+    for (std::size_t c = 0; c < layout.starts.size(); ++c) {
+        const std::size_t first = layout.starts[c];
+        const std::size_t end = c + 1 < layout.starts.size() ? layout.starts[c + 1] : lines.size();
+        draw_lines(lines.subspan(first, end - first), corner, layout.widths, layout.row);
+        corner.x += step;
+    }
+}
+
+void cut_help_panel(std::span<const KeyHelp> lines, float left, float right, float height, float margin) {
+    const float row = ImGui::GetTextLineHeight();
+    ImVec2 size = key_panel_size(lines, right - left, row, margin);
+    while (size.y > height && lines.size() > 1) {
+        lines = lines.first(lines.size() - 1);
+        size = key_panel_size(lines, right - left, row, margin);
+    }
+    key_panel(lines, {right - size.x, margin}, size, row, margin);
+}
+
+}  // namespace drape
