@@ -67,7 +67,7 @@ void set_style() {
     style.FrameRounding = 3;
     style.ScrollbarSize = 10;
     style.Colors[ImGuiCol_FrameBg] = ImGui::ColorConvertU32ToFloat4(ink::groove);
-    style.Colors[ImGuiCol_SliderGrab] = ImGui::ColorConvertU32ToFloat4(ink::bar);
+    style.Colors[ImGuiCol_SliderGrab] = ImGui::ColorConvertU32ToFloat4(ink::grab);
     style.Colors[ImGuiCol_PopupBg] = ImGui::ColorConvertU32ToFloat4(ink::popup);
     for (const ImGuiCol part : {ImGuiCol_Header, ImGuiCol_Button}) {
         style.Colors[part] = ImGui::ColorConvertU32ToFloat4(ink::groove);
@@ -76,7 +76,7 @@ void set_style() {
     for (const ImGuiCol part : {ImGuiCol_FrameBgHovered, ImGuiCol_FrameBgActive}) {
         style.Colors[part] = ImGui::ColorConvertU32ToFloat4(ink::lit);
     }
-    style.Colors[ImGuiCol_SliderGrabActive] = ImGui::ColorConvertU32ToFloat4(ink::wait);
+    style.Colors[ImGuiCol_SliderGrabActive] = ImGui::ColorConvertU32ToFloat4(ink::grabbed);
     style.Colors[ImGuiCol_CheckMark] = ImGui::ColorConvertU32ToFloat4(ink::bar);
 }
 

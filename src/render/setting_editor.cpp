@@ -38,6 +38,7 @@ double rounded(double value) { return parse_real(real_text(value, 4)).value_or(v
 
 SliderScale slider_scale(const Setting& setting, double scene_value) {
     const Range& range = setting.range;
+    if (setting.usual_high > 0) return {range.low, std::max(setting.usual_high, scene_value), false};
     if (scene_value == 0) scene_value = default_number(setting);
     if (scene_value < 0) return {std::max(range.low, -10.0), std::min(range.high, 10.0), false};
     if (scene_value == 0) return {std::max(range.low, 0.0), std::min(range.high, 1.0), false};

@@ -10,6 +10,7 @@ using Values = std::vector<double>;
 constexpr Range lengths{-1e4, 1e4};  // m: everything happens within ten kilometres
 constexpr Range sizes{1e-6, 1e4};    // m
 constexpr Range any_text{0, 0};
+constexpr double usual_friction = 2;  // rubber
 
 void add_spring(SectionRows<ClothParameters>& rows, const std::string& kind, SpringLaw ClothParameters::*law,
                 const std::string& where) {
@@ -247,6 +248,7 @@ void add_the_rest(std::vector<Setting>& table) {
     contact.choice("response", &ContactSettings::response, "how contacts are answered");
     contact.number("friction", &ContactSettings::friction, "", {0, 10},
                    "Coulomb coefficient of balls, with cloth and each other, and of solids");
+    table.back().usual_high = usual_friction;
     contact.number("rolling", &ContactSettings::rolling, "", {0, 1},
                    "coefficient of rolling resistance of free balls on cloth and solids");
     contact.number("restitution", &ContactSettings::restitution, "", {0, 1}, "of the normal speed");
@@ -275,6 +277,7 @@ void add_the_rest(std::vector<Setting>& table) {
     ground.number("height", &Ground::height, "m", lengths, "of the plane that is drawn");
     ground.flag("solid", &Ground::solid, "cloth and balls stay above it; a ball on a path goes where that leads");
     ground.number("friction", &Ground::friction, "", {0, 10}, "Coulomb coefficient of what lies on it");
+    table.back().usual_high = usual_friction;
     ground.number("restitution", &Ground::restitution, "", {0, 1}, "of the normal speed");
     ground.number("rolling", &Ground::rolling, "", {0, 1}, "coefficient of rolling resistance of free balls");
 

@@ -138,5 +138,19 @@ TEST(SliderScale, LeadsOverTwoDecadesAboutTheScenesValue) {
     EXPECT_EQ(restitution.high, 1);
 }
 
+TEST(SliderScale, OfFrictionLeadsAsFarAsCoefficientsDoOrTheScenesOwn) {
+    for (const char* name : {"contact.friction", "ground.friction"}) {
+        const Setting& friction = find_setting(name);
+        for (const double of_the_scene : {0.0, 0.05, 0.5}) {
+            const SliderScale scale = slider_scale(friction, of_the_scene);
+            EXPECT_FALSE(scale.logarithmic);
+            EXPECT_EQ(scale.low, 0);
+            EXPECT_EQ(scale.high, 2);
+        }
+        EXPECT_EQ(slider_scale(friction, 3).high, 3);
+        EXPECT_EQ(friction.range.high, 10) << "what can be typed";
+    }
+}
+
 }  // namespace
 }  // namespace drape::test
