@@ -185,7 +185,8 @@ void Window::tell_whose_ball() {
     const std::vector<BallSettings>& balls = session_.simulation().settings().balls;
     if (balls.empty()) return notices_.add("ball", "This scene has no ball for the keys");
     const bool led = std::ranges::find(balls, BallMotion::Keys, &BallSettings::motion) != balls.end();
-    if (!led) notices_.add("ball", "The keys lead the ball from now on; R gives it back to the scene");
+    const std::string which = balls.size() > 1 ? "the ball with the red ring" : "the ball";
+    if (!led) notices_.add("ball", "The keys lead " + which + " from now on; R gives it back to the scene");
 }
 
 // Once, however often the user comes back to it

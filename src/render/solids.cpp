@@ -39,7 +39,11 @@ std::vector<Eigen::Vector3f> unit_sphere() {
 }
 
 VertexLayout ball_layout() {
-    return {sizeof(DrawnBall), {{3, 4, offsetof(DrawnBall, sphere)}, {4, 4, offsetof(DrawnBall, orientation)}}, true};
+    return {sizeof(DrawnBall),
+            {{3, 4, offsetof(DrawnBall, sphere)},
+             {4, 4, offsetof(DrawnBall, orientation)},
+             {8, 1, offsetof(DrawnBall, led)}},
+            true};
 }
 
 const VertexLayout place_layout{sizeof(ClothPlace), {{5, 4, 0}}};
@@ -214,7 +218,10 @@ void Solids::fill(const FrameView& view, const ClothColours& colours, const View
     outline_room_ = 0;
     if (smooth_) fill_outlines(view, from, stream);
     auto* balls = stream.data<DrawnBall>(Region::Balls);
-    for (std::size_t i = 0; i < view.balls.size(); ++i) balls[i] = {drawn_ball(view, i), drawn_orientation(view, i)};
+    for (std::size_t i = 0; i < view.balls.size(); ++i) {
+        const float led = static_cast<int>(i) == view.led_ball ? 1 : 0;
+        balls[i] = {drawn_ball(view, i), drawn_orientation(view, i), led};
+    }
 }
 
 void Solids::fill_outlines(const FrameView& view, const Viewpoint& from, StreamBuffer& stream) {

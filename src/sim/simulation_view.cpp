@@ -33,6 +33,7 @@ FrameView Simulation::view(Real blend) {
         pair_search = pair_marks_.mark(cloths_, self_contact_.contacts(), settings_.contact);
         for (std::size_t c = 0; c < shown_.size(); ++c) shown_[c].pair_cells = pair_marks_.touched_cells(c);
     }
+    const bool leads = balls_.size() > 1 && settings_.balls[users_ball_].motion == BallMotion::Keys;
     return {.cloths = shown_,
             .balls = balls_,
             .previous_balls = previous_balls_,
@@ -45,6 +46,7 @@ FrameView Simulation::view(Real blend) {
             .scene = scene_,
             .paused = paused_,
             .held = hand_.holds(),
+            .led_ball = leads ? static_cast<int>(users_ball_) : -1,
             .pair_search = pair_search};
 }
 

@@ -1,0 +1,54 @@
+// Of several balls, the one that the keys lead has a red ring.
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+
+#include "capture/offscreen_context.h"
+#include "drape/render/renderer.h"
+#include "drape/sim/scene.h"
+#include "drape/sim/simulation.h"
+
+namespace drape::test {
+namespace {
+
+Image picture_with_led(Simulation& simulation, int led_ball) {
+    Settings settings = simulation.settings();
+    settings.view.panel = PanelSize::Off;
+    Renderer renderer;
+    renderer.resize(640, 480);
+    FrameView view = simulation.view();
+    view.settings = &settings;
+    view.led_ball = led_ball;
+    renderer.draw(view, Camera(settings.view), {});
+    return renderer.read_back();
+}
+
+TEST(LedBall, HasARedRingAndNothingElseIsChanged) {
+    const OffscreenContext context;
+    Simulation simulation("three_balls", load_scene("three_balls"));
+    const Image with = picture_with_led(simulation, 1), without = picture_with_led(simulation, -1);
+    ASSERT_EQ(with.rgb.size(), without.rgb.size());
+    int redder = 0, other = 0;
+    for (std::size_t p = 0; p + 2 < with.rgb.size(); p += 3) {
+        const auto red_of = [p](const Image& image) { return 2 * image.rgb[p] - image.rgb[p + 1] - image.rgb[p + 2]; };
+        if (std::equal(&with.rgb[p], &with.rgb[p] + 3, &without.rgb[p])) continue;
+        ++(red_of(with) > red_of(without) ? redder : other);
+    }
+    EXPECT_GT(redder, 60);
+    EXPECT_EQ(other, 0);
+}
+
+TEST(LedBall, IsOneOfSeveralThatTheKeysHaveTakenOver) {
+    Simulation several("three_balls", load_scene("three_balls")), single("original", load_scene("original"));
+    EXPECT_EQ(several.view().led_ball, -1) << "the keys lead none yet";
+    several.apply(command::Steer{{1, 0, 0}});
+    single.apply(command::Steer{{1, 0, 0}});
+    EXPECT_EQ(several.view().led_ball, 1) << "the first that is free";
+    EXPECT_EQ(single.view().led_ball, -1) << "there is no other";
+    several.apply(command::Reset{});
+    EXPECT_EQ(several.view().led_ball, -1);
+}
+
+}  // namespace
+}  // namespace drape::test
