@@ -28,27 +28,39 @@ Eigen::Matrix3f light_axes() {
     return axes;
 }
 
-// What casts, as the light sees it
-Eigen::AlignedBox3f casters(const FrameView& view, const Eigen::Matrix3f& axes) {
+// What casts, as the light sees it: cloths, and the part of balls and solids that is near them or near what the camera
+// looks at. One that is far away would spread the map's texels over the way to it.
+Eigen::AlignedBox3f casters(const FrameView& view, const Camera& camera, const Eigen::Matrix3f& axes) {
     Eigen::AlignedBox3f box;
     for (const ClothView& cloth : view.cloths) {
         const Points& x = cloth.x;
         for (Eigen::Index p = 0; p < x.rows(); ++p) box.extend(axes * Vec3(x.row(p)).cast<float>());
     }
+    Eigen::AlignedBox3f near = box;
+    if (!box.isEmpty()) {
+        const Eigen::Vector3f room = Eigen::Vector3f::Constant(box.diagonal().norm());
+        near = {box.min() - room, box.max() + room};
+    }
+    const Eigen::Vector3f looked_at = axes * camera.target();
+    const Eigen::Vector3f seen = Eigen::Vector3f::Constant((camera.eye() - camera.target()).norm());
+    near.extend(Eigen::AlignedBox3f(looked_at - seen, looked_at + seen));
+    const auto extend_near = [&](const Eigen::AlignedBox3f& caster) {
+        const Eigen::AlignedBox3f part = caster.intersection(near);
+        if (!part.isEmpty()) box.extend(part);
+    };
     for (std::size_t i = 0; i < view.balls.size(); ++i) {
         const Eigen::Vector4f ball = drawn_ball(view, i);
         const Eigen::Vector3f centre = axes * ball.head<3>();
-        box.extend(Eigen::Vector3f(centre.array() - ball.w()));
-        box.extend(Eigen::Vector3f(centre.array() + ball.w()));
+        extend_near({centre.array() - ball.w(), centre.array() + ball.w()});
     }
-    for (std::size_t i = 0; i < view.solids.size(); ++i) box.extend(drawn_solid_box(view, i, axes));
+    for (std::size_t i = 0; i < view.solids.size(); ++i) extend_near(drawn_solid_box(view, i, axes));
     if (box.isEmpty() || !box.sizes().allFinite()) return {Eigen::Vector3f::Constant(-1), Eigen::Vector3f::Constant(1)};
     return box;
 }
 
-void light_the_scene(const FrameView& view, int texels, FrameData& data) {
+void light_the_scene(const FrameView& view, const Camera& camera, int texels, FrameData& data) {
     const Eigen::Matrix3f axes = light_axes();
-    const Eigen::AlignedBox3f box = casters(view, axes);
+    const Eigen::AlignedBox3f box = casters(view, camera, axes);
     const Eigen::Vector3f low = ((box.min().array() - edge_room) / edge_step).floor() * edge_step;
     const Eigen::Vector3f high = ((box.max().array() + edge_room) / edge_step).ceil() * edge_step;
     const Eigen::Vector3f middle = (low + high) / 2, half = (high - low) / 2;
@@ -184,7 +196,7 @@ FrameData make_frame_data(const FrameView& view, const Camera& camera, const Pic
     const Eigen::Vector3f eye = camera.eye();
     data.eye = {eye.x(), eye.y(), eye.z(), 1};
 
-    light_the_scene(view, shadow_texels, data);
+    light_the_scene(view, camera, shadow_texels, data);
 
     // The stage lies about what the scene looks at
     const ViewSettings& settings = view.settings->view;

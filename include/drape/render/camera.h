@@ -32,6 +32,7 @@ public:
     bool operator==(const Camera&) const = default;
 
     [[nodiscard]] Eigen::Vector3f eye() const;
+    [[nodiscard]] Eigen::Vector3f target() const { return target_; }
     [[nodiscard]] Eigen::Matrix4f view_matrix() const;
     /// @param aspect width over height of the picture
     [[nodiscard]] Eigen::Matrix4f projection_matrix(float aspect) const;
