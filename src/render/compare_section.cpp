@@ -17,32 +17,68 @@ bool can_compare(const Setting& setting, const Settings& settings) {
     return has_panel_row(setting) && setting.section != "view" && section_count(settings, setting) > 0;
 }
 
-// A value to begin with: the next name, the other of two, twice the numbers
+// Twice as much, or half where there is no more
+double another_number(double number, double low, double high) {
+    if (number == 0) return high / 2;
+    const double twice = std::clamp(2 * number, low, high);
+    return twice == number ? number / 2 : twice;
+}
+
+}  // namespace
+
 SettingValue another_value(const SettingRow& row) {
     if (const bool* flag = std::get_if<bool>(&row.value)) return !*flag;
     if (const double* number = std::get_if<double>(&row.value)) {
-        const double other = *number == 0 ? row.scale.high / 2 : std::clamp(2 * *number, row.scale.low, row.scale.high);
+        const double other = another_number(*number, row.scale.low, row.scale.high);
         return row.setting->kind == SettingKind::Integer ? std::max(1.0, std::round(other)) : other;
     }
+    const auto& choices = row.setting->choices;
     if (const auto* numbers = std::get_if<std::vector<double>>(&row.value)) {
+        if (row.setting->kind == SettingKind::Pins) return choices.front();
         std::vector<double> others = *numbers;
-        for (double& one : others) one = std::clamp(2 * one, row.setting->range.low, row.setting->range.high);
+        for (double& one : others) {
+            if (one != 0) one = another_number(one, row.setting->range.low, row.setting->range.high);
+        }
+        if (others == *numbers) others.front() = std::min(1.0, row.setting->range.high);
         return others;
     }
     const auto* name = std::get_if<std::string>(&row.value);
     if (name == nullptr) return row.value;
-    const auto& choices = row.setting->choices;
     const auto found = std::ranges::find(choices, *name);
     return found == choices.end() || found + 1 == choices.end() ? choices.front() : *(found + 1);
 }
-
-}  // namespace
 
 void CompareSection::choose(const Setting& setting, const Settings& settings, const Settings& scene) {
     editor_.forget();
     row_ = make_setting_row(setting, 0, settings, scene);
     row_->name = setting.full_name();  // of several, all
-    row_->value = another_value(*row_);
+    of_the_run_ = std::exchange(row_->value, another_value(*row_));
+}
+
+/// A comparison that has begun elsewhere is shown as it is; the run's own value is none to compare it with.
+void CompareSection::follow(const FrameView& view, const Settings& scene) {
+    const Settings& settings = *view.settings;
+    const std::string_view compared = view.comparison == nullptr ? "" : view.comparison->assignments;
+    if (compared != compared_) {
+        compared_ = compared;
+        const std::vector<std::string> assignments = split_assignments(compared_);
+        if (!assignments.empty()) show(assignments.front(), settings, scene);
+    }
+    if (!row_ || section_count(settings, *row_->setting) == 0) {
+        return choose(find_setting("solver.integrator"), settings, scene);
+    }
+    SettingValue of_the_run = row_->setting->read(settings, 0);
+    if (of_the_run == of_the_run_) return;
+    of_the_run_ = std::move(of_the_run);
+    if (of_the_run_ == row_->value) choose(*row_->setting, settings, scene);
+}
+
+void CompareSection::show(const std::string& assignment, const Settings& settings, const Settings& scene) {
+    const std::size_t equals = assignment.find('=');
+    const Setting& setting = setting_meant_by(assignment.substr(0, equals));
+    if (!can_compare(setting, settings)) return;
+    choose(setting, settings, scene);
+    row_->value = parse_value(setting, assignment.substr(equals + 1));
 }
 
 void CompareSection::choice_of_setting(const Settings& settings, const Settings& scene) {
@@ -60,9 +96,7 @@ void CompareSection::draw(const FrameView& view, const Settings& scene, float wi
     const Settings& settings = *view.settings;
     editor_.begin_frame();
     if (ImGui::CollapsingHeader("Compare")) {
-        if (!row_ || section_count(settings, *row_->setting) == 0) {
-            choose(find_setting("solver.integrator"), settings, scene);
-        }
+        follow(view, scene);
         ImGui::PushID("compare");
         ImGui::SetNextItemWidth(widget_width);
         choice_of_setting(settings, scene);

@@ -14,8 +14,8 @@ struct SliderScale {
     bool logarithmic;
 };
 
-/// The whole range, evenly, where that is from 0 to not much more than the scene's value, else two decades to both
-/// sides of it.
+/// What is of use, evenly, where the setting's row says that, or the whole range where that is from 0 to not much more
+/// than the scene's value, else two decades to both sides of it.
 /// @param scene_value of the setting in the scene as it was loaded
 SliderScale slider_scale(const Setting& setting, double scene_value);
 

@@ -36,8 +36,14 @@ protected:
     }
 
     void frames(int count = 6) {
-        for (int f = 0; f < count; ++f)
-            panels_.build(simulation_.view(), Camera(simulation_.settings().view), {}, {}, page_width, page_height);
+        for (int f = 0; f < count; ++f) {
+            FrameView view = simulation_.view();
+            if (comparison_) {
+                compared_ = comparison_->view(simulation_);
+                view.comparison = &compared_;
+            }
+            panels_.build(view, Camera(simulation_.settings().view), {}, {}, page_width, page_height);
+        }
     }
 
     void point(int x, int y, bool down, bool control = false) {
@@ -93,11 +99,26 @@ protected:
         return 0;
     }
 
+    /// What the button under the first header, which is open, asks for: goes down to it.
+    std::optional<std::string> wanted_comparison() {
+        std::optional<std::string> wanted;
+        for (int y = first_row + row_height; y < first_row + 5 * row_height && !wanted; y += 6) {
+            click(widget(), y);
+            close_list();
+            wanted = panels_.settings.compare.take_wanted();
+        }
+        return wanted;
+    }
+
+    void open_comparison() { click(widget(), first_row + row_height / 2); }
+
     /// Where sliders and lists are.
     [[nodiscard]] int widget() const { return left_ + 60; }
 
     OverlayPanels panels_;
     Simulation simulation_;
+    std::optional<Comparison> comparison_;
+    ComparisonView compared_;
     int left_ = 0;
 };
 
@@ -211,19 +232,49 @@ TEST_F(PanelInput, AListOfNamesIsClosedFromOutside) {
     EXPECT_TRUE(panels_.settings.list_open()) << "it opens again";
 }
 
-/// Opens the first header, under which a comparison begins, and goes down from there.
 TEST_F(PanelInput, ComparesWithAnotherValue) {
-    click(widget(), first_row + row_height / 2);
-    std::optional<std::string> wanted;
-    for (int y = first_row + row_height; y < first_row + 5 * row_height && !wanted; y += 6) {
-        click(widget(), y);
-        close_list();
-        wanted = panels_.settings.compare.take_wanted();
-    }
+    open_comparison();
+    const std::optional<std::string> wanted = wanted_comparison();
     ASSERT_TRUE(wanted);
     Comparison comparison(simulation_, *wanted);
     EXPECT_NE(comparison.other().settings().solver.integrator, simulation_.settings().solver.integrator);
     EXPECT_THAT(changes(), IsEmpty()) << "what runs stays as it is";
+}
+
+TEST_F(PanelInput, ShowsTheComparisonThatRuns) {
+    open_comparison();
+    for (const char* versus : {"contact.volume=aabb", "contact.response=hybrid,contact.friction=0.25"}) {
+        comparison_.emplace(simulation_, versus);
+        frames();
+        EXPECT_EQ(wanted_comparison(), split_assignments(versus).front());
+    }
+    panels_.settings.set_scene(simulation_.settings());
+    frames();
+    EXPECT_EQ(wanted_comparison(), "contact.response=hybrid") << "another scene is compared alike";
+}
+
+TEST_F(PanelInput, DoesNotCompareARunWithItself) {
+    open_comparison();
+    const std::optional<std::string> before = wanted_comparison();
+    ASSERT_TRUE(before);
+    simulation_.apply(command::Set{*before});
+    frames();
+    const std::optional<std::string> after = wanted_comparison();
+    ASSERT_TRUE(after);
+    EXPECT_NE(after, before);
+}
+
+TEST(CompareSection, BeginsWithAValueThatIsNotTheRuns) {
+    for (const std::string& scene : scene_names()) {
+        const Settings settings = load_scene(scene);
+        for (const Setting& setting : setting_table()) {
+            if (!has_panel_row(setting) || section_count(settings, setting) == 0) continue;
+            const SettingRow row = make_setting_row(setting, 0, settings, settings);
+            const SettingValue other = another_value(row);
+            EXPECT_NE(other, row.value) << scene << ": " << setting.full_name();
+            EXPECT_EQ(refusal(setting, other), "") << scene;
+        }
+    }
 }
 
 TEST_F(PanelInput, AnotherMethodIsOfferedAStepThatSuitsIt) {
