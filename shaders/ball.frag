@@ -5,7 +5,7 @@
 in vec3 world;
 in vec3 world_normal;
 in vec3 own_normal;
-flat in float is_led;
+flat in float is_steered;
 out vec4 colour;
 
 const vec3 light_part = vec3(0.80, 0.775, 0.73);
@@ -19,7 +19,7 @@ vec3 pattern(vec3 own) {
     float dark = smoothstep(-fwidth(quarters), fwidth(quarters), quarters);
     float on_ring = 1.0 - smoothstep(-fwidth(ring), fwidth(ring), ring);
     vec3 plain = mix(light_part, dark_part, max(dark, on_ring));
-    return is_led > 0.5 ? mix(plain, led_part, on_ring) : plain;
+    return is_steered > 0.5 ? mix(plain, led_part, on_ring) : plain;
 }
 
 void main() { colour = matte(pattern(normalize(own_normal)), world, normalize(world_normal)); }

@@ -3,17 +3,17 @@
 layout(location = 0) in vec3 position;  // of the unit sphere
 layout(location = 3) in vec4 instance;  // centre, radius
 layout(location = 4) in vec4 orientation;  // quaternion, from the ball's own frame to the world
-layout(location = 8) in float led;  // by the keys, as one of several: 1, else 0
+layout(location = 8) in float steered;  // by the keys, as one of several: 1, else 0
 
 out vec3 world;
 out vec3 world_normal;
 out vec3 own_normal;  // in the frame that turns with the ball
-flat out float is_led;
+flat out float is_steered;
 
 void main() {
     world = instance.xyz + instance.w * position;
     world_normal = position;
-    is_led = led;
+    is_steered = steered;
 
     // Turned back by the quaternion
     vec3 across = 2.0 * cross(position, orientation.xyz);

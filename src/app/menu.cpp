@@ -9,14 +9,13 @@ namespace drape {
 
 namespace {
 
-// As far as it is made
 struct Submenu {
     std::string path;
     int number;  // GLUT's
     int length;  // in entries
 };
 
-// The place of a menu among those that are made; it and what it is in are made where they are not there yet.
+// The index of the submenu at a path; makes it, and those around it, where they are not there yet.
 std::size_t submenu(const std::string& path, std::vector<Submenu>& menus, void (*choose)(int entry, void* user),
                     void* user) {
     const auto found = std::ranges::find(menus, path, &Submenu::path);

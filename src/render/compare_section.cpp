@@ -29,8 +29,11 @@ double another_number(double number, double low, double high) {
 SettingValue another_value(const SettingRow& row) {
     if (const bool* flag = std::get_if<bool>(&row.value)) return !*flag;
     if (const double* number = std::get_if<double>(&row.value)) {
+        const Range& range = row.setting->range;
         const double other = another_number(*number, row.scale.low, row.scale.high);
-        return row.setting->kind == SettingKind::Integer ? std::max(1.0, std::round(other)) : other;
+        if (row.setting->kind != SettingKind::Integer) return other;
+        const double whole = std::max(std::max(1.0, range.low), std::round(other));
+        return whole != *number ? whole : *number > range.low ? *number - 1 : *number + 1;
     }
     const auto& choices = row.setting->choices;
     if (const auto* numbers = std::get_if<std::vector<double>>(&row.value)) {
@@ -70,7 +73,7 @@ void CompareSection::follow(const FrameView& view, const Settings& scene) {
     SettingValue of_the_run = row_->setting->read(settings, 0);
     if (of_the_run == of_the_run_) return;
     of_the_run_ = std::move(of_the_run);
-    if (of_the_run_ == row_->value) choose(*row_->setting, settings, scene);
+    if (of_the_run_ == row_->value && view.comparison == nullptr) choose(*row_->setting, settings, scene);
 }
 
 void CompareSection::show(const std::string& assignment, const Settings& settings, const Settings& scene) {

@@ -77,6 +77,7 @@ void draw_legend(const char* other_settings, ImVec2 line, float end) {
 }  // namespace
 
 void ComparisonPanel::keep(const FrameView& view) {
+    if (view.comparison == nullptr) other_medians_ = {};
     if (view.comparison != nullptr) other_medians_.keep(*view.comparison->report);
     if (view.comparison == nullptr || view.report->time < time_) first_ = count_ = 0;
     if (view.comparison == nullptr || (count_ > 0 && view.report->time < time_ + kept_interval)) return;
@@ -97,7 +98,7 @@ float ComparisonPanel::draw(const FrameView& view, const OverlayPage& page, floa
     draw_panel(panel, {width, height});
     ImVec2 line{panel.x + margin, panel.y + margin};
     const float first = line.x + 9 * size, other = line.x + 15.5f * size, end = right - margin;
-    const StepReport other_report = other_medians_.steadied(*view.comparison->report);
+    const StepReport other_report = other_medians_.with_median_times(*view.comparison->report);
     FigureText text{};
 
     draw_legend(view.comparison->assignments.data(), line, end);

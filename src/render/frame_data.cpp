@@ -28,8 +28,9 @@ Eigen::Matrix3f light_axes() {
     return axes;
 }
 
-// What casts, as the light sees it: cloths, and the part of balls and solids that is near them or near what the camera
-// looks at. One that is far away would spread the map's texels over the way to it.
+// What casts, as the light sees it: cloths, and of balls and solids those that are near them or near what the camera
+// looks at. One that is far away would spread the map's texels over the way to it. What is farther towards the light may
+// be outside of the box's depths; the vertex shader draws it at their start.
 Eigen::AlignedBox3f casters(const FrameView& view, const Camera& camera, const Eigen::Matrix3f& axes) {
     Eigen::AlignedBox3f box;
     for (const ClothView& cloth : view.cloths) {
@@ -42,18 +43,23 @@ Eigen::AlignedBox3f casters(const FrameView& view, const Camera& camera, const E
         near = {box.min() - room, box.max() + room};
     }
     const Eigen::Vector3f looked_at = axes * camera.target();
-    const Eigen::Vector3f seen = Eigen::Vector3f::Constant((camera.eye() - camera.target()).norm());
+    const Eigen::Vector3f seen = Eigen::Vector3f::Constant(2 * (camera.eye() - camera.target()).norm());
     near.extend(Eigen::AlignedBox3f(looked_at - seen, looked_at + seen));
-    const auto extend_near = [&](const Eigen::AlignedBox3f& caster) {
-        const Eigen::AlignedBox3f part = caster.intersection(near);
-        if (!part.isEmpty()) box.extend(part);
+    const auto clamped = [&](Eigen::AlignedBox3f caster) {
+        caster.min().z() = std::clamp(caster.min().z(), near.min().z(), near.max().z());
+        caster.max().z() = std::clamp(caster.max().z(), near.min().z(), near.max().z());
+        return caster;
     };
     for (std::size_t i = 0; i < view.balls.size(); ++i) {
         const Eigen::Vector4f ball = drawn_ball(view, i);
         const Eigen::Vector3f centre = axes * ball.head<3>();
-        extend_near({centre.array() - ball.w(), centre.array() + ball.w()});
+        const Eigen::AlignedBox3f whole = clamped({centre.array() - ball.w(), centre.array() + ball.w()});
+        if (near.intersects(whole)) box.extend(whole);
     }
-    for (std::size_t i = 0; i < view.solids.size(); ++i) extend_near(drawn_solid_box(view, i, axes));
+    for (std::size_t i = 0; i < view.solids.size(); ++i) {
+        const Eigen::AlignedBox3f part = clamped(drawn_solid_box(view, i, axes)).intersection(near);
+        if (!part.isEmpty()) box.extend(part);
+    }
     if (box.isEmpty() || !box.sizes().allFinite()) return {Eigen::Vector3f::Constant(-1), Eigen::Vector3f::Constant(1)};
     return box;
 }

@@ -10,7 +10,7 @@ namespace drape {
 
 namespace {
 
-constexpr float most_keys = 0.4f;        // of a column, that keys are wide
+constexpr float most_keys = 0.4f;        // of a column, for the keys
 constexpr float least_column = 22;       // that is readable [font size]
 constexpr std::size_t most_columns = 3;  // of help
 constexpr float unwrapped = 1e6f;        // wider than any text [pixel]

@@ -192,7 +192,7 @@ bool OverlayPanels::build(FrameView view, const Camera& camera, const FrameRepor
                           std::span<const std::string> notices, int width, int height) {
     const ViewSettings& shown = view.settings->view;
     step_medians_.keep(*view.report);
-    const StepReport steady = step_medians_.steadied(*view.report);
+    const StepReport steady = step_medians_.with_median_times(*view.report);
     view.report = &steady;
     plots_.keep(view);
     comparison_.keep(view);

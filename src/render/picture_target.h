@@ -23,7 +23,7 @@ PictureBox grown(const PictureBox& box, int room, int width, int height);
 struct DrawnBall {
     Eigen::Vector4f sphere;       ///< centre, radius [m]
     Eigen::Vector4f orientation;  ///< x, y, z, w of a quaternion
-    float led;                    ///< by the keys, as one of several: 1, else 0
+    float steered;                ///< by the keys, as one of several: 1, else 0
 };
 
 /// The box around all that is drawn; the whole picture if something is beside or behind the eye.

@@ -42,7 +42,7 @@ VertexLayout ball_layout() {
     return {sizeof(DrawnBall),
             {{3, 4, offsetof(DrawnBall, sphere)},
              {4, 4, offsetof(DrawnBall, orientation)},
-             {8, 1, offsetof(DrawnBall, led)}},
+             {8, 1, offsetof(DrawnBall, steered)}},
             true};
 }
 
@@ -219,8 +219,8 @@ void Solids::fill(const FrameView& view, const ClothColours& colours, const View
     if (smooth_) fill_outlines(view, from, stream);
     auto* balls = stream.data<DrawnBall>(Region::Balls);
     for (std::size_t i = 0; i < view.balls.size(); ++i) {
-        const float led = static_cast<int>(i) == view.led_ball ? 1 : 0;
-        balls[i] = {drawn_ball(view, i), drawn_orientation(view, i), led};
+        const float steered = static_cast<int>(i) == view.steered_ball ? 1 : 0;
+        balls[i] = {drawn_ball(view, i), drawn_orientation(view, i), steered};
     }
 }
 

@@ -17,7 +17,7 @@ void StepMedians::keep(const StepReport& report) {
     step_ = report.step;
 }
 
-StepReport StepMedians::steadied(const StepReport& report) const {
+StepReport StepMedians::with_median_times(const StepReport& report) const {
     StepReport steady = report;
     const std::size_t count = std::min(kept_in_all_, most);
     if (count == 0) return steady;

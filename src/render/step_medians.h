@@ -18,7 +18,7 @@ public:
     void keep(const StepReport& report);
 
     /// A report with the medians in place of its times.
-    [[nodiscard]] StepReport steadied(const StepReport& report) const;
+    [[nodiscard]] StepReport with_median_times(const StepReport& report) const;
 
 private:
     std::array<StageTimes, most> kept_{};

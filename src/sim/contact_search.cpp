@@ -8,10 +8,10 @@
 namespace drape {
 namespace {
 
-/// The one that is farthest beyond what is possible, or nearest to it.
-void take_nearer(Crossing& nearest, const Crossing& other) {
-    const bool first = nearest.radius == 0;
-    if (first || 2 * other.distance - other.radius > 2 * nearest.distance - nearest.radius) nearest = other;
+/// The one that is farthest beyond where it becomes possible, or nearest to it.
+void take_worse(Crossing& worst, const Crossing& other) {
+    const bool first = worst.radius == 0;
+    if (first || 2 * other.distance - other.radius > 2 * worst.distance - worst.radius) worst = other;
 }
 
 }  // namespace
@@ -42,31 +42,31 @@ void ContactSearch::build_from_way(const Points& before, const Points& x) {
     separation_.forget();
 }
 
-Crossing ContactSearch::nearest_crossing(const Points& before, const Points& x, std::span<const Ball> balls,
-                                         Real thickness) const {
+Crossing ContactSearch::worst_crossing(const Points& before, const Points& x, std::span<const Ball> balls,
+                                       Real thickness) const {
     const Real cloth = largest_displacement(x, before, kernels_);
-    Crossing nearest;
+    Crossing worst;
     for (const Ball& ball : balls) {
-        take_nearer(nearest, {ball.moved.norm() + cloth, ball.radius + thickness});
+        take_worse(worst, {ball.moved.norm() + cloth, ball.radius + thickness});
     }
-    return nearest;
+    return worst;
 }
 
-Crossing ContactSearch::crossing(const Points& before, const Points& x, std::span<const Solid> solids,
-                                 Real thickness) const {
+Crossing ContactSearch::solid_crossing(const Points& before, const Points& x, std::span<const Solid> solids,
+                                       Real thickness) const {
     const Real cloth = largest_displacement(x, before, kernels_);
-    Crossing nearest;
+    Crossing worst;
     for (const Solid& solid : solids) {
         const auto [low, high] = solid.shape->extent();
-        take_nearer(nearest, {solid.moved.norm() + cloth, (high - low).minCoeff() / 2 + thickness});
+        take_worse(worst, {solid.moved.norm() + cloth, (high - low).minCoeff() / 2 + thickness});
     }
-    return nearest;
+    return worst;
 }
 
 bool ContactSearch::build(const Points& before, const Points& x, std::span<const Ball> balls,
                           const ContactSettings& contact) {
     const bool always = contact.continuous == Continuous::Always;
-    crossing_ = always ? Crossing{} : nearest_crossing(before, x, balls, contact.thickness);
+    crossing_ = always ? Crossing{} : worst_crossing(before, x, balls, contact.thickness);
     sweeps_ = always || (contact.continuous == Continuous::Auto && crossing_.possible());
     if (sweeps_) {
         build_from_way(before, x);

@@ -80,8 +80,8 @@ void mark_crossing(const Crossing& crossing, double time, Real h, StepReport& re
 
 std::string crossing_warning(const CrossingDanger& danger) {
     if (danger.starts == 0) return {};
-    return "contact.continuous = false: cloth and a ball or a solid move at " + real_text(danger.speed, 3) +
-           " m/s together, and above " + real_text(danger.safe_speed, 3) +
+    return "contact.continuous = false: cloth and a ball or a solid approach each other at up to " +
+           real_text(danger.speed, 3) + " m/s, and above " + real_text(danger.safe_speed, 3) +
            " m/s one may pass through the other within a step";
 }
 
@@ -94,14 +94,16 @@ Real deepest_particle(std::span<const Cloth> cloths, std::span<const Ball> balls
                       const Ground& ground, Real thickness) {
     Real depth = 0;
     for (const Cloth& cloth : cloths) {
-        for (const auto& row : cloth.state.x.rowwise()) {
-            const Vec3 p = row.transpose();
+        for (int number = 0; number < cloth.model.grid.particles(); ++number) {
+            if (cloth.model.pinned(number)) continue;
+            const Vec3 p = cloth.state.x.row(number).transpose();
             for (const Ball& ball : balls) depth = std::max(depth, ball.radius - (p - ball.centre).norm());
             for (const Solid& solid : solids) depth = std::max(depth, -solid.distance(p));
             if (ground.solid) depth = std::max(depth, ground.height - p.y());
         }
     }
-    return depth > thickness ? depth : 0;
+    constexpr auto rounding = Real(1e-6);
+    return depth > std::max(thickness, rounding) ? depth : 0;
 }
 
 std::string start_warning(std::int64_t crossings, std::int64_t coincident, Real depth) {
@@ -116,7 +118,7 @@ std::string start_warning(std::int64_t crossings, std::int64_t coincident, Real 
     }
     if (depth > 0) {
         text += (text.empty() ? "" : "; ") + ("cloth starts " + real_text(static_cast<double>(depth), 3)) +
-                " m deep in a ball, a solid or the ground; it is pushed out at once, and may be thrown off";
+                " m deep inside a ball, a solid or the ground, and may be thrown off as it is pushed out";
     }
     return text;
 }

@@ -28,7 +28,8 @@ std::string crossing_warning(const CrossingDanger& danger);
 /// That cloth moves too far within a substep for contact between cloths.
 std::string search_trouble(const StepReport& report);
 
-/// How deep the deepest particle is in a ball, a solid or the ground [m]; 0 if none is deeper than the cloth is thick.
+/// How deep the deepest particle that is not pinned is in a ball, a solid or the ground [m]; 0 if none is deeper than
+/// the cloth is thick.
 /// @par Cost O(particles * (balls + solids))
 Real deepest_particle(std::span<const Cloth> cloths, std::span<const Ball> balls, std::span<const Solid> solids,
                       const Ground& ground, Real thickness);

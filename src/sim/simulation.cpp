@@ -203,7 +203,7 @@ void Simulation::narrow(const Substep& now) {
         report_.false_candidates += cloth.search.narrow(start_of_substep(cloth), cloth.state.x, balls_, thickness,
                                                         node_push_speed * now.h, cloth.contacts);
         meet_solids(cloth);
-        watch_for_solids(cloth, now);
+        mark_solid_crossing(cloth, now);
         if (settings_.ground.solid) {
             report_.ground +=
                 cloth.search.meet_ground(cloth.state.x, settings_.ground.height, thickness, cloth.contacts);

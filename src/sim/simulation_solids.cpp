@@ -18,10 +18,10 @@ void Simulation::meet_solids(Cloth& cloth) {
         cloth.search.meet_solids(start_of_substep(cloth), cloth.state.x, solids_, settings_.contact, cloth.contacts);
 }
 
-void Simulation::watch_for_solids(const Cloth& cloth, const Substep& now) {
+void Simulation::mark_solid_crossing(const Cloth& cloth, const Substep& now) {
     if (settings_.contact.continuous != Continuous::Never || solids_.empty()) return;
     const Crossing crossing =
-        cloth.search.crossing(start_of_substep(cloth), cloth.state.x, solids_, settings_.contact.thickness);
+        cloth.search.solid_crossing(start_of_substep(cloth), cloth.state.x, solids_, settings_.contact.thickness);
     mark_crossing(crossing, now.time, now.h, report_);
 }
 

@@ -46,7 +46,7 @@ FrameView Simulation::view(Real blend) {
             .scene = scene_,
             .paused = paused_,
             .held = hand_.holds(),
-            .led_ball = leads ? static_cast<int>(users_ball_) : -1,
+            .steered_ball = leads ? static_cast<int>(users_ball_) : -1,
             .pair_search = pair_search};
 }
 

@@ -93,10 +93,10 @@ bool plan_is_due(const SolverSettings& solver, const StepReport& report) {
     return report.step > 0 && report.step % between == 0;
 }
 
-int substeps_in_contact(const Settings& settings, bool touches, int planned) {
+int substeps_in_contact(const Settings& settings, bool may_touch, int planned) {
     const SolverSettings& solver = settings.solver;
-    const bool softens = solver.integrator == IntegratorKind::Xpbd && greatest_inverse_mass(settings) > 0;
-    if (!(touches || softens) || has_step_limit(solver.integrator)) return planned;
+    const bool softens_with_step = solver.integrator == IntegratorKind::Xpbd && greatest_inverse_mass(settings) > 0;
+    if (!(may_touch || softens_with_step) || has_step_limit(solver.integrator)) return planned;
     const double wanted = std::ceil(solver.dt / longest_in_contact(settings) * (1 - 1e-12));
     return std::max(planned, static_cast<int>(std::min(wanted, most_substeps)));
 }

@@ -23,7 +23,7 @@ bool plan_is_due(const SolverSettings& solver, const StepReport& report);
 /// free. Its springs are softer in a long step than in a short one: a sheet whose steps were divided only while a ball
 /// touched it would sag at all other times, and throw the ball higher than it fell from.
 /// @cite macklin2019
-int substeps_in_contact(const Settings& settings, bool touches, int planned);
+int substeps_in_contact(const Settings& settings, bool may_touch, int planned);
 
 /// Whether a ball could come past the middle of its way into a cloth within an undivided step, or a cloth past that of
 /// a ball, by where they are and how fast at its start. Only where the whole way is tested, and under a method whose

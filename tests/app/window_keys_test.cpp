@@ -212,7 +212,7 @@ TEST_F(WindowTest, EscapeClosesWhatIsOpenBeforeItQuits) {
 TEST_F(WindowTest, EscapeLeavesTheTourBeforeItQuits) {
     start({"--tour"});
     desktop_.key("F1");
-    ASSERT_TRUE(recorded("scene " + std::string(tour_stops()[1].scene)));
+    ASSERT_TRUE(recorded("set " + std::string(tour_stops()[1].changes.front())));
     desktop_.key("Escape");
     desktop_.key("c");
     ASSERT_TRUE(recorded("next view.contacts")) << "the program runs on";

@@ -12,22 +12,22 @@
 namespace drape::test {
 namespace {
 
-Image picture_with_led(Simulation& simulation, int led_ball) {
+Image picture_with_steered(Simulation& simulation, int steered_ball) {
     Settings settings = simulation.settings();
     settings.view.panel = PanelSize::Off;
     Renderer renderer;
     renderer.resize(640, 480);
     FrameView view = simulation.view();
     view.settings = &settings;
-    view.led_ball = led_ball;
+    view.steered_ball = steered_ball;
     renderer.draw(view, Camera(settings.view), {});
     return renderer.read_back();
 }
 
-TEST(LedBall, HasARedRingAndNothingElseIsChanged) {
+TEST(SteeredBall, HasARedRingAndNothingElseIsChanged) {
     const OffscreenContext context;
     Simulation simulation("three_balls", load_scene("three_balls"));
-    const Image with = picture_with_led(simulation, 1), without = picture_with_led(simulation, -1);
+    const Image with = picture_with_steered(simulation, 1), without = picture_with_steered(simulation, -1);
     ASSERT_EQ(with.rgb.size(), without.rgb.size());
     int redder = 0, other = 0;
     for (std::size_t p = 0; p + 2 < with.rgb.size(); p += 3) {
@@ -39,15 +39,15 @@ TEST(LedBall, HasARedRingAndNothingElseIsChanged) {
     EXPECT_EQ(other, 0);
 }
 
-TEST(LedBall, IsOneOfSeveralThatTheKeysHaveTakenOver) {
+TEST(SteeredBall, IsOneOfSeveralThatTheKeysHaveTakenOver) {
     Simulation several("three_balls", load_scene("three_balls")), single("original", load_scene("original"));
-    EXPECT_EQ(several.view().led_ball, -1) << "the keys lead none yet";
+    EXPECT_EQ(several.view().steered_ball, -1) << "the keys lead none yet";
     several.apply(command::Steer{{1, 0, 0}});
     single.apply(command::Steer{{1, 0, 0}});
-    EXPECT_EQ(several.view().led_ball, 1) << "the first that is free";
-    EXPECT_EQ(single.view().led_ball, -1) << "there is no other";
+    EXPECT_EQ(several.view().steered_ball, 1) << "the first that is free";
+    EXPECT_EQ(single.view().steered_ball, -1) << "there is no other";
     several.apply(command::Reset{});
-    EXPECT_EQ(several.view().led_ball, -1);
+    EXPECT_EQ(several.view().steered_ball, -1);
 }
 
 }  // namespace

@@ -12,7 +12,7 @@ namespace {
 constexpr Real led_radius = Real(0.1), led_step = Real(0.01);
 
 /// A ball at the end of its way through a substep.
-Ball led_ball(const Vec3& start, const Vec3& end) {
+Ball steered_ball(const Vec3& start, const Vec3& end) {
     Ball ball;
     ball.radius = led_radius;
     ball.centre = end;
@@ -40,7 +40,7 @@ TEST(StayOutside, LeavesABallWhereItWasThatSolidsGiveNoRoom) {
     const std::vector<Solid> solids = groove(Real(1.9) * led_radius);
     for (const Real depth : {Real(0.05), Real(0.2), Real(0.4)}) {
         const Vec3 start(0, Real(0.2), 0);
-        Ball ball = led_ball(start, Vec3(Real(0.001), -depth, 0));
+        Ball ball = steered_ball(start, Vec3(Real(0.001), -depth, 0));
         stay_outside(solids, 0, led_step, ball);
         EXPECT_LT((ball.centre - start).norm(), 1e-15) << depth;
         EXPECT_EQ(ball.velocity, Vec3::Zero()) << depth;
@@ -51,7 +51,7 @@ TEST(StayOutside, LeavesABallWhereItWasThatSolidsGiveNoRoom) {
 TEST(StayOutside, LetsABallIntoAGrooveThatIsWideEnough) {
     const std::vector<Solid> solids = groove(Real(2.1) * led_radius);
     const Vec3 end(0, Real(-0.3), 0);
-    Ball ball = led_ball(Vec3(0, Real(0.2), 0), end);
+    Ball ball = steered_ball(Vec3(0, Real(0.2), 0), end);
     const Vec3 velocity = ball.velocity;
     stay_outside(solids, 0, led_step, ball);
     EXPECT_EQ(ball.centre, end);
@@ -65,7 +65,7 @@ TEST(StayOutside, LetsABallSlideIntoACorner) {
     for (const Vec3& place : {Vec3(0, -1, 0), Vec3(Real(-1.3), 0, 0), Vec3(0, 0, Real(-1.3))}) {
         solids.push_back(test::solid_at(box, place));
     }
-    Ball ball = led_ball(Vec3(0, Real(0.3), 0), Vec3(Real(-0.4), Real(-0.2), Real(-0.5)));
+    Ball ball = steered_ball(Vec3(0, Real(0.3), 0), Vec3(Real(-0.4), Real(-0.2), Real(-0.5)));
     stay_outside(solids, 0, led_step, ball);
     EXPECT_GT(gap_to(solids, ball), -1e-5);
     EXPECT_NEAR((ball.centre - Vec3(Real(-0.2), led_radius, Real(-0.2))).norm(), 0, 1e-5);
@@ -75,7 +75,7 @@ TEST(StayOutside, LetsABallSlideIntoACorner) {
 TEST(StayOutside, LeavesABallAloneThatOnlyTouches) {
     const std::vector<Solid> solids{test::solid_at(make_box(Vec3(2, 1, 2)), Vec3(0, Real(-0.5), 0))};
     const Vec3 end(Real(0.01), led_radius, 0);
-    Ball ball = led_ball(Vec3(0, led_radius, 0), end);
+    Ball ball = steered_ball(Vec3(0, led_radius, 0), end);
     const Vec3 velocity = ball.velocity;
     stay_outside(solids, 0, led_step, ball);
     EXPECT_EQ(ball.centre, end);

@@ -277,6 +277,21 @@ TEST(CompareSection, BeginsWithAValueThatIsNotTheRuns) {
     }
 }
 
+TEST(CompareSection, BeginsWithAnotherWholeNumber) {
+    const Settings scene = load_scene("drop");
+    for (const char* name : {"contact.leaf_cells", "contact.search_tests", "solver.threads"}) {
+        const Setting& setting = find_setting(name);
+        for (const int number : {1, 2}) {
+            Settings settings = scene;
+            assign(settings, std::string(name) + "=" + std::to_string(number));
+            const SettingRow row = make_setting_row(setting, 0, settings, scene);
+            const SettingValue other = another_value(row);
+            EXPECT_NE(other, row.value) << name << " = " << number;
+            EXPECT_EQ(refusal(setting, other), "") << name << " = " << number;
+        }
+    }
+}
+
 TEST_F(PanelInput, AnotherMethodIsOfferedAStepThatSuitsIt) {
     const int below = row_of("solver.dt") + row_height;
     const auto offered = [&] {

@@ -2,6 +2,8 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
+
 #include "drape/sim/scene.h"
 #include "drape/sim/simulation.h"
 #include "render/frame_data.h"
@@ -20,6 +22,29 @@ protected:
         FrameView view = simulation_.view();
         view.balls = view.previous_balls = {&ball_, 1};
         return make_frame_data(view, Camera(shown), {640, 480}, {640, 480}, 1024).shadow.x();
+    }
+
+    /// The farthest that the ball is from the middle of the map; 1: at its edge.
+    [[nodiscard]] float off_the_middle() {
+        FrameView view = simulation_.view();
+        view.balls = view.previous_balls = {&ball_, 1};
+        const FrameData data = make_frame_data(view, Camera(simulation_.settings().view), {640, 480}, {640, 480}, 1024);
+        float most = 0;
+        for (const Vec3& side : {Vec3(1, 0, 0), Vec3(0, 1, 0), Vec3(0, 0, 1)}) {
+            for (const Real sign : {-1, 1}) {
+                const Vec3 p = ball_.centre + sign * ball_.radius * side;
+                const Eigen::Vector4f at = data.shadow_matrix * p.cast<float>().homogeneous();
+                most = std::max(most, at.head<2>().cwiseAbs().maxCoeff());
+            }
+        }
+        return most;
+    }
+
+    /// Towards the light.
+    [[nodiscard]] Vec3 to_light() {
+        const FrameData data =
+            make_frame_data(simulation_.view(), Camera(simulation_.settings().view), {640, 480}, {640, 480}, 1024);
+        return Vec3(data.to_light.head<3>().cast<Real>());
     }
 
     Simulation simulation_;
@@ -41,6 +66,16 @@ TEST_F(ShadowBox, HasABallThatComesNearToTheCloth) {
 TEST_F(ShadowBox, HasAFarBallThatTheCameraSees) {
     ball_.centre += Vec3(30, 0, 40);
     EXPECT_GT(texel(100), 10 * texel());
+}
+
+TEST_F(ShadowBox, HasAllOfABallThatIsHighAboveTheClothOrAtTheEdgeOfWhatIsSeen) {
+    const Vec3 start = ball_.centre, up = to_light(), aside = up.cross(Vec3(0, 0, 1)).normalized();
+    for (const Real above : {0, 2, 30}) {
+        for (const Real side : {Real(0), Real(1), Real(1.5)}) {
+            ball_.centre = start + above * up + side * aside;
+            EXPECT_LT(off_the_middle(), 1) << above << " m up, " << side << " m aside";
+        }
+    }
 }
 
 }  // namespace

@@ -16,7 +16,7 @@ protected:
         medians_.keep(report_);
     }
 
-    [[nodiscard]] double shown() const { return medians_.steadied(report_).times.step; }
+    [[nodiscard]] double shown() const { return medians_.with_median_times(report_).times.step; }
 
     StepReport report_;
     StepMedians medians_;

@@ -110,7 +110,7 @@ TEST(Ground, AndABallOnItLeaveTheHandOutsideBoth) {
     }
 }
 
-TEST(LedBall, ThatACommandTakesAwayLeavesTheClothWhereItIs) {
+TEST(SteeredBall, ThatACommandTakesAwayLeavesTheClothWhereItIs) {
     Simulation simulation = scene_with("original", {"cloth.particles=15,15", "ball.position=0,-0.2,0"});
     run_until(simulation, 0.3);
     ASSERT_GT(simulation.report().contacts, 0);
@@ -142,9 +142,10 @@ bool holds(Simulation simulation) {
 }
 
 TEST(ContinuousDetection, StopsABallThatCrossesTheClothWithinAStep) {
-    for (const std::string integrator : {"backward_euler", "xpbd"}) {
+    for (const std::string integrator : {"backward_euler", "projective_dynamics", "xpbd"}) {
         for (const Real speed : {30, 60, 100}) {
             EXPECT_TRUE(holds(bullet(integrator, speed, "auto"))) << integrator << " " << speed;
+            if (integrator == "xpbd") continue;  // whose steps are divided where a ball is free
             EXPECT_FALSE(holds(bullet(integrator, speed, "false"))) << integrator << " " << speed;
         }
     }
@@ -299,7 +300,7 @@ TEST(ContinuousDetection, ChangesNoBitWhereNothingCrosses) {
 }
 
 // A push at a point that hangs on pinned corners would throw the free one far
-TEST(LedBall, AtThePinsOfACurtainDoesNotThrowTheClothAbout) {
+TEST(SteeredBall, AtThePinsOfACurtainDoesNotThrowTheClothAbout) {
     for (const std::string height : {"1.05", "1.2"}) {
         Simulation simulation =
             scene_with("curtain", {"ball.path=[[0,0," + height + ",-0.5],[2.0,0," + height + ",0.5]]"});

@@ -162,8 +162,8 @@ TEST_P(SceneOnTheGround, ComesToRestOnItAndNothingFallsBelow) {
 INSTANTIATE_TEST_SUITE_P(Shipped, SceneOnTheGround, testing::Values("three_balls", "slide"),
                          [](const auto& scene) { return std::string(scene.param); });
 
-/// Off the ball, down the incline, and onto the ground, on which it rests with its front; no fold lies on another. With
-/// more friction than the tangent of the angle it stays where it is.
+/// Off the ball, down the incline, and with its front onto the ground. With more friction than the tangent of the angle
+/// it stays where it is.
 TEST(SlideScene, TakesItsClothDownTheInclineUnlessFrictionHoldsIt) {
     const auto end_with = [](Real friction) {
         Settings settings = load_scene("slide");

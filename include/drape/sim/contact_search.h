@@ -18,7 +18,7 @@ namespace drape {
 /// outside must come as far as r before its centre is on the other side. Half of that counts. The same for a solid.
 struct Crossing {
     Real distance = 0;  ///< by which it and cloth can have come nearer, at most [m]
-    Real radius = 0;    ///< of the ball, or half of what a box about the solid is thin; thickness counted [m]
+    Real radius = 0;    ///< of the ball, or half the shortest side of the solid's bounding box; with the thickness [m]
 
     [[nodiscard]] bool possible() const { return 2 * distance > radius; }
 };
@@ -43,10 +43,10 @@ public:
     /// With a ball in the last substep, unless all of its way was tested without asking.
     [[nodiscard]] const Crossing& crossing() const { return crossing_; }
 
-    /// With a solid that has moved.
+    /// With a solid, likewise.
     /// @param before, x positions at the start and at the end of the substep, n x 3 [m]
-    [[nodiscard]] Crossing crossing(const Points& before, const Points& x, std::span<const Solid> solids,
-                                    Real thickness) const;
+    [[nodiscard]] Crossing solid_crossing(const Points& before, const Points& x, std::span<const Solid> solids,
+                                          Real thickness) const;
 
     /// Collects the candidates of each ball.
     /// @return what it has cost; after a build that was left out, what the last traversal has
@@ -97,8 +97,8 @@ public:
     [[nodiscard]] const BroadPhase& hierarchy() const { return *hierarchy_; }
 
 private:
-    [[nodiscard]] Crossing nearest_crossing(const Points& before, const Points& x, std::span<const Ball> balls,
-                                            Real thickness) const;
+    [[nodiscard]] Crossing worst_crossing(const Points& before, const Points& x, std::span<const Ball> balls,
+                                          Real thickness) const;
     void build_from_way(const Points& before, const Points& x);
     void build_from(const Points& x, std::span<const Ball> balls, const ContactSettings& contact);
 

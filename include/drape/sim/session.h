@@ -51,8 +51,8 @@ public:
     /// How often a command has ended something: a notice may say the same as the one before it.
     [[nodiscard]] int takeovers() const { return takeovers_; }
 
-    /// How often a danger began that ball and cloth pass through each other (`StepReport::crossing`), in steps that
-    /// were made for the first time: one that the user goes back to and plays again does not count again.
+    /// How often a danger began that cloth and a ball or a solid pass through each other (`StepReport::crossing`), in
+    /// steps that were made for the first time: one that the user goes back to and plays again does not count again.
     [[nodiscard]] int crossing_dangers() const { return crossing_dangers_; }
 
     /// Carries out a command and records it.
@@ -89,8 +89,8 @@ public:
     [[nodiscard]] FrameView view();
     [[nodiscard]] Simulation& simulation() { return simulation_; }
 
-    /// Simulated seconds of this run that were cut because the machine could not keep up or stood still: none as it
-    /// begins again.
+    /// Simulated seconds of this run that were cut because the machine could not keep up or stood still; counted
+    /// afresh when it begins again.
     [[nodiscard]] double dropped() const { return dropped_; }
 
     /// What a replay has to say: how it first differed, and that its recording was cut. Empty while all is well.

@@ -38,7 +38,7 @@ struct Setting {
     std::function<SettingValue(const Settings&, std::size_t)> read;          ///< of the index-th cloth, ball, ...
     std::function<void(Settings&, std::size_t, const SettingValue&)> write;  ///< the value was checked
 
-    double usual_high = 0;        ///< as far as a slider leads, where more is accepted than is of use; 0: the range's
+    double usual_high = 0;        ///< where a slider ends, if more is accepted than is of use; 0: see `slider_scale`
     bool full_name_only = false;  ///< its short name belongs to another setting that was there before
 
     [[nodiscard]] std::string full_name() const { return section.empty() ? name : section + "." + name; }

@@ -58,16 +58,16 @@ public:
     [[nodiscard]] const std::string& scene() const { return scene_; }
     [[nodiscard]] bool paused() const { return paused_; }
 
-    /// What the user should know before the next step: that it is longer than the limit of the method, or of
-    /// the penalty. Empty if nothing.
+    /// What the user should know before the next step: that it is longer than the limit of the method, or of the
+    /// penalty; that cloth started crossed, or inside something. Empty if nothing.
     [[nodiscard]] std::string step_warning() const;
 
     /// The longest `solver.dt` that is stable undivided, by the limits of the method and of the penalty [s]. Infinity:
     /// no limit; 0: no step is stable.
     [[nodiscard]] double longest_step() const;
 
-    /// That ball and cloth are so fast that one may pass through the other, while `contact.continuous` forbids to look,
-    /// as of the last time that this began (`StepReport::crossing`). Empty if never.
+    /// That cloth and a ball or a solid are so fast that one may pass through the other, while `contact.continuous`
+    /// forbids to look, as of the last time that this began (`StepReport::crossing`). Empty if never.
     [[nodiscard]] std::string crossing_warning() const;
 
     /// Why the run so far is not to be trusted, one line: steps that were not solved, energy that its method has made.
@@ -137,7 +137,7 @@ private:
     void stop_balls(const Substep& now);
     void move_pins(const Substep& now);
     void meet_solids(Cloth& cloth);
-    void watch_for_solids(const Cloth& cloth, const Substep& now);
+    void mark_solid_crossing(const Cloth& cloth, const Substep& now);
     void configure_solids(const Settings& before, std::vector<Solid> solids);
     void choose_ball();
     void give_ball_back();

@@ -22,11 +22,12 @@ struct StageTimes {
     [[nodiscard]] double total() const { return step + build + traverse + narrow + pairs + respond; }
 };
 
-/// Where the way within a step is not tested: that ball or cloth are so fast that one may pass through the other.
+/// Where the way within a step is not tested: that cloth and a ball or a solid are so fast that one may pass through
+/// the other.
 struct CrossingDanger {
     std::int64_t starts = 0;  ///< of such dangers, each after half a second without
     double last = 0;          ///< time of the last substep in danger [s]
-    double speed = 0;         ///< of ball and cloth together, as the last danger started [m/s]
+    double speed = 0;         ///< at which they approach each other at most, as the last danger started [m/s]
     double safe_speed = 0;    ///< up to which nothing passes through in such a substep [m/s]
 };
 
