@@ -124,9 +124,10 @@ TEST(StartWarning, SaysHowDeepClothStartsInSomething) {
     EXPECT_THAT(warning_of("drop", "ball.position=0,0.8,0"), HasSubstr("cloth starts 0."));
     EXPECT_THAT(warning_of("table", "cloth.centre=0,0.4,0"), HasSubstr("cloth starts 0.1 m deep"));
     EXPECT_THAT(warning_of("drop", "ground.height=2"), HasSubstr("deep inside a ball, a solid or the ground"));
-    EXPECT_THAT(
-        scene_for_user("table", {"cloth.centre=0,0.4,0", "cloth.pinned=border", "cloth.particles=2,2"}).step_warning(),
-        testing::Not(HasSubstr("cloth starts")))
+    EXPECT_THAT(scene_for_user(
+                    "table", {"cloth.centre=0,0.4,0", "cloth.size=0.2,0.2", "cloth.pinned=four", "cloth.particles=2,2"})
+                    .step_warning(),
+                testing::Not(HasSubstr("cloth starts")))
         << "pins stay";
     for (const std::string& scene : scene_names()) {
         EXPECT_THAT(warning_of(scene, "view.speed=1"), testing::Not(HasSubstr("cloth starts"))) << scene;
