@@ -9,7 +9,7 @@ flat in float is_steered;
 out vec4 colour;
 
 const vec3 light_part = vec3(0.80, 0.775, 0.73);
-const vec3 led_part = vec3(0.87, 0.22, 0.12);
+const vec3 ring_colour = vec3(0.87, 0.22, 0.12);
 const vec3 dark_part = vec3(0.50, 0.485, 0.47);
 
 // Two opposite quarters of the ball are darker, and so is a thin ring across them, so that it is seen to turn about any
@@ -19,7 +19,7 @@ vec3 pattern(vec3 own) {
     float dark = smoothstep(-fwidth(quarters), fwidth(quarters), quarters);
     float on_ring = 1.0 - smoothstep(-fwidth(ring), fwidth(ring), ring);
     vec3 plain = mix(light_part, dark_part, max(dark, on_ring));
-    return is_steered > 0.5 ? mix(plain, led_part, on_ring) : plain;
+    return is_steered > 0.5 ? mix(plain, ring_colour, on_ring) : plain;
 }
 
 void main() { colour = matte(pattern(normalize(own_normal)), world, normalize(world_normal)); }
