@@ -9,8 +9,8 @@ flat in float is_steered;
 out vec4 colour;
 
 const vec3 light_part = vec3(0.80, 0.775, 0.73);
-const vec3 ring_colour = vec3(0.87, 0.22, 0.12);
 const vec3 dark_part = vec3(0.50, 0.485, 0.47);
+const vec3 ring_colour = vec3(0.87, 0.22, 0.12);
 
 // Two opposite quarters of the ball are darker, and so is a thin ring across them, so that it is seen to turn about any
 // axis. Edges are as soft as a pixel. The ring of the ball that the keys lead is red.

@@ -29,8 +29,8 @@ Eigen::Matrix3f light_axes() {
 }
 
 // What casts, as the light sees it: cloths, and of balls and solids those that are near them or near what the camera
-// looks at. One that is far away would spread the map's texels over the way to it. What is farther towards the light may
-// be outside of the box's depths; the vertex shader draws it at their start.
+// looks at. One that is far away would spread the map's texels over the way to it. What is farther towards the light
+// may be outside of the box's depths; the vertex shader draws it at their start.
 Eigen::AlignedBox3f casters(const FrameView& view, const Camera& camera, const Eigen::Matrix3f& axes) {
     Eigen::AlignedBox3f box;
     for (const ClothView& cloth : view.cloths) {

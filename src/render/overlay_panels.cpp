@@ -96,13 +96,16 @@ bool panels_fit(const ViewSettings& shown, bool hinted, float width, float heigh
     return columns * font + margins * margin <= width && rows * font <= height;
 }
 
-// Those that mean something in a scene
+// Those that mean something in a scene, in the strings that are there: each picture does this
 void choose_lines(const std::vector<KeyHelp>& all, bool has_ball, std::vector<KeyHelp>& chosen) {
-    chosen.clear();
     const ShownIn elsewhere = has_ball ? ShownIn::ScenesWithoutBall : ShownIn::ScenesWithBall;
+    std::size_t count = 0;
     for (const KeyHelp& line : all) {
-        if (line.where != elsewhere) chosen.push_back(line);
+        if (line.where == elsewhere) continue;
+        if (count == chosen.size()) chosen.emplace_back();
+        chosen[count++] = line;
     }
+    chosen.resize(count);
 }
 
 ImVec2 notices_size(std::span<const std::string> notices, float most_width, float margin) {
