@@ -27,6 +27,15 @@ struct ContactProblem {
     [[nodiscard]] Velocities velocities() const { return {cloths, balls}; }
 };
 
+/// Chooses contacts.
+using TakesPart = bool (*)(const ContactProblem&, const ContactPlane&);
+
+/// Whether bodies meet faster than gravity alone brings them together within a few steps, or else rest on each other.
+inline bool is_impact(const ContactProblem& problem, const ContactPlane& contact) {
+    return contact.approach > problem.resting;
+}
+inline bool is_rest(const ContactProblem& problem, const ContactPlane& contact) { return !is_impact(problem, contact); }
+
 /// Calls visit(contact) for all contacts, in the order in which they are solved.
 template <class Visit>
 void for_each_contact(ContactProblem& problem, Visit visit) {

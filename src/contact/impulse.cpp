@@ -1,42 +1,43 @@
 #include "impulse.h"
 
-// An impulse changes velocities at the time of impact, and positions by what is left of the substep then: all that
-// happens within the substep is the work of one impulse a contact @cite mirtich1995.
+// An impulse changes velocities at the time of impact, and positions by what is left of the substep then: all that an
+// impact does within the substep is the work of one impulse @cite mirtich1995. What is still inside after that, and
+// what rests, is projected: impulses that put back what has entered would shake what lies.
 
 namespace drape {
 namespace {
 
-/// Depth that is there without an approach, from a start within a ball say, is pushed out no faster than this [m/s].
-constexpr Real push_out_speed = 1;
-
+/// The part of the substep after the impact.
 template <class AnyContact>
-void aim_impulse(const ContactProblem& problem, AnyContact& contact) {
-    const Real depth = push_of(contact, problem.balls);
-    const bool impact = contact.approach > problem.resting;
-    const Real of_rest = problem.share * problem.h;
-    contact.remaining = impact ? std::min(problem.h, std::max(depth, Real(0)) / contact.approach) : of_rest;
-    const Real out = std::min(depth / of_rest - contact.approach, push_out_speed);
-    contact.impulse.target = impact ? contact.impulse.target : out;
+void time_impact(const ContactProblem& problem, AnyContact& contact) {
+    const Real depth = std::max(push_of(contact, problem.balls), Real(0));
+    contact.remaining = std::min(problem.h, depth / contact.approach);
 }
 
 }  // namespace
 
-Sweeps solve_impulses(ContactProblem& problem, bool (*takes_part)(const ContactProblem&, const ContactPlane&)) {
-    Impacts motion{problem.displacements(), problem.velocities(), problem.h, problem.resting};
-    for_each_contact(problem, [&](auto& contact) { aim_impulse(problem, contact); });
-    choose(problem, [&](const ContactPlane& contact) { return takes_part(problem, contact); });
-    return sweep_until(problem, velocity_tolerance(problem),
-                       [&](auto& contact) { return solve_contact(motion, contact); });
+Sweeps solve_impacts(ContactProblem& problem) {
+    bool any = false;
+    for_each_contact(problem, [&](auto& contact) {
+        contact.takes_part = is_impact(problem, contact) && contact.inverse_mass > 0;
+        if (!contact.takes_part) return;
+        time_impact(problem, contact);
+        any = true;
+    });
+    if (!any) return {};
+    Impacts motion{problem.displacements(), problem.velocities()};
+    const Sweeps sweeps = sweep_until(problem, velocity_tolerance(problem),
+                                      [&](auto& contact) { return solve_contact(motion, contact); });
+    for_each_contact(problem, [&](auto& contact) { find_again(problem, contact); });
+    return sweeps;
 }
 
 ResponseReport respond_by_impulses(ContactProblem& problem) {
-    const Sweeps sweeps = solve_impulses(problem, [](const ContactProblem&, const ContactPlane&) { return true; });
-    for_each_contact(problem, [&](ContactPlane& contact) {
-        const bool rests = contact.approach <= problem.resting;
-        contact.displacement.normal = rests ? contact.remaining * contact.impulse.normal : Real(0);
-        contact.displacement.friction = rests ? Vec3(contact.remaining * contact.impulse.friction) : Vec3(Vec3::Zero());
-    });
-    return {.residual = sweeps.residual * problem.h, .sweeps = sweeps.count};
+    const Sweeps impacts = solve_impacts(problem);
+    ResponseReport report = respond_by_projection(problem);
+    report.residual = std::max(report.residual, impacts.residual * problem.h);
+    report.sweeps += impacts.count;
+    return report;
 }
 
 }  // namespace drape

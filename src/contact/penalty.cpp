@@ -48,7 +48,7 @@ Real penalty_step_limit(Real stiffness, Real restitution, Real inverse_mass) {
     return 2 * (std::sqrt(1 + zeta * zeta) - zeta) / std::sqrt(stiffness * inverse_mass);
 }
 
-Sweeps solve_penalties(ContactProblem& problem, bool (*takes_part)(const ContactProblem&, const ContactPlane&)) {
+Sweeps solve_penalties(ContactProblem& problem, TakesPart takes_part) {
     choose(problem, [&](const ContactPlane& contact) { return takes_part(problem, contact); });
     for_each_contact(problem, [&](auto& contact) {
         if (contact.takes_part) push_by_penalty(problem, contact);

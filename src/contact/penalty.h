@@ -5,6 +5,6 @@
 namespace drape {
 
 /// Pushes by springs and dampers at the contacts that take part.
-Sweeps solve_penalties(ContactProblem& problem, bool (*takes_part)(const ContactProblem&, const ContactPlane&));
+Sweeps solve_penalties(ContactProblem& problem, TakesPart takes_part);
 
 }  // namespace drape

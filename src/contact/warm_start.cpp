@@ -29,6 +29,9 @@ std::tuple<unsigned, int, int> order_of(const Contact& contact) {
 
 const FeaturePair& order_of(const PairContact& contact) { return contact.pair.features; }
 
+bool is_on_ground(const Contact& contact) { return contact.ball == the_ground; }
+bool is_on_ground(const PairContact& /*contact*/) { return false; }
+
 bool is_of_surface(const Contact& contact) { return !contact.of_node && !contact.of_impact; }
 bool is_of_surface(const PairContact& /*contact*/) { return true; }
 
@@ -53,7 +56,7 @@ bool takes_forces_under_balls(IntegratorKind integrator) {
 /// Whether the pushes that go on are those that stopped velocities, and not those that displaced; they are forces of
 /// the step then.
 bool takes_impulses(const ResponseParameters& parameters, const std::vector<Contact>& contacts) {
-    return parameters.kind == ResponseKind::Projection && takes_forces(parameters) &&
+    return takes_forces(parameters) &&
            (takes_forces_under_balls(parameters.integrator) || std::ranges::none_of(contacts, moves_both));
 }
 
@@ -87,12 +90,6 @@ void follow_contact(const ResponseParameters& parameters, std::span<const ClothI
     if (is_solid(contact.ball)) contact.plane.height += contact.normal.dot(contact.plane.moved);
     contact.depth = depth_now(parameters, balls, contact);
 }
-
-/// Whether it has nothing to take its push back from: the ground has been taken away, or put lower.
-bool is_gone(const ResponseParameters& parameters, const Contact& contact) {
-    return contact.ball == the_ground && (!parameters.ground.solid || contact.depth < -parameters.thickness);
-}
-bool is_gone(const ResponseParameters& /*parameters*/, const PairContact& /*contact*/) { return false; }
 
 /// The plane of a pair is that of this substep's start.
 void follow_contact(const ResponseParameters& /*parameters*/, std::span<const ClothInContact> cloths,
@@ -165,11 +162,12 @@ void WarmStart<AnyContact>::take(const ResponseParameters& parameters, Real h, R
     const Real force_share = displacement_share(parameters.integrator);
     const bool were_of_velocities = of_velocities_;
     of_velocities_ = takes_impulses(parameters, contacts);
-    const Real share = of_velocities_ || parameters.kind == ResponseKind::Impulse ? force_share : Real(1);
+    const Real share = of_velocities_ ? force_share : Real(1);
     h_ = h;
+    const bool ground_is_gone = !parameters.ground.solid || parameters.ground.height < ground_height_;
+    ground_height_ = parameters.ground.height;
     if (!solves_for_pushes(parameters.kind)) return;
     is_explicit_ = has_step_limit(parameters.integrator);
-    before_ = is_explicit_ ? Real(0) : share;
     const bool goes_ahead = of_velocities_ || (!is_explicit_ && force_share == 1);
     last_.swap(contacts);
     if (of_velocities_ || were_of_velocities) {
@@ -180,6 +178,7 @@ void WarmStart<AnyContact>::take(const ResponseParameters& parameters, Real h, R
     };
     std::erase_if(last_, [&](const AnyContact& contact) {
         if (!is_of_surface(contact) || contact.displacement.normal == 0) return true;
+        if (ground_is_gone && is_on_ground(contact)) return true;
         return !rests(contact) && !moves_both(contact);
     });
     for (AnyContact& contact : last_) {
@@ -224,7 +223,7 @@ void WarmStart<AnyContact>::before_step(std::span<const ClothInContact> cloths, 
     Velocities velocities(cloths, balls);
     BallDisplacements displacements{balls};
     for (const AnyContact& contact : beside_step()) {
-        push_apart(velocities, contact, before_ * push_along(contact.impulse, contact.normal));
+        push_apart(velocities, contact, push_along(contact.impulse, contact.normal));
         displace_ball(displacements, contact);
     }
 }
@@ -233,12 +232,12 @@ void WarmStart<AnyContact>::before_step(std::span<const ClothInContact> cloths, 
 template <class AnyContact>
 __attribute__((flatten)) void WarmStart<AnyContact>::after_step(std::span<const ClothInContact> cloths,
                                                                 std::span<Ball> balls) const {
-    if (before_ == 1) return;
+    if (!is_explicit_) return;
     Velocities velocities(cloths, balls);
     Displacements displacements(cloths, balls);
     for (const AnyContact& contact : beside_step()) {
-        push_apart(velocities, contact, (1 - before_) * push_along(contact.impulse, contact.normal));
-        if (is_explicit_) push_apart(displacements, contact, push_along(contact.displacement, contact.normal));
+        push_apart(velocities, contact, push_along(contact.impulse, contact.normal));
+        push_apart(displacements, contact, push_along(contact.displacement, contact.normal));
     }
 }
 
@@ -273,7 +272,6 @@ void WarmStart<AnyContact>::carry_over(const ResponseParameters& parameters, std
             ++found;
         } else if (before.displacement.normal > 0) {
             follow_contact(parameters, cloths, balls, before);
-            if (is_gone(parameters, before)) continue;
             parted_.push_back(before);
             gaps_.push_back(found - contacts.begin());
         }

@@ -5,8 +5,8 @@
 namespace drape {
 
 /// Where something has come past the middle of a ball, the response moves cloth so far that it may meet the ball
-/// elsewhere: the substep's way, as it is now, is tested and answered once more, by projection. That is what puts
-/// positions back at once; after an impulse what has passed would go on behind the ball.
+/// elsewhere: the substep's way, as it is now, is tested and answered once more, by projection, which puts positions
+/// back at once.
 void Simulation::look_again(const Substep& now) {
     const auto has_passing = [](const Cloth& cloth) { return cloth.search.found_passing(); };
     if (settings_.contact.response == ResponseKind::Penalty || std::ranges::none_of(cloths_, has_passing)) return;

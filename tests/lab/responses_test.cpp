@@ -25,6 +25,14 @@ TEST(LabBounce, ConvergesForResponsesThatAreHard) {
     }
 }
 
+/// A push that is given on is taken back where nothing needs it, even from a sheet without thickness that has come far
+/// from the ground in one long step.
+TEST(LabBounce, IsNotRepeatedAfterALongStep) {
+    for (const ResponseKind kind : {ResponseKind::Projection, ResponseKind::Impulse, ResponseKind::Hybrid}) {
+        EXPECT_LT(drop_sheet(kind, Real(1) / 60).height_error, 0.3) << name_of(kind);
+    }
+}
+
 /// The planted fault: at a penalty's depth the sheet turns back later than on hard ground.
 TEST(LabBounce, ComesLateFromAPenaltyByHalfASwing) {
     const double mass = 0.2 / 36, stiffness = 1000;

@@ -15,7 +15,7 @@ struct ContactRows;
 enum class ResponseKind {
     Projection,  ///< positions are put back onto the surface, then velocities stopped
     Penalty,     ///< a spring and a damper push out what has entered
-    Impulse,     ///< velocities are changed at the time of impact, positions by what is left of the step
+    Impulse,     ///< on impact, velocities are changed, and positions by what is left of the step; then projection
     Hybrid       ///< impulses on impact, penalties at rest
 };
 

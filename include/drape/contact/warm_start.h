@@ -19,12 +19,9 @@ namespace drape {
 /// pairs, displacements go on: to an implicit method as a velocity before the step, to others after it. So they do for
 /// all contacts where cloths meet, if a force displaces by all of what its velocity would, and, under methods without a
 /// step limit but Dormand-Prince, while a free ball touches the cloth: contacts that nothing holds to their depth part
-/// under it in long substeps. Impulses of the response by impulses are given before the step of a method that displaces
-/// by all of a velocity, half before and half after that of the midpoint rule and of Dormand-Prince, else after the
-/// step. The push of a contact that rolls
-/// goes ahead of it, where it would feed the rocking of cloth otherwise: where it is a force of the step, and under
-/// implicit methods to which a force displaces by all of what its velocity would. Only responses that solve for pushes
-/// can use them; a penalty follows from the depth.
+/// under it in long substeps. The push of a contact that rolls goes ahead of it, where it would feed the rocking of
+/// cloth otherwise: where it is a force of the step, and under implicit methods to which a force displaces by all of
+/// what its velocity would. Only responses that solve for pushes can use them; a penalty follows from the depth.
 /// @tparam AnyContact `Contact`, of one cloth with balls and ground, or `PairContact`
 template <class AnyContact>
 class WarmStart {
@@ -77,8 +74,8 @@ private:
     void insert(std::vector<AnyContact>& contacts) const;
 
     Real h_ = 0;                  ///< of the last pushes [s]
-    Real before_ = 0;             ///< what of a velocity is given before the step
-    bool is_explicit_ = true;     ///< nothing is, and displacements are given
+    Real ground_height_ = 0;      ///< when these were found [m]
+    bool is_explicit_ = true;     ///< pushes are given after the step, displacements too; else before it
     bool of_velocities_ = false;  ///< the pushes are impulses; what they displaced by goes back where a contact parted
     NotCopied<std::vector<Real>> forces_;  ///< of `within_step`
     std::vector<AnyContact> last_, parted_;
