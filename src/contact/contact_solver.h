@@ -34,7 +34,6 @@ using TakesPart = bool (*)(const ContactProblem&, const ContactPlane&);
 inline bool is_impact(const ContactProblem& problem, const ContactPlane& contact) {
     return contact.approach > problem.resting;
 }
-inline bool is_rest(const ContactProblem& problem, const ContactPlane& contact) { return !is_impact(problem, contact); }
 
 /// Calls visit(contact) for all contacts, in the order in which they are solved.
 template <class Visit>
@@ -49,10 +48,10 @@ void for_each_contact(ContactProblem& problem, Visit visit) {
 }
 
 /// Chooses the contacts that a solve is about.
-template <class TakesPart>
-void choose(ContactProblem& problem, TakesPart takes_part) {
-    for_each_contact(
-        problem, [&](ContactPlane& contact) { contact.takes_part = contact.inverse_mass > 0 && takes_part(contact); });
+template <class Chooses>
+void choose(ContactProblem& problem, Chooses chooses) {
+    for_each_contact(problem,
+                     [&](ContactPlane& contact) { contact.takes_part = contact.inverse_mass > 0 && chooses(contact); });
 }
 
 /// What friction is to give to a contact in all, to stop what is left of its sliding, within Coulomb's cone.
@@ -132,6 +131,12 @@ Sweeps sweep_until(ContactProblem& problem, Real tolerance, Solve solve) {
 [[nodiscard]] ResponseReport respond_by_impulses(ContactProblem& problem);
 [[nodiscard]] ResponseReport respond_by_penalties(ContactProblem& problem);
 [[nodiscard]] ResponseReport respond_by_hybrid(ContactProblem& problem);
+
+/// The point of a contact, and its depth along the same normal, where its bodies are now; less than zero where they
+/// have parted, but for contacts of balls, whose depth is then zero.
+void follow(const ContactProblem& problem, Contact& contact);
+void follow(const ContactProblem& problem, PairContact& contact);
+void follow(const ContactProblem& problem, BallContact& contact);
 
 /// Finds a contact again where its bodies have moved: its depth, the point that is closest now, and the normal.
 void find_again(const ContactProblem& problem, Contact& contact);

@@ -2,7 +2,7 @@
 
 // An impulse changes velocities at the time of impact, and positions by what is left of the substep then: all that an
 // impact does within the substep is the work of one impulse @cite mirtich1995. What is still inside after that, and
-// what rests, is projected: impulses that put back what has entered would shake what lies.
+// what rests, is projected: impulses that put back what has entered would make resting cloth quiver.
 
 namespace drape {
 namespace {
@@ -26,14 +26,13 @@ Sweeps solve_impacts(ContactProblem& problem) {
     });
     if (!any) return {};
     Impacts motion{problem.displacements(), problem.velocities()};
-    const Sweeps sweeps = sweep_until(problem, velocity_tolerance(problem),
-                                      [&](auto& contact) { return solve_contact(motion, contact); });
-    for_each_contact(problem, [&](auto& contact) { find_again(problem, contact); });
-    return sweeps;
+    return sweep_until(problem, velocity_tolerance(problem),
+                       [&](auto& contact) { return solve_contact(motion, contact); });
 }
 
 ResponseReport respond_by_impulses(ContactProblem& problem) {
     const Sweeps impacts = solve_impacts(problem);
+    if (impacts.count > 0) for_each_contact(problem, [&](auto& contact) { follow(problem, contact); });
     ResponseReport report = respond_by_projection(problem);
     report.residual = std::max(report.residual, impacts.residual * problem.h);
     report.sweeps += impacts.count;

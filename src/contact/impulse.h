@@ -4,7 +4,7 @@
 
 namespace drape {
 
-/// Velocities, and with them positions, for impulses that change both.
+/// For impulses that change velocities and positions together.
 struct Impacts {
     Displacements displacements;
     Velocities velocities;
@@ -23,7 +23,7 @@ void push_apart(Impacts& motion, const AnyContact& contact, const Vec3& push) {
     push_apart(motion.displacements, contact, contact.remaining * push);
 }
 
-/// Gives impulses to the contacts that are impacts, and finds all contacts again if there are any.
+/// Gives impulses to the contacts that are impacts.
 Sweeps solve_impacts(ContactProblem& problem);
 
 }  // namespace drape

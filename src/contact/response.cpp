@@ -95,23 +95,13 @@ void prepare(ContactProblem& problem, AnyContact& contact) {
     }
     contact.impulse.target = 0;
     contact.approach = -relative(problem.velocities(), contact).dot(contact.normal);
-    if (contact.approach > problem.resting) {
+    if (is_impact(problem, contact)) {
         contact.impulse.target = restitution_of(problem.parameters, contact) * contact.approach;
     }
 }
 
 const ClothInContact& cloth_of(const ContactProblem& problem, const Contact& contact) {
     return problem.cloths[static_cast<std::size_t>(contact.cloth)];
-}
-
-/// The point of a contact, and its depth, where its bodies are now; less than zero where they have parted.
-void follow(const ContactProblem& problem, Contact& contact) {
-    contact.point = at_point(contact, cloth_of(problem, contact).state.x);
-    contact.depth = depth_now(problem.parameters, problem.balls, contact);
-}
-void follow(const ContactProblem& problem, PairContact& contact) {
-    const Vec3 offset = contact.start + relative(problem.displacements(), contact);
-    contact.depth = problem.parameters.pair_thickness - offset.dot(contact.normal);
 }
 
 /// Flat, because GCC would call a function for each sum of three numbers.
@@ -167,6 +157,7 @@ ResponseReport respond(ContactProblem& problem) {
     const auto pairs = std::exchange(problem.pairs, {});
     ResponseReport report = respond_in_kind(problem);
     problem.pairs = pairs;
+    for (PairContact& contact : pairs) follow(problem, contact);
     ContactProblem of_pairs = problem;
     of_pairs.with_bodies = false;
     of_pairs.ball_contacts = {};
@@ -177,6 +168,18 @@ ResponseReport respond(ContactProblem& problem) {
 }
 
 }  // namespace
+
+void follow(const ContactProblem& problem, Contact& contact) {
+    contact.point = at_point(contact, cloth_of(problem, contact).state.x);
+    contact.depth = depth_now(problem.parameters, problem.balls, contact);
+}
+
+void follow(const ContactProblem& problem, PairContact& contact) {
+    const Vec3 offset = contact.start + relative(problem.displacements(), contact);
+    contact.depth = problem.parameters.pair_thickness - offset.dot(contact.normal);
+}
+
+void follow(const ContactProblem& problem, BallContact& contact) { find_again(problem, contact); }
 
 double work_of_led_balls(std::span<const Contact> contacts, std::span<const Ball> balls) {
     Real work = 0;

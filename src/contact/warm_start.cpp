@@ -56,7 +56,7 @@ bool takes_forces_under_balls(IntegratorKind integrator) {
 /// Whether the pushes that go on are those that stopped velocities, and not those that displaced; they are forces of
 /// the step then.
 bool takes_impulses(const ResponseParameters& parameters, const std::vector<Contact>& contacts) {
-    return takes_forces(parameters) &&
+    return solves_for_pushes(parameters.kind) && takes_forces(parameters) &&
            (takes_forces_under_balls(parameters.integrator) || std::ranges::none_of(contacts, moves_both));
 }
 

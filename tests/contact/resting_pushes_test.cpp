@@ -204,6 +204,21 @@ TEST(RestingPush, IsNoneOfAnImpactUnderTheImplicitMidpointRule) {
     EXPECT_TRUE(sheet.warm_start.pushes().empty());
 }
 
+TEST(RestingPush, IsNoneOfAGroundThatIsAwayOrLower) {
+    MidpointContact sheet;
+    const auto pushes_after = [&](const Ground& ground) {
+        sheet.push(1);
+        sheet.contacts[0].ball = the_ground;
+        sheet.parameters.ground = ground;
+        sheet.take();
+        return sheet.warm_start.pushes().size();
+    };
+    EXPECT_EQ(pushes_after({.height = 0}), 1u);
+    EXPECT_EQ(pushes_after({.height = Real(0.1)}), 1u);
+    EXPECT_EQ(pushes_after({.height = Real(0.05)}), 0u);
+    EXPECT_EQ(pushes_after({.height = Real(0.05), .solid = false}), 0u);
+}
+
 /// As a displacement: half of the impulse, all of it before the step.
 TEST(RestingPush, GoesOnWhereAFreeBallComesToTouchUnderTheImplicitMidpointRule) {
     MidpointContact sheet;
