@@ -27,10 +27,10 @@ struct ContactProblem {
     [[nodiscard]] Velocities velocities() const { return {cloths, balls}; }
 };
 
-/// Chooses contacts.
+/// Whether a contact takes part in a solve.
 using TakesPart = bool (*)(const ContactProblem&, const ContactPlane&);
 
-/// Whether bodies meet faster than gravity alone brings them together within a few steps, or else rest on each other.
+/// Whether bodies meet faster than a few steps of gravity would make them; if not, they rest on each other.
 inline bool is_impact(const ContactProblem& problem, const ContactPlane& contact) {
     return contact.approach > problem.resting;
 }
@@ -132,8 +132,8 @@ Sweeps sweep_until(ContactProblem& problem, Real tolerance, Solve solve) {
 [[nodiscard]] ResponseReport respond_by_penalties(ContactProblem& problem);
 [[nodiscard]] ResponseReport respond_by_hybrid(ContactProblem& problem);
 
-/// The point of a contact, and its depth along the same normal, where its bodies are now; less than zero where they
-/// have parted, but for contacts of balls, whose depth is then zero.
+/// Updates the point of a contact and its depth, negative where they have parted, to where the bodies are now; the
+/// normal stays. A contact of two balls, or of a ball and a plane, is found again instead.
 void follow(const ContactProblem& problem, Contact& contact);
 void follow(const ContactProblem& problem, PairContact& contact);
 void follow(const ContactProblem& problem, BallContact& contact);

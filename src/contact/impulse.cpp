@@ -1,13 +1,13 @@
 #include "impulse.h"
 
-// An impulse changes velocities at the time of impact, and positions by what is left of the substep then: all that an
-// impact does within the substep is the work of one impulse @cite mirtich1995. What is still inside after that, and
+// One impulse per impact changes velocities at its time, and moves positions by that change over the rest of the
+// substep @cite mirtich1995. What is still inside after that, and
 // what rests, is projected: impulses that put back what has entered would make resting cloth quiver.
 
 namespace drape {
 namespace {
 
-/// The part of the substep after the impact.
+/// Sets how much of the substep is left after the impact.
 template <class AnyContact>
 void time_impact(const ContactProblem& problem, AnyContact& contact) {
     const Real depth = std::max(push_of(contact, problem.balls), Real(0));

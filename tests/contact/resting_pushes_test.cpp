@@ -204,7 +204,7 @@ TEST(RestingPush, IsNoneOfAnImpactUnderTheImplicitMidpointRule) {
     EXPECT_TRUE(sheet.warm_start.pushes().empty());
 }
 
-TEST(RestingPush, IsNoneOfAGroundThatIsAwayOrLower) {
+TEST(RestingPush, IsDroppedWhenTheGroundIsRemovedOrLowered) {
     MidpointContact sheet;
     const auto pushes_after = [&](const Ground& ground) {
         sheet.push(1);

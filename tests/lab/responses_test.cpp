@@ -25,8 +25,8 @@ TEST(LabBounce, ConvergesForResponsesThatAreHard) {
     }
 }
 
-/// A push that is given on is taken back where nothing needs it, even from a sheet without thickness that has come far
-/// from the ground in one long step.
+/// A push carried over from the last step is taken back once nothing needs it, even if one long step has brought a
+/// sheet without thickness far from the ground.
 TEST(LabBounce, IsNotRepeatedAfterALongStep) {
     EXPECT_LT(drop_sheet(ResponseKind::Projection, Real(1) / 60).height_error, 0.1);
 }

@@ -64,8 +64,8 @@ using RestCase = std::tuple<IntegratorKind, ResponseKind>;
 
 class RestOnABall : public testing::TestWithParam<RestCase> {};
 
-/// What comes below 0.1 mm/s at these steps: projection and impulses. Penalties and the hybrid leave what a spring of
-/// their stiffness quivers by.
+/// What comes below 0.1 mm/s at these steps, under every method but explicit Euler: projection and impulses. Penalties
+/// and the hybrid leave the quiver of a spring of their stiffness.
 std::vector<RestCase> rest_cases() {
     std::vector<RestCase> cases;
     for (std::size_t i = 1; i < names_of<IntegratorKind>().size(); ++i) {

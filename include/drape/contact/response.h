@@ -15,7 +15,7 @@ struct ContactRows;
 enum class ResponseKind {
     Projection,  ///< positions are put back onto the surface, then velocities stopped
     Penalty,     ///< a spring and a damper push out what has entered
-    Impulse,     ///< on impact, velocities are changed, and positions by what is left of the step; then projection
+    Impulse,     ///< an impact changes velocities, and positions by that over the rest of the step; then projection
     Hybrid       ///< impulses on impact, penalties at rest
 };
 

@@ -75,7 +75,7 @@ private:
 
     Real h_ = 0;                  ///< of the last pushes [s]
     Real ground_height_ = 0;      ///< as of the last `take` [m]
-    bool is_explicit_ = true;     ///< pushes are given after the step, displacements too; else before it
+    bool is_explicit_ = true;     ///< pushes beside the step are given after it, displacements too; else before it
     bool of_velocities_ = false;  ///< the pushes are impulses; what they displaced by goes back where a contact parted
     NotCopied<std::vector<Real>> forces_;  ///< of `within_step`
     std::vector<AnyContact> last_, parted_;
