@@ -181,7 +181,7 @@ TEST_P(EachResponse, LetsAPatchLeaveAFrictionlessBallWhereTheFormulaSays) {
         const Vec3 middle = patch.state.x.colwise().mean().transpose();
         const bool was_pushed = pushed;
         pushed = std::ranges::any_of(patch.contacts, [](const Contact& c) { return c.impulse.normal > 0; });
-        // A patch that has left quivers, and may brush the ball for a single step
+        // Twice in a row: a patch that has left quivers, and may brush the ball for a single step
         if (pushed && was_pushed) angle = std::atan2(middle.x(), middle.y()), time = static_cast<Real>(step) * h;
     });
     const Real expected = std::acos(Real(2) / 3 + speed * speed / (3 * Real(9.81) * radius));

@@ -176,7 +176,7 @@ TEST(ContinuousDetection, NeitherLetsALightBallThroughNorThrowsItBack) {
     for (const std::string response : {"projection", "impulse", "hybrid"}) {
         for (int shot = 0; shot < 8; ++shot) {
             const std::string integrator = shot % 2 == 0 ? "backward_euler" : "xpbd";
-            const bool heavier = shot >= 4 && response != "hybrid";  // it lets such balls through now and then
+            const bool heavier = shot >= 4 && response != "hybrid";  // under it some get through
             const std::string mass = heavier ? "0.03" : "0.004";
             const Real speed = between(20, 100), from = between(Real(0.05), 2);
             const std::string place = std::to_string(between(Real(-0.3), Real(0.3))) + "," +
