@@ -1,12 +1,22 @@
 #pragma once
 
 #include <Eigen/Geometry>
+#include <algorithm>
 #include <cmath>
 
 #include "drape/contact/closest_point.h"
 #include "drape/contact/response.h"
 
 namespace drape {
+
+/// Depth that is left at most [m]: a resting contact then lasts from step to step instead of flickering.
+inline constexpr Real most_slop = Real(3e-5);
+
+/// The depth that is left in a ball [m].
+inline Real slop_in(const Ball& ball) {
+    constexpr Real of_radius = Real(1e-4);
+    return std::min(of_radius * ball.radius, most_slop);
+}
 
 /// Position or velocity of one particle.
 inline Vec3 position(const Points& x, int particle) { return x.row(particle).transpose(); }

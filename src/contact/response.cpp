@@ -10,10 +10,6 @@
 namespace drape {
 namespace {
 
-/// Depth that is left, as a fraction of the radius and at most [m]: a resting contact then lasts from step to step
-/// instead of flickering.
-constexpr Real slop = Real(1e-4), most_slop = Real(3e-5);
-
 /// An approach slower than this many steps of gravity is resting, and does not bounce.
 constexpr Real resting_steps = 4;
 
@@ -204,7 +200,7 @@ Real push_of(const PairContact& contact, std::span<const Ball> /*balls*/) { retu
 
 Real push_of(const BodyContact& contact, std::span<const Ball> balls) {
     if (is_plane(contact.ball)) return contact.depth - most_slop;
-    return contact.depth - std::min(slop * ball_of(contact, balls).radius, most_slop);
+    return contact.depth - slop_in(ball_of(contact, balls));
 }
 
 Real restitution_of(const ResponseParameters& parameters, const BodyContact& contact) {

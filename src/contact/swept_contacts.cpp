@@ -71,9 +71,29 @@ Contact impact_contact(const Points& x, const Ball& ball, int ball_number, Real 
     return contact;
 }
 
-/// Whether the point of an impact is behind its plane at the end, and no longer in the ball.
+/// Whether the point of an impact is behind its plane at the end, by more than a response leaves, and no longer in the
+/// ball.
 bool has_passed(const Ball& ball, Real thickness, const Contact& contact) {
-    return contact.depth > 0 && (contact.point - ball.centre).norm() >= ball.radius + thickness;
+    return contact.depth > 2 * slop_in(ball) && (contact.point - ball.centre).norm() >= ball.radius + thickness;
+}
+
+/// Adds what has passed the ball.
+/// @param impacts of which the first of each feature stays
+/// @param takes takes(contact) of what has passed
+template <class Takes>
+void add_passing(const Points& x, const Ball& ball, int ball_number, Real thickness,
+                 std::vector<TriangleImpact>& impacts, std::vector<Contact>& contacts, Takes takes) {
+    leave_first_of_each(impacts);
+    for (const TriangleImpact& found : impacts) {
+        const Contact contact = impact_contact(x, ball, ball_number, thickness, found);
+        if (has_passed(ball, thickness, contact) && takes(contact)) contacts.push_back(contact);
+    }
+}
+
+/// The inner half of a ball.
+SweptBall core_of(SweptBall ball) {
+    ball.radius /= 2;
+    return ball;
 }
 
 std::int64_t count_cells(std::span<const TriangleImpact> impacts) {
@@ -94,18 +114,25 @@ std::int64_t find_swept_contacts(const Grid& grid, const Points& before, const P
                                  int ball_number, Real thickness, std::span<const CellRun> cells,
                                  std::vector<TriangleImpact>& impacts, std::vector<Contact>& contacts,
                                  Kernels kernels) {
+    const SweptBall way = grown(way_of(ball), thickness);
     impacts.clear();
-    find_impacts(grid, before, x, grown(way_of(ball), thickness), cells, impacts);
+    find_impacts(grid, before, x, way, cells, impacts);
     const std::int64_t touched = count_cells(impacts);
     const auto first = static_cast<std::ptrdiff_t>(contacts.size());
     find_contacts(grid, x, ball, ball_number, thickness, cells, contacts, kernels);
     for (Contact& contact : std::span(contacts).subspan(static_cast<std::size_t>(first))) {
         keep_side(before, ball, thickness, contact);
     }
-    leave_first_of_each(impacts);
-    for (const TriangleImpact& found : impacts) {
-        const Contact contact = impact_contact(x, ball, ball_number, thickness, found);
-        if (has_passed(ball, thickness, contact)) contacts.push_back(contact);
+    add_passing(x, ball, ball_number, thickness, impacts, contacts, [](const Contact&) { return true; });
+    // What touches at first with one point, and is then passed by the ball with another
+    if (touched > 0) {
+        impacts.clear();
+        find_impacts(grid, before, x, core_of(way), cells, impacts);
+        const std::size_t known = contacts.size();
+        add_passing(x, ball, ball_number, thickness, impacts, contacts, [&](const Contact& contact) {
+            const auto end = contacts.begin() + static_cast<std::ptrdiff_t>(known);
+            return std::ranges::find(contacts.begin() + first, end, contact.triangle, &Contact::triangle) == end;
+        });
     }
     std::stable_sort(contacts.begin() + first, contacts.end(), [](const Contact& a, const Contact& b) {
         return std::tuple(a.triangle, a.of_impact) < std::tuple(b.triangle, b.of_impact);

@@ -173,10 +173,11 @@ bool is_through(const Cloth& cloth, const Ball& ball) {
 TEST(ContinuousDetection, NeitherLetsALightBallThroughNorThrowsItBack) {
     std::mt19937 random(5);
     const auto between = [&](Real low, Real high) { return std::uniform_real_distribution<Real>(low, high)(random); };
+    const int shots = test::sanitized ? 8 : 60;
     for (const std::string response : {"projection", "impulse", "hybrid"}) {
-        for (int shot = 0; shot < 8; ++shot) {
+        for (int shot = 0; shot < shots; ++shot) {
             const std::string integrator = shot % 2 == 0 ? "backward_euler" : "xpbd";
-            const bool heavier = shot >= 4 && response != "hybrid";  // under it some get through
+            const bool heavier = shot >= 4;  // and draws the triangles that it hits out to three times their length
             const std::string mass = heavier ? "0.03" : "0.004";
             const Real speed = between(20, 100), from = between(Real(0.05), 2);
             const std::string place = std::to_string(between(Real(-0.3), Real(0.3))) + "," +

@@ -107,6 +107,7 @@ private:
     void answer(const ResponseParameters& response, const Substep& now, std::span<PairContact> pairs,
                 std::span<BallContact> ball_contacts);
     void look_again(const Substep& now);
+    void answer_way(const Substep& now);
     void hold_back();
     void resist_rolling();
     void close_report();
