@@ -24,19 +24,26 @@ Real damping_ratio(Real restitution) {
 
 /// The impulse of one contact's spring and damper in the substep.
 template <class AnyContact>
-Real penalty_of(const ContactProblem& problem, const AnyContact& contact) {
+Real penalty_of(const ContactProblem& problem, const AnyContact& contact, Real approach) {
     const Real stiffness = problem.parameters.stiffness;
     const Real damping =
         2 * damping_ratio(restitution_of(problem.parameters, contact)) * std::sqrt(stiffness / contact.inverse_mass);
-    return problem.h * std::max(stiffness * contact.depth + damping * contact.approach, Real(0));
+    return problem.h * std::max(stiffness * contact.depth + damping * approach, Real(0));
 }
 
-/// Gives a contact its penalty, and the displacements of friction their bound.
+/// At which they meet, after what other contacts have given.
+template <class AnyContact>
+Real approach_of(const Velocities& velocities, const AnyContact& contact) {
+    return -relative(velocities, contact).dot(contact.normal);
+}
+
+/// Gives a contact its penalty, one after the other, for the dampers of several contacts of a particle would add up to
+/// more than all of its speed; and the displacements of friction their bound.
 template <class AnyContact>
 void push_by_penalty(ContactProblem& problem, AnyContact& contact) {
     Velocities velocities = problem.velocities();
     contact.displacement = contact.impulse = {};
-    contact.impulse.normal = penalty_of(problem, contact);
+    contact.impulse.normal = penalty_of(problem, contact, approach_of(velocities, contact));
     contact.displacement.normal = problem.share * problem.h * contact.impulse.normal;
     push_apart(velocities, contact, contact.impulse.normal * contact.normal);
 }

@@ -4,6 +4,7 @@
 #include <cmath>
 #include <deque>
 #include <numeric>
+#include <span>
 #include <utility>
 
 #include "drape/integrate/stability.h"
@@ -16,14 +17,15 @@ namespace {
 
 constexpr double safe_part = 0.9, after_sleep = 2;
 
-/// Mean square speed of the particles over the last half second.
+/// `rms_motion` of the last half second, in the mean square.
 class RecentSpeed {
 public:
     explicit RecentSpeed(double step)
-        : steps_(static_cast<std::size_t>(std::max(1.0, std::round(RestWatch::duration / step)))) {}
+        : step_(step), steps_(static_cast<std::size_t>(std::max(1.0, std::round(RestWatch::duration / step)))) {}
 
-    void look(const Points& v) {
-        squares_.push_back(static_cast<double>(v.squaredNorm()) / static_cast<double>(v.rows()));
+    void look(std::span<const Cloth> cloths) {
+        const double speed = rms_motion(cloths, step_);
+        squares_.push_back(speed * speed);
         if (squares_.size() > steps_) squares_.pop_front();
     }
     [[nodiscard]] double rms() const {
@@ -31,6 +33,7 @@ public:
     }
 
 private:
+    double step_;
     std::size_t steps_;
     std::deque<double> squares_;
 };
@@ -71,7 +74,7 @@ RestRun run_to_rest(const std::string& scene, Settings settings, double seconds)
     while (goes_on()) {
         simulation.step();
         run.diverged = report.status == Status::Diverged;
-        speed.look(simulation.cloths()[0].state.v);
+        speed.look(simulation.cloths());
         if (run.asleep >= 0 || !watch.look(simulation.cloths(), simulation.balls(), report.time, watched)) continue;
         run.asleep = report.time;
         run.speed_before = speed.rms();
@@ -89,7 +92,7 @@ DriftRun watch_drift(const std::string& scene, Settings settings, double settle,
     const auto run_until = [&](double time) {
         while (simulation.report().status != Status::Diverged && simulation.report().time < time - step / 2) {
             simulation.step();
-            speed.look(simulation.cloths()[0].state.v);
+            speed.look(simulation.cloths());
         }
     };
     run_until(settle);
