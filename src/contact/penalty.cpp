@@ -31,14 +31,14 @@ Real penalty_of(const ContactProblem& problem, const AnyContact& contact, Real a
     return problem.h * std::max(stiffness * contact.depth + damping * approach, Real(0));
 }
 
-/// At which they meet, after what other contacts have given.
+/// The speed at which they still approach each other, after the pushes of earlier contacts.
 template <class AnyContact>
 Real approach_of(const Velocities& velocities, const AnyContact& contact) {
     return -relative(velocities, contact).dot(contact.normal);
 }
 
-/// Gives a contact its penalty, one after the other, for the dampers of several contacts of a particle would add up to
-/// more than all of its speed; and the displacements of friction their bound.
+/// Gives a contact its penalty, and the displacements of friction their bound. Contacts get theirs one after the other:
+/// dampers that all saw the same approach would together take more than all of it.
 template <class AnyContact>
 void push_by_penalty(ContactProblem& problem, AnyContact& contact) {
     Velocities velocities = problem.velocities();

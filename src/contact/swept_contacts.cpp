@@ -71,15 +71,15 @@ Contact impact_contact(const Points& x, const Ball& ball, int ball_number, Real 
     return contact;
 }
 
-/// Whether the point of an impact is behind its plane at the end, by more than a response leaves, and no longer in the
-/// ball.
+/// Whether the point of an impact is behind its plane at the end, by more than a response leaves with its tolerance,
+/// and no longer in the ball.
 bool has_passed(const Ball& ball, Real thickness, const Contact& contact) {
     return contact.depth > 2 * slop_in(ball) && (contact.point - ball.centre).norm() >= ball.radius + thickness;
 }
 
 /// Adds what has passed the ball.
 /// @param impacts of which the first of each feature stays
-/// @param takes takes(contact) of what has passed
+/// @param takes takes(contact): whether what has passed is to be added
 template <class Takes>
 void add_passing(const Points& x, const Ball& ball, int ball_number, Real thickness,
                  std::vector<TriangleImpact>& impacts, std::vector<Contact>& contacts, Takes takes) {
@@ -124,14 +124,16 @@ std::int64_t find_swept_contacts(const Grid& grid, const Points& before, const P
         keep_side(before, ball, thickness, contact);
     }
     add_passing(x, ball, ball_number, thickness, impacts, contacts, [](const Contact&) { return true; });
-    // What touches at first with one point, and is then passed by the ball with another
+    // A triangle may touch the ball first at one point, and be passed at another
     if (touched > 0) {
         impacts.clear();
         find_impacts(grid, before, x, core_of(way), cells, impacts);
         const std::size_t known = contacts.size();
         add_passing(x, ball, ball_number, thickness, impacts, contacts, [&](const Contact& contact) {
             const auto end = contacts.begin() + static_cast<std::ptrdiff_t>(known);
-            return std::ranges::find(contacts.begin() + first, end, contact.triangle, &Contact::triangle) == end;
+            return std::none_of(contacts.begin() + first, end, [&](const Contact& known_contact) {
+                return known_contact.of_impact && known_contact.triangle == contact.triangle;
+            });
         });
     }
     std::stable_sort(contacts.begin() + first, contacts.end(), [](const Contact& a, const Contact& b) {

@@ -8,7 +8,6 @@ namespace drape {
 /// meet elsewhere: the substep's way, as it is now, is tested and answered again, by projection, which puts positions
 /// back at once; until nothing passes any more. A light ball that draws a few triangles out far needs ten times.
 void Simulation::look_again(const Substep& now) {
-    constexpr int most_looks = 16;
     const auto has_passing = [](const Cloth& cloth) { return cloth.search.found_passing(); };
     if (settings_.contact.response == ResponseKind::Penalty) return;
     for (int look = 0; look < most_looks && std::ranges::any_of(cloths_, has_passing); ++look) answer_way(now);

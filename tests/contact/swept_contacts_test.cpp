@@ -20,11 +20,11 @@ Points rows_of(const std::vector<Vec3>& rows) {
 
 /// The contacts of one cell whose first corner touches a resting ball of radius 1, thickness counted, and is then drawn
 /// aside, while the rest of its triangle comes down through the ball's middle.
-/// @param height at which that corner ends, above the centre
-std::vector<Contact> contacts_of_swinging_cell(Real height) {
+/// @param end of that corner, seen from the centre
+std::vector<Contact> contacts_of_swinging_cell(const Vec3& end) {
     const Ball ball{.radius = 1 - felt};
     const Points before = rows_of({{0, 0, Real(0.99999)}, {5, -5, 3}, {5, 5, 3}, {10, 0, 3}});
-    const Points x = rows_of({{-3, 0, height}, {5, -5, -10}, {5, 5, -10}, {10, 0, -10}});
+    const Points x = rows_of({end, {5, -5, -10}, {5, 5, -10}, {10, 0, -10}});
     std::vector<CellRun> cells{{.row = 0, .column = 0, .count = 1}};
     std::vector<TriangleImpact> impacts;
     std::vector<Contact> contacts;
@@ -44,12 +44,12 @@ void expect_far_behind(const std::vector<Contact>& contacts) {
 }
 
 TEST(SweptContacts, HaveWhatPassesElsewhereThanWhereItTouchedFirst) {
-    expect_far_behind(contacts_of_swinging_cell(Real(1.5)));
+    expect_far_behind(contacts_of_swinging_cell({-3, 0, Real(1.5)}));
 }
 
 /// As a response leaves it: what was to be pushed out has been.
 TEST(SweptContacts, HaveItTooWhereTheFirstPointIsHardlyInside) {
-    expect_far_behind(contacts_of_swinging_cell(Real(0.99998)));
+    expect_far_behind(contacts_of_swinging_cell({-3, 0, Real(0.99998)}));
 }
 
 }  // namespace

@@ -72,7 +72,7 @@ std::string name_of_case(const testing::TestParamInfo<RestCase>& param) {
     return std::string(name_of(std::get<0>(param.param))) + "_" + std::string(name_of(std::get<1>(param.param)));
 }
 
-/// What falls asleep at a tenth of the usual speed. Penalties and the hybrid let cloth creep by their tolerance.
+/// What falls asleep at a tenth of the usual speed. Penalties and the hybrid let cloth creep: see below.
 INSTANTIATE_TEST_SUITE_P(All, RestOnABall,
                          testing::ValuesIn(rest_cases({ResponseKind::Projection, ResponseKind::Impulse})),
                          name_of_case);
@@ -98,16 +98,16 @@ INSTANTIATE_TEST_SUITE_P(All, CreepOnABall,
 
 /// Where a method displaces by half of what a force speeds up, cloth that rests has speeds that dampers see, and some
 /// particles lose their contact again and again.
-TEST_P(CreepOnABall, IsSlowerThanItsMethodAllows) {
+TEST_P(CreepOnABall, StaysBelowItsBound) {
     const auto [integrator, response] = GetParam();
-    const double slowest = displacement_share(integrator) < 1 ? 1e-3 : 1e-4;
+    const double most = displacement_share(integrator) < 1 ? 1e-3 : 1e-4;
     Simulation simulation = small_drop(integrator, response);
     send(simulation, "set solver.sleep_speed=0");
-    while (simulation.report().time < 8) simulation.step();
+    while (simulation.report().time < 8 && simulation.report().status == Status::Ok) simulation.step();
     ASSERT_EQ(simulation.report().status, Status::Ok) << simulation.report().trouble;
     for (int k = 0; k < 20; ++k) {
         simulation.step();
-        EXPECT_LT(rms_motion(simulation), slowest) << simulation.report().time << " s";
+        EXPECT_LT(rms_motion(simulation), most) << simulation.report().time << " s";
     }
 }
 
@@ -253,6 +253,7 @@ Simulation small_stack() {
     return {"stack", std::move(settings)};
 }
 
+/// By their velocities: what pairs displace by in each substep goes back and forth by a third of a micrometre.
 TEST(Rest, OfSheetsThatLieOnEachOtherIsSlowerThanHalfAMillimetreASecond) {
     Simulation simulation = small_stack();
     while (simulation.report().time < 2.2) simulation.step();

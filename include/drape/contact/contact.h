@@ -121,10 +121,15 @@ void find_touched_triangles(const Grid& grid, const Points& x, const Ball& ball,
 std::int64_t find_contacts(const Grid& grid, const Points& x, const Ball& ball, int ball_number, Real thickness,
                            std::span<const CellRun> cells, std::vector<Contact>& contacts, Kernels kernels);
 
+/// How often at most the way of a substep is tested again after a response, while something still passes a ball.
+inline constexpr int most_looks = 16;
+
 /// The contacts of the candidate cells with a ball, for the whole substep, appended: what `find_contacts` finds at its
-/// end, in the same order, and what has passed the ball on the way. What touches at the end and has come past the
-/// ball's middle is not to go on to the other side: like what has passed, its contact is the plane at which it met the
-/// ball, and its depth is how far its point is behind that. Without either, the contacts are those of `find_contacts`.
+/// end, in the same order, and what has passed the ball on the way, by more than a response leaves. What touches at the
+/// end and has come past the ball's middle is not to go on to the other side: like what has passed, its contact is the
+/// plane at which it met the ball, and its depth is how far its point is behind that. A triangle that has no such plane
+/// may have been passed elsewhere than where it touched first: then its plane is that at which it met the inner half of
+/// the ball. Without any, the contacts are those of `find_contacts`.
 /// @param impacts scratch
 /// @return how many of the cells have touched
 std::int64_t find_swept_contacts(const Grid& grid, const Points& before, const Points& x, const Ball& ball,

@@ -21,7 +21,7 @@ struct Cloth {
     ClothIntegrator integrator;
     ContactSearch search;
     std::vector<Contact> contacts;        ///< of the last step that was awake
-    std::vector<Contact> first_contacts;  ///< keeps these during a second look
+    std::vector<Contact> first_contacts;  ///< keeps these during further looks
     WarmStart<Contact> warm_start;
     ClothEnergy energy;
     int held = -1;       ///< particle that the hand leads; below 0: none

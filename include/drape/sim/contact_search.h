@@ -62,7 +62,7 @@ public:
     /// Whether the last test has found something that has passed a ball, or has come past its middle.
     [[nodiscard]] bool found_passing() const { return found_passing_; }
 
-    /// Builds, traverses and tests once more, for the whole substep as it is after the response.
+    /// Builds, traverses and tests again, for the whole substep as it is after the response.
     /// @param contacts as `narrow` has it
     void look_again(const Points& before, const Points& x, std::span<const Ball> balls, Real thickness,
                     std::vector<Contact>& contacts);

@@ -95,13 +95,15 @@ void ContactTrial::find_on_ball() {
 }
 
 ResponseReport ContactTrial::respond() {
-    const ResponseReport report = answer();
-    if (!passing_ || response_.kind != ResponseKind::Projection) return report;
-    contacts_.swap(first_contacts_);
-    find();
-    const ResponseReport last = answer();
-    contacts_.swap(first_contacts_);
-    return last;
+    ResponseReport report = answer();
+    if (response_.kind != ResponseKind::Projection) return report;
+    for (int look = 0; look < most_looks && passing_; ++look) {
+        contacts_.swap(first_contacts_);
+        find();
+        report = answer();
+        contacts_.swap(first_contacts_);
+    }
+    return report;
 }
 
 ResponseReport ContactTrial::answer() {

@@ -25,7 +25,7 @@ struct RestRun {
     double step = 0;           ///< [s]
     bool diverged = false;     ///< and ended early
     double asleep = -1;        ///< when it would have fallen asleep; -1: never [s]
-    double speed_before = -1;  ///< RMS over the particles and the last half second before that; -1: never [m/s]
+    double speed_before = -1;  ///< RMS of what particles moved by in the half second before that; -1: never [m/s]
     double speed_after = 0;    ///< the same of the last half second of the run [m/s]
 };
 
@@ -44,7 +44,7 @@ RestRun run_to_rest(const std::string& scene, Settings settings, double seconds)
 struct DriftRun {
     bool diverged = false;  ///< and ended early
     double drift = 0;       ///< the farthest that any particle was from where it had come to rest [m]
-    double speed = 0;       ///< RMS over the particles and the last half second [m/s]
+    double speed = 0;       ///< RMS of what particles moved by in the last half second [m/s]
 };
 
 /// Lets a scene come to rest, and then looks once a simulated second how far its first cloth has crept.
