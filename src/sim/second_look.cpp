@@ -6,7 +6,8 @@ namespace drape {
 
 /// Where something has come past the middle of a ball, the response moves cloth, and a free ball, so far that they may
 /// meet elsewhere: the substep's way, as it is now, is tested and answered again, by projection, which puts positions
-/// back at once; until nothing passes any more. A light ball that draws a few triangles out far needs ten times.
+/// back at once; until nothing passes any more. A light ball that draws a few triangles out far may need more
+/// than eight.
 void Simulation::look_again(const Substep& now) {
     const auto has_passing = [](const Cloth& cloth) { return cloth.search.found_passing(); };
     if (settings_.contact.response == ResponseKind::Penalty) return;

@@ -9,8 +9,8 @@
 namespace drape {
 namespace {
 
-constexpr Real felt = Real(0.1);
-const Grid one_cell{.nx = 2, .ny = 2};
+constexpr Real cloth_thickness = Real(0.1);
+const Grid swinging_cell{.nx = 2, .ny = 2};
 
 Points rows_of(const std::vector<Vec3>& rows) {
     Points x(static_cast<Eigen::Index>(rows.size()), 3);
@@ -22,13 +22,13 @@ Points rows_of(const std::vector<Vec3>& rows) {
 /// aside, while the rest of its triangle comes down through the ball's middle.
 /// @param end of that corner, seen from the centre
 std::vector<Contact> contacts_of_swinging_cell(const Vec3& end) {
-    const Ball ball{.radius = 1 - felt};
+    const Ball ball{.radius = 1 - cloth_thickness};
     const Points before = rows_of({{0, 0, Real(0.99999)}, {5, -5, 3}, {5, 5, 3}, {10, 0, 3}});
     const Points x = rows_of({end, {5, -5, -10}, {5, 5, -10}, {10, 0, -10}});
     std::vector<CellRun> cells{{.row = 0, .column = 0, .count = 1}};
     std::vector<TriangleImpact> impacts;
     std::vector<Contact> contacts;
-    find_swept_contacts(one_cell, before, x, ball, 0, felt, cells, impacts, contacts, Kernels::Plain);
+    find_swept_contacts(swinging_cell, before, x, ball, 0, cloth_thickness, cells, impacts, contacts, Kernels::Plain);
     return contacts;
 }
 
