@@ -22,30 +22,65 @@ Real damping_ratio(Real restitution) {
     return decay / std::sqrt(pi * pi + decay * decay);
 }
 
-/// The impulse of one contact's spring and damper in the substep.
+/// What a contact's damper pushes with, by the speed that it sees [N s/m].
 template <class AnyContact>
-Real penalty_of(const ContactProblem& problem, const AnyContact& contact, Real approach) {
-    const Real stiffness = problem.parameters.stiffness;
-    const Real damping =
-        2 * damping_ratio(restitution_of(problem.parameters, contact)) * std::sqrt(stiffness / contact.inverse_mass);
-    return problem.h * std::max(stiffness * contact.depth + damping * approach, Real(0));
+Real damping_of(const ContactProblem& problem, const AnyContact& contact) {
+    const Real ratio = damping_ratio(restitution_of(problem.parameters, contact));
+    return 2 * ratio * std::sqrt(problem.parameters.stiffness / contact.inverse_mass);
 }
 
-/// The speed at which they still approach each other, after the pushes of earlier contacts.
+/// The speed at which bodies still approach each other, after the pushes of earlier contacts.
 template <class AnyContact>
 Real approach_of(const Velocities& velocities, const AnyContact& contact) {
     return -relative(velocities, contact).dot(contact.normal);
 }
 
-/// Gives a contact its penalty, and the displacements of friction their bound. Contacts get theirs one after the other:
-/// dampers that all saw the same approach would together take more than all of it.
+/// Adds to a contact's penalty, and gives the displacements of friction their bound.
+/// @param push along the normal, together with what was given before no less than zero [N s]
 template <class AnyContact>
-void push_by_penalty(ContactProblem& problem, AnyContact& contact) {
+void add_push(const ContactProblem& problem, AnyContact& contact, Real push) {
     Velocities velocities = problem.velocities();
-    contact.displacement = contact.impulse = {};
-    contact.impulse.normal = penalty_of(problem, contact, approach_of(velocities, contact));
+    contact.impulse.normal += push;
     contact.displacement.normal = problem.share * problem.h * contact.impulse.normal;
-    push_apart(velocities, contact, contact.impulse.normal * contact.normal);
+    push_apart(velocities, contact, push * contact.normal);
+}
+
+template <class Visit>
+void for_each_chosen(ContactProblem& problem, Visit visit) {
+    for_each_contact(problem, [&](auto& contact) {
+        if (contact.takes_part) visit(contact);
+    });
+}
+
+/// Where a force displaces by all of its velocity, particles have moved within the substep by the velocity at its end,
+/// and dampers see that. Contacts get their pushes one after the other: dampers that all saw the same approach would
+/// together take more than all of it.
+void push_by_velocities(ContactProblem& problem) {
+    for_each_chosen(problem, [&](auto& contact) {
+        const Real force = problem.parameters.stiffness * contact.depth +
+                           damping_of(problem, contact) * approach_of(problem.velocities(), contact);
+        add_push(problem, contact, problem.h * std::max(force, Real(0)));
+    });
+}
+
+/// Where a force displaces by half of its velocity, what lies still has the other half at the end of the substep, and
+/// dampers that saw it would not let it lie. They see by how much the bodies have come nearer within the substep, and
+/// what earlier dampers have changed since. As that was half a substep ago, a damper pushes by the mean of the speed
+/// that it sees and the one that it leaves, and never turns it by more than it was.
+void push_by_displacements(ContactProblem& problem) {
+    for_each_chosen(problem, [&](auto& contact) {
+        add_push(problem, contact, problem.h * std::max(problem.parameters.stiffness * contact.depth, Real(0)));
+    });
+    for_each_chosen(problem, [&](auto& contact) {
+        const Real nearer = -relative(problem.displacements(), contact).dot(contact.normal);
+        contact.approach = nearer / problem.h - approach_of(problem.velocities(), contact);
+    });
+    for_each_chosen(problem, [&](auto& contact) {
+        const Real approach = contact.approach + approach_of(problem.velocities(), contact);
+        const Real damping = problem.h * damping_of(problem, contact);
+        const Real push = damping * approach / (1 + damping * contact.inverse_mass / 2);
+        add_push(problem, contact, std::max(push, -contact.impulse.normal));
+    });
 }
 
 }  // namespace
@@ -57,9 +92,12 @@ Real penalty_step_limit(Real stiffness, Real restitution, Real inverse_mass) {
 
 Sweeps solve_penalties(ContactProblem& problem, TakesPart takes_part) {
     choose(problem, [&](const ContactPlane& contact) { return takes_part(problem, contact); });
-    for_each_contact(problem, [&](auto& contact) {
-        if (contact.takes_part) push_by_penalty(problem, contact);
-    });
+    for_each_chosen(problem, [](ContactPlane& contact) { contact.displacement = contact.impulse = {}; });
+    if (problem.share == 1) {
+        push_by_velocities(problem);
+    } else {
+        push_by_displacements(problem);
+    }
     Displacements displacements = problem.displacements();
     const Sweeps sweeps = sweep_until(problem, displacement_tolerance(problem),
                                       [&](auto& contact) { return solve_friction(displacements, contact); });

@@ -6,6 +6,7 @@
 #include <utility>
 
 #include "contact_solver.h"
+#include "resting.h"
 
 namespace drape {
 namespace {
@@ -82,6 +83,19 @@ Real friction_of(const ResponseParameters& parameters, const BodyContact& contac
 }
 Real friction_of(const ResponseParameters& parameters, const PairContact& /*contact*/) { return parameters.friction; }
 
+/// How fast two bodies approach each other, less than zero where they part [m/s]. To the hybrid what rests is no
+/// impact, though something presses on it by more than gravity in each step: a contact that was there in the substep
+/// before, or one that has not come nearer: where a force displaces by half of its velocity, what lies still has the
+/// other half at the end of the substep.
+template <class AnyContact>
+Real approach_of(const ContactProblem& problem, const AnyContact& contact) {
+    const Real approach = -relative(problem.velocities(), contact).dot(contact.normal);
+    if (problem.parameters.kind != ResponseKind::Hybrid || approach <= problem.resting) return approach;
+    const Real nearer = -relative(problem.displacements(), contact).dot(contact.normal);
+    const bool lasts = contact.lasts && approach <= rest_steps * problem.gravity * problem.h;
+    return lasts || nearer <= problem.resting * problem.h ? problem.resting : approach;
+}
+
 /// Fills what does not change while contacts are solved, but for masses.
 template <class AnyContact>
 void prepare(ContactProblem& problem, AnyContact& contact) {
@@ -90,7 +104,7 @@ void prepare(ContactProblem& problem, AnyContact& contact) {
         given->friction -= given->friction.dot(contact.normal) * contact.normal;
     }
     contact.impulse.target = 0;
-    contact.approach = -relative(problem.velocities(), contact).dot(contact.normal);
+    contact.approach = approach_of(problem, contact);
     if (is_impact(problem, contact)) {
         contact.impulse.target = restitution_of(problem.parameters, contact) * contact.approach;
     }

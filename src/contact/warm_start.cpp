@@ -166,7 +166,10 @@ void WarmStart<AnyContact>::take(const ResponseParameters& parameters, Real h, R
     h_ = h;
     const bool ground_is_gone = !parameters.ground.solid || parameters.ground.height < ground_height_;
     ground_height_ = parameters.ground.height;
-    if (!solves_for_pushes(parameters.kind)) return;
+    if (!solves_for_pushes(parameters.kind)) {
+        if (parameters.kind == ResponseKind::Hybrid) keep_without_pushes(contacts);
+        return;
+    }
     is_explicit_ = has_step_limit(parameters.integrator);
     const bool goes_ahead = of_velocities_ || (!is_explicit_ && force_share == 1);
     last_.swap(contacts);
@@ -189,6 +192,14 @@ void WarmStart<AnyContact>::take(const ResponseParameters& parameters, Real h, R
         if (goes_ahead) go_ahead(lead * factor, contact);
         list_particles(cloths, contact);
     }
+}
+
+/// Of what was there before, no more than that.
+template <class AnyContact>
+void WarmStart<AnyContact>::keep_without_pushes(std::vector<AnyContact>& contacts) {
+    last_.swap(contacts);
+    std::erase_if(last_, [](const AnyContact& contact) { return !is_of_surface(contact); });
+    for (AnyContact& contact : last_) contact.displacement = contact.impulse = {};
 }
 
 template <class AnyContact>

@@ -44,10 +44,12 @@ Real lightest_mass(const Settings& settings, const ClothModel& model) {
     return 1 / (1 / model.particle_mass + greatest_inverse_mass(settings));
 }
 
+bool has_bodies(const Settings& settings) { return !settings.balls.empty() || !settings.solids.empty(); }
+
 /// The stiffest damper is where least bounces.
 Real least_restitution(const Settings& settings) {
     Real least = 1;
-    if (!settings.balls.empty()) least = settings.contact.restitution;
+    if (has_bodies(settings)) least = settings.contact.restitution;
     if (settings.ground.solid) least = std::min(least, settings.ground.restitution);
     return least;
 }
@@ -55,7 +57,7 @@ Real least_restitution(const Settings& settings) {
 bool pushes_by_penalty(const Settings& settings) {
     const ResponseKind response = settings.contact.response;
     if (response != ResponseKind::Penalty && response != ResponseKind::Hybrid) return false;
-    return !settings.balls.empty() || settings.ground.solid;
+    return has_bodies(settings) || settings.ground.solid;
 }
 
 /// Of a substep [s].
@@ -70,6 +72,39 @@ double longest_in_contact(const Settings& settings) {
     const IntegratorKind integrator = settings.solver.integrator;
     const bool damps = integrator != IntegratorKind::ImplicitMidpoint && integrator != IntegratorKind::DormandPrince;
     return settings.contact.longest_step * (damps || greatest_inverse_mass(settings) == 0 ? 1 : 0.5);
+}
+
+/// Whether a step is longer than its substeps would be in contact.
+bool is_divided_in_contact(const Settings& settings) {
+    return !has_step_limit(settings.solver.integrator) && settings.solver.dt > longest_in_contact(settings);
+}
+
+/// How far apart two bodies may be at its start that touch in an undivided step.
+/// @param speed of both together [m/s]
+Real way_within_step(const Settings& settings, Real speed) {
+    const auto dt = static_cast<Real>(settings.solver.dt);
+    return (speed + gravity_of(settings).norm() * dt) * dt;
+}
+
+Aabb box_of(const Cloth& cloth) { return {cloth.state.x.colwise().minCoeff(), cloth.state.x.colwise().maxCoeff()}; }
+
+Real greatest_speed(const Cloth& cloth) { return std::sqrt(cloth.state.v.rowwise().squaredNorm().maxCoeff()); }
+
+/// Whether something round may reach the ground, a solid, or one of these balls.
+/// @param speed its own [m/s]
+bool may_reach(const Settings& settings, std::span<const Ball> balls, std::span<const Solid> solids, const Vec3& centre,
+               Real radius, Real speed) {
+    const auto within = [&](Real distance, Real other_speed) {
+        return distance <= radius + settings.contact.thickness + way_within_step(settings, speed + other_speed);
+    };
+    if (settings.ground.solid && within(centre.y() - settings.ground.height, 0)) return true;
+    for (const Ball& ball : balls) {
+        if (within((centre - ball.centre).norm() - ball.radius, ball.velocity.norm())) return true;
+    }
+    for (const Solid& solid : solids) {
+        if (within(solid.distance(centre), solid.velocity.norm())) return true;
+    }
+    return false;
 }
 
 }  // namespace
@@ -102,20 +137,33 @@ int substeps_in_contact(const Settings& settings, bool may_touch, int planned) {
 }
 
 bool may_cross(const Settings& settings, std::span<const Cloth> cloths, std::span<const Ball> balls) {
-    const SolverSettings& solver = settings.solver;
-    const bool is_divided = !has_step_limit(solver.integrator) && solver.dt > longest_in_contact(settings);
-    if (!is_divided || settings.contact.continuous == Continuous::Never) return false;
-    const auto dt = static_cast<Real>(solver.dt);
-    const Real fall = gravity_of(settings).norm() * dt;
+    if (!is_divided_in_contact(settings) || settings.contact.continuous == Continuous::Never) return false;
     for (const Cloth& cloth : cloths) {
-        const Points &x = cloth.state.x, &v = cloth.state.v;
-        const Real cloth_speed = std::sqrt(v.rowwise().squaredNorm().maxCoeff());
-        const Aabb box{x.colwise().minCoeff(), x.colwise().maxCoeff()};
+        const Aabb box = box_of(cloth);
+        const Real speed = greatest_speed(cloth);
         for (const Ball& ball : balls) {
-            const Real way = (ball.velocity.norm() + cloth_speed + fall) * dt;
+            const Real way = way_within_step(settings, ball.velocity.norm() + speed);
             const Real radius = ball.radius + settings.contact.thickness;
             if (2 * way > radius && Aabb{ball.centre, ball.centre}.comes_within(box, radius + way)) return true;
         }
+    }
+    return false;
+}
+
+bool may_touch(const Settings& settings, std::span<const Cloth> cloths, std::span<const Ball> balls,
+               std::span<const Solid> solids) {
+    if (!is_divided_in_contact(settings) || !pushes_by_penalty(settings)) return false;
+    for (const Cloth& cloth : cloths) {
+        const Real speed = greatest_speed(cloth), cell = std::hypot(cloth.model.hx, cloth.model.hy);
+        for (const auto& particle : cloth.state.x.rowwise()) {
+            if (may_reach(settings, balls, solids, particle.transpose(), cell, speed)) return true;
+        }
+    }
+    for (std::size_t b = 0; b < balls.size(); ++b) {
+        const Ball& ball = balls[b];
+        if (ball.inverse_mass == 0) continue;
+        if (may_reach(settings, balls.subspan(b + 1), solids, ball.centre, ball.radius, ball.velocity.norm()))
+            return true;
     }
     return false;
 }

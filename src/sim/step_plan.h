@@ -32,6 +32,13 @@ int substeps_in_contact(const Settings& settings, bool may_touch, int planned);
 /// @par Cost O(particles); none for other methods
 bool may_cross(const Settings& settings, std::span<const Cloth> cloths, std::span<const Ball> balls);
 
+/// Whether cloth or a free ball may touch anything within an undivided step whose substeps in contact would be shorter,
+/// where the response has penalties: at the end of a long step a penalty is pressed in so deep that it throws off what
+/// has just touched it.
+/// @par Cost O(particles x (balls + solids)); none for other methods and responses
+bool may_touch(const Settings& settings, std::span<const Cloth> cloths, std::span<const Ball> balls,
+               std::span<const Solid> solids);
+
 /// In how many substeps a step is made where cloths meet themselves and each other: in none of them a particle goes
 /// farther than half of what particles are apart at rest, but for what all move by together. What is longer would bring
 /// every neighbour near. By the velocities at its start, and at most 32.

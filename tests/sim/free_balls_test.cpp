@@ -55,6 +55,64 @@ TEST(FreeBalls, ThatCollideKeepTheirMomentumButForTheFall) {
     EXPECT_GT(simulation.balls()[0].spin.norm(), 1) << "and rubbed";
 }
 
+/// In one step of 1/60 s gravity adds 5 % to the speed of the impact; an impulse is that of its own time.
+TEST(FreeBalls, BounceInLongStepsToTheHeightOfTheRestitutionUnderImpulses) {
+    const Real radius = Real(0.1), height = Real(0.5), restitution = Real(0.6);
+    for (const auto response : {ResponseKind::Impulse, ResponseKind::Hybrid}) {
+        Settings settings = small_settings();
+        settings.cloths[0].place = Vec3(0, 50, 0);
+        settings.balls = {free_ball(radius, Real(0.4), {0, radius + height, 0}, Vec3::Zero())};
+        settings.ground = {.height = 0, .restitution = restitution};
+        settings.contact.response = response;
+        settings.contact.longest_step = 1;
+        settings.solver.integrator = IntegratorKind::ImplicitMidpoint;  // falls without error
+        settings.solver.dt = 1.0 / 60;
+        Simulation simulation("drop", settings);
+        const Ball& ball = simulation.balls()[0];
+        for (int step = 0; step < 60 && ball.velocity.y() <= 0; ++step) simulation.step();
+        ASSERT_GT(ball.velocity.y(), 0);
+        EXPECT_EQ(simulation.report().substeps, 1);
+        const Real reached = ball.centre.y() - radius + ball.velocity.y() * ball.velocity.y() / (2 * gravity);
+        EXPECT_NEAR(reached, restitution * restitution * height, 2e-4 * height) << name_of(response);
+    }
+}
+
+/// Onto the ground, onto a box, and onto a ball that is held.
+TEST(FreeBalls, AreNotThrownHigherThanTheyFellFromByPenaltiesInLongSteps) {
+    for (const auto response : {ResponseKind::Penalty, ResponseKind::Hybrid}) {
+        Settings settings = small_settings();
+        settings.cloths[0].place = Vec3(0, 50, 0);
+        settings.balls.clear();
+        for (const Real x : {-2, 0, 2}) {
+            settings.balls.push_back(free_ball(Real(0.1), Real(0.4), {x, Real(1.6), 0}, Vec3::Zero()));
+        }
+        SolidSettings box;
+        box.size = Vec3(1, 1, 1);
+        box.position = Vec3(0, Real(0.5), 0);
+        settings.solids.push_back(box);
+        BallSettings held;
+        held.radius = Real(0.5);
+        held.position = Vec3(2, Real(0.5), 0);
+        settings.balls.push_back(held);
+        settings.ground = {.height = 0};
+        settings.contact.response = response;
+        settings.contact.stiffness = 5e4;
+        settings.solver.integrator = IntegratorKind::ImplicitMidpoint;
+        settings.solver.dt = 1.0 / 60;
+        Simulation simulation("drop", settings);
+        Real lowest = 2;
+        for (int step = 0; step < 120; ++step) {
+            simulation.step();
+            for (std::size_t b = 0; b < 3; ++b) {
+                const Real y = simulation.balls()[b].centre.y();
+                lowest = std::min(lowest, y);
+                EXPECT_LT(y, 1.601) << name_of(response) << ", ball " << b;
+            }
+        }
+        EXPECT_LT(lowest, 0.11) << "one has reached the ground";
+    }
+}
+
 class BallOnLyingCloth : public testing::TestWithParam<IntegratorKind> {};
 
 /// Cloth between a heavy ball and the ground is pushed from both sides.

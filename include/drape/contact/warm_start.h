@@ -21,7 +21,8 @@ namespace drape {
 /// step limit but Dormand-Prince, while a free ball touches the cloth: contacts that nothing holds to their depth part
 /// under it in long substeps. The push of a contact that rolls goes ahead of it, where it would feed the rocking of
 /// cloth otherwise: where it is a force of the step, and under implicit methods to which a force displaces by all of
-/// what its velocity would. Only responses that solve for pushes can use them; a penalty follows from the depth.
+/// what its velocity would. Only responses that solve for pushes can use them; a penalty follows from the depth. The
+/// hybrid is told no more than which contacts were there before.
 /// @tparam AnyContact `Contact`, of one cloth with balls and ground, or `PairContact`
 template <class AnyContact>
 class WarmStart {
@@ -36,7 +37,7 @@ public:
     /// @param h the substep to come [s]
     /// @param gravity [m/s^2]
     /// @param cloths as they are now: a particle may have been grabbed, or a mass set, since
-    /// @param contacts of the substep before; left empty where the response solves for pushes
+    /// @param contacts of the substep before; left empty but under penalties
     void take(const ResponseParameters& parameters, Real h, Real gravity, std::span<const ClothInContact> cloths,
               std::vector<AnyContact>& contacts);
 
@@ -71,6 +72,7 @@ public:
     [[nodiscard]] std::span<const AnyContact> pushes() const { return last_; }
 
 private:
+    void keep_without_pushes(std::vector<AnyContact>& contacts);
     void insert(std::vector<AnyContact>& contacts) const;
 
     Real h_ = 0;                  ///< of the last pushes [s]
