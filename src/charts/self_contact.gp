@@ -1,8 +1,8 @@
-# What response and fail-safe leave, against the step: a column of panels with the fail-safe, one without.
+# What response and fail-safe leave, against the step: a column of panels for each fail-safe, and for none.
 # thicknesses: of the sheets [mm]
 set datafile missing NaN
-eval paper(960, 1080)
-set multiplot layout 4,2 margins 0.095,0.985,0.115,0.93 spacing 0.03,0.04 \
+eval paper(1100, 1080)
+set multiplot layout 4,3 margins 0.085,0.985,0.115,0.93 spacing 0.03,0.04 \
   title 'Cloth against cloth: a sheet thrown at another at 8 m/s' font ',13'
 eval room_about_data
 set offsets graph 0.05, graph 0.05, 0, 0
@@ -22,12 +22,12 @@ figure(panel) = panel == 1 ? 100 * column('crossed_steps') : \
 do for [panel = 1:4] {
   unset logscale y
   if (panel == 4) { set logscale y; set yrange [700:6e5] } else { set yrange [-4:104] }
-  do for [safe in 'on off'] {
+  do for [safe in 'zones rejection none'] {
     unset title
-    if (panel == 1) { set title 'fail-safe '.safe }
+    if (panel == 1) { set title safe eq 'none' ? 'no fail-safe' : safe eq 'zones' ? 'impact zones' : 'rejected steps' }
     if (panel == 4) { set xlabel 'step [ms]' }
-    set format y safe eq 'off' ? '' : panel == 4 ? '10^{%T}' : '%g'
-    set ylabel safe eq 'off' ? '' : panel == 1 ? 'steps with crossings [%]' : panel == 2 ? 'penetration / thickness [%]' : \
+    set format y safe ne 'zones' ? '' : panel == 4 ? '10^{%T}' : '%g'
+    set ylabel safe ne 'zones' ? '' : panel == 1 ? 'steps with crossings [%]' : panel == 2 ? 'penetration / thickness [%]' : \
                panel == 3 ? 'error of momentum [%]' : 'tests of pairs a step'
     plot for [mm in thicknesses] table using (only(here(number(mm), safe), 1e3 * column('step_s'))):(figure(panel)) \
            with linespoints lw 1.5 pt marker(number(mm)) ps 0.8 lc rgb colour(number(mm)) title mm.' mm thick', \

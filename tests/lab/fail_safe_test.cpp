@@ -17,7 +17,7 @@ struct ExactTally {
 };
 
 /// A sheet is thrown at another, with the fail-safe or without.
-ExactTally throw_at_sheet(const ThrownSheet& scene, bool fail_safe) {
+ExactTally throw_at_sheet(const ThrownSheet& scene, FailSafe fail_safe) {
     constexpr int steps = 24;
     SelfContactTrial trial(scene, Real(1) / 240, fail_safe);
     ExactTally tally;
@@ -40,7 +40,7 @@ ExactTally throw_at_sheet(const ThrownSheet& scene, bool fail_safe) {
 TEST(FailSafe, LeavesNoCrossingWhereSheetsAreThrownAtEachOther) {
     for (const auto& [speed, thickness] : {std::pair(8, 1.25e-4), std::pair(8, 5e-4), std::pair(5, 5e-5)}) {
         const ThrownSheet scene = throw_sheet(static_cast<Real>(speed), static_cast<Real>(thickness));
-        const ExactTally with = throw_at_sheet(scene, true), without = throw_at_sheet(scene, false);
+        const ExactTally with = throw_at_sheet(scene, FailSafe::Zones), without = throw_at_sheet(scene, FailSafe::None);
         EXPECT_EQ(with.crossed_steps, 0) << speed << " m/s, " << thickness << " m";
         EXPECT_GT(with.held_back, 0) << speed << " m/s, " << thickness << " m";
         EXPECT_GT(without.crossed_steps, 0) << speed << " m/s, " << thickness << " m";

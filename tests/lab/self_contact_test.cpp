@@ -32,7 +32,7 @@ TEST(SelfContactTrial, DoesWhatTheSimulationDoesToTheSameBits) {
     scene.settings.solver.integrator = IntegratorKind::SymplecticEuler;
     scene.settings.solver.dt = 5e-4;
     Simulation simulation("thrown", scene.settings, StartState{0, scene.start});
-    SelfContactTrial trial(scene, static_cast<Real>(scene.settings.solver.dt), true);
+    SelfContactTrial trial(scene, static_cast<Real>(scene.settings.solver.dt), FailSafe::Zones);
     std::int64_t pairs = 0;
     for (int step = 0; step < 120; ++step) {
         simulation.step();
@@ -51,8 +51,8 @@ TEST(SelfContactTrial, DoesWhatTheSimulationDoesToTheSameBits) {
 }
 
 TEST(ThrownSheets, CrossWithoutTheFailSafeAndNeverWithIt) {
-    const SelfContactHistory with = watch_sheets(thin_sheets(), long_step, true);
-    const SelfContactHistory without = watch_sheets(thin_sheets(), long_step, false);
+    const SelfContactHistory with = watch_sheets(thin_sheets(), long_step, FailSafe::Zones);
+    const SelfContactHistory without = watch_sheets(thin_sheets(), long_step, FailSafe::None);
     EXPECT_EQ(with.crossed_steps, 0);
     EXPECT_GT(with.held_back, 1);
     EXPECT_LT(with.penetration, 1.25e-4) << "something is left of the thickness";
@@ -67,16 +67,16 @@ TEST(ThrownSheets, CrossWithoutTheFailSafeAndNeverWithIt) {
 }
 
 TEST(ThrownSheets, PassThroughEachOtherWhereTheSearchGivesUp) {
-    const SelfContactHistory run = watch_sheets(thin_sheets(), Real(1) / 60, true);
+    const SelfContactHistory run = watch_sheets(thin_sheets(), Real(1) / 60, FailSafe::Zones);
     EXPECT_GT(run.unsearched_steps, 0);
     EXPECT_GT(run.crossed_steps, 0);
 }
 
 TEST(ThrownSheets, PassOnTheMomentumOfTheReferenceTheBetterTheShorterTheStep) {
     const ThrownSheet scene = throw_sheet(8, Real(0.008));
-    const SelfContactHistory reference = watch_sheets(scene, Real(1) / 3840, true);
-    const double shorter = momentum_error(watch_sheets(scene, Real(1) / 1920, true), reference);
-    const double through = momentum_error(watch_sheets(scene, Real(1) / 60, true), reference);
+    const SelfContactHistory reference = watch_sheets(scene, Real(1) / 3840, FailSafe::Zones);
+    const double shorter = momentum_error(watch_sheets(scene, Real(1) / 1920, FailSafe::Zones), reference);
+    const double through = momentum_error(watch_sheets(scene, Real(1) / 60, FailSafe::Zones), reference);
     EXPECT_LT(shorter, 0.2);
     EXPECT_GT(through, 0.9) << "nothing is passed on by a sheet that goes through the other";
     EXPECT_EQ(momentum_error(reference, reference), 0);
@@ -86,14 +86,14 @@ TEST(ThrownSheets, HaveAnErrorOfMomentumThatIsAPartOfTheReference) {
     SelfContactHistory run, reference;
     run.given = Vec3(1, 4, 0), reference.given = Vec3(1, 0, -3);
     EXPECT_DOUBLE_EQ(momentum_error(run, reference), static_cast<double>(5 / std::sqrt(Real(10))));
-    const SelfContactTrial trial(thin_sheets(), long_step, true);
+    const SelfContactTrial trial(thin_sheets(), long_step, FailSafe::Zones);
     const Vec3 thrown = thin_sheets().settings.cloths[0].mass * Vec3(1, -8, Real(0.5));
     EXPECT_LT((trial.momentum(0) - thrown).norm(), 1e-6);
     EXPECT_EQ(trial.momentum(1), Vec3::Zero());
 }
 
 TEST(SelfContactTrial, CountsTheCrossingsOfExactArithmetic) {
-    SelfContactTrial trial(thin_sheets(), long_step, false);
+    SelfContactTrial trial(thin_sheets(), long_step, FailSafe::None);
     std::int64_t all = 0;
     for (int step = 0; step < 24; ++step) {
         trial.advance();
@@ -148,7 +148,7 @@ Real nearest_features(const SelfContactTrial& trial) {
 }
 
 TEST(SelfContactTrial, MeasuresHowFarTheNearestFeaturesAreWithinTheThickness) {
-    SelfContactTrial trial(thin_sheets(), long_step, true);
+    SelfContactTrial trial(thin_sheets(), long_step, FailSafe::Zones);
     int within = 0;
     for (int step = 0; step < 24; ++step) {
         trial.advance();
@@ -162,33 +162,43 @@ TEST(SelfContactTrial, MeasuresHowFarTheNearestFeaturesAreWithinTheThickness) {
 }
 
 /// A row of the table and what the trial sees are the same.
-void expect_row(const std::string& row, double step, const std::string& fail_safe,
+void expect_row(const std::string& row, double step, const std::string& word, FailSafe fail_safe,
                 const SelfContactHistory& reference) {
     SCOPED_TRACE(row);
-    const SelfContactHistory run = watch_sheets(thin_sheets(), static_cast<Real>(step), fail_safe == "on");
-    const std::vector<double> values = test::values_of(test::replaced(row, "," + fail_safe + ",", ",0,"));
-    const std::vector seen{
-        static_cast<double>(run.crossings), run.crossed_steps,   run.unsearched_steps, run.penetration,
-        momentum_error(run, reference),     run.momentum_change, run.pair_tests,       run.held_back};
+    EXPECT_THAT(row, HasSubstr("," + word + ","));
+    const SelfContactHistory run = watch_sheets(thin_sheets(), static_cast<Real>(step), fail_safe);
+    const std::vector<double> values = test::values_of(test::replaced(row, "," + word + ",", ",0,"));
+    const std::vector seen{static_cast<double>(run.crossings),
+                           run.crossed_steps,
+                           run.unsearched_steps,
+                           run.unsafe_steps,
+                           run.penetration,
+                           momentum_error(run, reference),
+                           run.momentum_change,
+                           run.pair_tests,
+                           run.held_back,
+                           run.rejected};
     for (std::size_t k = 0; k < seen.size(); ++k) {
         EXPECT_NEAR(values[4 + k], seen[k], 1e-5 * std::abs(seen[k])) << "column " << k;
     }
 }
 
-TEST(LabSelfContact, WritesARowForEachStepWithTheFailSafeAndWithout) {
+TEST(LabSelfContact, WritesARowForEachStepAndFailSafe) {
     const LabFolder folder;
     const LabRun run = folder.run({"self_contact", "--quick", "--cases", "1-1", "--out", "out"});
     ASSERT_EQ(run.code, 0) << run.err;
     std::vector<std::string> lines = test::lines_of(folder.read("out/self_contact.csv"));
     std::erase_if(lines, [](const std::string& line) { return line.starts_with('#'); });
-    ASSERT_EQ(lines.size(), 9u) << "a header, four steps twice";
-    EXPECT_THAT(lines[1], HasSubstr("1,0.000125,0.00833333,on,"));
-    EXPECT_THAT(lines[2], HasSubstr("1,0.000125,0.00833333,off,"));
+    ASSERT_EQ(lines.size(), 13u) << "a header, four steps three times";
+    EXPECT_THAT(lines[1], HasSubstr("1,0.000125,0.00833333,zones,"));
+    EXPECT_THAT(lines[2], HasSubstr("1,0.000125,0.00833333,rejection,"));
+    EXPECT_THAT(lines[3], HasSubstr("1,0.000125,0.00833333,none,"));
     if (test::sanitized) return;  // what follows would take minutes
-    const SelfContactHistory reference = watch_sheets(thin_sheets(), Real(1) / 1920, true);
-    expect_row(lines[3], 1.0 / 240, "on", reference);
-    expect_row(lines[4], 1.0 / 240, "off", reference);
-    EXPECT_THAT(run.out, HasSubstr("0.125 mm, step 1/240 s, fail-safe on: crossings after 0 % of the steps"));
+    const SelfContactHistory reference = watch_sheets(thin_sheets(), Real(1) / 1920, FailSafe::Zones);
+    expect_row(lines[4], 1.0 / 240, "zones", FailSafe::Zones, reference);
+    expect_row(lines[5], 1.0 / 240, "rejection", FailSafe::Rejection, reference);
+    expect_row(lines[6], 1.0 / 240, "none", FailSafe::None, reference);
+    EXPECT_THAT(run.out, HasSubstr("0.125 mm, step 1/240 s, fail-safe zones: crossings after 0 % of the steps"));
 }
 
 }  // namespace

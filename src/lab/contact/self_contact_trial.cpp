@@ -12,6 +12,9 @@ namespace {
 
 constexpr std::array<std::size_t, 2> sheets{0, 1};
 
+/// A step that is rejected this often is left as it is: its parts are a thousandth of it.
+constexpr int most_halvings = 10;
+
 constexpr double right_angle = std::numbers::pi / 2;
 
 /// Waved along both axes, by amplitudes at which it nearly keeps its rest lengths.
@@ -59,7 +62,7 @@ ThrownSheet throw_sheet(Real speed, Real thickness) {
     return scene;
 }
 
-SelfContactTrial::SelfContactTrial(const ThrownSheet& scene, Real step, bool fail_safe)
+SelfContactTrial::SelfContactTrial(const ThrownSheet& scene, Real step, FailSafe fail_safe)
     : response_(response_of(scene.settings)), fail_safe_(fail_safe), h_(step) {
     for (const std::size_t s : sheets) {
         models_[s] = make_cloth_model(scene.settings.cloths[s]);
@@ -73,22 +76,49 @@ SelfContactTrial::SelfContactTrial(const ThrownSheet& scene, Real step, bool fai
 }
 
 SelfContactStep SelfContactTrial::advance() {
+    SelfContactStep step;
+    if (fail_safe_ == FailSafe::Rejection) {
+        make_in_halves(h_, most_halvings, step);
+    } else {
+        make(h_, step);
+    }
+    return step;
+}
+
+/// Makes a step, with the zones if these are asked for.
+/// @return whether pairs would meet within it
+bool SelfContactTrial::make(Real h, SelfContactStep& step) {
     std::vector<ClothInContact> cloths;
     for (const std::size_t s : sheets) {
         before_[s] = states_[s].x;
         cloths.push_back({models_[s], before_[s], states_[s], no_contacts_[s]});
     }
-    contact_.take_pushes(response_, h_, standard_gravity().norm(), cloths);
+    contact_.take_pushes(response_, h, standard_gravity().norm(), cloths);
     contact_.warm_start().before_step(cloths, {});
-    for (const std::size_t s : sheets) integrators_[s]->step(models_[s], states_[s], h_);
+    for (const std::size_t s : sheets) integrators_[s]->step(models_[s], states_[s], h);
     contact_.warm_start().after_step(cloths, {});
     contact_.find(response_, cloths, {});
-    resolve_contacts(response_, h_, cloths, contact_.contacts(), {}, {}, nullptr);
-    SelfContactStep step;
-    if (fail_safe_ && contact_.would_cross(cloths)) step.held_back = contact_.hold_back(cloths);
-    step.pair_tests = contact_.report().traversal.volume_tests + contact_.report().listed;
-    step.searched = !contact_.report().gave_up;
-    return step;
+    resolve_contacts(response_, h, cloths, contact_.contacts(), {}, {}, nullptr);
+    const bool would_cross = fail_safe_ != FailSafe::None && contact_.would_cross(cloths);
+    if (would_cross && fail_safe_ == FailSafe::Zones) step.held_back += contact_.hold_back(cloths);
+    step.pair_tests += contact_.report().traversal.volume_tests + contact_.report().listed;
+    step.searched = step.searched && !contact_.report().gave_up;
+    return would_cross;
+}
+
+/// Makes a step, or takes it back and makes it in two halves. What is made again starts with no pushes: those of the
+/// try are not what the halves need.
+void SelfContactTrial::make_in_halves(Real h, int halvings_left, SelfContactStep& step) {
+    const std::array<ClothState, 2> start = states_;
+    if (!make(h, step)) return;
+    if (halvings_left == 0) {
+        step.halved_enough = false;
+        return;
+    }
+    states_ = start;
+    for (PairContact& contact : contact_.contacts()) contact.displacement = contact.impulse = {};
+    ++step.rejected;
+    for (int half = 0; half < 2; ++half) make_in_halves(h / 2, halvings_left - 1, step);
 }
 
 Vec3 SelfContactTrial::momentum(std::size_t sheet) const {
@@ -125,7 +155,7 @@ Real SelfContactTrial::penetration() const {
     return thickness - nearest;
 }
 
-SelfContactHistory watch_sheets(const ThrownSheet& scene, Real step, bool fail_safe) {
+SelfContactHistory watch_sheets(const ThrownSheet& scene, Real step, FailSafe fail_safe) {
     SelfContactTrial trial(scene, step, fail_safe);
     const Vec3 first = trial.momentum(0), both = first + trial.momentum(1);
     SelfContactHistory history;
@@ -135,7 +165,9 @@ SelfContactHistory watch_sheets(const ThrownSheet& scene, Real step, bool fail_s
         const SelfContactStep done = trial.advance();
         history.pair_tests += share * static_cast<double>(done.pair_tests);
         history.held_back += share * static_cast<double>(done.held_back);
+        history.rejected += share * static_cast<double>(done.rejected);
         history.unsearched_steps += done.searched ? 0 : share;
+        history.unsafe_steps += done.halved_enough ? 0 : share;
         history.crossings = trial.crossings();
         history.crossed_steps += history.crossings > 0 ? share : 0;
         const Real depth = history.crossings > 0 ? scene.settings.contact.thickness : trial.penetration();

@@ -22,18 +22,27 @@ struct ThrownSheet {
 /// @param thickness of both [m]
 ThrownSheet throw_sheet(Real speed, Real thickness);
 
+/// What is done where pairs would meet within a step, for all that the response has done.
+enum class FailSafe {
+    None,
+    Zones,      ///< that of a simulation: particles of these pairs are held back, see `ImpactZones`
+    Rejection,  ///< the step is taken back and made again in two halves, and each of them alike
+};
+
 /// What a step of a trial has done.
 struct SelfContactStep {
     std::int64_t pair_tests = 0;  ///< of two volumes, and of two features
     std::int64_t held_back = 0;   ///< particles
-    bool searched = false;        ///< the search has not given up
+    std::int64_t rejected = 0;    ///< steps and parts of steps that were taken back
+    bool searched = true;         ///< the search has not given up
+    bool halved_enough = true;    ///< no part of it would cross and is too short to be halved again
 };
 
 /// A simulation without all that contact between cloths does not need: step, search, response, fail-safe, in the order
-/// of `Simulation` and to the same bits, but that it does not divide steps, and may go without the fail-safe.
+/// of `Simulation` and to the same bits, but that it does not divide steps, and may have another fail-safe or none.
 class SelfContactTrial {
 public:
-    SelfContactTrial(const ThrownSheet& scene, Real step, bool fail_safe);
+    SelfContactTrial(const ThrownSheet& scene, Real step, FailSafe fail_safe);
 
     SelfContactStep advance();
 
@@ -52,9 +61,11 @@ public:
 private:
     template <class Visit>
     void for_each_two_sheets(Real reach, Visit visit) const;
+    bool make(Real h, SelfContactStep& step);
+    void make_in_halves(Real h, int halvings_left, SelfContactStep& step);
 
     ResponseParameters response_;
-    bool fail_safe_;
+    FailSafe fail_safe_;
     Real h_;
     std::array<ClothModel, 2> models_;
     std::array<ClothState, 2> states_;
@@ -69,15 +80,17 @@ struct SelfContactHistory {
     std::int64_t crossings = 0;   ///< at the end
     double crossed_steps = 0;     ///< part of the steps that ended with crossings
     double unsearched_steps = 0;  ///< part of the steps in which the search gave up
+    double unsafe_steps = 0;      ///< part of the steps that could not be halved often enough
     double penetration = 0;       ///< largest after any step; the thickness, where cloth crosses cloth [m]
     Vec3 given = Vec3::Zero();    ///< momentum that the first sheet has lost at the end [kg m/s]
     double momentum_change = 0;   ///< of both together, part of that at the start
     double pair_tests = 0;        ///< a step
     double held_back = 0;         ///< particles, a step
+    double rejected = 0;          ///< tries, a step
 };
 
 /// Runs a scene to its end.
-SelfContactHistory watch_sheets(const ThrownSheet& scene, Real step, bool fail_safe);
+SelfContactHistory watch_sheets(const ThrownSheet& scene, Real step, FailSafe fail_safe);
 
 /// By how much what a run has given to the second sheet differs from what a reference has, part of that.
 double momentum_error(const SelfContactHistory& run, const SelfContactHistory& reference);
