@@ -16,7 +16,8 @@ bool falls(const ContactProblem& problem, int ball) {
 bool first_falls(const ContactProblem& /*problem*/, const Contact& /*contact*/) { return true; }
 bool first_falls(const ContactProblem& problem, const BallContact& contact) { return falls(problem, contact.first); }
 
-/// How fast gravity makes the approach of two bodies grow [m/s^2]: not at all where both fall.
+/// How fast gravity makes the approach of two bodies grow [m/s^2]: not at all where both fall. Cloth counts as falling:
+/// what its springs add within a substep is not known.
 template <class AnyContact>
 Real growth_of_approach(const ContactProblem& problem, const AnyContact& contact) {
     const Real downwards = -problem.cloths.front().model.gravity.dot(contact.normal);
@@ -25,17 +26,18 @@ Real growth_of_approach(const ContactProblem& problem, const AnyContact& contact
 Real growth_of_approach(const ContactProblem& /*problem*/, const PairContact& /*contact*/) { return 0; }
 
 /// Sets how much of the substep is left after the impact, and the velocity at which the bodies part at the end of the
-/// substep. Depth and approach are those of the end: gravity has made the approach grow since the impact, and by as
-/// much slows what bounces. What is deeper than it can have fallen within the substep has come with the approach of its
-/// end.
+/// substep. Depth and approach are those of the end: gravity has made the approach grow since the impact, and slows the
+/// rebound by the same amount. What would land again within the substep stops instead.
 template <class AnyContact>
 void time_impact(const ContactProblem& problem, AnyContact& contact) {
     const Real depth = std::max(push_of(contact, problem.balls), Real(0));
     const Real growth = growth_of_approach(problem, contact), at_end = contact.approach;
-    const Real square = at_end * at_end - 2 * growth * depth;
-    contact.remaining = std::min(problem.h, 2 * depth / (at_end + (square > 0 ? std::sqrt(square) : at_end)));
-    const Real grown = growth * contact.remaining;
-    contact.impulse.target = std::max(restitution_of(problem.parameters, contact) * (at_end - grown) - grown, Real(0));
+    const Real at_impact = std::sqrt(std::max(at_end * at_end - 2 * growth * depth, Real(0)));
+    const Real remaining = std::min(problem.h, 2 * depth / (at_end + at_impact)), grown = growth * remaining;
+    const Real parting = restitution_of(problem.parameters, contact) * (at_end - grown) - grown;
+    const bool parts = parting > 0;
+    contact.impulse.target = parts ? parting : Real(0);
+    contact.remaining = parts ? remaining : std::min(problem.h, depth / at_end);
 }
 
 }  // namespace

@@ -22,7 +22,7 @@ Real damping_ratio(Real restitution) {
     return decay / std::sqrt(pi * pi + decay * decay);
 }
 
-/// What a contact's damper pushes with, by the speed that it sees [N s/m].
+/// The damping coefficient of a contact [N s/m].
 template <class AnyContact>
 Real damping_of(const ContactProblem& problem, const AnyContact& contact) {
     const Real ratio = damping_ratio(restitution_of(problem.parameters, contact));
@@ -73,6 +73,7 @@ void push_by_displacements(ContactProblem& problem) {
     });
     for_each_chosen(problem, [&](auto& contact) {
         const Real nearer = -relative(problem.displacements(), contact).dot(contact.normal);
+        // Kept against the velocities after the springs, which dampers then change
         contact.approach = nearer / problem.h - approach_of(problem.velocities(), contact);
     });
     for_each_chosen(problem, [&](auto& contact) {

@@ -83,17 +83,17 @@ Real friction_of(const ResponseParameters& parameters, const BodyContact& contac
 }
 Real friction_of(const ResponseParameters& parameters, const PairContact& /*contact*/) { return parameters.friction; }
 
-/// How fast two bodies approach each other, less than zero where they part [m/s]. To the hybrid what rests is no
-/// impact, though something presses on it by more than gravity in each step: a contact that was there in the substep
-/// before, or one that has not come nearer: where a force displaces by half of its velocity, what lies still has the
-/// other half at the end of the substep.
+/// The fastest approach of what may rest, however long the substep is [m/s].
+constexpr Real fastest_rest = Real(0.5);
+
+/// Whether a contact is no impact to the hybrid, though its bodies approach each other by more than gravity alone makes
+/// them: they have pushed each other in the substep before, which only contacts of cloth know, or have not come nearer.
+/// Where a force displaces by half of its velocity, what lies still has the other half at the end of the substep.
 template <class AnyContact>
-Real approach_of(const ContactProblem& problem, const AnyContact& contact) {
-    const Real approach = -relative(problem.velocities(), contact).dot(contact.normal);
-    if (problem.parameters.kind != ResponseKind::Hybrid || approach <= problem.resting) return approach;
+bool rests(const ContactProblem& problem, const AnyContact& contact) {
     const Real nearer = -relative(problem.displacements(), contact).dot(contact.normal);
-    const bool lasts = contact.lasts && approach <= rest_steps * problem.gravity * problem.h;
-    return lasts || nearer <= problem.resting * problem.h ? problem.resting : approach;
+    if (nearer <= problem.resting * problem.h) return true;
+    return contact.lasts && contact.approach <= std::min(rest_steps * problem.gravity * problem.h, fastest_rest);
 }
 
 /// Fills what does not change while contacts are solved, but for masses.
@@ -104,7 +104,10 @@ void prepare(ContactProblem& problem, AnyContact& contact) {
         given->friction -= given->friction.dot(contact.normal) * contact.normal;
     }
     contact.impulse.target = 0;
-    contact.approach = approach_of(problem, contact);
+    contact.approach = -relative(problem.velocities(), contact).dot(contact.normal);
+    if (problem.parameters.kind == ResponseKind::Hybrid && is_impact(problem, contact) && rests(problem, contact)) {
+        contact.approach = problem.resting;
+    }
     if (is_impact(problem, contact)) {
         contact.impulse.target = restitution_of(problem.parameters, contact) * contact.approach;
     }

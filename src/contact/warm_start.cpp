@@ -166,8 +166,9 @@ void WarmStart<AnyContact>::take(const ResponseParameters& parameters, Real h, R
     h_ = h;
     const bool ground_is_gone = !parameters.ground.solid || parameters.ground.height < ground_height_;
     ground_height_ = parameters.ground.height;
-    if (!solves_for_pushes(parameters.kind)) {
-        if (parameters.kind == ResponseKind::Hybrid) keep_without_pushes(contacts);
+    has_pushes_ = solves_for_pushes(parameters.kind);
+    if (!has_pushes_) {
+        if (parameters.kind == ResponseKind::Hybrid && !ground_is_gone) keep_without_pushes(contacts);
         return;
     }
     is_explicit_ = has_step_limit(parameters.integrator);
@@ -194,11 +195,11 @@ void WarmStart<AnyContact>::take(const ResponseParameters& parameters, Real h, R
     }
 }
 
-/// Of what was there before, no more than that.
+/// Keeps which contacts have pushed, without their pushes.
 template <class AnyContact>
 void WarmStart<AnyContact>::keep_without_pushes(std::vector<AnyContact>& contacts) {
     last_.swap(contacts);
-    std::erase_if(last_, [](const AnyContact& contact) { return !is_of_surface(contact); });
+    std::erase_if(last_, [](const AnyContact& c) { return !is_of_surface(c) || c.impulse.normal == 0; });
     for (AnyContact& contact : last_) contact.displacement = contact.impulse = {};
 }
 

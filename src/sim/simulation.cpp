@@ -48,9 +48,10 @@ void Simulation::begin_step() {
     }
     if (plan_is_due(settings_.solver, report_)) plan(planned_substeps_);
     const bool touches = report_.contacts > 0 || !ball_contacts_.empty() || self_contact_.is_near();
-    const bool meets =
-        !report_.asleep && (may_cross(settings_, cloths_, balls_) || may_touch(settings_, cloths_, balls_, solids_));
-    report_.substeps = substeps_in_contact(settings_, touches || meets, planned_substeps_);
+    const auto meets = [&] {
+        return may_cross(settings_, cloths_, balls_) || may_touch(settings_, cloths_, balls_, solids_);
+    };
+    report_.substeps = substeps_in_contact(settings_, touches || (!report_.asleep && meets()), planned_substeps_);
     if (self_contact_.on())
         report_.substeps = std::max(report_.substeps, substeps_of_motion(cloths_, settings_.solver));
 }

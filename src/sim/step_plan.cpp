@@ -79,7 +79,7 @@ bool is_divided_in_contact(const Settings& settings) {
     return !has_step_limit(settings.solver.integrator) && settings.solver.dt > longest_in_contact(settings);
 }
 
-/// How far apart two bodies may be at its start that touch in an undivided step.
+/// How far two bodies can approach each other in an undivided step.
 /// @param speed of both together [m/s]
 Real way_within_step(const Settings& settings, Real speed) {
     const auto dt = static_cast<Real>(settings.solver.dt);
@@ -90,19 +90,55 @@ Aabb box_of(const Cloth& cloth) { return {cloth.state.x.colwise().minCoeff(), cl
 
 Real greatest_speed(const Cloth& cloth) { return std::sqrt(cloth.state.v.rowwise().squaredNorm().maxCoeff()); }
 
-/// Whether something round may reach the ground, a solid, or one of these balls.
-/// @param speed its own [m/s]
-bool may_reach(const Settings& settings, std::span<const Ball> balls, std::span<const Solid> solids, const Vec3& centre,
-               Real radius, Real speed) {
-    const auto within = [&](Real distance, Real other_speed) {
-        return distance <= radius + settings.contact.thickness + way_within_step(settings, speed + other_speed);
-    };
-    if (settings.ground.solid && within(centre.y() - settings.ground.height, 0)) return true;
-    for (const Ball& ball : balls) {
-        if (within((centre - ball.centre).norm() - ball.radius, ball.velocity.norm())) return true;
+/// Of a ball under the keys, the speed that a key gives it [m/s].
+Real speed_of(const Settings& settings, std::span<const Ball> balls, std::size_t number) {
+    const BallSettings& ball = settings.balls[number];
+    return std::max(balls[number].velocity.norm(), ball.motion == BallMotion::Keys ? ball.speed : Real(0));
+}
+
+/// What may touch the bodies of a scene, as a ball that moves.
+struct Mover {
+    Vec3 centre;
+    Real radius, speed;  ///< [m], [m/s]
+};
+
+bool may_reach_ball(const Settings& settings, std::span<const Ball> balls, std::size_t number, const Mover& mover) {
+    const Real distance = (mover.centre - balls[number].centre).norm() - balls[number].radius - mover.radius;
+    const Real way = way_within_step(settings, mover.speed + speed_of(settings, balls, number));
+    return distance <= settings.contact.thickness + way;
+}
+
+bool may_reach_ground(const Settings& settings, const Mover& mover) {
+    const Real height = mover.centre.y() - settings.ground.height - mover.radius;
+    return settings.ground.solid && height <= settings.contact.thickness + way_within_step(settings, mover.speed);
+}
+
+bool may_reach_solid(const Settings& settings, const Solid& solid, const Mover& mover) {
+    const Real way = way_within_step(settings, mover.speed + solid.velocity.norm());
+    return solid.distance(mover.centre) - mover.radius <= settings.contact.thickness + way;
+}
+
+/// Whether something may touch a ball or a solid.
+/// @param itself its number among the balls, or -1
+bool may_reach_body(const Settings& settings, std::span<const Ball> balls, std::span<const Solid> solids,
+                    const Mover& mover, int itself) {
+    for (std::size_t b = 0; b < balls.size(); ++b) {
+        if (static_cast<int>(b) != itself && may_reach_ball(settings, balls, b, mover)) return true;
     }
-    for (const Solid& solid : solids) {
-        if (within(solid.distance(centre), solid.velocity.norm())) return true;
+    return std::ranges::any_of(solids, [&](const Solid& solid) { return may_reach_solid(settings, solid, mover); });
+}
+
+/// First all of it at once, in a sphere about its box; then each particle, with what of the cells beside it is nearest
+/// to it, though they may be drawn out to twice their size.
+bool may_reach(const Settings& settings, const Cloth& cloth, std::span<const Ball> balls,
+               std::span<const Solid> solids) {
+    const Aabb box = box_of(cloth);
+    const Real speed = greatest_speed(cloth), cell = std::hypot(cloth.model.hx, cloth.model.hy);
+    const Mover all{(box.low + box.high) / 2, (box.high - box.low).norm() / 2 + cell, speed};
+    if (may_reach_ground(settings, {box.low, 0, speed})) return true;
+    if (!may_reach_body(settings, balls, solids, all, -1)) return false;
+    for (const auto& particle : cloth.state.x.rowwise()) {
+        if (may_reach_body(settings, balls, solids, {particle.transpose(), cell, speed}, -1)) return true;
     }
     return false;
 }
@@ -154,16 +190,13 @@ bool may_touch(const Settings& settings, std::span<const Cloth> cloths, std::spa
                std::span<const Solid> solids) {
     if (!is_divided_in_contact(settings) || !pushes_by_penalty(settings)) return false;
     for (const Cloth& cloth : cloths) {
-        const Real speed = greatest_speed(cloth), cell = std::hypot(cloth.model.hx, cloth.model.hy);
-        for (const auto& particle : cloth.state.x.rowwise()) {
-            if (may_reach(settings, balls, solids, particle.transpose(), cell, speed)) return true;
-        }
+        if (may_reach(settings, cloth, balls, solids)) return true;
     }
     for (std::size_t b = 0; b < balls.size(); ++b) {
-        const Ball& ball = balls[b];
-        if (ball.inverse_mass == 0) continue;
-        if (may_reach(settings, balls.subspan(b + 1), solids, ball.centre, ball.radius, ball.velocity.norm()))
-            return true;
+        if (balls[b].inverse_mass == 0) continue;
+        const Mover ball{balls[b].centre, balls[b].radius, speed_of(settings, balls, b)};
+        if (may_reach_ground(settings, ball)) return true;
+        if (may_reach_body(settings, balls, solids, ball, static_cast<int>(b))) return true;
     }
     return false;
 }

@@ -66,6 +66,22 @@ TEST(ThrownSheets, CrossWithoutTheFailSafeAndNeverWithIt) {
     }
 }
 
+TEST(ThrownSheets, CrossNeitherWhereAStepThatWouldCrossIsRejected) {
+    const SelfContactHistory run = watch_sheets(thin_sheets(), long_step, FailSafe::Rejection);
+    EXPECT_EQ(run.crossed_steps, 0);
+    EXPECT_GT(run.rejected, 1);
+    EXPECT_EQ(run.unsafe_steps, 0);
+    EXPECT_EQ(run.held_back, 0);
+    EXPECT_LT(run.momentum_change, 1e-4);
+}
+
+/// Its halves are short enough for the search, too.
+TEST(ThrownSheets, AreSearchedInHalvesOfAStepThatIsTooLong) {
+    const SelfContactHistory run = watch_sheets(thin_sheets(), Real(1) / 120, FailSafe::Rejection);
+    EXPECT_EQ(run.unsearched_steps, 0);
+    EXPECT_EQ(run.crossed_steps, 0);
+}
+
 TEST(ThrownSheets, PassThroughEachOtherWhereTheSearchGivesUp) {
     const SelfContactHistory run = watch_sheets(thin_sheets(), Real(1) / 60, FailSafe::Zones);
     EXPECT_GT(run.unsearched_steps, 0);

@@ -37,7 +37,7 @@ public:
     /// @param h the substep to come [s]
     /// @param gravity [m/s^2]
     /// @param cloths as they are now: a particle may have been grabbed, or a mass set, since
-    /// @param contacts of the substep before; left empty but under penalties
+    /// @param contacts of the substep before; emptied, except under penalties
     void take(const ResponseParameters& parameters, Real h, Real gravity, std::span<const ClothInContact> cloths,
               std::vector<AnyContact>& contacts);
 
@@ -52,7 +52,7 @@ public:
 
     /// The contacts of the others.
     [[nodiscard]] std::span<const AnyContact> beside_step() const {
-        return of_velocities_ ? std::span<const AnyContact>{} : last_;
+        return of_velocities_ || !has_pushes_ ? std::span<const AnyContact>{} : last_;
     }
 
     /// Gives these: what a method is to have before its step, and after it. Balls have moved before either.
@@ -78,6 +78,7 @@ private:
     Real h_ = 0;                  ///< of the last pushes [s]
     Real ground_height_ = 0;      ///< as of the last `take` [m]
     bool is_explicit_ = true;     ///< pushes beside the step are given after it, displacements too; else before it
+    bool has_pushes_ = true;      ///< else `last_` tells which contacts there were, no more
     bool of_velocities_ = false;  ///< the pushes are impulses; what they displaced by goes back where a contact parted
     NotCopied<std::vector<Real>> forces_;  ///< of `within_step`
     std::vector<AnyContact> last_, parted_;

@@ -81,12 +81,13 @@ SelfContactStep SelfContactTrial::advance() {
         make_in_halves(h_, most_halvings, step);
     } else {
         make(h_, step);
+        step.searched = searched_;
     }
     return step;
 }
 
 /// Makes a step, with the zones if these are asked for.
-/// @return whether pairs would meet within it
+/// @return whether pairs would meet within it, or may, where the search gave up
 bool SelfContactTrial::make(Real h, SelfContactStep& step) {
     std::vector<ClothInContact> cloths;
     for (const std::size_t s : sheets) {
@@ -102,8 +103,8 @@ bool SelfContactTrial::make(Real h, SelfContactStep& step) {
     const bool would_cross = fail_safe_ != FailSafe::None && contact_.would_cross(cloths);
     if (would_cross && fail_safe_ == FailSafe::Zones) step.held_back += contact_.hold_back(cloths);
     step.pair_tests += contact_.report().traversal.volume_tests + contact_.report().listed;
-    step.searched = step.searched && !contact_.report().gave_up;
-    return would_cross;
+    searched_ = !contact_.report().gave_up;
+    return would_cross || !searched_;
 }
 
 /// Makes a step, or takes it back and makes it in two halves. What is made again starts with no pushes: those of the
@@ -112,6 +113,7 @@ void SelfContactTrial::make_in_halves(Real h, int halvings_left, SelfContactStep
     const std::array<ClothState, 2> start = states_;
     if (!make(h, step)) return;
     if (halvings_left == 0) {
+        step.searched = step.searched && searched_;
         step.halved_enough = false;
         return;
     }

@@ -26,7 +26,8 @@ ThrownSheet throw_sheet(Real speed, Real thickness);
 enum class FailSafe {
     None,
     Zones,      ///< that of a simulation: particles of these pairs are held back, see `ImpactZones`
-    Rejection,  ///< the step is taken back and made again in two halves, and each of them alike
+    Rejection,  ///< the step is taken back and made again in two halves, and each of them alike; where the search gives
+                ///< up, too
 };
 
 /// What a step of a trial has done.
@@ -35,7 +36,7 @@ struct SelfContactStep {
     std::int64_t held_back = 0;   ///< particles
     std::int64_t rejected = 0;    ///< steps and parts of steps that were taken back
     bool searched = true;         ///< the search has not given up
-    bool halved_enough = true;    ///< no part of it would cross and is too short to be halved again
+    bool halved_enough = true;    ///< false: a part would still cross after the most halvings
 };
 
 /// A simulation without all that contact between cloths does not need: step, search, response, fail-safe, in the order
@@ -66,6 +67,7 @@ private:
 
     ResponseParameters response_;
     FailSafe fail_safe_;
+    bool searched_ = true;  ///< in the last try
     Real h_;
     std::array<ClothModel, 2> models_;
     std::array<ClothState, 2> states_;
