@@ -86,9 +86,12 @@ void push_by_displacements(ContactProblem& problem) {
 
 }  // namespace
 
-Real penalty_step_limit(Real stiffness, Real restitution, Real inverse_mass) {
-    const Real zeta = damping_ratio(restitution);
-    return 2 * (std::sqrt(1 + zeta * zeta) - zeta) / std::sqrt(stiffness * inverse_mass);
+Real penalty_step_limit(Real stiffness, Real restitution, Real inverse_mass, Real share) {
+    const Real zeta = damping_ratio(restitution), frequency = std::sqrt(stiffness * inverse_mass);
+    if (share == 1) return 2 * (std::sqrt(1 + zeta * zeta) - zeta) / frequency;
+    Real w = 2;
+    for (int step = 0; step < 8; ++step) w -= (zeta * w * w * w + w * w - 4) / (3 * zeta * w * w + 2 * w);
+    return w / frequency;
 }
 
 Sweeps solve_penalties(ContactProblem& problem, TakesPart takes_part) {

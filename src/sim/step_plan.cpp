@@ -63,7 +63,8 @@ bool pushes_by_penalty(const Settings& settings) {
 /// Of a substep [s].
 double penalty_limit(const Settings& settings, const ClothModel& model) {
     const Real mass = lightest_mass(settings, model);
-    return static_cast<double>(penalty_step_limit(settings.contact.stiffness, least_restitution(settings), 1 / mass));
+    return static_cast<double>(penalty_step_limit(settings.contact.stiffness, least_restitution(settings), 1 / mass,
+                                                  displacement_share(settings.solver.integrator)));
 }
 
 /// Of a method without a step limit [s]. A free ball presses few particles with all of its weight. They vibrate between

@@ -64,6 +64,14 @@ TEST(LabPenaltyLimit, FallsWithTheRootOfTheStiffnessAndIsNearThePrediction) {
     EXPECT_NEAR(soft.measured / soft.predicted, 1, 0.1);
 }
 
+TEST(LabPenaltyLimit, IsLongerWhereDampersSeeWhatHasMoved) {
+    const PenaltyLimit bounces = find_penalty_limit(1000, Real(0.5), IntegratorKind::VelocityVerlet);
+    EXPECT_NEAR(bounces.measured / bounces.predicted, 1, 0.05);
+    const PenaltyLimit stops = find_penalty_limit(1000, 0, IntegratorKind::VelocityVerlet);
+    EXPECT_NEAR(stops.measured / stops.predicted, 1.1, 0.05);
+    EXPECT_GT(stops.measured, 1.3 * find_penalty_limit(1000, 0).measured);
+}
+
 TEST(LabResponses, WritesARowAStepAndARowALimit) {
     const LabFolder folder;
     const LabRun run = folder.run({"responses", "--quick", "--cases", "16-17", "--out", "out"});

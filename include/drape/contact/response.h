@@ -64,11 +64,12 @@ Real push_of(const PairContact& contact, std::span<const Ball> balls);
 Real depth_left(const ResponseParameters& parameters, std::span<const ClothInContact> cloths,
                 std::span<const Ball> balls);
 
-/// The longest stable step of the penalty at a loose particle: h < 2 (sqrt(1 + zeta^2) - zeta) / sqrt(k / m), of a
-/// spring k with damping ratio zeta under symplectic Euler, whose damping is explicit. Springs of the cloth make it
-/// shorter.
+/// The longest stable step of the penalty at a loose particle, of a spring k with damping ratio zeta: h = w / sqrt(k /
+/// m). Where dampers see velocities, w = 2 (sqrt(1 + zeta^2) - zeta); where they see what has moved, in one half of a
+/// step what they leave of it, zeta w^3 + w^2 = 4. Springs of the cloth make it shorter.
 /// @param inverse_mass of the particle [1/kg]
-Real penalty_step_limit(Real stiffness, Real restitution, Real inverse_mass);
+/// @param share of the method, see `displacement_share`: below 1 dampers see what has moved
+Real penalty_step_limit(Real stiffness, Real restitution, Real inverse_mass, Real share = 1);
 
 /// Corrects positions and velocities so that cloth and balls stay out of each other and of the ground.
 /// Contacts are solved one after the other, again and again, each for both normal and friction, until none changes by

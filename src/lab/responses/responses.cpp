@@ -114,15 +114,16 @@ Slide lay_on_slope(ResponseKind kind, Real step) {
     return slide;
 }
 
-PenaltyLimit find_penalty_limit(Real stiffness, Real restitution) {
+PenaltyLimit find_penalty_limit(Real stiffness, Real restitution, IntegratorKind integrator) {
     ContactScene scene = sheet_above_ground(0, {});
     scene.response.kind = ResponseKind::Penalty;
     scene.response.stiffness = stiffness;
     scene.response.ground.restitution = restitution;
+    scene.integrator.kind = integrator;
     const Real mass = make_cloth_model(scene.cloth).particle_mass;
     const Real depth = mass * static_cast<Real>(earth_g) / stiffness;
     scene.cloth.place.y() = -depth;
-    const Real predicted = penalty_step_limit(stiffness, restitution, 1 / mass);
+    const Real predicted = penalty_step_limit(stiffness, restitution, 1 / mass, displacement_share(integrator));
     Real low = predicted / 10, high = 4 * predicted;
     while (high > Real(1.005) * low) {
         const Real step = std::sqrt(low * high);

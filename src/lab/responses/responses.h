@@ -32,6 +32,7 @@ struct PenaltyLimit {
 
 /// Finds the measured one to within 0.5 %, by bisection. The sheet has no springs.
 /// @param stiffness of the penalty [N/m]
-PenaltyLimit find_penalty_limit(Real stiffness, Real restitution);
+PenaltyLimit find_penalty_limit(Real stiffness, Real restitution,
+                                IntegratorKind integrator = IntegratorKind::SymplecticEuler);
 
 }  // namespace drape
