@@ -21,7 +21,7 @@ figure(panel) = panel == 1 ? 100 * column('crossed_steps') : \
                panel == 3 ? 100 * column('momentum_error') : most(column('pair_tests'), 1e3)
 do for [panel = 1:4] {
   unset logscale y
-  if (panel == 4) { set logscale y; set yrange [700:6e5] } else { set yrange [-4:104] }
+  if (panel == 4) { set logscale y; set yrange [700:4e7] } else { set yrange [-4:104] }
   do for [safe in 'zones rejection none'] {
     unset title
     if (panel == 1) { set title safe eq 'none' ? 'no fail-safe' : safe eq 'zones' ? 'impact zones' : 'rejected steps' }

@@ -87,10 +87,11 @@ Real friction_of(const ResponseParameters& parameters, const PairContact& /*cont
 constexpr Real fastest_rest = Real(0.5);
 
 /// Whether a contact is no impact to the hybrid, though its bodies approach each other by more than gravity alone makes
-/// them: they have pushed each other in the substep before, which only contacts of cloth know, or have not come nearer.
-/// Where a force displaces by half of its velocity, what lies still has the other half at the end of the substep.
+/// them. Where a force displaces by half of its velocity, what lies still has the other half at the end of the substep:
+/// it rests if it has hardly come nearer, or has pushed in the substep before, which only contacts of cloth know.
 template <class AnyContact>
 bool rests(const ContactProblem& problem, const AnyContact& contact) {
+    if (problem.share == 1) return false;
     const Real nearer = -relative(problem.displacements(), contact).dot(contact.normal);
     if (nearer <= problem.resting * problem.h) return true;
     return contact.lasts && contact.approach <= std::min(rest_steps * problem.gravity * problem.h, fastest_rest);

@@ -134,7 +134,7 @@ bool may_reach_body(const Settings& settings, std::span<const Ball> balls, std::
 bool may_reach(const Settings& settings, const Cloth& cloth, std::span<const Ball> balls,
                std::span<const Solid> solids) {
     const Aabb box = box_of(cloth);
-    const Real speed = greatest_speed(cloth), cell = std::hypot(cloth.model.hx, cloth.model.hy);
+    const Real speed = greatest_speed(cloth), cell = cloth.model.hx + cloth.model.hy;
     const Mover all{(box.low + box.high) / 2, (box.high - box.low).norm() / 2 + cell, speed};
     if (may_reach_ground(settings, {box.low, 0, speed})) return true;
     if (!may_reach_body(settings, balls, solids, all, -1)) return false;

@@ -16,7 +16,7 @@
     cpu[key, safe] = cell("cpu_s_per_s")
 }
 END {
-    print "| Thickness [mm] | Step [s] | Steps in which the search gave up [%] | Zones: particles held back a step | Rejection: tries taken back a step | Steps in which 10 halvings were too few [%] | Tests of pairs a step: zones | rejection | CPU time, of that with none: zones | rejection |"
+    print "| Thickness [mm] | Step [s] | Zones: steps in which the search gave up [%] | Zones: particles held back a step | Rejection: tries taken back a step | Rejection: steps in which 10 halvings were too few [%] | Tests of pairs a step: zones | rejection | CPU time, of that with none: zones | rejection |"
     print "| ---: | ---: | ---: | ---: | ---: | ---: | ---: | ---: | ---: | ---: |"
     for (i = 1; i <= count; ++i) {
         k = order[i]
