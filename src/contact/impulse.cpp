@@ -16,12 +16,13 @@ bool falls(const ContactProblem& problem, int ball) {
 bool first_falls(const ContactProblem& /*problem*/, const Contact& /*contact*/) { return true; }
 bool first_falls(const ContactProblem& problem, const BallContact& contact) { return falls(problem, contact.first); }
 
-/// How fast gravity makes the approach of two bodies grow [m/s^2]: not at all where both fall. Cloth counts as falling:
-/// what its springs add within a substep is not known.
+/// How fast gravity makes the approach of two bodies grow [m/s^2]: not at all where both fall, or where it draws them
+/// apart. Cloth counts as falling where it may fall onto what it meets: what its springs add within a substep is not
+/// known, but cloth beside or below a ball hangs in them.
 template <class AnyContact>
 Real growth_of_approach(const ContactProblem& problem, const AnyContact& contact) {
     const Real downwards = -problem.cloths.front().model.gravity.dot(contact.normal);
-    return downwards * Real(first_falls(problem, contact) - falls(problem, contact.ball));
+    return std::max(downwards * Real(first_falls(problem, contact) - falls(problem, contact.ball)), Real(0));
 }
 Real growth_of_approach(const ContactProblem& /*problem*/, const PairContact& /*contact*/) { return 0; }
 
