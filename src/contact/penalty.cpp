@@ -66,7 +66,7 @@ void push_by_velocities(ContactProblem& problem) {
 /// Where a force displaces by half of its velocity, what lies still has the other half at the end of the substep, and
 /// dampers that saw it would not let it lie. They see by how much the bodies have come nearer within the substep, and
 /// what earlier dampers have changed since. As that was half a substep ago, a damper pushes by the mean of the speed
-/// that it sees and the one that it leaves, and never turns it by more than it was.
+/// that it sees and the one that it leaves: at most it reverses that speed.
 void push_by_displacements(ContactProblem& problem) {
     for_each_chosen(problem, [&](auto& contact) {
         add_push(problem, contact, problem.h * std::max(problem.parameters.stiffness * contact.depth, Real(0)));

@@ -107,7 +107,7 @@ void prepare(ContactProblem& problem, AnyContact& contact) {
     contact.impulse.target = 0;
     contact.approach = -relative(problem.velocities(), contact).dot(contact.normal);
     if (problem.parameters.kind == ResponseKind::Hybrid && is_impact(problem, contact) && rests(problem, contact)) {
-        contact.approach = problem.resting;
+        contact.approach = problem.resting;  // so that it is no impact
     }
     if (is_impact(problem, contact)) {
         contact.impulse.target = restitution_of(problem.parameters, contact) * contact.approach;

@@ -54,7 +54,7 @@ struct ContactPlane {
     std::array<PushedParticle, 4> particles{};  ///< the first `particle_count`
     Vec3 start = Vec3::Zero();  ///< the first point, or its offset from the second, at the start of the substep [m]
     Real remaining = 0;         ///< of the substep, after the impact [s]
-    Real approach = 0;          ///< speed at which they meet, less than zero where they part; of rest no more [m/s]
+    Real approach = 0;          ///< speed at which they meet, less than zero where they part [m/s]
     ContactPush displacement;   ///< within the substep
     ContactPush impulse;
 

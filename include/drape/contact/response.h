@@ -64,11 +64,11 @@ Real push_of(const PairContact& contact, std::span<const Ball> balls);
 Real depth_left(const ResponseParameters& parameters, std::span<const ClothInContact> cloths,
                 std::span<const Ball> balls);
 
-/// The longest stable step of the penalty at a loose particle, of a spring k with damping ratio zeta: h = w / sqrt(k /
-/// m). Where dampers see velocities, w = 2 (sqrt(1 + zeta^2) - zeta); where they see what has moved, in one half of a
-/// step what they leave of it, zeta w^3 + w^2 = 4. Springs of the cloth make it shorter.
+/// The longest stable step [s] of the penalty at a loose particle of mass m, a spring k with damping ratio zeta: w
+/// times the root of m / k. Where a damper sees the velocity before its push, w = 2 (sqrt(1 + zeta^2) - zeta); where it
+/// sees the mean of before and after, zeta w^3 + w^2 = 4. Springs of the cloth make it shorter.
 /// @param inverse_mass of the particle [1/kg]
-/// @param share of the method, see `displacement_share`: below 1 dampers see what has moved
+/// @param share of the method, see `displacement_share`: below 1 a damper sees the mean
 Real penalty_step_limit(Real stiffness, Real restitution, Real inverse_mass, Real share = 1);
 
 /// Corrects positions and velocities so that cloth and balls stay out of each other and of the ground.
