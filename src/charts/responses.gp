@@ -29,7 +29,7 @@ do for [panel = 1:4] {
   set yrange [(panel == 3 ? 3e-7 : 5e-3):(panel == 2 || panel == 3 ? 2e6 : 50)]
   if (panel == 4) {
     set xlabel 'CPU time of the response at rest per simulated second [ms]'
-    set xrange [0.03:200]
+    set xrange [0.015:200]
     set xtics (0.1, 1, 10, 100)
   }
   plot for [response in responses] table \
