@@ -6,6 +6,7 @@
 #include <utility>
 
 #include "contact_solver.h"
+#include "drape/contact/fast_solve.h"
 #include "resting.h"
 
 namespace drape {
@@ -281,7 +282,7 @@ Real depth_left(ContactProblem& problem) {
 
 ResponseReport resolve_contacts(const ResponseParameters& parameters, Real h, std::span<const ClothInContact> cloths,
                                 std::span<PairContact> pairs, std::span<Ball> balls,
-                                std::span<BallContact> ball_contacts, ContactRows* rows) {
+                                std::span<BallContact> ball_contacts, FastSolve* fast) {
     const bool none = std::ranges::all_of(cloths, [](const ClothInContact& cloth) { return cloth.contacts.empty(); });
     if (none && pairs.empty() && ball_contacts.empty()) return {};
     const Real gravity = cloths.front().model.gravity.norm();
@@ -294,7 +295,8 @@ ResponseReport resolve_contacts(const ResponseParameters& parameters, Real h, st
                            .pairs = pairs,
                            .balls = balls,
                            .ball_contacts = ball_contacts,
-                           .rows = rows};
+                           .rows = fast == nullptr ? nullptr : &fast->rows,
+                           .activity = fast == nullptr ? nullptr : &fast->activity};
     prepare_all(problem);
     const double before = kinetic_energy(balls);
     ResponseReport report = respond(problem);

@@ -12,13 +12,16 @@ namespace {
 /// How much farther than the integrator has moved it a response is thought to move a particle.
 constexpr Real response_allowance = Real(1.5);
 
-/// For how many substeps like this one a list is to last, by at most a part of the particles' spacing.
-struct Ahead {
-    Real substeps, spacings;
-};
+/// For how many substeps like this one a list is to last, if it is short. A long one is for fewer: most of what makes
+/// it long is what may come near only in the last of them.
+constexpr Real most_ahead = 12, least_ahead = 3;
 
-/// What is local has neighbours at about the spacing, which a wide margin would list; of all else, little is near.
-constexpr Ahead local_ahead{12, Real(0.4)}, overall_ahead{12, Real(1)};
+/// The pairs a particle with which a list lasts half as long.
+constexpr Real pairs_of_half = 8;
+
+/// And by at most a part of the particles' spacing: what is local has neighbours at about the spacing, which a wide
+/// margin would list; of all else, little is near.
+constexpr Real local_spacings = Real(0.4), overall_spacings = 1;
 
 /// How much of the thickness besides, for what is at rest.
 constexpr Real thickness_ahead = Real(0.1);
@@ -179,19 +182,21 @@ bool SelfSearch::find_reaches(std::span<const ClothInContact> cloths, Real least
     return all_within;
 }
 
-/// For a new list: by how much each particle may stray while it serves.
+/// For a new list: by how much each particle may stray while it serves. The list before tells how long it may be.
 /// @param factor of each displacement in its reach
 void SelfSearch::set_allowances(Real factor) {
+    const Real pairs = static_cast<Real>(list_.size()) / static_cast<Real>(first_.back());
+    const Real substeps = std::max(least_ahead, most_ahead / (1 + pairs / pairs_of_half));
     for (std::size_t c = 0; c < surfaces_.size(); ++c) {
         const auto from = static_cast<Eigen::Index>(first_[c]), count = static_cast<Eigen::Index>(first_[c + 1]) - from;
-        const auto set = [&](const Numbers& reaches_of_all, const Ahead& ahead, Numbers& allowed) {
-            const Real most = ahead.spacings * surfaces_[c].spacing;
+        const auto set = [&](const Numbers& reaches_of_all, Real spacings, Numbers& allowed) {
+            const Real most = spacings * surfaces_[c].spacing;
             const auto reaches = reaches_of_all.segment(from, count);
             const auto moved = (reaches - thickness_ / 2) / factor;
-            allowed.segment(from, count) = reaches + thickness_ahead * thickness_ + (ahead.substeps * moved).min(most);
+            allowed.segment(from, count) = reaches + thickness_ahead * thickness_ + (substeps * moved).min(most);
         };
-        set(reaches_.local, local_ahead, allowed_.local);
-        set(reaches_.overall, overall_ahead, allowed_.overall);
+        set(reaches_.local, local_spacings, allowed_.local);
+        set(reaches_.overall, overall_spacings, allowed_.overall);
     }
 }
 
