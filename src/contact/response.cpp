@@ -70,6 +70,8 @@ void set_particles(const ContactProblem& problem, Contact& contact) {
     list_particles(problem.cloths, contact);
     contact.start = start_of(problem, contact);
     const Real first = inverse_mass_of_particles(contact), second = inverse_mass_of(contact.ball, problem.balls);
+    // A push that moves a ball alone is that of a heavy body
+    if (first == 0) std::ranges::for_each(contact.particles, [](PushedParticle& p) { p.share = 0; });
     set_masses(first + second, first + sliding_share * second, contact);
 }
 void set_particles(const ContactProblem& problem, PairContact& contact) {

@@ -46,7 +46,7 @@ double self_contact_bytes(const ContactSettings& contact, const Grid& grid) {
     // Positions, reaches, rooms of blocks, means of tiles, and what the fail-safe has
     constexpr double pairs = 30, touching = 2, numbers_of_search = 3 + 10 + 1 + 1 + 6;
     if (!contact.self) return 0;
-    // A body that solves keep account of, and of its contacts with balls and ground two a triangle
+    // Of solves: a number a particle, and its contacts with itself, balls and ground
     constexpr double of_activity = sizeof(std::int64_t) + (touching + 4) * sizeof(ContactActivity::Entry);
     const double of_particle = sizeof(Real) * numbers_of_search + 2 * sizeof(Aabb) + pairs * bytes_of_pair +
                                touching * sizeof(PairContact) + of_activity;

@@ -139,8 +139,9 @@ TEST(ActiveSolve, LooksAtEveryContactLastOfAll) {
     std::vector<PairContact> pairs(10);
     for (std::size_t k = 0; k < pairs.size(); ++k) {
         pairs[k].particle_count = 2;
-        pairs[k].particles[0].particle = static_cast<int>(k);
-        pairs[k].particles[1].particle = static_cast<int>(k) + 1;
+        for (int of = 0; of < 2; ++of) {
+            pairs[k].particles[static_cast<std::size_t>(of)] = {.particle = static_cast<int>(k) + of, .share = 1};
+        }
     }
     for (const int sweeps_of_two : {1, 5, most_sweeps + 1}) {
         const ResponseParameters parameters;
@@ -166,8 +167,7 @@ TEST(ActiveSolve, LooksAtEveryContactLastOfAll) {
     }
 }
 
-/// A fault in this costs sweeps, or ends with contacts that nobody has looked at.
-TEST(ActiveSolve, SolvesAContactAgainWhenAnyOfItsBodiesWasPushed) {
+TEST(ActiveSolve, SolvesAContactAgainWhenAnythingInItWasPushed) {
     const Layers layers(1);
     std::vector<ClothInContact> cloths;
     std::vector<ClothState> states = layers.states;
@@ -189,17 +189,17 @@ TEST(ActiveSolve, SolvesAContactAgainWhenAnyOfItsBodiesWasPushed) {
         activity.add(pair_of({2, 3, 4, 5}));
         activity.add(pair_of({10, 11, 12, shared}));
         activity.add(pair_of({20, 21, 22, 23}));
-        for (std::size_t k = 0; k < 3; ++k) activity.solved(at(activity, k), false);
-        activity.solved(at(activity, 1), false);
+        for (std::size_t k = 0; k < 3; ++k) activity.mark_solved(at(activity, k), false);
+        activity.mark_solved(at(activity, 1), false);
         EXPECT_FALSE(activity.is_pending(at(activity, 0))) << "a push that can be neglected";
-        activity.solved(at(activity, 1), true);
+        activity.mark_solved(at(activity, 1), true);
         EXPECT_TRUE(activity.is_pending(at(activity, 0))) << "particle " << shared;
         EXPECT_FALSE(activity.is_pending(at(activity, 1))) << "it has just been solved";
-        EXPECT_FALSE(activity.is_pending(at(activity, 2))) << "it shares no body";
-        activity.solved(at(activity, 0), false);
+        EXPECT_FALSE(activity.is_pending(at(activity, 2))) << "it shares no particle";
+        activity.mark_solved(at(activity, 0), false);
         EXPECT_FALSE(activity.is_pending(at(activity, 0)));
     }
-    // A ball that is free is a body like another; one that is led, and the ground, are none
+    // A free ball is pushed as particles are; one that is led, and the ground, are not
     const auto on_ball = [](int ball) {
         Contact contact;
         contact.ball = ball;
@@ -211,7 +211,7 @@ TEST(ActiveSolve, SolvesAContactAgainWhenAnyOfItsBodiesWasPushed) {
     activity.begin(cloths, balls);
     for (const int ball : {0, 0, 1, 1, the_ground, the_ground}) activity.add(on_ball(ball));
     for (std::size_t k = 0; k < 6; k += 2) {
-        activity.solved(at(activity, k), true);
+        activity.mark_solved(at(activity, k), true);
         EXPECT_EQ(activity.is_pending(at(activity, k + 1)), k == 0);
     }
 }

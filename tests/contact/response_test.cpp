@@ -56,6 +56,21 @@ struct Floor {
     [[nodiscard]] Vec3 mean_velocity() const { return state.v.colwise().mean().transpose(); }
 };
 
+/// Where a triangle hangs on pins so nearly that the free corner can hardly move the point, the ball moves alone.
+TEST(Response, BesidePinsMovesAFreeBallAndNoParticleFar) {
+    Floor floor(0);
+    floor.model.inverse_mass[0] = floor.model.inverse_mass[1] = 0;
+    const auto at = [&](int particle) { return Vec3(floor.state.x.row(particle).transpose()); };
+    constexpr Real of_free_corner = Real(0.03), radius = Real(0.005), depth = Real(1e-3);
+    const Vec3 point = (1 - of_free_corner) / 2 * (at(0) + at(1)) + of_free_corner * at(floor.model.grid.nx);
+    floor.balls[0] = {.centre = point - Vec3(0, radius - depth, 0), .radius = radius, .inverse_mass = 1};
+    const Vec3 centre = floor.balls[0].centre;
+    floor.respond();
+    EXPECT_EQ(floor.contacts.size(), 1u);
+    EXPECT_NEAR(centre.y() - floor.balls[0].centre.y(), depth, depth / 10);
+    EXPECT_LT((floor.state.x - floor.before).cwiseAbs().maxCoeff(), depth);
+}
+
 TEST(Response, TakesTrianglesOutOfTheBallVerticesAndInteriorsAlike) {
     // A ball smaller than a cell, in the middle of a triangle and far from every vertex
     Floor floor(0);

@@ -10,21 +10,26 @@
 
 namespace drape {
 
-/// For solves that leave out what has nothing to solve: which bodies each contact pushes, when it was solved last, and
-/// when each body was last pushed by more than can be neglected.
+/// For sweeps that leave out contacts with nothing to solve: what each contact pushes, balls and particles, when it was
+/// solved last, and when each of these was last pushed by more than can be neglected.
 class ContactActivity {
 public:
     /// A contact that is solved with others.
     struct Entry {
-        std::array<int, 4> bodies{};  ///< their numbers; 0: none
-        std::int64_t solved = 0;      ///< when it was solved last
+        std::array<int, 4> pushed{};  ///< numbers of balls and particles; 0: none
+        std::int64_t last_solved = 0;
     };
 
     /// Forgets the contacts.
-    void clear() { entries_.clear(); }
+    void clear() {
+        entries_.clear();
+        balls_ = {};
+    }
 
     /// Begins without contacts.
-    /// @par Cost O(cloths); O(particles) the first time
+    /// @par Cost O(cloths); O(particles) the first time. This and the rest allocate nothing once there have been as
+    /// many
+    ///           contacts before
     void begin(std::span<const ClothInContact> cloths, std::span<const Ball> balls);
 
     /// The next contact, in the order in which they are solved.
@@ -35,33 +40,33 @@ public:
     /// Of the contacts, in that order.
     [[nodiscard]] std::span<Entry> entries() { return entries_; }
 
-    /// Whether any of a contact's bodies has been pushed since that was solved.
+    /// Whether any of what a contact pushes has been pushed since the contact was solved.
     [[nodiscard]] bool is_pending(const Entry& entry) const {
-        const auto& [a, b, c, d] = entry.bodies;
-        return std::max(std::max(pushed(a), pushed(b)), std::max(pushed(c), pushed(d))) > entry.solved;
+        const auto& [a, b, c, d] = entry.pushed;
+        return std::max(std::max(last_push(a), last_push(b)), std::max(last_push(c), last_push(d))) > entry.last_solved;
     }
 
-    /// A contact has been solved; what that changes leaves nothing to solve in the contact itself.
+    /// Once a contact has been solved, its own push leaves nothing to solve in it.
     /// @param pushes whether by more than can be neglected
-    void solved(Entry& entry, bool pushes) {
+    void mark_solved(Entry& entry, bool pushes) {
         if (pushes) {
             ++now_;
-            for (const int body : entry.bodies) pushed_[static_cast<std::size_t>(body)] = now_;
-            pushed_[0] = 0;
+            for (const int number : entry.pushed) last_push_[static_cast<std::size_t>(number)] = now_;
+            last_push_[0] = 0;
         }
-        entry.solved = now_;
+        entry.last_solved = now_;
     }
 
 private:
-    [[nodiscard]] std::int64_t pushed(int body) const { return pushed_[static_cast<std::size_t>(body)]; }
+    [[nodiscard]] std::int64_t last_push(int number) const { return last_push_[static_cast<std::size_t>(number)]; }
     void add_particles(const ContactPlane& contact, Entry& entry) const;
     [[nodiscard]] int number_of_ball(int ball) const;
 
     std::vector<Entry> entries_;
-    std::vector<std::int64_t> pushed_;  ///< of no body, of the balls, then of the particles of each cloth
-    std::vector<int> first_;            ///< number of each cloth's first particle
+    std::vector<std::int64_t> last_push_;  ///< 0, then of each ball, then of each cloth's particles
+    std::vector<int> first_;               ///< number of each cloth's first particle
     std::span<const Ball> balls_;
-    std::int64_t now_ = 0;  ///< pushes that could not be neglected, of all solves
+    std::int64_t now_ = 0;  ///< how many pushes could not be neglected, in all solves
 };
 
 }  // namespace drape

@@ -5,10 +5,10 @@
 
 namespace drape {
 
-/// What solves of contacts that are faster than plain code work with, kept from one response to the next.
+/// Working memory of the contact solves that are faster than plain code, kept from one response to the next.
 struct FastSolve {
-    ContactRows rows;          ///< without pairs, and where nothing pushes a ball: the same bits
-    ContactActivity activity;  ///< with pairs: the same, up to the tolerance
+    ContactRows rows;          ///< without pairs, and where nothing pushes a ball: with the bits of the plain solve
+    ContactActivity activity;  ///< with pairs: ends by the test of the plain solve, with other bits
 
     /// Forgets the contacts.
     void clear() {

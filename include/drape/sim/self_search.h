@@ -101,6 +101,7 @@ private:
                       Reaches& strayed);
     [[nodiscard]] ParticleMotion motion_of(std::span<const ClothInContact> cloths, std::size_t cloth) const;
     void find_tile_motion(std::span<const ClothInContact> cloths);
+    [[nodiscard]] Real next_ahead() const;
     void set_allowances(Real factor);
     [[nodiscard]] bool is_too_far() const;
     [[nodiscard]] bool is_too_long(std::size_t list) const;
@@ -118,6 +119,7 @@ private:
     bool listed_ = false;             ///< there is a list
     std::vector<LeafPair> leaves_;
     PairList list_;
+    Real ahead_ = 0;  ///< substeps that its margins are for
     std::vector<NearPair> near_;
     Kernels kernels_ = Kernels::Vector;
     Reaches reaches_;                      ///< how far each particle may come within it, with half the thickness
