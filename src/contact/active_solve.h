@@ -6,8 +6,9 @@
 namespace drape {
 
 /// A contact that changes by less than this part of the tolerance does not cause its neighbours to be solved again.
-/// With 0.03 and more, what is neglected in each substep can be seen in the speed of sheets at rest.
-inline constexpr Real neglected_fraction = Real(0.01);
+/// With 0.01 and more, what is neglected in each substep shows in the speed of sheets at rest: after 4 s `stack` moves
+/// at 0.44 mm/s then, and at 0.16 mm/s with this, nearly as where every contact is solved in every sweep.
+inline constexpr Real neglected_fraction = Real(0.003);
 
 /// As `sweep_until`, but most sweeps leave out the contacts of which hardly anything has been pushed since they were
 /// solved, for they would hardly change. Where cloth lies on cloth that is nearly all of them after some sweeps. The
