@@ -13,16 +13,16 @@ namespace {
 /// How much farther than the integrator has moved it a response is thought to move a particle.
 constexpr Real response_allowance = Real(1.5);
 
-/// For how many substeps like this one a list has margins, if it is short. A long one has them for fewer, because most
-/// of what makes it long can come near in the last of them only.
+/// A list has margins for so many substeps like this one: for the most if it is short, and for fewer, down to the
+/// least, the longer it is, because most of what makes it long can come near only in the last of them.
 constexpr Real most_ahead = 12, least_ahead = 3;
 
-/// The pairs a particle with which that is half as many: between those of `fold` of 64 x 64 particles in steps of 0.1
-/// ms, for which 6 to 12 substeps cost the same, and in steps of 0.5 ms, for which 3 to 4 are best.
+/// With this many pairs a particle, margins are for half of `most_ahead`. It lies between those of `fold` of 64 x 64
+/// particles in steps of 0.1 ms, where 6 to 12 substeps cost the same, and in steps of 0.5 ms, where 3 to 4 are best.
 constexpr Real pairs_of_half = 8;
 
-/// And by at most a part of the particles' spacing: what is local has neighbours at about the spacing, which a wide
-/// margin would list; of all else, little is near.
+/// A margin for displacement is at most so many of the particles' spacings: what is local has neighbours at about the
+/// spacing, which a wide margin would list; of all else, little is near.
 constexpr Real local_spacings = Real(0.4), overall_spacings = 1;
 
 /// How much of the thickness besides, for what is at rest.
@@ -185,8 +185,8 @@ bool SelfSearch::find_reaches(std::span<const ClothInContact> cloths, Real least
     return all_within;
 }
 
-/// For how many substeps the next list has margins, by the length of the last one: half of the way, for that length has
-/// followed from margins too.
+/// For how many substeps the next list has margins: the geometric mean of the last number and the one that the length
+/// of the last list asks for. It goes no further at once, because that length itself depends on the margins.
 Real SelfSearch::next_ahead() const {
     const Real pairs = static_cast<Real>(list_.size()) / static_cast<Real>(first_.back());
     return std::sqrt(ahead_ * std::max(least_ahead, most_ahead / (1 + pairs / pairs_of_half)));

@@ -10,8 +10,8 @@
 
 namespace drape {
 
-/// For sweeps that leave out contacts with nothing to solve: what each contact pushes, balls and particles, when it was
-/// solved last, and when each of these was last pushed by more than can be neglected.
+/// For sweeps that skip contacts with hardly anything to solve: which balls and particles each contact pushes, when it
+/// was last solved, and when each ball and particle was last pushed by more than can be neglected.
 class ContactActivity {
 public:
     /// A contact that is solved with others.
@@ -27,8 +27,7 @@ public:
     }
 
     /// Begins without contacts.
-    /// @par Cost O(cloths); O(particles) the first time. This and the rest allocate nothing once there have been as
-    /// many
+    /// @par Cost O(cloths); O(particles) the first time. Like the rest, allocates nothing once there have been as many
     ///           contacts before
     void begin(std::span<const ClothInContact> cloths, std::span<const Ball> balls);
 
@@ -46,7 +45,8 @@ public:
         return std::max(std::max(last_push(a), last_push(b)), std::max(last_push(c), last_push(d))) > entry.last_solved;
     }
 
-    /// Once a contact has been solved, its own push leaves nothing to solve in it.
+    /// Notes that a contact has been solved. Its own push leaves nothing to solve in it, so it is not pending
+    /// afterwards.
     /// @param pushes whether by more than can be neglected
     void mark_solved(Entry& entry, bool pushes) {
         if (pushes) {
