@@ -22,7 +22,7 @@ struct ContactProblem {
     std::span<Ball> balls;
     std::span<BallContact> ball_contacts;
     ContactRows* rows = nullptr;          ///< for solves over compact rows; none: by plain code
-    ContactActivity* activity = nullptr;  ///< for solves that leave out contacts of a scene with pairs; none: of all
+    ContactActivity* activity = nullptr;  ///< for solves with pairs that skip contacts; none: by plain code
     bool with_bodies = true;              ///< contacts of cloths with balls and ground are solved too
 
     [[nodiscard]] Displacements displacements() const { return {cloths, balls}; }

@@ -1,4 +1,4 @@
-// Sweeps that leave out what has nothing to solve end where sweeps over all contacts end, up to their tolerance.
+// Sweeps that skip contacts with hardly anything to solve end near where sweeps over all contacts end.
 
 #include <gtest/gtest.h>
 
