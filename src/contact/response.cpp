@@ -70,7 +70,7 @@ void set_particles(const ContactProblem& problem, Contact& contact) {
     list_particles(problem.cloths, contact);
     contact.start = start_of(problem, contact);
     const Real first = inverse_mass_of_particles(contact), second = inverse_mass_of(contact.ball, problem.balls);
-    // A push that moves a ball alone is that of a heavy body
+    // The push is sized by the mass of the ball alone then, and would throw the free corner far
     if (first == 0) std::ranges::for_each(contact.particles, [](PushedParticle& p) { p.share = 0; });
     set_masses(first + second, first + sliding_share * second, contact);
 }
