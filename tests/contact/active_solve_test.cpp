@@ -145,7 +145,15 @@ TEST(ActiveSolve, LooksAtEveryContactLastOfAll) {
     }
     for (const int sweeps_of_two : {1, 5, most_sweeps + 1}) {
         const ResponseParameters parameters;
-        ContactProblem problem{.parameters = parameters, .h = 1, .share = 1, .cloths = cloths, .pairs = pairs};
+        ContactProblem problem{.parameters = parameters,
+                               .h = 1,
+                               .share = 1,
+                               .gravity = 0,
+                               .resting = 0,
+                               .cloths = cloths,
+                               .pairs = pairs,
+                               .balls = {},
+                               .ball_contacts = {}};
         std::vector<std::size_t> visited;
         std::map<std::size_t, int> times;
         ContactActivity activity;
