@@ -222,6 +222,22 @@ TEST(ActiveSolve, SolvesAContactAgainWhenAnythingInItWasPushed) {
         activity.mark_solved(at(activity, k), true);
         EXPECT_EQ(activity.is_pending(at(activity, k + 1)), k == 0);
     }
+    // Between two balls, either of which may be pushed by another contact
+    balls.push_back({.centre = Vec3(0, 1, 0), .inverse_mass = 1});
+    const auto between = [](int first, int second) {
+        BallContact contact;
+        contact.first = first;
+        contact.ball = second;
+        return contact;
+    };
+    for (const int other : {0, 2}) {
+        activity.begin(cloths, balls);
+        activity.add(between(0, 2));
+        activity.add(between(other, 1));
+        activity.mark_solved(at(activity, 0), false);
+        activity.mark_solved(at(activity, 1), true);
+        EXPECT_TRUE(activity.is_pending(at(activity, 0))) << "ball " << other;
+    }
 }
 
 }  // namespace
