@@ -65,28 +65,47 @@ bool stop_at_contacts(std::span<const Cloth> cloths, int number, Real rounding, 
     return stopped;
 }
 
+/// Calls visit(offset, depth) for each pin that a ball has come too near to, with the pin's offset from its centre; one
+/// that was in the ball at the start may not come nearer to its centre.
 /// @param start of the ball's centre [m]
-/// @return whether it had to be stopped
-bool stop_at_pins(const BallStops& stops, const Vec3& start, Real h, Ball& ball) {
-    bool stopped = false;
+template <class Visit>
+void for_each_pin_in(const BallStops& stops, const Vec3& start, const Ball& ball, Visit visit) {
     for (const Cloth& cloth : stops.cloths) {
         for (int p = 0; p < cloth.model.grid.particles(); ++p) {
             if (!cloth.model.pinned(p) || p == cloth.held) continue;
             const Vec3 pin = cloth.state.x.row(p).transpose(), offset = pin - ball.centre;
             const Real distance = offset.norm(), least = std::min(ball.radius + stops.thickness, (pin - start).norm());
             const Real rounding = length_rounding * (pin.cwiseAbs().sum() + least);
-            if (!(distance < least - rounding) || distance == 0) continue;
-            take_back(offset / distance, least - distance, h, ball);
-            stopped = true;
+            if (distance < least - rounding && distance > 0) visit(offset, least - distance);
         }
     }
+}
+
+/// @param start of the ball's centre [m]
+/// @return whether it had to be stopped
+bool stop_at_pins(const BallStops& stops, const Vec3& start, Real h, Ball& ball) {
+    bool stopped = false;
+    for_each_pin_in(stops, start, ball, [&](const Vec3& offset, Real depth) {
+        take_back(offset.normalized(), depth, h, ball);
+        stopped = true;
+    });
     return stopped;
+}
+
+/// Whether a ball may go where it is led though it is in something, because it comes deeper into nothing; the keys never
+/// lead it below the ground.
+bool may_leave(const BallStops& stops, const Ball& led) {
+    const Vec3 start = led.centre - led.moved;
+    bool enters_pin = false;
+    for_each_pin_in(stops, start, led, [&](const Vec3&, Real) { enters_pin = true; });
+    return !enters_pin && comes_no_deeper(stops.solids, 2 * stops.thickness, led);
 }
 
 }  // namespace
 
 void stop_ball(const BallStops& stops, int number, Real h, Ball& ball) {
     const Real room = 2 * stops.thickness;
+    const Ball led = ball;
     if (ball.moved.isZero(0)) {
         stay_outside(stops.solids, room, h, ball);  // they may move towards it
         return;
@@ -103,6 +122,10 @@ void stop_ball(const BallStops& stops, int number, Real h, Ball& ball) {
         }
         stopped = stay_outside(stops.solids, room, h, ball) || stopped;
         if (!stopped) return;
+    }
+    if (!is_taut && may_leave(stops, led)) {
+        ball = led;
+        return;
     }
     ball.centre = start;
     ball.velocity.setZero();

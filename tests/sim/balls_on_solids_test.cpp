@@ -2,7 +2,9 @@
 
 #include <gmock/gmock.h>
 
+#include <array>
 #include <cmath>
+#include <vector>
 
 #include "drape/sim/scene.h"
 #include "sim/small_scene.h"
@@ -199,6 +201,50 @@ TEST(BallsOnSolids, TheKeysPressABallIntoNoGroove) {
         }
     }
     EXPECT_NEAR(simulation.balls()[0].centre.y(), 2 * (size_of_ball + 2 * settings.contact.thickness), 0.1);
+}
+
+/// Between two walls, or on the ground below a box, where there is less room than it needs, it does not stay for ever.
+TEST(BallsOnSolids, TheKeysLeadABallOutOfWhereItHasNoRoomButNoDeeper) {
+    constexpr Real room = Real(1.8) * size_of_ball, beside = (room + Real(0.2)) / 2;
+    struct Slot {
+        Vec3 ball, size;
+        std::vector<Vec3> boxes;
+        bool ground;
+        std::array<const char*, 2> deeper;
+        const char* out;
+    };
+    const Slot slots[] = {{{0, Real(0.9), 0},
+                           {Real(0.2), 2, 4},
+                           {{beside, 0, 0}, {-beside, 0, 0}},
+                           false,
+                           {"steer 0.8 0.6 0", "steer -0.8 0.6 0"},
+                           "steer 0 1 0"},
+                          {{0, size_of_ball + Real(0.005), 0},
+                           {2, Real(0.2), 4},
+                           {{0, room + Real(0.1), 0}},
+                           true,
+                           {"steer 0.8 0.6 0", "steer -0.6 0.8 0"},
+                           "steer 1 0 0"}};
+    for (const Slot& slot : slots) {
+        SCOPED_TRACE(slot.out);
+        Settings settings = ball_alone(BallMotion::Keys, slot.ball);
+        settings.ground.solid = slot.ground;
+        settings.balls[0].speed = 1;
+        for (const Vec3& position : slot.boxes) {
+            SolidSettings& box = settings.solids.emplace_back(slab(1));
+            box.size = slot.size, box.position = position;
+        }
+        Simulation simulation("slot", settings);
+        const Vec3 start = simulation.balls()[0].centre;
+        for (const char* way : slot.deeper) {
+            send(simulation, way);
+            make_steps(simulation, 100);
+            EXPECT_EQ(simulation.balls()[0].centre, start) << way;
+        }
+        send(simulation, slot.out);
+        while (simulation.report().time < 3) simulation.step();
+        EXPECT_GT((simulation.balls()[0].centre - start).norm(), 1);
+    }
 }
 
 }  // namespace
