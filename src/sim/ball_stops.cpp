@@ -92,8 +92,8 @@ bool stop_at_pins(const BallStops& stops, const Vec3& start, Real h, Ball& ball)
     return stopped;
 }
 
-/// Whether a ball may go where it is led though it is in something, because it comes deeper into nothing; the keys never
-/// lead it below the ground.
+/// Whether a ball may go where it is led though it is in something, because it comes deeper into nothing; the keys
+/// never lead it below the ground.
 bool may_leave(const BallStops& stops, const Ball& led) {
     const Vec3 start = led.centre - led.moved;
     bool enters_pin = false;
