@@ -19,6 +19,9 @@ constexpr Real deepest_tolerance = Real(1e-6);
 
 constexpr int most_descents = 48;
 
+/// A descent seems to end above what is of interest if no point is so low with the slope and as much again.
+constexpr Real of_slope_gap = 2;
+
 /// By how much the slope at a point lets some point of the triangle be lower [m].
 Real slope_gap(const DeepestPoint& at, const std::array<Vec3, 3>& corners) {
     Real gap = 0;
@@ -46,7 +49,8 @@ struct Descent {
 
     void take(const std::array<Real, 3>& weights) {
         const Vec3 point = point_at(corners, weights);
-        const SurfaceDistance surface = solid.measure(point);
+        const Real farthest = std::abs(best.surface.distance) + (point - best.point).norm();
+        const SurfaceDistance surface = solid.measure_near(point, farthest);
         if (surface.distance < best.surface.distance) best = {weights, point, surface};
     }
 
@@ -90,7 +94,7 @@ void try_middles(Descent& descent) {
 }  // namespace
 
 DeepestPoint find_deepest_point(const Solid& solid, const std::array<Vec3, 3>& corners,
-                                const std::array<SurfaceDistance, 3>& at_corners) {
+                                const std::array<SurfaceDistance, 3>& at_corners, Real of_interest) {
     Descent descent{solid, corners, lowest_corner(corners, at_corners)};
     DeepestPoint& best = descent.best;
     const bool is_convex = solid.shape->is_convex();
@@ -100,7 +104,11 @@ DeepestPoint find_deepest_point(const Solid& solid, const std::array<Vec3, 3>& c
     if (is_convex && slope_gap(best, corners) <= deepest_tolerance) return best;
     try_middles(descent);
     Real step = std::max(size, deepest_tolerance);
-    for (int k = 0; k < most_descents && slope_gap(best, corners) > deepest_tolerance; ++k) {
+    const auto is_done = [&] {
+        const Real gap = slope_gap(best, corners);
+        return gap <= deepest_tolerance || best.surface.distance - of_slope_gap * gap > of_interest;
+    };
+    for (int k = 0; k < most_descents && !is_done(); ++k) {
         const Vec3 down = best.point - step * best.surface.normal;
         const Real before = best.surface.distance;
         descent.take(closest_point_on_triangle(down, corners[0], corners[1], corners[2]).barycentric);

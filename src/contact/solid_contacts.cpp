@@ -49,11 +49,13 @@ DeepestPoint deepest_at(const Solid& solid, const Corners& from, const Corners& 
 }
 
 /// The first point to come within the thickness, on a way that is seen from the solid.
-std::optional<DeepestPoint> first_touch(const Solid& solid, const Corners& from, const Corners& to, Real thickness,
-                                        bool of_particle) {
+/// @param least a lower bound on the distance of all points at the end [m]
+std::optional<DeepestPoint> first_touch(const Solid& solid, const Corners& from, const Corners& to, Real least,
+                                        Real thickness, bool of_particle) {
     const Real near = std::max(thickness, nearest);
     Real longest = 0;
     for (std::size_t k = 0; k < 3; ++k) longest = std::max(longest, (to[k] - from[k]).norm());
+    if (least - 2 * longest > near) return std::nullopt;
     Real t = 0;
     for (int k = 0; k < most_advances; ++k) {
         DeepestPoint met = deepest_at(solid, from, to, t, of_particle);
@@ -63,6 +65,18 @@ std::optional<DeepestPoint> first_touch(const Solid& solid, const Corners& from,
         t += way / longest;
     }
     return std::nullopt;
+}
+
+/// No point of a triangle is farther than this from the nearest corner: in one without an obtuse angle the radius of
+/// the circle through all three, else no more than half of the longest side [m].
+Real covering_radius(const Corners& corners) {
+    std::array<Real, 3> squares;
+    for (std::size_t k = 0; k < 3; ++k) squares[k] = (corners[k] - corners[(k + 1) % 3]).squaredNorm();
+    std::ranges::sort(squares);
+    const auto [a, b, c] = squares;
+    if (a + b <= c) return std::sqrt(c) / 2;
+    const Real area_16 = 2 * (a * b + b * c + c * a) - (a * a + b * b + c * c);
+    return std::sqrt(a * b * c / area_16);
 }
 
 /// A triangle of the cloth beside a solid.
@@ -77,7 +91,7 @@ struct TriangleBeside {
     /// A lower bound on the distance of every point of the triangle: from its size, and where the distance is a convex
     /// function, from its slopes at the corners [m].
     [[nodiscard]] Real bound(bool is_convex) const {
-        Real bound = -std::numeric_limits<Real>::infinity();
+        Real bound = lowest() - covering_radius(corners);
         for (std::size_t k = 0; k < 3; ++k) {
             const Vec3 first = corners[k] - corners[(k + 1) % 3], second = corners[k] - corners[(k + 2) % 3];
             const Vec3& normal = surface[k].normal;
@@ -125,7 +139,7 @@ struct ContactMaker {
     [[nodiscard]] std::optional<Contact> of_inside(const TriangleBeside& beside) const {
         const Real least = std::min(thickness, beside.lowest() - deeper_than_corners);
         if (beside.bound(solid.shape->is_convex()) >= least) return std::nullopt;
-        const DeepestPoint deepest = find_deepest_point(solid, beside.corners, beside.surface);
+        const DeepestPoint deepest = find_deepest_point(solid, beside.corners, beside.surface, least);
         if (!(deepest.surface.distance < least)) return std::nullopt;
         if (reported_elsewhere(grid, beside.triangle, deepest.barycentric)) return std::nullopt;
         return contact(beside, deepest);
@@ -139,7 +153,8 @@ struct ContactMaker {
         Corners from = moved_by(corners_of(before, beside.particles), solid.moved), to = beside.corners;
         const bool of_particle = corner < 3;
         if (of_particle) from.fill(Vec3(from[corner])), to.fill(Vec3(to[corner]));
-        auto met = first_touch(solid, from, to, thickness, of_particle);
+        const Real least = of_particle ? beside.surface[corner].distance : beside.bound(solid.shape->is_convex());
+        auto met = first_touch(solid, from, to, least, thickness, of_particle);
         if (!met || (!of_particle && is_corner(met->barycentric))) return at_end;
         if (at_end && met->surface.normal.dot(at_end->normal) >= same_side_of_solid) return at_end;
         if (of_particle) met->barycentric = {}, met->barycentric[corner] = 1;

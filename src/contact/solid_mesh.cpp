@@ -4,6 +4,7 @@
 #include <limits>
 #include <map>
 #include <numeric>
+#include <span>
 
 #include "drape/base/assert.h"
 #include "drape/contact/closest_point.h"
@@ -24,12 +25,21 @@ Real angle_between(const Vec3& u, const Vec3& v) {
     return 32 * t * sum;
 }
 
-/// A node of the tree of triangles: a range of them, and their box.
-struct MeshNode {
+/// Of a point's distance from a box, without branches, which a processor would often guess wrongly.
+Real square_to(const MeshBox& box, const Vec3& p) {
+    const Vec3 out = (box.min() - p).cwiseMax(p - box.max()).cwiseMax(Vec3::Zero());
+    return out.x() * out.x() + out.y() * out.y() + out.z() * out.z();
+}
+
+/// Some triangles, or one.
+struct MeshPart {
     MeshBox box;
-    int first = 0, count = 0;  ///< of the order of triangles
-    int left = -1;             ///< its right child follows; -1: a leaf
+    int node = -1;   ///< that has its halves; -1: it is a triangle
+    int place = -1;  ///< of that triangle in the order of the tree
 };
+
+/// A node of the tree of triangles, the halves of a part. They lie together, so that to look at one loads both.
+using MeshNode = std::array<MeshPart, 2>;
 
 /// The closest of the triangles seen so far.
 struct ClosestFeature {
@@ -44,26 +54,37 @@ public:
         DRAPE_ASSERT(!mesh_.triangles.empty());
         weigh_normals();
         std::iota(order_.begin(), order_.end(), 0);
-        nodes_.reserve(2 * order_.size());
-        nodes_.push_back(node_of(0, static_cast<int>(order_.size())));
-        split(0);
+        nodes_.reserve(order_.size());
+        all_ = build(0, static_cast<int>(order_.size()));
+        for (const int t : order_) corners_.push_back({point(t, 0), point(t, 1), point(t, 2)});
     }
 
     [[nodiscard]] SurfaceDistance measure(const Vec3& p) const override {
         ClosestFeature closest;
-        search(0, p, closest);
-        const Vec3 feature_normal = pseudonormal(closest), offset = p - closest.point.point;
-        const Real distance = std::sqrt(closest.square), sign = offset.dot(feature_normal) < 0 ? Real(-1) : Real(1);
-        return {sign * distance, distance > 0 ? Vec3(sign / distance * offset) : Vec3(feature_normal.normalized())};
+        search(all_, p, closest);
+        return surface_at(p, closest);
+    }
+
+    /// A bound that rounding cannot make too small leaves the search as it is, but for what is farther away.
+    [[nodiscard]] SurfaceDistance measure_near(const Vec3& p, Real farthest) const override {
+        ClosestFeature closest{.square = farthest * farthest * (1 + bound_rounding), .triangle = -1, .point = {}};
+        search(all_, p, closest);
+        return closest.triangle < 0 ? measure(p) : surface_at(p, closest);
     }
 
     [[nodiscard]] bool is_convex() const override { return false; }
-    [[nodiscard]] std::array<Vec3, 2> extent() const override { return {nodes_[0].box.min(), nodes_[0].box.max()}; }
+    [[nodiscard]] std::array<Vec3, 2> extent() const override { return {all_.box.min(), all_.box.max()}; }
 
     [[nodiscard]] TriangleMesh surface() const override { return mesh_; }
 
 private:
-    static constexpr int leaf_triangles = 1;
+    static constexpr Real bound_rounding = 1024 * std::numeric_limits<Real>::epsilon();
+
+    [[nodiscard]] SurfaceDistance surface_at(const Vec3& p, const ClosestFeature& closest) const {
+        const Vec3 feature_normal = pseudonormal(closest), offset = p - closest.point.point;
+        const Real distance = std::sqrt(closest.square), sign = offset.dot(feature_normal) < 0 ? Real(-1) : Real(1);
+        return {sign * distance, distance > 0 ? Vec3(sign / distance * offset) : Vec3(feature_normal.normalized())};
+    }
 
     [[nodiscard]] const Vec3& point(int triangle, std::size_t corner) const {
         return mesh_.points[static_cast<std::size_t>(mesh_.triangles[static_cast<std::size_t>(triangle)][corner])];
@@ -111,51 +132,47 @@ private:
         return box;
     }
 
-    [[nodiscard]] MeshNode node_of(int first, int count) const {
-        MeshNode node{.box = {}, .first = first, .count = count};
-        for (int k = first; k < first + count; ++k) node.box.extend(box_of(order_[static_cast<std::size_t>(k)]));
-        return node;
-    }
-
-    /// Halves a node's triangles by the middles of their boxes along its longest side.
-    void split(std::size_t n) {
-        const auto [box, first, count, left] = nodes_[n];
-        if (count <= leaf_triangles) return;
-        Eigen::Index axis = 0;
-        box.sizes().maxCoeff(&axis);
+    /// Of a range of the order, which it halves by the middles of the triangles' boxes along the longest side of all.
+    MeshPart build(int first, int count) {
+        MeshPart part;
         const auto begin = order_.begin() + first;
-        std::ranges::sort(begin, begin + count, {}, [&](int t) { return std::pair(box_of(t).center()[axis], t); });
-        const std::size_t child = nodes_.size();
-        nodes_[n].left = static_cast<int>(child);
-        nodes_.push_back(node_of(first, count / 2));
-        nodes_.push_back(node_of(first + count / 2, count - count / 2));
-        split(child);
-        split(child + 1);
-    }
-
-    void search(std::size_t n, const Vec3& p, ClosestFeature& closest) const {
-        const MeshNode& node = nodes_[n];
-        if (node.left < 0) return search_leaf(node, p, closest);
-        std::size_t near = static_cast<std::size_t>(node.left), far = near + 1;
-        Real near_square = nodes_[near].box.squaredExteriorDistance(p);
-        Real far_square = nodes_[far].box.squaredExteriorDistance(p);
-        if (far_square < near_square) std::swap(near, far), std::swap(near_square, far_square);
-        if (near_square < closest.square) search(near, p, closest);
-        if (far_square < closest.square) search(far, p, closest);
-    }
-
-    void search_leaf(const MeshNode& node, const Vec3& p, ClosestFeature& closest) const {
-        for (int k = node.first; k < node.first + node.count; ++k) {
-            const int t = order_[static_cast<std::size_t>(k)];
-            const ClosestPoint found = closest_point_on_triangle(p, point(t, 0), point(t, 1), point(t, 2));
-            const Real square = (found.point - p).squaredNorm();
-            if (square < closest.square) closest = {square, t, found};
+        for (const int t : std::span(begin, static_cast<std::size_t>(count))) part.box.extend(box_of(t));
+        if (count == 1) {
+            part.place = first;
+            return part;
         }
+        Eigen::Index axis = 0;
+        part.box.sizes().maxCoeff(&axis);
+        std::ranges::sort(begin, begin + count, {}, [&](int t) { return std::pair(box_of(t).center()[axis], t); });
+        const std::size_t node = nodes_.size();
+        part.node = static_cast<int>(node);
+        nodes_.emplace_back();
+        const MeshPart left = build(first, count / 2), right = build(first + count / 2, count - count / 2);
+        nodes_[node] = {left, right};
+        return part;
+    }
+
+    void search(const MeshPart& part, const Vec3& p, ClosestFeature& closest) const {
+        if (part.node < 0) return look_at(static_cast<std::size_t>(part.place), p, closest);
+        const auto& [left, right] = nodes_[static_cast<std::size_t>(part.node)];
+        const Real to_left = square_to(left.box, p), to_right = square_to(right.box, p);
+        const bool right_first = to_right < to_left;
+        if (std::min(to_left, to_right) < closest.square) search(right_first ? right : left, p, closest);
+        if (std::max(to_left, to_right) < closest.square) search(right_first ? left : right, p, closest);
+    }
+
+    void look_at(std::size_t place, const Vec3& p, ClosestFeature& closest) const {
+        const auto& [a, b, c] = corners_[place];
+        const ClosestPoint found = closest_point_on_triangle(p, a, b, c);
+        const Real square = (found.point - p).squaredNorm();
+        if (square < closest.square) closest = {square, order_[place], found};
     }
 
     TriangleMesh mesh_;
-    std::vector<int> order_;  ///< of the triangles, as the nodes have them
+    std::vector<int> order_;                    ///< of the triangles, as the tree has them
+    std::vector<std::array<Vec3, 3>> corners_;  ///< of the triangles in that order
     std::vector<MeshNode> nodes_;
+    MeshPart all_;
     std::vector<Vec3> triangle_normals_;
     std::map<std::pair<int, int>, Vec3> edge_normals_;
 };

@@ -121,6 +121,21 @@ TEST(SolidShape, AMeshIsAsFarAsItsTrianglesWhateverItsDents) {
     }
 }
 
+/// Whatever is claimed of how near it is, also what is wrong.
+TEST(SolidShape, AMeshIsMeasuredTheSameWhereItIsKnownToBeNear) {
+    std::mt19937 random(4);
+    const auto mesh = make_mesh_shape(spiky(random));
+    for (int trial = 0; trial < 300; ++trial) {
+        const Vec3 p = draw_point(random, Real(1.2));
+        const SurfaceDistance found = mesh->measure(p);
+        for (const Real part : {Real(0), Real(0.5), Real(1), Real(1.01), Real(3)}) {
+            const SurfaceDistance near = mesh->measure_near(p, part * std::abs(found.distance));
+            ASSERT_EQ(near.distance, found.distance) << part;
+            ASSERT_EQ(near.normal, found.normal) << part;
+        }
+    }
+}
+
 /// The least distance on a grid of points of a triangle.
 Real sampled_least(const Solid& solid, const std::array<Vec3, 3>& corners) {
     constexpr int steps = 60;
@@ -160,6 +175,36 @@ TEST(DeepestPoint, IsAsLowAsAnyPointOfTheTriangleOutsideABox) {
 TEST(DeepestPoint, IsAsLowAsAnyPointOfTheTriangleOutsideACapsule) {
     std::mt19937 random(6);
     expect_deepest(solid_at(make_capsule(0.1, 0.3)), 0.3, random);
+}
+
+/// What is found below what is of interest is found by the same descent; outside what is convex, nothing is missed.
+TEST(DeepestPoint, IsTheSameWhereItIsOfInterest) {
+    std::mt19937 random(8);
+    for (const bool is_mesh : {false, true}) {
+        int missed = 0, of_interest = 0, apart = 0;
+        for (int trial = 0; trial < 2000; ++trial) {
+            const Solid solid = solid_at(is_mesh ? make_mesh_shape(spiky(random)) : make_box({1, 1, 1}));
+            const Vec3 middle = draw_point(random, 1);
+            const std::array<Vec3, 3> corners{middle + draw_point(random, 0.1), middle + draw_point(random, 0.1),
+                                              middle + draw_point(random, 0.1)};
+            const std::array at_corners{solid.measure(corners[0]), solid.measure(corners[1]),
+                                        solid.measure(corners[2])};
+            const DeepestPoint whole = find_deepest_point(solid, corners, at_corners);
+            if (whole.surface.distance < 0) continue;
+            const Real limit = whole.surface.distance + Real(0.01) * draw_even<Real>(random);
+            const DeepestPoint found = find_deepest_point(solid, corners, at_corners, limit);
+            if (found.surface.distance < limit) {
+                ++of_interest;
+                ASSERT_EQ(found.point, whole.point);
+                ASSERT_EQ(found.surface.distance, whole.surface.distance);
+            } else {
+                whole.surface.distance < limit ? ++missed : ++apart;
+            }
+        }
+        EXPECT_GT(of_interest, 200);
+        EXPECT_GT(apart, 200);
+        EXPECT_LE(missed, is_mesh ? of_interest / 100 : 0);
+    }
 }
 
 }  // namespace

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <array>
+#include <limits>
 
 #include "drape/contact/solid.h"
 
@@ -18,7 +19,9 @@ struct DeepestPoint {
 /// Outside a convex shape it is exact; else it may be a point that is lowest nearby.
 /// @param corners of the triangle [m]
 /// @param at_corners what the solid says of them
+/// @param of_interest the descent ends early where it seems to end above this distance [m]
 DeepestPoint find_deepest_point(const Solid& solid, const std::array<Vec3, 3>& corners,
-                                const std::array<SurfaceDistance, 3>& at_corners);
+                                const std::array<SurfaceDistance, 3>& at_corners,
+                                Real of_interest = std::numeric_limits<Real>::infinity());
 
 }  // namespace drape

@@ -17,12 +17,21 @@ struct Solid final : DistanceField {
     Vec3 moved = Vec3::Zero();     ///< within the present substep [m]
 
     /// @param p in the world [m]
-    [[nodiscard]] SurfaceDistance measure(const Vec3& p) const {
-        const SurfaceDistance own = shape->measure(orientation.conjugate() * (p - position));
-        return {own.distance, orientation * own.normal};
+    [[nodiscard]] SurfaceDistance measure(const Vec3& p) const { return in_world(shape->measure(seen(p))); }
+
+    /// The same of a point that the surface is no farther away from.
+    /// @param farthest [m]
+    [[nodiscard]] SurfaceDistance measure_near(const Vec3& p, Real farthest) const {
+        return in_world(shape->measure_near(seen(p), farthest));
     }
 
     [[nodiscard]] Real distance(const Vec3& p) const override { return measure(p).distance; }
+
+private:
+    [[nodiscard]] Vec3 seen(const Vec3& p) const { return orientation.conjugate() * (p - position); }
+    [[nodiscard]] SurfaceDistance in_world(const SurfaceDistance& own) const {
+        return {own.distance, orientation * own.normal};
+    }
 };
 
 }  // namespace drape

@@ -32,6 +32,10 @@ public:
 
     [[nodiscard]] virtual SurfaceDistance measure(const Vec3& p) const = 0;
 
+    /// The same, and sooner where a shape has many parts, of a point that is known to be near.
+    /// @param farthest that the surface is away from it [m]
+    [[nodiscard]] virtual SurfaceDistance measure_near(const Vec3& p, Real /*farthest*/) const { return measure(p); }
+
     /// Whether the signed distance is a convex function: then what is lowest nearby is lowest of all.
     [[nodiscard]] virtual bool is_convex() const = 0;
 
