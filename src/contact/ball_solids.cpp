@@ -109,15 +109,14 @@ bool stay_outside(std::span<const Solid> solids, Real gap, Real h, Ball& ball) {
     return true;
 }
 
-bool comes_no_deeper(std::span<const Solid> solids, Real gap, const Ball& ball) {
+bool penetrates_no_deeper(std::span<const Solid> solids, Real gap, const Ball& ball) {
     const Vec3 start = ball.centre - ball.moved;
     const Real radius = ball.radius + gap;
+    const Real rounding = std::min(height_rounding * (ball.centre.cwiseAbs().sum() + radius), ball.moved.norm() / 2);
     return std::ranges::all_of(solids, [&](const Solid& solid) {
         const Vec3 from = start + solid.moved;
-        const Real at_start = solid.distance(from);
-        if (at_start >= radius) return !plane_for(solid, from, ball.centre, radius);
-        const Real rounding = height_rounding * (ball.centre.cwiseAbs().sum() + radius);
-        return solid.distance(ball.centre) >= at_start - rounding;
+        const Real allowed = std::min({radius, solid.distance(from), solid.distance(start)});
+        return !plane_for(solid, from, ball.centre, allowed - rounding);
     });
 }
 

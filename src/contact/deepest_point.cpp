@@ -19,8 +19,9 @@ constexpr Real deepest_tolerance = Real(1e-6);
 
 constexpr int most_descents = 48;
 
-/// A descent seems to end above what is of interest if no point is so low with the slope and as much again.
-constexpr Real of_slope_gap = 2;
+/// A descent is given up where even so many times the slope gap would not bring it down to the limit. Once is a proof
+/// for a convex distance; the rest is a margin on a mesh, where the slope proves nothing.
+constexpr Real gap_margin = 2;
 
 /// By how much the slope at a point lets some point of the triangle be lower [m].
 Real slope_gap(const DeepestPoint& at, const std::array<Vec3, 3>& corners) {
@@ -94,7 +95,7 @@ void try_middles(Descent& descent) {
 }  // namespace
 
 DeepestPoint find_deepest_point(const Solid& solid, const std::array<Vec3, 3>& corners,
-                                const std::array<SurfaceDistance, 3>& at_corners, Real of_interest) {
+                                const std::array<SurfaceDistance, 3>& at_corners, Real limit) {
     Descent descent{solid, corners, lowest_corner(corners, at_corners)};
     DeepestPoint& best = descent.best;
     const bool is_convex = solid.shape->is_convex();
@@ -106,7 +107,7 @@ DeepestPoint find_deepest_point(const Solid& solid, const std::array<Vec3, 3>& c
     Real step = std::max(size, deepest_tolerance);
     const auto is_done = [&] {
         const Real gap = slope_gap(best, corners);
-        return gap <= deepest_tolerance || best.surface.distance - of_slope_gap * gap > of_interest;
+        return gap <= deepest_tolerance || best.surface.distance - gap_margin * gap > limit;
     };
     for (int k = 0; k < most_descents && !is_done(); ++k) {
         const Vec3 down = best.point - step * best.surface.normal;

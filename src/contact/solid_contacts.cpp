@@ -49,13 +49,13 @@ DeepestPoint deepest_at(const Solid& solid, const Corners& from, const Corners& 
 }
 
 /// The first point to come within the thickness, on a way that is seen from the solid.
-/// @param least a lower bound on the distance of all points at the end [m]
-std::optional<DeepestPoint> first_touch(const Solid& solid, const Corners& from, const Corners& to, Real least,
+/// @param bound no point is nearer than this at the end [m]
+std::optional<DeepestPoint> first_touch(const Solid& solid, const Corners& from, const Corners& to, Real bound,
                                         Real thickness, bool of_particle) {
     const Real near = std::max(thickness, nearest);
     Real longest = 0;
     for (std::size_t k = 0; k < 3; ++k) longest = std::max(longest, (to[k] - from[k]).norm());
-    if (least - 2 * longest > near) return std::nullopt;
+    if (bound - longest > near) return std::nullopt;  // no point is farther from its end than that
     Real t = 0;
     for (int k = 0; k < most_advances; ++k) {
         DeepestPoint met = deepest_at(solid, from, to, t, of_particle);
@@ -74,9 +74,10 @@ Real covering_radius(const Corners& corners) {
     for (std::size_t k = 0; k < 3; ++k) squares[k] = (corners[k] - corners[(k + 1) % 3]).squaredNorm();
     std::ranges::sort(squares);
     const auto [a, b, c] = squares;
-    if (a + b <= c) return std::sqrt(c) / 2;
-    const Real area_16 = 2 * (a * b + b * c + c * a) - (a * a + b * b + c * c);
-    return std::sqrt(a * b * c / area_16);
+    // Twice the product of the two shorter sides and the cosine between them; 16 area^2 = 4 a b - acute^2
+    const Real acute = a - (c - b);
+    if (!(acute > 0)) return std::sqrt(c) / 2;
+    return std::sqrt(c / (4 - (acute / a) * (acute / b)));
 }
 
 /// A triangle of the cloth beside a solid.
@@ -85,13 +86,13 @@ struct TriangleBeside {
     std::array<int, 3> particles{};
     Corners corners;
     std::array<SurfaceDistance, 3> surface;  ///< of the corners
+    Real bound = 0;                          ///< no point of the triangle is nearer than this [m]
 
     [[nodiscard]] Real lowest() const { return std::ranges::min(surface, {}, &SurfaceDistance::distance).distance; }
 
-    /// A lower bound on the distance of every point of the triangle: from its size, and where the distance is a convex
-    /// function, from its slopes at the corners [m].
-    [[nodiscard]] Real bound(bool is_convex) const {
-        Real bound = lowest() - covering_radius(corners);
+    /// From the triangle's size, and where the distance is a convex function, from its slopes at the corners.
+    void set_bound(bool is_convex) {
+        bound = lowest() - covering_radius(corners);
         for (std::size_t k = 0; k < 3; ++k) {
             const Vec3 first = corners[k] - corners[(k + 1) % 3], second = corners[k] - corners[(k + 2) % 3];
             const Vec3& normal = surface[k].normal;
@@ -100,7 +101,6 @@ struct TriangleBeside {
                                         : std::max(first.norm(), second.norm());
             bound = std::max(bound, surface[k].distance - fall);
         }
-        return bound;
     }
 };
 
@@ -138,7 +138,7 @@ struct ContactMaker {
     /// Of the triangle's deepest point, or of that of an edge which it reports.
     [[nodiscard]] std::optional<Contact> of_inside(const TriangleBeside& beside) const {
         const Real least = std::min(thickness, beside.lowest() - deeper_than_corners);
-        if (beside.bound(solid.shape->is_convex()) >= least) return std::nullopt;
+        if (beside.bound >= least) return std::nullopt;
         const DeepestPoint deepest = find_deepest_point(solid, beside.corners, beside.surface, least);
         if (!(deepest.surface.distance < least)) return std::nullopt;
         if (reported_elsewhere(grid, beside.triangle, deepest.barycentric)) return std::nullopt;
@@ -153,8 +153,8 @@ struct ContactMaker {
         Corners from = moved_by(corners_of(before, beside.particles), solid.moved), to = beside.corners;
         const bool of_particle = corner < 3;
         if (of_particle) from.fill(Vec3(from[corner])), to.fill(Vec3(to[corner]));
-        const Real least = of_particle ? beside.surface[corner].distance : beside.bound(solid.shape->is_convex());
-        auto met = first_touch(solid, from, to, least, thickness, of_particle);
+        const Real bound = of_particle ? beside.surface[corner].distance : beside.bound;
+        auto met = first_touch(solid, from, to, bound, thickness, of_particle);
         if (!met || (!of_particle && is_corner(met->barycentric))) return at_end;
         if (at_end && met->surface.normal.dot(at_end->normal) >= same_side_of_solid) return at_end;
         if (of_particle) met->barycentric = {}, met->barycentric[corner] = 1;
@@ -172,11 +172,12 @@ void for_each_beside(const ContactMaker& make, std::span<const CellRun> cells,
     for (const CellRun& run : cells) {
         const int first = 2 * (run.row * make.grid.cell_columns() + run.column);
         for (int triangle = first; triangle < first + 2 * run.count; ++triangle) {
-            TriangleBeside beside{triangle, make.grid.triangle_corners(triangle), {}, {}};
+            TriangleBeside beside{triangle, make.grid.triangle_corners(triangle), {}, {}, 0};
             beside.corners = corners_of(make.x, beside.particles);
             for (std::size_t k = 0; k < 3; ++k) {
                 beside.surface[k] = surface[static_cast<std::size_t>(beside.particles[k])];
             }
+            beside.set_bound(make.solid.shape->is_convex());
             visit(beside, owned_corners(make.grid, triangle, run.row));
         }
     }

@@ -31,17 +31,17 @@ Real square_to(const MeshBox& box, const Vec3& p) {
     return out.x() * out.x() + out.y() * out.y() + out.z() * out.z();
 }
 
-/// Some triangles, or one.
-struct MeshPart {
+/// Some of the triangles, or one.
+struct Subtree {
     MeshBox box;
-    int node = -1;   ///< that has its halves; -1: it is a triangle
-    int place = -1;  ///< of that triangle in the order of the tree
+    int node = -1;   ///< index of the node with its two halves; -1: a single triangle
+    int index = -1;  ///< of that triangle in the order of the tree
 };
 
-/// A node of the tree of triangles, the halves of a part. They lie together, so that to look at one loads both.
-using MeshNode = std::array<MeshPart, 2>;
+/// The two halves of a subtree, side by side in memory, because a search always looks at both.
+using MeshNode = std::array<Subtree, 2>;
 
-/// The closest of the triangles seen so far.
+/// The closest of the triangles seen so far; before there is one, a bound.
 struct ClosestFeature {
     Real square = std::numeric_limits<Real>::infinity();  ///< of the distance
     int triangle = -1;
@@ -56,6 +56,7 @@ public:
         std::iota(order_.begin(), order_.end(), 0);
         nodes_.reserve(order_.size());
         all_ = build(0, static_cast<int>(order_.size()));
+        corners_.reserve(order_.size());
         for (const int t : order_) corners_.push_back({point(t, 0), point(t, 1), point(t, 2)});
     }
 
@@ -65,7 +66,8 @@ public:
         return surface_at(p, closest);
     }
 
-    /// A bound that rounding cannot make too small leaves the search as it is, but for what is farther away.
+    /// A bound that is too small, by rounding or by a wrong claim, finds nothing, and the search begins again without
+    /// it: that costs time, never digits. The margin makes it rare.
     [[nodiscard]] SurfaceDistance measure_near(const Vec3& p, Real farthest) const override {
         ClosestFeature closest{.square = farthest * farthest * (1 + bound_rounding), .triangle = -1, .point = {}};
         search(all_, p, closest);
@@ -81,6 +83,7 @@ private:
     static constexpr Real bound_rounding = 1024 * std::numeric_limits<Real>::epsilon();
 
     [[nodiscard]] SurfaceDistance surface_at(const Vec3& p, const ClosestFeature& closest) const {
+        DRAPE_ASSERT(closest.triangle >= 0);
         const Vec3 feature_normal = pseudonormal(closest), offset = p - closest.point.point;
         const Real distance = std::sqrt(closest.square), sign = offset.dot(feature_normal) < 0 ? Real(-1) : Real(1);
         return {sign * distance, distance > 0 ? Vec3(sign / distance * offset) : Vec3(feature_normal.normalized())};
@@ -133,46 +136,46 @@ private:
     }
 
     /// Of a range of the order, which it halves by the middles of the triangles' boxes along the longest side of all.
-    MeshPart build(int first, int count) {
-        MeshPart part;
+    Subtree build(int first, int count) {
+        Subtree subtree;
         const auto begin = order_.begin() + first;
-        for (const int t : std::span(begin, static_cast<std::size_t>(count))) part.box.extend(box_of(t));
+        for (const int t : std::span(begin, static_cast<std::size_t>(count))) subtree.box.extend(box_of(t));
         if (count == 1) {
-            part.place = first;
-            return part;
+            subtree.index = first;
+            return subtree;
         }
         Eigen::Index axis = 0;
-        part.box.sizes().maxCoeff(&axis);
+        subtree.box.sizes().maxCoeff(&axis);
         std::ranges::sort(begin, begin + count, {}, [&](int t) { return std::pair(box_of(t).center()[axis], t); });
         const std::size_t node = nodes_.size();
-        part.node = static_cast<int>(node);
+        subtree.node = static_cast<int>(node);
         nodes_.emplace_back();
-        const MeshPart left = build(first, count / 2), right = build(first + count / 2, count - count / 2);
+        const Subtree left = build(first, count / 2), right = build(first + count / 2, count - count / 2);
         nodes_[node] = {left, right};
-        return part;
+        return subtree;
     }
 
-    void search(const MeshPart& part, const Vec3& p, ClosestFeature& closest) const {
-        if (part.node < 0) return look_at(static_cast<std::size_t>(part.place), p, closest);
-        const auto& [left, right] = nodes_[static_cast<std::size_t>(part.node)];
+    void search(const Subtree& subtree, const Vec3& p, ClosestFeature& closest) const {
+        if (subtree.node < 0) return look_at(static_cast<std::size_t>(subtree.index), p, closest);
+        const auto& [left, right] = nodes_[static_cast<std::size_t>(subtree.node)];
         const Real to_left = square_to(left.box, p), to_right = square_to(right.box, p);
         const bool right_first = to_right < to_left;
         if (std::min(to_left, to_right) < closest.square) search(right_first ? right : left, p, closest);
         if (std::max(to_left, to_right) < closest.square) search(right_first ? left : right, p, closest);
     }
 
-    void look_at(std::size_t place, const Vec3& p, ClosestFeature& closest) const {
-        const auto& [a, b, c] = corners_[place];
+    void look_at(std::size_t index, const Vec3& p, ClosestFeature& closest) const {
+        const auto& [a, b, c] = corners_[index];
         const ClosestPoint found = closest_point_on_triangle(p, a, b, c);
         const Real square = (found.point - p).squaredNorm();
-        if (square < closest.square) closest = {square, order_[place], found};
+        if (square < closest.square) closest = {square, order_[index], found};
     }
 
     TriangleMesh mesh_;
     std::vector<int> order_;                    ///< of the triangles, as the tree has them
     std::vector<std::array<Vec3, 3>> corners_;  ///< of the triangles in that order
     std::vector<MeshNode> nodes_;
-    MeshPart all_;
+    Subtree all_;
     std::vector<Vec3> triangle_normals_;
     std::map<std::pair<int, int>, Vec3> edge_normals_;
 };

@@ -68,6 +68,7 @@ bool stop_at_contacts(std::span<const Cloth> cloths, int number, Real rounding, 
 /// Calls visit(offset, depth) for each pin that a ball has come too near to, with the pin's offset from its centre; one
 /// that was in the ball at the start may not come nearer to its centre.
 /// @param start of the ball's centre [m]
+/// @param ball may be moved by visit; then the pins that follow see it there
 template <class Visit>
 void for_each_pin_in(const BallStops& stops, const Vec3& start, const Ball& ball, Visit visit) {
     for (const Cloth& cloth : stops.cloths) {
@@ -76,7 +77,7 @@ void for_each_pin_in(const BallStops& stops, const Vec3& start, const Ball& ball
             const Vec3 pin = cloth.state.x.row(p).transpose(), offset = pin - ball.centre;
             const Real distance = offset.norm(), least = std::min(ball.radius + stops.thickness, (pin - start).norm());
             const Real rounding = length_rounding * (pin.cwiseAbs().sum() + least);
-            if (distance < least - rounding && distance > 0) visit(offset, least - distance);
+            if (distance < least - rounding) visit(offset, least - distance);
         }
     }
 }
@@ -86,30 +87,31 @@ void for_each_pin_in(const BallStops& stops, const Vec3& start, const Ball& ball
 bool stop_at_pins(const BallStops& stops, const Vec3& start, Real h, Ball& ball) {
     bool stopped = false;
     for_each_pin_in(stops, start, ball, [&](const Vec3& offset, Real depth) {
+        if (offset.isZero(0)) return;
         take_back(offset.normalized(), depth, h, ball);
         stopped = true;
     });
     return stopped;
 }
 
-/// Whether a ball may go where it is led though it is in something, because it comes deeper into nothing; the keys
-/// never lead it below the ground.
+/// Whether a wedged ball may go where it is led because it penetrates nothing more deeply there. The keys never lead it
+/// below the ground.
 bool may_leave(const BallStops& stops, const Ball& led) {
-    const Vec3 start = led.centre - led.moved;
     bool enters_pin = false;
-    for_each_pin_in(stops, start, led, [&](const Vec3&, Real) { enters_pin = true; });
-    return !enters_pin && comes_no_deeper(stops.solids, 2 * stops.thickness, led);
+    for_each_pin_in(stops, led.centre - led.moved, led, [&](const Vec3&, Real) { enters_pin = true; });
+    return !enters_pin && penetrates_no_deeper(stops.solids, 2 * stops.thickness, led);
 }
 
 }  // namespace
 
 void stop_ball(const BallStops& stops, int number, Real h, Ball& ball) {
     const Real room = 2 * stops.thickness;
-    const Ball led = ball;
     if (ball.moved.isZero(0)) {
-        stay_outside(stops.solids, room, h, ball);  // they may move towards it
+        stay_outside(stops.solids, room, h, ball);  // they may move towards it, but not press it into the ground
+        if (stay_above(stops.ground, stops.thickness, ball)) ball.moved = h * ball.velocity;
         return;
     }
+    const Ball led = ball;
     const Vec3 start = ball.centre - ball.moved;
     const Real moved = ball.moved.norm(), rounding = length_rounding * moved;
     const bool is_taut = touches_taut_cloth(stops.cloths, number, moved);
@@ -123,10 +125,9 @@ void stop_ball(const BallStops& stops, int number, Real h, Ball& ball) {
         stopped = stay_outside(stops.solids, room, h, ball) || stopped;
         if (!stopped) return;
     }
-    if (!is_taut && may_leave(stops, led)) {
-        ball = led;
-        return;
-    }
+    ball = led;
+    const bool into_taut = is_taut && stop_at_contacts(stops.cloths, number, rounding, h, ball);
+    if (!into_taut && may_leave(stops, led)) return;
     ball.centre = start;
     ball.velocity.setZero();
     ball.moved.setZero();

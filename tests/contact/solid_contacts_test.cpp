@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <iterator>
 #include <random>
 
 #include "drape/base/exact_math.h"
@@ -34,19 +35,24 @@ std::vector<CellRun> all_cells_of(const Grid& grid) {
     return cells;
 }
 
+/// Right-angled triangles, and some with equal sides.
 TEST(SolidContacts, AnEdgeOfABoxUnderTheMiddleOfTrianglesIsFound) {
     const Grid grid{2, 2};
-    Points x(4, 3);
-    x << -1, 0.1, -1, 1, 0.1, -1, -1, 0.1, 1, 1, 0.1, 1;
-    const Solid box = solid_at(make_box({0.2, 0.2, 0.2}));  // whose top is at 0.1
-    std::vector<Contact> contacts;
-    SolidSearch().find(grid, x, box, 0, thickness, all_cells_of(grid), contacts);
-    ASSERT_FALSE(contacts.empty());
-    for (const Contact& contact : contacts) {
-        EXPECT_TRUE(is_solid(contact.ball));
-        EXPECT_FALSE(contact.of_particle);
-        EXPECT_NEAR(contact.depth, thickness, 1e-6);
-        EXPECT_NEAR(contact.normal.y(), 1, 1e-6);
+    for (const bool are_right : {true, false}) {
+        const Real z = are_right ? Real(1) : std::sqrt(Real(0.75)), shear = are_right ? Real(0) : Real(0.5);
+        Points x(4, 3);
+        x << -1 - shear, 0.1, -z, 1 - shear, 0.1, -z, -1 + shear, 0.1, z, 1 + shear, 0.1, z;
+        // Its top is at 0.1; below the middle of a side, or of a triangle
+        const Solid box = solid_at(make_box({0.2, 0.2, 0.2}), {are_right ? 0 : -shear, 0, are_right ? 0 : -z / 3});
+        std::vector<Contact> contacts;
+        SolidSearch().find(grid, x, box, 0, thickness, all_cells_of(grid), contacts);
+        ASSERT_FALSE(contacts.empty()) << are_right;
+        for (const Contact& contact : contacts) {
+            EXPECT_TRUE(is_solid(contact.ball));
+            EXPECT_FALSE(contact.of_particle);
+            EXPECT_NEAR(contact.depth, thickness, 1e-6);
+            EXPECT_NEAR(contact.normal.y(), 1, 1e-6);
+        }
     }
 }
 
@@ -179,6 +185,41 @@ TEST(SolidContacts, AMovingSolidCarriesWhatItMeets) {
     EXPECT_NEAR(contacts[0].normal.y(), 1, 1e-3);
     EXPECT_NEAR(contacts[0].depth, 0.5 + 0.1 + 0.0005 + thickness, 1e-3);
     EXPECT_EQ(contacts[0].plane.velocity.y(), 100);
+}
+
+/// The triangles whose deepest point is found, as a mesh and as the box that it is the surface of; in steps that pass
+/// little or much, and beside a box that moves.
+TEST(SolidContacts, AMeshOfABoxIsTouchedByTheTrianglesThatTouchTheBox) {
+    std::mt19937 random(6);
+    const Grid grid{16, 16};
+    std::size_t of_box = 0, of_mesh = 0, of_both = 0;
+    for (int trial = 0; trial < 40; ++trial) {
+        const auto shape = make_box({Real(0.5), Real(0.2), Real(0.4)});
+        Solid box = solid_at(shape, {0, Real(-0.1), 0});
+        box.orientation = Eigen::AngleAxis<Real>(draw_even<Real>(random), Vec3(1, 2, 3).normalized());
+        box.moved = trial % 2 == 0 ? Vec3::Zero() : Vec3(0, Real(0.05) * draw_even<Real>(random), 0);
+        Solid mesh = box;
+        mesh.shape = make_mesh_shape(shape->surface());
+        const Points before = sheet(grid, Real(0.2), Real(0.02), random);
+        Points x = before;
+        x.col(1).array() -= Real(0.1) + Real(0.1) * draw_even<Real>(random);
+        const auto touched = [&](const Solid& solid) {
+            std::vector<Contact> contacts;
+            SolidSearch().find_swept(grid, before, x, solid, 0, thickness, all_cells_of(grid), contacts);
+            std::vector<int> triangles;
+            for (const Contact& contact : contacts) {
+                if (!contact.of_particle) triangles.push_back(contact.triangle);
+            }
+            std::ranges::sort(triangles);
+            return triangles;
+        };
+        const std::vector<int> by_box = touched(box), by_mesh = touched(mesh);
+        std::vector<int> by_both;
+        std::ranges::set_intersection(by_box, by_mesh, std::back_inserter(by_both));
+        of_box += by_box.size(), of_mesh += by_mesh.size(), of_both += by_both.size();
+    }
+    EXPECT_GT(of_both, 300u);
+    EXPECT_GT(20 * of_both, 19 * std::max(of_box, of_mesh)) << of_box << " " << of_mesh << " " << of_both;
 }
 
 }  // namespace

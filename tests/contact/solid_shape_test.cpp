@@ -121,17 +121,17 @@ TEST(SolidShape, AMeshIsAsFarAsItsTrianglesWhateverItsDents) {
     }
 }
 
-/// Whatever is claimed of how near it is, also what is wrong.
+/// Whatever bound is claimed, also a wrong one.
 TEST(SolidShape, AMeshIsMeasuredTheSameWhereItIsKnownToBeNear) {
     std::mt19937 random(4);
     const auto mesh = make_mesh_shape(spiky(random));
     for (int trial = 0; trial < 300; ++trial) {
         const Vec3 p = draw_point(random, Real(1.2));
         const SurfaceDistance found = mesh->measure(p);
-        for (const Real part : {Real(0), Real(0.5), Real(1), Real(1.01), Real(3)}) {
-            const SurfaceDistance near = mesh->measure_near(p, part * std::abs(found.distance));
-            ASSERT_EQ(near.distance, found.distance) << part;
-            ASSERT_EQ(near.normal, found.normal) << part;
+        for (const Real fraction : {Real(0), Real(0.5), Real(1), Real(1.01), Real(3)}) {
+            const SurfaceDistance near = mesh->measure_near(p, fraction * std::abs(found.distance));
+            ASSERT_EQ(near.distance, found.distance) << fraction;
+            ASSERT_EQ(near.normal, found.normal) << fraction;
         }
     }
 }
@@ -177,33 +177,67 @@ TEST(DeepestPoint, IsAsLowAsAnyPointOfTheTriangleOutsideACapsule) {
     expect_deepest(solid_at(make_capsule(0.1, 0.3)), 0.3, random);
 }
 
-/// What is found below what is of interest is found by the same descent; outside what is convex, nothing is missed.
-TEST(DeepestPoint, IsTheSameWhereItIsOfInterest) {
+/// Counts how often it is asked.
+class CountingShape final : public SolidShape {
+public:
+    explicit CountingShape(std::shared_ptr<const SolidShape> shape) : shape_(std::move(shape)) {}
+    [[nodiscard]] SurfaceDistance measure(const Vec3& p) const override { return ++count, shape_->measure(p); }
+    [[nodiscard]] SurfaceDistance measure_near(const Vec3& p, Real farthest) const override {
+        return ++count, shape_->measure_near(p, farthest);
+    }
+    [[nodiscard]] bool is_convex() const override { return shape_->is_convex(); }
+    [[nodiscard]] std::span<const Segment> ridges() const override { return shape_->ridges(); }
+    [[nodiscard]] std::array<Vec3, 2> extent() const override { return shape_->extent(); }
+    [[nodiscard]] TriangleMesh surface() const override { return shape_->surface(); }
+
+    mutable int count = 0;
+
+private:
+    std::shared_ptr<const SolidShape> shape_;
+};
+
+/// A result below the limit comes from the same descent; one above it from a shorter one.
+TEST(DeepestPoint, IsTheSameBelowTheLimitAndCostsLessAboveIt) {
     std::mt19937 random(8);
     for (const bool is_mesh : {false, true}) {
-        int missed = 0, of_interest = 0, apart = 0;
-        for (int trial = 0; trial < 2000; ++trial) {
-            const Solid solid = solid_at(is_mesh ? make_mesh_shape(spiky(random)) : make_box({1, 1, 1}));
+        int missed = 0, below = 0, above = 0;
+        std::array<int, 2> cost{};
+        for (int trial = 0; trial < 4000; ++trial) {
+            const auto shape =
+                std::make_shared<CountingShape>(is_mesh ? make_mesh_shape(spiky(random)) : make_box({1, 1, 1}));
+            const Solid solid = solid_at(shape);
             const Vec3 middle = draw_point(random, 1);
             const std::array<Vec3, 3> corners{middle + draw_point(random, 0.1), middle + draw_point(random, 0.1),
                                               middle + draw_point(random, 0.1)};
             const std::array at_corners{solid.measure(corners[0]), solid.measure(corners[1]),
                                         solid.measure(corners[2])};
-            const DeepestPoint whole = find_deepest_point(solid, corners, at_corners);
-            if (whole.surface.distance < 0) continue;
-            const Real limit = whole.surface.distance + Real(0.01) * draw_even<Real>(random);
-            const DeepestPoint found = find_deepest_point(solid, corners, at_corners, limit);
+            const auto find = [&](Real limit, int& measured) {
+                shape->count = 0;
+                const DeepestPoint found = find_deepest_point(solid, corners, at_corners, limit);
+                measured = shape->count;
+                return found;
+            };
+            int of_whole = 0, of_limited = 0;
+            const DeepestPoint whole = find(std::numeric_limits<Real>::infinity(), of_whole);
+            const Real lowest = std::ranges::min(at_corners, {}, &SurfaceDistance::distance).distance;
+            const Real limit =
+                trial % 2 == 0 ? lowest - Real(1e-5) : whole.surface.distance + Real(0.01) * draw_even<Real>(random);
+            const DeepestPoint found = find(limit, of_limited);
             if (found.surface.distance < limit) {
-                ++of_interest;
+                ++below;
                 ASSERT_EQ(found.point, whole.point);
                 ASSERT_EQ(found.surface.distance, whole.surface.distance);
+            } else if (whole.surface.distance < limit) {
+                ++missed;
             } else {
-                whole.surface.distance < limit ? ++missed : ++apart;
+                ++above;
+                cost[0] += of_whole, cost[1] += of_limited;
             }
         }
-        EXPECT_GT(of_interest, 200);
-        EXPECT_GT(apart, 200);
-        EXPECT_LE(missed, is_mesh ? of_interest / 100 : 0);
+        EXPECT_GT(below, 400);
+        EXPECT_GT(above, 400);
+        EXPECT_LE(missed, is_mesh ? below / 100 : 0);
+        EXPECT_LT(cost[1], cost[0]);
     }
 }
 

@@ -242,9 +242,39 @@ TEST(BallsOnSolids, TheKeysLeadABallOutOfWhereItHasNoRoomButNoDeeper) {
             EXPECT_EQ(simulation.balls()[0].centre, start) << way;
         }
         send(simulation, slot.out);
-        while (simulation.report().time < 3) simulation.step();
+        make_steps(simulation, 2000);
         EXPECT_GT((simulation.balls()[0].centre - start).norm(), 1);
     }
+}
+
+/// A wedged ball does not jump through a plate, and may leave a box that closes on it.
+TEST(BallsOnSolids, AWedgedBallPassesNoPlateAndLeavesAClosingPress) {
+    Settings settings = ball_alone(BallMotion::Keys, {0, 0, 0});
+    for (const Real side : {Real(1), Real(-1)}) {
+        SolidSettings& plate = settings.solids.emplace_back(slab(1));
+        plate.size = {Real(0.001), 4, 4}, plate.position = {side * Real(0.9) * size_of_ball, 0, 0};
+    }
+    settings.balls[0].speed = 100;
+    settings.solver.dt = 1.0 / 60;
+    settings.solver.integrator = IntegratorKind::BackwardEuler;
+    Simulation plates("plates", settings);
+    send(plates, "steer 1 0 0");
+    make_steps(plates, 20);
+    EXPECT_EQ(plates.balls()[0].centre.x(), 0);
+
+    settings = ball_alone(BallMotion::Keys, {0, size_of_ball + Real(0.005), 0});
+    settings.ground.solid = true;
+    SolidSettings& press = settings.solids.emplace_back(slab(1));
+    press.size = {2, Real(0.2), 4};
+    press.motion = SolidMotion::Path;
+    press.path = {{0, Vec3(0, Real(0.4), 0)}, {10, Vec3(0, Real(0.2), 0)}};
+    settings.balls[0].speed = 1;
+    Simulation closing("press", settings);
+    while (closing.report().time < 6) closing.step();  // it is in the ball by then
+    ASSERT_LT(closing.solids()[0].distance(closing.balls()[0].centre), Real(0.09));
+    send(closing, "steer 1 0 0");
+    make_steps(closing, 2000);
+    EXPECT_GT(closing.balls()[0].centre.x(), 1);
 }
 
 }  // namespace

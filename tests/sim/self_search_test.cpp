@@ -186,7 +186,7 @@ TEST(SelfSearch, MakesAShorterListWhereALongOneDoesNotFit) {
     ClothParameters parameters;
     parameters.particles = {16, 16};
     const ClothModel model = make_cloth_model(parameters);
-    const Real thickness = model.hx / 10, slide = model.hx / 10;
+    const Real apart = model.hx / 10, slide = model.hx / 10;
     const std::vector<const ClothModel*> models(layers, &model);
     std::vector<Points> before(layers, make_rest_state(parameters).x);
     std::vector<ClothState> states;
@@ -194,14 +194,14 @@ TEST(SelfSearch, MakesAShorterListWhereALongOneDoesNotFit) {
     std::vector<ClothInContact> cloths;
     for (int layer = 0; layer < layers; ++layer) {
         Points& x = before[static_cast<std::size_t>(layer)];
-        x.col(1).array() += static_cast<Real>(layer) * thickness;
+        x.col(1).array() += static_cast<Real>(layer) * apart;
         states.push_back({x, Points::Zero(x.rows(), 3)});
         states.back().x.col(0).array() += layer % 2 == 0 ? slide : -slide;
     }
     for (std::size_t c = 0; c < layers; ++c) cloths.push_back({model, before[c], states[c], none});
     SelfSearch search;
     search.use({.leaf_cells = 4}, models);
-    const SelfSearchReport report = search.find(cloths, thickness);
+    const SelfSearchReport report = search.find(cloths, apart);
     EXPECT_FALSE(report.gave_up);
     EXPECT_LE(report.listed, std::int64_t(SelfSearch::most_pairs) * layers * model.grid.particles());
     // One of the next layer is above each particle

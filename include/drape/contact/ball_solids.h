@@ -21,8 +21,8 @@ void find_ball_contacts(std::span<const Ball> balls, std::span<const Solid> soli
 /// @return whether it had to
 bool stay_outside(std::span<const Solid> solids, Real gap, Real h, Ball& ball);
 
-/// Whether a ball is in no solid after the substep that it was not in before, and in none deeper than before.
+/// Whether a ball is on its way through the substep in no solid deeper than at its start, or than if it stayed there.
 /// @param gap as above [m]
-[[nodiscard]] bool comes_no_deeper(std::span<const Solid> solids, Real gap, const Ball& ball);
+[[nodiscard]] bool penetrates_no_deeper(std::span<const Solid> solids, Real gap, const Ball& ball);
 
 }  // namespace drape

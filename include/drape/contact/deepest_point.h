@@ -19,9 +19,10 @@ struct DeepestPoint {
 /// Outside a convex shape it is exact; else it may be a point that is lowest nearby.
 /// @param corners of the triangle [m]
 /// @param at_corners what the solid says of them
-/// @param of_interest the descent ends early where it seems to end above this distance [m]
+/// @param limit where nothing seems to be deeper than this, any point may be returned that is not; on a mesh, one that
+///              is deeper may be missed [m]
 DeepestPoint find_deepest_point(const Solid& solid, const std::array<Vec3, 3>& corners,
                                 const std::array<SurfaceDistance, 3>& at_corners,
-                                Real of_interest = std::numeric_limits<Real>::infinity());
+                                Real limit = std::numeric_limits<Real>::infinity());
 
 }  // namespace drape

@@ -17,18 +17,17 @@ struct Solid final : DistanceField {
     Vec3 moved = Vec3::Zero();     ///< within the present substep [m]
 
     /// @param p in the world [m]
-    [[nodiscard]] SurfaceDistance measure(const Vec3& p) const { return in_world(shape->measure(seen(p))); }
+    [[nodiscard]] SurfaceDistance measure(const Vec3& p) const { return in_world(shape->measure(in_own_frame(p))); }
 
-    /// The same of a point that the surface is no farther away from.
-    /// @param farthest [m]
+    /// The same, faster, of a point that is known to be within `farthest` of the surface [m].
     [[nodiscard]] SurfaceDistance measure_near(const Vec3& p, Real farthest) const {
-        return in_world(shape->measure_near(seen(p), farthest));
+        return in_world(shape->measure_near(in_own_frame(p), farthest));
     }
 
     [[nodiscard]] Real distance(const Vec3& p) const override { return measure(p).distance; }
 
 private:
-    [[nodiscard]] Vec3 seen(const Vec3& p) const { return orientation.conjugate() * (p - position); }
+    [[nodiscard]] Vec3 in_own_frame(const Vec3& p) const { return orientation.conjugate() * (p - position); }
     [[nodiscard]] SurfaceDistance in_world(const SurfaceDistance& own) const {
         return {own.distance, orientation * own.normal};
     }

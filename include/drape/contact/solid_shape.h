@@ -32,8 +32,8 @@ public:
 
     [[nodiscard]] virtual SurfaceDistance measure(const Vec3& p) const = 0;
 
-    /// The same, and sooner where a shape has many parts, of a point that is known to be near.
-    /// @param farthest that the surface is away from it [m]
+    /// The same, faster where a shape has many triangles. A wrong bound costs time only.
+    /// @param farthest upper bound on the distance without its sign [m]
     [[nodiscard]] virtual SurfaceDistance measure_near(const Vec3& p, Real /*farthest*/) const { return measure(p); }
 
     /// Whether the signed distance is a convex function: then what is lowest nearby is lowest of all.
