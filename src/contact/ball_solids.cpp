@@ -16,8 +16,8 @@ constexpr int most_ways = 256;
 /// The least cosine between the normal at the end and that at which they met, for both to be of one side.
 constexpr Real same_side_of_ball = Real(0.5);
 
-/// Planes that a led ball is stopped by within a substep, one after the other: a corner has three.
-constexpr int most_planes = 4;
+/// Passes over all solids, each of which may put a ball out of what it was not in before: a corner takes three.
+constexpr int most_passes = 4;
 
 /// Of a height that was computed.
 constexpr Real height_rounding = 16 * std::numeric_limits<Real>::epsilon();
@@ -83,12 +83,11 @@ void find_ball_contacts(std::span<const Ball> balls, std::span<const Solid> soli
     }
 }
 
-bool stay_outside(std::span<const Solid> solids, Real gap, Real h, Ball& ball) {
+bool stay_outside(std::span<const Solid> solids, const Vec3& start, Real gap, Real h, Ball& ball) {
     if (solids.empty()) return false;
-    const Vec3 start = ball.centre - ball.moved;
     const Real radius = ball.radius + gap;
     bool is_out = false, was_out = true;
-    for (int k = 0; k < most_planes && !is_out; ++k) {
+    for (int k = 0; k < most_passes && !is_out; ++k) {
         is_out = true;
         for (const Solid& solid : solids) {
             const auto plane = plane_for(solid, start + solid.moved, ball.centre, radius);
@@ -112,8 +111,10 @@ bool stay_outside(std::span<const Solid> solids, Real gap, Real h, Ball& ball) {
 bool penetrates_no_deeper(std::span<const Solid> solids, Real gap, const Ball& ball) {
     const Vec3 start = ball.centre - ball.moved;
     const Real radius = ball.radius + gap;
-    const Real rounding = std::min(height_rounding * (ball.centre.cwiseAbs().sum() + radius), ball.moved.norm() / 2);
     return std::ranges::all_of(solids, [&](const Solid& solid) {
+        const Real size = ball.centre.cwiseAbs().sum() + solid.position.cwiseAbs().sum() + radius;
+        // Less than the path, or a slow ball would creep in
+        const Real rounding = std::min(height_rounding * size, ball.moved.norm() / 2);
         const Vec3 from = start + solid.moved;
         const Real allowed = std::min({radius, solid.distance(from), solid.distance(start)});
         return !plane_for(solid, from, ball.centre, allowed - rounding);

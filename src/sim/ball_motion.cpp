@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 
 #include "drape/base/assert.h"
 
@@ -25,6 +26,22 @@ Vec3 tangent(const std::vector<PathPoint>& path, std::size_t k) {
 }
 
 using Quaternion = Eigen::Quaternion<Real>;
+
+/// How low a ball's centre may be, with room for two thicknesses of cloth [m].
+Real lowest_above(const Ground& ground, Real thickness, const Ball& ball) {
+    constexpr Real none = -std::numeric_limits<Real>::infinity();
+    return ground.solid ? ground.height + ball.radius + 2 * thickness : none;
+}
+
+/// Moves a ball by its velocity, which takes it no farther down than to the ground: centre and velocity agree on where
+/// the path began.
+void move_down_to(const Ground& ground, Real thickness, Real h, Ball& ball) {
+    const Real lowest = lowest_above(ground, thickness, ball);
+    ball.centre.y() = std::max(ball.centre.y(), lowest);
+    ball.velocity.y() = std::max(ball.velocity.y(), (lowest - ball.centre.y()) / h);
+    ball.centre += h * ball.velocity;
+    ball.centre.y() = std::max(ball.centre.y(), lowest);  // but for rounding, it is
+}
 
 }  // namespace
 
@@ -57,8 +74,8 @@ Real inverse_mass_of(const BallSettings& settings) {
 }
 
 bool stay_above(const Ground& ground, Real thickness, Ball& ball) {
-    const Real lowest = ground.height + ball.radius + 2 * thickness;
-    if (!ground.solid || ball.centre.y() >= lowest) return false;
+    const Real lowest = lowest_above(ground, thickness, ball);
+    if (ball.centre.y() >= lowest) return false;
     ball.centre.y() = lowest;
     ball.velocity.y() = std::max(ball.velocity.y(), Real(0));
     return true;
@@ -70,8 +87,7 @@ void move_ball(const BallSettings& settings, const Vec3& steer, const Ground& gr
     switch (settings.motion) {
         case BallMotion::Keys:
             ball.velocity += std::min(h / steering_lag, Real(1)) * (settings.speed * steer - ball.velocity);
-            ball.centre += h * ball.velocity;
-            stay_above(ground, thickness, ball);
+            move_down_to(ground, thickness, h, ball);
             start = ball.centre - h * ball.velocity;  // wherever a command has put it
             break;
         case BallMotion::Path:

@@ -107,7 +107,8 @@ bool may_leave(const BallStops& stops, const Ball& led) {
 void stop_ball(const BallStops& stops, int number, Real h, Ball& ball) {
     const Real room = 2 * stops.thickness;
     if (ball.moved.isZero(0)) {
-        stay_outside(stops.solids, room, h, ball);  // they may move towards it, but not press it into the ground
+        stay_outside(stops.solids, ball.centre, room, h,
+                     ball);  // they may move towards it, but not press it into the ground
         if (stay_above(stops.ground, stops.thickness, ball)) ball.moved = h * ball.velocity;
         return;
     }
@@ -122,12 +123,15 @@ void stop_ball(const BallStops& stops, int number, Real h, Ball& ball) {
             ball.moved = h * ball.velocity;
             stopped = true;
         }
-        stopped = stay_outside(stops.solids, room, h, ball) || stopped;
+        stopped = stay_outside(stops.solids, start, room, h, ball) || stopped;
         if (!stopped) return;
     }
-    ball = led;
-    const bool into_taut = is_taut && stop_at_contacts(stops.cloths, number, rounding, h, ball);
-    if (!into_taut && may_leave(stops, led)) return;
+    Ball probe = led;
+    const bool into_taut = is_taut && stop_at_contacts(stops.cloths, number, rounding, h, probe);
+    if (!into_taut && may_leave(stops, led)) {
+        ball = led;
+        return;
+    }
     ball.centre = start;
     ball.velocity.setZero();
     ball.moved.setZero();

@@ -41,7 +41,7 @@ TEST(StayOutside, LeavesABallWhereItWasThatSolidsGiveNoRoom) {
     for (const Real depth : {Real(0.05), Real(0.2), Real(0.4)}) {
         const Vec3 start(0, Real(0.2), 0);
         Ball ball = steered_ball(start, Vec3(Real(0.001), -depth, 0));
-        stay_outside(solids, 0, led_step, ball);
+        stay_outside(solids, ball.centre - ball.moved, 0, led_step, ball);
         EXPECT_LT((ball.centre - start).norm(), 1e-15) << depth;
         EXPECT_EQ(ball.velocity, Vec3::Zero()) << depth;
         EXPECT_EQ(ball.moved, Vec3::Zero()) << depth;
@@ -53,7 +53,7 @@ TEST(StayOutside, LetsABallIntoAGrooveThatIsWideEnough) {
     const Vec3 end(0, Real(-0.3), 0);
     Ball ball = steered_ball(Vec3(0, Real(0.2), 0), end);
     const Vec3 velocity = ball.velocity;
-    stay_outside(solids, 0, led_step, ball);
+    stay_outside(solids, ball.centre - ball.moved, 0, led_step, ball);
     EXPECT_EQ(ball.centre, end);
     EXPECT_EQ(ball.velocity, velocity);
 }
@@ -66,7 +66,7 @@ TEST(StayOutside, LetsABallSlideIntoACorner) {
         solids.push_back(test::solid_at(box, place));
     }
     Ball ball = steered_ball(Vec3(0, Real(0.3), 0), Vec3(Real(-0.4), Real(-0.2), Real(-0.5)));
-    stay_outside(solids, 0, led_step, ball);
+    stay_outside(solids, ball.centre - ball.moved, 0, led_step, ball);
     EXPECT_GT(gap_to(solids, ball), -1e-5);
     EXPECT_NEAR((ball.centre - Vec3(Real(-0.2), led_radius, Real(-0.2))).norm(), 0, 1e-5);
     EXPECT_GE(ball.velocity.minCoeff(), 0);
@@ -77,9 +77,21 @@ TEST(StayOutside, LeavesABallAloneThatOnlyTouches) {
     const Vec3 end(Real(0.01), led_radius, 0);
     Ball ball = steered_ball(Vec3(0, led_radius, 0), end);
     const Vec3 velocity = ball.velocity;
-    stay_outside(solids, 0, led_step, ball);
+    stay_outside(solids, ball.centre - ball.moved, 0, led_step, ball);
     EXPECT_EQ(ball.centre, end);
     EXPECT_EQ(ball.velocity, velocity);
+}
+
+/// Something else has put it back by less than it has taken of its way.
+TEST(StayOutside, FollowsTheWholePathWhateverHasShortenedIt) {
+    const std::vector<Solid> solids{test::solid_at(make_box(Vec3(4, Real(0.001), 4)), Vec3::Zero())};
+    const Vec3 start(0, Real(0.5), 0);
+    Ball ball = steered_ball(start, Vec3(0, Real(-0.5), 0));
+    ball.centre.y() += Real(0.1);
+    ball.velocity.setZero();
+    ball.moved.setZero();
+    stay_outside(solids, start, 0, led_step, ball);
+    EXPECT_NEAR(ball.centre.y(), led_radius + Real(0.0005), 1e-5);
 }
 
 }  // namespace

@@ -272,9 +272,23 @@ TEST(BallsOnSolids, AWedgedBallPassesNoPlateAndLeavesAClosingPress) {
     Simulation closing("press", settings);
     while (closing.report().time < 6) closing.step();  // it is in the ball by then
     ASSERT_LT(closing.solids()[0].distance(closing.balls()[0].centre), Real(0.09));
+    EXPECT_GE(closing.balls()[0].centre.y(), size_of_ball);
     send(closing, "steer 1 0 0");
     make_steps(closing, 2000);
     EXPECT_GT(closing.balls()[0].centre.x(), 1);
+}
+
+/// The step that would reach the ground passes the plate first.
+TEST(BallsOnSolids, TheKeysLeadABallThroughNoPlateAboveTheGround) {
+    Settings settings = on_slab(ball_alone(BallMotion::Keys, {0, Real(0.4), 0}), Real(0.001));
+    settings.ground = {.height = Real(-0.5), .solid = true, .friction = 0, .restitution = 0};
+    settings.balls[0].speed = 100;
+    settings.solver.dt = 1.0 / 60;
+    settings.solver.integrator = IntegratorKind::BackwardEuler;
+    Simulation simulation("plate", settings);
+    send(simulation, "steer 0 -1 0");
+    make_steps(simulation, 20);
+    EXPECT_NEAR(simulation.balls()[0].centre.y(), size_of_ball + 2 * settings.contact.thickness, 1e-5);
 }
 
 }  // namespace

@@ -15,13 +15,16 @@ namespace drape {
 void find_ball_contacts(std::span<const Ball> balls, std::span<const Solid> solids, std::vector<BallContact>& contacts);
 
 /// Stops a ball that nothing pushes at the surfaces of solids that it meets within the substep, and lets it slide along
-/// them.
+/// them; back at its start, without velocity, if they leave it no room.
+/// @param start of its path; what stops it may have shortened `moved` [m]
 /// @param gap to leave [m]
 /// @param h the substep [s]
 /// @return whether it had to
-bool stay_outside(std::span<const Solid> solids, Real gap, Real h, Ball& ball);
+bool stay_outside(std::span<const Solid> solids, const Vec3& start, Real gap, Real h, Ball& ball);
 
-/// Whether a ball is on its way through the substep in no solid deeper than at its start, or than if it stayed there.
+/// Whether a ball's path through the substep takes it into no solid deeper than it was at the start, or would be if it
+/// stayed there, whichever is deeper.
+/// @pre it has moved
 /// @param gap as above [m]
 [[nodiscard]] bool penetrates_no_deeper(std::span<const Solid> solids, Real gap, const Ball& ball);
 
