@@ -280,8 +280,8 @@ TEST(BallsOnSolids, AWedgedBallPassesNoPlateAndLeavesAClosingPress) {
 
 /// The step that would reach the ground passes the plate first.
 TEST(BallsOnSolids, TheKeysLeadABallThroughNoPlateAboveTheGround) {
-    Settings settings = on_slab(ball_alone(BallMotion::Keys, {0, Real(0.4), 0}), Real(0.001));
-    settings.ground = {.height = Real(-0.5), .solid = true, .friction = 0, .restitution = 0};
+    Settings settings = on_slab(ball_alone(BallMotion::Keys, {0, Real(0.15), 0}), Real(0.001));
+    settings.ground = {.height = Real(-0.25), .solid = true, .friction = 0, .restitution = 0};
     settings.balls[0].speed = 100;
     settings.solver.dt = 1.0 / 60;
     settings.solver.integrator = IntegratorKind::BackwardEuler;
