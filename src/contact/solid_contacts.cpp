@@ -90,7 +90,7 @@ struct TriangleBeside {
 
     [[nodiscard]] Real lowest() const { return std::ranges::min(surface, {}, &SurfaceDistance::distance).distance; }
 
-    /// From the triangle's size, and where the distance is a convex function, from its slopes at the corners.
+    /// Sets the bound from the triangle's size and, where the distance is convex, from its gradients at the corners.
     void set_bound(bool is_convex) {
         bound = lowest() - covering_radius(corners);
         for (std::size_t k = 0; k < 3; ++k) {
@@ -172,7 +172,7 @@ void for_each_beside(const ContactMaker& make, std::span<const CellRun> cells,
     for (const CellRun& run : cells) {
         const int first = 2 * (run.row * make.grid.cell_columns() + run.column);
         for (int triangle = first; triangle < first + 2 * run.count; ++triangle) {
-            TriangleBeside beside{triangle, make.grid.triangle_corners(triangle), {}, {}, 0};
+            TriangleBeside beside{triangle, make.grid.triangle_corners(triangle), {}, {}};
             beside.corners = corners_of(make.x, beside.particles);
             for (std::size_t k = 0; k < 3; ++k) {
                 beside.surface[k] = surface[static_cast<std::size_t>(beside.particles[k])];

@@ -66,8 +66,8 @@ public:
         return surface_at(p, closest);
     }
 
-    /// A bound that is too small, by rounding or by a wrong claim, finds nothing, and the search begins again without
-    /// it: that costs time, never digits. The margin makes it rare.
+    /// With a bound that is too small, by rounding or because it is wrong, the search finds nothing and begins again
+    /// without it: that costs time, never accuracy. The margin makes it rare.
     [[nodiscard]] SurfaceDistance measure_near(const Vec3& p, Real farthest) const override {
         ClosestFeature closest{.square = farthest * farthest * (1 + bound_rounding), .triangle = -1, .point = {}};
         search(all_, p, closest);

@@ -27,20 +27,20 @@ Vec3 tangent(const std::vector<PathPoint>& path, std::size_t k) {
 
 using Quaternion = Eigen::Quaternion<Real>;
 
-/// How low a ball's centre may be, with room for two thicknesses of cloth [m].
-Real lowest_above(const Ground& ground, Real thickness, const Ball& ball) {
+/// How low a ball's centre may be: with room for two thicknesses of cloth between the ball and the ground [m].
+Real lowest_centre(const Ground& ground, Real thickness, const Ball& ball) {
     constexpr Real none = -std::numeric_limits<Real>::infinity();
     return ground.solid ? ground.height + ball.radius + 2 * thickness : none;
 }
 
-/// Moves a ball by its velocity, which takes it no farther down than to the ground: centre and velocity agree on where
-/// the path began.
+/// Moves a ball by its velocity, but no farther down than to the ground, for which it slows down: centre less velocity
+/// times h is still where it came from, and solids can follow its whole path.
 void move_down_to(const Ground& ground, Real thickness, Real h, Ball& ball) {
-    const Real lowest = lowest_above(ground, thickness, ball);
+    const Real lowest = lowest_centre(ground, thickness, ball);
     ball.centre.y() = std::max(ball.centre.y(), lowest);
     ball.velocity.y() = std::max(ball.velocity.y(), (lowest - ball.centre.y()) / h);
     ball.centre += h * ball.velocity;
-    ball.centre.y() = std::max(ball.centre.y(), lowest);  // but for rounding, it is
+    ball.centre.y() = std::max(ball.centre.y(), lowest);  // rounding
 }
 
 }  // namespace
@@ -74,7 +74,7 @@ Real inverse_mass_of(const BallSettings& settings) {
 }
 
 bool stay_above(const Ground& ground, Real thickness, Ball& ball) {
-    const Real lowest = lowest_above(ground, thickness, ball);
+    const Real lowest = lowest_centre(ground, thickness, ball);
     if (ball.centre.y() >= lowest) return false;
     ball.centre.y() = lowest;
     ball.velocity.y() = std::max(ball.velocity.y(), Real(0));

@@ -107,8 +107,8 @@ bool may_leave(const BallStops& stops, const Ball& led) {
 void stop_ball(const BallStops& stops, int number, Real h, Ball& ball) {
     const Real room = 2 * stops.thickness;
     if (ball.moved.isZero(0)) {
-        stay_outside(stops.solids, ball.centre, room, h,
-                     ball);  // they may move towards it, but not press it into the ground
+        // Solids may move towards it, but do not press it into the ground
+        stay_outside(stops.solids, ball.centre, room, h, ball);
         if (stay_above(stops.ground, stops.thickness, ball)) ball.moved = h * ball.velocity;
         return;
     }

@@ -24,9 +24,9 @@ struct BallStops {
 ///   no nearer to its centre. Where the ball is at the end of the substep counts, not what it has passed.
 /// - So do ground and solids.
 ///
-/// A ball at rest gives way to solids that move into it, but is not pressed into the ground; pins and cloth are not
-/// asked. A ball that cannot get out of all of these stays where it was, unless the keys lead it where it penetrates
-/// none of them more deeply.
+/// A ball that cannot get out of all of these stays where it was, unless the keys lead it where it penetrates none of
+/// them more deeply. A ball at rest gives way to solids that move into it, but is not pressed into the ground; cloth
+/// and pins do not stop it then.
 /// @param number of the ball
 /// @param h the substep, in which the ball has moved [s]
 /// @par Cost O(particles) where the ball moves

@@ -82,7 +82,7 @@ TEST(StayOutside, LeavesABallAloneThatOnlyTouches) {
     EXPECT_EQ(ball.velocity, velocity);
 }
 
-/// Something else has put it back by less than it has taken of its way.
+/// A pin, say, has put it back a little and taken all of its motion.
 TEST(StayOutside, FollowsTheWholePathWhateverHasShortenedIt) {
     const std::vector<Solid> solids{test::solid_at(make_box(Vec3(4, Real(0.001), 4)), Vec3::Zero())};
     const Vec3 start(0, Real(0.5), 0);

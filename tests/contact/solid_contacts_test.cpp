@@ -42,7 +42,7 @@ TEST(SolidContacts, AnEdgeOfABoxUnderTheMiddleOfTrianglesIsFound) {
         const Real z = are_right ? Real(1) : std::sqrt(Real(0.75)), shear = are_right ? Real(0) : Real(0.5);
         Points x(4, 3);
         x << -1 - shear, 0.1, -z, 1 - shear, 0.1, -z, -1 + shear, 0.1, z, 1 + shear, 0.1, z;
-        // Its top is at 0.1; below the middle of a side, or of a triangle
+        // Its top is at 0.1; it is below the middle of a side, or of a triangle
         const Solid box = solid_at(make_box({0.2, 0.2, 0.2}), {are_right ? 0 : -shear, 0, are_right ? 0 : -z / 3});
         std::vector<Contact> contacts;
         SolidSearch().find(grid, x, box, 0, thickness, all_cells_of(grid), contacts);
@@ -187,8 +187,8 @@ TEST(SolidContacts, AMovingSolidCarriesWhatItMeets) {
     EXPECT_EQ(contacts[0].plane.velocity.y(), 100);
 }
 
-/// The triangles whose deepest point is found, as a mesh and as the box that it is the surface of; in steps that pass
-/// little or much, and beside a box that moves.
+/// A box and a mesh of its surface are touched by nearly the same triangles, in short and long steps, at rest and
+/// moving.
 TEST(SolidContacts, AMeshOfABoxIsTouchedByTheTrianglesThatTouchTheBox) {
     std::mt19937 random(6);
     const Grid grid{16, 16};

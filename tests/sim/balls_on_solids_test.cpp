@@ -43,6 +43,13 @@ Settings on_slab(Settings settings, Real thickness = Real(0.2)) {
     return settings;
 }
 
+/// The keys lead the ball by more than its size in a step.
+void let_it_dart(Settings& settings) {
+    settings.balls[0].speed = 100;
+    settings.solver.dt = 1.0 / 60;
+    settings.solver.integrator = IntegratorKind::BackwardEuler;
+}
+
 class BallOnABox : public testing::TestWithParam<ResponseKind> {};
 
 INSTANTIATE_TEST_SUITE_P(All, BallOnABox,
@@ -164,9 +171,7 @@ TEST(BallsOnSolids, TheKeysLeadABallIntoNoCornerHoweverFast) {
         solid.size -= Real(3.999) * wall;
         solid.position = wall;
     }
-    settings.balls[0].speed = 100;
-    settings.solver.dt = 1.0 / 60;
-    settings.solver.integrator = IntegratorKind::BackwardEuler;
+    let_it_dart(settings);
     Simulation simulation("corner", settings);
     for (const char* way : {"steer 0.6 -0.5 0.6", "steer 0.7 0 0.7", "steer 0 -0.7 0.7"}) {
         send(simulation, way);
@@ -254,9 +259,7 @@ TEST(BallsOnSolids, AWedgedBallPassesNoPlateAndLeavesAClosingPress) {
         SolidSettings& plate = settings.solids.emplace_back(slab(1));
         plate.size = {Real(0.001), 4, 4}, plate.position = {side * Real(0.9) * size_of_ball, 0, 0};
     }
-    settings.balls[0].speed = 100;
-    settings.solver.dt = 1.0 / 60;
-    settings.solver.integrator = IntegratorKind::BackwardEuler;
+    let_it_dart(settings);
     Simulation plates("plates", settings);
     send(plates, "steer 1 0 0");
     make_steps(plates, 20);
@@ -282,9 +285,7 @@ TEST(BallsOnSolids, AWedgedBallPassesNoPlateAndLeavesAClosingPress) {
 TEST(BallsOnSolids, TheKeysLeadABallThroughNoPlateAboveTheGround) {
     Settings settings = on_slab(ball_alone(BallMotion::Keys, {0, Real(0.15), 0}), Real(0.001));
     settings.ground = {.height = Real(-0.25), .solid = true, .friction = 0, .restitution = 0};
-    settings.balls[0].speed = 100;
-    settings.solver.dt = 1.0 / 60;
-    settings.solver.integrator = IntegratorKind::BackwardEuler;
+    let_it_dart(settings);
     Simulation simulation("plate", settings);
     send(simulation, "steer 0 -1 0");
     make_steps(simulation, 20);

@@ -19,8 +19,8 @@ struct DeepestPoint {
 /// Outside a convex shape it is exact; else it may be a point that is lowest nearby.
 /// @param corners of the triangle [m]
 /// @param at_corners what the solid says of them
-/// @param limit where nothing seems to be deeper than this, any point may be returned that is not; on a mesh, one that
-///              is deeper may be missed [m]
+/// @param limit a point below this is found as without it, but on a mesh more may be missed; if there seems to be none,
+///              any point may be returned that is not below it [m]
 DeepestPoint find_deepest_point(const Solid& solid, const std::array<Vec3, 3>& corners,
                                 const std::array<SurfaceDistance, 3>& at_corners,
                                 Real limit = std::numeric_limits<Real>::infinity());

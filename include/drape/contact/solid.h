@@ -19,7 +19,7 @@ struct Solid final : DistanceField {
     /// @param p in the world [m]
     [[nodiscard]] SurfaceDistance measure(const Vec3& p) const { return in_world(shape->measure(in_own_frame(p))); }
 
-    /// The same, faster, of a point that is known to be within `farthest` of the surface [m].
+    /// The same, faster, for a point that is known to be within `farthest` of the surface [m].
     [[nodiscard]] SurfaceDistance measure_near(const Vec3& p, Real farthest) const {
         return in_world(shape->measure_near(in_own_frame(p), farthest));
     }

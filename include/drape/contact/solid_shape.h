@@ -33,7 +33,7 @@ public:
     [[nodiscard]] virtual SurfaceDistance measure(const Vec3& p) const = 0;
 
     /// The same, faster where a shape has many triangles. A wrong bound costs time only.
-    /// @param farthest upper bound on the distance without its sign [m]
+    /// @param farthest upper bound on the unsigned distance [m]
     [[nodiscard]] virtual SurfaceDistance measure_near(const Vec3& p, Real /*farthest*/) const { return measure(p); }
 
     /// Whether the signed distance is a convex function: then what is lowest nearby is lowest of all.
