@@ -11,6 +11,7 @@
 
 #include "display.h"
 #include "drape/base/input_error.h"
+#include "drape/render/start_glew.h"
 #include "drape/sim/failure.h"
 #include "drape/sim/scene.h"
 
@@ -39,8 +40,7 @@ Window::Window(Session& session, const Options& options, const StopSignals& sign
     glutSetOption(GLUT_ACTION_ON_WINDOW_CLOSE, GLUT_ACTION_GLUTMAINLOOP_RETURNS);
     glutInitWindowSize(options.size.width, options.size.height);
     window_ = glutCreateWindow("Drape");
-    glewExperimental = GL_TRUE;
-    if (glewInit() != GLEW_OK) throw RunError("this display does not give access to OpenGL's functions");
+    start_glew();
     if (check_) check_->listen();
     session_.keep_history({});
     renderer_ = std::make_unique<Renderer>();

@@ -2,6 +2,7 @@
 
 #include <array>
 
+#include "drape/base/commit.h"
 #include "drape/base/numbers.h"
 #include "drape/sim/scene.h"
 #include "drape/sim/session.h"
@@ -193,7 +194,8 @@ TEST(LabHelp, GoesToStandardOutputWithEverySetting) {
     EXPECT_THAT(help.err, IsEmpty());
     const LabRun version = folder.run({"--version"});
     EXPECT_EQ(version.code, 0);
-    EXPECT_EQ(version.out, std::string("drape-lab ") + DRAPE_VERSION + "\n");
+    EXPECT_THAT(version.out, MatchesRegex(std::string("drape-lab ") + DRAPE_VERSION + ", commit " + commit() +
+                                          "\nBuilt from Eigen [0-9.]+, .*freeglut [0-9.]+\n"));
 }
 
 }  // namespace

@@ -7,6 +7,7 @@
 #include <string_view>
 #include <vector>
 
+#include "drape/base/commit.h"
 #include "drape/base/input_error.h"
 #include "drape/base/run_program.h"
 
@@ -67,7 +68,8 @@ inline void check_values(const CLI::App& app, std::span<char* const> words) {
 /// @return false if a text was printed and there is nothing more to do
 /// @throws InputError that names the option, the value and what is accepted
 inline bool parse_command_line(CLI::App& app, int argc, char** argv) {
-    app.set_version_flag("--version", app.get_name() + " " + DRAPE_VERSION);
+    app.set_version_flag("--version",
+                         app.get_name() + " " + DRAPE_VERSION + ", commit " + commit() + "\nBuilt from " + libraries());
     check_values(app, {argv, static_cast<std::size_t>(argc)});
     try {
         app.parse(argc, argv);
