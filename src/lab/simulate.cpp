@@ -1,11 +1,15 @@
 #include "commands.h"
 
 #include <cmath>
+#include <iostream>
+#include <memory>
 #include <vector>
 
+#include "drape/base/command_line.h"
+#include "drape/base/input_error.h"
 #include "drape/base/numbers.h"
 #include "drape/base/output_file.h"
-#include "drape/base/program.h"
+#include "drape/base/run_program.h"
 #include "drape/base/stop_signals.h"
 #include "drape/base/stopwatch.h"
 #include "drape/sim/failure.h"
@@ -101,26 +105,23 @@ int simulate(SimulateOptions& options) {
 
 }  // namespace
 
-void add_simulate(CLI::App& app, int& exit_code) {
-    CLI::App* command = app.add_subcommand("simulate", "Runs a scene to given times");
+void add_simulate(CommandLine& line, int& exit_code) {
     auto options = std::make_shared<SimulateOptions>();
-    command->add_option("scene", options->start.scene, "name of a shipped scene, or a TOML file")->type_name("SCENE");
-    command->add_option("--set", options->start.assignments, "change settings")->type_name("name=value");
-    command->add_option("--replay", options->start.replay, "play a recording")->type_name("FILE");
-    command
-        ->add_option(
-            "--time", options->times,
-            "simulated times to stop at [s], on the clock of the scene: its start file, if it has one, sets it; a "
-            "whole recording if not given")
-        ->type_name("T[,T2...]");
-    command->add_option("--state", options->state, "write every particle at each time")->type_name("FILE.csv");
-    command
-        ->add_option("--stats", options->stats,
-                     "write the report of the step at each time; its first line has the units")
-        ->type_name("FILE.csv");
-    command->add_flag("--hash", options->hash, "print the hash of the last state");
-    command->footer([] { return "Settings:\n" + settings_help(); });
-    command->callback([options, &exit_code] { exit_code = simulate(*options); });
+    CommandLine& command = line.command("simulate", "Runs a scene to given times",
+                                        [options, &exit_code] { exit_code = simulate(*options); });
+    command.option("scene", options->start.scene, "name of a shipped scene, or a TOML file", {"SCENE"});
+    command.option("--set", options->start.assignments, "change settings", {"name=value"});
+    command.option("--replay", options->start.replay, "play a recording", {"FILE"});
+    command.option(
+        "--time", options->times,
+        "simulated times to stop at [s], on the clock of the scene: its start file, if it has one, sets it; a "
+        "whole recording if not given",
+        {"T[,T2...]"});
+    command.option("--state", options->state, "write every particle at each time", {"FILE.csv"});
+    command.option("--stats", options->stats, "write the report of the step at each time; its first line has the units",
+                   {"FILE.csv"});
+    command.flag("--hash", options->hash, "print the hash of the last state");
+    command.footer([] { return "Settings:\n" + settings_help(); });
 }
 
 }  // namespace drape

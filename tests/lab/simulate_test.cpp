@@ -154,7 +154,7 @@ TEST(LabSimulate, EndsWhereDormandPrinceDoesNotComeThrough) {
 }
 
 // Before the first impact: contact multiplies what rounding leaves, a thousandfold within a tenth of a second.
-TEST(LabSingle, RunsInSinglePrecision) {
+TEST(NightlyLabSingle, RunsInSinglePrecision) {
     const LabFolder folder;
     const std::vector<std::string> words{"simulate", "drop", "--time", "0.1", "--hash", "--state", "state.csv"};
     const LabRun twice = folder.run(words);
@@ -169,7 +169,7 @@ TEST(LabSingle, RunsInSinglePrecision) {
 }
 
 // A step length is counted with in double precision, as it was given.
-TEST(LabSingle, MakesAsManyStepsAsFit) {
+TEST(NightlyLabSingle, MakesAsManyStepsAsFit) {
     const LabFolder folder;
     const std::vector<std::array<std::string, 3>> runs{{"0.5", "5e-4", "1000"}, {"1", "1e-3", "1000"},
                                                        {"0.2", "2e-4", "1000"}, {"1", "0.0016666666666666668", "600"},
