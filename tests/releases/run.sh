@@ -1,6 +1,6 @@
 #!/bin/bash
 # What a bare root of a Debian release does with a clone: runs the README's first or second command in it as it stands,
-# or makes the Debian package in it and runs what that installs in another root, with nothing else.
+# or makes the Debian package in it and runs what that installs in another root, with nothing else. Warnings are errors.
 #     tests/releases/run.sh RELEASE first|second|package [FOLDER]
 # RELEASE is a name that debootstrap knows: bookworm, trixie, testing. Roots are kept in FOLDER, where it is named.
 # Needs root, debootstrap and its mirror (MIRROR, if not deb.debian.org); without root or debootstrap: exit code 77.
@@ -39,7 +39,7 @@ bare_root() {
 within() {
     unshare --mount --pid --fork bash -c '
         mount -t proc proc "$0/proc" && mount --rbind /dev "$0/dev" &&
-        exec chroot "$0" env -i HOME=/root LANG=C PATH=/usr/sbin:/usr/bin:/sbin:/bin sh -c "cd /drape && $1"' "$1" "$2"
+        exec chroot "$0" env -i CI=true HOME=/root LANG=C PATH=/usr/sbin:/usr/bin:/sbin:/bin sh -c "cd /drape && $1"' "$1" "$2"
 }
 
 # The n-th command in a block of shell of the README
