@@ -16,7 +16,7 @@ shows its scene, and the time at which the picture was taken.
 Made by `build/release/bin/drape-lab list tour > docs/tour.md`, and the pictures by
 
 ```
-build/release/bin/drape-capture --tour --size 560x315 --out docs/tour --again
+build/release/bin/drape-capture --tour --size 840x473 --out docs/tour --again
 ```
 )";
 
