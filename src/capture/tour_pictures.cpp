@@ -24,7 +24,8 @@ int draw_tour(const CaptureOptions& options, const StopSignals& signals) {
     int number = 0;
     for (const TourStop& stop : stops) {
         Settings settings = settings_of(stop);
-        if (!options.overlay) settings.view.panel = PanelSize::Off;
+        // A full panel is what the stop is about
+        if (!options.overlay && settings.view.panel == PanelSize::Compact) settings.view.panel = PanelSize::Off;
         Simulation simulation(std::string(stop.scene), settings);
         while (simulation.report().time < stop.time && simulation.report().status == Status::Ok) {
             if (signals.arrived() != 0) break;
