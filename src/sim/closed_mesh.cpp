@@ -15,7 +15,7 @@ namespace {
 
 using Box = Eigen::AlignedBox<Real, 3>;
 
-constexpr Real reach_of_size = Real(1e-6);    ///< within which places are one, of the mesh's size
+constexpr Real reach_of_size = Real(1e-6);  ///< within which places are one, of the mesh's size
 constexpr Real min_thickness = Real(1e-9);  ///< volume of a part, of its area to the power 3/2
 constexpr std::size_t max_parts = 1000;
 
