@@ -5,6 +5,7 @@
 #include "drape/base/input_error.h"
 #include "drape/base/numbers.h"
 #include "drape/base/program.h"
+#include "drape/render/video_pipe.h"
 #include "drape/sim/setting_table.h"
 
 namespace drape {
@@ -59,7 +60,7 @@ std::optional<CaptureOptions> read_capture_options(int argc, char** argv) {
     app.add_option("--stats", options.stats,
                    "write a row of figures for each drawn frame; its first line has the units")
         ->type_name("FILE.csv");
-    app.add_option("--state", options.state, "write every particle at the end")->type_name("FILE.csv");
+    app.add_option("--state", options.state, "write every particle and ball at the end")->type_name("FILE.csv");
     app.add_flag("--overlay", options.overlay, "draw the stats panel, as the window does");
     app.add_option("--context", context, "what draws: osmesa, egl, or auto, which is egl only where osmesa is missing")
         ->type_name("NAME");
@@ -80,6 +81,7 @@ std::optional<CaptureOptions> read_capture_options(int argc, char** argv) {
         return options;
     }
     if (frames.empty()) throw InputError("--frames is required", help_hint(app));
+    check_video_name("--video", options.video);
     options.frames = whole_number("--frames", frames, most_frames);
     options.every = whole_number("--every", every, options.frames);
     if (!fps.empty()) options.fps = frame_rate(fps);
