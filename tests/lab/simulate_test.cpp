@@ -130,7 +130,7 @@ TEST(LabSimulate, StopsAtTimesOfASceneThatStartsLater) {
     const LabRun rest = run({"--set", "start=start.csv", "--time", "0.1,0.15", "--state", "end.csv"});
     ASSERT_EQ(rest.code, 0) << rest.err;
     EXPECT_EQ(rest.out, whole.out);
-    const auto lines = lines_of(folder.read("end.csv"));
+    const auto lines = table_of(folder, "end.csv");
     EXPECT_DOUBLE_EQ(values_of(lines[1])[0], 0.1);
     EXPECT_DOUBLE_EQ(values_of(lines.back())[0], 0.15);
     const LabRun early = run({"--set", "start=start.csv", "--time", "0.05"});
@@ -145,7 +145,7 @@ TEST(LabSimulate, FailsAndSaysWhatMadeTheClothDiverge) {
     EXPECT_EQ(failed.code, 1);
     EXPECT_THAT(failed.err, AllOf(HasSubstr("particle "), HasSubstr("of explicit_euler")));
     EXPECT_EQ(failed.out.size(), 17u) << "the hash of the last good state";
-    EXPECT_EQ(lines_of(folder.read("state.csv")).size(), 1u + 900u) << "no rows for times that it did not get to";
+    EXPECT_EQ(table_of(folder, "state.csv").size(), 1u + 900u) << "no rows for times that it did not get to";
 }
 
 TEST(LabSimulate, MarksARunThatItsMethodHasHeatedOrEndsIt) {
