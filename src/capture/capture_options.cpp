@@ -5,6 +5,7 @@
 #include "drape/base/command_line.h"
 #include "drape/base/input_error.h"
 #include "drape/base/numbers.h"
+#include "drape/render/video_pipe.h"
 #include "drape/sim/setting_table.h"
 
 namespace drape {
@@ -57,7 +58,7 @@ std::optional<CaptureOptions> read_capture_options(int argc, char** argv) {
     line.option("--video", options.video, "make a video too, with ffmpeg", {"FILE.mp4"});
     line.option("--stats", options.stats, "write a row of figures for each drawn frame; its first line has the units",
                 {"FILE.csv"});
-    line.option("--state", options.state, "write every particle at the end", {"FILE.csv"});
+    line.option("--state", options.state, "write every particle and ball at the end", {"FILE.csv"});
     line.flag("--overlay", options.overlay, "draw the stats panel, as the window does");
     line.option("--context", context, "what draws: osmesa, egl, or auto, which is egl only where osmesa is missing",
                 {"NAME"});
@@ -78,6 +79,7 @@ std::optional<CaptureOptions> read_capture_options(int argc, char** argv) {
         return options;
     }
     if (frames.empty()) throw InputError("--frames is required", line.help_hint());
+    check_video_name("--video", options.video);
     options.frames = whole_number("--frames", frames, most_frames);
     options.every = whole_number("--every", every, options.frames);
     if (!fps.empty()) options.fps = frame_rate(fps);

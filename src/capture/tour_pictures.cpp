@@ -10,11 +10,13 @@
 #include "drape/sim/tour.h"
 #include "frame_writer.h"
 #include "offscreen_context.h"
+#include "picture_memory.h"
 #include "progress.h"
 
 namespace drape {
 
 int draw_tour(const CaptureOptions& options, const StopSignals& signals) {
+    check_picture_memory(options.size);
     const auto stops = tour_stops();
     FrameWriter pictures(options.out, static_cast<int>(stops.size()), options.again);
     const OffscreenContext context(options.context);

@@ -73,6 +73,13 @@ TEST(CommandLine, RefusesAnOptionInThePlaceOfAValue) {
     EXPECT_THAT(complaint({"collide", "--ball", "--help"}), HasSubstr("--ball needs a value"));
 }
 
+TEST(CommandLine, RefusesEmptyWords) {
+    EXPECT_THAT(complaint({"simulate", "", "--time", "1"}), HasSubstr("word 2 is empty: allowed no empty"));
+    EXPECT_THAT(complaint({"simulate", "--time", ""}), HasSubstr("word 3 is empty"));
+    EXPECT_THAT(complaint({"simulate", "--time="}), HasSubstr("--time= has no value"));
+    EXPECT_EQ(complaint({"simulate", "--time", "1", "--set", "title="}), "");
+}
+
 TEST(CommandLine, TakesValuesThatOnlyLookLikeOptions) {
     EXPECT_EQ(complaint({"collide", "--ball", "-1,0,0,1"}), "");
     EXPECT_EQ(complaint({"collide", "--ball=--quick"}), "") << "said in one word";
@@ -97,9 +104,9 @@ TEST(Program, PrintsNoControlCharactersOfItsInput) {
     EXPECT_EQ(text, "program: key '\\x1b[31m'\nSee --help.\n");
 }
 
-TEST(Program, PrintsNoMoreThanTwoLinesOfAnError) {
-    EXPECT_EQ(outcome([](int, char**) -> int { throw RunError("one\ntwo\nthree\nfour"); }).second,
-              "program: one\ntwo\\nthree\\nfour\n");
+TEST(Program, PrintsOneLineOfAnErrorWhateverItQuotes) {
+    EXPECT_EQ(outcome([](int, char**) -> int { throw RunError("one\n\x1b[31mtwo"); }).second,
+              "program: one\\n\\x1b[31mtwo\n");
 }
 
 TEST(Program, FailsIfItsOutputCannotBeWritten) {

@@ -48,10 +48,19 @@ bool is_option(const std::string& word, std::span<const CLI::App* const> command
     });
 }
 
-/// Refuses an option where another one's value should be, which the parser would take for the value.
+/// Refuses an option where another one's value should be, which the parser would take for the value; and empty words,
+/// which would be taken for what was not given: a shell makes one of a variable that is not set.
 void check_values(const CLI::App& app, std::span<char* const> words, const std::string& hint) {
     std::vector<const CLI::App*> commands = app.get_subcommands([](const CLI::App*) { return true; });
     commands.push_back(&app);
+    for (std::size_t i = 0; i < words.size(); ++i) {
+        const std::string word = words[i], option = word.substr(0, word.size() - 1);
+        const bool has_value = !word.ends_with('=') || !word.starts_with("--") || !is_option(option, commands, true);
+        if (!word.empty() && has_value) continue;
+        throw InputError((word.empty() ? "word " + std::to_string(i) + " is empty" : word + " has no value") +
+                             ": allowed no empty name or value",
+                         hint);
+    }
     for (std::size_t i = 0; i + 1 < words.size(); ++i) {
         const std::string option = words[i], value = words[i + 1];
         if (option == "--") return;  // none of what follows is an option

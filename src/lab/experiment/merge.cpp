@@ -105,7 +105,7 @@ int merge(std::span<const Experiment> experiments, const MergeOptions& options) 
                              ": an unfinished run is there; name another folder by --out");
         }
         TableWriter(experiment, file, table).finish();
-        std::cerr << file.string() << ": " << table.cases.size() << " cases\n";
+        tell(file.string() + ": " + std::to_string(table.cases.size()) + " cases");
         present(experiment, table, file);
     }
     return Done;

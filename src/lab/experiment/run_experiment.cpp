@@ -105,7 +105,7 @@ ExperimentTable resumed(const Experiment& experiment, const TableHead& head, con
                          "): finish that one, remove it, or name another folder by --out");
     }
     if (!left->cases.empty()) {
-        std::cerr << part.string() << ": goes on after " << left->cases.size() << " cases that are there\n";
+        tell(part.string() + ": goes on after " + std::to_string(left->cases.size()) + " cases that are there");
     }
     return *left;
 }
@@ -122,7 +122,7 @@ int run(const Experiment& experiment, std::span<const Experiment> all, const Run
     const TableHead head = head_of(experiment, options.selection.text(), cases.size());
     if (!options.again && !exists(unfinished_name(file))) {
         if (const auto done = finished(experiment, head, file)) {
-            std::cerr << file.string() << ": all cases are there already; --again computes them once more\n";
+            tell(file.string() + ": all cases are there already; --again computes them once more");
             present(experiment, *done, file);
             return Done;
         }
@@ -143,8 +143,8 @@ int run(const Experiment& experiment, std::span<const Experiment> all, const Run
         }
     }
     writer.finish();
-    std::cerr << file.string() << ": " << table.cases.size() - before << " cases in " << real_text(watch.seconds(), 3)
-              << " s\n";
+    tell(file.string() + ": " + std::to_string(table.cases.size() - before) + " cases in " +
+         real_text(watch.seconds(), 3) + " s");
     present(experiment, table, file);
     return Done;
 }
