@@ -133,6 +133,7 @@ TEST_F(MeshFile, AnStlIsReadAsTextAndAsBytes) {
 /// A plate with the outline of an L. Its caps are listed from each corner in turn.
 TEST_F(MeshFile, AConcaveFaceIsCutWithinItself) {
     const std::vector<Vec3> outline{{0, 0, 0}, {0.6, 0, 0}, {0.6, 0.2, 0}, {0.2, 0.2, 0}, {0.2, 0.6, 0}, {0, 0.6, 0}};
+    const auto lying = make_box({0.6, 0.2, 0.1}), standing = make_box({0.2, 0.6, 0.1});
     for (int start = 0; start < 6; ++start) {
         std::ostringstream out;
         for (const Vec3& p : outline) out << "v " << p.x() << " " << p.y() << " 0\n";
@@ -147,8 +148,13 @@ TEST_F(MeshFile, AConcaveFaceIsCutWithinItself) {
             out << "f " << k + 1 << " " << next + 1 << " " << next + 7 << " " << k + 7 << "\n";
         }
         const Solid plate = solid(out.str());
-        EXPECT_NEAR(plate.distance({0.4, 0.4, 0.05}), 0.2, 1e-6) << start;
-        EXPECT_NEAR(plate.distance({0.1, 0.5, 0.05}), -0.05, 1e-6) << start;
+        for (int k = 0; k < 1000; ++k) {
+            const Vec3 p(0.08 * (k % 10) - 0.07, 0.08 * (k / 10 % 10) - 0.07, 0.025 * (k / 100) - 0.06);
+            const Real expected = std::min(lying->measure(p - Vec3(0.3, 0.1, 0.05)).distance,
+                                           standing->measure(p - Vec3(0.1, 0.3, 0.05)).distance);
+            const Real distance = plate.distance(p);
+            ASSERT_TRUE(expected > 0 ? std::abs(distance - expected) < 1e-6 : distance < 0) << start << ": " << p;
+        }
         EXPECT_EQ(plate.shape->surface().triangles.size(), 20u) << start;
     }
 }
