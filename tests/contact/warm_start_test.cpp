@@ -8,7 +8,7 @@ namespace drape {
 namespace {
 
 /// A small cloth, and contacts with the ground of the triangles that are asked for.
-struct Sheet {
+struct WarmSheet {
     static constexpr Real h = Real(1e-3), load = Real(1e-6);
     ClothModel model = make_cloth_model(parameters());
     ClothState state = make_rest_state(parameters());
@@ -42,11 +42,11 @@ struct Sheet {
 
 /// The triangles of the contacts, negative where they were given nothing.
 std::vector<int> told(const std::vector<int>& before, const std::vector<int>& found) {
-    Sheet sheet;
+    WarmSheet sheet;
     const std::vector<Ball> balls(1);
     const ClothInContact cloth = sheet.in_contact();
-    sheet.touch(before, Sheet::load);
-    sheet.warm_start.take(sheet.response, Sheet::h, Real(9.81), std::span(&cloth, 1), sheet.contacts);
+    sheet.touch(before, WarmSheet::load);
+    sheet.warm_start.take(sheet.response, WarmSheet::h, Real(9.81), std::span(&cloth, 1), sheet.contacts);
     EXPECT_TRUE(sheet.contacts.empty());
     sheet.touch(found, 0);
     sheet.warm_start.carry_over(sheet.response, std::span(&cloth, 1), balls, sheet.contacts);

@@ -16,11 +16,11 @@ constexpr IntegratorKind unlimited_kinds[] = {IntegratorKind::BackwardEuler, Int
                                               IntegratorKind::ProjectiveDynamics};
 
 /// A sheet of 1 m x 1 m that hangs from its first row, in wind across it.
-struct Flag {
+struct BlownFlag {
     ClothModel model;
     ClothState start;
 
-    Flag(Real mass, Real speed) {
+    BlownFlag(Real mass, Real speed) {
         ClothParameters parameters;
         parameters.particles = {8, 8};
         parameters.mass = mass;
@@ -40,7 +40,7 @@ struct Flag {
 };
 
 TEST(Wind, HoldsASheetInTheSamePlaceByEveryMethodAtLongSteps) {
-    const Flag flag(Real(0.2), 2);
+    const BlownFlag flag(Real(0.2), 2);
     constexpr Real time = 6;
     const Real exact = flag.blown(IntegratorKind::VelocityVerlet, time, Real(5e-4));
     EXPECT_GT(exact, 0.3);
@@ -52,7 +52,7 @@ TEST(Wind, HoldsASheetInTheSamePlaceByEveryMethodAtLongSteps) {
 }
 
 TEST(Wind, ThatIsStrongThrowsALightSheetAboutByNoMethodWithinItsLimit) {
-    const Flag flag(Real(0.02), 20);
+    const BlownFlag flag(Real(0.02), 20);
     const Real exact = flag.blown(IntegratorKind::VelocityVerlet, 1, Real(1e-4));
     EXPECT_GT(exact, 0.4);
     for (const IntegratorKind kind : unlimited_kinds) {
@@ -89,7 +89,7 @@ TEST(Wind, IsInTheLimitOfEveryExplicitMethodHoweverTheClothIsTurned) {
 }
 
 TEST(Wind, ThatProjectiveDynamicsDoesNotSolveIsSaid) {
-    const Flag flag(Real(0.2), 2);
+    const BlownFlag flag(Real(0.2), 2);
     const auto step = [&](int iterations, Real h) {
         ClothState state = flag.start;
         const auto integrator =

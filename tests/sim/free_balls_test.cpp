@@ -34,7 +34,7 @@ BallSettings free_ball(Real radius, Real mass, const Vec3& position, const Vec3&
     return ball;
 }
 
-void run(Simulation& simulation, double seconds) {
+void run_for(Simulation& simulation, double seconds) {
     make_steps(simulation, static_cast<int>(std::lround(seconds / simulation.settings().solver.dt)));
 }
 
@@ -49,7 +49,7 @@ TEST(FreeBalls, ThatCollideKeepTheirMomentumButForTheFall) {
                                          free_ball(Real(0.2), Real(1.5), {1, Real(30.05), Real(0.1)}, {-3, 0, 0})});
     const Vec3 before = momentum(simulation);
     const Vec3 parting = simulation.balls()[1].velocity - simulation.balls()[0].velocity;
-    run(simulation, 0.5);
+    run_for(simulation, 0.5);
     const Vec3 fall(0, -Real(1.7) * gravity * Real(0.5), 0);
     EXPECT_LT((momentum(simulation) - before - fall).norm(), 1e-10 * before.norm());
     const Vec3 parted = simulation.balls()[1].velocity - simulation.balls()[0].velocity;
@@ -137,7 +137,7 @@ TEST_P(BallOnLyingCloth, GivesItNoEnergyFromNowhere) {
     settings.solver.integrator = GetParam();
     settings.solver.dt = 4e-3;
     Simulation simulation("drop", std::move(settings));
-    run(simulation, 0.5);
+    run_for(simulation, 0.5);
     EXPECT_GT(simulation.report().contacts, 0);
     EXPECT_EQ(simulation.report().heated_step, 0) << simulation.report().energy_excess << " J";
 }
@@ -152,10 +152,10 @@ INSTANTIATE_TEST_SUITE_P(Nightly, BallOnLyingCloth,
 TEST(FreeBalls, RollOnTheGroundByDistanceOverRadius) {
     const Real radius = Real(0.15);
     Simulation simulation = balls_alone({free_ball(radius, Real(0.4), {0, radius, 0}, {Real(0.7), 0, 0})});
-    run(simulation, 0.5);
+    run_for(simulation, 0.5);
     const Ball start = simulation.balls()[0];
     EXPECT_NEAR(start.velocity.x(), 0.5, 1e-3);
-    run(simulation, 0.5);
+    run_for(simulation, 0.5);
     const Ball& end = simulation.balls()[0];
     const Vec3 way = end.centre - start.centre;
     const Eigen::AngleAxis<Real> turn(end.orientation * start.orientation.conjugate());
@@ -169,11 +169,11 @@ TEST(FreeBalls, RollOnTheGroundByDistanceOverRadius) {
 TEST(FreeBalls, StopAfterTheWayThatRollingResistanceLeavesThem) {
     const Real radius = Real(0.1), rolling = Real(0.05);
     Simulation simulation = balls_alone({free_ball(radius, Real(0.3), {0, radius, 0}, {0, 0, Real(0.8)})}, rolling);
-    run(simulation, 0.4);
+    run_for(simulation, 0.4);
     const Ball start = simulation.balls()[0];
     const Real slowing = rolling * gravity * 5 / 7, speed = start.velocity.z();
     ASSERT_GT(speed, 0.3);
-    run(simulation, 4);
+    run_for(simulation, 4);
     const Ball& end = simulation.balls()[0];
     EXPECT_NEAR(end.centre.z() - start.centre.z(), speed * speed / (2 * slowing), 0.005);
     EXPECT_LT(end.velocity.norm(), 1e-6);
@@ -200,9 +200,9 @@ TEST(LongTrampolineScene, CatchesItsBallThrowsItBackAndCarriesItInTheEnd) {
     const Cloth& cloth = simulation.cloths()[0];
     const Ball& ball = simulation.balls()[0];
     const Real sheet = cloth.state.x(0, 1);
-    run(simulation, 0.6);
+    run_for(simulation, 0.6);
     EXPECT_GT(ball.velocity.y(), 0.5) << "thrown back";
-    run(simulation, 11.4);
+    run_for(simulation, 11.4);
     EXPECT_LT(std::abs(ball.velocity.y()), 0.005) << "it rocks in its hollow, but does not bounce";
     EXPECT_LT(ball.velocity.norm(), 0.06);
     EXPECT_LT((ball.centre - Vec3(0, sheet, 0)).norm(), 0.1) << "in the middle of the sheet";
@@ -241,7 +241,7 @@ TEST(LongSlideScene, TakesItsClothDownTheInclineUnlessFrictionHoldsIt) {
         Settings settings = load_scene("slide");
         settings.contact.friction = friction;
         Simulation simulation("slide", std::move(settings));
-        run(simulation, 5);
+        run_for(simulation, 5);
         return simulation;
     };
     const Simulation slides = end_with(Real(0.05)), sticks = end_with(Real(0.5));

@@ -45,13 +45,13 @@ Settings small(const std::string& scene, int particles) {
     return settings;
 }
 
-void run(Simulation& simulation, double time) {
+void run_seconds(Simulation& simulation, double time) {
     while (simulation.report().time < time && simulation.report().status == Status::Ok) simulation.step();
 }
 
 TEST(LongSolids, NothingOfAClothThatRestsOnABoxIsDeeperThanTheSlop) {
     Simulation simulation("table", small("table", 12));
-    run(simulation, 1.2);
+    run_seconds(simulation, 1.2);
     EXPECT_GT(simulation.report().contacts, 3);
     EXPECT_LT(deepest(simulation), 5e-5);
     EXPECT_EQ(simulation.report().status, Status::Ok);
@@ -74,7 +74,7 @@ TEST(Solids, EachResponseAndMethodKeepsClothOutOfThem) {
             settings.contact.response = response;
             settings.solver.integrator = integrator;
             Simulation simulation("table", settings);
-            run(simulation, 0.5);
+            run_seconds(simulation, 0.5);
             EXPECT_GT(simulation.report().contacts, 3);
             EXPECT_LT(deepest(simulation), 0.002) << name_of(response) << ", " << name_of(integrator);
         }
@@ -84,7 +84,7 @@ TEST(Solids, EachResponseAndMethodKeepsClothOutOfThem) {
 TEST(LongSolids, NothingOfAClothThatRestsOnAMeshIsDeeperThanTheSlop) {
     Settings settings = small("figure", 10);
     Simulation simulation("figure", settings);
-    run(simulation, 0.4);
+    run_seconds(simulation, 0.4);
     EXPECT_GT(simulation.report().contacts, 3);
     EXPECT_LT(deepest(simulation), 2e-4);  // a mesh is not convex: what is lowest nearby is found
 }
@@ -103,7 +103,7 @@ TEST(Solids, AFastThinPlateTakesTheClothAlong) {
         plate.motion = SolidMotion::Path;
         plate.path = {{0, Vec3(0, 0.3, 0)}, {Real(0.02), Vec3(0, 1.3, 0)}};
         Simulation simulation("plate", settings);
-        run(simulation, 0.02);
+        run_seconds(simulation, 0.02);
         const bool above = simulation.cloths()[0].state.x.col(1).minCoeff() > simulation.solids()[0].position.y();
         EXPECT_EQ(above, continuous == Continuous::Auto);
     }
@@ -157,18 +157,18 @@ TEST(Solids, APathCarriesThemAndAResetBringsThemBack) {
     settings.solids[0].motion = SolidMotion::Path;
     settings.solids[0].path = {{0, Vec3(0, 0.2, 0)}, {Real(0.1), Vec3(0.3, 0.2, 0)}};
     Simulation simulation("table", settings);
-    run(simulation, 0.2);
+    run_seconds(simulation, 0.2);
     EXPECT_NEAR(simulation.solids()[0].position.x(), 0.3, 1e-9);
     const std::uint64_t hash = simulation.hash();
     simulation.apply(command::Reset{});
     EXPECT_NEAR(simulation.solids()[0].position.x(), 0, 1e-9);
-    run(simulation, 0.2);
+    run_seconds(simulation, 0.2);
     EXPECT_EQ(simulation.hash(), hash);
 }
 
 TEST(Solids, ASettingOfTheirsIsChangedInMidRunAndWakesTheScene) {
     Simulation simulation("table", small("table", 6));
-    run(simulation, 0.1);
+    run_seconds(simulation, 0.1);
     simulation.apply(command::Set{"solid.position=0,0.1,0"});
     EXPECT_EQ(simulation.solids()[0].position.y(), Real(0.1));
     EXPECT_THAT(input_error_of([&] { simulation.apply(command::Set{"solid.shape=mesh"}); }),
@@ -182,7 +182,7 @@ TEST(Solids, TheBitsDoNotDependOnTheHierarchy) {
     for (const auto volume : {VolumeKind::Brute, VolumeKind::Sphere, VolumeKind::Obb}) {
         settings.contact.volume = volume;
         Simulation simulation("table", settings);
-        run(simulation, 0.35);
+        run_seconds(simulation, 0.35);
         EXPECT_GT(simulation.report().contacts, 0);
         hashes.push_back(simulation.hash());
     }
