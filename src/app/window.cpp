@@ -7,10 +7,10 @@
 
 #include <algorithm>
 #include <cmath>
-#include <iostream>
 
 #include "display.h"
 #include "drape/base/input_error.h"
+#include "drape/base/run_program.h"
 #include "drape/render/start_glew.h"
 #include "drape/sim/failure.h"
 #include "drape/sim/scene.h"
@@ -63,7 +63,7 @@ int Window::run() {
     clock_.lap();
     schedule();
     glutMainLoop();
-    if (const std::string news = video_.close(); !news.empty()) std::cerr << "drape: " << news << "\n";
+    if (const std::string news = video_.close(); !news.empty()) tell("drape: " + news);
     if (failure_) std::rethrow_exception(failure_);
     return signal_ == 0 ? 0 : 128 + signal_;
 }
@@ -196,7 +196,8 @@ void Window::tell_of_failure() {
     if (simulation.report().status == Status::Ok || trouble == told_failure_) return;
     told_failure_ = trouble;
     failure_file_ = tell_failure(simulation, "");
-    std::cerr << "drape: " << trouble << "\n" << failure_file_ << "\n";
+    tell("drape: " + trouble);
+    tell(failure_file_);
 }
 
 void Window::tell_of_takeover() {

@@ -18,7 +18,7 @@ constexpr Real nearest_part = Real(0.1), margin_part = Real(0.1);
 constexpr Real hardly_nearer = 1 - 256 * std::numeric_limits<Real>::epsilon();
 
 /// Features that still creep along each other after so many rounds are stopped where they are.
-constexpr int most_advances = 400;
+constexpr int max_advances = 400;
 
 }  // namespace
 
@@ -44,7 +44,7 @@ Real safe_part_of(const FeatureMotion& motion, Real distance, Real least) {
     const Real meeting = nearest + std::min(margin_part * distance, (distance - nearest) / 2);
     const Real approach = motion.longest_approach();
     Real part = 0, left = distance;
-    for (int round = 0; round < most_advances; ++round) {
+    for (int round = 0; round < max_advances; ++round) {
         if ((1 - part) * approach <= left - meeting) return 1;
         part += (left - nearest) / approach;
         if (part >= 1) part = 1;

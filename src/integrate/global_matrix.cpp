@@ -2,7 +2,6 @@
 
 #include "drape/base/assert.h"
 #include "drape/model/stencils.h"
-#include "inertial_guess.h"
 
 namespace drape {
 namespace {
@@ -37,15 +36,13 @@ void solve_factors(int n, const int* starts, const int* rows, const Real* values
 
 }  // namespace
 
-void GlobalMatrix::prepare(const ClothModel& model, Real h) {
+void GlobalMatrix::prepare(const ClothModel& model, const Numbers& inertia, Real h) {
     DRAPE_ASSERT(model.grid == grid_);
-    const Key key{inertia(model, h) / (h * h),
-                  {model.structural.stiffness, model.shear.stiffness, model.bend.stiffness}};
-    const bool same_pins =
-        inverse_mass_.size() == model.inverse_mass.size() && (inverse_mass_ == model.inverse_mass).all();
-    if (key == key_ && same_pins) return;
-    key_ = key;
-    inverse_mass_ = model.inverse_mass;
+    const std::array<Real, 3> stiffnesses{model.structural.stiffness, model.shear.stiffness, model.bend.stiffness};
+    const auto diagonal = (model.inverse_mass > 0).select(inertia / (h * h), Real(0));
+    if (stiffnesses == stiffnesses_ && diagonal_.size() == diagonal.size() && (diagonal_ == diagonal).all()) return;
+    stiffnesses_ = stiffnesses;
+    diagonal_ = diagonal;
     factorise(model);
 }
 
@@ -64,7 +61,7 @@ void GlobalMatrix::factorise(const ClothModel& model) {
             entries.emplace_back(b, a, -k * free(a) * free(b));
         });
     }
-    for (int p = 0; p < grid_.particles(); ++p) entries.emplace_back(p, p, model.pinned(p) ? Real(1) : key_.diagonal);
+    for (int p = 0; p < grid_.particles(); ++p) entries.emplace_back(p, p, model.pinned(p) ? Real(1) : diagonal_[p]);
 
     const bool analysed = matrix_.rows() > 0;
     matrix_.resize(grid_.particles(), grid_.particles());

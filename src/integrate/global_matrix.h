@@ -6,12 +6,14 @@
 #include <vector>
 
 #include "drape/model/cloth_model.h"
+#include "inertial_guess.h"
 
 namespace drape {
 
-/// The matrix (m + h b) / h^2 I + sum k A'A over all springs, with A x = x_a - x_b: n x n, the same for x, y and z.
-/// It changes with step, masses, stiffnesses and pins only, so that its factors L D L' serve many steps. A pinned
-/// particle keeps its place with the row of an identity matrix: the pattern is the grid's, and is analysed once.
+/// The matrix M / h^2 + sum k A'A over all springs, with A x = x_a - x_b and M the particles' inertia: n x n, the same
+/// for x, y and z. Without wind it changes with step, masses, stiffnesses and pins only, so that its factors L D L'
+/// serve many steps. A pinned particle keeps its place with the row of an identity matrix: the pattern is the grid's,
+/// and is analysed once.
 /// @cite bouaziz2014
 class GlobalMatrix {
 public:
@@ -19,7 +21,7 @@ public:
 
     /// Makes the factors unless those at hand are of this very matrix.
     /// @par Cost O(n) to compare; about O(n^1.5) to factorise, allocates
-    void prepare(const ClothModel& model, Real h);
+    void prepare(const ClothModel& model, const Numbers& inertia, Real h);
 
     /// r = (this matrix)^-1 r.
     /// @param r n x 3; where it is zero at a pinned particle it stays so
@@ -30,18 +32,11 @@ private:
     using Matrix = Eigen::SparseMatrix<Real>;
     using Column = Eigen::Matrix<Real, Eigen::Dynamic, 1>;
 
-    /// All that the matrix is made from, besides the grid and the pins.
-    struct Key {
-        Real diagonal = 0;  ///< (m + h b) / h^2 [kg/s^2]
-        std::array<Real, 3> stiffnesses{};
-        bool operator==(const Key&) const = default;
-    };
-
     void factorise(const ClothModel& model);
 
     Grid grid_;
-    Key key_;
-    Eigen::Array<Real, Eigen::Dynamic, 1> inverse_mass_;  ///< of the factors, for their pins
+    std::array<Real, 3> stiffnesses_{};  ///< of the factors, as the next
+    Numbers diagonal_;                   ///< inertia / h^2, and 0 for a pinned particle [kg/s^2]
     Matrix matrix_;
     Eigen::SimplicialLDLT<Matrix> factors_;
     Column pivots_;

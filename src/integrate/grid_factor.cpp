@@ -80,15 +80,6 @@ std::array<Real*, 3> GridFactor::block(int row, int column) {
 
 void GridFactor::factorise(const ClothModel& model, const Jacobian& jacobian, Real k_scale, Real d_scale) {
     matrix_.coeffs().setZero();
-    const auto add_to_diagonal = [&](int particle, const Jacobian::Block& added) {
-        if (model.pinned(particle)) return;
-        const int place = place_[static_cast<std::size_t>(particle)];
-        const auto columns = block(place, place);
-        for (int c = 0; c < 3; ++c) {
-            for (int r = 0; r <= c; ++r) columns[static_cast<std::size_t>(c)][r] += added(r, c);
-        }
-    };
-
     // Mass and drag; a pinned particle has the mass alone
     for (int p = 0; p < model.grid.particles(); ++p) {
         const int place = place_[static_cast<std::size_t>(p)];
@@ -97,16 +88,14 @@ void GridFactor::factorise(const ClothModel& model, const Jacobian& jacobian, Re
         for (int c = 0; c < 3; ++c) columns[static_cast<std::size_t>(c)][c] = model.particle_mass + drag;
     }
 
-    // Springs; blocks are symmetric, so that it does not matter which end comes first
+    // Springs and wind; blocks are symmetric, so that it does not matter which end comes first
     jacobian.for_each_block(k_scale, d_scale, [&](int a, int b, const Jacobian::Block& added) {
-        add_to_diagonal(a, added);
-        add_to_diagonal(b, added);
         if (model.pinned(a) || model.pinned(b)) return;
         const auto [row, column] =
             std::minmax(place_[static_cast<std::size_t>(a)], place_[static_cast<std::size_t>(b)]);
         const auto columns = block(row, column);
         for (int c = 0; c < 3; ++c) {
-            for (int r = 0; r < 3; ++r) columns[static_cast<std::size_t>(c)][r] -= added(r, c);
+            for (int r = 0; r <= (a == b ? c : 2); ++r) columns[static_cast<std::size_t>(c)][r] += added(r, c);
         }
     });
     ldlt_.refactorise(matrix_);

@@ -40,9 +40,9 @@ double numbers_of_arrays(const IntegratorParameters& parameters) {
         case IntegratorKind::Bdf2:
             return 27 + numbers_of_system(parameters.hessian);
         case IntegratorKind::Xpbd:
-            return 14;
+            return 15;
         case IntegratorKind::ProjectiveDynamics:
-            return 26;
+            return 30;
         case IntegratorKind::DormandPrince:
             return 57;
     }

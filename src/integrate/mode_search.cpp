@@ -24,7 +24,7 @@ void normalise(Points& u, Points& image) {
 ModeSearch::ModeSearch(const ClothModel& model, const ClothState& state, Kernels kernels)
     : model_(model), jacobian_(model.grid, Hessian::Clamped, kernels) {
     const int n = model.grid.particles();
-    jacobian_.linearise(model, state.x, state.v);
+    jacobian_.linearise(model, state.x, state.v, true);
     for (Points* points : {&y_, &r_, &p_, &ay_, &ar_, &ap_}) points->setZero(n, 3);
 }
 

@@ -62,10 +62,9 @@ void NewtonSystem::invert_diagonal(const ClothModel& model, Real s) {
     inverse_.col(3).setConstant(own);
     inverse_.col(5).setConstant(own);
     jacobian_.for_each_block(s * s, s, [&](int a, int b, const Jacobian::Block& block) {
-        for (const int p : {a, b}) {
-            inverse_(p, 0) += block(0, 0), inverse_(p, 1) += block(0, 1), inverse_(p, 2) += block(0, 2);
-            inverse_(p, 3) += block(1, 1), inverse_(p, 4) += block(1, 2), inverse_(p, 5) += block(2, 2);
-        }
+        if (a != b) return;
+        inverse_(a, 0) += block(0, 0), inverse_(a, 1) += block(0, 1), inverse_(a, 2) += block(0, 2);
+        inverse_(a, 3) += block(1, 1), inverse_(a, 4) += block(1, 2), inverse_(a, 5) += block(2, 2);
     });
     for (Eigen::Index p = 0; p < inverse_.rows(); ++p) {
         const Real xx = inverse_(p, 0), xy = inverse_(p, 1), xz = inverse_(p, 2);

@@ -1,7 +1,6 @@
 #include "spring_passes.h"
 
 #include "drape/base/assert.h"
-#include "inertial_guess.h"
 #include "kernels/spring_pass_kernels.h"
 
 namespace drape {
@@ -41,9 +40,9 @@ void correct_springs(const StepSprings& step, const Grid& grid, const Points& st
 SpringPasses::SpringPasses(const Grid& grid, Kernels kernels)
     : grid_(grid), kernels_(kernels), weights_(grid.particles()), multipliers_(grid.particles(), 6) {}
 
-void SpringPasses::begin(const ClothModel& model, Real h) {
+void SpringPasses::begin(const ClothModel& model, const Eigen::Array<Real, Eigen::Dynamic, 1>& inertia, Real h) {
     h_ = h;
-    weights_ = model.inverse_mass * (model.particle_mass / inertia(model, h));
+    weights_ = model.inverse_mass * (model.particle_mass / inertia);
     multipliers_.setZero();
 }
 

@@ -24,7 +24,8 @@ public:
     SpringPasses(const Grid& grid, Kernels kernels);
 
     /// Starts a step of length h: forgets the multipliers.
-    void begin(const ClothModel& model, Real h);
+    /// @param inertia of each particle, n x 1 [kg]
+    void begin(const ClothModel& model, const Eigen::Array<Real, Eigen::Dynamic, 1>& inertia, Real h);
 
     /// One pass over the springs given.
     /// @param start n x 3 positions at the start of the step [m]
@@ -36,7 +37,7 @@ private:
     Grid grid_;
     Kernels kernels_;
     Real h_ = 0;
-    Eigen::Array<Real, Eigen::Dynamic, 1> weights_;      ///< n x 1: 1 / (m + h b), and 0 for a pinned particle
+    Eigen::Array<Real, Eigen::Dynamic, 1> weights_;      ///< n x 1: 1 / inertia, and 0 for a pinned particle
     Eigen::Array<Real, Eigen::Dynamic, 6> multipliers_;  ///< q of each direction's springs, at their first ends
 };
 

@@ -6,6 +6,8 @@
 #include <complex>
 #include <limits>
 
+#include "drape/base/assert.h"
+#include "drape/model/forces.h"
 #include "least_limit.h"
 
 namespace drape {
@@ -36,9 +38,24 @@ double longest(IntegratorKind kind, double k, double d) {
         case IntegratorKind::VelocityVerlet:
             // A factor of -1 at h^2 k + 2 h d - h^2 d^2 = 4, or one of 1 at h d = 2
             return k >= d * d ? 4 / (d + std::sqrt(4 * k - 3 * d * d)) : 2 / d;
-        default:
+        case IntegratorKind::Rk4:
             return longest_of_rk4(k, d);
+        default:
+            DRAPE_ASSERT(false && "every method with a limit has its own");
+            return 0;
     }
+}
+
+/// The longest step with which implicit midpoint keeps a sheet in the wind from fluttering faster and faster. Its
+/// matrix has how the wind resists velocities, but not how its force turns with the triangles, which makes a pressure p
+/// on cells of size s as stiff as p s; and it damps nothing. So it goes up to z = 2, as a method does that takes all of
+/// the force as it is at the start. (Backward Euler and BDF2, which leave out the same, damp it.) A rough measure, as
+/// runs bear out within a factor of two.
+double longest_of_midpoint(const ClothModel& model, const ClothState& state) {
+    const auto speed =
+        static_cast<double>((state.v.rowwise() - model.air.velocity.transpose()).rowwise().norm().maxCoeff());
+    const double pressure = static_cast<double>(plate_coefficient * model.air.density) / 2 * speed * speed;
+    return 2 * std::sqrt(static_cast<double>(model.particle_mass / std::max(model.hx, model.hy)) / pressure);
 }
 
 /// True if a step that is the limit of a vibration's Rayleigh quotients is that of the cloth: if the vibration is an
@@ -149,7 +166,11 @@ Real longest_step(IntegratorKind kind, Real k, Real d) {
 }
 
 StepLimit predicted_limit(const ClothModel& model, const ClothState& state, IntegratorKind kind, Kernels kernels) {
-    if (!has_step_limit(kind)) return {.step = std::numeric_limits<Real>::infinity(), .formula = formula_of(kind)};
+    if (!has_step_limit(kind)) {
+        const bool flutters = kind == IntegratorKind::ImplicitMidpoint && model.air.density > 0;
+        const double step = flutters ? longest_of_midpoint(model, state) : std::numeric_limits<double>::infinity();
+        return {.step = static_cast<Real>(step), .formula = formula_of(kind), .at_least = flutters};
+    }
     if (pieces(model.grid.nx) * pieces(model.grid.ny) == 1) return limit_of(model, state, kind, kernels);
     const Piece piece = critical_piece(model, state, kernels);
     return limit_of(piece.model, piece.state, kind, kernels);

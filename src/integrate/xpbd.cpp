@@ -22,8 +22,9 @@ public:
     SolveReport step(const ClothModel& model, ClothState& state, Real h, EnergyFlow* start) override {
         if (start != nullptr) *start = compute_energy_flow(model, state.x, state.v, start_, kernels_);
         start_ = state.x;
-        guess_.advance(model, state, h);
-        passes_.begin(model, h);
+        find_inertia(model, state, h, inertia_);
+        guess_.advance(model, inertia_, state, h);
+        passes_.begin(model, inertia_, h);
         const auto springs = spring_stencils(model);
         for (int iteration = 0; iteration < iterations_; ++iteration) passes_.pass(springs, start_, state.x);
         set_velocity_from_displacement(model, start_, h, state);
@@ -35,6 +36,7 @@ private:
     Kernels kernels_;
     InertialGuess guess_;
     SpringPasses passes_;
+    Numbers inertia_;
     Points start_;
 };
 

@@ -12,7 +12,7 @@ Jacobian::Jacobian(const Grid& grid, Hessian hessian, Kernels kernels)
     for (Family& family : families_) family.terms.setZero(grid.particles(), hessian == Hessian::Exact ? 7 : 4);
 }
 
-void Jacobian::linearise(const ClothModel& model, const Points& x, const Points& v) {
+void Jacobian::linearise(const ClothModel& model, const Points& x, const Points& v, bool facing) {
     DRAPE_ASSERT(grid_ == model.grid && x.rows() == grid_.particles() && v.rows() == grid_.particles());
     drag_ = model.drag;
     const auto stencils = spring_stencils(model);
@@ -25,6 +25,12 @@ void Jacobian::linearise(const ClothModel& model, const Points& x, const Points&
         } else {
             kernels::linearise(family.springs, grid_, x, v, family.terms);
         }
+    }
+    wind_.resize(model.air.density > 0 ? grid_.triangles() : 0, 3);
+    for (int triangle = 0; triangle < wind_.rows(); ++triangle) {
+        const auto [a, b, c] = grid_.triangle_corners(triangle);
+        wind_.row(triangle) =
+            wind_resistance(model.air, {x.row(a), x.row(b), x.row(c)}, {v.row(a), v.row(b), v.row(c)}, facing);
     }
 }
 
@@ -55,6 +61,12 @@ void Jacobian::add_product(Real k_scale, Real d_scale, const Points& u, Points& 
         } else {
             kernels::add_product(family.springs, grid_, family.terms, along, k_scale, u, y);
         }
+    }
+    for (int triangle = 0; triangle < wind_.rows(); ++triangle) {
+        const auto [a, b, c] = grid_.triangle_corners(triangle);
+        const auto g = wind_.row(triangle);
+        const auto product = (d_scale * g.dot(u.row(a) + u.row(b) + u.row(c)) * g).eval();
+        for (const int corner : {a, b, c}) y.row(corner) += product;
     }
 }
 

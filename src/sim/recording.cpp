@@ -11,9 +11,9 @@ namespace drape {
 namespace {
 
 constexpr std::string_view first_line = "drape-recording 1";
-constexpr std::uintmax_t largest_file = 128 << 20;
+constexpr std::uintmax_t largest_recording = 128 << 20;
 constexpr long long last_possible_step = 1'000'000'000;
-constexpr std::size_t longest_line = 1 << 20;  // a list of pins or a path may be long
+constexpr std::size_t longest_recorded_line = 1 << 20;  // a list of pins or a path may be long
 
 std::optional<std::uint64_t> parse_hash(std::string_view text) {
     std::uint64_t hash = 0;
@@ -51,30 +51,31 @@ void append_entry(const std::string& line, int number, Recording& recording) {
 }  // namespace
 
 Recording read_recording(const std::string& file) {
-    InputFile in(file, largest_file);
+    InputFile in(file, largest_recording);
     return read_recording(in, file);
 }
 
 Recording read_recording(std::istream& in, const std::string& file) {
     std::string line;
-    if (read_line(in, line, longest_line) != LineEnd::Whole || line != first_line) {
+    if (read_line(in, line, longest_recorded_line) != LineEnd::Whole || line != first_line) {
         throw InputError(file + ":1: no recording: expected '" + std::string(first_line) + "'");
     }
     Recording recording;
-    if (read_line(in, line, longest_line) != LineEnd::Whole || !line.starts_with("scene ")) {
+    if (read_line(in, line, longest_recorded_line) != LineEnd::Whole || !line.starts_with("scene ") ||
+        line.size() == 6) {
         throw InputError(file + ":2: expected 'scene NAME'");
     }
     recording.scene = line.substr(6);
     recording.file = file;
 
     // A line without its end was cut off while it was written
-    for (int number = 3;; ++number) {
+    for (int number = Recording::first_assignment;; ++number) {
         const auto cut = [&](const std::string& why) {
             recording.notice =
                 one_line(file + ":" + std::to_string(number) + ": " + why + "; played up to the line before");
             return recording;
         };
-        const LineEnd end = read_line(in, line, longest_line);
+        const LineEnd end = read_line(in, line, longest_recorded_line);
         if (end == LineEnd::None) return cut("the recording ends without its 'end'");
         if (end == LineEnd::CutOff) return cut("cut off in mid-line");
         if (end == LineEnd::TooLong) return cut("the line is too long");

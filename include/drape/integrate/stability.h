@@ -19,7 +19,9 @@ struct StepLimit {
 ///
 /// Stiffness K and damping D are taken where the cloth is, with the clamped Hessian: a spring that is pushed together
 /// counts without its negative stiffness across, so that what remains is bound to vibrate and the limit errs, if at
-/// all, to the safe side. At rest, and wherever springs only pull, it is the exact one. Wind is left out.
+/// all, to the safe side. At rest, and wherever springs only pull, it is the exact one. Where wind blows, D has what it
+/// resists by as if it met every triangle along its normal: no turn of the cloth makes the limit shorter. In strong
+/// wind implicit midpoint has a limit too, a rough one (`longest_of_midpoint`).
 ///
 /// A vibration y counts by k = y'Ky / y'My and d = y'Dy / y'My alone, from which its limit follows (`longest_step`).
 /// Every eigenvalue lambda of lambda^2 M + lambda D + K is that of the k and d of some complex y, so no step below the

@@ -45,6 +45,18 @@ inline Vec3 wind_force(const Air& air, const std::array<Vec3, 3>& x, const std::
     return plate_coefficient * air.density / 2 * std::abs(flow) * flow / square * s;
 }
 
+/// How that force resists the corners' velocities: its derivative by the velocity of any corner, on any corner, is -g
+/// g' with this g, where a third of f acts on each. With S as above, g g' is 1/9 C rho |u.S| S S' / |S|^2.
+/// @param facing as if the air met the triangle along its normal, which is the most that it can resist
+/// @return [sqrt(N s/m)]
+inline Vec3 wind_resistance(const Air& air, const std::array<Vec3, 3>& x, const std::array<Vec3, 3>& v, bool facing) {
+    const Vec3 s = (x[1] - x[0]).cross(x[2] - x[0]) / 2;
+    const Vec3 u = air.velocity - (v[0] + v[1] + v[2]) / 3;
+    const Real square = s.squaredNorm(), flow = facing ? u.norm() * std::sqrt(square) : std::abs(u.dot(s));
+    if (square == 0) return Vec3::Zero();
+    return std::sqrt(plate_coefficient * air.density * flow / square) / 3 * s;
+}
+
 /// The force on every particle: gravity, air drag, wind and springs.
 /// @param x n x 3 [m]
 /// @param v n x 3 [m/s]

@@ -4,6 +4,7 @@
 
 #include "drape/base/enum_names.h"
 #include "drape/base/kernels.h"
+#include "drape/model/forces.h"
 #include "drape/model/stencils.h"
 
 namespace drape {
@@ -15,8 +16,8 @@ enum class Hessian { Clamped, Exact };
 template <>
 inline constexpr auto enum_names<Hessian> = all_names<Hessian>("clamped", "exact");
 
-/// The Jacobians K = -df/dx and D = -df/dv of the forces of springs and air drag, spring by spring and never as a
-/// matrix.
+/// The Jacobians K = -df/dx and D = -df/dv of the forces of springs, air drag and wind, spring by spring, triangle by
+/// triangle, and never as a matrix.
 ///
 /// A spring pulls with T = k (|d| - L0) + c n.w, where d = x_a - x_b, n = d/|d| and w = v_a - v_b. With P = I - n n',
 /// its blocks, added at (a,a) and (b,b) and subtracted at (a,b) and (b,a), are
@@ -24,8 +25,9 @@ inline constexpr auto enum_names<Hessian> = all_names<Hessian>("clamped", "exact
 ///     K: k n n' + T/|d| P + c/|d| n (P w)'        D: c n n'
 ///
 /// `Clamped` takes max(T, 0) for T and drops the last, unsymmetric, term (as Baraff and Witkin do). The blocks of a
-/// spring of zero length are zero, as its force is. The wind is left out: it acts on the cloth explicitly, and methods
-/// of second order are of first order in it.
+/// spring of zero length are zero, as its force is. A triangle in the wind has the block g g' of `wind_resistance` in
+/// D, at each pair of its corners. How its force changes with its place is left out of K: methods of second order are
+/// of first order in it.
 /// @cite baraff1998
 class Jacobian {
 public:
@@ -34,9 +36,10 @@ public:
 
     /// Takes the Jacobians at a state.
     /// @param x, v n x 3 [m], [m/s]
+    /// @param facing the wind's as if it met each triangle along its normal: no turn of the cloth gives it more
     /// @pre the model has this grid
-    /// @par Cost O(n), about two force evaluations
-    void linearise(const ClothModel& model, const Points& x, const Points& v);
+    /// @par Cost O(n), about two force evaluations; allocates once in the first wind
+    void linearise(const ClothModel& model, const Points& x, const Points& v, bool facing = false);
 
     /// y += (k_scale K + d_scale D) u.
     /// @param u, y n x 3, two arrays; pinned particles are treated as any other
@@ -48,14 +51,25 @@ public:
 
     using Block = Eigen::Matrix<Real, 3, 3>;
 
-    /// Calls visit(a, b, block) for every spring, in a fixed order, with its block of the symmetric part of
-    /// k_scale K + d_scale D; air drag is left out.
+    /// Calls visit(a, b, block), in a fixed order, for what every spring and every triangle in the wind adds to the
+    /// symmetric part of k_scale K + d_scale D: on the diagonal, where a is b, and once for each pair of particles, in
+    /// either order. Air drag is left out.
     template <class Visit>
     void for_each_block(Real k_scale, Real d_scale, Visit visit) const {
         for (const Family& family : families_) {
             if (family.none()) continue;
             const Real along = family.along(k_scale, d_scale);
-            family.springs.for_each(grid_, [&](int a, int b) { visit(a, b, block(family, a, along, k_scale)); });
+            family.springs.for_each(grid_, [&](int a, int b) {
+                const Block added = block(family, a, along, k_scale);
+                visit(a, a, added);
+                visit(b, b, added);
+                visit(a, b, -added);
+            });
+        }
+        for (int triangle = 0; triangle < wind_.rows(); ++triangle) {
+            const auto [a, b, c] = grid_.triangle_corners(triangle);
+            const Block added = d_scale * wind_.row(triangle).transpose() * wind_.row(triangle);
+            for (const auto& [p, q] : {std::pair(a, a), {b, b}, {c, c}, {a, b}, {b, c}, {c, a}}) visit(p, q, added);
         }
     }
 
@@ -95,6 +109,7 @@ private:
     Kernels kernels_;
     Real drag_ = 0;
     std::array<Family, 6> families_;
+    Points wind_;  ///< g of each triangle [sqrt(N s/m)]; none without wind
 };
 
 }  // namespace drape

@@ -8,7 +8,7 @@ namespace drape {
 struct StepSprings {
     SpringStencil springs;
     Real h;               ///< [s]
-    const Real* weights;  ///< 1 / (m + h b) [1/kg], and 0 for a pinned particle
+    const Real* weights;  ///< 1 / inertia [1/kg], and 0 for a pinned particle
     Real* multipliers;    ///< q [kg m], at the springs' first ends
 
     /// In a row of springs, every so many share no particle.
