@@ -68,7 +68,7 @@ if [ "$what" = package ]; then
         drape --version && drape-lab list scenes && drape-lab simulate drop --time 0.05 --hash &&
         drape-capture drop --frames 2 --size 64x48 --out frames && ls frames/frame_0002.png &&
         drape </dev/null && ls drape-frames/frame_0120.png &&
-        zcat /usr/share/man/man1/drape-capture.1.gz | grep -q -- --frames &&
+        zcat /usr/share/man/man1/drape-capture.1.gz | grep -q 'Draws a scene' &&
         grep -q Expat /usr/share/doc/drape/copyright && dpkg --verify drape"
 fi
 if [ -n "${3:-}" ]; then echo "$release: the root stays in $root"; fi
