@@ -284,7 +284,7 @@ TEST(Capture, KeepsThePicturesIfFfmpegDies) {
 TEST(Capture, FeedsFfmpegWholeFrames) {
     const TestFolder folder;
     const std::string script = folder / "ffmpeg", raw = folder / "raw";
-    std::ofstream(script) << "#!/bin/sh\ncat > " << raw << "\n";
+    std::ofstream(script) << "#!/bin/sh\nfor last; do :; done\ntee \"$last\" > " << raw << "\n";
     std::filesystem::permissions(script, std::filesystem::perms::owner_all);
     Words words = small("drop", {"--frames", "2", "--out", folder / "a", "--video", folder / "v.mp4"});
     words[2] = "480x270";  // more than a pipe holds

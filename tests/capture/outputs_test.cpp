@@ -289,7 +289,7 @@ TEST(CaptureSignals, EndARunAtOnceTheSecondTime) {
         EXPECT_THAT(run->wait(60), ::testing::AnyOf(256 + SIGTERM, 256 + SIGINT));
     }
     EXPECT_THAT(folder.names(""), Contains(HasSubstr(".drape-")));
-    put_ffmpeg(folder / "ffmpeg", "cat > /dev/null\n");
+    put_ffmpeg(folder / "ffmpeg", "for last; do :; done; cat > \"$last\"\n");
     EXPECT_EQ(run_program("drape-capture", words, {"PATH=" + folder / "" + ":/bin:/usr/bin"}).exit_code, 0);
     EXPECT_THAT(folder.names(""), Not(Contains(HasSubstr(".drape-")))) << "what it has left is still there";
 }

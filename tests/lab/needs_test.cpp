@@ -142,6 +142,8 @@ TEST(WrittenScene, ReadsBackWithTheSameSettingsAndItsFullModel) {
     Settings scene = found_for_swinging();
     scene.start = folder.path("below/state.csv").string();
     const std::string file = folder.path("found.toml").string();
+    check_written_start(scene, file);
+    EXPECT_THROW(check_written_start(scene, folder.path("other/found.toml")), InputError) << "it could not be read";
     write_scene(scene, file);
     EXPECT_EQ(scene_text(load_scene(file)), scene_text(scene)) << "also where the state is, from the scene's folder";
     EXPECT_EQ(scene.needs.full.particles, (Grid{13, 13}));

@@ -142,13 +142,25 @@ std::filesystem::path file_of_scene(const std::string& name_or_path) {
     return file;
 }
 
+namespace {
+
+/// A scene names its start state as seen from its own folder.
+std::string start_from(const files::path& file, const std::string& start) {
+    const files::path folder = files::absolute(file).lexically_normal().parent_path();
+    return files::absolute(start).lexically_normal().lexically_relative(folder).string();
+}
+
+}  // namespace
+
+void check_written_start(const Settings& scene, const std::filesystem::path& file) {
+    if (scene.start.empty() || !start_from(file, scene.start).starts_with("..")) return;
+    throw InputError("--write: start = " + scene.start + ": allowed only a file in the folder of " + file.string() +
+                     " or below, which that scene may name");
+}
+
 void write_scene(const Settings& scene, const std::filesystem::path& file) {
     Settings written = scene;
-    // A scene names its start state as seen from its own folder
-    if (!written.start.empty()) {
-        const auto folder = files::absolute(file).parent_path();
-        written.start = files::absolute(written.start).lexically_relative(folder).string();
-    }
+    if (!written.start.empty()) written.start = start_from(file, written.start);
     OutputFile out(file.string());
     out.stream() << scene_text(written);
     const files::path target = link_target(file);

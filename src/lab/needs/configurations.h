@@ -69,6 +69,9 @@ Settings with_full_model(Settings found, const Settings& full);
 /// @throws InputError if a shipped one's name is that of a file in the current folder, which is another scene
 std::filesystem::path file_of_scene(const std::string& name_or_path);
 
+/// @throws InputError if a scene in that file may not name the state from which this one starts
+void check_written_start(const Settings& scene, const std::filesystem::path& file);
+
 /// Writes a scene file whole or not at all: under another name, which then becomes its own. A file that was there stays
 /// as NAME.toml~, and hands on its permissions; through a link, the file that it leads to is written.
 /// @throws RunError if it cannot be written

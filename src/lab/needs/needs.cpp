@@ -122,7 +122,10 @@ int run(const NeedsOptions& options) {
     const Settings scene = make_start(options.start).settings;
     // Refused before the search, which takes minutes
     std::optional<std::filesystem::path> write_to;
-    if (options.write) write_to = file_of_scene(options.start.scene);
+    if (options.write) {
+        write_to = file_of_scene(options.start.scene);
+        check_written_start(scene, *write_to);
+    }
     try {
         const Needs needs(scene);
         print_head(needs);
