@@ -57,7 +57,7 @@ void Simulation::begin_step() {
 }
 
 void Simulation::plan(int fewest) {
-    plan_substeps(cloths_, settings_.solver, fewest, report_);
+    plan_substeps(cloths_, settings_, fewest, report_);
     planned_substeps_ = report_.substeps;
 }
 
