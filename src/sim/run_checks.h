@@ -39,6 +39,6 @@ Real deepest_particle(std::span<const Cloth> cloths, std::span<const Ball> balls
 std::string start_warning(std::int64_t crossings, std::int64_t coincident, Real depth);
 
 /// Why the run so far is not to be trusted, one line; empty if nothing.
-std::string doubt_warning(const StepReport& report);
+std::string doubt_warning(const StepReport& report, std::span<const Cloth> cloths, std::span<const Ball> balls);
 
 }  // namespace drape

@@ -11,9 +11,20 @@ void limit_stretch(std::span<Cloth> cloths, StepReport& report) {
     for (Cloth& cloth : cloths) {
         const StretchReport left = cloth.energy.limit_stretch(cloth.model, cloth.held, cloth.state);
         if (left.sweeps > 0) cloth.search.positions_changed();
-        report.stretch_excess = std::max(report.stretch_excess, static_cast<double>(left.excess));
     }
     report.times.step += watch.lap();
+}
+
+void measure_stretch(std::span<const Cloth> cloths, StepReport& report) {
+    report.stretch_excess = 0;
+    bool over = false;
+    for (const Cloth& cloth : cloths) {
+        const Real excess = stretch_excess(cloth.model, cloth.state.x);
+        report.stretch_excess = std::max(report.stretch_excess, static_cast<double>(excess));
+        over = over || excess > cloth.model.stretch_limit;
+    }
+    report.worst_stretch_excess = std::max(report.worst_stretch_excess, report.stretch_excess);
+    if (over) ++report.overstretched;
 }
 
 }  // namespace drape

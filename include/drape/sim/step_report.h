@@ -49,7 +49,9 @@ struct StepReport {
     TraversalStats traversal;           ///< for the balls
     TraversalStats ground;              ///< for the ground; zero where the hierarchy was not asked
     TraversalStats solids;              ///< for the solids
-    double stretch_excess = 0;          ///< beyond the limit, that shortening has left in a structural spring
+    double stretch_excess = 0;          ///< beyond the limit, of a structural spring at the end of the step
+    double worst_stretch_excess = 0;    ///< since the start
+    std::int64_t overstretched = 0;     ///< steps since the start that ended with one of more than the limit itself
     std::int64_t false_candidates = 0;  ///< cells handed on of which no triangle touches
     std::int64_t contacts = 0;          ///< points in contact, and nodes that were taken for them
     double contact_residual = 0;        ///< of the response, see `ResponseReport::residual` [m]
@@ -82,7 +84,7 @@ struct StepReport {
     void forget_contacts() {
         traversal = ground = solids = between_cloths = {};
         contacts = false_candidates = false_contacts = 0;
-        penetration = missed_penetration = contact_residual = stretch_excess = 0;
+        penetration = missed_penetration = contact_residual = 0;
         contact_sweeps = listed_pairs = pairs = held_back = 0;
     }
 };
@@ -92,8 +94,11 @@ struct StepReport {
 /// is kept, those of `Doubt` only once there is one.
 enum class ReportGroup { Time, Doubt, Stages, Hierarchy, Limit, Pairs, Energy, Balance };
 
-/// Whether a run that goes on is not to be trusted: steps were not solved, or the integrator has made energy.
-inline bool in_doubt(const StepReport& report) { return report.unconverged > 0 || report.heated_step > 0; }
+/// Whether a run that goes on is not to be trusted: steps were not solved, the integrator has made energy, or cloth was
+/// drawn out to far more than its limit.
+inline bool in_doubt(const StepReport& report) {
+    return report.unconverged > 0 || report.heated_step > 0 || report.overstretched > 0;
+}
 
 /// One field of a report, for CSV, panel and tests.
 struct ReportField {
