@@ -35,8 +35,8 @@ std::string gain_trouble(const StepReport& report) {
 /// With the masses where a ball is heavy for the cloth: contact, which comes after the limit, then draws it out.
 std::string stretch_trouble(const StepReport& report, std::span<const Cloth> cloths, std::span<const Ball> balls) {
     std::string text = "structural springs were stretched by up to " + real_text(report.worst_stretch_excess, 3) +
-                       " of their length beyond cloth.stretch_limit, by more than that limit in " +
-                       std::to_string(report.overstretched) + " of " + std::to_string(report.step) + " steps";
+                       " of their length beyond cloth.stretch_limit, and by more than that limit for " +
+                       real_text(report.overstretched, 3) + " s";
     Real lightest = std::numeric_limits<Real>::infinity(), heaviest = 0;
     for (const Cloth& cloth : cloths) lightest = std::min(lightest, cloth.model.particle_mass);
     for (const Ball& ball : balls) {
@@ -151,7 +151,7 @@ std::string doubt_warning(const StepReport& report, std::span<const Cloth> cloth
                " of " + std::to_string(report.step) + " steps to its tolerance, largest residual " +
                real_text(report.worst_residual, 3);
     }
-    if (report.overstretched > 0) text += (text.empty() ? "" : "; ") + stretch_trouble(report, cloths, balls);
+    if (is_overstretched(report)) text += (text.empty() ? "" : "; ") + stretch_trouble(report, cloths, balls);
     if (report.heated_step > 0) text += (text.empty() ? "" : "; ") + gain_trouble(report);
     return text;
 }

@@ -299,7 +299,7 @@ void Simulation::resist_rolling() {
 
 void Simulation::close_report() {
     ++report_.step;
-    if (!report_.asleep) measure_stretch(cloths_, report_);
+    if (!report_.asleep) measure_stretch(cloths_, settings_.solver.dt, report_);
     if (report_.solve.unconverged > 0) {
         ++report_.unconverged;
         report_.unsolved_by = settings_.solver.integrator;

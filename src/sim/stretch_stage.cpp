@@ -15,7 +15,7 @@ void limit_stretch(std::span<Cloth> cloths, StepReport& report) {
     report.times.step += watch.lap();
 }
 
-void measure_stretch(std::span<const Cloth> cloths, StepReport& report) {
+void measure_stretch(std::span<const Cloth> cloths, double dt, StepReport& report) {
     report.stretch_excess = 0;
     bool over = false;
     for (const Cloth& cloth : cloths) {
@@ -24,7 +24,7 @@ void measure_stretch(std::span<const Cloth> cloths, StepReport& report) {
         over = over || excess > cloth.model.stretch_limit;
     }
     report.worst_stretch_excess = std::max(report.worst_stretch_excess, report.stretch_excess);
-    if (over) ++report.overstretched;
+    if (over) report.overstretched += dt;
 }
 
 }  // namespace drape

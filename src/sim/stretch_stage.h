@@ -13,8 +13,8 @@ namespace drape {
 /// @par Cost as `drape::limit_stretch` of the model
 void limit_stretch(std::span<Cloth> cloths, StepReport& report);
 
-/// Reports the largest excess that shortening and contact have left at the end of a step.
+/// Reports the largest excess that shortening and contact have left at the end of a step of length dt [s].
 /// @par Cost one pass over two springs a particle; nothing without a limit
-void measure_stretch(std::span<const Cloth> cloths, StepReport& report);
+void measure_stretch(std::span<const Cloth> cloths, double dt, StepReport& report);
 
 }  // namespace drape

@@ -59,8 +59,8 @@ TEST(Convergence, ThatWasMissedIsCountedReportedAndSaid) {
 }
 
 TEST(Convergence, ThatProjectiveDynamicsMissesIsSaidAsThatOfTheOthers) {
-    Simulation simulation =
-        shipped("two_corners", {"cloth.particles=8,8", "integrator=projective_dynamics", "dt=0.016667"});
+    Simulation simulation = shipped("two_corners", {"cloth.particles=8,8", "integrator=projective_dynamics", "dt=0.033",
+                                                    "structural.stiffness=1e4"});
     make_steps(simulation, 3);
     EXPECT_EQ(simulation.report().unconverged, 3);
     EXPECT_THAT(simulation.run_warning(), HasSubstr("projective_dynamics has not solved 3 of 3 steps"));
@@ -73,7 +73,7 @@ TEST(Convergence, ThatProjectiveDynamicsMissesIsSaidAsThatOfTheOthers) {
 TEST(StretchLimit, ThatIsNotKeptIsReportedAndSaidWithTheMassesThatPrevent) {
     Simulation simulation = shipped("trampoline", {"cloth.particles=10,10", "cloth.mass=1e-6", "dt=1e-3",
                                                    "integrator=backward_euler", "ball.position=0.03,0.69,0.02"});
-    while (simulation.report().overstretched == 0 && simulation.report().step < 400) simulation.step();
+    while (!in_doubt(simulation.report()) && simulation.report().step < 400) simulation.step();
     const StepReport& report = *simulation.view().report;
     ASSERT_GT(report.stretch, 0.2);
     EXPECT_NEAR(report.stretch_excess, report.stretch - 0.1, 1e-9);

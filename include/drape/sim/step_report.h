@@ -51,7 +51,7 @@ struct StepReport {
     TraversalStats solids;              ///< for the solids
     double stretch_excess = 0;          ///< beyond the limit, of a structural spring at the end of the step
     double worst_stretch_excess = 0;    ///< since the start
-    std::int64_t overstretched = 0;     ///< steps since the start that ended with one of more than the limit itself
+    double overstretched = 0;           ///< time since the start with one of more than the limit itself [s]
     std::int64_t false_candidates = 0;  ///< cells handed on of which no triangle touches
     std::int64_t contacts = 0;          ///< points in contact, and nodes that were taken for them
     double contact_residual = 0;        ///< of the response, see `ResponseReport::residual` [m]
@@ -94,10 +94,16 @@ struct StepReport {
 /// is kept, those of `Doubt` only once there is one.
 enum class ReportGroup { Time, Doubt, Stages, Hierarchy, Limit, Pairs, Energy, Balance };
 
+/// Whether cloth was drawn out to far more than its limit, and not just until a new limit was kept.
+inline bool is_overstretched(const StepReport& report) {
+    constexpr double moment = 0.05;  // s
+    return report.overstretched > moment;
+}
+
 /// Whether a run that goes on is not to be trusted: steps were not solved, the integrator has made energy, or cloth was
-/// drawn out to far more than its limit.
+/// drawn out.
 inline bool in_doubt(const StepReport& report) {
-    return report.unconverged > 0 || report.heated_step > 0 || report.overstretched > 0;
+    return report.unconverged > 0 || report.heated_step > 0 || is_overstretched(report);
 }
 
 /// One field of a report, for CSV, panel and tests.
