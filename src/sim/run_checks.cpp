@@ -35,7 +35,7 @@ std::string gain_trouble(const StepReport& report) {
 /// With the masses where a ball is heavy for the cloth: contact, which comes after the limit, then draws it out.
 std::string stretch_trouble(const StepReport& report, std::span<const Cloth> cloths, std::span<const Ball> balls) {
     std::string text = "structural springs were stretched by up to " + real_text(report.worst_stretch_excess, 3) +
-                       " of their length beyond cloth.stretch_limit, and by more than that limit for " +
+                       " of their length beyond cloth.stretch_limit, and far beyond it for " +
                        real_text(report.overstretched, 3) + " s";
     Real lightest = std::numeric_limits<Real>::infinity(), heaviest = 0;
     for (const Cloth& cloth : cloths) lightest = std::min(lightest, cloth.model.particle_mass);

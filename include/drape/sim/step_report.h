@@ -51,7 +51,7 @@ struct StepReport {
     TraversalStats solids;              ///< for the solids
     double stretch_excess = 0;          ///< beyond the limit, of a structural spring at the end of the step
     double worst_stretch_excess = 0;    ///< since the start
-    double overstretched = 0;           ///< time since the start with one of more than the limit itself [s]
+    double overstretched = 0;           ///< time since the start with one above 0.1 and the limit itself [s]
     std::int64_t false_candidates = 0;  ///< cells handed on of which no triangle touches
     std::int64_t contacts = 0;          ///< points in contact, and nodes that were taken for them
     double contact_residual = 0;        ///< of the response, see `ResponseReport::residual` [m]
