@@ -4,7 +4,8 @@ file(REMOVE_RECURSE ${prefix})
 execute_process(COMMAND ${CMAKE_COMMAND} --install ${BUILD} --config ${CONFIG} --prefix ${prefix}
   OUTPUT_QUIET COMMAND_ERROR_IS_FATAL ANY)
 
-foreach(file IN ITEMS bin/drape share/drape/scenes/original.toml share/drape/charts/common.gp include/drape/sim/simulation.h share/doc/drape/LICENSE)
+foreach(file IN ITEMS bin/drape share/drape/scenes/original.toml share/drape/charts/common.gp
+    share/doc/drape/copyright share/man/man1/drape-lab.1.gz)
   if(NOT EXISTS ${prefix}/${file})
     message(FATAL_ERROR "not installed: ${file}")
   endif()

@@ -46,10 +46,10 @@ namespace {
     }
     words.insert(words.end(), {"--size", size, "--out", out, "--again"});
 
-    std::cerr << "drape: " << reason << "; drawing " << frames << " pictures into " << out << " instead"
-              << (std::filesystem::exists(out) ? ", in place of those that are there" : "")
-              << (options.record.empty() ? "" : " (nothing is recorded)")
-              << (options.tour && options.hash ? " (a tour has no hash)" : "") << std::endl;
+    tell("drape: " + reason + "; drawing " + std::to_string(frames) + " pictures into " + out + " instead" +
+         (std::filesystem::exists(out) ? ", in place of those that are there" : "") +
+         (options.record.empty() ? "" : " (nothing is recorded)") +
+         (options.tour && options.hash ? " (a tour has no hash)" : ""));
     become_program(std::move(words));
 }
 
@@ -66,9 +66,9 @@ struct Progress {
     std::vsnprintf(text.data(), text.size(), format, values);
     try {
         if (!progress.window_open) capture_instead(progress.options, text.data());
-        std::cerr << "drape: " << text.data() << "\n";
+        tell(std::string("drape: ") + text.data());
     } catch (const std::exception& error) {
-        std::cerr << "drape: " << error.what() << "\n";
+        tell(std::string("drape: ") + error.what());
     }
     std::exit(1);
 }
@@ -89,9 +89,9 @@ int run(int argc, char** argv) {
     glutInit(&no_words, argv);
 
     Session session = make_session(std::move(start), options->record);
-    if (const std::string notice = session.record_notice(); !notice.empty()) std::cerr << "drape: " << notice << "\n";
+    if (const std::string notice = session.record_notice(); !notice.empty()) tell("drape: " + notice);
     const std::string warning = session.simulation().step_warning();
-    if (!warning.empty()) std::cerr << "warning: " << warning << "\n";
+    if (!warning.empty()) tell("warning: " + warning);
     Window window(session, *options, signals);
     progress.window_open = true;
     const int code = window.run();

@@ -7,10 +7,11 @@
 
 #include <algorithm>
 #include <cmath>
-#include <iostream>
 
 #include "display.h"
 #include "drape/base/input_error.h"
+#include "drape/base/run_program.h"
+#include "drape/render/start_glew.h"
 #include "drape/sim/failure.h"
 #include "drape/sim/scene.h"
 
@@ -39,8 +40,7 @@ Window::Window(Session& session, const Options& options, const StopSignals& sign
     glutSetOption(GLUT_ACTION_ON_WINDOW_CLOSE, GLUT_ACTION_GLUTMAINLOOP_RETURNS);
     glutInitWindowSize(options.size.width, options.size.height);
     window_ = glutCreateWindow("Drape");
-    glewExperimental = GL_TRUE;
-    if (glewInit() != GLEW_OK) throw RunError("this display does not give access to OpenGL's functions");
+    start_glew();
     if (check_) check_->listen();
     session_.keep_history({});
     renderer_ = std::make_unique<Renderer>();
@@ -63,7 +63,7 @@ int Window::run() {
     clock_.lap();
     schedule();
     glutMainLoop();
-    if (const std::string news = video_.close(); !news.empty()) std::cerr << "drape: " << news << "\n";
+    if (const std::string news = video_.close(); !news.empty()) tell("drape: " + news);
     if (failure_) std::rethrow_exception(failure_);
     return signal_ == 0 ? 0 : 128 + signal_;
 }
@@ -196,7 +196,8 @@ void Window::tell_of_failure() {
     if (simulation.report().status == Status::Ok || trouble == told_failure_) return;
     told_failure_ = trouble;
     failure_file_ = tell_failure(simulation, "");
-    std::cerr << "drape: " << trouble << "\n" << failure_file_ << "\n";
+    tell("drape: " + trouble);
+    tell(failure_file_);
 }
 
 void Window::tell_of_takeover() {

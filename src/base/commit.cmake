@@ -1,4 +1,4 @@
-# Writes the source file TO that says which commit SOURCE is at, if that has changed.
+# Writes the source file TO that says which commit SOURCE is at and of which LIBRARIES it is built, if that has changed.
 set(commit)
 set(top)
 if(GIT)
@@ -26,6 +26,8 @@ file(CONFIGURE OUTPUT ${TO} @ONLY CONTENT [[
 namespace drape {
 
 std::string commit() { return "@commit@"; }
+
+std::string libraries() { return "@LIBRARIES@"; }
 
 }  // namespace drape
 ]])

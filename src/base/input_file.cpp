@@ -27,13 +27,14 @@ bool is_open_already(const std::string& name) { return name == "/dev/stdin" || n
 
 }  // namespace
 
-InputFile::Buffer::Buffer(const std::string& name, std::uintmax_t largest) : name_(name), left_(largest) {
+InputFile::Buffer::Buffer(const std::string& name, std::uintmax_t largest, InputKind kind)
+    : name_(name), left_(largest) {
     // Without O_NONBLOCK a pipe would wait for its writer before it could be told from a file
     file_ = ::open(name.c_str(), O_RDONLY | O_NONBLOCK | O_CLOEXEC);
     struct stat status {};
     if (file_ < 0 || ::fstat(file_, &status) != 0) fail(std::string("cannot be read: ") + std::strerror(errno));
     const std::string odd = odd_kind(status.st_mode);
-    const bool open_already = is_open_already(name) && !S_ISDIR(status.st_mode);
+    const bool open_already = kind == InputKind::RegularOrOpen && is_open_already(name) && !S_ISDIR(status.st_mode);
     if (!odd.empty() && !open_already) {
         ::close(file_);
         fail("is " + odd + ": allowed a regular file");
@@ -63,7 +64,8 @@ InputFile::Buffer::int_type InputFile::Buffer::underflow() {
 void InputFile::Buffer::fail(const std::string& why) const { throw InputError(name_ + ": " + why); }
 
 // A stream that throws for a bad read hands on what its buffer has thrown
-InputFile::InputFile(const std::string& name, std::uintmax_t largest) : std::istream(nullptr), buffer_(name, largest) {
+InputFile::InputFile(const std::string& name, std::uintmax_t largest, InputKind kind)
+    : std::istream(nullptr), buffer_(name, largest, kind) {
     rdbuf(&buffer_);
     exceptions(std::ios::badbit);
 }

@@ -25,11 +25,7 @@ void keep_standard_streams_apart() {
 
 }  // namespace
 
-void print_error(const std::string& name, std::string_view message) {
-    const std::size_t end = std::min(message.find('\n'), message.size());
-    std::cerr << name << ": " << one_line(message.substr(0, end)) << "\n";
-    if (end < message.size()) std::cerr << one_line(message.substr(end + 1)) << "\n";
-}
+void tell(std::string_view message) { std::cerr << one_line(message) + "\n"; }
 
 int run_program(const std::string& name, int argc, char** argv, int (*run)(int, char**)) {
     keep_standard_streams_apart();
@@ -39,12 +35,16 @@ int run_program(const std::string& name, int argc, char** argv, int (*run)(int, 
         if (exit_code == Done && !std::cout.flush()) throw RunError("standard output could not be written whole");
         return exit_code;
     } catch (const InputError& error) {
-        print_error(name, error.what());
+        // The hint is a line of its own
+        const std::string message = name + ": " + error.what();
+        const std::size_t end = std::min(message.find('\n'), message.size());
+        tell(message.substr(0, end));
+        if (end < message.size()) tell(message.substr(end + 1));
         return BadInput;
     } catch (const std::bad_alloc&) {
-        print_error(name, "out of memory");
+        tell(name + ": out of memory");
     } catch (const std::exception& error) {
-        print_error(name, error.what());
+        tell(name + ": " + error.what());
     }
     return Failed;
 }

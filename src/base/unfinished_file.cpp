@@ -66,6 +66,12 @@ int rename_if_free(const files::path& from, const files::path& to) {
     return unlink(from.c_str()) == 0 ? 0 : errno;
 }
 
+/// The bytes reach the disk before the name does: after a crash of the system it is no name of an empty file.
+void keep_bytes(int descriptor, const files::path& file) {
+    // Some file systems have no such thing
+    if (fsync(descriptor) != 0 && errno != EINVAL && errno != EROFS) fail(file, std::strerror(errno));
+}
+
 /// Gives a file the first free name of those that lie beside another.
 files::path rename_beside(const files::path& from, const files::path& other) {
     for (int number = 1;; ++number) {
@@ -171,11 +177,13 @@ UnfinishedFile::~UnfinishedFile() {
 }
 
 void UnfinishedFile::finish() {
+    keep_bytes(descriptor_, file_);
     if (rename(name_.c_str(), target_.c_str()) != 0) fail(file_, std::strerror(errno));
     finished_ = true;
 }
 
 bool UnfinishedFile::finish_if_free() {
+    keep_bytes(descriptor_, file_);
     const int error = rename_if_free(name_, target_);
     if (error == EEXIST) return false;
     if (error != 0) fail(file_, std::strerror(error));

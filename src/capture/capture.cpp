@@ -11,16 +11,19 @@
 #include "drape/render/entries.h"
 #include "drape/render/picture_texts.h"
 #include "drape/sim/failure.h"
+#include "drape/sim/memory.h"
 #include "drape/sim/scene.h"
 #include "drape/sim/state_csv.h"
+#include "picture_memory.h"
 
 namespace drape {
 
 namespace {
 
-/// A start none of whose files is to be written.
+/// A start none of whose files is to be written, and for whose pictures there is memory.
 Start checked_start(const CaptureOptions& options) {
     Start start = make_start(options.start);
+    if (options.drawing()) check_picture_memory(options.size, memory_needed(start.settings).total());
     const std::vector<NamedFile> written{
         {"--video", options.video}, {"--stats", options.stats}, {"--state", options.state}};
     std::vector<NamedFile> files = input_files(options.start, start);
@@ -42,7 +45,8 @@ Capture::Capture(CaptureOptions options, const StopSignals& signals)
       camera_(session_.simulation().settings().view),
       stats_(options_.stats),
       state_(options_.state),
-      progress_(options_.frames / options_.every) {
+      progress_(options_.frames / options_.every),
+      balls_in_stats_(session_.simulation().balls().size()) {
     // A scene in slow motion has more frames, which a video shows as slowly as a window does
     constexpr double display_rate = 60;
     const double video_rate = options_.fps.value_or(display_rate) / options_.every;
@@ -57,9 +61,11 @@ Capture::Capture(CaptureOptions options, const StopSignals& signals)
         for (const FrameField& field : frame_fields()) {
             if (!field.unit.empty()) stats_.stream() << ", " << field.name << " [" << field.unit << ']';
         }
+        write_ball_units(stats_.stream(), balls_in_stats_);
         stats_.stream() << "\nframe,";
         write_report_header(stats_.stream());
         for (const FrameField& field : frame_fields()) stats_.stream() << ',' << field.name;
+        write_ball_header(stats_.stream(), balls_in_stats_);
         stats_.stream() << '\n';
     }
     if (options_.drawing()) {
@@ -76,7 +82,7 @@ Capture::Capture(CaptureOptions options, const StopSignals& signals)
 int Capture::run() {
     int exit_code = Done;
     const std::string warning = session_.simulation().step_warning();
-    if (!warning.empty()) std::cerr << "warning: " << warning << "\n";
+    if (!warning.empty()) tell("warning: " + warning);
     for (int frame = 1; frame <= options_.frames && exit_code == Done; ++frame) {
         const double time = session_.start_time() + frame / frame_rate_;
         const bool whole = session_.run_until(time, [this] { return signals_.arrived() != 0; });
@@ -99,7 +105,7 @@ int Capture::run() {
 void Capture::tell_of_crossings() {
     const std::int64_t starts = session_.simulation().report().crossing.starts;
     if (starts != crossings_told_ && starts > 0) {
-        std::cerr << "warning: " << session_.simulation().crossing_warning() << "\n";
+        tell("warning: " + session_.simulation().crossing_warning());
     }
     crossings_told_ = starts;
 }
@@ -145,6 +151,7 @@ void Capture::write_stats(int frame) {
     out << frame << ',';
     write_report(out, *session_.view().report);
     for (const FrameField& field : frame_fields()) out << ',' << real_text(field.read(renderer_->report()));
+    write_balls(out, session_.simulation().balls(), balls_in_stats_);
     out << '\n';
     stats_.flush();
 }
@@ -160,9 +167,9 @@ void Capture::fail(int frame) {
     }
     if (frames_) frames_->finish();
     progress_.clear();
-    std::cerr << "drape-capture: " << session_.simulation().report().trouble;
-    if (frames_) std::cerr << "; " << frames_->last().string() << " shows the last good state";
-    std::cerr << "\n" << failure_ << "\n";
+    tell("drape-capture: " + session_.simulation().report().trouble +
+         (frames_ ? "; " + frames_->last().string() + " shows the last good state" : ""));
+    tell(failure_);
 }
 
 void Capture::end_frames(bool all) {
@@ -170,14 +177,14 @@ void Capture::end_frames(bool all) {
     progress_.close(options_.out);
     if (all) return frames_->remove_older();
     if (frames_->older() == 0) return;
-    std::cerr << "drape-capture: " << options_.out.string() << " still has " << frames_->older()
-              << " frames of an earlier run\n";
+    tell("drape-capture: " + options_.out.string() + " still has " + std::to_string(frames_->older()) +
+         " frames of an earlier run");
 }
 
 void Capture::finish() {
-    if (!session_.replay_notice().empty()) std::cerr << "drape-capture: " << session_.replay_notice() << "\n";
+    if (!session_.replay_notice().empty()) tell("drape-capture: " + session_.replay_notice());
     const std::string doubt = session_.simulation().run_warning();
-    if (!doubt.empty() && !diverged()) std::cerr << "warning: " << doubt << "\n";
+    if (!doubt.empty() && !diverged()) tell("warning: " + doubt);
     if (state_.wanted()) {
         write_state_header(state_.stream(), session_.simulation());
         write_state(state_.stream(), session_.simulation());
@@ -191,9 +198,8 @@ bool Capture::finish_video() {
     if (!video_) return true;
     video_->close();
     if (video_->trouble().empty()) return true;
-    std::cerr << "drape-capture: no video, " << video_->trouble();
-    if (frames_) std::cerr << "; the pictures are in " << options_.out.string();
-    std::cerr << "\n";
+    tell("drape-capture: no video, " + video_->trouble() +
+         (frames_ ? "; the pictures are in " + options_.out.string() : ""));
     return false;
 }
 

@@ -49,8 +49,9 @@ private:
     std::unique_ptr<OffscreenContext> context_;
     std::unique_ptr<Renderer> renderer_;
     Progress progress_;
-    double frame_rate_ = 0;  ///< per simulated second
-    std::string failure_;    ///< what was told of the state that has diverged
+    double frame_rate_ = 0;       ///< per simulated second
+    std::string failure_;         ///< what was told of the state that has diverged
+    std::size_t balls_in_stats_;  ///< that have columns there
     std::int64_t crossings_told_ = 0;
 };
 

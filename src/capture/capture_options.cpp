@@ -2,9 +2,10 @@
 
 #include <string>
 
+#include "drape/base/command_line.h"
 #include "drape/base/input_error.h"
 #include "drape/base/numbers.h"
-#include "drape/base/program.h"
+#include "drape/render/video_pipe.h"
 #include "drape/sim/setting_table.h"
 
 namespace drape {
@@ -41,31 +42,29 @@ ContextKind context_kind(const std::string& text) {
 std::optional<CaptureOptions> read_capture_options(int argc, char** argv) {
     CaptureOptions options;
     std::string frames, fps, size = "1280x720", every = "1", context = "auto";
-    CLI::App app("Draws a scene into numbered pictures, with no display.", "drape-capture");
-    app.add_option("scene", options.start.scene, "name of a shipped scene, or a TOML file")->type_name("SCENE");
-    app.add_option("--set", options.start.assignments, "change settings, as in --set dt=1e-4")->type_name("name=value");
-    app.add_option("--versus", options.start.versus, "compare the scene with itself under other settings")
-        ->type_name("name=value,...");
-    app.add_option("--replay", options.start.replay, "play a recording")->type_name("FILE");
-    app.add_option("--frames", frames, "number of frames; frame k shows the time k/fps after the start")
-        ->type_name("N");
-    app.add_flag("--tour", options.tour, "draw a picture of each stop of the tour instead of a scene's frames");
-    app.add_option("--fps", fps, "frames per simulated second; 60 / view.speed if not given")->type_name("RATE");
-    app.add_option("--size", size, "of the pictures; 1280x720 if not given")->type_name("WxH");
-    app.add_option("--out", options.out, "write frame_0001.png ... into this folder")->type_name("DIR");
-    app.add_flag("--again", options.again, "replace the frames of an earlier run in that folder");
-    app.add_option("--every", every, "draw frames K, 2K, 3K ... only")->type_name("K");
-    app.add_option("--video", options.video, "make a video too, with ffmpeg")->type_name("FILE.mp4");
-    app.add_option("--stats", options.stats,
-                   "write a row of figures for each drawn frame; its first line has the units")
-        ->type_name("FILE.csv");
-    app.add_option("--state", options.state, "write every particle at the end")->type_name("FILE.csv");
-    app.add_flag("--overlay", options.overlay, "draw the stats panel, as the window does");
-    app.add_option("--context", context, "what draws: osmesa, egl, or auto, which is egl only where osmesa is missing")
-        ->type_name("NAME");
-    app.add_flag("--hash", options.hash, "print the hash of the last state");
-    app.footer([] { return "Settings:\n" + settings_help(); });
-    if (!parse_command_line(app, argc, argv)) return std::nullopt;
+    CommandLine line("drape-capture", "Draws a scene into numbered pictures, with no display.");
+    line.option("scene", options.start.scene, "name of a shipped scene, or a TOML file", {"SCENE"});
+    line.option("--set", options.start.assignments, "change settings, as in --set dt=1e-4", {"name=value"});
+    line.option("--versus", options.start.versus, "compare the scene with itself under other settings",
+                {"name=value,..."});
+    line.option("--replay", options.start.replay, "play a recording", {"FILE"});
+    line.option("--frames", frames, "number of frames; frame k shows the time k/fps after the start", {"N"});
+    line.flag("--tour", options.tour, "draw a picture of each stop of the tour instead of a scene's frames");
+    line.option("--fps", fps, "frames per simulated second; 60 / view.speed if not given", {"RATE"});
+    line.option("--size", size, "of the pictures; 1280x720 if not given", {"WxH"});
+    line.option("--out", options.out, "write frame_0001.png ... into this folder", {"DIR"});
+    line.flag("--again", options.again, "replace the frames of an earlier run in that folder");
+    line.option("--every", every, "draw frames K, 2K, 3K ... only", {"K"});
+    line.option("--video", options.video, "make a video too, with ffmpeg", {"FILE.mp4"});
+    line.option("--stats", options.stats, "write a row of figures for each drawn frame; its first line has the units",
+                {"FILE.csv"});
+    line.option("--state", options.state, "write every particle and ball at the end", {"FILE.csv"});
+    line.flag("--overlay", options.overlay, "draw the stats panel, as the window does");
+    line.option("--context", context, "what draws: osmesa, egl, or auto, which is egl only where osmesa is missing",
+                {"NAME"});
+    line.flag("--hash", options.hash, "print the hash of the last state");
+    line.footer([] { return "Settings:\n" + settings_help(); });
+    if (!line.parse(argc, argv)) return std::nullopt;
 
     options.size = parse_size(size);
     options.context = context_kind(context);
@@ -76,10 +75,11 @@ std::optional<CaptureOptions> read_capture_options(int argc, char** argv) {
                            start.versus.empty() && frames.empty() && options.video.empty() && options.stats.empty() &&
                            options.state.empty() && !options.hash;
         if (!alone)
-            throw InputError("--tour goes with --out, --size, --again, --overlay and --context only", help_hint(app));
+            throw InputError("--tour goes with --out, --size, --again, --overlay and --context only", line.help_hint());
         return options;
     }
-    if (frames.empty()) throw InputError("--frames is required", help_hint(app));
+    if (frames.empty()) throw InputError("--frames is required", line.help_hint());
+    check_video_name("--video", options.video);
     options.frames = whole_number("--frames", frames, most_frames);
     options.every = whole_number("--every", every, options.frames);
     if (!fps.empty()) options.fps = frame_rate(fps);

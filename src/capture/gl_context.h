@@ -30,8 +30,8 @@ public:
 /// Makes a context. @throws RunError that says why there is none
 using MakeContext = std::function<std::unique_ptr<GlContext>()>;
 
-/// Mesa's off-screen library, which Mesa has left out since its version 25.1.
-/// @throws RunError if there is no such context, or if this build goes without that library
+/// Mesa's off-screen library, which is opened at run time: Mesa has left it out since its version 25.1.
+/// @throws RunError if there is no such context, with the package where the library is not installed
 std::unique_ptr<GlContext> make_osmesa_context();
 
 /// EGL on Mesa's surfaceless platform.

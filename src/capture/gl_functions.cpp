@@ -6,6 +6,7 @@
 #include <string_view>
 
 #include "drape/base/input_error.h"
+#include "drape/render/start_glew.h"
 
 // The functions of OpenGL 1.1 that Drape calls: result, name, parameters, arguments
 #define DRAPE_GL_FUNCTIONS(DO)                                                                                      \
@@ -72,13 +73,7 @@ void load_gl_functions(const GlContext& context) {
     asked_context = &context;
 #define DRAPE_GL_FIND(result, name, parameters, arguments) find_function(found_##name, #name);
     DRAPE_GL_FUNCTIONS(DRAPE_GL_FIND)
-
-    // GLEW misses GLX, after it has filled in all functions
-    glewExperimental = GL_TRUE;
-    const GLenum status = glewInit();
-    if (status == GLEW_OK || status == GLEW_ERROR_GLX_VERSION_11_ONLY) return;
-    throw RunError("OpenGL's functions were not found: " +
-                   std::string(reinterpret_cast<const char*>(glewGetErrorString(status))));
+    start_glew();
 }
 
 }  // namespace drape

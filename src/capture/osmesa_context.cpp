@@ -1,51 +1,68 @@
-#include "drape/base/input_error.h"
-#include "gl_context.h"
-
-#ifdef DRAPE_OSMESA
-
 #include <GL/glew.h>
-// OSMesa's header expects a macro that GLEW's takes back.
-#ifndef GLAPI
-#define GLAPI extern
-#endif
-#include <GL/osmesa.h>
+#include <dlfcn.h>
 
 #include <array>
+#include <string>
+
+#include "drape/base/input_error.h"
+#include "gl_context.h"
 
 namespace drape {
 
 namespace {
 
+// The library is opened at run time, for Debian 13 is the last to have it. What is called of it, as in its GL/osmesa.h:
+struct Library {
+    void* (*create)(const int* attributes, void* shared);
+    GLboolean (*make_current)(void* context, void* buffer, GLenum type, GLsizei width, GLsizei height);
+    GlContext::Function (*function)(const char* name);
+    void (*destroy)(void* context);
+};
+
+constexpr int format = 0x22, depth_bits = 0x30, profile = 0x33, core_profile = 0x34, major = 0x36, minor = 0x37;
+
+template <class Function>
+void find(void* library, Function& found, const char* name) {
+    found = reinterpret_cast<Function>(dlsym(library, name));
+    if (found == nullptr) throw RunError(std::string("OSMesa has no ") + name);
+}
+
+Library open_library() {
+    void* const opened = dlopen("libOSMesa.so.8", RTLD_NOW);
+    if (opened == nullptr) {
+        throw RunError(std::string("OSMesa cannot be opened (Debian package libosmesa6, up to Debian 13): ") +
+                       dlerror());
+    }
+    Library library{};
+    find(opened, library.create, "OSMesaCreateContextAttribs");
+    find(opened, library.make_current, "OSMesaMakeCurrent");
+    find(opened, library.function, "OSMesaGetProcAddress");
+    find(opened, library.destroy, "OSMesaDestroyContext");
+    return library;  // which stays open: its driver has threads of its own
+}
+
 class Osmesa : public GlContext {
 public:
-    Osmesa() {
-        const std::array<int, 11> wanted{OSMESA_FORMAT,
-                                         OSMESA_RGBA,
-                                         OSMESA_PROFILE,
-                                         OSMESA_CORE_PROFILE,
-                                         OSMESA_CONTEXT_MAJOR_VERSION,
-                                         3,
-                                         OSMESA_CONTEXT_MINOR_VERSION,
-                                         3,
-                                         OSMESA_DEPTH_BITS,
-                                         0,
-                                         0};
-        context_ = OSMesaCreateContextAttribs(wanted.data(), nullptr);
-        if (!context_) throw RunError("OSMesa has no OpenGL 3.3 core context");
-        if (!OSMesaMakeCurrent(context_, pixel_.data(), GL_UNSIGNED_BYTE, 1, 1)) {
-            OSMesaDestroyContext(context_);
+    Osmesa() : library_(open_library()) {
+        constexpr std::array<int, 11> wanted{format,     GL_RGBA, profile, core_profile, major, 3, minor, 3,
+                                             depth_bits, 0,       0};
+        context_ = library_.create(wanted.data(), nullptr);
+        if (context_ == nullptr) throw RunError("OSMesa has no OpenGL 3.3 core context");
+        if (!library_.make_current(context_, pixel_.data(), GL_UNSIGNED_BYTE, 1, 1)) {
+            library_.destroy(context_);
             throw RunError("OSMesa's OpenGL context cannot be made current");
         }
     }
 
-    ~Osmesa() override { OSMesaDestroyContext(context_); }
+    ~Osmesa() override { library_.destroy(context_); }
     Osmesa(const Osmesa&) = delete;
     Osmesa& operator=(const Osmesa&) = delete;
 
-    [[nodiscard]] Function function(const char* name) const override { return OSMesaGetProcAddress(name); }
+    [[nodiscard]] Function function(const char* name) const override { return library_.function(name); }
 
 private:
-    OSMesaContext context_ = nullptr;
+    Library library_;
+    void* context_ = nullptr;
     std::array<unsigned char, 4> pixel_{};  ///< OSMesa wants a buffer, though nothing is drawn there
 };
 
@@ -54,13 +71,3 @@ private:
 std::unique_ptr<GlContext> make_osmesa_context() { return std::make_unique<Osmesa>(); }
 
 }  // namespace drape
-
-#else
-
-namespace drape {
-
-std::unique_ptr<GlContext> make_osmesa_context() { throw RunError("this build has no OSMesa"); }
-
-}  // namespace drape
-
-#endif

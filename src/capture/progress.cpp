@@ -4,6 +4,8 @@
 
 #include <iostream>
 
+#include "drape/base/run_program.h"
+
 namespace drape {
 
 Progress::Progress(int pictures) : terminal_(::isatty(STDERR_FILENO) != 0), all_(pictures) {}
@@ -23,7 +25,7 @@ void Progress::count() {
 
 void Progress::close(const std::filesystem::path& folder) {
     clear();
-    std::cerr << done_ << (done_ == 1 ? " picture in " : " pictures in ") << folder.string() << "\n";
+    tell(std::to_string(done_) + (done_ == 1 ? " picture in " : " pictures in ") + folder.string());
 }
 
 void Progress::clear() {

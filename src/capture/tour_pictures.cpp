@@ -10,11 +10,13 @@
 #include "drape/sim/tour.h"
 #include "frame_writer.h"
 #include "offscreen_context.h"
+#include "picture_memory.h"
 #include "progress.h"
 
 namespace drape {
 
 int draw_tour(const CaptureOptions& options, const StopSignals& signals) {
+    check_picture_memory(options.size);
     const auto stops = tour_stops();
     FrameWriter pictures(options.out, static_cast<int>(stops.size()), options.again);
     const OffscreenContext context(options.context);
@@ -24,7 +26,8 @@ int draw_tour(const CaptureOptions& options, const StopSignals& signals) {
     int number = 0;
     for (const TourStop& stop : stops) {
         Settings settings = settings_of(stop);
-        if (!options.overlay) settings.view.panel = PanelSize::Off;
+        // A full panel is what the stop is about
+        if (!options.overlay && settings.view.panel == PanelSize::Compact) settings.view.panel = PanelSize::Off;
         Simulation simulation(std::string(stop.scene), settings);
         while (simulation.report().time < stop.time && simulation.report().status == Status::Ok) {
             if (signals.arrived() != 0) break;

@@ -1,13 +1,13 @@
 # Steps that stayed bounded and steps that failed, against stiffness and damping.
-# method, side: whose trials; trials, against: how many there are and contradict the prediction
+# method, side: whose trials; trials, against: how many there are, those close to a limit left out, and contradict it
 # limited: 1 if the method has a linear step limit; stiffness, damping: 1 if they were swept
 eval paper(1100, 560)
 titled(method) = method eq 'rk4' ? 'RK4' : method eq 'explicit_euler' ? 'Explicit Euler' : \
                  method eq 'symplectic_euler' ? 'Symplectic Euler' : method eq 'velocity_verlet' ? 'Velocity Verlet' : \
                  readable(method)
 set multiplot layout 1,2 margins 0.085,0.98,0.235,0.87 spacing 0.09,0 \
-  title sprintf('%s, %d x %d particles: %d trials, %d %s', titled(method), side, side, trials, against, \
-                limited ? 'contradict the prediction' : 'not bounded (there is no linear limit)') font ',13'
+  title sprintf('%s, %d x %d particles: %d of %d trials %s', titled(method), side, side, against, trials, \
+                limited ? 'that are not close to the limit contradict it' : 'not bounded (there is no linear limit)') font ',13'
 set logscale xy
 set format '10^{%L}'
 set offsets graph 0.04, graph 0.04, 0, 0

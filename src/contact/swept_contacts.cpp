@@ -54,8 +54,8 @@ void leave_first_of_each(std::vector<TriangleImpact>& impacts) {
     std::ranges::sort(impacts, {}, [](const TriangleImpact& found) {
         return std::tuple(feature_of(found), found.impact.time, found.triangle);
     });
-    const auto rest = std::ranges::unique(impacts, {}, feature_of);
-    impacts.erase(rest.begin(), rest.end());
+    const auto same = [](const TriangleImpact& a, const TriangleImpact& b) { return feature_of(a) == feature_of(b); };
+    impacts.erase(std::unique(impacts.begin(), impacts.end(), same), impacts.end());
     std::ranges::sort(impacts, {}, &TriangleImpact::triangle);
 }
 

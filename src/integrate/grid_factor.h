@@ -40,7 +40,13 @@ private:
             analyzePattern_preordered(matrix, true);
             m_diag.resize(matrix.cols());
         }
-        void refactorise(const Matrix& matrix) { this->factorize_preordered<true>(matrix); }
+        void refactorise(const Matrix& matrix) {
+#if EIGEN_VERSION_AT_LEAST(5, 0, 0)  // which has another for matrices that are symmetric, but not Hermitian
+            this->factorize_preordered<true, false>(matrix);
+#else
+            this->factorize_preordered<true>(matrix);
+#endif
+        }
     };
 
     /// The three columns of an upper block, in the order of the rows: &A(3I, 3J + c).

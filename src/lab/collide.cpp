@@ -3,10 +3,14 @@
 #include <fmt/ranges.h>
 
 #include <algorithm>
+#include <iostream>
+#include <memory>
 #include <vector>
 
+#include "drape/base/command_line.h"
+#include "drape/base/input_error.h"
 #include "drape/base/numbers.h"
-#include "drape/base/program.h"
+#include "drape/base/run_program.h"
 #include "drape/contact/contact.h"
 #include "drape/sim/setting_table.h"
 #include "positions.h"
@@ -65,24 +69,21 @@ int collide(const CollideOptions& options) {
 
 }  // namespace
 
-void add_collide(CLI::App& app, int& exit_code) {
-    CLI::App* command = app.add_subcommand(
+void add_collide(CommandLine& line, int& exit_code) {
+    auto options = std::make_shared<CollideOptions>();
+    CommandLine& command = line.command(
         "collide",
         "Prints the triangles whose distance to the ball's centre is at most its radius (plus thickness, 0 "
-        "unless set)");
-    auto options = std::make_shared<CollideOptions>();
-    command->add_option("--grid", options->grid, "columns and rows of particles")->type_name("NXxNY")->required();
-    command->add_option("--positions", options->positions, "one x,y,z a line, in particle order [m]")
-        ->type_name("FILE.csv")
-        ->required();
-    command->add_option("--ball", options->ball, "centre and radius [m]")->type_name("x,y,z,r")->required();
-    command
-        ->add_option(
-            "--set", options->assignments,
-            "volume, update, sphere_fit, leaf_cells, thickness; search_level, search_tests: nodes at which a search "
-            "ends are counted, and what they hold is not listed")
-        ->type_name("name=value");
-    command->callback([options, &exit_code] { exit_code = collide(*options); });
+        "unless set)",
+        [options, &exit_code] { exit_code = collide(*options); });
+    command.option("--grid", options->grid, "columns and rows of particles", {"NXxNY", true});
+    command.option("--positions", options->positions, "one x,y,z a line, in particle order [m]", {"FILE.csv", true});
+    command.option("--ball", options->ball, "centre and radius [m]", {"x,y,z,r", true});
+    command.option(
+        "--set", options->assignments,
+        "volume, update, sphere_fit, leaf_cells, thickness; search_level, search_tests: nodes at which a search "
+        "ends are counted, and what they hold is not listed",
+        {"name=value"});
 }
 
 }  // namespace drape

@@ -1,8 +1,12 @@
 #include <functional>
+#include <iostream>
 #include <map>
+#include <memory>
 
 #include "commands.h"
-#include "drape/base/program.h"
+#include "drape/base/command_line.h"
+#include "drape/base/input_error.h"
+#include "drape/base/run_program.h"
 #include "drape/bounds/broad_phase.h"
 #include "drape/integrate/integrator.h"
 #include "drape/sim/scene.h"
@@ -11,7 +15,7 @@
 
 namespace drape {
 
-void add_list(CLI::App& app, std::span<const Experiment> experiments, int& exit_code) {
+void add_list(CommandLine& line, std::span<const Experiment> experiments, int& exit_code) {
     const auto names = [](std::span<const std::string> (*all)()) {
         return [all] {
             for (const std::string& name : all()) std::cout << name << '\n';
@@ -32,13 +36,14 @@ void add_list(CLI::App& app, std::span<const Experiment> experiments, int& exit_
         {"volumes", names(names_of<VolumeKind>)},
         {"updates", names(names_of<UpdateKind>)},
         {"fits", names(names_of<SphereFit>)}};
-    CLI::App* command = app.add_subcommand("list", "Prints what there is");
+    std::vector<std::string> known;
+    for (const auto& [name, print] : lists) known.push_back(name);
     auto what = std::make_shared<std::string>();
-    command->add_option("what", *what, "of what")->required()->check(CLI::IsMember(lists));
-    command->callback([what, lists, &exit_code] {
+    CommandLine& command = line.command("list", "Prints what there is", [what, lists, &exit_code] {
         lists.at (*what)();
         exit_code = Done;
     });
+    command.option("what", *what, "of what", {"WHAT", true, known});
 }
 
 }  // namespace drape

@@ -1,5 +1,7 @@
 #include "commands.h"
-#include "drape/base/program.h"
+#include "drape/base/command_line.h"
+#include "drape/base/input_error.h"
+#include "drape/base/run_program.h"
 #include "lab/experiment/run_experiment.h"
 #include "lab/experiments.h"
 
@@ -7,17 +9,16 @@ namespace drape {
 namespace {
 
 int run(int argc, char** argv) {
-    CLI::App app("Simulates, collides, measures and lists, with no picture.", "drape-lab");
-    app.require_subcommand(1);
+    CommandLine line("drape-lab", "Simulates, collides, measures and lists, with no picture.");
     const std::vector<Experiment> experiments = all_experiments();
     int exit_code = Done;
-    add_simulate(app, exit_code);
-    add_collide(app, exit_code);
-    add_needs(app, exit_code);
-    add_list(app, experiments, exit_code);
-    add_experiments(app, experiments, exit_code);
-    add_merge(app, experiments, exit_code);
-    parse_command_line(app, argc, argv);
+    add_simulate(line, exit_code);
+    add_collide(line, exit_code);
+    add_needs(line, exit_code);
+    add_list(line, experiments, exit_code);
+    add_experiments(line, experiments, exit_code);
+    add_merge(line, experiments, exit_code);
+    line.parse(argc, argv);
     return exit_code;
 }
 

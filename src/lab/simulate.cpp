@@ -1,11 +1,15 @@
 #include "commands.h"
 
 #include <cmath>
+#include <iostream>
+#include <memory>
 #include <vector>
 
+#include "drape/base/command_line.h"
+#include "drape/base/input_error.h"
 #include "drape/base/numbers.h"
 #include "drape/base/output_file.h"
-#include "drape/base/program.h"
+#include "drape/base/run_program.h"
 #include "drape/base/stop_signals.h"
 #include "drape/base/stopwatch.h"
 #include "drape/sim/failure.h"
@@ -25,7 +29,9 @@ struct SimulateOptions {
 };
 
 /// "0.5,1,2" as times [s] that go back neither from one to the next nor from that of the start.
-std::vector<double> parse_times(const std::string& text, double start) {
+/// @param steps_are_known no replay changes their length: times are refused between which none ends
+std::vector<double> parse_times(const std::string& text, Session& session, bool steps_are_known) {
+    const double start = session.start_time(), dt = session.simulation().settings().solver.dt;
     std::vector<double> times;
     for (const std::string_view word : split_at_commas(text)) {
         const auto time = parse_real(word);
@@ -36,6 +42,13 @@ std::vector<double> parse_times(const std::string& text, double start) {
         }
         if (!times.empty() && *time < times.back()) {
             throw InputError("--time " + shortened(word) + ": allowed only times that do not go back");
+        }
+        const double before = times.empty() ? start : times.back();
+        if (steps_are_known && *time > before &&
+            std::floor(session.steps_to(*time)) == std::floor(session.steps_to(before))) {
+            throw InputError("--time " + shortened(word) + ": no step ends after " + real_text(before) +
+                             " s up to then: allowed only times with an end of a step between them, which is every " +
+                             real_text(dt) + " s (solver.dt)");
         }
         times.push_back(*time);
     }
@@ -52,16 +65,20 @@ int simulate(SimulateOptions& options) {
     std::vector<NamedFile> files = input_files(options.start, start);
     files.insert(files.end(), {{"--state", options.state}, {"--stats", options.stats}});
     check_apart(files);
+    const bool replays = start.replay.has_value();
     Session session = make_session(std::move(start));
     const std::vector<double> times =
-        whole_replay ? std::vector<double>{} : parse_times(options.times, session.start_time());
+        whole_replay ? std::vector<double>{} : parse_times(options.times, session, !replays);
     const std::string warning = session.simulation().step_warning();
-    if (!warning.empty()) std::cerr << "warning: " << warning << "\n";
+    if (!warning.empty()) tell("warning: " + warning);
     OutputFile state(options.state), stats(options.stats);
+    const std::size_t balls = session.simulation().balls().size();
     if (state.wanted()) write_state_header(state.stream(), session.simulation());
     if (stats.wanted()) {
-        write_report_units(stats.stream()), stats.stream() << '\n';
-        write_report_header(stats.stream()), stats.stream() << '\n';
+        write_report_units(stats.stream());
+        write_ball_units(stats.stream(), balls), stats.stream() << '\n';
+        write_report_header(stats.stream());
+        write_ball_header(stats.stream(), balls), stats.stream() << '\n';
     }
 
     const Stopwatch watch;
@@ -71,17 +88,24 @@ int simulate(SimulateOptions& options) {
         if (session.simulation().report().status == Status::Diverged) return false;
         written = true;
         if (state.wanted()) write_state(state.stream(), session.simulation());
-        if (stats.wanted()) write_report(stats.stream(), *session.view().report), stats.stream() << '\n';
+        if (stats.wanted()) {
+            write_report(stats.stream(), *session.view().report);
+            write_balls(stats.stream(), session.simulation().balls(), balls), stats.stream() << '\n';
+        }
         return true;
     };
     if (whole_replay && session.run_replay(stop)) write();
     for (const double time : times) {
         if (!session.run_until(time, stop) || !write()) break;
+        if (session.steps_to(time) == 0) continue;
+        tell("warning: --time " + real_text(time) + " is within a step: the state is that before it, at " +
+             real_text(session.time(), 12) + " s");
     }
     // Told first: the files may not take what is left to write
     const StepReport& report = session.simulation().report();
     if (report.status == Status::Diverged) {
-        std::cerr << "drape-lab: " << report.trouble << "\n" << tell_failure(session.simulation(), "") << "\n";
+        tell("drape-lab: " + report.trouble);
+        tell(tell_failure(session.simulation(), ""));
     }
     // What was there before is worth more than a table without rows
     if (written) {
@@ -89,38 +113,35 @@ int simulate(SimulateOptions& options) {
         stats.close();
     }
 
-    std::cerr << report.step << " steps to " << real_text(report.time, 6) << " s in " << real_text(watch.seconds(), 3)
-              << " s\n";
-    if (!session.replay_notice().empty()) std::cerr << session.replay_notice() << "\n";
+    tell(std::to_string(report.step) + " steps to " + real_text(report.time, 6) + " s in " +
+         real_text(watch.seconds(), 3) + " s");
+    if (!session.replay_notice().empty()) tell(session.replay_notice());
     if (options.hash) std::cout << hash_text(session.simulation().hash()) << "\n";
     const std::string doubt = session.simulation().run_warning();
-    if (!doubt.empty() && report.status == Status::Ok) std::cerr << "warning: " << doubt << "\n";
+    if (!doubt.empty() && report.status == Status::Ok) tell("warning: " + doubt);
     if (const int signal = signals.arrived()) return 128 + signal;
     return report.status == Status::Ok && !session.replay_differs() ? Done : Failed;
 }
 
 }  // namespace
 
-void add_simulate(CLI::App& app, int& exit_code) {
-    CLI::App* command = app.add_subcommand("simulate", "Runs a scene to given times");
+void add_simulate(CommandLine& line, int& exit_code) {
     auto options = std::make_shared<SimulateOptions>();
-    command->add_option("scene", options->start.scene, "name of a shipped scene, or a TOML file")->type_name("SCENE");
-    command->add_option("--set", options->start.assignments, "change settings")->type_name("name=value");
-    command->add_option("--replay", options->start.replay, "play a recording")->type_name("FILE");
-    command
-        ->add_option(
-            "--time", options->times,
-            "simulated times to stop at [s], on the clock of the scene: its start file, if it has one, sets it; a "
-            "whole recording if not given")
-        ->type_name("T[,T2...]");
-    command->add_option("--state", options->state, "write every particle at each time")->type_name("FILE.csv");
-    command
-        ->add_option("--stats", options->stats,
-                     "write the report of the step at each time; its first line has the units")
-        ->type_name("FILE.csv");
-    command->add_flag("--hash", options->hash, "print the hash of the last state");
-    command->footer([] { return "Settings:\n" + settings_help(); });
-    command->callback([options, &exit_code] { exit_code = simulate(*options); });
+    CommandLine& command = line.command("simulate", "Runs a scene to given times",
+                                        [options, &exit_code] { exit_code = simulate(*options); });
+    command.option("scene", options->start.scene, "name of a shipped scene, or a TOML file", {"SCENE"});
+    command.option("--set", options->start.assignments, "change settings", {"name=value"});
+    command.option("--replay", options->start.replay, "play a recording", {"FILE"});
+    command.option(
+        "--time", options->times,
+        "simulated times to stop at [s], on the clock of the scene: its start file, if it has one, sets it; a "
+        "whole recording if not given",
+        {"T[,T2...]"});
+    command.option("--state", options->state, "write every particle and ball at each time", {"FILE.csv"});
+    command.option("--stats", options->stats, "write the report of the step at each time; its first line has the units",
+                   {"FILE.csv"});
+    command.flag("--hash", options->hash, "print the hash of the last state");
+    command.footer([] { return "Settings:\n" + settings_help(); });
 }
 
 }  // namespace drape

@@ -240,20 +240,20 @@ void drop_rows(std::vector<Row>& rows, float line, float gap, float room) {
 // A title in the large font where that fits into a line; else in the small one, in two lines, and cut where it is
 // longer
 struct Title {
-    ImFont* font;
+    PanelFont font;
     std::string text;
     float height;
 };
 
-float height_within(float room, const ImFont* font, const std::string& text) {
-    return font->CalcTextSizeA(font->FontSize, FLT_MAX, room, text.c_str()).y;
+float height_within(float room, const PanelFont& font, const std::string& text) {
+    return font.font->CalcTextSizeA(font.size, FLT_MAX, room, text.c_str()).y;
 }
 
-Title fit_title(std::string text, ImFont* large, float room) {
+Title fit_title(std::string text, const PanelFont& large, float room) {
     if (text.empty()) text = "Drape";
-    if (height_within(room, large, text) <= large->FontSize) return {large, text, large->FontSize};
-    ImFont* font = ImGui::GetFont();
-    const float most = 2 * font->FontSize;
+    if (height_within(room, large, text) <= large.size) return {large, text, large.size};
+    const PanelFont font{ImGui::GetFont(), ImGui::GetFontSize()};
+    const float most = 2 * font.size;
     std::string shown = text;
     while (!text.empty() && height_within(room, font, shown) > most) {
         // A whole character at a time
@@ -287,7 +287,7 @@ std::string time_text(double microseconds) {
     return microseconds < 999.95 ? format("%.1f us", microseconds) : format("%.2f ms", microseconds / 1000);
 }
 
-float figures_panel(const FrameView& view, const FrameReport& last, ImFont* title, const OverlayPage& page) {
+float figures_panel(const FrameView& view, const FrameReport& last, const PanelFont& title, const OverlayPage& page) {
     std::vector<Row> rows;
     if (view.settings->view.panel == PanelSize::Compact) {
         rows = compact_rows(view, last);
@@ -307,7 +307,7 @@ float figures_panel(const FrameView& view, const FrameReport& last, ImFont* titl
     const float height = std::min(height_of(rows, line, gap) + title_height + 2 * margin, page.height - 2 * margin);
     draw_panel({margin, margin}, {width, height});
 
-    ImGui::PushFont(shown.font);
+    shown.font.push();
     ImGui::PushTextWrapPos(width);
     text_at({2 * margin, 2 * margin}, ink::text, shown.text.c_str());
     ImGui::PopTextWrapPos();

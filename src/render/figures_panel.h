@@ -5,9 +5,9 @@
 #include "drape/render/renderer.h"
 #include "panel_boxes.h"
 
-struct ImFont;
-
 namespace drape {
+
+struct PanelFont;
 
 /// Of the stats panel, where there is room [font size].
 inline constexpr float figures_columns = 16.9f;
@@ -21,6 +21,6 @@ std::string time_text(double microseconds);
 /// @pre the panel is not off
 /// @param last what the frame before this one cost
 /// @return the panel's right edge [pixel]
-float figures_panel(const FrameView& view, const FrameReport& last, ImFont* title, const OverlayPage& page);
+float figures_panel(const FrameView& view, const FrameReport& last, const PanelFont& title, const OverlayPage& page);
 
 }  // namespace drape

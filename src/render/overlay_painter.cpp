@@ -41,7 +41,7 @@ OverlayPainter::OverlayPainter(Gl& gl, StreamBuffer& stream)
                {1, 2, offsetof(ImDrawVert, uv)},
                {2, 4, offsetof(ImDrawVert, col), GL_UNSIGNED_BYTE}}}),
       atlas_(gl) {
-    DRAPE_ASSERT(ImGui::GetCurrentContext() != nullptr && !ImGui::GetIO().Fonts->ConfigData.empty());
+    DRAPE_ASSERT(ImGui::GetCurrentContext() != nullptr && !ImGui::GetIO().Fonts->Fonts.empty());
     unsigned char* pixels = nullptr;
     int width = 0, height = 0;
     ImGui::GetIO().Fonts->GetTexDataAsAlpha8(&pixels, &width, &height);

@@ -28,18 +28,19 @@ constexpr ImGuiWindowFlags window_flags = ImGuiWindowFlags_NoDecoration | ImGuiW
                                           ImGuiWindowFlags_NoInputs | ImGuiWindowFlags_NoNav |
                                           ImGuiWindowFlags_NoSavedSettings | ImGuiWindowFlags_NoMove;
 
-void add_fonts(std::array<ImFont*, font_sizes.size()>& fonts) {
+void add_fonts(std::array<PanelFont, font_sizes.size()>& fonts) {
     ImFontAtlas& atlas = *ImGui::GetIO().Fonts;
     const std::filesystem::path file = DRAPE_FONT;
     std::error_code ignored;
     const bool found = std::filesystem::is_regular_file(file, ignored);
     for (std::size_t i = 0; i < fonts.size(); ++i) {
+        fonts[i].size = font_sizes[i];
         if (found) {
-            fonts[i] = atlas.AddFontFromFileTTF(file.c_str(), font_sizes[i]);
+            fonts[i].font = atlas.AddFontFromFileTTF(file.c_str(), font_sizes[i]);
         } else {
             ImFontConfig config;
             config.SizePixels = font_sizes[i];
-            fonts[i] = atlas.AddFontDefault(&config);
+            fonts[i].font = atlas.AddFontDefault(&config);
         }
     }
     atlas.Build();
@@ -83,6 +84,37 @@ void set_style() {
 // The keys of a text field, by the character that they make
 constexpr std::array<std::pair<ImGuiKey, unsigned char>, 3> field_keys{
     {{ImGuiKey_Backspace, 8}, {ImGuiKey_Enter, 13}, {ImGuiKey_Escape, 27}}};
+
+#if IMGUI_VERSION_NUM < 18700  // which had no events: Debian 12
+
+void expect_keys(ImGuiIO& io) {
+    for (const auto& [key, code] : field_keys) io.KeyMap[key] = code;
+}
+
+void set_key(ImGuiIO& io, ImGuiKey, unsigned char code, bool down) { io.KeysDown[code] = down; }
+
+void set_pointer(ImGuiIO& io, const PanelPointer& pointer, bool control) {
+    io.MousePos = {static_cast<float>(pointer.x), static_cast<float>(pointer.y)};
+    io.MouseDown[0] = pointer.down;
+    io.MouseWheel = static_cast<float>(pointer.notches);
+    io.KeyCtrl = control;
+}
+
+#else
+
+// One frame gets one press at a time anyway
+void expect_keys(ImGuiIO& io) { io.ConfigInputTrickleEventQueue = false; }
+
+void set_key(ImGuiIO& io, ImGuiKey key, unsigned char, bool down) { io.AddKeyEvent(key, down); }
+
+void set_pointer(ImGuiIO& io, const PanelPointer& pointer, bool control) {
+    io.AddKeyEvent(ImGuiMod_Ctrl, control);
+    io.AddMousePosEvent(static_cast<float>(pointer.x), static_cast<float>(pointer.y));
+    io.AddMouseButtonEvent(0, pointer.down);
+    io.AddMouseWheelEvent(0, static_cast<float>(pointer.notches));
+}
+
+#endif
 
 // Whether the panels that are shown have room beside and below one another
 bool panels_fit(const ViewSettings& shown, bool hinted, float width, float height, float font) {
@@ -129,7 +161,7 @@ OverlayPanels::OverlayPanels() {
     io.IniFilename = nullptr;
     io.LogFilename = nullptr;
     io.BackendFlags |= ImGuiBackendFlags_RendererHasVtxOffset;
-    for (const auto& [key, code] : field_keys) io.KeyMap[key] = code;
+    expect_keys(io);
     set_style();
     add_fonts(fonts_);
 }
@@ -174,20 +206,19 @@ void OverlayPanels::hand_over_input() {
         input_.seen = input_.next.front();
         input_.next.erase(input_.next.begin());
     }
-    io.MousePos = {static_cast<float>(input_.seen.x), static_cast<float>(input_.seen.y)};
-    io.MouseDown[0] = input_.seen.down;
-    io.MouseWheel = static_cast<float>(input_.seen.notches);
-    io.KeyCtrl = input_.seen.control && input_.seen.down && !was_down;
+    set_pointer(io, input_.seen, input_.seen.control && input_.seen.down && !was_down);
 
     // Characters up to the next key that makes none, and of those one in every other frame
-    for (const auto& [key, code] : field_keys) io.KeysDown[code] = false;
+    for (const auto& [key, code] : field_keys) set_key(io, key, code, false);
     while (!input_.typed.empty() && static_cast<unsigned char>(input_.typed.front()) >= ' ') {
         io.AddInputCharacter(static_cast<unsigned char>(input_.typed.front()));
         input_.typed.erase(input_.typed.begin());
     }
     input_.key_seen = !input_.key_seen && !input_.typed.empty();
     if (!input_.key_seen) return;
-    io.KeysDown[static_cast<unsigned char>(input_.typed.front())] = true;
+    for (const auto& [key, code] : field_keys) {
+        if (code == static_cast<unsigned char>(input_.typed.front())) set_key(io, key, code, true);
+    }
     input_.typed.erase(input_.typed.begin());
 }
 
@@ -227,7 +258,7 @@ bool OverlayPanels::build(FrameView view, const Camera& camera, const FrameRepor
 
     hand_over_input();
     ImGui::NewFrame();
-    ImGui::PushFont(fonts_[size]);
+    fonts_[size].push();
     ImGui::SetNextWindowPos({0, 0});
     ImGui::SetNextWindowSize({w, h});
     ImGui::Begin("overlay", nullptr, window_flags);
@@ -296,7 +327,7 @@ OverlayPanels::Help OverlayPanels::choose_help(const OverlayPage& page, float ri
                                                std::size_t font) const {
     const float left = page.margin + (beside ? figures_columns * font_sizes[font] + 3 * page.margin : 0);
     for (std::size_t smaller = font + 1; smaller-- > 0;) {
-        ImGui::PushFont(fonts_[smaller]);
+        fonts_[smaller].push();
         auto layout = lay_out_help(shown_help_, right - left, page.height - 2 * page.margin, page.margin);
         ImGui::PopFont();
         if (layout) return {smaller, std::move(layout)};
@@ -305,7 +336,7 @@ OverlayPanels::Help OverlayPanels::choose_help(const OverlayPage& page, float ri
 }
 
 void OverlayPanels::draw_help(const Help& shown, const OverlayPage& page, float left, float right) const {
-    ImGui::PushFont(fonts_[shown.font]);
+    fonts_[shown.font].push();
     if (shown.layout) {
         help_panel(shown_help_, *shown.layout, right, page.margin, page.margin);
     } else {
@@ -317,7 +348,7 @@ void OverlayPanels::draw_help(const Help& shown, const OverlayPage& page, float 
 // In a smaller font where there is no room
 void OverlayPanels::hint_panel(const OverlayPage& page, std::size_t font) const {
     for (std::size_t smaller = font + 1; smaller-- > 0;) {
-        ImGui::PushFont(fonts_[smaller]);
+        fonts_[smaller].push();
         const float row = ImGui::GetTextLineHeightWithSpacing();
         const auto size_within = [&](float width) { return key_panel_size(shown_hint_, width, row, page.margin); };
         const float least = std::min(size_within(1e6f).x, hint_columns * ImGui::GetFontSize());
@@ -337,7 +368,7 @@ float OverlayPanels::notice_panel(std::span<const std::string> notices, const Ov
     const auto size_within = [&](float width) { return notices_size(notices, width, margin); };
     std::optional<PanelBox> box;
     for (std::size_t smaller = font + 1; smaller-- > 0 && !box;) {
-        ImGui::PushFont(fonts_[smaller]);
+        fonts_[smaller].push();
         const float least = std::min(size_within(1e6f).x, 20 * ImGui::GetFontSize());
         if (at_top) box = free_place(page, boxes_, size_within, least, true);
         if (!box) box = free_place(page, boxes_, size_within, least, false);

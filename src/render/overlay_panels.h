@@ -14,13 +14,13 @@
 #include "figures_panel.h"
 #include "hierarchy_panel.h"
 #include "key_panels.h"
+#include "overlay_style.h"
 #include "panel_boxes.h"
 #include "plots_panel.h"
 #include "settings_panel.h"
 #include "step_medians.h"
 #include "timeline_panel.h"
 
-struct ImFont;
 struct ImGuiContext;
 
 namespace drape {
@@ -93,7 +93,7 @@ private:
     std::vector<PanelBox> boxes_;
     std::unique_ptr<ImGuiContext, DestroyContext> context_;
     Input input_;
-    std::array<ImFont*, 8> fonts_{};  ///< from small to large
+    std::array<PanelFont, 8> fonts_{};  ///< from small to large
 };
 
 }  // namespace drape

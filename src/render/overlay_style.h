@@ -24,6 +24,21 @@ inline constexpr ImU32 popup = IM_COL32(34, 38, 48, 245);
 inline constexpr ImU32 panel = IM_COL32(22, 26, 34, 196);
 }  // namespace ink
 
+/// A font in one of its sizes.
+struct PanelFont {
+    ImFont* font = nullptr;
+    float size = 0;  ///< [pixel]
+
+    /// In force until `ImGui::PopFont`.
+    void push() const {
+#if IMGUI_VERSION_NUM < 19200
+        ImGui::PushFont(font);
+#else
+        ImGui::PushFont(font, size);
+#endif
+    }
+};
+
 /// Draws a panel's ground, and adds it to the panels of the frame, which are Dear ImGui's user data.
 /// All panels are parts of one window as large as the picture, so that the overlay is one draw call.
 inline void draw_panel(ImVec2 corner, ImVec2 size) {

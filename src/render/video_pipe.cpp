@@ -3,6 +3,8 @@
 #include <poll.h>
 #include <unistd.h>
 
+#include <algorithm>
+#include <array>
 #include <cerrno>
 #include <csignal>
 #include <cstring>
@@ -19,6 +21,9 @@ namespace {
 constexpr double patience = 5;       // s that ffmpeg may stand still where nobody waits for it
 constexpr double end_patience = 20;  // s that it may take to finish its file where a user waits for the end
 constexpr double glance = 0.1;       // s between two looks for a signal
+
+// Formats that are one file each
+const std::array<std::string, 9> extensions{".mp4", ".m4v", ".mov", ".mkv", ".webm", ".avi", ".gif", ".ogv", ".mpg"};
 
 std::vector<std::string> command_line(const std::filesystem::path& file, PictureSize size, double rate) {
     // Most players want even sides and this pixel format
@@ -45,6 +50,13 @@ std::vector<std::string> command_line(const std::filesystem::path& file, Picture
 }
 
 }  // namespace
+
+void check_video_name(const std::string& option, const std::filesystem::path& file) {
+    std::string extension = file.extension().string();
+    for (char& c : extension) c = c >= 'A' && c <= 'Z' ? static_cast<char>(c - 'A' + 'a') : c;
+    if (file.empty() || std::ranges::find(extensions, extension) != extensions.end()) return;
+    throw InputError(option + " " + shortened(file.string()) + ": allowed a name that ends in " + listed(extensions));
+}
 
 VideoPipe::VideoPipe(const std::filesystem::path& file, PictureSize size, double rate, const StopSignals& signals,
                      Use use)
@@ -108,6 +120,8 @@ bool VideoPipe::finished(double seconds) {
         trouble_ = "ffmpeg was ended by signal " + std::to_string(*code - 128);
     } else if (*code != 0) {
         trouble_ = "ffmpeg failed with status " + std::to_string(*code);
+    } else if (std::error_code gone; fed_ && std::filesystem::file_size(file_.name(), gone) == 0) {
+        trouble_ = "ffmpeg has written nothing";
     } else if (fed_) {
         name_file();
     }

@@ -62,8 +62,14 @@ Vec3 point_on_path(const std::vector<PathPoint>& path, Real time) {
            (3 * square - 2 * cube) * path[k + 1].centre + (cube - square) * span * tangent(path, k + 1);
 }
 
-Ball make_ball(const BallSettings& settings, double time) {
+Ball make_ball(const BallSettings& settings, double time, const Ball* start) {
     Ball ball{.centre = settings.position, .radius = settings.radius, .velocity = settings.velocity};
+    if (start != nullptr) {
+        ball.centre = start->centre;
+        ball.velocity = start->velocity;
+        ball.spin = start->spin;
+        ball.orientation = start->orientation;
+    }
     ball.inverse_mass = inverse_mass_of(settings);
     if (settings.motion == BallMotion::Path) ball.centre = point_on_path(settings.path, static_cast<Real>(time));
     return ball;

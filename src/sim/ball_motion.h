@@ -6,7 +6,8 @@
 namespace drape {
 
 /// The ball as it is at a time [s], at the start or on its path.
-Ball make_ball(const BallSettings& settings, double time);
+/// @param start how it moves and, but on a path, where it is instead; null: as the settings have it
+Ball make_ball(const BallSettings& settings, double time, const Ball* start = nullptr);
 
 /// 1/mass of a free ball, 0 of any other: no contact moves it [1/kg].
 Real inverse_mass_of(const BallSettings& settings);

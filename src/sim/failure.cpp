@@ -34,7 +34,7 @@ bool write_new_file(const std::filesystem::path& file, const std::string& text) 
 /// With which the title of a scene begins that was written here.
 constexpr std::string_view fails_mark = "Fails at once: ";
 
-/// The settings with cloths, balls, pins and substeps as they are now.
+/// The settings with pins and substeps as they are now; where cloths and balls are, the state says.
 Settings present_settings(const Simulation& simulation) {
     Settings settings = simulation.settings();
     settings.solver.dt /= simulation.report().substeps;
@@ -47,10 +47,6 @@ Settings present_settings(const Simulation& simulation) {
         }
         const ClothModel as_set = make_cloth_model(settings.cloths[c]);
         if ((as_set.inverse_mass != cloths[c].model.inverse_mass).any()) settings.cloths[c].pinned = pins;
-    }
-    for (std::size_t b = 0; b < settings.balls.size(); ++b) {
-        settings.balls[b].position = simulation.balls()[b].centre;
-        settings.balls[b].velocity = simulation.balls()[b].velocity;
     }
     return settings;
 }

@@ -62,7 +62,7 @@ void History::forget_between() {
     for (const Moment& moment : moments_) {
         if (moment.between) bytes_ -= moment.bytes;
     }
-    std::erase_if(moments_, &Moment::between);
+    std::erase_if(moments_, [](const Moment& moment) { return moment.between; });
 }
 
 void History::forget_after(std::int64_t step) {

@@ -10,10 +10,11 @@ namespace drape {
 /// The format in which a mesh is read, by the name of its file: ".stl", or else ".obj".
 std::string mesh_extension(const std::string& file);
 
-/// Reads a closed mesh from a file. OBJ: its lines `v x y z` [m] and `f a b c ...`, of faces that are convex and may
-/// name textures and normals too, which are left out like any other line. STL, text or binary: see `read_stl`.
-/// @throws InputError as `file:line: ... allowed ...`, of binary files as `file: byte N: ...`: what is no number, what
-/// is out of range, a mesh that is too large, not closed, not consistently oriented, or inside out
+/// Reads a mesh from an OBJ or STL file [m] by the library Assimp, and makes a closed one of it: see `closed_mesh`.
+/// Of OBJ only points and faces reach the library, so that a file names no other files. Coordinates have single
+/// precision.
+/// @throws InputError as `file:line: ... allowed ...` of what is no number in an OBJ file, else with the file's name:
+/// what the library refuses, what is out of range, too large, or not a closed mesh
 TriangleMesh read_mesh(const std::string& file);
 
 /// The same from a stream; `file` names it in errors, and its format.

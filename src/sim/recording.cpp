@@ -61,14 +61,14 @@ Recording read_recording(std::istream& in, const std::string& file) {
         throw InputError(file + ":1: no recording: expected '" + std::string(first_line) + "'");
     }
     Recording recording;
-    if (read_line(in, line, longest_line) != LineEnd::Whole || !line.starts_with("scene ")) {
+    if (read_line(in, line, longest_line) != LineEnd::Whole || !line.starts_with("scene ") || line.size() == 6) {
         throw InputError(file + ":2: expected 'scene NAME'");
     }
     recording.scene = line.substr(6);
     recording.file = file;
 
     // A line without its end was cut off while it was written
-    for (int number = 3;; ++number) {
+    for (int number = Recording::first_assignment;; ++number) {
         const auto cut = [&](const std::string& why) {
             recording.notice =
                 one_line(file + ":" + std::to_string(number) + ": " + why + "; played up to the line before");

@@ -144,6 +144,15 @@ std::string start_warning(std::int64_t crossings, std::int64_t coincident, Real 
     return text;
 }
 
+std::string ball_start_warning(const Settings& settings, const std::optional<StartState>& start) {
+    const auto moves = [](const BallSettings& ball) {
+        return ball.motion == BallMotion::Keys || ball.motion == BallMotion::Free;
+    };
+    const bool unknown = !settings.start.empty() && start && start->balls.empty();
+    if (!unknown || std::ranges::none_of(settings.balls, moves)) return {};
+    return "start = " + settings.start + " has no balls: they start where the scene has them";
+}
+
 std::string doubt_warning(const StepReport& report, std::span<const Cloth> cloths, std::span<const Ball> balls) {
     std::string text;
     if (report.unconverged > 0) {

@@ -1,10 +1,12 @@
 #pragma once
 
+#include <optional>
 #include <span>
 #include <string>
 
 #include "drape/sim/cloth.h"
 #include "drape/sim/settings.h"
+#include "drape/sim/start_state.h"
 #include "drape/sim/step_report.h"
 
 namespace drape {
@@ -37,6 +39,10 @@ Real deepest_particle(std::span<const Cloth> cloths, std::span<const Ball> balls
 /// That cloth crossed cloth at the start, or touched it at distance 0, so many times, or was so deep in something;
 /// empty if nothing of this.
 std::string start_warning(std::int64_t crossings, std::int64_t coincident, Real depth);
+
+/// That balls which keys or forces move start where the scene has them, for the state in which the cloths start has
+/// none; empty if not so.
+std::string ball_start_warning(const Settings& settings, const std::optional<StartState>& start);
 
 /// Why the run so far is not to be trusted, one line; empty if nothing.
 std::string doubt_warning(const StepReport& report, std::span<const Cloth> cloths, std::span<const Ball> balls);

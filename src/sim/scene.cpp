@@ -106,21 +106,20 @@ private:
         }
         if (const std::string wrong = refusal(setting, *value); !wrong.empty()) fail(node, wrong);
         setting.write(settings_, index, *value);
-        if (setting.name == "start" && !settings_.start.empty()) {
-            settings_.start = (std::filesystem::path(file_).parent_path() / settings_.start).string();
-        }
-        const bool is_mesh = setting.section == "solid" && setting.name == "file";
-        if (is_mesh && !settings_.solids[index].file.empty()) find_mesh(node, settings_.solids[index].file);
+        const std::string name = setting.full_name();
+        if (name == "start") find_file(node, name, settings_.start);
+        if (name == "solid.file") find_file(node, name, settings_.solids[index].file);
     }
 
     /// A scene of somebody else's is to read no files but those that came with it.
-    void find_mesh(const toml::node& node, std::string& file) {
+    void find_file(const toml::node& node, const std::string& name, std::string& file) {
+        if (file.empty()) return;
         const std::filesystem::path folder = std::filesystem::path(file_).parent_path(), path = folder / file;
         std::error_code none;
         const auto base = std::filesystem::weakly_canonical(absolute(folder.empty() ? "." : folder), none);
         const auto relative = std::filesystem::weakly_canonical(absolute(path), none).lexically_relative(base);
         if (none || relative.empty() || *relative.begin() == "..") {
-            fail(node, "solid.file = " + toml_text(node) + ": allowed only a file in the scene's folder or below");
+            fail(node, name + " = " + toml_text(node) + ": allowed only a file in the scene's folder or below");
         }
         file = path.string();
     }

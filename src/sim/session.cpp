@@ -328,6 +328,11 @@ double Session::time_after_next_step() {
     return counted_from_ + static_cast<double>(counted_steps_ + 1) * counted_dt_;
 }
 
+double Session::steps_to(double time) const {
+    const double steps = (time - time_) / dt(), whole = std::round(steps);
+    return std::abs(steps - whole) <= std::max(step_tolerance, clock_tolerance * time / dt()) ? whole : steps;
+}
+
 bool Session::run_until(double time, const std::function<bool()>& stop) {
     bool stopped = false;
     for (;;) {

@@ -336,7 +336,8 @@ std::vector<Setting> make_table() {
         [](Settings& s, const SettingValue& value) { s.title = std::get<std::string>(value); });
     top.add(
         "start", SettingKind::Text, "", any_text, {},
-        "file written by --state in whose last moment the cloths start; its time is that of the start",
+        "file written by --state in whose last moment cloths and balls start, at its time; cloth.origin, ball.position "
+        "and ball.velocity are not used then; a scene names one in its own folder or below",
         [](const Settings& s) { return s.start; },
         [](Settings& s, const SettingValue& value) { s.start = std::get<std::string>(value); });
     add_cloth(table);

@@ -17,7 +17,7 @@
 
 namespace drape {
 
-/// One frame, stage by stage, as the table in docs/design.md has it.
+/// One step, stage by stage: docs/design.md, "One frame", has them in this order.
 void Simulation::step() {
     if (report_.status == Status::Diverged) return;
     begin_step();

@@ -132,7 +132,10 @@ void Simulation::restart() {
     ball_contacts_.clear();
     const std::size_t balls = settings_.balls.size();
     ball_contacts_.reserve(balls * (balls + 1) / 2 + balls * settings_.solids.size());
-    for (const BallSettings& ball : settings_.balls) balls_.push_back(make_ball(ball, report_.time));
+    const bool balls_are_known = start_ && !start_->balls.empty();
+    for (std::size_t b = 0; b < balls; ++b) {
+        balls_.push_back(make_ball(settings_.balls[b], report_.time, balls_are_known ? &start_->balls[b] : nullptr));
+    }
     previous_balls_ = balls_;
     put_solids(settings_.solids, report_.time, solids_);
     previous_solids_ = solids_;

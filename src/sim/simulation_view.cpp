@@ -57,7 +57,8 @@ std::string Simulation::step_warning() const {
     for (const std::string& one :
          {step_limit_warning(settings_.solver, report_, planned_substeps_),
           penalty_limit_warning(settings_, cloths_, planned_substeps_),
-          start_warning(self_contact_.crossings_at_start(), self_contact_.coincident_at_start(), depth_at_start_)}) {
+          start_warning(self_contact_.crossings_at_start(), self_contact_.coincident_at_start(), depth_at_start_),
+          ball_start_warning(settings_, start_)}) {
         all += (all.empty() || one.empty() ? "" : "; ") + one;
     }
     return all;

@@ -7,6 +7,19 @@
 #include "drape/sim/setting_table.h"
 
 namespace drape {
+namespace {
+
+/// Does something whose mistakes are those of a place.
+template <class Work>
+void blame(const std::string& place, Work work) {
+    try {
+        work();
+    } catch (const InputError& error) {
+        throw InputError(place + ": " + error.what());
+    }
+}
+
+}  // namespace
 
 Start make_start(StartOptions options) {
     Start start{.scene = std::move(options.scene), .assignments = {}, .settings = {}, .replay = {}};
@@ -16,6 +29,7 @@ Start make_start(StartOptions options) {
         if (start.scene.empty()) start.scene = start.replay->scene;
         start.assignments = start.replay->assignments;
     }
+    const std::size_t recorded = start.assignments.size();
     for (std::string& word : options.assignments) {
         const bool is_scene = !scene_given && word.find('=') == std::string::npos;
         if (is_scene) {
@@ -27,10 +41,16 @@ Start make_start(StartOptions options) {
     }
     if (start.scene.empty()) start.scene = scene_names().front();
     start.settings = load_scene(start.scene);
-    assign_all(start.settings, start.assignments);
+    for (std::size_t k = 0; k < recorded; ++k) {
+        blame(options.replay + ":" + std::to_string(Recording::first_assignment + k),
+              [&] { assign(start.settings, start.assignments[k]); });
+    }
+    const Settings of_recording = start.settings;
+    assign_all(start.settings, std::span(start.assignments).subspan(recorded));
     try {
         check(start.settings);
     } catch (const InputError& error) {
+        if (recorded > 0) blame(options.replay, [&] { check(of_recording); });
         throw InputError(std::string("--set: ") + error.what());
     }
     start.versus = std::move(options.versus);

@@ -7,10 +7,28 @@ namespace {
 
 constexpr int exact_digits = 17;  // a double reads back as itself
 
+template <class Numbers>
+void append(std::ostream& out, const Numbers& numbers) {
+    for (Eigen::Index k = 0; k < numbers.size(); ++k) {
+        out << ',' << real_text(static_cast<double>(numbers[k]), exact_digits);
+    }
+}
+
+/// Calls with the full name and the field of every column of the balls.
+template <class Work>
+void for_each_ball_column(std::size_t balls, Work work) {
+    for (std::size_t b = 0; b < balls; ++b) {
+        for (const BallField& field : ball_fields()) {
+            work("ball" + std::to_string(b) + "_" + std::string(field.name), field);
+        }
+    }
+}
+
 }  // namespace
 
 void write_state_header(std::ostream& out, const Simulation& simulation) {
     out << (simulation.cloths().size() > 1 ? "t,cloth,particle,x,y,z,vx,vy,vz\n" : "t,particle,x,y,z,vx,vy,vz\n");
+    if (!simulation.balls().empty()) out << "# " << ball_columns << '\n';
 }
 
 void write_state(std::ostream& out, const Simulation& simulation) {
@@ -22,13 +40,19 @@ void write_state(std::ostream& out, const Simulation& simulation) {
             out << time << ',';
             if (cloths.size() > 1) out << c << ',';
             out << p;
-            for (const Points* points : {&state.x, &state.v}) {
-                for (int axis = 0; axis < 3; ++axis) {
-                    out << ',' << real_text(static_cast<double>((*points)(p, axis)), exact_digits);
-                }
-            }
+            append(out, state.x.row(p));
+            append(out, state.v.row(p));
             out << '\n';
         }
+    }
+    for (std::size_t b = 0; b < simulation.balls().size(); ++b) {
+        const Ball& ball = simulation.balls()[b];
+        out << "# " << time << ',' << b;
+        append(out, ball.centre);
+        append(out, ball.velocity);
+        append(out, ball.orientation.coeffs());
+        append(out, ball.spin);
+        out << '\n';
     }
 }
 
@@ -54,6 +78,24 @@ void write_report(std::ostream& out, const StepReport& report) {
     for (const ReportField& field : report_fields()) {
         out << comma << real_text(field.read(report));
         comma = ",";
+    }
+}
+
+void write_ball_units(std::ostream& out, std::size_t balls) {
+    for_each_ball_column(balls, [&out](const std::string& name, const BallField& field) {
+        out << ", " << name << " [" << field.unit << ']';
+    });
+}
+
+void write_ball_header(std::ostream& out, std::size_t balls) {
+    for_each_ball_column(balls, [&out](const std::string& name, const BallField&) { out << ',' << name; });
+}
+
+void write_balls(std::ostream& out, std::span<const Ball> balls, std::size_t columns) {
+    for (std::size_t b = 0; b < columns; ++b) {
+        for (const BallField& field : ball_fields()) {
+            out << ',' << (b < balls.size() ? real_text(field.read(balls[b])) : "");
+        }
     }
 }
 

@@ -93,8 +93,22 @@ const std::array<ReportField, 59> fields{{
     {"diverged", "", [](const StepReport& r) { return r.status == Status::Diverged ? 1.0 : 0.0; }},
 }};
 
+constexpr std::array<BallField, 9> fields_of_a_ball{{
+    {"x", "m", [](const Ball& b) { return static_cast<double>(b.centre.x()); }},
+    {"y", "m", [](const Ball& b) { return static_cast<double>(b.centre.y()); }},
+    {"z", "m", [](const Ball& b) { return static_cast<double>(b.centre.z()); }},
+    {"vx", "m/s", [](const Ball& b) { return static_cast<double>(b.velocity.x()); }},
+    {"vy", "m/s", [](const Ball& b) { return static_cast<double>(b.velocity.y()); }},
+    {"vz", "m/s", [](const Ball& b) { return static_cast<double>(b.velocity.z()); }},
+    {"spin_x", "rad/s", [](const Ball& b) { return static_cast<double>(b.spin.x()); }},
+    {"spin_y", "rad/s", [](const Ball& b) { return static_cast<double>(b.spin.y()); }},
+    {"spin_z", "rad/s", [](const Ball& b) { return static_cast<double>(b.spin.z()); }},
+}};
+
 }  // namespace
 
 std::span<const ReportField> report_fields() { return fields; }
+
+std::span<const BallField> ball_fields() { return fields_of_a_ball; }
 
 }  // namespace drape

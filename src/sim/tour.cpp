@@ -27,7 +27,7 @@ constexpr std::array<std::string_view, 2> coarse{"cloth.particles=15,15", "view.
 
 constexpr std::array<TourStop, 12> stops{{
     {"What a spring does", "hang", with_springs,
-     "Particles, and springs between them: each pulls by its stiffness times its stretch.",
+     "Particles, joined by springs: each pulls by its stiffness times its elongation, and damps.",
      "Drag a corner, and watch the springs pass the pull on.", "include/drape/model/forces.h", 0.4},
     {"Structural springs are not enough", "hang", structural_only,
      "Without shear springs the cells shear freely, and the sheet sags like a net.",
@@ -67,7 +67,7 @@ constexpr std::array<TourStop, 12> stops{{
      "Cloth lands on itself and stays apart by its thickness; a second pair of trees finds where.",
      "M, Contact: switch self off, then R: the folds cross.", "src/sim/self_contact.cpp", 0.7},
     {"Speed against accuracy", "hang", long_steps,
-     "Backward Euler takes 1/60 s in one step: stable and fast, but the swing dies too soon.",
+     "Backward Euler takes 1/60 s in one step: stable, but the swing dies too soon.",
      "Press I for the implicit midpoint, which keeps the swing; compare their times.", "docs/speed-and-accuracy.md",
      0.8},
     {"No more than needed", "drop", coarse, "A quarter of the particles: is the drape still the same where you look?",

@@ -9,14 +9,14 @@ namespace {
 
 constexpr std::string_view introduction = R"(# Tour
 
-Twelve scenes, with what to see in each, what to try, and which file explains it. In the window, `drape --tour` or F1
-begins the tour, and everything can be touched on the way. Under each picture is the command that shows its scene, and
-the time at which the picture was taken.
+Twelve scenes, with what to see in each, what to try, and which file explains it. In the window, F1 begins the tour, as
+does `build/release/bin/drape --tour`, and everything can be touched on the way. Under each picture is the command that
+shows its scene, and the time at which the picture was taken.
 
 Made by `build/release/bin/drape-lab list tour > docs/tour.md`, and the pictures by
 
 ```
-build/release/bin/drape-capture --tour --size 560x315 --out docs/tour --again
+build/release/bin/drape-capture --tour --size 840x473 --out docs/tour --again
 ```
 )";
 
@@ -34,7 +34,7 @@ std::string tour_page() {
     for (const TourStop& stop : tour_stops()) {
         page << "\n## " << ++number << " " << stop.title << "\n\n";
         page << "![" << stop.title << "](" << picture_name(number) << ")\n\n";
-        page << "`drape " << stop.scene;
+        page << "`build/release/bin/drape " << stop.scene;
         for (const std::string_view change : stop.changes) page << " --set " << change;
         page << "`, at " << real_text(stop.time) << " s\n\n";
         page << "See: " << stop.look << "\n\nTry: " << stop.try_it << "\n\n";

@@ -3,6 +3,7 @@
 #include <fcntl.h>
 #include <gmock/gmock.h>
 #include <sys/stat.h>
+#include <sys/syscall.h>
 #include <sys/wait.h>
 #include <unistd.h>
 
@@ -13,6 +14,15 @@
 #include "drape/base/input_error.h"
 #include "support/input_errors.h"
 #include "support/process.h"
+
+// What a file had reached when the disk was last asked to keep it.
+static off_t bytes_kept = -1;
+
+extern "C" int fsync(int descriptor) {
+    struct stat file {};
+    if (fstat(descriptor, &file) == 0) bytes_kept = file.st_size;
+    return static_cast<int>(syscall(SYS_fsync, descriptor));
+}
 
 namespace drape {
 namespace {
@@ -52,6 +62,20 @@ void in_killed_process(Work work) {
     int status = 0;
     waitpid(child, &status, 0);
     ASSERT_TRUE(WIFSIGNALED(status));
+}
+
+TEST_F(OutputFileTest, ReachesTheDiskBeforeItHasItsName) {
+    for (const char* name : {"a.txt", "b.txt"}) {
+        put("a.txt", "before");
+        OutputFile file(path(name));
+        file.stream() << "a line\n";
+        file.flush();
+        bytes_kept = -1;
+        fs::remove(path("b.txt"));
+        name[0] == 'a' ? file.close() : static_cast<void>(file.close_if_free());
+        EXPECT_EQ(bytes_kept, 7) << name;
+        EXPECT_EQ(read_file(path(name)), "a line\n");
+    }
 }
 
 TEST_F(OutputFileTest, HasAllThatWasWrittenOnceItIsClosed) {

@@ -86,6 +86,7 @@ TEST(Capture, WritesARowOfEveryFieldForEachFrame) {
     Words wanted{"frame"};
     for (const ReportField& field : report_fields()) wanted.emplace_back(field.name);
     for (const FrameField& field : frame_fields()) wanted.emplace_back(field.name);
+    for (const BallField& field : ball_fields()) wanted.emplace_back("ball0_" + std::string(field.name));
     EXPECT_EQ(rows[0], wanted);
     for (std::size_t i = 1; i < rows.size(); ++i) EXPECT_EQ(rows[i].size(), wanted.size());
     EXPECT_EQ(rows[1][0], "2");

@@ -63,7 +63,7 @@ TEST(CaptureOutputs, AreNoFileTwice) {
     put(folder / "s", "before");
     fs::create_symlink("s", folder / "link");
     fs::create_directory(folder / "a");
-    put(folder / "r", "drape-recording 1\nscene hang\n9 end\n");
+    put(folder / "r.mp4", "drape-recording 1\nscene hang\n9 end\n");
     const auto refused = [&](const Words& words) {
         const Outcome outcome = run_program("drape-capture", small(joined({"--frames", "1"}, words)));
         EXPECT_EQ(outcome.exit_code, 2) << outcome.err;
@@ -73,10 +73,40 @@ TEST(CaptureOutputs, AreNoFileTwice) {
     EXPECT_THAT(refused({"--video", folder / "v.mp4", "--stats", folder / "./v.mp4"}),
                 AllOf(HasSubstr("--video "), HasSubstr(" and --stats ")));
     EXPECT_THAT(refused({"--state", folder / "s", "--stats", folder / "link"}), HasSubstr(" and --state "));
-    EXPECT_THAT(refused({"--replay", folder / "r", "--state", folder / "a/../r"}), HasSubstr("--replay "));
-    EXPECT_THAT(refused({"--replay", folder / "r", "--video", folder / "./r"}), HasSubstr("--replay "));
+    EXPECT_THAT(refused({"--replay", folder / "r.mp4", "--state", folder / "a/../r.mp4"}), HasSubstr("--replay "));
+    EXPECT_THAT(refused({"--replay", folder / "r.mp4", "--video", folder / "./r.mp4"}), HasSubstr("--replay "));
     EXPECT_THAT(refused({"--out", folder / "a", "--state", folder / "a/../a/frame_0001.png"}), HasSubstr("a frame of"));
-    EXPECT_THAT(folder.names(""), ElementsAre("a", "link", "r", "s"));
+    EXPECT_THAT(folder.names(""), ElementsAre("a", "link", "r.mp4", "s"));
+}
+
+TEST(CaptureOutputs, AreNoVideosThatAreNotOneFile) {
+    const TestFolder folder;
+    for (const char* name : {"x%d.png", "x.png", "v.m3u8", "v", "v.mp4.txt"}) {
+        const Outcome outcome = run_program("drape-capture", small({"--frames", "1", "--video", folder / name}));
+        EXPECT_EQ(outcome.exit_code, 2) << name;
+        EXPECT_THAT(outcome.err, HasSubstr("allowed a name that ends in '.mp4', "));
+    }
+    EXPECT_THAT(folder.names(""), testing::IsEmpty());
+    put_ffmpeg(folder / "ffmpeg", "cat > /dev/null\n");
+    const Outcome outcome = run_program("drape-capture", small({"--frames", "1", "--video", folder / "%d.MP4"}),
+                                        {"PATH=" + folder / "" + ":/bin:/usr/bin"});
+    EXPECT_EQ(outcome.exit_code, 1);
+    EXPECT_THAT(outcome.err, HasSubstr("no video, ffmpeg has written nothing"));
+    EXPECT_THAT(folder.names(""), ElementsAre("ffmpeg"));
+}
+
+TEST(CaptureOutputs, AreNotBegunWithTooLittleMemory) {
+    const TestFolder folder;
+    const std::string command =
+        std::string("ulimit -v 500000; exec ") + DRAPE_PROGRAMS + "/drape-capture drop --frames 1 --state s.csv ";
+    for (const char* more : {"--out a", "--out a --context egl", "--stats t.csv", "--video v.mp4"}) {
+        Process run({"sh", "-c", command + more}, {}, folder / "");
+        EXPECT_EQ(run.wait(60), 1) << more;
+        EXPECT_THAT(run.standard_error(), AllOf(HasSubstr("out of memory: pictures"), HasSubstr("ulimit -v")));
+    }
+    EXPECT_THAT(folder.names(""), ElementsAre("stderr.txt", "stdout.txt")) << "nothing is begun";
+    Process run({"sh", "-c", command + "--hash"}, {}, folder / "");
+    EXPECT_EQ(run.wait(60), 0) << "no pictures, no need";
 }
 
 TEST(CaptureOutputs, KeepTheVideoOfBeforeIfThereIsNoNewOne) {

@@ -56,7 +56,7 @@ struct FoldedSheet {
                 edges.push_back({a, b});
         }
         std::ranges::sort(edges);
-        edges.erase(std::ranges::unique(edges).begin(), edges.end());
+        edges.erase(std::unique(edges.begin(), edges.end()), edges.end());
     }
 
     [[nodiscard]] Vec3 at(int particle) const { return x.row(particle).transpose(); }

@@ -107,7 +107,7 @@ Comparison<Volume> compare_many(const Grid& grid, int leaf_cells, int cloths, in
     return comparison;
 }
 
-TEST(SphereQuadtree, NeverMissesATouchedTriangleInAMillionConfigurations) {
+TEST(LongSphereQuadtree, NeverMissesATouchedTriangleInAMillionConfigurations) {
     long configurations = 0, touching = 0;
     const auto run = [&](const Grid& grid, int leaf_cells, int cloths, Real scale) {
         const auto comparison = compare_many<BoundingSphere>(grid, leaf_cells, cloths, 500, scale);

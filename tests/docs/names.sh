@@ -4,7 +4,8 @@
 # - Works: @cite KEY in the sources and [KEY](references.bib) in the pages are entries of docs/references.bib, and every
 #   entry is cited; a page cites in no other way, such as "(Somebody 2001)" or "Somebody et al.".
 # - Files: what a page links to is there, and so is every path in backticks that begins with a folder of the sources.
-# - Names: in docs/reading.md, names in backticks that follow a file's, `file`, `name`, are in that file.
+# - Names: in docs/reading.md, names in backticks that follow a file's, `file`, `name`, are in that file; what a line for
+#   gdb stops in (break NAME, frame function NAME) is the name of a function in the sources.
 set -eu
 export LC_ALL=C.UTF-8
 cd "${1-$(dirname "$0")/../..}"
@@ -49,6 +50,9 @@ while read -r path name; do
     done
 done < <(grep -oE '`(include|src|shaders)/[^` ]*`(, `[A-Za-z_:]+`)+' docs/reading.md |
     awk -F'`' '{ for (i = 4; i <= NF; i += 2) print $2, $i }')
+for name in $(grep -ohE "(\(gdb\) |['\`])(break|frame function) [A-Za-z_:]+" "${pages[@]}" | sed 's/.* //' | sort -u); do
+    [ "$name" = NAME ] || grep -rqE "(^|[^A-Za-z0-9_])${name##*::}\(" include src || fault "gdb stops in $name, which is no function"
+done
 
 echo "$faults faults"
 [ "$faults" -eq 0 ]

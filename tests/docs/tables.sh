@@ -7,6 +7,11 @@
 # and is what tables/NAME.awk prints for DATA.csv beside the page, with a line that says where the data is from. A script
 # has cells by the names of their columns: cell("step_s"). With --check no page is changed: differences are shown, and end
 # with 1.
+#
+# A number in a sentence is written
+#     <!-- value NAME -->1.23<!-- /value -->
+# where NAME begins a line of tests/docs/values, which says from which cells it is made. The mark is no line's beginning:
+# there it would end the paragraph.
 set -eu
 export LC_ALL=C
 here=$(cd "$(dirname "$0")" && pwd)
@@ -31,11 +36,44 @@ make_table() {
         echo "there is no tables/$1.awk, or no $2 beside the page" >&2
         return 2
     }
-    awk "$prelude"$'\n'"$(cat "$here/tables/$1.awk")" "$docs/$2" || return 2
-    local head
+    local rows head
+    rows=$(awk "$prelude"$'\n'"$(cat "$here/tables/$1.awk")" "$docs/$2") || return 2
+    [ -z "$rows" ] || printf '%s\n\n' "$rows"
     head=$(sed -n 's/^# \(commit\|machine\|compiler\|date\|settings\|note\): \(.\+\)/\1 \2/p' "$docs/$2" |
         sed 's/^\(machine\|compiler\|date\|settings\|note\) //' | paste -s -d ';' | sed 's/;/, /g')
-    printf '\nMade from [%s](%s)%s.\n' "$2" "$2" "${head:+ ($head)}"
+    printf 'Made from [%s](%s)%s.\n' "$2" "$2" "${head:+ ($head)}"
+}
+
+# One value: make_value NAME. Its script gives cells to one(), which must agree, or to largest() or smallest().
+make_value() {
+    local name data format script
+    while read -r name data format script; do
+        [ "$name" = "$1" ] || continue
+        awk "$prelude"'
+            function one(x) { if (value != "" && x != value) fail("there are several values"); value = x }
+            function largest(x) { if (value == "" || x + 0 > value + 0) value = x }
+            function smallest(x) { if (value == "" || x + 0 < value + 0) value = x }
+            '"$script"'
+            END { if (value == "") fail("there is no such value"); printf "'"$format"'", value }' "$docs/$data"
+        return
+    done <"$here/values"
+    echo "tests/docs/values has no $1" >&2
+    return 2
+}
+
+# A line of a page with the values that it names: fill LINE
+fill() {
+    local line=$1 filled='' before
+    while [[ $line =~ '<!-- value '([a-z0-9_]+)' -->'[^\<]*'<!-- /value -->' ]]; do
+        before=${line%%"${BASH_REMATCH[0]}"*}
+        line=${line#"$before${BASH_REMATCH[0]}"}
+        filled+="$before<!-- value ${BASH_REMATCH[1]} -->$(make_value "${BASH_REMATCH[1]}")<!-- /value -->" || return
+    done
+    [[ $line != *'<!-- value'* && $line != *'/value -->'* && ! $1 =~ ^[' -']*'<!-- value' ]] || {
+        echo "a value has no end in its line, or begins it" >&2
+        return 2
+    }
+    printf '%s\n' "$filled$line"
 }
 
 status=0 tables=0
@@ -52,6 +90,8 @@ for page in "$docs"/*.md; do
             $inside || { echo "$page: the end of a table that did not begin" >&2; exit 2; }
             inside=false
             printf '%s\n' "$line"
+        elif ! $inside && [[ $line == *'<!-- '?(/)'value'* ]]; then
+            fill "$line" || { echo "$page: $line" >&2; exit 2; }
         elif ! $inside; then
             printf '%s\n' "$line"
         fi
@@ -62,6 +102,9 @@ for page in "$docs"/*.md; do
     elif ! cmp -s "$page" "$made/page"; then
         cat "$made/page" >"$page"
     fi
+done
+for name in $(awk '/^[a-z]/ { print $1 }' "$here/values"); do
+    grep -qF "<!-- value $name -->" "$docs"/*.md || { echo "tests/docs/values: no page has $name"; status=1; }
 done
 echo "$tables tables"
 exit "$status"

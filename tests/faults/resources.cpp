@@ -35,6 +35,15 @@ void withhold_memory(Trial& trial, int count) {
         const Outcome outcome = trial.run("ulimit -v " + std::to_string(size) + "; exec " + command);
         trial.check(ended_cleanly(outcome), std::to_string(size) + " KiB of memory: " + command, outcome);
     }
+    // Pictures, about the size from which they are drawn
+    const int least_of_capture = least_memory(trial, "$CAPTURE");
+    for (int k = 0; k < count; ++k) {
+        const int size = least_of_capture + static_cast<int>(trial.random() * 800'000);
+        const std::string command = "$CAPTURE drop --frames 1 --size 64x36 --overlay --out frames --again" +
+                                    std::string(k % 2 == 0 ? "" : " --context egl");
+        const Outcome outcome = trial.run("ulimit -v " + std::to_string(size) + "; exec " + command);
+        trial.check(ended_cleanly(outcome), std::to_string(size) + " KiB of memory: " + command, outcome);
+    }
 }
 
 void withhold_threads(Trial& trial, int count) {

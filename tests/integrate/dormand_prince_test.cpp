@@ -94,7 +94,7 @@ TEST(DormandPrince, ReportsItsLargestErrorAndWhereItIsAboveTheTolerance) {
 }
 
 /// However rounding divides a step: one of the shortest parts is taken, not tried again for ever.
-TEST(DormandPrince, TakesItsShortestStepsWhateverTheStep) {
+TEST(LongDormandPrince, TakesItsShortestStepsWhateverTheStep) {
     Sheet sheet;
     const auto integrator = make_integrator(with_tolerance(1e-30), sheet.model.grid);
     for (int k = 0; k < 12; ++k) {

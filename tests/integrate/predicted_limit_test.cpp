@@ -107,7 +107,7 @@ std::string case_name(const ::testing::TestParamInfo<Damping>& info) {
     return std::array{"InProportion", "Lightly", "Unlike", "NotAll"}[static_cast<std::size_t>(info.param)];
 }
 
-INSTANTIATE_TEST_SUITE_P(Of, OneStepMatrix,
+INSTANTIATE_TEST_SUITE_P(Long, OneStepMatrix,
                          ::testing::Values(Damping::InProportion, Damping::Lightly, Damping::Unlike, Damping::NotAll),
                          case_name);
 
@@ -155,7 +155,7 @@ TEST(PredictedLimit, IsKnownAtOnceForAMethodWithoutOne) {
     EXPECT_EQ(test::allocations(), before);
 }
 
-TEST(MeasuredLimit, IsSoughtFromTheLongestStepWhereNothingIsGuessed) {
+TEST(LongMeasuredLimit, IsSoughtFromTheLongestStepWhereNothingIsGuessed) {
     ClothParameters cloth;
     cloth.particles = {6, 6};
     cloth.structural = {1000, 0};

@@ -54,7 +54,7 @@ Points random_cloth(const Grid& grid, std::mt19937& random, double rumple) {
     return x;
 }
 
-TEST(LabCollide, FindsWhatMeasuringEveryTriangleFinds) {
+TEST(LongLabCollide, FindsWhatMeasuringEveryTriangleFinds) {
     const LabFolder folder;
     std::mt19937 random(17);
     std::uniform_real_distribution<double> place(-0.2, 1.2), size(0.01, 0.5);
@@ -82,7 +82,7 @@ TEST(LabCollide, FindsWhatMeasuringEveryTriangleFinds) {
     EXPECT_GT(touched, 10'000u);
 }
 
-TEST(LabCollide, GivesTheSameTrianglesWithEveryVolumeFitUpdateAndLeafSize) {
+TEST(LongLabCollide, GivesTheSameTrianglesWithEveryVolumeFitUpdateAndLeafSize) {
     const LabFolder folder;
     std::mt19937 random(18);
     const Grid grid{19, 14};

@@ -19,10 +19,12 @@ constexpr double seconds = 1;  // `drape-lab combinations` has two
 /// Four of the combinations at a time.
 class Combinations : public testing::TestWithParam<std::size_t> {};
 
-INSTANTIATE_TEST_SUITE_P(Sample, Combinations, testing::Range<std::size_t>(0, 80, 2), [](const auto& param) {
+const auto name_of_pair = [](const auto& param) {
     const Combination first = all_combinations()[param.param];
     return name_of(first.integrator) + "_" + name_of(first.response);
-});
+};
+INSTANTIATE_TEST_SUITE_P(Long, Combinations, testing::Values(std::size_t{0}, std::size_t{42}), name_of_pair);
+INSTANTIATE_TEST_SUITE_P(Nightly, Combinations, testing::Range<std::size_t>(0, 80, 2), name_of_pair);
 
 TEST_P(Combinations, StayWithinBoundsAndHaveTheBitsOfBruteForce) {
     for (const std::size_t number : {GetParam(), GetParam() + 1}) {

@@ -16,7 +16,7 @@ using testing::HasSubstr;
 /// How far a share of so many shots may be from its mean: four standard deviations.
 double chance(double share, double shots) { return 4 * std::sqrt(share * (1 - share) / shots) + 1e-3; }
 
-TEST(ContinuousShots, AreMissedByWholeStepsAsPredictedAndNeverByWhatIsBetween) {
+TEST(LongContinuousShots, AreMissedByWholeStepsAsPredictedAndNeverByWhatIsBetween) {
     for (const Target target : {Target::Point, Target::Sheet}) {
         for (const double q : {0.3, 0.7, 1.0, 1.5, 4.0}) {
             const ShotCount count = shoot(target, q, 5000);
@@ -28,7 +28,7 @@ TEST(ContinuousShots, AreMissedByWholeStepsAsPredictedAndNeverByWhatIsBetween) {
 }
 
 /// The planted fault: the prediction of a chord that is always as long as the ball is wide.
-TEST(ContinuousShots, AreNotMissedAsOneWithoutGeometryWouldSay) {
+TEST(LongContinuousShots, AreNotMissedAsOneWithoutGeometryWouldSay) {
     const ShotCount count = shoot(Target::Point, 1.5, 5000);
     const double wrong = predicted_misses(Target::Sheet, 1.5);
     EXPECT_GT(std::abs(count.discrete / count.shots - wrong), chance(wrong, count.shots));

@@ -37,7 +37,7 @@ ExactTally throw_at_sheet(const ThrownSheet& scene, FailSafe fail_safe) {
     return tally;
 }
 
-TEST(FailSafe, LeavesNoCrossingWhereSheetsAreThrownAtEachOther) {
+TEST(LongFailSafe, LeavesNoCrossingWhereSheetsAreThrownAtEachOther) {
     for (const auto& [speed, thickness] : {std::pair(8, 1.25e-4), std::pair(8, 5e-4), std::pair(5, 5e-5)}) {
         const ThrownSheet scene = throw_sheet(static_cast<Real>(speed), static_cast<Real>(thickness));
         const ExactTally with = throw_at_sheet(scene, FailSafe::Zones), without = throw_at_sheet(scene, FailSafe::None);

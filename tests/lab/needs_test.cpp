@@ -208,7 +208,7 @@ TEST(NeedsCommand, RefusesWithTheNearestMissWhatNothingCanShow) {
     EXPECT_EQ(folder.read("swinging.toml"), swinging) << "nothing is written";
 }
 
-TEST(NeedsCommand, AsksForNeedsThatCanBeMeasured) {
+TEST(LongNeedsCommand, AsksForNeedsThatCanBeMeasured) {
     const LabFolder folder;
     folder.write("swinging.toml", swinging);
     const auto refused = [&](const std::string& set) {

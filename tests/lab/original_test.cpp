@@ -64,7 +64,7 @@ TEST(OriginalSummary, TakesTheConclusionFromTheMediansOfTheTable) {
         EXPECT_THAT(text, HasSubstr(published));
 }
 
-TEST(OriginalRows, HaveEveryCellWhereThereIsAProgramToDraw) {
+TEST(LongOriginalRows, HaveEveryCellWhereThereIsAProgramToDraw) {
     bool draws = false;
     const auto rows = original_rows(tiny, program_folder() / "drape-capture", draws);
     EXPECT_TRUE(draws);
@@ -92,7 +92,7 @@ TEST(OriginalRows, FailWhereTheProgramFails) {
     EXPECT_EQ(run_child({"no-such-program-anywhere"}), std::nullopt);
 }
 
-TEST(LabOriginal, LeavesCellsEmptyAndSaysSoWithoutAProgramToDraw) {
+TEST(LongLabOriginal, LeavesCellsEmptyAndSaysSoWithoutAProgramToDraw) {
     const LabFolder folder;
     std::filesystem::copy_file(DRAPE_LAB, folder.path() / "drape-lab");
     const std::string data = find_resource("scenes/original.toml").parent_path().parent_path().string();

@@ -50,7 +50,7 @@ TEST(SelfContactTrial, DoesWhatTheSimulationDoesToTheSameBits) {
     }
 }
 
-TEST(ThrownSheets, CrossWithoutTheFailSafeAndNeverWithIt) {
+TEST(LongThrownSheets, CrossWithoutTheFailSafeAndNeverWithIt) {
     const SelfContactHistory with = watch_sheets(thin_sheets(), long_step, FailSafe::Zones);
     const SelfContactHistory without = watch_sheets(thin_sheets(), long_step, FailSafe::None);
     EXPECT_EQ(with.crossed_steps, 0);
@@ -66,7 +66,7 @@ TEST(ThrownSheets, CrossWithoutTheFailSafeAndNeverWithIt) {
     }
 }
 
-TEST(ThrownSheets, CrossNeitherWhereAStepThatWouldCrossIsRejected) {
+TEST(LongThrownSheets, CrossNeitherWhereAStepThatWouldCrossIsRejected) {
     const SelfContactHistory run = watch_sheets(thin_sheets(), long_step, FailSafe::Rejection);
     EXPECT_EQ(run.crossed_steps, 0);
     EXPECT_GT(run.rejected, 1);
@@ -88,7 +88,7 @@ TEST(ThrownSheets, PassThroughEachOtherWhereTheSearchGivesUp) {
     EXPECT_GT(run.crossed_steps, 0);
 }
 
-TEST(ThrownSheets, PassOnTheMomentumOfTheReferenceTheBetterTheShorterTheStep) {
+TEST(LongThrownSheets, PassOnTheMomentumOfTheReferenceTheBetterTheShorterTheStep) {
     const ThrownSheet scene = throw_sheet(8, Real(0.008));
     const SelfContactHistory reference = watch_sheets(scene, Real(1) / 3840, FailSafe::Zones);
     const double shorter = momentum_error(watch_sheets(scene, Real(1) / 1920, FailSafe::Zones), reference);
@@ -163,7 +163,7 @@ Real nearest_features(const SelfContactTrial& trial) {
     return nearest;
 }
 
-TEST(SelfContactTrial, MeasuresHowFarTheNearestFeaturesAreWithinTheThickness) {
+TEST(LongSelfContactTrial, MeasuresHowFarTheNearestFeaturesAreWithinTheThickness) {
     SelfContactTrial trial(thin_sheets(), long_step, FailSafe::Zones);
     int within = 0;
     for (int step = 0; step < 24; ++step) {
@@ -199,7 +199,7 @@ void expect_row(const std::string& row, double step, const std::string& word, Fa
     }
 }
 
-TEST(LabSelfContact, WritesARowForEachStepAndFailSafe) {
+TEST(LongLabSelfContact, WritesARowForEachStepAndFailSafe) {
     const LabFolder folder;
     const LabRun run = folder.run({"self_contact", "--quick", "--cases", "1-1", "--out", "out"});
     ASSERT_EQ(run.code, 0) << run.err;

@@ -23,6 +23,76 @@ TEST(LabSimulate, SaysThatTheTimeIsMissing) {
     EXPECT_THAT(folder.run({"simulate", "drop"}).err, StartsWith("drape-lab: --time is missing: say --time T"));
 }
 
+TEST(LabSimulate, RefusesTimesBetweenWhichNoStepEnds) {
+    const LabFolder folder;
+    const auto run = [&](const std::string& times) {
+        return folder.run({"simulate", "hang", "--set", "dt=0.1", "cloth.particles=2,2", "sleep_speed=0", "--state",
+                           "state.csv", "--time", times});
+    };
+    for (const char* times : {"0.05", "0.01,0.02,0.03", "0.1,0.15"}) {
+        EXPECT_EQ(run(times).code, 2) << times;
+        EXPECT_FALSE(folder.has("state.csv"));
+    }
+    EXPECT_THAT(run("0.2,0.25").err, AllOf(HasSubstr("--time 0.25: no step ends after 0.2 s"), HasSubstr("0.1 s")));
+    const LabRun within = run("0,0.1,0.25");
+    EXPECT_EQ(within.code, 0) << within.err;
+    EXPECT_THAT(within.err, HasSubstr("warning: --time 0.25 is within a step: the state is that before it, at 0.2 s"));
+    EXPECT_THAT(run("0.1,0.2,0.3").err, testing::Not(HasSubstr("within"))) << "but for rounding";
+    folder.write("r.txt", "drape-recording 1\nscene hang\nset cloth.particles=2,2\nset dt=0.1\n1 set dt=0.01\n9 end\n");
+    EXPECT_EQ(folder.run({"simulate", "--replay", "r.txt", "--time", "0.11,0.12"}).code, 0) << "steps become shorter";
+}
+
+TEST(LabSimulate, RefusesEmptyWords) {
+    const LabFolder folder;
+    const std::vector<std::vector<std::string>> bad{{"simulate", "", "--time", "0"},
+                                                    {"simulate", "drop", "--time", "0", "--state", ""},
+                                                    {"simulate", "drop", "--time", "0", "--stats="},
+                                                    {"simulate", "--replay", "", "--time", "0"}};
+    for (const auto& words : bad) {
+        const LabRun run = folder.run(words);
+        EXPECT_EQ(run.code, 2) << testing::PrintToString(words);
+        EXPECT_THAT(run.err, HasSubstr("allowed no empty name or value"));
+    }
+    folder.write("r.txt", "drape-recording 1\nscene \n9 end\n");
+    EXPECT_THAT(folder.run({"simulate", "--replay", "r.txt"}).err, HasSubstr("r.txt:2: expected 'scene NAME'"));
+}
+
+TEST(LabSimulate, TakesASceneThatStartsFromItsOwnFolderOnly) {
+    const LabFolder folder;
+    std::filesystem::create_directory(folder.path("below"));
+    folder.write("start.csv",
+                 "t,particle,x,y,z,vx,vy,vz\n0,0,0,0,0,0,0,0\n0,1,1,0,0,0,0,0\n0,2,0,0,1,0,0,0\n0,3,1,0,1,0,0,0\n");
+    const std::string pipe = folder.path("pipe.csv");
+    ASSERT_EQ(mkfifo(pipe.c_str(), 0600), 0);
+    std::filesystem::create_symlink("/dev/stdin", folder.path("link.csv"));
+    const auto run = [&](const std::string& scene, const std::string& start) {
+        folder.write(scene, "start = \"" + start + "\"\n[cloth]\nparticles = [2, 2]\n");
+        return folder.run({"simulate", scene, "--time", "0"});
+    };
+    EXPECT_EQ(run("s.toml", "start.csv").code, 0);
+    EXPECT_EQ(run("s.toml", "below/../start.csv").code, 0);
+    for (const char* start : {"/dev/stdin", "/etc/passwd", "../start.csv", "link.csv"}) {
+        const LabRun refused = run("below/s.toml", start == std::string("link.csv") ? "../link.csv" : start);
+        EXPECT_EQ(refused.code, 2);
+        EXPECT_THAT(refused.err, HasSubstr("s.toml:1:9: start = "));
+        EXPECT_THAT(refused.err, HasSubstr("allowed only a file in the scene's folder or below"));
+    }
+    EXPECT_THAT(run("s.toml", "link.csv").err, HasSubstr("start = "));
+    EXPECT_THAT(run("s.toml", "pipe.csv").err, HasSubstr("is a pipe: allowed a regular file"));
+    EXPECT_THAT(folder.run({"simulate", "drop", "--time", "0", "--set", "start=/dev/stdin"}).err,
+                HasSubstr("allowed a regular file"));
+}
+
+TEST(LabSimulate, ShowsNoControlCharactersOfNames) {
+    const LabFolder folder;
+    const std::string odd = "a\x1b[31m\n.csv";
+    const LabRun run = folder.run({"simulate", "hang", "--time", "0", "--state", "no/" + odd});
+    EXPECT_EQ(run.code, 1);
+    EXPECT_EQ(run.err.find('\x1b'), std::string::npos);
+    EXPECT_EQ(lines_of(run.err).size(), 1u);
+    EXPECT_THAT(run.err, HasSubstr("a\\x1b[31m\\n.csv"));
+}
+
 TEST(LabSimulate, RefusesAnOptionInThePlaceOfAValue) {
     const LabFolder folder;
     const std::vector<std::vector<std::string>> bad{{"stability", "--out", "--quick"},

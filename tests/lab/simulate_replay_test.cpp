@@ -58,6 +58,28 @@ TEST(LabSimulate, PlaysACutRecordingToItsLastWholeCommandWhereNoTimeIsGiven) {
     }
 }
 
+TEST(LabSimulate, BlamesTheRecordingForItsSettings) {
+    const LabFolder folder;
+    const std::string head = "drape-recording 1\nscene drop\nset cloth.mass=0.3\n";
+    folder.write("unknown.txt", head + "set solver.dtx=1\n0 end\n");
+    folder.write("misfit.txt", head + "set ball.motion=path\n0 end\n");
+    folder.write("good.txt", head + "0 end\n");
+    const auto complaint = [&](const std::string& file, const std::vector<std::string>& more = {}) {
+        std::vector<std::string> words{"simulate", "--replay", file};
+        words.insert(words.end(), more.begin(), more.end());
+        const LabRun run = folder.run(words);
+        EXPECT_EQ(run.code, 2) << file;
+        return run.err;
+    };
+    EXPECT_THAT(complaint("unknown.txt"),
+                testing::StartsWith("drape-lab: unknown.txt:4: unknown setting 'solver.dtx'"));
+    EXPECT_THAT(complaint("misfit.txt"), testing::StartsWith("drape-lab: misfit.txt: ball.motion = path"));
+    EXPECT_THAT(complaint("misfit.txt", {"--set", "dt=1e-4"}), testing::StartsWith("drape-lab: misfit.txt: ball."));
+    EXPECT_THAT(complaint("good.txt", {"--set", "ball.motion=path"}), HasSubstr("--set: ball.motion = path"));
+    EXPECT_THAT(complaint("good.txt", {"--set", "dtx=1"}), HasSubstr("--set dtx=1: unknown setting"));
+    EXPECT_EQ(folder.run({"simulate", "--replay", "misfit.txt", "--set", "ball.motion=still"}).code, 0);
+}
+
 TEST(LabSimulate, FailsWhereAReplayRefusesACommand) {
     const LabFolder folder;
     folder.write("refused.txt", "drape-recording 1\nscene drop\n3 grab 0 899\n5 end\n");

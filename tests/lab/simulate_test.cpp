@@ -2,6 +2,7 @@
 
 #include <array>
 
+#include "drape/base/commit.h"
 #include "drape/base/numbers.h"
 #include "drape/sim/scene.h"
 #include "drape/sim/session.h"
@@ -47,18 +48,21 @@ TEST(LabSimulate, WritesEveryParticleAtEveryTimeSoThatItReadsBack) {
     const LabFolder folder;
     ASSERT_EQ(folder.run({"simulate", "drop", "--time", "0,0.05", "--state", "state.csv"}).code, 0);
     const auto lines = lines_of(folder.read("state.csv"));
-    ASSERT_EQ(lines.size(), 1u + 2 * 900);
+    ASSERT_EQ(lines.size(), 2u + 2 * 901);
     EXPECT_EQ(lines[0], "t,particle,x,y,z,vx,vy,vz");
+    EXPECT_EQ(lines[1], "# t,ball,x,y,z,vx,vy,vz,turn_x,turn_y,turn_z,turn_w,spin_x,spin_y,spin_z");
+    EXPECT_THAT(lines[902], StartsWith("# 0,0,"));
+    EXPECT_THAT(lines.back(), StartsWith("# "));
     Session session(Simulation("drop", load_scene("drop")));
     session.run_until(0.05);
     const ClothState& state = session.simulation().cloths()[0].state;
     for (int p = 0; p < 900; ++p) {
-        const std::vector<double> row = values_of(lines[static_cast<std::size_t>(901 + p)]);
+        const std::vector<double> row = values_of(lines[static_cast<std::size_t>(903 + p)]);
         EXPECT_EQ(row, (std::vector<double>{row[0], static_cast<double>(p), state.x(p, 0), state.x(p, 1), state.x(p, 2),
                                             state.v(p, 0), state.v(p, 1), state.v(p, 2)}));
         EXPECT_DOUBLE_EQ(row[0], 0.05);
     }
-    EXPECT_EQ(values_of(lines[1])[0], 0);
+    EXPECT_EQ(values_of(lines[2])[0], 0);
 }
 
 TEST(LabSimulate, NamesTheClothWhereThereAreSeveral) {
@@ -80,10 +84,28 @@ TEST(LabSimulate, WritesEveryFieldOfTheReport) {
     ASSERT_EQ(lines.size(), 3u);
     std::string header;
     for (const ReportField& field : report_fields()) header += (header.empty() ? "" : ",") + std::string(field.name);
+    for (const BallField& field : ball_fields()) header += ",ball0_" + std::string(field.name);
     EXPECT_EQ(lines[0], header);
-    EXPECT_EQ(values_of(lines[2]).size(), report_fields().size());
+    EXPECT_EQ(values_of(lines[2]).size(), report_fields().size() + ball_fields().size());
     EXPECT_NEAR(values_of(lines[2])[0], 0.02 / static_cast<double>(load_scene("curtain").solver.dt), 1e-6);
     EXPECT_DOUBLE_EQ(values_of(lines[2])[1], 0.02);
+}
+
+TEST(LabSimulate, WritesWhereABallIsAndHowFast) {
+    const LabFolder folder;
+    const std::vector<std::string> words{"simulate", "trampoline", "--time", "0.01", "--stats", "stats.csv"};
+    ASSERT_EQ(folder.run(words).code, 0);
+    Session session(Simulation("trampoline", load_scene("trampoline")));
+    session.run_until(0.01);
+    const Ball& ball = session.simulation().balls()[0];
+    const std::vector<double> row = values_of(table_of(folder, "stats.csv")[1]);
+    const std::vector<double> wanted{ball.centre.x(),   ball.centre.y(),   ball.centre.z(),
+                                     ball.velocity.x(), ball.velocity.y(), ball.velocity.z(),
+                                     ball.spin.x(),     ball.spin.y(),     ball.spin.z()};
+    EXPECT_EQ(std::vector<double>(row.end() - 9, row.end()), wanted);
+    EXPECT_LT(ball.velocity.y(), 0);
+    EXPECT_THAT(lines_of(folder.read("stats.csv"))[0],
+                HasSubstr(", ball0_vy [m/s], ball0_vz [m/s], ball0_spin_x [rad/s]"));
 }
 
 TEST(LabSimulate, GivesTheUnitsOfItsReport) {
@@ -109,7 +131,7 @@ TEST(LabSimulate, StopsAtTimesOfASceneThatStartsLater) {
     const LabRun rest = run({"--set", "start=start.csv", "--time", "0.1,0.15", "--state", "end.csv"});
     ASSERT_EQ(rest.code, 0) << rest.err;
     EXPECT_EQ(rest.out, whole.out);
-    const auto lines = lines_of(folder.read("end.csv"));
+    const auto lines = table_of(folder, "end.csv");
     EXPECT_DOUBLE_EQ(values_of(lines[1])[0], 0.1);
     EXPECT_DOUBLE_EQ(values_of(lines.back())[0], 0.15);
     const LabRun early = run({"--set", "start=start.csv", "--time", "0.05"});
@@ -124,7 +146,7 @@ TEST(LabSimulate, FailsAndSaysWhatMadeTheClothDiverge) {
     EXPECT_EQ(failed.code, 1);
     EXPECT_THAT(failed.err, AllOf(HasSubstr("particle "), HasSubstr("of explicit_euler")));
     EXPECT_EQ(failed.out.size(), 17u) << "the hash of the last good state";
-    EXPECT_EQ(lines_of(folder.read("state.csv")).size(), 1u + 900u) << "no rows for times that it did not get to";
+    EXPECT_EQ(table_of(folder, "state.csv").size(), 1u + 900u) << "no rows for times that it did not get to";
 }
 
 TEST(LabSimulate, MarksARunThatItsMethodHasHeatedOrEndsIt) {
@@ -153,7 +175,7 @@ TEST(LabSimulate, EndsWhereDormandPrinceDoesNotComeThrough) {
 }
 
 // Before the first impact: contact multiplies what rounding leaves, a thousandfold within a tenth of a second.
-TEST(LabSingle, RunsInSinglePrecision) {
+TEST(NightlyLabSingle, RunsInSinglePrecision) {
     const LabFolder folder;
     const std::vector<std::string> words{"simulate", "drop", "--time", "0.1", "--hash", "--state", "state.csv"};
     const LabRun twice = folder.run(words);
@@ -168,7 +190,7 @@ TEST(LabSingle, RunsInSinglePrecision) {
 }
 
 // A step length is counted with in double precision, as it was given.
-TEST(LabSingle, MakesAsManyStepsAsFit) {
+TEST(NightlyLabSingle, MakesAsManyStepsAsFit) {
     const LabFolder folder;
     const std::vector<std::array<std::string, 3>> runs{{"0.5", "5e-4", "1000"}, {"1", "1e-3", "1000"},
                                                        {"0.2", "2e-4", "1000"}, {"1", "0.0016666666666666668", "600"},
@@ -193,7 +215,8 @@ TEST(LabHelp, GoesToStandardOutputWithEverySetting) {
     EXPECT_THAT(help.err, IsEmpty());
     const LabRun version = folder.run({"--version"});
     EXPECT_EQ(version.code, 0);
-    EXPECT_EQ(version.out, std::string("drape-lab ") + DRAPE_VERSION + "\n");
+    EXPECT_THAT(version.out, MatchesRegex(std::string("drape-lab ") + DRAPE_VERSION + ", commit " + commit() +
+                                          "\nBuilt from Eigen [0-9.]+, .*freeglut [0-9.]+\n"));
 }
 
 }  // namespace

@@ -1,7 +1,7 @@
-// Embree 3: a tree of wide nodes over triangles, or over quads, which a cell's two triangles fit into; always single
+// Embree: a tree of wide nodes over triangles, or over quads, which a cell's two triangles fit into; always single
 // precision, one thread.
 
-#include <embree3/rtcore.h>
+#include <rtcore.h>
 
 #include "drape/base/input_error.h"
 #include "method.h"

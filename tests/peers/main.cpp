@@ -7,8 +7,10 @@
 #include <string>
 #include <vector>
 
+#include "drape/base/command_line.h"
+#include "drape/base/input_error.h"
 #include "drape/base/output_file.h"
-#include "drape/base/program.h"
+#include "drape/base/run_program.h"
 #include "race.h"
 
 namespace drape::peers {
@@ -52,12 +54,12 @@ void write(const Motion& motion, const std::vector<Result>& results, std::ostrea
 }
 
 int run(int argc, char** argv) {
-    CLI::App app("Times Drape's hierarchy beside those of FCL, Bullet and Embree.", "peers");
+    CommandLine line("peers", "Times Drape's hierarchy beside those of FCL, Bullet and Embree.");
     std::string csv;
     bool quick = false;
-    app.add_option("--csv", csv, "Also write the figures to this file");
-    app.add_flag("--quick", quick, "Two sizes, few frames");
-    if (!parse_command_line(app, argc, argv)) return Done;
+    line.option("--csv", csv, "Also write the figures to this file");
+    line.flag("--quick", quick, "Two sizes, few frames");
+    if (!line.parse(argc, argv)) return Done;
 
     OutputFile file(csv);
     file.stream() << "precision,side,method,update_us,query_us,total_us,ratio,frames,ties\n";

@@ -52,7 +52,9 @@ protected:
     std::optional<Simulation> simulation_;
 };
 
-TEST_F(StoppedBall, DoesNotStretchClothThatPinsHoldTaut) {
+using LongStoppedBall = StoppedBall;
+
+TEST_F(LongStoppedBall, DoesNotStretchClothThatPinsHoldTaut) {
     start({});
     const Real limit = cloth().model.stretch_limit, from = ball().centre.y();
     Real longest = 0;
@@ -67,7 +69,7 @@ TEST_F(StoppedBall, DoesNotStretchClothThatPinsHoldTaut) {
 }
 
 /// Towards a side it goes lower, where cloth between the pins lets it.
-TEST_F(StoppedBall, SlidesAlongTautCloth) {
+TEST_F(LongStoppedBall, SlidesAlongTautCloth) {
     start({});
     steer("0 1 0", 1.2, [] {});
     ASSERT_LT(ball().velocity.norm(), 0.1);
@@ -80,7 +82,7 @@ TEST_F(StoppedBall, SlidesAlongTautCloth) {
     EXPECT_LT(ball().centre.y(), from.y());
 }
 
-TEST_F(StoppedBall, PushesClothWithoutALimitAsFarAsTheKeysLeadIt) {
+TEST_F(LongStoppedBall, PushesClothWithoutALimitAsFarAsTheKeysLeadIt) {
     start({"stretch_limit=0"});
     const Real from = ball().centre.y();
     steer("0 1 0", 1.5, [] {});
@@ -105,7 +107,7 @@ TEST_F(StoppedBall, SlidesPastAPin) {
 }
 
 /// Between two pins that are nearer to each other than its diameter, and on the ground below one.
-TEST_F(StoppedBall, IsNotPressedOverPinsByWhatElseStopsIt) {
+TEST_F(LongStoppedBall, IsNotPressedOverPinsByWhatElseStopsIt) {
     for (const bool between : {true, false}) {
         start({"pinned=0,10", "stretch_limit=0", "dt=1e-3", "integrator=backward_euler", "cloth.drag=0.01"});
         if (!between) send(*simulation_, "set ground.height=-0.3");

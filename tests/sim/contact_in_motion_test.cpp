@@ -229,7 +229,7 @@ Shot shoot(const std::string& continuous, Real speed, Real rate, Real radius) {
     return shot;
 }
 
-TEST(ContinuousDetection, LeavesTheBallNoDeeperInTheClothThanDiscreteDoes) {
+TEST(LongContinuousDetection, LeavesTheBallNoDeeperInTheClothThanDiscreteDoes) {
     int slow = 0, fast = 0;
     for (const Real radius : {Real(0.06), Real(0.22)}) {
         for (const Real rate : {30, 60, 240}) {
@@ -337,7 +337,7 @@ TEST(StepsInContact, AreDividedUnderAnImplicitMethodAlone) {
 }
 
 /// By what vibrates under a free ball, which these two do not damp.
-TEST(StepsInContact, AreHalfAsLongWithAFreeBallUnderMethodsThatDoNotDamp) {
+TEST(LongStepsInContact, AreHalfAsLongWithAFreeBallUnderMethodsThatDoNotDamp) {
     for (const std::string integrator : {"backward_euler", "implicit_midpoint", "dormand_prince"}) {
         for (const std::string motion : {"still", "free"}) {
             Simulation simulation =
@@ -360,7 +360,7 @@ TEST(RestingContact, NeitherCreepsNorQuiversAtALongStep) {
     EXPECT_LT((simulation.cloths()[0].state.x - there).rowwise().norm().maxCoeff(), 1e-4);
 }
 
-TEST(FreeBall, FallsOnTheGroundAndRollsWithoutSliding) {
+TEST(LongFreeBall, FallsOnTheGroundAndRollsWithoutSliding) {
     Simulation simulation = scene_with("drop", {"ball.motion=free", "ball.radius=0.1", "ball.position=3,0.2,0",
                                                 "ball.velocity=1,0,0", "ground.friction=0.5"});
     run_until(simulation, 2);

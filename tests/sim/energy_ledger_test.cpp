@@ -107,7 +107,7 @@ TEST(EnergyLedger, CountsPushesWithinAStepAsThoseOfContact) {
 }
 
 /// What a free ball loses is its work on the sheet that it comes to lie in, by pushes within the step and after it.
-TEST(EnergyLedger, CountsWhatAFreeBallGivesWithinAStep) {
+TEST(LongEnergyLedger, CountsWhatAFreeBallGivesWithinAStep) {
     Settings settings = load_scene("trampoline");
     settings.solver.integrator = IntegratorKind::VelocityVerlet;
     settings.solver.ledger = true;

@@ -113,7 +113,7 @@ TEST(FailingScenes, SayHowFarAboveWhichLimitTheyAre) {
                 testing::HasSubstr(". No time step of explicit_euler that may be set is stable here: "));
 }
 
-TEST(FailingScenes, RunAtNineTenthsOfTheLongestStep) {
+TEST(LongFailingScenes, RunAtNineTenthsOfTheLongestStep) {
     for (const std::string name : {"fails_symplectic_euler", "fails_rk4", "fails_penalty"}) {
         Settings settings = load_scene(name);
         const double longest = Simulation(name, settings).longest_step();

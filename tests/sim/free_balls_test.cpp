@@ -149,9 +149,10 @@ TEST_P(BallOnLyingCloth, GivesItNoEnergyFromNowhere) {
     EXPECT_EQ(simulation.report().heated_step, 0) << simulation.report().energy_excess << " J";
 }
 
-INSTANTIATE_TEST_SUITE_P(ImplicitMethods, BallOnLyingCloth,
-                         testing::Values(IntegratorKind::BackwardEuler, IntegratorKind::Bdf2,
-                                         IntegratorKind::ImplicitMidpoint, IntegratorKind::Xpbd),
+INSTANTIATE_TEST_SUITE_P(OneMethod, BallOnLyingCloth, testing::Values(IntegratorKind::BackwardEuler),
+                         [](const auto& about) { return std::string(name_of(about.param)); });
+INSTANTIATE_TEST_SUITE_P(Nightly, BallOnLyingCloth,
+                         testing::Values(IntegratorKind::Bdf2, IntegratorKind::ImplicitMidpoint, IntegratorKind::Xpbd),
                          [](const auto& about) { return std::string(name_of(about.param)); });
 
 /// Sliding brings a solid sphere to 5/7 of its speed, whatever the friction.
@@ -201,7 +202,7 @@ void expect_to_carry_the_ball(Simulation& simulation) {
     EXPECT_NEAR(push / (static_cast<Real>(steps) * h), weight, 0.02 * weight);
 }
 
-TEST(TrampolineScene, CatchesItsBallThrowsItBackAndCarriesItInTheEnd) {
+TEST(LongTrampolineScene, CatchesItsBallThrowsItBackAndCarriesItInTheEnd) {
     Simulation simulation("trampoline", load_scene("trampoline"));
     const Cloth& cloth = simulation.cloths()[0];
     const Ball& ball = simulation.balls()[0];
@@ -237,12 +238,12 @@ TEST_P(SceneOnTheGround, ComesToRestOnItAndNothingFallsBelow) {
     EXPECT_LT(simulation.cloths()[0].state.x.col(1).minCoeff(), 0.01) << "the cloth touches it";
 }
 
-INSTANTIATE_TEST_SUITE_P(Shipped, SceneOnTheGround, testing::Values("three_balls", "slide"),
+INSTANTIATE_TEST_SUITE_P(Long, SceneOnTheGround, testing::Values("three_balls", "slide"),
                          [](const auto& scene) { return std::string(scene.param); });
 
 /// Off the ball, down the incline, and with its front onto the ground. With more friction than the tangent of the angle
 /// it stays where it is.
-TEST(SlideScene, TakesItsClothDownTheInclineUnlessFrictionHoldsIt) {
+TEST(LongSlideScene, TakesItsClothDownTheInclineUnlessFrictionHoldsIt) {
     const auto end_with = [](Real friction) {
         Settings settings = load_scene("slide");
         settings.contact.friction = friction;

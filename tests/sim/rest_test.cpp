@@ -73,7 +73,10 @@ std::string name_of_case(const testing::TestParamInfo<RestCase>& param) {
 }
 
 /// What falls asleep at a tenth of the usual speed. Under penalties and the hybrid velocities do not: see below.
-INSTANTIATE_TEST_SUITE_P(All, RestOnABall,
+INSTANTIATE_TEST_SUITE_P(Long, RestOnABall,
+                         testing::Values(RestCase{IntegratorKind::SymplecticEuler, ResponseKind::Projection}),
+                         name_of_case);
+INSTANTIATE_TEST_SUITE_P(Nightly, RestOnABall,
                          testing::ValuesIn(rest_cases({ResponseKind::Projection, ResponseKind::Impulse})),
                          name_of_case);
 
@@ -93,7 +96,10 @@ TEST_P(RestOnABall, IsReachedAndNothingIsBookedAfterIt) {
 
 class CreepOnABall : public testing::TestWithParam<RestCase> {};
 
-INSTANTIATE_TEST_SUITE_P(All, CreepOnABall,
+INSTANTIATE_TEST_SUITE_P(Long, CreepOnABall,
+                         testing::Values(RestCase{IntegratorKind::SymplecticEuler, ResponseKind::Hybrid}),
+                         name_of_case);
+INSTANTIATE_TEST_SUITE_P(Nightly, CreepOnABall,
                          testing::ValuesIn(rest_cases({ResponseKind::Penalty, ResponseKind::Hybrid})), name_of_case);
 
 TEST_P(CreepOnABall, StaysBelowItsBound) {
@@ -116,7 +122,9 @@ std::vector<RestCase> cases_of_long_steps() {
     return cases;
 }
 
-INSTANTIATE_TEST_SUITE_P(All, FirstTouch, testing::ValuesIn(cases_of_long_steps()), name_of_case);
+INSTANTIATE_TEST_SUITE_P(OneMethod, FirstTouch,
+                         testing::Values(RestCase{IntegratorKind::BackwardEuler, ResponseKind::Penalty}), name_of_case);
+INSTANTIATE_TEST_SUITE_P(Nightly, FirstTouch, testing::ValuesIn(cases_of_long_steps()), name_of_case);
 
 /// In a step of 1/60 s that is not divided, a penalty is pressed in so deep that it throws the cloth off.
 TEST_P(FirstTouch, GivesNoEnergy) {
@@ -167,7 +175,6 @@ std::string name_of_rest(const testing::TestParamInfo<ShippedRest>& rest) {
 class RestOfShippedScenes : public testing::TestWithParam<ShippedRest> {};
 
 TEST_P(RestOfShippedScenes, IsReached) {
-    if (test::sanitized) GTEST_SKIP() << "takes minutes";
     const auto [scene, after, integrator, response] = GetParam();
     Settings settings = awake(scene, integrator);
     settings.contact.response = response;
@@ -178,10 +185,11 @@ TEST_P(RestOfShippedScenes, IsReached) {
 /// more than once in a step would find springs that their own step has stretched if pushes were not among these; in
 /// `trampoline` it would quiver if it did not start from the pushes that carry the ball, and under the midpoint rule
 /// and Dormand-Prince if substeps were not halved.
+INSTANTIATE_TEST_SUITE_P(Long, RestOfShippedScenes,
+                         testing::Values(ShippedRest{"drop", 8, IntegratorKind::SymplecticEuler}), name_of_rest);
 INSTANTIATE_TEST_SUITE_P(
-    Methods, RestOfShippedScenes,
-    testing::Values(ShippedRest{"drop", 8, IntegratorKind::SymplecticEuler},
-                    ShippedRest{"drop", 8, IntegratorKind::BackwardEuler}, ShippedRest{"drop", 8, IntegratorKind::Bdf2},
+    Nightly, RestOfShippedScenes,
+    testing::Values(ShippedRest{"drop", 8, IntegratorKind::BackwardEuler}, ShippedRest{"drop", 8, IntegratorKind::Bdf2},
                     ShippedRest{"drop", 5, IntegratorKind::ImplicitMidpoint},
                     ShippedRest{"drop", 5, IntegratorKind::VelocityVerlet}, ShippedRest{"drop", 5, IntegratorKind::Rk4},
                     ShippedRest{"drop", 5, IntegratorKind::DormandPrince}, ShippedRest{"drop", 8, IntegratorKind::Xpbd},
@@ -203,7 +211,7 @@ INSTANTIATE_TEST_SUITE_P(
 /// At a step a frame, whose substeps are those of contact.
 class RestOfDropAtAStepAFrame : public testing::TestWithParam<IntegratorKind> {};
 
-INSTANTIATE_TEST_SUITE_P(Methods, RestOfDropAtAStepAFrame,
+INSTANTIATE_TEST_SUITE_P(Nightly, RestOfDropAtAStepAFrame,
                          testing::Values(IntegratorKind::BackwardEuler, IntegratorKind::ImplicitMidpoint,
                                          IntegratorKind::Xpbd, IntegratorKind::ProjectiveDynamics),
                          [](const auto& param) { return std::string(name_of(param.param)); });
@@ -211,7 +219,6 @@ INSTANTIATE_TEST_SUITE_P(Methods, RestOfDropAtAStepAFrame,
 /// What displaced contacts would rock the cloth between them if it went on as a force. What stopped them does not: the
 /// response has nothing left to do.
 TEST_P(RestOfDropAtAStepAFrame, IsSlowerThanAThousandthOfAMillimetreASecond) {
-    if (test::sanitized) GTEST_SKIP() << "takes minutes";
     Settings settings = awake("drop", GetParam());
     settings.solver.dt = 1.0 / 60;
     Simulation simulation("drop", std::move(settings));
@@ -224,7 +231,7 @@ TEST_P(RestOfDropAtAStepAFrame, IsSlowerThanAThousandthOfAMillimetreASecond) {
 }
 
 /// At a step a frame the sheet would be softer than in the substeps of contact. It must not be so before a touch.
-TEST(BallOnATrampoline, NeverComesAsHighAsItFellFromUnderXpbd) {
+TEST(LongBallOnATrampoline, NeverComesAsHighAsItFellFromUnderXpbd) {
     for (const double step : {1.0 / 60, 1.0 / 120}) {
         Settings settings = awake("trampoline", IntegratorKind::Xpbd);
         settings.solver.dt = step;
@@ -242,7 +249,7 @@ TEST(BallOnATrampoline, NeverComesAsHighAsItFellFromUnderXpbd) {
     }
 }
 
-TEST(RestInATrampoline, IsReachedByTheShippedSceneAndCostsNothing) {
+TEST(LongRestInATrampoline, IsReachedByTheShippedSceneAndCostsNothing) {
     Settings settings = load_scene("trampoline");
     const Real sleep_speed = std::exchange(settings.solver.sleep_speed, Real(0));
     Simulation simulation("trampoline", std::move(settings));
@@ -275,7 +282,7 @@ Simulation small_stack() {
 }
 
 /// By their velocities: what pairs displace by in each substep goes back and forth by a third of a micrometre.
-TEST(Rest, OfSheetsThatLieOnEachOtherIsSlowerThanHalfAMillimetreASecond) {
+TEST(LongRest, OfSheetsThatLieOnEachOtherIsSlowerThanHalfAMillimetreASecond) {
     Simulation simulation = small_stack();
     while (simulation.report().time < 2.2) simulation.step();
     double fastest = 0;

@@ -63,7 +63,7 @@ TEST(LimitedSearch, OfAllLevelsAndAnyNumberOfTestsIsTheFullOne) {
     }
 }
 
-TEST(LimitedSearch, LetsLessThroughTheDeeperItGoes) {
+TEST(LongLimitedSearch, LetsLessThroughTheDeeperItGoes) {
     Error before{.distance = 1e9, .missed_penetration = 1e9};
     for (int level = 0; level <= 3; ++level) {
         const Error error = error_of_drop("search_level=" + std::to_string(level));
@@ -81,7 +81,7 @@ TEST(LimitedSearch, LetsLessThroughTheDeeperItGoes) {
     EXPECT_EQ(before.distance, 0) << "level 3 are the leaves";
 }
 
-TEST(LimitedSearch, NeverExceedsItsBudgetAndIsBetterTheLargerThatIs) {
+TEST(LongLimitedSearch, NeverExceedsItsBudgetAndIsBetterTheLargerThatIs) {
     Error before{.distance = 1e9, .missed_penetration = 1e9};
     for (const int tests : {1, 5, 16, 40, 85}) {
         const Error error = error_of_drop("search_tests=" + std::to_string(tests));

@@ -141,7 +141,7 @@ private:
     int steps_ = 0;
 };
 
-TEST(SelfSearch, FindsWhatIsWithinReachWhileItsListServes) {
+TEST(LongSelfSearch, FindsWhatIsWithinReachWhileItsListServes) {
     std::int64_t local = 0, others = 0;
     int lists = 0;
     for (unsigned seed = 0; seed < 16; ++seed) {

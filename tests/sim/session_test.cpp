@@ -108,6 +108,9 @@ TEST(Session, StopsAtATimeOfTheSceneThatStartsLater) {
     EXPECT_EQ(steps_made(session), 50);
     EXPECT_EQ(session.simulation().report().time, 150 * step_length);
     EXPECT_DOUBLE_EQ(static_cast<double>(session.blend()), 0.5);
+    EXPECT_EQ(session.time(), 150 * step_length);
+    EXPECT_EQ(session.steps_to(150.5 * step_length), 0.5);
+    EXPECT_EQ(session.steps_to((155 - 1e-7) * step_length), 5) << "rounding";
 }
 
 TEST(Session, CountsEveryStepOfALateStart) {
@@ -119,7 +122,7 @@ TEST(Session, CountsEveryStepOfALateStart) {
     for (std::size_t begin = 0; begin < text.size();) {
         const std::size_t end = text.find('\n', begin) + 1;
         const std::string line = text.substr(begin, end - begin);
-        later += begin == 0 ? line : "123456.7" + line.substr(line.find(','));
+        if (!line.starts_with('#')) later += begin == 0 ? line : "123456.7" + line.substr(line.find(','));
         begin = end;
     }
     file.write(later);

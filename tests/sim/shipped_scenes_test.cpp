@@ -43,10 +43,10 @@ TEST_P(ShippedScene, RunsForSecondsInNoDoubtAndStretchesNoFurtherThanCloth) {
     EXPECT_NEAR(simulation.report().time, tenths / 10.0, 1e-9);
 }
 
-INSTANTIATE_TEST_SUITE_P(All, ShippedScene, testing::ValuesIn(scenes_that_fail(false)),
+INSTANTIATE_TEST_SUITE_P(Long, ShippedScene, testing::ValuesIn(scenes_that_fail(false)),
                          [](const auto& scene) { return scene.param; });
 
-TEST(DropScene, ComesToRestOnTheBallAndNoTriangleEntersIt) {
+TEST(LongDropScene, ComesToRestOnTheBallAndNoTriangleEntersIt) {
     Simulation simulation("drop", load_scene("drop"));
     const Real dt = simulation.settings().solver.dt;
     const Cloth& cloth = simulation.cloths()[0];

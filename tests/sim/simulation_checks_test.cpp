@@ -82,7 +82,7 @@ TEST(StretchLimit, ThatIsNotKeptIsReportedAndSaidWithTheMassesThatPrevent) {
                 AllOf(HasSubstr("beyond cloth.stretch_limit"), HasSubstr("times the mass of a particle")));
 }
 
-TEST(Convergence, ThatWasMissedEndsARunThatIsToStop) {
+TEST(LongConvergence, ThatWasMissedEndsARunThatIsToStop) {
     Simulation simulation = shipped("two_corners", hard_to_solve);
     simulation.apply(parse_command("set on_unstable=stop"));
     while (simulation.report().status == Status::Ok && simulation.report().step < 7) simulation.step();
@@ -145,7 +145,7 @@ TEST(Heat, OfClampedMidpointIsSeen) {
 }
 
 /// The limit keeps such a run from diverging, but hides nothing.
-TEST(Heat, IsSeenUnderAStretchLimitInTheSameStepAsWithout) {
+TEST(LongHeat, IsSeenUnderAStretchLimitInTheSameStepAsWithout) {
     for (const std::string scene : {"drop", "hang", "curtain"}) {
         std::vector<std::int64_t> seen;
         for (const std::string limit : {"cloth.stretch_limit=0", "cloth.stretch_limit=0.1"}) {
@@ -240,7 +240,7 @@ TEST(StretchLimit, SetInMidRunDoesNotThrowTheClothAbout) {
 }
 
 /// Whoever works on the cloth from outside is not taken for its method.
-TEST(Heat, IsNotWhatHandBallsAndWindPutIn) {
+TEST(LongHeat, IsNotWhatHandBallsAndWindPutIn) {
     const std::vector<std::vector<std::string>> deeds{
         {"grab 0 75", "drag 1 2 1", "", "drag -1 0 0", "", "release"},
         {"grab 0 0", "drag 0.5 1.5 0", "", "release"},
@@ -268,7 +268,7 @@ TEST(Heat, IsNotWhatHandBallsAndWindPutIn) {
     }
 }
 
-TEST(Heat, IsNotWhatAStateStartsWith) {
+TEST(LongHeat, IsNotWhatAStateStartsWith) {
     Settings settings = small_settings();
     StartState start{1, {make_rest_state(settings.cloths[0])}};
     start.states[0].x *= Real(1.5);

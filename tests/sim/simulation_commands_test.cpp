@@ -275,7 +275,7 @@ void drag_far(Simulation& simulation, int particle) {
     EXPECT_EQ(simulation.report().status, Status::Ok) << simulation.report().trouble;
 }
 
-TEST(Hand, PullsByABoundedForceWithEveryMethodAtShortAndLongSteps) {
+TEST(LongHand, PullsByABoundedForceWithEveryMethodAtShortAndLongSteps) {
     for (const std::string& method : names_of<IntegratorKind>()) {
         const IntegratorKind kind = value_named<IntegratorKind>(method).value();
         const bool any_step = !has_step_limit(kind) && kind != IntegratorKind::DormandPrince;

@@ -49,7 +49,7 @@ void run(Simulation& simulation, double time) {
     while (simulation.report().time < time && simulation.report().status == Status::Ok) simulation.step();
 }
 
-TEST(Solids, NothingOfAClothThatRestsOnABoxIsDeeperThanTheSlop) {
+TEST(LongSolids, NothingOfAClothThatRestsOnABoxIsDeeperThanTheSlop) {
     Simulation simulation("table", small("table", 12));
     run(simulation, 1.2);
     EXPECT_GT(simulation.report().contacts, 3);
@@ -57,7 +57,7 @@ TEST(Solids, NothingOfAClothThatRestsOnABoxIsDeeperThanTheSlop) {
     EXPECT_EQ(simulation.report().status, Status::Ok);
 }
 
-TEST(Solids, ATableclothFallsAsleep) {
+TEST(LongSolids, ATableclothFallsAsleep) {
     Settings settings = small("table", 8);
     Simulation simulation("table", settings);
     while (!simulation.report().asleep && simulation.report().time < 20) simulation.step();
@@ -81,7 +81,7 @@ TEST(Solids, EachResponseAndMethodKeepsClothOutOfThem) {
     }
 }
 
-TEST(Solids, NothingOfAClothThatRestsOnAMeshIsDeeperThanTheSlop) {
+TEST(LongSolids, NothingOfAClothThatRestsOnAMeshIsDeeperThanTheSlop) {
     Settings settings = small("figure", 10);
     Simulation simulation("figure", settings);
     run(simulation, 0.4);

@@ -2,6 +2,7 @@
 
 #include <gmock/gmock.h>
 
+#include <cmath>
 #include <sstream>
 
 #include "drape/sim/scene.h"
@@ -29,6 +30,57 @@ TEST(StartState, GoesOnWhereAnotherRunHasLeftOff) {
     EXPECT_EQ(rest.hash(), whole.hash());
     rest.apply(command::Reset{});
     EXPECT_DOUBLE_EQ(rest.report().time, 150.0 / 1024) << "that is its start";
+}
+
+void expect_near(const Simulation& one, const Simulation& other, Real tolerance) {
+    EXPECT_LT((one.cloths()[0].state.x - other.cloths()[0].state.x).rowwise().norm().maxCoeff(), tolerance);
+    EXPECT_LT((one.balls()[0].centre - other.balls()[0].centre).norm(), tolerance);
+}
+
+// What contact knows of the step before is not in the file.
+TEST(StartState, GoesOnWithAFreeBallOnTheCloth) {
+    const test::ScratchFile file("state.csv");
+    Settings settings = load_scene("trampoline");
+    const auto steps = static_cast<int>(std::lround(0.4 / settings.solver.dt));
+    Simulation whole("trampoline", settings);
+    make_steps(whole, steps);
+    ASSERT_GT(whole.report().contacts, 0);
+    file.write(state_text(whole));
+    settings.start = file.name();
+    Simulation rest("trampoline", settings);
+    EXPECT_EQ(rest.hash(), whole.hash()) << "spin and turn included";
+    EXPECT_EQ(rest.step_warning(), whole.step_warning());
+    make_steps(whole, steps), make_steps(rest, steps);
+    expect_near(rest, whole, Real(2e-3));
+    rest.apply(command::Reset{});
+    EXPECT_DOUBLE_EQ(rest.report().time, 0.4);
+    EXPECT_NE(rest.balls()[0].centre, settings.balls[0].position);
+}
+
+TEST(StartState, HasABallThatTheKeysHaveMoved) {
+    const test::ScratchFile file("state.csv");
+    Simulation whole = small_simulation();
+    send(whole, "steer 0 0 1");
+    make_steps(whole, 100);
+    file.write(state_text(whole));
+    const Simulation rest = small_simulation({"start=" + file.name()});
+    EXPECT_EQ(rest.balls()[0].centre, whole.balls()[0].centre);
+    EXPECT_EQ(rest.balls()[0].velocity, whole.balls()[0].velocity);
+}
+
+TEST(StartState, WithoutBallsIsSaidWhereThereAreSomeToMove) {
+    const test::ScratchFile file("state.csv");
+    const std::string header = "t,particle,x,y,z,vx,vy,vz\n", row = ",0,1,2,0,0,0\n";
+    file.write(header + "3,0" + row + "3,1" + row + "3,2" + row + "3,3" + row);
+    const auto warning = [&](const std::string& motion) {
+        const Simulation simulation = small_simulation(
+            {"cloth.particles=2,2", "pinned=none", "start=" + file.name(), "path=0,0,0,2,9,0,0,2", "motion=" + motion});
+        EXPECT_EQ(simulation.report().time, 3);
+        return simulation.step_warning();
+    };
+    EXPECT_THAT(warning("free"), HasSubstr("state.csv has no balls: they start where the scene has them"));
+    EXPECT_THAT(warning("keys"), HasSubstr("has no balls"));
+    EXPECT_EQ(warning("path"), "");
 }
 
 TEST(StartState, LeavesPinnedParticlesWhereTheyAre) {
@@ -106,7 +158,31 @@ TEST(StartState, ThatIsDamagedIsRefusedWithItsLine) {
     const std::string later = header + "3,0" + row + "3,1" + row + "3,2" + row + "3,3" + row;
     EXPECT_EQ(complaint(later + later.substr(header.size())), "") << "the same moment twice";
     EXPECT_THAT(complaint(later + "2,0" + row), HasSubstr("state.csv:6: t = 2: allowed t >= 3"));
+    EXPECT_THAT(test::input_error_of([] { small_simulation({"start=/dev/stdin"}); }), HasSubstr("allowed a regular"));
     EXPECT_THAT(test::input_error_of([] { small_simulation({"start=/no/such.csv"}); }), HasSubstr("cannot be read"));
+}
+
+TEST(StartState, WithDamagedBallsIsRefusedWithItsLine) {
+    const std::string row = ",1,2,3,4,5,6\n", cloth = "0,0" + row + "0,1" + row + "0,2" + row + "0,3" + row;
+    const std::string head = "t,particle,x,y,z,vx,vy,vz\n# " + std::string(ball_columns) + "\n";
+    const std::string ball = ",0,0,2,0,0,0,0,0,0,0,1,0,0,0\n";
+    EXPECT_EQ(complaint(head + cloth + "# 0" + ball), "");
+    EXPECT_EQ(complaint(head + cloth + "# 0" + ball + cloth + "# 0" + ball), "");
+    EXPECT_THAT(complaint(head), HasSubstr("state.csv:2: ends before the last particle"));
+    EXPECT_THAT(complaint(head + cloth), HasSubstr("state.csv:6: ends before ball 0"));
+    EXPECT_THAT(complaint(head + cloth + cloth), HasSubstr("state.csv:7: expected # t,ball,x"));
+    EXPECT_THAT(complaint(head + cloth + "# 0,1,0,2,0,0,0,0,0,0,0,1,0,0,0\n"), HasSubstr("7: expected ball 0"));
+    EXPECT_THAT(complaint(head + cloth + "# 1" + ball), HasSubstr("state.csv:7: t: allowed 0"));
+    EXPECT_THAT(complaint(head + cloth + "# 0,0,0,2,0,0,0,0,0,0,0,2,0,0,0\n"), HasSubstr("7: turn: allowed"));
+    EXPECT_THAT(complaint(head + cloth + "# 0,0,0,nan,0,0,0,0,0,0,0,1,0,0,0\n"), HasSubstr("7: allowed numbers"));
+    EXPECT_THAT(complaint(head + cloth + "# 0" + ball + "# 0" + ball),
+                HasSubstr("8: allowed no more balls: the scene"));
+    const test::ScratchFile file("state.csv");
+    file.write(head + cloth + "# 0" + ball);
+    Settings without = small_simulation({"cloth.particles=2,2", "pinned=none"}).settings();
+    without.balls.clear();
+    without.start = file.name();
+    EXPECT_THAT(test::input_error_of([&] { Simulation("drop", without); }), HasSubstr("2: allowed no balls"));
 }
 
 TEST(StartState, ThatIsBadChangesNothing) {

@@ -199,6 +199,7 @@ TEST(Failure, IsWrittenAsASceneWhoseFirstStepFailsAlike) {
     EXPECT_EQ(again.cloths()[0].state.x, lost.cloths()[0].state.x);
     EXPECT_EQ(again.cloths()[0].state.v, lost.cloths()[0].state.v);
     EXPECT_EQ(again.report().time, lost.report().time);
+    EXPECT_EQ(again.hash(), lost.hash()) << "balls included";
     EXPECT_EQ(again.settings().title, "Fails at once: The \"lost\" one");
     again.step();
     ASSERT_EQ(again.report().status, Status::Diverged);

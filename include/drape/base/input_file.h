@@ -9,19 +9,26 @@
 
 namespace drape {
 
-/// A file that is read as a stream of bytes. It never waits for somebody else to open the other end: only regular files
-/// are read, and what the caller's shell has already opened (`/dev/stdin`, `/dev/fd/N`), be it a pipe.
+/// What is read as a file.
+enum class InputKind {
+    RegularOrOpen,  ///< also what the caller's shell has opened (`/dev/stdin`, `/dev/fd/N`), be it a pipe
+    Regular
+};
+
+/// A file that is read as a stream of bytes. It never waits for somebody else to open the other end: pipes that are not
+/// open already, devices and folders are refused.
 /// What goes wrong later (a read error, more bytes than are allowed) is thrown by the read that meets it.
 class InputFile : public std::istream {
 public:
     /// @param largest most bytes that the file may have
     /// @throws InputError that names the file: cannot be read, a folder, a pipe, a device, too large
-    explicit InputFile(const std::string& name, std::uintmax_t largest = UINTMAX_MAX);
+    explicit InputFile(const std::string& name, std::uintmax_t largest = UINTMAX_MAX,
+                       InputKind kind = InputKind::RegularOrOpen);
 
 private:
     class Buffer : public std::streambuf {
     public:
-        Buffer(const std::string& name, std::uintmax_t largest);
+        Buffer(const std::string& name, std::uintmax_t largest, InputKind kind);
         ~Buffer() override;
         Buffer(const Buffer&) = delete;
         Buffer& operator=(const Buffer&) = delete;

@@ -8,9 +8,9 @@ namespace drape {
 /// The exit codes of all programs.
 enum ExitCode : int { Done = 0, Failed = 1, BadInput = 2 };
 
-/// Prints an error in one line, or two where it has a hint; what it quotes does not reach the terminal as control
+/// Prints a message as one line on standard error; the names that it quotes do not reach the terminal as control
 /// characters.
-void print_error(const std::string& name, std::string_view message);
+void tell(std::string_view message);
 
 /// What every `main` does: runs the program and turns what it throws into a message and an exit code. Standard output
 /// that could not be written fails the run. A file that grows beyond what is allowed (`ulimit -f`) is a failed write,

@@ -11,6 +11,11 @@
 
 namespace drape {
 
+/// Refuses a name by which ffmpeg would not make one file of video: others are a picture, many files or no format.
+/// @param option for the message
+/// @throws InputError
+void check_video_name(const std::string& option, const std::filesystem::path& file);
+
 /// Feeds frames to ffmpeg, which may be missing, die or stand still: that is a trouble to tell, not a reason to stop.
 /// A file that was there before stays at least until ffmpeg has finished a new one.
 class VideoPipe {

@@ -22,6 +22,8 @@ struct RecordedEntry {
 /// name=value` for each setting given at the start, then `STEP COMMAND` or `STEP hash HEX` a line, and a last line
 /// `STEP end`.
 struct Recording {
+    static constexpr int first_assignment = 3;  ///< its line; the others follow
+
     std::string scene;
     std::vector<std::string> assignments;
     std::vector<RecordedEntry> entries;

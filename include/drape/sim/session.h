@@ -80,6 +80,13 @@ public:
     /// The time at which the simulation was when the session began: that of the scene's start file, or 0 [s].
     [[nodiscard]] double start_time() const { return start_time_; }
 
+    /// The time that `run_until` has come to, on the same clock [s].
+    [[nodiscard]] double time() const { return time_; }
+
+    /// Steps of the present length from there to a time: a whole number where the time is the end of one but for
+    /// rounding, as `run_until` has it.
+    [[nodiscard]] double steps_to(double time) const;
+
     /// Camera commands of a replay that came due since the last call, for whoever owns the camera.
     [[nodiscard]] std::vector<Command> take_view_commands();
 

@@ -223,7 +223,7 @@ struct NeedsSettings {
 /// Every knob of Drape, as `setting_table` describes it.
 struct Settings {
     std::string title = "Untitled";
-    std::string start;  ///< file of the state in which the cloths start; empty: at rest
+    std::string start;  ///< file of the state in which cloths and balls start; empty: at rest
     std::vector<ClothParameters> cloths{ClothParameters{}};
     std::vector<BallSettings> balls;
     std::vector<SolidSettings> solids;

@@ -7,6 +7,7 @@
 
 #include "drape/bounds/broad_phase.h"
 #include "drape/integrate/integrator.h"
+#include "drape/model/ball.h"
 #include "drape/model/energy.h"
 #include "drape/sim/energy_ledger.h"
 
@@ -119,5 +120,14 @@ struct ReportField {
 
 /// All fields, in the order of CSV and panel.
 std::span<const ReportField> report_fields();
+
+/// A figure of each ball, for CSV and tests.
+struct BallField {
+    std::string_view name, unit;
+    double (*read)(const Ball&);
+};
+
+/// Where each ball is, how fast it moves and how fast it turns, in the order of the CSV.
+std::span<const BallField> ball_fields();
 
 }  // namespace drape

@@ -1,13 +1,16 @@
 #include <fmt/ranges.h>
 
+#include <iostream>
 #include <map>
 #include <memory>
 #include <set>
 #include <utility>
 
 #include "case_selection.h"
+#include "drape/base/command_line.h"
 #include "drape/base/folder_lock.h"
-#include "drape/base/program.h"
+#include "drape/base/input_error.h"
+#include "drape/base/run_program.h"
 #include "run_experiment.h"
 
 namespace drape {
@@ -102,7 +105,7 @@ int merge(std::span<const Experiment> experiments, const MergeOptions& options) 
                              ": an unfinished run is there; name another folder by --out");
         }
         TableWriter(experiment, file, table).finish();
-        std::cerr << file.string() << ": " << table.cases.size() << " cases\n";
+        tell(file.string() + ": " + std::to_string(table.cases.size()) + " cases");
         present(experiment, table, file);
     }
     return Done;
@@ -110,18 +113,16 @@ int merge(std::span<const Experiment> experiments, const MergeOptions& options) 
 
 }  // namespace
 
-void add_merge(CLI::App& app, std::span<const Experiment> experiments, int& exit_code) {
-    CLI::App* command = app.add_subcommand("merge", "Joins the tables of shares, and draws their charts");
+void add_merge(CommandLine& line, std::span<const Experiment> experiments, int& exit_code) {
     auto options = std::make_shared<MergeOptions>();
-    command->add_option("folders", options->folders, "folders that --share runs have written")
-        ->type_name("DIR...")
-        ->required();
-    command
-        ->add_option("--out", options->out,
-                     "folder for table, charts and page, or for a folder an experiment where there are several; "
-                     "'merged' if not given")
-        ->type_name("DIR");
-    command->callback([experiments, options, &exit_code] { exit_code = merge(experiments, *options); });
+    CommandLine& command =
+        line.command("merge", "Joins the tables of shares, and draws their charts",
+                     [experiments, options, &exit_code] { exit_code = merge(experiments, *options); });
+    command.option("folders", options->folders, "folders that --share runs have written", {"DIR...", true});
+    command.option("--out", options->out,
+                   "folder for table, charts and page, or for a folder an experiment where there are several; "
+                   "'merged' if not given",
+                   {"DIR"});
 }
 
 }  // namespace drape

@@ -5,13 +5,16 @@
 
 #include <algorithm>
 #include <cmath>
+#include <iostream>
 #include <memory>
 #include <optional>
 
 #include "case_selection.h"
+#include "drape/base/command_line.h"
 #include "drape/base/folder_lock.h"
+#include "drape/base/input_error.h"
 #include "drape/base/numbers.h"
-#include "drape/base/program.h"
+#include "drape/base/run_program.h"
 #include "drape/base/stopwatch.h"
 
 namespace drape {
@@ -102,7 +105,7 @@ ExperimentTable resumed(const Experiment& experiment, const TableHead& head, con
                          "): finish that one, remove it, or name another folder by --out");
     }
     if (!left->cases.empty()) {
-        std::cerr << part.string() << ": goes on after " << left->cases.size() << " cases that are there\n";
+        tell(part.string() + ": goes on after " + std::to_string(left->cases.size()) + " cases that are there");
     }
     return *left;
 }
@@ -119,7 +122,7 @@ int run(const Experiment& experiment, std::span<const Experiment> all, const Run
     const TableHead head = head_of(experiment, options.selection.text(), cases.size());
     if (!options.again && !exists(unfinished_name(file))) {
         if (const auto done = finished(experiment, head, file)) {
-            std::cerr << file.string() << ": all cases are there already; --again computes them once more\n";
+            tell(file.string() + ": all cases are there already; --again computes them once more");
             present(experiment, *done, file);
             return Done;
         }
@@ -140,8 +143,8 @@ int run(const Experiment& experiment, std::span<const Experiment> all, const Run
         }
     }
     writer.finish();
-    std::cerr << file.string() << ": " << table.cases.size() - before << " cases in " << real_text(watch.seconds(), 3)
-              << " s\n";
+    tell(file.string() + ": " + std::to_string(table.cases.size() - before) + " cases in " +
+         real_text(watch.seconds(), 3) + " s");
     present(experiment, table, file);
     return Done;
 }
@@ -154,22 +157,20 @@ std::string rough_time(double seconds) {
     return real_text(std::round(seconds / 360) / 10) + " h";
 }
 
-void add_experiments(CLI::App& app, std::span<const Experiment> experiments, int& exit_code) {
+void add_experiments(CommandLine& line, std::span<const Experiment> experiments, int& exit_code) {
     for (const Experiment& experiment : experiments) {
-        CLI::App* command = app.add_subcommand(experiment.name, "Experiment: " + experiment.question);
         auto options = std::make_shared<RunOptions>();
-        command
-            ->add_option("--out", options->folder,
-                         "folder for table, charts and page; NAME, or NAME-K-N for a share, if not given")
-            ->type_name("DIR");
-        command->add_flag("--quick", options->selection.quick, "fewer and smaller cases");
-        command->add_option("--cases", options->selection.cases, "only these cases")->type_name("FIRST-LAST");
-        command->add_option("--share", options->selection.share, "only the K-th of N parts of the cases")
-            ->type_name("K/N");
-        command->add_flag("--again", options->again, "compute once more what is there already");
-        command->footer("An interrupted run goes on where it was when it is started again. `merge` joins shares.");
-        command->callback(
+        CommandLine& command = line.command(
+            experiment.name, "Experiment: " + experiment.question,
             [&experiment, experiments, options, &exit_code] { exit_code = run(experiment, experiments, *options); });
+        command.option("--out", options->folder,
+                       "folder for table, charts and page; NAME, or NAME-K-N for a share, if not given", {"DIR"});
+        command.flag("--quick", options->selection.quick, "fewer and smaller cases");
+        command.option("--cases", options->selection.cases, "only these cases", {"FIRST-LAST"});
+        command.option("--share", options->selection.share, "only the K-th of N parts of the cases", {"K/N"});
+        command.flag("--again", options->again, "compute once more what is there already");
+        command.footer(
+            [] { return "An interrupted run goes on where it was when it is started again. `merge` joins shares."; });
     }
 }
 

@@ -3,10 +3,14 @@
 #include <fmt/ranges.h>
 
 #include <filesystem>
+#include <iostream>
+#include <memory>
 
 #include "configurations.h"
+#include "drape/base/command_line.h"
+#include "drape/base/input_error.h"
 #include "drape/base/numbers.h"
-#include "drape/base/program.h"
+#include "drape/base/run_program.h"
 #include "drape/sim/setting_table.h"
 #include "drape/sim/start.h"
 #include "needs.h"
@@ -133,27 +137,21 @@ int run(const NeedsOptions& options) {
 
 }  // namespace
 
-void add_needs(CLI::App& app, int& exit_code) {
-    CLI::App* command = app.add_subcommand(
-        "needs", "Searches for the cheapest configuration that shows what the scene's [needs] state");
+void add_needs(CommandLine& line, int& exit_code) {
     auto options = std::make_shared<NeedsOptions>();
-    command->add_option("scene", options->start.scene, "name of a shipped scene, or a TOML file")
-        ->type_name("SCENE")
-        ->required();
-    command->add_option("--set", options->start.assignments, "change settings")->type_name("name=value");
-    CLI::Option* write =
-        command->add_flag("--write", options->write,
-                          "write what was found to the scene's file, which stays as NAME.toml~, or to a new NAME.toml "
-                          "in the current folder "
-                          "for a shipped scene's name; comments go, and what --set has changed is written too");
-    command
-        ->add_flag(
-            "--check", options->check,
-            "only whether the scene is minimal: what one notch less on each free knob that has an order (particles, "
-            "bend, drag, dt, iterations) would break")
-        ->excludes(write);
-    command->footer([] { return "Settings:\n" + settings_help(); });
-    command->callback([options, &exit_code] { exit_code = run(*options); });
+    CommandLine& command =
+        line.command("needs", "Searches for the cheapest configuration that shows what the scene's [needs] state",
+                     [options, &exit_code] { exit_code = run(*options); });
+    command.option("scene", options->start.scene, "name of a shipped scene, or a TOML file", {"SCENE", true});
+    command.option("--set", options->start.assignments, "change settings", {"name=value"});
+    command.flag("--write", options->write,
+                 "write what was found to the scene's file, which stays as NAME.toml~, or to a new NAME.toml in the "
+                 "current folder for a shipped scene's name; comments go, and what --set has changed is written too");
+    command.flag("--check", options->check,
+                 "only whether the scene is minimal: what one notch less on each free knob that has an order "
+                 "(particles, bend, drag, dt, iterations) would break",
+                 "--write");
+    command.footer([] { return "Settings:\n" + settings_help(); });
 }
 
 }  // namespace drape

@@ -1,10 +1,10 @@
 #include "original.h"
 
 #include <algorithm>
-#include <iostream>
 #include <memory>
 
 #include "drape/base/resources.h"
+#include "drape/base/run_program.h"
 #include "lab/experiments.h"
 
 namespace drape {
@@ -18,8 +18,7 @@ std::vector<CaseOf<OriginalRow>> original_cases(bool quick) {
         bool draws = false;
         auto rows = original_rows(plan, program, draws);
         if (!draws && !*told) {
-            std::cerr << "There is no " << program.string()
-                      << ": frame rate, calls, CPU use and vertices stay empty.\n";
+            tell("There is no " + program.string() + ": frame rate, calls, CPU use and vertices stay empty.");
             *told = true;
         }
         return rows;

@@ -1,4 +1,4 @@
-# How far a cloth has crept that rests, by method and step, and what ten minutes at that pace are.
+# How far a cloth has crept that rests, by method and step.
 cell("part") == "drift" {
     m = cell("integrator")
     if (!(m in known)) known[m] = names[++count] = m
@@ -6,10 +6,9 @@ cell("part") == "drift" {
     if ((m, step) in watched) fail("two runs of " m " at " step " ms: take the cases of one time alone")
     watched[m, step] = sprintf("%.0f", cell("watched_s"))
     if (cell("end") == "diverged") {
-        found[m, step] = "diverged | | "
+        found[m, step] = "diverged | "
     } else {
-        drift = 1e3 * cell("drift_m")
-        found[m, step] = sprintf("%.2g | %.2g | %.2g", drift, drift * 600 / cell("watched_s"), 1e3 * cell("speed_after_m_per_s"))
+        found[m, step] = sprintf("%.2g | %.2g", 1e3 * cell("drift_m"), 1e3 * cell("speed_after_m_per_s"))
     }
     if (!(step in seen)) {
         seen[step] = 1
@@ -17,8 +16,8 @@ cell("part") == "drift" {
     }
 }
 END {
-    print "| Method | Step [ms] | Watched for [s] | Farthest of any particle [mm] | Ten minutes at that pace [mm] | Speed, RMS [mm/s] |"
-    print "| --- | ---: | ---: | ---: | ---: | ---: |"
+    print "| Method | Step [ms] | Watched for [s] | Farthest of any particle [mm] | Speed, RMS [mm/s] |"
+    print "| --- | ---: | ---: | ---: | ---: |"
     for (i = 1; i <= count; ++i) {
         for (k = 1; k <= step_count; ++k) {
             m = names[i]

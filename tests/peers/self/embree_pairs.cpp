@@ -1,7 +1,7 @@
-// Embree 3: rtcCollide of a scene with itself, whose triangles are a geometry of the user's, as in Embree's tutorial
+// Embree: rtcCollide of a scene with itself, whose triangles are a geometry of the user's, as in Embree's tutorial
 // "collide"; single precision, one thread.
 
-#include <embree3/rtcore.h>
+#include <rtcore.h>
 
 #include "drape/base/input_error.h"
 #include "pair_method.h"

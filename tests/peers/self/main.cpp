@@ -5,9 +5,10 @@
 #include <cstdio>
 #include <ostream>
 
+#include "drape/base/command_line.h"
 #include "drape/base/input_error.h"
 #include "drape/base/output_file.h"
-#include "drape/base/program.h"
+#include "drape/base/run_program.h"
 #include "pair_method.h"
 #include "peers/runner.h"
 
@@ -105,12 +106,12 @@ void print(const Sheets& sheets, const std::vector<Result>& results) {
 }
 
 int run(int argc, char** argv) {
-    CLI::App app("Times pairs of cloth's triangles by Drape's hierarchies, FCL, Bullet and Embree.", "peers_self");
+    CommandLine line("peers_self", "Times pairs of cloth's triangles by Drape's hierarchies, FCL, Bullet and Embree.");
     std::string csv;
     bool quick = false;
-    app.add_option("--csv", csv, "Also write the figures to this file");
-    app.add_flag("--quick", quick, "One size, few frames");
-    if (!parse_command_line(app, argc, argv)) return Done;
+    line.option("--csv", csv, "Also write the figures to this file");
+    line.flag("--quick", quick, "One size, few frames");
+    if (!line.parse(argc, argv)) return Done;
 
     OutputFile file(csv);
     file.stream() << "scene,side,triangles,method,update_us,query_us,total_us,ratio,frames,box_pairs,near_pairs,ties\n";

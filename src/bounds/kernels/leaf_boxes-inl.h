@@ -3,11 +3,6 @@
 #include <array>
 #include <limits>
 
-#undef HWY_TARGET_INCLUDE
-#define HWY_TARGET_INCLUDE "bounds/kernels/leaf_boxes.cpp"
-#include <hwy/foreach_target.h>
-#include <hwy/highway.h>
-
 #include "patch_loop-inl.h"
 
 HWY_BEFORE_NAMESPACE();

@@ -4,11 +4,6 @@
 #include <bit>
 #include <limits>
 
-#undef HWY_TARGET_INCLUDE
-#define HWY_TARGET_INCLUDE "contact/kernels/near_cells.cpp"
-#include <hwy/foreach_target.h>
-#include <hwy/highway.h>
-
 #include "bounds/kernels/patch_loop-inl.h"
 #include "model/kernels/lanes-inl.h"
 

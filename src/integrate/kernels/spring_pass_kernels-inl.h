@@ -1,10 +1,5 @@
 #include "integrate/kernels/spring_pass_kernels.h"
 
-#undef HWY_TARGET_INCLUDE
-#define HWY_TARGET_INCLUDE "integrate/kernels/spring_pass_kernels.cpp"
-#include <hwy/foreach_target.h>
-#include <hwy/highway.h>
-
 #include <algorithm>
 #include <cmath>
 #include <limits>

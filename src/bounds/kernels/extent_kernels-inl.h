@@ -4,11 +4,6 @@
 #include "drape/bounds/dop_axes.h"
 #include "patch_kernels.h"
 
-#undef HWY_TARGET_INCLUDE
-#define HWY_TARGET_INCLUDE "bounds/kernels/extent_kernels.cpp"
-#include <hwy/foreach_target.h>
-#include <hwy/highway.h>
-
 #include "patch_loop-inl.h"
 
 HWY_BEFORE_NAMESPACE();

@@ -5,11 +5,6 @@
 #include "contact/contact_geometry.h"
 #include "near_cells.h"
 
-#undef HWY_TARGET_INCLUDE
-#define HWY_TARGET_INCLUDE "contact/kernels/touched_triangles.cpp"
-#include <hwy/foreach_target.h>
-#include <hwy/highway.h>
-
 HWY_BEFORE_NAMESPACE();
 namespace drape::kernels::HWY_NAMESPACE {
 namespace hn = hwy::HWY_NAMESPACE;

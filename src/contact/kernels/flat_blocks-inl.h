@@ -1,10 +1,5 @@
 #include "flat_blocks.h"
 
-#undef HWY_TARGET_INCLUDE
-#define HWY_TARGET_INCLUDE "contact/kernels/flat_blocks.cpp"
-#include <hwy/foreach_target.h>
-#include <hwy/highway.h>
-
 #include "model/kernels/lanes-inl.h"
 
 HWY_BEFORE_NAMESPACE();

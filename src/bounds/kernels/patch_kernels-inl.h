@@ -1,10 +1,5 @@
 #include "patch_kernels.h"
 
-#undef HWY_TARGET_INCLUDE
-#define HWY_TARGET_INCLUDE "bounds/kernels/patch_kernels.cpp"
-#include <hwy/foreach_target.h>
-#include <hwy/highway.h>
-
 #include "patch_loop-inl.h"
 
 HWY_BEFORE_NAMESPACE();

@@ -4,11 +4,6 @@
 
 #include "drape/contact/closest_point.h"
 
-#undef HWY_TARGET_INCLUDE
-#define HWY_TARGET_INCLUDE "contact/kernels/closest_points.cpp"
-#include <hwy/foreach_target.h>
-#include <hwy/highway.h>
-
 #include "model/kernels/lanes-inl.h"
 
 HWY_BEFORE_NAMESPACE();

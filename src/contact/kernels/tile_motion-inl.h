@@ -2,11 +2,6 @@
 
 #include <algorithm>
 
-#undef HWY_TARGET_INCLUDE
-#define HWY_TARGET_INCLUDE "contact/kernels/tile_motion.cpp"
-#include <hwy/foreach_target.h>
-#include <hwy/highway.h>
-
 #include "model/kernels/lanes-inl.h"
 
 HWY_BEFORE_NAMESPACE();

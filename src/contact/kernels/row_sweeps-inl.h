@@ -4,18 +4,13 @@
 #include <cmath>
 #include <limits>
 
-#undef HWY_TARGET_INCLUDE
-#define HWY_TARGET_INCLUDE "contact/kernels/row_sweeps.cpp"
-#include <hwy/foreach_target.h>
-#include <hwy/highway.h>
-
 HWY_BEFORE_NAMESPACE();
 namespace drape::kernels::HWY_NAMESPACE {
 namespace hn = hwy::HWY_NAMESPACE;
 
 using D = hn::CappedTag<Real, 4>;
 
-constexpr int lanes = static_cast<int>(hn::MaxLanes(D())), vectors = 4 / lanes;
+constexpr int part_lanes = static_cast<int>(hn::MaxLanes(D())), vectors = 4 / part_lanes;
 
 /// A vector in space and a zero, in as many registers as they take.
 struct Four {
@@ -24,12 +19,12 @@ struct Four {
 
 HWY_INLINE Four load(const Real4& from) {
     Four values;
-    for (int p = 0; p < vectors; ++p) values.part[p] = hn::LoadU(D(), from.data() + p * lanes);
+    for (int p = 0; p < vectors; ++p) values.part[p] = hn::LoadU(D(), from.data() + p * part_lanes);
     return values;
 }
 
 HWY_INLINE void store(const Four& values, Real4& to) {
-    for (int p = 0; p < vectors; ++p) hn::StoreU(values.part[p], D(), to.data() + p * lanes);
+    for (int p = 0; p < vectors; ++p) hn::StoreU(values.part[p], D(), to.data() + p * part_lanes);
 }
 
 HWY_INLINE Four operator+(Four a, const Four& b) {
@@ -50,11 +45,11 @@ HWY_INLINE Four operator*(Real factor, Four a) {
 /// x, y or z.
 template <int axis>
 HWY_INLINE Real coordinate(const Four& a) {
-    const auto part = a.part[axis / lanes];
-    if constexpr (axis % lanes == 0) return hn::GetLane(part);
+    const auto part = a.part[axis / part_lanes];
+    if constexpr (axis % part_lanes == 0) return hn::GetLane(part);
 #if HWY_TARGET != HWY_SCALAR
-    if constexpr (axis % lanes == 1) return hn::GetLane(hn::DupOdd(part));
-    if constexpr (axis % lanes == 2) return hn::GetLane(hn::UpperHalf(hn::Half<D>(), part));
+    if constexpr (axis % part_lanes == 1) return hn::GetLane(hn::DupOdd(part));
+    if constexpr (axis % part_lanes == 2) return hn::GetLane(hn::UpperHalf(hn::Half<D>(), part));
 #endif
 }
 

@@ -1,10 +1,5 @@
 #include "model/kernels/energy_kernels.h"
 
-#undef HWY_TARGET_INCLUDE
-#define HWY_TARGET_INCLUDE "model/kernels/energy_kernels.cpp"
-#include <hwy/foreach_target.h>
-#include <hwy/highway.h>
-
 #include <algorithm>
 #include <cmath>
 #include <limits>
@@ -15,12 +10,12 @@ HWY_BEFORE_NAMESPACE();
 namespace drape::kernels::HWY_NAMESPACE {
 
 /// Sums run in this many lanes; element i goes to lane i modulo it.
-constexpr int lanes = 8;
+constexpr int sum_lanes = 8;
 
 /// What is added up is evaluated in runs of this many, so that it fits on the stack.
 constexpr int energy_run = 128;
 
-using Lanes = std::array<double, lanes>;
+using Lanes = std::array<double, sum_lanes>;
 
 HWY_INLINE double total(const Lanes& sums) {
     return ((sums[0] + sums[4]) + (sums[2] + sums[6])) + ((sums[1] + sums[5]) + (sums[3] + sums[7]));
@@ -28,10 +23,10 @@ HWY_INLINE double total(const Lanes& sums) {
 
 /// @param values energy_run of them, those from `count` on overwritten by zeros
 HWY_INLINE void add_run(double* values, int count, Lanes& sums) {
-    const int whole = (count + lanes - 1) / lanes * lanes;
+    const int whole = (count + sum_lanes - 1) / sum_lanes * sum_lanes;
     for (int i = count; i < whole; ++i) values[i] = 0;
-    for (int i = 0; i < whole; i += lanes) {
-        for (int lane = 0; lane < lanes; ++lane) sums[static_cast<std::size_t>(lane)] += values[i + lane];
+    for (int i = 0; i < whole; i += sum_lanes) {
+        for (int lane = 0; lane < sum_lanes; ++lane) sums[static_cast<std::size_t>(lane)] += values[i + lane];
     }
 }
 

@@ -1,0 +1,12 @@
+// The kernels of a layer, in one file because Highway reads it once a kind of processor, with all that it includes.
+#undef HWY_TARGET_INCLUDE
+#define HWY_TARGET_INCLUDE "contact/kernels/kernels.cpp"
+#include <hwy/foreach_target.h>
+#include <hwy/highway.h>
+
+#include "contact/kernels/closest_points-inl.h"
+#include "contact/kernels/flat_blocks-inl.h"
+#include "contact/kernels/near_cells-inl.h"
+#include "contact/kernels/row_sweeps-inl.h"
+#include "contact/kernels/tile_motion-inl.h"
+#include "contact/kernels/touched_triangles-inl.h"

@@ -1,0 +1,1 @@
+# No table: says where the data of a chart is from.
