@@ -55,10 +55,10 @@ std::string why_without_effect(const std::string& name, const Settings& settings
 
 // What a new integrator makes of the time step
 std::string step_advice(const Simulation& simulation) {
-    const IntegratorKind integrator = simulation.settings().solver.integrator;
-    if (!has_step_limit(integrator)) return "no stability limit, a longer time step works too (menu)";
-    if (simulation.report().step_limit_ratio > 1) return "Shift+R resets with a time step at 0.9 of its limit";
-    return {};
+    const double ratio = simulation.report().step_limit_ratio;
+    if (ratio > 1) return "Shift+R resets with a time step at 0.9 of its limit";
+    const bool limited = ratio > 0 || has_step_limit(simulation.settings().solver.integrator);
+    return limited ? "" : "no stability limit, a longer time step works too (menu)";
 }
 
 std::string outcome_for(const Setting& setting, const Simulation& simulation) {

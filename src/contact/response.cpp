@@ -224,6 +224,13 @@ Real push_of(const BodyContact& contact, std::span<const Ball> balls) {
     return contact.depth - slop_in(ball_of(contact, balls));
 }
 
+Real push_of(const BallContact& contact, std::span<const Ball> balls) {
+    constexpr Real of_radius = Real(1e-3);  // that a small ball, too, is not seen to sink in
+    const BodyContact& second = contact;
+    const Real radius = balls[static_cast<std::size_t>(contact.first)].radius;
+    return std::max(push_of(second, balls), contact.depth - of_radius * radius);
+}
+
 Real restitution_of(const ResponseParameters& parameters, const BodyContact& contact) {
     return contact.ball == the_ground ? parameters.ground.restitution : parameters.restitution;
 }

@@ -12,7 +12,7 @@ namespace {
 
 /// Of the external forces, or of those that accelerate the cloth, what may be left unbalanced: in sheets that swing or
 /// hang in the wind, a tenth has come to errors of up to a hundredth.
-constexpr Real tolerance = Real(0.05);
+constexpr Real allowed_imbalance = Real(0.05);
 
 /// Projective dynamics: minimises M/(2 h^2) |x - y|^2 + the springs' energy over x, with y the inertial guess and M the
 /// particles' inertia. The local half of a round finds for each spring the vector of its rest length nearest to it, the
@@ -63,8 +63,8 @@ public:
         return {.force_evaluations = 1 + iterations_,
                 .iterations = iterations_,
                 .residual = residual,
-                .tolerance = tolerance,
-                .unconverged = residual <= krylov::drift * tolerance ? 0 : 1};
+                .tolerance = allowed_imbalance,
+                .unconverged = residual <= krylov::drift * allowed_imbalance ? 0 : 1};
     }
 
 private:

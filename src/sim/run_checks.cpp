@@ -1,6 +1,7 @@
 #include "run_checks.h"
 
 #include <algorithm>
+#include <limits>
 
 #include "divergence.h"
 #include "drape/base/numbers.h"
@@ -9,6 +10,9 @@
 
 namespace drape {
 namespace {
+
+/// Times the mass of a particle, from which on a ball may be why cloth is drawn out.
+constexpr Real heavy = Real(1e5);
 
 std::string solve_trouble(IntegratorKind integrator, const StepReport& report) {
     const SolveReport& solve = report.solve;
@@ -26,6 +30,23 @@ std::string gain_trouble(const StepReport& report) {
     return std::string(name_of(report.gained_by)) + " has made " + real_text(report.energy_excess, 3) +
            " J more mechanical energy than hand, pins, balls and wind can have put in, seen first in step " +
            std::to_string(report.heated_step);
+}
+
+/// With the masses where a ball is heavy for the cloth: contact, which comes after the limit, then draws it out.
+std::string stretch_trouble(const StepReport& report, std::span<const Cloth> cloths, std::span<const Ball> balls) {
+    std::string text = "structural springs were stretched by up to " + real_text(report.worst_stretch_excess, 3) +
+                       " of their length beyond cloth.stretch_limit, and far beyond it for " +
+                       real_text(report.overstretched, 3) + " s";
+    Real lightest = std::numeric_limits<Real>::infinity(), heaviest = 0;
+    for (const Cloth& cloth : cloths) lightest = std::min(lightest, cloth.model.particle_mass);
+    for (const Ball& ball : balls) {
+        if (ball.inverse_mass > 0) heaviest = std::max(heaviest, 1 / ball.inverse_mass);
+    }
+    if (heaviest > heavy * lightest) {
+        text += "; a ball has " + real_text(static_cast<double>(heaviest / lightest), 2) +
+                " times the mass of a particle, which contact with this cloth does not carry";
+    }
+    return text;
 }
 
 void mark_gain(const EnergyWatch& watch, IntegratorKind integrator, StepReport& report) {
@@ -132,13 +153,14 @@ std::string ball_start_warning(const Settings& settings, const std::optional<Sta
     return "start = " + settings.start + " has no balls: they start where the scene has them";
 }
 
-std::string doubt_warning(const StepReport& report) {
+std::string doubt_warning(const StepReport& report, std::span<const Cloth> cloths, std::span<const Ball> balls) {
     std::string text;
     if (report.unconverged > 0) {
         text = std::string(name_of(report.unsolved_by)) + " has not solved " + std::to_string(report.unconverged) +
                " of " + std::to_string(report.step) + " steps to its tolerance, largest residual " +
                real_text(report.worst_residual, 3);
     }
+    if (is_overstretched(report)) text += (text.empty() ? "" : "; ") + stretch_trouble(report, cloths, balls);
     if (report.heated_step > 0) text += (text.empty() ? "" : "; ") + gain_trouble(report);
     return text;
 }

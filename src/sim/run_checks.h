@@ -45,6 +45,6 @@ std::string start_warning(std::int64_t crossings, std::int64_t coincident, Real 
 std::string ball_start_warning(const Settings& settings, const std::optional<StartState>& start);
 
 /// Why the run so far is not to be trusted, one line; empty if nothing.
-std::string doubt_warning(const StepReport& report);
+std::string doubt_warning(const StepReport& report, std::span<const Cloth> cloths, std::span<const Ball> balls);
 
 }  // namespace drape

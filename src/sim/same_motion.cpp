@@ -53,7 +53,7 @@ bool same_integrator(const SolverSettings& a, const SolverSettings& b) {
 
 bool same_step_plan(const Settings& a, const Settings& b) {
     return a.cloths == b.cloths && a.solver.integrator == b.solver.integrator && a.solver.dt == b.solver.dt &&
-           a.solver.on_unstable == b.solver.on_unstable;
+           a.solver.on_unstable == b.solver.on_unstable && a.wind == b.wind;
 }
 
 }  // namespace drape

@@ -57,7 +57,7 @@ void Simulation::begin_step() {
 }
 
 void Simulation::plan(int fewest) {
-    plan_substeps(cloths_, settings_.solver, fewest, report_);
+    plan_substeps(cloths_, settings_, fewest, report_);
     planned_substeps_ = report_.substeps;
 }
 
@@ -299,6 +299,7 @@ void Simulation::resist_rolling() {
 
 void Simulation::close_report() {
     ++report_.step;
+    if (!report_.asleep) measure_stretch(cloths_, settings_.solver.dt, report_);
     if (report_.solve.unconverged > 0) {
         ++report_.unconverged;
         report_.unsolved_by = settings_.solver.integrator;

@@ -9,6 +9,8 @@
 #include "drape/bounds/aabb.h"
 #include "drape/contact/response.h"
 #include "drape/integrate/stability.h"
+#include "drape/sim/setting_table.h"
+#include "gusts.h"
 
 namespace drape {
 namespace {
@@ -23,10 +25,16 @@ constexpr double most_for_motion = 32;
 /// From one plan to the next [s].
 constexpr double search_pause = 0.25;
 
-StepLimit shortest_limit(std::span<const Cloth> cloths, const SolverSettings& solver) {
+/// `solver.dt` [s].
+double shortest_that_may_be_set() { return find_setting("solver.dt").range.low; }
+
+StepLimit shortest_limit(std::span<const Cloth> cloths, const Settings& settings) {
+    const SolverSettings& solver = settings.solver;
     StepLimit shortest{.step = std::numeric_limits<Real>::infinity()};
     for (const Cloth& cloth : cloths) {
-        const StepLimit one = predicted_limit(cloth.model, cloth.state, solver.integrator, solver.kernels);
+        ClothModel model = cloth.model;
+        model.air = strongest_air(settings.wind);
+        const StepLimit one = predicted_limit(model, cloth.state, solver.integrator, solver.kernels);
         if (one.step < shortest.step) shortest = one;
     }
     return shortest;
@@ -146,8 +154,9 @@ bool may_reach(const Settings& settings, const Cloth& cloth, std::span<const Bal
 
 }  // namespace
 
-void plan_substeps(std::span<const Cloth> cloths, const SolverSettings& solver, int fewest, StepReport& report) {
-    const StepLimit shortest = shortest_limit(cloths, solver);
+void plan_substeps(std::span<const Cloth> cloths, const Settings& settings, int fewest, StepReport& report) {
+    const SolverSettings& solver = settings.solver;
+    const StepLimit shortest = shortest_limit(cloths, settings);
     const Real limit = shortest.step;
     report.limit_is_least = shortest.at_least;
     // Where no step is short enough, substeps do not help
@@ -223,20 +232,22 @@ double longest_step(const Settings& settings, std::span<const Cloth> cloths, con
     constexpr double none = std::numeric_limits<double>::infinity();
     const double ratio = report.step_limit_ratio;
     double longest = ratio > 0 ? settings.solver.dt / planned / ratio : none;
-    if (!pushes_by_penalty(settings)) return longest;
     // Under an implicit method contact has substeps of its own
     const double in_contact = has_step_limit(settings.solver.integrator) ? none : longest_in_contact(settings);
     for (const Cloth& cloth : cloths) {
-        const double limit = penalty_limit(settings, cloth.model);
+        const double limit = pushes_by_penalty(settings) ? penalty_limit(settings, cloth.model) : none;
         if (limit < in_contact) longest = std::min(longest, limit);
     }
-    return longest;
+    return 0.89 * longest < shortest_that_may_be_set() ? 0 : longest;  // 0.9 of it is what is offered
 }
 
 std::string limit_advice(const Settings& settings, double longest, int substeps) {
     const double substep = settings.solver.dt / substeps;
-    if (longest <= 0)
-        return "No time step of " + std::string(name_of(settings.solver.integrator)) + " is stable here. ";
+    if (longest <= 0) {
+        return "No time step of " + std::string(name_of(settings.solver.integrator)) +
+               " that may be set is stable here: more damping, more mass or softer springs" +
+               (pushes_by_penalty(settings) ? ", contact.stiffness included, help. " : " help. ");
+    }
     if (!(substep > longest)) return {};
     // Rounded to no more than the limit
     return "Time step is " + real_text(substep / longest, 3) + " x the limit; use at most " +
@@ -272,7 +283,8 @@ std::string step_limit_warning(const SolverSettings& solver, const StepReport& r
     return step + " is " + (report.limit_is_least ? "up to " : "") + real_text(ratio, 3) +
            " times the stability limit of " + method + " on this cloth" +
            (report.limit_is_least ? ", which is at least " + limit + " s" : "") +
-           (in_vain ? ", too long to be divided into substeps" : "");
+           (in_vain ? ", too long to be divided into substeps" : "") +
+           (solver.dt / ratio < shortest_that_may_be_set() ? ", and no step that may be set is short enough" : "");
 }
 
 }  // namespace drape

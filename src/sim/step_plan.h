@@ -12,7 +12,7 @@ namespace drape {
 /// Predicts the longest stable substep and says in the report how near to it a substep is, and in how many of them a
 /// step is made: under `on_unstable = substep` as many as the limit asks for, else `fewest`.
 /// @par Cost that of `predicted_limit` for each cloth; allocates
-void plan_substeps(std::span<const Cloth> cloths, const SolverSettings& solver, int fewest, StepReport& report);
+void plan_substeps(std::span<const Cloth> cloths, const Settings& settings, int fewest, StepReport& report);
 
 /// Whether it is time to plan again: springs that are drawn out or pushed together vibrate faster than at the start.
 /// Substeps then only become more: a symplectic method whose step changes to and fro gains energy.
@@ -45,7 +45,7 @@ bool may_touch(const Settings& settings, std::span<const Cloth> cloths, std::spa
 int substeps_of_motion(std::span<const Cloth> cloths, const SolverSettings& solver);
 
 /// The longest `solver.dt` that is stable undivided, by the limits of the method, as in the report, and of the penalty
-/// [s]. Infinity: no limit; 0: no step is stable.
+/// [s]. Infinity: no limit; 0: no step is stable, or none that may be set.
 /// @param planned substeps of a step without contact
 double longest_step(const Settings& settings, std::span<const Cloth> cloths, const StepReport& report, int planned);
 

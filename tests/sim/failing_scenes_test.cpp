@@ -110,7 +110,7 @@ TEST(FailingScenes, SayHowFarAboveWhichLimitTheyAre) {
                 testing::HasSubstr(". Time step is 25.3 x the limit; use at most 0.0123 ms. "
                                    "First: particle "));
     EXPECT_THAT(trouble_of("fails_explicit_euler"),
-                testing::HasSubstr(". No time step of explicit_euler is stable here. First: "));
+                testing::HasSubstr(". No time step of explicit_euler that may be set is stable here: "));
 }
 
 TEST(LongFailingScenes, RunAtNineTenthsOfTheLongestStep) {

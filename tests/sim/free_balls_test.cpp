@@ -44,6 +44,13 @@ Vec3 momentum(const Simulation& simulation) {
     return sum;
 }
 
+TEST(FreeBalls, ThatAreTinySinkIntoTheGroundByNoVisiblePartOfTheirRadius) {
+    constexpr Real radius = Real(3e-4);
+    Simulation simulation = balls_alone({free_ball(radius, Real(1e-6), {0, radius, 0}, {0, 0, 0})});
+    run(simulation, 0.25);
+    EXPECT_NEAR(simulation.balls()[0].centre.y(), radius, 0.01 * radius);
+}
+
 TEST(FreeBalls, ThatCollideKeepTheirMomentumButForTheFall) {
     Simulation simulation = balls_alone({free_ball(Real(0.1), Real(0.2), {-1, 30, 0}, {4, 0, 0}),
                                          free_ball(Real(0.2), Real(1.5), {1, Real(30.05), Real(0.1)}, {-3, 0, 0})});

@@ -58,6 +58,30 @@ TEST(Convergence, ThatWasMissedIsCountedReportedAndSaid) {
     EXPECT_THAT(simulation.run_warning(), IsEmpty());
 }
 
+TEST(Convergence, ThatProjectiveDynamicsMissesIsSaidAsThatOfTheOthers) {
+    Simulation simulation = shipped("two_corners", {"cloth.particles=8,8", "integrator=projective_dynamics", "dt=0.033",
+                                                    "structural.stiffness=1e4"});
+    make_steps(simulation, 3);
+    EXPECT_EQ(simulation.report().unconverged, 3);
+    EXPECT_THAT(simulation.run_warning(), HasSubstr("projective_dynamics has not solved 3 of 3 steps"));
+    send(simulation, "set on_unstable=stop");
+    simulation.step();
+    EXPECT_EQ(simulation.report().status, Status::Diverged);
+}
+
+// Contact comes after the limit, and draws out a sheet that weighs next to nothing
+TEST(StretchLimit, ThatIsNotKeptIsReportedAndSaidWithTheMassesThatPrevent) {
+    Simulation simulation = shipped("trampoline", {"cloth.particles=10,10", "cloth.mass=1e-6", "dt=1e-3",
+                                                   "integrator=backward_euler", "ball.position=0.03,0.69,0.02"});
+    while (!in_doubt(simulation.report()) && simulation.report().step < 400) simulation.step();
+    const StepReport& report = *simulation.view().report;
+    ASSERT_GT(report.stretch, 0.2);
+    EXPECT_NEAR(report.stretch_excess, report.stretch - 0.1, 1e-9);
+    EXPECT_TRUE(in_doubt(report));
+    EXPECT_THAT(simulation.run_warning(),
+                AllOf(HasSubstr("beyond cloth.stretch_limit"), HasSubstr("times the mass of a particle")));
+}
+
 TEST(LongConvergence, ThatWasMissedEndsARunThatIsToStop) {
     Simulation simulation = shipped("two_corners", hard_to_solve);
     simulation.apply(parse_command("set on_unstable=stop"));

@@ -77,6 +77,27 @@ TEST(StepWarning, SaysAtLeastWhereTheLimitIsOnlyABound) {
     EXPECT_FALSE(simulation.report().limit_is_least);
 }
 
+TEST(StepWarning, IsOfTheWindUnderImplicitMidpointAndItsSubstepsAreShortEnough) {
+    const std::vector<std::string> windy{"integrator=implicit_midpoint", "dt=0.03125", "cloth.mass=0.02",
+                                         "wind.on=true", "wind.velocity=0,0,20"};
+    Simulation simulation = small_simulation(windy);
+    EXPECT_THAT(simulation.step_warning(), HasSubstr("times the stability limit of implicit_midpoint"));
+    send(simulation, "set on_unstable=substep");
+    EXPECT_EQ(simulation.step_warning(), "");
+    EXPECT_GT(simulation.report().substeps, 1);
+    send(simulation, "set wind.on=false");
+    EXPECT_EQ(simulation.report().substeps, 1);
+}
+
+TEST(StepWarning, AsksForNoStepThatMayNotBeSet) {
+    Simulation simulation = small_simulation({"structural.stiffness=1e9", "cloth.mass=1e-9"});
+    EXPECT_EQ(simulation.longest_step(), 0);
+    EXPECT_THAT(simulation.step_warning(), HasSubstr("no step that may be set is short enough"));
+    make_steps(simulation, 20);
+    EXPECT_THAT(simulation.report().trouble, AllOf(HasSubstr("No time step of symplectic_euler that may be set"),
+                                                   testing::Not(HasSubstr("use at most"))));
+}
+
 TEST(StepWarning, LooksAtEveryCloth) {
     Settings settings = load_scene("drop");
     settings.cloths.push_back(settings.cloths.front());

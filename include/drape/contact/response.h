@@ -58,6 +58,7 @@ double kinetic_energy(std::span<const Ball> balls);
 
 /// By how much a contact is pushed out: what of its depth is not left, for a resting contact to last [m].
 Real push_of(const BodyContact& contact, std::span<const Ball> balls);
+Real push_of(const BallContact& contact, std::span<const Ball> balls);
 Real push_of(const PairContact& contact, std::span<const Ball> balls);
 
 /// The largest depth at the points of the cloths' contacts with balls and ground, where they are now [m].

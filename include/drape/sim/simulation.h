@@ -63,7 +63,7 @@ public:
     [[nodiscard]] std::string step_warning() const;
 
     /// The longest `solver.dt` that is stable undivided, by the limits of the method and of the penalty [s]. Infinity:
-    /// no limit; 0: no step is stable.
+    /// no limit; 0: no step is stable, or none that may be set.
     [[nodiscard]] double longest_step() const;
 
     /// That cloth and a ball or a solid are so fast that one may pass through the other, while `contact.continuous`

@@ -50,7 +50,9 @@ struct StepReport {
     TraversalStats traversal;           ///< for the balls
     TraversalStats ground;              ///< for the ground; zero where the hierarchy was not asked
     TraversalStats solids;              ///< for the solids
-    double stretch_excess = 0;          ///< beyond the limit, that shortening has left in a structural spring
+    double stretch_excess = 0;          ///< beyond the limit, of a structural spring at the end of the step
+    double worst_stretch_excess = 0;    ///< since the start
+    double overstretched = 0;           ///< time since the start with one above 0.1 and the limit itself [s]
     std::int64_t false_candidates = 0;  ///< cells handed on of which no triangle touches
     std::int64_t contacts = 0;          ///< points in contact, and nodes that were taken for them
     double contact_residual = 0;        ///< of the response, see `ResponseReport::residual` [m]
@@ -83,7 +85,7 @@ struct StepReport {
     void forget_contacts() {
         traversal = ground = solids = between_cloths = {};
         contacts = false_candidates = false_contacts = 0;
-        penetration = missed_penetration = contact_residual = stretch_excess = 0;
+        penetration = missed_penetration = contact_residual = 0;
         contact_sweeps = listed_pairs = pairs = held_back = 0;
     }
 };
@@ -93,8 +95,17 @@ struct StepReport {
 /// is kept, those of `Doubt` only once there is one.
 enum class ReportGroup { Time, Doubt, Stages, Hierarchy, Limit, Pairs, Energy, Balance };
 
-/// Whether a run that goes on is not to be trusted: steps were not solved, or the integrator has made energy.
-inline bool in_doubt(const StepReport& report) { return report.unconverged > 0 || report.heated_step > 0; }
+/// Whether cloth was drawn out to far more than its limit, and not just until a new limit was kept.
+inline bool is_overstretched(const StepReport& report) {
+    constexpr double moment = 0.05;  // s
+    return report.overstretched > moment;
+}
+
+/// Whether a run that goes on is not to be trusted: steps were not solved, the integrator has made energy, or cloth was
+/// drawn out.
+inline bool in_doubt(const StepReport& report) {
+    return report.unconverged > 0 || report.heated_step > 0 || is_overstretched(report);
+}
 
 /// One field of a report, for CSV, panel and tests.
 struct ReportField {
