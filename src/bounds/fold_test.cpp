@@ -45,11 +45,10 @@ bool make_rectangle(const CellRange& first, const CellRange& second) {
 
 }  // namespace
 
-FoldTest::FoldTest(const Grid& grid, Real hx, Real hy, int leaf_cells, Real apart)
+FoldTest::FoldTest(const Grid& grid, Real hx, Real hy, int leaf_cells)
     : grid_(grid),
       hx_(hx),
       hy_(hy),
-      apart_(apart),
       nodes_(make_quadtree_nodes(grid, leaf_cells)),
       beside_(nodes_.size()),
       derivatives_(nodes_.size()) {
@@ -127,7 +126,7 @@ bool FoldTest::bounds(const Derivatives& derivatives, Real distance) const {
     const Real c = (m11 + m22) / 2 - std::sqrt(half * half + m12 * m12);
     const Real least = c - fold_rounding;
     const Real of_tiles_apart = (Tiles::side - 1) * std::min(hx_, hy_);
-    return least * apart_ > std::min(distance, 2 * local_reach) &&
+    return least * apart_at_rest(hx_, hy_) > std::min(distance, 2 * local_reach) &&
            least * of_tiles_apart > std::min(distance, 2 * reach);
 }
 

@@ -1,7 +1,6 @@
 #pragma once
 
 #include <algorithm>
-#include <cstdlib>
 #include <span>
 
 #include "drape/contact/near_pairs.h"
@@ -56,8 +55,7 @@ inline CellRange those_that_meet(const Aabb& box, const BoxedCloth& cloth, const
 }
 
 /// Calls visit(one, two, local) for each pair of cells in pairs of leaves whose boxes meet; of one leaf, once for each.
-/// `local` says whether all pairs of features of these leaves are local. Cells of one cloth that touch are left to its
-/// blocks, if it has these.
+/// `local` says whether all pairs of features of these leaves are local.
 template <class Visit>
 void for_each_pair_of_cells(const BoxedCloth& first, const BoxedCloth& second, std::span<const LeafPair> leaves,
                             Visit visit) {
@@ -69,13 +67,11 @@ void for_each_pair_of_cells(const BoxedCloth& first, const BoxedCloth& second, s
         if (near.i0 >= near.i1) continue;
         const Aabb around_near = first.boxes.of(first.cloth.grid, near, local);
         const CellRange there = same ? cells : those_that_meet(around_near, second, others, local);
-        const bool has_blocks = one_cloth && first.blocks;
         for_each_cell_of(near, [&](int i, int j) {
             const int one = j * first.cloth.grid.cell_columns() + i;
             for_each_cell_of(there, [&](int other_i, int other_j) {
                 const int two = other_j * second.cloth.grid.cell_columns() + other_i;
-                const bool touch = std::abs(i - other_i) <= 1 && std::abs(j - other_j) <= 1;
-                if ((same && two < one) || (has_blocks && touch)) return;
+                if (same && two < one) return;
                 if (first.boxes.of(one, local).meets(second.boxes.of(two, local))) visit(one, two, local);
             });
         });

@@ -207,11 +207,4 @@ void find_near_pairs(const BoxedCloth& first, const BoxedCloth& second, std::spa
     });
 }
 
-void find_near_pairs(const BoxedCloth& cloth, std::span<const int> blocks, std::vector<NearPair>& pairs) {
-    const FeatureTest test{pairs, true};
-    for (const int block : blocks) {
-        cloth.blocks->for_each_pair_of_cells(block, [&](int one, int two) { test.cells(cloth, one, cloth, two); });
-    }
-}
-
 }  // namespace drape

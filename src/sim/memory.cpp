@@ -43,8 +43,8 @@ constexpr double bytes_of_pair = 1.5 * (2 * sizeof(NearPair) + 2 * sizeof(PairLi
 /// Where cloths meet themselves and each other: a second hierarchy and the boxes of its cells, numbers of a particle,
 /// and pairs of features, as many as where much of a cloth lies on cloth. Threads share their lists.
 double self_contact_bytes(const ContactSettings& contact, const Grid& grid) {
-    // Positions, reaches, rooms of blocks, means of tiles, and what the fail-safe has
-    constexpr double pairs = 30, touching = 2, numbers_of_search = 3 + 10 + 1 + 1 + 6;
+    // Positions, reaches, means of tiles, and what the fail-safe has
+    constexpr double pairs = 30, touching = 2, numbers_of_search = 3 + 10 + 1 + 6;
     if (!contact.self) return 0;
     // Of solves: a number a particle, and its contacts with itself, balls and ground
     constexpr double of_activity = sizeof(std::int64_t) + (touching + 4) * sizeof(ContactActivity::Entry);

@@ -31,8 +31,8 @@ constexpr Real thickness_ahead = Real(0.1);
 /// Pairs of a flat sheet that are within a reach, a particle and a square of the particles' spacing.
 constexpr Real pairs_a_square = 30;
 
-/// Pairs of leaves, or blocks, that are looked through from one look at the length of the list to the next.
-constexpr std::size_t items_at_once = 1024;
+/// Pairs of leaves that are looked through from one look at the length of the list to the next.
+constexpr std::size_t leaves_at_once = 1024;
 
 /// Within which what touches at distance 0 is looked for [m]: more than the rounding of a scene of some metres.
 constexpr Real coincident_reach = std::max(Real(1e-6), 256 * std::numeric_limits<Real>::epsilon());
@@ -56,9 +56,7 @@ void SelfSearch::use(const BroadPhaseParameters& parameters, std::span<const Clo
         const Tiles tiles(model->grid);
         const auto count = static_cast<std::size_t>(tiles.count());
         surfaces_.push_back({.tree = make_broad_phase(parameters, model->grid),
-                             .folds = FoldTest(model->grid, model->hx, model->hy, parameters.leaf_cells,
-                                               apart_beyond_touching_cells(model->hx, model->hy)),
-                             .blocks = FlatBlocks(model->grid, model->hx, model->hy),
+                             .folds = FoldTest(model->grid, model->hx, model->hy, parameters.leaf_cells),
                              .boxes = {},
                              .kept = {},
                              .spacing = std::min(model->hx, model->hy),
@@ -299,7 +297,6 @@ void SelfSearch::make_list(std::span<const ClothInContact> cloths, SelfSearchRep
         surface.tree->build(surface.kept);
         const ReachSpans<const Real> allowed = allowances(static_cast<int>(c));
         surface.folds.build(surface.kept, allowed.overall, allowed.local);
-        surface.blocks.build(surface.kept, allowed.local, kernels_);
         surface.boxed = false;
         std::ranges::fill(surface.since_kept, TileMotion{});
         for (std::size_t t = 0; t < surface.sums.size(); ++t) {
@@ -324,23 +321,19 @@ void SelfSearch::search(std::span<const ClothInContact> cloths, int first, int s
         const auto [local, overall] = allowances(number);
         if (!surface.boxed) surface.boxes.build(cloth.grid, cloth.x, overall, local);
         surface.boxed = true;
-        return BoxedCloth{cloth, surface.boxes, overall, local, &surface.blocks};
+        return BoxedCloth{cloth, surface.boxes, overall, local};
     };
     const auto largest = [&](int number) { return std::ranges::max(allowances(number).overall); };
     const Surface &one = surfaces_[static_cast<std::size_t>(first)], &two = surfaces_[static_cast<std::size_t>(second)];
     const Real margin = largest(first) + largest(second);
     report.traversal += one.tree->query(*two.tree, margin, first == second ? &one.folds : nullptr, leaves_);
-    const std::span<const int> uneven = first == second ? one.blocks.uneven() : std::span<const int>();
-    if (leaves_.empty() && uneven.empty()) return;
+    if (leaves_.empty()) return;
     const BoxedCloth at_one = box(first), at_two = box(second);
-    const auto look_in = [&](auto items, auto add) {
-        for (std::size_t k = 0; k < items.size() && !report.gave_up; k += items_at_once) {
-            add(items.subspan(k, std::min(items_at_once, items.size() - k)));
-            report.gave_up = is_too_long(list_.size());
-        }
-    };
-    look_in(std::span<const LeafPair>(leaves_), [&](auto some) { list_.add(at_one, at_two, some); });
-    look_in(uneven, [&](auto some) { list_.add(at_one, some); });
+    const std::span<const LeafPair> leaves(leaves_);
+    for (std::size_t k = 0; k < leaves.size() && !report.gave_up; k += leaves_at_once) {
+        list_.add(at_one, at_two, leaves.subspan(k, std::min(leaves_at_once, leaves.size() - k)));
+        report.gave_up = is_too_long(list_.size());
+    }
 }
 
 }  // namespace drape

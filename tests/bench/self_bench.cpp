@@ -96,8 +96,7 @@ void self_broad_phase(benchmark::State& state, int side) {
     for (std::size_t c = 0; c < count; ++c) {
         const ClothModel& model = sheets.models[c];
         trees.push_back(make_broad_phase(sheets.search, model.grid));
-        folds.emplace_back(model.grid, model.hx, model.hy, sheets.search.leaf_cells,
-                           apart_beyond_touching_cells(model.hx, model.hy));
+        folds.emplace_back(model.grid, model.hx, model.hy, sheets.search.leaf_cells);
     }
     std::vector<Real> largest;
     for (std::size_t c = 0; c < count; ++c) {

@@ -4,7 +4,6 @@
 
 #include <gtest/gtest.h>
 
-#include "drape/contact/flat_blocks.h"
 #include "support/cloths.h"
 #include "support/pairs_within_reach.h"
 
@@ -99,54 +98,6 @@ TEST(FoldTest, LooksAtAllFourNodesThatMeetAtACorner) {
         EXPECT_FALSE(folds.keep_apart(2, 3, Real(0))) << i << ", " << j;
         EXPECT_EQ(folds.keep_apart(3, 4, Real(0.01)), j == 0);
     }
-}
-
-TEST(FoldTest, KeepsFlatCellsThatDoNotTouchApartToNearlyTheShorterSpacing) {
-    const Grid grid{20, 20};
-    const Real hx = Real(0.1), hy = Real(0.04);
-    Points x(grid.particles(), 3);
-    for (int p = 0; p < grid.particles(); ++p) x.row(p) << hx * Real(p % 20), 1, hy * Real(p / 20);
-    FoldTest folds(grid, hx, hy, 4, apart_beyond_touching_cells(hx, hy));
-    folds.build(x);
-    EXPECT_TRUE(folds.keeps_apart(0, Real(0.999) * hy));
-    EXPECT_FALSE(folds.keeps_apart(0, Real(1.001) * hy));
-}
-
-TEST(FoldTest, MayBeAskedAboutCellsThatDoNotTouch) {
-    const Grid grid{17, 13};
-    const auto nodes = make_quadtree_nodes(grid, 3);
-    std::mt19937 random(9);
-    std::uniform_real_distribution<Real> unit(0, 1);
-    int by_this_alone = 0, nearly_touched = 0;
-    for (int trial = 0; trial < 60; ++trial) {
-        Points x = rolled(grid, Real(0.5) + 8 * unit(random), Real(0.05) * unit(random));
-        x.col(2) *= Real(0.3) + unit(random);
-        FoldTest folds(grid, spacing, spacing, 3, apart_beyond_touching_cells(spacing, spacing));
-        FoldTest all(grid, spacing, spacing, 3);
-        const FlatBlocks touching(grid, spacing, spacing);
-        const Real distance = Real(0.04) + Real(0.06) * unit(random);
-        const std::vector<Real> reaches(static_cast<std::size_t>(grid.particles()), distance / 2);
-        const std::vector<Real> farther(reaches.size(), Real(0.75) * distance);
-        folds.build(x);
-        all.build(x);
-        for (int n = 0; n < static_cast<int>(nodes.size()); ++n) {
-            for (int m = n; m < static_cast<int>(nodes.size()); ++m) {
-                const auto apart = [&](const FoldTest& test) {
-                    return m == n ? test.keeps_apart(n, distance) : test.keep_apart(n, m, distance);
-                };
-                if (!apart(folds)) continue;
-                by_this_alone += !apart(all);
-                const auto pairs = [&](std::span<const Real> of) {
-                    return test::pairs_within_reach(grid, x, nodes[static_cast<std::size_t>(n)],
-                                                    nodes[static_cast<std::size_t>(m)], of, &touching);
-                };
-                ASSERT_EQ(pairs(reaches), 0U) << "trial " << trial;
-                nearly_touched += pairs(farther) > 0;
-            }
-        }
-    }
-    EXPECT_GT(by_this_alone, 300);
-    EXPECT_GT(nearly_touched, 100);
 }
 
 TEST(FoldTest, AsksForNoMoreThanParticlesReachAndNoLess) {

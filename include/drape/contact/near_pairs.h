@@ -8,7 +8,7 @@
 
 #include "drape/bounds/aabb.h"
 #include "drape/bounds/broad_phase.h"
-#include "drape/contact/flat_blocks.h"
+#include "drape/model/grid.h"
 
 namespace drape {
 
@@ -79,8 +79,6 @@ struct BoxedCloth {
     const CellBoxes& boxes;
     std::span<const Real> reaches = {};        ///< of each particle [m]
     std::span<const Real> local_reaches = {};  ///< towards what is local, never more [m]; empty: as all others
-    /// Built from local reaches; then cells that touch are looked for in these alone, not in leaves. Null: in leaves.
-    const FlatBlocks* blocks = nullptr;
 
     [[nodiscard]] std::span<const Real> reaches_to(bool local) const {
         return local && !local_reaches.empty() ? local_reaches : reaches;
@@ -95,10 +93,5 @@ struct BoxedCloth {
 /// @par Cost O(pairs of cells in the leaves) tests of boxes, O(pairs of cells whose boxes come near) exact ones
 void find_near_pairs(const BoxedCloth& first, const BoxedCloth& second, std::span<const LeafPair> leaves,
                      std::vector<NearPair>& pairs);
-
-/// The same for touching cells of one cloth that has blocks; the search of leaves leaves these out.
-/// @pre cloth.blocks
-/// @param blocks numbers of some; all that is near is in those that are not even
-void find_near_pairs(const BoxedCloth& cloth, std::span<const int> blocks, std::vector<NearPair>& pairs);
 
 }  // namespace drape

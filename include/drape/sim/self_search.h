@@ -82,8 +82,7 @@ private:
 
     struct Surface {
         Copied<BroadPhase> tree;
-        FoldTest folds;  ///< asked about cells that do not touch
-        FlatBlocks blocks;
+        FoldTest folds;
         CellBoxes boxes;
         bool boxed = false;                  ///< since the last list was begun
         Points kept;                         ///< what the list was made from
