@@ -14,9 +14,9 @@
 namespace drape {
 namespace {
 
-/// Numbers a particle: its mass, the state and the one before, and the positions of the last build; the forces by which
-/// contacts push within a step; those of a ledger.
-constexpr double numbers = 1 + 12 + 3, push_numbers = 3, ledger_numbers = 3;
+/// Numbers a particle: its mass, the state and the one before; the forces by which contacts push within a step; those
+/// of a ledger.
+constexpr double numbers = 1 + 12, push_numbers = 3, ledger_numbers = 3;
 
 /// Lists with room for two contacts a triangle, as the solver has: those of now, of before, and of these what has
 /// parted.

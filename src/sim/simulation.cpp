@@ -183,8 +183,7 @@ void Simulation::build(const Substep& now) {
     if (balls_.empty()) return;
     Stopwatch watch;
     for (Cloth& cloth : cloths_) {
-        if (!cloth.search.build(start_of_substep(cloth), cloth.state.x, balls_, settings_.contact))
-            ++report_.skipped_builds;
+        cloth.search.build(start_of_substep(cloth), cloth.state.x, balls_, settings_.contact);
         if (settings_.contact.continuous == Continuous::Never) {
             mark_crossing(cloth.search.crossing(), now.time, now.h, report_);
         }
