@@ -5,7 +5,6 @@
 #include "drape/base/memory_limit.h"
 #include "drape/bounds/node_view.h"
 #include "drape/contact/contact.h"
-#include "drape/contact/contact_activity.h"
 #include "drape/contact/contact_rows.h"
 #include "drape/integrate/method_memory.h"
 #include "drape/sim/pair_list.h"
@@ -46,10 +45,8 @@ double self_contact_bytes(const ContactSettings& contact, const Grid& grid) {
     // Positions, reaches, means of tiles, and what the fail-safe has
     constexpr double pairs = 30, touching = 2, numbers_of_search = 3 + 10 + 1 + 6;
     if (!contact.self) return 0;
-    // Of solves: a number a particle, and its contacts with itself, balls and ground
-    constexpr double of_activity = sizeof(std::int64_t) + (touching + 4) * sizeof(ContactActivity::Entry);
-    const double of_particle = sizeof(Real) * numbers_of_search + 2 * sizeof(Aabb) + pairs * bytes_of_pair +
-                               touching * sizeof(PairContact) + of_activity;
+    const double of_particle =
+        sizeof(Real) * numbers_of_search + 2 * sizeof(Aabb) + pairs * bytes_of_pair + touching * sizeof(PairContact);
     return hierarchy_bytes(contact, grid) + grid.particles() * of_particle;
 }
 
