@@ -42,11 +42,11 @@ constexpr double bytes_of_pair = 1.5 * (2 * sizeof(NearPair) + 2 * sizeof(PairLi
 /// Where cloths meet themselves and each other: a second hierarchy and the boxes of its cells, numbers of a particle,
 /// and pairs of features, as many as where much of a cloth lies on cloth. Threads share their lists.
 double self_contact_bytes(const ContactSettings& contact, const Grid& grid) {
-    // Positions, reaches, means of tiles, and what the fail-safe has
-    constexpr double pairs = 30, touching = 2, numbers_of_search = 3 + 10 + 1 + 6;
+    // Positions, reaches, and what the fail-safe has
+    constexpr double pairs = 30, touching = 2, numbers_of_search = 3 + 5 + 6;
     if (!contact.self) return 0;
     const double of_particle =
-        sizeof(Real) * numbers_of_search + 2 * sizeof(Aabb) + pairs * bytes_of_pair + touching * sizeof(PairContact);
+        sizeof(Real) * numbers_of_search + sizeof(Aabb) + pairs * bytes_of_pair + touching * sizeof(PairContact);
     return hierarchy_bytes(contact, grid) + grid.particles() * of_particle;
 }
 

@@ -48,7 +48,7 @@ void PairList::close() {
     int particles = 0, cloths = 0;
     for (Part& part : parts_) {
         for (const NearPair& pair : part.near) {
-            list_.push_back({pair.features, pair.triangle, pair.local, pair.distance});
+            list_.push_back({pair.features, pair.triangle, pair.distance});
             particles = std::max(particles, pair.features.particles[0] + 1);
             cloths = std::max({cloths, pair.features.cloths[0] + 1, pair.features.cloths[1] + 1});
         }

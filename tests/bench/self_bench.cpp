@@ -100,7 +100,7 @@ void self_broad_phase(benchmark::State& state, int side) {
     }
     std::vector<Real> largest;
     for (std::size_t c = 0; c < count; ++c) {
-        largest.push_back(std::ranges::max(search.allowances(static_cast<int>(c)).overall));
+        largest.push_back(std::ranges::max(search.allowances(static_cast<int>(c))));
     }
     std::vector<LeafPair> leaves;
     TraversalStats stats;
@@ -108,8 +108,7 @@ void self_broad_phase(benchmark::State& state, int side) {
         stats = {};
         for (std::size_t c = 0; c < count; ++c) {
             trees[c]->build(sheets.before[c]);
-            const auto [local, overall] = search.allowances(static_cast<int>(c));
-            folds[c].build(sheets.before[c], overall, local);
+            folds[c].build(sheets.before[c], search.allowances(static_cast<int>(c)));
         }
         for (std::size_t a = 0; a < count; ++a) {
             for (std::size_t b = a; b < count; ++b) {

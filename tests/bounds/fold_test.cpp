@@ -133,25 +133,6 @@ TEST(FoldTest, AsksForNoMoreThanParticlesReachAndNoLess) {
     EXPECT_GT(by_reach_alone, 300);
 }
 
-TEST(FoldTest, AsksForTheLocalReachWithinTouchingTilesAndForTheOtherBeyond) {
-    const Grid grid{30, 30};
-    ClothParameters parameters;
-    parameters.particles = grid;
-    const Points x = make_rest_state(parameters).x;
-    const Real h = Real(1) / 29, at_rest = apart_at_rest(h, h);
-    const auto is_apart = [&](Real local, Real overall) {
-        FoldTest folds(grid, h, h, 4);
-        const std::vector<Real> reaches(900, overall), local_reaches(900, local);
-        folds.build(x, reaches, local_reaches);
-        return folds.keeps_apart(0, 2 * overall);
-    };
-    EXPECT_TRUE(is_apart(Real(0.499) * at_rest, Real(3.49) * h));
-    EXPECT_FALSE(is_apart(Real(0.501) * at_rest, Real(3.49) * h));
-    // Features of tiles that do not touch are nine columns apart where they are nearest, and each may go on for one
-    EXPECT_FALSE(is_apart(Real(0.499) * at_rest, Real(3.51) * h));
-    EXPECT_FALSE(is_apart(0, Real(3.51) * h));
-}
-
 TEST(FoldTest, SeesAFoldAndACollapsedPatch) {
     const Grid grid{9, 9};
     FoldTest folds(grid, spacing, spacing, 2);

@@ -22,8 +22,7 @@ inline Real apart_at_rest(Real hx, Real hy) { return hx * hy / std::sqrt(hx * hx
 /// directions at right angles, the columns of Q. If v.(Q^T F) v >= c |v|^2 on all triangles and for all v, then along
 /// the straight line from p to q in the rectangle (q - p).Q^T (phi(q) - phi(p)) >= c |q - p|^2, and so
 /// |phi(q) - phi(p)| >= c |q - p|: what is apart at rest stays apart. At rest, features that share no particle are at
-/// least `apart_at_rest` apart. Those with particles of `Tiles` that do not touch are 7 spacings apart or more: 9
-/// columns or rows lie between such particles, and each feature goes on for one.
+/// least `apart_at_rest` apart.
 class FoldTest {
 public:
     FoldTest() = default;
@@ -35,9 +34,8 @@ public:
     /// @param x n x 3 [m]
     /// @param reaches of each particle [m]: what is farther apart than those of its nodes together is apart enough;
     /// empty: nothing is but what is asked for
-    /// @param local_reaches the same towards particles of the same and of touching tiles; empty: as all others
     /// @par Cost O(particles)
-    void build(const Points& x, std::span<const Real> reaches = {}, std::span<const Real> local_reaches = {});
+    void build(const Points& x, std::span<const Real> reaches = {});
 
     /// Whether all features in a node that share no particle are farther apart than a distance [m], or than they reach.
     [[nodiscard]] bool keeps_apart(int node, Real distance) const;
@@ -49,8 +47,8 @@ public:
 private:
     /// All derivatives of a patch are within, and none of its particles reaches farther.
     struct Derivatives {
-        Aabb along, across;       ///< e_u / hx, e_v / hy
-        Real reach, local_reach;  ///< [m]
+        Aabb along, across;  ///< e_u / hx, e_v / hy
+        Real reach;          ///< [m]
     };
 
     /// The nodes of the same level that share a whole side with a node; -1: there is none.
@@ -59,8 +57,7 @@ private:
     };
 
     [[nodiscard]] std::array<int, 2> at_corner_of(int first, int second) const;
-    [[nodiscard]] Derivatives of_leaf(const QuadtreeNode& leaf, const Points& x, std::span<const Real> reaches,
-                                      std::span<const Real> local_reaches) const;
+    [[nodiscard]] Derivatives of_leaf(const QuadtreeNode& leaf, const Points& x, std::span<const Real> reaches) const;
     [[nodiscard]] bool bounds(const Derivatives& derivatives, Real distance) const;
 
     Grid grid_;

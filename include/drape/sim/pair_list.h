@@ -16,7 +16,6 @@ public:
     struct Listed {
         FeaturePair features;
         int triangle;
-        bool local;     ///< as in `NearPair`
         Real distance;  ///< [m]
     };
 
