@@ -20,9 +20,8 @@ std::string shown_value(const Setting& setting, const Settings& settings) {
 }
 
 // Settings of a hierarchy, which brute force does not have
-constexpr std::array<std::string_view, 7> of_a_hierarchy{
-    "contact.update",    "contact.leaf_cells", "contact.sphere_fit", "contact.search_level",
-    "contact.coherence", "view.bounds",        "view.level"};
+constexpr std::array<std::string_view, 6> of_a_hierarchy{
+    "contact.update", "contact.leaf_cells", "contact.sphere_fit", "contact.search_level", "view.bounds", "view.level"};
 
 bool solves_a_system(IntegratorKind integrator) {
     return integrator == IntegratorKind::BackwardEuler || integrator == IntegratorKind::ImplicitMidpoint ||

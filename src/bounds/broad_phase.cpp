@@ -26,8 +26,6 @@ public:
     TraversalStats query_near(const DistanceField& /*body*/, Real /*margin*/, Candidates& found) const override {
         return all(found);
     }
-    [[nodiscard]] bool may_touch(const Ball& /*ball*/, Real /*displacement*/) const override { return true; }
-    [[nodiscard]] bool may_touch(const SweptBall& /*ball*/, Real /*displacement*/) const override { return true; }
     [[nodiscard]] Real slack() const override { return 0; }
     [[nodiscard]] int levels() const override { return 0; }
     void nodes_at(int /*level*/, std::vector<NodeView>& nodes) const override { nodes.clear(); }

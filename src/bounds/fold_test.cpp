@@ -6,8 +6,6 @@
 #include <map>
 #include <utility>
 
-#include "drape/model/tiles.h"
-
 namespace drape {
 namespace {
 
@@ -45,11 +43,10 @@ bool make_rectangle(const CellRange& first, const CellRange& second) {
 
 }  // namespace
 
-FoldTest::FoldTest(const Grid& grid, Real hx, Real hy, int leaf_cells, Real apart)
+FoldTest::FoldTest(const Grid& grid, Real hx, Real hy, int leaf_cells)
     : grid_(grid),
       hx_(hx),
       hy_(hy),
-      apart_(apart),
       nodes_(make_quadtree_nodes(grid, leaf_cells)),
       beside_(nodes_.size()),
       derivatives_(nodes_.size()) {
@@ -72,11 +69,11 @@ FoldTest::FoldTest(const Grid& grid, Real hx, Real hy, int leaf_cells, Real apar
     }
 }
 
-void FoldTest::build(const Points& x, std::span<const Real> reaches, std::span<const Real> local_reaches) {
+void FoldTest::build(const Points& x, std::span<const Real> reaches) {
     for (std::size_t n = nodes_.size(); n-- > 0;) {
         const QuadtreeNode& node = nodes_[n];
         if (node.children == 0) {
-            derivatives_[n] = of_leaf(node, x, reaches, local_reaches.empty() ? reaches : local_reaches);
+            derivatives_[n] = of_leaf(node, x, reaches);
             continue;
         }
         const auto first = static_cast<std::size_t>(node.first_child);
@@ -85,28 +82,24 @@ void FoldTest::build(const Points& x, std::span<const Real> reaches, std::span<c
             all.along.include(derivatives_[first + child].along);
             all.across.include(derivatives_[first + child].across);
             all.reach = std::max(all.reach, derivatives_[first + child].reach);
-            all.local_reach = std::max(all.local_reach, derivatives_[first + child].local_reach);
         }
         derivatives_[n] = all;
     }
 }
 
-FoldTest::Derivatives FoldTest::of_leaf(const QuadtreeNode& leaf, const Points& x, std::span<const Real> reaches,
-                                        std::span<const Real> local_reaches) const {
+FoldTest::Derivatives FoldTest::of_leaf(const QuadtreeNode& leaf, const Points& x,
+                                        std::span<const Real> reaches) const {
     const auto derivative = [&](int from, int to, Real length) -> Vec3 {
         return (x.row(to) - x.row(from)).transpose() / length;
     };
     const int corner = grid_.particle(leaf.i0, leaf.j0);
     const Vec3 along = derivative(corner, corner + 1, hx_), across = derivative(corner, corner + grid_.nx, hy_);
     const Real at_first = reaches.empty() ? std::numeric_limits<Real>::infinity() : 0;
-    Derivatives all{{along, along}, {across, across}, at_first, at_first};
+    Derivatives all{{along, along}, {across, across}, at_first};
     for (int j = leaf.j0; j <= leaf.j1; ++j) {
         for (int i = leaf.i0; i <= leaf.i1; ++i) {
             const int p = grid_.particle(i, j);
-            if (!reaches.empty()) {
-                all.reach = std::max(all.reach, reaches[static_cast<std::size_t>(p)]);
-                all.local_reach = std::max(all.local_reach, local_reaches[static_cast<std::size_t>(p)]);
-            }
+            if (!reaches.empty()) all.reach = std::max(all.reach, reaches[static_cast<std::size_t>(p)]);
             if (i < leaf.i1) all.along.include(derivative(p, p + 1, hx_));
             if (j < leaf.j1) all.across.include(derivative(p, p + grid_.nx, hy_));
         }
@@ -116,7 +109,7 @@ FoldTest::Derivatives FoldTest::of_leaf(const QuadtreeNode& leaf, const Points& 
 
 /// The least eigenvalue of the symmetric part of Q^T F is c.
 bool FoldTest::bounds(const Derivatives& derivatives, Real distance) const {
-    const auto& [along, across, reach, local_reach] = derivatives;
+    const auto& [along, across, reach] = derivatives;
     const Eigen::Matrix<Real, 3, 2> q =
         nearest_directions((along.low + along.high) / 2, (across.low + across.high) / 2);
     const Vec3 u = q.col(0), v = q.col(1);
@@ -126,9 +119,7 @@ bool FoldTest::bounds(const Derivatives& derivatives, Real distance) const {
     const Real m12 = std::max(std::abs(most), std::abs(lowest)) / 2, half = (m11 - m22) / 2;
     const Real c = (m11 + m22) / 2 - std::sqrt(half * half + m12 * m12);
     const Real least = c - fold_rounding;
-    const Real of_tiles_apart = (Tiles::side - 1) * std::min(hx_, hy_);
-    return least * apart_ > std::min(distance, 2 * local_reach) &&
-           least * of_tiles_apart > std::min(distance, 2 * reach);
+    return least * apart_at_rest(hx_, hy_) > std::min(distance, 2 * reach);
 }
 
 bool FoldTest::keeps_apart(int node, Real distance) const {
@@ -155,8 +146,7 @@ bool FoldTest::keep_apart(int first, int second, Real distance) const {
     const std::array<int, 2> others = side_by_side ? std::array{first, second} : at_corner_of(first, second);
     if (others[0] < 0) return false;
     const Derivatives &one = of(first), &two = of(second);
-    Derivatives all{merged(one.along, two.along), merged(one.across, two.across), (one.reach + two.reach) / 2,
-                    (one.local_reach + two.local_reach) / 2};
+    Derivatives all{merged(one.along, two.along), merged(one.across, two.across), (one.reach + two.reach) / 2};
     if (!side_by_side) {
         for (const int other : others) {
             all.along.include(of(other).along);

@@ -1,11 +1,9 @@
 #pragma once
 
 #include <algorithm>
-#include <cstdlib>
 #include <span>
 
 #include "drape/contact/near_pairs.h"
-#include "drape/model/tiles.h"
 
 namespace drape {
 
@@ -39,44 +37,33 @@ void for_each_particle_of(const Grid& grid, int cell, Visit visit) {
     if (last_column && last_row) visit(d);
 }
 
-/// Whether all particles of two ranges of cells are of tiles that touch.
-inline bool are_local(const CellRange& one, const CellRange& two) {
-    return in_touching_tiles({std::min(one.i0, two.i0), std::max(one.i1, two.i1) + 1, std::min(one.j0, two.j0),
-                              std::max(one.j1, two.j1) + 1});
-}
-
 /// The smallest range that has all cells of a range whose boxes meet a box; empty if none does.
-inline CellRange those_that_meet(const Aabb& box, const BoxedCloth& cloth, const CellRange& cells, bool local) {
+inline CellRange those_that_meet(const Aabb& box, const BoxedCloth& cloth, const CellRange& cells) {
     CellRange met{cells.i1, cells.j1, cells.i0, cells.j0};
     for_each_cell_of(cells, [&](int i, int j) {
-        if (!cloth.boxes.of(j * cloth.cloth.grid.cell_columns() + i, local).meets(box)) return;
+        if (!cloth.boxes.of(j * cloth.cloth.grid.cell_columns() + i).meets(box)) return;
         met = {std::min(met.i0, i), std::min(met.j0, j), std::max(met.i1, i + 1), std::max(met.j1, j + 1)};
     });
     return met;
 }
 
-/// Calls visit(one, two, local) for each pair of cells in pairs of leaves whose boxes meet; of one leaf, once for each.
-/// `local` says whether all pairs of features of these leaves are local. Cells of one cloth that touch are left to its
-/// blocks, if it has these.
+/// Calls visit(one, two) for each pair of cells in pairs of leaves whose boxes meet; of one leaf, once for each.
 template <class Visit>
 void for_each_pair_of_cells(const BoxedCloth& first, const BoxedCloth& second, std::span<const LeafPair> leaves,
                             Visit visit) {
     for (const auto& [cells, others] : leaves) {
-        const bool one_cloth = first.cloth.number == second.cloth.number;
-        const bool same = one_cloth && cells == others, local = one_cloth && are_local(cells, others);
-        const Aabb around = second.boxes.of(second.cloth.grid, others, local);
-        const CellRange near = same ? cells : those_that_meet(around, first, cells, local);
+        const bool same = first.cloth.number == second.cloth.number && cells == others;
+        const Aabb around = second.boxes.of(second.cloth.grid, others);
+        const CellRange near = same ? cells : those_that_meet(around, first, cells);
         if (near.i0 >= near.i1) continue;
-        const Aabb around_near = first.boxes.of(first.cloth.grid, near, local);
-        const CellRange there = same ? cells : those_that_meet(around_near, second, others, local);
-        const bool has_blocks = one_cloth && first.blocks;
+        const Aabb around_near = first.boxes.of(first.cloth.grid, near);
+        const CellRange there = same ? cells : those_that_meet(around_near, second, others);
         for_each_cell_of(near, [&](int i, int j) {
             const int one = j * first.cloth.grid.cell_columns() + i;
             for_each_cell_of(there, [&](int other_i, int other_j) {
                 const int two = other_j * second.cloth.grid.cell_columns() + other_i;
-                const bool touch = std::abs(i - other_i) <= 1 && std::abs(j - other_j) <= 1;
-                if ((same && two < one) || (has_blocks && touch)) return;
-                if (first.boxes.of(one, local).meets(second.boxes.of(two, local))) visit(one, two, local);
+                if (same && two < one) return;
+                if (first.boxes.of(one).meets(second.boxes.of(two))) visit(one, two);
             });
         });
     }

@@ -1,6 +1,5 @@
 #pragma once
 
-#include "active_solve.h"
 #include "contact_solver.h"
 #include "drape/contact/contact_rows.h"
 #include "kernels/row_sweeps.h"
@@ -102,9 +101,6 @@ Sweeps solve_contacts(ContactProblem& problem, Motion& motion, Real tolerance) {
     if (problem.rows != nullptr) return solve_rows(*problem.rows, motion, tolerance);
     // Flat, because GCC would call a function for each sum of three numbers
     const auto solve = [&](auto& contact) __attribute__((flatten)) { return solve_contact(motion, contact); };
-    if (problem.activity != nullptr && !problem.pairs.empty()) {
-        return sweep_active(problem, *problem.activity, tolerance, solve);
-    }
     return sweep_until(problem, tolerance, solve);
 }
 

@@ -7,7 +7,6 @@
 
 namespace drape {
 
-class ContactActivity;
 struct ContactRows;
 
 /// All contacts that are solved together, and what is known of the substep.
@@ -21,9 +20,8 @@ struct ContactProblem {
     std::span<PairContact> pairs;
     std::span<Ball> balls;
     std::span<BallContact> ball_contacts;
-    ContactRows* rows = nullptr;          ///< for solves over compact rows; none: by plain code
-    ContactActivity* activity = nullptr;  ///< for solves with pairs that skip contacts; none: by plain code
-    bool with_bodies = true;              ///< contacts of cloths with balls and ground are solved too
+    ContactRows* rows = nullptr;  ///< for solves over compact rows; none: by plain code
+    bool with_bodies = true;      ///< contacts of cloths with balls and ground are solved too
 
     [[nodiscard]] Displacements displacements() const { return {cloths, balls}; }
     [[nodiscard]] Velocities velocities() const { return {cloths, balls}; }

@@ -34,8 +34,8 @@ Aabb grown(Aabb box, Real by) {
 /// The particles and the edges that belong to a cell and reach a box.
 class CellFeatures {
 public:
-    CellFeatures(const BoxedCloth& cloth, int cell, const Aabb& box, bool local)
-        : x_(cloth.cloth.x), reaches_(cloth.reaches_to(local)), box_(box) {
+    CellFeatures(const BoxedCloth& cloth, int cell, const Aabb& box)
+        : x_(cloth.cloth.x), reaches_(cloth.reaches), box_(box) {
         for_each_particle_of(cloth.cloth.grid, cell, [&](int particle) { add(particle); });
         for_each_edge_of(cloth.cloth.grid, cell, [&](int from, int to) { add(from, to); });
     }
@@ -98,19 +98,9 @@ Vec3 locate_on_edges(const ClothAt& first, const ClothAt& second, NearPair& pair
     return offset;
 }
 
-/// Whether all particles of a pair are of one cloth and of tiles that touch.
-bool is_local(const Grid& grid, const FeaturePair& pair) {
-    if (pair.cloths[0] != pair.cloths[1]) return false;
-    const auto [first, last] = std::ranges::minmax(pair.particles);
-    const auto column = [&](int particle) { return particle % grid.nx; };
-    const auto [left, right] = std::ranges::minmax(pair.particles, {}, column);
-    return in_touching_tiles({column(left), column(right) + 1, first / grid.nx, last / grid.nx + 1});
-}
-
 /// Tests features of cells exactly.
 struct FeatureTest {
     std::vector<NearPair>& pairs;
-    bool local;  ///< all of them are
 
     /// @param reach of both features together [m]
     void keep(const BoxedCloth& first, const BoxedCloth& second, NearPair pair, Real reach) const {
@@ -124,7 +114,6 @@ struct FeatureTest {
         if (apart) return;
         locate(first.cloth, second.cloth, pair);
         if (!(pair.distance < reach)) return;
-        pair.local = local || is_local(first.cloth.grid, pair.features);
         pairs.push_back(pair);
     }
 
@@ -133,8 +122,8 @@ struct FeatureTest {
         for (const int triangle : {2 * cell, 2 * cell + 1}) {
             const std::array<int, 3> corners = second.cloth.grid.triangle_corners(triangle);
             if (cloths[0] == cloths[1] && std::ranges::count(corners, particle) > 0) continue;
-            const Real reach = reach_of(first.reaches_to(local), particle) +
-                               reach_of(second.reaches_to(local), corners[0], corners[1], corners[2]);
+            const Real reach =
+                reach_of(first.reaches, particle) + reach_of(second.reaches, corners[0], corners[1], corners[2]);
             keep(first, second, {{cloths, 1, {particle, corners[0], corners[1], corners[2]}}, triangle}, reach);
         }
     }
@@ -144,16 +133,15 @@ struct FeatureTest {
         const std::array cloths{first.cloth.number, second.cloth.number};
         const bool touch = e[0] == f[0] || e[0] == f[1] || e[1] == f[0] || e[1] == f[1];
         if (cloths[0] == cloths[1] && touch) return;
-        const Real reach =
-            reach_of(first.reaches_to(local), e[0], e[1]) + reach_of(second.reaches_to(local), f[0], f[1]);
+        const Real reach = reach_of(first.reaches, e[0], e[1]) + reach_of(second.reaches, f[0], f[1]);
         if (!one.box.comes_within(two.box, reach)) return;
         keep(first, second, {{cloths, 2, {e[0], e[1], f[0], f[1]}}}, reach);
     }
 
     void cells(const BoxedCloth& first, int one, const BoxedCloth& second, int two) const {
         const bool same = first.cloth.number == second.cloth.number && one == two;
-        const CellFeatures of_one(first, one, second.boxes.of(two, local), local);
-        const CellFeatures of_two(second, two, first.boxes.of(one, local), local);
+        const CellFeatures of_one(first, one, second.boxes.of(two));
+        const CellFeatures of_two(second, two, first.boxes.of(one));
         for (const int particle : of_one.particles()) particle_and_cell(first, particle, second, two);
         for (const int particle : of_two.particles()) {
             if (!same) particle_and_cell(second, particle, first, one);
@@ -177,41 +165,31 @@ void locate(const ClothAt& first, const ClothAt& second, NearPair& pair) {
     pair.normal = pair.distance > 0 ? Vec3(offset / pair.distance) : parting_direction(first, second, pair);
 }
 
-void CellBoxes::build(const Grid& grid, const Points& x, std::span<const Real> reaches,
-                      std::span<const Real> local_reaches) {
+void CellBoxes::build(const Grid& grid, const Points& x, std::span<const Real> reaches) {
     boxes_.resize(static_cast<std::size_t>(grid.cells()));
-    local_.resize(local_reaches.empty() ? 0 : boxes_.size());
     for (int cell = 0; cell < grid.cells(); ++cell) {
         const int a = grid.cell_corner(cell), b = a + 1, c = a + grid.nx, d = c + 1;
         Aabb box{position(x, a), position(x, a)};
         for (const int p : {b, c, d}) box.include(position(x, p));
         const auto k = static_cast<std::size_t>(cell);
         boxes_[k] = reaches.empty() ? box : grown(box, reach_of(reaches, a, b, c, d));
-        if (!local_.empty()) local_[k] = grown(box, reach_of(local_reaches, a, b, c, d));
     }
 }
 
-Aabb CellBoxes::of(const Grid& grid, const CellRange& cells, bool local) const {
-    Aabb all = of(cells.j0 * grid.cell_columns() + cells.i0, local);
-    for_each_cell_of(cells, [&](int i, int j) { all.include(of(j * grid.cell_columns() + i, local)); });
+Aabb CellBoxes::of(const Grid& grid, const CellRange& cells) const {
+    Aabb all = of(cells.j0 * grid.cell_columns() + cells.i0);
+    for_each_cell_of(cells, [&](int i, int j) { all.include(of(j * grid.cell_columns() + i)); });
     return all;
 }
 
 void find_near_pairs(const BoxedCloth& first, const BoxedCloth& second, std::span<const LeafPair> leaves,
                      std::vector<NearPair>& pairs) {
-    for_each_pair_of_cells(first, second, leaves, [&](int one, int two, bool local) {
-        const FeatureTest test{pairs, local};
+    for_each_pair_of_cells(first, second, leaves, [&](int one, int two) {
+        const FeatureTest test{pairs};
         // Of one cloth, in the order of the cells whatever the order of the leaves
         const bool turned = first.cloth.number == second.cloth.number && two < one;
         turned ? test.cells(second, two, first, one) : test.cells(first, one, second, two);
     });
-}
-
-void find_near_pairs(const BoxedCloth& cloth, std::span<const int> blocks, std::vector<NearPair>& pairs) {
-    const FeatureTest test{pairs, true};
-    for (const int block : blocks) {
-        cloth.blocks->for_each_pair_of_cells(block, [&](int one, int two) { test.cells(cloth, one, cloth, two); });
-    }
 }
 
 }  // namespace drape

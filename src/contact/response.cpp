@@ -6,7 +6,7 @@
 #include <utility>
 
 #include "contact_solver.h"
-#include "drape/contact/fast_solve.h"
+#include "drape/contact/contact_rows.h"
 #include "resting.h"
 
 namespace drape {
@@ -291,7 +291,7 @@ Real depth_left(ContactProblem& problem) {
 
 ResponseReport resolve_contacts(const ResponseParameters& parameters, Real h, std::span<const ClothInContact> cloths,
                                 std::span<PairContact> pairs, std::span<Ball> balls,
-                                std::span<BallContact> ball_contacts, FastSolve* fast) {
+                                std::span<BallContact> ball_contacts, ContactRows* rows) {
     const bool none = std::ranges::all_of(cloths, [](const ClothInContact& cloth) { return cloth.contacts.empty(); });
     if (none && pairs.empty() && ball_contacts.empty()) return {};
     const Real gravity = cloths.front().model.gravity.norm();
@@ -304,8 +304,7 @@ ResponseReport resolve_contacts(const ResponseParameters& parameters, Real h, st
                            .pairs = pairs,
                            .balls = balls,
                            .ball_contacts = ball_contacts,
-                           .rows = fast == nullptr ? nullptr : &fast->rows,
-                           .activity = fast == nullptr ? nullptr : &fast->activity};
+                           .rows = rows};
     prepare_all(problem);
     const double before = kinetic_energy(balls);
     ResponseReport report = respond(problem);

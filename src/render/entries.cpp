@@ -83,7 +83,6 @@ std::vector<Entry> make_entries(const std::vector<std::string>& scenes) {
         {"Hierarchy/Search depth", {}, "To level 4", "set contact.search_level=4"},
         {"Hierarchy/Search depth", {}, "To level 3", "set contact.search_level=3"},
         {"Hierarchy/Search depth", {}, "To level 2", "set contact.search_level=2"},
-        {"Hierarchy/Search depth", {}, "Skip build when contact is impossible", "next contact.coherence"},
         {"Time/Sleep", {}, "At rest", "set solver.sleep_speed=2e-04"},
         {"Time/Sleep", {}, "Never", "set solver.sleep_speed=0"},
         {"View", {"B"}, "Bounding volumes", "next view.bounds"},

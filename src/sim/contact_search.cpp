@@ -17,29 +17,24 @@ void take_worse(Crossing& worst, const Crossing& other) {
 }  // namespace
 
 void ContactSearch::use(const BroadPhaseParameters& parameters, const Grid& grid, const Points& x) {
-    if (grid != grid_ || parameters.kernels != kernels_) separation_ = Separation(grid, parameters.kernels);
     kernels_ = parameters.kernels;
     grid_ = grid;
     hierarchy_ = make_broad_phase(parameters, grid);
     audit_.reset();
     if (!parameters.search.none()) audit_.emplace(grid, kernels_);
-    build_from(x, {}, {});
+    build_from(x);
 }
 
-void ContactSearch::build_from(const Points& x, std::span<const Ball> balls, const ContactSettings& contact) {
+void ContactSearch::build_from(const Points& x) {
     hierarchy_->build(x);
     built_from_present_ = true;
     queried_ = false;
-    separation_.forget();
-    const bool may_skip = contact.coherence && !audit_ && !balls.empty();
-    if (may_skip) separation_.renew(*hierarchy_, x, balls, contact.thickness);
 }
 
 void ContactSearch::build_from_way(const Points& before, const Points& x) {
     hierarchy_->build(before, x);
     sweeps_ = true;
-    built_from_present_ = queried_ = skipped_ = false;
-    separation_.forget();
+    built_from_present_ = queried_ = false;
 }
 
 Crossing ContactSearch::worst_crossing(const Points& before, const Points& x, std::span<const Ball> balls,
@@ -63,22 +58,15 @@ Crossing ContactSearch::solid_crossing(const Points& before, const Points& x, st
     return worst;
 }
 
-bool ContactSearch::build(const Points& before, const Points& x, std::span<const Ball> balls,
+void ContactSearch::build(const Points& before, const Points& x, std::span<const Ball> balls,
                           const ContactSettings& contact) {
     const bool always = contact.continuous == Continuous::Always;
     crossing_ = always ? Crossing{} : worst_crossing(before, x, balls, contact.thickness);
     sweeps_ = always || (contact.continuous == Continuous::Auto && crossing_.possible());
-    if (sweeps_) {
-        build_from_way(before, x);
-        return true;
-    }
-    skipped_ = contact.coherence && !audit_ && separation_.holds(*hierarchy_, x, balls, contact.thickness);
-    if (!skipped_) build_from(x, balls, contact);
-    return !skipped_;
+    sweeps_ ? build_from_way(before, x) : build_from(x);
 }
 
 TraversalStats ContactSearch::traverse(std::span<const Ball> balls, Real thickness) {
-    if (skipped_) return traversal_;
     traversal_ = {};
     candidates_.resize(balls.size());
     for (std::size_t b = 0; b < balls.size(); ++b) {
@@ -95,7 +83,6 @@ std::int64_t ContactSearch::narrow(const Points& before, const Points& x, std::s
                                    Real longest_push, std::vector<Contact>& contacts) {
     contacts.clear();
     found_passing_ = false;
-    if (skipped_) return 0;
     std::int64_t touching = 0;
     for (std::size_t b = 0; b < balls.size(); ++b) {
         const auto& [cells, stopped] = candidates_[b];
@@ -128,9 +115,8 @@ TraversalStats ContactSearch::meet_solids(const Points& before, const Points& x,
         const bool may_pass = 2 * (cloth + solid.moved.norm()) > contact.thickness;
         return contact.continuous == Continuous::Always || (contact.continuous == Continuous::Auto && may_pass);
     };
-    const bool has_way = sweeps_ && !skipped_;
-    if (std::ranges::any_of(solids, is_swept) && !has_way) build_from_way(before, x);
-    if (!sweeps_ && !built_from_present_) build_from(x, {}, contact);
+    if (std::ranges::any_of(solids, is_swept) && !sweeps_) build_from_way(before, x);
+    if (!sweeps_ && !built_from_present_) build_from(x);
     for (std::size_t s = 0; s < solids.size(); ++s) {
         const Solid& solid = solids[s];
         const int number = static_cast<int>(s);
@@ -147,8 +133,7 @@ TraversalStats ContactSearch::meet_solids(const Points& before, const Points& x,
 
 TraversalStats ContactSearch::meet_ground(const Points& x, Real height, Real thickness,
                                           std::vector<Contact>& contacts) {
-    const bool is_built = built_from_present_ || (sweeps_ && !skipped_);
-    const bool asks = is_built && hierarchy_->levels() > 0;
+    const bool asks = (built_from_present_ || sweeps_) && hierarchy_->levels() > 0;
     const TraversalStats stats = asks ? hierarchy_->query_below(height + thickness, low_) : TraversalStats{};
     // A pass in the order of memory is faster than picking more than some of the particles
     const bool picks = asks && 4 * stats.candidates < grid_.cells();
@@ -172,12 +157,12 @@ Real ContactSearch::missed_penetration(const Points& x, std::span<const Ball> ba
     return audit_ ? audit_->penetration(x, balls, thickness) : 0;
 }
 
-void ContactSearch::show(const Points& x, std::span<const Ball> balls, const ContactSettings& contact) {
-    if (!built_from_present_) build_from(x, balls, contact);
+void ContactSearch::show(const Points& x, std::span<const Ball> balls, Real thickness) {
+    if (!built_from_present_) build_from(x);
     if (queried_) return;
     candidates_.resize(balls.size());
     for (std::size_t b = 0; b < balls.size(); ++b) {
-        hierarchy_->query(grown(balls[b], contact.thickness), candidates_[b]);
+        hierarchy_->query(grown(balls[b], thickness), candidates_[b]);
     }
     queried_ = true;
 }

@@ -5,7 +5,6 @@
 #include "drape/base/memory_limit.h"
 #include "drape/bounds/node_view.h"
 #include "drape/contact/contact.h"
-#include "drape/contact/contact_activity.h"
 #include "drape/contact/contact_rows.h"
 #include "drape/integrate/method_memory.h"
 #include "drape/sim/pair_list.h"
@@ -14,9 +13,9 @@
 namespace drape {
 namespace {
 
-/// Numbers a particle: its mass, the state and the one before, and the positions of the last build; the forces by which
-/// contacts push within a step; those of a ledger.
-constexpr double numbers = 1 + 12 + 3, push_numbers = 3, ledger_numbers = 3;
+/// Numbers a particle: its mass, the state and the one before; the forces by which contacts push within a step; those
+/// of a ledger.
+constexpr double numbers = 1 + 12, push_numbers = 3, ledger_numbers = 3;
 
 /// Lists with room for two contacts a triangle, as the solver has: those of now, of before, and of these what has
 /// parted.
@@ -43,13 +42,11 @@ constexpr double bytes_of_pair = 1.5 * (2 * sizeof(NearPair) + 2 * sizeof(PairLi
 /// Where cloths meet themselves and each other: a second hierarchy and the boxes of its cells, numbers of a particle,
 /// and pairs of features, as many as where much of a cloth lies on cloth. Threads share their lists.
 double self_contact_bytes(const ContactSettings& contact, const Grid& grid) {
-    // Positions, reaches, rooms of blocks, means of tiles, and what the fail-safe has
-    constexpr double pairs = 30, touching = 2, numbers_of_search = 3 + 10 + 1 + 1 + 6;
+    // Positions, reaches, and what the fail-safe has
+    constexpr double pairs = 30, touching = 2, numbers_of_search = 3 + 5 + 6;
     if (!contact.self) return 0;
-    // Of solves: a number a particle, and its contacts with itself, balls and ground
-    constexpr double of_activity = sizeof(std::int64_t) + (touching + 4) * sizeof(ContactActivity::Entry);
-    const double of_particle = sizeof(Real) * numbers_of_search + 2 * sizeof(Aabb) + pairs * bytes_of_pair +
-                               touching * sizeof(PairContact) + of_activity;
+    const double of_particle =
+        sizeof(Real) * numbers_of_search + sizeof(Aabb) + pairs * bytes_of_pair + touching * sizeof(PairContact);
     return hierarchy_bytes(contact, grid) + grid.particles() * of_particle;
 }
 

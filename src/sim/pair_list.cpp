@@ -6,9 +6,9 @@
 namespace drape {
 namespace {
 
-/// Pairs of leaves, or blocks, that a thread takes at once: where cloth is folded, some that follow each other have
+/// Pairs of leaves that a thread takes at once: where cloth is folded, some that follow each other have
 /// much in them, and those after them nothing.
-constexpr std::size_t items_a_thread = 16;
+constexpr std::size_t leaves_a_thread = 16;
 
 }  // namespace
 
@@ -18,29 +18,16 @@ void PairList::clear() {
     list_.clear();
 }
 
-/// Shares pairs of leaves, or blocks, among threads.
-/// @param find adds to `near` what it finds in some of them
-template <class Item, class Find>
-void PairList::find_in(std::span<const Item> items, Find find) {
-    workers_.run(items.size() / items_a_thread, [&](int part, int parts) {
-        const auto p = static_cast<std::size_t>(part), step = items_a_thread * static_cast<std::size_t>(parts);
-        for (std::size_t k = items_a_thread * p; k < items.size(); k += step) {
-            find(items.subspan(k, std::min(items_a_thread, items.size() - k)), parts_[p].near);
+void PairList::add(const BoxedCloth& first, const BoxedCloth& second, std::span<const LeafPair> leaves) {
+    workers_.run(leaves.size() / leaves_a_thread, [&](int part, int parts) {
+        const auto p = static_cast<std::size_t>(part), step = leaves_a_thread * static_cast<std::size_t>(parts);
+        for (std::size_t k = leaves_a_thread * p; k < leaves.size(); k += step) {
+            const auto some = leaves.subspan(k, std::min(leaves_a_thread, leaves.size() - k));
+            find_near_pairs(first, second, some, parts_[p].near);
         }
     });
     size_ = 0;
     for (const Part& part : parts_) size_ += part.near.size();
-}
-
-void PairList::add(const BoxedCloth& first, const BoxedCloth& second, std::span<const LeafPair> leaves) {
-    find_in(leaves, [&](std::span<const LeafPair> some, std::vector<NearPair>& near) {
-        find_near_pairs(first, second, some, near);
-    });
-}
-
-void PairList::add(const BoxedCloth& cloth, std::span<const int> blocks) {
-    find_in(blocks,
-            [&](std::span<const int> some, std::vector<NearPair>& near) { find_near_pairs(cloth, some, near); });
 }
 
 /// Brings the list into the order of a number of each pair; pairs with the same number stay in the order they had.
@@ -61,7 +48,7 @@ void PairList::close() {
     int particles = 0, cloths = 0;
     for (Part& part : parts_) {
         for (const NearPair& pair : part.near) {
-            list_.push_back({pair.features, pair.triangle, pair.local, pair.distance});
+            list_.push_back({pair.features, pair.triangle, pair.distance});
             particles = std::max(particles, pair.features.particles[0] + 1);
             cloths = std::max({cloths, pair.features.cloths[0] + 1, pair.features.cloths[1] + 1});
         }

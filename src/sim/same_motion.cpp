@@ -10,12 +10,11 @@ namespace {
 /// The settings that the motion follows from: what is left out shows or finds the same motion. Under a limited search
 /// that is not so of the hierarchy, for then its nodes stand for the cloth.
 Settings laws_of(Settings settings, bool limited) {
-    const ContactSettings defaults;
     if (settings.solver.on_unstable == OnUnstable::Stop) settings.solver.on_unstable = OnUnstable::Warn;
     settings.solver.ledger = {};
     settings.solver.threads = {};
-    settings.contact.coherence = defaults.coherence;
     if (limited) return settings;
+    const ContactSettings defaults;
     settings.contact.volume = defaults.volume;
     settings.contact.update = defaults.update;
     settings.contact.leaf_cells = defaults.leaf_cells;

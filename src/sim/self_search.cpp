@@ -3,7 +3,6 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
-#include <utility>
 
 #include "drape/contact/crossings.h"
 
@@ -21,9 +20,9 @@ constexpr Real most_ahead = 12, least_ahead = 3;
 /// particles in steps of 0.1 ms, where 6 to 12 substeps cost the same, and in steps of 0.5 ms, where 3 to 4 are best.
 constexpr Real pairs_of_half = 8;
 
-/// A margin for displacement is at most so many of the particles' spacings: what is local has neighbours at about the
-/// spacing, which a wide margin would list; of all else, little is near.
-constexpr Real local_spacings = Real(0.4), overall_spacings = 1;
+/// A margin for displacement is at most so many of the particles' spacings: each particle has neighbours at about the
+/// spacing, which a wide margin would list.
+constexpr Real most_spacings = Real(0.4);
 
 /// How much of the thickness besides, for what is at rest.
 constexpr Real thickness_ahead = Real(0.1);
@@ -31,8 +30,8 @@ constexpr Real thickness_ahead = Real(0.1);
 /// Pairs of a flat sheet that are within a reach, a particle and a square of the particles' spacing.
 constexpr Real pairs_a_square = 30;
 
-/// Pairs of leaves, or blocks, that are looked through from one look at the length of the list to the next.
-constexpr std::size_t items_at_once = 1024;
+/// Pairs of leaves that are looked through from one look at the length of the list to the next.
+constexpr std::size_t leaves_at_once = 1024;
 
 /// Within which what touches at distance 0 is looked for [m]: more than the rounding of a scene of some metres.
 constexpr Real coincident_reach = std::max(Real(1e-6), 256 * std::numeric_limits<Real>::epsilon());
@@ -47,34 +46,35 @@ ClothAt at(std::span<const ClothInContact> cloths, int number) {
     return {number, cloth.model.grid, cloth.before};
 }
 
+/// The sums of the columns, in the order of the rows.
+Vec3 sum_of(const Points& x) {
+    Vec3 sum = Vec3::Zero();
+    for (Eigen::Index p = 0; p < x.rows(); ++p) sum += x.row(p).transpose();
+    return sum;
+}
+
+/// By how much each particle moves, but for a mean.
+auto own_motion(const Points& from, const Points& to, const Vec3& mean) {
+    const auto square = [&](int axis) { return (to.col(axis).array() - from.col(axis).array() - mean[axis]).square(); };
+    return ((square(0) + square(1)) + square(2)).sqrt();
+}
+
 }  // namespace
 
 void SelfSearch::use(const BroadPhaseParameters& parameters, std::span<const ClothModel* const> models) {
     surfaces_.clear();
     first_.assign(1, 0);
     for (const ClothModel* model : models) {
-        const Tiles tiles(model->grid);
-        const auto count = static_cast<std::size_t>(tiles.count());
         surfaces_.push_back({.tree = make_broad_phase(parameters, model->grid),
-                             .folds = FoldTest(model->grid, model->hx, model->hy, parameters.leaf_cells,
-                                               apart_beyond_touching_cells(model->hx, model->hy)),
-                             .blocks = FlatBlocks(model->grid, model->hx, model->hy),
+                             .folds = FoldTest(model->grid, model->hx, model->hy, parameters.leaf_cells),
                              .boxes = {},
                              .kept = {},
                              .spacing = std::min(model->hx, model->hy),
-                             .tiles = tiles,
-                             .sums = std::vector<TileSums>(count),
-                             .kept_means = std::vector<Vec3>(count, Vec3::Zero()),
-                             .since_kept = std::vector<TileMotion>(count),
-                             .within = std::vector<TileMotion>(count)});
+                             .grid = model->grid});
         first_.push_back(first_.back() + static_cast<std::size_t>(model->grid.particles()));
     }
     const auto all = static_cast<Eigen::Index>(first_.back());
-    for (Reaches* reaches : {&reaches_, &strayed_, &allowed_, &more_reaches_, &more_strayed_}) {
-        reaches->local.setZero(all);
-        reaches->overall.setZero(all);
-    }
-    kernels_ = parameters.kernels;
+    for (Numbers* numbers : {&reaches_, &strayed_, &allowed_, &more_reaches_, &more_strayed_}) numbers->setZero(all);
     forget();
 }
 
@@ -83,14 +83,14 @@ void SelfSearch::use(const BroadPhaseParameters& parameters, std::span<const Clo
 template <class Count>
 std::int64_t SelfSearch::count_between(std::span<const Points* const> x, Real reach, Count count) {
     forget();
-    reaches_.overall = reach;
+    reaches_ = reach;
     std::vector<BoxedCloth> boxed;
     for (std::size_t c = 0; c < x.size(); ++c) {
         Surface& surface = surfaces_[c];
-        const std::span<const Real> reaches = of_cloth(reaches_, static_cast<int>(c)).overall;
+        const std::span<const Real> reaches = of_cloth(reaches_, static_cast<int>(c));
         surface.tree->build(*x[c]);
-        surface.boxes.build(surface.tiles.grid, *x[c], reaches);
-        boxed.push_back({{static_cast<int>(c), surface.tiles.grid, *x[c]}, surface.boxes, reaches});
+        surface.boxes.build(surface.grid, *x[c], reaches);
+        boxed.push_back({{static_cast<int>(c), surface.grid, *x[c]}, surface.boxes, reaches});
     }
     std::int64_t sum = 0;
     for (std::size_t first = 0; first < x.size(); ++first) {
@@ -132,57 +132,29 @@ void SelfSearch::forget() {
     near_.clear();
 }
 
-ReachSpans<const Real> SelfSearch::of_cloth(const Reaches& of_particles, int cloth) const {
+std::span<const Real> SelfSearch::of_cloth(const Numbers& of_particles, int cloth) const {
     const auto c = static_cast<std::size_t>(cloth);
-    const std::size_t from = first_[c], count = first_[c + 1] - from;
-    return {{of_particles.local.data() + from, count}, {of_particles.overall.data() + from, count}};
+    return {of_particles.data() + first_[c], first_[c + 1] - first_[c]};
 }
 
-ReachSpans<Real> SelfSearch::of_cloth(Reaches& of_particles, int cloth) const {
-    const auto c = static_cast<std::size_t>(cloth);
-    const std::size_t from = first_[c], count = first_[c + 1] - from;
-    return {{of_particles.local.data() + from, count}, {of_particles.overall.data() + from, count}};
+void SelfSearch::find_mean_motion(std::span<const ClothInContact> cloths) {
+    Vec3 before = Vec3::Zero(), now = Vec3::Zero();
+    for (const ClothInContact& cloth : cloths) before += sum_of(cloth.before), now += sum_of(cloth.state.x);
+    mean_ = before / static_cast<Real>(first_.back());
+    moved_ = now / static_cast<Real>(first_.back()) - mean_;
 }
 
-/// Within the substep, and since the list was made: without a list nothing has moved since.
-void SelfSearch::find_tile_motion(std::span<const ClothInContact> cloths) {
-    Vec3 moved = Vec3::Zero(), moved_since = Vec3::Zero();
-    for (std::size_t c = 0; c < surfaces_.size(); ++c) {
-        Surface& of = surfaces_[c];
-        sum_tiles(of.tiles, cloths[c].before, cloths[c].state.x, of.sums, kernels_);
-        for (std::size_t t = 0; t < of.sums.size(); ++t) {
-            const Real particles = static_cast<Real>(of.tiles.particles(static_cast<int>(t)).particles());
-            of.within[t].mean = of.sums[t].moved / particles;
-            of.since_kept[t].mean = listed_ ? Vec3(of.sums[t].before / particles - of.kept_means[t]) : Vec3::Zero();
-            moved += of.sums[t].moved;
-            moved_since += particles * of.since_kept[t].mean;
-        }
-    }
-    const auto all = static_cast<Real>(first_.back());
-    for (Surface& of : surfaces_) {
-        compare_tiles(of.tiles, moved / all, of.within);
-        compare_tiles(of.tiles, moved_since / all, of.since_kept);
-    }
-}
-
-ParticleMotion SelfSearch::motion_of(std::span<const ClothInContact> cloths, std::size_t cloth) const {
-    const ClothInContact& now = cloths[cloth];
-    const Surface& of = surfaces_[cloth];
-    return {of.tiles, listed_ ? of.kept : now.before, now.before, now.state.x, of.since_kept, of.within};
-}
-
-/// @return whether nothing has strayed farther than the list allows
-bool SelfSearch::find_reaches(std::span<const ClothInContact> cloths, Real least, Real factor, Reaches& reaches,
-                              Reaches& strayed) {
-    bool all_within = true;
+/// Without a list nothing has moved since it was made.
+/// @param factor of each displacement in its reach
+void SelfSearch::find_reaches(std::span<const ClothInContact> cloths, Real factor, Numbers& reaches, Numbers& strayed) {
     for (std::size_t c = 0; c < cloths.size(); ++c) {
-        const int cloth = static_cast<int>(c);
-        const bool within =
-            drape::find_reaches(motion_of(cloths, c), least, factor, of_cloth(std::as_const(allowed_), cloth),
-                                of_cloth(reaches, cloth), of_cloth(strayed, cloth), kernels_);
-        all_within = all_within && within;
+        const auto from = static_cast<Eigen::Index>(first_[c]), count = static_cast<Eigen::Index>(first_[c + 1]) - from;
+        const ClothInContact& cloth = cloths[c];
+        auto reach = reaches.segment(from, count), stray = strayed.segment(from, count);
+        reach = thickness_ / 2 + factor * own_motion(cloth.before, cloth.state.x, moved_);
+        stray = reach;
+        if (listed_) stray += own_motion(surfaces_[c].kept, cloth.before, mean_ - kept_mean_);
     }
-    return all_within;
 }
 
 /// For how many substeps the next list has margins: the geometric mean of the last number and the one that the length
@@ -197,14 +169,10 @@ Real SelfSearch::next_ahead() const {
 void SelfSearch::set_allowances(Real factor) {
     for (std::size_t c = 0; c < surfaces_.size(); ++c) {
         const auto from = static_cast<Eigen::Index>(first_[c]), count = static_cast<Eigen::Index>(first_[c + 1]) - from;
-        const auto set = [&](const Numbers& reaches_of_all, Real spacings, Numbers& allowed) {
-            const Real most = spacings * surfaces_[c].spacing;
-            const auto reaches = reaches_of_all.segment(from, count);
-            const auto moved = (reaches - thickness_ / 2) / factor;
-            allowed.segment(from, count) = reaches + thickness_ahead * thickness_ + (ahead_ * moved).min(most);
-        };
-        set(reaches_.local, local_spacings, allowed_.local);
-        set(reaches_.overall, overall_spacings, allowed_.overall);
+        const Real most = most_spacings * surfaces_[c].spacing;
+        const auto reaches = reaches_.segment(from, count);
+        const auto moved = (reaches - thickness_ / 2) / factor;
+        allowed_.segment(from, count) = reaches + thickness_ahead * thickness_ + (ahead_ * moved).min(most);
     }
 }
 
@@ -212,7 +180,7 @@ void SelfSearch::set_allowances(Real factor) {
 bool SelfSearch::is_too_far() const {
     Real squares = 0;
     for (std::size_t c = 0; c < surfaces_.size(); ++c) {
-        for (const Real reach : of_cloth(reaches_, static_cast<int>(c)).overall) {
+        for (const Real reach : of_cloth(reaches_, static_cast<int>(c))) {
             const Real spacings = 2 * reach / surfaces_[c].spacing;
             squares += spacings * spacings;
         }
@@ -223,43 +191,34 @@ bool SelfSearch::is_too_far() const {
 bool SelfSearch::is_too_long(std::size_t list) const { return list > most_pairs * first_.back(); }
 
 /// Of the particles of both features, the largest numbers together.
-Real SelfSearch::sum_of_largest(const FeaturePair& pair, bool local, const Reaches& of_particles) const {
+Real SelfSearch::sum_of_largest(const FeaturePair& pair, const Numbers& of_particles) const {
     const auto& [cloths, count, p] = pair;
-    const Numbers& numbers = local ? of_particles.local : of_particles.overall;
-    const Real* const of_first = numbers.data() + first_[static_cast<std::size_t>(cloths[0])];
-    const Real* const of_second = numbers.data() + first_[static_cast<std::size_t>(cloths[1])];
+    const Real* const of_first = of_particles.data() + first_[static_cast<std::size_t>(cloths[0])];
+    const Real* const of_second = of_particles.data() + first_[static_cast<std::size_t>(cloths[1])];
     const Real of_two = std::max(of_second[p[2]], of_second[p[3]]);
     return count == 1 ? of_first[p[0]] + std::max(of_second[p[1]], of_two)
                       : std::max(of_first[p[0]], of_first[p[1]]) + of_two;
 }
 
-Real SelfSearch::reach_of(const NearPair& pair) const { return sum_of_largest(pair.features, pair.local, reaches_); }
+Real SelfSearch::reach_of(const NearPair& pair) const { return sum_of_largest(pair.features, reaches_); }
 
 SelfSearchReport SelfSearch::find(std::span<const ClothInContact> cloths, Real thickness) {
     SelfSearchReport report;
     thickness_ = thickness;
-    find_tile_motion(cloths);
-    const bool none_strays = find_reaches(cloths, thickness / 2, response_allowance, reaches_, strayed_);
-    if (!listed_ || !none_strays) renew_list(cloths, response_allowance, report);
+    find_mean_motion(cloths);
+    find_reaches(cloths, response_allowance, reaches_, strayed_);
+    if (!listed_ || !(strayed_ <= allowed_).all()) renew_list(cloths, response_allowance, report);
     if (!report.gave_up) look_at_pairs(cloths, report);
     return report;
 }
 
 bool SelfSearch::extend(std::span<const ClothInContact> cloths, SelfSearchReport& report) {
     // Half of the thickness is what features that were not found keep between them
-    const auto is_within = [&](std::size_t c) {
-        return are_within(motion_of(cloths, c), thickness_ / 4,
-                          of_cloth(std::as_const(reaches_), static_cast<int>(c)).local, kernels_);
-    };
-    bool ways_are_within = true;
-    for (std::size_t c = 0; c < cloths.size() && ways_are_within; ++c) ways_are_within = is_within(c);
-    if (ways_are_within) return false;
-    const bool none_strays = find_reaches(cloths, thickness_ / 2, 1, more_reaches_, more_strayed_);
-    for (const auto& [reaches, more] : {std::pair(&reaches_, &more_reaches_), {&strayed_, &more_strayed_}}) {
-        reaches->local = reaches->local.max(more->local);
-        reaches->overall = reaches->overall.max(more->overall);
-    }
-    if (!listed_ || !none_strays) renew_list(cloths, 1, report);
+    find_reaches(cloths, 1, more_reaches_, more_strayed_);
+    if ((more_reaches_ - thickness_ / 4 <= reaches_).all()) return false;
+    reaches_ = reaches_.max(more_reaches_);
+    strayed_ = strayed_.max(more_strayed_);
+    if (!listed_ || !(more_strayed_ <= allowed_).all()) renew_list(cloths, 1, report);
     if (!report.gave_up) look_at_pairs(cloths, report);
     return !report.gave_up;
 }
@@ -283,9 +242,9 @@ void SelfSearch::renew_list(std::span<const ClothInContact> cloths, Real factor,
 /// A pair that was farther apart than both features have strayed, and may yet reach, is not near.
 void SelfSearch::look_at_pairs(std::span<const ClothInContact> cloths, SelfSearchReport& report) {
     list_.look_through(near_, [&](const PairList::Listed& listed, std::vector<NearPair>& near) {
-        const auto& [features, triangle, local, distance] = listed;
-        if (distance >= sum_of_largest(features, local, strayed_)) return;
-        NearPair pair{.features = features, .triangle = triangle, .local = local};
+        const auto& [features, triangle, distance] = listed;
+        if (distance >= sum_of_largest(features, strayed_)) return;
+        NearPair pair{.features = features, .triangle = triangle};
         locate(at(cloths, features.cloths[0]), at(cloths, features.cloths[1]), pair);
         if (pair.distance < reach_of(pair)) near.push_back(pair);
     });
@@ -297,16 +256,10 @@ void SelfSearch::make_list(std::span<const ClothInContact> cloths, SelfSearchRep
         Surface& surface = surfaces_[c];
         surface.kept = cloths[c].before;
         surface.tree->build(surface.kept);
-        const ReachSpans<const Real> allowed = allowances(static_cast<int>(c));
-        surface.folds.build(surface.kept, allowed.overall, allowed.local);
-        surface.blocks.build(surface.kept, allowed.local, kernels_);
+        surface.folds.build(surface.kept, allowances(static_cast<int>(c)));
         surface.boxed = false;
-        std::ranges::fill(surface.since_kept, TileMotion{});
-        for (std::size_t t = 0; t < surface.sums.size(); ++t) {
-            const int particles = surface.tiles.particles(static_cast<int>(t)).particles();
-            surface.kept_means[t] = surface.sums[t].before / static_cast<Real>(particles);
-        }
     }
+    kept_mean_ = mean_;
     list_.clear();
     const int count = static_cast<int>(cloths.size());
     for (int first = 0; first < count; ++first) {
@@ -321,26 +274,22 @@ void SelfSearch::search(std::span<const ClothInContact> cloths, int first, int s
     const auto box = [&](int number) {
         Surface& surface = surfaces_[static_cast<std::size_t>(number)];
         const ClothAt cloth = at(cloths, number);
-        const auto [local, overall] = allowances(number);
-        if (!surface.boxed) surface.boxes.build(cloth.grid, cloth.x, overall, local);
+        const std::span<const Real> reaches = allowances(number);
+        if (!surface.boxed) surface.boxes.build(cloth.grid, cloth.x, reaches);
         surface.boxed = true;
-        return BoxedCloth{cloth, surface.boxes, overall, local, &surface.blocks};
+        return BoxedCloth{cloth, surface.boxes, reaches};
     };
-    const auto largest = [&](int number) { return std::ranges::max(allowances(number).overall); };
+    const auto largest = [&](int number) { return std::ranges::max(allowances(number)); };
     const Surface &one = surfaces_[static_cast<std::size_t>(first)], &two = surfaces_[static_cast<std::size_t>(second)];
     const Real margin = largest(first) + largest(second);
     report.traversal += one.tree->query(*two.tree, margin, first == second ? &one.folds : nullptr, leaves_);
-    const std::span<const int> uneven = first == second ? one.blocks.uneven() : std::span<const int>();
-    if (leaves_.empty() && uneven.empty()) return;
+    if (leaves_.empty()) return;
     const BoxedCloth at_one = box(first), at_two = box(second);
-    const auto look_in = [&](auto items, auto add) {
-        for (std::size_t k = 0; k < items.size() && !report.gave_up; k += items_at_once) {
-            add(items.subspan(k, std::min(items_at_once, items.size() - k)));
-            report.gave_up = is_too_long(list_.size());
-        }
-    };
-    look_in(std::span<const LeafPair>(leaves_), [&](auto some) { list_.add(at_one, at_two, some); });
-    look_in(uneven, [&](auto some) { list_.add(at_one, some); });
+    const std::span<const LeafPair> leaves(leaves_);
+    for (std::size_t k = 0; k < leaves.size() && !report.gave_up; k += leaves_at_once) {
+        list_.add(at_one, at_two, leaves.subspan(k, std::min(leaves_at_once, leaves.size() - k)));
+        report.gave_up = is_too_long(list_.size());
+    }
 }
 
 }  // namespace drape

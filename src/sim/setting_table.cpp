@@ -240,7 +240,6 @@ void add_the_rest(std::vector<Setting>& table) {
                    "how a sphere is put about particles, where the volume is one");
     contact.integer("leaf_cells", &ContactSettings::leaf_cells, {0, 64},
                     "a leaf has at most this many cells squared; 0: 7 or 15, by size");
-    contact.flag("coherence", &ContactSettings::coherence, "leave out builds while it is proven that nothing touches");
     contact.integer("search_level", &ContactSettings::search_level, {0, SearchLimit::all_levels},
                     "level at which a search ends, its nodes taken as spheres; 30: at the leaves");
     contact.integer("search_tests", &ContactSettings::search_tests, {0, 1e9},

@@ -112,7 +112,6 @@ constexpr std::pair<std::string_view, std::string_view> words_of_the_menu[] = {
     {"contact.update", "BVH update"},
     {"contact.leaf_cells", "leaf size"},
     {"contact.search_level", "search depth"},
-    {"contact.coherence", "skip builds"},
     {"contact.self", "self-contact"},
     {"view.panel", "stats panel"},
     {"view.controls", "settings panel"},

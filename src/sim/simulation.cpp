@@ -183,8 +183,7 @@ void Simulation::build(const Substep& now) {
     if (balls_.empty()) return;
     Stopwatch watch;
     for (Cloth& cloth : cloths_) {
-        if (!cloth.search.build(start_of_substep(cloth), cloth.state.x, balls_, settings_.contact))
-            ++report_.skipped_builds;
+        cloth.search.build(start_of_substep(cloth), cloth.state.x, balls_, settings_.contact);
         if (settings_.contact.continuous == Continuous::Never) {
             mark_crossing(cloth.search.crossing(), now.time, now.h, report_);
         }
@@ -253,8 +252,8 @@ void Simulation::answer(const ResponseParameters& response, const Substep& now, 
         Cloth& cloth = cloths_[c];
         cloth.energy.before_pushes(cloth.model, cloth.state, {cloth.contacts, pairs, static_cast<int>(c), balls_});
     }
-    FastSolve* const fast = settings_.solver.kernels == Kernels::Vector ? &fast_solve_ : nullptr;
-    ResponseReport left = resolve_contacts(response, now.h, in_contact_, pairs, balls_, ball_contacts, fast);
+    ContactRows* const rows = settings_.solver.kernels == Kernels::Vector ? &contact_rows_ : nullptr;
+    ResponseReport left = resolve_contacts(response, now.h, in_contact_, pairs, balls_, ball_contacts, rows);
     double free_work = left.free_ball_work + std::exchange(steady_work_, 0);
     for (Cloth& cloth : cloths_) {
         enter_pushes(cloth, cloth.contacts, work_of_led_balls(cloth.contacts, balls_), free_work);

@@ -125,7 +125,7 @@ void Simulation::restart() {
     }
     std::size_t most_contacts = 0;
     for (const Cloth& cloth : cloths_) most_contacts += cloth.contacts.capacity();
-    fast_solve_.rows.reserve(most_contacts);
+    contact_rows_.reserve(most_contacts);
     use_pins();
     use_self_contact();
     balls_.clear();

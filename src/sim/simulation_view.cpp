@@ -23,7 +23,7 @@ FrameView Simulation::view(Real blend) {
         report_.stretch = std::max(report_.stretch, static_cast<double>(largest_stretch(cloth.model, cloth.state.x)));
         square_sum += static_cast<double>(cloth.state.v.squaredNorm());
         particles += static_cast<double>(cloth.state.v.rows());
-        if (settings_.view.bounds) cloth.search.show(cloth.state.x, balls_, settings_.contact);
+        if (settings_.view.bounds) cloth.search.show(cloth.state.x, balls_, settings_.contact.thickness);
         shown_.push_back({cloth.model, cloth.state.x, cloth.previous.x, cloth.contacts, &cloth.search.hierarchy(),
                           &cloth.state.v, cloth.held});
     }

@@ -55,8 +55,6 @@ const std::array<ReportField, 59> fields{{
     {"penetration", "m", [](const StepReport& r) { return r.penetration; }, "penetration", ReportGroup::Hierarchy, 1},
     {"contact_residual", "m", [](const StepReport& r) { return r.contact_residual; }},
     {"contact_sweeps", "", [](const StepReport& r) { return static_cast<double>(r.contact_sweeps); }},
-    {"skipped_builds", "", [](const StepReport& r) { return static_cast<double>(r.skipped_builds); }, "skipped",
-     ReportGroup::Hierarchy, 2},
     {"stopped", "", stopped, "stopped at", ReportGroup::Limit, 2},
     {"false_contacts", "", [](const StepReport& r) { return static_cast<double>(r.false_contacts); }, "false nodes",
      ReportGroup::Limit, 2, stopped},

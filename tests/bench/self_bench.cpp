@@ -96,12 +96,11 @@ void self_broad_phase(benchmark::State& state, int side) {
     for (std::size_t c = 0; c < count; ++c) {
         const ClothModel& model = sheets.models[c];
         trees.push_back(make_broad_phase(sheets.search, model.grid));
-        folds.emplace_back(model.grid, model.hx, model.hy, sheets.search.leaf_cells,
-                           apart_beyond_touching_cells(model.hx, model.hy));
+        folds.emplace_back(model.grid, model.hx, model.hy, sheets.search.leaf_cells);
     }
     std::vector<Real> largest;
     for (std::size_t c = 0; c < count; ++c) {
-        largest.push_back(std::ranges::max(search.allowances(static_cast<int>(c)).overall));
+        largest.push_back(std::ranges::max(search.allowances(static_cast<int>(c))));
     }
     std::vector<LeafPair> leaves;
     TraversalStats stats;
@@ -109,8 +108,7 @@ void self_broad_phase(benchmark::State& state, int side) {
         stats = {};
         for (std::size_t c = 0; c < count; ++c) {
             trees[c]->build(sheets.before[c]);
-            const auto [local, overall] = search.allowances(static_cast<int>(c));
-            folds[c].build(sheets.before[c], overall, local);
+            folds[c].build(sheets.before[c], search.allowances(static_cast<int>(c)));
         }
         for (std::size_t a = 0; a < count; ++a) {
             for (std::size_t b = a; b < count; ++b) {

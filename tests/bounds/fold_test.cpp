@@ -4,7 +4,6 @@
 
 #include <gtest/gtest.h>
 
-#include "drape/contact/flat_blocks.h"
 #include "support/cloths.h"
 #include "support/pairs_within_reach.h"
 
@@ -101,54 +100,6 @@ TEST(FoldTest, LooksAtAllFourNodesThatMeetAtACorner) {
     }
 }
 
-TEST(FoldTest, KeepsFlatCellsThatDoNotTouchApartToNearlyTheShorterSpacing) {
-    const Grid grid{20, 20};
-    const Real hx = Real(0.1), hy = Real(0.04);
-    Points x(grid.particles(), 3);
-    for (int p = 0; p < grid.particles(); ++p) x.row(p) << hx * Real(p % 20), 1, hy * Real(p / 20);
-    FoldTest folds(grid, hx, hy, 4, apart_beyond_touching_cells(hx, hy));
-    folds.build(x);
-    EXPECT_TRUE(folds.keeps_apart(0, Real(0.999) * hy));
-    EXPECT_FALSE(folds.keeps_apart(0, Real(1.001) * hy));
-}
-
-TEST(FoldTest, MayBeAskedAboutCellsThatDoNotTouch) {
-    const Grid grid{17, 13};
-    const auto nodes = make_quadtree_nodes(grid, 3);
-    std::mt19937 random(9);
-    std::uniform_real_distribution<Real> unit(0, 1);
-    int by_this_alone = 0, nearly_touched = 0;
-    for (int trial = 0; trial < 60; ++trial) {
-        Points x = rolled(grid, Real(0.5) + 8 * unit(random), Real(0.05) * unit(random));
-        x.col(2) *= Real(0.3) + unit(random);
-        FoldTest folds(grid, spacing, spacing, 3, apart_beyond_touching_cells(spacing, spacing));
-        FoldTest all(grid, spacing, spacing, 3);
-        const FlatBlocks touching(grid, spacing, spacing);
-        const Real distance = Real(0.04) + Real(0.06) * unit(random);
-        const std::vector<Real> reaches(static_cast<std::size_t>(grid.particles()), distance / 2);
-        const std::vector<Real> farther(reaches.size(), Real(0.75) * distance);
-        folds.build(x);
-        all.build(x);
-        for (int n = 0; n < static_cast<int>(nodes.size()); ++n) {
-            for (int m = n; m < static_cast<int>(nodes.size()); ++m) {
-                const auto apart = [&](const FoldTest& test) {
-                    return m == n ? test.keeps_apart(n, distance) : test.keep_apart(n, m, distance);
-                };
-                if (!apart(folds)) continue;
-                by_this_alone += !apart(all);
-                const auto pairs = [&](std::span<const Real> of) {
-                    return test::pairs_within_reach(grid, x, nodes[static_cast<std::size_t>(n)],
-                                                    nodes[static_cast<std::size_t>(m)], of, &touching);
-                };
-                ASSERT_EQ(pairs(reaches), 0U) << "trial " << trial;
-                nearly_touched += pairs(farther) > 0;
-            }
-        }
-    }
-    EXPECT_GT(by_this_alone, 300);
-    EXPECT_GT(nearly_touched, 100);
-}
-
 TEST(FoldTest, AsksForNoMoreThanParticlesReachAndNoLess) {
     const Grid grid{17, 13};
     const auto nodes = make_quadtree_nodes(grid, 3);
@@ -180,25 +131,6 @@ TEST(FoldTest, AsksForNoMoreThanParticlesReachAndNoLess) {
     }
     EXPECT_GT(proved, 300);
     EXPECT_GT(by_reach_alone, 300);
-}
-
-TEST(FoldTest, AsksForTheLocalReachWithinTouchingTilesAndForTheOtherBeyond) {
-    const Grid grid{30, 30};
-    ClothParameters parameters;
-    parameters.particles = grid;
-    const Points x = make_rest_state(parameters).x;
-    const Real h = Real(1) / 29, at_rest = apart_at_rest(h, h);
-    const auto is_apart = [&](Real local, Real overall) {
-        FoldTest folds(grid, h, h, 4);
-        const std::vector<Real> reaches(900, overall), local_reaches(900, local);
-        folds.build(x, reaches, local_reaches);
-        return folds.keeps_apart(0, 2 * overall);
-    };
-    EXPECT_TRUE(is_apart(Real(0.499) * at_rest, Real(3.49) * h));
-    EXPECT_FALSE(is_apart(Real(0.501) * at_rest, Real(3.49) * h));
-    // Features of tiles that do not touch are nine columns apart where they are nearest, and each may go on for one
-    EXPECT_FALSE(is_apart(Real(0.499) * at_rest, Real(3.51) * h));
-    EXPECT_FALSE(is_apart(0, Real(3.51) * h));
 }
 
 TEST(FoldTest, SeesAFoldAndACollapsedPatch) {

@@ -5,7 +5,7 @@
 #include <algorithm>
 #include <random>
 
-#include "drape/contact/fast_solve.h"
+#include "drape/contact/contact_rows.h"
 #include "drape/contact/response.h"
 
 namespace drape {
@@ -56,12 +56,12 @@ struct TwoSheets {
         }
     }
 
-    void respond(const ResponseParameters& parameters, FastSolve* fast) {
+    void respond(const ResponseParameters& parameters, ContactRows* rows) {
         std::vector<ClothInContact> cloths;
         for (std::size_t c = 0; c < models.size(); ++c) {
             cloths.push_back({models[c], before[c], states[c], contacts[c]});
         }
-        report = resolve_contacts(parameters, Real(1e-3), cloths, {}, balls, {}, fast);
+        report = resolve_contacts(parameters, Real(1e-3), cloths, {}, balls, {}, rows);
     }
 };
 
@@ -82,7 +82,7 @@ bool same_result(const TwoSheets& a, const TwoSheets& b) {
 }
 
 TEST(CompactSolve, HasTheBitsOfThePlainOne) {
-    FastSolve fast;
+    ContactRows rows;
     const Ball still{.centre = Vec3(0, Real(-0.25), 0), .radius = Real(0.3)};
     Ball turning = still;
     turning.moved = Vec3(Real(1e-3), Real(2e-3), 0);
@@ -99,9 +99,9 @@ TEST(CompactSolve, HasTheBitsOfThePlainOne) {
                 for (unsigned seed = 1; seed <= 20; ++seed) {
                     TwoSheets plain(seed, ball, parameters), compact = plain;
                     plain.respond(parameters, nullptr);
-                    fast.rows.clear();
-                    compact.respond(parameters, &fast);
-                    EXPECT_FALSE(fast.rows.contacts.empty()) << "solved by plain code";
+                    rows.clear();
+                    compact.respond(parameters, &rows);
+                    EXPECT_FALSE(rows.contacts.empty()) << "solved by plain code";
                     EXPECT_TRUE(same_result(plain, compact))
                         << "friction " << friction << ", restitution " << restitution << ", seed " << seed;
                     contacts += plain.contacts[0].size() + plain.contacts[1].size();
@@ -115,13 +115,13 @@ TEST(CompactSolve, HasTheBitsOfThePlainOne) {
 }
 
 TEST(CompactSolve, IsLeftToThePlainOneWhereContactsPushABall) {
-    FastSolve fast;
+    ContactRows rows;
     const ResponseParameters parameters{.ground = {.height = 0}};
     const Ball free{.centre = Vec3(0, Real(-0.25), 0), .radius = Real(0.3), .inverse_mass = 2};
     TwoSheets plain(1, free, parameters), compact = plain;
     plain.respond(parameters, nullptr);
-    compact.respond(parameters, &fast);
-    EXPECT_TRUE(fast.rows.contacts.empty());
+    compact.respond(parameters, &rows);
+    EXPECT_TRUE(rows.contacts.empty());
     EXPECT_TRUE(same_result(plain, compact));
     EXPECT_NE(compact.balls[0].velocity, free.velocity) << "it was pushed";
     EXPECT_EQ(compact.balls[0].velocity, plain.balls[0].velocity);

@@ -7,7 +7,6 @@
 
 #include "drape/bounds/fold_test.h"
 #include "drape/contact/feature_motion.h"
-#include "drape/contact/flat_blocks.h"
 #include "drape/contact/near_pairs.h"
 #include "drape/contact/segments.h"
 #include "support/cloths.h"
@@ -48,8 +47,7 @@ struct FoldedSheet {
           tree(make_broad_phase({.volume = volume, .leaf_cells = leaf_cells}, grid)),
           hx(Real(1) / static_cast<Real>(grid.nx - 1)),
           hy(Real(1) / static_cast<Real>(grid.ny - 1)),
-          folds(grid, hx, hy, leaf_cells, apart_beyond_touching_cells(hx, hy)),
-          blocks(grid, hx, hy) {
+          folds(grid, hx, hy, leaf_cells) {
         for (int t = 0; t < grid.triangles(); ++t) {
             const auto c = grid.triangle_corners(t);
             for (const auto& [a, b] : {std::minmax(c[0], c[1]), std::minmax(c[1], c[2]), std::minmax(c[2], c[0])})
@@ -65,13 +63,11 @@ struct FoldedSheet {
         tree->build(x);
         folds.build(x);
         reaches.assign(static_cast<std::size_t>(grid.particles()), margin / 2);
-        blocks.build(x, reaches, Kernels::Vector);
         boxes.build(grid, x, reaches);
         tree->query(*tree, margin, &folds, leaves);
         std::vector<NearPair> pairs;
-        const BoxedCloth cloth{.cloth = {0, grid, x}, .boxes = boxes, .reaches = reaches, .blocks = &blocks};
+        const BoxedCloth cloth{.cloth = {0, grid, x}, .boxes = boxes, .reaches = reaches};
         find_near_pairs(cloth, cloth, leaves, pairs);
-        find_near_pairs(cloth, blocks.uneven(), pairs);
         return pairs;
     }
 
@@ -101,7 +97,6 @@ struct FoldedSheet {
     std::unique_ptr<BroadPhase> tree;
     Real hx, hy;  // at rest [m]
     FoldTest folds;
-    FlatBlocks blocks;
     std::vector<std::array<int, 2>> edges;
     CellBoxes boxes;
     std::vector<Real> reaches;

@@ -180,7 +180,6 @@ TYPED_TEST(SweptQuadtree, FindsForAStandingBallWhatTheDiscreteQueryFinds) {
         tree.query({ball.start, ball.start, ball.radius}, swept);
         std::ranges::sort(still.cells), std::ranges::sort(swept.cells);
         ASSERT_TRUE(std::ranges::includes(swept.cells, still.cells));
-        ASSERT_TRUE(tree.may_touch({ball.start, ball.start, ball.radius}, 0) || still.cells.empty());
     }
 }
 

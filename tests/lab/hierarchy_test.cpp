@@ -134,8 +134,6 @@ public:
     TraversalStats query_near(const DistanceField& body, Real margin, Candidates& found) const override {
         return right_->query_near(body, margin, found);
     }
-    [[nodiscard]] bool may_touch(const Ball& ball, Real d) const override { return right_->may_touch(ball, d); }
-    [[nodiscard]] bool may_touch(const SweptBall& ball, Real d) const override { return right_->may_touch(ball, d); }
     [[nodiscard]] Real slack() const override { return right_->slack(); }
     [[nodiscard]] int levels() const override { return right_->levels(); }
     void nodes_at(int level, std::vector<NodeView>& nodes) const override { right_->nodes_at(level, nodes); }

@@ -79,7 +79,6 @@ volume = "brute"
 update = "merge"
 sphere_fit = "epos14"
 leaf_cells = 5
-coherence = false
 search_level = 3
 search_tests = 100
 response = "hybrid"

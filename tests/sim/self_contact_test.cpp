@@ -276,7 +276,6 @@ TEST(SelfContact, HasTheSameBitsWithAnyHierarchy) {
         return simulation.hash();
     };
     EXPECT_EQ(hash_with("set contact.volume=aabb"), hash_with("set contact.leaf_cells=2"));
-    EXPECT_EQ(hash_with("set contact.volume=aabb"), hash_with("set contact.coherence=false"));
 }
 
 TEST(SelfContact, EndsTheRunWhereTooMuchIsNear) {

@@ -190,7 +190,6 @@ TEST(Sleep, IsNotDisturbedByWhatMovesNothing) {
                                 "next volume",
                                 "next update",
                                 "set leaf_cells=2",
-                                "next coherence",
                                 "steer 0 0 0",
                                 "release",
                                 "drag 1 1 1",

@@ -226,7 +226,6 @@ TEST(SceneText, IsReadBackAsTheSameSettings) {
     odd.balls[1].motion = BallMotion::Path;
     odd.balls[1].path = {{0, Vec3(1, 2, 3)}, {Real(0.1), Vec3(4, 5, Real(1) / 3)}};
     odd.solver.dt = 1.0 / 3000;
-    odd.contact.coherence = false;
     odd.view.eye = Vec3(1, 2, 3);
     expect_same(parse_scene(scene_text(odd), "odd.toml"), odd, "odd");
 }

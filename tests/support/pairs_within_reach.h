@@ -11,14 +11,12 @@ namespace drape::test {
 /// How many pairs of features in two rectangles of cells of one cloth, or in one, are within what they reach.
 /// @param x n x 3 [m]
 /// @param reaches of each particle [m]
-/// @param blocks if any, what they have is left out: cells that touch
 inline std::size_t pairs_within_reach(const Grid& grid, const Points& x, const CellRange& first,
-                                      const CellRange& second, std::span<const Real> reaches,
-                                      const FlatBlocks* blocks = nullptr) {
+                                      const CellRange& second, std::span<const Real> reaches) {
     CellBoxes boxes;
     boxes.build(grid, x, reaches);
     std::vector<NearPair> pairs;
-    const BoxedCloth cloth{.cloth = {0, grid, x}, .boxes = boxes, .reaches = reaches, .blocks = blocks};
+    const BoxedCloth cloth{.cloth = {0, grid, x}, .boxes = boxes, .reaches = reaches};
     const LeafPair leaves{first, second};
     find_near_pairs(cloth, cloth, {&leaves, 1}, pairs);
     return pairs.size();

@@ -7,7 +7,6 @@
 #include <algorithm>
 #include <random>
 
-#include "drape/contact/flat_blocks.h"
 #include "support/cloths.h"
 
 namespace drape {
@@ -72,28 +71,6 @@ TEST(PairList, IsWhatAPlainSearchFindsInOrderWithAnyNumberOfThreads) {
             EXPECT_EQ(at, near.size());
         }
     }
-}
-
-/// Touching cells from blocks, and all others from leaves.
-TEST(PairList, IsTheSameFromLeavesAndBlocks) {
-    const CrumpledSheet sheet;
-    FlatBlocks blocks(sheet.grid, Real(1) / 30, Real(1) / 30);
-    blocks.build(sheet.x, sheet.reaches, Kernels::Plain);
-    ASSERT_GT(blocks.uneven().size(), 400U) << "enough for eight threads";
-    BoxedCloth with_blocks = sheet.boxed();
-    with_blocks.blocks = &blocks;
-    const std::vector<NearPair> expected = sorted_plain_search(sheet);
-    PairList list;
-    list.use(8);
-    list.add(with_blocks, with_blocks, sheet.leaves);
-    EXPECT_LT(list.size(), expected.size());
-    list.add(with_blocks, blocks.uneven());
-    list.close();
-    std::vector<NearPair> near;
-    list.look_through(near, [](const PairList::Listed& listed, std::vector<NearPair>& found) {
-        found.push_back({listed.features, listed.triangle});
-    });
-    EXPECT_TRUE(std::ranges::equal(near, expected, {}, &NearPair::features, &NearPair::features));
 }
 
 TEST(PairList, GoesOnWithAnotherNumberOfThreadsAndInACopy) {

@@ -148,12 +148,6 @@ public:
     /// @param margin [m] @pre `build` was called
     virtual TraversalStats query_near(const DistanceField& body, Real margin, Candidates& found) const = 0;
 
-    /// False only if no particle, moved by up to `displacement` since the last build, can touch the ball.
-    [[nodiscard]] virtual bool may_touch(const Ball& ball, Real displacement) const = 0;
-
-    /// The same for a ball on its way through a step.
-    [[nodiscard]] virtual bool may_touch(const SweptBall& ball, Real displacement) const = 0;
-
     /// By how much the nodes may be too small: the query makes up for it [m].
     [[nodiscard]] virtual Real slack() const = 0;
 

@@ -105,13 +105,6 @@ public:
         return stats;
     }
 
-    [[nodiscard]] bool may_touch(const Ball& ball, Real displacement) const override {
-        return volumes_[0].overlaps(grown_by_slack(ball, displacement));
-    }
-    [[nodiscard]] bool may_touch(const SweptBall& ball, Real displacement) const override {
-        return volumes_[0].overlaps(grown_by_slack(ball, displacement));
-    }
-
     [[nodiscard]] Real slack() const override { return slack_; }
     [[nodiscard]] int levels() const override { return nodes_.back().level + 1; }
 
@@ -138,15 +131,13 @@ protected:
     }
 
     /// Also by the rounding of points as far out as the ball: the exact test of a triangle is not more exact than this.
-    [[nodiscard]] Ball grown_by_slack(const Ball& ball, Real displacement = 0) const {
+    [[nodiscard]] Ball grown_by_slack(const Ball& ball) const {
         const Real size = ball.centre.cwiseAbs().sum() + ball.radius;
-        return grown(ball, slack_ + displacement + 16 * std::numeric_limits<Real>::epsilon() * size);
+        return grown(ball, slack_ + 16 * std::numeric_limits<Real>::epsilon() * size);
     }
 
     /// Volumes know the rounding of a ball on its way.
-    [[nodiscard]] SweptBall grown_by_slack(const SweptBall& ball, Real displacement = 0) const {
-        return grown(ball, slack_ + displacement);
-    }
+    [[nodiscard]] SweptBall grown_by_slack(const SweptBall& ball) const { return grown(ball, slack_); }
 
     /// Into every node that overlaps the ball, from the root down; the cells of the leaves that do are the candidates.
     /// @cite dissertation

@@ -1,6 +1,5 @@
 #pragma once
 
-#include <algorithm>
 #include <array>
 #include <cmath>
 #include <span>
@@ -15,9 +14,6 @@ namespace drape {
 /// The least distance at rest of features that share no particle: of a corner of a cell from its diagonal [m].
 inline Real apart_at_rest(Real hx, Real hy) { return hx * hy / std::sqrt(hx * hx + hy * hy); }
 
-/// The same for features of cells that do not touch, not even at a corner.
-inline Real apart_beyond_touching_cells(Real hx, Real hy) { return std::min(hx, hy); }
-
 /// Tells which nodes of a cloth's hierarchy cannot touch themselves, because they are not folded enough: the cone test
 /// of @cite volino1994 in a form that is proved for distances and needs no look at a patch's outline.
 ///
@@ -26,30 +22,22 @@ inline Real apart_beyond_touching_cells(Real hx, Real hy) { return std::min(hx, 
 /// directions at right angles, the columns of Q. If v.(Q^T F) v >= c |v|^2 on all triangles and for all v, then along
 /// the straight line from p to q in the rectangle (q - p).Q^T (phi(q) - phi(p)) >= c |q - p|^2, and so
 /// |phi(q) - phi(p)| >= c |q - p|: what is apart at rest stays apart. At rest, features that share no particle are at
-/// least `apart_at_rest` apart, and those of cells that do not touch `apart_beyond_touching_cells`. Those with
-/// particles of `Tiles` that do not touch are 7 spacings apart or more: 9 columns or rows lie between such particles,
-/// and each feature goes on for one.
+/// least `apart_at_rest` apart.
 class FoldTest {
 public:
     FoldTest() = default;
 
     /// @param leaf_cells of the cloth's hierarchy: its nodes and these have the same numbers
-    /// @param apart the least distance at rest of the features that are asked about [m]
-    FoldTest(const Grid& grid, Real hx, Real hy, int leaf_cells, Real apart);
-
-    /// For all features that share no particle.
-    FoldTest(const Grid& grid, Real hx, Real hy, int leaf_cells)
-        : FoldTest(grid, hx, hy, leaf_cells, apart_at_rest(hx, hy)) {}
+    FoldTest(const Grid& grid, Real hx, Real hy, int leaf_cells);
 
     /// Follows the cloth to its present positions.
     /// @param x n x 3 [m]
     /// @param reaches of each particle [m]: what is farther apart than those of its nodes together is apart enough;
     /// empty: nothing is but what is asked for
-    /// @param local_reaches the same towards particles of the same and of touching tiles; empty: as all others
     /// @par Cost O(particles)
-    void build(const Points& x, std::span<const Real> reaches = {}, std::span<const Real> local_reaches = {});
+    void build(const Points& x, std::span<const Real> reaches = {});
 
-    /// Whether all that is asked about in a node is farther apart than a distance [m], or than it reaches.
+    /// Whether all features in a node that share no particle are farther apart than a distance [m], or than they reach.
     [[nodiscard]] bool keeps_apart(int node, Real distance) const;
 
     /// The same for two nodes which together are a rectangle, or touch at a corner and are a rectangle together with
@@ -59,8 +47,8 @@ public:
 private:
     /// All derivatives of a patch are within, and none of its particles reaches farther.
     struct Derivatives {
-        Aabb along, across;       ///< e_u / hx, e_v / hy
-        Real reach, local_reach;  ///< [m]
+        Aabb along, across;  ///< e_u / hx, e_v / hy
+        Real reach;          ///< [m]
     };
 
     /// The nodes of the same level that share a whole side with a node; -1: there is none.
@@ -69,12 +57,11 @@ private:
     };
 
     [[nodiscard]] std::array<int, 2> at_corner_of(int first, int second) const;
-    [[nodiscard]] Derivatives of_leaf(const QuadtreeNode& leaf, const Points& x, std::span<const Real> reaches,
-                                      std::span<const Real> local_reaches) const;
+    [[nodiscard]] Derivatives of_leaf(const QuadtreeNode& leaf, const Points& x, std::span<const Real> reaches) const;
     [[nodiscard]] bool bounds(const Derivatives& derivatives, Real distance) const;
 
     Grid grid_;
-    Real hx_ = 0, hy_ = 0, apart_ = 0;
+    Real hx_ = 0, hy_ = 0;
     std::vector<QuadtreeNode> nodes_;
     std::vector<Beside> beside_;            ///< each node
     std::vector<Derivatives> derivatives_;  ///< of each node

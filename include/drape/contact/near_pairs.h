@@ -8,7 +8,7 @@
 
 #include "drape/bounds/aabb.h"
 #include "drape/bounds/broad_phase.h"
-#include "drape/contact/flat_blocks.h"
+#include "drape/model/grid.h"
 
 namespace drape {
 
@@ -32,7 +32,6 @@ struct NearPair {
     Vec3 normal = Vec3::Zero();     ///< from the second's closest point to the first's, length 1
     Real distance = 0;              ///< of the closest points; 0: no more than rounding [m]
     bool stands_alone = true;       ///< these two points are not those of another pair, which is answered for them
-    bool local = false;             ///< of one cloth, and all particles are of tiles that touch, see `Tiles`
 
     /// What the k-th particle has of the way from the second's closest point to the first's: less than zero for those
     /// of the second.
@@ -52,53 +51,35 @@ struct ClothAt {
 /// @param first, second the cloths of the features
 void locate(const ClothAt& first, const ClothAt& second, NearPair& pair);
 
-/// The boxes of all cells of a cloth, each grown by as far as its particles reach: overall, and towards what is local.
+/// The boxes of all cells of a cloth, each grown by as far as its particles reach.
 class CellBoxes {
 public:
     /// @param reaches of each particle [m]; empty: none of them reaches farther than it is
-    /// @param local_reaches the same towards what is local; empty: as all others
     /// @par Cost O(cells)
-    void build(const Grid& grid, const Points& x, std::span<const Real> reaches = {},
-               std::span<const Real> local_reaches = {});
+    void build(const Grid& grid, const Points& x, std::span<const Real> reaches = {});
 
-    /// @param local where all that is asked for is local
-    [[nodiscard]] const Aabb& of(int cell, bool local = false) const {
-        return (local && !local_.empty() ? local_ : boxes_)[static_cast<std::size_t>(cell)];
-    }
+    [[nodiscard]] const Aabb& of(int cell) const { return boxes_[static_cast<std::size_t>(cell)]; }
 
     /// About all cells of a range.
-    [[nodiscard]] Aabb of(const Grid& grid, const CellRange& cells, bool local) const;
+    [[nodiscard]] Aabb of(const Grid& grid, const CellRange& cells) const;
 
 private:
-    std::vector<Aabb> boxes_, local_;
+    std::vector<Aabb> boxes_;
 };
 
 /// A cloth, how far its particles reach, and the boxes of its cells that were built about both.
 struct BoxedCloth {
     ClothAt cloth;
     const CellBoxes& boxes;
-    std::span<const Real> reaches = {};        ///< of each particle [m]
-    std::span<const Real> local_reaches = {};  ///< towards what is local, never more [m]; empty: as all others
-    /// Built from local reaches; then cells that touch are looked for in these alone, not in leaves. Null: in leaves.
-    const FlatBlocks* blocks = nullptr;
-
-    [[nodiscard]] std::span<const Real> reaches_to(bool local) const {
-        return local && !local_reaches.empty() ? local_reaches : reaches;
-    }
+    std::span<const Real> reaches = {};  ///< of each particle [m]
 };
 
 /// Finds every particle and triangle, and every two edges, that share no particle and are nearer to each other than
 /// both reach, each once: a feature reaches as far as that of its particles which reaches farthest. @cite bridson2002
-/// Between leaves that are not local as a whole, it also finds local pairs which are nearer than both reach overall.
 /// @param leaves where they may be, as a query for pairs of these two cloths found
 /// @param pairs receives them, after what it has; in no particular order
 /// @par Cost O(pairs of cells in the leaves) tests of boxes, O(pairs of cells whose boxes come near) exact ones
 void find_near_pairs(const BoxedCloth& first, const BoxedCloth& second, std::span<const LeafPair> leaves,
                      std::vector<NearPair>& pairs);
-
-/// The same for touching cells of one cloth that has blocks; the search of leaves leaves these out.
-/// @pre cloth.blocks
-/// @param blocks numbers of some; all that is near is in those that are not even
-void find_near_pairs(const BoxedCloth& cloth, std::span<const int> blocks, std::vector<NearPair>& pairs);
 
 }  // namespace drape

@@ -9,7 +9,7 @@
 
 namespace drape {
 
-struct FastSolve;
+struct ContactRows;
 
 /// How contacts are answered; each has a file of its own in src/contact.
 enum class ResponseKind {
@@ -82,10 +82,10 @@ Real penalty_step_limit(Real stiffness, Real restitution, Real inverse_mass, Rea
 /// @param pairs of features of these cloths
 /// @param balls those with an inverse mass are pushed back
 /// @param h the substep [s]; normal speeds that gravity alone brings within it do not bounce
-/// @param fast for faster solves, which have the same bits, or with pairs end by the same test; none: plain code alone
+/// @param rows for faster solves, which have the same bits; none: plain code alone
 /// @par Cost O(contacts) a sweep; allocates nothing once there have been as many contacts before
 ResponseReport resolve_contacts(const ResponseParameters& parameters, Real h, std::span<const ClothInContact> cloths,
                                 std::span<PairContact> pairs, std::span<Ball> balls,
-                                std::span<BallContact> ball_contacts, FastSolve* fast);
+                                std::span<BallContact> ball_contacts, ContactRows* rows);
 
 }  // namespace drape

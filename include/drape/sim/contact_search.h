@@ -6,7 +6,6 @@
 
 #include "drape/base/copied.h"
 #include "drape/bounds/broad_phase.h"
-#include "drape/bounds/separation.h"
 #include "drape/contact/contact.h"
 #include "drape/contact/search_audit.h"
 #include "drape/contact/solid_contacts.h"
@@ -23,8 +22,7 @@ struct Crossing {
     [[nodiscard]] bool possible() const { return 2 * distance > radius; }
 };
 
-/// Finds where one cloth touches the balls, stage by stage: build, traverse, narrow. A build is left out while it is
-/// proven that nothing can touch, and the two stages after it then find nothing.
+/// Finds where one cloth touches the balls, stage by stage: build, traverse, narrow.
 class ContactSearch {
 public:
     /// Takes a new hierarchy, built from the present positions.
@@ -36,9 +34,7 @@ public:
 
     /// Builds the hierarchy for the end of a substep, or for all of it where its way is to be tested.
     /// @param before positions at its start, n x 3 [m]
-    /// @return false if the build was left out: it is proven that nothing touches. Under a limited search it never is,
-    /// for its spheres may touch what the cloth does not
-    bool build(const Points& before, const Points& x, std::span<const Ball> balls, const ContactSettings& contact);
+    void build(const Points& before, const Points& x, std::span<const Ball> balls, const ContactSettings& contact);
 
     /// With a ball in the last substep, unless all of its way was tested without asking.
     [[nodiscard]] const Crossing& crossing() const { return crossing_; }
@@ -49,7 +45,7 @@ public:
                                           Real thickness) const;
 
     /// Collects the candidates of each ball.
-    /// @return what it has cost; after a build that was left out, what the last traversal has
+    /// @return what it has cost
     TraversalStats traverse(std::span<const Ball> balls, Real thickness);
 
     /// Tests the candidates exactly.
@@ -85,9 +81,9 @@ public:
     /// @return largest depth of any triangle [m]
     Real missed_penetration(const Points& x, std::span<const Ball> balls, Real thickness);
 
-    /// Makes the hierarchy fit to be drawn: as the last step searched it, or, where that has left the build out, built
-    /// from the present positions; its nodes marked by what the queries do to them. No contact depends on it.
-    void show(const Points& x, std::span<const Ball> balls, const ContactSettings& contact);
+    /// Makes the hierarchy fit to be drawn: as the last step searched it, or, where that did not, built from the
+    /// present positions; its nodes marked by what the queries do to them. No contact depends on it.
+    void show(const Points& x, std::span<const Ball> balls, Real thickness);
 
     /// Marks the nodes of the shown hierarchy by what a search against another one, or itself, does to them as well.
     /// @param folds, pairs as `BroadPhase::query` has them @pre `show` was called for both
@@ -100,17 +96,15 @@ private:
     [[nodiscard]] Crossing worst_crossing(const Points& before, const Points& x, std::span<const Ball> balls,
                                           Real thickness) const;
     void build_from_way(const Points& before, const Points& x);
-    void build_from(const Points& x, std::span<const Ball> balls, const ContactSettings& contact);
+    void build_from(const Points& x);
 
     Grid grid_{0, 0};
     Kernels kernels_ = Kernels::Vector;
     Copied<BroadPhase> hierarchy_;
-    Separation separation_;
     std::optional<SearchAudit> audit_;  ///< while the search is limited
     Crossing crossing_;
     bool built_from_present_ = false;
     bool queried_ = false;        ///< since the last build
-    bool skipped_ = false;        ///< the last build was left out
     bool sweeps_ = false;         ///< the last build was for the whole substep
     bool found_passing_ = false;  ///< by the last test
     std::vector<TriangleImpact> impacts_;

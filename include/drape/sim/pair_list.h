@@ -16,7 +16,6 @@ public:
     struct Listed {
         FeaturePair features;
         int triangle;
-        bool local;     ///< as in `NearPair`
         Real distance;  ///< [m]
     };
 
@@ -32,9 +31,6 @@ public:
     /// Adds what `find_near_pairs` finds in leaves.
     /// @par Cost that of `find_near_pairs`, shared among threads; no allocation once it has been as long before
     void add(const BoxedCloth& first, const BoxedCloth& second, std::span<const LeafPair> leaves);
-
-    /// The same in blocks of one cloth.
-    void add(const BoxedCloth& cloth, std::span<const int> blocks);
 
     /// Brings what was added into order. @par Cost O(n + particles), and that of sorting the few pairs of each particle
     void close();
@@ -67,8 +63,6 @@ private:
         std::vector<NearPair> near;
     };
 
-    template <class Item, class Find>
-    void find_in(std::span<const Item> items, Find find);
     template <class Number>
     void sort_by(std::size_t numbers, Number number_of);
 

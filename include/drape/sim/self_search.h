@@ -7,7 +7,6 @@
 #include "drape/bounds/fold_test.h"
 #include "drape/contact/near_pairs.h"
 #include "drape/contact/response.h"
-#include "drape/contact/tile_motion.h"
 #include "drape/sim/pair_list.h"
 
 namespace drape {
@@ -22,9 +21,8 @@ struct SelfSearchReport {
 /// Finds where the cloths of a scene come near themselves and each other. What was found within a wide margin serves
 /// as a list for as long as nothing has moved far enough for other pairs to come near @cite verlet1967: most substeps
 /// look at those pairs of the list alone whose particles have moved enough since, and where it is empty they cost some
-/// passes over the displacements. What particles move by together brings none of them nearer to another, and does not
-/// count: a particle has a local reach, which counts what it moves by against its tile and the tiles that touch it, for
-/// pairs within these, and an overall one for all others.
+/// passes over the displacements. What all particles move by in the mean brings none of them nearer to another, and
+/// does not count.
 class SelfSearch {
 public:
     /// Pairs that there may be, a particle in the mean.
@@ -64,7 +62,7 @@ public:
     [[nodiscard]] Real thickness() const { return thickness_; }
 
     /// How far each particle of a cloth may come, that the last list was made for.
-    [[nodiscard]] ReachSpans<const Real> allowances(int cloth) const { return of_cloth(allowed_, cloth); }
+    [[nodiscard]] std::span<const Real> allowances(int cloth) const { return of_cloth(allowed_, cloth); }
 
     /// How far both features of a pair reach together within the substep [m].
     [[nodiscard]] Real reach_of(const NearPair& pair) const;
@@ -73,34 +71,22 @@ public:
     [[nodiscard]] std::span<const std::size_t> first_particles() const { return first_; }
 
 private:
-    using Numbers = Eigen::Array<Real, Eigen::Dynamic, 1>;
-
-    /// Of the particles of all cloths.
-    struct Reaches {
-        Numbers local, overall;
-    };
+    using Numbers = Eigen::Array<Real, Eigen::Dynamic, 1>;  ///< of the particles of all cloths
 
     struct Surface {
         Copied<BroadPhase> tree;
-        FoldTest folds;  ///< asked about cells that do not touch
-        FlatBlocks blocks;
+        FoldTest folds;
         CellBoxes boxes;
-        bool boxed = false;                  ///< since the last list was begun
-        Points kept;                         ///< what the list was made from
-        Real spacing;                        ///< of its particles at rest [m]
-        Tiles tiles;                         ///< of its grid
-        std::vector<TileSums> sums;          ///< of each tile, in this substep
-        std::vector<Vec3> kept_means;        ///< of the positions of each tile when the list was made [m]
-        std::vector<TileMotion> since_kept;  ///< of each tile, from then to the start of the substep
-        std::vector<TileMotion> within;      ///< of each tile, within the substep
+        bool boxed = false;  ///< since the last list was begun
+        Points kept;         ///< what the list was made from
+        Real spacing;        ///< of its particles at rest [m]
+        Grid grid;
     };
 
     template <class Count>
     std::int64_t count_between(std::span<const Points* const> x, Real reach, Count count);
-    bool find_reaches(std::span<const ClothInContact> cloths, Real least, Real factor, Reaches& reaches,
-                      Reaches& strayed);
-    [[nodiscard]] ParticleMotion motion_of(std::span<const ClothInContact> cloths, std::size_t cloth) const;
-    void find_tile_motion(std::span<const ClothInContact> cloths);
+    void find_reaches(std::span<const ClothInContact> cloths, Real factor, Numbers& reaches, Numbers& strayed);
+    void find_mean_motion(std::span<const ClothInContact> cloths);
     [[nodiscard]] Real next_ahead() const;
     void set_allowances(Real factor);
     [[nodiscard]] bool is_too_far() const;
@@ -109,9 +95,8 @@ private:
     void renew_list(std::span<const ClothInContact> cloths, Real factor, SelfSearchReport& report);
     void make_list(std::span<const ClothInContact> cloths, SelfSearchReport& report);
     void search(std::span<const ClothInContact> cloths, int first, int second, SelfSearchReport& report);
-    [[nodiscard]] Real sum_of_largest(const FeaturePair& pair, bool local, const Reaches& of_particles) const;
-    [[nodiscard]] ReachSpans<const Real> of_cloth(const Reaches& of_particles, int cloth) const;
-    [[nodiscard]] ReachSpans<Real> of_cloth(Reaches& of_particles, int cloth) const;
+    [[nodiscard]] Real sum_of_largest(const FeaturePair& pair, const Numbers& of_particles) const;
+    [[nodiscard]] std::span<const Real> of_cloth(const Numbers& of_particles, int cloth) const;
 
     Real thickness_ = 0;
     std::vector<Surface> surfaces_;   ///< of each cloth
@@ -121,11 +106,13 @@ private:
     PairList list_;
     Real ahead_ = 0;  ///< substeps that its margins are for
     std::vector<NearPair> near_;
-    Kernels kernels_ = Kernels::Vector;
-    Reaches reaches_;                      ///< how far each particle may come within it, with half the thickness
-    Reaches strayed_;                      ///< the reach, and what each has moved by since the list was made
-    Reaches allowed_;                      ///< by the list: it serves while nothing has strayed farther
-    Reaches more_reaches_, more_strayed_;  ///< of what the response has moved
+    Vec3 kept_mean_ = Vec3::Zero();        ///< of the positions of all particles when the list was made [m]
+    Vec3 mean_ = Vec3::Zero();             ///< the same at the start of the substep [m]
+    Vec3 moved_ = Vec3::Zero();            ///< by how much it moves within the substep [m]
+    Numbers reaches_;                      ///< how far each particle may come within it, with half the thickness
+    Numbers strayed_;                      ///< the reach, and what each has moved by since the list was made
+    Numbers allowed_;                      ///< by the list: it serves while nothing has strayed farther
+    Numbers more_reaches_, more_strayed_;  ///< of what the response has moved
 };
 
 }  // namespace drape

@@ -111,7 +111,6 @@ struct ContactSettings {
     UpdateKind update = UpdateKind::Rebuild;
     int leaf_cells = 0;  ///< 0: as measured to be fastest
     SphereFit sphere_fit = SphereFit::Centroid;
-    bool coherence = true;  ///< no build while it is proven that nothing touches
     int search_level = SearchLimit::all_levels;
     int search_tests = 0;  ///< of one query; 0: no end
     ResponseKind response = ResponseKind::Projection;

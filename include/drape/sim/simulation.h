@@ -7,7 +7,7 @@
 #include <vector>
 
 #include "drape/base/copied.h"
-#include "drape/contact/fast_solve.h"
+#include "drape/contact/contact_rows.h"
 #include "drape/sim/cloth.h"
 #include "drape/sim/command.h"
 #include "drape/sim/frame_view.h"
@@ -154,7 +154,7 @@ private:
     std::vector<BallContact> ball_contacts_;
     SelfContact self_contact_;
     NotCopied<std::vector<ClothInContact>> in_contact_;  ///< the cloths, within a substep
-    NotCopied<FastSolve> fast_solve_;                    ///< within a response
+    NotCopied<ContactRows> contact_rows_;                ///< within a response
     Real depth_at_start_ = 0;  ///< of the deepest particle in what cloth should be outside of [m]
     Vec3 steer_ = Vec3::Zero();
     std::size_t users_ball_ = 0;                 ///< that the user leads, drops and throws

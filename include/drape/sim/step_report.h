@@ -62,7 +62,6 @@ struct StepReport {
     std::int64_t held_back = 0;         ///< particles, by the fail-safe between cloths
     std::int64_t contact_sweeps = 0;    ///< of the response over its contacts
     double penetration = 0;             ///< largest depth left after the response [m]
-    std::int64_t skipped_builds = 0;    ///< since the start, because nothing could touch
     std::int64_t false_contacts = 0;    ///< of nodes at which the search has ended and in which no triangle touches
     double missed_penetration = 0;      ///< largest depth of any triangle after the response to a limited search [m]
     bool asleep = false;                ///< counts and contacts are those of the last step that was awake

@@ -5,8 +5,6 @@
 #include <hwy/highway.h>
 
 #include "contact/kernels/closest_points-inl.h"
-#include "contact/kernels/flat_blocks-inl.h"
 #include "contact/kernels/near_cells-inl.h"
 #include "contact/kernels/row_sweeps-inl.h"
-#include "contact/kernels/tile_motion-inl.h"
 #include "contact/kernels/touched_triangles-inl.h"

@@ -108,8 +108,8 @@ ResponseReport ContactTrial::respond() {
 
 ResponseReport ContactTrial::answer() {
     const ClothInContact cloth = in_contact();
-    FastSolve* const fast = kernels_ == Kernels::Vector ? &fast_solve_ : nullptr;
-    return resolve_contacts(response_, h_, std::span(&cloth, 1), {}, std::span(&ball_, 1), {}, fast);
+    ContactRows* const rows = kernels_ == Kernels::Vector ? &rows_ : nullptr;
+    return resolve_contacts(response_, h_, std::span(&cloth, 1), {}, std::span(&ball_, 1), {}, rows);
 }
 
 std::vector<int> ContactTrial::touched_triangles() const {

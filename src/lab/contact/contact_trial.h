@@ -4,7 +4,7 @@
 #include <vector>
 
 #include "drape/bounds/broad_phase.h"
-#include "drape/contact/fast_solve.h"
+#include "drape/contact/contact_rows.h"
 #include "drape/contact/impact.h"
 #include "drape/contact/warm_start.h"
 #include "drape/integrate/integrator.h"
@@ -79,7 +79,7 @@ private:
     int aim_;  ///< the particle nearest to the ball's way
     std::unique_ptr<Integrator> integrator_;
     Candidates candidates_;
-    FastSolve fast_solve_;
+    ContactRows rows_;
     std::vector<TriangleImpact> impacts_;
     BroadPhase* hierarchy_ = nullptr;  ///< of the last step
     std::vector<Contact> contacts_, first_contacts_;

@@ -99,7 +99,7 @@ bool SelfContactTrial::make(Real h, SelfContactStep& step) {
     for (const std::size_t s : sheets) integrators_[s]->step(models_[s], states_[s], h);
     contact_.warm_start().after_step(cloths, {});
     contact_.find(response_, cloths, {});
-    resolve_contacts(response_, h, cloths, contact_.contacts(), {}, {}, &fast_solve_);
+    resolve_contacts(response_, h, cloths, contact_.contacts(), {}, {}, &rows_);
     const bool would_cross = fail_safe_ != FailSafe::None && contact_.would_cross(cloths);
     if (would_cross && fail_safe_ == FailSafe::Zones) step.held_back += contact_.hold_back(cloths);
     step.pair_tests += contact_.report().traversal.volume_tests + contact_.report().listed;

@@ -4,7 +4,7 @@
 #include <memory>
 #include <vector>
 
-#include "drape/contact/fast_solve.h"
+#include "drape/contact/contact_rows.h"
 #include "drape/integrate/integrator.h"
 #include "drape/model/cloth_model.h"
 #include "drape/sim/self_contact.h"
@@ -76,7 +76,7 @@ private:
     std::array<std::vector<Contact>, 2> no_contacts_;
     std::array<std::unique_ptr<Integrator>, 2> integrators_;
     SelfContact contact_;
-    FastSolve fast_solve_;
+    ContactRows rows_;
 };
 
 /// What one run saw.

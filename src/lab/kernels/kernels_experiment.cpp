@@ -35,7 +35,6 @@ Simulation touching_cloth(int side, const std::string& kernels) {
                                                "solver.integrator=velocity_verlet",
                                                "solver.dt=1e-6",
                                                "sleep_speed=0",
-                                               "coherence=false",
                                                "ledger=false",
                                                "ball.position=0,-0.29,0"};
     assign_all(settings, assignments);

@@ -56,7 +56,7 @@ private:
         // Boxes that overlap once grown are up to this far from each other, from corner to corner
         const Real margin = sought() == Sought::Boxes ? std::sqrt(Real(3)) * sheets_->thickness : sheets_->thickness;
         trees_[a]->query(*trees_[b], margin, a == b && with_folds_ ? &folds_[a] : nullptr, leaves_);
-        for_each_pair_of_cells(boxed(a), boxed(b), leaves_, [&](int one, int two, bool /*local*/) {
+        for_each_pair_of_cells(boxed(a), boxed(b), leaves_, [&](int one, int two) {
             if (a == b && one == two) return;
             for (int i = 0; i < 2; ++i) {
                 for (int k = 0; k < 2; ++k) look_at(triangle(a, one, i), triangle(b, two, k), found);
