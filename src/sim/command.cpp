@@ -37,7 +37,7 @@ constexpr Row<C, Members...> row(std::string_view form, Members... members) {
 }
 
 using namespace command;
-constexpr std::tuple table{
+constexpr std::tuple command_table{
     row<Pause>("pause"),
     row<Step>("step COUNT", &Step::count),
     row<Reset>("reset"),
@@ -64,12 +64,13 @@ constexpr std::tuple table{
 
 template <class... Rows>
 std::variant<typename Rows::Type...> commands_of(const std::tuple<Rows...>&);
-static_assert(std::is_same_v<decltype(commands_of(table)), Command>, "every command has one row, in the same order");
+static_assert(std::is_same_v<decltype(commands_of(command_table)), Command>,
+              "every command has one row, in the same order");
 
 /// Calls `look` with each row until it returns true.
 template <class Look>
 void find_row(Look look) {
-    std::apply([&](const auto&... rows) { static_cast<void>((look(rows) || ...)); }, table);
+    std::apply([&](const auto&... rows) { static_cast<void>((look(rows) || ...)); }, command_table);
 }
 
 /// The words of a command's text after its name, read one by one.

@@ -15,7 +15,7 @@ namespace {
 
 /// Numbers a particle: its mass, the state and the one before; the forces by which contacts push within a step; those
 /// of a ledger.
-constexpr double numbers = 1 + 12, push_numbers = 3, ledger_numbers = 3;
+constexpr double particle_numbers = 1 + 12, push_numbers = 3, ledger_numbers = 3;
 
 /// Lists with room for two contacts a triangle, as the solver has: those of now, of before, and of these what has
 /// parted.
@@ -57,12 +57,12 @@ MemoryNeed memory_needed(const Settings& settings) {
     for (const ClothParameters& cloth : settings.cloths) {
         const Grid& grid = cloth.particles;
         const double particles = grid.particles();
-        need.cloths +=
-            particles * sizeof(Real) * (numbers + push_numbers + (settings.solver.ledger ? ledger_numbers : 0)) +
-            contact_lists * grid.triangles() * static_cast<double>(sizeof(Contact)) +
-            static_cast<double>(ContactRows::bytes_for(2 * static_cast<std::size_t>(grid.triangles()))) +
-            hierarchy_bytes(settings.contact, grid) + self_contact_bytes(settings.contact, grid) +
-            std::min(particles, searched_particles) * sizeof(Real) * search_numbers;
+        need.cloths += particles * sizeof(Real) *
+                           (particle_numbers + push_numbers + (settings.solver.ledger ? ledger_numbers : 0)) +
+                       contact_lists * grid.triangles() * static_cast<double>(sizeof(Contact)) +
+                       static_cast<double>(ContactRows::bytes_for(2 * static_cast<std::size_t>(grid.triangles()))) +
+                       hierarchy_bytes(settings.contact, grid) + self_contact_bytes(settings.contact, grid) +
+                       std::min(particles, searched_particles) * sizeof(Real) * search_numbers;
         need.method += bytes_of_method(integrator_of(settings.solver), grid);
     }
     return need;
@@ -74,7 +74,7 @@ double moment_bytes(const Simulation& simulation) {
     double bytes = sizeof(Simulation);
     for (const Cloth& cloth : simulation.cloths()) {
         const Grid& grid = cloth.model.grid;
-        const double all = numbers + ledger_numbers + numbers_of_start + numbers_of_step_before;
+        const double all = particle_numbers + ledger_numbers + numbers_of_start + numbers_of_step_before;
         bytes += grid.particles() * sizeof(Real) * all + hierarchy_bytes(settings.contact, grid) +
                  self_contact_bytes(settings.contact, grid) +
                  3 * static_cast<double>(cloth.contacts.size() * sizeof(Contact));

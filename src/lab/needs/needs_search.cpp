@@ -21,9 +21,10 @@ bool is_limited(const ContactSettings& contact) {
     return !SearchLimit{contact.search_level, contact.search_tests}.none();
 }
 
-class Search {
+class NeedsSearch {
 public:
-    Search(const Needs& needs, const Trail& trail) : needs_(needs), trail_(trail), free_(free_knobs(needs.scene())) {}
+    NeedsSearch(const Needs& needs, const Trail& trail)
+        : needs_(needs), trail_(trail), free_(free_knobs(needs.scene())) {}
 
     SearchResult find() {
         if (needs_.states_error()) {
@@ -188,7 +189,7 @@ private:
 
 }  // namespace
 
-SearchResult search(const Needs& needs, const Trail& trail) { return Search(needs, trail).find(); }
+SearchResult search(const Needs& needs, const Trail& trail) { return NeedsSearch(needs, trail).find(); }
 
 std::vector<Knob> spare_notches(const Needs& needs, const Trail& trail) {
     const std::set<Knob> free = free_knobs(needs.scene());
