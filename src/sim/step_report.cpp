@@ -13,7 +13,7 @@ double nodes(const StepReport& r) { return static_cast<double>(r.traversal.nodes
 double candidates(const StepReport& r) { return static_cast<double>(r.traversal.candidates); }
 double stopped(const StepReport& r) { return static_cast<double>(r.traversal.stopped); }
 
-const std::array<ReportField, 59> fields{{
+const auto fields = std::to_array<ReportField>({
     {"step", "", steps, "step", ReportGroup::Time, 3},
     {"time", "s", [](const StepReport& r) { return r.time; }, "time", ReportGroup::Time, 3},
     {"substeps", "", [](const StepReport& r) { return static_cast<double>(r.substeps); }},
@@ -89,9 +89,9 @@ const std::array<ReportField, 59> fields{{
     {"ball_work", "J", [](const StepReport& r) { return r.balance.ball; }, "from ball", ReportGroup::Balance, 1},
     {"asleep", "", [](const StepReport& r) { return r.asleep ? 1.0 : 0.0; }},
     {"diverged", "", [](const StepReport& r) { return r.status == Status::Diverged ? 1.0 : 0.0; }},
-}};
+});
 
-constexpr std::array<BallField, 9> fields_of_a_ball{{
+constexpr auto fields_of_a_ball = std::to_array<BallField>({
     {"x", "m", [](const Ball& b) { return static_cast<double>(b.centre.x()); }},
     {"y", "m", [](const Ball& b) { return static_cast<double>(b.centre.y()); }},
     {"z", "m", [](const Ball& b) { return static_cast<double>(b.centre.z()); }},
@@ -101,7 +101,7 @@ constexpr std::array<BallField, 9> fields_of_a_ball{{
     {"spin_x", "rad/s", [](const Ball& b) { return static_cast<double>(b.spin.x()); }},
     {"spin_y", "rad/s", [](const Ball& b) { return static_cast<double>(b.spin.y()); }},
     {"spin_z", "rad/s", [](const Ball& b) { return static_cast<double>(b.spin.z()); }},
-}};
+});
 
 }  // namespace
 
