@@ -81,13 +81,11 @@ while IFS=$'\001' read -r name file old new _; do
 done <<<"$faults"
 
 # Only what has changed is built again
-(cd "$wanted" && find . -type f -print0) | while IFS= read -rd '' file; do
-    cmp -s "$wanted/$file" "$folder/source/$file" ||
-        { mkdir -p "$(dirname "$folder/source/$file")" && cp "$wanted/$file" "$folder/source/$file"; }
-done
-(cd "$folder/source" && find . -type f -print0) | while IFS= read -rd '' file; do
-    [ -e "$wanted/$file" ] || rm "$folder/source/$file"
-done
+sums() { (cd "$1" && find . -type f -exec sha256sum {} + | sort); }
+names() { (cd "$1" && find . -type f | sort); }
+comm -23 <(names "$folder/source") <(names "$wanted") | (cd "$folder/source" && xargs -rd '\n' rm)
+comm -13 <(sums "$folder/source") <(sums "$wanted") | cut -d ' ' -f 3- |
+    (cd "$wanted" && xargs -rd '\n' cp --parents -t "$folder/source")
 
 cmake -S "$folder/source" -B "$folder/build" -G Ninja -DCMAKE_BUILD_TYPE=Release -DDRAPE_ASSERTS=ON \
     -DDRAPE_WERROR=OFF -DCMAKE_UNITY_BUILD=ON -DCMAKE_UNITY_BUILD_BATCH_SIZE=26 >"$folder/configure.txt" ||
