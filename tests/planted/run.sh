@@ -3,7 +3,7 @@
 #
 # Builds a copy of the sources in build/planted with every fault of faults.txt beside this file in it, each asleep until
 # the variable DRAPE_PLANTED has its name. The tests of each fault (or of those named) must pass while all are asleep, and
-# fail when theirs is awake. Ends with 1 if a fault is missed, with 2 if the list does not fit the sources.
+# fail when theirs is awake. Ends with 1 if a fault is missed, or if the list does not fit sources and tests.
 #
 # A fault is a paragraph of lines `KEY: VALUE`:
 #     name    of letters, digits and _
@@ -22,22 +22,23 @@ seconds=900  # that the tests of a fault may take
 
 fail() {
     echo "tests/planted/run.sh: $*" >&2
-    exit 2
+    exit 1
 }
 
 # The list, a fault a line; fields are apart by a control character, as white space would merge empty ones
 faults=$(awk '
+    function refuse(text) { print text >"/dev/stderr"; refused = 1; exit 1 }
     function put() { if (!fields) return
-        if (fields != 5) { print "the fault before line " NR " needs name, file, old, new and tests" >"/dev/stderr"; exit 2 }
+        if (fields != 5) refuse("the fault before line " NR " needs name, file, old, new and tests")
         printf "%s\001%s\001%s\001%s\001%s\n", v["name"], v["file"], v["old"], v["new"], v["tests"]
         split("", v); fields = 0 }
     /^#/ { next }
     /^[ \t]*$/ { put(); next }
     match($0, /^(name|file|old|new|tests): +/) { key = substr($0, 1, index($0, ":") - 1)
-        if (key in v) { print "line " NR " has a second " key >"/dev/stderr"; exit 2 }
+        if (key in v) refuse("line " NR " has a second " key)
         v[key] = substr($0, RLENGTH + 1); ++fields; next }
-    { print "line " NR " is no field" >"/dev/stderr"; exit 2 }
-    END { put() }' "$list") || fail "$list cannot be read"
+    { refuse("line " NR " is no field") }
+    END { if (refused) exit 1; put() }' "$list") || fail "$list cannot be read"
 [ -n "$faults" ] || fail "$list has no fault"
 names=$(cut -d $'\001' -f 1 <<<"$faults")
 repeated=$(sort <<<"$names" | uniq -d)
@@ -96,7 +97,8 @@ cmake --build "$folder/build" --target "${programs[@]}" drape drape-capture drap
 
 # run_tests PROGRAM PATTERNS OUTPUT: ends as the program does
 run_tests() {
-    (cd "$folder/build" && timeout "$seconds" "bin/$1" --gtest_filter="$2" --gtest_fail_fast) >"$3" 2>&1 </dev/null
+    # What the shell itself says of a program that was killed is nothing new
+    { (cd "$folder/build" && timeout "$seconds" "bin/$1" --gtest_filter="$2" --gtest_fail_fast) >"$3" 2>&1 </dev/null; } 2>/dev/null
 }
 
 # Which test of an output failed first; where the program has died of it there is but its beginning
