@@ -202,7 +202,7 @@ TEST(SettingTable, HasTheMenusWordsForThePanel) {
     std::set<std::string> labels;
     for (const Setting& setting : setting_table()) labels.insert(setting_label(setting));
     for (const char* word : {"time step", "above the limit", "energy balance", "bounding volume", "BVH update",
-                             "leaf size", "search depth", "skip builds", "self-contact", "stats panel",
+                             "leaf size", "search depth", "self-contact", "stats panel",
                              "settings panel", "bounding volumes", "colour by", "wind"}) {
         EXPECT_TRUE(labels.contains(word)) << word;
     }

@@ -54,12 +54,15 @@ void check_values(const CLI::App& app, std::span<char* const> words, const std::
     std::vector<const CLI::App*> commands = app.get_subcommands([](const CLI::App*) { return true; });
     commands.push_back(&app);
     for (std::size_t i = 0; i < words.size(); ++i) {
-        const std::string word = words[i], option = word.substr(0, word.size() - 1);
-        const bool has_value = !word.ends_with('=') || !word.starts_with("--") || !is_option(option, commands, true);
-        if (!word.empty() && has_value) continue;
-        throw InputError((word.empty() ? "word " + std::to_string(i) + " is empty" : word + " has no value") +
-                             ": allowed no empty name or value",
-                         hint);
+        const std::string word = words[i], before = i > 0 ? words[i - 1] : "";
+        const bool is_bare =
+            word.starts_with("--") && word.ends_with('=') && is_option(word.substr(0, word.size() - 1), commands, true);
+        if (!word.empty() && !is_bare) continue;
+        const std::string option = is_bare ? word.substr(0, word.size() - 1) : before;
+        throw InputError(
+            (is_option(option, commands, true) ? option + " has no value" : "word " + std::to_string(i) + " is empty") +
+                ": allowed no empty name or value",
+            hint);
     }
     for (std::size_t i = 0; i + 1 < words.size(); ++i) {
         const std::string option = words[i], value = words[i + 1];
