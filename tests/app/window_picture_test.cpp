@@ -119,16 +119,25 @@ protected:
 
     // Between two steps, so that rounding does not count
     static double time_of(const std::string& scene, int steps) { return (steps + 0.5) * load_scene(scene).solver.dt; }
-};
 
-TEST_F(WindowPicture, IsThatOfDrapeCaptureInEveryScene) {
-    for (const std::string& scene : scene_names()) {
-        if (scene == "large") continue;  // a minute for each of its pictures
+    void expect_that_of_drape_capture(const std::string& scene) {
         const int steps = scene.starts_with("fails_") ? 5 : static_cast<int>(0.2 / load_scene(scene).solver.dt);
         const std::string recorded_run = recording_of(scene, steps);
         const PictureDifference found(picture_of_window(recorded_run, steps),
                                       picture_of_capture(recorded_run, time_of(scene, steps), {"--overlay"}));
         EXPECT_TRUE(found.is_only_fps()) << scene << ": " << found.text();
+    }
+};
+
+TEST_F(WindowPicture, IsThatOfDrapeCapture) {
+    for (const std::string scene : {"drop", "slide"}) expect_that_of_drape_capture(scene);
+}
+
+using NightlyWindowPicture = WindowPicture;
+
+TEST_F(NightlyWindowPicture, IsThatOfDrapeCaptureInEveryScene) {
+    for (const std::string& scene : scene_names()) {
+        if (scene != "large") expect_that_of_drape_capture(scene);  // a minute for each of its pictures
     }
 }
 

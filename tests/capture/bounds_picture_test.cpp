@@ -221,8 +221,9 @@ TEST_P(EdgesPicture, IsRefusedIfTheNodesAreTwoPercentOff) {
     EXPECT_THAT(complaints(GetParam(), Real(1.02)), testing::SizeIs(2));
 }
 
-INSTANTIATE_TEST_SUITE_P(Volumes, EdgesPicture, testing::ValuesIn(with_edges),
-                         [](const auto& one) { return name_of(one.param); });
+const auto name_of_volume = [](const auto& one) { return name_of(one.param); };
+INSTANTIATE_TEST_SUITE_P(One, EdgesPicture, testing::Values(VolumeKind::Obb), name_of_volume);
+INSTANTIATE_TEST_SUITE_P(Nightly, EdgesPicture, testing::ValuesIn(with_edges), name_of_volume);
 
 TEST_F(BoundsPicture, IsRefusedForEveryOtherVolumeIfSpheresAreDrawn) {
     show(VolumeKind::Sphere);

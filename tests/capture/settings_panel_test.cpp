@@ -115,7 +115,9 @@ TEST_F(SettingsPanelRows, AreNotAliveByThePictureAlone) {
     EXPECT_EQ(picture_of(one), picture_of(other));
 }
 
-TEST_F(SettingsPanelRows, EachChangesMotionOrPicture) {
+using NightlySettingsPanelRows = SettingsPanelRows;
+
+TEST_F(NightlySettingsPanelRows, EachChangesMotionOrPicture) {
     int rows = 0;
     for (const Setting& setting : setting_table()) {
         if (!has_panel_row(setting) || left_out.contains(setting.full_name())) continue;

@@ -131,18 +131,18 @@ TYPED_TEST(SweptQuadtree, NeverMissesAnImpactByAnyUpdate) {
 }
 
 template <class Volume>
-class LongSweptQuadtree : public SweptQuadtree<Volume> {};
+class NightlySweptQuadtree : public SweptQuadtree<Volume> {};
 
-TYPED_TEST_SUITE(LongSweptQuadtree, test::AllVolumes, test::VolumeNames);
+TYPED_TEST_SUITE(NightlySweptQuadtree, test::AllVolumes, test::VolumeNames);
 
 /// The planted fault: a tree that is fitted to the end of the step alone.
-TYPED_TEST(LongSweptQuadtree, IsCaughtWhenItIsFittedToTheEndOfTheStepOnly) {
+TYPED_TEST(NightlySweptQuadtree, IsCaughtWhenItIsFittedToTheEndOfTheStepOnly) {
     const auto fault = [](BroadPhase& tree, const Points&, const Points& to) { tree.build(to); };
     EXPECT_GT(this->compare_all(fault).wrong, 20);
 }
 
 /// Another: to the beginning alone.
-TYPED_TEST(LongSweptQuadtree, IsCaughtWhenItIsFittedToTheBeginningOfTheStepOnly) {
+TYPED_TEST(NightlySweptQuadtree, IsCaughtWhenItIsFittedToTheBeginningOfTheStepOnly) {
     const auto fault = [](BroadPhase& tree, const Points& from, const Points&) { tree.build(from); };
     EXPECT_GT(this->compare_all(fault).wrong, 20);
 }

@@ -199,7 +199,7 @@ void expect_row(const std::string& row, double step, const std::string& word, Fa
     }
 }
 
-TEST(LongLabSelfContact, WritesARowForEachStepAndFailSafe) {
+TEST(NightlyLabSelfContact, WritesARowForEachStepAndFailSafe) {
     const LabFolder folder;
     const LabRun run = folder.run({"self_contact", "--quick", "--cases", "1-1", "--out", "out"});
     ASSERT_EQ(run.code, 0) << run.err;
