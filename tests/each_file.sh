@@ -10,6 +10,8 @@ source=$(cd "$(dirname "$0")/.." && pwd)
 build=$source/build/each_file/$compiler
 cmake -S "$source" -B "$build" -G Ninja -DCMAKE_CXX_COMPILER="$compiler" -DCMAKE_DISABLE_PRECOMPILE_HEADERS=ON \
     -DDRAPE_NIGHTLY=ON -DDRAPE_WERROR=ON >/dev/null
+# One source file is made by the build
+cmake --build "$build" --target drape_find_commit >/dev/null
 
 # The command of each file is that of the build, but for what it writes; the first of each file is enough
 commands=$build/commands
@@ -18,7 +20,7 @@ sed -n 's/^  "command": "\(.*\)",$/\1/p' "$build/compile_commands.json" |
 
 # A header is read as a file of the laboratory would read it, or of what draws, which both see all they may
 flags_of() { grep -m 1 "$1" "$commands" | sed 's/ -c .*//'; }
-lab=$(flags_of drape_experiments.dir) drawing=$(flags_of drape_offscreen.dir)
+lab=$(flags_of drape_experiments.dir) drawing="$(flags_of drape_offscreen.dir) $(pkg-config --cflags imgui)"
 for header in "$source"/include/drape/*/*.h "$source"/src/*/*.h "$source"/src/*/*/*.h; do
     case $header in
         *-inl.h) continue ;; # read by a file that has chosen a kind of processor

@@ -44,7 +44,8 @@ std::optional<double> control_group_limit(const files::path& groups, const files
             std::ifstream file(root / group.relative_path() /
                                (is_second_version ? "memory.max" : "memory.limit_in_bytes"));
             const auto bytes = file >> word ? parse_real(word) : std::nullopt;
-            if (bytes && !(least && *least <= *bytes)) least = bytes;
+            // Version 1 has a number near 2^63 for no limit
+            if (bytes && *bytes < 0x1p62 && !(least && *least <= *bytes)) least = bytes;
             if (!group.has_relative_path()) break;
         }
     }

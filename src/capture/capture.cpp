@@ -23,7 +23,8 @@ namespace {
 /// A start none of whose files is to be written, and for whose pictures there is memory.
 Start checked_start(const CaptureOptions& options) {
     Start start = make_start(options.start);
-    if (options.drawing()) check_picture_memory(options.size, memory_needed(start.settings).total());
+    const double simulations = options.start.versus.empty() ? 1 : 2;
+    if (options.drawing()) check_picture_memory(options.size, simulations * memory_needed(start.settings).total());
     const std::vector<NamedFile> written{
         {"--video", options.video}, {"--stats", options.stats}, {"--state", options.state}};
     std::vector<NamedFile> files = input_files(options.start, start);

@@ -35,7 +35,7 @@ private:
     void factorise(const ClothModel& model);
 
     Grid grid_;
-    std::array<Real, 3> stiffnesses_{};  ///< of the factors, as the next
+    std::array<Real, 3> stiffnesses_{};  ///< that the factors were made from; so is the next
     Numbers diagonal_;                   ///< inertia / h^2, and 0 for a pinned particle [kg/s^2]
     Matrix matrix_;
     Eigen::SimplicialLDLT<Matrix> factors_;

@@ -5,7 +5,6 @@
 
 #include "commands.h"
 #include "drape/base/command_line.h"
-#include "drape/base/input_error.h"
 #include "drape/base/run_program.h"
 #include "drape/bounds/broad_phase.h"
 #include "drape/integrate/integrator.h"

@@ -1,6 +1,5 @@
 #include "commands.h"
 #include "drape/base/command_line.h"
-#include "drape/base/input_error.h"
 #include "drape/base/run_program.h"
 #include "lab/experiment/run_experiment.h"
 #include "lab/experiments.h"

@@ -11,8 +11,8 @@
 namespace drape {
 namespace {
 
-/// Times the mass of a particle, from which on a ball may be why cloth is drawn out.
-constexpr Real heavy = Real(1e5);
+/// Ratio of a ball's mass to a particle's above which the ball may be the reason that cloth is overstretched.
+constexpr Real heavy_mass_ratio = Real(1e5);
 
 std::string solve_trouble(IntegratorKind integrator, const StepReport& report) {
     const SolveReport& solve = report.solve;
@@ -32,7 +32,8 @@ std::string gain_trouble(const StepReport& report) {
            std::to_string(report.heated_step);
 }
 
-/// With the masses where a ball is heavy for the cloth: contact, which comes after the limit, then draws it out.
+/// With the masses where a ball is heavy_mass_ratio for the cloth: contact, which comes after the limit, then draws it
+/// out.
 std::string stretch_trouble(const StepReport& report, std::span<const Cloth> cloths, std::span<const Ball> balls) {
     std::string text = "structural springs were stretched by up to " + real_text(report.worst_stretch_excess, 3) +
                        " of their length beyond cloth.stretch_limit, and far beyond it for " +
@@ -42,7 +43,7 @@ std::string stretch_trouble(const StepReport& report, std::span<const Cloth> clo
     for (const Ball& ball : balls) {
         if (ball.inverse_mass > 0) heaviest = std::max(heaviest, 1 / ball.inverse_mass);
     }
-    if (heaviest > heavy * lightest) {
+    if (heaviest > heavy_mass_ratio * lightest) {
         text += "; a ball has " + real_text(static_cast<double>(heaviest / lightest), 2) +
                 " times the mass of a particle, which contact with this cloth does not carry";
     }

@@ -7,9 +7,9 @@
 namespace drape {
 namespace {
 
-/// Of its rest length, by how much more than its limit a spring is far beyond a small one: soft springs are stretched
-/// so far by a ball that is led into them.
-constexpr Real far = Real(0.1);
+/// Excess beyond a small stretch limit, as a fraction of the rest length, from which a spring counts as overstretched.
+/// A ball that moves into soft springs stretches them by nearly this much.
+constexpr Real large_excess = Real(0.1);
 
 }  // namespace
 
@@ -28,7 +28,7 @@ void measure_stretch(std::span<const Cloth> cloths, double dt, StepReport& repor
     for (const Cloth& cloth : cloths) {
         const Real excess = stretch_excess(cloth.model, cloth.state.x);
         report.stretch_excess = std::max(report.stretch_excess, static_cast<double>(excess));
-        over = over || excess > std::max(cloth.model.stretch_limit, far);
+        over = over || excess > std::max(cloth.model.stretch_limit, large_excess);
     }
     report.worst_stretch_excess = std::max(report.worst_stretch_excess, report.stretch_excess);
     if (over) report.overstretched += dt;

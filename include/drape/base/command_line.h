@@ -28,7 +28,7 @@ public:
     CommandLine& operator=(const CommandLine&) = delete;
     ~CommandLine();
 
-    /// Adds an option ("--out"), or a word in its place ("scene").
+    /// Adds an option ("--out") or a positional argument ("scene").
     /// @param to outlives the parsing, and keeps its value where the option is not there
     void option(const std::string& option, std::string& to, const std::string& help, const OptionValue& value = {});
     void option(const std::string& option, std::vector<std::string>& to, const std::string& help,
@@ -37,8 +37,8 @@ public:
                 const OptionValue& value = {});
 
     /// Adds an option without a value.
-    /// @param without another flag that it does not go with
-    void flag(const std::string& flag, bool& to, const std::string& help, const std::string& without = "");
+    /// @param excludes another flag, declared before, that it cannot be combined with
+    void flag(const std::string& flag, bool& to, const std::string& help, const std::string& excludes = "");
 
     /// What `--help` ends with.
     void footer(std::function<std::string()> text);

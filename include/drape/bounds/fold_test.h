@@ -33,7 +33,7 @@ public:
     /// Follows the cloth to its present positions.
     /// @param x n x 3 [m]
     /// @param reaches of each particle [m]: what is farther apart than those of its nodes together is apart enough;
-    /// empty: nothing is but what is asked for
+    /// empty: only the distance that is asked for counts
     /// @par Cost O(particles)
     void build(const Points& x, std::span<const Real> reaches = {});
 

@@ -47,8 +47,6 @@ inline CellRange all_cells(const Grid& grid) { return {0, 0, grid.cell_columns()
 struct GridRange {
     int first_column, end_column;
     int first_row, end_row;
-
-    [[nodiscard]] int particles() const { return (end_column - first_column) * (end_row - first_row); }
 };
 
 /// All particles of a grid.

@@ -53,8 +53,8 @@ bool is_option(const std::string& word, std::span<const CLI::App* const> command
 void check_values(const CLI::App& app, std::span<char* const> words, const std::string& hint) {
     std::vector<const CLI::App*> commands = app.get_subcommands([](const CLI::App*) { return true; });
     commands.push_back(&app);
-    for (std::size_t i = 0; i < words.size(); ++i) {
-        const std::string word = words[i], before = i > 0 ? words[i - 1] : "";
+    for (std::size_t i = 1; i < words.size(); ++i) {
+        const std::string word = words[i], before = words[i - 1];
         const bool is_bare =
             word.starts_with("--") && word.ends_with('=') && is_option(word.substr(0, word.size() - 1), commands, true);
         if (!word.empty() && !is_bare) continue;
@@ -96,9 +96,9 @@ void CommandLine::option(const std::string& option, std::filesystem::path& to, c
     describe(app_->add_option_function<std::string>(option, read, help), value);
 }
 
-void CommandLine::flag(const std::string& flag, bool& to, const std::string& help, const std::string& without) {
+void CommandLine::flag(const std::string& flag, bool& to, const std::string& help, const std::string& excludes) {
     CLI::Option* const option = app_->add_flag(flag, to, help);
-    if (!without.empty()) option->excludes(app_->get_option(without));
+    if (!excludes.empty()) option->excludes(app_->get_option(excludes));
 }
 
 void CommandLine::footer(std::function<std::string()> text) { app_->footer(std::move(text)); }

@@ -1,6 +1,5 @@
 #include <fmt/ranges.h>
 
-#include <iostream>
 #include <map>
 #include <memory>
 #include <set>
