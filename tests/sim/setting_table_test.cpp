@@ -201,9 +201,9 @@ TEST(ContactSettings, GiveTheHierarchyEveryChoiceOfItsKinds) {
 TEST(SettingTable, HasTheMenusWordsForThePanel) {
     std::set<std::string> labels;
     for (const Setting& setting : setting_table()) labels.insert(setting_label(setting));
-    for (const char* word : {"time step", "above the limit", "energy balance", "bounding volume", "BVH update",
-                             "leaf size", "search depth", "self-contact", "stats panel",
-                             "settings panel", "bounding volumes", "colour by", "wind"}) {
+    for (const char* word :
+         {"time step", "above the limit", "energy balance", "bounding volume", "BVH update", "leaf size",
+          "search depth", "self-contact", "stats panel", "settings panel", "bounding volumes", "colour by", "wind"}) {
         EXPECT_TRUE(labels.contains(word)) << word;
     }
     EXPECT_EQ(setting_label(find_setting("solver.dt")), "time step");
