@@ -55,13 +55,15 @@ TEST(SameBits, ComeFromAnyNumberOfThreads) {
     tell_comparisons(comparisons);
 }
 
-TEST(SameBits, ComeFromEveryGenerationOfProcessors) {
+TEST(SameBits, ComeFromTheOldestAndTheNewestProcessor) {
     if (const std::string why = no_emulator(); !why.empty()) GTEST_SKIP() << why;
     expect_to_see_the_sine_of_the_c_library(emulated("Nehalem"), emulated("Haswell"));
     Matrix matrix;
     matrix.add_methods();
     int comparisons = 1;
-    for (const std::string& processor : generations) comparisons += matrix.compare(emulated(processor));
+    for (const auto& processor : {generations.front(), generations.back()}) {
+        comparisons += matrix.compare(emulated(processor));
+    }
     tell_comparisons(comparisons);
 }
 

@@ -14,8 +14,8 @@ namespace {
 
 const std::vector<Fault>& all_faults() {
     static const std::vector<Fault> faults{
-        {"kill_capture", "SIGKILL to drape-capture at random times", 12, kill_capture},
-        {"kill_experiment", "SIGKILL to experiments at random times", 12, kill_experiments},
+        {"kill_capture", "SIGKILL to drape-capture at random times", 6, kill_capture},
+        {"kill_experiment", "SIGKILL to experiments at random times", 6, kill_experiments},
         {"full_disk", "disks and files that are full", 4, fill_disk},
         {"read_only", "folders that take no files", 1, write_where_nobody_may},
         {"closed_streams", "standard streams closed or full", 1, close_streams},

@@ -156,7 +156,7 @@ TEST(LongSelfSearch, FindsWhatIsWithinReachWhileItsListServes) {
 TEST(SelfSearch, FindsWhatAPushBringsWithinReach) {
     std::int64_t pairs = 0;
     int lists = 0;
-    for (unsigned seed = 0; seed < 16; ++seed) {
+    for (unsigned seed = 0; seed < 6; ++seed) {
         SCOPED_TRACE(seed);
         Search search(seed);
         for (int step = 0; step < 24; ++step) {
@@ -171,8 +171,8 @@ TEST(SelfSearch, FindsWhatAPushBringsWithinReach) {
             if (step % 6 < 2) search.expect_definition(pairs, kept_apart / 2);
         }
     }
-    EXPECT_GT(pairs, 2000);
-    EXPECT_GT(lists, 100);
+    EXPECT_GT(pairs, 700);
+    EXPECT_GT(lists, 35);
 }
 
 TEST(SelfSearch, MakesAShorterListWhereALongOneDoesNotFit) {

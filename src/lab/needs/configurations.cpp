@@ -146,8 +146,8 @@ namespace {
 
 /// A scene names its start state as seen from its own folder.
 std::string start_from(const files::path& file, const std::string& start) {
-    const files::path folder = files::absolute(file).lexically_normal().parent_path();
-    return files::absolute(start).lexically_normal().lexically_relative(folder).string();
+    const auto true_path = [](const files::path& path) { return files::weakly_canonical(files::absolute(path)); };
+    return true_path(start).lexically_relative(true_path(files::absolute(file).parent_path())).string();
 }
 
 }  // namespace
