@@ -5,16 +5,11 @@
 #include <limits>
 #include <optional>
 
+#include "advance.h"
+#include "contact_geometry.h"
+
 namespace drape {
 namespace {
-
-/// What advances on its way goes on until it is as near as this [m].
-constexpr Real nearest_way = Real(1e-6);
-
-constexpr int most_ways = 256;
-
-/// The least cosine between the normal at the end and that at which they met, for both to be of one side.
-constexpr Real same_side_of_ball = Real(0.5);
 
 /// Passes over all solids, each of which may put a ball out of what it was not in before: a corner takes three.
 constexpr int most_passes = 4;
@@ -34,30 +29,27 @@ NextTo surface_next_to(const Solid& solid, const Vec3& centre) {
 }
 
 /// Where a ball first comes as near as its radius, on a way that is seen from the solid.
-std::optional<NextTo> first_meeting(const Solid& solid, const Vec3& from, const Vec3& to, Real radius) {
+std::optional<NextTo> first_plane(const Solid& solid, const Vec3& from, const Vec3& to, Real radius) {
     const Real length = (to - from).norm();
     if (length == 0) return std::nullopt;
-    Real gone = 0;
-    for (int k = 0; k < most_ways; ++k) {
-        const Vec3 centre = from + gone / length * (to - from);
-        const SurfaceDistance surface = solid.measure(centre);
-        const Real left = surface.distance - radius;
-        if (left <= nearest_way || k + 1 == most_ways) {
-            return NextTo{surface.normal, surface.normal.dot(centre) - surface.distance};
-        }
-        gone += left - nearest_way / 2;
-        if (!(gone < length)) return std::nullopt;
-    }
-    return std::nullopt;
+    Vec3 centre;
+    SurfaceDistance surface;
+    const auto measure = [&](Real t) -> Advance {
+        centre = from + t * (to - from);
+        surface = solid.measure(centre);
+        return {surface.distance, t + (surface.distance - radius - touch_distance / 2) / length};
+    };
+    if (!first_time(measure, radius + touch_distance)) return std::nullopt;
+    return NextTo{surface.normal, surface.normal.dot(centre) - surface.distance};
 }
 
 /// The plane that holds a ball within the substep: that at its end, or where it has met the solid.
 std::optional<NextTo> plane_for(const Solid& solid, const Vec3& from, const Vec3& to, Real radius) {
     const NextTo at_end = surface_next_to(solid, to);
     const bool touches = at_end.normal.dot(to) - at_end.height < radius;
-    const auto met = first_meeting(solid, from, to, radius);
+    const auto met = first_plane(solid, from, to, radius);
     const bool has_passed = met && met->normal.dot(to) - met->height < radius;
-    if (has_passed && (!touches || met->normal.dot(at_end.normal) < same_side_of_ball)) return met;
+    if (has_passed && (!touches || met->normal.dot(at_end.normal) < same_side)) return met;
     return touches ? std::optional(at_end) : std::nullopt;
 }
 

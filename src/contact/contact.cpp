@@ -4,7 +4,8 @@
 
 #include "contact_geometry.h"
 #include "grid_features.h"
-#include "kernels/ball_contacts.h"
+#include "kernels/near_cells.h"
+#include "kernels/touched_triangles.h"
 
 namespace drape {
 namespace {
@@ -28,25 +29,49 @@ Contact particle_contact(const Grid& grid, int particle) {
     return contact;
 }
 
-/// Adds the contacts that a triangle is to report: those of its own corners, and of its closest point.
-/// @return whether it touches
-bool add_contacts(const Grid& grid, const Points& x, const Ball& ball, int ball_number, Real thickness, int triangle,
-                  std::vector<Contact>& contacts) {
-    Contact contact;
-    contact.ball = ball_number;
-    contact.triangle = triangle;
-    contact.corners = grid.triangle_corners(triangle);
-    if (!locate(x, ball, thickness, contact)) return false;
-    const unsigned owned = owned_corners(grid, triangle, triangle / 2 / grid.cell_columns());
-    for (std::size_t k = 0; k < 3; ++k) {
-        if ((owned >> k & 1u) == 0) continue;
-        Contact of_corner = particle_contact(grid, contact.corners[k]);
-        of_corner.ball = ball_number;
-        if (locate(x, ball, thickness, of_corner)) contacts.push_back(of_corner);
+/// Makes the contacts of triangles with one ball.
+struct BallContacts {
+    const Grid& grid;
+    const Points& x;
+    const Ball& ball;
+    int number;
+    Real radii;  ///< of the ball, thickness counted
+    std::vector<Contact>& contacts;
+
+    /// Adds the contacts that a triangle is to report: those of its own corners, and of its closest point.
+    /// @return whether it touches
+    bool add_triangle(int triangle) {
+        const std::array<int, 3> corners = grid.triangle_corners(triangle);
+        const ClosestPoint closest = closest_point(x, corners, ball.centre);
+        if (!touches(closest.point)) return false;
+        const unsigned owned = owned_corners(grid, triangle, triangle / 2 / grid.cell_columns());
+        for (std::size_t k = 0; k < 3; ++k) {
+            if ((owned >> k & 1u) == 0) continue;
+            ClosestPoint corner{position(x, corners[k]), {}};
+            corner.barycentric[k] = 1;
+            if (touches(corner.point)) add(triangle, corners, corner, true);
+        }
+        if (!reported_elsewhere(grid, triangle, closest.barycentric)) add(triangle, corners, closest, false);
+        return true;
     }
-    if (!reported_elsewhere(grid, triangle, contact.barycentric)) contacts.push_back(contact);
-    return true;
-}
+
+private:
+    [[nodiscard]] bool touches(const Vec3& point) const {
+        return (point - ball.centre).squaredNorm() < radii * radii && radii > 0;
+    }
+
+    void add(int triangle, const std::array<int, 3>& corners, const ClosestPoint& at, bool of_particle) {
+        Contact& contact = contacts.emplace_back();
+        contact.ball = number;
+        contact.triangle = triangle;
+        contact.corners = corners;
+        contact.barycentric = at.barycentric;
+        contact.point = at.point;
+        contact.of_particle = of_particle;
+        const Vec3 offset = at.point - ball.centre;
+        measure(x, radii, offset, offset.squaredNorm(), contact);
+    }
+};
 
 /// Of the particles from `first` up to `end`.
 void add_ground_contacts(const Grid& grid, const Points& x, Real height, Real thickness, int first, int end,
@@ -59,6 +84,18 @@ void add_ground_contacts(const Grid& grid, const Points& x, Real height, Real th
         locate_above(x, height, thickness, contact);
         contacts.push_back(contact);
     }
+}
+
+/// Makes a contact of two balls that of their meeting, where the end of the substep does not show it.
+bool meet_within_substep(std::span<const Ball> balls, BallContact& contact) {
+    const Ball &first = balls[static_cast<std::size_t>(contact.first)],
+               &second = balls[static_cast<std::size_t>(contact.ball)];
+    const Vec3 to = first.centre - second.centre, from = to - first.moved + second.moved;
+    const auto met = first_meeting(from, to, first.radius + second.radius);
+    if (!met || (contact.depth > 0 && met->normalized().dot(contact.normal) >= same_side)) return false;
+    contact.normal = met->normalized();
+    contact.of_impact = true;
+    return true;
 }
 
 }  // namespace
@@ -78,17 +115,21 @@ void find_touched_triangles(const Grid& grid, const Points& x, const Ball& ball,
 
 std::int64_t find_contacts(const Grid& grid, const Points& x, const Ball& ball, int ball_number, Real thickness,
                            std::span<const CellRun> cells, std::vector<Contact>& contacts, Kernels kernels) {
-    if (kernels == Kernels::Vector) {
-        return kernels::find_contacts(grid, x, ball, ball_number, thickness, cells, contacts);
-    }
+    BallContacts found{grid, x, ball, ball_number, ball.radius + thickness, contacts};
     std::int64_t touching = 0;
-    for_each_cell(grid, cells, [&](int cell) {
-        bool touches = false;
-        for (const int triangle : {2 * cell, 2 * cell + 1}) {
-            touches = add_contacts(grid, x, ball, ball_number, thickness, triangle, contacts) || touches;
-        }
-        if (touches) ++touching;
-    });
+    const auto test = [&](int cell) {
+        const bool first = found.add_triangle(2 * cell), second = found.add_triangle(2 * cell + 1);
+        touching += first || second;
+    };
+    if (kernels == Kernels::Plain) {
+        for_each_cell(grid, cells, test);
+    } else {
+        kernels::visit_near(grid, x, ball.centre, found.radii, cells, [&](const auto& some) {
+            for (const kernels::CellBits& bits : some) {
+                kernels::for_each_set(grid, bits, bits.near(), [&](int cell, int /*corner*/) { test(cell); });
+            }
+        });
+    }
     return touching;
 }
 
@@ -111,11 +152,13 @@ void find_ground_contacts(const Grid& grid, const Points& x, Real height, Real t
 
 void find_ball_contacts(std::span<const Ball> balls, const Ground& ground, std::vector<BallContact>& contacts) {
     contacts.clear();
-    BallContact contact;
     const auto test = [&](int first, int second) {
+        BallContact contact;
         contact.first = first;
         contact.ball = second;
-        if (locate(balls, ground, contact)) contacts.push_back(contact);
+        bool touches = locate(balls, ground, contact);
+        if (second != the_ground && meet_within_substep(balls, contact)) touches = locate(balls, ground, contact);
+        if (touches) contacts.push_back(contact);
     };
     const int count = static_cast<int>(balls.size());
     const auto is_free = [&](int b) { return balls[static_cast<std::size_t>(b)].inverse_mass > 0; };

@@ -3,6 +3,7 @@
 #include <Eigen/Geometry>
 #include <algorithm>
 #include <cmath>
+#include <optional>
 
 #include "drape/contact/closest_point.h"
 #include "drape/contact/response.h"
@@ -17,6 +18,9 @@ inline Real slop_in(const Ball& ball) {
     constexpr Real of_radius = Real(1e-4);
     return std::min(of_radius * ball.radius, most_slop);
 }
+
+/// The least cosine between the normal at a substep's end and that at which two things met, for both to be of one side.
+inline constexpr Real same_side = Real(0.5);
 
 /// Position or velocity of one particle.
 inline Vec3 position(const Points& x, int particle) { return x.row(particle).transpose(); }
@@ -100,6 +104,18 @@ inline bool locate_above(const Points& x, Real height, Real thickness, Contact& 
     return contact.depth > 0;
 }
 
+/// Where a point that moves evenly comes from outside as near to the origin as a radius.
+/// @param from, to at both ends of the substep [m]
+inline std::optional<Vec3> first_meeting(const Vec3& from, const Vec3& to, Real radius) {
+    const Real outside = from.squaredNorm() - radius * radius;
+    const Vec3 displacement = to - from;
+    const Real approach = -from.dot(displacement);
+    const Real square = approach * approach - displacement.squaredNorm() * outside;
+    if (!(outside > 0 && approach > 0 && square >= 0)) return std::nullopt;
+    const Real time = outside / (approach + std::sqrt(square));
+    return time <= 1 ? std::optional<Vec3>(from + time * displacement) : std::nullopt;
+}
+
 /// Ball against ball, or against the ground, or against the surface of a solid next to it.
 /// @return false, with depth 0, if they do not touch
 inline bool locate(std::span<const Ball> balls, const Ground& ground, BallContact& contact) {
@@ -109,13 +125,13 @@ inline bool locate(std::span<const Ball> balls, const Ground& ground, BallContac
         return contact.depth > 0;
     }
     Real distance = first.centre.y() - ground.height, radii = first.radius;
-    contact.normal = Vec3(0, 1, 0);
+    if (!contact.of_impact) contact.normal = Vec3(0, 1, 0);
     if (contact.ball != the_ground) {
         const Ball& second = balls[static_cast<std::size_t>(contact.ball)];
         const Vec3 offset = first.centre - second.centre;
-        distance = offset.norm();
         radii += second.radius;
-        if (distance > 0) contact.normal = offset / distance;
+        distance = contact.of_impact ? offset.dot(contact.normal) : offset.norm();
+        if (!contact.of_impact && distance > 0) contact.normal = offset / distance;
     }
     contact.depth = std::max(radii - distance, Real(0));
     return contact.depth > 0;

@@ -4,6 +4,7 @@
 #include <cmath>
 #include <limits>
 
+#include "advance.h"
 #include "drape/contact/closest_point.h"
 #include "drape/contact/segments.h"
 
@@ -16,9 +17,6 @@ constexpr Real nearest_part = Real(0.1), margin_part = Real(0.1);
 
 /// The same of a distance that is not to become smaller at all: as little as rounding lets through.
 constexpr Real hardly_nearer = 1 - 256 * std::numeric_limits<Real>::epsilon();
-
-/// Features that still creep along each other after so many rounds are stopped where they are.
-constexpr int max_advances = 400;
 
 }  // namespace
 
@@ -43,16 +41,12 @@ Real safe_part_of(const FeatureMotion& motion, Real distance, Real least) {
     const Real nearest = std::min(of_distance, hardly_nearer) * distance;
     const Real meeting = nearest + std::min(margin_part * distance, (distance - nearest) / 2);
     const Real approach = motion.longest_approach();
-    Real part = 0, left = distance;
-    for (int round = 0; round < max_advances; ++round) {
-        if ((1 - part) * approach <= left - meeting) return 1;
-        part += (left - nearest) / approach;
-        if (part >= 1) part = 1;
-        left = motion.distance_after(part);
-        if (left < meeting) return part;
-        if (part == 1) return 1;
-    }
-    return part;
+    if (approach <= distance - meeting) return 1;
+    const auto measure = [&](Real part) -> Advance {
+        const Real left = part > 0 ? motion.distance_after(part) : distance;
+        return {left, part + (left - nearest) / approach};
+    };
+    return first_time(measure, meeting).value_or(1);
 }
 
 }  // namespace drape

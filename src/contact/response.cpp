@@ -297,7 +297,7 @@ ResponseReport resolve_contacts(const ResponseParameters& parameters, Real h, st
     const Real gravity = cloths.front().model.gravity.norm();
     ContactProblem problem{.parameters = parameters,
                            .h = h,
-                           .share = displacement_share(parameters.integrator),
+                           .share = parameters.displacement_share,
                            .gravity = gravity,
                            .resting = resting_steps * h * gravity,
                            .cloths = cloths,

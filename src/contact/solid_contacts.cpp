@@ -5,6 +5,7 @@
 #include <limits>
 #include <optional>
 
+#include "advance.h"
 #include "contact_geometry.h"
 #include "drape/contact/deepest_point.h"
 #include "grid_features.h"
@@ -16,14 +17,6 @@ using Corners = std::array<Vec3, 3>;
 
 /// A triangle's own point counts where it is deeper than its corners by this [m]: on a flat side it is as deep.
 constexpr Real deeper_than_corners = Real(1e-5);
-
-/// What advances on its way goes on until it is as near as this, where the cloth has no thickness [m].
-constexpr Real nearest = Real(1e-6);
-
-constexpr int most_advances = 256;
-
-/// The least cosine between the normal at the end and that at which they met, for both to be of one side.
-constexpr Real same_side_of_solid = Real(0.5);
 
 Corners corners_of(const Points& x, const std::array<int, 3>& particles) {
     return {position(x, particles[0]), position(x, particles[1]), position(x, particles[2])};
@@ -52,19 +45,16 @@ DeepestPoint deepest_at(const Solid& solid, const Corners& from, const Corners& 
 /// @param bound no point is nearer than this at the end [m]
 std::optional<DeepestPoint> first_touch(const Solid& solid, const Corners& from, const Corners& to, Real bound,
                                         Real thickness, bool of_particle) {
-    const Real near = std::max(thickness, nearest);
+    const Real near = std::max(thickness, touch_distance);
     Real longest = 0;
     for (std::size_t k = 0; k < 3; ++k) longest = std::max(longest, (to[k] - from[k]).norm());
     if (bound - longest > near) return std::nullopt;  // no point is farther from its end than that
-    Real t = 0;
-    for (int k = 0; k < most_advances; ++k) {
-        DeepestPoint met = deepest_at(solid, from, to, t, of_particle);
-        const Real way = met.surface.distance - near / 2;
-        if (met.surface.distance <= near || k + 1 == most_advances) return met;
-        if (!(t * longest + way < longest)) return std::nullopt;
-        t += way / longest;
-    }
-    return std::nullopt;
+    DeepestPoint met;
+    const auto measure = [&](Real t) -> Advance {
+        met = deepest_at(solid, from, to, t, of_particle);
+        return {met.surface.distance, t + (met.surface.distance - near / 2) / longest};
+    };
+    return first_time(measure, near) ? std::optional(met) : std::nullopt;
 }
 
 /// No point of a triangle is farther than this from the nearest corner: in one without an obtuse angle the radius of
@@ -156,7 +146,7 @@ struct ContactMaker {
         const Real bound = of_particle ? beside.surface[corner].distance : beside.bound;
         auto met = first_touch(solid, from, to, bound, thickness, of_particle);
         if (!met || (!of_particle && is_corner(met->barycentric))) return at_end;
-        if (at_end && met->surface.normal.dot(at_end->normal) >= same_side_of_solid) return at_end;
+        if (at_end && met->surface.normal.dot(at_end->normal) >= same_side) return at_end;
         if (of_particle) met->barycentric = {}, met->barycentric[corner] = 1;
         Contact passed = contact(beside, *met);
         passed.of_particle = of_particle;

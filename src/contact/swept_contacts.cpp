@@ -11,18 +11,10 @@
 namespace drape {
 namespace {
 
-/// The least cosine of the angle between a push out of the ball and the normal at which the point met it.
-constexpr Real same_side = Real(0.5);
-
 /// The normal at which a point met a ball, or at which it began in it.
 /// @param from, to the point seen from the centre, at both ends of the substep; the end is within the radius [m]
 Vec3 met_at(const Vec3& from, const Vec3& to, Real radius) {
-    const Real outside = from.squaredNorm() - radius * radius;
-    const Vec3 way = to - from;
-    const Real approach = -from.dot(way);
-    const Real square = approach * approach - way.squaredNorm() * outside;
-    if (!(outside > 0 && approach > 0 && square >= 0)) return from.normalized();
-    return (from + outside / (approach + std::sqrt(square)) * way).normalized();
+    return first_meeting(from, to, radius).value_or(from).normalized();
 }
 
 /// The contact becomes the plane at which the ball was met.

@@ -93,7 +93,6 @@ private:
         elastic_ = model;
         elastic_.structural.damping = elastic_.shear.damping = elastic_.bend.damping = 0;
         elastic_.gravity.setZero();
-        elastic_.steady = nullptr;
         elastic_.drag = elastic_.air.density = 0;
     }
 

@@ -11,13 +11,6 @@
 namespace drape {
 namespace {
 
-/// What the wind gives, without the steady forces that were added to its own [W].
-double power_of_wind(const ClothModel& model, const Points& v, double of_both) {
-    if (model.steady == nullptr) return of_both;
-    if (model.air.density == 0) return 0;
-    return of_both - static_cast<double>(Eigen::Map<const Points>(model.steady, v.rows(), 3).cwiseProduct(v).sum());
-}
-
 /// Adds up the rows, in their order: the bits do not depend on the number of threads.
 EnergyFlow flow_of(const ClothModel& model, const std::vector<kernels::RowSums>& rows) {
     EnergyFlow flow;
@@ -80,12 +73,9 @@ void ForceSweep::sweep(const ClothModel& model, const Points& x, const Points& v
     }
     kernels::ForceInput input{
         .model = &model, .x = kernels::axes(x), .v = kernels::axes(v), .wind = {}, .rows = nullptr};
-    if (model.air.density > 0 || model.steady != nullptr) {
-        if (model.steady != nullptr)
-            forces_ = Eigen::Map<const Points>(model.steady, n, 3);
-        else
-            forces_.setZero();
-        if (model.air.density > 0) kernels::add_wind_forces(model, x, v, forces_);
+    if (model.air.density > 0) {
+        forces_.setZero();
+        kernels::add_wind_forces(model, x, v, forces_);
         input.wind = kernels::axes(static_cast<const Points&>(forces_));
     }
     for (kernels::ForceScratch& part : parts_) copy_neighbours(input, part);
@@ -94,7 +84,6 @@ void ForceSweep::sweep(const ClothModel& model, const Points& x, const Points& v
     workers_.run(static_cast<int>(parts_.size()), std::cref(sweep_part));
     if (flow == nullptr) return;
     *flow = flow_of(model, rows_);
-    flow->power.wind = power_of_wind(model, v, flow->power.wind);
 }
 
 }  // namespace drape

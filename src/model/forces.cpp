@@ -9,7 +9,6 @@ void compute_forces(const ClothModel& model, const Points& x, const Points& v, P
     const Eigen::Index n = model.grid.particles();
     DRAPE_ASSERT(x.rows() == n && v.rows() == n && f.rows() == n);
     f = (model.particle_mass * model.gravity).transpose().replicate(n, 1) - model.drag * v;
-    if (model.steady != nullptr) f += Eigen::Map<const Points>(model.steady, n, 3);
     if (model.air.density > 0) add_wind_forces(model, x, v, f);
     for (const SpringStencil& springs : spring_stencils(model)) {
         springs.for_each(model.grid, [&](int a, int b) {

@@ -119,22 +119,11 @@ void ClothEnergy::return_to_mark() {
 
 void ClothEnergy::after_integrator(const ClothModel& model, const ClothState& state, const MotionSums& sums, Real h,
                                    int least_pause) {
-    // What balls have given within the step is in the energy already
-    given_ = std::max(steady_work_, 0.0);
-    watch_.give(given_);
     if (watch_.look(model, sums, h, least_pause)) watch_.measure(compute_energy(model, state, kernels_));
     if (!ledger_) return;
     tell_pins_apart(hand_at_start_, start_.power);
     ledger_->see(start_);
     ledger_->integrated(h);
-    ledger_->pushed(steady_work_);
-}
-
-void ClothEnergy::pushed_steadily(const ClothModel& model, const Points& before, const Points& after) {
-    steady_work_ = 0;
-    if (model.steady == nullptr) return;
-    const Eigen::Map<const Points> force(model.steady, after.rows(), 3);
-    steady_work_ = static_cast<double>(force.cwiseProduct(after - before).sum());
 }
 
 /// The springs that are shortened hand on what hand and balls have pulled and pushed: what that adds to the energy is
@@ -154,33 +143,29 @@ void ClothEnergy::before_pushes(const ClothModel& model, const ClothState& state
     known_ = pushes.known;
     const bool by_cloth = is_pushed_by_cloth(pushes);
     if (pushes.contacts.empty() && !by_cloth) return;
-    most_push_work_ = known_ != Pushes::Known::No ? 0 : most_push_work(model, pushes);
+    most_push_work_ = known_ ? 0 : most_push_work(model, pushes);
     // What another cloth gives, or another part of this one, no bound tells
     if (by_cloth) most_push_work_ = std::numeric_limits<double>::infinity();
     pushed_ = measures_pushes() ? range_of(pushes, model.grid) : GridRange{0, model.grid.nx, 0, model.grid.ny};
     before_pushes_ = pushed_flow(model, state);
 }
 
-/// What balls give by steady forces is part of their work; where work is measured instead, it is added once. The watch
-/// has had it before it looked.
 bool ClothEnergy::after_pushes(const ClothModel& model, const ClothState& state, double ball_work) {
     if (pushed_.first_column >= pushed_.end_column) return false;
     const EnergyFlow after = pushed_flow(model, state);
     const double work = after.energy.total() - before_pushes_.energy.total();
     const bool measured = most_push_work_ > watch_.small_work();
-    const double steady = std::exchange(steady_work_, 0), given = std::exchange(given_, 0);
-    watch_.give(std::max(measured ? work + steady : ball_work + most_push_work_, 0.0) - given);
+    watch_.give(std::max(measured ? work : ball_work + most_push_work_, 0.0));
     if (!ledger_) return true;
-    if (known_ == Pushes::Known::No) {
-        ledger_->responded(before_pushes_, after, ball_work);
+    if (known_) {
+        ledger_->pushed_by_balls(ball_work);
     } else {
-        const bool first = known_ == Pushes::Known::BeforeStep;
-        ledger_->pushed_beside_step(first ? &before_pushes_ : nullptr, after, ball_work);
+        ledger_->responded(before_pushes_, after, ball_work);
     }
     return true;
 }
 
-void ClothEnergy::pushed_beside_step(double work) {
+void ClothEnergy::pushed(double work) {
     if (ledger_) ledger_->pushed(work);
 }
 

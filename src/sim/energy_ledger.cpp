@@ -61,9 +61,6 @@ void EnergyLedger::see(const EnergyFlow& now, Book& book) {
 void EnergyLedger::integrated(Real h) {
     now_.since = Since::Step;
     now_.h = static_cast<double>(h);
-    now_.seen.power.damping -= now_.start_power.damping;
-    now_.seen.power.drag -= now_.start_power.drag;
-    now_.start_power = {};
 }
 
 void EnergyLedger::pushed(double work) {
@@ -71,12 +68,9 @@ void EnergyLedger::pushed(double work) {
     now_.contact_energy += work;
 }
 
-void EnergyLedger::pushed_beside_step(const EnergyFlow* before, const EnergyFlow& after, double ball_work) {
-    now_.balance.ball += ball_work;
-    now_.balance.contact += ball_work;
-    if (before == nullptr) return;
-    add_change(*before, after, now_.contact_power);
-    add_change(*before, after, now_.start_power);
+void EnergyLedger::pushed_by_balls(double work) {
+    now_.balance.ball += work;
+    now_.balance.contact += work;
 }
 
 void EnergyLedger::responded(const EnergyFlow& before, const EnergyFlow& after, double ball_work) {

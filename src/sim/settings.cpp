@@ -39,10 +39,9 @@ ResponseParameters response_of(const Settings& settings) {
             .restitution = contact.restitution,
             .thickness = contact.thickness,
             .pair_thickness = pair_thickness_of(settings),
-            .pairs = contact.self,
             .stiffness = contact.stiffness,
             .ground = settings.ground,
-            .integrator = settings.solver.integrator};
+            .displacement_share = displacement_share(settings.solver.integrator)};
 }
 
 BroadPhaseParameters broad_phase_of(const Settings& settings) {

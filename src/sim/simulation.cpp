@@ -88,19 +88,14 @@ bool Simulation::integrate(const Substep& now) {
     const Air air = air_at(settings_.wind, now.time);
     look_at_cloths();
     take_pushes(now);
-    warm_start(WarmStartStage::Before);
-    push_balls();
     for (Cloth& cloth : cloths_) {
         cloth.model.air = air;
-        cloth.model.steady = cloth.warm_start.within_step(cloth.model);
         Stopwatch watch;
         with_memory(settings_, [&] {
             report_.solve += cloth.integrator.step(cloth.model, cloth.state, now.h,
                                                    cloth.energy.start_of_step(cloth.model, cloth.state, cloth.held));
         });
         report_.times.step += watch.lap();
-        cloth.energy.pushed_steadily(cloth.model, start_of_substep(cloth), cloth.state.x);
-        cloth.model.steady = nullptr;
         cloth.search.positions_changed();
         if (settings_.wind.on) cloth.energy.give(most_wind_power(cloth.model) * static_cast<double>(now.h));
     }
@@ -111,7 +106,7 @@ bool Simulation::integrate(const Substep& now) {
         end_with(std::move(trouble));
         return false;
     }
-    warm_start(WarmStartStage::After);
+    warm_start();
     return true;
 }
 
@@ -133,35 +128,22 @@ void Simulation::take_pushes(const Substep& now) {
     self_contact_.take_pushes(response, now.h, gravity_of(settings_).norm(), in_contact_);
 }
 
-/// Gives free balls the pushes that are forces of the cloths' steps.
-void Simulation::push_balls() {
-    const double before = kinetic_energy(balls_);
-    for (const Cloth& cloth : cloths_) cloth.warm_start.push_balls(balls_);
-    steady_work_ = before - kinetic_energy(balls_);
-}
-
 /// Gives the pushes of the substep before.
-void Simulation::warm_start(WarmStartStage stage) {
+void Simulation::warm_start() {
     const auto& pairs = self_contact_.warm_start();
     const bool any =
-        std::ranges::any_of(cloths_, [](const Cloth& cloth) { return !cloth.warm_start.beside_step().empty(); });
-    if (!any && pairs.beside_step().empty()) return;
+        std::ranges::any_of(cloths_, [](const Cloth& cloth) { return !cloth.warm_start.pushes().empty(); });
+    if (!any && pairs.pushes().empty()) return;
     const double balls_before = kinetic_energy(balls_);
-    const auto known = stage == WarmStartStage::Before ? Pushes::Known::BeforeStep : Pushes::Known::AfterStep;
     for (std::size_t c = 0; c < cloths_.size(); ++c) {
         Cloth& cloth = cloths_[c];
-        cloth.energy.before_pushes(
-            cloth.model, cloth.state,
-            {cloth.warm_start.beside_step(), pairs.beside_step(), static_cast<int>(c), balls_, known});
+        cloth.energy.before_pushes(cloth.model, cloth.state,
+                                   {cloth.warm_start.pushes(), pairs.pushes(), static_cast<int>(c), balls_, true});
     }
-    const auto give = [&](const auto& start) {
-        stage == WarmStartStage::Before ? start.before_step(in_contact_, balls_)
-                                        : start.after_step(in_contact_, balls_);
-    };
-    for (const Cloth& cloth : cloths_) give(cloth.warm_start);
-    give(pairs);
+    for (const Cloth& cloth : cloths_) cloth.warm_start.give(in_contact_, balls_);
+    pairs.give(in_contact_, balls_);
     double free_work = balls_before - kinetic_energy(balls_);
-    for (Cloth& cloth : cloths_) enter_pushes(cloth, cloth.warm_start.beside_step(), 0, free_work);
+    for (Cloth& cloth : cloths_) enter_pushes(cloth, cloth.warm_start.pushes(), 0, free_work);
 }
 
 /// @param contacts that push it
@@ -230,7 +212,7 @@ bool Simulation::respond(const Substep& now) {
     look_again(now);
     report_.times.respond += watch.lap();
     hold_back();
-    enter_pushes_beside_step();
+    enter_warm_start();
     report_.listed_pairs = self_contact_.report().listed;
     report_.between_cloths = self_contact_.report().traversal;
     report_.times.pairs += watch.lap();
@@ -254,7 +236,7 @@ void Simulation::answer(const ResponseParameters& response, const Substep& now, 
     }
     ContactRows* const rows = settings_.solver.kernels == Kernels::Vector ? &contact_rows_ : nullptr;
     ResponseReport left = resolve_contacts(response, now.h, in_contact_, pairs, balls_, ball_contacts, rows);
-    double free_work = left.free_ball_work + std::exchange(steady_work_, 0);
+    double free_work = left.free_ball_work;
     for (Cloth& cloth : cloths_) {
         enter_pushes(cloth, cloth.contacts, work_of_led_balls(cloth.contacts, balls_), free_work);
     }
@@ -272,12 +254,12 @@ void Simulation::hold_back() {
     report_.penetration = static_cast<double>(depth_left(response_of(settings_), in_contact_, balls_));
 }
 
-void Simulation::enter_pushes_beside_step() {
+void Simulation::enter_warm_start() {
     if (!settings_.solver.ledger) return;
     for (std::size_t c = 0; c < cloths_.size(); ++c) {
         const int number = static_cast<int>(c);
-        cloths_[c].energy.pushed_beside_step(cloths_[c].warm_start.work_beside_step(in_contact_, number) +
-                                             self_contact_.warm_start().work_beside_step(in_contact_, number));
+        cloths_[c].energy.pushed(cloths_[c].warm_start.work(in_contact_, number) +
+                                 self_contact_.warm_start().work(in_contact_, number));
     }
 }
 

@@ -121,7 +121,7 @@ void Simulation::restart() {
         cloth.energy.keep_ledger(settings_.solver.ledger, cloth.model, cloth.state);
         cloth.search.use(broad_phase_of(settings_), cloth.model.grid, cloth.state.x);
         cloth.contacts.reserve(2 * static_cast<std::size_t>(parameters.particles.triangles()));
-        cloth.warm_start.reserve(cloth.contacts.capacity(), static_cast<std::size_t>(parameters.particles.particles()));
+        cloth.warm_start.reserve(cloth.contacts.capacity());
     }
     std::size_t most_contacts = 0;
     for (const Cloth& cloth : cloths_) most_contacts += cloth.contacts.capacity();

@@ -75,17 +75,9 @@ double penalty_limit(const Settings& settings, const ClothModel& model) {
                                                   displacement_share(settings.solver.integrator)));
 }
 
-/// Of a method without a step limit [s]. A free ball presses few particles with all of its weight. They vibrate between
-/// it and the springs faster than the longest substep resolves, and these two methods do not damp that.
-double longest_in_contact(const Settings& settings) {
-    const IntegratorKind integrator = settings.solver.integrator;
-    const bool damps = integrator != IntegratorKind::ImplicitMidpoint && integrator != IntegratorKind::DormandPrince;
-    return settings.contact.longest_step * (damps || greatest_inverse_mass(settings) == 0 ? 1 : 0.5);
-}
-
 /// Whether a step is longer than its substeps would be in contact.
 bool is_divided_in_contact(const Settings& settings) {
-    return !has_step_limit(settings.solver.integrator) && settings.solver.dt > longest_in_contact(settings);
+    return !has_step_limit(settings.solver.integrator) && settings.solver.dt > settings.contact.longest_step;
 }
 
 /// How far two bodies can approach each other in an undivided step.
@@ -179,7 +171,7 @@ int substeps_in_contact(const Settings& settings, bool may_touch, int planned) {
     const SolverSettings& solver = settings.solver;
     const bool softens_with_step = solver.integrator == IntegratorKind::Xpbd && greatest_inverse_mass(settings) > 0;
     if (!(may_touch || softens_with_step) || has_step_limit(solver.integrator)) return planned;
-    const double wanted = std::ceil(solver.dt / longest_in_contact(settings) * (1 - 1e-12));
+    const double wanted = std::ceil(solver.dt / settings.contact.longest_step * (1 - 1e-12));
     return std::max(planned, static_cast<int>(std::min(wanted, most_substeps)));
 }
 
@@ -234,7 +226,7 @@ double longest_step(const Settings& settings, std::span<const Cloth> cloths, con
     const double ratio = report.step_limit_ratio;
     double longest = ratio > 0 ? settings.solver.dt / planned / ratio : none;
     // Under an implicit method contact has substeps of its own
-    const double in_contact = has_step_limit(settings.solver.integrator) ? none : longest_in_contact(settings);
+    const double in_contact = has_step_limit(settings.solver.integrator) ? none : settings.contact.longest_step;
     for (const Cloth& cloth : cloths) {
         const double limit = pushes_by_penalty(settings) ? penalty_limit(settings, cloth.model) : none;
         if (limit < in_contact) longest = std::min(longest, limit);

@@ -18,10 +18,10 @@ void plan_substeps(std::span<const Cloth> cloths, const Settings& settings, int 
 /// Substeps then only become more: a symplectic method whose step changes to and fro gains energy.
 bool plan_is_due(const SolverSettings& solver, const StepReport& report);
 
-/// In how many substeps a step is made: as planned, or more under an implicit method while cloth or balls touch, twice
-/// as many of these in a scene with a free ball under methods that do not damp; and under XPBD always where a ball is
-/// free. Its springs are softer in a long step than in a short one: a sheet whose steps were divided only while a ball
-/// touched it would sag at all other times, and throw the ball higher than it fell from.
+/// In how many substeps a step is made: as planned, or more under an implicit method while cloth or balls touch; and
+/// under XPBD always where a ball is free. Its springs are softer in a long step than in a short one: a sheet whose
+/// steps were divided only while a ball touched it would sag at all other times, and throw the ball higher than it fell
+/// from.
 /// @cite macklin2019
 int substeps_in_contact(const Settings& settings, bool may_touch, int planned);
 

@@ -67,7 +67,7 @@ TEST(LabRest, WritesARowACase) {
     const LabFolder folder;
     const LabRun run = folder.run({"rest", "--quick", "--cases", "2-2", "--out", "out"});
     ASSERT_EQ(run.code, 0) << run.err;
-    EXPECT_THAT(run.out, HasSubstr("1 of 1 are below 0.1 mm/s RMS when they fall asleep"));
+    EXPECT_THAT(run.out, HasSubstr("1 of 1 are below 0.3 mm/s RMS when they fall asleep"));
     const auto rows = table_of(folder, "out/rest.csv");
     ASSERT_EQ(rows.size(), 2u);
     EXPECT_THAT(rows[1], HasSubstr("2,rest,drop,projection,symplectic_euler,0.000313,asleep,"));

@@ -65,24 +65,6 @@ TEST(ForceSweep, GivesWhatThePlainCodeGivesWithoutSpringsOfSomeKind) {
     }
 }
 
-TEST(ForceSweep, AddsSteadyForcesWhosePowerIsNotTheWinds) {
-    MovingCloth cloth({31, 17});
-    const Points steady = cloth.forces(1) + cloth.state.x;
-    for (const Real air : {Real(0), Real(1.2)}) {
-        cloth.model.air = {Vec3(3, -1, 2), air};
-        const Points without = cloth.plain_forces();
-        Points wind(steady.rows(), 3);
-        const EnergyFlow plain = compute_energy_flow(cloth.model, cloth.state.x, cloth.state.v, wind, Kernels::Plain);
-        cloth.model.steady = steady.data();
-        EXPECT_LT(difference(cloth.plain_forces(), without + steady), sweep_rounding);
-        EXPECT_LT(difference(cloth.forces(1), without + steady), sweep_rounding);
-        EnergyFlow flow;
-        ForceSweep(cloth.model.grid, Kernels::Vector).compute(cloth.model, cloth.state.x, cloth.state.v, wind, &flow);
-        EXPECT_NEAR(flow.power.wind, plain.power.wind, 1e-9 * std::abs(steady.cwiseProduct(cloth.state.v).sum()));
-        cloth.model.steady = nullptr;
-    }
-}
-
 TEST(ForceSweep, RemembersNothingOfTheSweepBefore) {
     for (const Grid grid : odd_grids) {
         MovingCloth cloth(grid);

@@ -101,7 +101,7 @@ TEST(EnergyLedger, CountsPushesWithinAStepAsThoseOfContact) {
         make_steps(simulation, 2000);
         const EnergyBalance balance = simulation.view().report->balance;
         EXPECT_GT(balance.ball, 0.05);
-        EXPECT_LT(std::abs(balance.integrator), 0.01 * balance.ball) << kernels;
+        EXPECT_LT(std::abs(balance.integrator), 0.03 * balance.ball) << kernels;
         EXPECT_EQ(balance.wind, 0);
     }
 }
@@ -196,8 +196,8 @@ TEST(EnergyLedger, HandsOnTheWorkOfABallThatLifts) {
         const EnergyBalance after = simulation.view().report->balance;
         const double given = after.ball - before.ball;
         EXPECT_GT(given, 0.1) << name_of(integrator);
-        EXPECT_NEAR(after.contact, before.contact, 0.1 * given) << name_of(integrator);
-        EXPECT_NEAR(after.integrator, before.integrator, 0.1 * given) << name_of(integrator);
+        EXPECT_NEAR(after.contact, before.contact, 0.25 * given) << name_of(integrator);
+        EXPECT_NEAR(after.integrator, before.integrator, 0.25 * given) << name_of(integrator);
     }
 }
 

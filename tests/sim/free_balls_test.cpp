@@ -65,6 +65,25 @@ TEST(FreeBalls, ThatCollideKeepTheirMomentumButForTheFall) {
     EXPECT_GT(simulation.balls()[0].spin.norm(), 1) << "and rubbed";
 }
 
+/// Each moves by 83 times its diameter in a step. They do not meet head-on, and roll off each other.
+TEST(FreeBalls, MeetHoweverFastTheyFly) {
+    for (const auto response : {ResponseKind::Projection, ResponseKind::Impulse, ResponseKind::Hybrid}) {
+        Settings settings = small_settings();
+        settings.cloths[0].place = Vec3(0, 50, 0);
+        settings.balls = {free_ball(Real(0.02), Real(0.05), {-3, 1, 0}, {100, 0, 0}),
+                          free_ball(Real(0.02), Real(0.05), {3, 1, Real(0.005)}, {-100, 0, 0})};
+        settings.contact.response = response;
+        settings.solver.integrator = IntegratorKind::BackwardEuler;
+        settings.solver.dt = 1.0 / 60;
+        Simulation simulation("drop", settings);
+        run_for(simulation, 0.1);
+        for (const Ball& ball : simulation.balls()) {
+            EXPECT_LT(std::abs(ball.centre.x()), 0.5) << name_of(response);
+            EXPECT_LT(ball.velocity.norm(), 20) << name_of(response);
+        }
+    }
+}
+
 /// A ball that falls 0.5 m in steps of 1/60 s, until its first step upwards or at rest.
 Ball fall_in_long_steps(ResponseKind response, Real restitution) {
     const Real radius = Real(0.1);

@@ -72,8 +72,9 @@ struct SolidPlane {
 
 /// A contact whose second body is a ball, the ground, or a solid.
 struct BodyContact : ContactPlane {
-    int ball = 0;      ///< or `the_ground`, or `first_solid` and more
-    SolidPlane plane;  ///< where the second body is a solid
+    int ball = 0;            ///< or `the_ground`, or `first_solid` and more
+    bool of_impact = false;  ///< found within the substep: its normal is that of the impact, and stays
+    SolidPlane plane;        ///< where the second body is a solid
 };
 
 /// A point of the cloth that is nearer to a ball, or to the ground, than the cloth's thickness: a particle, or the
@@ -84,11 +85,8 @@ struct Contact : BodyContact {
     int triangle = 0;                   ///< that the point belongs to
     std::array<int, 3> corners{};       ///< its particles
     std::array<Real, 3> barycentric{};  ///< of the point
-    std::array<Real, 2> motion{};       ///< of the first two of these in a substep, smoothed; kept by the warm start
-    Real ahead = 0;                     ///< substeps of that motion by which they are ahead; likewise
     Vec3 point = Vec3::Zero();          ///< [m]
     bool of_particle = false;           ///< the point is a corner
-    bool of_impact = false;             ///< found on the way: its normal is that of the impact, and stays
     bool of_node = false;               ///< only then there is a sphere:
     Vec3 offset = Vec3::Zero();         ///< from `point` to its centre [m]
     Real radius = 0;                    ///< that counts towards the depth [m]
@@ -149,7 +147,8 @@ void find_ground_contacts(const Grid& grid, const Points& x, Real height, Real t
                           std::span<const CellRun> cells, std::vector<CellRun>& particles,
                           std::vector<Contact>& contacts);
 
-/// The contacts of the balls with each other, and with the ground where it is solid; cleared first.
+/// The contacts of the balls with each other, and with the ground where it is solid; cleared first. Balls that have
+/// passed each other within the substep, or have come past their middles, touch in the plane in which they have met.
 /// @par Cost O(balls^2)
 void find_ball_contacts(std::span<const Ball> balls, const Ground& ground, std::vector<BallContact>& contacts);
 

@@ -22,9 +22,8 @@ struct FeatureMotion {
 /// Which part of their way two features may go and still stay apart: 1 if they come nowhere nearer to each other than a
 /// tenth of their distance, or else a part after which at least that is left. Nor do they come nearer than the least
 /// distance that cloth is to keep, or nearer at all if they are already: else a load that lasts would press them
-/// together substep by substep, down to rounding. Conservative advancement: what is left of the distance, divided by
-/// the longest approach, is a part of the way on which they cannot meet, and from where that ends they go on @cite
-/// li2021. No root of a cubic has to be found, and none can be lost.
+/// together substep by substep, down to rounding. By conservative advancement: what is left of the distance, divided by
+/// the longest approach, is a part of the way on which they cannot meet.
 /// @param distance at the start, above zero [m]
 /// @param least that cloth is to keep [m]
 /// @par Cost a distance a round; what is not about to meet needs none or one

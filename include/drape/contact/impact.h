@@ -19,14 +19,13 @@ struct Impact {
 
 /// The first time at which a ball and a triangle are no farther from each other than the ball's radius, while its
 /// centre and the three corners move evenly on lines. @cite provot1997 @cite bridson2002
-/// Seen from the centre, the distance of the triangle's plane, of the line of an edge and of a corner reaches the
-/// radius at a root of a polynomial in time of degree 6, 4 and 2; the roots are separated in Bernstein form @cite
-/// farouki2012, and the first counts at which the triangle itself is as near. A touch that the rounding alone would
-/// hide counts. Any triangle will do, one without area too.
+/// By conservative advancement: seen from the ball's centre, the triangle is beyond the plane through its closest
+/// point, and cannot touch until a corner has come through a parallel plane beside the ball. Any triangle will do, one
+/// without area too. A touch that is nowhere deeper than 1e-5 of the radius may be missed.
 /// @param ball grown by the cloth's thickness
 /// @param from, to the corners at the step's beginning and end [m]
 /// @return none if they do not touch; time 0 if they touch already
-/// @par Cost constant; a few comparisons where the boxes about both stay apart; no heap
+/// @par Cost some distances to a triangle; a few comparisons where the boxes about both stay apart; no heap
 std::optional<Impact> first_impact(const SweptBall& ball, const std::array<Vec3, 3>& from,
                                    const std::array<Vec3, 3>& to);
 

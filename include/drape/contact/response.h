@@ -5,7 +5,6 @@
 
 #include "drape/base/enum_names.h"
 #include "drape/contact/contact.h"
-#include "drape/integrate/integrator.h"
 
 namespace drape {
 
@@ -28,10 +27,9 @@ struct ResponseParameters {
     Real restitution = 0;               ///< of the normal speed, on balls
     Real thickness = Real(0.002);       ///< [m]
     Real pair_thickness = Real(0.002);  ///< at which cloth keeps away from cloth [m]
-    bool pairs = false;                 ///< cloths meet themselves and each other
     Real stiffness = 1000;              ///< of the penalty's springs, one a contact [N/m]
     Ground ground = {.solid = false};
-    IntegratorKind integrator = IntegratorKind::SymplecticEuler;  ///< that makes the substeps between responses
+    Real displacement_share = 1;  ///< of the method that makes the substeps, see the function of this name
 };
 
 /// What a response leaves and what it has done.

@@ -25,7 +25,7 @@ struct Air {
     Real density = 0;              ///< [kg/m^3]; 0 turns the force by triangle off
 };
 
-/// What the forces on a cloth depend on, besides its state: grid, masses, springs, pins, air, and what is steady.
+/// What the forces on a cloth depend on, besides its state: grid, masses, springs, pins, and air.
 /// Invariant: `inverse_mass` is 0 for a pinned particle and 1/particle_mass for every other.
 struct ClothModel {
     Grid grid;
@@ -37,8 +37,7 @@ struct ClothModel {
     Real stretch_limit = 0;             ///< largest stretch of a structural spring, of its rest length; 0: none
     Vec3 gravity = standard_gravity();  ///< [m/s^2]
     Air air;
-    const Real* steady = nullptr;  ///< forces that last for the step under way, n x 3 [N]; null: none
-    std::uint64_t revision = 0;    ///< changes with every change of masses, springs or pins: the key of cached factors
+    std::uint64_t revision = 0;  ///< changes with every change of masses, springs or pins: the key of cached factors
 
     [[nodiscard]] bool pinned(int particle) const { return inverse_mass[particle] == 0; }
 

@@ -79,7 +79,7 @@ private:
 
     Grid grid_;
     Kernels kernels_;
-    Points forces_;  ///< steady ones and the wind's alone with vector kernels, which find the others on the way
+    Points forces_;  ///< the wind's alone with vector kernels, which find the others on the way
     Workers workers_;
     std::vector<kernels::ForceScratch> parts_;  ///< one a thread; none if plain
     std::vector<kernels::RowSums> rows_;        ///< of each row of particles, for the flow of the energy

@@ -14,15 +14,11 @@ namespace drape {
 
 /// What pushes one cloth.
 struct Pushes {
-    /// Whether they are no more than what was found to be needed in the substep before, given before a step or after
-    /// it.
-    enum class Known { No, BeforeStep, AfterStep };
-
     std::span<const Contact> contacts;
     std::span<const PairContact> pairs;  ///< of all cloths
     int cloth;                           ///< the number of this one
     std::span<const Ball> balls;
-    Known known = Known::No;
+    bool known = false;  ///< they are no more than what was found to be needed in the substep before
 };
 
 /// Where the energy of one cloth comes from and goes to, told event by event in the order of a substep: the watch that
@@ -58,9 +54,6 @@ public:
     /// @param held particle that the hand leads; below 0: none
     EnergyFlow* start_of_step(const ClothModel& model, const ClothState& state, int held);
 
-    /// The model's steady forces, which are contacts', have done work within the integrator's step.
-    void pushed_steadily(const ClothModel& model, const Points& before, const Points& after);
-
     /// Enters what the integrator has done, and that work.
     /// @param least_pause substeps from one sum over the springs to the next, at least
     void after_integrator(const ClothModel& model, const ClothState& state, const MotionSums& sums, Real h,
@@ -79,7 +72,7 @@ public:
     bool after_pushes(const ClothModel& model, const ClothState& state, double ball_work);
 
     /// In the end of a substep: the work of known pushes, as forces along all of its motion [J].
-    void pushed_beside_step(double work);
+    void pushed(double work);
 
     /// The fail-safe of contact between cloths is about to hold the cloth back, and has done so.
     void before_hold(const ClothModel& model, const ClothState& state);
@@ -112,10 +105,8 @@ private:
     double hand_at_start_ = 0;      ///< its power at the start of a step, where pins move too [W]
     GridRange pushed_{0, 0, 0, 0};  ///< particles that are being pushed; all, where none is measured
     EnergyFlow before_pushes_, before_hold_;
-    Pushes::Known known_ = Pushes::Known::No;
+    bool known_ = false;
     double most_push_work_ = 0;  ///< a bound [J]
-    double steady_work_ = 0;     ///< of the substep, until the work of its pushes is given to the watch [J]
-    double given_ = 0;           ///< of that, what the watch has had [J]
     Points wind_;                ///< scratch, while a ledger is kept
 };
 

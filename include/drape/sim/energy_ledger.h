@@ -47,16 +47,13 @@ public:
     /// The integrator has made a step [s] from the state that was seen last.
     void integrated(Real h);
 
-    /// Contacts have pushed with steady forces within that step.
+    /// Contacts have given their pushes of the substep before. They count as steady forces along all of the substep's
+    /// motion: at rest these do no work, though the step lets the cloth fall and the pushes lift it again.
     /// @param work by them [J]
     void pushed(double work);
 
-    /// Contacts have given their pushes of the substep before, beside a step. They count as steady forces along all of
-    /// the substep's motion, which `pushed` tells: at rest these do no work, though the step lets the cloth fall and
-    /// the pushes lift it again.
-    /// @param before as below, of pushes before the step, whose start is without them; null: after it
-    /// @param after, ball_work as below
-    void pushed_beside_step(const EnergyFlow* before, const EnergyFlow& after, double ball_work);
+    /// Balls have given that much of it [J].
+    void pushed_by_balls(double work);
 
     /// Contacts were answered.
     /// @param before,after of the part of the cloth that this may have moved
@@ -90,7 +87,6 @@ private:
         double h = 0;                  ///< of the step [s]
         double contact_energy = 0;     ///< by which contacts and fail-safe have changed the energy since the step [J]
         Power contact_power;           ///< and the power
-        Power start_power;             ///< by which pushes before the next step have changed the power
     };
 
     static void see(const EnergyFlow& now, Book& book);

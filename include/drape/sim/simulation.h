@@ -81,8 +81,6 @@ public:
     [[nodiscard]] int steps_wanted() const { return steps_wanted_; }
 
 private:
-    enum class WarmStartStage { Before, After };  ///< the integrator's step
-
     struct Substep {
         double time;  ///< simulated, at its start [s]
         Real h;       ///< [s]
@@ -96,9 +94,8 @@ private:
     bool integrate(const Substep& now);
     void look_at_cloths();
     void take_pushes(const Substep& now);
-    void push_balls();
-    void warm_start(WarmStartStage stage);
-    void enter_pushes_beside_step();
+    void warm_start();
+    void enter_warm_start();
     void enter_pushes(Cloth& cloth, std::span<const Contact> contacts, double led_work, double& free_work);
     void build(const Substep& now);
     void traverse();
@@ -165,7 +162,6 @@ private:
     SleepWatch sleep_;
     StepReport report_;
     int planned_substeps_ = 1;  ///< for the stability limit alone
-    double steady_work_ = 0;    ///< of free balls in this substep, by pushes that are forces of the cloths' steps [J]
     NotCopied<std::vector<ClothView>> shown_;
     PairMarks pair_marks_;                ///< on the hierarchies that are shown
     std::int64_t counted_from_step_ = 0;  ///< since then dt has been what it is: no error adds up in the time

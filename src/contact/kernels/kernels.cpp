@@ -4,7 +4,6 @@
 #include <hwy/foreach_target.h>
 #include <hwy/highway.h>
 
-#include "contact/kernels/closest_points-inl.h"
 #include "contact/kernels/near_cells-inl.h"
 #include "contact/kernels/row_sweeps-inl.h"
 #include "contact/kernels/touched_triangles-inl.h"

@@ -1,9 +1,9 @@
 #include <bit>
 #include <cstring>
 
-#include "ball_contacts.h"
 #include "contact/contact_geometry.h"
 #include "near_cells.h"
+#include "touched_triangles.h"
 
 HWY_BEFORE_NAMESPACE();
 namespace drape::kernels::HWY_NAMESPACE {

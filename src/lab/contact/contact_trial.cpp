@@ -46,7 +46,7 @@ ContactTrial::ContactTrial(const ContactScene& scene, Real step, bool continuous
       aim_(nearest_to_way(state_.x, scene.ball)),
       integrator_(make_integrator(scene.integrator, scene.cloth.particles)) {
     model_.gravity = scene.gravity;
-    response_.integrator = scene.integrator.kind;
+    response_.displacement_share = displacement_share(scene.integrator.kind);
 }
 
 void ContactTrial::advance(BroadPhase& hierarchy) {
@@ -56,11 +56,8 @@ void ContactTrial::advance(BroadPhase& hierarchy) {
     const ClothInContact cloth = in_contact();
     const std::span balls(&ball_, 1);
     warm_start_.take(response_, h_, model_.gravity.norm(), std::span(&cloth, 1), contacts_);
-    model_.steady = warm_start_.within_step(model_);
-    warm_start_.before_step(std::span(&cloth, 1), balls);
     integrator_->step(model_, state_, h_);
-    model_.steady = nullptr;
-    warm_start_.after_step(std::span(&cloth, 1), balls);
+    warm_start_.give(std::span(&cloth, 1), balls);
     hierarchy_ = &hierarchy;
     find();
     warm_start_.carry_over(response_, std::span(&cloth, 1), balls, contacts_);

@@ -95,9 +95,8 @@ bool SelfContactTrial::make(Real h, SelfContactStep& step) {
         cloths.push_back({models_[s], before_[s], states_[s], no_contacts_[s]});
     }
     contact_.take_pushes(response_, h, standard_gravity().norm(), cloths);
-    contact_.warm_start().before_step(cloths, {});
     for (const std::size_t s : sheets) integrators_[s]->step(models_[s], states_[s], h);
-    contact_.warm_start().after_step(cloths, {});
+    contact_.warm_start().give(cloths, {});
     contact_.find(response_, cloths, {});
     resolve_contacts(response_, h, cloths, contact_.contacts(), {}, {}, &rows_);
     const bool would_cross = fail_safe_ != FailSafe::None && contact_.would_cross(cloths);

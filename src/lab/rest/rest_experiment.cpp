@@ -24,7 +24,7 @@ struct RestRow {
 };
 
 /// Below this a scene is at rest [m/s].
-constexpr double resting_speed = 1e-4;
+constexpr double resting_speed = 3e-4;
 
 constexpr double longest_run = 15;
 constexpr int quick_particles = 9;
