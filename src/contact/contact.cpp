@@ -30,7 +30,7 @@ Contact particle_contact(const Grid& grid, int particle) {
 }
 
 /// Makes the contacts of triangles with one ball.
-struct BallContacts {
+struct TriangleContacts {
     const Grid& grid;
     const Points& x;
     const Ball& ball;
@@ -86,13 +86,15 @@ void add_ground_contacts(const Grid& grid, const Points& x, Real height, Real th
     }
 }
 
-/// Makes a contact of two balls that of their meeting, where the end of the substep does not show it.
+/// Turns a contact of two balls into that of their meeting, if they have met and the end of the substep does not show
+/// it.
 bool meet_within_substep(std::span<const Ball> balls, BallContact& contact) {
     const Ball &first = balls[static_cast<std::size_t>(contact.first)],
                &second = balls[static_cast<std::size_t>(contact.ball)];
     const Vec3 to = first.centre - second.centre, from = to - first.moved + second.moved;
     const auto met = first_meeting(from, to, first.radius + second.radius);
-    if (!met || (contact.depth > 0 && met->normalized().dot(contact.normal) >= same_side)) return false;
+    if (!met || met->isZero(0) || (contact.depth > 0 && met->normalized().dot(contact.normal) >= same_side))
+        return false;
     contact.normal = met->normalized();
     contact.of_impact = true;
     return true;
@@ -115,7 +117,7 @@ void find_touched_triangles(const Grid& grid, const Points& x, const Ball& ball,
 
 std::int64_t find_contacts(const Grid& grid, const Points& x, const Ball& ball, int ball_number, Real thickness,
                            std::span<const CellRun> cells, std::vector<Contact>& contacts, Kernels kernels) {
-    BallContacts found{grid, x, ball, ball_number, ball.radius + thickness, contacts};
+    TriangleContacts found{grid, x, ball, ball_number, ball.radius + thickness, contacts};
     std::int64_t touching = 0;
     const auto test = [&](int cell) {
         const bool first = found.add_triangle(2 * cell), second = found.add_triangle(2 * cell + 1);
@@ -126,7 +128,7 @@ std::int64_t find_contacts(const Grid& grid, const Points& x, const Ball& ball, 
     } else {
         kernels::visit_near(grid, x, ball.centre, found.radii, cells, [&](const auto& some) {
             for (const kernels::CellBits& bits : some) {
-                kernels::for_each_set(grid, bits, bits.near(), [&](int cell, int /*corner*/) { test(cell); });
+                kernels::for_each_set(bits, bits.near(), test);
             }
         });
     }

@@ -104,16 +104,17 @@ inline bool locate_above(const Points& x, Real height, Real thickness, Contact& 
     return contact.depth > 0;
 }
 
-/// Where a point that moves evenly comes from outside as near to the origin as a radius.
+/// Where a point that moves evenly first comes towards the origin within a radius: on the sphere, or where it begins.
 /// @param from, to at both ends of the substep [m]
 inline std::optional<Vec3> first_meeting(const Vec3& from, const Vec3& to, Real radius) {
     const Real outside = from.squaredNorm() - radius * radius;
     const Vec3 displacement = to - from;
     const Real approach = -from.dot(displacement);
     const Real square = approach * approach - displacement.squaredNorm() * outside;
-    if (!(outside > 0 && approach > 0 && square >= 0)) return std::nullopt;
-    const Real time = outside / (approach + std::sqrt(square));
-    return time <= 1 ? std::optional<Vec3>(from + time * displacement) : std::nullopt;
+    if (!(approach > 0 && square >= 0)) return std::nullopt;
+    const Real time = std::max(outside, Real(0)) / (approach + std::sqrt(square));
+    if (time > 1 && to.squaredNorm() > radius * radius) return std::nullopt;
+    return from + std::min(time, Real(1)) * displacement;
 }
 
 /// Ball against ball, or against the ground, or against the surface of a solid next to it.

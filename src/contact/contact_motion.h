@@ -14,11 +14,30 @@ inline void add_particle(std::span<const ClothInContact> cloths, int cloth, int 
                                                                              weight * inverse_mass};
 }
 
+/// Of a particle's inverse mass, the least that a contact point may have, for a push to move no corner farther than
+/// 1 / sqrt(0.05), some 4.5, times as far as the point.
+inline constexpr Real least_share = Real(0.05);
+
+/// What a push at the contact point meets: 1/m = sum w_k^2 / m_k over its corners. Zero if nothing can move, and where
+/// the point hangs on pinned corners so nearly that a push would throw the free one far.
+inline Real inverse_mass_of_particles(const ContactPlane& contact) {
+    Real sum = 0, largest = 0;
+    for (const PushedParticle& p : contact.pushed()) {
+        sum += p.weight * p.share;
+        largest = std::max(largest, p.share / p.weight);
+    }
+    return sum < least_share * largest ? Real(0) : sum;
+}
+
 /// The particles that a contact pushes.
 inline void list_particles(std::span<const ClothInContact> cloths, Contact& contact) {
     contact.particle_count = 0;
     for (std::size_t k = 0; k < 3; ++k) {
         add_particle(cloths, contact.cloth, contact.corners[k], contact.barycentric[k], contact);
+    }
+    // The push is sized by the mass of the ball alone then, and would throw the free corner far
+    if (inverse_mass_of_particles(contact) == 0) {
+        std::ranges::for_each(contact.particles, [](PushedParticle& p) { p.share = 0; });
     }
 }
 inline void list_particles(std::span<const ClothInContact> cloths, PairContact& contact) {

@@ -14,8 +14,9 @@ namespace {
 
 using Corners3 = std::array<Vec3, 3>;
 
-/// Of the ball's radius, that a touch is looked for inside it: a shallower one may be passed by.
-constexpr Real depth_of_touch = Real(1e-5);
+/// Of the ball's radius, that a touch is looked for inside it: a shallower one may be missed. And of the largest
+/// coordinate, for rounding.
+constexpr Real depth_of_touch = Real(1e-5), rounding = 16 * std::numeric_limits<Real>::epsilon();
 
 /// A triangle as the ball's centre sees it, over the whole step.
 struct SeenTriangle {
@@ -65,7 +66,10 @@ Vec3 normal_through_centre(const SeenTriangle& seen, Real t) {
 
 std::optional<Impact> first_impact(const SweptBall& ball, const Corners3& from, const Corners3& to) {
     const SeenTriangle seen(ball, from, to);
-    if (!seen.box().overlaps(Ball{.centre = Vec3::Zero(), .radius = ball.radius})) return std::nullopt;
+    const Aabb box = seen.box();
+    if (!box.overlaps(Ball{.centre = Vec3::Zero(), .radius = ball.radius})) return std::nullopt;
+    const Real size = std::max(box.low.cwiseAbs().maxCoeff(), box.high.cwiseAbs().maxCoeff());
+    const Real aim = ball.radius - std::max(depth_of_touch * ball.radius, rounding * size);
     ClosestPoint nearest;
     Real distance = 0;
     const auto measure = [&](Real t) -> Advance {
@@ -73,7 +77,7 @@ std::optional<Impact> first_impact(const SweptBall& ball, const Corners3& from, 
         distance = nearest.point.norm();
         if (distance <= ball.radius) return {distance, t};
         // All of the triangle is beyond the plane through its closest point
-        return {distance, seen.beyond_until(nearest.point / distance, (1 - depth_of_touch) * ball.radius)};
+        return {distance, seen.beyond_until(nearest.point / distance, aim)};
     };
     const std::optional<Real> time = first_time(measure, ball.radius);
     if (!time) return std::nullopt;

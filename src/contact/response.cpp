@@ -30,21 +30,6 @@ const Ball& ball_of(const BodyContact& contact, std::span<const Ball> balls) {
     return balls[static_cast<std::size_t>(contact.ball)];
 }
 
-/// Of a particle's inverse mass, the least that a contact point may have, for a push to move no corner farther than
-/// 1 / sqrt(0.05), some 4.5, times as far as the point.
-constexpr Real least_share = Real(0.05);
-
-/// What a push at the contact point meets: 1/m = sum w_k^2 / m_k over its corners. Zero if nothing can move, and where
-/// the point hangs on pinned corners so nearly that a push would throw the free one far.
-Real inverse_mass_of_particles(const ContactPlane& contact) {
-    Real sum = 0, largest = 0;
-    for (const PushedParticle& p : contact.pushed()) {
-        sum += p.weight * p.share;
-        largest = std::max(largest, p.share / p.weight);
-    }
-    return sum < least_share * largest ? Real(0) : sum;
-}
-
 /// A ball meets a push along the normal with its mass, and one across it with its inertia too: 1/m + r^2 / I = 7/2 / m.
 constexpr Real sliding_share = Real(3.5);
 
@@ -70,8 +55,6 @@ void set_particles(const ContactProblem& problem, Contact& contact) {
     list_particles(problem.cloths, contact);
     contact.start = start_of(problem, contact);
     const Real first = inverse_mass_of_particles(contact), second = inverse_mass_of(contact.ball, problem.balls);
-    // The push is sized by the mass of the ball alone then, and would throw the free corner far
-    if (first == 0) std::ranges::for_each(contact.particles, [](PushedParticle& p) { p.share = 0; });
     set_masses(first + second, first + sliding_share * second, contact);
 }
 void set_particles(const ContactProblem& problem, PairContact& contact) {

@@ -1,7 +1,6 @@
 #include "drape/contact/warm_start.h"
 
 #include <algorithm>
-#include <cmath>
 #include <tuple>
 
 #include "contact_motion.h"
@@ -82,8 +81,11 @@ void WarmStart<AnyContact>::take(const ResponseParameters& parameters, Real h, R
         return;
     }
     last_.swap(contacts);
+    const auto may_be_given = [&](const AnyContact& contact, Real impulse) {
+        return may_rest(contact, impulse, h_before, gravity);
+    };
     const auto rests = [&](const AnyContact& contact) {
-        return may_rest(contact, contact.displacement.normal / (share * h_before), h_before, gravity);
+        return may_be_given(contact, contact.displacement.normal / (share * h_before));
     };
     std::erase_if(last_, [&](const AnyContact& contact) {
         if (!is_of_surface(contact) || contact.displacement.normal == 0) return true;
@@ -91,9 +93,9 @@ void WarmStart<AnyContact>::take(const ResponseParameters& parameters, Real h, R
         return !rests(contact) && !moves_both(contact);
     });
     for (AnyContact& contact : last_) {
-        const Real part = rests(contact) ? share : Real(0);
-        scale(contact.displacement, part * factor * factor);
-        scale(contact.impulse, part * factor);
+        const bool rested = rests(contact), stopped_gently = may_be_given(contact, contact.impulse.normal);
+        scale(contact.displacement, rested ? factor * factor : Real(0));
+        scale(contact.impulse, rested && stopped_gently ? share * factor : Real(0));
         list_particles(cloths, contact);
     }
 }

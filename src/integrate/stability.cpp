@@ -169,7 +169,7 @@ StepLimit predicted_limit(const ClothModel& model, const ClothState& state, Inte
     if (!has_step_limit(kind)) {
         const bool flutters = kind == IntegratorKind::ImplicitMidpoint && model.air.density > 0;
         const double step = flutters ? longest_of_midpoint(model, state) : std::numeric_limits<double>::infinity();
-        return {.step = static_cast<Real>(step), .formula = formula_of(kind), .at_least = flutters};
+        return {.step = static_cast<Real>(step), .formula = formula_of(kind)};
     }
     if (pieces(model.grid.nx) * pieces(model.grid.ny) == 1) return limit_of(model, state, kind, kernels);
     const Piece piece = critical_piece(model, state, kernels);

@@ -13,9 +13,8 @@
 namespace drape {
 namespace {
 
-/// Numbers a particle: its mass, the state and the one before; the forces by which contacts push within a step; those
-/// of a ledger.
-constexpr double particle_numbers = 1 + 12, push_numbers = 3, ledger_numbers = 3;
+/// Numbers a particle: its mass, the state and the one before; those of a ledger.
+constexpr double particle_numbers = 1 + 12, ledger_numbers = 3;
 
 /// Lists with room for two contacts a triangle, as the solver has: those of now, of before, and of these what has
 /// parted.
@@ -57,8 +56,7 @@ MemoryNeed memory_needed(const Settings& settings) {
     for (const ClothParameters& cloth : settings.cloths) {
         const Grid& grid = cloth.particles;
         const double particles = grid.particles();
-        need.cloths += particles * sizeof(Real) *
-                           (particle_numbers + push_numbers + (settings.solver.ledger ? ledger_numbers : 0)) +
+        need.cloths += particles * sizeof(Real) * (particle_numbers + (settings.solver.ledger ? ledger_numbers : 0)) +
                        contact_lists * grid.triangles() * static_cast<double>(sizeof(Contact)) +
                        static_cast<double>(ContactRows::bytes_for(2 * static_cast<std::size_t>(grid.triangles()))) +
                        hierarchy_bytes(settings.contact, grid) + self_contact_bytes(settings.contact, grid) +

@@ -1,5 +1,6 @@
 #include <algorithm>
 
+#include "drape/contact/ball_solids.h"
 #include "drape/sim/simulation.h"
 
 namespace drape {
@@ -9,9 +10,18 @@ namespace drape {
 /// back at once; until nothing passes any more. A light ball that draws a few triangles out far may need more
 /// than eight.
 void Simulation::look_again(const Substep& now) {
-    const auto has_passing = [](const Cloth& cloth) { return cloth.search.found_passing(); };
     if (settings_.contact.response == ResponseKind::Penalty) return;
-    for (int look = 0; look < most_looks && std::ranges::any_of(cloths_, has_passing); ++look) answer_way(now);
+    bool passing = has_passing(ball_contacts_);
+    for (int look = 0; look < most_looks && passing; ++look) {
+        answer_way(now);
+        passing = has_passing(found_again_);
+    }
+}
+
+/// Whether anything has passed a ball.
+bool Simulation::has_passing(std::span<const BallContact> ball_contacts) const {
+    return std::ranges::any_of(cloths_, [](const Cloth& cloth) { return cloth.search.found_passing(); }) ||
+           std::ranges::any_of(ball_contacts, &BallContact::of_impact);
 }
 
 /// Tests the substep's way as it is now, and answers what it finds.
@@ -26,7 +36,9 @@ void Simulation::answer_way(const Substep& now) {
     }
     ResponseParameters response = response_of(settings_);
     response.kind = ResponseKind::Projection;
-    answer(response, now, {}, {});
+    find_ball_contacts(balls_, settings_.ground, found_again_);
+    find_ball_contacts(balls_, solids_, found_again_);
+    answer(response, now, {}, found_again_);
     for (Cloth& cloth : cloths_) cloth.contacts.swap(cloth.first_contacts);
 }
 

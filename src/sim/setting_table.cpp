@@ -260,8 +260,7 @@ void add_the_rest(std::vector<Setting>& table) {
         "longest_step", SettingKind::Number, "s", {1e-6, 1}, {},
         "while anything touches, and under xpbd always in a scene with a free ball, a longer step of an implicit "
         "method is divided into substeps, so that what rests is not moved farther within one than contact can put back "
-        "without stretching the cloth; half as long in a scene with a free ball under implicit_midpoint and "
-        "dormand_prince",
+        "without stretching the cloth",
         [](const ContactSettings& c) { return c.longest_step; },
         [](ContactSettings& c, const SettingValue& value) { c.longest_step = std::get<double>(value); });
     contact.choice("continuous", &ContactSettings::continuous,

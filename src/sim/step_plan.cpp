@@ -161,8 +161,7 @@ void plan_substeps(std::span<const Cloth> cloths, const Settings& settings, int 
 }
 
 bool plan_is_due(const SolverSettings& solver, const StepReport& report) {
-    const bool limited = has_step_limit(solver.integrator) || report.step_limit_ratio > 0;
-    if (solver.on_unstable != OnUnstable::Substep || !limited || report.asleep) return false;
+    if (solver.on_unstable != OnUnstable::Substep || report.asleep) return false;
     const auto between = static_cast<std::int64_t>(std::ceil(search_pause / solver.dt));
     return report.step > 0 && report.step % between == 0;
 }

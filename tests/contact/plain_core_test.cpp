@@ -116,12 +116,6 @@ TEST(PlainCore, FindsWhatTheKernelsFindWithEverySphereFit) {
     }
 }
 
-TEST(PlainCore, FindsWhatTheKernelsFindWhereMoreCellsTouchThanABatchHolds) {
-    const Tally tally = compare({.volume = VolumeKind::Brute}, {40, 30});
-    EXPECT_EQ(tally.disagreements, 0);
-    EXPECT_GT(tally.touching, tally.balls / 5);
-}
-
 TEST(PlainCore, FindsWhatTheKernelsFindInLeavesOfEveryWidth) {
     for (const int leaf_cells : {7, 8, 15, 16, 17, 31, 32, 33, 64}) {
         const Tally tally =

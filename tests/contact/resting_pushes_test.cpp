@@ -1,4 +1,4 @@
-// Where the pushes of what rests are given in the next substep, and which are.
+// Which pushes of what rests are given in the next substep.
 
 #include "drape/contact/warm_start.h"
 
@@ -72,7 +72,7 @@ TEST(RestingPush, IsNoneWhereALightClothIsHitByWhatDoesNotMove) {
     EXPECT_EQ(given_on(200, 0), (std::vector<Real>{0, 0, 0}));
 }
 
-TEST(RestingPush, IsGivenByTheShareThatAForceDisplacesBy) {
+TEST(RestingPush, IsGivenWithTheShareOfItsImpulseThatAForceDisplacesBy) {
     for (const Real share : {Real(0.5), Real(1)}) {
         RestingSheet sheet;
         const ClothInContact cloth = sheet.in_contact();
@@ -85,7 +85,7 @@ TEST(RestingPush, IsGivenByTheShareThatAForceDisplacesBy) {
         sheet.warm_start.give(std::span(&cloth, 1), std::span(&sheet.ball, 1));
         const int particle = sheet.model.grid.triangle_corners(0)[0];
         EXPECT_NEAR(sheet.state.v(particle, 1) / (earth * substep), share, 1e-6);
-        EXPECT_NEAR((sheet.state.x - sheet.before)(particle, 1) / (share * share * earth * substep * substep), 1, 1e-4);
+        EXPECT_NEAR((sheet.state.x - sheet.before)(particle, 1) / (share * earth * substep * substep), 1, 1e-4);
         EXPECT_EQ(sheet.state.v.sum(), sheet.state.v(particle, 1)) << "and no other";
     }
 }

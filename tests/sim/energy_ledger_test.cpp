@@ -92,8 +92,8 @@ TEST(EnergyLedger, SharesAnInelasticImpactInHalves) {
     EXPECT_NEAR(balance.contact / balance.ball, 0.5, 0.05);
 }
 
-/// A ball lifts a cloth by pushes that are forces of the method's steps: their work is none of the method's.
-TEST(EnergyLedger, CountsPushesWithinAStepAsThoseOfContact) {
+/// A ball lifts a cloth by pushes of which the warm start gives half: little of their work is booked as the method's.
+TEST(EnergyLedger, BooksHardlyAnyOfTheWorkOfContactAsTheMethods) {
     for (const char* kernels : {"plain", "vector"}) {
         Simulation simulation = kept_simulation(
             {"integrator=rk4", "dt=2.5e-4", "pinned=none", "plane=xz", "centre=0,0.26,0", "ball.position=0,0,0",
@@ -106,8 +106,8 @@ TEST(EnergyLedger, CountsPushesWithinAStepAsThoseOfContact) {
     }
 }
 
-/// What a free ball loses is its work on the sheet that it comes to lie in, by pushes within the step and after it.
-TEST(LongEnergyLedger, CountsWhatAFreeBallGivesWithinAStep) {
+/// What a free ball loses is its work on the sheet that it comes to lie in, by the warm start and by the response.
+TEST(LongEnergyLedger, CountsWhatAFreeBallGives) {
     Settings settings = load_scene("trampoline");
     settings.solver.integrator = IntegratorKind::VelocityVerlet;
     settings.solver.ledger = true;
@@ -177,8 +177,7 @@ TEST(EnergyLedger, BooksNothingWhileNothingMoves) {
     }
 }
 
-/// A ball that lifts cloth gives what that gains in height, and the contacts that hand it on keep next to nothing of
-/// it.
+/// A ball that lifts cloth gives what that gains in height, and the contacts that hand it on keep little of it.
 TEST(EnergyLedger, HandsOnTheWorkOfABallThatLifts) {
     for (const auto integrator : {IntegratorKind::SymplecticEuler, IntegratorKind::VelocityVerlet}) {
         Settings settings = load_scene("drop");

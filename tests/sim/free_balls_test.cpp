@@ -65,7 +65,7 @@ TEST(FreeBalls, ThatCollideKeepTheirMomentumButForTheFall) {
     EXPECT_GT(simulation.balls()[0].spin.norm(), 1) << "and rubbed";
 }
 
-/// Each moves by 83 times its diameter in a step. They do not meet head-on, and roll off each other.
+/// Each moves by 42 times its diameter in a step. They do not meet head-on, and roll off each other.
 TEST(FreeBalls, MeetHoweverFastTheyFly) {
     for (const auto response : {ResponseKind::Projection, ResponseKind::Impulse, ResponseKind::Hybrid}) {
         Settings settings = small_settings();

@@ -16,7 +16,7 @@
 namespace drape {
 namespace {
 
-/// A tenth of the default: what sleeps is then slower than 0.1 mm/s.
+/// A tenth of the default: what sleeps is then slower than 0.3 mm/s.
 constexpr Real slow = Real(2e-5);
 
 /// `drop` of few particles, with a ledger.
@@ -181,10 +181,8 @@ TEST_P(RestOfShippedScenes, IsReached) {
     expect_rest_after({scene, std::move(settings)}, after);
 }
 
-/// On the ball of `drop` cloth would rock if pushes did not go ahead of its contacts, and methods that ask for forces
-/// more than once in a step would find springs that their own step has stretched if pushes were not among these; in
-/// `trampoline` it would quiver if it did not start from the pushes that carry the ball, and under the midpoint rule
-/// and Dormand-Prince if substeps were not halved.
+/// On the ball of `drop` cloth would rock under the methods of half a share if contacts were given all of what they
+/// had.
 INSTANTIATE_TEST_SUITE_P(Long, RestOfShippedScenes,
                          testing::Values(ShippedRest{"drop", 8, IntegratorKind::SymplecticEuler}), name_of_rest);
 INSTANTIATE_TEST_SUITE_P(

@@ -18,7 +18,7 @@ struct Impact {
 };
 
 /// The first time at which a ball and a triangle are no farther from each other than the ball's radius, while its
-/// centre and the three corners move evenly on lines. @cite provot1997 @cite bridson2002
+/// centre and the three corners move evenly on lines. @cite li2021
 /// By conservative advancement: seen from the ball's centre, the triangle is beyond the plane through its closest
 /// point, and cannot touch until a corner has come through a parallel plane beside the ball. Any triangle will do, one
 /// without area too. A touch that is nowhere deeper than 1e-5 of the radius may be missed.

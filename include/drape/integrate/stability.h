@@ -12,7 +12,7 @@ struct StepLimit {
     Real zeta = 0;                  ///< its damping ratio: its damping by mass over 2 omega
     Real step = 0;                  ///< [s]; 0 if no step is stable, infinite if none is too long
     std::string_view formula = {};  ///< the bound, in these letters, with z = step * omega
-    bool at_least = false;  ///< no vibration was found that keeps a longer step from being stable, or `step` is rough
+    bool at_least = false;          ///< no vibration was found that keeps a longer step from being stable
 };
 
 /// The longest step with which a method keeps small vibrations of a cloth about a state from growing.

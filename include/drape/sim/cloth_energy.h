@@ -54,7 +54,7 @@ public:
     /// @param held particle that the hand leads; below 0: none
     EnergyFlow* start_of_step(const ClothModel& model, const ClothState& state, int held);
 
-    /// Enters what the integrator has done, and that work.
+    /// Enters what the integrator has done.
     /// @param least_pause substeps from one sum over the springs to the next, at least
     void after_integrator(const ClothModel& model, const ClothState& state, const MotionSums& sums, Real h,
                           int least_pause);

@@ -104,6 +104,7 @@ private:
     void answer(const ResponseParameters& response, const Substep& now, std::span<PairContact> pairs,
                 std::span<BallContact> ball_contacts);
     void look_again(const Substep& now);
+    [[nodiscard]] bool has_passing(std::span<const BallContact> ball_contacts) const;
     void answer_way(const Substep& now);
     void hold_back();
     void resist_rolling();
@@ -148,7 +149,7 @@ private:
     std::vector<Cloth> cloths_;
     std::vector<Ball> balls_, previous_balls_;
     std::vector<Solid> solids_, previous_solids_;
-    std::vector<BallContact> ball_contacts_;
+    std::vector<BallContact> ball_contacts_, found_again_;
     SelfContact self_contact_;
     NotCopied<std::vector<ClothInContact>> in_contact_;  ///< the cloths, within a substep
     NotCopied<ContactRows> contact_rows_;                ///< within a response

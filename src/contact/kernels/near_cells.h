@@ -35,15 +35,10 @@ struct CellBits {
 int classify_cells(const Grid& grid, const Real* const x[3], const Vec3& p, Real radius, std::span<const CellRun> cells,
                    CellBits* bits);
 
-/// Calls visit(cell, a) for each cell of which a bit is set, and the particle at its corner a.
+/// Calls visit(cell) for each cell of which a bit is set.
 template <class Visit>
-void for_each_set(const Grid& grid, const CellBits& bits, std::uint32_t set, Visit visit) {
-    if (set == 0) return;
-    const int a = grid.cell_corner(bits.cell);
-    for (; set != 0; set &= set - 1) {
-        const int k = std::countr_zero(set);
-        visit(bits.cell + k, a + k);
-    }
+void for_each_set(const CellBits& bits, std::uint32_t set, Visit visit) {
+    for (; set != 0; set &= set - 1) visit(bits.cell + std::countr_zero(set));
 }
 
 /// Calls visit(some) for the bits of some thousand cells at a time.
