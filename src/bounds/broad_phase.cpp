@@ -13,9 +13,7 @@ public:
     [[nodiscard]] std::unique_ptr<BroadPhase> clone() const override { return std::make_unique<BruteForce>(*this); }
 
     void build(const Points& /*x*/) override {}
-    void build(const Points& /*from*/, const Points& /*to*/) override {}
     TraversalStats query(const Ball& /*ball*/, Candidates& found) override { return all(found); }
-    TraversalStats query(const SweptBall& /*ball*/, Candidates& found) override { return all(found); }
     TraversalStats query(const BroadPhase& other, Real /*margin*/, const FoldTest* /*folds*/,
                          std::vector<LeafPair>& pairs) override {
         const Grid& other_grid = static_cast<const BruteForce&>(other).grid_;

@@ -65,17 +65,6 @@ void Obb::include(const Vec3& p) {
     high = high.cwiseMax(along + rounding);
 }
 
-bool Obb::overlaps(const SweptBall& ball) const {
-    const Vec3 start = axes.transpose() * (ball.start - origin), end = axes.transpose() * (ball.end - origin);
-    const Real extent = std::max(low.cwiseAbs().maxCoeff(), high.cwiseAbs().maxCoeff());
-    const Real reach = ball.radius + ball.rounding(origin.cwiseAbs().maxCoeff() + 2 * extent);
-    SlabClip way;
-    for (int k = 0; k < 3; ++k) {
-        if (!way.cut(start[k], end[k], low[k] - reach, high[k] + reach)) return false;
-    }
-    return true;
-}
-
 namespace {
 
 /// Whether a box keeps another farther away than a margin, along its own directions.

@@ -43,6 +43,9 @@ std::optional<NextTo> first_plane(const Solid& solid, const Vec3& from, const Ve
     return NextTo{surface.normal, surface.normal.dot(centre) - surface.distance};
 }
 
+/// The least cosine between the normal at a substep's end and that at which two things met, for both to be of one side.
+constexpr Real same_side = Real(0.5);
+
 /// The plane that holds a ball within the substep: that at its end, or where it has met the solid.
 std::optional<NextTo> plane_for(const Solid& solid, const Vec3& from, const Vec3& to, Real radius) {
     const NextTo at_end = surface_next_to(solid, to);

@@ -1,5 +1,6 @@
 #include "coincident.h"
 
+#include <Eigen/Geometry>
 #include <algorithm>
 #include <cmath>
 #include <limits>

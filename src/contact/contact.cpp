@@ -32,44 +32,60 @@ Contact particle_contact(const Grid& grid, int particle) {
 /// Makes the contacts of triangles with one ball.
 struct TriangleContacts {
     const Grid& grid;
-    const Points& x;
+    const ClothMotion& cloth;
     const Ball& ball;
     int number;
     Real radii;  ///< of the ball, thickness counted
+    Real reach;
     std::vector<Contact>& contacts;
+
+    // When the planes are those that cloth and ball had
+    const Points& before = reach > 0 ? cloth.before : cloth.x;
+    Vec3 moved = reach > 0 ? ball.moved : Vec3(0, 0, 0);
+    Vec3 start = ball.centre - moved;
 
     /// Adds the contacts that a triangle is to report: those of its own corners, and of its closest point.
     /// @return whether it touches
     bool add_triangle(int triangle) {
         const std::array<int, 3> corners = grid.triangle_corners(triangle);
-        const ClosestPoint closest = closest_point(x, corners, ball.centre);
-        if (!touches(closest.point)) return false;
+        const ClosestPoint closest = closest_point(before, corners, start);
+        if (!is_near(closest.point)) return false;
         const unsigned owned = owned_corners(grid, triangle, triangle / 2 / grid.cell_columns());
         for (std::size_t k = 0; k < 3; ++k) {
             if ((owned >> k & 1u) == 0) continue;
-            ClosestPoint corner{position(x, corners[k]), {}};
+            ClosestPoint corner{position(before, corners[k]), {}};
             corner.barycentric[k] = 1;
-            if (touches(corner.point)) add(triangle, corners, corner, true);
+            if (is_near(corner.point)) add(contact(triangle, corners, corner, true));
         }
-        if (!reported_elsewhere(grid, triangle, closest.barycentric)) add(triangle, corners, closest, false);
-        return true;
+        const Contact own = contact(triangle, corners, closest, false);
+        if (!reported_elsewhere(grid, triangle, closest.barycentric)) add(own);
+        return own.depth > 0;
     }
 
 private:
-    [[nodiscard]] bool touches(const Vec3& point) const {
-        return (point - ball.centre).squaredNorm() < radii * radii && radii > 0;
+    [[nodiscard]] bool is_near(const Vec3& point) const {
+        const Real far = radii + reach;
+        return (point - start).squaredNorm() < far * far && radii > 0;
     }
 
-    void add(int triangle, const std::array<int, 3>& corners, const ClosestPoint& at, bool of_particle) {
-        Contact& contact = contacts.emplace_back();
+    [[nodiscard]] Contact contact(int triangle, const std::array<int, 3>& corners, const ClosestPoint& at,
+                                  bool of_particle) const {
+        Contact contact;
         contact.ball = number;
         contact.triangle = triangle;
         contact.corners = corners;
         contact.barycentric = at.barycentric;
-        contact.point = at.point;
         contact.of_particle = of_particle;
-        const Vec3 offset = at.point - ball.centre;
-        measure(x, radii, offset, offset.squaredNorm(), contact);
+        const Vec3 offset = at.point - start;
+        contact.normal = normal_of(before, corners, offset, offset.norm());
+        contact.point = at_point(contact, cloth.x);
+        contact.depth = radii - (contact.point - ball.centre).dot(contact.normal);
+        return contact;
+    }
+
+    /// What ends farther from its plane than the ball may push other cloth to it stays out of the solve.
+    void add(const Contact& contact) {
+        if (contact.depth > -reach) contacts.push_back(contact);
     }
 };
 
@@ -86,18 +102,11 @@ void add_ground_contacts(const Grid& grid, const Points& x, Real height, Real th
     }
 }
 
-/// Turns a contact of two balls into that of their meeting, if they have met and the end of the substep does not show
-/// it.
-bool meet_within_substep(std::span<const Ball> balls, BallContact& contact) {
-    const Ball &first = balls[static_cast<std::size_t>(contact.first)],
-               &second = balls[static_cast<std::size_t>(contact.ball)];
+/// From the second ball to the first where they met within the substep; where they did not, at its end.
+Vec3 normal_between(const Ball& first, const Ball& second) {
     const Vec3 to = first.centre - second.centre, from = to - first.moved + second.moved;
-    const auto met = first_meeting(from, to, first.radius + second.radius);
-    if (!met || met->isZero(0) || (contact.depth > 0 && met->normalized().dot(contact.normal) >= same_side))
-        return false;
-    contact.normal = met->normalized();
-    contact.of_impact = true;
-    return true;
+    const Vec3 normal = first_meeting(from, to, first.radius + second.radius).value_or(to);
+    return normal.isZero(0) ? Vec3(0, 1, 0) : Vec3(normal.normalized());
 }
 
 }  // namespace
@@ -115,9 +124,10 @@ void find_touched_triangles(const Grid& grid, const Points& x, const Ball& ball,
     });
 }
 
-std::int64_t find_contacts(const Grid& grid, const Points& x, const Ball& ball, int ball_number, Real thickness,
-                           std::span<const CellRun> cells, std::vector<Contact>& contacts, Kernels kernels) {
-    TriangleContacts found{grid, x, ball, ball_number, ball.radius + thickness, contacts};
+std::int64_t find_contacts(const Grid& grid, const ClothMotion& cloth, const Ball& ball, int ball_number,
+                           Real thickness, Real reach, std::span<const CellRun> cells, std::vector<Contact>& contacts,
+                           Kernels kernels) {
+    TriangleContacts found{grid, cloth, ball, ball_number, ball.radius + thickness, reach, contacts};
     std::int64_t touching = 0;
     const auto test = [&](int cell) {
         const bool first = found.add_triangle(2 * cell), second = found.add_triangle(2 * cell + 1);
@@ -126,7 +136,7 @@ std::int64_t find_contacts(const Grid& grid, const Points& x, const Ball& ball, 
     if (kernels == Kernels::Plain) {
         for_each_cell(grid, cells, test);
     } else {
-        kernels::visit_near(grid, x, ball.centre, found.radii, cells, [&](const auto& some) {
+        kernels::visit_near(grid, found.before, found.start, found.radii + reach, cells, [&](const auto& some) {
             for (const kernels::CellBits& bits : some) {
                 kernels::for_each_set(bits, bits.near(), test);
             }
@@ -158,9 +168,10 @@ void find_ball_contacts(std::span<const Ball> balls, const Ground& ground, std::
         BallContact contact;
         contact.first = first;
         contact.ball = second;
-        bool touches = locate(balls, ground, contact);
-        if (second != the_ground && meet_within_substep(balls, contact)) touches = locate(balls, ground, contact);
-        if (touches) contacts.push_back(contact);
+        const auto ball = [&](int number) -> const Ball& { return balls[static_cast<std::size_t>(number)]; };
+        contact.normal = second == the_ground ? Vec3(0, 1, 0) : normal_between(ball(first), ball(second));
+        contact.depth = depth_now(balls, ground, contact);
+        if (contact.depth > 0) contacts.push_back(contact);
     };
     const int count = static_cast<int>(balls.size());
     const auto is_free = [&](int b) { return balls[static_cast<std::size_t>(b)].inverse_mass > 0; };

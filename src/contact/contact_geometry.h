@@ -19,9 +19,6 @@ inline Real slop_in(const Ball& ball) {
     return std::min(of_radius * ball.radius, most_slop);
 }
 
-/// The least cosine between the normal at a substep's end and that at which two things met, for both to be of one side.
-inline constexpr Real same_side = Real(0.5);
-
 /// Position or velocity of one particle.
 inline Vec3 position(const Points& x, int particle) { return x.row(particle).transpose(); }
 
@@ -45,45 +42,28 @@ inline Vec3 normal_of(const Points& x, const std::array<int, 3>& corners, const 
     return across.squaredNorm() > 0 ? Vec3(across.normalized()) : Vec3(0, 1, 0);
 }
 
-/// Depth and normal of a contact whose point is at an offset from the centre of a ball.
-/// @param square of the offset's length
-/// @param radii of both, thickness counted
-inline void measure(const Points& x, Real radii, const Vec3& offset, Real square, Contact& contact) {
-    const Real distance = std::sqrt(square);
-    contact.depth = radii - distance;
-    contact.normal = normal_of(x, contact.corners, offset, distance);
-}
-
-/// The contact's point q against a ball: the normal n = (q - c) / |q - c| and the depth r + thickness - |q - c|.
-/// @return false, with depth 0 and the normal as it was, if it does not touch
-inline bool touch(const Points& x, const Ball& ball, Real thickness, Contact& contact) {
-    const Vec3 offset = contact.point + contact.offset - ball.centre;
-    const Real square = offset.squaredNorm(), radii = ball.radius + thickness + contact.radius;
-    contact.depth = 0;
-    if (!(square < radii * radii && radii > 0)) return false;
-    measure(x, radii, offset, square, contact);
-    return true;
-}
-
-/// Ball against triangle: from the present positions of a contact's corners, its closest point, normal and depth. A
-/// particle and the contact of a node stay where they are in the triangle.
-/// @return false, with depth 0, if the triangle, or the node's sphere, does not touch the ball
-inline bool locate(const Points& x, const Ball& ball, Real thickness, Contact& contact) {
-    if (contact.of_node || contact.of_particle) {
-        contact.point = at_point(contact, x);
-    } else {
-        const ClosestPoint closest = closest_point(x, contact.corners, ball.centre);
-        contact.barycentric = closest.barycentric;
-        contact.point = closest.point;
-    }
-    return touch(x, ball, thickness, contact);
-}
-
-/// The depth of a contact's point in its ball: from the surface, or, of an impact, behind the plane at which it met it.
+/// The depth of a contact's point in its ball, behind its plane.
 inline Real depth_in(const Ball& ball, Real thickness, const Contact& contact) {
     const Vec3 offset = contact.point + contact.offset - ball.centre;
-    const Real distance = contact.of_impact ? offset.dot(contact.normal) : offset.norm();
-    return ball.radius + thickness + contact.radius - distance;
+    return ball.radius + thickness + contact.radius - offset.dot(contact.normal);
+}
+
+/// The least cosine between the normals at which cloth meets a ball, for both to be of one side.
+inline constexpr Real same_side = Real(0.5);
+
+/// Moves a contact to the point of its triangle that is closest to the ball now, and its plane with it, if that is on
+/// the side where they met. A particle, and the contact of a node, stay where they are in the triangle.
+inline void find_closest(const Points& x, const Ball& ball, Real thickness, Contact& contact) {
+    ClosestPoint at{at_point(contact, x), contact.barycentric};
+    if (!contact.of_node && !contact.of_particle) at = closest_point(x, contact.corners, ball.centre);
+    const Vec3 offset = at.point + contact.offset - ball.centre;
+    const Real distance = offset.norm();
+    if (offset.dot(contact.normal) > same_side * distance) {
+        contact.barycentric = at.barycentric;
+        contact.normal = offset / distance;
+    }
+    contact.point = at_point(contact, x);
+    contact.depth = depth_in(ball, thickness, contact);
 }
 
 /// The depth of a contact's point where it and its second body are now; less than zero where they have parted.
@@ -117,25 +97,13 @@ inline std::optional<Vec3> first_meeting(const Vec3& from, const Vec3& to, Real 
     return from + std::min(time, Real(1)) * displacement;
 }
 
-/// Ball against ball, or against the ground, or against the surface of a solid next to it.
-/// @return false, with depth 0, if they do not touch
-inline bool locate(std::span<const Ball> balls, const Ground& ground, BallContact& contact) {
+/// The depth of two balls where they are now, or of a ball and a plane; less than zero where they have parted.
+inline Real depth_now(std::span<const Ball> balls, const Ground& ground, const BallContact& contact) {
     const Ball& first = balls[static_cast<std::size_t>(contact.first)];
-    if (is_solid(contact.ball)) {
-        contact.depth = std::max(contact.plane.height + first.radius - contact.normal.dot(first.centre), Real(0));
-        return contact.depth > 0;
-    }
-    Real distance = first.centre.y() - ground.height, radii = first.radius;
-    if (!contact.of_impact) contact.normal = Vec3(0, 1, 0);
-    if (contact.ball != the_ground) {
-        const Ball& second = balls[static_cast<std::size_t>(contact.ball)];
-        const Vec3 offset = first.centre - second.centre;
-        radii += second.radius;
-        distance = contact.of_impact ? offset.dot(contact.normal) : offset.norm();
-        if (!contact.of_impact && distance > 0) contact.normal = offset / distance;
-    }
-    contact.depth = std::max(radii - distance, Real(0));
-    return contact.depth > 0;
+    if (contact.ball == the_ground) return first.radius + ground.height - first.centre.y();
+    if (is_solid(contact.ball)) return first.radius + contact.plane.height - contact.normal.dot(first.centre);
+    const Ball& second = balls[static_cast<std::size_t>(contact.ball)];
+    return first.radius + second.radius - (first.centre - second.centre).dot(contact.normal);
 }
 
 }  // namespace drape

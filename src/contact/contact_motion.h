@@ -1,5 +1,7 @@
 #pragma once
 
+#include <Eigen/Geometry>
+
 #include "contact_geometry.h"
 #include "drape/contact/response.h"
 

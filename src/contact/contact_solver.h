@@ -132,16 +132,17 @@ Sweeps sweep_until(ContactProblem& problem, Real tolerance, Solve solve) {
 [[nodiscard]] ResponseReport respond_by_penalties(ContactProblem& problem);
 [[nodiscard]] ResponseReport respond_by_hybrid(ContactProblem& problem);
 
-/// Updates the point of a contact and its depth, negative where they have parted, to where the bodies are now; the
-/// normal stays. A contact of two balls, or of a ball and a plane, is found again instead.
+/// Updates the point of a contact and its depth, less than zero where they have parted, to where the bodies are now;
+/// the normal stays.
 void follow(const ContactProblem& problem, Contact& contact);
 void follow(const ContactProblem& problem, PairContact& contact);
 void follow(const ContactProblem& problem, BallContact& contact);
 
-/// Finds a contact again where its bodies have moved: its depth, the point that is closest now, and the normal.
+/// Finds a contact of cloth with a ball again where they have moved: the point that is closest now, and its plane.
+/// Others follow.
 void find_again(const ContactProblem& problem, Contact& contact);
-void find_again(const ContactProblem& problem, PairContact& contact);
-void find_again(const ContactProblem& problem, BallContact& contact);
+inline void find_again(const ContactProblem& problem, PairContact& contact) { follow(problem, contact); }
+inline void find_again(const ContactProblem& problem, BallContact& contact) { follow(problem, contact); }
 
 /// The restitution between the bodies of a contact; a cloth does not bounce off a cloth.
 [[nodiscard]] Real restitution_of(const ResponseParameters& parameters, const BodyContact& contact);

@@ -1,5 +1,6 @@
 #include "drape/contact/crossings.h"
 
+#include <Eigen/Geometry>
 #include <algorithm>
 #include <cmath>
 #include <limits>

@@ -46,7 +46,7 @@ void time_impact(const ContactProblem& problem, AnyContact& contact) {
 Sweeps solve_impacts(ContactProblem& problem) {
     bool any = false;
     for_each_contact(problem, [&](auto& contact) {
-        contact.takes_part = is_impact(problem, contact) && contact.inverse_mass > 0;
+        contact.takes_part = contact.depth > 0 && is_impact(problem, contact) && contact.inverse_mass > 0;
         if (!contact.takes_part) return;
         time_impact(problem, contact);
         any = true;

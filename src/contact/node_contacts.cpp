@@ -17,7 +17,11 @@ void find_node_contacts(const Grid& grid, const Points& x, const Ball& ball, int
         contact.barycentric.fill(Real(1) / 3);
         contact.offset = node.sphere.centre - at_point(contact, x);
         contact.radius = node.sphere.radius;
-        if (!locate(x, ball, thickness, contact)) continue;
+        contact.point = at_point(contact, x);
+        const Vec3 offset = node.sphere.centre - ball.centre;
+        contact.normal = normal_of(x, contact.corners, offset, offset.norm());
+        contact.depth = depth_in(ball, thickness, contact);
+        if (!(contact.depth > 0)) continue;
         contact.radius -= std::max(contact.depth - longest_push, Real(0));
         contact.depth = std::min(contact.depth, longest_push);
         contacts.push_back(contact);

@@ -95,7 +95,7 @@ Real penalty_step_limit(Real stiffness, Real restitution, Real inverse_mass, Rea
 }
 
 Sweeps solve_penalties(ContactProblem& problem, TakesPart takes_part) {
-    choose(problem, [&](const ContactPlane& contact) { return takes_part(problem, contact); });
+    choose(problem, [&](const ContactPlane& contact) { return contact.depth > 0 && takes_part(problem, contact); });
     for_each_chosen(problem, [](ContactPlane& contact) { contact.displacement = contact.impulse = {}; });
     if (problem.share == 1) {
         push_by_velocities(problem);

@@ -8,7 +8,7 @@ namespace drape {
 namespace {
 
 /// Rounds of projection: a longer push shifts the closest points, and these have to be found again.
-constexpr int most_rounds = 4;
+constexpr int max_rounds = 4;
 
 /// A push shorter than this fraction of the radius leaves a triangle's closest point where it is in the triangle.
 constexpr Real short_push = Real(1e-3);
@@ -20,18 +20,19 @@ void aim_displacement(const Displacements& motion, std::span<const Ball> balls, 
 }
 
 /// The push that a contact still asks for, as a fraction of its ball's radius. Planes do not turn.
-Real length_of_push(const ContactProblem& problem, const BodyContact& contact) {
+Real length_of_push(const ContactProblem& problem, const Contact& contact) {
     if (is_plane(contact.ball)) return 0;
     return push_of(contact, problem.balls) / problem.balls[static_cast<std::size_t>(contact.ball)].radius;
 }
-Real length_of_push(const ContactProblem& /*problem*/, const PairContact& /*contact*/) { return 0; }
+Real length_of_push(const ContactProblem& /*problem*/, const ContactPlane& /*contact*/) { return 0; }
 
 /// Displaces until all contacts are out and hold.
-void project_positions(ContactProblem& problem, ResponseReport& report) {
+Sweeps project_positions(ContactProblem& problem) {
     Displacements motion = problem.displacements();
-    order_rows(problem);
-    for (int round = 0; round < most_rounds; ++round) {
+    Sweeps all;
+    for (int round = 0; round < max_rounds; ++round) {
         Real longest = 0;
+        order_rows(problem);
         for_each_contact(
             problem, [&](auto& contact) __attribute__((flatten)) {
                 aim_displacement(motion, problem.balls, contact);
@@ -39,12 +40,11 @@ void project_positions(ContactProblem& problem, ResponseReport& report) {
                 contact.takes_part = contact.inverse_mass > 0;
             });
         const Sweeps sweeps = solve_contacts(problem, motion, displacement_tolerance(problem));
-        report.sweeps += sweeps.count;
-        report.residual = sweeps.residual;
-        if (longest <= short_push) return;
+        all = {all.count + sweeps.count, sweeps.residual};
+        if (longest <= short_push) break;
         for_each_contact(problem, [&](auto& contact) { find_again(problem, contact); });
-        order_rows(problem);
     }
+    return all;
 }
 
 /// Contacts that carry nothing, and were given nothing, are free to part, and to meet in a later step.
@@ -53,12 +53,11 @@ bool is_loaded(const ContactPlane& contact) { return contact.displacement.normal
 }  // namespace
 
 ResponseReport respond_by_projection(ContactProblem& problem) {
-    ResponseReport report;
-    project_positions(problem, report);
+    const Sweeps displaced = project_positions(problem);
     Velocities motion = problem.velocities();
     choose(problem, is_loaded);
-    report.sweeps += solve_contacts(problem, motion, velocity_tolerance(problem)).count;
-    return report;
+    const Sweeps stopped = solve_contacts(problem, motion, velocity_tolerance(problem));
+    return {.residual = displaced.residual, .sweeps = displaced.count + stopped.count};
 }
 
 }  // namespace drape

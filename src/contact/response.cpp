@@ -174,12 +174,22 @@ void follow(const ContactProblem& problem, Contact& contact) {
     contact.depth = depth_now(problem.parameters, problem.balls, contact);
 }
 
+void find_again(const ContactProblem& problem, Contact& contact) {
+    if (is_plane(contact.ball) || contact.parted) return follow(problem, contact);
+    const Ball& ball = ball_of(contact, problem.balls);
+    find_closest(cloth_of(problem, contact).state.x, ball, problem.parameters.thickness, contact);
+    set_particles(problem, contact);
+    contact.displacement.friction -= contact.displacement.friction.dot(contact.normal) * contact.normal;
+}
+
 void follow(const ContactProblem& problem, PairContact& contact) {
     const Vec3 offset = contact.start + relative(problem.displacements(), contact);
     contact.depth = problem.parameters.pair_thickness - offset.dot(contact.normal);
 }
 
-void follow(const ContactProblem& problem, BallContact& contact) { find_again(problem, contact); }
+void follow(const ContactProblem& problem, BallContact& contact) {
+    contact.depth = depth_now(problem.balls, problem.parameters.ground, contact);
+}
 
 double work_of_led_balls(std::span<const Contact> contacts, std::span<const Ball> balls) {
     Real work = 0;
@@ -227,28 +237,6 @@ Real velocity_tolerance(const ContactProblem& problem) {
     return tolerance_of(problem, of_pairs) / problem.h;
 }
 
-void find_again(const ContactProblem& problem, Contact& contact) {
-    const ClothInContact& cloth = cloth_of(problem, contact);
-    const Real thickness = problem.parameters.thickness;
-    if (contact.of_impact || is_solid(contact.ball)) return follow(problem, contact);
-    if (contact.ball == the_ground) {
-        locate_above(cloth.state.x, problem.parameters.ground.height, thickness, contact);
-    } else {
-        locate(cloth.state.x, ball_of(contact, problem.balls), thickness, contact);
-    }
-    set_particles(problem, contact);
-    contact.displacement.friction -= contact.displacement.friction.dot(contact.normal) * contact.normal;
-}
-
-/// On the sides where they were at the start.
-void find_again(const ContactProblem& problem, PairContact& contact) { follow(problem, contact); }
-
-void find_again(const ContactProblem& problem, BallContact& contact) {
-    locate(problem.balls, problem.parameters.ground, contact);
-    Vec3& friction = contact.displacement.friction;
-    friction -= friction.dot(contact.normal) * contact.normal;
-}
-
 __attribute__((flatten)) Real depth_left(const ResponseParameters& parameters, std::span<const ClothInContact> cloths,
                                          std::span<const Ball> balls) {
     Real deepest = 0;
@@ -266,7 +254,7 @@ Real depth_left(ContactProblem& problem) {
     Real deepest = depth_left(problem.parameters, problem.cloths, problem.balls);
     for (PairContact& contact : problem.pairs) follow(problem, contact);
     for (BallContact& contact : problem.ball_contacts) {
-        find_again(problem, contact);
+        follow(problem, contact);
         deepest = std::max(deepest, contact.depth);
     }
     return deepest;

@@ -28,7 +28,9 @@ std::int64_t SearchAudit::false_contacts(const Points& x, const Ball& ball, Real
 
 Real SearchAudit::penetration(const Points& x, std::span<const Ball> balls, Real thickness) {
     contacts_.clear();
-    for (const Ball& ball : balls) find_contacts(grid_, x, ball, 0, thickness, cells_, contacts_, kernels_);
+    for (const Ball& ball : balls) {
+        find_contacts(grid_, {x, x}, ball, 0, thickness, 0, cells_, contacts_, kernels_);
+    }
     Real deepest = 0;
     for (const Contact& contact : contacts_) deepest = std::max(deepest, contact.depth);
     return deepest;

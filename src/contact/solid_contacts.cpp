@@ -3,9 +3,7 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
-#include <optional>
 
-#include "advance.h"
 #include "contact_geometry.h"
 #include "drape/contact/deepest_point.h"
 #include "grid_features.h"
@@ -20,41 +18,6 @@ constexpr Real deeper_than_corners = Real(1e-5);
 
 Corners corners_of(const Points& x, const std::array<int, 3>& particles) {
     return {position(x, particles[0]), position(x, particles[1]), position(x, particles[2])};
-}
-
-Corners moved_by(Corners corners, const Vec3& way) {
-    for (Vec3& corner : corners) corner += way;
-    return corners;
-}
-
-bool is_corner(const std::array<Real, 3>& weights) { return feature_at(weights).zeros == 2; }
-
-/// The deepest point at a moment of a way; of a particle, itself.
-DeepestPoint deepest_at(const Solid& solid, const Corners& from, const Corners& to, Real t, bool of_particle) {
-    Corners corners;
-    std::array<SurfaceDistance, 3> surface;
-    for (std::size_t k = 0; k < 3; ++k) {
-        corners[k] = from[k] + t * (to[k] - from[k]);
-        if (k == 0 || !of_particle) surface[k] = solid.measure(corners[k]);
-    }
-    if (of_particle) return {{1, 0, 0}, corners[0], surface[0]};
-    return find_deepest_point(solid, corners, surface);
-}
-
-/// The first point to come within the thickness, on a way that is seen from the solid.
-/// @param bound no point is nearer than this at the end [m]
-std::optional<DeepestPoint> first_touch(const Solid& solid, const Corners& from, const Corners& to, Real bound,
-                                        Real thickness, bool of_particle) {
-    const Real near = std::max(thickness, touch_distance);
-    Real longest = 0;
-    for (std::size_t k = 0; k < 3; ++k) longest = std::max(longest, (to[k] - from[k]).norm());
-    if (bound - longest > near) return std::nullopt;  // no point is farther from its end than that
-    DeepestPoint met;
-    const auto measure = [&](Real t) -> Advance {
-        met = deepest_at(solid, from, to, t, of_particle);
-        return {met.surface.distance, t + (met.surface.distance - near / 2) / longest};
-    };
-    return first_time(measure, near) ? std::optional(met) : std::nullopt;
 }
 
 /// No point of a triangle is farther than this from the nearest corner: in one without an obtuse angle the radius of
@@ -97,61 +60,44 @@ struct TriangleBeside {
 /// Makes contacts of one cloth with one solid.
 struct ContactMaker {
     const Grid& grid;
-    const Points& x;
-    const Solid& solid;
+    const Points& before;  ///< the cloth when the planes were those of the contacts, n x 3 [m]
+    const Points& x;       ///< at the end
+    const Solid& solid;    ///< when the planes were those of the contacts
+    Vec3 moved;            ///< by the solid since then [m]
     int number;
-    Real thickness;
+    Real thickness, reach;
+    std::vector<Contact>& contacts;
 
-    /// @param met the point of the cloth, or where it was on its way: the plane is that of the surface next to it
-    [[nodiscard]] Contact contact(const TriangleBeside& beside, const DeepestPoint& met) const {
+    /// @param nearest the point of the cloth before
+    void add(const TriangleBeside& beside, const DeepestPoint& nearest, bool of_particle) const {
         Contact contact;
         contact.ball = first_solid + number;
         contact.triangle = beside.triangle;
         contact.corners = beside.particles;
-        contact.barycentric = met.barycentric;
-        contact.normal = met.surface.normal;
-        contact.plane = {met.surface.normal.dot(met.point) - met.surface.distance, solid.moved, solid.velocity};
+        contact.barycentric = nearest.barycentric;
+        contact.of_particle = of_particle;
+        contact.normal = nearest.surface.normal;
+        const Real height = contact.normal.dot(nearest.point + moved) - nearest.surface.distance;
+        contact.plane = {height, solid.moved, solid.velocity};
         contact.point = at_point(contact, x);
-        contact.depth = contact.plane.height + thickness - contact.normal.dot(contact.point);
-        return contact;
+        contact.depth = height + thickness - contact.normal.dot(contact.point);
+        if (contact.depth > -reach) contacts.push_back(contact);
     }
 
-    [[nodiscard]] std::optional<Contact> of_corner(const TriangleBeside& beside, std::size_t k) const {
-        if (!(beside.surface[k].distance < thickness)) return std::nullopt;
+    void add_corner(const TriangleBeside& beside, std::size_t k) const {
+        if (!(beside.surface[k].distance < thickness + reach)) return;
         DeepestPoint here{.barycentric = {}, .point = beside.corners[k], .surface = beside.surface[k]};
         here.barycentric[k] = 1;
-        Contact found = contact(beside, here);
-        found.of_particle = true;
-        return found;
+        add(beside, here, true);
     }
 
-    /// Of the triangle's deepest point, or of that of an edge which it reports.
-    [[nodiscard]] std::optional<Contact> of_inside(const TriangleBeside& beside) const {
-        const Real least = std::min(thickness, beside.lowest() - deeper_than_corners);
-        if (beside.bound >= least) return std::nullopt;
+    /// Adds the triangle's deepest point, or that of an edge which it reports.
+    void add_inside(const TriangleBeside& beside) const {
+        const Real least = std::min(thickness + reach, beside.lowest() - deeper_than_corners);
+        if (beside.bound >= least) return;
         const DeepestPoint deepest = find_deepest_point(solid, beside.corners, beside.surface, least);
-        if (!(deepest.surface.distance < least)) return std::nullopt;
-        if (reported_elsewhere(grid, beside.triangle, deepest.barycentric)) return std::nullopt;
-        return contact(beside, deepest);
-    }
-
-    /// What has passed, or has come to another side, has the plane at which it met the solid; all else stays.
-    /// @param before positions at the start, n x 3 [m]
-    /// @param corner of a particle; 3: of the triangle
-    [[nodiscard]] std::optional<Contact> on_its_side(const Points& before, const TriangleBeside& beside,
-                                                     std::size_t corner, std::optional<Contact> at_end) const {
-        Corners from = moved_by(corners_of(before, beside.particles), solid.moved), to = beside.corners;
-        const bool of_particle = corner < 3;
-        if (of_particle) from.fill(Vec3(from[corner])), to.fill(Vec3(to[corner]));
-        const Real bound = of_particle ? beside.surface[corner].distance : beside.bound;
-        auto met = first_touch(solid, from, to, bound, thickness, of_particle);
-        if (!met || (!of_particle && is_corner(met->barycentric))) return at_end;
-        if (at_end && met->surface.normal.dot(at_end->normal) >= same_side) return at_end;
-        if (of_particle) met->barycentric = {}, met->barycentric[corner] = 1;
-        Contact passed = contact(beside, *met);
-        passed.of_particle = of_particle;
-        passed.of_impact = true;
-        return passed.depth > 0 ? std::optional(passed) : std::nullopt;
+        if (!(deepest.surface.distance < least)) return;
+        if (!reported_elsewhere(grid, beside.triangle, deepest.barycentric)) add(beside, deepest, false);
     }
 };
 
@@ -163,7 +109,7 @@ void for_each_beside(const ContactMaker& make, std::span<const CellRun> cells,
         const int first = 2 * (run.row * make.grid.cell_columns() + run.column);
         for (int triangle = first; triangle < first + 2 * run.count; ++triangle) {
             TriangleBeside beside{triangle, make.grid.triangle_corners(triangle), {}, {}};
-            beside.corners = corners_of(make.x, beside.particles);
+            beside.corners = corners_of(make.before, beside.particles);
             for (std::size_t k = 0; k < 3; ++k) {
                 beside.surface[k] = surface[static_cast<std::size_t>(beside.particles[k])];
             }
@@ -202,8 +148,8 @@ Real longest_side(const Grid& grid, const Points& x, std::span<const CellRun> ce
 
 }  // namespace
 
-/// A particle is measured again only if it may be within the thickness now, or be a corner of a triangle that may.
-void SolidSearch::look_at_particles(const Grid& grid, const Points& x, const Solid& solid, int number, Real thickness,
+/// A particle is measured again only if it may be as near as asked now, or be a corner of a triangle that may.
+void SolidSearch::look_at_particles(const Grid& grid, const Points& x, const Solid& solid, int number, Real near,
                                     std::span<const CellRun> cells) {
     known_.resize(std::max(known_.size(), static_cast<std::size_t>(number) + 1));
     Known& known = known_[static_cast<std::size_t>(number)];
@@ -212,7 +158,7 @@ void SolidSearch::look_at_particles(const Grid& grid, const Points& x, const Sol
         known = {solid.shape, std::vector<Measured>(particles)};
     }
     surface_.resize(particles);
-    const Real far = thickness + longest_side(grid, x, cells) + deeper_than_corners;
+    const Real far = near + longest_side(grid, x, cells) + deeper_than_corners;
     for_each_particle_once(grid, cells, particles_, [&](int particle) {
         const Vec3 p = position(x, particle), seen = p - solid.position;
         Measured& last = known.particles[static_cast<std::size_t>(particle)];
@@ -224,34 +170,19 @@ void SolidSearch::look_at_particles(const Grid& grid, const Points& x, const Sol
     });
 }
 
-void SolidSearch::find(const Grid& grid, const Points& x, const Solid& solid, int number, Real thickness,
-                       std::span<const CellRun> cells, std::vector<Contact>& contacts) {
-    look_at_particles(grid, x, solid, number, thickness, cells);
-    const ContactMaker make{grid, x, solid, number, thickness};
+void SolidSearch::find(const Grid& grid, const ClothMotion& cloth, const Solid& solid, int number, Real thickness,
+                       Real reach, std::span<const CellRun> cells, std::vector<Contact>& contacts) {
+    Solid start = solid;
+    const Points& before = reach > 0 ? cloth.before : cloth.x;
+    const Vec3 moved = reach > 0 ? solid.moved : Vec3(0, 0, 0);
+    start.position -= moved;
+    look_at_particles(grid, before, start, number, thickness + reach, cells);
+    const ContactMaker make{grid, before, cloth.x, start, moved, number, thickness, reach, contacts};
     for_each_beside(make, cells, surface_, [&](const TriangleBeside& beside, unsigned owned) {
         for (std::size_t k = 0; k < 3; ++k) {
-            if ((owned >> k & 1u) == 0) continue;
-            if (const auto found = make.of_corner(beside, k)) contacts.push_back(*found);
+            if ((owned >> k & 1u) != 0) make.add_corner(beside, k);
         }
-        if (const auto found = make.of_inside(beside)) contacts.push_back(*found);
-    });
-}
-
-void SolidSearch::find_swept(const Grid& grid, const Points& before, const Points& x, const Solid& solid, int number,
-                             Real thickness, std::span<const CellRun> cells, std::vector<Contact>& contacts) {
-    look_at_particles(grid, x, solid, number, thickness, cells);
-    const ContactMaker make{grid, x, solid, number, thickness};
-    for_each_beside(make, cells, surface_, [&](const TriangleBeside& beside, unsigned owned) {
-        std::array<std::optional<Contact>, 4> found;
-        for (std::size_t k = 0; k < 3; ++k) {
-            if ((owned >> k & 1u) != 0) found[k] = make.on_its_side(before, beside, k, make.of_corner(beside, k));
-        }
-        found[3] = make.on_its_side(before, beside, 3, make.of_inside(beside));
-        for (const bool of_impact : {false, true}) {
-            for (const auto& one : found) {
-                if (one && one->of_impact == of_impact) contacts.push_back(*one);
-            }
-        }
+        make.add_inside(beside);
     });
 }
 

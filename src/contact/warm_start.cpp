@@ -14,7 +14,6 @@ bool solves_for_pushes(ResponseKind kind) { return kind == ResponseKind::Project
 /// Contacts are found in this order: by ball, then by solid, in each by triangle with its particles first; on the
 /// ground, which comes last, by particle.
 std::tuple<unsigned, int, int> order_of(const Contact& contact) {
-    if (contact.of_impact) return {static_cast<unsigned>(contact.ball), contact.triangle, 4};
     if (!contact.of_particle) return {static_cast<unsigned>(contact.ball), contact.triangle, 3};
     int corner = 0;
     while (contact.barycentric[static_cast<std::size_t>(corner)] == 0) ++corner;
@@ -29,7 +28,7 @@ const FeaturePair& order_of(const PairContact& contact) { return contact.pair.fe
 bool is_on_ground(const Contact& contact) { return contact.ball == the_ground; }
 bool is_on_ground(const PairContact& /*contact*/) { return false; }
 
-bool is_of_surface(const Contact& contact) { return !contact.of_node && !contact.of_impact; }
+bool is_of_surface(const Contact& contact) { return !contact.of_node && !contact.parted; }
 bool is_of_surface(const PairContact& /*contact*/) { return true; }
 
 /// Whether it pushes a free ball too. Such a contact is kept with a push of zero, to be told that it lasts.
@@ -43,12 +42,11 @@ void scale(ContactPush& push, Real factor) {
 Vec3 push_along(const ContactPush& push, const Vec3& normal) { return push.normal * normal + push.friction; }
 
 /// Where a contact of before is now, its depth less than zero if it has parted. Its normal stays, for the ball may have
-/// come through the cloth since; a solid has moved on as it did. As an impact it is there for this substep alone: a
-/// solid ends where the plane of a contact goes on.
+/// come through the cloth since; a solid has moved on as it did. It is kept for this substep alone.
 void follow_contact(const ResponseParameters& parameters, std::span<const ClothInContact> cloths,
                     std::span<const Ball> balls, Contact& contact) {
     contact.point = at_point(contact, cloths[static_cast<std::size_t>(contact.cloth)].state.x);
-    contact.of_impact = contact.ball != the_ground;
+    contact.parted = true;
     if (is_solid(contact.ball)) contact.plane.height += contact.normal.dot(contact.plane.moved);
     contact.depth = depth_now(parameters, balls, contact);
 }

@@ -32,8 +32,8 @@ Experiment original_experiment();
 /// What the vector kernels buy: the stages of a step with them and with the plain core, by size of the cloth.
 Experiment kernels_experiment();
 
-/// What a ball passes unseen between two steps, by its speed, beside what is predicted; and what it costs to detect its
-/// whole way. Every swept query is checked against all cells; a disagreement ends the run.
+/// What a ball passes unseen between two steps, by its speed, beside what is predicted; and what it costs to find
+/// what it may have met. Every such query is checked against all cells; a disagreement ends the run.
 Experiment continuous_experiment();
 
 /// The scene `drop` by every integrator, response and detection, with every volume and update: penetration, energy and

@@ -1,5 +1,6 @@
 #include "ball_motion.h"
 
+#include <Eigen/Geometry>
 #include <algorithm>
 #include <cmath>
 #include <limits>

@@ -31,109 +31,80 @@ void ContactSearch::build_from(const Points& x) {
     queried_ = false;
 }
 
-void ContactSearch::build_from_way(const Points& before, const Points& x) {
-    hierarchy_->build(before, x);
-    sweeps_ = true;
-    built_from_present_ = queried_ = false;
-}
-
-Crossing ContactSearch::worst_crossing(const Points& before, const Points& x, std::span<const Ball> balls,
-                                       Real thickness) const {
-    const Real cloth = largest_displacement(x, before, kernels_);
+Crossing ContactSearch::crossing(const ClothMotion& cloth, std::span<const Ball> balls, Real thickness) const {
+    const Real moved = largest_displacement(cloth.x, cloth.before, kernels_);
     Crossing worst;
     for (const Ball& ball : balls) {
-        take_worse(worst, {ball.moved.norm() + cloth, ball.radius + thickness});
+        take_worse(worst, {ball.moved.norm() + moved, ball.radius + thickness});
     }
     return worst;
 }
 
-Crossing ContactSearch::solid_crossing(const Points& before, const Points& x, std::span<const Solid> solids,
-                                       Real thickness) const {
-    const Real cloth = largest_displacement(x, before, kernels_);
+Crossing ContactSearch::crossing(const ClothMotion& cloth, std::span<const Solid> solids, Real thickness) const {
+    const Real moved = largest_displacement(cloth.x, cloth.before, kernels_);
     Crossing worst;
     for (const Solid& solid : solids) {
         const auto [low, high] = solid.shape->extent();
-        take_worse(worst, {solid.moved.norm() + cloth, (high - low).minCoeff() / 2 + thickness});
+        take_worse(worst, {solid.moved.norm() + moved, (high - low).minCoeff() / 2 + thickness});
     }
     return worst;
 }
 
-void ContactSearch::build(const Points& before, const Points& x, std::span<const Ball> balls,
-                          const ContactSettings& contact) {
-    const bool always = contact.continuous == Continuous::Always;
-    crossing_ = always ? Crossing{} : worst_crossing(before, x, balls, contact.thickness);
-    sweeps_ = always || (contact.continuous == Continuous::Auto && crossing_.possible());
-    sweeps_ ? build_from_way(before, x) : build_from(x);
+void ContactSearch::build(const ClothMotion& cloth, const ContactSettings& contact) {
+    build_from(cloth.x);
+    looks_back_ = contact.continuous != Continuous::Never;
+    moved_ = looks_back_ ? largest_displacement(cloth.x, cloth.before, kernels_) : 0;
+}
+
+Real ContactSearch::reach(const Vec3& moved, Real room) const {
+    return looks_back_ ? reach_of(moved_ + moved.norm(), room) : Real(0);
 }
 
 TraversalStats ContactSearch::traverse(std::span<const Ball> balls, Real thickness) {
     traversal_ = {};
     candidates_.resize(balls.size());
     for (std::size_t b = 0; b < balls.size(); ++b) {
-        traversal_ += sweeps_ ? hierarchy_->query(grown(way_of(balls[b]), thickness), candidates_[b])
-                              : hierarchy_->query(grown(balls[b], thickness), candidates_[b]);
+        // What was as near as the reach at the start may be farther by as much at the end
+        const Real margin = thickness + 2 * reach(balls[b].moved, balls[b].radius + thickness);
+        traversal_ += hierarchy_->query(grown(balls[b], margin), candidates_[b]);
         // In the same order whatever found them, so that contacts are answered in the same order
         std::ranges::sort(candidates_[b].cells);
     }
-    queried_ = !sweeps_;
+    queried_ = true;
     return traversal_;
 }
 
-std::int64_t ContactSearch::narrow(const Points& before, const Points& x, std::span<const Ball> balls, Real thickness,
+std::int64_t ContactSearch::narrow(const ClothMotion& cloth, std::span<const Ball> balls, Real thickness,
                                    Real longest_push, std::vector<Contact>& contacts) {
     contacts.clear();
-    found_passing_ = false;
     std::int64_t touching = 0;
     for (std::size_t b = 0; b < balls.size(); ++b) {
         const auto& [cells, stopped] = candidates_[b];
+        const Ball& ball = balls[b];
         const int number = static_cast<int>(b);
-        if (sweeps_) {
-            touching +=
-                find_swept_contacts(grid_, before, x, balls[b], number, thickness, cells, impacts_, contacts, kernels_);
-            continue;
-        }
-        touching += find_contacts(grid_, x, balls[b], number, thickness, cells, contacts, kernels_);
-        find_node_contacts(grid_, x, balls[b], number, thickness, longest_push, stopped, contacts);
+        const Real near = reach(ball.moved, ball.radius + thickness);
+        touching += find_contacts(grid_, cloth, ball, number, thickness, near, cells, contacts, kernels_);
+        find_node_contacts(grid_, cloth.x, ball, number, thickness, longest_push, stopped, contacts);
     }
-    found_passing_ = sweeps_ && std::ranges::any_of(contacts, &Contact::of_impact);
     return traversal_.candidates - touching;
 }
 
-void ContactSearch::look_again(const Points& before, const Points& x, std::span<const Ball> balls, Real thickness,
-                               std::vector<Contact>& contacts) {
-    build_from_way(before, x);
-    traverse(balls, thickness);
-    narrow(before, x, balls, thickness, 0, contacts);
-}
-
-TraversalStats ContactSearch::meet_solids(const Points& before, const Points& x, std::span<const Solid> solids,
-                                          const ContactSettings& contact, std::vector<Contact>& contacts) {
+TraversalStats ContactSearch::meet_solids(const ClothMotion& cloth, std::span<const Solid> solids, Real thickness,
+                                          std::vector<Contact>& contacts) {
     TraversalStats stats;
-    if (solids.empty()) return stats;
-    const Real cloth = largest_displacement(x, before, kernels_);
-    const auto is_swept = [&](const Solid& solid) {
-        const bool may_pass = 2 * (cloth + solid.moved.norm()) > contact.thickness;
-        return contact.continuous == Continuous::Always || (contact.continuous == Continuous::Auto && may_pass);
-    };
-    if (std::ranges::any_of(solids, is_swept) && !sweeps_) build_from_way(before, x);
-    if (!sweeps_ && !built_from_present_) build_from(x);
     for (std::size_t s = 0; s < solids.size(); ++s) {
         const Solid& solid = solids[s];
-        const int number = static_cast<int>(s);
-        stats += hierarchy_->query_near(solid, contact.thickness + solid.moved.norm(), near_);
+        const Real near = reach(solid.moved, thickness);
+        stats += hierarchy_->query_near(solid, thickness + 2 * near, near_);
         std::ranges::sort(near_.cells);
-        if (is_swept(solid)) {
-            solid_search_.find_swept(grid_, before, x, solid, number, contact.thickness, near_.cells, contacts);
-        } else {
-            solid_search_.find(grid_, x, solid, number, contact.thickness, near_.cells, contacts);
-        }
+        solid_search_.find(grid_, cloth, solid, static_cast<int>(s), thickness, near, near_.cells, contacts);
     }
     return stats;
 }
 
 TraversalStats ContactSearch::meet_ground(const Points& x, Real height, Real thickness,
                                           std::vector<Contact>& contacts) {
-    const bool asks = (built_from_present_ || sweeps_) && hierarchy_->levels() > 0;
+    const bool asks = built_from_present_ && hierarchy_->levels() > 0;
     const TraversalStats stats = asks ? hierarchy_->query_below(height + thickness, low_) : TraversalStats{};
     // A pass in the order of memory is faster than picking more than some of the particles
     const bool picks = asks && 4 * stats.candidates < grid_.cells();

@@ -1,5 +1,6 @@
 #include "drape/sim/moving_pins.h"
 
+#include <Eigen/Geometry>
 #include <algorithm>
 #include <numbers>
 

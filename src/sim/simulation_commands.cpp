@@ -119,19 +119,11 @@ void Simulation::restart() {
         cloth.integrator.use(integrator_of(settings_.solver), parameters.particles);
         cloth.energy.restart(cloth.model, cloth.state, settings_.solver.kernels);
         cloth.energy.keep_ledger(settings_.solver.ledger, cloth.model, cloth.state);
-        cloth.search.use(broad_phase_of(settings_), cloth.model.grid, cloth.state.x);
-        cloth.contacts.reserve(2 * static_cast<std::size_t>(parameters.particles.triangles()));
-        cloth.warm_start.reserve(cloth.contacts.capacity());
     }
-    std::size_t most_contacts = 0;
-    for (const Cloth& cloth : cloths_) most_contacts += cloth.contacts.capacity();
-    contact_rows_.reserve(most_contacts);
     use_pins();
-    use_self_contact();
+    contact_.use(settings_, cloths_);
     balls_.clear();
-    ball_contacts_.clear();
     const std::size_t balls = settings_.balls.size();
-    ball_contacts_.reserve(balls * (balls + 1) / 2 + balls * settings_.solids.size());
     const bool balls_are_known = start_ && !start_->balls.empty();
     for (std::size_t b = 0; b < balls; ++b) {
         balls_.push_back(make_ball(settings_.balls[b], report_.time, balls_are_known ? &start_->balls[b] : nullptr));
@@ -189,13 +181,7 @@ void Simulation::configure(Settings settings) {
         counted_from_time_ = report_.time;
     }
     for (std::size_t c = 0; c < cloths_.size(); ++c) configure_cloth(c, before);
-    const bool same_search = broad_phase_of(settings_) == broad_phase_of(before);
-    if (settings_.contact.self != before.contact.self) {
-        use_self_contact();
-    } else if (!same_search) {
-        self_contact_.use_hierarchy(settings_, cloth_models());
-    }
-    self_contact_.share(settings_.solver.threads);
+    contact_.configure(settings_, before, cloths_);
     configure_balls(before);
     if (settings_.pins != before.pins || !same_pinned(settings_, before)) {
         pins_.let_go(cloths_);
@@ -230,14 +216,6 @@ void Simulation::configure_cloth(std::size_t number, const Settings& before) {
     if (!same_integrator(before.solver, settings_.solver)) {
         cloth.integrator.use(integrator_of(settings_.solver), cloth.model.grid);
     }
-    const BroadPhaseParameters hierarchy = broad_phase_of(settings_);
-    if (hierarchy != broad_phase_of(before)) cloth.search.use(hierarchy, cloth.model.grid, cloth.state.x);
-}
-
-std::vector<const ClothModel*> Simulation::cloth_models() const {
-    std::vector<const ClothModel*> models;
-    for (const Cloth& cloth : cloths_) models.push_back(&cloth.model);
-    return models;
 }
 
 void Simulation::use_pins() {
@@ -245,12 +223,6 @@ void Simulation::use_pins() {
     for (Cloth& cloth : cloths_) cloth.energy.expect_pins(false);
     for (const PinSettings& pins : settings_.pins)
         cloths_[static_cast<std::size_t>(pins.cloth)].energy.expect_pins(true);
-}
-
-void Simulation::use_self_contact() {
-    std::vector<const Points*> positions;
-    for (const Cloth& cloth : cloths_) positions.push_back(&cloth.state.x);
-    self_contact_.use(settings_, cloth_models(), positions);
 }
 
 }  // namespace drape

@@ -2,7 +2,6 @@
 #include <utility>
 
 #include "drape/sim/simulation.h"
-#include "run_checks.h"
 #include "solid_motion.h"
 
 namespace drape {
@@ -11,18 +10,6 @@ void Simulation::move_solids(const Substep& now) {
     for (std::size_t s = 0; s < solids_.size(); ++s) {
         move_solid(settings_.solids[s], static_cast<Real>(now.time), now.h, solids_[s]);
     }
-}
-
-void Simulation::meet_solids(Cloth& cloth) {
-    report_.solids +=
-        cloth.search.meet_solids(start_of_substep(cloth), cloth.state.x, solids_, settings_.contact, cloth.contacts);
-}
-
-void Simulation::mark_solid_crossing(const Cloth& cloth, const Substep& now) {
-    if (settings_.contact.continuous != Continuous::Never || solids_.empty()) return;
-    const Crossing crossing =
-        cloth.search.solid_crossing(start_of_substep(cloth), cloth.state.x, solids_, settings_.contact.thickness);
-    mark_crossing(crossing, now.time, now.h, report_);
 }
 
 /// Nothing that touched a solid where it was does so where it is now.

@@ -30,7 +30,7 @@ FrameView Simulation::view(Real blend) {
     report_.rms_speed = std::sqrt(square_sum / particles);
     TraversalStats pair_search;
     if (settings_.view.bounds && settings_.contact.self) {
-        pair_search = pair_marks_.mark(cloths_, self_contact_.contacts(), settings_.contact);
+        pair_search = pair_marks_.mark(cloths_, contact_.self().contacts(), settings_.contact);
         for (std::size_t c = 0; c < shown_.size(); ++c) shown_[c].pair_cells = pair_marks_.touched_cells(c);
     }
     const bool leads = balls_.size() > 1 && settings_.balls[users_ball_].motion == BallMotion::Keys;
@@ -57,7 +57,7 @@ std::string Simulation::step_warning() const {
     for (const std::string& one :
          {step_limit_warning(settings_.solver, report_, planned_substeps_),
           penalty_limit_warning(settings_, cloths_, planned_substeps_),
-          start_warning(self_contact_.crossings_at_start(), self_contact_.coincident_at_start(), depth_at_start_),
+          start_warning(contact_.self().crossings_at_start(), contact_.self().coincident_at_start(), depth_at_start_),
           ball_start_warning(settings_, start_)}) {
         all += (all.empty() || one.empty() ? "" : "; ") + one;
     }

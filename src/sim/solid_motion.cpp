@@ -1,5 +1,6 @@
 #include "solid_motion.h"
 
+#include <Eigen/Geometry>
 #include <numbers>
 
 #include "ball_motion.h"

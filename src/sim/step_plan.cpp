@@ -174,18 +174,21 @@ int substeps_in_contact(const Settings& settings, bool may_touch, int planned) {
     return std::max(planned, static_cast<int>(std::min(wanted, most_substeps)));
 }
 
-bool may_cross(const Settings& settings, std::span<const Cloth> cloths, std::span<const Ball> balls) {
-    if (!is_divided_in_contact(settings) || settings.contact.continuous == Continuous::Never) return false;
+int substeps_of_balls(const Settings& settings, std::span<const Cloth> cloths, std::span<const Ball> balls) {
+    if (settings.contact.continuous == Continuous::Never) return 1;
+    Real halves = 1;
     for (const Cloth& cloth : cloths) {
         const Aabb box = box_of(cloth);
         const Real speed = greatest_speed(cloth);
         for (const Ball& ball : balls) {
             const Real way = way_within_step(settings, ball.velocity.norm() + speed);
             const Real radius = ball.radius + settings.contact.thickness;
-            if (2 * way > radius && Aabb{ball.centre, ball.centre}.comes_within(box, radius + way)) return true;
+            if (Aabb{ball.centre, ball.centre}.comes_within(box, radius + way)) {
+                halves = std::max(halves, 2 * way / radius);
+            }
         }
     }
-    return false;
+    return static_cast<int>(std::ceil(std::min(static_cast<double>(halves), most_substeps)));
 }
 
 bool may_touch(const Settings& settings, std::span<const Cloth> cloths, std::span<const Ball> balls,

@@ -25,12 +25,9 @@ bool plan_is_due(const SolverSettings& solver, const StepReport& report);
 /// @cite macklin2019
 int substeps_in_contact(const Settings& settings, bool may_touch, int planned);
 
-/// Whether a ball could come past the middle of its way into a cloth within an undivided step, or a cloth past that of
-/// a ball, by where they are and how fast at its start. Only where the whole way is tested, and under a method whose
-/// steps are divided while anything touches: the impact is to be in such a substep too, for a light ball that a long
-/// step stops is thrown back, or is let through, by the springs that it has drawn out within that step.
-/// @par Cost O(particles); none for other methods
-bool may_cross(const Settings& settings, std::span<const Cloth> cloths, std::span<const Ball> balls);
+/// How many substeps a step needs for no ball and no particle near it to come nearer to each other within one than half
+/// the ball's radius. What forces add within the step is not foreseen. 1 where `contact.continuous` is false.
+int substeps_of_balls(const Settings& settings, std::span<const Cloth> cloths, std::span<const Ball> balls);
 
 /// Whether cloth or a free ball may touch anything within an undivided step whose substeps in contact would be shorter,
 /// where the response has penalties: at the end of a long step a penalty is pressed in so deep that it throws off what

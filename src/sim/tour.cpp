@@ -52,7 +52,7 @@ constexpr std::array<TourStop, 12> stops{{
      1.2},
     {"Tunnelling", "bullet", at_ends_only,
      "The ball is tested at the ends of each step only: at 60 m/s it is through the cloth in between.",
-     "M, Contact: set continuous to auto, then R.", "src/contact/impact.cpp", 0.05},
+     "M, Contact: set continuous to auto, then R.", "src/contact/contact.cpp", 0.05},
     {"Friction",
      "slide",
      {},

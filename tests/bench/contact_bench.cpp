@@ -19,7 +19,7 @@ void ball_contacts(benchmark::State& state, int side, drape::Kernels kernels) {
     std::vector<drape::Contact> contacts;
     for (auto _ : state) {
         contacts.clear();
-        drape::find_contacts(sheet.grid, sheet.x, sheet.ball, 0, 0, cells, contacts, kernels);
+        drape::find_contacts(sheet.grid, {sheet.x, sheet.x}, sheet.ball, 0, 0, 0, cells, contacts, kernels);
     }
     state.counters["contacts"] = static_cast<double>(contacts.size());
 }

@@ -97,39 +97,6 @@ TYPED_TEST(Volume, ContainsWhatItHasGrownBy) {
     });
 }
 
-/// At some time of the step the ball has a particle on its surface.
-TYPED_TEST(Volume, TouchesABallThatPassesAParticleFromAnySideAndAtAnyScale) {
-    std::mt19937 random(13);
-    std::normal_distribution<Real> normal;
-    const auto direction = [&] { return Vec3(normal(random), normal(random), normal(random)).normalized(); };
-    for_many_patches([&](const Grid& grid, const Points& x) {
-        const TypeParam volume = TypeParam::fit(whole(x, grid));
-        const Real size = volume.sphere().radius;
-        for (int p = 0; p < grid.particles(); ++p) {
-            const Vec3 particle = x.row(p).transpose(), side = direction();
-            const Real radius = p % 3 == 0 ? size : size / 100, time = static_cast<Real>(p % 5) / 4;
-            const Vec3 way = (p % 2 == 0 ? 10 * size : size / 10) * direction();
-            const Vec3 centre = particle + side * radius;
-            ASSERT_TRUE(volume.overlaps(SweptBall{centre - time * way, centre + (1 - time) * way, radius}));
-        }
-    });
-}
-
-TYPED_TEST(Volume, DoesNotTouchABallThatStaysBesideIt) {
-    const Grid grid{9, 9};
-    std::mt19937 random(14);
-    for (int round = 0; round < 200; ++round) {
-        const Points x = test::random_cloth(grid, random);
-        const TypeParam volume = TypeParam::fit(whole(x, grid));
-        const BoundingSphere sphere = volume.sphere();
-        const Real radius = sphere.radius / 4, beside = sphere.radius * Real(1.26);
-        const Vec3 corner = sphere.centre + Vec3(0, beside, 0), way(3, 0, 1);
-        EXPECT_FALSE(volume.overlaps(SweptBall{corner - way, corner + way, radius})) << "it passes above";
-        const Vec3 away(0, 0, beside);
-        EXPECT_FALSE(volume.overlaps(SweptBall{sphere.centre + away, sphere.centre + 9 * away, radius})) << "it leaves";
-    }
-}
-
 TYPED_TEST(Volume, IsWithinItsSphere) {
     for_many_patches([](const Grid& grid, const Points& x) {
         const BoundingSphere sphere = TypeParam::fit(whole(x, grid)).sphere();

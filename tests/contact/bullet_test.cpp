@@ -4,8 +4,8 @@
 
 #include "drape/base/exact_math.h"
 #include "drape/bounds/broad_phase.h"
+#include "drape/bounds/leaf_copies.h"
 #include "drape/contact/contact.h"
-#include "drape/contact/impact.h"
 #include "support/containment.h"
 
 namespace drape {
@@ -33,8 +33,8 @@ public:
         for (Real& z : to.col(2).reshaped()) z = middle + rough * draw();
     }
 
-    /// @return a ball that crosses the sheet within the step, at up to 100 m/s
-    SweptBall cross() {
+    /// @return a ball that crosses the sheet within the step, at up to 100 m/s, where it ends
+    Ball cross() {
         const Real aside = Real(0.45);
         Vec3 start(aside * draw(), aside * draw(), 0), end(aside * draw(), aside * draw(), 0);
         if (random_() % 2 == 0) {
@@ -42,7 +42,7 @@ public:
         } else {
             start[2] = from.col(2).minCoeff() - gap(), end[2] = to.col(2).maxCoeff() + gap();
         }
-        return {start, end, radius};
+        return {.centre = end, .radius = radius, .moved = end - start};
     }
 
     static constexpr Grid grid{30, 30};
@@ -65,31 +65,31 @@ struct Shots {
     long shots = 0, through = 0, discrete = 0;
 };
 
-/// Shoots, and counts the balls that neither query sees; and those that positions after the step alone would miss.
-Shots shoot(const BroadPhaseParameters& parameters, int steps, int balls, bool only_the_end = false) {
+/// Shoots, and counts the balls that no contact would throw back; and those that positions after the step alone miss.
+/// @param reaches the tree is asked as far as what meets within the step may be at its end
+Shots shoot(const BroadPhaseParameters& parameters, int steps, int balls, bool reaches = true) {
     Sheet sheet(static_cast<unsigned>(steps + static_cast<int>(parameters.volume)));
     const auto tree = make_broad_phase(parameters, Sheet::grid);
     Candidates found;
-    std::vector<TriangleImpact> impacts;
-    std::vector<int> touched;
+    std::vector<Contact> contacts;
+    const auto is_met = [&](const Ball& ball, Real reach) {
+        contacts.clear();
+        find_contacts(Sheet::grid, {sheet.from, sheet.to}, ball, 0, Sheet::thickness, reach, found.cells, contacts,
+                      Kernels::Vector);
+        return std::ranges::any_of(contacts, [](const Contact& contact) { return contact.depth > 0; });
+    };
     Shots count;
     for (int step = 0; step < steps; ++step) {
         sheet.swing();
-        if (only_the_end)
-            tree->build(sheet.to);
-        else
-            tree->build(sheet.from, sheet.to);
+        tree->build(sheet.to);
+        const Real moved = largest_displacement(sheet.to, sheet.from, Kernels::Vector);
         for (int shot = 0; shot < balls; ++shot) {
-            const SweptBall ball = sheet.cross();
-            tree->query(grown(ball, Sheet::thickness), found);
-            impacts.clear();
-            find_impacts(Sheet::grid, sheet.from, sheet.to, grown(ball, Sheet::thickness), found.cells, impacts);
+            const Ball ball = sheet.cross();
+            const Real reach = moved + ball.moved.norm();
+            tree->query(grown(ball, Sheet::thickness + (reaches ? 2 * reach : Real(0))), found);
             ++count.shots;
-            count.through += impacts.empty();
-            tree->query(Ball{.centre = ball.end, .radius = ball.radius + Sheet::thickness}, found);
-            find_touched_triangles(Sheet::grid, sheet.to, {.centre = ball.end, .radius = ball.radius}, Sheet::thickness,
-                                   found.cells, touched, Kernels::Vector);
-            count.discrete += touched.empty();
+            count.through += !is_met(ball, reach);
+            count.discrete += !is_met(ball, 0);
         }
     }
     return count;
@@ -114,9 +114,9 @@ TEST(Bullets, NeverGoThroughUnseen) {
     EXPECT_EQ(shots.discrete, shots.shots) << "positions after the steps alone show none of them";
 }
 
-/// The planted fault: nodes that know the end of the step alone.
-TEST(Bullets, GoThroughATreeThatIsFittedToTheEndOfTheStepOnly) {
-    EXPECT_GT(shoot({.volume = VolumeKind::Obb, .leaf_cells = 1}, 200, 10, true).through, 10);
+/// The planted fault: a tree that is asked for what is near at the end of the step only.
+TEST(Bullets, GoThroughWhereTheTreeIsNotAskedAsFarAsTheyReach) {
+    EXPECT_GT(shoot({.leaf_cells = 1}, 200, 10, false).through, 10);
 }
 
 class MillionBullets : public testing::TestWithParam<int> {};

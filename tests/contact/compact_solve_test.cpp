@@ -46,7 +46,7 @@ struct TwoSheets {
             list_all_cells(grid, cells);
             std::vector<Contact>& found = contacts.emplace_back();
             const Points& x = states.back().x;
-            find_contacts(grid, x, ball, 0, parameters.thickness, cells, found, Kernels::Plain);
+            find_contacts(grid, {x, x}, ball, 0, parameters.thickness, 0, cells, found, Kernels::Plain);
             find_ground_contacts(grid, x, parameters.ground.height, parameters.thickness, found);
             for (Contact& contact : found) {
                 contact.displacement = {.normal = std::max(noise(random), Real(0)) * Real(1e-7)};

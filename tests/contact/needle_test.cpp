@@ -140,7 +140,8 @@ TEST(TouchedTriangles, OfANeedleAreThoseWithinTheRadius) {
                 find_touched_triangles(grid, x, {.centre = needle.p, .radius = radius}, 0, all, touched,
                                        Kernels::Vector);
                 contacts.clear();
-                find_contacts(grid, x, {.centre = needle.p, .radius = radius}, 0, 0, all, contacts, Kernels::Vector);
+                find_contacts(grid, {x, x}, {.centre = needle.p, .radius = radius}, 0, 0, 0, all, contacts,
+                              Kernels::Vector);
                 const bool found = std::ranges::count(touched, 0) == 1;
                 EXPECT_TRUE(!found || !contacts.empty());
                 return found;

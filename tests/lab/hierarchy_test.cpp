@@ -114,7 +114,6 @@ public:
         right_->build(x);
         --healthy_builds_;
     }
-    void build(const Points& from, const Points& to) override { right_->build(from, to); }
     TraversalStats query(const Ball& ball, Candidates& found) override {
         const TraversalStats stats = right_->query(ball, found);
         if (healthy_builds_ >= 0) return stats;
@@ -125,7 +124,6 @@ public:
         if (fault_ == Fault::DropsAStoppedNode) found.stopped.clear();
         return stats;
     }
-    TraversalStats query(const SweptBall& ball, Candidates& found) override { return right_->query(ball, found); }
     TraversalStats query(const BroadPhase& other, Real margin, const FoldTest* folds,
                          std::vector<LeafPair>& pairs) override {
         return right_->query(other, margin, folds, pairs);

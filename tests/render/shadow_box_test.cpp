@@ -1,5 +1,6 @@
 // How finely the shadow map sees, by where balls and camera are.
 
+#include <Eigen/Geometry>
 #include <gtest/gtest.h>
 
 #include <algorithm>

@@ -1,5 +1,6 @@
 #include "render/smooth_outline.h"
 
+#include <Eigen/Geometry>
 #include <gtest/gtest.h>
 
 #include <cmath>

@@ -129,28 +129,6 @@ Simulation bullet(const std::string& integrator, Real speed, const std::string& 
                        "ball.velocity=0,0," + std::to_string(speed)});
 }
 
-/// Whether the ball has not gone through the curtain's middle: that is before it then, or a fast ball has thrown it up.
-bool holds(Simulation simulation) {
-    make_steps(simulation, 4);
-    EXPECT_EQ(simulation.report().status, Status::Ok) << simulation.report().trouble;
-    const Ball& ball = simulation.balls()[0];
-    EXPECT_GT(ball.centre.z(), 0.2);
-    const Cloth& cloth = simulation.cloths()[0];
-    const int middle = cloth.model.grid.particle(cloth.model.grid.nx / 2, cloth.model.grid.ny / 2);
-    const Vec3 offset = cloth.state.x.row(middle).transpose() - ball.centre;
-    return offset.z() > 0 || offset.head<2>().norm() > ball.radius;
-}
-
-TEST(ContinuousDetection, StopsABallThatCrossesTheClothWithinAStep) {
-    for (const std::string integrator : {"backward_euler", "projective_dynamics", "xpbd"}) {
-        for (const Real speed : {30, 60, 100}) {
-            EXPECT_TRUE(holds(bullet(integrator, speed, "auto"))) << integrator << " " << speed;
-            if (integrator == "xpbd") continue;  // whose steps are divided where a ball is free
-            EXPECT_FALSE(holds(bullet(integrator, speed, "false"))) << integrator << " " << speed;
-        }
-    }
-}
-
 /// Whether a ball has cloth behind it where it is, and none before it, along z.
 bool is_through(const Cloth& cloth, const Ball& ball) {
     bool behind = false;
@@ -166,6 +144,25 @@ bool is_through(const Cloth& cloth, const Ball& ball) {
         behind = true;
     }
     return behind;
+}
+
+/// Whether the ball has not gone through the curtain.
+bool holds(Simulation simulation) {
+    make_steps(simulation, 4);
+    EXPECT_EQ(simulation.report().status, Status::Ok) << simulation.report().trouble;
+    const Ball& ball = simulation.balls()[0];
+    EXPECT_GT(ball.centre.z(), 0.2);
+    return !is_through(simulation.cloths()[0], ball);
+}
+
+TEST(ContinuousDetection, StopsABallThatCrossesTheClothWithinAStep) {
+    for (const std::string integrator : {"backward_euler", "projective_dynamics", "xpbd"}) {
+        for (const Real speed : {30, 60, 100}) {
+            EXPECT_TRUE(holds(bullet(integrator, speed, "auto"))) << integrator << " " << speed;
+            if (integrator == "xpbd") continue;  // whose steps are divided where a ball is free
+            EXPECT_FALSE(holds(bullet(integrator, speed, "false"))) << integrator << " " << speed;
+        }
+    }
 }
 
 /// A long step that stopped a light ball on its own would draw springs out so far that they throw it back faster than
@@ -286,7 +283,8 @@ TEST(ContinuousDetection, KeepsMomentumAndBooksWhatTheBallLoses) {
         }
         static_cast<void>(simulation.view());
         EXPECT_GT(lost, start / 20) << response << ": they have met";
-        EXPECT_NEAR(figure(simulation.report(), "ball_work"), lost, 1e-9 * start) << response;
+        EXPECT_NEAR(figure(simulation.report(), "ball_work"), lost, 1e-4 * start)
+            << response << ": but for what substeps are part of a step";
     }
 }
 

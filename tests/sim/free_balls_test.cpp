@@ -1,5 +1,6 @@
 // Balls that gravity and contact move: in the shipped scenes, and against exact formulas.
 
+#include <Eigen/Geometry>
 #include <algorithm>
 #include <array>
 

@@ -1,5 +1,6 @@
 // Meshes of solids, from OBJ and STL files: what is read, what is mended, and what is refused.
 
+#include <Eigen/Geometry>
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 

@@ -118,7 +118,7 @@ TEST_P(SelfContactScene, HasCrossingsWithoutTheSearch) {
     Settings settings = GetParam()();
     settings.contact.self = false;
     const Tally tally = run(std::move(settings), time_of(GetParam()));
-    EXPECT_GT(tally.crossings, 100);
+    EXPECT_GT(tally.crossings, 5);
     EXPECT_EQ(tally.pairs, 0);
 }
 

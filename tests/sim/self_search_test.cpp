@@ -2,6 +2,7 @@
 
 #include "drape/sim/self_search.h"
 
+#include <Eigen/Geometry>
 #include <gtest/gtest.h>
 
 #include <algorithm>

@@ -58,17 +58,6 @@ struct Aabb {
         return square <= radius * radius;
     }
 
-    /// By what of the ball's way is within the box, grown by the radius. @cite ericson2004
-    [[nodiscard]] bool overlaps(const SweptBall& ball) const {
-        const Real farthest = std::max(low.cwiseAbs().maxCoeff(), high.cwiseAbs().maxCoeff());
-        const Real reach = ball.radius + ball.rounding(farthest);
-        SlabClip way;
-        for (int axis = 0; axis < 3; ++axis) {
-            if (!way.cut(ball.start[axis], ball.end[axis], low[axis] - reach, high[axis] + reach)) return false;
-        }
-        return true;
-    }
-
     /// By the gaps along the axes.
     [[nodiscard]] bool comes_within(const Aabb& other, Real margin) const {
         const Vec3 gap = (low - other.high).cwiseMax(other.low - high).cwiseMax(Real(0));

@@ -38,15 +38,6 @@ struct BoundingSphere {
         return dx * dx + dy * dy + dz * dz <= radii * radii;
     }
 
-    /// By the distance of the centre from the ball's way.
-    [[nodiscard]] bool overlaps(const SweptBall& ball) const {
-        const Vec3 way = ball.end - ball.start, offset = centre - ball.start;
-        const Real square = way.squaredNorm(), along = offset.dot(way);
-        const Real t = square > 0 ? std::clamp(along / square, Real(0), Real(1)) : Real(0);
-        const Real radii = radius + ball.radius + ball.rounding(centre.cwiseAbs().maxCoeff() + radius);
-        return (offset - t * way).squaredNorm() <= radii * radii;
-    }
-
     /// By the distance of the centres.
     [[nodiscard]] bool comes_within(const BoundingSphere& other, Real margin) const {
         constexpr Real epsilon = std::numeric_limits<Real>::epsilon();

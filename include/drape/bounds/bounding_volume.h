@@ -6,7 +6,6 @@
 #include <utility>
 
 #include "drape/base/real.h"
-#include "drape/bounds/swept_ball.h"
 #include "drape/model/ball.h"
 
 namespace drape {
@@ -48,11 +47,10 @@ struct BoundingSphere;
 /// that it has contained.
 template <class V>
 concept BoundingVolume = requires(V volume, const Patch& patch, std::span<const V> children, const Ball& ball,
-                                  const SweptBall& swept, const V& other, Real margin, const Vec3& p) {
+                                  const V& other, Real margin, const Vec3& p) {
     { V::fit(patch) } -> std::same_as<V>;
     { V::merge(children) } -> std::same_as<V>;
     { std::as_const(volume).overlaps(ball) } -> std::same_as<bool>;
-    { std::as_const(volume).overlaps(swept) } -> std::same_as<bool>;
     { std::as_const(volume).comes_within(other, margin) } -> std::same_as<bool>;
     { V::start(patch) } -> std::same_as<V>;
     { volume.include(p) } -> std::same_as<void>;

@@ -12,7 +12,6 @@
 #include "drape/base/kernels.h"
 #include "drape/bounds/distance_field.h"
 #include "drape/bounds/sphere_fits.h"
-#include "drape/bounds/swept_ball.h"
 #include "drape/model/ball.h"
 #include "drape/model/grid.h"
 
@@ -113,20 +112,11 @@ public:
     /// @param x n x 3 [m]
     virtual void build(const Points& x) = 0;
 
-    /// Follows the cloth to all that it passes within a step, in which particles move evenly on lines: every node
-    /// contains both ends of its particles' ways, and so the ways.
-    /// @param from, to n x 3, at the step's beginning and end [m]
-    virtual void build(const Points& from, const Points& to) = 0;
-
     /// @param ball grown by the cloth's thickness
     /// @param found receives the candidates: every cell with a triangle that touches the ball, and perhaps more, unless
     ///        the search is limited. Cleared first; its capacity grows to what a search can find, once.
     /// @pre `build` was called
     virtual TraversalStats query(const Ball& ball, Candidates& found) = 0;
-
-    /// The same for a ball on its way through a step: every cell with a triangle that touches it at some time of the
-    /// step, as `find_impacts` tells. @pre `build` was called for this step
-    virtual TraversalStats query(const SweptBall& ball, Candidates& found) = 0;
 
     /// Where the cloth may come as near to another one, or to itself, as a margin.
     /// @param other built by the same parameters; this one itself for a cloth against itself
@@ -163,10 +153,6 @@ std::unique_ptr<BroadPhase> make_broad_phase(const BroadPhaseParameters& paramet
 
 /// The ball as a cloth of some thickness meets it.
 [[nodiscard]] inline Ball grown(Ball ball, Real thickness) {
-    ball.radius += thickness;
-    return ball;
-}
-[[nodiscard]] inline SweptBall grown(SweptBall ball, Real thickness) {
     ball.radius += thickness;
     return ball;
 }

@@ -66,11 +66,36 @@ public:
 
     [[nodiscard]] std::unique_ptr<BroadPhase> clone() const override { return std::make_unique<ClothQuadtree>(*this); }
 
-    void build(const Points& x) override { build_about(std::array{&x}); }
-    void build(const Points& from, const Points& to) override { build_about(std::array{&from, &to}); }
+    void build(const Points& x) override {
+        DRAPE_ASSERT(x.rows() == grid_.particles());
+        switch (update_) {
+            case UpdateKind::Rebuild:
+                rebuild(x);
+                break;
+            case UpdateKind::Merge:
+                merge(x);
+                break;
+            case UpdateKind::Insertion:
+                insert_all(x);
+                break;
+            case UpdateKind::Refit:
+                built_ ? refit(x) : start_refitting(x);
+                break;
+            case UpdateKind::None:
+                if (!built_) start_holding(x);
+                slack_ = largest_displacement(x, held_, kernels_);
+                break;
+        }
+        built_ = true;
+        std::ranges::fill(visits_, NodeVisit::Unvisited);
+    }
 
-    TraversalStats query(const Ball& ball, Candidates& found) override { return search(ball, found); }
-    TraversalStats query(const SweptBall& ball, Candidates& found) override { return search(ball, found); }
+    TraversalStats query(const Ball& ball, Candidates& found) override {
+        begin_query(found);
+        TraversalStats stats{.nodes = static_cast<std::int64_t>(nodes_.size())};
+        traverse(0, grown_by_slack(ball), found, stats);
+        return stats;
+    }
 
     TraversalStats query(const BroadPhase& other, Real margin, const FoldTest* folds,
                          std::vector<LeafPair>& pairs) override {
@@ -136,13 +161,9 @@ protected:
         return grown(ball, slack_ + 16 * std::numeric_limits<Real>::epsilon() * size);
     }
 
-    /// Volumes know the rounding of a ball on its way.
-    [[nodiscard]] SweptBall grown_by_slack(const SweptBall& ball) const { return grown(ball, slack_); }
-
     /// Into every node that overlaps the ball, from the root down; the cells of the leaves that do are the candidates.
     /// @cite dissertation
-    template <class AnyBall>
-    void traverse(int n, const AnyBall& ball, Candidates& found, TraversalStats& stats) {
+    void traverse(int n, const Ball& ball, Candidates& found, TraversalStats& stats) {
         const QuadtreeNode& node = nodes_[at(n)];
         ++stats.visited;
         ++stats.volume_tests;
@@ -189,120 +210,46 @@ private:
         }
     }
 
-    /// What a tree is built about: the positions, or those at both ends of a step.
-    template <std::size_t count>
-    using Ends = std::array<const Points*, count>;
-
-    template <std::size_t count>
-    void build_about(const Ends<count>& ends) {
-        for (const Points* end : ends) {
-            const Points& x = *end;
-            DRAPE_ASSERT(x.rows() == grid_.particles());
-        }
-        switch (update_) {
-            case UpdateKind::Rebuild:
-                rebuild(ends);
-                break;
-            case UpdateKind::Merge:
-                merge(ends);
-                break;
-            case UpdateKind::Insertion:
-                insert_all(ends);
-                break;
-            case UpdateKind::Refit:
-                built_ ? refit(ends) : start_refitting(ends);
-                break;
-            case UpdateKind::None:
-                if (!built_) start_holding(*ends[0]);
-                hold(ends);
-                break;
-        }
-        built_ = true;
-        std::ranges::fill(visits_, NodeVisit::Unvisited);
-    }
-
-    template <class AnyBall>
-    TraversalStats search(const AnyBall& ball, Candidates& found) {
-        begin_query(found);
-        TraversalStats stats{.nodes = static_cast<std::int64_t>(nodes_.size())};
-        traverse(0, grown_by_slack(ball), found, stats);
-        return stats;
-    }
-
-    /// A volume about a node's particles, at all ends.
-    template <std::size_t count>
-    Volume fitted(const QuadtreeNode& node, const Ends<count>& ends) const {
-        if constexpr (count == 1) {
-            return fits_.patch(patch_of(grid_, node, *ends[0]));
-        } else {
-            return Volume::merge(
-                std::array{fits_.patch(patch_of(grid_, node, *ends[0])), fits_.patch(patch_of(grid_, node, *ends[1]))});
-        }
-    }
-
     /// Top-down: every node is fitted to all of its own particles. @cite dissertation
     /// @par Cost O(particles * levels)
-    void rebuild(const Ends<1>& ends) {
-        fits_.tree ? fits_.tree(grid_, nodes_, *ends[0], volumes_) : rebuild_from(0, ends);
-    }
-
-    void rebuild(const Ends<2>& ends) {
-        if (!fits_.tree) return rebuild_from(0, ends);
-        end_volumes_.resize(nodes_.size());
-        fits_.tree(grid_, nodes_, *ends[0], volumes_);
-        fits_.tree(grid_, nodes_, *ends[1], end_volumes_);
-        for (std::size_t n = 0; n < nodes_.size(); ++n) {
-            volumes_[n] = Volume::merge(std::array{volumes_[n], end_volumes_[n]});
-        }
-    }
+    void rebuild(const Points& x) { fits_.tree ? fits_.tree(grid_, nodes_, x, volumes_) : rebuild_from(0, x); }
 
     /// A node is followed by all that is below it, while its particles are still in the cache.
-    template <std::size_t count>
-    void rebuild_from(int n, const Ends<count>& ends) {
+    void rebuild_from(int n, const Points& x) {
         const QuadtreeNode& node = nodes_[at(n)];
-        volumes_[at(n)] = fitted(node, ends);
-        for (int child = 0; child < node.children; ++child) rebuild_from(node.first_child + child, ends);
+        volumes_[at(n)] = fits_.patch(patch_of(grid_, node, x));
+        for (int child = 0; child < node.children; ++child) rebuild_from(node.first_child + child, x);
     }
 
     /// Bottom-up: leaves from particles, all others from their children.
     /// @par Cost O(particles)
-    template <std::size_t count>
-    void merge(const Ends<count>& ends) {
-        const bool at_once = count == 1 && fits_.leaves;
-        if (at_once) fits_.leaves(grid_, nodes_, leaves_, *ends[0], volumes_);
+    void merge(const Points& x) {
+        if (fits_.leaves) fits_.leaves(grid_, nodes_, leaves_, x, volumes_);
         for (std::size_t n = nodes_.size(); n-- > 0;) {
             const QuadtreeNode& node = nodes_[n];
             if (node.children > 0)
                 volumes_[n] = merged(node);
-            else if (!at_once)
-                volumes_[n] = fitted(node, ends);
+            else if (!fits_.leaves)
+                volumes_[n] = fits_.patch(patch_of(grid_, node, x));
         }
     }
 
     /// Cell by cell: each goes from the root down to its leaf, and every volume on its way grows by its particles.
     /// @cite dissertation
     /// @par Cost O(cells * levels)
-    template <std::size_t count>
-    void insert_all(const Ends<count>& ends) {
+    void insert_all(const Points& x) {
         for (std::size_t n = 0; n < nodes_.size(); ++n) {
-            volumes_[n] = Volume::start(patch_of(grid_, nodes_[n], *ends[0]));
+            volumes_[n] = Volume::start(patch_of(grid_, nodes_[n], x));
         }
         for (int j = 0; j < grid_.cell_rows(); ++j) {
-            for (int i = 0; i < grid_.cell_columns(); ++i) insert_cell(i, j, ends);
+            for (int i = 0; i < grid_.cell_columns(); ++i) insert_cell(i, j, x);
         }
     }
 
-    template <std::size_t count>
-    void insert_cell(int i, int j, const Ends<count>& ends) {
-        std::array<Vec3, 4 * count> particles;
-        std::size_t next = 0;
-        for (const Points* x : ends) {
-            for (const int p : {grid_.particle(i, j), grid_.particle(i, j + 1)}) {
-                for (const int corner : {p, p + 1}) particles[next++] = x->row(corner).transpose();
-            }
-        }
+    void insert_cell(int i, int j, const Points& x) {
+        const int above = grid_.particle(i, j), below = grid_.particle(i, j + 1);
         for (int n = 0;;) {
-            for (const Vec3& p : particles) volumes_[at(n)].include(p);
+            for (const int p : {above, above + 1, below, below + 1}) volumes_[at(n)].include(x.row(p).transpose());
             const QuadtreeNode& node = nodes_[at(n)];
             if (node.children == 0) return;
             n = node.first_child;
@@ -316,10 +263,9 @@ private:
 
     /// A leaf counts as moved where a particle is farther from where it was fitted than a fiftieth of the leaf's size,
     /// and until then the slack makes up for it.
-    template <std::size_t count>
-    void start_refitting(const Ends<count>& ends) {
-        merge(ends);
-        copies_.take_all(grid_, nodes_, *ends.back());
+    void start_refitting(const Points& x) {
+        merge(x);
+        copies_.take_all(grid_, nodes_, x);
         stale_.assign(nodes_.size(), false);
         Real radii = 0, leaves = 0;
         for (std::size_t n = 0; n < nodes_.size(); ++n) {
@@ -331,17 +277,15 @@ private:
     }
 
     /// @par Cost O(particles) to see what has moved, and a merge of that
-    template <std::size_t count>
-    void refit(const Ends<count>& ends) {
+    void refit(const Points& x) {
         for (std::size_t n = nodes_.size(); n-- > 0;) {
             const QuadtreeNode& node = nodes_[n];
             if (node.children == 0) {
-                stale_[n] = std::ranges::any_of(ends, [&](const Points* x) {
-                    return !(copies_.displacement(n, patch_of(grid_, node, *x), kernels_) <= slack_);
-                });
+                const Patch patch = patch_of(grid_, node, x);
+                stale_[n] = !(copies_.displacement(n, patch, kernels_) <= slack_);
                 if (!stale_[n]) continue;
-                volumes_[n] = fitted(node, ends);
-                copies_.take(n, patch_of(grid_, node, *ends.back()));
+                volumes_[n] = fits_.patch(patch);
+                copies_.take(n, patch);
             } else {
                 const auto first = stale_.begin() + node.first_child;
                 stale_[n] = std::find(first, first + node.children, true) != first + node.children;
@@ -350,16 +294,10 @@ private:
         }
     }
 
+    /// @par Cost O(particles), one pass; so too for how far all has moved since
     void start_holding(const Points& x) {
-        rebuild(Ends<1>{&x});
+        rebuild(x);
         held_ = x;
-    }
-
-    /// @par Cost O(particles), one pass
-    template <std::size_t count>
-    void hold(const Ends<count>& ends) {
-        slack_ = 0;
-        for (const Points* x : ends) slack_ = std::max(slack_, largest_displacement(*x, held_, kernels_));
     }
 
     Grid grid_;
@@ -368,7 +306,6 @@ private:
     Fits<Volume> fits_;
     std::vector<QuadtreeNode> nodes_;
     std::vector<Volume> volumes_;
-    std::vector<Volume> end_volumes_;  ///< at the end of a step, where all nodes are fitted at once
     std::vector<NodeVisit> visits_;
     std::vector<int> leaves_;    ///< numbers of nodes, row by row
     std::size_t leaf_rows_ = 0;  ///< of all leaves together: the most runs of cells that a query finds

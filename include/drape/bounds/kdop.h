@@ -101,21 +101,6 @@ struct KDop {
         return true;
     }
 
-    /// By what of the ball's way is within all slabs, each grown by the radius. @cite ericson2004
-    [[nodiscard]] bool overlaps(const SweptBall& ball) const {
-        const Real farthest = std::max(box.low.cwiseAbs().maxCoeff(), box.high.cwiseAbs().maxCoeff());
-        const Real reach = ball.radius + ball.rounding(farthest);
-        SlabClip way;
-        for (std::size_t k = 0; k < K / 2; ++k) {
-            const int number = dop_numbers<K>[k], axis = static_cast<int>(k);
-            const Real across = reach * dop_length(number) * (1 + 8 * std::numeric_limits<Real>::epsilon());
-            const Real least = k < 3 ? box.low[axis] : low[k - 3], most = k < 3 ? box.high[axis] : high[k - 3];
-            const Real first = dop_projection(number, ball.start), last = dop_projection(number, ball.end);
-            if (!way.cut(first, last, least - across, most + across)) return false;
-        }
-        return true;
-    }
-
     /// By the gaps along all directions.
     [[nodiscard]] bool comes_within(const KDop& other, Real margin) const {
         if (!box.comes_within(other.box, margin)) return false;

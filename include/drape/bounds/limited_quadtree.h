@@ -19,16 +19,11 @@ public:
     }
 
     /// Level by level, so that what ends it has seen all of the cloth alike.
-    TraversalStats query(const Ball& ball, Candidates& found) override { return search(ball, found); }
-    TraversalStats query(const SweptBall& ball, Candidates& found) override { return search(ball, found); }
-
-private:
-    template <class AnyBall>
-    TraversalStats search(const AnyBall& ball, Candidates& found) {
+    TraversalStats query(const Ball& ball, Candidates& found) override {
         this->begin_query(found);
         found.stopped.reserve(this->nodes().size());
         TraversalStats stats{.nodes = static_cast<std::int64_t>(this->nodes().size())};
-        const AnyBall grown_ball = this->grown_by_slack(ball);
+        const Ball grown_ball = this->grown_by_slack(ball);
         queue_.assign(1, 0);
         for (std::size_t next = 0; next < queue_.size(); ++next) {
             const int n = queue_[next];
@@ -54,6 +49,7 @@ private:
         return stats;
     }
 
+private:
     [[nodiscard]] StoppedNode stop_at(int n) const {
         const QuadtreeNode& node = this->nodes()[this->at(n)];
         BoundingSphere sphere = this->volumes()[this->at(n)].sphere();

@@ -55,9 +55,6 @@ struct Obb {
         return square <= radius * radius;
     }
 
-    /// By what of the ball's way is within the box, grown by the radius, in the box's directions. @cite ericson2004
-    [[nodiscard]] bool overlaps(const SweptBall& ball) const;
-
     /// By the gaps along the directions of both: those of the nine pairs of edges are left out, which cost more than
     /// they prune. @cite gottschalk1996
     [[nodiscard]] bool comes_within(const Obb& other, Real margin) const;

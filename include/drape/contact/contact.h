@@ -6,7 +6,6 @@
 #include <vector>
 
 #include "drape/bounds/broad_phase.h"
-#include "drape/contact/impact.h"
 #include "drape/contact/near_pairs.h"
 #include "drape/model/ball.h"
 #include "drape/model/cloth_model.h"
@@ -41,7 +40,7 @@ struct PushedParticle {
 /// What all contacts have in common.
 struct ContactPlane {
     Vec3 normal = Vec3::Zero();  ///< from the second body to the first, length 1
-    Real depth = 0;              ///< by which they overlap, thickness counted [m]
+    Real depth = 0;              ///< by which they overlap, thickness counted; less than zero: a gap [m]
 
     // Filled by the response
     Real friction_coefficient = 0;
@@ -72,14 +71,15 @@ struct SolidPlane {
 
 /// A contact whose second body is a ball, the ground, or a solid.
 struct BodyContact : ContactPlane {
-    int ball = 0;            ///< or `the_ground`, or `first_solid` and more
-    bool of_impact = false;  ///< found within the substep: its normal is that of the impact, and stays
-    SolidPlane plane;        ///< where the second body is a solid
+    int ball = 0;      ///< or `the_ground`, or `first_solid` and more
+    SolidPlane plane;  ///< where the second body is a solid
 };
 
-/// A point of the cloth that is nearer to a ball, or to the ground, than the cloth's thickness: a particle, or the
-/// point of an edge or of a triangle that is closest to the ball's centre. Or a node of the hierarchy that stands for
-/// the cloth within it: a sphere that is fixed to the middle of a triangle in the node's middle, and felt there.
+/// A point of the cloth that may come nearer to a ball, a solid or the ground within the substep than the cloth's
+/// thickness: a particle, or the point of an edge or of a triangle that is closest. Where they are fast, the plane
+/// between them is that of the start of the substep, when they were on the right sides of each other, and goes on with
+/// the body: so nothing passes. Or a node of the hierarchy that stands for the cloth within it: a sphere that is fixed
+/// to the middle of a triangle in the node's middle, and felt there.
 struct Contact : BodyContact {
     int cloth = 0;                      ///< filled by the response
     int triangle = 0;                   ///< that the point belongs to
@@ -87,6 +87,7 @@ struct Contact : BodyContact {
     std::array<Real, 3> barycentric{};  ///< of the point
     Vec3 point = Vec3::Zero();          ///< [m]
     bool of_particle = false;           ///< the point is a corner
+    bool parted = false;                ///< it was found in the substep before, and not in this one
     bool of_node = false;               ///< only then there is a sphere:
     Vec3 offset = Vec3::Zero();         ///< from `point` to its centre [m]
     Real radius = 0;                    ///< that counts towards the depth [m]
@@ -110,32 +111,27 @@ struct PairContact : ContactPlane {
 void find_touched_triangles(const Grid& grid, const Points& x, const Ball& ball, Real thickness,
                             std::span<const CellRun> cells, std::vector<int>& triangles, Kernels kernels);
 
+/// Where cloth is, and was at the start of the substep.
+struct ClothMotion {
+    const Points &before, &x;  ///< n x 3 [m]
+};
+
+/// The reach of a search: by how much a body and cloth have come nearer to each other within a substep, at most; 0 where
+/// that is too little for one to be on the wrong side of the other.
+/// @param room half of it is too little: a ball's radius, or the thickness beside a solid [m]
+[[nodiscard]] inline Real reach_of(Real nearer, Real room) { return 2 * nearer > room ? nearer : Real(0); }
+
 /// The contacts of the candidate cells with one ball, appended: each particle, each edge and each triangle at most
-/// once. A particle counts if it is in the grown ball; a triangle, or an edge, if its closest point to the centre is in
-/// it and none of its corners.
+/// once. A particle counts if it may come into the grown ball; a triangle, or an edge, if its closest point to the
+/// centre may. With a reach, the planes are those of the start of the substep: what passes through has come past its
+/// plane, and is found like all else. Without one they are those of the end: cloth lies more calmly on these.
 /// @param ball_number is stored with each contact
+/// @param reach by how much ball and cloth may have come nearer to each other within the substep [m]
 /// @param kernels plain: each cell is tested; vector: cells that their corners show to be too far are left out first
-/// @return how many of the cells touch
-std::int64_t find_contacts(const Grid& grid, const Points& x, const Ball& ball, int ball_number, Real thickness,
-                           std::span<const CellRun> cells, std::vector<Contact>& contacts, Kernels kernels);
-
-/// How often at most the way of a substep is tested again after a response, while something still passes a ball.
-inline constexpr int most_looks = 16;
-
-/// The contacts of the candidate cells with a ball, for the whole substep, appended: what `find_contacts` finds at its
-/// end, in the same order, and what has passed the ball on the way, by more than a response leaves. What touches at the
-/// end and has come past the ball's middle is not to go on to the other side: like what has passed, its contact is the
-/// plane at which it met the ball, and its depth is how far its point is behind that. A triangle that has no such plane
-/// may have been passed elsewhere than where it touched first: then its plane is that at which it met the inner half of
-/// the ball. Without any, the contacts are those of `find_contacts`.
-/// @param impacts scratch
-/// @return how many of the cells have touched
-std::int64_t find_swept_contacts(const Grid& grid, const Points& before, const Points& x, const Ball& ball,
-                                 int ball_number, Real thickness, std::span<const CellRun> cells,
-                                 std::vector<TriangleImpact>& impacts, std::vector<Contact>& contacts, Kernels kernels);
-
-/// A ball on its way through the substep.
-[[nodiscard]] SweptBall way_of(const Ball& ball);
+/// @return how many of the cells touch at the end, or have passed
+std::int64_t find_contacts(const Grid& grid, const ClothMotion& cloth, const Ball& ball, int ball_number,
+                           Real thickness, Real reach, std::span<const CellRun> cells, std::vector<Contact>& contacts,
+                           Kernels kernels);
 
 /// The contacts with the ground, appended: particles alone, for whatever is between them is above the lowest.
 void find_ground_contacts(const Grid& grid, const Points& x, Real height, Real thickness,

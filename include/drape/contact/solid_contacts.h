@@ -9,24 +9,19 @@
 
 namespace drape {
 
-/// Finds where a cloth touches solids. A contact is a plane: that of the surface next to a particle, or to the point of
-/// a triangle, or of an edge, that is deepest.
+/// Finds where a cloth may touch solids within a substep. A contact is a plane: that of the surface next to a particle,
+/// or to the point of a triangle, or of an edge, that is deepest.
 class SolidSearch {
 public:
     /// The contacts of the candidate cells with one solid, appended: each particle, each edge and each triangle at most
     /// once, triangles ascending.
-    /// @param x n x 3 [m]
+    /// @param solid at the end of the substep
     /// @param number of the solid
+    /// @param reach by how much solid and cloth may have come nearer to each other within the substep; then planes are
+    /// those of its start, and move on with the solid, so that nothing passes; 0: those of its end [m]
     /// @param cells ascending
-    void find(const Grid& grid, const Points& x, const Solid& solid, int number, Real thickness,
+    void find(const Grid& grid, const ClothMotion& cloth, const Solid& solid, int number, Real thickness, Real reach,
               std::span<const CellRun> cells, std::vector<Contact>& contacts);
-
-    /// The same for the whole substep: what has passed the solid within it, and what is nearer to another of its sides
-    /// than to the one at which they met, has the plane at which they met. That is found by conservative advancement:
-    /// the way to be gone is at least the distance. Of one triangle, such contacts come last. @cite mirtich1996
-    /// @param before at the start of the substep, n x 3 [m]
-    void find_swept(const Grid& grid, const Points& before, const Points& x, const Solid& solid, int number,
-                    Real thickness, std::span<const CellRun> cells, std::vector<Contact>& contacts);
 
 private:
     /// A distance that was measured, and where, seen from the solid: since then it has changed by no more than the way.
@@ -41,7 +36,7 @@ private:
         std::vector<Measured> particles;
     };
 
-    void look_at_particles(const Grid& grid, const Points& x, const Solid& solid, int number, Real thickness,
+    void look_at_particles(const Grid& grid, const Points& x, const Solid& solid, int number, Real near,
                            std::span<const CellRun> cells);
 
     std::vector<Known> known_;              ///< of each solid

@@ -20,8 +20,7 @@ struct Cloth {
     Points before;        ///< positions one substep before, where steps are divided
     ClothIntegrator integrator;
     ContactSearch search;
-    std::vector<Contact> contacts;        ///< of the last step that was awake
-    std::vector<Contact> first_contacts;  ///< keeps these during further looks
+    std::vector<Contact> contacts;  ///< of the last step that was awake
     WarmStart<Contact> warm_start;
     ClothEnergy energy;
     int held = -1;       ///< particle that the hand leads; below 0: none

@@ -30,19 +30,16 @@ public:
     void use(const BroadPhaseParameters& parameters, const Grid& grid, const Points& x);
 
     /// To be told whenever the positions have changed.
-    void positions_changed() { built_from_present_ = sweeps_ = false; }
+    void positions_changed() { built_from_present_ = false; }
 
-    /// Builds the hierarchy for the end of a substep, or for all of it where its way is to be tested.
-    /// @param before positions at its start, n x 3 [m]
-    void build(const Points& before, const Points& x, std::span<const Ball> balls, const ContactSettings& contact);
+    /// Whether a ball may have passed unseen, or a solid, as of the last substep: asked where `contact.continuous` is
+    /// never.
+    [[nodiscard]] Crossing crossing(const ClothMotion& cloth, std::span<const Ball> balls, Real thickness) const;
+    [[nodiscard]] Crossing crossing(const ClothMotion& cloth, std::span<const Solid> solids, Real thickness) const;
 
-    /// With a ball in the last substep, unless all of its way was tested without asking.
-    [[nodiscard]] const Crossing& crossing() const { return crossing_; }
-
-    /// With a solid, likewise.
-    /// @param before, x positions at the start and at the end of the substep, n x 3 [m]
-    [[nodiscard]] Crossing solid_crossing(const Points& before, const Points& x, std::span<const Solid> solids,
-                                          Real thickness) const;
+    /// Builds the hierarchy for the end of a substep. What may meet within it is found from there by how far all moved,
+    /// unless `contact.continuous` is never.
+    void build(const ClothMotion& cloth, const ContactSettings& contact);
 
     /// Collects the candidates of each ball.
     /// @return what it has cost
@@ -50,24 +47,24 @@ public:
 
     /// Tests the candidates exactly.
     /// @param longest_push of a node that stands for the cloth within it [m]
-    /// @param contacts receives what touches, ball by ball, cells ascending; cleared first
+    /// @param contacts receives what may touch, ball by ball, cells ascending; cleared first
     /// @return how many candidate cells do not touch
-    std::int64_t narrow(const Points& before, const Points& x, std::span<const Ball> balls, Real thickness,
-                        Real longest_push, std::vector<Contact>& contacts);
+    std::int64_t narrow(const ClothMotion& cloth, std::span<const Ball> balls, Real thickness, Real longest_push,
+                        std::vector<Contact>& contacts);
 
-    /// Whether the last test has found something that has passed a ball, or has come past its middle.
-    [[nodiscard]] bool found_passing() const { return found_passing_; }
+    /// What the last `traverse` has found of a ball.
+    [[nodiscard]] const Candidates& candidates(std::size_t ball) const { return candidates_[ball]; }
 
-    /// Builds, traverses and tests again, for the whole substep as it is after the response.
-    /// @param contacts as `narrow` has it
-    void look_again(const Points& before, const Points& x, std::span<const Ball> balls, Real thickness,
-                    std::vector<Contact>& contacts);
+    /// Whether the planes of a ball's contacts are those of the start of the substep.
+    [[nodiscard]] bool looked_back(const Ball& ball, Real thickness) const {
+        return reach(ball.moved, ball.radius + thickness) > 0;
+    }
 
-    /// Tests the cloth against solids, and builds the hierarchy for it where that is not done yet. The whole substep is
-    /// tested as `contact.continuous` says; under auto where cloth and solid may come nearer by half the thickness.
-    /// @param contacts receives what touches, solid by solid, cells ascending, after what is there
-    TraversalStats meet_solids(const Points& before, const Points& x, std::span<const Solid> solids,
-                               const ContactSettings& contact, std::vector<Contact>& contacts);
+    /// Tests the cloth against solids.
+    /// @param contacts receives what may touch, solid by solid, cells ascending, after what is there
+    /// @pre `build` was called
+    TraversalStats meet_solids(const ClothMotion& cloth, std::span<const Solid> solids, Real thickness,
+                               std::vector<Contact>& contacts);
 
     /// Tests the cloth against the ground: where the present hierarchy holds it, what that has not pruned, else all of
     /// it.
@@ -93,21 +90,17 @@ public:
     [[nodiscard]] const BroadPhase& hierarchy() const { return *hierarchy_; }
 
 private:
-    [[nodiscard]] Crossing worst_crossing(const Points& before, const Points& x, std::span<const Ball> balls,
-                                          Real thickness) const;
-    void build_from_way(const Points& before, const Points& x);
     void build_from(const Points& x);
+    [[nodiscard]] Real reach(const Vec3& moved, Real room) const;
 
     Grid grid_{0, 0};
     Kernels kernels_ = Kernels::Vector;
     Copied<BroadPhase> hierarchy_;
     std::optional<SearchAudit> audit_;  ///< while the search is limited
-    Crossing crossing_;
     bool built_from_present_ = false;
-    bool queried_ = false;        ///< since the last build
-    bool sweeps_ = false;         ///< the last build was for the whole substep
-    bool found_passing_ = false;  ///< by the last test
-    std::vector<TriangleImpact> impacts_;
+    bool queried_ = false;     ///< since the last build
+    bool looks_back_ = false;  ///< to the start of the substep, at what is fast
+    Real moved_ = 0;           ///< by the particle that moved most within the substep, where it counts [m]
     TraversalStats traversal_;
     std::vector<Candidates> candidates_;  ///< of each ball
     Candidates low_;                      ///< near the ground

@@ -96,10 +96,10 @@ struct SolverSettings {
     bool operator==(const SolverSettings&) const = default;
 };
 
-/// Whether the way of balls and cloth within a step is tested, and not its end alone.
+/// Whether what may have met within a step is a contact, and not only what touches at its end.
 enum class Continuous {
-    Auto,    ///< where a ball may cross the cloth within a step
-    Always,  ///< in every step
+    Auto,
+    Always,  ///< the same, as older scenes call it
     Never
 };
 

@@ -7,14 +7,13 @@
 #include <vector>
 
 #include "drape/base/copied.h"
-#include "drape/contact/contact_rows.h"
 #include "drape/sim/cloth.h"
 #include "drape/sim/command.h"
+#include "drape/sim/contact_stage.h"
 #include "drape/sim/frame_view.h"
 #include "drape/sim/hand.h"
 #include "drape/sim/moving_pins.h"
 #include "drape/sim/pair_marks.h"
-#include "drape/sim/self_contact.h"
 #include "drape/sim/settings.h"
 #include "drape/sim/sleep_watch.h"
 #include "drape/sim/start_state.h"
@@ -81,39 +80,18 @@ public:
     [[nodiscard]] int steps_wanted() const { return steps_wanted_; }
 
 private:
-    struct Substep {
-        double time;  ///< simulated, at its start [s]
-        Real h;       ///< [s]
-    };
-
     // The stages of a step, in their order
     void begin_step();
     void plan(int fewest);
     [[nodiscard]] Substep substep(int number) const;
     bool input(const Substep& now);
     bool integrate(const Substep& now);
-    void look_at_cloths();
-    void take_pushes(const Substep& now);
-    void warm_start();
-    void enter_warm_start();
-    void enter_pushes(Cloth& cloth, std::span<const Contact> contacts, double led_work, double& free_work);
-    void build(const Substep& now);
-    void traverse();
-    void narrow(const Substep& now);
-    bool respond(const Substep& now);
-    void answer(const ResponseParameters& response, const Substep& now, std::span<PairContact> pairs,
-                std::span<BallContact> ball_contacts);
-    void look_again(const Substep& now);
-    [[nodiscard]] bool has_passing(std::span<const BallContact> ball_contacts) const;
-    void answer_way(const Substep& now);
-    void hold_back();
-    void resist_rolling();
+    bool respond();
     void close_report();
     void rest();
 
     [[nodiscard]] bool is_led(std::size_t ball) const;
     [[nodiscard]] bool led_body_has_moved() const;
-    [[nodiscard]] const Points& start_of_substep(const Cloth& cloth) const;
     void end_with(std::string trouble);
     void fall_asleep();
     void wake();
@@ -128,15 +106,11 @@ private:
     [[nodiscard]] Settings within_levels() const;
     void configure_cloth(std::size_t number, const Settings& before);
     void configure_balls(const Settings& before);
-    [[nodiscard]] std::vector<const ClothModel*> cloth_models() const;
-    void use_self_contact();
     void use_pins();
     void put_ball(std::size_t number, const Vec3& centre);
     void move_solids(const Substep& now);
     void stop_balls(const Substep& now);
     void move_pins(const Substep& now);
-    void meet_solids(Cloth& cloth);
-    void mark_solid_crossing(const Cloth& cloth, const Substep& now);
     void configure_solids(const Settings& before, std::vector<Solid> solids);
     void choose_ball();
     void give_ball_back();
@@ -149,10 +123,7 @@ private:
     std::vector<Cloth> cloths_;
     std::vector<Ball> balls_, previous_balls_;
     std::vector<Solid> solids_, previous_solids_;
-    std::vector<BallContact> ball_contacts_, found_again_;
-    SelfContact self_contact_;
-    NotCopied<std::vector<ClothInContact>> in_contact_;  ///< the cloths, within a substep
-    NotCopied<ContactRows> contact_rows_;                ///< within a response
+    ContactStage contact_;
     Real depth_at_start_ = 0;  ///< of the deepest particle in what cloth should be outside of [m]
     Vec3 steer_ = Vec3::Zero();
     std::size_t users_ball_ = 0;                 ///< that the user leads, drops and throws

@@ -35,22 +35,21 @@ struct Search {
 constexpr Search searches[] = {{"discrete", 0}, {"continuous", 0}, {"limited", 24}, {"limited", 12}};
 
 Detection detection_of(const Search& search) {
-    return {{.leaf_cells = 4, .search = {.tests = search.tests}}, search.name == std::string("continuous")};
+    return {.leaf_cells = 4, .tests = search.tests, .continuous = search.name == std::string("continuous")};
 }
 
 /// What the reference has, all triangles along the whole of every way.
-Detection reference_detection() { return {{.volume = VolumeKind::Brute}, true}; }
+Detection reference_detection() { return {.volume = VolumeKind::Brute, .continuous = true}; }
 
 /// CPU time for a simulated second, without the observer.
-Quartiles time_run(const ContactScene& scene, const Detection& detection, Real step, int repeats) {
-    const auto hierarchy = make_broad_phase(detection.search, scene.cloth.particles);
+Quartiles time_run(const ContactScene& scene, Real step, int repeats) {
     const auto steps = std::llround(scene.end / static_cast<double>(step));
     std::vector<double> costs;
     for (int repeat = -1; repeat < repeats; ++repeat) {
-        ContactTrial trial(scene, step, detection.continuous);
+        ContactTrial trial(scene, step);
         const double before = thread_cpu_time();
         for (std::int64_t k = 0; k < steps; ++k) {
-            trial.advance(*hierarchy);
+            trial.advance();
             trial.respond();
         }
         if (repeat >= 0)
@@ -69,7 +68,7 @@ double count_triangles(const ContactHistory& history) {
 /// @throws RunError if there is nothing to find, or the reference itself fails
 ContactHistory reference_run(const ContactScene& scene, double speed, double step) {
     ContactHistory reference =
-        watch_contacts(scene, reference_detection(), static_cast<Real>(step / reference_substeps));
+        watch_contacts(scene.with(reference_detection()), static_cast<Real>(step / reference_substeps));
     if (count_triangles(reference) == 0 || reference.passed) {
         throw RunError("contact: at " + real_text(speed) + " m/s the ball of the reference has gone through the cloth");
     }
@@ -81,9 +80,10 @@ std::vector<ContactRow> run_contact_case(double speed, double step, int repeats)
     const ContactHistory reference = reference_run(scene, speed, step);
     std::vector<ContactRow> rows;
     for (const Search& search : searches) {
-        const ContactHistory run = watch_contacts(scene, detection_of(search), static_cast<Real>(step));
+        const ContactScene searched = scene.with(detection_of(search));
+        const ContactHistory run = watch_contacts(searched, static_cast<Real>(step));
         const ContactErrors errors = compare_contacts(run, reference, reference_substeps);
-        const auto radius = static_cast<double>(scene.ball.radius);
+        const auto radius = static_cast<double>(scene.settings.balls[0].radius);
         rows.push_back({.search = search.name,
                         .tests = static_cast<double>(search.tests),
                         .speed = speed,
@@ -95,7 +95,7 @@ std::vector<ContactRow> run_contact_case(double speed, double step, int repeats)
                         .momentum_error = errors.momentum,
                         .passed = errors.passed ? 1. : 0.,
                         .false_contacts = run.false_contacts,
-                        .cpu = time_run(scene, detection_of(search), static_cast<Real>(step), repeats),
+                        .cpu = time_run(searched, static_cast<Real>(step), repeats),
                         .reference_triangles = count_triangles(reference),
                         .reference_penetration = reference.left});
     }
@@ -177,20 +177,22 @@ std::vector<Chart> contact_charts(const std::vector<ContactRow>& rows) {
 
 ContactScene hung_cloth_and_ball(double speed, double step) {
     ContactScene scene;
-    scene.cloth = {.particles = {25, 25},
-                   .plane = Plane::XY,
-                   .place = Vec3(Real(-0.5), 1, 0),
-                   .pinned = {Pins::Kind::Row, {}},
-                   .structural = {400, Real(0.02)},
-                   .shear = {200, Real(0.02)},
-                   .bend = {5, Real(0.01)}};
+    scene.settings.cloths = {{.particles = {25, 25},
+                              .plane = Plane::XY,
+                              .place = Vec3(Real(-0.5), 1, 0),
+                              .pinned = {Pins::Kind::Row, {}},
+                              .structural = {400, Real(0.02)},
+                              .shear = {200, Real(0.02)},
+                              .bend = {5, Real(0.01)}}};
     // A little to the side, so that no triangle is met by symmetry alone; its end is before the cloth slips off the
     // ball
-    scene.ball = {.centre = Vec3(Real(0.03), Real(0.48), Real(-0.4)),
-                  .radius = Real(0.15),
-                  .velocity = Vec3(0, 0, static_cast<Real>(speed))};
+    BallSettings& ball = scene.settings.balls.emplace_back();
+    ball.radius = Real(0.15);
+    ball.position = Vec3(Real(0.03), Real(0.48), Real(-0.4));
+    ball.velocity = Vec3(0, 0, static_cast<Real>(speed));
+    scene.settings.ground.solid = false;
     scene.end = std::ceil(0.5 / speed / step) * step;
-    scene.integrator.kind = IntegratorKind::BackwardEuler;
+    scene.settings.solver.integrator = IntegratorKind::BackwardEuler;
     return scene;
 }
 

@@ -5,7 +5,7 @@
 #include <set>
 
 #include "drape/base/assert.h"
-#include "drape/contact/node_contacts.h"
+#include "drape/contact/closest_point.h"
 #include "drape/contact/search_audit.h"
 
 namespace drape {
@@ -35,125 +35,100 @@ void add_triangles(const Grid& grid, const StoppedNode& node, std::vector<int>& 
 
 }  // namespace
 
-ContactTrial::ContactTrial(const ContactScene& scene, Real step, bool continuous)
-    : response_(scene.response),
-      continuous_(continuous),
-      kernels_(scene.integrator.kernels),
-      h_(step),
-      model_(make_cloth_model(scene.cloth)),
-      state_(make_rest_state(scene.cloth)),
-      ball_(scene.ball),
-      aim_(nearest_to_way(state_.x, scene.ball)),
-      integrator_(make_integrator(scene.integrator, scene.cloth.particles)) {
-    model_.gravity = scene.gravity;
-    response_.displacement_share = displacement_share(scene.integrator.kind);
+ContactScene ContactScene::with(const Detection& detection) const {
+    ContactScene scene = *this;
+    ContactSettings& contact = scene.settings.contact;
+    contact.volume = detection.volume;
+    contact.leaf_cells = detection.leaf_cells;
+    contact.search_tests = static_cast<int>(detection.tests);
+    contact.continuous = detection.continuous ? Continuous::Auto : Continuous::Never;
+    return scene;
 }
 
-void ContactTrial::advance(BroadPhase& hierarchy) {
-    before_ = state_.x;
+ContactTrial::ContactTrial(const ContactScene& scene, Real step) : settings_(scene.settings), h_(step) {
+    const ClothParameters& parameters = settings_.cloths[0];
+    cloth_.model = make_cloth_model(parameters);
+    cloth_.model.gravity = scene.gravity;
+    cloth_.state = make_rest_state(parameters);
+    cloth_.integrator.use(integrator_of(settings_.solver), parameters.particles);
+    cloth_.energy.restart(cloth_.model, cloth_.state, settings_.solver.kernels);
+    const BallSettings& ball = settings_.balls[0];
+    ball_ = {.centre = ball.position, .radius = ball.radius, .velocity = ball.velocity};
+    aim_ = nearest_to_way(cloth_.state.x, ball_);
+    stage_.use(settings_, std::span(&cloth_, 1));
+}
+
+void ContactTrial::advance() {
+    report_.forget_contacts();
+    cloth_.previous = cloth_.state;
     ball_.moved = h_ * ball_.velocity;
     ball_.centre += ball_.moved;
-    const ClothInContact cloth = in_contact();
-    const std::span balls(&ball_, 1);
-    warm_start_.take(response_, h_, model_.gravity.norm(), std::span(&cloth, 1), contacts_);
-    integrator_->step(model_, state_, h_);
-    warm_start_.give(std::span(&cloth, 1), balls);
-    hierarchy_ = &hierarchy;
-    find();
-    warm_start_.carry_over(response_, std::span(&cloth, 1), balls, contacts_);
-}
-
-void ContactTrial::find() {
-    contacts_.clear();
-    find_on_ball();
-    passing_ = continuous_ && std::ranges::any_of(contacts_, &Contact::of_impact);
-    if (!response_.ground.solid) return;
-    find_ground_contacts(model_.grid, state_.x, response_.ground.height, response_.thickness, contacts_);
-}
-
-void ContactTrial::find_on_ball() {
-    const Real thickness = response_.thickness;
-    if (continuous_) {
-        hierarchy_->build(before_, state_.x);
-        hierarchy_->query(grown(way_of(ball_), thickness), candidates_);
-    } else {
-        hierarchy_->build(state_.x);
-        hierarchy_->query(grown(ball_, thickness), candidates_);
-    }
-    std::ranges::sort(candidates_.cells);
-    if (continuous_) {
-        find_swept_contacts(model_.grid, before_, state_.x, ball_, 0, thickness, candidates_.cells, impacts_, contacts_,
-                            kernels_);
-        return;
-    }
-    find_contacts(model_.grid, state_.x, ball_, 0, thickness, candidates_.cells, contacts_, kernels_);
-    find_node_contacts(model_.grid, state_.x, ball_, 0, thickness, node_push_speed * h_, candidates_.stopped,
-                       contacts_);
+    stage_.begin(settings_, {std::span(&cloth_, 1), std::span(&ball_, 1), {}}, {.h = h_});
+    cloth_.integrator.step(cloth_.model, cloth_.state, h_, nullptr);
+    cloth_.search.positions_changed();
+    stage_.warm_start();
+    stage_.detect(report_);
 }
 
 ResponseReport ContactTrial::respond() {
-    ResponseReport report = answer();
-    if (response_.kind != ResponseKind::Projection) return report;
-    for (int look = 0; look < most_looks && passing_; ++look) {
-        contacts_.swap(first_contacts_);
-        find();
-        report = answer();
-        contacts_.swap(first_contacts_);
-    }
-    return report;
+    const ResponseReport left = stage_.solve(report_);
+    stage_.end(report_);
+    return left;
 }
 
-ResponseReport ContactTrial::answer() {
-    const ClothInContact cloth = in_contact();
-    ContactRows* const rows = kernels_ == Kernels::Vector ? &rows_ : nullptr;
-    return resolve_contacts(response_, h_, std::span(&cloth, 1), {}, std::span(&ball_, 1), {}, rows);
+/// By the plane of its closest point, as contacts are found; a plane of the end does not show what has passed.
+bool ContactTrial::touches_front(int triangle) const {
+    const Vec3 moved = cloth_.search.looked_back(ball_, settings_.contact.thickness) ? ball_.moved : Vec3(0, 0, 0);
+    const Points &x = cloth_.state.x, &before = moved.isZero(0) ? x : cloth_.previous.x;
+    const Vec3 start = ball_.centre - moved;
+    const auto [a, b, c] = grid().triangle_corners(triangle);
+    const auto at = [](const Points& points, int p) -> Vec3 { return points.row(p).transpose(); };
+    const ClosestPoint closest = closest_point_on_triangle(start, at(before, a), at(before, b), at(before, c));
+    const auto& [u, v, w] = closest.barycentric;
+    const Vec3 normal = (closest.point - start).normalized();
+    const Real distance = (u * at(x, a) + v * at(x, b) + w * at(x, c) - ball_.centre).dot(normal);
+    return distance <= ball_.radius + settings_.contact.thickness && normal.dot(ball_.velocity) >= 0;
 }
 
 std::vector<int> ContactTrial::touched_triangles() const {
-    const auto is_in_front = [&](const Vec3& normal) { return normal.dot(ball_.velocity) >= 0; };
-    const SweptBall end{ball_.centre, ball_.centre, ball_.radius};
-    std::vector<TriangleImpact> impacts;
-    find_impacts(grid(), continuous_ ? before_ : state_.x, state_.x,
-                 grown(continuous_ ? way_of(ball_) : end, response_.thickness), candidates_.cells, impacts);
     std::vector<int> triangles;
-    for (const TriangleImpact& found : impacts) {
-        if (is_in_front(found.impact.normal)) triangles.push_back(found.triangle);
+    for (const CellRun& run : cloth_.search.candidates(0).cells) {
+        const int first = 2 * (run.row * grid().cell_columns() + run.column);
+        for (int triangle = first; triangle < first + 2 * run.count; ++triangle) {
+            if (touches_front(triangle)) triangles.push_back(triangle);
+        }
     }
-    for (const StoppedNode& node : candidates_.stopped) {
+    for (const StoppedNode& node : stopped()) {
         const auto is_its = [&](const Contact& contact) {
-            return contact.of_node && contact.triangle == 2 * node.cell && is_in_front(contact.normal);
+            return contact.of_node && contact.triangle == 2 * node.cell && contact.normal.dot(ball_.velocity) >= 0;
         };
-        if (std::ranges::any_of(contacts_, is_its)) add_triangles(grid(), node, triangles);
+        if (std::ranges::any_of(cloth_.contacts, is_its)) add_triangles(grid(), node, triangles);
     }
     std::ranges::sort(triangles);
     return triangles;
 }
 
 bool ContactTrial::has_passed() const {
-    return (state_.x.row(aim_).transpose() - ball_.centre).dot(ball_.velocity) < 0;
+    return (cloth_.state.x.row(aim_).transpose() - ball_.centre).dot(ball_.velocity) < 0;
 }
 
-ContactHistory watch_contacts(const ContactScene& scene, const Detection& detection, Real step) {
-    const auto hierarchy = make_broad_phase(detection.search, scene.cloth.particles);
-    return watch_contacts(scene, *hierarchy, detection.continuous, step);
-}
-
-ContactHistory watch_contacts(const ContactScene& scene, BroadPhase& hierarchy, bool continuous, Real step) {
-    ContactTrial trial(scene, step, continuous);
-    SearchAudit audit(trial.grid(), scene.integrator.kernels);
+ContactHistory watch_contacts(const ContactScene& scene, Real step) {
+    ContactTrial trial(scene, step);
+    const Real thickness = scene.settings.contact.thickness;
+    SearchAudit audit(trial.grid(), scene.settings.solver.kernels);
     ContactHistory history;
     const auto deepen = [&](double& deepest) {
-        const Real depth = audit.penetration(trial.positions(), std::span(&trial.ball(), 1), scene.response.thickness);
+        const Real depth = audit.penetration(trial.positions(), std::span(&trial.ball(), 1), thickness);
         deepest = std::max(deepest, static_cast<double>(depth));
     };
     const auto steps = std::llround(scene.end / static_cast<double>(step));
     for (std::int64_t k = 0; k < steps; ++k) {
-        trial.advance(hierarchy);
+        trial.advance();
         deepen(history.entered);
         history.touched.push_back(trial.touched_triangles());
         if (!trial.stopped().empty()) {
             const std::int64_t found =
-                audit.false_contacts(trial.positions(), trial.ball(), scene.response.thickness, trial.stopped());
+                audit.false_contacts(trial.positions(), trial.ball(), thickness, trial.stopped());
             history.false_contacts += static_cast<double>(found) / static_cast<double>(steps);
         }
         trial.respond();

@@ -1,31 +1,26 @@
 #pragma once
 
-#include <memory>
 #include <vector>
 
-#include "drape/bounds/broad_phase.h"
-#include "drape/contact/contact_rows.h"
-#include "drape/contact/impact.h"
-#include "drape/contact/warm_start.h"
-#include "drape/integrate/integrator.h"
-#include "drape/model/cloth_model.h"
+#include "drape/sim/contact_stage.h"
 
 namespace drape {
 
-/// A cloth, and a ball that goes its way at constant velocity whatever it meets.
-struct ContactScene {
-    ClothParameters cloth;
-    Ball ball;       ///< where it starts; it moves
-    double end = 0;  ///< of a run [s]
-    IntegratorParameters integrator;
-    ResponseParameters response;
-    Vec3 gravity = standard_gravity();  ///< [m/s^2]
-};
-
 /// How a run finds what touches.
 struct Detection {
-    BroadPhaseParameters search;
-    bool continuous = false;  ///< on the whole way of a step, not at its end alone
+    VolumeKind volume = VolumeKind::Sphere;
+    int leaf_cells = 0;
+    std::int64_t tests = 0;   ///< after which a search ends; 0: never
+    bool continuous = false;  ///< within the whole step, not at its end alone
+};
+
+/// A cloth, and a ball that goes its way at constant velocity whatever it meets.
+struct ContactScene {
+    Settings settings;                  ///< of one cloth and one ball
+    double end = 0;                     ///< of a run [s]
+    Vec3 gravity = standard_gravity();  ///< [m/s^2]
+
+    [[nodiscard]] ContactScene with(const Detection& detection) const;
 };
 
 /// A hung cloth of 1 m and a ball on its way through the middle of it, from a quarter of a metre before they meet.
@@ -33,18 +28,16 @@ struct Detection {
 /// @param step of the run, of which the end is a multiple [s]
 ContactScene hung_cloth_and_ball(double speed, double step);
 
-/// A simulation without all that contact does not need: step, build, query, exact test, response, in the order of
-/// `Simulation` and to the same bits, but that it does not divide steps in contact.
+/// A simulation without all that contact does not need: the integrator and the contact stage of `Simulation`, to the
+/// same bits, but that it does not divide steps.
 class ContactTrial {
 public:
-    /// @param continuous the whole way of every step is tested
-    ContactTrial(const ContactScene& scene, Real step, bool continuous = false);
+    ContactTrial(const ContactScene& scene, Real step);
 
     /// Moves ball and cloth by one step and finds what then touches.
-    /// @param hierarchy is used by `respond` too
-    void advance(BroadPhase& hierarchy);
+    void advance();
 
-    /// Answers what was found, and what that has caused.
+    /// Answers what was found.
     ResponseReport respond();
 
     /// The triangles that touch the front of the ball, ascending: of the cells that the search has found, and all of a
@@ -52,39 +45,26 @@ public:
     /// side.
     [[nodiscard]] std::vector<int> touched_triangles() const;
 
-    [[nodiscard]] const ClothModel& model() const { return model_; }
-    [[nodiscard]] const Grid& grid() const { return model_.grid; }
-    [[nodiscard]] const Points& positions() const { return state_.x; }
-    [[nodiscard]] const Points& velocities() const { return state_.v; }
+    [[nodiscard]] const ClothModel& model() const { return cloth_.model; }
+    [[nodiscard]] const Grid& grid() const { return cloth_.model.grid; }
+    [[nodiscard]] const Points& positions() const { return cloth_.state.x; }
+    [[nodiscard]] const Points& velocities() const { return cloth_.state.v; }
     [[nodiscard]] const Ball& ball() const { return ball_; }
-    [[nodiscard]] std::span<const StoppedNode> stopped() const { return candidates_.stopped; }
+    [[nodiscard]] std::span<const StoppedNode> stopped() const { return cloth_.search.candidates(0).stopped; }
 
     /// Whether the ball's centre is farther on its way than the particle that was nearest to it at the start.
     [[nodiscard]] bool has_passed() const;
 
 private:
-    [[nodiscard]] ClothInContact in_contact() { return {model_, before_, state_, contacts_}; }
-    void find();
-    void find_on_ball();
-    ResponseReport answer();
+    [[nodiscard]] bool touches_front(int triangle) const;
 
-    ResponseParameters response_;
-    bool continuous_;
-    Kernels kernels_;
+    Settings settings_;
     Real h_;
-    ClothModel model_;
-    ClothState state_;
-    Points before_;  ///< positions at the start of the step
+    Cloth cloth_;
     Ball ball_;
     int aim_;  ///< the particle nearest to the ball's way
-    std::unique_ptr<Integrator> integrator_;
-    Candidates candidates_;
-    ContactRows rows_;
-    std::vector<TriangleImpact> impacts_;
-    BroadPhase* hierarchy_ = nullptr;  ///< of the last step
-    std::vector<Contact> contacts_, first_contacts_;
-    bool passing_ = false;  ///< something has come past the ball's middle
-    WarmStart<Contact> warm_start_;
+    ContactStage stage_;
+    StepReport report_;
 };
 
 /// What one run saw.
@@ -98,10 +78,7 @@ struct ContactHistory {
 };
 
 /// Runs a scene to its end.
-ContactHistory watch_contacts(const ContactScene& scene, const Detection& detection, Real step);
-
-/// The same with a hierarchy of the caller's.
-ContactHistory watch_contacts(const ContactScene& scene, BroadPhase& hierarchy, bool continuous, Real step);
+ContactHistory watch_contacts(const ContactScene& scene, Real step);
 
 /// What a run has of its contacts wrong.
 struct ContactErrors {

@@ -63,16 +63,16 @@ ThrownSheet throw_sheet(Real speed, Real thickness) {
 }
 
 SelfContactTrial::SelfContactTrial(const ThrownSheet& scene, Real step, FailSafe fail_safe)
-    : response_(response_of(scene.settings)), fail_safe_(fail_safe), h_(step) {
+    : settings_(scene.settings), fail_safe_(fail_safe), h_(step), cloths_(2) {
     for (const std::size_t s : sheets) {
-        models_[s] = make_cloth_model(scene.settings.cloths[s]);
-        models_[s].gravity = scene.gravity;
-        states_[s] = scene.start[s];
-        integrators_[s] = make_integrator(integrator_of(scene.settings.solver), models_[s].grid);
+        Cloth& cloth = cloths_[s];
+        cloth.model = make_cloth_model(settings_.cloths[s]);
+        cloth.model.gravity = scene.gravity;
+        cloth.state = scene.start[s];
+        cloth.integrator.use(integrator_of(settings_.solver), cloth.model.grid);
+        cloth.energy.restart(cloth.model, cloth.state, settings_.solver.kernels);
     }
-    const std::array<const ClothModel*, 2> models{&models_[0], &models_[1]};
-    const std::array<const Points*, 2> positions{&states_[0].x, &states_[1].x};
-    contact_.use(scene.settings, models, positions);
+    stage_.use(settings_, cloths_);
 }
 
 SelfContactStep SelfContactTrial::advance() {
@@ -89,54 +89,56 @@ SelfContactStep SelfContactTrial::advance() {
 /// Makes a step, with the zones if these are asked for.
 /// @return whether pairs would meet within it, or may, where the search gave up
 bool SelfContactTrial::make(Real h, SelfContactStep& step) {
-    std::vector<ClothInContact> cloths;
-    for (const std::size_t s : sheets) {
-        before_[s] = states_[s].x;
-        cloths.push_back({models_[s], before_[s], states_[s], no_contacts_[s]});
+    StepReport report;
+    for (Cloth& cloth : cloths_) cloth.previous = cloth.state;
+    stage_.begin(settings_, {cloths_, {}, {}}, {.h = h});
+    for (Cloth& cloth : cloths_) {
+        cloth.integrator.step(cloth.model, cloth.state, h, nullptr);
+        cloth.search.positions_changed();
     }
-    contact_.take_pushes(response_, h, standard_gravity().norm(), cloths);
-    for (const std::size_t s : sheets) integrators_[s]->step(models_[s], states_[s], h);
-    contact_.warm_start().give(cloths, {});
-    contact_.find(response_, cloths, {});
-    resolve_contacts(response_, h, cloths, contact_.contacts(), {}, {}, &rows_);
-    const bool would_cross = fail_safe_ != FailSafe::None && contact_.would_cross(cloths);
-    if (would_cross && fail_safe_ == FailSafe::Zones) step.held_back += contact_.hold_back(cloths);
-    step.pair_tests += contact_.report().traversal.volume_tests + contact_.report().listed;
-    searched_ = !contact_.report().gave_up;
+    stage_.warm_start();
+    stage_.detect(report);
+    stage_.solve(report);
+    const bool would_cross = fail_safe_ != FailSafe::None && stage_.would_cross();
+    if (would_cross && fail_safe_ == FailSafe::Zones) stage_.prevent_crossing(report);
+    stage_.end(report);
+    step.held_back += report.held_back;
+    step.pair_tests += stage_.self().report().traversal.volume_tests + stage_.self().report().listed;
+    searched_ = !stage_.self().report().gave_up;
     return would_cross || !searched_;
 }
 
 /// Makes a step, or takes it back and makes it in two halves. What is made again starts with no pushes: those of the
 /// try are not what the halves need.
 void SelfContactTrial::make_in_halves(Real h, int halvings_left, SelfContactStep& step) {
-    const std::array<ClothState, 2> start = states_;
+    const std::array<ClothState, 2> start{cloths_[0].state, cloths_[1].state};
     if (!make(h, step)) return;
     if (halvings_left == 0) {
         step.searched = step.searched && searched_;
         step.halved_enough = false;
         return;
     }
-    states_ = start;
-    for (PairContact& contact : contact_.contacts()) contact.displacement = contact.impulse = {};
+    for (const std::size_t s : sheets) cloths_[s].state = start[s];
+    for (PairContact& contact : stage_.self().contacts()) contact.displacement = contact.impulse = {};
     ++step.rejected;
     for (int half = 0; half < 2; ++half) make_in_halves(h / 2, halvings_left - 1, step);
 }
 
 Vec3 SelfContactTrial::momentum(std::size_t sheet) const {
-    return models_[sheet].particle_mass * states_[sheet].v.colwise().sum().transpose();
+    return cloths_[sheet].model.particle_mass * cloths_[sheet].state.v.colwise().sum().transpose();
 }
 
 /// Both sheets with themselves and with each other, as boxed cloths, and all of their cells.
 template <class Visit>
 void SelfContactTrial::for_each_two_sheets(Real reach, Visit visit) const {
-    const std::vector<Real> reaches(static_cast<std::size_t>(models_[0].grid.particles()), reach);
+    const std::vector<Real> reaches(static_cast<std::size_t>(cloths_[0].model.grid.particles()), reach);
     std::array<CellBoxes, 2> boxes;
-    for (const std::size_t s : sheets) boxes[s].build(models_[s].grid, states_[s].x, reaches);
+    for (const std::size_t s : sheets) boxes[s].build(cloths_[s].model.grid, cloths_[s].state.x, reaches);
     for (const auto& [a, b] : {std::pair(0, 0), std::pair(0, 1), std::pair(1, 1)}) {
         const auto first = static_cast<std::size_t>(a), second = static_cast<std::size_t>(b);
-        const LeafPair all{all_cells(models_[first].grid), all_cells(models_[second].grid)};
-        visit(BoxedCloth{{a, models_[first].grid, states_[first].x}, boxes[first], reaches},
-              BoxedCloth{{b, models_[second].grid, states_[second].x}, boxes[second], reaches},
+        const LeafPair all{all_cells(cloths_[first].model.grid), all_cells(cloths_[second].model.grid)};
+        visit(BoxedCloth{{a, cloths_[first].model.grid, cloths_[first].state.x}, boxes[first], reaches},
+              BoxedCloth{{b, cloths_[second].model.grid, cloths_[second].state.x}, boxes[second], reaches},
               std::span<const LeafPair>(&all, 1));
     }
 }
@@ -149,7 +151,7 @@ std::int64_t SelfContactTrial::crossings() const {
 
 Real SelfContactTrial::penetration() const {
     std::vector<NearPair> pairs;
-    const Real thickness = response_.pair_thickness;
+    const Real thickness = response_of(settings_).pair_thickness;
     for_each_two_sheets(thickness / 2, [&](const auto&... pair) { find_near_pairs(pair..., pairs); });
     Real nearest = thickness;
     for (const NearPair& pair : pairs) nearest = std::min(nearest, pair.distance);

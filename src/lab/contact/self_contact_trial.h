@@ -40,15 +40,15 @@ struct SelfContactStep {
     bool halved_enough = true;    ///< false: a part would still cross after the most halvings
 };
 
-/// A simulation without all that contact between cloths does not need: step, search, response, fail-safe, in the order
-/// of `Simulation` and to the same bits, but that it does not divide steps, and may have another fail-safe or none.
+/// A simulation without all that contact between cloths does not need: the integrator and the contact stage of
+/// `Simulation`, to the same bits, but that it does not divide steps, and may have another fail-safe or none.
 class SelfContactTrial {
 public:
     SelfContactTrial(const ThrownSheet& scene, Real step, FailSafe fail_safe);
 
     SelfContactStep advance();
 
-    [[nodiscard]] const ClothState& state(std::size_t sheet) const { return states_[sheet]; }
+    [[nodiscard]] const ClothState& state(std::size_t sheet) const { return cloths_[sheet].state; }
 
     /// Of one sheet [kg m/s].
     [[nodiscard]] Vec3 momentum(std::size_t sheet) const;
@@ -66,17 +66,12 @@ private:
     bool make(Real h, SelfContactStep& step);
     void make_in_halves(Real h, int halvings_left, SelfContactStep& step);
 
-    ResponseParameters response_;
+    Settings settings_;
     FailSafe fail_safe_;
     bool searched_ = true;  ///< in the last try
     Real h_;
-    std::array<ClothModel, 2> models_;
-    std::array<ClothState, 2> states_;
-    std::array<Points, 2> before_;  ///< positions at the start of the step
-    std::array<std::vector<Contact>, 2> no_contacts_;
-    std::array<std::unique_ptr<Integrator>, 2> integrators_;
-    SelfContact contact_;
-    ContactRows rows_;
+    std::vector<Cloth> cloths_;
+    ContactStage stage_;
 };
 
 /// What one run saw.

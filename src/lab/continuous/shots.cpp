@@ -7,8 +7,8 @@
 #include "drape/base/exact_math.h"
 #include "drape/base/input_error.h"
 #include "drape/bounds/broad_phase.h"
+#include "drape/bounds/leaf_copies.h"
 #include "drape/contact/contact.h"
-#include "drape/contact/impact.h"
 
 namespace drape {
 namespace {
@@ -27,7 +27,7 @@ Points flat_square(const Grid& grid, Real width) {
     return x;
 }
 
-/// Both ways to detect, over one cloth.
+/// Detection over one cloth.
 class Detector {
 public:
     explicit Detector(const Grid& grid) : grid_(grid), tree_(make_broad_phase({.update = UpdateKind::Merge}, grid)) {
@@ -35,28 +35,20 @@ public:
     }
 
     void build(const Points& x) { tree_->build(x); }
-    void build(const Points& from, const Points& to) { tree_->build(from, to); }
 
-    bool touches(const Points& x, const Vec3& centre, Real radius) {
-        const Ball ball{.centre = centre, .radius = radius};
-        tree_->query(ball, found_);
+    /// Whether cloth and ball touch at the end of a step, or, with a reach, within it.
+    /// @param reach by how much they may have come nearer to each other [m]
+    bool touches(const ClothMotion& cloth, const Ball& ball, Real reach) {
+        tree_->query(grown(ball, 2 * reach), found_);
         contacts_.clear();
-        find_contacts(grid_, x, ball, 0, 0, found_.cells, contacts_, Kernels::Vector);
-        return !contacts_.empty();
+        return find_contacts(grid_, cloth, ball, 0, 0, reach, found_.cells, contacts_, Kernels::Vector) > 0;
     }
 
-    bool meets(const Points& from, const Points& to, const SweptBall& ball) {
-        tree_->query(ball, found_);
-        impacts_.clear();
-        find_impacts(grid_, from, to, ball, found_.cells, impacts_);
-        return !impacts_.empty();
-    }
-
-    /// Whether all cells together meet as many triangles as `meets` has just found.
-    bool is_confirmed(const Points& from, const Points& to, const SweptBall& ball) {
+    /// Whether all cells together have as many contacts as `touches` has just found.
+    bool is_confirmed(const ClothMotion& cloth, const Ball& ball, Real reach) {
         expected_.clear();
-        find_impacts(grid_, from, to, ball, all_, expected_);
-        return expected_.size() == impacts_.size();
+        find_contacts(grid_, cloth, ball, 0, 0, reach, all_, expected_, Kernels::Plain);
+        return expected_.size() == contacts_.size();
     }
 
 private:
@@ -64,8 +56,7 @@ private:
     std::unique_ptr<BroadPhase> tree_;
     std::vector<CellRun> all_;
     Candidates found_;
-    std::vector<Contact> contacts_;
-    std::vector<TriangleImpact> impacts_, expected_;
+    std::vector<Contact> contacts_, expected_;
 };
 
 /// A way past the origin: the centre at the distance s from the point next to it is middle + s direction.
@@ -123,18 +114,19 @@ ShotCount shoot(Target target, double q, int shots) {
     const Grid grid = point ? Grid{2, 2} : Grid{20, 20};
     const Points x = flat_square(grid, point ? shot_radius * Real(1e-4) : Real(0.2));
     Detector detector(grid);
-    detector.build(x, x);
+    detector.build(x);
     RandomWays ways;
     ShotCount count{.shots = static_cast<double>(shots)};
     const Real step = 2 * shot_radius * static_cast<Real>(q);
     for (int shot = 0; shot < shots; ++shot) {
         const Way way = ways.past(target);
         bool discrete = false, continuous = false;
-        for (Real s = -2 * shot_radius - step * std::abs(ways.draw()); s < 2 * shot_radius; s += step) {
-            const SweptBall ball{way.middle + s * way.direction, way.middle + (s + step) * way.direction, shot_radius};
-            discrete = discrete || detector.touches(x, ball.start, shot_radius);
-            continuous = detector.meets(x, x, ball) || continuous;
-            if (!detector.is_confirmed(x, x, ball)) throw RunError("continuous: a tree misses an impact");
+        for (Real s = -2 * shot_radius - step * (1 + std::abs(ways.draw())); s < 2 * shot_radius; s += step) {
+            const Vec3 moved = step * way.direction, centre = way.middle + s * way.direction + moved;
+            const Ball ball{.centre = centre, .radius = shot_radius, .moved = moved};
+            discrete = discrete || detector.touches({x, x}, ball, 0);
+            continuous = detector.touches({x, x}, ball, step) || continuous;
+            if (!detector.is_confirmed({x, x}, ball, step)) throw RunError("continuous: a tree misses a contact");
         }
         count.discrete += !discrete;
         count.continuous += !continuous;
@@ -160,11 +152,18 @@ BothDetections time_detections(int side, int steps) {
         to.col(1) = (bend * (to.col(0).array() * to.col(2).array()) + move).matrix();
         const Way way = ways.past(Target::Sheet);
         const Vec3 start = way.middle + path * (std::abs(ways.draw()) - 1) * way.direction;
-        const SweptBall ball{start, start + path * way.direction, radius};
+        const Vec3 moved = path * way.direction;
+        const Ball ball{.centre = start + moved, .radius = radius, .moved = moved};
         take_laps(
-            whole, [&] { discrete.build(to); }, [&] { discrete.touches(to, ball.end, radius); });
+            whole, [&] { discrete.build(to); },
+            [&] {
+                discrete.touches({to, to}, ball, 0);
+            });
+        const auto meets = [&] {
+            continuous.touches({from, to}, ball, largest_displacement(to, from, Kernels::Vector) + path);
+        };
         take_laps(
-            swept, [&] { continuous.build(from, to); }, [&] { continuous.meets(from, to, ball); });
+            swept, [&] { continuous.build(to); }, meets);
         if (step < 0) whole = {}, swept = {};  // they have warmed the caches
     }
     return {whole.quartiles(), swept.quartiles()};

@@ -17,12 +17,12 @@ enum class Target {
 struct ShotCount {
     double shots = 0;
     double discrete = 0;    ///< missed by positions at whole steps
-    double continuous = 0;  ///< missed by the ways between them
+    double continuous = 0;  ///< missed by all that may have met between them
 };
 
 /// Shoots a ball through a cloth at rest, in steps of q of its diameters: q = v dt / (2 R). A point is passed at a
 /// distance that is even over the ball's disc, in a direction that is even over all; the first step is even within one.
-/// @throws RunError if a tree does not find the impacts that all cells have
+/// @throws RunError if a tree does not find the contacts that all cells have
 ShotCount shoot(Target target, double q, int shots);
 
 /// The part that is missed by whole steps. A chord at the distance b from a ball's centre is c = 2 sqrt(R^2 - b^2)

@@ -1,6 +1,7 @@
 #pragma once
 
 #include "drape/contact/response.h"
+#include "drape/integrate/integrator.h"
 #include "lab/measure/statistics.h"
 
 namespace drape {
