@@ -15,10 +15,10 @@ public:
     bool drew(bool fast, double seconds);
 
     /// Whether the next picture is to be drawn fast.
-    [[nodiscard]] bool hurried() const { return slow_ && still_ < patience; }
+    [[nodiscard]] bool prefer_speed() const { return slow_ && still_ < patience; }
 
     /// Whether the last picture was drawn fast, and what it shows stands still by now.
-    [[nodiscard]] bool unfinished() const { return drawn_fast_ && !hurried(); }
+    [[nodiscard]] bool unfinished() const { return drawn_fast_ && !prefer_speed(); }
 
     static constexpr double patience = 0.3;        ///< without motion, before a picture is drawn in full [s]
     static constexpr double longest = 1.0 / 25;    ///< that a full picture may take [s]

@@ -123,7 +123,7 @@ void Window::on_display() {
     const Stopwatch watch;
     FrameView view = session_.view();
     view.timeline = session_.timeline();
-    view.hurried = pace_.hurried() && !video_.recording();
+    view.prefer_speed = pace_.prefer_speed() && !video_.recording();
     const bool is_for_video = video_.due();
     draw(view, is_for_video ? DrawnFor::Picture : DrawnFor::Window);
     if (is_for_video) video_.take(renderer_->read_back());
@@ -134,13 +134,13 @@ void Window::on_display() {
     // A slow display draws while the next steps are made. Where pictures seem quick, one is drawn by itself, to know.
     const bool waits = is_fast(view) && drawing_time_ >= PicturePace::shortest;
     drawing_time_ = watch.seconds();
-    unshown_ = view.hurried;
+    unshown_ = view.prefer_speed;
     if (!waits) show_drawn();
 }
 
 void Window::show_drawn() {
     if (!unshown_) return;
-    const bool hurried = *std::exchange(unshown_, std::nullopt);
+    const bool prefer_speed = *std::exchange(unshown_, std::nullopt);
     const Stopwatch watch;
     glFinish();  // without it, the time to draw would have the wait for the display in it
     const double wait = watch.seconds();
@@ -148,7 +148,8 @@ void Window::show_drawn() {
     if (check_) check_->check(session_.view(), camera_);
     picture_time_ = drawing_time_ + watch.seconds();
     drawing_time_ += wait;
-    if (session_.simulation().settings().view.quality == PictureQuality::Auto && pace_.drew(hurried, drawing_time_)) {
+    if (session_.simulation().settings().view.quality == PictureQuality::Auto &&
+        pace_.drew(prefer_speed, drawing_time_)) {
         notices_.add("quality", "Slow display: what moves is drawn at half the resolution (view.quality)");
     }
 }

@@ -122,7 +122,7 @@ bool FoldTest::bounds(const Derivatives& derivatives, Real distance) const {
     return least * apart_at_rest(hx_, hy_) > std::min(distance, 2 * reach);
 }
 
-bool FoldTest::keeps_apart(int node, Real distance) const {
+bool FoldTest::node_is_separated(int node, Real distance) const {
     return bounds(derivatives_[static_cast<std::size_t>(node)], distance);
 }
 
@@ -139,7 +139,7 @@ std::array<int, 2> FoldTest::at_corner_of(int first, int second) const {
     return {-1, -1};
 }
 
-bool FoldTest::keep_apart(int first, int second, Real distance) const {
+bool FoldTest::nodes_are_separated(int first, int second, Real distance) const {
     const auto of = [&](int node) -> const Derivatives& { return derivatives_[static_cast<std::size_t>(node)]; };
     const bool side_by_side =
         make_rectangle(nodes_[static_cast<std::size_t>(first)], nodes_[static_cast<std::size_t>(second)]);

@@ -23,4 +23,4 @@ plot point(x) * 100 with lines lw 1.5 lc rgb blue title 'predicted, point', \
      for [target in targets] table using (only(here(target), column('q'))):(100 * column('discrete_missed')) \
        with points ps 0.9 pt marker(target) lc rgb colour(target) title 'whole steps, '.target, \
      for [target in targets] table using (only(here(target), column('q'))):(100 * column('continuous_missed')) \
-       with points ps 1.4 pt marker(target) - 1 lc rgb black title 'swept, '.target
+       with points ps 1.4 pt marker(target) - 1 lc rgb black title 'between steps, '.target

@@ -3,6 +3,7 @@
 #include <optional>
 
 #include "drape/base/real.h"
+#include "tuning.h"
 
 namespace drape {
 
@@ -11,12 +12,6 @@ struct Advance {
     Real distance;  ///< [m]
     Real next;      ///< until this time they stay apart, in parts of the step
 };
-
-/// What comes as near to a solid as this touches it, where it has no thickness, or is a ball [m].
-inline constexpr Real touch_distance = Real(1e-6);
-
-/// What still creeps after so many advances counts as a touch: that is early, never late.
-inline constexpr int max_advances = 256;
 
 /// The first time at which two things that move within a step are as near as is asked, by conservative advancement:
 /// from one time to the next until which they cannot meet @cite li2021. No root has to be found, and none can be lost.

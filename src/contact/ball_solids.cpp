@@ -1,4 +1,4 @@
-#include "drape/contact/ball_solids.h"
+#include "drape/contact/solid_contacts.h"
 
 #include <algorithm>
 #include <cmath>
@@ -7,12 +7,10 @@
 
 #include "advance.h"
 #include "contact_geometry.h"
+#include "tuning.h"
 
 namespace drape {
 namespace {
-
-/// Passes over all solids, each of which may put a ball out of what it was not in before: a corner takes three.
-constexpr int most_passes = 4;
 
 /// Of a height that was computed.
 constexpr Real height_rounding = 16 * std::numeric_limits<Real>::epsilon();
@@ -42,9 +40,6 @@ std::optional<NextTo> first_plane(const Solid& solid, const Vec3& from, const Ve
     if (!first_time(measure, radius + touch_distance)) return std::nullopt;
     return NextTo{surface.normal, surface.normal.dot(centre) - surface.distance};
 }
-
-/// The least cosine between the normal at a substep's end and that at which two things met, for both to be of one side.
-constexpr Real same_side = Real(0.5);
 
 /// The plane that holds a ball within the substep: that at its end, or where it has met the solid.
 std::optional<NextTo> plane_for(const Solid& solid, const Vec3& from, const Vec3& to, Real radius) {
@@ -82,7 +77,7 @@ bool stay_outside(std::span<const Solid> solids, const Vec3& start, Real gap, Re
     if (solids.empty()) return false;
     const Real radius = ball.radius + gap;
     bool is_out = false, was_out = true;
-    for (int k = 0; k < most_passes && !is_out; ++k) {
+    for (int k = 0; k < max_passes && !is_out; ++k) {
         is_out = true;
         for (const Solid& solid : solids) {
             const auto plane = plane_for(solid, start + solid.moved, ball.centre, radius);

@@ -7,6 +7,7 @@
 
 #include "contact_geometry.h"
 #include "grid_features.h"
+#include "tuning.h"
 
 namespace drape {
 namespace {
@@ -17,14 +18,11 @@ constexpr Real largest_coordinate = Real(1e4);
 /// Of what is computed from coordinates up to a size [m].
 Real rounding_of(Real size) { return 64 * std::numeric_limits<Real>::epsilon() * size; }
 
-/// Of edges that are nearer to parallel, or triangles that are thinner, the direction across says nothing.
-constexpr Real least_sine = Real(1e-6);
-
 /// Across a triangle or two edges, length 1; zero where that is no direction.
 Vec3 across(const Vec3& u, const Vec3& v) {
     const Vec3 n = u.cross(v);
     const Real length = n.norm();
-    return length > least_sine * u.norm() * v.norm() ? Vec3(n / length) : Vec3::Zero();
+    return length > min_sine * u.norm() * v.norm() ? Vec3(n / length) : Vec3::Zero();
 }
 
 /// A triangle of which two particles are an edge.
@@ -76,7 +74,7 @@ bool is_rounding(const ClothAt& first, const ClothAt& second, const NearPair& pa
     return pair.distance <= rounding_of(size);
 }
 
-Vec3 parting_direction(const ClothAt& first, const ClothAt& second, const NearPair& pair) {
+Vec3 separation_direction(const ClothAt& first, const ClothAt& second, const NearPair& pair) {
     const auto& particles = pair.features.particles;
     const auto second_at = static_cast<std::size_t>(pair.features.first_count);
     const auto of = [&](std::size_t k) -> const ClothAt& { return k < second_at ? first : second; };

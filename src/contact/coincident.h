@@ -13,6 +13,6 @@ namespace drape {
 /// one cloth the lower particle, has the other in front of it.
 /// @pre located, but for its normal
 /// @return length 1
-[[nodiscard]] Vec3 parting_direction(const ClothAt& first, const ClothAt& second, const NearPair& pair);
+[[nodiscard]] Vec3 separation_direction(const ClothAt& first, const ClothAt& second, const NearPair& pair);
 
 }  // namespace drape

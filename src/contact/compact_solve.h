@@ -3,6 +3,7 @@
 #include "contact_solver.h"
 #include "drape/contact/contact_rows.h"
 #include "kernels/row_sweeps.h"
+#include "tuning.h"
 
 namespace drape {
 
@@ -33,12 +34,12 @@ inline Real4 four(const Vec3& v) { return {v[0], v[1], v[2], 0}; }
 template <BodyMotion Motion>
 void fill_row(const Motion& motion, const Contact& contact, const std::array<int, 3>& particles, CompactContact& row,
               int& offsets) {
-    const ContactPush& given = Motion::given(contact);
+    const ContactPush& accumulated = Motion::accumulated(contact);
     const std::array<Vec3, 2> to_subtract{motion.start(contact), of_second(motion, contact)};
     row.normal = four(contact.normal);
-    row.friction = four(given.friction);
-    row.push = given.normal;
-    row.target = given.target;
+    row.friction = four(accumulated.friction);
+    row.push = accumulated.normal;
+    row.target = accumulated.target;
     row.mass = contact.mass;
     row.sliding_mass = contact.sliding_mass;
     row.inverse_mass = contact.inverse_mass;
@@ -67,7 +68,7 @@ Sweeps solve_rows(ContactRows& rows, Motion& motion, Real tolerance) {
     if (rows.rows.size() < rows.contacts.size()) rows.rows.resize(rows.contacts.size());
     auto next = rows.rows.begin();
     for (const ContactRows::Ordered& ordered : rows.contacts) {
-        if (!ordered.contact->takes_part) continue;
+        if (!ordered.contact->active) continue;
         fill_row(motion, *ordered.contact, ordered.particles, *next++, rows.offsets);
     }
     const std::span solved(rows.rows.begin(), next);
@@ -76,7 +77,7 @@ Sweeps solve_rows(ContactRows& rows, Motion& motion, Real tolerance) {
     do {
         square = kernels::sweep_rows(rows.motion, solved, rows.offsets);
         ++sweeps.count;
-    } while (square > tolerance * tolerance && sweeps.count < most_sweeps);
+    } while (square > tolerance * tolerance && sweeps.count < max_sweeps);
     sweeps.residual = std::sqrt(square);
 
     auto moved = rows.motion.begin();
@@ -86,10 +87,10 @@ Sweeps solve_rows(ContactRows& rows, Motion& motion, Real tolerance) {
     }
     auto row = solved.begin();
     for (const ContactRows::Ordered& ordered : rows.contacts) {
-        if (!ordered.contact->takes_part) continue;
-        ContactPush& given = Motion::given(*ordered.contact);
-        given.normal = row->push;
-        given.friction = Vec3(row->friction[0], row->friction[1], row->friction[2]);
+        if (!ordered.contact->active) continue;
+        ContactPush& accumulated = Motion::accumulated(*ordered.contact);
+        accumulated.normal = row->push;
+        accumulated.friction = Vec3(row->friction[0], row->friction[1], row->friction[2]);
         ++row;
     }
     return sweeps;

@@ -39,7 +39,7 @@ struct TriangleContacts {
     Real reach;
     std::vector<Contact>& contacts;
 
-    // When the planes are those that cloth and ball had
+    // As they were when the planes are those of the contacts
     const Points& before = reach > 0 ? cloth.before : cloth.x;
     Vec3 moved = reach > 0 ? ball.moved : Vec3(0, 0, 0);
     Vec3 start = ball.centre - moved;

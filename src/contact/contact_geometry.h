@@ -7,17 +7,12 @@
 
 #include "drape/contact/closest_point.h"
 #include "drape/contact/response.h"
+#include "tuning.h"
 
 namespace drape {
 
-/// Depth that is left at most [m]: a resting contact then lasts from step to step instead of flickering.
-inline constexpr Real most_slop = Real(3e-5);
-
 /// The depth that is left in a ball [m].
-inline Real slop_in(const Ball& ball) {
-    constexpr Real of_radius = Real(1e-4);
-    return std::min(of_radius * ball.radius, most_slop);
-}
+inline Real slop_in(const Ball& ball) { return std::min(slop_of_radius * ball.radius, max_slop); }
 
 /// Position or velocity of one particle.
 inline Vec3 position(const Points& x, int particle) { return x.row(particle).transpose(); }
@@ -47,9 +42,6 @@ inline Real depth_in(const Ball& ball, Real thickness, const Contact& contact) {
     const Vec3 offset = contact.point + contact.offset - ball.centre;
     return ball.radius + thickness + contact.radius - offset.dot(contact.normal);
 }
-
-/// The least cosine between the normals at which cloth meets a ball, for both to be of one side.
-inline constexpr Real same_side = Real(0.5);
 
 /// Moves a contact to the point of its triangle that is closest to the ball now, and its plane with it, if that is on
 /// the side where they met. A particle, and the contact of a node, stay where they are in the triangle.

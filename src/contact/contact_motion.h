@@ -4,6 +4,7 @@
 
 #include "contact_geometry.h"
 #include "drape/contact/response.h"
+#include "tuning.h"
 
 namespace drape {
 
@@ -16,19 +17,15 @@ inline void add_particle(std::span<const ClothInContact> cloths, int cloth, int 
                                                                              weight * inverse_mass};
 }
 
-/// Of a particle's inverse mass, the least that a contact point may have, for a push to move no corner farther than
-/// 1 / sqrt(0.05), some 4.5, times as far as the point.
-inline constexpr Real least_share = Real(0.05);
-
 /// What a push at the contact point meets: 1/m = sum w_k^2 / m_k over its corners. Zero if nothing can move, and where
 /// the point hangs on pinned corners so nearly that a push would throw the free one far.
 inline Real inverse_mass_of_particles(const ContactPlane& contact) {
     Real sum = 0, largest = 0;
-    for (const PushedParticle& p : contact.pushed()) {
+    for (const ContactParticle& p : contact.pushed()) {
         sum += p.weight * p.share;
         largest = std::max(largest, p.share / p.weight);
     }
-    return sum < least_share * largest ? Real(0) : sum;
+    return sum < min_mobility * largest ? Real(0) : sum;
 }
 
 /// The particles that a contact pushes.
@@ -39,7 +36,7 @@ inline void list_particles(std::span<const ClothInContact> cloths, Contact& cont
     }
     // The push is sized by the mass of the ball alone then, and would throw the free corner far
     if (inverse_mass_of_particles(contact) == 0) {
-        std::ranges::for_each(contact.particles, [](PushedParticle& p) { p.share = 0; });
+        std::ranges::for_each(contact.particles, [](ContactParticle& p) { p.share = 0; });
     }
 }
 inline void list_particles(std::span<const ClothInContact> cloths, PairContact& contact) {
@@ -55,7 +52,7 @@ inline void list_particles(std::span<const ClothInContact> cloths, PairContact& 
 template <class OfCloth>
 Vec3 weighted_sum(const ContactPlane& contact, OfCloth of_cloth) {
     Vec3 sum = Vec3::Zero();
-    for (const PushedParticle& p : contact.pushed()) {
+    for (const ContactParticle& p : contact.pushed()) {
         sum += p.weight * position(of_cloth(p.cloth), p.particle);
     }
     return sum;
@@ -113,8 +110,8 @@ struct Displacements : BallDisplacements {
     [[nodiscard]] Points& of_cloth(int number) const { return cloths[static_cast<std::size_t>(number)].state.x; }
     static Vec3 start(const ContactPlane& contact) { return contact.start; }
     static Vec3 since_start(const ContactPlane& contact, const Vec3& now) { return now - contact.start; }
-    static ContactPush& given(ContactPlane& contact) { return contact.displacement; }
-    static const ContactPush& given(const ContactPlane& contact) { return contact.displacement; }
+    static ContactPush& accumulated(ContactPlane& contact) { return contact.displacement; }
+    static const ContactPush& accumulated(const ContactPlane& contact) { return contact.displacement; }
 };
 
 /// The same of velocities.
@@ -127,8 +124,8 @@ struct Velocities : BallVelocities {
     [[nodiscard]] Points& of_cloth(int number) const { return cloths[static_cast<std::size_t>(number)].state.v; }
     static Vec3 start(const ContactPlane& /*contact*/) { return Vec3::Zero(); }
     static Vec3 since_start(const ContactPlane& /*contact*/, const Vec3& now) { return now; }
-    static ContactPush& given(ContactPlane& contact) { return contact.impulse; }
-    static const ContactPush& given(const ContactPlane& contact) { return contact.impulse; }
+    static ContactPush& accumulated(ContactPlane& contact) { return contact.impulse; }
+    static const ContactPush& accumulated(const ContactPlane& contact) { return contact.impulse; }
 };
 
 /// Motion of one kind, asked of each body.
@@ -164,7 +161,7 @@ Vec3 relative(const Motion& motion, const BallContact& contact) {
 /// Moves, or speeds up, the particles of a contact by their shares of a push.
 template <BodyMotion Motion>
 void push_particles(Motion& motion, const ContactPlane& contact, const Vec3& push) {
-    for (const PushedParticle& p : contact.pushed()) {
+    for (const ContactParticle& p : contact.pushed()) {
         motion.of_cloth(p.cloth).row(p.particle) += p.share * push.transpose();
     }
 }

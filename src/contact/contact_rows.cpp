@@ -7,7 +7,7 @@ namespace drape {
 
 namespace {
 
-constexpr std::size_t most_reserved = 100'000;  // contacts
+constexpr std::size_t max_reserved = 100'000;  // contacts
 
 /// By how many particles a contact pushes.
 constexpr std::size_t groups_of_level = 3;
@@ -17,12 +17,12 @@ constexpr std::size_t groups_of_level = 3;
 std::size_t ContactRows::bytes_for(std::size_t count) {
     constexpr std::size_t of_contact = sizeof(Ordered) + sizeof(Particle) + sizeof(Real4) + sizeof(CompactContact) +
                                        sizeof(Found) + sizeof(Seen) + groups_of_level * sizeof(std::size_t);
-    return std::min(count, most_reserved) * of_contact;
+    return std::min(count, max_reserved) * of_contact;
 }
 
 /// There are no more particles than that either: a cloth has two contacts a triangle at the most.
 void ContactRows::reserve(std::size_t count) {
-    count = std::min(count, most_reserved);
+    count = std::min(count, max_reserved);
     contacts.reserve(count);
     particles.reserve(count);
     motion.reserve(count);
@@ -61,7 +61,7 @@ void ContactRows::order_cloth(const ClothInContact& cloth) {
             found.contact.particles[k] = seen.place;
             level = std::max(level, seen.level);
         }
-        for (const PushedParticle& p : pushed) seen_[static_cast<std::size_t>(p.particle)].level = level + 1;
+        for (const ContactParticle& p : pushed) seen_[static_cast<std::size_t>(p.particle)].level = level + 1;
         found.group = groups_of_level * (level + 1) - pushed.size();
         if (found.group >= first_.size()) first_.resize(groups_of_level * (level + 1));
         ++first_[found.group];

@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "contact_motion.h"
+#include "tuning.h"
 
 namespace drape {
 
@@ -28,7 +29,7 @@ struct ContactProblem {
 };
 
 /// Whether a contact takes part in a solve.
-using TakesPart = bool (*)(const ContactProblem&, const ContactPlane&);
+using IsActive = bool (*)(const ContactProblem&, const ContactPlane&);
 
 /// Whether bodies meet faster than a few steps of gravity would make them; if not, they rest on each other.
 inline bool is_impact(const ContactProblem& problem, const ContactPlane& contact) {
@@ -51,13 +52,14 @@ void for_each_contact(ContactProblem& problem, Visit visit) {
 template <class Chooses>
 void choose(ContactProblem& problem, Chooses chooses) {
     for_each_contact(problem,
-                     [&](ContactPlane& contact) { contact.takes_part = contact.inverse_mass > 0 && chooses(contact); });
+                     [&](ContactPlane& contact) { contact.active = contact.inverse_mass > 0 && chooses(contact); });
 }
 
 /// What friction is to give to a contact in all, to stop what is left of its sliding, within Coulomb's cone.
 /// @param most it may give
-inline Vec3 friction_within(const ContactPlane& contact, const ContactPush& given, const Vec3& sliding, Real most) {
-    const Vec3 wanted = given.friction - contact.sliding_mass * sliding;
+inline Vec3 friction_within(const ContactPlane& contact, const ContactPush& accumulated, const Vec3& sliding,
+                            Real most) {
+    const Vec3 wanted = accumulated.friction - contact.sliding_mass * sliding;
     const Real square = wanted.squaredNorm();
     return square > most * most ? Vec3(most / std::sqrt(square) * wanted) : wanted;
 }
@@ -67,17 +69,17 @@ inline Vec3 friction_within(const ContactPlane& contact, const ContactPush& give
 /// @return the square of how much that changes its motion [m^2 or m^2/s^2]
 template <class Motion, class AnyContact>
 Real solve_contact(Motion& motion, AnyContact& contact) {
-    if (!contact.takes_part) return 0;
-    ContactPush& given = Motion::given(contact);
+    if (!contact.active) return 0;
+    ContactPush& accumulated = Motion::accumulated(contact);
     const Vec3 moves = relative(motion, contact);
     const Real along = moves.dot(contact.normal);
-    const Real normal = std::max(given.normal + (given.target - along) * contact.mass, Real(0));
+    const Real normal = std::max(accumulated.normal + (accumulated.target - along) * contact.mass, Real(0));
     const Vec3 friction =
-        friction_within(contact, given, moves - along * contact.normal, contact.friction_coefficient * normal);
-    const Vec3 push = (normal - given.normal) * contact.normal + (friction - given.friction);
+        friction_within(contact, accumulated, moves - along * contact.normal, contact.friction_coefficient * normal);
+    const Vec3 push = (normal - accumulated.normal) * contact.normal + (friction - accumulated.friction);
     if (push.isZero(0)) return 0;
-    given.normal = normal;
-    given.friction = friction;
+    accumulated.normal = normal;
+    accumulated.friction = friction;
     push_apart(motion, contact, push);
     return push.squaredNorm() * contact.inverse_mass * contact.inverse_mass;
 }
@@ -85,13 +87,14 @@ Real solve_contact(Motion& motion, AnyContact& contact) {
 /// The same where the push along the normal is fixed: friction alone.
 template <class Motion, class AnyContact>
 Real solve_friction(Motion& motion, AnyContact& contact) {
-    ContactPush& given = Motion::given(contact);
-    if (!contact.takes_part || given.normal == 0) return 0;
+    ContactPush& accumulated = Motion::accumulated(contact);
+    if (!contact.active || accumulated.normal == 0) return 0;
     const Vec3 moves = relative(motion, contact);
     const Vec3 sliding = moves - moves.dot(contact.normal) * contact.normal;
-    const Vec3 friction = friction_within(contact, given, sliding, contact.friction_coefficient * given.normal);
-    const Vec3 push = friction - given.friction;
-    given.friction = friction;
+    const Vec3 friction =
+        friction_within(contact, accumulated, sliding, contact.friction_coefficient * accumulated.normal);
+    const Vec3 push = friction - accumulated.friction;
+    accumulated.friction = friction;
     push_apart(motion, contact, push);
     return push.squaredNorm() * contact.inverse_mass * contact.inverse_mass;
 }
@@ -101,9 +104,6 @@ struct Sweeps {
     int count = 0;
     Real residual = 0;  ///< largest change of a contact's motion in the last one [m or m/s]
 };
-
-/// At most this many sweeps. A cloth of a thousand contacts at rest needs ten to thirty.
-inline constexpr int most_sweeps = 60;
 
 /// Sweeps over the contacts until none changes by more than the tolerance.
 /// @param solve solve(contact) returns the square of its change
@@ -115,7 +115,7 @@ Sweeps sweep_until(ContactProblem& problem, Real tolerance, Solve solve) {
         square = 0;
         for_each_contact(problem, [&](auto& contact) { square = std::max(square, solve(contact)); });
         ++sweeps.count;
-    } while (square > tolerance * tolerance && sweeps.count < most_sweeps);
+    } while (square > tolerance * tolerance && sweeps.count < max_sweeps);
     sweeps.residual = std::sqrt(square);
     return sweeps;
 }

@@ -1,4 +1,4 @@
-#include "drape/contact/crossings.h"
+#include "drape/contact/near_pairs.h"
 
 #include <Eigen/Geometry>
 #include <algorithm>

@@ -1,10 +1,10 @@
-#include "drape/contact/deepest_point.h"
+#include "deepest_point.h"
 
 #include <algorithm>
 #include <cmath>
 
 #include "drape/contact/closest_point.h"
-#include "drape/contact/segments.h"
+#include "tuning.h"
 
 // Of a convex shape, a triangle that does not cross it is nearest to it with a corner, or to one of its ridges. What is
 // left, a mesh and what is inside, is found by descent with projection: p' = the point of the triangle nearest to p - s
@@ -13,15 +13,6 @@
 
 namespace drape {
 namespace {
-
-/// What may be left undone [m].
-constexpr Real deepest_tolerance = Real(1e-6);
-
-constexpr int most_descents = 48;
-
-/// A descent is given up where even so many times the slope gap would not bring it down to the limit. Once is a proof
-/// for a convex distance; the rest is a margin on a mesh, where the slope proves nothing.
-constexpr Real gap_margin = 2;
 
 /// By how much the slope at a point lets some point of the triangle be lower [m].
 Real slope_gap(const DeepestPoint& at, const std::array<Vec3, 3>& corners) {
@@ -109,7 +100,7 @@ DeepestPoint find_deepest_point(const Solid& solid, const std::array<Vec3, 3>& c
         const Real gap = slope_gap(best, corners);
         return gap <= deepest_tolerance || best.surface.distance - gap_margin * gap > limit;
     };
-    for (int k = 0; k < most_descents && !is_done(); ++k) {
+    for (int k = 0; k < max_descents && !is_done(); ++k) {
         const Vec3 down = best.point - step * best.surface.normal;
         const Real before = best.surface.distance;
         descent.take(closest_point_on_triangle(down, corners[0], corners[1], corners[2]).barycentric);

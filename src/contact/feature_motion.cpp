@@ -6,14 +6,10 @@
 
 #include "advance.h"
 #include "drape/contact/closest_point.h"
-#include "drape/contact/segments.h"
+#include "tuning.h"
 
 namespace drape {
 namespace {
-
-/// Of the distance at the start: nothing comes nearer than this, and what would come nearer than somewhat more is
-/// stopped.
-constexpr Real nearest_part = Real(0.1), margin_part = Real(0.1);
 
 /// The same of a distance that is not to become smaller at all: as little as rounding lets through.
 constexpr Real hardly_nearer = 1 - 256 * std::numeric_limits<Real>::epsilon();

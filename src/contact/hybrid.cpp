@@ -2,23 +2,22 @@
 
 #include "impulse.h"
 #include "penalty.h"
+#include "tuning.h"
 
 // The penalty-impulse hybrid: an impulse where bodies meet faster than gravity alone brings them together within a few
-// steps, a penalty where they rest. @cite constantinescu2005 Where cloth is deep in a ball, as impulses alone have it.
+// steps, a penalty where they rest. @cite constantinescu2005 Where something comes deep into a ball, impulses alone.
 
 namespace drape {
 namespace {
 
 bool is_rest(const ContactProblem& problem, const ContactPlane& contact) { return !is_impact(problem, contact); }
 
-/// Of a ball's radius, that cloth may be deep in it for a penalty to push it out. Deeper, it would pass.
-constexpr Real deep = Real(0.05);
-
 bool has_deep_contact(const ContactProblem& problem) {
     return std::ranges::any_of(problem.cloths, [&](const ClothInContact& cloth) {
         return std::ranges::any_of(cloth.contacts, [&](const Contact& contact) {
             if (is_plane(contact.ball) || contact.of_node) return false;
-            return contact.depth > deep * problem.balls[static_cast<std::size_t>(contact.ball)].radius;
+            return is_impact(problem, contact) &&
+                   contact.depth > deep_part * problem.balls[static_cast<std::size_t>(contact.ball)].radius;
         });
     });
 }

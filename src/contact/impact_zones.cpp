@@ -151,7 +151,7 @@ bool ImpactZones::find(std::span<const NearPair> pairs, std::span<const ClothInC
 }
 
 /// Within a zone only that part of the motion is made in which no pair of it meets, whatever its other particles do.
-void ImpactZones::hold_back(std::span<const NearPair> pairs, std::span<const ClothInContact> cloths) {
+void ImpactZones::prevent_crossing(std::span<const NearPair> pairs, std::span<const ClothInContact> cloths) {
     for (bool meets = true; meets;) {
         move_zones(cloths);
         meets = false;

@@ -46,8 +46,8 @@ void time_impact(const ContactProblem& problem, AnyContact& contact) {
 Sweeps solve_impacts(ContactProblem& problem) {
     bool any = false;
     for_each_contact(problem, [&](auto& contact) {
-        contact.takes_part = contact.depth > 0 && is_impact(problem, contact) && contact.inverse_mass > 0;
-        if (!contact.takes_part) return;
+        contact.active = contact.depth > 0 && is_impact(problem, contact) && contact.inverse_mass > 0;
+        if (!contact.active) return;
         time_impact(problem, contact);
         any = true;
     });

@@ -9,7 +9,7 @@ struct Impacts {
     Displacements displacements;
     Velocities velocities;
 
-    static ContactPush& given(ContactPlane& contact) { return contact.impulse; }
+    static ContactPush& accumulated(ContactPlane& contact) { return contact.impulse; }
 };
 
 template <class AnyContact>

@@ -7,7 +7,7 @@
 #include "cell_pairs.h"
 #include "coincident.h"
 #include "contact_geometry.h"
-#include "drape/contact/segments.h"
+#include "drape/contact/closest_point.h"
 #include "grid_features.h"
 
 namespace drape {
@@ -84,7 +84,7 @@ Vec3 locate_on_triangle(const ClothAt& first, const ClothAt& second, NearPair& p
     const ClosestPoint closest = closest_point(second.x, {a, b, c}, p);
     const auto [u, v, w] = closest.barycentric;
     pair.weights = {1, u, v, w};
-    pair.stands_alone = is_answered_here(second.grid, pair);
+    pair.is_representative = is_answered_here(second.grid, pair);
     return p - closest.point;
 }
 
@@ -94,7 +94,7 @@ Vec3 locate_on_edges(const ClothAt& first, const ClothAt& second, NearPair& pair
     const auto [s, t, offset] =
         closest_of_segments(position(first.x, a), position(first.x, b), position(second.x, c), position(second.x, d));
     pair.weights = {1 - s, s, 1 - t, t};
-    pair.stands_alone = s > 0 && s < 1 && t > 0 && t < 1;
+    pair.is_representative = s > 0 && s < 1 && t > 0 && t < 1;
     return offset;
 }
 
@@ -162,7 +162,7 @@ void locate(const ClothAt& first, const ClothAt& second, NearPair& pair) {
         pair.triangle < 0 ? locate_on_edges(first, second, pair) : locate_on_triangle(first, second, pair);
     pair.distance = offset.norm();
     if (is_rounding(first, second, pair)) pair.distance = 0;
-    pair.normal = pair.distance > 0 ? Vec3(offset / pair.distance) : parting_direction(first, second, pair);
+    pair.normal = pair.distance > 0 ? Vec3(offset / pair.distance) : separation_direction(first, second, pair);
 }
 
 void CellBoxes::build(const Grid& grid, const Points& x, std::span<const Real> reaches) {

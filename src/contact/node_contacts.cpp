@@ -1,4 +1,4 @@
-#include "drape/contact/node_contacts.h"
+#include "drape/contact/contact.h"
 
 #include <algorithm>
 

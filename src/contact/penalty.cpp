@@ -48,7 +48,7 @@ void add_push(const ContactProblem& problem, AnyContact& contact, Real push) {
 template <class Visit>
 void for_each_chosen(ContactProblem& problem, Visit visit) {
     for_each_contact(problem, [&](auto& contact) {
-        if (contact.takes_part) visit(contact);
+        if (contact.active) visit(contact);
     });
 }
 
@@ -94,8 +94,8 @@ Real penalty_step_limit(Real stiffness, Real restitution, Real inverse_mass, Rea
     return w / frequency;
 }
 
-Sweeps solve_penalties(ContactProblem& problem, TakesPart takes_part) {
-    choose(problem, [&](const ContactPlane& contact) { return contact.depth > 0 && takes_part(problem, contact); });
+Sweeps solve_penalties(ContactProblem& problem, IsActive active) {
+    choose(problem, [&](const ContactPlane& contact) { return contact.depth > 0 && active(problem, contact); });
     for_each_chosen(problem, [](ContactPlane& contact) { contact.displacement = contact.impulse = {}; });
     if (problem.share == 1) {
         push_by_velocities(problem);

@@ -5,6 +5,6 @@
 namespace drape {
 
 /// Pushes by springs and dampers at the contacts that take part.
-Sweeps solve_penalties(ContactProblem& problem, TakesPart takes_part);
+Sweeps solve_penalties(ContactProblem& problem, IsActive active);
 
 }  // namespace drape

@@ -1,4 +1,5 @@
 #include "compact_solve.h"
+#include "tuning.h"
 
 // Positions are projected out of balls and ground @cite provot1995, each contact by the least displacement of its
 // particles, and held against sliding by friction; then the velocities of those that were pushed are stopped, or
@@ -6,12 +7,6 @@
 
 namespace drape {
 namespace {
-
-/// Rounds of projection: a longer push shifts the closest points, and these have to be found again.
-constexpr int max_rounds = 4;
-
-/// A push shorter than this fraction of the radius leaves a triangle's closest point where it is in the triangle.
-constexpr Real short_push = Real(1e-3);
 
 /// How far the contact must come along its normal within the substep to be out.
 template <class AnyContact>
@@ -30,19 +25,20 @@ Real length_of_push(const ContactProblem& /*problem*/, const ContactPlane& /*con
 Sweeps project_positions(ContactProblem& problem) {
     Displacements motion = problem.displacements();
     Sweeps all;
+    order_rows(problem);
     for (int round = 0; round < max_rounds; ++round) {
         Real longest = 0;
-        order_rows(problem);
         for_each_contact(
             problem, [&](auto& contact) __attribute__((flatten)) {
                 aim_displacement(motion, problem.balls, contact);
                 longest = std::max(longest, length_of_push(problem, contact));
-                contact.takes_part = contact.inverse_mass > 0;
+                contact.active = contact.inverse_mass > 0;
             });
         const Sweeps sweeps = solve_contacts(problem, motion, displacement_tolerance(problem));
         all = {all.count + sweeps.count, sweeps.residual};
         if (longest <= short_push) break;
         for_each_contact(problem, [&](auto& contact) { find_again(problem, contact); });
+        order_rows(problem);
     }
     return all;
 }

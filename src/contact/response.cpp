@@ -8,23 +8,10 @@
 #include "contact_solver.h"
 #include "drape/contact/contact_rows.h"
 #include "resting.h"
+#include "tuning.h"
 
 namespace drape {
 namespace {
-
-/// An approach slower than this many steps of gravity is resting, and does not bounce.
-constexpr Real resting_steps = 4;
-
-/// Tolerance of displacements, of what gravity moves a particle by within a step.
-constexpr Real of_gravity = Real(2e-3);
-
-/// And where cloth meets cloth, of the thickness between them: many layers pass a push on slowly, from sweep to sweep
-/// and from substep to substep.
-constexpr Real of_thickness = Real(1e-3);
-
-/// The tolerance of velocities where cloth meets cloth [m/s]. What rests is stopped again in every substep, and what is
-/// not stopped of a few particles is what the whole cloth moves by: a fifth of this, in the mean square.
-constexpr Real of_pair_velocities = Real(1e-3);
 
 const Ball& ball_of(const BodyContact& contact, std::span<const Ball> balls) {
     return balls[static_cast<std::size_t>(contact.ball)];
@@ -68,9 +55,6 @@ Real friction_of(const ResponseParameters& parameters, const BodyContact& contac
     return contact.ball == the_ground ? parameters.ground.friction : parameters.friction;
 }
 Real friction_of(const ResponseParameters& parameters, const PairContact& /*contact*/) { return parameters.friction; }
-
-/// The fastest approach of what may rest, however long the substep is [m/s].
-constexpr Real fastest_rest = Real(0.5);
 
 /// Whether a contact is no impact to the hybrid, though its bodies approach each other by more than gravity alone makes
 /// them. Where a force displaces by half of its velocity, what lies still has the other half at the end of the substep:
@@ -132,8 +116,8 @@ __attribute__((flatten)) void prepare_all(ContactProblem& problem) {
 /// @param of_pairs that between cloths [m]
 Real tolerance_of(const ContactProblem& problem, Real of_pairs) {
     const Real fall = problem.gravity * problem.h * problem.h;
-    return std::max(
-        {of_gravity * fall, problem.pairs.empty() ? Real(0) : of_pairs, 4 * std::numeric_limits<Real>::epsilon()});
+    return std::max({gravity_tolerance * fall, problem.pairs.empty() ? Real(0) : of_pairs,
+                     4 * std::numeric_limits<Real>::epsilon()});
 }
 
 ResponseReport respond_in_kind(ContactProblem& problem) {
@@ -175,7 +159,7 @@ void follow(const ContactProblem& problem, Contact& contact) {
 }
 
 void find_again(const ContactProblem& problem, Contact& contact) {
-    if (is_plane(contact.ball) || contact.parted) return follow(problem, contact);
+    if (is_plane(contact.ball) || contact.separated) return follow(problem, contact);
     const Ball& ball = ball_of(contact, problem.balls);
     find_closest(cloth_of(problem, contact).state.x, ball, problem.parameters.thickness, contact);
     set_particles(problem, contact);
@@ -191,7 +175,7 @@ void follow(const ContactProblem& problem, BallContact& contact) {
     contact.depth = depth_now(problem.balls, problem.parameters.ground, contact);
 }
 
-double work_of_led_balls(std::span<const Contact> contacts, std::span<const Ball> balls) {
+double work_of_kinematic_bodies(std::span<const Contact> contacts, std::span<const Ball> balls) {
     Real work = 0;
     for (const Contact& contact : contacts) {
         if (contact.ball == the_ground || inverse_mass_of(contact.ball, balls) > 0) continue;
@@ -210,18 +194,17 @@ double kinetic_energy(std::span<const Ball> balls) {
     return static_cast<double>(sum / 2);
 }
 
-Real push_of(const PairContact& contact, std::span<const Ball> /*balls*/) { return contact.depth - most_slop; }
+Real push_of(const PairContact& contact, std::span<const Ball> /*balls*/) { return contact.depth - max_slop; }
 
 Real push_of(const BodyContact& contact, std::span<const Ball> balls) {
-    if (is_plane(contact.ball)) return contact.depth - most_slop;
+    if (is_plane(contact.ball)) return contact.depth - max_slop;
     return contact.depth - slop_in(ball_of(contact, balls));
 }
 
 Real push_of(const BallContact& contact, std::span<const Ball> balls) {
-    constexpr Real of_radius = Real(1e-3);  // that a small ball, too, is not seen to sink in
     const BodyContact& second = contact;
     const Real radius = balls[static_cast<std::size_t>(contact.first)].radius;
-    return std::max(push_of(second, balls), contact.depth - of_radius * radius);
+    return std::max(push_of(second, balls), contact.depth - ball_slop_of_radius * radius);
 }
 
 Real restitution_of(const ResponseParameters& parameters, const BodyContact& contact) {
@@ -229,11 +212,12 @@ Real restitution_of(const ResponseParameters& parameters, const BodyContact& con
 }
 
 Real displacement_tolerance(const ContactProblem& problem) {
-    return tolerance_of(problem, of_thickness * problem.parameters.pair_thickness);
+    return tolerance_of(problem, thickness_tolerance * problem.parameters.pair_thickness);
 }
 
 Real velocity_tolerance(const ContactProblem& problem) {
-    const Real of_pairs = std::min(of_thickness * problem.parameters.pair_thickness, of_pair_velocities * problem.h);
+    const Real of_pairs =
+        std::min(thickness_tolerance * problem.parameters.pair_thickness, pair_velocity_tolerance * problem.h);
     return tolerance_of(problem, of_pairs) / problem.h;
 }
 

@@ -3,21 +3,14 @@
 #include <algorithm>
 
 #include "drape/contact/response.h"
+#include "tuning.h"
 
 namespace drape {
 
-/// What changes a speed by more than gravity does in this many steps is no rest: an impact, or the way out of a ball
-/// that was put into the cloth.
-inline constexpr Real rest_steps = 100;
-
-/// By how many times its weight a ball that rests presses on a particle at most. One that is pressed on the ground, or
-/// held by another contact, would fly off with more as soon as only one of both pushes goes on.
-inline constexpr Real resting_weights = 3;
-
 /// Of the heavier body that can move.
-inline Real least_inverse_mass(const ContactPlane& contact) {
+inline Real min_inverse_mass(const ContactPlane& contact) {
     Real first = 0;
-    for (const PushedParticle& p : contact.pushed()) first += p.weight * p.share;
+    for (const ContactParticle& p : contact.pushed()) first += p.weight * p.share;
     const Real second = contact.inverse_mass - first;
     return first > 0 && second > 0 ? std::min(first, second) : contact.inverse_mass;
 }
@@ -30,7 +23,7 @@ inline Real least_inverse_mass(const ContactPlane& contact) {
 inline bool may_rest(const ContactPlane& contact, Real impulse, Real h, Real gravity) {
     const Real in_a_step = h * gravity;
     if (impulse * contact.inverse_mass <= rest_steps * in_a_step) return true;
-    return contact.lasts && impulse * least_inverse_mass(contact) <= resting_weights * in_a_step;
+    return contact.lasts && impulse * min_inverse_mass(contact) <= resting_weights * in_a_step;
 }
 
 }  // namespace drape

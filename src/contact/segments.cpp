@@ -1,4 +1,4 @@
-#include "drape/contact/segments.h"
+#include "drape/contact/closest_point.h"
 
 #include <algorithm>
 #include <limits>

@@ -2,19 +2,16 @@
 
 #include <algorithm>
 #include <cmath>
-#include <limits>
 
 #include "contact_geometry.h"
-#include "drape/contact/deepest_point.h"
+#include "deepest_point.h"
 #include "grid_features.h"
+#include "tuning.h"
 
 namespace drape {
 namespace {
 
 using Corners = std::array<Vec3, 3>;
-
-/// A triangle's own point counts where it is deeper than its corners by this [m]: on a flat side it is as deep.
-constexpr Real deeper_than_corners = Real(1e-5);
 
 Corners corners_of(const Points& x, const std::array<int, 3>& particles) {
     return {position(x, particles[0]), position(x, particles[1]), position(x, particles[2])};
@@ -34,7 +31,7 @@ Real covering_radius(const Corners& corners) {
 }
 
 /// A triangle of the cloth beside a solid.
-struct TriangleBeside {
+struct TriangleNearSolid {
     int triangle = 0;
     std::array<int, 3> particles{};
     Corners corners;
@@ -69,7 +66,7 @@ struct ContactMaker {
     std::vector<Contact>& contacts;
 
     /// @param nearest the point of the cloth before
-    void add(const TriangleBeside& beside, const DeepestPoint& nearest, bool of_particle) const {
+    void add(const TriangleNearSolid& beside, const DeepestPoint& nearest, bool of_particle) const {
         Contact contact;
         contact.ball = first_solid + number;
         contact.triangle = beside.triangle;
@@ -84,7 +81,7 @@ struct ContactMaker {
         if (contact.depth > -reach) contacts.push_back(contact);
     }
 
-    void add_corner(const TriangleBeside& beside, std::size_t k) const {
+    void add_corner(const TriangleNearSolid& beside, std::size_t k) const {
         if (!(beside.surface[k].distance < thickness + reach)) return;
         DeepestPoint here{.barycentric = {}, .point = beside.corners[k], .surface = beside.surface[k]};
         here.barycentric[k] = 1;
@@ -92,7 +89,7 @@ struct ContactMaker {
     }
 
     /// Adds the triangle's deepest point, or that of an edge which it reports.
-    void add_inside(const TriangleBeside& beside) const {
+    void add_inside(const TriangleNearSolid& beside) const {
         const Real least = std::min(thickness + reach, beside.lowest() - deeper_than_corners);
         if (beside.bound >= least) return;
         const DeepestPoint deepest = find_deepest_point(solid, beside.corners, beside.surface, least);
@@ -103,12 +100,12 @@ struct ContactMaker {
 
 /// Calls visit(beside) for each triangle of the cells.
 template <class Visit>
-void for_each_beside(const ContactMaker& make, std::span<const CellRun> cells,
-                     const std::vector<SurfaceDistance>& surface, Visit visit) {
+void for_each_triangle_near(const ContactMaker& make, std::span<const CellRun> cells,
+                            const std::vector<SurfaceDistance>& surface, Visit visit) {
     for (const CellRun& run : cells) {
         const int first = 2 * (run.row * make.grid.cell_columns() + run.column);
         for (int triangle = first; triangle < first + 2 * run.count; ++triangle) {
-            TriangleBeside beside{triangle, make.grid.triangle_corners(triangle), {}, {}};
+            TriangleNearSolid beside{triangle, make.grid.triangle_corners(triangle), {}, {}};
             beside.corners = corners_of(make.before, beside.particles);
             for (std::size_t k = 0; k < 3; ++k) {
                 beside.surface[k] = surface[static_cast<std::size_t>(beside.particles[k])];
@@ -178,7 +175,7 @@ void SolidSearch::find(const Grid& grid, const ClothMotion& cloth, const Solid& 
     start.position -= moved;
     look_at_particles(grid, before, start, number, thickness + reach, cells);
     const ContactMaker make{grid, before, cloth.x, start, moved, number, thickness, reach, contacts};
-    for_each_beside(make, cells, surface_, [&](const TriangleBeside& beside, unsigned owned) {
+    for_each_triangle_near(make, cells, surface_, [&](const TriangleNearSolid& beside, unsigned owned) {
         for (std::size_t k = 0; k < 3; ++k) {
             if ((owned >> k & 1u) != 0) make.add_corner(beside, k);
         }

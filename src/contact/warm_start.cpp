@@ -28,11 +28,11 @@ const FeaturePair& order_of(const PairContact& contact) { return contact.pair.fe
 bool is_on_ground(const Contact& contact) { return contact.ball == the_ground; }
 bool is_on_ground(const PairContact& /*contact*/) { return false; }
 
-bool is_of_surface(const Contact& contact) { return !contact.of_node && !contact.parted; }
+bool is_of_surface(const Contact& contact) { return !contact.of_node && !contact.separated; }
 bool is_of_surface(const PairContact& /*contact*/) { return true; }
 
 /// Whether it pushes a free ball too. Such a contact is kept with a push of zero, to be told that it lasts.
-bool moves_both(const ContactPlane& contact) { return least_inverse_mass(contact) < contact.inverse_mass; }
+bool moves_both(const ContactPlane& contact) { return min_inverse_mass(contact) < contact.inverse_mass; }
 
 void scale(ContactPush& push, Real factor) {
     push.normal *= factor;
@@ -46,7 +46,7 @@ Vec3 push_along(const ContactPush& push, const Vec3& normal) { return push.norma
 void follow_contact(const ResponseParameters& parameters, std::span<const ClothInContact> cloths,
                     std::span<const Ball> balls, Contact& contact) {
     contact.point = at_point(contact, cloths[static_cast<std::size_t>(contact.cloth)].state.x);
-    contact.parted = true;
+    contact.separated = true;
     if (is_solid(contact.ball)) contact.plane.height += contact.normal.dot(contact.plane.moved);
     contact.depth = depth_now(parameters, balls, contact);
 }
@@ -124,7 +124,7 @@ double WarmStart<AnyContact>::work(std::span<const ClothInContact> cloths, int c
     Real work = 0;
     for (const AnyContact& contact : pushes()) {
         const Vec3 force = push_along(contact.impulse, contact.normal) / h_;
-        for (const PushedParticle& p : contact.pushed()) {
+        for (const ContactParticle& p : contact.pushed()) {
             if (p.cloth != cloth || p.share == 0) continue;
             work += p.weight * force.dot(position(of.state.x, p.particle) - position(of.before, p.particle));
         }
@@ -135,7 +135,7 @@ double WarmStart<AnyContact>::work(std::span<const ClothInContact> cloths, int c
 template <class AnyContact>
 void WarmStart<AnyContact>::carry_over(const ResponseParameters& parameters, std::span<const ClothInContact> cloths,
                                        std::span<const Ball> balls, std::vector<AnyContact>& contacts) {
-    parted_.clear();
+    separated_.clear();
     gaps_.clear();
     auto found = contacts.begin();
     for (AnyContact& before : last_) {
@@ -148,7 +148,7 @@ void WarmStart<AnyContact>::carry_over(const ResponseParameters& parameters, std
             ++found;
         } else if (before.displacement.normal > 0) {
             follow_contact(parameters, cloths, balls, before);
-            parted_.push_back(before);
+            separated_.push_back(before);
             gaps_.push_back(found - contacts.begin());
         }
     }
@@ -159,11 +159,11 @@ void WarmStart<AnyContact>::carry_over(const ResponseParameters& parameters, std
 template <class AnyContact>
 void WarmStart<AnyContact>::insert(std::vector<AnyContact>& contacts) const {
     auto end = static_cast<std::ptrdiff_t>(contacts.size());
-    contacts.resize(contacts.size() + parted_.size());
-    for (std::size_t k = parted_.size(); k-- > 0; end = gaps_[k]) {
+    contacts.resize(contacts.size() + separated_.size());
+    for (std::size_t k = separated_.size(); k-- > 0; end = gaps_[k]) {
         const auto begin = contacts.begin(), place = begin + gaps_[k] + static_cast<std::ptrdiff_t>(k);
         std::move_backward(begin + gaps_[k], begin + end, place + 1 + end - gaps_[k]);
-        *place = parted_[k];
+        *place = separated_[k];
     }
 }
 

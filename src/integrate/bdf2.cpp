@@ -25,7 +25,7 @@ public:
           dv_(grid.particles(), 3) {}
 
     [[nodiscard]] StepBefore step_before() const override { return last_; }
-    void go_on_after(const StepBefore& step) override { last_ = step; }
+    void resume_after(const StepBefore& step) override { last_ = step; }
 
     SolveReport step(const ClothModel& model, ClothState& state, Real h, EnergyFlow* start) override {
         const bool goes_on =

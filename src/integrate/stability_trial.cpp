@@ -24,7 +24,7 @@ void add_noise(const ClothModel& model, const Trial& trial, ClothState& state) {
     const Real size = trial.noise * std::min(model.hx, model.hy);
     for (int p = 0; p < model.grid.particles(); ++p) {
         for (int axis = 0; axis < 3; ++axis) {
-            const Real noise = size * draw_even<Real>(random);
+            const Real noise = size * uniform<Real>(random);
             if (!model.pinned(p)) state.x(p, axis) += noise;
         }
     }

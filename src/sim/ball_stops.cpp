@@ -4,7 +4,7 @@
 #include <limits>
 
 #include "ball_motion.h"
-#include "drape/contact/ball_solids.h"
+#include "drape/contact/solid_contacts.h"
 #include "drape/model/stencils.h"
 
 namespace drape {
@@ -15,7 +15,7 @@ namespace {
 constexpr Real taut = Real(0.02);
 
 /// A ball that is not free of everything after so many rounds is wedged.
-constexpr int most_rounds = 8;
+constexpr int max_rounds = 8;
 
 /// Of a length that was computed from others.
 constexpr Real length_rounding = 16 * std::numeric_limits<Real>::epsilon();
@@ -116,7 +116,7 @@ void stop_ball(const BallStops& stops, int number, Real h, Ball& ball) {
     const Vec3 start = ball.centre - ball.moved;
     const Real moved = ball.moved.norm(), rounding = length_rounding * moved;
     const bool is_taut = touches_taut_cloth(stops.cloths, number, moved);
-    for (int round = 0; round < most_rounds; ++round) {
+    for (int round = 0; round < max_rounds; ++round) {
         bool stopped = is_taut && stop_at_contacts(stops.cloths, number, rounding, h, ball);
         stopped = stop_at_pins(stops, start, h, ball) || stopped;
         if (stay_above(stops.ground, stops.thickness, ball)) {

@@ -11,7 +11,7 @@ namespace {
 /// The most energy that pushing contacts out puts into springs at rest [J]: each moves three particles by no more than
 /// its push, and the springs of a particle answer with four of each kind, at both ends.
 /// @param squared_push sum over the contacts [m^2]
-double most_push_work(const ClothModel& model, Real squared_push) {
+double max_push_work(const ClothModel& model, Real squared_push) {
     const Real stiffness = 3 * 4 * (model.structural.stiffness + model.shear.stiffness + model.bend.stiffness);
     return static_cast<double>(stiffness) * static_cast<double>(squared_push);
 }
@@ -44,14 +44,14 @@ bool is_pushed_by_cloth(const Pushes& pushes) {
 }
 
 /// What the contacts with balls and ground push the springs by, at the most [J].
-double most_push_work(const ClothModel& model, const Pushes& pushes) {
+double max_push_work(const ClothModel& model, const Pushes& pushes) {
     double squared_push = 0;
     const auto add = [&](const auto& contact) {
         const auto push = static_cast<double>(push_of(contact, pushes.balls));
         if (push > 0) squared_push += push * push;
     };
     std::ranges::for_each(pushes.contacts, add);
-    return most_push_work(model, static_cast<Real>(squared_push));
+    return max_push_work(model, static_cast<Real>(squared_push));
 }
 
 }  // namespace
@@ -63,7 +63,7 @@ void ClothEnergy::restart(const ClothModel& model, const ClothState& state, Kern
 
 EnergyFlow ClothEnergy::flow(const ClothModel& model, const ClothState& state) {
     EnergyFlow flow = compute_energy_flow(model, state.x, state.v, wind_, kernels_);
-    tell_pins_apart(hand_power(model, state), flow.power);
+    split_pin_power(hand_power(model, state), flow.power);
     return flow;
 }
 
@@ -80,7 +80,7 @@ double ClothEnergy::hand_power(const ClothModel& model, const ClothState& state)
 }
 
 /// What all held particles are given, but for the hand's, is the pins'.
-void ClothEnergy::tell_pins_apart(double of_hand, Power& power) const {
+void ClothEnergy::split_pin_power(double of_hand, Power& power) const {
     if (!has_pins_) return;
     power.pins = power.hand - of_hand;
     power.hand = of_hand;
@@ -117,10 +117,10 @@ void ClothEnergy::return_to_mark() {
 }
 
 void ClothEnergy::after_integrator(const ClothModel& model, const ClothState& state, const MotionSums& sums, Real h,
-                                   int least_pause) {
-    if (watch_.look(model, sums, h, least_pause)) watch_.measure(compute_energy(model, state, kernels_));
+                                   int min_pause) {
+    if (watch_.look(model, sums, h, min_pause)) watch_.measure(compute_energy(model, state, kernels_));
     if (!ledger_) return;
-    tell_pins_apart(hand_at_start_, start_.power);
+    split_pin_power(hand_at_start_, start_.power);
     ledger_->see(start_);
     ledger_->integrated(h);
 }
@@ -142,9 +142,9 @@ void ClothEnergy::before_pushes(const ClothModel& model, const ClothState& state
     known_ = pushes.known;
     const bool by_cloth = is_pushed_by_cloth(pushes);
     if (pushes.contacts.empty() && !by_cloth) return;
-    most_push_work_ = known_ ? 0 : most_push_work(model, pushes);
+    max_push_work_ = known_ ? 0 : max_push_work(model, pushes);
     // What another cloth gives, or another part of this one, no bound tells
-    if (by_cloth) most_push_work_ = std::numeric_limits<double>::infinity();
+    if (by_cloth) max_push_work_ = std::numeric_limits<double>::infinity();
     pushed_ = measures_pushes() ? range_of(pushes, model.grid) : GridRange{0, model.grid.nx, 0, model.grid.ny};
     before_pushes_ = pushed_flow(model, state);
 }
@@ -153,8 +153,8 @@ bool ClothEnergy::after_pushes(const ClothModel& model, const ClothState& state,
     if (pushed_.first_column >= pushed_.end_column) return false;
     const EnergyFlow after = pushed_flow(model, state);
     const double work = after.energy.total() - before_pushes_.energy.total();
-    const bool measured = most_push_work_ > watch_.small_work();
-    watch_.give(std::max(measured ? work : ball_work + most_push_work_, 0.0));
+    const bool measured = max_push_work_ > watch_.small_work();
+    watch_.give(std::max(measured ? work : ball_work + max_push_work_, 0.0));
     if (!ledger_) return true;
     if (known_) {
         ledger_->pushed_by_balls(ball_work);
@@ -183,7 +183,7 @@ EnergyFlow ClothEnergy::held_flow(const ClothModel& model, const ClothState& sta
     return ledger_ ? flow(model, state) : EnergyFlow{compute_energy(model, state, kernels_), {}};
 }
 
-bool ClothEnergy::measures_pushes() const { return ledger_ || most_push_work_ > watch_.small_work(); }
+bool ClothEnergy::measures_pushes() const { return ledger_ || max_push_work_ > watch_.small_work(); }
 
 /// Of what is being pushed, where it is to be measured.
 EnergyFlow ClothEnergy::pushed_flow(const ClothModel& model, const ClothState& state) const {

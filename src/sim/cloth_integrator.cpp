@@ -16,7 +16,7 @@ void ClothIntegrator::use(const IntegratorParameters& parameters, const Grid& gr
 SolveReport ClothIntegrator::step(const ClothModel& model, ClothState& state, Real h, EnergyFlow* start) {
     if (!integrator_) {
         integrator_ = make_integrator(parameters_, model.grid);
-        if (before_.h > 0) integrator_->go_on_after(before_);
+        if (before_.h > 0) integrator_->resume_after(before_);
     }
     return integrator_->step(model, state, h, start);
 }

@@ -11,7 +11,7 @@ namespace drape {
 namespace {
 
 /// Of the other simulation within a step of the first.
-constexpr int most_steps = 1000;
+constexpr int max_steps = 1000;
 
 /// A place in a flat cloth: both in [0, 1].
 struct FlatPlace {
@@ -74,7 +74,7 @@ Comparison::Comparison(const Simulation& first, std::string assignments)
 Simulation Comparison::make_other(const Simulation& first, const std::vector<std::string>& assignments) {
     Settings settings = first.settings();
     for (const std::string& assignment : assignments) assign(settings, assignment);
-    const double least = first.settings().solver.dt / most_steps;
+    const double least = first.settings().solver.dt / max_steps;
     if (settings.solver.dt < least) {
         throw InputError("solver.dt = " + real_text(settings.solver.dt) + ": allowed " + real_text(least, 3) +
                          " and more, a thousandth of the step that it is compared with");
@@ -121,7 +121,7 @@ void Comparison::follow_command(const Command& command, const Simulation& first)
 
 void Comparison::follow(const Simulation& first) {
     const double tolerance = 1e-6 * other_.settings().solver.dt;
-    for (int k = 0; k < most_steps; ++k) {
+    for (int k = 0; k < max_steps; ++k) {
         if (other_.report().status != Status::Ok || other_.report().time >= first.report().time - tolerance) break;
         other_.step();
     }

@@ -3,7 +3,7 @@
 #include <algorithm>
 
 #include "drape/bounds/leaf_copies.h"
-#include "drape/contact/node_contacts.h"
+#include "drape/contact/contact.h"
 
 namespace drape {
 namespace {

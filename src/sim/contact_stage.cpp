@@ -5,8 +5,8 @@
 #include "ball_motion.h"
 #include "drape/base/assert.h"
 #include "drape/base/stopwatch.h"
-#include "drape/contact/ball_solids.h"
-#include "drape/contact/node_contacts.h"
+#include "drape/contact/contact.h"
+#include "drape/contact/solid_contacts.h"
 #include "run_checks.h"
 
 namespace drape {
@@ -103,7 +103,8 @@ void ContactStage::warm_start() {
 /// @param free_work by all free balls, which the first cloth that touches one enters; 0 after that [J]
 void ContactStage::enter_pushes(Cloth& cloth, std::span<const Contact> contacts, double led_work, double& free_work) {
     const bool takes = std::ranges::any_of(contacts, [&](const Contact& contact) {
-        return !is_plane(contact.ball) && now_.bodies.balls[static_cast<std::size_t>(contact.ball)].inverse_mass > 0;
+        if (is_plane(contact.ball) || (contact.displacement.normal == 0 && contact.impulse.normal == 0)) return false;
+        return now_.bodies.balls[static_cast<std::size_t>(contact.ball)].inverse_mass > 0;
     });
     const double work = led_work + (takes ? free_work : 0);
     if (cloth.energy.after_pushes(cloth.model, cloth.state, work) && takes) free_work = 0;
@@ -160,7 +161,23 @@ void ContactStage::narrow(StepReport& report) {
     self_.find(now_.response, now_.cloths, balls);
     report.pairs = static_cast<std::int64_t>(self_.contacts().size());
     report.times.pairs += watch.lap();
-    for (Cloth& cloth : cloths) report.false_contacts += cloth.search.false_contacts(cloth.state.x, balls, thickness);
+}
+
+void ContactStage::audit_search(StepReport& report) {
+    DRAPE_ASSERT(stage_ == Stage::Found);
+    for (Cloth& cloth : now_.bodies.cloths) {
+        report.false_contacts +=
+            cloth.search.false_contacts(cloth.state.x, now_.bodies.balls, now_.settings->contact.thickness);
+    }
+}
+
+void ContactStage::audit_response(StepReport& report) {
+    DRAPE_ASSERT(stage_ == Stage::Solved);
+    for (Cloth& cloth : now_.bodies.cloths) {
+        const Real missed =
+            cloth.search.missed_penetration(cloth.state.x, now_.bodies.balls, now_.settings->contact.thickness);
+        report.missed_penetration = std::max(report.missed_penetration, static_cast<double>(missed));
+    }
 }
 
 ResponseReport ContactStage::solve(StepReport& report) {
@@ -177,7 +194,7 @@ ResponseReport ContactStage::solve(StepReport& report) {
         resolve_contacts(now_.response, now_.h, now_.cloths, pairs, balls, ball_contacts_, rows);
     double free_work = left.free_ball_work;
     for (Cloth& cloth : cloths) {
-        enter_pushes(cloth, cloth.contacts, work_of_led_balls(cloth.contacts, balls), free_work);
+        enter_pushes(cloth, cloth.contacts, work_of_kinematic_bodies(cloth.contacts, balls), free_work);
     }
     report.penetration = static_cast<double>(left.depth);
     report.contact_residual = std::max(report.contact_residual, static_cast<double>(left.residual));
@@ -196,7 +213,7 @@ void ContactStage::prevent_crossing(StepReport& report) {
     if (would_cross()) {
         const std::span<Cloth> cloths = now_.bodies.cloths;
         for (Cloth& cloth : cloths) cloth.energy.before_hold(cloth.model, cloth.state);
-        report.held_back = self_.hold_back(now_.cloths);
+        report.held_back = self_.prevent_crossing(now_.cloths);
         for (Cloth& cloth : cloths) cloth.energy.after_hold(cloth.model, cloth.state);
         report.penetration = static_cast<double>(depth_left(now_.response, now_.cloths, now_.bodies.balls));
     }
@@ -205,7 +222,7 @@ void ContactStage::prevent_crossing(StepReport& report) {
     report.times.pairs += watch.lap();
 }
 
-void ContactStage::end(StepReport& report) {
+void ContactStage::end() {
     go_on(Stage::Solved, Stage::Ended);
     const auto& [cloths, balls, solids] = now_.bodies;
     const ContactSettings& contact = now_.settings->contact;
@@ -229,8 +246,6 @@ void ContactStage::end(StepReport& report) {
         std::erase_if(cloth.contacts, [](const Contact& found) {
             return !(found.depth > 0) && found.displacement.normal == 0 && found.impulse.normal == 0;
         });
-        const Real missed = cloth.search.missed_penetration(cloth.state.x, balls, contact.thickness);
-        report.missed_penetration = std::max(report.missed_penetration, static_cast<double>(missed));
     }
 }
 

@@ -32,7 +32,7 @@ EnergyBalance& EnergyBalance::operator+=(const EnergyBalance& other) {
 
 void EnergyLedger::see(const EnergyFlow& now) { see(now, now_); }
 
-void EnergyLedger::see(const EnergyFlow& now, Book& book) {
+void EnergyLedger::see(const EnergyFlow& now, Entry& book) {
     const double change = now.energy.total() - book.seen.energy.total();
     if (book.since == Since::Hand) book.balance.hand += change - book.contact_energy;
     if (book.since == Since::Pins) book.balance.pins += change - book.contact_energy;
@@ -91,7 +91,7 @@ void EnergyLedger::changed_after_step(const EnergyFlow& before, const EnergyFlow
 }
 
 EnergyBalance EnergyLedger::balance(const EnergyFlow& now) const {
-    Book book = now_;
+    Entry book = now_;
     see(now, book);
     return book.balance;
 }

@@ -35,13 +35,13 @@ void EnergyWatch::restart(const ClothModel& model, const Energy& energy) {
     substeps_ = 0;
 }
 
-bool EnergyWatch::look(const ClothModel& model, const MotionSums& sums, Real h, int least_pause) {
+bool EnergyWatch::look(const ClothModel& model, const MotionSums& sums, Real h, int min_pause) {
     waited_ += static_cast<double>(h);
     ++substeps_;
     const auto mass = static_cast<double>(model.particle_mass);
     const double kinetic = mass / 2 * static_cast<double>(sums.squared_speeds);
     const double gravity = -mass * static_cast<double>(model.gravity.dot(sums.positions));
-    const bool due = waited_ >= pause && substeps_ >= least_pause;
+    const bool due = waited_ >= pause && substeps_ >= min_pause;
     const bool too_much = kinetic + gravity - base_ > allowed(lift_, std::max(peak_, kinetic));
     return due || too_much;
 }

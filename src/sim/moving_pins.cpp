@@ -14,11 +14,11 @@ namespace {
 /// How a pin that has left its way goes back: by the hand's speed and the time in which that closes a small gap. What
 /// rounding leaves is no gap.
 constexpr Real return_speed = 3, return_lag = Real(0.03);  // m/s, s
-constexpr Real least_gap = Real(1e-6);                     // m
+constexpr Real min_gap = Real(1e-6);                       // m
 
 Vec3 way_back(const Vec3& gap, Real h) {
     const Real distance = gap.norm();
-    if (distance <= least_gap) return Vec3::Zero();
+    if (distance <= min_gap) return Vec3::Zero();
     return std::min(1 / std::max(return_lag, h), return_speed / distance) * gap;
 }
 

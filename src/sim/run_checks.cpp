@@ -67,7 +67,7 @@ std::string check_substep(std::span<Cloth> cloths, std::span<const Ball> balls, 
     if (report.solve.gave_up) return solve_trouble(solver.integrator, report);
 
     // An explicit step costs little more than the sum over the springs
-    const int least_pause = has_step_limit(solver.integrator) ? 32 : 1;
+    const int min_pause = has_step_limit(solver.integrator) ? 32 : 1;
     bool gained = false;
     for (Cloth& cloth : cloths) {
         const MotionSums sums = sum_motion(cloth.state);
@@ -75,11 +75,13 @@ std::string check_substep(std::span<Cloth> cloths, std::span<const Ball> balls, 
         if (!found.clause.empty()) {
             report.failure = {static_cast<int>(&cloth - cloths.data()), found.particle, found.other};
             const double longest = longest_step(settings, cloths, report, planned);
+            // Not counted those because balls or cloth are fast: what diverges is
+            const int substeps = std::min(report.substeps, substeps_in_contact(settings, true, planned));
             return "Diverged at step " + std::to_string(report.step + 1) + " (" +
-                   std::string(name_of(solver.integrator)) + "). " + limit_advice(settings, longest, report.substeps) +
+                   std::string(name_of(solver.integrator)) + "). " + limit_advice(settings, longest, substeps) +
                    "First: " + found.clause;
         }
-        cloth.energy.after_integrator(cloth.model, cloth.state, sums, h, least_pause);
+        cloth.energy.after_integrator(cloth.model, cloth.state, sums, h, min_pause);
         mark_gain(cloth.energy.watch(), solver.integrator, report);
         gained = gained || cloth.energy.watch().gained();
     }
@@ -91,7 +93,7 @@ std::string check_substep(std::span<Cloth> cloths, std::span<const Ball> balls, 
 void mark_crossing(const Crossing& crossing, double time, Real h, StepReport& report) {
     constexpr double calm = 0.5;  // s, between one danger and the next
     if (!crossing.possible()) return;
-    CrossingDanger& danger = report.crossing;
+    TunnellingRisk& danger = report.crossing;
     if (danger.starts == 0 || time > danger.last + calm) {
         ++danger.starts;
         danger.speed = static_cast<double>(crossing.distance / h);
@@ -100,7 +102,7 @@ void mark_crossing(const Crossing& crossing, double time, Real h, StepReport& re
     danger.last = time;
 }
 
-std::string crossing_warning(const CrossingDanger& danger) {
+std::string crossing_warning(const TunnellingRisk& danger) {
     if (danger.starts == 0) return {};
     return "contact.continuous = false: cloth and a ball or a solid approach each other at up to " +
            real_text(danger.speed, 3) + " m/s, and above " + real_text(danger.safe_speed, 3) +
@@ -154,7 +156,7 @@ std::string ball_start_warning(const Settings& settings, const std::optional<Sta
     return "start = " + settings.start + " has no balls: they start where the scene has them";
 }
 
-std::string doubt_warning(const StepReport& report, std::span<const Cloth> cloths, std::span<const Ball> balls) {
+std::string reliability_warning(const StepReport& report, std::span<const Cloth> cloths, std::span<const Ball> balls) {
     std::string text;
     if (report.unconverged > 0) {
         text = std::string(name_of(report.unsolved_by)) + " has not solved " + std::to_string(report.unconverged) +

@@ -25,7 +25,7 @@ std::string check_substep(std::span<Cloth> cloths, std::span<const Ball> balls, 
 void mark_crossing(const Crossing& crossing, double time, Real h, StepReport& report);
 
 /// That this was so, with the speeds as it began; empty if never.
-std::string crossing_warning(const CrossingDanger& danger);
+std::string crossing_warning(const TunnellingRisk& danger);
 
 /// That cloth moves too far within a substep for contact between cloths.
 std::string search_trouble(const StepReport& report);
@@ -45,6 +45,6 @@ std::string start_warning(std::int64_t crossings, std::int64_t coincident, Real 
 std::string ball_start_warning(const Settings& settings, const std::optional<StartState>& start);
 
 /// Why the run so far is not to be trusted, one line; empty if nothing.
-std::string doubt_warning(const StepReport& report, std::span<const Cloth> cloths, std::span<const Ball> balls);
+std::string reliability_warning(const StepReport& report, std::span<const Cloth> cloths, std::span<const Ball> balls);
 
 }  // namespace drape

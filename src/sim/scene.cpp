@@ -25,14 +25,14 @@ public:
         for (const auto& [key, node] : root) read_top(std::string(key.str()), node);
         try {
             check(settings_);
-        } catch (const MisfitError& misfit) {
+        } catch (const InconsistentSettings& misfit) {
             fail(node_of(misfit, *root.get(misfit.section)), misfit.what());
         }
     }
 
 private:
     /// The setting that does not fit the others, or the table that should have it.
-    static const toml::node& node_of(const MisfitError& misfit, const toml::node& section) {
+    static const toml::node& node_of(const InconsistentSettings& misfit, const toml::node& section) {
         const toml::array* several = section.as_array();
         const toml::node& table = several != nullptr ? *several->get(misfit.index) : section;
         const toml::node* setting = table.as_table()->get(misfit.name);
@@ -63,8 +63,8 @@ private:
     void read_several(const toml::node& node, const std::string& name, std::vector<Entry>& entries) {
         const toml::array* several = node.as_array();
         const std::size_t count = several != nullptr ? several->size() : 1;
-        if (count == 0 || count > most_entries) {
-            fail(node, name + ": allowed 1 to " + std::to_string(most_entries) + " of them");
+        if (count == 0 || count > max_entries) {
+            fail(node, name + ": allowed 1 to " + std::to_string(max_entries) + " of them");
         }
         for (std::size_t i = 0; i < count; ++i) {
             const toml::node& one = several != nullptr ? *several->get(i) : node;
@@ -149,7 +149,7 @@ private:
                          message);
     }
 
-    static constexpr std::size_t most_entries = 64;
+    static constexpr std::size_t max_entries = 64;
 
     std::string file_;
     Settings& settings_;

@@ -68,7 +68,7 @@ void SelfContact::find(const ResponseParameters& parameters, std::span<const Clo
     for (const NearPair& pair : search_.pairs()) {
         // A pair that stays well apart is left to the fail-safe
         const Real ahead = (search_.reach_of(pair) - thickness) / 4;
-        if (!pair.stands_alone || gap_after(cloths, pair, thickness) > ahead) continue;
+        if (!pair.is_representative || gap_after(cloths, pair, thickness) > ahead) continue;
         PairContact contact;
         contact.pair = pair;
         contact.normal = pair.normal;
@@ -86,8 +86,8 @@ bool SelfContact::would_cross(std::span<const ClothInContact> cloths) {
 }
 
 /// What is held back may go another way than the search has assumed.
-std::int64_t SelfContact::hold_back(std::span<const ClothInContact> cloths) {
-    do zones_.hold_back(search_.pairs(), cloths);
+std::int64_t SelfContact::prevent_crossing(std::span<const ClothInContact> cloths) {
+    do zones_.prevent_crossing(search_.pairs(), cloths);
     while (search_.extend(cloths, report_));
     return zones_.particles();
 }

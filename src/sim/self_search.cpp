@@ -4,7 +4,7 @@
 #include <cmath>
 #include <limits>
 
-#include "drape/contact/crossings.h"
+#include "drape/contact/near_pairs.h"
 
 namespace drape {
 namespace {
@@ -14,15 +14,15 @@ constexpr Real response_allowance = Real(1.5);
 
 /// A list has margins for so many substeps like this one: for the most if it is short, and for fewer, down to the
 /// least, the longer it is, because most of what makes it long can come near only in the last of them.
-constexpr Real most_ahead = 12, least_ahead = 3;
+constexpr Real max_ahead = 12, min_ahead = 3;
 
-/// With this many pairs a particle, margins are for half of `most_ahead`. It lies between those of `fold` of 64 x 64
+/// With this many pairs a particle, margins are for half of `max_ahead`. It lies between those of `fold` of 64 x 64
 /// particles in steps of 0.1 ms, where 6 to 12 substeps cost the same, and in steps of 0.5 ms, where 3 to 4 are best.
 constexpr Real pairs_of_half = 8;
 
 /// A margin for displacement is at most so many of the particles' spacings: each particle has neighbours at about the
 /// spacing, which a wide margin would list.
-constexpr Real most_spacings = Real(0.4);
+constexpr Real max_spacings = Real(0.4);
 
 /// How much of the thickness besides, for what is at rest.
 constexpr Real thickness_ahead = Real(0.1);
@@ -74,7 +74,8 @@ void SelfSearch::use(const BroadPhaseParameters& parameters, std::span<const Clo
         first_.push_back(first_.back() + static_cast<std::size_t>(model->grid.particles()));
     }
     const auto all = static_cast<Eigen::Index>(first_.back());
-    for (Numbers* numbers : {&reaches_, &strayed_, &allowed_, &more_reaches_, &more_strayed_}) numbers->setZero(all);
+    for (Numbers* numbers : {&reaches_, &displacement_since_list_, &allowance_, &more_reaches_, &more_strayed_})
+        numbers->setZero(all);
     forget();
 }
 
@@ -116,8 +117,8 @@ std::int64_t SelfSearch::count_coincident(std::span<const Points* const> x) {
             near_.clear();
             find_near_pairs(first, second, all.subspan(at, std::min(coincident_leaves_at_once, all.size() - at)),
                             near_);
-            sum += std::ranges::count_if(near_,
-                                         [](const NearPair& pair) { return pair.stands_alone && pair.distance == 0; });
+            sum += std::ranges::count_if(
+                near_, [](const NearPair& pair) { return pair.is_representative && pair.distance == 0; });
         }
         return sum;
     });
@@ -126,7 +127,7 @@ std::int64_t SelfSearch::count_coincident(std::span<const Points* const> x) {
 }
 
 void SelfSearch::forget() {
-    ahead_ = most_ahead;
+    ahead_ = max_ahead;
     listed_ = false;
     list_.clear();
     near_.clear();
@@ -161,7 +162,7 @@ void SelfSearch::find_reaches(std::span<const ClothInContact> cloths, Real facto
 /// of the last list asks for. It goes no further at once, because that length itself depends on the margins.
 Real SelfSearch::next_ahead() const {
     const Real pairs = static_cast<Real>(list_.size()) / static_cast<Real>(first_.back());
-    return std::sqrt(ahead_ * std::max(least_ahead, most_ahead / (1 + pairs / pairs_of_half)));
+    return std::sqrt(ahead_ * std::max(min_ahead, max_ahead / (1 + pairs / pairs_of_half)));
 }
 
 /// For a new list: by how much each particle may stray while it serves.
@@ -169,10 +170,10 @@ Real SelfSearch::next_ahead() const {
 void SelfSearch::set_allowances(Real factor) {
     for (std::size_t c = 0; c < surfaces_.size(); ++c) {
         const auto from = static_cast<Eigen::Index>(first_[c]), count = static_cast<Eigen::Index>(first_[c + 1]) - from;
-        const Real most = most_spacings * surfaces_[c].spacing;
+        const Real most = max_spacings * surfaces_[c].spacing;
         const auto reaches = reaches_.segment(from, count);
         const auto moved = (reaches - thickness_ / 2) / factor;
-        allowed_.segment(from, count) = reaches + thickness_ahead * thickness_ + (ahead_ * moved).min(most);
+        allowance_.segment(from, count) = reaches + thickness_ahead * thickness_ + (ahead_ * moved).min(most);
     }
 }
 
@@ -185,10 +186,10 @@ bool SelfSearch::is_too_far() const {
             squares += spacings * spacings;
         }
     }
-    return !(pairs_a_square * squares <= most_pairs * static_cast<Real>(first_.back()));
+    return !(pairs_a_square * squares <= max_pairs * static_cast<Real>(first_.back()));
 }
 
-bool SelfSearch::is_too_long(std::size_t list) const { return list > most_pairs * first_.back(); }
+bool SelfSearch::is_too_long(std::size_t list) const { return list > max_pairs * first_.back(); }
 
 /// Of the particles of both features, the largest numbers together.
 Real SelfSearch::sum_of_largest(const FeaturePair& pair, const Numbers& of_particles) const {
@@ -206,8 +207,8 @@ SelfSearchReport SelfSearch::find(std::span<const ClothInContact> cloths, Real t
     SelfSearchReport report;
     thickness_ = thickness;
     find_mean_motion(cloths);
-    find_reaches(cloths, response_allowance, reaches_, strayed_);
-    if (!listed_ || !(strayed_ <= allowed_).all()) renew_list(cloths, response_allowance, report);
+    find_reaches(cloths, response_allowance, reaches_, displacement_since_list_);
+    if (!listed_ || !(displacement_since_list_ <= allowance_).all()) renew_list(cloths, response_allowance, report);
     if (!report.gave_up) look_at_pairs(cloths, report);
     return report;
 }
@@ -217,8 +218,8 @@ bool SelfSearch::extend(std::span<const ClothInContact> cloths, SelfSearchReport
     find_reaches(cloths, 1, more_reaches_, more_strayed_);
     if ((more_reaches_ - thickness_ / 4 <= reaches_).all()) return false;
     reaches_ = reaches_.max(more_reaches_);
-    strayed_ = strayed_.max(more_strayed_);
-    if (!listed_ || !(more_strayed_ <= allowed_).all()) renew_list(cloths, 1, report);
+    displacement_since_list_ = displacement_since_list_.max(more_strayed_);
+    if (!listed_ || !(more_strayed_ <= allowance_).all()) renew_list(cloths, 1, report);
     if (!report.gave_up) look_at_pairs(cloths, report);
     return !report.gave_up;
 }
@@ -233,17 +234,17 @@ void SelfSearch::renew_list(std::span<const ClothInContact> cloths, Real factor,
     report.gave_up = is_too_far();
     if (!report.gave_up) {
         make(next_ahead());
-        if (report.gave_up) make(least_ahead);
+        if (report.gave_up) make(min_ahead);
     }
     if (report.gave_up) return forget();
-    strayed_ = reaches_;
+    displacement_since_list_ = reaches_;
 }
 
 /// A pair that was farther apart than both features have strayed, and may yet reach, is not near.
 void SelfSearch::look_at_pairs(std::span<const ClothInContact> cloths, SelfSearchReport& report) {
     list_.look_through(near_, [&](const PairList::Listed& listed, std::vector<NearPair>& near) {
         const auto& [features, triangle, distance] = listed;
-        if (distance >= sum_of_largest(features, strayed_)) return;
+        if (distance >= sum_of_largest(features, displacement_since_list_)) return;
         NearPair pair{.features = features, .triangle = triangle};
         locate(at(cloths, features.cloths[0]), at(cloths, features.cloths[1]), pair);
         if (pair.distance < reach_of(pair)) near.push_back(pair);

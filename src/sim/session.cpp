@@ -74,7 +74,7 @@ void Session::send(const Command& command) {
     if (changes_motion(command) || std::holds_alternative<command::Step>(command)) arrive();
     // A command that is refused takes nothing over, nor does one that lets go of nothing
     if (any_lies_ahead() && changes_motion(command)) {
-        if (lets_go_of_nothing(command)) return;
+        if (is_redundant_release(command)) return;
         Simulation trial = simulation_;
         if (const auto* begun = std::get_if<command::Compare>(&command)) Comparison(trial, begun->assignments);
         trial.apply(command);
@@ -132,7 +132,7 @@ void Session::arrive() {
     target_.reset();
 }
 
-bool Session::lets_go_of_nothing(const Command& command) const {
+bool Session::is_redundant_release(const Command& command) const {
     const auto* steer = std::get_if<command::Steer>(&command);
     const bool lets_go = std::holds_alternative<command::Release>(command) || (steer && steer->direction.isZero(0));
     return lets_go && std::ranges::none_of(simulation_.commands_to_let_go(),

@@ -14,7 +14,7 @@ namespace drape {
 namespace {
 
 /// Particles over all cloths; `memory_needed` tells what they take.
-constexpr long long most_particles = 4'000'000;
+constexpr long long max_particles = 4'000'000;
 
 /// A setting's name with the index that it may carry: "ball[1].radius".
 struct Target {
@@ -59,7 +59,7 @@ void check_cloth(const ClothParameters& cloth, std::size_t index) {
     const int particles = cloth.particles.particles();
     for (const int pin : cloth.pinned.list) {
         if (pin >= 0 && pin < particles) continue;
-        throw MisfitError(
+        throw InconsistentSettings(
             "cloth", index, "pinned",
             "cloth.pinned = " + std::to_string(pin) + ": allowed 0 <= particle <= " + std::to_string(particles - 1));
     }
@@ -68,7 +68,7 @@ void check_cloth(const ClothParameters& cloth, std::size_t index) {
 void check_memory(const Settings& settings) {
     const MemoryLimit limit = memory_limit();
     if (memory_needed(settings).total() <= limit.bytes) return;
-    throw MisfitError(
+    throw InconsistentSettings(
         "cloth", 0, "particles",
         memory_text(settings) + ": allowed at most " + bytes_text(limit.bytes) + ", " + std::string(limit.whose));
 }
@@ -78,16 +78,16 @@ void check_times(const std::string& section, std::size_t index, const std::strin
                  const std::vector<PathPoint>& path) {
     for (std::size_t k = 1; k < path.size(); ++k) {
         if (path[k].time > path[k - 1].time) continue;
-        throw MisfitError(section, index, name,
-                          section + "." + name + ": time " + real_text(static_cast<double>(path[k].time)) +
-                              ": allowed only times that ascend from point to point");
+        throw InconsistentSettings(section, index, name,
+                                   section + "." + name + ": time " + real_text(static_cast<double>(path[k].time)) +
+                                       ": allowed only times that ascend from point to point");
     }
 }
 
 /// @param section "ball" or "solid"
 void check_path(const std::string& section, std::size_t index, bool is_used, const std::vector<PathPoint>& path) {
     if (is_used && path.size() < 2) {
-        throw MisfitError(
+        throw InconsistentSettings(
             section, index, path.empty() ? "motion" : "path",
             section + ".motion = path: allowed only with a " + section + ".path of at least two points [t, x, y, z]");
     }
@@ -97,11 +97,12 @@ void check_path(const std::string& section, std::size_t index, bool is_used, con
 void check_solid(const SolidSettings& solid, std::size_t index) {
     check_path("solid", index, solid.motion == SolidMotion::Path, solid.path);
     if (solid.axis.squaredNorm() < Real(1e-12)) {
-        throw MisfitError("solid", index, "axis",
-                          "solid.axis = " + value_text(values_of(solid.axis)) + ": allowed a length of at least 1e-06");
+        throw InconsistentSettings(
+            "solid", index, "axis",
+            "solid.axis = " + value_text(values_of(solid.axis)) + ": allowed a length of at least 1e-06");
     }
     if (solid.shape == SolidKind::Mesh && solid.file.empty()) {
-        throw MisfitError("solid", index, "shape", "solid.shape = mesh: allowed only with a solid.file");
+        throw InconsistentSettings("solid", index, "shape", "solid.shape = mesh: allowed only with a solid.file");
     }
 }
 
@@ -109,13 +110,14 @@ void check_solid(const SolidSettings& solid, std::size_t index) {
 void check_pin_path(std::size_t index, const std::string& name, const std::vector<PathPoint>& path) {
     if (path.empty()) return;
     if (path.size() < 2) {
-        throw MisfitError("pins", index, name, "pins." + name + ": allowed only at least two points [t, x, y, z]");
+        throw InconsistentSettings("pins", index, name,
+                                   "pins." + name + ": allowed only at least two points [t, x, y, z]");
     }
     check_times("pins", index, name, path);
     if (!path.front().centre.isZero(0)) {
-        throw MisfitError("pins", index, name,
-                          "pins." + name + " begins with " + value_text(values_of(path.front().centre)) +
-                              ": allowed only 0, 0, 0, for pins start where the cloth does");
+        throw InconsistentSettings("pins", index, name,
+                                   "pins." + name + " begins with " + value_text(values_of(path.front().centre)) +
+                                       ": allowed only 0, 0, 0, for pins start where the cloth does");
     }
 }
 
@@ -133,7 +135,7 @@ void check_pins(const Settings& settings, std::size_t index) {
     const PinSettings& pins = settings.pins[index];
     const auto count = static_cast<int>(settings.cloths.size());
     if (pins.cloth >= count) {
-        throw MisfitError(
+        throw InconsistentSettings(
             "pins", index, "cloth",
             "pins.cloth = " + std::to_string(pins.cloth) + ": allowed 0 <= cloth <= " + std::to_string(count - 1));
     }
@@ -141,16 +143,18 @@ void check_pins(const Settings& settings, std::size_t index) {
     const int first = pins.particles.nx, last = pins.particles.ny, particles = cloth.particles.particles();
     const std::string these = "pins.particles = [" + std::to_string(first) + ", " + std::to_string(last) + "]: ";
     if (first > last || last >= particles) {
-        throw MisfitError("pins", index, "particles",
-                          these + "allowed 0 <= first <= second <= " + std::to_string(particles - 1));
+        throw InconsistentSettings("pins", index, "particles",
+                                   these + "allowed 0 <= first <= second <= " + std::to_string(particles - 1));
     }
     if (!pins_any(cloth, first, last)) {
-        throw MisfitError("pins", index, "particles", these + "allowed only where cloth.pinned pins some of them");
+        throw InconsistentSettings("pins", index, "particles",
+                                   these + "allowed only where cloth.pinned pins some of them");
     }
     for (std::size_t other = 0; other < index; ++other) {
         const PinSettings& before = settings.pins[other];
         if (before.cloth != pins.cloth || before.particles.nx > last || before.particles.ny < first) continue;
-        throw MisfitError("pins", index, "particles", these + "allowed only particles that no other [[pins]] has");
+        throw InconsistentSettings("pins", index, "particles",
+                                   these + "allowed only particles that no other [[pins]] has");
     }
     check_pin_path(index, "shift", pins.shift);
     check_pin_path(index, "turns", pins.turns);
@@ -161,10 +165,10 @@ void check_self_contact(const Settings& settings) {
     constexpr Real least = Real(1e-4);  // m
     const Real thickness = response_of(settings).pair_thickness;
     if (!settings.contact.self || thickness >= least) return;
-    throw MisfitError("contact", 0, "self",
-                      "contact.self = true: cloth would keep " + real_text(static_cast<double>(thickness)) +
-                          " m from cloth, by contact.thickness and half of what particles are from diagonals: "
-                          "allowed only with at least 0.0001 m");
+    throw InconsistentSettings("contact", 0, "self",
+                               "contact.self = true: cloth would keep " + real_text(static_cast<double>(thickness)) +
+                                   " m from cloth, by contact.thickness and half of what particles are from diagonals: "
+                                   "allowed only with at least 0.0001 m");
 }
 
 }  // namespace
@@ -241,10 +245,10 @@ void check(const Settings& settings) {
     for (std::size_t c = 0; c < settings.cloths.size(); ++c) {
         check_cloth(settings.cloths[c], c);
         particles += settings.cloths[c].particles.particles();
-        if (particles <= most_particles) continue;
-        throw MisfitError("cloth", c, "particles",
-                          "cloth.particles: " + std::to_string(particles) + " in all: allowed at most " +
-                              std::to_string(most_particles));
+        if (particles <= max_particles) continue;
+        throw InconsistentSettings("cloth", c, "particles",
+                                   "cloth.particles: " + std::to_string(particles) + " in all: allowed at most " +
+                                       std::to_string(max_particles));
     }
     check_memory(settings);
     check_self_contact(settings);

@@ -264,8 +264,7 @@ void add_the_rest(std::vector<Setting>& table) {
         [](const ContactSettings& c) { return c.longest_step; },
         [](ContactSettings& c, const SettingValue& value) { c.longest_step = std::get<double>(value); });
     contact.choice("continuous", &ContactSettings::continuous,
-                   "keep balls and solids from passing the cloth within a step, and not at its end alone; auto is the "
-                   "same as true");
+                   "look for what balls and solids meet within a step, not only at its end; auto is the same as true");
     contact.flag("self", &ContactSettings::self,
                  "cloths meet themselves and each other, and keep apart by contact.thickness, but by no more than half "
                  "of what particles are from the diagonals beside them; always answered by projection");

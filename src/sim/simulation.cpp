@@ -24,6 +24,7 @@ void Simulation::step() {
         if (!integrate(now)) return;  // diverged
         limit_stretch(cloths_, report_);
         contact_.detect(report_);
+        contact_.audit_search(report_);
         if (!respond()) return;  // too fast
     }
     close_report();
@@ -65,14 +66,14 @@ Substep Simulation::substep(int number) const {
 bool Simulation::input(const Substep& now) {
     hand_.lead(cloths_, {balls_, solids_, settings_.ground, settings_.contact.thickness}, now.h);
     for (std::size_t b = 0; b < balls_.size(); ++b) {
-        if (report_.asleep && !is_led(b)) continue;
+        if (report_.asleep && !is_kinematic(b)) continue;
         move_ball(settings_.balls[b], steer_, settings_.ground, settings_.contact.thickness, gravity_of(settings_),
                   displacement_share(settings_.solver.integrator), static_cast<Real>(now.time), now.h, balls_[b]);
     }
     move_solids(now);
     stop_balls(now);
     move_pins(now);
-    if (led_body_has_moved()) wake();
+    if (kinematic_body_has_moved()) wake();
     return !report_.asleep;
 }
 
@@ -84,7 +85,7 @@ bool Simulation::integrate(const Substep& now) {
     for (Cloth& cloth : cloths_) {
         cloth.model.air = air;
         Stopwatch watch;
-        with_memory(settings_, [&] {
+        rethrow_bad_alloc(settings_, [&] {
             report_.solve += cloth.integrator.step(cloth.model, cloth.state, now.h,
                                                    cloth.energy.start_of_step(cloth.model, cloth.state, cloth.held));
         });
@@ -111,7 +112,8 @@ void Simulation::move_pins(const Substep& now) {
 bool Simulation::respond() {
     contact_.solve(report_);
     contact_.prevent_crossing(report_);
-    contact_.end(report_);
+    contact_.audit_response(report_);
+    contact_.end();
     for (Ball& ball : balls_) turn_ball(ball);
     if (contact_.self().report().gave_up) end_with(search_trouble(report_));
     return report_.status == Status::Ok;
@@ -131,15 +133,15 @@ void Simulation::close_report() {
 void Simulation::rest() {
     if (report_.asleep) return;
     const Real speed = settings_.solver.sleep_speed;
-    if (speed == 0 || settings_.wind.on || hand_.holds() || led_body_has_moved()) return sleep_.restart();
+    if (speed == 0 || settings_.wind.on || hand_.holds() || kinematic_body_has_moved()) return sleep_.restart();
     if (sleep_.look(cloths_, balls_, report_.time, settings_.solver)) fall_asleep();
 }
 
-bool Simulation::is_led(std::size_t ball) const { return balls_[ball].inverse_mass == 0; }
+bool Simulation::is_kinematic(std::size_t ball) const { return balls_[ball].inverse_mass == 0; }
 
-bool Simulation::led_body_has_moved() const {
+bool Simulation::kinematic_body_has_moved() const {
     for (std::size_t b = 0; b < balls_.size(); ++b) {
-        if (is_led(b) && balls_[b].centre != previous_balls_[b].centre) return true;
+        if (is_kinematic(b) && balls_[b].centre != previous_balls_[b].centre) return true;
     }
     return pins_have_moved_ || !std::ranges::equal(solids_, previous_solids_, {}, &Solid::position, &Solid::position);
 }

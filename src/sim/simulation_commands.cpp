@@ -33,7 +33,7 @@ void stop_pins(Cloth& cloth) {
 }  // namespace
 
 void Simulation::apply(const Command& command) {
-    with_memory(settings_, [&] { carry_out(command); });
+    rethrow_bad_alloc(settings_, [&] { carry_out(command); });
 }
 
 void Simulation::carry_out(const Command& command) {
@@ -79,7 +79,7 @@ Simulation::Simulation(std::string scene, Settings settings, std::optional<Start
     check(settings_);
     if (!start_) start_ = find_start(settings_);
     solids_ = make_solids(settings_.solids);
-    with_memory(settings_, [&] { restart(); });
+    rethrow_bad_alloc(settings_, [&] { restart(); });
 }
 
 void Simulation::go_to(const Simulation& moment) {

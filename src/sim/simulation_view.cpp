@@ -66,7 +66,7 @@ std::string Simulation::step_warning() const {
 
 std::string Simulation::crossing_warning() const { return drape::crossing_warning(report_.crossing); }
 
-std::string Simulation::run_warning() const { return doubt_warning(report_, cloths_, balls_); }
+std::string Simulation::run_warning() const { return reliability_warning(report_, cloths_, balls_); }
 
 std::uint64_t Simulation::hash() const {
     std::uint64_t hash = 14695981039346656037u;  // FNV-1a, 64 bits

@@ -17,10 +17,13 @@ namespace {
 
 /// Of its limit, that a substep is to stay under, and the most substeps of a step.
 constexpr Real safe_part = Real(0.9);
-constexpr double most_substeps = 1000;
+constexpr double max_substeps = 1000;
 
 /// The most substeps of a step because cloth moves fast.
-constexpr double most_for_motion = 32;
+constexpr double max_for_motion = 32;
+
+/// And because balls are, or cloth near them. What is faster than that has planes of the start of the substep.
+constexpr double max_for_balls = 128;
 
 /// From one plan to the next [s].
 constexpr double search_pause = 0.25;
@@ -55,7 +58,7 @@ Real lightest_mass(const Settings& settings, const ClothModel& model) {
 bool has_bodies(const Settings& settings) { return !settings.balls.empty() || !settings.solids.empty(); }
 
 /// The stiffest damper is where least bounces.
-Real least_restitution(const Settings& settings) {
+Real min_restitution(const Settings& settings) {
     Real least = 1;
     if (has_bodies(settings)) least = settings.contact.restitution;
     if (settings.ground.solid) least = std::min(least, settings.ground.restitution);
@@ -71,7 +74,7 @@ bool pushes_by_penalty(const Settings& settings) {
 /// Of a substep [s].
 double penalty_limit(const Settings& settings, const ClothModel& model) {
     const Real mass = lightest_mass(settings, model);
-    return static_cast<double>(penalty_step_limit(settings.contact.stiffness, least_restitution(settings), 1 / mass,
+    return static_cast<double>(penalty_step_limit(settings.contact.stiffness, min_restitution(settings), 1 / mass,
                                                   displacement_share(settings.solver.integrator)));
 }
 
@@ -82,12 +85,15 @@ bool is_divided_in_contact(const Settings& settings) {
 
 /// How far two bodies can approach each other in an undivided step.
 /// @param speed of both together [m/s]
-Real way_within_step(const Settings& settings, Real speed) {
+Real displacement_within_step(const Settings& settings, Real speed) {
     const auto dt = static_cast<Real>(settings.solver.dt);
     return (speed + gravity_of(settings).norm() * dt) * dt;
 }
 
 Aabb box_of(const Cloth& cloth) { return {cloth.state.x.colwise().minCoeff(), cloth.state.x.colwise().maxCoeff()}; }
+
+/// How far from a particle the cells beside it may be, though they are drawn out to twice their size [m].
+Real cell_of(const Cloth& cloth) { return cloth.model.hx + cloth.model.hy; }
 
 Real greatest_speed(const Cloth& cloth) { return std::sqrt(cloth.state.v.rowwise().squaredNorm().maxCoeff()); }
 
@@ -105,17 +111,18 @@ struct Mover {
 
 bool may_reach_ball(const Settings& settings, std::span<const Ball> balls, std::size_t number, const Mover& mover) {
     const Real distance = (mover.centre - balls[number].centre).norm() - balls[number].radius - mover.radius;
-    const Real way = way_within_step(settings, mover.speed + speed_of(settings, balls, number));
+    const Real way = displacement_within_step(settings, mover.speed + speed_of(settings, balls, number));
     return distance <= settings.contact.thickness + way;
 }
 
 bool may_reach_ground(const Settings& settings, const Mover& mover) {
     const Real height = mover.centre.y() - settings.ground.height - mover.radius;
-    return settings.ground.solid && height <= settings.contact.thickness + way_within_step(settings, mover.speed);
+    return settings.ground.solid &&
+           height <= settings.contact.thickness + displacement_within_step(settings, mover.speed);
 }
 
 bool may_reach_solid(const Settings& settings, const Solid& solid, const Mover& mover) {
-    const Real way = way_within_step(settings, mover.speed + solid.velocity.norm());
+    const Real way = displacement_within_step(settings, mover.speed + solid.velocity.norm());
     return solid.distance(mover.centre) - mover.radius <= settings.contact.thickness + way;
 }
 
@@ -134,7 +141,7 @@ bool may_reach_body(const Settings& settings, std::span<const Ball> balls, std::
 bool may_reach(const Settings& settings, const Cloth& cloth, std::span<const Ball> balls,
                std::span<const Solid> solids) {
     const Aabb box = box_of(cloth);
-    const Real speed = greatest_speed(cloth), cell = cloth.model.hx + cloth.model.hy;
+    const Real speed = greatest_speed(cloth), cell = cell_of(cloth);
     const Mover all{(box.low + box.high) / 2, (box.high - box.low).norm() / 2 + cell, speed};
     if (may_reach_ground(settings, {box.low, 0, speed})) return true;
     if (!may_reach_body(settings, balls, solids, all, -1)) return false;
@@ -154,7 +161,7 @@ void plan_substeps(std::span<const Cloth> cloths, const Settings& settings, int 
     // Where no step is short enough, substeps do not help
     const bool bounded = limit > 0 && std::isfinite(limit);
     const double wanted = bounded ? std::ceil(solver.dt / static_cast<double>(safe_part * limit)) : 1;
-    const bool divides = solver.on_unstable == OnUnstable::Substep && wanted <= most_substeps;
+    const bool divides = solver.on_unstable == OnUnstable::Substep && wanted <= max_substeps;
     report.substeps = divides ? std::max(static_cast<int>(wanted), fewest) : fewest;
     const Real substep = static_cast<Real>(solver.dt / report.substeps);
     report.step_limit_ratio = std::isfinite(limit) ? static_cast<double>(substep / limit) : 0;
@@ -171,24 +178,30 @@ int substeps_in_contact(const Settings& settings, bool may_touch, int planned) {
     const bool softens_with_step = solver.integrator == IntegratorKind::Xpbd && greatest_inverse_mass(settings) > 0;
     if (!(may_touch || softens_with_step) || has_step_limit(solver.integrator)) return planned;
     const double wanted = std::ceil(solver.dt / settings.contact.longest_step * (1 - 1e-12));
-    return std::max(planned, static_cast<int>(std::min(wanted, most_substeps)));
+    return std::max(planned, static_cast<int>(std::min(wanted, max_substeps)));
 }
 
 int substeps_of_balls(const Settings& settings, std::span<const Cloth> cloths, std::span<const Ball> balls) {
-    if (settings.contact.continuous == Continuous::Never) return 1;
-    Real halves = 1;
+    if (balls.empty() || settings.contact.continuous == Continuous::Never) return 1;
+    double halves = 1;
     for (const Cloth& cloth : cloths) {
         const Aabb box = box_of(cloth);
         const Real speed = greatest_speed(cloth);
-        for (const Ball& ball : balls) {
-            const Real way = way_within_step(settings, ball.velocity.norm() + speed);
-            const Real radius = ball.radius + settings.contact.thickness;
-            if (Aabb{ball.centre, ball.centre}.comes_within(box, radius + way)) {
-                halves = std::max(halves, 2 * way / radius);
+        for (std::size_t b = 0; b < balls.size(); ++b) {
+            const Ball& ball = balls[b];
+            const Real own = speed_of(settings, balls, b), radius = ball.radius + settings.contact.thickness;
+            const auto way = [&](Real of_cloth) { return displacement_within_step(settings, own + of_cloth); };
+            if (2 * way(speed) <= radius || !Aabb{ball.centre, ball.centre}.comes_within(box, radius + way(speed)))
+                continue;
+            for (Eigen::Index p = 0; p < cloth.state.x.rows(); ++p) {
+                const Real moved = way(cloth.state.v.row(p).norm());
+                const bool meets =
+                    (cloth.state.x.row(p).transpose() - ball.centre).norm() <= radius + cell_of(cloth) + moved;
+                if (meets) halves = std::max(halves, static_cast<double>(2 * moved / radius));
             }
         }
     }
-    return static_cast<int>(std::ceil(std::min(static_cast<double>(halves), most_substeps)));
+    return static_cast<int>(std::ceil(std::min(halves, max_for_balls)));
 }
 
 bool may_touch(const Settings& settings, std::span<const Cloth> cloths, std::span<const Ball> balls,
@@ -220,7 +233,7 @@ int substeps_of_motion(std::span<const Cloth> cloths, const SolverSettings& solv
         const Real speed = std::sqrt((along(0) + along(1) + along(2)).maxCoeff());
         most = std::max(most, 2 * speed / std::min(cloth.model.hx, cloth.model.hy));
     }
-    return static_cast<int>(std::clamp(std::ceil(solver.dt * static_cast<double>(most)), 1.0, most_for_motion));
+    return static_cast<int>(std::clamp(std::ceil(solver.dt * static_cast<double>(most)), 1.0, max_for_motion));
 }
 
 double longest_step(const Settings& settings, std::span<const Cloth> cloths, const StepReport& report, int planned) {
@@ -272,13 +285,13 @@ std::string step_limit_warning(const SolverSettings& solver, const StepReport& r
         return step + ": " + method + (sure ? " has no stable step" : " has no step that is sure to be stable") +
                " on this cloth";
     }
-    const bool in_vain = solver.on_unstable == OnUnstable::Substep;
+    const bool substeps_exhausted = solver.on_unstable == OnUnstable::Substep;
     const double ratio = report.step_limit_ratio * planned;
     const std::string limit = real_text(solver.dt / ratio, 3);
     return step + " is " + (report.limit_is_least ? "up to " : "") + real_text(ratio, 3) +
            " times the stability limit of " + method + " on this cloth" +
            (report.limit_is_least ? ", which is at least " + limit + " s" : "") +
-           (in_vain ? ", too long to be divided into substeps" : "") +
+           (substeps_exhausted ? ", too long to be divided into substeps" : "") +
            (solver.dt / ratio < shortest_that_may_be_set() ? ", and no step that may be set is short enough" : "");
 }
 

@@ -22,10 +22,10 @@ TEST(PicturePace, DrawsInFullUntilARowOfPicturesWasSlow) {
     for (int i = 1; i < PicturePace::least_slow; ++i) {
         EXPECT_FALSE(pace.drew(false, 10 * PicturePace::most_lost)) << "first pictures take long";
     }
-    EXPECT_FALSE(pace.hurried());
+    EXPECT_FALSE(pace.prefer_speed());
     EXPECT_TRUE(pace.drew(false, slow));
-    EXPECT_TRUE(pace.hurried());
-    EXPECT_TRUE(after_slow_pictures().hurried());
+    EXPECT_TRUE(pace.prefer_speed());
+    EXPECT_TRUE(after_slow_pictures().prefer_speed());
 }
 
 TEST(PicturePace, DrawsWhatStandsStillInFullOnce) {
@@ -33,22 +33,22 @@ TEST(PicturePace, DrawsWhatStandsStillInFullOnce) {
     EXPECT_FALSE(pace.drew(true, slow));
     EXPECT_FALSE(pace.unfinished()) << "it still moves";
     pace.follow(false, PicturePace::patience / 2);
-    EXPECT_TRUE(pace.hurried()) << "it may go on at once";
+    EXPECT_TRUE(pace.prefer_speed()) << "it may go on at once";
     pace.follow(false, PicturePace::patience);
     EXPECT_TRUE(pace.unfinished());
-    EXPECT_FALSE(pace.hurried());
+    EXPECT_FALSE(pace.prefer_speed());
     pace.drew(false, slow);
     EXPECT_FALSE(pace.unfinished()) << "once is enough";
     pace.follow(true, 0.01);
-    EXPECT_TRUE(pace.hurried()) << "it moves again";
+    EXPECT_TRUE(pace.prefer_speed()) << "it moves again";
 }
 
 TEST(PicturePace, TriesFullPicturesAgainWhereFastOnesTakeNearlyNoTime) {
     PicturePace pace = after_slow_pictures();
     for (int i = 1; i < PicturePace::least_quick; ++i) pace.drew(true, quick);
-    EXPECT_TRUE(pace.hurried());
+    EXPECT_TRUE(pace.prefer_speed());
     EXPECT_FALSE(pace.drew(true, quick));
-    EXPECT_FALSE(pace.hurried());
+    EXPECT_FALSE(pace.prefer_speed());
 }
 
 TEST(PicturePace, DoesNotGoBackAndForthWhereOnlyFastPicturesAreQuick) {
@@ -56,9 +56,9 @@ TEST(PicturePace, DoesNotGoBackAndForthWhereOnlyFastPicturesAreQuick) {
     int changes = 0;
     for (int i = 0; i < 10'000; ++i) {
         pace.follow(true, quick);
-        const bool was_fast = pace.hurried();
+        const bool was_fast = pace.prefer_speed();
         pace.drew(was_fast, was_fast ? quick : slow);
-        if (pace.hurried() != was_fast) ++changes;
+        if (pace.prefer_speed() != was_fast) ++changes;
     }
     EXPECT_GT(changes, 0);
     EXPECT_LT(changes, 20);
@@ -67,7 +67,7 @@ TEST(PicturePace, DoesNotGoBackAndForthWhereOnlyFastPicturesAreQuick) {
 TEST(PicturePace, LearnsNothingFromFullPicturesOfWhatStandsStill) {
     PicturePace pace = after_slow_pictures();
     for (int i = 0; i < 2 * PicturePace::least_quick; ++i) pace.drew(false, quick);
-    EXPECT_TRUE(pace.hurried());
+    EXPECT_TRUE(pace.prefer_speed());
 }
 
 }  // namespace

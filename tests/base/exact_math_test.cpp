@@ -19,7 +19,7 @@ double largest_error(double (*ours)(double), const std::function<long double(lon
     std::mt19937 random(1);
     double largest = 0;
     for (int i = 0; i < 300'000; ++i) {
-        const double place = (draw_even<double>(random) + 1) / 2;
+        const double place = (uniform<double>(random) + 1) / 2;
         const double x = least * std::pow(most / least, place);
         for (const double signed_x : {x, -x}) {
             const long double exact = truth(static_cast<long double>(signed_x));
@@ -101,8 +101,8 @@ TEST(EvenDraw, FillsTheIntervalEvenlyInBothPrecisions) {
     double sum = 0, square = 0;
     constexpr int count = 100'000;
     for (int i = 0; i < count; ++i) {
-        const double x = draw_even<double>(random);
-        const float y = draw_even<float>(random);
+        const double x = uniform<double>(random);
+        const float y = uniform<float>(random);
         ASSERT_TRUE(x >= -1 && x < 1 && y >= -1 && y < 1);
         sum += x + static_cast<double>(y);
         square += x * x + static_cast<double>(y * y);

@@ -39,8 +39,8 @@ TEST(FoldTest, KeepsAFlatSheetApartToNearlyItsRestDistances) {
     FoldTest folds(grid, Real(1) / 19, Real(1) / 19, 4);
     folds.build(make_rest_state(parameters).x);
     const Real apart_at_rest = Real(1) / 19 / std::sqrt(Real(2));
-    EXPECT_TRUE(folds.keeps_apart(0, Real(0.999) * apart_at_rest));
-    EXPECT_FALSE(folds.keeps_apart(0, Real(1.001) * apart_at_rest));
+    EXPECT_TRUE(folds.node_is_separated(0, Real(0.999) * apart_at_rest));
+    EXPECT_FALSE(folds.node_is_separated(0, Real(1.001) * apart_at_rest));
 }
 
 TEST(FoldTest, NeverKeepsApartWhatIsNear) {
@@ -59,13 +59,13 @@ TEST(FoldTest, NeverKeepsApartWhatIsNear) {
         const Real distance = Real(0.06) * unit(random);
         for (int n = 0; n < static_cast<int>(nodes.size()); ++n) {
             const QuadtreeNode& node = nodes[static_cast<std::size_t>(n)];
-            const bool apart = folds.keeps_apart(n, distance);
+            const bool apart = folds.node_is_separated(n, distance);
             ++(apart ? proved : refused);
             if (apart) {
                 ASSERT_EQ(pairs_in(grid, x, node, node, distance), 0U) << "trial " << trial << " node " << n;
             }
             for (int m = n + 1; m < static_cast<int>(nodes.size()); ++m) {
-                if (!folds.keep_apart(n, m, distance)) continue;
+                if (!folds.nodes_are_separated(n, m, distance)) continue;
                 const QuadtreeNode& other = nodes[static_cast<std::size_t>(m)];
                 ++pairs_proved;
                 corners_proved += node.i0 != other.i0 && node.j0 != other.j0;
@@ -87,16 +87,16 @@ TEST(FoldTest, LooksAtAllFourNodesThatMeetAtACorner) {
     Points x = rolled(grid, Real(1e-3), 0);
     FoldTest folds(grid, spacing, spacing, 2);
     folds.build(x);
-    EXPECT_TRUE(folds.keep_apart(1, 4, Real(0.01)));
-    EXPECT_TRUE(folds.keep_apart(2, 3, Real(0.01)));
+    EXPECT_TRUE(folds.nodes_are_separated(1, 4, Real(0.01)));
+    EXPECT_TRUE(folds.nodes_are_separated(2, 3, Real(0.01)));
     // In each of them alone
     for (const auto& [i, j] : {std::pair(0, 0), {4, 0}, {0, 4}, {4, 4}}) {
         Points folded = x;
         folded.row(grid.particle(i, j)) = x.row(grid.particle(2, 2));
         folds.build(folded);
-        EXPECT_FALSE(folds.keep_apart(1, 4, Real(0))) << i << ", " << j;
-        EXPECT_FALSE(folds.keep_apart(2, 3, Real(0))) << i << ", " << j;
-        EXPECT_EQ(folds.keep_apart(3, 4, Real(0.01)), j == 0);
+        EXPECT_FALSE(folds.nodes_are_separated(1, 4, Real(0))) << i << ", " << j;
+        EXPECT_FALSE(folds.nodes_are_separated(2, 3, Real(0))) << i << ", " << j;
+        EXPECT_EQ(folds.nodes_are_separated(3, 4, Real(0.01)), j == 0);
     }
 }
 
@@ -120,7 +120,7 @@ TEST(FoldTest, AsksForNoMoreThanParticlesReachAndNoLess) {
             const QuadtreeNode& node = nodes[static_cast<std::size_t>(n)];
             for (int m = n; m < static_cast<int>(nodes.size()); ++m) {
                 const auto apart = [&](const FoldTest& test) {
-                    return m == n ? test.keeps_apart(n, largest) : test.keep_apart(n, m, largest);
+                    return m == n ? test.node_is_separated(n, largest) : test.nodes_are_separated(n, m, largest);
                 };
                 if (!apart(folds)) continue;
                 ++proved;
@@ -138,15 +138,15 @@ TEST(FoldTest, SeesAFoldAndACollapsedPatch) {
     FoldTest folds(grid, spacing, spacing, 2);
     Points x = rolled(grid, Real(1e-3), 0);
     folds.build(x);
-    EXPECT_TRUE(folds.keeps_apart(0, Real(0.01)));
+    EXPECT_TRUE(folds.node_is_separated(0, Real(0.01)));
     for (int p = 0; p < grid.particles(); ++p) {
         if (p % grid.nx > 4) x.row(p) = x.row(p - 2 * (p % grid.nx - 4)) + Eigen::RowVector3d(0, 0.001, 0);
     }
     folds.build(x);
-    EXPECT_FALSE(folds.keeps_apart(0, Real(0)));
+    EXPECT_FALSE(folds.node_is_separated(0, Real(0)));
     x.col(0).setZero();
     folds.build(x);
-    EXPECT_FALSE(folds.keeps_apart(0, Real(0)));
+    EXPECT_FALSE(folds.node_is_separated(0, Real(0)));
 }
 
 }  // namespace

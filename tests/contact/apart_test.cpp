@@ -7,7 +7,6 @@
 #include <random>
 
 #include "drape/contact/closest_point.h"
-#include "drape/contact/segments.h"
 
 namespace drape {
 namespace {

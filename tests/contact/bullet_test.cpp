@@ -50,7 +50,7 @@ public:
 
 private:
     static Real side(int k) { return static_cast<Real>(k) / static_cast<Real>(grid.nx - 1) - Real(0.5); }
-    Real draw() { return draw_even<Real>(random_); }
+    Real draw() { return uniform<Real>(random_); }
 
     /// More than touches: often by little.
     Real gap() {

@@ -1,7 +1,7 @@
 // What counts as a crossing: beside the exact count, which knows the last bit, that of the programs, which leaves what
 // rounding may have made.
 
-#include "drape/contact/crossings.h"
+#include "drape/contact/near_pairs.h"
 
 #include <gtest/gtest.h>
 

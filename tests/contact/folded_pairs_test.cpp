@@ -6,9 +6,9 @@
 #include <algorithm>
 
 #include "drape/bounds/fold_test.h"
+#include "drape/contact/closest_point.h"
 #include "drape/contact/feature_motion.h"
 #include "drape/contact/near_pairs.h"
-#include "drape/contact/segments.h"
 #include "support/cloths.h"
 #include "support/exact_distance.h"
 #include "support/sanitized.h"

@@ -13,7 +13,7 @@ namespace {
 using test::crossings;
 
 /// Distance that cloth is to keep [m].
-constexpr Real least_gap = Real(1e-6);
+constexpr Real min_gap = Real(1e-6);
 
 /// Two cloths that come near each other and themselves.
 struct TwoCloths {
@@ -59,12 +59,12 @@ struct TwoCloths {
 
     /// Holds back what would meet.
     /// @return how many particles
-    std::int64_t hold_back(const std::vector<NearPair>& pairs) {
+    std::int64_t prevent_crossing(const std::vector<NearPair>& pairs) {
         ImpactZones zones;
         const auto cloths = in_contact();
         const auto first = first_particles();
-        if (!zones.find(pairs, cloths, first, least_gap)) return 0;
-        zones.hold_back(pairs, cloths);
+        if (!zones.find(pairs, cloths, first, min_gap)) return 0;
+        zones.prevent_crossing(pairs, cloths);
         return zones.particles();
     }
 
@@ -126,7 +126,7 @@ TEST_P(Zones, LetNoTwoFeaturesMeetHoweverParticlesMove) {
             move_wildly(cloths, length, Vec3::Zero(), random);
             without += cloths.all_crossings();
             const Vec3 momentum = cloths.momentum();
-            held += cloths.hold_back(pairs);
+            held += cloths.prevent_crossing(pairs);
             ASSERT_EQ(cloths.all_crossings(), 0) << "trial " << trial;
             if (GetParam() == Pins::Kind::None) {
                 ASSERT_LT((momentum - cloths.momentum()).norm(), 1e-13);
@@ -149,7 +149,7 @@ TEST(ImpactZones, AreNoneWhereAllMoveTogether) {
     const std::vector<NearPair> pairs = cloths.pairs_within(Real(0.02));
     ASSERT_GT(pairs.size(), 100u);
     move_wildly(cloths, 0, {3, -40, 7}, random);
-    EXPECT_EQ(cloths.hold_back(pairs), 0);
+    EXPECT_EQ(cloths.prevent_crossing(pairs), 0);
 }
 
 /// Two squares of four particles, the second above the first.
@@ -174,7 +174,7 @@ TEST(ImpactZones, GoOnWithTheirMeanMotion) {
     const std::vector<NearPair> pairs = cloths.pairs_within(Real(0.1));
     cloths.states[1].x.col(1).array() -= Real(0.03);
     cloths.states[1].v.col(1).array() = -3;
-    EXPECT_EQ(cloths.hold_back(pairs), 8);
+    EXPECT_EQ(cloths.prevent_crossing(pairs), 8);
     EXPECT_NEAR(cloths.momentum().y(), -0.4 * 3, 1e-15);
     const Real gap = cloths.states[1].x(0, 1) - cloths.states[0].x(0, 1);
     EXPECT_GE(gap, 0.1 * 0.01 - 1e-15);
@@ -194,7 +194,7 @@ TEST(SafePart, IsWholeWhereNothingMeetsAndEndsShortOfAMeeting) {
         for (std::size_t k = 0; k < 4; ++k) motion.start[k] = point(), motion.way[k] = 2 * point();
         const Real distance = motion.distance_after(0);
         if (distance < Real(1e-3)) continue;
-        const Real part = safe_part_of(motion, distance, least_gap);
+        const Real part = safe_part_of(motion, distance, min_gap);
         Real nearest = distance;
         constexpr int samples = 2000;
         for (int s = 0; s <= samples; ++s) {
@@ -219,22 +219,22 @@ TEST(SafePart, LeavesTheLeastDistanceUnderALoadThatLasts) {
                          .way = {Vec3(0, Real(-0.01), 0), Vec3::Zero(), Vec3::Zero(), Vec3::Zero()}};
     for (int substep = 0; substep < 2000; ++substep) {
         const Real distance = motion.distance_after(0);
-        motion.start[0] += safe_part_of(motion, distance, least_gap) * motion.way[0];
+        motion.start[0] += safe_part_of(motion, distance, min_gap) * motion.way[0];
     }
-    EXPECT_GT(motion.distance_after(0), Real(0.99) * least_gap);
-    EXPECT_LT(motion.distance_after(0), 3 * least_gap);
+    EXPECT_GT(motion.distance_after(0), Real(0.99) * min_gap);
+    EXPECT_LT(motion.distance_after(0), 3 * min_gap);
     motion.way[0] = -motion.way[0];
-    EXPECT_EQ(safe_part_of(motion, motion.distance_after(0), least_gap), 1);
+    EXPECT_EQ(safe_part_of(motion, motion.distance_after(0), min_gap), 1);
 }
 
 TEST(SafePart, EndsBeforeAMeetingAtTheVeryEndOfTheWay) {
     FeatureMotion motion{.first_count = 1,
                          .start = {Vec3(0, 1, 0), Vec3(-1, 0, -1), Vec3(1, 0, -1), Vec3(0, 0, 1)},
                          .way = {Vec3(0, -1, 0), Vec3::Zero(), Vec3::Zero(), Vec3::Zero()}};
-    EXPECT_GE(safe_part_of(motion, 1, least_gap), 0.8);
-    EXPECT_LE(safe_part_of(motion, 1, least_gap), 0.9);
+    EXPECT_GE(safe_part_of(motion, 1, min_gap), 0.8);
+    EXPECT_LE(safe_part_of(motion, 1, min_gap), 0.9);
     motion.way[0].y() = Real(-0.79);
-    EXPECT_EQ(safe_part_of(motion, 1, least_gap), 1);
+    EXPECT_EQ(safe_part_of(motion, 1, min_gap), 1);
 }
 
 }  // namespace

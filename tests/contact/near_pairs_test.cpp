@@ -7,7 +7,7 @@
 #include <algorithm>
 
 #include "drape/bounds/fold_test.h"
-#include "drape/contact/segments.h"
+#include "drape/contact/closest_point.h"
 #include "support/cloths.h"
 #include "support/exact_distance.h"
 
@@ -201,7 +201,7 @@ TEST(NearPairs, OfFlatSheetsOneAboveTheOtherAreAnsweredForOnce) {
     find_near_pairs(first.boxed(Real(0.02)), second.boxed(Real(0.02)), leaves, pairs);
     std::vector<int> times(static_cast<std::size_t>(grid.particles()));
     for (const NearPair& pair : pairs) {
-        if (pair.stands_alone && pair.features.first_count == 1) {
+        if (pair.is_representative && pair.features.first_count == 1) {
             ++times[static_cast<std::size_t>(pair.features.particles[0])];
         }
     }

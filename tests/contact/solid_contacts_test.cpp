@@ -24,8 +24,8 @@ Points sheet(const Grid& grid, Real height, Real crumple, std::mt19937& random) 
     Points x(grid.particles(), 3);
     for (int j = 0; j < grid.ny; ++j) {
         for (int i = 0; i < grid.nx; ++i) {
-            x.row(grid.particle(i, j)) << Real(i) / (grid.nx - 1) - 0.5 + crumple * draw_even<Real>(random),
-                height + crumple * draw_even<Real>(random), Real(j) / (grid.ny - 1) - 0.5;
+            x.row(grid.particle(i, j)) << Real(i) / (grid.nx - 1) - 0.5 + crumple * uniform<Real>(random),
+                height + crumple * uniform<Real>(random), Real(j) / (grid.ny - 1) - 0.5;
         }
     }
     return x;
@@ -90,7 +90,7 @@ TEST(SolidContacts, EveryHierarchyFindsTheSameAsBruteForce) {
     Solid box = solid_at(make_box({0.3, 0.2, 0.15}));
     box.orientation = Eigen::AngleAxis<Real>(1.1, Vec3(3, 1, 2).normalized());
     for (int trial = 0; trial < 20; ++trial) {
-        const Points x = sheet(grid, 0.15 * draw_even<Real>(random), 0.01, random);
+        const Points x = sheet(grid, 0.15 * uniform<Real>(random), 0.01, random);
         std::vector<Contact> expected;
         SolidSearch().find(grid, {x, x}, box, 0, thickness, 0, all_cells_of(grid), expected);
         for (const auto volume : {VolumeKind::Sphere, VolumeKind::Aabb, VolumeKind::Kdop18, VolumeKind::Obb}) {
@@ -123,8 +123,8 @@ TEST(SolidContacts, WhatIsKnownOfParticlesChangesNoContact) {
     SolidSearch search;
     std::size_t found = 0;
     for (int step = 0; step < 200; ++step) {
-        const Points x = sheet(grid, 0.06 + 0.1 * draw_even<Real>(random), 0.02, random);
-        box.position.x() = 0.1 * draw_even<Real>(random);
+        const Points x = sheet(grid, 0.06 + 0.1 * uniform<Real>(random), 0.02, random);
+        box.position.x() = 0.1 * uniform<Real>(random);
         std::vector<Contact> contacts, expected;
         search.find(grid, {x, x}, box, 0, thickness, 0, all_cells_of(grid), contacts);
         SolidSearch().find(grid, {x, x}, box, 0, thickness, 0, all_cells_of(grid), expected);
@@ -199,13 +199,13 @@ TEST(SolidContacts, AMeshOfABoxIsTouchedByTheTrianglesThatTouchTheBox) {
     for (int trial = 0; trial < 40; ++trial) {
         const auto shape = make_box({Real(0.5), Real(0.2), Real(0.4)});
         Solid box = solid_at(shape, {0, Real(-0.1), 0});
-        box.orientation = Eigen::AngleAxis<Real>(draw_even<Real>(random), Vec3(1, 2, 3).normalized());
-        box.moved = trial % 2 == 0 ? Vec3::Zero() : Vec3(0, Real(0.05) * draw_even<Real>(random), 0);
+        box.orientation = Eigen::AngleAxis<Real>(uniform<Real>(random), Vec3(1, 2, 3).normalized());
+        box.moved = trial % 2 == 0 ? Vec3::Zero() : Vec3(0, Real(0.05) * uniform<Real>(random), 0);
         Solid mesh = box;
         mesh.shape = make_mesh_shape(shape->surface());
         const Points before = sheet(grid, Real(0.2), Real(0.02), random);
         Points x = before;
-        x.col(1).array() -= Real(0.1) + Real(0.1) * draw_even<Real>(random);
+        x.col(1).array() -= Real(0.1) + Real(0.1) * uniform<Real>(random);
         const auto touched = [&](const Solid& solid) {
             std::vector<Contact> contacts;
             const Real reach = largest_displacement(x, before, Kernels::Plain) + solid.moved.norm();

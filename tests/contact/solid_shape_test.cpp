@@ -6,8 +6,8 @@
 #include <cmath>
 #include <random>
 
+#include "contact/deepest_point.h"
 #include "drape/base/exact_math.h"
-#include "drape/contact/deepest_point.h"
 #include "solid_at.h"
 
 namespace drape {
@@ -17,7 +17,7 @@ using test::solid_at;
 
 Vec3 draw_point(std::mt19937& random, Real size) {
     Vec3 p;
-    for (Real& coordinate : p) coordinate = size * draw_even<Real>(random);
+    for (Real& coordinate : p) coordinate = size * uniform<Real>(random);
     return p;
 }
 
@@ -68,7 +68,7 @@ TriangleMesh spiky(std::mt19937& random) {
     for (int r = 0; r < rings; ++r) {
         for (int c = 0; c < columns; ++c) {
             const double polar = pi * (r + 1) / (rings + 1), turn = 2 * pi * c / columns;
-            const double radius = 0.75 + 0.4 * draw_even<Real>(random);
+            const double radius = 0.75 + 0.4 * uniform<Real>(random);
             mesh.points.push_back(
                 radius * Vec3(std::sin(polar) * std::cos(turn), -std::cos(polar), -std::sin(polar) * std::sin(turn)));
         }
@@ -221,7 +221,7 @@ TEST(DeepestPoint, IsTheSameBelowTheLimitAndCostsLessAboveIt) {
             const DeepestPoint whole = find(std::numeric_limits<Real>::infinity(), of_whole);
             const Real lowest = std::ranges::min(at_corners, {}, &SurfaceDistance::distance).distance;
             const Real limit =
-                trial % 2 == 0 ? lowest - Real(1e-5) : whole.surface.distance + Real(0.01) * draw_even<Real>(random);
+                trial % 2 == 0 ? lowest - Real(1e-5) : whole.surface.distance + Real(0.01) * uniform<Real>(random);
             const DeepestPoint found = find(limit, of_limited);
             if (found.surface.distance < limit) {
                 ++below;

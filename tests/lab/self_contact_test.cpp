@@ -2,7 +2,7 @@
 
 #include <gmock/gmock.h>
 
-#include "drape/contact/segments.h"
+#include "drape/contact/closest_point.h"
 #include "drape/sim/simulation.h"
 #include "lab/contact/self_contact_trial.h"
 #include "lab/experiments.h"

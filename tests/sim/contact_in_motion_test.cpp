@@ -231,17 +231,18 @@ TEST(LongContinuousDetection, LeavesTheBallNoDeeperInTheClothThanDiscreteDoes) {
     for (const Real radius : {Real(0.06), Real(0.22)}) {
         for (const Real rate : {30, 60, 240}) {
             for (const Real speed : {1, 3, 10, 30}) {
-                const Shot discrete = shoot("false", speed, rate, radius), swept = shoot("true", speed, rate, radius);
+                const Shot discrete = shoot("false", speed, rate, radius),
+                           continuous = shoot("true", speed, rate, radius);
                 const std::string what =
                     std::to_string(radius) + " m, " + std::to_string(rate) + " /s, " + std::to_string(speed) + " m/s";
-                EXPECT_FALSE(swept.through) << what;
+                EXPECT_FALSE(continuous.through) << what;
                 if (discrete.through) {
                     ++fast;
-                    EXPECT_LT(swept.left, radius / 10) << what;
+                    EXPECT_LT(continuous.left, radius / 10) << what;
                     continue;
                 }
-                EXPECT_LE(swept.left, 1.01 * discrete.left + 1e-4) << what;
-                slow += swept.hash == discrete.hash;
+                EXPECT_LE(continuous.left, 1.01 * discrete.left + 1e-4) << what;
+                slow += continuous.hash == discrete.hash;
             }
         }
     }
@@ -288,7 +289,7 @@ TEST(ContinuousDetection, KeepsMomentumAndBooksWhatTheBallLoses) {
     }
 }
 
-/// Neither where it looks only where something could, nor where it always looks.
+/// By either name.
 TEST(ContinuousDetection, ChangesNoBitWhereNothingCrosses) {
     const std::string few = "cloth.particles=16,16";
     Simulation never = scene_with("drop", {few, "contact.continuous=false"});

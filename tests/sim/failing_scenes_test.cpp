@@ -106,9 +106,8 @@ TEST(FailingScenes, SayHowFarAboveWhichLimitTheyAre) {
     EXPECT_THAT(trouble_of("fails_rk4"),
                 testing::MatchesRegex("Diverged at step [0-9]+ \\(rk4\\)\\. Time step is 1\\.02 x the limit; use at "
                                       "most [0-9.]+ ms\\. First: particle [0-9]+ .* at [0-9.]+ m/s.*"));
-    EXPECT_THAT(
-        trouble_of("fails_penalty"),
-        testing::ContainsRegex("\\. Time step is [0-9.]+ x the limit; use at most 0.0123 ms\\. First: particle "));
+    EXPECT_THAT(trouble_of("fails_penalty"),
+                testing::HasSubstr(". Time step is 25.3 x the limit; use at most 0.0123 ms. First: particle "));
     EXPECT_THAT(trouble_of("fails_explicit_euler"),
                 testing::HasSubstr(". No time step of explicit_euler that may be set is stable here: "));
 }

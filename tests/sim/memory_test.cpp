@@ -87,7 +87,7 @@ TEST(Memory, IsEstimatedWhereClothLiesOnCloth) {
 TEST(Memory, ThatRunsOutIsToldWithWhatNeededHowMuch) {
     const Settings settings = settings_of("projective_dynamics", 150);
     try {
-        with_memory(settings, [] { throw std::bad_alloc(); });
+        rethrow_bad_alloc(settings, [] { throw std::bad_alloc(); });
         FAIL() << "no error";
     } catch (const RunError& error) {
         EXPECT_THAT(error.what(), HasSubstr("out of memory: 22500 particles with projective_dynamics need about"));

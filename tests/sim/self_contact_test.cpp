@@ -296,7 +296,7 @@ TEST(SelfContact, EndsTheRunWhereTooMuchIsNear) {
 TEST(SelfContact, IsRefusedWhereClothWouldKeepNextToNothingApart) {
     Settings settings = stacked_sheets();
     settings.contact.thickness = Real(1e-5);
-    EXPECT_THROW(check(settings), MisfitError);
+    EXPECT_THROW(check(settings), InconsistentSettings);
 }
 
 TEST(SelfContact, SaysThatASceneStartsWithCrossings) {

@@ -199,7 +199,7 @@ TEST(SelfSearch, MakesAShorterListWhereALongOneDoesNotFit) {
     search.use({.leaf_cells = 4}, models);
     const SelfSearchReport report = search.find(cloths, apart);
     EXPECT_FALSE(report.gave_up);
-    EXPECT_LE(report.listed, std::int64_t(SelfSearch::most_pairs) * layers * model.grid.particles());
+    EXPECT_LE(report.listed, std::int64_t(SelfSearch::max_pairs) * layers * model.grid.particles());
     // One of the next layer is above each particle
     EXPECT_GT(search.pairs().size(), static_cast<std::size_t>((layers - 1) * model.grid.particles()));
     const Real allowed = std::ranges::max(search.allowances(0));

@@ -4,7 +4,6 @@
 #include <gtest/gtest.h>
 
 #include "drape/base/scratch_folder.h"
-#include "drape/contact/deepest_point.h"
 #include "drape/sim/failure.h"
 #include "drape/sim/scene.h"
 #include "drape/sim/scene_text.h"

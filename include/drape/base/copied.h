@@ -28,17 +28,17 @@ private:
 
 /// A container that copies of its owner begin without: what it holds is made again where it is needed.
 template <class Container>
-class NotCopied : public Container {
+class ScratchOnCopy : public Container {
 public:
-    NotCopied() = default;
-    NotCopied(const NotCopied& /*other*/) : Container() {}
-    NotCopied(NotCopied&&) noexcept = default;
-    NotCopied& operator=(const NotCopied& /*other*/) {
+    ScratchOnCopy() = default;
+    ScratchOnCopy(const ScratchOnCopy& /*other*/) : Container() {}
+    ScratchOnCopy(ScratchOnCopy&&) noexcept = default;
+    ScratchOnCopy& operator=(const ScratchOnCopy& /*other*/) {
         this->clear();
         return *this;
     }
-    NotCopied& operator=(NotCopied&&) noexcept = default;
-    ~NotCopied() = default;
+    ScratchOnCopy& operator=(ScratchOnCopy&&) noexcept = default;
+    ~ScratchOnCopy() = default;
 };
 
 }  // namespace drape

@@ -31,7 +31,7 @@ double exponential_less_one(double x);
 /// standard library's distributions are not.
 /// @tparam Number float takes one draw of 32 bits, double two
 template <class Number>
-Number draw_even(std::mt19937& random) {
+Number uniform(std::mt19937& random) {
     if constexpr (std::is_same_v<Number, float>) {
         return 2 * std::min(static_cast<float>(random()) * 0x1p-32f, 0x1.fffffep-1f) - 1;
     } else {

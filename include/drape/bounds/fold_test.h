@@ -38,11 +38,11 @@ public:
     void build(const Points& x, std::span<const Real> reaches = {});
 
     /// Whether all features in a node that share no particle are farther apart than a distance [m], or than they reach.
-    [[nodiscard]] bool keeps_apart(int node, Real distance) const;
+    [[nodiscard]] bool node_is_separated(int node, Real distance) const;
 
     /// The same for two nodes which together are a rectangle, or touch at a corner and are a rectangle together with
     /// the other two nodes at that corner; false for all others.
-    [[nodiscard]] bool keep_apart(int first, int second, Real distance) const;
+    [[nodiscard]] bool nodes_are_separated(int first, int second, Real distance) const;
 
 private:
     /// All derivatives of a patch are within, and none of its particles reaches farther.

@@ -53,7 +53,7 @@ private:
     void traverse_itself(int n) {
         const QuadtreeNode& node = first_.nodes[at(n)];
         ++stats_.visited;
-        if (folds_ && folds_->keeps_apart(n, margin_)) return mark(n, NodeVisit::Pruned);
+        if (folds_ && folds_->node_is_separated(n, margin_)) return mark(n, NodeVisit::Pruned);
         if (node.children == 0) return take(n, n);
         mark(n, NodeVisit::Entered);
         for (int child = 0; child < node.children; ++child) {
@@ -70,7 +70,7 @@ private:
         ++stats_.visited;
         ++stats_.volume_tests;
         if (!first_.volumes[at(n)].comes_within(second_.volumes[at(m)], margin_)) return mark(n, NodeVisit::Pruned);
-        if (folds_ && folds_->keep_apart(n, m, margin_)) return mark(n, NodeVisit::Pruned);
+        if (folds_ && folds_->nodes_are_separated(n, m, margin_)) return mark(n, NodeVisit::Pruned);
         if (node.children == 0 && other.children == 0) return take(n, m);
         mark(n, NodeVisit::Entered);
         const int first = node.children > 0 ? node.first_child : n, count = std::max(node.children, 1);

@@ -17,4 +17,15 @@ struct ClosestPoint {
 /// @par Cost constant, no square root
 ClosestPoint closest_point_on_triangle(const Vec3& p, const Vec3& a, const Vec3& b, const Vec3& c);
 
+/// The points of two segments that are closest to each other.
+struct ClosestOfSegments {
+    Real first = 0, second = 0;  ///< weight of each segment's end, from 0 at its start to 1
+    Vec3 offset = Vec3::Zero();  ///< from the second's point to the first's [m]
+};
+
+/// Of the segments from a to b and from c to d. Where they are parallel and side by side, one of the points is an end.
+/// @cite ericson2004
+/// @par Cost constant
+ClosestOfSegments closest_of_segments(const Vec3& a, const Vec3& b, const Vec3& c, const Vec3& d);
+
 }  // namespace drape

@@ -31,7 +31,7 @@ struct ContactPush {
 };
 
 /// A particle that a contact pushes.
-struct PushedParticle {
+struct ContactParticle {
     int cloth = 0, particle = 0;
     Real weight = 0;  ///< of its motion in that of the contact point; less than zero if it is of the second feature
     Real share = 0;   ///< of a push, that it moves by: weight times inverse mass [1/kg]
@@ -44,20 +44,20 @@ struct ContactPlane {
 
     // Filled by the response
     Real friction_coefficient = 0;
-    bool takes_part = false;  ///< in the solve under way
-    Real inverse_mass = 0;    ///< that a push along the normal meets, of both bodies; 0 if none moves [1/kg]
-    Real mass = 0;            ///< 1 / inverse_mass, or 0 [kg]
-    Real sliding_mass = 0;    ///< the same for a push across the normal [kg]
-    bool lasts = false;       ///< it was there in the substep before; kept by the warm start
+    bool active = false;    ///< in the solve under way
+    Real inverse_mass = 0;  ///< that a push along the normal meets, of both bodies; 0 if none moves [1/kg]
+    Real mass = 0;          ///< 1 / inverse_mass, or 0 [kg]
+    Real sliding_mass = 0;  ///< the same for a push across the normal [kg]
+    bool lasts = false;     ///< it was there in the substep before; kept by the warm start
     int particle_count = 0;
-    std::array<PushedParticle, 4> particles{};  ///< the first `particle_count`
+    std::array<ContactParticle, 4> particles{};  ///< the first `particle_count`
     Vec3 start = Vec3::Zero();  ///< the first point, or its offset from the second, at the start of the substep [m]
     Real remaining = 0;         ///< of the substep, after the impact [s]
     Real approach = 0;          ///< speed at which they meet, less than zero where they part [m/s]
     ContactPush displacement;   ///< within the substep
     ContactPush impulse;
 
-    [[nodiscard]] std::span<const PushedParticle> pushed() const {
+    [[nodiscard]] std::span<const ContactParticle> pushed() const {
         return std::span(particles).first(static_cast<std::size_t>(particle_count));
     }
 };
@@ -87,7 +87,7 @@ struct Contact : BodyContact {
     std::array<Real, 3> barycentric{};  ///< of the point
     Vec3 point = Vec3::Zero();          ///< [m]
     bool of_particle = false;           ///< the point is a corner
-    bool parted = false;                ///< it was found in the substep before, and not in this one
+    bool separated = false;             ///< it was found in the substep before, and not in this one
     bool of_node = false;               ///< only then there is a sphere:
     Vec3 offset = Vec3::Zero();         ///< from `point` to its centre [m]
     Real radius = 0;                    ///< that counts towards the depth [m]
@@ -116,8 +116,8 @@ struct ClothMotion {
     const Points &before, &x;  ///< n x 3 [m]
 };
 
-/// The reach of a search: by how much a body and cloth have come nearer to each other within a substep, at most; 0 where
-/// that is too little for one to be on the wrong side of the other.
+/// The reach of a search: by how much a body and cloth have come nearer to each other within a substep, at most; 0
+/// where that is too little for one to be on the wrong side of the other.
 /// @param room half of it is too little: a ball's radius, or the thickness beside a solid [m]
 [[nodiscard]] inline Real reach_of(Real nearer, Real room) { return 2 * nearer > room ? nearer : Real(0); }
 
@@ -128,7 +128,7 @@ struct ClothMotion {
 /// @param ball_number is stored with each contact
 /// @param reach by how much ball and cloth may have come nearer to each other within the substep [m]
 /// @param kernels plain: each cell is tested; vector: cells that their corners show to be too far are left out first
-/// @return how many of the cells touch at the end, or have passed
+/// @return how many of the cells touch at the end, or have come past the plane of the start
 std::int64_t find_contacts(const Grid& grid, const ClothMotion& cloth, const Ball& ball, int ball_number,
                            Real thickness, Real reach, std::span<const CellRun> cells, std::vector<Contact>& contacts,
                            Kernels kernels);
@@ -147,5 +147,15 @@ void find_ground_contacts(const Grid& grid, const Points& x, Real height, Real t
 /// passed each other within the substep, or have come past their middles, touch in the plane in which they have met.
 /// @par Cost O(balls^2)
 void find_ball_contacts(std::span<const Ball> balls, const Ground& ground, std::vector<BallContact>& contacts);
+
+/// How fast a node's sphere may push: as fast as a cloth settles, and slower than it tears [m/s].
+inline constexpr Real node_push_speed = 1;
+
+/// The contacts of nodes at which a search has ended, as their spheres, with one ball, appended. @cite hubbard1996
+/// Most of a sphere is empty. Pushed out of it at once, the one triangle that feels it would tear at its neighbours:
+/// what is deeper than a push may be is taken off the sphere's radius.
+/// @param longest_push that one response may make of a contact [m]
+void find_node_contacts(const Grid& grid, const Points& x, const Ball& ball, int ball_number, Real thickness,
+                        Real longest_push, std::span<const StoppedNode> nodes, std::vector<Contact>& contacts);
 
 }  // namespace drape

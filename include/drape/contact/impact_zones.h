@@ -26,7 +26,7 @@ public:
 
     /// Holds back what was found, and what meets these in turn.
     /// @param pairs all that may meet
-    void hold_back(std::span<const NearPair> pairs, std::span<const ClothInContact> cloths);
+    void prevent_crossing(std::span<const NearPair> pairs, std::span<const ClothInContact> cloths);
 
     /// How many particles are in zones, since the last `find`.
     [[nodiscard]] std::int64_t particles() const;

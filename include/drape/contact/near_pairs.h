@@ -31,7 +31,7 @@ struct NearPair {
     std::array<Real, 4> weights{};  ///< of the particles in the closest points; those of each feature sum to 1
     Vec3 normal = Vec3::Zero();     ///< from the second's closest point to the first's, length 1
     Real distance = 0;              ///< of the closest points; 0: no more than rounding [m]
-    bool stands_alone = true;       ///< these two points are not those of another pair, which is answered for them
+    bool is_representative = true;  ///< these two points are not those of another pair, which is answered for them
 
     /// What the k-th particle has of the way from the second's closest point to the first's: less than zero for those
     /// of the second.
@@ -81,5 +81,12 @@ struct BoxedCloth {
 /// @par Cost O(pairs of cells in the leaves) tests of boxes, O(pairs of cells whose boxes come near) exact ones
 void find_near_pairs(const BoxedCloth& first, const BoxedCloth& second, std::span<const LeafPair> leaves,
                      std::vector<NearPair>& pairs);
+
+/// How many times an edge of one cloth crosses a triangle of the other, or, of one cloth, a triangle that it shares no
+/// particle with: from one side to the other, through its inside. As a rule, two triangles that cross count twice.
+/// What only touches, as far as rounding tells, does not count.
+/// @param leaves where cells may meet, as a query for pairs of these two cloths found
+/// @par Cost O(pairs of cells in the leaves)
+std::int64_t count_crossings(const BoxedCloth& first, const BoxedCloth& second, std::span<const LeafPair> leaves);
 
 }  // namespace drape

@@ -49,7 +49,7 @@ struct ClothInContact {
 };
 
 /// What solids, and the balls that nothing pushes, have given a cloth in the response, through these contacts [J].
-double work_of_led_balls(std::span<const Contact> contacts, std::span<const Ball> balls);
+double work_of_kinematic_bodies(std::span<const Contact> contacts, std::span<const Ball> balls);
 
 /// Of the balls that contacts push [J].
 double kinetic_energy(std::span<const Ball> balls);

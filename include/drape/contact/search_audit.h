@@ -4,7 +4,7 @@
 #include <vector>
 
 #include "drape/bounds/broad_phase.h"
-#include "drape/contact/node_contacts.h"
+#include "drape/contact/contact.h"
 
 namespace drape {
 

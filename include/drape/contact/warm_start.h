@@ -19,7 +19,9 @@ template <class AnyContact>
 class WarmStart {
 public:
     /// Room for this many contacts, without allocating.
-    void reserve(std::size_t contacts) { last_.reserve(contacts), parted_.reserve(contacts), gaps_.reserve(contacts); }
+    void reserve(std::size_t contacts) {
+        last_.reserve(contacts), separated_.reserve(contacts), gaps_.reserve(contacts);
+    }
 
     /// Takes the pushes of the substep before.
     /// @param h the substep to come [s]
@@ -55,7 +57,7 @@ private:
     Real h_ = 0;              ///< of the last pushes [s]
     Real ground_height_ = 0;  ///< as of the last `take` [m]
     bool has_pushes_ = true;  ///< else `last_` tells which contacts there were, no more
-    std::vector<AnyContact> last_, parted_;
+    std::vector<AnyContact> last_, separated_;
     std::vector<std::ptrdiff_t> gaps_;  ///< where those that have parted belong
 };
 

@@ -102,7 +102,7 @@ public:
     [[nodiscard]] virtual StepBefore step_before() const { return {}; }
 
     /// Goes on as another one of the same parameters would, to the bit.
-    virtual void go_on_after(const StepBefore& /*step*/) {}
+    virtual void resume_after(const StepBefore& /*step*/) {}
 
     /// @param state advanced in place; pinned particles keep their velocity (zero, or that of the hand that holds them)
     /// @param h step [s]

@@ -55,9 +55,9 @@ public:
     EnergyFlow* start_of_step(const ClothModel& model, const ClothState& state, int held);
 
     /// Enters what the integrator has done.
-    /// @param least_pause substeps from one sum over the springs to the next, at least
+    /// @param min_pause substeps from one sum over the springs to the next, at least
     void after_integrator(const ClothModel& model, const ClothState& state, const MotionSums& sums, Real h,
-                          int least_pause);
+                          int min_pause);
 
     /// Shortens what is stretched beyond the model's limit, which counts as the integrator's step.
     /// @param held particle that the hand leads; below 0: none
@@ -90,7 +90,7 @@ public:
 private:
     void touch(const ClothModel& model, const ClothState& state, EnergyLedger::Since by);
     [[nodiscard]] double hand_power(const ClothModel& model, const ClothState& state) const;
-    void tell_pins_apart(double of_hand, Power& power) const;
+    void split_pin_power(double of_hand, Power& power) const;
     EnergyFlow flow(const ClothModel& model, const ClothState& state);
     EnergyFlow held_flow(const ClothModel& model, const ClothState& state);
     [[nodiscard]] bool measures_pushes() const;
@@ -106,8 +106,8 @@ private:
     GridRange pushed_{0, 0, 0, 0};  ///< particles that are being pushed; all, where none is measured
     EnergyFlow before_pushes_, before_hold_;
     bool known_ = false;
-    double most_push_work_ = 0;  ///< a bound [J]
-    Points wind_;                ///< scratch, while a ledger is kept
+    double max_push_work_ = 0;  ///< a bound [J]
+    Points wind_;               ///< scratch, while a ledger is kept
 };
 
 }  // namespace drape

@@ -50,7 +50,7 @@ private:
     std::string text_;
     std::vector<std::string> assignments_;
     Simulation other_;
-    NotCopied<std::vector<std::vector<float>>> distances_;
+    ScratchOnCopy<std::vector<std::vector<float>>> distances_;
 };
 
 /// "a=1,2,b=3" as "a=1,2" and "b=3".

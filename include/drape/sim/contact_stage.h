@@ -28,8 +28,9 @@ struct Substep {
 };
 
 /// Contact of cloths with balls, solids and the ground, with themselves and with each other, and of balls, in one
-/// substep: `begin`, the integrators' steps, `warm_start`, `detect`, `solve`, `prevent_crossing`, `end`. Each is called
-/// once, in this order. What has moved on its own, balls and solids, has done so before `begin`.
+/// substep: `begin`, the integrators' steps, `warm_start`, `detect`, `solve`, `prevent_crossing`, `end`, in this order;
+/// without `prevent_crossing` cloths may cross. What has moved on its own, balls and solids, has done so before
+/// `begin`.
 class ContactStage {
 public:
     /// Starts from nothing with these cloths.
@@ -51,6 +52,11 @@ public:
     /// Finds what may touch: build, traversal and exact test for balls, solids, ground, and pairs of cloth.
     void detect(StepReport& report);
 
+    /// What a limited search has got wrong, for the report alone: contacts that are none, and, after `solve`, depth
+    /// that it has not seen.
+    void audit_search(StepReport& report);
+    void audit_response(StepReport& report);
+
     /// Gives what the contacts need, and enters the work of it.
     ResponseReport solve(StepReport& report);
 
@@ -61,7 +67,7 @@ public:
     void prevent_crossing(StepReport& report);
 
     /// Rolling resistance; enters what is only known now.
-    void end(StepReport& report);
+    void end();
 
     /// Whether anything touched in the last substep, or is near.
     [[nodiscard]] bool is_near() const { return !ball_contacts_.empty() || self_.is_near(); }
@@ -91,10 +97,10 @@ private:
     void enter_pushes(Cloth& cloth, std::span<const Contact> contacts, double led_work, double& free_work);
 
     Stage stage_ = Stage::Ended;
-    NotCopied<Now> now_;
+    ScratchOnCopy<Now> now_;
     SelfContact self_;
     std::vector<BallContact> ball_contacts_;
-    NotCopied<ContactRows> rows_;
+    ScratchOnCopy<ContactRows> rows_;
 };
 
 }  // namespace drape

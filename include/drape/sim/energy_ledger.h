@@ -80,7 +80,7 @@ public:
     void return_to_mark() { now_ = marked_; }
 
 private:
-    struct Book {
+    struct Entry {
         EnergyBalance balance;
         EnergyFlow seen;
         Since since = Since::Nothing;  ///< what has happened since then
@@ -89,10 +89,10 @@ private:
         Power contact_power;           ///< and the power
     };
 
-    static void see(const EnergyFlow& now, Book& book);
+    static void see(const EnergyFlow& now, Entry& book);
     void changed_after_step(const EnergyFlow& before, const EnergyFlow& after);
 
-    Book now_, marked_;
+    Entry now_, marked_;
 };
 
 }  // namespace drape

@@ -41,9 +41,9 @@ public:
 
     /// @param sums of the present state
     /// @param h substep that was made [s]
-    /// @param least_pause substeps from one sum over the springs to the next, at least
+    /// @param min_pause substeps from one sum over the springs to the next, at least
     /// @return whether it is time to `measure`
-    [[nodiscard]] bool look(const ClothModel& model, const MotionSums& sums, Real h, int least_pause);
+    [[nodiscard]] bool look(const ClothModel& model, const MotionSums& sums, Real h, int min_pause);
 
     /// @param energy of the present state
     void measure(const Energy& energy);

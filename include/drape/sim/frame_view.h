@@ -57,7 +57,7 @@ struct FrameView {
     const ComparisonView* comparison = nullptr;  ///< with another simulation; null: none
     TraversalStats pair_search = {};             ///< of cloth against cloth, while bounding volumes are shown
     const SearchTimes* search = nullptr;         ///< a measurement of about now; null: none was made
-    bool hurried = false;                        ///< to be drawn fast, where `view.quality` leaves it open
+    bool prefer_speed = false;                   ///< to be drawn fast, where `view.quality` leaves it open
 };
 
 /// Whether nothing in a view moves until something is done to it: a window draws it now and then.
@@ -68,7 +68,7 @@ inline bool is_at_rest(const FrameView& view) {
 /// Whether a view is drawn fast.
 inline bool is_fast(const FrameView& view) {
     const PictureQuality quality = view.settings->view.quality;
-    return quality == PictureQuality::Fast || (quality == PictureQuality::Auto && view.hurried);
+    return quality == PictureQuality::Fast || (quality == PictureQuality::Auto && view.prefer_speed);
 }
 
 }  // namespace drape

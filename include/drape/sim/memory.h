@@ -30,7 +30,7 @@ std::string memory_text(const Settings& settings);
 /// Does something that takes memory.
 /// @throws RunError that says what needed how much, where there is too little of it
 template <class Work>
-void with_memory(const Settings& settings, Work work) {
+void rethrow_bad_alloc(const Settings& settings, Work work) {
     try {
         work();
     } catch (const std::bad_alloc&) {

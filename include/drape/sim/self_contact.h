@@ -49,7 +49,7 @@ public:
 
     /// If so, holds them back.
     /// @return how many particles
-    std::int64_t hold_back(std::span<const ClothInContact> cloths);
+    std::int64_t prevent_crossing(std::span<const ClothInContact> cloths);
 
     /// How many times cloth crossed cloth at the start: what keeps the sides of cloths cannot part these.
     [[nodiscard]] std::int64_t crossings_at_start() const { return crossings_at_start_; }

@@ -26,7 +26,7 @@ struct SelfSearchReport {
 class SelfSearch {
 public:
     /// Pairs that there may be, a particle in the mean.
-    static constexpr int most_pairs = 400;
+    static constexpr int max_pairs = 400;
 
     /// Takes new hierarchies.
     void use(const BroadPhaseParameters& parameters, std::span<const ClothModel* const> models);
@@ -62,7 +62,7 @@ public:
     [[nodiscard]] Real thickness() const { return thickness_; }
 
     /// How far each particle of a cloth may come, that the last list was made for.
-    [[nodiscard]] std::span<const Real> allowances(int cloth) const { return of_cloth(allowed_, cloth); }
+    [[nodiscard]] std::span<const Real> allowances(int cloth) const { return of_cloth(allowance_, cloth); }
 
     /// How far both features of a pair reach together within the substep [m].
     [[nodiscard]] Real reach_of(const NearPair& pair) const;
@@ -110,8 +110,8 @@ private:
     Vec3 mean_ = Vec3::Zero();             ///< the same at the start of the substep [m]
     Vec3 moved_ = Vec3::Zero();            ///< by how much it moves within the substep [m]
     Numbers reaches_;                      ///< how far each particle may come within it, with half the thickness
-    Numbers strayed_;                      ///< the reach, and what each has moved by since the list was made
-    Numbers allowed_;                      ///< by the list: it serves while nothing has strayed farther
+    Numbers displacement_since_list_;      ///< the reach, and what each has moved by since the list was made
+    Numbers allowance_;                    ///< by the list: it serves while nothing has strayed farther
     Numbers more_reaches_, more_strayed_;  ///< of what the response has moved
 };
 

@@ -129,7 +129,7 @@ private:
     void begin_history();
     void pass_moment();
     void arrive();
-    [[nodiscard]] bool lets_go_of_nothing(const Command& command) const;
+    [[nodiscard]] bool is_redundant_release(const Command& command) const;
     [[nodiscard]] std::int64_t known_end() const;
     [[nodiscard]] bool any_lies_ahead() const;
     [[nodiscard]] std::size_t end_of_log() const { return first_entry_ + log_.size(); }

@@ -95,9 +95,9 @@ Settings with_next(Settings settings, std::string_view name);
 Settings with_added(Settings settings, std::string_view name, double amount);
 
 /// A setting that others forbid; a scene file adds the line that it stands in.
-class MisfitError : public InputError {
+class InconsistentSettings : public InputError {
 public:
-    MisfitError(std::string of_section, std::size_t of_index, std::string of_name, const std::string& message)
+    InconsistentSettings(std::string of_section, std::size_t of_index, std::string of_name, const std::string& message)
         : InputError(message), section(std::move(of_section)), index(of_index), name(std::move(of_name)) {}
 
     std::string section;
@@ -107,7 +107,7 @@ public:
 
 /// Checks that need more than one setting: pins on the grid, ascending path times, a path where motion is "path", a
 /// thickness where cloth meets itself.
-/// @throws MisfitError
+/// @throws InconsistentSettings
 void check(const Settings& settings);
 
 /// Leaves out the moving pins of which a user's change has left none pinned.

@@ -90,8 +90,8 @@ private:
     void close_report();
     void rest();
 
-    [[nodiscard]] bool is_led(std::size_t ball) const;
-    [[nodiscard]] bool led_body_has_moved() const;
+    [[nodiscard]] bool is_kinematic(std::size_t ball) const;
+    [[nodiscard]] bool kinematic_body_has_moved() const;
     void end_with(std::string trouble);
     void fall_asleep();
     void wake();
@@ -134,7 +134,7 @@ private:
     SleepWatch sleep_;
     StepReport report_;
     int planned_substeps_ = 1;  ///< for the stability limit alone
-    NotCopied<std::vector<ClothView>> shown_;
+    ScratchOnCopy<std::vector<ClothView>> shown_;
     PairMarks pair_marks_;                ///< on the hierarchies that are shown
     std::int64_t counted_from_step_ = 0;  ///< since then dt has been what it is: no error adds up in the time
     double counted_from_time_ = 0;

@@ -23,9 +23,9 @@ struct StageTimes {
     [[nodiscard]] double total() const { return step + build + traverse + narrow + pairs + respond; }
 };
 
-/// Where the way within a step is not tested: that cloth and a ball or a solid are so fast that one may pass through
+/// Where `contact.continuous` is false: that cloth and a ball or a solid are so fast that one may pass through
 /// the other.
-struct CrossingDanger {
+struct TunnellingRisk {
     std::int64_t starts = 0;  ///< of such dangers, each after half a second without
     double last = 0;          ///< time of the last substep in danger [s]
     double speed = 0;         ///< at which they approach each other at most, as the last danger started [m/s]
@@ -75,7 +75,7 @@ struct StepReport {
     Energy energy;  ///< this, balance and stretch are filled by `Simulation::view`, not by every step
     EnergyBalance balance = EnergyBalance::unknown();  ///< since the ledger began, over all cloths
     double stretch = 0;                                ///< largest elongation of a structural spring, as `energy`
-    CrossingDanger crossing;                           ///< since the start
+    TunnellingRisk crossing;                           ///< since the start
     Status status = Status::Ok;
     FailureSpot failure;
     std::string trouble;  ///< one sentence on what broke, with particle and step; empty while all is well

@@ -12,14 +12,14 @@ namespace drape::kernels::HWY_NAMESPACE {
 
 /// Cells in rows of the same columns, one below the other: few enough for a row of particles to be a word of bits.
 struct Block {
-    static constexpr int most_columns = 31, most_rows = 16;
+    static constexpr int max_columns = 31, max_rows = 16;
 
     int cell;     ///< the first
     Patch patch;  ///< the particles at the corners
 };
 
 /// The particles of each row that pass a test, a bit each.
-using RowBits = std::array<std::uint32_t, Block::most_rows + 1>;
+using RowBits = std::array<std::uint32_t, Block::max_rows + 1>;
 
 template <class V>
 HWY_INLINE V square_between(const Lanes3<V>& a, const Lanes3<V>& b) {
@@ -98,7 +98,7 @@ public:
     }
 
 private:
-    static constexpr int row_stride = Block::most_columns + 1;
+    static constexpr int row_stride = Block::max_columns + 1;
     static std::size_t at(int row) { return static_cast<std::size_t>(row); }
 
     /// The triangles a, c, b of a row of cells with a corner in the ball, and b, c, d.
@@ -125,14 +125,14 @@ private:
 
     const Block& block_;
     Real square_;
-    HWY_ALIGN Real squares_[row_stride * (Block::most_rows + 1)];  ///< of the distances, row by row
+    HWY_ALIGN Real squares_[row_stride * (Block::max_rows + 1)];  ///< of the distances, row by row
     RowBits inside_{}, far_{};
 };
 
 /// How many runs, from the first on, are below each other in the same columns: as many as a block has rows at most.
 HWY_INLINE int rows_of_block(std::span<const CellRun> cells) {
     const CellRun& first = cells[0];
-    const int most = static_cast<int>(HWY_MIN(cells.size(), std::size_t{Block::most_rows}));
+    const int most = static_cast<int>(HWY_MIN(cells.size(), std::size_t{Block::max_rows}));
     int rows = 1;
     while (rows < most && cells[static_cast<std::size_t>(rows)] == CellRun{first.row + rows, first.column, first.count})
         ++rows;
@@ -144,7 +144,7 @@ int classify_cells_of(const Grid& grid, const Real* const x[3], const Vec3& p, R
     CellBits* next = bits;
     while (!cells.empty()) {
         const CellRun& run = cells[0];
-        const int rows = rows_of_block(cells), blocks = (run.count + Block::most_columns - 1) / Block::most_columns;
+        const int rows = rows_of_block(cells), blocks = (run.count + Block::max_columns - 1) / Block::max_columns;
         for (int k = 0; k < blocks; ++k) {
             const int column = run.column + run.count * k / blocks, end = run.column + run.count * (k + 1) / blocks;
             const int corner = grid.particle(column, run.row);

@@ -48,7 +48,7 @@ HWY_EXPORT(list_triangles_of);
 
 namespace {
 
-constexpr std::size_t most_lanes = 16;  ///< that a list may be written beyond its end
+constexpr std::size_t max_lanes = 16;  ///< that a list may be written beyond its end
 
 /// Leaves no triangle open.
 void decide(const Grid& grid, const Points& x, const Vec3& p, Real radius, CellBits& bits) {
@@ -69,7 +69,7 @@ void find_touched(const Grid& grid, const Points& x, const Vec3& p, Real radius,
                   std::vector<int>& triangles) {
     std::size_t found = 0;
     visit_near(grid, x, p, radius, cells, [&](std::span<CellBits> near) {
-        std::size_t room = found + most_lanes;
+        std::size_t room = found + max_lanes;
         for (CellBits& bits : near) {
             decide(grid, x, p, radius, bits);
             room += 2 * static_cast<std::size_t>(bits.count);

@@ -14,7 +14,7 @@ namespace drape {
 struct Combination {
     IntegratorKind integrator{};
     ResponseKind response{};
-    bool continuous = false;  ///< the whole way within a step is tested, in every step
+    bool continuous = false;  ///< `contact.continuous`
 };
 
 /// What finds the triangles that touch; it must not change the motion.

@@ -38,7 +38,7 @@ Detection detection_of(const Search& search) {
     return {.leaf_cells = 4, .tests = search.tests, .continuous = search.name == std::string("continuous")};
 }
 
-/// What the reference has, all triangles along the whole of every way.
+/// What the reference has, all triangles and all that may have met within each step.
 Detection reference_detection() { return {.volume = VolumeKind::Brute, .continuous = true}; }
 
 /// CPU time for a simulated second, without the observer.
@@ -169,7 +169,7 @@ std::vector<Chart> contact_charts(const std::vector<ContactRow>& rows) {
              "Contacts that the reference has within a step and a run has not found, the deepest that the response "
              "leaves the ball in the cloth, and the error of the cloth's momentum at the end, against CPU time: the "
              "points of a line are steps, the longest on the left. A ball that has gone through counts with its "
-             "radius. The reference tests every triangle on the whole of its way, at a step a hundred times smaller.",
+             "radius. The reference tests every triangle with a continuous search, at a step a hundred times smaller.",
              {{"searches", in_words(shown)}, {"speeds", in_words(speeds)}}}};
 }
 

@@ -72,7 +72,7 @@ void ContactTrial::advance() {
 
 ResponseReport ContactTrial::respond() {
     const ResponseReport left = stage_.solve(report_);
-    stage_.end(report_);
+    stage_.end();
     return left;
 }
 

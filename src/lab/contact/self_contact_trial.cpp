@@ -5,7 +5,7 @@
 #include <numbers>
 
 #include "drape/base/exact_math.h"
-#include "drape/contact/crossings.h"
+#include "drape/contact/near_pairs.h"
 
 namespace drape {
 namespace {
@@ -99,9 +99,9 @@ bool SelfContactTrial::make(Real h, SelfContactStep& step) {
     stage_.warm_start();
     stage_.detect(report);
     stage_.solve(report);
-    const bool would_cross = fail_safe_ != FailSafe::None && stage_.would_cross();
-    if (would_cross && fail_safe_ == FailSafe::Zones) stage_.prevent_crossing(report);
-    stage_.end(report);
+    if (fail_safe_ == FailSafe::Zones) stage_.prevent_crossing(report);
+    const bool would_cross = fail_safe_ == FailSafe::Rejection && stage_.would_cross();
+    stage_.end();
     step.held_back += report.held_back;
     step.pair_tests += stage_.self().report().traversal.volume_tests + stage_.self().report().listed;
     searched_ = !stage_.self().report().gave_up;

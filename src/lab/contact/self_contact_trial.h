@@ -1,13 +1,8 @@
 #pragma once
 
-#include <array>
-#include <memory>
 #include <vector>
 
-#include "drape/contact/contact_rows.h"
-#include "drape/integrate/integrator.h"
-#include "drape/model/cloth_model.h"
-#include "drape/sim/self_contact.h"
+#include "drape/sim/contact_stage.h"
 
 namespace drape {
 

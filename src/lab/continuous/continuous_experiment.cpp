@@ -105,7 +105,7 @@ std::vector<Chart> continuous_charts(const ContinuousRows& rows) {
         charts.push_back({"continuous_misses",
                           "continuous_misses",
                           "The part of the shots that pass a target unseen, against the diameters that the ball "
-                          "moves in a step: by positions at whole steps, beside what is predicted for it, and by the "
+                          "moves in a step: by positions at whole steps, beside what is predicted for it, and by "
                           "all that may have met between them.",
                           {{"targets", in_words(words_of(misses, &ContinuousRow::target))}}});
     }

@@ -74,7 +74,7 @@ public:
         return {shot_radius * std::sqrt(std::abs(draw())) * aside, direction};
     }
 
-    Real draw() { return draw_even<Real>(random_); }
+    Real draw() { return uniform<Real>(random_); }
 
 private:
     /// Of length 1, even over the sphere.

@@ -17,7 +17,7 @@ ClothState disturbed(const ClothModel& model, ClothState state) {
     for (int p = 0; p < model.grid.particles(); ++p) {
         if (model.pinned(p)) continue;
         ++free;
-        for (int axis = 0; axis < 3; ++axis) error(p, axis) = draw_even<Real>(random);
+        for (int axis = 0; axis < 3; ++axis) error(p, axis) = uniform<Real>(random);
     }
     state.x += error * (small_error * std::sqrt(static_cast<Real>(free)) / error.norm());
     return state;

@@ -3,7 +3,6 @@
 #include <numeric>
 
 #include "drape/contact/closest_point.h"
-#include "drape/contact/segments.h"
 #include "sheets.h"
 
 namespace drape::peers {
