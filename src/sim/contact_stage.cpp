@@ -224,7 +224,8 @@ void ContactStage::prevent_crossing(StepReport& report) {
 
 void ContactStage::end() {
     go_on(Stage::Solved, Stage::Ended);
-    const auto& [cloths, balls, solids] = now_.bodies;
+    const std::span<Cloth> cloths = now_.bodies.cloths;
+    const std::span<Ball> balls = now_.bodies.balls;
     const ContactSettings& contact = now_.settings->contact;
     for (std::size_t c = 0; c < cloths.size() && now_.settings->solver.ledger; ++c) {
         const int number = static_cast<int>(c);
