@@ -9,8 +9,8 @@ namespace drape {
 
 /// The depth that is left at most [m]. More is seen; less, and contacts come and go.
 inline constexpr Real max_slop = Real(3e-5);
-/// In a ball less than this, of its radius; where ball meets ball, or a plane, of the radius too: a small ball is not to
-/// be seen to sink in.
+/// In a ball less than this, of its radius; where ball meets ball, or a plane, of the radius too: a small ball is not
+/// to be seen to sink in.
 inline constexpr Real slop_of_radius = Real(1e-4), ball_slop_of_radius = Real(1e-3);
 
 // When the sweeps end: with less the bits are about the same, with more what rests quivers
@@ -19,7 +19,8 @@ inline constexpr Real slop_of_radius = Real(1e-4), ball_slop_of_radius = Real(1e
 inline constexpr Real gravity_tolerance = Real(2e-3);
 /// And where cloth meets cloth, of the thickness between them: many layers pass a push on slowly.
 inline constexpr Real thickness_tolerance = Real(1e-3);
-/// The tolerance of velocities where cloth meets cloth [m/s]: the whole cloth moves by a fifth of it, in the mean square.
+/// The tolerance of velocities where cloth meets cloth [m/s]: the whole cloth moves by a fifth of it, in the mean
+/// square.
 inline constexpr Real pair_velocity_tolerance = Real(1e-3);
 /// At most this many sweeps. A cloth of a thousand contacts at rest needs ten to thirty.
 inline constexpr int max_sweeps = 60;
