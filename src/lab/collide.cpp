@@ -11,7 +11,7 @@
 #include "drape/base/input_error.h"
 #include "drape/base/numbers.h"
 #include "drape/base/run_program.h"
-#include "drape/contact/contact.h"
+#include "drape/contact/detection.h"
 #include "drape/sim/setting_table.h"
 #include "positions.h"
 

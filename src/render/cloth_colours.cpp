@@ -39,11 +39,11 @@ void speeds(const ClothView& cloth, float* values) {
 }
 
 void depths(const ClothView& cloth, float* values) {
-    for (const Contact& contact : cloth.contacts) {
-        for (std::size_t k = 0; k < 3; ++k) {
-            if (contact.barycentric[k] <= 0) continue;
-            float& value = values[contact.corners[k]];
-            value = std::max(value, static_cast<float>(contact.depth));
+    for (const ContactRow& row : cloth.contacts) {
+        for (const RowParticle& p : row.moved()) {
+            if (p.weight <= 0) continue;
+            float& value = values[p.particle];
+            value = std::max(value, static_cast<float>(row.depth));
         }
     }
 }

@@ -160,8 +160,8 @@ void Marks::fill(const FrameView& view, StreamBuffer& stream) const {
     if (contact_count_ > 0) {
         auto* mark = stream.data<ContactMark>(Region::Contacts);
         for (const ClothView& cloth : view.cloths) {
-            for (const Contact& contact : cloth.contacts) {
-                copy(contact.point, mark->point);
+            for (const ContactRow& contact : cloth.contacts) {
+                copy(contact.point(cloth.x), mark->point);
                 copy(contact.normal, mark->normal);
                 ++mark;
             }

@@ -14,11 +14,12 @@ std::span<const NodeLook, 6> node_looks() {
     return looks;
 }
 
-void TouchedCells::take(const Grid& grid, std::span<const Contact> contacts, bool tested, std::span<const int> more) {
+void TouchedCells::take(const Grid& grid, std::span<const ContactRow> contacts, bool tested,
+                        std::span<const int> more) {
     columns_ = grid.cell_columns();
     tested_ = tested;
     cells_.assign(more.begin(), more.end());
-    for (const Contact& contact : contacts) cells_.push_back(contact.triangle / 2);
+    for (const ContactRow& contact : contacts) cells_.push_back(contact.triangle / 2);
     std::sort(cells_.begin(), cells_.end());
     cells_.erase(std::unique(cells_.begin(), cells_.end()), cells_.end());
 }

@@ -28,7 +28,7 @@ class TouchedCells {
 public:
     /// @param tested whether candidates have been tested: before the first step they have not
     /// @param more cells that touch, in any order
-    void take(const Grid& grid, std::span<const Contact> contacts, bool tested, std::span<const int> more = {});
+    void take(const Grid& grid, std::span<const ContactRow> contacts, bool tested, std::span<const int> more = {});
     void take(const ClothView& cloth, const StepReport& report) {
         take(cloth.model.grid, cloth.contacts, report.step > 0, cloth.pair_cells);
     }

@@ -4,7 +4,7 @@
 #include <limits>
 
 #include "ball_motion.h"
-#include "drape/contact/solid_contacts.h"
+#include "drape/contact/detection.h"
 #include "drape/model/stencils.h"
 
 namespace drape {
@@ -27,40 +27,42 @@ void take_back(const Vec3& normal, Real length, Real h, Ball& ball) {
     ball.moved = h * ball.velocity;
 }
 
-/// Whether a structural spring at the particles of a contact is taut.
-/// @param drawn by the ball within the substep [m]
-bool is_taut_at(const Cloth& cloth, const Contact& contact, Real drawn) {
-    const ClothModel& model = cloth.model;
-    bool found = false;
-    for (std::size_t k = 0; k < 3 && !found; ++k) {
-        for_each_spring_at(model, contact.corners[k], [&](const SpringStencil& springs, int other) {
-            const Real longest = (1 + model.stretch_limit + taut) * springs.rest_length + drawn;
-            const Vec3 d = cloth.state.x.row(contact.corners[k]) - cloth.state.x.row(other);
-            found = found || (springs.structural() && d.squaredNorm() > longest * longest);
-        });
-    }
-    return found;
+/// Whether a contact is one of a ball with cloth that has a stretch limit; without one, it always gives way.
+bool may_stop(const BallStops& stops, int number, const ContactRow& row) {
+    return row.is_of_cloth() && row.body == number &&
+           stops.cloths[static_cast<std::size_t>(row.particles[0].cloth)].model.stretch_limit > 0;
 }
 
-bool touches_taut_cloth(std::span<const Cloth> cloths, int number, Real drawn) {
-    return std::ranges::any_of(cloths, [&](const Cloth& cloth) {
-        return cloth.model.stretch_limit > 0 && std::ranges::any_of(cloth.contacts, [&](const Contact& contact) {
-                   return contact.ball == number && is_taut_at(cloth, contact, drawn);
-               });
+/// Whether a structural spring at the particles of a contact is taut.
+/// @param drawn by the ball within the substep [m]
+bool is_taut_at(const Cloth& cloth, const ContactRow& row, Real drawn) {
+    const ClothModel& model = cloth.model;
+    return std::ranges::any_of(row.moved(), [&](const RowParticle& p) {
+        bool found = false;
+        for_each_spring_at(model, p.particle, [&](const SpringStencil& springs, int other) {
+            const Real longest = (1 + model.stretch_limit + taut) * springs.rest_length + drawn;
+            const Vec3 d = cloth.state.x.row(p.particle) - cloth.state.x.row(other);
+            found = found || (springs.structural() && d.squaredNorm() > longest * longest);
+        });
+        return found;
+    });
+}
+
+bool touches_taut_cloth(const BallStops& stops, int number, Real drawn) {
+    return std::ranges::any_of(stops.rows, [&](const ContactRow& row) {
+        return may_stop(stops, number, row) &&
+               is_taut_at(stops.cloths[static_cast<std::size_t>(row.particles[0].cloth)], row, drawn);
     });
 }
 
 /// @return whether it had to be stopped
-bool stop_at_contacts(std::span<const Cloth> cloths, int number, Real rounding, Real h, Ball& ball) {
+bool stop_at_contacts(const BallStops& stops, int number, Real rounding, Real h, Ball& ball) {
     bool stopped = false;
-    for (const Cloth& cloth : cloths) {
-        if (cloth.model.stretch_limit == 0) continue;  // it always gives way
-        for (const Contact& contact : cloth.contacts) {
-            const Real towards = contact.normal.dot(ball.moved);
-            if (contact.ball != number || !(towards > rounding)) continue;
-            take_back(contact.normal, towards, h, ball);
-            stopped = true;
-        }
+    for (const ContactRow& row : stops.rows) {
+        const Real towards = row.normal.dot(ball.moved);
+        if (!may_stop(stops, number, row) || !(towards > rounding)) continue;
+        take_back(row.normal, towards, h, ball);
+        stopped = true;
     }
     return stopped;
 }
@@ -115,9 +117,9 @@ void stop_ball(const BallStops& stops, int number, Real h, Ball& ball) {
     const Ball led = ball;
     const Vec3 start = ball.centre - ball.moved;
     const Real moved = ball.moved.norm(), rounding = length_rounding * moved;
-    const bool is_taut = touches_taut_cloth(stops.cloths, number, moved);
+    const bool is_taut = touches_taut_cloth(stops, number, moved);
     for (int round = 0; round < max_rounds; ++round) {
-        bool stopped = is_taut && stop_at_contacts(stops.cloths, number, rounding, h, ball);
+        bool stopped = is_taut && stop_at_contacts(stops, number, rounding, h, ball);
         stopped = stop_at_pins(stops, start, h, ball) || stopped;
         if (stay_above(stops.ground, stops.thickness, ball)) {
             ball.moved = h * ball.velocity;
@@ -127,7 +129,7 @@ void stop_ball(const BallStops& stops, int number, Real h, Ball& ball) {
         if (!stopped) return;
     }
     Ball probe = led;
-    const bool into_taut = is_taut && stop_at_contacts(stops.cloths, number, rounding, h, probe);
+    const bool into_taut = is_taut && stop_at_contacts(stops, number, rounding, h, probe);
     if (!into_taut && may_leave(stops, led)) {
         ball = led;
         return;

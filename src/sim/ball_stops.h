@@ -11,7 +11,8 @@ namespace drape {
 
 /// What can stop a ball under the keys, which nothing pushes.
 struct BallStops {
-    std::span<const Cloth> cloths;  ///< with the contacts of the substep before
+    std::span<const Cloth> cloths;
+    std::span<const ContactRow> rows;  ///< contacts of the substep before
     std::span<const Solid> solids;
     const Ground& ground;
     Real thickness;  ///< of the cloth: a pin has it, and ground and solids leave room for two [m]

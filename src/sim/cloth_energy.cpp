@@ -26,31 +26,29 @@ GridRange range_of(const Pushes& pushes, const Grid& grid) {
         range.first_row = std::min(range.first_row, j);
         range.end_row = std::max(range.end_row, j + 1);
     };
-    for (const Contact& contact : pushes.contacts) std::ranges::for_each(contact.corners, include);
-    for (const PairContact& contact : pushes.pairs) {
-        const FeaturePair& features = contact.pair.features;
-        for (std::size_t k = 0; k < 4; ++k) {
-            if (features.cloth_of(k) == pushes.cloth) include(features.particles[k]);
+    for (const ContactRow& row : pushes.rows) {
+        for (const RowParticle& p : row.moved()) {
+            if (p.cloth == pushes.cloth) include(p.particle);
         }
     }
     return range;
 }
 
-/// Whether a pair of features pushes this cloth.
-bool is_pushed_by_cloth(const Pushes& pushes) {
-    return std::ranges::any_of(pushes.pairs, [&](const PairContact& contact) {
-        return std::ranges::count(contact.pair.features.cloths, pushes.cloth) > 0;
-    });
+/// Whether a contact pushes a cloth.
+bool moves(const ContactRow& row, int cloth) {
+    return std::ranges::any_of(row.moved(), [&](const RowParticle& p) { return p.cloth == cloth; });
 }
 
-/// What the contacts with balls and ground push the springs by, at the most [J].
+/// What contacts push the springs by, at the most [J]. What another cloth gives, or another part of this one, no bound
+/// tells.
 double max_push_work(const ClothModel& model, const Pushes& pushes) {
     double squared_push = 0;
-    const auto add = [&](const auto& contact) {
-        const auto push = static_cast<double>(push_of(contact, pushes.balls));
-        if (push > 0) squared_push += push * push;
-    };
-    std::ranges::for_each(pushes.contacts, add);
+    for (const ContactRow& row : pushes.rows) {
+        if (!moves(row, pushes.cloth)) continue;
+        if (row.kind == RowKind::Pair) return std::numeric_limits<double>::infinity();
+        const double push = std::max(static_cast<double>(push_of(row, pushes.bodies)), 0.0);
+        if (!pushes.known) squared_push += push * push;
+    }
     return max_push_work(model, static_cast<Real>(squared_push));
 }
 
@@ -140,11 +138,8 @@ StretchReport ClothEnergy::limit_stretch(const ClothModel& model, int held, Clot
 void ClothEnergy::before_pushes(const ClothModel& model, const ClothState& state, const Pushes& pushes) {
     pushed_ = {0, 0, 0, 0};
     known_ = pushes.known;
-    const bool by_cloth = is_pushed_by_cloth(pushes);
-    if (pushes.contacts.empty() && !by_cloth) return;
-    max_push_work_ = known_ ? 0 : max_push_work(model, pushes);
-    // What another cloth gives, or another part of this one, no bound tells
-    if (by_cloth) max_push_work_ = std::numeric_limits<double>::infinity();
+    if (std::ranges::none_of(pushes.rows, [&](const ContactRow& row) { return moves(row, pushes.cloth); })) return;
+    max_push_work_ = max_push_work(model, pushes);
     pushed_ = measures_pushes() ? range_of(pushes, model.grid) : GridRange{0, model.grid.nx, 0, model.grid.ny};
     before_pushes_ = pushed_flow(model, state);
 }

@@ -3,7 +3,6 @@
 #include <algorithm>
 
 #include "drape/bounds/leaf_copies.h"
-#include "drape/contact/contact.h"
 
 namespace drape {
 namespace {
@@ -21,6 +20,7 @@ void ContactSearch::use(const BroadPhaseParameters& parameters, const Grid& grid
     grid_ = grid;
     hierarchy_ = make_broad_phase(parameters, grid);
     audit_.reset();
+    list_all_cells(grid, all_cells_);
     if (!parameters.search.none()) audit_.emplace(grid, kernels_);
     build_from(x);
 }
@@ -31,7 +31,7 @@ void ContactSearch::build_from(const Points& x) {
     queried_ = false;
 }
 
-Crossing ContactSearch::crossing(const ClothMotion& cloth, std::span<const Ball> balls, Real thickness) const {
+Crossing ContactSearch::crossing(const MovingCloth& cloth, std::span<const Ball> balls, Real thickness) const {
     const Real moved = largest_displacement(cloth.x, cloth.before, kernels_);
     Crossing worst;
     for (const Ball& ball : balls) {
@@ -40,7 +40,7 @@ Crossing ContactSearch::crossing(const ClothMotion& cloth, std::span<const Ball>
     return worst;
 }
 
-Crossing ContactSearch::crossing(const ClothMotion& cloth, std::span<const Solid> solids, Real thickness) const {
+Crossing ContactSearch::crossing(const MovingCloth& cloth, std::span<const Solid> solids, Real thickness) const {
     const Real moved = largest_displacement(cloth.x, cloth.before, kernels_);
     Crossing worst;
     for (const Solid& solid : solids) {
@@ -50,7 +50,7 @@ Crossing ContactSearch::crossing(const ClothMotion& cloth, std::span<const Solid
     return worst;
 }
 
-void ContactSearch::build(const ClothMotion& cloth, const ContactSettings& contact) {
+void ContactSearch::build(const MovingCloth& cloth, const ContactSettings& contact) {
     build_from(cloth.x);
     looks_back_ = contact.continuous != Continuous::Never;
     moved_ = looks_back_ ? largest_displacement(cloth.x, cloth.before, kernels_) : 0;
@@ -74,45 +74,37 @@ TraversalStats ContactSearch::traverse(std::span<const Ball> balls, Real thickne
     return traversal_;
 }
 
-std::int64_t ContactSearch::narrow(const ClothMotion& cloth, std::span<const Ball> balls, Real thickness,
-                                   Real longest_push, std::vector<Contact>& contacts) {
-    contacts.clear();
+std::int64_t ContactSearch::narrow(const MovingCloth& cloth, std::span<const Ball> balls, Real thickness,
+                                   Real longest_push, std::vector<ContactRow>& rows) {
     std::int64_t touching = 0;
     for (std::size_t b = 0; b < balls.size(); ++b) {
         const auto& [cells, stopped] = candidates_[b];
         const Ball& ball = balls[b];
-        const int number = static_cast<int>(b);
-        const Real near = reach(ball.moved, ball.radius + thickness);
-        touching += find_contacts(grid_, cloth, ball, number, thickness, near, cells, contacts, kernels_);
-        find_node_contacts(grid_, cloth.x, ball, number, thickness, longest_push, stopped, contacts);
+        const SearchedBody body{static_cast<int>(b), thickness, reach(ball.moved, ball.radius + thickness)};
+        touching += find_contacts(cloth, ball, body, cells, rows, kernels_);
+        find_node_contacts(cloth, ball, body, longest_push, stopped, rows);
     }
     return traversal_.candidates - touching;
 }
 
-TraversalStats ContactSearch::meet_solids(const ClothMotion& cloth, std::span<const Solid> solids, Real thickness,
-                                          std::vector<Contact>& contacts) {
-    TraversalStats stats;
-    for (std::size_t s = 0; s < solids.size(); ++s) {
-        const Solid& solid = solids[s];
-        const Real near = reach(solid.moved, thickness);
-        stats += hierarchy_->query_near(solid, thickness + 2 * near, near_);
-        std::ranges::sort(near_.cells);
-        solid_search_.find(grid_, cloth, solid, static_cast<int>(s), thickness, near, near_.cells, contacts);
-    }
+TraversalStats ContactSearch::meet_solid(const MovingCloth& cloth, const Solid& solid, int body, Real thickness,
+                                         std::vector<ContactRow>& rows) {
+    const Real near = reach(solid.moved, thickness);
+    const TraversalStats stats = hierarchy_->query_near(solid, thickness + 2 * near, near_);
+    std::ranges::sort(near_.cells);
+    solid_search_.find(cloth, solid, {body, thickness, near}, near_.cells, rows);
     return stats;
 }
 
-TraversalStats ContactSearch::meet_ground(const Points& x, Real height, Real thickness,
-                                          std::vector<Contact>& contacts) {
-    const bool asks = built_from_present_ && hierarchy_->levels() > 0;
-    const TraversalStats stats = asks ? hierarchy_->query_below(height + thickness, low_) : TraversalStats{};
-    // A pass in the order of memory is faster than picking more than some of the particles
-    const bool picks = asks && 4 * stats.candidates < grid_.cells();
-    if (picks) {
-        find_ground_contacts(grid_, x, height, thickness, low_.cells, low_particles_, contacts);
-    } else {
-        find_ground_contacts(grid_, x, height, thickness, contacts);
+TraversalStats ContactSearch::meet_ground(const MovingCloth& cloth, Real height, int body, Real thickness,
+                                          std::vector<ContactRow>& rows) {
+    if (!built_from_present_ || hierarchy_->levels() == 0) {
+        find_ground_contacts(cloth, height, {body, thickness}, all_cells_, rows);
+        return {};
     }
+    const TraversalStats stats = hierarchy_->query_below(height + thickness, low_);
+    std::ranges::sort(low_.cells);
+    find_ground_contacts(cloth, height, {body, thickness}, low_.cells, rows);
     return stats;
 }
 

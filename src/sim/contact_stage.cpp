@@ -5,8 +5,7 @@
 #include "ball_motion.h"
 #include "drape/base/assert.h"
 #include "drape/base/stopwatch.h"
-#include "drape/contact/contact.h"
-#include "drape/contact/solid_contacts.h"
+#include "drape/contact/detection.h"
 #include "run_checks.h"
 
 namespace drape {
@@ -18,7 +17,18 @@ std::vector<const ClothModel*> models_of(std::span<const Cloth> cloths) {
     return models;
 }
 
+/// Of rows in the order of `compare`, those of one cloth and bodies.
+std::span<const ContactRow> of_cloth(std::span<const ContactRow> rows, std::size_t cloth) {
+    const auto is_its = [&](const ContactRow& row) {
+        return row.kind < RowKind::Pair && row.particles[0].cloth == static_cast<int>(cloth);
+    };
+    const auto begin = std::ranges::find_if(rows, is_its);
+    return {begin, std::find_if_not(begin, rows.end(), is_its)};
+}
+
 }  // namespace
+
+std::span<const ContactRow> ContactStage::rows_of(std::size_t cloth) const { return of_cloth(rows_, cloth); }
 
 void ContactStage::use(const Settings& settings, std::span<Cloth> cloths) {
     stage_ = Stage::Ended;
@@ -26,15 +36,15 @@ void ContactStage::use(const Settings& settings, std::span<Cloth> cloths) {
     std::vector<const Points*> positions;
     for (Cloth& cloth : cloths) {
         cloth.search.use(broad_phase_of(settings), cloth.model.grid, cloth.state.x);
-        cloth.contacts.reserve(2 * static_cast<std::size_t>(cloth.model.grid.triangles()));
-        cloth.warm_start.reserve(cloth.contacts.capacity());
-        contacts += cloth.contacts.capacity();
+        contacts += 2 * static_cast<std::size_t>(cloth.model.grid.triangles());
         positions.push_back(&cloth.state.x);
     }
+    rows_.clear();
     rows_.reserve(contacts);
-    const std::size_t balls = settings.balls.size();
-    ball_contacts_.clear();
-    ball_contacts_.reserve(balls * (balls + 1) / 2 + balls * settings.solids.size());
+    warm_start_.forget();
+    warm_start_.reserve(contacts);
+    solver_.reserve(contacts);
+    bodies_touch_ = false;
     self_.use(settings, models_of(cloths), positions);
 }
 
@@ -52,6 +62,9 @@ void ContactStage::configure(const Settings& settings, const Settings& before, s
         self_.use_hierarchy(settings, models_of(cloths));
     }
     self_.share(settings.solver.threads);
+    const int ground = static_cast<int>(settings.balls.size() + settings.solids.size());
+    const Ground &now = settings.ground, &then = before.ground;
+    if (now.solid != then.solid || now.height != then.height) forget_bodies([&](int body) { return body == ground; });
 }
 
 void ContactStage::go_on(Stage from, Stage to) {
@@ -59,55 +72,70 @@ void ContactStage::go_on(Stage from, Stage to) {
     stage_ = to;
 }
 
-const Points& ContactStage::start_of(const Cloth& cloth) const {
-    return now_.divided ? cloth.before : cloth.previous.x;
+MovingCloth ContactStage::motion_of(std::size_t cloth) const {
+    const Cloth& moving = now_.moving.cloths[cloth];
+    return {moving.model.grid, now_.cloths[cloth].before, moving.state.x, static_cast<int>(cloth)};
+}
+
+void ContactStage::make_bodies() {
+    const ContactSettings& contact = now_.settings->contact;
+    const Surface surface{contact.friction, contact.restitution, contact.rolling};
+    now_.bodies.clear();
+    for (const Ball& ball : now_.moving.balls) now_.bodies.push_back(body_of(ball, surface));
+    for (const Solid& solid : now_.moving.solids) now_.bodies.push_back(body_of(solid, surface));
+    if (now_.settings->ground.solid) now_.bodies.push_back(body_of(now_.settings->ground));
+}
+
+void ContactStage::move_balls() {
+    for (std::size_t b = 0; b < now_.moving.balls.size(); ++b) store(now_.bodies[b], now_.moving.balls[b]);
 }
 
 void ContactStage::begin(const Settings& settings, const ContactBodies& bodies, const Substep& now) {
     stage_ = Stage::Begun;
     static_cast<Substep&>(now_) = now;
     now_.settings = &settings;
-    now_.bodies = bodies;
+    now_.moving = bodies;
     now_.response = response_of(settings);
     now_.cloths.clear();
     for (Cloth& cloth : bodies.cloths) {
         if (now.divided) cloth.before = cloth.state.x;
-        now_.cloths.push_back({cloth.model, start_of(cloth), cloth.state, cloth.contacts});
+        now_.cloths.push_back({cloth.model, now.divided ? cloth.before : cloth.previous.x, cloth.state});
     }
-    for (Cloth& cloth : bodies.cloths) {
-        cloth.warm_start.take(now_.response, now.h, cloth.model.gravity.norm(), now_.cloths, cloth.contacts);
-    }
-    self_.take_pushes(now_.response, now.h, gravity_of(settings).norm(), now_.cloths);
+    make_bodies();
+    warm_start_.take(now_.response, now.h, gravity_of(settings).norm(), now_.cloths, now_.bodies, rows_);
 }
 
 void ContactStage::warm_start() {
     go_on(Stage::Begun, Stage::Given);
-    const auto& [cloths, balls, solids] = now_.bodies;
-    const auto& pairs = self_.warm_start();
-    const bool any = std::ranges::any_of(cloths, [](const Cloth& cloth) { return !cloth.warm_start.pushes().empty(); });
-    if (!any && pairs.pushes().empty()) return;
-    const double balls_before = kinetic_energy(balls);
-    for (std::size_t c = 0; c < cloths.size(); ++c) {
-        Cloth& cloth = cloths[c];
-        cloth.energy.before_pushes(cloth.model, cloth.state,
-                                   {cloth.warm_start.pushes(), pairs.pushes(), static_cast<int>(c), balls, true});
-    }
-    for (const Cloth& cloth : cloths) cloth.warm_start.give(now_.cloths, balls);
-    pairs.give(now_.cloths, balls);
-    double free_work = balls_before - kinetic_energy(balls);
-    for (Cloth& cloth : cloths) enter_pushes(cloth, cloth.warm_start.pushes(), 0, free_work);
+    const std::span<const ContactRow> rows = warm_start_.rows();
+    if (std::ranges::none_of(rows, &ContactRow::has_given)) return;
+    const double balls_before = kinetic_energy(now_.bodies);
+    before_pushes(rows, true);
+    warm_start_.give(now_.cloths, now_.bodies);
+    move_balls();
+    after_pushes(rows, true, balls_before - kinetic_energy(now_.bodies));
 }
 
-/// @param contacts that push it
-/// @param led_work by balls that nothing pushes, on this cloth [J]
-/// @param free_work by all free balls, which the first cloth that touches one enters; 0 after that [J]
-void ContactStage::enter_pushes(Cloth& cloth, std::span<const Contact> contacts, double led_work, double& free_work) {
-    const bool takes = std::ranges::any_of(contacts, [&](const Contact& contact) {
-        if (is_plane(contact.ball) || (contact.displacement.normal == 0 && contact.impulse.normal == 0)) return false;
-        return now_.bodies.balls[static_cast<std::size_t>(contact.ball)].inverse_mass > 0;
-    });
-    const double work = led_work + (takes ? free_work : 0);
-    if (cloth.energy.after_pushes(cloth.model, cloth.state, work) && takes) free_work = 0;
+/// @param known the impulses were given in the substep before
+void ContactStage::before_pushes(std::span<const ContactRow> rows, bool known) {
+    for (std::size_t c = 0; c < now_.moving.cloths.size(); ++c) {
+        Cloth& cloth = now_.moving.cloths[c];
+        cloth.energy.before_pushes(cloth.model, cloth.state, {rows, static_cast<int>(c), now_.bodies, known});
+    }
+}
+
+/// @param free_work by all free balls, which the first cloth that touches one enters [J]
+void ContactStage::after_pushes(std::span<const ContactRow> rows, bool known, double free_work) {
+    for (std::size_t c = 0; c < now_.moving.cloths.size(); ++c) {
+        Cloth& cloth = now_.moving.cloths[c];
+        const std::span<const ContactRow> own = of_cloth(rows, c);
+        const bool takes = std::ranges::any_of(own, [&](const ContactRow& row) {
+            return row.has_given() && now_.bodies[static_cast<std::size_t>(row.body)].inverse_mass > 0;
+        });
+        const double by_kinematic = known ? 0 : work_of_kinematic_bodies(own, now_.bodies);
+        const double work = by_kinematic + (takes ? free_work : 0);
+        if (cloth.energy.after_pushes(cloth.model, cloth.state, work) && takes) free_work = 0;
+    }
 }
 
 void ContactStage::detect(StepReport& report) {
@@ -118,84 +146,80 @@ void ContactStage::detect(StepReport& report) {
 }
 
 void ContactStage::build(StepReport& report) {
-    const auto& [cloths, balls, solids] = now_.bodies;
+    const auto& [cloths, balls, solids] = now_.moving;
     if (balls.empty() && solids.empty()) return;
     const ContactSettings& contact = now_.settings->contact;
     Stopwatch watch;
-    for (Cloth& cloth : cloths) {
-        cloth.search.build(motion_of(cloth), contact);
+    for (std::size_t c = 0; c < cloths.size(); ++c) {
+        ContactSearch& search = cloths[c].search;
+        search.build(motion_of(c), contact);
         if (contact.continuous != Continuous::Never) continue;
         const auto mark = [&](const Crossing& crossing) { mark_crossing(crossing, now_.time, now_.h, report); };
-        if (!balls.empty()) mark(cloth.search.crossing(motion_of(cloth), balls, contact.thickness));
-        if (!solids.empty()) mark(cloth.search.crossing(motion_of(cloth), solids, contact.thickness));
+        if (!balls.empty()) mark(search.crossing(motion_of(c), balls, contact.thickness));
+        if (!solids.empty()) mark(search.crossing(motion_of(c), solids, contact.thickness));
     }
     report.times.build += watch.lap();
 }
 
 void ContactStage::traverse(StepReport& report) {
     Stopwatch watch;
-    for (Cloth& cloth : now_.bodies.cloths) {
-        report.traversal += cloth.search.traverse(now_.bodies.balls, now_.settings->contact.thickness);
+    for (Cloth& cloth : now_.moving.cloths) {
+        report.traversal += cloth.search.traverse(now_.moving.balls, now_.settings->contact.thickness);
     }
     report.times.traverse += watch.lap();
 }
 
 void ContactStage::narrow(StepReport& report) {
-    const auto& [cloths, balls, solids] = now_.bodies;
+    const auto& [cloths, balls, solids] = now_.moving;
     const Ground& ground = now_.settings->ground;
     const Real thickness = now_.settings->contact.thickness;
     Stopwatch watch;
-    for (Cloth& cloth : cloths) {
-        report.false_candidates +=
-            cloth.search.narrow(motion_of(cloth), balls, thickness, node_push_speed * now_.h, cloth.contacts);
-        report.solids += cloth.search.meet_solids(motion_of(cloth), solids, thickness, cloth.contacts);
-        if (ground.solid) {
-            report.ground += cloth.search.meet_ground(cloth.state.x, ground.height, thickness, cloth.contacts);
-        }
-        cloth.warm_start.carry_over(now_.response, now_.cloths, balls, cloth.contacts);
-        report.contacts += std::ranges::count_if(cloth.contacts, [](const Contact& found) { return found.depth > 0; });
+    for (std::size_t c = 0; c < cloths.size(); ++c) {
+        ContactSearch& search = cloths[c].search;
+        const MovingCloth cloth = motion_of(c);
+        report.false_candidates += search.narrow(cloth, balls, thickness, node_push_speed * now_.h, rows_);
+        int body = static_cast<int>(balls.size());
+        for (const Solid& solid : solids) report.solids += search.meet_solid(cloth, solid, body++, thickness, rows_);
+        if (ground.solid) report.ground += search.meet_ground(cloth, ground.height, body, thickness, rows_);
     }
-    find_ball_contacts(balls, ground, ball_contacts_);
-    find_ball_contacts(balls, solids, ball_contacts_);
     report.times.narrow += watch.lap();
-    self_.find(now_.response, now_.cloths, balls);
-    report.pairs = static_cast<std::int64_t>(self_.contacts().size());
+    self_.find(now_.response, now_.cloths, rows_);
     report.times.pairs += watch.lap();
+    find_body_contacts(now_.bodies, rows_);
+    warm_start_.carry_over(now_.cloths, now_.bodies, rows_);
+    bodies_touch_ = false;
+    for (const ContactRow& row : rows_) {
+        report.pairs += row.kind == RowKind::Pair;
+        report.contacts += row.kind < RowKind::Pair && row.depth > 0;
+        bodies_touch_ = bodies_touch_ || row.kind == RowKind::Bodies;
+    }
+    report.times.narrow += watch.lap();
 }
 
 void ContactStage::audit_search(StepReport& report) {
     DRAPE_ASSERT(stage_ == Stage::Found);
-    for (Cloth& cloth : now_.bodies.cloths) {
+    for (Cloth& cloth : now_.moving.cloths) {
         report.false_contacts +=
-            cloth.search.false_contacts(cloth.state.x, now_.bodies.balls, now_.settings->contact.thickness);
+            cloth.search.false_contacts(cloth.state.x, now_.moving.balls, now_.settings->contact.thickness);
     }
 }
 
 void ContactStage::audit_response(StepReport& report) {
     DRAPE_ASSERT(stage_ == Stage::Solved);
-    for (Cloth& cloth : now_.bodies.cloths) {
+    for (Cloth& cloth : now_.moving.cloths) {
         const Real missed =
-            cloth.search.missed_penetration(cloth.state.x, now_.bodies.balls, now_.settings->contact.thickness);
+            cloth.search.missed_penetration(cloth.state.x, now_.moving.balls, now_.settings->contact.thickness);
         report.missed_penetration = std::max(report.missed_penetration, static_cast<double>(missed));
     }
 }
 
 ResponseReport ContactStage::solve(StepReport& report) {
     go_on(Stage::Found, Stage::Solved);
-    const auto& [cloths, balls, solids] = now_.bodies;
     Stopwatch watch;
-    const std::span<PairContact> pairs = self_.contacts();
-    for (std::size_t c = 0; c < cloths.size(); ++c) {
-        Cloth& cloth = cloths[c];
-        cloth.energy.before_pushes(cloth.model, cloth.state, {cloth.contacts, pairs, static_cast<int>(c), balls});
-    }
-    ContactRows* const rows = now_.settings->solver.kernels == Kernels::Vector ? &rows_ : nullptr;
-    const ResponseReport left =
-        resolve_contacts(now_.response, now_.h, now_.cloths, pairs, balls, ball_contacts_, rows);
-    double free_work = left.free_ball_work;
-    for (Cloth& cloth : cloths) {
-        enter_pushes(cloth, cloth.contacts, work_of_kinematic_bodies(cloth.contacts, balls), free_work);
-    }
+    before_pushes(rows_, false);
+    const ResponseReport left = solver_.resolve(now_.response, now_.h, now_.cloths, now_.bodies, rows_);
+    move_balls();
+    after_pushes(rows_, false, left.free_ball_work);
     report.penetration = static_cast<double>(left.depth);
     report.contact_residual = std::max(report.contact_residual, static_cast<double>(left.residual));
     report.contact_sweeps += left.sweeps;
@@ -211,11 +235,11 @@ bool ContactStage::would_cross() {
 void ContactStage::prevent_crossing(StepReport& report) {
     Stopwatch watch;
     if (would_cross()) {
-        const std::span<Cloth> cloths = now_.bodies.cloths;
+        const std::span<Cloth> cloths = now_.moving.cloths;
         for (Cloth& cloth : cloths) cloth.energy.before_hold(cloth.model, cloth.state);
         report.held_back = self_.prevent_crossing(now_.cloths);
         for (Cloth& cloth : cloths) cloth.energy.after_hold(cloth.model, cloth.state);
-        report.penetration = static_cast<double>(depth_left(now_.response, now_.cloths, now_.bodies.balls));
+        report.penetration = static_cast<double>(update_depths(now_.cloths, now_.bodies, rows_));
     }
     report.listed_pairs = self_.report().listed;
     report.between_cloths = self_.report().traversal;
@@ -224,30 +248,19 @@ void ContactStage::prevent_crossing(StepReport& report) {
 
 void ContactStage::end() {
     go_on(Stage::Solved, Stage::Ended);
-    const std::span<Cloth> cloths = now_.bodies.cloths;
-    const std::span<Ball> balls = now_.bodies.balls;
-    const ContactSettings& contact = now_.settings->contact;
-    for (std::size_t c = 0; c < cloths.size() && now_.settings->solver.ledger; ++c) {
-        const int number = static_cast<int>(c);
-        cloths[c].energy.pushed(cloths[c].warm_start.work(now_.cloths, number) +
-                                self_.warm_start().work(now_.cloths, number));
+    for (std::size_t c = 0; c < now_.moving.cloths.size() && now_.settings->solver.ledger; ++c) {
+        now_.moving.cloths[c].energy.pushed(warm_start_.work(now_.cloths, static_cast<int>(c)));
     }
-    const auto resist = [&](Real coefficient, int ball, Real load) {
-        if (coefficient > 0) resist_rolling(coefficient, load, balls[static_cast<std::size_t>(ball)]);
-    };
-    for (const BallContact& found : ball_contacts_) {
-        if (found.ball == the_ground) resist(now_.settings->ground.rolling, found.first, found.impulse.normal);
-        if (is_solid(found.ball)) resist(contact.rolling, found.first, found.impulse.normal);
+    for (const ContactRow& row : rows_) {
+        if (row.body == no_body) continue;
+        const Body& body = now_.bodies[static_cast<std::size_t>(row.body)];
+        const bool on_body = row.kind == RowKind::Bodies;
+        if (body.surface.rolling == 0 || on_body == body.is_ball()) continue;
+        const int ball = on_body ? row.first_body : row.body;
+        resist_rolling(body.surface.rolling, row.impulse.normal, now_.moving.balls[static_cast<std::size_t>(ball)]);
     }
-    for (Cloth& cloth : cloths) {
-        for (const Contact& found : cloth.contacts) {
-            if (!is_plane(found.ball)) resist(contact.rolling, found.ball, found.impulse.normal);
-        }
-        // What only might have touched is of no use to anyone
-        std::erase_if(cloth.contacts, [](const Contact& found) {
-            return !(found.depth > 0) && found.displacement.normal == 0 && found.impulse.normal == 0;
-        });
-    }
+    // What only might have touched is of no use to anyone
+    std::erase_if(rows_, [](const ContactRow& row) { return !(row.depth > 0) && !row.has_given(); });
 }
 
 }  // namespace drape

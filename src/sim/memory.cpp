@@ -4,8 +4,7 @@
 
 #include "drape/base/memory_limit.h"
 #include "drape/bounds/node_view.h"
-#include "drape/contact/contact.h"
-#include "drape/contact/contact_rows.h"
+#include "drape/contact/detection.h"
 #include "drape/integrate/method_memory.h"
 #include "drape/sim/pair_list.h"
 #include "drape/sim/simulation.h"
@@ -45,7 +44,7 @@ double self_contact_bytes(const ContactSettings& contact, const Grid& grid) {
     constexpr double pairs = 30, touching = 2, numbers_of_search = 3 + 5 + 6;
     if (!contact.self) return 0;
     const double of_particle =
-        sizeof(Real) * numbers_of_search + sizeof(Aabb) + pairs * bytes_of_pair + touching * sizeof(PairContact);
+        sizeof(Real) * numbers_of_search + sizeof(Aabb) + pairs * bytes_of_pair + touching * sizeof(ContactRow);
     return hierarchy_bytes(contact, grid) + grid.particles() * of_particle;
 }
 
@@ -57,8 +56,8 @@ MemoryNeed memory_needed(const Settings& settings) {
         const Grid& grid = cloth.particles;
         const double particles = grid.particles();
         need.cloths += particles * sizeof(Real) * (particle_numbers + (settings.solver.ledger ? ledger_numbers : 0)) +
-                       contact_lists * grid.triangles() * static_cast<double>(sizeof(Contact)) +
-                       static_cast<double>(ContactRows::bytes_for(2 * static_cast<std::size_t>(grid.triangles()))) +
+                       contact_lists * grid.triangles() * static_cast<double>(sizeof(ContactRow)) +
+                       static_cast<double>(ContactSolver::bytes_for(2 * static_cast<std::size_t>(grid.triangles()))) +
                        hierarchy_bytes(settings.contact, grid) + self_contact_bytes(settings.contact, grid) +
                        std::min(particles, searched_particles) * sizeof(Real) * search_numbers;
         need.method += bytes_of_method(integrator_of(settings.solver), grid);
@@ -75,7 +74,7 @@ double moment_bytes(const Simulation& simulation) {
         const double all = particle_numbers + ledger_numbers + numbers_of_start + numbers_of_step_before;
         bytes += grid.particles() * sizeof(Real) * all + hierarchy_bytes(settings.contact, grid) +
                  self_contact_bytes(settings.contact, grid) +
-                 3 * static_cast<double>(cloth.contacts.size() * sizeof(Contact));
+                 3 * static_cast<double>(grid.triangles()) * static_cast<double>(sizeof(ContactRow));
     }
     return bytes;
 }

@@ -4,17 +4,17 @@
 
 namespace drape {
 
-TraversalStats PairMarks::mark(std::span<Cloth> cloths, std::span<const PairContact> pairs,
+TraversalStats PairMarks::mark(std::span<Cloth> cloths, std::span<const ContactRow> rows,
                                const ContactSettings& contact) {
     follow(cloths, contact);
-    for (const PairContact& pair : pairs) {
-        const FeaturePair& features = pair.pair.features;
-        for (std::size_t k = 0; k < features.particles.size(); ++k) {
-            OfCloth& cloth = of_cloths_[static_cast<std::size_t>(features.cloth_of(k))];
-            const int i = features.particles[k] % cloth.grid.nx, j = features.particles[k] / cloth.grid.nx;
+    for (const ContactRow& row : rows) {
+        if (row.kind != RowKind::Pair) continue;
+        for (const RowParticle& p : row.moved()) {
+            OfCloth& cloth = of_cloths_[static_cast<std::size_t>(p.cloth)];
+            const int i = p.particle % cloth.grid.nx, j = p.particle / cloth.grid.nx;
             const int column = std::min(i, cloth.grid.cell_columns() - 1),
-                      row = std::min(j, cloth.grid.cell_rows() - 1);
-            cloth.touched.push_back(row * cloth.grid.cell_columns() + column);
+                      line = std::min(j, cloth.grid.cell_rows() - 1);
+            cloth.touched.push_back(line * cloth.grid.cell_columns() + column);
         }
     }
     TraversalStats stats;

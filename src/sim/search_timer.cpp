@@ -69,8 +69,8 @@ void SearchTimer::search(const FrameView& view, bool by_hierarchy) {
         for (std::size_t b = 0; b < view.balls.size(); ++b) {
             const Ball& ball = view.balls[b];
             if (by_hierarchy) hierarchy->query(grown(ball, thickness), found_);
-            find_contacts(grid, {x, x}, ball, static_cast<int>(b), thickness, 0,
-                          by_hierarchy ? found_.cells : all_cells, contacts_, parameters_.kernels);
+            find_contacts({grid, x, x}, ball, {static_cast<int>(b), thickness}, by_hierarchy ? found_.cells : all_cells,
+                          contacts_, parameters_.kernels);
         }
     }
 }

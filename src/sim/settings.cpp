@@ -36,12 +36,10 @@ ResponseParameters response_of(const Settings& settings) {
     const ContactSettings& contact = settings.contact;
     return {.kind = contact.response,
             .friction = contact.friction,
-            .restitution = contact.restitution,
-            .thickness = contact.thickness,
             .pair_thickness = pair_thickness_of(settings),
             .stiffness = contact.stiffness,
-            .ground = settings.ground,
-            .displacement_share = displacement_share(settings.solver.integrator)};
+            .displacement_share = displacement_share(settings.solver.integrator),
+            .kernels = settings.solver.kernels};
 }
 
 BroadPhaseParameters broad_phase_of(const Settings& settings) {

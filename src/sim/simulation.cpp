@@ -153,11 +153,11 @@ void Simulation::end_with(std::string trouble) {
     steps_wanted_ = 0;
     for (Cloth& cloth : cloths_) {
         cloth.state = cloth.previous;
-        cloth.contacts.clear();
         cloth.search.positions_changed();
         cloth.energy.return_to_mark();
     }
     contact_.forget();
+    contact_.clear();
     balls_ = previous_balls_;
     solids_ = previous_solids_;
 }

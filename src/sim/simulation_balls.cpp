@@ -25,13 +25,11 @@ void Simulation::configure_balls(const Settings& before) {
 /// Nothing that touched the ball where it was does so where it is now.
 void Simulation::put_ball(std::size_t number, const Vec3& centre) {
     balls_[number].centre = centre;
-    for (Cloth& cloth : cloths_) {
-        std::erase_if(cloth.contacts, [&](const Contact& contact) { return contact.ball == static_cast<int>(number); });
-    }
+    contact_.forget_bodies([&](int body) { return body == static_cast<int>(number); });
 }
 
 void Simulation::stop_balls(const Substep& now) {
-    const BallStops stops{cloths_, solids_, settings_.ground, settings_.contact.thickness};
+    const BallStops stops{cloths_, contact_.rows(), solids_, settings_.ground, settings_.contact.thickness};
     for (std::size_t b = 0; b < balls_.size(); ++b) {
         if (settings_.balls[b].motion == BallMotion::Keys) stop_ball(stops, static_cast<int>(b), now.h, balls_[b]);
     }

@@ -18,9 +18,7 @@ void Simulation::configure_solids(const Settings& before, std::vector<Solid> sol
     solids_ = std::move(solids);
     put_solids(settings_.solids, report_.time, solids_);
     previous_solids_ = solids_;
-    for (Cloth& cloth : cloths_) {
-        std::erase_if(cloth.contacts, [](const Contact& contact) { return is_solid(contact.ball); });
-    }
+    contact_.forget_bodies([&](int body) { return body >= static_cast<int>(balls_.size()); });
 }
 
 }  // namespace drape

@@ -24,13 +24,13 @@ FrameView Simulation::view(Real blend) {
         square_sum += static_cast<double>(cloth.state.v.squaredNorm());
         particles += static_cast<double>(cloth.state.v.rows());
         if (settings_.view.bounds) cloth.search.show(cloth.state.x, balls_, settings_.contact.thickness);
-        shown_.push_back({cloth.model, cloth.state.x, cloth.previous.x, cloth.contacts, &cloth.search.hierarchy(),
-                          &cloth.state.v, cloth.held});
+        shown_.push_back({cloth.model, cloth.state.x, cloth.previous.x, contact_.rows_of(shown_.size()),
+                          &cloth.search.hierarchy(), &cloth.state.v, cloth.held});
     }
     report_.rms_speed = std::sqrt(square_sum / particles);
     TraversalStats pair_search;
     if (settings_.view.bounds && settings_.contact.self) {
-        pair_search = pair_marks_.mark(cloths_, contact_.self().contacts(), settings_.contact);
+        pair_search = pair_marks_.mark(cloths_, contact_.rows(), settings_.contact);
         for (std::size_t c = 0; c < shown_.size(); ++c) shown_[c].pair_cells = pair_marks_.touched_cells(c);
     }
     const bool leads = balls_.size() > 1 && settings_.balls[users_ball_].motion == BallMotion::Keys;

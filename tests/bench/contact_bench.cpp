@@ -6,7 +6,7 @@
 #include <string>
 
 #include "bench/draped_sheet.h"
-#include "drape/contact/contact.h"
+#include "drape/contact/detection.h"
 
 namespace {
 
@@ -16,10 +16,10 @@ void ball_contacts(benchmark::State& state, int side, drape::Kernels kernels) {
     const DrapedSheet sheet(side);
     std::vector<drape::CellRun> cells;
     drape::list_all_cells(sheet.grid, cells);
-    std::vector<drape::Contact> contacts;
+    std::vector<drape::ContactRow> contacts;
     for (auto _ : state) {
         contacts.clear();
-        drape::find_contacts(sheet.grid, {sheet.x, sheet.x}, sheet.ball, 0, 0, 0, cells, contacts, kernels);
+        drape::find_contacts({sheet.grid, sheet.x, sheet.x}, sheet.ball, {}, cells, contacts, kernels);
     }
     state.counters["contacts"] = static_cast<double>(contacts.size());
 }
@@ -27,12 +27,14 @@ void ball_contacts(benchmark::State& state, int side, drape::Kernels kernels) {
 void ground_contacts(benchmark::State& state, int side) {
     const DrapedSheet sheet(side);
     drape::Points x = sheet.x;
-    std::vector<drape::Contact> contacts;
+    std::vector<drape::ContactRow> contacts;
     const drape::Real height = sheet.ball.radius * drape::Real(0.85);  // under the cap
     x.col(1) = -x.col(1);
+    std::vector<drape::CellRun> cells;
+    drape::list_all_cells(sheet.grid, cells);
     for (auto _ : state) {
         contacts.clear();
-        drape::find_ground_contacts(sheet.grid, x, -height, 0, contacts);
+        drape::find_ground_contacts({sheet.grid, x, x}, -height, {}, cells, contacts);
     }
     state.counters["contacts"] = static_cast<double>(contacts.size());
 }

@@ -9,7 +9,7 @@
 
 #include "bench/draped_sheet.h"
 #include "drape/bounds/cloth_quadtree.h"
-#include "drape/contact/contact.h"
+#include "drape/contact/detection.h"
 
 namespace {
 

@@ -25,7 +25,6 @@ struct LyingSheets {
     std::vector<ClothModel> models;
     std::vector<Points> before;
     std::vector<ClothState> states;
-    std::vector<std::vector<Contact>> no_contacts;
     std::vector<ClothInContact> cloths;
     BroadPhaseParameters search;
     Real thickness;
@@ -49,9 +48,8 @@ struct LyingSheets {
             states[c].x += h * states[c].v;
             triangles += models[c].grid.triangles();
         }
-        no_contacts.resize(models.size());
         for (std::size_t c = 0; c < models.size(); ++c) {
-            cloths.push_back({models[c], before[c], states[c], no_contacts[c]});
+            cloths.push_back({models[c], before[c], states[c]});
         }
     }
 

@@ -1,6 +1,6 @@
 // A ball that nothing pushes stops at solids, slides along them, and stays where it was if they leave it no room.
 
-#include "drape/contact/solid_contacts.h"
+#include "drape/contact/detection.h"
 
 #include <gtest/gtest.h>
 

@@ -5,7 +5,7 @@
 #include "drape/base/exact_math.h"
 #include "drape/bounds/broad_phase.h"
 #include "drape/bounds/leaf_copies.h"
-#include "drape/contact/contact.h"
+#include "drape/contact/detection.h"
 #include "support/containment.h"
 
 namespace drape {
@@ -71,12 +71,12 @@ Shots shoot(const BroadPhaseParameters& parameters, int steps, int balls, bool r
     Sheet sheet(static_cast<unsigned>(steps + static_cast<int>(parameters.volume)));
     const auto tree = make_broad_phase(parameters, Sheet::grid);
     Candidates found;
-    std::vector<Contact> contacts;
+    std::vector<ContactRow> contacts;
     const auto is_met = [&](const Ball& ball, Real reach) {
         contacts.clear();
-        find_contacts(Sheet::grid, {sheet.from, sheet.to}, ball, 0, Sheet::thickness, reach, found.cells, contacts,
+        find_contacts({Sheet::grid, sheet.from, sheet.to}, ball, {0, Sheet::thickness, reach}, found.cells, contacts,
                       Kernels::Vector);
-        return std::ranges::any_of(contacts, [](const Contact& contact) { return contact.depth > 0; });
+        return std::ranges::any_of(contacts, [](const ContactRow& contact) { return contact.depth > 0; });
     };
     Shots count;
     for (int step = 0; step < steps; ++step) {

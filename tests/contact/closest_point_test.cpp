@@ -7,7 +7,7 @@
 #include <algorithm>
 #include <random>
 
-#include "drape/contact/contact.h"
+#include "drape/contact/detection.h"
 #include "support/cloths.h"
 #include "support/exact_distance.h"
 

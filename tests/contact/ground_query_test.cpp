@@ -3,7 +3,7 @@
 #include <gtest/gtest.h>
 
 #include "drape/bounds/cloth_quadtree.h"
-#include "drape/contact/contact.h"
+#include "drape/contact/detection.h"
 #include "support/cloths.h"
 #include "support/containment.h"
 
@@ -23,19 +23,21 @@ struct GroundSeen {
 /// Compares a tree about x with the pass, at heights between the cloth's lowest and highest particles and beyond.
 void compare_with_pass(const Grid& grid, const BroadPhase& tree, const Points& x, GroundSeen& seen) {
     constexpr Real thickness = Real(0.002);
-    std::vector<Contact> expected, found;
-    std::vector<CellRun> particles;
+    std::vector<ContactRow> expected, found;
+    std::vector<CellRun> all;
+    list_all_cells(grid, all);
     Candidates low;
     const Real bottom = x.col(1).minCoeff(), span = x.col(1).maxCoeff() - bottom;
     for (const Real part : {-0.1, 0.0, 1e-9, 0.05, 0.3, 0.9, 1.1}) {
         const Real height = bottom + part * span - thickness;
         expected.clear(), found.clear();
-        find_ground_contacts(grid, x, height, thickness, expected);
+        find_ground_contacts({grid, x, x}, height, {0, thickness}, all, expected);
         seen.pruned += tree.query_below(height + thickness, low).pruned;
-        find_ground_contacts(grid, x, height, thickness, low.cells, particles, found);
+        std::ranges::sort(low.cells);
+        find_ground_contacts({grid, x, x}, height, {0, thickness}, low.cells, found);
         ASSERT_EQ(found.size(), expected.size()) << part;
         for (std::size_t c = 0; c < found.size(); ++c) {
-            ASSERT_EQ(found[c].point, expected[c].point);
+            ASSERT_EQ(found[c].particles[0].particle, expected[c].particles[0].particle);
             ASSERT_EQ(found[c].depth, expected[c].depth);
         }
         if (!found.empty()) ++seen.touching;

@@ -22,7 +22,6 @@ struct TwoCloths {
     std::array<Points, 2> before;
     std::array<CellBoxes, 2> boxes;
     std::array<std::vector<Real>, 2> reaches;
-    std::array<std::vector<Contact>, 2> contacts;
 
     [[nodiscard]] BoxedCloth boxed(int number, Real margin = 0) {
         const auto c = static_cast<std::size_t>(number);
@@ -48,8 +47,7 @@ struct TwoCloths {
     }
 
     [[nodiscard]] std::array<ClothInContact, 2> in_contact() {
-        return {ClothInContact{models[0], before[0], states[0], contacts[0]},
-                ClothInContact{models[1], before[1], states[1], contacts[1]}};
+        return {ClothInContact{models[0], before[0], states[0]}, ClothInContact{models[1], before[1], states[1]}};
     }
 
     [[nodiscard]] std::array<std::size_t, 3> first_particles() const {

@@ -10,7 +10,7 @@
 #include <random>
 
 #include "drape/contact/closest_point.h"
-#include "drape/contact/contact.h"
+#include "drape/contact/detection.h"
 
 namespace drape {
 namespace {
@@ -125,7 +125,7 @@ TEST(TouchedTriangles, OfANeedleAreThoseWithinTheRadius) {
     list_all_cells(grid, all);
     Needles needle;
     std::vector<int> touched;
-    std::vector<Contact> contacts;
+    std::vector<ContactRow> contacts;
     for (int decade = 1; decade <= 16; ++decade) {
         for (int round = 0; round < 2000; ++round) {
             needle.draw(std::pow(Real(10), static_cast<Real>(-decade)));
@@ -140,8 +140,7 @@ TEST(TouchedTriangles, OfANeedleAreThoseWithinTheRadius) {
                 find_touched_triangles(grid, x, {.centre = needle.p, .radius = radius}, 0, all, touched,
                                        Kernels::Vector);
                 contacts.clear();
-                find_contacts(grid, {x, x}, {.centre = needle.p, .radius = radius}, 0, 0, 0, all, contacts,
-                              Kernels::Vector);
+                find_contacts({grid, x, x}, {.centre = needle.p, .radius = radius}, {}, all, contacts, Kernels::Vector);
                 const bool found = std::ranges::count(touched, 0) == 1;
                 EXPECT_TRUE(!found || !contacts.empty());
                 return found;

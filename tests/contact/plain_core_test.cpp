@@ -9,7 +9,7 @@
 
 #include "drape/bounds/broad_phase.h"
 #include "drape/bounds/leaf_copies.h"
-#include "drape/contact/contact.h"
+#include "drape/contact/detection.h"
 #include "support/cloths.h"
 
 namespace drape {
@@ -42,15 +42,13 @@ public:
         plain_.found.cells.resize(plain_.found.cells.size() - std::min(plain_.found.cells.size(), missed));
         for (Way* way : {&vector_, &plain_}) {
             find_touched_triangles(grid_, x, ball, thickness_, way->found.cells, way->triangles, way->kernels);
-            way->touching = find_contacts(grid_, {before, x}, ball, 0, thickness_, reach, way->found.cells,
+            way->touching = find_contacts({grid_, before, x}, ball, {0, thickness_, reach}, way->found.cells,
                                           way->contacts, way->kernels);
         }
         touching += plain_.touching > 0;
         return vector_.triangles == plain_.triangles && vector_.touching == plain_.touching &&
-               std::ranges::equal(vector_.contacts, plain_.contacts, [](const Contact& a, const Contact& b) {
-                   return a.triangle == b.triangle && a.corners == b.corners && a.of_particle == b.of_particle &&
-                          a.barycentric == b.barycentric && a.point == b.point && a.normal == b.normal &&
-                          a.depth == b.depth;
+               std::ranges::equal(vector_.contacts, plain_.contacts, [&](const ContactRow& a, const ContactRow& b) {
+                   return compare(a, b) == 0 && a.point(x) == b.point(x) && a.normal == b.normal && a.depth == b.depth;
                });
     }
 
@@ -62,7 +60,7 @@ private:
         std::unique_ptr<BroadPhase> tree;
         Candidates found;
         std::vector<int> triangles;
-        std::vector<Contact> contacts;
+        std::vector<ContactRow> contacts;
         std::int64_t touching = 0;
     };
     static constexpr Real thickness_ = Real(0.002);

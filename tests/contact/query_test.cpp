@@ -9,7 +9,7 @@
 #include "drape/bounds/cloth_quadtree.h"
 #include "drape/bounds/kdop.h"
 #include "drape/bounds/obb.h"
-#include "drape/contact/contact.h"
+#include "drape/contact/detection.h"
 #include "support/cloths.h"
 #include "support/containment.h"
 

@@ -4,6 +4,7 @@
 
 #include <cmath>
 
+#include "drape/contact/detection.h"
 #include "drape/integrate/integrator.h"
 
 namespace drape {
@@ -17,10 +18,11 @@ struct Floor {
     ClothModel model;
     ClothState state;
     Points before;
-    ResponseParameters parameters{.friction = 0, .restitution = 0, .thickness = 0};
+    Surface surface{.friction = 0};
     std::vector<Ball> balls{{.centre = Vec3(0, -floor_radius, 0), .radius = floor_radius}};
-    std::vector<Contact> contacts;
+    std::vector<ContactRow> contacts;
     std::vector<CellRun> cells;
+    ContactSolver solver;
     Real deepest = 0;
 
     explicit Floor(Real height) {
@@ -38,11 +40,12 @@ struct Floor {
 
     void respond() {
         contacts.clear();
-        find_contacts(model.grid, {before, state.x}, balls[0], 0, parameters.thickness, 0, cells, contacts,
-                      Kernels::Vector);
+        find_contacts({model.grid, before, state.x}, balls[0], {}, cells, contacts, Kernels::Vector);
         balls[0].moved = dt * balls[0].velocity;
-        const ClothInContact cloth{model, before, state, contacts};
-        deepest = resolve_contacts(parameters, dt, std::span(&cloth, 1), {}, balls, {}, nullptr).depth;
+        const ClothInContact cloth{model, before, state};
+        Body body = body_of(balls[0], surface);
+        deepest = solver.resolve({}, dt, std::span(&cloth, 1), std::span(&body, 1), contacts).depth;
+        store(body, balls[0]);
     }
 
     void run(Real time) {
@@ -79,12 +82,12 @@ TEST(Response, TakesTrianglesOutOfTheBallVerticesAndInteriorsAlike) {
     floor.respond();
     ASSERT_FALSE(floor.contacts.empty());
     for (int t = 0; t < floor.model.grid.triangles(); ++t) {
-        std::vector<Contact> left;
+        std::vector<ContactRow> left;
         const int columns = floor.model.grid.cell_columns();
         const CellRun cell{t / 2 / columns, t / 2 % columns, 1};
-        find_contacts(floor.model.grid, {floor.before, floor.state.x}, floor.balls[0], 0, 0, 0, std::span(&cell, 1),
-                      left, Kernels::Vector);
-        for (const Contact& contact : left) EXPECT_LT(contact.depth, 1e-2 * 0.02);
+        find_contacts({floor.model.grid, floor.before, floor.state.x}, floor.balls[0], {}, std::span(&cell, 1), left,
+                      Kernels::Vector);
+        for (const ContactRow& contact : left) EXPECT_LT(contact.depth, 1e-2 * 0.02);
     }
     EXPECT_LT(floor.deepest, 1e-3 * 0.02);
 }
@@ -100,7 +103,7 @@ TEST(Response, LeavesWhatDoesNotTouchAlone) {
 /// The speed at which loose particles leave the floor that they hit at 1 m/s.
 Real speed_after_impact(Real restitution) {
     Floor floor(0.001);
-    floor.parameters.restitution = restitution;
+    floor.surface.restitution = restitution;
     floor.model.structural = floor.model.shear = floor.model.bend = {};
     floor.model.gravity.setZero();
     floor.state.v.col(1).setConstant(-1);
@@ -117,7 +120,7 @@ TEST(Response, ThrowsBackByTheRestitution) {
 
 TEST(Response, DoesNotBounceARestingCloth) {
     Floor floor(1e-6);
-    floor.parameters.restitution = 1;
+    floor.surface.restitution = 1;
     floor.run(0.2);
     EXPECT_LT(floor.state.v.cwiseAbs().maxCoeff(), 0.01);
 }
@@ -126,7 +129,7 @@ TEST(Friction, HoldsTheClothUpToItsCoefficientAndNoFurther) {
     const Real slope = std::atan(0.4);
     for (const Real friction : {0.3, 0.5}) {
         Floor floor(0);
-        floor.parameters.friction = friction;
+        floor.surface.friction = friction;
         floor.model.gravity = 9.81 * Vec3(std::sin(slope), -std::cos(slope), 0);
         floor.run(0.1);
         const Real expected = friction < 0.4 ? 9.81 * (std::sin(slope) - friction * std::cos(slope)) * 0.1 : 0;
@@ -136,7 +139,7 @@ TEST(Friction, HoldsTheClothUpToItsCoefficientAndNoFurther) {
 
 TEST(Friction, CarriesTheClothAlongWithTheBall) {
     Floor floor(0);
-    floor.parameters.friction = 1;
+    floor.surface.friction = 1;
     floor.balls[0].velocity = {0.2, 0, 0};
     floor.run(0.1);
     EXPECT_NEAR(floor.mean_velocity()[0], 0.2, 0.01);

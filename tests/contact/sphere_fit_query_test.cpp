@@ -5,7 +5,7 @@
 #include <algorithm>
 
 #include "drape/bounds/cloth_quadtree.h"
-#include "drape/contact/contact.h"
+#include "drape/contact/detection.h"
 #include "support/cloths.h"
 
 namespace drape {

@@ -6,7 +6,7 @@
 #include <sstream>
 
 #include "drape/bounds/broad_phase.h"
-#include "drape/contact/contact.h"
+#include "drape/contact/detection.h"
 #include "fuzz/target.h"
 
 using namespace drape;

@@ -1,7 +1,7 @@
 #include "motion.h"
 
 #include "drape/bounds/broad_phase.h"
-#include "drape/contact/contact.h"
+#include "drape/contact/detection.h"
 
 namespace drape::peers {
 

@@ -1,5 +1,5 @@
 #include "drape/bounds/broad_phase.h"
-#include "drape/contact/contact.h"
+#include "drape/contact/detection.h"
 #include "method.h"
 
 namespace drape::peers {

@@ -35,7 +35,7 @@ protected:
     Settings settings_;
     ClothModel model_;
     Points x_, v_;
-    std::vector<Contact> contacts_;
+    std::vector<ContactRow> contacts_;
     std::unique_ptr<BroadPhase> tree_;
     ClothColours colours_;
 };
@@ -70,9 +70,9 @@ TEST_F(ClothColoursTest, ShowTheSpeed) {
 TEST_F(ClothColoursTest, ShowTheDepthOfTheDeepestContactInMillimetres) {
     make({3, 3});
     for (const double depth : {0.5e-3, 1.5e-3}) {
-        Contact contact;
-        contact.corners = {0, 3, 1};
-        contact.barycentric = {0.5, 0.5, 0};
+        ContactRow contact;
+        contact.count = 3;
+        contact.particles = {{{0, 0, Real(0.5)}, {0, 3, Real(0.5)}, {0, 1, 0}}};
         contact.depth = static_cast<Real>(depth);
         contacts_.push_back(contact);
     }

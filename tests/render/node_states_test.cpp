@@ -11,7 +11,7 @@ namespace {
 TEST(TouchedCells, AreFoundInEveryRectangle) {
     const Grid grid{7, 6};
     for (int touched = 0; touched < grid.cells(); ++touched) {
-        Contact contact;
+        ContactRow contact;
         contact.triangle = 2 * touched + touched % 2;
         TouchedCells cells;
         cells.take(grid, {&contact, 1}, true);
@@ -35,7 +35,7 @@ TEST(LevelCounts, SumUpToWhatTheQueryDid) {
         Candidates found;
         const Ball ball{.centre = x.row(round * 7), .radius = Real(0.1)};
         const TraversalStats stats = tree->query(ball, found);
-        Contact contact;
+        ContactRow contact;
         contact.triangle = 2 * (found.cells.front().row * grid.cell_columns() + found.cells.front().column);
         TouchedCells touched;
         touched.take(grid, {&contact, 1}, true);

@@ -25,7 +25,7 @@ TEST(Outlines, OfALevelShowWhatTheQueryDidAndWhatTouches) {
         tree->query({.centre = Vec3(0, 0, 0), .radius = Real(0.05)}, found);
         std::vector<NodeView> nodes;
         tree->nodes_at(1, nodes);
-        const auto states = [&](std::span<const Contact> contacts, bool tested) {
+        const auto states = [&](std::span<const ContactRow> contacts, bool tested) {
             TouchedCells touched;
             touched.take(grid, contacts, tested);
             Outlines outlines;
@@ -35,7 +35,7 @@ TEST(Outlines, OfALevelShowWhatTheQueryDidAndWhatTouches) {
             for (const Outlines::Edge& edge : outlines.edges) all.insert(edge.state);
             return all;
         };
-        Contact first, last;
+        ContactRow first, last;
         first.triangle = 0;
         last.triangle = 2 * grid.cells() - 1;
         EXPECT_EQ(states({}, true), (std::set{NodeState::Pruned, NodeState::FalseCandidate}));

@@ -189,7 +189,7 @@ TEST_P(EachResponse, LetsAPatchLeaveAFrictionlessBallWhereTheFormulaSays) {
     run(patch, 0.8, [&] {
         const Vec3 middle = centre_of(patch);
         const bool was_pushed = pushed;
-        pushed = std::ranges::any_of(patch.cloths()[0].contacts, [](const Contact& c) { return c.impulse.normal > 0; });
+        pushed = std::ranges::any_of(patch.contacts(), [](const ContactRow& c) { return c.impulse.normal > 0; });
         // Twice in a row: a patch that has left quivers, and may brush the ball for a single step
         if (pushed && was_pushed) angle = std::atan2(middle.x(), middle.y()), time = patch.report().time;
     });

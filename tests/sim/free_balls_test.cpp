@@ -214,7 +214,7 @@ void expect_to_carry_the_ball(Simulation& simulation) {
     Real push = 0;
     for (int i = 0; i < steps; ++i) {
         simulation.step();
-        for (const Contact& contact : simulation.cloths()[0].contacts) {
+        for (const ContactRow& contact : simulation.contacts()) {
             push -= contact.impulse.normal * contact.normal.y() + contact.impulse.friction.y();
         }
     }

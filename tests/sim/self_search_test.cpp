@@ -126,14 +126,13 @@ public:
     }
 
 private:
-    std::array<ClothInContact, 1> cloths() { return {{{model_, before_, state_, none_}}}; }
+    std::array<ClothInContact, 1> cloths() { return {{{model_, before_, state_}}}; }
 
     RollingSheet sheet_;
     ClothModel model_;
     Real step_;
     Points before_;
     ClothState state_;
-    std::vector<Contact> none_;
     SelfSearch search_;
     SelfSearchReport report_;
     int steps_ = 0;
@@ -186,7 +185,6 @@ TEST(SelfSearch, MakesAShorterListWhereALongOneDoesNotFit) {
     const std::vector<const ClothModel*> models(layers, &model);
     std::vector<Points> before(layers, make_rest_state(parameters).x);
     std::vector<ClothState> states;
-    std::vector<Contact> none;
     std::vector<ClothInContact> cloths;
     for (int layer = 0; layer < layers; ++layer) {
         Points& x = before[static_cast<std::size_t>(layer)];
@@ -194,7 +192,7 @@ TEST(SelfSearch, MakesAShorterListWhereALongOneDoesNotFit) {
         states.push_back({x, Points::Zero(x.rows(), 3)});
         states.back().x.col(0).array() += layer % 2 == 0 ? slide : -slide;
     }
-    for (std::size_t c = 0; c < layers; ++c) cloths.push_back({model, before[c], states[c], none});
+    for (std::size_t c = 0; c < layers; ++c) cloths.push_back({model, before[c], states[c]});
     SelfSearch search;
     search.use({.leaf_cells = 4}, models);
     const SelfSearchReport report = search.find(cloths, apart);

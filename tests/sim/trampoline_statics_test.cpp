@@ -153,9 +153,9 @@ TEST(TrampolineStatics, TheSheetSagsUnderTheBallAsTheySay) {
     const Simulation simulation = trampoline_at_rest(true);
     const Cloth& cloth = simulation.cloths()[0];
     std::set<int> touched, held = pins_of(cloth.model);
-    for (const Contact& contact : cloth.contacts) {
-        for (std::size_t k = 0; k < contact.corners.size(); ++k) {
-            if (contact.barycentric[k] > 0) touched.insert(contact.corners[k]);
+    for (const ContactRow& contact : simulation.contacts()) {
+        for (const RowParticle& p : contact.moved()) {
+            if (p.weight > 0) touched.insert(p.particle);
         }
     }
     ASSERT_FALSE(touched.empty());

@@ -8,6 +8,7 @@
 
 #include "drape/bounds/aabb.h"
 #include "drape/bounds/broad_phase.h"
+#include "drape/contact/contact_row.h"
 #include "drape/model/grid.h"
 
 namespace drape {
@@ -15,7 +16,7 @@ namespace drape {
 /// The particles of two features: a particle and a triangle, or an edge and an edge.
 struct FeaturePair {
     std::array<int, 2> cloths{};     ///< numbers of the first feature's cloth and of the second's
-    int first_count = 1;             ///< particles of the first feature: 1, or 2 for an edge against an edge
+    std::uint8_t first_count = 1;    ///< particles of the first feature: 1, or 2 for an edge against an edge
     std::array<int, 4> particles{};  ///< those of the first feature, then those of the second
     auto operator<=>(const FeaturePair&) const = default;
 
@@ -50,6 +51,9 @@ struct ClothAt {
 /// Finds the closest points of two features again where their cloths are now.
 /// @param first, second the cloths of the features
 void locate(const ClothAt& first, const ClothAt& second, NearPair& pair);
+
+/// The contact of two features that are kept apart by a thickness [m].
+ContactRow row_of(const NearPair& pair, Real thickness);
 
 /// The boxes of all cells of a cloth, each grown by as far as its particles reach.
 class CellBoxes {

@@ -1,16 +1,18 @@
 #pragma once
 
+#include <memory>
 #include <span>
 #include <vector>
 
 #include "drape/base/enum_names.h"
-#include "drape/contact/contact.h"
+#include "drape/base/kernels.h"
+#include "drape/contact/body.h"
+#include "drape/contact/contact_row.h"
+#include "drape/model/cloth_model.h"
 
 namespace drape {
 
-struct ContactRows;
-
-/// How contacts are answered; each has a file of its own in src/contact.
+/// How contacts are answered; each has a file of its own in src/contact/solve.
 enum class ResponseKind {
     Projection,  ///< positions are put back onto the surface, then velocities stopped
     Penalty,     ///< a spring and a damper push out what has entered
@@ -23,18 +25,16 @@ inline constexpr auto enum_names<ResponseKind> = all_names<ResponseKind>("projec
 
 struct ResponseParameters {
     ResponseKind kind = ResponseKind::Projection;
-    Real friction = Real(0.3);          ///< Coulomb coefficient on balls
-    Real restitution = 0;               ///< of the normal speed, on balls
-    Real thickness = Real(0.002);       ///< [m]
+    Real friction = Real(0.3);          ///< Coulomb coefficient between cloths
     Real pair_thickness = Real(0.002);  ///< at which cloth keeps away from cloth [m]
     Real stiffness = 1000;              ///< of the penalty's springs, one a contact [N/m]
-    Ground ground = {.solid = false};
-    Real displacement_share = 1;  ///< of the method that makes the substeps, see the function of this name
+    Real displacement_share = 1;        ///< of the method that makes the substeps, see the function of this name
+    Kernels kernels = Kernels::Vector;  ///< plain: sweeps in plain code, with the same bits
 };
 
 /// What a response leaves and what it has done.
 struct ResponseReport {
-    Real depth = 0;             ///< the largest that is left [m]
+    Real depth = 0;             ///< the largest that is left in bodies [m]
     Real residual = 0;          ///< the largest change of any contact's displacement in the last sweep [m]
     int sweeps = 0;             ///< over the contacts, of both solves
     double free_ball_work = 0;  ///< by free balls on cloths, ground and each other [J]
@@ -45,23 +45,20 @@ struct ClothInContact {
     const ClothModel& model;
     const Points& before;  ///< positions at the start of the substep, n x 3 [m]
     ClothState& state;
-    std::vector<Contact>& contacts;  ///< with balls, solids and ground, as found at `state.x`; their points are updated
 };
 
 /// What solids, and the balls that nothing pushes, have given a cloth in the response, through these contacts [J].
-double work_of_kinematic_bodies(std::span<const Contact> contacts, std::span<const Ball> balls);
+double work_of_kinematic_bodies(std::span<const ContactRow> rows, std::span<const Body> bodies);
 
-/// Of the balls that contacts push [J].
-double kinetic_energy(std::span<const Ball> balls);
+/// Of the bodies that contacts push [J].
+double kinetic_energy(std::span<const Body> bodies);
 
 /// By how much a contact is pushed out: what of its depth is not left, for a resting contact to last [m].
-Real push_of(const BodyContact& contact, std::span<const Ball> balls);
-Real push_of(const BallContact& contact, std::span<const Ball> balls);
-Real push_of(const PairContact& contact, std::span<const Ball> balls);
+Real push_of(const ContactRow& row, std::span<const Body> bodies);
 
-/// The largest depth at the points of the cloths' contacts with balls and ground, where they are now [m].
-Real depth_left(const ResponseParameters& parameters, std::span<const ClothInContact> cloths,
-                std::span<const Ball> balls);
+/// Updates the depths of contacts to where all is now.
+/// @return the largest in a body [m]
+Real update_depths(std::span<const ClothInContact> cloths, std::span<const Body> bodies, std::span<ContactRow> rows);
 
 /// The longest stable step [s] of the penalty at a loose particle of mass m, a spring k with damping ratio zeta: w
 /// times the root of m / k. Where a damper sees the velocity before its push, w = 2 (sqrt(1 + zeta^2) - zeta); where it
@@ -70,20 +67,39 @@ Real depth_left(const ResponseParameters& parameters, std::span<const ClothInCon
 /// @param share of the method, see `displacement_share`: below 1 a damper sees the mean
 Real penalty_step_limit(Real stiffness, Real restitution, Real inverse_mass, Real share = 1);
 
-/// Corrects positions and velocities so that cloth and balls stay out of each other and of the ground.
-/// Contacts are solved one after the other, again and again, each for both normal and friction, until none changes by
-/// more than a stated tolerance (projected Gauss-Seidel). Pushes act on a triangle's corners by their weights
-/// @cite bridson2002 and add up from sweep to sweep @cite catto2005; that of friction is bounded by the friction
-/// coefficient times the normal one. Friction stops displacements, not velocities alone: else a resting cloth creeps by
-/// what gravity moves it within a step.
-/// @param cloths all that are in contact, the number of each its index
-/// @param pairs of features of these cloths
-/// @param balls those with an inverse mass are pushed back
-/// @param h the substep [s]; normal speeds that gravity alone brings within it do not bounce
-/// @param rows for faster solves, which have the same bits; none: plain code alone
-/// @par Cost O(contacts) a sweep; allocates nothing once there have been as many contacts before
-ResponseReport resolve_contacts(const ResponseParameters& parameters, Real h, std::span<const ClothInContact> cloths,
-                                std::span<PairContact> pairs, std::span<Ball> balls,
-                                std::span<BallContact> ball_contacts, ContactRows* rows);
+/// Answers contacts, and owns what that needs; a copy makes its own.
+class ContactSolver {
+public:
+    ContactSolver();
+    ContactSolver(const ContactSolver& other);
+    ContactSolver(ContactSolver&& other) noexcept;
+    ContactSolver& operator=(ContactSolver other) noexcept;
+    ~ContactSolver();
+
+    /// Room for as many contacts without allocating, but for no more than a hundred thousand: a scene with more of them
+    /// at a time makes more room once.
+    void reserve(std::size_t contacts);
+
+    /// What that room takes [bytes].
+    [[nodiscard]] static std::size_t bytes_for(std::size_t contacts);
+
+    /// Corrects positions and velocities so that cloth and balls stay out of each other and of all bodies.
+    /// Contacts are solved one after the other, again and again, each for both normal and friction, until none changes
+    /// by more than a stated tolerance (projected Gauss-Seidel). Impulses act on a triangle's corners by their weights
+    /// @cite bridson2002 and add up from sweep to sweep @cite catto2005; that of friction is bounded by the friction
+    /// coefficient times the normal one. Friction stops displacements, not velocities alone: else a resting cloth
+    /// creeps by what gravity moves it within a step.
+    /// @param h the substep [s]; normal speeds that gravity alone brings within it do not bounce
+    /// @param cloths all that are in contact, the number of each its index
+    /// @param bodies those with an inverse mass are pushed back
+    /// @par Cost O(contacts) a sweep; allocates nothing once there have been as many contacts before
+    ResponseReport resolve(const ResponseParameters& parameters, Real h, std::span<const ClothInContact> cloths,
+                           std::span<Body> bodies, std::span<ContactRow> rows);
+
+    struct Scratch;
+
+private:
+    std::unique_ptr<Scratch> scratch_;
+};
 
 }  // namespace drape

@@ -4,7 +4,7 @@
 #include <vector>
 
 #include "drape/bounds/broad_phase.h"
-#include "drape/contact/contact.h"
+#include "drape/contact/detection.h"
 
 namespace drape {
 
@@ -27,7 +27,7 @@ private:
     Kernels kernels_;
     std::vector<CellRun> cells_;  ///< all there are
     std::vector<int> triangles_;
-    std::vector<Contact> contacts_;
+    std::vector<ContactRow> rows_;
 };
 
 }  // namespace drape

@@ -4,7 +4,6 @@
 #include <span>
 #include <vector>
 
-#include "drape/contact/warm_start.h"
 #include "drape/model/cloth_model.h"
 #include "drape/sim/cloth_energy.h"
 #include "drape/sim/cloth_integrator.h"
@@ -20,8 +19,6 @@ struct Cloth {
     Points before;        ///< positions one substep before, where steps are divided
     ClothIntegrator integrator;
     ContactSearch search;
-    std::vector<Contact> contacts;  ///< of the last step that was awake
-    WarmStart<Contact> warm_start;
     ClothEnergy energy;
     int held = -1;       ///< particle that the hand leads; below 0: none
     Real pin_speed = 0;  ///< of the fastest pin that `MovingPins` leads [m/s]

@@ -4,7 +4,6 @@
 #include <span>
 #include <vector>
 
-#include "drape/contact/contact.h"
 #include "drape/contact/response.h"
 #include "drape/model/stretch_limit.h"
 #include "drape/sim/energy_ledger.h"
@@ -14,10 +13,9 @@ namespace drape {
 
 /// What pushes one cloth.
 struct Pushes {
-    std::span<const Contact> contacts;
-    std::span<const PairContact> pairs;  ///< of all cloths
-    int cloth;                           ///< the number of this one
-    std::span<const Ball> balls;
+    std::span<const ContactRow> rows;  ///< of all cloths
+    int cloth;                         ///< the number of this one
+    std::span<const Body> bodies;
     bool known = false;  ///< they are no more than what was found to be needed in the substep before
 };
 

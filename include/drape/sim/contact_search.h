@@ -6,9 +6,8 @@
 
 #include "drape/base/copied.h"
 #include "drape/bounds/broad_phase.h"
-#include "drape/contact/contact.h"
+#include "drape/contact/detection.h"
 #include "drape/contact/search_audit.h"
-#include "drape/contact/solid_contacts.h"
 #include "drape/sim/settings.h"
 
 namespace drape {
@@ -34,12 +33,12 @@ public:
 
     /// Whether a ball may have passed unseen, or a solid, as of the last substep: asked where `contact.continuous` is
     /// never.
-    [[nodiscard]] Crossing crossing(const ClothMotion& cloth, std::span<const Ball> balls, Real thickness) const;
-    [[nodiscard]] Crossing crossing(const ClothMotion& cloth, std::span<const Solid> solids, Real thickness) const;
+    [[nodiscard]] Crossing crossing(const MovingCloth& cloth, std::span<const Ball> balls, Real thickness) const;
+    [[nodiscard]] Crossing crossing(const MovingCloth& cloth, std::span<const Solid> solids, Real thickness) const;
 
     /// Builds the hierarchy for the end of a substep. What may meet within it is found from there by how far all moved,
     /// unless `contact.continuous` is never.
-    void build(const ClothMotion& cloth, const ContactSettings& contact);
+    void build(const MovingCloth& cloth, const ContactSettings& contact);
 
     /// Collects the candidates of each ball.
     /// @return what it has cost
@@ -47,10 +46,10 @@ public:
 
     /// Tests the candidates exactly.
     /// @param longest_push of a node that stands for the cloth within it [m]
-    /// @param contacts receives what may touch, ball by ball, cells ascending; cleared first
+    /// @param rows receives what may touch, ball by ball, cells ascending
     /// @return how many candidate cells do not touch
-    std::int64_t narrow(const ClothMotion& cloth, std::span<const Ball> balls, Real thickness, Real longest_push,
-                        std::vector<Contact>& contacts);
+    std::int64_t narrow(const MovingCloth& cloth, std::span<const Ball> balls, Real thickness, Real longest_push,
+                        std::vector<ContactRow>& rows);
 
     /// What the last `traverse` has found of a ball.
     [[nodiscard]] const Candidates& candidates(std::size_t ball) const { return candidates_[ball]; }
@@ -60,17 +59,19 @@ public:
         return reach(ball.moved, ball.radius + thickness) > 0;
     }
 
-    /// Tests the cloth against solids.
-    /// @param contacts receives what may touch, solid by solid, cells ascending, after what is there
+    /// Tests the cloth against one solid.
+    /// @param body its number
+    /// @param rows receives what may touch, cells ascending, after what is there
     /// @pre `build` was called
-    TraversalStats meet_solids(const ClothMotion& cloth, std::span<const Solid> solids, Real thickness,
-                               std::vector<Contact>& contacts);
+    TraversalStats meet_solid(const MovingCloth& cloth, const Solid& solid, int body, Real thickness,
+                              std::vector<ContactRow>& rows);
 
     /// Tests the cloth against the ground: where the present hierarchy holds it, what that has not pruned, else all of
     /// it.
-    /// @param contacts receives what touches, particles ascending, after what is there
+    /// @param rows receives what touches, cells ascending, after what is there
     /// @return what the traversal has cost; zero without one
-    TraversalStats meet_ground(const Points& x, Real height, Real thickness, std::vector<Contact>& contacts);
+    TraversalStats meet_ground(const MovingCloth& cloth, Real height, int body, Real thickness,
+                               std::vector<ContactRow>& rows);
 
     /// What a limited search invents and what it lets through, by testing every cell; nothing for any other search.
     /// @return contacts of nodes in which no triangle touches
@@ -106,7 +107,7 @@ private:
     Candidates low_;                      ///< near the ground
     Candidates near_;                     ///< a solid
     SolidSearch solid_search_;
-    std::vector<CellRun> low_particles_;
+    std::vector<CellRun> all_cells_;
 };
 
 }  // namespace drape

@@ -4,8 +4,8 @@
 #include <vector>
 
 #include "drape/base/copied.h"
-#include "drape/contact/contact_rows.h"
 #include "drape/contact/response.h"
+#include "drape/contact/warm_start.h"
 #include "drape/sim/cloth.h"
 #include "drape/sim/self_contact.h"
 #include "drape/sim/settings.h"
@@ -42,6 +42,16 @@ public:
     /// Positions have been set from outside.
     void forget() { self_.forget(); }
 
+    /// A body has been put elsewhere: nothing that touched it does so any more.
+    /// @param is_moved is_moved(body) of numbers: balls, then solids, then the ground
+    template <class IsMoved>
+    void forget_bodies(IsMoved is_moved) {
+        std::erase_if(rows_, [&](const ContactRow& row) {
+            return (row.body != no_body && is_moved(row.body)) ||
+                   (row.first_body != no_body && is_moved(row.first_body));
+        });
+    }
+
     /// Takes what was given in the substep before.
     /// @param settings, bodies stay where they are until `end`
     void begin(const Settings& settings, const ContactBodies& bodies, const Substep& now);
@@ -69,10 +79,18 @@ public:
     /// Rolling resistance; enters what is only known now.
     void end();
 
-    /// Whether anything touched in the last substep, or is near.
-    [[nodiscard]] bool is_near() const { return !ball_contacts_.empty() || self_.is_near(); }
+    /// Whether bodies have touched in the last substep, or cloths are near.
+    [[nodiscard]] bool is_near() const { return bodies_touch_ || self_.is_near(); }
 
-    [[nodiscard]] SelfContact& self() { return self_; }
+    /// What has touched in the last substep, in the order of `compare`.
+    [[nodiscard]] std::span<const ContactRow> rows() const { return rows_; }
+
+    /// Of it, one cloth and bodies.
+    [[nodiscard]] std::span<const ContactRow> rows_of(std::size_t cloth) const;
+
+    /// Nothing touches any more.
+    void clear() { rows_.clear(); }
+
     [[nodiscard]] const SelfContact& self() const { return self_; }
 
 private:
@@ -81,26 +99,31 @@ private:
     /// What is known from `begin` to `end`, which no copy needs.
     struct Now : Substep {
         const Settings* settings = nullptr;
-        ContactBodies bodies;
+        ContactBodies moving;
         ResponseParameters response;
         std::vector<ClothInContact> cloths;
+        std::vector<Body> bodies;  ///< balls, then solids, then the ground
 
         void clear() { *this = {}; }
     };
 
     void go_on(Stage from, Stage to);
-    [[nodiscard]] const Points& start_of(const Cloth& cloth) const;
-    [[nodiscard]] ClothMotion motion_of(const Cloth& cloth) const { return {start_of(cloth), cloth.state.x}; }
+    void make_bodies();
+    void move_balls();
+    [[nodiscard]] MovingCloth motion_of(std::size_t cloth) const;
     void build(StepReport& report);
     void traverse(StepReport& report);
     void narrow(StepReport& report);
-    void enter_pushes(Cloth& cloth, std::span<const Contact> contacts, double led_work, double& free_work);
+    void before_pushes(std::span<const ContactRow> rows, bool known);
+    void after_pushes(std::span<const ContactRow> rows, bool known, double free_work);
 
     Stage stage_ = Stage::Ended;
     ScratchOnCopy<Now> now_;
     SelfContact self_;
-    std::vector<BallContact> ball_contacts_;
-    ScratchOnCopy<ContactRows> rows_;
+    std::vector<ContactRow> rows_;
+    bool bodies_touch_ = false;
+    WarmStart warm_start_;
+    ContactSolver solver_;
 };
 
 }  // namespace drape

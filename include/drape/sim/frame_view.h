@@ -5,7 +5,7 @@
 #include <string_view>
 
 #include "drape/bounds/broad_phase.h"
-#include "drape/contact/contact.h"
+#include "drape/contact/contact_row.h"
 #include "drape/contact/solid.h"
 #include "drape/model/ball.h"
 #include "drape/model/cloth_model.h"
@@ -17,10 +17,10 @@ namespace drape {
 
 /// A cloth as it is drawn.
 struct ClothView {
-    const ClothModel& model;  ///< grid, springs and pins
-    const Points& x;          ///< n x 3 [m]
-    const Points& previous;   ///< one step before
-    std::span<const Contact> contacts;
+    const ClothModel& model;                ///< grid, springs and pins
+    const Points& x;                        ///< n x 3 [m]
+    const Points& previous;                 ///< one step before
+    std::span<const ContactRow> contacts;   ///< with bodies
     const BroadPhase* hierarchy = nullptr;  ///< as last searched; never null
     const Points* v = nullptr;              ///< n x 3 [m/s]; null: at rest
     int held = -1;                          ///< the particle that the hand holds; -1: none

@@ -4,7 +4,7 @@
 #include <vector>
 
 #include "drape/bounds/fold_test.h"
-#include "drape/contact/contact.h"
+#include "drape/contact/detection.h"
 #include "drape/sim/cloth.h"
 
 namespace drape {
@@ -17,7 +17,7 @@ public:
     /// @param cloths with hierarchies that are fit to be drawn, see `ContactSearch::show`
     /// @param pairs in contact
     /// @return what the searches have cost
-    TraversalStats mark(std::span<Cloth> cloths, std::span<const PairContact> pairs, const ContactSettings& contact);
+    TraversalStats mark(std::span<Cloth> cloths, std::span<const ContactRow> rows, const ContactSettings& contact);
 
     /// The cells of a cloth with a particle of such a pair, in no particular order.
     [[nodiscard]] std::span<const int> touched_cells(std::size_t cloth) const { return of_cloths_[cloth].touched; }

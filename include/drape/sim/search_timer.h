@@ -38,7 +38,7 @@ private:
     BroadPhaseParameters parameters_;
     std::vector<OfCloth> cloths_;
     Candidates found_;
-    std::vector<Contact> contacts_;  ///< of all cloths
+    std::vector<ContactRow> contacts_;  ///< of all cloths
 };
 
 }  // namespace drape

@@ -4,7 +4,6 @@
 #include <vector>
 
 #include "drape/contact/impact_zones.h"
-#include "drape/contact/warm_start.h"
 #include "drape/sim/self_search.h"
 #include "drape/sim/settings.h"
 
@@ -29,17 +28,10 @@ public:
     /// Positions have been set from outside.
     void forget() { search_.forget(); }
 
-    /// Takes the pushes of the substep before for a warm start.
-    void take_pushes(const ResponseParameters& parameters, Real h, Real gravity,
-                     std::span<const ClothInContact> cloths);
-    [[nodiscard]] const WarmStart<PairContact>& warm_start() const { return warm_start_; }
-
     /// Finds what may touch within the substep, after the integrator's step and the warm start.
+    /// @param rows receives it, after what is there
     void find(const ResponseParameters& parameters, std::span<const ClothInContact> cloths,
-              std::span<const Ball> balls);
-
-    /// Those found, and after the response those that were answered.
-    [[nodiscard]] std::span<PairContact> contacts() { return contacts_; }
+              std::vector<ContactRow>& rows);
 
     /// Whether anything is so near that it has been looked at.
     [[nodiscard]] bool is_near() const { return !search_.pairs().empty(); }
@@ -66,8 +58,6 @@ private:
     SelfSearchReport report_;
     std::int64_t crossings_at_start_ = 0, coincident_at_start_ = 0;
     ImpactZones zones_;
-    WarmStart<PairContact> warm_start_;
-    std::vector<PairContact> contacts_;
 };
 
 }  // namespace drape

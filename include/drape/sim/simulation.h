@@ -52,6 +52,9 @@ public:
     [[nodiscard]] const StepReport& report() const { return report_; }
     [[nodiscard]] const Settings& settings() const { return settings_; }
     [[nodiscard]] std::span<const Cloth> cloths() const { return cloths_; }
+
+    /// What touched in the last step that was awake.
+    [[nodiscard]] std::span<const ContactRow> contacts() const { return contact_.rows(); }
     [[nodiscard]] std::span<const Ball> balls() const { return balls_; }
     [[nodiscard]] std::span<const Solid> solids() const { return solids_; }
     [[nodiscard]] const std::string& scene() const { return scene_; }

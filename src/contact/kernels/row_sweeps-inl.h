@@ -71,50 +71,52 @@ HWY_INLINE void push_particle(Real share, const Four& push, Real4& motion) {
     store(load(motion) + share * push, motion);
 }
 
-/// `solve_contact`. Each waits for the one before that pushes the same particle: branches that are mostly foreseen are
-/// faster than what would be computed in their place.
+/// `solve` of one contact. Each waits for the one before that pushes the same particle: branches that are mostly
+/// foreseen are faster than what would be computed in their place.
 template <int particles, int offsets>
-HWY_INLINE Real solve_row(std::span<Real4> motion, CompactContact& row) {
-    const auto at = [&](std::size_t k) -> Real4& { return motion[static_cast<std::size_t>(row.particles[k])]; };
+HWY_INLINE Real solve_row(std::span<Real4> motion, CompactRow& row) {
+    const auto at = [&](std::size_t k) -> Real4& { return motion[static_cast<std::size_t>(row.places[k])]; };
     Four moves = load(Real4{}) + row.weights[0] * load(at(0));
     if constexpr (particles > 1) moves = moves + row.weights[1] * load(at(1));
     if constexpr (particles > 2) moves = moves + row.weights[2] * load(at(2));
+    if constexpr (particles > 3) moves = moves + row.weights[3] * load(at(3));
     if constexpr (offsets > 0) moves = moves - load(row.offsets[0]);
     if constexpr (offsets > 1) moves = moves - load(row.offsets[1]);
     const Four n = load(row.normal), before = load(row.friction);
     const Real along = eigen_dot(moves, n);
-    const Real normal = std::max(row.push + (row.target - along) * row.mass, Real(0));
+    const Real normal = std::max(row.impulse + (row.target - along) * row.mass, Real(0));
     const Real most = row.friction_coefficient * normal;
     const Four wanted = before - row.sliding_mass * (moves - along * n);
     const Real square = eigen_dot(wanted, wanted);
     // Most contacts that carry nothing go on so, and need no root
-    const bool idle = normal == 0 && row.push == 0 && is_zero(before);
+    const bool idle = normal == 0 && row.impulse == 0 && is_zero(before);
     if (idle && square < std::numeric_limits<Real>::infinity()) return 0;
     Four friction = wanted;
     if (square > most * most) friction = (most / std::sqrt(square)) * wanted;
-    const Four push = (normal - row.push) * n + (friction - before);
+    const Four push = (normal - row.impulse) * n + (friction - before);
     if (is_zero(push)) return 0;
-    row.push = normal;
+    row.impulse = normal;
     store(friction, row.friction);
     push_particle(row.shares[0], push, at(0));
     if constexpr (particles > 1) push_particle(row.shares[1], push, at(1));
     if constexpr (particles > 2) push_particle(row.shares[2], push, at(2));
+    if constexpr (particles > 3) push_particle(row.shares[3], push, at(3));
     return eigen_dot(push, push) * row.inverse_mass * row.inverse_mass;
 }
 
 template <int offsets>
-HWY_INLINE Real sweep(std::span<Real4> motion, std::span<CompactContact> rows) {
+HWY_INLINE Real sweep(std::span<Real4> motion, std::span<CompactRow> rows) {
     Real square = 0;
-    for (CompactContact& row : rows) {
-        const Real changed = row.count == 3   ? solve_row<3, offsets>(motion, row)
-                             : row.count == 2 ? solve_row<2, offsets>(motion, row)
+    for (CompactRow& row : rows) {
+        const Real changed = row.count == 4   ? solve_row<4, offsets>(motion, row)
+                             : row.count == 3 ? solve_row<3, offsets>(motion, row)
                                               : solve_row<1, offsets>(motion, row);
         square = std::max(square, changed);
     }
     return square;
 }
 
-Real sweep_rows_of(std::span<Real4> motion, std::span<CompactContact> rows, int offsets) {
+Real sweep_rows_of(std::span<Real4> motion, std::span<CompactRow> rows, int offsets) {
     switch (offsets) {
         case 0:
             return sweep<0>(motion, rows);
@@ -133,7 +135,7 @@ namespace drape::kernels {
 
 HWY_EXPORT(sweep_rows_of);
 
-Real sweep_rows(std::span<Real4> motion, std::span<CompactContact> rows, int offsets) {
+Real sweep_rows(std::span<Real4> motion, std::span<CompactRow> rows, int offsets) {
     return HWY_DYNAMIC_DISPATCH(sweep_rows_of)(motion, rows, offsets);
 }
 

@@ -2,14 +2,14 @@
 
 #include <span>
 
-#include "drape/contact/contact_rows.h"
+#include "contact/solve/problem.h"
 
 namespace drape::kernels {
 
-/// One sweep of `solve_contact` over compact contacts, to the bit.
+/// One sweep of `solve` over compact rows, with the bits of the plain code.
 /// @param motion of the particles
 /// @param offsets how many of each row count
 /// @return the square of the largest change
-Real sweep_rows(std::span<Real4> motion, std::span<CompactContact> rows, int offsets);
+Real sweep_rows(std::span<Real4> motion, std::span<CompactRow> rows, int offsets);
 
 }  // namespace drape::kernels

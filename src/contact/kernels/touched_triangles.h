@@ -3,7 +3,7 @@
 #include <span>
 #include <vector>
 
-#include "drape/contact/contact.h"
+#include "drape/contact/detection.h"
 
 namespace drape::kernels {
 

@@ -14,7 +14,7 @@ namespace drape {
 namespace {
 
 /// A run: one search, one speed of the ball, one step.
-struct ContactRow {
+struct TrialRow {
     std::string search;
     double tests = 0, speed = 0, step = 0;
     double missed_contacts = 0, missed_steps = 0;  ///< parts of those of the reference
@@ -75,10 +75,10 @@ ContactHistory reference_run(const ContactScene& scene, double speed, double ste
     return reference;
 }
 
-std::vector<ContactRow> run_contact_case(double speed, double step, int repeats) {
+std::vector<TrialRow> run_contact_case(double speed, double step, int repeats) {
     const ContactScene scene = hung_cloth_and_ball(speed, step);
     const ContactHistory reference = reference_run(scene, speed, step);
-    std::vector<ContactRow> rows;
+    std::vector<TrialRow> rows;
     for (const Search& search : searches) {
         const ContactScene searched = scene.with(detection_of(search));
         const ContactHistory run = watch_contacts(searched, static_cast<Real>(step));
@@ -102,8 +102,8 @@ std::vector<ContactRow> run_contact_case(double speed, double step, int repeats)
     return rows;
 }
 
-std::vector<CaseOf<ContactRow>> contact_cases(bool quick) {
-    std::vector<CaseOf<ContactRow>> all;
+std::vector<CaseOf<TrialRow>> contact_cases(bool quick) {
+    std::vector<CaseOf<TrialRow>> all;
     const std::vector<double> speeds = quick ? std::vector{2.0, 8.0, 32.0} : std::vector{0.5, 2.0, 8.0, 32.0};
     const std::vector<double> rates = quick ? std::vector{30.0, 60.0, 120.0, 240.0, 480.0, 960.0}
                                             : std::vector{30.0, 60.0, 120.0, 240.0, 480.0, 960.0, 1920.0};
@@ -115,8 +115,8 @@ std::vector<CaseOf<ContactRow>> contact_cases(bool quick) {
     return all;
 }
 
-RowFormat<ContactRow> contact_format() {
-    using Row = ContactRow;
+RowFormat<TrialRow> contact_format() {
+    using Row = TrialRow;
     return {8,
             {{word_column("search", {"discrete", "continuous", "limited"}), &Row::search},
              {word_column("tests", {"0", "24", "12"}), &Row::tests},
@@ -135,17 +135,17 @@ RowFormat<ContactRow> contact_format() {
 }
 
 /// For each search and speed, the longest step from which down nothing passes and little is missed.
-std::string contact_summary(const std::vector<ContactRow>& rows) {
-    std::map<std::pair<std::string, double>, std::vector<ContactRow>> runs;
-    for (const ContactRow& row : rows) {
+std::string contact_summary(const std::vector<TrialRow>& rows) {
+    std::map<std::pair<std::string, double>, std::vector<TrialRow>> runs;
+    for (const TrialRow& row : rows) {
         const std::string tests = row.tests > 0 ? fmt::format(" to {} tests", row.tests) : "";
         runs[{row.search + tests, row.speed}].push_back(row);
     }
     std::string text;
     for (auto& [key, steps] : runs) {
-        std::ranges::sort(steps, {}, &ContactRow::step);
+        std::ranges::sort(steps, {}, &TrialRow::step);
         double longest = 0, worst = 0;
-        for (const ContactRow& row : steps) {
+        for (const TrialRow& row : steps) {
             if (row.passed > 0 || row.missed_contacts > 0.1) break;
             longest = row.step;
             worst = std::max(worst, row.penetration);
@@ -161,9 +161,9 @@ std::string contact_summary(const std::vector<ContactRow>& rows) {
     return text;
 }
 
-std::vector<Chart> contact_charts(const std::vector<ContactRow>& rows) {
-    const auto shown = words_of(rows, [](const ContactRow& row) { return row.search + "." + real_text(row.tests); });
-    const auto speeds = words_of(rows, [](const ContactRow& row) { return real_text(row.speed); });
+std::vector<Chart> contact_charts(const std::vector<TrialRow>& rows) {
+    const auto shown = words_of(rows, [](const TrialRow& row) { return row.search + "." + real_text(row.tests); });
+    const auto speeds = words_of(rows, [](const TrialRow& row) { return real_text(row.speed); });
     return {{"contact",
              "contact",
              "Contacts that the reference has within a step and a run has not found, the deepest that the response "
@@ -197,9 +197,9 @@ ContactScene hung_cloth_and_ball(double speed, double step) {
 }
 
 Experiment contact_experiment() {
-    return ExperimentOf<ContactRow>{"contact",        "which steps and searches find the contacts that there are?",
-                                    contact_format(), contact_cases,
-                                    contact_charts,   contact_summary}
+    return ExperimentOf<TrialRow>{"contact",        "which steps and searches find the contacts that there are?",
+                                  contact_format(), contact_cases,
+                                  contact_charts,   contact_summary}
         .as_table();
 }
 

@@ -99,10 +99,11 @@ std::vector<int> ContactTrial::touched_triangles() const {
         }
     }
     for (const StoppedNode& node : stopped()) {
-        const auto is_its = [&](const Contact& contact) {
-            return contact.of_node && contact.triangle == 2 * node.cell && contact.normal.dot(ball_.velocity) >= 0;
+        const auto is_its = [&](const ContactRow& contact) {
+            return contact.kind == RowKind::Node && contact.triangle == 2 * node.cell &&
+                   contact.normal.dot(ball_.velocity) >= 0;
         };
-        if (std::ranges::any_of(cloth_.contacts, is_its)) add_triangles(grid(), node, triangles);
+        if (std::ranges::any_of(stage_.rows(), is_its)) add_triangles(grid(), node, triangles);
     }
     std::ranges::sort(triangles);
     return triangles;

@@ -119,7 +119,7 @@ void SelfContactTrial::make_in_halves(Real h, int halvings_left, SelfContactStep
         return;
     }
     for (const std::size_t s : sheets) cloths_[s].state = start[s];
-    for (PairContact& contact : stage_.self().contacts()) contact.displacement = contact.impulse = {};
+    stage_.clear();
     ++step.rejected;
     for (int half = 0; half < 2; ++half) make_in_halves(h / 2, halvings_left - 1, step);
 }

@@ -8,7 +8,7 @@
 #include "drape/base/input_error.h"
 #include "drape/bounds/broad_phase.h"
 #include "drape/bounds/leaf_copies.h"
-#include "drape/contact/contact.h"
+#include "drape/contact/detection.h"
 
 namespace drape {
 namespace {
@@ -27,6 +27,11 @@ Points flat_square(const Grid& grid, Real width) {
     return x;
 }
 
+/// Where cloth was at the start of a step, and is at its end, n x 3 [m].
+struct ClothMotion {
+    const Points &before, &x;
+};
+
 /// Detection over one cloth.
 class Detector {
 public:
@@ -41,13 +46,14 @@ public:
     bool touches(const ClothMotion& cloth, const Ball& ball, Real reach) {
         tree_->query(grown(ball, 2 * reach), found_);
         contacts_.clear();
-        return find_contacts(grid_, cloth, ball, 0, 0, reach, found_.cells, contacts_, Kernels::Vector) > 0;
+        return find_contacts({grid_, cloth.before, cloth.x}, ball, {.reach = reach}, found_.cells, contacts_,
+                             Kernels::Vector) > 0;
     }
 
     /// Whether all cells together have as many contacts as `touches` has just found.
     bool is_confirmed(const ClothMotion& cloth, const Ball& ball, Real reach) {
         expected_.clear();
-        find_contacts(grid_, cloth, ball, 0, 0, reach, all_, expected_, Kernels::Plain);
+        find_contacts({grid_, cloth.before, cloth.x}, ball, {.reach = reach}, all_, expected_, Kernels::Plain);
         return expected_.size() == contacts_.size();
     }
 
@@ -56,7 +62,7 @@ private:
     std::unique_ptr<BroadPhase> tree_;
     std::vector<CellRun> all_;
     Candidates found_;
-    std::vector<Contact> contacts_, expected_;
+    std::vector<ContactRow> contacts_, expected_;
 };
 
 /// A way past the origin: the centre at the distance s from the point next to it is middle + s direction.

@@ -8,7 +8,7 @@
 
 #include "drape/base/assert.h"
 #include "drape/base/input_error.h"
-#include "drape/contact/contact.h"
+#include "drape/contact/detection.h"
 #include "drape/sim/scene.h"
 #include "drape/sim/simulation.h"
 #include "lab/measure/states.h"

@@ -1,0 +1,123 @@
+#pragma once
+
+#include <memory>
+#include <span>
+#include <vector>
+
+#include "drape/bounds/broad_phase.h"
+#include "drape/contact/body.h"
+#include "drape/contact/contact_row.h"
+#include "drape/model/ball.h"
+#include "drape/model/cloth_model.h"
+
+namespace drape {
+
+/// A cloth, where it is, and where it was at the start of the substep.
+struct MovingCloth {
+    const Grid& grid;
+    const Points &before, &x;  ///< n x 3 [m]
+    int number = 0;            ///< among all cloths
+};
+
+/// A body that a search is about.
+struct SearchedBody {
+    int number = 0;
+    Real thickness = 0;  ///< of the cloth [m]
+    /// By how much it and cloth may have come nearer to each other within the substep. Then planes are those of its
+    /// start, when they were on the right sides of each other, and go on with the body: what passes through has come
+    /// past its plane, and is found like all else. 0: planes are those of the end, on which cloth lies more calmly [m]
+    Real reach = 0;
+};
+
+/// The reach of a search: by how much a body and cloth have come nearer to each other within a substep, at most; 0
+/// where that is too little for one to be on the wrong side of the other.
+/// @param room half of it is too little: a ball's radius, or the thickness beside a solid [m]
+[[nodiscard]] inline Real reach_of(Real nearer, Real room) { return 2 * nearer > room ? nearer : Real(0); }
+
+/// The touched triangles, exactly: those whose distance to the ball's centre is at most radius + thickness.
+/// @param x n x 3 [m]
+/// @param cells candidate cells
+/// @param triangles receives the triangle numbers, in the order of `cells`; cleared first
+void find_touched_triangles(const Grid& grid, const Points& x, const Ball& ball, Real thickness,
+                            std::span<const CellRun> cells, std::vector<int>& triangles, Kernels kernels);
+
+/// The contacts of the candidate cells with one ball, appended: each particle, each edge and each triangle at most
+/// once. A particle counts if it may come into the grown ball; a triangle, or an edge, if its closest point to the
+/// centre may.
+/// @param kernels plain: each cell is tested; vector: cells that their corners show to be too far are left out first
+/// @return how many of the cells touch at the end, or have come past the plane of the start
+std::int64_t find_contacts(const MovingCloth& cloth, const Ball& ball, const SearchedBody& body,
+                           std::span<const CellRun> cells, std::vector<ContactRow>& rows, Kernels kernels);
+
+/// How fast a node's sphere may push: as fast as a cloth settles, and slower than it tears [m/s].
+inline constexpr Real node_push_speed = 1;
+
+/// The contacts of nodes at which a search has ended with one ball, appended: of each, a sphere that is fixed to the
+/// middle of a triangle in the node's middle, and felt there. @cite hubbard1996
+/// Most of a sphere is empty. Pushed out of it at once, the one triangle that feels it would tear at its neighbours:
+/// what is deeper than a push may be is taken off the sphere's radius.
+/// @param longest_push that one response may make of a contact [m]
+void find_node_contacts(const MovingCloth& cloth, const Ball& ball, const SearchedBody& body, Real longest_push,
+                        std::span<const StoppedNode> nodes, std::vector<ContactRow>& rows);
+
+/// The contacts of the candidate cells with the ground, appended: particles alone, for whatever is between them is
+/// above the lowest.
+void find_ground_contacts(const MovingCloth& cloth, Real height, const SearchedBody& body,
+                          std::span<const CellRun> cells, std::vector<ContactRow>& rows);
+
+/// Finds where a cloth may touch solids within a substep. A contact is a plane: that of the surface next to a particle,
+/// or to the point of a triangle, or of an edge, that is deepest.
+class SolidSearch {
+public:
+    /// The contacts of the candidate cells with one solid, appended: each particle, each edge and each triangle at most
+    /// once, triangles ascending.
+    /// @param solid at the end of the substep
+    /// @param cells ascending
+    void find(const MovingCloth& cloth, const Solid& solid, const SearchedBody& body, std::span<const CellRun> cells,
+              std::vector<ContactRow>& rows);
+
+private:
+    /// A distance that was measured, and where, seen from the solid: since then it has changed by no more than that has
+    /// moved.
+    struct Measured {
+        Vec3 at = Vec3::Zero();
+        Real distance = -1;  ///< near, before there is one
+    };
+
+    /// What is known of the particles beside one solid.
+    struct Known {
+        int body = no_body;
+        std::shared_ptr<const SolidShape> shape;
+        std::vector<Measured> particles;
+    };
+
+    Known& known_of(int body, const Solid& solid, std::size_t particles);
+    void measure(const MovingCloth& cloth, const Solid& solid, int body, Real near, std::span<const CellRun> cells);
+
+    std::vector<Known> known_;              ///< of each solid
+    std::vector<SurfaceDistance> surface_;  ///< of the particles of the cells; of far ones a bound, and no normal
+    std::vector<CellRun> particles_;        ///< of the cells
+};
+
+/// The contacts of balls with each other and with all other bodies, appended, at most one of each two of which one is
+/// free: in the plane where the ball is deepest, or, if it has passed the other within the substep or come to another
+/// side, where they have met.
+/// @param bodies the balls first
+/// @par Cost O(balls bodies) distances
+void find_body_contacts(std::span<const Body> bodies, std::vector<ContactRow>& rows);
+
+/// Stops a ball that nothing pushes at the surfaces of solids that it meets within the substep, and lets it slide along
+/// them; back at its start, without velocity, if they leave it no room.
+/// @param start of its path; what stops it may have shortened `moved` [m]
+/// @param gap to leave [m]
+/// @param h the substep [s]
+/// @return whether it had to
+bool stay_outside(std::span<const Solid> solids, const Vec3& start, Real gap, Real h, Ball& ball);
+
+/// Whether a ball's path through the substep takes it into no solid deeper than it was at the start, or would be if it
+/// stayed there, whichever is deeper.
+/// @pre it has moved
+/// @param gap as above [m]
+[[nodiscard]] bool penetrates_no_deeper(std::span<const Solid> solids, Real gap, const Ball& ball);
+
+}  // namespace drape

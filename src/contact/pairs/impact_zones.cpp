@@ -1,0 +1,173 @@
+#include "drape/contact/impact_zones.h"
+
+#include <algorithm>
+#include <utility>
+
+#include "../contact_geometry.h"
+
+namespace drape {
+namespace {
+
+const ClothInContact& cloth_of(std::span<const ClothInContact> cloths, int number) {
+    return cloths[static_cast<std::size_t>(number)];
+}
+
+Vec3 way_of_particle(const ClothInContact& cloth, int particle) {
+    return position(cloth.state.x, particle) - position(cloth.before, particle);
+}
+
+}  // namespace
+
+std::size_t ImpactZones::number_of(int cloth, int particle) const {
+    return first_[static_cast<std::size_t>(cloth)] + static_cast<std::size_t>(particle);
+}
+
+/// Of its k-th particle; -1: none.
+int ImpactZones::zone_of(const NearPair& pair, std::size_t k) const {
+    return zone_of_[number_of(pair.features.cloth_of(k), pair.features.particles[k])];
+}
+
+/// As its particles are to move now.
+FeatureMotion ImpactZones::motion_of(const NearPair& pair, std::span<const ClothInContact> cloths) const {
+    FeatureMotion motion{.first_count = pair.features.first_count};
+    for (std::size_t k = 0; k < 4; ++k) {
+        const ClothInContact& cloth = cloth_of(cloths, pair.features.cloth_of(k));
+        motion.start[k] = position(cloth.before, pair.features.particles[k]);
+        motion.way[k] = way_of_particle(cloth, pair.features.particles[k]);
+    }
+    return motion;
+}
+
+/// As they would have moved.
+FeatureMotion ImpactZones::first_motion_of(const NearPair& pair, std::span<const ClothInContact> cloths) const {
+    FeatureMotion motion = motion_of(pair, cloths);
+    for (std::size_t k = 0; k < 4; ++k) {
+        const int zone = zone_of(pair, k);
+        if (zone < 0) continue;
+        const std::size_t number = number_of(pair.features.cloth_of(k), pair.features.particles[k]);
+        const std::vector<Member>& members = zones_[static_cast<std::size_t>(zone)].members;
+        motion.way[k] = members[static_cast<std::size_t>(place_in_[number])].way;
+    }
+    return motion;
+}
+
+bool ImpactZones::touches_zone(const NearPair& pair) const { return largest_zone_of(pair) >= 0; }
+
+bool ImpactZones::within_one_zone(const NearPair& pair) const {
+    const int zone = zone_of(pair, 0);
+    for (std::size_t k = 1; k < 4; ++k) {
+        if (zone_of(pair, k) != zone) return false;
+    }
+    return zone >= 0;
+}
+
+/// Of those that a pair's particles are in; -1: none.
+int ImpactZones::largest_zone_of(const NearPair& pair) const {
+    const auto size_of = [&](int zone) { return zone < 0 ? 0 : zones_[static_cast<std::size_t>(zone)].members.size(); };
+    int largest = -1;
+    for (std::size_t k = 0; k < 4; ++k)
+        largest = std::max(largest, zone_of(pair, k), [&](int a, int b) { return size_of(a) < size_of(b); });
+    return largest;
+}
+
+void ImpactZones::add(int zone, const Member& member) {
+    std::vector<Member>& members = zones_[static_cast<std::size_t>(zone)].members;
+    const std::size_t number = number_of(member.cloth, member.particle);
+    zone_of_[number] = zone;
+    place_in_[number] = static_cast<int>(members.size());
+    members.push_back(member);
+}
+
+/// All particles of a pair, and of the zones that they are in, become one zone.
+void ImpactZones::join(const NearPair& pair, std::span<const ClothInContact> cloths, Real part) {
+    int all = largest_zone_of(pair);
+    if (all < 0) {
+        all = static_cast<int>(zones_.size());
+        zones_.emplace_back();
+    }
+    Zone& zone = zones_[static_cast<std::size_t>(all)];
+    zone.part = std::min(zone.part, part);
+    for (std::size_t k = 0; k < 4; ++k) {
+        const int number = pair.features.cloth_of(k), particle = pair.features.particles[k];
+        const int other = zone_of(pair, k);
+        if (other == all) continue;
+        if (other < 0) {
+            const ClothInContact& cloth = cloth_of(cloths, number);
+            add(all, {number, particle, way_of_particle(cloth, particle), position(cloth.state.v, particle)});
+            continue;
+        }
+        Zone& joined = zones_[static_cast<std::size_t>(other)];
+        zone.part = std::min(zone.part, joined.part);
+        for (const Member& member : std::exchange(joined.members, {})) add(all, member);
+    }
+}
+
+/// The mean of what the members of a zone have, by mass. Where there are pinned ones, what the slowest of them has: a
+/// pin stays, and one that the hand leads may be held back.
+Vec3 ImpactZones::mean(std::span<const ClothInContact> cloths, const Zone& zone, Vec3 Member::*value) {
+    Vec3 sum = Vec3::Zero();
+    Real mass = 0;
+    const Vec3* of_pinned = nullptr;
+    for (const Member& member : zone.members) {
+        const ClothModel& model = cloth_of(cloths, member.cloth).model;
+        const Vec3& own = member.*value;
+        if (!model.pinned(member.particle)) {
+            sum += model.particle_mass * own;
+            mass += model.particle_mass;
+        } else if (!of_pinned || own.squaredNorm() < of_pinned->squaredNorm()) {
+            of_pinned = &own;
+        }
+    }
+    return of_pinned ? *of_pinned : Vec3(sum / mass);
+}
+
+void ImpactZones::move_zones(std::span<const ClothInContact> cloths) const {
+    for (const Zone& zone : zones_) {
+        if (zone.members.empty()) continue;
+        const Vec3 way = mean(cloths, zone, &Member::way), velocity = mean(cloths, zone, &Member::velocity);
+        for (const Member& member : zone.members) {
+            const ClothInContact& cloth = cloth_of(cloths, member.cloth);
+            cloth.state.x.row(member.particle) =
+                cloth.before.row(member.particle) + (way + zone.part * (member.way - way)).transpose();
+            cloth.state.v.row(member.particle) = (velocity + zone.part * (member.velocity - velocity)).transpose();
+        }
+    }
+}
+
+/// A pair without any distance has met already.
+bool ImpactZones::find(std::span<const NearPair> pairs, std::span<const ClothInContact> cloths,
+                       std::span<const std::size_t> first, Real least) {
+    least_ = least;
+    first_ = first;
+    zone_of_.assign(first.back(), -1);
+    place_in_.resize(first.back());
+    zones_.clear();
+    for (const NearPair& pair : pairs) {
+        if (pair.distance == 0) continue;
+        const Real part = safe_part_of(first_motion_of(pair, cloths), pair.distance, least_);
+        if (part < 1) join(pair, cloths, part);
+    }
+    return !zones_.empty();
+}
+
+/// Within a zone only that part of the motion is made in which no pair of it meets, whatever its other particles do.
+void ImpactZones::prevent_crossing(std::span<const NearPair> pairs, std::span<const ClothInContact> cloths) {
+    for (bool meets = true; meets;) {
+        move_zones(cloths);
+        meets = false;
+        for (const NearPair& pair : pairs) {
+            if (pair.distance == 0 || !touches_zone(pair) || within_one_zone(pair)) continue;
+            if (safe_part_of(motion_of(pair, cloths), pair.distance, least_) == 1) continue;
+            join(pair, cloths, safe_part_of(first_motion_of(pair, cloths), pair.distance, least_));
+            meets = true;
+        }
+    }
+}
+
+std::int64_t ImpactZones::particles() const {
+    std::int64_t count = 0;
+    for (const Zone& zone : zones_) count += static_cast<std::int64_t>(zone.members.size());
+    return count;
+}
+
+}  // namespace drape

@@ -1,0 +1,178 @@
+#include "problem.h"
+
+#include <algorithm>
+
+#include "fast_sweeps.h"
+#include "shares.h"
+
+namespace drape {
+namespace {
+
+/// A ball meets an impulse along the normal with its mass, and one across it with its inertia too: 1/m + r^2 / I = 7/2
+/// / m.
+constexpr Real sliding_share = Real(3.5);
+
+/// Where the particles of a contact were, and what an impulse meets.
+void set_particles(const ContactProblem& problem, const ContactRow& row, RowState& state) {
+    state.start.setZero();
+    for (const RowParticle& p : row.moved()) {
+        state.start += p.weight * position(problem.cloths[static_cast<std::size_t>(p.cloth)].before, p.particle);
+    }
+    state.shares = shares_of(problem.cloths, row);
+    const Real of_particles = inverse_mass_of_particles(row, state.shares);
+    Real of_bodies = 0;
+    for (const int body : {row.first_body, row.body}) {
+        if (body != no_body) of_bodies += problem.body(body).inverse_mass;
+    }
+    const Real sliding = of_particles + sliding_share * of_bodies;
+    state.inverse_mass = of_particles + of_bodies;
+    state.mass = state.inverse_mass > 0 ? 1 / state.inverse_mass : Real(0);
+    state.sliding_mass = sliding > 0 ? 1 / sliding : Real(0);
+}
+
+/// Gives each particle in contact a place.
+void set_places(ContactProblem& problem) {
+    auto& [states, particles, place_of, displacements, velocities, order, compact, levels, groups, next_of] =
+        problem.scratch;
+    std::size_t count = 0;
+    for (const ClothInContact& cloth : problem.cloths) count += static_cast<std::size_t>(cloth.state.x.rows());
+    place_of.resize(std::max(place_of.size(), count));
+    particles.clear();
+    const auto number_of = [&](int cloth, int particle) {
+        std::size_t number = static_cast<std::size_t>(particle);
+        for (int c = 0; c < cloth; ++c) {
+            number += static_cast<std::size_t>(problem.cloths[static_cast<std::size_t>(c)].state.x.rows());
+        }
+        return number;
+    };
+    for (std::size_t r = 0; r < problem.rows.size(); ++r) {
+        const ContactRow& row = problem.rows[r];
+        for (std::size_t k = 0; k < row.count; ++k) {
+            int& place = place_of[number_of(row.particles[k].cloth, row.particles[k].particle)];
+            if (place == 0) {
+                particles.push_back({row.particles[k].cloth, row.particles[k].particle});
+                place = static_cast<int>(particles.size());
+            }
+            states[r].places[k] = place - 1;
+        }
+    }
+    for (const auto [cloth, particle] : particles) place_of[number_of(cloth, particle)] = 0;
+}
+
+void take_motion(ContactProblem& problem) {
+    ContactMotion &displacements = problem.scratch.displacements, &velocities = problem.scratch.velocities;
+    displacements.particles.clear();
+    velocities.particles.clear();
+    for (const auto [cloth, particle] : problem.scratch.particles) {
+        const ClothState& state = problem.cloths[static_cast<std::size_t>(cloth)].state;
+        displacements.particles.push_back({state.x(particle, 0), state.x(particle, 1), state.x(particle, 2), 0});
+        velocities.particles.push_back({state.v(particle, 0), state.v(particle, 1), state.v(particle, 2), 0});
+    }
+    displacements.bodies.clear();
+    velocities.bodies.clear();
+    for (const Body& body : problem.bodies) {
+        displacements.bodies.push_back({body.moved, body.turned});
+        velocities.bodies.push_back({body.velocity, body.spin});
+    }
+}
+
+/// Where a body is now.
+Vec3 centre_of(const ContactProblem& problem, int body) {
+    const Vec3& moved = problem.scratch.displacements.bodies[static_cast<std::size_t>(body)].linear;
+    return problem.body(body).centre + (moved - problem.body(body).moved);
+}
+
+/// Whether a contact is no impact to the hybrid, though its bodies approach each other by more than gravity alone makes
+/// them. Where a force displaces by half of its velocity, what lies still has the other half at the end of the substep:
+/// it rests if it has hardly come nearer, or has pushed in the substep before, which only contacts of cloth know.
+bool rests(const ContactProblem& problem, const ContactRow& row, const RowState& state) {
+    if (problem.share == 1) return false;
+    const Real nearer = -relative(problem, problem.scratch.displacements, row, state).dot(row.normal);
+    if (nearer <= problem.resting_speed() * problem.h) return true;
+    return row.lasts && state.approach <= std::min(rest_steps * problem.gravity.norm() * problem.h, fastest_rest);
+}
+
+/// Fills what does not change while contacts are solved, but for masses.
+void prepare(const ContactProblem& problem, ContactRow& row, RowState& state) {
+    state.surface = {.friction = problem.parameters.friction};
+    if (row.body != no_body) state.surface = problem.body(row.body).surface;
+    for (RowImpulse* given : {&row.displacement, &row.impulse}) {
+        given->friction -= given->friction.dot(row.normal) * row.normal;
+    }
+    state.approach = -relative(problem, problem.scratch.velocities, row, state).dot(row.normal);
+    const bool by_hybrid = problem.parameters.kind == ResponseKind::Hybrid;
+    if (by_hybrid && is_impact(problem, state) && rests(problem, row, state)) {
+        state.approach = problem.resting_speed();  // so that it is no impact
+    }
+    const bool bounces = is_impact(problem, state);
+    target_of(state, Quantity::Velocity) = bounces ? state.surface.restitution * state.approach : Real(0);
+}
+
+}  // namespace
+
+/// Flat, because GCC would call a function for each sum of three numbers.
+__attribute__((flatten)) void prepare(ContactProblem& problem) {
+    problem.scratch.states.assign(problem.rows.size(), {});
+    set_places(problem);
+    take_motion(problem);
+    for (std::size_t r = 0; r < problem.rows.size(); ++r) {
+        ContactRow& row = problem.rows[r];
+        RowState& state = problem.state(r);
+        set_particles(problem, row, state);
+        follow(problem, row, state);
+        prepare(problem, row, state);
+    }
+    order_rows(problem);
+}
+
+void finish(ContactProblem& problem) {
+    const ContactMotion &displacements = problem.scratch.displacements, &velocities = problem.scratch.velocities;
+    for (std::size_t place = 0; place < problem.scratch.particles.size(); ++place) {
+        const auto [cloth, particle] = problem.scratch.particles[place];
+        ClothState& state = problem.cloths[static_cast<std::size_t>(cloth)].state;
+        state.x.row(particle) = displacements.of(static_cast<int>(place)).transpose();
+        state.v.row(particle) = velocities.of(static_cast<int>(place)).transpose();
+    }
+    for (std::size_t b = 0; b < problem.bodies.size(); ++b) {
+        Body& body = problem.bodies[b];
+        if (body.inverse_mass == 0) continue;
+        body.centre = centre_of(problem, static_cast<int>(b));
+        body.moved = displacements.bodies[b].linear;
+        body.turned = displacements.bodies[b].angular;
+        body.velocity = velocities.bodies[b].linear;
+        body.spin = velocities.bodies[b].angular;
+    }
+}
+
+void follow(const ContactProblem& problem, ContactRow& row, const RowState& state) {
+    Vec3 offset = Vec3::Zero();
+    for (std::size_t k = 0; k < row.count; ++k) {
+        offset += row.particles[k].weight * problem.scratch.displacements.of(state.places[k]);
+    }
+    if (row.first_body != no_body) offset += centre_of(problem, row.first_body);
+    if (row.body != no_body) offset -= centre_of(problem, row.body);
+    row.depth = row.distance - row.normal.dot(offset);
+}
+
+void find_again(const ContactProblem& problem, ContactRow& row, RowState& state) {
+    const bool of_surface = row.kind == RowKind::Particle || row.kind == RowKind::Triangle;
+    if (of_surface && !row.separated && problem.body(row.body).is_ball()) {
+        const ContactMotion& x = problem.scratch.displacements;
+        const Vec3 centre = centre_of(problem, row.body);
+        ClosestPoint at{x.of(state.places[0]), {1, 0, 0}};
+        if (row.kind == RowKind::Triangle) {
+            at = closest_point_on_triangle(centre, at.point, x.of(state.places[1]), x.of(state.places[2]));
+        }
+        const Vec3 offset = at.point - centre;
+        const Real distance = offset.norm();
+        if (offset.dot(row.normal) > same_side * distance) {
+            for (std::size_t k = 0; k < row.count; ++k) row.particles[k].weight = at.barycentric[k];
+            row.normal = offset / distance;
+            set_particles(problem, row, state);
+            row.displacement.friction -= row.displacement.friction.dot(row.normal) * row.normal;
+        }
+    }
+    follow(problem, row, state);
+}
+
+}  // namespace drape

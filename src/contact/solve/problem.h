@@ -1,0 +1,178 @@
+#pragma once
+
+#include <Eigen/Geometry>
+#include <array>
+#include <vector>
+
+#include "../contact_geometry.h"
+#include "../tuning.h"
+#include "drape/contact/response.h"
+
+namespace drape {
+
+/// A vector in space and a zero, as one register holds them.
+using Real4 = std::array<Real, 4>;
+
+/// What is known of a contact while it is answered.
+struct RowState {
+    std::array<int, 4> places{};   ///< of its particles, in the motion
+    std::array<Real, 4> shares{};  ///< of an impulse, that they move by: weight times inverse mass [1/kg]
+    Vec3 start = Vec3::Zero();     ///< weighted sum of where they were at the start of the substep [m]
+    Real inverse_mass = 0;         ///< that an impulse along the normal meets, of both sides; 0 if none moves [1/kg]
+    Real mass = 0;                 ///< 1 / inverse_mass, or 0 [kg]
+    Real sliding_mass = 0;         ///< the same across the normal [kg]
+    Surface surface;
+    Real approach = 0;              ///< speed at which they meet, less than zero where they part [m/s]
+    Real remaining = 0;             ///< of the substep, after the impact [s]
+    std::array<Real, 2> targets{};  ///< least motion along the normal, of displacements and velocities [m, m/s]
+    bool included = true;           ///< in the response under way
+    bool active = false;            ///< in the solve under way
+};
+
+/// What contacts change: displacements within the substep, or velocities.
+enum class Quantity { Displacement, Velocity };
+
+/// One of both, of all that takes part.
+struct ContactMotion {
+    /// Of a body, and how fast it turns.
+    struct OfBody {
+        Vec3 linear, angular;
+    };
+
+    Quantity quantity;
+    std::vector<Real4> particles;  ///< positions at the end of the substep, or velocities
+    std::vector<OfBody> bodies;
+
+    [[nodiscard]] Eigen::Map<const Vec3> of(int place) const {
+        return Eigen::Map<const Vec3>(particles[static_cast<std::size_t>(place)].data());
+    }
+    [[nodiscard]] Eigen::Map<Vec3> of(int place) {
+        return Eigen::Map<Vec3>(particles[static_cast<std::size_t>(place)].data());
+    }
+};
+
+/// What the sweeps of a solve read of a contact whose bodies nothing moves, and nothing else: most then find all of
+/// them in the cache nearest to the processor.
+struct CompactRow {
+    Real4 normal, friction;
+    Real impulse, target;  ///< along the normal
+    Real mass, sliding_mass, inverse_mass, friction_coefficient;
+    Real4 weights, shares;
+    std::array<int, 4> places;
+    int count;
+    std::array<Real4, 2> offsets;  ///< subtracted from the motion of its particles, one after the other
+};
+
+/// What a solver keeps from one substep to the next, to allocate nothing.
+struct ContactSolver::Scratch {
+    /// A particle in contact.
+    struct Particle {
+        int cloth, particle;
+    };
+
+    std::vector<RowState> states;     ///< of each row
+    std::vector<Particle> particles;  ///< of each place
+    std::vector<int> place_of;        ///< of each particle of all cloths, plus 1; 0: none
+    ContactMotion displacements{Quantity::Displacement, {}, {}}, velocities{Quantity::Velocity, {}, {}};
+
+    // Of solves over compact rows
+    std::vector<int> order;            ///< of the rows; empty: plain code solves
+    std::vector<CompactRow> compact;   ///< first those that are active; never made fewer
+    std::vector<std::size_t> levels;   ///< of the places
+    std::vector<std::size_t> groups;   ///< of the rows
+    std::vector<std::size_t> next_of;  ///< place in the order, of each group
+};
+
+/// All contacts that are solved together, and what is known of the substep.
+struct ContactProblem {
+    const ResponseParameters& parameters;
+    Real h;        ///< the substep [s]
+    Real share;    ///< of h, that a constant force displaces for, see `displacement_share`
+    Vec3 gravity;  ///< [m/s^2]
+    std::span<const ClothInContact> cloths;
+    std::span<Body> bodies;
+    std::span<ContactRow> rows;
+    ContactSolver::Scratch& scratch;
+
+    [[nodiscard]] RowState& state(std::size_t row) const { return scratch.states[row]; }
+    [[nodiscard]] ContactMotion& motion(Quantity quantity) const {
+        return quantity == Quantity::Displacement ? scratch.displacements : scratch.velocities;
+    }
+    [[nodiscard]] Body& body(int number) const { return bodies[static_cast<std::size_t>(number)]; }
+
+    /// An approach slower than this is resting, and does not bounce [m/s].
+    [[nodiscard]] Real resting_speed() const { return resting_steps * h * gravity.norm(); }
+};
+
+/// Calls visit(row, state) for all contacts of the response under way, in the order in which they are solved.
+template <class Visit>
+void for_each_row(const ContactProblem& problem, Visit visit) {
+    for (std::size_t r = 0; r < problem.rows.size(); ++r) {
+        if (problem.state(r).included) visit(problem.rows[r], problem.state(r));
+    }
+}
+
+inline RowImpulse& accumulated(ContactRow& row, Quantity quantity) {
+    return quantity == Quantity::Displacement ? row.displacement : row.impulse;
+}
+
+inline Real& target_of(RowState& state, Quantity quantity) { return state.targets[static_cast<std::size_t>(quantity)]; }
+
+/// Whether bodies meet faster than a few steps of gravity would make them; if not, they rest on each other.
+inline bool is_impact(const ContactProblem& problem, const RowState& state) {
+    return state.approach > problem.resting_speed();
+}
+
+/// How a body moves where a contact touches it.
+/// @param outwards out of the body
+inline Vec3 motion_of_body(const ContactProblem& problem, const ContactMotion& motion, int body, const Vec3& outwards) {
+    const auto& [linear, angular] = motion.bodies[static_cast<std::size_t>(body)];
+    return linear + angular.cross(problem.body(body).arm(outwards));
+}
+
+/// How the first side of a contact moves against the second.
+inline Vec3 relative(const ContactProblem& problem, const ContactMotion& motion, const ContactRow& row,
+                     const RowState& state) {
+    Vec3 sum = Vec3::Zero();
+    for (std::size_t k = 0; k < row.count; ++k) sum += row.particles[k].weight * motion.of(state.places[k]);
+    if (motion.quantity == Quantity::Displacement) sum -= state.start;
+    if (row.first_body != no_body) sum += motion_of_body(problem, motion, row.first_body, -row.normal);
+    if (row.body != no_body) sum -= motion_of_body(problem, motion, row.body, row.normal);
+    return sum;
+}
+
+/// Gives an impulse to the first side of a contact, and the opposite one to the second.
+inline void push_apart(const ContactProblem& problem, ContactMotion& motion, const ContactRow& row,
+                       const RowState& state, const Vec3& impulse) {
+    const auto push_body = [&](int number, const Vec3& outwards, const Vec3& given) {
+        if (number == no_body || problem.body(number).inverse_mass == 0) return;
+        const Body& body = problem.body(number);
+        auto& [linear, angular] = motion.bodies[static_cast<std::size_t>(number)];
+        linear += body.inverse_mass * given;
+        angular += body.inverse_inertia * body.arm(outwards).cross(given);
+    };
+    for (std::size_t k = 0; k < row.count; ++k) motion.of(state.places[k]) += state.shares[k] * impulse;
+    push_body(row.first_body, -row.normal, impulse);
+    push_body(row.body, row.normal, -impulse);
+}
+
+/// Fills what is known of each row, and takes the motion of all that is in contact.
+void prepare(ContactProblem& problem);
+
+/// Gives cloths and bodies the motion that the response has left.
+void finish(ContactProblem& problem);
+
+/// Updates the depth of a contact, less than zero where it has parted, to where all is now; the normal stays.
+void follow(const ContactProblem& problem, ContactRow& row, const RowState& state);
+
+/// Finds a contact of cloth with a ball again where they have moved: the point that is closest now, and its plane, if
+/// it is on the side where they met. Others follow.
+void find_again(const ContactProblem& problem, ContactRow& row, RowState& state);
+
+/// The responses, each in a file of its own.
+[[nodiscard]] ResponseReport respond_by_projection(ContactProblem& problem);
+[[nodiscard]] ResponseReport respond_by_impulses(ContactProblem& problem);
+[[nodiscard]] ResponseReport respond_by_penalties(ContactProblem& problem);
+[[nodiscard]] ResponseReport respond_by_hybrid(ContactProblem& problem);
+
+}  // namespace drape

@@ -1,0 +1,146 @@
+#include "drape/contact/response.h"
+
+#include <algorithm>
+
+#include "problem.h"
+
+namespace drape {
+namespace {
+
+constexpr std::size_t max_reserved = 100'000;  // contacts
+
+ResponseReport respond_in_kind(ContactProblem& problem) {
+    switch (problem.parameters.kind) {
+        case ResponseKind::Projection:
+            return respond_by_projection(problem);
+        case ResponseKind::Penalty:
+            return respond_by_penalties(problem);
+        case ResponseKind::Impulse:
+            return respond_by_impulses(problem);
+        case ResponseKind::Hybrid:
+            return respond_by_hybrid(problem);
+    }
+    return {};
+}
+
+void include_pairs_alone(ContactProblem& problem, bool pairs) {
+    for (std::size_t r = 0; r < problem.rows.size(); ++r) {
+        problem.state(r).included = (problem.rows[r].kind == RowKind::Pair) == pairs;
+    }
+}
+
+/// Pairs are always answered by projection: penalties of many pairs at one particle would add up, and an impulse is for
+/// what meets, not for what is to keep apart.
+ResponseReport respond(ContactProblem& problem) {
+    const bool has_pairs =
+        std::ranges::any_of(problem.rows, [](const ContactRow& r) { return r.kind == RowKind::Pair; });
+    if (problem.parameters.kind == ResponseKind::Projection || !has_pairs) return respond_in_kind(problem);
+    include_pairs_alone(problem, false);
+    ResponseReport report = respond_in_kind(problem);
+    include_pairs_alone(problem, true);
+    for_each_row(problem, [&](ContactRow& row, const RowState& state) { follow(problem, row, state); });
+    const ResponseReport more = respond_by_projection(problem);
+    report.sweeps += more.sweeps;
+    report.residual = std::max(report.residual, more.residual);
+    return report;
+}
+
+}  // namespace
+
+ContactSolver::ContactSolver() : scratch_(std::make_unique<Scratch>()) {}
+ContactSolver::ContactSolver(const ContactSolver& /*other*/) : ContactSolver() {}
+ContactSolver::ContactSolver(ContactSolver&& other) noexcept = default;
+ContactSolver& ContactSolver::operator=(ContactSolver other) noexcept {
+    scratch_ = std::move(other.scratch_);
+    return *this;
+}
+ContactSolver::~ContactSolver() = default;
+
+/// There are no more particles than that either: a cloth has two contacts a triangle at the most.
+void ContactSolver::reserve(std::size_t contacts) {
+    const std::size_t count = std::min(contacts, max_reserved);
+    Scratch& scratch = *scratch_;
+    scratch.states.reserve(count);
+    scratch.particles.reserve(count);
+    scratch.displacements.particles.reserve(count);
+    scratch.velocities.particles.reserve(count);
+    scratch.order.reserve(count);
+    scratch.compact.reserve(count);
+    scratch.levels.reserve(count);
+    scratch.groups.reserve(count);
+    scratch.next_of.reserve(3 * (count + 1));
+}
+
+std::size_t ContactSolver::bytes_for(std::size_t contacts) {
+    constexpr std::size_t of_contact = sizeof(RowState) + sizeof(Scratch::Particle) + 2 * sizeof(Real4) +
+                                       sizeof(CompactRow) + sizeof(int) + 5 * sizeof(std::size_t);
+    return std::min(contacts, max_reserved) * of_contact;
+}
+
+ResponseReport ContactSolver::resolve(const ResponseParameters& parameters, Real h,
+                                      std::span<const ClothInContact> cloths, std::span<Body> bodies,
+                                      std::span<ContactRow> rows) {
+    if (rows.empty()) return {};
+    ContactProblem problem{.parameters = parameters,
+                           .h = h,
+                           .share = parameters.displacement_share,
+                           .gravity = cloths.front().model.gravity,
+                           .cloths = cloths,
+                           .bodies = bodies,
+                           .rows = rows,
+                           .scratch = *scratch_};
+    prepare(problem);
+    const double before = kinetic_energy(bodies);
+    ResponseReport report = respond(problem);
+    finish(problem);
+    report.free_ball_work = before - kinetic_energy(bodies);
+    report.depth = update_depths(cloths, bodies, rows);
+    return report;
+}
+
+double work_of_kinematic_bodies(std::span<const ContactRow> rows, std::span<const Body> bodies) {
+    Real work = 0;
+    for (const ContactRow& row : rows) {
+        if (row.body == no_body) continue;
+        const Body& body = bodies[static_cast<std::size_t>(row.body)];
+        if (body.inverse_mass == 0) work += row.impulse.about(row.normal).dot(body.velocity);
+    }
+    return static_cast<double>(work);
+}
+
+double kinetic_energy(std::span<const Body> bodies) {
+    Real sum = 0;
+    for (const Body& body : bodies) {
+        if (body.inverse_mass == 0) continue;
+        sum += body.velocity.squaredNorm() / body.inverse_mass + body.spin.squaredNorm() / body.inverse_inertia;
+    }
+    return static_cast<double>(sum / 2);
+}
+
+Real push_of(const ContactRow& row, std::span<const Body> bodies) {
+    Real slop = max_slop;
+    const auto radius_of = [&](int body) {
+        return body == no_body ? 0 : bodies[static_cast<std::size_t>(body)].radius;
+    };
+    if (radius_of(row.body) > 0) slop = std::min(slop, slop_of_radius * radius_of(row.body));
+    if (row.first_body != no_body) slop = std::min(slop, ball_slop_of_radius * radius_of(row.first_body));
+    return row.depth - slop;
+}
+
+__attribute__((flatten)) Real update_depths(std::span<const ClothInContact> cloths, std::span<const Body> bodies,
+                                            std::span<ContactRow> rows) {
+    Real deepest = 0;
+    for (ContactRow& row : rows) {
+        Vec3 offset = Vec3::Zero();
+        for (const RowParticle& p : row.moved()) {
+            offset += p.weight * position(cloths[static_cast<std::size_t>(p.cloth)].state.x, p.particle);
+        }
+        if (row.first_body != no_body) offset += bodies[static_cast<std::size_t>(row.first_body)].centre;
+        if (row.body != no_body) offset -= bodies[static_cast<std::size_t>(row.body)].centre;
+        row.depth = row.distance - row.normal.dot(offset);
+        if (row.kind != RowKind::Pair) deepest = std::max(deepest, row.depth);
+    }
+    return deepest;
+}
+
+}  // namespace drape

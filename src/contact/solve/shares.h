@@ -1,0 +1,35 @@
+#pragma once
+
+#include <algorithm>
+
+#include "../tuning.h"
+#include "drape/contact/response.h"
+
+namespace drape {
+
+/// What an impulse at the contact point meets: 1/m = sum w_k^2 / m_k over its particles. Zero if nothing can move, and
+/// where the point hangs on pinned corners so nearly that an impulse would throw the free one far.
+/// @param shares weight times inverse mass, of each particle [1/kg]
+inline Real inverse_mass_of_particles(const ContactRow& row, const std::array<Real, 4>& shares) {
+    Real sum = 0, largest = 0;
+    for (std::size_t k = 0; k < row.count; ++k) {
+        const Real weight = row.particles[k].weight;
+        if (weight == 0) continue;
+        sum += weight * shares[k];
+        largest = std::max(largest, shares[k] / weight);
+    }
+    return sum < min_mobility * largest ? Real(0) : sum;
+}
+
+/// The shares of an impulse that the particles move by: none where the point hangs on pinned corners. Else a ball's
+/// mass alone would size the impulse, and throw the free corner far.
+inline std::array<Real, 4> shares_of(std::span<const ClothInContact> cloths, const ContactRow& row) {
+    std::array<Real, 4> shares{};
+    for (std::size_t k = 0; k < row.count; ++k) {
+        const auto& [cloth, particle, weight] = row.particles[k];
+        shares[k] = weight * cloths[static_cast<std::size_t>(cloth)].model.inverse_mass[particle];
+    }
+    return inverse_mass_of_particles(row, shares) > 0 ? shares : std::array<Real, 4>{};
+}
+
+}  // namespace drape
