@@ -44,18 +44,6 @@ TEST_F(CrossingDangersTest, CountOnceHoweverOftenTheyArePlayed) {
     EXPECT_EQ(session_.crossing_dangers(), 1) << "played again";
 }
 
-TEST_F(CrossingDangersTest, CountOnceAlsoWhereTheUserGoesBackBeforeAReset) {
-    make_steps(steps_to_danger);
-    session_.send(command::Reset{});
-    make_steps(calm_steps);
-    EXPECT_EQ(session_.crossing_dangers(), 1);
-    go_to(calm_steps);
-    make_steps(steps_to_danger);
-    EXPECT_EQ(session_.crossing_dangers(), 1) << "the first run, played again";
-    make_steps(steps_to_danger - calm_steps);
-    EXPECT_EQ(session_.crossing_dangers(), 2) << "the second run is new from there on";
-}
-
 TEST_F(CrossingDangersTest, AreNewWhereTheUserGoesOnInAnotherWay) {
     make_steps(steps_to_danger);
     go_to(calm_steps);

@@ -198,7 +198,7 @@ TEST(FreeBalls, StopAfterTheWayThatRollingResistanceLeavesThem) {
     EXPECT_LT(end.spin.norm(), 1e-6);
 }
 
-TEST(LongTrampolineScene, CatchesItsBallAndThrowsItBack) {
+TEST(LongTrampolineScene, CatchesItsBallThrowsItBackAndCarriesItInTheEnd) {
     Simulation simulation("trampoline", load_scene("trampoline"));
     const Cloth& cloth = simulation.cloths()[0];
     const Ball& ball = simulation.balls()[0];
@@ -212,6 +212,17 @@ TEST(LongTrampolineScene, CatchesItsBallAndThrowsItBack) {
     EXPECT_GT(ball.centre.y() - ball.radius, cloth.state.x.col(1).minCoeff() - 1e-3) << "not below it";
     EXPECT_LT(deepest_triangle(cloth.model.grid, cloth.state.x, ball), 1e-3 * ball.radius);
     EXPECT_LT(cloth.state.x.col(1).minCoeff(), sheet - 0.03) << "which sags";
+    // The push of the sheet on the ball, averaged over a second, against the ball's weight
+    const double start = simulation.report().time;
+    Real push = 0;
+    while (simulation.report().time < start + 1) {
+        simulation.step();
+        for (const Contact& contact : cloth.contacts) {
+            push -= contact.impulse.normal * contact.normal.y() + contact.impulse.friction.y();
+        }
+    }
+    const Real weight = simulation.settings().balls[0].mass * gravity;
+    EXPECT_NEAR(push / static_cast<Real>(simulation.report().time - start), weight, 0.02 * weight);
 }
 
 Real lowest(const Simulation& simulation) {

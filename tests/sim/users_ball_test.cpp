@@ -73,17 +73,6 @@ TEST(UsersBall, CannotBeThrownWhereThereIsNone) {
     send(simulation, "steer 1 0 0");
 }
 
-TEST(Bullet, IsCaughtByTheSheet) {
-    Simulation simulation = scene_for_user("bullet");
-    while (simulation.report().time < 0.5) {
-        simulation.step();
-        ASSERT_EQ(simulation.report().status, Status::Ok) << simulation.report().trouble;
-        ASSERT_LT(simulation.balls()[0].centre.z(), 0.7) << "the sheet lets it no farther";
-    }
-    EXPECT_THAT(simulation.run_warning(), IsEmpty());
-    EXPECT_LT(simulation.balls()[0].velocity.z(), 1);
-}
-
 TEST(CrossingWarning, NamesTheSpeedsOnceForEachDanger) {
     const std::vector<std::string> fast{"ball.motion=free", "ball.position=0,0.75,-3", "ball.velocity=0,0,30",
                                         "integrator=backward_euler", "dt=0.016666666666666666"};
