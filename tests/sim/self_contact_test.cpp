@@ -6,8 +6,8 @@
 #include "drape/sim/scene.h"
 #include "drape/sim/setting_table.h"
 #include "drape/sim/simulation.h"
-#include "support/crossings.h"
 #include "support/sanitized.h"
+#include "support/scene_crossings.h"
 
 namespace drape {
 namespace {
@@ -65,20 +65,7 @@ Settings stacked_sheets() {
     return settings;
 }
 
-std::int64_t crossings_in(const Simulation& simulation) {
-    const auto& cloths = simulation.cloths();
-    std::vector<CellBoxes> boxes(cloths.size());
-    std::vector<BoxedCloth> boxed;
-    for (std::size_t c = 0; c < cloths.size(); ++c) {
-        boxes[c].build(cloths[c].model.grid, cloths[c].state.x);
-        boxed.push_back({{static_cast<int>(c), cloths[c].model.grid, cloths[c].state.x}, boxes[c]});
-    }
-    std::int64_t count = 0;
-    for (std::size_t a = 0; a < boxed.size(); ++a) {
-        for (std::size_t b = a; b < boxed.size(); ++b) count += test::crossings(boxed[a], boxed[b]);
-    }
-    return count;
-}
+std::int64_t crossings_in(const Simulation& simulation) { return test::SceneCrossings().count(simulation); }
 
 struct Tally {
     std::int64_t crossings = 0, pairs = 0, held_back = 0;
@@ -184,41 +171,6 @@ TEST(SelfContact, ChangesNoBitWhereNothingComesNear) {
     EXPECT_EQ(hash_of(true), hash_of(false));
 }
 
-TEST(SelfContact, ComesBackToTheSameBitsAfterAReset) {
-    Simulation simulation("stack", stacked_sheets());
-    const auto run_on = [&] {
-        for (int step = 0; step < 800; ++step) simulation.step();
-        return simulation.hash();
-    };
-    const std::uint64_t first = run_on();
-    EXPECT_GT(simulation.report().pairs, 0);
-    simulation.apply(command::Reset{});
-    EXPECT_EQ(run_on(), first);
-}
-
-TEST(SelfContact, LetsAFastBallLiftTheCloth) {
-    const auto height_of = [](bool self) {
-        Settings settings = base_settings();
-        settings.contact.self = self;
-        settings.ground.solid = false;
-        ClothParameters cloth;
-        cloth.particles = {13, 13};
-        cloth.centred = true;
-        settings.cloths.push_back(cloth);
-        BallSettings ball;
-        ball.radius = Real(0.15);
-        ball.motion = BallMotion::Path;
-        ball.path = {{0, {0, Real(-0.8), 0}}, {Real(0.1), {0, Real(0.2), 0}}, {Real(0.3), {0, Real(2.2), 0}}};
-        settings.balls.push_back(ball);
-        Simulation simulation("fast ball", std::move(settings));
-        while (simulation.report().time < 0.2) simulation.step();
-        return simulation.cloths()[0].state.x.col(1).mean();
-    };
-    const Real without = height_of(false);
-    EXPECT_GT(without, 0.3) << "the ball lifts it";
-    EXPECT_NEAR(height_of(true), without, 0.1);
-}
-
 /// A ball that presses three sheets onto the ground, and leaves them no room.
 Settings pressed_sheets() {
     Settings settings = stacked_sheets();
@@ -297,14 +249,6 @@ TEST(SelfContact, IsRefusedWhereClothWouldKeepNextToNothingApart) {
     Settings settings = stacked_sheets();
     settings.contact.thickness = Real(1e-5);
     EXPECT_THROW(check(settings), InconsistentSettings);
-}
-
-TEST(SelfContact, SaysThatASceneStartsWithCrossings) {
-    Settings settings = stacked_sheets();
-    EXPECT_EQ(Simulation("apart", settings).step_warning(), "");
-    settings.cloths[1].plane = Plane::XY;
-    settings.cloths[1].place = settings.cloths[0].place;
-    EXPECT_THAT(Simulation("crossed", settings).step_warning(), testing::HasSubstr("at the start"));
 }
 
 /// Nothing parts cloths that have crossed, but nothing throws them apart either.
