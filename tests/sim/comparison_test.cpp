@@ -162,16 +162,6 @@ TEST(Comparison, IsPartOfARecording) {
     EXPECT_EQ(again.view().comparison->rms, apart);
 }
 
-TEST(Comparison, BeginsWithTheBallAsTheSceneHasIt) {
-    Session session(small_simulation({"ball.motion=still"}));
-    session.send(parse_command("steer 1 0 0"));
-    run(session, 20);
-    ASSERT_EQ(session.simulation().settings().balls[0].motion, BallMotion::Keys);
-    session.send(command::Compare{"contact.friction=0.7"});
-    EXPECT_EQ(session.simulation().settings().balls[0].motion, BallMotion::Still);
-    EXPECT_EQ(session.view().comparison->settings->balls[0].motion, BallMotion::Still);
-}
-
 TEST(Comparison, EndsInAReplayWhereItEnded) {
     const test::ScratchFile file("ended.txt");
     Session session(small_simulation());

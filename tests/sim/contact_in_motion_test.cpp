@@ -241,26 +241,5 @@ TEST(StepsInContact, AreDividedUnderAnImplicitMethodAlone) {
     }
 }
 
-/// A free ball that never comes near the cloth of `drop`, which falls on another.
-TEST(StepsInContact, AreNoOthersForAFarBall) {
-    for (const std::string integrator : {"symplectic_euler", "implicit_midpoint", "dormand_prince"}) {
-        std::vector<Points> ends;
-        for (const bool far_ball : {false, true}) {
-            Settings settings = shipped_settings("drop", {"integrator=" + integrator});
-            settings.solver.dt = integrator == "symplectic_euler" ? 3e-4 : 1.0 / 60;
-            if (far_ball) {
-                BallSettings& ball = settings.balls.emplace_back();
-                ball.position = {9, 1, 9};
-                ball.motion = BallMotion::Free;
-            }
-            Simulation simulation("drop", settings);
-            run_until(simulation, 0.5);
-            EXPECT_GT(simulation.report().contacts, 0);
-            ends.push_back(simulation.cloths()[0].state.x);
-        }
-        EXPECT_EQ(ends[0], ends[1]) << integrator;
-    }
-}
-
 }  // namespace
 }  // namespace drape

@@ -170,33 +170,6 @@ TEST_P(EachResponse, SticksOnASlopeUpToTheFrictionCoefficientAndSlidesBeyond) {
     }
 }
 
-// A point that starts at the top leaves a frictionless ball where cos(a) = 2/3 + v^2 / (3 g R), R to the point
-TEST_P(EachResponse, LetsAPatchLeaveAFrictionlessBallWhereTheFormulaSays) {
-    constexpr Real radius = Real(0.3), speed = Real(0.1);
-    Settings settings = sheet_at(radius, {200, Real(0.02)}, Real(0.01));
-    settings.contact.response = GetParam();
-    settings.ground.solid = false;
-    BallSettings& ball = settings.balls.emplace_back();
-    ball.radius = radius;
-    ball.motion = BallMotion::Still;
-    StartState start;
-    start.states.push_back(make_rest_state(settings.cloths[0]));
-    start.states[0].v.col(0).setConstant(speed);
-    Simulation patch("patch", std::move(settings), std::move(start));
-    bool pushed = false;
-    Real angle = 0;
-    double time = 0;
-    run(patch, 0.8, [&] {
-        const Vec3 middle = centre_of(patch);
-        const bool was_pushed = pushed;
-        pushed = std::ranges::any_of(patch.cloths()[0].contacts, [](const Contact& c) { return c.impulse.normal > 0; });
-        // Twice in a row: a patch that has left quivers, and may brush the ball for a single step
-        if (pushed && was_pushed) angle = std::atan2(middle.x(), middle.y()), time = patch.report().time;
-    });
-    const double expected = std::acos(2. / 3 + static_cast<double>(speed * speed / radius) / (3 * earth_g));
-    EXPECT_NEAR(angle, expected, 0.01) << "0.01 rad, 0.6 degrees; left at " << time << " s";
-}
-
 struct StepCase {
     IntegratorKind integrator;
     double step;  // s

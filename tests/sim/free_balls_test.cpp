@@ -6,7 +6,6 @@
 
 #include "sim/small_scene.h"
 #include "support/exact_distance.h"
-#include "support/scene_crossings.h"
 
 namespace drape {
 namespace {
@@ -246,25 +245,6 @@ TEST_P(SceneOnTheGround, ComesToRestOnItAndNothingFallsBelow) {
 
 INSTANTIATE_TEST_SUITE_P(Long, SceneOnTheGround, testing::Values("three_balls", "slide"),
                          [](const auto& scene) { return std::string(scene.param); });
-
-/// Off the ball, down the incline, and with its front onto the ground. With more friction than the tangent of the angle
-/// it stays where it is.
-TEST(LongSlideScene, TakesItsClothDownTheInclineUnlessFrictionHoldsIt) {
-    const auto end_with = [](Real friction) {
-        Settings settings = load_scene("slide");
-        settings.contact.friction = friction;
-        Simulation simulation("slide", std::move(settings));
-        run_for(simulation, 5);
-        return simulation;
-    };
-    const Simulation slides = end_with(Real(0.05)), sticks = end_with(Real(0.5));
-    const Points &down = slides.cloths()[0].state.x, &held = sticks.cloths()[0].state.x;
-    EXPECT_GT(down.col(0).minCoeff(), slides.balls()[0].centre.x() + slides.balls()[0].radius) << "beside the ball";
-    EXPECT_LT(down.col(1).minCoeff(), 0.01) << "on the ground";
-    EXPECT_GT(down.col(1).maxCoeff(), 0.1) << "and on the incline";
-    EXPECT_LT(held.col(0).minCoeff(), 0) << "still on the ball";
-    EXPECT_EQ(test::SceneCrossings().count(slides), 0);
-}
 
 }  // namespace
 }  // namespace drape

@@ -75,18 +75,6 @@ TEST_P(MovingPinsUnder, EndWhereTheirPathsDo) {
     EXPECT_EQ(simulation.run_warning(), "");
 }
 
-TEST_P(MovingPinsUnder, HaveTheVelocityOfTheirMotion) {
-    constexpr double dt = 1.0 / 1024;
-    Simulation simulation = turned_row_under(GetParam(), dt);
-    run_to(simulation, whole_turn / 2);
-    const Points before = positions_in(simulation);
-    simulation.step();
-    const Points moved = (positions_in(simulation) - before) / static_cast<Real>(dt);
-    const Points& v = simulation.cloths()[0].state.v;
-    EXPECT_GT(v.topRows(1).norm(), 0.5);
-    EXPECT_LT((moved - v).topRows(10).norm(), 1e-9);
-}
-
 /// The particles hang on pins whose motion every method is to see alike.
 TEST_P(MovingPinsUnder, LeadTheClothAsEveryMethodHasIt) {
     Simulation simulation = turned_row_under(GetParam(), 1.0 / 8192);
@@ -147,20 +135,6 @@ TEST(MovingPins, GoBackToTheirWayOnceTheHandLetsGo) {
     }
     EXPECT_LT(off_by_the_end(simulation), 2e-6);
     EXPECT_LT(fastest, 6) << "no faster than a hand and the way together";
-}
-
-TEST(MovingPins, GoOnFromAFileOfStates) {
-    const ScratchFolder folder;
-    Simulation whole("pins", turned_row());
-    run_to(whole, 0.3);
-    const std::string file = (folder.path() / "state.csv").string();
-    std::ofstream(file) << state_text(whole);
-    run_to(whole, 0.6);
-    Settings settings = turned_row();
-    settings.start = file;
-    Simulation later("pins", std::move(settings));
-    run_to(later, 0.6);
-    EXPECT_LT((positions_in(later) - positions_in(whole)).norm(), 1e-6);
 }
 
 TEST(MovingPins, ThatAreBadAreRefusedWithTheirLine) {

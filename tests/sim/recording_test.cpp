@@ -136,6 +136,8 @@ TEST(Recorder, TouchesNoRecordingOfBeforeUntilItIsClosed) {
     EXPECT_EQ(read_recording(file.name()).scene, "hang");
 }
 
+TEST(Recorder, SaysWhatItCannotWrite) { EXPECT_THROW(Recorder("/no/such/folder/recording.txt", "drop", {}), RunError); }
+
 TEST(Recorder, SetsAsideWhatAKilledRunHasRecorded) {
     const ScratchFile file("recording.txt"), left("recording.txt.unfinished", "drape-recording 1\nscene drop\n"),
         kept("recording.txt-1.unfinished");

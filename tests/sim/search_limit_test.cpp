@@ -62,7 +62,7 @@ TEST(LongLimitedSearch, LetsLessThroughTheDeeperItGoes) {
         const Error error = error_of_drop("search_level=" + std::to_string(level));
         EXPECT_EQ(error.status, Status::Ok);
         EXPECT_LT(error.missed_penetration, before.missed_penetration + slop);
-        EXPECT_TRUE(level < 2 || error.distance < before.distance) << "the cloth stands less far off";
+        EXPECT_TRUE(level < 2 || error.distance < before.distance) << "the cloth is less far off";
         EXPECT_TRUE(level > 0 || error.missed_penetration > 0.1) << "the root's one contact cannot hold the cloth";
         EXPECT_EQ(error.false_contacts > 0, level < 3);
         before = error;

@@ -218,18 +218,6 @@ TEST(SelfContact, LeavesPinsWhereTheyAreWhateverTheHandPulls) {
     EXPECT_EQ(crossings_in(simulation), 0);
 }
 
-TEST(SelfContact, HasTheSameBitsWithAnyHierarchy) {
-    const auto hash_with = [](const char* command) {
-        Simulation simulation("stack", stacked_sheets());
-        for (int step = 0; step < 800; ++step) {
-            if (step == 600) simulation.apply(parse_command(command));
-            simulation.step();
-        }
-        return simulation.hash();
-    };
-    EXPECT_EQ(hash_with("set contact.volume=aabb"), hash_with("set contact.leaf_cells=2"));
-}
-
 TEST(SelfContact, EndsTheRunWhereTooMuchIsNear) {
     Settings settings = base_settings();
     for (int k = 0; k < 64; ++k) {
@@ -273,17 +261,6 @@ TEST(SelfContact, GoesOnCalmlyWithSheetsThatStartCrossed) {
         }
         EXPECT_EQ(simulation.report().status, Status::Ok) << simulation.report().trouble;
         EXPECT_EQ(simulation.report().heated_step, 0);
-    }
-}
-
-/// What balls give by forces within a step is their work, also where work is measured because cloth pushes cloth.
-TEST(SelfContact, MakesNoEnergyOfItsOwnWhereABallLiftsSheets) {
-    for (const IntegratorKind method : {IntegratorKind::VelocityVerlet, IntegratorKind::ImplicitMidpoint}) {
-        Settings settings = stacked_sheets();
-        settings.solver.integrator = method;
-        settings.balls[0].motion = BallMotion::Path;
-        assign(settings, "ball.path=[[0.5, 0, 0, 0], [1.1, 0, 1, 0]]");
-        EXPECT_GT(run(std::move(settings), 1.1, 1'000'000).pairs, 0);
     }
 }
 

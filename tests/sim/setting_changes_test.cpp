@@ -131,27 +131,6 @@ TEST(AddedAmount, IsAddedToEachBallsOwnValue) {
     EXPECT_EQ(one.balls[1].radius, 2.5);
 }
 
-TEST(SettingsTogether, KeepPinsOnTheGrid) {
-    Settings settings;
-    assign(settings, "cloth.particles=4,5");
-    assign(settings, "cloth.pinned=0,19");
-    EXPECT_NO_THROW(check(settings));
-    assign(settings, "cloth.pinned=0,20");
-    EXPECT_THAT(input_error_of([&] { check(settings); }), AllOf(HasSubstr("cloth.pinned = 20"), HasSubstr("<= 19")));
-}
-
-TEST(SettingsTogether, KeepAPathInOrderAndLongEnough) {
-    Settings settings = with_balls(1);
-    assign(settings, "ball.motion=path");
-    EXPECT_THROW(check(settings), InputError);
-    assign(settings, "ball.path=0,0,0,0");
-    EXPECT_THROW(check(settings), InputError);
-    assign(settings, "ball.path=0,0,0,0, 1,0,0,0");
-    EXPECT_NO_THROW(check(settings));
-    assign(settings, "ball.path=1,0,0,0, 1,0,0,0");
-    EXPECT_THAT(input_error_of([&] { check(settings); }), HasSubstr("ascend"));
-}
-
 TEST(SettingsTogether, FitIntoMemory) {
     Settings settings;
     assign(settings, "cloth.particles=2000,2000");

@@ -137,16 +137,6 @@ TEST(SetCommand, StartsAgainWhenTheClothIsAnother) {
     }
 }
 
-TEST(SetCommand, PutsTheBallWhereItIsTold) {
-    Simulation simulation = small_simulation();
-    make_steps(simulation, 10);
-    send(simulation, "set ball.position=1,2,3");
-    EXPECT_EQ(simulation.balls()[0].centre, Vec3(1, 2, 3));
-    send(simulation, "set ball.radius=0.5");
-    EXPECT_EQ(simulation.balls()[0].radius, 0.5);
-    EXPECT_EQ(simulation.balls()[0].centre, Vec3(1, 2, 3));
-}
-
 TEST(SetCommand, ThatIsRefusedChangesNothing) {
     Simulation simulation = small_simulation();
     make_steps(simulation, 100);
@@ -265,16 +255,6 @@ TEST(Hand, DrawsAClothTautByThreeTimesItsWeight) {
     drag_far(simulation, 75);
     EXPECT_NEAR(pull_on(simulation, 75), 3, 0.1);
     EXPECT_LT(simulation.cloths()[0].state.v.row(75).norm(), 0.05) << "m/s: it is at rest";
-}
-
-TEST(Hand, GivesWayWithAPinToo) {
-    Simulation simulation = small_simulation({"ball.position=0,-9,0", "drag=0.005"});
-    drag_far(simulation, 0);
-    EXPECT_LT(pull_on(simulation, 0), Real(3.3));
-    const Vec3 place = position_of(simulation, 0);
-    send(simulation, "release");
-    make_steps(simulation, 500);
-    EXPECT_EQ(position_of(simulation, 0), place);
 }
 
 TEST(Hand, StretchesNothingBeyondTheLimit) {

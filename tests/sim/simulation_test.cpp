@@ -100,16 +100,6 @@ TEST(Simulation, NeverMovesPinnedParticles) {
     }
 }
 
-TEST(Simulation, StandsStillWithEveryParticlePinned) {
-    std::string all = "cloth.pinned=0";
-    for (int p = 1; p < 80; ++p) all += "," + std::to_string(p);
-    Simulation simulation = small_simulation({all, "ball.position=0,0.5,0.3"});
-    const Points start = simulation.cloths()[0].state.x;
-    make_steps(simulation, 100);
-    EXPECT_EQ(simulation.cloths()[0].state.x, start);
-    EXPECT_EQ(simulation.view().report->status, Status::Ok);
-}
-
 TEST(Simulation, MovesTheClothWithTheWindOnly) {
     Simulation calm = small_simulation({"ball.position=0,-9,0"}), windy = small_simulation({"ball.position=0,-9,0"});
     windy.apply(command::Set{"wind.velocity=0,0,8"});

@@ -152,20 +152,6 @@ TEST(Solids, APathCarriesThemAndSettingsAreChangedInMidRun) {
     EXPECT_EQ(simulation.settings().solids[0].shape, SolidKind::Box);
 }
 
-TEST(Solids, TheBitsDoNotDependOnTheHierarchy) {
-    Settings settings = small("table", 14);
-    std::vector<std::uint64_t> hashes;
-    for (const auto volume : {VolumeKind::Brute, VolumeKind::Sphere, VolumeKind::Obb}) {
-        settings.contact.volume = volume;
-        Simulation simulation("table", settings);
-        run_until(simulation, 0.35);
-        EXPECT_GT(simulation.report().contacts, 0);
-        hashes.push_back(simulation.hash());
-    }
-    EXPECT_EQ(hashes[1], hashes[0]);
-    EXPECT_EQ(hashes[2], hashes[0]);
-}
-
 TEST(Solids, TheSceneOfAFailureHasItsMeshBesideIt) {
     Settings settings = small("figure", 6);
     settings.solver.dt = 0.05;
