@@ -62,14 +62,5 @@ TEST(BallOnAPath, IsNoBulletWhenACommandPutsItThere) {
     EXPECT_LT(simulation.balls()[0].centre.norm(), 2) << "the path has it back";
 }
 
-TEST(BallOnAPath, KeepsItsPlaceWhenTheStepChanges) {
-    Simulation simulation = small_simulation({"ball.motion=path", open_path, "cloth.origin=0,-50,0"});
-    make_steps(simulation, 768);
-    const Vec3 before = simulation.balls()[0].centre;
-    simulation.apply(command::Set{"dt=1e-5"});
-    simulation.step();
-    EXPECT_LT((simulation.balls()[0].centre - before).norm(), 1e-3);
-}
-
 }  // namespace
 }  // namespace drape

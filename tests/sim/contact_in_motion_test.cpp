@@ -208,16 +208,6 @@ TEST(ContinuousDetection, ChangesNoBitWhereNothingCrosses) {
     }
 }
 
-// A push at a point that hangs on pinned corners would throw the free one far
-TEST(SteeredBall, AtThePinsOfACurtainDoesNotThrowTheClothAbout) {
-    for (const std::string height : {"1.05", "1.2"}) {
-        Simulation simulation =
-            shipped_simulation("curtain", {"ball.path=[[0,0," + height + ",-0.5],[2.0,0," + height + ",0.5]]"});
-        run_until(simulation, 1.2);
-        EXPECT_EQ(simulation.report().heated_step, 0) << height;
-    }
-}
-
 TEST(Ground, ThrowsNothingBackWithoutRestitutionWhileTheWayIsTested) {
     Simulation simulation =
         shipped_simulation("drop", {"ball.position=5,0.3,0", "contact.continuous=true", "cloth.centre=0,0.012,0"});

@@ -25,7 +25,11 @@ TEST_P(FailingScene, FailsAsItsTitleSaysAndWarnsWhereItsMethodHasALimit) {
     EXPECT_THAT(settings.title, testing::StartsWith("Fails: "));
     EXPECT_EQ(Simulation(GetParam(), settings).step_warning() != "", has_step_limit(settings.solver.integrator));
     const Status expected = GetParam() == "fails_xpbd" ? Status::Ok : Status::Diverged;  // far too soft, see below
-    EXPECT_EQ(after_a_while(GetParam(), settings).report().status, expected);
+    const Simulation simulation = after_a_while(GetParam(), settings);
+    const StepReport& report = simulation.report();
+    EXPECT_EQ(report.status, expected);
+    EXPECT_GT(report.heated_step, 0) << "its energy is seen too";
+    EXPECT_LE(report.heated_step, report.step) << "before it diverges";
 }
 
 TEST(FailingScenes, SayWhichParticleAndSpringWereFirstAndHowFarAboveWhichLimitTheyAre) {

@@ -134,17 +134,6 @@ TEST(History, TellsTheTimeOfStepsOfSeveralLengths) {
     EXPECT_EQ(session.timeline().kept, 104 * dt) << "the last change of the step came earlier than before";
 }
 
-TEST(History, TellsTheTimeOfWhatItStillKeeps) {
-    Traveller traveller(small_simulation({"solver.dt=0.001953125"}), {.seconds = 2});
-    traveller.run(512);
-    traveller.session.send(parse_command("set solver.dt=0.0009765625"));
-    traveller.run(4096);
-    const Timeline timeline = traveller.session.timeline();
-    ASSERT_GT(timeline.oldest, 512);
-    EXPECT_EQ(timeline.passed, 5);
-    EXPECT_EQ(timeline.kept, static_cast<double>(timeline.newest - timeline.oldest) / 1024);
-}
-
 /// Of the state at the end of a recording that is replayed as it was made.
 std::uint64_t hash_of_replay(const std::string& file) {
     Session again(small_simulation());
@@ -269,14 +258,6 @@ TEST(History, StaysWithinItsMemoryAndItsTime) {
     EXPECT_TRUE(traveller.finds_again(full.newest - 1));
     EXPECT_LE(traveller.session.timeline().bytes, 6 * moment) << "on the way back too";
     EXPECT_FALSE(traveller.finds_again(full.oldest - 1)) << "forgotten";
-}
-
-TEST(History, KeepsNothingWhereNotEvenTwoMomentsFit) {
-    Traveller traveller(small_simulation(), {.seconds = 20, .bytes = 1000});
-    traveller.run(10);
-    EXPECT_EQ(traveller.session.timeline().bytes, 0);
-    traveller.session.go_to(5);
-    EXPECT_EQ(traveller.session.timeline().now, 10);
 }
 
 TEST(History, BeginsAnewWithAScene) {

@@ -47,10 +47,14 @@ TEST(PinCommand, CountsForWhatTheHandHolds) {
     EXPECT_TRUE(simulation.cloths()[0].model.pinned(40));
 }
 
-TEST(PinCommand, IsRefusedForParticlesThatDoNotExist) {
+TEST(PinCommand, AndGrabNameWhatThereIsWhereThereIsNoSuchParticle) {
     Simulation simulation = pinned_simulation();
-    EXPECT_THAT(test::input_error_of([&] { send(simulation, "pin 1 0"); }), testing::HasSubstr("pin: cloth 1"));
-    EXPECT_THAT(test::input_error_of([&] { send(simulation, "pin 0 100000"); }), testing::HasSubstr("pin: particle"));
+    for (const std::string word : {"pin", "grab"}) {
+        EXPECT_THAT(test::input_error_of([&] { send(simulation, word + " 1 0"); }),
+                    testing::AllOf(testing::HasSubstr(word + ": cloth 1"), testing::HasSubstr("0 to 0")));
+        EXPECT_THAT(test::input_error_of([&] { send(simulation, word + " 0 80"); }),
+                    testing::AllOf(testing::HasSubstr(word + ": particle 80"), testing::HasSubstr("0 to 79")));
+    }
     EXPECT_THAT(simulation.settings().cloths[0].pinned.list, testing::ElementsAre(0, 5));
 }
 

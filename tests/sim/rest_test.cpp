@@ -132,14 +132,6 @@ TEST_P(FirstTouch, GivesNoEnergy) {
     EXPECT_TRUE(touched);
 }
 
-/// A shipped scene under another method, in which nothing sleeps.
-Settings awake(const char* scene, IntegratorKind integrator) {
-    Settings settings = shipped_settings(scene, {"sleep_speed=0"});
-    settings.solver.integrator = integrator;
-    if (!has_step_limit(integrator)) settings.solver.dt = 1.0 / 120;
-    return settings;
-}
-
 struct ShippedRest {
     const char* scene;
     double after;  ///< [s]
@@ -172,7 +164,9 @@ class RestOfShippedScenes : public testing::TestWithParam<ShippedRest> {};
 
 TEST_P(RestOfShippedScenes, IsReached) {
     const auto [scene, after, integrator, response] = GetParam();
-    Settings settings = awake(scene, integrator);
+    Settings settings = shipped_settings(scene, {"sleep_speed=0"});
+    settings.solver.integrator = integrator;
+    if (!has_step_limit(integrator)) settings.solver.dt = 1.0 / 120;
     settings.contact.response = response;
     Simulation simulation(scene, std::move(settings));
     run_until(simulation, after);
@@ -190,25 +184,6 @@ TEST_P(RestOfShippedScenes, IsReached) {
 INSTANTIATE_TEST_SUITE_P(Long, RestOfShippedScenes,
                          testing::Values(ShippedRest{"drop", 8, IntegratorKind::SymplecticEuler}), name_of_rest);
 INSTANTIATE_TEST_SUITE_P(Nightly, RestOfShippedScenes, testing::ValuesIn(shipped_rests()), name_of_rest);
-
-/// At a step a frame the sheet would be softer than in the substeps of contact. It must not be so before a touch.
-TEST(LongBallOnATrampoline, NeverComesAsHighAsItFellFromUnderXpbd) {
-    for (const double step : {1.0 / 60, 1.0 / 120}) {
-        Settings settings = awake("trampoline", IntegratorKind::Xpbd);
-        settings.solver.dt = step;
-        const Real start = settings.balls[0].position.y();
-        Simulation simulation("trampoline", std::move(settings));
-        Real highest = 0;
-        while (simulation.report().time < 4) {
-            simulation.step();
-            const Ball& ball = simulation.balls()[0];
-            if (simulation.report().time > 0.4) highest = std::max(highest, ball.centre.y());
-        }
-        EXPECT_GT(highest, 0.6) << step;
-        EXPECT_LT(highest, start - 0.2) << step;
-        EXPECT_EQ(simulation.report().heated_step, 0) << step << ": " << simulation.report().energy_excess << " J";
-    }
-}
 
 TEST(LongRestInATrampoline, IsReachedByTheShippedSceneAndCostsNothing) {
     Settings settings = load_scene("trampoline");

@@ -147,6 +147,9 @@ TEST(Session, MakesTheStepsAskedForAndThenStandsStill) {
     EXPECT_EQ(steps_made(session), 3);
     EXPECT_TRUE(session.simulation().paused());
     EXPECT_EQ(session.simulation().steps_wanted(), 0);
+    session.send(command::Step{2});
+    session.send(command::Pause{});
+    EXPECT_EQ(session.simulation().steps_wanted(), 0) << "going on forgets them";
 }
 
 TEST(Session, DoesNotWaitForStepsOfALostCloth) {

@@ -105,16 +105,6 @@ TEST(Heat, ThatAMethodMakesIsReportedAndSaid) {
     EXPECT_THAT(stopped.report().trouble, HasSubstr("rk4 has made"));
 }
 
-TEST(Heat, IsSeenInEverySceneThatFails) {
-    for (const std::string& scene : scenes_that_fail(true)) {
-        Simulation simulation = shipped_simulation(scene, {"ledger=false"});
-        run_for(simulation, 1);
-        const StepReport& report = simulation.report();
-        EXPECT_GT(report.heated_step, 0) << scene;
-        EXPECT_LE(report.heated_step, report.step) << scene << ": before it diverges";
-    }
-}
-
 TEST(StretchLimit, HoldsWithEveryMethodAndSaysWhatItLeaves) {
     for (const std::string& method : names_of<IntegratorKind>()) {
         Simulation simulation =

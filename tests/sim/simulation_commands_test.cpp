@@ -17,18 +17,6 @@ using testing::AllOf;
 using testing::HasSubstr;
 using testing::IsEmpty;
 
-TEST(StepCommand, PausesAndCountsItsStepsDown) {
-    Simulation simulation = small_simulation();
-    send(simulation, "step 2");
-    EXPECT_TRUE(simulation.paused());
-    EXPECT_EQ(simulation.steps_wanted(), 2);
-    make_steps(simulation, 3);
-    EXPECT_EQ(simulation.steps_wanted(), 0);
-    send(simulation, "step 2");
-    send(simulation, "pause");
-    EXPECT_EQ(simulation.steps_wanted(), 0) << "going on forgets them";
-}
-
 TEST(ResetCommand, StartsAgainWithTheSettingsOfNow) {
     Simulation simulation = small_simulation(), fresh = small_simulation({"friction=0.9"});
     make_steps(simulation, 200);
@@ -283,16 +271,6 @@ TEST(Hand, StaysOutsideTheBallOnItsWay) {
         simulation.step();
         ASSERT_GE((position_of(simulation, 75) - simulation.balls()[0].centre).norm(), 0.25);
     }
-}
-
-TEST(GrabCommand, NamesWhatThereIs) {
-    Simulation simulation = small_simulation();
-    EXPECT_THAT(input_error_of([&] { send(simulation, "grab 1 0"); }),
-                AllOf(HasSubstr("cloth 1"), HasSubstr("0 to 0")));
-    EXPECT_THAT(input_error_of([&] { send(simulation, "grab 0 80"); }),
-                AllOf(HasSubstr("particle 80"), HasSubstr("0 to 79")));
-    EXPECT_THROW(simulation.apply(command::Grab{-1, 0}), InputError);
-    EXPECT_THROW(simulation.apply(command::Grab{0, -1}), InputError);
 }
 
 }  // namespace

@@ -98,11 +98,6 @@ TEST(Sleep, DoesNotBefallWhatIsInWindOrHand) {
     }
 }
 
-TEST(Sleep, DoesNotBefallASceneWithAMovingBallHoweverFar) {
-    Simulation simulation = thick_simulation({"ball.path=0,0,-9,0,2,0,-9,2,4,0,-9,0", "ball.motion=path"});
-    EXPECT_EQ(steps_to_sleep(simulation), 10 * 1024);
-}
-
 TEST(Sleep, EndsWithEveryCommandThatMovesClothOrBall) {
     const Simulation sleeping = sleeping_simulation();
     ASSERT_TRUE(sleeping.report().asleep);
