@@ -5,11 +5,8 @@
 #include <cmath>
 #include <numeric>
 #include <optional>
-#include <sstream>
 
-#include "drape/base/numbers.h"
-#include "drape/sim/simulation.h"
-#include "support/scratch_file.h"
+#include "sim/small_scene.h"
 
 namespace drape {
 namespace {
@@ -25,17 +22,27 @@ struct SlopeCase {
 class SheetOnSlope {
 public:
     SheetOnSlope(const SlopeCase& method, double tangent, Real friction)
-        : angle_(std::atan(tangent)), file_("slope.csv") {
+        : down_(Vec3(1, static_cast<Real>(-tangent), 0).normalized()) {
         Settings settings;
         settings.balls.clear();
         settings.cloths.clear();
+        StartState start;
         for (const Grid& grid : {Grid{27, 11}, Grid{9, 9}}) {
+            const auto number = static_cast<Real>(settings.cloths.size());
             ClothParameters& cloth = settings.cloths.emplace_back();
             cloth.particles = grid;
             cloth.width = spacing * static_cast<Real>(grid.nx - 1);
             cloth.height = spacing * static_cast<Real>(grid.ny - 1);
             cloth.mass = Real(0.05);
             cloth.drag = 0;
+            ClothState& state = start.states.emplace_back(make_rest_state(cloth));
+            for (int p = 0; p < grid.particles(); ++p) {
+                // The upper sheet's particles are above no edge and no particle of the lower one
+                const Real along = spacing * (static_cast<Real>(p % grid.nx) + Real(1.37) * number);
+                const Real across = spacing * (static_cast<Real>(p / grid.nx) + Real(0.8) * number);
+                const Vec3 up(-down_.y(), down_.x(), 0);
+                state.x.row(p) = along * down_ + between_sheets * number * up + across * Vec3::UnitZ();
+            }
         }
         Pins& pins = settings.cloths[0].pinned;
         pins.kind = Pins::Kind::List;
@@ -48,47 +55,19 @@ public:
         settings.solver.integrator = method.integrator;
         settings.solver.dt = method.step;
         settings.solver.sleep_speed = 0;
-        file_.write(start_of(settings));
-        settings.start = file_.name();
-        simulation_.emplace("slope", std::move(settings));
+        simulation_.emplace("slope", std::move(settings), std::move(start));
     }
 
-    void run_until(double time) {
-        while (simulation_->report().time < time && simulation_->report().status == Status::Ok) simulation_->step();
-        ASSERT_EQ(simulation_->report().status, Status::Ok) << simulation_->report().trouble;
-    }
-
+    void run_until(double time) { drape::run_until(*simulation_, time); }
     [[nodiscard]] double time() const { return simulation_->report().time; }
 
     /// Down the slope, of the mean of the upper sheet [m].
     [[nodiscard]] double way() const {
-        const Vec3 mean = simulation_->cloths()[1].state.x.colwise().mean().transpose();
-        return static_cast<double>(mean.x()) * std::cos(angle_) - static_cast<double>(mean.y()) * std::sin(angle_);
+        return static_cast<double>(simulation_->cloths()[1].state.x.colwise().mean().transpose().dot(down_));
     }
 
 private:
-    [[nodiscard]] std::string start_of(const Settings& settings) const {
-        std::ostringstream text;
-        text << "t,cloth,particle,x,y,z,vx,vy,vz\n";
-        for (int c = 0; c < 2; ++c) {
-            const Grid& grid = settings.cloths[static_cast<std::size_t>(c)].particles;
-            for (int p = 0; p < grid.particles(); ++p) {
-                // The upper sheet's particles are above no edge and no particle of the lower one
-                const double along = spacing * (p % grid.nx + 1.37 * c), across = spacing * (p / grid.nx + 0.8 * c);
-                const double above = between_sheets * c;
-                text << "0," << c << ',' << p;
-                for (const double x : {along * std::cos(angle_) + above * std::sin(angle_),
-                                       above * std::cos(angle_) - along * std::sin(angle_), across, 0.0, 0.0, 0.0}) {
-                    text << ',' << real_text(x, 17);
-                }
-                text << '\n';
-            }
-        }
-        return text.str();
-    }
-
-    double angle_;
-    test::ScratchFile file_;
+    Vec3 down_;
     std::optional<Simulation> simulation_;
 };
 

@@ -5,7 +5,6 @@
 #include "drape/base/input_error.h"
 #include "drape/sim/session.h"
 #include "sim/small_scene.h"
-#include "support/process.h"
 #include "support/scratch_file.h"
 
 namespace drape {
@@ -66,16 +65,11 @@ TEST(Comparison, LeavesTheFirstSimulationAsItIs) {
     EXPECT_GT(view.comparison->largest, view.comparison->rms);
 }
 
+// A cloth that begins a decimetre higher stays there
 TEST(Comparison, MeasuresADistanceThatIsKnown) {
-    // Two balls elsewhere, neither of which touches
-    Session session = compared("ball.position=0,5,0", {"ball.position=0,-5,0", "ground.solid=false"});
+    Session session = compared("cloth.origin=-0.5,0.7,0", {"ball.position=0,-5,0"});
     run(session, 50);
-    EXPECT_EQ(session.view().comparison->largest, 0);
-
-    // A cloth that begins a decimetre higher stays there
-    Session shifted = compared("cloth.origin=-0.5,0.7,0", {"ball.position=0,-5,0"});
-    run(shifted, 50);
-    const FrameView view = shifted.view();
+    const FrameView view = session.view();
     EXPECT_NEAR(view.comparison->rms, 0.1, 1e-6);
     EXPECT_NEAR(view.comparison->largest, 0.1, 1e-6);
     for (const float distance : view.comparison->distances[0]) EXPECT_NEAR(distance, 0.1, 1e-6);
@@ -94,40 +88,35 @@ TEST(Comparison, ComparesGridsWhereTheirParticlesLie) {
 }
 
 TEST(Comparison, ComparesTheSameTimeWhateverTheSteps) {
-    Session session = compared("solver.dt=0.00048828125");
-    run(session, 101);
-    EXPECT_DOUBLE_EQ(session.view().comparison->report->time, session.simulation().report().time);
-    Session longer = compared("solver.dt=0.002");
-    run(longer, 100);
-    const ComparisonView& other = *longer.view().comparison;
-    EXPECT_LT(other.report->time - longer.simulation().report().time, 0.002);
-    EXPECT_GE(other.report->time, longer.simulation().report().time);
-    EXPECT_NEAR(static_cast<double>(other.blend), 1 - (other.report->time - longer.simulation().report().time) / 0.002,
-                1e-6);
+    Session session = compared("solver.dt=0.002");
+    run(session, 100);
+    const ComparisonView& other = *session.view().comparison;
+    const double ahead = other.report->time - session.simulation().report().time;
+    EXPECT_LT(ahead, 0.002);
+    EXPECT_GE(ahead, 0);
+    EXPECT_NEAR(static_cast<double>(other.blend), 1 - ahead / 0.002, 1e-6);
 }
 
+/// A setting of all and that of one of them are the same setting here.
 TEST(Comparison, KeepsWhatIsComparedApart) {
+    struct Change {
+        const char *compared, *set;
+        bool of_cloth = false;
+    };
+    for (const Change& change : {Change{"ball.radius", "ball[0].radius"}, Change{"ball[0].radius", "radius"},
+                                 Change{"cloth.mass", "cloth[0].mass", true}}) {
+        Session session = compared(std::string(change.compared) + "=0.11");
+        session.send(command::Set{std::string(change.set) + "=0.23"});
+        session.send(parse_command("set friction=0.7"));
+        const Settings& other = *session.view().comparison->settings;
+        EXPECT_EQ(change.of_cloth ? other.cloths[0].mass : other.balls[0].radius, Real(0.11)) << change.compared;
+        EXPECT_EQ(other.contact.friction, Real(0.7)) << "the rest is the same in both";
+    }
     Session session = compared("solver.integrator=backward_euler");
-    session.send(parse_command("next integrator"));
-    EXPECT_EQ(session.view().comparison->settings->solver.integrator, IntegratorKind::BackwardEuler);
-    session.send(parse_command("set friction=0.7"));
-    EXPECT_EQ(session.view().comparison->settings->contact.friction, Real(0.7)) << "the rest is the same in both";
     session.send(command::LoadScene{"hang"});
     EXPECT_EQ(session.view().comparison->settings->solver.integrator, IntegratorKind::BackwardEuler);
     run(session, 20);
     EXPECT_LT(session.view().comparison->largest, 0.1) << "of the same scene";
-}
-
-/// A setting of all and that of one of them are the same setting here.
-TEST(Comparison, KeepsWhatIsComparedApartWhateverItIsCalled) {
-    for (const auto& [compared_as, set_as] :
-         {std::pair("ball.radius", "ball[0].radius"), {"ball[0].radius", "radius"}, {"cloth.mass", "cloth[0].mass"}}) {
-        Session session = compared(std::string(compared_as) + "=0.11");
-        session.send(command::Set{std::string(set_as) + "=0.23"});
-        const Settings& other = *session.view().comparison->settings;
-        const bool of_cloth = std::string(compared_as) == "cloth.mass";
-        EXPECT_EQ(of_cloth ? other.cloths[0].mass : other.balls[0].radius, Real(0.11)) << compared_as;
-    }
 }
 
 TEST(Comparison, GoesBackInTimeWithBoth) {
@@ -173,16 +162,6 @@ TEST(Comparison, IsPartOfARecording) {
     EXPECT_EQ(again.view().comparison->rms, apart);
 }
 
-TEST(Comparison, BeginsWithTheBallAsTheSceneHasIt) {
-    Session session(small_simulation({"ball.motion=still"}));
-    session.send(parse_command("steer 1 0 0"));
-    run(session, 20);
-    ASSERT_EQ(session.simulation().settings().balls[0].motion, BallMotion::Keys);
-    session.send(command::Compare{"contact.friction=0.7"});
-    EXPECT_EQ(session.simulation().settings().balls[0].motion, BallMotion::Still);
-    EXPECT_EQ(session.view().comparison->settings->balls[0].motion, BallMotion::Still);
-}
-
 TEST(Comparison, EndsInAReplayWhereItEnded) {
     const test::ScratchFile file("ended.txt");
     Session session(small_simulation());
@@ -193,15 +172,13 @@ TEST(Comparison, EndsInAReplayWhereItEnded) {
     run(session, 20);
     EXPECT_EQ(session.view().report->step, 40) << "the run goes on";
     session.close();
-    EXPECT_THAT(test::read_file(file.name()), HasSubstr("\n20 compare none\n"));
 
     Session again(small_simulation());
     again.replay(read_recording(file.name()));
-    const auto shown = [&] { return again.view().comparison != nullptr; };
     EXPECT_TRUE(again.run_until(19.0 / 1024));
-    EXPECT_TRUE(shown());
+    EXPECT_NE(again.view().comparison, nullptr);
     EXPECT_TRUE(again.run_replay());
-    EXPECT_FALSE(shown());
+    EXPECT_EQ(again.view().comparison, nullptr);
     EXPECT_FALSE(again.replay_differs()) << again.replay_notice();
 }
 

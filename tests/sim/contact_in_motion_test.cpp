@@ -5,39 +5,17 @@
 #include <string>
 #include <vector>
 
-#include "drape/contact/search_audit.h"
-#include "drape/sim/scene.h"
-#include "small_scene.h"
+#include "sim/small_scene.h"
+#include "support/sanitized.h"
 
 namespace drape {
 namespace {
 
-Simulation scene_with(const std::string& name, const std::vector<std::string>& assignments) {
-    Settings settings = load_scene(name);
-    for (const std::string& assignment : assignments) assign(settings, assignment);
-    return {name, std::move(settings)};
-}
-
-void run_until(Simulation& simulation, double time) {
-    while (simulation.report().time < time && simulation.report().status == Status::Ok) simulation.step();
-    ASSERT_EQ(simulation.report().status, Status::Ok) << simulation.report().trouble;
-}
-
-TEST(Ground, KeepsWhatFallsAndOnlyWhereItIsSolid) {
-    for (const bool solid : {true, false}) {
-        Simulation simulation =
-            scene_with("drop", {"ball.position=5,0.3,0", solid ? "ground.solid=true" : "ground.solid=false"});
-        run_until(simulation, 2);
-        const Real lowest = simulation.cloths()[0].state.x.col(1).minCoeff();
-        EXPECT_EQ(lowest > simulation.settings().contact.thickness - 1e-3, solid) << lowest;
-    }
-}
-
 TEST(Ground, HoldsNothingOnceItIsAwayOrLower) {
     for (const std::string integrator : {"velocity_verlet", "symplectic_euler", "backward_euler"}) {
         for (const std::string change : {"ground.solid=false", "ground.height=-0.5"}) {
-            Simulation simulation = scene_with("drop", {"cloth.particles=10,10", "cloth.centre=0,0.01,0",
-                                                        "ball.position=5,0.3,0", "integrator=" + integrator});
+            Simulation simulation = shipped_simulation("drop", {"cloth.particles=10,10", "cloth.centre=0,0.01,0",
+                                                                "ball.position=5,0.3,0", "integrator=" + integrator});
             run_until(simulation, 0.3);
             EXPECT_GT(simulation.report().contacts, 50);
             send(simulation, "set " + change);
@@ -48,24 +26,8 @@ TEST(Ground, HoldsNothingOnceItIsAwayOrLower) {
     }
 }
 
-TEST(Ground, IsFoundThroughTheHierarchyWithTheSameBits) {
-    const std::vector<std::string> low{"cloth.particles=20,20", "ball.radius=0.15", "ball.position=0,0.15,0"};
-    std::vector<std::string> brute = low;
-    brute.emplace_back("volume=brute");
-    Simulation tree = scene_with("drop", low), pass = scene_with("drop", brute);
-    int picked = 0;
-    while (tree.report().time < 0.6) {
-        tree.step(), pass.step();
-        const TraversalStats& ground = tree.report().ground;
-        if (ground.pruned > 0 && ground.candidates > 0) ++picked;
-        ASSERT_EQ(tree.hash(), pass.hash()) << tree.report().time;
-        EXPECT_EQ(pass.report().ground.visited, 0);
-    }
-    EXPECT_GT(picked, 20) << "some of the cloth is on the ground, and some is pruned";
-}
-
 TEST(Ground, IsWhereTheKeysCanLeadABallAndNoFartherThanClothUnderItLetsThem) {
-    Simulation simulation = scene_with(
+    Simulation simulation = shipped_simulation(
         "drop", {"cloth.particles=12,12", "cloth.centre=0,0.01,0", "ball.position=0,0.4,0", "ball.motion=keys"});
     run_until(simulation, 0.2);
     send(simulation, "steer 0 -1 0");
@@ -78,8 +40,8 @@ TEST(Ground, IsWhereTheKeysCanLeadABallAndNoFartherThanClothUnderItLetsThem) {
 
 /// How high the hand is, lowest, on its way to a target far below the ground.
 Real lowest_of_hand(bool solid) {
-    Simulation simulation =
-        scene_with("drop", {"cloth.particles=12,12", std::string("ground.solid=") + (solid ? "true" : "false")});
+    Simulation simulation = shipped_simulation(
+        "drop", {"cloth.particles=12,12", std::string("ground.solid=") + (solid ? "true" : "false")});
     send(simulation, "grab 0 0");
     send(simulation, "drag 0.02 -1 0");
     Real lowest = 1;
@@ -98,7 +60,7 @@ TEST(Ground, StopsTheHandAndOnlyWhereItIsSolid) {
 
 /// Between ball and ground the hand has but one way out.
 TEST(Ground, AndABallOnItLeaveTheHandOutsideBoth) {
-    Simulation simulation = scene_with("drop", {"cloth.particles=12,12"});
+    Simulation simulation = shipped_simulation("drop", {"cloth.particles=12,12"});
     send(simulation, "grab 0 0");
     send(simulation, "drag 0.02 -1 0.01");
     const Ball ball = simulation.balls()[0];
@@ -111,7 +73,7 @@ TEST(Ground, AndABallOnItLeaveTheHandOutsideBoth) {
 }
 
 TEST(SteeredBall, ThatACommandTakesAwayLeavesTheClothWhereItIs) {
-    Simulation simulation = scene_with("original", {"cloth.particles=15,15", "ball.position=0,-0.2,0"});
+    Simulation simulation = shipped_simulation("original", {"cloth.particles=15,15", "ball.position=0,-0.2,0"});
     run_until(simulation, 0.3);
     ASSERT_GT(simulation.report().contacts, 0);
     send(simulation, "set ball.position=9,1,0");
@@ -123,10 +85,10 @@ TEST(SteeredBall, ThatACommandTakesAwayLeavesTheClothWhereItIs) {
 /// A heavy ball that is before a hung curtain at the end of one step, and behind it at the end of the next.
 Simulation bullet(const std::string& integrator, Real speed, const std::string& continuous) {
     const Real way = speed / 60;
-    return scene_with("curtain",
-                      {"integrator=" + integrator, "dt=0.016666666666666666", "contact.continuous=" + continuous,
-                       "ball.motion=free", "ball.mass=1000", "ball.position=0,0.75," + std::to_string(-Real(3.5) * way),
-                       "ball.velocity=0,0," + std::to_string(speed)});
+    return shipped_simulation(
+        "curtain", {"integrator=" + integrator, "dt=0.016666666666666666", "contact.continuous=" + continuous,
+                    "ball.motion=free", "ball.mass=1000", "ball.position=0,0.75," + std::to_string(-Real(3.5) * way),
+                    "ball.velocity=0,0," + std::to_string(speed)});
 }
 
 /// Whether a ball has cloth behind it where it is, and none before it, along z.
@@ -179,10 +141,10 @@ TEST(ContinuousDetection, NeitherLetsALightBallThroughNorThrowsItBack) {
             const Real speed = between(20, 100), from = between(Real(0.05), 2);
             const std::string place = std::to_string(between(Real(-0.3), Real(0.3))) + "," +
                                       std::to_string(between(Real(0.4), 1)) + "," + std::to_string(-from);
-            Simulation simulation =
-                scene_with("bullet", {"integrator=" + integrator, "response=" + response, "dt=0.016666666666666666",
-                                      "ball.radius=0.01", "ball.mass=" + mass, "contact.thickness=0.002",
-                                      "ball.position=" + place, "ball.velocity=0,0," + std::to_string(speed)});
+            Simulation simulation = shipped_simulation(
+                "bullet", {"integrator=" + integrator, "response=" + response, "dt=0.016666666666666666",
+                           "ball.radius=0.01", "ball.mass=" + mass, "contact.thickness=0.002", "ball.position=" + place,
+                           "ball.velocity=0,0," + std::to_string(speed)});
             run_until(simulation, from / speed + Real(0.05));
             const Ball& ball = simulation.balls()[0];
             SCOPED_TRACE(integrator + ", " + response + ", " + mass + " kg, " + std::to_string(speed) + " m/s from " +
@@ -192,62 +154,6 @@ TEST(ContinuousDetection, NeitherLetsALightBallThroughNorThrowsItBack) {
             EXPECT_LT(ball.velocity.z(), speed * (heavier ? Real(0.9) : Real(0.5))) << "it has hit the sheet";
         }
     }
-}
-
-/// A shot at a small curtain by a heavy ball, until the ball is behind where the curtain hung.
-struct Shot {
-    double left = 0;       ///< the deepest of any triangle in the ball, after any step [m]
-    bool through = false;  ///< what was nearest to the ball's way is behind it, in its shadow
-    std::uint64_t hash = 0;
-};
-
-Shot shoot(const std::string& continuous, Real speed, Real rate, Real radius) {
-    const Real from = radius + Real(0.02) + Real(0.37) * speed / rate;
-    Simulation simulation =
-        scene_with("curtain", {"cloth.particles=21,15", "integrator=backward_euler", "contact.continuous=" + continuous,
-                               "dt=" + std::to_string(1 / rate), "ball.radius=" + std::to_string(radius),
-                               "ball.motion=free", "ball.mass=1000", "ball.position=0.03,0.7," + std::to_string(-from),
-                               "ball.velocity=0,0," + std::to_string(speed)});
-    const Cloth& cloth = simulation.cloths()[0];
-    const Ball& ball = simulation.balls()[0];
-    SearchAudit audit(cloth.model.grid, Kernels::Vector);
-    Eigen::Index aim = 0;
-    (cloth.state.x.rowwise() - Vec3(Real(0.03), Real(0.7), 0).transpose()).rowwise().norm().minCoeff(&aim);
-    Shot shot;
-    while (ball.centre.z() < radius / 2) {
-        simulation.step();
-        const Real depth =
-            audit.penetration(cloth.state.x, simulation.balls(), simulation.settings().contact.thickness);
-        shot.left = std::max(shot.left, static_cast<double>(depth));
-    }
-    const Vec3 offset = cloth.state.x.row(aim).transpose() - ball.centre;
-    shot.through = offset.z() < 0 && offset.head<2>().norm() < radius;
-    shot.hash = simulation.hash();
-    return shot;
-}
-
-TEST(LongContinuousDetection, LeavesTheBallNoDeeperInTheClothThanDiscreteDoes) {
-    int slow = 0, fast = 0;
-    for (const Real radius : {Real(0.06), Real(0.22)}) {
-        for (const Real rate : {30, 60, 240}) {
-            for (const Real speed : {1, 3, 10, 30}) {
-                const Shot discrete = shoot("false", speed, rate, radius),
-                           continuous = shoot("true", speed, rate, radius);
-                const std::string what =
-                    std::to_string(radius) + " m, " + std::to_string(rate) + " /s, " + std::to_string(speed) + " m/s";
-                EXPECT_FALSE(continuous.through) << what;
-                if (discrete.through) {
-                    ++fast;
-                    EXPECT_LT(continuous.left, radius / 10) << what;
-                    continue;
-                }
-                EXPECT_LE(continuous.left, 1.01 * discrete.left + 1e-4) << what;
-                slow += continuous.hash == discrete.hash;
-            }
-        }
-    }
-    EXPECT_GE(fast, 4) << "some shots need continuous detection";
-    EXPECT_GE(slow, 3) << "and some have the bits of discrete detection";
 }
 
 /// Particles and balls together.
@@ -267,7 +173,7 @@ double ball_energy(const Ball& ball, const Vec3& velocity) {
 TEST(ContinuousDetection, KeepsMomentumAndBooksWhatTheBallLoses) {
     constexpr Real h = Real(1) / 64;
     for (const std::string response : {"projection", "impulse", "hybrid"}) {
-        Simulation simulation = scene_with(
+        Simulation simulation = shipped_simulation(
             "bullet", {"cloth.particles=16,16", "cloth.pinned=none", "cloth.drag=0", "ground.solid=false",
                        "integrator=xpbd", "dt=0.015625", "longest_step=0.015625", "ledger=true",
                        "contact.response=" + response, "ball.position=0.05,0.72,-0.1", "ball.velocity=0,0,24"});
@@ -292,29 +198,19 @@ TEST(ContinuousDetection, KeepsMomentumAndBooksWhatTheBallLoses) {
 /// By either name.
 TEST(ContinuousDetection, ChangesNoBitWhereNothingCrosses) {
     const std::string few = "cloth.particles=16,16";
-    Simulation never = scene_with("drop", {few, "contact.continuous=false"});
+    Simulation never = shipped_simulation("drop", {few, "contact.continuous=false"});
     run_until(never, 0.7);
     ASSERT_GT(never.report().contacts, 0);
     for (const std::string looks : {"auto", "true"}) {
-        Simulation looking = scene_with("drop", {few, "contact.continuous=" + looks});
+        Simulation looking = shipped_simulation("drop", {few, "contact.continuous=" + looks});
         run_until(looking, 0.7);
         EXPECT_EQ(looking.hash(), never.hash()) << looks;
     }
 }
 
-// A push at a point that hangs on pinned corners would throw the free one far
-TEST(SteeredBall, AtThePinsOfACurtainDoesNotThrowTheClothAbout) {
-    for (const std::string height : {"1.05", "1.2"}) {
-        Simulation simulation =
-            scene_with("curtain", {"ball.path=[[0,0," + height + ",-0.5],[2.0,0," + height + ",0.5]]"});
-        run_until(simulation, 1.2);
-        EXPECT_EQ(simulation.report().heated_step, 0) << height;
-    }
-}
-
 TEST(Ground, ThrowsNothingBackWithoutRestitutionWhileTheWayIsTested) {
     Simulation simulation =
-        scene_with("drop", {"ball.position=5,0.3,0", "contact.continuous=true", "cloth.centre=0,0.012,0"});
+        shipped_simulation("drop", {"ball.position=5,0.3,0", "contact.continuous=true", "cloth.centre=0,0.012,0"});
     Real highest = 0;
     while (simulation.report().time < 0.2) {
         simulation.step();
@@ -326,54 +222,13 @@ TEST(Ground, ThrowsNothingBackWithoutRestitutionWhileTheWayIsTested) {
 
 TEST(StepsInContact, AreDividedUnderAnImplicitMethodAlone) {
     for (const std::string integrator : {"backward_euler", "symplectic_euler"}) {
-        Simulation simulation =
-            scene_with("drop", {"integrator=" + integrator, "dt=3e-4", "longest_step=1e-4", "ball.position=0,0.345,0"});
+        Simulation simulation = shipped_simulation(
+            "drop", {"integrator=" + integrator, "dt=3e-4", "longest_step=1e-4", "ball.position=0,0.345,0"});
         EXPECT_EQ(simulation.report().substeps, 1);
         run_until(simulation, 0.3);
         ASSERT_GT(simulation.report().contacts, 0);
         EXPECT_EQ(simulation.report().substeps, integrator == "backward_euler" ? 3 : 1);
     }
-}
-
-/// A free ball that never comes near the cloth of `drop`, which falls on another.
-TEST(StepsInContact, AreNoOthersForAFarBall) {
-    for (const std::string integrator : {"symplectic_euler", "implicit_midpoint", "dormand_prince"}) {
-        std::vector<Points> ends;
-        for (const bool far_ball : {false, true}) {
-            Settings settings = load_scene("drop");
-            settings.solver.integrator = value_named<IntegratorKind>(integrator).value();
-            settings.solver.dt = integrator == "symplectic_euler" ? 3e-4 : 1.0 / 60;
-            if (far_ball) {
-                BallSettings& ball = settings.balls.emplace_back();
-                ball.position = {9, 1, 9};
-                ball.motion = BallMotion::Free;
-            }
-            Simulation simulation("drop", settings);
-            run_until(simulation, 0.5);
-            EXPECT_GT(simulation.report().contacts, 0);
-            ends.push_back(simulation.cloths()[0].state.x);
-        }
-        EXPECT_EQ(ends[0], ends[1]) << integrator;
-    }
-}
-
-TEST(RestingContact, NeitherCreepsNorQuiversAtALongStep) {
-    Simulation simulation = scene_with("drop", {"cloth.particles=14,14", "cloth.drag=3e-3", "integrator=backward_euler",
-                                                "dt=0.016666666666666666", "sleep_speed=0"});
-    run_until(simulation, 5);
-    const Points there = simulation.cloths()[0].state.x;
-    run_until(simulation, 6);
-    EXPECT_LT((simulation.cloths()[0].state.x - there).rowwise().norm().maxCoeff(), 1e-4);
-}
-
-TEST(LongFreeBall, FallsOnTheGroundAndRollsWithoutSliding) {
-    Simulation simulation = scene_with("drop", {"ball.motion=free", "ball.radius=0.1", "ball.position=3,0.2,0",
-                                                "ball.velocity=1,0,0", "ground.friction=0.5"});
-    run_until(simulation, 2);
-    const Ball& ball = simulation.balls()[0];
-    EXPECT_NEAR(ball.centre.y(), 0.1, 1e-4);
-    EXPECT_NEAR(ball.velocity.x(), 5.0 / 7, 0.02) << "of a solid ball that slid at first";
-    EXPECT_NEAR(ball.spin.z(), -ball.velocity.x() / ball.radius, 0.01);
 }
 
 }  // namespace

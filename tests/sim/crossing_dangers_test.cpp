@@ -1,9 +1,7 @@
 #include <gtest/gtest.h>
 
-#include "drape/sim/comparison.h"
-#include "drape/sim/scene.h"
 #include "drape/sim/session.h"
-#include "drape/sim/setting_table.h"
+#include "sim/small_scene.h"
 
 namespace drape {
 namespace {
@@ -16,19 +14,13 @@ protected:
     CrossingDangersTest() : session_(falling_ball()) { session_.keep_history({}); }
 
     static Simulation falling_ball() {
-        Settings settings = load_scene("bullet");
-        const char* changes =
-            "contact.continuous=false,solver.dt=5e-3,solver.integrator=backward_euler,ball.velocity=0,-2,0,"
-            "ball.position=0,50,-5,ground.solid=false";
-        for (const std::string& assignment : split_assignments(changes)) assign(settings, assignment);
-        return Simulation("bullet", settings);
+        return shipped_simulation("bullet", {"contact.continuous=false", "dt=5e-3", "integrator=backward_euler",
+                                             "ball.velocity=0,-2,0", "ball.position=0,50,-5", "ground.solid=false"});
     }
 
     void make_steps(int count) {
-        for (int k = 0; k < count; ++k) {
-            session_.send(command::Step{1});
-            session_.advance(0, 1e9);
-        }
+        session_.send(command::Step{count});
+        session_.advance(0, 1e9);
     }
 
     void go_to(std::int64_t step) {
@@ -50,18 +42,6 @@ TEST_F(CrossingDangersTest, CountOnceHoweverOftenTheyArePlayed) {
     make_steps(steps_to_danger - calm_steps);
     ASSERT_EQ(of_the_run(), 1);
     EXPECT_EQ(session_.crossing_dangers(), 1) << "played again";
-}
-
-TEST_F(CrossingDangersTest, CountOnceAlsoWhereTheUserGoesBackBeforeAReset) {
-    make_steps(steps_to_danger);
-    session_.send(command::Reset{});
-    make_steps(calm_steps);
-    EXPECT_EQ(session_.crossing_dangers(), 1);
-    go_to(calm_steps);
-    make_steps(steps_to_danger);
-    EXPECT_EQ(session_.crossing_dangers(), 1) << "the first run, played again";
-    make_steps(steps_to_danger - calm_steps);
-    EXPECT_EQ(session_.crossing_dangers(), 2) << "the second run is new from there on";
 }
 
 TEST_F(CrossingDangersTest, AreNewWhereTheUserGoesOnInAnotherWay) {

@@ -6,7 +6,6 @@
 
 #include "drape/base/numbers.h"
 #include "drape/sim/memory.h"
-#include "drape/sim/scene.h"
 #include "drape/sim/session.h"
 #include "sim/small_scene.h"
 #include "support/process.h"
@@ -19,6 +18,11 @@ using test::ScratchFile;
 using testing::HasSubstr;
 
 constexpr double no_hurry = 1e9;  // s of wall time that the steps may take
+
+void go_to(std::int64_t step, Session& session) {
+    session.go_to(step);
+    session.advance(0, no_hurry);
+}
 
 /// A session that keeps its past, and the hash of each step that it has made.
 struct Traveller {
@@ -41,8 +45,7 @@ struct Traveller {
 
     /// Goes to a step, and tells whether it is what it was.
     bool finds_again(std::int64_t step) {
-        session.go_to(step);
-        session.advance(0, no_hurry);
+        go_to(step, session);
         return session.timeline().now == step && session.simulation().hash() == hashes[static_cast<std::size_t>(step)];
     }
 };
@@ -131,39 +134,13 @@ TEST(History, TellsTheTimeOfStepsOfSeveralLengths) {
     EXPECT_EQ(session.timeline().kept, 104 * dt) << "the last change of the step came earlier than before";
 }
 
-// Far beyond its limit the time step makes the cloth diverge at once.
-TEST(History, CountsNoTimeWhileARunThatHasDivergedStandsStill) {
-    Session session(small_simulation());
-    session.keep_history({});
-    const double dt = 1.0 / 1024;
-    const auto run = [&](int steps) {
-        for (int k = 0; k < steps; ++k) session.advance(session.simulation().settings().solver.dt, no_hurry);
-    };
-    run(64);
-    session.send(parse_command("set solver.integrator=explicit_euler"));
-    session.send(parse_command("set solver.dt=0.0625"));
-    run(100);
-    ASSERT_EQ(session.simulation().report().status, Status::Diverged);
-    const double diverged_at = session.timeline().passed;
-    EXPECT_GT(diverged_at, 64 * dt);
-    EXPECT_LT(diverged_at, 20 * 0.0625);
-    session.send(parse_command("set solver.dt=0.0009765625"));
-    session.send(command::Reset{});
-    run(32);
-    ASSERT_EQ(session.simulation().report().status, Status::Ok);
-    EXPECT_EQ(session.timeline().passed, diverged_at + 32 * dt);
-    EXPECT_EQ(session.timeline().kept, diverged_at + 32 * dt);
-}
-
-TEST(History, TellsTheTimeOfWhatItStillKeeps) {
-    Traveller traveller(small_simulation({"solver.dt=0.001953125"}), {.seconds = 2});
-    traveller.run(512);
-    traveller.session.send(parse_command("set solver.dt=0.0009765625"));
-    traveller.run(4096);
-    const Timeline timeline = traveller.session.timeline();
-    ASSERT_GT(timeline.oldest, 512);
-    EXPECT_EQ(timeline.passed, 5);
-    EXPECT_EQ(timeline.kept, static_cast<double>(timeline.newest - timeline.oldest) / 1024);
+/// Of the state at the end of a recording that is replayed as it was made.
+std::uint64_t hash_of_replay(const std::string& file) {
+    Session again(small_simulation());
+    again.replay(read_recording(file));
+    EXPECT_TRUE(again.run_replay());
+    EXPECT_EQ(again.replay_notice(), "");
+    return again.simulation().hash();
 }
 
 TEST(History, LetsTheUserGoOnFromAnEarlierStep) {
@@ -181,6 +158,7 @@ TEST(History, LetsTheUserGoOnFromAnEarlierStep) {
     traveller.session.send(parse_command("set wind.on=true"));
     EXPECT_EQ(traveller.session.timeline().newest, 130);
     EXPECT_THAT(traveller.session.takeover_notice(), HasSubstr("forgotten"));
+    EXPECT_EQ(traveller.session.takeovers(), 1);
     EXPECT_FALSE(traveller.session.view().held) << "nobody's hand";
     traveller.hashes.resize(131);
     traveller.run(50);
@@ -192,28 +170,7 @@ TEST(History, LetsTheUserGoOnFromAnEarlierStep) {
     EXPECT_THAT(test::read_file(file.name()), testing::Not(HasSubstr("reset")));
 
     // The recording is of the run that the user has made of it
-    Session again(small_simulation());
-    again.replay(read_recording(file.name()));
-    EXPECT_TRUE(again.run_replay());
-    EXPECT_EQ(again.replay_notice(), "");
-    EXPECT_EQ(again.simulation().hash(), end);
-}
-
-TEST(History, CountsATakeoverWhoseNoticeIsLikeTheOneBefore) {
-    Session session(small_simulation());
-    session.keep_history({});
-    const auto take_over_at_20_of_60 = [&] {
-        while (session.timeline().newest < 60) session.send(command::Step{1}), session.advance(0, no_hurry);
-        session.go_to(20);
-        session.advance(0, no_hurry);
-        session.send(parse_command("next wind.on"));
-        return session.takeover_notice();
-    };
-    EXPECT_EQ(session.takeovers(), 0);
-    const std::string notice = take_over_at_20_of_60();
-    EXPECT_EQ(session.takeovers(), 1);
-    ASSERT_EQ(take_over_at_20_of_60(), notice);
-    EXPECT_EQ(session.takeovers(), 2);
+    EXPECT_EQ(hash_of_replay(file.name()), end);
 }
 
 TEST(History, RecordsThatAPauseHasEnded) {
@@ -235,12 +192,28 @@ TEST(History, RecordsThatAPauseHasEnded) {
     EXPECT_EQ(again.simulation().hash(), end);
 }
 
-TEST(History, LetsTheUserTakeOverFromAReplay) {
-    Recording recording{.scene = "drop", .assignments = {}, .entries = {}, .last_step = 500, .notice = {}};
-    recording.entries.push_back({100, parse_command("set wind.on=true")});
+TEST(History, RecordsARunThatIsLeftInItsPast) {
+    const ScratchFile file("left.txt");
+    Traveller traveller(small_simulation());
+    traveller.session.record(file.name(), {});
+    traveller.run(700);
+    go_to(300, traveller.session);
+    traveller.session.close();
+    EXPECT_EQ(hash_of_replay(file.name()), traveller.hashes.back()) << "all of it is there";
+}
+
+/// A session that plays commands at their steps, until another step.
+Session replaying(const std::vector<std::pair<std::int64_t, const char*>>& commands, std::int64_t last) {
+    Recording recording{.scene = "drop", .assignments = {}, .entries = {}, .last_step = last, .notice = {}};
+    for (const auto& [step, text] : commands) recording.entries.push_back({step, parse_command(text)});
     Session session(small_simulation());
     session.keep_history({});
     session.replay(recording);
+    return session;
+}
+
+TEST(History, LetsTheUserTakeOverFromAReplay) {
+    Session session = replaying({{100, "set wind.on=true"}}, 500);
     EXPECT_EQ(session.timeline().newest, 500);
     EXPECT_TRUE(session.timeline().replay);
     session.send(command::Pause{});
@@ -255,17 +228,19 @@ TEST(History, LetsTheUserTakeOverFromAReplay) {
     EXPECT_FALSE(session.simulation().settings().wind.on);
 }
 
-TEST(History, GoesForthInAReplayToWhatWasNotSeenYet) {
-    Recording recording{.scene = "drop", .assignments = {}, .entries = {}, .last_step = 300, .notice = {}};
-    recording.entries.push_back({100, parse_command("set wind.on=true")});
-    Session session(small_simulation());
-    session.keep_history({});
-    session.replay(recording);
-    session.go_to(200);
-    session.advance(0, no_hurry);
-    EXPECT_EQ(session.timeline().now, 200);
+TEST(History, GoesForthAndBackInAReplayAndLeavesItsPausesAlone) {
+    Session session = replaying(
+        {{100, "pause"}, {100, "step 5"}, {100, "set wind.on=true"}, {100, "next view.bounds"}, {105, "pause"}}, 300);
+    go_to(200, session);
     EXPECT_TRUE(session.simulation().settings().wind.on);
-    EXPECT_TRUE(session.simulation().paused());
+    const bool bounds = session.simulation().settings().view.bounds;
+    for (const std::int64_t step : {50, 200, 102, 300}) {
+        go_to(step, session);
+        EXPECT_EQ(session.timeline().now, step);
+        EXPECT_TRUE(session.simulation().paused());
+        EXPECT_EQ(session.simulation().steps_wanted(), 0);
+        EXPECT_EQ(session.simulation().settings().view.bounds, bounds) << "as it is seen now";
+    }
 }
 
 TEST(History, StaysWithinItsMemoryAndItsTime) {
@@ -285,14 +260,6 @@ TEST(History, StaysWithinItsMemoryAndItsTime) {
     EXPECT_FALSE(traveller.finds_again(full.oldest - 1)) << "forgotten";
 }
 
-TEST(History, KeepsNothingWhereNotEvenTwoMomentsFit) {
-    Traveller traveller(small_simulation(), {.seconds = 20, .bytes = 1000});
-    traveller.run(10);
-    EXPECT_EQ(traveller.session.timeline().bytes, 0);
-    traveller.session.go_to(5);
-    EXPECT_EQ(traveller.session.timeline().now, 10);
-}
-
 TEST(History, BeginsAnewWithAScene) {
     Traveller traveller(small_simulation());
     traveller.run(20);
@@ -305,24 +272,6 @@ TEST(History, BeginsAnewWithAScene) {
     EXPECT_EQ(traveller.session.timeline().now, 20);
 }
 
-TEST(History, RecordsARunThatIsLeftInItsPast) {
-    const ScratchFile file("left.txt");
-    Session session(small_simulation());
-    session.keep_history({});
-    session.record(file.name(), {});
-    session.send(command::Step{700});
-    session.advance(0, no_hurry);
-    const std::uint64_t end = session.simulation().hash();
-    session.go_to(300);
-    session.advance(0, no_hurry);
-    session.close();
-    Session again(small_simulation());
-    again.replay(read_recording(file.name()));
-    EXPECT_TRUE(again.run_replay());
-    EXPECT_EQ(again.replay_notice(), "") << "nothing is cut";
-    EXPECT_EQ(again.simulation().hash(), end) << "all of it is there";
-}
-
 TEST(History, FinishesItsWayBeforeACommand) {
     Traveller traveller(small_simulation());
     traveller.run(200);
@@ -331,28 +280,6 @@ TEST(History, FinishesItsWayBeforeACommand) {
     EXPECT_EQ(traveller.session.timeline().newest, 200) << "the keys steer nothing: nothing is taken over";
     traveller.session.send(parse_command("set wind.on=true"));
     EXPECT_EQ(traveller.session.timeline().newest, 150) << "not where the way had come to";
-}
-
-TEST(History, LeavesPausesOfAReplayAloneOnTheWay) {
-    Recording recording{.scene = "drop", .assignments = {}, .entries = {}, .last_step = 300, .notice = {}};
-    for (const char* text : {"pause", "step 5", "next view.bounds"}) {
-        recording.entries.push_back({100, parse_command(text)});
-    }
-    recording.entries.push_back({105, parse_command("pause")});
-    Session session(small_simulation());
-    session.keep_history({});
-    session.replay(recording);
-    session.go_to(200);
-    session.advance(0, no_hurry);
-    const bool bounds = session.simulation().settings().view.bounds;
-    for (const std::int64_t step : {50, 200, 102, 300}) {
-        session.go_to(step);
-        session.advance(0, no_hurry);
-        EXPECT_EQ(session.timeline().now, step);
-        EXPECT_TRUE(session.simulation().paused());
-        EXPECT_EQ(session.simulation().steps_wanted(), 0);
-        EXPECT_EQ(session.simulation().settings().view.bounds, bounds) << "as it is seen now";
-    }
 }
 
 TEST(History, LeadsBackFromARunThatHasDiverged) {
@@ -365,8 +292,7 @@ TEST(History, LeadsBackFromARunThatHasDiverged) {
     session.send(command::Pause{});
     for (int k = 0; k < 100; ++k) session.advance(0.1, 0.01);
     EXPECT_EQ(session.timeline().newest, end) << "nothing happens any more";
-    session.go_to(end - 2);
-    session.advance(0, no_hurry);
+    go_to(end - 2, session);
     EXPECT_EQ(session.simulation().report().status, Status::Ok);
     EXPECT_EQ(session.timeline().now, end - 2);
 }

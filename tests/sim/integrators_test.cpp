@@ -1,4 +1,4 @@
-// Every integrator in whole scenes: with contact, exchanged in mid-run, and with the energy that it loses by itself.
+// Every integrator in whole scenes: with contact, and exchanged in mid-run.
 
 #include <gtest/gtest.h>
 
@@ -60,25 +60,6 @@ TEST_P(EveryIntegrator, AllocatesNothingOnceItHasContacts) {
 INSTANTIATE_TEST_SUITE_P(All, EveryIntegrator,
                          ::testing::ValuesIn(names_of<IntegratorKind>().begin(), names_of<IntegratorKind>().end()),
                          [](const auto& name) { return name.param; });
-
-/// What a method loses of a cloth's energy by itself in a second, without damping, drag or contact [J].
-double own_loss(const std::string& integrator) {
-    Simulation simulation =
-        small_simulation({setting(integrator), "ball.position=0,-9,0", "structural.damping=0", "shear.damping=0",
-                          "bend.damping=0", "drag=0", "sleep_speed=0", "hessian=exact", "ledger=true"});
-    make_steps(simulation, 1024);
-    const EnergyBalance balance = simulation.view().report->balance;
-    EXPECT_EQ(balance.damping + balance.drag + balance.contact, 0);
-    return balance.integrator;
-}
-
-TEST(NumericalDamping, OfBackwardEulerIsSeenInTheBalanceAndThatOfMidpointIsNot) {
-    const double backward = own_loss("backward_euler");
-    EXPECT_GT(backward, 0.02);
-    EXPECT_LT(std::abs(own_loss("implicit_midpoint")), 0.05 * backward);
-    EXPECT_LT(std::abs(own_loss("rk4")), 0.01 * backward);
-    EXPECT_LT(own_loss("bdf2"), 0.5 * backward) << "it damps less";
-}
 
 }  // namespace
 }  // namespace drape

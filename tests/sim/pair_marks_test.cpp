@@ -1,11 +1,10 @@
-// Nodes of searches of cloth against cloth, as they are shown.
+// Nodes of searches, as they are shown.
 
 #include <gtest/gtest.h>
 
 #include <algorithm>
 
 #include "drape/bounds/node_view.h"
-#include "drape/sim/scene.h"
 #include "sim/small_scene.h"
 
 namespace drape {
@@ -13,9 +12,8 @@ namespace {
 
 /// Without its balls what is marked is the pairs' alone.
 Simulation shown_scene(const std::string& name, bool with_balls = false) {
-    Settings settings = load_scene(name);
+    Settings settings = shipped_settings(name, {"view.bounds=true"});
     if (!with_balls) settings.balls.clear();
-    settings.view.bounds = true;
     return {name, std::move(settings)};
 }
 
@@ -50,12 +48,17 @@ void expect_all_children_visited(const ClothView& cloth) {
     EXPECT_GT(entered, 0);
 }
 
+/// Steps until cloth meets cloth.
+void run_to_pairs(Simulation& simulation) {
+    while (simulation.report().pairs == 0 && simulation.report().time < 1) simulation.step();
+    ASSERT_GT(simulation.report().pairs, 0);
+}
+
 TEST(PairMarks, AreOnEveryChildOfANodeThatWasEntered) {
     for (const char* scene : {"fold", "stack"}) {
         SCOPED_TRACE(scene);
         Simulation simulation = shown_scene(scene, std::string(scene) == "fold");
-        while (simulation.report().pairs == 0 && simulation.report().time < 1) simulation.step();
-        ASSERT_GT(simulation.report().pairs, 0);
+        run_to_pairs(simulation);
         const FrameView view = simulation.view(1);
         for (const ClothView& cloth : view.cloths) expect_all_children_visited(cloth);
     }
@@ -69,50 +72,34 @@ TEST(PairMarks, ShowASheetThatCannotTouchItselfPrunedAtTheRootAndAFoldedOneVisit
     EXPECT_TRUE(flat.cloths[0].pair_cells.empty());
 
     Simulation simulation = shown_scene("fold", true);
-    while (simulation.report().pairs == 0 && simulation.report().time < 1) simulation.step();
-    ASSERT_GT(simulation.report().pairs, 0);
+    run_to_pairs(simulation);
     const FrameView folded = simulation.view(1);
     EXPECT_GT(nodes_with(folded.cloths[0], NodeVisit::Entered), 0);
     EXPECT_GT(nodes_with(folded.cloths[0], NodeVisit::Leaf), 0);
     EXPECT_GT(folded.pair_search.leaves, 0);
     EXPECT_FALSE(folded.cloths[0].pair_cells.empty());
-
-    // What touches is in leaves whose cells are tested, but for what was found to come near within the step alone
-    std::vector<NodeView> leaves;
-    folded.cloths[0].hierarchy->nodes_at(SearchLimit::all_levels, leaves);
-    const Grid& grid = folded.cloths[0].model.grid;
-    const auto is_tested = [&](int cell) {
-        return std::ranges::any_of(leaves, [&](const NodeView& node) {
-            return node.visit == NodeVisit::Leaf &&
-                   node.cells.holds(cell % grid.cell_columns(), cell / grid.cell_columns());
-        });
-    };
-    EXPECT_TRUE(std::ranges::any_of(folded.cloths[0].pair_cells, is_tested));
 }
 
-TEST(PairMarks, AreOnBothOfTwoCloths) {
-    Simulation simulation = shown_scene("stack");
-    while (simulation.report().pairs == 0 && simulation.report().time < 1) simulation.step();
-    ASSERT_GT(simulation.report().pairs, 0);
-    const FrameView view = simulation.view(1);
-    ASSERT_GT(view.cloths.size(), 1u);
-    for (const ClothView& cloth : view.cloths) {
-        EXPECT_GT(nodes_with(cloth, NodeVisit::Pruned) + nodes_with(cloth, NodeVisit::Entered), 0);
+TEST(ShownHierarchy, LeavesTheBitsOfTheMotion) {
+    const std::string motion = "ball.motion=path", path = "ball.path=0,0,0.2,3,0.5,0,0.2,0.4,3,0,0.2,0.3";
+    for (const char* update : {"update=rebuild", "update=refit", "update=none", "search_level=1"}) {
+        Simulation shown = small_simulation({path, motion, update, "view.bounds=true"});
+        Simulation hidden = small_simulation({path, motion, update});
+        for (int step = 0; step < 2000; ++step) {
+            shown.step(), hidden.step();
+            if (step % 3 == 0) static_cast<void>(shown.view());
+        }
+        EXPECT_GT(shown.report().contacts, 0) << update;
+        EXPECT_EQ(shown.hash(), hidden.hash()) << update;
     }
-    EXPECT_GT(nodes_with(view.cloths[1], NodeVisit::Leaf), 0) << "the second cloth too";
-}
-
-TEST(PairMarks, AreNotMadeUnlessTheyAreShownAndChangeNoBits) {
+    // Of pairs of cloths too, which are marked only where they are shown
     Simulation shown = shown_scene("stack"), hidden = shown_scene("stack");
     send(hidden, "set view.bounds=false");
     for (int step = 0; step < 200; ++step) {
-        shown.step();
-        hidden.step();
+        shown.step(), hidden.step();
         if (step % 10 > 0) continue;
         EXPECT_GT(shown.view(1).pair_search.visited, 0);
-        const FrameView view = hidden.view(1);
-        EXPECT_EQ(view.pair_search.visited, 0);
-        EXPECT_TRUE(view.cloths[0].pair_cells.empty());
+        EXPECT_EQ(hidden.view(1).pair_search.visited, 0);
     }
     EXPECT_EQ(shown.hash(), hidden.hash());
 }

@@ -34,29 +34,11 @@ TEST(PinCommand, FreesAPinnedParticle) {
     EXPECT_EQ(simulation.settings().cloths[0].pinned, Pins{});
 }
 
-TEST(PinCommand, WakesClothThatRests) {
-    Simulation simulation = small_simulation({"cloth.pinned=border", "cloth.drag=0.01", "ball.position=0,-50,0"});
-    for (int step = 0; step < 20'000 && !simulation.report().asleep; ++step) simulation.step();
-    ASSERT_TRUE(simulation.report().asleep);
-    send(simulation, "set cloth.pinned=none");
-    const Vec3 before = position_of(simulation, 0);
-    make_steps(simulation, 100);
-    EXPECT_LT(position_of(simulation, 0).y(), before.y());
-}
-
-TEST(PinCommand, LeavesOutWhatTheHandHolds) {
-    Simulation simulation = pinned_simulation();
-    send(simulation, "grab 0 17");
-    send(simulation, "pin 0 40");
-    EXPECT_THAT(simulation.settings().cloths[0].pinned.list, testing::ElementsAre(0, 5, 40));
-    send(simulation, "release");
-    EXPECT_FALSE(simulation.cloths()[0].model.pinned(17));
-}
-
 TEST(PinCommand, CountsForWhatTheHandHolds) {
     Simulation simulation = pinned_simulation();
     send(simulation, "grab 0 0");
     send(simulation, "set cloth.pinned=none");
+    EXPECT_TRUE(simulation.settings().cloths[0].pinned.list.empty());
     send(simulation, "release");
     EXPECT_FALSE(simulation.cloths()[0].model.pinned(0));
     send(simulation, "grab 0 40");
@@ -65,10 +47,14 @@ TEST(PinCommand, CountsForWhatTheHandHolds) {
     EXPECT_TRUE(simulation.cloths()[0].model.pinned(40));
 }
 
-TEST(PinCommand, IsRefusedForParticlesThatDoNotExist) {
+TEST(PinCommand, AndGrabNameWhatThereIsWhereThereIsNoSuchParticle) {
     Simulation simulation = pinned_simulation();
-    EXPECT_THAT(test::input_error_of([&] { send(simulation, "pin 1 0"); }), testing::HasSubstr("pin: cloth 1"));
-    EXPECT_THAT(test::input_error_of([&] { send(simulation, "pin 0 100000"); }), testing::HasSubstr("pin: particle"));
+    for (const std::string word : {"pin", "grab"}) {
+        EXPECT_THAT(test::input_error_of([&] { send(simulation, word + " 1 0"); }),
+                    testing::AllOf(testing::HasSubstr(word + ": cloth 1"), testing::HasSubstr("0 to 0")));
+        EXPECT_THAT(test::input_error_of([&] { send(simulation, word + " 0 80"); }),
+                    testing::AllOf(testing::HasSubstr(word + ": particle 80"), testing::HasSubstr("0 to 79")));
+    }
     EXPECT_THAT(simulation.settings().cloths[0].pinned.list, testing::ElementsAre(0, 5));
 }
 

@@ -175,34 +175,5 @@ TEST(SelfSearch, FindsWhatAPushBringsWithinReach) {
     EXPECT_GT(lists, 35);
 }
 
-TEST(SelfSearch, MakesAShorterListWhereALongOneDoesNotFit) {
-    // Many layers, every other one of which slides the other way by a tenth of the particles' spacing
-    constexpr int layers = 8;
-    ClothParameters parameters;
-    parameters.particles = {16, 16};
-    const ClothModel model = make_cloth_model(parameters);
-    const Real apart = model.hx / 10, slide = model.hx / 10;
-    const std::vector<const ClothModel*> models(layers, &model);
-    std::vector<Points> before(layers, make_rest_state(parameters).x);
-    std::vector<ClothState> states;
-    std::vector<ClothInContact> cloths;
-    for (int layer = 0; layer < layers; ++layer) {
-        Points& x = before[static_cast<std::size_t>(layer)];
-        x.col(1).array() += static_cast<Real>(layer) * apart;
-        states.push_back({x, Points::Zero(x.rows(), 3)});
-        states.back().x.col(0).array() += layer % 2 == 0 ? slide : -slide;
-    }
-    for (std::size_t c = 0; c < layers; ++c) cloths.push_back({model, before[c], states[c]});
-    SelfSearch search;
-    search.use({.leaf_cells = 4}, models);
-    const SelfSearchReport report = search.find(cloths, apart);
-    EXPECT_FALSE(report.gave_up);
-    EXPECT_LE(report.listed, std::int64_t(SelfSearch::max_pairs) * layers * model.grid.particles());
-    // One of the next layer is above each particle
-    EXPECT_GT(search.pairs().size(), static_cast<std::size_t>((layers - 1) * model.grid.particles()));
-    const Real allowed = std::ranges::max(search.allowances(0));
-    EXPECT_LT(allowed, Real(0.6) * model.hx) << "with the most margins it is 0.61 spacings";
-}
-
 }  // namespace
 }  // namespace drape

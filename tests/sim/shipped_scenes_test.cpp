@@ -1,8 +1,5 @@
-#include <gmock/gmock.h>
+#include <gtest/gtest.h>
 
-#include "drape/base/input_error.h"
-#include "drape/sim/scene.h"
-#include "sim/scene_lists.h"
 #include "sim/small_scene.h"
 #include "support/exact_distance.h"
 #include "support/sanitized.h"
@@ -25,10 +22,13 @@ class ShippedScene : public testing::TestWithParam<std::string> {};
 TEST_P(ShippedScene, RunsForSecondsInNoDoubtAndStretchesNoFurtherThanCloth) {
     Simulation simulation(GetParam(), load_scene(GetParam()));
     const int steps_of_a_tenth = static_cast<int>(std::lround(0.1 / simulation.settings().solver.dt));
-    const Cost cost = cost_of(simulation.settings());
-    const int tenths = cost == Cost::Large    ? (test::sanitized ? 1 : 4)
-                       : cost == Cost::Costly ? (test::sanitized ? 3 : 6)
-                                              : (test::sanitized ? 15 : 100);
+    // Cloth on cloth and on meshes takes long, and so do many particles
+    const Settings& settings = simulation.settings();
+    const bool large = settings.cloths[0].particles.particles() > 10'000;
+    const bool costly = settings.contact.self || !settings.solids.empty();
+    const int tenths = large    ? (test::sanitized ? 1 : 4)
+                       : costly ? (test::sanitized ? 3 : 6)
+                                : (test::sanitized ? 15 : 100);
     double largest = 0;
     for (int tenth = 0; tenth < tenths; ++tenth) {
         make_steps(simulation, steps_of_a_tenth);
@@ -45,27 +45,6 @@ TEST_P(ShippedScene, RunsForSecondsInNoDoubtAndStretchesNoFurtherThanCloth) {
 
 INSTANTIATE_TEST_SUITE_P(Long, ShippedScene, testing::ValuesIn(scenes_that_fail(false)),
                          [](const auto& scene) { return scene.param; });
-
-TEST(LongDropScene, ComesToRestOnTheBallAndNoTriangleEntersIt) {
-    Simulation simulation("drop", load_scene("drop"));
-    const Real dt = simulation.settings().solver.dt;
-    const Cloth& cloth = simulation.cloths()[0];
-    const Ball& ball = simulation.balls()[0];
-    make_steps(simulation, static_cast<int>(std::lround(3 / dt)));
-    const auto watch = [&](double seconds) {
-        for (int i = 0; i < static_cast<int>(std::lround(seconds / dt)); ++i) {
-            simulation.step();
-            const Real depth = deepest_triangle(cloth.model.grid, cloth.state.x, ball);
-            ASSERT_LT(depth, 1e-3 * ball.radius) << "at " << simulation.report().time << " s";
-        }
-    };
-    watch(2);
-    EXPECT_LT(simulation.view().report->rms_speed, 1e-3) << "m/s after five seconds";
-    watch(1);
-    EXPECT_LT(simulation.view().report->rms_speed, 1e-3);
-    EXPECT_GT(simulation.report().contacts, 50) << "it lies on the ball";
-    EXPECT_GT(cloth.state.x.col(1).maxCoeff(), ball.centre[1] + ball.radius - 1e-3) << "it has not fallen off";
-}
 
 }  // namespace
 }  // namespace drape

@@ -4,26 +4,14 @@
 
 #include <set>
 
-#include "drape/sim/scene.h"
 #include "sim/small_scene.h"
 #include "support/allocations.h"
-#include "support/input_errors.h"
 
 namespace drape {
 namespace {
 
-using test::input_error_of;
 using ::testing::AllOf;
 using ::testing::HasSubstr;
-
-TEST(Simulation, StartsAtRestWhereTheSettingsSay) {
-    Simulation simulation = small_simulation();
-    EXPECT_EQ(position_of(simulation, 0), Vec3(-0.5, 0.6, 0));
-    EXPECT_EQ(simulation.cloths()[0].state.v.norm(), 0);
-    EXPECT_EQ(simulation.balls()[0].centre, Vec3(0, 0.2, 0.4));
-    EXPECT_EQ(simulation.report().step, 0);
-    EXPECT_EQ(simulation.view().report->status, Status::Ok);
-}
 
 TEST(Simulation, AllocatesNothingInAStepOnceItHasContacts) {
     for (const char* setting :
@@ -112,22 +100,6 @@ TEST(Simulation, NeverMovesPinnedParticles) {
     }
 }
 
-TEST(Simulation, StandsStillWithEveryParticlePinned) {
-    std::string all = "cloth.pinned=0";
-    for (int p = 1; p < 80; ++p) all += "," + std::to_string(p);
-    Simulation simulation = small_simulation({all, "ball.position=0,0.5,0.3"});
-    const Points start = simulation.cloths()[0].state.x;
-    make_steps(simulation, 100);
-    EXPECT_EQ(simulation.cloths()[0].state.x, start);
-    EXPECT_EQ(simulation.view().report->status, Status::Ok);
-}
-
-TEST(Simulation, TakesTheSmallestCloth) {
-    Simulation simulation = small_simulation({"cloth.particles=2,2"});
-    make_steps(simulation, 1000);
-    EXPECT_EQ(simulation.view().report->status, Status::Ok);
-}
-
 TEST(Simulation, MovesTheClothWithTheWindOnly) {
     Simulation calm = small_simulation({"ball.position=0,-9,0"}), windy = small_simulation({"ball.position=0,-9,0"});
     windy.apply(command::Set{"wind.velocity=0,0,8"});
@@ -194,11 +166,6 @@ TEST(Simulation, StepsSeveralClothsAsIfEachWereAlone) {
     EXPECT_EQ(two.cloths()[0].state.x, one.cloths()[0].state.x);
     EXPECT_NE(two.cloths()[1].state.x, one.cloths()[0].state.x);
     EXPECT_EQ(two.report().contacts, one.report().contacts);
-}
-
-TEST(Simulation, RefusesSettingsThatDoNotFitTogether) {
-    EXPECT_THROW(small_simulation({"cloth.pinned=80"}), InputError);
-    EXPECT_THROW(small_simulation({"ball.motion=path"}), InputError);
 }
 
 }  // namespace

@@ -6,6 +6,7 @@
 #include <string>
 #include <utility>
 
+#include "drape/sim/scene.h"
 #include "drape/sim/setting_table.h"
 #include "drape/sim/simulation.h"
 #include "drape/sim/state_csv.h"
@@ -37,12 +38,35 @@ inline Settings small_settings() {
 /// `small_settings` with assignments on them.
 inline Simulation small_simulation(const std::vector<std::string>& assignments = {}) {
     Settings settings = small_settings();
-    for (const std::string& assignment : assignments) assign(settings, assignment);
+    assign_all(settings, assignments);
     return {"drop", std::move(settings)};
+}
+
+/// A shipped scene with assignments on it.
+inline Settings shipped_settings(const std::string& scene, const std::vector<std::string>& assignments = {}) {
+    Settings settings = load_scene(scene);
+    assign_all(settings, assignments);
+    return settings;
+}
+inline Simulation shipped_simulation(const std::string& scene, const std::vector<std::string>& assignments = {}) {
+    return {scene, shipped_settings(scene, assignments)};
+}
+
+/// The shipped scenes that are made to fail, or the others.
+inline std::vector<std::string> scenes_that_fail(bool fail) {
+    std::vector<std::string> names = scene_names();
+    std::erase_if(names, [&](const std::string& name) { return name.starts_with("fails_") != fail; });
+    return names;
 }
 
 inline void make_steps(Simulation& simulation, int count) {
     for (int i = 0; i < count; ++i) simulation.step();
+}
+
+/// Steps until a time, or until the cloth is lost, which fails the test.
+inline void run_until(Simulation& simulation, double time) {
+    while (simulation.report().time < time && simulation.report().status == Status::Ok) simulation.step();
+    EXPECT_EQ(simulation.report().status, Status::Ok) << simulation.report().trouble;
 }
 
 inline void send(Simulation& simulation, const std::string& text) { simulation.apply(parse_command(text)); }

@@ -1,13 +1,10 @@
 // Cloth on boxes, capsules and meshes, in whole scenes.
 
 #include <gmock/gmock.h>
-#include <gtest/gtest.h>
 
 #include "drape/base/scratch_folder.h"
 #include "drape/sim/failure.h"
-#include "drape/sim/scene.h"
-#include "drape/sim/scene_text.h"
-#include "drape/sim/simulation.h"
+#include "sim/small_scene.h"
 #include "support/input_errors.h"
 
 namespace drape {
@@ -44,21 +41,8 @@ Settings small(const std::string& scene, int particles) {
     return settings;
 }
 
-void run_seconds(Simulation& simulation, double time) {
-    while (simulation.report().time < time && simulation.report().status == Status::Ok) simulation.step();
-}
-
-TEST(LongSolids, NothingOfAClothThatRestsOnABoxIsDeeperThanTheSlop) {
-    Simulation simulation("table", small("table", 12));
-    run_seconds(simulation, 1.2);
-    EXPECT_GT(simulation.report().contacts, 3);
-    EXPECT_LT(deepest(simulation), 5e-5);
-    EXPECT_EQ(simulation.report().status, Status::Ok);
-}
-
 TEST(LongSolids, ATableclothFallsAsleep) {
-    Settings settings = small("table", 8);
-    Simulation simulation("table", settings);
+    Simulation simulation("table", small("table", 8));
     while (!simulation.report().asleep && simulation.report().time < 20) simulation.step();
     EXPECT_TRUE(simulation.report().asleep);
     EXPECT_GT(simulation.report().contacts, 3);
@@ -73,7 +57,7 @@ TEST(Solids, EachResponseAndMethodKeepsClothOutOfThem) {
             settings.contact.response = response;
             settings.solver.integrator = integrator;
             Simulation simulation("table", settings);
-            run_seconds(simulation, 0.5);
+            run_until(simulation, 0.5);
             EXPECT_GT(simulation.report().contacts, 3);
             EXPECT_LT(deepest(simulation), 0.002) << name_of(response) << ", " << name_of(integrator);
         }
@@ -81,9 +65,8 @@ TEST(Solids, EachResponseAndMethodKeepsClothOutOfThem) {
 }
 
 TEST(LongSolids, NothingOfAClothThatRestsOnAMeshIsDeeperThanTheSlop) {
-    Settings settings = small("figure", 10);
-    Simulation simulation("figure", settings);
-    run_seconds(simulation, 0.4);
+    Simulation simulation("figure", small("figure", 10));
+    run_until(simulation, 0.4);
     EXPECT_GT(simulation.report().contacts, 3);
     EXPECT_LT(deepest(simulation), 2e-4);  // a mesh is not convex: what is lowest nearby is found
 }
@@ -102,7 +85,7 @@ TEST(Solids, AFastThinPlateTakesTheClothAlong) {
         plate.motion = SolidMotion::Path;
         plate.path = {{0, Vec3(0, 0.3, 0)}, {Real(0.02), Vec3(0, 1.3, 0)}};
         Simulation simulation("plate", settings);
-        run_seconds(simulation, 0.02);
+        run_until(simulation, 0.02);
         const bool above = simulation.cloths()[0].state.x.col(1).minCoeff() > simulation.solids()[0].position.y();
         EXPECT_EQ(above, continuous == Continuous::Auto);
     }
@@ -152,53 +135,22 @@ TEST(Solids, HoldNoClothThatHasLeftThem) {
     }
 }
 
-TEST(Solids, APathCarriesThemAndAResetBringsThemBack) {
+TEST(Solids, APathCarriesThemAndSettingsAreChangedInMidRun) {
     Settings settings = small("table", 6);
     settings.solids[0].motion = SolidMotion::Path;
     settings.solids[0].path = {{0, Vec3(0, 0.2, 0)}, {Real(0.1), Vec3(0.3, 0.2, 0)}};
-    Simulation simulation("table", settings);
-    run_seconds(simulation, 0.2);
-    EXPECT_NEAR(simulation.solids()[0].position.x(), 0.3, 1e-9);
-    const std::uint64_t hash = simulation.hash();
-    simulation.apply(command::Reset{});
-    EXPECT_NEAR(simulation.solids()[0].position.x(), 0, 1e-9);
-    run_seconds(simulation, 0.2);
-    EXPECT_EQ(simulation.hash(), hash);
-}
-
-TEST(Solids, ASettingOfTheirsIsChangedInMidRunAndWakesTheScene) {
+    Simulation moved("table", settings);
+    run_until(moved, 0.2);
+    EXPECT_NEAR(moved.solids()[0].position.x(), 0.3, 1e-9);
+    send(moved, "reset");
+    EXPECT_NEAR(moved.solids()[0].position.x(), 0, 1e-9);
     Simulation simulation("table", small("table", 6));
-    run_seconds(simulation, 0.1);
+    run_until(simulation, 0.1);
     simulation.apply(command::Set{"solid.position=0,0.1,0"});
     EXPECT_EQ(simulation.solids()[0].position.y(), Real(0.1));
     EXPECT_THAT(input_error_of([&] { simulation.apply(command::Set{"solid.shape=mesh"}); }),
                 HasSubstr("allowed only with a solid.file"));
     EXPECT_EQ(simulation.settings().solids[0].shape, SolidKind::Box);
-}
-
-TEST(Solids, TheBitsDoNotDependOnTheHierarchy) {
-    Settings settings = small("table", 14);
-    std::vector<std::uint64_t> hashes;
-    for (const auto volume : {VolumeKind::Brute, VolumeKind::Sphere, VolumeKind::Obb}) {
-        settings.contact.volume = volume;
-        Simulation simulation("table", settings);
-        run_seconds(simulation, 0.35);
-        EXPECT_GT(simulation.report().contacts, 0);
-        hashes.push_back(simulation.hash());
-    }
-    EXPECT_EQ(hashes[1], hashes[0]);
-    EXPECT_EQ(hashes[2], hashes[0]);
-}
-
-TEST(Solids, AreWrittenToASceneFileAndReadBack) {
-    Settings settings = load_scene("table");
-    SolidSettings& capsule = settings.solids.emplace_back();
-    capsule.shape = SolidKind::Capsule;
-    capsule.position = {1, 2, 3};
-    capsule.axis = {0, 0, 1};
-    capsule.angle = 30;
-    const Settings read = parse_scene(scene_text(settings), "mine.toml");
-    EXPECT_EQ(read.solids, settings.solids);
 }
 
 TEST(Solids, TheSceneOfAFailureHasItsMeshBesideIt) {

@@ -36,22 +36,5 @@ TEST(ReportFields, AreNeverMoreThanTheirWhole) {
     EXPECT_GT(parts, 5000);
 }
 
-TEST(ReportFields, CountWhatTheBroadPhaseDoes) {
-    Simulation brute = small_simulation({"volume=brute"}), tree = small_simulation({"leaf_cells=2"});
-    make_steps(brute, 700), make_steps(tree, 700);
-    const StepReport &all = brute.report(), &some = tree.report();
-    EXPECT_EQ(figure(all, "candidates"), 63);
-    EXPECT_EQ(figure(all, "volume_tests"), 0);
-    EXPECT_GT(figure(some, "volume_tests"), 1);
-    EXPECT_LT(figure(some, "false_candidates"), figure(all, "false_candidates"));
-    EXPECT_EQ(figure(all, "candidates") - figure(all, "false_candidates"),
-              figure(some, "candidates") - figure(some, "false_candidates"))
-        << "the cells that do touch";
-    EXPECT_GE(2 * (figure(some, "candidates") - figure(some, "false_candidates")), figure(some, "contacts"));
-    for (const char* name : {"stopped", "false_contacts", "missed_penetration", "asleep"}) {
-        EXPECT_EQ(figure(some, name), 0) << name;
-    }
-}
-
 }  // namespace
 }  // namespace drape
