@@ -6,7 +6,6 @@
 #include <random>
 
 #include "drape/integrate/stability.h"
-#include "drape/integrate/stability_trial.h"
 #include "integrate/true_limit.h"
 #include "support/allocations.h"
 
@@ -153,18 +152,6 @@ TEST(PredictedLimit, IsKnownAtOnceForAMethodWithoutOne) {
     EXPECT_EQ(predicted_limit(sample.model, sample.state, IntegratorKind::BackwardEuler, Kernels::Vector).step,
               std::numeric_limits<Real>::infinity());
     EXPECT_EQ(test::allocations(), before);
-}
-
-TEST(LongMeasuredLimit, IsSoughtFromTheLongestStepWhereNothingIsGuessed) {
-    ClothParameters cloth;
-    cloth.particles = {6, 6};
-    cloth.structural = {1000, 0};
-    Sample sample = sample_of(cloth);
-    sample.model.gravity.setZero();
-    const auto measured = [&](Real guess) {
-        return measured_limit(sample.model, sample.state, {.kind = IntegratorKind::SymplecticEuler}, guess, Real(0.1));
-    };
-    EXPECT_NEAR(measured(0) / measured(Real(1e-4)), 1, 0.01);
 }
 
 }  // namespace
