@@ -105,18 +105,5 @@ TEST(PatchKernels, GiveTheSameBitsWithEveryKindOfVector) {
     EXPECT_GE(kinds, 2) << "this processor has no vectors to compare with";
 }
 
-TEST(LargestDisplacement, IsThatOfTheParticleThatMovedFarthest) {
-    std::mt19937 random(3);
-    const Grid grid{31, 17};
-    const Points before = test::random_cloth(grid, random);
-    for (const int particle : {0, 1, 15, 16, 263, grid.particles() - 1}) {
-        Points x = before;
-        x.row(particle) += Eigen::Matrix<Real, 1, 3>(0.3, -0.4, 1.2);
-        EXPECT_NEAR(largest_displacement(x, before, Kernels::Vector), 1.3, 1e-12);
-        EXPECT_GE(largest_displacement(x, before, Kernels::Vector), (x.row(particle) - before.row(particle)).norm());
-    }
-    EXPECT_EQ(largest_displacement(before, before, Kernels::Vector), 0);
-}
-
 }  // namespace
 }  // namespace drape
