@@ -86,18 +86,6 @@ TEST(Forces, VanishInASpringOfZeroLength) {
     EXPECT_TRUE(f.isApprox(-model.drag * state.v)) << f;
 }
 
-TEST(Forces, InsideTheClothAddUpToNothing) {
-    std::mt19937 random(2);
-    ClothParameters parameters;
-    ClothModel model = make_cloth_model(parameters);
-    model.gravity.setZero();
-    model.drag = 0;
-    const ClothState state = test::random_state(parameters, random);
-    Points f(state.x.rows(), 3);
-    compute_forces(model, state.x, state.v, f);
-    EXPECT_LT(f.colwise().sum().norm(), 1e-12 * f.cwiseAbs().sum());
-}
-
 TEST(Forces, AreTheSlopeOfTheEnergy) {
     std::mt19937 random(3);
     ClothParameters parameters;
