@@ -13,14 +13,8 @@ namespace {
 
 enum class Nameless { One };
 
-TEST(EnumNames, AreThoseOfTheValuesInTheirOrder) {
-    EXPECT_EQ(name_of(Season::Spring), "spring");
-    EXPECT_EQ(name_of(Season::Winter), "winter");
-    ASSERT_EQ(names_of<Season>().size(), 3u);
-    EXPECT_EQ(names_of<Season>()[1], "summer");
-}
-
 TEST(EnumNames, AreReadBack) {
+    EXPECT_EQ(name_of(Season::Winter), "winter");
     EXPECT_EQ(value_named<Season>("summer"), Season::Summer);
     for (const char* name : {"", "Summer", "summer ", "autumn"}) EXPECT_FALSE(value_named<Season>(name)) << name;
 }
