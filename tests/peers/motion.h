@@ -2,7 +2,7 @@
 
 #include <vector>
 
-#include "bench/draped_sheet.h"
+#include "bench/cut_sheet.h"
 
 namespace drape::peers {
 

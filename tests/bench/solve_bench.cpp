@@ -1,4 +1,4 @@
-// Steps of the implicit methods, and what their linear systems cost by factors and by iterations.
+// What the linear systems of the implicit methods cost, by factors and by iterations.
 
 #include <benchmark/benchmark.h>
 
@@ -41,16 +41,6 @@ ClothState fallen(const ClothParameters& parameters, const ClothModel& model) {
     return state;
 }
 
-void step(benchmark::State& bench, const IntegratorParameters& parameters, int side, const Load& load) {
-    const ClothParameters cloth = sheet(side, load.stiffness);
-    const ClothModel model = make_cloth_model(cloth);
-    const auto integrator = make_integrator(parameters, model.grid);
-    ClothState state = fallen(cloth, model);
-    double iterations = 0;
-    for (auto _ : bench) iterations += integrator->step(model, state, load.h).iterations;
-    bench.counters["iterations"] = benchmark::Counter(iterations, benchmark::Counter::kAvgIterations);
-}
-
 void solve(benchmark::State& bench, Hessian hessian, NewtonSystem::Solver solver, int side, const Load& load) {
     const ClothParameters cloth = sheet(side, load.stiffness);
     const ClothModel model = make_cloth_model(cloth);
@@ -69,37 +59,20 @@ void solve(benchmark::State& bench, Hessian hessian, NewtonSystem::Solver solver
     bench.counters["residual"] = static_cast<double>(outcome.residual);
 }
 
-void register_steps(const Load& load) {
-    for (const IntegratorKind kind :
-         {IntegratorKind::BackwardEuler, IntegratorKind::ImplicitMidpoint, IntegratorKind::Bdf2}) {
-        for (const Hessian hessian : {Hessian::Clamped, Hessian::Exact}) {
-            const std::string name =
-                "implicit_step/" + std::string(name_of(kind)) + "/" + name_of(hessian) + "/side:30" + load.name;
-            benchmark::RegisterBenchmark(name.c_str(), [=](benchmark::State& bench) {
-                step(bench, {.kind = kind, .hessian = hessian}, 30, load);
-            })->Unit(benchmark::kMicrosecond);
-        }
-    }
-}
-
-void register_solves(const Load& load) {
-    for (const Hessian hessian : {Hessian::Clamped, Hessian::Exact}) {
-        for (const int side : {4, 8, 16, 30, 64}) {
-            for (const auto solver : {NewtonSystem::Solver::Factors, NewtonSystem::Solver::Blocks}) {
-                const std::string name = "implicit_solve/" + name_of(hessian) + "/side:" + std::to_string(side) +
-                                         load.name + (solver == NewtonSystem::Solver::Factors ? "/factors" : "/blocks");
-                benchmark::RegisterBenchmark(name.c_str(), [=](benchmark::State& bench) {
-                    solve(bench, hessian, solver, side, load);
-                })->Unit(benchmark::kMicrosecond);
-            }
-        }
-    }
-}
-
 void register_all() {
     for (const Load& load : loads) {
-        register_steps(load);
-        register_solves(load);
+        for (const Hessian hessian : {Hessian::Clamped, Hessian::Exact}) {
+            for (const int side : {4, 8, 16, 30, 64}) {
+                for (const auto solver : {NewtonSystem::Solver::Factors, NewtonSystem::Solver::Blocks}) {
+                    const std::string name = "implicit_solve/" + name_of(hessian) + "/side:" + std::to_string(side) +
+                                             load.name +
+                                             (solver == NewtonSystem::Solver::Factors ? "/factors" : "/blocks");
+                    benchmark::RegisterBenchmark(name.c_str(), [=](benchmark::State& bench) {
+                        solve(bench, hessian, solver, side, load);
+                    })->Unit(benchmark::kMicrosecond);
+                }
+            }
+        }
     }
 }
 
