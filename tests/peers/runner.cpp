@@ -28,8 +28,7 @@ void Runner::take_turn(bool timed) {
 }
 
 Result Runner::result() const {
-    return {method_, static_cast<int>(totals_.size()), ties_, median(updates_), median(queries_), median(totals_),
-            ours_};
+    return {method_, static_cast<int>(totals_.size()), ties_, median(updates_), median(queries_), median(totals_)};
 }
 
 double Runner::run(bool timed) {
@@ -53,7 +52,7 @@ double Runner::run(bool timed) {
     return update + query;
 }
 
-std::vector<Result> take_turns(std::vector<std::unique_ptr<Runner>>& runners, int turns) {
+std::vector<Result> take_turns(const Runners& runners, int turns) {
     for (int turn = 0; turn <= turns; ++turn) {
         for (const auto& runner : runners) runner->take_turn(turn > 0);
     }
