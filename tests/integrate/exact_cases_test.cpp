@@ -163,53 +163,6 @@ TEST(ExactCases, HangingStripSags) {
     }
 }
 
-/// A chain of `springs` springs between two points at one height, in equilibrium.
-/// Each joint's weight turns the tension, of which the horizontal part is the same all along: the one unknown.
-/// @return x and y of the joints, ends included, from the first end
-std::vector<Pair> elastic_catenary(int springs, Real span, Real k, Real rest, Real weight) {
-    std::vector<Pair> joints;
-    const auto hang = [&](Real horizontal) {
-        joints.assign(1, Pair::Zero());
-        for (int spring = 0; spring < springs; ++spring) {
-            const Pair tension(horizontal, -weight * (Real(0.5) * static_cast<Real>(springs - 1 - 2 * spring)));
-            joints.push_back(joints.back() + (rest + tension.norm() / k) * tension.normalized());
-        }
-        return joints.back()[0];
-    };
-    Real low = 0, high = 2 * k * span;
-    for (int bisection = 0; bisection < 200; ++bisection) {
-        const Real middle = (low + high) / 2;
-        (hang(middle) < span ? low : high) = middle;
-    }
-    hang(high);
-    return joints;
-}
-
-TEST(ExactCases, ChainsStayInTheElasticCatenary) {
-    // Two chains side by side, hung by their ends, a fifth longer than the way between these
-    constexpr int springs = 8;
-    ClothParameters parameters = net({springs + 1, 2}, Real(0.01), {100, Real(0.5)});
-    parameters.width = Real(0.8);
-    parameters.pinned.kind = Pins::Kind::Four;
-    parameters.drag = Real(0.1);
-    ClothModel model = make_cloth_model(parameters);
-    model.hx *= Real(1.2);
-    ClothState hanging = make_rest_state(parameters);
-    const auto joints = elastic_catenary(springs, parameters.width, 100, model.hx, Real(0.01 * 9.81));
-    for (int i = 0; i <= springs; ++i) {
-        for (const int p : {i, i + springs + 1}) {
-            hanging.x(p, 0) = joints[static_cast<std::size_t>(i)][0];
-            hanging.x(p, 1) = joints[static_cast<std::size_t>(i)][1];
-        }
-    }
-    for (const Kind kind : kinds) {
-        const ClothState now = after(accurate(kind), model, hanging, Real(0.2), 200);
-        // XPBD neglects that springs turn within a step
-        const Real limit = kind == Kind::Xpbd ? Real(1e-5) : Real(1e-10);
-        EXPECT_LT((now.x - hanging.x).cwiseAbs().maxCoeff(), limit) << name_of(kind);
-    }
-}
-
 /// The angular frequency of the lowest wave of a stretched square membrane, by its passages through zero.
 Real membrane_frequency(Kind kind, const ClothModel& model, const ClothState& flat, Real h, int steps) {
     const int side = model.grid.nx;
