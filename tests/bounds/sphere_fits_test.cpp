@@ -155,20 +155,6 @@ TEST(SphereFits, AreAtMostSoMuchTooLarge) {
     }
 }
 
-TEST(SphereFits, MergedFromSmallestSpheresOfLeavesAreAtMostHalfTooLargeOnCloth) {
-    std::mt19937 random(7);
-    Real worst = 0;
-    for (int round = 0; round < 200; ++round) {
-        const Grid grid{2 + static_cast<int>(random() % 32), 2 + static_cast<int>(random() % 32)};
-        const Points x = test::random_cloth(grid, random);
-        ClothQuadtree<BoundingSphere> tree(grid, {.update = UpdateKind::Merge}, {.patch = fit_smallest_sphere});
-        tree.build(x);
-        worst = std::max(worst, tree.volumes()[0].radius / fit_smallest_sphere(whole(x, grid)).radius);
-    }
-    EXPECT_GE(worst, 1);
-    EXPECT_LT(worst, 1.5);
-}
-
 /// True if every particle is inside, in arithmetic that does not round as the fit did.
 bool contains_all(const BoundingSphere& sphere, const Points& x) {
     for (Eigen::Index p = 0; p < x.rows(); ++p) {

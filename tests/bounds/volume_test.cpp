@@ -56,16 +56,6 @@ TYPED_TEST(Volume, AndItsSphereContainItsParticlesAtAnyScaleAndFarOut) {
     });
 }
 
-TYPED_TEST(Volume, ContainsWhatItHasGrownBy) {
-    for_many_patches([](const Grid& grid, const Points& x) {
-        TypeParam volume = TypeParam::start(whole(x, grid));
-        for (int p = 0; p < grid.particles(); ++p) volume.include(x.row(p).transpose());
-        ASSERT_LE(farthest_out(volume, whole(x, grid)), 0) << grid.nx << " columns";
-        const Real smallest = TypeParam::fit(whole(x, grid)).sphere().radius;
-        ASSERT_LE(volume.sphere().radius, smallest * Real(1.5)) << grid.nx << " columns";
-    });
-}
-
 TYPED_TEST(Volume, TouchesABallAtAParticleFromAnySideAndAtAnyScale) {
     std::mt19937 random(12);
     std::normal_distribution<Real> normal;

@@ -4,8 +4,6 @@
 
 #include <Eigen/LU>
 #include <cmath>
-#include <numbers>
-#include <vector>
 
 #include "drape/integrate/integrator.h"
 #include "integrate/damped_sheet.h"
@@ -160,49 +158,6 @@ TEST(ExactCases, HangingStripSags) {
         for (const int corner : {2 * n, 2 * n + 1}) {
             EXPECT_NEAR(start.x(corner, 1) - now.x(corner, 1), sag, 1e-10) << name_of(kind);
         }
-    }
-}
-
-/// The angular frequency of the lowest wave of a stretched square membrane, by its passages through zero.
-Real membrane_frequency(Kind kind, const ClothModel& model, const ClothState& flat, Real h, int steps) {
-    const int side = model.grid.nx;
-    ClothState state = flat;
-    Points shape = Points::Zero(flat.x.rows(), 3);
-    for (int j = 0; j < side; ++j) {
-        for (int i = 0; i < side; ++i) {
-            const Real turn = std::numbers::pi_v<Real> / static_cast<Real>(side - 1);
-            shape(model.grid.particle(i, j), 1) =
-                std::sin(turn * static_cast<Real>(i)) * std::sin(turn * static_cast<Real>(j));
-        }
-    }
-    state.x += Real(1e-5) * shape;
-    const auto integrator = make_integrator({.kind = kind, .hessian = Hessian::Exact}, model.grid);
-    std::vector<Real> passages;
-    Real before = 0;
-    for (int step = 0; step <= steps; ++step) {
-        const Real now = (state.x - flat.x).cwiseProduct(shape).sum();
-        if (before * now < 0) passages.push_back((static_cast<Real>(step) - now / (now - before)) * h);
-        before = now;
-        integrator->step(model, state, h);
-    }
-    if (passages.size() < 2) return 0;
-    return std::numbers::pi_v<Real> / (passages[1] - passages[0]);
-}
-
-TEST(ExactCases, SquareMembraneVibrates) {
-    constexpr int side = 7;
-    constexpr Real k = 100, m = Real(0.01), pi = std::numbers::pi_v<Real>;
-    ClothParameters parameters = net({side, side}, m, {k, Real(0.1)});
-    parameters.pinned.kind = Pins::Kind::Border;
-    ClothModel model = make_cloth_model(parameters);
-    model.gravity.setZero();
-    const Real spacing = model.hx;
-    model.hx = model.hy = spacing / Real(1.25);
-    const Real tension = k * (spacing - model.hx), half = std::sin(pi / (2 * (side - 1)));
-    const Real frequency = std::sqrt(8 * tension / (m * spacing)) * half;
-    for (const Kind kind : kinds) {
-        const Real found = membrane_frequency(kind, model, make_rest_state(parameters), 2 * pi / frequency / 1000, 850);
-        EXPECT_NEAR(found / frequency, 1, 1e-3) << name_of(kind);
     }
 }
 
