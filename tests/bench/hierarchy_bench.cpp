@@ -1,6 +1,6 @@
 // The hierarchy on a large cloth in waves, of which a ball cuts a tenth out. `per_triangle` is of all triangles of the
-// cloth. Ratios are to be taken within one run: against `read_pass`, which only reads the positions, and against
-// `brute_force`, which tests every cell with the same vectorised test as the tree's candidates.
+// cloth. Ratios are to be taken within one run: against `brute_force`, which tests every cell with the same vectorised
+// test as the tree's candidates.
 
 #include <benchmark/benchmark.h>
 
@@ -17,15 +17,6 @@ void per_triangle(benchmark::State& state, const Grid& grid) {
     state.counters["per_triangle"] =
         benchmark::Counter(static_cast<double>(grid.triangles()),
                            benchmark::Counter::kIsIterationInvariantRate | benchmark::Counter::kInvert);
-}
-
-/// Smallest and largest coordinates: what reading the positions costs.
-void read_pass(benchmark::State& state, int side) {
-    const CutSheet sheet(side);
-    const int n = sheet.grid.particles();
-    const Patch all{sheet.x.col(0).data(), sheet.x.col(1).data(), sheet.x.col(2).data(), n, 1, n};
-    for (auto _ : state) benchmark::DoNotOptimize(fits_of<Aabb>({}).patch(all));
-    per_triangle(state, sheet.grid);
 }
 
 void build(benchmark::State& state, int side, const BroadPhaseParameters& parameters) {
@@ -60,7 +51,6 @@ void register_all() {
     };
     for (const int side : {32, 128, 512, 1024}) {
         const std::string size = "/" + std::to_string(side);
-        add("read_pass" + size, [side](benchmark::State& state) { read_pass(state, side); });
         add("brute_force" + size,
             [side](benchmark::State& state) { query(state, side, {.volume = VolumeKind::Brute}, false); });
         for (std::size_t v = 0; v + 1 < names_of<VolumeKind>().size(); ++v) {

@@ -37,18 +37,5 @@ TEST(KDop, OverlapsABallThatTouchesAFaceAndNoBallBeyond) {
     check_faces<26>();
 }
 
-TEST(KDop, ProjectsAsItsDirectionsSay) {
-    std::mt19937 random(34);
-    const Grid grid{11, 6};
-    const Points x = test::random_cloth(grid, random);
-    const KDop<26> dop = KDop<26>::fit(whole(x, grid));
-    for (std::size_t k = 0; k < KDop<26>::cuts; ++k) {
-        const auto& axis = dop_axes[k + 3];
-        const Eigen::VectorXd projections = x * Vec3(axis[0], axis[1], axis[2]);
-        EXPECT_NEAR(dop.low[k], projections.minCoeff(), 1e-14);
-        EXPECT_NEAR(dop.high[k], projections.maxCoeff(), 1e-14);
-    }
-}
-
 }  // namespace
 }  // namespace drape

@@ -5,7 +5,6 @@
 #include <Eigen/Geometry>
 
 #include "drape/model/energy.h"
-#include "drape/model/force_sweep.h"
 #include "support/cloths.h"
 
 namespace drape {
@@ -125,22 +124,6 @@ TEST(Energy, OfAStretchedSheetIsKnown) {
     EXPECT_DOUBLE_EQ(energy.gravity, 4 * 9.81 * 3);
     EXPECT_DOUBLE_EQ(energy.spring, 4 * 0.5 * 10 * 0.25);
     EXPECT_DOUBLE_EQ(largest_stretch(model, state.x), 0.5);
-}
-
-TEST(Accelerations, AreZeroForPinnedParticles) {
-    ClothParameters parameters;
-    parameters.particles = {3, 3};
-    parameters.pinned.kind = Pins::Kind::Two;
-    const ClothModel model = make_cloth_model(parameters);
-    ClothState state = make_rest_state(parameters);
-    for (const Kernels kernels : {Kernels::Vector, Kernels::Plain}) {
-        Points a(9, 3);
-        ForceSweep(model.grid, kernels)(model, state.x, state.v,
-                                        [&](const ForceRun& run) { run.of(a) = run.accelerations(); });
-        EXPECT_TRUE(a.row(0).isZero());
-        EXPECT_TRUE(a.row(2).isZero());
-        EXPECT_DOUBLE_EQ(a(1, 1), -9.81);
-    }
 }
 
 }  // namespace
