@@ -27,15 +27,14 @@ constexpr int refinements = 50;
 
 }  // namespace
 
-NewtonSystem::NewtonSystem(const Grid& grid, Hessian hessian, Kernels kernels, Solver solver)
-    : factors_first_(solver == Solver::Factors || (solver == Solver::Automatic && comes_first(grid))),
+NewtonSystem::NewtonSystem(const Grid& grid, Hessian hessian, Kernels kernels)
+    : factors_first_(comes_first(grid)),
       jacobian_(grid, hessian, kernels),
       inverse_(grid.particles(), 6),
       conjugate_gradients_(grid.particles()) {
     pinned_.reserve(static_cast<std::size_t>(grid.particles()));
     if (hessian == Hessian::Exact) bicgstab_ = std::make_unique<krylov::BiCgStab>(grid.particles());
-    const bool can_want_them = solver == Solver::Automatic && keeps_factors(grid, hessian);
-    if (factors_first_ || can_want_them) factor_ = std::make_unique<GridFactor>(grid);
+    if (keeps_factors(grid, hessian)) factor_ = std::make_unique<GridFactor>(grid);
 }
 
 bool NewtonSystem::keeps_factors(const Grid& grid, Hessian hessian) {

@@ -17,16 +17,13 @@ namespace drape {
 /// damping's x-derivative) nor always positive definite (compressed springs), and stabilised biconjugate gradients do.
 /// Both are preconditioned in one of two ways: by the factors L D L' of the symmetric part, which ends them after one
 /// to four iterations and is a direct solve of the clamped system, or by the inverses of the 3 x 3 diagonal blocks,
-/// which cost next to nothing. Small grids are factored, for accuracy; on larger ones the blocks are far quicker
-/// (`implicit_solve` in tests/bench). There the exact system falls back on factors where the blocks do not converge,
-/// on grids up to `GridFactor::largest`; on still larger ones the outcome tells. Sums run in a fixed order, and
-/// nothing is kept from one step to the next. Norms and tolerances are those that `SolveReport` describes.
+/// which cost next to nothing. Small grids are factored, for accuracy; on larger ones the blocks are far quicker.
+/// There the exact system falls back on factors where the blocks do not converge, on grids up to
+/// `GridFactor::largest`; on still larger ones the outcome tells. Sums run in a fixed order, and nothing is kept from
+/// one step to the next. Norms and tolerances are those that `SolveReport` describes.
 class NewtonSystem {
 public:
-    enum class Solver { Automatic, Factors, Blocks };
-
-    /// @param solver other than `Automatic` only to compare
-    NewtonSystem(const Grid& grid, Hessian hessian, Kernels kernels, Solver solver = Solver::Automatic);
+    NewtonSystem(const Grid& grid, Hessian hessian, Kernels kernels);
 
     /// Whether a system over this grid keeps factors, which is most of its memory.
     static bool keeps_factors(const Grid& grid, Hessian hessian);

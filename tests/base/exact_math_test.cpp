@@ -44,9 +44,7 @@ TEST(ExactMath, HasSinesToOneUnitInTheLastPlace) {
         const double x = n * 3.14159265358979323846, exact = static_cast<double>(std::sin(static_cast<long double>(x)));
         EXPECT_NEAR(sine(x), exact, 4e-16 * std::abs(exact)) << x;
     }
-}
-
-TEST(ExactMath, HasSinesOfLargeNumbersWithinTheirRounding) {
+    // Of large numbers within their rounding
     for (const double x : {2e7, 1e9 + 0.3, 1e12 + 0.7}) {
         const double exact = static_cast<double>(std::sin(static_cast<long double>(x)));
         EXPECT_NEAR(sine(x), exact, x * std::numeric_limits<double>::epsilon()) << x;

@@ -43,21 +43,11 @@ std::pair<int, std::string> outcome(int (*run)(int, char**)) {
     return {code, testing::internal::GetCapturedStderr()};
 }
 
-TEST(CommandLine, IsAcceptedWhenWhole) { EXPECT_EQ(complaint({"simulate", "--time", "1"}), ""); }
-
-TEST(CommandLine, NamesTheNearestSubcommand) {
+TEST(CommandLine, NamesTheNearestOfWhatIsMeantAndWhatIsMissing) {
+    EXPECT_EQ(complaint({"simulate", "--time", "1"}), "");
     EXPECT_THAT(complaint({"simulat"}), HasSubstr("unexpected 'simulat': did you mean 'simulate'?"));
-}
-
-TEST(CommandLine, NamesTheNearestOptionRatherThanTheOneMissing) {
     EXPECT_THAT(complaint({"simulate", "--tme", "1"}), HasSubstr("unexpected '--tme': did you mean '--time'?"));
-}
-
-TEST(CommandLine, NamesAWordTooMany) {
     EXPECT_THAT(complaint({"simulate", "--time", "1", "drop", "more"}), HasSubstr("unexpected 'more'\n"));
-}
-
-TEST(CommandLine, NamesWhatIsMissing) {
     EXPECT_THAT(complaint({"simulate"}), HasSubstr("--time is required"));
     EXPECT_THAT(complaint({}), HasSubstr("subcommand is required"));
 }
@@ -89,22 +79,16 @@ TEST(CommandLine, TakesValuesThatOnlyLookLikeOptions) {
     EXPECT_EQ(complaint({"simulate", "--time", "1", "--", "--time"}), "") << "after -- all is the scene";
 }
 
-TEST(Program, ReturnsTheExitCodeOfItsRun) {
-    EXPECT_EQ(outcome([](int, char**) { return 143; }), std::pair(143, std::string()));
-}
-
 TEST(Program, TellsBadInputFromAFailedRun) {
+    EXPECT_EQ(outcome([](int, char**) { return 143; }), std::pair(143, std::string()));
     EXPECT_EQ(outcome([](int, char**) -> int { throw InputError("no"); }), std::pair(2, std::string("program: no\n")));
     EXPECT_EQ(outcome([](int, char**) -> int { throw RunError("no"); }), std::pair(1, std::string("program: no\n")));
     EXPECT_EQ(outcome([](int, char**) -> int { throw std::bad_alloc(); }).first, 1);
 }
 
 TEST(Program, PrintsNoControlCharactersOfItsInput) {
-    const auto [code, text] = outcome([](int, char**) -> int { throw InputError("key '\x1b[31m'", "See --help."); });
-    EXPECT_EQ(text, "program: key '\\x1b[31m'\nSee --help.\n");
-}
-
-TEST(Program, PrintsOneLineOfAnErrorWhateverItQuotes) {
+    EXPECT_EQ(outcome([](int, char**) -> int { throw InputError("key '\x1b[31m'", "See --help."); }).second,
+              "program: key '\\x1b[31m'\nSee --help.\n");
     EXPECT_EQ(outcome([](int, char**) -> int { throw RunError("one\n\x1b[31mtwo"); }).second,
               "program: one\\n\\x1b[31mtwo\n");
 }

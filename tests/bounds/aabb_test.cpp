@@ -2,25 +2,8 @@
 
 #include <gtest/gtest.h>
 
-#include "drape/bounds/cloth_quadtree.h"
-#include "support/cloths.h"
-#include "support/containment.h"
-
 namespace drape {
 namespace {
-
-TEST(Aabb, IsTheSmallestBoxToTheBit) {
-    std::mt19937 random(21);
-    for (int columns = 2; columns <= 40; ++columns) {
-        const Grid grid{columns, 2 + columns % 7};
-        const Points x = test::random_cloth(grid, random);
-        for (const Kernels kernels : {Kernels::Vector, Kernels::Plain}) {
-            const Aabb box = fits_of<Aabb>({.kernels = kernels}).patch(test::whole(x, grid));
-            EXPECT_EQ(box.low.transpose(), x.colwise().minCoeff());
-            EXPECT_EQ(box.high.transpose(), x.colwise().maxCoeff());
-        }
-    }
-}
 
 TEST(Aabb, OverlapsABallThatTouchesAFaceAnEdgeOrACornerAndNoBallBeyond) {
     const Aabb box{Vec3(0, 0, 0), Vec3(1, 2, 3)};

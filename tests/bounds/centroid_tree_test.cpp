@@ -40,10 +40,7 @@ TEST(CentroidTree, FitsEveryNodeToAllOfItsParticles) {
             compare_with_single_fits(grid, leaf_cells, test::random_cloth(grid, random));
         }
     }
-}
-
-TEST(CentroidTree, WorksAtAnyScaleAndForDegenerateCloth) {
-    std::mt19937 random(12);
+    // At any scale, and for a cloth that is a point or a line
     const Grid grid{31, 17};
     const Points x = test::random_cloth(grid, random);
     compare_with_single_fits(grid, 7, 1e6 * x);

@@ -48,7 +48,7 @@ TEST(QuadtreeNodes, TileTheirParentsDownToLeavesOfTheWantedSize) {
     }
 }
 
-TEST(SphereQuadtree, CountsWhatItDoes) {
+TEST(SphereQuadtree, CountsAndShowsWhatItDoes) {
     const Grid grid{9, 9};
     const Points x = flat_sheet(grid);
     ClothQuadtree<BoundingSphere> tree(grid, {.leaf_cells = 4});
@@ -70,20 +70,7 @@ TEST(SphereQuadtree, CountsWhatItDoes) {
     EXPECT_EQ(stats.candidates, 16);
     EXPECT_EQ(found.cells.size(), 4u) << "a run for each of its rows";
 
-    // Around everything
-    stats = tree.query({.centre = Vec3(0, 0, 0), .radius = 9}, found);
-    EXPECT_EQ(stats.leaves, 4);
-    EXPECT_EQ(stats.candidates, 64);
-}
-
-TEST(SphereQuadtree, ShowsEachLevelWithWhatTheQueryDid) {
-    const Grid grid{9, 9};
-    const Points x = flat_sheet(grid);
-    ClothQuadtree<BoundingSphere> tree(grid, {.leaf_cells = 4});
-    tree.build(x);
-    Candidates found;
     std::vector<NodeView> views;
-    tree.query({.centre = Vec3(0, 0, 0), .radius = 0.05}, found);
     EXPECT_EQ(tree.levels(), 2);
     tree.nodes_at(0, views);
     ASSERT_EQ(views.size(), 1u);
@@ -93,6 +80,11 @@ TEST(SphereQuadtree, ShowsEachLevelWithWhatTheQueryDid) {
     EXPECT_EQ(views[0].visit, NodeVisit::Leaf);
     EXPECT_EQ(views[3].visit, NodeVisit::Pruned);
     EXPECT_TRUE(std::get<BoundingSphere>(views[0].volume).centre.isApprox(Vec3(0.25, 0, 0.25)));
+
+    // Around everything
+    stats = tree.query({.centre = Vec3(0, 0, 0), .radius = 9}, found);
+    EXPECT_EQ(stats.leaves, 4);
+    EXPECT_EQ(stats.candidates, 64);
 }
 
 int fits_made = 0;
@@ -118,18 +110,6 @@ TEST(SphereQuadtree, RefitsOnlyLeavesThatHaveMoved) {
     EXPECT_EQ(fits_of_a_frame(), 0) << "it has stayed since";
     x(grid.particle(8, 8), 1) += 0.5;
     EXPECT_EQ(fits_of_a_frame(), 4) << "the middle to four";
-}
-
-TEST(TraversalStats, AddUp) {
-    TraversalStats sum{1, 2, 3, 4, 5, 6, 7};
-    sum += TraversalStats{10, 20, 30, 40, 50, 60, 70};
-    EXPECT_EQ(sum.nodes, 11);
-    EXPECT_EQ(sum.visited, 22);
-    EXPECT_EQ(sum.volume_tests, 33);
-    EXPECT_EQ(sum.pruned, 44);
-    EXPECT_EQ(sum.leaves, 55);
-    EXPECT_EQ(sum.candidates, 66);
-    EXPECT_EQ(sum.stopped, 77);
 }
 
 TEST(BroadPhases, AllocateNothingAfterTheFirstFrame) {

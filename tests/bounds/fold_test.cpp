@@ -4,8 +4,8 @@
 
 #include <gtest/gtest.h>
 
+#include "drape/contact/near_pairs.h"
 #include "support/cloths.h"
-#include "support/pairs_within_reach.h"
 
 namespace drape {
 namespace {
@@ -25,11 +25,16 @@ Points rolled(const Grid& grid, Real curvature, Real wave) {
     return x;
 }
 
-/// The same within a distance.
+/// How many pairs of features in two rectangles of cells, or in one, are within what their particles reach [m].
 std::size_t pairs_in(const Grid& grid, const Points& x, const CellRange& first, const CellRange& second,
-                     Real distance) {
-    return test::pairs_within_reach(grid, x, first, second,
-                                    std::vector<Real>(static_cast<std::size_t>(grid.particles()), distance / 2));
+                     std::span<const Real> reaches) {
+    CellBoxes boxes;
+    boxes.build(grid, x, reaches);
+    std::vector<NearPair> pairs;
+    const BoxedCloth cloth{.cloth = {0, grid, x}, .boxes = boxes, .reaches = reaches};
+    const LeafPair leaves{first, second};
+    find_near_pairs(cloth, cloth, {&leaves, 1}, pairs);
+    return pairs.size();
 }
 
 TEST(FoldTest, KeepsAFlatSheetApartToNearlyItsRestDistances) {
@@ -57,19 +62,20 @@ TEST(FoldTest, NeverKeepsApartWhatIsNear) {
         FoldTest folds(grid, spacing, spacing, 3);
         folds.build(x);
         const Real distance = Real(0.06) * unit(random);
+        const std::vector<Real> reaches(static_cast<std::size_t>(grid.particles()), distance / 2);
         for (int n = 0; n < static_cast<int>(nodes.size()); ++n) {
             const QuadtreeNode& node = nodes[static_cast<std::size_t>(n)];
             const bool apart = folds.node_is_separated(n, distance);
             ++(apart ? proved : refused);
             if (apart) {
-                ASSERT_EQ(pairs_in(grid, x, node, node, distance), 0U) << "trial " << trial << " node " << n;
+                ASSERT_EQ(pairs_in(grid, x, node, node, reaches), 0U) << "trial " << trial << " node " << n;
             }
             for (int m = n + 1; m < static_cast<int>(nodes.size()); ++m) {
                 if (!folds.nodes_are_separated(n, m, distance)) continue;
                 const QuadtreeNode& other = nodes[static_cast<std::size_t>(m)];
                 ++pairs_proved;
                 corners_proved += node.i0 != other.i0 && node.j0 != other.j0;
-                ASSERT_EQ(pairs_in(grid, x, node, other, distance), 0U);
+                ASSERT_EQ(pairs_in(grid, x, node, other, reaches), 0U);
             }
         }
     }
@@ -125,7 +131,7 @@ TEST(FoldTest, AsksForNoMoreThanParticlesReachAndNoLess) {
                 if (!apart(folds)) continue;
                 ++proved;
                 by_reach_alone += !apart(without);
-                ASSERT_EQ(test::pairs_within_reach(grid, x, node, nodes[static_cast<std::size_t>(m)], reaches), 0U);
+                ASSERT_EQ(pairs_in(grid, x, node, nodes[static_cast<std::size_t>(m)], reaches), 0U);
             }
         }
     }

@@ -85,32 +85,5 @@ TEST(Obb, MergedFromBoxesTurnedTheOtherWayRoundStaysFlat) {
     EXPECT_TRUE((both.high - both.low).isApprox(Vec3(1, 2, 0), 1e-11)) << (both.high - both.low).transpose();
 }
 
-TEST(Obb, MergedContainsTheCornersOfItsChildren) {
-    std::mt19937 random(43);
-    const Grid grid{9, 7};
-    for (int round = 0; round < 300; ++round) {
-        Points x = test::random_cloth(grid, random);
-        if (round % 2 == 1) x.array() += 1000;
-        std::array<Obb, 4> children;
-        for (std::size_t k = 0; k < 4; ++k) {
-            const int which = static_cast<int>(k), i = 4 * (which % 2), j = 3 * (which / 2),
-                      first = grid.particle(i, j);
-            children[k] = Obb::fit({&x(first, 0), &x(first, 1), &x(first, 2), 5, 4, grid.nx});
-        }
-        const Obb all = Obb::merge(children);
-        for (const Obb& child : children) {
-            for (int corner = 0; corner < 8; ++corner) {
-                test::Exact at = child.origin.cast<long double>() - all.origin.cast<long double>();
-                for (int k = 0; k < 3; ++k) {
-                    const Real along = (corner >> k) & 1 ? child.high[k] : child.low[k];
-                    at += child.axes.col(k).cast<long double>() * along;
-                }
-                const test::Exact there = all.axes.cast<long double>().transpose() * at;
-                for (int k = 0; k < 3; ++k) ASSERT_LE(test::beyond(there[k], all.low[k], all.high[k]), 0);
-            }
-        }
-    }
-}
-
 }  // namespace
 }  // namespace drape

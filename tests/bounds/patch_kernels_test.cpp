@@ -1,4 +1,5 @@
-// The kernels over particles, on every kind of vector that this processor has, and on none.
+// The kernels over particles, on every kind of vector that this processor has, and on none. plain_core_test.cpp
+// compares what is made of them with the plain core.
 
 #include "bounds/kernels/patch_kernels.h"
 
@@ -48,46 +49,9 @@ void for_each_patch(Visit visit) {
     }
 }
 
-std::array<Vec3, 7> some_centres() {
+TEST(PatchKernels, GiveTheSameBitsWithEveryKindOfVector) {
     std::array<Vec3, 7> centres;
     for (int k = 0; k < 7; ++k) centres[static_cast<std::size_t>(k)] = Vec3(0.1 * k, 0.3 - 0.2 * k, 0.05 * k);
-    return centres;
-}
-
-TEST(PatchKernels, SayWhatPlainLoopsSay) {
-    const auto centres = some_centres();
-    for_each_patch([&](const Patch& patch, const Patch& before) {
-        Vec3 inner = Vec3::Zero(), right = Vec3::Zero(), below = Vec3::Zero();
-        Vec3 low = patch.at(0, 0), high = low;
-        std::array<Real, 7> squares{};
-        Real displacement = 0;
-        for (int j = 0; j < patch.rows; ++j) {
-            for (int i = 0; i < patch.columns; ++i) {
-                const Vec3 p = patch.at(i, j);
-                if (i + 1 < patch.columns && j + 1 < patch.rows) inner += p;
-                if (i + 1 == patch.columns && j + 1 < patch.rows) right += p;
-                if (i + 1 < patch.columns && j + 1 == patch.rows) below += p;
-                low = low.cwiseMin(p);
-                high = high.cwiseMax(p);
-                for (std::size_t k = 0; k < 7; ++k) {
-                    squares[k] = std::max(squares[k], (p - centres[k]).squaredNorm());
-                }
-                displacement = std::max(displacement, (p - before.at(i, j)).squaredNorm());
-            }
-        }
-        const Answers answers = ask(patch, before, centres);
-        EXPECT_LT((answers.sums.inner - inner).norm(), 1e-12);
-        EXPECT_LT((answers.sums.right - right).norm(), 1e-12);
-        EXPECT_LT((answers.sums.below - below).norm(), 1e-12);
-        EXPECT_EQ(answers.box.low, low);
-        EXPECT_EQ(answers.box.high, high);
-        for (std::size_t k = 0; k < 7; ++k) EXPECT_NEAR(answers.squares[k], squares[k], 1e-14);
-        EXPECT_NEAR(answers.displacement, displacement, 1e-14);
-    });
-}
-
-TEST(PatchKernels, GiveTheSameBitsWithEveryKindOfVector) {
-    const auto centres = some_centres();
     const std::int64_t all = hwy::SupportedTargets();
     int kinds = 0, differences = 0;
     for_each_patch([&](const Patch& patch, const Patch& before) {
@@ -103,19 +67,6 @@ TEST(PatchKernels, GiveTheSameBitsWithEveryKindOfVector) {
     });
     EXPECT_EQ(differences, 0);
     EXPECT_GE(kinds, 2) << "this processor has no vectors to compare with";
-}
-
-TEST(LargestDisplacement, IsThatOfTheParticleThatMovedFarthest) {
-    std::mt19937 random(3);
-    const Grid grid{31, 17};
-    const Points before = test::random_cloth(grid, random);
-    for (const int particle : {0, 1, 15, 16, 263, grid.particles() - 1}) {
-        Points x = before;
-        x.row(particle) += Eigen::Matrix<Real, 1, 3>(0.3, -0.4, 1.2);
-        EXPECT_NEAR(largest_displacement(x, before, Kernels::Vector), 1.3, 1e-12);
-        EXPECT_GE(largest_displacement(x, before, Kernels::Vector), (x.row(particle) - before.row(particle)).norm());
-    }
-    EXPECT_EQ(largest_displacement(before, before, Kernels::Vector), 0);
 }
 
 }  // namespace

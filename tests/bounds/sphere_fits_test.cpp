@@ -2,8 +2,6 @@
 
 #include <gtest/gtest.h>
 
-#include <set>
-
 #include "drape/bounds/cloth_quadtree.h"
 #include "drape/bounds/dop_axes.h"
 #include "support/allocations.h"
@@ -57,17 +55,6 @@ void for_each_set(unsigned seed, Visit visit) {
     }
 }
 
-/// The largest radius of a fit over that of the smallest sphere.
-Real loosest(Fit fit, const std::string& of_set = "") {
-    Real worst = 0;
-    for_each_set(11, [&](const std::string& set, const Patch& patch, const Points&) {
-        const Real smallest = fit_smallest_sphere(patch).radius, radius = fit(patch).radius;
-        EXPECT_GE(radius, smallest * (1 - 1e-12)) << set;
-        if (smallest > 0 && (of_set.empty() || of_set == set)) worst = std::max(worst, radius / smallest);
-    });
-    return worst;
-}
-
 TEST(SmallestSphere, IsTheSmallestOfAllSpheresThroughAFewPoints) {
     std::mt19937 random(1);
     for (const test::PointSet& set : test::point_sets()) {
@@ -77,23 +64,6 @@ TEST(SmallestSphere, IsTheSmallestOfAllSpheresThroughAFewPoints) {
             EXPECT_NEAR(fit_smallest_sphere(patch_of_points(x)).radius, smallest, 1e-12 * smallest) << set.name;
         }
     }
-}
-
-TEST(SmallestSphere, HasItsCentreAmongTheParticlesOnIt) {
-    for_each_set(2, [](const std::string& set, const Patch& patch, const Points& x) {
-        const BoundingSphere sphere = fit_smallest_sphere(patch);
-        EXPECT_LE(sphere.radius, test::lower_bound_of_radius(x, sphere.centre) * (1 + 1e-9))
-            << set << ", " << x.rows() << " particles";
-    });
-}
-
-TEST(SmallestSphere, IsJudgedByABoundThatAHundredMillionthTooMuchBreaks) {
-    std::mt19937 random(3);
-    const Points x = test::random_points(test::point_sets()[0], 100, random);
-    const BoundingSphere sphere = fit_smallest_sphere(patch_of_points(x));
-    EXPECT_LE(sphere.radius, test::lower_bound_of_radius(x, sphere.centre) * (1 + 1e-9));
-    const Vec3 beside = sphere.centre + Vec3(1e-8, 0, 0) * sphere.radius;
-    EXPECT_GT(test::farthest_distance(x, beside), test::lower_bound_of_radius(x, beside) * (1 + 1e-9));
 }
 
 TEST(SmallestSphere, HoldsPointsThatAreNearlyInOnePlaceLinePlaneOrCircle) {
@@ -108,17 +78,6 @@ TEST(SmallestSphere, HoldsPointsThatAreNearlyInOnePlaceLinePlaneOrCircle) {
     }
 }
 
-TEST(SmallestSphere, OfAFlatSquareStandsInItsMiddle) {
-    const Grid grid{30, 30};
-    Points x(grid.particles(), 3);
-    for (int j = 0; j < grid.ny; ++j) {
-        for (int i = 0; i < grid.nx; ++i) x.row(grid.particle(i, j)) << i, 0, j;
-    }
-    const BoundingSphere sphere = fit_smallest_sphere(whole(x, grid));
-    EXPECT_TRUE(sphere.centre.isApprox(Vec3(14.5, 0, 14.5), 1e-14));
-    EXPECT_NEAR(sphere.radius, std::hypot(14.5, 14.5), 1e-12);
-}
-
 TEST(RitterSphere, StartsAboutTheFarthestPairAndIsGrownByWhatStandsOut) {
     // The pair along x; the third particle then pulls the sphere towards itself by half of what it stands out
     Points x(4, 3);
@@ -127,8 +86,6 @@ TEST(RitterSphere, StartsAboutTheFarthestPairAndIsGrownByWhatStandsOut) {
     EXPECT_TRUE(sphere.centre.isApprox(Vec3(0, 0.1, 0), 1e-14));
     EXPECT_NEAR(sphere.radius, 1.1, 1e-14);
 }
-
-TEST(RitterSphere, IsAtMostThirtyPercentTooLarge) { EXPECT_LT(loosest(fit_ritter_sphere), 1.30); }
 
 /// Particles of which each is farthest out along one of the first lines of `dop_axes`, one at each end, and others
 /// between them.
@@ -162,11 +119,6 @@ TEST(EposSphere, IsTheSmallestAboutTheEndsOfItsLines) {
     EXPECT_LT(excess_at_the_ends(fit_epos26_sphere, 13), 1e-12);
 }
 
-TEST(EposSphere, MissesTheEndsOfLinesThatItDoesNotHave) {
-    EXPECT_GT(excess_at_the_ends(fit_epos6_sphere, 7), 1e-4);
-    EXPECT_GT(excess_at_the_ends(fit_epos14_sphere, 13), 1e-4);
-}
-
 TEST(EposSphere, IsGrownByWhatStandsOut) {
     // The ends of the axes are on the unit sphere; the corner pulls it towards itself by half of what it stands out
     Points x = Points::Zero(10, 3);
@@ -179,48 +131,28 @@ TEST(EposSphere, IsGrownByWhatStandsOut) {
     EXPECT_NEAR((sphere.centre - Vec3::Constant(0.9)).norm(), (1 + corner) / 2, 1e-14);
 }
 
-TEST(EposSphere, OfAsManyParticlesAsEndsOfLinesIsTheSmallest) {
-    std::mt19937 random(6);
-    for (int round = 0; round < 100; ++round) {
-        const auto excess = [&](Fit fit, int n) {
-            const Points x = test::random_points(test::point_sets()[0], n, random);
-            return fit(patch_of_points(x)).radius / fit_smallest_sphere(patch_of_points(x)).radius - 1;
-        };
-        EXPECT_EQ(excess(fit_epos6_sphere, 6), 0);
-        EXPECT_EQ(excess(fit_epos14_sphere, 14), 0);
-        EXPECT_EQ(excess(fit_epos26_sphere, 26), 0);
+TEST(SphereFits, AreAtMostSoMuchTooLarge) {
+    struct {
+        Fit fit;
+        Real limit, limit_of_cloth;
+        Real worst = 0, worst_of_cloth = 0;
+    } cases[] = {{BoundingSphere::fit, 2, 1.2},   {fit_box_sphere, std::sqrt(3.0), 1.12},
+                 {fit_ritter_sphere, 1.30, 1.30}, {fit_epos6_sphere, 1.18, 1.18},
+                 {fit_epos14_sphere, 1.06, 1.06}, {fit_epos26_sphere, 1.02, 1.011}};
+    for_each_set(11, [&](const std::string& set, const Patch& patch, const Points&) {
+        const Real smallest = fit_smallest_sphere(patch).radius;
+        for (auto& one : cases) {
+            const Real radius = one.fit(patch).radius;
+            EXPECT_GE(radius, smallest * (1 - 1e-12)) << set;
+            if (!(smallest > 0)) continue;
+            one.worst = std::max(one.worst, radius / smallest);
+            if (set == "cloth") one.worst_of_cloth = std::max(one.worst_of_cloth, radius / smallest);
+        }
+    });
+    for (const auto& one : cases) {
+        EXPECT_LT(one.worst, one.limit);
+        EXPECT_LT(one.worst_of_cloth, one.limit_of_cloth);
     }
-}
-
-TEST(EposSphere, WithAllLinesIsAtMostTwoPercentTooLarge) {
-    EXPECT_LT(loosest(fit_epos26_sphere), 1.02);
-    EXPECT_LT(loosest(fit_epos26_sphere, "cloth"), 1.011);
-}
-
-TEST(EposSphere, HasFewerPercentTheMoreLinesItHas) {
-    EXPECT_LT(loosest(fit_epos14_sphere), 1.06);
-    EXPECT_LT(loosest(fit_epos6_sphere), 1.18);
-}
-
-TEST(SphereFits, AboutTheMeanAreAtMostTwiceAndAboutTheBoxAtMostRootThreeTooLarge) {
-    EXPECT_LT(loosest(BoundingSphere::fit), 2);
-    EXPECT_LT(loosest(fit_box_sphere), std::sqrt(3.0));
-    EXPECT_LT(loosest(BoundingSphere::fit, "cloth"), 1.2);
-    EXPECT_LT(loosest(fit_box_sphere, "cloth"), 1.12);
-}
-
-TEST(SphereFits, MergedFromSmallestSpheresOfLeavesAreAtMostHalfTooLargeOnCloth) {
-    std::mt19937 random(7);
-    Real worst = 0;
-    for (int round = 0; round < 200; ++round) {
-        const Grid grid{2 + static_cast<int>(random() % 32), 2 + static_cast<int>(random() % 32)};
-        const Points x = test::random_cloth(grid, random);
-        ClothQuadtree<BoundingSphere> tree(grid, {.update = UpdateKind::Merge}, {.patch = fit_smallest_sphere});
-        tree.build(x);
-        worst = std::max(worst, tree.volumes()[0].radius / fit_smallest_sphere(whole(x, grid)).radius);
-    }
-    EXPECT_GE(worst, 1);
-    EXPECT_LT(worst, 1.5);
 }
 
 /// True if every particle is inside, in arithmetic that does not round as the fit did.
@@ -291,11 +223,10 @@ TEST(SphereFits, AllocateNothing) {
     });
 }
 
-TEST(SphereFits, HaveNamesAndAreChosenByThem) {
+TEST(SphereFits, AreChosenBySetting) {
     std::mt19937 random(12);
     const Grid grid{17, 13};
     const Points x = test::random_cloth(grid, random);
-    std::set<Fit> fits;
     for (std::size_t k = 0; k < names_of<SphereFit>().size(); ++k) {
         const auto tree = make_broad_phase({.sphere_fit = kind_at(k)}, grid);
         tree->build(x);
@@ -304,11 +235,7 @@ TEST(SphereFits, HaveNamesAndAreChosenByThem) {
         EXPECT_EQ(std::get<BoundingSphere>(root.at(0).volume).radius,
                   sphere_fit_of(kind_at(k), Kernels::Vector)(whole(x, grid)).radius)
             << names_of<SphereFit>()[k];
-        fits.insert(sphere_fit_of(kind_at(k), Kernels::Vector));
     }
-    const std::vector<std::string> names{"centroid", "box", "ritter", "epos6", "epos14", "epos26", "welzl"};
-    EXPECT_EQ(std::vector(names_of<SphereFit>().begin(), names_of<SphereFit>().end()), names);
-    EXPECT_EQ(fits.size(), names_of<SphereFit>().size());
 }
 
 }  // namespace

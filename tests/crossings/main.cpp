@@ -1,19 +1,20 @@
-// count_crossings [--time S] [--side N]... [--scene NAME]... [--integrator NAME]... [--set NAME=VALUE]... [--play S]
-// [--self false] [--seed K]: counts crossings exactly after every step of the scenes of self contact. First each scene
-// for S seconds, with each grid, each integrator that is stable there and the settings that are given; then each for S
-// seconds more, as it is shipped but for these settings, while hand, keys, pins and wind do at random what a user may
-// do. Exit code 1 where cloth has crossed cloth, a run has come to an end before its time, or there was no step at all;
-// 2 for bad input.
+// Counts crossings exactly after every step of the scenes of self contact. First each scene for --time seconds, with
+// each grid, each integrator that is stable there and the settings that are given; then each for --play seconds more,
+// as it is shipped but for these settings, while hand, keys, pins and wind do at random what a user may do. Exit code 1
+// where cloth has crossed cloth, a run has come to an end before its time, or there was no step at all; 2 for bad
+// input.
 
 #include <algorithm>
-#include <chrono>
 #include <cstdio>
 #include <iostream>
 #include <optional>
 #include <random>
 
+#include "drape/base/command_line.h"
 #include "drape/base/input_error.h"
 #include "drape/base/numbers.h"
+#include "drape/base/run_program.h"
+#include "drape/base/stopwatch.h"
 #include "drape/sim/setting_table.h"
 #include "self_scenes.h"
 #include "support/scene_crossings.h"
@@ -29,56 +30,13 @@ struct Options {
     unsigned long seed = 1;
 };
 
-/// @return the number that a whole text is
+/// @return the number that a whole text is; 0 if it is empty
 /// @throws InputError where it is none, or not positive
 double positive(const std::string& name, const std::string& value) {
+    if (value.empty()) return 0;
     const std::optional<double> number = parse_real(value);
     if (!number || !(*number > 0)) throw InputError(name + " " + value + ": allowed is a number above 0");
     return *number;
-}
-
-const std::string& one_of(const std::vector<std::string>& names, const std::string& name, const std::string& value) {
-    const auto found = std::ranges::find(names, value);
-    if (found == names.end()) throw InputError(name + " " + value + ": unknown");
-    return *found;
-}
-
-std::vector<std::string> all_integrators() {
-    const auto names = names_of<IntegratorKind>();
-    return {names.begin(), names.end()};
-}
-
-/// @throws InputError where an option is unknown, or its value missing or not allowed
-Options read_options(const std::vector<std::string>& arguments) {
-    const std::vector<std::string> scenes{"fold", "stack", "twist", "pinch"}, integrators = all_integrators();
-    Options options;
-    for (std::size_t a = 0; a < arguments.size(); a += 2) {
-        const std::string& name = arguments[a];
-        if (a + 1 == arguments.size()) throw InputError(name + ": unknown, or without a value");
-        const std::string& value = arguments[a + 1];
-        if (name == "--scene") {
-            options.scenes.push_back(one_of(scenes, name, value));
-        } else if (name == "--integrator") {
-            options.integrators.push_back(one_of(integrators, name, value));
-        } else if (name == "--set") {
-            options.assignments.push_back(value);
-        } else if (name == "--side") {
-            options.sides.push_back(static_cast<int>(positive(name, value)));
-        } else if (name == "--time") {
-            options.time = positive(name, value);
-        } else if (name == "--play") {
-            options.play = positive(name, value);
-        } else if (name == "--self") {
-            options.self = one_of({"true", "false"}, name, value) == "true";
-        } else if (name == "--seed") {
-            options.seed = static_cast<unsigned long>(positive(name, value));
-        } else {
-            throw InputError(name + ": unknown");
-        }
-    }
-    if (options.scenes.empty()) options.scenes = scenes;
-    if (options.integrators.empty()) options.integrators = integrators;
-    return options;
 }
 
 /// What was seen after the steps of a run.
@@ -110,20 +68,10 @@ struct Tally {
     }
 };
 
-class Clock {
-public:
-    [[nodiscard]] double seconds() const {
-        return std::chrono::duration<double>(std::chrono::steady_clock::now() - start_).count();
-    }
-
-private:
-    std::chrono::steady_clock::time_point start_ = std::chrono::steady_clock::now();
-};
-
 /// A run that nobody touches. @return its tally; one without steps if the method is stable at none
 Tally run(const Options& options, const std::string& scene, int side, const std::string& integrator) {
     Tally tally;
-    const Clock clock;
+    const Stopwatch clock;
     Settings settings = scene_of_side(scene, side);
     settings.contact.self = options.self;
     if (!use_method(settings, value_named<IntegratorKind>(integrator).value())) return tally;
@@ -146,7 +94,7 @@ public:
 
     Tally play(double seconds) {
         Tally tally;
-        const Clock clock;
+        const Stopwatch clock;
         double played = 0;
         while (played < seconds) {
             const std::string command = next_command();
@@ -260,16 +208,34 @@ int count(const Options& options) {
     return crossed == 0 && ended == 0 && steps > 0 ? 0 : 1;
 }
 
-int main(int argc, char** argv) {
-    try {
-        return count(read_options({argv + 1, argv + argc}));
-    } catch (const InputError& error) {
-        std::cerr << "count_crossings: " << error.what() << "\n";
-        return 2;
-    }
+int run_all(int argc, char** argv) {
+    const std::vector<std::string> scenes{"fold", "stack", "twist", "pinch"};
+    const std::vector<std::string> integrators{names_of<IntegratorKind>().begin(), names_of<IntegratorKind>().end()};
+    Options options;
+    std::vector<std::string> sides;
+    std::string time, play, seed = "1";
+    bool without = false;
+    CommandLine line("count_crossings", "Counts where cloth crosses cloth in the scenes of self contact.");
+    line.option("--scene", options.scenes, "All, if none is named", {"NAME", false, scenes});
+    line.option("--integrator", options.integrators, "All, if none is named", {"NAME", false, integrators});
+    line.option("--set", options.assignments, "As in drape-lab", {"NAME=VALUE"});
+    line.option("--side", sides, "Particles along each side of a grid", {"N"});
+    line.option("--time", time, "Simulated time of each run", {"SECONDS"});
+    line.option("--play", play, "Simulated time for which each scene is played with", {"SECONDS"});
+    line.option("--seed", seed, "Of what is done at random", {"K"});
+    line.flag("--without-self", without, "Without contact between cloths");
+    if (!line.parse(argc, argv)) return Done;
+    if (options.scenes.empty()) options.scenes = scenes;
+    if (options.integrators.empty()) options.integrators = integrators;
+    for (const std::string& side : sides) options.sides.push_back(static_cast<int>(positive("--side", side)));
+    options.time = positive("--time", time);
+    options.play = positive("--play", play);
+    options.seed = static_cast<unsigned long>(positive("--seed", seed));
+    options.self = !without;
+    return count(options);
 }
 
 }  // namespace
 }  // namespace drape::crossings
 
-int main(int argc, char** argv) { return drape::crossings::main(argc, argv); }
+int main(int argc, char** argv) { return drape::run_program("count_crossings", argc, argv, drape::crossings::run_all); }

@@ -2,12 +2,10 @@
 
 #include "drape/sim/recording.h"
 
-#include <unistd.h>
-
-#include <filesystem>
 #include <sstream>
 #include <utility>
 
+#include "drape/base/scratch_folder.h"
 #include "drape/sim/setting_table.h"
 #include "fuzz/small_run.h"
 #include "fuzz/target.h"
@@ -15,17 +13,6 @@
 using namespace drape;
 
 namespace {
-
-/// A file of this process's own, gone with it.
-class OwnFile {
-public:
-    ~OwnFile() {
-        std::error_code ignored;
-        std::filesystem::remove(name, ignored);
-    }
-    const std::string name =
-        (std::filesystem::temp_directory_path() / ("drape-fuzz-" + std::to_string(getpid()) + ".txt")).string();
-};
 
 bool same_entry(const RecordedEntry& one, const RecordedEntry& other) {
     if (one.step != other.step || one.content.index() != other.content.index()) return false;
@@ -41,9 +28,10 @@ bool same(const Recording& one, const Recording& other) {
 }
 
 void check_written(const Recording& recording) {
-    static const OwnFile file;
+    static const ScratchFolder folder;
+    const std::string file = folder.path() / "recording.txt";
     const std::int64_t last = recording.entries.empty() ? 0 : recording.entries.back().step;
-    Recorder recorder(file.name, recording.scene, recording.assignments);
+    Recorder recorder(file, recording.scene, recording.assignments);
     for (const RecordedEntry& entry : recording.entries) {
         if (const auto* hash = std::get_if<std::uint64_t>(&entry.content)) {
             recorder.write_hash(entry.step, *hash);
@@ -52,7 +40,7 @@ void check_written(const Recording& recording) {
         }
     }
     recorder.close(last);
-    const Recording again = read_recording(file.name);
+    const Recording again = read_recording(file);
     fuzz::require(again.notice.empty() && again.last_step == last, "a recording that was closed is whole");
     fuzz::require(same(recording, again), "a recording that was written reads the same");
 }

@@ -1,11 +1,10 @@
 // The table of an experiment, finished or not: read, written, read again.
 
-#include <unistd.h>
-
 #include <filesystem>
 #include <optional>
 #include <sstream>
 
+#include "drape/base/scratch_folder.h"
 #include "fuzz/target.h"
 #include "lab/experiment/experiment_table.h"
 #include "lab/experiments.h"
@@ -14,21 +13,9 @@ using namespace drape;
 
 namespace {
 
-/// A folder of this process's own, gone with it.
-class OwnFolder {
-public:
-    OwnFolder() { std::filesystem::create_directories(path); }
-    ~OwnFolder() {
-        std::error_code ignored;
-        std::filesystem::remove_all(path, ignored);
-    }
-    const std::filesystem::path path =
-        std::filesystem::temp_directory_path() / ("drape-fuzz-" + std::to_string(getpid()));
-};
-
 void check_written(const Experiment& experiment, const ExperimentTable& table) {
-    static const OwnFolder folder;
-    const auto file = folder.path / "table.csv";
+    static const ScratchFolder folder;
+    const auto file = folder.path() / "table.csv";
     std::filesystem::remove(file);
     TableWriter(experiment, file, table).finish();
     const auto again = read_table(experiment, file, false);

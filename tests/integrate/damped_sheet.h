@@ -2,6 +2,8 @@
 
 #include <array>
 #include <cmath>
+#include <string>
+#include <vector>
 
 #include "drape/integrate/integrator.h"
 #include "support/cloths.h"
@@ -44,6 +46,33 @@ struct Sheet {
         model = make_cloth_model(parameters);
     }
 };
+
+/// Backward Euler, implicit midpoint and BDF2, each with both Hessians.
+inline std::vector<IntegratorParameters> implicit_methods() {
+    std::vector<IntegratorParameters> methods;
+    for (const auto kind : {IntegratorKind::BackwardEuler, IntegratorKind::ImplicitMidpoint, IntegratorKind::Bdf2}) {
+        for (const Hessian hessian : {Hessian::Clamped, Hessian::Exact}) {
+            methods.push_back({.kind = kind, .hessian = hessian});
+        }
+    }
+    return methods;
+}
+
+/// Every method, the implicit ones with both Hessians.
+inline std::vector<IntegratorParameters> all_methods() {
+    std::vector<IntegratorParameters> methods = implicit_methods();
+    for (const auto kind : {IntegratorKind::ExplicitEuler, IntegratorKind::SymplecticEuler,
+                            IntegratorKind::VelocityVerlet, IntegratorKind::Rk4, IntegratorKind::DormandPrince,
+                            IntegratorKind::Xpbd, IntegratorKind::ProjectiveDynamics}) {
+        methods.push_back({.kind = kind});
+    }
+    return methods;
+}
+
+/// What a message says of a method.
+inline std::string text_of(const IntegratorParameters& method) {
+    return std::string(name_of(method.kind)) + ", " + name_of(method.hessian);
+}
 
 /// The orders observed over two halvings of the step, against a far finer solution.
 inline std::array<Real, 2> observed_orders(const IntegratorParameters& parameters) {

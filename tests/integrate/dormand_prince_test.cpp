@@ -5,7 +5,6 @@
 
 #include "drape/integrate/integrator.h"
 #include "integrate/damped_sheet.h"
-#include "support/allocations.h"
 
 namespace drape {
 namespace {
@@ -51,29 +50,6 @@ TEST(DormandPrince, TakesAsManyInnerStepsAsItsToleranceAsks) {
     EXPECT_LT(ratio, 13);
 }
 
-TEST(DormandPrince, RemembersNothing) {
-    const Sheet sheet;
-    const auto used = make_integrator(with_tolerance(1e-6), sheet.model.grid);
-    ClothState other = sheet.start;
-    used->step(sheet.model, other, 0.03);
-    ClothState now = sheet.start;
-    used->step(sheet.model, now, 0.02);
-    const ClothState fresh = after(with_tolerance(1e-6), sheet.model, sheet.start, 0.02, 1);
-    EXPECT_EQ(now.x, fresh.x);
-    EXPECT_EQ(now.v, fresh.v);
-}
-
-TEST(DormandPrince, EndsWhateverHappens) {
-    // A state that no number can hold, and a tolerance below rounding
-    const Sheet sheet;
-    ClothState fast = sheet.start;
-    fast.v(7, 1) = std::numeric_limits<Real>::max();
-    EXPECT_FALSE(after(with_tolerance(1e-6), sheet.model, fast, 0.01, 1).x.allFinite());
-    ClothState state = sheet.start;
-    const auto integrator = make_integrator(with_tolerance(1e-30), sheet.model.grid);
-    EXPECT_LE(integrator->step(sheet.model, state, 0.01).iterations, 10001);
-}
-
 TEST(DormandPrince, ReportsItsLargestErrorAndWhereItIsAboveTheTolerance) {
     const Sheet sheet;
     const auto report_of = [&](Real tolerance, ClothState state) {
@@ -85,12 +61,15 @@ TEST(DormandPrince, ReportsItsLargestErrorAndWhereItIsAboveTheTolerance) {
     EXPECT_GT(good.residual, 0);
     EXPECT_LE(good.residual, 1e-6);
     EXPECT_EQ(good.tolerance, Real(1e-6));
+    // A tolerance below rounding, and a state that no number can hold: it ends all the same
     const SolveReport bad = report_of(1e-30, sheet.start);
+    EXPECT_LE(bad.iterations, most_inner_steps + 1);
     EXPECT_EQ(bad.unconverged, bad.iterations);
     EXPECT_GT(bad.residual, 1e-30);
     ClothState fast = sheet.start;
     fast.v(7, 1) = std::numeric_limits<Real>::max();
     EXPECT_EQ(report_of(1e-6, fast).unconverged, 1);
+    EXPECT_FALSE(after(with_tolerance(1e-6), sheet.model, fast, 0.01, 1).x.allFinite());
 }
 
 /// However rounding divides a step: one of the shortest parts is taken, not tried again for ever.
@@ -103,15 +82,6 @@ TEST(LongDormandPrince, TakesItsShortestStepsWhateverTheStep) {
         EXPECT_GT(report.iterations, most_inner_steps - 10) << k;
         EXPECT_LE((report.force_evaluations - 1) / 6, most_inner_steps) << k;
     }
-}
-
-TEST(DormandPrince, AllocatesNothingInAStep) {
-    const Sheet sheet;
-    const auto integrator = make_integrator(with_tolerance(1e-6), sheet.model.grid);
-    ClothState state = sheet.start;
-    const auto before = test::allocations();
-    for (int step = 0; step < 3; ++step) integrator->step(sheet.model, state, 0.01);
-    EXPECT_EQ(test::allocations(), before);
 }
 
 }  // namespace

@@ -4,8 +4,6 @@
 
 #include <Eigen/LU>
 #include <cmath>
-#include <numbers>
-#include <vector>
 
 #include "drape/integrate/integrator.h"
 #include "integrate/damped_sheet.h"
@@ -117,35 +115,24 @@ TEST(ExactCases, FreeFallWithDrag) {
     }
 }
 
-/// Two particles and one spring, and beside them the same again; their other springs stay as long as they are.
-struct TwoBodies {
-    ClothParameters parameters;
-    ClothModel model;
-    ClothState start;
-
-    explicit TwoBodies(const SpringLaw& law) : parameters(net({2, 2}, Real(0.05), law)) {
-        model = make_cloth_model(parameters);
-        model.gravity.setZero();
-        start = make_rest_state(parameters);
-    }
-
-    /// Of the first spring: elongation and its rate along x.
-    [[nodiscard]] static Pair elongation(const ClothState& state) {
-        return {state.x(1, 0) - state.x(0, 0) - 1, state.v(1, 0) - state.v(0, 0)};
-    }
-};
-
 TEST(ExactCases, DampedOscillator) {
+    // Two particles and one spring, and beside them the same again; their other springs stay as long as they are
     constexpr Real k = 50, c = Real(0.1), h = Real(0.002);
     constexpr int steps = 300;
-    TwoBodies bodies({k, c});
-    for (const int p : {0, 2}) bodies.start.x(p, 0) -= Real(0.05), bodies.start.x(p + 1, 0) += Real(0.05);
-    const Real m = bodies.model.particle_mass;
+    const ClothParameters parameters = net({2, 2}, Real(0.05), {k, c});
+    ClothModel model = make_cloth_model(parameters);
+    model.gravity.setZero();
+    ClothState start = make_rest_state(parameters);
+    for (const int p : {0, 2}) start.x(p, 0) -= Real(0.05), start.x(p + 1, 0) += Real(0.05);
+    const auto elongation = [](const ClothState& state) -> Pair {
+        return {state.x(1, 0) - state.x(0, 0) - 1, state.v(1, 0) - state.v(0, 0)};
+    };
+    const Real m = model.particle_mass;
     Map rate;
     rate << 0, 1, -2 * k / m, -2 * c / m;
     for (const Kind kind : kinds) {
         const Pair expected = linear_solution(kind, rate, h, {Real(0.1), 0}, steps);
-        const Pair found = TwoBodies::elongation(after(accurate(kind), bodies.model, bodies.start, steps * h, steps));
+        const Pair found = elongation(after(accurate(kind), model, start, steps * h, steps));
         EXPECT_NEAR(found[0], expected[0], 1e-10) << name_of(kind);
         EXPECT_NEAR(found[1], expected[1], 1e-8) << name_of(kind);
     }
@@ -153,8 +140,8 @@ TEST(ExactCases, DampedOscillator) {
     // The exact solution itself
     const Real decay = c / m, turn = std::sqrt(2 * k / m - decay * decay), t = steps * h;
     const Real truth = Real(0.1) * std::exp(-decay * t) * (std::cos(turn * t) + decay / turn * std::sin(turn * t));
-    const ClothState now = after(accurate(Kind::DormandPrince), bodies.model, bodies.start, t, 3);
-    EXPECT_NEAR(TwoBodies::elongation(now)[0], truth, 1e-10);
+    const ClothState now = after(accurate(Kind::DormandPrince), model, start, t, 3);
+    EXPECT_NEAR(elongation(now)[0], truth, 1e-10);
 }
 
 TEST(ExactCases, HangingStripSags) {
@@ -172,172 +159,6 @@ TEST(ExactCases, HangingStripSags) {
             EXPECT_NEAR(start.x(corner, 1) - now.x(corner, 1), sag, 1e-10) << name_of(kind);
         }
     }
-}
-
-/// A chain of `springs` springs between two points at one height, in equilibrium.
-/// Each joint's weight turns the tension, of which the horizontal part is the same all along: the one unknown.
-/// @return x and y of the joints, ends included, from the first end
-std::vector<Pair> elastic_catenary(int springs, Real span, Real k, Real rest, Real weight) {
-    std::vector<Pair> joints;
-    const auto hang = [&](Real horizontal) {
-        joints.assign(1, Pair::Zero());
-        for (int spring = 0; spring < springs; ++spring) {
-            const Pair tension(horizontal, -weight * (Real(0.5) * static_cast<Real>(springs - 1 - 2 * spring)));
-            joints.push_back(joints.back() + (rest + tension.norm() / k) * tension.normalized());
-        }
-        return joints.back()[0];
-    };
-    Real low = 0, high = 2 * k * span;
-    for (int bisection = 0; bisection < 200; ++bisection) {
-        const Real middle = (low + high) / 2;
-        (hang(middle) < span ? low : high) = middle;
-    }
-    hang(high);
-    return joints;
-}
-
-/// Two chains side by side, hung by their ends, a fifth longer than the way between these.
-struct Chains {
-    static constexpr int springs = 8;
-    ClothParameters parameters = net({springs + 1, 2}, Real(0.01), {100, Real(0.5)});
-    ClothModel model;
-    ClothState flat, hanging;
-
-    Chains() {
-        parameters.width = Real(0.8);
-        parameters.pinned.kind = Pins::Kind::Four;
-        parameters.drag = Real(0.1);
-        model = make_cloth_model(parameters);
-        model.hx *= Real(1.2);
-        flat = hanging = make_rest_state(parameters);
-        const auto joints = elastic_catenary(springs, parameters.width, 100, model.hx, Real(0.01 * 9.81));
-        for (int i = 0; i <= springs; ++i) {
-            for (const int p : {i, i + springs + 1}) {
-                hanging.x(p, 0) = joints[static_cast<std::size_t>(i)][0];
-                hanging.x(p, 1) = joints[static_cast<std::size_t>(i)][1];
-            }
-        }
-    }
-};
-
-TEST(ExactCases, ChainsStayInTheElasticCatenary) {
-    const Chains chains;
-    for (const Kind kind : kinds) {
-        const ClothState now = after(accurate(kind), chains.model, chains.hanging, Real(0.2), 200);
-        // XPBD neglects that springs turn within a step
-        const Real limit = kind == Kind::Xpbd ? Real(1e-5) : Real(1e-10);
-        EXPECT_LT((now.x - chains.hanging.x).cwiseAbs().maxCoeff(), limit) << name_of(kind);
-    }
-}
-
-TEST(ExactCases, ChainsComeToRestInTheElasticCatenary) {
-    const Chains chains;
-    for (const Kind kind : {Kind::SymplecticEuler, Kind::Rk4, Kind::ProjectiveDynamics}) {
-        const ClothState now = after({.kind = kind}, chains.model, chains.flat, 7, 7000);
-        EXPECT_LT((now.x - chains.hanging.x).cwiseAbs().maxCoeff(), 1e-9) << name_of(kind);
-    }
-}
-
-/// The angular frequency of the lowest wave of a stretched square membrane, by its passages through zero.
-Real membrane_frequency(Kind kind, const ClothModel& model, const ClothState& flat, Real h, int steps) {
-    const int side = model.grid.nx;
-    ClothState state = flat;
-    Points shape = Points::Zero(flat.x.rows(), 3);
-    for (int j = 0; j < side; ++j) {
-        for (int i = 0; i < side; ++i) {
-            const Real turn = std::numbers::pi_v<Real> / static_cast<Real>(side - 1);
-            shape(model.grid.particle(i, j), 1) =
-                std::sin(turn * static_cast<Real>(i)) * std::sin(turn * static_cast<Real>(j));
-        }
-    }
-    state.x += Real(1e-5) * shape;
-    const auto integrator = make_integrator({.kind = kind, .hessian = Hessian::Exact}, model.grid);
-    std::vector<Real> passages;
-    Real before = 0;
-    for (int step = 0; step <= steps; ++step) {
-        const Real now = (state.x - flat.x).cwiseProduct(shape).sum();
-        if (before * now < 0) passages.push_back((static_cast<Real>(step) - now / (now - before)) * h);
-        before = now;
-        integrator->step(model, state, h);
-    }
-    if (passages.size() < 2) return 0;
-    return std::numbers::pi_v<Real> / (passages[1] - passages[0]);
-}
-
-TEST(ExactCases, SquareMembraneVibrates) {
-    constexpr int side = 7;
-    constexpr Real k = 100, m = Real(0.01), pi = std::numbers::pi_v<Real>;
-    ClothParameters parameters = net({side, side}, m, {k, Real(0.1)});
-    parameters.pinned.kind = Pins::Kind::Border;
-    ClothModel model = make_cloth_model(parameters);
-    model.gravity.setZero();
-    const Real spacing = model.hx;
-    model.hx = model.hy = spacing / Real(1.25);
-    const Real tension = k * (spacing - model.hx), half = std::sin(pi / (2 * (side - 1)));
-    const Real frequency = std::sqrt(8 * tension / (m * spacing)) * half;
-    for (const Kind kind : kinds) {
-        const Real found = membrane_frequency(kind, model, make_rest_state(parameters), 2 * pi / frequency / 1000, 850);
-        EXPECT_NEAR(found / frequency, 1, 1e-3) << name_of(kind);
-    }
-}
-
-/// Two bodies on a circle about each other, the spring's pull holding them there.
-struct Spin : TwoBodies {
-    static constexpr Real k = 100, length = Real(1.2);
-    Real frequency;  ///< angular [1/s]
-
-    Spin() : TwoBodies({k, 0}), frequency(std::sqrt(2 * k * (length - 1) / (model.particle_mass * length))) {
-        set_off(frequency, 0);
-    }
-
-    /// Velocities: `turn` times the radius across it, `outward` times the radius along it.
-    void set_off(Real turn, Real outward) {
-        for (const int p : {0, 1, 2, 3}) {
-            const Real radius = p % 2 == 0 ? -length / 2 : length / 2;
-            start.x(p, 0) = radius;
-            start.v.row(p) << outward * radius, turn * radius, 0;
-        }
-    }
-
-    /// The largest distance from where the bodies are after turning by an angle.
-    [[nodiscard]] Real distance(const ClothState& state, Real angle) const {
-        Points there = start.x;
-        there.col(0) = std::cos(angle) * start.x.col(0);
-        there.col(1) = std::sin(angle) * start.x.col(0);
-        return (state.x - there).rowwise().norm().maxCoeff();
-    }
-};
-
-TEST(ExactCases, TwoBodiesSpin) {
-    const Spin spin;
-    constexpr Real angle = 2;
-    const auto error = [&](Kind kind, int steps) {
-        return spin.distance(after(accurate(kind), spin.model, spin.start, angle / spin.frequency, steps), angle);
-    };
-    EXPECT_LT(error(Kind::DormandPrince, 10), 1e-9);
-    EXPECT_LT(error(Kind::Rk4, 4000), 1e-9);
-    const auto order = [&](Kind kind) { return std::log2(error(kind, 800) / error(kind, 1600)); };
-    for (const Kind kind :
-         {Kind::ExplicitEuler, Kind::SymplecticEuler, Kind::BackwardEuler, Kind::Xpbd, Kind::ProjectiveDynamics}) {
-        EXPECT_NEAR(order(kind), 1, 0.15) << name_of(kind);
-    }
-    for (const Kind kind : {Kind::VelocityVerlet, Kind::ImplicitMidpoint, Kind::Bdf2}) {
-        EXPECT_NEAR(order(kind), 2, 0.15) << name_of(kind);
-    }
-}
-
-TEST(ExactCases, TwoBodiesSpinOnACircleOfStepsUnderSymplecticMethods) {
-    // x_{n+1} - 2 x_n + x_{n-1} = -h^2 w^2 x_n turns by an angle of 2 asin(h w / 2) a step, if set off for it
-    Spin spin;
-    constexpr Real h = Real(0.01);
-    constexpr int steps = 1000;
-    const Real half = h * spin.frequency / 2, angle = 2 * std::asin(half);
-    spin.set_off(std::sin(angle) / h, 0);
-    const ClothState verlet = after({.kind = Kind::VelocityVerlet}, spin.model, spin.start, steps * h, steps);
-    EXPECT_LT(spin.distance(verlet, steps * angle), 1e-9);
-    spin.set_off(std::sin(angle) / h, 2 * half * half / h);
-    const ClothState euler = after({.kind = Kind::SymplecticEuler}, spin.model, spin.start, steps * h, steps);
-    EXPECT_LT(spin.distance(euler, steps * angle), 1e-9);
 }
 
 }  // namespace

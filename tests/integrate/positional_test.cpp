@@ -7,29 +7,12 @@
 #include "drape/integrate/integrator.h"
 #include "drape/model/forces.h"
 #include "integrate/damped_sheet.h"
-#include "support/allocations.h"
 
 namespace drape {
 namespace {
 
 using test::after;
 using test::Sheet;
-
-constexpr IntegratorKind positional_kinds[] = {IntegratorKind::Xpbd, IntegratorKind::ProjectiveDynamics};
-
-void expect_first_order(const IntegratorParameters& parameters) {
-    for (const Real observed : test::observed_orders(parameters)) {
-        EXPECT_GT(observed, 1 - 0.15) << name_of(parameters.kind);
-        EXPECT_LT(observed, 1 + 0.25) << name_of(parameters.kind);
-    }
-}
-
-TEST(Xpbd, IsOfOrderOneWithOnePassOrMany) {
-    expect_first_order({.kind = IntegratorKind::Xpbd, .iterations = 1});
-    expect_first_order({.kind = IntegratorKind::Xpbd, .iterations = 20});
-}
-
-TEST(ProjectiveDynamics, IsOfOrderOne) { expect_first_order({.kind = IntegratorKind::ProjectiveDynamics}); }
 
 /// How far a step is from backward Euler's equations m (v' - v) = h f(x', v'), x' = x + h v', in parts of the largest
 /// momentum gained.
@@ -67,51 +50,11 @@ TEST(ProjectiveDynamics, SolvesBackwardEulersEquationsOfUndampedSpringsWhenItsRo
     EXPECT_GT(step(1), 1e-3);
 }
 
-TEST(PositionalMethods, MoveAPinnedParticleAsTheHandDoesToTheBit) {
-    Sheet sheet;
-    sheet.start.v.row(0) << 0.3, -0.2, 0.1;
-    constexpr Real h = 0.003;
-    for (const IntegratorKind kind : positional_kinds) {
-        const ClothState now = after({.kind = kind}, sheet.model, sheet.start, h, 1);
-        const auto moved = (sheet.start.x.row(0) + h * sheet.start.v.row(0)).eval();
-        EXPECT_EQ(now.x.row(0), moved) << name_of(kind);
-        EXPECT_EQ(now.v.row(0), sheet.start.v.row(0)) << name_of(kind);
-        EXPECT_EQ(now.x.row(4), sheet.start.x.row(4)) << name_of(kind);
-    }
-}
-
-TEST(PositionalMethods, TakeSpringsOfZeroLength) {
-    // Two particles in one place, and a cloth that is one point
-    Sheet sheet;
-    sheet.start.x.row(7) = sheet.start.x.row(8);
-    Sheet point;
-    point.start.x.setZero();
-    point.start.v.setZero();
-    for (const IntegratorKind kind : positional_kinds) {
-        EXPECT_TRUE(after({.kind = kind}, sheet.model, sheet.start, 0.1, 20).x.allFinite()) << name_of(kind);
-        EXPECT_TRUE(after({.kind = kind}, point.model, point.start, 0.1, 20).x.allFinite()) << name_of(kind);
-    }
-}
-
-TEST(PositionalMethods, ConserveMomentumWithoutGravity) {
-    Sheet sheet;
-    sheet.parameters.pinned.kind = Pins::Kind::None;
-    sheet.parameters.drag = 0;
-    sheet.model = make_cloth_model(sheet.parameters);
-    sheet.model.gravity.setZero();
-    const auto momentum = [](const ClothState& s) { return s.v.colwise().sum().eval(); };
-    for (const IntegratorKind kind : positional_kinds) {
-        const ClothState now = after({.kind = kind}, sheet.model, sheet.start, 0.2, 20);
-        const Real scale = sheet.start.v.cwiseAbs().sum();
-        EXPECT_LT((momentum(now) - momentum(sheet.start)).norm(), 1e-12 * scale) << name_of(kind);
-    }
-}
-
 TEST(PositionalMethods, StayWithinReachAtLongStepsAndStiffSprings) {
     Sheet sheet;
     for (const Real damping : {0., 5.}) {
         sheet.model.structural = sheet.model.shear = sheet.model.bend = {1e6, damping};
-        for (const IntegratorKind kind : positional_kinds) {
+        for (const IntegratorKind kind : {IntegratorKind::Xpbd, IntegratorKind::ProjectiveDynamics}) {
             for (const int iterations : {1, 20}) {
                 const ClothState now =
                     after({.kind = kind, .iterations = iterations}, sheet.model, sheet.start, 20, 400);
@@ -138,18 +81,6 @@ TEST(ProjectiveDynamics, StepsLikeNewAfterAnyChangeOfTheModel) {
     expect_like_new(0.02, "stiffness");
     sheet.model.drag = 0.5;
     expect_like_new(0.02, "drag");
-}
-
-TEST(PositionalMethods, AllocateNothingAfterTheFirstStep) {
-    const Sheet sheet;
-    for (const IntegratorKind kind : positional_kinds) {
-        const auto integrator = make_integrator({.kind = kind}, sheet.model.grid);
-        ClothState state = sheet.start;
-        integrator->step(sheet.model, state, 1e-3);
-        const auto before = test::allocations();
-        for (int step = 0; step < 3; ++step) integrator->step(sheet.model, state, 1e-3);
-        EXPECT_EQ(test::allocations(), before) << name_of(kind);
-    }
 }
 
 }  // namespace

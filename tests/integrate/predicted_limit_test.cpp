@@ -2,13 +2,10 @@
 
 #include <gtest/gtest.h>
 
-#include <limits>
 #include <random>
 
 #include "drape/integrate/stability.h"
-#include "drape/integrate/stability_trial.h"
 #include "integrate/true_limit.h"
-#include "support/allocations.h"
 
 namespace drape {
 namespace {
@@ -142,29 +139,6 @@ TEST(PredictedLimit, OfRk4LooksAtTheVibrationsThatAreDampedLeast) {
     const StepLimit limit = predicted_limit(sample.model, sample.state, IntegratorKind::Rk4, Kernels::Vector);
     EXPECT_LE(limit.step, Real(0.92) * Real(2.84e-3 / 0.96));
     EXPECT_GT(limit.step, Real(0.85) * Real(2.84e-3 / 0.96));
-}
-
-TEST(PredictedLimit, IsKnownAtOnceForAMethodWithoutOne) {
-    ClothParameters cloth;
-    cloth.particles = {700, 700};
-    const Sample sample = sample_of(cloth);
-    // Whatever searches has to make room first
-    const long long before = test::allocations();
-    EXPECT_EQ(predicted_limit(sample.model, sample.state, IntegratorKind::BackwardEuler, Kernels::Vector).step,
-              std::numeric_limits<Real>::infinity());
-    EXPECT_EQ(test::allocations(), before);
-}
-
-TEST(LongMeasuredLimit, IsSoughtFromTheLongestStepWhereNothingIsGuessed) {
-    ClothParameters cloth;
-    cloth.particles = {6, 6};
-    cloth.structural = {1000, 0};
-    Sample sample = sample_of(cloth);
-    sample.model.gravity.setZero();
-    const auto measured = [&](Real guess) {
-        return measured_limit(sample.model, sample.state, {.kind = IntegratorKind::SymplecticEuler}, guess, Real(0.1));
-    };
-    EXPECT_NEAR(measured(0) / measured(Real(1e-4)), 1, 0.01);
 }
 
 }  // namespace

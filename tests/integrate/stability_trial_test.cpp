@@ -83,22 +83,14 @@ TEST(LongMeasuredLimit, IsThePredictedOneWithinThreePercent) {
     }
 }
 
-TEST(LongMeasuredLimit, CatchesAFrequencyThatIsFivePercentOff) {
-    const TrialSheet sheet(16, 1e4, 0);
-    for (const IntegratorKind kind :
-         {IntegratorKind::SymplecticEuler, IntegratorKind::VelocityVerlet, IntegratorKind::Rk4}) {
-        const Real wrong = Real(1.05) * sheet.predicted(kind);
-        EXPECT_NE(sheet.tried(kind, Real(0.98) * wrong), TrialEnd::Bounded) << name_of(kind);
-        const Real low = Real(0.95) * sheet.predicted(kind);
-        EXPECT_EQ(sheet.tried(kind, Real(1.02) * low), TrialEnd::Bounded) << name_of(kind);
-    }
-}
-
 TEST(LongMeasuredLimit, DoesNotDependOnWhereTheSearchStarts) {
     const TrialSheet sheet(8, 1e3, 0);
-    const IntegratorParameters method{.kind = IntegratorKind::SymplecticEuler};
-    const Real from_below = measured_limit(sheet.model, sheet.state, method, Real(1e-4), 1);
-    EXPECT_NEAR(measured_limit(sheet.model, sheet.state, method, Real(0.5), 1) / from_below, 1, 0.01);
+    const auto measured = [&](Real guess) {
+        return measured_limit(sheet.model, sheet.state, {.kind = IntegratorKind::SymplecticEuler}, guess, 1);
+    };
+    const Real from_below = measured(Real(1e-4));
+    // From above, and where nothing is guessed
+    for (const Real guess : {Real(0.5), Real(0)}) EXPECT_NEAR(measured(guess) / from_below, 1, 0.01);
 }
 
 TEST(LongMeasuredLimit, OfExplicitEulerIsTheOneThatItsGrowthFromNoiseTakes) {
@@ -118,28 +110,10 @@ TEST(LongMeasuredLimit, OfExplicitEulerIsTheOneThatItsGrowthFromNoiseTakes) {
     }
 }
 
-TEST(LongMeasuredLimit, OfExplicitEulerFallsWithTheNumberOfSteps) {
-    const TrialSheet sheet(8, 1e4, 0);
-    const IntegratorParameters method{.kind = IntegratorKind::ExplicitEuler};
-    const Real some = measured_limit(sheet.model, sheet.state, method, Real(1e-4), 1, {.steps = 3000});
-    const Real many = measured_limit(sheet.model, sheet.state, method, Real(1e-4), 1, {.steps = 30000});
-    EXPECT_LT(many, Real(0.4) * some);
-}
-
 TEST(TriedStep, FailsByLeavingTheReachOfTheSheet) {
     TrialSheet sheet(8, 1e3, 0);
     sheet.state.v.col(0).setConstant(5);
     EXPECT_EQ(sheet.tried(IntegratorKind::VelocityVerlet, Real(2e-4)), TrialEnd::OutOfReach);
-}
-
-TEST(TriedStep, NeedsItsNoise) {
-    const TrialSheet sheet(8, 1e3, 0);
-    const Real too_long = Real(1.02) * sheet.predicted(IntegratorKind::SymplecticEuler);
-    const IntegratorParameters method{.kind = IntegratorKind::SymplecticEuler};
-    EXPECT_NE(try_step(sheet.model, sheet.state, method, too_long), TrialEnd::Bounded);
-    ClothState flat = sheet.state;
-    flat.x.setZero();
-    EXPECT_EQ(try_step(sheet.model, flat, method, too_long, {.noise = 0}), TrialEnd::Bounded);
 }
 
 }  // namespace

@@ -55,13 +55,10 @@ TEST(ForceSweep, GivesWhatThePlainCodeGives) {
             EXPECT_LT(difference(cloth.forces(1), cloth.plain_forces()), sweep_rounding) << grid.nx << " x " << grid.ny;
         }
     }
-}
-
-TEST(ForceSweep, GivesWhatThePlainCodeGivesWithoutSpringsOfSomeKind) {
     for (SpringLaw ClothModel::*law : {&ClothModel::structural, &ClothModel::shear, &ClothModel::bend}) {
         MovingCloth cloth({31, 17});
         cloth.model.*law = {};
-        EXPECT_LT(difference(cloth.forces(1), cloth.plain_forces()), sweep_rounding);
+        EXPECT_LT(difference(cloth.forces(1), cloth.plain_forces()), sweep_rounding) << "without springs of a kind";
     }
 }
 
@@ -76,15 +73,6 @@ TEST(ForceSweep, RemembersNothingOfTheSweepBefore) {
             *law = {};
             EXPECT_EQ(cloth.forces(sweep), cloth.forces(1)) << grid.nx << " x " << grid.ny;
         }
-    }
-}
-
-TEST(ForceSweep, IsSeenToDifferWhenAStiffnessIsOnePartInABillionOff) {
-    for (const Grid grid : odd_grids) {
-        MovingCloth cloth(grid);
-        const Points expected = cloth.plain_forces();
-        cloth.model.shear.stiffness *= 1 + Real(1e-9);
-        EXPECT_GT(difference(cloth.forces(1), expected), sweep_rounding) << grid.nx << " x " << grid.ny;
     }
 }
 
@@ -104,29 +92,23 @@ TEST(ForceSweep, GivesTheSameBitsWithEveryKindOfVector) {
     }
 }
 
-TEST(ForceSweep, GivesTheSameBitsWithAnyNumberOfThreads) {
+TEST(ForceSweep, GivesTheSameBitsWithAnyNumberOfThreadsAndWhereTheStateIsOverwrittenOnTheWay) {
     for (const Grid grid : {Grid{31, 17}, Grid{300, 200}, Grid{2, 30000}, Grid{30000, 2}}) {
-        MovingCloth cloth(grid);
         for (const Real air : {Real(0), Real(1.2)}) {
-            cloth.model.air = {Vec3(3, -1, 2), air};
-            const Points one = cloth.forces(1);
-            for (const int threads : {2, 3, 7}) EXPECT_EQ(cloth.forces(threads), one) << threads;
-        }
-    }
-}
-
-TEST(ForceSweep, GivesTheSameForcesWhereTheStateIsOverwrittenOnTheWay) {
-    for (const Grid grid : {Grid{31, 17}, Grid{300, 200}, Grid{2, 30000}, Grid{30000, 2}}) {
-        for (const int threads : {1, 2, 3, 7}) {
             MovingCloth cloth(grid);
+            cloth.model.air = {Vec3(3, -1, 2), air};
             const Points expected = cloth.forces(1);
-            Points f(cloth.state.x.rows(), 3);
-            ForceSweep sweep(grid, Kernels::Vector, threads);
-            sweep(cloth.model, cloth.state.x, cloth.state.v, [&](const ForceRun& run) {
-                run.of(f) = run.forces();
-                run.of(cloth.state.x) = run.of(cloth.state.v) = 1e9;
-            });
-            EXPECT_EQ(f, expected) << grid.nx << " x " << grid.ny << ", threads: " << threads;
+            for (const int threads : {1, 2, 3, 7}) {
+                EXPECT_EQ(cloth.forces(threads), expected) << grid.nx << " x " << grid.ny << ", threads: " << threads;
+                ClothState state = cloth.state;
+                Points f(state.x.rows(), 3);
+                ForceSweep sweep(grid, Kernels::Vector, threads);
+                sweep(cloth.model, state.x, state.v, [&](const ForceRun& run) {
+                    run.of(f) = run.forces();
+                    run.of(state.x) = run.of(state.v) = 1e9;
+                });
+                EXPECT_EQ(f, expected) << "overwritten, " << grid.nx << " x " << grid.ny << ", threads: " << threads;
+            }
         }
     }
 }

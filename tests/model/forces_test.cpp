@@ -5,7 +5,6 @@
 #include <Eigen/Geometry>
 
 #include "drape/model/energy.h"
-#include "drape/model/force_sweep.h"
 #include "support/cloths.h"
 
 namespace drape {
@@ -86,18 +85,6 @@ TEST(Forces, VanishInASpringOfZeroLength) {
     EXPECT_TRUE(f.isApprox(-model.drag * state.v)) << f;
 }
 
-TEST(Forces, InsideTheClothAddUpToNothing) {
-    std::mt19937 random(2);
-    ClothParameters parameters;
-    ClothModel model = make_cloth_model(parameters);
-    model.gravity.setZero();
-    model.drag = 0;
-    const ClothState state = test::random_state(parameters, random);
-    Points f(state.x.rows(), 3);
-    compute_forces(model, state.x, state.v, f);
-    EXPECT_LT(f.colwise().sum().norm(), 1e-12 * f.cwiseAbs().sum());
-}
-
 TEST(Forces, AreTheSlopeOfTheEnergy) {
     std::mt19937 random(3);
     ClothParameters parameters;
@@ -137,22 +124,6 @@ TEST(Energy, OfAStretchedSheetIsKnown) {
     EXPECT_DOUBLE_EQ(energy.gravity, 4 * 9.81 * 3);
     EXPECT_DOUBLE_EQ(energy.spring, 4 * 0.5 * 10 * 0.25);
     EXPECT_DOUBLE_EQ(largest_stretch(model, state.x), 0.5);
-}
-
-TEST(Accelerations, AreZeroForPinnedParticles) {
-    ClothParameters parameters;
-    parameters.particles = {3, 3};
-    parameters.pinned.kind = Pins::Kind::Two;
-    const ClothModel model = make_cloth_model(parameters);
-    ClothState state = make_rest_state(parameters);
-    for (const Kernels kernels : {Kernels::Vector, Kernels::Plain}) {
-        Points a(9, 3);
-        ForceSweep(model.grid, kernels)(model, state.x, state.v,
-                                        [&](const ForceRun& run) { run.of(a) = run.accelerations(); });
-        EXPECT_TRUE(a.row(0).isZero());
-        EXPECT_TRUE(a.row(2).isZero());
-        EXPECT_DOUBLE_EQ(a(1, 1), -9.81);
-    }
 }
 
 }  // namespace

@@ -1,75 +1,96 @@
-// Drape's hierarchy beside those of FCL, Bullet and Embree, on the same motion, one thread. See docs/hierarchy.md.
+// Drape's hierarchies beside those of FCL, Bullet and Embree, on the same frames, one thread. With a ball: the
+// triangles that it touches, see docs/hierarchy.md. With --self: pairs of triangles of the cloths of `fold` and `stack`
+// that may touch, see docs/contact.md.
 
 #include <algorithm>
 #include <cstdio>
-#include <limits>
 #include <ostream>
-#include <string>
-#include <vector>
 
+#include "ball_race.h"
 #include "drape/base/command_line.h"
 #include "drape/base/input_error.h"
+#include "drape/base/numbers.h"
 #include "drape/base/output_file.h"
 #include "drape/base/run_program.h"
-#include "race.h"
+#include "pair_race.h"
 
 namespace drape::peers {
 namespace {
 
-constexpr const char* precision = sizeof(Real) == sizeof(double) ? "double" : "single";
+constexpr bool in_double = sizeof(Real) == sizeof(double);
 
-double fastest_of_ours(const std::vector<Result>& results) {
-    double fastest = std::numeric_limits<double>::infinity();
-    for (const Result& r : results) {
-        if (r.ours) fastest = std::min(fastest, r.total);
-    }
-    return fastest;
+template <class Task>
+std::vector<Result> race(const Task& task, int turns) {
+    Runners runners;
+    add_ours(runners, task);
+    add_fcl(runners, task);
+    add_bullet(runners, task);
+    add_embree(runners, task);
+    return take_turns(runners, turns);
 }
 
-double mean_touched(const Motion& motion) {
-    double touched = 0;
-    for (const Frame& frame : motion.frames) touched += static_cast<double>(frame.touched.size());
-    return touched / static_cast<double>(motion.frames.size()) / motion.grid.triangles();
-}
-
-void print(const Motion& motion, const std::vector<Result>& results) {
-    const double fastest = fastest_of_ours(results);
-    std::printf("\n%d x %d particles, %s precision, %.1f %% of %d triangles touched\n\n", motion.grid.nx,
-                motion.grid.ny, precision, 100 * mean_touched(motion), motion.grid.triangles());
-    std::printf("| %-28s | update us | query us |  total us |  ratio | frames | ties |\n", "method");
-    std::printf("| %s | --------: | -------: | --------: | -----: | -----: | ---: |\n", std::string(28, '-').c_str());
+/// Prints the results, and writes them as rows.
+/// @param reference the time that ratios are of [s]
+/// @param task, counts the columns before the method, and before the ties
+void tell(const std::vector<Result>& results, double reference, const std::string& task, const std::string& counts,
+          std::ostream& out) {
+    std::printf("\n%s%s\n", task.c_str(), counts.c_str());
     for (const Result& r : results) {
-        std::printf("| %-28s | %9.1f | %8.1f | %9.1f | %6.1f | %6d | %4d |\n", r.method.c_str(), r.update * 1e6,
-                    r.query * 1e6, r.total * 1e6, r.total / fastest, r.frames, r.ties);
+        std::printf("%-28s update %9.1f us, query %9.1f us, total %9.1f us, %7.2f, %6d frames, %4d ties\n",
+                    r.method.c_str(), r.update * 1e6, r.query * 1e6, r.total * 1e6, r.total / reference, r.frames,
+                    r.ties);
+        out << task << ',' << r.method << ',' << r.update * 1e6 << ',' << r.query * 1e6 << ',' << r.total * 1e6 << ','
+            << r.total / reference << ',' << r.frames << counts << ',' << r.ties << '\n';
     }
     std::fflush(stdout);
 }
 
-void write(const Motion& motion, const std::vector<Result>& results, std::ostream& out) {
-    const double fastest = fastest_of_ours(results);
-    for (const Result& r : results) {
-        out << precision << ',' << motion.grid.nx << ',' << r.method << ',' << r.update * 1e6 << ',' << r.query * 1e6
-            << ',' << r.total * 1e6 << ',' << r.total / fastest << ',' << r.frames << ',' << r.ties << '\n';
+void race_with_a_ball(bool quick, std::ostream& out) {
+    out << "precision,side,method,update_us,query_us,total_us,ratio,frames,ties\n";
+    for (const int side : quick ? std::vector{32, 128} : std::vector{32, 128, 512}) {
+        const std::vector<Result> results = race(Motion(side, quick ? 8 : 32), quick ? 2 : 5);
+        // Of Drape's trees; the first of its methods is brute force
+        double fastest = results.at(1).total;
+        for (const Result& r : results) {
+            if (r.method.starts_with("Drape") && &r != &results.front()) fastest = std::min(fastest, r.total);
+        }
+        tell(results, fastest, (in_double ? "double," : "single,") + std::to_string(side), "", out);
+    }
+}
+
+/// A mean over the frames.
+std::string mean_of(const Sheets& sheets, std::vector<TrianglePair> SheetFrame::*pairs) {
+    double sum = 0;
+    for (const SheetFrame& frame : sheets.frames) sum += static_cast<double>((frame.*pairs).size());
+    return real_text(sum / static_cast<double>(sheets.frames.size()), 6);
+}
+
+void race_for_pairs(bool quick, std::ostream& out) {
+    out << "scene,side,triangles,method,update_us,query_us,total_us,ratio,frames,box_pairs,near_pairs,ties\n";
+    for (const std::string scene : {"fold", "stack"}) {
+        for (const int side : quick ? std::vector{32} : std::vector{32, 64, 128}) {
+            const Sheets sheets(scene, side, quick ? 4 : 8);
+            const std::vector<Result> results = race(sheets, quick ? 1 : 3);
+            // The first of ours finds what the other libraries find
+            tell(results, results.front().total,
+                 scene + ',' + std::to_string(side) + ',' + std::to_string(sheets.triangles()),
+                 ',' + mean_of(sheets, &SheetFrame::boxes) + ',' + mean_of(sheets, &SheetFrame::near), out);
+        }
     }
 }
 
 int run(int argc, char** argv) {
-    CommandLine line("peers", "Times Drape's hierarchy beside those of FCL, Bullet and Embree.");
+    CommandLine line("peers", "Times Drape's hierarchies beside those of FCL, Bullet and Embree.");
     std::string csv;
-    bool quick = false;
+    bool quick = false, self = false;
     line.option("--csv", csv, "Also write the figures to this file");
-    line.flag("--quick", quick, "Two sizes, few frames");
+    line.flag("--quick", quick, "Fewer sizes, few frames");
+    line.flag("--self", self, "Pairs of triangles of cloth, in place of a ball and a cloth");
     if (!line.parse(argc, argv)) return Done;
+    if (self && !in_double) throw InputError("--self: allowed in double precision only");
 
     OutputFile file(csv);
-    file.stream() << "precision,side,method,update_us,query_us,total_us,ratio,frames,ties\n";
-    const std::vector<int> sides = quick ? std::vector{32, 128} : std::vector{32, 128, 512};
-    for (const int side : sides) {
-        const Motion motion(side, quick ? 8 : 32);
-        const std::vector<Result> results = race(motion, quick ? 2 : 5);
-        print(motion, results);
-        if (file.wanted()) write(motion, results, file.stream());
-    }
+    self ? race_for_pairs(quick, file.stream()) : race_with_a_ball(quick, file.stream());
     file.close();
     return Done;
 }

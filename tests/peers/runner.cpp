@@ -1,15 +1,37 @@
 #include "runner.h"
 
 #include <algorithm>
+#include <ctime>
 
 #include "drape/base/input_error.h"
-#include "work_watch.h"
+#include "drape/base/stopwatch.h"
 
 namespace drape::peers {
 namespace {
 
 // Long enough for small cloths to be at home in the caches, short enough for the slowest to be waited for
 constexpr double shortest_turn = 0.01, longest_turn = 1;  // [s]
+
+/// How long a piece of work took on a machine that is shared: wall time, or the processor time of this program if that
+/// is less, because the processor was lent to others meanwhile.
+class WorkWatch {
+public:
+    [[nodiscard]] double seconds() const {
+        const double wall = wall_.seconds();
+        return std::min(wall, processor_seconds() - start_);
+    }
+
+private:
+    static double processor_seconds() {
+        timespec now{};
+        clock_gettime(CLOCK_PROCESS_CPUTIME_ID, &now);
+        return static_cast<double>(now.tv_sec) + 1e-9 * static_cast<double>(now.tv_nsec);
+    }
+
+    // In this order: the wall time is not to hold the call for the processor time
+    double start_ = processor_seconds();
+    Stopwatch wall_;
+};
 
 double median(std::vector<double> values) {
     const auto middle = values.begin() + static_cast<std::ptrdiff_t>(values.size() / 2);
@@ -28,8 +50,7 @@ void Runner::take_turn(bool timed) {
 }
 
 Result Runner::result() const {
-    return {method_, static_cast<int>(totals_.size()), ties_, median(updates_), median(queries_), median(totals_),
-            ours_};
+    return {method_, static_cast<int>(totals_.size()), ties_, median(updates_), median(queries_), median(totals_)};
 }
 
 double Runner::run(bool timed) {
@@ -53,7 +74,7 @@ double Runner::run(bool timed) {
     return update + query;
 }
 
-std::vector<Result> take_turns(std::vector<std::unique_ptr<Runner>>& runners, int turns) {
+std::vector<Result> take_turns(const Runners& runners, int turns) {
     for (int turn = 0; turn <= turns; ++turn) {
         for (const auto& runner : runners) runner->take_turn(turn > 0);
     }

@@ -14,15 +14,13 @@ struct Result {
     double update = 0;  ///< [s]
     double query = 0;   ///< down to what is sought [s]
     double total = 0;   ///< of both in one frame [s]
-    bool ours = false;  ///< a tree of Drape's
 };
 
-/// One method of a race, and where it is in the motion.
+/// A way to find what may touch, in a race with others, and where it is in the motion.
 class Runner {
 public:
     /// @param frames of the motion; after the last comes the first
-    Runner(std::string method, std::size_t frames, bool ours)
-        : method_(std::move(method)), frames_(frames), ours_(ours) {}
+    Runner(std::string method, std::size_t frames) : method_(std::move(method)), frames_(frames) {}
     virtual ~Runner() = default;
     Runner(const Runner&) = delete;
     Runner& operator=(const Runner&) = delete;
@@ -36,6 +34,8 @@ public:
 protected:
     /// What is not timed: positions are as near as after the step that made them.
     virtual void prepare(std::size_t frame) = 0;
+
+    /// Follows the cloth to its present positions.
     virtual void update() = 0;
     virtual void query() = 0;
 
@@ -48,13 +48,14 @@ private:
 
     std::string method_;
     std::size_t frames_;
-    bool ours_;
     std::size_t next_ = 0;
     int ties_ = 0;
     std::vector<double> updates_, queries_, totals_;
 };
 
+using Runners = std::vector<std::unique_ptr<Runner>>;
+
 /// All take their turns in their order; the first turn only warms up.
-std::vector<Result> take_turns(std::vector<std::unique_ptr<Runner>>& runners, int turns);
+std::vector<Result> take_turns(const Runners& runners, int turns);
 
 }  // namespace drape::peers

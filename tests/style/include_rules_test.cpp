@@ -34,39 +34,31 @@ TEST_F(IncludeRules, HoldInThisRepository) {
 }
 
 TEST_F(IncludeRules, LetALayerIncludeItselfAndLowerOnes) {
-    EXPECT_EQ(verdict("include/drape/sim/a.h", "#include \"drape/model/grid.h\""), "");
-    EXPECT_EQ(verdict("src/bounds/a.cpp", "#include \"own.h\""), "");
-    EXPECT_EQ(verdict("src/app/a.cpp", "#include <GL/freeglut.h>"), "");
-    EXPECT_EQ(verdict("src/capture/a.cpp", "#include \"drape/render/renderer.h\""), "");
-    EXPECT_EQ(verdict("src/base/a.cpp", "#include <vector>"), "");
+    const std::pair<const char*, const char*> allowed[] = {
+        {"include/drape/sim/a.h", "#include \"drape/model/grid.h\""},
+        {"src/bounds/a.cpp", "#include \"own.h\""},
+        {"src/app/a.cpp", "#include <GL/freeglut.h>"},
+        {"src/capture/a.cpp", "#include \"drape/render/renderer.h\""},
+        {"src/base/a.cpp", "#include <vector>"}};
+    for (const auto& [file, line] : allowed) EXPECT_EQ(verdict(file, line), "") << file << ": " << line;
 }
 
-TEST_F(IncludeRules, FindAnUpwardInclude) {
-    EXPECT_NE(verdict("include/drape/model/a.h", "#include \"drape/sim/settings.h\""), "");
-    EXPECT_NE(verdict("src/base/a.cpp", "  #  include \"drape/model/grid.h\" // why"), "");
-    EXPECT_NE(verdict("src/bounds/a.cpp", "#include <drape/contact/contact.h>"), "");
-    EXPECT_NE(verdict("src/sim/a.cpp", "#include \"drape/render/camera.h\""), "");
-}
-
-TEST_F(IncludeRules, FindAnUpwardIncludeByARelativePath) {
-    EXPECT_NE(verdict("src/model/a.cpp", "#include \"../sim/divergence.h\""), "");
-}
-
-TEST_F(IncludeRules, KeepTheProgramsApart) {
-    EXPECT_NE(verdict("src/app/a.cpp", "#include \"../capture/context.h\""), "");
-    EXPECT_NE(verdict("src/capture/a.cpp", "#include \"../lab/charts.h\""), "");
-    EXPECT_NE(verdict("src/lab/a.cpp", "#include \"drape/render/image.h\""), "");
-}
-
-TEST_F(IncludeRules, KeepOpenGlInRenderAppAndCapture) {
-    EXPECT_NE(verdict("src/lab/a.cpp", "#include <GL/glew.h>"), "");
-    EXPECT_NE(verdict("src/sim/a.cpp", "#include <GL/gl.h>"), "");
-    EXPECT_NE(verdict("include/drape/base/a.h", "#include \"imgui.h\""), "");
-}
-
-TEST_F(IncludeRules, FindAFileOutsideTheLayers) {
-    EXPECT_NE(verdict("src/helpers/a.cpp", "#include <vector>"), "");
-    EXPECT_NE(verdict("src/model/a.cpp", "#include \"drape/helpers/a.h\""), "");
+TEST_F(IncludeRules, FindUpwardIncludesOtherProgramsOpenGlBelowTheRendererAndFilesOutsideTheLayers) {
+    const std::pair<const char*, const char*> forbidden[] = {
+        {"include/drape/model/a.h", "#include \"drape/sim/settings.h\""},
+        {"src/base/a.cpp", "  #  include \"drape/model/grid.h\" // why"},
+        {"src/bounds/a.cpp", "#include <drape/contact/contact.h>"},
+        {"src/sim/a.cpp", "#include \"drape/render/camera.h\""},
+        {"src/model/a.cpp", "#include \"../sim/divergence.h\""},
+        {"src/app/a.cpp", "#include \"../capture/context.h\""},
+        {"src/capture/a.cpp", "#include \"../lab/charts.h\""},
+        {"src/lab/a.cpp", "#include \"drape/render/image.h\""},
+        {"src/lab/a.cpp", "#include <GL/glew.h>"},
+        {"src/sim/a.cpp", "#include <GL/gl.h>"},
+        {"include/drape/base/a.h", "#include \"imgui.h\""},
+        {"src/helpers/a.cpp", "#include <vector>"},
+        {"src/model/a.cpp", "#include \"drape/helpers/a.h\""}};
+    for (const auto& [file, line] : forbidden) EXPECT_NE(verdict(file, line), "") << file << ": " << line;
 }
 
 }  // namespace

@@ -47,14 +47,11 @@ private:
 /// The whole of a file; empty if there is none.
 std::string read_file(const std::filesystem::path& file);
 
-/// Asks until it is so or the time is over.
-template <class Condition>
-bool eventually(Condition condition, double seconds = 60);
-
 void sleep_for(double seconds);
 
+/// Asks until it is so or the time is over.
 template <class Condition>
-bool eventually(Condition condition, double seconds) {
+bool eventually(Condition condition, double seconds = 60) {
     constexpr double pause = 0.05;  // s
     for (int turns = static_cast<int>(seconds / pause); turns > 0; --turns) {
         if (condition()) return true;

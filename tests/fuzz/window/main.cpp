@@ -33,7 +33,6 @@ public:
     int session(int most);
 
     [[nodiscard]] int sessions() const { return sessions_; }
-    [[nodiscard]] const std::map<std::string, int>& commands() const { return commands_; }
     [[nodiscard]] int failed() const { return failed_; }
 
 private:
@@ -41,14 +40,12 @@ private:
     int send_batch(int most);
     [[nodiscard]] int answers() const;
     [[nodiscard]] bool responds();
-    void count_commands();
     void check_end();
     void fail(const std::string& what);
 
     fs::path folder_;
     test::Desktop desktop_;
     EventSource source_;
-    std::map<std::string, int> commands_;  ///< that were given, by their first words
     std::optional<Process> drape_;
     std::string window_;
     int sessions_ = 0, failed_ = 0;
@@ -108,20 +105,6 @@ bool Fuzzer::responds() {
     return answers() != before;
 }
 
-void Fuzzer::count_commands() {
-    std::istringstream lines(test::read_file(folder_ / "session.txt"));
-    std::string step, word, argument;
-    for (std::string line; std::getline(lines, line);) {
-        std::istringstream words(line);
-        if (!(words >> step >> word) || word == "hash" || step.find_first_not_of("0123456789") != std::string::npos) {
-            continue;
-        }
-        const bool of_a_setting = word == "set" || word == "next" || word == "add";
-        if (of_a_setting && words >> argument) word += " " + argument.substr(0, argument.find('='));
-        ++commands_[word];
-    }
-}
-
 void Fuzzer::fail(const std::string& what) {
     ++failed_;
     const fs::path kept = folder_ / ("failed-" + std::to_string(failed_));
@@ -135,7 +118,6 @@ void Fuzzer::fail(const std::string& what) {
 
 void Fuzzer::check_end() {
     const int code = drape_->wait(patience).value_or(-1);
-    count_commands();
     // The menu and the panel have a policy that ends a run which diverges
     const bool may_stop = test::read_file(folder_ / "session.txt").find("on_unstable=stop") != std::string::npos;
     if (code == 1 && may_stop && drape_->standard_error().find("iverged") != std::string::npos) return;
@@ -188,7 +170,6 @@ int run(int argc, char** argv) {
         Fuzzer fuzzer(folder, seed);
         while (sent < wanted) sent += fuzzer.session(wanted - sent);
         sessions = fuzzer.sessions(), failed = fuzzer.failed();
-        for (const auto& [command, count] : fuzzer.commands()) std::printf("%6d %s\n", count, command.c_str());
     }
     std::printf("%d events in %d windows, %d failed\nresult,window events,%d,%d\n", sent, sessions, failed, sent,
                 failed);

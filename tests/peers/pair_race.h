@@ -6,6 +6,7 @@
 
 #include "drape/bounds/aabb.h"
 #include "drape/model/grid.h"
+#include "runner.h"
 
 namespace drape::peers {
 
@@ -62,7 +63,40 @@ inline bool meet(const Aabb& a, const Aabb& b, Real thickness) {
 /// A pair of triangles in either order.
 inline TrianglePair in_order(int a, int b) { return a < b ? TrianglePair{a, b} : TrianglePair{b, a}; }
 
-/// Fills `boxes` and `near` of a frame by comparing every triangle with every other whose extent along x meets its own.
-void find_all_pairs(const Sheets& sheets, SheetFrame& frame);
+/// What a method must find.
+enum class Sought {
+    Boxes,  ///< every pair of triangles whose grown boxes overlap
+    Near    ///< of these, at least those that are no farther apart than the thickness: what narrower volumes leave
+};
+
+/// A way to find the pairs of triangles of cloths that may touch themselves and each other.
+class PairMethod : public Runner {
+public:
+    /// For what finds pairs: keeps one, unless its triangles share a particle.
+    void keep(int first, int second) {
+        if (!sheets_.share_particle(first, second)) found_.push_back(in_order(first, second));
+    }
+
+protected:
+    /// @param sheets outlive the method, which starts at their last frame
+    PairMethod(std::string name, const Sheets& sheets, Sought sought = Sought::Boxes);
+
+    const Sheets& sheets_;
+    Sought sought_;
+    std::vector<Points> of_cloths_;  ///< n x 3 of each [m]
+    Points x_;                       ///< the same, one after the other
+
+private:
+    void prepare(std::size_t frame) final;
+    int check(std::size_t frame) final;
+
+    std::vector<TrianglePair> found_;
+};
+
+/// Drape's own: boxes alone first.
+void add_ours(Runners& runners, const Sheets& sheets);
+void add_fcl(Runners& runners, const Sheets& sheets);
+void add_bullet(Runners& runners, const Sheets& sheets);
+void add_embree(Runners& runners, const Sheets& sheets);
 
 }  // namespace drape::peers
