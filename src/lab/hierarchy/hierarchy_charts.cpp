@@ -10,8 +10,12 @@ namespace {
 
 using Charts = std::vector<Chart>;
 
-bool has_volume(const HierarchyRows& rows, const std::string& volume) {
-    return std::ranges::find(rows, volume, &HierarchyRow::volume) != rows.end();
+/// Those of some volumes that rows have.
+std::vector<std::string> volumes_in(const HierarchyRows& rows, std::vector<std::string> volumes) {
+    std::erase_if(volumes, [&rows](const std::string& volume) {
+        return std::ranges::find(rows, volume, &HierarchyRow::volume) == rows.end();
+    });
+    return volumes;
 }
 
 /// Adds a chart with a panel for each scene, if there are any rows.
@@ -23,18 +27,15 @@ void add_scenes(Charts& charts, Chart chart, const HierarchyRows& rows) {
     charts.push_back(std::move(chart));
 }
 
-void add_fits(Charts& charts, const HierarchyRows& rows, bool resampled) {
-    HierarchyRows drawn = rows;
-    // Of the fits of spheres, that by the centroid
-    std::erase_if(drawn, [resampled](const HierarchyRow& row) {
-        return (row.particles == resampled_particles) != resampled || row.variant() != row.volume;
+/// Of the fits of spheres, that by the centroid.
+void add_fits(Charts& charts, HierarchyRows rows, bool resampled) {
+    std::vector<std::string> drawn = names_in(volume_families, name_of<VolumeKind>);
+    drawn.emplace_back("brute");
+    std::erase_if(rows, [&](const HierarchyRow& row) {
+        return (row.particles == resampled_particles) != resampled || std::ranges::count(drawn, row.variant()) == 0;
     });
-    std::vector<std::string> volumes = names_in(volume_families, name_of<VolumeKind>);
-    std::erase_if(volumes, [&drawn](const std::string& volume) { return !has_volume(drawn, volume); });
-    const bool brute = has_volume(drawn, "brute");
-    std::erase_if(drawn, [&volumes](const HierarchyRow& row) {
-        return row.volume != "brute" && std::ranges::find(volumes, row.volume) == volumes.end();
-    });
+    std::vector<std::string> volumes = volumes_in(rows, drawn);
+    const bool brute = std::erase(volumes, "brute") > 0;
     add_scenes(
         charts,
         {resampled ? "hierarchy_fit_128" : "hierarchy_fit",
@@ -43,7 +44,7 @@ void add_fits(Charts& charts, const HierarchyRows& rows, bool resampled) {
          "cell that touches the ball. A line joins the leaf sizes of one volume under one update policy; the "
          "nearer to the lower left, the better.",
          {{"resampled", resampled ? 1. : 0.}, {"brute", brute ? 1. : 0.}, {"volumes", in_words(volumes)}}},
-        drawn);
+        rows);
 }
 
 /// What the volumes of a tree take, beside its time a frame: larger cloth, every leaf size, rebuilt.
@@ -87,12 +88,13 @@ void add_spheres(Charts& charts, HierarchyRows rows) {
                rows);
 }
 
-Chart level_chart(const std::string& scene) {
-    return {"hierarchy_level_" + scene,
-            "hierarchy_level",
-            "What a search knows that ends at a level: how loose the nodes there are, how many of them it visits, how "
-            "many cells it would test in vain for each that touches, and the CPU time it has taken to get there.",
-            {{"scene", scene}}};
+void add_level(Charts& charts, const std::string& scene) {
+    charts.push_back({"hierarchy_level_" + scene,
+                      "hierarchy_level",
+                      "What a search knows that ends at a level: how loose the nodes there are, how many of them it "
+                      "visits, how many cells it would test in vain for each that touches, and the CPU time it has "
+                      "taken to get there.",
+                      {{"scene", scene}}});
 }
 
 void add_budget(Charts& charts, const HierarchyRows& rows) {
@@ -108,10 +110,7 @@ void add_budget(Charts& charts, const HierarchyRows& rows) {
 }
 
 void add_break_even(Charts& charts, const std::string& scene, const HierarchyRows& rows) {
-    std::vector<std::string> volumes;
-    for (const char* volume : {"sphere", "aabb"}) {
-        if (has_volume(rows, volume)) volumes.emplace_back(volume);
-    }
+    const std::vector<std::string> volumes = volumes_in(rows, {"sphere", "aabb"});
     if (volumes.empty()) return;
     // The interval next to the rate of a screen, or what is there in a share of the cases
     const auto nearest =
@@ -153,7 +152,7 @@ std::vector<Chart> hierarchy_charts(const std::vector<HierarchyRow>& rows) {
     for (const bool resampled : {false, true}) add_fits(charts, part("fit"), resampled);
     add_storage(charts, part("fit"));
     add_spheres(charts, part("fit"));
-    for (const std::string& scene : words_of(part("level"), &HierarchyRow::scene)) charts.push_back(level_chart(scene));
+    for (const std::string& scene : words_of(part("level"), &HierarchyRow::scene)) add_level(charts, scene);
     add_budget(charts, part("budget"));
     for (const std::string& scene : words_of(part("break_even"), &HierarchyRow::scene)) {
         add_break_even(charts, scene, rows_with(part("break_even"), &HierarchyRow::scene, scene));

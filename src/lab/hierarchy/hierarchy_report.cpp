@@ -13,18 +13,21 @@
 namespace drape {
 namespace {
 
+std::string scene_and_volume(const HierarchyRow& row) { return row.scene + " " + row.volume; }
+
 /// The hierarchies of least time a frame, scene by scene.
 std::string fastest(const HierarchyRows& rows) {
-    std::map<std::pair<std::string, double>, HierarchyRows> trees, brute;
-    for (const HierarchyRow& row : rows) {
-        (row.volume == "brute" ? brute : trees)[{row.scene, row.particles}].push_back(row);
-    }
+    const auto motion = [](const HierarchyRow& row) { return std::pair(row.scene, row.particles); };
+    const auto time = [](const HierarchyRow& row) { return row.whole.median; };
+    HierarchyRows trees = rows;
+    std::erase_if(trees, [](const HierarchyRow& row) { return row.volume == "brute"; });
+    auto brute = groups_of(rows_with(rows, &HierarchyRow::volume, "brute"), motion);
     std::string text;
-    for (const auto& [key, tried] : trees) {
-        const HierarchyRow best = std::ranges::min(tried, {}, [](const HierarchyRow& row) { return row.whole.median; });
+    for (const auto& [key, tried] : groups_of(trees, motion)) {
+        const HierarchyRow best = std::ranges::min(tried, {}, time);
         text += fmt::format("fit: {}, {} particles: fastest is {} {} with leaves of {}, {:.3g} us a frame", best.scene,
-                            best.particles, best.variant(), best.update, best.leaf_cells, 1e6 * best.whole.median);
-        if (brute.contains(key)) text += fmt::format("; brute force {:.3g} us", 1e6 * brute[key][0].whole.median);
+                            best.particles, best.variant(), best.update, best.leaf_cells, 1e6 * time(best));
+        if (brute.contains(key)) text += fmt::format("; brute force {:.3g} us", 1e6 * time(brute[key][0]));
         text += "\n";
     }
     return text;
@@ -32,15 +35,13 @@ std::string fastest(const HierarchyRows& rows) {
 
 /// When refitting has cost more in all than rebuilding, at each interval between frames.
 std::string break_evens(const HierarchyRows& rows) {
-    std::map<std::string, std::map<double, std::map<std::string, std::vector<double>>>> costs;
-    for (const HierarchyRow& row : rows) {
-        costs[row.scene + " " + row.volume][row.interval_s][row.update].push_back(row.whole.median);
-    }
     std::string text;
-    for (const auto& [hierarchy, intervals] : costs) {
+    for (const auto& [hierarchy, frames] : groups_of(rows, scene_and_volume)) {
         text += fmt::format("break_even: {}: refit has cost more than rebuild, frames", hierarchy);
-        for (const auto& [interval, updates] : intervals) {
-            const auto frame = break_even_frame(updates.at("refit"), updates.at("rebuild"));
+        for (const auto& [interval, all] : groups_of(frames, &HierarchyRow::interval_s)) {
+            std::map<std::string, std::vector<double>> costs;
+            for (const HierarchyRow& row : all) costs[row.update].push_back(row.whole.median);
+            const auto frame = break_even_frame(costs.at("refit"), costs.at("rebuild"));
             text += fmt::format(" {:.3g} ms apart: {},", 1e3 * interval,
                                 frame ? fmt::format("from frame {}", *frame + 1) : "never");
         }
@@ -50,16 +51,13 @@ std::string break_evens(const HierarchyRows& rows) {
 }
 
 /// What a limited search lets through at its smallest and largest budget.
-std::string budgets(const HierarchyRows& rows) {
-    std::map<std::string, HierarchyRows> hierarchies;
-    for (const HierarchyRow& row : rows) {
-        if (row.tests > 0) hierarchies[row.scene + " " + row.volume].push_back(row);
-    }
+std::string budgets(HierarchyRows rows) {
+    std::erase_if(rows, [](const HierarchyRow& row) { return !(row.tests > 0); });
     const auto end = [](const HierarchyRow& row) {
         return fmt::format("{:.3g} mm missed with {} tests", 1e3 * row.missed_penetration_m, row.tests);
     };
     std::string text;
-    for (const auto& [hierarchy, limited] : hierarchies) {
+    for (const auto& [hierarchy, limited] : groups_of(rows, scene_and_volume)) {
         const auto [least, most] = std::ranges::minmax(limited, {}, &HierarchyRow::tests);
         text += fmt::format("budget: {}: {}, {}\n", hierarchy, end(least), end(most));
     }
@@ -87,12 +85,11 @@ std::vector<Growth> growths(const HierarchyRows& rows) {
     if (rows.empty()) return {};
     const auto [least, most] = std::ranges::minmax(rows, {}, &HierarchyRow::particles);
     const double from = std::sqrt(least.particles * most.particles) * (1 - 1e-9);
-    std::map<std::pair<std::string, std::string>, HierarchyRows> hierarchies;
-    for (const HierarchyRow& row : rows) {
-        if (row.particles >= from) hierarchies[{row.volume, row.update}].push_back(row);
-    }
+    HierarchyRows large = rows;
+    std::erase_if(large, [from](const HierarchyRow& row) { return row.particles < from; });
     std::vector<Growth> all;
-    for (const auto& [key, sizes] : hierarchies) {
+    for (const auto& [key, sizes] :
+         groups_of(large, [](const auto& row) { return std::pair(row.volume, row.update); })) {
         std::set<double> logarithms;
         std::vector<std::pair<double, double>> build, search;
         for (const HierarchyRow& row : sizes) {
