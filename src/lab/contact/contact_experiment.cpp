@@ -4,6 +4,7 @@
 #include <cmath>
 #include <map>
 #include <set>
+#include <utility>
 
 #include "contact_trial.h"
 #include "drape/base/input_error.h"
@@ -27,19 +28,14 @@ struct ContactRow : ContactErrors {
 
 constexpr int reference_substeps = 100;  ///< steps of the reference for one of a run
 
-/// A way to search, by its name in the table, and the volume tests after which it ends; 0: never.
-struct Search {
-    const char* name;
-    std::int64_t tests;
-};
-constexpr Search searches[] = {{"discrete", 0}, {"continuous", 0}, {"limited", 24}, {"limited", 12}};
-
-Detection detection_of(const Search& search) {
-    return {.leaf_cells = 4, .tests = search.tests, .continuous = search.name == std::string("continuous")};
-}
+/// Ways to search, by their names in the table.
+constexpr std::pair<const char*, Detection> searches[] = {{"discrete", {.leaf_cells = 4}},
+                                                          {"continuous", {.leaf_cells = 4, .continuous = true}},
+                                                          {"limited", {.leaf_cells = 4, .tests = 24}},
+                                                          {"limited", {.leaf_cells = 4, .tests = 12}}};
 
 /// What the reference has, all triangles and all that may have met within each step.
-Detection reference_detection() { return {.volume = VolumeKind::Brute, .continuous = true}; }
+constexpr Detection reference_detection{.volume = VolumeKind::Brute, .continuous = true};
 
 /// CPU time for a simulated second, without the observer.
 Quartiles time_run(const ContactScene& scene, double step, int repeats) {
@@ -65,7 +61,7 @@ std::size_t count_triangles(const ContactHistory& history) {
 /// @throws RunError if there is nothing to find, or the reference itself fails
 ContactHistory reference_run(const ContactScene& scene, double speed, double step) {
     ContactHistory reference =
-        watch_contacts(scene.with(reference_detection()), static_cast<Real>(step / reference_substeps));
+        watch_contacts(scene.with(reference_detection), static_cast<Real>(step / reference_substeps));
     if (count_triangles(reference) == 0 || reference.passed) {
         throw RunError("contact: at " + real_text(speed) + " m/s the ball of the reference has gone through the cloth");
     }
@@ -77,11 +73,11 @@ std::vector<ContactRow> run_contact_case(double speed, double step, int repeats)
     const ContactHistory reference = reference_run(scene, speed, step);
     const auto radius = static_cast<double>(scene.settings.balls[0].radius);
     std::vector<ContactRow> rows;
-    for (const Search& search : searches) {
-        const ContactScene searched = scene.with(detection_of(search));
+    for (const auto& [name, detection] : searches) {
+        const ContactScene searched = scene.with(detection);
         const ContactHistory run = watch_contacts(searched, static_cast<Real>(step));
         const ContactErrors errors = compare_contacts(run, reference, reference_substeps);
-        rows.push_back({errors, search.name, search.tests, speed, step, errors.passed ? radius : run.entered,
+        rows.push_back({errors, name, detection.tests, speed, step, errors.passed ? radius : run.entered,
                         errors.passed ? radius : run.left, run.false_contacts, time_run(searched, step, repeats),
                         count_triangles(reference), reference.left});
     }

@@ -1,5 +1,6 @@
 #include <fmt/ranges.h>
 
+#include <algorithm>
 #include <map>
 #include <memory>
 #include <set>
@@ -20,13 +21,16 @@ struct MergeOptions {
     std::string out = "merged";
 };
 
-/// A table of one share.
+/// A table of one share, whose head does not say so any more.
 struct Part {
     std::filesystem::path file;
     ExperimentTable table;
-    std::string settings;  ///< without the share
     Share share;
 };
+
+std::string& line_in(TableHead& head, const std::string& name) {
+    return std::ranges::find(head, name, &TableHead::value_type::first)->second;
+}
 
 std::vector<Part> parts_of(const Experiment& experiment, const std::vector<std::string>& folders) {
     std::vector<Part> parts;
@@ -37,9 +41,11 @@ std::vector<Part> parts_of(const Experiment& experiment, const std::vector<std::
         }
         auto table = read_table(experiment, file, false);
         if (!table) continue;
-        CaseSelection selection = parse_selection(line_of(table->head, "settings")).value();
+        std::string& settings = line_in(table->head, "settings");
+        CaseSelection selection = parse_selection(settings).value();
         const Share share = parse_share(std::exchange(selection.share, ""));
-        parts.push_back({file, std::move(*table), selection.text(), share});
+        settings = selection.text();
+        parts.push_back({file, std::move(*table), share});
     }
     return parts;
 }
@@ -56,10 +62,9 @@ void check_fit(const std::vector<Part>& parts) {
             if (here != there)
                 fail(fmt::format("{}: {} is {}, but {} in {}", file, key, here, there, first.file.string()));
         };
-        for (const char* key : {"drape", "commit", "compiler", "cases"}) {
+        for (const char* key : {"drape", "commit", "compiler", "cases", "settings"}) {
             demand_same(key, line_of(part.table.head, key), line_of(first.table.head, key));
         }
-        demand_same("settings", part.settings, first.settings);
         demand_same("number of shares", std::to_string(part.share.parts), std::to_string(first.share.parts));
         if (missing.erase(part.share.part) > 0) continue;
         fail(fmt::format("{}: share {}/{} is there twice", file, part.share.part, part.share.parts));
@@ -75,10 +80,7 @@ ExperimentTable joined(std::vector<Part> parts) {
         machines.insert(line_of(part.table.head, "machine"));
         whole.cases.merge(part.table.cases);
     }
-    for (auto& [key, value] : whole.head) {
-        if (key == "settings") value = parts.front().settings;
-        if (key == "machine") value = fmt::format("{}", fmt::join(machines, "; "));
-    }
+    line_in(whole.head, "machine") = fmt::format("{}", fmt::join(machines, "; "));
     return whole;
 }
 

@@ -23,33 +23,29 @@ std::vector<Method> precision_methods() {
 
 /// Counts of steps, doubled from one to the next; with no ball, Dormand-Prince has falling tolerances instead.
 std::vector<Rung> ladder(const Method& method, const PrecisionScene& scene) {
-    constexpr int coarsest = 8;
+    const IntegratorKind kind = method.parameters.kind;
     std::vector<Rung> rungs;
-    const auto add = [&](int first, int last) {
-        for (int steps = first; steps <= last; steps *= 2) rungs.push_back({method.parameters, steps});
-    };
-    if (scene.has_ball()) {
-        add(coarsest, scene.finest_steps);
-    } else if (method.parameters.kind == IntegratorKind::DormandPrince) {
+    if (kind == IntegratorKind::DormandPrince && !scene.has_ball()) {
         for (Real tolerance = Real(1e-2); tolerance > Real(0.9e-8); tolerance /= 10) {
             rungs.push_back({method.parameters, outer_steps});
             rungs.back().parameters.tolerance = tolerance;
         }
-    } else if (has_step_limit(method.parameters.kind)) {
+        return rungs;
+    }
+    int first = 8, last = scene.finest_steps;
+    if (has_step_limit(kind) && !scene.has_ball()) {
         // From the last steps beyond the limit at rest
         const ClothParameters& cloth = scene.settings.cloths.front();
-        const Real limit = predicted_limit(make_cloth_model(cloth), make_rest_state(cloth), method.parameters.kind,
-                                           method.parameters.kernels)
-                               .step;
+        const Real limit =
+            predicted_limit(make_cloth_model(cloth), make_rest_state(cloth), kind, method.parameters.kernels).step;
         // Not far below its limit RK4 is as exact as the reference: its ladder starts farther above
-        const int too_long = method.parameters.kind == IntegratorKind::Rk4 ? 4 : 2;
-        int first = 1;
+        const int too_long = kind == IntegratorKind::Rk4 ? 4 : 2;
+        first = 1;
         while (scene.horizon / static_cast<Real>(first) > 2 * limit) first *= 2;
         first = std::max(first >> (too_long - 1), 1);
-        add(first, first << (scene.rungs - 1));
-    } else {
-        add(coarsest, scene.finest_steps);
+        last = first << (scene.rungs - 1);
     }
+    for (int steps = first; steps <= last; steps *= 2) rungs.push_back({method.parameters, steps});
     return rungs;
 }
 

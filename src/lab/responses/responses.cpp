@@ -33,29 +33,13 @@ ContactScene sheet_above_ground(Real height, const SpringLaw& springs) {
 }
 
 /// A sheet on its ground, step by step.
-class SheetTrial {
-public:
-    SheetTrial(const ContactScene& scene, Real step) : trial_(scene, step) {}
+struct SheetTrial : ContactTrial {
+    using ContactTrial::ContactTrial;
 
-    ResponseReport step() {
-        trial_.advance();
-        return trial_.respond();
-    }
+    void step() { advance(), respond(); }
 
-    /// As `step`; the response alone is timed.
-    ResponseReport step(std::vector<double>& times) {
-        trial_.advance();
-        ResponseReport report;
-        times.push_back(cpu_time_of([&] { report = trial_.respond(); }));
-        return report;
-    }
-
-    [[nodiscard]] double mean(int axis) const { return static_cast<double>(trial_.positions().col(axis).mean()); }
-    [[nodiscard]] double speed(int axis) const { return static_cast<double>(trial_.velocities().col(axis).mean()); }
-    [[nodiscard]] const ClothModel& model() const { return trial_.model(); }
-
-private:
-    ContactTrial trial_;
+    [[nodiscard]] double mean(int axis) const { return static_cast<double>(positions().col(axis).mean()); }
+    [[nodiscard]] double speed(int axis) const { return static_cast<double>(velocities().col(axis).mean()); }
 };
 
 /// Whether a sheet that rests on a penalty is thrown off, farther than 100 times the depth at which it rests.
@@ -108,7 +92,12 @@ Slide lay_on_slope(ResponseKind kind, Real step) {
     const double start = sheet.mean(0);
     Slide slide{.sweeps = 0};
     std::vector<double> costs;
-    for (std::int64_t k = 0; k < steps; ++k) slide.sweeps += sheet.step(costs).sweeps / static_cast<double>(steps);
+    for (std::int64_t k = 0; k < steps; ++k) {
+        sheet.advance();
+        ResponseReport report;
+        costs.push_back(cpu_time_of([&] { report = sheet.respond(); }));
+        slide.sweeps += report.sweeps / static_cast<double>(steps);
+    }
     slide.drift = std::abs(sheet.mean(0) - start) / (static_cast<double>(steps) * static_cast<double>(step));
     slide.cost = quartiles_of(std::move(costs));
     return slide;

@@ -1,6 +1,7 @@
 #include <fmt/core.h>
 
 #include <algorithm>
+#include <utility>
 
 #include "drape/integrate/stability.h"
 #include "lab/experiments.h"
@@ -62,22 +63,14 @@ std::vector<RestRow> run_drift_case(const DriftCase& one, bool quick) {
 /// minutes by each of these, which takes hours, and a day for the shortest.
 std::vector<DriftCase> drift_list(bool quick) {
     constexpr double shipped = 3.125e-4, ten_minutes = 600;
-    struct Watch {
-        double step, seconds;
-    };
+    constexpr std::pair<double, double> watches[] = {
+        {long_step, 6}, {1e-3, 4}, {1e-4, 2}, {long_step, ten_minutes}, {1e-3, ten_minutes}, {1e-4, ten_minutes}};
     std::vector<DriftCase> all;
-    for (const Watch& watch : {Watch{long_step, 6},
-                               {1e-3, 4},
-                               {1e-4, 2},
-                               {long_step, ten_minutes},
-                               {1e-3, ten_minutes},
-                               {1e-4, ten_minutes}}) {
+    for (const auto& [step, seconds] : watches) {
         for (const IntegratorKind integrator : values_of<IntegratorKind>()) {
             if (integrator == IntegratorKind::ExplicitEuler) continue;  // no step of it is stable there
             const double longest = has_step_limit(integrator) ? shipped : long_step;
-            if (watch.step == long_step || watch.step <= longest) {
-                all.push_back({integrator, std::min(watch.step, longest), watch.seconds});
-            }
+            if (step == long_step || step <= longest) all.push_back({integrator, std::min(step, longest), seconds});
         }
     }
     if (quick) {
