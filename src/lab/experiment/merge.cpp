@@ -1,6 +1,5 @@
 #include <fmt/ranges.h>
 
-#include <algorithm>
 #include <map>
 #include <memory>
 #include <set>
@@ -21,16 +20,13 @@ struct MergeOptions {
     std::string out = "merged";
 };
 
-/// A table of one share, whose head does not say so any more.
+/// A table of one share.
 struct Part {
     std::filesystem::path file;
     ExperimentTable table;
+    std::string settings;  ///< without the share
     Share share;
 };
-
-std::string& line_in(TableHead& head, const std::string& name) {
-    return std::ranges::find(head, name, &TableHead::value_type::first)->second;
-}
 
 std::vector<Part> parts_of(const Experiment& experiment, const std::vector<std::string>& folders) {
     std::vector<Part> parts;
@@ -41,11 +37,9 @@ std::vector<Part> parts_of(const Experiment& experiment, const std::vector<std::
         }
         auto table = read_table(experiment, file, false);
         if (!table) continue;
-        std::string& settings = line_in(table->head, "settings");
-        CaseSelection selection = parse_selection(settings).value();
+        CaseSelection selection = parse_selection(line_of(table->head, "settings")).value();
         const Share share = parse_share(std::exchange(selection.share, ""));
-        settings = selection.text();
-        parts.push_back({file, std::move(*table), share});
+        parts.push_back({file, std::move(*table), selection.text(), share});
     }
     return parts;
 }
@@ -62,9 +56,10 @@ void check_fit(const std::vector<Part>& parts) {
             if (here != there)
                 fail(fmt::format("{}: {} is {}, but {} in {}", file, key, here, there, first.file.string()));
         };
-        for (const char* key : {"drape", "commit", "compiler", "cases", "settings"}) {
+        for (const char* key : {"drape", "commit", "compiler", "cases"}) {
             demand_same(key, line_of(part.table.head, key), line_of(first.table.head, key));
         }
+        demand_same("settings", part.settings, first.settings);
         demand_same("number of shares", std::to_string(part.share.parts), std::to_string(first.share.parts));
         if (missing.erase(part.share.part) > 0) continue;
         fail(fmt::format("{}: share {}/{} is there twice", file, part.share.part, part.share.parts));
@@ -80,7 +75,10 @@ ExperimentTable joined(std::vector<Part> parts) {
         machines.insert(line_of(part.table.head, "machine"));
         whole.cases.merge(part.table.cases);
     }
-    line_in(whole.head, "machine") = fmt::format("{}", fmt::join(machines, "; "));
+    for (auto& [key, value] : whole.head) {
+        if (key == "settings") value = parts.front().settings;
+        if (key == "machine") value = fmt::format("{}", fmt::join(machines, "; "));
+    }
     return whole;
 }
 
