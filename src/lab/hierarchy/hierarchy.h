@@ -94,9 +94,6 @@ struct Growth {
 /// @param rows of the part "size"
 std::vector<Growth> growths(const HierarchyRows& rows);
 
-/// The size of a node's volume, 0 for what is none.
-std::size_t bytes_of_a_node(const std::string& volume);
-
 /// A line or more a part.
 std::string hierarchy_summary(const HierarchyRows& rows);
 

@@ -4,7 +4,6 @@
 #include <map>
 #include <tuple>
 
-#include "drape/bounds/node_view.h"
 #include "lab/experiments.h"
 
 namespace drape {
@@ -66,12 +65,6 @@ void HierarchyRow::set_times(const HierarchyRun& run) {
 
 std::string HierarchyRow::variant() const {
     return volume == "sphere" && sphere_fit != names_of<SphereFit>().front() ? volume + " " + sphere_fit : volume;
-}
-
-std::size_t bytes_of_a_node(const std::string& volume) {
-    const auto kind = value_named<VolumeKind>(volume);
-    if (!kind || *kind == VolumeKind::Brute) return 0;
-    return with_volume(*kind, []<class Volume>(std::type_identity<Volume>) { return sizeof(Volume); });
 }
 
 RowFormat<HierarchyRow> hierarchy_format() {

@@ -9,6 +9,7 @@
 
 #include "drape/base/assert.h"
 #include "drape/base/exact_math.h"
+#include "drape/bounds/node_view.h"
 
 namespace drape {
 namespace {
@@ -101,6 +102,13 @@ void add_fits(Charts& charts, HierarchyRows rows, bool resampled) {
          "nearer to the lower left, the better.",
          {{"resampled", resampled ? 1. : 0.}, {"brute", brute ? 1. : 0.}, {"volumes", in_words(volumes)}}},
         rows);
+}
+
+/// The size of a node's volume, 0 for what is none.
+std::size_t bytes_of_a_node(const std::string& volume) {
+    const auto kind = value_named<VolumeKind>(volume);
+    if (!kind || *kind == VolumeKind::Brute) return 0;
+    return with_volume(*kind, []<class Volume>(std::type_identity<Volume>) { return sizeof(Volume); });
 }
 
 /// What the volumes of a tree take, beside its time a frame: larger cloth, every leaf size, rebuilt.
