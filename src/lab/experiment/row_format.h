@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <functional>
+#include <iterator>
 #include <limits>
 #include <map>
 #include <string>
@@ -110,8 +111,7 @@ void read_cell(const Column& column, const std::string& cell, Value& value) {
 /// A member of a row, and the columns in which it stands: one, or three of quartiles, NAME_UNIT for the median,
 /// NAME_lower_UNIT and NAME_upper_UNIT, unless the field names one of them.
 template <class Row>
-class Field {
-public:
+struct Field {
     struct Cell {
         Column column;
         std::function<std::string(const Row& row, int digits)> write;
@@ -120,15 +120,15 @@ public:
 
     template <class Owner, class Value>
     Field(const Column& column, Value Owner::*member) {
-        add(
-            column, [member](auto& row) -> auto& { return row.*member; });
+        const auto place = [member](auto& row) -> auto& { return row.*member; };
+        add(column, place);
     }
 
     /// A part of a member that has several.
     template <class Owner, class Member, class Value>
     Field(const Column& column, Member Owner::*member, Value Member::*part) {
-        add(
-            column, [=](auto& row) -> auto& { return (row.*member).*part; });
+        const auto place = [=](auto& row) -> auto& { return (row.*member).*part; };
+        add(column, place);
     }
 
     template <class Owner>
@@ -137,20 +137,17 @@ public:
         for (const auto& [mark, quartile] :
              {std::pair("_lower", &Quartiles::lower), std::pair("_upper", &Quartiles::upper)}) {
             column.name = std::string(name).insert(name.find('_'), mark);
-            cells_.push_back(Field(column, member, quartile).cells_.front());
+            cells.push_back(Field(column, member, quartile).cells.front());
         }
     }
 
-    [[nodiscard]] const std::vector<Cell>& cells() const { return cells_; }
-
-private:
     template <class Place>
     void add(const Column& column, const Place& place) {
-        cells_.push_back({column, [=](const Row& row, int digits) { return cell_of(column, place(row), digits); },
-                          [=](Row& row, const std::string& cell) { read_cell(column, cell, place(row)); }});
+        cells.push_back({column, [=](const Row& row, int digits) { return cell_of(column, place(row), digits); },
+                         [=](Row& row, const std::string& cell) { read_cell(column, cell, place(row)); }});
     }
 
-    std::vector<Cell> cells_;
+    std::vector<Cell> cells = {};
 };
 
 /// How the rows of an experiment stand in its table: one list of fields makes columns, cells and rows.
@@ -159,9 +156,7 @@ class RowFormat {
 public:
     /// @param digits that are written of a number that is not a whole one
     RowFormat(int digits, const std::vector<Field<Row>>& fields) : digits_(digits) {
-        for (const Field<Row>& field : fields) {
-            cells_.insert(cells_.end(), field.cells().begin(), field.cells().end());
-        }
+        for (const auto& [cells] : fields) std::ranges::copy(cells, std::back_inserter(cells_));
     }
 
     [[nodiscard]] std::vector<Column> columns() const {
