@@ -49,6 +49,10 @@ Experiment responses_experiment();
 Experiment rest_experiment();
 
 /// Every experiment of the laboratory.
-std::vector<Experiment> all_experiments();
+inline std::vector<Experiment> all_experiments() {
+    return {stability_experiment(),    precision_experiment(), hierarchy_experiment(), contact_experiment(),
+            self_contact_experiment(), original_experiment(),  kernels_experiment(),   continuous_experiment(),
+            combinations_experiment(), responses_experiment(), rest_experiment()};
+}
 
 }  // namespace drape

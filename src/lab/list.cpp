@@ -15,26 +15,24 @@
 namespace drape {
 
 void add_list(CommandLine& line, std::span<const Experiment> experiments, int& exit_code) {
-    const auto names = [](std::span<const std::string> (*all)()) {
-        return [all] {
-            for (const std::string& name : all()) std::cout << name << '\n';
-        };
+    const auto names = [](std::span<const std::string> all) {
+        for (const std::string& name : all) std::cout << name << '\n';
+    };
+    const auto scenes = [] {
+        for (const std::string& name : scene_names()) std::cout << name << ": " << load_scene(name).title << '\n';
+    };
+    const auto questions = [experiments] {
+        for (const Experiment& one : experiments) std::cout << one.name << ": " << one.question << '\n';
     };
     const std::map<std::string, std::function<void()>> lists{
-        {"scenes",
-         [] {
-             for (const std::string& name : scene_names()) std::cout << name << ": " << load_scene(name).title << '\n';
-         }},
+        {"scenes", scenes},
         {"settings", [] { std::cout << settings_help(); }},
         {"tour", [] { std::cout << tour_page(); }},
-        {"experiments",
-         [experiments] {
-             for (const Experiment& one : experiments) std::cout << one.name << ": " << one.question << '\n';
-         }},
-        {"integrators", names(names_of<IntegratorKind>)},
-        {"volumes", names(names_of<VolumeKind>)},
-        {"updates", names(names_of<UpdateKind>)},
-        {"fits", names(names_of<SphereFit>)}};
+        {"experiments", questions},
+        {"integrators", [=] { names(names_of<IntegratorKind>()); }},
+        {"volumes", [=] { names(names_of<VolumeKind>()); }},
+        {"updates", [=] { names(names_of<UpdateKind>()); }},
+        {"fits", [=] { names(names_of<SphereFit>()); }}};
     std::vector<std::string> known;
     for (const auto& [name, print] : lists) known.push_back(name);
     auto what = std::make_shared<std::string>();

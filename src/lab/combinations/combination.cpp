@@ -8,6 +8,7 @@
 #include "drape/sim/scene.h"
 #include "drape/sim/setting_table.h"
 #include "drape/sim/simulation.h"
+#include "lab/measure/methods.h"
 
 namespace drape {
 namespace {
@@ -46,26 +47,22 @@ public:
         : audit_(simulation.cloths()[0].model.grid, simulation.settings().solver.kernels) {}
 
     void look(Simulation& simulation, CombinationRun& run) {
-        const Points& x = simulation.cloths()[0].state.x;
+        const Cloth& cloth = simulation.cloths()[0];
+        const ClothModel& model = cloth.model;
         const Settings& settings = simulation.settings();
-        const Real depth = audit_.penetration(x, simulation.balls(), settings.contact.thickness);
-        const Real sunk = settings.ground.height + settings.contact.thickness - x.col(1).minCoeff();
+        const Real depth = audit_.penetration(cloth.state.x, simulation.balls(), settings.contact.thickness);
+        const Real sunk = settings.ground.height + settings.contact.thickness - cloth.state.x.col(1).minCoeff();
         run.penetration = std::max(run.penetration, static_cast<double>(std::max(depth, sunk)));
-        run.touched += simulation.report().contacts > 0 ? 1 : 0;
-        look_at_energy(simulation, run);
-    }
-
-private:
-    void look_at_energy(Simulation& simulation, CombinationRun& run) {
         const StepReport& report = *simulation.view().report;
-        const ClothModel& model = simulation.cloths()[0].model;
+        run.touched += report.contacts > 0 ? 1 : 0;
+        run.speed = report.rms_speed;
         const auto weight = static_cast<double>(model.particle_mass * model.gravity.norm()) * model.grid.particles();
         const double lift = (report.energy.kinetic + report.energy.gravity + report.energy.spring) / weight;
         least_ = std::min(least_, lift);
         run.energy_gain = std::max(run.energy_gain, lift - least_);
-        run.speed = report.rms_speed;
     }
 
+private:
     SearchAudit audit_;
     double least_ = std::numeric_limits<double>::infinity();
 };
@@ -88,12 +85,9 @@ constexpr RunFlaw flaws[] = {
 
 std::vector<Combination> all_combinations() {
     std::vector<Combination> all;
-    for (const std::string& integrator : names_of<IntegratorKind>()) {
-        for (const std::string& response : names_of<ResponseKind>()) {
-            for (const bool continuous : {false, true}) {
-                all.push_back({value_named<IntegratorKind>(integrator).value(),
-                               value_named<ResponseKind>(response).value(), continuous});
-            }
+    for (const IntegratorKind integrator : values_of<IntegratorKind>()) {
+        for (const ResponseKind response : values_of<ResponseKind>()) {
+            for (const bool continuous : {false, true}) all.push_back({integrator, response, continuous});
         }
     }
     return all;
@@ -101,10 +95,9 @@ std::vector<Combination> all_combinations() {
 
 std::vector<SearchTree> all_trees() {
     std::vector<SearchTree> all;
-    for (const std::string& volume : names_of<VolumeKind>()) {
-        for (const std::string& update : names_of<UpdateKind>()) {
-            const VolumeKind kind = value_named<VolumeKind>(volume).value();
-            if (kind != VolumeKind::Brute) all.push_back({kind, value_named<UpdateKind>(update).value()});
+    for (const VolumeKind volume : values_of<VolumeKind>()) {
+        for (const UpdateKind update : values_of<UpdateKind>()) {
+            if (volume != VolumeKind::Brute) all.push_back({volume, update});
         }
     }
     return all;

@@ -7,15 +7,11 @@
 namespace drape {
 namespace {
 
-/// A combination, by all of its trees.
-struct CombinationRow {
-    std::string integrator, response, detection;
-    double trees = 0;  ///< that were run beside brute force, with the same bits
-    double step = 0, touched = 0, penetration = 0, energy_gain = 0, speed = 0;
+/// A combination, by brute force and all of its trees.
+struct CombinationRow : Combination, CombinationRun {
+    std::size_t trees = 0;  ///< with the same bits as brute force
     std::string flaw;
 };
-
-constexpr double simulated_seconds = 2;
 
 std::string named(const Combination& combination) {
     return fmt::format("{}, {}, {}", name_of(combination.integrator), name_of(combination.response),
@@ -23,22 +19,14 @@ std::string named(const Combination& combination) {
 }
 
 std::vector<CombinationRow> run_trees(const Combination& combination, const std::vector<SearchTree>& trees) {
+    constexpr double simulated_seconds = 2;
     const CombinationRun expected = run_combination(combination, {}, simulated_seconds);
     for (const SearchTree& tree : trees) {
         if (run_combination(combination, tree, simulated_seconds).hash == expected.hash) continue;
         throw RunError(fmt::format("combinations: {}: {}, {} gives other bits than brute force", named(combination),
                                    name_of(tree.volume), name_of(tree.update)));
     }
-    return {{.integrator = name_of(combination.integrator),
-             .response = name_of(combination.response),
-             .detection = combination.continuous ? "continuous" : "discrete",
-             .trees = static_cast<double>(trees.size()),
-             .step = expected.step,
-             .touched = expected.touched,
-             .penetration = expected.penetration,
-             .energy_gain = expected.energy_gain,
-             .speed = expected.speed,
-             .flaw = flaw_of(expected)}};
+    return {{combination, expected, trees.size(), flaw_of(expected)}};
 }
 
 std::vector<CaseOf<CombinationRow>> combination_cases(bool quick) {
@@ -50,28 +38,12 @@ std::vector<CaseOf<CombinationRow>> combination_cases(bool quick) {
     return all;
 }
 
-RowFormat<CombinationRow> combination_format() {
-    using Row = CombinationRow;
-    return {4,
-            {{name_column<IntegratorKind>("integrator"), &Row::integrator},
-             {name_column<ResponseKind>("response"), &Row::response},
-             {word_column("detection", {"discrete", "continuous"}), &Row::detection},
-             {whole_column("trees", 1), &Row::trees},
-             {positive_column("step_s"), &Row::step},
-             {whole_column("touched_steps"), &Row::touched},
-             {number_column("penetration_m"), &Row::penetration},
-             {number_column("energy_gain_m"), &Row::energy_gain},
-             {number_column("speed_m_per_s"), &Row::speed},
-             {word_column("flaw", run_flaws()), &Row::flaw}}};
-}
-
 std::string combination_summary(const std::vector<CombinationRow>& rows) {
     std::string text = fmt::format("{} combinations, the same bits by every tree as by brute force\n", rows.size());
     for (const CombinationRow& row : rows) {
         if (row.flaw == "none") continue;
-        text += fmt::format("{}, {}, {}: {}: penetration {:.3g} mm, energy gain {:.3g} m, speed {:.3g} m/s\n",
-                            row.integrator, row.response, row.detection, row.flaw, 1e3 * row.penetration,
-                            row.energy_gain, row.speed);
+        text += fmt::format("{}: {}: penetration {:.3g} mm, energy gain {:.3g} m, speed {:.3g} m/s\n", named(row),
+                            row.flaw, 1e3 * row.penetration, row.energy_gain, row.speed);
     }
     return text;
 }
@@ -79,13 +51,21 @@ std::string combination_summary(const std::vector<CombinationRow>& rows) {
 }  // namespace
 
 Experiment combinations_experiment() {
-    return ExperimentOf<CombinationRow>{"combinations",
-                                        "does every integrator work with every response, volume and update?",
-                                        combination_format(),
-                                        combination_cases,
-                                        [](const auto&) { return std::vector<Chart>{}; },
-                                        combination_summary}
-        .as_table();
+    using Row = CombinationRow;
+    return ExperimentOf<Row>{"combinations",
+                             "does every integrator work with every response, volume and update?",
+                             {4,
+                              {{name_column<IntegratorKind>("integrator"), &Row::integrator},
+                               {name_column<ResponseKind>("response"), &Row::response},
+                               {word_column("detection", {"discrete", "continuous"}), &Row::continuous},
+                               {whole_column("trees", 1), &Row::trees},
+                               {positive_column("step_s"), &Row::step},
+                               {whole_column("touched_steps"), &Row::touched},
+                               {number_column("penetration_m"), &Row::penetration},
+                               {number_column("energy_gain_m"), &Row::energy_gain},
+                               {number_column("speed_m_per_s"), &Row::speed},
+                               {word_column("flaw", run_flaws()), &Row::flaw}}},
+                             {{"", combination_cases, combination_summary, no_charts}}};
 }
 
 }  // namespace drape

@@ -4,6 +4,7 @@
 #include <cmath>
 #include <map>
 #include <set>
+#include <utility>
 
 #include "contact_trial.h"
 #include "drape/base/input_error.h"
@@ -14,139 +15,90 @@ namespace drape {
 namespace {
 
 /// A run: one search, one speed of the ball, one step.
-struct TrialRow {
+struct TrialRow : ContactErrors {
     std::string search;
-    double tests = 0, speed = 0, step = 0;
-    double missed_contacts = 0, missed_steps = 0;  ///< parts of those of the reference
-    double penetration = 0, left = 0;              ///< largest, before and after the response [m]
-    double momentum_error = 0;                     ///< of the cloth at the end, part of that of the reference
-    double passed = 0, false_contacts = 0;
+    std::int64_t tests = 0;
+    double speed = 0, step = 0;
+    double penetration = 0, left = 0;  ///< largest, before and after the response [m]
+    double false_contacts = 0;
     Quartiles cpu = {};  ///< time for a simulated second [s]
-    double reference_triangles = 0, reference_penetration = 0;
+    std::size_t reference_triangles = 0;
+    double reference_penetration = 0;
 };
 
 constexpr int reference_substeps = 100;  ///< steps of the reference for one of a run
 
-/// A way to search, by its name in the table, and the volume tests after which it ends; 0: never.
-struct Search {
-    const char* name;
-    std::int64_t tests;
-};
-constexpr Search searches[] = {{"discrete", 0}, {"continuous", 0}, {"limited", 24}, {"limited", 12}};
-
-Detection detection_of(const Search& search) {
-    return {.leaf_cells = 4, .tests = search.tests, .continuous = search.name == std::string("continuous")};
-}
+/// Ways to search, by their names in the table.
+constexpr std::pair<const char*, Detection> searches[] = {{"discrete", {.leaf_cells = 4}},
+                                                          {"continuous", {.leaf_cells = 4, .continuous = true}},
+                                                          {"limited", {.leaf_cells = 4, .tests = 24}},
+                                                          {"limited", {.leaf_cells = 4, .tests = 12}}};
 
 /// What the reference has, all triangles and all that may have met within each step.
-Detection reference_detection() { return {.volume = VolumeKind::Brute, .continuous = true}; }
+constexpr Detection reference_detection{.volume = VolumeKind::Brute, .continuous = true};
 
 /// CPU time for a simulated second, without the observer.
-Quartiles time_run(const ContactScene& scene, Real step, int repeats) {
-    const auto steps = std::llround(scene.end / static_cast<double>(step));
+Quartiles time_run(const ContactScene& scene, double step, int repeats) {
+    const auto steps = std::llround(scene.end / step);
     std::vector<double> costs;
     for (int repeat = -1; repeat < repeats; ++repeat) {
-        ContactTrial trial(scene, step);
-        const double before = thread_cpu_time();
-        for (std::int64_t k = 0; k < steps; ++k) {
-            trial.advance();
-            trial.respond();
-        }
-        if (repeat >= 0)
-            costs.push_back((thread_cpu_time() - before) / (static_cast<double>(steps) * static_cast<double>(step)));
+        ContactTrial trial(scene, static_cast<Real>(step));
+        const double seconds = cpu_time_of([&] {
+            for (std::int64_t k = 0; k < steps; ++k) trial.advance(), trial.respond();
+        });
+        if (repeat >= 0) costs.push_back(seconds / (static_cast<double>(steps) * step));
     }
     return quartiles_of(std::move(costs));
 }
 
 /// How many triangles a run has touched.
-double count_triangles(const ContactHistory& history) {
+std::size_t count_triangles(const ContactHistory& history) {
     std::set<int> triangles;
     for (const std::vector<int>& touched : history.touched) triangles.insert(touched.begin(), touched.end());
-    return static_cast<double>(triangles.size());
+    return triangles.size();
 }
 
 /// @throws RunError if there is nothing to find, or the reference itself fails
-ContactHistory reference_run(const ContactScene& scene, double speed, double step) {
-    ContactHistory reference =
-        watch_contacts(scene.with(reference_detection()), static_cast<Real>(step / reference_substeps));
-    if (count_triangles(reference) == 0 || reference.passed) {
-        throw RunError("contact: at " + real_text(speed) + " m/s the ball of the reference has gone through the cloth");
-    }
-    return reference;
-}
-
 std::vector<TrialRow> run_contact_case(double speed, double step, int repeats) {
     const ContactScene scene = hung_cloth_and_ball(speed, step);
-    const ContactHistory reference = reference_run(scene, speed, step);
+    const ContactHistory reference =
+        watch_contacts(scene.with(reference_detection), static_cast<Real>(step / reference_substeps));
+    const std::size_t triangles = count_triangles(reference);
+    if (triangles == 0 || reference.passed) {
+        throw RunError("contact: at " + real_text(speed) + " m/s the ball of the reference has gone through the cloth");
+    }
+    const auto radius = static_cast<double>(scene.settings.balls[0].radius);
     std::vector<TrialRow> rows;
-    for (const Search& search : searches) {
-        const ContactScene searched = scene.with(detection_of(search));
+    for (const auto& [name, detection] : searches) {
+        const ContactScene searched = scene.with(detection);
         const ContactHistory run = watch_contacts(searched, static_cast<Real>(step));
         const ContactErrors errors = compare_contacts(run, reference, reference_substeps);
-        const auto radius = static_cast<double>(scene.settings.balls[0].radius);
-        rows.push_back({.search = search.name,
-                        .tests = static_cast<double>(search.tests),
-                        .speed = speed,
-                        .step = step,
-                        .missed_contacts = errors.missed_contacts,
-                        .missed_steps = errors.missed_steps,
-                        .penetration = errors.passed ? radius : run.entered,
-                        .left = errors.passed ? radius : run.left,
-                        .momentum_error = errors.momentum,
-                        .passed = errors.passed ? 1. : 0.,
-                        .false_contacts = run.false_contacts,
-                        .cpu = time_run(searched, static_cast<Real>(step), repeats),
-                        .reference_triangles = count_triangles(reference),
-                        .reference_penetration = reference.left});
+        rows.push_back({errors, name, detection.tests, speed, step, errors.passed ? radius : run.entered,
+                        errors.passed ? radius : run.left, run.false_contacts, time_run(searched, step, repeats),
+                        triangles, reference.left});
     }
     return rows;
 }
 
 std::vector<CaseOf<TrialRow>> contact_cases(bool quick) {
-    std::vector<CaseOf<TrialRow>> all;
-    const std::vector<double> speeds = quick ? std::vector{2.0, 8.0, 32.0} : std::vector{0.5, 2.0, 8.0, 32.0};
-    const std::vector<double> rates = quick ? std::vector{30.0, 60.0, 120.0, 240.0, 480.0, 960.0}
-                                            : std::vector{30.0, 60.0, 120.0, 240.0, 480.0, 960.0, 1920.0};
-    for (const double speed : speeds) {
-        for (const double rate : rates) {
-            all.push_back([=] { return run_contact_case(speed, 1 / rate, quick ? 5 : 15); });
-        }
-    }
-    return all;
-}
-
-RowFormat<TrialRow> contact_format() {
-    using Row = TrialRow;
-    return {8,
-            {{word_column("search", {"discrete", "continuous", "limited"}), &Row::search},
-             {word_column("tests", {"0", "24", "12"}), &Row::tests},
-             {positive_column("speed_m_per_s"), &Row::speed},
-             {positive_column("step_s"), &Row::step},
-             {number_column("missed_contacts"), &Row::missed_contacts},
-             {number_column("missed_steps"), &Row::missed_steps},
-             {number_column("penetration_m"), &Row::penetration},
-             {number_column("left_m"), &Row::left},
-             {number_column("momentum_error"), &Row::momentum_error},
-             {word_column("passed", {"0", "1"}), &Row::passed},
-             {number_column("false_contacts"), &Row::false_contacts},
-             {number_column("cpu_s_per_s"), &Row::cpu},
-             {whole_column("reference_triangles", 1), &Row::reference_triangles},
-             {number_column("reference_penetration_m"), &Row::reference_penetration}}};
+    std::vector rates{30.0, 60.0, 120.0, 240.0, 480.0, 960.0};
+    if (!quick) rates.push_back(1920);
+    return cases_over([=](double speed, double rate) { return run_contact_case(speed, 1 / rate, quick ? 5 : 15); },
+                      quick ? std::vector{2.0, 8.0, 32.0} : std::vector{0.5, 2.0, 8.0, 32.0}, rates);
 }
 
 /// For each search and speed, the longest step from which down nothing passes and little is missed.
 std::string contact_summary(const std::vector<TrialRow>& rows) {
-    std::map<std::pair<std::string, double>, std::vector<TrialRow>> runs;
-    for (const TrialRow& row : rows) {
+    auto runs = groups_of(rows, [](const TrialRow& row) {
         const std::string tests = row.tests > 0 ? fmt::format(" to {} tests", row.tests) : "";
-        runs[{row.search + tests, row.speed}].push_back(row);
-    }
+        return std::pair(row.search + tests, row.speed);
+    });
     std::string text;
     for (auto& [key, steps] : runs) {
         std::ranges::sort(steps, {}, &TrialRow::step);
         double longest = 0, worst = 0;
         for (const TrialRow& row : steps) {
-            if (row.passed > 0 || row.missed_contacts > 0.1) break;
+            if (row.passed || row.missed_contacts > 0.1) break;
             longest = row.step;
             worst = std::max(worst, row.penetration);
         }
@@ -162,7 +114,7 @@ std::string contact_summary(const std::vector<TrialRow>& rows) {
 }
 
 std::vector<Chart> contact_charts(const std::vector<TrialRow>& rows) {
-    const auto shown = words_of(rows, [](const TrialRow& row) { return row.search + "." + real_text(row.tests); });
+    const auto shown = words_of(rows, [](const TrialRow& row) { return fmt::format("{}.{}", row.search, row.tests); });
     const auto speeds = words_of(rows, [](const TrialRow& row) { return real_text(row.speed); });
     return {{"contact",
              "contact",
@@ -197,10 +149,25 @@ ContactScene hung_cloth_and_ball(double speed, double step) {
 }
 
 Experiment contact_experiment() {
-    return ExperimentOf<TrialRow>{"contact",        "which steps and searches find the contacts that there are?",
-                                  contact_format(), contact_cases,
-                                  contact_charts,   contact_summary}
-        .as_table();
+    using Row = TrialRow;
+    return ExperimentOf<Row>{"contact",
+                             "which steps and searches find the contacts that there are?",
+                             {8,
+                              {{word_column("search", {"discrete", "continuous", "limited"}), &Row::search},
+                               {word_column("tests", {"0", "24", "12"}), &Row::tests},
+                               {positive_column("speed_m_per_s"), &Row::speed},
+                               {positive_column("step_s"), &Row::step},
+                               {number_column("missed_contacts"), &Row::missed_contacts},
+                               {number_column("missed_steps"), &Row::missed_steps},
+                               {number_column("penetration_m"), &Row::penetration},
+                               {number_column("left_m"), &Row::left},
+                               {number_column("momentum_error"), &Row::momentum},
+                               {word_column("passed", {"0", "1"}), &Row::passed},
+                               {number_column("false_contacts"), &Row::false_contacts},
+                               {number_column("cpu_s_per_s"), &Row::cpu},
+                               {whole_column("reference_triangles", 1), &Row::reference_triangles},
+                               {number_column("reference_penetration_m"), &Row::reference_penetration}}},
+                             {{"", contact_cases, contact_summary, contact_charts}}};
 }
 
 }  // namespace drape

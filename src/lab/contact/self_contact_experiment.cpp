@@ -2,7 +2,6 @@
 
 #include <array>
 #include <cmath>
-#include <utility>
 
 #include "drape/base/input_error.h"
 #include "drape/base/numbers.h"
@@ -10,30 +9,32 @@
 #include "self_contact_trial.h"
 
 namespace drape {
+
+template <>
+inline constexpr auto enum_names<FailSafe> = all_names<FailSafe>("none", "zones", "rejection");
+
 namespace {
 
 constexpr Real sheet_speed = 8;  // m/s
 
-/// Those compared, as the table names them.
-constexpr std::array<std::pair<FailSafe, const char*>, 3> fail_safes{
-    {{FailSafe::Zones, "zones"}, {FailSafe::Rejection, "rejection"}, {FailSafe::None, "none"}}};
+/// Those compared, in the order of the table.
+constexpr std::array fail_safes{FailSafe::Zones, FailSafe::Rejection, FailSafe::None};
 
 /// A run: one thickness, one step, one fail-safe.
-struct SelfContactRow {
+struct SelfContactRow : SelfContactHistory {
     double thickness = 0, step = 0;
-    std::string fail_safe;
-    double crossings = 0, crossed_steps = 0, unsearched_steps = 0, unsafe_steps = 0;
-    double penetration = 0, momentum_error = 0, momentum_change = 0;
-    double pair_tests = 0, held_back = 0, rejected = 0;
+    FailSafe fail_safe{};
+    double momentum_error = 0;
     Quartiles cpu = {};  ///< time for a simulated second [s]
 };
 
 /// CPU time for a simulated second, without an observer.
 double time_sheets(const ThrownSheet& scene, double step, FailSafe fail_safe) {
     SelfContactTrial trial(scene, static_cast<Real>(step), fail_safe);
-    const double before = thread_cpu_time();
-    for (auto left = std::llround(scene.end / step); left > 0; --left) trial.advance();
-    return (thread_cpu_time() - before) / scene.end;
+    return cpu_time_of([&] {
+               for (auto left = std::llround(scene.end / step); left > 0; --left) trial.advance();
+           }) /
+           scene.end;
 }
 
 /// The runs of a step, timed in turn.
@@ -41,27 +42,13 @@ std::vector<SelfContactRow> run_step(const ThrownSheet& scene, double step, cons
                                      int repeats) {
     std::array<std::vector<double>, fail_safes.size()> cpu;
     for (int repeat = 0; repeat < repeats; ++repeat) {
-        for (std::size_t k = 0; k < fail_safes.size(); ++k) {
-            cpu[k].push_back(time_sheets(scene, step, fail_safes[k].first));
-        }
+        for (std::size_t k = 0; k < fail_safes.size(); ++k) cpu[k].push_back(time_sheets(scene, step, fail_safes[k]));
     }
     std::vector<SelfContactRow> rows;
     for (std::size_t k = 0; k < fail_safes.size(); ++k) {
-        const SelfContactHistory run = watch_sheets(scene, static_cast<Real>(step), fail_safes[k].first);
-        rows.push_back({.thickness = static_cast<double>(scene.settings.contact.thickness),
-                        .step = step,
-                        .fail_safe = fail_safes[k].second,
-                        .crossings = static_cast<double>(run.crossings),
-                        .crossed_steps = run.crossed_steps,
-                        .unsearched_steps = run.unsearched_steps,
-                        .unsafe_steps = run.unsafe_steps,
-                        .penetration = run.penetration,
-                        .momentum_error = momentum_error(run, reference),
-                        .momentum_change = run.momentum_change,
-                        .pair_tests = run.pair_tests,
-                        .held_back = run.held_back,
-                        .rejected = run.rejected,
-                        .cpu = quartiles_of(std::move(cpu[k]))});
+        const SelfContactHistory run = watch_sheets(scene, static_cast<Real>(step), fail_safes[k]);
+        rows.push_back({run, static_cast<double>(scene.settings.contact.thickness), step, fail_safes[k],
+                        momentum_error(run, reference), quartiles_of(std::move(cpu[k]))});
     }
     return rows;
 }
@@ -84,42 +71,16 @@ std::vector<SelfContactRow> run_thickness(double thickness, const std::vector<do
 std::vector<CaseOf<SelfContactRow>> self_contact_cases(bool quick) {
     const auto rates =
         quick ? std::vector{120.0, 240.0, 480.0, 960.0} : std::vector{60.0, 120.0, 240.0, 480.0, 960.0, 1920.0, 3840.0};
-    std::vector<CaseOf<SelfContactRow>> all;
-    for (const double thickness : {1.25e-4, 5e-4, 2e-3, 8e-3}) {
-        all.push_back([=] { return run_thickness(thickness, rates, quick ? 2 : 4, quick ? 1 : 5); });
-    }
-    return all;
+    return cases_over([=](double thickness) { return run_thickness(thickness, rates, quick ? 2 : 4, quick ? 1 : 5); },
+                      std::vector{1.25e-4, 5e-4, 2e-3, 8e-3});
 }
 
-RowFormat<SelfContactRow> self_contact_format() {
-    using Row = SelfContactRow;
-    return {6,
-            {{positive_column("thickness_m"), &Row::thickness},
-             {positive_column("step_s"), &Row::step},
-             {word_column("fail_safe", {"zones", "rejection", "none"}), &Row::fail_safe},
-             {whole_column("crossings"), &Row::crossings},
-             {number_column("crossed_steps"), &Row::crossed_steps},
-             {number_column("unsearched_steps"), &Row::unsearched_steps},
-             {number_column("unsafe_steps"), &Row::unsafe_steps},
-             {number_column("penetration_m"), &Row::penetration},
-             {number_column("momentum_error"), &Row::momentum_error},
-             {number_column("momentum_change"), &Row::momentum_change},
-             {number_column("pair_tests"), &Row::pair_tests},
-             {number_column("held_back"), &Row::held_back},
-             {number_column("rejected"), &Row::rejected},
-             {number_column("cpu_s_per_s"), &Row::cpu}}};
-}
-
-std::string self_contact_summary(const std::vector<SelfContactRow>& rows) {
-    std::string text;
-    for (const SelfContactRow& row : rows) {
-        text += fmt::format(
-            "{:.3g} mm, step 1/{:.0f} s, fail-safe {}: crossings after {:.0f} % of the steps, no search in {:.0f} %, "
-            "penetration {:.3g} mm, momentum off by {:.3g} %\n",
-            1e3 * row.thickness, 1 / row.step, row.fail_safe, 1e2 * row.crossed_steps, 1e2 * row.unsearched_steps,
-            1e3 * row.penetration, 1e2 * row.momentum_error);
-    }
-    return text;
+std::string self_contact_line(const SelfContactRow& row) {
+    return fmt::format(
+        "{:.3g} mm, step 1/{:.0f} s, fail-safe {}: crossings after {:.0f} % of the steps, no search in {:.0f} %, "
+        "penetration {:.3g} mm, momentum off by {:.3g} %",
+        1e3 * row.thickness, 1 / row.step, name_of(row.fail_safe), 1e2 * row.crossed_steps, 1e2 * row.unsearched_steps,
+        1e3 * row.penetration, 1e2 * row.momentum_error);
 }
 
 std::vector<Chart> self_contact_charts(const std::vector<SelfContactRow>& rows) {
@@ -136,11 +97,25 @@ std::vector<Chart> self_contact_charts(const std::vector<SelfContactRow>& rows) 
 }  // namespace
 
 Experiment self_contact_experiment() {
-    return ExperimentOf<SelfContactRow>{
-        "self_contact",        "what keeps cloth from crossing cloth, and at which step?",
-        self_contact_format(), self_contact_cases,
-        self_contact_charts,   self_contact_summary}
-        .as_table();
+    using Row = SelfContactRow;
+    return ExperimentOf<Row>{"self_contact",
+                             "what keeps cloth from crossing cloth, and at which step?",
+                             {6,
+                              {{positive_column("thickness_m"), &Row::thickness},
+                               {positive_column("step_s"), &Row::step},
+                               {word_column("fail_safe", {"zones", "rejection", "none"}), &Row::fail_safe},
+                               {whole_column("crossings"), &Row::crossings},
+                               {number_column("crossed_steps"), &Row::crossed_steps},
+                               {number_column("unsearched_steps"), &Row::unsearched_steps},
+                               {number_column("unsafe_steps"), &Row::unsafe_steps},
+                               {number_column("penetration_m"), &Row::penetration},
+                               {number_column("momentum_error"), &Row::momentum_error},
+                               {number_column("momentum_change"), &Row::momentum_change},
+                               {number_column("pair_tests"), &Row::pair_tests},
+                               {number_column("held_back"), &Row::held_back},
+                               {number_column("rejected"), &Row::rejected},
+                               {number_column("cpu_s_per_s"), &Row::cpu}}},
+                             {{"", self_contact_cases, line_of_each(self_contact_line), self_contact_charts}}};
 }
 
 }  // namespace drape

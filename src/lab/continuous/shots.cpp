@@ -95,23 +95,29 @@ private:
     std::mt19937 random_{29};
 };
 
-/// The times of one way to detect, step by step.
-struct Laps {
-    std::vector<double> build, search;
+/// A detector whose steps are timed.
+class TimedDetector {
+public:
+    explicit TimedDetector(const Grid& grid) : detector_(grid) {}
 
-    [[nodiscard]] DetectionTimes quartiles() const { return {quartiles_of(build), quartiles_of(search)}; }
+    /// @param search uses the detector, after it has been built
+    template <class Search>
+    void step(const Points& x, const Search& search) {
+        constexpr int in_a_row = 16;  // a search is shorter than what the clock takes
+        build_.push_back(cpu_time_of([&] { detector_.build(x); }));
+        search_.push_back(cpu_time_of([&] {
+                              for (int k = 0; k < in_a_row; ++k) search(detector_);
+                          }) /
+                          in_a_row);
+    }
+
+    void forget() { build_.clear(), search_.clear(); }
+    [[nodiscard]] DetectionTimes times() const { return {quartiles_of(build_), quartiles_of(search_)}; }
+
+private:
+    Detector detector_;
+    std::vector<double> build_, search_;
 };
-
-template <class Build, class Search>
-void take_laps(Laps& laps, const Build& build, const Search& search) {
-    constexpr int in_a_row = 16;  // a search is shorter than what the clock takes
-    const double begin = thread_cpu_time();
-    build();
-    const double built = thread_cpu_time();
-    for (int k = 0; k < in_a_row; ++k) search();
-    laps.build.push_back(built - begin);
-    laps.search.push_back((thread_cpu_time() - built) / in_a_row);
-}
 
 }  // namespace
 
@@ -148,8 +154,7 @@ double predicted_misses(Target target, double q) {
 BothDetections time_detections(int side, int steps) {
     const Grid grid{side, side};
     Points from = flat_square(grid, 1), to = from;
-    Detector discrete(grid), continuous(grid);
-    Laps whole, swept;
+    TimedDetector discrete(grid), continuous(grid);
     RandomWays ways;
     const Real radius = Real(0.05), path = Real(10) / 60;
     for (int step = -2; step < steps; ++step) {
@@ -160,19 +165,13 @@ BothDetections time_detections(int side, int steps) {
         const Vec3 start = way.middle + path * (std::abs(ways.draw()) - 1) * way.direction;
         const Vec3 moved = path * way.direction;
         const Ball ball{.centre = start + moved, .radius = radius, .moved = moved};
-        take_laps(
-            whole, [&] { discrete.build(to); },
-            [&] {
-                discrete.touches({to, to}, ball, 0);
-            });
-        const auto meets = [&] {
-            continuous.touches({from, to}, ball, largest_displacement(to, from, Kernels::Vector) + path);
-        };
-        take_laps(
-            swept, [&] { continuous.build(to); }, meets);
-        if (step < 0) whole = {}, swept = {};  // they have warmed the caches
+        discrete.step(to, [&](Detector& detector) { detector.touches({to, to}, ball, 0); });
+        continuous.step(to, [&](Detector& detector) {
+            detector.touches({from, to}, ball, largest_displacement(to, from, Kernels::Vector) + path);
+        });
+        if (step < 0) discrete.forget(), continuous.forget();  // they have warmed the caches
     }
-    return {whole.quartiles(), swept.quartiles()};
+    return {discrete.times(), continuous.times()};
 }
 
 }  // namespace drape

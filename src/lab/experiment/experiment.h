@@ -1,7 +1,9 @@
 #pragma once
 
 #include <functional>
+#include <iterator>
 #include <map>
+#include <memory>
 #include <string>
 #include <variant>
 #include <vector>
@@ -39,33 +41,95 @@ struct Experiment {
     std::function<std::string(const std::vector<TableRow>& rows)> flaw_of_case;
 };
 
-/// The same as an experiment writes it: with rows of its own.
+/// A part of an experiment: its cases, and what is shown of their rows where there are any. A share may have none.
+template <class Row>
+struct PartOf {
+    std::string name;  ///< of its rows in the column `part`; empty: they are all
+    std::function<std::vector<CaseOf<Row>>(bool quick)> cases;
+    std::function<std::string(const std::vector<Row>& rows)> summary;
+    std::function<std::vector<Chart>(const std::vector<Row>& rows)> charts;
+
+    [[nodiscard]] std::vector<Row> rows_of(std::vector<Row> rows) const {
+        if constexpr (requires(Row row) { row.part; }) {
+            if (!name.empty()) return rows_with(std::move(rows), &Row::part, name);
+        }
+        return rows;
+    }
+};
+
+/// The same as an experiment states it: with rows of its own, which become cells where they leave a case, and rows
+/// again where a checked table is shown.
 template <class Row>
 struct ExperimentOf {
     std::string name;
     std::string question;
     RowFormat<Row> format;
-    std::function<std::vector<CaseOf<Row>>(bool quick)> cases;
-    std::function<std::vector<Chart>(const std::vector<Row>& rows)> charts;
-    std::function<std::string(const std::vector<Row>& rows)> summary;
+    std::vector<PartOf<Row>> parts;
     std::function<std::string(const std::vector<Row>& rows)> flaw_of_case = [](const auto&) { return ""; };
 
-    /// Its rows become cells where they leave a case, and rows again where a checked table is shown.
-    [[nodiscard]] Experiment as_table() const {
-        const auto read = [rows = format](const auto& show) {
-            // A share may have no cases
-            return [rows, show](const std::vector<TableRow>& cells) {
-                const auto typed = rows.rows(cells);
-                return typed.empty() ? decltype(show(typed)){} : show(typed);
-            };
-        };
-        const auto written = [rows = format, make = cases](bool quick) {
+    operator Experiment() const {
+        const auto own = std::make_shared<const ExperimentOf>(*this);
+        const auto all_cases = [own](bool quick) {
             std::vector<ExperimentCase> all;
-            for (auto& one : make(quick)) all.push_back([rows, one] { return rows.cells(one()); });
+            for (const PartOf<Row>& part : own->parts) {
+                for (const CaseOf<Row>& one : part.cases(quick)) {
+                    all.push_back([own, one] { return own->format.cells(one()); });
+                }
+            }
             return all;
         };
-        return {name, question, format.columns(), written, read(charts), read(summary), read(flaw_of_case)};
+        return {name,
+                question,
+                format.columns(),
+                all_cases,
+                [own](const auto& rows) { return own->shown(rows, &PartOf<Row>::charts); },
+                [own](const auto& rows) { return own->shown(rows, &PartOf<Row>::summary); },
+                [own](const auto& rows) { return own->flaw_of_case(own->format.rows(rows)); }};
+    }
+
+    /// What the parts show, one after the other.
+    template <class Shown>
+    [[nodiscard]] Shown shown(const std::vector<TableRow>& table,
+                              std::function<Shown(const std::vector<Row>&)> PartOf<Row>::*show) const {
+        Shown all;
+        const std::vector<Row> rows = format.rows(table);
+        for (const PartOf<Row>& part : parts) {
+            const std::vector<Row> own = part.rows_of(rows);
+            if (own.empty()) continue;
+            const Shown more = (part.*show)(own);
+            std::ranges::copy(more, std::back_inserter(all));
+        }
+        return all;
     }
 };
+
+/// A case for each choice of one value from every list; those of the last list change fastest.
+/// @param run(values...) gives the rows
+template <class Run>
+auto cases_over(const Run& run) {
+    return std::vector{std::function(run)};
+}
+
+template <class Run, class Value, class... Values>
+auto cases_over(const Run& run, const std::vector<Value>& list, const std::vector<Values>&... lists) {
+    std::vector<std::function<std::invoke_result_t<Run, Value, Values...>()>> all;
+    for (const Value& value : list) {
+        const auto chosen = [=](const Values&... others) { return run(value, others...); };
+        std::ranges::move(cases_over(chosen, lists...), std::back_inserter(all));
+    }
+    return all;
+}
+
+inline constexpr auto no_charts = [](const auto&) { return std::vector<Chart>{}; };
+
+/// A summary with a line for each row.
+template <class Line>
+auto line_of_each(const Line& line) {
+    return [line](const auto& rows) {
+        std::string text;
+        for (const auto& row : rows) text += line(row) + "\n";
+        return text;
+    };
+}
 
 }  // namespace drape

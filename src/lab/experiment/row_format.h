@@ -2,9 +2,12 @@
 
 #include <algorithm>
 #include <functional>
+#include <iterator>
 #include <limits>
+#include <map>
 #include <string>
-#include <variant>
+#include <type_traits>
+#include <utility>
 #include <vector>
 
 #include "drape/base/enum_names.h"
@@ -42,9 +45,14 @@ struct Column {
     /// @param with what it has in those rows
     [[nodiscard]] Column where(std::string column, std::vector<std::string> with) const;
 
-    /// What stands for a value in a cell; where a word may stand for no number, it does so for nan.
+    /// The same column, which has a number in the rows of one part of the experiment, and none in those of others.
+    /// @param others parts
+    [[nodiscard]] Column not_in(std::vector<std::string> others) const {
+        return or_nan().where("part", std::move(others));
+    }
+
+    /// What stands for a number in a cell; where a word may stand for no number, it does so for nan.
     [[nodiscard]] std::string cell(double value, int digits) const;
-    [[nodiscard]] static std::string cell(const std::string& word, int /*digits*/) { return word; }
 
     /// What a cell may be, as a message says it.
     [[nodiscard]] std::string allowed() const;
@@ -76,24 +84,70 @@ std::string flaw_of(const std::vector<Column>& columns, const TableRow& row);
 /// The number in a cell that has been checked; nan if it is empty.
 double number_in(const std::string& cell);
 
-/// A column of a table, and the member of a row that stands in it. Quartiles take three columns, NAME_UNIT for the
-/// median, NAME_lower_UNIT and NAME_upper_UNIT, unless the field names one of them.
+/// The cell of a value: a number, a word, one of an enumeration's values by its name, or the first or second word of
+/// its column for no or yes.
+template <class Value>
+std::string cell_of(const Column& column, const Value& value, int digits) {
+    if constexpr (std::is_same_v<Value, std::string>) return value;
+    if constexpr (NamedEnum<Value>) return name_of(value);
+    if constexpr (std::is_same_v<Value, bool>) return column.words[value ? 1 : 0];
+    if constexpr (std::is_arithmetic_v<Value>) return column.cell(static_cast<double>(value), digits);
+}
+
+/// Reads what `cell_of` has written.
+template <class Value>
+void read_cell(const Column& column, const std::string& cell, Value& value) {
+    static_assert(!std::is_integral_v<Value> || std::is_same_v<Value, bool> || sizeof(Value) == 8,
+                  "any whole number of a table fits");
+    if constexpr (std::is_same_v<Value, std::string>) value = cell;
+    if constexpr (NamedEnum<Value>) value = value_named<Value>(cell).value();
+    if constexpr (std::is_same_v<Value, bool>) {
+        value = cell != column.words[0];
+    } else if constexpr (std::is_arithmetic_v<Value>) {
+        value = static_cast<Value>(number_in(cell));
+    }
+}
+
+/// A member of a row, and the columns in which it stands: one, or three of quartiles, NAME_UNIT for the median,
+/// NAME_lower_UNIT and NAME_upper_UNIT, unless the field names one of them.
 template <class Row>
 struct Field {
-    Column column;
-    std::variant<double Row::*, std::string Row::*, Quartiles Row::*> member;
-    double Quartiles::*quartile = nullptr;
+    struct Cell {
+        Column column;
+        std::function<std::string(const Row& row, int digits)> write;
+        std::function<void(Row& row, const std::string& cell)> read;
+    };
 
-    /// What `use` makes of the number or the word in a row.
-    template <class AnyRow, class Use>
-    auto visit(AnyRow& row, const Use& use) const {
-        return std::visit(
-            [&](auto in_row) {
-                if constexpr (std::is_same_v<decltype(in_row), Quartiles Row::*>) return use((row.*in_row).*quartile);
-                if constexpr (!std::is_same_v<decltype(in_row), Quartiles Row::*>) return use(row.*in_row);
-            },
-            member);
+    template <class Owner, class Value>
+    Field(const Column& column, Value Owner::*member) {
+        const auto place = [member](auto& row) -> auto& { return row.*member; };
+        add(column, place);
     }
+
+    /// A part of a member that has several.
+    template <class Owner, class Member, class Value>
+    Field(const Column& column, Member Owner::*member, Value Member::*part) {
+        const auto place = [=](auto& row) -> auto& { return (row.*member).*part; };
+        add(column, place);
+    }
+
+    template <class Owner>
+    Field(Column column, Quartiles Owner::*member) : Field(column, member, &Quartiles::median) {
+        const std::string name = column.name;
+        for (const auto& [mark, quartile] :
+             {std::pair("_lower", &Quartiles::lower), std::pair("_upper", &Quartiles::upper)}) {
+            column.name = std::string(name).insert(name.find('_'), mark);
+            cells.push_back(Field(column, member, quartile).cells.front());
+        }
+    }
+
+    template <class Place>
+    void add(const Column& column, const Place& place) {
+        cells.push_back({column, [=](const Row& row, int digits) { return cell_of(column, place(row), digits); },
+                         [=](Row& row, const std::string& cell) { read_cell(column, cell, place(row)); }});
+    }
+
+    std::vector<Cell> cells = {};
 };
 
 /// How the rows of an experiment stand in its table: one list of fields makes columns, cells and rows.
@@ -102,40 +156,25 @@ class RowFormat {
 public:
     /// @param digits that are written of a number that is not a whole one
     RowFormat(int digits, const std::vector<Field<Row>>& fields) : digits_(digits) {
-        for (Field<Row> field : fields) {
-            const bool three = std::holds_alternative<Quartiles Row::*>(field.member) && field.quartile == nullptr;
-            if (three) field.quartile = &Quartiles::median;
-            fields_.push_back(field);
-            const std::string name = field.column.name;
-            for (const char* mark : {"_lower", "_upper"}) {
-                if (!three) break;
-                field.column.name = std::string(name).insert(name.find('_'), mark);
-                field.quartile = mark == std::string("_lower") ? &Quartiles::lower : &Quartiles::upper;
-                fields_.push_back(field);
-            }
-        }
+        for (const auto& [cells] : fields) std::ranges::copy(cells, std::back_inserter(cells_));
     }
 
     [[nodiscard]] std::vector<Column> columns() const {
         std::vector<Column> all;
-        for (const Field<Row>& field : fields_) all.push_back(field.column);
+        for (const auto& cell : cells_) all.push_back(cell.column);
         return all;
     }
 
     [[nodiscard]] TableRow cells(const Row& row) const {
         TableRow cells;
-        for (const Field<Row>& field : fields_) {
-            cells.push_back(field.visit(row, [&](const auto& value) { return field.column.cell(value, digits_); }));
-        }
+        for (const auto& cell : cells_) cells.push_back(cell.write(row, digits_));
         return cells;
     }
 
     /// @param cells as many as there are columns, checked by them
     [[nodiscard]] Row row(const TableRow& cells) const {
         Row row;
-        for (std::size_t k = 0; k < fields_.size(); ++k) {
-            fields_[k].visit(row, [&](auto& value) { read(cells[k], value); });
-        }
+        for (std::size_t k = 0; k < cells_.size(); ++k) cells_[k].read(row, cells[k]);
         return row;
     }
 
@@ -152,11 +191,8 @@ public:
     }
 
 private:
-    static void read(const std::string& cell, std::string& text) { text = cell; }
-    static void read(const std::string& cell, double& number) { number = number_in(cell); }
-
     int digits_;
-    std::vector<Field<Row>> fields_;
+    std::vector<typename Field<Row>::Cell> cells_;
 };
 
 /// The names of some items, for a column of words.
@@ -177,12 +213,20 @@ std::vector<std::string> words_of(const std::vector<Row>& rows, Word word) {
     return words;
 }
 
+/// Rows by what a function has for them.
+template <class Row, class Key>
+auto groups_of(const std::vector<Row>& rows, Key key) {
+    std::map<std::decay_t<std::invoke_result_t<Key, const Row&>>, std::vector<Row>> groups;
+    for (const Row& row : rows) groups[std::invoke(key, row)].push_back(row);
+    return groups;
+}
+
 /// A list of words for the script of a chart: "drop curtain".
 std::string in_words(const std::vector<std::string>& words);
 
 /// Rows that have a word in a member.
-template <class Row>
-std::vector<Row> rows_with(std::vector<Row> rows, std::string Row::*member, const std::string& word) {
+template <class Row, class Owner>
+std::vector<Row> rows_with(std::vector<Row> rows, std::string Owner::*member, const std::string& word) {
     std::erase_if(rows, [&](const Row& row) { return row.*member != word; });
     return rows;
 }

@@ -1,7 +1,5 @@
 #pragma once
 
-#include <limits>
-#include <memory>
 #include <span>
 
 #include "drape/bounds/broad_phase.h"
@@ -12,37 +10,35 @@ namespace drape {
 
 /// A line of the table. The parts of the experiment share its columns; what a part does not tell is nan.
 struct HierarchyRow {
-    static constexpr double none = std::numeric_limits<double>::quiet_NaN();
-
     std::string part;  ///< fit, level, budget, break_even or size
     std::string scene;
     std::string volume, sphere_fit, update;
-    double particles = none;
-    double leaf_cells = none;  ///< 0: as measured to be fastest
-    double level = none;       ///< that the row is about, or at which the search ended
-    double tests = none;       ///< after which the search ended
-    double interval_s = none;  ///< between frames
-    double frame = none;
+    double particles = no_number;
+    double leaf_cells = no_number;  ///< 0: as measured to be fastest
+    double level = no_number;       ///< that the row is about, or at which the search ended
+    double tests = no_number;       ///< after which the search ended
+    double interval_s = no_number;  ///< between frames
+    double frame = no_number;
 
-    static constexpr Quartiles no_times{none, none, none};
-    Quartiles build = no_times, query = no_times, exact = no_times;  ///< CPU times, over frames and repeats [s]
-    Quartiles whole = no_times;                                      ///< build, query and exact test
-    double cumulative_s = none;                                      ///< of all frames so far, medians over repeats
-    double cumulative_s_over_rebuild_s = none;                       ///< the same over that of `rebuild`
+    Quartiles build = no_quartiles, query = no_quartiles,
+              exact = no_quartiles;                  ///< CPU times, over frames and repeats [s]
+    Quartiles whole = no_quartiles;                  ///< build, query and exact test
+    double cumulative_s = no_number;                 ///< of all frames so far, medians over repeats
+    double cumulative_s_over_rebuild_s = no_number;  ///< the same over that of `rebuild`
 
     // A mean frame; the same in every run
-    double nodes = none;           ///< of the whole tree, or of the level
-    double visited = none;         ///< by the search
-    double candidates = none;      ///< cells
-    double touching = none;        ///< cells
-    double false_per_true = none;  ///< candidates that do not touch over those that do
-    double tightness = none;       ///< mean over nodes: size over that of the smallest volume of the kind
-    double moved = none;           ///< part of the particles that moved farther than a refit lets pass
+    double nodes = no_number;           ///< of the whole tree, or of the level
+    double visited = no_number;         ///< by the search
+    double candidates = no_number;      ///< cells
+    double touching = no_number;        ///< cells
+    double false_per_true = no_number;  ///< candidates that do not touch over those that do
+    double tightness = no_number;       ///< mean over nodes: size over that of the smallest volume of the kind
+    double moved = no_number;           ///< part of the particles that moved farther than a refit lets pass
 
     // What a limited search did to the simulated motion
-    double missed_penetration_m = none;  ///< largest
-    double false_contacts = none;        ///< a step
-    double distance_m = none;            ///< RMS of the particles from where the full search has them, at the end
+    double missed_penetration_m = no_number;  ///< largest
+    double false_contacts = no_number;        ///< a step
+    double distance_m = no_number;            ///< RMS of the particles from where the full search has them, at the end
 
     /// A row about a hierarchy on some frames of a motion.
     static HierarchyRow of(const std::string& part, const RecordedMotion& motion,
@@ -60,28 +56,8 @@ using HierarchyRows = std::vector<HierarchyRow>;
 /// The columns, and which of them each part fills.
 RowFormat<HierarchyRow> hierarchy_format();
 
-// The parts of the experiment. Each gives its cases; `quick` means fewer frames, hierarchies and repeats.
-
-using HierarchyCase = CaseOf<HierarchyRow>;
-
-/// What the cases record is kept for the others of the same program.
-using SharedMotions = std::shared_ptr<Motions>;
-
-/// Time a frame against false candidates, nodes visited and tightness: volume, sphere fit, update and leaf size on
-/// three scenes.
-std::vector<HierarchyCase> fit_cases(bool quick, const SharedMotions& motions);
-
-/// The same level by level: what a search knows that ends at a level, and what it has cost.
-std::vector<HierarchyCase> level_cases(bool quick, const SharedMotions& motions);
-
-/// What a search with a budget lets through and invents while the scene is simulated with it.
-std::vector<HierarchyCase> budget_cases(bool quick, const SharedMotions& motions);
-
-/// What the updates have cost in all, frame by frame, at several intervals between frames.
-std::vector<HierarchyCase> break_even_cases(bool quick, const SharedMotions& motions);
-
-/// Cost against the number of particles, on a motion resampled.
-std::vector<HierarchyCase> size_cases(bool quick, const SharedMotions& motions);
+/// The cases of all parts; `quick` means fewer frames, hierarchies and repeats.
+std::vector<CaseOf<HierarchyRow>> hierarchy_cases(bool quick);
 
 /// A scene whose motion is recorded, from shortly before cloth and ball meet.
 struct HierarchyScene {
@@ -117,9 +93,6 @@ struct Growth {
 /// at the least no longer counts. Hierarchies with fewer than two such sizes are left out.
 /// @param rows of the part "size"
 std::vector<Growth> growths(const HierarchyRows& rows);
-
-/// The size of a node's volume, 0 for what is none.
-std::size_t bytes_of_a_node(const std::string& volume);
 
 /// A line or more a part.
 std::string hierarchy_summary(const HierarchyRows& rows);

@@ -4,7 +4,6 @@
 #include <map>
 #include <tuple>
 
-#include "drape/bounds/node_view.h"
 #include "lab/experiments.h"
 
 namespace drape {
@@ -19,29 +18,18 @@ Column in_parts(const Column& column, const std::vector<std::string>& with) {
     return column.or_nan().where("part", without);
 }
 
-std::vector<HierarchyCase> hierarchy_cases(bool quick) {
-    const auto motions = std::make_shared<Motions>();
-    std::vector<HierarchyCase> all;
-    for (const auto part : {fit_cases, level_cases, budget_cases, break_even_cases, size_cases}) {
-        for (HierarchyCase& one : part(quick, motions)) all.push_back(std::move(one));
-    }
-    return all;
-}
-
 /// Updates are compared over frames: all of them need the same ones. Tables from before there was `insertion` have none
 /// of its rows.
 std::string flaw_of_hierarchy_case(const std::vector<HierarchyRow>& rows) {
-    using Key = std::tuple<std::string, std::string, double>;
-    std::map<Key, std::map<std::string, std::vector<double>>> frames;
-    for (const HierarchyRow& row : rows_with(rows, &HierarchyRow::part, "break_even")) {
-        frames[{row.scene, row.volume, row.interval_s}][row.update].push_back(row.frame);
-    }
-    for (auto& [key, updates] : frames) {
+    const auto key = [](const HierarchyRow& row) { return std::tuple(row.scene, row.volume, row.interval_s); };
+    const auto first = names_of<UpdateKind>().front();
+    for (const auto& [which, compared] : groups_of(rows_with(rows, &HierarchyRow::part, "break_even"), key)) {
+        std::map<std::string, std::vector<double>> frames;
+        for (const HierarchyRow& row : compared) frames[row.update].push_back(row.frame);
         for (const std::string& update : names_of<UpdateKind>()) {
-            if (update == name_of(UpdateKind::Insertion) && !updates.contains(update)) continue;
-            if (updates[update] == updates[names_of<UpdateKind>().front()]) continue;
-            return "the rows of update '" + update + "' are not of the same frames as those of '" +
-                   names_of<UpdateKind>().front() + "'";
+            if (update == name_of(UpdateKind::Insertion) && !frames.contains(update)) continue;
+            if (frames[update] == frames[first]) continue;
+            return "the rows of update '" + update + "' are not of the same frames as those of '" + first + "'";
         }
     }
     return "";
@@ -51,11 +39,6 @@ std::string flaw_of_hierarchy_case(const std::vector<HierarchyRow>& rows) {
 
 HierarchyRow HierarchyRow::of(const std::string& part, const RecordedMotion& motion,
                               const BroadPhaseParameters& parameters, const std::vector<FrameCounts>& counts) {
-    const auto mean = [&counts](auto count) {
-        double sum = 0;
-        for (const FrameCounts& one : counts) sum += static_cast<double>(count(one));
-        return sum / static_cast<double>(counts.size());
-    };
     HierarchyRow row;
     row.part = part;
     row.scene = motion.scene;
@@ -65,30 +48,23 @@ HierarchyRow HierarchyRow::of(const std::string& part, const RecordedMotion& mot
     row.particles = motion.grid.particles();
     row.leaf_cells = parameters.leaf_cells;
     row.interval_s = motion.interval;
-    row.nodes = mean([](const FrameCounts& one) { return one.traversal.nodes; });
-    row.visited = mean([](const FrameCounts& one) { return one.traversal.visited; });
-    row.candidates = mean([](const FrameCounts& one) { return one.candidates; });
-    row.touching = mean([](const FrameCounts& one) { return one.touching; });
+    row.nodes = mean_over_frames(counts, [](const FrameCounts& one) { return one.traversal.nodes; });
+    row.visited = mean_over_frames(counts, [](const FrameCounts& one) { return one.traversal.visited; });
+    row.candidates = mean_over_frames(counts, &FrameCounts::candidates);
+    row.touching = mean_over_frames(counts, &FrameCounts::touching);
     row.false_per_true = drape::false_per_true(counts);
     return row;
 }
 
 void HierarchyRow::set_times(const HierarchyRun& run) {
-    build = quartiles_over_frames(run, [](const FrameTimes& t) { return t.build; });
-    query = quartiles_over_frames(run, [](const FrameTimes& t) { return t.query; });
-    exact = quartiles_over_frames(run, [](const FrameTimes& t) { return t.exact; });
-    whole = quartiles_over_frames(run, [](const FrameTimes& t) { return t.whole(); });
+    build = quartiles_over_frames(run, &FrameTimes::build);
+    query = quartiles_over_frames(run, &FrameTimes::query);
+    exact = quartiles_over_frames(run, &FrameTimes::exact);
+    whole = quartiles_over_frames(run, &FrameTimes::whole);
 }
 
 std::string HierarchyRow::variant() const {
     return volume == "sphere" && sphere_fit != names_of<SphereFit>().front() ? volume + " " + sphere_fit : volume;
-}
-
-std::size_t bytes_of_a_node(const std::string& volume) {
-    const auto names = names_of<VolumeKind>();
-    const auto kind = static_cast<VolumeKind>(std::ranges::find(names, volume) - names.begin());
-    if (kind >= VolumeKind::Brute) return 0;
-    return with_volume(kind, []<class Volume>(std::type_identity<Volume>) { return sizeof(Volume); });
 }
 
 RowFormat<HierarchyRow> hierarchy_format() {
@@ -130,12 +106,11 @@ RowFormat<HierarchyRow> hierarchy_format() {
 }
 
 Experiment hierarchy_experiment() {
-    return ExperimentOf<HierarchyRow>{
-        "hierarchy",           "what does a tighter hierarchy cost, and what does it save?",
-        hierarchy_format(),    hierarchy_cases,
-        hierarchy_charts,      hierarchy_summary,
-        flaw_of_hierarchy_case}
-        .as_table();
+    return ExperimentOf<HierarchyRow>{"hierarchy",
+                                      "what does a tighter hierarchy cost, and what does it save?",
+                                      hierarchy_format(),
+                                      {{"", hierarchy_cases, hierarchy_summary, hierarchy_charts}},
+                                      flaw_of_hierarchy_case};
 }
 
 }  // namespace drape

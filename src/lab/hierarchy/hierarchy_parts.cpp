@@ -1,5 +1,7 @@
 #include <algorithm>
 #include <cmath>
+#include <iterator>
+#include <memory>
 #include <set>
 #include <utility>
 
@@ -8,22 +10,25 @@
 #include "drape/sim/scene.h"
 #include "drape/sim/simulation.h"
 #include "hierarchy.h"
+#include "lab/measure/methods.h"
 
 namespace drape {
 namespace {
 
-constexpr UpdateKind all_updates[] = {UpdateKind::Rebuild, UpdateKind::Merge, UpdateKind::Insertion, UpdateKind::Refit,
-                                      UpdateKind::None};
+using HierarchyCases = std::vector<CaseOf<HierarchyRow>>;
+
+/// What the cases record is kept for the others of the same program.
+using SharedMotions = std::shared_ptr<Motions>;
 
 /// A case that measures some hierarchies on one motion.
-/// @param add_rows(motion, parameters, rows) about one of them
+/// @param add_rows(motion, parameters, quick, rows) about one of them
 template <class AddRows>
-HierarchyCase case_of(const SharedMotions& motions, const MotionWanted& wanted,
-                      const std::vector<BroadPhaseParameters>& hierarchies, const AddRows& add_rows) {
+CaseOf<HierarchyRow> case_of(bool quick, const SharedMotions& motions, const MotionWanted& wanted,
+                             const std::vector<BroadPhaseParameters>& hierarchies, AddRows add_rows) {
     return [=] {
         const RecordedMotion motion = motions->find(wanted);
         HierarchyRows rows;
-        for (const BroadPhaseParameters& parameters : hierarchies) add_rows(motion, parameters, rows);
+        for (const BroadPhaseParameters& parameters : hierarchies) add_rows(motion, parameters, quick, rows);
         return rows;
     };
 }
@@ -51,6 +56,18 @@ std::vector<BroadPhaseParameters> volumes_and_fits(bool quick) {
     for (const SphereFit fit : {BoxCentre, Epos6, Epos26}) all.push_back({.sphere_fit = fit});
     for (const VolumeKind kind : {Kdop6, Kdop14, Kdop26}) all.push_back({.volume = kind});
     return all;
+}
+
+void measure_fit(const RecordedMotion& motion, const BroadPhaseParameters& parameters, bool quick,
+                 HierarchyRows& rows) {
+    const RunPlan plan{.repeats = quick ? 3 : 7, .tightness_every = some_frames(motion)};
+    const HierarchyRun run = add_row("fit", motion, parameters, plan, rows);
+    if (!run.tightness.empty()) rows.back().tightness = over_levels(run.tightness).mean();
+}
+
+void measure_size(const RecordedMotion& motion, const BroadPhaseParameters& parameters, bool quick,
+                  HierarchyRows& rows) {
+    add_row("size", motion, parameters, {.repeats = motion.grid.nx <= 128 ? 15 : quick ? 3 : 7}, rows);
 }
 
 /// One search a level, each on a tree of its own: it ends there, and what it visited more than the one before it is
@@ -115,8 +132,10 @@ std::vector<SearchLimit> limits(const BroadPhaseParameters& parameters, const Gr
     return all;
 }
 
-void measure_budget(const RecordedMotion& motion, BroadPhaseParameters parameters, double time, bool quick,
-                    HierarchyRows& rows) {
+void measure_budget(const RecordedMotion& motion, BroadPhaseParameters parameters, bool quick, HierarchyRows& rows) {
+    // Long enough for the ball to be well in the cloth
+    const HierarchyScene& scene = *std::ranges::find(hierarchy_scenes, motion.scene, &HierarchyScene::name);
+    const double time = scene.from + (quick ? 0.4 : 1.0);
     const SearchedRun full = simulate(motion.scene, parameters, time);
     for (const SearchLimit& limit : limits(parameters, motion.grid, quick)) {
         parameters.search = limit;
@@ -151,14 +170,14 @@ double moved_part(const RecordedMotion& motion, std::size_t frame, Real distance
 void measure_break_even(const RecordedMotion& motion, BroadPhaseParameters parameters, bool quick,
                         HierarchyRows& rows) {
     std::vector<HierarchyRun> runs;
-    for (const UpdateKind update : all_updates) {
+    for (const UpdateKind update : values_of<UpdateKind>()) {
         parameters.update = update;
         const auto hierarchy = make_broad_phase(parameters, motion.grid);
         runs.push_back(follow(motion, *hierarchy, {.repeats = quick ? 5 : 15, .tightness_every = 5}));
     }
     const std::vector<double> rebuild = frame_costs(runs[static_cast<std::size_t>(UpdateKind::Rebuild)]);
     const std::vector<Real>& slack = runs[static_cast<std::size_t>(UpdateKind::Refit)].slack;
-    for (const UpdateKind update : all_updates) {
+    for (const UpdateKind update : values_of<UpdateKind>()) {
         parameters.update = update;
         const HierarchyRun& run = runs[static_cast<std::size_t>(update)];
         const std::vector<double> costs = frame_costs(run);
@@ -188,27 +207,21 @@ std::set<double> intervals(const HierarchyScene& scene, bool quick) {
     return whole;
 }
 
-}  // namespace
-
-std::vector<HierarchyCase> fit_cases(bool quick, const SharedMotions& motions) {
-    const auto measure = [quick](const RecordedMotion& motion, const BroadPhaseParameters& parameters,
-                                 HierarchyRows& rows) {
-        const HierarchyRun run = add_row("fit", motion, parameters,
-                                         {.repeats = quick ? 3 : 7, .tightness_every = some_frames(motion)}, rows);
-        if (!run.tightness.empty()) rows.back().tightness = over_levels(run.tightness).mean();
-    };
-    std::vector<HierarchyCase> cases;
+/// Time a frame against false candidates, nodes visited and tightness: volume, sphere fit, update and leaf size on
+/// three scenes.
+HierarchyCases fit_cases(bool quick, const SharedMotions& motions) {
+    HierarchyCases cases;
     const auto add = [&](const MotionWanted& wanted) {
-        cases.push_back(case_of(motions, wanted, {{.volume = VolumeKind::Brute}}, measure));
+        cases.push_back(case_of(quick, motions, wanted, {{.volume = VolumeKind::Brute}}, measure_fit));
         for (BroadPhaseParameters parameters : volumes_and_fits(quick)) {
-            for (const UpdateKind update : all_updates) {
+            for (const UpdateKind update : values_of<UpdateKind>()) {
                 parameters.update = update;
                 std::vector<BroadPhaseParameters> leaves;
                 for (const int cells : quick ? std::vector{2, 4, 7} : std::vector{1, 2, 4, 7, 11, 15}) {
                     leaves.push_back(parameters);
                     leaves.back().leaf_cells = cells;
                 }
-                cases.push_back(case_of(motions, wanted, leaves, measure));
+                cases.push_back(case_of(quick, motions, wanted, leaves, measure_fit));
             }
         }
     };
@@ -223,74 +236,78 @@ std::vector<HierarchyCase> fit_cases(bool quick, const SharedMotions& motions) {
     return cases;
 }
 
-std::vector<HierarchyCase> level_cases(bool quick, const SharedMotions& motions) {
+/// The same level by level: what a search knows that ends at a level, and what it has cost.
+HierarchyCases level_cases(bool quick, const SharedMotions& motions) {
     std::vector<BroadPhaseParameters> hierarchies;
     for (const VolumeKind family : volume_families) hierarchies.push_back({.volume = family, .leaf_cells = 1});
     hierarchies.push_back({.leaf_cells = 1, .sphere_fit = SphereFit::Welzl});
     hierarchies.push_back({.update = UpdateKind::Merge, .leaf_cells = 1});
-    std::vector<HierarchyCase> cases;
+    HierarchyCases cases;
     for (const HierarchyScene& scene : hierarchy_scenes) {
         for (const BroadPhaseParameters& parameters : hierarchies) {
-            cases.push_back(case_of(motions, scene.frames(quick ? 40 : 120), {parameters},
-                                    [quick](const auto& motion, const auto& hierarchy, auto& rows) {
-                                        measure_level(motion, hierarchy, quick, rows);
-                                    }));
+            cases.push_back(case_of(quick, motions, scene.frames(quick ? 40 : 120), {parameters}, measure_level));
         }
     }
     return cases;
 }
 
-std::vector<HierarchyCase> budget_cases(bool quick, const SharedMotions& motions) {
-    std::vector<HierarchyCase> cases;
+/// What a search with a budget lets through and invents while the scene is simulated with it.
+HierarchyCases budget_cases(bool quick, const SharedMotions& motions) {
+    HierarchyCases cases;
     for (const HierarchyScene& scene : hierarchy_scenes) {
         for (const VolumeKind family : volume_families) {
             if (quick && family != VolumeKind::Sphere) continue;
-            // Long enough for the ball to be well in the cloth
-            const double time = scene.from + (quick ? 0.4 : 1.0);
-            cases.push_back(case_of(motions, scene.frames(quick ? 40 : 120), {{.volume = family, .leaf_cells = 4}},
-                                    [=](const auto& motion, const auto& hierarchy, auto& rows) {
-                                        measure_budget(motion, hierarchy, time, quick, rows);
-                                    }));
+            cases.push_back(case_of(quick, motions, scene.frames(quick ? 40 : 120),
+                                    {{.volume = family, .leaf_cells = 4}}, measure_budget));
         }
     }
     return cases;
 }
 
-std::vector<HierarchyCase> break_even_cases(bool quick, const SharedMotions& motions) {
-    std::vector<HierarchyCase> cases;
+/// What the updates have cost in all, frame by frame, at several intervals between frames.
+HierarchyCases break_even_cases(bool quick, const SharedMotions& motions) {
+    HierarchyCases cases;
     for (const HierarchyScene& scene : hierarchy_scenes) {
         for (const VolumeKind family : volume_families) {
             if (quick && family != VolumeKind::Sphere && family != VolumeKind::Aabb) continue;
             for (const double interval : intervals(scene, quick)) {
                 // So many particles that the hierarchy is worth its while
                 const MotionWanted wanted{scene.name, scene.from, interval, quick ? 31 : 61, 64};
-                cases.push_back(case_of(motions, wanted, {{.volume = family, .leaf_cells = 4}},
-                                        [quick](const auto& motion, const auto& hierarchy, auto& rows) {
-                                            measure_break_even(motion, hierarchy, quick, rows);
-                                        }));
+                cases.push_back(
+                    case_of(quick, motions, wanted, {{.volume = family, .leaf_cells = 4}}, measure_break_even));
             }
         }
     }
     return cases;
 }
 
-std::vector<HierarchyCase> size_cases(bool quick, const SharedMotions& motions) {
-    const auto measure = [quick](const RecordedMotion& motion, const BroadPhaseParameters& parameters,
-                                 HierarchyRows& rows) {
-        add_row("size", motion, parameters, {.repeats = motion.grid.nx <= 128 ? 15 : quick ? 3 : 7}, rows);
-    };
-    std::vector<HierarchyCase> cases;
+/// Cost against the number of particles, on a motion resampled.
+HierarchyCases size_cases(bool quick, const SharedMotions& motions) {
+    HierarchyCases cases;
     for (const int side : quick ? std::vector{16, 32, 64, 128, 256} : std::vector{16, 32, 64, 128, 256, 512, 1024}) {
         // Few frames, so that they can be held at any size: the ball is in the middle of the curtain
         const MotionWanted wanted{"curtain", 1.2, 1.0 / 60, 5, side};
-        cases.push_back(case_of(motions, wanted, {{.volume = VolumeKind::Brute}}, measure));
+        cases.push_back(case_of(quick, motions, wanted, {{.volume = VolumeKind::Brute}}, measure_size));
         for (const VolumeKind family : volume_families) {
             std::vector<BroadPhaseParameters> hierarchies;
-            for (const UpdateKind update : all_updates) hierarchies.push_back({.volume = family, .update = update});
-            cases.push_back(case_of(motions, wanted, hierarchies, measure));
+            for (const UpdateKind update : values_of<UpdateKind>()) {
+                hierarchies.push_back({.volume = family, .update = update});
+            }
+            cases.push_back(case_of(quick, motions, wanted, hierarchies, measure_size));
         }
     }
     return cases;
+}
+
+}  // namespace
+
+HierarchyCases hierarchy_cases(bool quick) {
+    const auto motions = std::make_shared<Motions>();
+    HierarchyCases all;
+    for (const auto part : {fit_cases, level_cases, budget_cases, break_even_cases, size_cases}) {
+        std::ranges::move(part(quick, motions), std::back_inserter(all));
+    }
+    return all;
 }
 
 }  // namespace drape

@@ -4,7 +4,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <limits>
 
 #include "drape/base/assert.h"
 #include "drape/base/input_error.h"
@@ -184,22 +183,10 @@ HierarchyRun follow(const RecordedMotion& motion, BroadPhase& hierarchy, const R
     return run;
 }
 
-Quartiles quartiles_over_frames(const HierarchyRun& run, double (*time)(const FrameTimes&)) {
-    std::vector<double> times;
-    for (std::size_t k = 1; k < run.times.size(); ++k) {
-        for (const FrameTimes& frame : run.times[k]) times.push_back(time(frame));
-    }
-    return quartiles_of(std::move(times));
-}
-
 double false_per_true(const std::vector<FrameCounts>& counts) {
     std::int64_t candidates = 0, touching = 0;
-    for (const FrameCounts& frame : counts) {
-        candidates += frame.candidates;
-        touching += frame.touching;
-    }
-    return touching > 0 ? static_cast<double>(candidates - touching) / static_cast<double>(touching)
-                        : std::numeric_limits<double>::quiet_NaN();
+    for (const FrameCounts& frame : counts) candidates += frame.candidates, touching += frame.touching;
+    return touching > 0 ? static_cast<double>(candidates - touching) / static_cast<double>(touching) : no_number;
 }
 
 }  // namespace drape

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <functional>
 #include <map>
 #include <string>
 #include <tuple>
@@ -109,7 +110,23 @@ struct RunPlan {
 HierarchyRun follow(const RecordedMotion& motion, BroadPhase& hierarchy, const RunPlan& plan);
 
 /// Over frames and repeats, but for the first frame.
-Quartiles quartiles_over_frames(const HierarchyRun& run, double (*time)(const FrameTimes&));
+/// @param time a member of `FrameTimes`
+template <class Time>
+Quartiles quartiles_over_frames(const HierarchyRun& run, Time time) {
+    std::vector<double> times;
+    for (std::size_t k = 1; k < run.times.size(); ++k) {
+        for (const FrameTimes& frame : run.times[k]) times.push_back(std::invoke(time, frame));
+    }
+    return quartiles_of(std::move(times));
+}
+
+/// @param count a member of `FrameCounts`, or a function of it
+template <class Count>
+double mean_over_frames(const std::vector<FrameCounts>& counts, Count count) {
+    double sum = 0;
+    for (const FrameCounts& one : counts) sum += static_cast<double>(std::invoke(count, one));
+    return sum / static_cast<double>(counts.size());
+}
 
 /// Candidates that do not touch over those that do, over all frames.
 double false_per_true(const std::vector<FrameCounts>& counts);

@@ -4,9 +4,18 @@
 #include <string>
 #include <vector>
 
+#include "drape/base/enum_names.h"
 #include "drape/integrate/integrator.h"
 
 namespace drape {
+
+/// All values of an enumeration with names.
+template <NamedEnum Enum>
+std::vector<Enum> values_of() {
+    std::vector<Enum> values;
+    for (std::size_t k = 0; k < enum_names<Enum>.size(); ++k) values.push_back(static_cast<Enum>(k));
+    return values;
+}
 
 /// An integrator with its variant, as tables and charts call it: "rk4", "bdf2_exact", "xpbd_20".
 struct Method {

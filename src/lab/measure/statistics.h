@@ -1,5 +1,6 @@
 #pragma once
 
+#include <limits>
 #include <optional>
 #include <span>
 #include <utility>
@@ -12,11 +13,23 @@ struct Quartiles {
     double lower = 0, median = 0, upper = 0;
 };
 
+/// In place of a number that there is not.
+inline constexpr double no_number = std::numeric_limits<double>::quiet_NaN();
+inline constexpr Quartiles no_quartiles{no_number, no_number, no_number};
+
 /// @param values at least one; between two of them it is interpolated linearly
 Quartiles quartiles_of(std::vector<double> values);
 
 /// CPU time that this thread has used [s]. What others do on the machine does not count, but for the caches they share.
 double thread_cpu_time();
+
+/// CPU time that this thread takes for something [s].
+template <class Work>
+double cpu_time_of(const Work& work) {
+    const double before = thread_cpu_time();
+    work();
+    return thread_cpu_time() - before;
+}
 
 /// CPU time that all threads of the program have used [s].
 double program_cpu_time();

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <sstream>
 
 #include "drape/base/input_error.h"
 #include "drape/base/output_file.h"
@@ -34,18 +35,16 @@ std::set<Knob> free_knobs(const Settings& scene) {
     const auto names = names_of<Knob>();
     const auto all = values_of<Knob>();
     std::set<Knob> knobs(all.begin(), all.end());
-    const std::string& keep = scene.needs.keep;
-    constexpr const char* between = ", ";
-    for (std::size_t begin = keep.find_first_not_of(between); begin < keep.size();) {
-        const std::size_t end = std::min(keep.find_first_of(between, begin), keep.size());
-        const std::string word = keep.substr(begin, end - begin);
+    std::string keep = scene.needs.keep;
+    std::ranges::replace(keep, ',', ' ');
+    std::istringstream words(keep);
+    for (std::string word; words >> word;) {
         const auto knob = value_named<Knob>(word);
         if (!knob) {
             throw InputError("needs.keep: '" + shortened(word) + "': allowed " + listed(names) + "; did you mean '" +
                              nearest_name(word, names) + "'?");
         }
         knobs.erase(*knob);
-        begin = keep.find_first_not_of(between, end);
     }
     if (scene.cloths[0].pinned.kind == Pins::Kind::List || !scene.start.empty()) knobs.erase(Knob::Particles);
     if (scene.balls.empty()) {

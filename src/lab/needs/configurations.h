@@ -9,6 +9,7 @@
 
 #include "drape/base/enum_names.h"
 #include "drape/sim/settings.h"
+#include "lab/measure/methods.h"
 
 namespace drape {
 
@@ -18,14 +19,6 @@ enum class Knob { Particles, Bend, Drag, Integrator, Dt, Iterations, Volume, Upd
 template <>
 inline constexpr auto enum_names<Knob> = all_names<Knob>("particles", "bend", "drag", "integrator", "dt", "iterations",
                                                          "volume", "update", "sphere_fit", "leaf_cells");
-
-/// All values of an enumeration with names.
-template <NamedEnum Enum>
-std::vector<Enum> values_of() {
-    std::vector<Enum> values;
-    for (std::size_t k = 0; k < names_of<Enum>().size(); ++k) values.push_back(static_cast<Enum>(k));
-    return values;
-}
 
 /// The knobs that a scene leaves free: all but those in its `needs.keep` and those with nothing to act on. Particles
 /// stay where pins or a start state count them, and the hierarchy where there is no ball to search for.

@@ -29,10 +29,8 @@ double spread(const Points& x) {
 
 /// By how much two cloths of one grid differ at a moment [m].
 double distance(const Points& x, const Points& full, NeedsMeasure measure) {
+    if (measure == NeedsMeasure::Positions) return position_error(x, full, 1);
     const Points off = x - full;
-    if (measure == NeedsMeasure::Positions) {
-        return std::sqrt(static_cast<double>(off.squaredNorm()) / static_cast<double>(off.rows()));
-    }
     return larger(static_cast<double>(off.colwise().mean().norm()), std::abs(spread(x) - spread(full)));
 }
 

@@ -124,12 +124,8 @@ private:
                 if (contact.*member == value) continue;
                 contact.*member = value;
                 if (is_limited(contact)) attempt = needs_.attempt(Settings(attempt.settings));
-                if (!attempt.qualifies()) {
-                    trail_(attempt, attempt.why);
-                    continue;
-                }
-                const bool cheaper = is_cheaper(attempt, worth_it);
-                trail_(attempt, cheaper ? "cheapest so far" : "not cheaper");
+                const bool cheaper = attempt.qualifies() && is_cheaper(attempt, worth_it);
+                trail_(attempt, !attempt.qualifies() ? attempt.why : cheaper ? "cheapest so far" : "not cheaper");
                 if (cheaper) cheapest_ = attempt;
             }
         };

@@ -2,7 +2,6 @@
 
 #include <array>
 #include <filesystem>
-#include <limits>
 
 #include "lab/experiment/experiment.h"
 
@@ -32,23 +31,15 @@ struct OriginalSearch {
 };
 
 /// One way in which the scene is run, once. What only a program that draws can tell is nan where there is none.
-struct OriginalRow {
-    static constexpr double none = std::numeric_limits<double>::quiet_NaN();
-
-    std::string volume;
-    double drawn = 0;                                                ///< 1 if bounds are in the picture
-    double execution = 0, execution_lower = 0, execution_upper = 0;  ///< CPU time of all steps of a frame [s]
-    double rate = none;                                              ///< frames per second, a median as all of these
-    double gl_calls = none, vertices = none;                         ///< a frame
-    double cpu = none;  ///< processor time over wall time; more than 1 where several threads draw
-    double build = 0, search = 0, exact = 0, candidates = 0;  ///< see OriginalSearch; with the scene's leaves
-    double single_build = 0, single_search = 0, single_exact = 0, single_candidates = 0;  ///< down to single cells
+struct OriginalRow : OriginalWay {
+    Quartiles execution;            ///< CPU time of all steps of a frame [s]
+    OriginalSearch leaves, single;  ///< with the scene's leaves, and down to single cells
+    double rate = no_number;        ///< frames per second, a median as all of these
+    double gl_calls = no_number;    ///< a frame
+    double cpu = no_number;         ///< processor time over wall time; more than 1 where several threads draw
+    double vertices = no_number;    ///< a frame
 };
 using OriginalRows = std::vector<OriginalRow>;
-
-/// Measures what simulating takes, without drawing.
-/// @throws RunError if a hierarchy disagrees with brute force
-OriginalRow time_original(const OriginalWay& way, const OriginalPlan& plan);
 
 /// Adds what `drape-capture` says of the pictures.
 /// @param program to draw with
@@ -59,6 +50,7 @@ bool draw_original(const OriginalWay& way, const OriginalPlan& plan, const std::
 
 /// The rows of one case: spheres and boxes in turn, without and with bounds in the picture.
 /// @param draws receives whether there was a program to draw with
+/// @throws RunError if a hierarchy disagrees with brute force
 OriginalRows original_rows(const OriginalPlan& plan, const std::filesystem::path& program, bool& draws);
 
 /// The five tests side by side, and build and search apart.

@@ -24,14 +24,10 @@ constexpr const char* picture_size = "640x480";
 OriginalSearch time_search(const RecordedMotion& motion, const BroadPhaseParameters& parameters, int passes) {
     const auto hierarchy = make_broad_phase(parameters, motion.grid);
     const HierarchyRun run = follow(motion, *hierarchy, {.repeats = passes});
-    const auto median = [&run](double (*time)(const FrameTimes&)) { return quartiles_over_frames(run, time).median; };
-    OriginalSearch found{.build = median([](const FrameTimes& frame) { return frame.build; }),
-                         .search = median([](const FrameTimes& frame) { return frame.query; }),
-                         .exact = median([](const FrameTimes& frame) { return frame.exact; })};
-    for (const FrameCounts& frame : run.counts) {
-        found.candidates += static_cast<double>(frame.candidates) / static_cast<double>(run.counts.size());
-    }
-    return found;
+    return {.build = quartiles_over_frames(run, &FrameTimes::build).median,
+            .search = quartiles_over_frames(run, &FrameTimes::query).median,
+            .exact = quartiles_over_frames(run, &FrameTimes::exact).median,
+            .candidates = mean_over_frames(run.counts, &FrameCounts::candidates)};
 }
 
 /// The medians of some columns of a table of numbers, whose first line after comments has their names.
@@ -69,8 +65,7 @@ std::vector<std::string> original_assignments(const OriginalWay& way) {
             "sleep_speed=0",           std::string("view.bounds=") + (way.bounds_drawn ? "true" : "false")};
 }
 
-}  // namespace
-
+/// Measures what simulating takes, without drawing.
 OriginalRow time_original(const OriginalWay& way, const OriginalPlan& plan) {
     Settings settings = load_scene(original_scene);
     assign_all(settings, original_assignments(way));
@@ -79,33 +74,22 @@ OriginalRow time_original(const OriginalWay& way, const OriginalPlan& plan) {
     Simulation simulation(original_scene, settings);
     std::vector<double> frames;
     for (int frame = 0; frame < plan.first + plan.frames; ++frame) {
-        const double before = thread_cpu_time();
-        for (int k = 0; k < steps; ++k) simulation.step();
-        if (frame >= plan.first) frames.push_back(thread_cpu_time() - before);
+        const double seconds = cpu_time_of([&] {
+            for (int k = 0; k < steps; ++k) simulation.step();
+        });
+        if (frame >= plan.first) frames.push_back(seconds);
     }
     if (simulation.report().contacts == 0) throw RunError("original: the cloth does not lie on the ball");
 
     const RecordedMotion motion =
         record_motion({original_scene, plan.first / frame_rate, 1 / frame_rate, std::max(plan.frames, 2)}, settings);
     BroadPhaseParameters parameters = broad_phase_of(settings);
-    const OriginalSearch with_leaves = time_search(motion, parameters, plan.passes);
+    const OriginalSearch leaves = time_search(motion, parameters, plan.passes);
     parameters.leaf_cells = 1;
-    const OriginalSearch single = time_search(motion, parameters, plan.passes);
-    const Quartiles execution = quartiles_of(std::move(frames));
-    return {.volume = way.volume,
-            .drawn = way.bounds_drawn ? 1. : 0.,
-            .execution = execution.median,
-            .execution_lower = execution.lower,
-            .execution_upper = execution.upper,
-            .build = with_leaves.build,
-            .search = with_leaves.search,
-            .exact = with_leaves.exact,
-            .candidates = with_leaves.candidates,
-            .single_build = single.build,
-            .single_search = single.search,
-            .single_exact = single.exact,
-            .single_candidates = single.candidates};
+    return {way, quartiles_of(std::move(frames)), leaves, time_search(motion, parameters, plan.passes)};
 }
+
+}  // namespace
 
 bool draw_original(const OriginalWay& way, const OriginalPlan& plan, const std::filesystem::path& program,
                    OriginalRow& row) {
@@ -121,6 +105,17 @@ bool draw_original(const OriginalWay& way, const OriginalPlan& plan, const std::
     const auto medians = column_medians(stats, {"rate", "gl_calls", "cpu", "vertices"}, plan.first);
     row.rate = medians[0], row.gl_calls = medians[1], row.cpu = medians[2], row.vertices = medians[3];
     return true;
+}
+
+OriginalRows original_rows(const OriginalPlan& plan, const std::filesystem::path& program, bool& draws) {
+    OriginalRows rows;
+    // What is compared is timed close together: the clock of a processor that others use comes and goes
+    for (const OriginalWay& way : original_ways) rows.push_back(time_original(way, plan));
+    draws = true;
+    for (std::size_t k = 0; k < rows.size() && draws; ++k) {
+        draws = draw_original(original_ways[k], plan, program, rows[k]);
+    }
+    return rows;
 }
 
 }  // namespace drape

@@ -1,6 +1,5 @@
 #include <algorithm>
 #include <cmath>
-#include <limits>
 #include <memory>
 #include <optional>
 
@@ -24,33 +23,29 @@ std::vector<Method> precision_methods() {
 
 /// Counts of steps, doubled from one to the next; with no ball, Dormand-Prince has falling tolerances instead.
 std::vector<Rung> ladder(const Method& method, const PrecisionScene& scene) {
-    constexpr int coarsest = 8;
+    const IntegratorKind kind = method.parameters.kind;
     std::vector<Rung> rungs;
-    const auto add = [&](int first, int last) {
-        for (int steps = first; steps <= last; steps *= 2) rungs.push_back({method.parameters, steps});
-    };
-    if (scene.has_ball()) {
-        add(coarsest, scene.finest_steps);
-    } else if (method.parameters.kind == IntegratorKind::DormandPrince) {
+    if (kind == IntegratorKind::DormandPrince && !scene.has_ball()) {
         for (Real tolerance = Real(1e-2); tolerance > Real(0.9e-8); tolerance /= 10) {
             rungs.push_back({method.parameters, outer_steps});
             rungs.back().parameters.tolerance = tolerance;
         }
-    } else if (has_step_limit(method.parameters.kind)) {
+        return rungs;
+    }
+    int first = 8, last = scene.finest_steps;
+    if (has_step_limit(kind) && !scene.has_ball()) {
         // From the last steps beyond the limit at rest
         const ClothParameters& cloth = scene.settings.cloths.front();
-        const Real limit = predicted_limit(make_cloth_model(cloth), make_rest_state(cloth), method.parameters.kind,
-                                           method.parameters.kernels)
-                               .step;
+        const Real limit =
+            predicted_limit(make_cloth_model(cloth), make_rest_state(cloth), kind, method.parameters.kernels).step;
         // Not far below its limit RK4 is as exact as the reference: its ladder starts farther above
-        const int too_long = method.parameters.kind == IntegratorKind::Rk4 ? 4 : 2;
-        int first = 1;
+        const int too_long = kind == IntegratorKind::Rk4 ? 4 : 2;
+        first = 1;
         while (scene.horizon / static_cast<Real>(first) > 2 * limit) first *= 2;
         first = std::max(first >> (too_long - 1), 1);
-        add(first, first << (scene.rungs - 1));
-    } else {
-        add(coarsest, scene.finest_steps);
+        last = first << (scene.rungs - 1);
     }
+    for (int steps = first; steps <= last; steps *= 2) rungs.push_back({method.parameters, steps});
     return rungs;
 }
 
@@ -59,7 +54,6 @@ PrecisionRow row_of(const Method& method, const Rung& rung, const PrecisionScene
     const ClothParameters& cloth = scene.settings.cloths.front();
     const ClothModel model = make_cloth_model(cloth);
     const bool adaptive = method.parameters.kind == IntegratorKind::DormandPrince;
-    constexpr double none = std::numeric_limits<double>::quiet_NaN();
     bool bounded = true;
     int steps = rung.steps;
     double squares = 0;
@@ -78,13 +72,13 @@ PrecisionRow row_of(const Method& method, const Rung& rung, const PrecisionScene
             .horizon = static_cast<double>(scene.horizon),
             .phases = static_cast<double>(scene.phases),
             .method = method.name,
-            .tolerance = adaptive ? static_cast<double>(rung.parameters.tolerance) : none,
+            .tolerance = adaptive ? static_cast<double>(rung.parameters.tolerance) : no_number,
             .steps = static_cast<double>(steps),
             .step = static_cast<double>(scene.horizon / static_cast<Real>(steps)),
             .end = bounded ? "bounded" : "unstable",
             .measure = std::string(name_of(reference.measure)),
-            .error = bounded ? std::sqrt(squares / scene.phases) : none,
-            .cost = bounded ? cost_of(scene, rung, timings_of_a_run) : Quartiles{none, none, none},
+            .error = bounded ? std::sqrt(squares / scene.phases) : no_number,
+            .cost = bounded ? cost_of(scene, rung, timings_of_a_run) : no_quartiles,
             .reference_error = reference.error,
             .growth = reference.growth};
 }
@@ -106,39 +100,37 @@ std::vector<CaseOf<PrecisionRow>> precision_cases(bool quick) {
     return all;
 }
 
-RowFormat<PrecisionRow> precision_format() {
+}  // namespace
+
+Experiment precision_experiment() {
     using Row = PrecisionRow;
     std::vector<Method> fixed = precision_methods();
     std::erase_if(fixed, [](const Method& one) { return one.parameters.kind == IntegratorKind::DormandPrince; });
     const auto if_bounded = [](const Column& column) { return column.or_nan().where("end", {"unstable"}); };
-    return {
-        6,
-        {{word_column("scene", names_in(precision_scenes(false), &PrecisionScene::name)), &Row::scene},
-         {whole_column("particles", 2), &Row::particles},
-         {positive_column("stiffness_N_per_m"), &Row::stiffness},
-         {positive_column("horizon_s"), &Row::horizon},
-         {whole_column("phases", 1), &Row::phases},
-         {word_column("method", names_in(precision_methods(), &Method::name)), &Row::method},
-         {positive_column("tolerance").or_words({""}).where("method", names_in(fixed, &Method::name)), &Row::tolerance},
-         {whole_column("steps", 1), &Row::steps},
-         {positive_column("step_s"), &Row::step},
-         {word_column("end", {"bounded", "unstable"}), &Row::end},
-         {name_column<Measure>("measure"), &Row::measure},
-         {if_bounded(number_column("error")), &Row::error},
-         {if_bounded(number_column("cost_lower_s_per_s")), &Row::cost, &Quartiles::lower},
-         {if_bounded(positive_column("cost_s_per_s")), &Row::cost, &Quartiles::median},
-         {if_bounded(number_column("cost_upper_s_per_s")), &Row::cost, &Quartiles::upper},
-         {number_column("reference_error"), &Row::reference_error},
-         {number_column("growth").or_nan().or_words({"inf"}), &Row::growth}}};
-}
-
-}  // namespace
-
-Experiment precision_experiment() {
-    return ExperimentOf<PrecisionRow>{"precision",        "what does accuracy cost, by which method?",
-                                      precision_format(), precision_cases,
-                                      precision_charts,   precision_summary}
-        .as_table();
+    const Column tolerance =
+        positive_column("tolerance").or_words({""}).where("method", names_in(fixed, &Method::name));
+    return ExperimentOf<Row>{
+        "precision",
+        "what does accuracy cost, by which method?",
+        {6,
+         {{word_column("scene", names_in(precision_scenes(false), &PrecisionScene::name)), &Row::scene},
+          {whole_column("particles", 2), &Row::particles},
+          {positive_column("stiffness_N_per_m"), &Row::stiffness},
+          {positive_column("horizon_s"), &Row::horizon},
+          {whole_column("phases", 1), &Row::phases},
+          {word_column("method", names_in(precision_methods(), &Method::name)), &Row::method},
+          {tolerance, &Row::tolerance},
+          {whole_column("steps", 1), &Row::steps},
+          {positive_column("step_s"), &Row::step},
+          {word_column("end", {"bounded", "unstable"}), &Row::end},
+          {name_column<Measure>("measure"), &Row::measure},
+          {if_bounded(number_column("error")), &Row::error},
+          {if_bounded(number_column("cost_lower_s_per_s")), &Row::cost, &Quartiles::lower},
+          {if_bounded(positive_column("cost_s_per_s")), &Row::cost, &Quartiles::median},
+          {if_bounded(number_column("cost_upper_s_per_s")), &Row::cost, &Quartiles::upper},
+          {number_column("reference_error"), &Row::reference_error},
+          {number_column("growth").or_nan().or_words({"inf"}), &Row::growth}}},
+        {{"", precision_cases, precision_summary, precision_charts}}};
 }
 
 }  // namespace drape

@@ -150,9 +150,9 @@ Quartiles cost_of(const PrecisionScene& scene, const Rung& rung, int repeats) {
     for (int repeat = 0; repeat <= repeats; ++repeat) {
         PrecisionRun run(scene, rung.parameters);
         run.step(lengths.front());
-        const double before = thread_cpu_time();
-        for (const Real h : std::span(lengths).subspan(1)) run.step(h);
-        const double seconds = thread_cpu_time() - before;
+        const double seconds = cpu_time_of([&] {
+            for (const Real h : std::span(lengths).subspan(1)) run.step(h);
+        });
         if (repeat > 0) costs.push_back(seconds / static_cast<double>(scene.horizon - lengths.front()));
     }
     return quartiles_of(std::move(costs));

@@ -8,8 +8,8 @@ namespace drape {
 
 /// What a fall of 0.5 m onto the ground has come to, with the restitution 0.6.
 struct Bounce {
-    double impact_error = 0;  ///< of the time at which the way back, as a parabola, leaves the ground [s]
-    double height_error = 0;  ///< of the height of that parabola, part of what the restitution leaves
+    double impact_error = no_number;  ///< of the time at which the way back, as a parabola, leaves the ground [s]
+    double height_error = no_number;  ///< of the height of that parabola, part of what the restitution leaves
 };
 
 /// Drops a small sheet in a vacuum. A fall of H takes sqrt(2 H / g), and the first bounce comes to e^2 H.
@@ -18,9 +18,9 @@ Bounce drop_sheet(ResponseKind kind, Real step);
 
 /// How a sheet that should stick moves.
 struct Slide {
-    double drift = 0;     ///< down the slope, mean over the second half of a second [m/s]
-    double sweeps = 0;    ///< of the response over its contacts, mean over the steps
-    Quartiles cost = {};  ///< CPU time of a response [s]
+    double drift = no_number;       ///< down the slope, mean over the second half of a second [m/s]
+    double sweeps = no_number;      ///< of the response over its contacts, mean over the steps
+    Quartiles cost = no_quartiles;  ///< CPU time of a response [s]
 };
 
 /// Lays a sheet on a slope that is half a degree flatter than the friction angle.
@@ -28,7 +28,7 @@ Slide lay_on_slope(ResponseKind kind, Real step);
 
 /// Where steps of the penalty begin to shake a sheet that rests on the ground, beside what is predicted [s].
 struct PenaltyLimit {
-    double predicted = 0, measured = 0;
+    double predicted = no_number, measured = no_number;
 };
 
 /// Finds the measured one to within 0.5 %, by bisection. The sheet has no springs.

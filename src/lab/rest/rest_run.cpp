@@ -11,6 +11,7 @@
 #include "drape/sim/scene.h"
 #include "drape/sim/simulation.h"
 #include "drape/sim/sleep_watch.h"
+#include "lab/needs/configurations.h"
 
 namespace drape {
 namespace {
@@ -42,11 +43,7 @@ private:
 
 Settings rest_settings(const RestCase& one, int particles) {
     Settings settings = load_scene(one.scene);
-    ClothParameters& cloth = settings.cloths[0];
-    if (particles > 0) {
-        cloth.drag *= static_cast<Real>(cloth.particles.particles()) / static_cast<Real>(particles * particles);
-        cloth.particles = {particles, particles};
-    }
+    if (particles > 0) settings = on_grid(std::move(settings), {particles, particles});
     settings.solver.integrator = one.integrator;
     settings.contact.response = one.response;
     if (!has_step_limit(one.integrator)) settings.solver.dt = long_step;

@@ -13,32 +13,31 @@
 namespace drape {
 namespace {
 
-/// A trial: one method with one step on one sheet.
-struct StabilityRow {
-    std::string method, sweep;             ///< what varies: stiffness, damping, or damped_stiffness
-    double side = 0;                       ///< particles along each
-    double stiffness = 0, damping = 0;     ///< of every spring [N/m, N s/m]
-    double omega = 0, zeta = 0;            ///< of the mode that sets the limit [1/s, 1]
-    double predicted = 0;                  ///< linear limit [s]; infinite if there is none
-    double expected = 0;                   ///< where trials should start to fail [s]
-    double measured = 0;                   ///< where they did [s]
-    double step = 0;                       ///< [s]
-    std::string end = {}, agreement = {};  ///< how it ended, and whether that agrees with what is expected
-};
-
 /// What a case is about: a sheet, and the method that moves it.
 struct Subject {
-    Method method;
-    std::string sweep;  ///< what varies: stiffness, damping, or damped_stiffness
-    int side;           ///< particles
-    Real stiffness, damping;
-    int steps;
+    std::string method;
+    IntegratorParameters parameters;
+    std::string sweep;                ///< what varies: stiffness, damping, or damped_stiffness
+    std::int64_t side = 0;            ///< particles along each
+    Real stiffness = 0, damping = 0;  ///< of every spring [N/m, N s/m]
+    int steps = 0;
 };
 
-constexpr Real longest_tried = Real(0.05);                       // s
-constexpr double swept_stiffness[] = {1e2, 1e3, 1e4, 1e5, 1e6};  // N/m
-constexpr Real stiffness_when_damped = 1e4;                      // N/m
-constexpr Real damping_when_damped = Real(0.1);                  // N s/m
+/// A trial: one method with one step on one sheet.
+struct StabilityRow : Subject {
+    Real omega = 0, zeta = 0;  ///< of the mode that sets the limit [1/s, 1]
+    Real predicted = 0;        ///< linear limit [s]; infinite if there is none
+    Real expected = 0;         ///< where trials should start to fail [s]
+    Real measured = 0;         ///< where they did [s]
+    Real step = 0;             ///< [s]
+    TrialEnd end{};
+    std::string agreement = {};  ///< whether that agrees with what is expected
+};
+
+constexpr Real longest_tried = Real(0.05);                     // s
+constexpr Real swept_stiffness[] = {1e2, 1e3, 1e4, 1e5, 1e6};  // N/m
+constexpr Real stiffness_when_damped = 1e4;                    // N/m
+constexpr Real damping_when_damped = Real(0.1);                // N s/m
 
 std::vector<Method> stability_methods() {
     return methods_named({"explicit_euler", "symplectic_euler", "velocity_verlet", "rk4", "backward_euler_clamped",
@@ -54,9 +53,10 @@ struct Sheet {
 /// Where the limit is linear: a free flat sheet without gravity, so that it is tried in the state that the prediction
 /// is about. Elsewhere: a sheet that falls and swings, hung by two corners.
 Sheet sheet_of(const Subject& subject) {
-    const bool limited = has_step_limit(subject.method.parameters.kind);
+    const bool limited = has_step_limit(subject.parameters.kind);
     ClothParameters parameters;
-    parameters.particles = {subject.side, subject.side};
+    const auto side = static_cast<int>(subject.side);
+    parameters.particles = {side, side};
     parameters.structural = parameters.shear = parameters.bend = {subject.stiffness, subject.damping};
     parameters.drag = 0;
     if (!limited) parameters.pinned.kind = Pins::Kind::Two;
@@ -73,8 +73,8 @@ struct Forecast {
 };
 
 Forecast forecast(const Subject& subject, const Sheet& sheet) {
-    const IntegratorKind kind = subject.method.parameters.kind;
-    const Kernels kernels = subject.method.parameters.kernels;
+    const IntegratorKind kind = subject.parameters.kind;
+    const Kernels kernels = subject.parameters.kernels;
     const StepLimit limit = predicted_limit(sheet.model, sheet.state, kind, kernels);
     if (kind != IntegratorKind::ExplicitEuler) return {limit, limit.step, Real(0.03)};
     const StepLimit fastest = predicted_limit(sheet.model, sheet.state, IntegratorKind::SymplecticEuler, kernels);
@@ -93,7 +93,7 @@ std::string agreement(Real step, TrialEnd end, const Forecast& forecast) {
 std::vector<StabilityRow> run_stability_case(const Subject& subject) {
     const Sheet sheet = sheet_of(subject);
     const Forecast known = forecast(subject, sheet);
-    const IntegratorParameters& method = subject.method.parameters;
+    const IntegratorParameters& method = subject.parameters;
     const Trial trial{.steps = subject.steps};
     std::vector<std::pair<Real, TrialEnd>> tried;
     const auto note = [&tried](Real step, TrialEnd end) { tried.emplace_back(step, end); };
@@ -113,20 +113,10 @@ std::vector<StabilityRow> run_stability_case(const Subject& subject) {
         }
     }
 
-    StabilityRow row{.method = subject.method.name,
-                     .sweep = subject.sweep,
-                     .side = static_cast<double>(subject.side),
-                     .stiffness = static_cast<double>(subject.stiffness),
-                     .damping = static_cast<double>(subject.damping),
-                     .omega = static_cast<double>(known.limit.omega),
-                     .zeta = static_cast<double>(known.limit.zeta),
-                     .predicted = static_cast<double>(known.limit.step),
-                     .expected = static_cast<double>(known.expected),
-                     .measured = static_cast<double>(measured)};
     std::vector<StabilityRow> rows;
     for (const auto& [step, end] : tried) {
-        row.step = static_cast<double>(step), row.end = name_of(end), row.agreement = agreement(step, end, known);
-        rows.push_back(row);
+        rows.push_back({subject, known.limit.omega, known.limit.zeta, known.limit.step, known.expected, measured, step,
+                        end, agreement(step, end, known)});
     }
     return rows;
 }
@@ -135,8 +125,10 @@ std::vector<CaseOf<StabilityRow>> stability_cases(bool quick) {
     const std::vector<double> swept_damping = quick ? std::vector<double>{0.01, 0.1, 1, 10}  // N s/m
                                                     : std::vector<double>{0.01, 0.03, 0.1, 0.3, 1, 3, 10};
     std::vector<CaseOf<StabilityRow>> all;
-    const auto add = [&all](const Subject& subject) {
-        all.push_back([subject] { return run_stability_case(subject); });
+    const auto add = [&all](const Method& method, const char* sweep, int side, Real stiffness, Real damping,
+                            int steps) {
+        const Subject subject{method.name, method.parameters, sweep, side, stiffness, damping, steps};
+        all.push_back([=] { return run_stability_case(subject); });
     };
     for (const Method& method : stability_methods()) {
         const bool limited = has_step_limit(method.parameters.kind);
@@ -144,39 +136,16 @@ std::vector<CaseOf<StabilityRow>> stability_cases(bool quick) {
         const int steps = limited ? 3000 : (quick ? 300 : 1000);
         const std::vector<int> sides = limited && !quick ? std::vector{16, 64, charted} : std::vector{charted};
         for (const int side : sides) {
-            for (const double k : swept_stiffness) add({method, "stiffness", side, static_cast<Real>(k), 0, steps});
+            for (const Real k : swept_stiffness) add(method, "stiffness", side, k, 0, steps);
         }
-        for (const double k : swept_stiffness) {
-            if (!limited) add({method, "damped_stiffness", charted, static_cast<Real>(k), damping_when_damped, steps});
+        for (const Real k : swept_stiffness) {
+            if (!limited) add(method, "damped_stiffness", charted, k, damping_when_damped, steps);
         }
         for (const double c : swept_damping) {
-            add({method, "damping", charted, stiffness_when_damped, static_cast<Real>(c), steps});
+            add(method, "damping", charted, stiffness_when_damped, static_cast<Real>(c), steps);
         }
     }
     return all;
-}
-
-RowFormat<StabilityRow> stability_format() {
-    using Row = StabilityRow;
-    std::vector<Method> unlimited = stability_methods();
-    std::erase_if(unlimited, [](const Method& method) { return has_step_limit(method.parameters.kind); });
-    const auto or_none = [names = names_in(unlimited, &Method::name)](const Column& step) {
-        return step.or_words({"inf"}).where("method", names);
-    };
-    return {6,
-            {{word_column("method", names_in(stability_methods(), &Method::name)), &Row::method},
-             {word_column("sweep", {"stiffness", "damping", "damped_stiffness"}), &Row::sweep},
-             {whole_column("side", 2), &Row::side},
-             {number_column("stiffness_N_per_m"), &Row::stiffness},
-             {number_column("damping_N_s_per_m"), &Row::damping},
-             {number_column("omega_per_s"), &Row::omega},
-             {number_column("zeta"), &Row::zeta},
-             {or_none(number_column("predicted_step_s")), &Row::predicted},
-             {or_none(positive_column("expected_step_s")), &Row::expected},
-             {or_none(number_column("measured_step_s")), &Row::measured},
-             {positive_column("step_s"), &Row::step},
-             {name_column<TrialEnd>("end"), &Row::end},
-             {word_column("agreement", {"agrees", "disagrees", "close"}), &Row::agreement}}};
 }
 
 /// How often the trials of a method with a limit speak against the prediction, and how far the measured limits are from
@@ -187,8 +156,9 @@ std::string limited_summary(const std::vector<StabilityRow>& rows) {
     for (const StabilityRow& row : rows) {
         close += row.agreement == "close" ? 1 : 0;
         against += row.agreement == "disagrees" ? 1 : 0;
-        lowest = std::min(lowest, row.measured / row.expected);
-        highest = std::max(highest, row.measured / row.expected);
+        const auto part = static_cast<double>(row.measured / row.expected);
+        lowest = std::min(lowest, part);
+        highest = std::max(highest, part);
     }
     return fmt::format(
         "{} close to the limit, {} against the prediction, measured limit {:.4g} to {:.4g} of the expected", close,
@@ -197,8 +167,9 @@ std::string limited_summary(const std::vector<StabilityRow>& rows) {
 
 /// How often a method without a limit did not stay bounded, and the shortest step that failed in each sweep.
 std::string unlimited_summary(const std::vector<StabilityRow>& rows) {
-    const auto failed = std::ranges::count_if(rows, [](const StabilityRow& row) { return row.end != "bounded"; });
-    std::map<std::string, std::map<double, double>> shortest;  // by sweep and what varies in it
+    const auto failed =
+        std::ranges::count_if(rows, [](const StabilityRow& row) { return row.end != TrialEnd::Bounded; });
+    std::map<std::string, std::map<Real, Real>> shortest;  // by sweep and what varies in it
     for (const StabilityRow& row : rows) {
         shortest[row.sweep][row.sweep == "damping" ? row.damping : row.stiffness] = row.measured;
     }
@@ -211,36 +182,10 @@ std::string unlimited_summary(const std::vector<StabilityRow>& rows) {
     return text;
 }
 
-Chart stability_chart(const std::string& method, std::vector<StabilityRow> rows) {
-    // The sheet that is drawn is the last of its method; the damped sweep of stiffness is for the table only
-    std::erase_if(rows, [](const StabilityRow& row) { return row.sweep == "damped_stiffness"; });
-    const double side = rows.back().side;
-    std::erase_if(rows, [side](const StabilityRow& row) { return row.side != side; });
-    const auto count = [&rows](std::string StabilityRow::*member, const char* word) {
-        return static_cast<double>(std::ranges::count(rows, word, member));
-    };
-    const bool limited = std::isfinite(rows.front().expected);
-    return {"stability_" + method,
-            "stability",
-            limited ? "Steps that stayed bounded and steps that failed, over stiffness and damping, and the longest "
-                      "step that is predicted: every dot should lie below the line, every cross above it."
-                    : "Steps that stayed bounded and steps that failed, over stiffness and damping, under a method "
-                      "that has no linear limit: a cross is a failure that no linear theory predicts.",
-            {{"method", method},
-             {"side", side},
-             {"trials", static_cast<double>(rows.size()) - count(&StabilityRow::agreement, "close")},
-             {"against", count(&StabilityRow::agreement, "disagrees")},
-             {"limited", limited ? 1. : 0.},
-             {"stiffness", count(&StabilityRow::sweep, "stiffness") > 0 ? 1. : 0.},
-             {"damping", count(&StabilityRow::sweep, "damping") > 0 ? 1. : 0.}}};
-}
-
 /// Some lines a method on how its trials ended.
 std::string stability_summary(const std::vector<StabilityRow>& rows) {
-    std::map<std::string, std::vector<StabilityRow>> methods;
-    for (const StabilityRow& row : rows) methods[row.method].push_back(row);
     std::string text;
-    for (const auto& [method, trials] : methods) {
+    for (const auto& [method, trials] : groups_of(rows, &StabilityRow::method)) {
         const bool limited = std::isfinite(trials.front().expected);
         text += fmt::format("{}: {} trials, {}\n", method, trials.size(),
                             limited ? limited_summary(trials) : unlimited_summary(trials));
@@ -248,13 +193,37 @@ std::string stability_summary(const std::vector<StabilityRow>& rows) {
     return text;
 }
 
+/// @param rows of one method, at least one
+Chart stability_chart(std::vector<StabilityRow> rows) {
+    // The sheet that is drawn is the last of its method
+    const std::int64_t side = rows.back().side;
+    std::erase_if(rows, [side](const StabilityRow& row) { return row.side != side; });
+    const auto count = [&rows](auto member, const char* word) {
+        return static_cast<double>(std::ranges::count(rows, word, member));
+    };
+    const bool limited = std::isfinite(rows.front().expected);
+    return {"stability_" + rows.front().method,
+            "stability",
+            limited ? "Steps that stayed bounded and steps that failed, over stiffness and damping, and the longest "
+                      "step that is predicted: every dot should lie below the line, every cross above it."
+                    : "Steps that stayed bounded and steps that failed, over stiffness and damping, under a method "
+                      "that has no linear limit: a cross is a failure that no linear theory predicts.",
+            {{"method", rows.front().method},
+             {"side", static_cast<double>(side)},
+             {"trials", static_cast<double>(rows.size()) - count(&StabilityRow::agreement, "close")},
+             {"against", count(&StabilityRow::agreement, "disagrees")},
+             {"limited", limited ? 1. : 0.},
+             {"stiffness", count(&StabilityRow::sweep, "stiffness") > 0 ? 1. : 0.},
+             {"damping", count(&StabilityRow::sweep, "damping") > 0 ? 1. : 0.}}};
+}
+
 /// A chart a method.
-std::vector<Chart> stability_charts(const std::vector<StabilityRow>& rows) {
+std::vector<Chart> stability_charts(std::vector<StabilityRow> rows) {
+    // The damped sweep of stiffness is for the table only
+    std::erase_if(rows, [](const StabilityRow& row) { return row.sweep == "damped_stiffness"; });
     std::vector<Chart> charts;
     for (const std::string& method : words_of(rows, &StabilityRow::method)) {
-        const auto of_method = rows_with(rows, &StabilityRow::method, method);
-        const auto drawn = [](const StabilityRow& row) { return row.sweep != "damped_stiffness"; };
-        if (std::ranges::any_of(of_method, drawn)) charts.push_back(stability_chart(method, of_method));
+        charts.push_back(stability_chart(rows_with(rows, &StabilityRow::method, method)));
     }
     return charts;
 }
@@ -262,10 +231,29 @@ std::vector<Chart> stability_charts(const std::vector<StabilityRow>& rows) {
 }  // namespace
 
 Experiment stability_experiment() {
-    return ExperimentOf<StabilityRow>{"stability",        "which steps stay bounded, and is that what is predicted?",
-                                      stability_format(), stability_cases,
-                                      stability_charts,   stability_summary}
-        .as_table();
+    using Row = StabilityRow;
+    std::vector<Method> unlimited = stability_methods();
+    std::erase_if(unlimited, [](const Method& method) { return has_step_limit(method.parameters.kind); });
+    const auto or_none = [names = names_in(unlimited, &Method::name)](const Column& step) {
+        return step.or_words({"inf"}).where("method", names);
+    };
+    return ExperimentOf<Row>{"stability",
+                             "which steps stay bounded, and is that what is predicted?",
+                             {6,
+                              {{word_column("method", names_in(stability_methods(), &Method::name)), &Row::method},
+                               {word_column("sweep", {"stiffness", "damping", "damped_stiffness"}), &Row::sweep},
+                               {whole_column("side", 2), &Row::side},
+                               {number_column("stiffness_N_per_m"), &Row::stiffness},
+                               {number_column("damping_N_s_per_m"), &Row::damping},
+                               {number_column("omega_per_s"), &Row::omega},
+                               {number_column("zeta"), &Row::zeta},
+                               {or_none(number_column("predicted_step_s")), &Row::predicted},
+                               {or_none(positive_column("expected_step_s")), &Row::expected},
+                               {or_none(number_column("measured_step_s")), &Row::measured},
+                               {positive_column("step_s"), &Row::step},
+                               {name_column<TrialEnd>("end"), &Row::end},
+                               {word_column("agreement", {"agrees", "disagrees", "close"}), &Row::agreement}}},
+                             {{"", stability_cases, stability_summary, stability_charts}}};
 }
 
 }  // namespace drape
