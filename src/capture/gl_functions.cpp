@@ -16,10 +16,7 @@
     DO(void, glDeleteTextures, (GLsizei n, const GLuint* textures), (n, textures))                                  \
     DO(void, glDepthFunc, (GLenum function), (function))                                                            \
     DO(void, glDisable, (GLenum what), (what))                                                                      \
-    DO(void, glDrawArrays, (GLenum mode, GLint first, GLsizei count), (mode, first, count))                         \
     DO(void, glDrawBuffer, (GLenum buffer), (buffer))                                                               \
-    DO(void, glDrawElements, (GLenum mode, GLsizei count, GLenum type, const void* indices),                        \
-       (mode, count, type, indices))                                                                                \
     DO(void, glEnable, (GLenum what), (what))                                                                       \
     DO(void, glGenTextures, (GLsizei n, GLuint * textures), (n, textures))                                          \
     DO(void, glGetIntegerv, (GLenum name, GLint * values), (name, values))                                          \

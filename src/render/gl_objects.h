@@ -42,11 +42,11 @@ using Framebuffer = GlObject<glGenFramebuffers, glDeleteFramebuffers>;
 struct Attribute {
     GLuint location;
     int components;
-    std::size_t start;  ///< in the vertex [byte]
     GLenum type = GL_FLOAT;
 };
 
-/// The vertices of a buffer; the attributes change with each vertex, or with each instance.
+/// The vertices of a buffer, in each of which the attributes follow one another; they change with each vertex, or with
+/// each instance.
 struct VertexLayout {
     std::size_t stride;  ///< from vertex to vertex [byte]
     std::vector<Attribute> attributes;
@@ -56,15 +56,17 @@ struct VertexLayout {
     void enable(Gl& gl) const {
         for (const Attribute& attribute : attributes) {
             gl(glEnableVertexAttribArray, attribute.location);
-            if (per_instance) gl(glVertexAttribDivisor, attribute.location, 1u);
+            if (per_instance) gl(glVertexAttribDivisor, attribute.location, 1);
         }
     }
 
     /// Tells the vertex array that is bound that the vertices start at a byte of the buffer that is bound.
     void set(Gl& gl, std::size_t start) const {
-        for (const auto& [location, components, offset, type] : attributes) {
-            gl(glVertexAttribPointer, location, components, type, GLboolean(type != GL_FLOAT),
-               static_cast<GLsizei>(stride), Gl::offset(start + offset));
+        for (const auto& [location, components, type] : attributes) {
+            const bool is_float = type == GL_FLOAT;
+            gl(glVertexAttribPointer, location, components, type, !is_float, static_cast<GLsizei>(stride),
+               Gl::offset(start));
+            start += static_cast<std::size_t>(components) * (is_float ? sizeof(float) : 1);
         }
     }
 };
@@ -73,8 +75,7 @@ struct VertexLayout {
 template <class T>
 void fill_static(Gl& gl, GLenum target, const Buffer& buffer, const std::vector<T>& data) {
     gl(glBindBuffer, target, buffer.name());
-    gl(glBufferData, target, static_cast<GLsizeiptr>(data.size() * sizeof(T)), static_cast<const void*>(data.data()),
-       GLenum{GL_STATIC_DRAW});
+    gl(glBufferData, target, static_cast<GLsizeiptr>(data.size() * sizeof(T)), data.data(), GL_STATIC_DRAW);
 }
 
 }  // namespace drape

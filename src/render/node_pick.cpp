@@ -105,29 +105,16 @@ std::optional<NodePick> NodePicker::pick(const FrameView& view, const Camera& ca
     best_distance_ = catch_distance;
     best_depth_ = std::numeric_limits<float>::infinity();
     for (std::size_t c = 0; c < view.cloths.size(); ++c) {
-        list_shown(view, *view.cloths[c].hierarchy);
-        look_for_lines(pointed, view.cloths[c], c);
+        look_for_lines(pointed, shown_.list(view, *view.cloths[c].hierarchy), view.cloths[c], c);
     }
     if (!best_) best_ = node_on_cloth(view, camera.ray(x, y, width, height));
     if (best_) complete(view, *best_);
     return best_;
 }
 
-/// As `Marks` draws them.
-void NodePicker::list_shown(const FrameView& view, const BroadPhase& hierarchy) {
-    shown_.clear();
-    const ShownLevel shown = shown_level(view);
-    if (!shown.all && hierarchy.levels() > 0) {
-        hierarchy.nodes_at(std::min(shown.level, hierarchy.levels() - 1), shown_);
-    }
-    for (int level = 0; shown.all && level < hierarchy.levels(); ++level) {
-        nodes_of_level(hierarchy, level, nodes_);
-        shown_.insert(shown_.end(), nodes_.begin(), nodes_.end());
-    }
-}
-
-void NodePicker::look_for_lines(const Pointed& pointed, const ClothView& cloth, std::size_t number) {
-    for (const NodeView& node : shown_) {
+void NodePicker::look_for_lines(const Pointed& pointed, std::span<const NodeView> shown, const ClothView& cloth,
+                                std::size_t number) {
+    for (const NodeView& node : shown) {
         BoundingSphere about = std::visit([](const auto& volume) { return volume.sphere(); }, node.volume);
         about.radius += cloth.hierarchy->slack();
         if (pointed.is_beside(about)) continue;
@@ -155,10 +142,10 @@ std::optional<NodePick> NodePicker::node_on_cloth(const FrameView& view, const R
     const Grid& grid = cloth.model.grid;
     const int i = std::min(hit.particle % grid.nx, grid.cell_columns() - 1);
     const int j = std::min(hit.particle / grid.nx, grid.cell_rows() - 1);
-    list_shown(view, *cloth.hierarchy);
+    const std::span<const NodeView> shown = shown_.list(view, *cloth.hierarchy);
     const auto holds = [&](const NodeView& node) { return node.cells.holds(i, j); };
-    const auto found = std::find_if(shown_.rbegin(), shown_.rend(), holds);
-    if (found == shown_.rend()) return std::nullopt;
+    const auto found = std::find_if(shown.rbegin(), shown.rend(), holds);
+    if (found == shown.rend()) return std::nullopt;
     return NodePick{.cloth = number, .node = *found};
 }
 
@@ -233,6 +220,8 @@ NodeText node_reason(const NodePick& pick, const FrameView& view) {
         }
         case NodeState::Touching:
             std::snprintf(text.data(), text.size(), "touching: there are contacts in it");
+            break;
+        case NodeState::Compared:
             break;
     }
     return text;

@@ -29,12 +29,13 @@ public:
 
 private:
     struct Pointed;
-    void look_for_lines(const Pointed& pointed, const ClothView& cloth, std::size_t number);
+    void look_for_lines(const Pointed& pointed, std::span<const NodeView> shown, const ClothView& cloth,
+                        std::size_t number);
     [[nodiscard]] std::optional<NodePick> node_on_cloth(const FrameView& view, const Ray& ray);
     void complete(const FrameView& view, NodePick& pick);
-    void list_shown(const FrameView& view, const BroadPhase& hierarchy);
 
-    std::vector<NodeView> shown_, nodes_;
+    ShownNodes shown_;
+    std::vector<NodeView> nodes_;
     Outlines outlines_;
     TouchedCells touched_;
     std::optional<NodePick> best_;

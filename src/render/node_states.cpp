@@ -59,6 +59,19 @@ void nodes_of_level(const BroadPhase& hierarchy, int level, std::vector<NodeView
     std::erase_if(nodes, [level](const NodeView& node) { return node.cells.level != level; });
 }
 
+std::span<const NodeView> ShownNodes::list(const FrameView& view, const BroadPhase& hierarchy) {
+    all_.clear();
+    const ShownLevel shown = shown_level(view);
+    if (!shown.all && hierarchy.levels() > 0) {
+        hierarchy.nodes_at(std::min(shown.level, hierarchy.levels() - 1), all_);
+    }
+    for (int level = 0; shown.all && level < hierarchy.levels(); ++level) {
+        nodes_of_level(hierarchy, level, of_level_);
+        all_.insert(all_.end(), of_level_.begin(), of_level_.end());
+    }
+    return all_;
+}
+
 LevelCounts& LevelCounts::operator+=(const LevelCounts& other) {
     nodes += other.nodes;
     visited += other.visited;

@@ -36,22 +36,18 @@ OverlayPainter::OverlayPainter(Gl& gl, StreamBuffer& stream)
     : gl_(gl),
       program_(gl, "overlay"),
       array_(gl, stream, Region::OverlayVertices,
-             {sizeof(ImDrawVert),
-              {{0, 2, offsetof(ImDrawVert, pos)},
-               {1, 2, offsetof(ImDrawVert, uv)},
-               {2, 4, offsetof(ImDrawVert, col), GL_UNSIGNED_BYTE}}}),
+             {sizeof(ImDrawVert), {{0, 2}, {1, 2}, {2, 4, GL_UNSIGNED_BYTE}}}),  // pos, uv, col
       atlas_(gl) {
     DRAPE_ASSERT(ImGui::GetCurrentContext() != nullptr && !ImGui::GetIO().Fonts->Fonts.empty());
     unsigned char* pixels = nullptr;
     int width = 0, height = 0;
     ImGui::GetIO().Fonts->GetTexDataAsAlpha8(&pixels, &width, &height);
-    gl(glActiveTexture, GLenum{GL_TEXTURE1});
-    gl(glBindTexture, GLenum{GL_TEXTURE_2D}, atlas_.name());
-    gl(glPixelStorei, GLenum{GL_UNPACK_ALIGNMENT}, 1);
-    gl(glTexImage2D, GLenum{GL_TEXTURE_2D}, 0, GLint{GL_R8}, width, height, 0, GLenum{GL_RED}, GLenum{GL_UNSIGNED_BYTE},
-       static_cast<const void*>(pixels));
-    gl(glTexParameteri, GLenum{GL_TEXTURE_2D}, GLenum{GL_TEXTURE_MIN_FILTER}, GLint{GL_LINEAR});
-    gl(glTexParameteri, GLenum{GL_TEXTURE_2D}, GLenum{GL_TEXTURE_MAG_FILTER}, GLint{GL_LINEAR});
+    gl(glActiveTexture, GL_TEXTURE1);
+    gl(glBindTexture, GL_TEXTURE_2D, atlas_.name());
+    gl(glPixelStorei, GL_UNPACK_ALIGNMENT, 1);
+    gl(glTexImage2D, GL_TEXTURE_2D, 0, GL_R8, width, height, 0, GL_RED, GL_UNSIGNED_BYTE, pixels);
+    gl(glTexParameteri, GL_TEXTURE_2D, GL_TEXTURE_MIN_FILTER, GL_LINEAR);
+    gl(glTexParameteri, GL_TEXTURE_2D, GL_TEXTURE_MAG_FILTER, GL_LINEAR);
     ImGui::GetIO().Fonts->ClearTexData();
 
     array_.bind();
@@ -98,7 +94,7 @@ void OverlayPainter::draw(const StreamBuffer& stream) {
             const Scissor scissor = scissor_of(command.ClipRect, data.DisplaySize);
             if (command.ElemCount == 0 || scissor.width == 0 || scissor.height == 0) continue;
             if (scissor != current) {
-                if (current == whole) gl_(glEnable, GLenum{GL_SCISSOR_TEST});
+                if (current == whole) gl_(glEnable, GL_SCISSOR_TEST);
                 gl_(glScissor, scissor.x, scissor.y, scissor.width, scissor.height);
                 current = scissor;
             }
@@ -109,7 +105,7 @@ void OverlayPainter::draw(const StreamBuffer& stream) {
         first_vertex += list.VtxBuffer.Size;
         first_index += bytes_of(list.IdxBuffer);
     }
-    if (current != whole) gl_(glDisable, GLenum{GL_SCISSOR_TEST});
+    if (current != whole) gl_(glDisable, GL_SCISSOR_TEST);
 }
 
 }  // namespace drape

@@ -12,9 +12,9 @@ namespace {
 
 std::string shader_log(Gl& gl, GLuint shader) {
     GLint length = 0;
-    gl(glGetShaderiv, shader, GLenum{GL_INFO_LOG_LENGTH}, &length);
+    gl(glGetShaderiv, shader, GL_INFO_LOG_LENGTH, &length);
     std::vector<char> log(static_cast<std::size_t>(length) + 1, '\0');
-    gl(glGetShaderInfoLog, shader, length, static_cast<GLsizei*>(nullptr), log.data());
+    gl(glGetShaderInfoLog, shader, length, nullptr, log.data());
     return log.data();
 }
 
@@ -22,10 +22,10 @@ GLuint compile(Gl& gl, GLenum stage, const std::string& file) {
     const std::string source = shader_source(file);
     const char* text = source.c_str();
     const GLuint shader = gl(glCreateShader, stage);
-    gl(glShaderSource, shader, 1, &text, static_cast<const GLint*>(nullptr));
+    gl(glShaderSource, shader, 1, &text, nullptr);
     gl(glCompileShader, shader);
     GLint ok = GL_FALSE;
-    gl(glGetShaderiv, shader, GLenum{GL_COMPILE_STATUS}, &ok);
+    gl(glGetShaderiv, shader, GL_COMPILE_STATUS, &ok);
     if (!ok) {
         const std::string log = shader_log(gl, shader);
         gl(glDeleteShader, shader);
@@ -68,17 +68,17 @@ Program::Program(Gl& gl, const std::string& vertex_name, const std::string& frag
     gl(glDeleteShader, fragment);
 
     GLint ok = GL_FALSE;
-    gl(glGetProgramiv, name_, GLenum{GL_LINK_STATUS}, &ok);
+    gl(glGetProgramiv, name_, GL_LINK_STATUS, &ok);
     if (!ok) {
         std::vector<char> log(4096, '\0');
-        gl(glGetProgramInfoLog, name_, static_cast<GLsizei>(log.size()), static_cast<GLsizei*>(nullptr), log.data());
+        gl(glGetProgramInfoLog, name_, static_cast<GLsizei>(log.size()), nullptr, log.data());
         gl(glDeleteProgram, name_);
         throw RunError("shaders/" + fragment_name + " does not link: " + log.data());
     }
 
     // Where the shared block and the textures are
     const GLuint block = gl(glGetUniformBlockIndex, name_, "Frame");
-    if (block != GL_INVALID_INDEX) gl(glUniformBlockBinding, name_, block, 0u);
+    if (block != GL_INVALID_INDEX) gl(glUniformBlockBinding, name_, block, 0);
     gl(glUseProgram, name_);
     bind_texture_unit(gl, name_, "shadow_map", 0);
     bind_texture_unit(gl, name_, "atlas", 1);

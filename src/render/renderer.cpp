@@ -10,7 +10,6 @@
 
 #include "cloth_colours.h"
 #include "drape/base/input_error.h"
-#include "failure_mark.h"
 #include "frame_data.h"
 #include "frame_meter.h"
 #include "marks.h"
@@ -28,8 +27,8 @@ namespace {
 
 void check_version(Gl& gl) {
     GLint major = 0, minor = 0;
-    gl(glGetIntegerv, GLenum{GL_MAJOR_VERSION}, &major);
-    gl(glGetIntegerv, GLenum{GL_MINOR_VERSION}, &minor);
+    gl(glGetIntegerv, GL_MAJOR_VERSION, &major);
+    gl(glGetIntegerv, GL_MINOR_VERSION, &minor);
     if (major * 10 + minor < 33) {
         throw RunError("OpenGL 3.3 is needed, and this is " + std::to_string(major) + "." + std::to_string(minor));
     }
@@ -38,12 +37,12 @@ void check_version(Gl& gl) {
 // What stays the same over all frames
 void set_state(Gl& gl) {
     check_version(gl);
-    gl(glEnable, GLenum{GL_DEPTH_TEST});
-    gl(glDepthFunc, GLenum{GL_LEQUAL});
-    gl(glEnable, GLenum{GL_MULTISAMPLE});
-    gl(glEnable, GLenum{GL_PROGRAM_POINT_SIZE});
-    gl(glBlendFunc, GLenum{GL_SRC_ALPHA}, GLenum{GL_ONE_MINUS_SRC_ALPHA});
-    gl(glPixelStorei, GLenum{GL_PACK_ALIGNMENT}, 1);
+    gl(glEnable, GL_DEPTH_TEST);
+    gl(glDepthFunc, GL_LEQUAL);
+    gl(glEnable, GL_MULTISAMPLE);
+    gl(glEnable, GL_PROGRAM_POINT_SIZE);
+    gl(glBlendFunc, GL_SRC_ALPHA, GL_ONE_MINUS_SRC_ALPHA);
+    gl(glPixelStorei, GL_PACK_ALIGNMENT, 1);
 }
 
 }  // namespace
@@ -58,7 +57,6 @@ struct Renderer::Parts {
     ClothColours colours;
     Studio studio{gl};
     Marks marks{gl, stream};
-    FailureMark failure_mark{gl};
     OverlayPanels panels;
     OverlayPainter painter{gl, stream};
     std::optional<PictureTarget> target;
@@ -182,7 +180,7 @@ void Renderer::Parts::paint(const FrameView& view, DrawnFor use) {
     studio.draw_shadows();
 
     const ViewSettings& shown = view.settings->view;
-    const bool failed = FailureMark::is_shown(data);
+    const bool failed = data.failure[0].w() > 0;
     const auto [wide, high] = target->drawn_size(is_fast(view));
     PictureBounds bounds(data.view_projection, wide, high);
     solids.add_to(bounds, stream);
@@ -192,12 +190,11 @@ void Renderer::Parts::paint(const FrameView& view, DrawnFor use) {
     target->begin_samples(anywhere ? PictureBox{0, 0, wide, high} : grown(bounds.box(), room, wide, high));
     solids.draw(shown, stream);
     studio.draw_behind();
-    gl(glEnable, GLenum{GL_BLEND});
-    marks.draw();
-    if (failed) failure_mark.draw();
+    gl(glEnable, GL_BLEND);
+    marks.draw(failed);
     target->resolve(use == DrawnFor::Window);
     painter.draw(stream);
-    gl(glDisable, GLenum{GL_BLEND});
+    gl(glDisable, GL_BLEND);
 }
 
 void Renderer::present() {
