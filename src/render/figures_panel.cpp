@@ -3,16 +3,15 @@
 #include <imgui.h>
 
 #include <algorithm>
-#include <array>
 #include <cfloat>
 #include <cmath>
-#include <cstdio>
 #include <iterator>
 #include <string>
 #include <vector>
 
 #include "drape/bounds/broad_phase.h"
 #include "drape/integrate/integrator.h"
+#include "format_text.h"
 #include "overlay_style.h"
 
 namespace drape {
@@ -27,13 +26,6 @@ struct Row {
     ImU32 colour = ink::text;
     bool opens_group = false;
 };
-
-template <class... Values>
-std::string format(const char* pattern, Values... values) {
-    std::array<char, 96> text{};
-    std::snprintf(text.data(), text.size(), pattern, values...);
-    return text.data();
-}
 
 // 1234567 as "1 234 567"
 std::string grouped(double value) {
@@ -270,9 +262,9 @@ struct Columns {
 };
 
 void draw_row(const Row& row, float top, const Columns& columns) {
-    text_at({columns.name, top}, ink::quiet, row.name.c_str());
-    text_at({columns.value, top}, row.colour, row.value.c_str());
-    const bool room = columns.value + ImGui::CalcTextSize(row.value.c_str()).x < columns.bar;
+    text_at({columns.name, top}, ink::quiet, row.name);
+    text_at({columns.value, top}, row.colour, row.value);
+    const bool room = columns.value + text_width(row.value) < columns.bar;
     if (row.part < 0 || !room) return;
     ImDrawList& list = *ImGui::GetWindowDrawList();
     const float line = ImGui::GetTextLineHeight(), upper = top + 0.36f * line, lower = top + 0.74f * line;
@@ -309,7 +301,7 @@ float figures_panel(const FrameView& view, const FrameReport& last, const PanelF
 
     shown.font.push();
     ImGui::PushTextWrapPos(width);
-    text_at({2 * margin, 2 * margin}, ink::text, shown.text.c_str());
+    text_at({2 * margin, 2 * margin}, ink::text, shown.text);
     ImGui::PopTextWrapPos();
     ImGui::PopFont();
     const float value = 2 * margin + 7.2f * size;

@@ -3,9 +3,10 @@
 #include <Eigen/Geometry>
 #include <algorithm>
 #include <cmath>
-#include <cstdio>
 #include <limits>
 #include <numbers>
+
+#include "format_text.h"
 
 namespace drape {
 
@@ -21,18 +22,10 @@ struct ScreenPoint {
 };
 
 // "3.2 cm"
-using ShortText = std::array<char, 32>;
-ShortText length_text(Real length) {
+std::string length_text(Real length) {
     const auto metres = static_cast<double>(length);
-    ShortText text{};
-    if (metres < 0.01) {
-        std::snprintf(text.data(), text.size(), "%.1f mm", 1000 * metres);
-    } else if (metres < 1) {
-        std::snprintf(text.data(), text.size(), "%.1f cm", 100 * metres);
-    } else {
-        std::snprintf(text.data(), text.size(), "%.2f m", metres);
-    }
-    return text;
+    if (metres < 0.01) return format("%.1f mm", 1000 * metres);
+    return metres < 1 ? format("%.1f cm", 100 * metres) : format("%.2f m", metres);
 }
 
 }  // namespace
@@ -178,53 +171,33 @@ Real gap_to_ball(const AnyVolume& volume, const Ball& ball) {
     return together;
 }
 
-NodeText node_title(const NodePick& pick, const FrameView& view) {
+std::string node_title(const NodePick& pick, const FrameView& view) {
     const QuadtreeNode& cells = pick.node.cells;
-    ShortText level{"Level"};
-    if (view.cloths.size() > 1)
-        std::snprintf(level.data(), level.size(), "Cloth %d, level", static_cast<int>(pick.cloth));
-    NodeText text{};
-    std::snprintf(text.data(), text.size(), "%s %d, node %d: columns %d-%d, rows %d-%d", level.data(), cells.level,
-                  pick.number, cells.i0, cells.i1 - 1, cells.j0, cells.j1 - 1);
-    return text;
+    const std::string cloth = "Cloth " + std::to_string(pick.cloth) + ", level ";
+    return (view.cloths.size() > 1 ? cloth : "Level ") + format("%d, node %d: columns %d-%d, rows %d-%d", cells.level,
+                                                                pick.number, cells.i0, cells.i1 - 1, cells.j0,
+                                                                cells.j1 - 1);
 }
 
-NodeText node_reason(const NodePick& pick, const FrameView& view) {
-    const bool has_ball = !view.balls.empty(), beside_cloth = view.settings->contact.self;
-    const char* ball = view.balls.size() == 1 ? "the ball" : "the nearest ball";
-    const ShortText length = length_text(std::abs(pick.gap));
-    NodeText text{};
+std::string node_reason(const NodePick& pick, const FrameView& view) {
+    const bool has_ball = !view.balls.empty();
+    const std::string ball = view.balls.size() == 1 ? "the ball" : "the nearest ball";
+    const std::string length = length_text(std::abs(pick.gap));
     switch (pick.state) {
         case NodeState::Unvisited:
-            std::snprintf(text.data(), text.size(), "not visited: a node above it was pruned");
-            break;
+            return "not visited: a node above it was pruned";
         case NodeState::Pruned:
-            if (has_ball) {
-                std::snprintf(text.data(), text.size(), "pruned: %s beyond %s%s", length.data(), ball,
-                              beside_cloth ? ", and no cloth near" : "");
-            } else {
-                std::snprintf(text.data(), text.size(), "pruned: no other cloth is near");
-            }
-            break;
-        case NodeState::Visited:
-        case NodeState::Leaf:
-        case NodeState::FalseCandidate: {
-            const char* what = pick.state == NodeState::Visited ? "visited" : "leaf, cells tested";
-            const char* outcome = pick.state == NodeState::FalseCandidate ? "; none touches" : "";
-            if (has_ball && pick.gap <= 0) {
-                std::snprintf(text.data(), text.size(), "%s: overlaps %s by %s%s", what, ball, length.data(), outcome);
-            } else {
-                std::snprintf(text.data(), text.size(), "%s: cloth is near%s", what, outcome);
-            }
-            break;
-        }
+            if (!has_ball) return "pruned: no other cloth is near";
+            return "pruned: " + length + " beyond " + ball + (view.settings->contact.self ? ", and no cloth near" : "");
         case NodeState::Touching:
-            std::snprintf(text.data(), text.size(), "touching: there are contacts in it");
-            break;
-        case NodeState::Compared:
+            return "touching: there are contacts in it";
+        default:
             break;
     }
-    return text;
+    const std::string what = pick.state == NodeState::Visited ? "visited: " : "leaf, cells tested: ";
+    const char* outcome = pick.state == NodeState::FalseCandidate ? "; none touches" : "";
+    if (has_ball && pick.gap <= 0) return what + "overlaps " + ball + " by " + length + outcome;
+    return what + "cloth is near" + outcome;
 }
 
 }  // namespace drape

@@ -1,7 +1,8 @@
 #pragma once
 
-#include <array>
 #include <optional>
+#include <span>
+#include <string>
 #include <vector>
 
 #include "drape/render/camera.h"
@@ -46,12 +47,10 @@ private:
 /// or, less than zero, may shrink until it no longer does; at most its radius. Found by halving.
 Real gap_to_ball(const AnyVolume& volume, const Ball& ball);
 
-using NodeText = std::array<char, 160>;
-
 /// "Level 3, node 21: columns 8-15, rows 0-7", of cells; with several cloths, which.
-NodeText node_title(const NodePick& pick, const FrameView& view);
+std::string node_title(const NodePick& pick, const FrameView& view);
 
 /// "pruned: 3.2 cm beyond the ball"
-NodeText node_reason(const NodePick& pick, const FrameView& view);
+std::string node_reason(const NodePick& pick, const FrameView& view);
 
 }  // namespace drape

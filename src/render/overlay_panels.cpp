@@ -384,7 +384,7 @@ float OverlayPanels::notice_panel(std::span<const std::string> notices, const Ov
             const float most = box->right - box->left - 2 * margin + 1;
             ImGui::PushTextWrapPos(line.x + most);
             for (const std::string& notice : notices) {
-                text_at(line, ink::wait, notice.c_str());
+                text_at(line, ink::wait, notice);
                 line.y += ImGui::CalcTextSize(notice.c_str(), nullptr, false, most).y;
             }
             ImGui::PopTextWrapPos();

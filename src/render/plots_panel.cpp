@@ -4,9 +4,9 @@
 
 #include <algorithm>
 #include <cmath>
-#include <cstdio>
 #include <string>
 
+#include "format_text.h"
 #include "overlay_style.h"
 
 namespace drape {
@@ -20,11 +20,7 @@ constexpr ImU32 orange = IM_COL32(230, 159, 0, 255), sky = IM_COL32(86, 180, 233
 constexpr std::array<ImU32, plot_curve_count> curve_colours{orange, sky, green,  yellow, orange, sky,
                                                             orange, sky, orange, sky,    orange};
 
-std::array<char, 24> short_number(double value) {
-    std::array<char, 24> text{};
-    std::snprintf(text.data(), text.size(), std::abs(value) < 1000 ? "%.3g" : "%.0f", value);
-    return text;
-}
+std::string short_number(double value) { return format(std::abs(value) < 1000 ? "%.3g" : "%.0f", value); }
 
 }  // namespace
 
@@ -70,19 +66,16 @@ float PlotsPanel::draw(const OverlayPage& page) const {
 
         // Title, axis and legend
         text_at({left, corner.y + 0.2f * size}, ink::text, plot.title);
-        const std::array<char, 24> most_text = short_number(high), span_text = short_number(-span);
-        const float number_width = ImGui::CalcTextSize(most_text.data()).x;
-        text_at({right - number_width, corner.y + 0.2f * size}, ink::quiet, most_text.data());
+        text_before({right, corner.y + 0.2f * size}, ink::quiet, short_number(high));
         float along = left;
         for (std::size_t c = plot.first; c < plot.end; ++c) {
-            const float label_width = ImGui::CalcTextSize(plot_curves()[c].label).x;
+            const float label_width = text_width(plot_curves()[c].label);
             if (along + label_width > right) break;
             text_at({along, corner.y + 1.4f * size}, curve_colours[c], plot_curves()[c].label);
             along += label_width + 0.6f * size;
         }
-        const float now_width = ImGui::CalcTextSize("now").x;
-        text_at({left, bottom + 0.1f * size}, ink::quiet, (std::string(span_text.data()) + " s").c_str());
-        text_at({right - now_width, bottom + 0.1f * size}, ink::quiet, "now");
+        text_at({left, bottom + 0.1f * size}, ink::quiet, short_number(-span) + " s");
+        text_before({right, bottom + 0.1f * size}, ink::quiet, "now");
     }
     return height + margin;
 }

@@ -3,10 +3,10 @@
 #include <imgui.h>
 
 #include <algorithm>
-#include <array>
 #include <cmath>
-#include <cstdio>
+#include <string>
 
+#include "format_text.h"
 #include "overlay_style.h"
 
 namespace drape {
@@ -16,24 +16,18 @@ namespace {
 constexpr ImGuiWindowFlags bar_flags =
     ImGuiWindowFlags_NoDecoration | ImGuiWindowFlags_NoNav | ImGuiWindowFlags_NoSavedSettings | ImGuiWindowFlags_NoMove;
 
-using Line = std::array<char, 96>;
-
 // What the bar says of where the run stands
-Line line_of(const Timeline& timeline) {
-    Line line{};
+std::string line_of(const Timeline& timeline) {
     const double megabytes = timeline.bytes / 1e6;
     if (timeline.replay) {
         // What lies ahead may change the time step: nobody knows yet how long it takes
-        std::snprintf(line.data(), line.size(), "Replay: %.2f s, step %lld of %lld", timeline.passed,
-                      static_cast<long long>(timeline.now), static_cast<long long>(timeline.newest));
-    } else if (timeline.is_live()) {
-        std::snprintf(line.data(), line.size(), "Now; the comma key steps back, %.2f s are kept (%.0f MB)",
-                      timeline.kept, megabytes);
-    } else {
-        std::snprintf(line.data(), line.size(), "%.3f s back of %.2f s (%.0f MB); Space plays from here", timeline.back,
-                      timeline.kept, megabytes);
+        return format("Replay: %.2f s, step %lld of %lld", timeline.passed, static_cast<long long>(timeline.now),
+                      static_cast<long long>(timeline.newest));
     }
-    return line;
+    if (timeline.is_live()) {
+        return format("Now; the comma key steps back, %.2f s are kept (%.0f MB)", timeline.kept, megabytes);
+    }
+    return format("%.3f s back of %.2f s (%.0f MB); Space plays from here", timeline.back, timeline.kept, megabytes);
 }
 
 }  // namespace
@@ -55,8 +49,7 @@ void TimelinePanel::draw(const Timeline& timeline, const OverlayPage& page) {
     ImGui::PushStyleVar(ImGuiStyleVar_WindowRounding, 8);
     ImGui::PushStyleColor(ImGuiCol_WindowBg, ink::panel);
     if (ImGui::Begin("timeline", nullptr, bar_flags)) {
-        text_at({left_ + pad, top_ + 0.3f * size}, timeline.is_live() ? ink::text : ink::wait,
-                line_of(timeline).data());
+        text_at({left_ + pad, top_ + 0.3f * size}, timeline.is_live() ? ink::text : ink::wait, line_of(timeline));
 
         const float from = left_ + pad, to = left_ + width_ - pad, middle = top_ + 2.2f * size;
         const auto span = static_cast<double>(timeline.newest - timeline.oldest);
