@@ -12,12 +12,10 @@
 #include "drape/base/input_error.h"
 #include "drape/base/numbers.h"
 #include "drape/render/picture_texts.h"
-#include "drape/render/tour_hint.h"
 #include "drape/sim/comparison.h"
 #include "drape/sim/setting_table.h"
 #include "drape/sim/tour.h"
 #include "keys.h"
-#include "numbered_name.h"
 #include "outcome.h"
 #include "window.h"
 

@@ -9,7 +9,6 @@
 #include <utility>
 
 #include "cloth_colours.h"
-#include "drape/base/input_error.h"
 #include "frame_data.h"
 #include "frame_meter.h"
 #include "marks.h"
@@ -25,18 +24,8 @@ namespace drape {
 
 namespace {
 
-void check_version(Gl& gl) {
-    GLint major = 0, minor = 0;
-    gl(glGetIntegerv, GL_MAJOR_VERSION, &major);
-    gl(glGetIntegerv, GL_MINOR_VERSION, &minor);
-    if (major * 10 + minor < 33) {
-        throw RunError("OpenGL 3.3 is needed, and this is " + std::to_string(major) + "." + std::to_string(minor));
-    }
-}
-
 // What stays the same over all frames
 void set_state(Gl& gl) {
-    check_version(gl);
     gl(glEnable, GL_DEPTH_TEST);
     gl(glDepthFunc, GL_LEQUAL);
     gl(glEnable, GL_MULTISAMPLE);
