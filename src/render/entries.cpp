@@ -13,12 +13,6 @@ namespace {
 
 constexpr std::string_view with_shift = "Shift+";
 
-std::string joined(const std::vector<std::string>& words) {
-    std::string text;
-    for (const std::string& word : words) text += (text.empty() ? "" : ", ") + word;
-    return text;
-}
-
 // Every choice of a setting as an entry without a key.
 void append_choices(std::vector<Entry>& entries, const std::string& menu, const std::string& setting,
                     std::span<const std::string> choices) {
@@ -153,7 +147,11 @@ std::vector<KeyHelp> tour_hint(std::size_t stop) {
             {"F1, F2, Esc", "Next stop, previous stop, end of the tour"}};
 }
 
-std::string key_text(const Entry& entry) { return joined(entry.keys); }
+std::string key_text(const Entry& entry) {
+    std::string text;
+    for (const std::string& key : entry.keys) text += (text.empty() ? "" : ", ") + key;
+    return text;
+}
 
 std::vector<KeyHelp> help_lines(const std::vector<Entry>& entries) {
     std::vector<KeyHelp> lines{

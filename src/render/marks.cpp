@@ -121,7 +121,7 @@ void Marks::arrange(const FrameView& view, const StreamBuffer& stream) {
 }
 
 void Marks::index_springs(const FrameView& view) {
-    if (!update_grids(view, grids_)) return;
+    if (!update_kept(view.cloths, grids_, grid_of)) return;
 
     SpringIndices springs = spring_indices(grids_);
     structural_count_ = static_cast<int>(springs.structural.size() / 2);

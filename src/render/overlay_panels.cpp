@@ -12,6 +12,7 @@
 #include "key_panels.h"
 #include "overlay_style.h"
 #include "panel_boxes.h"
+#include "plots_panel.h"
 
 namespace drape {
 
@@ -124,7 +125,7 @@ bool panels_fit(const ViewSettings& shown, bool hinted, float width, float heigh
     if (shown.controls) columns += SettingsPanel::columns, margins += 1, rows = 12;
     if (hinted && (shown.controls || shown.panel == PanelSize::Full)) columns += hint_columns;
     if (hinted) rows += 10;
-    if (shown.plots) columns = std::max(columns, PlotsPanel::columns), rows += PlotsPanel::rows + 2;
+    if (shown.plots) columns = std::max(columns, plots_columns), rows += plots_rows + 2;
     return columns * font + margins * margin <= width && rows * font <= height;
 }
 
@@ -185,17 +186,17 @@ bool OverlayPanels::have_pointer() const {
     ImGui::SetCurrentContext(context_.get());
     const PanelPointer& pointer = input_.last();
     const auto x = static_cast<float>(pointer.x), y = static_cast<float>(pointer.y);
-    const bool shown = settings.left() > 0 || timeline.shown();
-    return settings.covers(x, y) || timeline.covers(x, y) || (shown && ImGui::GetIO().WantCaptureMouse);
+    const bool shown = settings.window.shown() || timeline.window.shown();
+    return settings.window.covers(x, y) || timeline.window.covers(x, y) || (shown && ImGui::GetIO().WantCaptureMouse);
 }
 
 bool OverlayPanels::have_keyboard() const {
     ImGui::SetCurrentContext(context_.get());
-    return settings.left() > 0 && ImGui::GetIO().WantTextInput;
+    return settings.window.shown() && ImGui::GetIO().WantTextInput;
 }
 
 void OverlayPanels::forget_input() {
-    if (settings.left() == 0 && !timeline.shown()) input_ = {};
+    if (!settings.window.shown() && !timeline.window.shown()) input_ = {};
 }
 
 void OverlayPanels::hand_over_input() {
@@ -241,7 +242,7 @@ bool OverlayPanels::build(FrameView view, const Camera& camera, const FrameRepor
     if (width < least_width || height < least_height ||
         (nothing && !shown.plots && !names_nodes && !showing_time && view.comparison == nullptr)) {
         settings.hide();
-        timeline.hide();
+        timeline.window.width = 0;
         forget_input();
         return false;
     }
@@ -265,11 +266,12 @@ bool OverlayPanels::build(FrameView view, const Camera& camera, const FrameRepor
     OverlayPage page{w, h, margin};
     const float font = font_sizes[size];
     const bool help_is_tight = showing_help && h < 50 * font;
-    if (shown.plots && !help_is_tight) page.height -= plots_.draw(page);
+    if (shown.plots && !help_is_tight) page.height -= plots_panel(plots_, page);
     const OverlayPage above_plots = page;
     if (showing_time) page.height -= TimelinePanel::height(page);
     if (shown.controls) {
-        boxes_.push_back(settings.place(page));
+        settings.place(page);
+        boxes_.push_back(settings.window.box());
     } else {
         settings.hide();
     }
@@ -301,15 +303,15 @@ bool OverlayPanels::build(FrameView view, const Camera& camera, const FrameRepor
     }
     if (!showing_help && !notices.empty()) notice_panel(notices, page, size, true);
     if (hinted) hint_panel(page, size);
-    const bool at_settings = settings.covers(static_cast<float>(hover_x), static_cast<float>(hover_y));
+    const bool at_settings = settings.window.covers(static_cast<float>(hover_x), static_cast<float>(hover_y));
     if (names_nodes && !at_settings) hierarchy_.name_node(view, camera, hover_x, hover_y, {w, h, margin});
     ImGui::End();
     if (shown.controls) settings.draw(view, page);
     if (showing_time) {
         timeline.draw(view.timeline, above_plots);
-        boxes_.push_back(timeline.box());
+        boxes_.push_back(timeline.window.box());
     } else {
-        timeline.hide();
+        timeline.window.width = 0;
     }
     forget_input();
     ImGui::PopFont();

@@ -16,7 +16,7 @@
 #include "key_panels.h"
 #include "overlay_style.h"
 #include "panel_boxes.h"
-#include "plots_panel.h"
+#include "plot_history.h"
 #include "settings_panel.h"
 #include "step_medians.h"
 #include "timeline_panel.h"
@@ -87,7 +87,7 @@ private:
 
     StepMedians step_medians_;
     HierarchyPanel hierarchy_;
-    PlotsPanel plots_;
+    PlotHistory plots_;
     ComparisonPanel comparison_;
     std::vector<KeyHelp> shown_help_, shown_hint_;  ///< lines that mean something in the scene
     std::vector<PanelBox> boxes_;

@@ -24,16 +24,16 @@ std::string short_number(double value) { return format(std::abs(value) < 1000 ? 
 
 }  // namespace
 
-float PlotsPanel::draw(const OverlayPage& page) const {
-    const float size = ImGui::GetFontSize(), margin = page.margin, height = rows * size;
+float plots_panel(const PlotHistory& history, const OverlayPage& page) {
+    const float size = ImGui::GetFontSize(), margin = page.margin, height = plots_rows * size;
     const float width =
         (page.width - margin * static_cast<float>(plots().size() + 1)) / static_cast<float>(plots().size());
-    const std::size_t count = history_.size();
+    const std::size_t count = history.size();
     if (width < 6 * size || count == 0) return 0;
     ImDrawList& list = *ImGui::GetWindowDrawList();
-    const double end = history_.time(count - 1), span = history_.span();
+    const double end = history.time(count - 1), span = history.span();
     std::array<ImVec2, PlotHistory::most> points;
-    const std::size_t oldest = history_.oldest_shown();
+    const std::size_t oldest = history.oldest_shown();
     for (std::size_t p = 0; p < plots().size(); ++p) {
         const Plot& plot = plots()[p];
         const ImVec2 corner{margin + static_cast<float>(p) * (width + margin), page.height - height - margin};
@@ -43,8 +43,8 @@ float PlotsPanel::draw(const OverlayPage& page) const {
         double low = 0, high = plot.scale;
         for (std::size_t k = oldest; k < count; ++k) {
             for (std::size_t c = plot.first; c < plot.end; ++c) {
-                low = std::min(low, static_cast<double>(history_.value(k, c)));
-                high = std::max(high, static_cast<double>(history_.value(k, c)));
+                low = std::min(low, static_cast<double>(history.value(k, c)));
+                high = std::max(high, static_cast<double>(history.value(k, c)));
             }
         }
         const float left = corner.x + 0.6f * size, right = corner.x + width - 0.6f * size;
@@ -58,8 +58,8 @@ float PlotsPanel::draw(const OverlayPage& page) const {
 
         for (std::size_t c = plot.first; c < plot.end; ++c) {
             for (std::size_t k = oldest; k < count; ++k) {
-                const auto back = static_cast<float>((end - history_.time(k)) / span);
-                points[k - oldest] = {right - back * (right - left), level(history_.value(k, c))};
+                const auto back = static_cast<float>((end - history.time(k)) / span);
+                points[k - oldest] = {right - back * (right - left), level(history.value(k, c))};
             }
             list.AddPolyline(points.data(), static_cast<int>(count - oldest), curve_colours[c], ImDrawFlags_None, 1.5f);
         }

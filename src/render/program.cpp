@@ -10,11 +10,10 @@ namespace drape {
 
 namespace {
 
-std::string shader_log(Gl& gl, GLuint shader) {
-    GLint length = 0;
-    gl(glGetShaderiv, shader, GL_INFO_LOG_LENGTH, &length);
-    std::vector<char> log(static_cast<std::size_t>(length) + 1, '\0');
-    gl(glGetShaderInfoLog, shader, length, nullptr, log.data());
+// `glGetShaderInfoLog` or `glGetProgramInfoLog`
+std::string log_of(Gl& gl, GLuint object, PFNGLGETSHADERINFOLOGPROC get_log) {
+    std::vector<char> log(1 << 16, '\0');
+    gl(get_log, object, static_cast<GLsizei>(log.size()), nullptr, log.data());
     return log.data();
 }
 
@@ -27,16 +26,11 @@ GLuint compile(Gl& gl, GLenum stage, const std::string& file) {
     GLint ok = GL_FALSE;
     gl(glGetShaderiv, shader, GL_COMPILE_STATUS, &ok);
     if (!ok) {
-        const std::string log = shader_log(gl, shader);
+        const std::string log = log_of(gl, shader, glGetShaderInfoLog);
         gl(glDeleteShader, shader);
         throw RunError("shaders/" + file + " does not compile: " + log);
     }
     return shader;
-}
-
-void bind_texture_unit(Gl& gl, GLuint program, const char* sampler, int unit) {
-    const GLint location = gl(glGetUniformLocation, program, sampler);
-    if (location >= 0) gl(glUniform1i, location, unit);
 }
 
 }  // namespace
@@ -70,20 +64,21 @@ Program::Program(Gl& gl, const std::string& vertex_name, const std::string& frag
     GLint ok = GL_FALSE;
     gl(glGetProgramiv, name_, GL_LINK_STATUS, &ok);
     if (!ok) {
-        std::vector<char> log(4096, '\0');
-        gl(glGetProgramInfoLog, name_, static_cast<GLsizei>(log.size()), nullptr, log.data());
+        const std::string log = log_of(gl, name_, glGetProgramInfoLog);
         gl(glDeleteProgram, name_);
-        throw RunError("shaders/" + fragment_name + " does not link: " + log.data());
+        throw RunError("shaders/" + fragment_name + " does not link: " + log);
     }
 
     // Where the shared block and the textures are
     const GLuint block = gl(glGetUniformBlockIndex, name_, "Frame");
     if (block != GL_INVALID_INDEX) gl(glUniformBlockBinding, name_, block, 0);
     gl(glUseProgram, name_);
-    bind_texture_unit(gl, name_, "shadow_map", 0);
-    bind_texture_unit(gl, name_, "atlas", 1);
-    bind_texture_unit(gl, name_, "studio_picture", 2);
-    bind_texture_unit(gl, name_, "shadow_probe", 3);
+    GLint unit = 0;
+    for (const char* sampler : {"shadow_map", "atlas", "studio_picture", "shadow_probe"}) {
+        const GLint location = gl(glGetUniformLocation, name_, sampler);
+        if (location >= 0) gl(glUniform1i, location, unit);
+        ++unit;
+    }
 }
 
 Program::~Program() { gl_(glDeleteProgram, name_); }

@@ -102,7 +102,7 @@ std::vector<std::string> Renderer::take_changes() { return parts_->panels.settin
 
 std::optional<std::string> Renderer::take_wanted_comparison() { return parts_->panels.settings.compare.take_wanted(); }
 
-bool Renderer::shows_timeline() const { return parts_->panels.timeline.shown(); }
+bool Renderer::shows_timeline() const { return parts_->panels.timeline.window.shown(); }
 
 std::optional<std::int64_t> Renderer::take_wanted_step() { return parts_->panels.timeline.take_wanted(); }
 

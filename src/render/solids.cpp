@@ -136,23 +136,12 @@ void Solids::need(const FrameView& view, StreamBuffer& stream) {
 
 // @return false if their meshes were at hand
 bool Solids::update_bodies(const FrameView& view) {
-    if (std::ranges::equal(view.solids, shapes_, {}, &Solid::shape)) return false;
-    shapes_.clear();
+    if (!update_kept(view.solids, shapes_, &Solid::shape)) return false;
     meshes_.clear();
     body_vertex_count_ = 0;
     for (const Solid& solid : view.solids) {
-        shapes_.push_back(solid.shape);
         body_vertex_count_ += meshes_.emplace_back(solid.shape->surface()).points.size();
     }
-    return true;
-}
-
-// @return false if they were at hand
-bool Solids::update_spacings(const FrameView& view) {
-    const auto spacing_of = [](const ClothView& cloth) { return std::array{cloth.model.hx, cloth.model.hy}; };
-    if (std::ranges::equal(view.cloths, spacings_, {}, spacing_of)) return false;
-    spacings_.clear();
-    for (const ClothView& cloth : view.cloths) spacings_.push_back(spacing_of(cloth));
     return true;
 }
 
@@ -177,8 +166,9 @@ void Solids::arrange(const FrameView& view, StreamBuffer& stream) {
     outlined_.follow(stream);
     balls_.follow(stream);
     ball_count_ = static_cast<int>(view.balls.size());
-    const bool regrown = update_grids(view, grids_) || bodies_changed_;
-    if (update_spacings(view) || regrown) fill_places(view, stream);
+    const auto spacing_of = [](const ClothView& cloth) { return std::array{cloth.model.hx, cloth.model.hy}; };
+    const bool regrown = update_kept(view.cloths, grids_, grid_of) || bodies_changed_;
+    if (update_kept(view.cloths, spacings_, spacing_of) || regrown) fill_places(view, stream);
     if (!regrown) return;
     std::vector<std::uint32_t> indices = triangle_indices(grids_);
     cloth_index_count_ = static_cast<int>(indices.size());

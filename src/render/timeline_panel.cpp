@@ -13,9 +13,6 @@ namespace drape {
 
 namespace {
 
-constexpr ImGuiWindowFlags bar_flags =
-    ImGuiWindowFlags_NoDecoration | ImGuiWindowFlags_NoNav | ImGuiWindowFlags_NoSavedSettings | ImGuiWindowFlags_NoMove;
-
 // What the bar says of where the run stands
 std::string line_of(const Timeline& timeline) {
     const double megabytes = timeline.bytes / 1e6;
@@ -40,20 +37,18 @@ float TimelinePanel::height(const OverlayPage& page) { return 2.9f * ImGui::GetF
 
 void TimelinePanel::draw(const Timeline& timeline, const OverlayPage& page) {
     const float size = ImGui::GetFontSize(), pad = 0.5f * size;
-    width_ = std::min(page.width - 2 * page.margin, 56 * size);
-    height_ = height(page) - page.margin;
-    left_ = (page.width - width_) / 2;
-    top_ = page.height - page.margin - height_;
-    ImGui::SetNextWindowPos({left_, top_});
-    ImGui::SetNextWindowSize({width_, height_});
-    ImGui::PushStyleVar(ImGuiStyleVar_WindowRounding, 8);
-    ImGui::PushStyleColor(ImGuiCol_WindowBg, ink::panel);
-    if (ImGui::Begin("timeline", nullptr, bar_flags)) {
-        text_at({left_ + pad, top_ + 0.3f * size}, timeline.is_live() ? ink::text : ink::wait, line_of(timeline));
+    window.width = std::min(page.width - 2 * page.margin, 56 * size);
+    window.height = height(page) - page.margin;
+    window.left = (page.width - window.width) / 2;
+    window.top = page.height - page.margin - window.height;
+    if (window.begin("timeline", ImGuiWindowFlags_NoDecoration, 0)) {
+        text_at({window.left + pad, window.top + 0.3f * size}, timeline.is_live() ? ink::text : ink::wait,
+                line_of(timeline));
 
-        const float from = left_ + pad, to = left_ + width_ - pad, middle = top_ + 2.2f * size;
+        const float from = window.left + pad, to = window.left + window.width - pad;
+        const float middle = window.top + 2.2f * size;
         const auto span = static_cast<double>(timeline.newest - timeline.oldest);
-        ImGui::SetCursorScreenPos({from, top_ + 1.6f * size});
+        ImGui::SetCursorScreenPos({from, window.top + 1.6f * size});
         ImGui::InvisibleButton("bar", {to - from, 1.2f * size});
         if (ImGui::IsItemActive()) {
             const double part = std::clamp((ImGui::GetIO().MousePos.x - from) / (to - from), 0.0f, 1.0f);
@@ -67,9 +62,7 @@ void TimelinePanel::draw(const Timeline& timeline, const OverlayPage& page) {
         list.AddRectFilled({from, middle - 0.15f * size}, {now, middle + 0.15f * size}, ink::bar, 2);
         list.AddCircleFilled({now, middle}, 0.45f * size, ink::text);
     }
-    ImGui::End();
-    ImGui::PopStyleColor();
-    ImGui::PopStyleVar();
+    PanelWindow::end();
 }
 
 }  // namespace drape
