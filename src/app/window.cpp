@@ -6,7 +6,6 @@
 #include <GL/freeglut_ucall.h>
 
 #include <algorithm>
-#include <cmath>
 
 #include "display.h"
 #include "drape/base/input_error.h"
@@ -31,8 +30,7 @@ Window::Window(Session& session, const Options& options, const StopSignals& sign
       entries_(make_entries(scene_names())),
       camera_(session.simulation().settings().view),
       shown_(camera_),
-      video_(signals),
-      scene_(session.simulation().scene()) {
+      video_(signals) {
     glutInitContextVersion(3, 3);
     glutInitContextProfile(GLUT_CORE_PROFILE);
     if (options.check) check_.emplace();
@@ -225,7 +223,6 @@ void Window::tell_of_drops() {
 }
 
 void Window::start_scene() {
-    scene_ = session_.simulation().scene();
     camera_ = shown_ = Camera(session_.simulation().settings().view);
     renderer_->set_scene(session_.simulation().settings());
     renderer_->set_hint({});

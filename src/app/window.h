@@ -127,7 +127,6 @@ private:
     std::string told_failure_;      ///< of which it tells
     int takeovers_ = 0;             ///< of which the user was told
     int crossing_dangers_ = 0;      ///< likewise
-    std::string scene_;             ///< that the camera was set for
     double frame_time_ = 1.0 / 60;  ///< from tick to tick [s]
     double drawing_time_ = 0;       ///< of the last picture, as far as nothing else was done meanwhile [s]
     double picture_time_ = 0;       ///< the same, its way to the display included [s]

@@ -1,6 +1,5 @@
 #pragma once
 
-#include <utility>
 #include <vector>
 
 #include "gl.h"
@@ -11,23 +10,15 @@ namespace drape {
 template <auto& generate, auto& remove>
 class GlObject {
 public:
-    explicit GlObject(Gl& gl) : gl_(&gl) { gl(generate, 1, &name_); }
-
-    ~GlObject() {
-        if (name_ != 0) (*gl_)(remove, 1, &name_);
-    }
-
-    GlObject(GlObject&& other) noexcept : gl_(other.gl_), name_(std::exchange(other.name_, 0)) {}
-    GlObject& operator=(GlObject&& other) noexcept {
-        std::swap(gl_, other.gl_);
-        std::swap(name_, other.name_);
-        return *this;
-    }
+    explicit GlObject(Gl& gl) : gl_(gl) { gl(generate, 1, &name_); }
+    ~GlObject() { gl_(remove, 1, &name_); }
+    GlObject(const GlObject&) = delete;
+    GlObject& operator=(const GlObject&) = delete;
 
     [[nodiscard]] GLuint name() const { return name_; }
 
 private:
-    Gl* gl_;
+    Gl& gl_;
     GLuint name_ = 0;
 };
 

@@ -129,16 +129,12 @@ bool panels_fit(const ViewSettings& shown, bool hinted, float width, float heigh
     return columns * font + margins * margin <= width && rows * font <= height;
 }
 
-// Those that mean something in a scene, in the strings that are there: each picture does this
-void choose_lines(const std::vector<KeyHelp>& all, bool has_ball, std::vector<KeyHelp>& chosen) {
-    const ShownIn elsewhere = has_ball ? ShownIn::ScenesWithoutBall : ShownIn::ScenesWithBall;
-    std::size_t count = 0;
-    for (const KeyHelp& line : all) {
-        if (line.where == elsewhere) continue;
-        if (count == chosen.size()) chosen.emplace_back();
-        chosen[count++] = line;
-    }
-    chosen.resize(count);
+// Those that mean something in a scene
+std::vector<KeyHelp> lines_for(const std::vector<KeyHelp>& all, bool has_ball) {
+    std::vector<KeyHelp> lines = all;
+    std::erase_if(lines, [elsewhere = has_ball ? ShownIn::ScenesWithoutBall : ShownIn::ScenesWithBall](
+                             const KeyHelp& line) { return line.where == elsewhere; });
+    return lines;
 }
 
 ImVec2 notices_size(std::span<const std::string> notices, float most_width, float margin) {
@@ -232,8 +228,8 @@ bool OverlayPanels::build(FrameView view, const Camera& camera, const FrameRepor
     plots_.keep(view);
     comparison_.keep(view);
     const bool showing_help = shown.help && !help.empty();
-    if (showing_help) choose_lines(help, !view.balls.empty(), shown_help_);
-    choose_lines(hint, !view.balls.empty(), shown_hint_);
+    if (showing_help) shown_help_ = lines_for(help, !view.balls.empty());
+    shown_hint_ = lines_for(hint, !view.balls.empty());
     const bool showing_panel = shown.panel != PanelSize::Off;
     const bool showing_time = TimelinePanel::is_due(view.timeline, view.paused);
     const bool hinted = !hint.empty() && !showing_help;

@@ -10,6 +10,23 @@ namespace drape {
 
 namespace {
 
+// The text of a shader file, with each line `#include "file"` replaced by that file of the same folder
+std::string shader_source(const std::string& file, int depth = 0) {
+    if (depth > 8) throw RunError("shaders/" + file + ": includes go too deep");
+    std::ifstream in(find_resource("shaders/" + file));
+    if (!in) throw RunError("cannot read shaders/" + file);
+    const std::string mark = "#include \"";
+    std::string text, line;
+    while (std::getline(in, line)) {
+        if (line.starts_with(mark)) {
+            text += shader_source(line.substr(mark.size(), line.rfind('"') - mark.size()), depth + 1);
+        } else {
+            text += line + '\n';
+        }
+    }
+    return text;
+}
+
 // `glGetShaderInfoLog` or `glGetProgramInfoLog`
 std::string log_of(Gl& gl, GLuint object, PFNGLGETSHADERINFOLOGPROC get_log) {
     std::vector<char> log(1 << 16, '\0');
@@ -34,22 +51,6 @@ GLuint compile(Gl& gl, GLenum stage, const std::string& file) {
 }
 
 }  // namespace
-
-std::string shader_source(const std::string& file, int depth) {
-    if (depth > 8) throw RunError("shaders/" + file + ": includes go too deep");
-    std::ifstream in(find_resource("shaders/" + file));
-    if (!in) throw RunError("cannot read shaders/" + file);
-    const std::string mark = "#include \"";
-    std::string text, line;
-    while (std::getline(in, line)) {
-        if (line.starts_with(mark)) {
-            text += shader_source(line.substr(mark.size(), line.rfind('"') - mark.size()), depth + 1);
-        } else {
-            text += line + '\n';
-        }
-    }
-    return text;
-}
 
 Program::Program(Gl& gl, const std::string& vertex_name, const std::string& fragment_name) : gl_(gl) {
     const GLuint vertex = compile(gl, GL_VERTEX_SHADER, vertex_name + ".vert");

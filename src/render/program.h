@@ -27,8 +27,4 @@ private:
     GLuint name_;
 };
 
-/// The text of a shader file, with each line `#include "file"` replaced by that file of the same folder.
-/// @throws RunError if a file is missing or includes go deeper than 8
-std::string shader_source(const std::string& file, int depth = 0);
-
 }  // namespace drape

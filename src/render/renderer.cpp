@@ -56,7 +56,6 @@ struct Renderer::Parts {
 
     void prepare(const FrameView& view, const Camera& camera, std::span<const std::string> notices);
     void paint(const FrameView& view, DrawnFor use);
-    void count(bool at_rest);
     void note_cost() {
         report.gl_calls = static_cast<double>(gl.calls());
         report.vertices = static_cast<double>(gl.vertices());
@@ -113,18 +112,14 @@ void Renderer::draw(const FrameView& view, const Camera& camera, std::span<const
     parts.gl.restart_count();
     parts.prepare(view, camera, notices);
     parts.paint(view, use);
-    parts.count(is_at_rest(view));
+    // What is at rest is drawn now and then, which is no rate
+    const bool wakes = std::exchange(parts.was_at_rest, is_at_rest(view)) && !is_at_rest(view);
+    wakes ? parts.meter.begin_again() : parts.meter.count();
     ++parts.report.frame;
     parts.report.draw_time = watch.seconds();
     parts.report.rate = parts.meter.rate();
     parts.report.cpu = parts.meter.cpu();
     parts.note_cost();
-}
-
-// What is at rest is drawn now and then, which is no rate
-void Renderer::Parts::count(bool at_rest) {
-    const bool wakes = std::exchange(was_at_rest, at_rest) && !at_rest;
-    wakes ? meter.begin_again() : meter.count();
 }
 
 void Renderer::Parts::prepare(const FrameView& view, const Camera& camera, std::span<const std::string> notices) {

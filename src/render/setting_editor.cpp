@@ -150,8 +150,7 @@ std::optional<SettingValue> SettingEditor::number(const SettingRow& row) {
 // Some of these make the cloth again, so a drag is carried out as it ends
 std::optional<SettingValue> SettingEditor::list(const SettingRow& row) {
     const Setting& setting = *row.setting;
-    std::vector<double>& values = drawn_values_;
-    values = std::get<std::vector<double>>(row.value);
+    std::vector<double> values = std::get<std::vector<double>>(row.value);
     const unsigned int widget = ImGui::GetID("##value");
     if (held_widget_ == widget && held_values_.size() == values.size()) values = held_values_;
     const bool is_grid = setting.kind == SettingKind::Grid;

@@ -74,7 +74,6 @@ private:
 
     unsigned int held_widget_ = 0;  ///< of the value that is being changed, and waits for the button to go up; 0: none
     std::vector<double> held_values_;
-    std::vector<double> drawn_values_;
     bool held_drawn_ = false;  ///< in this frame
     bool list_open_ = false, closing_list_ = false;
 };

@@ -37,6 +37,13 @@ std::vector<Eigen::Vector3f> unit_sphere() {
     return points;
 }
 
+/// A ball as it is drawn.
+struct DrawnBall {
+    Eigen::Vector4f sphere;       ///< centre, radius [m]
+    Eigen::Vector4f orientation;  ///< x, y, z, w of a quaternion
+    float steered;                ///< by the keys, as one of several: 1, else 0
+};
+
 const VertexLayout ball_layout{sizeof(DrawnBall), {{3, 4}, {4, 4}, {8, 1}}, true};
 const VertexLayout place_layout{sizeof(ClothPlace), {{5, 4}}};
 
