@@ -173,11 +173,7 @@ void Window::steer(double elapsed) {
 }
 
 void Window::follow_replay() {
-    for (const Command& command : session_.take_view_commands()) {
-        if (std::holds_alternative<command::LoadScene>(command)) start_scene();
-        if (begins_again(command)) forget_run();
-        camera_.apply(command, session_.view());
-    }
+    for (const Command& command : session_.take_view_commands()) follow(command);
 }
 
 void Window::tell_whose_ball() {

@@ -86,12 +86,12 @@ private:
     void show_stop();
     void leave_tour();
     void forget_hint();
-    void forget_run();
     bool close_topmost();
     bool at_panel(const PanelPointer& pointer);
     void take_panel_changes();
     void steer(double elapsed);
     void follow_replay();
+    void follow(const Command& command);
     void tell_of_drops();
     void tell_of_failure();
     void tell_of_takeover();

@@ -32,17 +32,10 @@ bool TouchedCells::any_in(const CellRange& cells) const {
 }
 
 NodeState TouchedCells::state_of(const NodeView& node) const {
-    switch (node.visit) {
-        case NodeVisit::Unvisited:
-            return NodeState::Unvisited;
-        case NodeVisit::Pruned:
-            return NodeState::Pruned;
-        case NodeVisit::Entered:
-            return any_in(node.cells) ? NodeState::Touching : NodeState::Visited;
-        case NodeVisit::Leaf:
-            break;
-    }
+    if (node.visit == NodeVisit::Unvisited) return NodeState::Unvisited;
+    if (node.visit == NodeVisit::Pruned) return NodeState::Pruned;
     if (any_in(node.cells)) return NodeState::Touching;
+    if (node.visit == NodeVisit::Entered) return NodeState::Visited;
     return tested_ ? NodeState::FalseCandidate : NodeState::Leaf;
 }
 

@@ -148,11 +148,9 @@ ImVec2 notices_size(std::span<const std::string> notices, float most_width, floa
 
 }  // namespace
 
-void OverlayPanels::DestroyContext::operator()(ImGuiContext* context) const { ImGui::DestroyContext(context); }
-
 OverlayPanels::OverlayPanels() {
     IMGUI_CHECKVERSION();
-    context_.reset(ImGui::CreateContext());
+    context_.reset(ImGui::CreateContext(), ImGui::DestroyContext);
     ImGui::SetCurrentContext(context_.get());
     ImGuiIO& io = ImGui::GetIO();
     io.IniFilename = nullptr;

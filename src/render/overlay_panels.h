@@ -55,10 +55,6 @@ public:
     int hover_x = -1, hover_y = -1;  ///< of the pointer over the picture; -1: not known [pixel]
 
 private:
-    struct DestroyContext {
-        void operator()(ImGuiContext* context) const;
-    };
-
     void legends(const FrameView& view, float taken, OverlayPage page);
     void hint_panel(const OverlayPage& page, std::size_t font) const;
     float notice_panel(std::span<const std::string> notices, const OverlayPage& page, std::size_t font,
@@ -91,7 +87,7 @@ private:
     ComparisonPanel comparison_;
     std::vector<KeyHelp> shown_help_, shown_hint_;  ///< lines that mean something in the scene
     std::vector<PanelBox> boxes_;
-    std::unique_ptr<ImGuiContext, DestroyContext> context_;
+    std::shared_ptr<ImGuiContext> context_;
     Input input_;
     std::array<PanelFont, 8> fonts_{};  ///< from small to large
 };

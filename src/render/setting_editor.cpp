@@ -82,21 +82,13 @@ void SettingEditor::explain(const Setting& setting) {
 }
 
 std::optional<SettingValue> SettingEditor::edit(const SettingRow& row) {
-    switch (row.setting->kind) {
-        case SettingKind::Flag: {
-            bool flag = std::get<bool>(row.value);
-            if (ImGui::Checkbox("##value", &flag)) return flag;
-            return std::nullopt;
-        }
-        case SettingKind::Choice:
-        case SettingKind::Pins:
-            return choice(row);
-        case SettingKind::Number:
-        case SettingKind::Integer:
-            return number(row);
-        default:
-            return list(row);
-    }
+    const SettingKind kind = row.setting->kind;
+    if (kind == SettingKind::Choice || kind == SettingKind::Pins) return choice(row);
+    if (kind == SettingKind::Number || kind == SettingKind::Integer) return number(row);
+    if (kind != SettingKind::Flag) return list(row);
+    bool flag = std::get<bool>(row.value);
+    if (ImGui::Checkbox("##value", &flag)) return flag;
+    return std::nullopt;
 }
 
 std::optional<SettingValue> SettingEditor::choice(const SettingRow& row) {

@@ -18,13 +18,6 @@ std::string capitalised(std::string text) {
     return text;
 }
 
-/// A time step that suits a method: 0.9 of its limit, or the time between two pictures where that is shorter.
-/// @param longest `Simulation::longest_step` [s]
-double suitable_step(double longest) {
-    constexpr double picture = 1.0 / 60, below_the_limit = 0.895;  // 0.9 at most, however its digits are rounded
-    return std::min(below_the_limit * longest, picture);
-}
-
 }  // namespace
 
 bool has_panel_row(const Setting& setting) {
@@ -115,7 +108,8 @@ void SettingsPanel::make_rows(const Settings& settings) {
 /// Where the method is no longer the scene's, or the step too long for it.
 void SettingsPanel::offer_step(const FrameView& view) {
     const SolverSettings& solver = view.settings->solver;
-    const double step = suitable_step(view.longest_step);
+    constexpr double picture = 1.0 / 60, below_the_limit = 0.895;  // 0.9 at most, however its digits are rounded
+    const double step = std::min(below_the_limit * view.longest_step, picture);
     const bool changed = solver.integrator != scene_.solver.integrator || solver.dt > view.longest_step;
     const bool suits = std::abs(solver.dt - step) < 0.05 * step;
     if (!changed || suits || step == 0) return;
