@@ -1,12 +1,13 @@
 #include "overlay_painter.h"
 
-#include "drape/base/assert.h"
-
 #include <imgui.h>
 
 #include <algorithm>
 #include <cstddef>
 #include <cstring>
+
+#include "drape/base/assert.h"
+#include "picture_target.h"
 
 namespace drape {
 
@@ -17,13 +18,7 @@ std::size_t bytes_of(const ImVector<T>& items) {
     return static_cast<std::size_t>(items.Size) * sizeof(T);
 }
 
-// A clip rectangle in pixels from the lower left
-struct Scissor {
-    int x, y, width, height;
-    bool operator==(const Scissor&) const = default;
-};
-
-Scissor scissor_of(const ImVec4& clip, const ImVec2& display) {
+PictureBox scissor_of(const ImVec4& clip, const ImVec2& display) {
     const float left = std::clamp(clip.x, 0.0f, display.x), right = std::clamp(clip.z, left, display.x);
     const float top = std::clamp(clip.y, 0.0f, display.y), bottom = std::clamp(clip.w, top, display.y);
     return {static_cast<int>(left), static_cast<int>(display.y - bottom), static_cast<int>(right - left),
@@ -84,18 +79,18 @@ void OverlayPainter::draw(const StreamBuffer& stream) {
     const ImDrawData& data = *ImGui::GetDrawData();
     program_.use();
     array_.bind();
-    const Scissor whole = scissor_of({0, 0, data.DisplaySize.x, data.DisplaySize.y}, data.DisplaySize);
-    Scissor current = whole;
+    const PictureBox whole = scissor_of({0, 0, data.DisplaySize.x, data.DisplaySize.y}, data.DisplaySize);
+    PictureBox current = whole;
     int first_vertex = 0;
     std::size_t first_index = stream.start(Region::OverlayIndices);
     for (int i = 0; i < data.CmdListsCount; ++i) {
         const ImDrawList& list = *data.CmdLists[i];
         for (const ImDrawCmd& command : list.CmdBuffer) {
-            const Scissor scissor = scissor_of(command.ClipRect, data.DisplaySize);
+            const PictureBox scissor = scissor_of(command.ClipRect, data.DisplaySize);
             if (command.ElemCount == 0 || scissor.width == 0 || scissor.height == 0) continue;
             if (scissor != current) {
                 if (current == whole) gl_(glEnable, GL_SCISSOR_TEST);
-                gl_(glScissor, scissor.x, scissor.y, scissor.width, scissor.height);
+                gl_(glScissor, scissor.left, scissor.low, scissor.width, scissor.height);
                 current = scissor;
             }
             gl_.draw_short_elements(static_cast<int>(command.ElemCount),
