@@ -85,8 +85,7 @@ void Window::on_tick() {
 
     const Simulation& simulation = session_.simulation();
     tell_of_failure();
-    tell_of_takeover();
-    tell_of_dangers();
+    tell_of_takeovers_and_dangers();
     if (simulation.report().status == Status::Diverged &&
         simulation.settings().solver.on_unstable == OnUnstable::Stop) {
         failure_ = std::make_exception_ptr(RunError(simulation.report().trouble));
@@ -195,12 +194,10 @@ void Window::tell_of_failure() {
     tell(failure_file_);
 }
 
-void Window::tell_of_takeover() {
-    if (std::exchange(takeovers_, session_.takeovers()) == session_.takeovers()) return;
-    notices_.add("takeover", session_.takeover_notice());
-}
-
-void Window::tell_of_dangers() {
+void Window::tell_of_takeovers_and_dangers() {
+    if (std::exchange(takeovers_, session_.takeovers()) != session_.takeovers()) {
+        notices_.add("takeover", session_.takeover_notice());
+    }
     if (std::exchange(crossing_dangers_, session_.crossing_dangers()) == session_.crossing_dangers()) return;
     const std::string warning = session_.simulation().crossing_warning();
     if (!warning.empty()) notices_.add("crossing", warning);  // a reset in the same frame leaves none

@@ -94,8 +94,7 @@ private:
     void follow(const Command& command);
     void tell_of_drops();
     void tell_of_failure();
-    void tell_of_takeover();
-    void tell_of_dangers();
+    void tell_of_takeovers_and_dangers();
     void tell_whose_ball();
     void start_scene();
     void show_title();

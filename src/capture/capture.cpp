@@ -157,8 +157,6 @@ void Capture::write_stats(int frame) {
     stats_.flush();
 }
 
-bool Capture::diverged() { return session_.simulation().report().status == Status::Diverged; }
-
 // Its last good state is the last picture.
 void Capture::fail(int frame) {
     failure_ = tell_failure(session_.simulation(), options_.out);

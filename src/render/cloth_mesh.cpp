@@ -21,9 +21,8 @@ float dot(const Eigen::Vector3f& a, const Eigen::Vector3f& b) { return a[0] * b[
 
 void fill_cloth_vertices(const ClothView& cloth, Real blend, ClothVertex* vertices) {
     const Grid& grid = cloth.model.grid;
-    const bool moving = cloth.previous.rows() == cloth.x.rows();
     const Points& now = cloth.x;
-    const Points& before = moving ? cloth.previous : cloth.x;
+    const Points& before = cloth.previous.rows() == now.rows() ? cloth.previous : now;
 
     // Positions
     for (int p = 0; p < grid.particles(); ++p) {

@@ -174,8 +174,6 @@ void OverlayPanels::point(const PanelPointer& pointer) {
     next.back().notches = notches;
 }
 
-void OverlayPanels::type(unsigned char code) { input_.typed += static_cast<char>(code); }
-
 bool OverlayPanels::have_pointer() const {
     ImGui::SetCurrentContext(context_.get());
     const PanelPointer& pointer = input_.last();

@@ -43,7 +43,7 @@ public:
 
     /// The user's pointer and keyboard, as `Renderer` has them.
     void point(const PanelPointer& pointer);
-    void type(unsigned char code);
+    void type(unsigned char code) { input_.typed += static_cast<char>(code); }
     [[nodiscard]] bool have_pointer() const;
     [[nodiscard]] bool have_keyboard() const;
 

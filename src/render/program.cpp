@@ -82,6 +82,4 @@ Program::Program(Gl& gl, const std::string& vertex_name, const std::string& frag
     }
 }
 
-Program::~Program() { gl_(glDeleteProgram, name_); }
-
 }  // namespace drape

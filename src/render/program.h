@@ -16,7 +16,7 @@ public:
 
     /// @param vertex, fragment the names of both files
     Program(Gl& gl, const std::string& vertex, const std::string& fragment);
-    ~Program();
+    ~Program() { gl_(glDeleteProgram, name_); }
     Program(const Program&) = delete;
     Program& operator=(const Program&) = delete;
 

@@ -60,15 +60,13 @@ void append_middle_places(const Grid& grid, std::size_t first, std::vector<Cloth
     }
 }
 
-void store(const Eigen::Vector3f& from, float (&to)[3]) { std::copy_n(from.data(), 3, to); }
-
 // A solid's points where it is drawn; returns the vertex after them
 ClothVertex* fill_body(const FrameView& view, std::size_t number, const TriangleMesh& mesh, ClothVertex* vertex) {
     const Eigen::Quaternionf orientation = view.solids[number].orientation.cast<float>();
     const Eigen::Vector3f position = drawn_solid(view, number);
     for (std::size_t p = 0; p < mesh.points.size(); ++p, ++vertex) {
-        store(position + orientation * mesh.points[p].cast<float>(), vertex->position);
-        store(orientation * mesh.normals[p].cast<float>(), vertex->normal);
+        Eigen::Map<Eigen::Vector3f>(vertex->position) = position + orientation * mesh.points[p].cast<float>();
+        Eigen::Map<Eigen::Vector3f>(vertex->normal) = orientation * mesh.normals[p].cast<float>();
         vertex->pinned = vertex->value = vertex->hollow = 0;
     }
     return vertex;
