@@ -31,13 +31,6 @@ constexpr int contact_vertices = 9;
 constexpr GLuint hidden_attribute = 5;  // of lines behind something: 1
 constexpr float bend_lift = 0.22f;      // of the bend springs over the cloth, in spacings
 
-bool has_pins(const ClothView& cloth) {
-    for (int p = 0; p < cloth.model.grid.particles(); ++p) {
-        if (cloth.model.pinned(p)) return true;
-    }
-    return false;
-}
-
 }  // namespace
 
 Marks::Marks(Gl& gl, StreamBuffer& stream)
@@ -71,7 +64,7 @@ void Marks::need(const FrameView& view, StreamBuffer& stream) {
     bounds_.clear();
     for (const ClothView& cloth : view.cloths) {
         particle_count_ += cloth.model.grid.particles();
-        show_pins_ = show_pins_ || has_pins(cloth);
+        show_pins_ = show_pins_ || (cloth.model.inverse_mass == 0).any();
         if (shown.contacts) contact_count_ += static_cast<int>(cloth.contacts.size());
     }
     if (shown.bounds) collect_bounds(view);
