@@ -51,13 +51,11 @@ OverlayPainter::OverlayPainter(Gl& gl, StreamBuffer& stream)
 
 void OverlayPainter::need(bool shown, StreamBuffer& stream) {
     shown_ = shown;
-    std::size_t vertices = 0, indices = 0;
-    if (shown) {
-        vertices = static_cast<std::size_t>(ImGui::GetDrawData()->TotalVtxCount) * sizeof(ImDrawVert);
-        indices = static_cast<std::size_t>(ImGui::GetDrawData()->TotalIdxCount) * sizeof(ImDrawIdx);
-    }
-    stream.need(Region::OverlayVertices, vertices);
-    stream.need(Region::OverlayIndices, indices);
+    const ImDrawData* data = shown ? ImGui::GetDrawData() : nullptr;
+    const auto vertices = static_cast<std::size_t>(shown ? data->TotalVtxCount : 0);
+    const auto indices = static_cast<std::size_t>(shown ? data->TotalIdxCount : 0);
+    stream.need(Region::OverlayVertices, vertices * sizeof(ImDrawVert));
+    stream.need(Region::OverlayIndices, indices * sizeof(ImDrawIdx));
 }
 
 void OverlayPainter::fill(StreamBuffer& stream) const {

@@ -68,18 +68,13 @@ void set_style() {
     style.FramePadding = {6, 1};
     style.FrameRounding = 3;
     style.ScrollbarSize = 10;
-    style.Colors[ImGuiCol_FrameBg] = ImGui::ColorConvertU32ToFloat4(ink::groove);
-    style.Colors[ImGuiCol_SliderGrab] = ImGui::ColorConvertU32ToFloat4(ink::grab);
-    style.Colors[ImGuiCol_PopupBg] = ImGui::ColorConvertU32ToFloat4(ink::popup);
-    for (const ImGuiCol part : {ImGuiCol_Header, ImGuiCol_Button}) {
-        style.Colors[part] = ImGui::ColorConvertU32ToFloat4(ink::groove);
-        for (const int state : {1, 2}) style.Colors[part + state] = ImGui::ColorConvertU32ToFloat4(ink::lit);
-    }
-    for (const ImGuiCol part : {ImGuiCol_FrameBgHovered, ImGuiCol_FrameBgActive}) {
-        style.Colors[part] = ImGui::ColorConvertU32ToFloat4(ink::lit);
-    }
-    style.Colors[ImGuiCol_SliderGrabActive] = ImGui::ColorConvertU32ToFloat4(ink::grabbed);
-    style.Colors[ImGuiCol_CheckMark] = ImGui::ColorConvertU32ToFloat4(ink::bar);
+    constexpr std::pair<ImGuiCol, ImU32> colours[] = {
+        {ImGuiCol_FrameBg, ink::groove},  {ImGuiCol_FrameBgHovered, ink::lit},       {ImGuiCol_FrameBgActive, ink::lit},
+        {ImGuiCol_SliderGrab, ink::grab}, {ImGuiCol_SliderGrabActive, ink::grabbed}, {ImGuiCol_CheckMark, ink::bar},
+        {ImGuiCol_Header, ink::groove},   {ImGuiCol_HeaderHovered, ink::lit},        {ImGuiCol_HeaderActive, ink::lit},
+        {ImGuiCol_Button, ink::groove},   {ImGuiCol_ButtonHovered, ink::lit},        {ImGuiCol_ButtonActive, ink::lit},
+        {ImGuiCol_PopupBg, ink::popup}};
+    for (const auto& [part, colour] : colours) style.Colors[part] = ImGui::ColorConvertU32ToFloat4(colour);
 }
 
 // The keys of a text field, by the character that they make

@@ -27,10 +27,8 @@ bool has_panel_row(const Setting& setting) {
 }
 
 void SettingsPanel::place(const OverlayPage& page) {
-    window.width = std::min(columns * ImGui::GetFontSize(), page.width - 2 * page.margin);
-    window.height = page.height - 2 * page.margin;
-    window.left = page.width - page.margin - window.width;
-    window.top = page.margin;
+    const float width = std::min(columns * ImGui::GetFontSize(), page.width - 2 * page.margin);
+    window = {page.width - page.margin - width, page.margin, width, page.height - 2 * page.margin};
 }
 
 void SettingsPanel::draw(const FrameView& view, const OverlayPage& page) {

@@ -37,10 +37,8 @@ float TimelinePanel::height(const OverlayPage& page) { return 2.9f * ImGui::GetF
 
 void TimelinePanel::draw(const Timeline& timeline, const OverlayPage& page) {
     const float size = ImGui::GetFontSize(), pad = 0.5f * size;
-    window.width = std::min(page.width - 2 * page.margin, 56 * size);
-    window.height = height(page) - page.margin;
-    window.left = (page.width - window.width) / 2;
-    window.top = page.height - page.margin - window.height;
+    const float width = std::min(page.width - 2 * page.margin, 56 * size), high = height(page) - page.margin;
+    window = {(page.width - width) / 2, page.height - page.margin - high, width, high};
     if (window.begin("timeline", ImGuiWindowFlags_NoDecoration, 0)) {
         text_at({window.left + pad, window.top + 0.3f * size}, timeline.is_live() ? ink::text : ink::wait,
                 line_of(timeline));
