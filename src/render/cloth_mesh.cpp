@@ -89,7 +89,7 @@ std::vector<std::uint32_t> triangle_indices(std::span<const Grid> grids) {
     for (const Grid& grid : grids) {
         for (int t = 0; t < grid.triangles(); ++t) {
             std::array<int, 3> corners = grid.triangle_corners(t);
-            if (t % 2 == 1) std::ranges::rotate(corners, corners.begin() + 1);
+            if (t % 2 == 1) std::rotate(corners.begin(), corners.begin() + 1, corners.end());
             for (const int corner : corners) indices.push_back(static_cast<std::uint32_t>(first + corner));
         }
         first += grid.particles();

@@ -100,8 +100,8 @@ std::uint32_t* SmoothOutline::divide_triangle(const Vertices& vertices, std::arr
 
     // Turned so that the divided edges come first
     constexpr std::array<std::ptrdiff_t, 8> turns{0, 0, 1, 0, 2, 2, 1, 0};
-    std::ranges::rotate(corners, corners.begin() + turns[which]);
-    std::ranges::rotate(edges, edges.begin() + turns[which]);
+    std::rotate(corners.begin(), corners.begin() + turns[which], corners.end());
+    std::rotate(edges.begin(), edges.begin() + turns[which], edges.end());
     const auto corner = [&](std::size_t k) { return vertices.first_particle + static_cast<std::uint32_t>(corners[k]); };
     const auto middle = [&](std::size_t k) { return vertices.first_middle + static_cast<std::uint32_t>(edges[k]); };
     const auto add = [&](std::uint32_t p, std::uint32_t q, std::uint32_t r) {
