@@ -19,7 +19,7 @@ void set_sampler(Gl& gl, GLuint unit, const Sampler& sampler, GLint filter) {
 
 ShadowMap::ShadowMap(Gl& gl) : gl_(gl), depth_(gl), smooth_(gl), plain_(gl), framebuffer_(gl) {
     const GLenum target = GL_TEXTURE_2D;
-    for (const GLenum unit : {GL_TEXTURE3, GL_TEXTURE0}) {
+    for (const GLenum unit : {GLenum{GL_TEXTURE3}, GLenum{GL_TEXTURE0}}) {
         gl(glActiveTexture, unit);
         gl(glBindTexture, target, depth_.name());
     }
