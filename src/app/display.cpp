@@ -11,10 +11,10 @@
 
 namespace drape {
 
-DisplayProbe::DisplayProbe() : display_(XOpenDisplay(nullptr)) {}
-
-DisplayProbe::~DisplayProbe() {
-    if (display_ != nullptr) XCloseDisplay(static_cast<Display*>(display_));
+std::shared_ptr<void> open_display() {
+    return {XOpenDisplay(nullptr), [](Display* display) {
+                if (display != nullptr) XCloseDisplay(display);
+            }};
 }
 
 double display_rate() {

@@ -1,21 +1,12 @@
 #pragma once
 
+#include <memory>
+
 namespace drape {
 
-/// A connection to the X display, to find out whether there is one. It stays open until the window has its own: a
-/// server that sees its only client go away may restart and refuse the next one meanwhile.
-class DisplayProbe {
-public:
-    DisplayProbe();
-    ~DisplayProbe();
-    DisplayProbe(const DisplayProbe&) = delete;
-    DisplayProbe& operator=(const DisplayProbe&) = delete;
-
-    [[nodiscard]] bool present() const { return display_ != nullptr; }
-
-private:
-    void* display_;
-};
+/// A connection to the X display, to find out whether there is one; null: none. It has to stay open until the window
+/// has its own: a server that sees its only client go away may restart and refuse the next one meanwhile.
+std::shared_ptr<void> open_display();
 
 /// Pictures a second that the display of the current window shows; 60 where the driver does not tell.
 double display_rate();

@@ -23,11 +23,8 @@ public:
     /// @par Cost a pass over the positions
     void check(const FrameView& view, const Camera& camera) const;
 
-    /// What OpenGL has reported first; empty: nothing.
-    [[nodiscard]] const std::string& error() const { return error_; }
-
 private:
-    std::string error_;
+    std::string error_;  ///< that OpenGL has reported first; empty: none
 };
 
 }  // namespace drape

@@ -8,16 +8,9 @@
 namespace drape {
 
 std::string character_key(unsigned char code, bool shift) {
-    switch (code) {
-        case ' ':
-            return "Space";
-        case '\t':
-            return "Tab";
-        case 27:
-            return "Esc";
-        default:
-            break;
-    }
+    if (code == ' ') return "Space";
+    if (code == '\t') return "Tab";
+    if (code == 27) return "Esc";
     // Caps Lock changes the letter but not the key.
     const bool small = code >= 'a' && code <= 'z';
     if (small || (code >= 'A' && code <= 'Z')) {

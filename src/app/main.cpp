@@ -7,6 +7,7 @@
 #include <cstdlib>
 #include <filesystem>
 #include <iostream>
+#include <memory>
 #include <vector>
 
 #include "display.h"
@@ -81,8 +82,8 @@ int run(int argc, char** argv) {
     std::vector<NamedFile> files = input_files(options->start, start);
     files.push_back({"--record", options->record});
     check_apart(files);
-    const DisplayProbe probe;
-    if (!probe.present()) capture_instead(*options, "there is no display");
+    const std::shared_ptr<void> display = open_display();
+    if (!display) capture_instead(*options, "there is no display");
     Progress progress{*options};
     glutInitErrorFuncUcall(on_glut_error, &progress);
     int no_words = 1;

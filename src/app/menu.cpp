@@ -89,12 +89,9 @@ void Menu::set_open(bool open) {
     glutSetWindow(present);
 }
 
-void Menu::draw_again() const {
-    for (int window = first_window_; window <= last_window_; ++window) glutPostWindowRedisplay(window);
-}
-
 void Menu::update(const Simulation& simulation) {
-    if (open_) return draw_again();
+    for (int window = first_window_; open_ && window <= last_window_; ++window) glutPostWindowRedisplay(window);
+    if (open_) return;
     int number = 0;
     for (Item& item : items_) {
         std::string text = item.text + item.mark.text(simulation);

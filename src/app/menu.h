@@ -54,8 +54,6 @@ private:
         std::string shown;
     };
 
-    void draw_again() const;
-
     std::vector<Item> items_;
     int first_window_ = 0;  ///< of the menus' windows, which GLUT numbers one after another
     int last_window_ = 0;

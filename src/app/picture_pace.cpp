@@ -2,8 +2,6 @@
 
 namespace drape {
 
-void PicturePace::follow(bool moves, double elapsed) { still_ = moves ? 0 : still_ + elapsed; }
-
 bool PicturePace::drew(bool fast, double seconds) {
     drawn_fast_ = fast;
     if (fast != slow_) return false;  // a full picture of what stands still says nothing of a display known as slow

@@ -8,7 +8,7 @@ class PicturePace {
 public:
     /// A tick passed, in which the picture has to change or not.
     /// @param elapsed since the last tick [s]
-    void follow(bool moves, double elapsed);
+    void follow(bool moves, double elapsed) { still_ = moves ? 0 : still_ + elapsed; }
 
     /// A picture was drawn, in this time [s].
     /// @return whether the display is known as slow from now on

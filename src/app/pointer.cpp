@@ -39,11 +39,6 @@ std::vector<Command> Pointer::release(Button button, const Sight& sight) {
     return commands;
 }
 
-void Pointer::move(int x, int y) {
-    x_ = x;
-    y_ = y;
-}
-
 std::vector<Command> Pointer::flush(const Sight& sight) {
     if (!moved() || sight.width < 1 || sight.height < 1) return {};
     const double across = double(x_ - from_x_) / sight.height;

@@ -29,7 +29,7 @@ public:
 
     [[nodiscard]] std::vector<Command> press(Button button, Modifiers held, int x, int y, const Sight& sight);
     [[nodiscard]] std::vector<Command> release(Button button, const Sight& sight);
-    void move(int x, int y);
+    void move(int x, int y) { x_ = x, y_ = y; }
     [[nodiscard]] std::vector<Command> flush(const Sight& sight);
 
     /// Whether anything waits for `flush`.

@@ -29,8 +29,6 @@ void Steering::release(const std::string& key) {
 
 void Steering::nudge(const Entry& entry) { held_.push_back({"", direction_of(entry), nudge_time, false}); }
 
-void Steering::release_all() { held_.clear(); }
-
 void Steering::advance(double elapsed) {
     for (Held& held : held_) held.left -= elapsed;
     std::erase_if(held_, [](const Held& held) { return held.used && held.left <= 0; });

@@ -21,7 +21,7 @@ public:
     void nudge(const Entry& entry);
 
     /// Every key goes up, as when the window loses the keyboard.
-    void release_all();
+    void release_all() { held_.clear(); }
 
     /// The simulation no longer knows what was given, as after a reset: it is given again.
     void forget_given() { given_.setZero(); }

@@ -6,7 +6,6 @@
 #include <GL/freeglut_ucall.h>
 
 #include <algorithm>
-#include <cmath>
 
 #include "display.h"
 #include "drape/base/input_error.h"
@@ -31,8 +30,7 @@ Window::Window(Session& session, const Options& options, const StopSignals& sign
       entries_(make_entries(scene_names())),
       camera_(session.simulation().settings().view),
       shown_(camera_),
-      video_(signals),
-      scene_(session.simulation().scene()) {
+      video_(signals) {
     glutInitContextVersion(3, 3);
     glutInitContextProfile(GLUT_CORE_PROFILE);
     if (options.check) check_.emplace();
@@ -87,8 +85,7 @@ void Window::on_tick() {
 
     const Simulation& simulation = session_.simulation();
     tell_of_failure();
-    tell_of_takeover();
-    tell_of_dangers();
+    tell_of_takeovers_and_dangers();
     if (simulation.report().status == Status::Diverged &&
         simulation.settings().solver.on_unstable == OnUnstable::Stop) {
         failure_ = std::make_exception_ptr(RunError(simulation.report().trouble));
@@ -175,11 +172,7 @@ void Window::steer(double elapsed) {
 }
 
 void Window::follow_replay() {
-    for (const Command& command : session_.take_view_commands()) {
-        if (std::holds_alternative<command::LoadScene>(command)) start_scene();
-        if (begins_again(command)) forget_run();
-        camera_.apply(command, session_.view());
-    }
+    for (const Command& command : session_.take_view_commands()) follow(command);
 }
 
 void Window::tell_whose_ball() {
@@ -201,12 +194,10 @@ void Window::tell_of_failure() {
     tell(failure_file_);
 }
 
-void Window::tell_of_takeover() {
-    if (std::exchange(takeovers_, session_.takeovers()) == session_.takeovers()) return;
-    notices_.add("takeover", session_.takeover_notice());
-}
-
-void Window::tell_of_dangers() {
+void Window::tell_of_takeovers_and_dangers() {
+    if (std::exchange(takeovers_, session_.takeovers()) != session_.takeovers()) {
+        notices_.add("takeover", session_.takeover_notice());
+    }
     if (std::exchange(crossing_dangers_, session_.crossing_dangers()) == session_.crossing_dangers()) return;
     const std::string warning = session_.simulation().crossing_warning();
     if (!warning.empty()) notices_.add("crossing", warning);  // a reset in the same frame leaves none
@@ -225,7 +216,6 @@ void Window::tell_of_drops() {
 }
 
 void Window::start_scene() {
-    scene_ = session_.simulation().scene();
     camera_ = shown_ = Camera(session_.simulation().settings().view);
     renderer_->set_scene(session_.simulation().settings());
     renderer_->set_hint({});

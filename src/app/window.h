@@ -86,16 +86,15 @@ private:
     void show_stop();
     void leave_tour();
     void forget_hint();
-    void forget_run();
     bool close_topmost();
     bool at_panel(const PanelPointer& pointer);
     void take_panel_changes();
     void steer(double elapsed);
     void follow_replay();
+    void follow(const Command& command);
     void tell_of_drops();
     void tell_of_failure();
-    void tell_of_takeover();
-    void tell_of_dangers();
+    void tell_of_takeovers_and_dangers();
     void tell_whose_ball();
     void start_scene();
     void show_title();
@@ -127,7 +126,6 @@ private:
     std::string told_failure_;      ///< of which it tells
     int takeovers_ = 0;             ///< of which the user was told
     int crossing_dangers_ = 0;      ///< likewise
-    std::string scene_;             ///< that the camera was set for
     double frame_time_ = 1.0 / 60;  ///< from tick to tick [s]
     double drawing_time_ = 0;       ///< of the last picture, as far as nothing else was done meanwhile [s]
     double picture_time_ = 0;       ///< the same, its way to the display included [s]

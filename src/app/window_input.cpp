@@ -12,12 +12,10 @@
 #include "drape/base/input_error.h"
 #include "drape/base/numbers.h"
 #include "drape/render/picture_texts.h"
-#include "drape/render/tour_hint.h"
 #include "drape/sim/comparison.h"
 #include "drape/sim/setting_table.h"
 #include "drape/sim/tour.h"
 #include "keys.h"
-#include "numbered_name.h"
 #include "outcome.h"
 #include "window.h"
 
@@ -243,25 +241,15 @@ void Window::on_reshape(int width, int height) {
 }
 
 std::vector<Command> Window::commands_of(const Entry& entry) {
-    const Settings& settings = session_.simulation().settings();
-    switch (entry.manner) {
-        case Manner::Aimed:
-            return {camera_.aimed_throw()};
-        case Manner::OneFrame:
-            return {command::Step{static_cast<int>(steps_of_a_frame())}};
-        case Manner::SafeStep:
-            return safe_step();
-        case Manner::NextStop:
-            return go_to_stop(stop_ + 1);
-        case Manner::StopBefore:
-            return go_to_stop(std::max(stop_, 0) - 1);
-        case Manner::Slower:
-            return {set_speed(settings.view.speed / 2)};
-        case Manner::Faster:
-            return {set_speed(settings.view.speed * 2)};
-        default:
-            return {parse_command(entry.command)};
-    }
+    const double speed = session_.simulation().settings().view.speed;
+    if (entry.manner == Manner::Aimed) return {camera_.aimed_throw()};
+    if (entry.manner == Manner::OneFrame) return {command::Step{static_cast<int>(steps_of_a_frame())}};
+    if (entry.manner == Manner::SafeStep) return safe_step();
+    if (entry.manner == Manner::NextStop) return go_to_stop(stop_ + 1);
+    if (entry.manner == Manner::StopBefore) return go_to_stop(std::max(stop_, 0) - 1);
+    if (entry.manner == Manner::Slower) return {set_speed(speed / 2)};
+    if (entry.manner == Manner::Faster) return {set_speed(speed * 2)};
+    return {parse_command(entry.command)};
 }
 
 std::int64_t Window::steps_of_a_frame() const {
@@ -312,19 +300,20 @@ bool Window::carry_out(const Command& command) {
         notices_.add("input", error.what());
         return false;
     }
-    camera_.apply(command, session_.view());
+    follow(command);
     if (std::holds_alternative<command::Picture>(command)) take_picture();
     if (std::holds_alternative<command::Video>(command) && drawable() && !closed_) {
         notices_.add("video", video_.toggle({width_, height_}));
     }
     if (std::holds_alternative<command::Quit>(command)) leave();
-    if (std::holds_alternative<command::LoadScene>(command)) start_scene();
-    if (begins_again(command)) forget_run();
     return true;
 }
 
-// What was of the run that begins again
-void Window::forget_run() {
+// What the session has carried out
+void Window::follow(const Command& command) {
+    camera_.apply(command, session_.view());
+    if (std::holds_alternative<command::LoadScene>(command)) start_scene();
+    if (!begins_again(command)) return;
     pointer_.forget();
     steering_.forget_given();
     told_failure_.clear();

@@ -3,7 +3,6 @@
 #include <algorithm>
 
 #include "drape/base/input_error.h"
-#include "numbered_name.h"
 
 namespace drape {
 
@@ -19,6 +18,11 @@ std::filesystem::path first_free_name() {
 }
 
 }  // namespace
+
+std::filesystem::path numbered_name(int number, const std::string& extension) {
+    const std::string digits = std::to_string(number);
+    return "drape-" + std::string(4 - std::min<std::size_t>(digits.size(), 4), '0') + digits + extension;
+}
 
 std::string WindowVideo::toggle(PictureSize size) {
     if (recording()) {

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <filesystem>
 #include <optional>
 #include <string>
 
@@ -8,6 +9,9 @@
 #include "drape/render/video_pipe.h"
 
 namespace drape {
+
+/// "drape-0007.png": how the window calls what it writes.
+std::filesystem::path numbered_name(int number, const std::string& extension);
 
 /// A video of what a window shows, as fast as it is shown: 30 pictures a second of wall time, of which a slow window
 /// repeats some. It is called "drape-0001.mp4", or by the next number of which there is no video.

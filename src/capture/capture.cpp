@@ -105,10 +105,8 @@ int Capture::run() {
 
 void Capture::tell_of_crossings() {
     const std::int64_t starts = session_.simulation().report().crossing.starts;
-    if (starts != crossings_told_ && starts > 0) {
-        tell("warning: " + session_.simulation().crossing_warning());
-    }
-    crossings_told_ = starts;
+    if (std::exchange(crossings_told_, starts) == starts || starts == 0) return;
+    tell("warning: " + session_.simulation().crossing_warning());
 }
 
 void Capture::draw_frame(int frame) {
@@ -156,8 +154,6 @@ void Capture::write_stats(int frame) {
     out << '\n';
     stats_.flush();
 }
-
-bool Capture::diverged() { return session_.simulation().report().status == Status::Diverged; }
 
 // Its last good state is the last picture.
 void Capture::fail(int frame) {

@@ -33,7 +33,7 @@ private:
     void follow_replay();
     void draw();
     void write_stats(int frame);
-    [[nodiscard]] bool diverged();
+    [[nodiscard]] bool diverged() { return session_.simulation().report().status == Status::Diverged; }
     void fail(int frame);
     void end_frames(bool all);
     void finish();

@@ -37,8 +37,6 @@ public:
         eglMakeCurrent(display_, EGL_NO_SURFACE, EGL_NO_SURFACE, EGL_NO_CONTEXT);
         eglTerminate(display_);  // and its context with it
     }
-    Egl(const Egl&) = delete;
-    Egl& operator=(const Egl&) = delete;
 
     [[nodiscard]] Function function(const char* name) const override { return eglGetProcAddress(name); }
 

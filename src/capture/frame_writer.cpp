@@ -1,6 +1,7 @@
 #include "frame_writer.h"
 
 #include <algorithm>
+#include <random>
 #include <system_error>
 #include <utility>
 
@@ -26,11 +27,8 @@ bool is_frame_name(const std::string& name) {
 // As many bytes as a plain frame takes, which no file system makes fewer
 void probe(const files::path& folder) {
     std::string noise(200'000, '\0');
-    std::uint32_t seed = 1;
-    for (char& byte : noise) {
-        seed = seed * 1664525u + 1013904223u;
-        byte = static_cast<char>(seed >> 24);
-    }
+    std::mt19937 random;
+    for (char& byte : noise) byte = static_cast<char>(random());
     // It never gets its name, and goes with the object
     OutputFile file((folder / "frame_.png").string());
     file.stream() << noise;

@@ -1,5 +1,3 @@
-#include "gl_functions.h"
-
 #include <GL/glew.h>
 
 #include <string>
@@ -7,6 +5,7 @@
 
 #include "drape/base/input_error.h"
 #include "drape/render/start_glew.h"
+#include "offscreen_context.h"
 
 // The functions of OpenGL 1.1 that Drape calls: result, name, parameters, arguments
 #define DRAPE_GL_FUNCTIONS(DO)                                                                                      \
@@ -16,10 +15,7 @@
     DO(void, glDeleteTextures, (GLsizei n, const GLuint* textures), (n, textures))                                  \
     DO(void, glDepthFunc, (GLenum function), (function))                                                            \
     DO(void, glDisable, (GLenum what), (what))                                                                      \
-    DO(void, glDrawArrays, (GLenum mode, GLint first, GLsizei count), (mode, first, count))                         \
     DO(void, glDrawBuffer, (GLenum buffer), (buffer))                                                               \
-    DO(void, glDrawElements, (GLenum mode, GLsizei count, GLenum type, const void* indices),                        \
-       (mode, count, type, indices))                                                                                \
     DO(void, glEnable, (GLenum what), (what))                                                                       \
     DO(void, glGenTextures, (GLsizei n, GLuint * textures), (n, textures))                                          \
     DO(void, glGetIntegerv, (GLenum name, GLint * values), (name, values))                                          \
@@ -74,6 +70,11 @@ void load_gl_functions(const GlContext& context) {
 #define DRAPE_GL_FIND(result, name, parameters, arguments) find_function(found_##name, #name);
     DRAPE_GL_FUNCTIONS(DRAPE_GL_FIND)
     start_glew();
+}
+
+OffscreenContext::OffscreenContext(ContextKind kind)
+    : context_(make_context(kind, make_osmesa_context, make_egl_context)) {
+    load_gl_functions(*context_);
 }
 
 }  // namespace drape

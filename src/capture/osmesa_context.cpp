@@ -55,8 +55,6 @@ public:
     }
 
     ~Osmesa() override { library_.destroy(context_); }
-    Osmesa(const Osmesa&) = delete;
-    Osmesa& operator=(const Osmesa&) = delete;
 
     [[nodiscard]] Function function(const char* name) const override { return library_.function(name); }
 

@@ -3,9 +3,9 @@
 #include <memory>
 
 #include "drape/base/run_program.h"
+#include "drape/render/entries.h"
 #include "drape/render/picture_texts.h"
 #include "drape/render/renderer.h"
-#include "drape/render/tour_hint.h"
 #include "drape/sim/simulation.h"
 #include "drape/sim/tour.h"
 #include "frame_writer.h"

@@ -1,7 +1,6 @@
 #include "drape/render/camera.h"
 
 #include <Eigen/Geometry>
-#include <Eigen/LU>
 #include <algorithm>
 #include <cmath>
 #include <numbers>

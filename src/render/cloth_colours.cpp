@@ -52,31 +52,15 @@ void differences(const ComparisonView* comparison, std::size_t cloth, float* val
     if (comparison != nullptr) std::ranges::copy(comparison->distances[cloth], values);
 }
 
-// Of the scale in one SI unit
-double units_in_one(ColourBy by) {
-    const bool is_length = by == ColourBy::Depth || by == ColourBy::Difference;
-    return by == ColourBy::Strain ? 100 : is_length ? 1000 : 1;
-}
-
-ColourScale scale_of(ColourBy by) {
-    switch (by) {
-        case ColourBy::Strain:
-            return {by, 1, "Strain", "%"};
-        case ColourBy::Speed:
-            return {by, 1, "Speed", "m/s"};
-        case ColourBy::Depth:
-            return {by, 1, "Contact depth", "mm"};
-        case ColourBy::Level:
-            return {by, 1, "Nodes of level", ""};
-        case ColourBy::Side:
-            return {by, 1, "Side", ""};
-        case ColourBy::Difference:
-            return {by, 1, "Apart", "mm"};
-        case ColourBy::Plain:
-            break;
-    }
-    return {};
-}
+constexpr std::array<ColourScale, 7> scales{{
+    {ColourBy::Plain, 1, "", "", 1},
+    {ColourBy::Strain, 1, "Strain", "%", 100},
+    {ColourBy::Speed, 1, "Speed", "m/s", 1},
+    {ColourBy::Depth, 1, "Contact depth", "mm", 1000},
+    {ColourBy::Level, 1, "Nodes of level", "", 1},
+    {ColourBy::Side, 1, "Side", "", 1},
+    {ColourBy::Difference, 1, "Apart", "mm", 1000},
+}};
 
 }  // namespace
 
@@ -101,7 +85,8 @@ std::span<const std::array<float, 3>, 4> group_colours() {
 }
 
 void ClothColours::collect(const FrameView& view) {
-    scale_ = scale_of(view.settings->view.colour);
+    scale_ = *std::ranges::find(scales, view.settings->view.colour, &ColourScale::by);
+    values_.clear();
     if (scale_.by == ColourBy::Plain || scale_.by == ColourBy::Side) return;
     std::size_t particles = 0;
     for (const ClothView& cloth : view.cloths) particles += static_cast<std::size_t>(cloth.model.grid.particles());
@@ -119,11 +104,10 @@ void ClothColours::collect_values(const FrameView& view) {
         if (scale_.by == ColourBy::Depth) depths(cloth, values);
         values += cloth.model.grid.particles();
     }
-    const double units = units_in_one(scale_.by);
-    const double largest = values_.empty() ? 0 : units * static_cast<double>(*std::ranges::max_element(values_));
+    const double largest = values_.empty() ? 0 : scale_.units * static_cast<double>(*std::ranges::max_element(values_));
     // A thousandth of a unit and less is rounding
     scale_.most = std::isfinite(largest) ? round_number_above(std::max(largest, 1e-3)) : 1;
-    for (float& value : values_) value *= static_cast<float>(units / scale_.most);
+    for (float& value : values_) value *= static_cast<float>(scale_.units / scale_.most);
 }
 
 // Nodes lie like the squares of a chessboard: two colours along rows and two along columns keep neighbours apart
@@ -155,7 +139,6 @@ void ClothColours::collect_groups(const FrameView& view) {
 }
 
 void ClothColours::fill(std::span<ClothVertex> vertices) const {
-    if (scale_.by == ColourBy::Plain || scale_.by == ColourBy::Side) return;
     for (std::size_t p = 0; p < values_.size(); ++p) vertices[p].value = values_[p];
 }
 

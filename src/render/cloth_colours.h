@@ -23,6 +23,7 @@ struct ColourScale {
     double most = 1;        ///< 1, 2 or 5 times a power of ten, in `unit`
     std::string_view what;  ///< "strain"
     std::string_view unit;  ///< "%"; empty where colours are groups
+    double units = 1;       ///< in one SI unit
 };
 
 /// The values that colour the cloths.

@@ -1,5 +1,6 @@
 #include "cloth_mesh.h"
 
+#include <Eigen/Geometry>
 #include <algorithm>
 #include <cmath>
 
@@ -9,28 +10,19 @@ namespace drape {
 
 namespace {
 
-struct Float3 {
-    float x, y, z;
-};
-
-Float3 position(const ClothVertex& vertex) { return {vertex.position[0], vertex.position[1], vertex.position[2]}; }
-
-Float3 difference(const ClothVertex& a, const ClothVertex& b) {
-    const Float3 p = position(a), q = position(b);
-    return {p.x - q.x, p.y - q.y, p.z - q.z};
+Eigen::Vector3f difference(const ClothVertex& a, const ClothVertex& b) {
+    return Eigen::Map<const Eigen::Vector3f>(a.position) - Eigen::Map<const Eigen::Vector3f>(b.position);
 }
 
-Float3 cross(const Float3& a, const Float3& b) {
-    return {a.y * b.z - a.z * b.y, a.z * b.x - a.x * b.z, a.x * b.y - a.y * b.x};
-}
+// From left to right, which Eigen does not promise
+float dot(const Eigen::Vector3f& a, const Eigen::Vector3f& b) { return a[0] * b[0] + a[1] * b[1] + a[2] * b[2]; }
 
 }  // namespace
 
 void fill_cloth_vertices(const ClothView& cloth, Real blend, ClothVertex* vertices) {
     const Grid& grid = cloth.model.grid;
-    const bool moving = cloth.previous.rows() == cloth.x.rows();
     const Points& now = cloth.x;
-    const Points& before = moving ? cloth.previous : cloth.x;
+    const Points& before = cloth.previous.rows() == now.rows() ? cloth.previous : now;
 
     // Positions
     for (int p = 0; p < grid.particles(); ++p) {
@@ -47,20 +39,16 @@ void fill_cloth_vertices(const ClothView& cloth, Real blend, ClothVertex* vertic
         const int above = std::max(j - 1, 0), below = std::min(j + 1, grid.ny - 1);
         for (int i = 0; i < grid.nx; ++i) {
             const int left = std::max(i - 1, 0), right = std::min(i + 1, grid.nx - 1);
-            const Float3 row = difference(vertices[grid.particle(right, j)], vertices[grid.particle(left, j)]);
-            const Float3 column = difference(vertices[grid.particle(i, below)], vertices[grid.particle(i, above)]);
-            Float3 n = cross(column, row);
-            const float length = std::sqrt(n.x * n.x + n.y * n.y + n.z * n.z);
-            if (length > 1e-20f) {
-                n = {n.x / length, n.y / length, n.z / length};
-            } else {
-                n = {0, 1, 0};
-            }
-            float* normal = vertices[grid.particle(i, j)].normal;
-            normal[0] = n.x;
-            normal[1] = n.y;
-            normal[2] = n.z;
-            vertices[grid.particle(i, j)].hollow = 0;
+            ClothVertex& vertex = vertices[grid.particle(i, j)];
+            const Eigen::Vector3f row = difference(vertices[grid.particle(right, j)], vertices[grid.particle(left, j)]);
+            const Eigen::Vector3f column =
+                difference(vertices[grid.particle(i, below)], vertices[grid.particle(i, above)]);
+            const Eigen::Vector3f across = column.cross(row);
+            const float length = std::sqrt(dot(across, across));
+            Eigen::Map<Eigen::Vector3f> normal(vertex.normal);
+            normal = Eigen::Vector3f::UnitY();
+            if (length > 1e-20f) normal = across / length;
+            vertex.hollow = 0;
         }
     }
 }
@@ -74,9 +62,8 @@ void fill_hollows(const ClothModel& model, ClothVertex* vertices) {
         for (int i = 1; i + 1 < grid.nx; ++i) {
             ClothVertex& vertex = vertices[grid.particle(i, j)];
             const auto bent = [&](int before, int after, float spacing) {
-                const Float3 a = difference(vertices[before], vertex), b = difference(vertices[after], vertex);
-                const float* n = vertex.normal;
-                return ((a.x + b.x) * n[0] + (a.y + b.y) * n[1] + (a.z + b.z) * n[2]) / (spacing * spacing);
+                const Eigen::Vector3f both = difference(vertices[before], vertex) + difference(vertices[after], vertex);
+                return dot(both, Eigen::Map<const Eigen::Vector3f>(vertex.normal)) / (spacing * spacing);
             };
             const float curvature = bent(grid.particle(i - 1, j), grid.particle(i + 1, j), hx) +
                                     bent(grid.particle(i, j - 1), grid.particle(i, j + 1), hy);
@@ -96,21 +83,13 @@ void append_places(const ClothModel& model, std::vector<ClothPlace>& places) {
     }
 }
 
-bool update_grids(const FrameView& view, std::vector<Grid>& grids) {
-    const auto grid_of = [](const ClothView& cloth) { return cloth.model.grid; };
-    if (std::ranges::equal(view.cloths, grids, {}, grid_of)) return false;
-    grids.clear();
-    for (const ClothView& cloth : view.cloths) grids.push_back(grid_of(cloth));
-    return true;
-}
-
 std::vector<std::uint32_t> triangle_indices(std::span<const Grid> grids) {
     std::vector<std::uint32_t> indices;
     int first = 0;
     for (const Grid& grid : grids) {
         for (int t = 0; t < grid.triangles(); ++t) {
             std::array<int, 3> corners = grid.triangle_corners(t);
-            if (t % 2 == 1) std::ranges::rotate(corners, corners.begin() + 1);
+            if (t % 2 == 1) std::rotate(corners.begin(), corners.begin() + 1, corners.end());
             for (const int corner : corners) indices.push_back(static_cast<std::uint32_t>(first + corner));
         }
         first += grid.particles();

@@ -1,6 +1,8 @@
 #pragma once
 
+#include <algorithm>
 #include <cstdint>
+#include <iterator>
 #include <span>
 #include <vector>
 
@@ -34,9 +36,18 @@ void fill_cloth_vertices(const ClothView& cloth, Real blend, ClothVertex* vertic
 /// @par Cost O(n)
 void fill_hollows(const ClothModel& model, ClothVertex* vertices);
 
-/// Keeps the grids of the cloths in view.
-/// @return false if `grids` had them already
-bool update_grids(const FrameView& view, std::vector<Grid>& grids);
+/// Keeps what is drawn of the items of a view.
+/// @param drawn_of what that is of an item
+/// @return false if `kept` had it already
+template <class Item, class Drawn, class DrawnOf>
+bool update_kept(std::span<const Item> items, std::vector<Drawn>& kept, DrawnOf drawn_of) {
+    if (std::ranges::equal(items, kept, {}, drawn_of)) return false;
+    kept.clear();
+    std::ranges::transform(items, std::back_inserter(kept), drawn_of);
+    return true;
+}
+
+inline Grid grid_of(const ClothView& cloth) { return cloth.model.grid; }
 
 /// The triangles of grids whose particles follow one another, three indices each, counter-clockwise on the front. The
 /// last corner of both triangles of a cell is its corner b.

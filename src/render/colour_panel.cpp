@@ -3,30 +3,23 @@
 #include <imgui.h>
 
 #include <array>
-#include <cstdio>
+#include <string>
 
+#include "format_text.h"
 #include "overlay_style.h"
 
 namespace drape {
 
 namespace {
 
-using LegendText = std::array<char, 64>;
-
 ImU32 ink_of(const std::array<float, 3>& colour) {
     return ImGui::GetColorU32(ImVec4{colour[0], colour[1], colour[2], 1});
 }
 
-LegendText title_of(const ColourScale& scale, int level) {
-    LegendText text{};
-    if (scale.by == ColourBy::Level) {
-        std::snprintf(text.data(), text.size(), "%s %d", scale.what.data(), level);
-    } else if (scale.unit.empty()) {
-        std::snprintf(text.data(), text.size(), "%s", scale.what.data());
-    } else {
-        std::snprintf(text.data(), text.size(), "%s [%s]", scale.what.data(), scale.unit.data());
-    }
-    return text;
+std::string title_of(const ColourScale& scale, int level) {
+    const std::string what(scale.what);
+    if (scale.by == ColourBy::Level) return what + " " + std::to_string(level);
+    return scale.unit.empty() ? what : what + " [" + std::string(scale.unit) + "]";
 }
 
 // A bar of all colours, with numbers at both ends and in the middle
@@ -41,10 +34,9 @@ void draw_scale(const ColourScale& scale, ImVec2 corner, float width) {
         list.AddRectFilledMultiColor({left, corner.y}, {left + part, corner.y + bar}, from, to, to, from);
     }
     for (const float at : {0.0f, 0.5f, 1.0f}) {
-        LegendText text{};
-        std::snprintf(text.data(), text.size(), "%g", static_cast<double>(at) * scale.most);
-        const float room = width - ImGui::CalcTextSize(text.data()).x;
-        text_at({corner.x + at * room, corner.y + bar + 0.15f * line}, ink::text, text.data());
+        const std::string text = format("%g", static_cast<double>(at) * scale.most);
+        const float room = width - text_width(text);
+        text_at({corner.x + at * room, corner.y + bar + 0.15f * line}, ink::text, text);
     }
 }
 
@@ -65,7 +57,7 @@ void colour_panel(const ColourScale& scale, int level, float taken, const Overla
     if (panel.x < taken || panel.y < page.margin) return;
     draw_panel(panel, {width, height});
     const ImVec2 line{panel.x + page.margin, panel.y + page.margin};
-    text_at(line, ink::wait, title_of(scale, level).data());
+    text_at(line, ink::wait, title_of(scale, level));
     const ImVec2 below{line.x, line.y + 1.25f * row};
     const auto groups = group_colours();
     if (scale.by == ColourBy::Side) {

@@ -97,28 +97,25 @@ void CompareSection::choice_of_setting(const Settings& settings, const Settings&
 
 void CompareSection::draw(const FrameView& view, const Settings& scene, float widget_width) {
     const Settings& settings = *view.settings;
-    editor_.begin_frame();
-    if (ImGui::CollapsingHeader("Compare")) {
-        follow(view, scene);
-        ImGui::PushID("compare");
-        ImGui::SetNextItemWidth(widget_width);
-        choice_of_setting(settings, scene);
-        ImGui::SameLine();
-        ImGui::TextUnformatted("setting");
-        ImGui::SetNextItemWidth(widget_width);
-        if (auto chosen = editor_.edit(*row_)) row_->value = std::move(*chosen);
-        SettingEditor::explain(*row_->setting);
-        ImGui::SameLine();
-        ImGui::TextUnformatted("in the other run");
+    if (!ImGui::CollapsingHeader("Compare")) return;
+    follow(view, scene);
+    ImGui::PushID("compare");
+    ImGui::SetNextItemWidth(widget_width);
+    choice_of_setting(settings, scene);
+    ImGui::SameLine();
+    ImGui::TextUnformatted("setting");
+    ImGui::SetNextItemWidth(widget_width);
+    if (auto chosen = editor_.edit(*row_)) row_->value = std::move(*chosen);
+    SettingEditor::explain(*row_->setting);
+    ImGui::SameLine();
+    ImGui::TextUnformatted("in the other run");
 
-        if (ImGui::SmallButton("Compare from the start")) wanted_ = row_->name + "=" + value_text(row_->value);
-        if (view.comparison != nullptr) {
-            ImGui::SameLine();
-            if (ImGui::SmallButton("End")) wanted_ = "none";
-        }
-        ImGui::PopID();
+    if (ImGui::SmallButton("Compare from the start")) wanted_ = row_->name + "=" + value_text(row_->value);
+    if (view.comparison != nullptr) {
+        ImGui::SameLine();
+        if (ImGui::SmallButton("End")) wanted_ = "none";
     }
-    editor_.end_frame();
+    ImGui::PopID();
 }
 
 }  // namespace drape

@@ -17,16 +17,15 @@ SettingValue another_value(const SettingRow& row);
 /// and ends it. What runs beside the run already is shown, wherever that began.
 class CompareSection {
 public:
+    /// @param editor of the panel
+    explicit CompareSection(SettingEditor& editor) : editor_(editor) {}
+
     /// Makes it in the present window of Dear ImGui.
     /// @param scene as it was loaded
     void draw(const FrameView& view, const Settings& scene, float widget_width);
 
     /// What the user wants to compare with since the last call, as `command::Compare` has it.
     [[nodiscard]] std::optional<std::string> take_wanted() { return std::exchange(wanted_, std::nullopt); }
-
-    [[nodiscard]] bool list_open() const { return editor_.list_open(); }
-    void close_list() { editor_.close_list(); }
-    void hide() { editor_.hide(); }
 
     /// Another scene has begun.
     void forget() {
@@ -45,7 +44,7 @@ private:
     SettingValue of_the_run_;        ///< that runs, of the same setting
     std::string compared_;           ///< assignments of the comparison that was last seen
     std::optional<std::string> wanted_;
-    SettingEditor editor_;
+    SettingEditor& editor_;
 };
 
 }  // namespace drape

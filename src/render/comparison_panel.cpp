@@ -3,8 +3,11 @@
 #include <imgui.h>
 
 #include <algorithm>
-#include <cstdio>
+#include <array>
+#include <string>
+#include <vector>
 
+#include "format_text.h"
 #include "overlay_style.h"
 
 namespace drape {
@@ -12,9 +15,6 @@ namespace drape {
 namespace {
 
 constexpr double kept_interval = 1.0 / 24;  // s of scene time between two that are kept
-
-using FigureText = std::array<char, 40>;
-using ShortText = std::array<char, 12>;
 
 struct ComparedFigure {
     const char* label;  // with its unit
@@ -34,24 +34,16 @@ constexpr std::array<ComparedFigure, 8> compared_figures{{
 }};
 
 // Less than a picometre is rounding
-ShortText millimetres(double metres) {
-    ShortText text{};
-    std::snprintf(text.data(), text.size(), metres < 1e-12 ? "0" : metres < 0.1 ? "%.3g" : "%.0f", 1e3 * metres);
-    return text;
+std::string millimetres(double metres) {
+    return format(metres < 1e-12 ? "0" : metres < 0.1 ? "%.3g" : "%.0f", 1e3 * metres);
 }
 
-FigureText figure_text(const ComparedFigure& row, const StepReport& report) {
-    FigureText text{};
-    if (report.status == Status::Ok) {
-        std::snprintf(text.data(), text.size(), row.format, row.read(report));
-    } else {
-        std::snprintf(text.data(), text.size(), "diverged");
-    }
-    return text;
+std::string figure_text(const ComparedFigure& row, const StepReport& report) {
+    return report.status == Status::Ok ? format(row.format, row.read(report)) : "diverged";
 }
 
 // Which of both cloths is which
-void draw_legend(const char* other_settings, ImVec2 line, float end) {
+void draw_legend(std::string_view other_settings, ImVec2 line, float end) {
     const float row = ImGui::GetTextLineHeightWithSpacing(), size = ImGui::GetFontSize(), text = line.x + 6 * size;
     ImDrawList& list = *ImGui::GetWindowDrawList();
     const ImVec2 swatch{line.x, line.y + 0.1f * size}, far{swatch.x + 1.5f * size, swatch.y + 0.9f * size};
@@ -78,14 +70,12 @@ void draw_legend(const char* other_settings, ImVec2 line, float end) {
 
 void ComparisonPanel::keep(const FrameView& view) {
     if (view.comparison == nullptr) other_medians_ = {};
-    if (view.comparison != nullptr) other_medians_.keep(*view.comparison->report);
-    if (view.comparison == nullptr || view.report->time < time_) first_ = count_ = 0;
-    if (view.comparison == nullptr || (count_ > 0 && view.report->time < time_ + kept_interval)) return;
-    if (count_ == most) {
-        first_ = (first_ + 1) % most;
-        --count_;
-    }
-    distances_[(first_ + count_++) % most] = view.comparison->rms;
+    if (view.comparison == nullptr || view.report->time < time_) distances_.clear();
+    if (view.comparison == nullptr) return;
+    other_medians_.keep(*view.comparison->report);
+    if (!distances_.empty() && view.report->time < time_ + kept_interval) return;
+    if (distances_.size() == most) distances_.pop_front();
+    distances_.push_back(view.comparison->rms);
     time_ = view.report->time;
 }
 
@@ -99,39 +89,36 @@ float ComparisonPanel::draw(const FrameView& view, const OverlayPage& page, floa
     ImVec2 line{panel.x + margin, panel.y + margin};
     const float first = line.x + 9 * size, other = line.x + 15.5f * size, end = right - margin;
     const StepReport other_report = other_medians_.with_median_times(*view.comparison->report);
-    FigureText text{};
 
-    draw_legend(view.comparison->assignments.data(), line, end);
+    draw_legend(view.comparison->assignments, line, end);
     line.y += 2 * row;
     text_at({first, line.y}, ink::quiet, "surface");
     text_at({other, line.y}, ink::quiet, "lines");
     for (const ComparedFigure& figures : compared_figures) {
         line.y += row;
         text_at(line, ink::quiet, figures.label);
-        text_at({first, line.y}, ink::text, figure_text(figures, *view.report).data());
-        text_at({other, line.y}, ink::text, figure_text(figures, other_report).data());
+        text_at({first, line.y}, ink::text, figure_text(figures, *view.report));
+        text_at({other, line.y}, ink::text, figure_text(figures, other_report));
     }
     line.y += row;
-    const ShortText rms = millimetres(view.comparison->rms), apart = millimetres(view.comparison->largest);
-    std::snprintf(text.data(), text.size(), "%s mm, most %s mm", rms.data(), apart.data());
+    const std::string rms = millimetres(view.comparison->rms), apart = millimetres(view.comparison->largest);
     text_at(line, ink::quiet, "apart (RMS)");
-    text_at({first, line.y}, ink::wait, text.data());
+    text_at({first, line.y}, ink::wait, rms + " mm, most " + apart + " mm");
 
     // The curve, from 0 to the largest that is kept
     line.y += row;
     double largest = 1e-12;
-    for (std::size_t k = 0; k < count_; ++k) largest = std::max(largest, kept(k));
+    for (const double distance : distances_) largest = std::max(largest, distance);
     const float bottom = line.y + curve;
-    std::array<ImVec2, most> points;
-    for (std::size_t k = 0; k < count_; ++k) {
-        const float back = static_cast<float>(count_ - 1 - k) / static_cast<float>(most - 1);
-        points[k] = {end - back * (end - line.x), bottom - static_cast<float>(kept(k) / largest) * curve};
+    std::vector<ImVec2> points;
+    for (const double distance : distances_) {
+        const float back = static_cast<float>(distances_.size() - 1 - points.size()) / static_cast<float>(most - 1);
+        points.emplace_back(end - back * (end - line.x), bottom - static_cast<float>(distance / largest) * curve);
     }
     ImDrawList& list = *ImGui::GetWindowDrawList();
     list.AddLine({line.x, bottom}, {end, bottom}, ink::groove);
-    list.AddPolyline(points.data(), static_cast<int>(count_), ink::bar, ImDrawFlags_None, 1.5f);
-    std::snprintf(text.data(), text.size(), "%s mm", millimetres(largest).data());
-    text_at({line.x, line.y}, ink::quiet, text.data());
+    list.AddPolyline(points.data(), static_cast<int>(points.size()), ink::bar, ImDrawFlags_None, 1.5f);
+    text_at({line.x, line.y}, ink::quiet, millimetres(largest) + " mm");
     return panel.x;
 }
 

@@ -1,7 +1,7 @@
 #pragma once
 
-#include <array>
 #include <cstddef>
+#include <deque>
 
 #include "drape/sim/comparison.h"
 #include "figures_panel.h"
@@ -21,16 +21,11 @@ public:
     /// @return its left edge, or `right` [pixel]
     float draw(const FrameView& view, const OverlayPage& page, float left, float right) const;
 
-    /// How far apart they were, root mean square over the particles, from the oldest to now [m].
-    [[nodiscard]] std::size_t size() const { return count_; }
-    [[nodiscard]] double kept(std::size_t k) const { return distances_[(first_ + k) % most]; }
-
 private:
     static constexpr std::size_t most = 240;
     StepMedians other_medians_;
-    std::array<double, most> distances_{};
-    std::size_t first_ = 0, count_ = 0;
-    double time_ = 0;  ///< of the last one [s]
+    std::deque<double> distances_;  ///< root mean squares over the particles, from the oldest to now [m]
+    double time_ = 0;               ///< of the last one [s]
 };
 
 }  // namespace drape

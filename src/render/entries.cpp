@@ -5,18 +5,13 @@
 #include "drape/bounds/broad_phase.h"
 #include "drape/integrate/integrator.h"
 #include "drape/sim/settings.h"
+#include "drape/sim/tour.h"
 
 namespace drape {
 
 namespace {
 
 constexpr std::string_view with_shift = "Shift+";
-
-std::string joined(const std::vector<std::string>& words) {
-    std::string text;
-    for (const std::string& word : words) text += (text.empty() ? "" : ", ") + word;
-    return text;
-}
 
 // Every choice of a setting as an entry without a key.
 void append_choices(std::vector<Entry>& entries, const std::string& menu, const std::string& setting,
@@ -73,6 +68,7 @@ std::vector<Entry> make_entries(const std::vector<std::string>& scenes) {
     compare("Penalty against hybrid response", "drop", "contact.response=penalty", "contact.response=hybrid");
     compare("15 x 15 against 29 x 29 particles", "original", "cloth.particles=15,15", "cloth.particles=29,29");
     entries.push_back({"Compare", {}, "End of the comparison", "compare none"});
+    const char* around = "Ball left, right, away from you, towards you";
     const std::vector<Entry> rest{
         {"Hierarchy/Leaf size", {}, "Auto", "set contact.leaf_cells=0"},
         {"Hierarchy/Leaf size", {}, "2 x 2 cells", "set contact.leaf_cells=2"},
@@ -99,30 +95,10 @@ std::vector<Entry> make_entries(const std::vector<std::string>& scenes) {
         {"View", {"Shift+K"}, "Plots of the last seconds", "next view.plots"},
         {"View", {"K"}, "Energy balance", "next solver.ledger"},
         {"View", {"F"}, "Frame the scene", "frame"},
-        {"Ball",
-         {"Left", "A"},
-         "Ball to the left",
-         "steer -1 0 0",
-         Manner::WhileHeld,
-         "Ball left, right, away from you, towards you"},
-        {"Ball",
-         {"Right", "D"},
-         "Ball to the right",
-         "steer 1 0 0",
-         Manner::WhileHeld,
-         "Ball left, right, away from you, towards you"},
-        {"Ball",
-         {"Up", "W"},
-         "Ball away from you",
-         "steer 0 0 1",
-         Manner::WhileHeld,
-         "Ball left, right, away from you, towards you"},
-        {"Ball",
-         {"Down", "S"},
-         "Ball towards you",
-         "steer 0 0 -1",
-         Manner::WhileHeld,
-         "Ball left, right, away from you, towards you"},
+        {"Ball", {"Left", "A"}, "Ball to the left", "steer -1 0 0", Manner::WhileHeld, around},
+        {"Ball", {"Right", "D"}, "Ball to the right", "steer 1 0 0", Manner::WhileHeld, around},
+        {"Ball", {"Up", "W"}, "Ball away from you", "steer 0 0 1", Manner::WhileHeld, around},
+        {"Ball", {"Down", "S"}, "Ball towards you", "steer 0 0 -1", Manner::WhileHeld, around},
         {"Ball", {"PageUp", "E"}, "Ball up", "steer 0 1 0", Manner::WhileHeld, "Ball up, down"},
         {"Ball", {"PageDown", "Shift+Q"}, "Ball down", "steer 0 -1 0", Manner::WhileHeld, "Ball up, down"},
         {"Ball", {"X"}, "Throw the ball where you look", "throw 0 0 0 0 0 0", Manner::Aimed},
@@ -161,7 +137,21 @@ std::vector<KeyHelp> first_hints() {
     };
 }
 
-std::string key_text(const Entry& entry) { return joined(entry.keys); }
+std::vector<KeyHelp> tour_hint(std::size_t stop) {
+    const auto stops = tour_stops();
+    const TourStop& now = stops[stop];
+    return {{std::to_string(stop + 1) + " of " + std::to_string(stops.size()), std::string(now.title)},
+            {"See", std::string(now.look)},
+            {"Try", std::string(now.try_it)},
+            {"Read", std::string(now.file)},
+            {"F1, F2, Esc", "Next stop, previous stop, end of the tour"}};
+}
+
+std::string key_text(const Entry& entry) {
+    std::string text;
+    for (const std::string& key : entry.keys) text += (text.empty() ? "" : ", ") + key;
+    return text;
+}
 
 std::vector<KeyHelp> help_lines(const std::vector<Entry>& entries) {
     std::vector<KeyHelp> lines{

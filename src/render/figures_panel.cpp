@@ -3,16 +3,15 @@
 #include <imgui.h>
 
 #include <algorithm>
-#include <array>
 #include <cfloat>
 #include <cmath>
-#include <cstdio>
 #include <iterator>
 #include <string>
 #include <vector>
 
 #include "drape/bounds/broad_phase.h"
 #include "drape/integrate/integrator.h"
+#include "format_text.h"
 #include "overlay_style.h"
 
 namespace drape {
@@ -27,13 +26,6 @@ struct Row {
     ImU32 colour = ink::text;
     bool opens_group = false;
 };
-
-template <class... Values>
-std::string format(const char* pattern, Values... values) {
-    std::array<char, 96> text{};
-    std::snprintf(text.data(), text.size(), pattern, values...);
-    return text.data();
-}
 
 // 1234567 as "1 234 567"
 std::string grouped(double value) {
@@ -81,23 +73,22 @@ Row state_row(const FrameView& view) {
 }
 
 // The step or the substeps that it is divided into, and how near they are to the limit
-std::vector<Row> step_rows(const FrameView& view) {
+void add_step_rows(const FrameView& view, std::vector<Row>& rows) {
     const StepReport& report = *view.report;
     const double substep = view.settings->solver.dt / report.substeps;
     std::string text = report.substeps > 1 ? format("%d x ", report.substeps) : "";
     text += format("%.3g ms", 1000 * substep);
-    std::vector<Row> rows{{"time step", text, -1, 3}};
+    rows.push_back({"time step", text, -1, 3});
     if (const double speed = view.settings->view.speed; speed != 1) {
         rows.push_back({"speed", format("%.3g x real time", speed), -1, 3, ink::wait});
     }
     const double ratio = report.step_limit_ratio;
-    if (ratio == 0) return rows;
+    if (ratio == 0) return;
     const ImU32 colour = ratio <= 0.9 ? ink::good : ratio <= 1 ? ink::wait : ink::bad;
     const std::string number = format(report.limit_is_least ? "%.2f at most" : "%.2f", ratio);
     const std::string value = std::isfinite(ratio) ? number : "no stable step";
     rows.push_back({"dt / limit", value, static_cast<float>(std::min(ratio, 1.0)), 4, colour});
     if (std::isfinite(ratio)) rows.push_back({"limit", format("%.3g ms", 1000 * substep / ratio), -1, 2});
-    return rows;
 }
 
 // The volume, with its fit if that is a sphere's
@@ -122,39 +113,31 @@ Row candidates_row(const FrameView& view) {
 }
 
 // What the hierarchy saves: tests, and time where that was measured
-std::vector<Row> saving_rows(const FrameView& view) {
+void add_saving_rows(const FrameView& view, std::vector<Row>& rows) {
     const double all = tests_of_brute_force(view);
-    if (all == 0) return {};
+    if (all == 0) return;
     const auto tested = static_cast<double>(view.report->traversal.candidates);
     const bool saves = all > 1.05 * tested;
     const std::string text = tested == 0 ? "tests them all" : format("%.3g x the tests", all / tested);
-    std::vector<Row> rows{{"brute force", saves ? text : "as many tests", -1, 3, saves ? ink::good : ink::wait}};
-    if (view.search == nullptr) return rows;
+    rows.push_back({"brute force", saves ? text : "as many tests", -1, 3, saves ? ink::good : ink::wait});
+    if (view.search == nullptr) return;
     const double time = view.search->hierarchy, brute = view.search->brute_force;
     rows.push_back({"search, in all", format("%.3g ms", 1000 * time), -1, 2});
     rows.push_back({"by brute force", format("%.3g ms, %.2g x", 1000 * brute, brute / time), -1, 2,
                     brute > time ? ink::good : ink::wait});
-    return rows;
 }
 
 // What stands above the figures of a group
-std::vector<Row> rows_ahead(ReportGroup group, const FrameView& view) {
+void add_rows_ahead(ReportGroup group, const FrameView& view, std::vector<Row>& rows) {
     const Settings& settings = *view.settings;
-    switch (group) {
-        case ReportGroup::Time: {
-            std::vector<Row> rows{state_row(view),
-                                  {"integrator", std::string(name_of(settings.solver.integrator)), -1, 4}};
-            std::ranges::move(step_rows(view), std::back_inserter(rows));
-            return rows;
-        }
-        case ReportGroup::Hierarchy: {
-            std::vector<Row> rows{{"volume", volume_text(settings.contact), -1, 2},
-                                  {"update", name_of(settings.contact.update), -1, 1}};
-            std::ranges::move(saving_rows(view), std::back_inserter(rows));
-            return rows;
-        }
-        default:
-            return {};
+    if (group == ReportGroup::Time) {
+        rows.push_back(state_row(view));
+        rows.push_back({"integrator", name_of(settings.solver.integrator), -1, 4});
+        add_step_rows(view, rows);
+    } else if (group == ReportGroup::Hierarchy) {
+        rows.push_back({"volume", volume_text(settings.contact), -1, 2});
+        rows.push_back({"update", name_of(settings.contact.update), -1, 1});
+        add_saving_rows(view, rows);
     }
 }
 
@@ -180,19 +163,18 @@ void add_balance_rows(const FrameView& view, std::vector<Row>& rows) {
 }
 
 // What a glance takes in, and what the user has asked for
-std::vector<Row> compact_rows(const FrameView& view, const FrameReport& last) {
-    std::vector<Row> rows = rows_ahead(ReportGroup::Time, view);
+void add_compact_rows(const FrameView& view, const FrameReport& last, std::vector<Row>& rows) {
+    add_rows_ahead(ReportGroup::Time, view, rows);
     rows.push_back({"contacts", grouped(static_cast<double>(view.report->contacts)), -1, 3});
     if (view.settings->contact.self) {
         rows.push_back({"touching pairs", grouped(static_cast<double>(view.report->pairs)), -1, 3});
     }
     if (tests_of_brute_force(view) > 0) rows.push_back(candidates_row(view));
-    std::ranges::move(saving_rows(view), std::back_inserter(rows));
+    add_saving_rows(view, rows);
     rows.push_back({"FPS", rate_text(view, last), -1, 3});
     add_grid_row(view, rows);
     add_balance_rows(view, rows);
     rows.push_back({"Tab", "all figures", -1, 1, ink::quiet});
-    return rows;
 }
 
 // Every figure of a step that has a label, group by group
@@ -206,9 +188,7 @@ void add_report_rows(const FrameView& view, std::vector<Row>& rows) {
         if (field.group == ReportGroup::Balance && !view.settings->solver.ledger) continue;
         const bool opens = before == nullptr || before->group != field.group;
         const std::size_t first = rows.size();
-        if (opens) {
-            for (Row& row : rows_ahead(field.group, view)) rows.push_back(std::move(row));
-        }
+        if (opens) add_rows_ahead(field.group, view, rows);
         rows.push_back(field.name == "candidates" ? candidates_row(view) : report_row(field, *view.report));
         rows[first].opens_group = opens && before != nullptr;
         before = &field;
@@ -270,9 +250,9 @@ struct Columns {
 };
 
 void draw_row(const Row& row, float top, const Columns& columns) {
-    text_at({columns.name, top}, ink::quiet, row.name.c_str());
-    text_at({columns.value, top}, row.colour, row.value.c_str());
-    const bool room = columns.value + ImGui::CalcTextSize(row.value.c_str()).x < columns.bar;
+    text_at({columns.name, top}, ink::quiet, row.name);
+    text_at({columns.value, top}, row.colour, row.value);
+    const bool room = columns.value + text_width(row.value) < columns.bar;
     if (row.part < 0 || !room) return;
     ImDrawList& list = *ImGui::GetWindowDrawList();
     const float line = ImGui::GetTextLineHeight(), upper = top + 0.36f * line, lower = top + 0.74f * line;
@@ -290,7 +270,7 @@ std::string time_text(double microseconds) {
 float figures_panel(const FrameView& view, const FrameReport& last, const PanelFont& title, const OverlayPage& page) {
     std::vector<Row> rows;
     if (view.settings->view.panel == PanelSize::Compact) {
-        rows = compact_rows(view, last);
+        add_compact_rows(view, last, rows);
     } else {
         add_report_rows(view, rows);
         add_cost_rows(view, last, rows);
@@ -309,7 +289,7 @@ float figures_panel(const FrameView& view, const FrameReport& last, const PanelF
 
     shown.font.push();
     ImGui::PushTextWrapPos(width);
-    text_at({2 * margin, 2 * margin}, ink::text, shown.text.c_str());
+    text_at({2 * margin, 2 * margin}, ink::text, shown.text);
     ImGui::PopTextWrapPos();
     ImGui::PopFont();
     const float value = 2 * margin + 7.2f * size;

@@ -219,10 +219,8 @@ FrameData make_frame_data(const FrameView& view, const Camera& camera, const Pic
     std::ranges::transform(value_colours(), data.value_colours.begin(), linear);
     std::ranges::transform(group_colours(), data.group_colours.begin(), linear);
     const ColourBy by = settings.colour;
-    data.look = {by == ColourBy::Level  ? 1
-                 : by == ColourBy::Side ? 2
-                                        : 0,
-                 settings.weave ? 1 : 0, settings.grid ? 1 : 0, 0};
+    const int groups = by == ColourBy::Level ? 1 : by == ColourBy::Side ? 2 : 0;
+    data.look = {groups, settings.weave ? 1 : 0, settings.grid ? 1 : 0, 0};
     data.failure = failure_ends(view);
 
     data.counts = {0, 0, 0, list_dark_balls(view, data.balls)};

@@ -1,6 +1,5 @@
 #pragma once
 
-#include <utility>
 #include <vector>
 
 #include "gl.h"
@@ -11,23 +10,15 @@ namespace drape {
 template <auto& generate, auto& remove>
 class GlObject {
 public:
-    explicit GlObject(Gl& gl) : gl_(&gl) { gl(generate, 1, &name_); }
-
-    ~GlObject() {
-        if (name_ != 0) (*gl_)(remove, 1, &name_);
-    }
-
-    GlObject(GlObject&& other) noexcept : gl_(other.gl_), name_(std::exchange(other.name_, 0)) {}
-    GlObject& operator=(GlObject&& other) noexcept {
-        std::swap(gl_, other.gl_);
-        std::swap(name_, other.name_);
-        return *this;
-    }
+    explicit GlObject(Gl& gl) : gl_(gl) { gl(generate, 1, &name_); }
+    ~GlObject() { gl_(remove, 1, &name_); }
+    GlObject(const GlObject&) = delete;
+    GlObject& operator=(const GlObject&) = delete;
 
     [[nodiscard]] GLuint name() const { return name_; }
 
 private:
-    Gl* gl_;
+    Gl& gl_;
     GLuint name_ = 0;
 };
 
@@ -42,11 +33,11 @@ using Framebuffer = GlObject<glGenFramebuffers, glDeleteFramebuffers>;
 struct Attribute {
     GLuint location;
     int components;
-    std::size_t start;  ///< in the vertex [byte]
     GLenum type = GL_FLOAT;
 };
 
-/// The vertices of a buffer; the attributes change with each vertex, or with each instance.
+/// The vertices of a buffer, in each of which the attributes follow one another; they change with each vertex, or with
+/// each instance.
 struct VertexLayout {
     std::size_t stride;  ///< from vertex to vertex [byte]
     std::vector<Attribute> attributes;
@@ -56,15 +47,17 @@ struct VertexLayout {
     void enable(Gl& gl) const {
         for (const Attribute& attribute : attributes) {
             gl(glEnableVertexAttribArray, attribute.location);
-            if (per_instance) gl(glVertexAttribDivisor, attribute.location, 1u);
+            if (per_instance) gl(glVertexAttribDivisor, attribute.location, 1);
         }
     }
 
     /// Tells the vertex array that is bound that the vertices start at a byte of the buffer that is bound.
     void set(Gl& gl, std::size_t start) const {
-        for (const auto& [location, components, offset, type] : attributes) {
-            gl(glVertexAttribPointer, location, components, type, GLboolean(type != GL_FLOAT),
-               static_cast<GLsizei>(stride), Gl::offset(start + offset));
+        for (const auto& [location, components, type] : attributes) {
+            const bool is_float = type == GL_FLOAT;
+            gl(glVertexAttribPointer, location, components, type, !is_float, static_cast<GLsizei>(stride),
+               Gl::offset(start));
+            start += static_cast<std::size_t>(components) * (is_float ? sizeof(float) : 1);
         }
     }
 };
@@ -73,8 +66,7 @@ struct VertexLayout {
 template <class T>
 void fill_static(Gl& gl, GLenum target, const Buffer& buffer, const std::vector<T>& data) {
     gl(glBindBuffer, target, buffer.name());
-    gl(glBufferData, target, static_cast<GLsizeiptr>(data.size() * sizeof(T)), static_cast<const void*>(data.data()),
-       GLenum{GL_STATIC_DRAW});
+    gl(glBufferData, target, static_cast<GLsizeiptr>(data.size() * sizeof(T)), data.data(), GL_STATIC_DRAW);
 }
 
 }  // namespace drape

@@ -3,7 +3,7 @@
 #include <png.h>
 #include <zlib.h>
 
-#include <array>
+#include <algorithm>
 #include <string_view>
 
 #include "drape/base/input_error.h"
@@ -53,7 +53,7 @@ void write_to(OutputFile& file, const Image& image, const std::filesystem::path&
 }  // namespace
 
 PictureSize parse_size(const std::string& text) {
-    const std::size_t by = text.find('x');
+    const std::size_t by = std::min(text.find('x'), text.size());
     const auto side = [&](const std::string& part) {
         const auto number = parse_integer(part);
         if (!number || *number < 1 || *number > 8192) {
@@ -61,8 +61,7 @@ PictureSize parse_size(const std::string& text) {
         }
         return static_cast<int>(*number);
     };
-    if (by == std::string::npos) return {side(text), side("")};
-    return {side(text.substr(0, by)), side(text.substr(by + 1))};
+    return {side(text.substr(0, by)), side(by < text.size() ? text.substr(by + 1) : "")};
 }
 
 void write_png(const Image& image, const std::filesystem::path& name) {

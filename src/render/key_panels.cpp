@@ -19,8 +19,8 @@ constexpr float columns_apart = 2;       // [margin]
 KeyColumns columns_of(std::span<const KeyHelp> lines, float most_width) {
     KeyColumns columns{.gap = ImGui::GetFontSize()};
     for (const KeyHelp& line : lines) {
-        columns.keys = std::max(columns.keys, ImGui::CalcTextSize(line.key.c_str()).x);
-        columns.texts = std::max(columns.texts, ImGui::CalcTextSize(line.text.c_str()).x);
+        columns.keys = std::max(columns.keys, text_width(line.key));
+        columns.texts = std::max(columns.texts, text_width(line.text));
     }
     if (columns.width() <= most_width) return columns;
     columns.keys = std::min(columns.keys, most_keys * most_width);
@@ -45,7 +45,7 @@ float height_of(std::span<const KeyHelp> lines, const KeyColumns& columns, float
 
 void wrapped_text(ImVec2 corner, float width, ImU32 colour, const std::string& text) {
     ImGui::PushTextWrapPos(corner.x + width + 1);
-    text_at(corner, colour, text.c_str());
+    text_at(corner, colour, text);
     ImGui::PopTextWrapPos();
 }
 

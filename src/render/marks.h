@@ -1,6 +1,5 @@
 #pragma once
 
-#include <array>
 #include <vector>
 
 #include "drape/sim/frame_view.h"
@@ -13,7 +12,8 @@
 namespace drape {
 
 /// What explains the picture: pins and what the hand holds; as far as the settings ask for them, particles and springs,
-/// contacts, bounds.
+/// contacts, bounds; a ring about the particle that has diverged first, and a thick line along the worst of its
+/// springs.
 class Marks {
 public:
     Marks(Gl& gl, StreamBuffer& stream);
@@ -30,7 +30,8 @@ public:
     void add_to(PictureBounds& bounds) const;
 
     /// Over the solids, and last of all that has a depth; blending is on.
-    void draw();
+    /// @param failed whether the run has diverged at a particle, which is marked over all that is before it
+    void draw(bool failed);
 
     /// How far marks stand out of the solids whose box is drawn [pixel].
     [[nodiscard]] int room() const { return show_pins_ ? 24 : 0; }
@@ -46,22 +47,19 @@ private:
     void collect_compared(const FrameView& view);
     void index_springs(const FrameView& view);
 
-    [[nodiscard]] std::size_t sphere_count() const { return bounds_.spheres.size() + compared_balls_.size(); }
-    [[nodiscard]] std::size_t edge_count() const { return bounds_.edges.size() + compared_.size(); }
-
     /// Fainter where something is before it. Nothing that asks for depths may be drawn afterwards.
     template <class Draw>
     void draw_seen_and_hidden(Draw draw);
 
     Gl& gl_;
-    Program spring_program_, particle_program_, pin_program_, contact_program_, sphere_program_, edge_program_;
+    Program spring_program_, particle_program_, pin_program_, contact_program_, sphere_program_, edge_program_,
+        failure_program_;
     StreamArray springs_, contacts_, spheres_, edges_;
+    VertexArray no_vertices_;  ///< core profile wants one, even where the shader makes the corners
     Buffer spring_indices_;
     std::vector<Grid> grids_;
-    Outlines bounds_;
-    std::vector<std::array<Vec3, 2>> compared_;   ///< structural springs of the other simulation
-    std::vector<BoundingSphere> compared_balls_;  ///< where they are elsewhere
-    std::vector<NodeView> nodes_;
+    Outlines bounds_;  ///< and structural springs and balls of the other simulation
+    ShownNodes nodes_;
     TouchedCells touched_;
     bool show_particles_ = false;
     bool show_pins_ = false;

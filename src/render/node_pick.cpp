@@ -3,9 +3,10 @@
 #include <Eigen/Geometry>
 #include <algorithm>
 #include <cmath>
-#include <cstdio>
 #include <limits>
 #include <numbers>
+
+#include "format_text.h"
 
 namespace drape {
 
@@ -21,18 +22,10 @@ struct ScreenPoint {
 };
 
 // "3.2 cm"
-using ShortText = std::array<char, 32>;
-ShortText length_text(Real length) {
+std::string length_text(Real length) {
     const auto metres = static_cast<double>(length);
-    ShortText text{};
-    if (metres < 0.01) {
-        std::snprintf(text.data(), text.size(), "%.1f mm", 1000 * metres);
-    } else if (metres < 1) {
-        std::snprintf(text.data(), text.size(), "%.1f cm", 100 * metres);
-    } else {
-        std::snprintf(text.data(), text.size(), "%.2f m", metres);
-    }
-    return text;
+    if (metres < 0.01) return format("%.1f mm", 1000 * metres);
+    return metres < 1 ? format("%.1f cm", 100 * metres) : format("%.2f m", metres);
 }
 
 }  // namespace
@@ -105,29 +98,16 @@ std::optional<NodePick> NodePicker::pick(const FrameView& view, const Camera& ca
     best_distance_ = catch_distance;
     best_depth_ = std::numeric_limits<float>::infinity();
     for (std::size_t c = 0; c < view.cloths.size(); ++c) {
-        list_shown(view, *view.cloths[c].hierarchy);
-        look_for_lines(pointed, view.cloths[c], c);
+        look_for_lines(pointed, shown_.list(view, *view.cloths[c].hierarchy), view.cloths[c], c);
     }
     if (!best_) best_ = node_on_cloth(view, camera.ray(x, y, width, height));
     if (best_) complete(view, *best_);
     return best_;
 }
 
-/// As `Marks` draws them.
-void NodePicker::list_shown(const FrameView& view, const BroadPhase& hierarchy) {
-    shown_.clear();
-    const ShownLevel shown = shown_level(view);
-    if (!shown.all && hierarchy.levels() > 0) {
-        hierarchy.nodes_at(std::min(shown.level, hierarchy.levels() - 1), shown_);
-    }
-    for (int level = 0; shown.all && level < hierarchy.levels(); ++level) {
-        nodes_of_level(hierarchy, level, nodes_);
-        shown_.insert(shown_.end(), nodes_.begin(), nodes_.end());
-    }
-}
-
-void NodePicker::look_for_lines(const Pointed& pointed, const ClothView& cloth, std::size_t number) {
-    for (const NodeView& node : shown_) {
+void NodePicker::look_for_lines(const Pointed& pointed, std::span<const NodeView> shown, const ClothView& cloth,
+                                std::size_t number) {
+    for (const NodeView& node : shown) {
         BoundingSphere about = std::visit([](const auto& volume) { return volume.sphere(); }, node.volume);
         about.radius += cloth.hierarchy->slack();
         if (pointed.is_beside(about)) continue;
@@ -155,10 +135,10 @@ std::optional<NodePick> NodePicker::node_on_cloth(const FrameView& view, const R
     const Grid& grid = cloth.model.grid;
     const int i = std::min(hit.particle % grid.nx, grid.cell_columns() - 1);
     const int j = std::min(hit.particle / grid.nx, grid.cell_rows() - 1);
-    list_shown(view, *cloth.hierarchy);
+    const std::span<const NodeView> shown = shown_.list(view, *cloth.hierarchy);
     const auto holds = [&](const NodeView& node) { return node.cells.holds(i, j); };
-    const auto found = std::find_if(shown_.rbegin(), shown_.rend(), holds);
-    if (found == shown_.rend()) return std::nullopt;
+    const auto found = std::find_if(shown.rbegin(), shown.rend(), holds);
+    if (found == shown.rend()) return std::nullopt;
     return NodePick{.cloth = number, .node = *found};
 }
 
@@ -191,51 +171,33 @@ Real gap_to_ball(const AnyVolume& volume, const Ball& ball) {
     return together;
 }
 
-NodeText node_title(const NodePick& pick, const FrameView& view) {
+std::string node_title(const NodePick& pick, const FrameView& view) {
     const QuadtreeNode& cells = pick.node.cells;
-    ShortText level{"Level"};
-    if (view.cloths.size() > 1)
-        std::snprintf(level.data(), level.size(), "Cloth %d, level", static_cast<int>(pick.cloth));
-    NodeText text{};
-    std::snprintf(text.data(), text.size(), "%s %d, node %d: columns %d-%d, rows %d-%d", level.data(), cells.level,
-                  pick.number, cells.i0, cells.i1 - 1, cells.j0, cells.j1 - 1);
-    return text;
+    const std::string cloth = "Cloth " + std::to_string(pick.cloth) + ", level ";
+    return (view.cloths.size() > 1 ? cloth : "Level ") + format("%d, node %d: columns %d-%d, rows %d-%d", cells.level,
+                                                                pick.number, cells.i0, cells.i1 - 1, cells.j0,
+                                                                cells.j1 - 1);
 }
 
-NodeText node_reason(const NodePick& pick, const FrameView& view) {
-    const bool has_ball = !view.balls.empty(), beside_cloth = view.settings->contact.self;
-    const char* ball = view.balls.size() == 1 ? "the ball" : "the nearest ball";
-    const ShortText length = length_text(std::abs(pick.gap));
-    NodeText text{};
+std::string node_reason(const NodePick& pick, const FrameView& view) {
+    const bool has_ball = !view.balls.empty();
+    const std::string ball = view.balls.size() == 1 ? "the ball" : "the nearest ball";
+    const std::string length = length_text(std::abs(pick.gap));
     switch (pick.state) {
         case NodeState::Unvisited:
-            std::snprintf(text.data(), text.size(), "not visited: a node above it was pruned");
-            break;
+            return "not visited: a node above it was pruned";
         case NodeState::Pruned:
-            if (has_ball) {
-                std::snprintf(text.data(), text.size(), "pruned: %s beyond %s%s", length.data(), ball,
-                              beside_cloth ? ", and no cloth near" : "");
-            } else {
-                std::snprintf(text.data(), text.size(), "pruned: no other cloth is near");
-            }
-            break;
-        case NodeState::Visited:
-        case NodeState::Leaf:
-        case NodeState::FalseCandidate: {
-            const char* what = pick.state == NodeState::Visited ? "visited" : "leaf, cells tested";
-            const char* outcome = pick.state == NodeState::FalseCandidate ? "; none touches" : "";
-            if (has_ball && pick.gap <= 0) {
-                std::snprintf(text.data(), text.size(), "%s: overlaps %s by %s%s", what, ball, length.data(), outcome);
-            } else {
-                std::snprintf(text.data(), text.size(), "%s: cloth is near%s", what, outcome);
-            }
-            break;
-        }
+            if (!has_ball) return "pruned: no other cloth is near";
+            return "pruned: " + length + " beyond " + ball + (view.settings->contact.self ? ", and no cloth near" : "");
         case NodeState::Touching:
-            std::snprintf(text.data(), text.size(), "touching: there are contacts in it");
+            return "touching: there are contacts in it";
+        default:
             break;
     }
-    return text;
+    const std::string what = pick.state == NodeState::Visited ? "visited: " : "leaf, cells tested: ";
+    const char* outcome = pick.state == NodeState::FalseCandidate ? "; none touches" : "";
+    if (has_ball && pick.gap <= 0) return what + "overlaps " + ball + " by " + length + outcome;
+    return what + "cloth is near" + outcome;
 }
 
 }  // namespace drape

@@ -1,7 +1,8 @@
 #pragma once
 
-#include <array>
 #include <optional>
+#include <span>
+#include <string>
 #include <vector>
 
 #include "drape/render/camera.h"
@@ -29,12 +30,13 @@ public:
 
 private:
     struct Pointed;
-    void look_for_lines(const Pointed& pointed, const ClothView& cloth, std::size_t number);
+    void look_for_lines(const Pointed& pointed, std::span<const NodeView> shown, const ClothView& cloth,
+                        std::size_t number);
     [[nodiscard]] std::optional<NodePick> node_on_cloth(const FrameView& view, const Ray& ray);
     void complete(const FrameView& view, NodePick& pick);
-    void list_shown(const FrameView& view, const BroadPhase& hierarchy);
 
-    std::vector<NodeView> shown_, nodes_;
+    ShownNodes shown_;
+    std::vector<NodeView> nodes_;
     Outlines outlines_;
     TouchedCells touched_;
     std::optional<NodePick> best_;
@@ -45,12 +47,10 @@ private:
 /// or, less than zero, may shrink until it no longer does; at most its radius. Found by halving.
 Real gap_to_ball(const AnyVolume& volume, const Ball& ball);
 
-using NodeText = std::array<char, 160>;
-
 /// "Level 3, node 21: columns 8-15, rows 0-7", of cells; with several cloths, which.
-NodeText node_title(const NodePick& pick, const FrameView& view);
+std::string node_title(const NodePick& pick, const FrameView& view);
 
 /// "pruned: 3.2 cm beyond the ball"
-NodeText node_reason(const NodePick& pick, const FrameView& view);
+std::string node_reason(const NodePick& pick, const FrameView& view);
 
 }  // namespace drape

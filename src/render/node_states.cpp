@@ -33,17 +33,10 @@ bool TouchedCells::any_in(const CellRange& cells) const {
 }
 
 NodeState TouchedCells::state_of(const NodeView& node) const {
-    switch (node.visit) {
-        case NodeVisit::Unvisited:
-            return NodeState::Unvisited;
-        case NodeVisit::Pruned:
-            return NodeState::Pruned;
-        case NodeVisit::Entered:
-            return any_in(node.cells) ? NodeState::Touching : NodeState::Visited;
-        case NodeVisit::Leaf:
-            break;
-    }
+    if (node.visit == NodeVisit::Unvisited) return NodeState::Unvisited;
+    if (node.visit == NodeVisit::Pruned) return NodeState::Pruned;
     if (any_in(node.cells)) return NodeState::Touching;
+    if (node.visit == NodeVisit::Entered) return NodeState::Visited;
     return tested_ ? NodeState::FalseCandidate : NodeState::Leaf;
 }
 
@@ -58,6 +51,19 @@ ShownLevel shown_level(const FrameView& view) {
 void nodes_of_level(const BroadPhase& hierarchy, int level, std::vector<NodeView>& nodes) {
     hierarchy.nodes_at(level, nodes);
     std::erase_if(nodes, [level](const NodeView& node) { return node.cells.level != level; });
+}
+
+std::span<const NodeView> ShownNodes::list(const FrameView& view, const BroadPhase& hierarchy) {
+    all_.clear();
+    const ShownLevel shown = shown_level(view);
+    if (!shown.all && hierarchy.levels() > 0) {
+        hierarchy.nodes_at(std::min(shown.level, hierarchy.levels() - 1), all_);
+    }
+    for (int level = 0; shown.all && level < hierarchy.levels(); ++level) {
+        nodes_of_level(hierarchy, level, of_level_);
+        all_.insert(all_.end(), of_level_.begin(), of_level_.end());
+    }
+    return all_;
 }
 
 LevelCounts& LevelCounts::operator+=(const LevelCounts& other) {

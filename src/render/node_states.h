@@ -11,8 +11,9 @@
 
 namespace drape {
 
-/// How a node is drawn: by what queries did with it, and whether anything in it touches.
-enum class NodeState : std::uint8_t { Unvisited, Pruned, Visited, Leaf, FalseCandidate, Touching };
+/// How a node is drawn: by what queries did with it, and whether anything in it touches. Cloth and balls that are
+/// compared are drawn likewise, in a colour of their own.
+enum class NodeState : std::uint8_t { Unvisited, Pruned, Visited, Leaf, FalseCandidate, Touching, Compared };
 
 /// What the legend says of a state, and the colour of both: red, green, blue, opacity.
 struct NodeLook {
@@ -20,7 +21,7 @@ struct NodeLook {
     std::array<float, 4> colour;
 };
 
-/// In the order of `NodeState`. Hues are apart for colour-blind eyes too. @cite okabe2008
+/// Of nodes, in the order of `NodeState`. Hues are apart for colour-blind eyes too. @cite okabe2008
 std::span<const NodeLook, 6> node_looks();
 
 /// The cells of a cloth with a contact, to be asked for by rectangles.
@@ -56,6 +57,16 @@ ShownLevel shown_level(const FrameView& view);
 /// Nodes of one level and no other.
 /// @param nodes receives them; cleared first
 void nodes_of_level(const BroadPhase& hierarchy, int level, std::vector<NodeView>& nodes);
+
+/// Lists the nodes of a hierarchy that are shown.
+class ShownNodes {
+public:
+    /// @return those of the shown level or, level after level, all; valid until the next call
+    std::span<const NodeView> list(const FrameView& view, const BroadPhase& hierarchy);
+
+private:
+    std::vector<NodeView> all_, of_level_;
+};
 
 /// What queries did with the nodes of one level.
 struct LevelCounts {

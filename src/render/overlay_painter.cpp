@@ -1,12 +1,13 @@
 #include "overlay_painter.h"
 
-#include "drape/base/assert.h"
-
 #include <imgui.h>
 
 #include <algorithm>
 #include <cstddef>
 #include <cstring>
+
+#include "drape/base/assert.h"
+#include "picture_target.h"
 
 namespace drape {
 
@@ -17,13 +18,7 @@ std::size_t bytes_of(const ImVector<T>& items) {
     return static_cast<std::size_t>(items.Size) * sizeof(T);
 }
 
-// A clip rectangle in pixels from the lower left
-struct Scissor {
-    int x, y, width, height;
-    bool operator==(const Scissor&) const = default;
-};
-
-Scissor scissor_of(const ImVec4& clip, const ImVec2& display) {
+PictureBox scissor_of(const ImVec4& clip, const ImVec2& display) {
     const float left = std::clamp(clip.x, 0.0f, display.x), right = std::clamp(clip.z, left, display.x);
     const float top = std::clamp(clip.y, 0.0f, display.y), bottom = std::clamp(clip.w, top, display.y);
     return {static_cast<int>(left), static_cast<int>(display.y - bottom), static_cast<int>(right - left),
@@ -36,22 +31,18 @@ OverlayPainter::OverlayPainter(Gl& gl, StreamBuffer& stream)
     : gl_(gl),
       program_(gl, "overlay"),
       array_(gl, stream, Region::OverlayVertices,
-             {sizeof(ImDrawVert),
-              {{0, 2, offsetof(ImDrawVert, pos)},
-               {1, 2, offsetof(ImDrawVert, uv)},
-               {2, 4, offsetof(ImDrawVert, col), GL_UNSIGNED_BYTE}}}),
+             {sizeof(ImDrawVert), {{0, 2}, {1, 2}, {2, 4, GL_UNSIGNED_BYTE}}}),  // pos, uv, col
       atlas_(gl) {
     DRAPE_ASSERT(ImGui::GetCurrentContext() != nullptr && !ImGui::GetIO().Fonts->Fonts.empty());
     unsigned char* pixels = nullptr;
     int width = 0, height = 0;
     ImGui::GetIO().Fonts->GetTexDataAsAlpha8(&pixels, &width, &height);
-    gl(glActiveTexture, GLenum{GL_TEXTURE1});
-    gl(glBindTexture, GLenum{GL_TEXTURE_2D}, atlas_.name());
-    gl(glPixelStorei, GLenum{GL_UNPACK_ALIGNMENT}, 1);
-    gl(glTexImage2D, GLenum{GL_TEXTURE_2D}, 0, GLint{GL_R8}, width, height, 0, GLenum{GL_RED}, GLenum{GL_UNSIGNED_BYTE},
-       static_cast<const void*>(pixels));
-    gl(glTexParameteri, GLenum{GL_TEXTURE_2D}, GLenum{GL_TEXTURE_MIN_FILTER}, GLint{GL_LINEAR});
-    gl(glTexParameteri, GLenum{GL_TEXTURE_2D}, GLenum{GL_TEXTURE_MAG_FILTER}, GLint{GL_LINEAR});
+    gl(glActiveTexture, GL_TEXTURE1);
+    gl(glBindTexture, GL_TEXTURE_2D, atlas_.name());
+    gl(glPixelStorei, GL_UNPACK_ALIGNMENT, 1);
+    gl(glTexImage2D, GL_TEXTURE_2D, 0, GL_R8, width, height, 0, GL_RED, GL_UNSIGNED_BYTE, pixels);
+    gl(glTexParameteri, GL_TEXTURE_2D, GL_TEXTURE_MIN_FILTER, GL_LINEAR);
+    gl(glTexParameteri, GL_TEXTURE_2D, GL_TEXTURE_MAG_FILTER, GL_LINEAR);
     ImGui::GetIO().Fonts->ClearTexData();
 
     array_.bind();
@@ -60,13 +51,11 @@ OverlayPainter::OverlayPainter(Gl& gl, StreamBuffer& stream)
 
 void OverlayPainter::need(bool shown, StreamBuffer& stream) {
     shown_ = shown;
-    std::size_t vertices = 0, indices = 0;
-    if (shown) {
-        vertices = static_cast<std::size_t>(ImGui::GetDrawData()->TotalVtxCount) * sizeof(ImDrawVert);
-        indices = static_cast<std::size_t>(ImGui::GetDrawData()->TotalIdxCount) * sizeof(ImDrawIdx);
-    }
-    stream.need(Region::OverlayVertices, vertices);
-    stream.need(Region::OverlayIndices, indices);
+    const ImDrawData* data = shown ? ImGui::GetDrawData() : nullptr;
+    const auto vertices = static_cast<std::size_t>(shown ? data->TotalVtxCount : 0);
+    const auto indices = static_cast<std::size_t>(shown ? data->TotalIdxCount : 0);
+    stream.need(Region::OverlayVertices, vertices * sizeof(ImDrawVert));
+    stream.need(Region::OverlayIndices, indices * sizeof(ImDrawIdx));
 }
 
 void OverlayPainter::fill(StreamBuffer& stream) const {
@@ -88,18 +77,18 @@ void OverlayPainter::draw(const StreamBuffer& stream) {
     const ImDrawData& data = *ImGui::GetDrawData();
     program_.use();
     array_.bind();
-    const Scissor whole = scissor_of({0, 0, data.DisplaySize.x, data.DisplaySize.y}, data.DisplaySize);
-    Scissor current = whole;
+    const PictureBox whole = scissor_of({0, 0, data.DisplaySize.x, data.DisplaySize.y}, data.DisplaySize);
+    PictureBox current = whole;
     int first_vertex = 0;
     std::size_t first_index = stream.start(Region::OverlayIndices);
     for (int i = 0; i < data.CmdListsCount; ++i) {
         const ImDrawList& list = *data.CmdLists[i];
         for (const ImDrawCmd& command : list.CmdBuffer) {
-            const Scissor scissor = scissor_of(command.ClipRect, data.DisplaySize);
+            const PictureBox scissor = scissor_of(command.ClipRect, data.DisplaySize);
             if (command.ElemCount == 0 || scissor.width == 0 || scissor.height == 0) continue;
             if (scissor != current) {
-                if (current == whole) gl_(glEnable, GLenum{GL_SCISSOR_TEST});
-                gl_(glScissor, scissor.x, scissor.y, scissor.width, scissor.height);
+                if (current == whole) gl_(glEnable, GL_SCISSOR_TEST);
+                gl_(glScissor, scissor.left, scissor.low, scissor.width, scissor.height);
                 current = scissor;
             }
             gl_.draw_short_elements(static_cast<int>(command.ElemCount),
@@ -109,7 +98,7 @@ void OverlayPainter::draw(const StreamBuffer& stream) {
         first_vertex += list.VtxBuffer.Size;
         first_index += bytes_of(list.IdxBuffer);
     }
-    if (current != whole) gl_(glDisable, GLenum{GL_SCISSOR_TEST});
+    if (current != whole) gl_(glDisable, GL_SCISSOR_TEST);
 }
 
 }  // namespace drape

@@ -14,7 +14,7 @@ public:
 
     /// @param shown whether there is draw data in this frame
     void need(bool shown, StreamBuffer& stream);
-    void arrange(const StreamBuffer& stream) const { array_.follow(stream); }
+    void arrange(const StreamBuffer& stream) { array_.follow(stream); }
     void fill(StreamBuffer& stream) const;
 
     /// Over the resolved picture; blending is on.

@@ -12,6 +12,7 @@
 #include "key_panels.h"
 #include "overlay_style.h"
 #include "panel_boxes.h"
+#include "plots_panel.h"
 
 namespace drape {
 
@@ -67,18 +68,13 @@ void set_style() {
     style.FramePadding = {6, 1};
     style.FrameRounding = 3;
     style.ScrollbarSize = 10;
-    style.Colors[ImGuiCol_FrameBg] = ImGui::ColorConvertU32ToFloat4(ink::groove);
-    style.Colors[ImGuiCol_SliderGrab] = ImGui::ColorConvertU32ToFloat4(ink::grab);
-    style.Colors[ImGuiCol_PopupBg] = ImGui::ColorConvertU32ToFloat4(ink::popup);
-    for (const ImGuiCol part : {ImGuiCol_Header, ImGuiCol_Button}) {
-        style.Colors[part] = ImGui::ColorConvertU32ToFloat4(ink::groove);
-        for (const int state : {1, 2}) style.Colors[part + state] = ImGui::ColorConvertU32ToFloat4(ink::lit);
-    }
-    for (const ImGuiCol part : {ImGuiCol_FrameBgHovered, ImGuiCol_FrameBgActive}) {
-        style.Colors[part] = ImGui::ColorConvertU32ToFloat4(ink::lit);
-    }
-    style.Colors[ImGuiCol_SliderGrabActive] = ImGui::ColorConvertU32ToFloat4(ink::grabbed);
-    style.Colors[ImGuiCol_CheckMark] = ImGui::ColorConvertU32ToFloat4(ink::bar);
+    constexpr std::pair<ImGuiCol, ImU32> colours[] = {
+        {ImGuiCol_FrameBg, ink::groove},  {ImGuiCol_FrameBgHovered, ink::lit},       {ImGuiCol_FrameBgActive, ink::lit},
+        {ImGuiCol_SliderGrab, ink::grab}, {ImGuiCol_SliderGrabActive, ink::grabbed}, {ImGuiCol_CheckMark, ink::bar},
+        {ImGuiCol_Header, ink::groove},   {ImGuiCol_HeaderHovered, ink::lit},        {ImGuiCol_HeaderActive, ink::lit},
+        {ImGuiCol_Button, ink::groove},   {ImGuiCol_ButtonHovered, ink::lit},        {ImGuiCol_ButtonActive, ink::lit},
+        {ImGuiCol_PopupBg, ink::popup}};
+    for (const auto& [part, colour] : colours) style.Colors[part] = ImGui::ColorConvertU32ToFloat4(colour);
 }
 
 // The keys of a text field, by the character that they make
@@ -124,20 +120,16 @@ bool panels_fit(const ViewSettings& shown, bool hinted, float width, float heigh
     if (shown.controls) columns += SettingsPanel::columns, margins += 1, rows = 12;
     if (hinted && (shown.controls || shown.panel == PanelSize::Full)) columns += hint_columns;
     if (hinted) rows += 10;
-    if (shown.plots) columns = std::max(columns, PlotsPanel::columns), rows += PlotsPanel::rows + 2;
+    if (shown.plots) columns = std::max(columns, plots_columns), rows += plots_rows + 2;
     return columns * font + margins * margin <= width && rows * font <= height;
 }
 
-// Those that mean something in a scene, in the strings that are there: each picture does this
-void choose_lines(const std::vector<KeyHelp>& all, bool has_ball, std::vector<KeyHelp>& chosen) {
-    const ShownIn elsewhere = has_ball ? ShownIn::ScenesWithoutBall : ShownIn::ScenesWithBall;
-    std::size_t count = 0;
-    for (const KeyHelp& line : all) {
-        if (line.where == elsewhere) continue;
-        if (count == chosen.size()) chosen.emplace_back();
-        chosen[count++] = line;
-    }
-    chosen.resize(count);
+// Those that mean something in a scene
+std::vector<KeyHelp> lines_for(const std::vector<KeyHelp>& all, bool has_ball) {
+    std::vector<KeyHelp> lines = all;
+    std::erase_if(lines, [elsewhere = has_ball ? ShownIn::ScenesWithoutBall : ShownIn::ScenesWithBall](
+                             const KeyHelp& line) { return line.where == elsewhere; });
+    return lines;
 }
 
 ImVec2 notices_size(std::span<const std::string> notices, float most_width, float margin) {
@@ -151,11 +143,9 @@ ImVec2 notices_size(std::span<const std::string> notices, float most_width, floa
 
 }  // namespace
 
-void OverlayPanels::DestroyContext::operator()(ImGuiContext* context) const { ImGui::DestroyContext(context); }
-
 OverlayPanels::OverlayPanels() {
     IMGUI_CHECKVERSION();
-    context_.reset(ImGui::CreateContext());
+    context_.reset(ImGui::CreateContext(), ImGui::DestroyContext);
     ImGui::SetCurrentContext(context_.get());
     ImGuiIO& io = ImGui::GetIO();
     io.IniFilename = nullptr;
@@ -179,23 +169,21 @@ void OverlayPanels::point(const PanelPointer& pointer) {
     next.back().notches = notches;
 }
 
-void OverlayPanels::type(unsigned char code) { input_.typed += static_cast<char>(code); }
-
 bool OverlayPanels::have_pointer() const {
     ImGui::SetCurrentContext(context_.get());
     const PanelPointer& pointer = input_.last();
     const auto x = static_cast<float>(pointer.x), y = static_cast<float>(pointer.y);
-    const bool shown = settings.left() > 0 || timeline.shown();
-    return settings.covers(x, y) || timeline.covers(x, y) || (shown && ImGui::GetIO().WantCaptureMouse);
+    const bool shown = settings.window.shown() || timeline.window.shown();
+    return settings.window.covers(x, y) || timeline.window.covers(x, y) || (shown && ImGui::GetIO().WantCaptureMouse);
 }
 
 bool OverlayPanels::have_keyboard() const {
     ImGui::SetCurrentContext(context_.get());
-    return settings.left() > 0 && ImGui::GetIO().WantTextInput;
+    return settings.window.shown() && ImGui::GetIO().WantTextInput;
 }
 
 void OverlayPanels::forget_input() {
-    if (settings.left() == 0 && !timeline.shown()) input_ = {};
+    if (!settings.window.shown() && !timeline.window.shown()) input_ = {};
 }
 
 void OverlayPanels::hand_over_input() {
@@ -231,8 +219,8 @@ bool OverlayPanels::build(FrameView view, const Camera& camera, const FrameRepor
     plots_.keep(view);
     comparison_.keep(view);
     const bool showing_help = shown.help && !help.empty();
-    if (showing_help) choose_lines(help, !view.balls.empty(), shown_help_);
-    choose_lines(hint, !view.balls.empty(), shown_hint_);
+    if (showing_help) shown_help_ = lines_for(help, !view.balls.empty());
+    shown_hint_ = lines_for(hint, !view.balls.empty());
     const bool showing_panel = shown.panel != PanelSize::Off;
     const bool showing_time = TimelinePanel::is_due(view.timeline, view.paused);
     const bool hinted = !hint.empty() && !showing_help;
@@ -241,7 +229,7 @@ bool OverlayPanels::build(FrameView view, const Camera& camera, const FrameRepor
     if (width < least_width || height < least_height ||
         (nothing && !shown.plots && !names_nodes && !showing_time && view.comparison == nullptr)) {
         settings.hide();
-        timeline.hide();
+        timeline.window.width = 0;
         forget_input();
         return false;
     }
@@ -265,11 +253,12 @@ bool OverlayPanels::build(FrameView view, const Camera& camera, const FrameRepor
     OverlayPage page{w, h, margin};
     const float font = font_sizes[size];
     const bool help_is_tight = showing_help && h < 50 * font;
-    if (shown.plots && !help_is_tight) page.height -= plots_.draw(page);
+    if (shown.plots && !help_is_tight) page.height -= plots_panel(plots_, page);
     const OverlayPage above_plots = page;
     if (showing_time) page.height -= TimelinePanel::height(page);
     if (shown.controls) {
-        boxes_.push_back(settings.place(page));
+        settings.place(page);
+        boxes_.push_back(settings.window.box());
     } else {
         settings.hide();
     }
@@ -301,15 +290,15 @@ bool OverlayPanels::build(FrameView view, const Camera& camera, const FrameRepor
     }
     if (!showing_help && !notices.empty()) notice_panel(notices, page, size, true);
     if (hinted) hint_panel(page, size);
-    const bool at_settings = settings.covers(static_cast<float>(hover_x), static_cast<float>(hover_y));
+    const bool at_settings = settings.window.covers(static_cast<float>(hover_x), static_cast<float>(hover_y));
     if (names_nodes && !at_settings) hierarchy_.name_node(view, camera, hover_x, hover_y, {w, h, margin});
     ImGui::End();
     if (shown.controls) settings.draw(view, page);
     if (showing_time) {
         timeline.draw(view.timeline, above_plots);
-        boxes_.push_back(timeline.box());
+        boxes_.push_back(timeline.window.box());
     } else {
-        timeline.hide();
+        timeline.window.width = 0;
     }
     forget_input();
     ImGui::PopFont();
@@ -384,7 +373,7 @@ float OverlayPanels::notice_panel(std::span<const std::string> notices, const Ov
             const float most = box->right - box->left - 2 * margin + 1;
             ImGui::PushTextWrapPos(line.x + most);
             for (const std::string& notice : notices) {
-                text_at(line, ink::wait, notice.c_str());
+                text_at(line, ink::wait, notice);
                 line.y += ImGui::CalcTextSize(notice.c_str(), nullptr, false, most).y;
             }
             ImGui::PopTextWrapPos();

@@ -16,7 +16,7 @@
 #include "key_panels.h"
 #include "overlay_style.h"
 #include "panel_boxes.h"
-#include "plots_panel.h"
+#include "plot_history.h"
 #include "settings_panel.h"
 #include "step_medians.h"
 #include "timeline_panel.h"
@@ -43,7 +43,7 @@ public:
 
     /// The user's pointer and keyboard, as `Renderer` has them.
     void point(const PanelPointer& pointer);
-    void type(unsigned char code);
+    void type(unsigned char code) { input_.typed += static_cast<char>(code); }
     [[nodiscard]] bool have_pointer() const;
     [[nodiscard]] bool have_keyboard() const;
 
@@ -55,10 +55,6 @@ public:
     int hover_x = -1, hover_y = -1;  ///< of the pointer over the picture; -1: not known [pixel]
 
 private:
-    struct DestroyContext {
-        void operator()(ImGuiContext* context) const;
-    };
-
     void legends(const FrameView& view, float taken, OverlayPage page);
     void hint_panel(const OverlayPage& page, std::size_t font) const;
     float notice_panel(std::span<const std::string> notices, const OverlayPage& page, std::size_t font,
@@ -87,11 +83,11 @@ private:
 
     StepMedians step_medians_;
     HierarchyPanel hierarchy_;
-    PlotsPanel plots_;
+    PlotHistory plots_;
     ComparisonPanel comparison_;
     std::vector<KeyHelp> shown_help_, shown_hint_;  ///< lines that mean something in the scene
     std::vector<PanelBox> boxes_;
-    std::unique_ptr<ImGuiContext, DestroyContext> context_;
+    std::shared_ptr<ImGuiContext> context_;
     Input input_;
     std::array<PanelFont, 8> fonts_{};  ///< from small to large
 };

@@ -2,6 +2,7 @@
 
 #include <imgui.h>
 
+#include <string_view>
 #include <vector>
 
 #include "panel_boxes.h"
@@ -49,12 +50,19 @@ inline void draw_panel(ImVec2 corner, ImVec2 size) {
     ImGui::GetWindowDrawList()->AddRectFilled(corner, {corner.x + size.x, corner.y + size.y}, ink::panel, rounding);
 }
 
+inline float text_width(std::string_view text) { return ImGui::CalcTextSize(text.data(), text.data() + text.size()).x; }
+
 /// Text from a point of the picture on.
-inline void text_at(ImVec2 corner, ImU32 colour, const char* text) {
+inline void text_at(ImVec2 corner, ImU32 colour, std::string_view text) {
     ImGui::SetCursorScreenPos(corner);
     ImGui::PushStyleColor(ImGuiCol_Text, colour);
-    ImGui::TextUnformatted(text);
+    ImGui::TextUnformatted(text.data(), text.data() + text.size());
     ImGui::PopStyleColor();
+}
+
+/// Text up to a point of the picture.
+inline void text_before(ImVec2 corner, ImU32 colour, std::string_view text) {
+    text_at({corner.x - text_width(text), corner.y}, colour, text);
 }
 
 }  // namespace drape

@@ -4,7 +4,25 @@
 
 #include <algorithm>
 
+#include "overlay_style.h"
+
 namespace drape {
+
+bool PanelWindow::begin(const char* name, int flags, float padding) const {
+    ImGui::SetNextWindowPos({left, top});
+    ImGui::SetNextWindowSize({width, height});
+    ImGui::PushStyleVar(ImGuiStyleVar_WindowPadding, {padding, padding});
+    ImGui::PushStyleVar(ImGuiStyleVar_WindowRounding, 8);
+    ImGui::PushStyleColor(ImGuiCol_WindowBg, ink::panel);
+    return ImGui::Begin(name, nullptr,
+                        flags | ImGuiWindowFlags_NoMove | ImGuiWindowFlags_NoSavedSettings | ImGuiWindowFlags_NoNav);
+}
+
+void PanelWindow::end() {
+    ImGui::End();
+    ImGui::PopStyleColor();
+    ImGui::PopStyleVar(2);
+}
 
 std::optional<PanelBox> free_place(const OverlayPage& page, const std::vector<PanelBox>& others,
                                    const std::function<ImVec2(float)>& size_within, float least_width, bool at_top) {

@@ -25,6 +25,23 @@ inline bool overlap(const PanelBox& a, const PanelBox& b, float gap = 0) {
     return a.left < b.right + gap && b.left < a.right + gap && a.top < b.bottom + gap && b.top < a.bottom + gap;
 }
 
+/// A window of Dear ImGui that has widgets, as it was last drawn [pixel].
+struct PanelWindow {
+    float left = 0, top = 0, width = 0, height = 0;
+
+    [[nodiscard]] bool shown() const { return width > 0; }
+    [[nodiscard]] PanelBox box() const { return {left, top, left + width, top + height}; }
+    [[nodiscard]] bool covers(float x, float y) const {
+        return x >= left && x < left + width && y >= top && y < top + height;
+    }
+
+    /// Begins it on a panel's ground; `end` follows.
+    /// @param flags `ImGuiWindowFlags`
+    /// @return whether anything is to be made in it
+    [[nodiscard]] bool begin(const char* name, int flags, float padding) const;
+    static void end();
+};
+
 /// Where panels are that find room for themselves: the others of this frame are in the way.
 /// @param size_within how large the panel is if it may be this wide [pixel]
 /// @param least_width less of it would not be readable [pixel]

@@ -15,7 +15,7 @@ namespace {
 constexpr int wanted_samples = 4;
 
 void check_complete(Gl& gl, const PictureSize& size) {
-    if (gl(glCheckFramebufferStatus, GLenum{GL_FRAMEBUFFER}) != GL_FRAMEBUFFER_COMPLETE) {
+    if (gl(glCheckFramebufferStatus, GL_FRAMEBUFFER) != GL_FRAMEBUFFER_COMPLETE) {
         throw RunError("OpenGL refuses a picture of " + std::to_string(size.width) + "x" + std::to_string(size.height) +
                        " pixels");
     }
@@ -58,35 +58,34 @@ PictureBox PictureBounds::box() const {
 }
 
 // Leaves its texture bound to unit 2
-PictureLayer::PictureLayer(Gl& gl, const PictureSize& size, int samples)
-    : size_(size), colour_(gl), sample_colour_(gl), sample_depth_(gl), plain_(gl), samples_(gl) {
+PictureLayer::PictureLayer(Gl& gl, const PictureSize& picture, int samples_wanted)
+    : size(picture), colour(gl), sample_colour(gl), sample_depth(gl), plain(gl), samples(gl) {
     const auto attach = [&gl](const Renderbuffer& buffer, GLenum attachment) {
-        gl(glFramebufferRenderbuffer, GLenum{GL_FRAMEBUFFER}, attachment, GLenum{GL_RENDERBUFFER}, buffer.name());
+        gl(glFramebufferRenderbuffer, GL_FRAMEBUFFER, attachment, GL_RENDERBUFFER, buffer.name());
     };
     GLint most = 0;
-    gl(glGetIntegerv, GLenum{GL_MAX_SAMPLES}, &most);
-    const int count = samples > 1 ? std::min(samples, static_cast<int>(most)) : 0;
+    gl(glGetIntegerv, GL_MAX_SAMPLES, &most);
+    const int count = samples_wanted > 1 ? std::min(samples_wanted, static_cast<int>(most)) : 0;
     const auto store = [&](const Renderbuffer& buffer, GLenum format) {
-        gl(glBindRenderbuffer, GLenum{GL_RENDERBUFFER}, buffer.name());
-        gl(glRenderbufferStorageMultisample, GLenum{GL_RENDERBUFFER}, count, format, size.width, size.height);
+        gl(glBindRenderbuffer, GL_RENDERBUFFER, buffer.name());
+        gl(glRenderbufferStorageMultisample, GL_RENDERBUFFER, count, format, size.width, size.height);
     };
-    store(sample_colour_, GL_RGBA8);
-    store(sample_depth_, GL_DEPTH_COMPONENT24);
-    gl(glBindFramebuffer, GLenum{GL_FRAMEBUFFER}, samples_.name());
-    attach(sample_colour_, GL_COLOR_ATTACHMENT0);
-    attach(sample_depth_, GL_DEPTH_ATTACHMENT);
+    store(sample_colour, GL_RGBA8);
+    store(sample_depth, GL_DEPTH_COMPONENT24);
+    gl(glBindFramebuffer, GL_FRAMEBUFFER, samples.name());
+    attach(sample_colour, GL_COLOR_ATTACHMENT0);
+    attach(sample_depth, GL_DEPTH_ATTACHMENT);
     check_complete(gl, size);
 
     const GLenum target = GL_TEXTURE_2D;
-    gl(glActiveTexture, GLenum{GL_TEXTURE2});
-    gl(glBindTexture, target, colour_.name());
-    gl(glTexImage2D, target, 0, GLint{GL_RGBA8}, size.width, size.height, 0, GLenum{GL_RGBA}, GLenum{GL_UNSIGNED_BYTE},
-       static_cast<const void*>(nullptr));
-    gl(glTexParameteri, target, GLenum{GL_TEXTURE_MIN_FILTER}, GLint{GL_NEAREST});
-    gl(glTexParameteri, target, GLenum{GL_TEXTURE_MAG_FILTER}, GLint{GL_NEAREST});
-    gl(glActiveTexture, GLenum{GL_TEXTURE0});
-    gl(glBindFramebuffer, GLenum{GL_FRAMEBUFFER}, plain_.name());
-    gl(glFramebufferTexture2D, GLenum{GL_FRAMEBUFFER}, GLenum{GL_COLOR_ATTACHMENT0}, target, colour_.name(), 0);
+    gl(glActiveTexture, GL_TEXTURE2);
+    gl(glBindTexture, target, colour.name());
+    gl(glTexImage2D, target, 0, GL_RGBA8, size.width, size.height, 0, GL_RGBA, GL_UNSIGNED_BYTE, nullptr);
+    gl(glTexParameteri, target, GL_TEXTURE_MIN_FILTER, GL_NEAREST);
+    gl(glTexParameteri, target, GL_TEXTURE_MAG_FILTER, GL_NEAREST);
+    gl(glActiveTexture, GL_TEXTURE0);
+    gl(glBindFramebuffer, GL_FRAMEBUFFER, plain.name());
+    gl(glFramebufferTexture2D, GL_FRAMEBUFFER, GL_COLOR_ATTACHMENT0, target, colour.name(), 0);
     check_complete(gl, size);
 }
 
@@ -94,7 +93,7 @@ PictureTarget::PictureTarget(Gl& gl, const PictureSize& size)
     : gl_(gl), full_(gl, size, wanted_samples), layer_(&full_) {}
 
 PictureSize PictureTarget::drawn_size(bool fast) const {
-    const PictureSize& size = full_.size();
+    const PictureSize& size = full_.size;
     return fast ? PictureSize{(size.width + 1) / 2, (size.height + 1) / 2} : size;
 }
 
@@ -103,56 +102,55 @@ void PictureTarget::begin(bool fast) {
     const PictureLayer* const wanted = fast ? &*half_ : &full_;
     if (wanted != layer_) {
         layer_ = wanted;
-        gl_(glActiveTexture, GLenum{GL_TEXTURE2});
-        gl_(glBindTexture, GLenum{GL_TEXTURE_2D}, layer_->texture());
-        gl_(glActiveTexture, GLenum{GL_TEXTURE0});
+        gl_(glActiveTexture, GL_TEXTURE2);
+        gl_(glBindTexture, GL_TEXTURE_2D, layer_->colour.name());
+        gl_(glActiveTexture, GL_TEXTURE0);
     }
-    gl_(glBindFramebuffer, GLenum{GL_FRAMEBUFFER}, layer_->plain());
-    gl_(glViewport, 0, 0, layer_->size().width, layer_->size().height);
+    gl_(glBindFramebuffer, GL_FRAMEBUFFER, layer_->plain.name());
+    gl_(glViewport, 0, 0, layer_->size.width, layer_->size.height);
 }
 
 void PictureTarget::begin_samples(const PictureBox& box) {
     box_ = box;
-    gl_(glBindFramebuffer, GLenum{GL_FRAMEBUFFER}, layer_->samples());
-    gl_(glEnable, GLenum{GL_SCISSOR_TEST});
+    gl_(glBindFramebuffer, GL_FRAMEBUFFER, layer_->samples.name());
+    gl_(glEnable, GL_SCISSOR_TEST);
     gl_(glScissor, box.left, box.low, box.width, box.height);
-    gl_(glClear, GLbitfield{GL_COLOR_BUFFER_BIT | GL_DEPTH_BUFFER_BIT});
+    gl_(glClear, GL_COLOR_BUFFER_BIT | GL_DEPTH_BUFFER_BIT);
 }
 
 void PictureTarget::resolve(bool for_window) {
     const int right = box_.left + box_.width, high = box_.low + box_.height;
-    gl_(glDisable, GLenum{GL_SCISSOR_TEST});
-    gl_(glBindFramebuffer, GLenum{GL_DRAW_FRAMEBUFFER}, layer_->plain());
-    gl_(glBlitFramebuffer, box_.left, box_.low, right, high, box_.left, box_.low, right, high,
-        GLbitfield{GL_COLOR_BUFFER_BIT}, GLenum{GL_NEAREST});
+    gl_(glDisable, GL_SCISSOR_TEST);
+    gl_(glBindFramebuffer, GL_DRAW_FRAMEBUFFER, layer_->plain.name());
+    gl_(glBlitFramebuffer, box_.left, box_.low, right, high, box_.left, box_.low, right, high, GL_COLOR_BUFFER_BIT,
+        GL_NEAREST);
     in_window_ = for_window && layer_ != &full_;
     if (layer_ == &full_) return;
-    const auto [width, height] = full_.size();
-    gl_(glBindFramebuffer, GLenum{GL_READ_FRAMEBUFFER}, layer_->plain());
-    gl_(glBindFramebuffer, GLenum{GL_DRAW_FRAMEBUFFER}, in_window_ ? 0u : full_.plain());
-    gl_(glBlitFramebuffer, 0, 0, layer_->size().width, layer_->size().height, 0, 0, width, height,
-        GLbitfield{GL_COLOR_BUFFER_BIT}, GLenum{GL_LINEAR});
+    const auto [width, height] = full_.size;
+    gl_(glBindFramebuffer, GL_READ_FRAMEBUFFER, layer_->plain.name());
+    gl_(glBindFramebuffer, GL_DRAW_FRAMEBUFFER, in_window_ ? 0u : full_.plain.name());
+    gl_(glBlitFramebuffer, 0, 0, layer_->size.width, layer_->size.height, 0, 0, width, height, GL_COLOR_BUFFER_BIT,
+        GL_LINEAR);
     gl_(glViewport, 0, 0, width, height);
-    if (in_window_) gl_(glDisable, GLenum{GL_DEPTH_TEST});  // it may have depths of its own
+    if (in_window_) gl_(glDisable, GL_DEPTH_TEST);  // it may have depths of its own
 }
 
 void PictureTarget::present() {
-    if (in_window_) return gl_(glEnable, GLenum{GL_DEPTH_TEST});
-    const auto [width, height] = full_.size();
-    gl_(glBindFramebuffer, GLenum{GL_READ_FRAMEBUFFER}, full_.plain());
-    gl_(glBindFramebuffer, GLenum{GL_DRAW_FRAMEBUFFER}, 0u);
-    gl_(glBlitFramebuffer, 0, 0, width, height, 0, 0, width, height, GLbitfield{GL_COLOR_BUFFER_BIT},
-        GLenum{GL_NEAREST});
+    if (in_window_) return gl_(glEnable, GL_DEPTH_TEST);
+    const auto [width, height] = full_.size;
+    gl_(glBindFramebuffer, GL_READ_FRAMEBUFFER, full_.plain.name());
+    gl_(glBindFramebuffer, GL_DRAW_FRAMEBUFFER, 0);
+    gl_(glBlitFramebuffer, 0, 0, width, height, 0, 0, width, height, GL_COLOR_BUFFER_BIT, GL_NEAREST);
 }
 
 Image PictureTarget::read_back() {
     DRAPE_ASSERT(!in_window_);
     // With four bytes a pixel, as it is stored, it is copied; with three it would be converted, at ten times the cost
-    const auto [width, height] = full_.size();
+    const auto [width, height] = full_.size;
     const auto pixels = static_cast<std::size_t>(width) * static_cast<std::size_t>(height);
     std::vector<std::uint8_t> rgba(4 * pixels);
-    gl_(glBindFramebuffer, GLenum{GL_READ_FRAMEBUFFER}, full_.plain());
-    gl_(glReadPixels, 0, 0, width, height, GLenum{GL_RGBA}, GLenum{GL_UNSIGNED_BYTE}, static_cast<void*>(rgba.data()));
+    gl_(glBindFramebuffer, GL_READ_FRAMEBUFFER, full_.plain.name());
+    gl_(glReadPixels, 0, 0, width, height, GL_RGBA, GL_UNSIGNED_BYTE, rgba.data());
 
     // OpenGL's first row is the lowest
     Image image{width, height, std::vector<std::uint8_t>(3 * pixels)};

@@ -3,9 +3,7 @@
 #include <Eigen/Core>
 #include <Eigen/Geometry>
 #include <optional>
-#include <span>
 
-#include "cloth_mesh.h"
 #include "drape/render/image.h"
 #include "gl_objects.h"
 
@@ -14,17 +12,11 @@ namespace drape {
 /// A rectangle of a picture, from its lower left corner [pixel].
 struct PictureBox {
     int left = 0, low = 0, width = 0, height = 0;
+    bool operator==(const PictureBox&) const = default;
 };
 
 /// With as much room on all sides as the picture of this size has, up to `room` [pixel].
 PictureBox grown(const PictureBox& box, int room, int width, int height);
-
-/// A ball as it is drawn.
-struct DrawnBall {
-    Eigen::Vector4f sphere;       ///< centre, radius [m]
-    Eigen::Vector4f orientation;  ///< x, y, z, w of a quaternion
-    float steered;                ///< by the keys, as one of several: 1, else 0
-};
 
 /// The box around all that is drawn; the whole picture if something is beside or behind the eye.
 class PictureBounds {
@@ -47,22 +39,15 @@ private:
 
 /// A plain framebuffer of a size, and one with samples for the box in which there are outlines. The plain one is also a
 /// texture, to be read while the samples are drawn.
-class PictureLayer {
-public:
-    /// @param samples for each pixel, as far as OpenGL has them
+struct PictureLayer {
+    /// @param samples_wanted for each pixel, as far as OpenGL has them
     /// @throws RunError if OpenGL refuses the size
-    PictureLayer(Gl& gl, const PictureSize& size, int samples);
+    PictureLayer(Gl& gl, const PictureSize& picture, int samples_wanted);
 
-    [[nodiscard]] const PictureSize& size() const { return size_; }
-    [[nodiscard]] GLuint texture() const { return colour_.name(); }
-    [[nodiscard]] GLuint plain() const { return plain_.name(); }
-    [[nodiscard]] GLuint samples() const { return samples_.name(); }
-
-private:
-    PictureSize size_;
-    Texture colour_;
-    Renderbuffer sample_colour_, sample_depth_;
-    Framebuffer plain_, samples_;
+    const PictureSize size;
+    Texture colour;
+    Renderbuffer sample_colour, sample_depth;
+    Framebuffer plain, samples;
 };
 
 /// The picture, and what the scene is drawn into: the picture itself, or for fast pictures a layer of half its width

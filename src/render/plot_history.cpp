@@ -44,20 +44,11 @@ std::span<const Plot, 5> plots() {
 void PlotHistory::keep(const FrameView& view) {
     const StepReport& report = *view.report;
     span_ = history * view.settings->view.speed;
-    if (view.scene != scene_) {
-        scene_ = view.scene;
-        first_ = count_ = 0;
-    }
-    if (count_ > 0) {
-        const double last = time(count_ - 1);
-        if (report.time < last) first_ = count_ = 0;
-        if (count_ > 0 && report.time < last + span_ / most) return;
-    }
-    if (count_ == most) {
-        first_ = (first_ + 1) % most;
-        --count_;
-    }
-    Moment& now = moments_[(first_ + count_++) % most];
+    if (view.scene != scene_ || (!moments_.empty() && report.time < moments_.back().time)) moments_.clear();
+    scene_ = view.scene;
+    if (!moments_.empty() && report.time < moments_.back().time + span_ / most) return;
+    if (moments_.size() == most) moments_.pop_front();
+    Moment& now = moments_.emplace_back();
     now.time = report.time;
     for (std::size_t c = 0; c < plot_curve_count; ++c) {
         const double value = plot_curves()[c].read(report);
@@ -67,7 +58,7 @@ void PlotHistory::keep(const FrameView& view) {
 
 std::size_t PlotHistory::oldest_shown() const {
     std::size_t oldest = 0;
-    while (time(count_ - 1) - time(oldest) > span_) ++oldest;
+    while (moments_.back().time - time(oldest) > span_) ++oldest;
     return oldest;
 }
 

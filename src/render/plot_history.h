@@ -2,6 +2,7 @@
 
 #include <array>
 #include <cstddef>
+#include <deque>
 #include <span>
 #include <string>
 
@@ -41,24 +42,22 @@ public:
     [[nodiscard]] double span() const { return span_; }
 
     /// Moments that are kept.
-    [[nodiscard]] std::size_t size() const { return count_; }
+    [[nodiscard]] std::size_t size() const { return moments_.size(); }
 
     /// The oldest moment that the plots show. @pre size() > 0
     [[nodiscard]] std::size_t oldest_shown() const;
 
     /// Of the k-th moment, from the oldest [s].
-    [[nodiscard]] double time(std::size_t k) const { return moment(k).time; }
-    [[nodiscard]] float value(std::size_t k, std::size_t curve) const { return moment(k).values[curve]; }
+    [[nodiscard]] double time(std::size_t k) const { return moments_[k].time; }
+    [[nodiscard]] float value(std::size_t k, std::size_t curve) const { return moments_[k].values[curve]; }
 
 private:
     struct Moment {
         double time = 0;  ///< [s]
         std::array<float, plot_curve_count> values{};
     };
-    [[nodiscard]] const Moment& moment(std::size_t k) const { return moments_[(first_ + k) % most]; }
 
-    std::array<Moment, most> moments_;
-    std::size_t first_ = 0, count_ = 0;
+    std::deque<Moment> moments_;
     std::string scene_;
     double span_ = 10;
 };

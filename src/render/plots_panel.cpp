@@ -4,9 +4,9 @@
 
 #include <algorithm>
 #include <cmath>
-#include <cstdio>
 #include <string>
 
+#include "format_text.h"
 #include "overlay_style.h"
 
 namespace drape {
@@ -20,24 +20,20 @@ constexpr ImU32 orange = IM_COL32(230, 159, 0, 255), sky = IM_COL32(86, 180, 233
 constexpr std::array<ImU32, plot_curve_count> curve_colours{orange, sky, green,  yellow, orange, sky,
                                                             orange, sky, orange, sky,    orange};
 
-std::array<char, 24> short_number(double value) {
-    std::array<char, 24> text{};
-    std::snprintf(text.data(), text.size(), std::abs(value) < 1000 ? "%.3g" : "%.0f", value);
-    return text;
-}
+std::string short_number(double value) { return format(std::abs(value) < 1000 ? "%.3g" : "%.0f", value); }
 
 }  // namespace
 
-float PlotsPanel::draw(const OverlayPage& page) const {
-    const float size = ImGui::GetFontSize(), margin = page.margin, height = rows * size;
+float plots_panel(const PlotHistory& history, const OverlayPage& page) {
+    const float size = ImGui::GetFontSize(), margin = page.margin, height = plots_rows * size;
     const float width =
         (page.width - margin * static_cast<float>(plots().size() + 1)) / static_cast<float>(plots().size());
-    const std::size_t count = history_.size();
+    const std::size_t count = history.size();
     if (width < 6 * size || count == 0) return 0;
     ImDrawList& list = *ImGui::GetWindowDrawList();
-    const double end = history_.time(count - 1), span = history_.span();
+    const double end = history.time(count - 1), span = history.span();
     std::array<ImVec2, PlotHistory::most> points;
-    const std::size_t oldest = history_.oldest_shown();
+    const std::size_t oldest = history.oldest_shown();
     for (std::size_t p = 0; p < plots().size(); ++p) {
         const Plot& plot = plots()[p];
         const ImVec2 corner{margin + static_cast<float>(p) * (width + margin), page.height - height - margin};
@@ -47,8 +43,8 @@ float PlotsPanel::draw(const OverlayPage& page) const {
         double low = 0, high = plot.scale;
         for (std::size_t k = oldest; k < count; ++k) {
             for (std::size_t c = plot.first; c < plot.end; ++c) {
-                low = std::min(low, static_cast<double>(history_.value(k, c)));
-                high = std::max(high, static_cast<double>(history_.value(k, c)));
+                low = std::min(low, static_cast<double>(history.value(k, c)));
+                high = std::max(high, static_cast<double>(history.value(k, c)));
             }
         }
         const float left = corner.x + 0.6f * size, right = corner.x + width - 0.6f * size;
@@ -62,27 +58,24 @@ float PlotsPanel::draw(const OverlayPage& page) const {
 
         for (std::size_t c = plot.first; c < plot.end; ++c) {
             for (std::size_t k = oldest; k < count; ++k) {
-                const auto back = static_cast<float>((end - history_.time(k)) / span);
-                points[k - oldest] = {right - back * (right - left), level(history_.value(k, c))};
+                const auto back = static_cast<float>((end - history.time(k)) / span);
+                points[k - oldest] = {right - back * (right - left), level(history.value(k, c))};
             }
             list.AddPolyline(points.data(), static_cast<int>(count - oldest), curve_colours[c], ImDrawFlags_None, 1.5f);
         }
 
         // Title, axis and legend
         text_at({left, corner.y + 0.2f * size}, ink::text, plot.title);
-        const std::array<char, 24> most_text = short_number(high), span_text = short_number(-span);
-        const float number_width = ImGui::CalcTextSize(most_text.data()).x;
-        text_at({right - number_width, corner.y + 0.2f * size}, ink::quiet, most_text.data());
+        text_before({right, corner.y + 0.2f * size}, ink::quiet, short_number(high));
         float along = left;
         for (std::size_t c = plot.first; c < plot.end; ++c) {
-            const float label_width = ImGui::CalcTextSize(plot_curves()[c].label).x;
+            const float label_width = text_width(plot_curves()[c].label);
             if (along + label_width > right) break;
             text_at({along, corner.y + 1.4f * size}, curve_colours[c], plot_curves()[c].label);
             along += label_width + 0.6f * size;
         }
-        const float now_width = ImGui::CalcTextSize("now").x;
-        text_at({left, bottom + 0.1f * size}, ink::quiet, (std::string(span_text.data()) + " s").c_str());
-        text_at({right - now_width, bottom + 0.1f * size}, ink::quiet, "now");
+        text_at({left, bottom + 0.1f * size}, ink::quiet, short_number(-span) + " s");
+        text_before({right, bottom + 0.1f * size}, ink::quiet, "now");
     }
     return height + margin;
 }

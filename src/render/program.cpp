@@ -10,38 +10,8 @@ namespace drape {
 
 namespace {
 
-std::string shader_log(Gl& gl, GLuint shader) {
-    GLint length = 0;
-    gl(glGetShaderiv, shader, GLenum{GL_INFO_LOG_LENGTH}, &length);
-    std::vector<char> log(static_cast<std::size_t>(length) + 1, '\0');
-    gl(glGetShaderInfoLog, shader, length, static_cast<GLsizei*>(nullptr), log.data());
-    return log.data();
-}
-
-GLuint compile(Gl& gl, GLenum stage, const std::string& file) {
-    const std::string source = shader_source(file);
-    const char* text = source.c_str();
-    const GLuint shader = gl(glCreateShader, stage);
-    gl(glShaderSource, shader, 1, &text, static_cast<const GLint*>(nullptr));
-    gl(glCompileShader, shader);
-    GLint ok = GL_FALSE;
-    gl(glGetShaderiv, shader, GLenum{GL_COMPILE_STATUS}, &ok);
-    if (!ok) {
-        const std::string log = shader_log(gl, shader);
-        gl(glDeleteShader, shader);
-        throw RunError("shaders/" + file + " does not compile: " + log);
-    }
-    return shader;
-}
-
-void bind_texture_unit(Gl& gl, GLuint program, const char* sampler, int unit) {
-    const GLint location = gl(glGetUniformLocation, program, sampler);
-    if (location >= 0) gl(glUniform1i, location, unit);
-}
-
-}  // namespace
-
-std::string shader_source(const std::string& file, int depth) {
+// The text of a shader file, with each line `#include "file"` replaced by that file of the same folder
+std::string shader_source(const std::string& file, int depth = 0) {
     if (depth > 8) throw RunError("shaders/" + file + ": includes go too deep");
     std::ifstream in(find_resource("shaders/" + file));
     if (!in) throw RunError("cannot read shaders/" + file);
@@ -57,6 +27,31 @@ std::string shader_source(const std::string& file, int depth) {
     return text;
 }
 
+// `glGetShaderInfoLog` or `glGetProgramInfoLog`
+std::string log_of(Gl& gl, GLuint object, PFNGLGETSHADERINFOLOGPROC get_log) {
+    std::vector<char> log(1 << 16, '\0');
+    gl(get_log, object, static_cast<GLsizei>(log.size()), nullptr, log.data());
+    return log.data();
+}
+
+GLuint compile(Gl& gl, GLenum stage, const std::string& file) {
+    const std::string source = shader_source(file);
+    const char* text = source.c_str();
+    const GLuint shader = gl(glCreateShader, stage);
+    gl(glShaderSource, shader, 1, &text, nullptr);
+    gl(glCompileShader, shader);
+    GLint ok = GL_FALSE;
+    gl(glGetShaderiv, shader, GL_COMPILE_STATUS, &ok);
+    if (!ok) {
+        const std::string log = log_of(gl, shader, glGetShaderInfoLog);
+        gl(glDeleteShader, shader);
+        throw RunError("shaders/" + file + " does not compile: " + log);
+    }
+    return shader;
+}
+
+}  // namespace
+
 Program::Program(Gl& gl, const std::string& vertex_name, const std::string& fragment_name) : gl_(gl) {
     const GLuint vertex = compile(gl, GL_VERTEX_SHADER, vertex_name + ".vert");
     const GLuint fragment = compile(gl, GL_FRAGMENT_SHADER, fragment_name + ".frag");
@@ -68,24 +63,23 @@ Program::Program(Gl& gl, const std::string& vertex_name, const std::string& frag
     gl(glDeleteShader, fragment);
 
     GLint ok = GL_FALSE;
-    gl(glGetProgramiv, name_, GLenum{GL_LINK_STATUS}, &ok);
+    gl(glGetProgramiv, name_, GL_LINK_STATUS, &ok);
     if (!ok) {
-        std::vector<char> log(4096, '\0');
-        gl(glGetProgramInfoLog, name_, static_cast<GLsizei>(log.size()), static_cast<GLsizei*>(nullptr), log.data());
+        const std::string log = log_of(gl, name_, glGetProgramInfoLog);
         gl(glDeleteProgram, name_);
-        throw RunError("shaders/" + fragment_name + " does not link: " + log.data());
+        throw RunError("shaders/" + fragment_name + " does not link: " + log);
     }
 
     // Where the shared block and the textures are
     const GLuint block = gl(glGetUniformBlockIndex, name_, "Frame");
-    if (block != GL_INVALID_INDEX) gl(glUniformBlockBinding, name_, block, 0u);
+    if (block != GL_INVALID_INDEX) gl(glUniformBlockBinding, name_, block, 0);
     gl(glUseProgram, name_);
-    bind_texture_unit(gl, name_, "shadow_map", 0);
-    bind_texture_unit(gl, name_, "atlas", 1);
-    bind_texture_unit(gl, name_, "studio_picture", 2);
-    bind_texture_unit(gl, name_, "shadow_probe", 3);
+    GLint unit = 0;
+    for (const char* sampler : {"shadow_map", "atlas", "studio_picture", "shadow_probe"}) {
+        const GLint location = gl(glGetUniformLocation, name_, sampler);
+        if (location >= 0) gl(glUniform1i, location, unit);
+        ++unit;
+    }
 }
-
-Program::~Program() { gl_(glDeleteProgram, name_); }
 
 }  // namespace drape

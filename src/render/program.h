@@ -16,7 +16,7 @@ public:
 
     /// @param vertex, fragment the names of both files
     Program(Gl& gl, const std::string& vertex, const std::string& fragment);
-    ~Program();
+    ~Program() { gl_(glDeleteProgram, name_); }
     Program(const Program&) = delete;
     Program& operator=(const Program&) = delete;
 
@@ -26,9 +26,5 @@ private:
     Gl& gl_;
     GLuint name_;
 };
-
-/// The text of a shader file, with each line `#include "file"` replaced by that file of the same folder.
-/// @throws RunError if a file is missing or includes go deeper than 8
-std::string shader_source(const std::string& file, int depth = 0);
 
 }  // namespace drape

@@ -9,8 +9,6 @@
 #include <utility>
 
 #include "cloth_colours.h"
-#include "drape/base/input_error.h"
-#include "failure_mark.h"
 #include "frame_data.h"
 #include "frame_meter.h"
 #include "marks.h"
@@ -26,24 +24,14 @@ namespace drape {
 
 namespace {
 
-void check_version(Gl& gl) {
-    GLint major = 0, minor = 0;
-    gl(glGetIntegerv, GLenum{GL_MAJOR_VERSION}, &major);
-    gl(glGetIntegerv, GLenum{GL_MINOR_VERSION}, &minor);
-    if (major * 10 + minor < 33) {
-        throw RunError("OpenGL 3.3 is needed, and this is " + std::to_string(major) + "." + std::to_string(minor));
-    }
-}
-
 // What stays the same over all frames
 void set_state(Gl& gl) {
-    check_version(gl);
-    gl(glEnable, GLenum{GL_DEPTH_TEST});
-    gl(glDepthFunc, GLenum{GL_LEQUAL});
-    gl(glEnable, GLenum{GL_MULTISAMPLE});
-    gl(glEnable, GLenum{GL_PROGRAM_POINT_SIZE});
-    gl(glBlendFunc, GLenum{GL_SRC_ALPHA}, GLenum{GL_ONE_MINUS_SRC_ALPHA});
-    gl(glPixelStorei, GLenum{GL_PACK_ALIGNMENT}, 1);
+    gl(glEnable, GL_DEPTH_TEST);
+    gl(glDepthFunc, GL_LEQUAL);
+    gl(glEnable, GL_MULTISAMPLE);
+    gl(glEnable, GL_PROGRAM_POINT_SIZE);
+    gl(glBlendFunc, GL_SRC_ALPHA, GL_ONE_MINUS_SRC_ALPHA);
+    gl(glPixelStorei, GL_PACK_ALIGNMENT, 1);
 }
 
 }  // namespace
@@ -58,7 +46,6 @@ struct Renderer::Parts {
     ClothColours colours;
     Studio studio{gl};
     Marks marks{gl, stream};
-    FailureMark failure_mark{gl};
     OverlayPanels panels;
     OverlayPainter painter{gl, stream};
     std::optional<PictureTarget> target;
@@ -69,7 +56,6 @@ struct Renderer::Parts {
 
     void prepare(const FrameView& view, const Camera& camera, std::span<const std::string> notices);
     void paint(const FrameView& view, DrawnFor use);
-    void count(bool at_rest);
     void note_cost() {
         report.gl_calls = static_cast<double>(gl.calls());
         report.vertices = static_cast<double>(gl.vertices());
@@ -115,7 +101,7 @@ std::vector<std::string> Renderer::take_changes() { return parts_->panels.settin
 
 std::optional<std::string> Renderer::take_wanted_comparison() { return parts_->panels.settings.compare.take_wanted(); }
 
-bool Renderer::shows_timeline() const { return parts_->panels.timeline.shown(); }
+bool Renderer::shows_timeline() const { return parts_->panels.timeline.window.shown(); }
 
 std::optional<std::int64_t> Renderer::take_wanted_step() { return parts_->panels.timeline.take_wanted(); }
 
@@ -126,18 +112,14 @@ void Renderer::draw(const FrameView& view, const Camera& camera, std::span<const
     parts.gl.restart_count();
     parts.prepare(view, camera, notices);
     parts.paint(view, use);
-    parts.count(is_at_rest(view));
+    // What is at rest is drawn now and then, which is no rate
+    const bool wakes = std::exchange(parts.was_at_rest, is_at_rest(view)) && !is_at_rest(view);
+    wakes ? parts.meter.begin_again() : parts.meter.count();
     ++parts.report.frame;
     parts.report.draw_time = watch.seconds();
     parts.report.rate = parts.meter.rate();
     parts.report.cpu = parts.meter.cpu();
     parts.note_cost();
-}
-
-// What is at rest is drawn now and then, which is no rate
-void Renderer::Parts::count(bool at_rest) {
-    const bool wakes = std::exchange(was_at_rest, at_rest) && !at_rest;
-    wakes ? meter.begin_again() : meter.count();
 }
 
 void Renderer::Parts::prepare(const FrameView& view, const Camera& camera, std::span<const std::string> notices) {
@@ -182,7 +164,7 @@ void Renderer::Parts::paint(const FrameView& view, DrawnFor use) {
     studio.draw_shadows();
 
     const ViewSettings& shown = view.settings->view;
-    const bool failed = FailureMark::is_shown(data);
+    const bool failed = data.failure[0].w() > 0;
     const auto [wide, high] = target->drawn_size(is_fast(view));
     PictureBounds bounds(data.view_projection, wide, high);
     solids.add_to(bounds, stream);
@@ -192,12 +174,11 @@ void Renderer::Parts::paint(const FrameView& view, DrawnFor use) {
     target->begin_samples(anywhere ? PictureBox{0, 0, wide, high} : grown(bounds.box(), room, wide, high));
     solids.draw(shown, stream);
     studio.draw_behind();
-    gl(glEnable, GLenum{GL_BLEND});
-    marks.draw();
-    if (failed) failure_mark.draw();
+    gl(glEnable, GL_BLEND);
+    marks.draw(failed);
     target->resolve(use == DrawnFor::Window);
     painter.draw(stream);
-    gl(glDisable, GLenum{GL_BLEND});
+    gl(glDisable, GL_BLEND);
 }
 
 void Renderer::present() {

@@ -82,21 +82,13 @@ void SettingEditor::explain(const Setting& setting) {
 }
 
 std::optional<SettingValue> SettingEditor::edit(const SettingRow& row) {
-    switch (row.setting->kind) {
-        case SettingKind::Flag: {
-            bool flag = std::get<bool>(row.value);
-            if (ImGui::Checkbox("##value", &flag)) return flag;
-            return std::nullopt;
-        }
-        case SettingKind::Choice:
-        case SettingKind::Pins:
-            return choice(row);
-        case SettingKind::Number:
-        case SettingKind::Integer:
-            return number(row);
-        default:
-            return list(row);
-    }
+    const SettingKind kind = row.setting->kind;
+    if (kind == SettingKind::Choice || kind == SettingKind::Pins) return choice(row);
+    if (kind == SettingKind::Number || kind == SettingKind::Integer) return number(row);
+    if (kind != SettingKind::Flag) return list(row);
+    bool flag = std::get<bool>(row.value);
+    if (ImGui::Checkbox("##value", &flag)) return flag;
+    return std::nullopt;
 }
 
 std::optional<SettingValue> SettingEditor::choice(const SettingRow& row) {
@@ -126,19 +118,20 @@ std::optional<SettingValue> SettingEditor::number(const SettingRow& row) {
     const double value = std::get<double>(row.value);
     ImGuiSliderFlags flags = ImGuiSliderFlags_NoRoundToFormat;
     if (row.scale.logarithmic) flags |= ImGuiSliderFlags_Logarithmic;
-    const bool is_held = held_setting_ == &setting;
+    const unsigned int widget = ImGui::GetID("##value");
+    const bool is_held = held_widget_ == widget;
     double changed = is_held ? held_values_.front() : value;
     const bool moved = ImGui::SliderScalar("##value", ImGuiDataType_Double, &changed, &row.scale.low, &row.scale.high,
                                            row.format.c_str(), flags);
     const bool is_active = ImGui::IsItemActive();
     if (is_active && ImGui::GetIO().WantTextInput && !ImGui::IsMouseDown(ImGuiMouseButton_Left)) {
         // Half a number is none: what is typed counts once it is whole
-        held_setting_ = &setting;
+        held_widget_ = widget;
         held_values_ = {changed};
         held_drawn_ = true;
         return std::nullopt;
     }
-    if (is_held) held_setting_ = nullptr;
+    if (is_held) forget();
     if (!moved && !is_held) return std::nullopt;
     changed = setting.kind == SettingKind::Integer ? std::round(changed) : rounded(changed);
     changed = std::clamp(changed, setting.range.low, setting.range.high);
@@ -149,9 +142,9 @@ std::optional<SettingValue> SettingEditor::number(const SettingRow& row) {
 // Some of these make the cloth again, so a drag is carried out as it ends
 std::optional<SettingValue> SettingEditor::list(const SettingRow& row) {
     const Setting& setting = *row.setting;
-    std::vector<double>& values = drawn_values_;
-    values = std::get<std::vector<double>>(row.value);
-    if (held_setting_ == &setting && held_values_.size() == values.size()) values = held_values_;
+    std::vector<double> values = std::get<std::vector<double>>(row.value);
+    const unsigned int widget = ImGui::GetID("##value");
+    if (held_widget_ == widget && held_values_.size() == values.size()) values = held_values_;
     const bool is_grid = setting.kind == SettingKind::Grid;
     const float speed = is_grid ? 0.2f : 0.01f;
     const bool changed = ImGui::DragScalarN("##value", ImGuiDataType_Double, values.data(),
@@ -159,12 +152,12 @@ std::optional<SettingValue> SettingEditor::list(const SettingRow& row) {
                                             &setting.range.high, row.format.c_str(), ImGuiSliderFlags_NoRoundToFormat);
     if (changed) {
         for (double& value : values) value = is_grid ? value : rounded(value);
-        held_setting_ = &setting;
+        held_widget_ = widget;
         held_values_ = values;
     }
-    held_drawn_ = held_drawn_ || held_setting_ == &setting;
-    if (held_setting_ != &setting || ImGui::IsAnyItemActive()) return std::nullopt;
-    held_setting_ = nullptr;
+    held_drawn_ = held_drawn_ || held_widget_ == widget;
+    if (held_widget_ != widget || ImGui::IsAnyItemActive()) return std::nullopt;
+    forget();
     if (is_grid) {
         for (double& value : values) value = std::round(value);
     }

@@ -34,7 +34,7 @@ struct SettingRow {
 SettingRow make_setting_row(const Setting& setting, std::size_t number, const Settings& settings,
                             const Settings& scene);
 
-/// Dear ImGui's widgets that change a setting's value: a slider, a box or a list each. It knows which of its rows is
+/// Dear ImGui's widgets that change a setting's value: a slider, a box or a list each. It knows which of its widgets is
 /// being changed.
 class SettingEditor {
 public:
@@ -61,7 +61,7 @@ public:
     void close_list() { closing_list_ = true; }
 
     /// Nothing is being changed any more.
-    void forget() { held_setting_ = nullptr; }
+    void forget() { held_widget_ = 0; }
     void hide() {
         list_open_ = closing_list_ = false;
         forget();
@@ -72,9 +72,8 @@ private:
     std::optional<SettingValue> number(const SettingRow& row);
     std::optional<SettingValue> list(const SettingRow& row);
 
-    const Setting* held_setting_ = nullptr;  ///< that is being changed, and waits for the button to go up
+    unsigned int held_widget_ = 0;  ///< of the value that is being changed, and waits for the button to go up; 0: none
     std::vector<double> held_values_;
-    std::vector<double> drawn_values_;
     bool held_drawn_ = false;  ///< in this frame
     bool list_open_ = false, closing_list_ = false;
 };

@@ -6,27 +6,16 @@
 #include <cctype>
 #include <cmath>
 
+#include "drape/base/numbers.h"
 #include "overlay_style.h"
 
 namespace drape {
 
 namespace {
 
-ImGuiWindowFlags panel_flags() {
-    return ImGuiWindowFlags_NoTitleBar | ImGuiWindowFlags_NoMove | ImGuiWindowFlags_NoResize |
-           ImGuiWindowFlags_NoSavedSettings | ImGuiWindowFlags_NoNav | ImGuiWindowFlags_NoFocusOnAppearing;
-}
-
 std::string capitalised(std::string text) {
     if (!text.empty()) text[0] = static_cast<char>(std::toupper(static_cast<unsigned char>(text[0])));
     return text;
-}
-
-/// A time step that suits a method: 0.9 of its limit, or the time between two pictures where that is shorter.
-/// @param longest `Simulation::longest_step` [s]
-double suitable_step(double longest) {
-    constexpr double picture = 1.0 / 60, below_the_limit = 0.895;  // 0.9 at most, however its digits are rounded
-    return std::min(below_the_limit * longest, picture);
 }
 
 }  // namespace
@@ -37,27 +26,17 @@ bool has_panel_row(const Setting& setting) {
            setting.kind != SettingKind::Text && setting.kind != SettingKind::Path;
 }
 
-bool SettingsPanel::covers(float x, float y) const {
-    return x >= left_ && x < left_ + width_ && y >= top_ && y < top_ + height_;
-}
-
-PanelBox SettingsPanel::place(const OverlayPage& page) {
-    width_ = std::min(columns * ImGui::GetFontSize(), page.width - 2 * page.margin);
-    height_ = page.height - 2 * page.margin;
-    left_ = page.width - page.margin - width_;
-    top_ = page.margin;
-    return {left_, top_, left_ + width_, top_ + height_};
+void SettingsPanel::place(const OverlayPage& page) {
+    const float width = std::min(columns * ImGui::GetFontSize(), page.width - 2 * page.margin);
+    window = {page.width - page.margin - width, page.margin, width, page.height - 2 * page.margin};
 }
 
 void SettingsPanel::draw(const FrameView& view, const OverlayPage& page) {
     const Settings& settings = *view.settings;
     editor_.begin_frame();
-    ImGui::SetNextWindowPos({left_, top_});
-    ImGui::SetNextWindowSize({width_, height_});
-    ImGui::PushStyleVar(ImGuiStyleVar_WindowPadding, {page.margin, page.margin});
-    ImGui::PushStyleVar(ImGuiStyleVar_WindowRounding, 8);
-    ImGui::PushStyleColor(ImGuiCol_WindowBg, ink::panel);
-    if (ImGui::Begin("settings", nullptr, panel_flags())) {
+    constexpr auto flags =
+        ImGuiWindowFlags_NoTitleBar | ImGuiWindowFlags_NoResize | ImGuiWindowFlags_NoFocusOnAppearing;
+    if (window.begin("settings", flags, page.margin)) {
         if (!is_up_to_date(settings)) make_rows(settings);
         compare.draw(view, scene_, widget_width());
         bool open = false;
@@ -74,9 +53,7 @@ void SettingsPanel::draw(const FrameView& view, const OverlayPage& page) {
         if (wanted_) show(wanted_->first, wanted_->second);
         wanted_.reset();
     }
-    ImGui::End();
-    ImGui::PopStyleColor();
-    ImGui::PopStyleVar(2);
+    PanelWindow::end();
     editor_.end_frame();
 }
 
@@ -129,7 +106,8 @@ void SettingsPanel::make_rows(const Settings& settings) {
 /// Where the method is no longer the scene's, or the step too long for it.
 void SettingsPanel::offer_step(const FrameView& view) {
     const SolverSettings& solver = view.settings->solver;
-    const double step = suitable_step(view.longest_step);
+    constexpr double picture = 1.0 / 60, below_the_limit = 0.895;  // 0.9 at most, however its digits are rounded
+    const double step = std::min(below_the_limit * view.longest_step, picture);
     const bool changed = solver.integrator != scene_.solver.integrator || solver.dt > view.longest_step;
     const bool suits = std::abs(solver.dt - step) < 0.05 * step;
     if (!changed || suits || step == 0) return;
@@ -150,7 +128,7 @@ void SettingsPanel::draw_row(const Row& row) {
     SettingEditor::explain(*row.setting);
 
     if (row.of_the_scene && *row.of_the_scene != row.value) {
-        ImGui::SameLine(width_ - 4.5f * ImGui::GetFontSize());
+        ImGui::SameLine(window.width - 4.5f * ImGui::GetFontSize());
         if (ImGui::SmallButton("reset")) changes_.push_back(row.name + "=" + value_text(*row.of_the_scene));
     }
     ImGui::PopID();

@@ -33,8 +33,8 @@ public:
         compare.forget();
     }
 
-    /// Where the panel of a frame is.
-    PanelBox place(const OverlayPage& page);
+    /// Finds the place of a frame's panel.
+    void place(const OverlayPage& page);
 
     /// Makes it there.
     void draw(const FrameView& view, const OverlayPage& page);
@@ -45,30 +45,25 @@ public:
     /// What the user has changed since the last call, as "solver.dt=0.001".
     [[nodiscard]] std::vector<std::string> take_changes() { return std::exchange(changes_, {}); }
 
-    /// Whether a point of the picture lies on the panel as it was last drawn [pixel].
-    [[nodiscard]] bool covers(float x, float y) const;
-
     /// Its left edge as it was last drawn; 0 where it is not shown [pixel].
-    [[nodiscard]] float left() const { return width_ > 0 ? left_ : 0; }
+    [[nodiscard]] float left() const { return window.shown() ? window.left : 0; }
 
     /// Whether a list of names was open as it was last drawn, and closes it as it is drawn next.
-    [[nodiscard]] bool list_open() const { return editor_.list_open() || compare.list_open(); }
-    void close_list() {
-        editor_.close_list();
-        compare.close_list();
-    }
+    [[nodiscard]] bool list_open() const { return editor_.list_open(); }
+    void close_list() { editor_.close_list(); }
 
     /// The panel is not shown.
     void hide() {
-        width_ = 0;
+        window.width = 0;
         editor_.hide();
-        compare.hide();
     }
 
     /// How many times the texts of the rows were made: once, and once for each change of a setting or of the scene.
     [[nodiscard]] int times_made() const { return times_made_; }
 
-    CompareSection compare;
+    PanelWindow window;  ///< without a width where it is not shown
+
+    CompareSection compare{editor_};
 
 private:
     struct Row : SettingRow {
@@ -76,7 +71,7 @@ private:
     };
 
     [[nodiscard]] bool is_up_to_date(const Settings& settings) const;
-    [[nodiscard]] float widget_width() const { return 0.48f * width_; }
+    [[nodiscard]] float widget_width() const { return 0.48f * window.width; }
     void make_rows(const Settings& settings);
     void selector(const Row& first);
     void draw_row(const Row& row);
@@ -90,7 +85,6 @@ private:
     Settings shown_;
     int times_made_ = 0;
     SettingEditor editor_;
-    float left_ = 0, top_ = 0, width_ = 0, height_ = 0;
 };
 
 }  // namespace drape

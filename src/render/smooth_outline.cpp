@@ -75,24 +75,17 @@ bool SmoothOutline::divide(const Edge& edge, const ClothVertex* particles, Cloth
     // By how much the cubic is off the middle; without a particle beyond one end, the parabola
     const int stride = edge.to - edge.from;
     const ClothVertex &a = particles[edge.from], &b = particles[edge.to];
-    const ClothVertex *before = particles + edge.from - stride, *after = particles + edge.to + stride;
-    const float share = part / (edge.has_before && edge.has_after ? 16 : 8);
-    float bend[3], square = 0;
-    for (int axis = 0; axis < 3; ++axis) {
-        const float p = a.position[axis], q = b.position[axis];
-        const float at_from = edge.has_before ? 2 * p - q - before->position[axis] : 0;
-        const float at_to = edge.has_after ? 2 * q - p - after->position[axis] : 0;
-        bend[axis] = (at_from + at_to) * share;
-        square += bend[axis] * bend[axis];
-    }
-    const float off = std::sqrt(square) * from.pixels;
+    const auto at = [&](int p) { return Eigen::Map<const Eigen::Vector3f>(particles[p].position); };
+    Eigen::Vector3f bend = Eigen::Vector3f::Zero();
+    if (edge.has_before) bend += 2 * at(edge.from) - at(edge.to) - at(edge.from - stride);
+    if (edge.has_after) bend += 2 * at(edge.to) - at(edge.from) - at(edge.to + stride);
+    bend *= part / (edge.has_before && edge.has_after ? 16 : 8);
+    const float off = std::sqrt(bend[0] * bend[0] + bend[1] * bend[1] + bend[2] * bend[2]) * from.pixels;
     if (!(off > unseen)) return false;
     farthest_ = std::max(farthest_, off);
 
-    for (int axis = 0; axis < 3; ++axis) {
-        middle.position[axis] = (a.position[axis] + b.position[axis]) / 2 + bend[axis];
-        middle.normal[axis] = (a.normal[axis] + b.normal[axis]) / 2;
-    }
+    Eigen::Map<Eigen::Vector3f>(middle.position) = (at(edge.from) + at(edge.to)) / 2 + bend;
+    for (int axis = 0; axis < 3; ++axis) middle.normal[axis] = (a.normal[axis] + b.normal[axis]) / 2;
     middle.pinned = 0;
     middle.value = (a.value + b.value) / 2;
     middle.hollow = (a.hollow + b.hollow) / 2;
@@ -107,8 +100,8 @@ std::uint32_t* SmoothOutline::divide_triangle(const Vertices& vertices, std::arr
 
     // Turned so that the divided edges come first
     constexpr std::array<std::ptrdiff_t, 8> turns{0, 0, 1, 0, 2, 2, 1, 0};
-    std::ranges::rotate(corners, corners.begin() + turns[which]);
-    std::ranges::rotate(edges, edges.begin() + turns[which]);
+    std::rotate(corners.begin(), corners.begin() + turns[which], corners.end());
+    std::rotate(edges.begin(), edges.begin() + turns[which], edges.end());
     const auto corner = [&](std::size_t k) { return vertices.first_particle + static_cast<std::uint32_t>(corners[k]); };
     const auto middle = [&](std::size_t k) { return vertices.first_middle + static_cast<std::uint32_t>(edges[k]); };
     const auto add = [&](std::uint32_t p, std::uint32_t q, std::uint32_t r) {

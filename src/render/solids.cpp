@@ -3,7 +3,6 @@
 #include <Eigen/Core>
 #include <algorithm>
 #include <cmath>
-#include <cstddef>
 #include <numbers>
 
 #include "cloth_mesh.h"
@@ -38,15 +37,15 @@ std::vector<Eigen::Vector3f> unit_sphere() {
     return points;
 }
 
-VertexLayout ball_layout() {
-    return {sizeof(DrawnBall),
-            {{3, 4, offsetof(DrawnBall, sphere)},
-             {4, 4, offsetof(DrawnBall, orientation)},
-             {8, 1, offsetof(DrawnBall, steered)}},
-            true};
-}
+/// A ball as it is drawn.
+struct DrawnBall {
+    Eigen::Vector4f sphere;       ///< centre, radius [m]
+    Eigen::Vector4f orientation;  ///< x, y, z, w of a quaternion
+    float steered;                ///< by the keys, as one of several: 1, else 0
+};
 
-const VertexLayout place_layout{sizeof(ClothPlace), {{5, 4, 0}}};
+const VertexLayout ball_layout{sizeof(DrawnBall), {{3, 4}, {4, 4}, {8, 1}}, true};
+const VertexLayout place_layout{sizeof(ClothPlace), {{5, 4}}};
 
 // Of the middles of edges, in the order of `SmoothOutline`; the places of the particles are there, from `first` on
 void append_middle_places(const Grid& grid, std::size_t first, std::vector<ClothPlace>& places) {
@@ -61,15 +60,13 @@ void append_middle_places(const Grid& grid, std::size_t first, std::vector<Cloth
     }
 }
 
-void store(const Eigen::Vector3f& from, float (&to)[3]) { std::copy_n(from.data(), 3, to); }
-
 // A solid's points where it is drawn; returns the vertex after them
 ClothVertex* fill_body(const FrameView& view, std::size_t number, const TriangleMesh& mesh, ClothVertex* vertex) {
     const Eigen::Quaternionf orientation = view.solids[number].orientation.cast<float>();
     const Eigen::Vector3f position = drawn_solid(view, number);
     for (std::size_t p = 0; p < mesh.points.size(); ++p, ++vertex) {
-        store(position + orientation * mesh.points[p].cast<float>(), vertex->position);
-        store(orientation * mesh.normals[p].cast<float>(), vertex->normal);
+        Eigen::Map<Eigen::Vector3f>(vertex->position) = position + orientation * mesh.points[p].cast<float>();
+        Eigen::Map<Eigen::Vector3f>(vertex->normal) = orientation * mesh.normals[p].cast<float>();
         vertex->pinned = vertex->value = vertex->hollow = 0;
     }
     return vertex;
@@ -88,14 +85,7 @@ void append_indices(std::span<const TriangleMesh> meshes, std::size_t first, std
 
 }  // namespace
 
-VertexLayout cloth_layout() {
-    return {sizeof(ClothVertex),
-            {{0, 3, offsetof(ClothVertex, position)},
-             {1, 3, offsetof(ClothVertex, normal)},
-             {2, 1, offsetof(ClothVertex, pinned)},
-             {6, 1, offsetof(ClothVertex, value)},
-             {7, 1, offsetof(ClothVertex, hollow)}}};
-}
+VertexLayout cloth_layout() { return {sizeof(ClothVertex), {{0, 3}, {1, 3}, {2, 1}, {6, 1}, {7, 1}}}; }
 
 Solids::Solids(Gl& gl, StreamBuffer& stream)
     : gl_(gl),
@@ -106,7 +96,7 @@ Solids::Solids(Gl& gl, StreamBuffer& stream)
       depth_program_(gl, "depth"),
       cloths_(gl, stream, Region::Cloth, cloth_layout()),
       outlined_(gl, stream, Region::Cloth, cloth_layout()),
-      balls_(gl, stream, Region::Balls, ball_layout()),
+      balls_(gl, stream, Region::Balls, ball_layout),
       cloth_indices_(gl),
       cloth_places_(gl),
       sphere_vertices_(gl),
@@ -115,7 +105,7 @@ Solids::Solids(Gl& gl, StreamBuffer& stream)
     const Grid rolled{sphere_columns + 1, sphere_rows + 1};
     const std::vector<std::uint32_t> indices = triangle_indices({&rolled, 1});
     sphere_index_count_ = static_cast<int>(indices.size());
-    const VertexLayout points{sizeof(Eigen::Vector3f), {{0, 3, 0}}};
+    const VertexLayout points{sizeof(Eigen::Vector3f), {{0, 3}}};
     balls_.bind();
     fill_static(gl, GL_ELEMENT_ARRAY_BUFFER, sphere_indices_, indices);
     fill_static(gl, GL_ARRAY_BUFFER, sphere_vertices_, unit_sphere());
@@ -151,23 +141,12 @@ void Solids::need(const FrameView& view, StreamBuffer& stream) {
 
 // @return false if their meshes were at hand
 bool Solids::update_bodies(const FrameView& view) {
-    if (std::ranges::equal(view.solids, shapes_, {}, &Solid::shape)) return false;
-    shapes_.clear();
+    if (!update_kept(view.solids, shapes_, &Solid::shape)) return false;
     meshes_.clear();
     body_vertex_count_ = 0;
     for (const Solid& solid : view.solids) {
-        shapes_.push_back(solid.shape);
         body_vertex_count_ += meshes_.emplace_back(solid.shape->surface()).points.size();
     }
-    return true;
-}
-
-// @return false if they were at hand
-bool Solids::update_spacings(const FrameView& view) {
-    const auto spacing_of = [](const ClothView& cloth) { return std::array{cloth.model.hx, cloth.model.hy}; };
-    if (std::ranges::equal(view.cloths, spacings_, {}, spacing_of)) return false;
-    spacings_.clear();
-    for (const ClothView& cloth : view.cloths) spacings_.push_back(spacing_of(cloth));
     return true;
 }
 
@@ -192,8 +171,9 @@ void Solids::arrange(const FrameView& view, StreamBuffer& stream) {
     outlined_.follow(stream);
     balls_.follow(stream);
     ball_count_ = static_cast<int>(view.balls.size());
-    const bool regrown = update_grids(view, grids_) || bodies_changed_;
-    if (update_spacings(view) || regrown) fill_places(view, stream);
+    const auto spacing_of = [](const ClothView& cloth) { return std::array{cloth.model.hx, cloth.model.hy}; };
+    const bool regrown = update_kept(view.cloths, grids_, grid_of) || bodies_changed_;
+    if (update_kept(view.cloths, spacings_, spacing_of) || regrown) fill_places(view, stream);
     if (!regrown) return;
     std::vector<std::uint32_t> indices = triangle_indices(grids_);
     cloth_index_count_ = static_cast<int>(indices.size());
@@ -264,14 +244,14 @@ void Solids::draw_cloths() {
 
 void Solids::draw_balls() {
     balls_.bind();
-    gl_.draw_elements_instanced(GL_TRIANGLES, sphere_index_count_, ball_count_);
+    gl_.draw_elements(GL_TRIANGLES, sphere_index_count_, 0, ball_count_);
 }
 
 // They are closed, and half of their triangles face away
 void Solids::draw_bodies() {
-    gl_(glEnable, GLenum{GL_CULL_FACE});
+    gl_(glEnable, GL_CULL_FACE);
     draw_indices(cloth_index_count_, body_index_count_);
-    gl_(glDisable, GLenum{GL_CULL_FACE});
+    gl_(glDisable, GL_CULL_FACE);
 }
 
 void Solids::draw_shadow() {
@@ -284,14 +264,14 @@ void Solids::draw_shadow() {
 void Solids::draw(const ViewSettings& shown, const StreamBuffer& stream) {
     const bool wireframe = shown.wireframe;
     shown.colour == ColourBy::Plain ? cloth_program_.use() : value_program_.use();
-    if (wireframe) gl_(glPolygonMode, GLenum{GL_FRONT_AND_BACK}, GLenum{GL_LINE});
+    if (wireframe) gl_(glPolygonMode, GL_FRONT_AND_BACK, GL_LINE);
     if (smooth_) {
         outlined_.bind();
         gl_.draw_elements(GL_TRIANGLES, outlined_index_count_, stream.start(Region::ClothIndices));
     } else {
         draw_cloths();
     }
-    if (wireframe) gl_(glPolygonMode, GLenum{GL_FRONT_AND_BACK}, GLenum{GL_FILL});
+    if (wireframe) gl_(glPolygonMode, GL_FRONT_AND_BACK, GL_FILL);
     if (body_index_count_ > 0) {
         body_program_.use();
         draw_bodies();
@@ -299,9 +279,9 @@ void Solids::draw(const ViewSettings& shown, const StreamBuffer& stream) {
     if (ball_count_ > 0) {
         ball_program_.use();
         // Balls are closed, and half of their triangles face away
-        gl_(glEnable, GLenum{GL_CULL_FACE});
+        gl_(glEnable, GL_CULL_FACE);
         draw_balls();
-        gl_(glDisable, GLenum{GL_CULL_FACE});
+        gl_(glDisable, GL_CULL_FACE);
     }
 }
 

@@ -49,7 +49,6 @@ private:
     void draw_balls();
     void draw_bodies();
     bool update_bodies(const FrameView& view);
-    bool update_spacings(const FrameView& view);
     void fill_places(const FrameView& view, StreamBuffer& stream);
     void fill_outlines(const FrameView& view, const Viewpoint& from, StreamBuffer& stream);
     void draw_indices(int first, int count);

@@ -21,15 +21,14 @@ StreamBuffer::StreamBuffer(Gl& gl) : gl_(gl), buffer_(gl), needs_(usual) {
     arrange();
     bind_vertices();
     upload();
-    gl(glBindBufferRange, GLenum{GL_UNIFORM_BUFFER}, 0u, buffer_.name(), GLintptr{0},
+    gl(glBindBufferRange, GL_UNIFORM_BUFFER, 0, buffer_.name(), 0,
        static_cast<GLsizeiptr>(usual[index(Region::Frame)]));
 }
 
 void StreamBuffer::arrange() {
     std::size_t end = staging_.size();
     for (std::size_t i = 0; i < regions; ++i) {
-        moved_[i] = needs_[i] > capacities_[i];
-        if (!moved_[i]) continue;
+        if (needs_[i] <= capacities_[i]) continue;
         capacities_[i] = aligned(std::max(needs_[i], capacities_[i] + capacities_[i] / 2));
         starts_[i] = end;
         end += capacities_[i];
@@ -42,21 +41,21 @@ void StreamBuffer::upload() {
     for (std::size_t i = 0; i < regions; ++i) {
         if (needs_[i] > 0) end = std::max(end, starts_[i] + needs_[i]);
     }
-    gl_(glBufferData, GLenum{GL_ARRAY_BUFFER}, static_cast<GLsizeiptr>(end), static_cast<const void*>(staging_.data()),
-        GLenum{GL_STREAM_DRAW});
+    gl_(glBufferData, GL_ARRAY_BUFFER, static_cast<GLsizeiptr>(end), staging_.data(), GL_STREAM_DRAW);
 }
 
 StreamArray::StreamArray(Gl& gl, const StreamBuffer& stream, Region region, VertexLayout layout)
-    : gl_(gl), array_(gl), region_(region), layout_(std::move(layout)) {
+    : gl_(gl), array_(gl), region_(region), layout_(std::move(layout)), start_(stream.start(region)) {
     bind();
     layout_.enable(gl);
-    layout_.set(gl, stream.start(region));
+    layout_.set(gl, start_);
 }
 
-void StreamArray::follow(const StreamBuffer& stream) const {
-    if (!stream.moved(region_)) return;
+void StreamArray::follow(const StreamBuffer& stream) {
+    if (stream.start(region_) == start_) return;
+    start_ = stream.start(region_);
     bind();
-    layout_.set(gl_, stream.start(region_));
+    layout_.set(gl_, start_);
 }
 
 }  // namespace drape

@@ -36,9 +36,6 @@ public:
     /// Makes room: a region that has grown beyond its capacity moves to the end.
     void arrange();
 
-    /// Whether a region has moved in the last `arrange`, so that its vertex arrays must follow.
-    [[nodiscard]] bool moved(Region region) const { return moved_[index(region)]; }
-
     /// Where a region is written.
     template <class T>
     T* data(Region region) {
@@ -51,10 +48,10 @@ public:
     void upload();
 
     /// Binds the buffer as the indices of the vertex array that is bound.
-    void bind_indices() { gl_(glBindBuffer, GLenum{GL_ELEMENT_ARRAY_BUFFER}, buffer_.name()); }
+    void bind_indices() { gl_(glBindBuffer, GL_ELEMENT_ARRAY_BUFFER, buffer_.name()); }
 
     /// Binds the buffer as the vertices that attributes are set from.
-    void bind_vertices() { gl_(glBindBuffer, GLenum{GL_ARRAY_BUFFER}, buffer_.name()); }
+    void bind_vertices() { gl_(glBindBuffer, GL_ARRAY_BUFFER, buffer_.name()); }
 
 private:
     static constexpr std::size_t regions = static_cast<std::size_t>(Region::Count);
@@ -63,7 +60,6 @@ private:
     Gl& gl_;
     Buffer buffer_;
     std::array<std::size_t, regions> needs_{}, capacities_{}, starts_{};
-    std::array<bool, regions> moved_{};
     std::vector<std::byte> staging_;
 };
 
@@ -75,13 +71,14 @@ public:
     void bind() const { gl_(glBindVertexArray, array_.name()); }
 
     /// To be called after `StreamBuffer::arrange`.
-    void follow(const StreamBuffer& stream) const;
+    void follow(const StreamBuffer& stream);
 
 private:
     Gl& gl_;
     VertexArray array_;
     Region region_;
     VertexLayout layout_;
+    std::size_t start_;
 };
 
 }  // namespace drape

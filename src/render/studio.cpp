@@ -25,16 +25,13 @@ Studio::Studio(Gl& gl)
       framebuffer_(gl) {}
 
 void Studio::follow(const FrameData& data) {
-    if (width_ > 0 && same_studio(data, drawn_)) return;
-    gl_(glBindFramebuffer, GLenum{GL_FRAMEBUFFER}, framebuffer_.name());
+    if (drawn_ && same_studio(data, *drawn_)) return;
+    gl_(glBindFramebuffer, GL_FRAMEBUFFER, framebuffer_.name());
     const int width = static_cast<int>(data.viewport[0]), height = static_cast<int>(data.viewport[1]);
-    if (width != width_ || height != height_) {
-        gl_(glBindRenderbuffer, GLenum{GL_RENDERBUFFER}, colour_.name());
-        gl_(glRenderbufferStorage, GLenum{GL_RENDERBUFFER}, GLenum{GL_RGBA8}, width, height);
-        gl_(glFramebufferRenderbuffer, GLenum{GL_FRAMEBUFFER}, GLenum{GL_COLOR_ATTACHMENT0}, GLenum{GL_RENDERBUFFER},
-            colour_.name());
-        width_ = width;
-        height_ = height;
+    if (!drawn_ || data.viewport != drawn_->viewport) {
+        gl_(glBindRenderbuffer, GL_RENDERBUFFER, colour_.name());
+        gl_(glRenderbufferStorage, GL_RENDERBUFFER, GL_RGBA8, width, height);
+        gl_(glFramebufferRenderbuffer, GL_FRAMEBUFFER, GL_COLOR_ATTACHMENT0, GL_RENDERBUFFER, colour_.name());
     }
     gl_(glViewport, 0, 0, width, height);
     studio_program_.use();
@@ -44,9 +41,9 @@ void Studio::follow(const FrameData& data) {
 }
 
 void Studio::copy() {
-    gl_(glBindFramebuffer, GLenum{GL_READ_FRAMEBUFFER}, framebuffer_.name());
-    gl_(glBlitFramebuffer, 0, 0, width_, height_, 0, 0, width_, height_, GLbitfield{GL_COLOR_BUFFER_BIT},
-        GLenum{GL_NEAREST});
+    gl_(glBindFramebuffer, GL_READ_FRAMEBUFFER, framebuffer_.name());
+    const int width = static_cast<int>(drawn_->viewport[0]), height = static_cast<int>(drawn_->viewport[1]);
+    gl_(glBlitFramebuffer, 0, 0, width, height, 0, 0, width, height, GL_COLOR_BUFFER_BIT, GL_NEAREST);
 }
 
 void Studio::draw_shadows() {

@@ -1,5 +1,7 @@
 #pragma once
 
+#include <optional>
+
 #include "frame_data.h"
 #include "gl_objects.h"
 #include "program.h"
@@ -30,8 +32,7 @@ private:
     VertexArray no_vertices_;  ///< core profile wants one, even where the shader makes the corners
     Renderbuffer colour_;
     Framebuffer framebuffer_;
-    FrameData drawn_{};
-    int width_ = 0, height_ = 0;
+    std::optional<FrameData> drawn_;
 };
 
 }  // namespace drape

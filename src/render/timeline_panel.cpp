@@ -3,37 +3,28 @@
 #include <imgui.h>
 
 #include <algorithm>
-#include <array>
 #include <cmath>
-#include <cstdio>
+#include <string>
 
+#include "format_text.h"
 #include "overlay_style.h"
 
 namespace drape {
 
 namespace {
 
-constexpr ImGuiWindowFlags bar_flags =
-    ImGuiWindowFlags_NoDecoration | ImGuiWindowFlags_NoNav | ImGuiWindowFlags_NoSavedSettings | ImGuiWindowFlags_NoMove;
-
-using Line = std::array<char, 96>;
-
 // What the bar says of where the run stands
-Line line_of(const Timeline& timeline) {
-    Line line{};
+std::string line_of(const Timeline& timeline) {
     const double megabytes = timeline.bytes / 1e6;
     if (timeline.replay) {
         // What lies ahead may change the time step: nobody knows yet how long it takes
-        std::snprintf(line.data(), line.size(), "Replay: %.2f s, step %lld of %lld", timeline.passed,
-                      static_cast<long long>(timeline.now), static_cast<long long>(timeline.newest));
-    } else if (timeline.is_live()) {
-        std::snprintf(line.data(), line.size(), "Now; the comma key steps back, %.2f s are kept (%.0f MB)",
-                      timeline.kept, megabytes);
-    } else {
-        std::snprintf(line.data(), line.size(), "%.3f s back of %.2f s (%.0f MB); Space plays from here", timeline.back,
-                      timeline.kept, megabytes);
+        return format("Replay: %.2f s, step %lld of %lld", timeline.passed, static_cast<long long>(timeline.now),
+                      static_cast<long long>(timeline.newest));
     }
-    return line;
+    if (timeline.is_live()) {
+        return format("Now; the comma key steps back, %.2f s are kept (%.0f MB)", timeline.kept, megabytes);
+    }
+    return format("%.3f s back of %.2f s (%.0f MB); Space plays from here", timeline.back, timeline.kept, megabytes);
 }
 
 }  // namespace
@@ -46,21 +37,16 @@ float TimelinePanel::height(const OverlayPage& page) { return 2.9f * ImGui::GetF
 
 void TimelinePanel::draw(const Timeline& timeline, const OverlayPage& page) {
     const float size = ImGui::GetFontSize(), pad = 0.5f * size;
-    width_ = std::min(page.width - 2 * page.margin, 56 * size);
-    height_ = height(page) - page.margin;
-    left_ = (page.width - width_) / 2;
-    top_ = page.height - page.margin - height_;
-    ImGui::SetNextWindowPos({left_, top_});
-    ImGui::SetNextWindowSize({width_, height_});
-    ImGui::PushStyleVar(ImGuiStyleVar_WindowRounding, 8);
-    ImGui::PushStyleColor(ImGuiCol_WindowBg, ink::panel);
-    if (ImGui::Begin("timeline", nullptr, bar_flags)) {
-        text_at({left_ + pad, top_ + 0.3f * size}, timeline.is_live() ? ink::text : ink::wait,
-                line_of(timeline).data());
+    const float width = std::min(page.width - 2 * page.margin, 56 * size), high = height(page) - page.margin;
+    window = {(page.width - width) / 2, page.height - page.margin - high, width, high};
+    if (window.begin("timeline", ImGuiWindowFlags_NoDecoration, 0)) {
+        text_at({window.left + pad, window.top + 0.3f * size}, timeline.is_live() ? ink::text : ink::wait,
+                line_of(timeline));
 
-        const float from = left_ + pad, to = left_ + width_ - pad, middle = top_ + 2.2f * size;
+        const float from = window.left + pad, to = window.left + window.width - pad;
+        const float middle = window.top + 2.2f * size;
         const auto span = static_cast<double>(timeline.newest - timeline.oldest);
-        ImGui::SetCursorScreenPos({from, top_ + 1.6f * size});
+        ImGui::SetCursorScreenPos({from, window.top + 1.6f * size});
         ImGui::InvisibleButton("bar", {to - from, 1.2f * size});
         if (ImGui::IsItemActive()) {
             const double part = std::clamp((ImGui::GetIO().MousePos.x - from) / (to - from), 0.0f, 1.0f);
@@ -74,9 +60,7 @@ void TimelinePanel::draw(const Timeline& timeline, const OverlayPage& page) {
         list.AddRectFilled({from, middle - 0.15f * size}, {now, middle + 0.15f * size}, ink::bar, 2);
         list.AddCircleFilled({now, middle}, 0.45f * size, ink::text);
     }
-    ImGui::End();
-    ImGui::PopStyleColor();
-    ImGui::PopStyleVar();
+    PanelWindow::end();
 }
 
 }  // namespace drape

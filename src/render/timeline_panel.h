@@ -25,22 +25,10 @@ public:
     /// The step that the user has asked for since the last call.
     [[nodiscard]] std::optional<std::int64_t> take_wanted() { return std::exchange(wanted_, std::nullopt); }
 
-    /// Whether it is shown.
-    [[nodiscard]] bool shown() const { return width_ > 0; }
-
-    /// Whether a point of the picture lies on it, as it was last drawn [pixel].
-    [[nodiscard]] bool covers(float x, float y) const {
-        return shown() && x >= left_ && x < left_ + width_ && y >= top_ && y < top_ + height_;
-    }
-
-    /// As it was last drawn.
-    [[nodiscard]] PanelBox box() const { return {left_, top_, left_ + width_, top_ + height_}; }
-
-    void hide() { width_ = 0; }
+    PanelWindow window;  ///< without a width where it is not shown
 
 private:
     std::optional<std::int64_t> wanted_;
-    float left_ = 0, top_ = 0, width_ = 0, height_ = 0;
 };
 
 }  // namespace drape

@@ -1,6 +1,6 @@
 // Features that are called apart are apart, and most that are far apart are called so.
 
-#include "contact/apart.h"
+#include "contact/pairs/apart.h"
 
 #include <gtest/gtest.h>
 

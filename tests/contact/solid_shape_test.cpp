@@ -6,7 +6,7 @@
 #include <cmath>
 #include <random>
 
-#include "contact/deepest_point.h"
+#include "contact/detect/deepest_point.h"
 #include "drape/base/exact_math.h"
 #include "solid_at.h"
 

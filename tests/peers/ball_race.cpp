@@ -9,7 +9,7 @@
 #include "drape/base/numbers.h"
 #include "drape/bounds/broad_phase.h"
 #include "drape/contact/closest_point.h"
-#include "drape/contact/contact.h"
+#include "drape/contact/detection.h"
 
 namespace drape::peers {
 namespace {

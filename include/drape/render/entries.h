@@ -1,5 +1,6 @@
 #pragma once
 
+#include <cstddef>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -53,6 +54,9 @@ std::string key_text(const Entry& entry);
 
 /// What a newcomer may try first, in scenes with a ball and in those without.
 std::vector<KeyHelp> first_hints();
+
+/// What the hint panel says at a stop of the tour, counted from 0: what to see, what to try, what to read.
+std::vector<KeyHelp> tour_hint(std::size_t stop);
 
 /// The mouse's lines, then one for each entry with a key; the scenes share one.
 std::vector<KeyHelp> help_lines(const std::vector<Entry>& entries);

@@ -58,7 +58,7 @@ enum class DrawnFor { Picture, Window };
 /// Needs a current context with GLEW initialised from construction to destruction.
 class Renderer {
 public:
-    /// @throws RunError with the compiler's log if a shader does not compile, or if OpenGL is older than 3.3
+    /// @throws RunError with the compiler's log if a shader does not compile
     Renderer();
     ~Renderer();
     Renderer(const Renderer&) = delete;
