@@ -45,7 +45,8 @@ void Simulation::begin_step() {
     if (plan_is_due(settings_.solver, report_)) plan(planned_substeps_);
     const bool touches = report_.contacts > 0 || contact_.is_near();
     const int of_balls = report_.asleep ? 1 : substeps_of_balls(settings_, cloths_, balls_);
-    const bool meets = of_balls > 1 || (!report_.asleep && may_touch(settings_, cloths_, balls_, solids_));
+    const bool meets = of_balls > 1 || (!report_.asleep && (may_touch(settings_, cloths_, balls_, solids_) ||
+                                                            softens_before_ball(settings_, cloths_, balls_)));
     report_.substeps = std::max(of_balls, substeps_in_contact(settings_, touches || meets, planned_substeps_));
     if (contact_.self().on())
         report_.substeps = std::max(report_.substeps, substeps_of_motion(cloths_, settings_.solver));

@@ -25,6 +25,9 @@ constexpr double max_for_motion = 32;
 /// And because balls are, or cloth near them. What is faster than that has planes of the start of the substep.
 constexpr double max_for_balls = 128;
 
+/// How long before a ball may land a sheet is to be as stiff as it is then [s].
+constexpr Real look_ahead = Real(0.5);
+
 /// From one plan to the next [s].
 constexpr double search_pause = 0.25;
 
@@ -175,10 +178,22 @@ bool plan_is_due(const SolverSettings& solver, const StepReport& report) {
 
 int substeps_in_contact(const Settings& settings, bool may_touch, int planned) {
     const SolverSettings& solver = settings.solver;
-    const bool softens_with_step = solver.integrator == IntegratorKind::Xpbd && greatest_inverse_mass(settings) > 0;
-    if (!(may_touch || softens_with_step) || has_step_limit(solver.integrator)) return planned;
+    if (!may_touch || has_step_limit(solver.integrator)) return planned;
     const double wanted = std::ceil(solver.dt / settings.contact.longest_step * (1 - 1e-12));
     return std::max(planned, static_cast<int>(std::min(wanted, max_substeps)));
+}
+
+bool softens_before_ball(const Settings& settings, std::span<const Cloth> cloths, std::span<const Ball> balls) {
+    if (settings.solver.integrator != IntegratorKind::Xpbd) return false;
+    const auto nears = [&](const Cloth& cloth, const Ball& ball) {
+        const Real speed = greatest_speed(cloth) + ball.velocity.norm();
+        const Real approach = (speed + gravity_of(settings).norm() * look_ahead / 2) * look_ahead;
+        return ball.inverse_mass > 0 &&
+               Aabb{ball.centre, ball.centre}.comes_within(box_of(cloth), ball.radius + approach);
+    };
+    return std::ranges::any_of(cloths, [&](const Cloth& cloth) {
+        return std::ranges::any_of(balls, [&](const Ball& ball) { return nears(cloth, ball); });
+    });
 }
 
 int substeps_of_balls(const Settings& settings, std::span<const Cloth> cloths, std::span<const Ball> balls) {

@@ -18,12 +18,14 @@ void plan_substeps(std::span<const Cloth> cloths, const Settings& settings, int 
 /// Substeps then only become more: a symplectic method whose step changes to and fro gains energy.
 bool plan_is_due(const SolverSettings& solver, const StepReport& report);
 
-/// In how many substeps a step is made: as planned, or more under an implicit method while cloth or balls touch; and
-/// under XPBD always where a ball is free. Its springs are softer in a long step than in a short one: a sheet whose
-/// steps were divided only while a ball touched it would sag at all other times, and throw the ball higher than it fell
-/// from.
-/// @cite macklin2019
+/// In how many substeps a step is made: as planned, or more under an implicit method while cloth or balls touch.
 int substeps_in_contact(const Settings& settings, bool may_touch, int planned);
+
+/// Whether steps are divided because a free ball may come to a cloth within half a second, under XPBD: its springs are
+/// softer in a long step than in a short one. A sheet whose steps were divided only once a ball touched it would sag
+/// until then, and throw the ball higher than it fell from. @cite macklin2019
+/// @par Cost O(particles)
+bool softens_before_ball(const Settings& settings, std::span<const Cloth> cloths, std::span<const Ball> balls);
 
 /// How many substeps a step needs for no ball and no particle near it to come nearer to each other within one than half
 /// the ball's radius, by their speeds at its start and gravity; at most 128. What else forces add within the step is

@@ -47,7 +47,7 @@ TEST_F(IncludeRules, FindUpwardIncludesOtherProgramsOpenGlBelowTheRendererAndFil
     const std::pair<const char*, const char*> forbidden[] = {
         {"include/drape/model/a.h", "#include \"drape/sim/settings.h\""},
         {"src/base/a.cpp", "  #  include \"drape/model/grid.h\" // why"},
-        {"src/bounds/a.cpp", "#include <drape/contact/contact.h>"},
+        {"src/bounds/a.cpp", "#include <drape/contact/detection.h>"},
         {"src/sim/a.cpp", "#include \"drape/render/camera.h\""},
         {"src/model/a.cpp", "#include \"../sim/divergence.h\""},
         {"src/app/a.cpp", "#include \"../capture/context.h\""},

@@ -3,8 +3,8 @@
 #include <limits>
 #include <optional>
 
-#include "../advance.h"
-#include "../tuning.h"
+#include "contact/advance.h"
+#include "contact/tuning.h"
 #include "drape/contact/detection.h"
 
 namespace drape {

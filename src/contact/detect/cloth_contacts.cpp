@@ -1,9 +1,8 @@
 #include <Eigen/Geometry>
 
-#include "../grid_features.h"
-#include "../kernels/near_cells.h"
-#include "../kernels/touched_triangles.h"
-#include "../pairs/cell_pairs.h"
+#include "contact/grid_features.h"
+#include "contact/kernels/near_cells.h"
+#include "contact/pairs/cell_pairs.h"
 #include "make_row.h"
 
 namespace drape {
@@ -81,12 +80,29 @@ private:
 void find_touched_triangles(const Grid& grid, const Points& x, const Ball& ball, Real thickness,
                             std::span<const CellRun> cells, std::vector<int>& triangles, Kernels kernels) {
     const Real radius = ball.radius + thickness;
-    if (kernels == Kernels::Vector) return kernels::find_touched(grid, x, ball.centre, radius, cells, triangles);
+    const auto touches = [&](int triangle) {
+        const ClosestPoint closest = closest_point(x, grid.triangle_corners(triangle), ball.centre);
+        return (closest.point - ball.centre).squaredNorm() <= radius * radius;
+    };
     triangles.clear();
-    for_each_cell(grid, cells, [&](int cell) {
-        for (const int triangle : {2 * cell, 2 * cell + 1}) {
-            const ClosestPoint closest = closest_point(x, grid.triangle_corners(triangle), ball.centre);
-            if ((closest.point - ball.centre).squaredNorm() <= radius * radius) triangles.push_back(triangle);
+    if (kernels == Kernels::Plain) {
+        for_each_cell(grid, cells, [&](int cell) {
+            for (const int triangle : {2 * cell, 2 * cell + 1}) {
+                if (touches(triangle)) triangles.push_back(triangle);
+            }
+        });
+        return;
+    }
+    // Most are decided by a corner
+    kernels::visit_near(grid, x, ball.centre, radius, cells, [&](const auto& some) {
+        for (const kernels::CellBits& bits : some) {
+            kernels::for_each_set(bits, bits.near(), [&](int cell) {
+                const std::uint32_t bit = std::uint32_t{1} << (cell - bits.cell);
+                if (bits.first & bit || (bits.first_open & bit && touches(2 * cell))) triangles.push_back(2 * cell);
+                if (bits.second & bit || (bits.second_open & bit && touches(2 * cell + 1))) {
+                    triangles.push_back(2 * cell + 1);
+                }
+            });
         }
     });
 }

@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "../tuning.h"
+#include "contact/tuning.h"
 #include "drape/contact/closest_point.h"
 
 // Of a convex shape, a triangle that does not cross it is nearest to it with a corner, or to one of its ridges. What is

@@ -1,6 +1,6 @@
 #pragma once
 
-#include "../contact_geometry.h"
+#include "contact/contact_geometry.h"
 #include "drape/contact/detection.h"
 
 namespace drape {

@@ -1,8 +1,8 @@
 #include <algorithm>
 #include <cmath>
 
-#include "../grid_features.h"
-#include "../tuning.h"
+#include "contact/grid_features.h"
+#include "contact/tuning.h"
 #include "deepest_point.h"
 #include "make_row.h"
 

@@ -6,4 +6,3 @@
 
 #include "contact/kernels/near_cells-inl.h"
 #include "contact/kernels/row_sweeps-inl.h"
-#include "contact/kernels/touched_triangles-inl.h"

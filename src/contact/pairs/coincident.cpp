@@ -5,9 +5,9 @@
 #include <cmath>
 #include <limits>
 
-#include "../contact_geometry.h"
-#include "../grid_features.h"
-#include "../tuning.h"
+#include "contact/contact_geometry.h"
+#include "contact/grid_features.h"
+#include "contact/tuning.h"
 
 namespace drape {
 namespace {

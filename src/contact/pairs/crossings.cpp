@@ -5,8 +5,8 @@
 #include <cmath>
 #include <limits>
 
-#include "../contact_geometry.h"
 #include "cell_pairs.h"
+#include "contact/contact_geometry.h"
 
 namespace drape {
 namespace {

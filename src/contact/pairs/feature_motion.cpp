@@ -4,8 +4,8 @@
 #include <cmath>
 #include <limits>
 
-#include "../advance.h"
-#include "../tuning.h"
+#include "contact/advance.h"
+#include "contact/tuning.h"
 #include "drape/contact/closest_point.h"
 
 namespace drape {

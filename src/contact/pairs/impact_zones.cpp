@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <utility>
 
-#include "../contact_geometry.h"
+#include "contact/contact_geometry.h"
 
 namespace drape {
 namespace {

@@ -3,11 +3,11 @@
 #include <algorithm>
 #include <span>
 
-#include "../contact_geometry.h"
-#include "../grid_features.h"
 #include "apart.h"
 #include "cell_pairs.h"
 #include "coincident.h"
+#include "contact/contact_geometry.h"
+#include "contact/grid_features.h"
 #include "drape/contact/closest_point.h"
 #include "pair_row.h"
 

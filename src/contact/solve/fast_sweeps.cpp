@@ -2,7 +2,7 @@
 
 #include <utility>
 
-#include "../kernels/row_sweeps.h"
+#include "contact/kernels/row_sweeps.h"
 
 namespace drape {
 namespace {

@@ -4,8 +4,8 @@
 #include <array>
 #include <vector>
 
-#include "../contact_geometry.h"
-#include "../tuning.h"
+#include "contact/contact_geometry.h"
+#include "contact/tuning.h"
 #include "drape/contact/response.h"
 
 namespace drape {

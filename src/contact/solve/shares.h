@@ -2,7 +2,7 @@
 
 #include <algorithm>
 
-#include "../tuning.h"
+#include "contact/tuning.h"
 #include "drape/contact/response.h"
 
 namespace drape {

@@ -2,8 +2,8 @@
 
 #include <algorithm>
 
-#include "../contact_geometry.h"
-#include "../pairs/pair_row.h"
+#include "contact/contact_geometry.h"
+#include "contact/pairs/pair_row.h"
 #include "shares.h"
 
 namespace drape {
