@@ -52,8 +52,7 @@ int move_of(const Image& one, const Image& other, bool along_x, int from, int to
 /// One frame of the scene.
 Image drawn(const std::string& size, const std::string& frame, const Words& changes) {
     const TestFolder folder;
-    const Words words{"drop", "--frames", frame,        "--every",   frame,  "--size",
-                      size,   "--out",    folder / "a", "--overlay", "--set"};
+    const Words words{"drop", "--frames", frame, "--every", frame, "--size", size, "--out", folder / "a", "--set"};
     EXPECT_EQ(run_program("drape-capture", joined(words, changes)).exit_code, 0);
     return read_png(folder / ("a/frame_00" + frame + ".png"));
 }
