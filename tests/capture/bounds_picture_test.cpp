@@ -15,7 +15,7 @@
 namespace drape::test {
 namespace {
 
-constexpr int width = 1280, height = 720, level = 1, all_levels = 30;
+constexpr int width = 1280, height = 720, margin = 4, level = 1, all_levels = 30;
 
 /// The points p with normal . p <= distance.
 struct HalfSpace {
@@ -123,31 +123,39 @@ protected:
         return false;
     }
 
+    /// Visits the pixels of edges that are in the picture, each with its depth.
+    template <class Visit>
+    void for_each_place(const std::vector<Edge>& edges, Visit visit) const {
+        const ExpectedPicture expected(scene_->view, width, height);
+        for (const Edge& edge : edges) {
+            for (int step = 0; step <= 1000; ++step) {
+                const auto place = expected.project(edge.from + (edge.to - edge.from) * (step / Real(1000)));
+                const int x = static_cast<int>(place.x), y = static_cast<int>(place.y);
+                const bool inside = x >= margin && y >= margin && x < width - margin && y < height - margin;
+                if (inside) visit(x, y, place.depth);
+            }
+        }
+    }
+
     /// What is wrong with the lines beside the cloth, where nothing hides them: how many pixels of the edges have no
     /// line, and how many pixels have a line and no edge.
     [[nodiscard]] std::vector<std::string> complaints(VolumeKind volume, Real larger = 1, int shown = level) {
         const ExpectedPicture expected(scene_->view, width, height);
         const ClothView& cloth = scene_->cloth();
-        constexpr int margin = 4;
         std::vector<bool> edge_near(static_cast<std::size_t>(width) * height);
         int samples = 0, missing = 0, lines = 0, stray = 0;
-        for (const Edge& edge : expected_edges(volume, cloth.model.grid, larger * cloth.x, shown)) {
-            for (int step = 0; step <= 1000; ++step) {
-                const auto place = expected.project(edge.from + (edge.to - edge.from) * (step / Real(1000)));
-                const int x = static_cast<int>(place.x), y = static_cast<int>(place.y);
-                if (x < margin || y < margin || x >= width - margin || y >= height - margin) continue;
-                bool drawn = false;
-                for (int j = y - 2; j <= y + 2; ++j) {
-                    for (int i = x - 2; i <= x + 2; ++i) {
-                        edge_near[static_cast<std::size_t>(j * width + i)] = true;
-                        drawn = drawn || (std::abs(i - x) < 2 && std::abs(j - y) < 2 && drawn_at(i, j));
-                    }
+        for_each_place(expected_edges(volume, cloth.model.grid, larger * cloth.x, shown), [&](int x, int y, double) {
+            bool drawn = false;
+            for (int j = y - 2; j <= y + 2; ++j) {
+                for (int i = x - 2; i <= x + 2; ++i) {
+                    edge_near[static_cast<std::size_t>(j * width + i)] = true;
+                    drawn = drawn || (std::abs(i - x) < 2 && std::abs(j - y) < 2 && drawn_at(i, j));
                 }
-                if (!expected.surely(Seen::Nothing, x, y, margin)) continue;
-                ++samples;
-                missing += !drawn;
             }
-        }
+            if (!expected.surely(Seen::Nothing, x, y, margin)) return;
+            ++samples;
+            missing += !drawn;
+        });
         for (int y = 0; y < height; ++y) {
             for (int x = 0; x < width; ++x) {
                 if (!drawn_at(x, y) || !expected.surely(Seen::Nothing, x, y, margin)) continue;
@@ -168,16 +176,11 @@ protected:
         const ExpectedPicture expected(scene_->view, width, height);
         const ClothView& cloth = scene_->cloth();
         int samples = 0, drawn = 0;
-        for (const Edge& edge : expected_edges(volume, cloth.model.grid, cloth.x, level)) {
-            for (int step = 0; step <= 1000; ++step) {
-                const auto place = expected.project(edge.from + (edge.to - edge.from) * (step / Real(1000)));
-                const int x = static_cast<int>(place.x), y = static_cast<int>(place.y);
-                if (x < 2 || y < 2 || x >= width - 2 || y >= height - 2) continue;
-                if (expected.at(x, y) == Seen::Nothing || place.depth < expected.depth(x, y) + 0.02) continue;
-                ++samples;
-                drawn += drawn_at(x, y) || drawn_at(x - 1, y) || drawn_at(x, y - 1);
-            }
-        }
+        for_each_place(expected_edges(volume, cloth.model.grid, cloth.x, level), [&](int x, int y, double depth) {
+            if (expected.at(x, y) == Seen::Nothing || depth < expected.depth(x, y) + 0.02) return;
+            ++samples;
+            drawn += drawn_at(x, y) || drawn_at(x - 1, y) || drawn_at(x, y - 1);
+        });
         EXPECT_GT(samples, 500);
         return drawn / static_cast<double>(samples);
     }

@@ -164,19 +164,6 @@ TEST(RecordedMotion, IsWhatTheSceneIsBuiltFromAndTheSameSurfaceOnFinerGrids) {
     }
 }
 
-TEST(HierarchyRow, ReadsBackAsItWasWritten) {
-    HierarchyRow row;
-    row.part = "size", row.scene = "drop", row.volume = "sphere", row.sphere_fit = "ritter", row.update = "refit";
-    row.particles = 1048576, row.build.median = 1.25e-3, row.distance_m = 0.5;
-    const RowFormat<HierarchyRow> format = hierarchy_format();
-    const TableRow written = format.cells(row);
-    EXPECT_EQ(written.size(), format.columns().size());
-    EXPECT_EQ(format.cells(format.row(written)), written);
-    EXPECT_EQ(format.row(written).particles, 1048576);
-    EXPECT_TRUE(std::isnan(format.row(written).level));
-    EXPECT_EQ(row.variant(), "sphere ritter");
-}
-
 TEST(Growths, AreThoseOfTheLargerSizes) {
     std::vector<HierarchyRow> rows;
     for (const double particles : {256., 1024., 4096., 16384., 65536.}) {
