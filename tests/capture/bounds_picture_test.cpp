@@ -15,7 +15,7 @@
 namespace drape::test {
 namespace {
 
-constexpr int width = 1280, height = 720, margin = 4, level = 1, all_levels = 30;
+constexpr int width = 1280, height = 720, bounds_margin = 4, level = 1, all_levels = 30;
 
 /// The points p with normal . p <= distance.
 struct HalfSpace {
@@ -131,7 +131,8 @@ protected:
             for (int step = 0; step <= 1000; ++step) {
                 const auto place = expected.project(edge.from + (edge.to - edge.from) * (step / Real(1000)));
                 const int x = static_cast<int>(place.x), y = static_cast<int>(place.y);
-                const bool inside = x >= margin && y >= margin && x < width - margin && y < height - margin;
+                const bool inside =
+                    x >= bounds_margin && y >= bounds_margin && x < width - bounds_margin && y < height - bounds_margin;
                 if (inside) visit(x, y, place.depth);
             }
         }
@@ -152,13 +153,13 @@ protected:
                     drawn = drawn || (std::abs(i - x) < 2 && std::abs(j - y) < 2 && drawn_at(i, j));
                 }
             }
-            if (!expected.surely(Seen::Nothing, x, y, margin)) return;
+            if (!expected.surely(Seen::Nothing, x, y, bounds_margin)) return;
             ++samples;
             missing += !drawn;
         });
         for (int y = 0; y < height; ++y) {
             for (int x = 0; x < width; ++x) {
-                if (!drawn_at(x, y) || !expected.surely(Seen::Nothing, x, y, margin)) continue;
+                if (!drawn_at(x, y) || !expected.surely(Seen::Nothing, x, y, bounds_margin)) continue;
                 ++lines;
                 stray += !edge_near[static_cast<std::size_t>(y * width + x)];
             }

@@ -97,17 +97,6 @@ TEST(Context, DrawsTheSamePictureEitherWay) {
     EXPECT_GT(difference(reference, drawn_by(ContextKind::Egl, scene.view)), tolerance) << "a ball 1 cm aside is seen";
 }
 
-TEST(Context, OfAKindIsUsedByTheProgram) {
-    const TestFolder folder;
-    for (const std::string kind : {"osmesa", "egl", "auto"}) {
-        if (kind == "osmesa" && !has_osmesa()) continue;
-        const Words words{"drop", "--frames", "1", "--size", "64x36", "--out", folder / kind, "--context", kind};
-        const Outcome outcome = run_program("drape-capture", words);
-        EXPECT_EQ(outcome.exit_code, 0) << outcome.err;
-        EXPECT_EQ(read_png(folder / (kind + "/frame_0001.png")).width, 64);
-    }
-}
-
 TEST(Context, OfOsmesaIsNotNeededAndItsPackageIsNamedWhereItIsMissing) {
     const TestFolder folder;
     // Found before the system's, and no library
@@ -117,10 +106,16 @@ TEST(Context, OfOsmesaIsNotNeededAndItsPackageIsNamedWhereItIsMissing) {
     const Outcome refused = run_program("drape-capture", words, hidden);
     EXPECT_EQ(refused.exit_code, 1);
     EXPECT_THAT(refused.err, HasSubstr("drape-capture: OSMesa cannot be opened (Debian package libosmesa6"));
-    words.back() = "auto";
-    const Outcome drawn = run_program("drape-capture", words, hidden);
-    EXPECT_EQ(drawn.exit_code, 0) << drawn.err;
-    EXPECT_EQ(read_png(folder / "a/frame_0001.png").width, 64);
+    words.emplace_back("--again");
+    for (const char* kind : {"auto", "egl"}) {
+        words[words.size() - 2] = kind;
+        const Outcome drawn = run_program("drape-capture", words, hidden);
+        EXPECT_EQ(drawn.exit_code, 0) << drawn.err;
+        EXPECT_EQ(read_png(folder / "a/frame_0001.png").width, 64);
+    }
+    if (!has_osmesa()) return;
+    words[words.size() - 2] = "osmesa";
+    EXPECT_EQ(run_program("drape-capture", words).exit_code, 0);
 }
 
 TEST(Context, ThatCannotBeMadeIsTold) {

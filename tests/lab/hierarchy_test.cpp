@@ -117,26 +117,6 @@ TEST(HierarchyRun, EndsWhereAQueryDisagreesWithBruteForce) {
     }
 }
 
-TEST(HierarchyRun, CountsCandidatesAgainstTouchingCells) {
-    const RecordedMotion motion = rumpled_motion({21, 15}, 4);
-    const auto run_of = [&motion](const BroadPhaseParameters& parameters) {
-        const auto hierarchy = make_broad_phase(parameters, motion.grid);
-        return follow(motion, *hierarchy, {.repeats = 2});
-    };
-    const HierarchyRun brute = run_of({.volume = VolumeKind::Brute}), tree = run_of({.leaf_cells = 1}),
-                       root = run_of({.leaf_cells = 1, .search = {.level = 0}});
-    ASSERT_EQ(brute.counts.size(), 4u);
-    for (std::size_t k = 0; k < 4; ++k) {
-        EXPECT_EQ(brute.counts[k].candidates, motion.grid.cells());
-        EXPECT_EQ(root.counts[k].candidates, motion.grid.cells()) << "what the root holds counts";
-        EXPECT_EQ(tree.counts[k].touching, brute.counts[k].touching);
-        EXPECT_GT(tree.counts[k].touching, 0);
-        EXPECT_LT(tree.counts[k].candidates, motion.grid.cells());
-        EXPECT_EQ(tree.times[k].size(), 2u);
-    }
-    EXPECT_LT(false_per_true(tree.counts), false_per_true(brute.counts));
-}
-
 TEST(RecordedMotion, IsWhatTheSceneIsBuiltFromAndTheSameSurfaceOnFinerGrids) {
     const RecordedMotion motion = record_motion({.scene = "drop", .from = 0.1, .interval = 0.01, .frames = 3});
     ASSERT_EQ(motion.x.size(), 3u);
@@ -193,6 +173,7 @@ TEST(LabHierarchy, WritesWhatItCountsAndDrawsWhatAShareHas) {
     const auto rows = hierarchy_format().rows(table.value().rows());
     ASSERT_EQ(rows.size(), 3u) << "three sizes of leaves";
     for (const HierarchyRow& row : rows) {
+        EXPECT_GE(row.candidates, row.touching);
         EXPECT_GT(row.build.median, 0);
         EXPECT_LE(row.build.lower, row.build.median);
         EXPECT_GT(row.touching, 1);

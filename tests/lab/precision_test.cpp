@@ -112,18 +112,6 @@ TEST(Reference, LeavesPositionsWhereTheHorizonIsTooLongForThem) {
     EXPECT_EQ(measure_for(nothing), Measure::Overall);
 }
 
-TEST(PrecisionRun, ReachesTheHorizonInStepsOfAnyPhase) {
-    for (const Real phase : {Real(0), Real(0.25), Real(0.9)}) {
-        const auto steps = steps_to(Real(0.3), 6, phase);
-        EXPECT_THAT(steps, SizeIs(phase == 0 ? 6 : 7));
-        Real sum = 0;
-        for (const Real h : steps) sum += h;
-        EXPECT_NEAR(sum, 0.3, 1e-15);
-        EXPECT_NEAR(steps[1], 0.05, 1e-15);
-        EXPECT_NEAR(steps.front(), (phase == 0 ? 1 : phase) * Real(0.05), 1e-15);
-    }
-}
-
 /// The order that a scene shows under a method, errors averaged as the experiment does.
 double order_on(const PrecisionScene& scene, const Reference& reference, const IntegratorParameters& method,
                 std::span<const int> counts) {

