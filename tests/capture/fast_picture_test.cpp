@@ -50,7 +50,7 @@ int move_of(const Image& one, const Image& other, bool along_x, int from, int to
 }
 
 /// One frame of the scene.
-Image drawn(const std::string& size, const std::string& frame, const Words& changes) {
+Image frame_of(const std::string& size, const std::string& frame, const Words& changes) {
     const TestFolder folder;
     const Words words{"drop", "--frames", frame, "--every", frame, "--size", size, "--out", folder / "a", "--set"};
     EXPECT_EQ(run_program("drape-capture", joined(words, changes)).exit_code, 0);
@@ -60,7 +60,7 @@ Image drawn(const std::string& size, const std::string& frame, const Words& chan
 // 641 is magnified from 321 and 361 from 181: by less than two
 TEST(FastPicture, IsMagnifiedUpToItsLastPixelWhereItsSizeIsOdd) {
     const auto draw = [](const std::string& quality) {
-        return drawn("641x361", "60", {"view.eye=0.5,0.5,0.6", "view.colour=level", "view.quality=" + quality});
+        return frame_of("641x361", "60", {"view.eye=0.5,0.5,0.6", "view.colour=level", "view.quality=" + quality});
     };
     const Image full = draw("full"), fast = draw("fast");
     for (const int from : {2, 270, 539}) EXPECT_EQ(move_of(full, fast, true, from, from + 100), 0) << "column " << from;
@@ -68,8 +68,8 @@ TEST(FastPicture, IsMagnifiedUpToItsLastPixelWhereItsSizeIsOdd) {
 }
 
 TEST(FastPicture, ShowsWhatAFullOneDoesButCoarserAndTextAsSharp) {
-    const Image full = drawn("641x363", "90", {"view.bounds=true", "view.quality=full", "--overlay"});
-    const Image fast = drawn("641x363", "90", {"view.bounds=true", "view.quality=fast", "--overlay"});
+    const Image full = frame_of("641x363", "90", {"view.bounds=true", "view.quality=full", "--overlay"});
+    const Image fast = frame_of("641x363", "90", {"view.bounds=true", "view.quality=fast", "--overlay"});
     ASSERT_EQ(full.width, fast.width);
     ASSERT_EQ(full.height, fast.height);
     EXPECT_GT(difference_of(full, fast, 1), 0.8) << "nothing is coarser";

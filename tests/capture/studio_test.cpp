@@ -29,11 +29,11 @@ struct KeptStudio : DrawnScene, testing::Test {
         return renderer.read_back();
     }
 
-    Look look{"first", Camera(settings.view), {view.balls.begin(), view.balls.end()}, settings};
+    Look look_{"first", Camera(settings.view), {view.balls.begin(), view.balls.end()}, settings};
 };
 
 TEST_F(KeptStudio, FollowsCameraBallSizeAndGround) {
-    std::vector<Look> looks{look};
+    std::vector<Look> looks{look_};
     const auto then = [&](const char* change) -> Look& {
         looks.push_back(looks.back());
         looks.back().change = change;
@@ -50,7 +50,7 @@ TEST_F(KeptStudio, FollowsCameraBallSizeAndGround) {
     {
         const OffscreenContext context;
         Renderer renderer;
-        for (const Look& look : looks) kept.push_back(draw(renderer, look));
+        for (const Look& one : looks) kept.push_back(draw(renderer, one));
     }
     for (std::size_t i = 0; i < looks.size(); ++i) {
         const OffscreenContext context;
@@ -66,14 +66,14 @@ TEST_F(KeptStudio, IsDrawnAgainOnlyIfItChanges) {
     const OffscreenContext context;
     Renderer renderer;
     const auto calls = [&] {
-        draw(renderer, look);
+        draw(renderer, look_);
         return renderer.report().gl_calls;
     };
     const double first = calls();
     const double same = calls();
     EXPECT_LT(same, first);
     EXPECT_EQ(calls(), same);
-    look.balls[0].centre.x() += 0.2;
+    look_.balls[0].centre.x() += 0.2;
     EXPECT_GT(calls(), same);
 }
 
