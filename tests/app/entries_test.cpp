@@ -16,9 +16,11 @@
 namespace drape {
 namespace {
 
-TEST(Entries, AllParseAsCommandsThatReadBackAlike) {
+TEST(Entries, ParseAsCommandsThatReadBackAlikeAndHaveKeysOfTheirOwn) {
+    std::set<std::string> keys;
     for (const Entry& entry : make_entries(scene_names())) {
         EXPECT_EQ(command_text(parse_command(entry.command)), entry.command) << entry.text;
+        for (const std::string& key : entry.keys) EXPECT_TRUE(keys.insert(key).second) << key;
     }
 }
 
@@ -49,13 +51,6 @@ TEST(MenuMark, SaysWhetherAFlagIsOnAndWhatScene) {
     EXPECT_EQ(MenuMark("scene drop").text(simulation), "  - now");
     EXPECT_EQ(MenuMark("scene curtain").text(simulation), "");
     EXPECT_EQ(MenuMark("pause").text(simulation), "");
-}
-
-TEST(Entries, NoKeyHasTwo) {
-    std::set<std::string> keys;
-    for (const Entry& entry : make_entries(scene_names())) {
-        for (const std::string& key : entry.keys) EXPECT_TRUE(keys.insert(key).second) << key;
-    }
 }
 
 TEST(Entries, ALetterIsItsKeyInEitherCaseUnlessShiftHasItsOwn) {
@@ -111,6 +106,9 @@ TEST(Entries, AreTheTableOfTheReadme) {
 TEST(Tour, IsThePageOfTheDocsWithSmallPictures) {
     const std::filesystem::path docs = std::filesystem::path(DRAPE_SOURCE_DIR) / "docs";
     EXPECT_EQ(test::read_file(docs / "tour.md"), tour_page()) << "drape-lab list tour > docs/tour.md";
+    for (const TourStop& stop : tour_stops()) {
+        EXPECT_TRUE(std::filesystem::is_regular_file(std::filesystem::path(DRAPE_SOURCE_DIR) / stop.file)) << stop.file;
+    }
     std::uintmax_t bytes = 0;
     std::size_t number = 0;
     for (const TourStop& stop : tour_stops()) {
@@ -121,12 +119,6 @@ TEST(Tour, IsThePageOfTheDocsWithSmallPictures) {
         bytes += test::read_file(picture).size();
     }
     EXPECT_LT(bytes, 3'500'000u);
-}
-
-TEST(Tour, NamesFilesThatExist) {
-    for (const TourStop& stop : tour_stops()) {
-        EXPECT_TRUE(std::filesystem::is_regular_file(std::filesystem::path(DRAPE_SOURCE_DIR) / stop.file)) << stop.file;
-    }
 }
 
 }  // namespace

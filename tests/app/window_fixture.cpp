@@ -45,19 +45,22 @@ void WindowTest::start(const std::vector<std::string>& arguments) {
     ASSERT_FALSE(window_.empty()) << drape_->standard_error();
 }
 
-std::string WindowTest::recording() const {
+std::vector<std::pair<long long, std::string>> WindowTest::numbered_lines() const {
     const std::string unfinished = file("session.txt.unfinished");
-    return read_file(fs::exists(unfinished) ? unfinished : file("session.txt"));
+    std::istringstream recording(read_file(fs::exists(unfinished) ? unfinished : file("session.txt")));
+    std::vector<std::pair<long long, std::string>> lines;
+    for (std::string line; std::getline(recording, line);) {
+        const std::size_t space = line.find(' ');
+        if (line.empty() || space == 0 || line.find_first_not_of("0123456789") != space) continue;
+        lines.emplace_back(std::stoll(line), space == std::string::npos ? "" : line.substr(space + 1));
+    }
+    return lines;
 }
 
 std::vector<std::string> WindowTest::commands() const {
     std::vector<std::string> commands;
-    std::istringstream lines(recording());
-    for (std::string line; std::getline(lines, line);) {
-        const std::size_t space = line.find(' ');
-        if (line.find_first_not_of("0123456789") != space || space == 0) continue;
-        const std::string command = line.substr(space + 1);
-        if (!command.starts_with("hash ") && command != "end") commands.push_back(command);
+    for (const auto& [step, command] : numbered_lines()) {
+        if (!command.empty() && !command.starts_with("hash ") && command != "end") commands.push_back(command);
     }
     return commands;
 }
@@ -75,14 +78,8 @@ bool WindowTest::recorded(const std::string& command, std::size_t after) const {
 }
 
 long long WindowTest::last_step() const {
-    std::istringstream lines(recording());
-    long long step = -1;
-    for (std::string line; std::getline(lines, line);) {
-        if (!line.empty() && line.find_first_not_of("0123456789") == line.find(' ') && line[0] != ' ') {
-            step = std::stoll(line);
-        }
-    }
-    return step;
+    const auto lines = numbered_lines();
+    return lines.empty() ? -1 : lines.back().first;
 }
 
 std::string WindowTest::quit() {

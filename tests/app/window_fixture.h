@@ -5,6 +5,7 @@
 #include <memory>
 #include <optional>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include "app/desktop.h"
@@ -20,9 +21,6 @@ protected:
 
     /// Starts `drape` with a recording, a hash at the end and a small window, and waits until it draws.
     void start(const std::vector<std::string>& arguments);
-
-    /// The recording as it is by now, closed or not.
-    [[nodiscard]] std::string recording() const;
 
     /// The commands of the recording so far, without their steps.
     [[nodiscard]] std::vector<std::string> commands() const;
@@ -41,6 +39,9 @@ protected:
 
     /// A file in the test's folder.
     [[nodiscard]] std::string file(const std::string& name) const { return (folder_ / name).string(); }
+
+    /// The numbered lines of the recording so far: step and command.
+    [[nodiscard]] std::vector<std::pair<long long, std::string>> numbered_lines() const;
 
     std::filesystem::path folder_;
     Desktop desktop_;

@@ -28,7 +28,12 @@ std::string symbol_of(const std::string& key) {
 
 TEST_F(WindowTest, EveryKeyGivesTheCommandOfItsEntry) {
     start({"hang"});
-    std::string last;
+    for (const auto& [key, speed] : {std::pair{"minus", "0.5"}, {"equal", "1"}, {"equal", "2"}, {"minus", "1"}}) {
+        const std::size_t before = commands().size();
+        desktop_.key(key);
+        EXPECT_TRUE(recorded(std::string("set view.speed=") + speed, before)) << "slower and faster";
+    }
+    std::string last = "-";
     for (const Entry& entry : make_entries(scene_names())) {
         const bool goes_back = entry.manner == Manner::StepBack || entry.manner == Manner::FrameBack;
         if (entry.command == "quit" || goes_back) continue;
@@ -71,20 +76,8 @@ TEST_F(WindowTest, TimeGoesBackAndFromThereOn) {
     quit();
 }
 
-TEST_F(WindowTest, SlowerAndFasterGoOppositeWays) {
-    start({"hang"});
-    desktop_.key("minus");
-    EXPECT_TRUE(recorded("set view.speed=0.5"));
-    for (const char* speed : {"1", "2"}) {
-        const std::size_t before = commands().size();
-        desktop_.key("equal");
-        EXPECT_TRUE(recorded(std::string("set view.speed=") + speed, before));
-    }
-    quit();
-}
-
-TEST_F(WindowTest, TheTourGoesForwardAndBack) {
-    start({"curtain"});
+TEST_F(WindowTest, TheTourGoesForwardAndBackAndEscapeLeavesIt) {
+    start({"--tour"});
     const auto stops = tour_stops();
     // The last stop comes before the first
     const auto goes_to = [&](const char* key, std::size_t stop) {
@@ -95,14 +88,18 @@ TEST_F(WindowTest, TheTourGoesForwardAndBack) {
             EXPECT_TRUE(recorded("set " + std::string(change), before)) << key << " to stop " << stop + 1;
         }
     };
-    goes_to("F1", 0);
     goes_to("F1", 1);
-    goes_to("F1", 2);
-    goes_to("F2", 1);
     goes_to("F2", 0);
     goes_to("F2", stops.size() - 1);
     goes_to("F1", 0);
-    quit();
+    desktop_.key("Escape");
+    desktop_.key("c");
+    ASSERT_TRUE(recorded("next view.contacts")) << "the program runs on";
+    goes_to("F1", 1);
+    desktop_.key("3");
+    ASSERT_TRUE(recorded("scene " + scene_names()[2])) << "another scene is none of the tour";
+    desktop_.key("Escape");
+    EXPECT_EQ(drape_->wait(60), 0) << drape_->standard_error();
 }
 
 TEST_F(WindowTest, TheSafeStepIsBelowTheLimitOfThePenalty) {
@@ -117,43 +114,28 @@ TEST_F(WindowTest, AHeldKeySteersUntilItIsLetGo) {
     start({"original"});
     desktop_.act({"keydown", "Left"});
     ASSERT_TRUE(recorded("steer "));
-    desktop_.hold("v", window_, 3);
-    ASSERT_TRUE(recorded("next wind.on"));
-    EXPECT_EQ(commands().size(), 2u);
-    desktop_.act({"keyup", "Left"});
-    EXPECT_TRUE(recorded("steer 0 0 0", 2));
-    quit();
-}
-
-TEST_F(WindowTest, AKeyThatRepeatsActsOnce) {
-    start({"hang"});
     desktop_.hold("v", window_, 5);
-    desktop_.key("c");
-    ASSERT_TRUE(recorded("next view.contacts"));
-    EXPECT_EQ(commands().size(), 2u);
-    quit();
-}
-
-TEST_F(WindowTest, ShiftLetGoFirstDoesNotLeaveTheBallSteered) {
-    start({"original"});
-    desktop_.act({"keydown", "shift", "keydown", "w"});
-    ASSERT_TRUE(recorded("steer "));
+    ASSERT_TRUE(recorded("next wind.on"));
+    EXPECT_EQ(commands().size(), 2u) << "a key that repeats acts once";
+    desktop_.act({"keyup", "Left"});
+    ASSERT_TRUE(recorded("steer 0 0 0", 2));
+    const auto steers_with = [this](const std::vector<std::string>& words) {
+        const std::size_t before = commands().size();
+        desktop_.act(words);
+        EXPECT_TRUE(recorded("steer ", before));
+        return before + 1;
+    };
+    const std::size_t shifted = steers_with({"keydown", "shift", "keydown", "w"});
     desktop_.act({"keyup", "shift", "keyup", "w"});
-    EXPECT_TRUE(recorded("steer 0 0 0", 1));
-    quit();
-}
-
-TEST_F(WindowTest, LosingTheKeyboardLetsGoOfTheBall) {
-    start({"original"});
-    desktop_.act({"keydown", "d"});
-    ASSERT_TRUE(recorded("steer "));
+    EXPECT_TRUE(recorded("steer 0 0 0", shifted)) << "Shift goes first";
+    const std::size_t lost = steers_with({"keydown", "d"});
     desktop_.take_keyboard_away();
-    EXPECT_TRUE(recorded("steer 0 0 0", 1));
+    EXPECT_TRUE(recorded("steer 0 0 0", lost)) << "without the keyboard";
     desktop_.act({"keyup", "d", "windowfocus", window_});
     quit();
 }
 
-TEST_F(WindowTest, TheMenuChoosesUnderThePointer) {
+TEST_F(WindowTest, TheMenuChoosesUnderThePointerAndAnOpenOneDoesNoHarm) {
     start({"hang"});
     desktop_.choose_in_menu(100, 100, 3);
     EXPECT_TRUE(recorded("reset"));
@@ -162,34 +144,21 @@ TEST_F(WindowTest, TheMenuChoosesUnderThePointer) {
     // While paused, too, and with a text that has changed meanwhile.
     desktop_.choose_in_menu(100, 100, 1);
     EXPECT_TRUE(recorded("pause", 2));
-    quit();
-}
-
-TEST_F(WindowTest, AMenuThatIsOpenWhileItsTextsChangeDoesNoHarm) {
-    start({"hang"});
+    // Texts change and scenes are loaded under an open menu
     desktop_.open_menu(100, 100);
-    for (const char* key : {"v", "b", "c"}) {
+    for (const auto& [key, command] : {std::pair{"v", "next wind.on"},
+                                       {"b", "next view.bounds"},
+                                       {"2", "scene "},
+                                       {"F1", "scene "},
+                                       {"3", "scene "}}) {
         const std::size_t before = commands().size();
         desktop_.key(key);
-        EXPECT_TRUE(recorded("next ", before));
+        EXPECT_TRUE(recorded(command, before)) << key;
     }
-    EXPECT_TRUE(drape_->running());
-    desktop_.move_to(600, 20);
-    desktop_.click(1);
-    quit();
-}
-
-TEST_F(WindowTest, ASceneThatIsLoadedUnderAnOpenMenuDoesNoHarm) {
-    start({"hang"});
-    desktop_.open_menu(100, 100);
-    for (const char* key : {"2", "F1", "3"}) {
-        const std::size_t before = commands().size();
-        desktop_.key(key);
-        EXPECT_TRUE(recorded("scene ", before)) << key;
-    }
+    const std::size_t before = commands().size();
     desktop_.move_to(120, 100 + 25 / 2);
     desktop_.click(1);
-    EXPECT_TRUE(recorded("pause")) << "the first entry of the menu";
+    EXPECT_TRUE(recorded("pause", before)) << "the first entry of the menu";
     EXPECT_TRUE(test::eventually([&] { return desktop_.visible_windows() == 1; }));
     quit();
 }
@@ -200,37 +169,16 @@ TEST_F(WindowTest, EscapeClosesWhatIsOpenBeforeItQuits) {
     desktop_.key("Escape");
     ASSERT_TRUE(test::eventually([&] { return desktop_.visible_windows() == 1; })) << "the menu stays";
     EXPECT_TRUE(commands().empty());
-    desktop_.key("Escape");
+    desktop_.hold("Escape", window_, 5);
     ASSERT_TRUE(recorded("set view.help=false"));
+    desktop_.key("c");
+    ASSERT_TRUE(recorded("next view.contacts"));
+    EXPECT_FALSE(recorded_now("set view.controls")) << "a key that is held closes one thing";
     desktop_.key("Escape");
     ASSERT_TRUE(recorded("set view.controls=false"));
     EXPECT_TRUE(drape_->running());
     desktop_.key("Escape");
     EXPECT_EQ(drape_->wait(60), 0) << drape_->standard_error();
-}
-
-TEST_F(WindowTest, EscapeLeavesTheTourBeforeItQuits) {
-    start({"--tour"});
-    desktop_.key("F1");
-    ASSERT_TRUE(recorded("set " + std::string(tour_stops()[1].changes.front())));
-    desktop_.key("Escape");
-    desktop_.key("c");
-    ASSERT_TRUE(recorded("next view.contacts")) << "the program runs on";
-    desktop_.key("F1");
-    ASSERT_TRUE(recorded("scene " + std::string(tour_stops()[2].scene))) << "the tour goes on where it was";
-    desktop_.key("3");
-    ASSERT_TRUE(recorded("scene " + scene_names()[2])) << "another scene is none of the tour";
-    desktop_.key("Escape");
-    EXPECT_EQ(drape_->wait(60), 0) << drape_->standard_error();
-}
-
-TEST_F(WindowTest, EscapeThatIsHeldClosesOneThing) {
-    start({"hang", "--set", "view.controls=true", "view.help=true"});
-    desktop_.hold("Escape", window_, 5);
-    desktop_.key("c");
-    ASSERT_TRUE(recorded("next view.contacts"));
-    EXPECT_FALSE(recorded_now("set view.controls"));
-    quit();
 }
 
 }  // namespace

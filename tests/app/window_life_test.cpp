@@ -25,46 +25,15 @@ std::string last_line(const std::string& text) {
 
 bool closed(const std::string& recording) { return last_line(recording).ends_with(" end"); }
 
-TEST_F(WindowTest, EscapeEndsIt) {
-    start({"hang"});
-    desktop_.key("Escape");
-    EXPECT_EQ(drape_->wait(60), 0);
-    EXPECT_TRUE(closed(read_file(file("session.txt"))));
-}
-
-TEST_F(WindowTest, TheLetterQEndsIt) {
-    start({"hang"});
-    desktop_.key("q");
-    EXPECT_EQ(drape_->wait(60), 0);
-}
-
-TEST_F(WindowTest, TheWindowManagerEndsIt) {
-    start({"hang"});
-    desktop_.ask_to_close(window_);
-    EXPECT_EQ(drape_->wait(60), 0) << drape_->standard_error();
-    EXPECT_TRUE(closed(read_file(file("session.txt"))));
-}
-
-TEST_F(WindowTest, SignalsEndItWithTheirNumber) {
-    for (const int signal : {SIGINT, SIGTERM, SIGHUP}) {
+TEST_F(WindowTest, SignalsAndTheWindowManagerEndIt) {
+    for (const int signal : {SIGINT, SIGTERM, SIGHUP, 0}) {
         // The threads of the solver are there before the window is
         start({"hang", "--set", "solver.threads=2"});
-        drape_->send(signal);
-        EXPECT_EQ(drape_->wait(60), 128 + signal);
+        if (signal == SIGTERM) desktop_.open_menu(100, 100);
+        signal == 0 ? desktop_.ask_to_close(window_) : drape_->send(signal);
+        EXPECT_EQ(drape_->wait(60), signal == 0 ? 0 : 128 + signal) << drape_->standard_error();
         EXPECT_TRUE(closed(read_file(file("session.txt"))));
     }
-}
-
-TEST_F(WindowTest, ASignalEndsItWhileItsMenuIsOpen) {
-    start({"hang"});
-    const auto windows = [this] { return desktop_.act({"search", "--onlyvisible", "--name", ".*"}); };
-    const std::string before = windows();
-    desktop_.move_to(100, 100);
-    desktop_.click(3);
-    ASSERT_TRUE(eventually([&] { return windows() != before; })) << "no menu came";
-    drape_->send(SIGTERM);
-    EXPECT_EQ(drape_->wait(60), 128 + SIGTERM) << drape_->standard_error();
-    EXPECT_TRUE(closed(read_file(file("session.txt"))));
 }
 
 TEST_F(WindowTest, ARunThatDivergesClosesItsRecording) {
@@ -121,39 +90,26 @@ TEST_F(WindowTest, TheRecordingOfAKilledOneIsKept) {
     EXPECT_TRUE(closed(read_file(file("session.txt"))));
 }
 
-TEST_F(WindowTest, ResizingToOnePixelAndBackDoesNoHarm) {
+TEST_F(WindowTest, OnePixelAndHidingDoNoHarmAndPicturesDoNotOverwriteOneAnother) {
     start({"hang", "--set", "view.bounds=true"});
     desktop_.act({"windowsize", "--sync", window_, "1", "1"});
     desktop_.key("v");
     EXPECT_TRUE(recorded("next wind.on"));
     desktop_.act({"windowsize", "--sync", window_, "640", "480"});
     desktop_.key("F12");
-    EXPECT_TRUE(eventually([&] { return std::filesystem::exists(file("drape-0001.png")); }));
-    quit();
-}
+    ASSERT_TRUE(eventually([&] { return std::filesystem::exists(file("drape-0001.png")); }));
+    const std::string first = read_file(file("drape-0001.png"));
+    EXPECT_NE(first.find("iTXtCommit"), std::string::npos);
 
-TEST_F(WindowTest, ItGoesOnAfterItWasHidden) {
-    start({"hang"});
     desktop_.act({"windowunmap", "--sync", window_});
     const double before = drape_->processor_time();
     EXPECT_TRUE(eventually([&] { return drape_->processor_time() > before + 0.05; }));
     EXPECT_TRUE(drape_->running());
     desktop_.act({"windowmap", "--sync", window_});
     desktop_.act({"windowfocus", window_});
-    desktop_.key("v");
-    EXPECT_TRUE(recorded("next wind.on"));
-    quit();
-}
-
-TEST_F(WindowTest, PicturesDoNotOverwriteOneAnother) {
-    start({"hang"});
-    desktop_.key("F12");
-    ASSERT_TRUE(eventually([&] { return std::filesystem::exists(file("drape-0001.png")); }));
-    const std::string first = read_file(file("drape-0001.png"));
     desktop_.key("F12");
     EXPECT_TRUE(eventually([&] { return std::filesystem::exists(file("drape-0002.png")); }));
     EXPECT_EQ(read_file(file("drape-0001.png")), first);
-    EXPECT_NE(first.find("iTXtCommit"), std::string::npos);
     quit();
 }
 

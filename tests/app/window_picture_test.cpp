@@ -129,8 +129,18 @@ protected:
     }
 };
 
-TEST_F(WindowPicture, IsThatOfDrapeCapture) {
-    for (const std::string scene : {"drop", "slide"}) expect_that_of_drape_capture(scene);
+TEST_F(WindowPicture, IsThatOfDrapeCaptureAndToldFromOthers) {
+    expect_that_of_drape_capture("slide");
+    const std::string recorded_run = recording_of("drop", 60, "view.help=true");
+    const Image window = picture_of_window(recorded_run, 60);
+    const auto difference = [&](const std::string& other_run, int steps, const std::vector<std::string>& more) {
+        return PictureDifference(window, picture_of_capture(other_run, time_of("drop", steps), more));
+    };
+    const PictureDifference same = difference(recorded_run, 60, {"--overlay"});
+    EXPECT_TRUE(same.is_only_fps()) << same.text();
+    EXPECT_FALSE(difference(recorded_run, 60, {}).is_only_fps()) << "without the panel";
+    const PictureDifference moved = difference(recording_of("drop", 400, "view.help=true"), 400, {"--overlay"});
+    EXPECT_FALSE(moved.is_only_fps()) << "another moment: " << moved.text();
 }
 
 using NightlyWindowPicture = WindowPicture;
@@ -139,13 +149,6 @@ TEST_F(NightlyWindowPicture, IsThatOfDrapeCaptureInEveryScene) {
     for (const std::string& scene : scene_names()) {
         if (scene != "large") expect_that_of_drape_capture(scene);  // a minute for each of its pictures
     }
-}
-
-TEST_F(WindowPicture, HasTheSameHelpInACapture) {
-    const std::string recorded_run = recording_of("drop", 60, "view.help=true");
-    const PictureDifference found(picture_of_window(recorded_run, 60),
-                                  picture_of_capture(recorded_run, time_of("drop", 60), {"--overlay"}));
-    EXPECT_TRUE(found.is_only_fps()) << found.text();
 }
 
 // A picture without the bar of time, which is no part of screenshots
@@ -171,15 +174,6 @@ TEST_F(WindowPicture, IsInItsPixelsAsInItsScreenshotWhereItIsDrawnFast) {
     });
     EXPECT_TRUE(same) << difference;
     quit();
-}
-
-TEST_F(WindowPicture, IsToldFromOthers) {
-    const std::string recorded_run = recording_of("drop", 60), later = recording_of("drop", 400);
-    const Image window = picture_of_window(recorded_run, 60);
-    const PictureDifference without(window, picture_of_capture(recorded_run, time_of("drop", 60), {}));
-    EXPECT_FALSE(without.is_only_fps()) << "without the panel";
-    const PictureDifference moved(window, picture_of_capture(later, time_of("drop", 400), {"--overlay"}));
-    EXPECT_FALSE(moved.is_only_fps()) << "another moment: " << moved.text();
 }
 
 }  // namespace

@@ -1,8 +1,6 @@
 #include <gmock/gmock.h>
-#include <unistd.h>
 
 #include <algorithm>
-#include <csignal>
 #include <filesystem>
 #include <fstream>
 #include <set>
@@ -20,58 +18,43 @@ namespace {
 
 using ::testing::ElementsAre;
 using ::testing::HasSubstr;
-using Words = std::vector<std::string>;
 
 /// A run of a few small frames.
-Words small(const std::string& scene, Words more) {
-    Words words{scene, "--size", "160x90", "--fps", "120"};
-    words.insert(words.end(), more.begin(), more.end());
-    return words;
-}
-
-Words columns(const std::string& line) {
-    Words all;
-    std::stringstream in(line);
-    for (std::string word; std::getline(in, word, ',');) all.push_back(word);
-    return all;
+Words small(const std::string& scene, const Words& more) {
+    return joined({scene, "--size", "160x90", "--fps", "120"}, more);
 }
 
 std::vector<Words> table(const std::string& file) {
     std::vector<Words> rows;
-    std::stringstream in(text_of(file));
+    std::stringstream in(read_file(file));
     for (std::string line; std::getline(in, line);) {
-        if (!line.starts_with('#')) rows.push_back(columns(line));
+        if (line.starts_with('#')) continue;
+        Words& row = rows.emplace_back();
+        std::stringstream cells(line);
+        for (std::string cell; std::getline(cells, cell, ',');) row.push_back(cell);
     }
     return rows;
 }
 
-TEST(Capture, WritesNumberedFramesAndNothingElse) {
-    const TestFolder folder;
-    EXPECT_EQ(run_program("drape-capture", small("drop", {"--frames", "3", "--out", folder / "a/b"})).exit_code, 0);
-    EXPECT_THAT(folder.names("a/b"), ElementsAre("frame_0001.png", "frame_0002.png", "frame_0003.png"));
-    EXPECT_EQ(read_png(folder / "a/b/frame_0003.png").width, 160);
-}
-
-TEST(Capture, ClosesWithTheNumberOfItsPictures) {
-    const TestFolder folder;
-    const Words words = small("drop", {"--frames", "7", "--every", "3", "--out", folder / "a"});
-    EXPECT_THAT(run_program("drape-capture", words).err, testing::EndsWith("2 pictures in " + (folder / "a") + "\n"));
-}
-
 TEST(Capture, DrawsEverySoManiethFrame) {
     const TestFolder folder;
-    const Words words = small("drop", {"--frames", "7", "--every", "3", "--out", folder / "a"});
-    EXPECT_EQ(run_program("drape-capture", words).exit_code, 0);
-    EXPECT_THAT(folder.names("a"), ElementsAre("frame_0003.png", "frame_0006.png"));
+    const Words words = small("drop", {"--frames", "7", "--every", "3", "--out", folder / "a/b"});
+    const Outcome run = run_program("drape-capture", words);
+    EXPECT_EQ(run.exit_code, 0);
+    EXPECT_THAT(folder.names("a/b"), ElementsAre("frame_0003.png", "frame_0006.png"));
+    EXPECT_EQ(read_png(folder / "a/b/frame_0003.png").width, 160);
+    EXPECT_THAT(run.err, testing::EndsWith("2 pictures in " + (folder / "a/b") + "\n"));
 }
 
 TEST(Capture, ReachesTheSameStateAsTheLab) {
     const TestFolder folder;
-    const Outcome lab = run_program("drape-lab", {"simulate", "curtain", "--time", "0.25", "--hash"});
-    const Words hash{"curtain", "--frames", "15", "--fps", "60", "--hash"};
+    const std::string ours = folder / "a.csv", labs = folder / "b.csv";
+    const Outcome lab = run_program("drape-lab", {"simulate", "curtain", "--time", "0.25", "--hash", "--state", labs});
+    const Words hash{"curtain", "--frames", "15", "--fps", "60", "--hash", "--state", ours};
     EXPECT_EQ(run_program("drape-capture", hash).out, lab.out);
-    Words drawn = hash;
-    drawn.insert(drawn.end(), {"--size", "64x36", "--out", folder / "a", "--every", "5", "--overlay"});
+    EXPECT_EQ(read_file(ours), read_file(labs));
+    EXPECT_GT(read_file(ours).size(), 1000u);
+    const Words drawn = joined(hash, {"--size", "64x36", "--out", folder / "a", "--every", "5", "--overlay"});
     EXPECT_EQ(run_program("drape-capture", drawn).out, lab.out);
     EXPECT_EQ(lab.out.size(), 17u);
 }
@@ -88,34 +71,26 @@ TEST(Capture, WritesARowOfEveryFieldForEachFrame) {
     for (const FrameField& field : frame_fields()) wanted.emplace_back(field.name);
     for (const BallField& field : ball_fields()) wanted.emplace_back("ball0_" + std::string(field.name));
     EXPECT_EQ(rows[0], wanted);
-    for (std::size_t i = 1; i < rows.size(); ++i) EXPECT_EQ(rows[i].size(), wanted.size());
-    EXPECT_EQ(rows[1][0], "2");
-    EXPECT_EQ(rows[2][0], "4");
-}
-
-TEST(Capture, GivesTheUnitsOfItsFigures) {
-    const TestFolder folder;
-    const std::string file = folder / "s.csv";
-    run_program("drape-capture", small("drop", {"--frames", "1", "--stats", file}));
-    EXPECT_THAT(text_of(file), testing::StartsWith("# units: time [s], step_limit_ratio [1], "));
+    for (std::size_t i = 1; i < rows.size(); ++i) {
+        EXPECT_EQ(rows[i].size(), wanted.size());
+        EXPECT_EQ(rows[i][0], std::to_string(2 * i));
+    }
+    EXPECT_THAT(read_file(file), testing::StartsWith("# units: time [s], step_limit_ratio [1], "));
     for (const FrameField& field : frame_fields()) {
         if (field.unit.empty()) continue;
-        EXPECT_THAT(text_of(file), HasSubstr(", " + std::string(field.name) + " [" + std::string(field.unit) + "]"));
+        EXPECT_THAT(read_file(file), HasSubstr(", " + std::string(field.name) + " [" + std::string(field.unit) + "]"));
     }
 }
 
 TEST(Capture, CountsItsFramesFromTheStartOfTheScene) {
     const TestFolder folder;
     const std::string start = folder / "start.csv", end = folder / "end.csv";
-    const Words scene{"two_corners", "--set", "sleep_speed=0"};
-    const auto with = [&](Words words) {
-        words.insert(words.begin(), scene.begin(), scene.end());
-        return words;
+    const auto run = [&](const Words& words) {
+        return run_program("drape-capture", joined({"two_corners", "--set", "sleep_speed=0"}, words));
     };
-    run_program("drape-capture", with({"--frames", "6", "--state", start}));
-    const Outcome whole = run_program("drape-capture", with({"--frames", "9", "--hash"}));
-    const Outcome rest =
-        run_program("drape-capture", with({"start=" + start, "--frames", "3", "--hash", "--state", end}));
+    run({"--frames", "6", "--state", start});
+    const Outcome whole = run({"--frames", "9", "--hash"});
+    const Outcome rest = run({"start=" + start, "--frames", "3", "--hash", "--state", end});
     EXPECT_EQ(rest.exit_code, 0) << rest.err;
     EXPECT_EQ(rest.out, whole.out);
     EXPECT_NEAR(std::stod(table(end).at(1).at(0)), 0.15, 1e-12);
@@ -132,21 +107,6 @@ TEST(Capture, SaysThatARecordingWasCutAndFailsWhereACommandIsRefused) {
     const Outcome second = run_program("drape-capture", {"--replay", refused, "--frames", "1", "--hash"});
     EXPECT_EQ(second.exit_code, 1);
     EXPECT_THAT(second.err, HasSubstr(refused + ":3: 'grab 1 0' is refused"));
-}
-
-TEST(Capture, RefusesAnOptionInThePlaceOfAValue) {
-    const Outcome run = run_program("drape-capture", {"drop", "--frames", "1", "--out", "--hash"});
-    EXPECT_EQ(run.exit_code, 2);
-    EXPECT_THAT(run.err, HasSubstr("--out needs a value, and '--hash' is an option"));
-}
-
-TEST(Capture, WritesTheLastState) {
-    const TestFolder folder;
-    const std::string ours = folder / "a.csv", labs = folder / "b.csv";
-    run_program("drape-capture", {"two_corners", "--frames", "6", "--fps", "60", "--state", ours});
-    run_program("drape-lab", {"simulate", "two_corners", "--time", "0.1", "--state", labs});
-    EXPECT_EQ(text_of(ours), text_of(labs));
-    EXPECT_GT(text_of(ours).size(), 1000u);
 }
 
 /// The greatest number in a column of the figures of frames, but for the first, which also sends what stays the same.
@@ -175,51 +135,43 @@ TEST(Capture, DrawsFastWithFewerVerticesOfALargeCloth) {
     EXPECT_LT(fast_vertices, 0.4 * full_vertices);
 }
 
-TEST(Capture, NeedsAtMostSixtyCallsForThePictureWithEverythingOn) {
+TEST(Capture, NeedsAtMostSixtyCallsForThePictureAndFewForPanels) {
     const TestFolder folder;
     const std::string file = folder / "s.csv";
-    const Words words =
-        small("drop", {"--frames", "60", "--every", "6", "--out", folder / "a", "--stats", file, "--set",
-                       "view.bounds=true", "view.contacts=true", "view.particles=true", "view.wireframe=true"});
-    EXPECT_EQ(run_program("drape-capture", words).exit_code, 0);
-    ASSERT_EQ(table(file).size(), 11u);
-    const double most = most_of(file, "gl_calls");
-    EXPECT_LE(most, 60);
-    EXPECT_GT(most, 40) << "less than all of it can need";
-}
-
-/// The most OpenGL calls of a frame but the first.
-double most_calls(const Words& shown) {
-    const TestFolder folder;
-    const std::string file = folder / "s.csv";
-    Words words{"drop",  "--size",     "640x360", "--frames", "40",    "--every",          "10",
-                "--out", folder / "a", "--stats", file,       "--set", "view.bounds=true", "view.level=2"};
-    words.insert(words.end(), shown.begin(), shown.end());
-    EXPECT_EQ(run_program("drape-capture", words).exit_code, 0);
-    EXPECT_EQ(table(file).size(), 5u);
-    return most_of(file, "gl_calls");
-}
-
-TEST(Capture, NeedsFewCallsForThePanelsBesideThoseForThePicture) {
-    const double picture = most_calls({});
-    const double figures = most_calls({"view.panel=full", "view.plots=true", "--overlay"});
-    const double settings = most_calls({"view.panel=full", "view.plots=true", "view.controls=true", "--overlay"});
+    const auto calls = [&](const Words& shown) {
+        const Words words{"drop",    "--size", "640x360", "--frames",         "40",
+                          "--every", "10",     "--out",   folder / "a",       "--again",
+                          "--stats", file,     "--set",   "view.bounds=true", "view.level=2"};
+        EXPECT_EQ(run_program("drape-capture", joined(words, shown)).exit_code, 0);
+        EXPECT_EQ(table(file).size(), 5u);
+        return most_of(file, "gl_calls");
+    };
+    const double picture = calls({"view.contacts=true", "view.particles=true", "view.wireframe=true"});
     EXPECT_LE(picture, 60);
-    EXPECT_GT(figures, picture) << "panels are drawn";
-    EXPECT_LE(figures - picture, 6) << "figures, plots and the table of the hierarchy are one draw call";
+    EXPECT_GT(picture, 40) << "less than all of it can need";
+    const double plain = calls({});
+    const double figures = calls({"view.panel=full", "view.plots=true", "--overlay"});
+    const double settings = calls({"view.panel=full", "view.plots=true", "view.controls=true", "--overlay"});
+    EXPECT_GT(figures, plain) << "panels are drawn";
+    EXPECT_LE(figures - plain, 6) << "figures, plots and the table of the hierarchy are one draw call";
     EXPECT_GT(settings, figures);
     EXPECT_LE(settings - figures, 12) << "the settings scroll in a window of their own";
 }
 
-TEST(Capture, RefusesBadNumbersWithTheirRange) {
+TEST(Capture, RefusesBadOptionsWithWhatIsAllowed) {
     for (const auto& [words, said] : std::vector<std::pair<Words, std::string>>{
              {{"--frames", "0"}, "--frames 0: allowed 1 to"},
+             {{"drop", "--frames", "2"}, "nothing to write"},
+             {{"drop", "--frames", "1", "--out", "--hash"}, "--out needs a value, and '--hash' is an option"},
+             {{"--tour"}, "--tour needs --out"},
              {{"--frames", "two"}, "--frames two"},
              {{"--frames", "1", "--size", "0x5"}, "--size 0x5: allowed WxH, 1 to 8192 each"},
              {{"--frames", "1", "--size", "9000x5"}, "--size 9000x5"},
              {{"--frames", "1", "--size", "12"}, "--size 12"},
              {{"--frames", "1", "--fps", "nan"}, "--fps nan"},
              {{"--frames", "2", "--every", "3"}, "--every 3"},
+             {{"drop", "--hash", "--frames", "1", "--context", "glx"},
+              "--context glx: allowed 'auto', 'osmesa' or 'egl'"},
              {{"--hash", "--frames", "1", "--set", "dt=-1"}, "dt"},
              {{"nowhere", "--hash", "--frames", "1"}, "nowhere"},
              {{}, "--frames"}}) {
@@ -231,8 +183,10 @@ TEST(Capture, RefusesBadNumbersWithTheirRange) {
 
 TEST(Capture, SaysInItsPicturesHowTheyWereMade) {
     const TestFolder folder;
-    run_program("drape-capture", small("drop", {"--frames", "1", "--out", folder / "a", "--set", "dt=1e-4"}));
-    const std::string bytes = text_of(folder / "a/frame_0001.png");
+    const Words words{"drop", "--frames", "1", "--fps", "120", "--size", "1x1", "--overlay", "--out", folder / "a"};
+    run_program("drape-capture", joined(words, {"--set", "dt=1e-4"}));
+    EXPECT_EQ(read_png(folder / "a/frame_0001.png").rgb.size(), 3u) << "one pixel";
+    const std::string bytes = read_file(folder / "a/frame_0001.png");
     const auto chunk = [](const std::string& keyword, const std::string& text) {
         return "iTXt" + keyword + std::string(5, '\0') + text;
     };
@@ -242,43 +196,13 @@ TEST(Capture, SaysInItsPicturesHowTheyWereMade) {
     EXPECT_THAT(bytes, HasSubstr("dt = 1e-04"));
 }
 
-TEST(Capture, DrawsOnePixel) {
-    const TestFolder folder;
-    const Words words{"drop", "--frames", "1", "--size", "1x1", "--overlay", "--out", folder / "a"};
-    EXPECT_EQ(run_program("drape-capture", words).exit_code, 0);
-    EXPECT_EQ(read_png(folder / "a/frame_0001.png").rgb.size(), 3u);
-}
-
-TEST(Capture, SaysBeforeItSimulatesThatAFolderTakesNoFiles) {
-    const TestFolder folder;
-    const Outcome outcome = run_program("drape-capture", small("drop", {"--frames", "100000", "--out", "/proc/drape"}));
-    EXPECT_EQ(outcome.exit_code, 1);
-    EXPECT_THAT(outcome.err, HasSubstr("--out /proc/drape"));
-}
-
-TEST(Capture, SaysThatADiskIsFull) {
-    const Outcome outcome = run_program("drape-capture", small("drop", {"--frames", "2", "--stats", "/dev/full"}));
-    EXPECT_EQ(outcome.exit_code, 1);
-    EXPECT_THAT(outcome.err, HasSubstr("/dev/full"));
-}
-
-TEST(Capture, KeepsThePicturesIfThereIsNoFfmpeg) {
-    const TestFolder folder;
-    const Words words = small("drop", {"--frames", "2", "--out", folder / "a", "--video", folder / "v.mp4"});
-    const Outcome outcome = run_program("drape-capture", words, {"PATH=/nowhere"});
-    EXPECT_EQ(outcome.exit_code, 1);
-    EXPECT_THAT(outcome.err, HasSubstr("ffmpeg (Debian package ffmpeg) could not be started"));
-    EXPECT_EQ(folder.names("a").size(), 2u);
-}
-
-TEST(Capture, KeepsThePicturesIfFfmpegDies) {
-    const TestFolder folder;
-    ASSERT_EQ(symlink("/bin/false", (folder / "ffmpeg").c_str()), 0);
-    const Words words = small("drop", {"--frames", "4", "--out", folder / "a", "--video", folder / "v.mp4"});
-    const Outcome outcome = run_program("drape-capture", words, {"PATH=" + folder / ""});
-    EXPECT_EQ(outcome.exit_code, 1);
-    EXPECT_THAT(outcome.err, HasSubstr("ffmpeg failed with status 1"));
-    EXPECT_EQ(folder.names("a").size(), 4u);
+TEST(Capture, SaysWhatTakesNoFiles) {
+    for (const Words& words :
+         {Words{"--frames", "100000", "--out", "/proc/drape"}, {"--frames", "2", "--stats", "/dev/full"}}) {
+        const Outcome outcome = run_program("drape-capture", small("drop", words));
+        EXPECT_EQ(outcome.exit_code, 1);
+        EXPECT_THAT(outcome.err, HasSubstr(words.back()));
+    }
 }
 
 TEST(Capture, FeedsFfmpegWholeFrames) {
@@ -288,38 +212,14 @@ TEST(Capture, FeedsFfmpegWholeFrames) {
     std::filesystem::permissions(script, std::filesystem::perms::owner_all);
     Words words = small("drop", {"--frames", "2", "--out", folder / "a", "--video", folder / "v.mp4"});
     words[2] = "480x270";  // more than a pipe holds
-    EXPECT_EQ(run_program("drape-capture", words, {"PATH=" + folder / "" + ":/bin:/usr/bin"}).exit_code, 0);
+    const std::string path = folder / "" + ":/bin:/usr/bin";
+    EXPECT_EQ(run_program("drape-capture", words, {{"PATH", path}}).exit_code, 0);
     std::string wanted;
     for (const std::string& name : folder.names("a")) {
         const Image image = read_png(folder / ("a/" + name));
         wanted.append(image.rgb.begin(), image.rgb.end());
     }
-    EXPECT_TRUE(text_of(raw) == wanted);
-}
-
-TEST(Capture, FinishesItsFrameWhenItIsInterrupted) {
-    for (const int signal : {SIGINT, SIGTERM}) {
-        const TestFolder folder;
-        const std::string stats = folder / "s.csv";
-        const Words words = small("drop", {"--frames", "100000", "--out", folder / "a", "--stats", stats});
-        EXPECT_EQ(interrupt_program("drape-capture", words, folder / "a/frame_000002.png", signal).exit_code,
-                  128 + signal);
-        const Words names = folder.names("a");
-        EXPECT_EQ(table(stats).size(), names.size() + 1);
-        EXPECT_EQ(read_png(folder / "a/" + names.back()).width, 160);
-    }
-}
-
-TEST(Capture, EndsWithTheFramesKeptWhenTheStepIsUnstable) {
-    const TestFolder folder;
-    const Words unstable{"solver.dt=0.02", "solver.integrator=explicit_euler"};
-    Words words = small("drop", {"--frames", "60", "--every", "1", "--out", folder / "a", "--set"});
-    words.insert(words.end(), unstable.begin(), unstable.end());
-    const Outcome stopped = run_program("drape-capture", words);
-    EXPECT_EQ(stopped.exit_code, 1);
-    EXPECT_THAT(stopped.err, HasSubstr("particle"));
-    EXPECT_GT(folder.names("a").size(), 0u);
-    EXPECT_LT(folder.names("a").size(), 60u);
+    EXPECT_TRUE(read_file(raw) == wanted);
 }
 
 TEST(Capture, EndsWithAPictureOfTheFailure) {
@@ -333,10 +233,6 @@ TEST(Capture, EndsWithAPictureOfTheFailure) {
     EXPECT_THAT(failed.err, HasSubstr("frame_0381.png shows the last good state"));
     EXPECT_THAT(failed.err, testing::EndsWith("4 pictures in " + (folder / "a") + "\n"));
     EXPECT_NE(read_png(folder / "a/frame_0381.png").rgb, read_png(folder / "a/frame_0300.png").rgb);
-}
-
-TEST(Capture, RefusesToWriteNothing) {
-    EXPECT_EQ(run_program("drape-capture", {"drop", "--frames", "2"}).exit_code, 2);
 }
 
 TEST(Capture, FollowsTheViewOfAReplay) {
@@ -376,7 +272,6 @@ TEST(Capture, DrawsAPictureOfEachStopOfTheTour) {
     std::set<std::vector<std::uint8_t>> pictures;
     for (const std::string& name : names) pictures.insert(read_png(folder / ("a/" + name)).rgb);
     EXPECT_EQ(pictures.size(), names.size()) << "each is another";
-    EXPECT_EQ(run_program("drape-capture", {"--tour"}).exit_code, 2);
 }
 
 }  // namespace

@@ -1,13 +1,10 @@
-// The particle that has diverged first and the worst of its springs are marked, also behind the cloth.
+// The particle that has diverged first and the worst of its springs are marked, also behind the cloth().
 
 #include <gtest/gtest.h>
 
 #include <cmath>
 
-#include "capture/offscreen_context.h"
-#include "drape/render/renderer.h"
-#include "drape/sim/scene.h"
-#include "drape/sim/simulation.h"
+#include "drawn_scene.h"
 #include "expected_picture.h"
 
 namespace drape::test {
@@ -15,47 +12,28 @@ namespace {
 
 constexpr int failed_width = 960, failed_height = 720;
 
-class FailurePicture : public testing::Test {
-protected:
-    FailurePicture() : simulation_("drop", load_scene("drop")) {
-        for (int step = 0; step < static_cast<int>(0.8 / simulation_.settings().solver.dt); ++step) simulation_.step();
-        view_ = simulation_.view();
-        settings_ = *view_.settings;
-        settings_.view.panel = PanelSize::Off;
-        view_.settings = &settings_;
-        report_ = *view_.report;
-        view_.report = &report_;
-    }
+struct FailurePicture : DrawnScene, testing::Test {
+    FailurePicture() : DrawnScene("drop", 0.8) { view.report = &report; }
 
-    [[nodiscard]] Image draw() const {
-        OffscreenContext context;
-        Renderer renderer;
-        renderer.resize(failed_width, failed_height);
-        renderer.draw(view_, Camera(settings_.view), {});
-        return renderer.read_back();
-    }
+    [[nodiscard]] Image draw() const { return picture_of(view, failed_width, failed_height); }
 
-    Simulation simulation_;
-    Settings settings_;
-    StepReport report_;
-    FrameView view_;
+    StepReport report = simulation.report();
 };
 
 bool is_white(const std::uint8_t* p) { return p[0] > 235 && p[1] > 235 && p[2] > 235; }
 
 TEST_F(FailurePicture, MarksTheParticleAndItsSpringThroughTheCloth) {
-    const ExpectedPicture expected(view_, failed_width, failed_height);
-    const ClothView& cloth = view_.cloths[0];
+    const ExpectedPicture expected(view, failed_width, failed_height);
     const Image plain = draw();
     int hidden = 0;
-    for (int p = 31; p < cloth.model.grid.particles() && hidden < 3; p += 7) {
-        const auto spot = expected.project(cloth.x.row(p).transpose());
-        const auto other = expected.project(cloth.x.row(p - 1).transpose());
+    for (int p = 31; p < cloth().model.grid.particles() && hidden < 3; p += 7) {
+        const auto spot = expected.project(cloth().x.row(p).transpose());
+        const auto other = expected.project(cloth().x.row(p - 1).transpose());
         const int x = static_cast<int>(spot.x), y = static_cast<int>(spot.y);
         if (expected.at(x, y) == Seen::Nothing || spot.depth < expected.depth(x, y) + 0.05) continue;
         ++hidden;
-        report_.status = Status::Diverged;
-        report_.failure = {0, p, p - 1};
+        report.status = Status::Diverged;
+        report.failure = {0, p, p - 1};
         const Image marked = draw();
 
         // All around the particle, and along the spring; nowhere else
@@ -86,12 +64,12 @@ TEST_F(FailurePicture, MarksTheParticleAndItsSpringThroughTheCloth) {
 
 TEST_F(FailurePicture, MarksNothingWhileAllIsWellOrWhereNothingIs) {
     const Image plain = draw();
-    report_.failure = {0, 100, 101};
+    report.failure = {0, 100, 101};
     EXPECT_EQ(draw().rgb, plain.rgb) << "it has not diverged";
-    report_.status = Status::Diverged;
+    report.status = Status::Diverged;
     EXPECT_NE(draw().rgb, plain.rgb);
     for (const FailureSpot& nowhere : {FailureSpot{}, FailureSpot{1, 100, 101}, FailureSpot{0, 900, 100}}) {
-        report_.failure = nowhere;
+        report.failure = nowhere;
         EXPECT_EQ(draw().rgb, plain.rgb);
     }
 }

@@ -49,26 +49,18 @@ int move_of(const Image& one, const Image& other, bool along_x, int from, int to
     return least;
 }
 
+/// One frame of the scene.
+Image frame_of(const std::string& size, const std::string& frame, const Words& changes) {
+    const TestFolder folder;
+    const Words words{"drop", "--frames", frame, "--every", frame, "--size", size, "--out", folder / "a", "--set"};
+    EXPECT_EQ(run_program("drape-capture", joined(words, changes)).exit_code, 0);
+    return read_png(folder / ("a/frame_00" + frame + ".png"));
+}
+
 // 641 is magnified from 321 and 361 from 181: by less than two
 TEST(FastPicture, IsMagnifiedUpToItsLastPixelWhereItsSizeIsOdd) {
-    const TestFolder folder;
-    const auto draw = [&](const std::string& quality) {
-        const std::vector<std::string> words{"drop",
-                                             "--frames",
-                                             "60",
-                                             "--every",
-                                             "60",
-                                             "--size",
-                                             "641x361",
-                                             "--out",
-                                             folder / "a",
-                                             "--again",
-                                             "--set",
-                                             "view.eye=0.5,0.5,0.6",
-                                             "view.colour=level",
-                                             "view.quality=" + quality};
-        EXPECT_EQ(run_program("drape-capture", words).exit_code, 0);
-        return read_png(folder / "a/frame_0060.png");
+    const auto draw = [](const std::string& quality) {
+        return frame_of("641x361", "60", {"view.eye=0.5,0.5,0.6", "view.colour=level", "view.quality=" + quality});
     };
     const Image full = draw("full"), fast = draw("fast");
     for (const int from : {2, 270, 539}) EXPECT_EQ(move_of(full, fast, true, from, from + 100), 0) << "column " << from;
@@ -76,39 +68,19 @@ TEST(FastPicture, IsMagnifiedUpToItsLastPixelWhereItsSizeIsOdd) {
 }
 
 TEST(FastPicture, ShowsWhatAFullOneDoesButCoarserAndTextAsSharp) {
-    const TestFolder folder;
-    for (const std::string size : {"640x360", "641x363"}) {
-        const auto draw = [&](const std::string& quality) {
-            const std::vector<std::string> words{"drop",
-                                                 "--frames",
-                                                 "90",
-                                                 "--every",
-                                                 "90",
-                                                 "--size",
-                                                 size,
-                                                 "--out",
-                                                 folder / "a",
-                                                 "--again",
-                                                 "--overlay",
-                                                 "--set",
-                                                 "view.quality=" + quality,
-                                                 "view.bounds=true"};
-            EXPECT_EQ(run_program("drape-capture", words).exit_code, 0);
-            return read_png(folder / "a/frame_0090.png");
-        };
-        const Image full = draw("full"), fast = draw("fast");
-        ASSERT_EQ(full.width, fast.width);
-        ASSERT_EQ(full.height, fast.height);
-        EXPECT_GT(difference_of(full, fast, 1), 0.8) << "nothing is coarser";
-        EXPECT_LT(difference_of(full, fast, 16), 0.5) << "as if moved by a pixel, or lighter or darker";
+    const Image full = frame_of("641x363", "90", {"view.bounds=true", "view.quality=full", "--overlay"});
+    const Image fast = frame_of("641x363", "90", {"view.bounds=true", "view.quality=fast", "--overlay"});
+    ASSERT_EQ(full.width, fast.width);
+    ASSERT_EQ(full.height, fast.height);
+    EXPECT_GT(difference_of(full, fast, 1), 0.8) << "nothing is coarser";
+    EXPECT_LT(difference_of(full, fast, 16), 0.5) << "as if moved by a pixel, or lighter or darker";
 
-        int most = 0;  // of the panel with figures
-        for (int pixel = 0; pixel < 150 * 50; ++pixel) {
-            const int x = pixel % 150, y = pixel / 150;
-            for (int c = 0; c < 3; ++c) most = std::max(most, std::abs(full.pixel(x, y)[c] - fast.pixel(x, y)[c]));
-        }
-        EXPECT_LT(most, 16) << "text is bright on dark";
+    int most = 0;  // of the panel with figures
+    for (int pixel = 0; pixel < 150 * 50; ++pixel) {
+        const int x = pixel % 150, y = pixel / 150;
+        for (int c = 0; c < 3; ++c) most = std::max(most, std::abs(full.pixel(x, y)[c] - fast.pixel(x, y)[c]));
     }
+    EXPECT_LT(most, 16) << "text is bright on dark";
 }
 
 }  // namespace

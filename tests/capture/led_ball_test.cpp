@@ -4,30 +4,16 @@
 
 #include <algorithm>
 
-#include "capture/offscreen_context.h"
-#include "drape/render/renderer.h"
-#include "drape/sim/scene.h"
-#include "drape/sim/simulation.h"
+#include "drawn_scene.h"
 
 namespace drape::test {
 namespace {
 
-Image picture_with_steered(Simulation& simulation, int steered_ball) {
-    Settings settings = simulation.settings();
-    settings.view.panel = PanelSize::Off;
-    Renderer renderer;
-    renderer.resize(640, 480);
-    FrameView view = simulation.view();
-    view.settings = &settings;
-    view.steered_ball = steered_ball;
-    renderer.draw(view, Camera(settings.view), {});
-    return renderer.read_back();
-}
-
 TEST(SteeredBall, HasARedRingAndNothingElseIsChanged) {
-    const OffscreenContext context;
-    Simulation simulation("three_balls", load_scene("three_balls"));
-    const Image with = picture_with_steered(simulation, 1), without = picture_with_steered(simulation, -1);
+    DrawnScene scene("three_balls");
+    const Image without = picture_of(scene.view, 640, 480);
+    scene.view.steered_ball = 1;
+    const Image with = picture_of(scene.view, 640, 480);
     ASSERT_EQ(with.rgb.size(), without.rgb.size());
     int redder = 0, other = 0;
     for (std::size_t p = 0; p + 2 < with.rgb.size(); p += 3) {

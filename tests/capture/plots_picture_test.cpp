@@ -5,10 +5,7 @@
 #include <cmath>
 #include <optional>
 
-#include "capture/offscreen_context.h"
-#include "drape/render/renderer.h"
-#include "drape/sim/scene.h"
-#include "drape/sim/simulation.h"
+#include "drawn_scene.h"
 
 namespace drape::test {
 namespace {
@@ -67,14 +64,10 @@ struct EnergyAxis {
 };
 
 TEST(PlotsPicture, HasEachValueWhereItBelongsOnBothAxes) {
-    Simulation simulation("drop", load_scene("drop"));
-    FrameView view = simulation.view();
-    Settings settings = *view.settings;
-    settings.view.panel = PanelSize::Off;
-    settings.view.plots = true;
-    view.settings = &settings;
+    DrawnScene scene("drop");
+    scene.settings.view.plots = true;
     StepReport report;
-    view.report = &report;
+    scene.view.report = &report;
 
     const OffscreenContext context;
     Renderer renderer;
@@ -82,7 +75,7 @@ TEST(PlotsPicture, HasEachValueWhereItBelongsOnBothAxes) {
     const auto draw = [&](double time, double total, double kinetic) {
         report.time = time;
         report.energy = {.kinetic = kinetic, .gravity = total - kinetic, .spring = 0};
-        renderer.draw(view, Camera(settings.view), {});
+        renderer.draw(scene.view, Camera(scene.settings.view), {});
     };
 
     // One moment draws no curve

@@ -1,45 +1,41 @@
 #pragma once
 
-#include <sys/types.h>
-
-#include <filesystem>
+#include <map>
 #include <string>
 #include <vector>
 
+#include "drape/base/scratch_folder.h"
+#include "support/process.h"
+
 namespace drape::test {
+
+using Words = std::vector<std::string>;
 
 /// What a program did.
 struct Outcome {
-    int exit_code = -1;  ///< 128 + n if signal n ended it
-    std::string out;
-    std::string err;
+    int exit_code = -1;  ///< 256 + n if signal n ended it
+    std::string out, err;
+};
+
+/// A folder for one test, gone at its end.
+class TestFolder : public ScratchFolder {
+public:
+    [[nodiscard]] std::string operator/(const std::string& name) const { return (path() / name).string(); }
+    /// The names of the files in a folder of it, sorted.
+    [[nodiscard]] Words names(const std::string& folder) const;
+};
+
+Words joined(Words words, const Words& more);
+
+/// drape-capture, beside the test, in its folder; it finds programs there first.
+class Running : public Process {
+public:
+    Running(const TestFolder& folder, const Words& words);
 };
 
 /// Runs one of our programs ("drape-capture") to its end.
-/// @param environment "NAME=value" words that are added
-Outcome run_program(const std::string& name, const std::vector<std::string>& arguments,
-                    const std::vector<std::string>& environment = {});
-
-/// Runs one of our programs and sends it a signal as soon as a file is there.
-Outcome interrupt_program(const std::string& name, const std::vector<std::string>& arguments,
-                          const std::filesystem::path& file, int signal);
-
-/// A folder for one test, gone at its end.
-class TestFolder {
-public:
-    TestFolder();
-    ~TestFolder();
-    TestFolder(const TestFolder&) = delete;
-    TestFolder& operator=(const TestFolder&) = delete;
-
-    [[nodiscard]] std::string operator/(const std::string& name) const { return (path_ / name).string(); }
-    /// The names of the files in a folder of it, sorted.
-    [[nodiscard]] std::vector<std::string> names(const std::string& folder) const;
-
-private:
-    std::filesystem::path path_;
-};
-
-std::string text_of(const std::filesystem::path& file);
+/// @param environment changes to the test's own
+Outcome run_program(const std::string& name, const Words& arguments,
+                    const std::map<std::string, std::string>& environment = {});
 
 }  // namespace drape::test

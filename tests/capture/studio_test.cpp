@@ -4,10 +4,7 @@
 
 #include <vector>
 
-#include "capture/offscreen_context.h"
-#include "drape/render/renderer.h"
-#include "drape/sim/scene.h"
-#include "drape/sim/simulation.h"
+#include "drawn_scene.h"
 
 namespace drape::test {
 namespace {
@@ -21,29 +18,18 @@ struct Look {
     int width = 320;
 };
 
-class KeptStudio : public testing::Test {
-protected:
-    KeptStudio() {
-        while (simulation_.report().time < 0.2) simulation_.step();
-        const FrameView view = simulation_.view();
-        look_.balls.assign(view.balls.begin(), view.balls.end());
-    }
+struct KeptStudio : DrawnScene, testing::Test {
+    KeptStudio() : DrawnScene("drop", 0.2) {}
 
-    Image draw(Renderer& renderer, const Look& look) {
-        FrameView view = simulation_.view();
-        view.settings = &look.settings;
-        view.balls = view.previous_balls = look.balls;
-        renderer.resize(look.width, 180);
-        renderer.draw(view, look.camera, {});
+    Image draw(Renderer& renderer, const Look& shown) {
+        view.settings = &shown.settings;
+        view.balls = view.previous_balls = shown.balls;
+        renderer.resize(shown.width, 180);
+        renderer.draw(view, shown.camera, {});
         return renderer.read_back();
     }
 
-    Simulation simulation_{"drop", [] {
-                               Settings settings = load_scene("drop");
-                               settings.view.panel = PanelSize::Off;
-                               return settings;
-                           }()};
-    Look look_{"first", Camera(simulation_.settings().view), {}, simulation_.settings()};
+    Look look_{"first", Camera(settings.view), {view.balls.begin(), view.balls.end()}, settings};
 };
 
 TEST_F(KeptStudio, FollowsCameraBallSizeAndGround) {
@@ -53,7 +39,7 @@ TEST_F(KeptStudio, FollowsCameraBallSizeAndGround) {
         looks.back().change = change;
         return looks.back();
     };
-    then("camera").camera.apply(parse_command("orbit 0.2 0.1"), simulation_.view());
+    then("camera").camera.apply(parse_command("orbit 0.2 0.1"), simulation.view());
     then("ball").balls[0].centre.x() += 0.2;
     then("radius").balls[0].radius *= 0.5;
     then("size").width = 200;
@@ -64,7 +50,7 @@ TEST_F(KeptStudio, FollowsCameraBallSizeAndGround) {
     {
         const OffscreenContext context;
         Renderer renderer;
-        for (const Look& look : looks) kept.push_back(draw(renderer, look));
+        for (const Look& one : looks) kept.push_back(draw(renderer, one));
     }
     for (std::size_t i = 0; i < looks.size(); ++i) {
         const OffscreenContext context;

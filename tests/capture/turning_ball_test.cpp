@@ -6,10 +6,7 @@
 #include <random>
 #include <vector>
 
-#include "capture/offscreen_context.h"
-#include "drape/render/renderer.h"
-#include "drape/sim/scene.h"
-#include "drape/sim/simulation.h"
+#include "drawn_scene.h"
 
 namespace drape::test {
 namespace {
@@ -19,40 +16,33 @@ using Quaternion = Eigen::Quaternion<Real>;
 constexpr int picture_side = 160;
 
 /// One ball in the middle of the picture.
-class TurningBall : public testing::Test {
-protected:
-    TurningBall() : simulation_("trampoline", load_scene("trampoline")), settings_(simulation_.settings()) {
-        ball_ = simulation_.balls()[0];
-        settings_.view.panel = PanelSize::Off;
-        settings_.view.target = ball_.centre;
-        settings_.view.eye = ball_.centre + Vec3(Real(0.5), Real(0.6), Real(0.7));
-        renderer_.resize(picture_side, picture_side);
+struct TurningBall : DrawnScene, testing::Test {
+    TurningBall() : DrawnScene("trampoline"), ball(simulation.balls()[0]) {
+        settings.view.target = ball.centre;
+        settings.view.eye = ball.centre + Vec3(Real(0.5), Real(0.6), Real(0.7));
+        renderer.resize(picture_side, picture_side);
     }
 
     Image draw(const Quaternion& before, const Quaternion& now, Real blend) {
-        Ball previous = ball_, present = ball_;
+        Ball previous = ball, present = ball;
         previous.orientation = before;
         present.orientation = now;
-        FrameView view = simulation_.view();
-        view.settings = &settings_;
         view.balls = {&present, 1};
         view.previous_balls = {&previous, 1};
         view.blend = blend;
-        renderer_.draw(view, Camera(settings_.view), {});
-        return renderer_.read_back();
+        renderer.draw(view, Camera(settings.view), {});
+        return renderer.read_back();
     }
 
-    OffscreenContext context_;
-    Simulation simulation_;
-    Settings settings_;
-    Renderer renderer_;
-    Ball ball_;
+    OffscreenContext context;
+    Renderer renderer;
+    Ball ball;
 };
 
 int middle_of(const Image& image) { return image.pixel(picture_side / 2, picture_side / 2)[1]; }
 
 TEST_F(TurningBall, ShowsThePartOfItsPatternThatFacesTheEye) {
-    const Vec3 to_eye = (settings_.view.eye - ball_.centre).normalized();
+    const Vec3 to_eye = (settings.view.eye - ball.centre).normalized();
     std::mt19937 random(5);
     std::normal_distribution<Real> normal;
     std::vector<int> light, dark;

@@ -60,6 +60,11 @@ void fill_disk_between_frames(Trial& trial, int count) {
 }  // namespace
 
 void fill_disk(Trial& trial, int count) {
+    const auto check = [&trial](const Outcome& outcome, const std::string& what, const std::string& folder) {
+        trial.check(ended_cleanly(outcome), what, outcome);
+        trial.check(frames_are_whole(trial.path(folder + "/frames")), "every frame is whole", outcome);
+        trial.remove(folder);
+    };
     for (int k = 0; k < count; ++k) {
         const std::string writer = writers[static_cast<std::size_t>(k) % writers.size()];
         const int blocks =
@@ -67,9 +72,7 @@ void fill_disk(Trial& trial, int count) {
         trial.run("mkdir -p limited");
         const Outcome outcome = trial.run("ulimit -f " + std::to_string(blocks) + "; OUT=limited; exec " + writer +
                                           " 2>&1 >/dev/null | cat >&2; exit ${PIPESTATUS[0]}");
-        trial.check(ended_cleanly(outcome), "files of at most " + std::to_string(blocks) + " KiB: " + writer, outcome);
-        trial.check(frames_are_whole(trial.path("limited/frames")), "every frame is whole", outcome);
-        trial.remove("limited");
+        check(outcome, "files of at most " + std::to_string(blocks) + " KiB: " + writer, "limited");
     }
     for (const std::string option : {"--state", "--stats"}) {
         const Outcome outcome = trial.run("exec $LAB simulate drop --time 0.01 " + option + " /dev/full");
@@ -82,9 +85,7 @@ void fill_disk(Trial& trial, int count) {
         const Outcome outcome =
             trial.run("exec unshare -m bash -c 'mount -t tmpfs -o size=" + std::to_string(size) +
                       "k full disk; OUT=disk; " + writer + "; code=$?; mkdir -p kept; cp -r disk/. kept; exit $code'");
-        trial.check(ended_cleanly(outcome), "a disk of " + std::to_string(size) + " KiB: " + writer, outcome);
-        trial.check(frames_are_whole(trial.path("kept/frames")), "every frame is whole", outcome);
-        trial.remove("kept");
+        check(outcome, "a disk of " + std::to_string(size) + " KiB: " + writer, "kept");
     }
     fill_disk_between_frames(trial, (count + 1) / 2);
 }

@@ -15,7 +15,6 @@ namespace {
 using test::LabFolder;
 using test::LabRun;
 using test::table_of;
-using testing::ElementsAre;
 using testing::HasSubstr;
 
 const std::map<std::string, std::string> without_gnuplot{{"PATH", "/nowhere"}};
@@ -26,19 +25,53 @@ LabRun run_some(const LabFolder& folder, std::vector<std::string> words) {
     return folder.run(words, DRAPE_LAB, without_gnuplot);
 }
 
-TEST(LabExperiment, GoesOnWhereItWasInterrupted) {
+TEST(LabExperiment, GoesOnWhereItWasInterruptedAndOnlyWithItsOwnTable) {
     const LabFolder folder;
-    ASSERT_EQ(run_some(folder, {"--out", "whole"}).code, 0);
+    const LabRun first = run_some(folder, {"--out", "whole"});
+    ASSERT_EQ(first.code, 0) << first.err;
+    EXPECT_THAT(first.err, HasSubstr("no gnuplot"));
+    EXPECT_THAT(folder.read("whole/index.html"), testing::Not(HasSubstr("<img")));
     const std::string whole = folder.read("whole/stability.csv");
     // Cut off within the last row of a case
-    std::filesystem::create_directories(folder.path() / "cut");
-    folder.write("cut/stability.csv.part", whole.substr(0, whole.rfind("\n160,") + 7));
+    std::filesystem::create_directories(folder.path("cut"));
+    const std::string part = whole.substr(0, whole.rfind("\n160,") + 7);
+    folder.write("cut/stability.csv.part", part);
     const LabRun run = run_some(folder, {"--out", "cut"});
     EXPECT_EQ(run.code, 0) << run.err;
     EXPECT_THAT(run.err, HasSubstr("goes on after 3 cases"));
     EXPECT_THAT(run.err, HasSubstr("stability.csv: 3 cases in"));
     EXPECT_EQ(folder.read("cut/stability.csv"), whole);
     EXPECT_FALSE(folder.has("cut/stability.csv.part"));
+
+    std::string foreign = part;
+    const std::size_t line = part.find("# commit: ");
+    foreign.replace(line, part.find('\n', line) - line, "# commit: another");
+    const std::pair<std::string, const char*> refused[]{
+        {foreign, "out/stability.csv.part is of another run (commit: another, now "},
+        {"# experiment: stability\ncase,x\n1,2\n", "stability.csv.part:2: these are not the columns of stability"}};
+    std::filesystem::create_directories(folder.path("out"));
+    for (const auto& [text, said] : refused) {
+        folder.write("out/stability.csv.part", text);
+        const LabRun other = run_some(folder, {"--out", "out"});
+        EXPECT_EQ(other.code, 2);
+        EXPECT_THAT(other.err, HasSubstr(said));
+        EXPECT_EQ(folder.read("out/stability.csv.part"), text);
+    }
+}
+
+TEST(LabExperiment, KeepsTheTableThatIsThereAndComputesItAgainIfAsked) {
+    const LabFolder folder;
+    ASSERT_EQ(run_some(folder, {"--out", "out"}).code, 0);
+    EXPECT_GT(table_of(folder, "out/stability.csv").size(), 10u);
+    const LabRun second = run_some(folder, {"--out", "out"});
+    EXPECT_EQ(second.code, 0);
+    EXPECT_THAT(second.err, HasSubstr("all cases are there already"));
+    EXPECT_FALSE(folder.has("out/stability-1.csv"));
+    EXPECT_EQ(run_some(folder, {"--out", "out", "--again"}).code, 0);
+    EXPECT_EQ(folder.read("out/stability-1.csv"), folder.read("out/stability.csv"));
+    folder.write("out/stability.csv", "older");
+    EXPECT_EQ(run_some(folder, {"--out", "out"}).code, 0);
+    EXPECT_EQ(folder.read("out/stability-2.csv"), "older");
 }
 
 TEST(LabExperiment, LosesNoCaseToASignal) {
@@ -64,49 +97,7 @@ TEST(LabExperiment, LosesNoCaseToASignal) {
     EXPECT_EQ(folder.read("cut/stability.csv"), folder.read("whole/stability.csv"));
 }
 
-TEST(LabExperiment, DoesNotGoOnWithAnotherRun) {
-    const LabFolder folder;
-    ASSERT_EQ(run_some(folder, {"--out", "out"}).code, 0);
-    std::string part = folder.read("out/stability.csv");
-    const std::size_t line = part.find("# commit: ");
-    part.replace(line, part.find('\n', line) - line, "# commit: another");
-    folder.write("out/stability.csv.part", part);
-    const LabRun run = run_some(folder, {"--out", "out"});
-    EXPECT_EQ(run.code, 2);
-    EXPECT_THAT(run.err, HasSubstr("out/stability.csv.part is of another run (commit: another, now "));
-    EXPECT_EQ(folder.read("out/stability.csv.part"), part);
-}
-
-TEST(LabExperiment, NamesTheLineOfAnUnfinishedTableThatIsNone) {
-    const LabFolder folder;
-    std::filesystem::create_directories(folder.path() / "out");
-    folder.write("out/stability.csv.part", "# experiment: stability\ncase,x\n1,2\n");
-    const LabRun run = run_some(folder, {"--out", "out"});
-    EXPECT_EQ(run.code, 2);
-    EXPECT_THAT(run.err, HasSubstr("stability.csv.part:2: these are not the columns of stability"));
-}
-
-TEST(LabExperiment, KeepsTheTableThatIsThereAlready) {
-    const LabFolder folder;
-    std::filesystem::create_directories(folder.path() / "out");
-    folder.write("out/stability.csv", "older");
-    ASSERT_EQ(run_some(folder, {"--out", "out"}).code, 0);
-    EXPECT_EQ(folder.read("out/stability-1.csv"), "older");
-    EXPECT_GT(table_of(folder, "out/stability.csv").size(), 10u);
-}
-
-TEST(LabExperiment, DoesNotComputeAgainWhatIsThereUnlessAsked) {
-    const LabFolder folder;
-    ASSERT_EQ(run_some(folder, {"--out", "out"}).code, 0);
-    const LabRun second = run_some(folder, {"--out", "out"});
-    EXPECT_EQ(second.code, 0);
-    EXPECT_THAT(second.err, HasSubstr("all cases are there already"));
-    EXPECT_FALSE(folder.has("out/stability-1.csv"));
-    EXPECT_EQ(run_some(folder, {"--out", "out", "--again"}).code, 0);
-    EXPECT_EQ(folder.read("out/stability-1.csv"), folder.read("out/stability.csv"));
-}
-
-TEST(LabExperiment, LeavesAFolderToTheRunThatIsWritingThere) {
+TEST(LabExperiment, LeavesAFolderToTheRunThatIsWritingThereAndToOtherExperiments) {
     const LabFolder folder;
     std::filesystem::create_directories(folder.path() / "out");
     {
@@ -118,33 +109,30 @@ TEST(LabExperiment, LeavesAFolderToTheRunThatIsWritingThere) {
     }
     EXPECT_EQ(run_some(folder, {"--out", "out"}).code, 0);
     EXPECT_FALSE(folder.has("out/stability.csv.lock"));
-}
 
-TEST(LabExperiment, LeavesAFolderToAnotherExperiment) {
-    const LabFolder folder;
-    std::filesystem::create_directories(folder.path() / "out");
-    folder.write("out/contact.csv", "");
-    const LabRun run = run_some(folder, {"--out", "out"});
-    EXPECT_EQ(run.code, 2);
-    EXPECT_THAT(run.err, HasSubstr("out has the table of contact"));
-}
-
-TEST(LabExperiment, RefusesCasesThatThereAreNot) {
-    const LabFolder folder;
-    for (const char* cases : {"0-3", "5-4", "1-100000", "3", "a-b"}) {
-        const LabRun run = folder.run({"stability", "--cases", cases});
-        EXPECT_EQ(run.code, 2) << cases;
-        EXPECT_THAT(run.err, HasSubstr("allowed FIRST-LAST")) << cases;
-    }
-    EXPECT_FALSE(folder.has("stability"));
-}
-
-TEST(LabExperiment, SaysWhereItCannotWrite) {
-    const LabFolder folder;
+    std::filesystem::create_directories(folder.path("other"));
+    folder.write("other/contact.csv", "");
+    const LabRun other = run_some(folder, {"--out", "other"});
+    EXPECT_EQ(other.code, 2);
+    EXPECT_THAT(other.err, HasSubstr("other has the table of contact"));
     folder.write("taken", "a file");
-    const LabRun run = run_some(folder, {"--out", "taken/out"});
-    EXPECT_EQ(run.code, 1);
-    EXPECT_THAT(run.err, HasSubstr("taken/out/stability.csv.lock: cannot be written"));
+    const LabRun none = run_some(folder, {"--out", "taken/out"});
+    EXPECT_EQ(none.code, 1);
+    EXPECT_THAT(none.err, HasSubstr("taken/out/stability.csv.lock: cannot be written"));
+}
+
+TEST(LabExperiment, RefusesCasesAndSharesThatThereAreNot) {
+    const LabFolder folder;
+    const std::pair<const char*, std::vector<const char*>> bad[]{
+        {"--cases", {"0-3", "5-4", "1-100000", "3", "a-b"}}, {"--share", {"0/2", "3/2", "1", "a/b", "1/0", "1/2/3"}}};
+    for (const auto& [option, values] : bad) {
+        for (const char* value : values) {
+            const LabRun run = folder.run({"stability", option, value});
+            EXPECT_EQ(run.code, 2) << value;
+            EXPECT_THAT(run.err, testing::ContainsRegex("allowed (FIRST-LAST|K/N)")) << value;
+        }
+    }
+    EXPECT_FALSE(folder.has("stability")) << "nothing is written before the options are read";
 }
 
 TEST(LabPage, ShowsEveryChartWithItsCaption) {
@@ -159,12 +147,6 @@ TEST(LabPage, ShowsEveryChartWithItsCaption) {
     EXPECT_THAT(page, HasSubstr("<img src=\"stability_projective_dynamics.svg\""));
     EXPECT_THAT(page, testing::ContainsRegex("<figcaption>[A-Z][^<]{40,}</figcaption>"));
     EXPECT_TRUE(folder.has("out/stability_projective_dynamics.svg"));
-}
-
-TEST(LabPage, NamesNoChartThatWasNotDrawn) {
-    const LabFolder folder;
-    ASSERT_EQ(run_some(folder, {"--out", "out"}).code, 0);
-    EXPECT_THAT(folder.read("out/index.html"), testing::Not(HasSubstr("<img")));
 }
 
 TEST(LabMerge, JoinsWhatGnuParallelHasComputedIntoTheTableOfASingleRun) {
@@ -210,18 +192,12 @@ TEST(LabMerge, RefusesSharesThatAreNotTheWhole) {
     }
     ASSERT_NE(without, text);
     folder.write("stability-2-3/stability.csv", without);
-    EXPECT_EQ(folder.run({"merge", "stability-2-3"}, DRAPE_LAB, without_gnuplot).code, 2);
+    refusal({"stability-2-3"});
     EXPECT_FALSE(folder.has("merged"));
-}
-
-TEST(LabMerge, LeavesAnUnfinishedRunAlone) {
-    const LabFolder folder;
-    ASSERT_EQ(run_some(folder, {"--share", "1/1"}).code, 0);
-    std::filesystem::create_directories(folder.path() / "out");
+    std::filesystem::create_directories(folder.path("out"));
     folder.write("out/stability.csv.part", "of someone");
-    const LabRun run = folder.run({"merge", "stability-1-1", "--out", "out"}, DRAPE_LAB, without_gnuplot);
-    EXPECT_EQ(run.code, 2);
-    EXPECT_THAT(run.err, HasSubstr("an unfinished run is there"));
+    ASSERT_EQ(run_some(folder, {"--share", "1/1"}).code, 0);
+    EXPECT_THAT(refusal({"stability-1-1", "--out", "out"}), HasSubstr("an unfinished run is there"));
     EXPECT_EQ(folder.read("out/stability.csv.part"), "of someone");
 }
 
@@ -231,13 +207,6 @@ TEST(Share, TakesEveryCaseOnceAmongAllParts) {
         for (int k = 1; k <= 3; ++k) takers += parse_share(std::to_string(k) + "/3").has(number) ? 1 : 0;
         EXPECT_EQ(takers, 1) << number;
     }
-}
-
-TEST(Progress, TellsTimesAsPeopleDo) {
-    EXPECT_EQ(rough_time(0.2), "1 s");
-    EXPECT_EQ(rough_time(89), "89 s");
-    EXPECT_EQ(rough_time(100), "2 min");
-    EXPECT_EQ(rough_time(9000), "2.5 h");
 }
 
 }  // namespace

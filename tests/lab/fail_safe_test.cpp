@@ -33,6 +33,7 @@ ExactTally throw_at_sheet(const ThrownSheet& scene, FailSafe fail_safe) {
         const std::int64_t crossings = test::crossings(sheets[0], sheets[0]) + test::crossings(sheets[1], sheets[1]) +
                                        test::crossings(sheets[0], sheets[1]);
         tally.crossed_steps += crossings > 0 ? 1 : 0;
+        EXPECT_EQ(trial.crossings() > 0, crossings > 0) << step;
     }
     return tally;
 }

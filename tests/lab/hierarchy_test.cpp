@@ -6,10 +6,8 @@
 #include <cmath>
 #include <random>
 
-#include "drape/base/copied.h"
 #include "drape/base/input_error.h"
 #include "drape/bounds/cloth_quadtree.h"
-#include "drape/bounds/obb.h"
 #include "drape/sim/scene.h"
 #include "drape/sim/simulation.h"
 #include "lab/experiment/experiment_table.h"
@@ -97,89 +95,26 @@ TEST(BreakEven, IsTheFrameFromWhichOnMoreWasSpentInAll) {
     EXPECT_EQ(frame({11, 11, 11, 11, 11, 11}), 0u);
 }
 
-/// The planted fault: a hierarchy that forgets, or invents, what it finds from some frame on.
-class FaultyHierarchy final : public BroadPhase {
-public:
-    enum class Fault { None, MissesARun, ListsARunTwice, DropsAStoppedNode };
-    FaultyHierarchy(const Grid& grid, Fault fault, int from_build, const SearchLimit& limit = {})
-        : right_(make_broad_phase({.leaf_cells = 2, .search = limit}, grid)),
-          fault_(fault),
-          healthy_builds_(from_build) {}
-
-    [[nodiscard]] std::unique_ptr<BroadPhase> clone() const override {
-        return std::make_unique<FaultyHierarchy>(*this);
-    }
-
-    void build(const Points& x) override {
-        right_->build(x);
-        --healthy_builds_;
-    }
-    TraversalStats query(const Ball& ball, Candidates& found) override {
-        const TraversalStats stats = right_->query(ball, found);
-        if (healthy_builds_ >= 0) return stats;
-        if (fault_ == Fault::MissesARun)
-            std::erase_if(found.cells, [](const CellRun& run) { return run.row % 5 == 2; });
-        if (fault_ == Fault::ListsARunTwice)
-            found.cells.insert(found.cells.end(), found.cells.begin(), found.cells.end());
-        if (fault_ == Fault::DropsAStoppedNode) found.stopped.clear();
-        return stats;
-    }
-    TraversalStats query(const BroadPhase& other, Real margin, const FoldTest* folds,
-                         std::vector<LeafPair>& pairs) override {
-        return right_->query(other, margin, folds, pairs);
-    }
-    TraversalStats query_below(Real y, Candidates& found) const override { return right_->query_below(y, found); }
-    TraversalStats query_near(const DistanceField& body, Real margin, Candidates& found) const override {
-        return right_->query_near(body, margin, found);
-    }
-    [[nodiscard]] Real slack() const override { return right_->slack(); }
-    [[nodiscard]] int levels() const override { return right_->levels(); }
-    void nodes_at(int level, std::vector<NodeView>& nodes) const override { right_->nodes_at(level, nodes); }
-
-private:
-    Copied<BroadPhase> right_;
-    Fault fault_;
-    int healthy_builds_;
-};
-
-TEST(HierarchyRun, EndsWhereAQueryDisagreesWithBruteForce) {
-    using enum FaultyHierarchy::Fault;
-    const RecordedMotion motion = rumpled_motion({21, 15}, 6);
-    const auto message = [&motion](FaultyHierarchy::Fault fault, const SearchLimit& limit = {}) -> std::string {
-        FaultyHierarchy hierarchy(motion.grid, fault, 3, limit);
-        try {
-            follow(motion, hierarchy, {.repeats = 1});
-        } catch (const RunError& error) {
-            return error.what();
-        }
-        return "nothing";
-    };
-    EXPECT_EQ(message(None), "nothing");
-    EXPECT_EQ(message(None, {.level = 2}), "nothing");
-    EXPECT_EQ(message(None, {.tests = 9}), "nothing");
-    EXPECT_THAT(message(MissesARun), MatchesRegex("rumpled, frame 3: triangle [0-9]+ touches the ball, and .*"));
-    EXPECT_THAT(message(ListsARunTwice), MatchesRegex("rumpled, frame 3: triangle [0-9]+ was found twice"));
-    EXPECT_THAT(message(DropsAStoppedNode, {.level = 2}), HasSubstr("the search has missed it"));
+/// The planted fault: every node too small by half.
+BoundingSphere fit_shrunken_sphere(const Patch& patch) {
+    BoundingSphere sphere = fit_smallest_sphere(patch);
+    sphere.radius /= 2;
+    return sphere;
 }
 
-TEST(HierarchyRun, CountsCandidatesAgainstTouchingCells) {
-    const RecordedMotion motion = rumpled_motion({21, 15}, 4);
-    const auto run_of = [&motion](const BroadPhaseParameters& parameters) {
-        const auto hierarchy = make_broad_phase(parameters, motion.grid);
-        return follow(motion, *hierarchy, {.repeats = 2});
-    };
-    const HierarchyRun brute = run_of({.volume = VolumeKind::Brute}), tree = run_of({.leaf_cells = 1}),
-                       root = run_of({.leaf_cells = 1, .search = {.level = 0}});
-    ASSERT_EQ(brute.counts.size(), 4u);
-    for (std::size_t k = 0; k < 4; ++k) {
-        EXPECT_EQ(brute.counts[k].candidates, motion.grid.cells());
-        EXPECT_EQ(root.counts[k].candidates, motion.grid.cells()) << "what the root holds counts";
-        EXPECT_EQ(tree.counts[k].touching, brute.counts[k].touching);
-        EXPECT_GT(tree.counts[k].touching, 0);
-        EXPECT_LT(tree.counts[k].candidates, motion.grid.cells());
-        EXPECT_EQ(tree.times[k].size(), 2u);
+TEST(HierarchyRun, EndsWhereAQueryDisagreesWithBruteForce) {
+    const RecordedMotion motion = rumpled_motion({21, 15}, 6);
+    for (const SearchLimit& limit : {SearchLimit{}, {.level = 2}, {.tests = 9}}) {
+        const auto hierarchy = make_broad_phase({.leaf_cells = 2, .search = limit}, motion.grid);
+        EXPECT_NO_THROW(follow(motion, *hierarchy, {.repeats = 1}));
     }
-    EXPECT_LT(false_per_true(tree.counts), false_per_true(brute.counts));
+    ClothQuadtree<BoundingSphere> shrunken(motion.grid, {.leaf_cells = 2}, {.patch = fit_shrunken_sphere});
+    try {
+        follow(motion, shrunken, {.repeats = 1});
+        ADD_FAILURE() << "it misses nothing";
+    } catch (const RunError& error) {
+        EXPECT_THAT(error.what(), MatchesRegex("rumpled, frame [0-9]: triangle [0-9]+ touches the ball, and .*"));
+    }
 }
 
 TEST(RecordedMotion, IsWhatTheSceneIsBuiltFromAndTheSameSurfaceOnFinerGrids) {
@@ -209,19 +144,6 @@ TEST(RecordedMotion, IsWhatTheSceneIsBuiltFromAndTheSameSurfaceOnFinerGrids) {
     }
 }
 
-TEST(HierarchyRow, ReadsBackAsItWasWritten) {
-    HierarchyRow row;
-    row.part = "size", row.scene = "drop", row.volume = "sphere", row.sphere_fit = "ritter", row.update = "refit";
-    row.particles = 1048576, row.build.median = 1.25e-3, row.distance_m = 0.5;
-    const RowFormat<HierarchyRow> format = hierarchy_format();
-    const TableRow written = format.cells(row);
-    EXPECT_EQ(written.size(), format.columns().size());
-    EXPECT_EQ(format.cells(format.row(written)), written);
-    EXPECT_EQ(format.row(written).particles, 1048576);
-    EXPECT_TRUE(std::isnan(format.row(written).level));
-    EXPECT_EQ(row.variant(), "sphere ritter");
-}
-
 TEST(Growths, AreThoseOfTheLargerSizes) {
     std::vector<HierarchyRow> rows;
     for (const double particles : {256., 1024., 4096., 16384., 65536.}) {
@@ -241,48 +163,24 @@ TEST(Growths, AreThoseOfTheLargerSizes) {
     EXPECT_TRUE(growths({rows[4]}).empty()) << "one size tells nothing";
 }
 
-/// Two cases of the quick experiment, one that brute force is measured in and one of spheres on the drop scene.
-class LabHierarchy : public ::testing::Test {
-protected:
-    static LabRun run_share(const LabFolder& folder, int first, const std::string& out) {
-        const std::string all = std::to_string(hierarchy_experiment().cases(true).size());
-        return folder.run({"hierarchy", "--quick", "--share", std::to_string(first) + "/" + all, "--out", out});
-    }
-
-    static std::vector<HierarchyRow> rows_of(const LabFolder& folder, const std::string& file) {
-        const auto table = read_table(hierarchy_experiment(), folder.path(file), false);
-        return hierarchy_format().rows(table.value().rows());
-    }
-};
-
-TEST_F(LabHierarchy, WritesTheSameCountsInEveryRun) {
+TEST(LabHierarchy, WritesWhatItCountsAndDrawsWhatAShareHas) {
     const LabFolder folder;
-    for (const char* out : {"a", "b"}) {
-        const LabRun run = run_share(folder, 2, out);
-        ASSERT_EQ(run.code, 0) << run.err;
-        EXPECT_THAT(run.out, HasSubstr("fit: drop, 900 particles: fastest is sphere"));
-    }
-    const auto one = rows_of(folder, "a/hierarchy.csv"), other = rows_of(folder, "b/hierarchy.csv");
-    ASSERT_EQ(one.size(), 3u) << "three sizes of leaves";
-    ASSERT_EQ(other.size(), one.size());
-    for (std::size_t k = 0; k < one.size(); ++k) {
-        EXPECT_GT(one[k].build.median, 0);
-        EXPECT_LE(one[k].build.lower, one[k].build.median);
-        EXPECT_GT(one[k].touching, 1);
-        EXPECT_GT(one[k].tightness, 1);
-        EXPECT_LT(one[k].tightness, 1.2);
-        for (const auto value : {&HierarchyRow::nodes, &HierarchyRow::visited, &HierarchyRow::candidates,
-                                 &HierarchyRow::touching, &HierarchyRow::false_per_true, &HierarchyRow::tightness}) {
-            EXPECT_EQ(one[k].*value, other[k].*value);
-        }
-    }
-    EXPECT_LT(one[0].false_per_true, one[2].false_per_true) << "smaller leaves leave out more";
-}
-
-TEST_F(LabHierarchy, DrawsWhatAShareHas) {
-    const LabFolder folder;
-    const LabRun run = run_share(folder, 1, "out");
+    const std::string all = std::to_string(hierarchy_experiment().cases(true).size());
+    const LabRun run = folder.run({"hierarchy", "--quick", "--share", "2/" + all, "--out", "out"});
     ASSERT_EQ(run.code, 0) << run.err;
+    EXPECT_THAT(run.out, HasSubstr("fit: drop, 900 particles: fastest is sphere"));
+    const auto table = read_table(hierarchy_experiment(), folder.path("out/hierarchy.csv"), false);
+    const auto rows = hierarchy_format().rows(table.value().rows());
+    ASSERT_EQ(rows.size(), 3u) << "three sizes of leaves";
+    for (const HierarchyRow& row : rows) {
+        EXPECT_GE(row.candidates, row.touching);
+        EXPECT_GT(row.build.median, 0);
+        EXPECT_LE(row.build.lower, row.build.median);
+        EXPECT_GT(row.touching, 1);
+        EXPECT_GT(row.tightness, 1);
+        EXPECT_LT(row.tightness, 1.2);
+    }
+    EXPECT_LT(rows[0].false_per_true, rows[2].false_per_true) << "smaller leaves leave out more";
     if (run.has_no_gnuplot()) GTEST_SKIP() << "there is no gnuplot";
     EXPECT_THAT(folder.read("out/hierarchy_fit.svg"), HasSubstr("</svg>"));
     EXPECT_FALSE(folder.has("out/hierarchy_size.svg"));

@@ -2,7 +2,6 @@
 
 #include <gtest/gtest.h>
 
-#include <cstdlib>
 #include <fstream>
 #include <sstream>
 
@@ -17,7 +16,7 @@ LabRun LabFolder::run(const std::vector<std::string>& words, const std::string& 
     std::map<std::string, std::string> changes = environment;
     changes.emplace("DRAPE_DATA", "");
     Process process(all, changes, path());
-    const int code = process.wait(600).value_or(-1);
+    const int code = process.wait_to_end();
     return {code, process.standard_output(), process.standard_error()};
 }
 

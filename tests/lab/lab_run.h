@@ -13,7 +13,7 @@ namespace drape::test {
 
 /// What a finished run of a laboratory program said.
 struct LabRun {
-    int code = -1;  ///< exit code; 256 + signal if it was killed, -1 if it did not end in time
+    int code = -1;  ///< exit code; 256 + signal if it was killed
     std::string out, err;
 
     /// Whether it found no gnuplot to draw its charts.

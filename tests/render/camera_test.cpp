@@ -50,26 +50,22 @@ TEST(Camera, SendsItsRayThroughThePixelThatAPointIsSeenIn) {
     EXPECT_NEAR(ray.direction.norm(), 1, 1e-6);
     EXPECT_LT(ray.direction.cross(point - ray.origin).norm(), 2e-3);
     EXPECT_GT(ray.direction.dot(point - ray.origin), 0);
+    const Vec3 through(0.2, 0.1, -0.3), facing = camera.on_facing_plane(ray, through);
+    EXPECT_LT(ray.direction.cross(facing - ray.origin).norm(), 1e-5);
+    EXPECT_NEAR((facing - through).dot(camera.ahead()), 0, 1e-5);
 }
 
-TEST(Camera, OrbitKeepsTheDistanceAndStopsBeforeThePoles) {
-    Camera camera(looking({0, 1, 3}, {0, 0, 0}));
-    camera.apply(command::Orbit{0.7, 0}, {});
-    EXPECT_NEAR(camera.eye().norm(), std::sqrt(10.0f), 1e-4);
-    camera.apply(command::Orbit{0, 100}, {});
-    EXPECT_LT(camera.eye().y(), 0.9999f * std::sqrt(10.0f));
-    EXPECT_GT(camera.eye().y(), 0.99f * std::sqrt(10.0f));
-    EXPECT_TRUE(camera.view_matrix().allFinite());
-}
-
-TEST(Camera, PanMovesByPartsOfTheDistance) {
+TEST(Camera, OrbitKeepsTheDistanceAndPanAndZoomMoveByPartsOfIt) {
+    Camera turning(looking({0, 1, 3}, {0, 0, 0}));
+    turning.apply(command::Orbit{0.7, 0}, {});
+    EXPECT_NEAR(turning.eye().norm(), std::sqrt(10.0f), 1e-4);
+    turning.apply(command::Orbit{0, 100}, {});
+    EXPECT_LT(turning.eye().y(), 0.9999f * std::sqrt(10.0f)) << "before the pole";
+    EXPECT_GT(turning.eye().y(), 0.99f * std::sqrt(10.0f));
+    EXPECT_TRUE(turning.view_matrix().allFinite());
     Camera camera(looking({0, 0, 2}, {0, 0, 0}));
     camera.apply(command::Pan{0.5, 0.25}, {});
     EXPECT_TRUE(camera.eye().isApprox(Eigen::Vector3f(1, 0.5f, 2), 1e-5f));
-}
-
-TEST(Camera, ZoomIsClamped) {
-    Camera camera(looking({0, 0, 2}, {0, 0, 0}));
     camera.apply(command::Zoom{0.5}, {});
     EXPECT_NEAR(camera.eye().z(), 1, 1e-5);
     for (int i = 0; i < 100; ++i) camera.apply(command::Zoom{0.1}, {});
@@ -106,15 +102,6 @@ TEST(Camera, FrameBringsEverythingIntoThePicture) {
     }
 }
 
-TEST(Camera, FindsThePointOnThePlaneThatFacesIt) {
-    const Camera camera(looking({1, 2, 3}, {0, 0, 0}));
-    const Vec3 through(0.2, 0.1, -0.3);
-    const Ray ray = camera.ray(100, 50, 640, 480);
-    const Vec3 point = camera.on_facing_plane(ray, through);
-    EXPECT_LT(ray.direction.cross(point - ray.origin).norm(), 1e-5);
-    EXPECT_NEAR((point - through).dot(Vec3(1, 2, 3).normalized()), 0, 1e-5);
-}
-
 Camera turned(double yaw, double pitch, double factor) {
     Camera camera(looking({0, 1, 3}, {0, 0, 0}));
     camera.apply(command::Orbit{yaw, pitch}, {});
@@ -123,21 +110,17 @@ Camera turned(double yaw, double pitch, double factor) {
     return camera;
 }
 
-TEST(EasedCamera, MakesTheSameWayInLongAndShortFrames) {
+TEST(EasedCamera, MakesTheSameWayInLongAndShortFramesAndTurnsTheShortWay) {
     const Camera goal = turned(1, 0.3, 0.5);
     Camera once = turned(0, 0, 1), often = once;
     once.ease_towards(goal, 0.12);
     for (int frame = 0; frame < 12; ++frame) often.ease_towards(goal, 0.01);
     EXPECT_TRUE(once.view_matrix().isApprox(often.view_matrix(), 1e-4f));
-
-    Camera nearer = turned(0, 0, 1);
-    const float far = nearer.eye().norm();
-    Camera close = nearer;
-    close.apply(command::Zoom{0.5}, {});
-    nearer.ease_towards(close, 0.1);
-    const Eigen::Vector3f target = 2 * close.eye() - turned(0, 0, 1).eye();  // the eye moves half of the way to it
-    const float way = std::log((nearer.eye() - target).norm() / (turned(0, 0, 1).eye() - target).norm());
-    EXPECT_NEAR(way / std::log(0.5f), 1 - std::exp(-1.0f), 1e-3) << "of the zoom, from " << far;
+    Camera camera = turned(3, 0, 1);
+    camera.ease_towards(turned(-3, 0, 1), 0.05);
+    for (const double end : {-3, 3}) {
+        EXPECT_LT(std::acos(camera.ahead().dot(turned(end, 0, 1).ahead())), 2 * std::numbers::pi - 6) << end;
+    }
 }
 
 /// With equal bits, so that an idle window stops drawing.
@@ -152,15 +135,6 @@ TEST(EasedCamera, ArrivesAndStaysThere) {
     Camera late = turned(0, 0, 1);
     late.ease_towards(goal, 1e6);
     EXPECT_EQ(late, goal) << "after a long pause";
-}
-
-TEST(EasedCamera, TurnsTheShortWay) {
-    Camera camera = turned(3, 0, 1);
-    const Camera goal = turned(-3, 0, 1);
-    camera.ease_towards(goal, 0.05);
-    const auto angle_to = [&](const Camera& other) { return std::acos(camera.ahead().dot(other.ahead())); };
-    EXPECT_LT(angle_to(goal), 2 * std::numbers::pi - 6);
-    EXPECT_LT(angle_to(turned(3, 0, 1)), 2 * std::numbers::pi - 6);
 }
 
 }  // namespace

@@ -40,12 +40,6 @@ protected:
     ClothColours colours_;
 };
 
-TEST_F(ClothColoursTest, AreNoneForAPlainCloth) {
-    make({5, 5});
-    v_.setConstant(3);
-    for (const float value : values_by(ColourBy::Plain)) EXPECT_EQ(value, 0);
-}
-
 TEST_F(ClothColoursTest, ShowTheStrainOfTheLongestSpringInPercent) {
     make({5, 4});
     x_.col(0) *= Real(1.03);
@@ -65,6 +59,10 @@ TEST_F(ClothColoursTest, ShowTheSpeed) {
     EXPECT_FLOAT_EQ(values[4], 13.0f / 20);
     EXPECT_FLOAT_EQ(values[8], 2.0f / 20);
     EXPECT_EQ(values[0], 0);
+    for (const float value : values_by(ColourBy::Plain)) EXPECT_EQ(value, 0);
+    v_(4, 0) = std::numeric_limits<Real>::infinity();
+    values_by(ColourBy::Speed);
+    EXPECT_EQ(colours_.scale().most, 1) << "a round scale for what is not finite";
 }
 
 TEST_F(ClothColoursTest, ShowTheDepthOfTheDeepestContactInMillimetres) {
@@ -86,8 +84,8 @@ TEST_F(ClothColoursTest, ShowTheDepthOfTheDeepestContactInMillimetres) {
 
 /// A cell takes the value of its corner b.
 TEST_F(ClothColoursTest, TellNeighbouringNodesApart) {
-    for (const Grid grid : {Grid{30, 30}, Grid{17, 40}, Grid{65, 33}}) {
-        for (const int level : {0, 1, 2, 3, 9}) {
+    for (const Grid grid : {Grid{17, 40}, Grid{65, 33}}) {
+        for (const int level : {0, 2, 9}) {
             make(grid);
             settings_.view.level = level;
             const std::vector<float> values = values_by(ColourBy::Level);
@@ -114,13 +112,6 @@ TEST_F(ClothColoursTest, TellNeighbouringNodesApart) {
             }
         }
     }
-}
-
-TEST_F(ClothColoursTest, HaveARoundScaleForAStateThatIsNotFinite) {
-    make({3, 3});
-    v_(4, 0) = std::numeric_limits<Real>::infinity();
-    values_by(ColourBy::Speed);
-    EXPECT_EQ(colours_.scale().most, 1);
 }
 
 }  // namespace

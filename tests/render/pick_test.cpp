@@ -19,38 +19,21 @@ struct PickedCloth {
     std::vector<ClothView> views{{model, x, x, {}, nullptr}};
 };
 
-TEST(PickParticle, TakesTheNearestCornerOfTheTriangleThatIsHit) {
+TEST(PickParticle, TakesTheNearestCornerOfTheTriangleThatIsHitAndNothingBesideOrBehind) {
     const PickedCloth cloth(11);
     FrameView view;
     view.cloths = cloth.views;
-    const Pick pick = pick_particle(view, {Vec3(0.31, 1, 0.52), Vec3(0, -1, 0)});
+    const Vec3 down(0, -1, 0), up(0, 1, 0);
+    const Pick pick = pick_particle(view, {Vec3(0.31, 1, 0.52), down});
     EXPECT_EQ(pick.particle, 5 * 11 + 3);
     EXPECT_TRUE(pick.point.isApprox(Vec3(0.31, 0, 0.52)));
-}
-
-TEST(PickParticle, HitsTheClothFromBelowToo) {
-    const PickedCloth cloth(11);
-    FrameView view;
-    view.cloths = cloth.views;
-    EXPECT_EQ(pick_particle(view, {Vec3(0.31, -1, 0.52), Vec3(0, 1, 0)}).particle, 5 * 11 + 3);
-}
-
-TEST(PickParticle, TakesNothingBesideTheClothOrBehindTheEye) {
-    const PickedCloth cloth(11);
-    FrameView view;
-    view.cloths = cloth.views;
-    EXPECT_EQ(pick_particle(view, {Vec3(1.2, 1, 0.5), Vec3(0, -1, 0)}).particle, -1);
-    EXPECT_EQ(pick_particle(view, {Vec3(0.5, 1, 0.5), Vec3(0, 1, 0)}).particle, -1);
-}
-
-TEST(PickParticle, TakesNothingBehindABall) {
-    const PickedCloth cloth(11);
+    EXPECT_EQ(pick_particle(view, {Vec3(0.31, -1, 0.52), up}).particle, 5 * 11 + 3) << "from below";
+    EXPECT_EQ(pick_particle(view, {Vec3(1.2, 1, 0.5), down}).particle, -1) << "beside the cloth";
+    EXPECT_EQ(pick_particle(view, {Vec3(0.5, 1, 0.5), up}).particle, -1) << "behind the eye";
     const std::vector<Ball> balls{{Vec3(0.5, 0.5, 0.5), Real(0.2), Vec3::Zero()}};
-    FrameView view;
-    view.cloths = cloth.views;
     view.balls = balls;
-    EXPECT_EQ(pick_particle(view, {Vec3(0.5, 2, 0.5), Vec3(0, -1, 0)}).particle, -1);
-    EXPECT_NE(pick_particle(view, {Vec3(0.5, -2, 0.5), Vec3(0, 1, 0)}).particle, -1);
+    EXPECT_EQ(pick_particle(view, {Vec3(0.5, 2, 0.5), down}).particle, -1) << "behind a ball";
+    EXPECT_NE(pick_particle(view, {Vec3(0.5, -2, 0.5), up}).particle, -1);
 }
 
 TEST(PickParticle, TakesTheClothThatIsInFront) {

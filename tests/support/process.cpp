@@ -21,6 +21,8 @@ void redirect(const std::filesystem::path& file, int descriptor) {
     close(opened);
 }
 
+int code_of(int status) { return WIFEXITED(status) ? WEXITSTATUS(status) : 256 + WTERMSIG(status); }
+
 }  // namespace
 
 Process::Process(const std::vector<std::string>& words, const std::map<std::string, std::string>& environment,
@@ -65,13 +67,17 @@ std::optional<int> Process::wait(double seconds) {
     eventually(
         [&] {
             int status = 0;
-            if (!status_ && waitpid(id_, &status, WNOHANG) == id_) {
-                status_ = WIFEXITED(status) ? WEXITSTATUS(status) : 256 + WTERMSIG(status);
-            }
+            if (!status_ && waitpid(id_, &status, WNOHANG) == id_) status_ = code_of(status);
             return status_.has_value();
         },
         seconds);
     return status_;
+}
+
+int Process::wait_to_end() {
+    int status = 0;
+    if (!status_ && waitpid(id_, &status, 0) == id_) status_ = code_of(status);
+    return status_.value_or(-1);
 }
 
 std::string Process::standard_output() const { return read_file(folder_ / "stdout.txt"); }

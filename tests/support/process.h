@@ -29,6 +29,9 @@ public:
     /// The exit code, or 256 + the signal that ended it; nothing if it has not ended in time.
     std::optional<int> wait(double seconds);
 
+    /// As `wait`, however long it takes.
+    int wait_to_end();
+
     [[nodiscard]] std::string standard_output() const;
     [[nodiscard]] std::string standard_error() const;
 

@@ -27,7 +27,9 @@ constexpr double longest_run = 15;
 constexpr int quick_particles = 9;
 
 std::vector<RestRow> run_rest_case(const RestCase& one, bool quick) {
-    RestRow row{one, "rest"};
+    RestRow row;
+    static_cast<RestCase&>(row) = one;
+    row.part = "rest";
     const Settings settings = rest_settings(one, quick ? quick_particles : 0);
     if (settings.solver.dt == 0) return {row};
     const RestRun run = run_to_rest(one.scene, settings, longest_run);
@@ -49,7 +51,9 @@ struct DriftCase {
 constexpr double settle = 8;
 
 std::vector<RestRow> run_drift_case(const DriftCase& one, bool quick) {
-    RestRow row{{"drop", one.integrator, ResponseKind::Projection}, "drift"};
+    RestRow row;
+    static_cast<RestCase&>(row) = {"drop", one.integrator, ResponseKind::Projection};
+    row.part = "drift";
     Settings settings = rest_settings(row, quick ? quick_particles : 0);
     settings.solver.dt = row.step = one.step;
     row.watched = one.seconds;
