@@ -46,7 +46,7 @@ double max_push_work(const ClothModel& model, const Pushes& pushes) {
     for (const ContactRow& row : pushes.rows) {
         if (!moves(row, pushes.cloth)) continue;
         if (row.kind == RowKind::Pair) return std::numeric_limits<double>::infinity();
-        const double push = std::max(static_cast<double>(push_of(row, pushes.bodies)), 0.0);
+        const double push = std::max(static_cast<double>(correction_of(row, pushes.bodies)), 0.0);
         if (!pushes.known) squared_push += push * push;
     }
     return max_push_work(model, static_cast<Real>(squared_push));

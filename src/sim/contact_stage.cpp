@@ -108,7 +108,7 @@ void ContactStage::begin(const Settings& settings, const ContactBodies& bodies, 
 void ContactStage::warm_start() {
     go_on(Stage::Begun, Stage::Given);
     const std::span<const ContactRow> rows = warm_start_.rows();
-    if (std::ranges::none_of(rows, &ContactRow::has_given)) return;
+    if (std::ranges::none_of(rows, &ContactRow::has_impulse)) return;
     const double balls_before = kinetic_energy(now_.bodies);
     before_pushes(rows, true);
     warm_start_.give(now_.cloths, now_.bodies);
@@ -130,7 +130,7 @@ void ContactStage::after_pushes(std::span<const ContactRow> rows, bool known, do
         Cloth& cloth = now_.moving.cloths[c];
         const std::span<const ContactRow> own = of_cloth(rows, c);
         const bool takes = std::ranges::any_of(own, [&](const ContactRow& row) {
-            return row.has_given() && now_.bodies[static_cast<std::size_t>(row.body)].inverse_mass > 0;
+            return row.has_impulse() && now_.bodies[static_cast<std::size_t>(row.body)].inverse_mass > 0;
         });
         const double by_kinematic = known ? 0 : work_of_kinematic_bodies(own, now_.bodies);
         const double work = by_kinematic + (takes ? free_work : 0);
@@ -260,7 +260,7 @@ void ContactStage::end() {
         resist_rolling(body.surface.rolling, row.impulse.normal, now_.moving.balls[static_cast<std::size_t>(ball)]);
     }
     // What only might have touched is of no use to anyone
-    std::erase_if(rows_, [](const ContactRow& row) { return !(row.depth > 0) && !row.has_given(); });
+    std::erase_if(rows_, [](const ContactRow& row) { return !(row.depth > 0) && !row.has_impulse(); });
 }
 
 }  // namespace drape

@@ -58,7 +58,7 @@ bool SelfContact::would_cross(std::span<const ClothInContact> cloths) {
     return is_near() && zones_.find(search_.pairs(), cloths, search_.first_particles(), least);
 }
 
-/// What is held back may go another way than the search has assumed.
+/// What is held back may move otherwise than the search has assumed.
 std::int64_t SelfContact::prevent_crossing(std::span<const ClothInContact> cloths) {
     do zones_.prevent_crossing(search_.pairs(), cloths);
     while (search_.extend(cloths, report_));

@@ -126,7 +126,8 @@ void expect_held_back(const FoldedSheet& sheet, const NearPair& pair) {
     FeatureMotion motion{.first_count = pair.features.first_count};
     for (std::size_t k = 0; k < 4; ++k) {
         motion.start[k] = sheet.at(pair.features.particles[k]);
-        motion.way[k] = pair.features.feature_of(k) == 0 ? Vec3(-pair.distance * pair.normal) : Vec3(Vec3::Zero());
+        motion.displacement[k] =
+            pair.features.feature_of(k) == 0 ? Vec3(-pair.distance * pair.normal) : Vec3(Vec3::Zero());
     }
     const Real part = safe_part_of(motion, pair.distance, Real(1e-9));
     ASSERT_LT(part, 1) << "a touch at the end of the way";

@@ -189,7 +189,7 @@ TEST(SafePart, IsWholeWhereNothingMeetsAndEndsShortOfAMeeting) {
     int met = 0, parted = 0;
     for (int trial = 0; trial < 4000; ++trial) {
         FeatureMotion motion{.first_count = 1 + trial % 2};
-        for (std::size_t k = 0; k < 4; ++k) motion.start[k] = point(), motion.way[k] = 2 * point();
+        for (std::size_t k = 0; k < 4; ++k) motion.start[k] = point(), motion.displacement[k] = 2 * point();
         const Real distance = motion.distance_after(0);
         if (distance < Real(1e-3)) continue;
         const Real part = safe_part_of(motion, distance, min_gap);
@@ -217,11 +217,11 @@ TEST(SafePart, LeavesTheLeastDistanceUnderALoadThatLasts) {
                          .way = {Vec3(0, Real(-0.01), 0), Vec3::Zero(), Vec3::Zero(), Vec3::Zero()}};
     for (int substep = 0; substep < 2000; ++substep) {
         const Real distance = motion.distance_after(0);
-        motion.start[0] += safe_part_of(motion, distance, min_gap) * motion.way[0];
+        motion.start[0] += safe_part_of(motion, distance, min_gap) * motion.displacement[0];
     }
     EXPECT_GT(motion.distance_after(0), Real(0.99) * min_gap);
     EXPECT_LT(motion.distance_after(0), 3 * min_gap);
-    motion.way[0] = -motion.way[0];
+    motion.displacement[0] = -motion.displacement[0];
     EXPECT_EQ(safe_part_of(motion, motion.distance_after(0), min_gap), 1);
 }
 
@@ -231,7 +231,7 @@ TEST(SafePart, EndsBeforeAMeetingAtTheVeryEndOfTheWay) {
                          .way = {Vec3(0, -1, 0), Vec3::Zero(), Vec3::Zero(), Vec3::Zero()}};
     EXPECT_GE(safe_part_of(motion, 1, min_gap), 0.8);
     EXPECT_LE(safe_part_of(motion, 1, min_gap), 0.9);
-    motion.way[0].y() = Real(-0.79);
+    motion.displacement[0].y() = Real(-0.79);
     EXPECT_EQ(safe_part_of(motion, 1, min_gap), 1);
 }
 

@@ -55,7 +55,7 @@ struct ContactRow {
 
     [[nodiscard]] std::span<const RowParticle> moved() const { return std::span(particles).first(count); }
     [[nodiscard]] bool is_of_cloth() const { return kind != RowKind::Bodies; }
-    [[nodiscard]] bool has_given() const { return displacement.normal != 0 || impulse.normal != 0; }
+    [[nodiscard]] bool has_impulse() const { return displacement.normal != 0 || impulse.normal != 0; }
 
     /// The point of the first side, where it is cloth.
     /// @param x of that cloth, n x 3 [m]

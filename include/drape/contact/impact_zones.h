@@ -11,7 +11,7 @@
 namespace drape {
 
 /// The fail-safe of contact between cloths: whatever the response has done, a substep that begins without a crossing
-/// or a touch ends without one. Particles of features that would meet on their way form a zone @cite provot1997 which
+/// or a touch ends without one. Particles of features that would meet as they move form a zone @cite provot1997 which
 /// goes on with its mean motion, and with only such a part of the motion within it that none of its features meet: what
 /// moves as a whole keeps its distances. What a zone then meets joins it. In the end all may be one zone, and that has
 /// nothing to meet: so this ends. A zone keeps its momentum, unless something in it is pinned.
@@ -34,7 +34,7 @@ public:
 private:
     struct Member {
         int cloth, particle;
-        Vec3 way, velocity;  ///< as they would have been [m, m/s]
+        Vec3 displacement, velocity;  ///< as they would have been [m, m/s]
     };
     struct Zone {
         std::vector<Member> members;
@@ -44,7 +44,7 @@ private:
     [[nodiscard]] std::size_t number_of(int cloth, int particle) const;
     [[nodiscard]] int zone_of(const NearPair& pair, std::size_t k) const;
     [[nodiscard]] FeatureMotion motion_of(const NearPair& pair, std::span<const ClothInContact> cloths) const;
-    [[nodiscard]] FeatureMotion first_motion_of(const NearPair& pair, std::span<const ClothInContact> cloths) const;
+    [[nodiscard]] FeatureMotion free_motion_of(const NearPair& pair, std::span<const ClothInContact> cloths) const;
     [[nodiscard]] bool within_one_zone(const NearPair& pair) const;
     [[nodiscard]] bool touches_zone(const NearPair& pair) const;
     [[nodiscard]] int largest_zone_of(const NearPair& pair) const;

@@ -54,7 +54,7 @@ double work_of_kinematic_bodies(std::span<const ContactRow> rows, std::span<cons
 double kinetic_energy(std::span<const Body> bodies);
 
 /// By how much a contact is pushed out: what of its depth is not left, for a resting contact to last [m].
-Real push_of(const ContactRow& row, std::span<const Body> bodies);
+Real correction_of(const ContactRow& row, std::span<const Body> bodies);
 
 /// Updates the depths of contacts to where all is now.
 /// @return the largest in a body [m]

@@ -70,7 +70,7 @@ public:
     /// Gives what the contacts need, and enters the work of it.
     ResponseReport solve(StepReport& report);
 
-    /// Whether features of cloths would cross on their way all the same.
+    /// Whether features of cloths would cross within the substep all the same.
     [[nodiscard]] bool would_cross();
 
     /// Holds them back if so: the fail-safe.

@@ -36,7 +36,7 @@ public:
     /// Whether anything is so near that it has been looked at.
     [[nodiscard]] bool is_near() const { return !search_.pairs().empty(); }
 
-    /// After the response: whether features would meet on their way, for all that it has done.
+    /// After the response: whether features would meet within the substep, for all that it has done.
     bool would_cross(std::span<const ClothInContact> cloths);
 
     /// If so, holds them back.

@@ -67,8 +67,8 @@ HWY_INLINE bool is_zero(const Four& a) {
     return zero;
 }
 
-HWY_INLINE void push_particle(Real share, const Four& push, Real4& motion) {
-    store(load(motion) + share * push, motion);
+HWY_INLINE void push_particle(Real mobility, const Four& push, Real4& motion) {
+    store(load(motion) + mobility * push, motion);
 }
 
 /// `solve` of one contact. Each waits for the one before that pushes the same particle: branches that are mostly
@@ -97,10 +97,10 @@ HWY_INLINE Real solve_row(std::span<Real4> motion, CompactRow& row) {
     if (is_zero(push)) return 0;
     row.impulse = normal;
     store(friction, row.friction);
-    push_particle(row.shares[0], push, at(0));
-    if constexpr (particles > 1) push_particle(row.shares[1], push, at(1));
-    if constexpr (particles > 2) push_particle(row.shares[2], push, at(2));
-    if constexpr (particles > 3) push_particle(row.shares[3], push, at(3));
+    push_particle(row.mobilities[0], push, at(0));
+    if constexpr (particles > 1) push_particle(row.mobilities[1], push, at(1));
+    if constexpr (particles > 2) push_particle(row.mobilities[2], push, at(2));
+    if constexpr (particles > 3) push_particle(row.mobilities[3], push, at(3));
     return eigen_dot(push, push) * row.inverse_mass * row.inverse_mass;
 }
 

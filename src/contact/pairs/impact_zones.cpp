@@ -12,7 +12,7 @@ const ClothInContact& cloth_of(std::span<const ClothInContact> cloths, int numbe
     return cloths[static_cast<std::size_t>(number)];
 }
 
-Vec3 way_of_particle(const ClothInContact& cloth, int particle) {
+Vec3 displacement_of(const ClothInContact& cloth, int particle) {
     return position(cloth.state.x, particle) - position(cloth.before, particle);
 }
 
@@ -33,20 +33,20 @@ FeatureMotion ImpactZones::motion_of(const NearPair& pair, std::span<const Cloth
     for (std::size_t k = 0; k < 4; ++k) {
         const ClothInContact& cloth = cloth_of(cloths, pair.features.cloth_of(k));
         motion.start[k] = position(cloth.before, pair.features.particles[k]);
-        motion.way[k] = way_of_particle(cloth, pair.features.particles[k]);
+        motion.displacement[k] = displacement_of(cloth, pair.features.particles[k]);
     }
     return motion;
 }
 
 /// As they would have moved.
-FeatureMotion ImpactZones::first_motion_of(const NearPair& pair, std::span<const ClothInContact> cloths) const {
+FeatureMotion ImpactZones::free_motion_of(const NearPair& pair, std::span<const ClothInContact> cloths) const {
     FeatureMotion motion = motion_of(pair, cloths);
     for (std::size_t k = 0; k < 4; ++k) {
         const int zone = zone_of(pair, k);
         if (zone < 0) continue;
         const std::size_t number = number_of(pair.features.cloth_of(k), pair.features.particles[k]);
         const std::vector<Member>& members = zones_[static_cast<std::size_t>(zone)].members;
-        motion.way[k] = members[static_cast<std::size_t>(place_in_[number])].way;
+        motion.displacement[k] = members[static_cast<std::size_t>(place_in_[number])].displacement;
     }
     return motion;
 }
@@ -93,7 +93,7 @@ void ImpactZones::join(const NearPair& pair, std::span<const ClothInContact> clo
         if (other == all) continue;
         if (other < 0) {
             const ClothInContact& cloth = cloth_of(cloths, number);
-            add(all, {number, particle, way_of_particle(cloth, particle), position(cloth.state.v, particle)});
+            add(all, {number, particle, displacement_of(cloth, particle), position(cloth.state.v, particle)});
             continue;
         }
         Zone& joined = zones_[static_cast<std::size_t>(other)];
@@ -124,11 +124,13 @@ Vec3 ImpactZones::mean(std::span<const ClothInContact> cloths, const Zone& zone,
 void ImpactZones::move_zones(std::span<const ClothInContact> cloths) const {
     for (const Zone& zone : zones_) {
         if (zone.members.empty()) continue;
-        const Vec3 way = mean(cloths, zone, &Member::way), velocity = mean(cloths, zone, &Member::velocity);
+        const Vec3 displacement = mean(cloths, zone, &Member::displacement),
+                   velocity = mean(cloths, zone, &Member::velocity);
         for (const Member& member : zone.members) {
             const ClothInContact& cloth = cloth_of(cloths, member.cloth);
             cloth.state.x.row(member.particle) =
-                cloth.before.row(member.particle) + (way + zone.part * (member.way - way)).transpose();
+                cloth.before.row(member.particle) +
+                (displacement + zone.part * (member.displacement - displacement)).transpose();
             cloth.state.v.row(member.particle) = (velocity + zone.part * (member.velocity - velocity)).transpose();
         }
     }
@@ -144,7 +146,7 @@ bool ImpactZones::find(std::span<const NearPair> pairs, std::span<const ClothInC
     zones_.clear();
     for (const NearPair& pair : pairs) {
         if (pair.distance == 0) continue;
-        const Real part = safe_part_of(first_motion_of(pair, cloths), pair.distance, least_);
+        const Real part = safe_part_of(free_motion_of(pair, cloths), pair.distance, least_);
         if (part < 1) join(pair, cloths, part);
     }
     return !zones_.empty();
@@ -158,7 +160,7 @@ void ImpactZones::prevent_crossing(std::span<const NearPair> pairs, std::span<co
         for (const NearPair& pair : pairs) {
             if (pair.distance == 0 || !touches_zone(pair) || within_one_zone(pair)) continue;
             if (safe_part_of(motion_of(pair, cloths), pair.distance, least_) == 1) continue;
-            join(pair, cloths, safe_part_of(first_motion_of(pair, cloths), pair.distance, least_));
+            join(pair, cloths, safe_part_of(free_motion_of(pair, cloths), pair.distance, least_));
             meets = true;
         }
     }

@@ -31,7 +31,7 @@ void fill(const ContactProblem& problem, const ContactMotion& motion, ContactRow
     compact.inverse_mass = state.inverse_mass;
     compact.friction_coefficient = state.surface.friction;
     for (std::size_t k = 0; k < 4; ++k) compact.weights[k] = row.particles[k].weight;
-    compact.shares = state.shares;
+    compact.mobilities = state.mobilities;
     compact.places = state.places;
     compact.count = row.count;
     for (std::size_t k = 0; k < 2; ++k) {

@@ -20,7 +20,7 @@ Real growth_of_approach(const ContactProblem& problem, const ContactRow& row) {
 /// substep. Depth and approach are those of the end: gravity has made the approach grow since the impact, and slows the
 /// rebound by the same amount. What would land again within the substep stops instead.
 void time_impact(const ContactProblem& problem, const ContactRow& row, RowState& state) {
-    const Real depth = std::max(push_of(row, problem.bodies), Real(0));
+    const Real depth = std::max(correction_of(row, problem.bodies), Real(0));
     const Real growth = growth_of_approach(problem, row), at_end = state.approach;
     const Real at_impact = std::sqrt(std::max(at_end * at_end - 2 * growth * depth, Real(0)));
     const Real remaining = std::min(problem.h, 2 * depth / (at_end + at_impact)), grown = growth * remaining;
@@ -34,8 +34,8 @@ void time_impact(const ContactProblem& problem, const ContactRow& row, RowState&
 /// @param sign -1 before the impulses are given, 1 after
 void displace(ContactProblem& problem, Real sign) {
     for_each_chosen(problem, [&](const ContactRow& row, const RowState& state) {
-        push_apart(problem, problem.scratch.displacements, row, state,
-                   sign * state.remaining * row.impulse.about(row.normal));
+        apply_impulse(problem, problem.scratch.displacements, row, state,
+                      sign * state.remaining * row.impulse.about(row.normal));
     });
 }
 

@@ -38,7 +38,7 @@ Real approach_of(const ContactProblem& problem, const ContactRow& row, const Row
 void add_push(const ContactProblem& problem, ContactRow& row, const RowState& state, Real push) {
     row.impulse.normal += push;
     row.displacement.normal = problem.share * problem.h * row.impulse.normal;
-    push_apart(problem, problem.scratch.velocities, row, state, push * row.normal);
+    apply_impulse(problem, problem.scratch.velocities, row, state, push * row.normal);
 }
 
 /// Where a force displaces by all of its velocity, particles have moved within the substep by the velocity at its end,

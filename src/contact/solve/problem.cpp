@@ -3,7 +3,7 @@
 #include <algorithm>
 
 #include "fast_sweeps.h"
-#include "shares.h"
+#include "mobility.h"
 
 namespace drape {
 namespace {
@@ -18,8 +18,8 @@ void set_particles(const ContactProblem& problem, const ContactRow& row, RowStat
     for (const RowParticle& p : row.moved()) {
         state.start += p.weight * position(problem.cloths[static_cast<std::size_t>(p.cloth)].before, p.particle);
     }
-    state.shares = shares_of(problem.cloths, row);
-    const Real of_particles = inverse_mass_of_particles(row, state.shares);
+    state.mobilities = mobilities_of(problem.cloths, row);
+    const Real of_particles = inverse_mass_of_particles(row, state.mobilities);
     Real of_bodies = 0;
     for (const int body : {row.first_body, row.body}) {
         if (body != no_body) of_bodies += problem.body(body).inverse_mass;

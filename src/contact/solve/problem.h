@@ -15,12 +15,12 @@ using Real4 = std::array<Real, 4>;
 
 /// What is known of a contact while it is answered.
 struct RowState {
-    std::array<int, 4> places{};   ///< of its particles, in the motion
-    std::array<Real, 4> shares{};  ///< of an impulse, that they move by: weight times inverse mass [1/kg]
-    Vec3 start = Vec3::Zero();     ///< weighted sum of where they were at the start of the substep [m]
-    Real inverse_mass = 0;         ///< that an impulse along the normal meets, of both sides; 0 if none moves [1/kg]
-    Real mass = 0;                 ///< 1 / inverse_mass, or 0 [kg]
-    Real sliding_mass = 0;         ///< the same across the normal [kg]
+    std::array<int, 4> places{};       ///< of its particles, in the motion
+    std::array<Real, 4> mobilities{};  ///< of an impulse, that they move by: weight times inverse mass [1/kg]
+    Vec3 start = Vec3::Zero();         ///< weighted sum of where they were at the start of the substep [m]
+    Real inverse_mass = 0;  ///< that an impulse along the normal meets, of both sides; 0 if none moves [1/kg]
+    Real mass = 0;          ///< 1 / inverse_mass, or 0 [kg]
+    Real sliding_mass = 0;  ///< the same across the normal [kg]
     Surface surface;
     Real approach = 0;              ///< speed at which they meet, less than zero where they part [m/s]
     Real remaining = 0;             ///< of the substep, after the impact [s]
@@ -57,7 +57,7 @@ struct CompactRow {
     Real4 normal, friction;
     Real impulse, target;  ///< along the normal
     Real mass, sliding_mass, inverse_mass, friction_coefficient;
-    Real4 weights, shares;
+    Real4 weights, mobilities;
     std::array<int, 4> places;
     int count;
     std::array<Real4, 2> offsets;  ///< subtracted from the motion of its particles, one after the other
@@ -142,8 +142,8 @@ inline Vec3 relative(const ContactProblem& problem, const ContactMotion& motion,
 }
 
 /// Gives an impulse to the first side of a contact, and the opposite one to the second.
-inline void push_apart(const ContactProblem& problem, ContactMotion& motion, const ContactRow& row,
-                       const RowState& state, const Vec3& impulse) {
+inline void apply_impulse(const ContactProblem& problem, ContactMotion& motion, const ContactRow& row,
+                          const RowState& state, const Vec3& impulse) {
     const auto push_body = [&](int number, const Vec3& outwards, const Vec3& given) {
         if (number == no_body || problem.body(number).inverse_mass == 0) return;
         const Body& body = problem.body(number);
@@ -151,7 +151,7 @@ inline void push_apart(const ContactProblem& problem, ContactMotion& motion, con
         linear += body.inverse_mass * given;
         angular += body.inverse_inertia * body.arm(outwards).cross(given);
     };
-    for (std::size_t k = 0; k < row.count; ++k) motion.of(state.places[k]) += state.shares[k] * impulse;
+    for (std::size_t k = 0; k < row.count; ++k) motion.of(state.places[k]) += state.mobilities[k] * impulse;
     push_body(row.first_body, -row.normal, impulse);
     push_body(row.body, row.normal, -impulse);
 }

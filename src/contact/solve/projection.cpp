@@ -10,7 +10,7 @@ namespace {
 /// The push that a contact still asks for, as a fraction of its ball's radius. Planes do not turn.
 Real length_of_push(const ContactProblem& problem, const ContactRow& row) {
     if (row.kind == RowKind::Bodies || row.body == no_body || !problem.body(row.body).is_ball()) return 0;
-    return push_of(row, problem.bodies) / problem.body(row.body).radius;
+    return correction_of(row, problem.bodies) / problem.body(row.body).radius;
 }
 
 /// Displaces until all contacts are out and hold.
@@ -23,7 +23,7 @@ Sweeps project_positions(ContactProblem& problem) {
             problem, [&](ContactRow & row, RowState & state) __attribute__((flatten)) {
                 // How far the contact must come along its normal within the substep to be out
                 target_of(state, Quantity::Displacement) =
-                    relative(problem, motion, row, state).dot(row.normal) + push_of(row, problem.bodies);
+                    relative(problem, motion, row, state).dot(row.normal) + correction_of(row, problem.bodies);
                 longest = std::max(longest, length_of_push(problem, row));
                 state.active = state.inverse_mass > 0;
             });

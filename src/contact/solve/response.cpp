@@ -117,7 +117,7 @@ double kinetic_energy(std::span<const Body> bodies) {
     return static_cast<double>(sum / 2);
 }
 
-Real push_of(const ContactRow& row, std::span<const Body> bodies) {
+Real correction_of(const ContactRow& row, std::span<const Body> bodies) {
     Real slop = max_slop;
     const auto radius_of = [&](int body) {
         return body == no_body ? 0 : bodies[static_cast<std::size_t>(body)].radius;

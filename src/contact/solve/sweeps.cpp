@@ -23,7 +23,7 @@ Real give(const ContactProblem& problem, ContactMotion& motion, ContactRow& row,
     const Vec3 change = (wanted.normal - given.normal) * row.normal + (wanted.friction - given.friction);
     if (change.isZero(0)) return 0;
     given = wanted;
-    push_apart(problem, motion, row, state, change);
+    apply_impulse(problem, motion, row, state, change);
     return change.squaredNorm() * state.inverse_mass * state.inverse_mass;
 }
 

@@ -4,7 +4,7 @@
 
 #include "contact/contact_geometry.h"
 #include "contact/pairs/pair_row.h"
-#include "shares.h"
+#include "mobility.h"
 
 namespace drape {
 namespace {
@@ -14,7 +14,7 @@ struct Sides {
     Real of_particles, of_body;
 
     Sides(std::span<const ClothInContact> cloths, std::span<const Body> bodies, const ContactRow& row)
-        : of_particles(inverse_mass_of_particles(row, shares_of(cloths, row))),
+        : of_particles(inverse_mass_of_particles(row, mobilities_of(cloths, row))),
           of_body(row.body == no_body ? 0 : bodies[static_cast<std::size_t>(row.body)].inverse_mass) {}
 
     /// Of the heavier side, of those that can move.
@@ -96,14 +96,14 @@ void WarmStart::take(const ResponseParameters& parameters, Real h, Real gravity,
 /// Flat, because GCC would call a function for each sum of three numbers.
 __attribute__((flatten)) void WarmStart::give(std::span<const ClothInContact> cloths, std::span<Body> bodies) const {
     for (const ContactRow& row : last_) {
-        if (!row.has_given()) continue;
+        if (!row.has_impulse()) continue;
         const Vec3 displacement = row.displacement.about(row.normal), impulse = row.impulse.about(row.normal);
-        const std::array<Real, 4> shares = shares_of(cloths, row);
+        const std::array<Real, 4> mobilities = mobilities_of(cloths, row);
         for (std::size_t k = 0; k < row.count; ++k) {
             const auto [cloth, particle, weight] = row.particles[k];
             ClothState& state = cloths[static_cast<std::size_t>(cloth)].state;
-            state.x.row(particle) += shares[k] * displacement.transpose();
-            state.v.row(particle) += shares[k] * impulse.transpose();
+            state.x.row(particle) += mobilities[k] * displacement.transpose();
+            state.v.row(particle) += mobilities[k] * impulse.transpose();
         }
         if (row.body == no_body) continue;
         Body& body = bodies[static_cast<std::size_t>(row.body)];
