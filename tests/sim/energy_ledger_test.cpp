@@ -85,7 +85,7 @@ TEST(LongEnergyLedger, CountsWhatAFreeBallGives) {
     Simulation simulation("trampoline", std::move(settings));
     for (const double time : {0.5, 3.0}) {
         while (simulation.report().time < time) simulation.step();
-        const Ball ball = simulation.balls()[0];
+        const Body ball = body_of(simulation.balls()[0], {});
         const double lost = weight * (start - static_cast<double>(ball.centre.y())) - kinetic_energy({&ball, 1});
         EXPECT_NEAR(simulation.view().report->balance.ball / lost, 1, 0.01) << time << " s";
     }
