@@ -53,7 +53,7 @@ Command moved_to(const AtParticle& command, const Simulation& first, const Simul
 
 }  // namespace
 
-std::vector<std::string> split_assignments(const std::string& text) {
+std::vector<std::string> split_assignments(std::string_view text) {
     std::vector<std::string> assignments;
     if (text.empty()) return assignments;
     for (const std::string_view part : split_at_commas(text)) {

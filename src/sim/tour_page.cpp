@@ -1,6 +1,7 @@
 #include <sstream>
 
 #include "drape/base/numbers.h"
+#include "drape/sim/comparison.h"
 #include "drape/sim/tour.h"
 
 namespace drape {
@@ -35,7 +36,7 @@ std::string tour_page() {
         page << "\n## " << ++number << " " << stop.title << "\n\n";
         page << "![" << stop.title << "](" << picture_name(number) << ")\n\n";
         page << "`build/release/bin/drape " << stop.scene;
-        for (const std::string_view change : stop.changes) page << " --set " << change;
+        for (const std::string& change : split_assignments(stop.changes)) page << " --set " << change;
         page << "`, at " << real_text(stop.time) << " s\n\n";
         page << "See: " << stop.look << "\n\nTry: " << stop.try_it << "\n\n";
         page << "Read: [" << stop.file << "](../" << stop.file << ")\n";

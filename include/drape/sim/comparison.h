@@ -55,6 +55,6 @@ private:
 
 /// "a=1,2,b=3" as "a=1,2" and "b=3".
 /// @throws InputError if the first has no "="
-std::vector<std::string> split_assignments(const std::string& text);
+std::vector<std::string> split_assignments(std::string_view text);
 
 }  // namespace drape
