@@ -92,14 +92,6 @@ void ClothEnergy::keep_ledger(bool keep, const ClothModel& model, const ClothSta
     ledger_.emplace(flow(model, state));
 }
 
-void ClothEnergy::touch(const ClothModel& model, const ClothState& state) {
-    touch(model, state, EnergyLedger::Since::Hand);
-}
-
-void ClothEnergy::touch_pins(const ClothModel& model, const ClothState& state) {
-    touch(model, state, EnergyLedger::Since::Pins);
-}
-
 void ClothEnergy::touch(const ClothModel& model, const ClothState& state, EnergyLedger::Since by) {
     if (!ledger_) return;
     if (ledger_->must_see(by)) ledger_->see(flow(model, state));

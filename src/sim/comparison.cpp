@@ -39,8 +39,6 @@ Vec3 point_at(const Grid& grid, const ClothState& before, const ClothState& now,
            t * ((1 - s) * at(grid.particle(i, j + 1)) + s * at(grid.particle(i + 1, j + 1)));
 }
 
-std::string name_in(const std::string& assignment) { return assignment.substr(0, assignment.find('=')); }
-
 /// The same particle of another grid.
 template <class AtParticle>
 Command moved_to(const AtParticle& command, const Simulation& first, const Simulation& other) {
@@ -83,9 +81,9 @@ Simulation Comparison::make_other(const Simulation& first, const std::vector<std
 }
 
 /// A setting of all balls and that of one of them are the same here.
-bool Comparison::compares(const std::string& setting) const {
+bool Comparison::compares(std::string_view setting) const {
     return std::ranges::any_of(assignments_, [&](const std::string& assignment) {
-        return &setting_meant_by(name_in(assignment)) == &setting_meant_by(setting);
+        return &setting_meant_by(assignment.substr(0, assignment.find('='))) == &setting_meant_by(setting);
     });
 }
 
@@ -101,11 +99,7 @@ void Comparison::follow_command(const Command& command, const Simulation& first)
         other_ = make_other(first, assignments_);
         return;
     }
-    if (const auto* set = std::get_if<command::Set>(&command); set != nullptr && compares(name_in(set->assignment))) {
-        return;
-    }
-    if (const auto* next = std::get_if<command::Next>(&command); next != nullptr && compares(next->setting)) return;
-    if (const auto* add = std::get_if<command::Add>(&command); add != nullptr && compares(add->setting)) return;
+    if (const std::string_view setting = setting_of(command); !setting.empty() && compares(setting)) return;
     try {
         if (const auto* grab = std::get_if<command::Grab>(&command)) {
             other_.apply(moved_to(*grab, first, other_));

@@ -2,10 +2,8 @@
 
 #include <Eigen/Geometry>
 #include <algorithm>
-#include <numbers>
 
 #include "ball_motion.h"
-#include "drape/base/exact_math.h"
 #include "drape/sim/held_power.h"
 
 namespace drape {
@@ -24,14 +22,9 @@ Vec3 way_back(const Vec3& gap, Real h) {
 
 /// A turn about the direction of a vector by as many whole turns as it is long.
 Eigen::Quaternion<Real> turned_by(const Vec3& turns) {
-    constexpr double half_turn = std::numbers::pi;
     const Real count = turns.norm();
     if (count == 0) return Eigen::Quaternion<Real>::Identity();
-    const double half = static_cast<double>(count) * half_turn;
-    Eigen::Quaternion<Real> turn;
-    turn.w() = static_cast<Real>(sine(half + half_turn / 2));
-    turn.vec() = static_cast<Real>(sine(half)) * (turns / count);
-    return turn.normalized();
+    return turn_about(turns / count, static_cast<double>(count));
 }
 
 Vec3 at(const std::vector<PathPoint>& path, Real time) {
@@ -110,7 +103,7 @@ bool MovingPins::lead(Group& group, Cloth& cloth, Real time, Real h) {
     group.power = 0;
     if (!group.moves && !stops) return false;
 
-    cloth.energy.touch_pins(cloth.model, cloth.state);
+    cloth.energy.touch(cloth.model, cloth.state, EnergyLedger::Since::Pins);
     Real gained = 0;
     for (std::size_t k = 0; k < group.particles.size(); ++k) {
         const int p = group.particles[k];

@@ -1,4 +1,4 @@
-#include "drape/sim/scene_text.h"
+#include "drape/sim/scene.h"
 
 #include <utility>
 

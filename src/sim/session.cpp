@@ -28,8 +28,7 @@ constexpr double clock_tolerance = 4 * std::numeric_limits<double>::epsilon();
 
 /// Whether nothing that was before can be gone back to.
 bool begins_history(const Command& command) {
-    const auto* const compare = std::get_if<command::Compare>(&command);
-    return std::holds_alternative<command::LoadScene>(command) || (compare != nullptr && compare->begins());
+    return begins_again(command) && !std::holds_alternative<command::Reset>(command);
 }
 
 bool pauses(const Command& command) {
@@ -319,15 +318,6 @@ void Session::advance(double elapsed, double budget) {
     }
 }
 
-double Session::time_after_next_step() {
-    if (dt() != counted_dt_) {
-        counted_from_ = time_;
-        counted_steps_ = 0;
-        counted_dt_ = dt();
-    }
-    return counted_from_ + static_cast<double>(counted_steps_ + 1) * counted_dt_;
-}
-
 double Session::steps_to(double time) const {
     const double steps = (time - time_) / dt(), whole = std::round(steps);
     return std::abs(steps - whole) <= std::max(step_tolerance, clock_tolerance * time / dt()) ? whole : steps;
@@ -336,12 +326,13 @@ double Session::steps_to(double time) const {
 bool Session::run_until(double time, const std::function<bool()>& stop) {
     bool stopped = false;
     for (;;) {
-        const double next = time_after_next_step();
+        clock_.pass(clock_steps_, dt());
+        const double next = start_time_ + clock_.at(clock_steps_ + 1);
         if (next > time + std::max(step_tolerance * dt(), clock_tolerance * time)) break;
         stopped = stop && stop();
         if (stopped) break;
         time_ = next;
-        ++counted_steps_;
+        ++clock_steps_;
         step();
     }
     behind_ = std::max(0.0, time - time_);

@@ -31,12 +31,9 @@ public:
 
     void use(Kernels kernels) { kernels_ = kernels; }
 
-    /// State or model are about to be changed from outside.
+    /// State or model are about to be changed from outside, by the hand or by pins that move.
     /// @par Cost a force evaluation while a ledger is kept, the first time after a substep
-    void touch(const ClothModel& model, const ClothState& state);
-
-    /// The same, by pins that move.
-    void touch_pins(const ClothModel& model, const ClothState& state);
+    void touch(const ClothModel& model, const ClothState& state, EnergyLedger::Since by = EnergyLedger::Since::Hand);
 
     /// Pins of this cloth may move.
     void expect_pins(bool expected) { has_pins_ = expected; }
@@ -86,7 +83,6 @@ public:
     [[nodiscard]] Energy energy(const ClothModel& model, const ClothState& state, EnergyBalance& balance);
 
 private:
-    void touch(const ClothModel& model, const ClothState& state, EnergyLedger::Since by);
     [[nodiscard]] double hand_power(const ClothModel& model, const ClothState& state) const;
     void split_pin_power(double of_hand, Power& power) const;
     EnergyFlow flow(const ClothModel& model, const ClothState& state);

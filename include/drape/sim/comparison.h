@@ -44,7 +44,7 @@ public:
 
 private:
     void follow_command(const Command& command, const Simulation& first);
-    [[nodiscard]] bool compares(const std::string& setting) const;
+    [[nodiscard]] bool compares(std::string_view setting) const;
     [[nodiscard]] static Simulation make_other(const Simulation& first, const std::vector<std::string>& assignments);
 
     std::string text_;

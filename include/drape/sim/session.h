@@ -135,7 +135,6 @@ private:
     [[nodiscard]] std::size_t end_of_log() const { return first_entry_ + log_.size(); }
     void differ(const std::string& how);
     void say_cut();
-    double time_after_next_step();
     [[nodiscard]] double dt() const;
 
     Simulation simulation_;
@@ -159,13 +158,12 @@ private:
     std::vector<Command> view_commands_;
     std::string replay_notice_;
     bool replay_differs_ = false;
-    std::int64_t steps_made_ = 0;  ///< by this session; a reset does not set it back, but `go_to` does
-    double start_time_;            ///< [s]
-    double time_;                  ///< start and the steps that `run_until` made; a reset does not set it back [s]
-    double counted_from_ = 0;      ///< time_ is this plus counted_steps_ steps of counted_dt_: no error adds up
-    double counted_dt_ = 0;
-    std::int64_t counted_steps_ = 0;
-    double behind_ = 0;  ///< time passed beyond the last step [s]
+    std::int64_t steps_made_ = 0;   ///< by this session; a reset does not set it back, but `go_to` does
+    double start_time_;             ///< [s]
+    double time_;                   ///< start and the steps that `run_until` made; a reset does not set it back [s]
+    StepTimes clock_;               ///< of the steps that `run_until` made
+    std::int64_t clock_steps_ = 0;  ///< how many
+    double behind_ = 0;             ///< time passed beyond the last step [s]
     double dropped_ = 0;
 };
 
