@@ -48,10 +48,6 @@ void History::pass_again(std::int64_t step, std::size_t next_entry, std::int64_t
     moments_.insert(place, {step, next_entry, last->watched, added, true, simulation, comparison});
 }
 
-void History::forget_between() {
-    std::erase_if(moments_, [](const Moment& moment) { return moment.between; });
-}
-
 void History::forget_after(std::int64_t step) {
     forget_between();
     while (!moments_.empty() && moments_.back().step > step) moments_.pop_back();

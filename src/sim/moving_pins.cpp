@@ -27,6 +27,15 @@ Eigen::Quaternion<Real> turned_by(const Vec3& turns) {
     return turn_about(turns / count, static_cast<double>(count));
 }
 
+/// What pins give the cloth at a moment, but for one that the hand holds [W].
+double power_of(const std::vector<int>& pins, const Cloth& cloth) {
+    double power = 0;
+    for (const int p : pins) {
+        if (p != cloth.held) power += std::max(held_power(cloth.model, cloth.state, p), 0.0);
+    }
+    return power;
+}
+
 Vec3 at(const std::vector<PathPoint>& path, Real time) {
     return path.empty() ? Vec3(Vec3::Zero()) : point_on_path(path, time);
 }
@@ -100,7 +109,6 @@ bool MovingPins::lead(Group& group, Cloth& cloth, Real time, Real h) {
         group.moves = !velocity_of(k).isZero(0);
         stops = stops || !cloth.state.v.row(p).isZero(0);
     }
-    group.power = 0;
     if (!group.moves && !stops) return false;
 
     cloth.energy.touch(cloth.model, cloth.state, EnergyLedger::Since::Pins);
@@ -113,9 +121,7 @@ bool MovingPins::lead(Group& group, Cloth& cloth, Real time, Real h) {
         cloth.pin_speed = std::max(cloth.pin_speed, velocity.norm());
         cloth.state.v.row(p) = velocity.transpose();
     }
-    for (const int p : group.particles) {
-        if (p != cloth.held) group.power += std::max(held_power(cloth.model, cloth.state, p), 0.0);
-    }
+    group.power = power_of(group.particles, cloth);
     cloth.energy.give(static_cast<double>(cloth.model.particle_mass / 2 * gained));
     return group.moves;
 }
@@ -125,11 +131,7 @@ void MovingPins::count_work(std::span<Cloth> cloths, Real h) const {
     for (const Group& group : groups_) {
         if (!group.moves) continue;
         Cloth& cloth = cloths[static_cast<std::size_t>(group.settings.cloth)];
-        double power = 0;
-        for (const int p : group.particles) {
-            if (p != cloth.held) power += std::max(held_power(cloth.model, cloth.state, p), 0.0);
-        }
-        cloth.energy.give(std::max(group.power, power) * static_cast<double>(h));
+        cloth.energy.give(std::max(group.power, power_of(group.particles, cloth)) * static_cast<double>(h));
     }
 }
 

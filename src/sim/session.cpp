@@ -138,10 +138,6 @@ bool Session::is_redundant_release(const Command& command) const {
                                            [&](const Command& needed) { return needed.index() == command.index(); });
 }
 
-bool Session::any_lies_ahead() const { return next_entry_ < end_of_log() || steps_made_ < known_end(); }
-
-std::int64_t Session::known_end() const { return std::max(newest_, last_step_); }
-
 void Session::take_over() {
     const double seconds = timeline().back;
     std::string notice = last_step_ > newest_ || steps_made_ >= newest_
@@ -347,13 +343,9 @@ bool Session::run_replay(const std::function<bool()>& stop) {
     return true;
 }
 
-std::vector<Command> Session::take_view_commands() { return std::exchange(view_commands_, {}); }
-
 Real Session::blend() const {
     return simulation_.paused() ? Real(1) : static_cast<Real>(std::clamp(behind_ / dt(), 0.0, 1.0));
 }
-
-double Session::dt() const { return simulation_.settings().solver.dt; }
 
 std::string Session::record_notice() const {
     if (!recorder_ || recorder_->set_aside().empty()) return {};

@@ -42,7 +42,9 @@ public:
                     const std::optional<Comparison>& comparison);
 
     /// Forgets those on the way back.
-    void forget_between();
+    void forget_between() {
+        std::erase_if(moments_, [](const Moment& moment) { return moment.between; });
+    }
 
     /// Forgets what came after a step.
     void forget_after(std::int64_t step);

@@ -1,11 +1,13 @@
 #pragma once
 
+#include <algorithm>
 #include <cstdint>
 #include <deque>
 #include <functional>
 #include <memory>
 #include <optional>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include "drape/sim/comparison.h"
@@ -88,7 +90,7 @@ public:
     [[nodiscard]] double steps_to(double time) const;
 
     /// Camera commands of a replay that came due since the last call, for whoever owns the camera.
-    [[nodiscard]] std::vector<Command> take_view_commands();
+    [[nodiscard]] std::vector<Command> take_view_commands() { return std::exchange(view_commands_, {}); }
 
     /// Between 0 and 1: how far the present lies beyond the last step.
     [[nodiscard]] Real blend() const;
@@ -130,12 +132,13 @@ private:
     void pass_moment();
     void arrive();
     [[nodiscard]] bool is_redundant_release(const Command& command) const;
-    [[nodiscard]] std::int64_t known_end() const;
-    [[nodiscard]] bool any_lies_ahead() const;
+    [[nodiscard]] bool any_lies_ahead() const {
+        return next_entry_ < end_of_log() || steps_made_ < std::max(newest_, last_step_);
+    }
     [[nodiscard]] std::size_t end_of_log() const { return first_entry_ + log_.size(); }
     void differ(const std::string& how);
     void say_cut();
-    [[nodiscard]] double dt() const;
+    [[nodiscard]] double dt() const { return simulation_.settings().solver.dt; }
 
     Simulation simulation_;
     std::unique_ptr<Recorder> recorder_;
