@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <limits>
 
-#include "drape/sim/held_power.h"
+#include "held_power.h"
 
 namespace drape {
 namespace {

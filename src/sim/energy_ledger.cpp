@@ -1,8 +1,16 @@
 #include "drape/sim/energy_ledger.h"
 
+#include <array>
 #include <limits>
 
 namespace drape {
+namespace {
+
+constexpr std::array all_entries{&EnergyBalance::wind,    &EnergyBalance::hand,    &EnergyBalance::pins,
+                                 &EnergyBalance::ball,    &EnergyBalance::damping, &EnergyBalance::drag,
+                                 &EnergyBalance::contact, &EnergyBalance::held,    &EnergyBalance::integrator};
+
+}  // namespace
 
 EnergyBalance EnergyBalance::unknown() {
     constexpr double none = std::numeric_limits<double>::quiet_NaN();
@@ -10,15 +18,7 @@ EnergyBalance EnergyBalance::unknown() {
 }
 
 EnergyBalance& EnergyBalance::operator+=(const EnergyBalance& other) {
-    wind += other.wind;
-    hand += other.hand;
-    pins += other.pins;
-    ball += other.ball;
-    damping += other.damping;
-    drag += other.drag;
-    contact += other.contact;
-    held += other.held;
-    integrator += other.integrator;
+    for (const auto entry : all_entries) this->*entry += other.*entry;
     return *this;
 }
 

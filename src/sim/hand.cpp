@@ -9,7 +9,7 @@
 #include "drape/model/forces.h"
 #include "drape/model/stencils.h"
 #include "drape/model/stretch_limit.h"
-#include "drape/sim/held_power.h"
+#include "held_power.h"
 
 namespace drape {
 namespace {

@@ -4,7 +4,7 @@
 #include <algorithm>
 
 #include "ball_motion.h"
-#include "drape/sim/held_power.h"
+#include "held_power.h"
 
 namespace drape {
 namespace {

@@ -104,7 +104,7 @@ void check_solid(const SolidSettings& solid, std::size_t index) {
     check_path("solid", index, solid.motion == SolidMotion::Path, solid.path);
     if (solid.axis.squaredNorm() < Real(1e-12)) {
         refuse("solid", index, "axis",
-               " = " + value_text(values_of(solid.axis)) + ": allowed a length of at least 1e-06");
+               " = " + value_text(setting_value(solid.axis)) + ": allowed a length of at least 1e-06");
     }
     if (solid.shape == SolidKind::Mesh && solid.file.empty()) {
         refuse("solid", index, "shape", " = mesh: allowed only with a solid.file");
@@ -118,7 +118,7 @@ void check_pin_path(std::size_t index, const std::string& name, const std::vecto
     check_times("pins", index, name, path);
     if (!path.front().centre.isZero(0)) {
         refuse("pins", index, name,
-               " begins with " + value_text(values_of(path.front().centre)) +
+               " begins with " + value_text(setting_value(path.front().centre)) +
                    ": allowed only 0, 0, 0, for pins start where the cloth does");
     }
 }

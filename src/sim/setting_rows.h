@@ -11,26 +11,37 @@
 
 namespace drape {
 
-/// Lists of numbers as settings have them, and back.
-inline std::vector<double> values_of(const Vec3& v) {
-    return {static_cast<double>(v[0]), static_cast<double>(v[1]), static_cast<double>(v[2])};
+/// A member of a section as its setting's value.
+template <class Member>
+SettingValue setting_value(const Member& member) {
+    if constexpr (NamedEnum<Member>) {
+        return name_of(member);
+    } else if constexpr (std::is_arithmetic_v<Member> && !std::is_same_v<Member, bool>) {
+        return static_cast<double>(member);
+    } else {
+        return member;
+    }
 }
-inline std::vector<double> values_of(const Grid& grid) {
-    return {static_cast<double>(grid.nx), static_cast<double>(grid.ny)};
-}
-std::vector<double> values_of(const std::vector<PathPoint>& path);
-SettingValue values_of(const Pins& pins);
+SettingValue setting_value(const Vec3& v);
+SettingValue setting_value(const Grid& grid);
+SettingValue setting_value(const Pins& pins);
+SettingValue setting_value(const std::vector<PathPoint>& path);
 
-inline void take(const SettingValue& value, Vec3& v) {
-    const auto& list = std::get<std::vector<double>>(value);
-    v = {static_cast<Real>(list[0]), static_cast<Real>(list[1]), static_cast<Real>(list[2])};
+/// Gives a member the value of its setting.
+template <class Member>
+void take(const SettingValue& value, Member& member) {
+    if constexpr (NamedEnum<Member>) {
+        member = value_named<Member>(std::get<std::string>(value)).value();
+    } else if constexpr (std::is_arithmetic_v<Member> && !std::is_same_v<Member, bool>) {
+        member = static_cast<Member>(std::get<double>(value));
+    } else {
+        member = std::get<Member>(value);
+    }
 }
-inline void take(const SettingValue& value, Grid& grid) {
-    const auto& list = std::get<std::vector<double>>(value);
-    grid = {static_cast<int>(list[0]), static_cast<int>(list[1])};
-}
-void take(const SettingValue& value, std::vector<PathPoint>& path);
+void take(const SettingValue& value, Vec3& v);
+void take(const SettingValue& value, Grid& grid);
 void take(const SettingValue& value, Pins& pins);
+void take(const SettingValue& value, std::vector<PathPoint>& path);
 
 /// The kind of the settings that a member's type holds.
 template <class Member>
@@ -87,30 +98,8 @@ public:
         using Member = std::remove_cvref_t<std::invoke_result_t<At&, Values&>>;
         add(
             std::move(name), kind_of<Member>(), std::move(unit), range, std::move(help),
-            [at](Values& values) -> SettingValue {
-                const Member& member = std::invoke(at, values);
-                if constexpr (std::is_same_v<Member, bool> || std::is_same_v<Member, std::string>) {
-                    return member;
-                } else if constexpr (std::is_arithmetic_v<Member>) {
-                    return static_cast<double>(member);
-                } else if constexpr (NamedEnum<Member>) {
-                    return name_of(member);
-                } else {
-                    return values_of(member);
-                }
-            },
-            [at](Values& values, const SettingValue& value) {
-                Member& member = std::invoke(at, values);
-                if constexpr (std::is_same_v<Member, bool> || std::is_same_v<Member, std::string>) {
-                    member = std::get<Member>(value);
-                } else if constexpr (std::is_arithmetic_v<Member>) {
-                    member = static_cast<Member>(std::get<double>(value));
-                } else if constexpr (NamedEnum<Member>) {
-                    member = value_named<Member>(std::get<std::string>(value)).value();
-                } else {
-                    take(value, member);
-                }
-            });
+            [at](Values& values) { return setting_value(std::invoke(at, values)); },
+            [at](Values& values, const SettingValue& value) { take(value, std::invoke(at, values)); });
         if constexpr (NamedEnum<Member>) {
             const auto names = names_of<Member>();
             rows_.back().choices.assign(names.begin(), names.end());

@@ -4,11 +4,41 @@
 
 namespace drape {
 
-std::vector<double> values_of(const std::vector<PathPoint>& path) {
+SettingValue setting_value(const Vec3& v) {
+    return std::vector{static_cast<double>(v[0]), static_cast<double>(v[1]), static_cast<double>(v[2])};
+}
+
+void take(const SettingValue& value, Vec3& v) {
+    const auto& list = std::get<std::vector<double>>(value);
+    for (int axis = 0; axis < 3; ++axis) v[axis] = static_cast<Real>(list[static_cast<std::size_t>(axis)]);
+}
+
+SettingValue setting_value(const Grid& grid) {
+    return std::vector{static_cast<double>(grid.nx), static_cast<double>(grid.ny)};
+}
+
+void take(const SettingValue& value, Grid& grid) {
+    const auto& list = std::get<std::vector<double>>(value);
+    grid = {static_cast<int>(list[0]), static_cast<int>(list[1])};
+}
+
+SettingValue setting_value(const Pins& pins) {
+    if (pins.kind == Pins::Kind::List) return std::vector<double>(pins.list.begin(), pins.list.end());
+    return name_of(pins.kind);
+}
+
+void take(const SettingValue& value, Pins& pins) {
+    const auto* list = std::get_if<std::vector<double>>(&value);
+    pins = {list != nullptr ? Pins::Kind::List : value_named<Pins::Kind>(std::get<std::string>(value)).value(), {}};
+    if (list == nullptr) return;
+    for (const double particle : *list) pins.list.push_back(static_cast<int>(particle));
+}
+
+SettingValue setting_value(const std::vector<PathPoint>& path) {
     std::vector<double> values;
     for (const PathPoint& point : path) {
         values.push_back(static_cast<double>(point.time));
-        for (int axis = 0; axis < 3; ++axis) values.push_back(static_cast<double>(point.centre[axis]));
+        for (const Real x : point.centre) values.push_back(static_cast<double>(x));
     }
     return values;
 }
@@ -20,18 +50,6 @@ void take(const SettingValue& value, std::vector<PathPoint>& path) {
         const auto at = [&](std::size_t offset) { return static_cast<Real>(list[k + offset]); };
         path.push_back({at(0), Vec3(at(1), at(2), at(3))});
     }
-}
-
-SettingValue values_of(const Pins& pins) {
-    if (pins.kind == Pins::Kind::List) return std::vector<double>(pins.list.begin(), pins.list.end());
-    return name_of(pins.kind);
-}
-
-void take(const SettingValue& value, Pins& pins) {
-    const auto* list = std::get_if<std::vector<double>>(&value);
-    pins = {list != nullptr ? Pins::Kind::List : value_named<Pins::Kind>(std::get<std::string>(value)).value(), {}};
-    if (list == nullptr) return;
-    for (const double particle : *list) pins.list.push_back(static_cast<int>(particle));
 }
 
 namespace {
@@ -69,11 +87,11 @@ void add_cloth(std::vector<Setting>& table) {
     rows.add("plane", &ClothParameters::plane, "in which it starts: horizontal or vertical");
     rows.add(
         "origin", SettingKind::Vector, "m", lengths, "where particle (0,0) starts",
-        [](const ClothParameters& c) { return values_of(c.origin()); },
+        [](const ClothParameters& c) { return setting_value(c.origin()); },
         [](ClothParameters& c, const SettingValue& value) { take(value, c.place), c.centred = false; });
     rows.add(
         "centre", SettingKind::Vector, "m", lengths, "where its centre starts, in place of origin",
-        [](const ClothParameters& c) { return values_of(c.centre()); },
+        [](const ClothParameters& c) { return setting_value(c.centre()); },
         [](ClothParameters& c, const SettingValue& value) { take(value, c.place), c.centred = true; });
     rows.add("pinned", &ClothParameters::pinned, "", {0, 4096.0 * 4096 - 1},
              "which particles never move, by name or by number");
