@@ -37,8 +37,7 @@ bool pauses(const Command& command) {
 
 }  // namespace
 
-Session::Session(Simulation simulation)
-    : simulation_(std::move(simulation)), start_time_(simulation_.report().time), time_(start_time_) {}
+Session::Session(Simulation simulation) : simulation_(std::move(simulation)), start_time_(simulation_.report().time) {}
 Session::Session(Session&&) noexcept = default;
 Session& Session::operator=(Session&&) noexcept = default;
 
@@ -256,8 +255,8 @@ void Session::differ(const std::string& how) {
 }
 
 void Session::say_cut() {
-    if (replay_.notice.empty() || std::exchange(cut_was_said_, true)) return;
-    replay_notice_ += (replay_notice_.empty() ? "" : "; ") + replay_.notice;
+    if (replay_.notice.empty()) return;
+    replay_notice_ += (replay_notice_.empty() ? "" : "; ") + std::exchange(replay_.notice, {});
 }
 
 void Session::step() {
@@ -315,7 +314,7 @@ void Session::advance(double elapsed, double budget) {
 }
 
 double Session::steps_to(double time) const {
-    const double steps = (time - time_) / dt(), whole = std::round(steps);
+    const double steps = (time - this->time()) / dt(), whole = std::round(steps);
     return std::abs(steps - whole) <= std::max(step_tolerance, clock_tolerance * time / dt()) ? whole : steps;
 }
 
@@ -327,11 +326,10 @@ bool Session::run_until(double time, const std::function<bool()>& stop) {
         if (next > time + std::max(step_tolerance * dt(), clock_tolerance * time)) break;
         stopped = stop && stop();
         if (stopped) break;
-        time_ = next;
         ++clock_steps_;
         step();
     }
-    behind_ = std::max(0.0, time - time_);
+    behind_ = std::max(0.0, time - this->time());
     return !stopped;
 }
 

@@ -83,7 +83,7 @@ public:
     [[nodiscard]] double start_time() const { return start_time_; }
 
     /// The time that `run_until` has come to, on the same clock [s].
-    [[nodiscard]] double time() const { return time_; }
+    [[nodiscard]] double time() const { return start_time_ + clock_.at(clock_steps_); }
 
     /// Steps of the present length from there to a time: a whole number where the time is the end of one but for
     /// rounding, as `run_until` has it.
@@ -157,13 +157,11 @@ private:
     std::string takeover_notice_;
     int takeovers_ = 0;
     int crossing_dangers_ = 0;
-    bool cut_was_said_ = false;
     std::vector<Command> view_commands_;
     std::string replay_notice_;
     bool replay_differs_ = false;
     std::int64_t steps_made_ = 0;   ///< by this session; a reset does not set it back, but `go_to` does
     double start_time_;             ///< [s]
-    double time_;                   ///< start and the steps that `run_until` made; a reset does not set it back [s]
     StepTimes clock_;               ///< of the steps that `run_until` made
     std::int64_t clock_steps_ = 0;  ///< how many
     double behind_ = 0;             ///< time passed beyond the last step [s]
