@@ -152,10 +152,6 @@ void Hand::grab(const command::Grab& command, std::span<Cloth> cloths) {
     cloth.held = command.particle;
 }
 
-void Hand::drag(const Vec3& target) {
-    if (held_) held_->target = target;
-}
-
 void Hand::release(std::span<Cloth> cloths) {
     if (!held_) return;
     Cloth& cloth = cloths[held_->cloth];
