@@ -39,14 +39,20 @@ Vec3 point_at(const Grid& grid, const ClothState& before, const ClothState& now,
            t * ((1 - s) * at(grid.particle(i, j + 1)) + s * at(grid.particle(i + 1, j + 1)));
 }
 
-/// The same particle of another grid.
-template <class AtParticle>
-Command moved_to(const AtParticle& command, const Simulation& first, const Simulation& other) {
-    AtParticle moved = command;
-    const auto cloth = static_cast<std::size_t>(command.cloth);
-    moved.particle = nearest_particle(other.cloths()[cloth].model.grid,
-                                      place_of(first.cloths()[cloth].model.grid, command.particle));
-    return moved;
+/// The command, with the same particle of another grid where it names one.
+Command moved_to(const Simulation& other, const Simulation& first, Command command) {
+    const auto grid_in = [](const Simulation& simulation, int cloth) -> const Grid& {
+        return simulation.cloths()[static_cast<std::size_t>(cloth)].model.grid;
+    };
+    std::visit(
+        [&](auto& at) {
+            if constexpr (requires { at.particle; }) {
+                at.particle =
+                    nearest_particle(grid_in(other, at.cloth), place_of(grid_in(first, at.cloth), at.particle));
+            }
+        },
+        command);
+    return command;
 }
 
 }  // namespace
@@ -67,11 +73,11 @@ std::vector<std::string> split_assignments(std::string_view text) {
 }
 
 Comparison::Comparison(const Simulation& first, std::string assignments)
-    : text_(std::move(assignments)), assignments_(split_assignments(text_)), other_(make_other(first, assignments_)) {}
+    : text_(std::move(assignments)), other_(make_other(first, text_)) {}
 
-Simulation Comparison::make_other(const Simulation& first, const std::vector<std::string>& assignments) {
+Simulation Comparison::make_other(const Simulation& first, std::string_view assignments) {
     Settings settings = first.settings();
-    for (const std::string& assignment : assignments) assign(settings, assignment);
+    for (const std::string& assignment : split_assignments(assignments)) assign(settings, assignment);
     const double least = first.settings().solver.dt / max_steps;
     if (settings.solver.dt < least) {
         throw InputError("solver.dt = " + real_text(settings.solver.dt) + ": allowed " + real_text(least, 3) +
@@ -82,7 +88,7 @@ Simulation Comparison::make_other(const Simulation& first, const std::vector<std
 
 /// A setting of all balls and that of one of them are the same here.
 bool Comparison::compares(std::string_view setting) const {
-    return std::ranges::any_of(assignments_, [&](const std::string& assignment) {
+    return std::ranges::any_of(split_assignments(text_), [&](const std::string& assignment) {
         return &setting_meant_by(assignment.substr(0, assignment.find('='))) == &setting_meant_by(setting);
     });
 }
@@ -96,18 +102,12 @@ void Comparison::apply(const Command& command, const Simulation& first) {
 
 void Comparison::follow_command(const Command& command, const Simulation& first) {
     if (std::holds_alternative<command::LoadScene>(command)) {
-        other_ = make_other(first, assignments_);
+        other_ = make_other(first, text_);
         return;
     }
     if (const std::string_view setting = setting_of(command); !setting.empty() && compares(setting)) return;
     try {
-        if (const auto* grab = std::get_if<command::Grab>(&command)) {
-            other_.apply(moved_to(*grab, first, other_));
-        } else if (const auto* pin = std::get_if<command::Pin>(&command)) {
-            other_.apply(moved_to(*pin, first, other_));
-        } else {
-            other_.apply(command);
-        }
+        other_.apply(moved_to(other_, first, command));
     } catch (const InputError&) {
         // What the other one cannot do shows as a difference
     }

@@ -45,10 +45,9 @@ public:
 private:
     void follow_command(const Command& command, const Simulation& first);
     [[nodiscard]] bool compares(std::string_view setting) const;
-    [[nodiscard]] static Simulation make_other(const Simulation& first, const std::vector<std::string>& assignments);
+    [[nodiscard]] static Simulation make_other(const Simulation& first, std::string_view assignments);
 
     std::string text_;
-    std::vector<std::string> assignments_;
     Simulation other_;
     ScratchOnCopy<std::vector<std::vector<float>>> distances_;
 };
