@@ -17,7 +17,7 @@ Corners longest_last(const TriangleMesh& mesh, Corners t) {
     };
     const std::array<Real, 3> lengths{length(0), length(1), length(2)};
     const auto longest = std::ranges::max_element(lengths) - lengths.begin();
-    std::ranges::rotate(t, t.begin() + (longest + 1) % 3);
+    std::rotate(t.begin(), t.begin() + (longest + 1) % 3, t.end());
     return t;
 }
 
