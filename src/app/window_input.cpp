@@ -272,7 +272,7 @@ std::vector<Command> Window::go_to_stop(int stop) {
     stop_ = (stop + count) % count;
     const TourStop& now = stops[static_cast<std::size_t>(stop_)];
     std::vector<Command> commands{command::LoadScene{std::string(now.scene)}};
-    for (const std::string_view change : now.changes) commands.emplace_back(command::Set{std::string(change)});
+    for (const std::string& change : split_assignments(now.changes)) commands.emplace_back(command::Set{change});
     return commands;
 }
 

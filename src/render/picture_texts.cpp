@@ -2,7 +2,7 @@
 
 #include "drape/base/commit.h"
 #include "drape/base/numbers.h"
-#include "drape/sim/scene_text.h"
+#include "drape/sim/scene.h"
 
 namespace drape {
 

@@ -4,8 +4,10 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <numbers>
 
 #include "drape/base/assert.h"
+#include "drape/base/exact_math.h"
 
 namespace drape {
 namespace {
@@ -120,6 +122,15 @@ void resist_rolling(Real coefficient, Real load, Ball& ball) {
     if (spin == 0) return;
     const Real most = coefficient * ball.radius * load * ball.inverse_inertia();
     ball.spin *= std::max(1 - most / spin, Real(0));
+}
+
+Quaternion turn_about(const Vec3& axis, double turns) {
+    constexpr double half_turn = std::numbers::pi;
+    const double half = turns * half_turn;
+    Quaternion turn;
+    turn.w() = static_cast<Real>(sine(half + half_turn / 2));
+    turn.vec() = static_cast<Real>(sine(half)) * axis;
+    return turn.normalized();
 }
 
 void turn_ball(Ball& ball) {

@@ -35,6 +35,10 @@ void resist_rolling(Real coefficient, Real load, Ball& ball);
 /// Turns a ball by what it has turned within the substep, contacts included: q += w h / 2 q, of length 1 again.
 void turn_ball(Ball& ball);
 
+/// A turn by so many whole turns, with the same bits everywhere.
+/// @param axis of length 1
+Eigen::Quaternion<Real> turn_about(const Vec3& axis, double turns);
+
 /// Where a path leads at a time: a smooth curve through its points. It rests at its last point, or repeats if that is
 /// its first one again.
 /// @pre at least two points, times ascending

@@ -3,18 +3,10 @@
 #include <algorithm>
 #include <limits>
 
-#include "drape/sim/held_power.h"
+#include "held_power.h"
 
 namespace drape {
 namespace {
-
-/// The most energy that pushing contacts out puts into springs at rest [J]: each moves three particles by no more than
-/// its push, and the springs of a particle answer with four of each kind, at both ends.
-/// @param squared_push sum over the contacts [m^2]
-double max_push_work(const ClothModel& model, Real squared_push) {
-    const Real stiffness = 3 * 4 * (model.structural.stiffness + model.shear.stiffness + model.bend.stiffness);
-    return static_cast<double>(stiffness) * static_cast<double>(squared_push);
-}
 
 /// The smallest range that holds all particles that are pushed.
 GridRange range_of(const Pushes& pushes, const Grid& grid) {
@@ -39,8 +31,9 @@ bool moves(const ContactRow& row, int cloth) {
     return std::ranges::any_of(row.moved(), [&](const RowParticle& p) { return p.cloth == cloth; });
 }
 
-/// What contacts push the springs by, at the most [J]. What another cloth gives, or another part of this one, no bound
-/// tells.
+/// The most energy that pushing contacts out puts into springs at rest [J]: each moves three particles by no more than
+/// its push, and the springs of a particle answer with four of each kind, at both ends. What another cloth gives, or
+/// another part of this one, no bound tells.
 double max_push_work(const ClothModel& model, const Pushes& pushes) {
     double squared_push = 0;
     for (const ContactRow& row : pushes.rows) {
@@ -49,7 +42,8 @@ double max_push_work(const ClothModel& model, const Pushes& pushes) {
         const double push = std::max(static_cast<double>(correction_of(row, pushes.bodies)), 0.0);
         if (!pushes.known) squared_push += push * push;
     }
-    return max_push_work(model, static_cast<Real>(squared_push));
+    const Real stiffness = 3 * 4 * (model.structural.stiffness + model.shear.stiffness + model.bend.stiffness);
+    return static_cast<double>(stiffness) * static_cast<double>(static_cast<Real>(squared_push));
 }
 
 }  // namespace
@@ -92,26 +86,10 @@ void ClothEnergy::keep_ledger(bool keep, const ClothModel& model, const ClothSta
     ledger_.emplace(flow(model, state));
 }
 
-void ClothEnergy::touch(const ClothModel& model, const ClothState& state) {
-    touch(model, state, EnergyLedger::Since::Hand);
-}
-
-void ClothEnergy::touch_pins(const ClothModel& model, const ClothState& state) {
-    touch(model, state, EnergyLedger::Since::Pins);
-}
-
 void ClothEnergy::touch(const ClothModel& model, const ClothState& state, EnergyLedger::Since by) {
     if (!ledger_) return;
     if (ledger_->must_see(by)) ledger_->see(flow(model, state));
     ledger_->touched(by);
-}
-
-void ClothEnergy::mark() {
-    if (ledger_) ledger_->mark();
-}
-
-void ClothEnergy::return_to_mark() {
-    if (ledger_) ledger_->return_to_mark();
 }
 
 void ClothEnergy::after_integrator(const ClothModel& model, const ClothState& state, const MotionSums& sums, Real h,
@@ -159,10 +137,6 @@ bool ClothEnergy::after_pushes(const ClothModel& model, const ClothState& state,
     return true;
 }
 
-void ClothEnergy::pushed(double work) {
-    if (ledger_) ledger_->pushed(work);
-}
-
 void ClothEnergy::before_hold(const ClothModel& model, const ClothState& state) {
     before_hold_ = held_flow(model, state);
 }
@@ -177,8 +151,6 @@ void ClothEnergy::after_hold(const ClothModel& model, const ClothState& state) {
 EnergyFlow ClothEnergy::held_flow(const ClothModel& model, const ClothState& state) {
     return ledger_ ? flow(model, state) : EnergyFlow{compute_energy(model, state, kernels_), {}};
 }
-
-bool ClothEnergy::measures_pushes() const { return ledger_ || max_push_work_ > watch_.small_work(); }
 
 /// Of what is being pushed, where it is to be measured.
 EnergyFlow ClothEnergy::pushed_flow(const ClothModel& model, const ClothState& state) const {

@@ -191,6 +191,13 @@ Command parse_command(std::string_view text) {
     throw InputError("unknown command '" + shortened(name) + "': did you mean '" + nearest_name(name, names) + "'?");
 }
 
+std::string_view setting_of(const Command& command) {
+    if (const auto* next = std::get_if<command::Next>(&command)) return next->setting;
+    if (const auto* add = std::get_if<command::Add>(&command)) return add->setting;
+    const auto* set = std::get_if<command::Set>(&command);
+    return set != nullptr ? std::string_view(set->assignment).substr(0, set->assignment.find('=')) : "";
+}
+
 bool changes_state(const Command& command) {
     return std::visit([]<class C>(const C&) { return !command::OfThePicture<C>; }, command);
 }
@@ -202,13 +209,9 @@ bool begins_again(const Command& command) {
 }
 
 bool changes_motion(const Command& command) {
-    const auto of_the_view = [](std::string_view setting) { return setting.starts_with("view."); };
     if (std::holds_alternative<command::Pause>(command) || std::holds_alternative<command::Step>(command)) return false;
     if (const auto* compare = std::get_if<command::Compare>(&command)) return compare->begins();
-    if (const auto* set = std::get_if<command::Set>(&command)) return !of_the_view(set->assignment);
-    if (const auto* next = std::get_if<command::Next>(&command)) return !of_the_view(next->setting);
-    if (const auto* add = std::get_if<command::Add>(&command)) return !of_the_view(add->setting);
-    return changes_state(command);
+    return changes_state(command) && !setting_of(command).starts_with("view.");
 }
 
 }  // namespace drape

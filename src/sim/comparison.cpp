@@ -39,21 +39,25 @@ Vec3 point_at(const Grid& grid, const ClothState& before, const ClothState& now,
            t * ((1 - s) * at(grid.particle(i, j + 1)) + s * at(grid.particle(i + 1, j + 1)));
 }
 
-std::string name_in(const std::string& assignment) { return assignment.substr(0, assignment.find('=')); }
-
-/// The same particle of another grid.
-template <class AtParticle>
-Command moved_to(const AtParticle& command, const Simulation& first, const Simulation& other) {
-    AtParticle moved = command;
-    const auto cloth = static_cast<std::size_t>(command.cloth);
-    moved.particle = nearest_particle(other.cloths()[cloth].model.grid,
-                                      place_of(first.cloths()[cloth].model.grid, command.particle));
-    return moved;
+/// The command, with the same particle of another grid where it names one.
+Command moved_to(const Simulation& other, const Simulation& first, Command command) {
+    const auto grid_in = [](const Simulation& simulation, int cloth) -> const Grid& {
+        return simulation.cloths()[static_cast<std::size_t>(cloth)].model.grid;
+    };
+    std::visit(
+        [&](auto& at) {
+            if constexpr (requires { at.particle; }) {
+                at.particle =
+                    nearest_particle(grid_in(other, at.cloth), place_of(grid_in(first, at.cloth), at.particle));
+            }
+        },
+        command);
+    return command;
 }
 
 }  // namespace
 
-std::vector<std::string> split_assignments(const std::string& text) {
+std::vector<std::string> split_assignments(std::string_view text) {
     std::vector<std::string> assignments;
     if (text.empty()) return assignments;
     for (const std::string_view part : split_at_commas(text)) {
@@ -69,11 +73,11 @@ std::vector<std::string> split_assignments(const std::string& text) {
 }
 
 Comparison::Comparison(const Simulation& first, std::string assignments)
-    : text_(std::move(assignments)), assignments_(split_assignments(text_)), other_(make_other(first, assignments_)) {}
+    : text_(std::move(assignments)), other_(make_other(first, text_)) {}
 
-Simulation Comparison::make_other(const Simulation& first, const std::vector<std::string>& assignments) {
+Simulation Comparison::make_other(const Simulation& first, std::string_view assignments) {
     Settings settings = first.settings();
-    for (const std::string& assignment : assignments) assign(settings, assignment);
+    for (const std::string& assignment : split_assignments(assignments)) assign(settings, assignment);
     const double least = first.settings().solver.dt / max_steps;
     if (settings.solver.dt < least) {
         throw InputError("solver.dt = " + real_text(settings.solver.dt) + ": allowed " + real_text(least, 3) +
@@ -83,9 +87,9 @@ Simulation Comparison::make_other(const Simulation& first, const std::vector<std
 }
 
 /// A setting of all balls and that of one of them are the same here.
-bool Comparison::compares(const std::string& setting) const {
-    return std::ranges::any_of(assignments_, [&](const std::string& assignment) {
-        return &setting_meant_by(name_in(assignment)) == &setting_meant_by(setting);
+bool Comparison::compares(std::string_view setting) const {
+    return std::ranges::any_of(split_assignments(text_), [&](const std::string& assignment) {
+        return &setting_meant_by(assignment.substr(0, assignment.find('='))) == &setting_meant_by(setting);
     });
 }
 
@@ -98,22 +102,12 @@ void Comparison::apply(const Command& command, const Simulation& first) {
 
 void Comparison::follow_command(const Command& command, const Simulation& first) {
     if (std::holds_alternative<command::LoadScene>(command)) {
-        other_ = make_other(first, assignments_);
+        other_ = make_other(first, text_);
         return;
     }
-    if (const auto* set = std::get_if<command::Set>(&command); set != nullptr && compares(name_in(set->assignment))) {
-        return;
-    }
-    if (const auto* next = std::get_if<command::Next>(&command); next != nullptr && compares(next->setting)) return;
-    if (const auto* add = std::get_if<command::Add>(&command); add != nullptr && compares(add->setting)) return;
+    if (const std::string_view setting = setting_of(command); !setting.empty() && compares(setting)) return;
     try {
-        if (const auto* grab = std::get_if<command::Grab>(&command)) {
-            other_.apply(moved_to(*grab, first, other_));
-        } else if (const auto* pin = std::get_if<command::Pin>(&command)) {
-            other_.apply(moved_to(*pin, first, other_));
-        } else {
-            other_.apply(command);
-        }
+        other_.apply(moved_to(other_, first, command));
     } catch (const InputError&) {
         // What the other one cannot do shows as a difference
     }

@@ -1,14 +1,14 @@
 #include "drape/sim/energy_ledger.h"
 
+#include <array>
 #include <limits>
 
 namespace drape {
 namespace {
 
-void add_change(const EnergyFlow& before, const EnergyFlow& after, Power& power) {
-    power.damping += after.power.damping - before.power.damping;
-    power.drag += after.power.drag - before.power.drag;
-}
+constexpr std::array all_entries{&EnergyBalance::wind,    &EnergyBalance::hand,    &EnergyBalance::pins,
+                                 &EnergyBalance::ball,    &EnergyBalance::damping, &EnergyBalance::drag,
+                                 &EnergyBalance::contact, &EnergyBalance::held,    &EnergyBalance::integrator};
 
 }  // namespace
 
@@ -18,44 +18,34 @@ EnergyBalance EnergyBalance::unknown() {
 }
 
 EnergyBalance& EnergyBalance::operator+=(const EnergyBalance& other) {
-    wind += other.wind;
-    hand += other.hand;
-    pins += other.pins;
-    ball += other.ball;
-    damping += other.damping;
-    drag += other.drag;
-    contact += other.contact;
-    held += other.held;
-    integrator += other.integrator;
+    for (const auto entry : all_entries) this->*entry += other.*entry;
     return *this;
 }
 
-void EnergyLedger::see(const EnergyFlow& now) { see(now, now_); }
-
-void EnergyLedger::see(const EnergyFlow& now, Entry& book) {
-    const double change = now.energy.total() - book.seen.energy.total();
-    if (book.since == Since::Hand) book.balance.hand += change - book.contact_energy;
-    if (book.since == Since::Pins) book.balance.pins += change - book.contact_energy;
-    if (book.since == Since::Step) {
+void EnergyLedger::see(const EnergyFlow& now) {
+    const double change = now.energy.total() - now_.seen.energy.total();
+    if (now_.since == Since::Hand) now_.balance.hand += change - now_.contact_energy;
+    if (now_.since == Since::Pins) now_.balance.pins += change - now_.contact_energy;
+    if (now_.since == Since::Step) {
         // Both ends of the step. For damping and drag the later one is before the contacts, for wind, hand and pins
         // after them: what contacts change in these two within a step goes to the integrator
-        const double half = book.h / 2;
-        const Power &first = book.seen.power, &last = now.power, &contact = book.contact_power;
+        const double half = now_.h / 2;
+        const Power &first = now_.seen.power, &last = now.power, &contact = now_.contact_power;
         const double wind = half * (first.wind + last.wind), hand = half * (first.hand + last.hand);
         const double pins = half * (first.pins + last.pins);
         const double damping = half * (first.damping + last.damping - contact.damping);
         const double drag = half * (first.drag + last.drag - contact.drag);
-        book.balance.wind += wind;
-        book.balance.hand += hand;
-        book.balance.pins += pins;
-        book.balance.damping += damping;
-        book.balance.drag += drag;
-        book.balance.integrator += wind + hand + pins - damping - drag - (change - book.contact_energy);
+        now_.balance.wind += wind;
+        now_.balance.hand += hand;
+        now_.balance.pins += pins;
+        now_.balance.damping += damping;
+        now_.balance.drag += drag;
+        now_.balance.integrator += wind + hand + pins - damping - drag - (change - now_.contact_energy);
     }
-    book.seen = now;
-    book.since = Since::Nothing;
-    book.contact_energy = 0;
-    book.contact_power = {};
+    now_.seen = now;
+    now_.since = Since::Nothing;
+    now_.contact_energy = 0;
+    now_.contact_power = {};
 }
 
 void EnergyLedger::integrated(Real h) {
@@ -87,13 +77,14 @@ void EnergyLedger::held_back(const EnergyFlow& before, const EnergyFlow& after) 
 
 void EnergyLedger::changed_after_step(const EnergyFlow& before, const EnergyFlow& after) {
     now_.contact_energy += after.energy.total() - before.energy.total();
-    add_change(before, after, now_.contact_power);
+    now_.contact_power.damping += after.power.damping - before.power.damping;
+    now_.contact_power.drag += after.power.drag - before.power.drag;
 }
 
 EnergyBalance EnergyLedger::balance(const EnergyFlow& now) const {
-    Entry book = now_;
-    see(now, book);
-    return book.balance;
+    EnergyLedger later = *this;
+    later.see(now);
+    return later.now_.balance;
 }
 
 }  // namespace drape

@@ -8,7 +8,7 @@
 #include "drape/base/input_error.h"
 #include "drape/base/input_file.h"
 #include "drape/base/output_file.h"
-#include "drape/sim/scene_text.h"
+#include "drape/sim/scene.h"
 #include "drape/sim/state_csv.h"
 #include "mesh_file.h"
 

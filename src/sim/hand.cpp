@@ -9,7 +9,7 @@
 #include "drape/model/forces.h"
 #include "drape/model/stencils.h"
 #include "drape/model/stretch_limit.h"
-#include "drape/sim/held_power.h"
+#include "held_power.h"
 
 namespace drape {
 namespace {
@@ -150,10 +150,6 @@ void Hand::grab(const command::Grab& command, std::span<Cloth> cloths) {
     cloth.energy.touch(cloth.model, cloth.state);
     cloth.model.hold(command.particle, true);
     cloth.held = command.particle;
-}
-
-void Hand::drag(const Vec3& target) {
-    if (held_) held_->target = target;
 }
 
 void Hand::release(std::span<Cloth> cloths) {

@@ -3,7 +3,6 @@
 #include <Eigen/Geometry>
 #include <algorithm>
 #include <cmath>
-#include <numeric>
 
 namespace drape {
 namespace {
@@ -18,7 +17,7 @@ Corners longest_last(const TriangleMesh& mesh, Corners t) {
     };
     const std::array<Real, 3> lengths{length(0), length(1), length(2)};
     const auto longest = std::ranges::max_element(lengths) - lengths.begin();
-    std::ranges::rotate(t, t.begin() + (longest + 1) % 3);
+    std::rotate(t.begin(), t.begin() + (longest + 1) % 3, t.end());
     return t;
 }
 
@@ -29,19 +28,6 @@ bool is_needle(const TriangleMesh& mesh, const Corners& t) {
 }
 
 }  // namespace
-
-DisjointSets::DisjointSets(std::size_t count) : parents_(count) { std::iota(parents_.begin(), parents_.end(), 0); }
-
-int DisjointSets::first_of(int number) {
-    const auto parent = [&](int of) -> int& { return parents_[static_cast<std::size_t>(of)]; };
-    while (parent(number) != number) number = parent(number) = parent(parent(number));
-    return number;
-}
-
-void DisjointSets::unite(int one, int other) {
-    const auto [low, high] = std::minmax({first_of(one), first_of(other)});
-    parents_[static_cast<std::size_t>(high)] = low;
-}
 
 /// Points within reach of each other lie in one cell of at least one of eight grids, whose cells are twice as wide and
 /// which differ by half a cell along one or more axes.

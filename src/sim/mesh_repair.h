@@ -1,5 +1,7 @@
 #pragma once
 
+#include <algorithm>
+#include <numeric>
 #include <vector>
 
 #include "closed_mesh.h"
@@ -14,10 +16,19 @@ inline const Vec3& point(const TriangleMesh& mesh, int p) { return mesh.points[s
 /// Sets of numbers that are united step by step.
 class DisjointSets {
 public:
-    explicit DisjointSets(std::size_t count);
+    explicit DisjointSets(std::size_t count) : parents_(count) { std::iota(parents_.begin(), parents_.end(), 0); }
+
     /// The smallest number in the same set.
-    int first_of(int number);
-    void unite(int one, int other);
+    int first_of(int number) {
+        const auto parent = [&](int of) -> int& { return parents_[static_cast<std::size_t>(of)]; };
+        while (parent(number) != number) number = parent(number) = parent(parent(number));
+        return number;
+    }
+
+    void unite(int one, int other) {
+        const auto [low, high] = std::minmax({first_of(one), first_of(other)});
+        parents_[static_cast<std::size_t>(high)] = low;
+    }
 
 private:
     std::vector<int> parents_;

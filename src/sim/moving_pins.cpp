@@ -2,11 +2,9 @@
 
 #include <Eigen/Geometry>
 #include <algorithm>
-#include <numbers>
 
 #include "ball_motion.h"
-#include "drape/base/exact_math.h"
-#include "drape/sim/held_power.h"
+#include "held_power.h"
 
 namespace drape {
 namespace {
@@ -24,14 +22,18 @@ Vec3 way_back(const Vec3& gap, Real h) {
 
 /// A turn about the direction of a vector by as many whole turns as it is long.
 Eigen::Quaternion<Real> turned_by(const Vec3& turns) {
-    constexpr double half_turn = std::numbers::pi;
     const Real count = turns.norm();
     if (count == 0) return Eigen::Quaternion<Real>::Identity();
-    const double half = static_cast<double>(count) * half_turn;
-    Eigen::Quaternion<Real> turn;
-    turn.w() = static_cast<Real>(sine(half + half_turn / 2));
-    turn.vec() = static_cast<Real>(sine(half)) * (turns / count);
-    return turn.normalized();
+    return turn_about(turns / count, static_cast<double>(count));
+}
+
+/// What pins give the cloth at a moment, but for one that the hand holds [W].
+double power_of(const std::vector<int>& pins, const Cloth& cloth) {
+    double power = 0;
+    for (const int p : pins) {
+        if (p != cloth.held) power += std::max(held_power(cloth.model, cloth.state, p), 0.0);
+    }
+    return power;
 }
 
 Vec3 at(const std::vector<PathPoint>& path, Real time) {
@@ -107,10 +109,9 @@ bool MovingPins::lead(Group& group, Cloth& cloth, Real time, Real h) {
         group.moves = !velocity_of(k).isZero(0);
         stops = stops || !cloth.state.v.row(p).isZero(0);
     }
-    group.power = 0;
     if (!group.moves && !stops) return false;
 
-    cloth.energy.touch_pins(cloth.model, cloth.state);
+    cloth.energy.touch(cloth.model, cloth.state, EnergyLedger::Since::Pins);
     Real gained = 0;
     for (std::size_t k = 0; k < group.particles.size(); ++k) {
         const int p = group.particles[k];
@@ -120,9 +121,7 @@ bool MovingPins::lead(Group& group, Cloth& cloth, Real time, Real h) {
         cloth.pin_speed = std::max(cloth.pin_speed, velocity.norm());
         cloth.state.v.row(p) = velocity.transpose();
     }
-    for (const int p : group.particles) {
-        if (p != cloth.held) group.power += std::max(held_power(cloth.model, cloth.state, p), 0.0);
-    }
+    group.power = power_of(group.particles, cloth);
     cloth.energy.give(static_cast<double>(cloth.model.particle_mass / 2 * gained));
     return group.moves;
 }
@@ -132,11 +131,7 @@ void MovingPins::count_work(std::span<Cloth> cloths, Real h) const {
     for (const Group& group : groups_) {
         if (!group.moves) continue;
         Cloth& cloth = cloths[static_cast<std::size_t>(group.settings.cloth)];
-        double power = 0;
-        for (const int p : group.particles) {
-            if (p != cloth.held) power += std::max(held_power(cloth.model, cloth.state, p), 0.0);
-        }
-        cloth.energy.give(std::max(group.power, power) * static_cast<double>(h));
+        cloth.energy.give(std::max(group.power, power_of(group.particles, cloth)) * static_cast<double>(h));
     }
 }
 

@@ -32,8 +32,7 @@ std::optional<std::pair<std::int64_t, std::string>> split_entry(const std::strin
 }
 
 /// Appends what one line says. @throws InputError if it says nothing that a recording can
-void append_entry(const std::string& line, int number, Recording& recording) {
-    const auto entry = split_entry(line);
+void append_entry(const std::optional<std::pair<std::int64_t, std::string>>& entry, int number, Recording& recording) {
     if (!entry) {
         throw InputError("expected 'STEP COMMAND' with 0 <= STEP <= " + std::to_string(last_possible_step));
     }
@@ -90,7 +89,7 @@ Recording read_recording(std::istream& in, const std::string& file) {
             return recording;
         }
         try {
-            append_entry(line, number, recording);
+            append_entry(entry, number, recording);
         } catch (const InputError& error) {
             return cut(error.what());
         }

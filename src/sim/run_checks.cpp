@@ -26,6 +26,12 @@ std::string solve_trouble(IntegratorKind integrator, const StepReport& report) {
            ", " + tolerance;
 }
 
+std::string unsolved_trouble(const StepReport& report) {
+    return std::string(name_of(report.unsolved_by)) + " has not solved " + std::to_string(report.unconverged) + " of " +
+           std::to_string(report.step) + " steps to its tolerance, largest residual " +
+           real_text(report.worst_residual, 3);
+}
+
 std::string gain_trouble(const StepReport& report) {
     return std::string(name_of(report.gained_by)) + " has made " + real_text(report.energy_excess, 3) +
            " J more mechanical energy than hand, pins, balls and wind can have put in, seen first in step " +
@@ -90,6 +96,12 @@ std::string check_substep(std::span<Cloth> cloths, std::span<const Ball> balls, 
     return gained ? gain_trouble(report) : "";
 }
 
+std::string joined(std::initializer_list<std::string> clauses) {
+    std::string text;
+    for (const std::string& clause : clauses) text += (text.empty() || clause.empty() ? "" : "; ") + clause;
+    return text;
+}
+
 void mark_crossing(const Crossing& crossing, double time, Real h, StepReport& report) {
     constexpr double calm = 0.5;  // s, between one danger and the next
     if (!crossing.possible()) return;
@@ -134,17 +146,14 @@ std::string start_warning(std::int64_t crossings, std::int64_t coincident, Real 
     const auto places = [](std::int64_t count) {
         return std::to_string(count) + (count == 1 ? " place" : " places") + " at the start and ";
     };
-    std::string text;
-    if (crossings > 0) text = "cloth crosses cloth in " + places(crossings) + "may stay crossed";
-    if (coincident > 0) {
-        text += (text.empty() ? "" : "; ") + ("cloth touches cloth at distance 0 in " + places(coincident)) +
-                "is moved apart by contact.thickness";
-    }
-    if (depth > 0) {
-        text += (text.empty() ? "" : "; ") + ("cloth starts " + real_text(static_cast<double>(depth), 3)) +
-                " m deep inside a ball, a solid or the ground, and may be thrown off as it is pushed out";
-    }
-    return text;
+    return joined(
+        {crossings > 0 ? "cloth crosses cloth in " + places(crossings) + "may stay crossed" : "",
+         coincident > 0
+             ? "cloth touches cloth at distance 0 in " + places(coincident) + "is moved apart by contact.thickness"
+             : "",
+         depth > 0 ? "cloth starts " + real_text(static_cast<double>(depth), 3) +
+                         " m deep inside a ball, a solid or the ground, and may be thrown off as it is pushed out"
+                   : ""});
 }
 
 std::string ball_start_warning(const Settings& settings, const std::optional<StartState>& start) {
@@ -157,15 +166,9 @@ std::string ball_start_warning(const Settings& settings, const std::optional<Sta
 }
 
 std::string reliability_warning(const StepReport& report, std::span<const Cloth> cloths, std::span<const Ball> balls) {
-    std::string text;
-    if (report.unconverged > 0) {
-        text = std::string(name_of(report.unsolved_by)) + " has not solved " + std::to_string(report.unconverged) +
-               " of " + std::to_string(report.step) + " steps to its tolerance, largest residual " +
-               real_text(report.worst_residual, 3);
-    }
-    if (is_overstretched(report)) text += (text.empty() ? "" : "; ") + stretch_trouble(report, cloths, balls);
-    if (report.heated_step > 0) text += (text.empty() ? "" : "; ") + gain_trouble(report);
-    return text;
+    return joined({report.unconverged > 0 ? unsolved_trouble(report) : "",
+                   is_overstretched(report) ? stretch_trouble(report, cloths, balls) : "",
+                   report.heated_step > 0 ? gain_trouble(report) : ""});
 }
 
 }  // namespace drape

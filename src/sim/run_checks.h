@@ -1,5 +1,6 @@
 #pragma once
 
+#include <initializer_list>
 #include <optional>
 #include <span>
 #include <string>
@@ -23,6 +24,9 @@ std::string check_substep(std::span<Cloth> cloths, std::span<const Ball> balls, 
 /// Marks in the report that in a substep at a time, of length h [s], something may have passed through the cloth
 /// unseen.
 void mark_crossing(const Crossing& crossing, double time, Real h, StepReport& report);
+
+/// Clauses with semicolons between, but for those that are empty.
+std::string joined(std::initializer_list<std::string> clauses);
 
 /// That this was so, with the speeds as it began; empty if never.
 std::string crossing_warning(const TunnellingRisk& danger);

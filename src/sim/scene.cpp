@@ -50,8 +50,7 @@ private:
             read_several(node, name, settings_.solids);
         } else if (name == "pins") {
             read_several(node, name, settings_.pins);
-        } else if (std::any_of(setting_table().begin(), setting_table().end(),
-                               [&](const Setting& setting) { return setting.section == name; })) {
+        } else if (std::ranges::find(setting_table(), name, &Setting::section) != setting_table().end()) {
             read_section(table_of(node, name), name, "", 0);
         } else {
             refuse_unknown(node, name, "");
@@ -82,16 +81,16 @@ private:
                       std::size_t index) {
         for (const auto& [key, node] : table) {
             const std::string name = prefix + std::string(key.str());
-            const auto rows = setting_table();
-            const auto row = std::find_if(rows.begin(), rows.end(), [&](const Setting& setting) {
-                return setting.section == section && setting.name == name;
-            });
-            const bool group = std::any_of(rows.begin(), rows.end(), [&](const Setting& setting) {
-                return setting.section == section && setting.name.starts_with(name + ".");
-            });
-            if (row != rows.end()) {
+            const Setting* row = nullptr;
+            bool is_group = false;
+            for (const Setting& setting : setting_table()) {
+                if (setting.section != section) continue;
+                if (setting.name == name) row = &setting;
+                is_group = is_group || setting.name.starts_with(name + ".");
+            }
+            if (row != nullptr) {
                 write(node, *row, index);
-            } else if (group) {
+            } else if (is_group) {
                 read_section(table_of(node, section + "." + name), section, name + ".", index);
             } else {
                 refuse_unknown(node, section + "." + name, section);
@@ -186,7 +185,7 @@ std::filesystem::path scene_file(const std::string& name_or_path) {
     const bool is_path = name_or_path.find('/') != std::string::npos || name_or_path.ends_with(".toml");
     if (is_path) return name_or_path;
     const auto names = scene_names();
-    if (std::find(names.begin(), names.end(), name_or_path) == names.end()) {
+    if (std::ranges::find(names, name_or_path) == names.end()) {
         throw InputError("scene '" + shortened(name_or_path) + "': allowed " + listed(names) +
                          ", or the path of a .toml file; did you mean '" + nearest_name(name_or_path, names) + "'?");
     }
@@ -204,9 +203,7 @@ std::vector<std::string> scene_names() {
         if (entry.path().extension() == ".toml") names.push_back(entry.path().stem().string());
     }
     const auto rank = [](const std::string& name) { return name == "drop" ? 0 : name.starts_with("fails_") ? 2 : 1; };
-    std::sort(names.begin(), names.end(), [&](const std::string& a, const std::string& b) {
-        return std::pair(rank(a), a) < std::pair(rank(b), b);
-    });
+    std::ranges::sort(names, {}, [&](const std::string& name) { return std::pair(rank(name), name); });
     return names;
 }
 

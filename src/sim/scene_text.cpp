@@ -1,4 +1,6 @@
-#include "drape/sim/scene_text.h"
+#include "drape/sim/scene.h"
+
+#include <utility>
 
 #include "drape/base/numbers.h"
 #include "drape/sim/setting_table.h"
@@ -28,12 +30,7 @@ std::string array_text(const std::vector<double>& values) {
 
 std::string path_text(const std::vector<double>& values) {
     std::string text = "[\n";
-    for (std::size_t k = 0; k + 3 < values.size(); k += 4) {
-        text += "    " +
-                array_text({values.begin() + static_cast<std::ptrdiff_t>(k),
-                            values.begin() + static_cast<std::ptrdiff_t>(k) + 4}) +
-                ",\n";
-    }
+    for (auto row = values.begin(); row != values.end(); row += 4) text += "    " + array_text({row, row + 4}) + ",\n";
     return text + "]";
 }
 
@@ -67,31 +64,21 @@ std::string lines_of(const std::string& section, const Settings& settings, const
 }  // namespace
 
 std::string scene_text(const Settings& settings) {
-    Settings defaults;
-    defaults.balls.emplace_back();
-    defaults.solids.emplace_back();
-    defaults.pins.emplace_back();
-    std::string text = lines_of("", settings, defaults, 0);
-    for (std::size_t c = 0; c < settings.cloths.size(); ++c) {
-        text += "\n[[cloth]]\n" + lines_of("cloth", settings, defaults, c);
-    }
-    for (std::size_t b = 0; b < settings.balls.size(); ++b) {
-        text += "\n[[ball]]\n" + lines_of("ball", settings, defaults, b);
-    }
-    for (std::size_t s = 0; s < settings.solids.size(); ++s) {
-        text += "\n[[solid]]\n" + lines_of("solid", settings, defaults, s);
-    }
-    for (std::size_t p = 0; p < settings.pins.size(); ++p) {
-        text += "\n[[pins]]\n" + lines_of("pins", settings, defaults, p);
-    }
-    std::string last = "cloth";
+    const Settings defaults = settings_with_one_of_each();
+    std::string text, last = "none";
     for (const Setting& setting : setting_table()) {
         const std::string& section = setting.section;
+        if (section == std::exchange(last, section)) continue;
         const bool is_several = section == "cloth" || section == "ball" || section == "solid" || section == "pins";
-        if (section.empty() || is_several || section == last) continue;
-        last = section;
-        const std::string lines = lines_of(section, settings, defaults, 0);
-        if (!lines.empty()) text += "\n[" + section + "]\n" + lines;
+        for (std::size_t k = 0; k < section_count(settings, setting); ++k) {
+            const std::string lines = lines_of(section, settings, defaults, k);
+            if (is_several) {
+                text += "\n[[" + section + "]]\n";
+            } else if (!section.empty() && !lines.empty()) {
+                text += "\n[" + section + "]\n";
+            }
+            text += lines;
+        }
     }
     return text;
 }

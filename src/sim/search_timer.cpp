@@ -17,10 +17,9 @@ bool can_compare(const FrameView& view, const BroadPhaseParameters& parameters) 
 }  // namespace
 
 const SearchTimes* SearchTimer::look(const FrameView& view) {
-    if (!looked_ || watch_.seconds() >= interval) {
+    if (!watch_ || watch_->seconds() >= interval) {
         times_ = measure(view);
-        looked_ = true;
-        watch_.lap();
+        watch_.emplace();
     }
     return times_ ? &*times_ : nullptr;
 }

@@ -28,8 +28,7 @@ constexpr double clock_tolerance = 4 * std::numeric_limits<double>::epsilon();
 
 /// Whether nothing that was before can be gone back to.
 bool begins_history(const Command& command) {
-    const auto* const compare = std::get_if<command::Compare>(&command);
-    return std::holds_alternative<command::LoadScene>(command) || (compare != nullptr && compare->begins());
+    return begins_again(command) && !std::holds_alternative<command::Reset>(command);
 }
 
 bool pauses(const Command& command) {
@@ -38,8 +37,7 @@ bool pauses(const Command& command) {
 
 }  // namespace
 
-Session::Session(Simulation simulation)
-    : simulation_(std::move(simulation)), start_time_(simulation_.report().time), time_(start_time_) {}
+Session::Session(Simulation simulation) : simulation_(std::move(simulation)), start_time_(simulation_.report().time) {}
 Session::Session(Session&&) noexcept = default;
 Session& Session::operator=(Session&&) noexcept = default;
 
@@ -138,10 +136,6 @@ bool Session::is_redundant_release(const Command& command) const {
     return lets_go && std::ranges::none_of(simulation_.commands_to_let_go(),
                                            [&](const Command& needed) { return needed.index() == command.index(); });
 }
-
-bool Session::any_lies_ahead() const { return next_entry_ < end_of_log() || steps_made_ < known_end(); }
-
-std::int64_t Session::known_end() const { return std::max(newest_, last_step_); }
 
 void Session::take_over() {
     const double seconds = timeline().back;
@@ -261,8 +255,8 @@ void Session::differ(const std::string& how) {
 }
 
 void Session::say_cut() {
-    if (replay_.notice.empty() || std::exchange(cut_was_said_, true)) return;
-    replay_notice_ += (replay_notice_.empty() ? "" : "; ") + replay_.notice;
+    if (replay_.notice.empty()) return;
+    replay_notice_ += (replay_notice_.empty() ? "" : "; ") + std::exchange(replay_.notice, {});
 }
 
 void Session::step() {
@@ -319,32 +313,23 @@ void Session::advance(double elapsed, double budget) {
     }
 }
 
-double Session::time_after_next_step() {
-    if (dt() != counted_dt_) {
-        counted_from_ = time_;
-        counted_steps_ = 0;
-        counted_dt_ = dt();
-    }
-    return counted_from_ + static_cast<double>(counted_steps_ + 1) * counted_dt_;
-}
-
 double Session::steps_to(double time) const {
-    const double steps = (time - time_) / dt(), whole = std::round(steps);
+    const double steps = (time - this->time()) / dt(), whole = std::round(steps);
     return std::abs(steps - whole) <= std::max(step_tolerance, clock_tolerance * time / dt()) ? whole : steps;
 }
 
 bool Session::run_until(double time, const std::function<bool()>& stop) {
     bool stopped = false;
     for (;;) {
-        const double next = time_after_next_step();
+        clock_.pass(clock_steps_, dt());
+        const double next = start_time_ + clock_.at(clock_steps_ + 1);
         if (next > time + std::max(step_tolerance * dt(), clock_tolerance * time)) break;
         stopped = stop && stop();
         if (stopped) break;
-        time_ = next;
-        ++counted_steps_;
+        ++clock_steps_;
         step();
     }
-    behind_ = std::max(0.0, time - time_);
+    behind_ = std::max(0.0, time - this->time());
     return !stopped;
 }
 
@@ -356,13 +341,9 @@ bool Session::run_replay(const std::function<bool()>& stop) {
     return true;
 }
 
-std::vector<Command> Session::take_view_commands() { return std::exchange(view_commands_, {}); }
-
 Real Session::blend() const {
     return simulation_.paused() ? Real(1) : static_cast<Real>(std::clamp(behind_ / dt(), 0.0, 1.0));
 }
-
-double Session::dt() const { return simulation_.settings().solver.dt; }
 
 std::string Session::record_notice() const {
     if (!recorder_ || recorder_->set_aside().empty()) return {};

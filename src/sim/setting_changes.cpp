@@ -1,4 +1,5 @@
 #include <algorithm>
+#include <functional>
 #include <optional>
 #include <utility>
 
@@ -55,13 +56,19 @@ void write_checked(Settings& settings, const Target& target, const SettingValue&
     for (std::size_t i = first; i < last; ++i) target.setting->write(settings, i, value);
 }
 
+/// @param index of the cloth, ball, solid or pins
+/// @param how it does not fit, as it stands after the setting's full name
+[[noreturn]] void refuse(const std::string& section, std::size_t index, const std::string& name,
+                         const std::string& how) {
+    throw InconsistentSettings(section, index, name, section + "." + name + how);
+}
+
 void check_cloth(const ClothParameters& cloth, std::size_t index) {
     const int particles = cloth.particles.particles();
     for (const int pin : cloth.pinned.list) {
         if (pin >= 0 && pin < particles) continue;
-        throw InconsistentSettings(
-            "cloth", index, "pinned",
-            "cloth.pinned = " + std::to_string(pin) + ": allowed 0 <= particle <= " + std::to_string(particles - 1));
+        refuse("cloth", index, "pinned",
+               " = " + std::to_string(pin) + ": allowed 0 <= particle <= " + std::to_string(particles - 1));
     }
 }
 
@@ -76,12 +83,11 @@ void check_memory(const Settings& settings) {
 /// @param name of the path within its section
 void check_times(const std::string& section, std::size_t index, const std::string& name,
                  const std::vector<PathPoint>& path) {
-    for (std::size_t k = 1; k < path.size(); ++k) {
-        if (path[k].time > path[k - 1].time) continue;
-        throw InconsistentSettings(section, index, name,
-                                   section + "." + name + ": time " + real_text(static_cast<double>(path[k].time)) +
-                                       ": allowed only times that ascend from point to point");
-    }
+    const auto late = std::ranges::adjacent_find(path, std::ranges::greater_equal(), &PathPoint::time);
+    if (late == path.end()) return;
+    refuse(section, index, name,
+           ": time " + real_text(static_cast<double>((late + 1)->time)) +
+               ": allowed only times that ascend from point to point");
 }
 
 /// @param section "ball" or "solid"
@@ -97,27 +103,23 @@ void check_path(const std::string& section, std::size_t index, bool is_used, con
 void check_solid(const SolidSettings& solid, std::size_t index) {
     check_path("solid", index, solid.motion == SolidMotion::Path, solid.path);
     if (solid.axis.squaredNorm() < Real(1e-12)) {
-        throw InconsistentSettings(
-            "solid", index, "axis",
-            "solid.axis = " + value_text(values_of(solid.axis)) + ": allowed a length of at least 1e-06");
+        refuse("solid", index, "axis",
+               " = " + value_text(setting_value(solid.axis)) + ": allowed a length of at least 1e-06");
     }
     if (solid.shape == SolidKind::Mesh && solid.file.empty()) {
-        throw InconsistentSettings("solid", index, "shape", "solid.shape = mesh: allowed only with a solid.file");
+        refuse("solid", index, "shape", " = mesh: allowed only with a solid.file");
     }
 }
 
 /// Pins start where the cloth does: nothing is torn from where it was.
 void check_pin_path(std::size_t index, const std::string& name, const std::vector<PathPoint>& path) {
     if (path.empty()) return;
-    if (path.size() < 2) {
-        throw InconsistentSettings("pins", index, name,
-                                   "pins." + name + ": allowed only at least two points [t, x, y, z]");
-    }
+    if (path.size() < 2) refuse("pins", index, name, ": allowed only at least two points [t, x, y, z]");
     check_times("pins", index, name, path);
     if (!path.front().centre.isZero(0)) {
-        throw InconsistentSettings("pins", index, name,
-                                   "pins." + name + " begins with " + value_text(values_of(path.front().centre)) +
-                                       ": allowed only 0, 0, 0, for pins start where the cloth does");
+        refuse("pins", index, name,
+               " begins with " + value_text(setting_value(path.front().centre)) +
+                   ": allowed only 0, 0, 0, for pins start where the cloth does");
     }
 }
 
@@ -135,26 +137,23 @@ void check_pins(const Settings& settings, std::size_t index) {
     const PinSettings& pins = settings.pins[index];
     const auto count = static_cast<int>(settings.cloths.size());
     if (pins.cloth >= count) {
-        throw InconsistentSettings(
-            "pins", index, "cloth",
-            "pins.cloth = " + std::to_string(pins.cloth) + ": allowed 0 <= cloth <= " + std::to_string(count - 1));
+        refuse("pins", index, "cloth",
+               " = " + std::to_string(pins.cloth) + ": allowed 0 <= cloth <= " + std::to_string(count - 1));
     }
     const ClothParameters& cloth = settings.cloths[static_cast<std::size_t>(pins.cloth)];
     const int first = pins.particles.nx, last = pins.particles.ny, particles = cloth.particles.particles();
-    const std::string these = "pins.particles = [" + std::to_string(first) + ", " + std::to_string(last) + "]: ";
+    const auto refuse_particles = [&](const std::string& allowed) {
+        refuse("pins", index, "particles",
+               " = [" + std::to_string(first) + ", " + std::to_string(last) + "]: allowed " + allowed);
+    };
     if (first > last || last >= particles) {
-        throw InconsistentSettings("pins", index, "particles",
-                                   these + "allowed 0 <= first <= second <= " + std::to_string(particles - 1));
+        refuse_particles("0 <= first <= second <= " + std::to_string(particles - 1));
     }
-    if (!pins_any(cloth, first, last)) {
-        throw InconsistentSettings("pins", index, "particles",
-                                   these + "allowed only where cloth.pinned pins some of them");
-    }
+    if (!pins_any(cloth, first, last)) refuse_particles("only where cloth.pinned pins some of them");
     for (std::size_t other = 0; other < index; ++other) {
         const PinSettings& before = settings.pins[other];
         if (before.cloth != pins.cloth || before.particles.nx > last || before.particles.ny < first) continue;
-        throw InconsistentSettings("pins", index, "particles",
-                                   these + "allowed only particles that no other [[pins]] has");
+        refuse_particles("only particles that no other [[pins]] has");
     }
     check_pin_path(index, "shift", pins.shift);
     check_pin_path(index, "turns", pins.turns);
@@ -165,10 +164,10 @@ void check_self_contact(const Settings& settings) {
     constexpr Real least = Real(1e-4);  // m
     const Real thickness = response_of(settings).pair_thickness;
     if (!settings.contact.self || thickness >= least) return;
-    throw InconsistentSettings("contact", 0, "self",
-                               "contact.self = true: cloth would keep " + real_text(static_cast<double>(thickness)) +
-                                   " m from cloth, by contact.thickness and half of what particles are from diagonals: "
-                                   "allowed only with at least 0.0001 m");
+    refuse("contact", 0, "self",
+           " = true: cloth would keep " + real_text(static_cast<double>(thickness)) +
+               " m from cloth, by contact.thickness and half of what particles are from diagonals: "
+               "allowed only with at least 0.0001 m");
 }
 
 }  // namespace
@@ -246,9 +245,8 @@ void check(const Settings& settings) {
         check_cloth(settings.cloths[c], c);
         particles += settings.cloths[c].particles.particles();
         if (particles <= max_particles) continue;
-        throw InconsistentSettings("cloth", c, "particles",
-                                   "cloth.particles: " + std::to_string(particles) + " in all: allowed at most " +
-                                       std::to_string(max_particles));
+        refuse("cloth", c, "particles",
+               ": " + std::to_string(particles) + " in all: allowed at most " + std::to_string(max_particles));
     }
     check_memory(settings);
     check_self_contact(settings);

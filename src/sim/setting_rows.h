@@ -1,5 +1,6 @@
 #pragma once
 
+#include <functional>
 #include <string>
 #include <type_traits>
 #include <utility>
@@ -10,13 +11,49 @@
 
 namespace drape {
 
-/// A vector as a setting's value, and back.
-inline std::vector<double> values_of(const Vec3& v) {
-    return {static_cast<double>(v[0]), static_cast<double>(v[1]), static_cast<double>(v[2])};
+/// A member of a section as its setting's value.
+template <class Member>
+SettingValue setting_value(const Member& member) {
+    if constexpr (NamedEnum<Member>) {
+        return name_of(member);
+    } else if constexpr (std::is_arithmetic_v<Member> && !std::is_same_v<Member, bool>) {
+        return static_cast<double>(member);
+    } else {
+        return member;
+    }
 }
-inline Vec3 vector_of(const SettingValue& value) {
-    const auto& list = std::get<std::vector<double>>(value);
-    return {static_cast<Real>(list[0]), static_cast<Real>(list[1]), static_cast<Real>(list[2])};
+SettingValue setting_value(const Vec3& v);
+SettingValue setting_value(const Grid& grid);
+SettingValue setting_value(const Pins& pins);
+SettingValue setting_value(const std::vector<PathPoint>& path);
+
+/// Gives a member the value of its setting.
+template <class Member>
+void take(const SettingValue& value, Member& member) {
+    if constexpr (NamedEnum<Member>) {
+        member = value_named<Member>(std::get<std::string>(value)).value();
+    } else if constexpr (std::is_arithmetic_v<Member> && !std::is_same_v<Member, bool>) {
+        member = static_cast<Member>(std::get<double>(value));
+    } else {
+        member = std::get<Member>(value);
+    }
+}
+void take(const SettingValue& value, Vec3& v);
+void take(const SettingValue& value, Grid& grid);
+void take(const SettingValue& value, Pins& pins);
+void take(const SettingValue& value, std::vector<PathPoint>& path);
+
+/// The kind of the settings that a member's type holds.
+template <class Member>
+consteval SettingKind kind_of() {
+    if (std::is_same_v<Member, bool>) return SettingKind::Flag;
+    if (std::is_same_v<Member, int>) return SettingKind::Integer;
+    if (std::is_floating_point_v<Member>) return SettingKind::Number;
+    if (NamedEnum<Member>) return SettingKind::Choice;
+    if (std::is_same_v<Member, std::string>) return SettingKind::Text;
+    if (std::is_same_v<Member, Grid>) return SettingKind::Grid;
+    if (std::is_same_v<Member, Vec3>) return SettingKind::Vector;
+    return std::is_same_v<Member, Pins> ? SettingKind::Pins : SettingKind::Path;
 }
 
 /// Makes rows of the table for the members of one section.
@@ -25,76 +62,54 @@ template <class Values>
 class SectionRows {
 public:
     /// Finds the values of the index-th section of its kind; one that stands once ignores the index.
-    using Find = Values& (*)(Settings&, std::size_t);
+    using Find = std::function<Values&(Settings&, std::size_t)>;
 
     SectionRows(std::string section, Find find, std::vector<Setting>& rows)
-        : section_(std::move(section)), find_(find), rows_(rows) {}
+        : section_(std::move(section)), find_(std::move(find)), rows_(rows) {}
+    SectionRows(std::string section, Values Settings::*once, std::vector<Setting>& rows)
+        : SectionRows(
+              std::move(section), [once](Settings& s, std::size_t) -> Values& { return s.*once; }, rows) {}
+    SectionRows(std::string section, std::vector<Values> Settings::*several, std::vector<Setting>& rows)
+        : SectionRows(
+              std::move(section), [several](Settings& s, std::size_t i) -> Values& { return (s.*several)[i]; }, rows) {}
 
-    /// Adds a row whose value is converted by `to` (member to value) and `from` (value to member).
+    /// Adds a row whose value is converted by `to` (values to value) and `from` (value to values).
     template <class To, class From>
-    void add(std::string name, SettingKind kind, std::string unit, Range range, std::vector<std::string> choices,
-             std::string help, To to, From from) {
-        const Find find = find_;
-        rows_.push_back({section_, std::move(name), kind, std::move(unit), range, std::move(choices), std::move(help),
-                         [find, to](const Settings& settings, std::size_t index) {
-                             return SettingValue(to(find(const_cast<Settings&>(settings), index)));
+    void add(std::string name, SettingKind kind, std::string unit, Range range, std::string help, To to, From from) {
+        rows_.push_back({section_,
+                         std::move(name),
+                         kind,
+                         std::move(unit),
+                         range,
+                         {},
+                         std::move(help),
+                         [find = find_, to](const Settings& settings, std::size_t index) -> SettingValue {
+                             return to(find(const_cast<Settings&>(settings), index));
                          },
-                         [find, from](Settings& settings, std::size_t index, const SettingValue& value) {
+                         [find = find_, from](Settings& settings, std::size_t index, const SettingValue& value) {
                              from(find(settings, index), value);
                          }});
     }
 
-    /// @param member pointer to a number of Values
-    template <class Number>
-    void number(std::string name, Number Values::*member, std::string unit, Range range, std::string help) {
-        number_at(
-            std::move(name), [member](Values& values) -> Number& { return values.*member; }, std::move(unit), range,
-            std::move(help));
-    }
-
+    /// Adds a row for a member, of the kind that its type has.
+    /// @param at pointer to it, or a function that finds it
     template <class At>
-    void number_at(std::string name, At at, std::string unit, Range range, std::string help) {
+    void add(std::string name, At at, std::string unit, Range range, std::string help) {
+        using Member = std::remove_cvref_t<std::invoke_result_t<At&, Values&>>;
         add(
-            std::move(name), SettingKind::Number, std::move(unit), range, {}, std::move(help),
-            [at](Values& values) { return static_cast<double>(at(values)); },
-            [at](Values& values, const SettingValue& value) {
-                using Number = std::remove_reference_t<decltype(at(values))>;
-                at(values) = static_cast<Number>(std::get<double>(value));
-            });
+            std::move(name), kind_of<Member>(), std::move(unit), range, std::move(help),
+            [at](Values& values) { return setting_value(std::invoke(at, values)); },
+            [at](Values& values, const SettingValue& value) { take(value, std::invoke(at, values)); });
+        if constexpr (NamedEnum<Member>) {
+            const auto names = names_of<Member>();
+            rows_.back().choices.assign(names.begin(), names.end());
+        }
     }
 
-    void integer(std::string name, int Values::*member, Range range, std::string help) {
-        add(
-            std::move(name), SettingKind::Integer, "", range, {}, std::move(help),
-            [member](Values& values) { return static_cast<double>(values.*member); },
-            [member](Values& values, const SettingValue& value) {
-                values.*member = static_cast<int>(std::get<double>(value));
-            });
-    }
-
-    void flag(std::string name, bool Values::*member, std::string help) {
-        add(
-            std::move(name), SettingKind::Flag, "", {0, 1}, {}, std::move(help),
-            [member](Values& values) { return values.*member; },
-            [member](Values& values, const SettingValue& value) { values.*member = std::get<bool>(value); });
-    }
-
-    template <NamedEnum Enum>
-    void choice(std::string name, Enum Values::*member, std::string help) {
-        const auto names = names_of<Enum>();
-        add(
-            std::move(name), SettingKind::Choice, "", {0, 0}, {names.begin(), names.end()}, std::move(help),
-            [member](Values& values) { return name_of(values.*member); },
-            [member](Values& values, const SettingValue& value) {
-                values.*member = value_named<Enum>(std::get<std::string>(value)).value();
-            });
-    }
-
-    void vector(std::string name, Vec3 Values::*member, std::string unit, Range range, std::string help) {
-        add(
-            std::move(name), SettingKind::Vector, std::move(unit), range, {}, std::move(help),
-            [member](Values& values) { return values_of(values.*member); },
-            [member](Values& values, const SettingValue& value) { values.*member = vector_of(value); });
+    /// The same of flags, choices and texts.
+    template <class At>
+    void add(std::string name, At at, std::string help) {
+        add(std::move(name), at, "", {0, 0}, std::move(help));
     }
 
 private:

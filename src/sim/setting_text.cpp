@@ -35,42 +35,54 @@ std::optional<Values> parse_list(std::string_view text) {
 
 /// A text that stays within its line in recordings, tables and the panel.
 bool is_one_line(const std::string& text) {
-    return std::none_of(text.begin(), text.end(), [](char c) { return static_cast<unsigned char>(c) < ' '; });
+    return std::ranges::none_of(text, [](char c) { return static_cast<unsigned char>(c) < ' '; });
 }
 
 bool in_range(const Range& range, double value) { return value >= range.low && value <= range.high; }
 
 bool is_whole(double value) { return value == std::floor(value); }
 
-/// How many numbers a list must have; 0 for any number of them.
-std::size_t wanted_count(SettingKind kind) {
-    switch (kind) {
+/// What a list of numbers has to be; of none of them, a setting that is no list.
+struct ListForm {
+    std::size_t numbers = 0;  ///< of each row
+    bool one_row = true;
+    bool whole = false;
+    std::string text = {};  ///< what an error says before the range
+};
+
+ListForm list_form(const Setting& setting) {
+    switch (setting.kind) {
         case SettingKind::Grid:
+            return {2, true, true, "two whole numbers, each "};
         case SettingKind::Size:
-            return 2;
+            return {2, true, false, "two numbers, each "};
         case SettingKind::Vector:
-            return 3;
+            return {3, true, false, "three numbers, each "};
+        case SettingKind::Path:
+            return {4, false, false, "rows of four numbers t,x,y,z, each "};
+        case SettingKind::Pins:
+            return {1, false, true, listed(setting.choices) + " or a list of particle numbers, each "};
         default:
-            return 0;
+            return {};
     }
 }
 
-bool is_list(SettingKind kind) {
-    return kind == SettingKind::Grid || kind == SettingKind::Size || kind == SettingKind::Vector ||
-           kind == SettingKind::Pins || kind == SettingKind::Path;
+bool is_choice(const Setting& setting, std::string_view name) {
+    return std::ranges::find(setting.choices, name) != setting.choices.end();
 }
 
+bool is_list(const Setting& setting) { return list_form(setting).numbers > 0; }
+
 bool accepts_list(const Setting& setting, const Values& values) {
-    const std::size_t wanted = wanted_count(setting.kind);
-    if (wanted != 0 && values.size() != wanted) return false;
-    if (setting.kind == SettingKind::Path && values.size() % 4 != 0) return false;
-    const bool whole = setting.kind == SettingKind::Grid || setting.kind == SettingKind::Pins;
-    return std::all_of(values.begin(), values.end(),
-                       [&](double v) { return in_range(setting.range, v) && (!whole || is_whole(v)); });
+    const ListForm form = list_form(setting);
+    if (form.numbers == 0 || values.size() % form.numbers != 0) return false;
+    if (form.one_row && values.size() != form.numbers) return false;
+    return std::ranges::all_of(values,
+                               [&](double v) { return in_range(setting.range, v) && (!form.whole || is_whole(v)); });
 }
 
 bool accepts(const Setting& setting, const SettingValue& value) {
-    if (const auto* list = std::get_if<Values>(&value)) return is_list(setting.kind) && accepts_list(setting, *list);
+    if (const auto* list = std::get_if<Values>(&value)) return accepts_list(setting, *list);
     if (std::holds_alternative<bool>(value)) return setting.kind == SettingKind::Flag;
     if (const auto* number = std::get_if<double>(&value)) {
         if (setting.kind == SettingKind::Integer) return in_range(setting.range, *number) && is_whole(*number);
@@ -78,28 +90,11 @@ bool accepts(const Setting& setting, const SettingValue& value) {
     }
     const auto& chosen = std::get<std::string>(value);
     if (setting.kind == SettingKind::Text) return is_one_line(chosen);
-    return std::find(setting.choices.begin(), setting.choices.end(), chosen) != setting.choices.end();
-}
-
-std::string list_form(const Setting& setting) {
-    switch (setting.kind) {
-        case SettingKind::Grid:
-            return "two whole numbers, each ";
-        case SettingKind::Size:
-            return "two numbers, each ";
-        case SettingKind::Vector:
-            return "three numbers, each ";
-        case SettingKind::Path:
-            return "rows of four numbers t,x,y,z, each ";
-        case SettingKind::Pins:
-            return listed(setting.choices) + " or a list of particle numbers, each ";
-        default:
-            return "";
-    }
+    return is_choice(setting, chosen);
 }
 
 std::string range_text(const Setting& setting) {
-    return real_text(setting.range.low) + " <= " + (is_list(setting.kind) ? "x" : setting.name) +
+    return real_text(setting.range.low) + " <= " + (is_list(setting) ? "x" : setting.name) +
            " <= " + real_text(setting.range.high) + (setting.unit.empty() ? "" : " " + setting.unit);
 }
 
@@ -143,7 +138,7 @@ std::string accepted(const Setting& setting) {
         case SettingKind::Integer:
             return "whole " + range_text(setting);
         default:
-            return list_form(setting) + range_text(setting);
+            return list_form(setting).text + range_text(setting);
     }
 }
 
@@ -167,9 +162,8 @@ SettingValue parse_value(const Setting& setting, std::string_view text) {
         if (word == "false" || word == "off" || word == "0") return false;
         return refuse();
     }
-    if (is_list(setting.kind)) {
-        const bool named = std::find(setting.choices.begin(), setting.choices.end(), word) != setting.choices.end();
-        if (named) return std::string(word);
+    if (is_list(setting)) {
+        if (is_choice(setting, word)) return std::string(word);
         if (word == "[]") return Values{};
         auto list = parse_list(word);
         return list ? SettingValue(*std::move(list)) : refuse();
@@ -206,11 +200,16 @@ const Setting& find_setting(std::string_view name) {
     throw InputError("unknown setting '" + shown + "': did you mean '" + nearest_name(name, names) + "'?");
 }
 
+Settings settings_with_one_of_each() {
+    Settings settings;
+    settings.balls.emplace_back();
+    settings.solids.emplace_back();
+    settings.pins.emplace_back();
+    return settings;
+}
+
 std::string settings_help() {
-    Settings defaults;
-    defaults.balls.emplace_back();
-    defaults.solids.emplace_back();
-    defaults.pins.emplace_back();
+    const Settings defaults = settings_with_one_of_each();
     std::string text;
     for (const Setting& setting : setting_table()) {
         std::string left = "  " + setting.full_name() + " = " + value_text(setting.read(defaults, 0));

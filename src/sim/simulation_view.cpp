@@ -53,15 +53,11 @@ FrameView Simulation::view(Real blend) {
 double Simulation::longest_step() const { return drape::longest_step(settings_, cloths_, report_, planned_substeps_); }
 
 std::string Simulation::step_warning() const {
-    std::string all;
-    for (const std::string& one :
-         {step_limit_warning(settings_.solver, report_, planned_substeps_),
-          penalty_limit_warning(settings_, cloths_, planned_substeps_),
-          start_warning(contact_.self().crossings_at_start(), contact_.self().coincident_at_start(), depth_at_start_),
-          ball_start_warning(settings_, start_)}) {
-        all += (all.empty() || one.empty() ? "" : "; ") + one;
-    }
-    return all;
+    return joined(
+        {step_limit_warning(settings_.solver, report_, planned_substeps_),
+         penalty_limit_warning(settings_, cloths_, planned_substeps_),
+         start_warning(contact_.self().crossings_at_start(), contact_.self().coincident_at_start(), depth_at_start_),
+         ball_start_warning(settings_, start_)});
 }
 
 std::string Simulation::crossing_warning() const { return drape::crossing_warning(report_.crossing); }

@@ -1,10 +1,6 @@
 #include "solid_motion.h"
 
-#include <Eigen/Geometry>
-#include <numbers>
-
 #include "ball_motion.h"
-#include "drape/base/exact_math.h"
 #include "mesh_file.h"
 
 namespace drape {
@@ -22,15 +18,6 @@ std::shared_ptr<const SolidShape> shape_of(const SolidSettings& settings) {
     return nullptr;
 }
 
-Eigen::Quaternion<Real> orientation_of(const SolidSettings& settings) {
-    constexpr double half_turn = std::numbers::pi;
-    const double half = static_cast<double>(settings.angle) / 360 * half_turn;
-    Eigen::Quaternion<Real> orientation;
-    orientation.w() = static_cast<Real>(sine(half + half_turn / 2));
-    orientation.vec() = static_cast<Real>(sine(half)) * settings.axis.normalized();
-    return orientation.normalized();
-}
-
 }  // namespace
 
 std::vector<Solid> make_solids(const std::vector<SolidSettings>& settings) {
@@ -38,7 +25,7 @@ std::vector<Solid> make_solids(const std::vector<SolidSettings>& settings) {
     for (const SolidSettings& one : settings) {
         Solid& solid = solids.emplace_back();
         solid.shape = shape_of(one);
-        solid.orientation = orientation_of(one);
+        solid.orientation = turn_about(one.axis.normalized(), static_cast<double>(one.angle) / 360);
     }
     return solids;
 }

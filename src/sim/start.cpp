@@ -16,6 +16,8 @@ void blame(const std::string& place, Work work) {
         work();
     } catch (const InputError& error) {
         throw InputError(place + ": " + error.what());
+    } catch (const RunError& error) {
+        throw RunError(place + ": " + error.what());
     }
 }
 
@@ -67,15 +69,7 @@ std::vector<NamedFile> input_files(const StartOptions& options, const Start& sta
 Session make_session(Start start, const std::string& record) {
     Session session(Simulation(std::move(start.scene), std::move(start.settings)));
     if (!record.empty()) session.record(record, start.assignments);
-    if (!start.versus.empty()) {
-        try {
-            session.send(command::Compare{start.versus});
-        } catch (const InputError& error) {
-            throw InputError(std::string("--versus: ") + error.what());
-        } catch (const RunError& error) {
-            throw RunError(std::string("--versus: ") + error.what());
-        }
-    }
+    if (!start.versus.empty()) blame("--versus", [&] { session.send(command::Compare{start.versus}); });
     if (start.replay) session.replay(std::move(*start.replay));
     return session;
 }

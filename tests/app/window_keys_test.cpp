@@ -5,6 +5,7 @@
 #include "../../src/app/keys.h"
 #include "app/window_fixture.h"
 #include "drape/render/entries.h"
+#include "drape/sim/comparison.h"
 #include "drape/sim/scene.h"
 #include "drape/sim/tour.h"
 
@@ -84,8 +85,8 @@ TEST_F(WindowTest, TheTourGoesForwardAndBackAndEscapeLeavesIt) {
         const std::size_t before = commands().size();
         desktop_.key(key);
         EXPECT_TRUE(recorded("scene " + std::string(stops[stop].scene), before)) << key << " to stop " << stop + 1;
-        for (const std::string_view change : stops[stop].changes) {
-            EXPECT_TRUE(recorded("set " + std::string(change), before)) << key << " to stop " << stop + 1;
+        for (const std::string& change : split_assignments(stops[stop].changes)) {
+            EXPECT_TRUE(recorded("set " + change, before)) << key << " to stop " << stop + 1;
         }
     };
     goes_to("F1", 1);

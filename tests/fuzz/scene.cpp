@@ -4,7 +4,6 @@
 
 #include <optional>
 
-#include "drape/sim/scene_text.h"
 #include "fuzz/small_run.h"
 #include "fuzz/target.h"
 

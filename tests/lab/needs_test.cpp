@@ -4,7 +4,6 @@
 
 #include "drape/base/input_error.h"
 #include "drape/sim/scene.h"
-#include "drape/sim/scene_text.h"
 #include "lab/lab_run.h"
 #include "lab/needs/configurations.h"
 #include "lab/needs/needs.h"

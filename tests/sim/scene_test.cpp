@@ -137,10 +137,7 @@ full.drag = 0.01
 )";
 
 TEST(SceneFile, SetsEveryRowOfTheTable) {
-    Settings defaults;
-    defaults.balls.emplace_back();
-    defaults.solids.emplace_back();
-    defaults.pins.emplace_back();
+    const Settings defaults = settings_with_one_of_each();
     const Settings settings = parse_scene(full_scene, "full.toml");
     for (const Setting& setting : setting_table()) {
         EXPECT_NE(setting.read(settings, 0), setting.read(defaults, 0)) << setting.full_name() << " was not read";

@@ -19,11 +19,8 @@ using testing::Not;
 
 /// Settings in which every row of the table has something to read and write.
 Settings with_one_of_each() {
-    Settings settings;
-    settings.balls.emplace_back();
-    settings.solids.emplace_back();
+    Settings settings = settings_with_one_of_each();
     settings.cloths[0].pinned.kind = Pins::Kind::Row;
-    settings.pins.emplace_back();
     return settings;
 }
 

@@ -5,7 +5,7 @@
 #include <cmath>
 #include <sstream>
 
-#include "drape/sim/scene_text.h"
+#include "drape/sim/scene.h"
 #include "drape/sim/state_csv.h"
 #include "sim/small_scene.h"
 #include "support/input_errors.h"

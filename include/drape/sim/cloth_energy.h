@@ -31,12 +31,9 @@ public:
 
     void use(Kernels kernels) { kernels_ = kernels; }
 
-    /// State or model are about to be changed from outside.
+    /// State or model are about to be changed from outside, by the hand or by pins that move.
     /// @par Cost a force evaluation while a ledger is kept, the first time after a substep
-    void touch(const ClothModel& model, const ClothState& state);
-
-    /// The same, by pins that move.
-    void touch_pins(const ClothModel& model, const ClothState& state);
+    void touch(const ClothModel& model, const ClothState& state, EnergyLedger::Since by = EnergyLedger::Since::Hand);
 
     /// Pins of this cloth may move.
     void expect_pins(bool expected) { has_pins_ = expected; }
@@ -45,8 +42,12 @@ public:
     void give(double work) { watch_.give(work); }
 
     /// Remembers the entries so far, and forgets those since.
-    void mark();
-    void return_to_mark();
+    void mark() {
+        if (ledger_) ledger_->mark();
+    }
+    void return_to_mark() {
+        if (ledger_) ledger_->return_to_mark();
+    }
 
     /// What the integrator fills at the start of a step; null without a ledger.
     /// @param held particle that the hand leads; below 0: none
@@ -70,7 +71,9 @@ public:
     bool after_pushes(const ClothModel& model, const ClothState& state, double ball_work);
 
     /// In the end of a substep: the work of known pushes, as forces along all of its motion [J].
-    void pushed(double work);
+    void pushed(double work) {
+        if (ledger_) ledger_->pushed(work);
+    }
 
     /// The fail-safe of contact between cloths is about to hold the cloth back, and has done so.
     void before_hold(const ClothModel& model, const ClothState& state);
@@ -86,12 +89,11 @@ public:
     [[nodiscard]] Energy energy(const ClothModel& model, const ClothState& state, EnergyBalance& balance);
 
 private:
-    void touch(const ClothModel& model, const ClothState& state, EnergyLedger::Since by);
     [[nodiscard]] double hand_power(const ClothModel& model, const ClothState& state) const;
     void split_pin_power(double of_hand, Power& power) const;
     EnergyFlow flow(const ClothModel& model, const ClothState& state);
     EnergyFlow held_flow(const ClothModel& model, const ClothState& state);
-    [[nodiscard]] bool measures_pushes() const;
+    [[nodiscard]] bool measures_pushes() const { return ledger_ || max_push_work_ > watch_.small_work(); }
     [[nodiscard]] EnergyFlow pushed_flow(const ClothModel& model, const ClothState& state) const;
 
     Kernels kernels_ = Kernels::Plain;

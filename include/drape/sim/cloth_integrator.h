@@ -11,17 +11,29 @@ namespace drape {
 class ClothIntegrator {
 public:
     ClothIntegrator() = default;
-    ClothIntegrator(const ClothIntegrator& other);
+    ClothIntegrator(const ClothIntegrator& other)
+        : parameters_(other.parameters_),
+          before_(other.integrator_ ? other.integrator_->step_before() : other.before_) {}
     ClothIntegrator(ClothIntegrator&&) noexcept = default;
-    ClothIntegrator& operator=(const ClothIntegrator& other);
+    ClothIntegrator& operator=(const ClothIntegrator& other) { return *this = ClothIntegrator(other); }
     ClothIntegrator& operator=(ClothIntegrator&&) noexcept = default;
     ~ClothIntegrator() = default;
 
     /// Takes a new one, that knows of no step before.
-    void use(const IntegratorParameters& parameters, const Grid& grid);
+    void use(const IntegratorParameters& parameters, const Grid& grid) {
+        parameters_ = parameters;
+        before_ = {};
+        integrator_ = make_integrator(parameters_, grid);
+    }
 
     /// As `Integrator::step`. @pre `use` was called
-    SolveReport step(const ClothModel& model, ClothState& state, Real h, EnergyFlow* start);
+    SolveReport step(const ClothModel& model, ClothState& state, Real h, EnergyFlow* start) {
+        if (!integrator_) {
+            integrator_ = make_integrator(parameters_, model.grid);
+            if (before_.h > 0) integrator_->resume_after(before_);
+        }
+        return integrator_->step(model, state, h, start);
+    }
 
 private:
     IntegratorParameters parameters_;

@@ -87,6 +87,9 @@ std::string command_text(const Command& command);
 /// @throws InputError naming the nearest known command, or what its arguments are
 Command parse_command(std::string_view text);
 
+/// The setting that `set`, `next` or `add` names; empty for other commands.
+std::string_view setting_of(const Command& command);
+
 /// True for commands that can change the cloth or the ball; the others change the picture or the program only.
 bool changes_state(const Command& command);
 

@@ -44,17 +44,16 @@ public:
 
 private:
     void follow_command(const Command& command, const Simulation& first);
-    [[nodiscard]] bool compares(const std::string& setting) const;
-    [[nodiscard]] static Simulation make_other(const Simulation& first, const std::vector<std::string>& assignments);
+    [[nodiscard]] bool compares(std::string_view setting) const;
+    [[nodiscard]] static Simulation make_other(const Simulation& first, std::string_view assignments);
 
     std::string text_;
-    std::vector<std::string> assignments_;
     Simulation other_;
     ScratchOnCopy<std::vector<std::vector<float>>> distances_;
 };
 
 /// "a=1,2,b=3" as "a=1,2" and "b=3".
 /// @throws InputError if the first has no "="
-std::vector<std::string> split_assignments(const std::string& text);
+std::vector<std::string> split_assignments(std::string_view text);
 
 }  // namespace drape

@@ -89,7 +89,6 @@ private:
         Power contact_power;           ///< and the power
     };
 
-    static void see(const EnergyFlow& now, Entry& book);
     void changed_after_step(const EnergyFlow& before, const EnergyFlow& after);
 
     Entry now_, marked_;

@@ -36,7 +36,9 @@ public:
     void grab(const command::Grab& command, std::span<Cloth> cloths);
 
     /// @param target where the hand goes [m]
-    void drag(const Vec3& target);
+    void drag(const Vec3& target) {
+        if (held_) held_->target = target;
+    }
 
     /// Lets go; a particle that was pinned stays where it is.
     void release(std::span<Cloth> cloths);

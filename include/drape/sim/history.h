@@ -42,12 +42,14 @@ public:
                     const std::optional<Comparison>& comparison);
 
     /// Forgets those on the way back.
-    void forget_between();
+    void forget_between() {
+        std::erase_if(moments_, [](const Moment& moment) { return moment.between; });
+    }
 
     /// Forgets what came after a step.
     void forget_after(std::int64_t step);
 
-    void forget();
+    void forget() { moments_.clear(); }
 
     /// The last moment that is not after a step; null: there is none
     [[nodiscard]] const Moment* before(std::int64_t step) const;
@@ -58,16 +60,12 @@ public:
     [[nodiscard]] const Moment& oldest() const { return moments_.front(); }
 
     /// About, of memory.
-    [[nodiscard]] double bytes() const { return bytes_; }
+    [[nodiscard]] double bytes() const;
 
 private:
-    void keep(std::deque<Moment>::iterator place, Moment moment);
-    void drop_oldest();
-
     HistoryLimits limits_;
     std::deque<Moment> moments_;  ///< by their steps
     double watched_ = 0;          ///< until the newest step [s]
-    double bytes_ = 0;
 };
 
 }  // namespace drape

@@ -20,6 +20,10 @@ std::filesystem::path scene_file(const std::string& name_or_path);
 /// @throws InputError
 Settings parse_scene(std::string_view text, const std::string& file);
 
+/// The scene file of some settings: all that differ from their defaults, and the sizes of the cloths.
+/// `parse_scene` reads the same settings back.
+std::string scene_text(const Settings& settings);
+
 /// The names of the shipped scenes in the order of the keys 1-9: `drop` first, the rest by name, and those
 /// that are made to fail (`fails_...`) last.
 std::vector<std::string> scene_names();

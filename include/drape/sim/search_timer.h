@@ -32,8 +32,7 @@ private:
     void prepare(const FrameView& view);
     void search(const FrameView& view, bool by_hierarchy);
 
-    Stopwatch watch_;
-    bool looked_ = false;
+    std::optional<Stopwatch> watch_;  ///< since the last comparison
     std::optional<SearchTimes> times_;
     BroadPhaseParameters parameters_;
     std::vector<OfCloth> cloths_;

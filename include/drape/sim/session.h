@@ -1,11 +1,13 @@
 #pragma once
 
+#include <algorithm>
 #include <cstdint>
 #include <deque>
 #include <functional>
 #include <memory>
 #include <optional>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include "drape/sim/comparison.h"
@@ -81,14 +83,14 @@ public:
     [[nodiscard]] double start_time() const { return start_time_; }
 
     /// The time that `run_until` has come to, on the same clock [s].
-    [[nodiscard]] double time() const { return time_; }
+    [[nodiscard]] double time() const { return start_time_ + clock_.at(clock_steps_); }
 
     /// Steps of the present length from there to a time: a whole number where the time is the end of one but for
     /// rounding, as `run_until` has it.
     [[nodiscard]] double steps_to(double time) const;
 
     /// Camera commands of a replay that came due since the last call, for whoever owns the camera.
-    [[nodiscard]] std::vector<Command> take_view_commands();
+    [[nodiscard]] std::vector<Command> take_view_commands() { return std::exchange(view_commands_, {}); }
 
     /// Between 0 and 1: how far the present lies beyond the last step.
     [[nodiscard]] Real blend() const;
@@ -130,13 +132,13 @@ private:
     void pass_moment();
     void arrive();
     [[nodiscard]] bool is_redundant_release(const Command& command) const;
-    [[nodiscard]] std::int64_t known_end() const;
-    [[nodiscard]] bool any_lies_ahead() const;
+    [[nodiscard]] bool any_lies_ahead() const {
+        return next_entry_ < end_of_log() || steps_made_ < std::max(newest_, last_step_);
+    }
     [[nodiscard]] std::size_t end_of_log() const { return first_entry_ + log_.size(); }
     void differ(const std::string& how);
     void say_cut();
-    double time_after_next_step();
-    [[nodiscard]] double dt() const;
+    [[nodiscard]] double dt() const { return simulation_.settings().solver.dt; }
 
     Simulation simulation_;
     std::unique_ptr<Recorder> recorder_;
@@ -155,17 +157,14 @@ private:
     std::string takeover_notice_;
     int takeovers_ = 0;
     int crossing_dangers_ = 0;
-    bool cut_was_said_ = false;
     std::vector<Command> view_commands_;
     std::string replay_notice_;
     bool replay_differs_ = false;
-    std::int64_t steps_made_ = 0;  ///< by this session; a reset does not set it back, but `go_to` does
-    double start_time_;            ///< [s]
-    double time_;                  ///< start and the steps that `run_until` made; a reset does not set it back [s]
-    double counted_from_ = 0;      ///< time_ is this plus counted_steps_ steps of counted_dt_: no error adds up
-    double counted_dt_ = 0;
-    std::int64_t counted_steps_ = 0;
-    double behind_ = 0;  ///< time passed beyond the last step [s]
+    std::int64_t steps_made_ = 0;   ///< by this session; a reset does not set it back, but `go_to` does
+    double start_time_;             ///< [s]
+    StepTimes clock_;               ///< of the steps that `run_until` made
+    std::int64_t clock_steps_ = 0;  ///< how many
+    double behind_ = 0;             ///< time passed beyond the last step [s]
     double dropped_ = 0;
 };
 

@@ -113,6 +113,9 @@ void check(const Settings& settings);
 /// Leaves out the moving pins of which a user's change has left none pinned.
 void end_pins_without_particles(Settings& settings);
 
+/// Default settings with a cloth, a ball, a solid and pins: every row of the table can be read from them.
+Settings settings_with_one_of_each();
+
 /// The table as text for `--help` and `list settings`: name, default, unit, range, help.
 std::string settings_help();
 

@@ -12,11 +12,11 @@ namespace drape {
 struct TourStop {
     std::string_view title;
     std::string_view scene;
-    std::span<const std::string_view> changes;  ///< "name=value"
-    std::string_view look;                      ///< what to look at
-    std::string_view try_it;                    ///< what to do
-    std::string_view file;                      ///< that explains it
-    double time;                                ///< simulated, at which a picture of it tells the most [s]
+    std::string_view changes;  ///< "name=value,name=value", see `split_assignments`
+    std::string_view look;     ///< what to look at
+    std::string_view try_it;   ///< what to do
+    std::string_view file;     ///< that explains it
+    double time;               ///< simulated, at which a picture of it tells the most [s]
 };
 
 /// The stops in their order.

@@ -7,7 +7,7 @@
 
 #include "drape/base/input_error.h"
 #include "drape/base/output_file.h"
-#include "drape/sim/scene_text.h"
+#include "drape/sim/scene.h"
 
 namespace drape {
 namespace {

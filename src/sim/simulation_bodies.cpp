@@ -1,9 +1,11 @@
 #include <algorithm>
+#include <utility>
 
 #include "ball_motion.h"
 #include "ball_stops.h"
 #include "drape/base/input_error.h"
 #include "drape/sim/simulation.h"
+#include "solid_motion.h"
 
 namespace drape {
 
@@ -68,6 +70,21 @@ void Simulation::throw_ball(const command::Throw& command) {
     balls_[users_ball_].velocity = command.velocity;
     balls_[users_ball_].spin.setZero();
     wake();
+}
+
+void Simulation::move_solids(const Substep& now) {
+    for (std::size_t s = 0; s < solids_.size(); ++s) {
+        move_solid(settings_.solids[s], static_cast<Real>(now.time), now.h, solids_[s]);
+    }
+}
+
+/// Nothing that touched a solid where it was does so where it is now.
+void Simulation::configure_solids(const Settings& before, std::vector<Solid> solids) {
+    if (settings_.solids == before.solids) return;
+    solids_ = std::move(solids);
+    put_solids(settings_.solids, report_.time, solids_);
+    previous_solids_ = solids_;
+    contact_.forget_bodies([&](int body) { return body >= static_cast<int>(balls_.size()); });
 }
 
 }  // namespace drape
