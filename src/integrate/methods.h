@@ -4,7 +4,7 @@
 
 namespace drape {
 
-/// Each is made in the file of its name, with scratch arrays for a grid.
+/// Each is made with scratch arrays for a grid.
 
 std::unique_ptr<Integrator> make_explicit_euler(const IntegratorParameters& parameters, const Grid& grid);
 std::unique_ptr<Integrator> make_symplectic_euler(const IntegratorParameters& parameters, const Grid& grid);
