@@ -129,8 +129,8 @@ public:
         return right_->query(other, margin, folds, pairs);
     }
     TraversalStats query_below(Real y, Candidates& found) const override { return right_->query_below(y, found); }
-    TraversalStats query_near(const DistanceField& body, Real margin, Candidates& found) const override {
-        return right_->query_near(body, margin, found);
+    TraversalStats query_near(const DistanceFunction& distance, Real margin, Candidates& found) const override {
+        return right_->query_near(distance, margin, found);
     }
     [[nodiscard]] Real slack() const override { return right_->slack(); }
     [[nodiscard]] int levels() const override { return right_->levels(); }

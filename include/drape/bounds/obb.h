@@ -26,11 +26,9 @@ struct Obb {
     /// @par Cost O(particles of the patch), one pass
     static Obb fit(const Patch& patch);
 
-    /// Origin and directions of a patch's box; low and high are left empty, from infinity down to -infinity.
-    static Obb frame_of(const Patch& patch);
-
-    /// A box without points, along the patch's directions.
-    static Obb start(const Patch& patch) { return frame_of(patch); }
+    /// A box without points, along the patch's directions: low and high are left empty, from infinity down to
+    /// -infinity.
+    static Obb start(const Patch& patch);
 
     /// Grows along its directions by just as much as a point needs, and the rounding.
     void include(const Vec3& p);
