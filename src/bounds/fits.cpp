@@ -15,7 +15,7 @@ template <BoundingVolume Volume>
 Volume fit_by_kernels(const Patch& patch) {
     if constexpr (std::is_same_v<Volume, Aabb>) {
         Aabb box;
-        kernels::bounding_box(patch, box.low.data(), box.high.data());
+        kernels::dop_extents(patch, 3, box.low.data(), box.high.data());
         return box;
     } else if constexpr (std::is_same_v<Volume, Obb>) {
         Obb box = Obb::start(patch);

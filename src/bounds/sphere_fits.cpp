@@ -70,7 +70,7 @@ struct VectorPasses {
 
     static Ends box(const Patch& patch) {
         Ends box;
-        kernels::bounding_box(patch, box.low.data(), box.high.data());
+        kernels::dop_extents(patch, 3, box.low.data(), box.high.data());
         return box;
     }
 

@@ -4,41 +4,26 @@
 namespace drape {
 namespace {
 
-/// x += h v; v += h a(x_n, v_n). First order; gains energy without enough damping.
-/// @cite euler1768
-class ExplicitEuler final : public Integrator {
+/// Symplectic Euler: v += h a(x_n, v_n); x += h v. First order, symplectic without damping.
+/// Explicit Euler does the same in the other order: it gains energy without enough damping.
+/// @cite hairer2006 @cite euler1768
+class Euler final : public Integrator {
 public:
-    ExplicitEuler(const IntegratorParameters& parameters, const Grid& grid)
-        : forces_(grid, parameters.kernels, parameters.threads) {}
+    Euler(const IntegratorParameters& parameters, const Grid& grid)
+        : symplectic_(parameters.kind == IntegratorKind::SymplecticEuler),
+          forces_(grid, parameters.kernels, parameters.threads) {}
 
     SolveReport step(const ClothModel& model, ClothState& state, Real h, EnergyFlow* start) override {
         forces_(model, state.x, state.v, start, [&](const ForceRun& run) {
-            run.add(h, state.v, state.x);
+            if (!symplectic_) run.add(h, state.v, state.x);
             run.add_accelerations(h, state.v);
+            if (symplectic_) run.add(h, state.v, state.x);
         });
         return {.force_evaluations = 1};
     }
 
 private:
-    ForceSweep forces_;
-};
-
-/// v += h a(x_n, v_n); x += h v. First order, symplectic without damping.
-/// @cite hairer2006
-class SymplecticEuler final : public Integrator {
-public:
-    SymplecticEuler(const IntegratorParameters& parameters, const Grid& grid)
-        : forces_(grid, parameters.kernels, parameters.threads) {}
-
-    SolveReport step(const ClothModel& model, ClothState& state, Real h, EnergyFlow* start) override {
-        forces_(model, state.x, state.v, start, [&](const ForceRun& run) {
-            run.add_accelerations(h, state.v);
-            run.add(h, state.v, state.x);
-        });
-        return {.force_evaluations = 1};
-    }
-
-private:
+    bool symplectic_;
     ForceSweep forces_;
 };
 
@@ -109,12 +94,8 @@ private:
 
 }  // namespace
 
-std::unique_ptr<Integrator> make_explicit_euler(const IntegratorParameters& parameters, const Grid& grid) {
-    return std::make_unique<ExplicitEuler>(parameters, grid);
-}
-
-std::unique_ptr<Integrator> make_symplectic_euler(const IntegratorParameters& parameters, const Grid& grid) {
-    return std::make_unique<SymplecticEuler>(parameters, grid);
+std::unique_ptr<Integrator> make_euler(const IntegratorParameters& parameters, const Grid& grid) {
+    return std::make_unique<Euler>(parameters, grid);
 }
 
 std::unique_ptr<Integrator> make_velocity_verlet(const IntegratorParameters& parameters, const Grid& grid) {

@@ -8,16 +8,9 @@ namespace drape {
 
 std::unique_ptr<Integrator> make_integrator(const IntegratorParameters& parameters, const Grid& grid) {
     // In the order of the kinds
-    constexpr std::array makers{make_explicit_euler,
-                                make_symplectic_euler,
-                                make_velocity_verlet,
-                                make_rk4,
-                                make_backward_euler,
-                                make_implicit_midpoint,
-                                make_bdf2,
-                                make_xpbd,
-                                make_projective_dynamics,
-                                make_dormand_prince};
+    constexpr std::array makers{
+        make_euler, make_euler, make_velocity_verlet,     make_rk4,           make_theta_method, make_theta_method,
+        make_bdf2,  make_xpbd,  make_projective_dynamics, make_dormand_prince};
     static_assert(makers.size() == enum_names<IntegratorKind>.size(), "every kind has its method");
     return makers[static_cast<std::size_t>(parameters.kind)](parameters, grid);
 }

@@ -7,8 +7,7 @@
 
 namespace drape {
 
-Jacobian::Jacobian(const Grid& grid, Hessian hessian, Kernels kernels)
-    : grid_(grid), hessian_(hessian), kernels_(kernels) {
+Jacobian::Jacobian(const Grid& grid, Hessian hessian, Kernels kernels) : grid_(grid), kernels_(kernels) {
     for (Family& family : families_) family.terms.setZero(grid.particles(), hessian == Hessian::Exact ? 7 : 4);
 }
 

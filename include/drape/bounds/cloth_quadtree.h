@@ -112,9 +112,16 @@ public:
                          std::vector<LeafPair>& pairs) override {
         DRAPE_ASSERT(built_ && dynamic_cast<const ClothQuadtree*>(&other) != nullptr);
         const auto& second = static_cast<const ClothQuadtree&>(other);
-        const NodesInSpace<Volume> nodes{nodes_, volumes_}, others{second.nodes_, second.volumes_};
-        PairTraversal<Volume> traversal(nodes, others, margin + slack_ + second.slack_, folds, visits_, pairs);
-        return &second == this ? traversal.of_one() : traversal.of_two();
+        pairs.clear();
+        PairTraversal<Volume> traversal{{nodes_, volumes_},
+                                        {second.nodes_, second.volumes_},
+                                        margin + slack_ + second.slack_,
+                                        folds,
+                                        visits_,
+                                        pairs,
+                                        {.nodes = static_cast<std::int64_t>(nodes_.size())}};
+        &second == this ? traversal.traverse_itself(0) : traversal.traverse(0, 0);
+        return traversal.stats;
     }
 
     TraversalStats query_below(Real height, Candidates& found) const override {

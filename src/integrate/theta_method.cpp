@@ -14,8 +14,8 @@ namespace {
 /// @cite baraff1998 @cite hairer2006
 class ThetaMethod final : public Integrator {
 public:
-    ThetaMethod(const IntegratorParameters& parameters, const Grid& grid, Real theta)
-        : theta_(theta),
+    ThetaMethod(const IntegratorParameters& parameters, const Grid& grid)
+        : theta_(parameters.kind == IntegratorKind::BackwardEuler ? Real(1) : Real(0.5)),
           forces_(grid, parameters.kernels),
           system_(grid, parameters.hessian, parameters.kernels),
           r_(grid.particles(), 3),
@@ -42,12 +42,8 @@ private:
 
 }  // namespace
 
-std::unique_ptr<Integrator> make_backward_euler(const IntegratorParameters& parameters, const Grid& grid) {
-    return std::make_unique<ThetaMethod>(parameters, grid, Real(1));
-}
-
-std::unique_ptr<Integrator> make_implicit_midpoint(const IntegratorParameters& parameters, const Grid& grid) {
-    return std::make_unique<ThetaMethod>(parameters, grid, Real(0.5));
+std::unique_ptr<Integrator> make_theta_method(const IntegratorParameters& parameters, const Grid& grid) {
+    return std::make_unique<ThetaMethod>(parameters, grid);
 }
 
 }  // namespace drape
