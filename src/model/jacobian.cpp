@@ -34,7 +34,7 @@ void Jacobian::linearise(const ClothModel& model, const Points& x, const Points&
 }
 
 void Jacobian::linearise_plainly(const Grid& grid, const Points& x, const Points& v, Family& family) {
-    const auto& [k, c] = family.springs.law;
+    const Real k = family.springs.law.stiffness, c = family.springs.law.damping;
     family.springs.for_each(grid, [&](int a, int b) {
         const Vec3 d = x.row(a) - x.row(b), w = v.row(a) - v.row(b);
         const Real length = d.norm();

@@ -14,8 +14,6 @@ using BoxAxes = Eigen::Matrix<Real, 3, 3>;
 /// Coordinates along them are measured from one of its own particles, so that they are as exact as the patch is small,
 /// however far out it is.
 struct Obb {
-    static constexpr std::string_view name = "obb";
-
     Vec3 origin = Vec3::Zero();          ///< a particle of the patch
     BoxAxes axes = BoxAxes::Identity();  ///< orthonormal, even of a patch that is a line or a point
     Vec3 low = Vec3::Zero();             ///< along the axes from the origin, grown by the rounding

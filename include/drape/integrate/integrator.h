@@ -3,9 +3,6 @@
 #include <algorithm>
 #include <cstdint>
 #include <memory>
-#include <span>
-#include <string>
-#include <string_view>
 
 #include "drape/base/enum_names.h"
 #include "drape/base/kernels.h"
