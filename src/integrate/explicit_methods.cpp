@@ -15,9 +15,9 @@ public:
 
     SolveReport step(const ClothModel& model, ClothState& state, Real h, EnergyFlow* start) override {
         forces_(model, state.x, state.v, start, [&](const ForceRun& run) {
-            if (!symplectic_) run.add(h, state.v, state.x);
-            run.add_accelerations(h, state.v);
-            if (symplectic_) run.add(h, state.v, state.x);
+            if (!symplectic_) run.of(state.x) += h * run.of(state.v);
+            run.of(state.v) += h * run.accelerations();
+            if (symplectic_) run.of(state.x) += h * run.of(state.v);
         });
         return {.force_evaluations = 1};
     }
@@ -81,8 +81,8 @@ private:
     /// Adds k = y'(x_, v_) with its weight, and moves (x_, v_) to the start + `time` k.
     void stage(const ClothModel& model, const ClothState& start, Real weight, Real time, EnergyFlow* flow = nullptr) {
         forces_(model, x_, v_, flow, [&](const ForceRun& run) {
-            run.add(weight, v_, x_sum_);
-            run.add_accelerations(weight, v_sum_);
+            run.of(x_sum_) += weight * run.of(v_);
+            run.of(v_sum_) += weight * run.accelerations();
             run.of(x_) = run.of(start.x) + time * run.of(v_);
             run.of(v_) = run.of(start.v) + time * run.accelerations();
         });

@@ -91,8 +91,4 @@ void copy_neighbours(const ForceInput& input, ForceScratch& scratch);
 /// @pre the scratch has the neighbours as they are
 void forces_on(const ForceInput& input, ForceScratch& scratch, const std::function<void(const ForceRun&)>& use);
 
-/// y += s u, or y += s (u w) with a weight for each of `count` particles; strides lead from one coordinate to the next.
-void add_scaled(Real s, const Real* u, Eigen::Index u_stride, const Real* w, Eigen::Index count, Real* y,
-                Eigen::Index y_stride);
-
 }  // namespace drape::kernels
