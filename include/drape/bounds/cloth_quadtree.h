@@ -84,7 +84,10 @@ public:
                 built_ ? refit(x) : start_refitting(x);
                 break;
             case UpdateKind::None:
-                if (!built_) start_holding(x);
+                if (!built_) {
+                    rebuild(x);
+                    held_ = x;
+                }
                 slack_ = largest_displacement(x, held_, kernels_);
                 break;
         }
@@ -324,12 +327,6 @@ private:
                 if (stale_[n]) volumes_[n] = merged(node);
             }
         }
-    }
-
-    /// @par Cost O(particles), one pass; so too for how far all has moved since
-    void start_holding(const Points& x) {
-        rebuild(x);
-        held_ = x;
     }
 
     Grid grid_;

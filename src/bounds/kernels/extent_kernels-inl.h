@@ -4,8 +4,6 @@
 #include "drape/bounds/dop_axes.h"
 #include "patch_kernels.h"
 
-#include "patch_loop-inl.h"
-
 HWY_BEFORE_NAMESPACE();
 namespace drape::kernels::HWY_NAMESPACE {
 

@@ -1,7 +1,5 @@
 #include "patch_kernels.h"
 
-#include "patch_loop-inl.h"
-
 HWY_BEFORE_NAMESPACE();
 namespace drape::kernels::HWY_NAMESPACE {
 

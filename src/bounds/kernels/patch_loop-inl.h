@@ -1,11 +1,4 @@
-// Included once for each kind of processor, by kernels that Highway compiles several times: no include guard of the
-// usual form.
-#if defined(DRAPE_PATCH_LOOP_INL_H) == defined(HWY_TARGET_TOGGLE)
-#ifdef DRAPE_PATCH_LOOP_INL_H
-#undef DRAPE_PATCH_LOOP_INL_H
-#else
-#define DRAPE_PATCH_LOOP_INL_H
-#endif
+// For kernels that Highway compiles several times: their file includes it once for each kind of processor.
 
 #include <hwy/highway.h>
 
@@ -81,4 +74,3 @@ HWY_INLINE Real largest_lane(D d, hn::Vec<D> v) {
 
 }  // namespace drape::kernels::HWY_NAMESPACE
 HWY_AFTER_NAMESPACE();
-#endif
