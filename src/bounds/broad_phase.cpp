@@ -1,6 +1,6 @@
 #include "drape/bounds/broad_phase.h"
 
-#include "drape/bounds/limited_quadtree.h"
+#include "drape/bounds/cloth_quadtree.h"
 
 namespace drape {
 namespace {
@@ -21,7 +21,7 @@ public:
         return {.candidates = static_cast<std::int64_t>(grid_.cells()) * other_grid.cells()};
     }
     TraversalStats query_below(Real /*height*/, Candidates& found) const override { return all(found); }
-    TraversalStats query_near(const DistanceField& /*body*/, Real /*margin*/, Candidates& found) const override {
+    TraversalStats query_near(const DistanceFunction& /*distance*/, Real /*margin*/, Candidates& found) const override {
         return all(found);
     }
     [[nodiscard]] Real slack() const override { return 0; }
@@ -59,8 +59,7 @@ void list_all_cells(const Grid& grid, std::vector<CellRun>& cells) {
 std::unique_ptr<BroadPhase> make_broad_phase(const BroadPhaseParameters& parameters, const Grid& grid) {
     if (parameters.volume == VolumeKind::Brute) return std::make_unique<BruteForce>(grid);
     return with_volume(parameters.volume, [&]<class Volume>(std::type_identity<Volume>) -> std::unique_ptr<BroadPhase> {
-        if (parameters.search.none()) return std::make_unique<ClothQuadtree<Volume>>(grid, parameters);
-        return std::make_unique<LimitedQuadtree<Volume>>(grid, parameters);
+        return std::make_unique<ClothQuadtree<Volume>>(grid, parameters);
     });
 }
 

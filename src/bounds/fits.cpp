@@ -15,10 +15,10 @@ template <BoundingVolume Volume>
 Volume fit_by_kernels(const Patch& patch) {
     if constexpr (std::is_same_v<Volume, Aabb>) {
         Aabb box;
-        kernels::bounding_box(patch, box.low.data(), box.high.data());
+        kernels::dop_extents(patch, 3, box.low.data(), box.high.data());
         return box;
     } else if constexpr (std::is_same_v<Volume, Obb>) {
-        Obb box = Obb::frame_of(patch);
+        Obb box = Obb::start(patch);
         kernels::extents_along(patch, box.origin, box.axes, box.low.data(), box.high.data());
         box.grow_by_rounding();
         return box;
@@ -46,6 +46,14 @@ Fits<Volume> fits_of(const BroadPhaseParameters& parameters) {
     } else {
         return {.patch = plain ? Volume::fit : fit_by_kernels<Volume>};
     }
+}
+
+void refit_nodes(const BroadPhaseParameters& parameters, const Grid& grid, const Points& x, std::span<NodeView> nodes) {
+    if (parameters.volume == VolumeKind::Brute) return;
+    with_volume(parameters.volume, [&]<class Volume>(std::type_identity<Volume>) {
+        const auto fit = fits_of<Volume>(parameters).patch;
+        for (NodeView& node : nodes) node.volume = fit(patch_of(grid, node.cells, x));
+    });
 }
 
 template Fits<BoundingSphere> fits_of(const BroadPhaseParameters&);

@@ -31,8 +31,6 @@ Real least_along(const Vec3& direction, const Aabb& box) {
 }
 Real most_along(const Vec3& direction, const Aabb& box) { return -least_along(-direction, box); }
 
-Aabb merged(const Aabb& first, const Aabb& second) { return Aabb::merge(std::array{first, second}); }
-
 /// Whether two rectangles of cells together are one.
 bool make_rectangle(const CellRange& first, const CellRange& second) {
     const bool same_rows = first.j0 == second.j0 && first.j1 == second.j1;
@@ -79,8 +77,7 @@ void FoldTest::build(const Points& x, std::span<const Real> reaches) {
         const auto first = static_cast<std::size_t>(node.first_child);
         Derivatives all = derivatives_[first];
         for (std::size_t child = 1; child < static_cast<std::size_t>(node.children); ++child) {
-            all.along.include(derivatives_[first + child].along);
-            all.across.include(derivatives_[first + child].across);
+            all.include(derivatives_[first + child]);
             all.reach = std::max(all.reach, derivatives_[first + child].reach);
         }
         derivatives_[n] = all;
@@ -146,13 +143,9 @@ bool FoldTest::nodes_are_separated(int first, int second, Real distance) const {
     const std::array<int, 2> others = side_by_side ? std::array{first, second} : at_corner_of(first, second);
     if (others[0] < 0) return false;
     const Derivatives &one = of(first), &two = of(second);
-    Derivatives all{merged(one.along, two.along), merged(one.across, two.across), (one.reach + two.reach) / 2};
-    if (!side_by_side) {
-        for (const int other : others) {
-            all.along.include(of(other).along);
-            all.across.include(of(other).across);
-        }
-    }
+    Derivatives all{one.along, one.across, (one.reach + two.reach) / 2};
+    all.include(two);
+    for (const int other : others) all.include(of(other));
     return bounds(all, distance);
 }
 

@@ -43,7 +43,7 @@ BoxAxes axes_of(const Patch& patch) {
 }  // namespace
 
 Obb Obb::fit(const Patch& patch) {
-    Obb box = frame_of(patch);
+    Obb box = start(patch);
     for_each_particle(patch, [&](const Vec3& p) {
         const Vec3 along = box.axes.transpose() * (p - box.origin);
         box.low = box.low.cwiseMin(along);
@@ -53,7 +53,7 @@ Obb Obb::fit(const Patch& patch) {
     return box;
 }
 
-Obb Obb::frame_of(const Patch& patch) {
+Obb Obb::start(const Patch& patch) {
     const Vec3 infinity = Vec3::Constant(std::numeric_limits<Real>::infinity());
     return {patch.at(0, 0), axes_of(patch), infinity, -infinity};
 }
@@ -67,14 +67,25 @@ void Obb::include(const Vec3& p) {
 
 namespace {
 
+/// A box as the directions of another one see it: it extends as far from its middle as its edges do together.
+struct SeenBox {
+    Vec3 middle, half;
+    Real rounding;
+};
+
+SeenBox seen_from(const Obb& frame, const Obb& box) {
+    const BoxAxes turn = frame.axes.transpose() * box.axes;
+    const Vec3 offset = box.origin - frame.origin;
+    const Vec3 middle = frame.axes.transpose() * offset + turn * ((box.low + box.high) / 2);
+    const Vec3 half = turn.cwiseAbs() * ((box.high - box.low) / 2);
+    const Real size = offset.cwiseAbs().sum() + box.low.cwiseAbs().sum() + box.high.cwiseAbs().sum();
+    return {middle, half, 16 * rounding_unit * size};
+}
+
 /// Whether a box keeps another farther away than a margin, along its own directions.
 bool keeps_away(const Obb& box, const Obb& other, Real margin) {
-    const BoxAxes turn = box.axes.transpose() * other.axes;
-    const Vec3 offset = other.origin - box.origin;
-    const Vec3 middle = box.axes.transpose() * offset + turn * ((other.low + other.high) / 2);
-    const Vec3 half = turn.cwiseAbs() * ((other.high - other.low) / 2);
-    const Real size = offset.cwiseAbs().sum() + other.low.cwiseAbs().sum() + other.high.cwiseAbs().sum();
-    const Real bound = margin * (1 + 16 * rounding_unit) + 16 * rounding_unit * size;
+    const auto [middle, half, rounding] = seen_from(box, other);
+    const Real bound = margin * (1 + 16 * rounding_unit) + rounding;
     return (middle - half - box.high).maxCoeff() > bound || (box.low - middle - half).maxCoeff() > bound;
 }
 
@@ -109,20 +120,10 @@ Obb Obb::merge(std::span<const Obb> children) {
         along += axes.col(0).dot(first.col(0)) < 0 ? Vec3(-axes.col(0)) : Vec3(axes.col(0));
         across += axes.col(1).dot(first.col(1)) < 0 ? Vec3(-axes.col(1)) : Vec3(axes.col(1));
     }
-    Obb all;
-    all.origin = children[0].origin;
-    all.axes = make_axes(along, across);
-
-    // A box extends as far from its middle as its edges do together
-    all.low.setConstant(std::numeric_limits<Real>::infinity());
-    all.high = -all.low;
+    const Vec3 infinity = Vec3::Constant(std::numeric_limits<Real>::infinity());
+    Obb all{children[0].origin, make_axes(along, across), infinity, -infinity};
     for (const Obb& child : children) {
-        const BoxAxes turn = all.axes.transpose() * child.axes;
-        const Vec3 offset = child.origin - all.origin;
-        const Vec3 middle = all.axes.transpose() * offset + turn * ((child.low + child.high) / 2);
-        const Vec3 half = turn.cwiseAbs() * ((child.high - child.low) / 2);
-        const Real rounding =
-            16 * rounding_unit * (offset.cwiseAbs().sum() + child.low.cwiseAbs().sum() + child.high.cwiseAbs().sum());
+        const auto [middle, half, rounding] = seen_from(all, child);
         all.low = all.low.cwiseMin(middle - half - Vec3::Constant(rounding));
         all.high = all.high.cwiseMax(middle + half + Vec3::Constant(rounding));
     }

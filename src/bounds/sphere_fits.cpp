@@ -1,8 +1,8 @@
 #include "drape/bounds/sphere_fits.h"
 
+#include <array>
 #include <cmath>
 
-#include "drape/base/assert.h"
 #include "drape/bounds/aabb.h"
 #include "drape/bounds/dop_axes.h"
 #include "kernels/patch_kernels.h"
@@ -70,7 +70,7 @@ struct VectorPasses {
 
     static Ends box(const Patch& patch) {
         Ends box;
-        kernels::bounding_box(patch, box.low.data(), box.high.data());
+        kernels::dop_extents(patch, 3, box.low.data(), box.high.data());
         return box;
     }
 
@@ -143,24 +143,12 @@ BoundingSphere fit_epos_sphere(const Patch& patch) {
 
 template <class Passes>
 BoundingSphere (*fit_of(SphereFit kind))(const Patch&) {
-    switch (kind) {
-        case SphereFit::Centroid:
-            return Passes::centroid_sphere;
-        case SphereFit::BoxCentre:
-            return fit_box_sphere<Passes>;
-        case SphereFit::Ritter:
-            return fit_ritter_sphere<Passes>;
-        case SphereFit::Epos6:
-            return fit_epos_sphere<Passes, 3>;
-        case SphereFit::Epos14:
-            return fit_epos_sphere<Passes, 7>;
-        case SphereFit::Epos26:
-            return fit_epos_sphere<Passes, 13>;
-        case SphereFit::Welzl:
-            return fit_welzl_sphere<Passes>;
-    }
-    DRAPE_ASSERT(false && "every kind has its fit");
-    return nullptr;
+    // In the order of the kinds
+    constexpr std::array fits{Passes::centroid_sphere,    fit_box_sphere<Passes>,     fit_ritter_sphere<Passes>,
+                              fit_epos_sphere<Passes, 3>, fit_epos_sphere<Passes, 7>, fit_epos_sphere<Passes, 13>,
+                              fit_welzl_sphere<Passes>};
+    static_assert(fits.size() == enum_names<SphereFit>.size(), "every kind has its fit");
+    return fits[static_cast<std::size_t>(kind)];
 }
 
 }  // namespace

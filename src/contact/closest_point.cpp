@@ -7,19 +7,19 @@
 namespace drape {
 namespace {
 
-/// The point of segment a, b closest to p, as the weight of b; 0 for a segment of no length.
-Real weight_on_segment(const Vec3& p, const Vec3& a, const Vec3& b) {
-    const Vec3 ab = b - a;
-    const Real square = ab.squaredNorm();
-    return square > 0 ? std::clamp((p - a).dot(ab) / square, Real(0), Real(1)) : Real(0);
+/// The point of a segment closest to p, as the weight of its end; 0 for a segment of no length.
+/// @param square of the segment's length
+Real weight_within(const Vec3& p, const Vec3& from, const Vec3& direction, Real square) {
+    return square > 0 ? std::clamp((p - from).dot(direction) / square, Real(0), Real(1)) : Real(0);
 }
 
 ClosestPoint closest_point_on_edges(const Vec3& p, const std::array<Vec3, 3>& corners) {
     ClosestPoint best{corners[0], {1, 0, 0}};
     for (std::size_t from = 0; from < 3; ++from) {
         const std::size_t to = (from + 1) % 3;
-        const Real w = weight_on_segment(p, corners[from], corners[to]);
-        const Vec3 point = corners[from] + w * (corners[to] - corners[from]);
+        const Vec3 side = corners[to] - corners[from];
+        const Real w = weight_within(p, corners[from], side, side.squaredNorm());
+        const Vec3 point = corners[from] + w * side;
         if ((point - p).squaredNorm() >= (best.point - p).squaredNorm()) continue;
         best.point = point;
         best.barycentric = {0, 0, 0};
@@ -96,6 +96,33 @@ ClosestPoint closest_point_on_triangle(const Vec3& p, const Vec3& a, const Vec3&
     }
     const Real sum = va + vb + vc, v = vb / sum, w = vc / sum;
     return {a + v * ab + w * ac, {1 - v - w, v, w}};
+}
+
+ClosestOfSegments closest_of_segments(const Vec3& a, const Vec3& b, const Vec3& c, const Vec3& d) {
+    const Vec3 u = b - a, v = d - c;
+    const Real uu = u.squaredNorm(), vv = v.squaredNorm();
+    ClosestOfSegments best{.offset = a - c};
+    Real least = std::numeric_limits<Real>::infinity();
+    const auto take = [&](Real s, Real t) {
+        const Vec3 offset = (a + s * u) - (c + t * v);
+        const Real square = offset.squaredNorm();
+        if (square < least) least = square, best = {s, t, offset};
+    };
+
+    // Each end, and where both are inside, the foot of the lines' common normal
+    take(0, weight_within(a, c, v, vv));
+    take(1, weight_within(b, c, v, vv));
+    take(weight_within(c, a, u, uu), 0);
+    take(weight_within(d, a, u, uu), 1);
+    const Real uv = u.dot(v), across = uu * vv - uv * uv;
+    // Of lines that are nearly parallel this has few digits: what it finds is taken only where it is nearer
+    if (!(across > 0)) return best;
+    const Vec3 w = a - c;
+    const Real s = (uv * v.dot(w) - vv * u.dot(w)) / across;
+    if (!(s > 0 && s < 1)) return best;
+    const Real t = weight_within(a + s * u, c, v, vv);
+    if (t > 0 && t < 1) take(s, t);
+    return best;
 }
 
 }  // namespace drape

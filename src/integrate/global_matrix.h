@@ -3,7 +3,6 @@
 #include <Eigen/SparseCholesky>
 #include <Eigen/SparseCore>
 #include <array>
-#include <vector>
 
 #include "drape/model/cloth_model.h"
 #include "inertial_guess.h"

@@ -13,13 +13,8 @@ namespace {
 std::vector<std::pair<int, int>> spring_pairs(const Grid& grid) {
     std::vector<std::pair<int, int>> pairs;
     pairs.reserve(spring_directions.size() * static_cast<std::size_t>(grid.particles()));
-    for (int j = 0; j < grid.ny; ++j) {
-        for (int i = 0; i < grid.nx; ++i) {
-            for (const auto& [di, dj] : spring_directions) {
-                if (i + di < 0 || i + di >= grid.nx || j + dj >= grid.ny) continue;
-                pairs.emplace_back(grid.particle(i, j), grid.particle(i + di, j + dj));
-            }
-        }
+    for (const auto& [di, dj] : spring_directions) {
+        SpringStencil{di, dj, {}, 0}.for_each(grid, [&](int a, int b) { pairs.emplace_back(a, b); });
     }
     return pairs;
 }

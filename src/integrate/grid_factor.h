@@ -2,7 +2,6 @@
 
 #include <Eigen/SparseCholesky>
 #include <Eigen/SparseCore>
-#include <memory>
 #include <vector>
 
 #include "drape/model/jacobian.h"

@@ -26,8 +26,8 @@ void InertialGuess::advance(const ClothModel& model, const Numbers& inertia, Clo
     external_.structural = external_.shear = external_.bend = {};
     external_.inverse_mass *= calm / inertia;
     forces_(external_, state.x, state.v, [&](const ForceRun& run) {
-        run.add_accelerations(h_less_drag, state.v);
-        run.add(h, state.v, state.x);
+        run.of(state.v) += h_less_drag * run.accelerations();
+        run.of(state.x) += h * run.of(state.v);
     });
 }
 

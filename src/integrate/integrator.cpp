@@ -2,36 +2,17 @@
 
 #include <array>
 
-#include "drape/base/assert.h"
 #include "methods.h"
 
 namespace drape {
 
 std::unique_ptr<Integrator> make_integrator(const IntegratorParameters& parameters, const Grid& grid) {
-    switch (parameters.kind) {
-        case IntegratorKind::ExplicitEuler:
-            return make_explicit_euler(parameters, grid);
-        case IntegratorKind::SymplecticEuler:
-            return make_symplectic_euler(parameters, grid);
-        case IntegratorKind::VelocityVerlet:
-            return make_velocity_verlet(parameters, grid);
-        case IntegratorKind::Rk4:
-            return make_rk4(parameters, grid);
-        case IntegratorKind::BackwardEuler:
-            return make_backward_euler(parameters, grid);
-        case IntegratorKind::ImplicitMidpoint:
-            return make_implicit_midpoint(parameters, grid);
-        case IntegratorKind::Bdf2:
-            return make_bdf2(parameters, grid);
-        case IntegratorKind::Xpbd:
-            return make_xpbd(parameters, grid);
-        case IntegratorKind::ProjectiveDynamics:
-            return make_projective_dynamics(parameters, grid);
-        case IntegratorKind::DormandPrince:
-            return make_dormand_prince(parameters, grid);
-    }
-    DRAPE_ASSERT(false && "every kind has its method");
-    return nullptr;
+    // In the order of the kinds
+    constexpr std::array makers{
+        make_euler, make_euler, make_velocity_verlet,     make_rk4,           make_theta_method, make_theta_method,
+        make_bdf2,  make_xpbd,  make_projective_dynamics, make_dormand_prince};
+    static_assert(makers.size() == enum_names<IntegratorKind>.size(), "every kind has its method");
+    return makers[static_cast<std::size_t>(parameters.kind)](parameters, grid);
 }
 
 Real displacement_share(IntegratorKind kind) {

@@ -110,13 +110,9 @@ private:
     /// one has found moves the side out.
     void add(const Mode& mode, std::size_t number) {
         found_.push_back(mode);
-        const Pair pair = pair_of(mode);
-        sides_[number].touch = pair;
-        for (Side& side : sides_) side.height = std::max(side.height, side.of(pair));
-        Side& side = sides_[number];
-        for (const Mode& other : found_) {
-            const Pair p = pair_of(other);
-            side.height = std::max(side.height, side.of(p));
+        sides_[number].touch = pair_of(mode);
+        for (Side& side : sides_) {
+            for (const Mode& known : found_) side.height = std::max(side.height, side.of(pair_of(known)));
         }
     }
 

@@ -1,5 +1,3 @@
-#include "drape/integrate/method_memory.h"
-
 #include <algorithm>
 #include <bit>
 

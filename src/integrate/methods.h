@@ -4,14 +4,12 @@
 
 namespace drape {
 
-/// Each is made in the file of its name, with scratch arrays for a grid.
+/// Each is made with scratch arrays for a grid; where a function makes two kinds, the parameters say which.
 
-std::unique_ptr<Integrator> make_explicit_euler(const IntegratorParameters& parameters, const Grid& grid);
-std::unique_ptr<Integrator> make_symplectic_euler(const IntegratorParameters& parameters, const Grid& grid);
+std::unique_ptr<Integrator> make_euler(const IntegratorParameters& parameters, const Grid& grid);
 std::unique_ptr<Integrator> make_velocity_verlet(const IntegratorParameters& parameters, const Grid& grid);
 std::unique_ptr<Integrator> make_rk4(const IntegratorParameters& parameters, const Grid& grid);
-std::unique_ptr<Integrator> make_backward_euler(const IntegratorParameters& parameters, const Grid& grid);
-std::unique_ptr<Integrator> make_implicit_midpoint(const IntegratorParameters& parameters, const Grid& grid);
+std::unique_ptr<Integrator> make_theta_method(const IntegratorParameters& parameters, const Grid& grid);
 std::unique_ptr<Integrator> make_bdf2(const IntegratorParameters& parameters, const Grid& grid);
 std::unique_ptr<Integrator> make_xpbd(const IntegratorParameters& parameters, const Grid& grid);
 std::unique_ptr<Integrator> make_projective_dynamics(const IntegratorParameters& parameters, const Grid& grid);

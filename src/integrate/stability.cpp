@@ -6,7 +6,6 @@
 #include <complex>
 #include <limits>
 
-#include "drape/base/assert.h"
 #include "drape/model/forces.h"
 #include "least_limit.h"
 
@@ -28,22 +27,35 @@ double longest_of_rk4(double k, double d) {
     return stable;
 }
 
+/// The limit of a method.
+struct MethodLimit {
+    IntegratorKind kind;
+    double (*longest)(double k, double d);  ///< a step, but where both are 0
+    std::string_view formula;
+};
+
+constexpr std::array<MethodLimit, 4> method_limits{{
+    {IntegratorKind::ExplicitEuler,
+     [](double k, double d) { return d * d <= 4 * k ? d / k : 4 / (d + std::sqrt(d * d - 4 * k)); },
+     "z = 2 zeta up to zeta = 1, else 2/(zeta + sqrt(zeta^2 - 1))"},
+    {IntegratorKind::SymplecticEuler, [](double k, double d) { return 4 / (d + std::sqrt(d * d + 4 * k)); },
+     "z = 2 (sqrt(1 + zeta^2) - zeta)"},
+    // A factor of -1 at h^2 k + 2 h d - h^2 d^2 = 4, or one of 1 at h d = 2
+    {IntegratorKind::VelocityVerlet,
+     [](double k, double d) { return k >= d * d ? 4 / (d + std::sqrt(4 * k - 3 * d * d)) : 2 / d; },
+     "z = 2/(zeta + sqrt(1 - 3 zeta^2)) up to zeta = 1/2, else 1/zeta"},
+    {IntegratorKind::Rk4, longest_of_rk4, "|amplification(z, zeta)| = 1; z = 2 sqrt(2) undamped"},
+}};
+
+/// Null for a method without a limit.
+const MethodLimit* limit_of_method(IntegratorKind kind) {
+    const auto* const found = std::ranges::find(method_limits, kind, &MethodLimit::kind);
+    return found == method_limits.end() ? nullptr : found;
+}
+
 double longest(IntegratorKind kind, double k, double d) {
-    if (!has_step_limit(kind) || (k == 0 && d == 0)) return std::numeric_limits<double>::infinity();
-    switch (kind) {
-        case IntegratorKind::ExplicitEuler:
-            return d * d <= 4 * k ? d / k : 4 / (d + std::sqrt(d * d - 4 * k));
-        case IntegratorKind::SymplecticEuler:
-            return 4 / (d + std::sqrt(d * d + 4 * k));
-        case IntegratorKind::VelocityVerlet:
-            // A factor of -1 at h^2 k + 2 h d - h^2 d^2 = 4, or one of 1 at h d = 2
-            return k >= d * d ? 4 / (d + std::sqrt(4 * k - 3 * d * d)) : 2 / d;
-        case IntegratorKind::Rk4:
-            return longest_of_rk4(k, d);
-        default:
-            DRAPE_ASSERT(false && "every method with a limit has its own");
-            return 0;
-    }
+    const MethodLimit* const limit = limit_of_method(kind);
+    return limit == nullptr || (k == 0 && d == 0) ? std::numeric_limits<double>::infinity() : limit->longest(k, d);
 }
 
 /// The longest step with which implicit midpoint keeps a sheet in the wind from fluttering faster and faster. Its
@@ -128,21 +140,6 @@ Piece critical_piece(const ClothModel& model, const ClothState& state, Kernels k
     return cut_out(model, state, critical[0], critical[1]);
 }
 
-std::string_view formula_of(IntegratorKind kind) {
-    switch (kind) {
-        case IntegratorKind::ExplicitEuler:
-            return "z = 2 zeta up to zeta = 1, else 2/(zeta + sqrt(zeta^2 - 1))";
-        case IntegratorKind::SymplecticEuler:
-            return "z = 2 (sqrt(1 + zeta^2) - zeta)";
-        case IntegratorKind::VelocityVerlet:
-            return "z = 2/(zeta + sqrt(1 - 3 zeta^2)) up to zeta = 1/2, else 1/zeta";
-        case IntegratorKind::Rk4:
-            return "|amplification(z, zeta)| = 1; z = 2 sqrt(2) undamped";
-        default:
-            return "no linear limit";
-    }
-}
-
 StepLimit limit_of(const ClothModel& model, const ClothState& state, IntegratorKind kind, Kernels kernels) {
     ModeSearch search(model, state, kernels);
     const auto limit = least_limit(
@@ -150,16 +147,13 @@ StepLimit limit_of(const ClothModel& model, const ClothState& state, IntegratorK
         [kind](double k, double d) { return longest(kind, k, d); },
         [kind](const Mode& mode) { return decides(kind, mode); });
     const double omega = std::sqrt(limit.stiffness), zeta = omega > 0 ? limit.damping / (2 * omega) : 0;
-    return {static_cast<Real>(omega), static_cast<Real>(zeta), static_cast<Real>(limit.step), formula_of(kind),
-            !limit.attained};
+    return {static_cast<Real>(omega), static_cast<Real>(zeta), static_cast<Real>(limit.step),
+            limit_of_method(kind)->formula, !limit.attained};
 }
 
 }  // namespace
 
-bool has_step_limit(IntegratorKind kind) {
-    return kind == IntegratorKind::ExplicitEuler || kind == IntegratorKind::SymplecticEuler ||
-           kind == IntegratorKind::VelocityVerlet || kind == IntegratorKind::Rk4;
-}
+bool has_step_limit(IntegratorKind kind) { return limit_of_method(kind) != nullptr; }
 
 Real longest_step(IntegratorKind kind, Real k, Real d) {
     return static_cast<Real>(longest(kind, static_cast<double>(k), static_cast<double>(d)));
@@ -169,7 +163,7 @@ StepLimit predicted_limit(const ClothModel& model, const ClothState& state, Inte
     if (!has_step_limit(kind)) {
         const bool flutters = kind == IntegratorKind::ImplicitMidpoint && model.air.density > 0;
         const double step = flutters ? longest_of_midpoint(model, state) : std::numeric_limits<double>::infinity();
-        return {.step = static_cast<Real>(step), .formula = formula_of(kind)};
+        return {.step = static_cast<Real>(step), .formula = "no linear limit"};
     }
     if (pieces(model.grid.nx) * pieces(model.grid.ny) == 1) return limit_of(model, state, kind, kernels);
     const Piece piece = critical_piece(model, state, kernels);

@@ -1,7 +1,6 @@
 #include "drape/integrate/stability_trial.h"
 
 #include <algorithm>
-#include <array>
 #include <cmath>
 #include <limits>
 #include <random>

@@ -32,22 +32,6 @@ EnergyFlow flow_of(const ClothModel& model, const std::vector<kernels::RowSums>&
 
 }  // namespace
 
-void ForceRun::add(Real s, const Points& u, Points& y) const {
-    if (kernels == Kernels::Plain) {
-        of(y) += s * of(u);
-    } else {
-        kernels::add_scaled(s, u.data() + first, u.rows(), nullptr, count, y.data() + first, y.rows());
-    }
-}
-
-void ForceRun::add_accelerations(Real s, Points& y) const {
-    if (kernels == Kernels::Plain) {
-        of(y) += s * accelerations();
-    } else {
-        kernels::add_scaled(s, force, stride, model->inverse_mass.data() + first, count, y.data() + first, y.rows());
-    }
-}
-
 ForceSweep::ForceSweep(const Grid& grid, Kernels kernels, int threads)
     : grid_(grid), kernels_(kernels), forces_(grid.particles(), 3), workers_(threads) {
     if (kernels == Kernels::Plain) return;
@@ -68,7 +52,7 @@ void ForceSweep::sweep(const ClothModel& model, const Points& x, const Points& v
     if (kernels_ == Kernels::Plain) {
         if (flow != nullptr) *flow = compute_energy_flow(model, x, v, forces_, kernels_);
         compute_forces(model, x, v, forces_);
-        use({0, n, forces_.data(), n, &model, Kernels::Plain});
+        use({0, n, forces_.data(), n, &model});
         return;
     }
     kernels::ForceInput input{

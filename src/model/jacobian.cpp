@@ -7,8 +7,7 @@
 
 namespace drape {
 
-Jacobian::Jacobian(const Grid& grid, Hessian hessian, Kernels kernels)
-    : grid_(grid), hessian_(hessian), kernels_(kernels) {
+Jacobian::Jacobian(const Grid& grid, Hessian hessian, Kernels kernels) : grid_(grid), kernels_(kernels) {
     for (Family& family : families_) family.terms.setZero(grid.particles(), hessian == Hessian::Exact ? 7 : 4);
 }
 
@@ -35,7 +34,7 @@ void Jacobian::linearise(const ClothModel& model, const Points& x, const Points&
 }
 
 void Jacobian::linearise_plainly(const Grid& grid, const Points& x, const Points& v, Family& family) {
-    const auto& [k, c] = family.springs.law;
+    const Real k = family.springs.law.stiffness, c = family.springs.law.damping;
     family.springs.for_each(grid, [&](int a, int b) {
         const Vec3 d = x.row(a) - x.row(b), w = v.row(a) - v.row(b);
         const Real length = d.norm();

@@ -4,7 +4,7 @@
 #include <limits>
 
 #include "drape/base/stopwatch.h"
-#include "drape/bounds/refit_nodes.h"
+#include "drape/bounds/node_view.h"
 #include "drape/bounds/sphere_fits.h"
 
 namespace drape {

@@ -90,7 +90,8 @@ std::int64_t ContactSearch::narrow(const MovingCloth& cloth, std::span<const Bal
 TraversalStats ContactSearch::meet_solid(const MovingCloth& cloth, const Solid& solid, int body, Real thickness,
                                          std::vector<ContactRow>& rows) {
     const Real near = reach(solid.moved, thickness);
-    const TraversalStats stats = hierarchy_->query_near(solid, thickness + 2 * near, near_);
+    const auto distance = [&solid](const Vec3& p) { return solid.distance(p); };
+    const TraversalStats stats = hierarchy_->query_near(distance, thickness + 2 * near, near_);
     std::ranges::sort(near_.cells);
     solid_search_.find(cloth, solid, {body, thickness, near}, near_.cells, rows);
     return stats;

@@ -5,7 +5,7 @@
 #include "drape/base/memory_limit.h"
 #include "drape/bounds/node_view.h"
 #include "drape/contact/detection.h"
-#include "drape/integrate/method_memory.h"
+#include "drape/integrate/integrator.h"
 #include "drape/sim/pair_list.h"
 #include "drape/sim/simulation.h"
 

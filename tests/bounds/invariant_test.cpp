@@ -2,7 +2,7 @@
 
 #include <gtest/gtest.h>
 
-#include "drape/bounds/limited_quadtree.h"
+#include "drape/bounds/cloth_quadtree.h"
 #include "support/cloths.h"
 #include "support/containment.h"
 
@@ -58,7 +58,7 @@ TYPED_TEST(Invariant, HoldsForTheSpheresThatASearchEndsAt) {
     const Grid grid{31, 17};
     for (const UpdateKind update : test::all_updates()) {
         MovingCloth cloth(grid);
-        LimitedQuadtree<TypeParam> tree(grid, {.update = update, .leaf_cells = 3, .search = {.level = 2}});
+        ClothQuadtree<TypeParam> tree(grid, {.update = update, .leaf_cells = 3, .search = {.level = 2}});
         Candidates found;
         for (int frame = 0; frame < 10; ++frame) {
             cloth.move(frame);

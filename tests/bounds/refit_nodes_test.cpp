@@ -1,4 +1,4 @@
-#include "drape/bounds/refit_nodes.h"
+#include "drape/bounds/node_view.h"
 
 #include <gtest/gtest.h>
 

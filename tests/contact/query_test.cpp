@@ -194,7 +194,7 @@ protected:
 struct Names {
     template <class Volume>
     static std::string GetName(int) {
-        return std::string(Volume::name);
+        return name_of(static_cast<VolumeKind>(AnyVolume(Volume()).index()));
     }
 };
 using AllVolumes = ::testing::Types<BoundingSphere, Aabb, KDop<6>, KDop<14>, KDop<18>, KDop<26>, Obb>;

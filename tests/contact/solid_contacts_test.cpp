@@ -97,7 +97,7 @@ TEST(SolidContacts, EveryHierarchyFindsTheSameAsBruteForce) {
                 tree->build(start);
                 tree->build(x);
                 Candidates found;
-                tree->query_near(box, thickness, found);
+                tree->query_near([&](const Vec3& p) { return box.distance(p); }, thickness, found);
                 std::ranges::sort(found.cells);
                 std::vector<ContactRow> contacts;
                 SolidSearch().find({grid, x, x}, box, {0, thickness, 0}, found.cells, contacts);
@@ -138,7 +138,7 @@ TEST(SolidContacts, ANodeFarFromTheSolidIsPruned) {
     tree->build(sheet(grid, 0, 0, random));
     Candidates found;
     const Solid box = solid_at(make_box({0.1, 0.1, 0.1}), {0.3, 0, 0.3});
-    const TraversalStats stats = tree->query_near(box, thickness, found);
+    const TraversalStats stats = tree->query_near([&](const Vec3& p) { return box.distance(p); }, thickness, found);
     EXPECT_GT(stats.pruned, 0);
     EXPECT_LT(stats.candidates, grid.cells() / 8);
 }

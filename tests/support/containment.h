@@ -59,7 +59,7 @@ inline std::vector<UpdateKind> all_updates() {
 struct VolumeNames {
     template <class V>
     static std::string GetName(int) {
-        return std::string(V::name);
+        return name_of(static_cast<VolumeKind>(AnyVolume(V()).index()));
     }
 };
 

@@ -10,8 +10,6 @@ namespace drape {
 
 /// A box along the axes of space.
 struct Aabb {
-    static constexpr std::string_view name = "aabb";
-
     Vec3 low = Vec3::Zero();
     Vec3 high = Vec3::Zero();
 

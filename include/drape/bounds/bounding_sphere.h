@@ -1,6 +1,5 @@
 #pragma once
 
-#include <algorithm>
 #include <cmath>
 #include <limits>
 
@@ -10,8 +9,6 @@ namespace drape {
 
 /// A sphere about particles. Its own fit is that of the dissertation, about their mean; `sphere_fits.h` has the others.
 struct BoundingSphere {
-    static constexpr std::string_view name = "sphere";
-
     Vec3 centre = Vec3::Zero();
     Real radius = 0;
 

@@ -2,7 +2,6 @@
 
 #include <concepts>
 #include <span>
-#include <string_view>
 #include <utility>
 
 #include "drape/base/real.h"
@@ -54,7 +53,6 @@ concept BoundingVolume = requires(V volume, const Patch& patch, std::span<const 
     { volume.include(p) } -> std::same_as<void>;
     { std::as_const(volume).lowest() } -> std::same_as<Real>;
     { std::as_const(volume).sphere() } -> std::same_as<BoundingSphere>;
-    { V::name } -> std::convertible_to<std::string_view>;
 };
 
 }  // namespace drape

@@ -2,15 +2,12 @@
 
 #include <compare>
 #include <cstdint>
+#include <functional>
 #include <memory>
-#include <span>
-#include <string>
-#include <string_view>
 #include <vector>
 
 #include "drape/base/enum_names.h"
 #include "drape/base/kernels.h"
-#include "drape/bounds/distance_field.h"
 #include "drape/bounds/sphere_fits.h"
 #include "drape/model/ball.h"
 #include "drape/model/grid.h"
@@ -98,6 +95,10 @@ struct LeafPair {
     CellRange first, second;
 };
 
+/// How far a point is from the surface of a body, less than zero inside [m]. Of two points it differs by no more than
+/// they are apart.
+using DistanceFunction = std::function<Real(const Vec3&)>;
+
 struct NodeView;
 class FoldTest;
 
@@ -135,8 +136,9 @@ public:
 
     /// Every cell with a triangle that comes as near to a body as a margin, and perhaps more; no limit of the search
     /// ends this one either.
+    /// @param distance from the body's surface
     /// @param margin [m] @pre `build` was called
-    virtual TraversalStats query_near(const DistanceField& body, Real margin, Candidates& found) const = 0;
+    virtual TraversalStats query_near(const DistanceFunction& distance, Real margin, Candidates& found) const = 0;
 
     /// By how much the nodes may be too small: the query makes up for it [m].
     [[nodiscard]] virtual Real slack() const = 0;

@@ -1,7 +1,6 @@
 #pragma once
 
 #include <algorithm>
-#include <array>
 #include <cmath>
 #include <limits>
 #include <utility>
@@ -39,10 +38,11 @@ struct Fits {
 template <BoundingVolume Volume>
 Fits<Volume> fits_of(const BroadPhaseParameters& parameters);
 
-/// A quadtree over the cloth's cells whose every node carries a volume about its own particles.
+/// A quadtree over the cloth's cells whose every node carries a volume about its own particles. A search for a ball may
+/// be limited: it then ends at a level, or after a number of tests, and hands on the nodes it has ended at.
 /// Invariant after `build`: a node's volume, grown by `slack`, contains all its particles, and so all its triangles.
 template <BoundingVolume Volume>
-class ClothQuadtree : public BroadPhase {
+class ClothQuadtree final : public BroadPhase {
 public:
     explicit ClothQuadtree(const Grid& grid, const BroadPhaseParameters& parameters = {})
         : ClothQuadtree(grid, parameters, fits_of<Volume>(parameters)) {}
@@ -51,6 +51,7 @@ public:
         : grid_(grid),
           update_(parameters.update),
           kernels_(parameters.kernels),
+          limit_(parameters.search),
           fits_(fits),
           nodes_(make_quadtree_nodes(grid, parameters.leaf_cells)),
           volumes_(nodes_.size()),
@@ -61,6 +62,7 @@ public:
             leaf_rows_ += static_cast<std::size_t>(node.j1 - node.j0);
             leaves_.push_back(static_cast<int>(n));
         }
+        if (!limit_.none()) queue_.reserve(nodes_.size());
         std::ranges::sort(leaves_, {}, [this](int n) { return std::pair(nodes_[at(n)].j0, nodes_[at(n)].i0); });
     }
 
@@ -82,7 +84,10 @@ public:
                 built_ ? refit(x) : start_refitting(x);
                 break;
             case UpdateKind::None:
-                if (!built_) start_holding(x);
+                if (!built_) {
+                    rebuild(x);
+                    held_ = x;
+                }
                 slack_ = largest_displacement(x, held_, kernels_);
                 break;
         }
@@ -91,9 +96,17 @@ public:
     }
 
     TraversalStats query(const Ball& ball, Candidates& found) override {
-        begin_query(found);
-        TraversalStats stats{.nodes = static_cast<std::int64_t>(nodes_.size())};
-        traverse(0, grown_by_slack(ball), found, stats);
+        TraversalStats stats = begin_query(found);
+        // Also by the rounding of points as far out as the ball: the exact test of a triangle is not more exact
+        const Real size = ball.centre.cwiseAbs().sum() + ball.radius;
+        const Ball grown_ball = grown(ball, slack_ + 16 * std::numeric_limits<Real>::epsilon() * size);
+        if (!limit_.none()) {
+            search_limited(grown_ball, found, stats);
+        } else {
+            const auto is_apart = [&](const Volume& volume) { return !volume.overlaps(grown_ball); };
+            const auto mark_node = [this](int n, NodeVisit visit) { mark(n, visit); };
+            traverse(0, is_apart, mark_node, found, stats);
+        }
         return stats;
     }
 
@@ -101,32 +114,37 @@ public:
                          std::vector<LeafPair>& pairs) override {
         DRAPE_ASSERT(built_ && dynamic_cast<const ClothQuadtree*>(&other) != nullptr);
         const auto& second = static_cast<const ClothQuadtree&>(other);
-        const NodesInSpace<Volume> nodes{nodes_, volumes_}, others{second.nodes_, second.volumes_};
-        PairTraversal<Volume> traversal(nodes, others, margin + slack_ + second.slack_, folds, visits_, pairs);
-        return &second == this ? traversal.of_one() : traversal.of_two();
+        pairs.clear();
+        PairTraversal<Volume> traversal{{nodes_, volumes_},
+                                        {second.nodes_, second.volumes_},
+                                        margin + slack_ + second.slack_,
+                                        folds,
+                                        visits_,
+                                        pairs,
+                                        {.nodes = static_cast<std::int64_t>(nodes_.size())}};
+        &second == this ? traversal.traverse_itself(0) : traversal.traverse(0, 0);
+        return traversal.stats;
     }
 
     TraversalStats query_below(Real height, Candidates& found) const override {
-        begin_query(found);
-        TraversalStats stats{.nodes = static_cast<std::int64_t>(nodes_.size())};
+        TraversalStats stats = begin_query(found);
         const Real rounding = 16 * std::numeric_limits<Real>::epsilon() * (std::abs(height) + slack_);
         const Real highest = height + slack_ + rounding;
-        traverse_unmarked(
-            0, [&](const Volume& volume) { return volume.lowest() > highest; }, found, stats);
+        const auto is_apart = [&](const Volume& volume) { return volume.lowest() > highest; };
+        traverse(0, is_apart, leave_unmarked, found, stats);
         return stats;
     }
 
-    TraversalStats query_near(const DistanceField& body, Real margin, Candidates& found) const override {
-        begin_query(found);
-        TraversalStats stats{.nodes = static_cast<std::int64_t>(nodes_.size())};
+    TraversalStats query_near(const DistanceFunction& distance, Real margin, Candidates& found) const override {
+        TraversalStats stats = begin_query(found);
         // Where the middle of its sphere is farther from the body than the sphere is wide
         const auto is_apart = [&](const Volume& volume) {
             const BoundingSphere sphere = volume.sphere();
             const Real size = sphere.centre.cwiseAbs().sum() + sphere.radius;
             const Real rounding = 64 * std::numeric_limits<Real>::epsilon() * size;
-            return body.distance(sphere.centre) > sphere.radius + margin + slack_ + rounding;
+            return distance(sphere.centre) > sphere.radius + margin + slack_ + rounding;
         };
-        traverse_unmarked(0, is_apart, found, stats);
+        traverse(0, is_apart, leave_unmarked, found, stats);
         return stats;
     }
 
@@ -145,29 +163,27 @@ public:
     [[nodiscard]] const std::vector<QuadtreeNode>& nodes() const { return nodes_; }
     [[nodiscard]] const std::vector<Volume>& volumes() const { return volumes_; }
 
-protected:
+private:
     static std::size_t at(int n) { return static_cast<std::size_t>(n); }
 
-    void begin_query(Candidates& found) const {
+    TraversalStats begin_query(Candidates& found) const {
         DRAPE_ASSERT(built_);
         found.cells.clear();
         found.cells.reserve(leaf_rows_);
         found.stopped.clear();
+        return {.nodes = static_cast<std::int64_t>(nodes_.size())};
     }
 
-    /// Also by the rounding of points as far out as the ball: the exact test of a triangle is not more exact than this.
-    [[nodiscard]] Ball grown_by_slack(const Ball& ball) const {
-        const Real size = ball.centre.cwiseAbs().sum() + ball.radius;
-        return grown(ball, slack_ + 16 * std::numeric_limits<Real>::epsilon() * size);
-    }
-
-    /// Into every node that overlaps the ball, from the root down; the cells of the leaves that do are the candidates.
+    /// Into every node that is not apart from what is searched for, from the root down; the cells of the leaves that
+    /// are not are the candidates.
+    /// @param mark told of each node and what is done with it
     /// @cite dissertation
-    void traverse(int n, const Ball& ball, Candidates& found, TraversalStats& stats) {
+    template <class IsApart, class Mark>
+    void traverse(int n, const IsApart& is_apart, const Mark& mark, Candidates& found, TraversalStats& stats) const {
         const QuadtreeNode& node = nodes_[at(n)];
         ++stats.visited;
         ++stats.volume_tests;
-        if (!volumes_[at(n)].overlaps(ball)) {
+        if (is_apart(volumes_[at(n)])) {
             mark(n, NodeVisit::Pruned);
             ++stats.pruned;
         } else if (node.children == 0) {
@@ -176,9 +192,44 @@ protected:
         } else {
             mark(n, NodeVisit::Entered);
             for (int child = 0; child < node.children; ++child) {
-                traverse(node.first_child + child, ball, found, stats);
+                traverse(node.first_child + child, is_apart, mark, found, stats);
             }
         }
+    }
+
+    /// Level by level, so that what ends it has seen all of the cloth alike. @cite hubbard1996
+    void search_limited(const Ball& ball, Candidates& found, TraversalStats& stats) {
+        found.stopped.reserve(nodes_.size());
+        queue_.assign(1, 0);
+        for (std::size_t next = 0; next < queue_.size(); ++next) {
+            const int n = queue_[next];
+            const QuadtreeNode& node = nodes_[at(n)];
+            ++stats.visited;
+            const bool spent = limit_.tests > 0 && stats.volume_tests == limit_.tests;
+            if (!spent) ++stats.volume_tests;
+            if (!spent && !volumes_[at(n)].overlaps(ball)) {
+                mark(n, NodeVisit::Pruned);
+                ++stats.pruned;
+            } else if (spent || (node.level == limit_.level && node.children > 0)) {
+                mark(n, NodeVisit::Entered);
+                found.stopped.push_back(stop_at(n));
+            } else if (node.children == 0) {
+                mark(n, NodeVisit::Leaf);
+                take_leaf(node, found, stats);
+            } else {
+                mark(n, NodeVisit::Entered);
+                for (int child = 0; child < node.children; ++child) queue_.push_back(node.first_child + child);
+            }
+        }
+        stats.stopped = static_cast<std::int64_t>(found.stopped.size());
+    }
+
+    [[nodiscard]] StoppedNode stop_at(int n) const {
+        const QuadtreeNode& node = nodes_[at(n)];
+        BoundingSphere sphere = volumes_[at(n)].sphere();
+        sphere.radius += slack_;
+        const int middle = (node.j0 + node.j1) / 2 * grid_.cell_columns() + (node.i0 + node.i1) / 2;
+        return {node, sphere, middle};
     }
 
     static void take_leaf(const QuadtreeNode& leaf, Candidates& found, TraversalStats& stats) {
@@ -191,24 +242,8 @@ protected:
     /// With several balls the most counts that any query did with a node.
     void mark(int n, NodeVisit visit) { visits_[at(n)] = std::max(visits_[at(n)], visit); }
 
-private:
-    /// The same, into every node that is not apart from something else than a ball. Nothing is marked: the marks are
-    /// those of balls.
-    template <class IsApart>
-    void traverse_unmarked(int n, const IsApart& is_apart, Candidates& found, TraversalStats& stats) const {
-        const QuadtreeNode& node = nodes_[at(n)];
-        ++stats.visited;
-        ++stats.volume_tests;
-        if (is_apart(volumes_[at(n)])) {
-            ++stats.pruned;
-        } else if (node.children == 0) {
-            take_leaf(node, found, stats);
-        } else {
-            for (int child = 0; child < node.children; ++child) {
-                traverse_unmarked(node.first_child + child, is_apart, found, stats);
-            }
-        }
-    }
+    /// The marks are those of balls.
+    static void leave_unmarked(int /*n*/, NodeVisit /*visit*/) {}
 
     /// Top-down: every node is fitted to all of its own particles. @cite dissertation
     /// @par Cost O(particles * levels)
@@ -294,20 +329,16 @@ private:
         }
     }
 
-    /// @par Cost O(particles), one pass; so too for how far all has moved since
-    void start_holding(const Points& x) {
-        rebuild(x);
-        held_ = x;
-    }
-
     Grid grid_;
     UpdateKind update_;
     Kernels kernels_;
+    SearchLimit limit_;
     Fits<Volume> fits_;
     std::vector<QuadtreeNode> nodes_;
     std::vector<Volume> volumes_;
     std::vector<NodeVisit> visits_;
     std::vector<int> leaves_;    ///< numbers of nodes, row by row
+    std::vector<int> queue_;     ///< for a limited search: nodes that it visits
     std::size_t leaf_rows_ = 0;  ///< of all leaves together: the most runs of cells that a query finds
     bool built_ = false;
     Real slack_ = 0;

@@ -49,6 +49,12 @@ private:
     struct Derivatives {
         Aabb along, across;  ///< e_u / hx, e_v / hy
         Real reach;          ///< [m]
+
+        /// Those of another patch too, but for its reach.
+        void include(const Derivatives& other) {
+            along.include(other.along);
+            across.include(other.across);
+        }
     };
 
     /// The nodes of the same level that share a whole side with a node; -1: there is none.

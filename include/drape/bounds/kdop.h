@@ -12,7 +12,6 @@ namespace drape {
 template <int K>
 struct KDop {
     static_assert(K == 6 || K == 14 || K == 18 || K == 26);
-    static constexpr std::string_view name = K == 6 ? "kdop6" : K == 14 ? "kdop14" : K == 18 ? "kdop18" : "kdop26";
     static constexpr std::size_t cuts = K / 2 - 3;  ///< slabs beside the box
 
     Aabb box;                      ///< the first three slabs

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <span>
 #include <type_traits>
 #include <variant>
 
@@ -11,31 +12,18 @@
 
 namespace drape {
 
-/// Any volume that a node may have.
+/// Any volume that a node may have, in the order of their kinds.
 using AnyVolume = std::variant<BoundingSphere, Aabb, KDop<6>, KDop<14>, KDop<18>, KDop<26>, Obb>;
 
 /// What visit(std::type_identity<Volume>()) returns for the volume of a kind. @pre any kind but `Brute`
-template <class Visit>
+template <std::size_t number = 0, class Visit>
 auto with_volume(VolumeKind kind, Visit visit) {
-    switch (kind) {
-        case VolumeKind::Sphere:
-            return visit(std::type_identity<BoundingSphere>());
-        case VolumeKind::Aabb:
-            return visit(std::type_identity<Aabb>());
-        case VolumeKind::Kdop6:
-            return visit(std::type_identity<KDop<6>>());
-        case VolumeKind::Kdop14:
-            return visit(std::type_identity<KDop<14>>());
-        case VolumeKind::Kdop18:
-            return visit(std::type_identity<KDop<18>>());
-        case VolumeKind::Kdop26:
-            return visit(std::type_identity<KDop<26>>());
-        case VolumeKind::Obb:
-        case VolumeKind::Brute:
-            break;
+    constexpr auto volume_kind = static_cast<VolumeKind>(number);
+    if constexpr (number + 1 < std::variant_size_v<AnyVolume>) {
+        if (kind != volume_kind) return with_volume<number + 1>(kind, visit);
     }
-    DRAPE_ASSERT(kind == VolumeKind::Obb);
-    return visit(std::type_identity<Obb>());
+    DRAPE_ASSERT(kind == volume_kind);
+    return visit(std::type_identity<std::variant_alternative_t<number, AnyVolume>>());
 }
 
 /// A node as a hierarchy shows it.
@@ -44,5 +32,11 @@ struct NodeView {
     NodeVisit visit;   ///< the most that a query since the last build did
     AnyVolume volume;  ///< as fitted: `BroadPhase::slack` is to be added
 };
+
+/// Fits the volume of each of these nodes to its own particles, as a hierarchy of these parameters does that is rebuilt
+/// node by node. Does nothing for brute force.
+/// @param x n x 3 [m]
+/// @par Cost O(particles) for the nodes of one level
+void refit_nodes(const BroadPhaseParameters& parameters, const Grid& grid, const Points& x, std::span<NodeView> nodes);
 
 }  // namespace drape

@@ -14,8 +14,6 @@ using BoxAxes = Eigen::Matrix<Real, 3, 3>;
 /// Coordinates along them are measured from one of its own particles, so that they are as exact as the patch is small,
 /// however far out it is.
 struct Obb {
-    static constexpr std::string_view name = "obb";
-
     Vec3 origin = Vec3::Zero();          ///< a particle of the patch
     BoxAxes axes = BoxAxes::Identity();  ///< orthonormal, even of a patch that is a line or a point
     Vec3 low = Vec3::Zero();             ///< along the axes from the origin, grown by the rounding
@@ -26,11 +24,9 @@ struct Obb {
     /// @par Cost O(particles of the patch), one pass
     static Obb fit(const Patch& patch);
 
-    /// Origin and directions of a patch's box; low and high are left empty, from infinity down to -infinity.
-    static Obb frame_of(const Patch& patch);
-
-    /// A box without points, along the patch's directions.
-    static Obb start(const Patch& patch) { return frame_of(patch); }
+    /// A box without points, along the patch's directions: low and high are left empty, from infinity down to
+    /// -infinity.
+    static Obb start(const Patch& patch);
 
     /// Grows along its directions by just as much as a point needs, and the rounding.
     void include(const Vec3& p);

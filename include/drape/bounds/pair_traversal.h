@@ -22,38 +22,19 @@ struct NodesInSpace {
 /// Two trees, or one against itself, gone down in pairs of nodes to the pairs of leaves that are no farther from each
 /// other than a margin.
 template <BoundingVolume Volume>
-class PairTraversal {
-public:
-    /// @param margin with what the volumes lack [m]
-    /// @param folds of the first tree, to be asked where it is traversed against itself; null: none
-    /// @param visits what is done with each node of the first
-    /// @param pairs receives the leaves; cleared first
-    PairTraversal(const NodesInSpace<Volume>& first, const NodesInSpace<Volume>& second, Real margin,
-                  const FoldTest* folds, std::span<NodeVisit> visits, std::vector<LeafPair>& pairs)
-        : first_(first), second_(second), margin_(margin), folds_(folds), visits_(visits), pairs_(pairs) {
-        pairs_.clear();
-        stats_.nodes = static_cast<std::int64_t>(first.nodes.size());
-    }
-
-    TraversalStats of_one() {
-        traverse_itself(0);
-        return stats_;
-    }
-    TraversalStats of_two() {
-        traverse(0, 0);
-        return stats_;
-    }
-
-private:
-    static std::size_t at(int n) { return static_cast<std::size_t>(n); }
-
-    void mark(int n, NodeVisit visit) { visits_[at(n)] = std::max(visits_[at(n)], visit); }
+struct PairTraversal {
+    NodesInSpace<Volume> first_tree, second_tree;
+    Real margin;                   ///< with what the volumes lack [m]
+    const FoldTest* folds;         ///< of the first tree, to be asked where it is traversed against itself; null: none
+    std::span<NodeVisit> visits;   ///< what is done with each node of the first
+    std::vector<LeafPair>& pairs;  ///< receives the leaves
+    TraversalStats stats;
 
     /// A node against itself: each child against itself, and against those after it.
     void traverse_itself(int n) {
-        const QuadtreeNode& node = first_.nodes[at(n)];
-        ++stats_.visited;
-        if (folds_ && folds_->node_is_separated(n, margin_)) return mark(n, NodeVisit::Pruned);
+        const QuadtreeNode& node = first_tree.nodes[at(n)];
+        ++stats.visited;
+        if (folds && folds->node_is_separated(n, margin)) return mark(n, NodeVisit::Pruned);
         if (node.children == 0) return take(n, n);
         mark(n, NodeVisit::Entered);
         for (int child = 0; child < node.children; ++child) {
@@ -66,11 +47,12 @@ private:
 
     /// A node against one of the second tree: the children of both, where both have any.
     void traverse(int n, int m) {
-        const QuadtreeNode &node = first_.nodes[at(n)], &other = second_.nodes[at(m)];
-        ++stats_.visited;
-        ++stats_.volume_tests;
-        if (!first_.volumes[at(n)].comes_within(second_.volumes[at(m)], margin_)) return mark(n, NodeVisit::Pruned);
-        if (folds_ && folds_->nodes_are_separated(n, m, margin_)) return mark(n, NodeVisit::Pruned);
+        const QuadtreeNode &node = first_tree.nodes[at(n)], &other = second_tree.nodes[at(m)];
+        ++stats.visited;
+        ++stats.volume_tests;
+        const bool are_near = first_tree.volumes[at(n)].comes_within(second_tree.volumes[at(m)], margin);
+        if (!are_near) return mark(n, NodeVisit::Pruned);
+        if (folds && folds->nodes_are_separated(n, m, margin)) return mark(n, NodeVisit::Pruned);
         if (node.children == 0 && other.children == 0) return take(n, m);
         mark(n, NodeVisit::Entered);
         const int first = node.children > 0 ? node.first_child : n, count = std::max(node.children, 1);
@@ -80,20 +62,18 @@ private:
         }
     }
 
+private:
+    static std::size_t at(int n) { return static_cast<std::size_t>(n); }
+
+    void mark(int n, NodeVisit visit) { visits[at(n)] = std::max(visits[at(n)], visit); }
+
     void take(int n, int m) {
         mark(n, NodeVisit::Leaf);
-        const QuadtreeNode &node = first_.nodes[at(n)], &other = second_.nodes[at(m)];
-        pairs_.push_back({node, other});
-        ++stats_.leaves;
-        stats_.candidates += static_cast<std::int64_t>(node.cells()) * other.cells();
+        const QuadtreeNode &node = first_tree.nodes[at(n)], &other = second_tree.nodes[at(m)];
+        pairs.push_back({node, other});
+        ++stats.leaves;
+        stats.candidates += static_cast<std::int64_t>(node.cells()) * other.cells();
     }
-
-    NodesInSpace<Volume> first_, second_;
-    Real margin_;
-    const FoldTest* folds_;
-    std::span<NodeVisit> visits_;
-    std::vector<LeafPair>& pairs_;
-    TraversalStats stats_;
 };
 
 }  // namespace drape

@@ -3,13 +3,12 @@
 #include <Eigen/Geometry>
 #include <memory>
 
-#include "drape/bounds/distance_field.h"
 #include "drape/contact/solid_shape.h"
 
 namespace drape {
 
 /// A shape in its place. Nothing pushes it.
-struct Solid final : DistanceField {
+struct Solid {
     std::shared_ptr<const SolidShape> shape;
     Vec3 position = Vec3::Zero();  ///< of the shape's origin [m]
     Eigen::Quaternion<Real> orientation = Eigen::Quaternion<Real>::Identity();
@@ -24,7 +23,8 @@ struct Solid final : DistanceField {
         return in_world(shape->measure_near(in_own_frame(p), farthest));
     }
 
-    [[nodiscard]] Real distance(const Vec3& p) const override { return measure(p).distance; }
+    /// From a point to the surface, less than zero inside [m].
+    [[nodiscard]] Real distance(const Vec3& p) const { return measure(p).distance; }
 
 private:
     [[nodiscard]] Vec3 in_own_frame(const Vec3& p) const { return orientation.conjugate() * (p - position); }

@@ -1,7 +1,6 @@
 #pragma once
 
 #include <functional>
-#include <string_view>
 
 #include "drape/base/enum_names.h"
 #include "drape/integrate/integrator.h"

@@ -1,7 +1,5 @@
 #pragma once
 
-#include <string>
-#include <variant>
 #include <vector>
 
 #include "drape/base/enum_names.h"

@@ -21,7 +21,6 @@ struct ForceRun {
     const Real* force;          ///< their forces [N], by coordinate
     Eigen::Index stride;        ///< from the first force of one coordinate to that of the next
     const ClothModel* model;
-    Kernels kernels;
 
     /// The run's rows of an n x 3 array.
     [[nodiscard]] auto of(const Points& points) const { return points.middleRows(first, count).array(); }
@@ -34,10 +33,6 @@ struct ForceRun {
 
     /// a = f/m, and zero for pinned particles [m/s^2].
     [[nodiscard]] auto accelerations() const { return forces().colwise() * model->inverse_mass.segment(first, count); }
-
-    /// y += s u on the run's rows, and y += s a.
-    void add(Real s, const Points& u, Points& y) const;
-    void add_accelerations(Real s, Points& y) const;
 };
 
 /// Evaluates all forces on a cloth, for every method of integration.

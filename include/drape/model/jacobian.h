@@ -46,7 +46,6 @@ public:
     /// @par Cost O(n), about one force evaluation
     void add_product(Real k_scale, Real d_scale, const Points& u, Points& y) const;
 
-    [[nodiscard]] Hessian hessian() const { return hessian_; }
     [[nodiscard]] Real drag() const { return drag_; }
 
     using Block = Eigen::Matrix<Real, 3, 3>;
@@ -105,7 +104,6 @@ private:
     void add_product_plainly(const Family& family, Real along, Real k_scale, const Points& u, Points& y) const;
 
     Grid grid_;
-    Hessian hessian_;
     Kernels kernels_;
     Real drag_ = 0;
     std::array<Family, 6> families_;

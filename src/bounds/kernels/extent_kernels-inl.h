@@ -4,8 +4,6 @@
 #include "drape/bounds/dop_axes.h"
 #include "patch_kernels.h"
 
-#include "patch_loop-inl.h"
-
 HWY_BEFORE_NAMESPACE();
 namespace drape::kernels::HWY_NAMESPACE {
 
@@ -31,7 +29,7 @@ HWY_INLINE void extents(const Patch& patch, Real* low, Real* high, std::index_se
     });
 }
 
-void bounding_box_of(const Patch& patch, Real low[3], Real high[3]) {
+HWY_INLINE void bounding_box_in(const Patch& patch, Real* low, Real* high) {
     extents(patch, low, high, std::make_index_sequence<3>(), [&](auto d, int p) HWY_ATTR {
         using V = hn::Vec<decltype(d)>;
         return Figures<V, 3>{{loaded_once(hn::LoadU(d, patch.x + p)), loaded_once(hn::LoadU(d, patch.y + p)),
@@ -72,7 +70,7 @@ HWY_INLINE void dop_extents_in(const Patch& patch, Real* low, Real* high, std::i
 
 void dop_extents_of(const Patch& patch, int slabs, Real* low, Real* high) {
     if (slabs == 3)
-        bounding_box_of(patch, low, high);
+        bounding_box_in(patch, low, high);
     else if (slabs == 7)
         dop_extents_in<14>(patch, low, high, std::make_index_sequence<7>());
     else if (slabs == 9)
@@ -172,15 +170,10 @@ HWY_AFTER_NAMESPACE();
 #if HWY_ONCE
 namespace drape::kernels {
 
-HWY_EXPORT(bounding_box_of);
 HWY_EXPORT(dop_extents_of);
 HWY_EXPORT(extents_along_of);
 HWY_EXPORT(farthest_particle_of);
 HWY_EXPORT(extreme_particles_of);
-
-void bounding_box(const Patch& patch, Real low[3], Real high[3]) {
-    HWY_DYNAMIC_DISPATCH(bounding_box_of)(patch, low, high);
-}
 
 void dop_extents(const Patch& patch, int slabs, Real* low, Real* high) {
     HWY_DYNAMIC_DISPATCH(dop_extents_of)(patch, slabs, low, high);

@@ -3,8 +3,6 @@
 #include <array>
 #include <limits>
 
-#include "patch_loop-inl.h"
-
 HWY_BEFORE_NAMESPACE();
 namespace drape::kernels::HWY_NAMESPACE {
 

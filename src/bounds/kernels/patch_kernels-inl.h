@@ -1,7 +1,5 @@
 #include "patch_kernels.h"
 
-#include "patch_loop-inl.h"
-
 HWY_BEFORE_NAMESPACE();
 namespace drape::kernels::HWY_NAMESPACE {
 
@@ -178,16 +176,7 @@ HWY_INLINE void mean_in_lanes(const Patch& patch, Vec3& centre, Real* copy) {
 
 Real centroid_sphere_of(const Patch& patch, Vec3& centre) {
     HWY_ALIGN Real copy[3 * copied];
-    if (patch.columns >= 16)
-        mean_in_lanes<16>(patch, centre, copy);
-    else if (patch.columns >= 8)
-        mean_in_lanes<8>(patch, centre, copy);
-    else if (patch.columns >= 4)
-        mean_in_lanes<4>(patch, centre, copy);
-    else if (patch.columns >= 2)
-        mean_in_lanes<2>(patch, centre, copy);
-    else
-        mean_in_lanes<1>(patch, centre, copy);
+    with_columns_for(patch.columns, [&](auto n) HWY_ATTR { mean_in_lanes<n>(patch, centre, copy); });
     Real square = 0;
     const Patch near{copy, copy + copied, copy + 2 * copied, patch.columns, patch.rows, patch.columns};
     raise_in(patch.particles() <= copied ? near : patch, &centre, 1, &square);

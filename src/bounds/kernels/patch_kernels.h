@@ -33,10 +33,8 @@ void raise_to_farthest(const Patch& patch, const Vec3* centres, int count, Real*
 /// The mean, and the largest squared distance of a particle from it.
 Real centroid_sphere(const Patch& patch, Vec3& centre);
 
-/// Smallest and largest coordinates.
-void bounding_box(const Patch& patch, Real low[3], Real high[3]);
-
-/// The same along the directions of a k-DOP, `dop_numbers<2 * slabs>`, by sums alone.
+/// Smallest and largest coordinates along the directions of a k-DOP, `dop_numbers<2 * slabs>`, by sums alone; those of
+/// 3 slabs are the axes.
 /// @param low, high receive `slabs` each
 void dop_extents(const Patch& patch, int slabs, Real* low, Real* high);
 

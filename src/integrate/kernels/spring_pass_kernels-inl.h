@@ -9,9 +9,6 @@
 HWY_BEFORE_NAMESPACE();
 namespace drape::kernels::HWY_NAMESPACE {
 
-/// Springs are corrected in runs of this many, so that their corrections fit on the stack.
-constexpr int pass_run = 128;
-
 /// What a spring's correction depends on, besides positions: h^2 k, h c and the rest length.
 struct StepLaw {
     Real stiffness, damping, rest;
@@ -30,7 +27,7 @@ template <int stride>
 HWY_INLINE void correct_run(const StepLaw& law, int a, int b, int count, const std::array<const Real*, 3>& start,
                             const Real* w, Real* q, const std::array<Real*, 3>& x) {
     const Real tiny = std::sqrt(std::numeric_limits<Real>::min());  // its inverse is still far from infinity
-    Real dq[pass_run], sx[pass_run], sy[pass_run], sz[pass_run];
+    Real dq[run_length], sx[run_length], sy[run_length], sz[run_length];
     const Real *ax = x[0] + a, *ay = x[1] + a, *az = x[2] + a, *bx = x[0] + b, *by = x[1] + b, *bz = x[2] + b;
     const Real *ux = start[0] + a, *uy = start[1] + a, *uz = start[2] + a;
     const Real *wx = start[0] + b, *wy = start[1] + b, *wz = start[2] + b;
@@ -63,8 +60,8 @@ HWY_INLINE void correct_rows(const StepSprings& step, const Grid& grid, const Po
     for (int j = 0; j < springs.rows(grid); ++j) {
         const int a = grid.particle(springs.first_column(), j);
         for (int first = 0; first < stride; ++first) {
-            for (int i = first; i < count; i += stride * pass_run) {
-                const int length = std::min(pass_run, (count - i + stride - 1) / stride);
+            for (int i = first; i < count; i += stride * run_length) {
+                const int length = std::min(run_length, (count - i + stride - 1) / stride);
                 correct_run<stride>(law, a + i, a + i + offset, length, axes(start), step.weights, step.multipliers,
                                     axes(x));
             }

@@ -12,16 +12,13 @@ namespace drape::kernels::HWY_NAMESPACE {
 /// Sums run in this many lanes; element i goes to lane i modulo it.
 constexpr int sum_lanes = 8;
 
-/// What is added up is evaluated in runs of this many, so that it fits on the stack.
-constexpr int energy_run = 128;
-
 using Lanes = std::array<double, sum_lanes>;
 
 HWY_INLINE double total(const Lanes& sums) {
     return ((sums[0] + sums[4]) + (sums[2] + sums[6])) + ((sums[1] + sums[5]) + (sums[3] + sums[7]));
 }
 
-/// @param values energy_run of them, those from `count` on overwritten by zeros
+/// @param values run_length of them, those from `count` on overwritten by zeros
 HWY_INLINE void add_run(double* values, int count, Lanes& sums) {
     const int whole = (count + sum_lanes - 1) / sum_lanes * sum_lanes;
     for (int i = count; i < whole; ++i) values[i] = 0;
@@ -37,9 +34,9 @@ HWY_INLINE double sum_of(const Real* p, const Grid& grid, const GridRange& range
     const int count = range.end_column - range.first_column;
     for (int j = range.first_row; j < range.end_row; ++j) {
         const int first = grid.particle(range.first_column, j);
-        for (int start = 0; start < count; start += energy_run) {
-            const int length = std::min(energy_run, count - start);
-            double values[energy_run];
+        for (int start = 0; start < count; start += run_length) {
+            const int length = std::min(run_length, count - start);
+            double values[run_length];
             for (int i = 0; i < length; ++i) {
                 const double value = static_cast<double>(p[first + start + i]);
                 values[i] = squared ? value * value : value;
@@ -67,9 +64,9 @@ SpringSums sum_over_springs(const SpringStencil& springs, const Grid& grid, cons
     Lanes elongations{}, speeds{};
     for (int j = first_ends.first_row; j < first_ends.end_row; ++j) {
         const int first = grid.particle(first_ends.first_column, j);
-        for (int start = 0; start < count; start += energy_run) {
-            const int length = std::min(energy_run, count - start);
-            double elongation[energy_run], speed[energy_run];
+        for (int start = 0; start < count; start += run_length) {
+            const int length = std::min(run_length, count - start);
+            double elongation[run_length], speed[run_length];
             for (int i = 0; i < length; ++i) {
                 const int a = first + start + i, b = a + offset;
                 const double dx = x[a] - x[b], dy = y[a] - y[b], dz = z[a] - z[b];

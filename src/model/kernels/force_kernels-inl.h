@@ -237,7 +237,7 @@ HWY_INLINE void sweep(const ForceInput& input, ForceScratch& scratch, const std:
         add_up(springs, j, scratch);
         if constexpr (summed) input.rows[j] = sums_of_row(input, j, scratch);
         use({scratch.grid().particle(0, j), scratch.grid().nx, scratch.force()[0] + ForceScratch::margin,
-             scratch.length(), input.model, Kernels::Vector});
+             scratch.length(), input.model});
     }
 }
 
@@ -245,19 +245,6 @@ void forces_on(const ForceInput& input, ForceScratch& scratch, const std::functi
     const bool windy = input.wind[0] != nullptr, summed = input.rows != nullptr;
     if (summed) return windy ? sweep<true, true>(input, scratch, use) : sweep<false, true>(input, scratch, use);
     windy ? sweep<true, false>(input, scratch, use) : sweep<false, false>(input, scratch, use);
-}
-
-void add_scaled(Real s, const Real* u, Eigen::Index u_stride, const Real* w, Eigen::Index count, Real* y,
-                Eigen::Index y_stride) {
-    for (int axis = 0; axis < 3; ++axis, u += u_stride, y += y_stride) {
-        const Real* HWY_RESTRICT from = u;
-        Real* HWY_RESTRICT to = y;
-        if (w == nullptr) {
-            for (Eigen::Index i = 0; i < count; ++i) to[i] += s * from[i];
-        } else {
-            for (Eigen::Index i = 0; i < count; ++i) to[i] += s * (from[i] * w[i]);
-        }
-    }
 }
 
 }  // namespace drape::kernels::HWY_NAMESPACE
@@ -268,7 +255,6 @@ namespace drape::kernels {
 
 HWY_EXPORT(copy_neighbours);
 HWY_EXPORT(forces_on);
-HWY_EXPORT(add_scaled);
 
 ForceScratch::ForceScratch(const Grid& grid, int first_row, int end_row)
     : grid_(grid), first_row_(first_row), end_row_(end_row) {
@@ -288,11 +274,6 @@ void copy_neighbours(const ForceInput& input, ForceScratch& scratch) {
 
 void forces_on(const ForceInput& input, ForceScratch& scratch, const std::function<void(const ForceRun&)>& use) {
     HWY_DYNAMIC_DISPATCH(forces_on)(input, scratch, use);
-}
-
-void add_scaled(Real s, const Real* u, Eigen::Index u_stride, const Real* w, Eigen::Index count, Real* y,
-                Eigen::Index y_stride) {
-    HWY_DYNAMIC_DISPATCH(add_scaled)(s, u, u_stride, w, count, y, y_stride);
 }
 
 }  // namespace drape::kernels

@@ -1,7 +1,6 @@
 #pragma once
 
 #include <array>
-#include <cstddef>
 #include <functional>
 #include <vector>
 
@@ -91,9 +90,5 @@ void copy_neighbours(const ForceInput& input, ForceScratch& scratch);
 /// Calls use(run) for each row of a part; what it reads of the part's particles is read before their run is used.
 /// @pre the scratch has the neighbours as they are
 void forces_on(const ForceInput& input, ForceScratch& scratch, const std::function<void(const ForceRun&)>& use);
-
-/// y += s u, or y += s (u w) with a weight for each of `count` particles; strides lead from one coordinate to the next.
-void add_scaled(Real s, const Real* u, Eigen::Index u_stride, const Real* w, Eigen::Index count, Real* y,
-                Eigen::Index y_stride);
 
 }  // namespace drape::kernels

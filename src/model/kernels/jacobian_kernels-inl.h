@@ -9,9 +9,6 @@
 HWY_BEFORE_NAMESPACE();
 namespace drape::kernels::HWY_NAMESPACE {
 
-/// Springs are evaluated in runs of this many, so that their products fit on the stack.
-constexpr int jacobian_run = 128;
-
 /// The ends of a run of springs in an array, by coordinate: first ends from a on, second ends from b on.
 struct RunEnds {
     const Real *ax, *ay, *az, *bx, *by, *bz;
@@ -39,7 +36,7 @@ HWY_INLINE void linearise_run(const SpringStencil& springs, const RunEnds& x, co
     const auto [n0, n1, n2, tension, skew0, skew1, skew2] = terms;
     const bool clamped = skew0 == nullptr;
     const Real least_tension = clamped ? Real(0) : std::numeric_limits<Real>::lowest();
-    Real inverse[jacobian_run], s[jacobian_run];
+    Real inverse[run_length], s[run_length];
     for (int i = 0; i < count; ++i) {
         const Real dx = x.ax[i] - x.bx[i], dy = x.ay[i] - x.by[i], dz = x.az[i] - x.bz[i];
         const Real length = std::sqrt(dx * dx + dy * dy + dz * dz);
@@ -60,9 +57,9 @@ HWY_INLINE void linearise_run(const SpringStencil& springs, const RunEnds& x, co
 void linearise(const SpringStencil& springs, const Grid& grid, const Points& x, const Points& v, SpringTerms& terms) {
     for (int j = 0; j < springs.rows(grid); ++j) {
         const int first = grid.particle(springs.first_column(), j), end = first + springs.count(grid);
-        for (int a = first; a < end; a += jacobian_run) {
+        for (int a = first; a < end; a += run_length) {
             const int b = a + springs.offset(grid);
-            linearise_run(springs, ends_of(axes(x), a, b), ends_of(axes(v), a, b), std::min(jacobian_run, end - a),
+            linearise_run(springs, ends_of(axes(x), a, b), ends_of(axes(v), a, b), std::min(run_length, end - a),
                           columns_of<Real>(terms, a));
         }
     }
@@ -78,7 +75,7 @@ HWY_INLINE void add_opposite(const Real* g, Real* y_a, Real* y_b, int count) {
 template <bool clamped>
 HWY_INLINE void add_product_of_run(const RunEnds& u, int count, const std::array<const Real*, 7>& terms, Real along,
                                    Real k_scale, const std::array<Real*, 3>& y, int a, int b) {
-    Real gx[jacobian_run], gy[jacobian_run], gz[jacobian_run];
+    Real gx[run_length], gy[run_length], gz[run_length];
     const auto [ax, ay, az, bx, by, bz] = u;
     const auto [nx, ny, nz, tension, qx, qy, qz] = terms;
     for (int i = 0; i < count; ++i) {
@@ -100,8 +97,8 @@ void add_product(const SpringStencil& springs, const Grid& grid, const SpringTer
     const int rows = springs.rows(grid), count = springs.count(grid);
     if (rows < 1 || count < 1) return;
     const int first = springs.first_column(), end = grid.particle(first, rows - 1) + count;
-    for (int a = first; a < end; a += jacobian_run) {
-        const int b = a + springs.offset(grid), length = std::min(jacobian_run, end - a);
+    for (int a = first; a < end; a += run_length) {
+        const int b = a + springs.offset(grid), length = std::min(run_length, end - a);
         const RunEnds ends = ends_of(axes(u), a, b);
         const auto columns = columns_of<const Real>(terms, a);
         if (terms.cols() == 4)

@@ -1,11 +1,4 @@
-// Included once for each kind of processor, by kernels that Highway compiles several times: no include guard of the
-// usual form.
-#if defined(DRAPE_LANES_INL_H) == defined(HWY_TARGET_TOGGLE)
-#ifdef DRAPE_LANES_INL_H
-#undef DRAPE_LANES_INL_H
-#else
-#define DRAPE_LANES_INL_H
-#endif
+// For kernels that Highway compiles several times: their file includes it once for each kind of processor.
 
 #include <hwy/highway.h>
 
@@ -52,4 +45,3 @@ HWY_INLINE std::uint32_t lane_bits(D d, M mask) {
 
 }  // namespace drape::kernels::HWY_NAMESPACE
 HWY_AFTER_NAMESPACE();
-#endif

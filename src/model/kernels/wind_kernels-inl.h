@@ -10,9 +10,6 @@
 HWY_BEFORE_NAMESPACE();
 namespace drape::kernels::HWY_NAMESPACE {
 
-/// Cells are evaluated in runs of this many, so that their forces fit on the stack.
-constexpr int wind_run = 128;
-
 using Axes = std::array<const Real*, 3>;
 
 struct Triple {
@@ -41,10 +38,10 @@ void add_wind_forces(const ClothModel& model, const Points& points, const Points
     const Grid grid = model.grid;
     const Triple air{model.air.velocity[0], model.air.velocity[1], model.air.velocity[2]};
     const Real factor = plate_coefficient * model.air.density / 6;
-    Real first[3][wind_run], second[3][wind_run];
+    Real first[3][run_length], second[3][run_length];
     for (int j = 0; j < grid.cell_rows(); ++j) {
-        for (int start = 0; start < grid.cell_columns(); start += wind_run) {
-            const int count = std::min(wind_run, grid.cell_columns() - start);
+        for (int start = 0; start < grid.cell_columns(); start += run_length) {
+            const int count = std::min(run_length, grid.cell_columns() - start);
             const int a = grid.particle(start, j), b = a + 1, c = a + grid.nx, d = c + 1;
 
             // Both triangles of each cell
