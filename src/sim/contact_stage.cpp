@@ -259,8 +259,10 @@ void ContactStage::end() {
         const int ball = on_body ? row.first_body : row.body;
         resist_rolling(body.surface.rolling, row.impulse.normal, now_.moving.balls[static_cast<std::size_t>(ball)]);
     }
-    // What only might have touched is of no use to anyone
-    std::erase_if(rows_, [](const ContactRow& row) { return !(row.depth > 0) && !row.has_impulse(); });
+    // What only might have touched a body is of no use to anyone
+    std::erase_if(rows_, [](const ContactRow& row) {
+        return row.kind != RowKind::Pair && !(row.depth > 0) && !row.has_impulse();
+    });
 }
 
 }  // namespace drape

@@ -41,10 +41,9 @@ constexpr double bytes_of_pair = 1.5 * (2 * sizeof(NearPair) + 2 * sizeof(PairLi
 /// and pairs of features, as many as where much of a cloth lies on cloth. Threads share their lists.
 double self_contact_bytes(const ContactSettings& contact, const Grid& grid) {
     // Positions, reaches, and what the fail-safe has
-    constexpr double pairs = 30, touching = 2, numbers_of_search = 3 + 5 + 6;
+    constexpr double pairs = 30, numbers_of_search = 3 + 5 + 6;
     if (!contact.self) return 0;
-    const double of_particle =
-        sizeof(Real) * numbers_of_search + sizeof(Aabb) + pairs * bytes_of_pair + touching * sizeof(ContactRow);
+    const double of_particle = sizeof(Real) * numbers_of_search + sizeof(Aabb) + pairs * bytes_of_pair;
     return hierarchy_bytes(contact, grid) + grid.particles() * of_particle;
 }
 

@@ -46,9 +46,16 @@ ClothAt at(std::span<const ClothInContact> cloths, int number) {
     return {number, cloth.model.grid, cloth.before};
 }
 
-/// By how much each particle moves.
-auto distances(const Points& from, const Points& to) {
-    const auto square = [&](int axis) { return (to.col(axis) - from.col(axis)).array().square(); };
+/// The sums of the columns, in the order of the rows.
+Vec3 sum_of(const Points& x) {
+    Vec3 sum = Vec3::Zero();
+    for (Eigen::Index p = 0; p < x.rows(); ++p) sum += x.row(p).transpose();
+    return sum;
+}
+
+/// By how much each particle moves, but for a mean.
+auto own_motion(const Points& from, const Points& to, const Vec3& mean) {
+    const auto square = [&](int axis) { return (to.col(axis).array() - from.col(axis).array() - mean[axis]).square(); };
     return ((square(0) + square(1)) + square(2)).sqrt();
 }
 
@@ -131,6 +138,13 @@ std::span<const Real> SelfSearch::of_cloth(const Numbers& of_particles, int clot
     return {of_particles.data() + first_[c], first_[c + 1] - first_[c]};
 }
 
+void SelfSearch::find_mean_motion(std::span<const ClothInContact> cloths) {
+    Vec3 before = Vec3::Zero(), now = Vec3::Zero();
+    for (const ClothInContact& cloth : cloths) before += sum_of(cloth.before), now += sum_of(cloth.state.x);
+    mean_ = before / static_cast<Real>(first_.back());
+    moved_ = now / static_cast<Real>(first_.back()) - mean_;
+}
+
 /// Without a list nothing has moved since it was made.
 /// @param factor of each displacement in its reach
 void SelfSearch::find_reaches(std::span<const ClothInContact> cloths, Real factor, Numbers& reaches, Numbers& strayed) {
@@ -138,9 +152,9 @@ void SelfSearch::find_reaches(std::span<const ClothInContact> cloths, Real facto
         const auto from = static_cast<Eigen::Index>(first_[c]), count = static_cast<Eigen::Index>(first_[c + 1]) - from;
         const ClothInContact& cloth = cloths[c];
         auto reach = reaches.segment(from, count), stray = strayed.segment(from, count);
-        reach = thickness_ / 2 + factor * distances(cloth.before, cloth.state.x);
+        reach = thickness_ / 2 + factor * own_motion(cloth.before, cloth.state.x, moved_);
         stray = reach;
-        if (listed_) stray += distances(surfaces_[c].kept, cloth.before);
+        if (listed_) stray += own_motion(surfaces_[c].kept, cloth.before, mean_ - kept_mean_);
     }
 }
 
@@ -192,6 +206,7 @@ Real SelfSearch::reach_of(const NearPair& pair) const { return sum_of_largest(pa
 SelfSearchReport SelfSearch::find(std::span<const ClothInContact> cloths, Real thickness) {
     SelfSearchReport report;
     thickness_ = thickness;
+    find_mean_motion(cloths);
     find_reaches(cloths, response_allowance, reaches_, displacement_since_list_);
     if (!listed_ || !(displacement_since_list_ <= allowance_).all()) renew_list(cloths, response_allowance, report);
     if (!report.gave_up) look_at_pairs(cloths, report);
@@ -245,6 +260,7 @@ void SelfSearch::make_list(std::span<const ClothInContact> cloths, SelfSearchRep
         surface.folds.build(surface.kept, allowances(static_cast<int>(c)));
         surface.boxed = false;
     }
+    kept_mean_ = mean_;
     list_.clear();
     const int count = static_cast<int>(cloths.size());
     for (int first = 0; first < count; ++first) {

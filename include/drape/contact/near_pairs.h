@@ -34,8 +34,8 @@ struct NearPair {
     Real distance = 0;              ///< of the closest points; 0: no more than rounding [m]
     bool is_representative = true;  ///< these two points are not those of another pair, which is answered for them
 
-    /// What the k-th particle has of the offset from the second's closest point to the first's: less than zero for those
-    /// of the second.
+    /// What the k-th particle has of the offset from the second's closest point to the first's: less than zero for
+    /// those of the second.
     [[nodiscard]] Real signed_weight(std::size_t k) const {
         return features.feature_of(k) == 0 ? weights[k] : -weights[k];
     }

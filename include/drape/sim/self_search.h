@@ -21,7 +21,8 @@ struct SelfSearchReport {
 /// Finds where the cloths of a scene come near themselves and each other. What was found within a wide margin serves
 /// as a list for as long as nothing has moved far enough for other pairs to come near @cite verlet1967: most substeps
 /// look at those pairs of the list alone whose particles have moved enough since, and where it is empty they cost some
-/// passes over the displacements.
+/// passes over the displacements. What all particles move by in the mean brings none of them nearer to another, and
+/// does not count.
 class SelfSearch {
 public:
     /// Pairs that there may be, a particle in the mean.
@@ -85,6 +86,7 @@ private:
     template <class Count>
     std::int64_t count_between(std::span<const Points* const> x, Real reach, Count count);
     void find_reaches(std::span<const ClothInContact> cloths, Real factor, Numbers& reaches, Numbers& strayed);
+    void find_mean_motion(std::span<const ClothInContact> cloths);
     [[nodiscard]] Real next_ahead() const;
     void set_allowances(Real factor);
     [[nodiscard]] bool is_too_far() const;
@@ -104,6 +106,9 @@ private:
     PairList list_;
     Real ahead_ = 0;  ///< substeps that its margins are for
     std::vector<NearPair> near_;
+    Vec3 kept_mean_ = Vec3::Zero();        ///< of the positions of all particles when the list was made [m]
+    Vec3 mean_ = Vec3::Zero();             ///< the same at the start of the substep [m]
+    Vec3 moved_ = Vec3::Zero();            ///< by how much it moves within the substep [m]
     Numbers reaches_;                      ///< how far each particle may come within it, with half the thickness
     Numbers displacement_since_list_;      ///< the reach, and what each has moved by since the list was made
     Numbers allowance_;                    ///< by the list: it serves while nothing has strayed farther
