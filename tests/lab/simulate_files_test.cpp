@@ -96,7 +96,8 @@ TEST(LabSimulate, EndsWithTwoAndTheRangeOnBadInput) {
                       is_option = " needs a value, and '--";
     const std::vector<std::pair<std::vector<std::string>, std::string>> bad{
         {{"simulate", "drop"}, "--time is missing: say --time T"},
-        {{"simulate", "drop", "--time", "1", "--set", "dt=5"}, "--set dt=5: allowed 1e-09 <= dt <= 0.1 s"},
+        {{"simulate", "drop", "--time", "1", "--set", "dt=5"},
+         "--set dt=5: solver.dt = 5: allowed 1e-09 <= dt <= 0.1 s"},
         {{"simulate", "dorp", "--time", "1"}, "did you mean 'drop'?"},
         {{"simulate", "drop", "--time", "nan"}, "--time nan"},
         {{"simulate", "bad.toml", "--time", "1"}, "bad.toml:2:8: cloth.mass = 0: allowed"},
