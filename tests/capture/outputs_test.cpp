@@ -149,7 +149,8 @@ TEST(CaptureFrames, OfAnEarlierRunAreNotMixedWithNewOnes) {
         capture({"--frames", "60", "--again", "--set", "solver.dt=0.02", "solver.integrator=explicit_euler"});
     EXPECT_EQ(failed.exit_code, 1);
     EXPECT_TRUE(fs::exists(folder / "a/frame_0004.png")) << "the new run did not end";
-    for (const char* left : {"unstable.csv", "unstable.toml"}) EXPECT_TRUE(fs::remove(folder / ("a/" + std::string(left)))) << left;
+    for (const char* left : {"unstable.csv", "unstable.toml"})
+        EXPECT_TRUE(fs::remove(folder / ("a/" + std::string(left)))) << left;
 
     EXPECT_EQ(capture({"--frames", "2", "--set", "view.wireframe=true", "--again"}).exit_code, 0);
     EXPECT_THAT(folder.names("a"), ElementsAre("frame_0001.png", "frame_0002.png", "frame_cover.png"));
