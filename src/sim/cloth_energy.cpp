@@ -39,8 +39,9 @@ double max_push_work(const ClothModel& model, const Pushes& pushes) {
     for (const ContactRow& row : pushes.rows) {
         if (!moves(row, pushes.cloth)) continue;
         if (row.kind == RowKind::Pair) return std::numeric_limits<double>::infinity();
+        if (pushes.known) continue;
         const double push = std::max(static_cast<double>(correction_of(row, pushes.bodies)), 0.0);
-        if (!pushes.known) squared_push += push * push;
+        squared_push += push * push;
     }
     const Real stiffness = 3 * 4 * (model.structural.stiffness + model.shear.stiffness + model.bend.stiffness);
     return static_cast<double>(stiffness) * static_cast<double>(static_cast<Real>(squared_push));

@@ -32,18 +32,19 @@ std::span<const ContactRow> ContactStage::rows_of(std::size_t cloth) const { ret
 
 void ContactStage::use(const Settings& settings, std::span<Cloth> cloths) {
     stage_ = Stage::Ended;
-    std::size_t contacts = 0;
+    std::size_t contacts = 0, particles = 0;
     std::vector<const Points*> positions;
     for (Cloth& cloth : cloths) {
         cloth.search.use(broad_phase_of(settings), cloth.model.grid, cloth.state.x);
         contacts += 2 * static_cast<std::size_t>(cloth.model.grid.triangles());
+        particles += static_cast<std::size_t>(cloth.model.grid.particles());
         positions.push_back(&cloth.state.x);
     }
     rows_.clear();
     rows_.reserve(contacts);
     warm_start_.forget();
     warm_start_.reserve(contacts);
-    solver_.reserve(contacts);
+    solver_.reserve(contacts, particles);
     bodies_touch_ = false;
     self_.use(settings, models_of(cloths), positions);
 }
@@ -55,6 +56,7 @@ void ContactStage::configure(const Settings& settings, const Settings& before, s
         if (!same_search) cloth.search.use(search, cloth.model.grid, cloth.state.x);
     }
     if (settings.contact.self != before.contact.self) {
+        std::erase_if(rows_, [](const ContactRow& row) { return row.kind == RowKind::Pair; });
         std::vector<const Points*> positions;
         for (const Cloth& cloth : cloths) positions.push_back(&cloth.state.x);
         self_.use(settings, models_of(cloths), positions);
@@ -64,7 +66,9 @@ void ContactStage::configure(const Settings& settings, const Settings& before, s
     self_.share(settings.solver.threads);
     const int ground = static_cast<int>(settings.balls.size() + settings.solids.size());
     const Ground &now = settings.ground, &then = before.ground;
-    if (now.solid != then.solid || now.height != then.height) forget_bodies([&](int body) { return body == ground; });
+    if (!now.solid || now.height < then.height) forget_bodies([&](int body) { return body == ground; });
+    // A row has the distance that it was found with
+    if (settings.contact.thickness != before.contact.thickness) rows_.clear();
 }
 
 void ContactStage::go_on(Stage from, Stage to) {

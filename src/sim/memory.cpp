@@ -72,10 +72,10 @@ double moment_bytes(const Simulation& simulation) {
         const Grid& grid = cloth.model.grid;
         const double all = particle_numbers + ledger_numbers + numbers_of_start + numbers_of_step_before;
         bytes += grid.particles() * sizeof(Real) * all + hierarchy_bytes(settings.contact, grid) +
-                 self_contact_bytes(settings.contact, grid) +
-                 3 * static_cast<double>(grid.triangles()) * static_cast<double>(sizeof(ContactRow));
+                 self_contact_bytes(settings.contact, grid);
     }
-    return bytes;
+    // Those of now, and those that a warm start goes on from
+    return bytes + 2 * static_cast<double>(simulation.contacts().size() * sizeof(ContactRow));
 }
 
 std::string memory_text(const Settings& settings) {

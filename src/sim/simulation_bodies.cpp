@@ -16,6 +16,7 @@ void Simulation::configure_balls(const Settings& before) {
         const BallSettings &now = settings_.balls[b], &then = before.balls[b];
         if (now.motion != then.motion && b == users_ball_) motion_by_scene_.reset();
         other_motion = other_motion || now.motion != then.motion;
+        if (now.radius != then.radius) contact_.forget_bodies([&](int body) { return body == static_cast<int>(b); });
         balls_[b].radius = now.radius;
         balls_[b].inverse_mass = inverse_mass_of(now);
         if (now.position != then.position) put_ball(b, now.position);

@@ -185,14 +185,14 @@ int substeps_in_contact(const Settings& settings, bool may_touch, int planned) {
 
 bool softens_before_ball(const Settings& settings, std::span<const Cloth> cloths, std::span<const Ball> balls) {
     if (settings.solver.integrator != IntegratorKind::Xpbd) return false;
-    const auto nears = [&](const Cloth& cloth, const Ball& ball) {
-        const Real speed = greatest_speed(cloth) + ball.velocity.norm();
-        const Real approach = (speed + gravity_of(settings).norm() * look_ahead / 2) * look_ahead;
-        return ball.inverse_mass > 0 &&
-               Aabb{ball.centre, ball.centre}.comes_within(box_of(cloth), ball.radius + approach);
-    };
+    if (greatest_inverse_mass(settings) == 0) return false;
     return std::ranges::any_of(cloths, [&](const Cloth& cloth) {
-        return std::ranges::any_of(balls, [&](const Ball& ball) { return nears(cloth, ball); });
+        const Aabb box = box_of(cloth);
+        const Real speed = greatest_speed(cloth), fall = gravity_of(settings).norm() * look_ahead / 2;
+        return std::ranges::any_of(balls, [&](const Ball& ball) {
+            const Real approach = (speed + ball.velocity.norm() + fall) * look_ahead;
+            return ball.inverse_mass > 0 && Aabb{ball.centre, ball.centre}.comes_within(box, ball.radius + approach);
+        });
     });
 }
 

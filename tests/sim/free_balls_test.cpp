@@ -83,6 +83,24 @@ TEST(FreeBalls, MeetHoweverFastTheyFly) {
     }
 }
 
+/// The struck ball goes where the line of centres pointed when they met, though both fly on within the step.
+TEST(FreeBalls, ThrowEachOtherInTheDirectionInWhichTheyMeet) {
+    const Real radius = Real(0.02), aside = Real(0.02), speed = 20;
+    for (const auto response : {ResponseKind::Projection, ResponseKind::Impulse}) {
+        Settings settings = in_long_steps({free_ball(radius, Real(0.05), {Real(-0.1), 1, 0}, {speed, 0, 0}),
+                                           free_ball(radius, Real(0.05), {0, 1, aside}, Vec3::Zero())},
+                                          response);
+        settings.world.gravity = 0;
+        settings.contact.friction = 0;
+        settings.solver.dt = 1e-3;
+        Simulation simulation("drop", settings);
+        run_for(simulation, 0.02);
+        const Vec3 struck = simulation.balls()[1].velocity;
+        EXPECT_GT(struck.norm(), speed / 4) << name_of(response);
+        EXPECT_NEAR(struck.z() / struck.norm(), aside / (2 * radius), 0.02) << name_of(response);
+    }
+}
+
 /// A ball that falls 0.5 m in steps of 1/60 s, until its first step upwards or at rest.
 Ball fall_in_long_steps(ResponseKind response, Real restitution) {
     const Real radius = Real(0.1);

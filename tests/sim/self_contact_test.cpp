@@ -6,6 +6,7 @@
 #include "drape/sim/scene.h"
 #include "drape/sim/setting_table.h"
 #include "drape/sim/simulation.h"
+#include "sim/small_scene.h"
 #include "support/sanitized.h"
 #include "support/scene_crossings.h"
 
@@ -167,6 +168,20 @@ TEST(SelfContact, ChangesNoBitWhereNothingComesNear) {
         return simulation.hash();
     };
     EXPECT_EQ(hash_of(true), hash_of(false));
+}
+
+TEST(SelfContact, HoldsNothingOnceItIsOffOrTheClothIsThinner) {
+    for (const char* change : {"set contact.self=false", "set contact.thickness=0.0001"}) {
+        Simulation simulation("stack", stacked_sheets());
+        run_until(simulation, 0.4);
+        EXPECT_GT(simulation.report().pairs, 0);
+        send(simulation, change);
+        simulation.step();
+        const bool is_off = std::string(change).ends_with("false");
+        for (const ContactRow& row : simulation.contacts()) {
+            EXPECT_FALSE(row.kind == RowKind::Pair && (is_off || row.distance > Real(0.001))) << change;
+        }
+    }
 }
 
 /// A ball that presses three sheets onto the ground, and leaves them no room.

@@ -6,18 +6,18 @@
 
 namespace drape {
 
-/// How a surface answers.
+/// Friction and bounce of a surface.
 struct Surface {
     Real friction = Real(0.3);  ///< Coulomb coefficient
     Real restitution = 0;       ///< of the normal speed
     Real rolling = 0;           ///< resistance to rolling: its torque on a ball is rolling * radius * load
 };
 
-/// What cloth meets, and what meets its like: a ball, a solid or the ground, as it moves within the present substep.
+/// What cloth and balls can touch: a ball, a solid or the ground, as it moves within the present substep.
 struct Body {
     const Solid* solid = nullptr;  ///< whose shape it has; null: it is a ball, or the ground
     Real radius = 0;               ///< of a ball; of all else 0 [m]
-    Vec3 centre = Vec3::Zero();    ///< at the end of the substep; on the ground, any point of its surface [m]
+    Vec3 centre = Vec3::Zero();    ///< of a ball, origin of a solid's shape, any point of the ground's surface [m]
     Vec3 moved = Vec3::Zero();     ///< within the substep [m]
     Vec3 turned = Vec3::Zero();    ///< within the substep, axis times angle [rad]
     Vec3 velocity = Vec3::Zero();  ///< [m/s]
@@ -32,7 +32,7 @@ struct Body {
     /// From a point to its surface, at the end of the substep.
     [[nodiscard]] SurfaceDistance measure(const Vec3& p) const;
 
-    /// From its centre to where a ball touches a body or cloth.
+    /// From a ball's centre to where it touches; zero for all else, which does not turn.
     /// @param outwards out of this body, length 1
     [[nodiscard]] Vec3 arm(const Vec3& outwards) const { return radius * outwards; }
 };

@@ -12,7 +12,7 @@ namespace drape {
 /// What meets in a contact.
 enum class RowKind : std::uint8_t {
     Particle,  ///< of a cloth, and a body
-    Triangle,  ///< or one of its edges, and a body
+    Triangle,  ///< a point in a triangle of a cloth, or on one of its edges, and a body
     Node,      ///< a sphere about a node of the hierarchy that stands for the cloth within, and a ball
     Pair,      ///< two features of cloth: a particle and a triangle, or two edges
     Bodies     ///< two bodies, of which the first is a ball
@@ -43,9 +43,9 @@ struct ContactRow {
     std::uint8_t count = 0;        ///< of the particles
     std::uint8_t first_count = 0;  ///< of these, those of the first feature
     bool lasts = false;            ///< it was there in the substep before
-    bool separated = false;        ///< it was there in the substep before, and has not been found in this one
-    int triangle = 0;              ///< of the first feature's cloth: the feature, or what reports it; in a pair the
-                                   ///< second feature, or -1 if that is an edge
+    bool separated = false;  ///< it was there in the substep before, and has not been found in this one; never a pair
+    int triangle = 0;        ///< of the first feature's cloth: the feature, or what reports it; in a pair the
+                             ///< second feature, or -1 if that is an edge
     int first_body = no_body, body = no_body;
     Vec3 normal = Vec3::Zero();  ///< from the second to the first, length 1
     Real distance = 0;           ///< thickness counted [m]

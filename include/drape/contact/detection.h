@@ -19,7 +19,7 @@ struct MovingCloth {
     int number = 0;            ///< among all cloths
 };
 
-/// A body that a search is about.
+/// The body that a search looks for.
 struct SearchedBody {
     int number = 0;
     Real thickness = 0;  ///< of the cloth [m]
@@ -99,9 +99,9 @@ private:
     std::vector<CellRun> particles_;        ///< of the cells
 };
 
-/// The contacts of balls with each other and with all other bodies, appended, at most one of each two of which one is
-/// free: in the plane where the ball is deepest, or, if it has passed the other within the substep or come to another
-/// side, where they have met.
+/// The contacts of balls with each other and with all other bodies, appended, at most one for each two of
+/// which one is free: in the plane where the ball is deepest, or, if it has passed the other within the substep or come
+/// to another side, where they have met.
 /// @param bodies the balls first
 /// @par Cost O(balls bodies) distances
 void find_body_contacts(std::span<const Body> bodies, std::vector<ContactRow>& rows);

@@ -53,7 +53,7 @@ double work_of_kinematic_bodies(std::span<const ContactRow> rows, std::span<cons
 /// Of the bodies that contacts push [J].
 double kinetic_energy(std::span<const Body> bodies);
 
-/// By how much a contact is pushed out: what of its depth is not left, for a resting contact to last [m].
+/// How far a contact is pushed out: its depth, less what is left so that a resting contact lasts [m].
 Real correction_of(const ContactRow& row, std::span<const Body> bodies);
 
 /// Updates the depths of contacts to where all is now.
@@ -78,7 +78,8 @@ public:
 
     /// Room for as many contacts without allocating, but for no more than a hundred thousand: a scene with more of them
     /// at a time makes more room once.
-    void reserve(std::size_t contacts);
+    /// @param particles of all cloths
+    void reserve(std::size_t contacts, std::size_t particles);
 
     /// What that room takes [bytes].
     [[nodiscard]] static std::size_t bytes_for(std::size_t contacts);

@@ -3,6 +3,7 @@
 #include <span>
 #include <vector>
 
+#include "drape/base/copied.h"
 #include "drape/contact/response.h"
 
 namespace drape {
@@ -46,7 +47,8 @@ public:
 
 private:
     Real h_ = 0;  ///< of the last impulses [s]
-    std::vector<ContactRow> last_, merged_;
+    std::vector<ContactRow> last_;
+    ScratchOnCopy<std::vector<ContactRow>> merged_;
 };
 
 }  // namespace drape

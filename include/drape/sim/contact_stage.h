@@ -82,7 +82,7 @@ public:
     /// Whether bodies have touched in the last substep, or cloths are near.
     [[nodiscard]] bool is_near() const { return bodies_touch_ || self_.is_near(); }
 
-    /// What has touched in the last substep, in the order of `compare`.
+    /// What has touched in the last substep, and the pairs of cloth that were near, in the order of `compare`.
     [[nodiscard]] std::span<const ContactRow> rows() const { return rows_; }
 
     /// Of it, one cloth and bodies.

@@ -53,7 +53,7 @@ public:
     [[nodiscard]] const Settings& settings() const { return settings_; }
     [[nodiscard]] std::span<const Cloth> cloths() const { return cloths_; }
 
-    /// What touched in the last step that was awake.
+    /// What touched in the last step that was awake, and the pairs of cloth that were near.
     [[nodiscard]] std::span<const ContactRow> contacts() const { return contact_.rows(); }
     [[nodiscard]] std::span<const Ball> balls() const { return balls_; }
     [[nodiscard]] std::span<const Solid> solids() const { return solids_; }

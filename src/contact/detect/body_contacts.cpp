@@ -45,7 +45,10 @@ std::optional<NextTo> plane_for(const Body& body, const Vec3& from, const Vec3& 
     const bool touches = at_end.normal.dot(to) - at_end.height < radius;
     const auto met = first_plane(body, from, to, radius);
     const bool has_passed = met && met->normal.dot(to) - met->height < radius;
-    if (has_passed && (!touches || met->normal.dot(at_end.normal) < same_side)) return met;
+    // Balls throw each other in the direction in which they met; on all else a ball lies more calmly as it is at the
+    // end
+    const bool has_turned = body.is_ball() || (met && met->normal.dot(at_end.normal) < same_side);
+    if (has_passed && (!touches || has_turned)) return met;
     return touches ? std::optional(at_end) : std::nullopt;
 }
 

@@ -2,7 +2,6 @@
 
 #include "contact/grid_features.h"
 #include "contact/kernels/near_cells.h"
-#include "contact/pairs/cell_pairs.h"
 #include "make_row.h"
 
 namespace drape {
@@ -129,17 +128,28 @@ std::int64_t find_contacts(const MovingCloth& cloth, const Ball& ball, const Sea
 
 void find_ground_contacts(const MovingCloth& cloth, Real height, const SearchedBody& body,
                           std::span<const CellRun> cells, std::vector<ContactRow>& rows) {
+    const Grid& grid = cloth.grid;
     const Real limit = height + body.thickness;
-    for_each_cell(cloth.grid, cells, [&](int cell) {
-        for_each_particle_of(cloth.grid, cell, [&](int particle) {
-            if (!(cloth.x(particle, 1) < limit)) return;
-            ContactRow row = particle_row(cloth, particle, owner_of(cloth.grid, particle), body.number);
-            row.normal = Vec3(0, 1, 0);
-            row.distance = body.thickness;
-            row.depth = limit - cloth.x(particle, 1);
-            rows.push_back(row);
-        });
-    });
+    const auto add = [&](int particle) {
+        if (!(cloth.x(particle, 1) < limit)) return;
+        ContactRow row = particle_row(cloth, particle, owner_of(grid, particle), body.number);
+        row.normal = Vec3(0, 1, 0);
+        row.distance = body.thickness;
+        row.depth = limit - cloth.x(particle, 1);
+        rows.push_back(row);
+    };
+    // Each cell reports its first corner, and at the far sides of the cloth those that no other cell has
+    for (const CellRun& run : cells) {
+        const bool last_row = run.row == grid.cell_rows() - 1;
+        for (int column = run.column; column < run.column + run.count; ++column) {
+            const bool last_column = column == grid.cell_columns() - 1;
+            const int a = grid.particle(column, run.row);
+            add(a);
+            if (last_column) add(a + 1);
+            if (last_row) add(a + grid.nx);
+            if (last_row && last_column) add(a + grid.nx + 1);
+        }
+    }
 }
 
 void find_node_contacts(const MovingCloth& cloth, const Ball& ball, const SearchedBody& body, Real longest_push,

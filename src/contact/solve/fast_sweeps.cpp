@@ -3,6 +3,7 @@
 #include <utility>
 
 #include "contact/kernels/row_sweeps.h"
+#include "drape/base/assert.h"
 
 namespace drape {
 namespace {
@@ -18,6 +19,7 @@ Real4 four(const Vec3& v) { return {v[0], v[1], v[2], 0}; }
 /// @param offsets receives how many count, of this row and those before
 void fill(const ContactProblem& problem, const ContactMotion& motion, ContactRow& row, RowState& state,
           CompactRow& compact, int& offsets) {
+    DRAPE_ASSERT(row.count == 1 || row.count == 3 || row.count == 4);
     const RowImpulse& given = accumulated(row, motion.quantity);
     std::array<Vec3, 2> to_subtract{Vec3::Zero(), Vec3::Zero()};
     if (motion.quantity == Quantity::Displacement) to_subtract[0] = state.start;

@@ -56,10 +56,10 @@ ContactSolver& ContactSolver::operator=(ContactSolver other) noexcept {
 }
 ContactSolver::~ContactSolver() = default;
 
-/// There are no more particles than that either: a cloth has two contacts a triangle at the most.
-void ContactSolver::reserve(std::size_t contacts) {
+void ContactSolver::reserve(std::size_t contacts, std::size_t particles) {
     const std::size_t count = std::min(contacts, max_reserved);
     Scratch& scratch = *scratch_;
+    scratch.place_of.resize(particles);
     scratch.states.reserve(count);
     scratch.particles.reserve(count);
     scratch.displacements.particles.reserve(count);

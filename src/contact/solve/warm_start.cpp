@@ -147,7 +147,7 @@ void WarmStart::carry_over(std::span<const ClothInContact> cloths, std::span<con
         }
     }
     merged_.insert(merged_.end(), found, rows.end());
-    rows.swap(merged_);
+    rows.swap(static_cast<std::vector<ContactRow>&>(merged_));
 }
 
 }  // namespace drape
