@@ -21,6 +21,6 @@ set samples 500
 plot point(x) * 100 with lines lw 1.5 lc rgb blue title 'predicted, point', \
      sheet(x) * 100 with lines lw 1.5 dt 2 lc rgb red title 'predicted, sheet', \
      for [target in targets] table using (only(here(target), column('q'))):(100 * column('discrete_missed')) \
-       with points ps 0.9 pt marker(target) lc rgb colour(target) title 'whole steps, '.target, \
+       with points ps 0.9 pt marker(target) lc rgb colour(target) title 'discrete, '.target, \
      for [target in targets] table using (only(here(target), column('q'))):(100 * column('continuous_missed')) \
-       with points ps 1.4 pt marker(target) - 1 lc rgb black title 'between steps, '.target
+       with points ps 1.4 pt marker(target) - 1 lc rgb black title 'continuous, '.target

@@ -3,7 +3,7 @@
 set datafile missing NaN
 eval paper(1000, 520)
 set multiplot layout 1,2 margins 0.085,0.985,0.215,0.88 spacing 0.09,0 \
-  title 'Detection at whole steps and between them' font ',13'
+  title 'Discrete and continuous detection' font ',13'
 eval room_about_data
 eval legend(0.05)
 set logscale xy

@@ -19,6 +19,18 @@ inline int owner_of(const Grid& grid, int particle) {
     return 2 * cell + (i == grid.nx - 1 && j == grid.ny - 1 ? 1 : 0);
 }
 
+/// Calls visit(particle) for those that belong to a cell, so that each belongs to one: its first corner, and at the far
+/// sides of the cloth what no other cell has.
+template <class Visit>
+void for_each_particle_of(const Grid& grid, int column, int row, Visit visit) {
+    const int a = grid.particle(column, row);
+    const bool last_column = column == grid.cell_columns() - 1, last_row = row == grid.cell_rows() - 1;
+    visit(a);
+    if (last_column) visit(a + 1);
+    if (last_row) visit(a + grid.nx);
+    if (last_column && last_row) visit(a + grid.nx + 1);
+}
+
 /// The corners that a triangle is the owner of, a bit each.
 /// @param row of its cell
 inline unsigned owned_corners(const Grid& grid, int triangle, int row) {

@@ -90,7 +90,6 @@ bool SettingsPanel::is_up_to_date(const Settings& settings) const {
 void SettingsPanel::make_rows(const Settings& settings) {
     rows_.clear();
     shown_ = settings;
-    ++times_made_;
     std::string_view section;
     for (const Setting& setting : setting_table()) {
         const std::size_t count = section_count(settings, setting);

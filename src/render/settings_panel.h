@@ -58,9 +58,6 @@ public:
         editor_.hide();
     }
 
-    /// How many times the texts of the rows were made: once, and once for each change of a setting or of the scene.
-    [[nodiscard]] int times_made() const { return times_made_; }
-
     PanelWindow window;  ///< without a width where it is not shown
 
     CompareSection compare{editor_};
@@ -83,7 +80,6 @@ private:
     std::map<std::string, std::size_t> numbers_;                 ///< of those that are shown, by section
     std::optional<std::pair<std::string, std::size_t>> wanted_;  ///< by a button of this frame
     Settings shown_;
-    int times_made_ = 0;
     SettingEditor editor_;
 };
 

@@ -138,16 +138,9 @@ void find_ground_contacts(const MovingCloth& cloth, Real height, const SearchedB
         row.depth = limit - cloth.x(particle, 1);
         rows.push_back(row);
     };
-    // Each cell reports its first corner, and at the far sides of the cloth those that no other cell has
     for (const CellRun& run : cells) {
-        const bool last_row = run.row == grid.cell_rows() - 1;
         for (int column = run.column; column < run.column + run.count; ++column) {
-            const bool last_column = column == grid.cell_columns() - 1;
-            const int a = grid.particle(column, run.row);
-            add(a);
-            if (last_column) add(a + 1);
-            if (last_row) add(a + grid.nx);
-            if (last_row && last_column) add(a + grid.nx + 1);
+            for_each_particle_of(grid, column, run.row, add);
         }
     }
 }

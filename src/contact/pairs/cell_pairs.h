@@ -25,18 +25,6 @@ void for_each_edge_of(const Grid& grid, int cell, Visit visit) {
     if (cell / grid.cell_columns() == grid.cell_rows() - 1) visit(c, d);
 }
 
-/// The same for particles: corner a, and at the far sides those that no other cell has.
-template <class Visit>
-void for_each_particle_of(const Grid& grid, int cell, Visit visit) {
-    const int a = grid.cell_corner(cell), b = a + 1, c = a + grid.nx, d = c + 1;
-    const bool last_column = cell % grid.cell_columns() == grid.cell_columns() - 1;
-    const bool last_row = cell / grid.cell_columns() == grid.cell_rows() - 1;
-    visit(a);
-    if (last_column) visit(b);
-    if (last_row) visit(c);
-    if (last_column && last_row) visit(d);
-}
-
 /// The smallest range that has all cells of a range whose boxes meet a box; empty if none does.
 inline CellRange those_that_meet(const Aabb& box, const BoxedCloth& cloth, const CellRange& cells) {
     CellRange met{cells.i1, cells.j1, cells.i0, cells.j0};

@@ -37,8 +37,10 @@ class CellFeatures {
 public:
     CellFeatures(const BoxedCloth& cloth, int cell, const Aabb& box)
         : x_(cloth.cloth.x), reaches_(cloth.reaches), box_(box) {
-        for_each_particle_of(cloth.cloth.grid, cell, [&](int particle) { add(particle); });
-        for_each_edge_of(cloth.cloth.grid, cell, [&](int from, int to) { add(from, to); });
+        const Grid& grid = cloth.cloth.grid;
+        for_each_particle_of(grid, cell % grid.cell_columns(), cell / grid.cell_columns(),
+                             [&](int particle) { add(particle); });
+        for_each_edge_of(grid, cell, [&](int from, int to) { add(from, to); });
     }
 
     [[nodiscard]] auto particles() const { return std::span(particles_).first(particle_count_); }

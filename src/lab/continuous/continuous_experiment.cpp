@@ -68,7 +68,7 @@ std::vector<Chart> miss_charts(const ContinuousRows& rows) {
     return {{"continuous_misses",
              "continuous_misses",
              "The part of the shots that pass a target unseen, against the diameters that the ball moves in a step: by "
-             "positions at whole steps, beside what is predicted for it, and by all that may have met between them.",
+             "discrete detection, beside what is predicted for it, and by continuous detection.",
              {{"targets", in_words(words_of(rows, &ContinuousRow::target))}}}};
 }
 

@@ -16,7 +16,7 @@ enum class Target {
 /// How many shots pass unseen, of those whose way passes the target nearer than the ball's radius.
 struct ShotCount {
     double shots = 0;
-    double discrete = 0;    ///< missed by positions at whole steps
+    double discrete = 0;    ///< missed by discrete detection
     double continuous = 0;  ///< missed by all that may have met between them
 };
 
@@ -25,7 +25,7 @@ struct ShotCount {
 /// @throws RunError if a tree does not find the contacts that all cells have
 ShotCount shoot(Target target, double q, int shots);
 
-/// The part that is missed by whole steps. A chord at the distance b from a ball's centre is c = 2 sqrt(R^2 - b^2)
+/// The part that discrete detection misses. A chord at the distance b from a ball's centre is c = 2 sqrt(R^2 - b^2)
 /// long, and is stepped over with the probability 1 - c / (2 R q), if that is positive. With b even over the disc its
 /// mean is q^2 / 3 for q <= 1 and 1 - 2 / (3 q) above. A sheet's chord is always 2 R long: 0, and 1 - 1 / q above.
 double predicted_misses(Target target, double q);

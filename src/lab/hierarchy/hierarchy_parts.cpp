@@ -197,7 +197,7 @@ void measure_break_even(const RecordedMotion& motion, BroadPhaseParameters param
     }
 }
 
-/// Between frames: from one step of the scene on, in whole steps [s].
+/// Between frames: from one step of the scene on, a number of steps [s].
 std::set<double> intervals(const HierarchyScene& scene, bool quick) {
     const auto wanted =
         quick ? std::vector{0.0, 1.6e-3, 1.0 / 60} : std::vector{0.0, 6e-4, 1.6e-3, 5e-3, 1.0 / 60, 0.05};
