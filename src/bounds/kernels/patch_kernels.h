@@ -12,9 +12,13 @@ namespace drape::kernels {
 
 /// Sums over a patch, so made that those of neighbours, which share a column or a row, add up to those of both.
 struct PatchSums {
-    Vec3 inner = Vec3::Zero();  ///< without the last column and row
-    Vec3 right = Vec3::Zero();  ///< of the last column without the last particle
-    Vec3 below = Vec3::Zero();  ///< of the last row without the last particle
+    Vec3 inner;  ///< without the last column and row
+    Vec3 right;  ///< of the last column without the last particle
+    Vec3 below;  ///< of the last row without the last particle
+
+    /// Zero. Written out, for one that the compiler made where it is first used, within a kernel, would be for the
+    /// processor of that kernel, and be called on every other.
+    PatchSums() : inner(Vec3::Zero()), right(Vec3::Zero()), below(Vec3::Zero()) {}
 };
 
 /// Each column is added up row by row, then the columns by eights, then these pairwise.
