@@ -16,7 +16,7 @@
 #include "drape/base/resources.h"
 #include "drape/base/run_program.h"
 #include "drape/base/stop_signals.h"
-#include "drape/sim/tour.h"
+#include "drape/session/tour.h"
 #include "options.h"
 #include "window.h"
 
@@ -35,13 +35,15 @@ namespace {
         words.emplace_back("--tour");
     } else if (!options.start.scene.empty()) {
         words.push_back(options.start.scene);
-    } else if (options.start.replay.empty()) {
+    } else if (options.start.replay.empty() && options.start.load.empty()) {
         words.insert(words.end(), {"drop", "--set", "view.eye=0.85,0.7,1.25"});  // the README's picture
     }
     if (!options.tour) {
         for (const std::string& setting : options.start.assignments) words.insert(words.end(), {"--set", setting});
         if (!options.start.versus.empty()) words.insert(words.end(), {"--versus", options.start.versus});
         if (!options.start.replay.empty()) words.insert(words.end(), {"--replay", options.start.replay});
+        if (!options.start.load.empty()) words.insert(words.end(), {"--load", options.start.load});
+        if (!options.save.empty()) words.insert(words.end(), {"--save", options.save});
         if (options.hash) words.emplace_back("--hash");
         words.insert(words.end(), {"--frames", std::to_string(frames)});
     }
@@ -80,7 +82,7 @@ int run(int argc, char** argv) {
     const StopSignals signals;
     Start start = make_start(options->start);
     std::vector<NamedFile> files = input_files(options->start, start);
-    files.push_back({"--record", options->record});
+    files.insert(files.end(), {{"--record", options->record}, {"--save", options->save}});
     check_apart(files);
     const std::shared_ptr<void> display = open_display();
     if (!display) capture_instead(*options, "there is no display");
@@ -90,6 +92,10 @@ int run(int argc, char** argv) {
     glutInit(&no_words, argv);
 
     Session session = make_session(std::move(start), options->record);
+    // Whoever held the ball or the cloth then holds it no longer
+    if (!options->start.load.empty()) {
+        for (const Command& command : session.simulation().commands_to_let_go()) session.send(command);
+    }
     if (const std::string notice = session.record_notice(); !notice.empty()) tell("drape: " + notice);
     const std::string warning = session.simulation().step_warning();
     if (!warning.empty()) tell("warning: " + warning);
@@ -97,6 +103,7 @@ int run(int argc, char** argv) {
     progress.window_open = true;
     const int code = window.run();
     session.close();
+    save_snapshot(options->save, session.simulation());
     if (options->hash) std::cout << hash_text(session.simulation().hash()) << "\n";
     return code == Done && session.replay_differs() ? Failed : code;
 }

@@ -6,8 +6,8 @@
 #include <vector>
 
 #include "drape/render/entries.h"
+#include "drape/scene/setting_table.h"
 #include "drape/sim/command.h"
-#include "drape/sim/setting_table.h"
 #include "drape/sim/simulation.h"
 
 namespace drape {

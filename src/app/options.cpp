@@ -2,8 +2,8 @@
 
 #include "drape/base/command_line.h"
 #include "drape/render/entries.h"
-#include "drape/sim/scene.h"
-#include "drape/sim/setting_table.h"
+#include "drape/scene/scene.h"
+#include "drape/scene/setting_table.h"
 
 namespace drape {
 
@@ -29,6 +29,8 @@ std::optional<Options> read_options(int argc, char** argv) {
                 {"name=value,..."});
     line.option("--record", options.record, "write every command to a file", {"FILE"});
     line.option("--replay", options.start.replay, "play a recording", {"FILE"});
+    line.option("--load", options.start.load, "go on from a snapshot", {"FILE"});
+    line.option("--save", options.save, "write a snapshot at the end, which --load goes on from", {"FILE"});
     line.option("--size", size, "of the window; 1280x720 if not given", {"WxH"});
     line.option("--scale", scale, "text size factor; 1 if not given", {"FACTOR"});
     line.flag("--tour", options.tour, "begin with the tour: twelve scenes, with what to see in each");
@@ -36,11 +38,10 @@ std::optional<Options> read_options(int argc, char** argv) {
     line.flag("--hash", options.hash, "print the hash of the last state");
     line.footer([] { return key_help() + "\nSettings:\n" + settings_help(); });
     if (!line.parse(argc, argv)) return std::nullopt;
-    const StartOptions& start = options.start;
-    if (options.tour &&
-        !(start.scene.empty() && start.assignments.empty() && start.replay.empty() && start.versus.empty())) {
-        throw InputError("--tour has scenes and settings of its own: leave out SCENE, --set, --versus and --replay",
-                         line.help_hint());
+    if (options.tour && !options.start.empty()) {
+        throw InputError(
+            "--tour has scenes and settings of its own: leave out SCENE, --set, --versus, --replay and --load",
+            line.help_hint());
     }
     if (!scale.empty()) options.start.assignments.push_back("view.text_scale=" + scale);
     if (!size.empty()) options.size = parse_size(size);

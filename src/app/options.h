@@ -4,7 +4,7 @@
 #include <string>
 
 #include "drape/render/image.h"
-#include "drape/sim/start.h"
+#include "drape/session/start.h"
 
 namespace drape {
 
@@ -12,6 +12,7 @@ namespace drape {
 struct Options {
     StartOptions start;
     std::string record;  ///< file to write; empty: none
+    std::string save;    ///< likewise, a snapshot at the end
     PictureSize size;    ///< of the window
     bool tour = false;   ///< begin with the tour
     bool check = false;  ///< end at the first fault of OpenGL, or number that is not finite

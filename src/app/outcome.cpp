@@ -7,7 +7,7 @@
 
 #include "drape/base/numbers.h"
 #include "drape/integrate/stability.h"
-#include "drape/sim/setting_table.h"
+#include "drape/scene/setting_table.h"
 
 namespace drape {
 

@@ -11,8 +11,8 @@
 #include "drape/base/input_error.h"
 #include "drape/base/run_program.h"
 #include "drape/render/start_glew.h"
-#include "drape/sim/failure.h"
-#include "drape/sim/scene.h"
+#include "drape/scene/scene.h"
+#include "drape/session/failure.h"
 
 namespace drape {
 
@@ -88,7 +88,7 @@ void Window::on_tick() {
     tell_of_takeovers_and_dangers();
     if (simulation.report().status == Status::Diverged &&
         simulation.settings().solver.on_unstable == OnUnstable::Stop) {
-        failure_ = std::make_exception_ptr(RunError(simulation.report().trouble));
+        failure_ = std::make_exception_ptr(RunError(simulation.report().error));
         return leave();
     }
     const bool sleeps = simulation.report().asleep && !simulation.paused() && is_at_rest(session_.view());
@@ -186,11 +186,11 @@ void Window::tell_whose_ball() {
 // Once, however often the user comes back to it
 void Window::tell_of_failure() {
     const Simulation& simulation = session_.simulation();
-    const std::string& trouble = simulation.report().trouble;
-    if (simulation.report().status == Status::Ok || trouble == told_failure_) return;
-    told_failure_ = trouble;
+    const std::string& error = simulation.report().error;
+    if (simulation.report().status == Status::Ok || error == told_failure_) return;
+    told_failure_ = error;
     failure_file_ = tell_failure(simulation, "");
-    tell("drape: " + trouble);
+    tell("drape: " + error);
     tell(failure_file_);
 }
 
@@ -212,7 +212,7 @@ void Window::tell_of_drops() {
     seconds.resize(seconds.find('.') + 2);
     const bool real = session_.simulation().settings().view.speed == 1;
     notices_.add("dropped", std::string("Slower than ") + (real ? "real time: " : "view.speed asks: ") + seconds +
-                                " s left out so far");
+                                " s of simulation skipped");
 }
 
 void Window::start_scene() {

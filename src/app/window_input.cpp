@@ -12,9 +12,9 @@
 #include "drape/base/input_error.h"
 #include "drape/base/numbers.h"
 #include "drape/render/picture_texts.h"
-#include "drape/sim/comparison.h"
-#include "drape/sim/setting_table.h"
-#include "drape/sim/tour.h"
+#include "drape/scene/setting_table.h"
+#include "drape/session/comparison.h"
+#include "drape/session/tour.h"
 #include "keys.h"
 #include "outcome.h"
 #include "window.h"
@@ -312,7 +312,7 @@ bool Window::carry_out(const Command& command) {
 // What the session has carried out
 void Window::follow(const Command& command) {
     camera_.apply(command, session_.view());
-    if (std::holds_alternative<command::LoadScene>(command)) start_scene();
+    if (changes_scene(command)) start_scene();
     if (!begins_again(command)) return;
     pointer_.forget();
     steering_.forget_given();

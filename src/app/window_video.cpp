@@ -40,7 +40,7 @@ std::string WindowVideo::toggle(PictureSize size) {
     ending_ = false;
     reason_.clear();
     watch_ = Stopwatch();
-    if (!pipe_->trouble().empty()) return outcome();
+    if (!pipe_->error().empty()) return outcome();
     return "Recording video to " + pipe_->file().string() + ", Shift+F12 ends it";
 }
 
@@ -51,11 +51,11 @@ int WindowVideo::due_frames() const {
 void WindowVideo::take(const Image& picture) {
     const int due = due_frames(), repeats = std::min(due, most_repeats);
     left_out_ += due - repeats;
-    for (int i = 0; i < repeats && pipe_->trouble().empty(); ++i) {
+    for (int i = 0; i < repeats && pipe_->error().empty(); ++i) {
         pipe_->write(picture);
         ++frames_;
     }
-    if (!pipe_->trouble().empty()) end("");
+    if (!pipe_->error().empty()) end("");
 }
 
 void WindowVideo::resize(PictureSize size) {
@@ -78,10 +78,10 @@ std::string WindowVideo::close() {
 }
 
 std::string WindowVideo::outcome() {
-    const std::string file = pipe_->file().string(), trouble = pipe_->trouble();
+    const std::string file = pipe_->file().string(), error = pipe_->error();
     pipe_.reset();
     ending_ = false;
-    if (!trouble.empty()) return "No video: " + trouble;
+    if (!error.empty()) return "No video: " + error;
     if (frames_ == 0) return "No video: it has ended before its first picture";
     return "Video written: " + file + ", " + std::to_string(frames_) + (frames_ == 1 ? " frame" : " frames") + reason_;
 }

@@ -54,6 +54,11 @@ std::string real_text(double value) { return text_of(value); }
 
 std::string real_text(double value, int digits) { return text_of(value, std::chars_format::general, digits); }
 
+std::uint64_t fnv1a(std::string_view bytes, std::uint64_t hash) {
+    for (const char byte : bytes) hash = (hash ^ static_cast<unsigned char>(byte)) * 1099511628211u;
+    return hash;
+}
+
 std::string hash_text(unsigned long long hash) {
     std::string text(16, '0');
     for (std::size_t i = 0; i < 16; ++i) text[15 - i] = "0123456789abcdef"[(hash >> (4 * i)) & 15];

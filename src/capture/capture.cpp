@@ -10,10 +10,10 @@
 #include "drape/base/run_program.h"
 #include "drape/render/entries.h"
 #include "drape/render/picture_texts.h"
-#include "drape/sim/failure.h"
-#include "drape/sim/memory.h"
-#include "drape/sim/scene.h"
-#include "drape/sim/state_csv.h"
+#include "drape/scene/memory.h"
+#include "drape/scene/scene.h"
+#include "drape/session/failure.h"
+#include "drape/session/state_csv.h"
 #include "picture_memory.h"
 
 namespace drape {
@@ -26,7 +26,7 @@ Start checked_start(const CaptureOptions& options) {
     const double simulations = options.start.versus.empty() ? 1 : 2;
     if (options.drawing()) check_picture_memory(options.size, simulations * memory_needed(start.settings).total());
     const std::vector<NamedFile> written{
-        {"--video", options.video}, {"--stats", options.stats}, {"--state", options.state}};
+        {"--video", options.video}, {"--stats", options.stats}, {"--state", options.state}, {"--save", options.save}};
     std::vector<NamedFile> files = input_files(options.start, start);
     files.insert(files.end(), written.begin(), written.end());
     check_apart(files);
@@ -55,7 +55,7 @@ Capture::Capture(CaptureOptions options, const StopSignals& signals)
     if (!options_.out.empty()) frames_.emplace(options_.out, options_.frames, options_.again);
     if (!options_.video.empty()) {
         video_.emplace(options_.video, options_.size, video_rate, signals_);
-        if (!video_->trouble().empty() && !frames_) throw RunError(video_->trouble());
+        if (!video_->error().empty() && !frames_) throw RunError(video_->error());
     }
     if (stats_.wanted()) {
         write_report_units(stats_.stream());
@@ -123,7 +123,7 @@ void Capture::draw_frame(int frame) {
 
 void Capture::follow_replay() {
     for (const Command& command : session_.take_view_commands()) {
-        if (std::holds_alternative<command::LoadScene>(command)) {
+        if (changes_scene(command)) {
             camera_ = Camera(session_.simulation().settings().view);
             renderer_->set_scene(session_.simulation().settings());
         } else {
@@ -164,7 +164,7 @@ void Capture::fail(int frame) {
     }
     if (frames_) frames_->finish();
     progress_.clear();
-    tell("drape-capture: " + session_.simulation().report().trouble +
+    tell("drape-capture: " + session_.simulation().report().error +
          (frames_ ? "; " + frames_->last().string() + " shows the last good state" : ""));
     tell(failure_);
 }
@@ -188,14 +188,15 @@ void Capture::finish() {
     }
     state_.close();
     stats_.close();
+    save_snapshot(options_.save, session_.simulation());
     if (options_.hash) std::cout << hash_text(session_.simulation().hash()) << "\n" << std::flush;
 }
 
 bool Capture::finish_video() {
     if (!video_) return true;
     video_->close();
-    if (video_->trouble().empty()) return true;
-    tell("drape-capture: no video, " + video_->trouble() +
+    if (video_->error().empty()) return true;
+    tell("drape-capture: no video, " + video_->error() +
          (frames_ ? "; the pictures are in " + options_.out.string() : ""));
     return false;
 }

@@ -8,7 +8,7 @@
 #include "drape/base/stop_signals.h"
 #include "drape/render/renderer.h"
 #include "drape/render/video_pipe.h"
-#include "drape/sim/session.h"
+#include "drape/session/session.h"
 #include "frame_writer.h"
 #include "offscreen_context.h"
 #include "progress.h"

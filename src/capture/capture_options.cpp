@@ -6,7 +6,7 @@
 #include "drape/base/input_error.h"
 #include "drape/base/numbers.h"
 #include "drape/render/video_pipe.h"
-#include "drape/sim/setting_table.h"
+#include "drape/scene/setting_table.h"
 
 namespace drape {
 
@@ -48,6 +48,8 @@ std::optional<CaptureOptions> read_capture_options(int argc, char** argv) {
     line.option("--versus", options.start.versus, "compare the scene with itself under other settings",
                 {"name=value,..."});
     line.option("--replay", options.start.replay, "play a recording", {"FILE"});
+    line.option("--load", options.start.load, "go on from a snapshot", {"FILE"});
+    line.option("--save", options.save, "write a snapshot at the end, which --load goes on from", {"FILE"});
     line.option("--frames", frames, "number of frames; frame k shows the time k/fps after the start", {"N"});
     line.flag("--tour", options.tour, "draw a picture of each stop of the tour instead of a scene's frames");
     line.option("--fps", fps, "frames per simulated second; 60 / view.speed if not given", {"RATE"});
@@ -70,10 +72,8 @@ std::optional<CaptureOptions> read_capture_options(int argc, char** argv) {
     options.context = context_kind(context);
     if (options.tour) {
         if (options.out.empty()) throw InputError("--tour needs --out DIR, for its pictures");
-        const StartOptions& start = options.start;
-        const bool alone = start.scene.empty() && start.assignments.empty() && start.replay.empty() &&
-                           start.versus.empty() && frames.empty() && options.video.empty() && options.stats.empty() &&
-                           options.state.empty() && !options.hash;
+        const bool alone = options.start.empty() && frames.empty() && options.video.empty() && options.stats.empty() &&
+                           options.state.empty() && options.save.empty() && !options.hash;
         if (!alone)
             throw InputError("--tour goes with --out, --size, --again, --overlay and --context only", line.help_hint());
         return options;
@@ -84,8 +84,10 @@ std::optional<CaptureOptions> read_capture_options(int argc, char** argv) {
     options.every = whole_number("--every", every, options.frames);
     if (!fps.empty()) options.fps = frame_rate(fps);
     const bool anything = !options.out.empty() || !options.video.empty() || !options.stats.empty() ||
-                          !options.state.empty() || options.hash;
-    if (!anything) throw InputError("nothing to write: say --out DIR, or one of --video, --stats, --state and --hash");
+                          !options.state.empty() || !options.save.empty() || options.hash;
+    if (!anything) {
+        throw InputError("nothing to write: say --out DIR, or one of --video, --stats, --state, --save and --hash");
+    }
     return options;
 }
 

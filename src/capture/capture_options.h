@@ -4,7 +4,7 @@
 #include <optional>
 
 #include "drape/render/image.h"
-#include "drape/sim/start.h"
+#include "drape/session/start.h"
 #include "gl_context.h"
 
 namespace drape {
@@ -20,6 +20,7 @@ struct CaptureOptions {
     std::filesystem::path video;  ///< file; empty: none
     std::string stats;            ///< file; empty: none
     std::string state;            ///< file; empty: none
+    std::string save;             ///< file of a snapshot; empty: none
     bool again = false;           ///< the folder's frames of an earlier run are replaced
     bool overlay = false;
     bool tour = false;  ///< a picture of each stop of the tour, and nothing else

@@ -74,13 +74,4 @@ inline bool reported_elsewhere(const Grid& grid, int triangle, const std::array<
     return on.zeros == 2 || (on.zeros == 1 && other_reports_edge(grid, triangle, on.opposite));
 }
 
-/// The corners of cells as runs of particles, row by row; runs may overlap.
-inline void list_corners(std::span<const CellRun> cells, std::vector<CellRun>& particles) {
-    particles.clear();
-    for (const CellRun& run : cells) {
-        for (const int row : {run.row, run.row + 1}) particles.push_back({row, run.column, run.count + 1});
-    }
-    std::ranges::sort(particles);
-}
-
 }  // namespace drape

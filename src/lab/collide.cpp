@@ -12,7 +12,7 @@
 #include "drape/base/numbers.h"
 #include "drape/base/run_program.h"
 #include "drape/contact/detection.h"
-#include "drape/sim/setting_table.h"
+#include "drape/scene/setting_table.h"
 #include "positions.h"
 
 namespace drape {

@@ -8,9 +8,9 @@
 #include "drape/base/run_program.h"
 #include "drape/bounds/broad_phase.h"
 #include "drape/integrate/integrator.h"
-#include "drape/sim/scene.h"
-#include "drape/sim/setting_table.h"
-#include "drape/sim/tour.h"
+#include "drape/scene/scene.h"
+#include "drape/scene/setting_table.h"
+#include "drape/session/tour.h"
 
 namespace drape {
 

@@ -12,10 +12,10 @@
 #include "drape/base/run_program.h"
 #include "drape/base/stop_signals.h"
 #include "drape/base/stopwatch.h"
-#include "drape/sim/failure.h"
-#include "drape/sim/setting_table.h"
-#include "drape/sim/start.h"
-#include "drape/sim/state_csv.h"
+#include "drape/scene/setting_table.h"
+#include "drape/session/failure.h"
+#include "drape/session/start.h"
+#include "drape/session/state_csv.h"
 
 namespace drape {
 namespace {
@@ -24,7 +24,7 @@ constexpr double longest_run = 1e6;  // s
 
 struct SimulateOptions {
     StartOptions start;
-    std::string times, state, stats;
+    std::string times, state, stats, save;
     bool hash = false;
 };
 
@@ -63,7 +63,7 @@ int simulate(SimulateOptions& options) {
     }
     Start start = make_start(options.start);
     std::vector<NamedFile> files = input_files(options.start, start);
-    files.insert(files.end(), {{"--state", options.state}, {"--stats", options.stats}});
+    files.insert(files.end(), {{"--state", options.state}, {"--stats", options.stats}, {"--save", options.save}});
     check_apart(files);
     const bool replays = start.replay.has_value();
     Session session = make_session(std::move(start));
@@ -104,7 +104,7 @@ int simulate(SimulateOptions& options) {
     // Told first: the files may not take what is left to write
     const StepReport& report = session.simulation().report();
     if (report.status == Status::Diverged) {
-        tell("drape-lab: " + report.trouble);
+        tell("drape-lab: " + report.error);
         tell(tell_failure(session.simulation(), ""));
     }
     // What was there before is worth more than a table without rows
@@ -112,6 +112,7 @@ int simulate(SimulateOptions& options) {
         state.close();
         stats.close();
     }
+    save_snapshot(options.save, session.simulation());
 
     tell(std::to_string(report.step) + " steps to " + real_text(report.time, 6) + " s in " +
          real_text(watch.seconds(), 3) + " s");
@@ -132,6 +133,8 @@ void add_simulate(CommandLine& line, int& exit_code) {
     command.option("scene", options->start.scene, "name of a shipped scene, or a TOML file", {"SCENE"});
     command.option("--set", options->start.assignments, "change settings", {"name=value"});
     command.option("--replay", options->start.replay, "play a recording", {"FILE"});
+    command.option("--load", options->start.load, "go on from a snapshot", {"FILE"});
+    command.option("--save", options->save, "write a snapshot at the end, which --load goes on from", {"FILE"});
     command.option(
         "--time", options->times,
         "simulated times to stop at [s], on the clock of the scene: its start file, if it has one, sets it; a "

@@ -4,7 +4,7 @@
 #include <cmath>
 
 #include "drape/model/stencils.h"
-#include "drape/sim/comparison.h"
+#include "drape/session/comparison.h"
 
 namespace drape {
 

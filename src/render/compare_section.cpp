@@ -5,7 +5,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "drape/sim/comparison.h"
+#include "drape/session/comparison.h"
 #include "overlay_style.h"
 #include "settings_panel.h"
 

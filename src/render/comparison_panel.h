@@ -3,7 +3,7 @@
 #include <cstddef>
 #include <deque>
 
-#include "drape/sim/comparison.h"
+#include "drape/session/comparison.h"
 #include "figures_panel.h"
 #include "step_medians.h"
 

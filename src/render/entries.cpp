@@ -4,8 +4,8 @@
 
 #include "drape/bounds/broad_phase.h"
 #include "drape/integrate/integrator.h"
-#include "drape/sim/settings.h"
-#include "drape/sim/tour.h"
+#include "drape/scene/settings.h"
+#include "drape/session/tour.h"
 
 namespace drape {
 

@@ -66,7 +66,7 @@ Row state_row(const FrameView& view) {
     const StepReport& report = *view.report;
     if (report.status == Status::Diverged) return {"state", "diverged", -1, 4, ink::bad};
     if (view.paused) return {"state", report.asleep ? "paused, asleep" : "paused", -1, 4, ink::wait};
-    if (report.heated_step > 0) return {"state", "running, gains energy", -1, 4, ink::bad};
+    if (report.energy_gain_step > 0) return {"state", "running, gains energy", -1, 4, ink::bad};
     if (in_doubt(report)) return {"state", "running, unsolved", -1, 4, ink::bad};
     if (report.asleep) return {"state", "asleep", -1, 4, ink::quiet};
     return {"state", view.held ? "running, in hand" : "running", -1, 4, ink::good};

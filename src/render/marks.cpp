@@ -4,7 +4,7 @@
 
 #include "cloth_mesh.h"
 #include "drape/model/stencils.h"
-#include "drape/sim/comparison.h"
+#include "drape/session/comparison.h"
 #include "solids.h"
 
 namespace drape {

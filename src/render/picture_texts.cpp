@@ -2,7 +2,7 @@
 
 #include "drape/base/commit.h"
 #include "drape/base/numbers.h"
-#include "drape/sim/scene.h"
+#include "drape/scene/scene.h"
 
 namespace drape {
 

@@ -4,7 +4,7 @@
 #include <string>
 #include <vector>
 
-#include "drape/sim/setting_table.h"
+#include "drape/scene/setting_table.h"
 
 namespace drape {
 

@@ -7,7 +7,7 @@
 #include <vector>
 
 #include "compare_section.h"
-#include "drape/sim/setting_table.h"
+#include "drape/scene/setting_table.h"
 #include "figures_panel.h"
 #include "setting_editor.h"
 

@@ -53,7 +53,7 @@ VideoPipe::VideoPipe(const std::filesystem::path& file, PictureSize size, double
     std::signal(SIGPIPE, SIG_IGN);
     ffmpeg_.emplace(command_line(file_.name(), size, rate), ChildProgram::Input::Fed);
     if (ffmpeg_->error() == 0) return;
-    trouble_ = std::string("ffmpeg (Debian package ffmpeg) could not be started: ") + std::strerror(ffmpeg_->error());
+    error_ = std::string("ffmpeg (Debian package ffmpeg) could not be started: ") + std::strerror(ffmpeg_->error());
     ffmpeg_.reset();
 }
 
@@ -93,7 +93,7 @@ void VideoPipe::wait_for_room(double& waited) {
 void VideoPipe::give_up() {
     ffmpeg_->kill();
     ffmpeg_.reset();
-    trouble_ = "ffmpeg stood still and was ended";
+    error_ = "ffmpeg stood still and was ended";
 }
 
 void VideoPipe::end() {
@@ -106,11 +106,11 @@ bool VideoPipe::finished(double seconds) {
     if (!code) return false;
     ffmpeg_.reset();
     if (*code > 128 && *code <= 128 + SIGRTMAX) {
-        trouble_ = "ffmpeg was ended by signal " + std::to_string(*code - 128);
+        error_ = "ffmpeg was ended by signal " + std::to_string(*code - 128);
     } else if (*code != 0) {
-        trouble_ = "ffmpeg failed with status " + std::to_string(*code);
+        error_ = "ffmpeg failed with status " + std::to_string(*code);
     } else if (std::error_code gone; fed_ && std::filesystem::file_size(file_.name(), gone) == 0) {
-        trouble_ = "ffmpeg has written nothing";
+        error_ = "ffmpeg has written nothing";
     } else if (fed_) {
         name_file();
     }
@@ -125,7 +125,7 @@ void VideoPipe::name_file() {
             file_.finish();
         }
     } catch (const RunError& error) {
-        trouble_ = error.what();
+        error_ = error.what();
     }
 }
 

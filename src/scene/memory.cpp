@@ -1,13 +1,13 @@
-#include "drape/sim/memory.h"
+#include "drape/scene/memory.h"
 
 #include <algorithm>
 
 #include "drape/base/memory_limit.h"
 #include "drape/bounds/node_view.h"
 #include "drape/contact/detection.h"
+#include "drape/contact/near_pairs.h"
+#include "drape/contact/response.h"
 #include "drape/integrate/integrator.h"
-#include "drape/sim/pair_list.h"
-#include "drape/sim/simulation.h"
 
 namespace drape {
 namespace {
@@ -35,7 +35,7 @@ double hierarchy_bytes(const ContactSettings& contact, const Grid& grid) {
 
 /// Of a pair of features: as it was found, as it is now, and what the list has of it, before and after it is in order.
 /// Of the room that lists double, they use two thirds in the mean.
-constexpr double bytes_of_pair = 1.5 * (2 * sizeof(NearPair) + 2 * sizeof(PairList::Listed));
+constexpr double bytes_of_pair = 1.5 * (2 * sizeof(NearPair) + 2 * (sizeof(FeaturePair) + sizeof(int) + sizeof(Real)));
 
 /// Where cloths meet themselves and each other: a second hierarchy and the boxes of its cells, numbers of a particle,
 /// and pairs of features, as many as where much of a cloth lies on cloth. Threads share their lists.
@@ -49,33 +49,24 @@ double self_contact_bytes(const ContactSettings& contact, const Grid& grid) {
 
 }  // namespace
 
+double bytes_of_cloth(const ContactSettings& contact, const Grid& grid, double numbers) {
+    return grid.particles() * sizeof(Real) * numbers + hierarchy_bytes(contact, grid) +
+           self_contact_bytes(contact, grid);
+}
+
 MemoryNeed memory_needed(const Settings& settings) {
     MemoryNeed need;
     for (const ClothParameters& cloth : settings.cloths) {
         const Grid& grid = cloth.particles;
         const double particles = grid.particles();
-        need.cloths += particles * sizeof(Real) * (particle_numbers + (settings.solver.ledger ? ledger_numbers : 0)) +
+        const double numbers = particle_numbers + (settings.solver.ledger ? ledger_numbers : 0);
+        need.cloths += bytes_of_cloth(settings.contact, grid, numbers) +
                        contact_lists * grid.triangles() * static_cast<double>(sizeof(ContactRow)) +
                        static_cast<double>(ContactSolver::bytes_for(2 * static_cast<std::size_t>(grid.triangles()))) +
-                       hierarchy_bytes(settings.contact, grid) + self_contact_bytes(settings.contact, grid) +
                        std::min(particles, searched_particles) * sizeof(Real) * search_numbers;
         need.method += bytes_of_method(integrator_of(settings.solver), grid);
     }
     return need;
-}
-
-double moment_bytes(const Simulation& simulation) {
-    const Settings& settings = simulation.settings();
-    constexpr double numbers_of_start = 6, numbers_of_step_before = 12;
-    double bytes = sizeof(Simulation);
-    for (const Cloth& cloth : simulation.cloths()) {
-        const Grid& grid = cloth.model.grid;
-        const double all = particle_numbers + ledger_numbers + numbers_of_start + numbers_of_step_before;
-        bytes += grid.particles() * sizeof(Real) * all + hierarchy_bytes(settings.contact, grid) +
-                 self_contact_bytes(settings.contact, grid);
-    }
-    // Those of now, and those that a warm start goes on from
-    return bytes + 2 * static_cast<double>(simulation.contacts().size() * sizeof(ContactRow));
 }
 
 std::string memory_text(const Settings& settings) {

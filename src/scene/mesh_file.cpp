@@ -1,4 +1,4 @@
-#include "mesh_file.h"
+#include "drape/scene/mesh_file.h"
 
 #include <assimp/BaseImporter.h>
 #include <assimp/postprocess.h>

@@ -1,4 +1,4 @@
-#include "same_motion.h"
+#include "drape/scene/same_motion.h"
 
 #include <algorithm>
 

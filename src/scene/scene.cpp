@@ -1,11 +1,11 @@
-#include "drape/sim/scene.h"
+#include "drape/scene/scene.h"
 
 #include <algorithm>
 
 #include "drape/base/input_error.h"
 #include "drape/base/input_file.h"
 #include "drape/base/resources.h"
-#include "drape/sim/setting_table.h"
+#include "drape/scene/setting_table.h"
 #include "toml_value.h"
 
 namespace drape {

@@ -1,9 +1,10 @@
-#include "drape/sim/scene.h"
+#include "drape/scene/scene.h"
 
+#include <algorithm>
 #include <utility>
 
 #include "drape/base/numbers.h"
-#include "drape/sim/setting_table.h"
+#include "drape/scene/setting_table.h"
 
 namespace drape {
 namespace {
@@ -42,6 +43,10 @@ std::string toml_text(const Setting& setting, const SettingValue& value) {
     return value_text(value);
 }
 
+bool stands_several_times(const std::string& section) {
+    return section == "cloth" || section == "ball" || section == "solid" || section == "pins";
+}
+
 /// Of origin and centre, which say the same, the one that was not given.
 bool is_other_name(const Setting& setting, const Settings& settings, std::size_t index) {
     if (setting.section != "cloth") return false;
@@ -69,7 +74,7 @@ std::string scene_text(const Settings& settings) {
     for (const Setting& setting : setting_table()) {
         const std::string& section = setting.section;
         if (section == std::exchange(last, section)) continue;
-        const bool is_several = section == "cloth" || section == "ball" || section == "solid" || section == "pins";
+        const bool is_several = stands_several_times(section);
         for (std::size_t k = 0; k < section_count(settings, setting); ++k) {
             const std::string lines = lines_of(section, settings, defaults, k);
             if (is_several) {
@@ -81,6 +86,26 @@ std::string scene_text(const Settings& settings) {
         }
     }
     return text;
+}
+
+std::vector<std::string> changes_of(const Settings& scene, const Settings& settings) {
+    std::vector<std::string> changes;
+    Settings again = scene;
+    for (const Setting& setting : setting_table()) {
+        for (std::size_t k = 0; k < std::min(section_count(scene, setting), section_count(settings, setting)); ++k) {
+            if (is_other_name(setting, settings, k)) continue;
+            const SettingValue value = setting.read(settings, k);
+            if (value == setting.read(again, k)) continue;
+            const std::string number = stands_several_times(setting.section) ? "[" + std::to_string(k) + "]" : "";
+            const std::string section = setting.section.empty() ? "" : setting.section + number + ".";
+            changes.push_back(section + setting.name + "=" + value_text(value));
+            assign(again, changes.back());
+        }
+    }
+    if (scene_text(again) != scene_text(settings)) {
+        throw RunError("the settings cannot be made from the scene again: it has changed, or moving pins have ended");
+    }
+    return changes;
 }
 
 }  // namespace drape

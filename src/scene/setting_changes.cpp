@@ -7,8 +7,8 @@
 #include "drape/base/memory_limit.h"
 #include "drape/base/numbers.h"
 #include "drape/model/cloth_model.h"
-#include "drape/sim/memory.h"
-#include "drape/sim/setting_table.h"
+#include "drape/scene/memory.h"
+#include "drape/scene/setting_table.h"
 #include "setting_rows.h"
 
 namespace drape {

@@ -7,7 +7,7 @@
 #include <vector>
 
 #include "drape/base/enum_names.h"
-#include "drape/sim/setting_table.h"
+#include "drape/scene/setting_table.h"
 
 namespace drape {
 

@@ -5,7 +5,7 @@
 
 #include "drape/base/input_error.h"
 #include "drape/base/numbers.h"
-#include "drape/sim/setting_table.h"
+#include "drape/scene/setting_table.h"
 
 namespace drape {
 namespace {

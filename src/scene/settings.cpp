@@ -1,4 +1,4 @@
-#include "drape/sim/settings.h"
+#include "drape/scene/settings.h"
 
 #include <algorithm>
 #include <cmath>

@@ -1,9 +1,8 @@
-#include "drape/sim/start_state.h"
+#include "drape/scene/start_state.h"
 
 #include "drape/base/input_error.h"
 #include "drape/base/input_file.h"
 #include "drape/base/numbers.h"
-#include "drape/sim/state_csv.h"
 
 namespace drape {
 namespace {
@@ -86,8 +85,7 @@ private:
         ball.velocity = vector_at(*row, 5);
         ball.orientation.coeffs() << vector_at(*row, 8), static_cast<Real>((*row)[11]);
         ball.spin = vector_at(*row, 12);
-        constexpr auto rounding = Real(1e-5);
-        if (!(std::abs(ball.orientation.norm() - 1) <= rounding)) fail("turn: allowed four numbers of length 1");
+        if (!has_length_one(ball.orientation.coeffs())) fail("turn: allowed four numbers of length 1");
     }
 
     Vec3 vector_at(const std::vector<double>& row, std::size_t first) const {

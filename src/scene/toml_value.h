@@ -9,7 +9,7 @@
 #include <string>
 #include <string_view>
 
-#include "drape/sim/setting_table.h"
+#include "drape/scene/setting_table.h"
 
 namespace drape {
 

@@ -1,11 +1,11 @@
-#include "drape/sim/comparison.h"
+#include "drape/session/comparison.h"
 
 #include <algorithm>
 #include <cmath>
 
 #include "drape/base/input_error.h"
 #include "drape/base/numbers.h"
-#include "drape/sim/setting_table.h"
+#include "drape/scene/setting_table.h"
 
 namespace drape {
 namespace {
@@ -101,7 +101,8 @@ void Comparison::apply(const Command& command, const Simulation& first) {
 }
 
 void Comparison::follow_command(const Command& command, const Simulation& first) {
-    if (std::holds_alternative<command::LoadScene>(command)) {
+    if (std::holds_alternative<command::Load>(command)) throw RunError("a snapshot has no run beside it");
+    if (changes_scene(command)) {
         other_ = make_other(first, text_);
         return;
     }

@@ -1,4 +1,4 @@
-#include "drape/sim/failure.h"
+#include "drape/session/failure.h"
 
 #include <cmath>
 #include <sstream>
@@ -8,9 +8,9 @@
 #include "drape/base/input_error.h"
 #include "drape/base/input_file.h"
 #include "drape/base/output_file.h"
-#include "drape/sim/scene.h"
-#include "drape/sim/state_csv.h"
-#include "mesh_file.h"
+#include "drape/scene/mesh_file.h"
+#include "drape/scene/scene.h"
+#include "drape/session/state_csv.h"
 
 namespace drape {
 namespace {
@@ -75,8 +75,7 @@ std::filesystem::path write_failure(const Simulation& simulation, const std::fil
     Settings settings = present_settings(simulation);
     if (!settings.title.starts_with(fails_mark)) settings.title = std::string(fails_mark) + settings.title;
     const std::string warning = simulation.step_warning();
-    const std::string remark =
-        "# " + simulation.report().trouble + "\n" + (warning.empty() ? "" : "# " + warning + "\n");
+    const std::string remark = "# " + simulation.report().error + "\n" + (warning.empty() ? "" : "# " + warning + "\n");
     for (int number = 1;; ++number) {
         const std::string name = number == 1 ? "unstable" : "unstable-" + std::to_string(number);
         const auto scene_file = folder / (name + ".toml"), state_file = folder / (name + ".csv");
@@ -99,8 +98,7 @@ std::filesystem::path write_failure(const Simulation& simulation, const std::fil
 std::string tell_failure(const Simulation& simulation, const std::filesystem::path& folder) {
     const std::string warning = simulation.step_warning(), cause = warning.empty() ? "" : warning + "; ";
     // The energy that has ended it is the sum of many steps
-    if (simulation.run_warning().ends_with(simulation.report().trouble))
-        return cause + "no step of it alone shows this";
+    if (simulation.run_warning().ends_with(simulation.report().error)) return cause + "no step of it alone shows this";
     try {
         return cause + write_failure(simulation, folder).string() + " starts from the last good state";
     } catch (const std::exception& error) {
@@ -110,13 +108,13 @@ std::string tell_failure(const Simulation& simulation, const std::filesystem::pa
 
 std::vector<std::string> state_notices(const Simulation& simulation, const std::string& failure) {
     const StepReport& report = simulation.report();
-    if (report.trouble.empty()) {
+    if (report.error.empty()) {
         const std::string warning = simulation.step_warning();
         return warning.empty() ? std::vector<std::string>() : std::vector{warning};
     }
     const double longest = simulation.longest_step();
     const bool shorter_helps = longest > 0 && simulation.settings().solver.dt > 0.9 * longest;
-    return {report.trouble, failure,
+    return {report.error, failure,
             std::string("R resets with the same time step") + (shorter_helps ? ", Shift+R with 0.9 of its limit" : "")};
 }
 

@@ -1,10 +1,10 @@
-#include "drape/sim/history.h"
+#include "drape/session/history.h"
 
 #include <algorithm>
 #include <cmath>
 #include <iterator>
 
-#include "drape/sim/memory.h"
+#include "drape/scene/memory.h"
 
 namespace drape {
 namespace {
@@ -20,6 +20,17 @@ double bytes_of(const Simulation& simulation, const std::optional<Comparison>& c
 }
 
 }  // namespace
+
+double moment_bytes(const Simulation& simulation) {
+    // Mass, state, the one before, ledger, start and the step before
+    constexpr double numbers = 1 + 12 + 3 + 6 + 12;
+    double bytes = sizeof(Simulation);
+    for (const Cloth& cloth : simulation.cloths()) {
+        bytes += bytes_of_cloth(simulation.settings().contact, cloth.model.grid, numbers);
+    }
+    // Those of now, and those that a warm start goes on from
+    return bytes + 2 * static_cast<double>(simulation.contacts().size() * sizeof(ContactRow));
+}
 
 void History::pass(std::int64_t step, std::size_t next_entry, double length, const Simulation& simulation,
                    const std::optional<Comparison>& comparison) {

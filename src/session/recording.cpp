@@ -1,4 +1,4 @@
-#include "drape/sim/recording.h"
+#include "drape/session/recording.h"
 
 #include <algorithm>
 #include <charconv>

@@ -1,4 +1,4 @@
-#include "drape/sim/session.h"
+#include "drape/session/session.h"
 
 #include <algorithm>
 #include <cmath>
@@ -49,8 +49,10 @@ Session::~Session() {
     }
 }
 
-void Session::record(const std::string& file, const std::vector<std::string>& assignments) {
+void Session::record(const std::string& file, const std::vector<std::string>& assignments,
+                     const std::string& snapshot) {
     recorder_ = std::make_unique<Recorder>(file, simulation_.scene(), assignments);
+    if (!snapshot.empty()) recorder_->write(0, command::Load{snapshot});
 }
 
 void Session::replay(Recording recording) {
@@ -95,6 +97,9 @@ void Session::carry_out(const Command& command, bool is_new) {
     } else {
         simulation_.apply(command);
         compare_after(command);
+    }
+    if (std::holds_alternative<command::Load>(command) && clock_steps_ == 0) {
+        start_time_ = simulation_.report().time;
     }
     if (is_new && begins_again(command)) dropped_ = 0;
     if (is_new && recorder_) recorder_->write(steps_made_, command);
@@ -347,7 +352,7 @@ Real Session::blend() const {
 
 std::string Session::record_notice() const {
     if (!recorder_ || recorder_->set_aside().empty()) return {};
-    return "a run that did not end has left a recording: it is " + recorder_->set_aside().string() + " now";
+    return "found the recording of an unfinished run; moved to " + recorder_->set_aside().string();
 }
 
 void Session::close() {

@@ -1,10 +1,13 @@
-#include "drape/sim/start.h"
+#include "drape/session/start.h"
 
 #include <utility>
 
 #include "drape/base/input_error.h"
-#include "drape/sim/scene.h"
-#include "drape/sim/setting_table.h"
+#include "drape/base/run_program.h"
+#include "drape/scene/same_motion.h"
+#include "drape/scene/scene.h"
+#include "drape/scene/setting_table.h"
+#include "drape/sim/snapshot.h"
 
 namespace drape {
 namespace {
@@ -21,9 +24,33 @@ void blame(const std::string& place, Work work) {
     }
 }
 
+/// From a snapshot, under other settings.
+Start start_from_snapshot(StartOptions options) {
+    if (!(options.scene.empty() && options.replay.empty() && options.versus.empty())) {
+        throw InputError(
+            "--load has a scene of its own, in the middle of a run: leave out SCENE, --replay and --versus");
+    }
+    SnapshotHead head = read_snapshot_head(options.load);
+    // One by one, as they will be carried out
+    for (const std::string& assignment : options.assignments) {
+        const Settings before = head.settings;
+        assign_all(head.settings, {&assignment, 1});
+        blame("--set " + shortened(assignment), [&] { check(head.settings); });
+        if (same_start(before, head.settings)) continue;
+        throw InputError("--set " + shortened(assignment) +
+                         ": allowed with --load only what does not begin the scene again");
+    }
+    return {.scene = std::move(head.scene),
+            .assignments = std::move(options.assignments),
+            .settings = std::move(head.settings),
+            .replay = {},
+            .load = std::move(options.load)};
+}
+
 }  // namespace
 
 Start make_start(StartOptions options) {
+    if (!options.load.empty()) return start_from_snapshot(std::move(options));
     Start start{.scene = std::move(options.scene), .assignments = {}, .settings = {}, .replay = {}};
     bool scene_given = !start.scene.empty();
     if (!options.replay.empty()) {
@@ -51,9 +78,9 @@ Start make_start(StartOptions options) {
     assign_all(start.settings, std::span(start.assignments).subspan(recorded));
     try {
         check(start.settings);
-    } catch (const InputError& error) {
+    } catch (const InputError&) {
         if (recorded > 0) blame(options.replay, [&] { check(of_recording); });
-        throw InputError(std::string("--set: ") + error.what());
+        blame("--set", [&] { check(start.settings); });
     }
     start.versus = std::move(options.versus);
     return start;
@@ -63,15 +90,25 @@ std::vector<NamedFile> input_files(const StartOptions& options, const Start& sta
     constexpr auto read = NamedFile::Use::Read;
     return {{"SCENE", scene_file(start.scene), read},
             {"--replay", options.replay, read},
+            {"--load", options.load, read},
             {"start =", start.settings.start, read}};
 }
 
 Session make_session(Start start, const std::string& record) {
-    Session session(Simulation(std::move(start.scene), std::move(start.settings)));
-    if (!record.empty()) session.record(record, start.assignments);
+    const bool loads = !start.load.empty();
+    Session session(loads ? read_snapshot(start.load) : Simulation(std::move(start.scene), std::move(start.settings)));
+    const std::vector<std::string> changes = loads ? std::exchange(start.assignments, {}) : std::vector<std::string>();
+    if (!record.empty()) session.record(record, start.assignments, start.load);
+    for (const std::string& change : changes) session.send(command::Set{change});
     if (!start.versus.empty()) blame("--versus", [&] { session.send(command::Compare{start.versus}); });
     if (start.replay) session.replay(std::move(*start.replay));
     return session;
+}
+
+void save_snapshot(const std::string& file, Simulation& simulation) {
+    if (file.empty()) return;
+    if (simulation.report().status == Status::Ok) return write_snapshot(file, simulation);
+    tell("no snapshot is written of a run that has diverged");
 }
 
 }  // namespace drape

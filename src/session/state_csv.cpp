@@ -1,4 +1,4 @@
-#include "drape/sim/state_csv.h"
+#include "drape/session/state_csv.h"
 
 #include "drape/base/numbers.h"
 

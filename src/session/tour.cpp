@@ -1,12 +1,12 @@
-#include "drape/sim/tour.h"
+#include "drape/session/tour.h"
 
 #include <array>
 #include <sstream>
 
 #include "drape/base/numbers.h"
-#include "drape/sim/comparison.h"
-#include "drape/sim/scene.h"
-#include "drape/sim/setting_table.h"
+#include "drape/scene/scene.h"
+#include "drape/scene/setting_table.h"
+#include "drape/session/comparison.h"
 
 namespace drape {
 namespace {

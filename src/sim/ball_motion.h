@@ -1,7 +1,7 @@
 #pragma once
 
 #include "drape/model/ball.h"
-#include "drape/sim/settings.h"
+#include "drape/scene/settings.h"
 
 namespace drape {
 

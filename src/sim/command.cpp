@@ -42,6 +42,7 @@ constexpr std::tuple command_table{
     row<Step>("step COUNT", &Step::count),
     row<Reset>("reset"),
     row<LoadScene>("scene NAME", LineMember{&LoadScene::name}),
+    row<Load>("load FILE", LineMember{&Load::file}),
     row<Compare>("compare NAME=VALUE,... | none", LineMember{&Compare::assignments}),
     row<Set>("set NAME=VALUE", LineMember{&Set::assignment}),
     row<Next>("next SETTING", &Next::setting),
@@ -198,13 +199,17 @@ std::string_view setting_of(const Command& command) {
     return set != nullptr ? std::string_view(set->assignment).substr(0, set->assignment.find('=')) : "";
 }
 
+bool changes_scene(const Command& command) {
+    return std::holds_alternative<command::LoadScene>(command) || std::holds_alternative<command::Load>(command);
+}
+
 bool changes_state(const Command& command) {
     return std::visit([]<class C>(const C&) { return !command::OfThePicture<C>; }, command);
 }
 
 bool begins_again(const Command& command) {
     const auto* compare = std::get_if<command::Compare>(&command);
-    return std::holds_alternative<command::LoadScene>(command) || std::holds_alternative<command::Reset>(command) ||
+    return changes_scene(command) || std::holds_alternative<command::Reset>(command) ||
            (compare != nullptr && compare->begins());
 }
 

@@ -45,7 +45,7 @@ void ContactStage::use(const Settings& settings, std::span<Cloth> cloths) {
     warm_start_.forget();
     warm_start_.reserve(contacts);
     solver_.reserve(contacts, particles);
-    bodies_touch_ = false;
+    near_ = false;
     self_.use(settings, models_of(cloths), positions);
 }
 
@@ -191,11 +191,11 @@ void ContactStage::narrow(StepReport& report) {
     report.times.pairs += watch.lap();
     find_body_contacts(now_.bodies, rows_);
     warm_start_.carry_over(now_.cloths, now_.bodies, rows_);
-    bodies_touch_ = false;
+    near_ = self_.is_near();
     for (const ContactRow& row : rows_) {
         report.pairs += row.kind == RowKind::Pair;
         report.contacts += row.kind < RowKind::Pair && row.depth > 0;
-        bodies_touch_ = bodies_touch_ || row.kind == RowKind::Bodies;
+        near_ = near_ || row.kind == RowKind::Bodies;
     }
     report.times.narrow += watch.lap();
 }

@@ -3,8 +3,8 @@
 #include <span>
 #include <string>
 
+#include "drape/scene/settings.h"
 #include "drape/sim/cloth.h"
-#include "drape/sim/settings.h"
 
 namespace drape {
 

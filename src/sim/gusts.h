@@ -2,7 +2,7 @@
 
 #include "drape/base/exact_math.h"
 #include "drape/model/cloth_model.h"
-#include "drape/sim/settings.h"
+#include "drape/scene/settings.h"
 
 namespace drape {
 

@@ -14,33 +14,33 @@ namespace {
 /// Ratio of a ball's mass to a particle's above which the ball may be the reason that cloth is overstretched.
 constexpr Real heavy_mass_ratio = Real(1e5);
 
-std::string solve_trouble(IntegratorKind integrator, const StepReport& report) {
+std::string solve_error(IntegratorKind integrator, const StepReport& report) {
     const SolveReport& solve = report.solve;
     const std::string method(name_of(integrator)), step = " step " + std::to_string(report.step + 1);
     const std::string tolerance = "tolerance " + real_text(static_cast<double>(solve.tolerance), 3);
     if (solve.gave_up) {
-        return method + " is not through" + step + " after " + std::to_string(most_inner_steps) +
+        return method + " did not finish" + step + " within " + std::to_string(most_inner_steps) +
                " inner steps, taken and rejected, at " + tolerance + "; a shorter solver.dt needs fewer";
     }
     return method + " has not solved" + step + ": residual " + real_text(static_cast<double>(solve.residual), 3) +
            ", " + tolerance;
 }
 
-std::string unsolved_trouble(const StepReport& report) {
+std::string unsolved_error(const StepReport& report) {
     return std::string(name_of(report.unsolved_by)) + " has not solved " + std::to_string(report.unconverged) + " of " +
            std::to_string(report.step) + " steps to its tolerance, largest residual " +
            real_text(report.worst_residual, 3);
 }
 
-std::string gain_trouble(const StepReport& report) {
-    return std::string(name_of(report.gained_by)) + " has made " + real_text(report.energy_excess, 3) +
-           " J more mechanical energy than hand, pins, balls and wind can have put in, seen first in step " +
-           std::to_string(report.heated_step);
+std::string gain_error(const StepReport& report) {
+    return std::string(name_of(report.gained_by)) + " has gained " + real_text(report.energy_excess, 3) +
+           " J beyond what hand, pins, balls and wind can have put in, seen first in step " +
+           std::to_string(report.energy_gain_step);
 }
 
 /// With the masses where a ball is heavy_mass_ratio for the cloth: contact, which comes after the limit, then draws it
 /// out.
-std::string stretch_trouble(const StepReport& report, std::span<const Cloth> cloths, std::span<const Ball> balls) {
+std::string stretch_error(const StepReport& report, std::span<const Cloth> cloths, std::span<const Ball> balls) {
     std::string text = "structural springs were stretched by up to " + real_text(report.worst_stretch_excess, 3) +
                        " of their length beyond cloth.stretch_limit, and far beyond it for " +
                        real_text(report.overstretched, 3) + " s";
@@ -58,8 +58,8 @@ std::string stretch_trouble(const StepReport& report, std::span<const Cloth> clo
 
 void mark_gain(const EnergyWatch& watch, IntegratorKind integrator, StepReport& report) {
     report.energy_excess = std::max(report.energy_excess, watch.excess());
-    if (!watch.gained() || report.heated_step > 0) return;
-    report.heated_step = report.step + 1;
+    if (!watch.gained() || report.energy_gain_step > 0) return;
+    report.energy_gain_step = report.step + 1;
     report.gained_by = integrator;
 }
 
@@ -70,7 +70,7 @@ std::string check_substep(std::span<Cloth> cloths, std::span<const Ball> balls, 
     const SolverSettings& solver = settings.solver;
     const auto residual = static_cast<double>(report.solve.residual);
     if (!(residual <= report.worst_residual)) report.worst_residual = residual;
-    if (report.solve.gave_up) return solve_trouble(solver.integrator, report);
+    if (report.solve.gave_up) return solve_error(solver.integrator, report);
 
     // An explicit step costs little more than the sum over the springs
     const int min_pause = has_step_limit(solver.integrator) ? 32 : 1;
@@ -92,8 +92,8 @@ std::string check_substep(std::span<Cloth> cloths, std::span<const Ball> balls, 
         gained = gained || cloth.energy.watch().gained();
     }
     if (solver.on_unstable != OnUnstable::Stop) return {};
-    if (report.solve.unconverged > 0) return solve_trouble(solver.integrator, report);
-    return gained ? gain_trouble(report) : "";
+    if (report.solve.unconverged > 0) return solve_error(solver.integrator, report);
+    return gained ? gain_error(report) : "";
 }
 
 std::string joined(std::initializer_list<std::string> clauses) {
@@ -121,9 +121,9 @@ std::string crossing_warning(const TunnellingRisk& danger) {
            " m/s one may pass through the other within a step";
 }
 
-std::string search_trouble(const StepReport& report) {
-    return "so much cloth is near, or moves so far within step " + std::to_string(report.step + 1) +
-           ", that contact.self cannot look at all that may meet; reduce solver.dt or contact.thickness";
+std::string search_error(const StepReport& report) {
+    return "too much cloth is near, or moves too far, in step " + std::to_string(report.step + 1) +
+           " for contact.self; reduce solver.dt or contact.thickness";
 }
 
 Real deepest_particle(std::span<const Cloth> cloths, std::span<const Ball> balls, std::span<const Solid> solids,
@@ -166,9 +166,9 @@ std::string ball_start_warning(const Settings& settings, const std::optional<Sta
 }
 
 std::string reliability_warning(const StepReport& report, std::span<const Cloth> cloths, std::span<const Ball> balls) {
-    return joined({report.unconverged > 0 ? unsolved_trouble(report) : "",
-                   is_overstretched(report) ? stretch_trouble(report, cloths, balls) : "",
-                   report.heated_step > 0 ? gain_trouble(report) : ""});
+    return joined({report.unconverged > 0 ? unsolved_error(report) : "",
+                   is_overstretched(report) ? stretch_error(report, cloths, balls) : "",
+                   report.energy_gain_step > 0 ? gain_error(report) : ""});
 }
 
 }  // namespace drape

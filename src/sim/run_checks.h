@@ -5,9 +5,9 @@
 #include <span>
 #include <string>
 
+#include "drape/scene/settings.h"
+#include "drape/scene/start_state.h"
 #include "drape/sim/cloth.h"
-#include "drape/sim/settings.h"
-#include "drape/sim/start_state.h"
 #include "drape/sim/step_report.h"
 
 namespace drape {
@@ -32,7 +32,7 @@ std::string joined(std::initializer_list<std::string> clauses);
 std::string crossing_warning(const TunnellingRisk& danger);
 
 /// That cloth moves too far within a substep for contact between cloths.
-std::string search_trouble(const StepReport& report);
+std::string search_error(const StepReport& report);
 
 /// How deep the deepest particle that is not pinned is in a ball, a solid or the ground [m]; 0 if none is deeper than
 /// the cloth is thick.

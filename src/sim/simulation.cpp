@@ -6,7 +6,7 @@
 #include "ball_motion.h"
 #include "drape/base/stopwatch.h"
 #include "drape/integrate/integrator.h"
-#include "drape/sim/memory.h"
+#include "drape/scene/memory.h"
 #include "gusts.h"
 #include "run_checks.h"
 #include "step_plan.h"
@@ -96,9 +96,9 @@ bool Simulation::integrate(const Substep& now) {
     }
     hand_.count_work(cloths_, now.h);
     pins_.count_work(cloths_, now.h);
-    std::string trouble = check_substep(cloths_, balls_, settings_, now.h, planned_substeps_, report_);
-    if (!trouble.empty()) {
-        end_with(std::move(trouble));
+    std::string error = check_substep(cloths_, balls_, settings_, now.h, planned_substeps_, report_);
+    if (!error.empty()) {
+        end_with(std::move(error));
         return false;
     }
     contact_.warm_start();
@@ -116,7 +116,7 @@ bool Simulation::respond() {
     contact_.audit_response(report_);
     contact_.end();
     for (Ball& ball : balls_) turn_ball(ball);
-    if (contact_.self().report().gave_up) end_with(search_trouble(report_));
+    if (contact_.self().report().gave_up) end_with(search_error(report_));
     return report_.status == Status::Ok;
 }
 
@@ -127,8 +127,12 @@ void Simulation::close_report() {
         ++report_.unconverged;
         report_.unsolved_by = settings_.solver.integrator;
     }
-    report_.time = counted_from_time_ + static_cast<double>(report_.step - counted_from_step_) * settings_.solver.dt;
+    report_.time = counted_time();
     steps_wanted_ = std::max(0, steps_wanted_ - 1);
+}
+
+double Simulation::counted_time() const {
+    return counted_from_time_ + static_cast<double>(report_.step - counted_from_step_) * settings_.solver.dt;
 }
 
 void Simulation::rest() {
@@ -148,8 +152,8 @@ bool Simulation::kinematic_body_has_moved() const {
 }
 
 /// The last good state stays on show.
-void Simulation::end_with(std::string trouble) {
-    report_.trouble = std::move(trouble);
+void Simulation::end_with(std::string error) {
+    report_.error = std::move(error);
     report_.status = Status::Diverged;
     steps_wanted_ = 0;
     for (Cloth& cloth : cloths_) {

@@ -2,11 +2,13 @@
 #include <utility>
 
 #include "ball_motion.h"
-#include "drape/sim/memory.h"
-#include "drape/sim/scene.h"
-#include "drape/sim/setting_table.h"
+#include "drape/scene/memory.h"
+#include "drape/scene/same_motion.h"
+#include "drape/scene/scene.h"
+#include "drape/scene/setting_table.h"
 #include "drape/sim/simulation.h"
-#include "same_motion.h"
+#include "drape/sim/snapshot.h"
+#include "run_checks.h"
 #include "solid_motion.h"
 #include "step_plan.h"
 
@@ -45,6 +47,7 @@ void Simulation::carry_out(const Command& command) {
                    },
                    [&](const command::Reset&) { restart(); },
                    [&](const command::LoadScene& scene) { load(scene.name); },
+                   [&](const command::Load& snapshot) { go_on_from(read_snapshot(snapshot.file)); },
                    [&](const command::Compare& compare) {
                        if (compare.begins()) restart();
                    },
@@ -136,6 +139,19 @@ void Simulation::restart() {
     plan(1);
 }
 
+/// The window stays as the user has it, whatever is in it.
+void Simulation::keep_window(Settings& settings) const {
+    settings.view.text_scale = settings_.view.text_scale;
+    settings.view.controls = settings_.view.controls;
+    settings.view.plots = settings_.view.plots;
+}
+
+void Simulation::go_on_from(Simulation&& snapshot) {
+    keep_window(snapshot.settings_);
+    snapshot.paused_ = paused_;
+    *this = std::move(snapshot);
+}
+
 void Simulation::load(const std::string& scene) {
     Settings settings = load_scene(scene);
     check(settings);
@@ -143,10 +159,7 @@ void Simulation::load(const std::string& scene) {
     start_ = find_start(settings);
     solids_ = std::move(solids);
     scene_ = scene;
-    // How the user has the window, whatever is in it
-    settings.view.text_scale = settings_.view.text_scale;
-    settings.view.controls = settings_.view.controls;
-    settings.view.plots = settings_.view.plots;
+    keep_window(settings);
     settings_ = std::move(settings);
     motion_by_scene_.reset();
     restart();

@@ -1,6 +1,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "drape/base/numbers.h"
 #include "drape/sim/simulation.h"
 #include "run_checks.h"
 #include "step_plan.h"
@@ -65,12 +66,9 @@ std::string Simulation::crossing_warning() const { return drape::crossing_warnin
 std::string Simulation::run_warning() const { return reliability_warning(report_, cloths_, balls_); }
 
 std::uint64_t Simulation::hash() const {
-    std::uint64_t hash = 14695981039346656037u;  // FNV-1a, 64 bits
+    std::uint64_t hash = fnv1a("");
     const auto add = [&hash](const Real* values, Eigen::Index count) {
-        const auto* bytes = reinterpret_cast<const unsigned char*>(values);
-        for (std::size_t i = 0; i < static_cast<std::size_t>(count) * sizeof(Real); ++i) {
-            hash = (hash ^ bytes[i]) * 1099511628211u;
-        }
+        hash = fnv1a({reinterpret_cast<const char*>(values), static_cast<std::size_t>(count) * sizeof(Real)}, hash);
     };
     for (const Cloth& cloth : cloths_) {
         add(cloth.state.x.data(), cloth.state.x.size());

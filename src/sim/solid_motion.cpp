@@ -1,7 +1,7 @@
 #include "solid_motion.h"
 
 #include "ball_motion.h"
-#include "mesh_file.h"
+#include "drape/scene/mesh_file.h"
 
 namespace drape {
 namespace {

@@ -3,7 +3,7 @@
 #include <vector>
 
 #include "drape/contact/solid.h"
-#include "drape/sim/settings.h"
+#include "drape/scene/settings.h"
 
 namespace drape {
 

@@ -9,15 +9,14 @@
 #include "drape/bounds/aabb.h"
 #include "drape/contact/response.h"
 #include "drape/integrate/stability.h"
-#include "drape/sim/setting_table.h"
+#include "drape/scene/setting_table.h"
 #include "gusts.h"
 
 namespace drape {
 namespace {
 
-/// Of its limit, that a substep is to stay under, and the most substeps of a step.
+/// Of its limit, that a substep is to stay under.
 constexpr Real safe_part = Real(0.9);
-constexpr double max_substeps = 1000;
 
 /// The most substeps of a step because cloth moves fast.
 constexpr double max_for_motion = 32;

@@ -3,11 +3,14 @@
 #include <span>
 #include <string>
 
+#include "drape/scene/settings.h"
 #include "drape/sim/cloth.h"
-#include "drape/sim/settings.h"
 #include "drape/sim/step_report.h"
 
 namespace drape {
+
+/// The most substeps of a step that the limits ask for.
+constexpr double max_substeps = 1000;
 
 /// Predicts the longest stable substep and says in the report how near to it a substep is, and in how many of them a
 /// step is made: under `on_unstable = substep` as many as the limit asks for, else `fewest`.

@@ -33,7 +33,7 @@ const auto fields = std::to_array<ReportField>({
     {"residual", "1", field<&Report::solve, &SolveReport::residual>},
     {"worst_residual", "1", field<&Report::worst_residual>, "residual", ReportGroup::Doubt, 4},
     {"energy_excess", "J", field<&Report::energy_excess>, "excess", ReportGroup::Doubt, 4},
-    {"heated_step", "", field<&Report::heated_step>},
+    {"energy_gain_step", "", field<&Report::energy_gain_step>},
     {"step_time", "us", time_of<&StageTimes::step>, "integrate", ReportGroup::Stages, 1, total_time},
     {"build_time", "us", time_of<&StageTimes::build>, "build", ReportGroup::Stages, 1, total_time},
     {"traverse_time", "us", time_of<&StageTimes::traverse>, "traverse", ReportGroup::Stages, 1, total_time},

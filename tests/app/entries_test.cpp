@@ -8,9 +8,9 @@
 
 #include "../../src/app/keys.h"
 #include "../../src/app/menu.h"
+#include "drape/scene/scene.h"
+#include "drape/session/tour.h"
 #include "drape/sim/command.h"
-#include "drape/sim/scene.h"
-#include "drape/sim/tour.h"
 #include "support/process.h"
 
 namespace drape {

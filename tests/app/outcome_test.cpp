@@ -2,7 +2,7 @@
 
 #include <gmock/gmock.h>
 
-#include "drape/sim/scene.h"
+#include "drape/scene/scene.h"
 
 namespace drape {
 namespace {

@@ -5,9 +5,9 @@
 #include "../../src/app/keys.h"
 #include "app/window_fixture.h"
 #include "drape/render/entries.h"
-#include "drape/sim/comparison.h"
-#include "drape/sim/scene.h"
-#include "drape/sim/tour.h"
+#include "drape/scene/scene.h"
+#include "drape/session/comparison.h"
+#include "drape/session/tour.h"
 
 namespace drape {
 namespace {

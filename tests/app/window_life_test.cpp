@@ -6,7 +6,7 @@
 #include "app/window_fixture.h"
 #include "drape/base/numbers.h"
 #include "drape/base/stopwatch.h"
-#include "drape/sim/tour.h"
+#include "drape/session/tour.h"
 
 namespace drape {
 namespace {
@@ -163,6 +163,21 @@ std::string replay(std::vector<std::string> words, const std::string& recording)
     Process other(words, {{"DISPLAY", ""}}, folder);
     const auto status = other.wait(300);
     return (status == 0 ? "" : "differs: ended badly\n") + other.standard_error() + other.standard_output();
+}
+
+TEST_F(WindowTest, SavesAtItsEndWhatAnotherGoesOnFrom) {
+    start({"trampoline", "--save", file("first.snapshot")});
+    desktop_.key("v");
+    ASSERT_TRUE(recorded("next "));
+    quit();
+    start({"--load", file("first.snapshot"), "--save", file("second.snapshot")});
+    const std::string hash = quit();
+    EXPECT_NE(read_file(file("session.txt")).find("scene trampoline\n0 load "), std::string::npos);
+    Process capture(
+        {program("drape-capture"), "--load", file("second.snapshot"), "--frames", "1", "--fps", "1e5", "--hash"},
+        {{"DISPLAY", ""}}, file("."));
+    EXPECT_EQ(capture.wait(300), 0) << capture.standard_error();
+    EXPECT_EQ(capture.standard_output(), hash) << "the same state";
 }
 
 TEST_F(WindowTest, ItsRecordingGivesTheSameBitsWithoutAWindow) {

@@ -8,7 +8,7 @@
 #include "app/window_fixture.h"
 #include "drape/base/numbers.h"
 #include "drape/render/image.h"
-#include "drape/sim/scene.h"
+#include "drape/scene/scene.h"
 
 namespace drape {
 namespace {

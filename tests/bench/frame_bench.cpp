@@ -4,7 +4,7 @@
 
 #include <string>
 
-#include "drape/sim/scene.h"
+#include "drape/scene/scene.h"
 #include "drape/sim/simulation.h"
 
 namespace {

@@ -196,7 +196,7 @@ void fold_second(benchmark::State& state, IntegratorKind integrator) {
     for (auto _ : state) {
         Simulation simulation("fold", settings);
         while (simulation.report().time < 1 && simulation.report().status == Status::Ok) simulation.step();
-        if (simulation.report().status != Status::Ok) state.SkipWithError(simulation.report().trouble.c_str());
+        if (simulation.report().status != Status::Ok) state.SkipWithError(simulation.report().error.c_str());
         steps = static_cast<double>(simulation.report().step);
     }
     state.counters["steps"] = steps;

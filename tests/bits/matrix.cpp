@@ -9,7 +9,7 @@
 
 #include "drape/bounds/broad_phase.h"
 #include "drape/integrate/integrator.h"
-#include "drape/sim/scene.h"
+#include "drape/scene/scene.h"
 
 namespace drape::test {
 

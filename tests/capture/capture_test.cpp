@@ -9,8 +9,8 @@
 #include "drape/base/commit.h"
 #include "drape/render/image.h"
 #include "drape/render/renderer.h"
+#include "drape/session/tour.h"
 #include "drape/sim/step_report.h"
-#include "drape/sim/tour.h"
 #include "program.h"
 
 namespace drape::test {
@@ -94,6 +94,22 @@ TEST(Capture, CountsItsFramesFromTheStartOfTheScene) {
     EXPECT_EQ(rest.exit_code, 0) << rest.err;
     EXPECT_EQ(rest.out, whole.out);
     EXPECT_NEAR(std::stod(table(end).at(1).at(0)), 0.15, 1e-12);
+}
+
+TEST(Capture, GoesOnFromASnapshotOfTheLaboratoryWhichGoesOnFromItsOwn) {
+    const TestFolder folder;
+    const std::string first = folder / "first.snapshot", second = folder / "second.snapshot";
+    EXPECT_EQ(run_program("drape-lab", {"simulate", "trampoline", "--time", "0.4", "--save", first}).exit_code, 0);
+    const Outcome middle = run_program(
+        "drape-capture", {"--load", first, "--frames", "6", "--fps", "60", "--out", folder / "out", "--save", second});
+    EXPECT_EQ(middle.exit_code, 0) << middle.err;
+    const Outcome end = run_program("drape-lab", {"simulate", "--load", second, "--time", "0.6", "--hash"});
+    EXPECT_EQ(end.exit_code, 0) << end.err;
+    EXPECT_EQ(end.out, run_program("drape-lab", {"simulate", "trampoline", "--time", "0.6", "--hash"}).out);
+    const Outcome early = run_program("drape-lab", {"simulate", "--load", second, "--time", "0.45"});
+    EXPECT_THAT(early.err, HasSubstr("for the scene starts at t = 0.5 s"));
+    const Outcome same = run_program("drape-capture", {"--load", first, "--frames", "1", "--save", first});
+    EXPECT_THAT(same.err, HasSubstr("--load and --save " + first));
 }
 
 TEST(Capture, SaysThatARecordingWasCutAndFailsWhereACommandIsRefused) {

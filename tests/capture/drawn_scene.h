@@ -5,8 +5,8 @@
 
 #include "capture/offscreen_context.h"
 #include "drape/render/renderer.h"
-#include "drape/sim/scene.h"
-#include "drape/sim/setting_table.h"
+#include "drape/scene/scene.h"
+#include "drape/scene/setting_table.h"
 #include "drape/sim/simulation.h"
 
 namespace drape::test {

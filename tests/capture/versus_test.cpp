@@ -3,9 +3,9 @@
 #include <gmock/gmock.h>
 #include <sys/resource.h>
 
-#include "drape/sim/memory.h"
-#include "drape/sim/scene.h"
-#include "drape/sim/setting_table.h"
+#include "drape/scene/memory.h"
+#include "drape/scene/scene.h"
+#include "drape/scene/setting_table.h"
 #include "program.h"
 #include "support/address_space.h"
 

@@ -15,7 +15,7 @@
 #include "drape/base/numbers.h"
 #include "drape/base/run_program.h"
 #include "drape/base/stopwatch.h"
-#include "drape/sim/setting_table.h"
+#include "drape/scene/setting_table.h"
 #include "self_scenes.h"
 #include "support/scene_crossings.h"
 
@@ -43,7 +43,7 @@ double positive(const std::string& name, const std::string& value) {
 struct Tally {
     std::int64_t steps = 0, crossed = 0, pairs = 0, held_back = 0;
     int ended = 0;  ///< runs that came to their end before their time
-    std::string trouble;
+    std::string error;
     test::SceneCrossings oracle;
 
     /// @return whether nothing has crossed
@@ -51,7 +51,7 @@ struct Tally {
         ++steps;
         pairs += simulation.report().pairs;
         held_back += simulation.report().held_back;
-        if (simulation.report().status != Status::Ok) ++ended, trouble = simulation.report().trouble;
+        if (simulation.report().status != Status::Ok) ++ended, error = simulation.report().error;
         const std::int64_t count = oracle.count(simulation);
         if (count > 0) ++crossed;
         return count == 0;
@@ -63,7 +63,7 @@ struct Tally {
             "%.0f s of the clock\n",
             what.c_str(), simulated, static_cast<long long>(steps), static_cast<long long>(crossed),
             static_cast<long long>(pairs), static_cast<long long>(held_back), ended, seconds);
-        if (!trouble.empty()) std::printf("  %s\n", trouble.c_str());
+        if (!error.empty()) std::printf("  %s\n", error.c_str());
         std::fflush(stdout);
     }
 };

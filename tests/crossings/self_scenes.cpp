@@ -3,7 +3,7 @@
 #include <cmath>
 
 #include "drape/integrate/stability.h"
-#include "drape/sim/scene.h"
+#include "drape/scene/scene.h"
 #include "drape/sim/simulation.h"
 
 namespace drape::crossings {

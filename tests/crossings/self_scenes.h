@@ -2,7 +2,7 @@
 
 #include <string>
 
-#include "drape/sim/settings.h"
+#include "drape/scene/settings.h"
 
 namespace drape::crossings {
 

@@ -4,7 +4,7 @@
 #include <sstream>
 #include <string>
 
-#include "drape/sim/setting_table.h"
+#include "drape/scene/setting_table.h"
 #include "fuzz/small_run.h"
 #include "fuzz/target.h"
 

@@ -1,6 +1,6 @@
 // The mesh of a solid, OBJ and STL: what is read is closed, and has a distance at every point.
 
-#include "sim/mesh_file.h"
+#include "drape/scene/mesh_file.h"
 
 #include <cmath>
 #include <sstream>

@@ -1,12 +1,12 @@
 // A recording: read, written, read again, and its commands carried out.
 
-#include "drape/sim/recording.h"
+#include "drape/session/recording.h"
 
 #include <sstream>
 #include <utility>
 
 #include "drape/base/scratch_folder.h"
-#include "drape/sim/setting_table.h"
+#include "drape/scene/setting_table.h"
 #include "fuzz/small_run.h"
 #include "fuzz/target.h"
 

@@ -1,6 +1,6 @@
 // A scene file: read, written, read again, and run for two steps.
 
-#include "drape/sim/scene.h"
+#include "drape/scene/scene.h"
 
 #include <optional>
 

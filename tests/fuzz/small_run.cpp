@@ -2,7 +2,7 @@
 
 #include <algorithm>
 
-#include "drape/sim/setting_table.h"
+#include "drape/scene/setting_table.h"
 #include "fuzz/target.h"
 
 namespace drape::fuzz {

@@ -1,12 +1,12 @@
 // The file of a state to start from, for one cloth or two: read, run from, written, read again.
 
-#include "drape/sim/start_state.h"
+#include "drape/scene/start_state.h"
 
 #include <algorithm>
 #include <optional>
 #include <sstream>
 
-#include "drape/sim/state_csv.h"
+#include "drape/session/state_csv.h"
 #include "fuzz/small_run.h"
 #include "fuzz/target.h"
 

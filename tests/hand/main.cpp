@@ -14,8 +14,8 @@
 #include "drape/contact/search_audit.h"
 #include "drape/model/energy.h"
 #include "drape/model/stencils.h"
-#include "drape/sim/scene.h"
-#include "drape/sim/setting_table.h"
+#include "drape/scene/scene.h"
+#include "drape/scene/setting_table.h"
 #include "drape/sim/simulation.h"
 
 namespace drape::random_hand {
@@ -106,7 +106,7 @@ const std::vector<Check>& checks() {
         {"no spring is stretched beyond the limit", is_within_its_limit},
         {"the run goes on", [](const Simulation& s, const Sight&) { return s.report().status == Status::Ok; }},
         {"no energy comes from nowhere",
-         [](const Simulation& s, const Sight&) { return s.report().heated_step == 0; }}};
+         [](const Simulation& s, const Sight&) { return s.report().energy_gain_step == 0; }}};
     return list;
 }
 
@@ -211,7 +211,7 @@ void RandomHand::fail(const std::string& what) {
     ++failed_;
     std::cout << "FAILED: " << what << "\n  " << scene_ << ", step " << simulation_.report().step << ", stretch "
               << stretch_of(simulation_) << ", " << deepest_in_balls(simulation_) << " m into a ball, lowest at "
-              << lowest_of(simulation_) << " m " << simulation_.report().trouble << simulation_.run_warning() << "\n";
+              << lowest_of(simulation_) << " m " << simulation_.report().error << simulation_.run_warning() << "\n";
     for (const std::string& command : done_) std::cout << "  " << command << "\n";
     simulation_.apply(command::Reset{});
     done_.clear();

@@ -3,7 +3,7 @@
 #include <random>
 
 #include "drape/base/numbers.h"
-#include "drape/sim/setting_table.h"
+#include "drape/scene/setting_table.h"
 #include "lab/lab_run.h"
 #include "support/exact_distance.h"
 

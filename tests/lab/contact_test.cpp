@@ -3,8 +3,8 @@
 #include <gmock/gmock.h>
 
 #include "drape/bounds/node_view.h"
-#include "drape/sim/scene.h"
-#include "drape/sim/setting_table.h"
+#include "drape/scene/scene.h"
+#include "drape/scene/setting_table.h"
 #include "drape/sim/simulation.h"
 #include "lab/contact/contact_trial.h"
 #include "lab/experiments.h"

@@ -38,7 +38,7 @@ TEST(LabExperiment, GoesOnWhereItWasInterruptedAndOnlyWithItsOwnTable) {
     folder.write("cut/stability.csv.part", part);
     const LabRun run = run_some(folder, {"--out", "cut"});
     EXPECT_EQ(run.code, 0) << run.err;
-    EXPECT_THAT(run.err, HasSubstr("goes on after 3 cases"));
+    EXPECT_THAT(run.err, HasSubstr("resuming, 3 cases"));
     EXPECT_THAT(run.err, HasSubstr("stability.csv: 3 cases in"));
     EXPECT_EQ(folder.read("cut/stability.csv"), whole);
     EXPECT_FALSE(folder.has("cut/stability.csv.part"));
@@ -93,7 +93,7 @@ TEST(LabExperiment, LosesNoCaseToASignal) {
     EXPECT_EQ(cut.wait(20), 256 + SIGINT) << "at once";
     const LabRun rest = run_into("cut");
     EXPECT_EQ(rest.code, 0) << rest.err;
-    EXPECT_THAT(rest.err, HasSubstr("goes on after "));
+    EXPECT_THAT(rest.err, HasSubstr("resuming, "));
     EXPECT_EQ(folder.read("cut/stability.csv"), folder.read("whole/stability.csv"));
 }
 
@@ -174,7 +174,7 @@ TEST(LabMerge, RefusesSharesThatAreNotTheWhole) {
         EXPECT_EQ(run.code, 2) << run.out;
         return run.err;
     };
-    EXPECT_THAT(refusal({"stability-1-3", "stability-2-3"}), HasSubstr("share 3/3 is missing"));
+    EXPECT_THAT(refusal({"stability-1-3", "stability-2-3"}), HasSubstr("part 3 of 3 was not found"));
     EXPECT_THAT(refusal({"stability-1-3", "stability-1-3"}), HasSubstr("share 1/3 is there twice"));
     EXPECT_THAT(refusal({"stability-1-3", "stability-1-2"}), HasSubstr("number of shares is 2, but 3"));
     EXPECT_THAT(refusal({"nowhere"}), HasSubstr("no table of an experiment in nowhere"));

@@ -85,7 +85,7 @@ ExactTally let_fall(const ThrownSheet& scene, bool self) {
     const int steps = test::sanitized ? 12 : 48;
     for (int step = 0; step < steps && simulation.report().status == Status::Ok; ++step) {
         simulation.step();
-        EXPECT_EQ(simulation.report().status, Status::Ok) << simulation.report().trouble;
+        EXPECT_EQ(simulation.report().status, Status::Ok) << simulation.report().error;
         tally.held_back += simulation.report().held_back;
         tally.crossed_steps += oracle.count(simulation) > 0 ? 1 : 0;
     }

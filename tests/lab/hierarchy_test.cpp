@@ -8,7 +8,7 @@
 
 #include "drape/base/input_error.h"
 #include "drape/bounds/cloth_quadtree.h"
-#include "drape/sim/scene.h"
+#include "drape/scene/scene.h"
 #include "drape/sim/simulation.h"
 #include "lab/experiment/experiment_table.h"
 #include "lab/experiments.h"

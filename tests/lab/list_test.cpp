@@ -1,8 +1,8 @@
 #include <gmock/gmock.h>
 
 #include "drape/integrate/integrator.h"
-#include "drape/sim/scene.h"
-#include "drape/sim/setting_table.h"
+#include "drape/scene/scene.h"
+#include "drape/scene/setting_table.h"
 #include "lab/lab_run.h"
 
 namespace drape {

@@ -3,7 +3,7 @@
 #include <filesystem>
 
 #include "drape/base/input_error.h"
-#include "drape/sim/scene.h"
+#include "drape/scene/scene.h"
 #include "lab/lab_run.h"
 #include "lab/needs/configurations.h"
 #include "lab/needs/needs.h"

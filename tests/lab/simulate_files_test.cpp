@@ -4,7 +4,7 @@
 #include <csignal>
 #include <filesystem>
 
-#include "drape/sim/scene.h"
+#include "drape/scene/scene.h"
 #include "lab/lab_run.h"
 
 namespace drape {

@@ -4,8 +4,8 @@
 
 #include "drape/base/commit.h"
 #include "drape/base/numbers.h"
-#include "drape/sim/scene.h"
-#include "drape/sim/session.h"
+#include "drape/scene/scene.h"
+#include "drape/session/session.h"
 #include "drape/sim/step_report.h"
 #include "lab/lab_run.h"
 
@@ -144,9 +144,9 @@ TEST(LabSimulate, MarksARunThatItsMethodHasHeatedOrEndsIt) {
     };
     const LabRun marked = run("warn"), stopped = run("stop");
     EXPECT_EQ(marked.code, 0);
-    EXPECT_THAT(marked.err, HasSubstr("warning: implicit_midpoint has made"));
+    EXPECT_THAT(marked.err, HasSubstr("warning: implicit_midpoint has gained"));
     EXPECT_EQ(stopped.code, 1);
-    EXPECT_THAT(stopped.err, HasSubstr("drape-lab: implicit_midpoint has made"));
+    EXPECT_THAT(stopped.err, HasSubstr("drape-lab: implicit_midpoint has gained"));
     EXPECT_FALSE(folder.has("unstable.toml")) << "no one step shows it";
 }
 

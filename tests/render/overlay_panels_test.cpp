@@ -7,8 +7,8 @@
 #include <string>
 #include <vector>
 
-#include "drape/sim/comparison.h"
-#include "drape/sim/scene.h"
+#include "drape/scene/scene.h"
+#include "drape/session/comparison.h"
 #include "drape/sim/simulation.h"
 
 namespace drape {
@@ -110,7 +110,7 @@ TEST_F(PanelBoxes, HaveANoticeBetweenThemWhereTheRoomIsNarrow) {
     in_past_ = true;
     expect_apart({640, 480}, {});
     const std::size_t others = panels_.boxes().size();
-    expect_apart({640, 480}, {"Slower than real time: 1.6 s left out so far"});
+    expect_apart({640, 480}, {"Slower than real time: 1.6 s of simulation skipped"});
     EXPECT_EQ(panels_.boxes().size(), others + 1);
 }
 

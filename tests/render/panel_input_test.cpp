@@ -5,8 +5,8 @@
 #include <optional>
 #include <set>
 
-#include "drape/sim/comparison.h"
-#include "drape/sim/scene.h"
+#include "drape/scene/scene.h"
+#include "drape/session/comparison.h"
 #include "drape/sim/simulation.h"
 #include "render/overlay_panels.h"
 

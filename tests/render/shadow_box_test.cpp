@@ -5,7 +5,7 @@
 
 #include <algorithm>
 
-#include "drape/sim/scene.h"
+#include "drape/scene/scene.h"
 #include "drape/sim/simulation.h"
 #include "render/frame_data.h"
 

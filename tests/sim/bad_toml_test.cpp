@@ -5,7 +5,7 @@
 #include <random>
 
 #include "drape/base/resources.h"
-#include "drape/sim/scene.h"
+#include "drape/scene/scene.h"
 #include "support/input_errors.h"
 
 namespace drape {

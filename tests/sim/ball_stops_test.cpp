@@ -26,7 +26,7 @@ protected:
         longest_ = 0, nearest_ = 1;
         while (simulation_->report().time < end) {
             simulation_->step();
-            ASSERT_EQ(simulation_->report().status, Status::Ok) << simulation_->report().trouble;
+            ASSERT_EQ(simulation_->report().status, Status::Ok) << simulation_->report().error;
             longest_ = std::max(longest_, largest_stretch(cloth().model, cloth().state.x));
             nearest_ = std::min(nearest_, gap_to_pins());
         }

@@ -78,7 +78,7 @@ Real run_disturbed(Simulation& simulation) {
         if (simulation.report().time >= 0.05) speed = std::max(speed, fastest(simulation));
         EXPECT_LT(fastest(simulation), 20) << simulation.report().time << " s";
     }
-    EXPECT_EQ(simulation.report().status, Status::Ok) << simulation.report().trouble;
+    EXPECT_EQ(simulation.report().status, Status::Ok) << simulation.report().error;
     return speed;
 }
 

@@ -1,9 +1,9 @@
-#include "drape/sim/comparison.h"
+#include "drape/session/comparison.h"
 
 #include <gmock/gmock.h>
 
 #include "drape/base/input_error.h"
-#include "drape/sim/session.h"
+#include "drape/session/session.h"
 #include "sim/small_scene.h"
 #include "support/scratch_file.h"
 

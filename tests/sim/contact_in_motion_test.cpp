@@ -111,7 +111,7 @@ bool is_through(const Cloth& cloth, const Ball& ball) {
 /// Whether the ball has not gone through the curtain.
 bool holds(Simulation simulation) {
     make_steps(simulation, 4);
-    EXPECT_EQ(simulation.report().status, Status::Ok) << simulation.report().trouble;
+    EXPECT_EQ(simulation.report().status, Status::Ok) << simulation.report().error;
     const Ball& ball = simulation.balls()[0];
     EXPECT_GT(ball.centre.z(), 0.2);
     return !is_through(simulation.cloths()[0], ball);

@@ -1,6 +1,6 @@
 #include <gtest/gtest.h>
 
-#include "drape/sim/session.h"
+#include "drape/session/session.h"
 #include "sim/small_scene.h"
 
 namespace drape {

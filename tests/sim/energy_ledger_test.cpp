@@ -110,7 +110,7 @@ TEST(EnergyLedger, CountsAFreeBallForTheClothThatItTouches) {
         Simulation simulation("ball", settings);
         while (simulation.report().time < 0.6) simulation.step();
         EXPECT_GT(simulation.report().contacts, 20);
-        EXPECT_EQ(simulation.report().heated_step, 0);
+        EXPECT_EQ(simulation.report().energy_gain_step, 0);
         const double work = simulation.view().report->balance.ball;
         if (has_second) {
             EXPECT_GT(work, 0.05);

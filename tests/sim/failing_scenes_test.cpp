@@ -28,24 +28,24 @@ TEST_P(FailingScene, FailsAsItsTitleSaysAndWarnsWhereItsMethodHasALimit) {
     const Simulation simulation = after_a_while(GetParam(), settings);
     const StepReport& report = simulation.report();
     EXPECT_EQ(report.status, expected);
-    EXPECT_GT(report.heated_step, 0) << "its energy is seen too";
-    EXPECT_LE(report.heated_step, report.step) << "before it diverges";
+    EXPECT_GT(report.energy_gain_step, 0) << "its energy is seen too";
+    EXPECT_LE(report.energy_gain_step, report.step) << "before it diverges";
 }
 
 TEST(FailingScenes, SayWhichParticleAndSpringWereFirstAndHowFarAboveWhichLimitTheyAre) {
     Simulation rk4 = after_a_while("fails_rk4", load_scene("fails_rk4"));
     const StepReport& report = rk4.report();
-    EXPECT_THAT(report.trouble,
+    EXPECT_THAT(report.error,
                 testing::MatchesRegex("Diverged at step [0-9]+ \\(rk4\\)\\. Time step is 1\\.02 x the limit; use at "
                                       "most [0-9.]+ ms\\. First: particle [0-9]+ .* at [0-9.]+ m/s.*"));
     EXPECT_EQ(report.failure.cloth, 0);
-    EXPECT_THAT(report.trouble, HasSubstr("particle " + std::to_string(report.failure.particle) + " ("));
-    EXPECT_THAT(report.trouble, HasSubstr("spring to " + std::to_string(report.failure.other)));
+    EXPECT_THAT(report.error, HasSubstr("particle " + std::to_string(report.failure.particle) + " ("));
+    EXPECT_THAT(report.error, HasSubstr("spring to " + std::to_string(report.failure.other)));
     rk4.apply(command::Reset{});
     EXPECT_EQ(rk4.report().failure.particle, -1) << "after a reset";
-    EXPECT_THAT(after_a_while("fails_penalty", load_scene("fails_penalty")).report().trouble,
+    EXPECT_THAT(after_a_while("fails_penalty", load_scene("fails_penalty")).report().error,
                 HasSubstr(". Time step is 25.3 x the limit; use at most 0.0123 ms. First: particle "));
-    EXPECT_THAT(after_a_while("fails_explicit_euler", load_scene("fails_explicit_euler")).report().trouble,
+    EXPECT_THAT(after_a_while("fails_explicit_euler", load_scene("fails_explicit_euler")).report().error,
                 HasSubstr(". No time step of explicit_euler that may be set is stable here: "));
 }
 

@@ -38,7 +38,7 @@ template <class Visit>
 void run(Simulation& simulation, double time, Visit visit) {
     for (auto steps = std::llround(time / simulation.settings().solver.dt); steps > 0; --steps) {
         simulation.step();
-        ASSERT_EQ(simulation.report().status, Status::Ok) << simulation.report().trouble;
+        ASSERT_EQ(simulation.report().status, Status::Ok) << simulation.report().error;
         visit();
     }
 }

@@ -34,7 +34,7 @@ TEST(Gravity, OfTheSceneMovesClothAndFreeBalls) {
     send(simulation, "reset");
     make_steps(simulation, 400);
     expect_speed(simulation, 1.6 * 0.1);
-    EXPECT_EQ(simulation.report().heated_step, 0);
+    EXPECT_EQ(simulation.report().energy_gain_step, 0);
 }
 
 /// As of a cloth that is made heavier, what the change gives is the hand's.
@@ -57,7 +57,7 @@ TEST(Gravity, OfNoneLeavesAllWhereItIs) {
     make_steps(simulation, 400);
     EXPECT_GT(simulation.cloths()[0].state.v.row(40).norm(), 0.05) << "the hand pulls it along";
     EXPECT_EQ(simulation.report().status, Status::Ok);
-    EXPECT_EQ(simulation.report().heated_step, 0);
+    EXPECT_EQ(simulation.report().energy_gain_step, 0);
 }
 
 }  // namespace

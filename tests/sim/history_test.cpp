@@ -1,12 +1,12 @@
-#include "drape/sim/history.h"
+#include "drape/session/history.h"
 
 #include <gmock/gmock.h>
 
 #include <random>
 
 #include "drape/base/numbers.h"
-#include "drape/sim/memory.h"
-#include "drape/sim/session.h"
+#include "drape/scene/memory.h"
+#include "drape/session/session.h"
 #include "sim/small_scene.h"
 #include "support/process.h"
 #include "support/scratch_file.h"

@@ -28,7 +28,7 @@ TEST_P(EveryIntegrator, MeetsTheBallAlike) {
         deepest = std::max(deepest, simulation.report().penetration);
         contacts += simulation.report().contacts;
     }
-    ASSERT_EQ(simulation.report().status, Status::Ok) << simulation.report().trouble;
+    ASSERT_EQ(simulation.report().status, Status::Ok) << simulation.report().error;
     EXPECT_GT(contacts, 1000);
     EXPECT_LT(deepest, 1e-3);
     const Points &x = simulation.cloths()[0].state.x, &exact = reference.cloths()[0].state.x;
@@ -62,7 +62,7 @@ TEST_P(EveryIntegrator, GoesOnFromWhereAnotherHasCome) {
     EXPECT_EQ(switched.hash(), fresh.hash());
     switched.apply(parse_command("next integrator"));
     make_steps(switched, 200);
-    EXPECT_EQ(switched.report().status, Status::Ok) << switched.report().trouble;
+    EXPECT_EQ(switched.report().status, Status::Ok) << switched.report().error;
 }
 
 // But for the search that tells in how many parts a step is made

@@ -1,4 +1,4 @@
-#include "drape/sim/memory.h"
+#include "drape/scene/memory.h"
 
 #include <gtest/gtest.h>
 #include <sys/mman.h>

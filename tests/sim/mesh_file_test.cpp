@@ -11,7 +11,7 @@
 #include <vector>
 
 #include "drape/base/scratch_folder.h"
-#include "drape/sim/scene.h"
+#include "drape/scene/scene.h"
 #include "drape/sim/simulation.h"
 #include "support/input_errors.h"
 

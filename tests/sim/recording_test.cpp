@@ -1,11 +1,11 @@
-#include "drape/sim/recording.h"
+#include "drape/session/recording.h"
 
 #include <gmock/gmock.h>
 
 #include <filesystem>
 
-#include "drape/sim/scene.h"
-#include "drape/sim/session.h"
+#include "drape/scene/scene.h"
+#include "drape/session/session.h"
 #include "support/input_errors.h"
 #include "support/process.h"
 #include "support/scratch_file.h"

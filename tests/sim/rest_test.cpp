@@ -99,7 +99,7 @@ TEST_P(CreepOnABall, StaysBelowItsBound) {
     Simulation simulation = small_drop(integrator, response);
     send(simulation, "set solver.sleep_speed=0");
     while (simulation.report().time < 10 && simulation.report().status == Status::Ok) simulation.step();
-    ASSERT_EQ(simulation.report().status, Status::Ok) << simulation.report().trouble;
+    ASSERT_EQ(simulation.report().status, Status::Ok) << simulation.report().error;
     for (int k = 0; k < 20; ++k) {
         simulation.step();
         EXPECT_LT(rms_motion(simulation), 3e-4) << simulation.report().time << " s";

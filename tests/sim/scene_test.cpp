@@ -1,11 +1,11 @@
-#include "drape/sim/scene.h"
+#include "drape/scene/scene.h"
 
 #include <gmock/gmock.h>
 
 #include <filesystem>
 #include <fstream>
 
-#include "drape/sim/setting_table.h"
+#include "drape/scene/setting_table.h"
 #include "support/input_errors.h"
 #include "support/scratch_file.h"
 

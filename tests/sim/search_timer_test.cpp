@@ -1,4 +1,4 @@
-#include "drape/sim/search_timer.h"
+#include "drape/session/search_timer.h"
 
 #include <gtest/gtest.h>
 

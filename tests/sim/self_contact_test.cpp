@@ -3,8 +3,8 @@
 #include <gmock/gmock.h>
 
 #include "drape/integrate/stability.h"
-#include "drape/sim/scene.h"
-#include "drape/sim/setting_table.h"
+#include "drape/scene/scene.h"
+#include "drape/scene/setting_table.h"
 #include "drape/sim/simulation.h"
 #include "sim/small_scene.h"
 #include "support/sanitized.h"
@@ -77,7 +77,7 @@ Tally run(Settings settings, double time, std::int64_t looks = 20) {
     Tally tally;
     while (simulation.report().time < time) {
         simulation.step();
-        EXPECT_EQ(simulation.report().status, Status::Ok) << simulation.report().trouble;
+        EXPECT_EQ(simulation.report().status, Status::Ok) << simulation.report().error;
         if (simulation.report().status != Status::Ok) break;
         tally.pairs += simulation.report().pairs;
         if (simulation.report().step % looks == 0) tally.crossings += crossings_in(simulation);
@@ -238,7 +238,7 @@ TEST(SelfContact, EndsTheRunWhereTooMuchIsNear) {
     Simulation simulation("layers", std::move(settings));
     simulation.step();
     EXPECT_EQ(simulation.report().status, Status::Diverged);
-    EXPECT_THAT(simulation.report().trouble, testing::HasSubstr("contact.self"));
+    EXPECT_THAT(simulation.report().error, testing::HasSubstr("contact.self"));
 }
 
 TEST(SelfContact, IsRefusedWhereClothWouldKeepNextToNothingApart) {
@@ -267,8 +267,8 @@ TEST(SelfContact, GoesOnCalmlyWithSheetsThatStartCrossed) {
                 ASSERT_LT(cloth.state.v.rowwise().norm().maxCoeff(), 5) << simulation.report().time << " s";
             }
         }
-        EXPECT_EQ(simulation.report().status, Status::Ok) << simulation.report().trouble;
-        EXPECT_EQ(simulation.report().heated_step, 0);
+        EXPECT_EQ(simulation.report().status, Status::Ok) << simulation.report().error;
+        EXPECT_EQ(simulation.report().energy_gain_step, 0);
     }
 }
 

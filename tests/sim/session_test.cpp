@@ -1,11 +1,11 @@
-#include "drape/sim/session.h"
+#include "drape/session/session.h"
 
 #include <gmock/gmock.h>
 
 #include <random>
 #include <sstream>
 
-#include "drape/sim/state_csv.h"
+#include "drape/session/state_csv.h"
 #include "sim/small_scene.h"
 #include "support/scratch_file.h"
 

@@ -1,6 +1,6 @@
 #include <gmock/gmock.h>
 
-#include "drape/sim/setting_table.h"
+#include "drape/scene/setting_table.h"
 #include "support/input_errors.h"
 
 namespace drape {

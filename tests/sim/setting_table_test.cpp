@@ -1,4 +1,4 @@
-#include "drape/sim/setting_table.h"
+#include "drape/scene/setting_table.h"
 
 #include <gmock/gmock.h>
 

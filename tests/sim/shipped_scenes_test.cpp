@@ -33,7 +33,7 @@ TEST_P(ShippedScene, RunsForSecondsInNoDoubtAndStretchesNoFurtherThanCloth) {
     for (int tenth = 0; tenth < tenths; ++tenth) {
         make_steps(simulation, steps_of_a_tenth);
         const StepReport& report = *simulation.view().report;
-        ASSERT_EQ(report.status, Status::Ok) << report.trouble;
+        ASSERT_EQ(report.status, Status::Ok) << report.error;
         ASSERT_FALSE(in_doubt(report)) << simulation.run_warning();
         ASSERT_LT(report.stretch, 0.08) << "at " << report.time << " s";
         largest = std::max(largest, report.stretch);

@@ -34,7 +34,7 @@ TEST(Convergence, ThatWasMissedIsCountedReportedAndSaid) {
         simulation.step();
     }
     const StepReport& report = simulation.report();
-    ASSERT_EQ(report.status, Status::Ok) << report.trouble;
+    ASSERT_EQ(report.status, Status::Ok) << report.error;
     EXPECT_EQ(report.unconverged, 1);
     EXPECT_GT(report.worst_residual, 2e-8);
     EXPECT_TRUE(in_doubt(report));
@@ -78,8 +78,8 @@ TEST(Convergence, IsGivenUpAfterAStatedNumberOfInnerSteps) {
     const std::uint64_t hash = simulation.hash();
     simulation.step();
     EXPECT_EQ(simulation.report().status, Status::Diverged);
-    EXPECT_THAT(simulation.report().trouble, AllOf(HasSubstr("dormand_prince"), HasSubstr("step 1 "),
-                                                   HasSubstr("10000 inner steps"), HasSubstr("tolerance 1e-06")));
+    EXPECT_THAT(simulation.report().error, AllOf(HasSubstr("dormand_prince"), HasSubstr("step 1 "),
+                                                 HasSubstr("10000 inner steps"), HasSubstr("tolerance 1e-06")));
     EXPECT_EQ(simulation.hash(), hash) << "the last good state";
 }
 
@@ -91,18 +91,18 @@ TEST(Heat, ThatAMethodMakesIsReportedAndSaid) {
         Simulation simulation = at_limit(Real(1.05), {s1[0], s1[1], ledger});
         run_for(simulation, 1);
         const StepReport& report = simulation.report();
-        ASSERT_EQ(report.status, Status::Ok) << report.trouble;
-        EXPECT_GT(report.heated_step, 0) << ledger;
+        ASSERT_EQ(report.status, Status::Ok) << report.error;
+        EXPECT_GT(report.energy_gain_step, 0) << ledger;
         EXPECT_GT(report.energy_excess, 1) << ledger;
-        EXPECT_EQ(figure(report, "heated_step"), static_cast<double>(report.heated_step));
+        EXPECT_EQ(figure(report, "energy_gain_step"), static_cast<double>(report.energy_gain_step));
         EXPECT_EQ(figure(report, "energy_excess"), report.energy_excess);
-        EXPECT_THAT(simulation.run_warning(), HasSubstr("rk4 has made"));
+        EXPECT_THAT(simulation.run_warning(), HasSubstr("rk4 has gained"));
     }
     Simulation stopped = at_limit(Real(1.05), s1);
     send(stopped, "set on_unstable=stop");
     run_for(stopped, 1);
     EXPECT_EQ(stopped.report().status, Status::Diverged);
-    EXPECT_THAT(stopped.report().trouble, HasSubstr("rk4 has made"));
+    EXPECT_THAT(stopped.report().error, HasSubstr("rk4 has gained"));
 }
 
 TEST(StretchLimit, HoldsWithEveryMethodAndSaysWhatItLeaves) {
@@ -119,7 +119,7 @@ TEST(StretchLimit, HoldsWithEveryMethodAndSaysWhatItLeaves) {
             ASSERT_LT(stretch, 0.103) << method << ", step " << step;
         }
         EXPECT_TRUE(reached) << method;
-        EXPECT_EQ(simulation.report().status, Status::Ok) << simulation.report().trouble;
+        EXPECT_EQ(simulation.report().status, Status::Ok) << simulation.report().error;
         EXPECT_THAT(simulation.run_warning(), IsEmpty()) << method;
     }
 }
@@ -147,7 +147,7 @@ TEST(LongHeat, IsNotWhatHandBallsAndWindPutIn) {
                 run_for(simulation, text.empty() ? 0.7 : 0.1);
             }
             run_for(simulation, 1);
-            EXPECT_EQ(simulation.report().status, Status::Ok) << simulation.report().trouble;
+            EXPECT_EQ(simulation.report().status, Status::Ok) << simulation.report().error;
             EXPECT_THAT(simulation.run_warning(), IsEmpty()) << method << ", " << deed[0];
         }
     }

@@ -217,7 +217,7 @@ void drag_far(Simulation& simulation, int particle) {
     simulation.apply(command::Drag{position_of(simulation, particle) + Vec3(3, -6, 8)});
     const double end = simulation.report().time + 2;
     while (simulation.report().time < end && simulation.report().status == Status::Ok) simulation.step();
-    EXPECT_EQ(simulation.report().status, Status::Ok) << simulation.report().trouble;
+    EXPECT_EQ(simulation.report().status, Status::Ok) << simulation.report().error;
 }
 
 TEST(LongHand, PullsByABoundedForceWithEveryMethodAtShortAndLongSteps) {
@@ -233,7 +233,7 @@ TEST(LongHand, PullsByABoundedForceWithEveryMethodAtShortAndLongSteps) {
             drag_far(simulation, 75);
             EXPECT_LT(pull_on(simulation, 75), Real(3.3)) << method << " at " << dt;
             EXPECT_LT(simulation.view().report->stretch, 0.25) << method << " at " << dt;
-            EXPECT_EQ(simulation.report().heated_step, 0) << method << " at " << dt;
+            EXPECT_EQ(simulation.report().energy_gain_step, 0) << method << " at " << dt;
         }
     }
 }

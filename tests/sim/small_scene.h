@@ -6,10 +6,10 @@
 #include <string>
 #include <utility>
 
-#include "drape/sim/scene.h"
-#include "drape/sim/setting_table.h"
+#include "drape/scene/scene.h"
+#include "drape/scene/setting_table.h"
+#include "drape/session/state_csv.h"
 #include "drape/sim/simulation.h"
-#include "drape/sim/state_csv.h"
 
 namespace drape {
 
@@ -66,7 +66,7 @@ inline void make_steps(Simulation& simulation, int count) {
 /// Steps until a time, or until the cloth is lost, which fails the test.
 inline void run_until(Simulation& simulation, double time) {
     while (simulation.report().time < time && simulation.report().status == Status::Ok) simulation.step();
-    EXPECT_EQ(simulation.report().status, Status::Ok) << simulation.report().trouble;
+    EXPECT_EQ(simulation.report().status, Status::Ok) << simulation.report().error;
 }
 
 inline void send(Simulation& simulation, const std::string& text) { simulation.apply(parse_command(text)); }

@@ -3,7 +3,7 @@
 #include <gmock/gmock.h>
 
 #include "drape/base/scratch_folder.h"
-#include "drape/sim/failure.h"
+#include "drape/session/failure.h"
 #include "sim/small_scene.h"
 #include "support/input_errors.h"
 

@@ -1,12 +1,12 @@
-#include "drape/sim/start_state.h"
+#include "drape/scene/start_state.h"
 
 #include <gmock/gmock.h>
 
 #include <cmath>
 #include <sstream>
 
-#include "drape/sim/scene.h"
-#include "drape/sim/state_csv.h"
+#include "drape/scene/scene.h"
+#include "drape/session/state_csv.h"
 #include "sim/small_scene.h"
 #include "support/input_errors.h"
 #include "support/scratch_file.h"

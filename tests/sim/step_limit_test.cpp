@@ -4,7 +4,7 @@
 #include <sys/stat.h>
 
 #include "drape/integrate/stability.h"
-#include "drape/sim/failure.h"
+#include "drape/session/failure.h"
 #include "sim/small_scene.h"
 #include "support/scratch_file.h"
 
@@ -82,8 +82,8 @@ TEST(StepWarning, AsksForNoStepThatMayNotBeSet) {
     EXPECT_EQ(simulation.longest_step(), 0);
     EXPECT_THAT(simulation.step_warning(), HasSubstr("no step that may be set is short enough"));
     make_steps(simulation, 20);
-    EXPECT_THAT(simulation.report().trouble, AllOf(HasSubstr("No time step of symplectic_euler that may be set"),
-                                                   testing::Not(HasSubstr("use at most"))));
+    EXPECT_THAT(simulation.report().error, AllOf(HasSubstr("No time step of symplectic_euler that may be set"),
+                                                 testing::Not(HasSubstr("use at most"))));
 }
 
 TEST(StepWarning, LooksAtEveryCloth) {
@@ -122,7 +122,7 @@ TEST(Substeps, BecomeMoreWhereTheClothIsDrawnOut) {
     Simulation simulation("soft", settings);
     const int at_first = simulation.report().substeps;
     make_steps(simulation, 1000);
-    EXPECT_EQ(simulation.report().status, Status::Ok) << simulation.report().trouble;
+    EXPECT_EQ(simulation.report().status, Status::Ok) << simulation.report().error;
     EXPECT_GT(simulation.report().substeps, at_first);
     // Without them it is lost
     settings.solver.dt /= static_cast<Real>(at_first);
@@ -174,9 +174,9 @@ TEST(Failure, IsWrittenAsASceneWhoseFirstStepFailsAlike) {
     EXPECT_EQ(again.settings().title, "Fails at once: The \"lost\" one");
     again.step();
     ASSERT_EQ(again.report().status, Status::Diverged);
-    const std::string what = lost.report().trouble;
+    const std::string what = lost.report().error;
     // The limit is that of a cloth as it was found last, and of this one as it starts
-    EXPECT_THAT(again.report().trouble,
+    EXPECT_THAT(again.report().error,
                 AllOf(HasSubstr("(symplectic_euler)"), HasSubstr(what.substr(what.find("First:")))));
 
     EXPECT_EQ(write_failure(lost, folder), scene) << "the same failure again";

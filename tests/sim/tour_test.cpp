@@ -1,4 +1,4 @@
-#include "drape/sim/tour.h"
+#include "drape/session/tour.h"
 
 #include <algorithm>
 

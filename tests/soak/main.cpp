@@ -13,8 +13,8 @@
 #include "drape/base/input_error.h"
 #include "drape/base/numbers.h"
 #include "drape/integrate/integrator.h"
-#include "drape/sim/scene.h"
-#include "drape/sim/start.h"
+#include "drape/scene/scene.h"
+#include "drape/session/start.h"
 
 namespace drape::soak {
 namespace {

@@ -13,10 +13,10 @@ namespace fs = std::filesystem;
 
 namespace {
 
-constexpr std::array<std::string_view, 10> layers{"base", "model",  "integrate", "bounds",  "contact",
-                                                  "sim",  "render", "app",       "capture", "lab"};
-constexpr std::size_t render = 6;  // the programs come after it
-constexpr std::size_t lab = 9;
+constexpr std::array<std::string_view, 12> layers{"base", "model",   "integrate", "bounds", "contact", "scene",
+                                                  "sim",  "session", "render",    "app",    "capture", "lab"};
+constexpr std::size_t render = 8;  // the programs come after it
+constexpr std::size_t lab = 11;
 
 std::optional<std::size_t> rank_of(std::string_view layer) {
     const auto found = std::ranges::find(layers, layer);

@@ -45,7 +45,7 @@ TEST_F(IncludeRules, LetALayerIncludeItselfAndLowerOnes) {
 
 TEST_F(IncludeRules, FindUpwardIncludesOtherProgramsOpenGlBelowTheRendererAndFilesOutsideTheLayers) {
     const std::pair<const char*, const char*> forbidden[] = {
-        {"include/drape/model/a.h", "#include \"drape/sim/settings.h\""},
+        {"include/drape/model/a.h", "#include \"drape/scene/settings.h\""},
         {"src/base/a.cpp", "  #  include \"drape/model/grid.h\" // why"},
         {"src/bounds/a.cpp", "#include <drape/contact/detection.h>"},
         {"src/sim/a.cpp", "#include \"drape/render/camera.h\""},

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <cstdint>
 #include <optional>
 #include <string>
 #include <string_view>
@@ -26,6 +27,10 @@ std::string real_text(double value);
 
 /// `value` with `digits` significant digits, in the C locale; 17 reads back as the same double.
 std::string real_text(double value, int digits);
+
+/// FNV-1a, 64 bits, over bytes.
+/// @param hash of what came before
+std::uint64_t fnv1a(std::string_view bytes, std::uint64_t hash = 14695981039346656037u);
 
 /// The 16 hexadecimal digits of a 64-bit hash.
 std::string hash_text(unsigned long long hash);

@@ -1,6 +1,5 @@
 #pragma once
 
-#include <memory>
 #include <span>
 #include <vector>
 
@@ -77,26 +76,7 @@ public:
               std::vector<ContactRow>& rows);
 
 private:
-    /// A distance that was measured, and where, seen from the solid: since then it has changed by no more than that has
-    /// moved.
-    struct Measured {
-        Vec3 at = Vec3::Zero();
-        Real distance = -1;  ///< near, before there is one
-    };
-
-    /// What is known of the particles beside one solid.
-    struct Known {
-        int body = no_body;
-        std::shared_ptr<const SolidShape> shape;
-        std::vector<Measured> particles;
-    };
-
-    Known& known_of(int body, const Solid& solid, std::size_t particles);
-    void measure(const MovingCloth& cloth, const Solid& solid, int body, Real near, std::span<const CellRun> cells);
-
-    std::vector<Known> known_;              ///< of each solid
-    std::vector<SurfaceDistance> surface_;  ///< of the particles of the cells; of far ones a bound, and no normal
-    std::vector<CellRun> particles_;        ///< of the cells
+    std::vector<SurfaceDistance> surface_;  ///< of the particles of the cells
 };
 
 /// The contacts of balls with each other and with all other bodies, appended, at most one for each two of

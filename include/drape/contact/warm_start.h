@@ -4,6 +4,7 @@
 #include <vector>
 
 #include "drape/base/copied.h"
+#include "drape/base/snapshot_text.h"
 #include "drape/contact/response.h"
 
 namespace drape {
@@ -26,6 +27,9 @@ public:
     /// @param rows of the substep before; emptied
     void take(const ResponseParameters& parameters, Real h, Real gravity, std::span<const ClothInContact> cloths,
               std::span<const Body> bodies, std::vector<ContactRow>& rows);
+
+    /// What the next substep goes on from, beside the contacts.
+    void exchange(SnapshotText& text) { text.line("warm_start", within(h_, 0, 1)); }
 
     /// Forgets them.
     void forget() { last_.clear(); }

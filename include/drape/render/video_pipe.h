@@ -16,7 +16,7 @@ namespace drape {
 /// @throws InputError
 void check_video_name(const std::string& option, const std::filesystem::path& file);
 
-/// Feeds frames to ffmpeg, which may be missing, die or stand still: that is a trouble to tell, not a reason to stop.
+/// Feeds frames to ffmpeg, which may be missing, die or stand still: that is an error to tell, not a reason to stop.
 /// A file that was there before stays at least until ffmpeg has finished a new one.
 class VideoPipe {
 public:
@@ -49,7 +49,7 @@ public:
     void close();
 
     /// What went wrong, ffmpeg's status included; empty while all is well.
-    [[nodiscard]] const std::string& trouble() const { return trouble_; }
+    [[nodiscard]] const std::string& error() const { return error_; }
 
     /// The name that the video has, or is to have.
     [[nodiscard]] const std::filesystem::path& file() const { return name_; }
@@ -65,7 +65,7 @@ private:
     UnfinishedFile file_;
     std::optional<ChildProgram> ffmpeg_;  ///< nothing when it has ended
     bool fed_ = false;                    ///< with a whole picture
-    std::string trouble_;
+    std::string error_;
 };
 
 }  // namespace drape

@@ -4,11 +4,9 @@
 #include <string>
 
 #include "drape/base/input_error.h"
-#include "drape/sim/settings.h"
+#include "drape/scene/settings.h"
 
 namespace drape {
-
-class Simulation;
 
 /// About what a simulation takes at most [bytes]; pictures come on top.
 struct MemoryNeed {
@@ -21,8 +19,8 @@ struct MemoryNeed {
 /// @pre the grids have at least 2 x 2 particles
 MemoryNeed memory_needed(const Settings& settings);
 
-/// About what a copy of a simulation takes, its integrators not counted [bytes].
-double moment_bytes(const Simulation& simulation);
+/// About what a cloth's states and its share of the searches take, kept with `numbers` for each particle [bytes].
+double bytes_of_cloth(const ContactSettings& contact, const Grid& grid, double numbers);
 
 /// "22500 particles with projective_dynamics need about 54 MB, 43 MB of it for the method".
 std::string memory_text(const Settings& settings);

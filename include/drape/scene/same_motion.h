@@ -1,6 +1,6 @@
 #pragma once
 
-#include "drape/sim/settings.h"
+#include "drape/scene/settings.h"
 
 namespace drape {
 

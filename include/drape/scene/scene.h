@@ -4,7 +4,7 @@
 #include <string>
 #include <vector>
 
-#include "drape/sim/settings.h"
+#include "drape/scene/settings.h"
 
 namespace drape {
 
@@ -23,6 +23,11 @@ Settings parse_scene(std::string_view text, const std::string& file);
 /// The scene file of some settings: all that differ from their defaults, and the sizes of the cloths.
 /// `parse_scene` reads the same settings back.
 std::string scene_text(const Settings& settings);
+
+/// The "name=value" of every setting that is not as in a scene.
+/// @param scene as it was loaded
+/// @throws RunError if no such assignments make these settings of the scene's: moving pins have ended
+std::vector<std::string> changes_of(const Settings& scene, const Settings& settings);
 
 /// The names of the shipped scenes in the order of the keys 1-9: `drop` first, the rest by name, and those
 /// that are made to fail (`fails_...`) last.

@@ -10,7 +10,7 @@
 #include <vector>
 
 #include "drape/base/input_error.h"
-#include "drape/sim/settings.h"
+#include "drape/scene/settings.h"
 
 namespace drape {
 

@@ -4,13 +4,17 @@
 #include <optional>
 #include <span>
 #include <string>
+#include <string_view>
 #include <vector>
 
 #include "drape/model/ball.h"
 #include "drape/model/cloth_model.h"
-#include "drape/sim/settings.h"
+#include "drape/scene/settings.h"
 
 namespace drape {
+
+/// The columns of a ball in a file of states. Lines of balls are comments: "#" and a blank come before them.
+constexpr std::string_view ball_columns = "t,ball,x,y,z,vx,vy,vz,turn_x,turn_y,turn_z,turn_w,spin_x,spin_y,spin_z";
 
 /// Where a run starts that another one has left off.
 struct StartState {

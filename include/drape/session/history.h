@@ -4,10 +4,13 @@
 #include <deque>
 #include <optional>
 
-#include "drape/sim/comparison.h"
+#include "drape/session/comparison.h"
 #include "drape/sim/simulation.h"
 
 namespace drape {
+
+/// About what a copy of a simulation takes, its integrators not counted [bytes].
+double moment_bytes(const Simulation& simulation);
 
 /// How much of the past is kept.
 struct HistoryLimits {

@@ -10,11 +10,11 @@
 #include <utility>
 #include <vector>
 
-#include "drape/sim/comparison.h"
-#include "drape/sim/history.h"
-#include "drape/sim/recording.h"
+#include "drape/session/comparison.h"
+#include "drape/session/history.h"
+#include "drape/session/recording.h"
+#include "drape/session/step_times.h"
 #include "drape/sim/simulation.h"
-#include "drape/sim/step_times.h"
 #include "drape/sim/timeline.h"
 
 namespace drape {
@@ -32,8 +32,9 @@ public:
 
     /// Writes every command from now on, and a hash now and then, to a file.
     /// @param assignments that were applied to the scene's settings before the simulation was made
+    /// @param snapshot that the simulation was read from; empty: none
     /// @throws RunError if it cannot be written
-    void record(const std::string& file, const std::vector<std::string>& assignments);
+    void record(const std::string& file, const std::vector<std::string>& assignments, const std::string& snapshot = {});
 
     /// Feeds the commands of a recording as their steps come.
     void replay(Recording recording);
@@ -79,7 +80,8 @@ public:
     /// @return false if it said so
     bool run_replay(const std::function<bool()>& stop = {});
 
-    /// The time at which the simulation was when the session began: that of the scene's start file, or 0 [s].
+    /// The time at which the simulation was when the session began: that of the scene's start file or of a snapshot, or
+    /// 0 [s].
     [[nodiscard]] double start_time() const { return start_time_; }
 
     /// The time that `run_until` has come to, on the same clock [s].

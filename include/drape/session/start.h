@@ -5,18 +5,24 @@
 #include <vector>
 
 #include "drape/base/output_file.h"
-#include "drape/sim/recording.h"
-#include "drape/sim/session.h"
-#include "drape/sim/settings.h"
+#include "drape/scene/settings.h"
+#include "drape/session/recording.h"
+#include "drape/session/session.h"
 
 namespace drape {
 
 /// What all three programs are told on their command lines.
 struct StartOptions {
-    std::string scene;                     ///< name or path; empty: that of the replay, else the first shipped one
-    std::vector<std::string> assignments;  ///< "name=value"; a word without '=' is the scene if none was given
-    std::string replay;                    ///< file; empty: none
-    std::string versus = {};               ///< what the scene is compared with, as `Comparison` has it; empty: nothing
+    std::string scene = {};                     ///< name or path; empty: that of the replay, else the first shipped one
+    std::vector<std::string> assignments = {};  ///< "name=value"; a word without '=' is the scene if none was given
+    std::string replay = {};                    ///< file; empty: none
+    std::string load = {};                      ///< snapshot; empty: none
+    std::string versus = {};  ///< what the scene is compared with, as `Comparison` has it; empty: nothing
+
+    /// Whether they say nothing.
+    [[nodiscard]] bool empty() const {
+        return scene.empty() && assignments.empty() && replay.empty() && load.empty() && versus.empty();
+    }
 };
 
 /// What a run starts from, found and checked before anything is opened or written.
@@ -25,6 +31,7 @@ struct Start {
     std::vector<std::string> assignments;  ///< of the recording and of the command line, in this order
     Settings settings;
     std::optional<Recording> replay;
+    std::string load = {};  ///< snapshot that is gone on from; then the assignments are of the command line alone
     std::string versus = {};
 };
 
@@ -39,5 +46,10 @@ std::vector<NamedFile> input_files(const StartOptions& options, const Start& sta
 /// @throws InputError if `Start::versus` does not fit the scene
 /// @throws RunError if the recording cannot be written, or memory is too little for a comparison
 Session make_session(Start start, const std::string& record = {});
+
+/// Writes the snapshot that a command line asks for at the end of a run, or says why there is none.
+/// @param file empty: none is asked for
+/// @throws RunError as `write_snapshot`
+void save_snapshot(const std::string& file, Simulation& simulation);
 
 }  // namespace drape

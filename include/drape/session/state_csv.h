@@ -2,14 +2,10 @@
 
 #include <ostream>
 #include <span>
-#include <string_view>
 
 #include "drape/sim/simulation.h"
 
 namespace drape {
-
-/// The columns of a ball in a file of states. Lines of balls are comments: "#" and a blank come before them.
-constexpr std::string_view ball_columns = "t,ball,x,y,z,vx,vy,vz,turn_x,turn_y,turn_z,turn_w,spin_x,spin_y,spin_z";
 
 /// The header `t,particle,x,y,z,vx,vy,vz`, with `cloth` after `t` where there are several. Where there are balls, a
 /// comment with `ball_columns` follows.

@@ -4,7 +4,7 @@
 #include <string>
 #include <string_view>
 
-#include "drape/sim/settings.h"
+#include "drape/scene/settings.h"
 
 namespace drape {
 

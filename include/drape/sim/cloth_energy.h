@@ -82,6 +82,14 @@ public:
     /// Velocities are about to be set to zero by sleep.
     void still(const ClothModel& model, const ClothState& state);
 
+    /// What the next step goes on from.
+    /// @param held particle that the hand leads
+    void exchange(SnapshotText& text, int held) {
+        held_ = held;
+        watch_.exchange(text);
+        if (ledger_) ledger_->exchange(text);
+    }
+
     [[nodiscard]] const EnergyWatch& watch() const { return watch_; }
 
     /// The energy of the present state.

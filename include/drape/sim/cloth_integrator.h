@@ -2,6 +2,7 @@
 
 #include <memory>
 
+#include "drape/base/snapshot_text.h"
 #include "drape/integrate/integrator.h"
 
 namespace drape {
@@ -25,6 +26,9 @@ public:
         before_ = {};
         integrator_ = make_integrator(parameters_, grid);
     }
+
+    /// What the next step goes on from.
+    void exchange(SnapshotText& text, const ClothModel& model);
 
     /// As `Integrator::step`. @pre `use` was called
     SolveReport step(const ClothModel& model, ClothState& state, Real h, EnergyFlow* start) {

@@ -20,6 +20,9 @@ struct Reset {};    ///< `reset`: the scene as it was loaded, with the settings 
 struct LoadScene {  ///< `scene drop`
     std::string name;
 };
+struct Load {  ///< `load run.snapshot`: goes on from a snapshot
+    std::string file;
+};
 struct Compare {  ///< `compare dt=1e-4,friction=0`: begins again, beside a run with other settings; `compare none` ends
     std::string assignments;
     [[nodiscard]] bool begins() const { return assignments != "none"; }
@@ -75,10 +78,11 @@ concept OfThePicture = std::is_same_v<C, Orbit> || std::is_same_v<C, Pan> || std
 
 }  // namespace command
 
-using Command = std::variant<command::Pause, command::Step, command::Reset, command::LoadScene, command::Compare,
-                             command::Set, command::Next, command::Add, command::Steer, command::Throw, command::Fall,
-                             command::Grab, command::Drag, command::Release, command::Pin, command::Orbit, command::Pan,
-                             command::Zoom, command::Frame, command::Picture, command::Video, command::Quit>;
+using Command =
+    std::variant<command::Pause, command::Step, command::Reset, command::LoadScene, command::Load, command::Compare,
+                 command::Set, command::Next, command::Add, command::Steer, command::Throw, command::Fall,
+                 command::Grab, command::Drag, command::Release, command::Pin, command::Orbit, command::Pan,
+                 command::Zoom, command::Frame, command::Picture, command::Video, command::Quit>;
 
 /// The text form: one line without its end.
 std::string command_text(const Command& command);
@@ -89,6 +93,9 @@ Command parse_command(std::string_view text);
 
 /// The setting that `set`, `next` or `add` names; empty for other commands.
 std::string_view setting_of(const Command& command);
+
+/// True for commands after which there is another scene.
+bool changes_scene(const Command& command);
 
 /// True for commands that can change the cloth or the ball; the others change the picture or the program only.
 bool changes_state(const Command& command);

@@ -8,7 +8,7 @@
 #include "drape/bounds/broad_phase.h"
 #include "drape/contact/detection.h"
 #include "drape/contact/search_audit.h"
-#include "drape/sim/settings.h"
+#include "drape/scene/settings.h"
 
 namespace drape {
 

@@ -6,9 +6,9 @@
 #include "drape/base/copied.h"
 #include "drape/contact/response.h"
 #include "drape/contact/warm_start.h"
+#include "drape/scene/settings.h"
 #include "drape/sim/cloth.h"
 #include "drape/sim/self_contact.h"
-#include "drape/sim/settings.h"
 #include "drape/sim/step_report.h"
 
 namespace drape {
@@ -79,8 +79,12 @@ public:
     /// Rolling resistance; enters what is only known now.
     void end();
 
-    /// Whether bodies have touched in the last substep, or cloths are near.
-    [[nodiscard]] bool is_near() const { return bodies_touch_ || self_.is_near(); }
+    /// Whether bodies have touched in the last substep, or cloths were near.
+    [[nodiscard]] bool is_near() const { return near_; }
+
+    /// What the next substep goes on from. Cloth looks anew for what is near itself, and finds the same.
+    /// @param has_ground a solid one
+    void exchange(SnapshotText& text, const ContactBodies& bodies, bool has_ground);
 
     /// What has touched in the last substep, and the pairs of cloth that were near, in the order of `compare`.
     [[nodiscard]] std::span<const ContactRow> rows() const { return rows_; }
@@ -121,7 +125,7 @@ private:
     ScratchOnCopy<Now> now_;
     SelfContact self_;
     std::vector<ContactRow> rows_;
-    bool bodies_touch_ = false;
+    bool near_ = false;
     WarmStart warm_start_;
     ContactSolver solver_;
 };

@@ -1,5 +1,6 @@
 #pragma once
 
+#include "drape/base/snapshot_text.h"
 #include "drape/model/energy.h"
 
 namespace drape {
@@ -77,6 +78,10 @@ public:
 
     /// Remembers the entries so far, and forgets those since.
     void mark() { marked_ = now_; }
+
+    /// What it goes on from.
+    void exchange(SnapshotText& text);
+
     void return_to_mark() { now_ = marked_; }
 
 private:

@@ -1,5 +1,6 @@
 #pragma once
 
+#include "drape/base/snapshot_text.h"
 #include "drape/model/cloth_model.h"
 #include "drape/model/energy.h"
 
@@ -47,6 +48,9 @@ public:
 
     /// @param energy of the present state
     void measure(const Energy& energy);
+
+    /// What it goes on from.
+    void exchange(SnapshotText& text) { text.line("energy_watch", lift_, base_, peak_, excess_, waited_, substeps_); }
 
     /// What the energy has risen by that nothing put in, at the last sum over the springs [J].
     [[nodiscard]] double excess() const { return excess_; }

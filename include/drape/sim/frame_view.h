@@ -9,7 +9,7 @@
 #include "drape/contact/solid.h"
 #include "drape/model/ball.h"
 #include "drape/model/cloth_model.h"
-#include "drape/sim/settings.h"
+#include "drape/scene/settings.h"
 #include "drape/sim/step_report.h"
 #include "drape/sim/timeline.h"
 

@@ -45,6 +45,10 @@ public:
 
     [[nodiscard]] bool holds() const { return held_.has_value(); }
 
+    /// What it goes on from.
+    /// @param cloths as the settings make them
+    void exchange(SnapshotText& text, std::span<Cloth> cloths);
+
     /// Holds its particle in a model that was made again.
     void hold_in(std::size_t cloth, ClothModel& model);
 

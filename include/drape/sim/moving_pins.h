@@ -3,8 +3,8 @@
 #include <span>
 #include <vector>
 
+#include "drape/scene/settings.h"
 #include "drape/sim/cloth.h"
-#include "drape/sim/settings.h"
 
 namespace drape {
 

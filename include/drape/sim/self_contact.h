@@ -3,9 +3,10 @@
 #include <span>
 #include <vector>
 
+#include "drape/base/snapshot_text.h"
 #include "drape/contact/impact_zones.h"
+#include "drape/scene/settings.h"
 #include "drape/sim/self_search.h"
-#include "drape/sim/settings.h"
 
 namespace drape {
 
@@ -24,6 +25,9 @@ public:
     void share(int threads) { search_.share(threads); }
 
     [[nodiscard]] bool on() const { return on_; }
+
+    /// What was found at the start; pairs are looked for anew.
+    void exchange(SnapshotText& text) { text.line("cloth_at_start", crossings_at_start_, coincident_at_start_); }
 
     /// Positions have been set from outside.
     void forget() { search_.forget(); }

@@ -7,6 +7,8 @@
 #include <vector>
 
 #include "drape/base/copied.h"
+#include "drape/scene/settings.h"
+#include "drape/scene/start_state.h"
 #include "drape/sim/cloth.h"
 #include "drape/sim/command.h"
 #include "drape/sim/contact_stage.h"
@@ -14,9 +16,7 @@
 #include "drape/sim/hand.h"
 #include "drape/sim/moving_pins.h"
 #include "drape/sim/pair_marks.h"
-#include "drape/sim/settings.h"
 #include "drape/sim/sleep_watch.h"
-#include "drape/sim/start_state.h"
 #include "drape/sim/step_report.h"
 
 namespace drape {
@@ -79,6 +79,11 @@ public:
     /// FNV-1a over the bits of every position and velocity of cloths and balls.
     [[nodiscard]] std::uint64_t hash() const;
 
+    /// All that the next step goes on from beside scene and settings, see `write_snapshot`; nothing is changed where it
+    /// is written.
+    /// @pre what is read has just begun
+    void exchange(SnapshotText& text);
+
     /// Steps that a `step` command asked for and that have not been made.
     [[nodiscard]] int steps_wanted() const { return steps_wanted_; }
 
@@ -95,18 +100,22 @@ private:
 
     [[nodiscard]] bool is_kinematic(std::size_t ball) const;
     [[nodiscard]] bool kinematic_body_has_moved() const;
-    void end_with(std::string trouble);
+    void end_with(std::string error);
     void fall_asleep();
     void wake();
 
     void carry_out(const Command& command);
     void restart();
     void load(const std::string& scene);
+    void keep_window(Settings& settings) const;
+    void go_on_from(Simulation&& snapshot);
     void change_pin(const command::Pin& pin);
     void configure(Settings settings);
 
     /// The settings, with a shown level that is no further past the finest than one: from there, one less is finest.
     [[nodiscard]] Settings within_levels() const;
+    [[nodiscard]] double counted_time() const;
+    void exchange_users_ball(SnapshotText& text);
     void configure_cloth(std::size_t number, const Settings& before);
     void configure_balls(const Settings& before);
     void use_pins();

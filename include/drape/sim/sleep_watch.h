@@ -3,8 +3,8 @@
 #include <span>
 #include <vector>
 
+#include "drape/scene/settings.h"
 #include "drape/sim/cloth.h"
-#include "drape/sim/settings.h"
 
 namespace drape {
 
@@ -18,6 +18,10 @@ public:
 
     /// The watch begins again with the next look.
     void restart() { watching_ = false; }
+
+    /// What it goes on from.
+    /// @param particles that it watches
+    void exchange(SnapshotText& text, Eigen::Index particles);
 
     /// One step more; a particle that has gone farther than `distance` makes the watch begin again.
     /// @param time simulated [s]
@@ -37,6 +41,9 @@ class SleepWatch {
 public:
     /// The watch begins again with the next look.
     void restart();
+
+    /// What it goes on from.
+    void exchange(SnapshotText& text, std::span<const Cloth> cloths, std::size_t balls);
 
     /// One step more.
     /// @param time simulated [s]

@@ -69,8 +69,8 @@ struct StepReport {
     double worst_residual = 0;          ///< since the start, as `SolveReport::residual`
     double energy_excess = 0;           ///< largest of any cloth since the start, see `EnergyWatch` [J]
     IntegratorKind unsolved_by{};       ///< the method of the last of them
-    IntegratorKind gained_by{};         ///< the method of `heated_step`
-    std::int64_t heated_step = 0;       ///< the first that found energy gained from the integrator; 0: none
+    IntegratorKind gained_by{};         ///< the method of `energy_gain_step`
+    std::int64_t energy_gain_step = 0;  ///< the first that found energy gained from the integrator; 0: none
     double rms_speed = 0;               ///< of the particles [m/s]
     Energy energy;  ///< this, balance and stretch are filled by `Simulation::view`, not by every step
     EnergyBalance balance = EnergyBalance::unknown();  ///< since the ledger began, over all cloths
@@ -78,7 +78,7 @@ struct StepReport {
     TunnellingRisk crossing;                           ///< since the start
     Status status = Status::Ok;
     FailureSpot failure;
-    std::string trouble;  ///< one sentence on what broke, with particle and step; empty while all is well
+    std::string error;  ///< one sentence on what broke, with particle and step; empty while all is well
 
     /// Sets to zero what limit and contacts of a substep add up to.
     void forget_contacts() {
@@ -103,7 +103,7 @@ inline bool is_overstretched(const StepReport& report) {
 /// Whether a run that goes on is not to be trusted: steps were not solved, the integrator has made energy, or cloth was
 /// drawn out.
 inline bool in_doubt(const StepReport& report) {
-    return report.unconverged > 0 || report.heated_step > 0 || is_overstretched(report);
+    return report.unconverged > 0 || report.energy_gain_step > 0 || is_overstretched(report);
 }
 
 /// One field of a report, for CSV, panel and tests.

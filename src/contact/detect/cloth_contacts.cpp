@@ -1,7 +1,12 @@
 #include <Eigen/Geometry>
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <optional>
 
 #include "contact/grid_features.h"
 #include "contact/kernels/near_cells.h"
+#include "deepest_point.h"
 #include "make_row.h"
 
 namespace drape {
@@ -17,58 +22,107 @@ void for_each_cell(const Grid& grid, std::span<const CellRun> cells, Visit visit
 }
 
 /// From the centre of a ball to a point at some distance; along the triangle's own normal where that is the centre.
-Vec3 normal_of(const Points& x, const std::array<int, 3>& corners, const Vec3& offset) {
+Vec3 normal_of(const Corners& corners, const Vec3& offset) {
     const Real distance = offset.norm();
     if (distance > 0) return offset / distance;
-    const auto [a, b, c] = corners;
-    const Vec3 across = (position(x, b) - position(x, a)).cross(position(x, c) - position(x, a));
+    const Vec3 across = (corners[1] - corners[0]).cross(corners[2] - corners[0]);
     return across.squaredNorm() > 0 ? Vec3(across.normalized()) : Vec3(0, 1, 0);
 }
 
-/// Makes the contacts of triangles with one ball.
-struct BallContacts {
+/// A triangle, where it was when the planes were those of the contacts.
+struct Triangle {
+    int number;
+    std::array<int, 3> particles;
+    Corners corners;
+};
+
+/// A ball as triangles are near it.
+struct NearBall {
+    Vec3 centre;  ///< where the planes are those of the contacts [m]
+    Real radius;
+
+    [[nodiscard]] SurfaceDistance at_corner(const Triangle& triangle, std::size_t k) const {
+        return surface(triangle, triangle.corners[k]);
+    }
+
+    /// The point of a triangle that is nearest; nothing if it is not as near as a limit.
+    [[nodiscard]] std::optional<DeepestPoint> nearest(const Triangle& triangle, Real limit) const {
+        const auto& [a, b, c] = triangle.corners;
+        const ClosestPoint closest = closest_point_on_triangle(centre, a, b, c);
+        const Real far = radius + limit;
+        if (!((closest.point - centre).squaredNorm() < far * far)) return std::nullopt;
+        return DeepestPoint{closest.barycentric, closest.point, surface(triangle, closest.point)};
+    }
+
+private:
+    [[nodiscard]] SurfaceDistance surface(const Triangle& triangle, const Vec3& point) const {
+        const Vec3 offset = point - centre;
+        return {offset.norm() - radius, normal_of(triangle.corners, offset)};
+    }
+};
+
+/// A solid as triangles are near it.
+struct NearSolid {
+    const Solid& solid;                     ///< where the planes are those of the contacts
+    std::vector<SurfaceDistance>& surface;  ///< of the particles that were asked for, else no number
+
+    [[nodiscard]] const SurfaceDistance& at_corner(const Triangle& triangle, std::size_t k) const {
+        SurfaceDistance& known = surface[static_cast<std::size_t>(triangle.particles[k])];
+        if (std::isnan(known.distance)) known = solid.measure(triangle.corners[k]);
+        return known;
+    }
+
+    [[nodiscard]] std::optional<DeepestPoint> nearest(const Triangle& triangle, Real limit) const {
+        const std::array at_corners{at_corner(triangle, 0), at_corner(triangle, 1), at_corner(triangle, 2)};
+        return find_nearest_point(solid, triangle.corners, at_corners, limit);
+    }
+};
+
+/// Makes the contacts of the triangles of a cloth with a body.
+template <class NearBody>
+struct BodyContacts {
     const MovingCloth& cloth;
-    const Ball& ball;
     const SearchedBody& body;
+    NearBody near;
+    Vec3 start,
+        end;  ///< of a point that moves with the body: where the planes are those of the contacts, and at the end
     std::vector<ContactRow>& rows;
 
-    // As they were when the planes are those of the contacts
     const Points& before = body.reach > 0 ? cloth.before : cloth.x;
-    Vec3 start = body.reach > 0 ? Vec3(ball.centre - ball.moved) : ball.centre;
-    Real radii = ball.radius + body.thickness, far = radii + body.reach;
 
-    /// Adds the contacts that a triangle is to report: those of its own corners, and of its closest point.
+    /// Adds the contacts that a triangle is to report: those of its own corners, and of its nearest point.
     /// @return whether it touches
-    bool add_triangle(int triangle) {
+    bool add_triangle(int number) {
         const Grid& grid = cloth.grid;
-        const std::array<int, 3> corners = grid.triangle_corners(triangle);
-        const ClosestPoint closest = closest_point(before, corners, start);
-        if (!is_near(closest.point)) return false;
-        const unsigned owned = owned_corners(grid, triangle, triangle / 2 / grid.cell_columns());
+        Triangle triangle{number, grid.triangle_corners(number), {}};
+        for (std::size_t k = 0; k < 3; ++k) triangle.corners[k] = position(before, triangle.particles[k]);
+        const Real limit = body.thickness + body.reach;
+        const auto nearest = near.nearest(triangle, limit);
+        if (!nearest) return false;
+        const unsigned owned = owned_corners(grid, number, number / 2 / grid.cell_columns());
         for (const std::size_t k : corners_ascending) {
-            const Vec3 corner = position(before, corners[k]);
-            if ((owned >> k & 1u) == 0 || !is_near(corner)) continue;
-            add(with_plane(particle_row(cloth, corners[k], triangle, body.number), corners, corner));
+            if ((owned >> k & 1u) == 0) continue;
+            const SurfaceDistance corner = near.at_corner(triangle, k);
+            if (!(corner.distance < limit)) continue;
+            add(with_plane(particle_row(cloth, triangle.particles[k], number, body.number), triangle.corners[k],
+                           corner));
         }
-        const ContactRow own = with_plane(triangle_row(cloth, triangle, corners, closest.barycentric, body.number),
-                                          corners, closest.point);
-        if (!reported_elsewhere(grid, triangle, closest.barycentric)) add(own);
+        const ContactRow own =
+            with_plane(triangle_row(cloth, number, triangle.particles, nearest->barycentric, body.number),
+                       nearest->point, nearest->surface);
+        if (!reported_elsewhere(grid, number, nearest->barycentric)) add(own);
         return own.depth > 0;
     }
 
 private:
-    [[nodiscard]] bool is_near(const Vec3& point) const {
-        return (point - start).squaredNorm() < far * far && radii > 0;
-    }
-
-    [[nodiscard]] ContactRow with_plane(ContactRow row, const std::array<int, 3>& corners, const Vec3& at) const {
-        row.normal = normal_of(before, corners, at - start);
-        row.distance = radii;
-        row.depth = radii - (row.point(cloth.x) - ball.centre).dot(row.normal);
+    [[nodiscard]] ContactRow with_plane(ContactRow row, const Vec3& at, const SurfaceDistance& surface) const {
+        row.normal = surface.normal;
+        row.distance = body.thickness + row.normal.dot(at - start) - surface.distance;
+        row.depth = row.distance - row.normal.dot(row.point(cloth.x) - end);
         return row;
     }
 
-    /// What ends farther from its plane than the ball may push other cloth to it stays out of the solve.
+    /// What ends farther from its plane than the body may push other cloth to it stays out of the solve.
     void add(const ContactRow& row) {
         if (row.depth > -body.reach) rows.push_back(row);
     }
@@ -108,7 +162,8 @@ void find_touched_triangles(const Grid& grid, const Points& x, const Ball& ball,
 
 std::int64_t find_contacts(const MovingCloth& cloth, const Ball& ball, const SearchedBody& body,
                            std::span<const CellRun> cells, std::vector<ContactRow>& rows, Kernels kernels) {
-    BallContacts found{cloth, ball, body, rows};
+    const Vec3 start = body.reach > 0 ? Vec3(ball.centre - ball.moved) : ball.centre;
+    BodyContacts<NearBall> found{cloth, body, {start, ball.radius}, start, ball.centre, rows};
     std::int64_t touching = 0;
     const auto test = [&](int cell) {
         const bool first = found.add_triangle(2 * cell), second = found.add_triangle(2 * cell + 1);
@@ -117,13 +172,27 @@ std::int64_t find_contacts(const MovingCloth& cloth, const Ball& ball, const Sea
     if (kernels == Kernels::Plain) {
         for_each_cell(cloth.grid, cells, test);
     } else {
-        kernels::visit_near(cloth.grid, found.before, found.start, found.far, cells, [&](const auto& some) {
+        const Real far = ball.radius + (body.thickness + body.reach);
+        kernels::visit_near(cloth.grid, found.before, start, far, cells, [&](const auto& some) {
             for (const kernels::CellBits& bits : some) {
                 kernels::for_each_set(bits, bits.near(), test);
             }
         });
     }
     return touching;
+}
+
+void SolidSearch::find(const MovingCloth& cloth, const Solid& solid, const SearchedBody& body,
+                       std::span<const CellRun> cells, std::vector<ContactRow>& rows) {
+    if (cells.empty()) return;
+    const SurfaceDistance unknown{std::numeric_limits<Real>::quiet_NaN(), Vec3::Zero()};
+    surface_.assign(static_cast<std::size_t>(cloth.grid.particles()), unknown);
+    Solid start = solid;
+    if (body.reach > 0) start.position -= solid.moved;
+    BodyContacts<NearSolid> found{cloth, body, {start, surface_}, start.position, solid.position, rows};
+    for_each_cell(cloth.grid, cells, [&](int cell) {
+        for (const int triangle : {2 * cell, 2 * cell + 1}) found.add_triangle(triangle);
+    });
 }
 
 void find_ground_contacts(const MovingCloth& cloth, Real height, const SearchedBody& body,
@@ -152,7 +221,9 @@ void find_node_contacts(const MovingCloth& cloth, const Ball& ball, const Search
         const std::array<int, 3> corners = cloth.grid.triangle_corners(2 * node.cell);
         ContactRow row = triangle_row(cloth, 2 * node.cell, corners, {third, third, third}, body.number);
         row.kind = RowKind::Node;
-        row.normal = normal_of(cloth.x, corners, node.sphere.centre - ball.centre);
+        const auto [a, b, c] = corners;
+        row.normal = normal_of({position(cloth.x, a), position(cloth.x, b), position(cloth.x, c)},
+                               node.sphere.centre - ball.centre);
         const Real radii = ball.radius + body.thickness + node.sphere.radius;
         const Real depth = radii - (node.sphere.centre - ball.centre).dot(row.normal);
         if (!(depth > 0)) continue;

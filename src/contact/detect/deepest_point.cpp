@@ -15,17 +15,17 @@ namespace drape {
 namespace {
 
 /// By how much the slope at a point lets some point of the triangle be lower [m].
-Real slope_gap(const DeepestPoint& at, const std::array<Vec3, 3>& corners) {
+Real slope_gap(const DeepestPoint& at, const Corners& corners) {
     Real gap = 0;
     for (const Vec3& corner : corners) gap = std::max(gap, at.surface.normal.dot(at.point - corner));
     return gap;
 }
 
-Vec3 point_at(const std::array<Vec3, 3>& corners, const std::array<Real, 3>& weights) {
+Vec3 point_at(const Corners& corners, const std::array<Real, 3>& weights) {
     return weights[0] * corners[0] + weights[1] * corners[1] + weights[2] * corners[2];
 }
 
-DeepestPoint lowest_corner(const std::array<Vec3, 3>& corners, const std::array<SurfaceDistance, 3>& at_corners) {
+DeepestPoint lowest_corner(const Corners& corners, const std::array<SurfaceDistance, 3>& at_corners) {
     const auto lowest = std::ranges::min_element(at_corners, {}, &SurfaceDistance::distance);
     const auto k = static_cast<std::size_t>(lowest - at_corners.begin());
     DeepestPoint found{.barycentric = {}, .point = corners[k], .surface = *lowest};
@@ -33,10 +33,37 @@ DeepestPoint lowest_corner(const std::array<Vec3, 3>& corners, const std::array<
     return found;
 }
 
+/// No point of a triangle is farther than this from the nearest corner: in one without an obtuse angle the radius of
+/// the circle through all three, else no more than half of the longest side [m].
+Real covering_radius(const Corners& corners) {
+    std::array<Real, 3> squares;
+    for (std::size_t k = 0; k < 3; ++k) squares[k] = (corners[k] - corners[(k + 1) % 3]).squaredNorm();
+    std::ranges::sort(squares);
+    const auto [a, b, c] = squares;
+    // Twice the product of the two shorter sides and the cosine between them; 16 area^2 = 4 a b - acute^2
+    const Real acute = a - (c - b);
+    if (!(acute > 0)) return std::sqrt(c) / 2;
+    return std::sqrt(c / (4 - (acute / a) * (acute / b)));
+}
+
+/// No point of a triangle is nearer than this [m]: by its size and, where the distance is convex, by its gradients at
+/// the corners.
+Real bound_of(const Solid& solid, const Corners& corners, const std::array<SurfaceDistance, 3>& at_corners) {
+    Real bound = std::ranges::min(at_corners, {}, &SurfaceDistance::distance).distance - covering_radius(corners);
+    for (std::size_t k = 0; k < 3; ++k) {
+        const Vec3 first = corners[k] - corners[(k + 1) % 3], second = corners[k] - corners[(k + 2) % 3];
+        const Vec3& normal = at_corners[k].normal;
+        const Real fall = solid.shape->is_convex() ? std::max({normal.dot(first), normal.dot(second), Real(0)})
+                                                   : std::max(first.norm(), second.norm());
+        bound = std::max(bound, at_corners[k].distance - fall);
+    }
+    return bound;
+}
+
 /// A triangle and the lowest of its points so far.
 struct Descent {
     const Solid& solid;
-    const std::array<Vec3, 3>& corners;
+    const Corners& corners;
     DeepestPoint best;
 
     void take(const std::array<Real, 3>& weights) {
@@ -85,7 +112,7 @@ void try_middles(Descent& descent) {
 
 }  // namespace
 
-DeepestPoint find_deepest_point(const Solid& solid, const std::array<Vec3, 3>& corners,
+DeepestPoint find_deepest_point(const Solid& solid, const Corners& corners,
                                 const std::array<SurfaceDistance, 3>& at_corners, Real limit) {
     Descent descent{solid, corners, lowest_corner(corners, at_corners)};
     DeepestPoint& best = descent.best;
@@ -107,6 +134,17 @@ DeepestPoint find_deepest_point(const Solid& solid, const std::array<Vec3, 3>& c
         step *= best.surface.distance < before ? Real(2) : Real(0.5);
     }
     return best;
+}
+
+std::optional<DeepestPoint> find_nearest_point(const Solid& solid, const Corners& corners,
+                                               const std::array<SurfaceDistance, 3>& at_corners, Real limit) {
+    const DeepestPoint corner = lowest_corner(corners, at_corners);
+    const Real least = std::min(limit, corner.surface.distance - deeper_than_corners);
+    if (bound_of(solid, corners, at_corners) < least) {
+        const DeepestPoint deepest = find_deepest_point(solid, corners, at_corners, least);
+        if (deepest.surface.distance < least) return deepest;
+    }
+    return corner.surface.distance < limit ? std::optional(corner) : std::nullopt;
 }
 
 }  // namespace drape

@@ -2,10 +2,13 @@
 
 #include <array>
 #include <limits>
+#include <optional>
 
 #include "drape/contact/solid.h"
 
 namespace drape {
+
+using Corners = std::array<Vec3, 3>;  ///< of a triangle [m]
 
 /// The point of a triangle with the least signed distance from a solid.
 struct DeepestPoint {
@@ -21,8 +24,13 @@ struct DeepestPoint {
 /// @param at_corners what the solid says of them
 /// @param limit a point below this is found as without it, but on a mesh more may be missed; if there seems to be none,
 ///              any point may be returned that is not below it [m]
-DeepestPoint find_deepest_point(const Solid& solid, const std::array<Vec3, 3>& corners,
+DeepestPoint find_deepest_point(const Solid& solid, const Corners& corners,
                                 const std::array<SurfaceDistance, 3>& at_corners,
                                 Real limit = std::numeric_limits<Real>::infinity());
+
+/// The same where something may be below a limit: a corner, unless another point is deeper than they are by more than
+/// `deeper_than_corners`. Most triangles are decided by the distances of their corners.
+std::optional<DeepestPoint> find_nearest_point(const Solid& solid, const Corners& corners,
+                                               const std::array<SurfaceDistance, 3>& at_corners, Real limit);
 
 }  // namespace drape

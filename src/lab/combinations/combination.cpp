@@ -5,8 +5,8 @@
 
 #include "drape/contact/search_audit.h"
 #include "drape/integrate/stability.h"
-#include "drape/sim/scene.h"
-#include "drape/sim/setting_table.h"
+#include "drape/scene/scene.h"
+#include "drape/scene/setting_table.h"
 #include "drape/sim/simulation.h"
 #include "lab/measure/methods.h"
 

@@ -65,7 +65,8 @@ void check_fit(const std::vector<Part>& parts) {
         fail(fmt::format("{}: share {}/{} is there twice", file, part.share.part, part.share.parts));
     }
     if (missing.empty()) return;
-    fail(fmt::format("share {}/{} is missing beside {}", *missing.begin(), first.share.parts, first.file.string()));
+    fail(
+        fmt::format("part {} of {} was not found beside {}", *missing.begin(), first.share.parts, first.file.string()));
 }
 
 ExperimentTable joined(std::vector<Part> parts) {

@@ -27,7 +27,7 @@ bool is_plain(const std::string& text, std::string_view others) {
 
 std::string checked(const std::string& text, std::string_view others = "_") {
     if (text.empty() && others == "_") throw RunError("a chart's value has no name");
-    if (!is_plain(text, others)) throw RunError("a chart's script may not be told '" + shortened(text) + "'");
+    if (!is_plain(text, others)) throw RunError("invalid characters in a chart's text: '" + shortened(text) + "'");
     return text;
 }
 

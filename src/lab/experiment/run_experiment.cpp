@@ -105,7 +105,7 @@ ExperimentTable resumed(const Experiment& experiment, const TableHead& head, con
                          "): finish that one, remove it, or name another folder by --out");
     }
     if (!left->cases.empty()) {
-        tell(part.string() + ": goes on after " + std::to_string(left->cases.size()) + " cases that are there");
+        tell(part.string() + ": resuming, " + std::to_string(left->cases.size()) + " cases are done");
     }
     return *left;
 }

@@ -7,7 +7,7 @@
 
 #include "drape/base/input_error.h"
 #include "drape/bounds/quadtree_nodes.h"
-#include "drape/sim/scene.h"
+#include "drape/scene/scene.h"
 #include "drape/sim/simulation.h"
 #include "hierarchy.h"
 #include "lab/measure/methods.h"
@@ -113,7 +113,7 @@ SearchedRun simulate(const std::string& scene, const BroadPhaseParameters& param
         run.missed_penetration = std::max(run.missed_penetration, simulation.report().missed_penetration);
         run.false_contacts += static_cast<double>(simulation.report().false_contacts) / static_cast<double>(steps);
     }
-    if (simulation.report().status != Status::Ok) throw RunError(scene + ": " + simulation.report().trouble);
+    if (simulation.report().status != Status::Ok) throw RunError(scene + ": " + simulation.report().error);
     run.x = simulation.cloths()[0].state.x;
     return run;
 }

@@ -8,7 +8,7 @@
 #include "drape/base/assert.h"
 #include "drape/base/input_error.h"
 #include "drape/contact/detection.h"
-#include "drape/sim/scene.h"
+#include "drape/scene/scene.h"
 #include "drape/sim/simulation.h"
 #include "lab/measure/states.h"
 
@@ -143,7 +143,7 @@ RecordedMotion record_motion(const MotionWanted& wanted, Settings settings) {
         simulation.step();
         if (kept) motion.balls.push_back(grown(simulation.balls()[0], thickness));
     }
-    if (simulation.report().status != Status::Ok) throw RunError(wanted.scene + ": " + simulation.report().trouble);
+    if (simulation.report().status != Status::Ok) throw RunError(wanted.scene + ": " + simulation.report().error);
     return motion;
 }
 

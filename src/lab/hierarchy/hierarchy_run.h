@@ -9,7 +9,7 @@
 #include "drape/bounds/broad_phase.h"
 #include "drape/model/ball.h"
 #include "drape/model/grid.h"
-#include "drape/sim/settings.h"
+#include "drape/scene/settings.h"
 #include "lab/measure/statistics.h"
 
 namespace drape {

@@ -3,8 +3,8 @@
 #include <array>
 
 #include "drape/base/input_error.h"
-#include "drape/sim/scene.h"
-#include "drape/sim/setting_table.h"
+#include "drape/scene/scene.h"
+#include "drape/scene/setting_table.h"
 #include "drape/sim/simulation.h"
 #include "lab/experiments.h"
 

@@ -7,7 +7,7 @@
 
 #include "drape/base/input_error.h"
 #include "drape/base/output_file.h"
-#include "drape/sim/scene.h"
+#include "drape/scene/scene.h"
 
 namespace drape {
 namespace {

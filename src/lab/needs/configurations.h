@@ -8,7 +8,7 @@
 #include <vector>
 
 #include "drape/base/enum_names.h"
-#include "drape/sim/settings.h"
+#include "drape/scene/settings.h"
 #include "lab/measure/methods.h"
 
 namespace drape {

@@ -11,8 +11,8 @@
 #include "drape/base/input_error.h"
 #include "drape/base/numbers.h"
 #include "drape/base/run_program.h"
-#include "drape/sim/setting_table.h"
-#include "drape/sim/start.h"
+#include "drape/scene/setting_table.h"
+#include "drape/session/start.h"
 #include "needs.h"
 
 namespace drape {

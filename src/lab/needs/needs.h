@@ -8,8 +8,8 @@
 #include <vector>
 
 #include "configurations.h"
-#include "drape/sim/settings.h"
-#include "drape/sim/start_state.h"
+#include "drape/scene/settings.h"
+#include "drape/scene/start_state.h"
 
 namespace drape {
 

@@ -9,8 +9,8 @@
 #include "drape/base/input_error.h"
 #include "drape/base/numbers.h"
 #include "drape/base/scratch_folder.h"
-#include "drape/sim/scene.h"
-#include "drape/sim/setting_table.h"
+#include "drape/scene/scene.h"
+#include "drape/scene/setting_table.h"
 #include "drape/sim/simulation.h"
 #include "lab/hierarchy/hierarchy_run.h"
 

@@ -6,7 +6,7 @@
 #include <vector>
 
 #include "drape/integrate/integrator.h"
-#include "drape/sim/settings.h"
+#include "drape/scene/settings.h"
 #include "lab/experiment/experiment.h"
 #include "lab/measure/states.h"
 #include "lab/measure/statistics.h"

@@ -8,7 +8,7 @@
 #include <utility>
 
 #include "drape/integrate/stability.h"
-#include "drape/sim/scene.h"
+#include "drape/scene/scene.h"
 #include "drape/sim/simulation.h"
 #include "drape/sim/sleep_watch.h"
 #include "lab/needs/configurations.h"

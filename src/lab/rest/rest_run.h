@@ -5,7 +5,7 @@
 
 #include "drape/contact/response.h"
 #include "drape/integrate/integrator.h"
-#include "drape/sim/settings.h"
+#include "drape/scene/settings.h"
 
 namespace drape {
 

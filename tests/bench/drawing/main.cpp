@@ -18,11 +18,11 @@
 #include "drape/base/run_program.h"
 #include "drape/render/camera.h"
 #include "drape/render/renderer.h"
-#include "drape/sim/comparison.h"
-#include "drape/sim/scene.h"
-#include "drape/sim/search_timer.h"
-#include "drape/sim/session.h"
-#include "drape/sim/setting_table.h"
+#include "drape/scene/scene.h"
+#include "drape/scene/setting_table.h"
+#include "drape/session/comparison.h"
+#include "drape/session/search_timer.h"
+#include "drape/session/session.h"
 #include "silent_context.h"
 
 namespace drape {
