@@ -1,5 +1,7 @@
 #include "drape/session/search_timer.h"
 
+#include "drape/contact/detection.h"
+
 #include <algorithm>
 
 namespace drape {

@@ -22,6 +22,7 @@ std::vector<Command> one_of_each() {
             Step{12},
             Reset{},
             LoadScene{"my scenes/drop 2.toml"},
+            Load{"runs/a b.snapshot"},
             Compare{"ball.position=1,2,3,solver.integrator=xpbd"},
             Set{"ball.position=[1, 2, 3]"},
             Next{"ball[1].motion"},

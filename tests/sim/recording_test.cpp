@@ -139,7 +139,7 @@ TEST(Recorder, SetsAsideWhatAKilledRunHasRecorded) {
         kept("recording.txt-1.unfinished");
     Session session(Simulation("drop", load_scene("drop")));
     session.record(file.name(), {});
-    EXPECT_THAT(session.record_notice(), HasSubstr(kept.name() + " now"));
+    EXPECT_THAT(session.record_notice(), HasSubstr("moved to " + kept.name()));
     session.close();
     EXPECT_EQ(read_file(kept.name()), "drape-recording 1\nscene drop\n");
     EXPECT_EQ(read_recording(file.name()).last_step, 0);

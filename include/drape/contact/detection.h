@@ -1,5 +1,8 @@
 #pragma once
 
+#include <limits>
+#include <map>
+#include <memory>
 #include <span>
 #include <vector>
 
@@ -75,7 +78,20 @@ public:
     void find(const MovingCloth& cloth, const Solid& solid, const SearchedBody& body, std::span<const CellRun> cells,
               std::vector<ContactRow>& rows);
 
+    /// A distance that was measured, and where, seen from the solid: since then it has changed by no more than that has
+    /// moved.
+    struct Measured {
+        Vec3 at = Vec3::Zero();
+        Real distance = -std::numeric_limits<Real>::infinity();  ///< before there is one
+    };
+
 private:
+    struct Known {
+        std::shared_ptr<const SolidShape> shape;
+        std::vector<Measured> particles;
+    };
+
+    std::map<int, Known> known_;            ///< of each solid, by the number of its body
     std::vector<SurfaceDistance> surface_;  ///< of the particles of the cells
 };
 

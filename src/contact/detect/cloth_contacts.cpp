@@ -41,20 +41,25 @@ struct NearBall {
     Vec3 centre;  ///< where the planes are those of the contacts [m]
     Real radius;
 
-    [[nodiscard]] SurfaceDistance at_corner(const Triangle& triangle, std::size_t k) const {
+    /// The surface next to a corner; nothing if it is not as near as a limit.
+    [[nodiscard]] std::optional<SurfaceDistance> at_corner(const Triangle& triangle, std::size_t k, Real limit) const {
+        if (!is_near(triangle.corners[k], limit)) return std::nullopt;
         return surface(triangle, triangle.corners[k]);
     }
 
-    /// The point of a triangle that is nearest; nothing if it is not as near as a limit.
+    /// The same next to the point of a triangle that is nearest.
     [[nodiscard]] std::optional<DeepestPoint> nearest(const Triangle& triangle, Real limit) const {
         const auto& [a, b, c] = triangle.corners;
         const ClosestPoint closest = closest_point_on_triangle(centre, a, b, c);
-        const Real far = radius + limit;
-        if (!((closest.point - centre).squaredNorm() < far * far)) return std::nullopt;
+        if (!is_near(closest.point, limit)) return std::nullopt;
         return DeepestPoint{closest.barycentric, closest.point, surface(triangle, closest.point)};
     }
 
 private:
+    [[nodiscard]] bool is_near(const Vec3& point, Real limit) const {
+        const Real far = radius + limit;
+        return (point - centre).squaredNorm() < far * far;
+    }
     [[nodiscard]] SurfaceDistance surface(const Triangle& triangle, const Vec3& point) const {
         const Vec3 offset = point - centre;
         return {offset.norm() - radius, normal_of(triangle.corners, offset)};
@@ -63,18 +68,37 @@ private:
 
 /// A solid as triangles are near it.
 struct NearSolid {
-    const Solid& solid;                     ///< where the planes are those of the contacts
-    std::vector<SurfaceDistance>& surface;  ///< of the particles that were asked for, else no number
+    const Solid& solid;                          ///< where the planes are those of the contacts
+    std::vector<SurfaceDistance>& surface;       ///< of the particles that were asked for, else no number
+    std::vector<SolidSearch::Measured>& before;  ///< of all of them, whenever they were last asked for
 
-    [[nodiscard]] const SurfaceDistance& at_corner(const Triangle& triangle, std::size_t k) const {
-        SurfaceDistance& known = surface[static_cast<std::size_t>(triangle.particles[k])];
-        if (std::isnan(known.distance)) known = solid.measure(triangle.corners[k]);
-        return known;
+    [[nodiscard]] std::optional<SurfaceDistance> at_corner(const Triangle& triangle, std::size_t k, Real limit) const {
+        const SurfaceDistance& corner = known(triangle, k);
+        return corner.distance < limit ? std::optional(corner) : std::nullopt;
     }
 
+    /// Nothing, without being measured, too, if a corner cannot have come near enough since it was.
     [[nodiscard]] std::optional<DeepestPoint> nearest(const Triangle& triangle, Real limit) const {
-        const std::array at_corners{at_corner(triangle, 0), at_corner(triangle, 1), at_corner(triangle, 2)};
+        for (std::size_t k = 0; k < 3; ++k) {
+            const Vec3& p = triangle.corners[k];
+            const auto& [at, distance] = before[static_cast<std::size_t>(triangle.particles[k])];
+            const Real side =
+                std::max((p - triangle.corners[(k + 1) % 3]).norm(), (p - triangle.corners[(k + 2) % 3]).norm());
+            if (distance - (p - solid.position - at).norm() - side > limit) return std::nullopt;
+        }
+        const std::array at_corners{known(triangle, 0), known(triangle, 1), known(triangle, 2)};
         return find_nearest_point(solid, triangle.corners, at_corners, limit);
+    }
+
+private:
+    /// Measured once.
+    [[nodiscard]] const SurfaceDistance& known(const Triangle& triangle, std::size_t k) const {
+        const auto particle = static_cast<std::size_t>(triangle.particles[k]);
+        if (!std::isnan(surface[particle].distance)) return surface[particle];
+        const Vec3& p = triangle.corners[k];
+        surface[particle] = solid.measure(p);
+        before[particle] = {p - solid.position, surface[particle].distance};
+        return surface[particle];
     }
 };
 
@@ -102,10 +126,10 @@ struct BodyContacts {
         const unsigned owned = owned_corners(grid, number, number / 2 / grid.cell_columns());
         for (const std::size_t k : corners_ascending) {
             if ((owned >> k & 1u) == 0) continue;
-            const SurfaceDistance corner = near.at_corner(triangle, k);
-            if (!(corner.distance < limit)) continue;
+            const auto corner = near.at_corner(triangle, k, limit);
+            if (!corner) continue;
             add(with_plane(particle_row(cloth, triangle.particles[k], number, body.number), triangle.corners[k],
-                           corner));
+                           *corner));
         }
         const ContactRow own =
             with_plane(triangle_row(cloth, number, triangle.particles, nearest->barycentric, body.number),
@@ -186,10 +210,16 @@ void SolidSearch::find(const MovingCloth& cloth, const Solid& solid, const Searc
                        std::span<const CellRun> cells, std::vector<ContactRow>& rows) {
     if (cells.empty()) return;
     const SurfaceDistance unknown{std::numeric_limits<Real>::quiet_NaN(), Vec3::Zero()};
-    surface_.assign(static_cast<std::size_t>(cloth.grid.particles()), unknown);
+    const auto particles = static_cast<std::size_t>(cloth.grid.particles());
+    surface_.assign(particles, unknown);
+    Known& known = known_[body.number];
+    if (known.shape != solid.shape || known.particles.size() != particles) {
+        known = {solid.shape, std::vector<Measured>(particles)};
+    }
     Solid start = solid;
     if (body.reach > 0) start.position -= solid.moved;
-    BodyContacts<NearSolid> found{cloth, body, {start, surface_}, start.position, solid.position, rows};
+    BodyContacts<NearSolid> found{cloth,          body,           {start, surface_, known.particles},
+                                  start.position, solid.position, rows};
     for_each_cell(cloth.grid, cells, [&](int cell) {
         for (const int triangle : {2 * cell, 2 * cell + 1}) found.add_triangle(triangle);
     });
