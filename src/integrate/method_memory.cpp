@@ -47,6 +47,9 @@ double numbers_of_arrays(const IntegratorParameters& parameters) {
     return 0;
 }
 
+/// Of multigrid, a particle: stencils and vectors of the finest level, and a third of that for all others.
+constexpr double multigrid_bytes = 4.0 / 3 * sizeof(float) * (13 * 6 + 6 + 6 * 3);
+
 double factor_bytes(const IntegratorParameters& parameters, const Grid& grid) {
     switch (parameters.kind) {
         case IntegratorKind::ProjectiveDynamics:
@@ -54,7 +57,8 @@ double factor_bytes(const IntegratorParameters& parameters, const Grid& grid) {
         case IntegratorKind::BackwardEuler:
         case IntegratorKind::ImplicitMidpoint:
         case IntegratorKind::Bdf2:
-            return NewtonSystem::keeps_factors(grid, parameters.hessian) ? entry * block_factor_entries(grid) : 0;
+            return (NewtonSystem::keeps_factors(grid, parameters.hessian) ? entry * block_factor_entries(grid) : 0) +
+                   (NewtonSystem::keeps_multigrid(grid, parameters.hessian) ? multigrid_bytes : 0);
         default:
             return 0;
     }

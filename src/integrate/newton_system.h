@@ -7,6 +7,7 @@
 #include "drape/model/jacobian.h"
 #include "grid_factor.h"
 #include "krylov.h"
+#include "multigrid.h"
 
 namespace drape {
 
@@ -15,9 +16,10 @@ namespace drape {
 ///
 /// Clamped, the matrix is positive definite, and conjugate gradients solve it. Exact, it is neither symmetric (the
 /// damping's x-derivative) nor always positive definite (compressed springs), and stabilised biconjugate gradients do.
-/// Both are preconditioned in one of two ways: by the factors L D L' of the symmetric part, which ends them after one
-/// to four iterations and is a direct solve of the clamped system, or by the inverses of the 3 x 3 diagonal blocks,
-/// which cost next to nothing. Small grids are factored, for accuracy; on larger ones the blocks are far quicker.
+/// Both are preconditioned: by the factors L D L' of the symmetric part, which ends them after one to four iterations
+/// and is a direct solve of the clamped system; by the inverses of the 3 x 3 diagonal blocks, which cost next to
+/// nothing; or, of the clamped one, by a cycle of multigrid, with which stiff systems on large grids take few
+/// iterations. Small grids are factored, for accuracy; on larger ones the blocks are far quicker.
 /// There the exact system falls back on factors where the blocks do not converge, on grids up to
 /// `GridFactor::largest`; on still larger ones the outcome tells. Sums run in a fixed order, and nothing is kept from
 /// one step to the next. Norms and tolerances are those that `SolveReport` describes.
@@ -27,6 +29,9 @@ public:
 
     /// Whether a system over this grid keeps factors, which is most of its memory.
     static bool keeps_factors(const Grid& grid, Hessian hessian);
+
+    /// Likewise multigrid.
+    static bool keeps_multigrid(const Grid& grid, Hessian hessian);
 
     /// Takes the Jacobians at a state.
     void linearise(const ClothModel& model, const Points& x, const Points& v);
@@ -44,13 +49,15 @@ public:
 
 private:
     [[nodiscard]] Real tolerance() const;
+    [[nodiscard]] bool is_stiff(const ClothModel& model, Real s) const;
     void clear_pinned(Points& points) const;
     void invert_diagonal(const ClothModel& model, Real s);
     void apply_inverse_diagonal(const Points& r, Points& z) const;
 
     bool factors_first_;
     Jacobian jacobian_;
-    std::unique_ptr<GridFactor> factor_;  ///< where it can be wanted
+    std::unique_ptr<GridFactor> factor_;    ///< where it can be wanted
+    std::unique_ptr<Multigrid> multigrid_;  ///< likewise
     std::vector<int> pinned_;
     Eigen::Array<Real, Eigen::Dynamic, 6> inverse_;  ///< xx, xy, xz, yy, yz, zz of each diagonal block's inverse
     krylov::ConjugateGradients conjugate_gradients_;

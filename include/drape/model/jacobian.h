@@ -50,26 +50,39 @@ public:
 
     using Block = Eigen::Matrix<Real, 3, 3>;
 
-    /// Calls visit(a, b, block), in a fixed order, for what every spring and every triangle in the wind adds to the
-    /// symmetric part of k_scale K + d_scale D: on the diagonal, where a is b, and once for each pair of particles, in
-    /// either order. Air drag is left out.
+    /// Calls visit(direction, a, b, block) for each spring by its direction and its ends: what it adds to the symmetric
+    /// part of k_scale K + d_scale D at (a, a) and (b, b), and takes away at (a, b) and (b, a).
     template <class Visit>
-    void for_each_block(Real k_scale, Real d_scale, Visit visit) const {
-        for (const Family& family : families_) {
+    void for_each_spring(Real k_scale, Real d_scale, Visit visit) const {
+        for (std::size_t direction = 0; direction < families_.size(); ++direction) {
+            const Family& family = families_[direction];
             if (family.none()) continue;
             const Real along = family.along(k_scale, d_scale);
             family.springs.for_each(grid_, [&](int a, int b) {
-                const Block added = block(family, a, along, k_scale);
-                visit(a, a, added);
-                visit(b, b, added);
-                visit(a, b, -added);
+                visit(static_cast<int>(direction), a, b, block(family, a, along, k_scale));
             });
         }
+    }
+
+    /// Calls visit(a, b, block) for what every triangle in the wind adds to it: where a is b, and once for each pair.
+    template <class Visit>
+    void for_each_wind_block(Real d_scale, Visit visit) const {
         for (int triangle = 0; triangle < wind_.rows(); ++triangle) {
             const auto [a, b, c] = grid_.triangle_corners(triangle);
             const Block added = d_scale * wind_.row(triangle).transpose() * wind_.row(triangle);
             for (const auto& [p, q] : {std::pair(a, a), {b, b}, {c, c}, {a, b}, {b, c}, {c, a}}) visit(p, q, added);
         }
+    }
+
+    /// The same of springs and triangles, in a fixed order. Air drag is left out.
+    template <class Visit>
+    void for_each_block(Real k_scale, Real d_scale, Visit visit) const {
+        for_each_spring(k_scale, d_scale, [&](int, int a, int b, const Block& added) {
+            visit(a, a, added);
+            visit(b, b, added);
+            visit(a, b, -added);
+        });
+        for_each_wind_block(d_scale, visit);
     }
 
 private:

@@ -5,3 +5,4 @@
 #include <hwy/highway.h>
 
 #include "integrate/kernels/spring_pass_kernels-inl.h"
+#include "integrate/kernels/stencil_kernels-inl.h"

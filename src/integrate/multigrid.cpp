@@ -1,0 +1,375 @@
+#include "multigrid.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <map>
+#include <utility>
+
+namespace drape {
+namespace {
+
+constexpr int group = kernels::StencilLayout::group;
+
+/// Levels end at so few nodes, which are factored.
+constexpr int few_nodes = 36;
+
+/// Rounds that look for a level's largest eigenvalue, and what they may have missed.
+constexpr int rounds = 6;
+constexpr double missed = 1.15;
+
+/// Of Chebyshev's polynomials, and where the upper part of a spectrum begins: at its bound over this.
+constexpr int degree = 2;
+constexpr double smoothed = 4;
+
+/// From a node to another of its stencil: itself, the two after it in its row, and five in each of two rows below.
+struct Offset {
+    int di, dj;
+};
+
+constexpr std::array<Offset, 13> offsets{
+    {{0, 0}, {1, 0}, {2, 0}, {-2, 1}, {-1, 1}, {0, 1}, {1, 1}, {2, 1}, {-2, 2}, {-1, 2}, {0, 2}, {1, 2}, {2, 2}}};
+
+int block_at(int di, int dj) { return dj == 0 ? di : 5 * dj + di; }
+
+int halved(int n) { return n > 2 ? n / 2 + 1 : n; }
+
+/// Weights by row and column.
+using Weights = std::map<std::pair<int, int>, float>;
+
+/// Those by which a fine node follows coarse ones: half of each of two neighbours where it is between them.
+Weights weights_of(int i, int j, bool halves_columns, bool halves_rows) {
+    const auto along = [](int k, bool halves) -> std::array<std::pair<int, float>, 2> {
+        if (!halves) return {{{k, 1.0F}, {k, 0.0F}}};
+        const int low = (k + 4) / 2 - 2;  // rounds down for k >= -4
+        if (k % 2 == 0) return {{{low, 1.0F}, {low, 0.0F}}};
+        return {{{low, 0.5F}, {low + 1, 0.5F}}};
+    };
+    Weights weights;
+    for (const auto& [row, of_row] : along(j, halves_rows)) {
+        for (const auto& [column, of_column] : along(i, halves_columns)) {
+            if (of_row * of_column > 0) weights[{row, column}] += of_row * of_column;
+        }
+    }
+    return weights;
+}
+
+Weights less(Weights a, const Weights& b) {
+    for (const auto& [node, weight] : b) a[node] -= weight;
+    return a;
+}
+
+/// The kinds of term that a level is added up from: of the particles alone and the six directions of springs at the
+/// finest, of the blocks of a stencil on the others.
+constexpr int own = 0, first_direction = 1;
+
+int case_of(int kind, int i, int j) { return 4 * kind + 2 * (j & 1) + (i & 1); }
+
+}  // namespace
+
+Multigrid::Level::Level(const Grid& finer_grid, const Grid& own_grid)
+    : finer(finer_grid),
+      grid(own_grid),
+      stencils(kernels::StencilLayout::numbers(grid.particles())),
+      inverse(grid.particles(), entries),
+      x(grid.particles(), 3),
+      b(grid.particles(), 3),
+      residual(grid.particles(), 3),
+      step(grid.particles(), 3),
+      divided(grid.particles(), 3),
+      rows(grid.nx * finer_grid.ny, 3) {
+    for (std::size_t k = 0; k < shifts.size(); ++k) shifts[k] = offsets[k].dj * grid.nx + offsets[k].di;
+}
+
+/// Which terms are added where: w w' of a particle, d d' of a spring with the difference d of its ends', and
+/// u v' + v u' of a block.
+/// @param of_springs the terms are those of the cloth itself, and not those of the level before
+void Multigrid::Level::plan(bool of_springs) {
+    const int kinds = of_springs ? 1 + static_cast<int>(spring_directions.size()) : blocks;
+    parts.resize(static_cast<std::size_t>(4 * kinds));
+    for (int kind = 0; kind < kinds; ++kind) {
+        for (int parity = 0; parity < 4; ++parity) {
+            const int i = halves_columns() ? parity & 1 : 0, j = halves_rows() ? parity >> 1 : 0;
+            const auto at = [&](int di, int dj) { return weights_of(i + di, j + dj, halves_columns(), halves_rows()); };
+            Weights first = at(0, 0), second = first;
+            if (of_springs && kind >= first_direction) {
+                const auto [di, dj] = spring_directions[static_cast<std::size_t>(kind - first_direction)];
+                first = second = less(first, at(di, dj));
+            } else if (!of_springs && kind != own) {
+                const auto [di, dj] = offsets[static_cast<std::size_t>(kind)];
+                second = at(di, dj);
+            }
+            const bool is_square = of_springs || kind == own;
+            std::map<std::pair<int, int>, float> sums;  // by node and block
+            for (const auto& [p, of_p] : first) {
+                for (const auto& [q, of_q] : second) {
+                    if (is_square && q < p) continue;  // its other half
+                    const auto [low, high] = std::minmax(p, q);
+                    const float both = !is_square && p == q ? 2.0F : 1.0F;
+                    const int node = low.first * grid.nx + low.second;
+                    sums[{node, block_at(high.second - low.second, high.first - low.first)}] += both * of_p * of_q;
+                }
+            }
+            for (const auto& [place, weight] : sums) {
+                if (weight == 0) continue;
+                parts[static_cast<std::size_t>(4 * kind + parity)].push_back({place.first, place.second, weight});
+            }
+        }
+    }
+}
+
+/// Adds a term to the blocks that it belongs to.
+/// @param i, j of its first node, on the finer level
+void Multigrid::Level::add(int kind, int i, int j, const float* term) {
+    const int node = (halves_rows() ? j / 2 : j) * grid.nx + (halves_columns() ? i / 2 : i);
+    for (const Part& part : parts[static_cast<std::size_t>(case_of(kind, i, j))]) {
+        float* const block = stencils.data() + kernels::StencilLayout::first_entry(node + part.node, part.block);
+        for (int e = 0; e < entries; ++e) block[e * group] += part.weight * term[e];
+    }
+}
+
+void Multigrid::Level::add_matrix_of(const Level& before) {
+    for (int j = 0; j < finer.ny; ++j) {
+        for (int i = 0; i < finer.nx; ++i) {
+            for (int k = 0; k < blocks; ++k) {
+                const auto [di, dj] = offsets[static_cast<std::size_t>(k)];
+                if (i + di < 0 || i + di >= finer.nx || j + dj >= finer.ny) continue;
+                const std::array<float, entries> term = before.block(finer.particle(i, j), k);
+                add(k, i, j, term.data());
+            }
+        }
+    }
+}
+
+std::array<float, Multigrid::entries> Multigrid::Level::block(int node, int number) const {
+    const float* const first = stencils.data() + kernels::StencilLayout::first_entry(node, number);
+    std::array<float, entries> of{};
+    for (std::size_t e = 0; e < of.size(); ++e) of[e] = first[e * group];
+    return of;
+}
+
+void Multigrid::Level::invert_diagonal() {
+    for (int p = 0; p < grid.particles(); ++p) {
+        const auto [fxx, fxy, fxz, fyy, fyz, fzz] = block(p, 0);
+        const double xx = fxx, xy = fxy, xz = fxz, yy = fyy, yz = fyz, zz = fzz;
+        const double cxx = yy * zz - yz * yz, cxy = xz * yz - xy * zz, cxz = xy * yz - xz * yy;
+        const double determinant = xx * cxx + xy * cxy + xz * cxz, scale = determinant > 0 ? 1 / determinant : 0;
+        const std::array of{cxx, cxy, cxz, xx * zz - xz * xz, xy * xz - xx * yz, xx * yy - xy * xy};
+        for (int e = 0; e < entries; ++e) inverse(p, e) = static_cast<float>(scale * of[static_cast<std::size_t>(e)]);
+    }
+}
+
+void Multigrid::Level::product(const Vectors& u, Vectors& y) const {
+    kernels::multiply_stencils(stencils.data(), grid.particles(), shifts, u.data(), y.data());
+}
+
+void Multigrid::Level::divide(const Vectors& r, Vectors& z) const {
+    z.col(0) = inverse.col(0) * r.col(0) + inverse.col(1) * r.col(1) + inverse.col(2) * r.col(2);
+    z.col(1) = inverse.col(1) * r.col(0) + inverse.col(3) * r.col(1) + inverse.col(4) * r.col(2);
+    z.col(2) = inverse.col(2) * r.col(0) + inverse.col(4) * r.col(1) + inverse.col(5) * r.col(2);
+}
+
+/// By powers of D^-1 A on a vector that changes from node to node.
+void Multigrid::Level::find_bound() {
+    for (int p = 0; p < grid.particles(); ++p) {
+        const int i = p % grid.nx, j = p / grid.nx;
+        for (int axis = 0; axis < 3; ++axis) {
+            const int turn = (7 * i + 13 * j + 29 * axis) % 11;
+            x(p, axis) = ((i + j) % 2 == 0 ? 1.0F : -1.0F) * (1 + 0.1F * static_cast<float>(turn));
+        }
+    }
+    bound = 0;
+    for (int round = 0; round < rounds; ++round) {
+        const float before = x.matrix().norm();
+        product(x, residual);
+        divide(residual, x);
+        const float after = x.matrix().norm();
+        if (!(after > 0)) break;
+        bound = static_cast<double>(after / before);
+        x *= before / after;
+    }
+    bound = std::max(missed * bound, 1.0);
+}
+
+void Multigrid::Level::restrict_from(const Vectors& fine) {
+    for (int axis = 0; axis < 3; ++axis) {
+        const float* const from = fine.col(axis).data();
+        float *const between = rows.col(axis).data(), *const to = b.col(axis).data();
+        for (int j = 0; j < finer.ny; ++j) {
+            const float* const row = from + j * finer.nx;
+            float* const sums = between + j * grid.nx;
+            for (int i = 0; i < grid.nx; ++i) {
+                if (!halves_columns()) {
+                    sums[i] = row[i];
+                    continue;
+                }
+                const float left = i > 0 ? row[2 * i - 1] : 0, right = 2 * i + 1 < finer.nx ? row[2 * i + 1] : 0;
+                sums[i] = (2 * i < finer.nx ? row[2 * i] : 0) + (left + right) / 2;
+            }
+        }
+        for (int j = 0; j < grid.ny; ++j) {
+            const auto row = [&](int k) { return between + k * grid.nx; };
+            for (int i = 0; i < grid.nx; ++i) {
+                if (!halves_rows()) {
+                    to[j * grid.nx + i] = row(j)[i];
+                    continue;
+                }
+                const float above = j > 0 ? row(2 * j - 1)[i] : 0, below = 2 * j + 1 < finer.ny ? row(2 * j + 1)[i] : 0;
+                to[j * grid.nx + i] = (2 * j < finer.ny ? row(2 * j)[i] : 0) + (above + below) / 2;
+            }
+        }
+    }
+}
+
+void Multigrid::Level::add_correction(Vectors& fine) {
+    for (int axis = 0; axis < 3; ++axis) {
+        const float* const from = x.col(axis).data();
+        float *const between = rows.col(axis).data(), *const to = fine.col(axis).data();
+        for (int j = 0; j < finer.ny; ++j) {
+            const bool is_between = halves_rows() && j % 2 != 0;
+            const float* const above = from + (halves_rows() ? j / 2 : j) * grid.nx;
+            for (int i = 0; i < grid.nx; ++i) {
+                between[j * grid.nx + i] = is_between ? (above[i] + above[i + grid.nx]) / 2 : above[i];
+            }
+        }
+        for (int j = 0; j < finer.ny; ++j) {
+            const float* const row = between + j * grid.nx;
+            for (int i = 0; i < finer.nx; ++i) {
+                const bool is_between = halves_columns() && i % 2 != 0;
+                const int left = halves_columns() ? i / 2 : i;
+                to[j * finer.nx + i] += is_between ? (row[left] + row[left + 1]) / 2 : row[left];
+            }
+        }
+    }
+}
+
+/// Chebyshev's iteration for what is left of A x = b, which takes down the upper part of the spectrum of D^-1 A.
+/// @cite saad2003
+void Multigrid::Level::smooth() {
+    const double middle = bound * (1 + 1 / smoothed) / 2, half = bound * (1 - 1 / smoothed) / 2;
+    double rho = half / middle;
+    divide(residual, step);
+    step *= static_cast<float>(1 / middle);
+    x += step;
+    for (int k = 1; k < degree; ++k) {
+        product(step, divided);
+        residual -= divided;
+        divide(residual, divided);
+        const double next = 1 / (2 * middle / half - rho);
+        step = static_cast<float>(next * rho) * step + static_cast<float>(2 * next / half) * divided;
+        x += step;
+        rho = next;
+    }
+}
+
+void Multigrid::Level::find_residual() {
+    product(x, residual);
+    residual = b - residual;
+}
+
+Multigrid::Multigrid(const Grid& grid) {
+    pinned_.reserve(static_cast<std::size_t>(grid.particles()));
+    levels_.emplace_back(grid, grid);
+    do {
+        const Grid finer = levels_.back().grid;
+        levels_.emplace_back(finer, Grid{halved(finer.nx), halved(finer.ny)});
+    } while (levels_.back().grid.particles() > few_nodes);
+    for (std::size_t k = 0; k < levels_.size(); ++k) levels_[k].plan(k < 2);
+    const int unknowns = 3 * levels_.back().grid.particles();
+    dense_.resize(unknowns, unknowns);
+    factors_ = Eigen::LLT<Eigen::MatrixXd>(unknowns);
+    unknowns_.resize(unknowns);
+}
+
+void Multigrid::build(const ClothModel& model, const Jacobian& jacobian, Real k_scale, Real d_scale) {
+    const Grid& grid = model.grid;
+    pinned_.clear();
+    for (int p = 0; p < grid.particles(); ++p) {
+        if (model.pinned(p)) pinned_.push_back(p);
+    }
+    for (Level& level : levels_) std::ranges::fill(level.stencils, 0.0F);
+    const auto add = [&](int kind, int particle, const Jacobian::Block& block) {
+        const std::array<float, entries> term{static_cast<float>(block(0, 0)), static_cast<float>(block(0, 1)),
+                                              static_cast<float>(block(0, 2)), static_cast<float>(block(1, 1)),
+                                              static_cast<float>(block(1, 2)), static_cast<float>(block(2, 2))};
+        const int i = particle % grid.nx, j = particle / grid.nx;
+        levels_[0].add(kind, i, j, term.data());
+        levels_[1].add(kind, i, j, term.data());
+    };
+    const Jacobian::Block inertia = (model.particle_mass + d_scale * jacobian.drag()) * Jacobian::Block::Identity();
+    for (int p = 0; p < grid.particles(); ++p) {
+        if (!model.pinned(p)) add(own, p, inertia);
+    }
+    jacobian.for_each_spring(k_scale, d_scale, [&](int direction, int a, int b, const Jacobian::Block& block) {
+        if (model.pinned(a) && model.pinned(b)) return;
+        if (model.pinned(a)) return add(own, b, block);
+        if (model.pinned(b)) return add(own, a, block);
+        add(first_direction + direction, a, block);
+    });
+    // What wind adds damps alone: its blocks on the diagonal will do here
+    jacobian.for_each_wind_block(d_scale, [&](int a, int b, const Jacobian::Block& block) {
+        if (a == b && !model.pinned(a)) add(own, a, block);
+    });
+    for (std::size_t k = 0; k < levels_.size(); ++k) {
+        if (k > 1) levels_[k].add_matrix_of(levels_[k - 1]);
+        levels_[k].invert_diagonal();
+        // On the finest level, a spring's two blocks are at most twice its diagonal ones
+        if (k > 0) levels_[k].find_bound();
+    }
+    factor_coarsest();
+}
+
+void Multigrid::factor_coarsest() {
+    const Level& level = levels_.back();
+    dense_.setZero();
+    for (int p = 0; p < level.grid.particles(); ++p) {
+        const int i = p % level.grid.nx, j = p / level.grid.nx;
+        for (int k = 0; k < blocks; ++k) {
+            const auto [di, dj] = offsets[static_cast<std::size_t>(k)];
+            if (i + di < 0 || i + di >= level.grid.nx || j + dj >= level.grid.ny) continue;
+            const int q = level.grid.particle(i + di, j + dj);
+            const auto [xx, xy, xz, yy, yz, zz] = level.block(p, k);
+            Eigen::Matrix3d block;
+            block << xx, xy, xz, xy, yy, yz, xz, yz, zz;
+            dense_.block<3, 3>(3 * p, 3 * q) = block;
+            dense_.block<3, 3>(3 * q, 3 * p) = block;
+        }
+        if (level.inverse.row(p).isZero()) dense_.block<3, 3>(3 * p, 3 * p).setIdentity();
+    }
+    factors_.compute(dense_);
+}
+
+void Multigrid::cycle(const Points& r, Points& z) {
+    levels_.front().b = r.array().cast<float>();
+    solve(0);
+    z = levels_.front().x.cast<Real>().matrix();
+}
+
+/// x = about A^-1 b on a level.
+void Multigrid::solve(std::size_t number) {
+    Level& level = levels_[number];
+    if (number + 1 == levels_.size()) {
+        for (int p = 0; p < level.grid.particles(); ++p) {
+            for (int axis = 0; axis < 3; ++axis) unknowns_[3 * p + axis] = static_cast<double>(level.b(p, axis));
+        }
+        factors_.solveInPlace(unknowns_);
+        for (int p = 0; p < level.grid.particles(); ++p) {
+            for (int axis = 0; axis < 3; ++axis) level.x(p, axis) = static_cast<float>(unknowns_[3 * p + axis]);
+        }
+        return;
+    }
+    level.x.setZero();
+    level.residual = level.b;
+    level.smooth();
+    level.find_residual();
+    levels_[number + 1].restrict_from(level.residual);
+    solve(number + 1);
+    levels_[number + 1].add_correction(level.x);
+    if (number == 0) {
+        for (const int p : pinned_) level.x.row(p).setZero();
+    }
+    level.find_residual();
+    level.smooth();
+}
+
+}  // namespace drape
