@@ -1,5 +1,6 @@
 #pragma once
 
+#include <algorithm>
 #include <cmath>
 
 #include "drape/model/cloth_model.h"
@@ -37,8 +38,8 @@ Real residual_of(const Points& b, const Points& x, Apply apply, Points& scratch)
 ///
 /// Eigen's own allocates its vectors in every solve and wants a matrix; this one keeps them, and calls apply(u, y) for
 /// y = A u and precondition(r, z) for z = M^-1 r. With the exact inverse for M it ends after one iteration. It stops in
-/// the norm sqrt(r.M^-1 r), which it has at hand.
-/// Legend as in the source: r residual, p direction, q = A p, z = M^-1 r.
+/// the norm sqrt(r.M^-1 r), which it has at hand. Where A or M turns out not to be positive definite, it ends with what
+/// it has, unconverged. Legend as in the source: r residual, p direction, q = A p, z = M^-1 r.
 /// @cite shewchuk1994
 class ConjugateGradients {
 public:
@@ -52,11 +53,12 @@ public:
         precondition(r_, z_);
         p_ = z_;
         Real rz = dot(r_, z_);
-        const Real enough = limits.tolerance * limits.tolerance * rz;
+        const Real enough = limits.tolerance * limits.tolerance * std::max(rz, Real(0));
         Outcome outcome;
         while (rz > enough && outcome.iterations < limits.iterations) {
             apply(p_, q_);
             const Real alpha = rz / dot(p_, q_);
+            if (!(alpha > 0)) break;
             x += alpha * p_;
             r_ -= alpha * q_;
             precondition(r_, z_);
@@ -68,7 +70,8 @@ public:
         outcome.residual = residual_of(b, x, apply, q_);
         r_ = b - q_;
         precondition(r_, z_);
-        outcome.converged = dot(r_, z_) <= drift * drift * enough;
+        const Real left = dot(r_, z_);
+        outcome.converged = left >= 0 && left <= drift * drift * enough;
         return outcome;
     }
 

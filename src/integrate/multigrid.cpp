@@ -14,6 +14,9 @@ constexpr int group = kernels::StencilLayout::group;
 /// Levels end at so few nodes, which are factored.
 constexpr int few_nodes = 36;
 
+/// By so much of their sum the diagonal entries are made larger.
+constexpr float least_part = 1e-6F;
+
 /// Rounds that look for a level's largest eigenvalue, and what they may have missed.
 constexpr int rounds = 6;
 constexpr double missed = 1.15;
@@ -67,7 +70,7 @@ int case_of(int kind, int i, int j) { return 4 * kind + 2 * (j & 1) + (i & 1); }
 
 }  // namespace
 
-Multigrid::Level::Level(const Grid& finer_grid, const Grid& own_grid)
+Multigrid::Level::Level(const Grid& finer_grid, const Grid& own_grid, Kernels kernels_of_products)
     : finer(finer_grid),
       grid(own_grid),
       stencils(kernels::StencilLayout::numbers(grid.particles())),
@@ -77,8 +80,13 @@ Multigrid::Level::Level(const Grid& finer_grid, const Grid& own_grid)
       residual(grid.particles(), 3),
       step(grid.particles(), 3),
       divided(grid.particles(), 3),
-      rows(grid.nx * finer_grid.ny, 3) {
-    for (std::size_t k = 0; k < shifts.size(); ++k) shifts[k] = offsets[k].dj * grid.nx + offsets[k].di;
+      rows(is_finest() ? 0 : grid.nx * finer_grid.ny, 3),
+      kernels(kernels_of_products) {
+    for (std::size_t k = 0; k < shifts.size(); ++k) {
+        const auto [di, dj] = offsets[k];
+        const bool is_spring = (di == 0 || dj == 0 || std::abs(di) + dj == 2);
+        shifts[k] = is_finest() && !is_spring ? 0 : dj * grid.nx + di;
+    }
 }
 
 /// Which terms are added where: w w' of a particle, d d' of a spring with the difference d of its ends', and
@@ -148,8 +156,13 @@ std::array<float, Multigrid::entries> Multigrid::Level::block(int node, int numb
     return of;
 }
 
+/// Of each node's own block, which is made a little stiffer: where springs are slack its smallest part is the mass,
+/// which single precision may have lost.
 void Multigrid::Level::invert_diagonal() {
     for (int p = 0; p < grid.particles(); ++p) {
+        float* const first = stencils.data() + kernels::StencilLayout::first_entry(p, 0);
+        const float more = least_part * (first[0] + first[3 * group] + first[5 * group]);
+        for (const int e : {0, 3, 5}) first[e * group] += more;
         const auto [fxx, fxy, fxz, fyy, fyz, fzz] = block(p, 0);
         const double xx = fxx, xy = fxy, xz = fxz, yy = fyy, yz = fyz, zz = fzz;
         const double cxx = yy * zz - yz * yz, cxy = xz * yz - xy * zz, cxz = xy * yz - xz * yy;
@@ -160,7 +173,29 @@ void Multigrid::Level::invert_diagonal() {
 }
 
 void Multigrid::Level::product(const Vectors& u, Vectors& y) const {
+    if (kernels == Kernels::Plain) return multiply_plainly(u, y);
     kernels::multiply_stencils(stencils.data(), grid.particles(), shifts, u.data(), y.data());
+}
+
+/// Each block joins two nodes, and gives to both. A group of nodes after another, as the kernel does.
+void Multigrid::Level::multiply_plainly(const Vectors& u, Vectors& y) const {
+    const int nodes = grid.particles();
+    y.setZero();
+    for (int base = 0; base < nodes; base += group) {
+        for (int k = 0; k < blocks; ++k) {
+            const int shift = shifts[static_cast<std::size_t>(k)], end = std::min(base + group, nodes - shift);
+            if (k > 0 && shift <= 0) continue;
+            const auto add = [&](int block_of, int from, int to) {
+                const auto [xx, xy, xz, yy, yz, zz] = block(block_of, k);
+                const float ux = u(from, 0), uy = u(from, 1), uz = u(from, 2);
+                y(to, 0) += xx * ux + xy * uy + xz * uz;
+                y(to, 1) += xy * ux + yy * uy + yz * uz;
+                y(to, 2) += xz * ux + yz * uy + zz * uz;
+            };
+            for (int p = base; p < end; ++p) add(p, p + shift, p);
+            for (int p = base; k > 0 && p < end; ++p) add(p, p, p + shift);
+        }
+    }
 }
 
 void Multigrid::Level::divide(const Vectors& r, Vectors& z) const {
@@ -267,12 +302,12 @@ void Multigrid::Level::find_residual() {
     residual = b - residual;
 }
 
-Multigrid::Multigrid(const Grid& grid) {
+Multigrid::Multigrid(const Grid& grid, Kernels kernels) {
     pinned_.reserve(static_cast<std::size_t>(grid.particles()));
-    levels_.emplace_back(grid, grid);
+    levels_.emplace_back(grid, grid, kernels);
     do {
         const Grid finer = levels_.back().grid;
-        levels_.emplace_back(finer, Grid{halved(finer.nx), halved(finer.ny)});
+        levels_.emplace_back(finer, Grid{halved(finer.nx), halved(finer.ny)}, kernels);
     } while (levels_.back().grid.particles() > few_nodes);
     for (std::size_t k = 0; k < levels_.size(); ++k) levels_[k].plan(k < 2);
     const int unknowns = 3 * levels_.back().grid.particles();
@@ -334,8 +369,12 @@ void Multigrid::factor_coarsest() {
             dense_.block<3, 3>(3 * p, 3 * q) = block;
             dense_.block<3, 3>(3 * q, 3 * p) = block;
         }
-        if (level.inverse.row(p).isZero()) dense_.block<3, 3>(3 * p, 3 * p).setIdentity();
+        const auto [xx, xy, xz, yy, yz, zz] = level.block(p, 0);
+        if (xx + yy + zz == 0) dense_.block<3, 3>(3 * p, 3 * p).setIdentity();
     }
+    factors_.compute(dense_);
+    if (factors_.info() == Eigen::Success) return;
+    dense_.diagonal() *= 2;
     factors_.compute(dense_);
 }
 

@@ -18,7 +18,7 @@ namespace drape {
 class Multigrid {
 public:
     /// Makes room for the levels; nothing later allocates.
-    explicit Multigrid(const Grid& grid);
+    Multigrid(const Grid& grid, Kernels kernels);
 
     /// Takes the matrix. Nothing is kept of the one before.
     /// @param jacobian clamped
@@ -53,7 +53,10 @@ private:
         Vectors rows;              ///< scratch, of the finer level's rows
         std::vector<Parts> parts;  ///< of each kind of term, for even and odd columns and rows
 
-        Level(const Grid& finer, const Grid& own);
+        Kernels kernels;  ///< plain: products in plain code, with the same bits
+
+        Level(const Grid& finer, const Grid& own, Kernels kernels_of_products);
+        [[nodiscard]] bool is_finest() const { return grid == finer; }
         [[nodiscard]] bool halves_columns() const { return grid.nx != finer.nx; }
         [[nodiscard]] bool halves_rows() const { return grid.ny != finer.ny; }
         void plan(bool of_springs);
@@ -61,6 +64,7 @@ private:
         [[nodiscard]] std::array<float, entries> block(int node, int number) const;
         void add_matrix_of(const Level& before);
         void invert_diagonal();
+        void multiply_plainly(const Vectors& u, Vectors& y) const;
         void find_bound();
         void product(const Vectors& u, Vectors& y) const;
         void divide(const Vectors& r, Vectors& z) const;

@@ -27,6 +27,9 @@ int patience(int particles) { return static_cast<int>(8 * std::sqrt(static_cast<
 constexpr int many_particles = 400;
 constexpr Real stiff = 90;
 
+/// Where so many cycles do not do, single precision is not enough, and the diagonal blocks are left to it.
+constexpr int most_cycles = 100;
+
 /// With factors few iterations are needed, or many do not help.
 constexpr int refinements = 50;
 
@@ -40,7 +43,7 @@ NewtonSystem::NewtonSystem(const Grid& grid, Hessian hessian, Kernels kernels)
     pinned_.reserve(static_cast<std::size_t>(grid.particles()));
     if (hessian == Hessian::Exact) bicgstab_ = std::make_unique<krylov::BiCgStab>(grid.particles());
     if (keeps_factors(grid, hessian)) factor_ = std::make_unique<GridFactor>(grid);
-    if (keeps_multigrid(grid, hessian)) multigrid_ = std::make_unique<Multigrid>(grid);
+    if (keeps_multigrid(grid, hessian)) multigrid_ = std::make_unique<Multigrid>(grid, kernels);
 }
 
 bool NewtonSystem::keeps_multigrid(const Grid& grid, Hessian hessian) {
@@ -117,12 +120,15 @@ krylov::Outcome NewtonSystem::solve(const ClothModel& model, Real s, Points& r, 
     krylov::Outcome outcome;
     if (multigrid_ && is_stiff(model, s)) {
         multigrid_->build(model, jacobian_, s * s, s);
-        return solve_with(most_iterations, [&](const Points& from, Points& to) { multigrid_->cycle(from, to); });
+        outcome = solve_with(most_cycles, [&](const Points& from, Points& to) { multigrid_->cycle(from, to); });
+        if (outcome.converged) return outcome;
     }
+    const int cycles = outcome.iterations;
     if (!factors_first_) {
         invert_diagonal(model, s);
         outcome = solve_with(factor_ ? patience(model.grid.particles()) : most_iterations,
                              [&](const Points& from, Points& to) { apply_inverse_diagonal(from, to); });
+        outcome.iterations += cycles;
         if (!factor_ || outcome.converged) return outcome;
     }
     factor_->factorise(model, jacobian_, s * s, s);

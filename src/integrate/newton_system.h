@@ -19,7 +19,7 @@ namespace drape {
 /// Both are preconditioned: by the factors L D L' of the symmetric part, which ends them after one to four iterations
 /// and is a direct solve of the clamped system; by the inverses of the 3 x 3 diagonal blocks, which cost next to
 /// nothing; or, of the clamped one, by a cycle of multigrid, with which stiff systems on large grids take few
-/// iterations. Small grids are factored, for accuracy; on larger ones the blocks are far quicker.
+/// iterations. Small grids are factored, for accuracy; on larger ones the blocks and multigrid are far quicker.
 /// There the exact system falls back on factors where the blocks do not converge, on grids up to
 /// `GridFactor::largest`; on still larger ones the outcome tells. Sums run in a fixed order, and nothing is kept from
 /// one step to the next. Norms and tolerances are those that `SolveReport` describes.

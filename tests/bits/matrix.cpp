@@ -55,6 +55,7 @@ void Matrix::add(const std::string& command_line) {
 
 void Matrix::add_methods() {
     for (const std::string& method : names_of<IntegratorKind>()) add(small_case + "integrator=" + method);
+    add("hang --time 0.05 --set cloth.particles=40,40 solver.dt=0.016667 integrator=backward_euler");  // multigrid
 }
 
 void Matrix::add_threaded() {

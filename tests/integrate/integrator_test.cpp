@@ -130,7 +130,7 @@ TEST(Integrators, AreFiniteWhereSpringsHaveNoLength) {
 }
 
 TEST(Integrators, AllocateNothingAfterTheFirstStep) {
-    for (const Grid grid : {Grid{5, 4}, Grid{20, 15}}) {
+    for (const Grid grid : {Grid{5, 4}, Grid{20, 15}, Grid{24, 20}}) {
         const Sheet sheet(grid);
         for (const IntegratorParameters& method : all_methods()) {
             const auto integrator = make_integrator(method, grid);

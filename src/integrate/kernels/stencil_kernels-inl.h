@@ -1,6 +1,6 @@
-#include <algorithm>
-
 #include "integrate/kernels/stencil_kernels.h"
+
+#include <algorithm>
 
 HWY_BEFORE_NAMESPACE();
 namespace drape::kernels::HWY_NAMESPACE {
@@ -23,26 +23,24 @@ HWY_INLINE void add_products(const float* HWY_RESTRICT c, const float* HWY_RESTR
 
 /// Of one group of nodes.
 template <int fixed>
-HWY_INLINE void multiply_group(const float* c, int nodes, int base,
-                               const std::array<int, StencilLayout::blocks>& shifts, const float* u, float* y) {
+HWY_INLINE void multiply_group(const float* c, int nodes, int base, const int* shifts, const float* u, float* y) {
     const float *const ux = u + base, *const uy = ux + nodes, *const uz = uy + nodes;
     float *const yx = y + base, *const yy = yx + nodes, *const yz = yy + nodes;
     for (int k = 0; k < StencilLayout::blocks; ++k, c += StencilLayout::entries * StencilLayout::group) {
-        const int shift = shifts[static_cast<std::size_t>(k)];
-        const int count = std::min(StencilLayout::group, nodes - base - shift);
+        const int shift = shifts[k], left = nodes - base - shift;
+        const int count = left < StencilLayout::group ? left : StencilLayout::group;
         if ((k > 0 && shift <= 0) || count <= 0) continue;
         add_products<fixed>(c, ux + shift, uy + shift, uz + shift, yx, yy, yz, count);
         if (k > 0) add_products<fixed>(c, ux, uy, uz, yx + shift, yy + shift, yz + shift, count);
     }
 }
 
-void multiply_stencils_of(const float* stencils, int nodes, const std::array<int, StencilLayout::blocks>& shifts,
-                          const float* u, float* y) {
+/// Of all groups; `fixed` is the number of nodes of those that have all their neighbours.
+void multiply_stencils_of(const float* stencils, int nodes, const int* shifts, int farthest, const float* u, float* y) {
     constexpr int group = StencilLayout::group;
-    std::fill(y, y + 3 * static_cast<std::ptrdiff_t>(nodes), 0.0F);
-    const int farthest = *std::max_element(shifts.begin(), shifts.end());
     for (int base = 0; base < nodes; base += group) {
-        const float* const c = stencils + StencilLayout::first_entry(base, 0);
+        const float* const c =
+            stencils + static_cast<std::ptrdiff_t>(base) * StencilLayout::blocks * StencilLayout::entries;
         if (base + group + farthest <= nodes) {
             multiply_group<group>(c, nodes, base, shifts, u, y);
         } else {
@@ -61,7 +59,9 @@ HWY_EXPORT(multiply_stencils_of);
 
 void multiply_stencils(const float* stencils, int nodes, const std::array<int, StencilLayout::blocks>& shifts,
                        const float* u, float* y) {
-    HWY_DYNAMIC_DISPATCH(multiply_stencils_of)(stencils, nodes, shifts, u, y);
+    std::fill(y, y + 3 * static_cast<std::ptrdiff_t>(nodes), 0.0F);
+    const int farthest = *std::ranges::max_element(shifts);
+    HWY_DYNAMIC_DISPATCH(multiply_stencils_of)(stencils, nodes, shifts.data(), farthest, u, y);
 }
 
 }  // namespace drape::kernels
