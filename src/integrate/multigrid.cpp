@@ -226,58 +226,6 @@ void Multigrid::Level::find_bound() {
     bound = std::max(missed * bound, 1.0);
 }
 
-void Multigrid::Level::restrict_from(const Vectors& fine) {
-    for (int axis = 0; axis < 3; ++axis) {
-        const float* const from = fine.col(axis).data();
-        float *const between = rows.col(axis).data(), *const to = b.col(axis).data();
-        for (int j = 0; j < finer.ny; ++j) {
-            const float* const row = from + j * finer.nx;
-            float* const sums = between + j * grid.nx;
-            for (int i = 0; i < grid.nx; ++i) {
-                if (!halves_columns()) {
-                    sums[i] = row[i];
-                    continue;
-                }
-                const float left = i > 0 ? row[2 * i - 1] : 0, right = 2 * i + 1 < finer.nx ? row[2 * i + 1] : 0;
-                sums[i] = (2 * i < finer.nx ? row[2 * i] : 0) + (left + right) / 2;
-            }
-        }
-        for (int j = 0; j < grid.ny; ++j) {
-            const auto row = [&](int k) { return between + k * grid.nx; };
-            for (int i = 0; i < grid.nx; ++i) {
-                if (!halves_rows()) {
-                    to[j * grid.nx + i] = row(j)[i];
-                    continue;
-                }
-                const float above = j > 0 ? row(2 * j - 1)[i] : 0, below = 2 * j + 1 < finer.ny ? row(2 * j + 1)[i] : 0;
-                to[j * grid.nx + i] = (2 * j < finer.ny ? row(2 * j)[i] : 0) + (above + below) / 2;
-            }
-        }
-    }
-}
-
-void Multigrid::Level::add_correction(Vectors& fine) {
-    for (int axis = 0; axis < 3; ++axis) {
-        const float* const from = x.col(axis).data();
-        float *const between = rows.col(axis).data(), *const to = fine.col(axis).data();
-        for (int j = 0; j < finer.ny; ++j) {
-            const bool is_between = halves_rows() && j % 2 != 0;
-            const float* const above = from + (halves_rows() ? j / 2 : j) * grid.nx;
-            for (int i = 0; i < grid.nx; ++i) {
-                between[j * grid.nx + i] = is_between ? (above[i] + above[i + grid.nx]) / 2 : above[i];
-            }
-        }
-        for (int j = 0; j < finer.ny; ++j) {
-            const float* const row = between + j * grid.nx;
-            for (int i = 0; i < finer.nx; ++i) {
-                const bool is_between = halves_columns() && i % 2 != 0;
-                const int left = halves_columns() ? i / 2 : i;
-                to[j * finer.nx + i] += is_between ? (row[left] + row[left + 1]) / 2 : row[left];
-            }
-        }
-    }
-}
-
 /// Chebyshev's iteration for what is left of A x = b, which takes down the upper part of the spectrum of D^-1 A.
 /// @cite saad2003
 void Multigrid::Level::smooth() {

@@ -50,7 +50,7 @@ double self_contact_bytes(const ContactSettings& contact, const Grid& grid) {
 }  // namespace
 
 double bytes_of_cloth(const ContactSettings& contact, const Grid& grid, double numbers) {
-    return grid.particles() * sizeof(Real) * numbers + hierarchy_bytes(contact, grid) +
+    return grid.particles() * static_cast<double>(sizeof(Real)) * numbers + hierarchy_bytes(contact, grid) +
            self_contact_bytes(contact, grid);
 }
 
