@@ -223,7 +223,7 @@ void Hand::exchange(SnapshotText& text, std::span<Cloth> cloths) {
     bool holds = held_.has_value();
     text.line("hand", holds);
     if (!holds) return;
-    if (text.reads()) held_ = Held{};
+    if (text.reads()) held_ = Held{0, 0, Vec3::Zero(), false};
     text.line("holds", within(held_->cloth, 0, static_cast<double>(cloths.size() - 1)), held_->particle, held_->target);
     if (!text.reads()) return;
     Cloth& cloth = cloths[held_->cloth];
