@@ -103,6 +103,7 @@ bool fits(const Known& known, const ContactRow& row) {
     if (row.body == no_body || of_bodies != (row.first_body != no_body) || row.first_count != row.count) return false;
     if (of_bodies) return row.count == 0 && row.first_body < known.balls && row.first_body < row.body;
     if (row.count == 0 || row.triangle < 0) return false;
+    if (row.triangle >= known.grid_of(row.particles[0]).triangles()) return false;
     for (const RowParticle& p : row.moved()) {
         if (p.cloth != row.particles[0].cloth) return false;
     }
