@@ -17,7 +17,7 @@ class Bdf2 final : public Integrator {
 public:
     Bdf2(const IntegratorParameters& parameters, const Grid& grid)
         : forces_(grid, parameters.kernels),
-          system_(grid, parameters.hessian, parameters.kernels),
+          system_(grid, parameters),
           last_{.from = {Points(grid.particles(), 3), Points(grid.particles(), 3)},
                 .to = {Points(grid.particles(), 3), Points(grid.particles(), 3)}},
           dx_(grid.particles(), 3),

@@ -43,7 +43,7 @@ Real fifth_root(Real a) {
 class DormandPrince final : public Integrator {
 public:
     DormandPrince(const IntegratorParameters& parameters, const Grid& grid)
-        : tolerance_(parameters.tolerance), forces_(grid, parameters.kernels), x_(grid.particles(), 3), v_(x_) {
+        : tolerance_(tolerance_of(parameters)), forces_(grid, parameters.kernels), x_(grid.particles(), 3), v_(x_) {
         derivatives_.fill({x_, v_});
         error_ = derivatives_.front();
     }

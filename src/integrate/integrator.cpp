@@ -15,6 +15,15 @@ std::unique_ptr<Integrator> make_integrator(const IntegratorParameters& paramete
     return makers[static_cast<std::size_t>(parameters.kind)](parameters, grid);
 }
 
+Real tolerance_of(const IntegratorParameters& parameters) {
+    if (parameters.tolerance > 0) return parameters.tolerance;
+    const IntegratorKind kind = parameters.kind;
+    if (kind == IntegratorKind::DormandPrince) return Real(1e-6);
+    if (sizeof(Real) < 8) return Real(1e-4);
+    if (parameters.hessian == Hessian::Exact) return Real(1e-8);
+    return kind == IntegratorKind::ImplicitMidpoint ? Real(1e-6) : Real(1e-4);
+}
+
 Real displacement_share(IntegratorKind kind) {
     switch (kind) {
         case IntegratorKind::VelocityVerlet:

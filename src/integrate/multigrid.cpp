@@ -64,9 +64,7 @@ Weights less(Weights a, const Weights& b) {
 
 /// The kinds of term that a level is added up from: of the particles alone and the six directions of springs at the
 /// finest, of the blocks of a stencil on the others.
-constexpr int own = 0, first_direction = 1;
-
-int case_of(int kind, int i, int j) { return 4 * kind + 2 * (j & 1) + (i & 1); }
+constexpr std::size_t own = 0, first_direction = 1;
 
 }  // namespace
 
@@ -81,6 +79,7 @@ Multigrid::Level::Level(const Grid& finer_grid, const Grid& own_grid, Kernels ke
       step(grid.particles(), 3),
       divided(grid.particles(), 3),
       rows(is_finest() ? 0 : grid.nx * finer_grid.ny, 3),
+      line(finer_grid.nx, entries),
       kernels(kernels_of_products) {
     for (std::size_t k = 0; k < shifts.size(); ++k) {
         const auto [di, dj] = offsets[k];
@@ -93,21 +92,18 @@ Multigrid::Level::Level(const Grid& finer_grid, const Grid& own_grid, Kernels ke
 /// u v' + v u' of a block.
 /// @param of_springs the terms are those of the cloth itself, and not those of the level before
 void Multigrid::Level::plan(bool of_springs) {
-    const int kinds = of_springs ? 1 + static_cast<int>(spring_directions.size()) : blocks;
-    parts.resize(static_cast<std::size_t>(4 * kinds));
-    for (int kind = 0; kind < kinds; ++kind) {
+    kinds.resize(of_springs ? first_direction + spring_directions.size() : blocks);
+    for (std::size_t k = 0; k < kinds.size(); ++k) {
+        const bool is_spring = of_springs && k >= first_direction;
+        const SpringDirection direction = is_spring ? spring_directions[k - first_direction] : SpringDirection{0, 0};
+        const Offset to = of_springs ? Offset{direction.di, direction.dj} : offsets[k];
+        kinds[k].di = to.di, kinds[k].dj = to.dj;
         for (int parity = 0; parity < 4; ++parity) {
             const int i = halves_columns() ? parity & 1 : 0, j = halves_rows() ? parity >> 1 : 0;
             const auto at = [&](int di, int dj) { return weights_of(i + di, j + dj, halves_columns(), halves_rows()); };
-            Weights first = at(0, 0), second = first;
-            if (of_springs && kind >= first_direction) {
-                const auto [di, dj] = spring_directions[static_cast<std::size_t>(kind - first_direction)];
-                first = second = less(first, at(di, dj));
-            } else if (!of_springs && kind != own) {
-                const auto [di, dj] = offsets[static_cast<std::size_t>(kind)];
-                second = at(di, dj);
-            }
-            const bool is_square = of_springs || kind == own;
+            const Weights first = is_spring ? less(at(0, 0), at(to.di, to.dj)) : at(0, 0);
+            const Weights second = is_spring ? first : at(to.di, to.dj);
+            const bool is_square = of_springs || k == own;
             std::map<std::pair<int, int>, float> sums;  // by node and block
             for (const auto& [p, of_p] : first) {
                 for (const auto& [q, of_q] : second) {
@@ -120,32 +116,52 @@ void Multigrid::Level::plan(bool of_springs) {
             }
             for (const auto& [place, weight] : sums) {
                 if (weight == 0) continue;
-                parts[static_cast<std::size_t>(4 * kind + parity)].push_back({place.first, place.second, weight});
+                kinds[k].parts[static_cast<std::size_t>(parity)].push_back({place.first, place.second, weight});
             }
         }
     }
 }
 
-/// Adds a term to the blocks that it belongs to.
-/// @param i, j of its first node, on the finer level
-void Multigrid::Level::add(int kind, int i, int j, const float* term) {
-    const int node = (halves_rows() ? j / 2 : j) * grid.nx + (halves_columns() ? i / 2 : i);
-    for (const Part& part : parts[static_cast<std::size_t>(case_of(kind, i, j))]) {
-        float* const block = stencils.data() + kernels::StencilLayout::first_entry(node + part.node, part.block);
-        for (int e = 0; e < entries; ++e) block[e * group] += part.weight * term[e];
+/// Adds all terms of a kind to the blocks that they belong to.
+/// @param terms by their first node, on the finer level
+void Multigrid::Level::add(std::size_t number, const Blocks& terms) {
+    const Kind& kind = kinds[number];
+    const int stride = halves_columns() ? 2 : 1;
+    for (int j = 0; j < finer.ny - kind.dj; ++j) {
+        const int row = (halves_rows() ? j / 2 : j) * grid.nx, parity_of_row = halves_rows() ? j & 1 : 0;
+        for (int first = std::max(-kind.di, 0), k = 0; k < stride; ++k, ++first) {
+            const int count = (finer.nx - std::max(kind.di, 0) - first + stride - 1) / stride;
+            const auto parity = static_cast<std::size_t>(2 * parity_of_row + (halves_columns() ? first & 1 : 0));
+            for (int e = 0; e < entries; ++e) {
+                const float* const from = terms.col(e).data() + finer.particle(first, j);
+                for (int i = 0; i < count; ++i) line(i, e) = from[i * stride];
+            }
+            for (const Part& part : kind.parts[parity]) add_line(part, row + first / stride + part.node, count);
+        }
     }
 }
 
-void Multigrid::Level::add_matrix_of(const Level& before) {
-    for (int j = 0; j < finer.ny; ++j) {
-        for (int i = 0; i < finer.nx; ++i) {
-            for (int k = 0; k < blocks; ++k) {
-                const auto [di, dj] = offsets[static_cast<std::size_t>(k)];
-                if (i + di < 0 || i + di >= finer.nx || j + dj >= finer.ny) continue;
-                const std::array<float, entries> term = before.block(finer.particle(i, j), k);
-                add(k, i, j, term.data());
-            }
+/// Adds one part of the terms in `line` to nodes beside each other.
+void Multigrid::Level::add_line(const Part& part, int node, int count) {
+    for (int done = 0; done < count;) {
+        float* const to = stencils.data() + kernels::StencilLayout::first_entry(node + done, part.block);
+        const int some = std::min(count - done, group - (node + done) % group);
+        for (int e = 0; e < entries; ++e) {
+            const float* const from = line.col(e).data() + done;
+            for (int k = 0; k < some; ++k) to[e * group + k] += part.weight * from[k];
         }
+        done += some;
+    }
+}
+
+void Multigrid::Level::add_matrix_of(const Level& before, Blocks& scratch) {
+    scratch.resize(finer.particles(), entries);
+    for (std::size_t k = 0; k < kinds.size(); ++k) {
+        for (int p = 0; p < finer.particles(); ++p) {
+            const std::array<float, entries> term = before.block(p, static_cast<int>(k));
+            for (std::size_t e = 0; e < term.size(); ++e) scratch(p, static_cast<Eigen::Index>(e)) = term[e];
+        }
+        add(k, scratch);
     }
 }
 
@@ -271,30 +287,37 @@ void Multigrid::build(const ClothModel& model, const Jacobian& jacobian, Real k_
         if (model.pinned(p)) pinned_.push_back(p);
     }
     for (Level& level : levels_) std::ranges::fill(level.stencils, 0.0F);
-    const auto add = [&](int kind, int particle, const Jacobian::Block& block) {
-        const std::array<float, entries> term{static_cast<float>(block(0, 0)), static_cast<float>(block(0, 1)),
-                                              static_cast<float>(block(0, 2)), static_cast<float>(block(1, 1)),
-                                              static_cast<float>(block(1, 2)), static_cast<float>(block(2, 2))};
-        const int i = particle % grid.nx, j = particle / grid.nx;
-        levels_[0].add(kind, i, j, term.data());
-        levels_[1].add(kind, i, j, term.data());
+    const auto add_to = [](Blocks& terms, int particle, const Jacobian::Block& block) {
+        terms(particle, 0) += static_cast<float>(block(0, 0)), terms(particle, 1) += static_cast<float>(block(0, 1));
+        terms(particle, 2) += static_cast<float>(block(0, 2)), terms(particle, 3) += static_cast<float>(block(1, 1));
+        terms(particle, 4) += static_cast<float>(block(1, 2)), terms(particle, 5) += static_cast<float>(block(2, 2));
     };
+    const auto add = [&](std::size_t kind, const Blocks& terms) {
+        levels_[0].add(kind, terms);
+        levels_[1].add(kind, terms);
+    };
+    own_.setZero(grid.particles(), entries);
     const Jacobian::Block inertia = (model.particle_mass + d_scale * jacobian.drag()) * Jacobian::Block::Identity();
     for (int p = 0; p < grid.particles(); ++p) {
-        if (!model.pinned(p)) add(own, p, inertia);
+        if (!model.pinned(p)) add_to(own_, p, inertia);
     }
-    jacobian.for_each_spring(k_scale, d_scale, [&](int direction, int a, int b, const Jacobian::Block& block) {
-        if (model.pinned(a) && model.pinned(b)) return;
-        if (model.pinned(a)) return add(own, b, block);
-        if (model.pinned(b)) return add(own, a, block);
-        add(first_direction + direction, a, block);
-    });
+    for (std::size_t direction = 0; direction < spring_directions.size(); ++direction) {
+        terms_.setZero(grid.particles(), entries);
+        jacobian.for_each_spring(direction, k_scale, d_scale, [&](int a, int b, const Jacobian::Block& block) {
+            if (model.pinned(a) && model.pinned(b)) return;
+            if (model.pinned(a)) return add_to(own_, b, block);
+            if (model.pinned(b)) return add_to(own_, a, block);
+            add_to(terms_, a, block);
+        });
+        add(first_direction + direction, terms_);
+    }
     // What wind adds damps alone: its blocks on the diagonal will do here
     jacobian.for_each_wind_block(d_scale, [&](int a, int b, const Jacobian::Block& block) {
-        if (a == b && !model.pinned(a)) add(own, a, block);
+        if (a == b && !model.pinned(a)) add_to(own_, a, block);
     });
+    add(own, own_);
     for (std::size_t k = 0; k < levels_.size(); ++k) {
-        if (k > 1) levels_[k].add_matrix_of(levels_[k - 1]);
+        if (k > 1) levels_[k].add_matrix_of(levels_[k - 1], terms_);
         levels_[k].invert_diagonal();
         // On the finest level, a spring's two blocks are at most twice its diagonal ones
         if (k > 0) levels_[k].find_bound();

@@ -33,6 +33,7 @@ public:
 private:
     static constexpr int blocks = kernels::StencilLayout::blocks, entries = kernels::StencilLayout::entries;
     using Vectors = Eigen::Array<float, Eigen::Dynamic, 3>;
+    using Blocks = Eigen::Array<float, Eigen::Dynamic, entries>;  ///< xx, xy, xz, yy, yz, zz of each
 
     /// What of a coarse matrix a term of the finer one is added to: a block of a node, and how much of the term.
     struct Part {
@@ -40,18 +41,24 @@ private:
         int block;
         float weight;
     };
-    using Parts = std::vector<Part>;
+
+    /// Terms that join a node with another: where they are added, for even and odd columns and rows.
+    struct Kind {
+        int di, dj;  ///< from the first to the other
+        std::array<std::vector<Part>, 4> parts;
+    };
 
     /// The finest level, or one of every second column and row of a finer one, where that has more than two.
     struct Level {
         Grid finer, grid;
         std::vector<float> stencils;
-        std::array<int, blocks> shifts{};                      ///< from a node to the others of its stencil
-        Eigen::Array<float, Eigen::Dynamic, entries> inverse;  ///< of the diagonal blocks; zero where nothing moves
-        double bound = 2;                                      ///< of the spectrum of D^-1 A
+        std::array<int, blocks> shifts{};  ///< from a node to the others of its stencil
+        Blocks inverse;                    ///< of the diagonal blocks; zero where nothing moves
+        double bound = 2;                  ///< of the spectrum of D^-1 A
         Vectors x, b, residual, step, divided;
-        Vectors rows;              ///< scratch, of the finer level's rows
-        std::vector<Parts> parts;  ///< of each kind of term, for even and odd columns and rows
+        Vectors rows;  ///< scratch, of the finer level's rows
+        Blocks line;   ///< scratch, of every one or every second term in a row
+        std::vector<Kind> kinds;
 
         Kernels kernels;  ///< plain: products in plain code, with the same bits
 
@@ -60,9 +67,10 @@ private:
         [[nodiscard]] bool halves_columns() const { return grid.nx != finer.nx; }
         [[nodiscard]] bool halves_rows() const { return grid.ny != finer.ny; }
         void plan(bool of_springs);
-        void add(int kind, int i, int j, const float* term);
+        void add(std::size_t kind, const Blocks& terms);
+        void add_line(const Part& part, int node, int count);
+        void add_matrix_of(const Level& before, Blocks& scratch);
         [[nodiscard]] std::array<float, entries> block(int node, int number) const;
-        void add_matrix_of(const Level& before);
         void invert_diagonal();
         void multiply_plainly(const Vectors& u, Vectors& y) const;
         void find_bound();
@@ -79,6 +87,7 @@ private:
 
     std::vector<int> pinned_;
     std::vector<Level> levels_;
+    Blocks own_, terms_;  ///< scratch: of the particles alone, of one kind
     Eigen::MatrixXd dense_;
     Eigen::LLT<Eigen::MatrixXd> factors_;  ///< of the coarsest level
     Eigen::VectorXd unknowns_;

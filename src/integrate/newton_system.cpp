@@ -5,11 +5,6 @@
 namespace drape {
 namespace {
 
-/// Residuals are brought down to this part of the right side: well below the error of a step of first order when
-/// clamped, and far below that of second order when exact.
-constexpr Real clamped_tolerance = sizeof(Real) == 8 ? Real(1e-6) : Real(1e-4);
-constexpr Real exact_tolerance = sizeof(Real) == 8 ? Real(1e-8) : Real(1e-4);
-
 /// Up to so many particles factors come first: they cost a fraction of a millisecond and solve to rounding. Iterations
 /// are quicker at any size, by 1.5 times for springs of 1e6 N/m at 1/20 s up to forty for gentle steps.
 constexpr int few_particles = 64;
@@ -35,15 +30,16 @@ constexpr int refinements = 50;
 
 }  // namespace
 
-NewtonSystem::NewtonSystem(const Grid& grid, Hessian hessian, Kernels kernels)
-    : factors_first_(comes_first(grid)),
-      jacobian_(grid, hessian, kernels),
+NewtonSystem::NewtonSystem(const Grid& grid, const IntegratorParameters& parameters)
+    : tolerance_(tolerance_of(parameters)),
+      factors_first_(comes_first(grid)),
+      jacobian_(grid, parameters.hessian, parameters.kernels),
       inverse_(grid.particles(), 6),
       conjugate_gradients_(grid.particles()) {
     pinned_.reserve(static_cast<std::size_t>(grid.particles()));
-    if (hessian == Hessian::Exact) bicgstab_ = std::make_unique<krylov::BiCgStab>(grid.particles());
-    if (keeps_factors(grid, hessian)) factor_ = std::make_unique<GridFactor>(grid);
-    if (keeps_multigrid(grid, hessian)) multigrid_ = std::make_unique<Multigrid>(grid, kernels);
+    if (parameters.hessian == Hessian::Exact) bicgstab_ = std::make_unique<krylov::BiCgStab>(grid.particles());
+    if (keeps_factors(grid, parameters.hessian)) factor_ = std::make_unique<GridFactor>(grid);
+    if (keeps_multigrid(grid, parameters.hessian)) multigrid_ = std::make_unique<Multigrid>(grid, parameters.kernels);
 }
 
 bool NewtonSystem::keeps_multigrid(const Grid& grid, Hessian hessian) {
@@ -113,7 +109,7 @@ krylov::Outcome NewtonSystem::solve(const ClothModel& model, Real s, Points& r, 
         clear_pinned(y);
     };
     const auto solve_with = [&](int iterations, auto precondition) {
-        const krylov::Limits limits{tolerance(), iterations};
+        const krylov::Limits limits{tolerance_, iterations};
         if (bicgstab_) return bicgstab_->solve(r, dv, limits, apply, precondition);
         return conjugate_gradients_.solve(r, dv, limits, apply, precondition);
     };
@@ -138,13 +134,11 @@ krylov::Outcome NewtonSystem::solve(const ClothModel& model, Real s, Points& r, 
     return outcome;
 }
 
-Real NewtonSystem::tolerance() const { return bicgstab_ ? exact_tolerance : clamped_tolerance; }
-
 SolveReport NewtonSystem::report(const krylov::Outcome& solved) const {
     return {.force_evaluations = 1,
             .iterations = solved.iterations,
             .residual = solved.residual,
-            .tolerance = tolerance(),
+            .tolerance = tolerance_,
             .unconverged = solved.converged ? 0 : 1};
 }
 

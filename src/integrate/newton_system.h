@@ -25,7 +25,7 @@ namespace drape {
 /// one step to the next. Norms and tolerances are those that `SolveReport` describes.
 class NewtonSystem {
 public:
-    NewtonSystem(const Grid& grid, Hessian hessian, Kernels kernels);
+    NewtonSystem(const Grid& grid, const IntegratorParameters& parameters);
 
     /// Whether a system over this grid keeps factors, which is most of its memory.
     static bool keeps_factors(const Grid& grid, Hessian hessian);
@@ -48,12 +48,12 @@ public:
     [[nodiscard]] SolveReport report(const krylov::Outcome& solved) const;
 
 private:
-    [[nodiscard]] Real tolerance() const;
     [[nodiscard]] bool is_stiff(const ClothModel& model, Real s) const;
     void clear_pinned(Points& points) const;
     void invert_diagonal(const ClothModel& model, Real s);
     void apply_inverse_diagonal(const Points& r, Points& z) const;
 
+    Real tolerance_;
     bool factors_first_;
     Jacobian jacobian_;
     std::unique_ptr<GridFactor> factor_;    ///< where it can be wanted

@@ -17,7 +17,7 @@ public:
     ThetaMethod(const IntegratorParameters& parameters, const Grid& grid)
         : theta_(parameters.kind == IntegratorKind::BackwardEuler ? Real(1) : Real(0.5)),
           forces_(grid, parameters.kernels),
-          system_(grid, parameters.hessian, parameters.kernels),
+          system_(grid, parameters),
           r_(grid.particles(), 3),
           dv_(grid.particles(), 3) {}
 

@@ -48,11 +48,20 @@ Experiment responses_experiment();
 /// every integrator and response that is stable there.
 Experiment rest_experiment();
 
+/// Implicit steps of large cloths: what a solve to a tolerance leaves beside the error of the step, and how the time of
+/// a step grows with the particles.
+Experiment solve_experiment();
+
+/// The largest cloth that each method moves at 60 frames a second, and how far it then is from the converged one:
+/// falling free, on a ball, and folding, on one thread and on two.
+Experiment realtime_experiment();
+
 /// Every experiment of the laboratory.
 inline std::vector<Experiment> all_experiments() {
     return {stability_experiment(),    precision_experiment(), hierarchy_experiment(), contact_experiment(),
             self_contact_experiment(), original_experiment(),  kernels_experiment(),   continuous_experiment(),
-            combinations_experiment(), responses_experiment(), rest_experiment()};
+            combinations_experiment(), responses_experiment(), rest_experiment(),      solve_experiment(),
+            realtime_experiment()};
 }
 
 }  // namespace drape

@@ -187,8 +187,11 @@ void add_the_rest(std::vector<Setting>& table) {
     solver.add("hessian", &SolverSettings::hessian,
                "of the implicit methods: without or with the negative stiffness across a compressed spring");
     solver.add("iterations", &SolverSettings::iterations, "", {1, 1000}, "of xpbd and projective_dynamics in one step");
-    solver.add("tolerance", &SolverSettings::tolerance, "", {1e-14, 0.1},
-               "of dormand_prince: error of an inner step, of the cloth's spacing; at most 10000 are tried in a step");
+    solver.add("tolerance", &SolverSettings::tolerance, "", {0, 0.1},
+               "of backward_euler, implicit_midpoint and bdf2: what a solve may leave, of its right side (0: 1e-4, of "
+               "implicit_midpoint 1e-6, with the exact Hessian 1e-8); of dormand_prince: error of an inner step, of "
+               "the cloth's spacing (0: 1e-6), of "
+               "which at most 10000 are tried in a step");
     solver.add("threads", &SolverSettings::threads, "", {1, 64},
                "that share a step of the explicit methods, and the search where cloths touch; the motion is the same");
     solver.add("kernels", &SolverSettings::kernels,

@@ -37,11 +37,17 @@ struct IntegratorParameters {
     IntegratorKind kind = IntegratorKind::VelocityVerlet;
     Hessian hessian = Hessian::Clamped;  ///< of backward Euler, implicit midpoint and BDF2
     int iterations = 10;                 ///< of XPBD and projective dynamics in one step
-    Real tolerance = Real(1e-6);         ///< of Dormand-Prince: error of a step, of the cloth's spacing
+    Real tolerance = 0;                  ///< see `tolerance_of`; 0: the method's own
     int threads = 1;                     ///< that share the work of the explicit methods; the result is the same
     Kernels kernels = Kernels::Vector;   ///< of forces, Jacobians and the springs of XPBD
     bool operator==(const IntegratorParameters&) const = default;
 };
+
+/// To what a method solves: a linear solve, as a part of its right side, or for Dormand-Prince the error of a step, as a
+/// part of the cloth's spacing. Backward Euler and BDF2 have 1e-4 of their own, far below the error of their step;
+/// implicit midpoint, which damps nothing, and Dormand-Prince 1e-6; the exact Hessian, which is of second order, 1e-8.
+/// Single precision has 1e-4. What the others are told has no meaning.
+Real tolerance_of(const IntegratorParameters& parameters);
 
 /// The most inner steps that Dormand-Prince tries in one step, taken and rejected: then it gives up.
 constexpr int most_inner_steps = 10'000;
@@ -51,12 +57,11 @@ constexpr int most_inner_steps = 10'000;
 /// The residual is what a method should have made small, as it measures it at the end:
 /// - backward Euler, implicit midpoint, BDF2: |b - A x| / |b|, in the Euclidean norm over all free particles, of the
 ///   one linear system A x = b of a step. (What the one Newton step leaves of the nonlinear equations is not measured.)
-///   The tolerance is 1e-6 with the clamped Hessian and 1e-8 with the exact one; 1e-4 for both in single precision.
 ///   Exact, the solver stops in that same norm. Clamped, it stops in the norm of its preconditioner M, sqrt(r.M^-1 r)
 ///   against that of b, which weighs soft directions more: there the Euclidean residual of a solve that has converged
 ///   can be above the tolerance.
 /// - Dormand-Prince: the largest error estimate of an inner step that was taken, of the cloth's spacing; the tolerance
-///   is `IntegratorParameters::tolerance`.
+///   is that of `tolerance_of`, as everywhere.
 /// - Projective dynamics makes a fixed number of rounds, whether they are enough or not: the norm of the gradient that
 ///   the last round began with, which is the force that is not balanced, over that of the external forces or of what
 ///   has accelerated the cloth, whichever is more; the tolerance is 0.05. Long steps on stiff cloth need more than ten

@@ -50,18 +50,14 @@ public:
 
     using Block = Eigen::Matrix<Real, 3, 3>;
 
-    /// Calls visit(direction, a, b, block) for each spring by its direction and its ends: what it adds to the symmetric
-    /// part of k_scale K + d_scale D at (a, a) and (b, b), and takes away at (a, b) and (b, a).
+    /// Calls visit(a, b, block) for each spring of a direction by its ends: what it adds to the symmetric part of
+    /// k_scale K + d_scale D at (a, a) and (b, b), and takes away at (a, b) and (b, a).
     template <class Visit>
-    void for_each_spring(Real k_scale, Real d_scale, Visit visit) const {
-        for (std::size_t direction = 0; direction < families_.size(); ++direction) {
-            const Family& family = families_[direction];
-            if (family.none()) continue;
-            const Real along = family.along(k_scale, d_scale);
-            family.springs.for_each(grid_, [&](int a, int b) {
-                visit(static_cast<int>(direction), a, b, block(family, a, along, k_scale));
-            });
-        }
+    void for_each_spring(std::size_t direction, Real k_scale, Real d_scale, Visit visit) const {
+        const Family& family = families_[direction];
+        if (family.none()) return;
+        const Real along = family.along(k_scale, d_scale);
+        family.springs.for_each(grid_, [&](int a, int b) { visit(a, b, block(family, a, along, k_scale)); });
     }
 
     /// Calls visit(a, b, block) for what every triangle in the wind adds to it: where a is b, and once for each pair.
@@ -77,11 +73,13 @@ public:
     /// The same of springs and triangles, in a fixed order. Air drag is left out.
     template <class Visit>
     void for_each_block(Real k_scale, Real d_scale, Visit visit) const {
-        for_each_spring(k_scale, d_scale, [&](int, int a, int b, const Block& added) {
-            visit(a, a, added);
-            visit(b, b, added);
-            visit(a, b, -added);
-        });
+        for (std::size_t direction = 0; direction < families_.size(); ++direction) {
+            for_each_spring(direction, k_scale, d_scale, [&](int a, int b, const Block& added) {
+                visit(a, a, added);
+                visit(b, b, added);
+                visit(a, b, -added);
+            });
+        }
         for_each_wind_block(d_scale, visit);
     }
 

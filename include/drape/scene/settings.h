@@ -86,7 +86,7 @@ struct SolverSettings {
     IntegratorKind integrator = IntegratorKind::VelocityVerlet;
     Hessian hessian = Hessian::Clamped;
     int iterations = 10;
-    Real tolerance = Real(1e-6);
+    Real tolerance = 0;
     int threads = 1;
     Kernels kernels = Kernels::Vector;  ///< of forces, hierarchy and contact
     double dt = 2e-4;                   ///< in every precision: it counts steps and time

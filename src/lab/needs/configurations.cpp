@@ -114,7 +114,7 @@ Settings full_model(const Settings& scene) {
 
 Settings computed_closely(Settings scene, double dt) {
     scene.solver.integrator = IntegratorKind::DormandPrince;
-    scene.solver.tolerance = Real(1e-6);
+    scene.solver.tolerance = 0;
     scene.solver.dt = dt;
     scene.contact.search_level = SearchLimit::all_levels;
     scene.contact.search_tests = 0;

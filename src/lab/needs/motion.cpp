@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "drape/base/assert.h"
+#include "drape/base/stopwatch.h"
 #include "drape/model/energy.h"
 #include "drape/sim/simulation.h"
 #include "lab/measure/states.h"
@@ -51,13 +52,15 @@ Motion run_to_horizon(const Settings& scene, const Patience& patience, const std
     motion.step_over_limit = report.step_limit_ratio;
     motion.given_up = motion.step_over_limit > patience.step_over_limit;
     if (motion.given_up) return motion;
-    double seconds = 0;
+    double seconds = 0, by_clock = 0;
     while (motion.passed < Motion::moments) {
         const double moment = horizon * (motion.passed + 1) / Motion::moments;
         constexpr double rounding = 1e-9;  // of a step
         while (report.time - start < moment - rounding * dt && report.status == Status::Ok) {
             const double before = program_cpu_time();
+            Stopwatch watch;
             simulation.step();
+            by_clock += watch.lap();
             seconds += program_cpu_time() - before;
             motion.penetration = larger(motion.penetration, report.penetration);
             motion.stretch = larger(motion.stretch, static_cast<double>(largest_stretch(cloth.model, cloth.state.x)));
@@ -69,6 +72,7 @@ Motion run_to_horizon(const Settings& scene, const Patience& patience, const std
         }
         motion.time = report.time - start;
         motion.cost = seconds / std::max(motion.time, dt);
+        motion.wall = by_clock / std::max(motion.time, dt);
         motion.diverged = report.status == Status::Diverged;
         if (motion.diverged || motion.given_up) return motion;
         const double part = std::clamp(1 - (motion.time - moment) / dt, 0.0, 1.0);

@@ -28,6 +28,7 @@ struct Motion {
     double penetration = 0;      ///< largest after any step, of its last substep [m]
     double stretch = 0;          ///< largest after any step
     double cost = 0;             ///< CPU time of all threads per simulated second [s/s]
+    double wall = 0;             ///< the same by a clock [s/s]
 };
 
 /// Beyond which a run is not worth its time.

@@ -72,7 +72,7 @@ PrecisionRow row_of(const Method& method, const Rung& rung, const PrecisionScene
             .horizon = static_cast<double>(scene.horizon),
             .phases = static_cast<double>(scene.phases),
             .method = method.name,
-            .tolerance = adaptive ? static_cast<double>(rung.parameters.tolerance) : no_number,
+            .tolerance = adaptive ? static_cast<double>(tolerance_of(rung.parameters)) : no_number,
             .steps = static_cast<double>(steps),
             .step = static_cast<double>(scene.horizon / static_cast<Real>(steps)),
             .end = bounded ? "bounded" : "unstable",

@@ -1,0 +1,219 @@
+#include <fmt/core.h>
+
+#include <algorithm>
+#include <map>
+#include <memory>
+#include <optional>
+#include <tuple>
+
+#include "drape/model/stencils.h"
+#include "drape/scene/scene.h"
+#include "lab/experiments.h"
+#include "lab/measure/methods.h"
+#include "lab/needs/needs.h"
+
+namespace drape {
+namespace {
+
+/// What a square cloth of 1 m does, of any number of particles: its mass, its drag and its springs stay the same.
+enum class FrameMotion {
+    Free,  ///< falls, hung by two corners
+    Ball,  ///< falls flat on a ball
+    Fold   ///< falls upright on the ground and folds on itself
+};
+
+/// A method, and in how many steps it makes a frame.
+struct FrameMethod {
+    std::string name;  ///< as tables call it: integrator, passes, steps
+    IntegratorParameters parameters;
+    int steps = 1;
+};
+
+/// A cloth of one size by one method.
+struct RealtimeRow {
+    FrameMotion motion{};
+    std::string method;
+    std::int64_t threads = 1, side = 0;
+    double wall = no_number, cpu = no_number;  ///< of a simulated second; CPU time is that of all threads [s/s]
+    double excess = no_number;  ///< of the stretch, 99th percentile at the end, over that of the converged cloth
+    double error = no_number;   ///< largest distance from the converged cloth at any moment, of the side
+    std::string end;            ///< realtime, late, stretched or diverged
+};
+
+}  // namespace
+
+template <>
+inline constexpr auto enum_names<FrameMotion> = all_names<FrameMotion>("free", "ball", "fold");
+
+namespace {
+
+using RealtimeRows = std::vector<RealtimeRow>;
+
+constexpr double frame = 1.0 / 60;    // s
+constexpr double most_excess = 0.01;  // of the stretch, that a picture may have
+constexpr int sides[] = {16, 23, 32, 45, 64, 91, 128, 181, 256};
+
+/// A method with a step limit makes one step, which is divided as its limit asks for.
+std::vector<FrameMethod> frame_methods() {
+    std::vector<FrameMethod> all;
+    const auto add = [&](const char* name, int steps) {
+        all.push_back({fmt::format("{}_by_{}", name, steps), methods_named({name})[0].parameters, steps});
+    };
+    for (const char* name : {"symplectic_euler", "velocity_verlet", "rk4"}) add(name, 1);
+    for (const char* name : {"backward_euler_clamped", "bdf2_clamped"}) {
+        for (const int steps : {1, 2, 4}) add(name, steps);
+    }
+    for (const int steps : {5, 10, 20, 40}) add("xpbd_1", steps);
+    for (const char* name : {"xpbd_20", "projective_dynamics_10"}) add(name, 1);
+    return all;
+}
+
+Settings settings_of(FrameMotion motion, const FrameMethod& method, int side, int threads) {
+    constexpr const char* scenes[] = {"two_corners", "drop", "fold"};
+    Settings settings = load_scene(scenes[static_cast<std::size_t>(motion)]);
+    ClothParameters& cloth = settings.cloths[0];
+    cloth.particles = {side, side};
+    cloth.width = cloth.height = 1;
+    cloth.mass = Real(0.2);
+    cloth.structural = {800, Real(0.02)};
+    cloth.shear = {200, Real(0.02)};
+    cloth.bend = {5, Real(0.01)};
+    cloth.drag = Real(0.7) / static_cast<Real>(cloth.particles.particles());
+    cloth.stretch_limit = 0;  // what a method leaves of the springs is to be seen
+    if (motion == FrameMotion::Free) settings.balls.clear();
+    settings.solver.integrator = method.parameters.kind;
+    settings.solver.hessian = method.parameters.hessian;
+    settings.solver.iterations = method.parameters.iterations;
+    settings.solver.threads = threads;
+    settings.solver.dt = frame / method.steps;
+    settings.solver.on_unstable = OnUnstable::Substep;
+    settings.solver.sleep_speed = 0;
+    settings.solver.ledger = false;
+    settings.needs.horizon = Real(0.5);
+    // How a sheet buckles is a matter of chance
+    settings.needs.measure = motion == FrameMotion::Fold ? NeedsMeasure::CentreAndSpread : NeedsMeasure::Positions;
+    return settings;
+}
+
+/// That all but a hundredth of the structural springs stay below at the end, of their length.
+double stretch_of(const Settings& settings, const Motion& motion) {
+    const ClothModel model = make_cloth_model(settings.cloths[0]);
+    const Points& x = motion.x.back();
+    std::vector<Real> all;
+    for (const SpringStencil& springs : spring_stencils(model)) {
+        if (!springs.structural()) continue;
+        springs.for_each(model.grid,
+                         [&](int a, int b) { all.push_back((x.row(a) - x.row(b)).norm() / springs.rest_length - 1); });
+    }
+    const auto high = all.begin() + static_cast<std::ptrdiff_t>(all.size() * 99 / 100);
+    std::ranges::nth_element(all, high);
+    return static_cast<double>(*high);
+}
+
+/// The finest grid that can be waited for, by a method of second order at nine tenths of its limit.
+Motion converged(FrameMotion motion, bool quick) {
+    const FrameMethod method{"converged", {.kind = IntegratorKind::VelocityVerlet}, 1};
+    return run_to_horizon(settings_of(motion, method, quick ? 45 : 181, 1));
+}
+
+RealtimeRow run_one(FrameMotion motion, const FrameMethod& method, int side, int threads, const Motion& truth) {
+    constexpr double patience = 4;  // s/s
+    const Settings settings = settings_of(motion, method, side, threads);
+    const Motion run = run_to_horizon(settings, {.cost = patience * threads});
+    RealtimeRow row;
+    row.motion = motion, row.method = method.name, row.threads = threads, row.side = side;
+    row.end = run.diverged ? "diverged" : "late";
+    if (run.diverged || run.given_up) return row;
+    row.wall = run.wall;
+    row.cpu = run.cost;
+    row.excess =
+        std::max(stretch_of(settings, run) - stretch_of(settings_of(motion, method, truth.grid.nx, 1), truth), 0.0);
+    row.error = motion_error(run, truth, settings.needs.measure, 1);
+    if (row.wall <= 1) row.end = row.excess <= most_excess ? "realtime" : "stretched";
+    return row;
+}
+
+/// From small to large, until it is no longer real time.
+RealtimeRows run_method(FrameMotion motion, const FrameMethod& method, int threads, bool quick, const Motion& truth) {
+    RealtimeRows rows;
+    for (const int side : sides) {
+        if (quick && side > 32) break;
+        rows.push_back(run_one(motion, method, side, threads, truth));
+        if (rows.back().end == "late") break;
+    }
+    return rows;
+}
+
+std::vector<CaseOf<RealtimeRow>> realtime_cases(bool quick) {
+    std::vector<CaseOf<RealtimeRow>> all;
+    for (const FrameMotion motion : values_of<FrameMotion>()) {
+        // Found when the first case asks for it
+        const auto truth = std::make_shared<std::optional<Motion>>();
+        for (const int threads : {1, 2}) {
+            for (const FrameMethod& method : frame_methods()) {
+                all.push_back([=] {
+                    if (!*truth) *truth = converged(motion, quick);
+                    return run_method(motion, method, threads, quick, **truth);
+                });
+            }
+        }
+    }
+    return all;
+}
+
+std::string realtime_summary(const RealtimeRows& rows) {
+    std::map<std::tuple<FrameMotion, std::int64_t, std::string>, RealtimeRow> largest;
+    for (const RealtimeRow& row : rows) {
+        if (row.end == "realtime") largest[{row.motion, row.threads, row.method}] = row;
+    }
+    std::string text;
+    for (const auto& [key, row] : largest) {
+        text += fmt::format("{}, {} thread(s): {} moves {} x {} particles, off by {:.2g} % of the side\n",
+                            name_of(row.motion), row.threads, row.method, row.side, row.side, 100 * row.error);
+    }
+    return text;
+}
+
+/// Of some methods, that have a cloth in real time on one thread.
+std::vector<Chart> realtime_charts(RealtimeRows rows) {
+    const std::vector<std::string> charted{"symplectic_euler_by_1",
+                                           "backward_euler_clamped_by_1",
+                                           "backward_euler_clamped_by_4",
+                                           "bdf2_clamped_by_2",
+                                           "xpbd_1_by_10",
+                                           "xpbd_1_by_40"};
+    std::erase_if(rows, [&](const RealtimeRow& row) {
+        return row.end != "realtime" || row.threads != 1 || std::ranges::find(charted, row.method) == charted.end();
+    });
+    std::vector<Chart> charts;
+    for (const auto& [motion, shown] : groups_of(rows, &RealtimeRow::motion)) {
+        const std::string name(name_of(motion));
+        charts.push_back({"realtime_" + name,
+                          "realtime",
+                          "Square cloths that a method moves in real time on one core, with at most 1 % more stretch "
+                          "than the converged cloth: how far they are from that cloth, by their size.",
+                          {{"motion", name}, {"methods", in_words(words_of(shown, &RealtimeRow::method))}}});
+    }
+    return charts;
+}
+
+}  // namespace
+
+Experiment realtime_experiment() {
+    using Row = RealtimeRow;
+    return ExperimentOf<Row>{"realtime",
+                             "how large a cloth can be moved in real time, and how accurately?",
+                             {5,
+                              {{name_column<FrameMotion>("motion"), &Row::motion},
+                               {word_column("method", names_in(frame_methods(), &FrameMethod::name)), &Row::method},
+                               {whole_column("threads", 1), &Row::threads},
+                               {whole_column("side", 2), &Row::side},
+                               {number_column("wall_s_per_s").or_nan(), &Row::wall},
+                               {number_column("cpu_s_per_s").or_nan(), &Row::cpu},
+                               {number_column("stretch_excess").or_nan(), &Row::excess},
+                               {number_column("error").or_nan(), &Row::error},
+                               {word_column("end", {"realtime", "late", "stretched", "diverged"}), &Row::end}}},
+                             {{"", realtime_cases, realtime_summary, realtime_charts}}};
+}
+
+}  // namespace drape

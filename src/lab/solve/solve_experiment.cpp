@@ -1,0 +1,185 @@
+#include <fmt/core.h>
+
+#include <cmath>
+#include <memory>
+
+#include "lab/experiments.h"
+#include "lab/measure/methods.h"
+#include "lab/measure/states.h"
+
+namespace drape {
+namespace {
+
+/// Steps of an implicit method on a sheet that falls, hung by two corners.
+struct SolveRow {
+    std::string part;    ///< tolerance or size
+    std::string method;  ///< with its Hessian
+    std::int64_t side = 0;
+    double time = 0;  ///< simulated, from rest [s]
+    double step = 0;  ///< [s]
+    double tolerance = 0;
+    double solver_error = no_number;  ///< RMS over the particles, against solves to `exact` [m]
+    double step_error = no_number;    ///< of such solves, against steps a sixteenth as long [m]
+    double iterations = 0;            ///< of a step, in the mean over the last ten
+    Quartiles cost = {};              ///< CPU time of a step, over the same [s]
+};
+
+using SolveRows = std::vector<SolveRow>;
+
+constexpr Real picture = Real(1) / 60;                   // s
+constexpr Real exact = Real(1e-9), nearly = Real(1e-6);  // tolerances
+constexpr int shorter = 16, measured_steps = 10;
+
+/// A metre square; drag is that of the whole cloth, whatever the grid.
+ClothParameters sheet_of(int side) {
+    ClothParameters cloth;
+    cloth.particles = {side, side};
+    cloth.mass = Real(0.2);
+    cloth.pinned.kind = Pins::Kind::Two;
+    cloth.structural = {1000, Real(0.01)};
+    cloth.shear = {500, Real(0.01)};
+    cloth.bend = {100, Real(0.01)};
+    cloth.drag = Real(0.5) / static_cast<Real>(cloth.particles.particles());
+    return cloth;
+}
+
+struct SolveRun {
+    Points x;
+    double iterations = 0;
+    std::vector<double> costs;
+};
+
+/// @param parts of a picture's time that a step has
+SolveRun run_sheet(const Method& method, int side, Real time, Real tolerance, int parts = 1) {
+    const ClothParameters cloth = sheet_of(side);
+    const ClothModel model = make_cloth_model(cloth);
+    ClothState state = make_rest_state(cloth);
+    IntegratorParameters parameters = method.parameters;
+    parameters.tolerance = tolerance;
+    const auto integrator = make_integrator(parameters, model.grid);
+    const auto steps = std::lround(time / picture) * parts;
+    SolveRun run;
+    for (std::int64_t k = 0; k < steps; ++k) {
+        SolveReport report;
+        const double cost =
+            cpu_time_of([&] { report = integrator->step(model, state, picture / static_cast<Real>(parts)); });
+        if (k < steps - measured_steps) continue;
+        run.iterations += static_cast<double>(report.iterations) / measured_steps;
+        run.costs.push_back(cost);
+    }
+    run.x = state.x;
+    return run;
+}
+
+SolveRow row_of(const char* part, const Method& method, int side, Real time, Real tolerance, const SolveRun& run) {
+    return {.part = part,
+            .method = method.name,
+            .side = side,
+            .time = static_cast<double>(time),
+            .step = static_cast<double>(picture),
+            .tolerance = static_cast<double>(tolerance),
+            .iterations = run.iterations,
+            .cost = quartiles_of(run.costs)};
+}
+
+/// One method on one grid, to each tolerance.
+SolveRows run_tolerances(const Method& method, int side) {
+    constexpr Real time = Real(0.5);
+    const Points solved = run_sheet(method, side, time, exact).x;
+    const double step_error = position_error(solved, run_sheet(method, side, time, nearly, shorter).x, 1);
+    SolveRows rows;
+    for (const Real tolerance : {Real(1e-1), Real(1e-2), Real(1e-3), Real(1e-4), Real(1e-5), Real(1e-6), Real(1e-7)}) {
+        const SolveRun run = run_sheet(method, side, time, tolerance);
+        rows.push_back(row_of("tolerance", method, side, time, tolerance, run));
+        rows.back().solver_error = position_error(run.x, solved, 1);
+        rows.back().step_error = step_error;
+    }
+    return rows;
+}
+
+/// Falling, and once it swings in folds.
+SolveRows run_size(const Method& method, int side, Real time) {
+    const Real tolerance = tolerance_of(method.parameters);
+    return {row_of("size", method, side, time, tolerance, run_sheet(method, side, time, tolerance))};
+}
+
+std::vector<CaseOf<SolveRow>> tolerance_cases(bool quick) {
+    return cases_over(run_tolerances,
+                      methods_named({"backward_euler_clamped", "implicit_midpoint_clamped", "bdf2_clamped"}),
+                      quick ? std::vector{24} : std::vector{32, 64, 128});
+}
+
+std::vector<CaseOf<SolveRow>> size_cases(bool quick) {
+    return cases_over(
+        [](Real time, int side) { return run_size(methods_named({"backward_euler_clamped"})[0], side, time); },
+        std::vector{Real(0.2), Real(1)}, quick ? std::vector{24, 32} : std::vector{32, 45, 64, 91, 128, 181, 256});
+}
+
+std::string tolerance_line(const SolveRow& row) {
+    return fmt::format(
+        "{}, {} a side, solved to {:.0e}: {:.1f} iterations, {:.3g} ms a step; off by {:.3g} mm for it, by {:.3g} mm "
+        "for "
+        "the step",
+        row.method, row.side, row.tolerance, row.iterations, 1e3 * row.cost.median, 1e3 * row.solver_error,
+        1e3 * row.step_error);
+}
+
+std::string size_summary(const SolveRows& rows) {
+    std::string text;
+    for (const auto& [time, sizes] : groups_of(rows, &SolveRow::time)) {
+        std::vector<std::pair<double, double>> points;
+        for (const SolveRow& row : sizes) {
+            const auto particles = static_cast<double>(row.side * row.side);
+            points.emplace_back(particles, row.cost.median);
+            text += fmt::format("{:.0f} particles after {} s: {:.1f} iterations, {:.3g} ms a step\n", particles, time,
+                                row.iterations, 1e3 * row.cost.median);
+        }
+        if (points.size() > 1)
+            text += fmt::format("after {} s, time of a step grows with the particles to the power {:.2f}\n", time,
+                                fit_power_law(points).exponent);
+    }
+    return text;
+}
+
+std::vector<Chart> tolerance_charts(const SolveRows& rows) {
+    const auto sides = words_of(rows, [](const SolveRow& row) { return std::to_string(row.side); });
+    return {
+        {"solve_tolerance",
+         "solve_tolerance",
+         "How far a sheet is from where solves to 1e-9 take it in half a second of backward Euler at 1/60 s, by the "
+         "tolerance of the solves; broken, the error of the step itself.",
+         {{"sides", in_words(sides)}}}};
+}
+
+std::vector<Chart> size_charts(const SolveRows&) {
+    return {{"solve_size",
+             "solve_size",
+             "CPU time of a step of backward Euler at 1/60 s against the particles, on one core: while the sheet falls "
+             "flat, and once it swings in folds.",
+             {}}};
+}
+
+}  // namespace
+
+Experiment solve_experiment() {
+    using Row = SolveRow;
+    return ExperimentOf<Row>{
+        "solve",
+        "what does an implicit step cost on a large cloth, and how far must it be solved?",
+        {5,
+         {{word_column("part", {"tolerance", "size"}), &Row::part},
+          {word_column("method", {"backward_euler_clamped", "implicit_midpoint_clamped", "bdf2_clamped"}),
+           &Row::method},
+          {whole_column("side", 2), &Row::side},
+          {positive_column("time_s"), &Row::time},
+          {positive_column("step_s"), &Row::step},
+          {positive_column("tolerance"), &Row::tolerance},
+          {number_column("solver_error_m").or_nan(), &Row::solver_error},
+          {number_column("step_error_m").or_nan(), &Row::step_error},
+          {number_column("iterations"), &Row::iterations},
+          {number_column("cost_s"), &Row::cost}}},
+        {{"tolerance", tolerance_cases, line_of_each(tolerance_line), tolerance_charts},
+         {"size", size_cases, size_summary, size_charts}}};
+}
+
+}  // namespace drape
