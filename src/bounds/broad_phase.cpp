@@ -20,7 +20,6 @@ public:
         pairs.assign(1, {all_cells(grid_), all_cells(other_grid)});
         return {.candidates = static_cast<std::int64_t>(grid_.cells()) * other_grid.cells()};
     }
-    TraversalStats query_below(Real /*height*/, Candidates& found) const override { return all(found); }
     TraversalStats query_near(const DistanceFunction& /*distance*/, Real /*margin*/, Candidates& found) const override {
         return all(found);
     }
@@ -41,13 +40,10 @@ private:
 }  // namespace
 
 TraversalStats& TraversalStats::operator+=(const TraversalStats& other) {
-    nodes += other.nodes;
-    visited += other.visited;
-    volume_tests += other.volume_tests;
-    pruned += other.pruned;
-    leaves += other.leaves;
-    candidates += other.candidates;
-    stopped += other.stopped;
+    using Stats = TraversalStats;
+    for (const auto count : {&Stats::nodes, &Stats::visited, &Stats::volume_tests, &Stats::pruned, &Stats::leaves,
+                             &Stats::candidates, &Stats::stopped})
+        this->*count += other.*count;
     return *this;
 }
 

@@ -1,8 +1,6 @@
 #include <type_traits>
 
 #include "drape/bounds/cloth_quadtree.h"
-#include "kernels/centroid_tree.h"
-#include "kernels/leaf_boxes.h"
 #include "kernels/patch_kernels.h"
 
 // Which fit runs: plain, or by vector kernels.

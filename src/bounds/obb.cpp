@@ -95,15 +95,6 @@ bool Obb::comes_within(const Obb& other, Real margin) const {
     return !keeps_away(*this, other, margin) && !keeps_away(other, *this, margin);
 }
 
-Real Obb::lowest() const {
-    Real y = origin.y(), sizes = std::abs(y);
-    for (int k = 0; k < 3; ++k) {
-        y += std::min(axes(1, k) * low[k], axes(1, k) * high[k]);
-        sizes += std::max(std::abs(low[k]), std::abs(high[k]));
-    }
-    return y - 16 * rounding_unit * sizes;
-}
-
 void Obb::grow_by_rounding() {
     const Real rounding = 8 * rounding_unit * (high - low).sum();
     low.array() -= rounding;

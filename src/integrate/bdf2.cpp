@@ -27,7 +27,7 @@ public:
     [[nodiscard]] StepBefore step_before() const override { return last_; }
     void resume_after(const StepBefore& step) override { last_ = step; }
 
-    SolveReport step(const ClothModel& model, ClothState& state, Real h, EnergyFlow* start) override {
+    SolveReport step(const ClothModel& model, ClothState& state, Real h) override {
         const bool goes_on =
             h == last_.h && model.revision == last_.revision && state.x == last_.to.x && state.v == last_.to.v;
         last_.h = h;
@@ -40,7 +40,7 @@ public:
         } else {
             dx_ = s * state.v;
         }
-        forces_.compute(model, state.x, state.v, r_, start);
+        forces_.compute(model, state.x, state.v, r_);
         system_.linearise(model, state.x, state.v);
         system_.add_stiffness(-1, dx_, r_);
         r_ *= s;

@@ -48,11 +48,11 @@ public:
         error_ = derivatives_.front();
     }
 
-    SolveReport step(const ClothModel& model, ClothState& state, Real h, EnergyFlow* start) override {
+    SolveReport step(const ClothModel& model, ClothState& state, Real h) override {
         const Real shortest = Real(1e-4) * h;
         const Real allowed = tolerance_ * std::min(model.hx, model.hy);
         SolveReport report;
-        differentiate(model, state.x, state.v, derivatives_.front(), start);
+        differentiate(model, state.x, state.v, derivatives_.front());
         report.force_evaluations = 1;
         report.tolerance = tolerance_;
         Real inner = h, remaining = h;
@@ -94,10 +94,9 @@ private:
         Points v, a;
     };
 
-    void differentiate(const ClothModel& model, const Points& x, const Points& v, Derivative& derivative,
-                       EnergyFlow* flow = nullptr) {
+    void differentiate(const ClothModel& model, const Points& x, const Points& v, Derivative& derivative) {
         derivative.v = v;
-        forces_(model, x, v, flow, [&](const ForceRun& run) { run.of(derivative.a) = run.accelerations(); });
+        forces_(model, x, v, [&](const ForceRun& run) { run.of(derivative.a) = run.accelerations(); });
     }
 
     /// What the next inner step may be, of this one: its error grows with the fifth power. A little less than that, and

@@ -13,8 +13,8 @@ public:
         : symplectic_(parameters.kind == IntegratorKind::SymplecticEuler),
           forces_(grid, parameters.kernels, parameters.threads) {}
 
-    SolveReport step(const ClothModel& model, ClothState& state, Real h, EnergyFlow* start) override {
-        forces_(model, state.x, state.v, start, [&](const ForceRun& run) {
+    SolveReport step(const ClothModel& model, ClothState& state, Real h) override {
+        forces_(model, state.x, state.v, [&](const ForceRun& run) {
             if (!symplectic_) run.of(state.x) += h * run.of(state.v);
             run.of(state.v) += h * run.accelerations();
             if (symplectic_) run.of(state.x) += h * run.of(state.v);
@@ -34,8 +34,8 @@ public:
     VelocityVerlet(const IntegratorParameters& parameters, const Grid& grid)
         : forces_(grid, parameters.kernels, parameters.threads), a_(grid.particles(), 3), v_guess_(a_) {}
 
-    SolveReport step(const ClothModel& model, ClothState& state, Real h, EnergyFlow* start) override {
-        forces_(model, state.x, state.v, start, [&](const ForceRun& run) {
+    SolveReport step(const ClothModel& model, ClothState& state, Real h) override {
+        forces_(model, state.x, state.v, [&](const ForceRun& run) {
             run.of(a_) = run.accelerations();
             run.of(state.x) += h * run.of(state.v) + (h * h / 2) * run.of(a_);
             run.of(v_guess_) = run.of(state.v) + h * run.of(a_);
@@ -63,12 +63,12 @@ public:
           x_sum_(x_),
           v_sum_(x_) {}
 
-    SolveReport step(const ClothModel& model, ClothState& state, Real h, EnergyFlow* start) override {
+    SolveReport step(const ClothModel& model, ClothState& state, Real h) override {
         x_ = state.x;
         v_ = state.v;
         x_sum_.setZero();
         v_sum_.setZero();
-        stage(model, state, 1, h / 2, start);
+        stage(model, state, 1, h / 2);
         stage(model, state, 2, h / 2);
         stage(model, state, 2, h);
         stage(model, state, 1, 0);
@@ -79,8 +79,8 @@ public:
 
 private:
     /// Adds k = y'(x_, v_) with its weight, and moves (x_, v_) to the start + `time` k.
-    void stage(const ClothModel& model, const ClothState& start, Real weight, Real time, EnergyFlow* flow = nullptr) {
-        forces_(model, x_, v_, flow, [&](const ForceRun& run) {
+    void stage(const ClothModel& model, const ClothState& start, Real weight, Real time) {
+        forces_(model, x_, v_, [&](const ForceRun& run) {
             run.of(x_sum_) += weight * run.of(v_);
             run.of(v_sum_) += weight * run.accelerations();
             run.of(x_) = run.of(start.x) + time * run.of(v_);

@@ -30,7 +30,6 @@ class ProjectiveDynamics final : public Integrator {
 public:
     ProjectiveDynamics(const IntegratorParameters& parameters, const Grid& grid)
         : iterations_(parameters.iterations),
-          kernels_(parameters.kernels),
           inertial_(grid, parameters.kernels),
           dampers_(grid, parameters.kernels),
           forces_(grid, parameters.kernels),
@@ -40,8 +39,7 @@ public:
           moved_(grid.particles(), 3),
           r_(grid.particles(), 3) {}
 
-    SolveReport step(const ClothModel& model, ClothState& state, Real h, EnergyFlow* start) override {
-        if (start != nullptr) *start = compute_energy_flow(model, state.x, state.v, start_, kernels_);
+    SolveReport step(const ClothModel& model, ClothState& state, Real h) override {
         find_inertia(model, state, h, inertia_);
         global_.prepare(model, inertia_, h);
         keep_springs_of(model);
@@ -109,7 +107,6 @@ private:
     }
 
     int iterations_;
-    Kernels kernels_;
     InertialGuess inertial_;
     SpringPasses dampers_;
     ForceSweep forces_;

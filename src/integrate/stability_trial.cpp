@@ -18,9 +18,10 @@ Real diagonal(const ClothModel& model) {
     return std::sqrt(width * width + height * height);
 }
 
-void add_noise(const ClothModel& model, const Trial& trial, ClothState& state) {
-    std::mt19937 random(trial.seed);
-    const Real size = trial.noise * std::min(model.hx, model.hy);
+/// Displaces every free coordinate by up to a millionth of the cloth's spacing.
+void add_noise(const ClothModel& model, ClothState& state) {
+    std::mt19937 random(1);
+    const Real size = Real(1e-6) * std::min(model.hx, model.hy);
     for (int p = 0; p < model.grid.particles(); ++p) {
         for (int axis = 0; axis < 3; ++axis) {
             const Real noise = size * uniform<Real>(random);
@@ -37,18 +38,18 @@ Real energy_to_fail(const ClothModel& model) {
 }
 
 TrialEnd try_step(const ClothModel& model, ClothState start, const IntegratorParameters& parameters, Real step,
-                  const Trial& trial) {
+                  int steps) {
     constexpr int between_looks = 25;
     const Points home = start.x;
     const double most = static_cast<double>(energy_to_fail(model)),
                  limit = compute_energy(model, start, parameters.kernels).total() + most;
     const Real reach = 2 * diagonal(model);
-    add_noise(model, trial, start);
+    add_noise(model, start);
     const auto integrator = make_integrator(parameters, model.grid);
     bool rose = false;
-    for (int n = 1; n <= trial.steps; ++n) {
+    for (int n = 1; n <= steps; ++n) {
         integrator->step(model, start, step);
-        if (n % between_looks != 0 && n != trial.steps) continue;
+        if (n % between_looks != 0 && n != steps) continue;
         const Energy energy = compute_energy(model, start, parameters.kernels);
         if (!std::isfinite(energy.total()) || !start.x.allFinite()) return TrialEnd::NotFinite;
         rose = rose || energy.total() > limit;
@@ -59,11 +60,11 @@ TrialEnd try_step(const ClothModel& model, ClothState start, const IntegratorPar
 }
 
 Real measured_limit(const ClothModel& model, const ClothState& start, const IntegratorParameters& parameters,
-                    Real guess, Real longest, const Trial& trial, const std::function<void(Real, TrialEnd)>& tried) {
+                    Real guess, Real longest, int steps, const std::function<void(Real, TrialEnd)>& tried) {
     constexpr Real precision = Real(0.005);
     constexpr int most_halvings = 20;
     const auto bounded = [&](Real step) {
-        const TrialEnd end = try_step(model, start, parameters, step, trial);
+        const TrialEnd end = try_step(model, start, parameters, step, steps);
         if (tried) tried(step, end);
         return end == TrialEnd::Bounded;
     };
@@ -88,13 +89,13 @@ Real measured_limit(const ClothModel& model, const ClothState& start, const Inte
 }
 
 Real observable_limit_of_explicit_euler(const ClothModel& model, const ClothState& start, Real omega, Real zeta,
-                                        Kernels kernels, const Trial& trial) {
+                                        Kernels kernels, int steps) {
     if (zeta > 1) return longest_step(IntegratorKind::ExplicitEuler, omega * omega, 2 * zeta * omega);
     ClothState noisy = start;
-    add_noise(model, trial, noisy);
+    add_noise(model, noisy);
     const double noise = compute_energy(model, noisy, kernels).spring - compute_energy(model, start, kernels).spring;
     const double gain = static_cast<double>(energy_to_fail(model)) / noise;
-    const auto growth = static_cast<Real>(exponential_less_one(natural_log(gain) / trial.steps));
+    const auto growth = static_cast<Real>(exponential_less_one(natural_log(gain) / steps));
     const Real k = omega * omega, d = 2 * zeta * omega;
     return (d + std::sqrt(d * d + 4 * k * growth)) / (2 * k);
 }

@@ -21,9 +21,9 @@ public:
           r_(grid.particles(), 3),
           dv_(grid.particles(), 3) {}
 
-    SolveReport step(const ClothModel& model, ClothState& state, Real h, EnergyFlow* start) override {
+    SolveReport step(const ClothModel& model, ClothState& state, Real h) override {
         const Real s = theta_ * h;
-        forces_.compute(model, state.x, state.v, r_, start);
+        forces_.compute(model, state.x, state.v, r_);
         system_.linearise(model, state.x, state.v);
         system_.add_stiffness(-s, state.v, r_);
         r_ *= h;

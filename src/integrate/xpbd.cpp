@@ -14,13 +14,11 @@ class Xpbd final : public Integrator {
 public:
     Xpbd(const IntegratorParameters& parameters, const Grid& grid)
         : iterations_(parameters.iterations),
-          kernels_(parameters.kernels),
           guess_(grid, parameters.kernels),
           passes_(grid, parameters.kernels),
           start_(grid.particles(), 3) {}
 
-    SolveReport step(const ClothModel& model, ClothState& state, Real h, EnergyFlow* start) override {
-        if (start != nullptr) *start = compute_energy_flow(model, state.x, state.v, start_, kernels_);
+    SolveReport step(const ClothModel& model, ClothState& state, Real h) override {
         start_ = state.x;
         find_inertia(model, state, h, inertia_);
         guess_.advance(model, inertia_, state, h);
@@ -33,7 +31,6 @@ public:
 
 private:
     int iterations_;
-    Kernels kernels_;
     InertialGuess guess_;
     SpringPasses passes_;
     Numbers inertia_;

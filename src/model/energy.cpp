@@ -80,10 +80,14 @@ EnergyFlow compute_energy_flow(const ClothModel& model, const Points& x, const P
     }
     for (int p = 0; p < model.grid.particles(); ++p) {
         if (!model.pinned(p) || v.row(p).isZero(0)) continue;
-        power.hand -= static_cast<double>(force_on(model, x, v, p).dot(v.row(p)));
+        power.hand += held_power(model, x, v, p);
         if (windy) power.hand -= dot(wind, v, p);
     }
     return flow;
+}
+
+double held_power(const ClothModel& model, const Points& x, const Points& v, int particle) {
+    return -static_cast<double>(force_on(model, x, v, particle).dot(v.row(particle)));
 }
 
 double most_wind_power(const ClothModel& model) {

@@ -43,7 +43,7 @@ constexpr std::array<TourStop, 12> stops{{
      "X throws the ball again, and Z lets it fall.", "src/contact/solve/projection.cpp", 2.5},
     {"Self contact", "fold", "view.speed=0.25",
      "Cloth lands on itself and stays apart by its thickness; a second pair of trees finds where.",
-     "M, Contact: switch self off, then R: the folds cross.", "src/sim/self_contact.cpp", 0.7},
+     "M, Contact: switch self off, then R: the folds cross.", "src/sim/self_search.cpp", 0.7},
     {"Speed against accuracy", "hang", "solver.integrator=backward_euler,solver.dt=0.016667,view.panel=full",
      "Backward Euler takes 1/60 s in one step: stable, but the swing dies too soon.",
      "Press I for the implicit midpoint, which keeps the swing; compare their times.", "docs/speed-and-accuracy.md",

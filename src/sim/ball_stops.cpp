@@ -3,7 +3,6 @@
 #include <algorithm>
 #include <limits>
 
-#include "ball_motion.h"
 #include "drape/contact/detection.h"
 #include "drape/model/stencils.h"
 
@@ -21,10 +20,10 @@ constexpr int max_rounds = 8;
 constexpr Real length_rounding = 16 * std::numeric_limits<Real>::epsilon();
 
 /// Moves a ball back along a normal, and takes its velocity along it.
-void take_back(const Vec3& normal, Real length, Real h, Ball& ball) {
+void take_back(const Vec3& normal, Real length, Ball& ball) {
     ball.centre -= length * normal;
+    ball.moved -= length * normal;
     ball.velocity -= std::max(normal.dot(ball.velocity), Real(0)) * normal;
-    ball.moved = h * ball.velocity;
 }
 
 /// Whether a contact is one of a ball with cloth that has a stretch limit; without one, it always gives way.
@@ -56,12 +55,12 @@ bool touches_taut_cloth(const BallStops& stops, int number, Real drawn) {
 }
 
 /// @return whether it had to be stopped
-bool stop_at_contacts(const BallStops& stops, int number, Real rounding, Real h, Ball& ball) {
+bool stop_at_contacts(const BallStops& stops, int number, Real rounding, Ball& ball) {
     bool stopped = false;
     for (const ContactRow& row : stops.rows) {
         const Real towards = row.normal.dot(ball.moved);
         if (!may_stop(stops, number, row) || !(towards > rounding)) continue;
-        take_back(row.normal, towards, h, ball);
+        take_back(row.normal, towards, ball);
         stopped = true;
     }
     return stopped;
@@ -86,50 +85,43 @@ void for_each_pin_in(const BallStops& stops, const Vec3& start, const Ball& ball
 
 /// @param start of the ball's centre [m]
 /// @return whether it had to be stopped
-bool stop_at_pins(const BallStops& stops, const Vec3& start, Real h, Ball& ball) {
+bool stop_at_pins(const BallStops& stops, const Vec3& start, Ball& ball) {
     bool stopped = false;
     for_each_pin_in(stops, start, ball, [&](const Vec3& offset, Real depth) {
         if (offset.isZero(0)) return;
-        take_back(offset.normalized(), depth, h, ball);
+        take_back(offset.normalized(), depth, ball);
         stopped = true;
     });
     return stopped;
 }
 
-/// Whether a wedged ball may go where it is led because it penetrates nothing more deeply there. The keys never lead it
-/// below the ground.
+/// Whether a wedged ball may go where it is led because it penetrates nothing more deeply there.
 bool may_leave(const BallStops& stops, const Ball& led) {
     bool enters_pin = false;
     for_each_pin_in(stops, led.centre - led.moved, led, [&](const Vec3&, Real) { enters_pin = true; });
-    return !enters_pin && penetrates_no_deeper(stops.solids, 2 * stops.thickness, led);
+    return !enters_pin && penetrates_no_deeper(stops.bodies, 2 * stops.thickness, led);
 }
 
 }  // namespace
 
-void stop_ball(const BallStops& stops, int number, Real h, Ball& ball) {
+void stop_ball(const BallStops& stops, int number, Ball& ball) {
     const Real room = 2 * stops.thickness;
+    const Vec3 start = ball.centre - ball.moved;
     if (ball.moved.isZero(0)) {
-        // Solids may move towards it, but do not press it into the ground
-        stay_outside(stops.solids, ball.centre, room, h, ball);
-        if (stay_above(stops.ground, stops.thickness, ball)) ball.moved = h * ball.velocity;
+        stay_outside(stops.bodies, start, room, ball);
         return;
     }
     const Ball led = ball;
-    const Vec3 start = ball.centre - ball.moved;
     const Real moved = ball.moved.norm(), rounding = length_rounding * moved;
     const bool is_taut = touches_taut_cloth(stops, number, moved);
     for (int round = 0; round < max_rounds; ++round) {
-        bool stopped = is_taut && stop_at_contacts(stops, number, rounding, h, ball);
-        stopped = stop_at_pins(stops, start, h, ball) || stopped;
-        if (stay_above(stops.ground, stops.thickness, ball)) {
-            ball.moved = h * ball.velocity;
-            stopped = true;
-        }
-        stopped = stay_outside(stops.solids, start, room, h, ball) || stopped;
+        bool stopped = is_taut && stop_at_contacts(stops, number, rounding, ball);
+        stopped = stop_at_pins(stops, start, ball) || stopped;
+        stopped = stay_outside(stops.bodies, start, room, ball) || stopped;
         if (!stopped) return;
     }
     Ball probe = led;
-    const bool into_taut = is_taut && stop_at_contacts(stops, number, rounding, h, probe);
+    const bool into_taut = is_taut && stop_at_contacts(stops, number, rounding, probe);
     if (!into_taut && may_leave(stops, led)) {
         ball = led;
         return;

@@ -2,9 +2,7 @@
 
 #include <span>
 
-#include "drape/contact/solid.h"
-#include "drape/model/ball.h"
-#include "drape/model/ground.h"
+#include "drape/contact/body.h"
 #include "drape/sim/cloth.h"
 
 namespace drape {
@@ -13,9 +11,8 @@ namespace drape {
 struct BallStops {
     std::span<const Cloth> cloths;
     std::span<const ContactRow> rows;  ///< contacts of the substep before
-    std::span<const Solid> solids;
-    const Ground& ground;
-    Real thickness;  ///< of the cloth: a pin has it, and ground and solids leave room for two [m]
+    std::span<const Body> bodies;      ///< solids, and the ground if it is solid
+    Real thickness;                    ///< of the cloth: a pin has it, and bodies leave room for two [m]
 };
 
 /// Stops a ball within the substep. It may slide along what stops it, and go back.
@@ -26,11 +23,10 @@ struct BallStops {
 /// - So do ground and solids.
 ///
 /// A ball that cannot get out of all of these stays where it was, unless the keys lead it where it penetrates none of
-/// them more deeply. A ball at rest gives way to solids that move into it, but is not pressed into the ground; cloth
-/// and pins do not stop it then.
-/// @param number of the ball
-/// @param h the substep, in which the ball has moved [s]
+/// them more deeply. A ball at rest gives way to solids that move into it, if the ground leaves it room; cloth and pins
+/// do not stop it then.
+/// @param number of the ball, which has moved within the substep
 /// @par Cost O(particles) where the ball moves
-void stop_ball(const BallStops& stops, int number, Real h, Ball& ball);
+void stop_ball(const BallStops& stops, int number, Ball& ball);
 
 }  // namespace drape

@@ -3,8 +3,6 @@
 #include <algorithm>
 #include <limits>
 
-#include "held_power.h"
-
 namespace drape {
 namespace {
 
@@ -44,7 +42,7 @@ double max_push_work(const ClothModel& model, const Pushes& pushes) {
         squared_push += push * push;
     }
     const Real stiffness = 3 * 4 * (model.structural.stiffness + model.shear.stiffness + model.bend.stiffness);
-    return static_cast<double>(stiffness) * static_cast<double>(static_cast<Real>(squared_push));
+    return static_cast<double>(stiffness) * squared_push;
 }
 
 }  // namespace
@@ -54,29 +52,20 @@ void ClothEnergy::restart(const ClothModel& model, const ClothState& state, Kern
     watch_.restart(model, compute_energy(model, state, kernels));
 }
 
+/// What all held particles are given, but for the hand's, is the pins'.
 EnergyFlow ClothEnergy::flow(const ClothModel& model, const ClothState& state) {
     EnergyFlow flow = compute_energy_flow(model, state.x, state.v, wind_, kernels_);
-    split_pin_power(hand_power(model, state), flow.power);
+    if (!has_pins_) return flow;
+    const double of_hand = held_ >= 0 ? held_power(model, state.x, state.v, held_) : 0;
+    flow.power.pins = flow.power.hand - of_hand;
+    flow.power.hand = of_hand;
     return flow;
 }
 
-EnergyFlow* ClothEnergy::start_of_step(const ClothModel& model, const ClothState& state, int held) {
-    if (!ledger_) return nullptr;
+void ClothEnergy::start_of_step(const ClothModel& model, const ClothState& state, int held) {
+    if (!ledger_) return;
     held_ = held;
-    hand_at_start_ = hand_power(model, state);
-    return &start_;
-}
-
-/// Where pins move too.
-double ClothEnergy::hand_power(const ClothModel& model, const ClothState& state) const {
-    return has_pins_ && held_ >= 0 ? held_power(model, state, held_) : 0;
-}
-
-/// What all held particles are given, but for the hand's, is the pins'.
-void ClothEnergy::split_pin_power(double of_hand, Power& power) const {
-    if (!has_pins_) return;
-    power.pins = power.hand - of_hand;
-    power.hand = of_hand;
+    ledger_->see(flow(model, state));
 }
 
 void ClothEnergy::keep_ledger(bool keep, const ClothModel& model, const ClothState& state) {
@@ -96,10 +85,7 @@ void ClothEnergy::touch(const ClothModel& model, const ClothState& state, Energy
 void ClothEnergy::after_integrator(const ClothModel& model, const ClothState& state, const MotionSums& sums, Real h,
                                    int min_pause) {
     if (watch_.look(model, sums, h, min_pause)) watch_.measure(compute_energy(model, state, kernels_));
-    if (!ledger_) return;
-    split_pin_power(hand_at_start_, start_.power);
-    ledger_->see(start_);
-    ledger_->integrated(h);
+    if (ledger_) ledger_->integrated(h);
 }
 
 /// The springs that are shortened hand on what hand and balls have pulled and pushed: what that adds to the energy is
@@ -120,37 +106,32 @@ void ClothEnergy::before_pushes(const ClothModel& model, const ClothState& state
     if (std::ranges::none_of(pushes.rows, [&](const ContactRow& row) { return moves(row, pushes.cloth); })) return;
     max_push_work_ = max_push_work(model, pushes);
     pushed_ = measures_pushes() ? range_of(pushes, model.grid) : GridRange{0, model.grid.nx, 0, model.grid.ny};
-    before_pushes_ = pushed_flow(model, state);
+    before_ = pushed_flow(model, state);
 }
 
 bool ClothEnergy::after_pushes(const ClothModel& model, const ClothState& state, double ball_work) {
     if (pushed_.first_column >= pushed_.end_column) return false;
     const EnergyFlow after = pushed_flow(model, state);
-    const double work = after.energy.total() - before_pushes_.energy.total();
+    const double work = after.energy.total() - before_.energy.total();
     const bool measured = max_push_work_ > watch_.small_work();
     watch_.give(std::max(measured ? work : ball_work + max_push_work_, 0.0));
     if (!ledger_) return true;
     if (known_) {
         ledger_->pushed_by_balls(ball_work);
     } else {
-        ledger_->responded(before_pushes_, after, ball_work);
+        ledger_->responded(before_, after, ball_work);
     }
     return true;
 }
 
 void ClothEnergy::before_hold(const ClothModel& model, const ClothState& state) {
-    before_hold_ = held_flow(model, state);
+    before_ = compute_energy_around(model, state.x, state.v, whole(model.grid), kernels_);
 }
 
 void ClothEnergy::after_hold(const ClothModel& model, const ClothState& state) {
-    const EnergyFlow after = held_flow(model, state);
-    watch_.give(std::max(after.energy.total() - before_hold_.energy.total(), 0.0));
-    if (ledger_) ledger_->held_back(before_hold_, after);
-}
-
-/// Of the whole cloth.
-EnergyFlow ClothEnergy::held_flow(const ClothModel& model, const ClothState& state) {
-    return ledger_ ? flow(model, state) : EnergyFlow{compute_energy(model, state, kernels_), {}};
+    const EnergyFlow after = compute_energy_around(model, state.x, state.v, whole(model.grid), kernels_);
+    watch_.give(std::max(after.energy.total() - before_.energy.total(), 0.0));
+    if (ledger_) ledger_->held_back(before_, after);
 }
 
 /// Of what is being pushed, where it is to be measured.

@@ -5,22 +5,12 @@
 #include "drape/bounds/leaf_copies.h"
 
 namespace drape {
-namespace {
-
-/// The one that is farthest beyond where it becomes possible, or nearest to it.
-void take_worse(Crossing& worst, const Crossing& other) {
-    const bool first = worst.radius == 0;
-    if (first || 2 * other.distance - other.radius > 2 * worst.distance - worst.radius) worst = other;
-}
-
-}  // namespace
 
 void ContactSearch::use(const BroadPhaseParameters& parameters, const Grid& grid, const Points& x) {
     kernels_ = parameters.kernels;
     grid_ = grid;
     hierarchy_ = make_broad_phase(parameters, grid);
     audit_.reset();
-    list_all_cells(grid, all_cells_);
     if (!parameters.search.none()) audit_.emplace(grid, kernels_);
     build_from(x);
 }
@@ -31,21 +21,20 @@ void ContactSearch::build_from(const Points& x) {
     queried_ = false;
 }
 
-Crossing ContactSearch::crossing(const MovingCloth& cloth, std::span<const Ball> balls, Real thickness) const {
+Crossing ContactSearch::crossing(const MovingCloth& cloth, std::span<const Body> bodies, Real thickness) const {
     const Real moved = largest_displacement(cloth.x, cloth.before, kernels_);
     Crossing worst;
-    for (const Ball& ball : balls) {
-        take_worse(worst, {ball.moved.norm() + moved, ball.radius + thickness});
-    }
-    return worst;
-}
-
-Crossing ContactSearch::crossing(const MovingCloth& cloth, std::span<const Solid> solids, Real thickness) const {
-    const Real moved = largest_displacement(cloth.x, cloth.before, kernels_);
-    Crossing worst;
-    for (const Solid& solid : solids) {
-        const auto [low, high] = solid.shape->extent();
-        take_worse(worst, {solid.moved.norm() + moved, (high - low).minCoeff() / 2 + thickness});
+    for (const Body& body : bodies) {
+        if (body.is_ground()) continue;
+        Real radius = body.radius;
+        if (body.solid != nullptr) {
+            const auto [low, high] = body.solid->shape->extent();
+            radius = (high - low).minCoeff() / 2;
+        }
+        const Crossing crossing{body.moved.norm() + moved, radius + thickness};
+        // The one that is farthest beyond where it becomes possible, or nearest to it
+        const bool first = worst.radius == 0;
+        if (first || 2 * crossing.distance - crossing.radius > 2 * worst.distance - worst.radius) worst = crossing;
     }
     return worst;
 }
@@ -69,6 +58,7 @@ TraversalStats ContactSearch::traverse(std::span<const Ball> balls, Real thickne
         traversal_ += hierarchy_->query(grown(balls[b], margin), candidates_[b]);
         // In the same order whatever found them, so that contacts are answered in the same order
         std::ranges::sort(candidates_[b].cells);
+        std::ranges::sort(candidates_[b].stopped, {}, &StoppedNode::cell);
     }
     queried_ = true;
     return traversal_;
@@ -87,25 +77,22 @@ std::int64_t ContactSearch::narrow(const MovingCloth& cloth, std::span<const Bal
     return traversal_.candidates - touching;
 }
 
-TraversalStats ContactSearch::meet_solid(const MovingCloth& cloth, const Solid& solid, int body, Real thickness,
-                                         std::vector<ContactRow>& rows) {
-    const Real near = reach(solid.moved, thickness);
-    const auto distance = [&solid](const Vec3& p) { return solid.distance(p); };
-    const TraversalStats stats = hierarchy_->query_near(distance, thickness + 2 * near, near_);
-    std::ranges::sort(near_.cells);
-    solid_search_.find(cloth, solid, {body, thickness, near}, near_.cells, rows);
-    return stats;
-}
-
-TraversalStats ContactSearch::meet_ground(const MovingCloth& cloth, Real height, int body, Real thickness,
-                                          std::vector<ContactRow>& rows) {
-    if (!built_from_present_ || hierarchy_->levels() == 0) {
-        find_ground_contacts(cloth, height, {body, thickness}, all_cells_, rows);
-        return {};
+TraversalStats ContactSearch::meet(const MovingCloth& cloth, const Body& body, int number, Real thickness,
+                                   std::vector<ContactRow>& rows) {
+    const Real near = body.is_ground() ? Real(0) : reach(body.moved, thickness);
+    TraversalStats stats;
+    if (built_from_present_) {
+        const auto distance = [&body](const Vec3& p) { return body.measure(p).distance; };
+        stats = hierarchy_->query_near(distance, thickness + 2 * near, near_);
+        std::ranges::sort(near_.cells);
+    } else {
+        list_all_cells(grid_, near_.cells);
     }
-    const TraversalStats stats = hierarchy_->query_below(height + thickness, low_);
-    std::ranges::sort(low_.cells);
-    find_ground_contacts(cloth, height, {body, thickness}, low_.cells, rows);
+    if (body.is_ground()) {
+        find_ground_contacts(cloth, body.centre.y(), {number, thickness}, near_.cells, rows);
+    } else {
+        solid_search_.find(cloth, *body.solid, {number, thickness, near}, near_.cells, rows);
+    }
     return stats;
 }
 

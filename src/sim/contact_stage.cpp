@@ -2,7 +2,7 @@
 
 #include <algorithm>
 
-#include "ball_motion.h"
+#include "body_motion.h"
 #include "drape/base/assert.h"
 #include "drape/base/stopwatch.h"
 #include "drape/contact/detection.h"
@@ -91,7 +91,7 @@ void ContactStage::make_bodies() {
 }
 
 void ContactStage::move_balls() {
-    for (std::size_t b = 0; b < now_.moving.balls.size(); ++b) store(now_.bodies[b], now_.moving.balls[b]);
+    for (std::size_t b = 0; b < now_.moving.balls.size(); ++b) now_.moving.balls[b] = now_.bodies[b];
 }
 
 void ContactStage::begin(const Settings& settings, const ContactBodies& bodies, const Substep& now) {
@@ -158,9 +158,8 @@ void ContactStage::build(StepReport& report) {
         ContactSearch& search = cloths[c].search;
         search.build(motion_of(c), contact);
         if (contact.continuous != Continuous::Never) continue;
-        const auto mark = [&](const Crossing& crossing) { mark_crossing(crossing, now_.time, now_.h, report); };
-        if (!balls.empty()) mark(search.crossing(motion_of(c), balls, contact.thickness));
-        if (!solids.empty()) mark(search.crossing(motion_of(c), solids, contact.thickness));
+        const Crossing crossing = search.crossing(motion_of(c), now_.bodies, contact.thickness);
+        mark_crossing(crossing, now_.time, now_.h, report);
     }
     report.times.build += watch.lap();
 }
@@ -175,23 +174,23 @@ void ContactStage::traverse(StepReport& report) {
 
 void ContactStage::narrow(StepReport& report) {
     const auto& [cloths, balls, solids] = now_.moving;
-    const Ground& ground = now_.settings->ground;
     const Real thickness = now_.settings->contact.thickness;
     Stopwatch watch;
     for (std::size_t c = 0; c < cloths.size(); ++c) {
         ContactSearch& search = cloths[c].search;
         const MovingCloth cloth = motion_of(c);
         report.false_candidates += search.narrow(cloth, balls, thickness, node_push_speed * now_.h, rows_);
-        int body = static_cast<int>(balls.size());
-        for (const Solid& solid : solids) report.solids += search.meet_solid(cloth, solid, body++, thickness, rows_);
-        if (ground.solid) report.ground += search.meet_ground(cloth, ground.height, body, thickness, rows_);
+        for (std::size_t b = balls.size(); b < now_.bodies.size(); ++b) {
+            TraversalStats& stats = now_.bodies[b].is_ground() ? report.ground : report.solids;
+            stats += search.meet(cloth, now_.bodies[b], static_cast<int>(b), thickness, rows_);
+        }
     }
     report.times.narrow += watch.lap();
-    self_.find(now_.response, now_.cloths, rows_);
+    self_.find_contacts(now_.response, now_.cloths, rows_);
     report.times.pairs += watch.lap();
     find_body_contacts(now_.bodies, rows_);
     warm_start_.carry_over(now_.cloths, now_.bodies, rows_);
-    near_ = self_.is_near();
+    near_ = !self_.pairs().empty();
     for (const ContactRow& row : rows_) {
         report.pairs += row.kind == RowKind::Pair;
         report.contacts += row.kind < RowKind::Pair && row.depth > 0;

@@ -9,7 +9,6 @@
 #include "drape/model/forces.h"
 #include "drape/model/stencils.h"
 #include "drape/model/stretch_limit.h"
-#include "held_power.h"
 
 namespace drape {
 namespace {
@@ -185,14 +184,14 @@ void Hand::lead(std::span<Cloth> cloths, const Obstacles& obstacles, Real h) {
     cloth.energy.give(static_cast<double>(cloth.model.particle_mass / 2 * std::max(gained, Real(0))));
     cloth.energy.touch(cloth.model, cloth.state);
     cloth.state.v.row(held_->particle) = velocity.transpose();
-    held_->power = held_power(cloth.model, cloth.state, held_->particle);
+    held_->power = held_power(cloth.model, cloth.state.x, cloth.state.v, held_->particle);
 }
 
 /// The larger of both ends of the step stands for all of it: a spring that is drawn out pulls ever more.
 void Hand::count_work(std::span<Cloth> cloths, Real h) const {
     if (!held_) return;
     Cloth& cloth = cloths[held_->cloth];
-    const double power = held_power(cloth.model, cloth.state, held_->particle);
+    const double power = held_power(cloth.model, cloth.state.x, cloth.state.v, held_->particle);
     cloth.energy.give(std::max({held_->power, power, 0.0}) * static_cast<double>(h));
 }
 

@@ -3,8 +3,7 @@
 #include <Eigen/Geometry>
 #include <algorithm>
 
-#include "ball_motion.h"
-#include "held_power.h"
+#include "body_motion.h"
 
 namespace drape {
 namespace {
@@ -31,7 +30,7 @@ Eigen::Quaternion<Real> turned_by(const Vec3& turns) {
 double power_of(const std::vector<int>& pins, const Cloth& cloth) {
     double power = 0;
     for (const int p : pins) {
-        if (p != cloth.held) power += std::max(held_power(cloth.model, cloth.state, p), 0.0);
+        if (p != cloth.held) power += std::max(held_power(cloth.model, cloth.state.x, cloth.state.v, p), 0.0);
     }
     return power;
 }

@@ -1,11 +1,12 @@
 #include "run_checks.h"
 
 #include <algorithm>
+#include <cmath>
 #include <limits>
 
-#include "divergence.h"
 #include "drape/base/numbers.h"
 #include "drape/integrate/stability.h"
+#include "drape/model/stencils.h"
 #include "step_plan.h"
 
 namespace drape {
@@ -13,6 +14,80 @@ namespace {
 
 /// Ratio of a ball's mass to a particle's above which the ball may be the reason that cloth is overstretched.
 constexpr Real heavy_mass_ratio = Real(1e5);
+
+/// Excess beyond a small stretch limit, as a fraction of the rest length, from which a spring counts as overstretched.
+/// A ball that moves into soft springs stretches them by nearly this much.
+constexpr Real large_excess = Real(0.1);
+
+/// What has diverged: one clause that names the first such particle, and which that is; empty while all is well.
+struct Divergence {
+    std::string clause;
+    int particle = -1, other = -1;  ///< `other` is at the other end of the worst of its springs
+};
+
+/// How much faster than plausible particles may move. The whip crack of a free corner comes to about five times it.
+constexpr Real margin = 20;
+
+/// The fastest that gravity, wind, balls and pins can plausibly make a particle move against the rest [m/s].
+Real plausible_speed(const Cloth& cloth, std::span<const Ball> balls, const Settings& settings) {
+    const ClothModel& model = cloth.model;
+    const Real height = model.hx * static_cast<Real>(model.grid.nx) + model.hy * static_cast<Real>(model.grid.ny);
+    Real speed = std::sqrt(2 * gravity_scale(model) * height) + settings.wind.velocity.norm() + cloth.pin_speed;
+    for (const Ball& ball : balls) speed += ball.velocity.norm();
+    return speed;
+}
+
+/// Adds the spring of the particle that is the farthest from its rest length, or one without a length.
+void add_spring(const ClothModel& model, const Points& x, Divergence& found) {
+    Real worst = -1;
+    std::string text;
+    for_each_spring_at(model, found.particle, [&](const SpringStencil& springs, int other) {
+        const Real ratio = (x.row(found.particle) - x.row(other)).norm() / springs.rest_length;
+        const Real off = std::isfinite(ratio) ? std::abs(ratio - 1) : std::numeric_limits<Real>::infinity();
+        if (springs.law == SpringLaw{} || !(off > worst)) return;
+        worst = off;
+        found.other = other;
+        const std::string kind = springs.structural() ? "structural" : springs.di * springs.dj == 0 ? "bend" : "shear";
+        text = ", its " + kind + " spring to " + std::to_string(other) +
+               (std::isfinite(ratio) ? " at " + real_text(static_cast<double>(ratio), 3) + " x its rest length" : "");
+    });
+    found.clause += text;
+}
+
+Divergence diverged_at(const Cloth& cloth, Eigen::Index particle, const std::string& how) {
+    const int p = static_cast<int>(particle), columns = cloth.model.grid.nx;
+    Divergence found{"particle " + std::to_string(p) + " (column " + std::to_string(p % columns) + ", row " +
+                         std::to_string(p / columns) + ") " + how,
+                     p};
+    add_spring(cloth.model, cloth.state.x, found);
+    return found;
+}
+
+/// What shows that the last step has diverged: a number that is no longer finite, or particles that move against
+/// one another far faster than gravity, balls, wind and hand could have made them.
+/// @param sums of the cloth's state
+/// @par Cost O(1) while all is well
+Divergence divergence(const Cloth& cloth, const MotionSums& sums, std::span<const Ball> balls,
+                      const Settings& settings) {
+    const Points &x = cloth.state.x, &v = cloth.state.v;
+    const auto n = static_cast<Real>(v.rows());
+
+    // RMS speed against the mean motion: a long free fall is fast, but together
+    const Vec3 mean = sums.velocities / n;
+    const Real square = sums.squared_speeds / n - mean.squaredNorm();
+    const Real limit = margin * plausible_speed(cloth, balls, settings);
+    if (square <= limit * limit && sums.positions.allFinite()) return {};
+
+    // Name the first particle that is not finite, else the fastest
+    Eigen::Index fastest = 0;
+    Real largest = -1;
+    for (Eigen::Index p = 0; p < v.rows(); ++p) {
+        if (!x.row(p).allFinite() || !v.row(p).allFinite()) return diverged_at(cloth, p, "is no longer finite");
+        const Real speed = (v.row(p).transpose() - mean).squaredNorm();
+        if (speed > largest) largest = speed, fastest = p;
+    }
+    return diverged_at(cloth, fastest, "at " + real_text(static_cast<double>(std::sqrt(largest)), 3) + " m/s");
+}
 
 std::string solve_error(IntegratorKind integrator, const StepReport& report) {
     const SolveReport& solve = report.solve;
@@ -94,6 +169,18 @@ std::string check_substep(std::span<Cloth> cloths, std::span<const Ball> balls, 
     if (solver.on_unstable != OnUnstable::Stop) return {};
     if (report.solve.unconverged > 0) return solve_error(solver.integrator, report);
     return gained ? gain_error(report) : "";
+}
+
+void measure_stretch(std::span<const Cloth> cloths, double dt, StepReport& report) {
+    report.stretch_excess = 0;
+    bool over = false;
+    for (const Cloth& cloth : cloths) {
+        const Real excess = stretch_excess(cloth.model, cloth.state.x);
+        report.stretch_excess = std::max(report.stretch_excess, static_cast<double>(excess));
+        over = over || excess > std::max(cloth.model.stretch_limit, large_excess);
+    }
+    report.worst_stretch_excess = std::max(report.worst_stretch_excess, report.stretch_excess);
+    if (over) report.overstretched += dt;
 }
 
 std::string joined(std::initializer_list<std::string> clauses) {

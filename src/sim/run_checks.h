@@ -21,6 +21,11 @@ namespace drape {
 std::string check_substep(std::span<Cloth> cloths, std::span<const Ball> balls, const Settings& settings, Real h,
                           int planned, StepReport& report);
 
+/// Reports the largest excess over the stretch limits that shortening and contact have left at the end of a step of
+/// length dt [s].
+/// @par Cost one pass over two springs a particle; nothing without a limit
+void measure_stretch(std::span<const Cloth> cloths, double dt, StepReport& report);
+
 /// Marks in the report that in a substep at a time, of length h [s], something may have passed through the cloth
 /// unseen.
 void mark_crossing(const Crossing& crossing, double time, Real h, StepReport& report);

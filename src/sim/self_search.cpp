@@ -4,8 +4,6 @@
 #include <cmath>
 #include <limits>
 
-#include "drape/contact/near_pairs.h"
-
 namespace drape {
 namespace {
 
@@ -40,6 +38,12 @@ constexpr Real coincident_reach = std::max(Real(1e-6), 256 * std::numeric_limits
 /// thousands in each.
 constexpr std::size_t coincident_leaves_at_once = 64;
 
+/// The side of a leaf where none is given: a pair of leaves is tested cell by cell.
+constexpr int pair_leaf_cells = 4;
+
+/// Of the thickness, that cloth keeps from cloth whatever presses it.
+constexpr Real of_thickness_kept = Real(1e-3);
+
 /// A cloth at the start of the substep.
 ClothAt at(std::span<const ClothInContact> cloths, int number) {
     const ClothInContact& cloth = cloths[static_cast<std::size_t>(number)];
@@ -60,6 +64,25 @@ auto own_motion(const Points& from, const Points& to, const Vec3& mean) {
 }
 
 }  // namespace
+
+void SelfSearch::use(const Settings& settings, std::span<const ClothModel* const> models,
+                     std::span<const Points* const> x) {
+    *this = {};
+    on_ = settings.contact.self;
+    if (!on_) return;
+    share(settings.solver.threads);
+    use_hierarchy(settings, models);
+    crossings_at_start_ = count_crossings(x);
+    coincident_at_start_ = count_coincident(x);
+}
+
+void SelfSearch::use_hierarchy(const Settings& settings, std::span<const ClothModel* const> models) {
+    if (!on_) return;
+    BroadPhaseParameters parameters = broad_phase_of(settings);
+    parameters.search = {};
+    if (parameters.leaf_cells == 0) parameters.leaf_cells = pair_leaf_cells;
+    use(parameters, models);
+}
 
 void SelfSearch::use(const BroadPhaseParameters& parameters, std::span<const ClothModel* const> models) {
     surfaces_.clear();
@@ -203,45 +226,72 @@ Real SelfSearch::sum_of_largest(const FeaturePair& pair, const Numbers& of_parti
 
 Real SelfSearch::reach_of(const NearPair& pair) const { return sum_of_largest(pair.features, reaches_); }
 
-SelfSearchReport SelfSearch::find(std::span<const ClothInContact> cloths, Real thickness) {
-    SelfSearchReport report;
+const SelfSearchReport& SelfSearch::find(std::span<const ClothInContact> cloths, Real thickness) {
+    report_ = {};
     thickness_ = thickness;
     find_mean_motion(cloths);
     find_reaches(cloths, response_allowance, reaches_, displacement_since_list_);
-    if (!listed_ || !(displacement_since_list_ <= allowance_).all()) renew_list(cloths, response_allowance, report);
-    if (!report.gave_up) look_at_pairs(cloths, report);
-    return report;
+    if (!listed_ || !(displacement_since_list_ <= allowance_).all()) renew_list(cloths, response_allowance);
+    if (!report_.gave_up) look_at_pairs(cloths);
+    return report_;
 }
 
-bool SelfSearch::extend(std::span<const ClothInContact> cloths, SelfSearchReport& report) {
+void SelfSearch::find_contacts(const ResponseParameters& parameters, std::span<const ClothInContact> cloths,
+                               std::vector<ContactRow>& rows) {
+    if (!on_) return;
+    find(cloths, parameters.pair_thickness);
+    for (const NearPair& pair : near_) {
+        if (!pair.is_representative) continue;
+        ContactRow row = row_of(pair, thickness_);
+        update_depths(cloths, {}, {&row, 1});
+        // A pair that stays well apart is left to the fail-safe
+        if (-row.depth <= (reach_of(pair) - thickness_) / 4) rows.push_back(row);
+    }
+}
+
+bool SelfSearch::extend(std::span<const ClothInContact> cloths) {
     // Half of the thickness is what features that were not found keep between them
     find_reaches(cloths, 1, more_reaches_, more_strayed_);
     if ((more_reaches_ - thickness_ / 4 <= reaches_).all()) return false;
     reaches_ = reaches_.max(more_reaches_);
     displacement_since_list_ = displacement_since_list_.max(more_strayed_);
-    if (!listed_ || !(more_strayed_ <= allowance_).all()) renew_list(cloths, 1, report);
-    if (!report.gave_up) look_at_pairs(cloths, report);
-    return !report.gave_up;
+    if (!listed_ || !(more_strayed_ <= allowance_).all()) renew_list(cloths, 1);
+    if (!report_.gave_up) look_at_pairs(cloths);
+    return !report_.gave_up;
 }
 
-void SelfSearch::renew_list(std::span<const ClothInContact> cloths, Real factor, SelfSearchReport& report) {
+bool SelfSearch::would_cross(std::span<const ClothInContact> cloths) {
+    if (!on_) return false;
+    extend(cloths);
+    const Real rounding = 64 * std::numeric_limits<Real>::epsilon();
+    return !near_.empty() && zones_.find(near_, cloths, first_, std::max(of_thickness_kept * thickness_, rounding));
+}
+
+/// What is held back may move otherwise than the search has assumed.
+std::int64_t SelfSearch::prevent_crossing(std::span<const ClothInContact> cloths) {
+    do zones_.prevent_crossing(near_, cloths);
+    while (extend(cloths));
+    return zones_.particles();
+}
+
+void SelfSearch::renew_list(std::span<const ClothInContact> cloths, Real factor) {
     const auto make = [&](Real ahead) {
         ahead_ = ahead;
         set_allowances(factor);
-        report.gave_up = false;
-        make_list(cloths, report);
+        report_.gave_up = false;
+        make_list(cloths);
     };
-    report.gave_up = is_too_far();
-    if (!report.gave_up) {
+    report_.gave_up = is_too_far();
+    if (!report_.gave_up) {
         make(next_ahead());
-        if (report.gave_up) make(min_ahead);
+        if (report_.gave_up) make(min_ahead);
     }
-    if (report.gave_up) return forget();
+    if (report_.gave_up) return forget();
     displacement_since_list_ = reaches_;
 }
 
 /// A pair that was farther apart than both features have strayed, and may yet reach, is not near.
-void SelfSearch::look_at_pairs(std::span<const ClothInContact> cloths, SelfSearchReport& report) {
+void SelfSearch::look_at_pairs(std::span<const ClothInContact> cloths) {
     list_.look_through(near_, [&](const PairList::Listed& listed, std::vector<NearPair>& near) {
         const auto& [features, triangle, distance] = listed;
         if (distance >= sum_of_largest(features, displacement_since_list_)) return;
@@ -249,10 +299,10 @@ void SelfSearch::look_at_pairs(std::span<const ClothInContact> cloths, SelfSearc
         locate(at(cloths, features.cloths[0]), at(cloths, features.cloths[1]), pair);
         if (pair.distance < reach_of(pair)) near.push_back(pair);
     });
-    report.listed = static_cast<std::int64_t>(list_.size());
+    report_.listed = static_cast<std::int64_t>(list_.size());
 }
 
-void SelfSearch::make_list(std::span<const ClothInContact> cloths, SelfSearchReport& report) {
+void SelfSearch::make_list(std::span<const ClothInContact> cloths) {
     for (std::size_t c = 0; c < cloths.size(); ++c) {
         Surface& surface = surfaces_[c];
         surface.kept = cloths[c].before;
@@ -264,14 +314,14 @@ void SelfSearch::make_list(std::span<const ClothInContact> cloths, SelfSearchRep
     list_.clear();
     const int count = static_cast<int>(cloths.size());
     for (int first = 0; first < count; ++first) {
-        for (int second = first; second < count; ++second) search(cloths, first, second, report);
+        for (int second = first; second < count; ++second) search(cloths, first, second);
     }
     list_.close();
     listed_ = true;
 }
 
 /// Boxes are built where anything comes near at all.
-void SelfSearch::search(std::span<const ClothInContact> cloths, int first, int second, SelfSearchReport& report) {
+void SelfSearch::search(std::span<const ClothInContact> cloths, int first, int second) {
     const auto box = [&](int number) {
         Surface& surface = surfaces_[static_cast<std::size_t>(number)];
         const ClothAt cloth = at(cloths, number);
@@ -283,13 +333,13 @@ void SelfSearch::search(std::span<const ClothInContact> cloths, int first, int s
     const auto largest = [&](int number) { return std::ranges::max(allowances(number)); };
     const Surface &one = surfaces_[static_cast<std::size_t>(first)], &two = surfaces_[static_cast<std::size_t>(second)];
     const Real margin = largest(first) + largest(second);
-    report.traversal += one.tree->query(*two.tree, margin, first == second ? &one.folds : nullptr, leaves_);
+    report_.traversal += one.tree->query(*two.tree, margin, first == second ? &one.folds : nullptr, leaves_);
     if (leaves_.empty()) return;
     const BoxedCloth at_one = box(first), at_two = box(second);
     const std::span<const LeafPair> leaves(leaves_);
-    for (std::size_t k = 0; k < leaves.size() && !report.gave_up; k += leaves_at_once) {
+    for (std::size_t k = 0; k < leaves.size() && !report_.gave_up; k += leaves_at_once) {
         list_.add(at_one, at_two, leaves.subspan(k, std::min(leaves_at_once, leaves.size() - k)));
-        report.gave_up = is_too_long(list_.size());
+        report_.gave_up = is_too_long(list_.size());
     }
 }
 

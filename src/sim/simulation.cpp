@@ -3,14 +3,13 @@
 #include <algorithm>
 #include <utility>
 
-#include "ball_motion.h"
+#include "body_motion.h"
 #include "drape/base/stopwatch.h"
 #include "drape/integrate/integrator.h"
 #include "drape/scene/memory.h"
 #include "gusts.h"
 #include "run_checks.h"
 #include "step_plan.h"
-#include "stretch_stage.h"
 
 namespace drape {
 
@@ -22,7 +21,7 @@ void Simulation::step() {
         const Substep now = substep(k);
         if (!input(now)) continue;    // asleep
         if (!integrate(now)) return;  // diverged
-        limit_stretch(cloths_, report_);
+        limit_stretch();
         contact_.detect(report_);
         contact_.audit_search(report_);
         if (!respond()) return;  // too fast
@@ -68,12 +67,14 @@ bool Simulation::input(const Substep& now) {
     hand_.lead(cloths_, {balls_, solids_, settings_.ground, settings_.contact.thickness}, now.h);
     for (std::size_t b = 0; b < balls_.size(); ++b) {
         if (report_.asleep && !is_kinematic(b)) continue;
-        move_ball(settings_.balls[b], steer_, settings_.ground, settings_.contact.thickness, gravity_of(settings_),
-                  displacement_share(settings_.solver.integrator), static_cast<Real>(now.time), now.h, balls_[b]);
+        move_ball(settings_.balls[b], steer_, gravity_of(settings_), displacement_share(settings_.solver.integrator),
+                  static_cast<Real>(now.time), now.h, balls_[b]);
     }
-    move_solids(now);
-    stop_balls(now);
-    move_pins(now);
+    for (std::size_t s = 0; s < solids_.size(); ++s) {
+        move_solid(settings_.solids[s], static_cast<Real>(now.time), now.h, solids_[s]);
+    }
+    stop_balls();
+    pins_have_moved_ = pins_.lead(cloths_, static_cast<Real>(now.time), now.h) || pins_have_moved_;
     if (kinematic_body_has_moved()) wake();
     return !report_.asleep;
 }
@@ -86,10 +87,8 @@ bool Simulation::integrate(const Substep& now) {
     for (Cloth& cloth : cloths_) {
         cloth.model.air = air;
         Stopwatch watch;
-        rethrow_bad_alloc(settings_, [&] {
-            report_.solve += cloth.integrator.step(cloth.model, cloth.state, now.h,
-                                                   cloth.energy.start_of_step(cloth.model, cloth.state, cloth.held));
-        });
+        cloth.energy.start_of_step(cloth.model, cloth.state, cloth.held);
+        rethrow_bad_alloc(settings_, [&] { report_.solve += cloth.integrator.step(cloth.model, cloth.state, now.h); });
         report_.times.step += watch.lap();
         cloth.search.positions_changed();
         if (settings_.wind.on) cloth.energy.give(most_wind_power(cloth.model) * static_cast<double>(now.h));
@@ -105,8 +104,14 @@ bool Simulation::integrate(const Substep& now) {
     return true;
 }
 
-void Simulation::move_pins(const Substep& now) {
-    if (pins_.lead(cloths_, static_cast<Real>(now.time), now.h)) pins_have_moved_ = true;
+/// Shortens structural springs to the limit of each cloth. Its time counts as the integrator's.
+void Simulation::limit_stretch() {
+    Stopwatch watch;
+    for (Cloth& cloth : cloths_) {
+        const StretchReport left = cloth.energy.limit_stretch(cloth.model, cloth.held, cloth.state);
+        if (left.sweeps > 0) cloth.search.positions_changed();
+    }
+    report_.times.step += watch.lap();
 }
 
 /// @return false if the run has come to its end

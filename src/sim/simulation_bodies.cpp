@@ -1,11 +1,10 @@
 #include <algorithm>
 #include <utility>
 
-#include "ball_motion.h"
 #include "ball_stops.h"
+#include "body_motion.h"
 #include "drape/base/input_error.h"
 #include "drape/sim/simulation.h"
-#include "solid_motion.h"
 
 namespace drape {
 
@@ -31,10 +30,13 @@ void Simulation::put_ball(std::size_t number, const Vec3& centre) {
     contact_.forget_bodies([&](int body) { return body == static_cast<int>(number); });
 }
 
-void Simulation::stop_balls(const Substep& now) {
-    const BallStops stops{cloths_, contact_.rows(), solids_, settings_.ground, settings_.contact.thickness};
+void Simulation::stop_balls() {
+    obstacles_.clear();
+    for (const Solid& solid : solids_) obstacles_.push_back(body_of(solid, {}));
+    if (settings_.ground.solid) obstacles_.push_back(body_of(settings_.ground));
+    const BallStops stops{cloths_, contact_.rows(), obstacles_, settings_.contact.thickness};
     for (std::size_t b = 0; b < balls_.size(); ++b) {
-        if (settings_.balls[b].motion == BallMotion::Keys) stop_ball(stops, static_cast<int>(b), now.h, balls_[b]);
+        if (settings_.balls[b].motion == BallMotion::Keys) stop_ball(stops, static_cast<int>(b), balls_[b]);
     }
 }
 
@@ -47,11 +49,6 @@ void Simulation::choose_ball() {
         users_ball_ = static_cast<std::size_t>(found - settings_.balls.begin());
         return;
     }
-}
-
-void Simulation::give_ball_back() {
-    if (motion_by_scene_) settings_.balls[users_ball_].motion = *motion_by_scene_;
-    motion_by_scene_.reset();
 }
 
 /// The user takes the ball over, until the scene starts again.
@@ -71,12 +68,6 @@ void Simulation::throw_ball(const command::Throw& command) {
     balls_[users_ball_].velocity = command.velocity;
     balls_[users_ball_].spin.setZero();
     wake();
-}
-
-void Simulation::move_solids(const Substep& now) {
-    for (std::size_t s = 0; s < solids_.size(); ++s) {
-        move_solid(settings_.solids[s], static_cast<Real>(now.time), now.h, solids_[s]);
-    }
 }
 
 /// Nothing that touched a solid where it was does so where it is now.

@@ -1,7 +1,7 @@
 #include <algorithm>
 #include <utility>
 
-#include "ball_motion.h"
+#include "body_motion.h"
 #include "drape/scene/memory.h"
 #include "drape/scene/same_motion.h"
 #include "drape/scene/scene.h"
@@ -9,7 +9,6 @@
 #include "drape/sim/simulation.h"
 #include "drape/sim/snapshot.h"
 #include "run_checks.h"
-#include "solid_motion.h"
 #include "step_plan.h"
 
 namespace drape {
@@ -102,7 +101,8 @@ std::vector<Command> Simulation::commands_to_let_go() const {
 }
 
 void Simulation::restart() {
-    give_ball_back();
+    if (motion_by_scene_) settings_.balls[users_ball_].motion = *motion_by_scene_;
+    motion_by_scene_.reset();
     hand_ = {};
     steer_.setZero();
     steps_wanted_ = 0;

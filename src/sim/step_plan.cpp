@@ -4,7 +4,7 @@
 #include <cmath>
 #include <limits>
 
-#include "ball_motion.h"
+#include "body_motion.h"
 #include "drape/base/numbers.h"
 #include "drape/bounds/aabb.h"
 #include "drape/contact/response.h"

@@ -1,7 +1,6 @@
-#include "bounds/kernels/centroid_tree.h"
-
 #include <gtest/gtest.h>
 
+#include "bounds/kernels/patch_kernels.h"
 #include "drape/bounds/sphere_fits.h"
 #include "support/cloths.h"
 

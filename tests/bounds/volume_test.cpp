@@ -50,8 +50,6 @@ TYPED_TEST(Volume, AndItsSphereContainItsParticlesAtAnyScaleAndFarOut) {
             const TypeParam volume = fits_of<TypeParam>({.kernels = kernels}).patch(whole(x, grid));
             ASSERT_LE(farthest_out(volume, whole(x, grid)), 0) << grid.nx << " columns";
             ASSERT_LE(farthest_out(volume.sphere(), whole(x, grid)), 0) << grid.nx << " columns";
-            ASSERT_LE(volume.lowest(), x.col(1).minCoeff()) << grid.nx << " columns";
-            ASSERT_GE(volume.lowest(), volume.sphere().lowest());
         }
     });
 }

@@ -28,6 +28,12 @@ std::vector<Solid> groove(Real width) {
             test::solid_at(box, Vec3((1 + width) / 2, Real(-0.5), 0))};
 }
 
+std::vector<Body> bodies_of(const std::vector<Solid>& solids) {
+    std::vector<Body> bodies;
+    for (const Solid& solid : solids) bodies.push_back(body_of(solid, {}));
+    return bodies;
+}
+
 /// How far a ball is from the nearest of some solids; less than zero inside [m].
 Real gap_to(const std::vector<Solid>& solids, const Ball& ball) {
     Real gap = std::numeric_limits<Real>::infinity();
@@ -41,7 +47,7 @@ TEST(StayOutside, LeavesABallWhereItWasThatSolidsGiveNoRoom) {
     for (const Real depth : {Real(0.05), Real(0.2), Real(0.4)}) {
         const Vec3 start(0, Real(0.2), 0);
         Ball ball = steered_ball(start, Vec3(Real(0.001), -depth, 0));
-        stay_outside(solids, ball.centre - ball.moved, 0, led_step, ball);
+        stay_outside(bodies_of(solids), ball.centre - ball.moved, 0, ball);
         EXPECT_LT((ball.centre - start).norm(), 1e-15) << depth;
         EXPECT_EQ(ball.velocity, Vec3::Zero()) << depth;
         EXPECT_EQ(ball.moved, Vec3::Zero()) << depth;
@@ -53,7 +59,7 @@ TEST(StayOutside, LetsABallIntoAGrooveThatIsWideEnough) {
     const Vec3 end(0, Real(-0.3), 0);
     Ball ball = steered_ball(Vec3(0, Real(0.2), 0), end);
     const Vec3 velocity = ball.velocity;
-    stay_outside(solids, ball.centre - ball.moved, 0, led_step, ball);
+    stay_outside(bodies_of(solids), ball.centre - ball.moved, 0, ball);
     EXPECT_EQ(ball.centre, end);
     EXPECT_EQ(ball.velocity, velocity);
 }
@@ -66,7 +72,7 @@ TEST(StayOutside, LetsABallSlideIntoACorner) {
         solids.push_back(test::solid_at(box, place));
     }
     Ball ball = steered_ball(Vec3(0, Real(0.3), 0), Vec3(Real(-0.4), Real(-0.2), Real(-0.5)));
-    stay_outside(solids, ball.centre - ball.moved, 0, led_step, ball);
+    stay_outside(bodies_of(solids), ball.centre - ball.moved, 0, ball);
     EXPECT_GT(gap_to(solids, ball), -1e-5);
     EXPECT_NEAR((ball.centre - Vec3(Real(-0.2), led_radius, Real(-0.2))).norm(), 0, 1e-5);
     EXPECT_GE(ball.velocity.minCoeff(), 0);
@@ -77,7 +83,7 @@ TEST(StayOutside, LeavesABallAloneThatOnlyTouches) {
     const Vec3 end(Real(0.01), led_radius, 0);
     Ball ball = steered_ball(Vec3(0, led_radius, 0), end);
     const Vec3 velocity = ball.velocity;
-    stay_outside(solids, ball.centre - ball.moved, 0, led_step, ball);
+    stay_outside(bodies_of(solids), ball.centre - ball.moved, 0, ball);
     EXPECT_EQ(ball.centre, end);
     EXPECT_EQ(ball.velocity, velocity);
 }
@@ -90,7 +96,7 @@ TEST(StayOutside, FollowsTheWholePathWhateverHasShortenedIt) {
     ball.centre.y() += Real(0.1);
     ball.velocity.setZero();
     ball.moved.setZero();
-    stay_outside(solids, start, 0, led_step, ball);
+    stay_outside(bodies_of(solids), start, 0, ball);
     EXPECT_NEAR(ball.centre.y(), led_radius + Real(0.0005), 1e-5);
 }
 

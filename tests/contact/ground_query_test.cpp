@@ -32,7 +32,7 @@ void compare_with_pass(const Grid& grid, const BroadPhase& tree, const Points& x
         const Real height = bottom + part * span - thickness;
         expected.clear(), found.clear();
         find_ground_contacts({grid, x, x}, height, {0, thickness}, all, expected);
-        seen.pruned += tree.query_below(height + thickness, low).pruned;
+        seen.pruned += tree.query_near([&](const Vec3& p) { return p.y() - height; }, thickness, low).pruned;
         std::ranges::sort(low.cells);
         find_ground_contacts({grid, x, x}, height, {0, thickness}, low.cells, found);
         ASSERT_EQ(found.size(), expected.size()) << part;

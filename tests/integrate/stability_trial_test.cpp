@@ -99,11 +99,10 @@ TEST(LongMeasuredLimit, OfExplicitEulerIsTheOneThatItsGrowthFromNoiseTakes) {
         const StepLimit fastest =
             predicted_limit(sheet.model, sheet.state, IntegratorKind::SymplecticEuler, Kernels::Vector);
         for (const int steps : {3000, 12000}) {
-            const Trial trial{.steps = steps};
             const Real expected = observable_limit_of_explicit_euler(sheet.model, sheet.state, fastest.omega,
-                                                                     fastest.zeta, Kernels::Vector, trial);
+                                                                     fastest.zeta, Kernels::Vector, steps);
             const Real measured = measured_limit(sheet.model, sheet.state, {.kind = IntegratorKind::ExplicitEuler},
-                                                 expected / 2, 1, trial);
+                                                 expected / 2, 1, steps);
             EXPECT_NEAR(measured / expected, 1, 0.15) << "damping " << damping << ", steps " << steps;
             EXPECT_GT(measured, sheet.predicted(IntegratorKind::ExplicitEuler));
         }

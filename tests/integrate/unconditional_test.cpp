@@ -12,7 +12,7 @@ TrialEnd tried(const IntegratorParameters& method, Real stiffness, Real step, Re
     parameters.structural = parameters.shear = parameters.bend = {stiffness, damping};
     parameters.drag = 0;
     parameters.pinned.kind = Pins::Kind::Two;
-    return try_step(make_cloth_model(parameters), make_rest_state(parameters), method, step, {.steps = 300});
+    return try_step(make_cloth_model(parameters), make_rest_state(parameters), method, step, 300);
 }
 
 using enum IntegratorKind;

@@ -113,49 +113,6 @@ TEST(ForceSweep, GivesTheSameBitsWithAnyNumberOfThreadsAndWhereTheStateIsOverwri
     }
 }
 
-/// Energy and flow as a sweep finds them, with the forces.
-std::array<double, 7> flow_of_sweep(const MovingCloth& cloth, int threads, Points& f) {
-    ForceSweep sweep(cloth.model.grid, Kernels::Vector, threads);
-    EnergyFlow flow;
-    sweep.compute(cloth.model, cloth.state.x, cloth.state.v, f, &flow);
-    const auto& [energy, power] = flow;
-    return {energy.kinetic, energy.gravity, energy.spring, power.damping, power.drag, power.wind, power.hand};
-}
-
-TEST(ForceSweep, FindsTheEnergyAndItsFlowOnTheWay) {
-    for (const Grid grid : odd_grids) {
-        MovingCloth cloth(grid);
-        cloth.model.hold(1, true);
-        Points f(cloth.state.x.rows(), 3), scratch(f);
-        for (const Real air : {Real(0), Real(1.2)}) {
-            cloth.model.air = {Vec3(3, -1, 2), air};
-            const auto found = flow_of_sweep(cloth, 1, f);
-            EXPECT_EQ(f, cloth.forces(1)) << "the forces do not depend on it";
-            const auto [energy, power] =
-                compute_energy_flow(cloth.model, cloth.state.x, cloth.state.v, scratch, Kernels::Plain);
-            const std::array<double, 7> expected{energy.kinetic, energy.gravity, energy.spring, power.damping,
-                                                 power.drag,     power.wind,     power.hand};
-            for (std::size_t k = 0; k < expected.size(); ++k) {
-                EXPECT_NEAR(found[k], expected[k], 1e-10 * std::abs(expected[k])) << grid.nx << " " << k;
-            }
-        }
-    }
-}
-
-TEST(ForceSweep, FindsTheSameBitsOfTheEnergyWithEveryKindOfVectorAndAnyNumberOfThreads) {
-    MovingCloth cloth({300, 200});
-    cloth.model.air = {Vec3(3, -1, 2), Real(1.2)};
-    cloth.model.hold(1, true);
-    Points f(cloth.state.x.rows(), 3);
-    const auto one = flow_of_sweep(cloth, 1, f);
-    for (const int threads : {2, 3, 7}) EXPECT_EQ(flow_of_sweep(cloth, threads, f), one) << threads;
-    for (std::int64_t targets = hwy::SupportedTargets(); targets != 0; targets &= targets - 1) {
-        hwy::SetSupportedTargetsForTest(targets & -targets);
-        EXPECT_EQ(flow_of_sweep(cloth, 1, f), one) << hwy::TargetName(targets & -targets);
-        hwy::SetSupportedTargetsForTest(0);
-    }
-}
-
 TEST(ForceSweep, AllocatesNothing) {
     const MovingCloth cloth({300, 200});
     ForceSweep sweep(cloth.model.grid, Kernels::Vector, 3);

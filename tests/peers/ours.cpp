@@ -29,8 +29,7 @@ private:
     Candidates found_;
 };
 
-/// Quadtrees, one a cloth, traversed in pairs down to cells; with the test for folds, or without. SelfSearch asks that
-/// test about cells that do not touch alone, and has another one for those that do.
+/// Quadtrees, one a cloth, traversed in pairs down to cells; with the test for folds, or without.
 class OurPairs final : public PairMethod {
 public:
     OurPairs(std::string name, const Sheets& sheets, VolumeKind volume, bool folds)

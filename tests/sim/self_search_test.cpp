@@ -103,22 +103,21 @@ public:
     bool find() {
         if (state_.x.rows() > 0) before_ = state_.x;
         state_ = {sheet_.at(step_ * static_cast<Real>(++steps_)), Points::Zero(before_.rows(), 3)};
-        report_ = search_.find(cloths(), kept_apart);
-        return report_.traversal.volume_tests > 0;
+        return search_.find(cloths(), kept_apart).traversal.volume_tests > 0;
     }
 
     /// After a push, as a response gives it. @return whether it made a list
     bool extend_after(int particle, const Vec3& push) {
         state_.x.row(particle) += push.transpose();
-        const auto tests = report_.traversal.volume_tests;
-        const bool has_to = search_.extend(cloths(), report_);
-        EXPECT_FALSE(search_.extend(cloths(), report_)) << "nothing has been pushed since";
-        EXPECT_TRUE(has_to || report_.traversal.volume_tests == tests);
-        return report_.traversal.volume_tests > tests;
+        const auto tests = search_.report().traversal.volume_tests;
+        const bool has_to = search_.extend(cloths());
+        EXPECT_FALSE(search_.extend(cloths())) << "nothing has been pushed since";
+        EXPECT_TRUE(has_to || search_.report().traversal.volume_tests == tests);
+        return search_.report().traversal.volume_tests > tests;
     }
 
     void expect_definition(std::int64_t& pairs, Real kept) const {
-        EXPECT_FALSE(report_.gave_up);
+        EXPECT_FALSE(search_.report().gave_up);
         std::vector<FeaturePair> found;
         for (const NearPair& pair : search_.pairs()) found.push_back(pair.features);
         pairs += static_cast<std::int64_t>(found.size());
@@ -134,7 +133,6 @@ private:
     Points before_;
     ClothState state_;
     SelfSearch search_;
-    SelfSearchReport report_;
     int steps_ = 0;
 };
 

@@ -88,6 +88,14 @@ INSTANTIATE_TEST_SUITE_P(Nightly, SnapshotOfAMethod, testing::ValuesIn(names_of<
                          [](const auto& method) { return method.param; });
 INSTANTIATE_TEST_SUITE_P(Bdf2, SnapshotOfAMethod, testing::Values("bdf2"));
 
+TEST(SnapshotOfALimitedSearch, GoesOnWithTheSameBits) {
+    Simulation run = shipped_simulation("drop", {"contact.search_level=2"});
+    run_until(run, 0.1);
+    const auto is_of_node = [](const ContactRow& row) { return row.kind == RowKind::Node; };
+    EXPECT_GT(std::ranges::count_if(run.contacts(), is_of_node), 3);
+    EXPECT_TRUE(go_on_alike(run, 10));
+}
+
 TEST(SnapshotOfAUser, GoesOnWithWhatIsBeingDone) {
     Simulation run = shipped_simulation("drop");
     const auto check = [&](const std::string& command) {

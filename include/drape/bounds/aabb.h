@@ -69,9 +69,6 @@ struct Aabb {
                other.low.y() <= high.y() && low.z() <= other.high.z() && other.low.z() <= high.z();
     }
 
-    /// y of the lower face, to the bit [m]
-    [[nodiscard]] Real lowest() const { return low.y(); }
-
     /// About the middle, through the farthest corner.
     [[nodiscard]] BoundingSphere sphere() const {
         const Vec3 middle = (low + high) / 2;

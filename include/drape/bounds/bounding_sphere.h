@@ -1,6 +1,5 @@
 #pragma once
 
-#include <cmath>
 #include <limits>
 
 #include "drape/bounds/bounding_volume.h"
@@ -41,11 +40,6 @@ struct BoundingSphere {
         const Real rounding = 4 * epsilon * (centre.cwiseAbs() + other.centre.cwiseAbs()).sum();
         const Real radii = (radius + other.radius + margin) * (1 + 8 * epsilon) + rounding;
         return (centre - other.centre).squaredNorm() <= radii * radii;
-    }
-
-    /// y of the lowest point [m]
-    [[nodiscard]] Real lowest() const {
-        return centre.y() - radius - 8 * std::numeric_limits<Real>::epsilon() * (std::abs(centre.y()) + radius);
     }
 
     [[nodiscard]] BoundingSphere sphere() const { return *this; }

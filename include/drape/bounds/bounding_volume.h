@@ -38,10 +38,10 @@ struct BoundingSphere;
 /// What a hierarchy needs of a volume. `fit` contains every particle of the patch, and so its triangles: it is the
 /// plain one, `fits_of` has that of the vector kernels too. `merge` contains every child. `overlaps` is true whenever
 /// the ball has a point in common with the volume and errs towards true by the rounding; a cloth of some thickness is
-/// tested by a ball grown by it. No point of the volume is below `lowest`, which errs downwards by the rounding.
-/// `comes_within` is true whenever two volumes have points no farther from each other than a margin, and errs towards
-/// true. `sphere` contains the volume. `start` is the smallest volume from which `include` grows one about the
-/// particles of a patch: each time to contain one more of them, and all that it has contained.
+/// tested by a ball grown by it. `comes_within` is true whenever two volumes have points no farther from each other
+/// than a margin, and errs towards true. `sphere` contains the volume. `start` is the smallest volume from which
+/// `include` grows one about the particles of a patch: each time to contain one more of them, and all that it has
+/// contained.
 template <class V>
 concept BoundingVolume = requires(V volume, const Patch& patch, std::span<const V> children, const Ball& ball,
                                   const V& other, Real margin, const Vec3& p) {
@@ -51,7 +51,6 @@ concept BoundingVolume = requires(V volume, const Patch& patch, std::span<const 
     { std::as_const(volume).comes_within(other, margin) } -> std::same_as<bool>;
     { V::start(patch) } -> std::same_as<V>;
     { volume.include(p) } -> std::same_as<void>;
-    { std::as_const(volume).lowest() } -> std::same_as<Real>;
     { std::as_const(volume).sphere() } -> std::same_as<BoundingSphere>;
 };
 

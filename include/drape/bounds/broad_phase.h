@@ -130,12 +130,8 @@ public:
     virtual TraversalStats query(const BroadPhase& other, Real margin, const FoldTest* folds,
                                  std::vector<LeafPair>& pairs) = 0;
 
-    /// Every cell with a corner below a height, and perhaps more; no limit of the search ends this one.
-    /// @param height [m] @pre `build` was called
-    virtual TraversalStats query_below(Real height, Candidates& found) const = 0;
-
     /// Every cell with a triangle that comes as near to a body as a margin, and perhaps more; no limit of the search
-    /// ends this one either.
+    /// ends this one.
     /// @param distance from the body's surface
     /// @param margin [m] @pre `build` was called
     virtual TraversalStats query_near(const DistanceFunction& distance, Real margin, Candidates& found) const = 0;

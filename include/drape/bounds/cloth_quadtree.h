@@ -1,7 +1,6 @@
 #pragma once
 
 #include <algorithm>
-#include <cmath>
 #include <limits>
 #include <utility>
 #include <vector>
@@ -124,15 +123,6 @@ public:
                                         {.nodes = static_cast<std::int64_t>(nodes_.size())}};
         &second == this ? traversal.traverse_itself(0) : traversal.traverse(0, 0);
         return traversal.stats;
-    }
-
-    TraversalStats query_below(Real height, Candidates& found) const override {
-        TraversalStats stats = begin_query(found);
-        const Real rounding = 16 * std::numeric_limits<Real>::epsilon() * (std::abs(height) + slack_);
-        const Real highest = height + slack_ + rounding;
-        const auto is_apart = [&](const Volume& volume) { return volume.lowest() > highest; };
-        traverse(0, is_apart, leave_unmarked, found, stats);
-        return stats;
     }
 
     TraversalStats query_near(const DistanceFunction& distance, Real margin, Candidates& found) const override {

@@ -111,9 +111,6 @@ struct KDop {
         return true;
     }
 
-    /// The box's, to the bit.
-    [[nodiscard]] Real lowest() const { return box.lowest(); }
-
     /// The box's.
     [[nodiscard]] BoundingSphere sphere() const { return box.sphere(); }
 };

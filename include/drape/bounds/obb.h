@@ -55,9 +55,6 @@ struct Obb {
     /// they prune. @cite gottschalk1996
     [[nodiscard]] bool comes_within(const Obb& other, Real margin) const;
 
-    /// y of the lowest corner [m]
-    [[nodiscard]] Real lowest() const;
-
     /// About the middle, through the corners.
     [[nodiscard]] BoundingSphere sphere() const;
 };

@@ -13,17 +13,10 @@ struct Surface {
     Real rolling = 0;           ///< resistance to rolling: its torque on a ball is rolling * radius * load
 };
 
-/// What cloth and balls can touch: a ball, a solid or the ground, as it moves within the present substep.
-struct Body {
+/// What cloth and balls can touch: a ball, a solid or the ground, as it moves within the present substep. What is no
+/// ball has the radius 0; its centre is the origin of the solid's shape, or any point of the ground's surface.
+struct Body : Ball {
     const Solid* solid = nullptr;  ///< whose shape it has; null: it is a ball, or the ground
-    Real radius = 0;               ///< of a ball; of all else 0 [m]
-    Vec3 centre = Vec3::Zero();    ///< of a ball, origin of a solid's shape, any point of the ground's surface [m]
-    Vec3 moved = Vec3::Zero();     ///< within the substep [m]
-    Vec3 turned = Vec3::Zero();    ///< within the substep, axis times angle [rad]
-    Vec3 velocity = Vec3::Zero();  ///< [m/s]
-    Vec3 spin = Vec3::Zero();      ///< [rad/s]
-    Real inverse_mass = 0;         ///< 0: kinematic, no contact moves it [1/kg]
-    Real inverse_inertia = 0;      ///< [1/(kg m^2)]
     Surface surface;
 
     [[nodiscard]] bool is_ball() const { return radius > 0; }
@@ -41,8 +34,5 @@ struct Body {
 Body body_of(const Ball& ball, const Surface& surface);
 Body body_of(const Solid& solid, const Surface& surface);
 Body body_of(const Ground& ground);
-
-/// Gives a ball the motion that contacts have left its body.
-void store(const Body& body, Ball& ball);
 
 }  // namespace drape

@@ -102,18 +102,17 @@ private:
 /// @par Cost O(balls bodies) distances
 void find_body_contacts(std::span<const Body> bodies, std::vector<ContactRow>& rows);
 
-/// Stops a ball that nothing pushes at the surfaces of solids that it meets within the substep, and lets it slide along
+/// Stops a ball that nothing pushes at the surfaces of bodies that it meets within the substep, and lets it slide along
 /// them; back at its start, without velocity, if they leave it no room.
-/// @param start of its path; what stops it may have shortened `moved` [m]
+/// @param start of its path [m]
 /// @param gap to leave [m]
-/// @param h the substep [s]
 /// @return whether it had to
-bool stay_outside(std::span<const Solid> solids, const Vec3& start, Real gap, Real h, Ball& ball);
+bool stay_outside(std::span<const Body> bodies, const Vec3& start, Real gap, Ball& ball);
 
-/// Whether a ball's path through the substep takes it into no solid deeper than it was at the start, or would be if it
+/// Whether a ball's path through the substep takes it into no body deeper than it was at the start, or would be if it
 /// stayed there, whichever is deeper.
 /// @pre it has moved
 /// @param gap as above [m]
-[[nodiscard]] bool penetrates_no_deeper(std::span<const Solid> solids, Real gap, const Ball& ball);
+[[nodiscard]] bool penetrates_no_deeper(std::span<const Body> bodies, Real gap, const Ball& ball);
 
 }  // namespace drape

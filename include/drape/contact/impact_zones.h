@@ -46,7 +46,6 @@ private:
     [[nodiscard]] FeatureMotion motion_of(const NearPair& pair, std::span<const ClothInContact> cloths) const;
     [[nodiscard]] FeatureMotion free_motion_of(const NearPair& pair, std::span<const ClothInContact> cloths) const;
     [[nodiscard]] bool within_one_zone(const NearPair& pair) const;
-    [[nodiscard]] bool touches_zone(const NearPair& pair) const;
     [[nodiscard]] int largest_zone_of(const NearPair& pair) const;
     void join(const NearPair& pair, std::span<const ClothInContact> cloths, Real part);
     void add(int zone, const Member& member);

@@ -7,7 +7,6 @@
 #include "drape/base/enum_names.h"
 #include "drape/base/kernels.h"
 #include "drape/model/cloth_model.h"
-#include "drape/model/energy.h"
 #include "drape/model/jacobian.h"
 
 namespace drape {
@@ -108,11 +107,9 @@ public:
 
     /// @param state advanced in place; pinned particles keep their velocity (zero, or that of the hand that holds them)
     /// @param h step [s]
-    /// @param start receives the energy at the start of the step and its flow, unless null; the step has the same bits
-    /// either way
     /// @par Cost O(n) a force evaluation, iteration or round; where a matrix is factored, O(n^1.5). Allocates nothing
     /// once there has been a step of the same kind, but for the factors of projective dynamics
-    virtual SolveReport step(const ClothModel& model, ClothState& state, Real h, EnergyFlow* start = nullptr) = 0;
+    virtual SolveReport step(const ClothModel& model, ClothState& state, Real h) = 0;
 };
 
 /// By how much a constant force displaces a particle at rest within a step h, of h times the velocity that it gives:

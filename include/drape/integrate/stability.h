@@ -1,18 +1,15 @@
 #pragma once
 
-#include <string_view>
-
 #include "drape/integrate/integrator.h"
 
 namespace drape {
 
 /// What the longest stable step of a method follows from.
 struct StepLimit {
-    Real omega = 0;                 ///< angular frequency of the vibration that grows first [1/s]; 0 without springs
-    Real zeta = 0;                  ///< its damping ratio: its damping by mass over 2 omega
-    Real step = 0;                  ///< [s]; 0 if no step is stable, infinite if none is too long
-    std::string_view formula = {};  ///< the bound, in these letters, with z = step * omega
-    bool at_least = false;          ///< no vibration was found that keeps a longer step from being stable
+    Real omega = 0;         ///< angular frequency of the vibration that grows first [1/s]; 0 without springs
+    Real zeta = 0;          ///< its damping ratio: its damping by mass over 2 omega
+    Real step = 0;          ///< [s]; 0 if no step is stable, infinite if none is too long
+    bool at_least = false;  ///< no vibration was found that keeps a longer step from being stable
 };
 
 /// The longest step with which a method keeps small vibrations of a cloth about a state from growing.

@@ -7,12 +7,8 @@
 
 namespace drape {
 
-/// How a step is tried.
-struct Trial {
-    int steps = 3000;
-    Real noise = Real(1e-6);  ///< largest displacement of every free coordinate at the start, of the cloth's spacing
-    unsigned seed = 1;
-};
+/// For so many steps a step size is tried, if nothing else is said.
+inline constexpr int tried_steps = 3000;
 
 /// How a trial ended.
 enum class TrialEnd {
@@ -37,7 +33,7 @@ Real energy_to_fail(const ClothModel& model);
 /// state is looked at every few steps, and after the last.
 /// @return Bounded if it stays so for all steps
 TrialEnd try_step(const ClothModel& model, ClothState start, const IntegratorParameters& parameters, Real step,
-                  const Trial& trial = {});
+                  int steps = tried_steps);
 
 /// The longest step that stays bounded, by bisection to half a percent.
 /// @param guess where the search starts [s]; the bounds are doubled and halved from it until one fails and one does
@@ -45,7 +41,7 @@ TrialEnd try_step(const ClothModel& model, ClothState start, const IntegratorPar
 /// @param tried told of every step that was tried; may be empty
 /// @return [s]; infinite if none up to `longest` fails, 0 if none does not
 Real measured_limit(const ClothModel& model, const ClothState& start, const IntegratorParameters& parameters,
-                    Real guess, Real longest, const Trial& trial = {},
+                    Real guess, Real longest, int steps = tried_steps,
                     const std::function<void(Real, TrialEnd)>& tried = {});
 
 /// The step at which explicit Euler's growth shows in a trial. It damps no vibration beyond its limit d/k, but is slow
@@ -59,6 +55,6 @@ Real measured_limit(const ClothModel& model, const ClothState& start, const Inte
 /// @param omega, zeta of the fastest vibration, as `predicted_limit` gives them for another explicit method
 /// @return [s]
 Real observable_limit_of_explicit_euler(const ClothModel& model, const ClothState& start, Real omega, Real zeta,
-                                        Kernels kernels, const Trial& trial = {});
+                                        Kernels kernels, int steps = tried_steps);
 
 }  // namespace drape

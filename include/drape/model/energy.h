@@ -37,11 +37,14 @@ struct EnergyFlow {
     Power power;
 };
 
-/// `ForceSweep` finds the same on its way, at a fraction of the cost.
 /// @param wind n x 3, overwritten where wind blows: its forces [N]
 /// @par Cost O(n), as a force evaluation, and somewhat more where wind blows
 EnergyFlow compute_energy_flow(const ClothModel& model, const Points& x, const Points& v, Points& wind,
                                Kernels kernels);
+
+/// The energy a second that whatever moves a held particle puts in at a moment [W]: the work against the forces of
+/// springs, air and gravity on that particle, but for the wind's; less than zero where they pull it along.
+double held_power(const ClothModel& model, const Points& x, const Points& v, int particle);
 
 /// What changes where the particles of a range alone move: their energy, that of the springs at them, and of the power
 /// what springs and drag take. The energy of some springs beside the range is in it too.

@@ -6,13 +6,11 @@
 #include "drape/base/kernels.h"
 #include "drape/base/workers.h"
 #include "drape/model/cloth_model.h"
-#include "drape/model/energy.h"
 
 namespace drape {
 
 namespace kernels {
 class ForceScratch;
-struct RowSums;
 }  // namespace kernels
 
 /// The forces on a run of neighbours in a row of particles, while they are in the cache.
@@ -51,33 +49,27 @@ public:
     /// @param v n x 3 [m/s]
     /// @param use a function of `const ForceRun&`; called by several threads at a time, it may write what belongs to
     /// its run, of x and v too
-    /// @param flow receives the energy at x and v and its flow, unless null; the forces have the same bits either way
     /// @par Cost O(n), no allocation
     template <class Use>
-    void operator()(const ClothModel& model, const Points& x, const Points& v, EnergyFlow* flow, Use use) {
-        sweep(model, x, v, std::ref(use), flow);
-    }
-    template <class Use>
     void operator()(const ClothModel& model, const Points& x, const Points& v, Use use) {
-        (*this)(model, x, v, nullptr, use);
+        sweep(model, x, v, std::ref(use));
     }
 
     /// All forces at once.
     /// @param f n x 3 [N], overwritten
-    void compute(const ClothModel& model, const Points& x, const Points& v, Points& f, EnergyFlow* flow = nullptr) {
-        (*this)(model, x, v, flow, [&f](const ForceRun& run) { run.of(f) = run.forces(); });
+    void compute(const ClothModel& model, const Points& x, const Points& v, Points& f) {
+        (*this)(model, x, v, [&f](const ForceRun& run) { run.of(f) = run.forces(); });
     }
 
 private:
     void sweep(const ClothModel& model, const Points& x, const Points& v,
-               const std::function<void(const ForceRun&)>& use, EnergyFlow* flow);
+               const std::function<void(const ForceRun&)>& use);
 
     Grid grid_;
     Kernels kernels_;
     Points forces_;  ///< the wind's alone with vector kernels, which find the others on the way
     Workers workers_;
     std::vector<kernels::ForceScratch> parts_;  ///< one a thread; none if plain
-    std::vector<kernels::RowSums> rows_;        ///< of each row of particles, for the flow of the energy
 };
 
 }  // namespace drape

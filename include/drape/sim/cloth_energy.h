@@ -49,9 +49,10 @@ public:
         if (ledger_) ledger_->return_to_mark();
     }
 
-    /// What the integrator fills at the start of a step; null without a ledger.
+    /// The integrator is about to step.
     /// @param held particle that the hand leads; below 0: none
-    EnergyFlow* start_of_step(const ClothModel& model, const ClothState& state, int held);
+    /// @par Cost a force evaluation while a ledger is kept
+    void start_of_step(const ClothModel& model, const ClothState& state, int held);
 
     /// Enters what the integrator has done.
     /// @param min_pause substeps from one sum over the springs to the next, at least
@@ -97,22 +98,17 @@ public:
     [[nodiscard]] Energy energy(const ClothModel& model, const ClothState& state, EnergyBalance& balance);
 
 private:
-    [[nodiscard]] double hand_power(const ClothModel& model, const ClothState& state) const;
-    void split_pin_power(double of_hand, Power& power) const;
     EnergyFlow flow(const ClothModel& model, const ClothState& state);
-    EnergyFlow held_flow(const ClothModel& model, const ClothState& state);
     [[nodiscard]] bool measures_pushes() const { return ledger_ || max_push_work_ > watch_.small_work(); }
     [[nodiscard]] EnergyFlow pushed_flow(const ClothModel& model, const ClothState& state) const;
 
     Kernels kernels_ = Kernels::Plain;
     EnergyWatch watch_;
     std::optional<EnergyLedger> ledger_;
-    EnergyFlow start_;
     bool has_pins_ = false;
     int held_ = -1;                 ///< particle that the hand leads
-    double hand_at_start_ = 0;      ///< its power at the start of a step, where pins move too [W]
     GridRange pushed_{0, 0, 0, 0};  ///< particles that are being pushed; all, where none is measured
-    EnergyFlow before_pushes_, before_hold_;
+    EnergyFlow before_;             ///< of what contacts or the fail-safe are about to push
     bool known_ = false;
     double max_push_work_ = 0;  ///< a bound [J]
     Points wind_;               ///< scratch, while a ledger is kept

@@ -31,12 +31,12 @@ public:
     void exchange(SnapshotText& text, const ClothModel& model);
 
     /// As `Integrator::step`. @pre `use` was called
-    SolveReport step(const ClothModel& model, ClothState& state, Real h, EnergyFlow* start) {
+    SolveReport step(const ClothModel& model, ClothState& state, Real h) {
         if (!integrator_) {
             integrator_ = make_integrator(parameters_, model.grid);
             if (before_.h > 0) integrator_->resume_after(before_);
         }
-        return integrator_->step(model, state, h, start);
+        return integrator_->step(model, state, h);
     }
 
 private:

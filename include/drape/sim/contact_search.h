@@ -33,8 +33,7 @@ public:
 
     /// Whether a ball may have passed unseen, or a solid, as of the last substep: asked where `contact.continuous` is
     /// never.
-    [[nodiscard]] Crossing crossing(const MovingCloth& cloth, std::span<const Ball> balls, Real thickness) const;
-    [[nodiscard]] Crossing crossing(const MovingCloth& cloth, std::span<const Solid> solids, Real thickness) const;
+    [[nodiscard]] Crossing crossing(const MovingCloth& cloth, std::span<const Body> bodies, Real thickness) const;
 
     /// Builds the hierarchy for the end of a substep. What may meet within it is found from there by how far all moved,
     /// unless `contact.continuous` is never.
@@ -59,19 +58,13 @@ public:
         return reach(ball.moved, ball.radius + thickness) > 0;
     }
 
-    /// Tests the cloth against one solid.
-    /// @param body its number
+    /// Tests the cloth against a solid or the ground: what a hierarchy of the present positions has not pruned, or
+    /// without one all of it.
+    /// @param number of the body
     /// @param rows receives what may touch, cells ascending, after what is there
-    /// @pre `build` was called
-    TraversalStats meet_solid(const MovingCloth& cloth, const Solid& solid, int body, Real thickness,
-                              std::vector<ContactRow>& rows);
-
-    /// Tests the cloth against the ground: where the present hierarchy holds it, what that has not pruned, else all of
-    /// it.
-    /// @param rows receives what touches, cells ascending, after what is there
     /// @return what the traversal has cost; zero without one
-    TraversalStats meet_ground(const MovingCloth& cloth, Real height, int body, Real thickness,
-                               std::vector<ContactRow>& rows);
+    TraversalStats meet(const MovingCloth& cloth, const Body& body, int number, Real thickness,
+                        std::vector<ContactRow>& rows);
 
     /// What a limited search invents and what it lets through, by testing every cell; nothing for any other search.
     /// @return contacts of nodes in which no triangle touches
@@ -104,10 +97,8 @@ private:
     Real moved_ = 0;           ///< by the particle that moved most within the substep, where it counts [m]
     TraversalStats traversal_;
     std::vector<Candidates> candidates_;  ///< of each ball
-    Candidates low_;                      ///< near the ground
-    Candidates near_;                     ///< a solid
+    Candidates near_;                     ///< a solid or the ground
     SolidSearch solid_search_;
-    std::vector<CellRun> all_cells_;
 };
 
 }  // namespace drape

@@ -8,7 +8,7 @@
 #include "drape/contact/warm_start.h"
 #include "drape/scene/settings.h"
 #include "drape/sim/cloth.h"
-#include "drape/sim/self_contact.h"
+#include "drape/sim/self_search.h"
 #include "drape/sim/step_report.h"
 
 namespace drape {
@@ -95,7 +95,7 @@ public:
     /// Nothing touches any more.
     void clear() { rows_.clear(); }
 
-    [[nodiscard]] const SelfContact& self() const { return self_; }
+    [[nodiscard]] const SelfSearch& self() const { return self_; }
 
 private:
     enum class Stage { Ended, Begun, Given, Found, Solved };
@@ -123,7 +123,7 @@ private:
 
     Stage stage_ = Stage::Ended;
     ScratchOnCopy<Now> now_;
-    SelfContact self_;
+    SelfSearch self_;
     std::vector<ContactRow> rows_;
     bool near_ = false;
     WarmStart warm_start_;

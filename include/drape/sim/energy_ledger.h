@@ -30,8 +30,8 @@ struct EnergyBalance {
 };
 
 /// Keeps the balance of one cloth. It is told what happens to the cloth, and now and then sees the energy: what that
-/// has changed by since it was last seen belongs to what has happened in between. A method finds the energy at the
-/// start of a step on the way to its forces, and so the end of a step is seen at the start of the next.
+/// has changed by since it was last seen belongs to what has happened in between. The end of a step is seen at the
+/// start of the next.
 ///
 /// Damping, drag, wind, hand and pins are integrated by the trapezoidal rule from both ends of the integrator's step,
 /// so that what a step is too long for counts as the integrator's.

@@ -3,7 +3,6 @@
 #include <span>
 #include <vector>
 
-#include "drape/bounds/fold_test.h"
 #include "drape/contact/detection.h"
 #include "drape/sim/cloth.h"
 
@@ -20,20 +19,10 @@ public:
     TraversalStats mark(std::span<Cloth> cloths, std::span<const ContactRow> rows, const ContactSettings& contact);
 
     /// The cells of a cloth with a particle of such a pair, in no particular order.
-    [[nodiscard]] std::span<const int> touched_cells(std::size_t cloth) const { return of_cloths_[cloth].touched; }
+    [[nodiscard]] std::span<const int> touched_cells(std::size_t cloth) const { return touched_[cloth]; }
 
 private:
-    struct OfCloth {
-        Grid grid;
-        int leaf_cells = -1;  ///< none yet
-        Real hx = 0, hy = 0;  ///< of its particles at rest [m]
-        FoldTest folds;
-        std::vector<int> touched;
-    };
-
-    void follow(std::span<const Cloth> cloths, const ContactSettings& contact);
-
-    std::vector<OfCloth> of_cloths_;
+    std::vector<std::vector<int>> touched_;
     std::vector<LeafPair> leaves_;
 };
 

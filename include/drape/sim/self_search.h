@@ -4,9 +4,12 @@
 #include <vector>
 
 #include "drape/base/copied.h"
+#include "drape/base/snapshot_text.h"
 #include "drape/bounds/fold_test.h"
+#include "drape/contact/impact_zones.h"
 #include "drape/contact/near_pairs.h"
 #include "drape/contact/response.h"
+#include "drape/scene/settings.h"
 #include "drape/sim/pair_list.h"
 
 namespace drape {
@@ -18,48 +21,62 @@ struct SelfSearchReport {
     bool gave_up = false;     ///< so much is near that the list would be too long; nothing was found
 };
 
-/// Finds where the cloths of a scene come near themselves and each other. What was found within a wide margin serves
-/// as a list for as long as nothing has moved far enough for other pairs to come near @cite verlet1967: most substeps
-/// look at those pairs of the list alone whose particles have moved enough since, and where it is empty they cost some
-/// passes over the displacements. What all particles move by in the mean brings none of them nearer to another, and
-/// does not count.
+/// Contact of the cloths of a scene with themselves and with each other: what comes near, and the fail-safe that holds
+/// it back. It does nothing, and costs nothing, where a scene has not asked for it.
+///
+/// What was found within a wide margin serves as a list for as long as nothing has moved far enough for other pairs to
+/// come near @cite verlet1967: most substeps look at those pairs of the list alone whose particles have moved enough
+/// since, and where it is empty they cost some passes over the displacements. What all particles move by in the mean
+/// brings none of them nearer to another, and does not count.
 class SelfSearch {
 public:
     /// Pairs that there may be, a particle in the mean.
     static constexpr int max_pairs = 400;
 
-    /// Takes new hierarchies.
+    /// Starts from nothing with these cloths.
+    /// @param x their positions [m]
+    void use(const Settings& settings, std::span<const ClothModel* const> models, std::span<const Points* const> x);
+
+    /// Goes on with other hierarchies, which find the same.
+    void use_hierarchy(const Settings& settings, std::span<const ClothModel* const> models);
     void use(const BroadPhaseParameters& parameters, std::span<const ClothModel* const> models);
 
     /// What it finds does not depend on them.
     /// @param threads that share the work, at least 1
     void share(int threads) { list_.use(threads); }
 
-    /// Finds the pairs, at the start of the substep, that may come into contact within it, after the integrator's step.
-    /// @param thickness of the cloths [m]
-    SelfSearchReport find(std::span<const ClothInContact> cloths, Real thickness);
+    [[nodiscard]] bool on() const { return on_; }
 
-    /// Looks whether any particle has been pushed farther than `find` has assumed, and if so finds the pairs that may
-    /// meet on these longer ways too.
-    /// @return whether it had to
-    bool extend(std::span<const ClothInContact> cloths, SelfSearchReport& report);
-
-    /// How many times cloths cross themselves and each other, see `count_crossings`.
-    /// @param x positions of each cloth [m]
-    std::int64_t count_crossings(std::span<const Points* const> x);
-
-    /// In how many places cloths touch themselves and each other at distance 0.
-    /// @param x positions of each cloth [m]
-    std::int64_t count_coincident(std::span<const Points* const> x);
+    /// What was found at the start; pairs are looked for anew.
+    void exchange(SnapshotText& text) { text.line("cloth_at_start", crossings_at_start_, coincident_at_start_); }
 
     /// Positions have been set from outside.
     void forget();
 
-    /// In the order of their features, whatever found them.
-    [[nodiscard]] std::span<const NearPair> pairs() const { return near_; }
+    /// Finds the pairs, at the start of the substep, that may come into contact within it, after the integrator's step
+    /// and the warm start.
+    /// @param thickness of the cloths [m]
+    const SelfSearchReport& find(std::span<const ClothInContact> cloths, Real thickness);
 
-    /// Of the cloths, as in the last search [m].
-    [[nodiscard]] Real thickness() const { return thickness_; }
+    /// The same as contacts.
+    /// @param rows receives them, after what is there
+    void find_contacts(const ResponseParameters& parameters, std::span<const ClothInContact> cloths,
+                       std::vector<ContactRow>& rows);
+
+    /// Looks whether any particle has been pushed farther than `find` has assumed, and if so finds the pairs that may
+    /// meet on these longer ways too.
+    /// @return whether it had to
+    bool extend(std::span<const ClothInContact> cloths);
+
+    /// After the response: whether features would meet within the substep, for all that it has done.
+    bool would_cross(std::span<const ClothInContact> cloths);
+
+    /// If so, holds them back.
+    /// @return how many particles
+    std::int64_t prevent_crossing(std::span<const ClothInContact> cloths);
+
+    /// What is so near that it has been looked at, in the order of its features, whatever found it.
+    [[nodiscard]] std::span<const NearPair> pairs() const { return near_; }
 
     /// How far each particle of a cloth may come, that the last list was made for.
     [[nodiscard]] std::span<const Real> allowances(int cloth) const { return of_cloth(allowance_, cloth); }
@@ -67,8 +84,14 @@ public:
     /// How far both features of a pair reach together within the substep [m].
     [[nodiscard]] Real reach_of(const NearPair& pair) const;
 
-    /// The number of each cloth's first particle among all, and of all in the end.
-    [[nodiscard]] std::span<const std::size_t> first_particles() const { return first_; }
+    /// How many times cloth crossed cloth at the start: what keeps the sides of cloths cannot part these.
+    [[nodiscard]] std::int64_t crossings_at_start() const { return crossings_at_start_; }
+
+    /// In how many places cloth touched cloth at distance 0 then: these are parted.
+    [[nodiscard]] std::int64_t coincident_at_start() const { return coincident_at_start_; }
+
+    /// What the search of this substep has cost.
+    [[nodiscard]] const SelfSearchReport& report() const { return report_; }
 
 private:
     using Numbers = Eigen::Array<Real, Eigen::Dynamic, 1>;  ///< of the particles of all cloths
@@ -83,6 +106,8 @@ private:
         Grid grid;
     };
 
+    std::int64_t count_crossings(std::span<const Points* const> x);
+    std::int64_t count_coincident(std::span<const Points* const> x);
     template <class Count>
     std::int64_t count_between(std::span<const Points* const> x, Real reach, Count count);
     void find_reaches(std::span<const ClothInContact> cloths, Real factor, Numbers& reaches, Numbers& strayed);
@@ -91,14 +116,18 @@ private:
     void set_allowances(Real factor);
     [[nodiscard]] bool is_too_far() const;
     [[nodiscard]] bool is_too_long(std::size_t list) const;
-    void look_at_pairs(std::span<const ClothInContact> cloths, SelfSearchReport& report);
-    void renew_list(std::span<const ClothInContact> cloths, Real factor, SelfSearchReport& report);
-    void make_list(std::span<const ClothInContact> cloths, SelfSearchReport& report);
-    void search(std::span<const ClothInContact> cloths, int first, int second, SelfSearchReport& report);
+    void look_at_pairs(std::span<const ClothInContact> cloths);
+    void renew_list(std::span<const ClothInContact> cloths, Real factor);
+    void make_list(std::span<const ClothInContact> cloths);
+    void search(std::span<const ClothInContact> cloths, int first, int second);
     [[nodiscard]] Real sum_of_largest(const FeaturePair& pair, const Numbers& of_particles) const;
     [[nodiscard]] std::span<const Real> of_cloth(const Numbers& of_particles, int cloth) const;
 
-    Real thickness_ = 0;
+    bool on_ = false;
+    SelfSearchReport report_;
+    std::int64_t crossings_at_start_ = 0, coincident_at_start_ = 0;
+    ImpactZones zones_;
+    Real thickness_ = 0;              ///< of the cloths, as in the last search [m]
     std::vector<Surface> surfaces_;   ///< of each cloth
     std::vector<std::size_t> first_;  ///< particle of each cloth, among all
     bool listed_ = false;             ///< there is a list

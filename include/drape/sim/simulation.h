@@ -94,6 +94,7 @@ private:
     [[nodiscard]] Substep substep(int number) const;
     bool input(const Substep& now);
     bool integrate(const Substep& now);
+    void limit_stretch();
     bool respond();
     void close_report();
     void rest();
@@ -120,12 +121,9 @@ private:
     void configure_balls(const Settings& before);
     void use_pins();
     void put_ball(std::size_t number, const Vec3& centre);
-    void move_solids(const Substep& now);
-    void stop_balls(const Substep& now);
-    void move_pins(const Substep& now);
+    void stop_balls();
     void configure_solids(const Settings& before, std::vector<Solid> solids);
     void choose_ball();
-    void give_ball_back();
     void move_ball_by(BallMotion motion);
     void throw_ball(const command::Throw& command);
 
@@ -145,7 +143,8 @@ private:
     bool pins_have_moved_ = false;  ///< in this step
     SleepWatch sleep_;
     StepReport report_;
-    int planned_substeps_ = 1;  ///< for the stability limit alone
+    int planned_substeps_ = 1;                    ///< for the stability limit alone
+    ScratchOnCopy<std::vector<Body>> obstacles_;  ///< of balls that the keys lead
     ScratchOnCopy<std::vector<ClothView>> shown_;
     PairMarks pair_marks_;                ///< on the hierarchies that are shown
     std::int64_t counted_from_step_ = 0;  ///< since then dt has been what it is: no error adds up in the time

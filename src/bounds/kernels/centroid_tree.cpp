@@ -1,5 +1,3 @@
-#include "centroid_tree.h"
-
 #include <array>
 
 #include "patch_kernels.h"

@@ -1,7 +1,7 @@
-#include "leaf_boxes.h"
-
 #include <array>
 #include <limits>
+
+#include "patch_kernels.h"
 
 HWY_BEFORE_NAMESPACE();
 namespace drape::kernels::HWY_NAMESPACE {

@@ -97,90 +97,13 @@ HWY_INLINE void raise_together(D d, const Patch& patch, const Vec3* centres, Rea
     for (int k = 0; k < count; ++k) squares[k] = HWY_MAX(squares[k], largest_lane(d, far[k]));
 }
 
-HWY_INLINE void raise_in(const Patch& patch, const Vec3* centres, int count, Real* squares) {
+void raise_to_farthest_of(const Patch& patch, const Vec3* centres, int count, Real* squares) {
     with_vectors_for(patch.columns, [&](auto d) HWY_ATTR {
         int k = 0;
         for (; k + 4 <= count; k += 4) raise_together<4>(d, patch, centres + k, squares + k);
         for (; k + 2 <= count; k += 2) raise_together<2>(d, patch, centres + k, squares + k);
         for (; k < count; ++k) raise_together<1>(d, patch, centres + k, squares + k);
     });
-}
-
-void raise_to_farthest_of(const Patch& patch, const Vec3* centres, int count, Real* squares) {
-    raise_in(patch, centres, count, squares);
-}
-
-/// Lane k is added to lane k + n/2, then k + n/4, down to one.
-template <int n>
-HWY_INLINE Real total(Real* lane) {
-    if constexpr (n == 1) {
-        return lane[0];
-    } else {
-        const hn::CappedTag<Real, n / 2> d;
-        for (int k = 0; k < n / 2; k += static_cast<int>(hn::MaxLanes(d))) {
-            hn::StoreU(hn::Add(hn::LoadU(d, lane + k), hn::LoadU(d, lane + k + n / 2)), d, lane + k);
-        }
-        return total<n / 2>(lane);
-    }
-}
-
-/// The most particles of a patch that is copied: the leaves that are worth it.
-constexpr int copied = 17 * 17;
-
-/// Means of the coordinates in `n` lanes, whatever the width of the vectors. On the way the patch is copied into one
-/// piece: where the rows of a grid lie a power of two apart, those of a patch fall on the same lines of the cache, and
-/// the second pass would find them gone.
-/// @param copy 3 x copied; untouched if the patch is larger
-template <int n>
-HWY_INLINE void mean_in_lanes(const Patch& patch, Vec3& centre, Real* copy) {
-    const hn::CappedTag<Real, n> d;
-    constexpr int lanes = static_cast<int>(hn::MaxLanes(d)), vectors = n / lanes;
-    const bool copies = patch.particles() <= copied;
-    const Real* const from[3] = {patch.x, patch.y, patch.z};
-    hn::Vec<decltype(d)> sum[3][vectors];
-    for (auto& axis_sum : sum) {
-        for (auto& vector : axis_sum) vector = hn::Zero(d);
-    }
-    for (int j = 0; j < patch.rows; ++j) {
-        const int row = j * patch.stride, to = j * patch.columns;
-        int i = 0;
-        for (; i + n <= patch.columns; i += n) {
-            for (int axis = 0; axis < 3; ++axis) {
-                for (int p = 0; p < vectors; ++p) {
-                    const auto value = loaded_once(hn::LoadU(d, from[axis] + row + i + p * lanes));
-                    sum[axis][p] = hn::Add(sum[axis][p], value);
-                    if (copies) hn::StoreU(value, d, copy + axis * copied + to + i + p * lanes);
-                }
-            }
-        }
-        if (i == patch.columns) continue;
-
-        // The last vectors start early enough to end with the row; what was counted before is left out
-        const auto counted = hn::Set(d, static_cast<Real>(i - (patch.columns - n)));
-        i = patch.columns - n;
-        for (int axis = 0; axis < 3; ++axis) {
-            for (int p = 0; p < vectors; ++p) {
-                const auto value = loaded_once(hn::LoadU(d, from[axis] + row + i + p * lanes));
-                const auto counts = hn::Ge(hn::Iota(d, static_cast<Real>(p * lanes)), counted);
-                sum[axis][p] = hn::Add(sum[axis][p], hn::IfThenElseZero(counts, value));
-                if (copies) hn::StoreU(value, d, copy + axis * copied + to + i + p * lanes);
-            }
-        }
-    }
-    for (int axis = 0; axis < 3; ++axis) {
-        HWY_ALIGN Real lane[n];
-        for (int p = 0; p < vectors; ++p) hn::Store(sum[axis][p], d, lane + p * lanes);
-        centre[axis] = total<n>(lane) / static_cast<Real>(patch.particles());
-    }
-}
-
-Real centroid_sphere_of(const Patch& patch, Vec3& centre) {
-    HWY_ALIGN Real copy[3 * copied];
-    with_columns_for(patch.columns, [&](auto n) HWY_ATTR { mean_in_lanes<n>(patch, centre, copy); });
-    Real square = 0;
-    const Patch near{copy, copy + copied, copy + 2 * copied, patch.columns, patch.rows, patch.columns};
-    raise_in(patch.particles() <= copied ? near : patch, &centre, 1, &square);
-    return square;
 }
 
 Real largest_displacement_square_of(const Patch& now, const Patch& before) {
@@ -206,7 +129,6 @@ HWY_AFTER_NAMESPACE();
 namespace drape::kernels {
 
 HWY_EXPORT(sums_of);
-HWY_EXPORT(centroid_sphere_of);
 HWY_EXPORT(raise_to_farthest_of);
 HWY_EXPORT(largest_displacement_square_of);
 
@@ -214,10 +136,6 @@ PatchSums sums(const Patch& patch) { return HWY_DYNAMIC_DISPATCH(sums_of)(patch)
 
 void raise_to_farthest(const Patch& patch, const Vec3* centres, int count, Real* squares) {
     HWY_DYNAMIC_DISPATCH(raise_to_farthest_of)(patch, centres, count, squares);
-}
-
-Real centroid_sphere(const Patch& patch, Vec3& centre) {
-    return HWY_DYNAMIC_DISPATCH(centroid_sphere_of)(patch, centre);
 }
 
 Real largest_displacement_square(const Patch& now, const Patch& before) {

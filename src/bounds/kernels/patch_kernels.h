@@ -2,15 +2,19 @@
 
 #include <array>
 #include <cstddef>
+#include <span>
 
+#include "drape/bounds/aabb.h"
 #include "drape/bounds/obb.h"
+#include "drape/bounds/quadtree_nodes.h"
 
 /// Loops over the particles of a patch, vectorised for several generations of processors, of which the best that there
 /// is gets chosen at run time. Smallest and largest values are exact in any order, and sums run in an order that does
 /// not depend on the width of the vectors, so that the bits are the same on all of them.
 namespace drape::kernels {
 
-/// Sums over a patch, so made that those of neighbours, which share a column or a row, add up to those of both.
+/// Sums over a patch of two rows or more, so made that those of neighbours, which share a column or a row, add up to
+/// those of both.
 struct PatchSums {
     Vec3 inner;  ///< without the last column and row
     Vec3 right;  ///< of the last column without the last particle
@@ -33,9 +37,6 @@ inline Vec3 mean(const Patch& patch, const PatchSums& sums) {
 /// The largest squared distance of a particle from each of several centres; squares[k] is raised to it.
 /// @param centres count x 3
 void raise_to_farthest(const Patch& patch, const Vec3* centres, int count, Real* squares);
-
-/// The mean, and the largest squared distance of a particle from it.
-Real centroid_sphere(const Patch& patch, Vec3& centre);
 
 /// Smallest and largest coordinates along the directions of a k-DOP, `dop_numbers<2 * slabs>`, by sums alone; those of
 /// 3 slabs are the axes.
@@ -61,5 +62,22 @@ Extremes extreme_particles(const Patch& patch, const std::array<int, 3>& directi
 
 /// The largest squared distance between the particles of two patches of the same shape.
 Real largest_displacement_square(const Patch& now, const Patch& before);
+
+/// Fits boxes to leaves as `Aabb::fit` does, to the bit, many at a time: particles are read in the order in which they
+/// are in memory.
+/// @param leaves numbers of nodes, best row by row
+/// @param boxes receives those of the leaves; one a node
+/// @par Cost O(particles), one pass
+void fit_leaf_boxes(const Grid& grid, std::span<const QuadtreeNode> nodes, std::span<const int> leaves, const Points& x,
+                    std::span<Aabb> boxes);
+
+/// Fits a centroid sphere to all particles of each node of a quadtree, all levels in one pass over the particles: a
+/// node's mean is made from the sums of its leaves, and while a leaf's particles are at hand, their distances from the
+/// centres of all nodes above it are taken. The radii are those of the fit node by node about the same centres, bit for
+/// bit; the centres differ from its by rounding.
+/// @param spheres one a node
+/// @par Cost O(particles * levels), memory read twice
+void fit_centroid_tree(const Grid& grid, std::span<const QuadtreeNode> nodes, const Points& x,
+                       std::span<BoundingSphere> spheres);
 
 }  // namespace drape::kernels

@@ -2,33 +2,25 @@
 
 #include <hwy/highway.h>
 
-#include <type_traits>
-
 #include "drape/bounds/bounding_volume.h"
 
 HWY_BEFORE_NAMESPACE();
 namespace drape::kernels::HWY_NAMESPACE {
 namespace hn = hwy::HWY_NAMESPACE;
 
-/// Calls work(n) with the largest power of two of columns, up to 16, that a row has, as a constant.
-template <class Work>
-HWY_INLINE void with_columns_for(int columns, Work work) {
-    if (columns >= 16)
-        work(std::integral_constant<int, 16>());
-    else if (columns >= 8)
-        work(std::integral_constant<int, 8>());
-    else if (columns >= 4)
-        work(std::integral_constant<int, 4>());
-    else if (columns >= 2)
-        work(std::integral_constant<int, 2>());
-    else
-        work(std::integral_constant<int, 1>());
-}
-
 /// Calls work(d) with the widest vectors of which a row fills one; a single column has vectors of one lane.
 template <class Work>
 HWY_INLINE void with_vectors_for(int columns, Work work) {
-    with_columns_for(columns, [&](auto n) HWY_ATTR { work(hn::CappedTag<Real, n>()); });
+    if (columns >= 16)
+        work(hn::CappedTag<Real, 16>());
+    else if (columns >= 8)
+        work(hn::CappedTag<Real, 8>());
+    else if (columns >= 4)
+        work(hn::CappedTag<Real, 4>());
+    else if (columns >= 2)
+        work(hn::CappedTag<Real, 2>());
+    else
+        work(hn::CappedTag<Real, 1>());
 }
 
 /// Calls visit(i, j) for the first particle of each vector of a patch. The last vector of a row starts early enough to

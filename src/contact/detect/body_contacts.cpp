@@ -52,10 +52,6 @@ std::optional<NextTo> plane_for(const Body& body, const Vec3& from, const Vec3& 
     return touches ? std::optional(at_end) : std::nullopt;
 }
 
-std::optional<NextTo> plane_for(const Solid& solid, const Vec3& from, const Vec3& to, Real radius) {
-    return plane_for(body_of(solid, {}), from, to, radius);
-}
-
 }  // namespace
 
 void find_body_contacts(std::span<const Body> bodies, std::vector<ContactRow>& rows) {
@@ -76,22 +72,22 @@ void find_body_contacts(std::span<const Body> bodies, std::vector<ContactRow>& r
     }
 }
 
-bool stay_outside(std::span<const Solid> solids, const Vec3& start, Real gap, Real h, Ball& ball) {
-    if (solids.empty()) return false;
+bool stay_outside(std::span<const Body> bodies, const Vec3& start, Real gap, Ball& ball) {
+    if (bodies.empty()) return false;
     const Real radius = ball.radius + gap;
     bool is_out = false, was_out = true;
     for (int k = 0; k < max_passes && !is_out; ++k) {
         is_out = true;
-        for (const Solid& solid : solids) {
-            const auto plane = plane_for(solid, start + solid.moved, ball.centre, radius);
+        for (const Body& body : bodies) {
+            const auto plane = plane_for(body, start + body.moved, ball.centre, radius);
             if (!plane) continue;
             const Real depth = plane->height + radius - plane->normal.dot(ball.centre);
             if (depth <= height_rounding * (std::abs(plane->height) + radius)) continue;  // as near as numbers come
             is_out = was_out = false;
             ball.centre += depth * plane->normal;
-            const Real towards = plane->normal.dot(ball.velocity - solid.velocity);
+            const Real towards = plane->normal.dot(ball.velocity - body.velocity);
             ball.velocity -= std::min(towards, Real(0)) * plane->normal;
-            ball.moved = h * ball.velocity;
+            ball.moved = ball.centre - start;
         }
     }
     if (is_out) return !was_out;
@@ -101,16 +97,16 @@ bool stay_outside(std::span<const Solid> solids, const Vec3& start, Real gap, Re
     return true;
 }
 
-bool penetrates_no_deeper(std::span<const Solid> solids, Real gap, const Ball& ball) {
+bool penetrates_no_deeper(std::span<const Body> bodies, Real gap, const Ball& ball) {
     const Vec3 start = ball.centre - ball.moved;
     const Real radius = ball.radius + gap;
-    return std::ranges::all_of(solids, [&](const Solid& solid) {
-        const Real size = ball.centre.cwiseAbs().sum() + solid.position.cwiseAbs().sum() + radius;
+    return std::ranges::all_of(bodies, [&](const Body& body) {
+        const Real size = ball.centre.cwiseAbs().sum() + body.centre.cwiseAbs().sum() + radius;
         // Less than the path, or a slow ball would creep in
         const Real rounding = std::min(height_rounding * size, ball.moved.norm() / 2);
-        const Vec3 from = start + solid.moved;
-        const Real allowed = std::min({radius, solid.distance(from), solid.distance(start)});
-        return !plane_for(solid, from, ball.centre, allowed - rounding);
+        const Vec3 from = start + body.moved;
+        const Real allowed = std::min({radius, body.measure(from).distance, body.measure(start).distance});
+        return !plane_for(body, from, ball.centre, allowed - rounding);
     });
 }
 

@@ -4,10 +4,11 @@
 #include <limits>
 #include <optional>
 
+#include "contact/contact_geometry.h"
 #include "contact/grid_features.h"
 #include "contact/kernels/near_cells.h"
 #include "deepest_point.h"
-#include "make_row.h"
+#include "drape/contact/detection.h"
 
 namespace drape {
 namespace {
@@ -19,6 +20,24 @@ void for_each_cell(const Grid& grid, std::span<const CellRun> cells, Visit visit
         const int first = run.row * grid.cell_columns() + run.column;
         for (int cell = first; cell < first + run.count; ++cell) visit(cell);
     }
+}
+
+/// The corners of a triangle in the order of their numbers: those of a cell's first one are a, c, b.
+constexpr std::array<std::size_t, 3> corners_ascending{0, 2, 1};
+
+/// The contact of a particle, or of a point in a triangle or on an edge, with a body, without a plane yet.
+/// @param triangle that reports it
+/// @param particles one, or the corners of the triangle
+template <std::size_t count>
+ContactRow make_row(const MovingCloth& cloth, int triangle, const std::array<int, count>& particles,
+                    const std::array<Real, count>& weights, int body) {
+    ContactRow row;
+    row.kind = count == 1 ? RowKind::Particle : RowKind::Triangle;
+    row.count = row.first_count = count;
+    row.triangle = triangle;
+    row.body = body;
+    for (std::size_t k = 0; k < count; ++k) row.particles[k] = {cloth.number, particles[k], weights[k]};
+    return row;
 }
 
 /// From the centre of a ball to a point at some distance; along the triangle's own normal where that is the centre.
@@ -128,12 +147,12 @@ struct BodyContacts {
             if ((owned >> k & 1u) == 0) continue;
             const auto corner = near.at_corner(triangle, k, limit);
             if (!corner) continue;
-            add(with_plane(particle_row(cloth, triangle.particles[k], number, body.number), triangle.corners[k],
+            add(with_plane(make_row<1>(cloth, number, {triangle.particles[k]}, {1}, body.number), triangle.corners[k],
                            *corner));
         }
         const ContactRow own =
-            with_plane(triangle_row(cloth, number, triangle.particles, nearest->barycentric, body.number),
-                       nearest->point, nearest->surface);
+            with_plane(make_row(cloth, number, triangle.particles, nearest->barycentric, body.number), nearest->point,
+                       nearest->surface);
         if (!reported_elsewhere(grid, number, nearest->barycentric)) add(own);
         return own.depth > 0;
     }
@@ -231,7 +250,7 @@ void find_ground_contacts(const MovingCloth& cloth, Real height, const SearchedB
     const Real limit = height + body.thickness;
     const auto add = [&](int particle) {
         if (!(cloth.x(particle, 1) < limit)) return;
-        ContactRow row = particle_row(cloth, particle, owner_of(grid, particle), body.number);
+        ContactRow row = make_row<1>(cloth, owner_of(grid, particle), {particle}, {1}, body.number);
         row.normal = Vec3(0, 1, 0);
         row.distance = body.thickness;
         row.depth = limit - cloth.x(particle, 1);
@@ -249,7 +268,7 @@ void find_node_contacts(const MovingCloth& cloth, const Ball& ball, const Search
     for (const StoppedNode& node : nodes) {
         constexpr Real third = Real(1) / 3;
         const std::array<int, 3> corners = cloth.grid.triangle_corners(2 * node.cell);
-        ContactRow row = triangle_row(cloth, 2 * node.cell, corners, {third, third, third}, body.number);
+        ContactRow row = make_row(cloth, 2 * node.cell, corners, {third, third, third}, body.number);
         row.kind = RowKind::Node;
         const auto [a, b, c] = corners;
         row.normal = normal_of({position(cloth.x, a), position(cloth.x, b), position(cloth.x, c)},

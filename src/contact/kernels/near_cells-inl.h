@@ -88,11 +88,7 @@ public:
             const std::uint32_t first = first_of(j) & all, second = second_of(j) & all;
             // Of rows that are not open no particle counts as far, but all their triangles have a corner inside
             const std::uint32_t above = far_[at(j)], below = far_[at(j + 1)], diagonal = above >> 1 & below;
-            bits[j * step] = {block_.cell + j * columns,
-                              count,
-                              first,
-                              second,
-                              all & ~(first | (above & diagonal)),
+            bits[j * step] = {block_.cell + j * columns, first, second, all & ~(first | (above & diagonal)),
                               all & ~(second | (below >> 1 & diagonal))};
         }
     }

@@ -13,8 +13,7 @@ namespace drape::kernels {
 
 /// What their corners say about the triangles of cells that follow one another, and a ball: a bit a cell.
 struct CellBits {
-    int cell;                   ///< of bit 0
-    int count;                  ///< of cells, 31 at most
+    int cell;                   ///< of bit 0; there are 31 at most
     std::uint32_t first;        ///< triangle 2 cell has a corner in the ball
     std::uint32_t second;       ///< triangle 2 cell + 1 has one
     std::uint32_t first_open;   ///< triangle 2 cell has none, and may touch the ball all the same

@@ -73,15 +73,14 @@ HWY_INLINE void push_particle(Real mobility, const Four& push, Real4& motion) {
 
 /// `solve` of one contact. Each waits for the one before that pushes the same particle: branches that are mostly
 /// foreseen are faster than what would be computed in their place.
-template <int particles, int offsets>
+template <int particles>
 HWY_INLINE Real solve_row(std::span<Real4> motion, CompactRow& row) {
     const auto at = [&](std::size_t k) -> Real4& { return motion[static_cast<std::size_t>(row.places[k])]; };
     Four moves = load(Real4{}) + row.weights[0] * load(at(0));
     if constexpr (particles > 1) moves = moves + row.weights[1] * load(at(1));
     if constexpr (particles > 2) moves = moves + row.weights[2] * load(at(2));
     if constexpr (particles > 3) moves = moves + row.weights[3] * load(at(3));
-    if constexpr (offsets > 0) moves = moves - load(row.offsets[0]);
-    if constexpr (offsets > 1) moves = moves - load(row.offsets[1]);
+    moves = moves - load(row.offsets[0]) - load(row.offsets[1]);
     const Four n = load(row.normal), before = load(row.friction);
     const Real along = eigen_dot(moves, n);
     const Real normal = std::max(row.impulse + (row.target - along) * row.mass, Real(0));
@@ -104,27 +103,15 @@ HWY_INLINE Real solve_row(std::span<Real4> motion, CompactRow& row) {
     return eigen_dot(push, push) * row.inverse_mass * row.inverse_mass;
 }
 
-template <int offsets>
-HWY_INLINE Real sweep(std::span<Real4> motion, std::span<CompactRow> rows) {
+Real sweep_rows_of(std::span<Real4> motion, std::span<CompactRow> rows) {
     Real square = 0;
     for (CompactRow& row : rows) {
-        const Real changed = row.count == 4   ? solve_row<4, offsets>(motion, row)
-                             : row.count == 3 ? solve_row<3, offsets>(motion, row)
-                                              : solve_row<1, offsets>(motion, row);
+        const Real changed = row.count == 4   ? solve_row<4>(motion, row)
+                             : row.count == 3 ? solve_row<3>(motion, row)
+                                              : solve_row<1>(motion, row);
         square = std::max(square, changed);
     }
     return square;
-}
-
-Real sweep_rows_of(std::span<Real4> motion, std::span<CompactRow> rows, int offsets) {
-    switch (offsets) {
-        case 0:
-            return sweep<0>(motion, rows);
-        case 1:
-            return sweep<1>(motion, rows);
-        default:
-            return sweep<2>(motion, rows);
-    }
 }
 
 }  // namespace drape::kernels::HWY_NAMESPACE
@@ -135,8 +122,8 @@ namespace drape::kernels {
 
 HWY_EXPORT(sweep_rows_of);
 
-Real sweep_rows(std::span<Real4> motion, std::span<CompactRow> rows, int offsets) {
-    return HWY_DYNAMIC_DISPATCH(sweep_rows_of)(motion, rows, offsets);
+Real sweep_rows(std::span<Real4> motion, std::span<CompactRow> rows) {
+    return HWY_DYNAMIC_DISPATCH(sweep_rows_of)(motion, rows);
 }
 
 }  // namespace drape::kernels

@@ -8,8 +8,7 @@ namespace drape::kernels {
 
 /// One sweep of `solve` over compact rows, with the bits of the plain code.
 /// @param motion of the particles
-/// @param offsets how many of each row count
 /// @return the square of the largest change
-Real sweep_rows(std::span<Real4> motion, std::span<CompactRow> rows, int offsets);
+Real sweep_rows(std::span<Real4> motion, std::span<CompactRow> rows);
 
 }  // namespace drape::kernels

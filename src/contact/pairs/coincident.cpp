@@ -1,5 +1,3 @@
-#include "coincident.h"
-
 #include <Eigen/Geometry>
 #include <algorithm>
 #include <cmath>
@@ -8,6 +6,7 @@
 #include "contact/contact_geometry.h"
 #include "contact/grid_features.h"
 #include "contact/tuning.h"
+#include "pair_tests.h"
 
 namespace drape {
 namespace {

@@ -51,8 +51,6 @@ FeatureMotion ImpactZones::free_motion_of(const NearPair& pair, std::span<const 
     return motion;
 }
 
-bool ImpactZones::touches_zone(const NearPair& pair) const { return largest_zone_of(pair) >= 0; }
-
 bool ImpactZones::within_one_zone(const NearPair& pair) const {
     const int zone = zone_of(pair, 0);
     for (std::size_t k = 1; k < 4; ++k) {
@@ -158,7 +156,7 @@ void ImpactZones::prevent_crossing(std::span<const NearPair> pairs, std::span<co
         move_zones(cloths);
         meets = false;
         for (const NearPair& pair : pairs) {
-            if (pair.distance == 0 || !touches_zone(pair) || within_one_zone(pair)) continue;
+            if (pair.distance == 0 || largest_zone_of(pair) < 0 || within_one_zone(pair)) continue;
             if (safe_part_of(motion_of(pair, cloths), pair.distance, least_) == 1) continue;
             join(pair, cloths, safe_part_of(free_motion_of(pair, cloths), pair.distance, least_));
             meets = true;

@@ -3,13 +3,11 @@
 #include <algorithm>
 #include <span>
 
-#include "apart.h"
 #include "cell_pairs.h"
-#include "coincident.h"
 #include "contact/contact_geometry.h"
 #include "contact/grid_features.h"
 #include "drape/contact/closest_point.h"
-#include "pair_row.h"
+#include "pair_tests.h"
 
 namespace drape {
 namespace {

@@ -1,4 +1,4 @@
-#include "fast_sweeps.h"
+#include "sweeps.h"
 
 #include <utility>
 
@@ -16,14 +16,10 @@ std::size_t group_in_level(const ContactRow& row) { return row.count == 4 ? 0 : 
 Real4 four(const Vec3& v) { return {v[0], v[1], v[2], 0}; }
 
 /// What `solve` reads of a contact.
-/// @param offsets receives how many count, of this row and those before
 void fill(const ContactProblem& problem, const ContactMotion& motion, ContactRow& row, RowState& state,
-          CompactRow& compact, int& offsets) {
+          CompactRow& compact) {
     DRAPE_ASSERT(row.count == 1 || row.count == 3 || row.count == 4);
     const RowImpulse& given = accumulated(row, motion.quantity);
-    std::array<Vec3, 2> to_subtract{Vec3::Zero(), Vec3::Zero()};
-    if (motion.quantity == Quantity::Displacement) to_subtract[0] = state.start;
-    if (row.body != no_body) to_subtract[1] = motion_of_body(problem, motion, row.body, row.normal);
     compact.normal = four(row.normal);
     compact.friction = four(given.friction);
     compact.impulse = given.normal;
@@ -36,11 +32,10 @@ void fill(const ContactProblem& problem, const ContactMotion& motion, ContactRow
     compact.mobilities = state.mobilities;
     compact.places = state.places;
     compact.count = row.count;
-    for (std::size_t k = 0; k < 2; ++k) {
-        compact.offsets[k] = four(to_subtract[k]);
-        // To subtract zero changes no bit
-        if (!to_subtract[k].isZero(0)) offsets = std::max(offsets, static_cast<int>(k) + 1);
-    }
+    // To subtract zero changes no bit
+    compact.offsets = {};
+    if (motion.quantity == Quantity::Displacement) compact.offsets[0] = four(state.start);
+    if (row.body != no_body) compact.offsets[1] = four(motion_of_body(problem, motion, row.body, row.normal));
 }
 
 bool pushes_no_body(const ContactProblem& problem) {
@@ -87,12 +82,9 @@ Sweeps solve_compact(ContactProblem& problem, ContactMotion& motion, Real tolera
     std::vector<CompactRow>& compact = problem.scratch.compact;
     compact.resize(std::max(compact.size(), problem.rows.size()));
     auto next = compact.begin();
-    int offsets = 0;
-    for_each_ordered(problem,
-                     [&](ContactRow& row, RowState& state) { fill(problem, motion, row, state, *next++, offsets); });
+    for_each_ordered(problem, [&](ContactRow& row, RowState& state) { fill(problem, motion, row, state, *next++); });
     const std::span solved(compact.begin(), next);
-    const Sweeps sweeps =
-        sweep_until(tolerance, [&] { return kernels::sweep_rows(motion.particles, solved, offsets); });
+    const Sweeps sweeps = sweep_until(tolerance, [&] { return kernels::sweep_rows(motion.particles, solved); });
     auto row_solved = solved.begin();
     for_each_ordered(problem, [&](ContactRow& row, RowState&) {
         const auto& [x, y, z, zero] = row_solved->friction;

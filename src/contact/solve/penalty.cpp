@@ -1,4 +1,4 @@
-#include "penalty.h"
+#include "sweeps.h"
 
 #include <cmath>
 #include <numbers>
@@ -37,7 +37,7 @@ Real approach_of(const ContactProblem& problem, const ContactRow& row, const Row
 /// @param push along the normal, together with what was given before no less than zero [N s]
 void add_push(const ContactProblem& problem, ContactRow& row, const RowState& state, Real push) {
     row.impulse.normal += push;
-    row.displacement.normal = problem.share * problem.h * row.impulse.normal;
+    row.displacement.normal = problem.parameters.displacement_share * problem.h * row.impulse.normal;
     apply_impulse(problem, problem.scratch.velocities, row, state, push * row.normal);
 }
 
@@ -85,7 +85,7 @@ Real penalty_step_limit(Real stiffness, Real restitution, Real inverse_mass, Rea
 
 Sweeps solve_penalties(ContactProblem& problem) {
     for_each_chosen(problem, [](ContactRow& row, const RowState&) { row.displacement = row.impulse = {}; });
-    if (problem.share == 1) {
+    if (problem.parameters.displacement_share == 1) {
         push_by_velocities(problem);
     } else {
         push_by_displacements(problem);

@@ -2,7 +2,6 @@
 
 #include <algorithm>
 
-#include "fast_sweeps.h"
 #include "mobility.h"
 
 namespace drape {
@@ -86,7 +85,7 @@ Vec3 centre_of(const ContactProblem& problem, int body) {
 /// them. Where a force displaces by half of its velocity, what lies still has the other half at the end of the substep:
 /// it rests if it has hardly come nearer, or has pushed in the substep before, which only contacts of cloth know.
 bool rests(const ContactProblem& problem, const ContactRow& row, const RowState& state) {
-    if (problem.share == 1) return false;
+    if (problem.parameters.displacement_share == 1) return false;
     const Real nearer = -relative(problem, problem.scratch.displacements, row, state).dot(row.normal);
     if (nearer <= problem.resting_speed() * problem.h) return true;
     return row.lasts && state.approach <= std::min(rest_steps * problem.gravity.norm() * problem.h, fastest_rest);

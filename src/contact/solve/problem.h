@@ -87,7 +87,6 @@ struct ContactSolver::Scratch {
 struct ContactProblem {
     const ResponseParameters& parameters;
     Real h;        ///< the substep [s]
-    Real share;    ///< of h, that a constant force displaces for, see `displacement_share`
     Vec3 gravity;  ///< [m/s^2]
     std::span<const ClothInContact> cloths;
     std::span<Body> bodies;
@@ -149,7 +148,7 @@ inline void apply_impulse(const ContactProblem& problem, ContactMotion& motion, 
         const Body& body = problem.body(number);
         auto& [linear, angular] = motion.bodies[static_cast<std::size_t>(number)];
         linear += body.inverse_mass * given;
-        angular += body.inverse_inertia * body.arm(outwards).cross(given);
+        angular += body.inverse_inertia() * body.arm(outwards).cross(given);
     };
     for (std::size_t k = 0; k < row.count; ++k) motion.of(state.places[k]) += state.mobilities[k] * impulse;
     push_body(row.first_body, -row.normal, impulse);

@@ -83,7 +83,6 @@ ResponseReport ContactSolver::resolve(const ResponseParameters& parameters, Real
     if (rows.empty()) return {};
     ContactProblem problem{.parameters = parameters,
                            .h = h,
-                           .share = parameters.displacement_share,
                            .gravity = cloths.front().model.gravity,
                            .cloths = cloths,
                            .bodies = bodies,
@@ -112,7 +111,7 @@ double kinetic_energy(std::span<const Body> bodies) {
     Real sum = 0;
     for (const Body& body : bodies) {
         if (body.inverse_mass == 0) continue;
-        sum += body.velocity.squaredNorm() / body.inverse_mass + body.spin.squaredNorm() / body.inverse_inertia;
+        sum += body.velocity.squaredNorm() / body.inverse_mass + body.spin.squaredNorm() / body.inverse_inertia();
     }
     return static_cast<double>(sum / 2);
 }

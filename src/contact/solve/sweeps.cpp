@@ -2,8 +2,6 @@
 
 #include <limits>
 
-#include "fast_sweeps.h"
-
 namespace drape {
 namespace {
 

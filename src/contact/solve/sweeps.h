@@ -36,6 +36,24 @@ void for_each_chosen(const ContactProblem& problem, Visit visit) {
 /// The same where impulses along the normals are fixed: friction alone.
 [[nodiscard]] Sweeps solve_friction(ContactProblem& problem, Quantity quantity, Real tolerance);
 
+/// Gives impulses to the contacts that are impacts.
+Sweeps solve_impacts(ContactProblem& problem);
+
+/// A contact that penalties answer: it has entered.
+inline bool has_entered(const ContactRow& row) { return row.depth > 0; }
+
+/// Pushes by springs and dampers at the chosen contacts.
+Sweeps solve_penalties(ContactProblem& problem);
+
+/// Orders the rows so that neighbours share no particle where that can be, and have equally many: a processor then
+/// solves several at a time. Results have the bits of any order in which contacts that share a particle keep theirs.
+/// Leaves the order empty where plain code is to solve: if that is asked for, or where contacts push a body, which they
+/// share.
+void order_rows(ContactProblem& problem);
+
+/// `solve` over compact rows in that order, with the bits of the plain code.
+Sweeps solve_compact(ContactProblem& problem, ContactMotion& motion, Real tolerance);
+
 /// Tolerances: of displacements, a small part of what gravity moves a particle by within a step or, if more, of the
 /// thickness between cloths that touch, or the last digits of a metre; of velocities, what that is within a step, but
 /// between cloths no more than what is seen as rest.

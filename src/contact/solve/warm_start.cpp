@@ -3,7 +3,7 @@
 #include <algorithm>
 
 #include "contact/contact_geometry.h"
-#include "contact/pairs/pair_row.h"
+#include "contact/pairs/pair_tests.h"
 #include "mobility.h"
 
 namespace drape {
@@ -107,12 +107,13 @@ __attribute__((flatten)) void WarmStart::give(std::span<const ClothInContact> cl
         }
         if (row.body == no_body) continue;
         Body& body = bodies[static_cast<std::size_t>(row.body)];
+        if (body.inverse_mass == 0) continue;
         const Vec3 arm = body.arm(row.normal);
         body.moved -= body.inverse_mass * displacement;
         body.centre -= body.inverse_mass * displacement;
-        body.turned -= body.inverse_inertia * arm.cross(displacement);
+        body.turned -= body.inverse_inertia() * arm.cross(displacement);
         body.velocity -= body.inverse_mass * impulse;
-        body.spin -= body.inverse_inertia * arm.cross(impulse);
+        body.spin -= body.inverse_inertia() * arm.cross(impulse);
     }
 }
 

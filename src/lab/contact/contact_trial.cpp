@@ -64,7 +64,7 @@ void ContactTrial::advance() {
     ball_.moved = h_ * ball_.velocity;
     ball_.centre += ball_.moved;
     stage_.begin(settings_, {std::span(&cloth_, 1), std::span(&ball_, 1), {}}, {.h = h_});
-    cloth_.integrator.step(cloth_.model, cloth_.state, h_, nullptr);
+    cloth_.integrator.step(cloth_.model, cloth_.state, h_);
     cloth_.search.positions_changed();
     stage_.warm_start();
     stage_.detect(report_);

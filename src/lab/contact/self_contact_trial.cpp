@@ -93,7 +93,7 @@ bool SelfContactTrial::make(Real h, SelfContactStep& step) {
     for (Cloth& cloth : cloths_) cloth.previous = cloth.state;
     stage_.begin(settings_, {cloths_, {}, {}}, {.h = h});
     for (Cloth& cloth : cloths_) {
-        cloth.integrator.step(cloth.model, cloth.state, h, nullptr);
+        cloth.integrator.step(cloth.model, cloth.state, h);
         cloth.search.positions_changed();
     }
     stage_.warm_start();

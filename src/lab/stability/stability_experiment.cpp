@@ -79,7 +79,7 @@ Forecast forecast(const Subject& subject, const Sheet& sheet) {
     if (kind != IntegratorKind::ExplicitEuler) return {limit, limit.step, Real(0.03)};
     const StepLimit fastest = predicted_limit(sheet.model, sheet.state, IntegratorKind::SymplecticEuler, kernels);
     const Real expected = observable_limit_of_explicit_euler(sheet.model, sheet.state, fastest.omega, fastest.zeta,
-                                                             kernels, {.steps = subject.steps});
+                                                             kernels, subject.steps);
     return {limit, expected, Real(0.15)};
 }
 
@@ -94,21 +94,20 @@ std::vector<StabilityRow> run_stability_case(const Subject& subject) {
     const Sheet sheet = sheet_of(subject);
     const Forecast known = forecast(subject, sheet);
     const IntegratorParameters& method = subject.parameters;
-    const Trial trial{.steps = subject.steps};
     std::vector<std::pair<Real, TrialEnd>> tried;
     const auto note = [&tried](Real step, TrialEnd end) { tried.emplace_back(step, end); };
 
     Real measured = std::numeric_limits<Real>::infinity();
     if (std::isfinite(known.expected)) {
         // The search knows the prediction only as a rough start
-        measured = measured_limit(sheet.model, sheet.state, method, Real(0.6) * known.expected, 1, trial, note);
+        measured = measured_limit(sheet.model, sheet.state, method, Real(0.6) * known.expected, 1, subject.steps, note);
         for (const double part : {0.1, 0.25, 0.5, 0.75, 0.9, 1.1, 1.25, 2.0, 4.0, 10.0}) {
             const Real step = static_cast<Real>(part) * known.expected;
-            note(step, try_step(sheet.model, sheet.state, method, step, trial));
+            note(step, try_step(sheet.model, sheet.state, method, step, subject.steps));
         }
     } else {
         for (const Real step : {Real(1e-3), Real(1) / 240, Real(1) / 60, Real(1) / 30, longest_tried}) {
-            note(step, try_step(sheet.model, sheet.state, method, step, trial));
+            note(step, try_step(sheet.model, sheet.state, method, step, subject.steps));
             if (tried.back().second != TrialEnd::Bounded) measured = std::min(measured, step);
         }
     }

@@ -80,28 +80,10 @@ HWY_INLINE SpringPair spring_pair(const std::array<SpringStencil, 6>& springs, i
     return pair;
 }
 
-/// What springs add to the energy and its flow.
-template <class V>
-struct SpringFlow {
-    V energy, damping;
-};
-
-/// Adds 1/2 k (|d| - L0)^2 and c (d.dv/|d|)^2 of one spring of a pair.
-template <class D, class V = hn::Vec<D>>
-HWY_INLINE void add_flow(D d, const SpringPair& pair, int s, V length, V closing, V one_over_length, int i,
-                         SpringFlow<V>& flow) {
-    const auto there = hn::LoadU(d, pair.there[s] + i);
-    const auto longer = hn::Mul(hn::Sub(length, hn::Set(d, pair.rest_length[s])), there);
-    const auto speed = hn::Mul(hn::Mul(closing, one_over_length), there);
-    flow.energy = hn::Add(flow.energy, hn::Mul(hn::Mul(hn::Set(d, pair.law.stiffness / 2), longer), longer));
-    flow.damping = hn::Add(flow.damping, hn::Mul(hn::Mul(hn::Set(d, pair.law.damping), speed), speed));
-}
-
 /// Finds the pull of one spring of a pair, (k - k L0/|d| + c d.dv/|d|^2) d, and takes it from the force on a.
-/// @return d.dv
 template <class D, class V = hn::Vec<D>>
-HWY_INLINE V pull(D d, const SpringPair& pair, int s, const Lanes3<V>& offset, V one_over_length, const Lanes3<V>& v,
-                  int i, Lanes3<V>& force) {
+HWY_INLINE void pull(D d, const SpringPair& pair, int s, const Lanes3<V>& offset, V one_over_length, const Lanes3<V>& v,
+                     int i, Lanes3<V>& force) {
     const auto k = hn::Set(d, pair.law.stiffness), c = hn::Set(d, pair.law.damping);
     const auto closing = dot(offset, minus(v, load(d, pair.v[s], i + pair.di[s])));
     const auto rest = hn::Set(d, pair.law.stiffness * pair.rest_length[s]);
@@ -110,29 +92,22 @@ HWY_INLINE V pull(D d, const SpringPair& pair, int s, const Lanes3<V>& offset, V
     const auto found = times(offset, hn::Mul(factor, hn::LoadU(d, pair.there[s] + i)));
     store(found, d, pair.pull[s], i);
     force = minus(force, found);
-    return closing;
 }
 
 /// Both springs, with d = x_a - x_b. One division serves both lengths. A zero length is lifted to a tiny one, of which
 /// even the product with another has a finite inverse; the pull is zero, as d is.
-template <bool summed, class D, class V = hn::Vec<D>>
-HWY_INLINE void pull(D d, const SpringPair& pair, const Lanes3<V>& x, const Lanes3<V>& v, int i, Lanes3<V>& force,
-                     SpringFlow<V>& flow) {
+template <class D, class V = hn::Vec<D>>
+HWY_INLINE void pull(D d, const SpringPair& pair, const Lanes3<V>& x, const Lanes3<V>& v, int i, Lanes3<V>& force) {
     const auto tiny = hn::Set(d, std::sqrt(std::numeric_limits<Real>::min()));
     const auto d0 = minus(x, load(d, pair.x[0], i + pair.di[0])), d1 = minus(x, load(d, pair.x[1], i + pair.di[1]));
     const auto length0 = hn::Max(hn::Sqrt(dot(d0, d0)), tiny), length1 = hn::Max(hn::Sqrt(dot(d1, d1)), tiny);
     const auto inverse = hn::Div(hn::Set(d, Real(1)), hn::Mul(length0, length1));
-    const auto inverse0 = hn::Mul(inverse, length1), inverse1 = hn::Mul(inverse, length0);
-    const auto closing0 = pull(d, pair, 0, d0, inverse0, v, i, force);
-    const auto closing1 = pull(d, pair, 1, d1, inverse1, v, i, force);
-    if constexpr (summed) {
-        add_flow(d, pair, 0, length0, closing0, inverse0, i, flow);
-        add_flow(d, pair, 1, length1, closing1, inverse1, i, flow);
-    }
+    pull(d, pair, 0, d0, hn::Mul(inverse, length1), v, i, force);
+    pull(d, pair, 1, d1, hn::Mul(inverse, length0), v, i, force);
 }
 
 /// Finds the pulls of all springs whose first ends lie in row j, and adds them up there, with gravity, drag and wind.
-template <bool windy, bool summed>
+template <bool windy>
 HWY_INLINE void find_pulls(const ForceInput& input, const std::array<SpringStencil, 6>& springs, int j,
                            ForceScratch& scratch) {
     const hn::CappedTag<Real, ForceScratch::margin> d;
@@ -143,27 +118,16 @@ HWY_INLINE void find_pulls(const ForceInput& input, const std::array<SpringStenc
     const Rows row_x = scratch.x(j), row_v = scratch.v(j), wind = scratch.wind(j), force = scratch.force();
     const Vec3 weight = input.model->particle_mass * input.model->gravity;
     const Real drag = input.model->drag;
-    const Vec3 gravity = input.model->gravity;
     const int end = ForceScratch::margin + scratch.grid().nx;
     for (int i = ForceScratch::margin; i < end; i += static_cast<int>(hn::Lanes(d))) {
         const auto x = load(d, row_x, i), v = load(d, row_v, i);
-        SpringFlow<hn::Vec<decltype(d)>> flow{hn::Zero(d), hn::Zero(d)};
         Lanes3<hn::Vec<decltype(d)>> f{hn::Set(d, weight[0]), hn::Set(d, weight[1]), hn::Set(d, weight[2])};
         f = minus(f, times(v, hn::Set(d, drag)));
         if constexpr (windy) f = plus(f, load(d, wind, i));
-        if (has[0]) pull<summed>(d, structural, x, v, i, f, flow);
-        if (has[1]) pull<summed>(d, shear, x, v, i, f, flow);
-        if (has[2]) pull<summed>(d, bend, x, v, i, f, flow);
+        if (has[0]) pull(d, structural, x, v, i, f);
+        if (has[1]) pull(d, shear, x, v, i, f);
+        if (has[2]) pull(d, bend, x, v, i, f);
         store(f, d, force, i);
-        if constexpr (summed) {
-            const Lanes3<hn::Vec<decltype(d)>> g{hn::Set(d, gravity[0]), hn::Set(d, gravity[1]),
-                                                 hn::Set(d, gravity[2])};
-            hn::StoreU(dot(v, v), d, scratch.addend(0) + i);
-            hn::StoreU(dot(g, x), d, scratch.addend(1) + i);
-            hn::StoreU(flow.energy, d, scratch.addend(2) + i);
-            hn::StoreU(flow.damping, d, scratch.addend(3) + i);
-            if constexpr (windy) hn::StoreU(dot(load(d, wind, i), v), d, scratch.addend(4) + i);
-        }
     }
 }
 
@@ -192,59 +156,23 @@ HWY_INLINE void add_up(const std::array<SpringStencil, 6>& springs, int j, Force
     }
 }
 
-/// In eight lanes.
-HWY_INLINE double sum_of_row(const Real* values, int count) {
-    constexpr int row_lanes = 8;
-    double sums[row_lanes]{};
-    int i = 0;
-    for (; i + row_lanes <= count; i += row_lanes) {
-        for (int lane = 0; lane < row_lanes; ++lane) sums[lane] += static_cast<double>(values[i + lane]);
-    }
-    for (int lane = 0; i + lane < count; ++lane) sums[lane] += static_cast<double>(values[i + lane]);
-    return ((sums[0] + sums[4]) + (sums[2] + sums[6])) + ((sums[1] + sums[5]) + (sums[3] + sums[7]));
-}
-
-/// The sum of f.v over the pinned particles of row j, once its forces are complete.
-HWY_INLINE double held_power(const ClothModel& model, int j, ForceScratch& scratch) {
-    const int count = model.grid.nx, margin = ForceScratch::margin;
-    const auto inverse_mass = model.inverse_mass.segment(model.grid.particle(0, j), count);
-    if (inverse_mass.minCoeff() > 0) return 0;
-    const Rows f = scratch.force(), v = scratch.v(j);
-    double power = 0;
-    for (int i = 0; i < count; ++i) {
-        if (inverse_mass[i] != 0) continue;
-        const int k = margin + i;
-        power += static_cast<double>(f[0][k] * v[0][k] + f[1][k] * v[1][k] + f[2][k] * v[2][k]);
-    }
-    return power;
-}
-
-HWY_INLINE RowSums sums_of_row(const ForceInput& input, int j, ForceScratch& scratch) {
-    const auto sum = [&](int k) { return sum_of_row(scratch.addend(k) + ForceScratch::margin, scratch.grid().nx); };
-    const double wind = input.wind[0] != nullptr ? sum(4) : 0;
-    return {sum(0), sum(1), sum(2), sum(3), wind, held_power(*input.model, j, scratch)};
-}
-
-template <bool windy, bool summed>
+template <bool windy>
 HWY_INLINE void sweep(const ForceInput& input, ForceScratch& scratch, const std::function<void(const ForceRun&)>& use) {
     const auto springs = spring_stencils(*input.model);
     const int first = scratch.first_row(), end = scratch.end_row(), found_from = std::max(first - 2, 0);
     for (int j = first; j < std::min(found_from + 2, end); ++j) copy_row(input, j, scratch);
     for (int j = found_from; j < end; ++j) {
         if (j + 2 >= first && j + 2 < end) copy_row(input, j + 2, scratch);
-        find_pulls<windy, summed>(input, springs, j, scratch);
+        find_pulls<windy>(input, springs, j, scratch);
         if (j < first) continue;
         add_up(springs, j, scratch);
-        if constexpr (summed) input.rows[j] = sums_of_row(input, j, scratch);
         use({scratch.grid().particle(0, j), scratch.grid().nx, scratch.force()[0] + ForceScratch::margin,
              scratch.length(), input.model});
     }
 }
 
 void forces_on(const ForceInput& input, ForceScratch& scratch, const std::function<void(const ForceRun&)>& use) {
-    const bool windy = input.wind[0] != nullptr, summed = input.rows != nullptr;
-    if (summed) return windy ? sweep<true, true>(input, scratch, use) : sweep<false, true>(input, scratch, use);
-    windy ? sweep<true, false>(input, scratch, use) : sweep<false, false>(input, scratch, use);
+    input.wind[0] != nullptr ? sweep<true>(input, scratch, use) : sweep<false>(input, scratch, use);
 }
 
 }  // namespace drape::kernels::HWY_NAMESPACE

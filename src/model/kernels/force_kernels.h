@@ -10,24 +10,12 @@
 /// at run time. Every particle's sum is made in one order with exact roots and quotients: the bits are the same on all.
 namespace drape::kernels {
 
-/// What a row of particles adds to the energy and its flow, with the springs whose first ends lie in it. Summed in
-/// eight lanes, whatever the width of the vectors.
-struct RowSums {
-    double squared_speeds;  ///< [m^2/s^2]
-    double falls;           ///< sum of g.x [m^2/s^2]
-    double spring;          ///< [J]
-    double damping;         ///< [W]
-    double wind;            ///< sum of f.v with the wind's f [W]
-    double held;            ///< sum of f.v over the pinned particles, with all of f [W]
-};
-
 /// What the forces depend on, by coordinate.
 struct ForceInput {
     const ClothModel* model;
     std::array<const Real*, 3> x;     ///< [m]
     std::array<const Real*, 3> v;     ///< [m/s]
     std::array<const Real*, 3> wind;  ///< [N], of every particle; null if there is none
-    RowSums* rows;                    ///< receives the sums of every row; null if they are not wanted
 };
 
 /// One row a coordinate.
@@ -62,11 +50,8 @@ public:
     [[nodiscard]] Real* zeros() { return row_of(105); }
     [[nodiscard]] Rows force() { return three(106); }
 
-    /// What the particles of a row, and the springs from them, add to each of `RowSums` but the last, in its order.
-    [[nodiscard]] Real* addend(int sum) { return row_of(109 + sum); }
-
 private:
-    static constexpr int rows = 114;
+    static constexpr int rows = 109;
 
     /// Numbers that lie in one line of the cache: what vectors are best loaded from.
     struct alignas(64) CacheLine {

@@ -1,5 +1,8 @@
 #pragma once
 
+#include <vector>
+
+#include "drape/contact/solid.h"
 #include "drape/model/ball.h"
 #include "drape/scene/settings.h"
 
@@ -15,17 +18,10 @@ Real inverse_mass_of(const BallSettings& settings);
 /// Moves a ball over one substep, from `time` to `time + h`, by its kind of motion; its velocity is that of the
 /// substep. A free ball falls as a particle does, so that what rests on the other has the same balance of pushes.
 /// @param steer direction that the keys ask for, of length 0 or 1
-/// @param ground where it is solid, the keys lead no ball below it
-/// @param thickness of the cloth, which fits between them [m]
 /// @param gravity of a free ball [m/s^2]
 /// @param share of the integrator, see `displacement_share`
-void move_ball(const BallSettings& settings, const Vec3& steer, const Ground& ground, Real thickness,
-               const Vec3& gravity, Real share, Real time, Real h, Ball& ball);
-
-/// Keeps a ball above the ground where that is solid, and above cloth that lies there.
-/// @param thickness of the cloth, which fits between them twice [m]
-/// @return whether it had to
-bool stay_above(const Ground& ground, Real thickness, Ball& ball);
+void move_ball(const BallSettings& settings, const Vec3& steer, const Vec3& gravity, Real share, Real time, Real h,
+               Ball& ball);
 
 /// Rolling resistance: slows the spin of a ball by the torque coefficient * radius * load, and no further than to a
 /// stop. Friction then slows the ball: a rolling one by 5/7 coefficient * g [m/s^2].
@@ -34,6 +30,16 @@ void resist_rolling(Real coefficient, Real load, Ball& ball);
 
 /// Turns a ball by what it has turned within the substep, contacts included: q += w h / 2 q, of length 1 again.
 void turn_ball(Ball& ball);
+
+/// The solids that the settings describe, with their meshes read from files.
+/// @throws InputError that names file and line
+std::vector<Solid> make_solids(const std::vector<SolidSettings>& settings);
+
+/// Puts solids where they are at a time [s], at rest.
+void put_solids(const std::vector<SolidSettings>& settings, double time, std::vector<Solid>& solids);
+
+/// Moves a solid over one substep, from `time` to `time + h` [s].
+void move_solid(const SolidSettings& settings, Real time, Real h, Solid& solid);
 
 /// A turn by so many whole turns, with the same bits everywhere.
 /// @param axis of length 1

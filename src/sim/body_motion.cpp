@@ -1,13 +1,13 @@
-#include "ball_motion.h"
+#include "body_motion.h"
 
 #include <Eigen/Geometry>
 #include <algorithm>
 #include <cmath>
-#include <limits>
 #include <numbers>
 
 #include "drape/base/assert.h"
 #include "drape/base/exact_math.h"
+#include "drape/scene/mesh_file.h"
 
 namespace drape {
 namespace {
@@ -30,20 +30,16 @@ Vec3 tangent(const std::vector<PathPoint>& path, std::size_t k) {
 
 using Quaternion = Eigen::Quaternion<Real>;
 
-/// How low a ball's centre may be: with room for two thicknesses of cloth between the ball and the ground [m].
-Real lowest_centre(const Ground& ground, Real thickness, const Ball& ball) {
-    constexpr Real none = -std::numeric_limits<Real>::infinity();
-    return ground.solid ? ground.height + ball.radius + 2 * thickness : none;
-}
-
-/// Moves a ball by its velocity, but no farther down than to the ground, for which it slows down: centre less velocity
-/// times h is still where it came from, and solids can follow its whole path.
-void move_down_to(const Ground& ground, Real thickness, Real h, Ball& ball) {
-    const Real lowest = lowest_centre(ground, thickness, ball);
-    ball.centre.y() = std::max(ball.centre.y(), lowest);
-    ball.velocity.y() = std::max(ball.velocity.y(), (lowest - ball.centre.y()) / h);
-    ball.centre += h * ball.velocity;
-    ball.centre.y() = std::max(ball.centre.y(), lowest);  // rounding
+std::shared_ptr<const SolidShape> shape_of(const SolidSettings& settings) {
+    switch (settings.shape) {
+        case SolidKind::Box:
+            return make_box(settings.size);
+        case SolidKind::Capsule:
+            return make_capsule(settings.radius, settings.length);
+        case SolidKind::Mesh:
+            return make_mesh_shape(read_mesh(settings.file));
+    }
+    return nullptr;
 }
 
 }  // namespace
@@ -82,22 +78,14 @@ Real inverse_mass_of(const BallSettings& settings) {
     return settings.motion == BallMotion::Free ? 1 / settings.mass : Real(0);
 }
 
-bool stay_above(const Ground& ground, Real thickness, Ball& ball) {
-    const Real lowest = lowest_centre(ground, thickness, ball);
-    if (ball.centre.y() >= lowest) return false;
-    ball.centre.y() = lowest;
-    ball.velocity.y() = std::max(ball.velocity.y(), Real(0));
-    return true;
-}
-
-void move_ball(const BallSettings& settings, const Vec3& steer, const Ground& ground, Real thickness,
-               const Vec3& gravity, Real share, Real time, Real h, Ball& ball) {
+void move_ball(const BallSettings& settings, const Vec3& steer, const Vec3& gravity, Real share, Real time, Real h,
+               Ball& ball) {
     Vec3 start = ball.centre;
     switch (settings.motion) {
         case BallMotion::Keys:
             ball.velocity += std::min(h / steering_lag, Real(1)) * (settings.speed * steer - ball.velocity);
-            move_down_to(ground, thickness, h, ball);
-            start = ball.centre - h * ball.velocity;  // wherever a command has put it
+            ball.centre += h * ball.velocity;
+            start = ball.centre - h * ball.velocity;
             break;
         case BallMotion::Path:
             start = point_on_path(settings.path, time);  // wherever a command has put it
@@ -140,6 +128,32 @@ void turn_ball(Ball& ball) {
     Quaternion& orientation = ball.orientation;
     orientation.coeffs() += (rate * orientation).coeffs();
     orientation.normalize();
+}
+
+std::vector<Solid> make_solids(const std::vector<SolidSettings>& settings) {
+    std::vector<Solid> solids;
+    for (const SolidSettings& one : settings) {
+        Solid& solid = solids.emplace_back();
+        solid.shape = shape_of(one);
+        solid.orientation = turn_about(one.axis.normalized(), static_cast<double>(one.angle) / 360);
+    }
+    return solids;
+}
+
+void put_solids(const std::vector<SolidSettings>& settings, double time, std::vector<Solid>& solids) {
+    for (std::size_t s = 0; s < solids.size(); ++s) {
+        const bool on_path = settings[s].motion == SolidMotion::Path;
+        solids[s].position = on_path ? point_on_path(settings[s].path, static_cast<Real>(time)) : settings[s].position;
+        solids[s].velocity.setZero();
+        solids[s].moved.setZero();
+    }
+}
+
+void move_solid(const SolidSettings& settings, Real time, Real h, Solid& solid) {
+    if (settings.motion == SolidMotion::Still) return;
+    solid.position = point_on_path(settings.path, time + h);
+    solid.moved = solid.position - point_on_path(settings.path, time);
+    solid.velocity = solid.moved / h;
 }
 
 }  // namespace drape
