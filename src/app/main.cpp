@@ -43,8 +43,8 @@ namespace {
         if (!options.start.versus.empty()) words.insert(words.end(), {"--versus", options.start.versus});
         if (!options.start.replay.empty()) words.insert(words.end(), {"--replay", options.start.replay});
         if (!options.start.load.empty()) words.insert(words.end(), {"--load", options.start.load});
-        if (!options.save.empty()) words.insert(words.end(), {"--save", options.save});
-        if (options.hash) words.emplace_back("--hash");
+        if (!options.start.save.empty()) words.insert(words.end(), {"--save", options.start.save});
+        if (options.start.hash) words.emplace_back("--hash");
         words.insert(words.end(), {"--frames", std::to_string(frames)});
     }
     words.insert(words.end(), {"--size", size, "--out", out, "--again"});
@@ -52,7 +52,7 @@ namespace {
     tell("drape: " + reason + "; drawing " + std::to_string(frames) + " pictures into " + out + " instead" +
          (std::filesystem::exists(out) ? ", in place of those that are there" : "") +
          (options.record.empty() ? "" : " (nothing is recorded)") +
-         (options.tour && options.hash ? " (a tour has no hash)" : ""));
+         (options.tour && options.start.hash ? " (a tour has no hash)" : ""));
     become_program(std::move(words));
 }
 
@@ -82,7 +82,7 @@ int run(int argc, char** argv) {
     const StopSignals signals;
     Start start = make_start(options->start);
     std::vector<NamedFile> files = input_files(options->start, start);
-    files.insert(files.end(), {{"--record", options->record}, {"--save", options->save}});
+    files.insert(files.end(), {{"--record", options->record}, {"--save", options->start.save}});
     check_apart(files);
     const std::shared_ptr<void> display = open_display();
     if (!display) capture_instead(*options, "there is no display");
@@ -103,8 +103,8 @@ int run(int argc, char** argv) {
     progress.window_open = true;
     const int code = window.run();
     session.close();
-    save_snapshot(options->save, session.simulation());
-    if (options->hash) std::cout << hash_text(session.simulation().hash()) << "\n";
+    save_snapshot(options->start.save, session.simulation());
+    if (options->start.hash) std::cout << hash_text(session.simulation().hash()) << "\n";
     return code == Done && session.replay_differs() ? Failed : code;
 }
 

@@ -1,6 +1,5 @@
 #include "options.h"
 
-#include "drape/base/command_line.h"
 #include "drape/render/entries.h"
 #include "drape/scene/scene.h"
 #include "drape/scene/setting_table.h"
@@ -23,19 +22,14 @@ std::optional<Options> read_options(int argc, char** argv) {
     Options options;
     std::string size, scale;
     CommandLine line("drape", "A cloth, a ball and a hierarchy of bounding spheres, in a window.");
-    line.option("scene", options.start.scene, "name of a shipped scene, or a TOML file", {"SCENE"});
-    line.option("--set", options.start.assignments, "change settings", {"name=value"});
+    add_start_options(line, options.start);
     line.option("--versus", options.start.versus, "compare the scene with itself under other settings",
                 {"name=value,..."});
     line.option("--record", options.record, "write every command to a file", {"FILE"});
-    line.option("--replay", options.start.replay, "play a recording", {"FILE"});
-    line.option("--load", options.start.load, "go on from a snapshot", {"FILE"});
-    line.option("--save", options.save, "write a snapshot at the end, which --load goes on from", {"FILE"});
     line.option("--size", size, "of the window; 1280x720 if not given", {"WxH"});
     line.option("--scale", scale, "text size factor; 1 if not given", {"FACTOR"});
     line.flag("--tour", options.tour, "begin with the tour: twelve scenes, with what to see in each");
     line.flag("--check", options.check, "end with exit code 1 at an OpenGL error or a position that is not finite");
-    line.flag("--hash", options.hash, "print the hash of the last state");
     line.footer([] { return key_help() + "\nSettings:\n" + settings_help(); });
     if (!line.parse(argc, argv)) return std::nullopt;
     if (options.tour && !options.start.empty()) {

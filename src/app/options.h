@@ -12,11 +12,9 @@ namespace drape {
 struct Options {
     StartOptions start;
     std::string record;  ///< file to write; empty: none
-    std::string save;    ///< likewise, a snapshot at the end
     PictureSize size;    ///< of the window
     bool tour = false;   ///< begin with the tour
     bool check = false;  ///< end at the first fault of OpenGL, or number that is not finite
-    bool hash = false;   ///< print the hash of the last state
 };
 
 /// @return nothing if the command line asked for text (`--help`, `--version`), which was printed

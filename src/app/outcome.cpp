@@ -28,10 +28,6 @@ bool solves_a_system(IntegratorKind integrator) {
            integrator == IntegratorKind::Bdf2;
 }
 
-bool makes_rounds(IntegratorKind integrator) {
-    return integrator == IntegratorKind::Xpbd || integrator == IntegratorKind::ProjectiveDynamics;
-}
-
 // Why a setting changes nothing here; empty if it does
 std::string why_without_effect(const std::string& name, const Settings& settings) {
     const VolumeKind volume = settings.contact.volume;
@@ -46,7 +42,7 @@ std::string why_without_effect(const std::string& name, const Settings& settings
     if (name == "solver.ledger" && settings.solver.ledger && settings.view.panel == PanelSize::Off)
         return "Tab shows it";
     const bool unused = (name == "solver.hessian" && !solves_a_system(integrator)) ||
-                        (name == "solver.iterations" && !makes_rounds(integrator));
+                        (name == "solver.iterations" && !has_iterations(integrator));
     if (unused) return "no effect with " + std::string(name_of(integrator));
     if (name.starts_with("wind.") && name != "wind.on" && !settings.wind.on) return "no effect without wind (V)";
     return {};

@@ -35,7 +35,7 @@ constexpr int wheel_up = 3, wheel_down = 4;  // buttons, where the wheel comes a
 std::filesystem::path write_next(const Image& picture) {
     for (int number = 1;; ++number) {
         const std::filesystem::path file = numbered_name(number, ".png");
-        if (!exists(symlink_status(file)) && write_new_png(picture, file)) return file;
+        if (!exists(symlink_status(file)) && write_png(picture, file, true)) return file;
     }
 }
 

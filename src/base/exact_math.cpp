@@ -1,6 +1,5 @@
 #include "drape/base/exact_math.h"
 
-#include <algorithm>
 #include <array>
 #include <cmath>
 #include <limits>
@@ -96,14 +95,6 @@ double exponential(double x) {
     double series = 0;
     for (int k = 14; k >= 3; --k) series = r / k * (1 + series);
     return std::ldexp(1 + (r + (rest + r * r / 2 * (1 + series))), static_cast<int>(n));
-}
-
-/// By Kahan's formula: the errors of u - 1 and ln u cancel.
-double exponential_less_one(double x) {
-    constexpr double without_cancellation = 40;  // e^40 > 2^53
-    const double u = exponential(x);
-    if (std::abs(x) > without_cancellation) return u - 1;
-    return u == 1 ? x : (u - 1) * (x / natural_log(u));
 }
 
 }  // namespace drape

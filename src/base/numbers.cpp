@@ -29,6 +29,14 @@ std::optional<double> parse_real(std::string_view text) { return parse_whole<dou
 
 std::optional<long long> parse_integer(std::string_view text) { return parse_whole<long long>(text); }
 
+std::optional<std::pair<long long, long long>> parse_integers(std::string_view text, char between) {
+    const std::size_t mark = text.find(between);
+    if (mark == std::string_view::npos) return std::nullopt;
+    const auto first = parse_integer(text.substr(0, mark)), second = parse_integer(text.substr(mark + 1));
+    if (!first || !second) return std::nullopt;
+    return std::pair(*first, *second);
+}
+
 std::vector<std::string_view> split_at_commas(std::string_view text) {
     std::vector<std::string_view> pieces;
     for (std::size_t comma = 0; (comma = text.find(',')) != std::string_view::npos; text.remove_prefix(comma + 1)) {

@@ -102,6 +102,7 @@ void OutputFile::close() {
 }
 
 bool OutputFile::close_if_free() {
+    if (!wanted()) return true;
     end_stream();
     return !unfinished_ || unfinished_->finish_if_free();
 }

@@ -1,7 +1,5 @@
 #include "drape/base/snapshot_text.h"
 
-#include <cmath>
-
 #include "drape/base/input_error.h"
 #include "drape/base/input_file.h"
 #include "drape/base/numbers.h"

@@ -2,7 +2,6 @@
 
 #include <iostream>
 #include <utility>
-#include <variant>
 #include <vector>
 
 #include "drape/base/input_error.h"
@@ -13,7 +12,6 @@
 #include "drape/scene/memory.h"
 #include "drape/scene/scene.h"
 #include "drape/session/failure.h"
-#include "drape/session/state_csv.h"
 #include "picture_memory.h"
 
 namespace drape {
@@ -25,8 +23,10 @@ Start checked_start(const CaptureOptions& options) {
     Start start = make_start(options.start);
     const double simulations = options.start.versus.empty() ? 1 : 2;
     if (options.drawing()) check_picture_memory(options.size, simulations * memory_needed(start.settings).total());
-    const std::vector<NamedFile> written{
-        {"--video", options.video}, {"--stats", options.stats}, {"--state", options.state}, {"--save", options.save}};
+    const std::vector<NamedFile> written{{"--video", options.video},
+                                         {"--stats", options.stats},
+                                         {"--state", options.state},
+                                         {"--save", options.start.save}};
     std::vector<NamedFile> files = input_files(options.start, start);
     files.insert(files.end(), written.begin(), written.end());
     check_apart(files);
@@ -46,8 +46,7 @@ Capture::Capture(CaptureOptions options, const StopSignals& signals)
       camera_(session_.simulation().settings().view),
       stats_(options_.stats),
       state_(options_.state),
-      progress_(options_.frames / options_.every),
-      balls_in_stats_(session_.simulation().balls().size()) {
+      progress_(static_cast<std::size_t>(options_.frames / options_.every), "picture") {
     // A scene in slow motion has more frames, which a video shows as slowly as a window does
     constexpr double display_rate = 60;
     const double video_rate = options_.fps.value_or(display_rate) / options_.every;
@@ -58,16 +57,15 @@ Capture::Capture(CaptureOptions options, const StopSignals& signals)
         if (!video_->error().empty() && !frames_) throw RunError(video_->error());
     }
     if (stats_.wanted()) {
-        write_report_units(stats_.stream());
+        columns_.push_back({"frame", "", [this](const FrameView&) { return std::to_string(frame_); }});
+        add_report_columns(columns_);
         for (const FrameField& field : frame_fields()) {
-            if (!field.unit.empty()) stats_.stream() << ", " << field.name << " [" << field.unit << ']';
+            columns_.push_back({std::string(field.name), std::string(field.unit), [this, &field](const FrameView&) {
+                                    return real_text(field.read(renderer_->report()));
+                                }});
         }
-        write_ball_units(stats_.stream(), balls_in_stats_);
-        stats_.stream() << "\nframe,";
-        write_report_header(stats_.stream());
-        for (const FrameField& field : frame_fields()) stats_.stream() << ',' << field.name;
-        write_ball_header(stats_.stream(), balls_in_stats_);
-        stats_.stream() << '\n';
+        add_ball_columns(columns_, session_.simulation().balls().size());
+        write_stats_head(stats_.stream(), columns_);
     }
     if (options_.drawing()) {
         context_ = std::make_unique<OffscreenContext>(options_.context);
@@ -84,16 +82,16 @@ int Capture::run() {
     int exit_code = Done;
     const std::string warning = session_.simulation().step_warning();
     if (!warning.empty()) tell("warning: " + warning);
-    for (int frame = 1; frame <= options_.frames && exit_code == Done; ++frame) {
-        const double time = session_.start_time() + frame / frame_rate_;
+    for (frame_ = 1; frame_ <= options_.frames && exit_code == Done; ++frame_) {
+        const double time = session_.start_time() + frame_ / frame_rate_;
         const bool whole = session_.run_until(time, [this] { return signals_.arrived() != 0; });
         tell_of_crossings();
         if (diverged()) {
-            fail(frame);
+            fail();
             exit_code = Failed;
         } else if (whole && options_.drawing()) {
             follow_replay();
-            if (frame % options_.every == 0) draw_frame(frame);
+            if (frame_ % options_.every == 0) draw_frame();
         }
         if (const int signal = signals_.arrived()) exit_code = 128 + signal;
     }
@@ -109,16 +107,19 @@ void Capture::tell_of_crossings() {
     tell("warning: " + session_.simulation().crossing_warning());
 }
 
-void Capture::draw_frame(int frame) {
+void Capture::draw_frame() {
     draw();
     if (frames_ || video_) {
         const auto image = std::make_shared<Image>(renderer_->read_back());
         if (frames_) image->texts = picture_texts(session_.simulation());
-        if (frames_) frames_->write(image, frame);
-        if (frames_) progress_.count();
+        if (frames_) frames_->write(image, frame_);
+        if (frames_) progress_.advance();
         if (video_) video_->write(*image);
     }
-    if (stats_.wanted()) write_stats(frame);
+    if (stats_.wanted()) {
+        write_stats_row(stats_.stream(), columns_, session_.view());
+        stats_.flush();
+    }
 }
 
 void Capture::follow_replay() {
@@ -134,9 +135,11 @@ void Capture::follow_replay() {
 
 void Capture::draw() {
     FrameView view = session_.view();
-    Settings shown = *view.settings;
-    if (!options_.overlay) shown.view.panel = PanelSize::Off;
-    view.settings = &shown;
+    std::optional<Settings> without_panel;
+    if (!options_.overlay && view.settings->view.panel != PanelSize::Off) {
+        without_panel.emplace(*view.settings).view.panel = PanelSize::Off;
+        view.settings = &*without_panel;
+    }
     std::vector<std::string> notices;
     if (options_.overlay) {
         if (!session_.replay_notice().empty()) notices.push_back(session_.replay_notice());
@@ -145,22 +148,12 @@ void Capture::draw() {
     renderer_->draw(view, camera_, notices);
 }
 
-void Capture::write_stats(int frame) {
-    std::ostream& out = stats_.stream();
-    out << frame << ',';
-    write_report(out, *session_.view().report);
-    for (const FrameField& field : frame_fields()) out << ',' << real_text(field.read(renderer_->report()));
-    write_balls(out, session_.simulation().balls(), balls_in_stats_);
-    out << '\n';
-    stats_.flush();
-}
-
 // Its last good state is the last picture.
-void Capture::fail(int frame) {
+void Capture::fail() {
     failure_ = tell_failure(session_.simulation(), options_.out);
     if (options_.drawing()) {
         follow_replay();
-        draw_frame(frame);
+        draw_frame();
     }
     if (frames_) frames_->finish();
     progress_.clear();
@@ -174,7 +167,7 @@ void Capture::end_frames(bool all) {
     progress_.close(options_.out);
     if (all) return frames_->remove_older();
     if (frames_->older() == 0) return;
-    tell("drape-capture: " + options_.out.string() + " still has " + std::to_string(frames_->older()) +
+    tell("drape-capture: " + options_.out + " still has " + std::to_string(frames_->older()) +
          " frames of an earlier run");
 }
 
@@ -188,16 +181,15 @@ void Capture::finish() {
     }
     state_.close();
     stats_.close();
-    save_snapshot(options_.save, session_.simulation());
-    if (options_.hash) std::cout << hash_text(session_.simulation().hash()) << "\n" << std::flush;
+    save_snapshot(options_.start.save, session_.simulation());
+    if (options_.start.hash) std::cout << hash_text(session_.simulation().hash()) << "\n" << std::flush;
 }
 
 bool Capture::finish_video() {
     if (!video_) return true;
     video_->close();
     if (video_->error().empty()) return true;
-    tell("drape-capture: no video, " + video_->error() +
-         (frames_ ? "; the pictures are in " + options_.out.string() : ""));
+    tell("drape-capture: no video, " + video_->error() + (frames_ ? "; the pictures are in " + options_.out : ""));
     return false;
 }
 

@@ -5,13 +5,14 @@
 
 #include "capture_options.h"
 #include "drape/base/output_file.h"
+#include "drape/base/progress.h"
 #include "drape/base/stop_signals.h"
 #include "drape/render/renderer.h"
 #include "drape/render/video_pipe.h"
 #include "drape/session/session.h"
+#include "drape/session/state_csv.h"
 #include "frame_writer.h"
 #include "offscreen_context.h"
-#include "progress.h"
 
 namespace drape {
 
@@ -29,12 +30,11 @@ public:
 
 private:
     void tell_of_crossings();
-    void draw_frame(int frame);
+    void draw_frame();
     void follow_replay();
     void draw();
-    void write_stats(int frame);
     [[nodiscard]] bool diverged() { return session_.simulation().report().status == Status::Diverged; }
-    void fail(int frame);
+    void fail();
     void end_frames(bool all);
     void finish();
     [[nodiscard]] bool finish_video();
@@ -49,9 +49,10 @@ private:
     std::unique_ptr<OffscreenContext> context_;
     std::unique_ptr<Renderer> renderer_;
     Progress progress_;
-    double frame_rate_ = 0;       ///< per simulated second
-    std::string failure_;         ///< what was told of the state that has diverged
-    std::size_t balls_in_stats_;  ///< that have columns there
+    std::vector<StatsColumn> columns_;  ///< of `stats_`
+    int frame_ = 0;
+    double frame_rate_ = 0;  ///< per simulated second
+    std::string failure_;    ///< what was told of the state that has diverged
     std::int64_t crossings_told_ = 0;
 };
 

@@ -2,7 +2,6 @@
 
 #include <string>
 
-#include "drape/base/command_line.h"
 #include "drape/base/input_error.h"
 #include "drape/base/numbers.h"
 #include "drape/render/video_pipe.h"
@@ -43,13 +42,9 @@ std::optional<CaptureOptions> read_capture_options(int argc, char** argv) {
     CaptureOptions options;
     std::string frames, fps, size = "1280x720", every = "1", context = "auto";
     CommandLine line("drape-capture", "Draws a scene into numbered pictures, with no display.");
-    line.option("scene", options.start.scene, "name of a shipped scene, or a TOML file", {"SCENE"});
-    line.option("--set", options.start.assignments, "change settings, as in --set dt=1e-4", {"name=value"});
+    add_start_options(line, options.start);
     line.option("--versus", options.start.versus, "compare the scene with itself under other settings",
                 {"name=value,..."});
-    line.option("--replay", options.start.replay, "play a recording", {"FILE"});
-    line.option("--load", options.start.load, "go on from a snapshot", {"FILE"});
-    line.option("--save", options.save, "write a snapshot at the end, which --load goes on from", {"FILE"});
     line.option("--frames", frames, "number of frames; frame k shows the time k/fps after the start", {"N"});
     line.flag("--tour", options.tour, "draw a picture of each stop of the tour instead of a scene's frames");
     line.option("--fps", fps, "frames per simulated second; 60 / view.speed if not given", {"RATE"});
@@ -64,7 +59,6 @@ std::optional<CaptureOptions> read_capture_options(int argc, char** argv) {
     line.flag("--overlay", options.overlay, "draw the stats panel, as the window does");
     line.option("--context", context, "what draws: osmesa, egl, or auto, which is egl only where osmesa is missing",
                 {"NAME"});
-    line.flag("--hash", options.hash, "print the hash of the last state");
     line.footer([] { return "Settings:\n" + settings_help(); });
     if (!line.parse(argc, argv)) return std::nullopt;
 
@@ -73,7 +67,7 @@ std::optional<CaptureOptions> read_capture_options(int argc, char** argv) {
     if (options.tour) {
         if (options.out.empty()) throw InputError("--tour needs --out DIR, for its pictures");
         const bool alone = options.start.empty() && frames.empty() && options.video.empty() && options.stats.empty() &&
-                           options.state.empty() && options.save.empty() && !options.hash;
+                           options.state.empty() && options.start.save.empty() && !options.start.hash;
         if (!alone)
             throw InputError("--tour goes with --out, --size, --again, --overlay and --context only", line.help_hint());
         return options;
@@ -84,7 +78,7 @@ std::optional<CaptureOptions> read_capture_options(int argc, char** argv) {
     options.every = whole_number("--every", every, options.frames);
     if (!fps.empty()) options.fps = frame_rate(fps);
     const bool anything = !options.out.empty() || !options.video.empty() || !options.stats.empty() ||
-                          !options.state.empty() || !options.save.empty() || options.hash;
+                          !options.state.empty() || !options.start.save.empty() || options.start.hash;
     if (!anything) {
         throw InputError("nothing to write: say --out DIR, or one of --video, --stats, --state, --save and --hash");
     }

@@ -1,6 +1,5 @@
 #pragma once
 
-#include <filesystem>
 #include <optional>
 
 #include "drape/render/image.h"
@@ -16,15 +15,13 @@ struct CaptureOptions {
     std::optional<double> fps;  ///< frames per simulated second; none: 60 in a second of a window
     int every = 1;              ///< only each so many-th frame is drawn
     PictureSize size;
-    std::filesystem::path out;    ///< folder of the pictures; empty: none
-    std::filesystem::path video;  ///< file; empty: none
-    std::string stats;            ///< file; empty: none
-    std::string state;            ///< file; empty: none
-    std::string save;             ///< file of a snapshot; empty: none
-    bool again = false;           ///< the folder's frames of an earlier run are replaced
+    std::string out;     ///< folder of the pictures; empty: none
+    std::string video;   ///< file; empty: none
+    std::string stats;   ///< file; empty: none
+    std::string state;   ///< file; empty: none
+    bool again = false;  ///< the folder's frames of an earlier run are replaced
     bool overlay = false;
     bool tour = false;  ///< a picture of each stop of the tour, and nothing else
-    bool hash = false;
     ContextKind context = ContextKind::Auto;
 
     /// Whether anything that is asked for needs pictures.

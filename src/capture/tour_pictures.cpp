@@ -2,6 +2,7 @@
 
 #include <memory>
 
+#include "drape/base/progress.h"
 #include "drape/base/run_program.h"
 #include "drape/render/entries.h"
 #include "drape/render/picture_texts.h"
@@ -11,7 +12,6 @@
 #include "frame_writer.h"
 #include "offscreen_context.h"
 #include "picture_memory.h"
-#include "progress.h"
 
 namespace drape {
 
@@ -22,7 +22,7 @@ int draw_tour(const CaptureOptions& options, const StopSignals& signals) {
     const OffscreenContext context(options.context);
     Renderer renderer;
     renderer.resize(options.size.width, options.size.height);
-    Progress progress(static_cast<int>(stops.size()));
+    Progress progress(stops.size(), "picture");
     int number = 0;
     for (const TourStop& stop : stops) {
         Settings settings = settings_of(stop);
@@ -42,7 +42,7 @@ int draw_tour(const CaptureOptions& options, const StopSignals& signals) {
         const auto image = std::make_shared<Image>(renderer.read_back());
         image->texts = picture_texts(simulation);
         pictures.write(image, ++number);
-        progress.count();
+        progress.advance();
     }
     pictures.finish();
     progress.close(options.out);

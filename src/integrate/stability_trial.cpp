@@ -95,7 +95,7 @@ Real observable_limit_of_explicit_euler(const ClothModel& model, const ClothStat
     add_noise(model, noisy);
     const double noise = compute_energy(model, noisy, kernels).spring - compute_energy(model, start, kernels).spring;
     const double gain = static_cast<double>(energy_to_fail(model)) / noise;
-    const auto growth = static_cast<Real>(exponential_less_one(natural_log(gain) / steps));
+    const auto growth = static_cast<Real>(exponential(natural_log(gain) / steps) - 1);
     const Real k = omega * omega, d = 2 * zeta * omega;
     return (d + std::sqrt(d * d + 4 * k * growth)) / (2 * k);
 }

@@ -24,12 +24,12 @@ struct CollideOptions {
 };
 
 Grid parse_grid(const std::string& text) {
-    const std::size_t cross = std::min(text.find('x'), text.size());
-    const auto nx = parse_integer(std::string_view(text).substr(0, cross));
-    const auto ny = parse_integer(std::string_view(text).substr(std::min(cross + 1, text.size())));
-    const auto fits = [](const auto& n) { return n && *n >= 2 && *n <= 4096; };
-    if (!fits(nx) || !fits(ny)) throw InputError("--grid " + shortened(text) + ": allowed NXxNY, each 2 to 4096");
-    return {static_cast<int>(*nx), static_cast<int>(*ny)};
+    const auto size = parse_integers(text, 'x');
+    const auto fits = [](long long n) { return n >= 2 && n <= 4096; };
+    if (!size || !fits(size->first) || !fits(size->second)) {
+        throw InputError("--grid " + shortened(text) + ": allowed NXxNY, each 2 to 4096");
+    }
+    return {static_cast<int>(size->first), static_cast<int>(size->second)};
 }
 
 Ball parse_ball(const std::string& text) {

@@ -1,6 +1,7 @@
 #include "positions.h"
 
 #include <algorithm>
+#include <sstream>
 
 #include "drape/base/input_file.h"
 #include "drape/base/numbers.h"
@@ -11,6 +12,7 @@ namespace {
 
 constexpr double largest_coordinate = 1e12;  // m
 constexpr std::size_t longest_position_line = 4096;
+constexpr std::uintmax_t largest_positions = 1 << 30;  // bytes
 
 }  // namespace
 
@@ -23,7 +25,7 @@ std::vector<double> parse_numbers(const std::string& text, std::size_t count, co
 }
 
 Points read_positions(const std::string& file, const Grid& grid) {
-    InputFile in(file);
+    std::istringstream in(read_text(file, largest_positions));
     return read_positions(in, file, grid);
 }
 

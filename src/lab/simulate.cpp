@@ -5,7 +5,6 @@
 #include <memory>
 #include <vector>
 
-#include "drape/base/command_line.h"
 #include "drape/base/input_error.h"
 #include "drape/base/numbers.h"
 #include "drape/base/output_file.h"
@@ -24,8 +23,7 @@ constexpr double longest_run = 1e6;  // s
 
 struct SimulateOptions {
     StartOptions start;
-    std::string times, state, stats, save;
-    bool hash = false;
+    std::string times, state, stats;
 };
 
 /// "0.5,1,2" as times [s] that go back neither from one to the next nor from that of the start.
@@ -63,7 +61,7 @@ int simulate(SimulateOptions& options) {
     }
     Start start = make_start(options.start);
     std::vector<NamedFile> files = input_files(options.start, start);
-    files.insert(files.end(), {{"--state", options.state}, {"--stats", options.stats}, {"--save", options.save}});
+    files.insert(files.end(), {{"--state", options.state}, {"--stats", options.stats}, {"--save", options.start.save}});
     check_apart(files);
     const bool replays = start.replay.has_value();
     Session session = make_session(std::move(start));
@@ -72,14 +70,11 @@ int simulate(SimulateOptions& options) {
     const std::string warning = session.simulation().step_warning();
     if (!warning.empty()) tell("warning: " + warning);
     OutputFile state(options.state), stats(options.stats);
-    const std::size_t balls = session.simulation().balls().size();
+    std::vector<StatsColumn> columns;
+    add_report_columns(columns);
+    add_ball_columns(columns, session.simulation().balls().size());
     if (state.wanted()) write_state_header(state.stream(), session.simulation());
-    if (stats.wanted()) {
-        write_report_units(stats.stream());
-        write_ball_units(stats.stream(), balls), stats.stream() << '\n';
-        write_report_header(stats.stream());
-        write_ball_header(stats.stream(), balls), stats.stream() << '\n';
-    }
+    if (stats.wanted()) write_stats_head(stats.stream(), columns);
 
     const Stopwatch watch;
     const auto stop = [&signals] { return signals.arrived() != 0; };
@@ -88,10 +83,7 @@ int simulate(SimulateOptions& options) {
         if (session.simulation().report().status == Status::Diverged) return false;
         written = true;
         if (state.wanted()) write_state(state.stream(), session.simulation());
-        if (stats.wanted()) {
-            write_report(stats.stream(), *session.view().report);
-            write_balls(stats.stream(), session.simulation().balls(), balls), stats.stream() << '\n';
-        }
+        if (stats.wanted()) write_stats_row(stats.stream(), columns, session.view());
         return true;
     };
     if (whole_replay && session.run_replay(stop)) write();
@@ -112,12 +104,12 @@ int simulate(SimulateOptions& options) {
         state.close();
         stats.close();
     }
-    save_snapshot(options.save, session.simulation());
+    save_snapshot(options.start.save, session.simulation());
 
     tell(std::to_string(report.step) + " steps to " + real_text(report.time, 6) + " s in " +
          real_text(watch.seconds(), 3) + " s");
     if (!session.replay_notice().empty()) tell(session.replay_notice());
-    if (options.hash) std::cout << hash_text(session.simulation().hash()) << "\n";
+    if (options.start.hash) std::cout << hash_text(session.simulation().hash()) << "\n";
     const std::string doubt = session.simulation().run_warning();
     if (!doubt.empty() && report.status == Status::Ok) tell("warning: " + doubt);
     if (const int signal = signals.arrived()) return 128 + signal;
@@ -130,11 +122,7 @@ void add_simulate(CommandLine& line, int& exit_code) {
     auto options = std::make_shared<SimulateOptions>();
     CommandLine& command = line.command("simulate", "Runs a scene to given times",
                                         [options, &exit_code] { exit_code = simulate(*options); });
-    command.option("scene", options->start.scene, "name of a shipped scene, or a TOML file", {"SCENE"});
-    command.option("--set", options->start.assignments, "change settings", {"name=value"});
-    command.option("--replay", options->start.replay, "play a recording", {"FILE"});
-    command.option("--load", options->start.load, "go on from a snapshot", {"FILE"});
-    command.option("--save", options->save, "write a snapshot at the end, which --load goes on from", {"FILE"});
+    add_start_options(command, options->start);
     command.option(
         "--time", options->times,
         "simulated times to stop at [s], on the clock of the scene: its start file, if it has one, sets it; a "
@@ -143,7 +131,6 @@ void add_simulate(CommandLine& line, int& exit_code) {
     command.option("--state", options->state, "write every particle and ball at each time", {"FILE.csv"});
     command.option("--stats", options->stats, "write the report of the step at each time; its first line has the units",
                    {"FILE.csv"});
-    command.flag("--hash", options->hash, "print the hash of the last state");
     command.footer([] { return "Settings:\n" + settings_help(); });
 }
 

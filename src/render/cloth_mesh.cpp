@@ -1,7 +1,6 @@
 #include "cloth_mesh.h"
 
 #include <Eigen/Geometry>
-#include <algorithm>
 #include <cmath>
 
 #include "drape/model/stencils.h"

@@ -72,7 +72,7 @@ void ComparisonPanel::keep(const FrameView& view) {
     if (view.comparison == nullptr) other_medians_ = {};
     if (view.comparison == nullptr || view.report->time < time_) distances_.clear();
     if (view.comparison == nullptr) return;
-    other_medians_.keep(*view.comparison->report);
+    other_medians_.keep(*view.comparison->other.report);
     if (!distances_.empty() && view.report->time < time_ + kept_interval) return;
     if (distances_.size() == most) distances_.pop_front();
     distances_.push_back(view.comparison->rms);
@@ -88,7 +88,7 @@ float ComparisonPanel::draw(const FrameView& view, const OverlayPage& page, floa
     draw_panel(panel, {width, height});
     ImVec2 line{panel.x + margin, panel.y + margin};
     const float first = line.x + 9 * size, other = line.x + 15.5f * size, end = right - margin;
-    const StepReport other_report = other_medians_.with_median_times(*view.comparison->report);
+    const StepReport other_report = other_medians_.with_median_times(*view.comparison->other.report);
 
     draw_legend(view.comparison->assignments, line, end);
     line.y += 2 * row;

@@ -6,7 +6,6 @@
 #include <cfloat>
 #include <cmath>
 #include <iterator>
-#include <string>
 #include <vector>
 
 #include "drape/bounds/broad_phase.h"

@@ -5,6 +5,7 @@
 #include "cloth_mesh.h"
 #include "drape/model/stencils.h"
 #include "drape/session/comparison.h"
+#include "frame_data.h"
 #include "solids.h"
 
 namespace drape {
@@ -76,15 +77,16 @@ void Marks::need(const FrameView& view, StreamBuffer& stream) {
 
 void Marks::collect_compared(const FrameView& view) {
     if (view.comparison == nullptr) return;
-    const Real blend = view.comparison->blend;
-    for (std::size_t b = 0; b < std::min(view.balls.size(), view.comparison->balls.size()); ++b) {
-        const Ball &before = view.comparison->previous_balls[b], &now = view.comparison->balls[b];
-        const Vec3 centre = (1 - blend) * before.centre + blend * now.centre;
+    const FrameView& other = view.comparison->other;
+    const Real blend = other.blend;
+    for (std::size_t b = 0; b < std::min(view.balls.size(), other.balls.size()); ++b) {
+        const Eigen::Vector4f ball = drawn_ball(other, b);
+        const Vec3 centre = ball.head<3>().cast<Real>();
         constexpr Real seen = Real(1e-3);  // of its radius
-        if (!((centre - view.balls[b].centre).norm() > seen * now.radius)) continue;
-        bounds_.spheres.push_back({centre, now.radius, NodeState::Compared});
+        if (!((centre - view.balls[b].centre).norm() > seen * other.balls[b].radius)) continue;
+        bounds_.spheres.push_back({centre, other.balls[b].radius, NodeState::Compared});
     }
-    for (const ClothView& cloth : view.comparison->cloths) {
+    for (const ClothView& cloth : other.cloths) {
         const auto at = [&](int p) -> Vec3 {
             return ((1 - blend) * cloth.previous.row(p) + blend * cloth.x.row(p)).transpose();
         };

@@ -3,15 +3,10 @@
 #include <imgui.h>
 
 #include <algorithm>
-#include <cstddef>
 #include <filesystem>
 #include <utility>
 
 #include "colour_panel.h"
-#include "figures_panel.h"
-#include "key_panels.h"
-#include "overlay_style.h"
-#include "panel_boxes.h"
 #include "plots_panel.h"
 
 namespace drape {

@@ -66,7 +66,11 @@ Pick pick_particle(const FrameView& view, const Ray& ray) {
         const Eigen::Vector4f ball = drawn_ball(view, i);
         nearest = std::min(nearest, hit_ball(ray, ball.head<3>().cast<Real>(), static_cast<Real>(ball.w())));
     }
-    for (const Solid& solid : view.solids) nearest = std::min(nearest, hit_solid(ray, solid));
+    for (std::size_t i = 0; i < view.solids.size(); ++i) {
+        Solid solid = view.solids[i];
+        solid.position = drawn_solid(view, i).cast<Real>();
+        nearest = std::min(nearest, hit_solid(ray, solid));
+    }
     for (std::size_t number = 0; number < view.cloths.size(); ++number) {
         const ClothView& cloth = view.cloths[number];
         const Grid& grid = cloth.model.grid;

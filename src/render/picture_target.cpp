@@ -1,6 +1,5 @@
 #include "picture_target.h"
 
-#include <Eigen/Geometry>
 #include <algorithm>
 #include <cmath>
 #include <string>

@@ -23,14 +23,6 @@ double number_in(const std::optional<SettingValue>& value) {
     return number == nullptr ? 0 : *number;
 }
 
-double default_number(const Setting& setting) {
-    Settings defaults;
-    defaults.balls.resize(1);
-    defaults.solids.resize(1);
-    defaults.pins.resize(1);
-    return number_in(setting.read(defaults, 0));
-}
-
 // Numbers that a user reads, and a recording keeps
 double rounded(double value) { return parse_real(real_text(value, 4)).value_or(value); }
 
@@ -39,7 +31,7 @@ double rounded(double value) { return parse_real(real_text(value, 4)).value_or(v
 SliderScale slider_scale(const Setting& setting, double scene_value) {
     const Range& range = setting.range;
     if (setting.usual_high > 0) return {range.low, std::max(setting.usual_high, scene_value), false};
-    if (scene_value == 0) scene_value = default_number(setting);
+    if (scene_value == 0) scene_value = number_in(setting.read(settings_with_one_of_each(), 0));
     if (scene_value < 0) return {std::max(range.low, -10.0), std::min(range.high, 10.0), false};
     if (scene_value == 0) return {std::max(range.low, 0.0), std::min(range.high, 1.0), false};
     const bool is_narrow = range.low == 0 && range.high <= narrow * scene_value;

@@ -1,8 +1,6 @@
 #include "solids.h"
 
 #include <Eigen/Core>
-#include <algorithm>
-#include <cmath>
 #include <numbers>
 
 #include "cloth_mesh.h"

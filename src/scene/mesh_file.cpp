@@ -10,6 +10,7 @@
 #include <iterator>
 #include <memory>
 #include <span>
+#include <sstream>
 
 #include "closed_mesh.h"
 #include "drape/base/input_error.h"
@@ -128,7 +129,7 @@ std::string mesh_extension(const std::string& file) {
 }
 
 TriangleMesh read_mesh(const std::string& file) {
-    InputFile in(file, largest_file);
+    std::istringstream in(read_text(file, largest_file));
     return read_mesh(in, file);
 }
 

@@ -1,7 +1,6 @@
 #include "mesh_repair.h"
 
 #include <Eigen/Geometry>
-#include <algorithm>
 #include <cmath>
 
 namespace drape {

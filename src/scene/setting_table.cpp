@@ -148,8 +148,7 @@ void add_pins(std::vector<Setting>& table) {
 }
 
 void add_needs(std::vector<Setting>& table) {
-    SectionRows<NeedsSettings> needs(
-        "needs", [](Settings& s, std::size_t) -> NeedsSettings& { return s.needs; }, table);
+    SectionRows<NeedsSettings> needs("needs", &Settings::needs, table);
     needs.add("position_error", &NeedsSettings::position_error, "", {0, 1},
               "of the cloth's side, that the scene allows against its full model up to the horizon; 0: not stated");
     needs.add("measure", &NeedsSettings::measure,
@@ -181,8 +180,7 @@ void add_needs(std::vector<Setting>& table) {
 }
 
 void add_the_rest(std::vector<Setting>& table) {
-    SectionRows<SolverSettings> solver(
-        "solver", [](Settings& s, std::size_t) -> SolverSettings& { return s.solver; }, table);
+    SectionRows<SolverSettings> solver("solver", &Settings::solver, table);
     solver.add("integrator", &SolverSettings::integrator, "how a step is made");
     solver.add("hessian", &SolverSettings::hessian,
                "of the implicit methods: without or with the negative stiffness across a compressed spring");
@@ -208,8 +206,7 @@ void add_the_rest(std::vector<Setting>& table) {
 
     solver.add("ledger", &SolverSettings::ledger, "keep the balance of the energy, for panel and CSV");
 
-    SectionRows<ContactSettings> contact(
-        "contact", [](Settings& s, std::size_t) -> ContactSettings& { return s.contact; }, table);
+    SectionRows<ContactSettings> contact("contact", &Settings::contact, table);
     contact.add("volume", &ContactSettings::volume, "of the hierarchy; brute tests every cell");
     contact.add("update", &ContactSettings::update, "how the hierarchy follows the cloth");
     contact.add("sphere_fit", &ContactSettings::sphere_fit,
@@ -244,8 +241,7 @@ void add_the_rest(std::vector<Setting>& table) {
                 "cloths meet themselves and each other, and keep apart by contact.thickness, but by no more than half "
                 "of what particles are from the diagonals beside them; always answered by projection");
 
-    SectionRows<Ground> ground(
-        "ground", [](Settings& s, std::size_t) -> Ground& { return s.ground; }, table);
+    SectionRows<Ground> ground("ground", &Settings::ground, table);
     ground.add("height", &Ground::height, "m", lengths, "of the plane that is drawn");
     ground.add("solid", &Ground::solid, "cloth and balls stay above it; a ball on a path goes where that leads");
     ground.add("friction", &Ground::friction, "", {0, 10}, "Coulomb coefficient of what lies on it");
@@ -253,18 +249,15 @@ void add_the_rest(std::vector<Setting>& table) {
     ground.add("restitution", &Ground::restitution, "", {0, 1}, "of the normal speed");
     ground.add("rolling", &Ground::rolling, "", {0, 1}, "coefficient of rolling resistance of free balls");
 
-    SectionRows<WorldSettings> world(
-        "world", [](Settings& s, std::size_t) -> WorldSettings& { return s.world; }, table);
+    SectionRows<WorldSettings> world("world", &Settings::world, table);
     world.add("gravity", &WorldSettings::gravity, "m/s^2", {0, 50}, "of cloths and free balls, downwards");
 
-    SectionRows<WindSettings> wind(
-        "wind", [](Settings& s, std::size_t) -> WindSettings& { return s.wind; }, table);
+    SectionRows<WindSettings> wind("wind", &Settings::wind, table);
     wind.add("on", &WindSettings::on, "let the wind blow");
     wind.add("velocity", &WindSettings::velocity, "m/s", {-100, 100}, "mean velocity of the air");
     wind.add("gust", &WindSettings::gust, "", {0, 1}, "amplitude of the gusts over the mean");
 
-    SectionRows<ViewSettings> view(
-        "view", [](Settings& s, std::size_t) -> ViewSettings& { return s.view; }, table);
+    SectionRows<ViewSettings> view("view", &Settings::view, table);
     view.add("panel", &ViewSettings::panel, "how much the stats panel shows");
     view.add("text_scale", &ViewSettings::text_scale, "", {0.5, 4}, "text size; it scales with the window");
     view.add("controls", &ViewSettings::controls, "show the settings panel, in the window");

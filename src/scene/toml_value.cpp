@@ -3,7 +3,6 @@
 #include <sstream>
 
 #include "drape/base/input_error.h"
-#include "drape/base/numbers.h"
 
 namespace drape {
 namespace {

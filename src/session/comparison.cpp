@@ -13,30 +13,14 @@ namespace {
 /// Of the other simulation within a step of the first.
 constexpr int max_steps = 1000;
 
-/// A place in a flat cloth: both in [0, 1].
-struct FlatPlace {
-    Real u, v;
-};
-
-FlatPlace place_of(const Grid& grid, int particle) {
-    const Real columns = static_cast<Real>(grid.nx - 1), rows = static_cast<Real>(grid.ny - 1);
-    return {static_cast<Real>(particle % grid.nx) / columns, static_cast<Real>(particle / grid.nx) / rows};
-}
-
-int nearest_particle(const Grid& grid, FlatPlace place) {
-    const auto i = static_cast<int>(std::lround(place.u * static_cast<Real>(grid.nx - 1)));
-    const auto j = static_cast<int>(std::lround(place.v * static_cast<Real>(grid.ny - 1)));
-    return grid.particle(i, j);
-}
-
-/// Where that place is in space, between the particles about it.
-Vec3 point_at(const Grid& grid, const ClothState& before, const ClothState& now, Real blend, FlatPlace place) {
-    const Real along = place.u * static_cast<Real>(grid.nx - 1), across = place.v * static_cast<Real>(grid.ny - 1);
-    const int i = std::min(static_cast<int>(along), grid.nx - 2), j = std::min(static_cast<int>(across), grid.ny - 2);
-    const Real s = along - static_cast<Real>(i), t = across - static_cast<Real>(j);
-    const auto at = [&](int p) -> Vec3 { return ((1 - blend) * before.x.row(p) + blend * now.x.row(p)).transpose(); };
-    return (1 - t) * ((1 - s) * at(grid.particle(i, j)) + s * at(grid.particle(i + 1, j))) +
-           t * ((1 - s) * at(grid.particle(i, j + 1)) + s * at(grid.particle(i + 1, j + 1)));
+/// The particle of another grid that is nearest to the place of one in the flat cloth.
+int nearest_particle(const Grid& from, int particle, const Grid& to) {
+    const auto nearest = [](int k, int cells, int other_cells) {
+        return static_cast<int>(
+            std::lround(static_cast<Real>(k) / static_cast<Real>(cells) * static_cast<Real>(other_cells)));
+    };
+    return to.particle(nearest(particle % from.nx, from.cell_columns(), to.cell_columns()),
+                       nearest(particle / from.nx, from.cell_rows(), to.cell_rows()));
 }
 
 /// The command, with the same particle of another grid where it names one.
@@ -47,8 +31,7 @@ Command moved_to(const Simulation& other, const Simulation& first, Command comma
     std::visit(
         [&](auto& at) {
             if constexpr (requires { at.particle; }) {
-                at.particle =
-                    nearest_particle(grid_in(other, at.cloth), place_of(grid_in(first, at.cloth), at.particle));
+                at.particle = nearest_particle(grid_in(first, at.cloth), at.particle, grid_in(other, at.cloth));
             }
         },
         command);
@@ -123,36 +106,27 @@ void Comparison::follow(const Simulation& first) {
 }
 
 ComparisonView Comparison::view(const Simulation& first) {
-    const FrameView other = other_.view();
+    FrameView other = other_.view();
     const double ahead = (other_.report().time - first.report().time) / other_.settings().solver.dt;
-    const auto blend = static_cast<Real>(std::clamp(1 - ahead, 0.0, 1.0));
+    other.blend = static_cast<Real>(std::clamp(1 - ahead, 0.0, 1.0));
     double squares = 0, count = 0, largest = 0;
     distances_.resize(first.cloths().size());
     for (std::size_t c = 0; c < first.cloths().size(); ++c) {
         const Cloth &one = first.cloths()[c], &two = other_.cloths()[c];
-        const Grid& grid = one.model.grid;
+        const int particles = one.model.grid.particles();
+        const Points there =
+            resampled((1 - other.blend) * two.previous.x + other.blend * two.state.x, two.model.grid, one.model.grid);
         std::vector<float>& distances = distances_[c];
-        distances.resize(static_cast<std::size_t>(grid.particles()));
-        for (int p = 0; p < grid.particles(); ++p) {
-            const Vec3 there = point_at(two.model.grid, two.previous, two.state, blend, place_of(grid, p));
-            const Vec3 here = one.state.x.row(p).transpose();
-            const auto distance = static_cast<double>((here - there).norm());
+        distances.resize(static_cast<std::size_t>(particles));
+        for (int p = 0; p < particles; ++p) {
+            const auto distance = static_cast<double>((one.state.x.row(p) - there.row(p)).norm());
             distances[static_cast<std::size_t>(p)] = static_cast<float>(distance);
             squares += distance * distance;
             largest = std::max(largest, distance);
         }
-        count += grid.particles();
+        count += particles;
     }
-    return {.cloths = other.cloths,
-            .balls = other.balls,
-            .previous_balls = other.previous_balls,
-            .distances = distances_,
-            .rms = std::sqrt(squares / count),
-            .largest = largest,
-            .blend = blend,
-            .settings = other.settings,
-            .report = other.report,
-            .assignments = text_};
+    return {other, distances_, std::sqrt(squares / count), largest, text_};
 }
 
 }  // namespace drape

@@ -1,6 +1,5 @@
 #include "drape/session/failure.h"
 
-#include <cmath>
 #include <sstream>
 #include <string_view>
 

@@ -1,8 +1,9 @@
 #include "drape/session/search_timer.h"
 
-#include "drape/contact/detection.h"
-
 #include <algorithm>
+#include <limits>
+
+#include "drape/base/assert.h"
 
 namespace drape {
 
@@ -29,50 +30,51 @@ const SearchTimes* SearchTimer::look(const FrameView& view) {
 std::optional<SearchTimes> SearchTimer::measure(const FrameView& view) {
     if (!can_compare(view, broad_phase_of(*view.settings))) return std::nullopt;
     prepare(view);
-    SearchTimes times;
-    const auto least = [&](double& time, std::int64_t& contacts, bool by_hierarchy) {
+    const auto least = [&](bool by_hierarchy) {
+        double time = std::numeric_limits<double>::infinity();
         for (int r = 0; r < repetitions; ++r) {
             const Stopwatch watch;
             search(view, by_hierarchy);
-            const double passed = watch.seconds();
-            time = r == 0 ? passed : std::min(time, passed);
+            time = std::min(time, watch.seconds());
         }
-        contacts = static_cast<std::int64_t>(contacts_.size());
+        return time;
     };
-    least(times.hierarchy, times.contacts, true);
-    least(times.brute_force, times.contacts_by_brute_force, false);
+    SearchTimes times{.hierarchy = least(true)};
+    const std::size_t contacts = contacts_.size();
+    times.brute_force = least(false);
+    DRAPE_ASSERT(contacts_.size() == contacts);
     return times;
 }
 
 /// Hierarchies and lists are made where the scene has changed.
 void SearchTimer::prepare(const FrameView& view) {
-    const BroadPhaseParameters parameters = broad_phase_of(*view.settings);
+    BroadPhaseParameters parameters = broad_phase_of(*view.settings);
     const bool same =
         parameters == parameters_ && std::ranges::equal(cloths_, view.cloths, {}, &OfCloth::grid,
                                                         [](const ClothView& cloth) { return cloth.model.grid; });
     if (same) return;
     parameters_ = parameters;
+    parameters.volume = VolumeKind::Brute;
     cloths_.clear();
     for (const ClothView& cloth : view.cloths) {
-        const Grid& grid = cloth.model.grid;
-        cloths_.push_back({grid, make_broad_phase(parameters, grid), {}});
-        list_all_cells(grid, cloths_.back().all_cells);
+        OfCloth& own = cloths_.emplace_back();
+        own.grid = cloth.model.grid;
+        own.hierarchy.use(parameters_, own.grid, cloth.x);
+        own.brute_force.use(parameters, own.grid, cloth.x);
     }
 }
 
 void SearchTimer::search(const FrameView& view, bool by_hierarchy) {
-    const Real thickness = view.settings->contact.thickness;
+    ContactSettings contact = view.settings->contact;
+    contact.continuous = Continuous::Never;
     contacts_.clear();
     for (std::size_t c = 0; c < cloths_.size(); ++c) {
-        const auto& [grid, hierarchy, all_cells] = cloths_[c];
+        ContactSearch& searched = by_hierarchy ? cloths_[c].hierarchy : cloths_[c].brute_force;
         const Points& x = view.cloths[c].x;
-        if (by_hierarchy) hierarchy->build(x);
-        for (std::size_t b = 0; b < view.balls.size(); ++b) {
-            const Ball& ball = view.balls[b];
-            if (by_hierarchy) hierarchy->query(grown(ball, thickness), found_);
-            find_contacts({grid, x, x}, ball, {static_cast<int>(b), thickness}, by_hierarchy ? found_.cells : all_cells,
-                          contacts_, parameters_.kernels);
-        }
+        const MovingCloth cloth{cloths_[c].grid, x, x};
+        searched.build(cloth, contact);
+        searched.traverse(view.balls, contact.thickness);
+        searched.narrow(cloth, view.balls, contact.thickness, 0, contacts_);
     }
 }
 

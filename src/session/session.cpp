@@ -1,11 +1,9 @@
 #include "drape/session/session.h"
 
-#include <algorithm>
 #include <cmath>
 #include <iterator>
 #include <limits>
 #include <stdexcept>
-#include <utility>
 
 #include "drape/base/input_error.h"
 #include "drape/base/numbers.h"

@@ -1,5 +1,7 @@
 #include "drape/session/state_csv.h"
 
+#include <utility>
+
 #include "drape/base/numbers.h"
 
 namespace drape {
@@ -11,16 +13,6 @@ template <class Numbers>
 void append(std::ostream& out, const Numbers& numbers) {
     for (Eigen::Index k = 0; k < numbers.size(); ++k) {
         out << ',' << real_text(static_cast<double>(numbers[k]), exact_digits);
-    }
-}
-
-/// Calls with the full name and the field of every column of the balls.
-template <class Work>
-void for_each_ball_column(std::size_t balls, Work work) {
-    for (std::size_t b = 0; b < balls; ++b) {
-        for (const BallField& field : ball_fields()) {
-            work("ball" + std::to_string(b) + "_" + std::string(field.name), field);
-        }
     }
 }
 
@@ -56,47 +48,37 @@ void write_state(std::ostream& out, const Simulation& simulation) {
     }
 }
 
-void write_report_units(std::ostream& out) {
-    const char* before = "# units: ";
+void add_report_columns(std::vector<StatsColumn>& columns) {
     for (const ReportField& field : report_fields()) {
-        if (field.unit.empty()) continue;
-        out << before << field.name << " [" << field.unit << ']';
-        before = ", ";
+        columns.push_back({std::string(field.name), std::string(field.unit),
+                           [&field](const FrameView& view) { return real_text(field.read(*view.report)); }});
     }
 }
 
-void write_report_header(std::ostream& out) {
-    const char* comma = "";
-    for (const ReportField& field : report_fields()) {
-        out << comma << field.name;
-        comma = ",";
-    }
-}
-
-void write_report(std::ostream& out, const StepReport& report) {
-    const char* comma = "";
-    for (const ReportField& field : report_fields()) {
-        out << comma << real_text(field.read(report));
-        comma = ",";
-    }
-}
-
-void write_ball_units(std::ostream& out, std::size_t balls) {
-    for_each_ball_column(balls, [&out](const std::string& name, const BallField& field) {
-        out << ", " << name << " [" << field.unit << ']';
-    });
-}
-
-void write_ball_header(std::ostream& out, std::size_t balls) {
-    for_each_ball_column(balls, [&out](const std::string& name, const BallField&) { out << ',' << name; });
-}
-
-void write_balls(std::ostream& out, std::span<const Ball> balls, std::size_t columns) {
-    for (std::size_t b = 0; b < columns; ++b) {
+void add_ball_columns(std::vector<StatsColumn>& columns, std::size_t balls) {
+    for (std::size_t b = 0; b < balls; ++b) {
         for (const BallField& field : ball_fields()) {
-            out << ',' << (b < balls.size() ? real_text(field.read(balls[b])) : "");
+            columns.push_back({"ball" + std::to_string(b) + "_" + std::string(field.name), std::string(field.unit),
+                               [&field, b](const FrameView& view) {
+                                   return b < view.balls.size() ? real_text(field.read(view.balls[b])) : "";
+                               }});
         }
     }
+}
+
+void write_stats_head(std::ostream& out, std::span<const StatsColumn> columns) {
+    std::string units, names;
+    for (const StatsColumn& column : columns) {
+        if (!column.unit.empty()) units += (units.empty() ? "" : ", ") + column.name + " [" + column.unit + "]";
+        names += (names.empty() ? "" : ",") + column.name;
+    }
+    out << "# units: " << units << '\n' << names << '\n';
+}
+
+void write_stats_row(std::ostream& out, std::span<const StatsColumn> columns, const FrameView& view) {
+    const char* comma = "";
+    for (const StatsColumn& column : columns) out << std::exchange(comma, ",") << column.cell(view);
+    out << '\n';
 }
 
 }  // namespace drape

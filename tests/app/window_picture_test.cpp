@@ -9,6 +9,7 @@
 #include "drape/base/numbers.h"
 #include "drape/render/image.h"
 #include "drape/scene/scene.h"
+#include "support/read_png.h"
 
 namespace drape {
 namespace {

@@ -10,7 +10,7 @@
 #include "../../src/app/window_video.h"
 #include "app/window_fixture.h"
 #include "drape/base/numbers.h"
-#include "drape/base/scratch_folder.h"
+#include "support/scratch_folder.h"
 
 namespace drape {
 namespace {

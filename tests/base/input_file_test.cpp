@@ -5,7 +5,7 @@
 #include <unistd.h>
 
 #include <array>
-#include <iterator>
+#include <sstream>
 
 #include "support/input_errors.h"
 #include "support/scratch_file.h"
@@ -18,14 +18,9 @@ using test::ScratchFile;
 using testing::HasSubstr;
 using testing::StartsWith;
 
-std::string text_of(const std::string& name, std::uintmax_t largest = UINTMAX_MAX) {
-    InputFile in(name, largest);
-    return {std::istreambuf_iterator<char>(in), {}};
-}
-
 /// What is said of a file that is read whole.
 std::string file_complaint(const std::string& name, std::uintmax_t largest = UINTMAX_MAX) {
-    return input_error_of([&] { text_of(name, largest); });
+    return input_error_of([&] { static_cast<void>(read_text(name, largest)); });
 }
 
 /// A pipe that this process has open, with a text in it.
@@ -50,8 +45,8 @@ TEST(InputFile, IsReadWhole) {
     std::string text;
     for (int i = 0; i < 50'000; ++i) text += std::to_string(i) + "\n";
     const ScratchFile file("input.txt", text);
-    EXPECT_EQ(text_of(file.name()), text);
-    EXPECT_EQ(text_of(file.name(), text.size()), text);
+    EXPECT_EQ(read_text(file.name()), text);
+    EXPECT_EQ(read_text(file.name(), text.size()), text);
 }
 
 TEST(InputFile, ThatIsTooLargeIsRefusedBeforeItIsRead) {
@@ -79,7 +74,7 @@ TEST(InputFile, NeverWaitsForTheOtherEndOfAPipe) {
 
 TEST(InputFile, MayBeAPipeThatTheShellHasOpened) {
     const FullPipe pipe("0,0,0\n1,0,0\n");
-    EXPECT_EQ(text_of(pipe.name()), "0,0,0\n1,0,0\n");
+    EXPECT_EQ(read_text(pipe.name()), "0,0,0\n1,0,0\n");
 }
 
 TEST(InputFile, OfMoreBytesThanAPipeMayHaveIsRefusedWhileItIsRead) {
@@ -88,8 +83,7 @@ TEST(InputFile, OfMoreBytesThanAPipeMayHaveIsRefusedWhileItIsRead) {
 }
 
 TEST(ReadLine, TakesTheEndsOfLinesOfOtherSystemsForEnds) {
-    const ScratchFile file("input.txt", "one\r\n\r\ntwo\rthree\r\nfour\r");
-    InputFile in(file.name());
+    std::istringstream in("one\r\n\r\ntwo\rthree\r\nfour\r");
     std::string line;
     EXPECT_EQ(read_line(in, line, 100), LineEnd::Whole);
     EXPECT_EQ(line, "one");

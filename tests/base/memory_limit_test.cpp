@@ -6,8 +6,8 @@
 #include <cstdlib>
 #include <fstream>
 
-#include "drape/base/scratch_folder.h"
 #include "support/address_space.h"
+#include "support/scratch_folder.h"
 
 namespace drape {
 namespace {

@@ -12,6 +12,7 @@
 #include "drape/session/tour.h"
 #include "drape/sim/step_report.h"
 #include "program.h"
+#include "support/read_png.h"
 
 namespace drape::test {
 namespace {

@@ -10,6 +10,7 @@
 #include "drape/base/input_error.h"
 #include "drawn_scene.h"
 #include "program.h"
+#include "support/read_png.h"
 
 namespace drape::test {
 namespace {

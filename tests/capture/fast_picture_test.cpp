@@ -7,6 +7,7 @@
 
 #include "drape/render/image.h"
 #include "program.h"
+#include "support/read_png.h"
 
 namespace drape::test {
 namespace {

@@ -11,6 +11,7 @@
 #include "drape/base/numbers.h"
 #include "drape/render/image.h"
 #include "program.h"
+#include "support/read_png.h"
 
 namespace drape::test {
 namespace {
@@ -177,7 +178,7 @@ TEST(CaptureFrames, AreWrittenByOneRunAtATime) {
 /// The one line that tells of a frame that could not be written, after those that count the pictures.
 ::testing::Matcher<const std::string&> tells_of_frames(const std::string& frame, const std::string& reason,
                                                        const std::string& last) {
-    return ::testing::MatchesRegex("([0-9]+ of [0-9]+ pictures\n)*drape-capture: " + frame +
+    return ::testing::MatchesRegex("([0-9]+ of [0-9]+ pictures, about [^\n]* left\n)*drape-capture: " + frame +
                                    "\\.png: cannot be written: " + reason + "; the last good frame is " + last +
                                    "\\.png\n");
 }

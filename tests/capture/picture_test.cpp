@@ -5,10 +5,10 @@
 #include <fstream>
 
 #include "drape/base/resources.h"
-#include "drape/base/scratch_folder.h"
 #include "drawn_scene.h"
 #include "picture_check.h"
 #include "support/process.h"
+#include "support/scratch_folder.h"
 
 namespace drape::test {
 namespace {

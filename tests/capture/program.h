@@ -4,8 +4,8 @@
 #include <string>
 #include <vector>
 
-#include "drape/base/scratch_folder.h"
 #include "support/process.h"
+#include "support/scratch_folder.h"
 
 namespace drape::test {
 

@@ -5,10 +5,10 @@
 #include <sstream>
 #include <utility>
 
-#include "drape/base/scratch_folder.h"
 #include "drape/scene/setting_table.h"
 #include "fuzz/small_run.h"
 #include "fuzz/target.h"
+#include "support/scratch_folder.h"
 
 using namespace drape;
 

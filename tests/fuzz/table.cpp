@@ -4,10 +4,10 @@
 #include <optional>
 #include <sstream>
 
-#include "drape/base/scratch_folder.h"
 #include "fuzz/target.h"
 #include "lab/experiment/experiment_table.h"
 #include "lab/experiments.h"
+#include "support/scratch_folder.h"
 
 using namespace drape;
 

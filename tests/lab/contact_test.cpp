@@ -35,7 +35,7 @@ TEST(ContactTrial, DoesWhatTheSimulationDoesToTheSameBits) {
             contacts += simulation.report().contacts;
         }
         EXPECT_GT(contacts, 100) << setting;
-        EXPECT_EQ(trial.positions(), simulation.cloths()[0].state.x) << setting;
+        EXPECT_EQ(trial.state().x, simulation.cloths()[0].state.x) << setting;
     }
 }
 
@@ -59,7 +59,7 @@ TEST(CompareContacts, CountsWhatTheReferenceTouchedAndTheRunDidNot) {
 
 TEST(HungCloth, IsEnteredDeeperTheLongerTheStepAndPassedWhereALimitedSearchPushesTooSlowly) {
     constexpr double speed = 8;  // m/s
-    const ContactScene scene = hung_cloth_and_ball(speed, 0.004).with({.leaf_cells = 4});
+    const ContactScene scene = hung_cloth_and_ball(speed, 0.004);
     const ContactHistory reference = watch_contacts(scene, Real(0.0005));
     EXPECT_FALSE(reference.passed);
     EXPECT_LT(reference.left, 2e-4);
@@ -71,7 +71,7 @@ TEST(HungCloth, IsEnteredDeeperTheLongerTheStepAndPassedWhereALimitedSearchPushe
         EXPECT_LT(compare_contacts(run, reference, finer).missed_contacts, 0.2) << finer;
         before = run.entered;
     }
-    const ContactHistory limited = watch_contacts(scene.with({.leaf_cells = 4, .tests = 1}), Real(0.004));
+    const ContactHistory limited = watch_contacts(scene.with({"contact.search_tests=1"}), Real(0.004));
     EXPECT_GT(limited.left, 0.1);
     EXPECT_GT(limited.false_contacts, 0.1);
 }
@@ -79,10 +79,10 @@ TEST(HungCloth, IsEnteredDeeperTheLongerTheStepAndPassedWhereALimitedSearchPushe
 TEST(HungCloth, IsHeldByAContinuousSearchAtTheStepsAtWhichADiscreteOneIsPassed) {
     // In a step the ball goes more than a metre
     const ContactScene scene = hung_cloth_and_ball(32, Real(1) / 30);
-    const Detection oracle{.volume = VolumeKind::Brute, .continuous = true};
-    const ContactHistory truth = watch_contacts(scene.with(oracle), Real(1) / 3000);
-    const ContactHistory discrete = watch_contacts(scene.with({.leaf_cells = 4}), Real(1) / 30);
-    const ContactHistory continuous = watch_contacts(scene.with({.leaf_cells = 4, .continuous = true}), Real(1) / 30);
+    const ContactHistory truth =
+        watch_contacts(scene.with({"contact.volume=brute", "contact.continuous=auto"}), Real(1) / 3000);
+    const ContactHistory discrete = watch_contacts(scene, Real(1) / 30);
+    const ContactHistory continuous = watch_contacts(scene.with({"contact.continuous=auto"}), Real(1) / 30);
     EXPECT_FALSE(truth.passed);
     EXPECT_TRUE(discrete.passed);
     EXPECT_FALSE(continuous.passed);

@@ -17,12 +17,12 @@ struct ExactTally {
 };
 
 /// A sheet is thrown at another, with the fail-safe or without.
-ExactTally throw_at_sheet(const ThrownSheet& scene, FailSafe fail_safe) {
+ExactTally throw_at_sheet(const ContactScene& scene, FailSafe fail_safe) {
     constexpr int steps = 24;
     SelfContactTrial trial(scene, Real(1) / 240, fail_safe);
     ExactTally tally;
     for (int step = 0; step < steps; ++step) {
-        tally.held_back += trial.advance().held_back;
+        tally.held_back += trial.step().held_back;
         std::array<CellBoxes, 2> boxes;
         std::vector<BoxedCloth> sheets;
         for (const std::size_t s : {0u, 1u}) {
@@ -40,7 +40,7 @@ ExactTally throw_at_sheet(const ThrownSheet& scene, FailSafe fail_safe) {
 
 TEST(LongFailSafe, LeavesNoCrossingWhereSheetsAreThrownAtEachOther) {
     for (const auto& [speed, thickness] : {std::pair(8, 1.25e-4), std::pair(8, 5e-4), std::pair(5, 5e-5)}) {
-        const ThrownSheet scene = throw_sheet(static_cast<Real>(speed), static_cast<Real>(thickness));
+        const ContactScene scene = throw_sheet(static_cast<Real>(speed), static_cast<Real>(thickness));
         const ExactTally with = throw_at_sheet(scene, FailSafe::Zones), without = throw_at_sheet(scene, FailSafe::None);
         EXPECT_EQ(with.crossed_steps, 0) << speed << " m/s, " << thickness << " m";
         EXPECT_GT(with.held_back, 0) << speed << " m/s, " << thickness << " m";
@@ -50,9 +50,9 @@ TEST(LongFailSafe, LeavesNoCrossingWhereSheetsAreThrownAtEachOther) {
 }
 
 /// A sheet in pleats, the one above the other, which falls on the ground at 10 m/s.
-ThrownSheet pleated_sheet() {
+ContactScene pleated_sheet() {
     constexpr Real pleat = Real(0.25), slope = Real(0.06);
-    ThrownSheet scene;
+    ContactScene scene;
     Settings& settings = scene.settings;
     settings.cloths.clear();
     ClothParameters cloth;
@@ -76,7 +76,7 @@ ThrownSheet pleated_sheet() {
     return scene;
 }
 
-ExactTally let_fall(const ThrownSheet& scene, bool self) {
+ExactTally let_fall(const ContactScene& scene, bool self) {
     Settings settings = scene.settings;
     settings.contact.self = self;
     Simulation simulation("pleats", std::move(settings), StartState{0, scene.start});
@@ -93,7 +93,7 @@ ExactTally let_fall(const ThrownSheet& scene, bool self) {
 }
 
 TEST(FailSafe, LeavesNoCrossingInASheetInPleatsThatFallsOnTheGround) {
-    const ThrownSheet scene = pleated_sheet();
+    const ContactScene scene = pleated_sheet();
     const ExactTally with = let_fall(scene, true), without = let_fall(scene, false);
     EXPECT_EQ(with.crossed_steps, 0);
     EXPECT_GT(with.held_back, 0);

@@ -152,7 +152,7 @@ TEST(HostileTable, IsRefusedWhereTwoSharesHoldTheSameCasesOrItIsNoFile) {
     std::filesystem::create_directories(folder.path("in/stability.csv"));
     const LabRun no_file = folder.run({"merge", "in"});
     EXPECT_EQ(no_file.code, 2) << no_file.out;
-    EXPECT_THAT(no_file.err, HasSubstr("in/stability.csv: cannot be read"));
+    EXPECT_THAT(no_file.err, HasSubstr("in/stability.csv: is a folder"));
     EXPECT_FALSE(folder.has("merged"));
 }
 

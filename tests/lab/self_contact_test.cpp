@@ -15,16 +15,16 @@ using test::LabRun;
 using ::testing::HasSubstr;
 
 /// So thin and fast that the response alone does not keep them apart.
-const ThrownSheet& thin_sheets() {
-    static const ThrownSheet scene = throw_sheet(8, Real(1.25e-4));
+const ContactScene& thin_sheets() {
+    static const ContactScene scene = throw_sheet(8, Real(1.25e-4));
     return scene;
 }
 
 constexpr Real long_step = Real(1) / 240;
 
 TEST(SelfContactTrial, DoesWhatTheSimulationDoesToTheSameBits) {
-    ThrownSheet scene = throw_sheet(4, Real(0.004));
-    scene.gravity = standard_gravity();
+    ContactScene scene = throw_sheet(4, Real(0.004));
+    scene.settings.world.gravity = WorldSettings{}.gravity;
     scene.settings.solver.integrator = IntegratorKind::SymplecticEuler;
     scene.settings.solver.dt = 5e-4;
     Simulation simulation("thrown", scene.settings, StartState{0, scene.start});
@@ -32,7 +32,7 @@ TEST(SelfContactTrial, DoesWhatTheSimulationDoesToTheSameBits) {
     std::int64_t pairs = 0;
     for (int step = 0; step < 120; ++step) {
         simulation.step();
-        const SelfContactStep done = trial.advance();
+        const SelfContactStep done = trial.step();
         const StepReport& report = simulation.report();
         ASSERT_EQ(report.substeps, 1);
         ASSERT_EQ(done.pair_tests, report.between_cloths.volume_tests + report.listed_pairs) << step;
@@ -46,7 +46,7 @@ TEST(SelfContactTrial, DoesWhatTheSimulationDoesToTheSameBits) {
     }
 }
 
-TEST(LongThrownSheets, CrossWithoutTheFailSafeAndNeverWithIt) {
+TEST(LongContactScenes, CrossWithoutTheFailSafeAndNeverWithIt) {
     const SelfContactHistory with = watch_sheets(thin_sheets(), long_step, FailSafe::Zones);
     const SelfContactHistory without = watch_sheets(thin_sheets(), long_step, FailSafe::None);
     const SelfContactHistory rejected = watch_sheets(thin_sheets(), long_step, FailSafe::Rejection);
@@ -65,7 +65,7 @@ TEST(LongThrownSheets, CrossWithoutTheFailSafeAndNeverWithIt) {
     }
 }
 
-TEST(ThrownSheets, AreSearchedInHalvesOfAStepThatIsTooLongAndPassWhereTheSearchGivesUp) {
+TEST(ContactScenes, AreSearchedInHalvesOfAStepThatIsTooLongAndPassWhereTheSearchGivesUp) {
     const SelfContactHistory halved = watch_sheets(thin_sheets(), Real(1) / 120, FailSafe::Rejection);
     EXPECT_EQ(halved.unsearched_steps, 0);
     EXPECT_EQ(halved.crossed_steps, 0);
@@ -74,8 +74,8 @@ TEST(ThrownSheets, AreSearchedInHalvesOfAStepThatIsTooLongAndPassWhereTheSearchG
     EXPECT_GT(given_up.crossed_steps, 0);
 }
 
-TEST(LongThrownSheets, PassOnTheMomentumOfTheReferenceTheBetterTheShorterTheStep) {
-    const ThrownSheet scene = throw_sheet(8, Real(0.008));
+TEST(LongContactScenes, PassOnTheMomentumOfTheReferenceTheBetterTheShorterTheStep) {
+    const ContactScene scene = throw_sheet(8, Real(0.008));
     const SelfContactHistory reference = watch_sheets(scene, Real(1) / 3840, FailSafe::Zones);
     const double shorter = momentum_error(watch_sheets(scene, Real(1) / 1920, FailSafe::Zones), reference);
     const double through = momentum_error(watch_sheets(scene, Real(1) / 60, FailSafe::Zones), reference);

@@ -7,8 +7,9 @@
 #include <fstream>
 
 #include "drape/base/input_error.h"
-#include "drape/base/scratch_folder.h"
 #include "support/process.h"
+#include "support/read_png.h"
+#include "support/scratch_folder.h"
 
 namespace drape {
 namespace {

@@ -48,7 +48,7 @@ TEST(Comparison, FindsNoDifferenceWhereThereIsNone) {
     run(session, 300);
     const FrameView view = session.view();
     ASSERT_NE(view.comparison, nullptr);
-    EXPECT_EQ(view.comparison->settings->contact.volume, VolumeKind::Aabb);
+    EXPECT_EQ(view.comparison->other.settings->contact.volume, VolumeKind::Aabb);
     EXPECT_EQ(view.comparison->largest, 0);
     EXPECT_GT(view.report->traversal.visited, 0);
     session.send(command::Compare{"none"});
@@ -84,13 +84,13 @@ TEST(Comparison, ComparesGridsWhereTheirParticlesLie) {
 
     // Another corner is another place of the other grid
     session.send(command::Grab{0, 79});
-    EXPECT_EQ(session.view().comparison->cloths[0].held, 19 * 15 - 1);
+    EXPECT_EQ(session.view().comparison->other.cloths[0].held, 19 * 15 - 1);
 }
 
 TEST(Comparison, ComparesTheSameTimeWhateverTheSteps) {
     Session session = compared("solver.dt=0.002");
     run(session, 100);
-    const ComparisonView& other = *session.view().comparison;
+    const FrameView& other = session.view().comparison->other;
     const double ahead = other.report->time - session.simulation().report().time;
     EXPECT_LT(ahead, 0.002);
     EXPECT_GE(ahead, 0);
@@ -108,13 +108,13 @@ TEST(Comparison, KeepsWhatIsComparedApart) {
         Session session = compared(std::string(change.compared) + "=0.11");
         session.send(command::Set{std::string(change.set) + "=0.23"});
         session.send(parse_command("set friction=0.7"));
-        const Settings& other = *session.view().comparison->settings;
+        const Settings& other = *session.view().comparison->other.settings;
         EXPECT_EQ(change.of_cloth ? other.cloths[0].mass : other.balls[0].radius, Real(0.11)) << change.compared;
         EXPECT_EQ(other.contact.friction, Real(0.7)) << "the rest is the same in both";
     }
     Session session = compared("solver.integrator=backward_euler");
     session.send(command::LoadScene{"hang"});
-    EXPECT_EQ(session.view().comparison->settings->solver.integrator, IntegratorKind::BackwardEuler);
+    EXPECT_EQ(session.view().comparison->other.settings->solver.integrator, IntegratorKind::BackwardEuler);
     run(session, 20);
     EXPECT_LT(session.view().comparison->largest, 0.1) << "of the same scene";
 }

@@ -10,10 +10,10 @@
 #include <sstream>
 #include <vector>
 
-#include "drape/base/scratch_folder.h"
 #include "drape/scene/scene.h"
 #include "drape/sim/simulation.h"
 #include "support/input_errors.h"
+#include "support/scratch_folder.h"
 
 namespace drape {
 namespace {

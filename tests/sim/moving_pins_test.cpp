@@ -4,10 +4,10 @@
 
 #include <fstream>
 
-#include "drape/base/scratch_folder.h"
 #include "drape/integrate/stability.h"
 #include "sim/small_scene.h"
 #include "support/input_errors.h"
+#include "support/scratch_folder.h"
 
 namespace drape {
 namespace {

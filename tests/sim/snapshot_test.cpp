@@ -30,13 +30,17 @@ Simulation read(const std::string& text) {
 
 /// What a report says but for wall times, and for what a search of cloth against itself costs that begins anew.
 std::string figures_of(Simulation& simulation) {
-    StepReport report = *simulation.view().report;
+    FrameView view = simulation.view();
+    StepReport report = *view.report;
     report.times = {};
     report.between_cloths = {};
     report.listed_pairs = 0;
+    view.report = &report;
+    std::vector<StatsColumn> columns;
+    add_report_columns(columns);
+    add_ball_columns(columns, view.balls.size());
     std::ostringstream out;
-    write_report(out, report);
-    write_balls(out, simulation.balls(), simulation.balls().size());
+    write_stats_row(out, columns, view);
     return out.str();
 }
 

@@ -2,10 +2,10 @@
 
 #include <gmock/gmock.h>
 
-#include "drape/base/scratch_folder.h"
 #include "drape/session/failure.h"
 #include "sim/small_scene.h"
 #include "support/input_errors.h"
+#include "support/scratch_folder.h"
 
 namespace drape {
 namespace {

@@ -8,7 +8,7 @@
 #include <string>
 #include <string_view>
 
-#include "drape/base/scratch_folder.h"
+#include "support/scratch_folder.h"
 
 namespace drape::test {
 

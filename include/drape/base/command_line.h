@@ -1,6 +1,5 @@
 #pragma once
 
-#include <filesystem>
 #include <functional>
 #include <memory>
 #include <string>
@@ -32,8 +31,6 @@ public:
     /// @param to outlives the parsing, and keeps its value where the option is not there
     void option(const std::string& option, std::string& to, const std::string& help, const OptionValue& value = {});
     void option(const std::string& option, std::vector<std::string>& to, const std::string& help,
-                const OptionValue& value = {});
-    void option(const std::string& option, std::filesystem::path& to, const std::string& help,
                 const OptionValue& value = {});
 
     /// Adds an option without a value.

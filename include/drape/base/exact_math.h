@@ -24,9 +24,6 @@ double natural_log(double x);
 /// e^x, to 1 ulp where the result is a normal number.
 double exponential(double x);
 
-/// e^x - 1 without the cancellation at small x, to 3 ulp.
-double exponential_less_one(double x);
-
 /// The next number of an even distribution in [-1, 1). The generator's bits are fixed by the standard; those of the
 /// standard library's distributions are not.
 /// @tparam Number float takes one draw of 32 bits, double two

@@ -4,6 +4,7 @@
 #include <optional>
 #include <string>
 #include <string_view>
+#include <utility>
 #include <vector>
 
 namespace drape {
@@ -21,6 +22,9 @@ std::optional<std::vector<double>> parse_reals(std::string_view text);
 
 /// Reads a whole text as an integer in the C locale; nothing if it is anything else.
 std::optional<long long> parse_integer(std::string_view text);
+
+/// Reads two of these with a character between: "1280x720".
+std::optional<std::pair<long long, long long>> parse_integers(std::string_view text, char between);
 
 /// The shortest text that reads back as the same double, in the C locale.
 std::string real_text(double value);

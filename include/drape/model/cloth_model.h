@@ -58,4 +58,9 @@ ClothModel make_cloth_model(const ClothParameters& parameters);
 /// The flat cloth at rest in its plane: x = origin + (i hx, 0, j hy) or origin + (i hx, -j hy, 0).
 ClothState make_rest_state(const ClothParameters& parameters);
 
+/// The points of a cloth at which another grid's particles lie, bilinearly between the particles that there are.
+/// @param x of `from`, n x 3 [m]
+/// @return of `to`, n x 3 [m]
+Points resampled(const Points& x, const Grid& from, const Grid& to);
+
 }  // namespace drape

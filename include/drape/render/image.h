@@ -36,15 +36,9 @@ struct Image {
 };
 
 /// Writes a PNG as an `OutputFile`.
+/// @param only_new replaces no file
+/// @return false if a file has that name that is not to be replaced
 /// @throws RunError naming the file and the reason; no half-written file of that name is ever left
-void write_png(const Image& image, const std::filesystem::path& name);
-
-/// The same, unless a file has that name.
-/// @return false if one has: it stays
-/// @throws RunError
-[[nodiscard]] bool write_new_png(const Image& image, const std::filesystem::path& name);
-
-/// @throws InputError if it is no PNG
-Image read_png(const std::filesystem::path& file);
+bool write_png(const Image& image, const std::filesystem::path& name, bool only_new = false);
 
 }  // namespace drape

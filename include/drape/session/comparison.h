@@ -10,14 +10,10 @@ namespace drape {
 
 /// How far apart two simulations are, and what there is to draw of the other one.
 struct ComparisonView {
-    std::span<const ClothView> cloths;  ///< of the other simulation
-    std::span<const Ball> balls, previous_balls;
+    FrameView other;                                ///< `blend`: where it is at the time of the first
     std::span<const std::vector<float>> distances;  ///< for each cloth, of each particle from its place there [m]
     double rms = 0, largest = 0;                    ///< of these [m]
-    Real blend = 1;                                 ///< where the other one is at this time, as in `FrameView`
-    const Settings* settings = nullptr;             ///< of the other one
-    const StepReport* report = nullptr;
-    std::string_view assignments;  ///< in which they differ: "solver.integrator=backward_euler"
+    std::string_view assignments;                   ///< in which they differ: "solver.integrator=backward_euler"
 };
 
 /// A second simulation of a scene with other settings, which does what is done to the first one, and comes along in

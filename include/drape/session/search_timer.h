@@ -1,11 +1,10 @@
 #pragma once
 
-#include <cstdint>
-#include <memory>
 #include <optional>
 #include <vector>
 
 #include "drape/base/stopwatch.h"
+#include "drape/sim/contact_search.h"
 #include "drape/sim/frame_view.h"
 
 namespace drape {
@@ -25,8 +24,7 @@ public:
 private:
     struct OfCloth {
         Grid grid;
-        std::unique_ptr<BroadPhase> hierarchy;
-        std::vector<CellRun> all_cells;
+        ContactSearch hierarchy, brute_force;
     };
 
     void prepare(const FrameView& view);
@@ -36,7 +34,6 @@ private:
     std::optional<SearchTimes> times_;
     BroadPhaseParameters parameters_;
     std::vector<OfCloth> cloths_;
-    Candidates found_;
     std::vector<ContactRow> contacts_;  ///< of all cloths
 };
 

@@ -4,6 +4,7 @@
 #include <string>
 #include <vector>
 
+#include "drape/base/command_line.h"
 #include "drape/base/output_file.h"
 #include "drape/scene/settings.h"
 #include "drape/session/recording.h"
@@ -11,19 +12,32 @@
 
 namespace drape {
 
-/// What all three programs are told on their command lines.
+/// What all three programs are told on their command lines, of where a run starts and what is left of it.
 struct StartOptions {
     std::string scene = {};                     ///< name or path; empty: that of the replay, else the first shipped one
     std::vector<std::string> assignments = {};  ///< "name=value"; a word without '=' is the scene if none was given
     std::string replay = {};                    ///< file; empty: none
     std::string load = {};                      ///< snapshot; empty: none
     std::string versus = {};  ///< what the scene is compared with, as `Comparison` has it; empty: nothing
+    std::string save = {};    ///< file of a snapshot at the end; empty: none
+    bool hash = false;        ///< print the hash of the last state
 
-    /// Whether they say nothing.
+    /// Whether they say nothing of where to start.
     [[nodiscard]] bool empty() const {
         return scene.empty() && assignments.empty() && replay.empty() && load.empty() && versus.empty();
     }
 };
+
+/// Adds these to a command line, but for --versus.
+/// @param options outlive the parsing
+inline void add_start_options(CommandLine& line, StartOptions& options) {
+    line.option("scene", options.scene, "name of a shipped scene, or a TOML file", {"SCENE"});
+    line.option("--set", options.assignments, "change settings, as in --set dt=1e-4", {"name=value"});
+    line.option("--replay", options.replay, "play a recording", {"FILE"});
+    line.option("--load", options.load, "go on from a snapshot", {"FILE"});
+    line.option("--save", options.save, "write a snapshot at the end, which --load goes on from", {"FILE"});
+    line.flag("--hash", options.hash, "print the hash of the last state");
+}
 
 /// What a run starts from, found and checked before anything is opened or written.
 struct Start {

@@ -1,7 +1,10 @@
 #pragma once
 
+#include <functional>
 #include <ostream>
 #include <span>
+#include <string>
+#include <vector>
 
 #include "drape/sim/simulation.h"
 
@@ -15,24 +18,22 @@ void write_state_header(std::ostream& out, const Simulation& simulation);
 /// the time.
 void write_state(std::ostream& out, const Simulation& simulation);
 
-/// A comment with the units of `report_fields`, as in "# units: time [s], rms_speed [m/s]", without an end of line: it
-/// comes before the header, whose names stay as they are. What it leaves out are counts and flags.
-void write_report_units(std::ostream& out);
+/// A column of a table of figures, a row a time or a frame.
+struct StatsColumn {
+    std::string name;
+    std::string unit;  ///< "s", "m/s"; empty for counts and flags
+    std::function<std::string(const FrameView& view)> cell;
+};
 
-/// The names of `report_fields`, joined by commas, without an end of line.
-void write_report_header(std::ostream& out);
+/// Those of `report_fields`.
+void add_report_columns(std::vector<StatsColumn>& columns);
 
-/// The values of `report_fields`, joined by commas, without an end of line.
-void write_report(std::ostream& out, const StepReport& report);
+/// The `ball_fields` of so many balls: "ball0_x". A ball that is no longer there has empty cells.
+void add_ball_columns(std::vector<StatsColumn>& columns, std::size_t balls);
 
-/// The `ball_fields` of so many balls with their units, after those of the report: ", ball0_x [m]".
-void write_ball_units(std::ostream& out, std::size_t balls);
+/// A comment with the units, as in "# units: time [s], rms_speed [m/s]", then the names, which stay as they are.
+void write_stats_head(std::ostream& out, std::span<const StatsColumn> columns);
 
-/// Likewise their names: ",ball0_x".
-void write_ball_header(std::ostream& out, std::size_t balls);
-
-/// Likewise their values; nothing between the commas for a ball that is no longer there.
-/// @param columns balls that have some
-void write_balls(std::ostream& out, std::span<const Ball> balls, std::size_t columns);
+void write_stats_row(std::ostream& out, std::span<const StatsColumn> columns, const FrameView& view);
 
 }  // namespace drape

@@ -31,10 +31,8 @@ struct ComparisonView;
 
 /// What a search of all cloths for all balls costs with the hierarchy and without it.
 struct SearchTimes {
-    double hierarchy = 0;                      ///< build, traversal and test of the candidates [s]
-    double brute_force = 0;                    ///< test of every cell [s]
-    std::int64_t contacts = 0;                 ///< found with the hierarchy
-    std::int64_t contacts_by_brute_force = 0;  ///< as many, for both are exact
+    double hierarchy = 0;    ///< build, traversal and test of the candidates [s]
+    double brute_force = 0;  ///< test of every cell [s]
 };
 
 /// What the renderer needs of a moment; all of it belongs to the simulation and its session, and lasts until their next

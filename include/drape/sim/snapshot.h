@@ -35,7 +35,7 @@ struct SnapshotHead {
     Settings settings;
 };
 
-/// Reads no more than these. @throws InputError as `read_snapshot`
+/// Looks at no more than these. @throws InputError as `read_snapshot`
 SnapshotHead read_snapshot_head(const std::string& file);
 
 }  // namespace drape

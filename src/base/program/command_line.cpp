@@ -90,11 +90,6 @@ void CommandLine::option(const std::string& option, std::vector<std::string>& to
                          const OptionValue& value) {
     describe(app_->add_option(option, to, help), value);
 }
-void CommandLine::option(const std::string& option, std::filesystem::path& to, const std::string& help,
-                         const OptionValue& value) {
-    const auto read = [&to](const std::string& text) { to = text; };
-    describe(app_->add_option_function<std::string>(option, read, help), value);
-}
 
 void CommandLine::flag(const std::string& flag, bool& to, const std::string& help, const std::string& excludes) {
     CLI::Option* const option = app_->add_flag(flag, to, help);

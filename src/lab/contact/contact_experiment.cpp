@@ -2,7 +2,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <map>
 #include <set>
 #include <utility>
 
@@ -28,14 +27,14 @@ struct TrialRow : ContactErrors {
 
 constexpr int reference_substeps = 100;  ///< steps of the reference for one of a run
 
-/// Ways to search, by their names in the table.
-constexpr std::pair<const char*, Detection> searches[] = {{"discrete", {.leaf_cells = 4}},
-                                                          {"continuous", {.leaf_cells = 4, .continuous = true}},
-                                                          {"limited", {.leaf_cells = 4, .tests = 24}},
-                                                          {"limited", {.leaf_cells = 4, .tests = 12}}};
+/// Ways to search, by their names in the table, and the settings that make them.
+const std::pair<const char*, std::vector<std::string>> searches[] = {{"discrete", {}},
+                                                                     {"continuous", {"contact.continuous=auto"}},
+                                                                     {"limited", {"contact.search_tests=24"}},
+                                                                     {"limited", {"contact.search_tests=12"}}};
 
 /// What the reference has, all triangles and all that may have met within each step.
-constexpr Detection reference_detection{.volume = VolumeKind::Brute, .continuous = true};
+const std::vector<std::string> reference_search{"contact.volume=brute", "contact.continuous=auto"};
 
 /// CPU time for a simulated second, without the observer.
 Quartiles time_run(const ContactScene& scene, double step, int repeats) {
@@ -62,20 +61,20 @@ std::size_t count_triangles(const ContactHistory& history) {
 std::vector<TrialRow> run_contact_case(double speed, double step, int repeats) {
     const ContactScene scene = hung_cloth_and_ball(speed, step);
     const ContactHistory reference =
-        watch_contacts(scene.with(reference_detection), static_cast<Real>(step / reference_substeps));
+        watch_contacts(scene.with(reference_search), static_cast<Real>(step / reference_substeps));
     const std::size_t triangles = count_triangles(reference);
     if (triangles == 0 || reference.passed) {
         throw RunError("contact: at " + real_text(speed) + " m/s the ball of the reference has gone through the cloth");
     }
     const auto radius = static_cast<double>(scene.settings.balls[0].radius);
     std::vector<TrialRow> rows;
-    for (const auto& [name, detection] : searches) {
-        const ContactScene searched = scene.with(detection);
+    for (const auto& [name, changes] : searches) {
+        const ContactScene searched = scene.with(changes);
         const ContactHistory run = watch_contacts(searched, static_cast<Real>(step));
         const ContactErrors errors = compare_contacts(run, reference, reference_substeps);
-        rows.push_back({errors, name, detection.tests, speed, step, errors.passed ? radius : run.entered,
-                        errors.passed ? radius : run.left, run.false_contacts, time_run(searched, step, repeats),
-                        triangles, reference.left});
+        rows.push_back({errors, name, searched.settings.contact.search_tests, speed, step,
+                        errors.passed ? radius : run.entered, errors.passed ? radius : run.left, run.false_contacts,
+                        time_run(searched, step, repeats), triangles, reference.left});
     }
     return rows;
 }
@@ -145,6 +144,8 @@ ContactScene hung_cloth_and_ball(double speed, double step) {
     scene.settings.ground.solid = false;
     scene.end = std::ceil(0.5 / speed / step) * step;
     scene.settings.solver.integrator = IntegratorKind::BackwardEuler;
+    scene.settings.contact.leaf_cells = 4;
+    scene.settings.contact.continuous = Continuous::Never;
     return scene;
 }
 

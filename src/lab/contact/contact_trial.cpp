@@ -7,6 +7,7 @@
 #include "drape/base/assert.h"
 #include "drape/contact/closest_point.h"
 #include "drape/contact/search_audit.h"
+#include "drape/scene/setting_table.h"
 
 namespace drape {
 namespace {
@@ -35,37 +36,41 @@ void add_triangles(const Grid& grid, const StoppedNode& node, std::vector<int>& 
 
 }  // namespace
 
-ContactScene ContactScene::with(const Detection& detection) const {
+ContactScene ContactScene::with(const std::vector<std::string>& assignments) const {
     ContactScene scene = *this;
-    ContactSettings& contact = scene.settings.contact;
-    contact.volume = detection.volume;
-    contact.leaf_cells = detection.leaf_cells;
-    contact.search_tests = static_cast<int>(detection.tests);
-    contact.continuous = detection.continuous ? Continuous::Auto : Continuous::Never;
+    assign_all(scene.settings, assignments);
     return scene;
 }
 
-ContactTrial::ContactTrial(const ContactScene& scene, Real step) : settings_(scene.settings), h_(step) {
-    const ClothParameters& parameters = settings_.cloths[0];
-    cloth_.model = make_cloth_model(parameters);
-    cloth_.model.gravity = scene.gravity;
-    cloth_.state = make_rest_state(parameters);
-    cloth_.integrator.use(integrator_of(settings_.solver), parameters.particles);
-    cloth_.energy.restart(cloth_.model, cloth_.state, settings_.solver.kernels);
-    const BallSettings& ball = settings_.balls[0];
-    ball_ = {.centre = ball.position, .radius = ball.radius, .velocity = ball.velocity};
-    aim_ = nearest_to_way(cloth_.state.x, ball_);
-    stage_.use(settings_, std::span(&cloth_, 1));
+ContactTrial::ContactTrial(const ContactScene& scene, Real step)
+    : settings_(scene.settings), h_(step), cloths_(settings_.cloths.size()) {
+    for (std::size_t c = 0; c < cloths_.size(); ++c) {
+        Cloth& cloth = cloths_[c];
+        cloth.model = make_cloth_model(settings_.cloths[c]);
+        cloth.model.gravity = scene.gravity.value_or(gravity_of(settings_));
+        cloth.state = scene.start.empty() ? make_rest_state(settings_.cloths[c]) : scene.start[c];
+        cloth.integrator.use(integrator_of(settings_.solver), cloth.model.grid);
+        cloth.energy.restart(cloth.model, cloth.state, settings_.solver.kernels);
+    }
+    for (const BallSettings& ball : settings_.balls) {
+        balls_.push_back({.centre = ball.position, .radius = ball.radius, .velocity = ball.velocity});
+    }
+    if (!balls_.empty()) aim_ = nearest_to_way(state().x, balls_[0]);
+    stage_.use(settings_, cloths_);
 }
 
-void ContactTrial::advance() {
+void ContactTrial::advance(Real h) {
     report_.forget_contacts();
-    cloth_.previous = cloth_.state;
-    ball_.moved = h_ * ball_.velocity;
-    ball_.centre += ball_.moved;
-    stage_.begin(settings_, {std::span(&cloth_, 1), std::span(&ball_, 1), {}}, {.h = h_});
-    cloth_.integrator.step(cloth_.model, cloth_.state, h_);
-    cloth_.search.positions_changed();
+    for (Cloth& cloth : cloths_) cloth.previous = cloth.state;
+    for (Ball& ball : balls_) {
+        ball.moved = h * ball.velocity;
+        ball.centre += ball.moved;
+    }
+    stage_.begin(settings_, {cloths_, balls_, {}}, {.h = h});
+    for (Cloth& cloth : cloths_) {
+        cloth.integrator.step(cloth.model, cloth.state, h);
+        cloth.search.positions_changed();
+    }
     stage_.warm_start();
     stage_.detect(report_);
 }
@@ -78,21 +83,22 @@ ResponseReport ContactTrial::respond() {
 
 /// By the plane of its closest point, as contacts are found; a plane of the end does not show what has passed.
 bool ContactTrial::touches_front(int triangle) const {
-    const Vec3 moved = cloth_.search.looked_back(ball_, settings_.contact.thickness) ? ball_.moved : Vec3(0, 0, 0);
-    const Points &x = cloth_.state.x, &before = moved.isZero(0) ? x : cloth_.previous.x;
-    const Vec3 start = ball_.centre - moved;
+    const Cloth& cloth = cloths_[0];
+    const bool looked_back = cloth.search.looked_back(ball(), settings_.contact.thickness);
+    const Vec3 moved = looked_back ? ball().moved : Vec3(0, 0, 0), start = ball().centre - moved;
+    const Points &x = cloth.state.x, &before = moved.isZero(0) ? x : cloth.previous.x;
     const auto [a, b, c] = grid().triangle_corners(triangle);
     const auto at = [](const Points& points, int p) -> Vec3 { return points.row(p).transpose(); };
     const ClosestPoint closest = closest_point_on_triangle(start, at(before, a), at(before, b), at(before, c));
     const auto& [u, v, w] = closest.barycentric;
     const Vec3 normal = (closest.point - start).normalized();
-    const Real distance = (u * at(x, a) + v * at(x, b) + w * at(x, c) - ball_.centre).dot(normal);
-    return distance <= ball_.radius + settings_.contact.thickness && normal.dot(ball_.velocity) >= 0;
+    const Real distance = (u * at(x, a) + v * at(x, b) + w * at(x, c) - ball().centre).dot(normal);
+    return distance <= ball().radius + settings_.contact.thickness && normal.dot(ball().velocity) >= 0;
 }
 
 std::vector<int> ContactTrial::touched_triangles() const {
     std::vector<int> triangles;
-    for (const CellRun& run : cloth_.search.candidates(0).cells) {
+    for (const CellRun& run : cloths_[0].search.candidates(0).cells) {
         const int first = 2 * (run.row * grid().cell_columns() + run.column);
         for (int triangle = first; triangle < first + 2 * run.count; ++triangle) {
             if (touches_front(triangle)) triangles.push_back(triangle);
@@ -101,7 +107,7 @@ std::vector<int> ContactTrial::touched_triangles() const {
     for (const StoppedNode& node : stopped()) {
         const auto is_its = [&](const ContactRow& contact) {
             return contact.kind == RowKind::Node && contact.triangle == 2 * node.cell &&
-                   contact.normal.dot(ball_.velocity) >= 0;
+                   contact.normal.dot(ball().velocity) >= 0;
         };
         if (std::ranges::any_of(stage_.rows(), is_its)) add_triangles(grid(), node, triangles);
     }
@@ -110,7 +116,11 @@ std::vector<int> ContactTrial::touched_triangles() const {
 }
 
 bool ContactTrial::has_passed() const {
-    return (cloth_.state.x.row(aim_).transpose() - ball_.centre).dot(ball_.velocity) < 0;
+    return (state().x.row(aim_).transpose() - ball().centre).dot(ball().velocity) < 0;
+}
+
+Vec3 ContactTrial::momentum(std::size_t cloth) const {
+    return cloths_[cloth].model.particle_mass * state(cloth).v.colwise().sum().transpose();
 }
 
 ContactHistory watch_contacts(const ContactScene& scene, Real step) {
@@ -119,7 +129,7 @@ ContactHistory watch_contacts(const ContactScene& scene, Real step) {
     SearchAudit audit(trial.grid(), scene.settings.solver.kernels);
     ContactHistory history;
     const auto deepen = [&](double& deepest) {
-        const Real depth = audit.penetration(trial.positions(), std::span(&trial.ball(), 1), thickness);
+        const Real depth = audit.penetration(trial.state().x, std::span(&trial.ball(), 1), thickness);
         deepest = std::max(deepest, static_cast<double>(depth));
     };
     const auto steps = std::llround(scene.end / static_cast<double>(step));
@@ -128,15 +138,14 @@ ContactHistory watch_contacts(const ContactScene& scene, Real step) {
         deepen(history.entered);
         history.touched.push_back(trial.touched_triangles());
         if (!trial.stopped().empty()) {
-            const std::int64_t found =
-                audit.false_contacts(trial.positions(), trial.ball(), thickness, trial.stopped());
+            const std::int64_t found = audit.false_contacts(trial.state().x, trial.ball(), thickness, trial.stopped());
             history.false_contacts += static_cast<double>(found) / static_cast<double>(steps);
         }
         trial.respond();
         deepen(history.left);
     }
     history.passed = trial.has_passed();
-    history.momentum = trial.model().particle_mass * trial.velocities().colwise().sum().transpose();
+    history.momentum = trial.momentum();
     return history;
 }
 

@@ -1,26 +1,22 @@
 #pragma once
 
+#include <optional>
+#include <string>
 #include <vector>
 
 #include "drape/sim/contact_stage.h"
 
 namespace drape {
 
-/// How a run finds what touches.
-struct Detection {
-    VolumeKind volume = VolumeKind::Sphere;
-    int leaf_cells = 0;
-    std::int64_t tests = 0;   ///< after which a search ends; 0: never
-    bool continuous = false;  ///< within the whole step, not at its end alone
-};
-
-/// A cloth, and a ball that goes its way at constant velocity whatever it meets.
+/// Cloths, and a ball or none that goes its way at constant velocity whatever it meets.
 struct ContactScene {
-    Settings settings;                  ///< of one cloth and one ball
-    double end = 0;                     ///< of a run [s]
-    Vec3 gravity = standard_gravity();  ///< [m/s^2]
+    Settings settings;                   ///< of the cloths and the ball, the step left open
+    double end = 0;                      ///< of a run [s]
+    std::optional<Vec3> gravity = {};    ///< if it is not that of the settings [m/s^2]
+    std::vector<ClothState> start = {};  ///< of the cloths; empty: they start at rest
 
-    [[nodiscard]] ContactScene with(const Detection& detection) const;
+    /// The same under other settings: "contact.leaf_cells=4".
+    [[nodiscard]] ContactScene with(const std::vector<std::string>& assignments) const;
 };
 
 /// A hung cloth of 1 m and a ball on its way through the middle of it, from a quarter of a metre before they meet.
@@ -34,8 +30,8 @@ class ContactTrial {
 public:
     ContactTrial(const ContactScene& scene, Real step);
 
-    /// Moves ball and cloth by one step and finds what then touches.
-    void advance();
+    /// Moves ball and cloths by one step and finds what then touches.
+    void advance() { advance(h_); }
 
     /// Answers what was found.
     ResponseReport respond();
@@ -45,26 +41,32 @@ public:
     /// side.
     [[nodiscard]] std::vector<int> touched_triangles() const;
 
-    [[nodiscard]] const ClothModel& model() const { return cloth_.model; }
-    [[nodiscard]] const Grid& grid() const { return cloth_.model.grid; }
-    [[nodiscard]] const Points& positions() const { return cloth_.state.x; }
-    [[nodiscard]] const Points& velocities() const { return cloth_.state.v; }
-    [[nodiscard]] const Ball& ball() const { return ball_; }
-    [[nodiscard]] std::span<const StoppedNode> stopped() const { return cloth_.search.candidates(0).stopped; }
+    [[nodiscard]] const Grid& grid() const { return cloths_[0].model.grid; }
+    [[nodiscard]] const ClothState& state(std::size_t cloth = 0) const { return cloths_[cloth].state; }
+    [[nodiscard]] const Ball& ball() const { return balls_[0]; }
+    [[nodiscard]] std::span<const StoppedNode> stopped() const { return cloths_[0].search.candidates(0).stopped; }
+
+    /// Of a cloth [kg m/s].
+    [[nodiscard]] Vec3 momentum(std::size_t cloth = 0) const;
 
     /// Whether the ball's centre is farther on its way than the particle that was nearest to it at the start.
     [[nodiscard]] bool has_passed() const;
 
-private:
-    [[nodiscard]] bool touches_front(int triangle) const;
+protected:
+    /// By a step of another length [s].
+    void advance(Real h);
 
     Settings settings_;
     Real h_;
-    Cloth cloth_;
-    Ball ball_;
-    int aim_;  ///< the particle nearest to the ball's way
+    std::vector<Cloth> cloths_;
+    std::vector<Ball> balls_;
     ContactStage stage_;
     StepReport report_;
+
+private:
+    [[nodiscard]] bool touches_front(int triangle) const;
+
+    int aim_ = 0;  ///< the particle nearest to the ball's way
 };
 
 /// What one run saw.

@@ -29,16 +29,16 @@ struct SelfContactRow : SelfContactHistory {
 };
 
 /// CPU time for a simulated second, without an observer.
-double time_sheets(const ThrownSheet& scene, double step, FailSafe fail_safe) {
+double time_sheets(const ContactScene& scene, double step, FailSafe fail_safe) {
     SelfContactTrial trial(scene, static_cast<Real>(step), fail_safe);
     return cpu_time_of([&] {
-               for (auto left = std::llround(scene.end / step); left > 0; --left) trial.advance();
+               for (auto left = std::llround(scene.end / step); left > 0; --left) trial.step();
            }) /
            scene.end;
 }
 
 /// The runs of a step, timed in turn.
-std::vector<SelfContactRow> run_step(const ThrownSheet& scene, double step, const SelfContactHistory& reference,
+std::vector<SelfContactRow> run_step(const ContactScene& scene, double step, const SelfContactHistory& reference,
                                      int repeats) {
     std::array<std::vector<double>, fail_safes.size()> cpu;
     for (int repeat = 0; repeat < repeats; ++repeat) {
@@ -55,7 +55,7 @@ std::vector<SelfContactRow> run_step(const ThrownSheet& scene, double step, cons
 
 /// @throws RunError if the reference itself fails
 std::vector<SelfContactRow> run_thickness(double thickness, const std::vector<double>& rates, int finer, int repeats) {
-    const ThrownSheet scene = throw_sheet(sheet_speed, static_cast<Real>(thickness));
+    const ContactScene scene = throw_sheet(sheet_speed, static_cast<Real>(thickness));
     const SelfContactHistory reference =
         watch_sheets(scene, static_cast<Real>(1 / (finer * rates.back())), FailSafe::Zones);
     if (reference.crossed_steps > 0 || reference.unsearched_steps > 0) {

@@ -35,10 +35,11 @@ void turn(Points& x, const Vec3& axis, Real angle) {
 
 }  // namespace
 
-ThrownSheet throw_sheet(Real speed, Real thickness) {
-    ThrownSheet scene;
+ContactScene throw_sheet(Real speed, Real thickness) {
+    ContactScene scene;
     Settings& settings = scene.settings;
     settings.cloths.clear();
+    settings.world.gravity = 0;
     // So far that waves and turns leave a gap, and beside each other so that edges meet the inside
     for (const Vec3& centre : {Vec3(Real(0.22), Real(0.12), Real(0.31)), Vec3(0, 0, 0)}) {
         ClothParameters cloth;
@@ -62,20 +63,7 @@ ThrownSheet throw_sheet(Real speed, Real thickness) {
     return scene;
 }
 
-SelfContactTrial::SelfContactTrial(const ThrownSheet& scene, Real step, FailSafe fail_safe)
-    : settings_(scene.settings), fail_safe_(fail_safe), h_(step), cloths_(2) {
-    for (const std::size_t s : sheets) {
-        Cloth& cloth = cloths_[s];
-        cloth.model = make_cloth_model(settings_.cloths[s]);
-        cloth.model.gravity = scene.gravity;
-        cloth.state = scene.start[s];
-        cloth.integrator.use(integrator_of(settings_.solver), cloth.model.grid);
-        cloth.energy.restart(cloth.model, cloth.state, settings_.solver.kernels);
-    }
-    stage_.use(settings_, cloths_);
-}
-
-SelfContactStep SelfContactTrial::advance() {
+SelfContactStep SelfContactTrial::step() {
     SelfContactStep step;
     if (fail_safe_ == FailSafe::Rejection) {
         make_in_halves(h_, most_halvings, step);
@@ -89,20 +77,12 @@ SelfContactStep SelfContactTrial::advance() {
 /// Makes a step, with the zones if these are asked for.
 /// @return whether pairs would meet within it, or may, where the search gave up
 bool SelfContactTrial::make(Real h, SelfContactStep& step) {
-    StepReport report;
-    for (Cloth& cloth : cloths_) cloth.previous = cloth.state;
-    stage_.begin(settings_, {cloths_, {}, {}}, {.h = h});
-    for (Cloth& cloth : cloths_) {
-        cloth.integrator.step(cloth.model, cloth.state, h);
-        cloth.search.positions_changed();
-    }
-    stage_.warm_start();
-    stage_.detect(report);
-    stage_.solve(report);
-    if (fail_safe_ == FailSafe::Zones) stage_.prevent_crossing(report);
+    advance(h);
+    stage_.solve(report_);
+    if (fail_safe_ == FailSafe::Zones) stage_.prevent_crossing(report_);
     const bool would_cross = fail_safe_ == FailSafe::Rejection && stage_.would_cross();
     stage_.end();
-    step.held_back += report.held_back;
+    step.held_back += report_.held_back;
     step.pair_tests += stage_.self().report().traversal.volume_tests + stage_.self().report().listed;
     searched_ = !stage_.self().report().gave_up;
     return would_cross || !searched_;
@@ -122,10 +102,6 @@ void SelfContactTrial::make_in_halves(Real h, int halvings_left, SelfContactStep
     stage_.clear();
     ++step.rejected;
     for (int half = 0; half < 2; ++half) make_in_halves(h / 2, halvings_left - 1, step);
-}
-
-Vec3 SelfContactTrial::momentum(std::size_t sheet) const {
-    return cloths_[sheet].model.particle_mass * cloths_[sheet].state.v.colwise().sum().transpose();
 }
 
 /// Both sheets with themselves and with each other, as boxed cloths, and all of their cells.
@@ -158,14 +134,14 @@ Real SelfContactTrial::penetration() const {
     return thickness - nearest;
 }
 
-SelfContactHistory watch_sheets(const ThrownSheet& scene, Real step, FailSafe fail_safe) {
+SelfContactHistory watch_sheets(const ContactScene& scene, Real step, FailSafe fail_safe) {
     SelfContactTrial trial(scene, step, fail_safe);
     const Vec3 first = trial.momentum(0), both = first + trial.momentum(1);
     SelfContactHistory history;
     const auto steps = std::llround(scene.end / static_cast<double>(step));
     const double share = 1 / static_cast<double>(steps);
     for (std::int64_t k = 0; k < steps; ++k) {
-        const SelfContactStep done = trial.advance();
+        const SelfContactStep done = trial.step();
         history.pair_tests += share * static_cast<double>(done.pair_tests);
         history.held_back += share * static_cast<double>(done.held_back);
         history.rejected += share * static_cast<double>(done.rejected);

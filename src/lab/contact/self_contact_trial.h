@@ -1,22 +1,14 @@
 #pragma once
 
-#include <vector>
-
-#include "drape/sim/contact_stage.h"
+#include "contact_trial.h"
 
 namespace drape {
 
-/// Two free sheets of 1 m: the first, waved and askew, is thrown at the second, which lies still in the air.
-struct ThrownSheet {
-    Settings settings;              ///< of the sheets and their contact, the step left open
-    std::vector<ClothState> start;  ///< of the sheets
-    Vec3 gravity = Vec3::Zero();    ///< [m/s^2]
-    double end = 0;                 ///< of a run [s]
-};
-
+/// Two free sheets of 1 m without gravity: the first, waved and askew, is thrown at the second, which lies still in the
+/// air.
 /// @param speed of the first sheet [m/s]
 /// @param thickness of both [m]
-ThrownSheet throw_sheet(Real speed, Real thickness);
+ContactScene throw_sheet(Real speed, Real thickness);
 
 /// What is done where pairs would meet within a step, for all that the response has done.
 enum class FailSafe {
@@ -35,18 +27,14 @@ struct SelfContactStep {
     bool halved_enough = true;    ///< false: a part would still cross after the most halvings
 };
 
-/// A simulation without all that contact between cloths does not need: the integrator and the contact stage of
-/// `Simulation`, to the same bits, but that it does not divide steps, and may have another fail-safe or none.
-class SelfContactTrial {
+/// A trial of two cloths, which may have another fail-safe than a simulation or none.
+class SelfContactTrial : public ContactTrial {
 public:
-    SelfContactTrial(const ThrownSheet& scene, Real step, FailSafe fail_safe);
+    SelfContactTrial(const ContactScene& scene, Real step, FailSafe fail_safe)
+        : ContactTrial(scene, step), fail_safe_(fail_safe) {}
 
-    SelfContactStep advance();
-
-    [[nodiscard]] const ClothState& state(std::size_t sheet) const { return cloths_[sheet].state; }
-
-    /// Of one sheet [kg m/s].
-    [[nodiscard]] Vec3 momentum(std::size_t sheet) const;
+    /// Makes a step, with what then touches and the fail-safe.
+    SelfContactStep step();
 
     /// How many edges cross triangles that they share no particle with, in a sheet or between both: by every pair of
     /// cells, so that no search is trusted.
@@ -61,12 +49,8 @@ private:
     bool make(Real h, SelfContactStep& step);
     void make_in_halves(Real h, int halvings_left, SelfContactStep& step);
 
-    Settings settings_;
     FailSafe fail_safe_;
     bool searched_ = true;  ///< in the last try
-    Real h_;
-    std::vector<Cloth> cloths_;
-    ContactStage stage_;
 };
 
 /// What one run saw.
@@ -84,7 +68,7 @@ struct SelfContactHistory {
 };
 
 /// Runs a scene to its end.
-SelfContactHistory watch_sheets(const ThrownSheet& scene, Real step, FailSafe fail_safe);
+SelfContactHistory watch_sheets(const ContactScene& scene, Real step, FailSafe fail_safe);
 
 /// By how much what a run has given to the second sheet differs from what a reference has, part of that.
 double momentum_error(const SelfContactHistory& run, const SelfContactHistory& reference);

@@ -2,7 +2,6 @@
 
 #include <fmt/core.h>
 
-#include <algorithm>
 #include <regex>
 
 #include "drape/base/input_error.h"
@@ -13,11 +12,11 @@ namespace {
 
 /// The numbers of "FROM<between>TO" if 1 <= FROM <= TO <= most.
 std::optional<std::pair<std::size_t, std::size_t>> parse_pair(std::string_view text, char between, std::size_t most) {
-    const std::size_t mark = text.find(between);
-    if (mark == std::string_view::npos) return {};
-    const auto from = parse_integer(text.substr(0, mark)), to = parse_integer(text.substr(mark + 1));
-    if (!from || !to || !(*from >= 1 && *from <= *to && *to <= static_cast<long long>(most))) return {};
-    return std::pair(static_cast<std::size_t>(*from), static_cast<std::size_t>(*to));
+    const auto pair = parse_integers(text, between);
+    if (!pair || !(pair->first >= 1 && pair->first <= pair->second && pair->second <= static_cast<long long>(most))) {
+        return {};
+    }
+    return std::pair(static_cast<std::size_t>(pair->first), static_cast<std::size_t>(pair->second));
 }
 
 }  // namespace

@@ -37,8 +37,6 @@ struct Experiment {
     std::function<std::vector<ExperimentCase>(bool quick)> cases;
     std::function<std::vector<Chart>(const std::vector<TableRow>& rows)> charts;
     std::function<std::string(const std::vector<TableRow>& rows)> summary;  ///< printed at the end
-    /// What the rows of one case lack although each is good by itself; empty if nothing.
-    std::function<std::string(const std::vector<TableRow>& rows)> flaw_of_case;
 };
 
 /// A part of an experiment: its cases, and what is shown of their rows where there are any. A share may have none.
@@ -65,7 +63,6 @@ struct ExperimentOf {
     std::string question;
     RowFormat<Row> format;
     std::vector<PartOf<Row>> parts;
-    std::function<std::string(const std::vector<Row>& rows)> flaw_of_case = [](const auto&) { return ""; };
 
     operator Experiment() const {
         const auto own = std::make_shared<const ExperimentOf>(*this);
@@ -83,8 +80,7 @@ struct ExperimentOf {
                 format.columns(),
                 all_cases,
                 [own](const auto& rows) { return own->shown(rows, &PartOf<Row>::charts); },
-                [own](const auto& rows) { return own->shown(rows, &PartOf<Row>::summary); },
-                [own](const auto& rows) { return own->flaw_of_case(own->format.rows(rows)); }};
+                [own](const auto& rows) { return own->shown(rows, &PartOf<Row>::summary); }};
     }
 
     /// What the parts show, one after the other.

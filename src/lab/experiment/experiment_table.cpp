@@ -46,7 +46,7 @@ std::string flaw_of_rows(const Experiment& experiment, const std::vector<TableRo
     for (const TableRow& row : rows) {
         if (const std::string flaw = flaw_of(experiment.columns, row); !flaw.empty()) return flaw;
     }
-    return experiment.flaw_of_case(rows);
+    return "";
 }
 
 }  // namespace

@@ -35,7 +35,7 @@ struct ExperimentTable {
 
 /// Reads a table that an experiment has written, as `TableWriter` writes it, and checks all of it: head, columns, every
 /// cell by its column, and that the cases are those of the head, each once and in their order. Nothing of a table that
-/// fails is used. Never keeps more of a line than it may have, nor reads more than a table may have.
+/// fails is used. Never keeps more of a line than it may have.
 /// @param name of the file, for messages
 /// @param unfinished it may be cut off anywhere, and the last case with it: that is left out
 /// @return nothing if it is unfinished and cut off before its first row
@@ -45,7 +45,7 @@ std::optional<ExperimentTable> read_table(const Experiment& experiment, std::ist
 
 /// The same of a file.
 /// @return nothing also if there is no such file
-/// @throws InputError also if it cannot be read
+/// @throws InputError also if it cannot be read, or is larger than a table may be
 std::optional<ExperimentTable> read_table(const Experiment& experiment, const std::filesystem::path& file,
                                           bool unfinished);
 

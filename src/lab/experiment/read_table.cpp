@@ -1,5 +1,6 @@
 #include <algorithm>
 #include <array>
+#include <sstream>
 
 #include "case_selection.h"
 #include "drape/base/input_file.h"
@@ -87,8 +88,6 @@ private:
         const LineEnd end = reader_.next();
         if (end == LineEnd::None) return false;
         const std::string& line = reader_.line();
-        bytes_ += line.size() + 1;
-        if (bytes_ > largest_table) reader_.fail("a table has at most {} bytes", largest_table);
         if (end == LineEnd::CutOff && unfinished_) return false;
         if (end == LineEnd::CutOff) reader_.fail("cut off");
         const auto foreign = std::ranges::find_if(line, [](char c) { return c < ' ' || c > '~'; });
@@ -130,7 +129,6 @@ private:
         const auto number = parse_integer(row.front());
         const auto is = [&number](std::size_t other) { return number == static_cast<long long>(other); };
         if (begun_ < wanted_.size() && is(wanted_[begun_])) {
-            check_case();
             ++begun_;
         } else if (begun_ == 0 || !is(wanted_[begun_ - 1])) {
             reader_.fail("column case: {}: allowed {}", shown(row.front()), allowed_case());
@@ -146,17 +144,8 @@ private:
         return (text.empty() ? "none" : text) + ", by 'settings' and 'cases' above";
     }
 
-    /// The rows of the case that has been read last.
-    void check_case() const {
-        if (begun_ == 0) return;
-        const std::size_t number = wanted_[begun_ - 1];
-        const std::string flaw = experiment_.flaw_of_case(table_.cases.at(number));
-        if (!flaw.empty()) reader_.fail("case {} above: {}", number, flaw);
-    }
-
     /// At the line that begins as the last one does.
     void check_end() const {
-        check_case();
         const std::string count = reader_.line().substr(table_end_mark.size());
         if (count != std::to_string(begun_)) {
             reader_.fail("end = {}: allowed {}, the number of cases above", shown(count), begun_);
@@ -168,20 +157,10 @@ private:
     const Experiment& experiment_;
     LineReader reader_;
     bool unfinished_;
-    std::size_t bytes_ = 0;
     ExperimentTable table_;
     std::vector<std::size_t> wanted_;  ///< numbers of the cases
     std::size_t begun_ = 0;            ///< how many of them
 };
-
-/// @return false if there is no such file
-bool open(const std::filesystem::path& file, std::ifstream& in) {
-    if (!exists(file)) return false;
-    // Not before it is known to be a file: a pipe would be waited for
-    if (is_regular_file(file)) in.open(file, std::ios::binary);
-    if (!in.is_open()) throw InputError(file.string() + ": cannot be read");
-    return true;
-}
 
 }  // namespace
 
@@ -192,14 +171,14 @@ std::optional<ExperimentTable> read_table(const Experiment& experiment, std::ist
 
 std::optional<ExperimentTable> read_table(const Experiment& experiment, const std::filesystem::path& file,
                                           bool unfinished) {
-    std::ifstream in;
-    if (!open(file, in)) return {};
+    if (!exists(file)) return {};
+    std::istringstream in(read_text(file.string(), largest_table, InputKind::Regular));
     return read_table(experiment, in, file.string(), unfinished);
 }
 
 std::optional<TableHead> read_head(const Experiment& experiment, const std::filesystem::path& file) try {
-    std::ifstream in;
-    if (!open(file, in)) return {};
+    if (!exists(file)) return {};
+    std::istringstream in(read_text(file.string(), largest_table, InputKind::Regular));
     TableReader reader(experiment, in, file.string(), true);
     if (!reader.read_head()) return {};
     return reader.head();

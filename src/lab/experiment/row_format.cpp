@@ -2,7 +2,6 @@
 
 #include <fmt/ranges.h>
 
-#include <algorithm>
 #include <cmath>
 
 #include "drape/base/assert.h"
@@ -24,17 +23,8 @@ bool in_range(const Column& column, const std::string& cell) {
     return column.above ? *number > column.least : *number >= column.least;
 }
 
-/// Whether words may stand for numbers in this row.
-bool may_lack_number(const std::vector<Column>& columns, const Column& column, const TableRow& row) {
-    if (column.only_where.empty()) return true;
-    const auto key = std::ranges::find(columns, column.only_where, &Column::name);
-    DRAPE_ASSERT(key != columns.end());
-    return is_one_of(column.rows_with, row[static_cast<std::size_t>(key - columns.begin())]);
-}
-
-bool accepts(const std::vector<Column>& columns, const Column& column, const TableRow& row, const std::string& cell) {
-    if (column.kind == Column::Kind::Word) return is_one_of(column.words, cell);
-    return in_range(column, cell) || (is_one_of(column.words, cell) && may_lack_number(columns, column, row));
+bool accepts(const Column& column, const std::string& cell) {
+    return is_one_of(column.words, cell) || (column.kind != Column::Kind::Word && in_range(column, cell));
 }
 
 }  // namespace
@@ -43,13 +33,6 @@ Column Column::or_words(std::vector<std::string> others) const {
     Column more = *this;
     more.words.insert(more.words.end(), others.begin(), others.end());
     return more;
-}
-
-Column Column::where(std::string column, std::vector<std::string> with) const {
-    Column bound = *this;
-    bound.only_where = std::move(column);
-    bound.rows_with = std::move(with);
-    return bound;
 }
 
 std::string Column::cell(double value, int digits) const {
@@ -61,9 +44,7 @@ std::string Column::allowed() const {
     if (kind == Kind::Word) return listed(words);
     std::string text = kind == Kind::Whole ? "a whole number" : "a finite number";
     if (std::isfinite(least)) text += (above ? " > " : " >= ") + real_text(least);
-    if (words.empty()) return text;
-    text += ", or " + listed(words);
-    return only_where.empty() ? text : text + " where " + only_where + " is " + listed(rows_with);
+    return words.empty() ? text : text + ", or " + listed(words);
 }
 
 Column word_column(std::string name, std::vector<std::string> words) {
@@ -83,7 +64,7 @@ Column positive_column(std::string name) {
 std::string flaw_of(const std::vector<Column>& columns, const TableRow& row) {
     DRAPE_ASSERT(row.size() == columns.size());
     for (std::size_t k = 0; k < columns.size(); ++k) {
-        if (accepts(columns, columns[k], row, row[k])) continue;
+        if (accepts(columns[k], row[k])) continue;
         return "column " + columns[k].name + ": '" + shortened(row[k]) + "': allowed " + columns[k].allowed();
     }
     return "";

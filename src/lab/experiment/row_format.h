@@ -29,27 +29,12 @@ struct Column {
     double least = -std::numeric_limits<double>::infinity();  ///< of a number
     bool above = false;                                       ///< a number must be more than `least`
 
-    /// Where not empty: words in place of a number may stand only in rows that have one of `rows_with` in this column.
-    std::string only_where = {};
-    std::vector<std::string> rows_with = {};
-
     /// The same column, in which such words may also stand.
     [[nodiscard]] Column or_words(std::vector<std::string> others) const;
 
     /// The same column, in which "nan" may also stand: there is no such number. Some processors give what 0/0 is a
     /// sign.
     [[nodiscard]] Column or_nan() const { return or_words({"nan", "-nan"}); }
-
-    /// The same column, in which a word may stand for a number only in some rows.
-    /// @param column a column of words
-    /// @param with what it has in those rows
-    [[nodiscard]] Column where(std::string column, std::vector<std::string> with) const;
-
-    /// The same column, which has a number in the rows of one part of the experiment, and none in those of others.
-    /// @param others parts
-    [[nodiscard]] Column not_in(std::vector<std::string> others) const {
-        return or_nan().where("part", std::move(others));
-    }
 
     /// What stands for a number in a cell; where a word may stand for no number, it does so for nan.
     [[nodiscard]] std::string cell(double value, int digits) const;

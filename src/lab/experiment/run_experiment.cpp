@@ -1,11 +1,6 @@
 #include "run_experiment.h"
 
-#include <fmt/core.h>
-#include <unistd.h>
-
 #include <algorithm>
-#include <cmath>
-#include <iostream>
 #include <memory>
 #include <optional>
 
@@ -14,6 +9,7 @@
 #include "drape/base/folder_lock.h"
 #include "drape/base/input_error.h"
 #include "drape/base/numbers.h"
+#include "drape/base/progress.h"
 #include "drape/base/run_program.h"
 #include "drape/base/stopwatch.h"
 
@@ -24,36 +20,6 @@ struct RunOptions {
     std::string folder;
     CaseSelection selection;
     bool again = false;
-};
-
-/// Tells on standard error how far a long run is and how long it will take: on a terminal in one line that changes,
-/// elsewhere in a new line now and then.
-class Progress {
-public:
-    /// @param total of the cases to do now
-    explicit Progress(std::size_t total) : total_(total) {}
-    Progress(const Progress&) = delete;
-    Progress& operator=(const Progress&) = delete;
-    ~Progress() {
-        if (terminal_ && told_ > 0) std::cerr << "\r\x1b[K";
-    }
-
-    /// A case is done.
-    void advance() {
-        ++done_;
-        const double now = watch_.seconds(), pause = terminal_ ? 0.2 : 30;  // s
-        if (done_ == total_ || now - told_ < pause) return;
-        told_ = now;
-        const double left = now / static_cast<double>(done_) * static_cast<double>(total_ - done_);
-        const std::string text = fmt::format("{} of {} cases, about {} left", done_, total_, rough_time(left));
-        std::cerr << (terminal_ ? "\r" + text + "\x1b[K" : text + "\n") << std::flush;
-    }
-
-private:
-    Stopwatch watch_;
-    std::size_t total_, done_ = 0;
-    double told_ = 0;  ///< when it was last told [s]
-    const bool terminal_ = isatty(STDERR_FILENO) == 1;
 };
 
 /// Shares that run side by side do not write into one folder.
@@ -133,7 +99,7 @@ int run(const Experiment& experiment, std::span<const Experiment> all, const Run
     const Stopwatch watch;
     const std::size_t before = table.cases.size();
     {
-        Progress progress(wanted.size() - before);
+        Progress progress(wanted.size() - before, "case");
         for (const std::size_t number : wanted) {
             if (table.cases.contains(number)) continue;
             auto rows = cases[number - 1]();
@@ -150,12 +116,6 @@ int run(const Experiment& experiment, std::span<const Experiment> all, const Run
 }
 
 }  // namespace
-
-std::string rough_time(double seconds) {
-    if (seconds < 90) return real_text(std::ceil(seconds)) + " s";
-    if (seconds < 5400) return real_text(std::round(seconds / 60)) + " min";
-    return real_text(std::round(seconds / 360) / 10) + " h";
-}
 
 void add_experiments(CommandLine& line, std::span<const Experiment> experiments, int& exit_code) {
     for (const Experiment& experiment : experiments) {

@@ -29,7 +29,4 @@ std::string assignments_of(const Chart& chart);
 /// @throws RunError if a file cannot be read or written, or gnuplot fails
 void present(const Experiment& experiment, const ExperimentTable& table, const std::filesystem::path& file);
 
-/// A time that is left, as people say it: "2 min", "40 s".
-std::string rough_time(double seconds);
-
 }  // namespace drape

@@ -79,14 +79,14 @@ inline constexpr VolumeKind volume_families[] = {VolumeKind::Sphere, VolumeKind:
 
 /// The frame from which on, and to the last, one way has cost more in all than another.
 /// @param costs of each frame of the way that is cheap at first
-/// @param others of the other way, as many
+/// @param others of the other way; where one has more frames, these are left out
 /// @return counted from 0; nothing if it has not cost more when the last frame ends
 std::optional<std::size_t> break_even_frame(std::span<const double> costs, std::span<const double> others);
 
 /// How times grow with the number of particles, for one hierarchy.
 struct Growth {
     std::string volume, update;
-    PowerLaw build, search;  ///< the search is query and exact test
+    double build = 0, search = 0;  ///< exponents; the search is query and exact test
 };
 
 /// Fitted over the larger cloths, from the geometric middle of the smallest and the largest on, where what a call costs

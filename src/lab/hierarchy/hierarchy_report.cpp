@@ -7,7 +7,6 @@
 #include <map>
 #include <set>
 
-#include "drape/base/assert.h"
 #include "drape/base/exact_math.h"
 #include "drape/bounds/node_view.h"
 
@@ -42,11 +41,13 @@ std::string break_evens(const HierarchyRows& rows) {
         for (const auto& [interval, all] : groups_of(frames, &HierarchyRow::interval_s)) {
             std::map<std::string, std::vector<double>> costs;
             for (const HierarchyRow& row : all) costs[row.update].push_back(row.whole.median);
-            const auto frame = break_even_frame(costs.at("refit"), costs.at("rebuild"));
+            if (!costs.contains("refit") || !costs.contains("rebuild")) continue;
+            const auto frame = break_even_frame(costs["refit"], costs["rebuild"]);
             text += fmt::format(" {:.3g} ms apart: {},", 1e3 * interval,
                                 frame ? fmt::format("from frame {}", *frame + 1) : "never");
         }
-        text.back() = '\n';
+        if (text.ends_with(',')) text.pop_back();
+        text += '\n';
     }
     return text;
 }
@@ -197,8 +198,8 @@ void add_size(Charts& charts, const HierarchyRows& rows) {
     for (const Growth& growth : growths(rows)) {
         if (growth.update != "rebuild" && growth.update != "merge") continue;
         const std::string hierarchy = growth.volume + ":" + growth.update + ":";
-        searches.push_back(hierarchy + fmt::format("{:.2f}", growth.search.exponent));
-        if (growth.volume != "brute") builds.push_back(hierarchy + fmt::format("{:.2f}", growth.build.exponent));
+        searches.push_back(hierarchy + fmt::format("{:.2f}", growth.search));
+        if (growth.volume != "brute") builds.push_back(hierarchy + fmt::format("{:.2f}", growth.build));
     }
     if (searches.empty()) return;
     charts.push_back({"hierarchy_size",
@@ -211,10 +212,9 @@ void add_size(Charts& charts, const HierarchyRows& rows) {
 }  // namespace
 
 std::optional<std::size_t> break_even_frame(std::span<const double> costs, std::span<const double> others) {
-    DRAPE_ASSERT(costs.size() == others.size());
     std::optional<std::size_t> since;
     double lead = 0;
-    for (std::size_t k = 0; k < costs.size(); ++k) {
+    for (std::size_t k = 0; k < std::min(costs.size(), others.size()); ++k) {
         lead += others[k] - costs[k];
         if (!(lead < 0)) {
             since.reset();
@@ -243,7 +243,7 @@ std::vector<Growth> growths(const HierarchyRows& rows) {
             search.emplace_back(row.particles, row.query.median + row.exact.median);
         }
         if (logarithms.size() < 2) continue;
-        all.push_back({key.first, key.second, fit_power_law(build), fit_power_law(search)});
+        all.push_back({key.first, key.second, fitted_exponent(build), fitted_exponent(search)});
     }
     return all;
 }
@@ -253,8 +253,8 @@ std::string hierarchy_summary(const HierarchyRows& rows) {
     std::string text = fastest(part("fit")) + budgets(part("budget")) + break_evens(part("break_even"));
     for (const Growth& growth : growths(part("size"))) {
         text += fmt::format("size: {} {}: ", growth.volume, growth.update);
-        if (growth.volume != "brute") text += fmt::format("build grows as particles^{:.3g}, ", growth.build.exponent);
-        text += fmt::format("search as particles^{:.3g}\n", growth.search.exponent);
+        if (growth.volume != "brute") text += fmt::format("build grows as particles^{:.3g}, ", growth.build);
+        text += fmt::format("search as particles^{:.3g}\n", growth.search);
     }
     return text;
 }

@@ -1,6 +1,5 @@
+#include "drape/bounds/node_view.h"
 #include "hierarchy_run.h"
-
-#include "drape/bounds/cloth_quadtree.h"
 
 namespace drape {
 namespace {
@@ -18,25 +17,8 @@ Real size_of(const KDop<K>& dop) {
     return widths / K;
 }
 
-template <class Volume>
-bool add(const BroadPhase& hierarchy, const Grid& grid, const Points& x, std::vector<Tightness>& levels) {
-    const auto* tree = dynamic_cast<const ClothQuadtree<Volume>*>(&hierarchy);
-    if (tree == nullptr) return false;
-    const auto smallest = fits_of<Volume>({.sphere_fit = SphereFit::Welzl});
-    levels.resize(std::max(levels.size(), static_cast<std::size_t>(tree->levels())));
-    for (std::size_t n = 0; n < tree->nodes().size(); ++n) {
-        const QuadtreeNode& node = tree->nodes()[n];
-        const Real least = size_of(smallest.patch(patch_of(grid, node, x)));
-        if (!(least > 0)) continue;
-        const Real ratio = (size_of(tree->volumes()[n]) + tree->slack()) / least;
-        levels[static_cast<std::size_t>(node.level)] += {static_cast<double>(ratio), 1};
-    }
-    return true;
-}
-
-template <class... Volumes>
-void add_of_any(const BroadPhase& hierarchy, const Grid& grid, const Points& x, std::vector<Tightness>& levels) {
-    (add<Volumes>(hierarchy, grid, x, levels) || ...);
+Real size_of(const NodeView& node) {
+    return std::visit([](const auto& volume) { return size_of(volume); }, node.volume);
 }
 
 }  // namespace
@@ -48,7 +30,21 @@ Tightness& Tightness::operator+=(const Tightness& other) {
 }
 
 void add_tightness(const BroadPhase& hierarchy, const Grid& grid, const Points& x, std::vector<Tightness>& levels) {
-    add_of_any<BoundingSphere, Aabb, KDop<6>, KDop<14>, KDop<18>, KDop<26>, Obb>(hierarchy, grid, x, levels);
+    levels.resize(std::max(levels.size(), static_cast<std::size_t>(hierarchy.levels())));
+    for (int level = 0; level < hierarchy.levels(); ++level) {
+        std::vector<NodeView> nodes;
+        hierarchy.nodes_at(level, nodes);
+        std::erase_if(nodes, [level](const NodeView& node) { return node.cells.level != level; });
+        std::vector<NodeView> smallest = nodes;
+        const auto kind = static_cast<VolumeKind>(nodes.front().volume.index());
+        refit_nodes({.volume = kind, .sphere_fit = SphereFit::Welzl}, grid, x, smallest);
+        for (std::size_t n = 0; n < nodes.size(); ++n) {
+            const Real least = size_of(smallest[n]);
+            if (!(least > 0)) continue;
+            const Real ratio = (size_of(nodes[n]) + hierarchy.slack()) / least;
+            levels[static_cast<std::size_t>(level)] += {static_cast<double>(ratio), 1};
+        }
+    }
 }
 
 Tightness over_levels(const std::vector<Tightness>& levels) {

@@ -3,7 +3,6 @@
 #include <algorithm>
 #include <cmath>
 #include <random>
-#include <utility>
 
 #include "drape/base/exact_math.h"
 #include "drape/model/energy.h"
@@ -43,26 +42,6 @@ double overall_error(const ClothModel& model, const ClothState& state, const Clo
 double error_of(Measure measure, const ClothModel& model, const ClothState& state, const ClothState& exact, Real side) {
     return measure == Measure::Position ? position_error(state.x, exact.x, side)
                                         : overall_error(model, state, exact, side);
-}
-
-Points resampled(const Points& x, const Grid& from, const Grid& to) {
-    if (from == to) return x;
-    Points finer(to.particles(), 3);
-    const auto cell_of = [](int k, int count, int cells) {
-        const Real along = static_cast<Real>(k) * static_cast<Real>(cells) / static_cast<Real>(count - 1);
-        const int cell = std::min(static_cast<int>(along), cells - 1);
-        return std::pair(cell, along - static_cast<Real>(cell));
-    };
-    for (int j = 0; j < to.ny; ++j) {
-        const auto [row, v] = cell_of(j, to.ny, from.cell_rows());
-        for (int i = 0; i < to.nx; ++i) {
-            const auto [column, u] = cell_of(i, to.nx, from.cell_columns());
-            const int a = from.particle(column, row), c = from.particle(column, row + 1);
-            finer.row(to.particle(i, j)) =
-                (1 - v) * ((1 - u) * x.row(a) + u * x.row(a + 1)) + v * ((1 - u) * x.row(c) + u * x.row(c + 1));
-        }
-    }
-    return finer;
 }
 
 }  // namespace drape

@@ -1,7 +1,5 @@
 #pragma once
 
-#include <string_view>
-
 #include "drape/base/enum_names.h"
 #include "drape/base/real.h"
 #include "drape/model/cloth_model.h"
@@ -38,10 +36,5 @@ double position_error(const Points& x, const Points& exact, Real side);
 double overall_error(const ClothModel& model, const ClothState& state, const ClothState& exact, Real side);
 
 double error_of(Measure measure, const ClothModel& model, const ClothState& state, const ClothState& exact, Real side);
-
-/// The points of a cloth at which another grid's particles lie, bilinearly between the particles that there are.
-/// @param x of `from`, n x 3 [m]
-/// @return of `to`, n x 3 [m]
-Points resampled(const Points& x, const Grid& from, const Grid& to);
 
 }  // namespace drape

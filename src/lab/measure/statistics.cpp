@@ -3,7 +3,6 @@
 #include <algorithm>
 #include <cmath>
 #include <ctime>
-#include <limits>
 #include <numeric>
 
 #include "drape/base/assert.h"
@@ -35,7 +34,7 @@ double thread_cpu_time() { return seconds_of(CLOCK_THREAD_CPUTIME_ID); }
 
 double program_cpu_time() { return seconds_of(CLOCK_PROCESS_CPUTIME_ID); }
 
-PowerLaw fit_power_law(std::span<const std::pair<double, double>> points) {
+double fitted_exponent(std::span<const std::pair<double, double>> points) {
     const auto n = static_cast<double>(points.size());
     double mean_x = 0, mean_y = 0, xx = 0, xy = 0;
     for (const auto& [x, y] : points) mean_x += natural_log(x) / n, mean_y += natural_log(y) / n;
@@ -44,8 +43,7 @@ PowerLaw fit_power_law(std::span<const std::pair<double, double>> points) {
         xy += (natural_log(x) - mean_x) * (natural_log(y) - mean_y);
     }
     DRAPE_ASSERT(xx > 0);
-    const double exponent = xy / xx;
-    return {exponential(mean_y - exponent * mean_x), exponent};
+    return xy / xx;
 }
 
 std::optional<ObservedOrder> observed_order(std::span<const std::pair<double, double>> points) {
@@ -58,9 +56,9 @@ std::optional<ObservedOrder> observed_order(std::span<const std::pair<double, do
     const auto differ = [](double a, double b) { return std::abs(a - b) / std::max({1.0, a, b}); };
     std::size_t count = fewest;
     if (!(differ(slope_at(points.size() - 2), slope_at(points.size() - 3)) <= 0.5)) return std::nullopt;
-    double order = fit_power_law(points.last(count)).exponent;
+    double order = fitted_exponent(points.last(count));
     while (count < points.size() && differ(slope_at(points.size() - count - 1), order) <= 0.15) {
-        order = fit_power_law(points.last(++count)).exponent;
+        order = fitted_exponent(points.last(++count));
     }
     return ObservedOrder{order, count};
 }

@@ -34,15 +34,10 @@ double cpu_time_of(const Work& work) {
 /// CPU time that all threads of the program have used [s].
 double program_cpu_time();
 
-/// y = factor x^exponent.
-struct PowerLaw {
-    double factor = 0, exponent = 0;
-};
-
-/// The power law that is nearest to some points by least squares of the logarithms: a straight line on paper with two
-/// logarithmic axes.
+/// The exponent of the power law y = c x^p that is nearest to some points by least squares of the logarithms: a
+/// straight line on paper with two logarithmic axes.
 /// @param points (x, y), all positive; at least two of different x
-PowerLaw fit_power_law(std::span<const std::pair<double, double>> points);
+double fitted_exponent(std::span<const std::pair<double, double>> points);
 
 /// How an error falls with the step.
 struct ObservedOrder {

@@ -27,10 +27,6 @@ int fewer_cells(int particles) { return static_cast<int>(std::lround(0.8 * (part
 
 std::span<const Knob> ordered_knobs() { return ordered; }
 
-bool has_iterations(IntegratorKind kind) {
-    return kind == IntegratorKind::Xpbd || kind == IntegratorKind::ProjectiveDynamics;
-}
-
 std::set<Knob> free_knobs(const Settings& scene) {
     const auto names = names_of<Knob>();
     const auto all = values_of<Knob>();

@@ -38,9 +38,6 @@ std::vector<double> step_ladder();
 /// The scene's cloth with other particles: mass, drag on the whole and stiffnesses stay.
 Settings on_grid(Settings scene, const Grid& grid);
 
-/// Whether a method repeats its passes as often as `solver.iterations` says.
-bool has_iterations(IntegratorKind kind);
-
 /// The step at which the full model is computed [s]. Contact makes every method one of first order, so it is short.
 constexpr double close_step = 1e-4;
 

@@ -1,7 +1,6 @@
 #include "needs.h"
 
 #include <algorithm>
-#include <map>
 
 #include "configurations.h"
 #include "lab/measure/statistics.h"

@@ -1,6 +1,5 @@
 #include "original.h"
 
-#include <algorithm>
 #include <memory>
 
 #include "drape/base/resources.h"
@@ -24,19 +23,6 @@ std::vector<CaseOf<OriginalRow>> original_cases(bool quick) {
         return rows;
     };
     return std::vector<CaseOf<OriginalRow>>(quick ? 3 : 7, run);
-}
-
-/// A case compares: it needs all that it compares.
-std::string flaw_of_original_case(const OriginalRows& rows) {
-    for (const OriginalWay& way : original_ways) {
-        const auto count = std::ranges::count_if(rows, [&way](const OriginalRow& row) {
-            return row.volume == way.volume && row.bounds_drawn == way.bounds_drawn;
-        });
-        if (count == 1) continue;
-        return std::to_string(count) + " rows of volume '" + way.volume + "' with bounds_drawn '" +
-               (way.bounds_drawn ? "1" : "0") + "': allowed 1";
-    }
-    return "";
 }
 
 }  // namespace
@@ -63,8 +49,7 @@ Experiment original_experiment() {
                                {number_column("single_search_s"), &Row::single, &Search::search},
                                {number_column("single_exact_s"), &Row::single, &Search::exact},
                                {number_column("single_candidates"), &Row::single, &Search::candidates}}},
-                             {{"", original_cases, original_summary, original_charts}},
-                             flaw_of_original_case};
+                             {{"", original_cases, original_summary, original_charts}}};
 }
 
 }  // namespace drape

@@ -1,14 +1,15 @@
 #include "original.h"
 
+#include <unistd.h>
+
 #include <algorithm>
 #include <cmath>
-#include <cstdlib>
 #include <fstream>
+#include <memory>
 
 #include "drape/base/child_program.h"
 #include "drape/base/input_error.h"
 #include "drape/base/numbers.h"
-#include "drape/base/scratch_folder.h"
 #include "drape/scene/scene.h"
 #include "drape/scene/setting_table.h"
 #include "drape/sim/simulation.h"
@@ -93,11 +94,14 @@ OriginalRow time_original(const OriginalWay& way, const OriginalPlan& plan) {
 
 bool draw_original(const OriginalWay& way, const OriginalPlan& plan, const std::filesystem::path& program,
                    OriginalRow& row) {
-    const ScratchFolder folder;
-    const std::filesystem::path stats = folder.path() / "stats.csv";
+    std::string stats = (std::filesystem::temp_directory_path() / "drape-XXXXXX").string();
+    const int made = mkstemp(stats.data());
+    if (made < 0) throw RunError(stats + ": cannot be made");
+    close(made);
+    const std::shared_ptr<void> removed_at_the_end(nullptr, [&stats](void*) { unlink(stats.c_str()); });
     const std::string frames = std::to_string(plan.first + plan.frames), rate = real_text(frame_rate);
-    std::vector<std::string> words{program.string(), original_scene, "--frames", frames,         "--fps", rate,
-                                   "--size",         picture_size,   "--stats",  stats.string(), "--set"};
+    std::vector<std::string> words{program.string(), original_scene, "--frames", frames, "--fps", rate,
+                                   "--size",         picture_size,   "--stats",  stats,  "--set"};
     for (const std::string& assignment : original_assignments(way)) words.push_back(assignment);
     const auto code = run_child(words);
     if (!code) return false;

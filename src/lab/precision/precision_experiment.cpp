@@ -104,11 +104,6 @@ std::vector<CaseOf<PrecisionRow>> precision_cases(bool quick) {
 
 Experiment precision_experiment() {
     using Row = PrecisionRow;
-    std::vector<Method> fixed = precision_methods();
-    std::erase_if(fixed, [](const Method& one) { return one.parameters.kind == IntegratorKind::DormandPrince; });
-    const auto if_bounded = [](const Column& column) { return column.or_nan().where("end", {"unstable"}); };
-    const Column tolerance =
-        positive_column("tolerance").or_words({""}).where("method", names_in(fixed, &Method::name));
     return ExperimentOf<Row>{
         "precision",
         "what does accuracy cost, by which method?",
@@ -119,15 +114,15 @@ Experiment precision_experiment() {
           {positive_column("horizon_s"), &Row::horizon},
           {whole_column("phases", 1), &Row::phases},
           {word_column("method", names_in(precision_methods(), &Method::name)), &Row::method},
-          {tolerance, &Row::tolerance},
+          {positive_column("tolerance").or_words({""}), &Row::tolerance},
           {whole_column("steps", 1), &Row::steps},
           {positive_column("step_s"), &Row::step},
           {word_column("end", {"bounded", "unstable"}), &Row::end},
           {name_column<Measure>("measure"), &Row::measure},
-          {if_bounded(number_column("error")), &Row::error},
-          {if_bounded(number_column("cost_lower_s_per_s")), &Row::cost, &Quartiles::lower},
-          {if_bounded(positive_column("cost_s_per_s")), &Row::cost, &Quartiles::median},
-          {if_bounded(number_column("cost_upper_s_per_s")), &Row::cost, &Quartiles::upper},
+          {number_column("error").or_nan(), &Row::error},
+          {number_column("cost_lower_s_per_s").or_nan(), &Row::cost, &Quartiles::lower},
+          {positive_column("cost_s_per_s").or_nan(), &Row::cost, &Quartiles::median},
+          {number_column("cost_upper_s_per_s").or_nan(), &Row::cost, &Quartiles::upper},
           {number_column("reference_error"), &Row::reference_error},
           {number_column("growth").or_nan().or_words({"inf"}), &Row::growth}}},
         {{"", precision_cases, precision_summary, precision_charts}}};

@@ -1,7 +1,6 @@
 #include "precision.h"
 
 #include <array>
-#include <cmath>
 #include <memory>
 
 #include "drape/base/assert.h"

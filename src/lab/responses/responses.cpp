@@ -3,7 +3,6 @@
 #include <algorithm>
 #include <cmath>
 
-#include "drape/contact/response.h"
 #include "lab/contact/contact_trial.h"
 
 namespace drape {
@@ -38,8 +37,8 @@ struct SheetTrial : ContactTrial {
 
     void step() { advance(), respond(); }
 
-    [[nodiscard]] double mean(int axis) const { return static_cast<double>(positions().col(axis).mean()); }
-    [[nodiscard]] double speed(int axis) const { return static_cast<double>(velocities().col(axis).mean()); }
+    [[nodiscard]] double mean(int axis) const { return static_cast<double>(state().x.col(axis).mean()); }
+    [[nodiscard]] double speed(int axis) const { return static_cast<double>(state().v.col(axis).mean()); }
 };
 
 /// Whether a sheet that rests on a penalty is thrown off, farther than 100 times the depth at which it rests.

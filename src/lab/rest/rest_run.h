@@ -1,7 +1,6 @@
 #pragma once
 
 #include <string>
-#include <vector>
 
 #include "drape/contact/response.h"
 #include "drape/integrate/integrator.h"
