@@ -136,7 +136,7 @@ std::string size_summary(const SolveRows& rows) {
         }
         if (points.size() > 1)
             text += fmt::format("after {} s, time of a step grows with the particles to the power {:.2f}\n", time,
-                                fit_power_law(points).exponent);
+                                fitted_exponent(points));
     }
     return text;
 }
