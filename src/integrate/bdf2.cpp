@@ -5,7 +5,7 @@
 namespace drape {
 namespace {
 
-/// One Newton step of the backward differentiation formula of order 2: with s = 2h/3,
+/// One Newton step, or more (`newton_steps`), of the backward differentiation formula of order 2: with s = 2h/3,
 /// x_{n+1} = x_n + (x_n - x_{n-1})/3 + s v_{n+1} and v_{n+1} = v_n + (v_n - v_{n-1})/3 + s a_{n+1} give
 /// (m I + s D + s^2 K) dv = m (v_n - v_{n-1})/3 + s (f - K ((x_n - x_{n-1})/3 + s v_n)).
 /// Second order with the exact Hessian; damps what it cannot resolve, and the rest far less than backward Euler.
@@ -22,7 +22,8 @@ public:
                 .to = {Points(grid.particles(), 3), Points(grid.particles(), 3)}},
           dx_(grid.particles(), 3),
           r_(grid.particles(), 3),
-          dv_(grid.particles(), 3) {}
+          dv_(grid.particles(), 3),
+          known_(grid.particles(), 3) {}
 
     [[nodiscard]] StepBefore step_before() const override { return last_; }
     void resume_after(const StepBefore& step) override { last_ = step; }
@@ -47,12 +48,26 @@ public:
         if (goes_on) r_ += (model.particle_mass / 3) * (state.v - last_.from.v);
         const krylov::Outcome solved = system_.solve(model, s, r_, dv_);
 
+        SolveReport report = system_.report(solved);
+        if (system_.refines()) report += refine(model, state, s, goes_on);
         dx_ += s * dv_;
         advance(model, h, state);
-        return system_.report(solved);
+        return report;
     }
 
 private:
+    /// What is known of dv counts as part of v.
+    SolveReport refine(const ClothModel& model, const ClothState& state, Real s, bool goes_on) {
+        known_.setZero();
+        if (goes_on) known_ = (state.v - last_.from.v) / 3;
+        dv_ -= known_;
+        r_ = state.x + dx_ + s * known_;
+        known_ += state.v;
+        const SolveReport report = system_.refine(forces_, model, r_, known_, s, 1, dv_);
+        dv_ += known_ - state.v;
+        return report;
+    }
+
     /// By dx and dv, and keeps both ends of the step.
     void advance(const ClothModel& model, Real h, ClothState& state) {
         last_.from = state;
@@ -67,7 +82,7 @@ private:
     ForceSweep forces_;
     NewtonSystem system_;
     StepBefore last_;
-    Points dx_, r_, dv_;
+    Points dx_, r_, dv_, known_;
 };
 
 }  // namespace

@@ -21,7 +21,9 @@ double factor_entries(const Grid& grid) { return std::max(12.5 * log_two(grid) -
 double block_factor_entries(const Grid& grid) { return std::max(75 * log_two(grid) - 350, 165.0); }
 
 /// Numbers a particle of the linear system: Jacobians, inverse blocks, and the vectors of the solver.
-double numbers_of_system(Hessian hessian) { return hessian == Hessian::Exact ? 75 : 39; }
+double numbers_of_system(const IntegratorParameters& parameters) {
+    return (parameters.hessian == Hessian::Exact ? 75 : 39) + (parameters.newton_steps > 1 ? 15 : 0);
+}
 
 double numbers_of_arrays(const IntegratorParameters& parameters) {
     switch (parameters.kind) {
@@ -34,9 +36,9 @@ double numbers_of_arrays(const IntegratorParameters& parameters) {
             return 15;
         case IntegratorKind::BackwardEuler:
         case IntegratorKind::ImplicitMidpoint:
-            return 12 + numbers_of_system(parameters.hessian);
+            return 12 + numbers_of_system(parameters);
         case IntegratorKind::Bdf2:
-            return 27 + numbers_of_system(parameters.hessian);
+            return 30 + numbers_of_system(parameters);
         case IntegratorKind::Xpbd:
             return 15;
         case IntegratorKind::ProjectiveDynamics:

@@ -17,13 +17,17 @@ constexpr int most_iterations = 5000;
 /// Where there are, it ends after about half of what the factors cost, which grows with n^1.5 as n^0.5 iterations do.
 int patience(int particles) { return static_cast<int>(8 * std::sqrt(static_cast<Real>(particles))); }
 
-/// From so many particles on there is multigrid, and for systems whose condition's root is at least this it is used:
-/// with the diagonal blocks alone, about 1.6 times as many iterations are needed. Measured.
+/// From so many particles on there is multigrid, and it is used for systems whose condition's root is at least this.
+/// With the diagonal blocks alone about twice as many iterations are needed, and 60 take as long as four with cycles
+/// and their set-up. Measured at 32 to 128 particles a side.
 constexpr int many_particles = 400;
-constexpr Real stiff = 90;
+constexpr Real stiff = 30;
 
 /// Where so many cycles do not do, single precision is not enough, and the diagonal blocks are left to it.
 constexpr int most_cycles = 100;
+
+/// Of a Newton step, that is tried before it is given up.
+constexpr Real shortest_part = Real(0.05);
 
 /// With factors few iterations are needed, or many do not help.
 constexpr int refinements = 50;
@@ -32,6 +36,7 @@ constexpr int refinements = 50;
 
 NewtonSystem::NewtonSystem(const Grid& grid, const IntegratorParameters& parameters)
     : tolerance_(tolerance_of(parameters)),
+      newton_steps_(parameters.newton_steps),
       factors_first_(comes_first(grid)),
       jacobian_(grid, parameters.hessian, parameters.kernels),
       inverse_(grid.particles(), 6),
@@ -39,6 +44,9 @@ NewtonSystem::NewtonSystem(const Grid& grid, const IntegratorParameters& paramet
     pinned_.reserve(static_cast<std::size_t>(grid.particles()));
     if (parameters.hessian == Hessian::Exact) bicgstab_ = std::make_unique<krylov::BiCgStab>(grid.particles());
     if (keeps_factors(grid, parameters.hessian)) factor_ = std::make_unique<GridFactor>(grid);
+    if (refines()) {
+        for (Points* scratch : {&left_, &step_, &tried_, &x_, &v_}) scratch->resize(grid.particles(), 3);
+    }
     if (keeps_multigrid(grid, parameters.hessian)) multigrid_ = std::make_unique<Multigrid>(grid, parameters.kernels);
 }
 
@@ -132,6 +140,37 @@ krylov::Outcome NewtonSystem::solve(const ClothModel& model, Real s, Points& r, 
     outcome = solve_with(refinements, [&](const Points& from, Points& to) { factor_->solve(from, to); });
     outcome.iterations += wasted;
     return outcome;
+}
+
+SolveReport NewtonSystem::refine(ForceSweep& forces, const ClothModel& model, const Points& x, const Points& v, Real s,
+                                 Real theta, Points& dv) {
+    SolveReport all;
+    const auto left_at = [&](const Points& at) {
+        x_ = x + (s * theta) * at;
+        v_ = v + theta * at;
+        forces.compute(model, x_, v_, left_);
+        ++all.force_evaluations;
+        left_ = (s / theta) * left_ - model.particle_mass * at;
+        clear_pinned(left_);
+        return left_.norm();
+    };
+    Real left = left_at(dv);
+    for (int made = 1; made < newton_steps_; ++made) {
+        linearise(model, x_, v_);
+        SolveReport solved = report(solve(model, s, left_, step_));
+        solved.force_evaluations = 0;
+        all += solved;
+        const Real before = left;
+        Real part = 1;
+        do {
+            tried_ = dv + part * step_;
+            left = left_at(tried_);
+            part /= 2;
+        } while (!(left < before) && part > shortest_part);
+        if (!(left < before)) break;
+        dv = tried_;
+    }
+    return all;
 }
 
 SolveReport NewtonSystem::report(const krylov::Outcome& solved) const {

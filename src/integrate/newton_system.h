@@ -4,6 +4,7 @@
 #include <vector>
 
 #include "drape/integrate/integrator.h"
+#include "drape/model/force_sweep.h"
 #include "drape/model/jacobian.h"
 #include "grid_factor.h"
 #include "krylov.h"
@@ -44,6 +45,19 @@ public:
     /// @param dv n x 3 [m/s], overwritten
     krylov::Outcome solve(const ClothModel& model, Real s, Points& r, Points& dv);
 
+    /// Whether further Newton steps are asked for.
+    [[nodiscard]] bool refines() const { return newton_steps_ > 1; }
+
+    /// Makes the further Newton steps that are asked for towards m dv = s / theta f(x + s theta dv, v + theta dv), each
+    /// from where the one before has come to. A step that leaves more of the equations is halved; where that does not
+    /// help, this ends.
+    /// @param x, v where the forces are taken for dv = 0, n x 3 [m], [m/s]
+    /// @param theta the part of dv that counts there; s as in `solve`
+    /// @param dv n x 3 [m/s], that the first step has found
+    /// @cite nocedal2006
+    SolveReport refine(ForceSweep& forces, const ClothModel& model, const Points& x, const Points& v, Real s,
+                       Real theta, Points& dv);
+
     /// The report of a step of one force evaluation and this solve.
     [[nodiscard]] SolveReport report(const krylov::Outcome& solved) const;
 
@@ -54,6 +68,7 @@ private:
     void apply_inverse_diagonal(const Points& r, Points& z) const;
 
     Real tolerance_;
+    int newton_steps_;
     bool factors_first_;
     Jacobian jacobian_;
     std::unique_ptr<GridFactor> factor_;    ///< where it can be wanted
@@ -62,6 +77,9 @@ private:
     Eigen::Array<Real, Eigen::Dynamic, 6> inverse_;  ///< xx, xy, xz, yy, yz, zz of each diagonal block's inverse
     krylov::ConjugateGradients conjugate_gradients_;
     std::unique_ptr<krylov::BiCgStab> bicgstab_;
+
+    /// Of further Newton steps: what is left of the equations, a step, where it leads, and where the forces are taken
+    Points left_, step_, tried_, x_, v_;
 };
 
 }  // namespace drape

@@ -5,8 +5,9 @@
 namespace drape {
 namespace {
 
-/// One Newton step of x_{n+1} = x_n + h v_m, v_{n+1} = v_n + h a(x_m, v_m), with m at the part theta of the way from n
-/// to n+1: with s = theta h, (m I + s D + s^2 K) dv = h (f - s K v); x += h (v + theta dv); v += dv.
+/// One Newton step, or more (`newton_steps`), of x_{n+1} = x_n + h v_m, v_{n+1} = v_n + h a(x_m, v_m), with m at the
+/// part theta of the way from n to n+1: with s = theta h, (m I + s D + s^2 K) dv = h (f - s K v); x += h (v + theta
+/// dv); v += dv.
 ///
 /// Backward Euler, theta = 1, is of first order and damps what it cannot resolve. Implicit midpoint, theta = 1/2, is of
 /// second order with the exact Hessian and of first with the clamped one; it neither damps nor feeds a small
@@ -28,9 +29,14 @@ public:
         system_.add_stiffness(-s, state.v, r_);
         r_ *= h;
         const krylov::Outcome solved = system_.solve(model, s, r_, dv_);
+        SolveReport report = system_.report(solved);
+        if (system_.refines()) {
+            r_ = state.x + s * state.v;
+            report += system_.refine(forces_, model, r_, state.v, s, theta_, dv_);
+        }
         state.x += h * (state.v + theta_ * dv_);
         state.v += dv_;
-        return system_.report(solved);
+        return report;
     }
 
 private:

@@ -190,6 +190,9 @@ void add_the_rest(std::vector<Setting>& table) {
                "implicit_midpoint 1e-6, with the exact Hessian 1e-8); of dormand_prince: error of an inner step, of "
                "the cloth's spacing (0: 1e-6), of "
                "which at most 10000 are tried in a step");
+    solver.add(
+        "newton_steps", &SolverSettings::newton_steps, "", {1, 20},
+        "of backward_euler, implicit_midpoint and bdf2 in one step, at most; 1: its equations are solved as if linear");
     solver.add("threads", &SolverSettings::threads, "", {1, 64},
                "that share a step of the explicit methods, and the search where cloths touch; the motion is the same");
     solver.add("kernels", &SolverSettings::kernels,

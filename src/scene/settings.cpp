@@ -12,6 +12,7 @@ IntegratorParameters integrator_of(const SolverSettings& solver) {
             .hessian = solver.hessian,
             .iterations = solver.iterations,
             .tolerance = solver.tolerance,
+            .newton_steps = solver.newton_steps,
             .threads = solver.threads,
             .kernels = solver.kernels};
 }

@@ -33,7 +33,7 @@ TEST(LabSolve, LeavesLessToACloserToleranceAndFarLessThanTheStep) {
     ASSERT_EQ(rows.size(), 7u);
     double before = 1;
     for (const Cells& row : rows) {
-        const double tolerance = std::stod(row.at(6)), left = std::stod(row.at(7)), of_step = std::stod(row.at(8));
+        const double tolerance = std::stod(row.at(6)), left = std::stod(row.at(8)), of_step = std::stod(row.at(9));
         EXPECT_LT(left, before / 2) << tolerance;
         if (tolerance <= 1e-4) {
             EXPECT_LT(left, of_step / 200) << tolerance;

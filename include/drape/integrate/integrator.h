@@ -37,6 +37,7 @@ struct IntegratorParameters {
     Hessian hessian = Hessian::Clamped;  ///< of backward Euler, implicit midpoint and BDF2
     int iterations = 10;                 ///< of XPBD and projective dynamics in one step
     Real tolerance = 0;                  ///< see `tolerance_of`; 0: the method's own
+    int newton_steps = 1;                ///< of the same three in one step, at most; 1: solved as if linear
     int threads = 1;                     ///< that share the work of the explicit methods; the result is the same
     Kernels kernels = Kernels::Vector;   ///< of forces, Jacobians and the springs of XPBD
     bool operator==(const IntegratorParameters&) const = default;

@@ -86,6 +86,7 @@ struct SolverSettings {
     Hessian hessian = Hessian::Clamped;
     int iterations = 10;
     Real tolerance = 0;
+    int newton_steps = 1;
     int threads = 1;
     Kernels kernels = Kernels::Vector;  ///< of forces, hierarchy and contact
     double dt = 2e-4;                   ///< in every precision: it counts steps and time

@@ -12,14 +12,15 @@ namespace {
 
 /// Steps of an implicit method on a sheet that falls, hung by two corners.
 struct SolveRow {
-    std::string part;    ///< tolerance or size
+    std::string part;    ///< tolerance, newton or size
     std::string method;  ///< with its Hessian
     std::int64_t side = 0;
     double time = 0;  ///< simulated, from rest [s]
     double step = 0;  ///< [s]
     double tolerance = 0;
+    std::int64_t newton_steps = 1;
     double solver_error = no_number;  ///< RMS over the particles, against solves to `exact` [m]
-    double step_error = no_number;    ///< of such solves, against steps a sixteenth as long [m]
+    double step_error = no_number;    ///< of such solves, against steps a sixteenth as long or shorter [m]
     double iterations = 0;            ///< of a step, in the mean over the last ten
     Quartiles cost = {};              ///< CPU time of a step, over the same [s]
 };
@@ -50,12 +51,10 @@ struct SolveRun {
 };
 
 /// @param parts of a picture's time that a step has
-SolveRun run_sheet(const Method& method, int side, Real time, Real tolerance, int parts = 1) {
+SolveRun run_sheet(const IntegratorParameters& parameters, int side, Real time, int parts = 1) {
     const ClothParameters cloth = sheet_of(side);
     const ClothModel model = make_cloth_model(cloth);
     ClothState state = make_rest_state(cloth);
-    IntegratorParameters parameters = method.parameters;
-    parameters.tolerance = tolerance;
     const auto integrator = make_integrator(parameters, model.grid);
     const auto steps = std::lround(time / picture) * parts;
     SolveRun run;
@@ -71,42 +70,72 @@ SolveRun run_sheet(const Method& method, int side, Real time, Real tolerance, in
     return run;
 }
 
-SolveRow row_of(const char* part, const Method& method, int side, Real time, Real tolerance, const SolveRun& run) {
+IntegratorParameters solved_to(Real tolerance, IntegratorParameters parameters) {
+    parameters.tolerance = tolerance;
+    return parameters;
+}
+
+SolveRow row_of(const char* part, const Method& method, int side, Real time, const SolveRun& run) {
     return {.part = part,
             .method = method.name,
             .side = side,
             .time = static_cast<double>(time),
             .step = static_cast<double>(picture),
-            .tolerance = static_cast<double>(tolerance),
+            .tolerance = static_cast<double>(tolerance_of(method.parameters)),
+            .newton_steps = method.parameters.newton_steps,
             .iterations = run.iterations,
             .cost = quartiles_of(run.costs)};
 }
 
 /// One method on one grid, to each tolerance.
-SolveRows run_tolerances(const Method& method, int side) {
+SolveRows run_tolerances(Method method, int side) {
     constexpr Real time = Real(0.5);
-    const Points solved = run_sheet(method, side, time, exact).x;
-    const double step_error = position_error(solved, run_sheet(method, side, time, nearly, shorter).x, 1);
+    const Points solved = run_sheet(solved_to(exact, method.parameters), side, time).x;
+    const Points truth = run_sheet(solved_to(nearly, method.parameters), side, time, shorter).x;
     SolveRows rows;
     for (const Real tolerance : {Real(1e-1), Real(1e-2), Real(1e-3), Real(1e-4), Real(1e-5), Real(1e-6), Real(1e-7)}) {
-        const SolveRun run = run_sheet(method, side, time, tolerance);
-        rows.push_back(row_of("tolerance", method, side, time, tolerance, run));
+        method.parameters.tolerance = tolerance;
+        const SolveRun run = run_sheet(method.parameters, side, time);
+        rows.push_back(row_of("tolerance", method, side, time, run));
         rows.back().solver_error = position_error(run.x, solved, 1);
-        rows.back().step_error = step_error;
+        rows.back().step_error = position_error(solved, truth, 1);
+    }
+    return rows;
+}
+
+/// One method by steps of several lengths, with one Newton step in each and with more.
+SolveRows run_newton(Method method, int side) {
+    constexpr Real time = Real(0.5);
+    const IntegratorParameters best{.kind = IntegratorKind::ImplicitMidpoint, .newton_steps = 3};
+    const Points truth = run_sheet(best, side, time, 4 * shorter).x;
+    SolveRows rows;
+    for (const int newton_steps : {1, 2, 3}) {
+        for (const int parts : {1, 2, 4, 8}) {
+            method.parameters.newton_steps = newton_steps;
+            const SolveRun run = run_sheet(method.parameters, side, time, parts);
+            rows.push_back(row_of("newton", method, side, time, run));
+            rows.back().step = static_cast<double>(picture) / parts;
+            rows.back().step_error = position_error(run.x, truth, 1);
+        }
     }
     return rows;
 }
 
 /// Falling, and once it swings in folds.
 SolveRows run_size(const Method& method, int side, Real time) {
-    const Real tolerance = tolerance_of(method.parameters);
-    return {row_of("size", method, side, time, tolerance, run_sheet(method, side, time, tolerance))};
+    return {row_of("size", method, side, time, run_sheet(method.parameters, side, time))};
 }
 
 std::vector<CaseOf<SolveRow>> tolerance_cases(bool quick) {
     return cases_over(run_tolerances,
                       methods_named({"backward_euler_clamped", "implicit_midpoint_clamped", "bdf2_clamped"}),
                       quick ? std::vector{24} : std::vector{32, 64, 128});
+}
+
+std::vector<CaseOf<SolveRow>> newton_cases(bool quick) {
+    return cases_over(run_newton,
+                      methods_named({"backward_euler_clamped", "implicit_midpoint_clamped", "bdf2_clamped"}),
+                      std::vector{quick ? 16 : 64});
 }
 
 std::vector<CaseOf<SolveRow>> size_cases(bool quick) {
@@ -122,6 +151,11 @@ std::string tolerance_line(const SolveRow& row) {
         "the step",
         row.method, row.side, row.tolerance, row.iterations, 1e3 * row.cost.median, 1e3 * row.solver_error,
         1e3 * row.step_error);
+}
+
+std::string newton_line(const SolveRow& row) {
+    return fmt::format("{}, {} Newton step(s) of {:.3g} ms: off by {:.3g} mm, {:.3g} s for a simulated second",
+                       row.method, row.newton_steps, 1e3 * row.step, 1e3 * row.step_error, row.cost.median / row.step);
 }
 
 std::string size_summary(const SolveRows& rows) {
@@ -151,6 +185,15 @@ std::vector<Chart> tolerance_charts(const SolveRows& rows) {
          {{"sides", in_words(sides)}}}};
 }
 
+std::vector<Chart> newton_charts(const SolveRows& rows) {
+    return {
+        {"solve_newton",
+         "solve_newton",
+         "Error of a falling sheet after half a second against the CPU time of a simulated second, by steps of 1/60 s "
+         "and of a half, a quarter and an eighth of it: with one Newton step in each, and with two.",
+         {{"methods", in_words(words_of(rows, &SolveRow::method))}}}};
+}
+
 std::vector<Chart> size_charts(const SolveRows&) {
     return {{"solve_size",
              "solve_size",
@@ -167,18 +210,20 @@ Experiment solve_experiment() {
         "solve",
         "what does an implicit step cost on a large cloth, and how far must it be solved?",
         {5,
-         {{word_column("part", {"tolerance", "size"}), &Row::part},
+         {{word_column("part", {"tolerance", "newton", "size"}), &Row::part},
           {word_column("method", {"backward_euler_clamped", "implicit_midpoint_clamped", "bdf2_clamped"}),
            &Row::method},
           {whole_column("side", 2), &Row::side},
           {positive_column("time_s"), &Row::time},
           {positive_column("step_s"), &Row::step},
           {positive_column("tolerance"), &Row::tolerance},
+          {whole_column("newton_steps", 1), &Row::newton_steps},
           {number_column("solver_error_m").or_nan(), &Row::solver_error},
           {number_column("step_error_m").or_nan(), &Row::step_error},
           {number_column("iterations"), &Row::iterations},
           {number_column("cost_s"), &Row::cost}}},
         {{"tolerance", tolerance_cases, line_of_each(tolerance_line), tolerance_charts},
+         {"newton", newton_cases, line_of_each(newton_line), newton_charts},
          {"size", size_cases, size_summary, size_charts}}};
 }
 
