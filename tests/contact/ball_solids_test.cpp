@@ -98,6 +98,7 @@ TEST(StayOutside, FollowsTheWholePathWhateverHasShortenedIt) {
     ball.moved.setZero();
     stay_outside(bodies_of(solids), start, 0, ball);
     EXPECT_NEAR(ball.centre.y(), led_radius + Real(0.0005), 1e-5);
+    EXPECT_LT((ball.centre - ball.moved - start).norm(), 1e-15) << "planes of contacts are those of its start";
 }
 
 }  // namespace

@@ -45,7 +45,7 @@ struct Floor {
         const ClothInContact cloth{model, before, state};
         Body body = body_of(balls[0], surface);
         deepest = solver.resolve({}, dt, std::span(&cloth, 1), std::span(&body, 1), contacts).depth;
-        store(body, balls[0]);
+        balls[0] = body;
     }
 
     void run(Real time) {
