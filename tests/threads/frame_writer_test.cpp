@@ -10,6 +10,7 @@
 
 #include "drape/base/input_error.h"
 #include "drape/base/scratch_folder.h"
+#include "support/process.h"
 
 namespace drape {
 namespace {
@@ -43,12 +44,7 @@ protected:
         return "";
     }
 
-    [[nodiscard]] std::vector<std::string> names() const {
-        std::vector<std::string> all;
-        for (const auto& entry : fs::directory_iterator(folder_.path())) all.push_back(entry.path().filename());
-        std::ranges::sort(all);
-        return all;
-    }
+    [[nodiscard]] std::vector<std::string> names() const { return test::names_in(folder_.path()); }
 
     [[nodiscard]] std::string file(const std::string& name) const { return (folder_.path() / name).string(); }
 
