@@ -31,7 +31,7 @@ std::string WindowVideo::toggle(PictureSize size) {
     }
     if (pipe_) return "The video before is still being finished";
     try {
-        pipe_.emplace(first_free_name(), size, frame_rate, signals_, VideoPipe::Use::Live);
+        pipe_.emplace(first_free_name(), size, frame_rate, signals_, VideoPipe::Use::Live, end_patience_);
     } catch (const RunError& error) {
         return std::string("No video: ") + error.what();
     }

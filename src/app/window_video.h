@@ -18,7 +18,9 @@ std::filesystem::path numbered_name(int number, const std::string& extension);
 /// @par Cost while it records, a picture is read back and given to ffmpeg up to 30 times a second; else none
 class WindowVideo {
 public:
-    explicit WindowVideo(const StopSignals& signals) : signals_(signals) {}
+    /// @param end_patience how long ffmpeg may take to finish its file when the program ends [s]
+    explicit WindowVideo(const StopSignals& signals, double end_patience = VideoPipe::usual_end_patience)
+        : signals_(signals), end_patience_(end_patience) {}
 
     /// Begins a video, or ends the one that is being recorded.
     /// @return what to tell the user
@@ -48,6 +50,7 @@ private:
     std::string outcome();
 
     const StopSignals& signals_;
+    double end_patience_;
     std::optional<VideoPipe> pipe_;
     PictureSize size_;
     Stopwatch watch_;  ///< since the first picture

@@ -20,9 +20,8 @@ namespace drape {
 
 namespace {
 
-constexpr double patience = 5;       // s that ffmpeg may stand still where nobody waits for it
-constexpr double end_patience = 20;  // s that it may take to finish its file where a user waits for the end
-constexpr double glance = 0.1;       // s between two looks for a signal
+constexpr double patience = 5;  // s that ffmpeg may stand still where nobody waits for it
+constexpr double glance = 0.1;  // s between two looks for a signal
 
 // Formats that are one file each
 const std::array<std::string, 9> extensions{".mp4", ".m4v", ".mov", ".mkv", ".webm", ".avi", ".gif", ".ogv", ".mpg"};
@@ -48,8 +47,8 @@ void check_video_name(const std::string& option, const std::filesystem::path& fi
 }
 
 VideoPipe::VideoPipe(const std::filesystem::path& file, PictureSize size, double rate, const StopSignals& signals,
-                     Use use)
-    : signals_(signals), use_(use), name_(file), file_(file) {
+                     Use use, double end_patience)
+    : signals_(signals), use_(use), end_patience_(end_patience), name_(file), file_(file) {
     std::signal(SIGPIPE, SIG_IGN);
     ffmpeg_.emplace(command_line(file_.name(), size, rate), ChildProgram::Input::Fed);
     if (ffmpeg_->error() == 0) return;
@@ -134,7 +133,7 @@ void VideoPipe::close() {
     for (double waited = 0, after_signal = 0; !finished(glance);) {
         if (use_ == Use::Live) waited += glance;
         if (signals_.arrived() != 0) after_signal += glance;
-        if (waited > end_patience || after_signal > patience) return give_up();
+        if (waited > end_patience_ || after_signal > patience) return give_up();
     }
 }
 

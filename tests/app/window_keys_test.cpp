@@ -103,14 +103,6 @@ TEST_F(WindowTest, TheTourGoesForwardAndBackAndEscapeLeavesIt) {
     EXPECT_EQ(drape_->wait(60), 0) << drape_->standard_error();
 }
 
-TEST_F(WindowTest, TheSafeStepIsBelowTheLimitOfThePenalty) {
-    start({"fails_penalty"});
-    desktop_.key("shift+r");
-    EXPECT_TRUE(recorded("set solver.dt=1.11e-05")) << "0.9 of 0.3125 ms / 25.3";
-    EXPECT_TRUE(recorded("reset"));
-    quit();
-}
-
 TEST_F(WindowTest, AHeldKeySteersUntilItIsLetGo) {
     start({"original"});
     desktop_.act({"keydown", "Left"});

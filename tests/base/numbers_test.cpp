@@ -2,16 +2,11 @@
 
 #include <gtest/gtest.h>
 
-#include <clocale>
 #include <cmath>
 #include <cstdint>
-#include <cstdlib>
 #include <cstring>
 #include <limits>
 #include <random>
-
-#include "support/process.h"
-#include "support/scratch_file.h"
 
 namespace drape {
 namespace {
@@ -53,20 +48,6 @@ TEST(Numbers, ReadBackEveryFiniteDoubleTheyWrite) {
         ASSERT_EQ(parse_real(real_text(value)), value);
         ASSERT_EQ(parse_real(real_text(value, 17)), value);
     }
-}
-
-TEST(Numbers, IgnoreADecimalCommaInTheLocale) {
-    const test::ScratchFolder folder;
-    test::Process maker({"localedef", "-i", "de_DE", "-f", "UTF-8", "./de_DE.UTF-8"}, {}, folder.path());
-    maker.wait(60);
-    setenv("LOCPATH", folder.path().c_str(), 1);
-    const std::string before = std::setlocale(LC_ALL, nullptr);
-    const bool comma = std::setlocale(LC_ALL, "de_DE.UTF-8") != nullptr && *std::localeconv()->decimal_point == ',';
-    EXPECT_EQ(parse_real("0.5"), 0.5);
-    EXPECT_EQ(real_text(0.5), "0.5");
-    std::setlocale(LC_ALL, before.c_str());
-    unsetenv("LOCPATH");
-    if (!comma) GTEST_SKIP() << "no German locale can be made (package locales); checked in the C locale only";
 }
 
 TEST(Numbers, WriteHashesWithSixteenDigits) {

@@ -41,12 +41,7 @@ protected:
     [[nodiscard]] std::string path(const std::string& name) const { return (folder_ / name).string(); }
     void put(const std::string& name, const std::string& text) const { std::ofstream(path(name)) << text; }
 
-    [[nodiscard]] std::vector<std::string> names() const {
-        std::vector<std::string> all;
-        for (const auto& entry : fs::directory_iterator(folder_)) all.push_back(entry.path().filename().string());
-        std::sort(all.begin(), all.end());
-        return all;
-    }
+    [[nodiscard]] std::vector<std::string> names() const { return test::names_in(folder_); }
 
     const fs::path folder_ = fs::path(testing::TempDir()) / ("drape-output-" + std::to_string(getpid()));
 };

@@ -30,8 +30,9 @@ public:
     /// @param command_line what follows `drape-lab simulate`
     void add(const std::string& command_line);
 
-    /// The small case with every method.
+    /// The small case with every method, or with some; and a cloth for multigrid.
     void add_methods();
+    void add_methods(const Words& methods);
 
     /// A cloth large enough for four threads, with the methods that share their work.
     void add_threaded();

@@ -22,12 +22,5 @@ TEST(BoundingSphere, StandsAtTheMeanAndReachesTheFarthestParticle) {
     }
 }
 
-TEST(BoundingSphere, OverlapsABallThatTouchesItAndNoBallBeyond) {
-    const BoundingSphere sphere{Vec3(1, 2, 3), 0.5};
-    EXPECT_TRUE(sphere.overlaps({.centre = Vec3(1, 2, 4), .radius = 0.5}));
-    EXPECT_FALSE(sphere.overlaps({.centre = Vec3(1, 2, 4), .radius = 0.5 - 1e-12}));
-    EXPECT_TRUE(sphere.overlaps({.centre = Vec3(1, 2.1, 3), .radius = 0.01}));
-}
-
 }  // namespace
 }  // namespace drape

@@ -87,31 +87,6 @@ TEST(SphereQuadtree, CountsAndShowsWhatItDoes) {
     EXPECT_EQ(stats.candidates, 64);
 }
 
-int fits_made = 0;
-
-BoundingSphere counted_fit(const Patch& patch) {
-    ++fits_made;
-    return BoundingSphere::fit(patch);
-}
-
-TEST(SphereQuadtree, RefitsOnlyLeavesThatHaveMoved) {
-    const Grid grid{17, 17};
-    Points x = flat_sheet(grid);
-    ClothQuadtree<BoundingSphere> tree(grid, {.update = UpdateKind::Refit, .leaf_cells = 4}, {.patch = counted_fit});
-    tree.build(x);
-    const auto fits_of_a_frame = [&] {
-        fits_made = 0;
-        tree.build(x);
-        return fits_made;
-    };
-    EXPECT_EQ(fits_of_a_frame(), 0) << "nothing has moved";
-    x(0, 1) += 0.5;
-    EXPECT_EQ(fits_of_a_frame(), 1) << "a corner belongs to one leaf";
-    EXPECT_EQ(fits_of_a_frame(), 0) << "it has stayed since";
-    x(grid.particle(8, 8), 1) += 0.5;
-    EXPECT_EQ(fits_of_a_frame(), 4) << "the middle to four";
-}
-
 TEST(BroadPhases, AllocateNothingAfterTheFirstFrame) {
     std::mt19937 random(8);
     const Grid grid{31, 17};

@@ -37,54 +37,6 @@ std::size_t pairs_in(const Grid& grid, const Points& x, const CellRange& first, 
     return pairs.size();
 }
 
-TEST(FoldTest, KeepsAFlatSheetApartToNearlyItsRestDistances) {
-    const Grid grid{20, 20};
-    ClothParameters parameters;
-    parameters.particles = grid;
-    FoldTest folds(grid, Real(1) / 19, Real(1) / 19, 4);
-    folds.build(make_rest_state(parameters).x);
-    const Real apart_at_rest = Real(1) / 19 / std::sqrt(Real(2));
-    EXPECT_TRUE(folds.node_is_separated(0, Real(0.999) * apart_at_rest));
-    EXPECT_FALSE(folds.node_is_separated(0, Real(1.001) * apart_at_rest));
-}
-
-TEST(FoldTest, NeverKeepsApartWhatIsNear) {
-    const Grid grid{17, 13};
-    const auto nodes = make_quadtree_nodes(grid, 3);
-    std::mt19937 random(6);
-    std::uniform_real_distribution<Real> unit(0, 1);
-    int proved = 0, refused = 0, pairs_proved = 0, corners_proved = 0;
-    for (int trial = 0; trial < 60; ++trial) {
-        Points x = rolled(grid, Real(0.5) + 8 * unit(random), Real(0.05) * unit(random));
-        x.col(2) *= Real(0.3) + unit(random);
-        const Points noise = test::random_cloth(grid, random);
-        if (trial % 3 == 0) x += Real(0.3) * unit(random) * noise;
-        FoldTest folds(grid, spacing, spacing, 3);
-        folds.build(x);
-        const Real distance = Real(0.06) * unit(random);
-        const std::vector<Real> reaches(static_cast<std::size_t>(grid.particles()), distance / 2);
-        for (int n = 0; n < static_cast<int>(nodes.size()); ++n) {
-            const QuadtreeNode& node = nodes[static_cast<std::size_t>(n)];
-            const bool apart = folds.node_is_separated(n, distance);
-            ++(apart ? proved : refused);
-            if (apart) {
-                ASSERT_EQ(pairs_in(grid, x, node, node, reaches), 0U) << "trial " << trial << " node " << n;
-            }
-            for (int m = n + 1; m < static_cast<int>(nodes.size()); ++m) {
-                if (!folds.nodes_are_separated(n, m, distance)) continue;
-                const QuadtreeNode& other = nodes[static_cast<std::size_t>(m)];
-                ++pairs_proved;
-                corners_proved += node.i0 != other.i0 && node.j0 != other.j0;
-                ASSERT_EQ(pairs_in(grid, x, node, other, reaches), 0U);
-            }
-        }
-    }
-    EXPECT_GT(proved, 300);
-    EXPECT_GT(pairs_proved, 300);
-    EXPECT_GT(corners_proved, 200);
-    EXPECT_GT(refused, 300);
-}
-
 /// One of two leaves that touch at a corner is flat, and so is the other: the fold is in the two beside them.
 TEST(FoldTest, LooksAtAllFourNodesThatMeetAtACorner) {
     const Grid grid{5, 5};
@@ -137,22 +89,6 @@ TEST(FoldTest, AsksForNoMoreThanParticlesReachAndNoLess) {
     }
     EXPECT_GT(proved, 300);
     EXPECT_GT(by_reach_alone, 300);
-}
-
-TEST(FoldTest, SeesAFoldAndACollapsedPatch) {
-    const Grid grid{9, 9};
-    FoldTest folds(grid, spacing, spacing, 2);
-    Points x = rolled(grid, Real(1e-3), 0);
-    folds.build(x);
-    EXPECT_TRUE(folds.node_is_separated(0, Real(0.01)));
-    for (int p = 0; p < grid.particles(); ++p) {
-        if (p % grid.nx > 4) x.row(p) = x.row(p - 2 * (p % grid.nx - 4)) + Eigen::RowVector3d(0, 0.001, 0);
-    }
-    folds.build(x);
-    EXPECT_FALSE(folds.node_is_separated(0, Real(0)));
-    x.col(0).setZero();
-    folds.build(x);
-    EXPECT_FALSE(folds.node_is_separated(0, Real(0)));
 }
 
 }  // namespace

@@ -4,12 +4,12 @@
 #include "bounds/kernels/patch_kernels.h"
 
 #include <gtest/gtest.h>
-#include <hwy/targets.h>
 
 #include <cstring>
 
 #include "drape/bounds/cloth_quadtree.h"
 #include "support/cloths.h"
+#include "support/vector_kinds.h"
 
 namespace drape {
 namespace {
@@ -52,18 +52,13 @@ void for_each_patch(Visit visit) {
 TEST(PatchKernels, GiveTheSameBitsWithEveryKindOfVector) {
     std::array<Vec3, 7> centres;
     for (int k = 0; k < 7; ++k) centres[static_cast<std::size_t>(k)] = Vec3(0.1 * k, 0.3 - 0.2 * k, 0.05 * k);
-    const std::int64_t all = hwy::SupportedTargets();
     int kinds = 0, differences = 0;
     for_each_patch([&](const Patch& patch, const Patch& before) {
         const Answers best = ask(patch, before, centres);
-        kinds = 0;
-        for (std::int64_t targets = all; targets != 0; targets &= targets - 1) {
-            hwy::SetSupportedTargetsForTest(targets & -targets);
+        kinds = test::with_every_kind_of_vector([&](const char*) {
             const Answers answers = ask(patch, before, centres);
             differences += std::memcmp(&answers, &best, sizeof best) != 0;
-            ++kinds;
-        }
-        hwy::SetSupportedTargetsForTest(0);
+        });
     });
     EXPECT_EQ(differences, 0);
     EXPECT_GE(kinds, 2) << "this processor has no vectors to compare with";

@@ -3,7 +3,6 @@
 #include <gtest/gtest.h>
 
 #include "drape/bounds/cloth_quadtree.h"
-#include "drape/bounds/dop_axes.h"
 #include "support/allocations.h"
 #include "support/containment.h"
 #include "support/point_sets.h"
@@ -78,59 +77,6 @@ TEST(SmallestSphere, HoldsPointsThatAreNearlyInOnePlaceLinePlaneOrCircle) {
     }
 }
 
-TEST(RitterSphere, StartsAboutTheFarthestPairAndIsGrownByWhatStandsOut) {
-    // The pair along x; the third particle then pulls the sphere towards itself by half of what it stands out
-    Points x(4, 3);
-    x << -1, 0, 0, 1, 0, 0, 0, 1.2, 0, 0, 0, 0.1;
-    const BoundingSphere sphere = fit_ritter_sphere(patch_of_points(x));
-    EXPECT_TRUE(sphere.centre.isApprox(Vec3(0, 0.1, 0), 1e-14));
-    EXPECT_NEAR(sphere.radius, 1.1, 1e-14);
-}
-
-/// Particles of which each is farthest out along one of the first lines of `dop_axes`, one at each end, and others
-/// between them.
-Points at_the_ends_of_lines(std::size_t lines, std::mt19937& random) {
-    std::uniform_real_distribution<Real> length(0.95, 1.05), inside(-0.2, 0.2);
-    Points x(static_cast<Eigen::Index>(2 * lines + 30), 3);
-    for (Eigen::Index p = 0; p < x.rows(); ++p) x.row(p) << inside(random), inside(random), inside(random);
-    for (std::size_t k = 0; k < lines; ++k) {
-        const Vec3 axis = Vec3(dop_axes[k][0], dop_axes[k][1], dop_axes[k][2]).normalized();
-        x.row(static_cast<Eigen::Index>(2 * k)) = length(random) * axis.transpose();
-        x.row(static_cast<Eigen::Index>(2 * k + 1)) = -length(random) * axis.transpose();
-    }
-    return x;
-}
-
-/// How far a fit is from the smallest sphere about particles at the ends of lines.
-Real excess_at_the_ends(Fit fit, std::size_t lines) {
-    std::mt19937 random(5);
-    Real most = 0;
-    for (int round = 0; round < 200; ++round) {
-        const Points x = at_the_ends_of_lines(lines, random);
-        const Patch patch = patch_of_points(x);
-        most = std::max(most, fit(patch).radius / fit_smallest_sphere(patch).radius - 1);
-    }
-    return most;
-}
-
-TEST(EposSphere, IsTheSmallestAboutTheEndsOfItsLines) {
-    EXPECT_LT(excess_at_the_ends(fit_epos6_sphere, 3), 1e-12);
-    EXPECT_LT(excess_at_the_ends(fit_epos14_sphere, 7), 1e-12);
-    EXPECT_LT(excess_at_the_ends(fit_epos26_sphere, 13), 1e-12);
-}
-
-TEST(EposSphere, IsGrownByWhatStandsOut) {
-    // The ends of the axes are on the unit sphere; the corner pulls it towards itself by half of what it stands out
-    Points x = Points::Zero(10, 3);
-    x.topRows(3).setIdentity();
-    x.middleRows(3, 3) = -x.topRows(3);
-    x.row(6).setConstant(0.9);
-    const BoundingSphere sphere = fit_epos6_sphere(patch_of_points(x));
-    const Real corner = 0.9 * std::sqrt(3.0);
-    EXPECT_NEAR(sphere.radius, (1 + corner) / 2, 1e-14);
-    EXPECT_NEAR((sphere.centre - Vec3::Constant(0.9)).norm(), (1 + corner) / 2, 1e-14);
-}
-
 TEST(SphereFits, AreAtMostSoMuchTooLarge) {
     struct {
         Fit fit;
@@ -190,26 +136,6 @@ TEST(SphereFits, ContainPointsOfEverySort) {
         for_each_fit(
             [&](Fit fit, const std::string& name) { EXPECT_TRUE(contains_all(fit(patch), x)) << name << ": " << set; });
     });
-}
-
-TEST(SphereFits, SeeOnlyTheirPatch) {
-    std::mt19937 random(10);
-    const Grid grid{40, 12};
-    for (int columns = 2; columns < 36; ++columns) {
-        const Points all = test::random_cloth(grid, random);
-        Points far = Points::Constant(grid.particles(), 3, 1e3);
-        const int rows = 2 + columns % 9, first = grid.particle(3, 1);
-        for (int j = 1; j < 1 + rows; ++j) {
-            far.middleRows(grid.particle(3, j), columns) = all.middleRows(grid.particle(3, j), columns);
-        }
-        const auto patch = [&](const Points& x) {
-            return Patch{x.col(0).data() + first, x.col(1).data() + first, x.col(2).data() + first, columns, rows, 40};
-        };
-        for_each_fit([&](Fit fit, const std::string& name) {
-            EXPECT_EQ(fit(patch(all)).centre, fit(patch(far)).centre) << name;
-            EXPECT_EQ(fit(patch(all)).radius, fit(patch(far)).radius) << name;
-        });
-    }
 }
 
 TEST(SphereFits, AllocateNothing) {

@@ -15,7 +15,7 @@ using test::whole;
 template <class V>
 class Volume : public ::testing::Test {};
 
-TYPED_TEST_SUITE(Volume, test::AllVolumes, test::VolumeNames);
+TYPED_TEST_SUITE(Volume, test::UnlikeVolumes, test::VolumeNames);
 
 /// Patches of any shape, at several scales, at the origin and far from it: a cloth of 1 m at 1000 m, and so on.
 template <class Visit>
@@ -31,17 +31,6 @@ void for_many_patches(Visit visit) {
             }
         }
     }
-}
-
-/// All in one point; on a line along an axis; on a line across.
-std::vector<Points> degenerate_cloths(const Grid& grid) {
-    std::vector<Points> cloths;
-    for (const auto& step : {Eigen::RowVector3d(0, 0, 0), Eigen::RowVector3d(0, 1, 0), Eigen::RowVector3d(1, 2, -3)}) {
-        Points x(grid.particles(), 3);
-        for (int p = 0; p < grid.particles(); ++p) x.row(p) = Eigen::RowVector3d(0.1, 0.2, 0.3) + Real(0.01) * p * step;
-        cloths.push_back(x);
-    }
-    return cloths;
 }
 
 TYPED_TEST(Volume, AndItsSphereContainItsParticlesAtAnyScaleAndFarOut) {
@@ -67,17 +56,6 @@ TYPED_TEST(Volume, TouchesABallAtAParticleFromAnySideAndAtAnyScale) {
             ASSERT_TRUE(volume.overlaps({.centre = centre, .radius = distance * (1 + 1e-15)})) << grid.nx << " columns";
         }
     });
-}
-
-TYPED_TEST(Volume, OfADegenerateClothIsAsSmallAsTheCloth) {
-    const Grid grid{5, 4};
-    for (const Points& x : degenerate_cloths(grid)) {
-        const TypeParam volume = TypeParam::fit(whole(x, grid));
-        EXPECT_LE(farthest_out(volume, whole(x, grid)), 0);
-        const Real length = (x.row(grid.particles() - 1) - x.row(0)).norm();
-        EXPECT_LE(volume.sphere().radius, length * 0.51 + 1e-14);
-        EXPECT_FALSE(volume.overlaps({.centre = Vec3(9, 9, 9), .radius = 1}));
-    }
 }
 
 }  // namespace

@@ -111,30 +111,6 @@ TEST(CaptureOutputs, KeepTheVideoOfBeforeIfThereIsNoNewOne) {
     EXPECT_THAT(folder.names(""), ElementsAre("a", "v.mp4"));
 }
 
-TEST(CaptureOutputs, AreTouchedOnlyByARunThatEnds) {
-    const TestFolder folder;
-    put(folder / "state", "before");
-    put(folder / "stats", "before");
-    const auto start = [&](const std::string& frames) {
-        return small({"--frames", frames, "--out", folder / "a", "--again", "--state", folder / "state", "--stats",
-                      folder / "stats"});
-    };
-    {
-        Running run(folder, start("100000"));
-        ASSERT_TRUE(eventually([&] { return fs::exists(folder / "a/frame_000002.png"); }));
-        run.send(SIGKILL);
-        EXPECT_EQ(run.wait(20), 256 + SIGKILL);
-    }
-    EXPECT_EQ(read_file(folder / "state"), "before");
-    EXPECT_EQ(read_file(folder / "stats"), "before");
-    // As if it had been killed while it wrote a picture
-    put(folder / "a/.frame_000099.drape-0.png", "half");
-    EXPECT_EQ(run_program("drape-capture", start("2")).exit_code, 0);
-    EXPECT_THAT(folder.names("a"), ElementsAre("frame_0001.png", "frame_0002.png"));
-    EXPECT_THAT(folder.names(""), ElementsAre("a", "state", "stats", "stderr.txt", "stdout.txt"));
-    EXPECT_NE(read_file(folder / "stats"), "before");
-}
-
 TEST(CaptureFrames, OfAnEarlierRunAreNotMixedWithNewOnes) {
     const TestFolder folder;
     const auto capture = [&](const Words& words) {
@@ -181,15 +157,6 @@ TEST(CaptureFrames, AreWrittenByOneRunAtATime) {
     return ::testing::MatchesRegex("([0-9]+ of [0-9]+ pictures, about [^\n]* left\n)*drape-capture: " + frame +
                                    "\\.png: cannot be written: " + reason + "; the last good frame is " + last +
                                    "\\.png\n");
-}
-
-TEST(CaptureFrames, EndTheRunAtTheFirstThatCannotBeWritten) {
-    const TestFolder folder;
-    fs::create_directories(folder / "a/frame_0005.png");  // no file can take this name
-    const Outcome outcome = run_program("drape-capture", small({"--frames", "100", "--again", "--out", folder / "a"}));
-    EXPECT_EQ(outcome.exit_code, 1);
-    EXPECT_THAT(outcome.err, tells_of_frames(folder / "a/frame_0005", "it is a folder", folder / "a/frame_0004"));
-    EXPECT_EQ(folder.names("a").size(), 5u);
 }
 
 TEST(CaptureFrames, EndTheRunWhereTheirFolderGoesAway) {
@@ -283,15 +250,6 @@ TEST(CaptureSignals, EndARunAtOnceTheSecondTime) {
     put_ffmpeg(folder / "ffmpeg", "for last; do :; done; cat > \"$last\"\n");
     EXPECT_EQ(run_program("drape-capture", words, {{"PATH", folder / "" + ":/bin:/usr/bin"}}).exit_code, 0);
     EXPECT_THAT(folder.names(""), Not(Contains(HasSubstr(".drape-")))) << "what it has left is still there";
-}
-
-TEST(CaptureSignals, AreNoneWhereAFileGrowsBeyondWhatIsAllowed) {
-    const TestFolder folder;
-    const std::string program = std::string(DRAPE_PROGRAMS) + "/drape-capture";
-    Process run({"sh", "-c", "ulimit -f 8; exec " + program + " hang --frames 3 --state state"}, {}, folder / "");
-    EXPECT_EQ(run.wait(60), 1);
-    EXPECT_THAT(run.standard_error(), HasSubstr("state: could not be written whole: File too large"));
-    EXPECT_FALSE(fs::exists(folder / "state"));
 }
 
 }  // namespace

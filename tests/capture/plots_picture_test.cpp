@@ -85,8 +85,8 @@ TEST(PlotsPicture, HasEachValueWhereItBelongsOnBothAxes) {
     ASSERT_GT(axis.right - axis.left, 150);
 
     // For five seconds 8 and 4 J, then 2 and 1 J: of an axis up to 8 J
-    for (int k = 1; k <= 20; ++k) draw(0.25 * k, 8, 4);
-    for (int k = 21; k <= 40; ++k) draw(0.25 * k, 2, 1);
+    for (int k = 1; k <= 10; ++k) draw(0.5 * k, 8, 4);
+    for (int k = 11; k <= 20; ++k) draw(0.5 * k, 2, 1);
     const Image picture = renderer.read_back();
     for (const double along : {0.1, 0.25, 0.45}) {
         EXPECT_NEAR(axis.level(picture, orange_ink, along).value_or(-1), 1, 0.04) << along;
@@ -98,7 +98,7 @@ TEST(PlotsPicture, HasEachValueWhereItBelongsOnBothAxes) {
     }
 
     // Two and a half seconds later the fall is a quarter farther left
-    for (int k = 41; k <= 50; ++k) draw(0.25 * k, 2, 1);
+    for (int k = 21; k <= 25; ++k) draw(0.5 * k, 2, 1);
     const Image later = renderer.read_back();
     EXPECT_NEAR(axis.level(later, orange_ink, 0.2).value_or(-1), 1, 0.04);
     EXPECT_NEAR(axis.level(later, orange_ink, 0.33).value_or(-1), 0.25, 0.04);

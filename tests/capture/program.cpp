@@ -1,7 +1,5 @@
 #include "program.h"
 
-#include <algorithm>
-
 namespace drape::test {
 
 namespace {
@@ -9,15 +7,6 @@ namespace {
 std::string path_of(const std::string& name) { return std::string(DRAPE_PROGRAMS) + "/" + name; }
 
 }  // namespace
-
-Words TestFolder::names(const std::string& folder) const {
-    Words all;
-    for (const auto& entry : std::filesystem::directory_iterator(path() / folder)) {
-        all.push_back(entry.path().filename().string());
-    }
-    std::ranges::sort(all);
-    return all;
-}
 
 Words joined(Words words, const Words& more) {
     words.insert(words.end(), more.begin(), more.end());

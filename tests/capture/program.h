@@ -22,7 +22,7 @@ class TestFolder : public ScratchFolder {
 public:
     [[nodiscard]] std::string operator/(const std::string& name) const { return (path() / name).string(); }
     /// The names of the files in a folder of it, sorted.
-    [[nodiscard]] Words names(const std::string& folder) const;
+    [[nodiscard]] Words names(const std::string& folder) const { return names_in(path() / folder); }
 };
 
 Words joined(Words words, const Words& more);

@@ -143,7 +143,8 @@ TEST_P(FoldedPairs, AreThoseOfTheDefinition) {
     std::mt19937 random(11);
     std::uniform_real_distribution<Real> unit(0, 1);
     std::vector<FoldedSheet> sheets;
-    for (const VolumeKind volume : {VolumeKind::Sphere, VolumeKind::Aabb, VolumeKind::Kdop18, VolumeKind::Obb}) {
+    for (const VolumeKind volume : {VolumeKind::Sphere, VolumeKind::Aabb, VolumeKind::Kdop14, VolumeKind::Kdop18,
+                                    VolumeKind::Kdop26, VolumeKind::Obb}) {
         for (const Grid& grid : {Grid{4, 4}, Grid{5, 3}, Grid{4, 6}}) sheets.emplace_back(grid, volume, 1);
         for (const Grid& grid : {Grid{2, 6}, Grid{6, 5}}) sheets.emplace_back(grid, volume, 2);
     }

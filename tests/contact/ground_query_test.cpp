@@ -13,7 +13,7 @@ namespace {
 template <class V>
 class GroundQuery : public ::testing::Test {};
 
-TYPED_TEST_SUITE(GroundQuery, test::AllVolumes, test::VolumeNames);
+TYPED_TEST_SUITE(GroundQuery, test::UnlikeVolumes, test::VolumeNames);
 
 struct GroundSeen {
     int touching = 0;

@@ -210,30 +210,5 @@ TEST(SafePart, IsWholeWhereNothingMeetsAndEndsShortOfAMeeting) {
     EXPECT_GT(parted, 1000);
 }
 
-TEST(SafePart, LeavesTheLeastDistanceUnderALoadThatLasts) {
-    // Pressed on and on, and then let go
-    FeatureMotion motion{.first_count = 1,
-                         .start = {Vec3(0, Real(1e-3), 0), Vec3(-1, 0, -1), Vec3(1, 0, -1), Vec3(0, 0, 1)},
-                         .displacement = {Vec3(0, Real(-0.01), 0), Vec3::Zero(), Vec3::Zero(), Vec3::Zero()}};
-    for (int substep = 0; substep < 2000; ++substep) {
-        const Real distance = motion.distance_after(0);
-        motion.start[0] += safe_part_of(motion, distance, min_gap) * motion.displacement[0];
-    }
-    EXPECT_GT(motion.distance_after(0), Real(0.99) * min_gap);
-    EXPECT_LT(motion.distance_after(0), 3 * min_gap);
-    motion.displacement[0] = -motion.displacement[0];
-    EXPECT_EQ(safe_part_of(motion, motion.distance_after(0), min_gap), 1);
-}
-
-TEST(SafePart, EndsBeforeAMeetingAtTheVeryEndOfTheWay) {
-    FeatureMotion motion{.first_count = 1,
-                         .start = {Vec3(0, 1, 0), Vec3(-1, 0, -1), Vec3(1, 0, -1), Vec3(0, 0, 1)},
-                         .displacement = {Vec3(0, -1, 0), Vec3::Zero(), Vec3::Zero(), Vec3::Zero()}};
-    EXPECT_GE(safe_part_of(motion, 1, min_gap), 0.8);
-    EXPECT_LE(safe_part_of(motion, 1, min_gap), 0.9);
-    motion.displacement[0].y() = Real(-0.79);
-    EXPECT_EQ(safe_part_of(motion, 1, min_gap), 1);
-}
-
 }  // namespace
 }  // namespace drape

@@ -1,4 +1,5 @@
-// Pairs of features that are near each other: by hierarchies, by brute force and by the plainest enumeration.
+// Pairs of features that are near each other, by hierarchies and by brute force. Those within one cloth are in
+// folded_pairs_test.cpp.
 
 #include "drape/contact/near_pairs.h"
 
@@ -61,9 +62,9 @@ std::vector<FeaturePair> features_of(const std::vector<NearPair>& pairs) {
     return features;
 }
 
-std::vector<FeaturePair> pairs_within(Searched& first, Searched& second, Real margin, bool with_cones) {
+std::vector<FeaturePair> pairs_within(Searched& first, Searched& second, Real margin) {
     std::vector<LeafPair> leaves;
-    first.tree->query(*second.tree, margin, with_cones ? &first.folds : nullptr, leaves);
+    first.tree->query(*second.tree, margin, nullptr, leaves);
     std::vector<NearPair> pairs;
     find_near_pairs(first.boxed(margin), second.boxed(margin), leaves, pairs);
     return features_of(pairs);
@@ -71,27 +72,6 @@ std::vector<FeaturePair> pairs_within(Searched& first, Searched& second, Real ma
 
 constexpr VolumeKind volumes[] = {VolumeKind::Sphere, VolumeKind::Aabb,   VolumeKind::Kdop14,
                                   VolumeKind::Kdop18, VolumeKind::Kdop26, VolumeKind::Obb};
-
-TEST(NearPairs, OfACrumpledClothAreThoseOfBruteForceByEveryVolume) {
-    std::mt19937 random(1);
-    for (const VolumeKind volume : volumes) {
-        std::int64_t found = 0;
-        for (int trial = 0; trial < 12; ++trial) {
-            const Grid grid{9 + trial % 5, 8 + trial % 3};
-            Searched cloth(0, grid, {.volume = volume, .leaf_cells = 1 + trial % 4});
-            Searched brute(0, grid, {.volume = VolumeKind::Brute});
-            const Points x = squeezed_cloth(grid, random);
-            cloth.build(x);
-            brute.build(x);
-            const Real margin = Real(0.03);
-            const auto expected = pairs_within(brute, brute, margin, false);
-            found += static_cast<std::int64_t>(expected.size());
-            ASSERT_EQ(pairs_within(cloth, cloth, margin, false), expected) << name_of(volume);
-            ASSERT_EQ(pairs_within(cloth, cloth, margin, true), expected) << name_of(volume) << " with cones";
-        }
-        EXPECT_GT(found, 1000);
-    }
-}
 
 TEST(NearPairs, OfTwoClothsAreThoseOfBruteForce) {
     std::mt19937 random(2);
@@ -106,61 +86,11 @@ TEST(NearPairs, OfTwoClothsAreThoseOfBruteForce) {
             for (Searched* one : {&cloth, &brute}) one->build(x);
             for (Searched* one : {&other, &other_brute}) one->build(y);
             const Real margin = Real(0.05);
-            const auto expected = pairs_within(brute, other_brute, margin, false);
+            const auto expected = pairs_within(brute, other_brute, margin);
             found += static_cast<std::int64_t>(expected.size());
-            ASSERT_EQ(pairs_within(cloth, other, margin, false), expected) << name_of(volume);
+            ASSERT_EQ(pairs_within(cloth, other, margin), expected) << name_of(volume);
         }
         EXPECT_GT(found, 1000);
-    }
-}
-
-/// Every edge of a grid once.
-std::vector<std::array<int, 2>> all_edges(const Grid& grid) {
-    std::vector<std::array<int, 2>> edges;
-    for (int j = 0; j < grid.ny; ++j) {
-        for (int i = 0; i < grid.nx; ++i) {
-            const int p = grid.particle(i, j);
-            if (i + 1 < grid.nx) edges.push_back({p, p + 1});
-            if (j + 1 < grid.ny) edges.push_back({p, p + grid.nx});
-            if (i + 1 < grid.nx && j + 1 < grid.ny) edges.push_back({p + 1, p + grid.nx});
-        }
-    }
-    return edges;
-}
-
-TEST(NearPairs, AreAllThatTheDefinitionNames) {
-    std::mt19937 random(3);
-    const Grid grid{8, 7};
-    const Real margin = Real(0.06);
-    const auto edges = all_edges(grid);
-    for (int trial = 0; trial < 10; ++trial) {
-        Searched cloth(0, grid, {.volume = VolumeKind::Brute});
-        cloth.build(squeezed_cloth(grid, random));
-        const auto at = [&](int p) -> Vec3 { return cloth.x.row(p).transpose(); };
-        std::vector<FeaturePair> expected;
-        for (int p = 0; p < grid.particles(); ++p) {
-            for (int t = 0; t < grid.triangles(); ++t) {
-                const auto corners = grid.triangle_corners(t);
-                if (std::ranges::count(corners, p) > 0) continue;
-                if (distance_to_triangle(at(p), grid, cloth.x, t) >= margin) continue;
-                expected.push_back({{0, 0}, 1, {p, corners[0], corners[1], corners[2]}});
-            }
-        }
-        auto found = pairs_within(cloth, cloth, margin, false);
-        std::size_t edge_pairs = 0;
-        for (std::size_t e = 0; e < edges.size(); ++e) {
-            for (std::size_t f = e + 1; f < edges.size(); ++f) {
-                if (std::ranges::find_first_of(edges[e], edges[f]) != edges[e].end()) continue;
-                const Vec3 a = at(edges[e][0]), b = at(edges[e][1]), c = at(edges[f][0]), d = at(edges[f][1]);
-                if (closest_of_segments(a, b, c, d).offset.norm() < margin) ++edge_pairs;
-            }
-        }
-        const auto is_edge_pair = [](const FeaturePair& pair) { return pair.first_count == 2; };
-        EXPECT_EQ(static_cast<std::size_t>(std::ranges::count_if(found, is_edge_pair)), edge_pairs);
-        EXPECT_TRUE(std::ranges::adjacent_find(found) == found.end()) << "a pair twice";
-        std::erase_if(found, is_edge_pair);
-        std::ranges::sort(expected);
-        EXPECT_EQ(found, expected);
     }
 }
 

@@ -112,11 +112,15 @@ TEST(PlainCore, FindsWhatTheKernelsFindWithEveryVolumeAndUpdate) {
     EXPECT_LT(sum.touching, sum.balls);
 }
 
-TEST(PlainCore, FindsWhatTheKernelsFindWithEverySphereFit) {
+TEST(PlainCore, FindsWhatTheKernelsFindWithEverySphereFitAndUpdate) {
     for (std::size_t f = 0; f < names_of<SphereFit>().size(); ++f) {
-        for (const Grid& grid : shapes) {
-            EXPECT_EQ(compare({.leaf_cells = 2, .sphere_fit = static_cast<SphereFit>(f)}, grid).disagreements, 0)
-                << names_of<SphereFit>()[f];
+        for (std::size_t u = 0; u < names_of<UpdateKind>().size(); ++u) {
+            for (const Grid& grid : shapes) {
+                const auto update = static_cast<UpdateKind>(u);
+                const auto fit = static_cast<SphereFit>(f);
+                EXPECT_EQ(compare({.update = update, .leaf_cells = 2, .sphere_fit = fit}, grid).disagreements, 0)
+                    << names_of<SphereFit>()[f] << ", " << names_of<UpdateKind>()[u];
+            }
         }
     }
 }

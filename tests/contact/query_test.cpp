@@ -87,55 +87,6 @@ private:
     std::vector<int> found_, expected_;
 };
 
-/// Half of the balls anywhere about the cloth, half just touching.
-template <class Volume>
-Comparison<Volume> compare_many(const Grid& grid, int leaf_cells, int cloths, int balls, Real scale,
-                                Fits<Volume> fits = fits_of<Volume>({})) {
-    std::mt19937 random(static_cast<unsigned>(grid.nx * 1000 + grid.ny + leaf_cells));
-    std::uniform_real_distribution<Real> unit(-1, 1);
-    Comparison<Volume> comparison(grid, {.leaf_cells = leaf_cells}, fits);
-    for (int cloth = 0; cloth < cloths; ++cloth) {
-        const Points x = scale * test::random_cloth(grid, random);
-        comparison.build(x, cloth % 2 == 0 ? Real(0) : Real(0.003) * scale);
-        for (int ball = 0; ball < balls; ++ball) {
-            const Real radius = scale * Real(0.02) * std::exp(2 * (1 + unit(random)));
-            const Vec3 anywhere = scale * Real(0.8) * Vec3(unit(random), unit(random), unit(random));
-            comparison.compare(ball % 2 == 0 ? Ball{.centre = anywhere, .radius = radius}
-                                             : comparison.just_touching(random, radius));
-        }
-    }
-    return comparison;
-}
-
-TEST(LongSphereQuadtree, NeverMissesATouchedTriangleInAMillionConfigurations) {
-    long configurations = 0, touching = 0;
-    const auto run = [&](const Grid& grid, int leaf_cells, int cloths, Real scale) {
-        const auto comparison = compare_many<BoundingSphere>(grid, leaf_cells, cloths, 500, scale);
-        EXPECT_EQ(comparison.disagreements, 0) << grid.nx << " x " << grid.ny << ", leaf " << leaf_cells;
-        configurations += comparison.configurations;
-        touching += comparison.touching;
-    };
-    run({9, 9}, 2, 600, 1);
-    run({9, 9}, 1, 400, 1e6);
-    run({12, 7}, 4, 500, 1e-6);
-    run({2, 20}, 1, 300, 1);
-    run({17, 13}, 4, 180, 1);
-    run({31, 17}, 4, 30, 1);
-    EXPECT_GE(configurations, 1'000'000);
-    EXPECT_GE(touching, configurations / 2);
-}
-
-/// The planted fault: every node one percent too small.
-BoundingSphere fit_shrunken_sphere(const Patch& patch) {
-    BoundingSphere sphere = BoundingSphere::fit(patch);
-    sphere.radius *= Real(0.99);
-    return sphere;
-}
-
-TEST(SphereQuadtree, IsCaughtWhenItsNodesAreOnePercentTooSmall) {
-    EXPECT_GT(compare_many<BoundingSphere>({9, 9}, 2, 20, 500, 1, {.patch = fit_shrunken_sphere}).disagreements, 100);
-}
-
 /// A cloth that goes from shape to shape, one half faster than the other: slowly, so that a refit leaves what has
 /// hardly moved, then fast.
 Points moving_cloth(const Points& from, const Points& to, int frame) {
@@ -191,14 +142,7 @@ protected:
     long configurations_ = 0, touching_ = 0;
 };
 
-struct Names {
-    template <class Volume>
-    static std::string GetName(int) {
-        return name_of(static_cast<VolumeKind>(AnyVolume(Volume()).index()));
-    }
-};
-using AllVolumes = ::testing::Types<BoundingSphere, Aabb, KDop<6>, KDop<14>, KDop<18>, KDop<26>, Obb>;
-TYPED_TEST_SUITE(Quadtree, AllVolumes, Names);
+TYPED_TEST_SUITE(Quadtree, test::UnlikeVolumes, test::VolumeNames);
 
 TYPED_TEST(Quadtree, AgreesWithBruteForceInEveryUpdateAtAnyScale) {
     EXPECT_EQ(this->compare({9, 9}, 2, 1, 10, 40), 0);

@@ -17,6 +17,18 @@ trap 'rm -rf "$made"' EXIT
 [ -x "$lab" ] || { echo "there is no $lab"; exit 77; }
 command -v gnuplot >/dev/null || { echo "there is no gnuplot"; exit 77; }
 
+# Of all that a table gives only what is looked at is drawn: no chart that no page shows, and no PNG
+grep -ohE '\]\([a-z0-9_]+\.svg\)' "$docs"/*.md | tr -d '()]' | sort -u >"$made/shown"
+mkdir "$made/bin"
+cat >"$made/bin/gnuplot" <<END
+#!/bin/bash
+grep -qxF "\${2%.gnuplot}.svg" "$made/shown" || exit 0
+sed -i "/kind = 'png'/d" "\$2"
+exec "$(command -v gnuplot)" "\$@"
+END
+chmod +x "$made/bin/gnuplot"
+PATH=$made/bin:$PATH
+
 # Draws every table in a folder of its own, where it has the name of its experiment
 mkdir "$made/charts"
 for table in "$docs"/*.csv; do
@@ -36,7 +48,7 @@ done
 version() { sed -n 's/.*<desc>Produced by \(.*[^ ]\) *<\/desc>.*/\1/p' "$1"; }
 without_version() { sed 's/<desc>.*<\/desc>//' "$1"; }
 status=0 charts=0
-for chart in $(grep -ohE '\]\([a-z0-9_]+\.svg\)' "$docs"/*.md | tr -d '()]' | sort -u); do
+for chart in $(cat "$made/shown"); do
     [[ $chart != reading_* ]] || continue
     charts=$((charts + 1))
     if [ ! -f "$made/charts/$chart" ]; then

@@ -2,7 +2,6 @@
 
 #include <algorithm>
 #include <chrono>
-#include <set>
 
 #include "faults/fault.h"
 #include "support/process.h"
@@ -11,18 +10,12 @@ namespace drape::faults {
 namespace {
 
 namespace fs = std::filesystem;
+using test::names_in;
 
 double seconds_of(const std::function<void()>& work) {
     const auto start = std::chrono::steady_clock::now();
     work();
     return std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
-}
-
-std::set<std::string> names_in(const fs::path& folder) {
-    std::set<std::string> names;
-    if (!fs::is_directory(folder)) return names;
-    for (const auto& entry : fs::directory_iterator(folder)) names.insert(entry.path().filename().string());
-    return names;
 }
 
 /// Every frame in `folder` has the bytes of the frame of that name in `whole`, none but these names are frames.

@@ -15,12 +15,12 @@ namespace {
 const std::vector<Fault>& all_faults() {
     static const std::vector<Fault> faults{
         {"kill_capture", "SIGKILL to drape-capture at random times", 6, kill_capture},
-        {"kill_experiment", "SIGKILL to experiments at random times", 6, kill_experiments},
+        {"kill_experiment", "SIGKILL to experiments at random times", 3, kill_experiments},
         {"full_disk", "disks and files that are full", 4, fill_disk},
         {"read_only", "folders that take no files", 1, write_where_nobody_may},
         {"closed_streams", "standard streams closed or full", 1, close_streams},
         {"stopped_ffmpeg", "an ffmpeg that does not read", 1, stop_ffmpeg},
-        {"no_memory", "a limit of memory", 10, withhold_memory},
+        {"no_memory", "a limit of memory", 4, withhold_memory},
         {"no_threads", "threads that cannot be started", 4, withhold_threads},
         {"locale", "a locale with a decimal comma", 1, change_locale},
     };

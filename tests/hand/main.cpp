@@ -148,7 +148,7 @@ public:
     RandomHand(unsigned long seed, const std::string& scene)
         : random_(seed), scene_(scene), simulation_(scene, scene_with_a_ball(scene)) {
         start_ = simulation_.cloths()[0].state.x;
-        run(rest_time);
+        run(settling_time);
     }
 
     /// A round of commands, and what comes of it at rest. @return commands
@@ -157,7 +157,7 @@ public:
     [[nodiscard]] int failed() const { return failed_; }
 
 private:
-    static constexpr double rest_time = 5;  // s
+    static constexpr double settling_time = 2, rest_time = 5;  // s, before the first command and after the last
 
     double between(double low, double high) {
         return low + (high - low) * static_cast<double>(random_() >> 11) * 0x1p-53;
@@ -244,7 +244,7 @@ bool RandomHand::pins_are_in_place() const {
 }
 
 int RandomHand::play_round() {
-    constexpr int commands = 240;
+    constexpr int commands = 120;
     for (int c = 0; c < commands; ++c) {
         const std::string command = random_command();
         done_.push_back(std::to_string(simulation_.report().step) + " " + command);
@@ -268,7 +268,7 @@ int RandomHand::play_round() {
 }
 
 int run(int argc, char** argv) {
-    long long wanted = 240;
+    long long wanted = 120;
     unsigned long seed = 1;
     for (int a = 1; a + 1 < argc; a += 2) {
         const std::string name = argv[a];

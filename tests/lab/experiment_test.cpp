@@ -1,7 +1,6 @@
 #include <gmock/gmock.h>
 
 #include <algorithm>
-#include <csignal>
 #include <filesystem>
 
 #include "drape/base/folder_lock.h"
@@ -72,29 +71,6 @@ TEST(LabExperiment, KeepsTheTableThatIsThereAndComputesItAgainIfAsked) {
     folder.write("out/stability.csv", "older");
     EXPECT_EQ(run_some(folder, {"--out", "out"}).code, 0);
     EXPECT_EQ(folder.read("out/stability-2.csv"), "older");
-}
-
-TEST(LabExperiment, LosesNoCaseToASignal) {
-    const LabFolder folder;
-    const std::vector<std::string> words{"stability", "--quick", "--cases", "1-4", "--out"};
-    const auto run_into = [&](const std::string& out) {
-        auto all = words;
-        all.push_back(out);
-        return folder.run(all, DRAPE_LAB, without_gnuplot);
-    };
-    ASSERT_EQ(run_into("whole").code, 0);
-    std::vector<std::string> all{DRAPE_LAB};
-    all.insert(all.end(), words.begin(), words.end());
-    all.emplace_back("cut");
-    test::Process cut(all, {{"PATH", "/nowhere"}, {"DRAPE_DATA", ""}}, folder.path());
-    ASSERT_TRUE(
-        test::eventually([&] { return folder.read("cut/stability.csv.part").find("\n2,") != std::string::npos; }));
-    cut.send(SIGINT);
-    EXPECT_EQ(cut.wait(20), 256 + SIGINT) << "at once";
-    const LabRun rest = run_into("cut");
-    EXPECT_EQ(rest.code, 0) << rest.err;
-    EXPECT_THAT(rest.err, HasSubstr("resuming, "));
-    EXPECT_EQ(folder.read("cut/stability.csv"), folder.read("whole/stability.csv"));
 }
 
 TEST(LabExperiment, LeavesAFolderToTheRunThatIsWritingThereAndToOtherExperiments) {

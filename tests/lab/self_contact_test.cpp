@@ -65,7 +65,7 @@ TEST(LongContactScenes, CrossWithoutTheFailSafeAndNeverWithIt) {
     }
 }
 
-TEST(ContactScenes, AreSearchedInHalvesOfAStepThatIsTooLongAndPassWhereTheSearchGivesUp) {
+TEST(NightlyThrownSheets, AreSearchedInHalvesOfAStepThatIsTooLongAndPassWhereTheSearchGivesUp) {
     const SelfContactHistory halved = watch_sheets(thin_sheets(), Real(1) / 120, FailSafe::Rejection);
     EXPECT_EQ(halved.unsearched_steps, 0);
     EXPECT_EQ(halved.crossed_steps, 0);
@@ -74,7 +74,7 @@ TEST(ContactScenes, AreSearchedInHalvesOfAStepThatIsTooLongAndPassWhereTheSearch
     EXPECT_GT(given_up.crossed_steps, 0);
 }
 
-TEST(LongContactScenes, PassOnTheMomentumOfTheReferenceTheBetterTheShorterTheStep) {
+TEST(NightlyThrownSheets, PassOnTheMomentumOfTheReferenceTheBetterTheShorterTheStep) {
     const ContactScene scene = throw_sheet(8, Real(0.008));
     const SelfContactHistory reference = watch_sheets(scene, Real(1) / 3840, FailSafe::Zones);
     const double shorter = momentum_error(watch_sheets(scene, Real(1) / 1920, FailSafe::Zones), reference);

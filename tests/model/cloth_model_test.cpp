@@ -45,16 +45,6 @@ TEST(ClothModel, PinsByName) {
     EXPECT_EQ(pinned_particles({Pins::Kind::List, {5, 6, 5}}, {4, 3}), (std::set{5, 6}));
 }
 
-TEST(ClothModel, HoldingAParticleChangesTheRevision) {
-    ClothModel model = make_cloth_model({});
-    const auto before = model.revision;
-    model.hold(7, true);
-    EXPECT_TRUE(model.pinned(7));
-    EXPECT_NE(model.revision, before);
-    model.hold(7, false);
-    EXPECT_FALSE(model.pinned(7));
-}
-
 TEST(RestState, LiesInItsPlaneFromTheOrigin) {
     ClothParameters parameters;
     parameters.particles = {3, 5};

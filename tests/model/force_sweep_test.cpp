@@ -3,16 +3,16 @@
 #include "drape/model/force_sweep.h"
 
 #include <gtest/gtest.h>
-#include <hwy/targets.h>
 
 #include "drape/model/forces.h"
-#include "support/allocations.h"
 #include "support/cloths.h"
+#include "support/vector_kinds.h"
 
 namespace drape {
 namespace {
 
 using test::odd_grids;
+using test::with_every_kind_of_vector;
 
 struct MovingCloth {
     ClothModel model;
@@ -62,32 +62,12 @@ TEST(ForceSweep, GivesWhatThePlainCodeGives) {
     }
 }
 
-TEST(ForceSweep, RemembersNothingOfTheSweepBefore) {
-    for (const Grid grid : odd_grids) {
-        MovingCloth cloth(grid);
-        const Points before = cloth.forces(1);
-        ForceSweep sweep(grid, Kernels::Vector);
-        EXPECT_EQ(cloth.forces(sweep), before);
-        EXPECT_EQ(cloth.forces(sweep), before);
-        for (SpringLaw* law : {&cloth.model.structural, &cloth.model.shear, &cloth.model.bend}) {
-            *law = {};
-            EXPECT_EQ(cloth.forces(sweep), cloth.forces(1)) << grid.nx << " x " << grid.ny;
-        }
-    }
-}
-
 TEST(ForceSweep, GivesTheSameBitsWithEveryKindOfVector) {
-    const std::int64_t all = hwy::SupportedTargets();
     for (const Grid grid : odd_grids) {
         const MovingCloth cloth(grid);
         const Points best = cloth.forces(1);
-        int kinds = 0;
-        for (std::int64_t targets = all; targets != 0; targets &= targets - 1, ++kinds) {
-            hwy::SetSupportedTargetsForTest(targets & -targets);
-            EXPECT_EQ(cloth.forces(1), best)
-                << grid.nx << " x " << grid.ny << ": " << hwy::TargetName(targets & -targets);
-        }
-        hwy::SetSupportedTargetsForTest(0);
+        const int kinds = with_every_kind_of_vector(
+            [&](const char* kind) { EXPECT_EQ(cloth.forces(1), best) << grid.nx << " x " << grid.ny << ": " << kind; });
         EXPECT_GE(kinds, 2) << "this processor has no vectors to compare with";
     }
 }
@@ -111,17 +91,6 @@ TEST(ForceSweep, GivesTheSameBitsWithAnyNumberOfThreadsAndWhereTheStateIsOverwri
             }
         }
     }
-}
-
-TEST(ForceSweep, AllocatesNothing) {
-    const MovingCloth cloth({300, 200});
-    ForceSweep sweep(cloth.model.grid, Kernels::Vector, 3);
-    Points f(cloth.state.x.rows(), 3);
-    const auto before = test::allocations();
-    for (int round = 0; round < 3; ++round) {
-        sweep(cloth.model, cloth.state.x, cloth.state.v, [&](const ForceRun& run) { run.of(f) = run.accelerations(); });
-    }
-    EXPECT_EQ(test::allocations(), before);
 }
 
 }  // namespace

@@ -53,11 +53,7 @@ Points forces_by_definition(const ClothModel& model, const ClothState& state) {
 TEST(Forces, AreThoseOfTheDesignOnGridsOfAnyShape) {
     std::mt19937 random(1);
     for (const Grid grid : {Grid{2, 2}, Grid{3, 2}, Grid{2, 5}, Grid{17, 9}, Grid{300, 4}, Grid{30, 30}}) {
-        ClothParameters parameters;
-        parameters.particles = grid;
-        parameters.structural = {900, 0.3};
-        parameters.shear = {400, 0.2};
-        parameters.bend = {70, 0.1};
+        const ClothParameters parameters = test::unlike_springs(grid);
         ClothModel model = make_cloth_model(parameters);
         for (const Real density : {0.0, 1.2}) {
             model.air = {Vec3(3, -1, 2), density};

@@ -18,11 +18,7 @@ struct Crumpled {
     ClothModel model;
     ClothState state;
 
-    explicit Crumpled(Grid grid = {5, 4}) {
-        parameters.particles = grid;
-        parameters.structural = {900, 0.3};
-        parameters.shear = {400, 0.2};
-        parameters.bend = {70, 0.1};
+    explicit Crumpled(Grid grid = {5, 4}) : parameters(test::unlike_springs(grid)) {
         parameters.drag = 0.02;
         model = make_cloth_model(parameters);
         std::mt19937 random(7);

@@ -2,16 +2,17 @@
 // stand for. Those of the forces are in force_sweep_test.cpp, those of whole steps in integrate/kernels_test.cpp.
 
 #include <gtest/gtest.h>
-#include <hwy/targets.h>
 
 #include "drape/model/energy.h"
 #include "drape/model/jacobian.h"
 #include "support/cloths.h"
+#include "support/vector_kinds.h"
 
 namespace drape {
 namespace {
 
 using test::odd_grids;
+using test::with_every_kind_of_vector;
 constexpr Real rounding = 1e-12;
 
 /// A cloth in wind with nothing special about it, two held particles that move included.
@@ -42,16 +43,6 @@ struct Moving {
         return {energy.kinetic, energy.gravity, energy.spring, power.damping, power.drag, power.wind, power.hand};
     }
 };
-
-/// Calls test(told) with each kind of vector alone.
-template <class Test>
-void with_every_kind_of_vector(Test test) {
-    for (std::int64_t targets = hwy::SupportedTargets(); targets != 0; targets &= targets - 1) {
-        hwy::SetSupportedTargetsForTest(targets & -targets);
-        test(hwy::TargetName(targets & -targets));
-        hwy::SetSupportedTargetsForTest(0);
-    }
-}
 
 TEST(PlainCore, GivesTheJacobiansOfTheKernels) {
     for (const Grid grid : odd_grids) {

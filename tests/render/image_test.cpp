@@ -1,9 +1,7 @@
 #include "drape/render/image.h"
 
 #include <gtest/gtest.h>
-#include <sys/resource.h>
 
-#include <csignal>
 #include <fstream>
 
 #include "drape/base/input_error.h"
@@ -47,24 +45,6 @@ TEST_F(ImageFile, ReadsBackAsItWasWrittenWithTexts) {
     for (const ImageText& text : image.texts) {
         EXPECT_NE(bytes.find("iTXt" + text.keyword + std::string(5, '\0') + text.text), std::string::npos);
     }
-}
-
-TEST_F(ImageFile, KeepsTheOldPictureIfTheNewOneDoesNotFit) {
-    const fs::path file = folder_ / "a.png";
-    write_png(noise(8, 8), file);
-
-    // A limit on the size of files stands for a full disk
-    std::signal(SIGXFSZ, SIG_IGN);
-    rlimit before{};
-    getrlimit(RLIMIT_FSIZE, &before);
-    rlimit small = before;
-    small.rlim_cur = 4096;
-    setrlimit(RLIMIT_FSIZE, &small);
-    EXPECT_THROW(write_png(noise(200, 200), file), RunError);
-    setrlimit(RLIMIT_FSIZE, &before);
-
-    EXPECT_EQ(read_png(file).width, 8);
-    EXPECT_EQ(files(), 1) << "a part of a picture was left behind";
 }
 
 TEST_F(ImageFile, RefusesWhatIsNoPictureAndSaysWhichFileCannotBeWritten) {

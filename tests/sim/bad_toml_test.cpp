@@ -1,10 +1,5 @@
 #include <gtest/gtest.h>
 
-#include <fstream>
-#include <iterator>
-#include <random>
-
-#include "drape/base/resources.h"
 #include "drape/scene/scene.h"
 #include "support/input_errors.h"
 
@@ -15,11 +10,6 @@ std::string repeated(const std::string& text, int count) {
     std::string all;
     for (int i = 0; i < count; ++i) all += text;
     return all;
-}
-
-std::string shipped_text(const std::string& name) {
-    std::ifstream in(find_resource("scenes/" + name + ".toml"), std::ios::binary);
-    return {std::istreambuf_iterator<char>(in), {}};
 }
 
 /// What is said of a text that is read as a scene: nothing if it is one. Anything that is thrown but InputError fails
@@ -77,31 +67,6 @@ TEST(BadToml, OfSizesThatTheParserIsNotMadeForNamesTheLimit) {
     EXPECT_EQ(refusal_of("[cloth]\n#" + std::string(4095, 'x') + "\n"), "");
     EXPECT_EQ(refusal_of("[cloth]\n" + repeated("# fifteen bytes\n", 16'384)),
               "bad.toml: 262152 bytes: allowed at most 262144");
-}
-
-TEST(DamagedScenes, CutOffAnywhereAreReadOrRefused) {
-    for (const std::string& name : scene_names()) {
-        const std::string text = shipped_text(name);
-        ASSERT_FALSE(is_refused(text));
-        for (std::size_t size = 0; size < text.size(); ++size) is_refused(text.substr(0, size));
-    }
-}
-
-TEST(DamagedScenes, WithAnyByteChangedAreReadOrRefused) {
-    std::mt19937 random(11);
-    int refused = 0;
-    for (const std::string& name : scene_names()) {
-        std::string text = shipped_text(name);
-        for (std::size_t at = 0; at < text.size(); ++at) {
-            const char before = text[at];
-            for (const char with : {'"', '\n', static_cast<char>(random())}) {
-                text[at] = with;
-                refused += is_refused(text) ? 1 : 0;
-            }
-            text[at] = before;
-        }
-    }
-    EXPECT_GT(refused, 2'000);
 }
 
 }  // namespace

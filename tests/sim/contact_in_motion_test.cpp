@@ -127,14 +127,19 @@ TEST(ContinuousDetection, StopsABallThatCrossesTheClothWithinAStep) {
     }
 }
 
+/// Shots with each response.
+class LightBall : public testing::TestWithParam<int> {};
+
+INSTANTIATE_TEST_SUITE_P(Few, LightBall, testing::Values(test::sanitized ? 4 : 8));
+INSTANTIATE_TEST_SUITE_P(Nightly, LightBall, testing::Values(20));
+
 /// A long step that stopped a light ball on its own would draw springs out so far that they throw it back faster than
 /// it came, or let it through.
-TEST(ContinuousDetection, NeitherLetsALightBallThroughNorThrowsItBack) {
+TEST_P(LightBall, IsNeitherLetThroughNorThrownBack) {
     std::mt19937 random(5);
     const auto between = [&](Real low, Real high) { return std::uniform_real_distribution<Real>(low, high)(random); };
-    const int shots = test::sanitized ? 4 : 20;
     for (const std::string response : {"projection", "impulse", "hybrid"}) {
-        for (int shot = 0; shot < shots; ++shot) {
+        for (int shot = 0; shot < GetParam(); ++shot) {
             const std::string integrator = shot % 2 == 0 ? "backward_euler" : "xpbd";
             const bool heavier = shot % 4 >= 2;  // and draws the triangles that it hits out to three times their length
             const std::string mass = heavier ? "0.03" : "0.004";
@@ -154,14 +159,6 @@ TEST(ContinuousDetection, NeitherLetsALightBallThroughNorThrowsItBack) {
             EXPECT_LT(ball.velocity.z(), speed * (heavier ? Real(0.9) : Real(0.5))) << "it has hit the sheet";
         }
     }
-}
-
-/// Particles and balls together.
-Vec3 whole_momentum(const Simulation& simulation) {
-    const Cloth& cloth = simulation.cloths()[0];
-    Vec3 sum = cloth.model.particle_mass * cloth.state.v.colwise().sum().transpose();
-    for (const Ball& ball : simulation.balls()) sum += ball.velocity / ball.inverse_mass;
-    return sum;
 }
 
 double ball_energy(const Ball& ball, const Vec3& velocity) {

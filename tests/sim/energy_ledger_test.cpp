@@ -205,19 +205,5 @@ TEST(EnergyLedger, ChangesNoBitOfTheMotion) {
     }
 }
 
-TEST(EnergyLedger, IsTheSameToRoundingWithPlainCodeAndWithKernels) {
-    Simulation plain = windy_simulation("symplectic_euler", "plain", true);
-    Simulation vector = windy_simulation("symplectic_euler", "vector", true);
-    const StepReport one = *plain.view().report, other = *vector.view().report;
-    EXPECT_NE(one.balance.contact, 0);
-    EXPECT_NE(one.balance.wind, 0);
-    EXPECT_NE(one.balance.hand, 0);
-    constexpr double part = 1e-7;  // of differences that have grown for 200 steps
-    for (const char* name : {"energy", "damping_loss", "drag_loss", "contact_loss", "integrator_loss", "wind_work",
-                             "hand_work", "ball_work", "step_limit_ratio", "energy_excess"}) {
-        EXPECT_NEAR(figure(one, name), figure(other, name), part * std::max(std::abs(figure(one, name)), 1e-3)) << name;
-    }
-}
-
 }  // namespace
 }  // namespace drape

@@ -5,7 +5,6 @@
 #include <array>
 
 #include "sim/small_scene.h"
-#include "support/exact_distance.h"
 
 namespace drape {
 namespace {
@@ -213,33 +212,6 @@ TEST(FreeBalls, StopAfterTheWayThatRollingResistanceLeavesThem) {
     EXPECT_NEAR(end.centre.z() - start.centre.z(), speed * speed / (2 * slowing), 0.005);
     EXPECT_LT(end.velocity.norm(), 1e-6);
     EXPECT_LT(end.spin.norm(), 1e-6);
-}
-
-TEST(LongTrampolineScene, CatchesItsBallThrowsItBackAndCarriesItInTheEnd) {
-    Simulation simulation("trampoline", load_scene("trampoline"));
-    const Cloth& cloth = simulation.cloths()[0];
-    const Ball& ball = simulation.balls()[0];
-    const Real sheet = cloth.state.x(0, 1);
-    run_for(simulation, 0.6);
-    EXPECT_GT(ball.velocity.y(), 0.5) << "thrown back";
-    run_for(simulation, 11.4);
-    EXPECT_LT(std::abs(ball.velocity.y()), 0.005) << "it rocks in its hollow, but does not bounce";
-    EXPECT_LT(ball.velocity.norm(), 0.06);
-    EXPECT_LT((ball.centre - Vec3(0, sheet, 0)).norm(), 0.1) << "in the middle of the sheet";
-    EXPECT_GT(ball.centre.y() - ball.radius, cloth.state.x.col(1).minCoeff() - 1e-3) << "not below it";
-    EXPECT_LT(deepest_triangle(cloth.model.grid, cloth.state.x, ball), 1e-3 * ball.radius);
-    EXPECT_LT(cloth.state.x.col(1).minCoeff(), sheet - 0.03) << "which sags";
-    // The push of the sheet on the ball, averaged over a second, against the ball's weight
-    const double start = simulation.report().time;
-    Real push = 0;
-    while (simulation.report().time < start + 1) {
-        simulation.step();
-        for (const ContactRow& contact : simulation.contacts()) {
-            push -= contact.impulse.normal * contact.normal.y() + contact.impulse.friction.y();
-        }
-    }
-    const Real weight = simulation.settings().balls[0].mass * gravity;
-    EXPECT_NEAR(push / static_cast<Real>(simulation.report().time - start), weight, 0.02 * weight);
 }
 
 Real lowest(const Simulation& simulation) {

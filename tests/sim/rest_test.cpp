@@ -9,6 +9,7 @@
 
 #include "drape/integrate/stability.h"
 #include "sim/small_scene.h"
+#include "support/exact_distance.h"
 
 namespace drape {
 namespace {
@@ -185,20 +186,44 @@ INSTANTIATE_TEST_SUITE_P(Long, RestOfShippedScenes,
                          testing::Values(ShippedRest{"drop", 8, IntegratorKind::SymplecticEuler}), name_of_rest);
 INSTANTIATE_TEST_SUITE_P(Nightly, RestOfShippedScenes, testing::ValuesIn(shipped_rests()), name_of_rest);
 
-TEST(LongRestInATrampoline, IsReachedByTheShippedSceneAndCostsNothing) {
+/// The push of the cloth on the ball, averaged over a second [N].
+Real mean_push(Simulation& simulation) {
+    const double start = simulation.report().time;
+    Real push = 0;
+    while (simulation.report().time < start + 1) {
+        simulation.step();
+        for (const ContactRow& contact : simulation.contacts()) {
+            push -= contact.impulse.normal * contact.normal.y() + contact.impulse.friction.y();
+        }
+    }
+    return push / static_cast<Real>(simulation.report().time - start);
+}
+
+TEST(LongRestInATrampoline, IsReachedByTheShippedSceneThatThrewItsBallBackAndCostsNothing) {
     Settings settings = load_scene("trampoline");
     const Real sleep_speed = std::exchange(settings.solver.sleep_speed, Real(0));
     Simulation simulation("trampoline", std::move(settings));
-    double fast = 0;  // when it last was
+    const Cloth& cloth = simulation.cloths()[0];
+    const Ball& ball = simulation.balls()[0];
+    const Real sheet = cloth.state.x(0, 1);
+    run_until(simulation, 0.6);
+    EXPECT_GT(ball.velocity.y(), 0.5) << "thrown back";
+    double fast = simulation.report().time;  // when it last was
     while (simulation.report().time - fast < 0.5 && simulation.report().time < 15) {
         simulation.step();
         if (rms_motion(simulation) > 3e-4) fast = simulation.report().time;
     }
     EXPECT_LT(fast, 12);
+    EXPECT_LT((ball.centre - Vec3(0, sheet, 0)).norm(), 0.1) << "in the middle of the sheet";
+    EXPECT_GT(ball.centre.y() - ball.radius, cloth.state.x.col(1).minCoeff() - 1e-3) << "not below it";
+    EXPECT_LT(deepest_triangle(cloth.model.grid, cloth.state.x, ball), 1e-3 * ball.radius);
+    EXPECT_LT(cloth.state.x.col(1).minCoeff(), sheet - 0.03) << "which sags";
+    const Real weight = simulation.settings().balls[0].mass * Real(9.81);
+    EXPECT_NEAR(mean_push(simulation), weight, 0.02 * weight);
     send(simulation, "set solver.sleep_speed=" + std::to_string(sleep_speed));
-    run_to_sleep(simulation, fast + 1.1);
+    run_to_sleep(simulation, simulation.report().time + 0.6);
     ASSERT_TRUE(simulation.report().asleep);
-    EXPECT_EQ(simulation.balls()[0].velocity, Vec3(0, 0, 0));
+    EXPECT_EQ(ball.velocity, Vec3(0, 0, 0));
     const std::uint64_t hash = simulation.hash();
     simulation.step();
     EXPECT_EQ(simulation.hash(), hash);

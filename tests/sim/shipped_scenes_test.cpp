@@ -28,7 +28,7 @@ TEST_P(ShippedScene, RunsForSecondsInNoDoubtAndStretchesNoFurtherThanCloth) {
     const bool costly = settings.contact.self || !settings.solids.empty();
     const int tenths = large    ? (test::sanitized ? 1 : 4)
                        : costly ? (test::sanitized ? 3 : 6)
-                                : (test::sanitized ? 15 : 100);
+                                : (test::sanitized ? 15 : 30);
     double largest = 0;
     for (int tenth = 0; tenth < tenths; ++tenth) {
         make_steps(simulation, steps_of_a_tenth);

@@ -75,6 +75,15 @@ inline Vec3 position_of(const Simulation& simulation, int particle) {
     return simulation.cloths()[0].state.x.row(particle).transpose();
 }
 
+/// Of the first cloth's particles and the balls together.
+/// @pre no ball is too heavy to be moved
+inline Vec3 whole_momentum(const Simulation& simulation) {
+    const Cloth& cloth = simulation.cloths()[0];
+    Vec3 sum = cloth.model.particle_mass * cloth.state.v.colwise().sum().transpose();
+    for (const Ball& ball : simulation.balls()) sum += ball.velocity / ball.inverse_mass;
+    return sum;
+}
+
 /// What `--state` writes of this moment.
 inline std::string state_text(const Simulation& simulation) {
     std::ostringstream out;

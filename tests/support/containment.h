@@ -48,6 +48,9 @@ inline long double stands_out(const Obb& box, const Vec3& p) {
 
 using AllVolumes = ::testing::Types<BoundingSphere, Aabb, KDop<6>, KDop<14>, KDop<18>, KDop<26>, Obb>;
 
+/// One of each sort, for what does not depend on the number of slabs.
+using UnlikeVolumes = ::testing::Types<BoundingSphere, Aabb, KDop<18>, Obb>;
+
 /// Every update there is.
 inline std::vector<UpdateKind> all_updates() {
     std::vector<UpdateKind> updates;

@@ -2,11 +2,14 @@
 
 #include <sys/types.h>
 
+#include <algorithm>
 #include <filesystem>
 #include <map>
 #include <optional>
 #include <string>
 #include <vector>
+
+#include "drape/base/stopwatch.h"
 
 namespace drape::test {
 
@@ -50,17 +53,22 @@ private:
 /// The whole of a file; empty if there is none.
 std::string read_file(const std::filesystem::path& file);
 
+/// The names in a folder, sorted; none if there is no folder.
+std::vector<std::string> names_in(const std::filesystem::path& folder);
+
 void sleep_for(double seconds);
 
-/// Asks until it is so or the time is over.
+/// Asks until it is so or the time is over: often at first, then less and less often.
 template <class Condition>
 bool eventually(Condition condition, double seconds = 60) {
-    constexpr double pause = 0.05;  // s
-    for (int turns = static_cast<int>(seconds / pause); turns > 0; --turns) {
+    constexpr double first_pause = 0.001, longest_pause = 0.05;  // s
+    const Stopwatch watch;
+    for (double pause = first_pause;; pause = std::min(1.5 * pause, longest_pause)) {
+        const bool last = watch.seconds() >= seconds;
         if (condition()) return true;
+        if (last) return false;
         sleep_for(pause);
     }
-    return condition();
 }
 
 }  // namespace drape::test

@@ -9,6 +9,7 @@
 #include <fstream>
 
 #include "drape/base/input_error.h"
+#include "support/process.h"
 #include "support/read_png.h"
 #include "support/scratch_folder.h"
 
@@ -44,12 +45,7 @@ protected:
         return "";
     }
 
-    [[nodiscard]] std::vector<std::string> names() const {
-        std::vector<std::string> all;
-        for (const auto& entry : fs::directory_iterator(folder_.path())) all.push_back(entry.path().filename());
-        std::ranges::sort(all);
-        return all;
-    }
+    [[nodiscard]] std::vector<std::string> names() const { return test::names_in(folder_.path()); }
 
     [[nodiscard]] std::string file(const std::string& name) const { return (folder_.path() / name).string(); }
 

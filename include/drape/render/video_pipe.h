@@ -22,15 +22,17 @@ class VideoPipe {
 public:
     enum class Use {
         Batch,  ///< waits for an ffmpeg that stands still until a signal comes, and replaces the file of that name
-        Live,   ///< waits 5 s for it, at the end 20 s, and leaves a file of that name alone: a number is added
+        Live,   ///< waits 5 s for it, at the end longer, and leaves a file of that name alone: a number is added
     };
+    static constexpr double usual_end_patience = 20;  ///< s
 
     /// Starts ffmpeg. Pipes that break are no longer fatal to this process from here on.
     /// @param rate frames per second
     /// @param signals after the first of them, ffmpeg has a few seconds to take what there is
+    /// @param end_patience how long ffmpeg may take to finish its file where a user waits for the end [s]
     /// @throws RunError if the file cannot be written
     VideoPipe(const std::filesystem::path& file, PictureSize size, double rate, const StopSignals& signals,
-              Use use = Use::Batch);
+              Use use = Use::Batch, double end_patience = usual_end_patience);
     ~VideoPipe();
     VideoPipe(const VideoPipe&) = delete;
     VideoPipe& operator=(const VideoPipe&) = delete;
@@ -61,6 +63,7 @@ private:
 
     const StopSignals& signals_;
     Use use_;
+    double end_patience_;
     std::filesystem::path name_;
     UnfinishedFile file_;
     std::optional<ChildProgram> ffmpeg_;  ///< nothing when it has ended

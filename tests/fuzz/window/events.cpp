@@ -109,8 +109,8 @@ std::string EventSource::menu_walk(int x, int y) {
 
 std::string EventSource::all_quiet(const std::string& window) {
     std::string lines;
-    for (const char* name : keys) lines += std::string("keyup ") + name + "\n";
-    for (const char* name : typed) lines += std::string("keyup ") + name + "\n";
+    for (const char* name : keys) lines += std::string("keyup --delay 0 ") + name + "\n";
+    for (const char* name : typed) lines += std::string("keyup --delay 0 ") + name + "\n";
     for (int button = 1; button <= 3; ++button) lines += with("mouseup", button);
     lines += "windowmap " + window + "\nwindowsize " + window + " 640 480\n";
     // A click beside the window closes a menu, one beside the panel what is open there
