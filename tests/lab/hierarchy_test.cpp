@@ -158,8 +158,8 @@ TEST(Growths, AreThoseOfTheLargerSizes) {
     }
     const std::vector<Growth> found = growths(rows);
     ASSERT_EQ(found.size(), 1u);
-    EXPECT_NEAR(found[0].build.exponent, 1, 1e-9);
-    EXPECT_NEAR(found[0].search.exponent, 0.5, 1e-9);
+    EXPECT_NEAR(found[0].build, 1, 1e-9);
+    EXPECT_NEAR(found[0].search, 0.5, 1e-9);
     EXPECT_TRUE(growths({rows[4]}).empty()) << "one size tells nothing";
 }
 
