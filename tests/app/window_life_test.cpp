@@ -10,6 +10,7 @@
 #include "drape/render/image.h"
 #include "drape/scene/scene.h"
 #include "drape/session/tour.h"
+#include "support/read_png.h"
 
 namespace drape {
 namespace {
