@@ -41,8 +41,10 @@ std::string why_without_effect(const std::string& name, const Settings& settings
     if (name == "view.level" && !settings.view.bounds && settings.view.colour != ColourBy::Level) return "B shows it";
     if (name == "solver.ledger" && settings.solver.ledger && settings.view.panel == PanelSize::Off)
         return "Tab shows it";
-    const bool unused = ((name == "solver.hessian" || name == "solver.newton_steps") && !solves_a_system(integrator)) ||
-                        (name == "solver.iterations" && !has_iterations(integrator));
+    const bool unused =
+        ((name == "solver.hessian" || name == "solver.newton_steps") && !solves_a_system(integrator)) ||
+        (name == "solver.tolerance" && !solves_a_system(integrator) && integrator != IntegratorKind::DormandPrince) ||
+        (name == "solver.iterations" && !has_iterations(integrator));
     if (unused) return "no effect with " + std::string(name_of(integrator));
     if (name.starts_with("wind.") && name != "wind.on" && !settings.wind.on) return "no effect without wind (V)";
     return {};

@@ -4,10 +4,9 @@
 #include <sys/stat.h>
 #include <unistd.h>
 
-#include <array>
 #include <cerrno>
 #include <cstring>
-#include <memory>
+#include <iterator>
 
 #include "drape/base/input_error.h"
 
@@ -28,29 +27,52 @@ bool is_open_already(const std::string& name) { return name == "/dev/stdin" || n
 
 }  // namespace
 
-std::string read_text(const std::string& name, std::uintmax_t largest, InputKind kind) {
-    const auto fail = [&name](const std::string& why) { throw InputError(name + ": " + why); };
+InputFile::Buffer::Buffer(const std::string& name, std::uintmax_t largest, InputKind kind)
+    : name_(name), left_(largest) {
     // Without O_NONBLOCK a pipe would wait for its writer before it could be told from a file
-    const int file = ::open(name.c_str(), O_RDONLY | O_NONBLOCK | O_CLOEXEC);
-    const std::shared_ptr<void> closed_at_the_end(nullptr, [file](void*) { ::close(file); });
+    file_ = ::open(name.c_str(), O_RDONLY | O_NONBLOCK | O_CLOEXEC);
     struct stat status {};
-    if (file < 0 || ::fstat(file, &status) != 0) fail(std::string("cannot be read: ") + std::strerror(errno));
+    if (file_ < 0 || ::fstat(file_, &status) != 0) fail(std::string("cannot be read: ") + std::strerror(errno));
     const std::string odd = odd_kind(status.st_mode);
     const bool open_already = kind == InputKind::RegularOrOpen && is_open_already(name) && !S_ISDIR(status.st_mode);
-    if (!odd.empty() && !open_already) fail("is " + odd + ": allowed a regular file");
+    if (!odd.empty() && !open_already) {
+        ::close(file_);
+        fail("is " + odd + ": allowed a regular file");
+    }
     if (odd.empty() && static_cast<std::uintmax_t>(status.st_size) > largest) {
+        ::close(file_);
         fail(std::to_string(status.st_size) + " bytes: allowed at most " + std::to_string(largest));
     }
-    ::fcntl(file, F_SETFL, ::fcntl(file, F_GETFL) & ~O_NONBLOCK);
-    std::string text;
-    for (std::array<char, 1 << 16> bytes;;) {
-        const ssize_t count = ::read(file, bytes.data(), bytes.size());
-        if (count == 0) return text;
-        if (count < 0 && errno != EINTR) fail(std::string("cannot be read: ") + std::strerror(errno));
-        if (count < 0) continue;
-        text.append(bytes.data(), static_cast<std::size_t>(count));
-        if (text.size() > largest) fail("has more bytes than are allowed");
-    }
+    ::fcntl(file_, F_SETFL, ::fcntl(file_, F_GETFL) & ~O_NONBLOCK);
+}
+
+InputFile::Buffer::~Buffer() { ::close(file_); }
+
+InputFile::Buffer::int_type InputFile::Buffer::underflow() {
+    ssize_t count = 0;
+    do {
+        count = ::read(file_, bytes_.data(), bytes_.size());
+    } while (count < 0 && errno == EINTR);
+    if (count < 0) fail(std::string("cannot be read: ") + std::strerror(errno));
+    if (count == 0) return traits_type::eof();
+    if (static_cast<std::uintmax_t>(count) > left_) fail("has more bytes than are allowed");
+    left_ -= static_cast<std::uintmax_t>(count);
+    setg(bytes_.data(), bytes_.data(), bytes_.data() + count);
+    return traits_type::to_int_type(bytes_[0]);
+}
+
+void InputFile::Buffer::fail(const std::string& why) const { throw InputError(name_ + ": " + why); }
+
+// A stream that throws for a bad read hands on what its buffer has thrown
+InputFile::InputFile(const std::string& name, std::uintmax_t largest, InputKind kind)
+    : std::istream(nullptr), buffer_(name, largest, kind) {
+    rdbuf(&buffer_);
+    exceptions(std::ios::badbit);
+}
+
+std::string read_text(const std::string& name, std::uintmax_t largest, InputKind kind) {
+    InputFile in(name, largest, kind);
+    return {std::istreambuf_iterator<char>(in), {}};
 }
 
 LineEnd read_line(std::istream& in, std::string& line, std::size_t longest) {

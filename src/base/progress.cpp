@@ -27,7 +27,7 @@ Progress::Progress(std::size_t total, std::string noun)
 void Progress::advance() {
     ++done_;
     const double now = watch_.seconds(), pause = terminal_ ? 0.2 : 10;  // s
-    if (done_ == total_ || now - told_ < pause) return;
+    if (done_ >= total_ || now - told_ < pause) return;
     told_ = now;
     shown_ = terminal_;
     const double left = now / static_cast<double>(done_) * static_cast<double>(total_ - done_);

@@ -49,8 +49,8 @@ double numbers_of_arrays(const IntegratorParameters& parameters) {
     return 0;
 }
 
-/// Of multigrid, a particle: stencils and vectors of the finest level, and a third of that for all others.
-constexpr double multigrid_bytes = 4.0 / 3 * sizeof(float) * (13 * 6 + 6 + 6 * 3);
+/// Of multigrid, a particle: stencils and vectors of the finest level, a third of that for all others, and two blocks.
+constexpr double multigrid_bytes = sizeof(float) * (4.0 / 3 * (13 * 6 + 6 + 6 * 3) + 2 * 6);
 
 double factor_bytes(const IntegratorParameters& parameters, const Grid& grid) {
     switch (parameters.kind) {

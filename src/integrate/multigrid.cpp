@@ -155,7 +155,6 @@ void Multigrid::Level::add_line(const Part& part, int node, int count) {
 }
 
 void Multigrid::Level::add_matrix_of(const Level& before, Blocks& scratch) {
-    scratch.resize(finer.particles(), entries);
     for (std::size_t k = 0; k < kinds.size(); ++k) {
         for (int p = 0; p < finer.particles(); ++p) {
             const std::array<float, entries> term = before.block(p, static_cast<int>(k));
@@ -266,7 +265,8 @@ void Multigrid::Level::find_residual() {
     residual = b - residual;
 }
 
-Multigrid::Multigrid(const Grid& grid, Kernels kernels) {
+Multigrid::Multigrid(const Grid& grid, Kernels kernels)
+    : own_(grid.particles(), entries), terms_(grid.particles(), entries) {
     pinned_.reserve(static_cast<std::size_t>(grid.particles()));
     levels_.emplace_back(grid, grid, kernels);
     do {
@@ -296,13 +296,13 @@ void Multigrid::build(const ClothModel& model, const Jacobian& jacobian, Real k_
         levels_[0].add(kind, terms);
         levels_[1].add(kind, terms);
     };
-    own_.setZero(grid.particles(), entries);
+    own_.setZero();
     const Jacobian::Block inertia = (model.particle_mass + d_scale * jacobian.drag()) * Jacobian::Block::Identity();
     for (int p = 0; p < grid.particles(); ++p) {
         if (!model.pinned(p)) add_to(own_, p, inertia);
     }
     for (std::size_t direction = 0; direction < spring_directions.size(); ++direction) {
-        terms_.setZero(grid.particles(), entries);
+        terms_.setZero();
         jacobian.for_each_spring(direction, k_scale, d_scale, [&](int a, int b, const Jacobian::Block& block) {
             if (model.pinned(a) && model.pinned(b)) return;
             if (model.pinned(a)) return add_to(own_, b, block);

@@ -1,7 +1,6 @@
 #include "positions.h"
 
 #include <algorithm>
-#include <sstream>
 
 #include "drape/base/input_file.h"
 #include "drape/base/numbers.h"
@@ -12,7 +11,6 @@ namespace {
 
 constexpr double largest_coordinate = 1e12;  // m
 constexpr std::size_t longest_position_line = 4096;
-constexpr std::uintmax_t largest_positions = 1 << 30;  // bytes
 
 }  // namespace
 
@@ -25,7 +23,7 @@ std::vector<double> parse_numbers(const std::string& text, std::size_t count, co
 }
 
 Points read_positions(const std::string& file, const Grid& grid) {
-    std::istringstream in(read_text(file, largest_positions));
+    InputFile in(file);
     return read_positions(in, file, grid);
 }
 

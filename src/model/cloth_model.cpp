@@ -1,5 +1,6 @@
 #include "drape/model/cloth_model.h"
 
+#include <algorithm>
 #include <utility>
 
 #include "drape/base/assert.h"

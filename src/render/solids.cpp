@@ -1,6 +1,7 @@
 #include "solids.h"
 
 #include <Eigen/Core>
+#include <algorithm>
 #include <numbers>
 
 #include "cloth_mesh.h"

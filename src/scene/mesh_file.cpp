@@ -10,7 +10,6 @@
 #include <iterator>
 #include <memory>
 #include <span>
-#include <sstream>
 
 #include "closed_mesh.h"
 #include "drape/base/input_error.h"
@@ -129,7 +128,7 @@ std::string mesh_extension(const std::string& file) {
 }
 
 TriangleMesh read_mesh(const std::string& file) {
-    std::istringstream in(read_text(file, largest_file));
+    InputFile in(file, largest_file);
     return read_mesh(in, file);
 }
 

@@ -1,6 +1,7 @@
 #include "mesh_repair.h"
 
 #include <Eigen/Geometry>
+#include <algorithm>
 #include <cmath>
 
 namespace drape {

@@ -170,6 +170,15 @@ void check_self_contact(const Settings& settings) {
                "allowed only with at least 0.0001 m");
 }
 
+/// What nothing can be solved to is no tolerance.
+void check_tolerance(const Settings& settings) {
+    constexpr Real least = Real(1e-14);
+    const Real tolerance = settings.solver.tolerance;
+    if (tolerance == 0 || tolerance >= least) return;
+    refuse("solver", 0, "tolerance",
+           " = " + real_text(static_cast<double>(tolerance)) + ": allowed 0 and 1e-14 <= tolerance <= 0.1");
+}
+
 }  // namespace
 
 void end_pins_without_particles(Settings& settings) {
@@ -250,6 +259,7 @@ void check(const Settings& settings) {
     }
     check_memory(settings);
     check_self_contact(settings);
+    check_tolerance(settings);
     for (std::size_t b = 0; b < settings.balls.size(); ++b) {
         check_path("ball", b, settings.balls[b].motion == BallMotion::Path, settings.balls[b].path);
     }

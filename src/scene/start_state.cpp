@@ -1,7 +1,5 @@
 #include "drape/scene/start_state.h"
 
-#include <sstream>
-
 #include "drape/base/input_error.h"
 #include "drape/base/input_file.h"
 #include "drape/base/numbers.h"
@@ -131,7 +129,7 @@ std::optional<StartState> find_start(const Settings& settings) {
     if (settings.start.empty()) return std::nullopt;
     std::vector<Grid> grids;
     for (const ClothParameters& cloth : settings.cloths) grids.push_back(cloth.particles);
-    std::istringstream in(read_text(settings.start, UINTMAX_MAX, InputKind::Regular));
+    InputFile in(settings.start, UINTMAX_MAX, InputKind::Regular);
     return read_start(in, settings.start, grids, settings.balls.size());
 }
 

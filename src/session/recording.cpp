@@ -2,7 +2,6 @@
 
 #include <algorithm>
 #include <charconv>
-#include <sstream>
 
 #include "drape/base/input_error.h"
 #include "drape/base/input_file.h"
@@ -51,7 +50,7 @@ void append_entry(const std::optional<std::pair<std::int64_t, std::string>>& ent
 }  // namespace
 
 Recording read_recording(const std::string& file) {
-    std::istringstream in(read_text(file, largest_recording));
+    InputFile in(file, largest_recording);
     return read_recording(in, file);
 }
 

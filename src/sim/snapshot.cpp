@@ -1,7 +1,6 @@
 #include "drape/sim/snapshot.h"
 
 #include <cstdint>
-#include <sstream>
 #include <utility>
 #include <vector>
 
@@ -85,12 +84,12 @@ Simulation read_snapshot(std::istream& in, const std::string& file) {
 }
 
 Simulation read_snapshot(const std::string& file) {
-    std::istringstream in(read_text(file, UINTMAX_MAX, InputKind::Regular));
+    InputFile in(file, UINTMAX_MAX, InputKind::Regular);
     return read_snapshot(in, file);
 }
 
 SnapshotHead read_snapshot_head(const std::string& file) {
-    std::istringstream in(read_text(file, UINTMAX_MAX, InputKind::Regular));
+    InputFile in(file, UINTMAX_MAX, InputKind::Regular);
     SnapshotText text(in, file);
     return read_head(text);
 }

@@ -44,7 +44,8 @@ void fill_disk_between_frames(Trial& trial, int count) {
                       "k full disk; $CAPTURE drop --frames 300 --size 160x90 --out disk/frames; code=$?; mkdir -p "
                       "kept; cp -r disk/. kept; exit $code'");
         const std::regex told(
-            "(?:[0-9]+ of [0-9]+ pictures\n)*drape-capture: disk/frames/frame_[0-9]+\\.png: [^\n]*No space left on "
+            "(?:[0-9]+ of [0-9]+ pictures, about [^\n]* left\n)*drape-capture: disk/frames/frame_[0-9]+\\.png: "
+            "[^\n]*No space left on "
             "device; the last good frame is disk/(frames/frame_[0-9]+\\.png)\n");
         std::smatch found;
         const bool names_frames = std::regex_match(outcome.err, found, told);

@@ -1,8 +1,10 @@
 #pragma once
 
+#include <array>
 #include <cstddef>
 #include <cstdint>
 #include <istream>
+#include <streambuf>
 #include <string>
 
 namespace drape {
@@ -13,10 +15,40 @@ enum class InputKind {
     Regular
 };
 
-/// Reads a whole file. Never waits for somebody else to open the other end: pipes that are not open already, devices
-/// and folders are refused.
-/// @param largest most bytes that the file may have
-/// @throws InputError that names the file: cannot be read, a folder, a pipe, a device, too large
+/// A file that is read as a stream of bytes. It never waits for somebody else to open the other end: pipes that are not
+/// open already, devices and folders are refused.
+/// What goes wrong later (a read error, more bytes than are allowed) is thrown by the read that meets it.
+class InputFile : public std::istream {
+public:
+    /// @param largest most bytes that the file may have
+    /// @throws InputError that names the file: cannot be read, a folder, a pipe, a device, too large
+    explicit InputFile(const std::string& name, std::uintmax_t largest = UINTMAX_MAX,
+                       InputKind kind = InputKind::RegularOrOpen);
+
+private:
+    class Buffer : public std::streambuf {
+    public:
+        Buffer(const std::string& name, std::uintmax_t largest, InputKind kind);
+        ~Buffer() override;
+        Buffer(const Buffer&) = delete;
+        Buffer& operator=(const Buffer&) = delete;
+
+    protected:
+        int_type underflow() override;
+
+    private:
+        [[noreturn]] void fail(const std::string& why) const;
+
+        std::string name_;
+        std::uintmax_t left_;  ///< bytes that may still come
+        int file_ = -1;
+        std::array<char, 1 << 16> bytes_{};
+    };
+
+    Buffer buffer_;
+};
+
+/// A whole file. @throws InputError as `InputFile`
 std::string read_text(const std::string& name, std::uintmax_t largest = UINTMAX_MAX,
                       InputKind kind = InputKind::RegularOrOpen);
 

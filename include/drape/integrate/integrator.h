@@ -37,7 +37,7 @@ struct IntegratorParameters {
     Hessian hessian = Hessian::Clamped;  ///< of backward Euler, implicit midpoint and BDF2
     int iterations = 10;                 ///< of XPBD and projective dynamics in one step
     Real tolerance = 0;                  ///< see `tolerance_of`; 0: the method's own
-    int newton_steps = 1;                ///< of the same three in one step, at most; 1: solved as if linear
+    int newton_steps = 1;                ///< of the implicit methods in one step, at most; 1: as if linear
     int threads = 1;                     ///< that share the work of the explicit methods; the result is the same
     Kernels kernels = Kernels::Vector;   ///< of forces, Jacobians and the springs of XPBD
     bool operator==(const IntegratorParameters&) const = default;
@@ -56,7 +56,7 @@ constexpr int most_inner_steps = 10'000;
 ///
 /// The residual is what a method should have made small, as it measures it at the end:
 /// - backward Euler, implicit midpoint, BDF2: |b - A x| / |b|, in the Euclidean norm over all free particles, of the
-///   one linear system A x = b of a step. (What the one Newton step leaves of the nonlinear equations is not measured.)
+///   linear systems A x = b of a step. (What Newton steps leave of the nonlinear equations is not measured.)
 ///   Exact, the solver stops in that same norm. Clamped, it stops in the norm of its preconditioner M, sqrt(r.M^-1 r)
 ///   against that of b, which weighs soft directions more: there the Euclidean residual of a solve that has converged
 ///   can be above the tolerance.

@@ -18,7 +18,9 @@ struct Ball {
     Vec3 turned = Vec3::Zero();  ///< within the present substep, axis times angle [rad]
 
     /// 1 / (2/5 m r^2) [1/(kg m^2)]
-    [[nodiscard]] Real inverse_inertia() const { return Real(2.5) * inverse_mass / (radius * radius); }
+    [[nodiscard]] Real inverse_inertia() const {
+        return inverse_mass == 0 ? 0 : Real(2.5) * inverse_mass / (radius * radius);
+    }
 };
 
 }  // namespace drape

@@ -62,7 +62,7 @@ public:
     /// without one all of it.
     /// @param number of the body
     /// @param rows receives what may touch, cells ascending, after what is there
-    /// @return what the traversal has cost; zero without one
+    /// @return what the traversal has cost; without one, all cells are candidates
     TraversalStats meet(const MovingCloth& cloth, const Body& body, int number, Real thickness,
                         std::vector<ContactRow>& rows);
 

@@ -1,6 +1,5 @@
 #include <algorithm>
 #include <array>
-#include <sstream>
 
 #include "case_selection.h"
 #include "drape/base/input_file.h"
@@ -172,13 +171,13 @@ std::optional<ExperimentTable> read_table(const Experiment& experiment, std::ist
 std::optional<ExperimentTable> read_table(const Experiment& experiment, const std::filesystem::path& file,
                                           bool unfinished) {
     if (!exists(file)) return {};
-    std::istringstream in(read_text(file.string(), largest_table, InputKind::Regular));
+    InputFile in(file.string(), largest_table, InputKind::Regular);
     return read_table(experiment, in, file.string(), unfinished);
 }
 
 std::optional<TableHead> read_head(const Experiment& experiment, const std::filesystem::path& file) try {
     if (!exists(file)) return {};
-    std::istringstream in(read_text(file.string(), largest_table, InputKind::Regular));
+    InputFile in(file.string(), largest_table, InputKind::Regular);
     TableReader reader(experiment, in, file.string(), true);
     if (!reader.read_head()) return {};
     return reader.head();

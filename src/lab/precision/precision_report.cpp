@@ -3,6 +3,7 @@
 #include <fmt/core.h>
 
 #include <algorithm>
+#include <cmath>
 #include <limits>
 
 #include "drape/base/input_error.h"
@@ -13,8 +14,9 @@ namespace {
 PrecisionCurve curve_of(const std::string& method, const std::vector<PrecisionRow>& rows) {
     PrecisionCurve curve{method, {}, {}, {}};
     for (const PrecisionRow& row : rows) {
-        if (row.end == "bounded") curve.points.push_back(row);
-        if (row.end != "bounded") curve.unstable.push_back(row.step);
+        const bool is_point = row.end == "bounded" && std::isfinite(row.error) && std::isfinite(row.cost.median);
+        if (is_point) curve.points.push_back(row);
+        if (!is_point) curve.unstable.push_back(row.step);
     }
     std::vector<std::pair<double, double>> errors;
     for (const PrecisionRow& point : curve.points) {

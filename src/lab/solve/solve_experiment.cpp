@@ -163,8 +163,8 @@ std::string size_summary(const SolveRows& rows) {
     for (const auto& [time, sizes] : groups_of(rows, &SolveRow::time)) {
         std::vector<std::pair<double, double>> points;
         for (const SolveRow& row : sizes) {
-            const auto particles = static_cast<double>(row.side * row.side);
-            points.emplace_back(particles, row.cost.median);
+            const double particles = static_cast<double>(row.side) * static_cast<double>(row.side);
+            if (points.empty() || particles > points.back().first) points.emplace_back(particles, row.cost.median);
             text += fmt::format("{:.0f} particles after {} s: {:.1f} iterations, {:.3g} ms a step\n", particles, time,
                                 row.iterations, 1e3 * row.cost.median);
         }
@@ -175,7 +175,9 @@ std::string size_summary(const SolveRows& rows) {
     return text;
 }
 
-std::vector<Chart> tolerance_charts(const SolveRows& rows) {
+std::vector<Chart> tolerance_charts(const SolveRows& all) {
+    const SolveRows rows = rows_with(all, &SolveRow::method, "backward_euler_clamped");
+    if (rows.empty()) return {};
     const auto sides = words_of(rows, [](const SolveRow& row) { return std::to_string(row.side); });
     return {
         {"solve_tolerance",
@@ -221,7 +223,7 @@ Experiment solve_experiment() {
           {number_column("solver_error_m").or_nan(), &Row::solver_error},
           {number_column("step_error_m").or_nan(), &Row::step_error},
           {number_column("iterations"), &Row::iterations},
-          {number_column("cost_s"), &Row::cost}}},
+          {positive_column("cost_s"), &Row::cost}}},
         {{"tolerance", tolerance_cases, line_of_each(tolerance_line), tolerance_charts},
          {"newton", newton_cases, line_of_each(newton_line), newton_charts},
          {"size", size_cases, size_summary, size_charts}}};
