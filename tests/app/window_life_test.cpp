@@ -58,7 +58,7 @@ TEST_F(WindowTest, AfterADivergenceShiftRStartsAgainWithAStepThatHolds) {
     };
     ASSERT_TRUE(eventually([&] { return failures() == 1; }));
     desktop_.key("shift+r");
-    EXPECT_TRUE(recorded("set solver.dt=9.24e-05")) << "0.9 of the limit";
+    EXPECT_TRUE(recorded("set solver.dt=9.25e-05")) << "0.9 of the limit";
     EXPECT_TRUE(recorded("reset"));
     constexpr int far_beyond_the_failure = 2000;  // which comes at step 241
     EXPECT_TRUE(eventually([&] {
