@@ -42,7 +42,7 @@ ExactTally throw_at_sheet(const ContactScene& scene, FailSafe fail_safe) {
 class FailSafeOfThrownSheets : public testing::TestWithParam<std::pair<double, double>> {};
 
 INSTANTIATE_TEST_SUITE_P(Long, FailSafeOfThrownSheets, testing::Values(std::pair(8, 1.25e-4)));
-INSTANTIATE_TEST_SUITE_P(Nightly, FailSafeOfThrownSheets, testing::Values(std::pair(8, 5e-4), std::pair(5, 5e-5)));
+INSTANTIATE_TEST_SUITE_P(Nightly, FailSafeOfThrownSheets, testing::Values(std::pair(8, 2.5e-4), std::pair(5, 5e-5)));
 
 TEST_P(FailSafeOfThrownSheets, LeavesNoCrossing) {
     const auto [speed, thickness] = GetParam();
