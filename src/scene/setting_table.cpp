@@ -188,11 +188,7 @@ void add_the_rest(std::vector<Setting>& table) {
     solver.add("tolerance", &SolverSettings::tolerance, "", {0, 0.1},
                "of backward_euler, implicit_midpoint and bdf2: what a solve may leave, of its right side (0: 1e-4, of "
                "implicit_midpoint 1e-6, with the exact Hessian 1e-8); of dormand_prince: error of an inner step, of "
-               "the cloth's spacing (0: 1e-6), of "
-               "which at most 10000 are tried in a step");
-    solver.add(
-        "newton_steps", &SolverSettings::newton_steps, "", {1, 20},
-        "of backward_euler, implicit_midpoint and bdf2 in one step, at most; 1: its equations are solved as if linear");
+               "the cloth's spacing (0: 1e-6), of which at most 10000 are tried in a step");
     solver.add("threads", &SolverSettings::threads, "", {1, 64},
                "that share a step of the explicit methods, and the search where cloths touch; the motion is the same");
     solver.add("kernels", &SolverSettings::kernels,
@@ -208,6 +204,9 @@ void add_the_rest(std::vector<Setting>& table) {
                "a scene that is slower for half a second falls asleep; 0: never");
 
     solver.add("ledger", &SolverSettings::ledger, "keep the balance of the energy, for panel and CSV");
+    solver.add(
+        "newton_steps", &SolverSettings::newton_steps, "", {1, 20},
+        "of backward_euler, implicit_midpoint and bdf2 in one step, at most; 1: its equations are solved as if linear");
 
     SectionRows<ContactSettings> contact("contact", &Settings::contact, table);
     contact.add("volume", &ContactSettings::volume, "of the hierarchy; brute tests every cell");

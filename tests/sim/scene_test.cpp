@@ -67,6 +67,7 @@ turns = [[0, 0, 0, 0], [1.5, 0.25, 0, 0]]
 integrator = "rk4"
 hessian = "exact"
 iterations = 5
+newton_steps = 2
 tolerance = 1e-7
 ledger = true
 dt = 3e-4

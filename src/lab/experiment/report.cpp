@@ -32,7 +32,7 @@ std::string checked(const std::string& text, std::string_view others = "_") {
 }
 
 std::string text_of(double number) {
-    if (!std::isfinite(number)) throw InputError("a chart's script may not be told a number that is not finite");
+    if (!std::isfinite(number)) throw RunError("a chart's script may not be told a number that is not finite");
     return real_text(number);
 }
 
