@@ -8,7 +8,8 @@ set xtics (16, 32, 64, 128, 256)
 set xlabel 'particles along a side'
 set ylabel 'error of positions, % of the side'
 eval room_about_data
-set key outside bottom center maxrows 2
+set bmargin at screen 0.22
+eval legend(0.06)
 colours = 'symplectic_euler_by_1 '.black.' backward_euler_clamped_by_1 '.blue.' backward_euler_clamped_by_4 '.sky. \
           ' bdf2_clamped_by_2 '.green.' xpbd_1_by_10 '.orange.' xpbd_1_by_40 '.red
 colour(method) = colours[strstrt(colours, method) + strlen(method) + 1:strstrt(colours, method) + strlen(method) + 7]
