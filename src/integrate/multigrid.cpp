@@ -275,8 +275,8 @@ Multigrid::Multigrid(const Grid& grid, Kernels kernels)
     } while (levels_.back().grid.particles() > few_nodes);
     for (std::size_t k = 0; k < levels_.size(); ++k) levels_[k].plan(k < 2);
     const int unknowns = 3 * levels_.back().grid.particles();
-    dense_.resize(unknowns, unknowns);
-    factors_ = Eigen::LLT<Eigen::MatrixXd>(unknowns);
+    dense_.setIdentity(unknowns, unknowns);
+    factors_.compute(dense_);
     unknowns_.resize(unknowns);
 }
 

@@ -3,6 +3,7 @@
 #include <algorithm>
 
 #include "mobility.h"
+#include "sweeps.h"
 
 namespace drape {
 namespace {
