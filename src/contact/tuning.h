@@ -59,7 +59,7 @@ inline constexpr Real deep_part = Real(0.05);
 /// A triangle's own point counts where it is deeper than its corners by this [m]: on a flat side it is as deep.
 inline constexpr Real deeper_than_corners = Real(1e-5);
 /// What a search for the deepest point may leave undone [m], and its steps.
-inline constexpr Real deepest_tolerance = Real(1e-6);
+inline constexpr Real deepest_tolerance = Real(1e-5);
 inline constexpr int max_descents = 48;
 /// A descent is given up where even so many times the slope gap would not bring it down to the limit. Once is a proof
 /// for a convex distance; the rest is a margin on a mesh, where the slope proves nothing.

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <array>
 #include <limits>
 #include <map>
 #include <memory>
@@ -78,17 +79,17 @@ public:
     void find(const MovingCloth& cloth, const Solid& solid, const SearchedBody& body, std::span<const CellRun> cells,
               std::vector<ContactRow>& rows);
 
-    /// A distance that was measured, and where, seen from the solid: since then it has changed by no more than that has
-    /// moved.
+    /// A distance of a triangle, and where its corners were, seen from the solid: since then it has changed by no more
+    /// than one of these has moved.
     struct Measured {
-        Vec3 at = Vec3::Zero();
+        std::array<Vec3, 3> corners;
         Real distance = -std::numeric_limits<Real>::infinity();  ///< before there is one
     };
 
 private:
     struct Known {
         std::shared_ptr<const SolidShape> shape;
-        std::vector<Measured> particles;
+        std::vector<Measured> triangles;
     };
 
     std::map<int, Known> known_;            ///< of each solid, by the number of its body

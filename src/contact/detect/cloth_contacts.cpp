@@ -89,35 +89,34 @@ private:
 struct NearSolid {
     const Solid& solid;                          ///< where the planes are those of the contacts
     std::vector<SurfaceDistance>& surface;       ///< of the particles that were asked for, else no number
-    std::vector<SolidSearch::Measured>& before;  ///< of all of them, whenever they were last asked for
+    std::vector<SolidSearch::Measured>& before;  ///< of all triangles, whenever they were last measured
 
     [[nodiscard]] std::optional<SurfaceDistance> at_corner(const Triangle& triangle, std::size_t k, Real limit) const {
         const SurfaceDistance& corner = known(triangle, k);
         return corner.distance < limit ? std::optional(corner) : std::nullopt;
     }
 
-    /// Nothing, without being measured, too, if a corner cannot have come near enough since it was.
+    /// Nothing, without being measured, too, if the triangle cannot have come near enough since it was.
     [[nodiscard]] std::optional<DeepestPoint> nearest(const Triangle& triangle, Real limit) const {
+        auto& [corners, distance] = before[static_cast<std::size_t>(triangle.number)];
+        Real moved = 0;
         for (std::size_t k = 0; k < 3; ++k) {
-            const Vec3& p = triangle.corners[k];
-            const auto& [at, distance] = before[static_cast<std::size_t>(triangle.particles[k])];
-            const Real side =
-                std::max((p - triangle.corners[(k + 1) % 3]).norm(), (p - triangle.corners[(k + 2) % 3]).norm());
-            if (distance - (p - solid.position - at).norm() - side > limit) return std::nullopt;
+            moved = std::max(moved, (triangle.corners[k] - solid.position - corners[k]).squaredNorm());
         }
+        if (distance - std::sqrt(moved) > limit) return std::nullopt;
         const std::array at_corners{known(triangle, 0), known(triangle, 1), known(triangle, 2)};
-        return find_nearest_point(solid, triangle.corners, at_corners, limit);
+        const NearestPoint found = find_nearest_point(solid, triangle.corners, at_corners, limit);
+        for (std::size_t k = 0; k < 3; ++k) corners[k] = triangle.corners[k] - solid.position;
+        distance = found.bound;
+        return found.point;
     }
 
 private:
     /// Measured once.
     [[nodiscard]] const SurfaceDistance& known(const Triangle& triangle, std::size_t k) const {
-        const auto particle = static_cast<std::size_t>(triangle.particles[k]);
-        if (!std::isnan(surface[particle].distance)) return surface[particle];
-        const Vec3& p = triangle.corners[k];
-        surface[particle] = solid.measure(p);
-        before[particle] = {p - solid.position, surface[particle].distance};
-        return surface[particle];
+        SurfaceDistance& at = surface[static_cast<std::size_t>(triangle.particles[k])];
+        if (std::isnan(at.distance)) at = solid.measure(triangle.corners[k]);
+        return at;
     }
 };
 
@@ -229,15 +228,15 @@ void SolidSearch::find(const MovingCloth& cloth, const Solid& solid, const Searc
                        std::span<const CellRun> cells, std::vector<ContactRow>& rows) {
     if (cells.empty()) return;
     const SurfaceDistance unknown{std::numeric_limits<Real>::quiet_NaN(), Vec3::Zero()};
-    const auto particles = static_cast<std::size_t>(cloth.grid.particles());
-    surface_.assign(particles, unknown);
+    surface_.assign(static_cast<std::size_t>(cloth.grid.particles()), unknown);
+    const auto triangles = static_cast<std::size_t>(cloth.grid.triangles());
     Known& known = known_[body.number];
-    if (known.shape != solid.shape || known.particles.size() != particles) {
-        known = {solid.shape, std::vector<Measured>(particles)};
+    if (known.shape != solid.shape || known.triangles.size() != triangles) {
+        known = {solid.shape, std::vector<Measured>(triangles)};
     }
     Solid start = solid;
     if (body.reach > 0) start.position -= solid.moved;
-    BodyContacts<NearSolid> found{cloth,          body,           {start, surface_, known.particles},
+    BodyContacts<NearSolid> found{cloth,          body,           {start, surface_, known.triangles},
                                   start.position, solid.position, rows};
     for_each_cell(cloth.grid, cells, [&](int cell) {
         for (const int triangle : {2 * cell, 2 * cell + 1}) found.add_triangle(triangle);

@@ -131,20 +131,24 @@ DeepestPoint find_deepest_point(const Solid& solid, const Corners& corners,
         const Vec3 down = best.point - step * best.surface.normal;
         const Real before = best.surface.distance;
         descent.take(closest_point_on_triangle(down, corners[0], corners[1], corners[2]).barycentric);
-        step *= best.surface.distance < before ? Real(2) : Real(0.5);
+        const Real gain = before - best.surface.distance;
+        if (gain > 0 && gain < deepest_tolerance) break;
+        step *= gain > 0 ? Real(2) : Real(0.5);
     }
     return best;
 }
 
-std::optional<DeepestPoint> find_nearest_point(const Solid& solid, const Corners& corners,
-                                               const std::array<SurfaceDistance, 3>& at_corners, Real limit) {
+NearestPoint find_nearest_point(const Solid& solid, const Corners& corners,
+                                const std::array<SurfaceDistance, 3>& at_corners, Real limit) {
     const DeepestPoint corner = lowest_corner(corners, at_corners);
     const Real least = std::min(limit, corner.surface.distance - deeper_than_corners);
-    if (bound_of(solid, corners, at_corners) < least) {
+    Real bound = bound_of(solid, corners, at_corners);
+    if (bound < least) {
         const DeepestPoint deepest = find_deepest_point(solid, corners, at_corners, least);
-        if (deepest.surface.distance < least) return deepest;
+        bound = std::max(bound, deepest.surface.distance - gap_margin * slope_gap(deepest, corners));
+        if (deepest.surface.distance < least) return {deepest, bound};
     }
-    return corner.surface.distance < limit ? std::optional(corner) : std::nullopt;
+    return {corner.surface.distance < limit ? std::optional(corner) : std::nullopt, bound};
 }
 
 }  // namespace drape

@@ -28,9 +28,15 @@ DeepestPoint find_deepest_point(const Solid& solid, const Corners& corners,
                                 const std::array<SurfaceDistance, 3>& at_corners,
                                 Real limit = std::numeric_limits<Real>::infinity());
 
+/// What a search for the nearest point has found.
+struct NearestPoint {
+    std::optional<DeepestPoint> point;  ///< if it is below the limit
+    Real bound;                         ///< no point is lower, as far as was seen [m]
+};
+
 /// The same where something may be below a limit: a corner, unless another point is deeper than they are by more than
 /// `deeper_than_corners`. Most triangles are decided by the distances of their corners.
-std::optional<DeepestPoint> find_nearest_point(const Solid& solid, const Corners& corners,
-                                               const std::array<SurfaceDistance, 3>& at_corners, Real limit);
+NearestPoint find_nearest_point(const Solid& solid, const Corners& corners,
+                                const std::array<SurfaceDistance, 3>& at_corners, Real limit);
 
 }  // namespace drape
