@@ -35,8 +35,6 @@ namespace {
         words.emplace_back("--tour");
     } else if (!options.start.scene.empty()) {
         words.push_back(options.start.scene);
-    } else if (options.start.replay.empty() && options.start.load.empty()) {
-        words.insert(words.end(), {"drop", "--set", "view.eye=0.85,0.7,1.25"});  // the README's picture
     }
     if (!options.tour) {
         for (const std::string& setting : options.start.assignments) words.insert(words.end(), {"--set", setting});

@@ -24,7 +24,7 @@ Real tolerance_of(const IntegratorParameters& parameters) {
     return kind == IntegratorKind::ImplicitMidpoint ? Real(1e-6) : Real(1e-4);
 }
 
-Real displacement_share(IntegratorKind kind) {
+Real displacement_factor(IntegratorKind kind) {
     switch (kind) {
         case IntegratorKind::VelocityVerlet:
         case IntegratorKind::Rk4:

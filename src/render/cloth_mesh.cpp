@@ -30,7 +30,7 @@ void fill_cloth_vertices(const ClothView& cloth, Real blend, ClothVertex* vertic
             vertices[p].position[axis] = static_cast<float>(x);
         }
         vertices[p].value = 0;
-        vertices[p].pinned = p == cloth.held ? 2.0f : cloth.model.pinned(p) ? 1.0f : 0.0f;
+        vertices[p].pinned = p == cloth.grabbed ? 2.0f : cloth.model.pinned(p) ? 1.0f : 0.0f;
     }
 
     // Normals: across the neighbours along the row and along the column

@@ -71,6 +71,12 @@ Row state_row(const FrameView& view) {
     return {"state", view.held ? "running, in hand" : "running", -1, 4, ink::good};
 }
 
+void add_speed_row(const FrameView& view, std::vector<Row>& rows) {
+    if (const double speed = view.settings->view.speed; speed != 1) {
+        rows.push_back({"speed", format("%.3g x real time", speed), -1, 3, ink::wait});
+    }
+}
+
 // The step or the substeps that it is divided into, and how near they are to the limit
 void add_step_rows(const FrameView& view, std::vector<Row>& rows) {
     const StepReport& report = *view.report;
@@ -78,9 +84,7 @@ void add_step_rows(const FrameView& view, std::vector<Row>& rows) {
     std::string text = report.substeps > 1 ? format("%d x ", report.substeps) : "";
     text += format("%.3g ms", 1000 * substep);
     rows.push_back({"time step", text, -1, 3});
-    if (const double speed = view.settings->view.speed; speed != 1) {
-        rows.push_back({"speed", format("%.3g x real time", speed), -1, 3, ink::wait});
-    }
+    add_speed_row(view, rows);
     const double ratio = report.step_limit_ratio;
     if (ratio == 0) return;
     const ImU32 colour = ratio <= 0.9 ? ink::good : ratio <= 1 ? ink::wait : ink::bad;
@@ -111,7 +115,16 @@ Row candidates_row(const FrameView& view) {
     return {"candidates", text, -1, 2};
 }
 
-// What the hierarchy saves: tests, and time where that was measured
+// What the hierarchy saves of the time, where that was measured
+void add_search_rows(const FrameView& view, std::vector<Row>& rows) {
+    if (view.search == nullptr) return;
+    const double time = view.search->hierarchy, brute = view.search->brute_force;
+    rows.push_back({"search, in all", format("%.3g ms", 1000 * time), -1, 2});
+    rows.push_back({"by brute force", format("%.3g ms, %.2g x", 1000 * brute, brute / time), -1, 2,
+                    brute > time ? ink::good : ink::wait});
+}
+
+// What it saves of the tests, and of the time
 void add_saving_rows(const FrameView& view, std::vector<Row>& rows) {
     const double all = tests_of_brute_force(view);
     if (all == 0) return;
@@ -119,11 +132,7 @@ void add_saving_rows(const FrameView& view, std::vector<Row>& rows) {
     const bool saves = all > 1.05 * tested;
     const std::string text = tested == 0 ? "tests them all" : format("%.3g x the tests", all / tested);
     rows.push_back({"brute force", saves ? text : "as many tests", -1, 3, saves ? ink::good : ink::wait});
-    if (view.search == nullptr) return;
-    const double time = view.search->hierarchy, brute = view.search->brute_force;
-    rows.push_back({"search, in all", format("%.3g ms", 1000 * time), -1, 2});
-    rows.push_back({"by brute force", format("%.3g ms, %.2g x", 1000 * brute, brute / time), -1, 2,
-                    brute > time ? ink::good : ink::wait});
+    add_search_rows(view, rows);
 }
 
 // What stands above the figures of a group
@@ -161,19 +170,34 @@ void add_balance_rows(const FrameView& view, std::vector<Row>& rows) {
     rows[first].opens_group = true;
 }
 
+// How near a step is to its limit, where that is a worry
+void add_limit_row(const FrameView& view, std::vector<Row>& rows) {
+    const double ratio = view.report->step_limit_ratio;
+    if (ratio <= 0.9) return;
+    const std::string text = std::isfinite(ratio) ? format("%.2f x its limit", ratio) : "no stable step";
+    rows.push_back({"time step", text, -1, 3, ratio <= 1 ? ink::wait : ink::bad});
+}
+
+// Of the tests that brute force makes. Where the cloth is small and most of it near a ball, a tree adds its own.
+void add_saved_row(const FrameView& view, std::vector<Row>& rows) {
+    const double all = tests_of_brute_force(view);
+    if (all == 0) return;
+    const TraversalStats& made = view.report->traversal;
+    const double saved = 1 - static_cast<double>(made.candidates + made.volume_tests) / all;
+    const std::string text = saved > 0.05 ? format("%.0f %%", 100 * saved) : "none: most is near the ball";
+    rows.push_back({"tests saved", text, -1, 3, saved > 0.05 ? ink::good : ink::wait});
+}
+
 // What a glance takes in, and what the user has asked for
 void add_compact_rows(const FrameView& view, const FrameReport& last, std::vector<Row>& rows) {
-    add_rows_ahead(ReportGroup::Time, view, rows);
-    rows.push_back({"contacts", grouped(static_cast<double>(view.report->contacts)), -1, 3});
-    if (view.settings->contact.self) {
-        rows.push_back({"touching pairs", grouped(static_cast<double>(view.report->pairs)), -1, 3});
-    }
-    if (tests_of_brute_force(view) > 0) rows.push_back(candidates_row(view));
-    add_saving_rows(view, rows);
+    rows.push_back(state_row(view));
     rows.push_back({"FPS", rate_text(view, last), -1, 3});
-    add_grid_row(view, rows);
+    add_speed_row(view, rows);
+    add_limit_row(view, rows);
+    rows.push_back({"contacts", grouped(static_cast<double>(view.report->contacts + view.report->pairs)), -1, 3});
+    add_saved_row(view, rows);
+    add_search_rows(view, rows);
     add_balance_rows(view, rows);
-    rows.push_back({"Tab", "all figures", -1, 1, ink::quiet});
 }
 
 // Every figure of a step that has a label, group by group

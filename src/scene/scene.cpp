@@ -202,7 +202,9 @@ std::vector<std::string> scene_names() {
     for (const auto& entry : std::filesystem::directory_iterator(find_resource("scenes"))) {
         if (entry.path().extension() == ".toml") names.push_back(entry.path().stem().string());
     }
-    const auto rank = [](const std::string& name) { return name == "drop" ? 0 : name.starts_with("fails_") ? 2 : 1; };
+    const auto rank = [](const std::string& name) {
+        return name == "veil" ? 0 : name == "drop" ? 1 : name.starts_with("fails_") ? 3 : 2;
+    };
     std::ranges::sort(names, {}, [&](const std::string& name) { return std::pair(rank(name), name); });
     return names;
 }

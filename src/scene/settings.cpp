@@ -39,7 +39,7 @@ ResponseParameters response_of(const Settings& settings) {
             .friction = contact.friction,
             .pair_thickness = pair_thickness_of(settings),
             .stiffness = contact.stiffness,
-            .displacement_share = displacement_share(settings.solver.integrator),
+            .displacement_factor = displacement_factor(settings.solver.integrator),
             .kernels = settings.solver.kernels};
 }
 

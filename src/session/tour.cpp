@@ -21,7 +21,7 @@ constexpr std::array<TourStop, 12> stops{{
     {"The step limit", "fails_symplectic_euler", "",
      "The time step is 2 % above the limit of the stiffest mode, which grows by a factor in every step.",
      "When it has diverged: Shift+R resets with a stable step.", "src/integrate/stability.cpp", 0.006},
-    {"What a tree prunes", "drop", "contact.leaf_cells=2,view.bounds=true,view.level=4",
+    {"What a tree prunes", "veil", "contact.leaf_cells=2,view.bounds=true,view.level=4",
      "One test prunes everything inside a sphere that the ball does not touch.",
      "[ and ] change the level; move the ball away, and nearly all of the tree is pruned.",
      "include/drape/bounds/cloth_quadtree.h", 0.4},
@@ -33,7 +33,8 @@ constexpr std::array<TourStop, 12> stops{{
      "U goes through the policies: compare the times of build and traverse.", "include/drape/bounds/cloth_quadtree.h",
      1.2},
     {"Tunnelling", "bullet",
-     "contact.continuous=false,solver.dt=5e-3,solver.integrator=backward_euler,ball.velocity=0,1,60,view.speed=0.05",
+     "contact.self=false,contact.continuous=false,solver.dt=5e-3,solver.integrator=backward_euler,ball.velocity=0,1,60,"
+     "view.speed=0.05",
      "The ball is tested at the ends of each step only: at 60 m/s it is through the cloth in between.",
      "M, Contact: set continuous to auto, then R.", "src/contact/detect/cloth_contacts.cpp", 0.05},
     {"Friction", "slide", "", "With a friction coefficient of 0.05 the cloth slides off the ball and down the incline.",

@@ -74,7 +74,7 @@ template <class Visit>
 void for_each_pin_in(const BallStops& stops, const Vec3& start, const Ball& ball, Visit visit) {
     for (const Cloth& cloth : stops.cloths) {
         for (int p = 0; p < cloth.model.grid.particles(); ++p) {
-            if (!cloth.model.pinned(p) || p == cloth.held) continue;
+            if (!cloth.model.pinned(p) || p == cloth.grabbed) continue;
             const Vec3 pin = cloth.state.x.row(p).transpose(), offset = pin - ball.centre;
             const Real distance = offset.norm(), least = std::min(ball.radius + stops.thickness, (pin - start).norm());
             const Real rounding = length_rounding * (pin.cwiseAbs().sum() + least);

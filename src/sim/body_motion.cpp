@@ -78,8 +78,8 @@ Real inverse_mass_of(const BallSettings& settings) {
     return settings.motion == BallMotion::Free ? 1 / settings.mass : Real(0);
 }
 
-void move_ball(const BallSettings& settings, const Vec3& steer, const Vec3& gravity, Real share, Real time, Real h,
-               Ball& ball) {
+void move_ball(const BallSettings& settings, const Vec3& steer, const Vec3& gravity, Real displacement_factor,
+               Real time, Real h, Ball& ball) {
     Vec3 start = ball.centre;
     switch (settings.motion) {
         case BallMotion::Keys:
@@ -97,7 +97,7 @@ void move_ball(const BallSettings& settings, const Vec3& steer, const Vec3& grav
             break;
         case BallMotion::Free:
             ball.velocity += h * gravity;
-            ball.centre += h * (ball.velocity - (1 - share) * h * gravity);
+            ball.centre += h * (ball.velocity - (1 - displacement_factor) * h * gravity);
             break;
     }
     if (ball.inverse_mass == 0) ball.spin.setZero();

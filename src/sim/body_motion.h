@@ -19,9 +19,9 @@ Real inverse_mass_of(const BallSettings& settings);
 /// substep. A free ball falls as a particle does, so that what rests on the other has the same balance of pushes.
 /// @param steer direction that the keys ask for, of length 0 or 1
 /// @param gravity of a free ball [m/s^2]
-/// @param share of the integrator, see `displacement_share`
-void move_ball(const BallSettings& settings, const Vec3& steer, const Vec3& gravity, Real share, Real time, Real h,
-               Ball& ball);
+/// @param displacement_factor of the integrator, see the function of this name
+void move_ball(const BallSettings& settings, const Vec3& steer, const Vec3& gravity, Real displacement_factor,
+               Real time, Real h, Ball& ball);
 
 /// Rolling resistance: slows the spin of a ball by the torque coefficient * radius * load, and no further than to a
 /// stop. Friction then slows the ball: a rolling one by 5/7 coefficient * g [m/s^2].

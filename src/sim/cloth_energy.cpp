@@ -56,15 +56,15 @@ void ClothEnergy::restart(const ClothModel& model, const ClothState& state, Kern
 EnergyFlow ClothEnergy::flow(const ClothModel& model, const ClothState& state) {
     EnergyFlow flow = compute_energy_flow(model, state.x, state.v, wind_, kernels_);
     if (!has_pins_) return flow;
-    const double of_hand = held_ >= 0 ? held_power(model, state.x, state.v, held_) : 0;
+    const double of_hand = grabbed_ >= 0 ? held_power(model, state.x, state.v, grabbed_) : 0;
     flow.power.pins = flow.power.hand - of_hand;
     flow.power.hand = of_hand;
     return flow;
 }
 
-void ClothEnergy::start_of_step(const ClothModel& model, const ClothState& state, int held) {
+void ClothEnergy::start_of_step(const ClothModel& model, const ClothState& state, int grabbed) {
     if (!ledger_) return;
-    held_ = held;
+    grabbed_ = grabbed;
     ledger_->see(flow(model, state));
 }
 
@@ -90,11 +90,11 @@ void ClothEnergy::after_integrator(const ClothModel& model, const ClothState& st
 
 /// The springs that are shortened hand on what hand and balls have pulled and pushed: what that adds to the energy is
 /// their work too. The ledger sees the limit as part of the step.
-StretchReport ClothEnergy::limit_stretch(const ClothModel& model, int held, ClothState& state) {
+StretchReport ClothEnergy::limit_stretch(const ClothModel& model, int grabbed, ClothState& state) {
     const StretchReport unlimited{.excess = stretch_excess(model, state.x)};
     if (unlimited.excess <= stretch_tolerance) return unlimited;
     const double before = compute_energy(model, state, kernels_).total();
-    const StretchReport report = drape::limit_stretch(model, held, state);
+    const StretchReport report = drape::limit_stretch(model, grabbed, state);
     watch_.give(std::max(compute_energy(model, state, kernels_).total() - before, 0.0));
     return report;
 }
@@ -131,7 +131,7 @@ void ClothEnergy::before_hold(const ClothModel& model, const ClothState& state) 
 void ClothEnergy::after_hold(const ClothModel& model, const ClothState& state) {
     const EnergyFlow after = compute_energy_around(model, state.x, state.v, whole(model.grid), kernels_);
     watch_.give(std::max(after.energy.total() - before_.energy.total(), 0.0));
-    if (ledger_) ledger_->held_back(before_, after);
+    if (ledger_) ledger_->prevented_crossing(before_, after);
 }
 
 /// Of what is being pushed, where it is to be measured.

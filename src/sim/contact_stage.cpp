@@ -63,7 +63,7 @@ void ContactStage::configure(const Settings& settings, const Settings& before, s
     } else if (!same_search) {
         self_.use_hierarchy(settings, models_of(cloths));
     }
-    self_.share(settings.solver.threads);
+    self_.use_threads(settings.solver.threads);
     const int ground = static_cast<int>(settings.balls.size() + settings.solids.size());
     const Ground &now = settings.ground, &then = before.ground;
     if (!now.solid || now.height < then.height) forget_bodies([&](int body) { return body == ground; });
@@ -110,7 +110,7 @@ void ContactStage::begin(const Settings& settings, const ContactBodies& bodies, 
 }
 
 void ContactStage::warm_start() {
-    go_on(Stage::Begun, Stage::Given);
+    go_on(Stage::Begun, Stage::WarmStarted);
     const std::span<const ContactRow> rows = warm_start_.rows();
     if (std::ranges::none_of(rows, &ContactRow::has_impulse)) return;
     const double balls_before = kinetic_energy(now_.bodies);
@@ -143,7 +143,7 @@ void ContactStage::after_pushes(std::span<const ContactRow> rows, bool known, do
 }
 
 void ContactStage::detect(StepReport& report) {
-    go_on(Stage::Given, Stage::Found);
+    go_on(Stage::WarmStarted, Stage::Found);
     build(report);
     traverse(report);
     narrow(report);
@@ -240,7 +240,7 @@ void ContactStage::prevent_crossing(StepReport& report) {
     if (would_cross()) {
         const std::span<Cloth> cloths = now_.moving.cloths;
         for (Cloth& cloth : cloths) cloth.energy.before_hold(cloth.model, cloth.state);
-        report.held_back = self_.prevent_crossing(now_.cloths);
+        report.failsafe_particles = self_.prevent_crossing(now_.cloths);
         for (Cloth& cloth : cloths) cloth.energy.after_hold(cloth.model, cloth.state);
         report.penetration = static_cast<double>(update_depths(now_.cloths, now_.bodies, rows_));
     }

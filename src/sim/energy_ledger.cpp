@@ -6,9 +6,9 @@
 namespace drape {
 namespace {
 
-constexpr std::array all_entries{&EnergyBalance::wind,    &EnergyBalance::hand,    &EnergyBalance::pins,
-                                 &EnergyBalance::ball,    &EnergyBalance::damping, &EnergyBalance::drag,
-                                 &EnergyBalance::contact, &EnergyBalance::held,    &EnergyBalance::integrator};
+constexpr std::array all_entries{&EnergyBalance::wind,    &EnergyBalance::hand,     &EnergyBalance::pins,
+                                 &EnergyBalance::ball,    &EnergyBalance::damping,  &EnergyBalance::drag,
+                                 &EnergyBalance::contact, &EnergyBalance::failsafe, &EnergyBalance::integrator};
 
 }  // namespace
 
@@ -70,8 +70,8 @@ void EnergyLedger::responded(const EnergyFlow& before, const EnergyFlow& after, 
     changed_after_step(before, after);
 }
 
-void EnergyLedger::held_back(const EnergyFlow& before, const EnergyFlow& after) {
-    now_.balance.held += before.energy.total() - after.energy.total();
+void EnergyLedger::prevented_crossing(const EnergyFlow& before, const EnergyFlow& after) {
+    now_.balance.failsafe += before.energy.total() - after.energy.total();
     changed_after_step(before, after);
 }
 

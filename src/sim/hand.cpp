@@ -144,55 +144,55 @@ void Hand::grab(const command::Grab& command, std::span<Cloth> cloths) {
     const auto number = static_cast<std::size_t>(command.cloth);
     Cloth& cloth = cloths[number];
     release(cloths);
-    held_ = Held{number, command.particle, cloth.state.x.row(command.particle).transpose(),
+    grab_ = Grab{number, command.particle, cloth.state.x.row(command.particle).transpose(),
                  cloth.model.pinned(command.particle)};
     cloth.energy.touch(cloth.model, cloth.state);
     cloth.model.hold(command.particle, true);
-    cloth.held = command.particle;
+    cloth.grabbed = command.particle;
 }
 
 void Hand::release(std::span<Cloth> cloths) {
-    if (!held_) return;
-    Cloth& cloth = cloths[held_->cloth];
+    if (!grab_) return;
+    Cloth& cloth = cloths[grab_->cloth];
     cloth.energy.touch(cloth.model, cloth.state);
-    if (held_->was_pinned) {
-        cloth.state.v.row(held_->particle).setZero();
+    if (grab_->was_pinned) {
+        cloth.state.v.row(grab_->particle).setZero();
     } else {
-        cloth.model.hold(held_->particle, false);
+        cloth.model.hold(grab_->particle, false);
     }
-    cloth.held = -1;
-    held_.reset();
+    cloth.grabbed = -1;
+    grab_.reset();
 }
 
 void Hand::hold_in(std::size_t cloth, ClothModel& model) {
-    if (!held_ || held_->cloth != cloth) return;
-    held_->was_pinned = model.pinned(held_->particle);
-    model.hold(held_->particle, true);
+    if (!grab_ || grab_->cloth != cloth) return;
+    grab_->was_pinned = model.pinned(grab_->particle);
+    model.hold(grab_->particle, true);
 }
 
 void Hand::lead(std::span<Cloth> cloths, const Obstacles& obstacles, Real h) {
-    if (!held_) return;
-    Cloth& cloth = cloths[held_->cloth];
-    const Vec3 here = cloth.state.x.row(held_->particle).transpose();
-    Vec3 velocity = (outside(cloth.model, held_->target, obstacles) - here) / std::max(hand_lag, h);
+    if (!grab_) return;
+    Cloth& cloth = cloths[grab_->cloth];
+    const Vec3 here = cloth.state.x.row(grab_->particle).transpose();
+    Vec3 velocity = (outside(cloth.model, grab_->target, obstacles) - here) / std::max(hand_lag, h);
     const Real speed = velocity.norm();
     if (speed > hand_speed) velocity *= hand_speed / speed;
-    const Grip grip{cloth.model, cloth.state, held_->particle, h};
+    const Grip grip{cloth.model, cloth.state, grab_->particle, h};
     velocity = within_limit(grip, within_bound(grip, velocity));
     velocity = (outside(cloth.model, here + h * velocity, obstacles) - here) / h;
-    const Real gained = velocity.squaredNorm() - cloth.state.v.row(held_->particle).squaredNorm();
+    const Real gained = velocity.squaredNorm() - cloth.state.v.row(grab_->particle).squaredNorm();
     cloth.energy.give(static_cast<double>(cloth.model.particle_mass / 2 * std::max(gained, Real(0))));
     cloth.energy.touch(cloth.model, cloth.state);
-    cloth.state.v.row(held_->particle) = velocity.transpose();
-    held_->power = held_power(cloth.model, cloth.state.x, cloth.state.v, held_->particle);
+    cloth.state.v.row(grab_->particle) = velocity.transpose();
+    grab_->power = held_power(cloth.model, cloth.state.x, cloth.state.v, grab_->particle);
 }
 
 /// The larger of both ends of the step stands for all of it: a spring that is drawn out pulls ever more.
 void Hand::count_work(std::span<Cloth> cloths, Real h) const {
-    if (!held_) return;
-    Cloth& cloth = cloths[held_->cloth];
-    const double power = held_power(cloth.model, cloth.state.x, cloth.state.v, held_->particle);
-    cloth.energy.give(std::max({held_->power, power, 0.0}) * static_cast<double>(h));
+    if (!grab_) return;
+    Cloth& cloth = cloths[grab_->cloth];
+    const double power = held_power(cloth.model, cloth.state.x, cloth.state.v, grab_->particle);
+    cloth.energy.give(std::max({grab_->power, power, 0.0}) * static_cast<double>(h));
 }
 
 }  // namespace drape

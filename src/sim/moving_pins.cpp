@@ -30,7 +30,7 @@ Eigen::Quaternion<Real> turned_by(const Vec3& turns) {
 double power_of(const std::vector<int>& pins, const Cloth& cloth) {
     double power = 0;
     for (const int p : pins) {
-        if (p != cloth.held) power += std::max(held_power(cloth.model, cloth.state.x, cloth.state.v, p), 0.0);
+        if (p != cloth.grabbed) power += std::max(held_power(cloth.model, cloth.state.x, cloth.state.v, p), 0.0);
     }
     return power;
 }
@@ -77,7 +77,7 @@ void MovingPins::let_go(std::span<Cloth> cloths) {
         Cloth& cloth = cloths[static_cast<std::size_t>(group.settings.cloth)];
         cloth.energy.touch(cloth.model, cloth.state);
         for (const int p : group.particles) {
-            if (p != cloth.held) cloth.state.v.row(p).setZero();
+            if (p != cloth.grabbed) cloth.state.v.row(p).setZero();
         }
     }
     groups_.clear();
@@ -104,7 +104,7 @@ bool MovingPins::lead(Group& group, Cloth& cloth, Real time, Real h) {
     bool stops = false;
     for (std::size_t k = 0; k < group.particles.size() && !group.moves; ++k) {
         const int p = group.particles[k];
-        if (p == cloth.held) continue;
+        if (p == cloth.grabbed) continue;
         group.moves = !velocity_of(k).isZero(0);
         stops = stops || !cloth.state.v.row(p).isZero(0);
     }
@@ -114,7 +114,7 @@ bool MovingPins::lead(Group& group, Cloth& cloth, Real time, Real h) {
     Real gained = 0;
     for (std::size_t k = 0; k < group.particles.size(); ++k) {
         const int p = group.particles[k];
-        if (p == cloth.held) continue;
+        if (p == cloth.grabbed) continue;
         const Vec3 velocity = velocity_of(k);
         gained += std::max(velocity.squaredNorm() - cloth.state.v.row(p).squaredNorm(), Real(0));
         cloth.pin_speed = std::max(cloth.pin_speed, velocity.norm());

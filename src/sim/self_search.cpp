@@ -70,7 +70,7 @@ void SelfSearch::use(const Settings& settings, std::span<const ClothModel* const
     *this = {};
     on_ = settings.contact.self;
     if (!on_) return;
-    share(settings.solver.threads);
+    use_threads(settings.solver.threads);
     use_hierarchy(settings, models);
     crossings_at_start_ = count_crossings(x);
     coincident_at_start_ = count_coincident(x);

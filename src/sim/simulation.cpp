@@ -67,7 +67,7 @@ bool Simulation::input(const Substep& now) {
     hand_.lead(cloths_, {balls_, solids_, settings_.ground, settings_.contact.thickness}, now.h);
     for (std::size_t b = 0; b < balls_.size(); ++b) {
         if (report_.asleep && !is_kinematic(b)) continue;
-        move_ball(settings_.balls[b], steer_, gravity_of(settings_), displacement_share(settings_.solver.integrator),
+        move_ball(settings_.balls[b], steer_, gravity_of(settings_), displacement_factor(settings_.solver.integrator),
                   static_cast<Real>(now.time), now.h, balls_[b]);
     }
     for (std::size_t s = 0; s < solids_.size(); ++s) {
@@ -87,7 +87,7 @@ bool Simulation::integrate(const Substep& now) {
     for (Cloth& cloth : cloths_) {
         cloth.model.air = air;
         Stopwatch watch;
-        cloth.energy.start_of_step(cloth.model, cloth.state, cloth.held);
+        cloth.energy.start_of_step(cloth.model, cloth.state, cloth.grabbed);
         rethrow_bad_alloc(settings_, [&] { report_.solve += cloth.integrator.step(cloth.model, cloth.state, now.h); });
         report_.times.step += watch.lap();
         cloth.search.positions_changed();
@@ -108,7 +108,7 @@ bool Simulation::integrate(const Substep& now) {
 void Simulation::limit_stretch() {
     Stopwatch watch;
     for (Cloth& cloth : cloths_) {
-        const StretchReport left = cloth.energy.limit_stretch(cloth.model, cloth.held, cloth.state);
+        const StretchReport left = cloth.energy.limit_stretch(cloth.model, cloth.grabbed, cloth.state);
         if (left.sweeps > 0) cloth.search.positions_changed();
     }
     report_.times.step += watch.lap();

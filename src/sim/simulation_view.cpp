@@ -26,7 +26,7 @@ FrameView Simulation::view(Real blend) {
         particles += static_cast<double>(cloth.state.v.rows());
         if (settings_.view.bounds) cloth.search.show(cloth.state.x, balls_, settings_.contact.thickness);
         shown_.push_back({cloth.model, cloth.state.x, cloth.previous.x, contact_.rows_of(shown_.size()),
-                          &cloth.search.hierarchy(), &cloth.state.v, cloth.held});
+                          &cloth.search.hierarchy(), &cloth.state.v, cloth.grabbed});
     }
     report_.rms_speed = std::sqrt(square_sum / particles);
     TraversalStats pair_search;

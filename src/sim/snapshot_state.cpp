@@ -37,7 +37,7 @@ void exchange(SnapshotText& text, StepReport& report) {
     text.line("stretch", report.stretch_excess, report.worst_stretch_excess, report.overstretched);
     text.line("contact", report.contacts, report.false_candidates, report.contact_residual, report.contact_sweeps,
               report.penetration, report.false_contacts, report.missed_penetration);
-    text.line("pairs", report.listed_pairs, report.pairs, report.held_back);
+    text.line("pairs", report.listed_pairs, report.pairs, report.failsafe_particles);
     text.line("asleep", report.asleep);
     text.line("solves", report.unconverged, Unbounded{report.worst_residual}, report.unsolved_by);
     text.line("energy", report.energy_excess, report.energy_gain_step, report.gained_by);
@@ -144,7 +144,7 @@ void Simulation::exchange(SnapshotText& text) {
     for (Cloth& cloth : cloths_) {
         text.line("cloth", cloth.pin_speed, cloth.model.air.velocity, within(cloth.model.air.density, 0, 1e3));
         drape::exchange(text, cloth.state);
-        cloth.energy.exchange(text, cloth.held);
+        cloth.energy.exchange(text, cloth.grabbed);
         cloth.integrator.exchange(text, cloth.model);
     }
     contact_.exchange(text, {cloths_, balls_, solids_}, settings_.ground.solid);
@@ -210,7 +210,7 @@ void ContactStage::exchange(SnapshotText& text, const ContactBodies& bodies, boo
 void EnergyLedger::exchange(SnapshotText& text) {
     EnergyBalance& entries = now_.balance;
     text.line("ledger", entries.wind, entries.hand, entries.pins, entries.ball, entries.damping, entries.drag,
-              entries.contact, entries.held, entries.integrator);
+              entries.contact, entries.failsafe, entries.integrator);
     drape::exchange(text, now_.seen);
     auto since = static_cast<int>(now_.since);
     text.line("since", within(since, 0, static_cast<int>(Since::Pins)), within(now_.h, 0, 1), now_.contact_energy,
@@ -221,16 +221,16 @@ void EnergyLedger::exchange(SnapshotText& text) {
 }
 
 void Hand::exchange(SnapshotText& text, std::span<Cloth> cloths) {
-    bool holds = held_.has_value();
+    bool holds = grab_.has_value();
     text.line("hand", holds);
     if (!holds) return;
-    if (text.reads()) held_ = Held{0, 0, Vec3::Zero(), false};
-    text.line("holds", within(held_->cloth, 0, static_cast<double>(cloths.size() - 1)), held_->particle, held_->target);
+    if (text.reads()) grab_ = Grab{0, 0, Vec3::Zero(), false};
+    text.line("holds", within(grab_->cloth, 0, static_cast<double>(cloths.size() - 1)), grab_->particle, grab_->target);
     if (!text.reads()) return;
-    Cloth& cloth = cloths[held_->cloth];
-    if (held_->particle >= cloth.model.grid.particles()) text.refuse("an existing particle");
-    hold_in(held_->cloth, cloth.model);
-    cloth.held = held_->particle;
+    Cloth& cloth = cloths[grab_->cloth];
+    if (grab_->particle >= cloth.model.grid.particles()) text.refuse("an existing particle");
+    hold_in(grab_->cloth, cloth.model);
+    cloth.grabbed = grab_->particle;
 }
 
 void RestWatch::exchange(SnapshotText& text, Eigen::Index particles) {

@@ -77,7 +77,7 @@ bool pushes_by_penalty(const Settings& settings) {
 double penalty_limit(const Settings& settings, const ClothModel& model) {
     const Real mass = lightest_mass(settings, model);
     return static_cast<double>(penalty_step_limit(settings.contact.stiffness, min_restitution(settings), 1 / mass,
-                                                  displacement_share(settings.solver.integrator)));
+                                                  displacement_factor(settings.solver.integrator)));
 }
 
 /// Whether a step is longer than its substeps would be in contact.

@@ -126,8 +126,8 @@ TEST_F(Pinned, ParticlesAreMarkedAndNoOthers) {
 TEST_F(Pinned, ParticleInTheHandHasARing) {
     ClothView touched = cloth();
     const Image without = draw(touched);
-    touched.held = touched.model.grid.particle(touched.model.grid.nx / 2, touched.model.grid.ny / 2);
-    const Difference found = difference(draw(touched), without, {&touched.held, 1});
+    touched.grabbed = touched.model.grid.particle(touched.model.grid.nx / 2, touched.model.grid.ny / 2);
+    const Difference found = difference(draw(touched), without, {&touched.grabbed, 1});
     EXPECT_GT(found.near, 100);
     EXPECT_EQ(found.elsewhere, 0);
 }

@@ -124,7 +124,7 @@ TEST(WarmStart, GivesOnTheWeightOfAHeavyBallIfItLasts) {
 TEST(WarmStart, GivesTheShareOfAnImpulseThatAForceDisplacesBy) {
     for (const Real share : {Real(0.5), Real(1)}) {
         WarmSheet sheet;
-        sheet.response.displacement_share = share;
+        sheet.response.displacement_factor = share;
         sheet.rows = {WarmSheet::contact(0, true)};
         const Real impulse = earth * substep * sheet.model.particle_mass;
         sheet.rows[0].displacement.normal = share * substep * impulse;

@@ -50,7 +50,7 @@ struct Tally {
     bool look(const Simulation& simulation) {
         ++steps;
         pairs += simulation.report().pairs;
-        held_back += simulation.report().held_back;
+        held_back += simulation.report().failsafe_particles;
         if (simulation.report().status != Status::Ok) ++ended, error = simulation.report().error;
         const std::int64_t count = oracle.count(simulation);
         if (count > 0) ++crossed;

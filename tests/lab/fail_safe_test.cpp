@@ -91,7 +91,7 @@ ExactTally let_fall(const ContactScene& scene, bool self) {
     for (int step = 0; step < steps && simulation.report().status == Status::Ok; ++step) {
         simulation.step();
         EXPECT_EQ(simulation.report().status, Status::Ok) << simulation.report().error;
-        tally.held_back += simulation.report().held_back;
+        tally.held_back += simulation.report().failsafe_particles;
         tally.crossed_steps += oracle.count(simulation) > 0 ? 1 : 0;
     }
     return tally;

@@ -30,7 +30,7 @@ TEST(ClothMesh, HasPlacesBetweenTheLastTwoStatesNormalsOnTheFrontAndMarks) {
     FlatCloth cloth(Plane::XZ);
     cloth.x.col(1).array() += 1;
     ClothView view = cloth.view();
-    view.held = 7;
+    view.grabbed = 7;
     std::vector<ClothVertex> vertices(30);
     fill_cloth_vertices(view, Real(0.25), vertices.data());
     for (int p = 0; p < 30; ++p) {

@@ -154,14 +154,11 @@ TEST_F(PanelBoxes, AlwaysHaveTheTour) {
 }
 
 /// Rows, seen from the panel's height.
-TEST_F(PanelBoxes, HaveRowsForPairsOfClothThatMeetsItselfAndForTheBalanceThatIsAskedFor) {
-    settings_.view.bounds = settings_.solver.ledger = settings_.contact.self = false;
+TEST_F(PanelBoxes, HaveRowsForTheBalanceThatIsAskedFor) {
+    settings_.view.bounds = settings_.solver.ledger = false;
     settings_.view.panel = PanelSize::Compact;
     const auto height = [&] { return boxes({1280, 720}, {}).front().bottom; };
     const float without = height();
-    settings_.contact.self = true;
-    EXPECT_GT(height(), without);
-    settings_.contact.self = false;
     settings_.solver.ledger = true;
     const float row = 15;
     EXPECT_GT(height(), without + 9 * row);

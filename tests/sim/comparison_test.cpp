@@ -84,7 +84,7 @@ TEST(Comparison, ComparesGridsWhereTheirParticlesLie) {
 
     // Another corner is another place of the other grid
     session.send(command::Grab{0, 79});
-    EXPECT_EQ(session.view().comparison->other.cloths[0].held, 19 * 15 - 1);
+    EXPECT_EQ(session.view().comparison->other.cloths[0].grabbed, 19 * 15 - 1);
 }
 
 TEST(Comparison, ComparesTheSameTimeWhateverTheSteps) {

@@ -200,7 +200,7 @@ TEST(LongSelfContact, HasNoCrossingWhereSheetsHaveNoRoom) {
     while (simulation.report().time < (test::sanitized ? 0.2 : 0.3)) {
         simulation.step();
         if (simulation.report().status != Status::Ok) break;
-        held_back += simulation.report().held_back;
+        held_back += simulation.report().failsafe_particles;
         if (simulation.report().step % 10 == 0) {
             ASSERT_EQ(crossings_in(simulation), 0) << simulation.report().time << " s";
         }

@@ -28,7 +28,7 @@ struct ResponseParameters {
     Real friction = Real(0.3);          ///< Coulomb coefficient between cloths
     Real pair_thickness = Real(0.002);  ///< at which cloth keeps away from cloth [m]
     Real stiffness = 1000;              ///< of the penalty's springs, one a contact [N/m]
-    Real displacement_share = 1;        ///< of the method that makes the substeps, see the function of this name
+    Real displacement_factor = 1;       ///< of the method that makes the substeps, see the function of this name
     Kernels kernels = Kernels::Vector;  ///< plain: sweeps in plain code, with the same bits
 };
 
@@ -64,8 +64,8 @@ Real update_depths(std::span<const ClothInContact> cloths, std::span<const Body>
 /// times the root of m / k. Where a damper sees the velocity before its push, w = 2 (sqrt(1 + zeta^2) - zeta); where it
 /// sees the mean of before and after, zeta w^3 + w^2 = 4. Springs of the cloth make it shorter.
 /// @param inverse_mass of the particle [1/kg]
-/// @param share of the method, see `displacement_share`: below 1 a damper sees the mean
-Real penalty_step_limit(Real stiffness, Real restitution, Real inverse_mass, Real share = 1);
+/// @param displacement_factor of the method, see the function of this name: below 1 a damper sees the mean
+Real penalty_step_limit(Real stiffness, Real restitution, Real inverse_mass, Real displacement_factor = 1);
 
 /// Answers contacts, and owns what that needs; a copy makes its own.
 class ContactSolver {

@@ -11,7 +11,7 @@ namespace drape {
 
 /// What a response starts from: what it gave in the substep before, found again by the features that touch
 /// @cite catto2005. Once the integrator has made its step, each contact that rests is given its last displacement, and
-/// its last impulse times the share by which a force of the method displaces (see `displacement_share`): given all of
+/// its last impulse times the factor by which a force of the method displaces (see `displacement_factor`): given all of
 /// it where that is 1/2, cloth rocks between its contacts for ever. The response takes back what is too much. Only
 /// responses that solve for impulses can use them; a penalty follows from the depth. The hybrid is told no more than
 /// which contacts were there before.

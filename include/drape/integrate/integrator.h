@@ -115,7 +115,7 @@ public:
 
 /// By how much a constant force displaces a particle at rest within a step h, of h times the velocity that it gives:
 /// 1/2 where a step is exact for it, else 1. (Explicit Euler, which displaces it in the next step only, counts as 1.)
-Real displacement_share(IntegratorKind kind);
+Real displacement_factor(IntegratorKind kind);
 
 /// @param grid of the cloths it will step; the scratch arrays are made here
 std::unique_ptr<Integrator> make_integrator(const IntegratorParameters& parameters, const Grid& grid);

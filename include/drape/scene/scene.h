@@ -29,7 +29,7 @@ std::string scene_text(const Settings& settings);
 /// @throws RunError if no such assignments make these settings of the scene's: moving pins have ended
 std::vector<std::string> changes_of(const Settings& scene, const Settings& settings);
 
-/// The names of the shipped scenes in the order of the keys 1-9: `drop` first, the rest by name, and those
+/// The names of the shipped scenes in the order of the keys 1-9: `veil` and `drop` first, the rest by name, and those
 /// that are made to fail (`fails_...`) last.
 std::vector<std::string> scene_names();
 

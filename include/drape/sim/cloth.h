@@ -20,7 +20,7 @@ struct Cloth {
     ClothIntegrator integrator;
     ContactSearch search;
     ClothEnergy energy;
-    int held = -1;       ///< particle that the hand leads; below 0: none
+    int grabbed = -1;    ///< particle that the hand leads; below 0: none
     Real pin_speed = 0;  ///< of the fastest pin that `MovingPins` leads [m/s]
 };
 

@@ -50,9 +50,9 @@ public:
     }
 
     /// The integrator is about to step.
-    /// @param held particle that the hand leads; below 0: none
+    /// @param grabbed particle that the hand leads; below 0: none
     /// @par Cost a force evaluation while a ledger is kept
-    void start_of_step(const ClothModel& model, const ClothState& state, int held);
+    void start_of_step(const ClothModel& model, const ClothState& state, int grabbed);
 
     /// Enters what the integrator has done.
     /// @param min_pause substeps from one sum over the springs to the next, at least
@@ -60,8 +60,8 @@ public:
                           int min_pause);
 
     /// Shortens what is stretched beyond the model's limit, which counts as the integrator's step.
-    /// @param held particle that the hand leads; below 0: none
-    StretchReport limit_stretch(const ClothModel& model, int held, ClothState& state);
+    /// @param grabbed particle that the hand leads; below 0: none
+    StretchReport limit_stretch(const ClothModel& model, int grabbed, ClothState& state);
 
     /// Contacts are about to push the cloth.
     void before_pushes(const ClothModel& model, const ClothState& state, const Pushes& pushes);
@@ -84,9 +84,9 @@ public:
     void still(const ClothModel& model, const ClothState& state);
 
     /// What the next step goes on from.
-    /// @param held particle that the hand leads
-    void exchange(SnapshotText& text, int held) {
-        held_ = held;
+    /// @param grabbed particle that the hand leads
+    void exchange(SnapshotText& text, int grabbed) {
+        grabbed_ = grabbed;
         watch_.exchange(text);
         if (ledger_) ledger_->exchange(text);
     }
@@ -106,7 +106,7 @@ private:
     EnergyWatch watch_;
     std::optional<EnergyLedger> ledger_;
     bool has_pins_ = false;
-    int held_ = -1;                 ///< particle that the hand leads
+    int grabbed_ = -1;              ///< particle that the hand leads
     GridRange pushed_{0, 0, 0, 0};  ///< particles that are being pushed; all, where none is measured
     EnergyFlow before_;             ///< of what contacts or the fail-safe are about to push
     bool known_ = false;

@@ -98,7 +98,7 @@ public:
     [[nodiscard]] const SelfSearch& self() const { return self_; }
 
 private:
-    enum class Stage { Ended, Begun, Given, Found, Solved };
+    enum class Stage { Ended, Begun, WarmStarted, Found, Solved };
 
     /// What is known from `begin` to `end`, which no copy needs.
     struct Now : Substep {

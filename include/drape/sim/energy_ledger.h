@@ -6,7 +6,7 @@
 namespace drape {
 
 /// What has come to a cloth's mechanical energy and gone from it [J]: it has changed by
-/// wind + hand + pins + ball - damping - drag - contact - held - integrator.
+/// wind + hand + pins + ball - damping - drag - contact - failsafe - integrator.
 struct EnergyBalance {
     double wind = 0;        ///< given by the wind
     double hand = 0;        ///< given by whoever drags the cloth, or changes what it is made of
@@ -15,7 +15,7 @@ struct EnergyBalance {
     double damping = 0;     ///< dissipated in the springs' damping
     double drag = 0;        ///< dissipated in the air
     double contact = 0;     ///< dissipated in contacts; less than zero where pushing the cloth out has stretched it
-    double held = 0;        ///< taken by the fail-safe of contact between cloths
+    double failsafe = 0;    ///< taken by the fail-safe of contact between cloths
     double integrator = 0;  ///< dissipated by the method itself and the stretch limit, and nowhere in nature: the rest
 
     /// Of a cloth without a ledger: no entry is a number.
@@ -25,7 +25,7 @@ struct EnergyBalance {
 
     /// What the energy has changed by.
     [[nodiscard]] double change() const {
-        return wind + hand + pins + ball - damping - drag - contact - held - integrator;
+        return wind + hand + pins + ball - damping - drag - contact - failsafe - integrator;
     }
 };
 
@@ -63,7 +63,7 @@ public:
 
     /// The fail-safe of contact between cloths has held the cloth back.
     /// @param before,after of the whole cloth
-    void held_back(const EnergyFlow& before, const EnergyFlow& after);
+    void prevented_crossing(const EnergyFlow& before, const EnergyFlow& after);
 
     /// State or model are about to be changed from outside, which is the work of the hand or of pins.
     /// @pre the present energy has been seen, or the same was said before

@@ -23,7 +23,7 @@ struct ClothView {
     std::span<const ContactRow> contacts;   ///< with bodies
     const BroadPhase* hierarchy = nullptr;  ///< as last searched; never null
     const Points* v = nullptr;              ///< n x 3 [m/s]; null: at rest
-    int held = -1;                          ///< the particle that the hand holds; -1: none
+    int grabbed = -1;                       ///< the particle that the hand holds; -1: none
     std::span<const int> pair_cells = {};   ///< that touch cloth, while bounding volumes are shown
 };
 

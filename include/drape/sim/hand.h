@@ -37,13 +37,13 @@ public:
 
     /// @param target where the hand goes [m]
     void drag(const Vec3& target) {
-        if (held_) held_->target = target;
+        if (grab_) grab_->target = target;
     }
 
     /// Lets go; a particle that was pinned stays where it is.
     void release(std::span<Cloth> cloths);
 
-    [[nodiscard]] bool holds() const { return held_.has_value(); }
+    [[nodiscard]] bool holds() const { return grab_.has_value(); }
 
     /// What it goes on from.
     /// @param cloths as the settings make them
@@ -59,7 +59,7 @@ public:
     void count_work(std::span<Cloth> cloths, Real h) const;
 
 private:
-    struct Held {
+    struct Grab {
         std::size_t cloth;
         int particle;
         Vec3 target;
@@ -67,7 +67,7 @@ private:
         double power = 0;  ///< at the start of the step [W]
     };
 
-    std::optional<Held> held_;
+    std::optional<Grab> grab_;
 };
 
 }  // namespace drape

@@ -31,7 +31,7 @@ struct SelfSearchReport {
 class SelfSearch {
 public:
     /// Pairs that there may be, a particle in the mean.
-    static constexpr int max_pairs = 400;
+    static constexpr int max_pairs = 100;
 
     /// Starts from nothing with these cloths.
     /// @param x their positions [m]
@@ -43,7 +43,7 @@ public:
 
     /// What it finds does not depend on them.
     /// @param threads that share the work, at least 1
-    void share(int threads) { list_.use(threads); }
+    void use_threads(int threads) { list_.use(threads); }
 
     [[nodiscard]] bool on() const { return on_; }
 

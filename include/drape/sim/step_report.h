@@ -47,31 +47,31 @@ struct StepReport {
     bool limit_is_least = false;  ///< the limit is at least as long as predicted: the true ratio may be less
     StageTimes times;
     SolveReport solve;
-    TraversalStats traversal;           ///< for the balls
-    TraversalStats ground;              ///< for the ground; zero where the hierarchy was not asked
-    TraversalStats solids;              ///< for the solids
-    double stretch_excess = 0;          ///< beyond the limit, of a structural spring at the end of the step
-    double worst_stretch_excess = 0;    ///< since the start
-    double overstretched = 0;           ///< time since the start with one above 0.1 and the limit itself [s]
-    std::int64_t false_candidates = 0;  ///< cells handed on of which no triangle touches
-    std::int64_t contacts = 0;          ///< points in contact, and nodes that were taken for them
-    double contact_residual = 0;        ///< of the response, see `ResponseReport::residual` [m]
-    TraversalStats between_cloths;      ///< for pairs of features of cloths
-    std::int64_t listed_pairs = 0;      ///< of these, that are looked at
-    std::int64_t pairs = 0;             ///< that the response was given
-    std::int64_t held_back = 0;         ///< particles, by the fail-safe between cloths
-    std::int64_t contact_sweeps = 0;    ///< of the response over its contacts
-    double penetration = 0;             ///< largest depth left after the response [m]
-    std::int64_t false_contacts = 0;    ///< of nodes at which the search has ended and in which no triangle touches
-    double missed_penetration = 0;      ///< largest depth of any triangle after the response to a limited search [m]
-    bool asleep = false;                ///< counts and contacts are those of the last step that was awake
-    std::int64_t unconverged = 0;       ///< steps since the start with a solve that kept more than its tolerance
-    double worst_residual = 0;          ///< since the start, as `SolveReport::residual`
-    double energy_excess = 0;           ///< largest of any cloth since the start, see `EnergyWatch` [J]
-    IntegratorKind unsolved_by{};       ///< the method of the last of them
-    IntegratorKind gained_by{};         ///< the method of `energy_gain_step`
-    std::int64_t energy_gain_step = 0;  ///< the first that found energy gained from the integrator; 0: none
-    double rms_speed = 0;               ///< of the particles [m/s]
+    TraversalStats traversal;             ///< for the balls
+    TraversalStats ground;                ///< for the ground; zero where the hierarchy was not asked
+    TraversalStats solids;                ///< for the solids
+    double stretch_excess = 0;            ///< beyond the limit, of a structural spring at the end of the step
+    double worst_stretch_excess = 0;      ///< since the start
+    double overstretched = 0;             ///< time since the start with one above 0.1 and the limit itself [s]
+    std::int64_t false_candidates = 0;    ///< cells handed on of which no triangle touches
+    std::int64_t contacts = 0;            ///< points in contact, and nodes that were taken for them
+    double contact_residual = 0;          ///< of the response, see `ResponseReport::residual` [m]
+    TraversalStats between_cloths;        ///< for pairs of features of cloths
+    std::int64_t listed_pairs = 0;        ///< of these, that are looked at
+    std::int64_t pairs = 0;               ///< that the response was given
+    std::int64_t failsafe_particles = 0;  ///< particles, by the fail-safe between cloths
+    std::int64_t contact_sweeps = 0;      ///< of the response over its contacts
+    double penetration = 0;               ///< largest depth left after the response [m]
+    std::int64_t false_contacts = 0;      ///< of nodes at which the search has ended and in which no triangle touches
+    double missed_penetration = 0;        ///< largest depth of any triangle after the response to a limited search [m]
+    bool asleep = false;                  ///< counts and contacts are those of the last step that was awake
+    std::int64_t unconverged = 0;         ///< steps since the start with a solve that kept more than its tolerance
+    double worst_residual = 0;            ///< since the start, as `SolveReport::residual`
+    double energy_excess = 0;             ///< largest of any cloth since the start, see `EnergyWatch` [J]
+    IntegratorKind unsolved_by{};         ///< the method of the last of them
+    IntegratorKind gained_by{};           ///< the method of `energy_gain_step`
+    std::int64_t energy_gain_step = 0;    ///< the first that found energy gained from the integrator; 0: none
+    double rms_speed = 0;                 ///< of the particles [m/s]
     Energy energy;  ///< this, balance and stretch are filled by `Simulation::view`, not by every step
     EnergyBalance balance = EnergyBalance::unknown();  ///< since the ledger began, over all cloths
     double stretch = 0;                                ///< largest elongation of a structural spring, as `energy`
@@ -85,7 +85,7 @@ struct StepReport {
         traversal = ground = solids = between_cloths = {};
         contacts = false_candidates = false_contacts = 0;
         penetration = missed_penetration = contact_residual = 0;
-        contact_sweeps = listed_pairs = pairs = held_back = 0;
+        contact_sweeps = listed_pairs = pairs = failsafe_particles = 0;
     }
 };
 

@@ -19,10 +19,10 @@ Real4 four(const Vec3& v) { return {v[0], v[1], v[2], 0}; }
 void fill(const ContactProblem& problem, const ContactMotion& motion, ContactRow& row, RowState& state,
           CompactRow& compact) {
     DRAPE_ASSERT(row.count == 1 || row.count == 3 || row.count == 4);
-    const RowImpulse& given = accumulated(row, motion.quantity);
+    const RowImpulse& total = accumulated(row, motion.quantity);
     compact.normal = four(row.normal);
-    compact.friction = four(given.friction);
-    compact.impulse = given.normal;
+    compact.friction = four(total.friction);
+    compact.impulse = total.normal;
     compact.target = target_of(state, motion.quantity);
     compact.mass = state.mass;
     compact.sliding_mass = state.sliding_mass;

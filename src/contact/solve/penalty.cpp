@@ -37,7 +37,7 @@ Real approach_of(const ContactProblem& problem, const ContactRow& row, const Row
 /// @param push along the normal, together with what was given before no less than zero [N s]
 void add_push(const ContactProblem& problem, ContactRow& row, const RowState& state, Real push) {
     row.impulse.normal += push;
-    row.displacement.normal = problem.parameters.displacement_share * problem.h * row.impulse.normal;
+    row.displacement.normal = problem.parameters.displacement_factor * problem.h * row.impulse.normal;
     apply_impulse(problem, problem.scratch.velocities, row, state, push * row.normal);
 }
 
@@ -75,9 +75,9 @@ void push_by_displacements(ContactProblem& problem) {
 
 }  // namespace
 
-Real penalty_step_limit(Real stiffness, Real restitution, Real inverse_mass, Real share) {
+Real penalty_step_limit(Real stiffness, Real restitution, Real inverse_mass, Real displacement_factor) {
     const Real zeta = damping_ratio(restitution), frequency = std::sqrt(stiffness * inverse_mass);
-    if (share == 1) return 2 * (std::sqrt(1 + zeta * zeta) - zeta) / frequency;
+    if (displacement_factor == 1) return 2 * (std::sqrt(1 + zeta * zeta) - zeta) / frequency;
     Real w = 2;
     for (int step = 0; step < 8; ++step) w -= (zeta * w * w * w + w * w - 4) / (3 * zeta * w * w + 2 * w);
     return w / frequency;
@@ -85,7 +85,7 @@ Real penalty_step_limit(Real stiffness, Real restitution, Real inverse_mass, Rea
 
 Sweeps solve_penalties(ContactProblem& problem) {
     for_each_chosen(problem, [](ContactRow& row, const RowState&) { row.displacement = row.impulse = {}; });
-    if (problem.parameters.displacement_share == 1) {
+    if (problem.parameters.displacement_factor == 1) {
         push_by_velocities(problem);
     } else {
         push_by_displacements(problem);

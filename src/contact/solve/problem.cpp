@@ -86,7 +86,7 @@ Vec3 centre_of(const ContactProblem& problem, int body) {
 /// them. Where a force displaces by half of its velocity, what lies still has the other half at the end of the substep:
 /// it rests if it has hardly come nearer, or has pushed in the substep before, which only contacts of cloth know.
 bool rests(const ContactProblem& problem, const ContactRow& row, const RowState& state) {
-    if (problem.parameters.displacement_share == 1) return false;
+    if (problem.parameters.displacement_factor == 1) return false;
     const Real nearer = -relative(problem, problem.scratch.displacements, row, state).dot(row.normal);
     if (nearer <= problem.resting_speed() * problem.h) return true;
     return row.lasts && state.approach <= std::min(rest_steps * problem.gravity.norm() * problem.h, fastest_rest);
@@ -96,8 +96,8 @@ bool rests(const ContactProblem& problem, const ContactRow& row, const RowState&
 void prepare(const ContactProblem& problem, ContactRow& row, RowState& state) {
     state.surface = {.friction = problem.parameters.friction};
     if (row.body != no_body) state.surface = problem.body(row.body).surface;
-    for (RowImpulse* given : {&row.displacement, &row.impulse}) {
-        given->friction -= given->friction.dot(row.normal) * row.normal;
+    for (RowImpulse* total : {&row.displacement, &row.impulse}) {
+        total->friction -= total->friction.dot(row.normal) * row.normal;
     }
     state.approach = -relative(problem, problem.scratch.velocities, row, state).dot(row.normal);
     const bool by_hybrid = problem.parameters.kind == ResponseKind::Hybrid;

@@ -143,12 +143,12 @@ inline Vec3 relative(const ContactProblem& problem, const ContactMotion& motion,
 /// Gives an impulse to the first side of a contact, and the opposite one to the second.
 inline void apply_impulse(const ContactProblem& problem, ContactMotion& motion, const ContactRow& row,
                           const RowState& state, const Vec3& impulse) {
-    const auto push_body = [&](int number, const Vec3& outwards, const Vec3& given) {
+    const auto push_body = [&](int number, const Vec3& outwards, const Vec3& push) {
         if (number == no_body || problem.body(number).inverse_mass == 0) return;
         const Body& body = problem.body(number);
         auto& [linear, angular] = motion.bodies[static_cast<std::size_t>(number)];
-        linear += body.inverse_mass * given;
-        angular += body.inverse_inertia() * body.arm(outwards).cross(given);
+        linear += body.inverse_mass * push;
+        angular += body.inverse_inertia() * body.arm(outwards).cross(push);
     };
     for (std::size_t k = 0; k < row.count; ++k) motion.of(state.places[k]) += state.mobilities[k] * impulse;
     push_body(row.first_body, -row.normal, impulse);

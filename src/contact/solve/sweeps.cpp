@@ -7,8 +7,8 @@ namespace {
 
 /// What friction is to give to a contact in all, to stop what is left of its sliding, within Coulomb's cone.
 /// @param most it may give
-Vec3 friction_within(const RowState& state, const RowImpulse& given, const Vec3& sliding, Real most) {
-    const Vec3 wanted = given.friction - state.sliding_mass * sliding;
+Vec3 friction_within(const RowState& state, const RowImpulse& total, const Vec3& sliding, Real most) {
+    const Vec3 wanted = total.friction - state.sliding_mass * sliding;
     const Real square = wanted.squaredNorm();
     return square > most * most ? Vec3(most / std::sqrt(square) * wanted) : wanted;
 }
@@ -17,10 +17,10 @@ Vec3 friction_within(const RowState& state, const RowImpulse& given, const Vec3&
 /// @return the square of how much that changes its motion [m^2 or m^2/s^2]
 Real give(const ContactProblem& problem, ContactMotion& motion, ContactRow& row, const RowState& state,
           const RowImpulse& wanted) {
-    RowImpulse& given = accumulated(row, motion.quantity);
-    const Vec3 change = (wanted.normal - given.normal) * row.normal + (wanted.friction - given.friction);
+    RowImpulse& total = accumulated(row, motion.quantity);
+    const Vec3 change = (wanted.normal - total.normal) * row.normal + (wanted.friction - total.friction);
     if (change.isZero(0)) return 0;
-    given = wanted;
+    total = wanted;
     apply_impulse(problem, motion, row, state, change);
     return change.squaredNorm() * state.inverse_mass * state.inverse_mass;
 }
@@ -28,22 +28,22 @@ Real give(const ContactProblem& problem, ContactMotion& motion, ContactRow& row,
 /// Solves one contact for itself: its impulse along the normal grows by what its target lacks, n J >= 0, and friction
 /// stops what slides, as far as |F| <= mu J lets it. @cite catto2005
 Real solve_row(const ContactProblem& problem, ContactMotion& motion, ContactRow& row, RowState& state) {
-    const RowImpulse& given = accumulated(row, motion.quantity);
+    const RowImpulse& total = accumulated(row, motion.quantity);
     const Vec3 moves = relative(problem, motion, row, state);
     const Real along = moves.dot(row.normal), lacks = target_of(state, motion.quantity) - along;
-    const Real normal = std::max(given.normal + lacks * state.mass, Real(0));
+    const Real normal = std::max(total.normal + lacks * state.mass, Real(0));
     const Vec3 sliding = moves - along * row.normal;
     return give(problem, motion, row, state,
-                {normal, friction_within(state, given, sliding, state.surface.friction * normal)});
+                {normal, friction_within(state, total, sliding, state.surface.friction * normal)});
 }
 
 Real solve_friction_of(const ContactProblem& problem, ContactMotion& motion, ContactRow& row, const RowState& state) {
-    const RowImpulse& given = accumulated(row, motion.quantity);
-    if (given.normal == 0) return 0;
+    const RowImpulse& total = accumulated(row, motion.quantity);
+    if (total.normal == 0) return 0;
     const Vec3 moves = relative(problem, motion, row, state);
     const Vec3 sliding = moves - moves.dot(row.normal) * row.normal;
     return give(problem, motion, row, state,
-                {given.normal, friction_within(state, given, sliding, state.surface.friction * given.normal)});
+                {total.normal, friction_within(state, total, sliding, state.surface.friction * total.normal)});
 }
 
 /// Of displacements within the substep.

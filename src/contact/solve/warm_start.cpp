@@ -75,19 +75,19 @@ void follow_from_before(std::span<const ClothInContact> cloths, std::span<const 
 
 void WarmStart::take(const ResponseParameters& parameters, Real h, Real gravity, std::span<const ClothInContact> cloths,
                      std::span<const Body> bodies, std::vector<ContactRow>& rows) {
-    const Real h_before = h_ > 0 ? h_ : h, factor = h / h_before, share = parameters.displacement_share;
+    const Real h_before = h_ > 0 ? h_ : h, factor = h / h_before, displaces = parameters.displacement_factor;
     h_ = h;
     last_.clear();
     for (ContactRow& row : rows) {
         if (!goes_on(parameters, row)) continue;
         const Sides sides(cloths, bodies, row);
         const auto rests = [&](Real impulse) { return may_rest(row, sides, impulse, h_before * gravity); };
-        const bool rested = rests(row.displacement.normal / (share * h_before));
+        const bool rested = rests(row.displacement.normal / (displaces * h_before));
         const bool solved = row.kind == RowKind::Pair || parameters.kind != ResponseKind::Hybrid;
         if (solved && !rested && !sides.moves_both()) continue;
         const bool stopped_gently = rests(row.impulse.normal);
         row.displacement = scaled(row.displacement, solved && rested ? factor * factor : Real(0));
-        row.impulse = scaled(row.impulse, solved && rested && stopped_gently ? share * factor : Real(0));
+        row.impulse = scaled(row.impulse, solved && rested && stopped_gently ? displaces * factor : Real(0));
         last_.push_back(row);
     }
     rows.clear();

@@ -32,6 +32,7 @@ Settings combined_settings(const Combination& combination, const SearchTree& tre
     settings.solver.integrator = combination.integrator;
     settings.solver.dt = step_of(combination);
     settings.contact.response = combination.response;
+    settings.contact.self = false;
     settings.contact.continuous = combination.continuous ? Continuous::Always : Continuous::Never;
     settings.contact.volume = tree.volume;
     settings.contact.update = tree.update;

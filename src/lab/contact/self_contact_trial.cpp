@@ -83,7 +83,7 @@ bool SelfContactTrial::make(Real h, SelfContactStep& step) {
     if (fail_safe_ == FailSafe::Zones) stage_.prevent_crossing(report_);
     const bool would_cross = fail_safe_ == FailSafe::Rejection && stage_.would_cross();
     stage_.end();
-    step.held_back += report_.held_back;
+    step.held_back += report_.failsafe_particles;
     step.pair_tests += stage_.self().report().traversal.volume_tests + stage_.self().report().listed;
     searched_ = !stage_.self().report().gave_up;
     return would_cross || !searched_;

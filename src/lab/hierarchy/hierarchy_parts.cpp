@@ -99,6 +99,7 @@ struct SearchedRun {
 
 SearchedRun simulate(const std::string& scene, const BroadPhaseParameters& parameters, double time) {
     Settings settings = load_scene(scene);
+    settings.contact.self = false;
     settings.contact.volume = parameters.volume;
     settings.contact.update = parameters.update;
     settings.contact.leaf_cells = parameters.leaf_cells;

@@ -62,9 +62,13 @@ std::vector<double> column_medians(const std::filesystem::path& file, const std:
 /// What is set in the scene: a ball that the cloth lies on, a hierarchy rebuilt in every step, nothing saved where
 /// nothing moves.
 std::vector<std::string> original_assignments(const OriginalWay& way) {
-    return {"ball.position=0,-0.18,0", "volume=" + way.volume,
-            "update=rebuild",          "sphere_fit=centroid",
-            "sleep_speed=0",           std::string("view.bounds=") + (way.bounds_drawn ? "true" : "false")};
+    return {"ball.position=0,-0.18,0",
+            "volume=" + way.volume,
+            "update=rebuild",
+            "sphere_fit=centroid",
+            "sleep_speed=0",
+            "contact.self=false",
+            std::string("view.bounds=") + (way.bounds_drawn ? "true" : "false")};
 }
 
 /// Measures what simulating takes, without drawing.

@@ -81,6 +81,7 @@ Settings settings_of(FrameMotion motion, const FrameMethod& method, int side, in
     cloth.drag = Real(0.7) / static_cast<Real>(cloth.particles.particles());
     cloth.stretch_limit = 0;  // what a method leaves of the springs is to be seen
     if (motion == FrameMotion::Free) settings.balls.clear();
+    settings.contact.self = motion == FrameMotion::Fold;
     settings.solver.integrator = method.parameters.kind;
     settings.solver.hessian = method.parameters.hessian;
     settings.solver.iterations = method.parameters.iterations;

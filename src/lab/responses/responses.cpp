@@ -111,7 +111,7 @@ PenaltyLimit find_penalty_limit(Real stiffness, Real restitution, IntegratorKind
     const Real mass = make_cloth_model(scene.settings.cloths[0]).particle_mass;
     const Real depth = mass * static_cast<Real>(earth_g) / stiffness;
     scene.settings.cloths[0].place.y() = -depth;
-    const Real predicted = penalty_step_limit(stiffness, restitution, 1 / mass, displacement_share(integrator));
+    const Real predicted = penalty_step_limit(stiffness, restitution, 1 / mass, displacement_factor(integrator));
     Real low = predicted / 10, high = 4 * predicted;
     while (high > Real(1.005) * low) {
         const Real step = std::sqrt(low * high);

@@ -43,6 +43,7 @@ private:
 
 Settings rest_settings(const RestCase& one, int particles) {
     Settings settings = load_scene(one.scene);
+    settings.contact.self = false;
     if (particles > 0) settings = on_grid(std::move(settings), {particles, particles});
     settings.solver.integrator = one.integrator;
     settings.contact.response = one.response;
