@@ -184,7 +184,7 @@ void add_saved_row(const FrameView& view, std::vector<Row>& rows) {
     if (all == 0) return;
     const TraversalStats& made = view.report->traversal;
     const double saved = 1 - static_cast<double>(made.candidates + made.volume_tests) / all;
-    const std::string text = saved > 0.05 ? format("%.0f %%", 100 * saved) : "none: most is near the ball";
+    const std::string text = saved > 0.05 ? format("%.0f %%; B shows how", 100 * saved) : "none: most is near the ball";
     rows.push_back({"tests saved", text, -1, 3, saved > 0.05 ? ink::good : ink::wait});
 }
 
