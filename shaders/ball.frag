@@ -1,10 +1,12 @@
 #version 330 core
 #include "frame.glsl"
+#include "palette.glsl"
 #include "light.glsl"
-#include "matte.glsl"
+#include "hard.glsl"
 in vec3 world;
 in vec3 world_normal;
 in vec3 own_normal;
+in vec3 cover;
 flat in float is_steered;
 out vec4 colour;
 
@@ -22,4 +24,4 @@ vec3 pattern(vec3 own) {
     return is_steered > 0.5 ? mix(plain, ring_colour, on_ring) : plain;
 }
 
-void main() { colour = matte(pattern(normalize(own_normal)), world, normalize(world_normal)); }
+void main() { colour = hard(pattern(normalize(own_normal)), 0.9, world, normalize(world_normal), cover); }

@@ -1,28 +1,33 @@
 #version 330 core
 #include "frame.glsl"
+#include "palette.glsl"
 #include "light.glsl"
-#include "fabric.glsl"
 #include "weave.glsl"
+#include "fabric.glsl"
 in vec3 world;
 in vec3 world_normal;
 in vec2 place;
 flat in vec2 extent;
+flat in vec3 front_colour;
+flat in vec3 back_colour;
 in float hollow_front;
+in vec3 cover;
 out vec4 colour;
-
-const vec3 front_colour = vec3(0.72, 0.125, 0.07);
-const vec3 back_colour = vec3(0.045, 0.245, 0.265);
 
 void main() {
     vec3 normal = normalize(world_normal);
+    float side = 1.0;
     vec3 albedo = front_colour;
-    float hollow = hollow_front;
     if (!gl_FrontFacing) {
-        normal = -normal;
+        side = -1.0;
         albedo = back_colour;
-        hollow = -hollow;
     }
-    for (int i = 0; i < look.y; ++i) albedo *= weave(place, extent);
-    Fabric fabric = fabric_light(world, normal, hollow);
-    colour = finish(albedo * fabric.diffuse + mix(albedo, vec3(1.0), 0.35) * fabric.sheen * 0.6);
+    Threads threads = threads_at(world, normal, place);
+    normal *= side;
+    for (int i = 0; i < look.y; ++i) {
+        Woven woven = weave(place, extent);
+        albedo = mix(albedo * woven.shade, vec3(0.55), woven.white);
+        normal = normalize(normal + threads.along * woven.tilt.x + threads.across * woven.tilt.y);
+    }
+    colour = finish(fabric(albedo, world, normal, threads, side * hollow_front, cover));
 }

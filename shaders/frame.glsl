@@ -8,7 +8,7 @@ layout(std140) uniform Frame {
     vec4 viewport;       // width, height [pixel] and their inverses, of what the scene is drawn into
     vec4 page;           // the same of the picture, for the panels
     vec4 stage;          // centre x, height of the ground, centre z, radius [m]
-    vec4 shadow;         // a texel of the shadow map [m], the particles' spacing [m]
+    vec4 shadow;         // a texel of the shadow map [m], the particles' spacing [m]; of the map in a metre, [1/m]
     vec4 magnified;      // x: how much smaller the scene is drawn than it is shown, in (0, 1]
     ivec4 counts;        // structural springs, shear springs, segments of a sphere's circle, balls that darken
     vec4 balls[8];       // centre, radius [m]
@@ -17,4 +17,5 @@ layout(std140) uniform Frame {
     vec4 group_colours[4];  // linear
     ivec4 look;          // groups: 1, sides: 2, else 0; the weave: 1, no weave: 0; the ground's grid: 1 or 0
     vec4 failure[2];     // where the run has diverged, and the other end of a spring there [m]; w: 0 if not shown
+    ivec4 style;         // fabric: 0 cotton, 1 silk, 2 denim, 3 plain; palette: 0 studio, 1 dusk, 2 linen
 };

@@ -1,8 +1,16 @@
 #version 330 core
 #include "frame.glsl"
+#include "palette.glsl"
 #include "light.glsl"
-#include "studio.glsl"
 in vec3 world;
+in vec3 cover;
 out vec4 colour;
 
-void main() { colour = studio(world, true, key_visibility(world, vec3(0.0, 1.0, 0.0))); }
+// What the studio's picture is multiplied by: about the square root of what is left of the light, as the eye sees it
+void main() {
+    float away = length(world.xz - stage.xz) / stage.w;
+    float visible = key_visibility(world, vec3(0.0, 1.0, 0.0), cover, 8);
+    vec3 key = key_colour * to_light.y, sky = sky_light();
+    vec3 left = sqrt((key * visible + sky * (1.0 - 0.7 * cover.z)) / (key + sky));
+    colour = vec4(mix(left, vec3(1.0), smoothstep(0.3, 2.6, away)) + (pixel_noise() - 0.5) / 255.0, 1.0);
+}

@@ -1,13 +1,23 @@
 #version 330 core
 #include "frame.glsl"
+#include "cover.glsl"
 out vec3 world;
+out vec3 cover;
 
-// What the shadow map covers of the ground, as a strip of two triangles
+// What the shadow map covers of the ground, as one strip of triangles an instance
+const int cells = 40;
+const float reach = 0.12;  // m
+
 void main() {
-    vec2 corner = vec2(float(gl_VertexID % 2), float(gl_VertexID / 2)) * 2.0 - 1.0;
+    vec2 corner = vec2(float(gl_VertexID / 2), float(gl_InstanceID + gl_VertexID % 2)) * (2.0 / float(cells)) - 1.0;
     mat4 to_world = inverse(shadow_matrix);
     vec3 near = (to_world * vec4(corner, -1.0, 1.0)).xyz, far = (to_world * vec4(corner, 1.0, 1.0)).xyz;
     world = mix(near, far, (stage.y - near.y) / (far.y - near.y));
+    cover = cover_of(world, vec3(0.0, 1.0, 0.0), reach);
+
+    // It ends as if nothing cast beyond
+    vec2 inside = 1.0 - abs(corner);
+    if (min(inside.x, inside.y) < 1e-4) cover = vec3(0.0);
     gl_Position = view_projection * vec4(world, 1.0);
     if (eye.y <= stage.y) gl_Position = vec4(0.0, 0.0, 2.0, 1.0);
 }

@@ -1,57 +1,46 @@
 // One soft key light, light from all around, and what both look like on the screen.
 uniform sampler2DShadow shadow_map;
-uniform sampler2DShadow shadow_probe;
 
-const vec3 key_colour = vec3(1.00, 0.955, 0.90) * 1.20;
-const vec3 sky_colour = vec3(0.80, 0.88, 1.00) * 0.36;
-const vec3 bounce_colour = vec3(1.00, 0.88, 0.77) * 0.20;
+const vec3 key_colour = vec3(1.00, 0.945, 0.87) * 1.45;
 
 // Noise of one pixel in [0, 1)  @cite jimenez2014
 float pixel_noise() {
     return fract(52.9829189 * fract(dot(gl_FragCoord.xy, vec2(0.06711056, 0.00583715))));
 }
 
-// A linear middle and a soft shoulder, then sRGB by square roots, then half a step of noise against banding
-vec4 finish(vec3 colour) {
-    const float knee = 0.60;
-    vec3 shoulder = 1.0 - (1.0 - knee) * (1.0 - knee) / (max(colour, knee) + 1.0 - 2.0 * knee);
-    vec3 toned = mix(colour, shoulder, step(knee, colour));
-    vec3 root2 = sqrt(max(toned, 0.0)), root4 = sqrt(root2), root8 = sqrt(root4);
-    vec3 coded = 0.662002687 * root2 + 0.684122060 * root4 - 0.323583601 * root8 - 0.0225411470 * toned;
-    return vec4(coded + (pixel_noise() - 0.5) / 255.0, 1.0);
+// As sRGB, by square roots, with half a step of noise against banding
+vec4 coded(vec3 colour) {
+    vec3 root2 = sqrt(clamp(colour, 0.0, 1.0)), root4 = sqrt(root2), root8 = sqrt(root4);
+    vec3 srgb = 0.662002687 * root2 + 0.684122060 * root4 - 0.323583601 * root8 - 0.0225411470 * colour;
+    return vec4(srgb + (pixel_noise() - 0.5) / 255.0, 1.0);
 }
 
-// The part of the key light that arrives, in [0, 1].
-// Four probes tell light and shadow; only an edge is worth the rest. The loops make no turn where nothing can cast.
-float key_visibility(vec3 point, vec3 normal) {
-    float slope = 1.0 - abs(dot(normal, to_light.xyz));
-    vec3 position = (shadow_matrix * vec4(point + normal * shadow.x * (1.2 + 2.0 * slope), 1.0)).xyz * 0.5 + 0.5;
-    vec2 texel = 1.0 / vec2(textureSize(shadow_probe, 0)), half_width = 2.2 * texel;
-    float depth = min(position.z - 0.0015, 1.0);
-    vec2 beyond = abs(position.xy - 0.5);
-    int probes = max(beyond.x, beyond.y) < 0.5 ? 1 : 0;
-    float lit = probes > 0 ? 0.0 : 4.0;
-    vec2 away = half_width + texel;
-    for (int i = 0; i < probes; ++i) {
-        lit += texture(shadow_probe, vec3(position.xy + away * vec2(-1.0, -1.0), depth));
-        lit += texture(shadow_probe, vec3(position.xy + away * vec2(1.0, -1.0), depth));
-        lit += texture(shadow_probe, vec3(position.xy + away * vec2(-1.0, 1.0), depth));
-        lit += texture(shadow_probe, vec3(position.xy + away * vec2(1.0, 1.0), depth));
-    }
+// A film's curve, with a soft toe and shoulder  @cite narkowicz2015
+vec4 finish(vec3 colour) {
+    vec3 x = max(colour, 0.0) * 0.72;
+    return coded(x * (2.51 * x + 0.03) / (x * (2.43 * x + 0.59) + 0.14));
+}
 
-    // Nine samples, evenly over a square, in rows that fan out, less than two texels apart, which is how far each is
-    // smoothed: along straight columns, or farther apart, an edge would fade in steps
-    int rows = lit > 0.01 && lit < 3.99 ? 3 : 0;
-    float sum = rows > 0 ? 0.0 : lit * 2.25;
-    for (int i = 0; i < rows; ++i) {
-        float row = float(i) - 1.0;
-        vec2 middle = position.xy + half_width * vec2(0.13 - 0.19 * row * row, 0.82 * row);
-        vec2 next = half_width * vec2(0.74, 0.03 + 0.19 * row);
-        sum += texture(shadow_map, vec3(middle - next, depth));
-        sum += texture(shadow_map, vec3(middle, depth));
-        sum += texture(shadow_map, vec3(middle + next, depth));
+// The part of the key light that arrives, in [0, 1]. `cover` is from `cover_of`: only an edge is worth samples, and it
+// is the softer the farther its cause is; the loop makes no turn elsewhere. `most` of them: few show as grain.
+float key_visibility(vec3 point, vec3 normal, vec3 cover, int most) {
+    int samples = cover.x > 0.002 && cover.x < 0.998 ? most : 0;
+    float sum = samples > 0 ? 0.0 : float(most) * (1.0 - cover.x);
+    float slope = 1.0 - abs(dot(normal, to_light.xyz));
+    vec3 at = (shadow_matrix * vec4(point + normal * shadow.x * (1.2 + 2.0 * slope), 1.0)).xyz * 0.5 + 0.5;
+
+    // A light that is as wide as a seventh of its distance; points of a disc, turned by the golden angle
+    float wide = clamp(0.07 * cover.y / max(cover.x, 0.01), 1.6 * shadow.x, 0.08);
+    float depth = min(at.z - 0.0015 - 0.0003 * slope * wide / shadow.x, 1.0);
+    float start = 2.0 * pixel_noise() - 1.0;
+    vec2 way = vec2(start, sqrt(1.0 - start * start));
+    const mat2 turn = mat2(-0.73737, 0.67549, -0.67549, -0.73737);
+    for (int i = 0; i < samples; ++i) {
+        vec2 away = wide * sqrt((float(i) + 0.5) / float(most)) * way;
+        sum += texture(shadow_map, vec3(at.xy + away * shadow.zw, depth));
+        way = turn * way;
     }
-    return sum / 9.0;
+    return sum / float(most);
 }
 
 // The part of the light from all around that the balls leave
@@ -66,4 +55,13 @@ float ball_ambient(vec3 point, vec3 normal) {
     return ambient;
 }
 
-vec3 light_from_around(vec3 normal) { return mix(bounce_colour, sky_colour, normal.y * 0.5 + 0.5); }
+// Of the sky above, and of the ground below in its colour
+vec3 light_from_around(vec3 normal) {
+    return mix(ground_light(), sky_light(), normal.y * 0.5 + 0.5);
+}
+
+// What a mirror shows of the studio
+vec3 wall(vec3 direction) {
+    vec3 colour = mix(horizon(), zenith(), smoothstep(-0.05, 0.75, direction.y));
+    return mix(colour, ground_colour(), smoothstep(0.0, 0.8, -direction.y));
+}

@@ -1,11 +1,27 @@
 #version 330 core
 #include "frame.glsl"
+#include "palette.glsl"
 #include "light.glsl"
-#include "matte.glsl"
+#include "noise.glsl"
+#include "cover.glsl"
+#include "hard.glsl"
 in vec3 world;
 in vec3 world_normal;
+in vec3 own;
+flat in int shape;
 out vec4 colour;
 
-const vec3 plaster = vec3(0.46, 0.44, 0.415);
+// Boards of oak along the x axis: rings that are cut at a slant, and fine grain
+vec3 wood() {
+    float rings = 26.0 * (own.z + 0.35 * own.y) + 1.4 * noise(vec2(own.x * 2.2, own.z * 9.0 + own.y * 5.0));
+    float grain = noise(vec2(own.x * 14.0, (own.z + own.y) * 420.0));
+    float late = smoothstep(0.25, 0.95, fract(rings));
+    return mix(vec3(0.50, 0.315, 0.165), vec3(0.33, 0.185, 0.085), late) * (1.0 + 0.10 * grain);
+}
 
-void main() { colour = matte(plaster, world, normalize(world_normal)); }
+void main() {
+    vec3 normal = normalize(world_normal);
+    vec3 albedo = shape == 0 ? wood() : shape == 1 ? vec3(0.10, 0.11, 0.12) : vec3(0.52, 0.50, 0.465);
+    float gloss = shape == 0 ? 0.35 : 0.8;
+    colour = hard(albedo, gloss, world, normal, cover_of(world, normal, 0.08));
+}

@@ -71,13 +71,14 @@ void fill_hollows(const ClothModel& model, ClothVertex* vertices) {
     }
 }
 
-void append_places(const ClothModel& model, std::vector<ClothPlace>& places) {
+void append_places(const ClothModel& model, int number, std::vector<ClothPlace>& places) {
     const Grid& grid = model.grid;
     const auto hx = static_cast<float>(model.hx), hy = static_cast<float>(model.hy);
     const float width = hx * static_cast<float>(grid.nx - 1), height = hy * static_cast<float>(grid.ny - 1);
     for (int j = 0; j < grid.ny; ++j) {
         for (int i = 0; i < grid.nx; ++i) {
-            places.push_back({hx * static_cast<float>(i), hy * static_cast<float>(j), width, height});
+            places.push_back(
+                {hx * static_cast<float>(i), hy * static_cast<float>(j), width, height, static_cast<float>(number)});
         }
     }
 }

@@ -19,13 +19,13 @@ struct ClothVertex {
     float hollow;     ///< how deep in a fold of the front, in [-1, 1]
 };
 
-/// What of a particle stays the same from frame to frame: where it is in the cloth, laid out flat, and how large that
-/// is [m].
+/// What of a particle stays the same from frame to frame: where it is in the cloth, laid out flat, how large that
+/// is [m], and the cloth's number. Of a solid's point: where it is in its own frame [m], and the solid's kind.
 struct ClothPlace {
-    float u, v, width, height;
+    float u, v, width, height, number;
     bool operator==(const ClothPlace&) const = default;
 };
-void append_places(const ClothModel& model, std::vector<ClothPlace>& places);
+void append_places(const ClothModel& model, int number, std::vector<ClothPlace>& places);
 
 /// The cloth as drawn: particles between their last two positions, with smooth normals.
 /// @param vertices receives one a particle

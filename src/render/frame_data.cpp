@@ -64,9 +64,11 @@ Eigen::AlignedBox3f casters(const FrameView& view, const Camera& camera, const E
     return box;
 }
 
-void light_the_scene(const FrameView& view, const Camera& camera, int texels, FrameData& data) {
+void light_the_scene(const FrameView& view, const Camera& camera, std::span<const Holder> holders, int texels,
+                     FrameData& data) {
     const Eigen::Matrix3f axes = light_axes();
-    const Eigen::AlignedBox3f box = casters(view, camera, axes);
+    Eigen::AlignedBox3f box = casters(view, camera, axes);
+    for (const Holder& holder : holders) box.extend(axes * holder.from);
     const Eigen::Vector3f low = ((box.min().array() - edge_room) / edge_step).floor() * edge_step;
     const Eigen::Vector3f high = ((box.max().array() + edge_room) / edge_step).ceil() * edge_step;
     const Eigen::Vector3f middle = (low + high) / 2, half = (high - low) / 2;
@@ -74,7 +76,7 @@ void light_the_scene(const FrameView& view, const Camera& camera, int texels, Fr
     data.shadow_matrix.topLeftCorner<3, 3>() = half.cwiseInverse().asDiagonal() * axes;
     data.shadow_matrix.topRightCorner<3, 1>() = -middle.cwiseQuotient(half);
     data.to_light = {to_light.x(), to_light.y(), to_light.z(), 0};
-    data.shadow = {2 * half.head<2>().maxCoeff() / static_cast<float>(texels), 0, 0, 0};
+    data.shadow = {2 * half.head<2>().maxCoeff() / static_cast<float>(texels), 0, 0.5f / half.x(), 0.5f / half.y()};
 }
 
 }  // namespace
@@ -191,7 +193,7 @@ Eigen::Vector4f sides_and_inverses(const PictureSize& size) {
 }  // namespace
 
 FrameData make_frame_data(const FrameView& view, const Camera& camera, const PictureSize& picture,
-                          const PictureSize& drawn, int shadow_texels) {
+                          const PictureSize& drawn, int shadow_texels, std::span<const Holder> holders) {
     FrameData data{};
     data.viewport = sides_and_inverses(drawn);
     data.page = sides_and_inverses(picture);
@@ -202,7 +204,7 @@ FrameData make_frame_data(const FrameView& view, const Camera& camera, const Pic
     const Eigen::Vector3f eye = camera.eye();
     data.eye = {eye.x(), eye.y(), eye.z(), 1};
 
-    light_the_scene(view, camera, shadow_texels, data);
+    light_the_scene(view, camera, holders, shadow_texels, data);
 
     // The stage lies about what the scene looks at
     const ViewSettings& settings = view.settings->view;
@@ -220,7 +222,9 @@ FrameData make_frame_data(const FrameView& view, const Camera& camera, const Pic
     std::ranges::transform(group_colours(), data.group_colours.begin(), linear);
     const ColourBy by = settings.colour;
     const int groups = by == ColourBy::Level ? 1 : by == ColourBy::Side ? 2 : 0;
-    data.look = {groups, settings.weave ? 1 : 0, settings.grid ? 1 : 0, 0};
+    const bool woven = settings.weave && settings.fabric != Fabric::Plain;
+    data.look = {groups, woven ? 1 : 0, settings.grid ? 1 : 0, 0};
+    data.style = {static_cast<int>(settings.fabric), static_cast<int>(settings.palette), 0, 0};
     data.failure = failure_ends(view);
 
     data.counts = {0, 0, 0, list_dark_balls(view, data.balls)};

@@ -6,6 +6,7 @@
 #include "drape/render/camera.h"
 #include "drape/render/image.h"
 #include "drape/sim/frame_view.h"
+#include "holders.h"
 
 namespace drape {
 
@@ -21,7 +22,7 @@ struct FrameData {
     Eigen::Vector4f viewport;   ///< width, height [pixel] and their inverses, of what the scene is drawn into
     Eigen::Vector4f page;       ///< the same of the picture, for the panels
     Eigen::Vector4f stage;      ///< centre x, height of the ground, centre z, radius [m]
-    Eigen::Vector4f shadow;     ///< a texel of the shadow map [m], the particles' spacing [m]
+    Eigen::Vector4f shadow;     ///< a texel of the shadow map, the particles' spacing [m]; its part in a metre, twice
     Eigen::Vector4f magnified;  ///< x: how much smaller the scene is drawn than it is shown, in (0, 1]
     std::array<int, 4> counts;  ///< structural springs, shear springs, segments of a sphere's circle, balls that darken
     std::array<Eigen::Vector4f, most_balls> balls;  ///< centre, radius [m]
@@ -30,6 +31,7 @@ struct FrameData {
     std::array<Eigen::Vector4f, 4> group_colours;   ///< linear
     std::array<int, 4> look;                 ///< groups: 1, sides: 2, else 0; the weave, the ground's grid: 1 or 0
     std::array<Eigen::Vector4f, 2> failure;  ///< where a run has diverged, two ends [m]; w: 0 if not shown
+    std::array<int, 4> style;                ///< number of the fabric, number of the palette
 };
 
 /// A sphere around all cloths, balls and solids as they are drawn.
@@ -53,7 +55,8 @@ Eigen::Vector4f drawn_orientation(const FrameView& view, std::size_t number);
 
 /// The block but for its `counts`.
 /// @param drawn what the scene is drawn into, in the shape of the picture
+/// @param holders of which the first ends cast shadows too
 FrameData make_frame_data(const FrameView& view, const Camera& camera, const PictureSize& picture,
-                          const PictureSize& drawn, int shadow_texels);
+                          const PictureSize& drawn, int shadow_texels, std::span<const Holder> holders = {});
 
 }  // namespace drape

@@ -75,7 +75,7 @@ Program::Program(Gl& gl, const std::string& vertex_name, const std::string& frag
     if (block != GL_INVALID_INDEX) gl(glUniformBlockBinding, name_, block, 0);
     gl(glUseProgram, name_);
     GLint unit = 0;
-    for (const char* sampler : {"shadow_map", "atlas", "studio_picture", "shadow_probe"}) {
+    for (const char* sampler : {"shadow_map", "atlas", "studio_picture", "shadow_depths"}) {
         const GLint location = gl(glGetUniformLocation, name_, sampler);
         if (location >= 0) gl(glUniform1i, location, unit);
         ++unit;

@@ -7,7 +7,7 @@
 namespace drape {
 
 /// A vertex and a fragment shader, linked. Its block `Frame` is bound to point 0; `shadow_map` reads texture unit 0,
-/// `atlas` unit 1, `studio_picture` unit 2 and `shadow_probe` unit 3.
+/// `atlas` unit 1, `studio_picture` unit 2 and `shadow_depths` unit 3.
 class Program {
 public:
     /// @param name of `shaders/NAME.vert` and `shaders/NAME.frag`

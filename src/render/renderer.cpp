@@ -138,7 +138,7 @@ void Renderer::Parts::prepare(const FrameView& view, const Camera& camera, std::
 
     // Everything into it, and up
     const PictureSize drawn = target->drawn_size(is_fast(view));
-    FrameData data = make_frame_data(view, camera, {width, height}, drawn, ShadowMap::texels);
+    FrameData data = make_frame_data(view, camera, {width, height}, drawn, ShadowMap::texels, solids.holders());
     data.counts[0] = marks.structural_springs();
     data.counts[1] = marks.shear_springs();
     data.counts[2] = marks.segments();

@@ -4,13 +4,13 @@ namespace drape {
 
 namespace {
 
-void set_sampler(Gl& gl, GLuint unit, const Sampler& sampler, GLint filter) {
+void set_sampler(Gl& gl, GLuint unit, const Sampler& sampler, GLint filter, GLint compare) {
     const auto set = [&](GLenum parameter, GLint value) { gl(glSamplerParameteri, sampler.name(), parameter, value); };
     set(GL_TEXTURE_MIN_FILTER, filter);
     set(GL_TEXTURE_MAG_FILTER, filter);
     set(GL_TEXTURE_WRAP_S, GL_CLAMP_TO_EDGE);
     set(GL_TEXTURE_WRAP_T, GL_CLAMP_TO_EDGE);
-    set(GL_TEXTURE_COMPARE_MODE, GL_COMPARE_REF_TO_TEXTURE);
+    set(GL_TEXTURE_COMPARE_MODE, compare);
     set(GL_TEXTURE_COMPARE_FUNC, GL_LEQUAL);
     gl(glBindSampler, unit, sampler.name());
 }
@@ -25,8 +25,8 @@ ShadowMap::ShadowMap(Gl& gl) : gl_(gl), depth_(gl), smooth_(gl), plain_(gl), fra
     }
     gl(glTexImage2D, target, 0, GL_DEPTH_COMPONENT24, texels, texels, 0, GL_DEPTH_COMPONENT, GL_UNSIGNED_INT, nullptr);
     gl(glTexParameteri, target, GL_TEXTURE_MIN_FILTER, GL_NEAREST);
-    set_sampler(gl, 0, smooth_, GL_LINEAR);
-    set_sampler(gl, 3, plain_, GL_NEAREST);
+    set_sampler(gl, 0, smooth_, GL_LINEAR, GL_COMPARE_REF_TO_TEXTURE);
+    set_sampler(gl, 3, plain_, GL_NEAREST, GL_NONE);
 
     gl(glBindFramebuffer, GL_FRAMEBUFFER, framebuffer_.name());
     gl(glFramebufferTexture2D, GL_FRAMEBUFFER, GL_DEPTH_ATTACHMENT, target, depth_.name(), 0);

@@ -4,8 +4,8 @@
 
 namespace drape {
 
-/// The depths as seen from the light, for shadows. Its texture stays bound to unit 0, where depths that
-/// are compared are smoothed between texels, and to unit 3, where they are not: four times as fast.
+/// The depths as seen from the light, for shadows. Its texture stays bound to unit 0, where depths are compared and
+/// smoothed between texels, and to unit 3, where they are read as they are.
 class ShadowMap {
 public:
     static constexpr int texels = 320;  ///< along each side

@@ -44,7 +44,9 @@ struct DrawnBall {
 };
 
 const VertexLayout ball_layout{sizeof(DrawnBall), {{3, 4}, {4, 4}, {8, 1}}, true};
-const VertexLayout place_layout{sizeof(ClothPlace), {{5, 4}}};
+const VertexLayout holder_layout{sizeof(Holder), {{0, 4}, {1, 4}}, true};
+constexpr int holder_vertices = 2 * 9 * 14;  // as in the shader
+const VertexLayout place_layout{sizeof(ClothPlace), {{5, 4}, {9, 1}}};
 
 // Of the middles of edges, in the order of `SmoothOutline`; the places of the particles are there, from `first` on
 void append_middle_places(const Grid& grid, std::size_t first, std::vector<ClothPlace>& places) {
@@ -54,7 +56,7 @@ void append_middle_places(const Grid& grid, std::size_t first, std::vector<Cloth
         for (const auto& [from, to] : {std::array{p, right}, std::array{p, p + step}, std::array{right, p + step}}) {
             const ClothPlace a = places[first + static_cast<std::size_t>(from)],
                              b = places[first + static_cast<std::size_t>(to)];
-            places.push_back({(a.u + b.u) / 2, (a.v + b.v) / 2, a.width, a.height});
+            places.push_back({(a.u + b.u) / 2, (a.v + b.v) / 2, a.width, a.height, a.number});
         }
     }
 }
@@ -91,11 +93,14 @@ Solids::Solids(Gl& gl, StreamBuffer& stream)
       cloth_program_(gl, "cloth"),
       value_program_(gl, "cloth", "cloth_value"),
       ball_program_(gl, "ball"),
-      body_program_(gl, "cloth", "solid"),
+      body_program_(gl, "solid"),
+      holder_program_(gl, "holder"),
       depth_program_(gl, "depth"),
+      holder_depth_program_(gl, "holder_depth", "depth"),
       cloths_(gl, stream, Region::Cloth, cloth_layout()),
       outlined_(gl, stream, Region::Cloth, cloth_layout()),
       balls_(gl, stream, Region::Balls, ball_layout),
+      held_from_(gl, stream, Region::Holders, holder_layout),
       cloth_indices_(gl),
       cloth_places_(gl),
       sphere_vertices_(gl),
@@ -136,6 +141,8 @@ void Solids::need(const FrameView& view, StreamBuffer& stream) {
     stream.need(Region::Cloth, (fixed_vertices() + middles) * sizeof(ClothVertex));
     stream.need(Region::ClothIndices, smooth_ ? 24 * particle_count_ * sizeof(std::uint32_t) : 0);
     stream.need(Region::Balls, view.balls.size() * sizeof(DrawnBall));
+    hang(view, holders_);
+    stream.need(Region::Holders, holders_.size() * sizeof(Holder));
 }
 
 // @return false if their meshes were at hand
@@ -149,11 +156,16 @@ bool Solids::update_bodies(const FrameView& view) {
     return true;
 }
 
-// Solids have vertices of the same kind, and no place in a cloth
 void Solids::fill_places(const FrameView& view, StreamBuffer& stream) {
     std::vector<ClothPlace> places;
-    for (const ClothView& cloth : view.cloths) append_places(cloth.model, places);
-    places.resize(fixed_vertices());
+    for (int number = 0; const ClothView& cloth : view.cloths) append_places(cloth.model, number++, places);
+    for (std::size_t i = 0; i < meshes_.size(); ++i) {
+        const auto kind = static_cast<float>(view.settings->solids[i].shape);
+        for (const Vec3& p : meshes_[i].points) {
+            const Eigen::Vector3f own = p.cast<float>();
+            places.push_back({own.x(), own.y(), own.z(), 0, kind});
+        }
+    }
     if (particle_count_ <= SmoothOutline::most_particles) {
         std::size_t first = 0;
         for (const ClothView& cloth : view.cloths) {
@@ -169,6 +181,7 @@ void Solids::arrange(const FrameView& view, StreamBuffer& stream) {
     cloths_.follow(stream);
     outlined_.follow(stream);
     balls_.follow(stream);
+    held_from_.follow(stream);
     ball_count_ = static_cast<int>(view.balls.size());
     const auto spacing_of = [](const ClothView& cloth) { return std::array{cloth.model.hx, cloth.model.hy}; };
     const bool regrown = update_kept(view.cloths, grids_, grid_of) || bodies_changed_;
@@ -196,6 +209,7 @@ void Solids::fill(const FrameView& view, const ClothColours& colours, const View
     for (std::size_t i = 0; i < view.solids.size(); ++i) vertex = fill_body(view, i, meshes_[i], vertex);
     outline_room_ = 0;
     if (smooth_) fill_outlines(view, from, stream);
+    std::ranges::copy(holders_, stream.data<Holder>(Region::Holders));
     auto* balls = stream.data<DrawnBall>(Region::Balls);
     for (std::size_t i = 0; i < view.balls.size(); ++i) {
         const float steered = static_cast<int>(i) == view.steered_ball ? 1 : 0;
@@ -228,6 +242,10 @@ void Solids::add_to(PictureBounds& bounds, StreamBuffer& stream) const {
          std::span(stream.data<DrawnBall>(Region::Balls), static_cast<std::size_t>(ball_count_))) {
         bounds.add(ball.sphere.head<3>(), ball.sphere.w());
     }
+    for (const Holder& holder : holders_) {
+        bounds.add(holder.from, holder.radius + holder.ring);
+        if (holder.ring == 0) bounds.add(holder.to, holder.radius);
+    }
 }
 
 // Cloths, then solids, then cloths with fewer particles
@@ -253,11 +271,19 @@ void Solids::draw_bodies() {
     gl_(glDisable, GL_CULL_FACE);
 }
 
+void Solids::draw_holders() {
+    held_from_.bind();
+    gl_.draw_arrays(GL_TRIANGLE_STRIP, holder_vertices, static_cast<int>(holders_.size()));
+}
+
 void Solids::draw_shadow() {
     depth_program_.use();
     draw_cloths();
     if (body_index_count_ > 0) draw_bodies();
     if (ball_count_ > 0) draw_balls();
+    if (holders_.empty()) return;
+    holder_depth_program_.use();
+    draw_holders();
 }
 
 void Solids::draw(const ViewSettings& shown, const StreamBuffer& stream) {
@@ -282,6 +308,9 @@ void Solids::draw(const ViewSettings& shown, const StreamBuffer& stream) {
         draw_balls();
         gl_(glDisable, GL_CULL_FACE);
     }
+    if (holders_.empty()) return;
+    holder_program_.use();
+    draw_holders();
 }
 
 }  // namespace drape

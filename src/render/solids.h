@@ -9,6 +9,7 @@
 #include "cloth_colours.h"
 #include "drape/sim/frame_view.h"
 #include "gl_objects.h"
+#include "holders.h"
 #include "picture_target.h"
 #include "program.h"
 #include "smooth_outline.h"
@@ -19,7 +20,7 @@ namespace drape {
 /// How the shaders get a `ClothVertex`.
 VertexLayout cloth_layout();
 
-/// The cloths, the balls and the solids: what is seen and what casts shadows.
+/// The cloths, what they hang from, the balls and the solids: what is seen and what casts shadows.
 /// In the buffer, the points of solids follow the particles, and the middles of edges follow those.
 class Solids {
 public:
@@ -35,6 +36,8 @@ public:
     /// Adds what was filled in.
     void add_to(PictureBounds& bounds, StreamBuffer& stream) const;
 
+    [[nodiscard]] std::span<const Holder> holders() const { return holders_; }
+
     /// How far the cloth's outline stands out of what was added [pixel].
     [[nodiscard]] int room() const { return static_cast<int>(std::ceil(std::min(outline_room_, 1e4f))); }
 
@@ -48,6 +51,7 @@ private:
     void draw_cloths();
     void draw_balls();
     void draw_bodies();
+    void draw_holders();
     bool update_bodies(const FrameView& view);
     void fill_places(const FrameView& view, StreamBuffer& stream);
     void fill_outlines(const FrameView& view, const Viewpoint& from, StreamBuffer& stream);
@@ -55,9 +59,11 @@ private:
     [[nodiscard]] std::size_t fixed_vertices() const { return particle_count_ + body_vertex_count_; }
 
     Gl& gl_;
-    Program cloth_program_, value_program_, ball_program_, body_program_, depth_program_;
-    StreamArray cloths_, outlined_, balls_;
+    Program cloth_program_, value_program_, ball_program_, body_program_, holder_program_, depth_program_,
+        holder_depth_program_;
+    StreamArray cloths_, outlined_, balls_, held_from_;
     Buffer cloth_indices_, cloth_places_, sphere_vertices_, sphere_indices_;
+    std::vector<Holder> holders_;
     std::vector<Grid> grids_;
     std::vector<std::array<Real, 2>> spacings_;              ///< of the grids [m]
     std::vector<std::shared_ptr<const SolidShape>> shapes_;  ///< of the solids

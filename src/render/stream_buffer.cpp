@@ -11,7 +11,7 @@ constexpr std::size_t alignment = 256;  // the largest that OpenGL 3.3 may ask o
 
 // Room from the start: for a cloth of 30 x 30 with its outline, and whatever a usual frame has of the rest [byte]
 constexpr std::array<std::size_t, static_cast<std::size_t>(Region::Count)> usual{
-    1024, 256, 128 * 1024, 80 * 1024, 64 * 1024, 64 * 1024, 64 * 1024, 256 * 1024, 64 * 1024};
+    1024, 256, 4096, 128 * 1024, 80 * 1024, 64 * 1024, 64 * 1024, 64 * 1024, 256 * 1024, 64 * 1024};
 
 std::size_t aligned(std::size_t bytes) { return (bytes + alignment - 1) / alignment * alignment; }
 

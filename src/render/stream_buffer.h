@@ -12,6 +12,7 @@ namespace drape {
 enum class Region {
     Frame,
     Balls,
+    Holders,
     Cloth,
     ClothIndices,
     Contacts,

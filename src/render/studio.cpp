@@ -6,10 +6,13 @@ namespace drape {
 
 namespace {
 
+// Along each side of what the shadow map covers, as in the shader; at each corner it is found what is near above
+constexpr int ground_cells = 40;
+
 // Whether two frames show the same studio, but for shadows
 bool same_studio(const FrameData& a, const FrameData& b) {
     return a.view_projection == b.view_projection && a.eye == b.eye && a.viewport == b.viewport && a.stage == b.stage &&
-           a.look[2] == b.look[2] && a.counts[3] == b.counts[3] &&
+           a.look[2] == b.look[2] && a.style == b.style && a.counts[3] == b.counts[3] &&
            std::equal(a.balls.begin(), a.balls.begin() + a.counts[3], b.balls.begin());
 }
 
@@ -49,7 +52,11 @@ void Studio::copy() {
 void Studio::draw_shadows() {
     shadow_program_.use();
     gl_(glBindVertexArray, no_vertices_.name());
-    gl_.draw_arrays(GL_TRIANGLE_STRIP, 4);
+    gl_(glEnable, GL_BLEND);
+    gl_(glBlendFunc, GL_ZERO, GL_SRC_COLOR);
+    gl_.draw_arrays(GL_TRIANGLE_STRIP, 2 * (ground_cells + 1), ground_cells);
+    gl_(glBlendFunc, GL_SRC_ALPHA, GL_ONE_MINUS_SRC_ALPHA);
+    gl_(glDisable, GL_BLEND);
 }
 
 void Studio::draw_behind() {

@@ -20,7 +20,7 @@ public:
     /// Copies it into the framebuffer that is bound for drawing.
     void copy();
 
-    /// Adds the shadows on the ground, into the framebuffer that is bound; the shadow map is drawn.
+    /// Darkens the ground by its shadows, into the framebuffer that is bound; the shadow map is drawn.
     void draw_shadows();
 
     /// Puts the picture of texture unit 2 behind and below what was drawn before, into the framebuffer that is bound.

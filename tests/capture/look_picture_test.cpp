@@ -1,4 +1,5 @@
-// The weave is on the cloth and a grid on the ground; pins and what the hand holds are marked where they are.
+// The weave is on the cloth and a grid on the ground; pins hang from something, and what the hand holds is marked where
+// it is.
 
 #include <gtest/gtest.h>
 
@@ -45,6 +46,26 @@ TEST_F(LookPicture, HasAWeaveOnTheClothAlone) {
     EXPECT_EQ(elsewhere, 0);
 }
 
+TEST_F(LookPicture, OfAPlainFabricHasNoWeave) {
+    settings.view.fabric = Fabric::Plain;
+    const Image with = draw(cloth());
+    settings.view.weave = false;
+    EXPECT_EQ(with.rgb, draw(cloth()).rgb);
+}
+
+TEST_F(LookPicture, DiffersByFabricAndPalette) {
+    std::vector<Image> looks{draw(cloth())};
+    for (const Fabric fabric : {Fabric::Silk, Fabric::Denim, Fabric::Plain}) {
+        settings.view.fabric = fabric;
+        looks.push_back(draw(cloth()));
+    }
+    for (const Palette palette : {Palette::Dusk, Palette::Linen}) {
+        settings.view.palette = palette;
+        looks.push_back(draw(cloth()));
+    }
+    for (std::size_t i = 1; i < looks.size(); ++i) EXPECT_NE(looks[i].rgb, looks[i - 1].rgb) << i;
+}
+
 struct GroundGrid : LookPicture {
     /// How much darker the ground is on its lines than between them, where they are expected `aside` along x [m].
     double contrast(double aside) {
@@ -86,7 +107,7 @@ TEST_F(GroundGrid, HasALineEveryTenCentimetres) {
 struct Pinned : LookPicture {
     Pinned() : LookPicture("hang") {}
 
-    /// Pixels that differ, near the particles and elsewhere.
+    /// Pixels that differ, near the particles or above them, and elsewhere.
     struct Difference {
         int near = 0, elsewhere = 0;
     };
@@ -97,8 +118,10 @@ struct Pinned : LookPicture {
             for (int x = 0; x < look_width; ++x) {
                 if (std::abs(brightness_at(a, x, y) - brightness_at(b, x, y)) < 20) continue;
                 const bool near = std::ranges::any_of(particles, [&](int particle) {
-                    const auto place = expected.project(cloth().x.row(particle).transpose());
-                    return std::hypot(x - place.x, y - place.y) < 16;
+                    const Vec3 pin = cloth().x.row(particle).transpose();
+                    const auto place = expected.project(pin), above = expected.project(pin + Vec3(0, 1, 0));
+                    const double part = std::max(0.0, (y - place.y) / (above.y - place.y));
+                    return std::hypot(x - place.x - part * (above.x - place.x), std::max(y - place.y, 0.0)) < 16;
                 });
                 ++(near ? found.near : found.elsewhere);
             }
@@ -107,7 +130,7 @@ struct Pinned : LookPicture {
     }
 };
 
-TEST_F(Pinned, ParticlesAreMarkedAndNoOthers) {
+TEST_F(Pinned, ParticlesHangFromCordsAndNoOthers) {
     const ClothView& shown = cloth();
     std::vector<int> pinned;
     ClothModel free = shown.model;

@@ -72,9 +72,9 @@ TEST(ClothMesh, HasPlacesInMetresAndTrianglesThatEndAtCornerB) {
     parameters.particles = {6, 5};
     parameters.width = 2;
     std::vector<ClothPlace> places;
-    append_places(make_cloth_model(parameters), places);
+    append_places(make_cloth_model(parameters), 3, places);
     ASSERT_EQ(places.size(), 30u);
-    EXPECT_EQ(places[0], (ClothPlace{0, 0, 2, 1}));
+    EXPECT_EQ(places[0], (ClothPlace{0, 0, 2, 1, 3}));
     EXPECT_FLOAT_EQ(places[13].u, 0.4f);
     EXPECT_FLOAT_EQ(places[13].v, 0.5f);
 

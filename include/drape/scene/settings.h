@@ -168,6 +168,23 @@ enum class PictureQuality {
 template <>
 inline constexpr auto enum_names<PictureQuality> = all_names<PictureQuality>("auto", "fast", "full");
 
+/// What the cloth looks like.
+enum class Fabric {
+    Cotton,  ///< checks, and fibres that shine at grazing angles
+    Silk,    ///< one colour, and a gloss along its threads
+    Denim,   ///< a twill of coloured and white threads
+    Plain    ///< one colour in simple light
+};
+
+template <>
+inline constexpr auto enum_names<Fabric> = all_names<Fabric>("cotton", "silk", "denim", "plain");
+
+/// The colours of cloths, ground and wall.
+enum class Palette { Studio, Dusk, Linen };
+
+template <>
+inline constexpr auto enum_names<Palette> = all_names<Palette>("studio", "dusk", "linen");
+
 /// What the picture shows besides cloth and ball. It changes no state.
 struct ViewSettings {
     PanelSize panel = PanelSize::Compact;
@@ -188,6 +205,8 @@ struct ViewSettings {
     Vec3 eye{Real(1.6), Real(0.9), Real(2.2)};
     Vec3 target{0, 0, 0};
     double speed = 1;  ///< simulated seconds that pass in a second at the window
+    Fabric fabric = Fabric::Cotton;
+    Palette palette = Palette::Studio;
 };
 
 /// What of two motions is compared.

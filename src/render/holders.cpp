@@ -1,0 +1,91 @@
+#include "holders.h"
+
+#include <Eigen/Geometry>
+#include <cmath>
+
+namespace drape {
+
+namespace {
+
+// In metres, as wide as such things are
+constexpr float rod_radius = 0.009f, pole_radius = 0.013f, bar_radius = 0.008f, cord_radius = 0.0018f;
+constexpr float peg_radius = 0.007f, peg_length = 0.05f, ring_radius = 0.018f, ring_wire = 0.0025f;
+constexpr float stands_out = 0.06f;  // of a rod, beyond the row's ends
+constexpr float ring_distance = 0.1f;
+constexpr float ceiling = 4;  // over the particle, where cords end
+constexpr int most_pegs = 16;
+
+const Eigen::Vector3f up = Eigen::Vector3f::UnitY();
+
+struct Hanging {
+    const ClothView& cloth;
+    const FrameView& view;
+    std::vector<Holder>& holders;
+
+    [[nodiscard]] Eigen::Vector3f at(int p) const {
+        const Points& before = cloth.previous.rows() == cloth.x.rows() ? cloth.previous : cloth.x;
+        return ((1 - view.blend) * before.row(p) + view.blend * cloth.x.row(p)).cast<float>();
+    }
+
+    void add_rod(const Eigen::Vector3f& from, const Eigen::Vector3f& to, float radius) const {
+        holders.push_back({from, radius, to, 0});
+    }
+
+    // The rings hang from the rod, and the particles from the rings
+    void add_rod_with_rings(int first, int count, const Eigen::Vector3f& beyond) const {
+        const Eigen::Vector3f lift = (2 * ring_radius - ring_wire - rod_radius) * up;
+        const Eigen::Vector3f from = at(first) + lift - beyond, to = at(first + count - 1) + lift + beyond;
+        add_rod(from, to, rod_radius);
+        for (const Eigen::Vector3f& end : {from, to}) add_rod(end, end, 2 * rod_radius);
+        const int every = std::max(1, static_cast<int>(ring_distance / static_cast<float>(cloth.model.hx)));
+        for (int k = 0; k < count; k += every)
+            holders.push_back({at(first + k) + ring_radius * up, ring_wire, beyond.normalized(), ring_radius});
+    }
+
+    // @return false unless all particles of a row or column are pinned
+    [[nodiscard]] bool add_line(int first, int step, int count) const {
+        for (int k = 0; k < count; ++k) {
+            if (!cloth.model.pinned(first + k * step)) return false;
+        }
+        const Eigen::Vector3f from = at(first), to = at(first + (count - 1) * step);
+        const Eigen::Vector3f beyond = stands_out * (to - from).normalized();
+        const bool hangs = first == 0 && from.y() - at(cloth.model.grid.nx).y() > Real(0.7) * cloth.model.hy;
+        if (std::abs(beyond.y()) > 0.8f * stands_out) {
+            const Eigen::Vector3f tip = (from.y() > to.y() ? from : to) + stands_out * up;
+            add_rod({tip.x(), static_cast<float>(view.settings->ground.height), tip.z()}, tip, pole_radius);
+            add_rod(tip, tip, 1.9f * pole_radius);
+        } else if (step == 1 && hangs) {
+            add_rod_with_rings(first, count, beyond);
+        } else {
+            add_rod(from - beyond, to + beyond, bar_radius);
+        }
+        return true;
+    }
+
+    void add_pegs() const {
+        int pegs = 0;
+        for (int p = 0; p < cloth.model.grid.particles() && pegs < most_pegs; ++p) {
+            if (!cloth.model.pinned(p)) continue;
+            ++pegs;
+            const Eigen::Vector3f top = at(p) + 0.7f * peg_length * up;
+            add_rod(top - peg_length * up, top, peg_radius);
+            add_rod(top, top + ceiling * up, cord_radius);
+        }
+    }
+};
+
+}  // namespace
+
+void hang(const FrameView& view, std::vector<Holder>& holders) {
+    holders.clear();
+    for (const ClothView& cloth : view.cloths) {
+        const Hanging hanging{cloth, view, holders};
+        const Grid& grid = cloth.model.grid;
+        bool lines = false;
+        for (int j = 0; j < grid.ny; ++j) lines |= hanging.add_line(grid.particle(0, j), 1, grid.nx);
+        for (int i = 0; i < grid.nx; ++i) lines |= hanging.add_line(grid.particle(i, 0), grid.nx, grid.ny);
+        if (!lines) hanging.add_pegs();
+    }
+}
+
+}  // namespace drape

@@ -1,0 +1,24 @@
+#pragma once
+
+#include <Eigen/Core>
+#include <vector>
+
+#include "drape/sim/frame_view.h"
+
+namespace drape {
+
+/// A piece of what pins hang from: a rod with round ends, a ball if it has no length; or a ring about an axis.
+struct Holder {
+    Eigen::Vector3f from;  ///< one end, or the centre of a ring
+    float radius;          ///< of the rod, or of the ring's wire [m]
+    Eigen::Vector3f to;    ///< the other end; or the axis of a ring, of length 1
+    float ring;            ///< radius of a ring; 0: a rod [m]
+};
+
+/// What the pins of all cloths hang from, chosen from how each is pinned: a rod with rings for an upper row, a pole for
+/// an upright side, a bar for any other row or column, and cords with pegs for single particles.
+/// @param holders receives them in place of what it has
+/// @par Cost O(particles), allocates for more holders than before
+void hang(const FrameView& view, std::vector<Holder>& holders);
+
+}  // namespace drape
