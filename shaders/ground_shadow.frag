@@ -6,11 +6,14 @@ in vec3 world;
 in vec3 cover;
 out vec4 colour;
 
-// What the studio's picture is multiplied by: about the square root of what is left of the light, as the eye sees it
+// Blended over the studio's picture, which is multiplied by about the square root of what is left of the light, as the
+// eye sees it. Of red least is left: blending takes as much of all colours, and adds some of the others.
 void main() {
     float away = length(world.xz - stage.xz) / stage.w;
-    float visible = key_visibility(world, vec3(0.0, 1.0, 0.0), cover, 8);
+    float visible = key_visibility(world, vec3(0.0, 1.0, 0.0), cover, 12);
     vec3 key = key_colour * to_light.y, sky = sky_light();
     vec3 left = sqrt((key * visible + sky * (1.0 - 0.7 * cover.z)) / (key + sky));
-    colour = vec4(mix(left, vec3(1.0), smoothstep(0.3, 2.6, away)) + (pixel_noise() - 0.5) / 255.0, 1.0);
+    float taken = max(1.0 - left.r, 1e-4);
+    vec3 tint = sqrt(ground_colour()) * (left - left.r) / taken;
+    colour = vec4(tint, (taken + (pixel_noise() - 0.5) / 255.0) * (1.0 - smoothstep(0.3, 2.6, away)));
 }

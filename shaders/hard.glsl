@@ -12,7 +12,7 @@ vec4 hard(vec3 albedo, float gloss, vec3 world, vec3 normal, vec3 cover) {
 
     float near_light = max(dot(normal, normalize(to_light.xyz + to_eye)), 0.0);
     float seen = 1.0 - max(dot(normal, to_eye), 0.0);
-    float mirror = gloss * (0.04 + 0.96 * seen * seen * seen * seen * seen) * ambient;
+    float mirror = gloss * (0.04 + 0.12 * seen * seen * seen * seen) * ambient;
     vec3 lit = albedo * (key_colour * key * 0.92 + light_from_around(normal) * ambient);
     return finish(mix(lit, wall(reflect(-to_eye, normal)), mirror) + gloss * 0.5 * pow(near_light, 60.0) * visible);
 }

@@ -68,7 +68,9 @@ void light_the_scene(const FrameView& view, const Camera& camera, std::span<cons
                      FrameData& data) {
     const Eigen::Matrix3f axes = light_axes();
     Eigen::AlignedBox3f box = casters(view, camera, axes);
-    for (const Holder& holder : holders) box.extend(axes * holder.from);
+    for (const Holder& holder : holders) {
+        if (holder.radius >= thinnest_caster) box.extend(axes * holder.from);
+    }
     const Eigen::Vector3f low = ((box.min().array() - edge_room) / edge_step).floor() * edge_step;
     const Eigen::Vector3f high = ((box.max().array() + edge_room) / edge_step).ceil() * edge_step;
     const Eigen::Vector3f middle = (low + high) / 2, half = (high - low) / 2;

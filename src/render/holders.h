@@ -15,6 +15,9 @@ struct Holder {
     float ring;            ///< radius of a ring; 0: a rod [m]
 };
 
+/// Thinner ones cast no shadow; as in `shaders/holder_depth.vert` [m].
+constexpr float thinnest_caster = 0.0075f;
+
 /// What the pins of all cloths hang from, chosen from how each is pinned: a rod with rings for an upper row, a pole for
 /// an upright side, a bar for any other row or column, and cords with pegs for single particles.
 /// @param holders receives them in place of what it has

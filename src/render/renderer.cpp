@@ -22,11 +22,12 @@ namespace drape {
 
 namespace {
 
-// What stays the same over all frames
+// What stays the same over all frames, but for blending, which solids do without
 void set_state(Gl& gl) {
     gl(glEnable, GL_DEPTH_TEST);
     gl(glDepthFunc, GL_LEQUAL);
     gl(glEnable, GL_MULTISAMPLE);
+    gl(glEnable, GL_BLEND);
     gl(glEnable, GL_PROGRAM_POINT_SIZE);
     gl(glBlendFunc, GL_SRC_ALPHA, GL_ONE_MINUS_SRC_ALPHA);
     gl(glPixelStorei, GL_PACK_ALIGNMENT, 1);
@@ -170,13 +171,13 @@ void Renderer::Parts::paint(const FrameView& view, DrawnFor use) {
     const bool anywhere = shown.contacts || shown.particles || failed;
     const int room = std::max(solids.room(), marks.room());
     target->begin_samples(anywhere ? PictureBox{0, 0, wide, high} : grown(bounds.box(), room, wide, high));
+    gl(glDisable, GL_BLEND);
     solids.draw(shown, stream);
     studio.draw_behind();
     gl(glEnable, GL_BLEND);
     marks.draw(failed);
     target->resolve(use == DrawnFor::Window);
     painter.draw(stream);
-    gl(glDisable, GL_BLEND);
 }
 
 void Renderer::present() {

@@ -52,11 +52,7 @@ void Studio::copy() {
 void Studio::draw_shadows() {
     shadow_program_.use();
     gl_(glBindVertexArray, no_vertices_.name());
-    gl_(glEnable, GL_BLEND);
-    gl_(glBlendFunc, GL_ZERO, GL_SRC_COLOR);
     gl_.draw_arrays(GL_TRIANGLE_STRIP, 2 * (ground_cells + 1), ground_cells);
-    gl_(glBlendFunc, GL_SRC_ALPHA, GL_ONE_MINUS_SRC_ALPHA);
-    gl_(glDisable, GL_BLEND);
 }
 
 void Studio::draw_behind() {

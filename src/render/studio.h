@@ -20,7 +20,8 @@ public:
     /// Copies it into the framebuffer that is bound for drawing.
     void copy();
 
-    /// Darkens the ground by its shadows, into the framebuffer that is bound; the shadow map is drawn.
+    /// Darkens the ground by its shadows, into the framebuffer that is bound; the shadow map is drawn, and
+    /// blending is on.
     void draw_shadows();
 
     /// Puts the picture of texture unit 2 behind and below what was drawn before, into the framebuffer that is bound.

@@ -53,6 +53,11 @@ ExpectedPicture::ExpectedPicture(const FrameView& view, int width, int height)
     up_ = right_.cross(ahead_);
     for (const ClothView& cloth : view.cloths) fill_cloth(cloth);
     for (const Ball& ball : view.balls) fill_ball(ball);
+    for (const ClothView& cloth : view.cloths) {
+        for (int p = 0; p < cloth.model.grid.particles(); ++p) {
+            if (cloth.model.pinned(p)) fill_cord(cloth.x.row(p));
+        }
+    }
 }
 
 ExpectedPicture::Projected ExpectedPicture::project(const Vec3& point) const {
@@ -107,6 +112,18 @@ void ExpectedPicture::fill_ball(const Ball& ball) {
             if (depth >= depth_[index(x, y)]) continue;
             depth_[index(x, y)] = depth;
             seen_[index(x, y)] = Seen::Ball;
+        }
+    }
+}
+
+// Pins hang from something above them
+void ExpectedPicture::fill_cord(const Vec3& pin) {
+    constexpr int beside = 2;  // pixel
+    const Projected from = project(pin), above = project(pin + Vec3(0, 1, 0));
+    for (int y = std::min(static_cast<int>(from.y), height_ - 1); y >= 0; --y) {
+        const double x = from.x + (from.y - y) / (from.y - above.y) * (above.x - from.x);
+        for (int i = static_cast<int>(x) - beside; i <= static_cast<int>(x) + beside; ++i) {
+            if (i >= 0 && i < width_) seen_[index(i, y)] = Seen::Cord;
         }
     }
 }

@@ -8,7 +8,7 @@
 namespace drape::test {
 
 /// What a pixel must show.
-enum class Seen : unsigned char { Nothing, Front, Back, Ball };
+enum class Seen : unsigned char { Nothing, Front, Back, Ball, Cord };
 
 /// What a picture must show, from the state alone: projected and filled here, with nothing of the renderer's.
 class ExpectedPicture {
@@ -49,6 +49,7 @@ private:
     }
     void fill_cloth(const ClothView& cloth);
     void fill_ball(const Ball& ball);
+    void fill_cord(const Vec3& pin);
 
     int width_, height_;
     Vec3 eye_, right_, up_, ahead_;
