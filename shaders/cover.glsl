@@ -13,7 +13,7 @@ vec3 cover_of(vec3 point, vec3 normal, float reach) {
 
     // A surface that is flat goes on along its tangent: what is before that covers it
     vec3 facing = 0.5 * metres * (mat3(shadow_matrix) * normal);
-    vec2 slope = clamp(-facing.xy / (abs(facing.z) > 0.2 ? facing.z : 0.2 * sign(facing.z)), -2.5, 2.5);
+    vec2 slope = clamp(-facing.xy / (facing.z > 0.0 ? max(facing.z, 0.1) : min(facing.z, -0.1)), -8.0, 8.0);
 
     // Points of a disc, evenly: each is turned by the golden angle
     const int points = 18;

@@ -28,8 +28,8 @@ vec3 fabric(vec3 albedo, vec3 world, vec3 normal, Threads threads, float hollow,
     float through = max(-facing, 0.0) * of_fabric(0.22, 0.15, 0.03) * visible;
 
     // Folds, and what is near before it, keep light from around off
-    float open = 1.0 - (hollow > 0.0 ? 0.65 : 0.15) * hollow;
-    open *= 1.0 - 0.65 * (facing > 0.0 ? cover.z : 0.35);
+    float open = 1.0 - (hollow > 0.0 ? 0.50 : 0.15) * hollow;
+    open *= 1.0 - 0.50 * (facing > 0.0 ? cover.z : 0.35);
     if (style.x == 3) open = 1.0;
     float ambient = ball_ambient(world, normal) * open;
     key *= 0.75 + 0.25 * min(open, 1.0);

@@ -2,8 +2,8 @@
 layout(location = 0) in vec4 from_and_radius;
 layout(location = 1) in vec4 to_and_ring;
 
-const int around = 9;  // points of a turn
-const int turns = 14;  // twice as many vertices as points: 2 * around * turns
+const int around = 7;  // points of a turn
+const int turns = 12;  // twice as many vertices as points: 2 * around * turns
 
 struct TubePoint {
     vec3 world, normal;

@@ -21,11 +21,11 @@ vec4 finish(vec3 colour) {
     return coded(x * (2.51 * x + 0.03) / (x * (2.43 * x + 0.59) + 0.14));
 }
 
-// The part of the key light that arrives, in [0, 1]. `cover` is from `cover_of`: only an edge is worth samples, and it
-// is the softer the farther its cause is; the loop makes no turn elsewhere. `most` of them: few show as grain.
+// The part of the key light that arrives, in [0, 1]. `cover` is from `cover_of`: only where something casts samples are
+// worth it, `most` of them, and an edge is the softer the farther its cause is. The loop makes no turn elsewhere.
 float key_visibility(vec3 point, vec3 normal, vec3 cover, int most) {
-    int samples = cover.x > 0.002 && cover.x < 0.998 ? most : 0;
-    float sum = samples > 0 ? 0.0 : float(most) * (1.0 - cover.x);
+    int samples = cover.x > 0.002 ? most : 0;
+    float sum = samples > 0 ? 0.0 : 1.0 - cover.x;
     float slope = 1.0 - abs(dot(normal, to_light.xyz));
     vec3 at = (shadow_matrix * vec4(point + normal * shadow.x * (1.2 + 2.0 * slope), 1.0)).xyz * 0.5 + 0.5;
 
@@ -40,7 +40,7 @@ float key_visibility(vec3 point, vec3 normal, vec3 cover, int most) {
         sum += texture(shadow_map, vec3(at.xy + away * shadow.zw, depth));
         way = turn * way;
     }
-    return sum / float(most);
+    return sum / float(max(samples, 1));
 }
 
 // The part of the light from all around that the balls leave

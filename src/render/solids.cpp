@@ -45,7 +45,7 @@ struct DrawnBall {
 
 const VertexLayout ball_layout{sizeof(DrawnBall), {{3, 4}, {4, 4}, {8, 1}}, true};
 const VertexLayout holder_layout{sizeof(Holder), {{0, 4}, {1, 4}}, true};
-constexpr int holder_vertices = 2 * 9 * 14;  // as in the shader
+constexpr int holder_vertices = 2 * 7 * 12;  // as in the shader
 const VertexLayout place_layout{sizeof(ClothPlace), {{5, 4}, {9, 1}}};
 
 // Of the middles of edges, in the order of `SmoothOutline`; the places of the particles are there, from `first` on
