@@ -31,7 +31,7 @@ struct SelfSearchReport {
 class SelfSearch {
 public:
     /// Pairs that there may be, a particle in the mean.
-    static constexpr int max_pairs = 100;
+    static constexpr int max_pairs = 400;
 
     /// Starts from nothing with these cloths.
     /// @param x their positions [m]
