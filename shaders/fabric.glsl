@@ -45,6 +45,7 @@ vec3 fabric(vec3 albedo, vec3 world, vec3 normal, Threads threads, float hollow,
     lit += mix(albedo, vec3(1.0), 0.25) * of_fabric(0.30, 0.10, 0.22) * (key_colour * fibres + 2.0 * grazing * around);
 
     // The gloss of smooth threads, which is wide across them  @cite ward1992
+    // A loop, because Mesa's llvmpipe would work both ways of an `if` for all pixels
     for (int i = 0; i < (style.x == 1 ? 1 : 0); ++i) {
         const vec2 wide = vec2(0.20, 0.45);
         vec2 tilt = vec2(dot(middle, threads.along), dot(middle, threads.across)) / (wide * max(upright, 0.05));

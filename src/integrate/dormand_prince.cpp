@@ -38,7 +38,7 @@ Real fifth_root(Real a) {
 /// largest error of an x and h times that of a v, with h the whole step, and may be `tolerance` times the cloth's
 /// spacing in each inner step. The first inner step tried is the whole one, so that nothing is remembered between
 /// steps. One of `shortest` of it is taken whatever its error, and counted as unconverged. A step that is not through
-/// after `most_inner_steps` of them is given up.
+/// after `max_inner_steps` of them is given up.
 /// @cite dormand1980
 class DormandPrince final : public Integrator {
 public:
@@ -57,7 +57,7 @@ public:
         report.tolerance = tolerance_;
         Real inner = h, remaining = h;
         for (int tried = 0; remaining > 0; ++tried) {
-            if (tried == most_inner_steps) {
+            if (tried == max_inner_steps) {
                 report.gave_up = true;
                 break;
             }

@@ -90,7 +90,7 @@ double held_power(const ClothModel& model, const Points& x, const Points& v, int
     return -static_cast<double>(force_on(model, x, v, particle).dot(v.row(particle)));
 }
 
-double most_wind_power(const ClothModel& model) {
+double max_wind_power(const ClothModel& model) {
     constexpr double stretched = 2;
     const auto speed = static_cast<double>(model.air.velocity.norm());
     const Grid& grid = model.grid;

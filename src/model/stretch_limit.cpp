@@ -71,8 +71,8 @@ Real stretch_excess(const ClothModel& model, const Points& x) {
 
 StretchReport limit_stretch(const ClothModel& model, int held, ClothState& state) {
     StretchReport report{.excess = stretch_excess(model, state.x)};
-    while (report.excess > stretch_tolerance && report.sweeps < most_stretch_sweeps) {
-        const bool yields = report.sweeps >= most_stretch_sweeps / 2;
+    while (report.excess > stretch_tolerance && report.sweeps < max_stretch_sweeps) {
+        const bool yields = report.sweeps >= max_stretch_sweeps / 2;
         sweep_springs(model, yields ? held : -1, state);
         report.excess = stretch_excess(model, state.x);
         ++report.sweeps;

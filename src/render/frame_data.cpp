@@ -83,6 +83,13 @@ void light_the_scene(const FrameView& view, const Camera& camera, std::span<cons
 
 }  // namespace
 
+Vec3 drawn_particle(const ClothView& cloth, Real blend, int particle) {
+    const Vec3 now = cloth.x.row(particle);
+    if (cloth.previous.rows() != cloth.x.rows()) return now;
+    const Vec3 before = cloth.previous.row(particle);
+    return before + blend * (now - before);
+}
+
 Eigen::Vector4f drawn_ball(const FrameView& view, std::size_t number) {
     const Ball& now = view.balls[number];
     Vec3 centre = now.centre;

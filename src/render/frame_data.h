@@ -41,6 +41,9 @@ struct Extent {
 };
 Extent drawn_extent(const FrameView& view);
 
+/// Where a particle is drawn: between its last two positions, if there are two [m].
+Vec3 drawn_particle(const ClothView& cloth, Real blend, int particle);
+
 /// Where a ball is drawn: centre and radius, between its last two positions.
 Eigen::Vector4f drawn_ball(const FrameView& view, std::size_t number);
 

@@ -3,6 +3,8 @@
 #include <Eigen/Geometry>
 #include <cmath>
 
+#include "frame_data.h"
+
 namespace drape {
 
 namespace {
@@ -13,7 +15,7 @@ constexpr float peg_radius = 0.007f, peg_length = 0.05f, ring_radius = 0.018f, r
 constexpr float stands_out = 0.06f;  // of a rod, beyond the row's ends
 constexpr float ring_distance = 0.1f;
 constexpr float ceiling = 4;  // over the particle, where cords end
-constexpr int most_pegs = 16;
+constexpr int max_pegs = 16;
 
 const Eigen::Vector3f up = Eigen::Vector3f::UnitY();
 
@@ -22,10 +24,7 @@ struct Hanging {
     const FrameView& view;
     std::vector<Holder>& holders;
 
-    [[nodiscard]] Eigen::Vector3f at(int p) const {
-        const Points& before = cloth.previous.rows() == cloth.x.rows() ? cloth.previous : cloth.x;
-        return ((1 - view.blend) * before.row(p) + view.blend * cloth.x.row(p)).cast<float>();
-    }
+    [[nodiscard]] Eigen::Vector3f at(int p) const { return drawn_particle(cloth, view.blend, p).cast<float>(); }
 
     void add_rod(const Eigen::Vector3f& from, const Eigen::Vector3f& to, float radius) const {
         holders.push_back({from, radius, to, 0});
@@ -64,7 +63,7 @@ struct Hanging {
 
     void add_pegs() const {
         int pegs = 0;
-        for (int p = 0; p < cloth.model.grid.particles() && pegs < most_pegs; ++p) {
+        for (int p = 0; p < cloth.model.grid.particles() && pegs < max_pegs; ++p) {
             if (!cloth.model.pinned(p)) continue;
             ++pegs;
             const Eigen::Vector3f top = at(p) + 0.7f * peg_length * up;

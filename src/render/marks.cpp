@@ -78,7 +78,6 @@ void Marks::need(const FrameView& view, StreamBuffer& stream) {
 void Marks::collect_compared(const FrameView& view) {
     if (view.comparison == nullptr) return;
     const FrameView& other = view.comparison->other;
-    const Real blend = other.blend;
     for (std::size_t b = 0; b < std::min(view.balls.size(), other.balls.size()); ++b) {
         const Eigen::Vector4f ball = drawn_ball(other, b);
         const Vec3 centre = ball.head<3>().cast<Real>();
@@ -87,9 +86,7 @@ void Marks::collect_compared(const FrameView& view) {
         bounds_.spheres.push_back({centre, other.balls[b].radius, NodeState::Compared});
     }
     for (const ClothView& cloth : other.cloths) {
-        const auto at = [&](int p) -> Vec3 {
-            return ((1 - blend) * cloth.previous.row(p) + blend * cloth.x.row(p)).transpose();
-        };
+        const auto at = [&](int p) { return drawn_particle(cloth, other.blend, p); };
         for (std::size_t k = 0; k < 2; ++k) {
             const auto [di, dj] = spring_directions[k];
             SpringStencil{di, dj, {}, 0}.for_each(cloth.model.grid, [&](int a, int b) {

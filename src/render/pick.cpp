@@ -50,13 +50,6 @@ Real hit_solid(const Ray& ray, const Solid& solid) {
     return nothing;
 }
 
-Vec3 drawn_particle(const ClothView& cloth, Real blend, int particle) {
-    const Vec3 now = cloth.x.row(particle);
-    if (cloth.previous.rows() != cloth.x.rows()) return now;
-    const Vec3 before = cloth.previous.row(particle);
-    return before + blend * (now - before);
-}
-
 }  // namespace
 
 Pick pick_particle(const FrameView& view, const Ray& ray) {

@@ -24,7 +24,7 @@ struct Viewpoint {
 class SmoothOutline {
 public:
     /// More particles in all are drawn as they are: their edges are short.
-    static constexpr std::size_t most_particles = 10'000;
+    static constexpr std::size_t max_particles = 10'000;
 
     /// Middles that a particle has room for: of the edges to the next particle of its row, of its column, and across
     /// the cell, from corner b to c.

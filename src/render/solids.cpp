@@ -135,7 +135,7 @@ void Solids::need(const FrameView& view, StreamBuffer& stream) {
     // The colours of nodes are those of whole cells, and lines are drawn between particles
     const ViewSettings& shown = view.settings->view;
     smooth_ = shown.smooth && !shown.wireframe && shown.colour != ColourBy::Level &&
-              particle_count_ <= SmoothOutline::most_particles;
+              particle_count_ <= SmoothOutline::max_particles;
     coarse_ = is_fast(view) && particle_count_ > most_drawn_fast;
     const std::size_t middles = smooth_ ? SmoothOutline::middles_each * particle_count_ : 0;
     stream.need(Region::Cloth, (fixed_vertices() + middles) * sizeof(ClothVertex));
@@ -166,7 +166,7 @@ void Solids::fill_places(const FrameView& view, StreamBuffer& stream) {
             places.push_back({own.x(), own.y(), own.z(), 0, kind});
         }
     }
-    if (particle_count_ <= SmoothOutline::most_particles) {
+    if (particle_count_ <= SmoothOutline::max_particles) {
         std::size_t first = 0;
         for (const ClothView& cloth : view.cloths) {
             append_middle_places(cloth.model.grid, first, places);

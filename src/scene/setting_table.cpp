@@ -158,7 +158,7 @@ void add_needs(std::vector<Setting>& table) {
               "largest that the scene allows after any step's response (its last substep's); 0: not stated");
     needs.add("stretch", &NeedsSettings::stretch, "", {0, 1e3},
               "largest of a structural spring that the scene allows after any step; 0: not stated");
-    needs.add("least_stretch", &NeedsSettings::least_stretch, "", {0, 1e3},
+    needs.add("min_stretch", &NeedsSettings::min_stretch, "", {0, 1e3},
               "that the scene must show after some step, to be soft; 0: not stated");
     needs.add("diverges", &NeedsSettings::diverges,
               "the scene must have diverged by the horizon, to show how a method fails");

@@ -94,7 +94,7 @@ std::string solve_error(IntegratorKind integrator, const StepReport& report) {
     const std::string method(name_of(integrator)), step = " step " + std::to_string(report.step + 1);
     const std::string tolerance = "tolerance " + real_text(static_cast<double>(solve.tolerance), 3);
     if (solve.gave_up) {
-        return method + " did not finish" + step + " within " + std::to_string(most_inner_steps) +
+        return method + " did not finish" + step + " within " + std::to_string(max_inner_steps) +
                " inner steps, taken and rejected, at " + tolerance + "; a shorter solver.dt needs fewer";
     }
     return method + " has not solved" + step + ": residual " + real_text(static_cast<double>(solve.residual), 3) +

@@ -91,7 +91,7 @@ bool Simulation::integrate(const Substep& now) {
         rethrow_bad_alloc(settings_, [&] { report_.solve += cloth.integrator.step(cloth.model, cloth.state, now.h); });
         report_.times.step += watch.lap();
         cloth.search.positions_changed();
-        if (settings_.wind.on) cloth.energy.give(most_wind_power(cloth.model) * static_cast<double>(now.h));
+        if (settings_.wind.on) cloth.energy.give(max_wind_power(cloth.model) * static_cast<double>(now.h));
     }
     hand_.count_work(cloths_, now.h);
     pins_.count_work(cloths_, now.h);

@@ -30,7 +30,7 @@ void exchange(SnapshotText& text, TraversalStats& stats) {
 /// Some of it is asked before the next step, some adds up over a run, and some is shown until then.
 void exchange(SnapshotText& text, StepReport& report) {
     text.line("step", report.step, within(report.substeps, 1, 1e6), within(report.time, 0, 1e9));
-    text.line("limit", Unbounded{report.step_limit_ratio}, report.limit_is_least);
+    text.line("limit", Unbounded{report.step_limit_ratio}, report.limit_is_lower_bound);
     for (TraversalStats* of : {&report.traversal, &report.ground, &report.solids, &report.between_cloths}) {
         exchange(text, *of);
     }

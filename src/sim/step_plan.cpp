@@ -159,7 +159,7 @@ void plan_substeps(std::span<const Cloth> cloths, const Settings& settings, int 
     const SolverSettings& solver = settings.solver;
     const StepLimit shortest = shortest_limit(cloths, settings);
     const Real limit = shortest.step;
-    report.limit_is_least = shortest.at_least;
+    report.limit_is_lower_bound = shortest.at_least;
     // Where no step is short enough, substeps do not help
     const bool bounded = limit > 0 && std::isfinite(limit);
     const double wanted = bounded ? std::ceil(solver.dt / static_cast<double>(safe_part * limit)) : 1;
@@ -295,16 +295,16 @@ std::string step_limit_warning(const SolverSettings& solver, const StepReport& r
     const std::string method(name_of(solver.integrator));
     const std::string step = "solver.dt = " + real_text(solver.dt, 4) + " s";
     if (!std::isfinite(report.step_limit_ratio)) {
-        const bool sure = !report.limit_is_least;
+        const bool sure = !report.limit_is_lower_bound;
         return step + ": " + method + (sure ? " has no stable step" : " has no step that is sure to be stable") +
                " on this cloth";
     }
     const bool substeps_exhausted = solver.on_unstable == OnUnstable::Substep;
     const double ratio = report.step_limit_ratio * planned;
     const std::string limit = real_text(solver.dt / ratio, 3);
-    return step + " is " + (report.limit_is_least ? "up to " : "") + real_text(ratio, 3) +
+    return step + " is " + (report.limit_is_lower_bound ? "up to " : "") + real_text(ratio, 3) +
            " times the stability limit of " + method + " on this cloth" +
-           (report.limit_is_least ? ", which is at least " + limit + " s" : "") +
+           (report.limit_is_lower_bound ? ", which is at least " + limit + " s" : "") +
            (substeps_exhausted ? ", too long to be divided into substeps" : "") +
            (solver.dt / ratio < shortest_that_may_be_set() ? ", and no step that may be set is short enough" : "");
 }

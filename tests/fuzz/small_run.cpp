@@ -8,7 +8,7 @@
 namespace drape::fuzz {
 namespace {
 
-constexpr int most_particles = 150;
+constexpr int max_particles = 150;
 constexpr int steps = 2;
 
 std::size_t parts_of(const Settings& settings, const std::string& section) {
@@ -25,9 +25,9 @@ std::optional<Settings> made_small(Settings settings) {
     int particles = 0;
     for (const ClothParameters& cloth : settings.cloths) {
         const Grid& grid = cloth.particles;
-        if (grid.nx > most_particles || grid.ny > most_particles) return {};
+        if (grid.nx > max_particles || grid.ny > max_particles) return {};
         particles += grid.particles();
-        if (particles > most_particles) return {};
+        if (particles > max_particles) return {};
     }
     settings.start.clear();  // any file could be named
     std::erase_if(settings.solids, [](const SolidSettings& solid) { return solid.shape == SolidKind::Mesh; });

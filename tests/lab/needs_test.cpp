@@ -69,7 +69,7 @@ TEST(Needs, OfASceneThatMustDivergeOrStretchAreNotMetByOneThatDoesNot) {
     wild.solver.dt = Real(0.01);
     EXPECT_TRUE(Needs(scene).attempt(wild).qualifies());
     scene.needs.diverges = false;
-    scene.needs.least_stretch = 1;
+    scene.needs.min_stretch = 1;
     EXPECT_THAT(Needs(scene).attempt(scene).why, HasSubstr("only"));
 }
 

@@ -131,7 +131,7 @@ measure = "centre_and_spread"
 horizon = 0.75
 penetration = 0.001
 stretch = 0.1
-least_stretch = 0.01
+min_stretch = 0.01
 diverges = true
 keep = "particles, dt"
 full.particles = [40, 40]
@@ -242,7 +242,11 @@ TEST(ShippedScenes, AllLoadAndHaveATitle) {
                                               "trampoline", "two_corners"}));
     EXPECT_EQ(names.front(), "veil");
     EXPECT_THAT(names.back(), StartsWith("fails_"));
-    for (const std::string& name : names) EXPECT_NE(load_scene(name).title, Settings{}.title) << name;
+    for (const std::string& name : names) {
+        const Settings settings = load_scene(name);
+        EXPECT_NE(settings.title, Settings{}.title) << name;
+        EXPECT_EQ(settings.contact.self, !name.starts_with("fails_")) << name;
+    }
 }
 
 TEST(ShippedScenes, AreNamedWhereOneIsNotFound) {

@@ -59,10 +59,10 @@ TEST(StepWarning, SaysAtLeastWhereTheLimitIsOnlyABound) {
     Simulation simulation = small_simulation({"integrator=explicit_euler", "structural.damping=0", "bend.damping=0",
                                               "shear.damping=1", "cloth.drag=0.01", "dt=0.01"});
     EXPECT_THAT(simulation.step_warning(), AllOf(HasSubstr(" is up to "), HasSubstr(", which is at least ")));
-    EXPECT_TRUE(simulation.report().limit_is_least);
+    EXPECT_TRUE(simulation.report().limit_is_lower_bound);
     send(simulation, "set integrator=symplectic_euler");
     EXPECT_THAT(simulation.step_warning(), testing::Not(HasSubstr("at least")));
-    EXPECT_FALSE(simulation.report().limit_is_least);
+    EXPECT_FALSE(simulation.report().limit_is_lower_bound);
 }
 
 TEST(StepWarning, IsOfTheWindUnderImplicitMidpointAndItsSubstepsAreShortEnough) {

@@ -50,7 +50,7 @@ struct IntegratorParameters {
 Real tolerance_of(const IntegratorParameters& parameters);
 
 /// The most inner steps that Dormand-Prince tries in one step, taken and rejected: then it gives up.
-constexpr int most_inner_steps = 10'000;
+constexpr int max_inner_steps = 10'000;
 
 /// What an integrator tells about one step.
 ///

@@ -29,7 +29,7 @@ Energy compute_energy(const ClothModel& model, const ClothState& state, Kernels 
 /// The most that the wind can give a cloth, whatever its motion [W]. A plate that yields to a wind W with the speed w
 /// is given 1/2 C rho A (W - w)^2 w, which is the most at w = W/3. Twice that of the cloth at rest, for it may be
 /// stretched.
-double most_wind_power(const ClothModel& model);
+double max_wind_power(const ClothModel& model);
 
 /// Both at one moment.
 struct EnergyFlow {

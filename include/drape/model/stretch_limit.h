@@ -7,7 +7,7 @@ namespace drape {
 /// How far beyond its limit a structural spring may stay stretched [of its rest length], and the most sweeps that are
 /// made to get there.
 constexpr Real stretch_tolerance = Real(1e-3);
-constexpr int most_stretch_sweeps = 96;
+constexpr int max_stretch_sweeps = 96;
 
 /// What sweeps over the structural springs have come to.
 struct StretchReport {

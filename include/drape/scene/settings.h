@@ -230,11 +230,11 @@ struct NeedsSettings {
     Real position_error = 0;  ///< against the full model up to the horizon, of the cloth's side
     NeedsMeasure measure = NeedsMeasure::Positions;
     Real horizon = Real(0.5);
-    Real penetration = 0;    ///< at most [m]
-    Real stretch = 0;        ///< at most, of a structural spring
-    Real least_stretch = 0;  ///< to which it must come: a scene that shows a soft method
-    bool diverges = false;   ///< by the horizon: a scene that shows a method failing
-    std::string keep;        ///< names of the knobs that are as they are by the scene's nature
+    Real penetration = 0;   ///< at most [m]
+    Real stretch = 0;       ///< at most, of a structural spring
+    Real min_stretch = 0;   ///< to which it must come: a scene that shows a soft method
+    bool diverges = false;  ///< by the horizon: a scene that shows a method failing
+    std::string keep;       ///< names of the knobs that are as they are by the scene's nature
     FullModelSettings full;
 };
 

@@ -68,8 +68,8 @@ public:
     /// asked for.
     void advance(double elapsed, double budget);
 
-    /// Makes steps until the simulated time is the last one that whole steps come to and that is not beyond `time` [s];
-    /// pauses are passed over. It is the scene's clock, except that a reset in a replay does not set it back.
+    /// Makes whole steps for as long as they end no later than `time` [s]; pauses are passed over. It is the scene's
+    /// clock, except that a reset in a replay does not set it back.
     /// @param stop asked before each step; empty: none asks
     /// @return false if it said so
     bool run_until(double time, const std::function<bool()>& stop = {});

@@ -82,7 +82,8 @@ public:
     /// Whether bodies have touched in the last substep, or cloths were near.
     [[nodiscard]] bool is_near() const { return near_; }
 
-    /// What the next substep goes on from. Cloth looks anew for what is near itself, and finds the same.
+    /// What the next substep goes on from. The pairs of cloth that are near are not part of it: they are searched for
+    /// again, with the same result.
     /// @param has_ground a solid one
     void exchange(SnapshotText& text, const ContactBodies& bodies, bool has_ground);
 

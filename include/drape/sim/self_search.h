@@ -30,8 +30,8 @@ struct SelfSearchReport {
 /// brings none of them nearer to another, and does not count.
 class SelfSearch {
 public:
-    /// Pairs that there may be, a particle in the mean.
-    static constexpr int max_pairs = 400;
+    /// Pairs that there may be, a particle in the mean. What blows up soon has more, and would take minutes.
+    static constexpr int max_pairs = 200;
 
     /// Starts from nothing with these cloths.
     /// @param x their positions [m]

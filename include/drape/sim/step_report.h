@@ -40,11 +40,11 @@ struct FailureSpot {
 /// What one step was and did; each stage fills its fields as it ends. Times and solves are those of all substeps,
 /// counts those of the last.
 struct StepReport {
-    std::int64_t step = 0;        ///< steps since the start
-    int substeps = 1;             ///< of equal length, that a step is divided into
-    double time = 0;              ///< simulated [s]
-    double step_limit_ratio = 0;  ///< length of a substep / predicted stability limit of the method; 0: no limit
-    bool limit_is_least = false;  ///< the limit is at least as long as predicted: the true ratio may be less
+    std::int64_t step = 0;              ///< steps since the start
+    int substeps = 1;                   ///< of equal length, that a step is divided into
+    double time = 0;                    ///< simulated [s]
+    double step_limit_ratio = 0;        ///< length of a substep / predicted stability limit of the method; 0: no limit
+    bool limit_is_lower_bound = false;  ///< the limit is at least as long as predicted: the true ratio may be less
     StageTimes times;
     SolveReport solve;
     TraversalStats traversal;             ///< for the balls

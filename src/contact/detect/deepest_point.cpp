@@ -9,7 +9,8 @@
 // Of a convex shape, a triangle that does not cross it is nearest to it with a corner, or to one of its ridges. What is
 // left, a mesh and what is inside, is found by descent with projection: p' = the point of the triangle nearest to p - s
 // n, with the step s halved where that leads up, and doubled where it leads down. It ends where no corner is lower by
-// the slope at p, which no point of a convex function then is either (the gap of Frank and Wolfe).
+// the slope at p, which no point of a convex function then is either (the gap of Frank and Wolfe); and where a step
+// down gains next to nothing, as across a ridge, where the slope never says so.
 
 namespace drape {
 namespace {

@@ -19,7 +19,7 @@ struct DeepestPoint {
 
 /// Finds it among the corners and the points that are nearest to the ridges of the shape; where that does not prove it,
 /// by descent along the triangle from the lowest of these, the middles of edges and the centroid. @cite macklin2020
-/// Outside a convex shape it is exact; else it may be a point that is lowest nearby.
+/// Outside a convex shape it is exact, to `deepest_tolerance`; else it may be a point that is lowest nearby.
 /// @param corners of the triangle [m]
 /// @param at_corners what the solid says of them
 /// @param limit a point below this is found as without it, but on a mesh more may be missed; if there seems to be none,

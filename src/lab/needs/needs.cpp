@@ -69,7 +69,7 @@ void print_head(const Needs& needs) {
     }
     if (stated.penetration > 0) must.push_back("let the ball in no deeper than " + metres(stated.penetration));
     if (stated.stretch > 0) must.push_back("stretch by no more than " + part(stated.stretch));
-    if (stated.least_stretch > 0) must.push_back("stretch by " + part(stated.least_stretch));
+    if (stated.min_stretch > 0) must.push_back("stretch by " + part(stated.min_stretch));
     if (stated.diverges) must.emplace_back("diverge");
     std::cout << fmt::format("Up to {} s the scene must {}.\n", value(needs.scene(), "needs.horizon"),
                              fmt::join(must, ", "));

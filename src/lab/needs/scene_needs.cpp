@@ -30,11 +30,11 @@ std::string percent(double part) { return real_text(100 * part, 3) + " %"; }
 Needs::Needs(Settings scene) : scene_(std::move(scene)), full_(full_model(scene_)) {
     const NeedsSettings& needs = scene_.needs;
     const bool stated = needs.position_error > 0 || needs.penetration > 0 || needs.stretch > 0 ||
-                        needs.least_stretch > 0 || needs.diverges;
+                        needs.min_stretch > 0 || needs.diverges;
     if (!stated) {
         throw InputError(
             "[needs] states nothing that this scene must show: say position_error (of the cloth's side), penetration, "
-            "stretch, least_stretch or diverges");
+            "stretch, min_stretch or diverges");
     }
     if (!states_error()) return;
     motion_ = run_to_horizon(computed_closely(full_, close_step));
@@ -74,8 +74,8 @@ Attempt Needs::attempt(const Settings& settings, double cost_limit) const {
     const std::string stretched = "stretched by " + percent(motion.stretch);
     at_most(motion.penetration, needs.penetration, "ball " + real_text(motion.penetration, 3) + " m deep");
     at_most(motion.stretch, needs.stretch, stretched);
-    if (needs.least_stretch > 0) {
-        const double least = static_cast<double>(needs.least_stretch);
+    if (needs.min_stretch > 0) {
+        const double least = static_cast<double>(needs.min_stretch);
         attempt.note(motion.stretch > 0 ? least / motion.stretch : no_bound, stretched + " only");
     }
     return attempt;
