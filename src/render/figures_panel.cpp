@@ -71,6 +71,14 @@ Row state_row(const FrameView& view) {
     return {"state", view.held ? "running, in hand" : "running", -1, 4, ink::good};
 }
 
+// How near a step is to its limit
+std::string limit_text(const StepReport& report) {
+    if (!std::isfinite(report.step_limit_ratio)) return "no stable step";
+    return format(report.limit_is_lower_bound ? "%.2f at most" : "%.2f", report.step_limit_ratio);
+}
+
+ImU32 limit_colour(double ratio) { return ratio <= 0.9 ? ink::good : ratio <= 1 ? ink::wait : ink::bad; }
+
 void add_speed_row(const FrameView& view, std::vector<Row>& rows) {
     if (const double speed = view.settings->view.speed; speed != 1) {
         rows.push_back({"speed", format("%.3g x real time", speed), -1, 3, ink::wait});
@@ -87,10 +95,8 @@ void add_step_rows(const FrameView& view, std::vector<Row>& rows) {
     add_speed_row(view, rows);
     const double ratio = report.step_limit_ratio;
     if (ratio == 0) return;
-    const ImU32 colour = ratio <= 0.9 ? ink::good : ratio <= 1 ? ink::wait : ink::bad;
-    const std::string number = format(report.limit_is_lower_bound ? "%.2f at most" : "%.2f", ratio);
-    const std::string value = std::isfinite(ratio) ? number : "no stable step";
-    rows.push_back({"dt / limit", value, static_cast<float>(std::min(ratio, 1.0)), 4, colour});
+    rows.push_back(
+        {"dt / limit", limit_text(report), static_cast<float>(std::min(ratio, 1.0)), 4, limit_colour(ratio)});
     if (std::isfinite(ratio)) rows.push_back({"limit", format("%.3g ms", 1000 * substep / ratio), -1, 2});
 }
 
@@ -124,14 +130,14 @@ void add_search_rows(const FrameView& view, std::vector<Row>& rows) {
                     brute > time ? ink::good : ink::wait});
 }
 
-// What it saves of the tests that brute force makes. Where the cloth is small and most of it near a ball, a tree adds
-// its own.
+// What it saves of the tests that brute force makes. Where a cloth is small and most of it near a ball, that is none.
 void add_saved_row(const FrameView& view, std::vector<Row>& rows) {
     const double all = tests_of_brute_force(view);
-    if (all == 0) return;
-    const TraversalStats& made = view.report->traversal;
-    const double saved = 1 - static_cast<double>(made.candidates + made.volume_tests) / all;
-    const std::string text = saved > 0.05 ? format("%.0f %%; B shows how", 100 * saved) : "none: most is near the ball";
+    const TraversalStats& traversal = view.report->traversal;
+    const auto made = static_cast<double>(traversal.candidates + traversal.volume_tests);
+    if (all == 0 || made == 0) return;
+    const double saved = 1 - made / all;
+    const std::string text = saved > 0.05 ? format("%.0f %%; B shows how", 100 * saved) : "none: the tree adds its own";
     rows.push_back({"tests saved", text, -1, 3, saved > 0.05 ? ink::good : ink::wait});
 }
 
@@ -174,9 +180,7 @@ void add_balance_rows(const FrameView& view, std::vector<Row>& rows) {
 // How near a step is to its limit, where that is a worry
 void add_limit_row(const FrameView& view, std::vector<Row>& rows) {
     const double ratio = view.report->step_limit_ratio;
-    if (ratio <= 0.9) return;
-    const std::string text = std::isfinite(ratio) ? format("%.2f x its limit", ratio) : "no stable step";
-    rows.push_back({"time step", text, -1, 3, ratio <= 1 ? ink::wait : ink::bad});
+    if (ratio > 0.9) rows.push_back({"dt / limit", limit_text(*view.report), -1, 3, limit_colour(ratio)});
 }
 
 // What a glance takes in, and what the user has asked for
@@ -185,7 +189,9 @@ void add_compact_rows(const FrameView& view, const FrameReport& last, std::vecto
     rows.push_back({"FPS", rate_text(view, last), -1, 3});
     add_speed_row(view, rows);
     add_limit_row(view, rows);
-    rows.push_back({"contacts", grouped(static_cast<double>(view.report->contacts + view.report->pairs)), -1, 3});
+    const std::string pairs =
+        view.report->pairs > 0 ? ", " + grouped(static_cast<double>(view.report->pairs)) + " pairs" : "";
+    rows.push_back({"contacts", grouped(static_cast<double>(view.report->contacts)) + pairs, -1, 3});
     add_saved_row(view, rows);
     add_search_rows(view, rows);
     add_balance_rows(view, rows);

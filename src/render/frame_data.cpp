@@ -69,7 +69,9 @@ void light_the_scene(const FrameView& view, const Camera& camera, std::span<cons
     const Eigen::Matrix3f axes = light_axes();
     Eigen::AlignedBox3f box = casters(view, camera, axes);
     for (const Holder& holder : holders) {
-        if (holder.radius >= thinnest_caster) box.extend(axes * holder.from);
+        if (holder.radius < thinnest_caster) continue;
+        box.extend(axes * holder.from);
+        if (holder.ring == 0) box.extend(axes * holder.to);
     }
     const Eigen::Vector3f low = ((box.min().array() - edge_room) / edge_step).floor() * edge_step;
     const Eigen::Vector3f high = ((box.max().array() + edge_room) / edge_step).ceil() * edge_step;

@@ -58,7 +58,7 @@ Eigen::Vector4f drawn_orientation(const FrameView& view, std::size_t number);
 
 /// The block but for its `counts`.
 /// @param drawn what the scene is drawn into, in the shape of the picture
-/// @param holders of which the first ends cast shadows too
+/// @param holders of which the thick ones cast shadows too
 FrameData make_frame_data(const FrameView& view, const Camera& camera, const PictureSize& picture,
                           const PictureSize& drawn, int shadow_texels, std::span<const Holder> holders = {});
 

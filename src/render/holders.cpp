@@ -1,7 +1,7 @@
 #include "holders.h"
 
 #include <Eigen/Geometry>
-#include <cmath>
+#include <algorithm>
 
 #include "frame_data.h"
 
@@ -22,6 +22,8 @@ const Eigen::Vector3f up = Eigen::Vector3f::UnitY();
 struct Hanging {
     const ClothView& cloth;
     const FrameView& view;
+    bool upright;  // as it started
+    bool moving;   // pins
     std::vector<Holder>& holders;
 
     [[nodiscard]] Eigen::Vector3f at(int p) const { return drawn_particle(cloth, view.blend, p).cast<float>(); }
@@ -48,12 +50,11 @@ struct Hanging {
         }
         const Eigen::Vector3f from = at(first), to = at(first + (count - 1) * step);
         const Eigen::Vector3f beyond = stands_out * (to - from).normalized();
-        const bool hangs = first == 0 && from.y() - at(cloth.model.grid.nx).y() > Real(0.7) * cloth.model.hy;
-        if (std::abs(beyond.y()) > 0.8f * stands_out) {
+        if (upright && step != 1 && !moving) {
             const Eigen::Vector3f tip = (from.y() > to.y() ? from : to) + stands_out * up;
             add_rod({tip.x(), static_cast<float>(view.settings->ground.height), tip.z()}, tip, pole_radius);
             add_rod(tip, tip, 1.9f * pole_radius);
-        } else if (step == 1 && hangs) {
+        } else if (upright && first == 0 && step == 1 && !moving) {
             add_rod_with_rings(first, count, beyond);
         } else {
             add_rod(from - beyond, to + beyond, bar_radius);
@@ -64,7 +65,7 @@ struct Hanging {
     void add_pegs() const {
         int pegs = 0;
         for (int p = 0; p < cloth.model.grid.particles() && pegs < max_pegs; ++p) {
-            if (!cloth.model.pinned(p)) continue;
+            if (!cloth.model.pinned(p) || p == cloth.grabbed) continue;
             ++pegs;
             const Eigen::Vector3f top = at(p) + 0.7f * peg_length * up;
             add_rod(top - peg_length * up, top, peg_radius);
@@ -77,8 +78,11 @@ struct Hanging {
 
 void hang(const FrameView& view, std::vector<Holder>& holders) {
     holders.clear();
-    for (const ClothView& cloth : view.cloths) {
-        const Hanging hanging{cloth, view, holders};
+    for (std::size_t number = 0; number < view.cloths.size(); ++number) {
+        const ClothView& cloth = view.cloths[number];
+        const auto leads = [&](const PinSettings& pins) { return pins.cloth == static_cast<int>(number); };
+        const Hanging hanging{cloth, view, view.settings->cloths[number].plane == Plane::XY,
+                              std::ranges::any_of(view.settings->pins, leads), holders};
         const Grid& grid = cloth.model.grid;
         bool lines = false;
         for (int j = 0; j < grid.ny; ++j) lines |= hanging.add_line(grid.particle(0, j), 1, grid.nx);

@@ -18,8 +18,9 @@ struct Holder {
 /// Thinner ones cast no shadow; as in `shaders/holder_depth.vert` [m].
 constexpr float thinnest_caster = 0.0075f;
 
-/// What the pins of all cloths hang from, chosen from how each is pinned: a rod with rings for an upper row, a pole for
-/// an upright side, a bar for any other row or column, and cords with pegs for single particles.
+/// What the pins of all cloths hang from. Of a cloth that starts upright, a rod with rings for the upper row and a pole
+/// for a side, where no pin moves; a bar for any other row or column; where none is pinned, pegs on cords for at most
+/// 16 particles.
 /// @param holders receives them in place of what it has
 /// @par Cost O(particles), allocates for more holders than before
 void hang(const FrameView& view, std::vector<Holder>& holders);

@@ -149,8 +149,12 @@ TEST_F(Pinned, ParticlesHangFromCordsAndNoOthers) {
 TEST_F(Pinned, ParticleInTheHandHasARing) {
     ClothView touched = cloth();
     const Image without = draw(touched);
-    touched.grabbed = touched.model.grid.particle(touched.model.grid.nx / 2, touched.model.grid.ny / 2);
-    const Difference found = difference(draw(touched), without, {&touched.grabbed, 1});
+    const int grabbed = touched.model.grid.particle(touched.model.grid.nx / 2, touched.model.grid.ny / 2);
+    ClothModel led = touched.model;
+    led.hold(grabbed, true);
+    ClothView in_hand{led, touched.x, touched.previous, {}, touched.hierarchy};
+    in_hand.grabbed = grabbed;
+    const Difference found = difference(draw(in_hand), without, {&grabbed, 1});
     EXPECT_GT(found.near, 100);
     EXPECT_EQ(found.elsewhere, 0);
 }

@@ -1,8 +1,8 @@
 // Counts crossings exactly after every step. First each scene that folds by itself for --time seconds, with each grid,
-// each integrator that is stable there and the settings that are given; then each scene that has self contact for
-// --play seconds more, as it is shipped but for these settings, while hand, keys, pins and wind do at random what a
-// user may do. Exit code 1 where cloth has crossed cloth, a run has come to an end before its time, or there was no
-// step at all; 2 for bad input.
+// each integrator that is stable there and the settings that are given; then each scene that has self contact and no
+// more than 10,000 particles for --play seconds more, as it is shipped but for these settings, while hand, keys, pins
+// and wind do at random what a user may do. Exit code 1 where cloth has crossed cloth, a run has come to an end before
+// its time, or there was no step at all; 2 for bad input.
 
 #include <algorithm>
 #include <cstdio>
@@ -221,8 +221,10 @@ int run_all(int argc, char** argv) {
     std::string time, play, seed = "1";
     bool without = false;
     CommandLine line("count_crossings", "Counts where cloth crosses cloth in the scenes of self contact.");
-    line.option("--scene", options.scenes, "If none is named, those that fold by themselves, and all to play with",
-                {"NAME", false, scenes});
+    line.option(
+        "--scene", options.scenes,
+        "Else fold, stack, twist and pinch, and to play with all that have self contact and at most 10000 particles",
+        {"NAME", false, scenes});
     line.option("--integrator", options.integrators, "All, if none is named", {"NAME", false, integrators});
     line.option("--set", options.assignments, "As in drape-lab", {"NAME=VALUE"});
     line.option("--side", sides, "Particles along each side of a grid", {"N"});

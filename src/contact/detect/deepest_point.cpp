@@ -146,7 +146,10 @@ NearestPoint find_nearest_point(const Solid& solid, const Corners& corners,
     Real bound = bound_of(solid, corners, at_corners);
     if (bound < least) {
         const DeepestPoint deepest = find_deepest_point(solid, corners, at_corners, least);
-        bound = std::max(bound, deepest.surface.distance - gap_margin * slope_gap(deepest, corners));
+        // On a mesh the slope proves nothing
+        if (solid.shape->is_convex()) {
+            bound = std::max(bound, deepest.surface.distance - slope_gap(deepest, corners));
+        }
         if (deepest.surface.distance < least) return {deepest, bound};
     }
     return {corner.surface.distance < limit ? std::optional(corner) : std::nullopt, bound};

@@ -31,7 +31,7 @@ DeepestPoint find_deepest_point(const Solid& solid, const Corners& corners,
 /// What a search for the nearest point has found.
 struct NearestPoint {
     std::optional<DeepestPoint> point;  ///< if it is below the limit
-    Real bound;                         ///< no point is lower, as far as was seen [m]
+    Real bound;                         ///< no point is lower [m]
 };
 
 /// The same where something may be below a limit: a corner, unless another point is deeper than they are by more than

@@ -31,8 +31,9 @@ constexpr std::array<Stage, 4> stages{{{"step", &StageTimes::step},
 /// A cloth that lies on a ball from the start and has no time to move: each step does the same work.
 Simulation touching_cloth(int side, Kernels kernels) {
     Settings settings = load_scene("drop");
-    assign_all(settings, std::vector<std::string>{"solver.integrator=velocity_verlet", "solver.dt=1e-6",
-                                                  "sleep_speed=0", "ledger=false", "ball.position=0,-0.29,0"});
+    assign_all(settings,
+               std::vector<std::string>{"solver.integrator=velocity_verlet", "solver.dt=1e-6", "sleep_speed=0",
+                                        "ledger=false", "contact.self=false", "ball.position=0,-0.29,0"});
     settings.solver.kernels = kernels;
     settings.cloths[0].particles = {side, side};
     settings.cloths[0].centred = true;
