@@ -6,6 +6,7 @@
 #include <algorithm>
 #include <ctime>
 #include <fstream>
+#include <thread>
 
 #include "drape/base/assert.h"
 #include "drape/base/commit.h"
@@ -15,14 +16,15 @@
 namespace drape {
 namespace {
 
-std::string processor() {
+/// The processor and how many cores of it this program may use.
+std::string machine() {
     std::ifstream in("/proc/cpuinfo");
     for (std::string line; std::getline(in, line);) {
         if (!line.starts_with("model name")) continue;
         std::string model = line.substr(std::min(line.find(':') + 2, line.size()));
         std::ranges::replace_if(
             model, [](char c) { return c < ' ' || c > '~'; }, '?');
-        return model;
+        return fmt::format("{} with {} cores", model, std::thread::hardware_concurrency());
     }
     return "unknown";
 }
@@ -55,7 +57,7 @@ TableHead head_of(const Experiment& experiment, const std::string& settings, std
     return {{"experiment", experiment.name},
             {"drape", std::string(DRAPE_VERSION) + (sizeof(Real) == 4 ? ", single" : ", double") + " precision"},
             {"commit", commit()},
-            {"machine", processor()},
+            {"machine", machine()},
             {"compiler", compiler()},
             {"date", fmt::format("{:%Y-%m-%d}", fmt::gmtime(std::time(nullptr)))},
             {"settings", settings},

@@ -2,6 +2,7 @@
 #include <cmath>
 #include <memory>
 #include <optional>
+#include <set>
 
 #include "drape/integrate/stability.h"
 #include "lab/experiments.h"
@@ -21,7 +22,11 @@ std::vector<Method> precision_methods() {
                           "projective_dynamics_20"});
 }
 
-/// Counts of steps, doubled from one to the next; with no ball, Dormand-Prince has falling tolerances instead.
+/// Just within a predicted limit of the step.
+constexpr Real within_limit = Real(0.98);
+
+/// Counts of steps, doubled from one to the next, and for a method with a step limit one just within it; with no ball,
+/// Dormand-Prince has falling tolerances instead.
 std::vector<Rung> ladder(const Method& method, const PrecisionScene& scene) {
     const IntegratorKind kind = method.parameters.kind;
     std::vector<Rung> rungs;
@@ -33,19 +38,25 @@ std::vector<Rung> ladder(const Method& method, const PrecisionScene& scene) {
         return rungs;
     }
     int first = 8, last = scene.finest_steps;
-    if (has_step_limit(kind) && !scene.has_ball()) {
-        // From the last steps beyond the limit at rest
+    std::set<int> counts;
+    if (has_step_limit(kind)) {
         const ClothParameters& cloth = scene.settings.cloths.front();
         const Real limit =
             predicted_limit(make_cloth_model(cloth), make_rest_state(cloth), kind, method.parameters.kernels).step;
-        // Not far below its limit RK4 is as exact as the reference: its ladder starts farther above
-        const int too_long = kind == IntegratorKind::Rk4 ? 4 : 2;
-        first = 1;
-        while (scene.horizon / static_cast<Real>(first) > 2 * limit) first *= 2;
-        first = std::max(first >> (too_long - 1), 1);
-        last = first << (scene.rungs - 1);
+        if (!scene.has_ball()) {
+            // From the last steps beyond the limit at rest. Not far below its limit RK4 is as exact as the reference:
+            // its ladder starts farther above
+            const int too_long = kind == IntegratorKind::Rk4 ? 4 : 2;
+            first = 1;
+            while (scene.horizon / static_cast<Real>(first) > 2 * limit) first *= 2;
+            first = std::max(first >> (too_long - 1), 1);
+            last = first << (scene.rungs - 1);
+        }
+        const Real at_limit = std::ceil(scene.horizon / (within_limit * limit));
+        if (at_limit < static_cast<Real>(last)) counts.insert(static_cast<int>(at_limit));
     }
-    for (int steps = first; steps <= last; steps *= 2) rungs.push_back({method.parameters, steps});
+    for (int steps = first; steps <= last; steps *= 2) counts.insert(steps);
+    for (const int steps : counts) rungs.push_back({method.parameters, steps});
     return rungs;
 }
 
