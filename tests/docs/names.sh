@@ -9,7 +9,9 @@
 set -eu
 export LC_ALL=C.UTF-8
 cd "${1-$(dirname "$0")/../..}"
-pages=(README.md docs/*.md)
+shopt -s nullglob
+pages=(README.md docs/*.md docs/course/*.md)
+shopt -u nullglob
 faults=0
 fault() { echo "$1"; faults=$((faults + 1)); }
 file_of() { [ -e "$1" ] || compgen -G "$1" >/dev/null; }
@@ -21,7 +23,7 @@ done
 keys=$(sed -n 's/^@[a-z]*{\([a-z0-9]*\),$/\1/p' docs/references.bib)
 sources=$(grep -rhoE '@cite [a-z0-9]+' include src shaders tests --exclude-dir=docs |
     sed 's/@cite //')
-in_pages=$(grep -ohE '\[[a-z]+[0-9]*\]\((docs/)?references\.bib\)' "${pages[@]}" | sed 's/^\[\(.*\)\](.*/\1/') || true
+in_pages=$(grep -ohE '\[[a-z]+[0-9]*\]\((docs/|\.\./)?references\.bib\)' "${pages[@]}" | sed 's/^\[\(.*\)\](.*/\1/') || true
 cited=$(printf '%s\n' $sources $in_pages | sort -u)
 for key in $cited; do grep -qxF "$key" <<<"$keys" || fault "docs/references.bib: there is no $key, which is cited"; done
 for key in $keys; do grep -qxF "$key" <<<"$cited" || fault "docs/references.bib: nobody cites $key"; done

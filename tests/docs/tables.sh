@@ -1,7 +1,7 @@
 #!/bin/bash
 # Makes the tables of the pages from their data: tables.sh [--check] [FOLDER]
 #
-# In a page of docs/ (or FOLDER) a table stands between two lines,
+# In a page of docs/ (or FOLDER, or course/ in it) a table stands between two lines,
 #     <!-- table NAME DATA.csv -->
 #     <!-- end of table -->
 # and is what tables/NAME.awk prints for DATA.csv beside the page, with a line that says where the data is from. A script
@@ -77,7 +77,8 @@ fill() {
 }
 
 status=0 tables=0
-for page in "$docs"/*.md; do
+for page in "$docs"/*.md "$docs"/course/*.md; do
+    [ -e "$page" ] || continue  # no course beside these pages
     inside=false
     while IFS= read -r line || [ -n "$line" ]; do
         if [[ $line =~ ^'<!-- table '([a-z_]+)' '([a-z_]+\.csv)' -->'$ ]]; then
@@ -104,7 +105,7 @@ for page in "$docs"/*.md; do
     fi
 done
 for name in $(awk '/^[a-z]/ { print $1 }' "$here/values"); do
-    grep -qF "<!-- value $name -->" "$docs"/*.md || { echo "tests/docs/values: no page has $name"; status=1; }
+    grep -rqF --include=*.md "<!-- value $name -->" "$docs" || { echo "tests/docs/values: no page has $name"; status=1; }
 done
 echo "$tables tables"
 exit "$status"
