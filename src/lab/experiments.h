@@ -56,12 +56,19 @@ Experiment solve_experiment();
 /// falling free, on a ball, and folding, on one thread and on two.
 Experiment realtime_experiment();
 
+/// How much model each scene needs: what is taken away from the full one until a need breaks, what one notch less of
+/// each knob breaks, and what each knob adds to the error.
+Experiment minimal_experiment();
+
+/// Which steps of each method hold a cloth, which leave it soft, and at which it blows up.
+Experiment steps_experiment();
+
 /// Every experiment of the laboratory.
 inline std::vector<Experiment> all_experiments() {
     return {stability_experiment(),    precision_experiment(), hierarchy_experiment(), contact_experiment(),
             self_contact_experiment(), original_experiment(),  kernels_experiment(),   continuous_experiment(),
             combinations_experiment(), responses_experiment(), rest_experiment(),      solve_experiment(),
-            realtime_experiment()};
+            realtime_experiment(),     minimal_experiment(),   steps_experiment()};
 }
 
 }  // namespace drape

@@ -70,6 +70,9 @@ struct Attempt {
     void note(double measured, const std::string& reason);
 };
 
+/// Whether a scene says anything that it must show.
+bool states_needs(const NeedsSettings& needs);
+
 /// What a scene must show, and whether a configuration of it does.
 class Needs {
 public:
@@ -94,9 +97,12 @@ public:
     [[nodiscard]] const Settings& full() const { return full_; }
     [[nodiscard]] bool states_error() const { return scene_.needs.position_error > 0; }
 
-private:
+    /// How far a motion is from the full model's, or from another, as the scene measures it, of the cloth's side.
+    /// @pre an error is stated, and both have passed all moments
     [[nodiscard]] double error_of(const Motion& motion) const;
+    [[nodiscard]] double difference(const Motion& motion, const Motion& other) const;
 
+private:
     Settings scene_, full_;
     std::optional<Motion> motion_;  ///< of the full model
 };

@@ -27,11 +27,13 @@ void Attempt::note(double measured, const std::string& reason) {
 
 std::string percent(double part) { return real_text(100 * part, 3) + " %"; }
 
+bool states_needs(const NeedsSettings& needs) {
+    return needs.position_error > 0 || needs.penetration > 0 || needs.stretch > 0 || needs.min_stretch > 0 ||
+           needs.diverges;
+}
+
 Needs::Needs(Settings scene) : scene_(std::move(scene)), full_(full_model(scene_)) {
-    const NeedsSettings& needs = scene_.needs;
-    const bool stated = needs.position_error > 0 || needs.penetration > 0 || needs.stretch > 0 ||
-                        needs.min_stretch > 0 || needs.diverges;
-    if (!stated) {
+    if (!states_needs(scene_.needs)) {
         throw InputError(
             "[needs] states nothing that this scene must show: say position_error (of the cloth's side), penetration, "
             "stretch, min_stretch or diverges");
@@ -41,9 +43,11 @@ Needs::Needs(Settings scene) : scene_(std::move(scene)), full_(full_model(scene_
     if (motion_->diverged) throw RunError("the full model diverges after " + real_text(motion_->time, 3) + " s");
 }
 
-double Needs::error_of(const Motion& motion) const {
+double Needs::error_of(const Motion& motion) const { return difference(motion, *motion_); }
+
+double Needs::difference(const Motion& motion, const Motion& other) const {
     const ClothParameters& cloth = scene_.cloths[0];
-    return motion_error(motion, *motion_, scene_.needs.measure, std::max(cloth.width, cloth.height));
+    return motion_error(motion, other, scene_.needs.measure, std::max(cloth.width, cloth.height));
 }
 
 Attempt Needs::attempt(const Settings& settings, double cost_limit) const {

@@ -1,0 +1,109 @@
+#include <fmt/core.h>
+
+#include <memory>
+#include <optional>
+
+#include "drape/scene/scene.h"
+#include "lab/experiments.h"
+#include "lab/needs/needs.h"
+
+namespace drape {
+namespace {
+
+/// How a sheet fares with one method at one step.
+struct StepsRow {
+    std::string method;
+    double step = 0;                                   ///< [s]
+    double error = no_number;                          ///< largest over the run, of the side
+    double excess = no_number;                         ///< of the largest stretch, over that of the converged sheet
+    double limit_ratio = no_number, cost = no_number;  ///< step over its predicted limit; [s/s]
+    std::string end;
+};
+
+/// A picture shows no less of error and stretch than this.
+constexpr double visible = 0.01;
+
+std::vector<Method> methods() {
+    return methods_named({"explicit_euler", "symplectic_euler", "velocity_verlet", "rk4", "dormand_prince",
+                          "backward_euler", "implicit_midpoint", "bdf2", "xpbd_1", "xpbd_20",
+                          "projective_dynamics_10"});
+}
+
+/// A sheet of 1 m that falls, hung by two corners, and swings.
+Settings sheet(bool quick) {
+    Settings settings = load_scene("hang");
+    ClothParameters& cloth = settings.cloths[0];
+    cloth.particles = quick ? Grid{12, 12} : Grid{26, 26};
+    cloth.bend = {5, Real(0.01)};
+    cloth.drag = Real(0.18) / static_cast<Real>(cloth.particles.particles());
+    cloth.stretch_limit = 0;  // what a method leaves of the springs is to be seen
+    settings.contact.self = false;
+    settings.solver.sleep_speed = 0;
+    settings.needs.horizon = quick ? Real(0.5) : 2;
+    settings.needs.measure = NeedsMeasure::CentreAndSpread;
+    return settings;
+}
+
+StepsRow run_step(const Method& method, double step, const Settings& scene, const Motion& truth) {
+    Settings settings = scene;
+    settings.solver.integrator = method.parameters.kind;
+    settings.solver.iterations = method.parameters.iterations;
+    settings.solver.dt = step;
+    const Motion run = run_to_horizon(settings);
+    StepsRow row;
+    row.method = method.name;
+    row.step = step;
+    if (run.step_over_limit > 0) row.limit_ratio = run.step_over_limit;
+    row.end = "blew_up";
+    if (run.diverged) return row;
+    row.cost = run.cost;
+    row.error = motion_error(run, truth, settings.needs.measure, 1);
+    row.excess = std::max(run.stretch - truth.stretch, 0.0);
+    row.end = row.excess > visible ? "soft" : row.error > visible ? "off" : "held";
+    return row;
+}
+
+std::vector<CaseOf<StepsRow>> steps_cases(bool quick) {
+    std::vector<double> per_second{15, 30, 60, 120, 240, 480, 960, 1920, 3840, 7680};
+    if (quick) per_second.resize(7);
+    const Settings scene = sheet(quick);
+    const auto truth = std::make_shared<std::optional<Motion>>();  // found when the first case asks for it
+    return cases_over(
+        [=](const Method& method, double steps) {
+            if (!*truth) *truth = run_to_horizon(computed_closely(scene, 1e-3));
+            return std::vector{run_step(method, 1 / steps, scene, **truth)};
+        },
+        methods(), per_second);
+}
+
+std::string line(const StepsRow& row) {
+    return fmt::format("{} at {:.3g} ms: {}, error {:.2g} %, {:.2g} % more stretch", row.method, 1e3 * row.step,
+                       row.end, 100 * row.error, 100 * row.excess);
+}
+
+std::vector<Chart> steps_charts(const std::vector<StepsRow>& rows) {
+    return {{"steps",
+             "steps",
+             "A sheet that falls and swings, hung by two corners, by each method and step: held within 1 % of the "
+             "converged motion and its stretch, off by more, stretched by more, or blown up.",
+             {{"methods", in_words(words_of(rows, &StepsRow::method))}}}};
+}
+
+}  // namespace
+
+Experiment steps_experiment() {
+    using Row = StepsRow;
+    return ExperimentOf<Row>{"steps",
+                             "which steps of which method hold a cloth, and what happens at longer ones?",
+                             {5,
+                              {{word_column("method", names_in(methods(), &Method::name)), &Row::method},
+                               {positive_column("step_s"), &Row::step},
+                               {number_column("error").or_nan(), &Row::error},
+                               {number_column("stretch_excess").or_nan(), &Row::excess},
+                               {positive_column("step_over_limit").or_nan(), &Row::limit_ratio},
+                               {positive_column("cost_s_per_s").or_nan(), &Row::cost},
+                               {word_column("end", {"held", "off", "soft", "blew_up"}), &Row::end}}},
+                             {{"", steps_cases, line_of_each(line), steps_charts}}};
+}
+
+}  // namespace drape
