@@ -1,12 +1,15 @@
 # The ladder of a scene: from the full model down, each notch that was taken away with its cost and error; below, in
 # red, one notch less of each knob, which the need does not allow.
 # scene; allowed: the error that the scene may have
+set datafile missing NaN
 eval paper(830, 430)
-set title sprintf("%s: what is taken away until an error of %g %% is just met", readable(scene), 100 * allowed) font ',13'
+set label sprintf("%s: what can be taken away until the error would be above %g %%", readable(scene), 100 * allowed) \
+  at screen 0.5,0.95 center font ',13'
 set logscale x
 set xlabel 'CPU time per simulated second [s]'
 set lmargin 38
-unset ytics; unset key; set border 1; set tics nomirror
+set border 1; set tics nomirror; unset ytics; unset key
+set tmargin 3
 word_of(integrator, step) = integrator eq 'dormand_prince' ? 'computed closely' : \
   sprintf('%s, %.2g ms', readable(integrator), 1e3 * step)
 model(x, y, bend, drag, integrator, step) = sprintf('%dx%d%s%s, %s', x, y, bend eq 'yes' ? ' bend' : '', \

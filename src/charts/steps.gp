@@ -1,7 +1,9 @@
 # A strip a method, a cell a step: held, off, soft or blown up.
 # methods: from top to bottom
 eval paper(830, 470)
-set title "Beyond a limit explicit methods blow up; the others hold, but go off and soft" font ',13'
+set label "Beyond a limit explicit methods blow up; the others hold, but go off and soft" at screen 0.5,0.95 center \
+  font ',13'
+set tmargin 3
 names = "explicit_euler 'explicit Euler' symplectic_euler 'symplectic Euler' velocity_verlet 'velocity Verlet' rk4 RK4 ".\
   "dormand_prince Dormand-Prince backward_euler 'backward Euler' implicit_midpoint 'implicit midpoint' bdf2 BDF2 ".\
   "xpbd_1 'XPBD, 1 iteration' xpbd_20 'XPBD, 20 iterations' projective_dynamics_10 'projective, 10 iterations'"
@@ -15,7 +17,7 @@ set ytics ()
 do for [k = 1:n] { set ytics add (title_of(word(methods, k)) n - k) }
 set xtics ('67' 0, '33' 1, '17' 2, '8.3' 3, '4.2' 4, '2.1' 5, '1.0' 6, '0.52' 7, '0.26' 8, '0.13' 9)
 set xlabel 'time step [ms]'
-set key at screen 0.5,0.07 center center horizontal maxrows 2 maxcols 2 Left reverse samplen 1 spacing 1.2 width 2
+set key at screen 0.5,0.07 center center vertical maxrows 2 Left reverse samplen 1 spacing 1.2 width 2
 set bmargin 7
 colour_of_end(end) = end eq 'held' ? 0x009E73 : end eq 'off' ? 0x56B4E9 : end eq 'soft' ? 0xE69F00 : 0xD55E00
 mark(end) = end eq 'held' ? ' ' : end eq 'off' ? 'o' : end eq 'soft' ? '+' : 'x'

@@ -124,6 +124,14 @@ Chart precision_chart(const PrecisionDiagram& diagram) {
     return chart;
 }
 
+/// @param scene any of its rows
+Chart choice_chart(const PrecisionRow& scene) {
+    return {"precision_choice_" + scene.scene,
+            "precision_choice",
+            "Six of these methods: what each error costs, and which errors a picture can show.",
+            {{"scene", scene.scene}, {"particles", scene.particles}, {"horizon", scene.horizon}}};
+}
+
 }  // namespace
 
 double PrecisionDiagram::margin() const {
@@ -163,7 +171,9 @@ std::vector<Chart> precision_charts(const std::vector<PrecisionRow>& rows) {
                             "the best point, less than {:.3g}: no chart is drawn",
                             diagram.scene.scene, diagram.margin(), least_margin));
         }
-        if (!diagram.front.empty()) charts.push_back(precision_chart(diagram));
+        if (diagram.front.empty()) continue;
+        charts.push_back(precision_chart(diagram));
+        charts.push_back(choice_chart(diagram.scene));
     }
     return charts;
 }
