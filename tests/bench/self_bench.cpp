@@ -1,6 +1,6 @@
 // Contact between cloths: its broad phase and its whole search where three sheets lie on a ball (`stack`), what it adds
 // to the step of a sheet that cannot touch itself, and a second of `fold`. tests/bench/self_speed.sh makes the table of
-// docs/contact.md from it. Times are of the processor: on a machine with other work the clock says nothing.
+// docs/contact-measured.md from it. Times are of the processor: on a machine with other work the clock says nothing.
 
 #include <benchmark/benchmark.h>
 

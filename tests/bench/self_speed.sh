@@ -2,7 +2,7 @@
 # Measures what contact between cloths costs: broad phase and search of `stack` at several sizes, a sheet that cannot
 # touch itself with contact and without, and a second of `fold`; in processor time, medians of three (`fold` once).
 # usage: tests/bench/self_speed.sh BENCH [CSV]
-# Writes CSV, docs/self_speed.csv if not given; tests/docs/tables.sh then makes the tables of docs/contact.md.
+# Writes CSV, docs/self_speed.csv if not given; tests/docs/tables.sh then makes the tables of docs/contact-measured.md.
 set -eu
 export LC_ALL=C
 docs=$(cd "$(dirname "$0")/../../docs" && pwd)

@@ -1,6 +1,6 @@
 // Drape's hierarchies beside those of FCL, Bullet and Embree, on the same frames, one thread. With a ball: the
 // triangles that it touches, see docs/hierarchy.md. With --self: pairs of triangles of the cloths of `fold` and `stack`
-// that may touch, see docs/contact.md.
+// that may touch, see docs/contact-measured.md.
 
 #include <algorithm>
 #include <cstdio>

@@ -14,7 +14,9 @@ namespace drape {
 /// or a touch ends without one. Particles of features that would meet as they move form a zone @cite provot1997 which
 /// goes on with its mean motion, and with only such a part of the motion within it that none of its features meet: what
 /// moves as a whole keeps its distances. What a zone then meets joins it. In the end all may be one zone, and that has
-/// nothing to meet: so this ends. A zone keeps its momentum, unless something in it is pinned.
+/// nothing to meet: so this ends. A zone keeps its momentum, unless something in it is pinned. A bound on the motion of
+/// each particle would be simpler, but bound the speed: where particles are d apart, none might move by more than d / 2
+/// within a substep, though all move alike.
 class ImpactZones {
 public:
     /// Looks for pairs that meet.
