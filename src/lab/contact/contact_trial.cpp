@@ -71,6 +71,7 @@ void ContactTrial::advance(Real h) {
         cloth.integrator.step(cloth.model, cloth.state, h);
         cloth.search.positions_changed();
     }
+    unpushed_ = state().x;
     stage_.warm_start();
     stage_.detect(report_);
 }
@@ -81,12 +82,13 @@ ResponseReport ContactTrial::respond() {
     return left;
 }
 
-/// By the plane of its closest point, as contacts are found; a plane of the end does not show what has passed.
+/// By the plane of its closest point, as contacts are found, before the carried impulses push it out; a plane of the
+/// end does not show what has passed.
 bool ContactTrial::touches_front(int triangle) const {
     const Cloth& cloth = cloths_[0];
     const bool looked_back = cloth.search.looked_back(ball(), settings_.contact.thickness);
     const Vec3 moved = looked_back ? ball().moved : Vec3(0, 0, 0), start = ball().centre - moved;
-    const Points &x = cloth.state.x, &before = moved.isZero(0) ? x : cloth.previous.x;
+    const Points &x = unpushed_, &before = moved.isZero(0) ? x : cloth.previous.x;
     const auto [a, b, c] = grid().triangle_corners(triangle);
     const auto at = [](const Points& points, int p) -> Vec3 { return points.row(p).transpose(); };
     const ClosestPoint closest = closest_point_on_triangle(start, at(before, a), at(before, b), at(before, c));
@@ -98,10 +100,27 @@ bool ContactTrial::touches_front(int triangle) const {
 
 std::vector<int> ContactTrial::touched_triangles() const {
     std::vector<int> triangles;
-    for (const CellRun& run : cloths_[0].search.candidates(0).cells) {
-        const int first = 2 * (run.row * grid().cell_columns() + run.column);
-        for (int triangle = first; triangle < first + 2 * run.count; ++triangle) {
+    const auto look_at = [&](int cell) {
+        for (const int triangle : {2 * cell, 2 * cell + 1}) {
             if (touches_front(triangle)) triangles.push_back(triangle);
+        }
+    };
+    for (const CellRun& run : cloths_[0].search.candidates(0).cells) {
+        const int first = run.row * grid().cell_columns() + run.column;
+        for (int cell = first; cell < first + run.count; ++cell) look_at(cell);
+    }
+    // What carried impulses have pushed out of the search's reach is a contact that was found
+    for (const ContactRow& row : stage_.rows()) {
+        if (!row.is_of_cloth() || row.kind == RowKind::Node || !row.has_impulse()) continue;
+        for (const RowParticle& pushed : row.moved()) {
+            const int i = pushed.particle % grid().nx, j = pushed.particle / grid().nx;
+            for (const int row_of_cells : {j - 1, j}) {
+                for (const int column : {i - 1, i}) {
+                    const bool inside = std::min(row_of_cells, column) >= 0 && column < grid().cell_columns() &&
+                                        row_of_cells < grid().cell_rows();
+                    if (inside) look_at(row_of_cells * grid().cell_columns() + column);
+                }
+            }
         }
     }
     for (const StoppedNode& node : stopped()) {
@@ -112,6 +131,7 @@ std::vector<int> ContactTrial::touched_triangles() const {
         if (std::ranges::any_of(stage_.rows(), is_its)) add_triangles(grid(), node, triangles);
     }
     std::ranges::sort(triangles);
+    triangles.erase(std::ranges::unique(triangles).begin(), triangles.end());
     return triangles;
 }
 

@@ -62,6 +62,7 @@ protected:
     std::vector<Ball> balls_;
     ContactStage stage_;
     StepReport report_;
+    Points unpushed_;  ///< of the first cloth, where the integrator has left it [m]
 
 private:
     [[nodiscard]] bool touches_front(int triangle) const;
