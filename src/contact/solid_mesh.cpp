@@ -31,6 +31,48 @@ Real square_to(const MeshBox& box, const Vec3& p) {
     return out.x() * out.x() + out.y() * out.y() + out.z() * out.z();
 }
 
+/// Between two boxes.
+Real square_between(const MeshBox& box, const MeshBox& other) {
+    return (box.min() - other.max()).cwiseMax(other.min() - box.max()).cwiseMax(Vec3::Zero()).squaredNorm();
+}
+
+/// Whether all of a triangle is on one side of another's plane, farther from it than a distance.
+bool is_beyond(const std::array<Vec3, 3>& triangle, const std::array<Vec3, 3>& other, Real square) {
+    const Vec3 normal = (other[1] - other[0]).cross(other[2] - other[0]);
+    const Real a = normal.dot(triangle[0] - other[0]), b = normal.dot(triangle[1] - other[0]),
+               c = normal.dot(triangle[2] - other[0]);
+    const Real least = std::max(std::min({a, b, c}), -std::max({a, b, c}));
+    return least > 0 && least * least > square * normal.squaredNorm();
+}
+
+/// The least distance of two triangles that is below `square`, or that: of a corner of the second, of two sides, or
+/// zero where a side goes through. Corners of the first are left to others.
+Real square_between(const std::array<Vec3, 3>& first, const std::array<Vec3, 3>& second, Real square) {
+    if (is_beyond(first, second, square) || is_beyond(second, first, square)) return square;
+    const auto look_at = [&square](const Vec3& p, const std::array<Vec3, 3>& triangle) {
+        const Vec3 nearest = closest_point_on_triangle(p, triangle[0], triangle[1], triangle[2]).point;
+        square = std::min(square, (nearest - p).squaredNorm());
+    };
+    const auto look_through = [&](const std::array<Vec3, 3>& sides, const std::array<Vec3, 3>& triangle) {
+        const Vec3 normal = (triangle[1] - triangle[0]).cross(triangle[2] - triangle[0]);
+        for (std::size_t k = 0; k < 3; ++k) {
+            const Vec3 &p = sides[k], &q = sides[(k + 1) % 3];
+            const Real height = normal.dot(p - triangle[0]), next = normal.dot(q - triangle[0]);
+            if (height * next < 0) look_at(p + height / (height - next) * (q - p), triangle);
+        }
+    };
+    for (const Vec3& corner : second) look_at(corner, first);
+    look_through(first, second);
+    look_through(second, first);
+    for (std::size_t k = 0; k < 3; ++k) {
+        for (std::size_t l = 0; l < 3; ++l) {
+            const auto sides = closest_of_segments(first[k], first[(k + 1) % 3], second[l], second[(l + 1) % 3]);
+            square = std::min(square, sides.offset.squaredNorm());
+        }
+    }
+    return square;
+}
+
 /// Some of the triangles, or one.
 struct Subtree {
     MeshBox box;
@@ -72,6 +114,14 @@ public:
         ClosestFeature closest{.square = farthest * farthest * (1 + bound_rounding), .triangle = -1, .point = {}};
         search(all_, p, closest);
         return closest.triangle < 0 ? measure(p) : surface_at(p, closest);
+    }
+
+    [[nodiscard]] Real clearance(const std::array<Vec3, 3>& triangle, Real asked) const override {
+        MeshBox box;
+        for (const Vec3& corner : triangle) box.extend(corner);
+        Real square = asked * asked;
+        near(all_, triangle, box, square);
+        return std::sqrt(square) * (1 - bound_rounding);
     }
 
     [[nodiscard]] bool is_convex() const override { return false; }
@@ -162,6 +212,19 @@ private:
         const bool right_first = to_right < to_left;
         if (std::min(to_left, to_right) < closest.square) search(right_first ? right : left, p, closest);
         if (std::max(to_left, to_right) < closest.square) search(right_first ? left : right, p, closest);
+    }
+
+    /// @param square of the least distance so far
+    void near(const Subtree& subtree, const std::array<Vec3, 3>& triangle, const MeshBox& box, Real& square) const {
+        if (subtree.node < 0) {
+            square = square_between(triangle, corners_[static_cast<std::size_t>(subtree.index)], square);
+            return;
+        }
+        const auto& [left, right] = nodes_[static_cast<std::size_t>(subtree.node)];
+        const Real to_left = square_between(left.box, box), to_right = square_between(right.box, box);
+        const bool right_first = to_right < to_left;
+        if (std::min(to_left, to_right) < square) near(right_first ? right : left, triangle, box, square);
+        if (std::max(to_left, to_right) < square) near(right_first ? left : right, triangle, box, square);
     }
 
     void look_at(std::size_t index, const Vec3& p, ClosestFeature& closest) const {

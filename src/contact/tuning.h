@@ -58,6 +58,9 @@ inline constexpr Real deep_part = Real(0.05);
 
 /// A triangle's own point counts where it is deeper than its corners by this [m]: on a flat side it is as deep.
 inline constexpr Real deeper_than_corners = Real(1e-5);
+/// How far a triangle is from a mesh is asked only so far between the limit of contact and its nearest corner: the
+/// search is faster the less is asked, and the answer holds the longer the more.
+inline constexpr Real clearance_asked = Real(0.5);
 /// What a search for the deepest point may leave undone [m], and its steps.
 inline constexpr Real deepest_tolerance = Real(1e-5);
 inline constexpr int max_descents = 48;

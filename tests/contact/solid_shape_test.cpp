@@ -108,6 +108,36 @@ TEST(SolidShape, AMeshIsAsFarAsItsTrianglesWhateverItsDents) {
 }
 
 /// Whatever bound is claimed, also a wrong one.
+/// Half of the triangles cross the surface, or have it cross them, between their corners.
+TEST(SolidShape, NoPointOfATriangleIsNearerToAMeshThanItsClearance) {
+    std::mt19937 random(11);
+    const auto mesh = make_mesh_shape(spiky(random));
+    int bounded = 0;
+    for (int trial = 0; trial < 1500; ++trial) {
+        const Vec3 middle = draw_point(random, Real(1.5));
+        std::array<Vec3, 3> triangle;
+        for (Vec3& corner : triangle) corner = middle + draw_point(random, Real(1.6));
+        Real corners = std::numeric_limits<Real>::infinity(), lowest = corners;
+        for (const Vec3& corner : triangle) corners = std::min(corners, mesh->measure(corner).distance);
+        if (corners <= 0) continue;
+        constexpr int parts = 24;
+        for (int i = 0; i <= parts; ++i) {
+            for (int j = 0; j <= parts - i; ++j) {
+                const Real u = static_cast<Real>(i) / parts, v = static_cast<Real>(j) / parts;
+                const Vec3 p = triangle[0] + u * (triangle[1] - triangle[0]) + v * (triangle[2] - triangle[0]);
+                lowest = std::min(lowest, mesh->measure(p).distance);
+            }
+        }
+        const Real clearance = mesh->clearance(triangle, corners);
+        EXPECT_LE(clearance, std::max(lowest, Real(0)) + Real(1e-6)) << trial;
+        // And it is no idle bound: samples are no farther apart than this
+        const Real apart = ((triangle[1] - triangle[0]).norm() + (triangle[2] - triangle[0]).norm()) / parts;
+        EXPECT_GE(clearance, lowest - apart) << trial;
+        bounded += clearance > corners / 2;
+    }
+    EXPECT_GT(bounded, 50);
+}
+
 TEST(SolidShape, AMeshIsMeasuredTheSameWhereItIsKnownToBeNear) {
     std::mt19937 random(4);
     const auto mesh = make_mesh_shape(spiky(random));

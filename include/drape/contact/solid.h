@@ -23,6 +23,12 @@ struct Solid {
         return in_world(shape->measure_near(in_own_frame(p), farthest));
     }
 
+    /// @param triangle in the world [m], see `SolidShape::clearance`
+    [[nodiscard]] Real clearance(const std::array<Vec3, 3>& triangle, Real asked) const {
+        return shape->clearance({in_own_frame(triangle[0]), in_own_frame(triangle[1]), in_own_frame(triangle[2])},
+                                asked);
+    }
+
     /// From a point to the surface, less than zero inside [m].
     [[nodiscard]] Real distance(const Vec3& p) const { return measure(p).distance; }
 

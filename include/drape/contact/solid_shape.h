@@ -1,6 +1,7 @@
 #pragma once
 
 #include <array>
+#include <limits>
 #include <memory>
 #include <span>
 #include <vector>
@@ -35,6 +36,14 @@ public:
     /// The same, faster where a shape has many triangles. A wrong bound costs time only.
     /// @param farthest upper bound on the unsigned distance [m]
     [[nodiscard]] virtual SurfaceDistance measure_near(const Vec3& p, Real /*farthest*/) const { return measure(p); }
+
+    /// A distance that no point of a triangle is below, at most `asked`; minus infinity where a shape has none to
+    /// offer.
+    /// @param triangle of which the corners are outside, no nearer than `asked`
+    /// @par Cost O(log triangles) and some microseconds near the surface
+    [[nodiscard]] virtual Real clearance(const std::array<Vec3, 3>& /*triangle*/, Real /*asked*/) const {
+        return -std::numeric_limits<Real>::infinity();
+    }
 
     /// Whether the signed distance is a convex function: then what is lowest nearby is lowest of all.
     [[nodiscard]] virtual bool is_convex() const = 0;
