@@ -17,11 +17,27 @@ std::unique_ptr<Integrator> make_integrator(const IntegratorParameters& paramete
 
 Real tolerance_of(const IntegratorParameters& parameters) {
     if (parameters.tolerance > 0) return parameters.tolerance;
-    const IntegratorKind kind = parameters.kind;
-    if (kind == IntegratorKind::DormandPrince) return Real(1e-6);
-    if (sizeof(Real) < 8) return Real(1e-4);
-    if (parameters.hessian == Hessian::Exact) return Real(1e-8);
-    return kind == IntegratorKind::ImplicitMidpoint ? Real(1e-6) : Real(1e-4);
+    const auto of_a_solve = [&](double clamped) {
+        if (sizeof(Real) < 8) return Real(1e-4);
+        return static_cast<Real>(parameters.hessian == Hessian::Exact ? 1e-8 : clamped);
+    };
+    switch (parameters.kind) {
+        case IntegratorKind::BackwardEuler:
+        case IntegratorKind::Bdf2:
+            return of_a_solve(1e-4);
+        case IntegratorKind::ImplicitMidpoint:
+            return of_a_solve(1e-6);
+        case IntegratorKind::DormandPrince:
+            return Real(1e-6);
+        case IntegratorKind::ExplicitEuler:
+        case IntegratorKind::SymplecticEuler:
+        case IntegratorKind::VelocityVerlet:
+        case IntegratorKind::Rk4:
+        case IntegratorKind::Xpbd:
+        case IntegratorKind::ProjectiveDynamics:
+            break;
+    }
+    return of_a_solve(1e-4);
 }
 
 Real displacement_factor(IntegratorKind kind) {
@@ -31,9 +47,15 @@ Real displacement_factor(IntegratorKind kind) {
         case IntegratorKind::ImplicitMidpoint:
         case IntegratorKind::DormandPrince:
             return Real(0.5);
-        default:
-            return 1;
+        case IntegratorKind::ExplicitEuler:
+        case IntegratorKind::SymplecticEuler:
+        case IntegratorKind::BackwardEuler:
+        case IntegratorKind::Bdf2:
+        case IntegratorKind::Xpbd:
+        case IntegratorKind::ProjectiveDynamics:
+            break;
     }
+    return 1;
 }
 
 }  // namespace drape

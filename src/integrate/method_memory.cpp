@@ -61,9 +61,15 @@ double factor_bytes(const IntegratorParameters& parameters, const Grid& grid) {
         case IntegratorKind::Bdf2:
             return (NewtonSystem::keeps_factors(grid, parameters.hessian) ? entry * block_factor_entries(grid) : 0) +
                    (NewtonSystem::keeps_multigrid(grid, parameters.hessian) ? multigrid_bytes : 0);
-        default:
-            return 0;
+        case IntegratorKind::ExplicitEuler:
+        case IntegratorKind::SymplecticEuler:
+        case IntegratorKind::VelocityVerlet:
+        case IntegratorKind::Rk4:
+        case IntegratorKind::Xpbd:
+        case IntegratorKind::DormandPrince:
+            break;
     }
+    return 0;
 }
 
 }  // namespace

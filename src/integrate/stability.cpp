@@ -27,31 +27,35 @@ double longest_of_rk4(double k, double d) {
     return stable;
 }
 
-/// The limit of a method.
-struct MethodLimit {
-    IntegratorKind kind;
-    double (*longest)(double k, double d);  ///< a step, but where both are 0
-};
+/// The longest step of a method for a vibration, but where k and d are both 0.
+using LongestStep = double (*)(double k, double d);
 
-constexpr std::array<MethodLimit, 4> method_limits{{
-    {IntegratorKind::ExplicitEuler,
-     [](double k, double d) { return d * d <= 4 * k ? d / k : 4 / (d + std::sqrt(d * d - 4 * k)); }},
-    {IntegratorKind::SymplecticEuler, [](double k, double d) { return 4 / (d + std::sqrt(d * d + 4 * k)); }},
-    // A factor of -1 at h^2 k + 2 h d - h^2 d^2 = 4, or one of 1 at h d = 2
-    {IntegratorKind::VelocityVerlet,
-     [](double k, double d) { return k >= d * d ? 4 / (d + std::sqrt(4 * k - 3 * d * d)) : 2 / d; }},
-    {IntegratorKind::Rk4, longest_of_rk4},
-}};
-
-/// Null for a method without a limit.
-const MethodLimit* limit_of_method(IntegratorKind kind) {
-    const auto* const found = std::ranges::find(method_limits, kind, &MethodLimit::kind);
-    return found == method_limits.end() ? nullptr : found;
+/// Null for a method without a limit. Every method is here by name: a new one does not compile until it is, too.
+LongestStep limit_of_method(IntegratorKind kind) {
+    switch (kind) {
+        case IntegratorKind::ExplicitEuler:
+            return [](double k, double d) { return d * d <= 4 * k ? d / k : 4 / (d + std::sqrt(d * d - 4 * k)); };
+        case IntegratorKind::SymplecticEuler:
+            return [](double k, double d) { return 4 / (d + std::sqrt(d * d + 4 * k)); };
+        case IntegratorKind::VelocityVerlet:
+            // A factor of -1 at h^2 k + 2 h d - h^2 d^2 = 4, or one of 1 at h d = 2
+            return [](double k, double d) { return k >= d * d ? 4 / (d + std::sqrt(4 * k - 3 * d * d)) : 2 / d; };
+        case IntegratorKind::Rk4:
+            return longest_of_rk4;
+        case IntegratorKind::BackwardEuler:
+        case IntegratorKind::ImplicitMidpoint:
+        case IntegratorKind::Bdf2:
+        case IntegratorKind::Xpbd:
+        case IntegratorKind::ProjectiveDynamics:
+        case IntegratorKind::DormandPrince:
+            break;
+    }
+    return nullptr;
 }
 
 double longest(IntegratorKind kind, double k, double d) {
-    const MethodLimit* const limit = limit_of_method(kind);
-    return limit == nullptr || (k == 0 && d == 0) ? std::numeric_limits<double>::infinity() : limit->longest(k, d);
+    const LongestStep limit = limit_of_method(kind);
+    return limit == nullptr || (k == 0 && d == 0) ? std::numeric_limits<double>::infinity() : limit(k, d);
 }
 
 /// The longest step with which implicit midpoint keeps a sheet in the wind from fluttering faster and faster. Its

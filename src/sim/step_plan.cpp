@@ -68,9 +68,15 @@ Real min_restitution(const Settings& settings) {
 }
 
 bool pushes_by_penalty(const Settings& settings) {
-    const ResponseKind response = settings.contact.response;
-    if (response != ResponseKind::Penalty && response != ResponseKind::Hybrid) return false;
-    return has_bodies(settings) || settings.ground.solid;
+    switch (settings.contact.response) {
+        case ResponseKind::Penalty:
+        case ResponseKind::Hybrid:
+            return has_bodies(settings) || settings.ground.solid;
+        case ResponseKind::Projection:
+        case ResponseKind::Impulse:
+            break;
+    }
+    return false;
 }
 
 /// Of a substep [s].

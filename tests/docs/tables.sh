@@ -44,7 +44,7 @@ make_table() {
     printf 'Made from [%s](%s)%s.\n' "$2" "$2" "${head:+ ($head)}"
 }
 
-# One value: make_value NAME. Its script gives cells to one(), which must agree, or to largest() or smallest().
+# One value: make_value NAME. Its script gives cells to one(), which must agree, or to largest(), smallest() or median().
 make_value() {
     local name data format script
     while read -r name data format script; do
@@ -53,6 +53,11 @@ make_value() {
             function one(x) { if (value != "" && x != value) fail("there are several values"); value = x }
             function largest(x) { if (value == "" || x + 0 > value + 0) value = x }
             function smallest(x) { if (value == "" || x + 0 < value + 0) value = x }
+            function median(x, i) {
+                for (i = ++count; i > 1 && sorted[i - 1] > x + 0; --i) sorted[i] = sorted[i - 1]
+                sorted[i] = x + 0
+                value = (sorted[int((count + 1) / 2)] + sorted[int(count / 2) + 1]) / 2
+            }
             '"$script"'
             END { if (value == "") fail("there is no such value"); printf "'"$format"'", value }' "$docs/$data"
         return

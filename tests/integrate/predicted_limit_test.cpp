@@ -2,6 +2,7 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <random>
 
 #include "drape/integrate/stability.h"
@@ -15,6 +16,13 @@ using test::LinearCloth;
 
 constexpr IntegratorKind explicit_kinds[] = {IntegratorKind::ExplicitEuler, IntegratorKind::SymplecticEuler,
                                              IntegratorKind::VelocityVerlet, IntegratorKind::Rk4};
+
+TEST(PredictedLimit, IsComparedHereForEveryMethodThatHasOne) {
+    for (std::size_t k = 0; k < names_of<IntegratorKind>().size(); ++k) {
+        const auto kind = static_cast<IntegratorKind>(k);
+        EXPECT_EQ(std::ranges::count(explicit_kinds, kind), has_step_limit(kind) ? 1 : 0) << name_of(kind);
+    }
+}
 
 /// How the kinds of springs are damped.
 enum class Damping { InProportion, Lightly, Unlike, NotAll };

@@ -5,6 +5,8 @@
 #include <cmath>
 #include <complex>
 #include <limits>
+#include <stdexcept>
+#include <string>
 
 #include "drape/integrate/integrator.h"
 #include "drape/model/jacobian.h"
@@ -57,9 +59,17 @@ struct LinearCloth {
                 const Eigen::MatrixXd moved = one + move + move * kick / 2;
                 return moved + kick / 2 + kick / 2 * (moved + kick);
             }
-            default:
+            case IntegratorKind::Rk4:
                 return one + rate * (one + rate / 2 * (one + rate / 3 * (one + rate / 4)));
+            case IntegratorKind::BackwardEuler:
+            case IntegratorKind::ImplicitMidpoint:
+            case IntegratorKind::Bdf2:
+            case IntegratorKind::Xpbd:
+            case IntegratorKind::ProjectiveDynamics:
+            case IntegratorKind::DormandPrince:
+                break;
         }
+        throw std::invalid_argument("no step is written down here for " + std::string(name_of(kind)));
     }
 
     /// The largest factor by which a step makes a vibration grow.

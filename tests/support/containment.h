@@ -46,7 +46,13 @@ inline long double stands_out(const Obb& box, const Vec3& p) {
     return most;
 }
 
-using AllVolumes = ::testing::Types<BoundingSphere, Aabb, KDop<6>, KDop<14>, KDop<18>, KDop<26>, Obb>;
+template <class Volumes>
+struct TypesOf;
+template <class... Volumes>
+struct TypesOf<std::variant<Volumes...>> {
+    using Types = ::testing::Types<Volumes...>;
+};
+using AllVolumes = TypesOf<AnyVolume>::Types;
 
 /// One of each sort, for what does not depend on the number of slabs.
 using UnlikeVolumes = ::testing::Types<BoundingSphere, Aabb, KDop<18>, Obb>;

@@ -49,9 +49,11 @@ bool goes_on(const ResponseParameters& parameters, const ContactRow& row) {
             return false;
         case ResponseKind::Hybrid:
             return row.impulse.normal != 0;
-        default:
-            return row.displacement.normal != 0;
+        case ResponseKind::Projection:
+        case ResponseKind::Impulse:
+            break;
     }
+    return row.displacement.normal != 0;
 }
 
 /// Where a contact of before is now. Its plane stays, for the ball may have come through the cloth since; that of a
