@@ -30,7 +30,7 @@ function cell(name) { if (!(name in column)) fail("there is no column " name); r
 NF != columns { fail("line " FNR " has " NF " cells in place of " columns) }
 END { if (failed) exit 2 }'
 
-# One table: make NAME DATA.csv
+# One table: make_table NAME DATA.csv, and from the page to the folder of the data, if that is another
 make_table() {
     [ -f "$here/tables/$1.awk" ] && [ -f "$docs/$2" ] || {
         echo "there is no tables/$1.awk, or no $2 beside the page" >&2
@@ -41,7 +41,7 @@ make_table() {
     [ -z "$rows" ] || printf '%s\n\n' "$rows"
     head=$(sed -n 's/^# \(commit\|machine\|compiler\|date\|settings\|note\): \(.\+\)/\1 \2/p' "$docs/$2" |
         sed 's/^\(machine\|compiler\|date\|settings\|note\) //' | paste -s -d ';' | sed 's/;/, /g')
-    printf 'Made from [%s](%s)%s.\n' "$2" "$2" "${head:+ ($head)}"
+    printf 'Made from [%s](%s%s)%s.\n' "$2" "${3-}" "$2" "${head:+ ($head)}"
 }
 
 # One value: make_value NAME. Its script gives cells to one(), which must agree, or to largest(), smallest() or median().
@@ -84,13 +84,14 @@ fill() {
 status=0 tables=0
 for page in "$docs"/*.md "$docs"/course/*.md; do
     [ -e "$page" ] || continue  # no course beside these pages
-    inside=false
+    inside=false up=''
+    [[ $page != */course/* ]] || up=../
     while IFS= read -r line || [ -n "$line" ]; do
         if [[ $line =~ ^'<!-- table '([a-z_]+)' '([a-z_]+\.csv)' -->'$ ]]; then
             $inside && { echo "$page: a table begins before the end of the one above: $line" >&2; exit 2; }
             inside=true tables=$((tables + 1))
             printf '%s\n\n' "$line"
-            make_table "${BASH_REMATCH[1]}" "${BASH_REMATCH[2]}" || { echo "$page: $line" >&2; exit 2; }
+            make_table "${BASH_REMATCH[1]}" "${BASH_REMATCH[2]}" "$up" || { echo "$page: $line" >&2; exit 2; }
             echo
         elif [[ $line == '<!-- end of table -->' ]]; then
             $inside || { echo "$page: the end of a table that did not begin" >&2; exit 2; }
