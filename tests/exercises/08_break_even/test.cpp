@@ -14,8 +14,7 @@ TEST(FramesBetweenRebuilds, HaveTheLeastMeanCost) {
             << "Hint: too often for " << rebuild << " and " << growth
             << ": one frame more has a lesser mean, (rebuild + growth n (n - 1) / 2) / n.";
         if (n == 1) continue;
-        EXPECT_LE(mean(n), mean(n - 1) * (1 + 1e-6))
-            << "Hint: too seldom for " << rebuild << " and " << growth
-            << ": growth 0 + growth 1 + ... adds up to growth n (n - 1) / 2.";
+        EXPECT_LE(mean(n), mean(n - 1) * (1 + 1e-6)) << "Hint: too seldom for " << rebuild << " and " << growth
+                                                     << ": growth 0 + growth 1 + ... adds up to growth n (n - 1) / 2.";
     }
 }
