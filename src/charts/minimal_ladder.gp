@@ -23,6 +23,7 @@ dearest = 0; cheapest = 1e9; n = 0; m = 0
 stats table using (rung('ladder', 'kept') ? (n = n + 1, dearest = @cost > dearest ? @cost : dearest, \
   cheapest = @cost < cheapest ? @cost : cheapest, @cost) : NaN) nooutput
 stats table using (rung('notches', 'rejected') && is('changed', 'none') == 0 ? (m = m + 1, 1) : NaN) nooutput
+none(name) = strcol(name) eq 'nan'
 kept = n; left = cheapest / 2
 set xrange [left:4 * dearest]
 set yrange [-kept - m - 0.7:-0.3]
@@ -39,7 +40,7 @@ plot table using (only(rung('ladder', 'kept'), @cost)):(down(rung('ladder', 'kep
      table using (left):(down(rung('notches', 'rejected') && !is('changed', 'none'))):(configuration(0)) \
        with labels right offset -1,0 tc rgb red, \
      (k = kept, NaN), \
-     table using (rung('notches', 'rejected') && @cost == @cost ? @cost : left):\
+     table using (none('cost_s_per_s') ? 1.2 * left : @cost):\
        (down(rung('notches', 'rejected') && !is('changed', 'none'))):\
-       (column('error') == column('error') ? percent(column('error')) : 'beyond the limit of the step') \
+       (none('error') ? 'beyond the limit of the step' : percent(column('error'))) \
        with labels left offset 1.2,0 tc rgb red point pt 2 lc rgb red

@@ -1,4 +1,4 @@
-# A strip a method, a cell a step: held, off, soft or blown up.
+# A strip a method, a cell a step: held, off, soft or blown up, with the error or the additional stretch in per cent.
 # methods: from top to bottom
 eval paper(830, 470)
 set label "Beyond a limit explicit methods blow up; the others hold, but go off and soft" at screen 0.5,0.95 center \
@@ -20,13 +20,14 @@ set xlabel 'time step [ms]'
 set key at screen 0.5,0.07 center center vertical maxrows 2 Left reverse samplen 1 spacing 1.2 width 2
 set bmargin 7
 colour_of_end(end) = end eq 'held' ? 0x009E73 : end eq 'off' ? 0x56B4E9 : end eq 'soft' ? 0xE69F00 : 0xD55E00
-mark(end) = end eq 'held' ? ' ' : end eq 'off' ? 'o' : end eq 'soft' ? '+' : 'x'
+percent(x) = x < 10 ? sprintf('%.0f %%', 100 * x) : sprintf('%.0fx', 1 + x)
+mark(end, error, excess) = end eq 'held' ? ' ' : end eq 'off' ? percent(error) : end eq 'soft' ? '+'.percent(excess) : ''
 set style fill solid 1 border rgb 'white'
 plot table using (column_of(column('step_s'))):(row(strcol('method'))):(0.48):(0.44):(colour_of_end(strcol('end'))) \
        with boxxyerror lc rgb variable notitle, \
-     '' using (column_of(column('step_s'))):(row(strcol('method'))):(mark(strcol('end'))) with labels tc rgb 'black' \
-       font ',12' notitle, \
+     '' using (column_of(column('step_s'))):(row(strcol('method'))):(mark(strcol('end'), column('error'), column('stretch_excess'))) \
+       with labels tc rgb 'black' font ',10' notitle, \
      keyentry with boxes lc rgb green title 'held: within 1 % of the converged motion', \
-     keyentry with boxes lc rgb sky title 'o  off: farther from it than 1 %', \
-     keyentry with boxes lc rgb orange title '+  soft: stretches by 1 % more', \
-     keyentry with boxes lc rgb red title 'x  blew up'
+     keyentry with boxes lc rgb sky title 'off: farther from it, by this part of the side', \
+     keyentry with boxes lc rgb orange title 'soft: stretches more, by this', \
+     keyentry with boxes lc rgb red title 'blew up'

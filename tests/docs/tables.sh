@@ -1,7 +1,7 @@
 #!/bin/bash
 # Makes the tables of the pages from their data: tables.sh [--check] [FOLDER]
 #
-# In a page of docs/ (or FOLDER, or course/ in it) a table stands between two lines,
+# In a page of docs/ (or FOLDER, or course/ in it, or the README above it) a table stands between two lines,
 #     <!-- table NAME DATA.csv -->
 #     <!-- end of table -->
 # and is what tables/NAME.awk prints for DATA.csv beside the page, with a line that says where the data is from. A script
@@ -82,8 +82,8 @@ fill() {
 }
 
 status=0 tables=0
-for page in "$docs"/*.md "$docs"/course/*.md; do
-    [ -e "$page" ] || continue  # no course beside these pages
+for page in "$docs"/*.md "$docs"/course/*.md "$docs"/../README.md; do
+    [ -e "$page" ] || continue  # no course, or no README, beside these pages
     inside=false up=''
     [[ $page != */course/* ]] || up=../
     while IFS= read -r line || [ -n "$line" ]; do
@@ -111,7 +111,7 @@ for page in "$docs"/*.md "$docs"/course/*.md; do
     fi
 done
 for name in $(awk '/^[a-z]/ { print $1 }' "$here/values"); do
-    grep -rqF --include=*.md "<!-- value $name -->" "$docs" || { echo "tests/docs/values: no page has $name"; status=1; }
+    grep -rqF --include=*.md "<!-- value $name -->" "$docs" "$docs"/../README.md || { echo "tests/docs/values: no page has $name"; status=1; }
 done
 echo "$tables tables"
 exit "$status"

@@ -85,7 +85,9 @@ MinimalRows run_budget(const std::string& scene) {
     const Motion motion = run_to_horizon(as_it_is);
     MinimalRows rows;
     const auto add = [&](const std::string& changed, const Settings& settings, const Motion& moved) {
-        Attempt attempt{.settings = settings, .cost = moved.cost};
+        Attempt attempt;
+        attempt.settings = settings;
+        attempt.cost = moved.cost;
         if (moved.diverged) attempt.note(no_number, "diverged");
         if (!moved.diverged) attempt.error = needs.error_of(moved);
         rows.push_back(row_of("budget", scene, needs, attempt));

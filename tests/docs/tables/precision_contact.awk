@@ -1,5 +1,6 @@
-# The error at a step, by method, where a sheet falls on a ball.
-cell("scene") == "contact" {
+# The error at a step, by method, where a sheet falls on a ball: at the steps of the series, each half of the one before.
+function is_of_series(step) { step = log(0.03 / step) / log(2); return step - int(step + 0.5) < 0.01 && int(step + 0.5) - step < 0.01 }
+cell("scene") == "contact" && is_of_series(cell("step_s")) {
     method = cell("method")
     if (!(method in known)) known[method] = methods[++count] = method
     step = cell("step_s")
