@@ -195,15 +195,4 @@ Image Renderer::read_back() const {
 
 const FrameReport& Renderer::report() const { return parts_->report; }
 
-std::span<const FrameField> frame_fields() {
-    static constexpr std::array<FrameField, 5> fields{{
-        {"gl_calls", "", [](const FrameReport& r) { return r.gl_calls; }},
-        {"vertices", "", [](const FrameReport& r) { return r.vertices; }},
-        {"draw_time", "s", [](const FrameReport& r) { return r.draw_time; }},
-        {"rate", "1/s", [](const FrameReport& r) { return r.rate; }},
-        {"cpu", "", [](const FrameReport& r) { return r.cpu; }},
-    }};
-    return fields;
-}
-
 }  // namespace drape

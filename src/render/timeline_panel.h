@@ -5,7 +5,7 @@
 #include <utility>
 
 #include "drape/sim/timeline.h"
-#include "figures_panel.h"
+#include "panel_boxes.h"
 
 namespace drape {
 
