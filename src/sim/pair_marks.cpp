@@ -25,12 +25,13 @@ TraversalStats PairMarks::mark(std::span<Cloth> cloths, std::span<const ContactR
         const ClothModel& model = cloths[first].model;
         FoldTest folds(model.grid, model.hx, model.hy, contact.leaf_cells);
         folds.build(cloths[first].state.x);
-        for (std::size_t second = first; second < cloths.size(); ++second) {
-            const ContactSearch& other = cloths[second].search;
-            const FoldTest* of_itself = first == second ? &folds : nullptr;
-            stats += cloths[first].search.mark_pairs(other, contact.thickness, of_itself, leaves_);
+        BroadPhase& one = cloths[first].search.hierarchy();
+        stats += one.query(one, contact.thickness, &folds, leaves_);
+        for (std::size_t second = first + 1; second < cloths.size(); ++second) {
+            BroadPhase& other = cloths[second].search.hierarchy();
+            stats += one.query(other, contact.thickness, nullptr, leaves_);
             // A search marks the nodes of the first alone
-            if (first != second) cloths[second].search.mark_pairs(cloths[first].search, contact.thickness, {}, leaves_);
+            other.query(one, contact.thickness, nullptr, leaves_);
         }
     }
     return stats;

@@ -3,7 +3,6 @@
 #include <span>
 #include <vector>
 
-#include "drape/contact/detection.h"
 #include "drape/sim/cloth.h"
 
 namespace drape {
