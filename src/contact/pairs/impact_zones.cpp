@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <utility>
 
-#include "contact/contact_geometry.h"
+#include "drape/contact/closest_point.h"
 
 namespace drape {
 namespace {

@@ -2,8 +2,8 @@
 
 #include <algorithm>
 
-#include "contact/contact_geometry.h"
 #include "contact/pairs/pair_tests.h"
+#include "drape/contact/closest_point.h"
 #include "mobility.h"
 
 namespace drape {
@@ -44,14 +44,8 @@ RowImpulse scaled(const RowImpulse& impulse, Real factor) {
 bool goes_on(const ResponseParameters& parameters, const ContactRow& row) {
     if (row.kind == RowKind::Node || row.kind == RowKind::Bodies || row.separated) return false;
     if (row.kind == RowKind::Pair) return row.displacement.normal != 0;
-    switch (parameters.kind) {
-        case ResponseKind::Penalty:
-            return false;
-        case ResponseKind::Hybrid:
-            return row.impulse.normal != 0;
-        default:
-            return row.displacement.normal != 0;
-    }
+    if (parameters.kind == ResponseKind::Hybrid) return row.impulse.normal != 0;
+    return parameters.kind != ResponseKind::Penalty && row.displacement.normal != 0;
 }
 
 /// Where a contact of before is now. Its plane stays, for the ball may have come through the cloth since; that of a
