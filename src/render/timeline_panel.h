@@ -4,7 +4,7 @@
 #include <optional>
 #include <utility>
 
-#include "drape/sim/timeline.h"
+#include "drape/sim/frame_view.h"
 #include "panel_boxes.h"
 
 namespace drape {

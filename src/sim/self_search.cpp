@@ -263,7 +263,7 @@ bool SelfSearch::would_cross(std::span<const ClothInContact> cloths) {
 
 /// What is held back may move otherwise than the search has assumed.
 std::int64_t SelfSearch::prevent_crossing(std::span<const ClothInContact> cloths) {
-    do zones_.prevent_crossing(near_, cloths);
+    do zones_.prevent_crossing(near_);
     while (extend(cloths));
     return zones_.particles();
 }

@@ -41,7 +41,7 @@ Real safe_part_of(const FeatureMotion& motion, Real distance, Real least);
 class ImpactZones {
 public:
     /// Looks for pairs that meet.
-    /// @param first number of each cloth's first particle among all, and of all in the end; it has to last
+    /// @param cloths, first number of each cloth's first particle among all, and of all in the end; they have to last
     /// @param least distance that cloth is to keep from cloth, whatever presses it [m]
     /// @return whether there are any
     bool find(std::span<const NearPair> pairs, std::span<const ClothInContact> cloths,
@@ -49,7 +49,7 @@ public:
 
     /// Holds back what was found, and what meets these in turn.
     /// @param pairs all that may meet
-    void prevent_crossing(std::span<const NearPair> pairs, std::span<const ClothInContact> cloths);
+    void prevent_crossing(std::span<const NearPair> pairs);
 
     /// How many particles are in zones, since the last `find`.
     [[nodiscard]] std::int64_t particles() const;
@@ -66,16 +66,18 @@ private:
 
     [[nodiscard]] std::size_t number_of(int cloth, int particle) const;
     [[nodiscard]] int zone_of(const NearPair& pair, std::size_t k) const;
-    [[nodiscard]] FeatureMotion motion_of(const NearPair& pair, std::span<const ClothInContact> cloths) const;
-    [[nodiscard]] FeatureMotion free_motion_of(const NearPair& pair, std::span<const ClothInContact> cloths) const;
+    [[nodiscard]] FeatureMotion motion_of(const NearPair& pair) const;
+    [[nodiscard]] FeatureMotion free_motion_of(const NearPair& pair) const;
     [[nodiscard]] bool within_one_zone(const NearPair& pair) const;
     [[nodiscard]] int largest_zone_of(const NearPair& pair) const;
-    void join(const NearPair& pair, std::span<const ClothInContact> cloths, Real part);
+    void join(const NearPair& pair, Real part);
     void add(int zone, const Member& member);
-    static Vec3 mean(std::span<const ClothInContact> cloths, const Zone& zone, Vec3 Member::*value);
-    void move_zones(std::span<const ClothInContact> cloths) const;
+    [[nodiscard]] Vec3 mean(const Zone& zone, Vec3 Member::*value) const;
+    void move_zones() const;
+    [[nodiscard]] const ClothInContact& cloth_of(int number) const { return cloths_[static_cast<std::size_t>(number)]; }
 
-    Real least_ = 0;                      ///< distance [m]
+    Real least_ = 0;  ///< distance [m]
+    std::span<const ClothInContact> cloths_;
     std::span<const std::size_t> first_;  ///< particle of each cloth, among all
     std::vector<int> zone_of_;            ///< of each particle; -1: none
     std::vector<int> place_in_;           ///< there
