@@ -94,15 +94,8 @@ std::string outcome_of_reset(const Simulation& simulation) {
 }  // namespace
 
 std::string outcome_of(const Command& command, const Simulation& simulation) {
-    if (const auto* next = std::get_if<command::Next>(&command)) {
-        return outcome_for(find_setting(next->setting), simulation);
-    }
-    if (const auto* add = std::get_if<command::Add>(&command)) {
-        return outcome_for(find_setting(add->setting), simulation);
-    }
-    if (const auto* set = std::get_if<command::Set>(&command)) {
-        return outcome_for(find_setting(set->assignment.substr(0, set->assignment.find('='))), simulation);
-    }
+    const std::string_view setting = setting_of(command);
+    if (!setting.empty()) return outcome_for(find_setting(setting), simulation);
     if (std::holds_alternative<command::Reset>(command)) return outcome_of_reset(simulation);
     return {};
 }

@@ -19,6 +19,11 @@ Real largest_square(const Patch& now, const Patch& before) {
     return square;
 }
 
+/// All of some points, row by row.
+Patch patch_at(const Points& x, int columns, int rows) {
+    return {x.col(0).data(), x.col(1).data(), x.col(2).data(), columns, rows, columns};
+}
+
 Real displacement_of(const Patch& now, const Patch& before, Kernels kernels) {
     const Real square =
         kernels == Kernels::Plain ? largest_square(now, before) : kernels::largest_displacement_square(now, before);
@@ -28,37 +33,27 @@ Real displacement_of(const Patch& now, const Patch& before, Kernels kernels) {
 }  // namespace
 
 Real largest_displacement(const Points& x, const Points& before, Kernels kernels) {
-    const auto row = [](const Points& points) {
-        const int n = static_cast<int>(points.rows());
-        return Patch{points.col(0).data(), points.col(1).data(), points.col(2).data(), n, 1, n};
-    };
-    return displacement_of(row(x), row(before), kernels);
+    const int n = static_cast<int>(x.rows());
+    return displacement_of(patch_at(x, n, 1), patch_at(before, n, 1), kernels);
 }
 
 void LeafCopies::take_all(const Grid& grid, std::span<const QuadtreeNode> nodes, const Points& x) {
-    starts_.assign(nodes.size(), 0);
-    std::size_t size = 0;
-    for (std::size_t n = 0; n < nodes.size(); ++n) {
-        starts_[n] = size;
-        if (nodes[n].children == 0) size += 3 * static_cast<std::size_t>(patch_of(grid, nodes[n], x).particles());
-    }
-    coordinates_.resize(size);
+    copies_.resize(nodes.size());
     for (std::size_t n = 0; n < nodes.size(); ++n) {
         if (nodes[n].children == 0) take(n, patch_of(grid, nodes[n], x));
     }
 }
 
 void LeafCopies::take(std::size_t leaf, const Patch& patch) {
-    Real* to = coordinates_.data() + starts_[leaf];
+    copies_[leaf].resize(patch.particles(), 3);
+    Real* to = copies_[leaf].data();
     for (const Real* from : {patch.x, patch.y, patch.z}) {
         for (int j = 0; j < patch.rows; ++j) to = std::copy_n(from + j * patch.stride, patch.columns, to);
     }
 }
 
 Real LeafCopies::displacement(std::size_t leaf, const Patch& patch, Kernels kernels) const {
-    const Real* const x = coordinates_.data() + starts_[leaf];
-    const int n = patch.particles();
-    return displacement_of(patch, {x, x + n, x + 2 * n, patch.columns, patch.rows, patch.columns}, kernels);
+    return displacement_of(patch, patch_at(copies_[leaf], patch.columns, patch.rows), kernels);
 }
 
 }  // namespace drape

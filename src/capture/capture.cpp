@@ -59,7 +59,7 @@ Capture::Capture(CaptureOptions options, const StopSignals& signals)
     if (stats_.wanted()) {
         columns_.push_back({"frame", "", [this](const FrameView&) { return std::to_string(frame_); }});
         add_report_columns(columns_);
-        for (const FrameField& field : frame_fields()) {
+        for (const FrameField& field : frame_fields) {
             columns_.push_back({std::string(field.name), std::string(field.unit), [this, &field](const FrameView&) {
                                     return real_text(field.read(renderer_->report()));
                                 }});

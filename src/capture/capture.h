@@ -12,7 +12,7 @@
 #include "drape/session/session.h"
 #include "drape/session/state_csv.h"
 #include "frame_writer.h"
-#include "offscreen_context.h"
+#include "gl_context.h"
 
 namespace drape {
 

@@ -5,7 +5,7 @@
 
 #include "drape/base/input_error.h"
 #include "drape/render/start_glew.h"
-#include "offscreen_context.h"
+#include "gl_context.h"
 
 // The functions of OpenGL 1.1 that Drape calls: result, name, parameters, arguments
 #define DRAPE_GL_FUNCTIONS(DO)                                                                                      \

@@ -10,7 +10,7 @@
 #include "drape/session/tour.h"
 #include "drape/sim/simulation.h"
 #include "frame_writer.h"
-#include "offscreen_context.h"
+#include "gl_context.h"
 #include "picture_memory.h"
 
 namespace drape {

@@ -3,8 +3,6 @@
 #include <algorithm>
 #include <array>
 #include <cstddef>
-#include <span>
-#include <vector>
 
 #include "drape/base/real.h"
 #include "drape/bounds/broad_phase.h"

@@ -1,7 +1,6 @@
 #include <algorithm>
 #include <bit>
 
-#include "grid_factor.h"
 #include "newton_system.h"
 
 namespace drape {

@@ -359,13 +359,9 @@ void Multigrid::cycle(const Points& r, Points& z) {
 void Multigrid::solve(std::size_t number) {
     Level& level = levels_[number];
     if (number + 1 == levels_.size()) {
-        for (int p = 0; p < level.grid.particles(); ++p) {
-            for (int axis = 0; axis < 3; ++axis) unknowns_[3 * p + axis] = static_cast<double>(level.b(p, axis));
-        }
+        unknowns_ = level.b.matrix().cast<double>().reshaped<Eigen::RowMajor>();
         factors_.solveInPlace(unknowns_);
-        for (int p = 0; p < level.grid.particles(); ++p) {
-            for (int axis = 0; axis < 3; ++axis) level.x(p, axis) = static_cast<float>(unknowns_[3 * p + axis]);
-        }
+        level.x = unknowns_.reshaped<Eigen::RowMajor>(level.x.rows(), 3).cast<float>().array();
         return;
     }
     level.x.setZero();

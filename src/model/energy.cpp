@@ -1,11 +1,9 @@
 #include "drape/model/energy.h"
 
-#include <algorithm>
-
 #include "drape/model/forces.h"
 #include "drape/model/stencils.h"
 #include "kernels/energy_kernels.h"
-#include "kernels/wind_kernels.h"
+#include "kernels/force_kernels.h"
 
 namespace drape {
 namespace {
@@ -97,17 +95,6 @@ double max_wind_power(const ClothModel& model) {
     const auto area = static_cast<double>(model.hx * model.hy) * (grid.nx - 1) * (grid.ny - 1);
     const auto pressure = static_cast<double>(plate_coefficient * model.air.density) / 2;  // divided by W^2
     return stretched * pressure * area * speed * speed * speed * 4 / 27;
-}
-
-Real largest_stretch(const ClothModel& model, const Points& x) {
-    Real largest = -1;
-    const auto stencils = spring_stencils(model);
-    for (const SpringStencil& springs : {stencils[0], stencils[1]}) {
-        springs.for_each(model.grid, [&](int a, int b) {
-            largest = std::max(largest, (x.row(a) - x.row(b)).norm() / springs.rest_length - 1);
-        });
-    }
-    return largest;
 }
 
 }  // namespace drape

@@ -6,7 +6,6 @@
 #include "drape/model/forces.h"
 #include "kernels/axes.h"
 #include "kernels/force_kernels.h"
-#include "kernels/wind_kernels.h"
 
 namespace drape {
 

@@ -60,13 +60,16 @@ void sweep_springs(const ClothModel& model, int yielding, ClothState& state) {
 
 }  // namespace
 
-Real stretch_excess(const ClothModel& model, const Points& x) {
-    if (model.stretch_limit == 0) return 0;
-    Real stretch = 0;
+Real largest_stretch(const ClothModel& model, const Points& x) {
+    Real largest = -1;
     for (const SpringStencil& springs : limited_springs(model)) {
-        stretch = std::max(stretch, greatest_length(springs, model.grid, x) / springs.rest_length - 1);
+        largest = std::max(largest, greatest_length(springs, model.grid, x) / springs.rest_length - 1);
     }
-    return std::max(stretch - model.stretch_limit, Real(0));
+    return largest;
+}
+
+Real stretch_excess(const ClothModel& model, const Points& x) {
+    return model.stretch_limit == 0 ? 0 : std::max(largest_stretch(model, x) - model.stretch_limit, Real(0));
 }
 
 StretchReport limit_stretch(const ClothModel& model, int held, ClothState& state) {

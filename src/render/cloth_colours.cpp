@@ -64,26 +64,6 @@ constexpr std::array<ColourScale, 7> scales{{
 
 }  // namespace
 
-std::span<const std::array<float, 3>, 9> value_colours() {
-    // The map "viridis" at multiples of 1/8
-    static constexpr std::array<std::array<float, 3>, 9> colours{{{0.267f, 0.004f, 0.329f},
-                                                                  {0.278f, 0.176f, 0.482f},
-                                                                  {0.231f, 0.322f, 0.545f},
-                                                                  {0.173f, 0.447f, 0.557f},
-                                                                  {0.129f, 0.569f, 0.549f},
-                                                                  {0.157f, 0.682f, 0.502f},
-                                                                  {0.369f, 0.788f, 0.384f},
-                                                                  {0.678f, 0.863f, 0.188f},
-                                                                  {0.992f, 0.906f, 0.145f}}};
-    return colours;
-}
-
-std::span<const std::array<float, 3>, 4> group_colours() {
-    static constexpr std::array<std::array<float, 3>, 4> colours{
-        {{0.902f, 0.624f, 0.000f}, {0.000f, 0.447f, 0.698f}, {0.337f, 0.706f, 0.914f}, {0.941f, 0.894f, 0.259f}}};
-    return colours;
-}
-
 void ClothColours::collect(const FrameView& view) {
     scale_ = *std::ranges::find(scales, view.settings->view.colour, &ColourScale::by);
     values_.clear();

@@ -116,16 +116,18 @@ std::vector<std::uint32_t> coarse_triangle_indices(std::span<const Grid> grids, 
 
 SpringIndices spring_indices(std::span<const Grid> grids) {
     SpringIndices springs;
-    std::vector<std::uint32_t>* const kinds[] = {&springs.structural, &springs.shear, &springs.bend};
-    int first = 0;
-    for (const Grid& grid : grids) {
-        for (std::size_t direction = 0; direction < spring_directions.size(); ++direction) {
-            const auto [di, dj] = spring_directions[direction];
-            SpringStencil{di, dj, {}, 0}.for_each(grid, [&](int a, int b) {
-                for (const int end : {a, b}) kinds[direction / 2]->push_back(static_cast<std::uint32_t>(first + end));
-            });
+    for (std::size_t kind = 0; kind < springs.counts.size(); ++kind) {
+        const std::size_t before = springs.ends.size();
+        int first = 0;
+        for (const Grid& grid : grids) {
+            for (const auto& [di, dj] : {spring_directions[2 * kind], spring_directions[2 * kind + 1]}) {
+                SpringStencil{di, dj, {}, 0}.for_each(grid, [&](int a, int b) {
+                    for (const int end : {a, b}) springs.ends.push_back(static_cast<std::uint32_t>(first + end));
+                });
+            }
+            first += grid.particles();
         }
-        first += grid.particles();
+        springs.counts[kind] = static_cast<int>((springs.ends.size() - before) / 2);
     }
     return springs;
 }

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <algorithm>
+#include <array>
 #include <cstdint>
 #include <iterator>
 #include <span>
@@ -56,9 +57,10 @@ std::vector<std::uint32_t> triangle_indices(std::span<const Grid> grids);
 /// The same of each `step`-th row and column of their particles, and of the last ones: step * step times fewer.
 std::vector<std::uint32_t> coarse_triangle_indices(std::span<const Grid> grids, int step);
 
-/// The ends of all their springs, two indices each, kind by kind.
+/// The ends of all their springs, two indices each: the structural ones, those of shear, and those of bend.
 struct SpringIndices {
-    std::vector<std::uint32_t> structural, shear, bend;
+    std::vector<std::uint32_t> ends;
+    std::array<int, 3> counts;  ///< of springs of each kind
 };
 SpringIndices spring_indices(std::span<const Grid> grids);
 

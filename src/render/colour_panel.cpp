@@ -1,4 +1,4 @@
-#include "colour_panel.h"
+#include "panels.h"
 
 #include <imgui.h>
 
@@ -26,11 +26,10 @@ std::string title_of(const ColourScale& scale, int level) {
 void draw_scale(const ColourScale& scale, ImVec2 corner, float width) {
     const float line = ImGui::GetTextLineHeight(), bar = 0.8f * line;
     ImDrawList& list = *ImGui::GetWindowDrawList();
-    const auto colours = value_colours();
-    const float part = width / static_cast<float>(colours.size() - 1);
-    for (std::size_t k = 0; k + 1 < colours.size(); ++k) {
+    const float part = width / static_cast<float>(value_colours.size() - 1);
+    for (std::size_t k = 0; k + 1 < value_colours.size(); ++k) {
         const float left = corner.x + part * static_cast<float>(k);
-        const ImU32 from = ink_of(colours[k]), to = ink_of(colours[k + 1]);
+        const ImU32 from = ink_of(value_colours[k]), to = ink_of(value_colours[k + 1]);
         list.AddRectFilledMultiColor({left, corner.y}, {left + part, corner.y + bar}, from, to, to, from);
     }
     for (const float at : {0.0f, 0.5f, 1.0f}) {
@@ -59,13 +58,12 @@ void colour_panel(const ColourScale& scale, int level, float taken, const Overla
     const ImVec2 line{panel.x + page.margin, panel.y + page.margin};
     text_at(line, ink::wait, title_of(scale, level));
     const ImVec2 below{line.x, line.y + 1.25f * row};
-    const auto groups = group_colours();
     if (scale.by == ColourBy::Side) {
-        draw_swatch(below, groups[0], "front");
-        draw_swatch({below.x + inner / 2, below.y}, groups[1], "back");
+        draw_swatch(below, group_colours[0], "front");
+        draw_swatch({below.x + inner / 2, below.y}, group_colours[1], "back");
     } else if (scale.by == ColourBy::Level) {
-        for (std::size_t k = 0; k < groups.size(); ++k) {
-            draw_swatch({below.x + 1.5f * size * static_cast<float>(k), below.y}, groups[k], "");
+        for (std::size_t k = 0; k < group_colours.size(); ++k) {
+            draw_swatch({below.x + 1.5f * size * static_cast<float>(k), below.y}, group_colours[k], "");
         }
         text_at({below.x + 6.5f * size, below.y}, ink::text, "neighbours differ");
     } else {

@@ -4,7 +4,7 @@
 #include <deque>
 
 #include "drape/session/comparison.h"
-#include "figures_panel.h"
+#include "panel_boxes.h"
 #include "step_medians.h"
 
 namespace drape {

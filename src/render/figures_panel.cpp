@@ -1,4 +1,4 @@
-#include "figures_panel.h"
+#include "panels.h"
 
 #include <imgui.h>
 
@@ -162,11 +162,6 @@ std::string rate_text(const FrameView& view, const FrameReport& last) {
     return format("%.1f", last.rate);
 }
 
-// What the lines on the ground are apart
-void add_grid_row(const FrameView& view, std::vector<Row>& rows) {
-    if (view.settings->view.grid) rows.push_back({"ground grid", "10 cm, 1 m", -1, 1});
-}
-
 // Where energy went to and came from, while a ledger is kept
 void add_balance_rows(const FrameView& view, std::vector<Row>& rows) {
     if (!view.settings->solver.ledger) return;
@@ -177,21 +172,16 @@ void add_balance_rows(const FrameView& view, std::vector<Row>& rows) {
     rows[first].opens_group = true;
 }
 
-// How near a step is to its limit, where that is a worry
-void add_limit_row(const FrameView& view, std::vector<Row>& rows) {
-    const double ratio = view.report->step_limit_ratio;
-    if (ratio > 0.9) rows.push_back({"dt / limit", limit_text(*view.report), -1, 3, limit_colour(ratio)});
-}
-
 // What a glance takes in, and what the user has asked for
 void add_compact_rows(const FrameView& view, const FrameReport& last, std::vector<Row>& rows) {
     rows.push_back(state_row(view));
     rows.push_back({"FPS", rate_text(view, last), -1, 3});
     add_speed_row(view, rows);
-    add_limit_row(view, rows);
-    const std::string pairs =
-        view.report->pairs > 0 ? ", " + grouped(static_cast<double>(view.report->pairs)) + " pairs" : "";
-    rows.push_back({"contacts", grouped(static_cast<double>(view.report->contacts)) + pairs, -1, 3});
+    const StepReport& report = *view.report;
+    const double ratio = report.step_limit_ratio;
+    if (ratio > 0.9) rows.push_back({"dt / limit", limit_text(report), -1, 3, limit_colour(ratio)});
+    const std::string pairs = report.pairs > 0 ? ", " + grouped(static_cast<double>(report.pairs)) + " pairs" : "";
+    rows.push_back({"contacts", grouped(static_cast<double>(report.contacts)) + pairs, -1, 3});
     add_saved_row(view, rows);
     add_search_rows(view, rows);
     add_balance_rows(view, rows);
@@ -294,7 +284,8 @@ float figures_panel(const FrameView& view, const FrameReport& last, const PanelF
     } else {
         add_report_rows(view, rows);
         add_cost_rows(view, last, rows);
-        add_grid_row(view, rows);
+        // What the lines on the ground are apart
+        if (view.settings->view.grid) rows.push_back({"ground grid", "10 cm, 1 m", -1, 1});
     }
 
     // As large as it must be, at most as the picture

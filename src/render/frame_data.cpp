@@ -225,12 +225,12 @@ FrameData make_frame_data(const FrameView& view, const Camera& camera, const Pic
         static_cast<float>(target.z()), std::max(0.5f, distance);
 
     const auto colour_of = [](const NodeLook& look) { return Eigen::Vector4f(look.colour.data()); };
-    std::ranges::transform(node_looks(), data.node_colours.begin(), colour_of);
+    std::ranges::transform(node_looks, data.node_colours.begin(), colour_of);
     data.node_colours.back() = {0.05f, 0.05f, 0.08f, 0.75f};
     // Their lines are a pixel wide; those that are magnified are fainter instead
     for (Eigen::Vector4f& colour : data.node_colours) colour.w() *= data.magnified.x();
-    std::ranges::transform(value_colours(), data.value_colours.begin(), linear);
-    std::ranges::transform(group_colours(), data.group_colours.begin(), linear);
+    std::ranges::transform(value_colours, data.value_colours.begin(), linear);
+    std::ranges::transform(group_colours, data.group_colours.begin(), linear);
     const ColourBy by = settings.colour;
     const int groups = by == ColourBy::Level ? 1 : by == ColourBy::Side ? 2 : 0;
     const bool woven = settings.weave && settings.fabric != Fabric::Plain;

@@ -78,15 +78,14 @@ std::vector<std::string> notes(const FrameView& view) {
 void draw_colours(ImVec2 corner, float column) {
     const float row = ImGui::GetTextLineHeightWithSpacing(), line = ImGui::GetTextLineHeight();
     ImDrawList& list = *ImGui::GetWindowDrawList();
-    const auto looks = node_looks();
-    for (std::size_t s = 0; s < looks.size(); ++s) {
+    for (std::size_t s = 0; s < node_looks.size(); ++s) {
         const ImVec2 at{corner.x + column * static_cast<float>(s / 3), corner.y + row * static_cast<float>(s % 3)};
-        const auto& [red, green, blue, opacity] = looks[s].colour;
+        const auto& [red, green, blue, opacity] = node_looks[s].colour;
         // Thin lines on a bright ground are lighter than a patch on a dark one
         const ImU32 colour = ImGui::GetColorU32(ImVec4{red, green, blue, 1});
         list.AddRectFilled({at.x, at.y + 0.2f * line}, {at.x + 1.2f * line, at.y + 0.85f * line}, colour, 2);
         list.AddRect({at.x, at.y + 0.2f * line}, {at.x + 1.2f * line, at.y + 0.85f * line}, ink::quiet, 2);
-        text_at({at.x + 1.7f * line, at.y}, ink::text, looks[s].text);
+        text_at({at.x + 1.7f * line, at.y}, ink::text, node_looks[s].text);
     }
 }
 
@@ -98,7 +97,7 @@ void HierarchyPanel::count(const FrameView& view, int levels) {
         touched_.take(cloth, *view.report);
         for (int level = 0; level < cloth.hierarchy->levels(); ++level) {
             nodes_of_level(*cloth.hierarchy, level, nodes_);
-            counts_[static_cast<std::size_t>(level)] += counts_of(nodes_, touched_);
+            counts_[static_cast<std::size_t>(level)].add(nodes_, touched_);
         }
     }
 }

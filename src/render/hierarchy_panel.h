@@ -2,9 +2,9 @@
 
 #include <vector>
 
-#include "figures_panel.h"
 #include "node_pick.h"
 #include "node_states.h"
+#include "panel_boxes.h"
 #include "tightness.h"
 
 namespace drape {

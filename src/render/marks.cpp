@@ -115,15 +115,10 @@ void Marks::arrange(const FrameView& view, const StreamBuffer& stream) {
 void Marks::index_springs(const FrameView& view) {
     if (!update_kept(view.cloths, grids_, grid_of)) return;
 
-    SpringIndices springs = spring_indices(grids_);
-    structural_count_ = static_cast<int>(springs.structural.size() / 2);
-    shear_count_ = static_cast<int>(springs.shear.size() / 2);
-    bend_count_ = static_cast<int>(springs.bend.size() / 2);
-    std::vector<std::uint32_t>& all = springs.structural;
-    all.insert(all.end(), springs.shear.begin(), springs.shear.end());
-    all.insert(all.end(), springs.bend.begin(), springs.bend.end());
+    const SpringIndices springs = spring_indices(grids_);
+    spring_counts_ = springs.counts;
     springs_.bind();
-    fill_static(gl_, GL_ELEMENT_ARRAY_BUFFER, spring_indices_, all);
+    fill_static(gl_, GL_ELEMENT_ARRAY_BUFFER, spring_indices_, springs.ends);
 }
 
 void Marks::fill(const FrameView& view, StreamBuffer& stream) const {
@@ -156,13 +151,14 @@ void Marks::add_to(PictureBounds& bounds) const {
 
 void Marks::draw(bool failed) {
     if (show_particles_) {
-        const int plain = structural_count_ + shear_count_;
+        const auto [structural, shear, bend] = spring_counts_;
+        const int plain = structural + shear;
         spring_program_.use();
         springs_.bind();
         gl_(glVertexAttrib1f, 4u, 0.0f);
         gl_.draw_elements(GL_LINES, 2 * plain);
         gl_(glVertexAttrib1f, 4u, bend_lift * spacing_);
-        gl_.draw_elements(GL_LINES, 2 * bend_count_, 2 * static_cast<std::size_t>(plain) * sizeof(std::uint32_t));
+        gl_.draw_elements(GL_LINES, 2 * bend, 2 * static_cast<std::size_t>(plain) * sizeof(std::uint32_t));
         particle_program_.use();
         gl_.draw_arrays(GL_POINTS, particle_count_);
     }

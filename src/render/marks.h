@@ -1,5 +1,6 @@
 #pragma once
 
+#include <array>
 #include <vector>
 
 #include "drape/sim/frame_view.h"
@@ -36,8 +37,8 @@ public:
     /// How far marks stand out of the solids whose box is drawn [pixel].
     [[nodiscard]] int room() const { return show_pins_ ? 24 : 0; }
 
-    [[nodiscard]] int structural_springs() const { return structural_count_; }
-    [[nodiscard]] int shear_springs() const { return shear_count_; }
+    /// Structural, shear and bend.
+    [[nodiscard]] const std::array<int, 3>& springs() const { return spring_counts_; }
     [[nodiscard]] float spacing() const { return spacing_; }
     /// Of the circles of a bounding sphere: fewer where there are many spheres.
     [[nodiscard]] int segments() const;
@@ -64,8 +65,8 @@ private:
     bool show_particles_ = false;
     bool show_pins_ = false;
     int particle_count_ = 0, contact_count_ = 0;
-    int structural_count_ = 0, shear_count_ = 0, bend_count_ = 0;
-    float spacing_ = 0;  ///< of the particles of the first cloth [m]
+    std::array<int, 3> spring_counts_{};  ///< structural, shear, bend
+    float spacing_ = 0;                   ///< of the particles of the first cloth [m]
 };
 
 }  // namespace drape

@@ -4,16 +4,6 @@
 
 namespace drape {
 
-std::span<const NodeLook, 6> node_looks() {
-    static constexpr std::array<NodeLook, 6> looks{{{"not visited", {0.45f, 0.48f, 0.52f, 0.40f}},
-                                                    {"pruned", {0.20f, 0.23f, 0.28f, 0.50f}},
-                                                    {"visited", {0.00f, 0.36f, 0.75f, 0.60f}},
-                                                    {"leaf, not tested yet", {0.00f, 0.50f, 0.34f, 0.65f}},
-                                                    {"false candidate", {0.72f, 0.25f, 0.58f, 0.80f}},
-                                                    {"touching", {1.00f, 0.76f, 0.05f, 0.85f}}}};
-    return looks;
-}
-
 void TouchedCells::take(const Grid& grid, std::span<const ContactRow> contacts, bool tested,
                         std::span<const int> more) {
     columns_ = grid.cell_columns();
@@ -66,26 +56,16 @@ std::span<const NodeView> ShownNodes::list(const FrameView& view, const BroadPha
     return all_;
 }
 
-LevelCounts& LevelCounts::operator+=(const LevelCounts& other) {
-    nodes += other.nodes;
-    visited += other.visited;
-    pruned += other.pruned;
-    false_positives += other.false_positives;
-    touching += other.touching;
-    return *this;
-}
-
-LevelCounts counts_of(std::span<const NodeView> nodes, const TouchedCells& touched) {
-    LevelCounts counts{.nodes = static_cast<int>(nodes.size())};
-    for (const NodeView& node : nodes) {
+void LevelCounts::add(std::span<const NodeView> added, const TouchedCells& touched) {
+    nodes += static_cast<int>(added.size());
+    for (const NodeView& node : added) {
         const bool overlaps = node.visit >= NodeVisit::Entered;
         const bool touches = touched.state_of(node) == NodeState::Touching;
-        counts.visited += node.visit != NodeVisit::Unvisited;
-        counts.pruned += node.visit == NodeVisit::Pruned;
-        counts.false_positives += overlaps && !touches;
-        counts.touching += touches;
+        visited += node.visit != NodeVisit::Unvisited;
+        pruned += node.visit == NodeVisit::Pruned;
+        false_positives += overlaps && !touches;
+        touching += touches;
     }
-    return counts;
 }
 
 }  // namespace drape

@@ -22,7 +22,12 @@ struct NodeLook {
 };
 
 /// Of nodes, in the order of `NodeState`. Hues are apart for colour-blind eyes too. @cite okabe2008
-std::span<const NodeLook, 6> node_looks();
+inline constexpr std::array<NodeLook, 6> node_looks{{{"not visited", {0.45f, 0.48f, 0.52f, 0.40f}},
+                                                     {"pruned", {0.20f, 0.23f, 0.28f, 0.50f}},
+                                                     {"visited", {0.00f, 0.36f, 0.75f, 0.60f}},
+                                                     {"leaf, not tested yet", {0.00f, 0.50f, 0.34f, 0.65f}},
+                                                     {"false candidate", {0.72f, 0.25f, 0.58f, 0.80f}},
+                                                     {"touching", {1.00f, 0.76f, 0.05f, 0.85f}}}};
 
 /// The cells of a cloth with a contact, to be asked for by rectangles.
 class TouchedCells {
@@ -75,8 +80,8 @@ struct LevelCounts {
     int pruned = 0;           ///< visited and found apart
     int false_positives = 0;  ///< overlapping, and nothing in them touches
     int touching = 0;
-    LevelCounts& operator+=(const LevelCounts& other);
+
+    void add(std::span<const NodeView> added, const TouchedCells& touched);
 };
-LevelCounts counts_of(std::span<const NodeView> nodes, const TouchedCells& touched);
 
 }  // namespace drape

@@ -82,28 +82,11 @@ void append_polytope(std::span<const Slab> slabs, NodeState state, Outlines& out
     }
 }
 
-}  // namespace
-
-void append_nodes(std::span<const NodeView> nodes, Real slack, const TouchedCells& touched, Outlines& outlines) {
-    const std::size_t first_sphere = outlines.spheres.size();
-    for (const NodeView& node : nodes) {
-        const NodeState state = touched.state_of(node);
-        std::visit([&](const auto& volume) { append_outline(volume, state, outlines); }, node.volume);
-    }
-    for (std::size_t k = first_sphere; k < outlines.spheres.size(); ++k) {
-        outlines.spheres[k].radius += slack;
-    }
-}
-
-void append_outline(const BoundingSphere& sphere, NodeState state, Outlines& outlines) {
+void append(const BoundingSphere& sphere, NodeState state, Outlines& outlines) {
     outlines.spheres.push_back({sphere.centre, sphere.radius, state});
 }
 
-void append_outline(const Aabb& box, NodeState state, Outlines& outlines) {
-    append_outline(Obb{Vec3::Zero(), BoxAxes::Identity(), box.low, box.high}, state, outlines);
-}
-
-void append_outline(const Obb& box, NodeState state, Outlines& outlines) {
+void append(const Obb& box, NodeState state, Outlines& outlines) {
     const auto corner = [&](const Vec3& t) { return Vec3(box.origin + box.axes * t); };
     for (int along = 0; along < 3; ++along) {
         if (!(box.high[along] > box.low[along])) continue;
@@ -119,8 +102,12 @@ void append_outline(const Obb& box, NodeState state, Outlines& outlines) {
     }
 }
 
+void append(const Aabb& box, NodeState state, Outlines& outlines) {
+    append(Obb{Vec3::Zero(), BoxAxes::Identity(), box.low, box.high}, state, outlines);
+}
+
 template <int K>
-void append_outline(const KDop<K>& dop, NodeState state, Outlines& outlines) {
+void append(const KDop<K>& dop, NodeState state, Outlines& outlines) {
     std::array<Slab, K / 2> slabs;
     for (std::size_t k = 0; k < slabs.size(); ++k) {
         const auto axis = static_cast<Eigen::Index>(k);
@@ -131,9 +118,18 @@ void append_outline(const KDop<K>& dop, NodeState state, Outlines& outlines) {
     append_polytope(slabs, state, outlines);
 }
 
-template void append_outline(const KDop<6>&, NodeState, Outlines&);
-template void append_outline(const KDop<14>&, NodeState, Outlines&);
-template void append_outline(const KDop<18>&, NodeState, Outlines&);
-template void append_outline(const KDop<26>&, NodeState, Outlines&);
+}  // namespace
+
+void append_outline(const AnyVolume& volume, NodeState state, Outlines& outlines) {
+    std::visit([&](const auto& body) { append(body, state, outlines); }, volume);
+}
+
+void append_nodes(std::span<const NodeView> nodes, Real slack, const TouchedCells& touched, Outlines& outlines) {
+    const std::size_t first_sphere = outlines.spheres.size();
+    for (const NodeView& node : nodes) append_outline(node.volume, touched.state_of(node), outlines);
+    for (std::size_t k = first_sphere; k < outlines.spheres.size(); ++k) {
+        outlines.spheres[k].radius += slack;
+    }
+}
 
 }  // namespace drape

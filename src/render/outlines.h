@@ -30,15 +30,9 @@ struct Outlines {
 /// Appends nodes of a hierarchy. Spheres are drawn grown by its slack [m]; of other volumes the faces are as fitted.
 void append_nodes(std::span<const NodeView> nodes, Real slack, const TouchedCells& touched, Outlines& outlines);
 
-void append_outline(const BoundingSphere& sphere, NodeState state, Outlines& outlines);
-
-/// The edges of a box; those without length are left out.
-void append_outline(const Aabb& box, NodeState state, Outlines& outlines);
-void append_outline(const Obb& box, NodeState state, Outlines& outlines);
-
-/// The edges of what its slabs have in common. Edges much shorter than the whole are left out.
-/// @par Cost O(slabs^3)
-template <int K>
-void append_outline(const KDop<K>& dop, NodeState state, Outlines& outlines);
+/// Appends a volume as it is. Edges of boxes without length are left out, and edges of k-DOPs much shorter than the
+/// whole.
+/// @par Cost of a k-DOP O(slabs^3)
+void append_outline(const AnyVolume& volume, NodeState state, Outlines& outlines);
 
 }  // namespace drape

@@ -6,8 +6,7 @@
 #include <filesystem>
 #include <utility>
 
-#include "colour_panel.h"
-#include "plots_panel.h"
+#include "panels.h"
 
 namespace drape {
 

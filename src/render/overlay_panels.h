@@ -11,7 +11,6 @@
 #include "cloth_colours.h"
 #include "comparison_panel.h"
 #include "drape/render/renderer.h"
-#include "figures_panel.h"
 #include "hierarchy_panel.h"
 #include "key_panels.h"
 #include "overlay_style.h"

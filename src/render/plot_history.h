@@ -1,9 +1,9 @@
 #pragma once
 
+#include <algorithm>
 #include <array>
 #include <cstddef>
 #include <deque>
-#include <span>
 #include <string>
 
 #include "drape/sim/frame_view.h"
@@ -24,9 +24,24 @@ struct Plot {
     bool has_limit;  ///< 1 is marked
 };
 
-inline constexpr std::size_t plot_curve_count = 11;
-std::span<const PlotCurve, plot_curve_count> plot_curves();
-std::span<const Plot, 5> plots();
+inline constexpr std::array plot_curves{
+    PlotCurve{"integrate", [](const StepReport& r) { return 1e6 * r.times.step; }},
+    PlotCurve{"BVH", [](const StepReport& r) { return 1e6 * (r.times.build + r.times.traverse); }},
+    PlotCurve{"narrow", [](const StepReport& r) { return 1e6 * (r.times.narrow + r.times.pairs); }},
+    PlotCurve{"response", [](const StepReport& r) { return 1e6 * r.times.respond; }},
+    PlotCurve{"total", [](const StepReport& r) { return r.energy.total(); }},
+    PlotCurve{"kinetic", [](const StepReport& r) { return r.energy.kinetic; }},
+    PlotCurve{"candidates", [](const StepReport& r) { return static_cast<double>(r.traversal.candidates); }},
+    PlotCurve{"contacts", [](const StepReport& r) { return static_cast<double>(r.contacts); }},
+    PlotCurve{"all", [](const StepReport& r) { return static_cast<double>(r.traversal.nodes); }},
+    PlotCurve{"tested", [](const StepReport& r) { return static_cast<double>(r.traversal.volume_tests); }},
+    PlotCurve{"dt / limit", [](const StepReport& r) { return std::min(r.step_limit_ratio, 10.0); }},
+};
+
+inline constexpr std::array plots{
+    Plot{"Time a step [us]", 0, 4, 1, false}, Plot{"Energy [J]", 4, 6, 1e-6, false}, Plot{"Contacts", 6, 8, 1, false},
+    Plot{"Nodes", 8, 10, 1, false},           Plot{"Time step", 10, 11, 1.05, true},
+};
 
 /// The figures of the plots over the last ten seconds of wall time, as the scene's clock has them: ten seconds of scene
 /// time, fewer in slow motion. A reset or another scene begins again.
@@ -54,7 +69,7 @@ public:
 private:
     struct Moment {
         double time = 0;  ///< [s]
-        std::array<float, plot_curve_count> values{};
+        std::array<float, plot_curves.size()> values{};
     };
 
     std::deque<Moment> moments_;

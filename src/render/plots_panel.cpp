@@ -1,4 +1,4 @@
-#include "plots_panel.h"
+#include "panels.h"
 
 #include <imgui.h>
 
@@ -17,8 +17,8 @@ namespace {
 constexpr ImU32 orange = IM_COL32(230, 159, 0, 255), sky = IM_COL32(86, 180, 233, 255),
                 green = IM_COL32(0, 190, 140, 255), yellow = IM_COL32(240, 228, 66, 255);
 
-constexpr std::array<ImU32, plot_curve_count> curve_colours{orange, sky, green,  yellow, orange, sky,
-                                                            orange, sky, orange, sky,    orange};
+constexpr std::array<ImU32, plot_curves.size()> curve_colours{orange, sky, green,  yellow, orange, sky,
+                                                              orange, sky, orange, sky,    orange};
 
 std::string short_number(double value) { return format(std::abs(value) < 1000 ? "%.3g" : "%.0f", value); }
 
@@ -26,16 +26,15 @@ std::string short_number(double value) { return format(std::abs(value) < 1000 ? 
 
 float plots_panel(const PlotHistory& history, const OverlayPage& page) {
     const float size = ImGui::GetFontSize(), margin = page.margin, height = plots_rows * size;
-    const float width =
-        (page.width - margin * static_cast<float>(plots().size() + 1)) / static_cast<float>(plots().size());
+    const float width = (page.width - margin * static_cast<float>(plots.size() + 1)) / static_cast<float>(plots.size());
     const std::size_t count = history.size();
     if (width < 6 * size || count == 0) return 0;
     ImDrawList& list = *ImGui::GetWindowDrawList();
     const double end = history.time(count - 1), span = history.span();
     std::array<ImVec2, PlotHistory::most> points;
     const std::size_t oldest = history.oldest_shown();
-    for (std::size_t p = 0; p < plots().size(); ++p) {
-        const Plot& plot = plots()[p];
+    for (std::size_t p = 0; p < plots.size(); ++p) {
+        const Plot& plot = plots[p];
         const ImVec2 corner{margin + static_cast<float>(p) * (width + margin), page.height - height - margin};
         draw_panel(corner, {width, height});
 
@@ -69,9 +68,9 @@ float plots_panel(const PlotHistory& history, const OverlayPage& page) {
         text_before({right, corner.y + 0.2f * size}, ink::quiet, short_number(high));
         float along = left;
         for (std::size_t c = plot.first; c < plot.end; ++c) {
-            const float label_width = text_width(plot_curves()[c].label);
+            const float label_width = text_width(plot_curves[c].label);
             if (along + label_width > right) break;
-            text_at({along, corner.y + 1.4f * size}, curve_colours[c], plot_curves()[c].label);
+            text_at({along, corner.y + 1.4f * size}, curve_colours[c], plot_curves[c].label);
             along += label_width + 0.6f * size;
         }
         text_at({left, bottom + 0.1f * size}, ink::quiet, short_number(-span) + " s");

@@ -140,8 +140,8 @@ void Renderer::Parts::prepare(const FrameView& view, const Camera& camera, std::
     // Everything into it, and up
     const PictureSize drawn = target->drawn_size(is_fast(view));
     FrameData data = make_frame_data(view, camera, {width, height}, drawn, ShadowMap::texels, solids.holders());
-    data.counts[0] = marks.structural_springs();
-    data.counts[1] = marks.shear_springs();
+    data.counts[0] = marks.springs()[0];
+    data.counts[1] = marks.springs()[1];
     data.counts[2] = marks.segments();
     data.shadow[1] = marks.spacing();
     *stream.data<FrameData>(Region::Frame) = data;
@@ -194,16 +194,5 @@ Image Renderer::read_back() const {
 }
 
 const FrameReport& Renderer::report() const { return parts_->report; }
-
-std::span<const FrameField> frame_fields() {
-    static constexpr std::array<FrameField, 5> fields{{
-        {"gl_calls", "", [](const FrameReport& r) { return r.gl_calls; }},
-        {"vertices", "", [](const FrameReport& r) { return r.vertices; }},
-        {"draw_time", "s", [](const FrameReport& r) { return r.draw_time; }},
-        {"rate", "1/s", [](const FrameReport& r) { return r.rate; }},
-        {"cpu", "", [](const FrameReport& r) { return r.cpu; }},
-    }};
-    return fields;
-}
 
 }  // namespace drape

@@ -8,7 +8,7 @@
 
 #include "compare_section.h"
 #include "drape/scene/setting_table.h"
-#include "figures_panel.h"
+#include "panel_boxes.h"
 #include "setting_editor.h"
 
 namespace drape {

@@ -4,8 +4,8 @@
 #include <optional>
 #include <utility>
 
-#include "drape/sim/timeline.h"
-#include "figures_panel.h"
+#include "drape/sim/frame_view.h"
+#include "panel_boxes.h"
 
 namespace drape {
 

@@ -8,7 +8,6 @@
 
 #include "drape/base/input_error.h"
 #include "drape/base/numbers.h"
-#include "mesh_repair.h"
 
 namespace drape {
 namespace {

@@ -1,8 +1,8 @@
-#include "mesh_repair.h"
-
 #include <Eigen/Geometry>
 #include <algorithm>
 #include <cmath>
+
+#include "closed_mesh.h"
 
 namespace drape {
 namespace {

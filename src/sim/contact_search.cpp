@@ -118,9 +118,4 @@ void ContactSearch::show(const Points& x, std::span<const Ball> balls, Real thic
     queried_ = true;
 }
 
-TraversalStats ContactSearch::mark_pairs(const ContactSearch& other, Real margin, const FoldTest* folds,
-                                         std::vector<LeafPair>& pairs) {
-    return hierarchy_->query(*other.hierarchy_, margin, folds, pairs);
-}
-
 }  // namespace drape

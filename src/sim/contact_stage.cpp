@@ -11,10 +11,10 @@
 namespace drape {
 namespace {
 
-std::vector<const ClothModel*> models_of(std::span<const Cloth> cloths) {
-    std::vector<const ClothModel*> models;
-    for (const Cloth& cloth : cloths) models.push_back(&cloth.model);
-    return models;
+std::vector<ClothInContact> at_present(std::span<Cloth> cloths) {
+    std::vector<ClothInContact> list;
+    for (Cloth& cloth : cloths) list.push_back({cloth.model, cloth.state.x, cloth.state});
+    return list;
 }
 
 /// Of rows in the order of `compare`, those of one cloth and bodies.
@@ -33,12 +33,10 @@ std::span<const ContactRow> ContactStage::rows_of(std::size_t cloth) const { ret
 void ContactStage::use(const Settings& settings, std::span<Cloth> cloths) {
     stage_ = Stage::Ended;
     std::size_t contacts = 0, particles = 0;
-    std::vector<const Points*> positions;
     for (Cloth& cloth : cloths) {
         cloth.search.use(broad_phase_of(settings), cloth.model.grid, cloth.state.x);
         contacts += 2 * static_cast<std::size_t>(cloth.model.grid.triangles());
         particles += static_cast<std::size_t>(cloth.model.grid.particles());
-        positions.push_back(&cloth.state.x);
     }
     rows_.clear();
     rows_.reserve(contacts);
@@ -46,7 +44,7 @@ void ContactStage::use(const Settings& settings, std::span<Cloth> cloths) {
     warm_start_.reserve(contacts);
     solver_.reserve(contacts, particles);
     near_ = false;
-    self_.use(settings, models_of(cloths), positions);
+    self_.use(settings, at_present(cloths));
 }
 
 void ContactStage::configure(const Settings& settings, const Settings& before, std::span<Cloth> cloths) {
@@ -57,11 +55,9 @@ void ContactStage::configure(const Settings& settings, const Settings& before, s
     }
     if (settings.contact.self != before.contact.self) {
         std::erase_if(rows_, [](const ContactRow& row) { return row.kind == RowKind::Pair; });
-        std::vector<const Points*> positions;
-        for (const Cloth& cloth : cloths) positions.push_back(&cloth.state.x);
-        self_.use(settings, models_of(cloths), positions);
+        self_.use(settings, at_present(cloths));
     } else if (!same_search) {
-        self_.use_hierarchy(settings, models_of(cloths));
+        self_.use_hierarchy(settings, at_present(cloths));
     }
     self_.use_threads(settings.solver.threads);
     const int ground = static_cast<int>(settings.balls.size() + settings.solids.size());

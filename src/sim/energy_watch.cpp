@@ -1,7 +1,6 @@
 #include "drape/sim/energy_watch.h"
 
 #include <algorithm>
-#include <cmath>
 
 namespace drape {
 namespace {

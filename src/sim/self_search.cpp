@@ -65,36 +65,36 @@ auto own_motion(const Points& from, const Points& to, const Vec3& mean) {
 
 }  // namespace
 
-void SelfSearch::use(const Settings& settings, std::span<const ClothModel* const> models,
-                     std::span<const Points* const> x) {
+void SelfSearch::use(const Settings& settings, std::span<const ClothInContact> cloths) {
     *this = {};
     on_ = settings.contact.self;
     if (!on_) return;
     use_threads(settings.solver.threads);
-    use_hierarchy(settings, models);
-    crossings_at_start_ = count_crossings(x);
-    coincident_at_start_ = count_coincident(x);
+    use_hierarchy(settings, cloths);
+    crossings_at_start_ = count_between(
+        cloths, 0, [&](const auto& first, const auto& second) { return count_crossings(first, second, leaves_); });
+    coincident_at_start_ = count_coincident(cloths);
 }
 
-void SelfSearch::use_hierarchy(const Settings& settings, std::span<const ClothModel* const> models) {
+void SelfSearch::use_hierarchy(const Settings& settings, std::span<const ClothInContact> cloths) {
     if (!on_) return;
     BroadPhaseParameters parameters = broad_phase_of(settings);
     parameters.search = {};
     if (parameters.leaf_cells == 0) parameters.leaf_cells = pair_leaf_cells;
-    use(parameters, models);
+    use(parameters, cloths);
 }
 
-void SelfSearch::use(const BroadPhaseParameters& parameters, std::span<const ClothModel* const> models) {
+void SelfSearch::use(const BroadPhaseParameters& parameters, std::span<const ClothInContact> cloths) {
     surfaces_.clear();
     first_.assign(1, 0);
-    for (const ClothModel* model : models) {
-        surfaces_.push_back({.tree = make_broad_phase(parameters, model->grid),
-                             .folds = FoldTest(model->grid, model->hx, model->hy, parameters.leaf_cells),
+    for (const ClothInContact& cloth : cloths) {
+        const ClothModel& model = cloth.model;
+        surfaces_.push_back({.tree = make_broad_phase(parameters, model.grid),
+                             .folds = FoldTest(model.grid, model.hx, model.hy, parameters.leaf_cells),
                              .boxes = {},
                              .kept = {},
-                             .spacing = std::min(model->hx, model->hy),
-                             .grid = model->grid});
-        first_.push_back(first_.back() + static_cast<std::size_t>(model->grid.particles()));
+                             .spacing = std::min(model.hx, model.hy)});
+        first_.push_back(first_.back() + static_cast<std::size_t>(model.grid.particles()));
     }
     const auto all = static_cast<Eigen::Index>(first_.back());
     for (Numbers* numbers : {&reaches_, &displacement_since_list_, &allowance_, &more_reaches_, &more_strayed_})
@@ -102,23 +102,23 @@ void SelfSearch::use(const BroadPhaseParameters& parameters, std::span<const Clo
     forget();
 }
 
-/// Sums up count(first, second, leaves), over all pairs of cloths, and each with itself.
+/// Sums up count(first, second), with the leaves in `leaves_`, over all pairs of cloths, and each with itself.
 /// @param reach by which boxes are grown [m]
 template <class Count>
-std::int64_t SelfSearch::count_between(std::span<const Points* const> x, Real reach, Count count) {
+std::int64_t SelfSearch::count_between(std::span<const ClothInContact> cloths, Real reach, Count count) {
     forget();
     reaches_ = reach;
     std::vector<BoxedCloth> boxed;
-    for (std::size_t c = 0; c < x.size(); ++c) {
-        Surface& surface = surfaces_[c];
-        const std::span<const Real> reaches = of_cloth(reaches_, static_cast<int>(c));
-        surface.tree->build(*x[c]);
-        surface.boxes.build(surface.grid, *x[c], reaches);
-        boxed.push_back({{static_cast<int>(c), surface.grid, *x[c]}, surface.boxes, reaches});
+    for (std::size_t c = 0; c < cloths.size(); ++c) {
+        const int number = static_cast<int>(c);
+        const ClothAt cloth = at(cloths, number);
+        surfaces_[c].tree->build(cloth.x);
+        surfaces_[c].boxes.build(cloth.grid, cloth.x, of_cloth(reaches_, number));
+        boxed.push_back({cloth, surfaces_[c].boxes, of_cloth(reaches_, number)});
     }
     std::int64_t sum = 0;
-    for (std::size_t first = 0; first < x.size(); ++first) {
-        for (std::size_t second = first; second < x.size(); ++second) {
+    for (std::size_t first = 0; first < cloths.size(); ++first) {
+        for (std::size_t second = first; second < cloths.size(); ++second) {
             surfaces_[first].tree->query(*surfaces_[second].tree, 2 * reach, nullptr, leaves_);
             sum += count(boxed[first], boxed[second]);
         }
@@ -126,14 +126,8 @@ std::int64_t SelfSearch::count_between(std::span<const Points* const> x, Real re
     return sum;
 }
 
-std::int64_t SelfSearch::count_crossings(std::span<const Points* const> x) {
-    return count_between(x, 0, [&](const BoxedCloth& first, const BoxedCloth& second) {
-        return drape::count_crossings(first, second, leaves_);
-    });
-}
-
-std::int64_t SelfSearch::count_coincident(std::span<const Points* const> x) {
-    const std::int64_t count = count_between(x, coincident_reach, [&](const auto& first, const auto& second) {
+std::int64_t SelfSearch::count_coincident(std::span<const ClothInContact> cloths) {
+    const std::int64_t count = count_between(cloths, coincident_reach, [&](const auto& first, const auto& second) {
         const std::span all(leaves_);
         std::int64_t sum = 0;
         for (std::size_t at = 0; at < all.size(); at += coincident_leaves_at_once) {
@@ -269,7 +263,7 @@ bool SelfSearch::would_cross(std::span<const ClothInContact> cloths) {
 
 /// What is held back may move otherwise than the search has assumed.
 std::int64_t SelfSearch::prevent_crossing(std::span<const ClothInContact> cloths) {
-    do zones_.prevent_crossing(near_, cloths);
+    do zones_.prevent_crossing(near_);
     while (extend(cloths));
     return zones_.particles();
 }

@@ -9,7 +9,6 @@
 #include "drape/sim/simulation.h"
 #include "drape/sim/snapshot.h"
 #include "run_checks.h"
-#include "step_plan.h"
 
 namespace drape {
 namespace {

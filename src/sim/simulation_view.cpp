@@ -2,6 +2,7 @@
 #include <cmath>
 
 #include "drape/base/numbers.h"
+#include "drape/sim/pair_marks.h"
 #include "drape/sim/simulation.h"
 #include "run_checks.h"
 #include "step_plan.h"
@@ -31,8 +32,8 @@ FrameView Simulation::view(Real blend) {
     report_.rms_speed = std::sqrt(square_sum / particles);
     TraversalStats pair_search;
     if (settings_.view.bounds && settings_.contact.self) {
-        pair_search = pair_marks_.mark(cloths_, contact_.rows(), settings_.contact);
-        for (std::size_t c = 0; c < shown_.size(); ++c) shown_[c].pair_cells = pair_marks_.touched_cells(c);
+        pair_search = mark_pairs(cloths_, contact_.rows(), settings_.contact, pair_cells_);
+        for (std::size_t c = 0; c < shown_.size(); ++c) shown_[c].pair_cells = pair_cells_[c];
     }
     const bool leads = balls_.size() > 1 && settings_.balls[users_ball_].motion == BallMotion::Keys;
     return {.cloths = shown_,

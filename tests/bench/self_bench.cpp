@@ -68,12 +68,6 @@ struct LyingSheets {
         static std::map<int, LyingSheets> all;
         return all.try_emplace(side, side).first->second;
     }
-
-    [[nodiscard]] std::vector<const ClothModel*> list_models() const {
-        std::vector<const ClothModel*> list;
-        for (const ClothModel& model : models) list.push_back(&model);
-        return list;
-    }
 };
 
 void per_triangle(benchmark::State& state, int triangles) {
@@ -89,7 +83,7 @@ void self_broad_phase(benchmark::State& state, int side) {
     std::vector<std::unique_ptr<BroadPhase>> trees;
     std::vector<FoldTest> folds;
     SelfSearch search;
-    search.use(sheets.search, sheets.list_models());
+    search.use(sheets.search, sheets.cloths);
     const TraversalStats meant = search.find(sheets.cloths, sheets.thickness).traversal;
     for (std::size_t c = 0; c < count; ++c) {
         const ClothModel& model = sheets.models[c];
@@ -125,7 +119,7 @@ void self_broad_phase(benchmark::State& state, int side) {
 void self_search(benchmark::State& state, int side, bool listed) {
     LyingSheets& sheets = LyingSheets::of_side(side);
     SelfSearch search;
-    search.use(sheets.search, sheets.list_models());
+    search.use(sheets.search, sheets.cloths);
     SelfSearchReport report = search.find(sheets.cloths, sheets.thickness);
     for (auto _ : state) {
         if (!listed) search.forget();

@@ -67,7 +67,7 @@ TEST(Capture, WritesARowOfEveryFieldForEachFrame) {
     ASSERT_EQ(rows.size(), 3u);
     Words wanted{"frame"};
     for (const ReportField& field : report_fields()) wanted.emplace_back(field.name);
-    for (const FrameField& field : frame_fields()) wanted.emplace_back(field.name);
+    for (const FrameField& field : frame_fields) wanted.emplace_back(field.name);
     for (const BallField& field : ball_fields()) wanted.emplace_back("ball0_" + std::string(field.name));
     EXPECT_EQ(rows[0], wanted);
     for (std::size_t i = 1; i < rows.size(); ++i) {
@@ -75,7 +75,7 @@ TEST(Capture, WritesARowOfEveryFieldForEachFrame) {
         EXPECT_EQ(rows[i][0], std::to_string(2 * i));
     }
     EXPECT_THAT(read_file(file), testing::StartsWith("# units: time [s], step_limit_ratio [1], "));
-    for (const FrameField& field : frame_fields()) {
+    for (const FrameField& field : frame_fields) {
         if (field.unit.empty()) continue;
         EXPECT_THAT(read_file(file), HasSubstr(", " + std::string(field.name) + " [" + std::string(field.unit) + "]"));
     }

@@ -30,16 +30,15 @@ double distance(const std::array<double, 3>& a, const std::array<double, 3>& b) 
 /// The value in [0, 1] whose colour is nearest.
 double value_of(const std::uint8_t* pixel) {
     const std::array<double, 3> seen = hue({pixel[0] / 255.0, pixel[1] / 255.0, pixel[2] / 255.0});
-    const auto colours = value_colours();
     double best = 0, nearest = 1e9;
     for (int step = 0; step <= 200; ++step) {
-        const double at = step / 200.0 * static_cast<double>(colours.size() - 1);
-        const auto first = std::min(static_cast<std::size_t>(at), colours.size() - 2);
+        const double at = step / 200.0 * static_cast<double>(value_colours.size() - 1);
+        const auto first = std::min(static_cast<std::size_t>(at), value_colours.size() - 2);
         const double part = at - static_cast<double>(first);
         std::array<double, 3> mixed;
         for (std::size_t k = 0; k < 3; ++k) {
-            mixed[k] =
-                (1 - part) * static_cast<double>(colours[first][k]) + part * static_cast<double>(colours[first + 1][k]);
+            mixed[k] = (1 - part) * static_cast<double>(value_colours[first][k]) +
+                       part * static_cast<double>(value_colours[first + 1][k]);
         }
         const double away = distance(hue(mixed), seen);
         if (away < nearest) nearest = away, best = step / 200.0;

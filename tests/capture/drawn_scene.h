@@ -3,7 +3,7 @@
 #include <string>
 #include <vector>
 
-#include "capture/offscreen_context.h"
+#include "capture/gl_context.h"
 #include "drape/render/renderer.h"
 #include "drape/scene/scene.h"
 #include "drape/scene/setting_table.h"

@@ -7,7 +7,7 @@
 
 #include "drape/bounds/fold_test.h"
 #include "drape/contact/closest_point.h"
-#include "drape/contact/feature_motion.h"
+#include "drape/contact/impact_zones.h"
 #include "drape/contact/near_pairs.h"
 #include "support/cloths.h"
 #include "support/exact_distance.h"

@@ -62,7 +62,7 @@ struct TwoCloths {
         const auto cloths = in_contact();
         const auto first = first_particles();
         if (!zones.find(pairs, cloths, first, min_gap)) return 0;
-        zones.prevent_crossing(pairs, cloths);
+        zones.prevent_crossing(pairs);
         return zones.particles();
     }
 

@@ -5,6 +5,7 @@
 #include <Eigen/Geometry>
 
 #include "drape/model/energy.h"
+#include "drape/model/stretch_limit.h"
 #include "support/cloths.h"
 
 namespace drape {

@@ -64,7 +64,7 @@ TEST_F(PlottedScene, BeginsAgainAfterAResetAndInAnotherScene) {
     keep(5);
     ASSERT_EQ(history_.size(), 1u);
     EXPECT_EQ(history_.time(0), 5);
-    for (std::size_t c = 0; c < plot_curve_count; ++c) EXPECT_TRUE(std::isfinite(history_.value(0, c))) << c;
+    for (std::size_t c = 0; c < plot_curves.size(); ++c) EXPECT_TRUE(std::isfinite(history_.value(0, c))) << c;
 }
 
 TEST_F(PlottedScene, CoversTenSecondsOfTheWallInSlowMotion) {
@@ -82,11 +82,11 @@ TEST_F(PlottedScene, CoversTenSecondsOfTheWallInSlowMotion) {
 
 TEST(Plots, HaveEachCurveOnce) {
     std::size_t next = 0;
-    for (const Plot& plot : plots()) {
+    for (const Plot& plot : plots) {
         EXPECT_EQ(plot.first, next) << plot.title;
         next = plot.end;
     }
-    EXPECT_EQ(next, plot_curve_count);
+    EXPECT_EQ(next, plot_curves.size());
     StepReport report;
     report.times = {.step = 1e-6, .build = 2e-6, .traverse = 3e-6, .narrow = 4e-6, .pairs = 5e-6, .respond = 6e-6};
     report.energy = {.kinetic = 7, .gravity = 8, .spring = 9};
@@ -94,8 +94,8 @@ TEST(Plots, HaveEachCurveOnce) {
     report.contacts = 13;
     report.step_limit_ratio = 0.5;
     const double expected[] = {1, 5, 9, 6, 24, 7, 12, 13, 10, 11, 0.5};
-    for (std::size_t c = 0; c < plot_curve_count; ++c) {
-        EXPECT_DOUBLE_EQ(plot_curves()[c].read(report), expected[c]) << plot_curves()[c].label;
+    for (std::size_t c = 0; c < plot_curves.size(); ++c) {
+        EXPECT_DOUBLE_EQ(plot_curves[c].read(report), expected[c]) << plot_curves[c].label;
     }
 }
 

@@ -2,7 +2,7 @@
 
 #include <gtest/gtest.h>
 
-#include "render/figures_panel.h"
+#include "render/panels.h"
 
 namespace drape {
 namespace {

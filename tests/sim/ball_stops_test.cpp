@@ -7,7 +7,7 @@
 #include <string>
 #include <vector>
 
-#include "drape/model/energy.h"
+#include "drape/model/stretch_limit.h"
 #include "small_scene.h"
 
 namespace drape {

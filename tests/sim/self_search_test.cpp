@@ -93,10 +93,9 @@ public:
           model_(make_cloth_model(sheet_.parameters())),
           step_(seed % 5 == 0 ? Real(4e-3) : Real(5e-4)),
           before_(sheet_.at(0)) {
-        const ClothModel* const models[] = {&model_};
         search_.use(
             {.volume = seed % 2 == 0 ? VolumeKind::Sphere : VolumeKind::Aabb, .leaf_cells = seed % 3 == 0 ? 9 : 4},
-            models);
+            cloths());
     }
 
     /// The next substep. @return whether it made a list

@@ -26,15 +26,18 @@ private:
     std::unique_ptr<T> object_;
 };
 
-/// A container that copies of its owner begin without: what it holds is made again where it is needed.
+/// A container, or a shared pointer, that copies of its owner begin without: what it holds is made again where it is
+/// needed.
 template <class Container>
 class ScratchOnCopy : public Container {
 public:
+    using Container::operator=;
+
     ScratchOnCopy() = default;
     ScratchOnCopy(const ScratchOnCopy& /*other*/) : Container() {}
     ScratchOnCopy(ScratchOnCopy&&) noexcept = default;
     ScratchOnCopy& operator=(const ScratchOnCopy& /*other*/) {
-        this->clear();
+        static_cast<Container&>(*this) = Container();
         return *this;
     }
     ScratchOnCopy& operator=(ScratchOnCopy&&) noexcept = default;

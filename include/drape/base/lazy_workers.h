@@ -3,8 +3,8 @@
 #include <algorithm>
 #include <functional>
 #include <memory>
-#include <utility>
 
+#include "drape/base/copied.h"
 #include "drape/base/workers.h"
 
 namespace drape {
@@ -12,16 +12,6 @@ namespace drape {
 /// Workers that start when there is work for more than one of them; a copy starts its own.
 class LazyWorkers {
 public:
-    LazyWorkers() = default;
-    LazyWorkers(const LazyWorkers& other) : threads_(other.threads_) {}
-    LazyWorkers(LazyWorkers&&) noexcept = default;
-    LazyWorkers& operator=(LazyWorkers other) noexcept {
-        threads_ = other.threads_;
-        workers_ = std::move(other.workers_);
-        return *this;
-    }
-    ~LazyWorkers() = default;
-
     /// @param threads the caller's own included, at least 1
     void use(int threads) {
         if (threads != threads_) workers_.reset();
@@ -33,7 +23,7 @@ public:
     template <class Work>
     void run(std::size_t most, Work work) {
         int parts = static_cast<int>(std::clamp<std::size_t>(most, 1, static_cast<std::size_t>(threads_)));
-        if (parts > 1 && !workers_) workers_ = std::make_unique<Workers>(threads_);
+        if (parts > 1 && !workers_) workers_ = std::make_shared<Workers>(threads_);
         if (parts > 1) parts = std::min(parts, workers_->threads());
         if (parts == 1) return work(0, 1);
         const auto part_of = [&](int part) { work(part, parts); };
@@ -42,7 +32,7 @@ public:
 
 private:
     int threads_ = 1;
-    std::unique_ptr<Workers> workers_;
+    ScratchOnCopy<std::shared_ptr<Workers>> workers_;
 };
 
 }  // namespace drape

@@ -26,8 +26,7 @@ public:
     [[nodiscard]] Real displacement(std::size_t leaf, const Patch& patch, Kernels kernels) const;
 
 private:
-    std::vector<std::size_t> starts_;  ///< of each node's copy: all x, then all y, then all z; leaves only
-    std::vector<Real> coordinates_;
+    std::vector<Points> copies_;  ///< of each leaf's particles, row by row; empty for other nodes
 };
 
 }  // namespace drape

@@ -23,16 +23,30 @@ struct Body : Ball {
     [[nodiscard]] bool is_ground() const { return solid == nullptr && radius == 0; }
 
     /// From a point to its surface, at the end of the substep.
-    [[nodiscard]] SurfaceDistance measure(const Vec3& p) const;
+    [[nodiscard]] SurfaceDistance measure(const Vec3& p) const {
+        if (solid != nullptr) return solid->measure(p);
+        if (is_ground()) return {p.y() - centre.y(), Vec3(0, 1, 0)};
+        const Vec3 offset = p - centre;
+        const Real distance = offset.norm();
+        return {distance - radius, distance > 0 ? Vec3(offset / distance) : Vec3(0, 1, 0)};
+    }
 
     /// From a ball's centre to where it touches; zero for all else, which does not turn.
     /// @param outwards out of this body, length 1
     [[nodiscard]] Vec3 arm(const Vec3& outwards) const { return radius * outwards; }
 };
 
-/// @param ball, solid stays where it is as long as the body is used
-Body body_of(const Ball& ball, const Surface& surface);
-Body body_of(const Solid& solid, const Surface& surface);
-Body body_of(const Ground& ground);
+inline Body body_of(const Ball& ball, const Surface& surface) { return {ball, nullptr, surface}; }
+
+/// @param solid stays where it is as long as the body is used
+inline Body body_of(const Solid& solid, const Surface& surface) {
+    return {{.centre = solid.position, .radius = 0, .velocity = solid.velocity, .moved = solid.moved}, &solid, surface};
+}
+
+inline Body body_of(const Ground& ground) {
+    return {{.centre = Vec3(0, ground.height, 0), .radius = 0},
+            nullptr,
+            {ground.friction, ground.restitution, ground.rolling}};
+}
 
 }  // namespace drape

@@ -17,6 +17,15 @@ struct ClosestPoint {
 /// @par Cost constant, no square root
 ClosestPoint closest_point_on_triangle(const Vec3& p, const Vec3& a, const Vec3& b, const Vec3& c);
 
+/// Position or velocity of one particle.
+inline Vec3 position(const Points& x, int particle) { return x.row(particle).transpose(); }
+
+/// The point of a triangle of a cloth that is closest to p.
+/// @param x n x 3 [m]
+inline ClosestPoint closest_point(const Points& x, const std::array<int, 3>& corners, const Vec3& p) {
+    return closest_point_on_triangle(p, position(x, corners[0]), position(x, corners[1]), position(x, corners[2]));
+}
+
 /// The points of two segments that are closest to each other.
 struct ClosestOfSegments {
     Real first = 0, second = 0;  ///< weight of each segment's end, from 0 at its start to 1

@@ -2,8 +2,8 @@
 
 #include <memory>
 #include <span>
-#include <vector>
 
+#include "drape/base/copied.h"
 #include "drape/base/enum_names.h"
 #include "drape/base/kernels.h"
 #include "drape/contact/body.h"
@@ -70,12 +70,6 @@ Real penalty_step_limit(Real stiffness, Real restitution, Real inverse_mass, Rea
 /// Answers contacts, and owns what that needs; a copy makes its own.
 class ContactSolver {
 public:
-    ContactSolver();
-    ContactSolver(const ContactSolver& other);
-    ContactSolver(ContactSolver&& other) noexcept;
-    ContactSolver& operator=(ContactSolver other) noexcept;
-    ~ContactSolver();
-
     /// Room for as many contacts without allocating, but for no more than a hundred thousand: a scene with more of them
     /// at a time makes more room once.
     /// @param particles of all cloths
@@ -100,7 +94,9 @@ public:
     struct Scratch;
 
 private:
-    std::unique_ptr<Scratch> scratch_;
+    Scratch& scratch();
+
+    ScratchOnCopy<std::shared_ptr<Scratch>> scratch_;  ///< made when it is first needed
 };
 
 }  // namespace drape

@@ -52,7 +52,4 @@ double held_power(const ClothModel& model, const Points& x, const Points& v, int
 EnergyFlow compute_energy_around(const ClothModel& model, const Points& x, const Points& v, const GridRange& range,
                                  Kernels kernels);
 
-/// The largest relative elongation |d|/L0 - 1 over the structural springs.
-Real largest_stretch(const ClothModel& model, const Points& x);
-
 }  // namespace drape

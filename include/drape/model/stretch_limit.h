@@ -15,6 +15,9 @@ struct StretchReport {
     int sweeps = 0;
 };
 
+/// The largest relative elongation |d|/L0 - 1 over the structural springs.
+[[nodiscard]] Real largest_stretch(const ClothModel& model, const Points& x);
+
 /// By how much the most stretched structural spring exceeds the model's limit, of its rest length; 0: none does, or
 /// there is no limit.
 /// @par Cost one pass over two springs a particle; nothing without a limit

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <array>
 #include <cstdint>
 #include <memory>
 #include <optional>
@@ -30,7 +31,13 @@ struct FrameField {
     std::string_view unit;
     double (*read)(const FrameReport&);
 };
-std::span<const FrameField> frame_fields();
+inline constexpr std::array frame_fields{
+    FrameField{"gl_calls", "", [](const FrameReport& r) { return r.gl_calls; }},
+    FrameField{"vertices", "", [](const FrameReport& r) { return r.vertices; }},
+    FrameField{"draw_time", "s", [](const FrameReport& r) { return r.draw_time; }},
+    FrameField{"rate", "1/s", [](const FrameReport& r) { return r.rate; }},
+    FrameField{"cpu", "", [](const FrameReport& r) { return r.cpu; }},
+};
 
 /// In which scenes a line is shown.
 enum class ShownIn { AnyScene, ScenesWithBall, ScenesWithoutBall };

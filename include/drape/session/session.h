@@ -15,7 +15,6 @@
 #include "drape/session/recording.h"
 #include "drape/session/step_times.h"
 #include "drape/sim/simulation.h"
-#include "drape/sim/timeline.h"
 
 namespace drape {
 

@@ -2,7 +2,6 @@
 
 #include <cmath>
 #include <span>
-#include <vector>
 
 #include "drape/model/cloth_model.h"
 #include "drape/sim/cloth_energy.h"

@@ -2,7 +2,6 @@
 
 #include <optional>
 #include <span>
-#include <vector>
 
 #include "drape/contact/response.h"
 #include "drape/model/stretch_limit.h"

@@ -76,11 +76,8 @@ public:
     /// present positions; its nodes marked by what the queries do to them. No contact depends on it.
     void show(const Points& x, std::span<const Ball> balls, Real thickness);
 
-    /// Marks the nodes of the shown hierarchy by what a search against another one, or itself, does to them as well.
-    /// @param folds, pairs as `BroadPhase::query` has them @pre `show` was called for both
-    TraversalStats mark_pairs(const ContactSearch& other, Real margin, const FoldTest* folds,
-                              std::vector<LeafPair>& pairs);
-
+    /// A query marks its nodes.
+    [[nodiscard]] BroadPhase& hierarchy() { return *hierarchy_; }
     [[nodiscard]] const BroadPhase& hierarchy() const { return *hierarchy_; }
 
 private:

@@ -108,8 +108,6 @@ private:
         ResponseParameters response;
         std::vector<ClothInContact> cloths;
         std::vector<Body> bodies;  ///< balls, then solids, then the ground
-
-        void clear() { *this = {}; }
     };
 
     void go_on(Stage from, Stage to);

@@ -34,12 +34,11 @@ public:
     static constexpr int max_pairs = 200;
 
     /// Starts from nothing with these cloths.
-    /// @param x their positions [m]
-    void use(const Settings& settings, std::span<const ClothModel* const> models, std::span<const Points* const> x);
+    void use(const Settings& settings, std::span<const ClothInContact> cloths);
 
     /// Goes on with other hierarchies, which find the same.
-    void use_hierarchy(const Settings& settings, std::span<const ClothModel* const> models);
-    void use(const BroadPhaseParameters& parameters, std::span<const ClothModel* const> models);
+    void use_hierarchy(const Settings& settings, std::span<const ClothInContact> cloths);
+    void use(const BroadPhaseParameters& parameters, std::span<const ClothInContact> cloths);
 
     /// What it finds does not depend on them.
     /// @param threads that share the work, at least 1
@@ -103,13 +102,11 @@ private:
         bool boxed = false;  ///< since the last list was begun
         Points kept;         ///< what the list was made from
         Real spacing;        ///< of its particles at rest [m]
-        Grid grid;
     };
 
-    std::int64_t count_crossings(std::span<const Points* const> x);
-    std::int64_t count_coincident(std::span<const Points* const> x);
+    std::int64_t count_coincident(std::span<const ClothInContact> cloths);
     template <class Count>
-    std::int64_t count_between(std::span<const Points* const> x, Real reach, Count count);
+    std::int64_t count_between(std::span<const ClothInContact> cloths, Real reach, Count count);
     void find_reaches(std::span<const ClothInContact> cloths, Real factor, Numbers& reaches, Numbers& strayed);
     void find_mean_motion(std::span<const ClothInContact> cloths);
     [[nodiscard]] Real next_ahead() const;

@@ -15,7 +15,6 @@
 #include "drape/sim/frame_view.h"
 #include "drape/sim/hand.h"
 #include "drape/sim/moving_pins.h"
-#include "drape/sim/pair_marks.h"
 #include "drape/sim/sleep_watch.h"
 #include "drape/sim/step_report.h"
 
@@ -146,7 +145,7 @@ private:
     int planned_substeps_ = 1;                    ///< for the stability limit alone
     ScratchOnCopy<std::vector<Body>> obstacles_;  ///< of balls that the keys lead
     ScratchOnCopy<std::vector<ClothView>> shown_;
-    PairMarks pair_marks_;                ///< on the hierarchies that are shown
+    ScratchOnCopy<std::vector<std::vector<int>>> pair_cells_;  ///< of each cloth that is shown
     std::int64_t counted_from_step_ = 0;  ///< since then dt has been what it is: no error adds up in the time
     double counted_from_time_ = 0;
     bool paused_ = false;

@@ -4,10 +4,10 @@
 #include <limits>
 #include <optional>
 
-#include "contact/contact_geometry.h"
 #include "contact/grid_features.h"
 #include "contact/kernels/near_cells.h"
 #include "deepest_point.h"
+#include "drape/contact/closest_point.h"
 #include "drape/contact/detection.h"
 
 namespace drape {

@@ -4,7 +4,6 @@
 #include <bit>
 #include <cstdint>
 #include <span>
-#include <vector>
 
 #include "drape/base/assert.h"
 #include "drape/bounds/broad_phase.h"

@@ -1,8 +1,9 @@
-#include "row_sweeps.h"
 
 #include <algorithm>
 #include <cmath>
 #include <limits>
+
+#include "contact/solve/sweeps.h"
 
 HWY_BEFORE_NAMESPACE();
 namespace drape::kernels::HWY_NAMESPACE {

@@ -3,9 +3,9 @@
 #include <cmath>
 #include <limits>
 
-#include "contact/contact_geometry.h"
 #include "contact/grid_features.h"
 #include "contact/tuning.h"
+#include "drape/contact/closest_point.h"
 #include "pair_tests.h"
 
 namespace drape {

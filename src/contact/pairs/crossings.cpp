@@ -6,7 +6,7 @@
 #include <limits>
 
 #include "cell_pairs.h"
-#include "contact/contact_geometry.h"
+#include "drape/contact/closest_point.h"
 
 namespace drape {
 namespace {

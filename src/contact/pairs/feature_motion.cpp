@@ -1,5 +1,3 @@
-#include "drape/contact/feature_motion.h"
-
 #include <algorithm>
 #include <cmath>
 #include <limits>
@@ -7,6 +5,7 @@
 #include "contact/advance.h"
 #include "contact/tuning.h"
 #include "drape/contact/closest_point.h"
+#include "drape/contact/impact_zones.h"
 
 namespace drape {
 namespace {

@@ -3,14 +3,10 @@
 #include <algorithm>
 #include <utility>
 
-#include "contact/contact_geometry.h"
+#include "drape/contact/closest_point.h"
 
 namespace drape {
 namespace {
-
-const ClothInContact& cloth_of(std::span<const ClothInContact> cloths, int number) {
-    return cloths[static_cast<std::size_t>(number)];
-}
 
 Vec3 displacement_of(const ClothInContact& cloth, int particle) {
     return position(cloth.state.x, particle) - position(cloth.before, particle);
@@ -28,10 +24,10 @@ int ImpactZones::zone_of(const NearPair& pair, std::size_t k) const {
 }
 
 /// As its particles are to move now.
-FeatureMotion ImpactZones::motion_of(const NearPair& pair, std::span<const ClothInContact> cloths) const {
+FeatureMotion ImpactZones::motion_of(const NearPair& pair) const {
     FeatureMotion motion{.first_count = pair.features.first_count};
     for (std::size_t k = 0; k < 4; ++k) {
-        const ClothInContact& cloth = cloth_of(cloths, pair.features.cloth_of(k));
+        const ClothInContact& cloth = cloth_of(pair.features.cloth_of(k));
         motion.start[k] = position(cloth.before, pair.features.particles[k]);
         motion.displacement[k] = displacement_of(cloth, pair.features.particles[k]);
     }
@@ -39,8 +35,8 @@ FeatureMotion ImpactZones::motion_of(const NearPair& pair, std::span<const Cloth
 }
 
 /// As they would have moved.
-FeatureMotion ImpactZones::free_motion_of(const NearPair& pair, std::span<const ClothInContact> cloths) const {
-    FeatureMotion motion = motion_of(pair, cloths);
+FeatureMotion ImpactZones::free_motion_of(const NearPair& pair) const {
+    FeatureMotion motion = motion_of(pair);
     for (std::size_t k = 0; k < 4; ++k) {
         const int zone = zone_of(pair, k);
         if (zone < 0) continue;
@@ -77,7 +73,7 @@ void ImpactZones::add(int zone, const Member& member) {
 }
 
 /// All particles of a pair, and of the zones that they are in, become one zone.
-void ImpactZones::join(const NearPair& pair, std::span<const ClothInContact> cloths, Real part) {
+void ImpactZones::join(const NearPair& pair, Real part) {
     int all = largest_zone_of(pair);
     if (all < 0) {
         all = static_cast<int>(zones_.size());
@@ -90,7 +86,7 @@ void ImpactZones::join(const NearPair& pair, std::span<const ClothInContact> clo
         const int other = zone_of(pair, k);
         if (other == all) continue;
         if (other < 0) {
-            const ClothInContact& cloth = cloth_of(cloths, number);
+            const ClothInContact& cloth = cloth_of(number);
             add(all, {number, particle, displacement_of(cloth, particle), position(cloth.state.v, particle)});
             continue;
         }
@@ -102,12 +98,12 @@ void ImpactZones::join(const NearPair& pair, std::span<const ClothInContact> clo
 
 /// The mean of what the members of a zone have, by mass. Where there are pinned ones, what the slowest of them has: a
 /// pin stays, and one that the hand leads may be held back.
-Vec3 ImpactZones::mean(std::span<const ClothInContact> cloths, const Zone& zone, Vec3 Member::*value) {
+Vec3 ImpactZones::mean(const Zone& zone, Vec3 Member::*value) const {
     Vec3 sum = Vec3::Zero();
     Real mass = 0;
     const Vec3* of_pinned = nullptr;
     for (const Member& member : zone.members) {
-        const ClothModel& model = cloth_of(cloths, member.cloth).model;
+        const ClothModel& model = cloth_of(member.cloth).model;
         const Vec3& own = member.*value;
         if (!model.pinned(member.particle)) {
             sum += model.particle_mass * own;
@@ -119,13 +115,12 @@ Vec3 ImpactZones::mean(std::span<const ClothInContact> cloths, const Zone& zone,
     return of_pinned ? *of_pinned : Vec3(sum / mass);
 }
 
-void ImpactZones::move_zones(std::span<const ClothInContact> cloths) const {
+void ImpactZones::move_zones() const {
     for (const Zone& zone : zones_) {
         if (zone.members.empty()) continue;
-        const Vec3 displacement = mean(cloths, zone, &Member::displacement),
-                   velocity = mean(cloths, zone, &Member::velocity);
+        const Vec3 displacement = mean(zone, &Member::displacement), velocity = mean(zone, &Member::velocity);
         for (const Member& member : zone.members) {
-            const ClothInContact& cloth = cloth_of(cloths, member.cloth);
+            const ClothInContact& cloth = cloth_of(member.cloth);
             cloth.state.x.row(member.particle) =
                 cloth.before.row(member.particle) +
                 (displacement + zone.part * (member.displacement - displacement)).transpose();
@@ -138,27 +133,28 @@ void ImpactZones::move_zones(std::span<const ClothInContact> cloths) const {
 bool ImpactZones::find(std::span<const NearPair> pairs, std::span<const ClothInContact> cloths,
                        std::span<const std::size_t> first, Real least) {
     least_ = least;
+    cloths_ = cloths;
     first_ = first;
     zone_of_.assign(first.back(), -1);
     place_in_.resize(first.back());
     zones_.clear();
     for (const NearPair& pair : pairs) {
         if (pair.distance == 0) continue;
-        const Real part = safe_part_of(free_motion_of(pair, cloths), pair.distance, least_);
-        if (part < 1) join(pair, cloths, part);
+        const Real part = safe_part_of(free_motion_of(pair), pair.distance, least_);
+        if (part < 1) join(pair, part);
     }
     return !zones_.empty();
 }
 
 /// Within a zone only that part of the motion is made in which no pair of it meets, whatever its other particles do.
-void ImpactZones::prevent_crossing(std::span<const NearPair> pairs, std::span<const ClothInContact> cloths) {
+void ImpactZones::prevent_crossing(std::span<const NearPair> pairs) {
     for (bool meets = true; meets;) {
-        move_zones(cloths);
+        move_zones();
         meets = false;
         for (const NearPair& pair : pairs) {
             if (pair.distance == 0 || largest_zone_of(pair) < 0 || within_one_zone(pair)) continue;
-            if (safe_part_of(motion_of(pair, cloths), pair.distance, least_) == 1) continue;
-            join(pair, cloths, safe_part_of(free_motion_of(pair, cloths), pair.distance, least_));
+            if (safe_part_of(motion_of(pair), pair.distance, least_) == 1) continue;
+            join(pair, safe_part_of(free_motion_of(pair), pair.distance, least_));
             meets = true;
         }
     }

@@ -4,7 +4,6 @@
 #include <span>
 
 #include "cell_pairs.h"
-#include "contact/contact_geometry.h"
 #include "contact/grid_features.h"
 #include "drape/contact/closest_point.h"
 #include "pair_tests.h"

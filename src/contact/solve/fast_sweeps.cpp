@@ -2,7 +2,6 @@
 
 #include <utility>
 
-#include "contact/kernels/row_sweeps.h"
 #include "drape/base/assert.h"
 
 namespace drape {

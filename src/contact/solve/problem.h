@@ -4,8 +4,8 @@
 #include <array>
 #include <vector>
 
-#include "contact/contact_geometry.h"
 #include "contact/tuning.h"
+#include "drape/contact/closest_point.h"
 #include "drape/contact/response.h"
 
 namespace drape {

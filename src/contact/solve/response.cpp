@@ -10,17 +10,10 @@ namespace {
 constexpr std::size_t max_reserved = 100'000;  // contacts
 
 ResponseReport respond_in_kind(ContactProblem& problem) {
-    switch (problem.parameters.kind) {
-        case ResponseKind::Projection:
-            return respond_by_projection(problem);
-        case ResponseKind::Penalty:
-            return respond_by_penalties(problem);
-        case ResponseKind::Impulse:
-            return respond_by_impulses(problem);
-        case ResponseKind::Hybrid:
-            return respond_by_hybrid(problem);
-    }
-    return {};
+    // In the order of the kinds
+    constexpr std::array responses{respond_by_projection, respond_by_penalties, respond_by_impulses, respond_by_hybrid};
+    static_assert(responses.size() == enum_names<ResponseKind>.size(), "every kind has its response");
+    return responses[static_cast<std::size_t>(problem.parameters.kind)](problem);
 }
 
 void include_pairs_alone(ContactProblem& problem, bool pairs) {
@@ -47,18 +40,14 @@ ResponseReport respond(ContactProblem& problem) {
 
 }  // namespace
 
-ContactSolver::ContactSolver() : scratch_(std::make_unique<Scratch>()) {}
-ContactSolver::ContactSolver(const ContactSolver& /*other*/) : ContactSolver() {}
-ContactSolver::ContactSolver(ContactSolver&& other) noexcept = default;
-ContactSolver& ContactSolver::operator=(ContactSolver other) noexcept {
-    scratch_ = std::move(other.scratch_);
-    return *this;
+ContactSolver::Scratch& ContactSolver::scratch() {
+    if (!scratch_) scratch_ = std::make_shared<Scratch>();
+    return *scratch_;
 }
-ContactSolver::~ContactSolver() = default;
 
 void ContactSolver::reserve(std::size_t contacts, std::size_t particles) {
     const std::size_t count = std::min(contacts, max_reserved);
-    Scratch& scratch = *scratch_;
+    Scratch& scratch = this->scratch();
     scratch.place_of.resize(particles);
     scratch.states.reserve(count);
     scratch.particles.reserve(count);
@@ -87,7 +76,7 @@ ResponseReport ContactSolver::resolve(const ResponseParameters& parameters, Real
                            .cloths = cloths,
                            .bodies = bodies,
                            .rows = rows,
-                           .scratch = *scratch_};
+                           .scratch = scratch()};
     prepare(problem);
     const double before = kinetic_energy(bodies);
     ResponseReport report = respond(problem);

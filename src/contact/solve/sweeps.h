@@ -54,6 +54,15 @@ void order_rows(ContactProblem& problem);
 /// `solve` over compact rows in that order, with the bits of the plain code.
 Sweeps solve_compact(ContactProblem& problem, ContactMotion& motion, Real tolerance);
 
+namespace kernels {
+
+/// One sweep of `solve` over compact rows, with the bits of the plain code.
+/// @param motion of the particles
+/// @return the square of the largest change
+Real sweep_rows(std::span<Real4> motion, std::span<CompactRow> rows);
+
+}  // namespace kernels
+
 /// Tolerances: of displacements, a small part of what gravity moves a particle by within a step or, if more, of the
 /// thickness between cloths that touch, or the last digits of a metre; of velocities, what that is within a step, but
 /// between cloths no more than what is seen as rest.

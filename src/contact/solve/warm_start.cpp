@@ -2,8 +2,8 @@
 
 #include <algorithm>
 
-#include "contact/contact_geometry.h"
 #include "contact/pairs/pair_tests.h"
+#include "drape/contact/closest_point.h"
 #include "mobility.h"
 
 namespace drape {

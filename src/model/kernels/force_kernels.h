@@ -69,6 +69,9 @@ private:
     std::vector<CacheLine> memory_;
 };
 
+/// As `drape::add_wind_forces`, cell by cell.
+void add_wind_forces(const ClothModel& model, const Points& x, const Points& v, Points& f);
+
 /// Copies what other parts may overwrite while this one is swept: the rows next to it.
 void copy_neighbours(const ForceInput& input, ForceScratch& scratch);
 

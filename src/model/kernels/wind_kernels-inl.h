@@ -1,4 +1,4 @@
-#include "model/kernels/wind_kernels.h"
+#include "model/kernels/force_kernels.h"
 
 #include <algorithm>
 #include <cmath>

@@ -12,7 +12,7 @@
 #include <string>
 #include <vector>
 
-#include "capture/offscreen_context.h"
+#include "capture/gl_context.h"
 #include "drape/base/input_error.h"
 #include "drape/base/numbers.h"
 #include "drape/base/run_program.h"

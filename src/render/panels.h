@@ -2,8 +2,10 @@
 
 #include <string>
 
+#include "cloth_colours.h"
 #include "drape/render/renderer.h"
 #include "panel_boxes.h"
+#include "plot_history.h"
 
 namespace drape {
 
@@ -22,5 +24,19 @@ std::string time_text(double microseconds);
 /// @param last what the frame before this one cost
 /// @return the panel's right edge [pixel]
 float figures_panel(const FrameView& view, const FrameReport& last, const PanelFont& title, const OverlayPage& page);
+
+/// What the plots take [font size].
+inline constexpr float plots_columns = 52.5f, plots_rows = 8;
+
+/// A few figures over the last ten seconds, as curves in a strip at the bottom: time by stage, energy, contacts, nodes,
+/// dt / limit.
+/// @return the height that is taken at the bottom [pixel]
+float plots_panel(const PlotHistory& history, const OverlayPage& page);
+
+/// The panel that says what the cloth's colours mean, at the lower right: a scale with numbers and a unit, or which
+/// colour is what. Nothing where there is no room.
+/// @param taken what is left of this belongs to others [pixel]
+/// @param level whose nodes are shown
+void colour_panel(const ColourScale& scale, int level, float taken, const OverlayPage& page);
 
 }  // namespace drape
