@@ -23,24 +23,6 @@ std::string shown_value(const Setting& setting, const Settings& settings) {
 constexpr std::array<std::string_view, 6> of_a_hierarchy{
     "contact.update", "contact.leaf_cells", "contact.sphere_fit", "contact.search_level", "view.bounds", "view.level"};
 
-bool solves_a_system(IntegratorKind integrator) {
-    switch (integrator) {
-        case IntegratorKind::BackwardEuler:
-        case IntegratorKind::ImplicitMidpoint:
-        case IntegratorKind::Bdf2:
-            return true;
-        case IntegratorKind::ExplicitEuler:
-        case IntegratorKind::SymplecticEuler:
-        case IntegratorKind::VelocityVerlet:
-        case IntegratorKind::Rk4:
-        case IntegratorKind::Xpbd:
-        case IntegratorKind::ProjectiveDynamics:
-        case IntegratorKind::DormandPrince:
-            break;
-    }
-    return false;
-}
-
 // Why a setting changes nothing here; empty if it does
 std::string why_without_effect(const std::string& name, const Settings& settings) {
     const VolumeKind volume = settings.contact.volume;

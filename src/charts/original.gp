@@ -16,8 +16,10 @@ unset key
 wanted(test, first, last) = column('test') == test && column('position') >= first && column('position') <= last
 here(test, first, last, volume, drawn) = wanted(test, first, last) && is('volume', volume) && column('drawn') == drawn ? \
                                          column('position') - first : NaN
-# Sphere and box each without volumes in the picture, then, for the frame rate, with them
-bars = "plot data using (here(test, first, last, 'sphere', 0)):5:6:7:(0.7) with boxerrorbars lc rgb blue lw 1.2, \
+# Sphere and box each without volumes in the picture, then, for the frame rate, with them; a point at zero is there where
+# no figure is
+bars = "plot '+' every ::0::0 using (0):(0) with dots lc rgb 'white', \
+        data using (here(test, first, last, 'sphere', 0)):5:6:7:(0.7) with boxerrorbars lc rgb blue lw 1.2, \
         '' using (here(test, first, last, 'aabb', 0)):5:6:7:(0.7) with boxerrorbars lc rgb red lw 1.2, \
         '' using (here(test, first, last, 'sphere', 1)):5:6:7:(0.7) with boxerrorbars fs pattern 4 lc rgb blue lw 1.2, \
         '' using (here(test, first, last, 'aabb', 1)):5:6:7:(0.7) with boxerrorbars fs pattern 4 lc rgb red lw 1.2, \

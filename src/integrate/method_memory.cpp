@@ -1,6 +1,7 @@
 #include <algorithm>
 #include <bit>
 
+#include "methods.h"
 #include "newton_system.h"
 
 namespace drape {
@@ -24,48 +25,19 @@ double numbers_of_system(const IntegratorParameters& parameters) {
     return (parameters.hessian == Hessian::Exact ? 75 : 39) + (parameters.newton_steps > 1 ? 15 : 0);
 }
 
-double numbers_of_arrays(const IntegratorParameters& parameters) {
-    switch (parameters.kind) {
-        case IntegratorKind::ExplicitEuler:
-        case IntegratorKind::SymplecticEuler:
-            return 3;
-        case IntegratorKind::VelocityVerlet:
-            return 9;
-        case IntegratorKind::Rk4:
-            return 15;
-        case IntegratorKind::BackwardEuler:
-        case IntegratorKind::ImplicitMidpoint:
-            return 12 + numbers_of_system(parameters);
-        case IntegratorKind::Bdf2:
-            return 30 + numbers_of_system(parameters);
-        case IntegratorKind::Xpbd:
-            return 15;
-        case IntegratorKind::ProjectiveDynamics:
-            return 30;
-        case IntegratorKind::DormandPrince:
-            return 57;
-    }
-    return 0;
-}
-
 /// Of multigrid, a particle: stencils and vectors of the finest level, a third of that for all others, and two blocks.
 constexpr double multigrid_bytes = sizeof(float) * (4.0 / 3 * (13 * 6 + 6 + 6 * 3) + 2 * 6);
 
-double factor_bytes(const IntegratorParameters& parameters, const Grid& grid) {
-    switch (parameters.kind) {
-        case IntegratorKind::ProjectiveDynamics:
+/// What a method keeps to solve with, a particle.
+double kept_bytes(const IntegratorParameters& parameters, const Grid& grid) {
+    switch (method_of(parameters.kind).keeps) {
+        case Keeps::ScalarFactors:
             return entry * factor_entries(grid);
-        case IntegratorKind::BackwardEuler:
-        case IntegratorKind::ImplicitMidpoint:
-        case IntegratorKind::Bdf2:
-            return (NewtonSystem::keeps_factors(grid, parameters.hessian) ? entry * block_factor_entries(grid) : 0) +
+        case Keeps::NewtonSystem:
+            return sizeof(Real) * numbers_of_system(parameters) +
+                   (NewtonSystem::keeps_factors(grid, parameters.hessian) ? entry * block_factor_entries(grid) : 0) +
                    (NewtonSystem::keeps_multigrid(grid, parameters.hessian) ? multigrid_bytes : 0);
-        case IntegratorKind::ExplicitEuler:
-        case IntegratorKind::SymplecticEuler:
-        case IntegratorKind::VelocityVerlet:
-        case IntegratorKind::Rk4:
-        case IntegratorKind::Xpbd:
-        case IntegratorKind::DormandPrince:
+        case Keeps::Nothing:
             break;
     }
     return 0;
@@ -76,7 +48,8 @@ double factor_bytes(const IntegratorParameters& parameters, const Grid& grid) {
 double bytes_of_method(const IntegratorParameters& parameters, const Grid& grid) {
     constexpr double rows_of_a_sweep = 109, margins = 36;
     const double sweep = sizeof(Real) * rows_of_a_sweep * (grid.nx + margins);
-    return sweep + grid.particles() * (sizeof(Real) * numbers_of_arrays(parameters) + factor_bytes(parameters, grid));
+    return sweep +
+           grid.particles() * (sizeof(Real) * method_of(parameters.kind).numbers + kept_bytes(parameters, grid));
 }
 
 }  // namespace drape

@@ -3,58 +3,17 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
-#include <complex>
 #include <limits>
 
 #include "drape/model/forces.h"
 #include "least_limit.h"
+#include "methods.h"
 
 namespace drape {
 namespace {
 
-/// Where |R(h lambda)| of RK4 reaches 1, for the faster root lambda of lambda^2 + d lambda + k = 0.
-double longest_of_rk4(double k, double d) {
-    using Complex = std::complex<double>;
-    constexpr double rounding = 1e-12;
-    const double root = d * d - 4 * k;
-    const Complex lambda = root > 0 ? Complex(-(d + std::sqrt(root)) / 2, 0) : Complex(-d / 2, std::sqrt(-root) / 2);
-    double stable = 0, unstable = 4 / std::sqrt(std::norm(lambda));  // it does not reach three
-    for (int bisection = 0; bisection < 50; ++bisection) {
-        const double middle = (stable + unstable) / 2;
-        const Complex z = middle * lambda, factor = 1. + z * (1. + z / 2. * (1. + z / 3. * (1. + z / 4.)));
-        (std::norm(factor) <= 1 + rounding ? stable : unstable) = middle;
-    }
-    return stable;
-}
-
-/// The longest step of a method for a vibration, but where k and d are both 0.
-using LongestStep = double (*)(double k, double d);
-
-/// Null for a method without a limit. Every method is here by name: a new one does not compile until it is, too.
-LongestStep limit_of_method(IntegratorKind kind) {
-    switch (kind) {
-        case IntegratorKind::ExplicitEuler:
-            return [](double k, double d) { return d * d <= 4 * k ? d / k : 4 / (d + std::sqrt(d * d - 4 * k)); };
-        case IntegratorKind::SymplecticEuler:
-            return [](double k, double d) { return 4 / (d + std::sqrt(d * d + 4 * k)); };
-        case IntegratorKind::VelocityVerlet:
-            // A factor of -1 at h^2 k + 2 h d - h^2 d^2 = 4, or one of 1 at h d = 2
-            return [](double k, double d) { return k >= d * d ? 4 / (d + std::sqrt(4 * k - 3 * d * d)) : 2 / d; };
-        case IntegratorKind::Rk4:
-            return longest_of_rk4;
-        case IntegratorKind::BackwardEuler:
-        case IntegratorKind::ImplicitMidpoint:
-        case IntegratorKind::Bdf2:
-        case IntegratorKind::Xpbd:
-        case IntegratorKind::ProjectiveDynamics:
-        case IntegratorKind::DormandPrince:
-            break;
-    }
-    return nullptr;
-}
-
 double longest(IntegratorKind kind, double k, double d) {
-    const LongestStep limit = limit_of_method(kind);
+    const LongestStep limit = method_of(kind).longest_step;
     return limit == nullptr || (k == 0 && d == 0) ? std::numeric_limits<double>::infinity() : limit(k, d);
 }
 
@@ -152,7 +111,7 @@ StepLimit limit_of(const ClothModel& model, const ClothState& state, IntegratorK
 
 }  // namespace
 
-bool has_step_limit(IntegratorKind kind) { return limit_of_method(kind) != nullptr; }
+bool has_step_limit(IntegratorKind kind) { return method_of(kind).longest_step != nullptr; }
 
 Real longest_step(IntegratorKind kind, Real k, Real d) {
     return static_cast<Real>(longest(kind, static_cast<double>(k), static_cast<double>(d)));

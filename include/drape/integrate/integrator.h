@@ -117,6 +117,12 @@ public:
 /// 1/2 where a step is exact for it, else 1. (Explicit Euler, which displaces it in the next step only, counts as 1.)
 Real displacement_factor(IntegratorKind kind);
 
+/// Whether a method makes as many iterations in a step as `IntegratorParameters::iterations` says.
+bool has_iterations(IntegratorKind kind);
+
+/// Whether a method solves a linear system with the Jacobian of the forces: backward Euler, implicit midpoint, BDF2.
+bool solves_a_system(IntegratorKind kind);
+
 /// @param grid of the cloths it will step; the scratch arrays are made here
 std::unique_ptr<Integrator> make_integrator(const IntegratorParameters& parameters, const Grid& grid);
 

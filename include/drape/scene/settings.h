@@ -258,11 +258,6 @@ struct Settings {
 /// Of cloths and free balls [m/s^2].
 [[nodiscard]] Vec3 gravity_of(const Settings& settings);
 
-/// Whether a method makes as many iterations in a step as `SolverSettings::iterations` says.
-[[nodiscard]] inline bool has_iterations(IntegratorKind kind) {
-    return kind == IntegratorKind::Xpbd || kind == IntegratorKind::ProjectiveDynamics;
-}
-
 /// The integrator that the settings name.
 [[nodiscard]] IntegratorParameters integrator_of(const SolverSettings& solver);
 

@@ -1,0 +1,66 @@
+#!/bin/bash
+# Makes docs/data.md, which says for each table of docs/ where it is from and whether its code has changed since:
+# data.sh [--check]. What is measured stands in `measured` beside this file. With --check the page is not changed, and it
+# is a fault (exit code 1) where it calls data fresh that is not, or lacks a table; 77 without the history.
+set -eu
+export LC_ALL=C
+here=$(cd "$(dirname "$0")" && pwd)
+cd "$here/../.."
+status=0
+git rev-parse --git-dir >/dev/null 2>&1 && [ "$(git rev-parse --is-shallow-repository)" = false ] || {
+    echo "there is no history here"
+    exit 77
+}
+
+# How many commits have changed what a table measures since it was made; nothing if that is not known
+changes() {
+    local commit=$1
+    shift
+    git merge-base --is-ancestor "$commit" HEAD 2>/dev/null && git rev-list --count "$commit..HEAD" -- "$@"
+}
+
+page() {
+    cat <<'END'
+# The data
+
+Each table of the other pages, and each chart, is made from one of these files. This list says which command made it, of
+which commit, on what and when, and whether the code that it measures has changed since. Made by `tests/docs/data.sh`; a
+test holds it to the history.
+
+| Data | Command | Commit | Date | Machine | Run | The code since |
+| --- | --- | --- | --- | --- | --- | --- |
+END
+    local data command paths commit since
+    while IFS='|' read -r first paths; do
+        read -r data command <<<"$first"
+        value() { sed -n "s/^# $1: //p" "docs/$data" | head -n 1; }
+        commit=$(value commit)
+        since=$(changes "${commit%%[!0-9a-f]*}" $paths) || since=unknown
+        case $since in
+            0) [[ $commit == *[!0-9a-f]* ]] && since="changed" || since="the same" ;;
+            *) since="changed" ;;
+        esac
+        [[ $paths == *[a-z]* ]] || since="a record of the past"
+        echo "| [$data]($data) | ${command:+\`$command\`} | $commit | $(value date) | $(value machine) | $(value settings) | $since |" |
+            sed 's/`-`//'
+    done < <(grep '^[a-z]' "$here/measured")
+}
+
+for data in docs/*.csv; do
+    grep -q "^$(basename "$data") " "$here/measured" || { echo "tests/docs/measured lacks $data"; status=1; }
+done
+for path in $(sed -n 's/^[a-z].*|//p' "$here/measured"); do
+    [ "$path" = - ] || [ -e "$path" ] || { echo "tests/docs/measured: there is no $path"; status=1; }
+done
+if [ "${1-}" != --check ]; then
+    made=$(page)
+    echo "$made" >docs/data.md
+else
+    # Data that is called changed may be so called
+    lenient() { sed 's/ | changed |$/ | the same |/'; }
+    page | grep ' | changed |$' | while IFS= read -r line; do
+        grep -qxF "$line" docs/data.md || { echo "docs/data.md: not so: $line"; exit 1; }
+    done || status=1
+    diff <(page | lenient) <(lenient <docs/data.md) || status=1
+fi
+exit "$status"
