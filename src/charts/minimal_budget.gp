@@ -1,7 +1,7 @@
 # How far the motion moves where one knob at a time is as in the full model, and what that costs: a group a scene.
 # scenes; cost_SCENE: of the scene as it is [s/s]
 eval paper(830, 430)
-set title 'What each part of a model adds to the error, and the price of having it' font ',13'
+set title 'How far the motion moves with one part of the full model, and at how many times the cost' font ',13'
 knobs = 'particles bend drag integrator dt'
 titles = '"particles of the full model" "bend springs" "drag" "Dormand-Prince" "half the step"'
 array colours[5] = [blue, sky, pink, orange, green]

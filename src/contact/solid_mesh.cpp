@@ -36,34 +36,41 @@ Real square_between(const MeshBox& box, const MeshBox& other) {
     return (box.min() - other.max()).cwiseMax(other.min() - box.max()).cwiseMax(Vec3::Zero()).squaredNorm();
 }
 
-/// Whether all of a triangle is on one side of another's plane, farther from it than a distance.
+/// Whether all of a triangle is on one side of another's plane, clearly farther from it than a distance. Of a triangle
+/// that has none but for rounding, nothing is said.
 bool is_beyond(const std::array<Vec3, 3>& triangle, const std::array<Vec3, 3>& other, Real square) {
-    const Vec3 normal = (other[1] - other[0]).cross(other[2] - other[0]);
+    const Vec3 u = other[1] - other[0], v = other[2] - other[0], normal = u.cross(v);
+    constexpr Real thin = 64 * std::numeric_limits<Real>::epsilon(), margin = Real(0.999);
+    if (!(normal.squaredNorm() > thin * u.squaredNorm() * v.squaredNorm())) return false;
     const Real a = normal.dot(triangle[0] - other[0]), b = normal.dot(triangle[1] - other[0]),
                c = normal.dot(triangle[2] - other[0]);
     const Real least = std::max(std::min({a, b, c}), -std::max({a, b, c}));
-    return least > 0 && least * least > square * normal.squaredNorm();
+    return least > 0 && margin * least * least > square * normal.squaredNorm();
 }
 
-/// The least distance of two triangles that is below `square`, or that: of a corner of the second, of two sides, or
-/// zero where a side goes through. Corners of the first are left to others.
+/// The least distance of two triangles that is below `square`, or that: of a corner of the second, or of two sides.
+/// Corners of the first are left to others. Less than zero where a side of one goes through the other.
 Real square_between(const std::array<Vec3, 3>& first, const std::array<Vec3, 3>& second, Real square) {
     if (is_beyond(first, second, square) || is_beyond(second, first, square)) return square;
-    const auto look_at = [&square](const Vec3& p, const std::array<Vec3, 3>& triangle) {
-        const Vec3 nearest = closest_point_on_triangle(p, triangle[0], triangle[1], triangle[2]).point;
-        square = std::min(square, (nearest - p).squaredNorm());
+    const auto square_to_triangle = [](const Vec3& p, const std::array<Vec3, 3>& triangle) {
+        return (closest_point_on_triangle(p, triangle[0], triangle[1], triangle[2]).point - p).squaredNorm();
     };
-    const auto look_through = [&](const std::array<Vec3, 3>& sides, const std::array<Vec3, 3>& triangle) {
+    const auto pierces = [&](const std::array<Vec3, 3>& sides, const std::array<Vec3, 3>& triangle) {
         const Vec3 normal = (triangle[1] - triangle[0]).cross(triangle[2] - triangle[0]);
         for (std::size_t k = 0; k < 3; ++k) {
-            const Vec3 &p = sides[k], &q = sides[(k + 1) % 3];
-            const Real height = normal.dot(p - triangle[0]), next = normal.dot(q - triangle[0]);
-            if (height * next < 0) look_at(p + height / (height - next) * (q - p), triangle);
+            const Vec3 &p = sides[k], side = sides[(k + 1) % 3] - p;
+            const Real height = normal.dot(p - triangle[0]), rise = normal.dot(side);
+            if (height * (height + rise) >= 0) continue;
+            constexpr Real rounding = 1024 * std::numeric_limits<Real>::epsilon();
+            const Real off = square_to_triangle(p - height / rise * side, triangle);
+            if (off <= rounding * side.squaredNorm()) return true;
+            // As near as that where the plane is hardly one
+            square = std::min(square, off);
         }
+        return false;
     };
-    for (const Vec3& corner : second) look_at(corner, first);
-    look_through(first, second);
-    look_through(second, first);
+    if (pierces(first, second) || pierces(second, first)) return -1;
+    for (const Vec3& corner : second) square = std::min(square, square_to_triangle(corner, first));
     for (std::size_t k = 0; k < 3; ++k) {
         for (std::size_t l = 0; l < 3; ++l) {
             const auto sides = closest_of_segments(first[k], first[(k + 1) % 3], second[l], second[(l + 1) % 3]);
@@ -121,6 +128,7 @@ public:
         for (const Vec3& corner : triangle) box.extend(corner);
         Real square = asked * asked;
         near(all_, triangle, box, square);
+        if (square < 0) return SolidShape::clearance(triangle, asked);
         return std::sqrt(square) * (1 - bound_rounding);
     }
 
@@ -214,7 +222,7 @@ private:
         if (std::max(to_left, to_right) < closest.square) search(right_first ? left : right, p, closest);
     }
 
-    /// @param square of the least distance so far
+    /// @param square of the least distance so far; less than zero, which ends the search, once the triangle is pierced
     void near(const Subtree& subtree, const std::array<Vec3, 3>& triangle, const MeshBox& box, Real& square) const {
         if (subtree.node < 0) {
             square = square_between(triangle, corners_[static_cast<std::size_t>(subtree.index)], square);

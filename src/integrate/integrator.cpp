@@ -7,19 +7,25 @@
 namespace drape {
 
 const MethodRow& method_of(IntegratorKind kind) {
-    using enum Keeps;
     // In the order of the kinds
     static constexpr std::array<MethodRow, 10> rows{{
-        {make_euler, longest_step_of_explicit_euler, 1, 0, 3, Nothing, false},
-        {make_euler, longest_step_of_symplectic_euler, 1, 0, 3, Nothing, false},
-        {make_velocity_verlet, longest_step_of_velocity_verlet, 0.5, 0, 9, Nothing, false},
-        {make_rk4, longest_step_of_rk4, 0.5, 0, 15, Nothing, false},
-        {make_theta_method, nullptr, 1, 1e-4, 12, NewtonSystem, false},
-        {make_theta_method, nullptr, 0.5, 1e-6, 12, NewtonSystem, false},
-        {make_bdf2, nullptr, 1, 1e-4, 30, NewtonSystem, false},
-        {make_xpbd, nullptr, 1, 0, 15, Nothing, true},
-        {make_projective_dynamics, nullptr, 1, 0, 30, ScalarFactors, true},
-        {make_dormand_prince, nullptr, 0.5, 1e-6, 57, Nothing, false},
+        {.make = make_euler, .longest_step = longest_step_of_explicit_euler, .numbers = 3},
+        {.make = make_euler, .longest_step = longest_step_of_symplectic_euler, .numbers = 3},
+        {.make = make_velocity_verlet,
+         .longest_step = longest_step_of_velocity_verlet,
+         .displacement = 0.5,
+         .numbers = 9},
+        {.make = make_rk4, .longest_step = longest_step_of_rk4, .displacement = 0.5, .numbers = 15},
+        {.make = make_theta_method, .tolerance = 1e-4, .numbers = 12, .keeps = Keeps::NewtonSystem},
+        {.make = make_theta_method,
+         .displacement = 0.5,
+         .tolerance = 1e-6,
+         .numbers = 12,
+         .keeps = Keeps::NewtonSystem},
+        {.make = make_bdf2, .tolerance = 1e-4, .numbers = 30, .keeps = Keeps::NewtonSystem},
+        {.make = make_xpbd, .numbers = 15, .iterates = true},
+        {.make = make_projective_dynamics, .numbers = 30, .keeps = Keeps::ScalarFactors, .iterates = true},
+        {.make = make_dormand_prince, .displacement = 0.5, .tolerance = 1e-6, .numbers = 57},
     }};
     static_assert(rows.size() == enum_names<IntegratorKind>.size(), "every kind has its row");
     static_assert(rows.back().make != nullptr, "and no row is left empty");

@@ -14,12 +14,12 @@ using LongestStep = double (*)(double k, double d);
 /// All that has to be known of a kind of integrator: its row in the table of `method_of`.
 struct MethodRow {
     std::unique_ptr<Integrator> (*make)(const IntegratorParameters& parameters, const Grid& grid);
-    LongestStep longest_step;  ///< null where no step is too long
-    double displacement;       ///< see `displacement_factor`
-    double tolerance;          ///< see `tolerance_of`; of a linear solve, with the clamped Hessian
-    double numbers;            ///< of its own arrays, a particle
-    Keeps keeps;
-    bool iterates;  ///< as many times as it is told
+    LongestStep longest_step = nullptr;  ///< null where no step is too long
+    double displacement = 1;             ///< see `displacement_factor`
+    double tolerance = 0;                ///< see `tolerance_of`; of a linear solve, with the clamped Hessian
+    double numbers;                      ///< a particle, of the arrays that its class has: three for each of Points
+    Keeps keeps = Keeps::Nothing;
+    bool iterates = false;  ///< as many times as it is told
 };
 
 /// @par Cost constant

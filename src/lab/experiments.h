@@ -57,7 +57,7 @@ Experiment solve_experiment();
 Experiment realtime_experiment();
 
 /// How much model each scene needs: what is taken away from the full one until a need breaks, what one notch less of
-/// each knob breaks, and what each knob adds to the error.
+/// each knob breaks, and how far the motion moves with one knob as in the full model.
 Experiment minimal_experiment();
 
 /// Which steps of each method hold a cloth, which leave it soft, and at which it blows up.

@@ -56,12 +56,16 @@ TEST_F(WindowTest, TheSettingsPanelComparesTheRunWithTheValueThatIsChosen) {
     const long long scrolled = last_step();
     EXPECT_TRUE(test::eventually([&] { return last_step() > scrolled; })) << "no hash of a later step";
     EXPECT_EQ(commands().size(), before) << "over the panel the wheel scrolls it";
-    // Lost where the panel still has the pointer
+    // A turn of the wheel is lost where the panel still has the pointer
     ASSERT_TRUE(test::eventually([&] {
         desktop_.move_to(100, 300);
         desktop_.click(4);
         return test::eventually([&] { return recorded_now("zoom ", before); }, 5);
     }));
+    const std::vector<std::string> zooms = commands();
+    for (std::size_t k = before; k < zooms.size(); ++k) {
+        EXPECT_EQ(zooms[k], zooms.back()) << "of the turns beside the panel, none of that over it";
+    }
     quit();
 }
 

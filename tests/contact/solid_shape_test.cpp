@@ -107,8 +107,7 @@ TEST(SolidShape, AMeshIsAsFarAsItsTrianglesWhateverItsDents) {
     }
 }
 
-/// Whatever bound is claimed, also a wrong one.
-/// Half of the triangles cross the surface, or have it cross them, between their corners.
+/// Some triangles cross the surface, or have it cross them, between their corners, which are outside.
 TEST(SolidShape, NoPointOfATriangleIsNearerToAMeshThanItsClearance) {
     std::mt19937 random(11);
     const auto mesh = make_mesh_shape(spiky(random));
@@ -129,15 +128,16 @@ TEST(SolidShape, NoPointOfATriangleIsNearerToAMeshThanItsClearance) {
             }
         }
         const Real clearance = mesh->clearance(triangle, corners);
-        EXPECT_LE(clearance, std::max(lowest, Real(0)) + Real(1e-6)) << trial;
+        EXPECT_LE(clearance, lowest + Real(1e-6)) << trial;
         // And it is no idle bound: samples are no farther apart than this
         const Real apart = ((triangle[1] - triangle[0]).norm() + (triangle[2] - triangle[0]).norm()) / parts;
-        EXPECT_GE(clearance, lowest - apart) << trial;
+        EXPECT_TRUE(lowest <= apart || clearance >= lowest - apart) << trial;
         bounded += clearance > corners / 2;
     }
     EXPECT_GT(bounded, 50);
 }
 
+/// Whatever bound is claimed, also a wrong one.
 TEST(SolidShape, AMeshIsMeasuredTheSameWhereItIsKnownToBeNear) {
     std::mt19937 random(4);
     const auto mesh = make_mesh_shape(spiky(random));

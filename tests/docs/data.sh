@@ -12,11 +12,15 @@ git rev-parse --git-dir >/dev/null 2>&1 && [ "$(git rev-parse --is-shallow-repos
     exit 77
 }
 
-# How many commits have changed what a table measures since it was made; nothing if that is not known
-changes() {
-    local commit=$1
+# Whether what a table measures is as it was in a commit: paths of src/ stand for those of include/drape/, too
+is_the_same() {
+    local commit=$1 all=() path
     shift
-    git merge-base --is-ancestor "$commit" HEAD 2>/dev/null && git rev-list --count "$commit..HEAD" -- "$@"
+    for path; do
+        all+=("$path")
+        [ ! -e "include/drape/${path#src/}" ] || all+=("include/drape/${path#src/}")
+    done
+    git merge-base --is-ancestor "$commit" HEAD 2>/dev/null && git diff --quiet "$commit" -- "${all[@]}"
 }
 
 page() {
@@ -35,11 +39,8 @@ END
         read -r data command <<<"$first"
         value() { sed -n "s/^# $1: //p" "docs/$data" | head -n 1; }
         commit=$(value commit)
-        since=$(changes "${commit%%[!0-9a-f]*}" $paths) || since=unknown
-        case $since in
-            0) [[ $commit == *[!0-9a-f]* ]] && since="changed" || since="the same" ;;
-            *) since="changed" ;;
-        esac
+        since=changed
+        [[ $commit == *[!0-9a-f]* ]] || ! is_the_same "$commit" $paths || since="the same"
         [[ $paths == *[a-z]* ]] || since="a record of the past"
         echo "| [$data]($data) | ${command:+\`$command\`} | $commit | $(value date) | $(value machine) | $(value settings) | $since |" |
             sed 's/`-`//'

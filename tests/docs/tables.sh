@@ -85,7 +85,7 @@ status=0 tables=0
 for page in "$docs"/*.md "$docs"/course/*.md "$docs"/../README.md; do
     [ -e "$page" ] || continue  # no course, or no README, beside these pages
     inside=false up=''
-    [[ $page != */course/* ]] || up=../
+    case ${page#"$docs"/} in course/*) up=../ ;; ../*) up=docs/ ;; esac
     while IFS= read -r line || [ -n "$line" ]; do
         if [[ $line =~ ^'<!-- table '([a-z_]+)' '([a-z_]+\.csv)' -->'$ ]]; then
             $inside && { echo "$page: a table begins before the end of the one above: $line" >&2; exit 2; }

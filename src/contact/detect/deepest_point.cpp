@@ -144,7 +144,7 @@ NearestPoint find_nearest_point(const Solid& solid, const Corners& corners,
     const DeepestPoint corner = lowest_corner(corners, at_corners);
     const Real least = std::min(limit, corner.surface.distance - deeper_than_corners);
     Real bound = bound_of(solid, corners, at_corners);
-    if (bound < least && corner.surface.distance > 0) {
+    if (bound < least && least > 0) {
         const Real asked = least + clearance_asked * (corner.surface.distance - least);
         bound = std::max(bound, solid.clearance(corners, asked));
     }

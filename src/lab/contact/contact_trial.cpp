@@ -100,25 +100,27 @@ bool ContactTrial::touches_front(int triangle) const {
 
 std::vector<int> ContactTrial::touched_triangles() const {
     std::vector<int> triangles;
-    const auto look_at = [&](int cell) {
+    const auto look_at = [&](int cell, std::optional<int> with_particle = {}) {
         for (const int triangle : {2 * cell, 2 * cell + 1}) {
-            if (touches_front(triangle)) triangles.push_back(triangle);
+            const auto corners = grid().triangle_corners(triangle);
+            const bool has_it = !with_particle || std::ranges::find(corners, *with_particle) != corners.end();
+            if (has_it && touches_front(triangle)) triangles.push_back(triangle);
         }
     };
     for (const CellRun& run : cloths_[0].search.candidates(0).cells) {
         const int first = run.row * grid().cell_columns() + run.column;
         for (int cell = first; cell < first + run.count; ++cell) look_at(cell);
     }
-    // What carried impulses have pushed out of the search's reach is a contact that was found
+    // What carried impulses have moved out of the search's reach is a contact that was found
+    constexpr int ball_of_scene = 0;
     for (const ContactRow& row : stage_.rows()) {
-        if (!row.is_of_cloth() || row.kind == RowKind::Node || !row.has_impulse()) continue;
-        for (const RowParticle& pushed : row.moved()) {
-            const int i = pushed.particle % grid().nx, j = pushed.particle / grid().nx;
-            for (const int row_of_cells : {j - 1, j}) {
-                for (const int column : {i - 1, i}) {
-                    const bool inside = std::min(row_of_cells, column) >= 0 && column < grid().cell_columns() &&
-                                        row_of_cells < grid().cell_rows();
-                    if (inside) look_at(row_of_cells * grid().cell_columns() + column);
+        const bool is_of_ball = row.kind == RowKind::Particle || row.kind == RowKind::Triangle;
+        if (!is_of_ball || row.body != ball_of_scene || !row.has_impulse()) continue;
+        for (const RowParticle& moved : row.moved()) {
+            const int i = moved.particle % grid().nx, j = moved.particle / grid().nx;
+            for (int r = std::max(j - 1, 0); r < std::min(j + 1, grid().cell_rows()); ++r) {
+                for (int c = std::max(i - 1, 0); c < std::min(i + 1, grid().cell_columns()); ++c) {
+                    look_at(r * grid().cell_columns() + c, moved.particle);
                 }
             }
         }

@@ -22,7 +22,7 @@ struct MinimalRow {
     double miss = no_number;                        ///< the worst of what was measured over what is allowed
     double cost = no_number;                        ///< CPU time of a simulated second [s/s]
     double moved = no_number;  ///< in `budget`: how far the motion is from that of the scene, of the cloth's side
-    std::string outcome;       ///< kept, dearer (than the cheapest so far) or rejected (a need is broken)
+    std::string outcome;  ///< kept, costlier than the cheapest so far, or rejected; in `budget` compared or diverged
 };
 
 using MinimalRows = std::vector<MinimalRow>;
@@ -57,7 +57,7 @@ MinimalRows run_ladder(const std::string& scene) {
     (void)search(needs, [&](const Attempt& attempt, const std::string& outcome) {
         rows.push_back(row_of("ladder", scene, needs, attempt));
         const bool kept = outcome.starts_with("kept") || outcome.starts_with("cheapest");
-        if (attempt.qualifies() && !kept) rows.back().outcome = "dearer";
+        if (attempt.qualifies() && !kept) rows.back().outcome = "costlier";
     });
     return rows;
 }
@@ -77,7 +77,7 @@ MinimalRows run_notches(const std::string& scene) {
 }
 
 /// The scene with one knob at a time as its full model has it (the step: half as long), the others as they are; a step
-/// that is then too long is divided.
+/// that is then too long is divided. Only the error is compared, not what else the scene needs.
 MinimalRows run_budget(const std::string& scene) {
     const Needs needs(load_scene(scene));
     const Settings &as_it_is = needs.scene(), &full = needs.full();
@@ -92,6 +92,8 @@ MinimalRows run_budget(const std::string& scene) {
         if (!moved.diverged) attempt.error = needs.error_of(moved);
         rows.push_back(row_of("budget", scene, needs, attempt));
         rows.back().changed = changed;
+        rows.back().miss = no_number;
+        rows.back().outcome = moved.diverged ? "diverged" : "compared";
         if (!moved.diverged) rows.back().moved = needs.difference(moved, motion);
     };
     add("none", as_it_is, motion);
@@ -189,7 +191,7 @@ Experiment minimal_experiment() {
           {number_column("miss").or_nan(), &Row::miss},
           {positive_column("cost_s_per_s").or_nan(), &Row::cost},
           {number_column("moved").or_nan(), &Row::moved},
-          {word_column("outcome", {"kept", "dearer", "rejected"}), &Row::outcome}}},
+          {word_column("outcome", {"kept", "costlier", "rejected", "compared", "diverged"}), &Row::outcome}}},
         {{"ladder", cases_of(run_ladder, {"hang"}, searched), ladder_summary, ladder_charts},
          {"notches", cases_of(run_notches, {"hang"}, scenes_with_needs()), line_of_each(told), no_charts},
          {"budget", cases_of(run_budget, {"hang"}, searched), line_of_each(told), budget_charts}}};

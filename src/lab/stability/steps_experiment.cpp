@@ -23,6 +23,9 @@ struct StepsRow {
 /// A picture shows no less of error and stretch than this.
 constexpr double visible = 0.01;
 
+/// Of springs at twice their length nothing is left to see.
+constexpr double ruinous = 1;
+
 std::vector<Method> methods() {
     return methods_named({"explicit_euler", "symplectic_euler", "velocity_verlet", "rk4", "dormand_prince",
                           "backward_euler", "implicit_midpoint", "bdf2", "xpbd_1", "xpbd_20",
@@ -59,7 +62,7 @@ StepsRow run_step(const Method& method, double step, const Settings& scene, cons
     row.cost = run.cost;
     row.error = motion_error(run, truth, settings.needs.measure, 1);
     row.excess = std::max(run.stretch - truth.stretch, 0.0);
-    row.end = row.excess > visible ? "soft" : row.error > visible ? "off" : "held";
+    row.end = row.excess > ruinous ? "ruined" : row.excess > visible ? "soft" : row.error > visible ? "off" : "held";
     return row;
 }
 
@@ -85,7 +88,7 @@ std::vector<Chart> steps_charts(const std::vector<StepsRow>& rows) {
     return {{"steps",
              "steps",
              "A sheet that falls and swings, hung by two corners, by each method and step: held within 1 % of the "
-             "converged motion and its stretch, off by more, stretched by more, or blown up.",
+             "converged motion and its stretch, off by more, stretched by more or to ruin, or blown up.",
              {{"methods", in_words(words_of(rows, &StepsRow::method))}}}};
 }
 
@@ -102,7 +105,7 @@ Experiment steps_experiment() {
                                {number_column("stretch_excess").or_nan(), &Row::excess},
                                {positive_column("step_over_limit").or_nan(), &Row::limit_ratio},
                                {positive_column("cost_s_per_s").or_nan(), &Row::cost},
-                               {word_column("end", {"held", "off", "soft", "blew_up"}), &Row::end}}},
+                               {word_column("end", {"held", "off", "soft", "ruined", "blew_up"}), &Row::end}}},
                              {{"", steps_cases, line_of_each(line), steps_charts}}};
 }
 

@@ -17,6 +17,9 @@ TEST(SegmentAndTriangle, DoNotCrossBesideOrShortOfIt) {
     const Vec3 a(0, 0, 0), b(1, 0, 0), c(0, 1, 0);
     EXPECT_FALSE(exercise_12::crosses({0.2f, 0.2f, 2}, {0.2f, 0.2f, 1}, a, b, c))
         << "Hint: both ends are on one side of the plane.";
-    EXPECT_FALSE(exercise_12::crosses({2, 2, 1}, {2, 2, -1}, a, b, c))
-        << "Hint: it crosses the plane, but beside the triangle: one of p q a b, p q b c, p q c a has another sign.";
+    for (const Vec3& beside : {Vec3(2, 2, 0), Vec3(-1, 0.2f, 0), Vec3(0.2f, -1, 0), Vec3(3, -1, 0), Vec3(-1, 3, 0)}) {
+        EXPECT_FALSE(exercise_12::crosses(beside + Vec3(0, 0, 1), beside - Vec3(0, 0, 1), a, b, c))
+            << "Hint: it crosses the plane, but beside the triangle: one of p q a b, p q b c, p q c a has another "
+               "sign.";
+    }
 }
