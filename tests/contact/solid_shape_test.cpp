@@ -129,9 +129,8 @@ TEST(SolidShape, NoPointOfATriangleIsNearerToAMeshThanItsClearance) {
         }
         const Real clearance = mesh->clearance(triangle, corners);
         EXPECT_LE(clearance, lowest + Real(1e-6)) << trial;
-        // And it is no idle bound: samples are no farther apart than this
-        const Real apart = ((triangle[1] - triangle[0]).norm() + (triangle[2] - triangle[0]).norm()) / parts;
-        EXPECT_TRUE(lowest <= apart || clearance >= lowest - apart) << trial;
+        const Real between_samples = ((triangle[1] - triangle[0]).norm() + (triangle[2] - triangle[0]).norm()) / parts;
+        EXPECT_TRUE(lowest <= between_samples || clearance >= lowest - between_samples) << trial;
         bounded += clearance > corners / 2;
     }
     EXPECT_GT(bounded, 50);

@@ -9,8 +9,7 @@ namespace exercise_09 {
 /// The ground never pulls, and friction is at most mu times the normal impulse.
 /// @param n from the ground to the block, of length 1
 /// @param inverse_mass of the block [1/kg], mu the friction coefficient
-/// @param total what the block has got so far: `normal` along n, `friction` a vector across it; `total.about(n)` is
-/// both
+/// @param total so far: `normal` along n, `friction` a vector across it; `total.about(n)` is both [N s]
 inline void solve_row(const drape::Vec3& n, drape::Real inverse_mass, drape::Real mu, drape::Vec3& velocity,
                       drape::RowImpulse& total) {
     (void)n, (void)inverse_mass, (void)mu, (void)velocity, (void)total;  // your turn
