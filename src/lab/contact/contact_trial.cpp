@@ -133,7 +133,7 @@ std::vector<int> ContactTrial::touched_triangles() const {
         if (std::ranges::any_of(stage_.rows(), is_its)) add_triangles(grid(), node, triangles);
     }
     std::ranges::sort(triangles);
-    triangles.erase(std::ranges::unique(triangles).begin(), triangles.end());
+    triangles.erase(std::unique(triangles.begin(), triangles.end()), triangles.end());
     return triangles;
 }
 
