@@ -12,6 +12,13 @@ git rev-parse --git-dir >/dev/null 2>&1 && [ "$(git rev-parse --is-shallow-repos
     exit 77
 }
 
+for commit in $(sed -n 's/^# commit: \([0-9a-f]*\).*/\1/p' docs/*.csv | sort -u); do
+    git cat-file -e "$commit^{commit}" 2>/dev/null || {
+        echo "the history here lacks $commit"
+        exit 77
+    }
+done
+
 # Whether what a table measures is as it was in a commit: paths of src/ stand for those of include/drape/, too
 is_the_same() {
     local commit=$1 all=() path
