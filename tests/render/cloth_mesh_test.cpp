@@ -86,7 +86,7 @@ TEST(ClothMesh, HasPlacesInMetresAndTrianglesThatEndAtCornerB) {
         std::array<int, 3> corners = grid.triangle_corners(static_cast<int>(t));
         std::array<int, 3> drawn;
         for (std::size_t k = 0; k < 3; ++k) drawn[k] = static_cast<int>(indices[3 * t + k]);
-        while (drawn[0] != corners[0]) std::ranges::rotate(drawn, drawn.begin() + 1);
+        while (drawn[0] != corners[0]) std::rotate(drawn.begin(), drawn.begin() + 1, drawn.end());
         EXPECT_EQ(drawn, corners) << "the same side is the front";
     }
 }
