@@ -46,6 +46,7 @@ Window::Window(Session& session, const Options& options, const StopSignals& sign
     renderer_->set_hint(first_hints());
     hinting_ = true;
     renderer_->set_scene(session.simulation().settings());
+    scene_watch_.watch(session.simulation().scene());
     if (options.tour) {
         carry_out(go_to_stop(0));
         show_stop();
@@ -81,6 +82,8 @@ void Window::on_tick() {
     show_drawn();
     follow_replay();
     dirty_ |= shown_.ease_towards(camera_, elapsed);
+    follow_scene_file(elapsed);
+    repeat_shot();
     tell_of_drops();
 
     const Simulation& simulation = session_.simulation();
@@ -155,6 +158,7 @@ void Window::draw(FrameView view, DrawnFor use) {
     if (view.settings->view.panel == PanelSize::Full) view.search = search_timer_.look(view);
     std::vector<std::string> lines = notices_.lines(session_.replay_notice());
     for (std::string& line : state_notices(session_.simulation(), failure_file_)) lines.push_back(std::move(line));
+    if (!scene_error_.empty()) lines.push_back(scene_error_);
     renderer_->draw(view, shown_, lines, use);
     drawn_step_ = view.report->step;
 }
@@ -215,7 +219,31 @@ void Window::tell_of_drops() {
                                 " s of simulation skipped");
 }
 
+// A replay and a tour have scenes of their own
+void Window::follow_scene_file(double elapsed) {
+    if (touring_ || session_.timeline().replay || !scene_watch_.saved(elapsed)) return;
+    dirty_ = true;
+    const command::LoadScene again{session_.simulation().scene()};
+    try {
+        session_.send(again);
+    } catch (const InputError& error) {
+        scene_error_ = one_line(std::string("The scene as it was stays: ") + error.what());
+        return tell("drape: " + scene_error_);
+    }
+    follow(again);
+    notices_.add("scene", "The scene begins again, as its file was saved");
+}
+
+void Window::repeat_shot() {
+    if (session_.timeline().replay) shot_repeat_.end();
+    const std::vector<Command> commands = shot_repeat_.due(session_.simulation());
+    carry_out(commands);
+    if (commands.size() > 1) notices_.add("repeat", "Once more, ten times as slow");
+}
+
 void Window::start_scene() {
+    scene_watch_.watch(session_.simulation().scene());
+    scene_error_.clear();
     camera_ = shown_ = Camera(session_.simulation().settings().view);
     renderer_->set_scene(session_.simulation().settings());
     renderer_->set_hint({});

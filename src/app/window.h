@@ -21,6 +21,8 @@
 #include "options.h"
 #include "picture_pace.h"
 #include "pointer.h"
+#include "scene_watch.h"
+#include "shot_repeat.h"
 #include "steering.h"
 #include "window_video.h"
 
@@ -96,6 +98,8 @@ private:
     void tell_of_failure();
     void tell_of_takeovers_and_dangers();
     void tell_whose_ball();
+    void follow_scene_file(double elapsed);
+    void repeat_shot();
     void start_scene();
     void show_title();
     void draw(FrameView view, DrawnFor use);
@@ -122,8 +126,11 @@ private:
     std::optional<Menu> menu_;
     Stopwatch clock_;  ///< since the last tick
     std::exception_ptr failure_;
-    std::string failure_file_;      // what tells of the file of the last failure
-    std::string told_failure_;      ///< of which it tells
+    std::string failure_file_;  // what tells of the file of the last failure
+    std::string told_failure_;  ///< of which it tells
+    ShotRepeat shot_repeat_;
+    SceneWatch scene_watch_;
+    std::string scene_error_;       ///< of the scene's file as it was last saved; empty: none
     int takeovers_ = 0;             ///< of which the user was told
     int crossing_dangers_ = 0;      ///< likewise
     double frame_time_ = 1.0 / 60;  ///< from tick to tick [s]

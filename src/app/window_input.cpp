@@ -311,6 +311,7 @@ bool Window::carry_out(const Command& command) {
 
 // What the session has carried out
 void Window::follow(const Command& command) {
+    shot_repeat_.follow(command);
     camera_.apply(command, session_.view());
     if (changes_scene(command)) start_scene();
     if (!begins_again(command)) return;

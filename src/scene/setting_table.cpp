@@ -285,6 +285,8 @@ void add_the_rest(std::vector<Setting>& table) {
     view.add("target", &ViewSettings::target, "m", lengths, "what the camera looks at");
     view.add("speed", &ViewSettings::speed, "", {1e-4, 100},
              "simulated seconds in a second at the window: 1 is real time, less is slow motion");
+    view.add("repeat", &ViewSettings::repeat, "s", {0, 10},
+             "time at which the window begins the scene again, once, ten times as slow; 0: never");
     view.add("fabric", &ViewSettings::fabric, "what the cloth looks like; plain: one colour in simple light");
     view.add("palette", &ViewSettings::palette, "colours of cloths, ground and wall");
 

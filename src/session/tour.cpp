@@ -34,7 +34,7 @@ constexpr std::array<TourStop, 12> stops{{
      1.2},
     {"Tunnelling", "bullet",
      "contact.self=false,contact.continuous=false,solver.dt=5e-3,solver.integrator=backward_euler,ball.velocity=0,1,60,"
-     "view.speed=0.05",
+     "view.speed=0.5,view.repeat=0.06",
      "The ball is tested at the ends of each step only: at 60 m/s it is through the cloth in between.",
      "M, Contact: set continuous to auto, then R.", "src/contact/detect/cloth_contacts.cpp", 0.05},
     {"Friction", "slide", "", "With a friction coefficient of 0.05 the cloth slides off the ball and down the incline.",

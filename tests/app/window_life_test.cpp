@@ -252,6 +252,39 @@ TEST_F(WindowTest, WithoutADisplayTheTourIsDrawnOffScreen) {
     EXPECT_EQ(pictures.size(), tour_stops().size()) << "each is another";
 }
 
+TEST_F(WindowTest, ASceneThatIsSavedBeginsAgain) {
+    const auto save = [this](const std::string& text) { std::ofstream(file("mine.toml")) << text; };
+    const auto is_titled = [this](const std::string& title) {
+        return eventually([&] { return desktop_.act({"getwindowname", window_}) == "Drape - " + title; });
+    };
+    save("title = 'first'\n[cloth]\n");
+    start({"mine.toml"});
+    EXPECT_TRUE(is_titled("first"));
+    save("title = 'second one'\n[cloth]\n");
+    EXPECT_TRUE(is_titled("second one"));
+    EXPECT_TRUE(recorded("scene mine.toml"));
+    const std::size_t so_far = commands().size();
+    const long long step = last_step();
+    save("title = 'third'\n[cloth]\nparticles = [1, 2]\n");
+    ASSERT_TRUE(eventually([this] { return drape_->standard_error().find("mine.toml:3:") != std::string::npos; }));
+    EXPECT_TRUE(eventually([&] { return last_step() > step; })) << "the scene as it was goes on";
+    EXPECT_FALSE(recorded_now("scene", so_far));
+    save("title = 'the fourth'\n[cloth]\n");
+    EXPECT_TRUE(is_titled("the fourth"));
+    quit();
+}
+
+TEST_F(WindowTest, AShotIsShownOnceMoreSlowly) {
+    start({"bullet", "--set", "view.repeat=0.05"});
+    EXPECT_TRUE(recorded("set view.speed=1"));
+    EXPECT_EQ(commands(), (std::vector<std::string>{"set view.speed=0.1", "reset", "set view.speed=1"}));
+    desktop_.key("r");
+    EXPECT_TRUE(recorded("set view.speed=0.1", 3));
+    desktop_.key("x");
+    EXPECT_TRUE(recorded("set view.speed=1", 5)) << "what the user does has its own time";
+    quit();
+}
+
 TEST_F(WindowTest, BadInputIsToldBeforeAnythingOpens) {
     for (const std::string& display : {std::string(), desktop_.display()}) {
         Process wrong({program("drape"), "hang", "--set", "solver.dt=nan"}, {{"DISPLAY", display}}, folder_);
