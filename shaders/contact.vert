@@ -1,24 +1,35 @@
 #version 330 core
 #include "frame.glsl"
 layout(location = 0) in vec3 point;
-layout(location = 1) in vec3 normal;
-out vec2 within;  // within the dot; 0, 0 on the needle
+layout(location = 1) in vec3 force;   // in full lengths of an arrow
+layout(location = 2) in vec3 colour;
+out vec2 within;  // within the dot; 0, 0 on the arrow
+flat out vec3 ink;
 
-// A dot that faces the eye, and a needle along the contact normal
-const vec2 dot_corners[6] = vec2[](vec2(-1, -1), vec2(1, -1), vec2(-1, 1), vec2(-1, 1), vec2(1, -1), vec2(1, 1));
+// A dot that faces the eye, and an arrow along the force: a shaft and a head
+const vec2 square[6] = vec2[](vec2(-1, -1), vec2(1, -1), vec2(-1, 1), vec2(-1, 1), vec2(1, -1), vec2(1, 1));
+const float full_length = 48.0, head = 9.0;  // pixel
 
 void main() {
     vec3 to_eye = normalize(eye.xyz - point);
     float pixel = distance(eye.xyz, point) * 1.1 * viewport.w;
-    vec3 side = normalize(cross(normal, to_eye) + vec3(1e-6, 0.0, 0.0));
+    float strength = length(force), along = strength * full_length;
+    vec3 direction = force / max(strength, 1e-9);
+    vec3 side = normalize(cross(direction, to_eye) + vec3(1e-6, 0.0, 0.0));
     vec3 world = point;
+    within = vec2(0.0);
     if (gl_VertexID < 6) {
-        within = dot_corners[gl_VertexID];
-        world += (side * within.x + cross(to_eye, side) * within.y) * 3.2 * pixel;
+        within = square[gl_VertexID];
+        world += (side * within.x + cross(to_eye, side) * within.y) * 2.6 * pixel;
+    } else if (gl_VertexID < 12) {
+        vec2 corner = square[gl_VertexID - 6];
+        world += (side * corner.x * 1.1 + direction * (0.5 + 0.5 * corner.y) * max(along - head, 0.0)) * pixel;
     } else {
-        within = vec2(0.0);
-        world += gl_VertexID == 8 ? normal * 26.0 * pixel : side * (gl_VertexID == 6 ? 1.4 : -1.4) * pixel;
+        float tip = min(along, head);
+        float across = gl_VertexID == 14 ? 0.0 : (gl_VertexID == 12 ? 0.38 : -0.38) * tip;
+        world += (side * across + direction * (along - (gl_VertexID == 14 ? 0.0 : tip))) * pixel;
     }
     world += (eye.xyz - world) * 0.006;
+    ink = colour;
     gl_Position = view_projection * vec4(world, 1.0);
 }

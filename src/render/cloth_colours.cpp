@@ -10,15 +10,6 @@ namespace drape {
 
 namespace {
 
-// The least of 1, 2 and 5 times a power of ten that is not less, so that the scale seldom changes
-double round_number_above(double value) {
-    const double power = std::pow(10.0, std::floor(std::log10(value)));
-    for (const double factor : {1.0, 2.0, 5.0}) {
-        if (factor * power >= value * (1 - 1e-9)) return factor * power;
-    }
-    return 10 * power;
-}
-
 // Of each particle, the largest of its structural springs; compressed ones count as nothing
 void strains(const ClothView& cloth, float* values) {
     const Grid& grid = cloth.model.grid;
@@ -63,6 +54,14 @@ constexpr std::array<ColourScale, 7> scales{{
 }};
 
 }  // namespace
+
+double round_number_above(double value) {
+    const double power = std::pow(10.0, std::floor(std::log10(value)));
+    for (const double factor : {1.0, 2.0, 5.0}) {
+        if (factor * power >= value * (1 - 1e-9)) return factor * power;
+    }
+    return 10 * power;
+}
 
 void ClothColours::collect(const FrameView& view) {
     scale_ = *std::ranges::find(scales, view.settings->view.colour, &ColourScale::by);

@@ -26,6 +26,10 @@ inline constexpr std::array<std::array<float, 3>, 9> value_colours{{{0.267f, 0.0
 inline constexpr std::array<std::array<float, 3>, 4> group_colours{
     {{0.902f, 0.624f, 0.000f}, {0.000f, 0.447f, 0.698f}, {0.337f, 0.706f, 0.914f}, {0.941f, 0.894f, 0.259f}}};
 
+/// The least of 1, 2 and 5 times a power of ten that is not less, so that a scale seldom changes.
+/// @pre value > 0
+double round_number_above(double value);
+
 /// What a colour by value means: 0 to `most`.
 struct ColourScale {
     ColourBy by = ColourBy::Plain;

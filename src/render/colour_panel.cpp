@@ -3,14 +3,18 @@
 #include <imgui.h>
 
 #include <array>
+#include <optional>
 #include <string>
 
+#include "contact_forces.h"
 #include "format_text.h"
 #include "overlay_style.h"
 
 namespace drape {
 
 namespace {
+
+constexpr float legend_columns = 15;  // font size
 
 ImU32 ink_of(const std::array<float, 3>& colour) {
     return ImGui::GetColorU32(ImVec4{colour[0], colour[1], colour[2], 1});
@@ -46,18 +50,25 @@ void draw_swatch(ImVec2 corner, const std::array<float, 3>& colour, const char* 
     text_at({corner.x + 1.6f * line, corner.y}, ink::text, text);
 }
 
+// The panel, with its title. Where it begins; nothing where there is no room
+std::optional<ImVec2> begin_legend(const std::string& title, float rows, float taken, const OverlayPage& page) {
+    const float width = legend_columns * ImGui::GetFontSize() + 2 * page.margin;
+    const float height = rows * ImGui::GetTextLineHeightWithSpacing() + 2 * page.margin;
+    const ImVec2 panel{page.width - page.margin - width, page.height - page.margin - height};
+    if (panel.x < taken || panel.y < page.margin) return {};
+    draw_panel(panel, {width, height});
+    const ImVec2 line{panel.x + page.margin, panel.y + page.margin};
+    text_at(line, ink::wait, title);
+    return line;
+}
+
 }  // namespace
 
 void colour_panel(const ColourScale& scale, int level, float taken, const OverlayPage& page) {
-    const float row = ImGui::GetTextLineHeightWithSpacing(), size = ImGui::GetFontSize();
-    const float inner = 15 * size, width = inner + 2 * page.margin;
-    const float height = 3 * row + 2 * page.margin;
-    const ImVec2 panel{page.width - page.margin - width, page.height - page.margin - height};
-    if (panel.x < taken || panel.y < page.margin) return;
-    draw_panel(panel, {width, height});
-    const ImVec2 line{panel.x + page.margin, panel.y + page.margin};
-    text_at(line, ink::wait, title_of(scale, level));
-    const ImVec2 below{line.x, line.y + 1.25f * row};
+    const float row = ImGui::GetTextLineHeightWithSpacing(), size = ImGui::GetFontSize(), inner = legend_columns * size;
+    const auto line = begin_legend(title_of(scale, level), 3, taken, page);
+    if (!line) return;
+    const ImVec2 below{line->x, line->y + 1.25f * row};
     if (scale.by == ColourBy::Side) {
         draw_swatch(below, group_colours[0], "front");
         draw_swatch({below.x + inner / 2, below.y}, group_colours[1], "back");
@@ -69,6 +80,17 @@ void colour_panel(const ColourScale& scale, int level, float taken, const Overla
     } else {
         draw_scale(scale, below, inner);
     }
+}
+
+float force_panel(double full, float taken, const OverlayPage& page) {
+    const float row = ImGui::GetTextLineHeightWithSpacing(), size = ImGui::GetFontSize();
+    const auto line = begin_legend(format("force on cloth; longest: %g mN", 1e3 * full), 2.1f, taken, page);
+    if (!line) return 0;
+    constexpr std::array<const char*, hold_colours.size()> texts{"sticks", "slides", "no force"};
+    for (std::size_t k = 0; k < texts.size(); ++k) {
+        draw_swatch({line->x + 5 * size * static_cast<float>(k), line->y + 1.15f * row}, hold_colours[k], texts[k]);
+    }
+    return 2.1f * row + 3 * page.margin;
 }
 
 }  // namespace drape

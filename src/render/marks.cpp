@@ -1,8 +1,10 @@
 #include "marks.h"
 
 #include <algorithm>
+#include <limits>
 
 #include "cloth_mesh.h"
+#include "contact_forces.h"
 #include "drape/model/stencils.h"
 #include "drape/session/comparison.h"
 #include "frame_data.h"
@@ -13,7 +15,8 @@ namespace drape {
 namespace {
 
 struct ContactMark {
-    Eigen::Vector3f point, normal;
+    Eigen::Vector3f point, force;  // in full lengths of an arrow
+    std::array<float, 3> colour;
 };
 
 struct SphereMark {
@@ -28,7 +31,7 @@ struct EdgeMark {
 };
 
 constexpr int circles_per_sphere = 4;
-constexpr int contact_vertices = 9;
+constexpr int contact_vertices = 15;
 constexpr GLuint hidden_attribute = 5;  // of lines behind something: 1
 constexpr float bend_lift = 0.22f;      // of the bend springs over the cloth, in spacings
 
@@ -44,7 +47,7 @@ Marks::Marks(Gl& gl, StreamBuffer& stream)
       edge_program_(gl, "edge"),
       failure_program_(gl, "failure"),
       springs_(gl, stream, Region::Cloth, cloth_layout()),
-      contacts_(gl, stream, Region::Contacts, {sizeof(ContactMark), {{0, 3}, {1, 3}}, true}),
+      contacts_(gl, stream, Region::Contacts, {sizeof(ContactMark), {{0, 3}, {1, 3}, {2, 3}}, true}),
       spheres_(gl, stream, Region::Spheres, {sizeof(SphereMark), {{0, 3}, {1, 1}, {2, 1}}, true}),
       edges_(gl, stream, Region::Edges, {sizeof(EdgeMark), {{0, 3}, {1, 1}}}),
       no_vertices_(gl),
@@ -124,9 +127,12 @@ void Marks::index_springs(const FrameView& view) {
 void Marks::fill(const FrameView& view, StreamBuffer& stream) const {
     if (contact_count_ > 0) {
         auto* mark = stream.data<ContactMark>(Region::Contacts);
+        const Real full = std::max(static_cast<Real>(full_force(view)), std::numeric_limits<Real>::min());
         for (const ClothView& cloth : view.cloths) {
             for (const ContactRow& contact : cloth.contacts) {
-                *mark++ = {contact.point(cloth.x).cast<float>(), contact.normal.cast<float>()};
+                const auto [force, hold] = force_of(view, contact);
+                *mark++ = {contact.point(cloth.x).cast<float>(), (force / full).cast<float>(),
+                           hold_colours[static_cast<std::size_t>(hold)]};
             }
         }
     }

@@ -6,6 +6,7 @@
 #include <filesystem>
 #include <utility>
 
+#include "contact_forces.h"
 #include "panels.h"
 
 namespace drape {
@@ -302,6 +303,9 @@ bool OverlayPanels::build(FrameView view, const Camera& camera, const FrameRepor
 
 void OverlayPanels::legends(const FrameView& view, float taken, OverlayPage page) {
     if (view.settings->view.bounds) page.height -= hierarchy_.draw(view, taken, page);
+    if (const double full = view.settings->view.contacts ? full_force(view) : 0; full > 0) {
+        page.height -= force_panel(full, taken, page);
+    }
     if (colours.by != ColourBy::Plain) colour_panel(colours, shown_level(view).level, taken, page);
 }
 

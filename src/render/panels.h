@@ -39,4 +39,9 @@ float plots_panel(const PlotHistory& history, const OverlayPage& page);
 /// @param level whose nodes are shown
 void colour_panel(const ColourScale& scale, int level, float taken, const OverlayPage& page);
 
+/// Likewise for what arrows at contacts mean.
+/// @param full what one of full length stands for [N]
+/// @return the height that is taken at the bottom [pixel]
+float force_panel(double full, float taken, const OverlayPage& page);
+
 }  // namespace drape

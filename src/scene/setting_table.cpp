@@ -270,7 +270,7 @@ void add_the_rest(std::vector<Setting>& table) {
              "of the hierarchy whose bounds are shown; 0 is the root, and past the finest are all");
     view.add("wireframe", &ViewSettings::wireframe, "show the triangles' edges");
     view.add("particles", &ViewSettings::particles, "show particles and springs");
-    view.add("contacts", &ViewSettings::contacts, "show contact points and normals");
+    view.add("contacts", &ViewSettings::contacts, "show where cloth touches bodies, and with what force");
     view.add("colour", &ViewSettings::colour,
              "what the cloth's colour says: nothing, strain, speed, contact depth, the node of the shown level, "
              "side, difference from what is compared");
