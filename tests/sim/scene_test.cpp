@@ -116,6 +116,7 @@ fabric = "silk"
 palette = "dusk"
 text_scale = 1.5
 plots = true
+repeat = 0.25
 speed = 0.5
 help = true
 bounds = true
