@@ -168,16 +168,17 @@ bool OverlayPanels::have_pointer() const {
     const PanelPointer& pointer = input_.last();
     const auto x = static_cast<float>(pointer.x), y = static_cast<float>(pointer.y);
     const bool shown = settings.window.shown() || timeline.window.shown();
-    return settings.window.covers(x, y) || timeline.window.covers(x, y) || (shown && ImGui::GetIO().WantCaptureMouse);
+    return menu.is_open() || settings.window.covers(x, y) || timeline.window.covers(x, y) ||
+           (shown && ImGui::GetIO().WantCaptureMouse);
 }
 
 bool OverlayPanels::have_keyboard() const {
     ImGui::SetCurrentContext(context_.get());
-    return settings.window.shown() && ImGui::GetIO().WantTextInput;
+    return menu.is_open() || (settings.window.shown() && ImGui::GetIO().WantTextInput);
 }
 
 void OverlayPanels::forget_input() {
-    if (!settings.window.shown() && !timeline.window.shown()) input_ = {};
+    if (!settings.window.shown() && !timeline.window.shown() && !menu.window.shown()) input_ = {};
 }
 
 void OverlayPanels::hand_over_input() {
@@ -218,12 +219,13 @@ bool OverlayPanels::build(FrameView view, const Camera& camera, const FrameRepor
     const bool showing_panel = shown.panel != PanelSize::Off;
     const bool showing_time = TimelinePanel::is_due(view.timeline, view.paused);
     const bool hinted = !hint.empty() && !showing_help;
-    const bool nothing = !showing_panel && !showing_help && notices.empty() && hint.empty() && !shown.controls;
+    const bool nothing =
+        !menu.is_open() && !showing_panel && !showing_help && notices.empty() && hint.empty() && !shown.controls;
     const bool names_nodes = shown.bounds && hover_x >= 0;
     if (width < least_width || height < least_height ||
         (nothing && !shown.plots && !names_nodes && !showing_time && view.comparison == nullptr)) {
         settings.hide();
-        timeline.window.width = 0;
+        timeline.window.width = menu.window.width = 0;
         forget_input();
         return false;
     }
@@ -294,6 +296,7 @@ bool OverlayPanels::build(FrameView view, const Camera& camera, const FrameRepor
     } else {
         timeline.window.width = 0;
     }
+    menu.draw(view, {w, h, margin});
     forget_input();
     ImGui::PopFont();
     ImGui::Render();
