@@ -2,8 +2,6 @@
 
 #include <algorithm>
 
-#include "drape/bounds/broad_phase.h"
-#include "drape/integrate/integrator.h"
 #include "drape/scene/scene.h"
 #include "drape/session/tour.h"
 
@@ -14,9 +12,9 @@ namespace {
 constexpr std::string_view with_shift = "Shift+";
 
 // Every choice of a setting as an entry without a key.
-void append_choices(std::vector<Entry>& entries, const std::string& menu, const std::string& setting,
-                    std::span<const std::string> choices) {
-    for (const std::string& choice : choices) entries.push_back({menu, {}, choice, "set " + setting + "=" + choice});
+void append_choices(std::vector<Entry>& entries, const std::string& menu, const std::string& setting) {
+    for (const std::string& choice : find_setting(setting).choices)
+        entries.push_back({menu, {}, choice, "set " + setting + "=" + choice});
 }
 
 // Its name where its file cannot be read, which its choice tells of
@@ -71,7 +69,7 @@ std::vector<Entry> make_entries(const std::vector<std::string>& scenes) {
         entries.push_back({fails ? "Failures" : "Scene", keys, title_of(scenes[s]), "scene " + scenes[s]});
     }
     entries.push_back({"Integrator", {"I"}, "Next integrator", "next solver.integrator"});
-    append_choices(entries, "Integrator", "solver.integrator", names_of<IntegratorKind>());
+    append_choices(entries, "Integrator", "solver.integrator");
     entries.push_back({"Integrator", {}, "Hessian clamped or exact", "next solver.hessian"});
     entries.push_back({"Integrator", {}, "Five iterations more", "add solver.iterations 5"});
     entries.push_back({"Integrator", {}, "Five iterations fewer", "add solver.iterations -5"});
@@ -83,13 +81,13 @@ std::vector<Entry> make_entries(const std::vector<std::string>& scenes) {
     entries.push_back({"Time step", {}, "Above the stability limit: substep", "set solver.on_unstable=substep"});
     entries.push_back({"Time step", {}, "Above the stability limit: quit", "set solver.on_unstable=stop"});
     entries.push_back({"Hierarchy/Bounding volume", {"T"}, "Next bounding volume", "next contact.volume"});
-    append_choices(entries, "Hierarchy/Bounding volume", "contact.volume", names_of<VolumeKind>());
+    append_choices(entries, "Hierarchy/Bounding volume", "contact.volume");
     entries.push_back({"Hierarchy/Sphere fit", {"Y"}, "Next sphere fit", "next contact.sphere_fit"});
-    append_choices(entries, "Hierarchy/Sphere fit", "contact.sphere_fit", names_of<SphereFit>());
+    append_choices(entries, "Hierarchy/Sphere fit", "contact.sphere_fit");
     entries.push_back({"Hierarchy/BVH update policy", {"U"}, "Next BVH update policy", "next contact.update"});
-    append_choices(entries, "Hierarchy/BVH update policy", "contact.update", names_of<UpdateKind>());
+    append_choices(entries, "Hierarchy/BVH update policy", "contact.update");
     entries.push_back({"View/Colour by", {"J"}, "Colour the cloth by the next quantity", "next view.colour"});
-    append_choices(entries, "View/Colour by", "view.colour", names_of<ColourBy>());
+    append_choices(entries, "View/Colour by", "view.colour");
     const auto compare = [&](const char* text, const char* scene, const char* change, const char* versus) {
         entries.push_back({"Compare", {}, text, std::string("scene ") + scene, Manner::Compare, {}, {change, versus}});
     };

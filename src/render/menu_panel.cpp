@@ -14,7 +14,6 @@ namespace {
 
 constexpr float menu_columns = 58, menu_rows = 30;      // where there is room [font size], rows
 constexpr float group_columns = 14, mark_columns = 15;  // [font size]
-constexpr std::size_t longest_query = 60;
 
 char small_letter(char c) { return static_cast<char>(std::tolower(static_cast<unsigned char>(c))); }
 
@@ -55,8 +54,8 @@ void MenuPanel::type(unsigned char code) {
     }
     if (code == erase && !query_.empty()) query_.pop_back();
     const bool opens = code == '/' && query_.empty();  // the key still repeats
-    if (code >= ' ' && code < 127 && !opens && query_.size() < longest_query)
-        query_ += small_letter(static_cast<char>(code));
+    const bool is_letter = code >= ' ' && code < 127 && !opens && query_.size() < 60;
+    if (is_letter) query_ += small_letter(static_cast<char>(code));
     search();
 }
 
@@ -82,8 +81,8 @@ void MenuPanel::search() {
 void MenuPanel::choose() {
     if (row_ >= found_.size()) return;
     open_ = false;
-    const Item& item = items_[found_[row_]];
-    item.setting != nullptr ? settings_.show(*item.setting) : void(entry_ = found_[row_]);
+    const Setting* setting = items_[found_[row_]].setting;
+    setting != nullptr ? settings_.show(*setting) : void(entry_ = found_[row_]);
 }
 
 void MenuPanel::draw(const FrameView& view, const OverlayPage& page) {
@@ -93,18 +92,15 @@ void MenuPanel::draw(const FrameView& view, const OverlayPage& page) {
     const float width = std::min(menu_columns * size, page.width - 2 * page.margin);
     const float height = std::min(menu_rows * row, page.height - 2 * page.margin);
     window = {(page.width - width) / 2, (page.height - height) / 2, width, height};
+    ImGui::SetNextWindowBgAlpha(0.96f);
     if (window.begin("menu", ImGuiWindowFlags_NoDecoration, 0)) {
-        ImDrawList& list = *ImGui::GetWindowDrawList();
-        list.AddRectFilled({window.left, window.top}, {window.left + width, window.top + height}, ink::popup, 8);
-
         // The field, with a mark where the next character comes
         const ImVec2 field{window.left + pad, window.top + pad}, far{window.left + width - pad, field.y + 1.8f * size};
-        list.AddRectFilled(field, far, ink::groove, 3);
+        ImGui::GetWindowDrawList()->AddRectFilled(field, far, ink::groove, 3);
         const ImVec2 text{field.x + 0.5f * size, field.y + 0.4f * size};
         text_at(text, ink::text, query_ + "|");
-        if (query_.empty())
-            text_at({text.x + size, text.y}, ink::quiet,
-                    "Search entries, keys, scenes and settings; Up, Down, Enter, Esc");
+        const char* what = "Search entries, keys, scenes and settings; Up, Down, Enter, Esc";
+        if (query_.empty()) text_at({text.x + size, text.y}, ink::quiet, what);
 
         ImGui::SetCursorScreenPos({field.x, far.y + 0.4f * size});
         ImGui::BeginChild("found", {width - 2 * pad, window.top + height - pad - 1.3f * row - far.y - 0.4f * size});
@@ -112,8 +108,7 @@ void MenuPanel::draw(const FrameView& view, const OverlayPage& page) {
         ImGui::EndChild();
 
         const Setting* setting = row_ < found_.size() ? items_[found_[row_]].setting : nullptr;
-        const ImVec2 foot{field.x, window.top + height - pad - row};
-        if (setting != nullptr) text_at(foot, ink::quiet, setting->help);
+        if (setting != nullptr) text_at({field.x, window.top + height - pad - row}, ink::quiet, setting->help);
     }
     PanelWindow::end();
     const ImVec2 pointer = ImGui::GetIO().MousePos;
@@ -130,9 +125,8 @@ void MenuPanel::draw_row(std::size_t row, const FrameView& view) {
     if (row == row_ && std::exchange(moved_, false)) ImGui::SetScrollHereY();
 
     // Over what can be chosen
-    ImDrawList& list = *ImGui::GetWindowDrawList();
     const auto write = [&](float x, ImU32 colour, std::string_view text) {
-        list.AddText({x, corner.y}, colour, text.data(), text.data() + text.size());
+        ImGui::GetWindowDrawList()->AddText({x, corner.y}, colour, text.data(), text.data() + text.size());
     };
     if (row == 0 || items_[found_[row - 1]].group != item.group) write(corner.x, ink::quiet, item.group);
     ImGui::PushClipRect(corner, {end - mark_columns * size, corner.y + 2 * size}, true);

@@ -63,13 +63,11 @@ private:
     float notice_panel(std::span<const std::string> notices, const OverlayPage& page, std::size_t font,
                        bool at_top) const;
 
-    /// Of all lines, or without a layout where some have to be left out.
     struct Help {
         std::size_t font;  ///< of `fonts_`
-        std::optional<HelpLayout> layout;
+        HelpLayout layout;
     };
     [[nodiscard]] Help choose_help(const OverlayPage& page, float right, bool beside, std::size_t font) const;
-    void draw_help(const Help& shown, const OverlayPage& page, float left, float right) const;
 
     void hand_over_input();
 
