@@ -15,10 +15,8 @@ namespace {
 constexpr float menu_columns = 58, menu_rows = 30;      // where there is room [font size], rows
 constexpr float group_columns = 14, mark_columns = 15;  // [font size]
 
-char small_letter(char c) { return static_cast<char>(std::tolower(static_cast<unsigned char>(c))); }
-
 std::string small_letters(std::string text) {
-    std::ranges::transform(text, text.begin(), small_letter);
+    for (char& c : text) c = static_cast<char>(std::tolower(static_cast<unsigned char>(c)));
     return text;
 }
 
@@ -39,23 +37,21 @@ void MenuPanel::open(std::span<const Entry> entries, const Settings& settings) {
     }
     query_.clear();
     search();
-    open_ = true;
+    open_ = moved_ = true;
 }
 
 void MenuPanel::type(unsigned char code) {
     constexpr unsigned char erase = 8, enter = 13, down = 14, up = 16, escape = 27;
     if (code == enter) return choose();
     open_ = code != escape;
-    if (code == down || code == up) {
-        if (code == down && row_ + 1 < found_.size()) ++row_;
-        if (code == up && row_ > 0) --row_;
-        moved_ = true;
-        return;
-    }
+    moved_ = true;
+    if (code == down && row_ + 1 < found_.size()) ++row_;
+    if (code == up && row_ > 0) --row_;
+    if (code == down || code == up) return;
     if (code == erase && !query_.empty()) query_.pop_back();
     const bool opens = code == '/' && query_.empty();  // the key still repeats
     const bool is_letter = code >= ' ' && code < 127 && !opens && query_.size() < 60;
-    if (is_letter) query_ += small_letter(static_cast<char>(code));
+    if (is_letter) query_ = small_letters(query_ + static_cast<char>(code));
     search();
 }
 
@@ -75,7 +71,6 @@ void MenuPanel::search() {
     }
     if (!query_.empty()) std::ranges::stable_sort(found_, {}, place);
     row_ = 0;
-    moved_ = true;
 }
 
 void MenuPanel::choose() {
@@ -124,7 +119,6 @@ void MenuPanel::draw_row(std::size_t row, const FrameView& view) {
     ImGui::PopID();
     if (row == row_ && std::exchange(moved_, false)) ImGui::SetScrollHereY();
 
-    // Over what can be chosen
     const auto write = [&](float x, ImU32 colour, std::string_view text) {
         ImGui::GetWindowDrawList()->AddText({x, corner.y}, colour, text.data(), text.data() + text.size());
     };

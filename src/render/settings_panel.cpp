@@ -52,8 +52,7 @@ void SettingsPanel::draw(const FrameView& view, const OverlayPage& page) {
             if (open) draw_row(row);
             if (open && row.name == "solver.dt") offer_step(view);
         }
-        if (wanted_) show(wanted_->first, wanted_->second);
-        wanted_.reset();
+        if (const auto wanted = std::exchange(wanted_, {})) show(wanted->first, wanted->second);
     }
     PanelWindow::end();
     editor_.end_frame();
