@@ -37,28 +37,6 @@ std::string with_keys(const Entry& entry) {
 
 }  // namespace
 
-MenuMark::MenuMark(std::string_view command) : command_(parse_command(command)) {
-    if (const auto* next = std::get_if<command::Next>(&command_)) setting_ = &find_setting(next->setting);
-    if (const auto* set = std::get_if<command::Set>(&command_)) {
-        const std::string_view assignment = set->assignment;
-        const std::size_t equals = assignment.find('=');
-        setting_ = &find_setting(assignment.substr(0, equals));
-        value_ = parse_value(*setting_, assignment.substr(equals + 1));
-    }
-}
-
-std::string MenuMark::text(const Simulation& simulation) const {
-    const auto now = [](bool is_present) { return is_present ? "  - now" : ""; };
-    if (std::holds_alternative<command::Pause>(command_)) return simulation.paused() ? "  - paused" : "";
-    if (const auto* load = std::get_if<command::LoadScene>(&command_)) return now(simulation.scene() == load->name);
-    if (setting_ == nullptr) return "";
-    const SettingValue present = setting_->read(simulation.settings(), 0);
-    if (value_) return now(present == *value_);
-    const bool* flag = std::get_if<bool>(&present);
-    if (flag == nullptr) return "";
-    return *flag ? "  - on" : "  - off";
-}
-
 Menu::Menu(const std::vector<Entry>& entries, void (*choose)(int entry, void* user), void* user) {
     std::vector<Submenu> menus{{"", glutCreateMenuUcall(choose, user), 0}};
     for (std::size_t e = 0; e < entries.size(); ++e) {
@@ -66,11 +44,7 @@ Menu::Menu(const std::vector<Entry>& entries, void (*choose)(int entry, void* us
         Submenu* const menu = &menus[submenu(entry.menu, menus, choose, user)];
         glutSetMenu(menu->number);
         glutAddMenuEntry(entry.text.c_str(), static_cast<int>(e));
-        // What an entry sets by itself is no choice among others
-        const bool is_choice =
-            entry.manner == Manner::Once && !(entry.menu.empty() && entry.command.starts_with("set "));
-        items_.push_back(
-            {with_keys(entry), MenuMark(is_choice ? entry.command : "quit"), menu->number, ++menu->length, entry.text});
+        items_.push_back({with_keys(entry), MenuMark(entry), menu->number, ++menu->length, entry.text});
     }
     first_window_ = glutGetWindow() + 1;
     last_window_ = glutGetWindow() + static_cast<int>(menus.size());
@@ -94,7 +68,8 @@ void Menu::update(const Simulation& simulation) {
     if (open_) return;
     int number = 0;
     for (Item& item : items_) {
-        std::string text = item.text + item.mark.text(simulation);
+        const auto mark = item.mark.text(simulation.settings(), simulation.scene(), simulation.paused());
+        std::string text = item.text + (mark.empty() ? "" : "  - ") + std::string(mark);
         if (text != item.shown) {
             glutSetMenu(item.menu);
             glutChangeToMenuEntry(item.position, text.c_str(), number);

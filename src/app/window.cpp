@@ -256,6 +256,7 @@ void Window::take_panel_changes() {
     if (const auto step = renderer_->take_wanted_step()) go_to(*step);
     for (const std::string& change : renderer_->take_changes()) carry_out(command::Set{change});
     if (const auto versus = renderer_->take_wanted_comparison()) carry_out(command::Compare{*versus});
+    if (const auto entry = renderer_->take_entry()) on_choice(static_cast<int>(*entry));
 }
 
 void Window::show_title() { glutSetWindowTitle(("Drape - " + session_.simulation().settings().title).c_str()); }

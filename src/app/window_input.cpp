@@ -42,8 +42,7 @@ std::filesystem::path write_next(const Image& picture) {
 }  // namespace
 
 void Window::register_callbacks() {
-    glutIgnoreKeyRepeat(1);
-    make_repeats_detectable();
+    make_repeats_detectable();  // not ignored: freeglut would lose keys that follow while a picture is drawn
     glutDisplayFuncUcall([](void* user) { guarded_call(user, &Window::on_display); }, this);
     glutReshapeFuncUcall([](int w, int h, void* user) { guarded_call(user, &Window::on_reshape, w, h); }, this);
     glutVisibilityFuncUcall([](int state, void* user) { guarded_call(user, &Window::on_visibility, state); }, this);
@@ -76,13 +75,16 @@ void Window::on_character(unsigned char code, bool down) {
     if (down && renderer_->panel_has_keyboard()) {
         panel_frames_ = 8;
         held_keys_.insert(character_key(code, false));
-        return renderer_->type(code);
+        renderer_->type(code);
+        return take_panel_changes();
     }
     if (down && (modifiers & (GLUT_ACTIVE_CTRL | GLUT_ACTIVE_ALT)) != 0) return;
     on_key(character_key(code, (modifiers & GLUT_ACTIVE_SHIFT) != 0), down);
 }
 
 void Window::on_special(int code) {
+    const bool moves = code == GLUT_KEY_UP || code == GLUT_KEY_DOWN;
+    if (moves && renderer_->menu_open()) return on_character(code == GLUT_KEY_UP ? 16 : 14, true);
     if (renderer_->panel_has_keyboard()) return;
     on_key(special_key(code, (glutGetModifiers() & GLUT_ACTIVE_SHIFT) != 0), true);
 }
@@ -116,6 +118,11 @@ void Window::compare(const Entry& entry) {
 
 void Window::give(const Entry& entry) {
     if (entry.manner == Manner::Compare) return compare(entry);
+    if (entry.manner == Manner::Search) {
+        steering_.release_all();
+        dirty_ = true;
+        return renderer_->open_menu(entries_, session_.simulation().settings());
+    }
     if (entry.manner == Manner::StepBack) return go_to(session_.timeline().now - 1);
     if (entry.manner == Manner::FrameBack) return go_to(session_.timeline().now - steps_of_a_frame());
     const std::vector<Command> commands = commands_of(entry);
@@ -172,6 +179,7 @@ void Window::forget_hint() {
 void Window::on_menu(bool open) {
     forget_hint();
     menu_->set_open(open);
+    if (renderer_->menu_open()) on_character(27, true);
     if (open) steering_.release_all();
 }
 
@@ -202,7 +210,8 @@ void Window::on_button(int button, int state, int x, int y) {
 }
 
 bool Window::at_panel(const PanelPointer& pointer) {
-    if (!session_.simulation().settings().view.controls && !renderer_->shows_timeline()) return false;
+    const bool any = session_.simulation().settings().view.controls || renderer_->shows_timeline();
+    if (!any && !renderer_->menu_open()) return false;
     constexpr int frames = 8;  // that a press, a release and what follows from them take to be seen
     renderer_->point(pointer);
     panel_frames_ = frames;

@@ -105,9 +105,9 @@ float ComparisonPanel::draw(const FrameView& view, const OverlayPage& page, floa
     text_at(line, ink::quiet, "apart (RMS)");
     text_at({first, line.y}, ink::wait, rms + " mm, most " + apart + " mm");
 
-    // The curve, from 0 to the largest that is kept
+    // The curve, from 0 to the largest that is kept, or to 1 mm
     line.y += row;
-    double largest = 1e-12;
+    double largest = 1e-3;
     for (const double distance : distances_) largest = std::max(largest, distance);
     const float bottom = line.y + curve;
     std::vector<ImVec2> points;

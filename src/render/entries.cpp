@@ -2,9 +2,7 @@
 
 #include <algorithm>
 
-#include "drape/bounds/broad_phase.h"
-#include "drape/integrate/integrator.h"
-#include "drape/scene/settings.h"
+#include "drape/scene/scene.h"
 #include "drape/session/tour.h"
 
 namespace drape {
@@ -14,12 +12,45 @@ namespace {
 constexpr std::string_view with_shift = "Shift+";
 
 // Every choice of a setting as an entry without a key.
-void append_choices(std::vector<Entry>& entries, const std::string& menu, const std::string& setting,
-                    std::span<const std::string> choices) {
-    for (const std::string& choice : choices) entries.push_back({menu, {}, choice, "set " + setting + "=" + choice});
+void append_choices(std::vector<Entry>& entries, const std::string& menu, const std::string& setting) {
+    for (const std::string& choice : find_setting(setting).choices)
+        entries.push_back({menu, {}, choice, "set " + setting + "=" + choice});
+}
+
+// Its name where its file cannot be read, which its choice tells of
+std::string title_of(const std::string& scene) {
+    try {
+        return load_scene(scene).title;
+    } catch (const InputError&) {
+        return scene;
+    }
 }
 
 }  // namespace
+
+MenuMark::MenuMark(const Entry& entry) {
+    // What an entry sets by itself is no choice among others
+    if (entry.manner != Manner::Once || (entry.menu.empty() && entry.command.starts_with("set "))) return;
+    command_ = parse_command(entry.command);
+    if (const auto* next = std::get_if<command::Next>(&command_)) setting_ = &find_setting(next->setting);
+    if (const auto* set = std::get_if<command::Set>(&command_)) {
+        const std::string_view assignment = set->assignment;
+        const std::size_t equals = assignment.find('=');
+        setting_ = &find_setting(assignment.substr(0, equals));
+        value_ = parse_value(*setting_, assignment.substr(equals + 1));
+    }
+}
+
+std::string_view MenuMark::text(const Settings& settings, std::string_view scene, bool paused) const {
+    const auto now = [](bool is_present) { return is_present ? "now" : ""; };
+    if (std::holds_alternative<command::Pause>(command_)) return paused ? "paused" : "";
+    if (const auto* load = std::get_if<command::LoadScene>(&command_)) return now(scene == load->name);
+    if (setting_ == nullptr) return "";
+    const SettingValue present = setting_->read(settings, 0);
+    if (value_) return now(present == *value_);
+    const bool* flag = std::get_if<bool>(&present);
+    return flag == nullptr ? "" : *flag ? "on" : "off";
+}
 
 std::vector<Entry> make_entries(const std::vector<std::string>& scenes) {
     std::vector<Entry> entries{
@@ -35,10 +66,10 @@ std::vector<Entry> make_entries(const std::vector<std::string>& scenes) {
         std::vector<std::string> keys;
         if (s < 9) keys.push_back(std::to_string(s + 1));
         const bool fails = scenes[s].starts_with("fails_");
-        entries.push_back({fails ? "Failures" : "Scene", keys, scenes[s], "scene " + scenes[s]});
+        entries.push_back({fails ? "Failures" : "Scene", keys, title_of(scenes[s]), "scene " + scenes[s]});
     }
     entries.push_back({"Integrator", {"I"}, "Next integrator", "next solver.integrator"});
-    append_choices(entries, "Integrator", "solver.integrator", names_of<IntegratorKind>());
+    append_choices(entries, "Integrator", "solver.integrator");
     entries.push_back({"Integrator", {}, "Hessian clamped or exact", "next solver.hessian"});
     entries.push_back({"Integrator", {}, "Five iterations more", "add solver.iterations 5"});
     entries.push_back({"Integrator", {}, "Five iterations fewer", "add solver.iterations -5"});
@@ -50,13 +81,13 @@ std::vector<Entry> make_entries(const std::vector<std::string>& scenes) {
     entries.push_back({"Time step", {}, "Above the stability limit: substep", "set solver.on_unstable=substep"});
     entries.push_back({"Time step", {}, "Above the stability limit: quit", "set solver.on_unstable=stop"});
     entries.push_back({"Hierarchy/Bounding volume", {"T"}, "Next bounding volume", "next contact.volume"});
-    append_choices(entries, "Hierarchy/Bounding volume", "contact.volume", names_of<VolumeKind>());
+    append_choices(entries, "Hierarchy/Bounding volume", "contact.volume");
     entries.push_back({"Hierarchy/Sphere fit", {"Y"}, "Next sphere fit", "next contact.sphere_fit"});
-    append_choices(entries, "Hierarchy/Sphere fit", "contact.sphere_fit", names_of<SphereFit>());
+    append_choices(entries, "Hierarchy/Sphere fit", "contact.sphere_fit");
     entries.push_back({"Hierarchy/BVH update policy", {"U"}, "Next BVH update policy", "next contact.update"});
-    append_choices(entries, "Hierarchy/BVH update policy", "contact.update", names_of<UpdateKind>());
+    append_choices(entries, "Hierarchy/BVH update policy", "contact.update");
     entries.push_back({"View/Colour by", {"J"}, "Colour the cloth by the next quantity", "next view.colour"});
-    append_choices(entries, "View/Colour by", "view.colour", names_of<ColourBy>());
+    append_choices(entries, "View/Colour by", "view.colour");
     const auto compare = [&](const char* text, const char* scene, const char* change, const char* versus) {
         entries.push_back({"Compare", {}, text, std::string("scene ") + scene, Manner::Compare, {}, {change, versus}});
     };
@@ -68,7 +99,7 @@ std::vector<Entry> make_entries(const std::vector<std::string>& scenes) {
     compare("Penalty against hybrid response", "drop", "contact.response=penalty", "contact.response=hybrid");
     compare("15 x 15 against 29 x 29 particles", "original", "cloth.particles=15,15", "cloth.particles=29,29");
     entries.push_back({"Compare", {}, "End of the comparison", "compare none"});
-    const char* around = "Ball left, right, away from you, towards you";
+    const char *across = "Ball left, right", *along = "Ball away from you, towards you";
     const std::vector<Entry> rest{
         {"Hierarchy/Leaf size", {}, "Auto", "set contact.leaf_cells=0"},
         {"Hierarchy/Leaf size", {}, "2 x 2 cells", "set contact.leaf_cells=2"},
@@ -95,10 +126,10 @@ std::vector<Entry> make_entries(const std::vector<std::string>& scenes) {
         {"View", {"Shift+K"}, "Plots of the last seconds", "next view.plots"},
         {"View", {"K"}, "Energy balance", "next solver.ledger"},
         {"View", {"F"}, "Frame the scene", "frame"},
-        {"Ball", {"Left", "A"}, "Ball to the left", "steer -1 0 0", Manner::WhileHeld, around},
-        {"Ball", {"Right", "D"}, "Ball to the right", "steer 1 0 0", Manner::WhileHeld, around},
-        {"Ball", {"Up", "W"}, "Ball away from you", "steer 0 0 1", Manner::WhileHeld, around},
-        {"Ball", {"Down", "S"}, "Ball towards you", "steer 0 0 -1", Manner::WhileHeld, around},
+        {"Ball", {"Left", "A"}, "Ball to the left", "steer -1 0 0", Manner::WhileHeld, across},
+        {"Ball", {"Right", "D"}, "Ball to the right", "steer 1 0 0", Manner::WhileHeld, across},
+        {"Ball", {"Up", "W"}, "Ball away from you", "steer 0 0 1", Manner::WhileHeld, along},
+        {"Ball", {"Down", "S"}, "Ball towards you", "steer 0 0 -1", Manner::WhileHeld, along},
         {"Ball", {"PageUp", "E"}, "Ball up", "steer 0 1 0", Manner::WhileHeld, "Ball up, down"},
         {"Ball", {"PageDown", "Shift+Q"}, "Ball down", "steer 0 -1 0", Manner::WhileHeld, "Ball up, down"},
         {"Ball", {"X"}, "Throw the ball where you look", "throw 0 0 0 0 0 0", Manner::Aimed},
@@ -111,6 +142,7 @@ std::vector<Entry> make_entries(const std::vector<std::string>& scenes) {
         {"", {"Shift+F12"}, "Record video: start, end", "video"},
         {"Tour", {"F1"}, "Tour: next stop", "scene hang", Manner::NextStop, "Tour: next, previous stop"},
         {"Tour", {"F2"}, "Tour: previous stop", "scene hang", Manner::StopBefore, "Tour: next, previous stop"},
+        {"", {"/"}, "Search menu, settings and scenes", "quit", Manner::Search},
         {"", {"H", "?"}, "Help", "next view.help"},
         {"", {"Esc", "Q"}, "Quit", "quit", Manner::Once, "Quit; Esc closes menu, list, help, settings and tour first"},
     };

@@ -10,11 +10,10 @@ namespace drape {
 
 namespace {
 
-constexpr float most_keys = 0.4f;        // of a column, for the keys
-constexpr float least_column = 22;       // that is readable [font size]
-constexpr std::size_t most_columns = 3;  // of help
-constexpr float unwrapped = 1e6f;        // wider than any text [pixel]
-constexpr float columns_apart = 2;       // [margin]
+constexpr float most_keys = 0.4f;   // of a column, for the keys
+constexpr float least_column = 22;  // that is readable [font size]
+constexpr float unwrapped = 1e6f;   // wider than any text [pixel]
+constexpr float columns_apart = 2;  // [margin]
 
 KeyColumns columns_of(std::span<const KeyHelp> lines, float most_width) {
     KeyColumns columns{.gap = ImGui::GetFontSize()};
@@ -92,12 +91,12 @@ void key_panel(std::span<const KeyHelp> lines, ImVec2 corner, ImVec2 size, float
     draw_lines(lines, {corner.x + margin, corner.y + margin}, columns, row);
 }
 
-std::optional<HelpLayout> lay_out_help(std::span<const KeyHelp> lines, float width, float height, float margin) {
+HelpLayout lay_out_help(std::span<const KeyHelp> lines, float width, float height, float margin) {
     const float widest = columns_of(lines, unwrapped).width();
-    for (std::size_t count = 1; count <= most_columns; ++count) {
+    for (const std::size_t count : {2, 1, 3}) {
         const auto columns = static_cast<float>(count);
         const float each = (width - 2 * margin - (columns - 1) * columns_apart * margin) / columns;
-        if (each < std::min(widest, least_column * ImGui::GetFontSize())) break;
+        if (each < std::min(widest, least_column * ImGui::GetFontSize())) continue;
         const KeyColumns widths = columns_of(lines, each);
         // Closer lines where they would not all fit
         for (const float row : {ImGui::GetTextLineHeightWithSpacing(), ImGui::GetTextLineHeight()}) {
@@ -105,30 +104,25 @@ std::optional<HelpLayout> lay_out_help(std::span<const KeyHelp> lines, float wid
             if (layout.height + 2 * margin <= height) return layout;
         }
     }
-    return std::nullopt;
+    HelpLayout cut = even_columns(lines, columns_of(lines, width - 2 * margin), ImGui::GetTextLineHeight(), 1);
+    cut.whole = false;
+    return cut;
 }
 
-void help_panel(std::span<const KeyHelp> lines, const HelpLayout& layout, float right, float top, float margin) {
+void help_panel(std::span<const KeyHelp> lines, const HelpLayout& layout, float right, float height, float margin) {
     const float step = layout.widths.width() + columns_apart * margin;
     const float width = static_cast<float>(layout.starts.size()) * step - columns_apart * margin + 2 * margin;
-    draw_panel({right - width, top}, {width, layout.height + 2 * margin});
-    ImVec2 corner{right - width + margin, top + margin};
+    height = std::min(layout.height + 2 * margin, height);
+    draw_panel({right - width, margin}, {width, height});
+    ImGui::PushClipRect({right - width, margin}, {right, height}, true);
+    ImVec2 corner{right - width + margin, 2 * margin};
     for (std::size_t c = 0; c < layout.starts.size(); ++c) {
         const std::size_t first = layout.starts[c];
         const std::size_t end = c + 1 < layout.starts.size() ? layout.starts[c + 1] : lines.size();
         draw_lines(lines.subspan(first, end - first), corner, layout.widths, layout.row);
         corner.x += step;
     }
-}
-
-void cut_help_panel(std::span<const KeyHelp> lines, float left, float right, float height, float margin) {
-    const float row = ImGui::GetTextLineHeight();
-    ImVec2 size = key_panel_size(lines, right - left, row, margin);
-    while (size.y > height && lines.size() > 1) {
-        lines = lines.first(lines.size() - 1);
-        size = key_panel_size(lines, right - left, row, margin);
-    }
-    key_panel(lines, {right - size.x, margin}, size, row, margin);
+    ImGui::PopClipRect();
 }
 
 }  // namespace drape

@@ -1,7 +1,6 @@
 #pragma once
 
 #include <cstddef>
-#include <optional>
 #include <span>
 #include <vector>
 
@@ -31,18 +30,16 @@ struct HelpLayout {
     std::vector<std::size_t> starts;  ///< the first line of each column
     float row = 0;                    ///< height of a line [pixel]
     float height = 0;                 ///< of the highest column [pixel]
+    bool whole = true;                ///< there is room for all of it
 };
 
-/// A layout of all lines in the present font, in as few columns as there is height for.
+/// A layout of all lines in the present font, in two columns, or as many as there is room for; else one that is not
+/// whole, where they would be too high, or too narrow to read.
 /// @param width, height of the room for the panel, its margins included [pixel]
-/// @return nothing if there is no room, or columns would be too narrow to read
-std::optional<HelpLayout> lay_out_help(std::span<const KeyHelp> lines, float width, float height, float margin);
+HelpLayout lay_out_help(std::span<const KeyHelp> lines, float width, float height, float margin);
 
-/// Makes the help panel at the right of its room.
-/// @param right, top edges of the room [pixel]
-void help_panel(std::span<const KeyHelp> lines, const HelpLayout& layout, float right, float top, float margin);
-
-/// One column of as many lines as there is room for, where no layout has room for all of them.
-void cut_help_panel(std::span<const KeyHelp> lines, float left, float right, float height, float margin);
+/// Makes the help panel at the right of its room, cut where it is higher.
+/// @param right edge, and height of the room [pixel]
+void help_panel(std::span<const KeyHelp> lines, const HelpLayout& layout, float right, float height, float margin);
 
 }  // namespace drape

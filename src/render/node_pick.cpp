@@ -183,6 +183,9 @@ std::string node_reason(const NodePick& pick, const FrameView& view) {
     const bool has_ball = !view.balls.empty();
     const std::string ball = view.balls.size() == 1 ? "the ball" : "the nearest ball";
     const std::string length = length_text(std::abs(pick.gap));
+    std::vector<NodeView> root;
+    view.cloths[pick.cloth].hierarchy->nodes_at(0, root);
+    if (root.front().visit == NodeVisit::Unvisited) return "not searched";
     switch (pick.state) {
         case NodeState::Unvisited:
             return "not visited: a node above it was pruned";

@@ -169,16 +169,17 @@ bool OverlayPanels::have_pointer() const {
     const PanelPointer& pointer = input_.last();
     const auto x = static_cast<float>(pointer.x), y = static_cast<float>(pointer.y);
     const bool shown = settings.window.shown() || timeline.window.shown();
-    return settings.window.covers(x, y) || timeline.window.covers(x, y) || (shown && ImGui::GetIO().WantCaptureMouse);
+    return menu.is_open() || settings.window.covers(x, y) || timeline.window.covers(x, y) ||
+           (shown && ImGui::GetIO().WantCaptureMouse);
 }
 
 bool OverlayPanels::have_keyboard() const {
     ImGui::SetCurrentContext(context_.get());
-    return settings.window.shown() && ImGui::GetIO().WantTextInput;
+    return menu.is_open() || (settings.window.shown() && ImGui::GetIO().WantTextInput);
 }
 
 void OverlayPanels::forget_input() {
-    if (!settings.window.shown() && !timeline.window.shown()) input_ = {};
+    if (!settings.window.shown() && !timeline.window.shown() && !menu.window.shown()) input_ = {};
 }
 
 void OverlayPanels::hand_over_input() {
@@ -219,12 +220,13 @@ bool OverlayPanels::build(FrameView view, const Camera& camera, const FrameRepor
     const bool showing_panel = shown.panel != PanelSize::Off;
     const bool showing_time = TimelinePanel::is_due(view.timeline, view.paused);
     const bool hinted = !hint.empty() && !showing_help;
-    const bool nothing = !showing_panel && !showing_help && notices.empty() && hint.empty() && !shown.controls;
+    const bool nothing =
+        !menu.is_open() && !showing_panel && !showing_help && notices.empty() && hint.empty() && !shown.controls;
     const bool names_nodes = shown.bounds && hover_x >= 0;
     if (width < least_width || height < least_height ||
         (nothing && !shown.plots && !names_nodes && !showing_time && view.comparison == nullptr)) {
         settings.hide();
-        timeline.window.width = 0;
+        timeline.window.width = menu.window.width = 0;
         forget_input();
         return false;
     }
@@ -267,7 +269,7 @@ bool OverlayPanels::build(FrameView view, const Camera& camera, const FrameRepor
     bool beside = showing_panel;
     if (showing_help) {
         help_shown = choose_help(page, right, showing_panel, size);
-        if (!help_shown->layout) beside = false, help_shown = choose_help(page, right, false, size);
+        if (!help_shown->layout.whole) beside = false, help_shown = choose_help(page, right, false, size);
     }
     // Nor is there room for a hint beside both other panels of a narrow page
     const float middle = right - 3 * margin - figures_columns * font;
@@ -277,7 +279,9 @@ bool OverlayPanels::build(FrameView view, const Camera& camera, const FrameRepor
     // On a small page a hint is worth more than legends
     const bool legend_room = !hinted || right - left > (hint_columns + 32) * font || page.height > 36 * font;
     if (help_shown) {
-        draw_help(*help_shown, page, left, right);
+        fonts_[help_shown->font].push();
+        help_panel(shown_help_, help_shown->layout, right, page.height - 2 * margin, margin);
+        ImGui::PopFont();
     } else {
         const bool compared = view.comparison != nullptr && comparison_.draw(view, page, left, right) < right;
         const bool low = compared && page.height < 46 * font;
@@ -295,6 +299,7 @@ bool OverlayPanels::build(FrameView view, const Camera& camera, const FrameRepor
     } else {
         timeline.window.width = 0;
     }
+    menu.draw(view, {w, h, margin});
     forget_input();
     ImGui::PopFont();
     ImGui::Render();
@@ -313,23 +318,12 @@ void OverlayPanels::legends(const FrameView& view, float taken, OverlayPage page
 OverlayPanels::Help OverlayPanels::choose_help(const OverlayPage& page, float right, bool beside,
                                                std::size_t font) const {
     const float left = page.margin + (beside ? figures_columns * font_sizes[font] + 3 * page.margin : 0);
-    for (std::size_t smaller = font + 1; smaller-- > 0;) {
+    for (std::size_t smaller = font;; --smaller) {
         fonts_[smaller].push();
-        auto layout = lay_out_help(shown_help_, right - left, page.height - 2 * page.margin, page.margin);
+        HelpLayout layout = lay_out_help(shown_help_, right - left, page.height - 2 * page.margin, page.margin);
         ImGui::PopFont();
-        if (layout) return {smaller, std::move(layout)};
+        if (layout.whole || smaller == 0) return {smaller, std::move(layout)};
     }
-    return {0, std::nullopt};
-}
-
-void OverlayPanels::draw_help(const Help& shown, const OverlayPage& page, float left, float right) const {
-    fonts_[shown.font].push();
-    if (shown.layout) {
-        help_panel(shown_help_, *shown.layout, right, page.margin, page.margin);
-    } else {
-        cut_help_panel(shown_help_, left, right, page.height - 2 * page.margin, page.margin);
-    }
-    ImGui::PopFont();
 }
 
 // In a smaller font where there is no room

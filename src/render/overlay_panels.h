@@ -13,6 +13,7 @@
 #include "drape/render/renderer.h"
 #include "hierarchy_panel.h"
 #include "key_panels.h"
+#include "menu_panel.h"
 #include "overlay_style.h"
 #include "panel_boxes.h"
 #include "plot_history.h"
@@ -42,12 +43,15 @@ public:
 
     /// The user's pointer and keyboard, as `Renderer` has them.
     void point(const PanelPointer& pointer);
-    void type(unsigned char code) { input_.typed += static_cast<char>(code); }
+    void type(unsigned char code) {
+        menu.is_open() ? menu.type(code) : input_.typed.push_back(static_cast<char>(code));
+    }
     [[nodiscard]] bool have_pointer() const;
     [[nodiscard]] bool have_keyboard() const;
 
     SettingsPanel settings;
     TimelinePanel timeline;
+    MenuPanel menu{settings};
     std::vector<KeyHelp> help;
     std::vector<KeyHelp> hint;       ///< what to try first; empty: not shown
     ColourScale colours;             ///< of the cloth in this frame
@@ -59,13 +63,11 @@ private:
     float notice_panel(std::span<const std::string> notices, const OverlayPage& page, std::size_t font,
                        bool at_top) const;
 
-    /// Of all lines, or without a layout where some have to be left out.
     struct Help {
         std::size_t font;  ///< of `fonts_`
-        std::optional<HelpLayout> layout;
+        HelpLayout layout;
     };
     [[nodiscard]] Help choose_help(const OverlayPage& page, float right, bool beside, std::size_t font) const;
-    void draw_help(const Help& shown, const OverlayPage& page, float left, float right) const;
 
     void hand_over_input();
 

@@ -63,9 +63,11 @@ float plots_panel(const PlotHistory& history, const OverlayPage& page) {
             list.AddPolyline(points.data(), static_cast<int>(count - oldest), curve_colours[c], ImDrawFlags_None, 1.5f);
         }
 
-        // Title, axis and legend
+        // Title, present value of the first curve, axis and legend
         text_at({left, corner.y + 0.2f * size}, ink::text, plot.title);
-        text_before({right, corner.y + 0.2f * size}, ink::quiet, short_number(high));
+        text_before({right, corner.y + 0.2f * size}, curve_colours[plot.first],
+                    short_number(static_cast<double>(history.value(count - 1, plot.first))));
+        text_at({left, top + 0.25f * size}, ink::quiet, short_number(high));
         float along = left;
         for (std::size_t c = plot.first; c < plot.end; ++c) {
             const float label_width = text_width(plot_curves[c].label);

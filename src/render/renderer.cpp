@@ -75,6 +75,14 @@ void Renderer::resize(int width, int height) {
 
 void Renderer::set_help(std::vector<KeyHelp> lines) { parts_->panels.help = std::move(lines); }
 
+void Renderer::open_menu(std::span<const Entry> entries, const Settings& settings) {
+    parts_->panels.menu.open(entries, settings);
+}
+
+bool Renderer::menu_open() const { return parts_->panels.menu.is_open(); }
+
+std::optional<std::size_t> Renderer::take_entry() { return parts_->panels.menu.take_entry(); }
+
 void Renderer::set_hint(std::vector<KeyHelp> lines) { parts_->panels.hint = std::move(lines); }
 
 void Renderer::set_scene(const Settings& settings) { parts_->panels.settings.set_scene(settings); }

@@ -43,15 +43,16 @@ void SettingsPanel::draw(const FrameView& view, const OverlayPage& page) {
         for (const Row& row : rows_) {
             if (!row.heading.empty()) {
                 const std::string& section = row.setting->section;
-                ImGui::SetNextItemOpen(section == "solver" || section == "contact", ImGuiCond_Once);
+                const bool sought = seeks_ && marked_->section == section;
+                const bool usual = section == "solver" || section == "contact";
+                ImGui::SetNextItemOpen(sought || usual, sought ? ImGuiCond_Always : ImGuiCond_Once);
                 open = ImGui::CollapsingHeader(row.heading.c_str());
                 if (open && row.count > 1) selector(row);
             }
             if (open) draw_row(row);
             if (open && row.name == "solver.dt") offer_step(view);
         }
-        if (wanted_) show(wanted_->first, wanted_->second);
-        wanted_.reset();
+        if (const auto wanted = std::exchange(wanted_, {})) show(wanted->first, wanted->second);
     }
     PanelWindow::end();
     editor_.end_frame();
@@ -119,6 +120,11 @@ void SettingsPanel::offer_step(const FrameView& view) {
 
 void SettingsPanel::draw_row(const Row& row) {
     ImGui::PushID(row.name.c_str());
+    if (row.setting == marked_) {
+        const ImVec2 at = ImGui::GetCursorScreenPos(), far{window.left + window.width, at.y + ImGui::GetFrameHeight()};
+        ImGui::GetWindowDrawList()->AddRectFilled({window.left, at.y}, far, ink::lit);
+        if (std::exchange(seeks_, false)) ImGui::SetScrollHereY();
+    }
     ImGui::SetNextItemWidth(widget_width());
     if (const auto chosen = editor_.edit(row)) changes_.push_back(row.name + "=" + value_text(*chosen));
     SettingEditor::explain(*row.setting);

@@ -29,6 +29,7 @@ public:
         scene_ = settings;
         rows_.clear();
         numbers_.clear();
+        seeks_ = false, marked_ = nullptr;
         editor_.forget();
         compare.forget();
     }
@@ -41,6 +42,12 @@ public:
 
     /// Shows one of several cloths, balls, solids or pins from now on, as the buttons do.
     void show(const std::string& section, std::size_t number);
+
+    /// Shows the row of a setting, marked until another scene comes, and asks for itself where it is not shown.
+    void show(const Setting& setting) {
+        seeks_ = true, marked_ = &setting;
+        if (!window.shown()) changes_.push_back("view.controls=true");
+    }
 
     /// What the user has changed since the last call, as "solver.dt=0.001".
     [[nodiscard]] std::vector<std::string> take_changes() { return std::exchange(changes_, {}); }
@@ -79,6 +86,8 @@ private:
     std::vector<Row> rows_;                                      ///< of `shown_`
     std::map<std::string, std::size_t> numbers_;                 ///< of those that are shown, by section
     std::optional<std::pair<std::string, std::size_t>> wanted_;  ///< by a button of this frame
+    const Setting* marked_ = nullptr;
+    bool seeks_ = false;  ///< it was not drawn yet
     Settings shown_;
     SettingEditor editor_;
 };

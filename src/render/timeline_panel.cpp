@@ -53,9 +53,16 @@ void TimelinePanel::draw(const Timeline& timeline, const OverlayPage& page) {
             const auto step = timeline.oldest + static_cast<std::int64_t>(std::lround(part * span));
             if (step != timeline.now) wanted_ = step;
         }
+        // Back from the newest step, at most 20
+        const double apart = std::pow(10, std::ceil(std::log10(std::max(timeline.kept, 1e-9) / 20)));
+        text_before({to, window.top + 0.3f * size}, ink::quiet, format("ticks: %g s", apart));
+        ImDrawList& list = *ImGui::GetWindowDrawList();
+        for (double back = 0; back <= timeline.kept; back += apart) {
+            const float tick = to - static_cast<float>(back / std::max(timeline.kept, 1e-9)) * (to - from);
+            list.AddLine({tick, middle}, {tick, middle + 0.5f * size}, ink::quiet);
+        }
         const auto passed = static_cast<float>(static_cast<double>(timeline.now - timeline.oldest) / span);
         const float now = from + passed * (to - from);
-        ImDrawList& list = *ImGui::GetWindowDrawList();
         list.AddRectFilled({from, middle - 0.15f * size}, {to, middle + 0.15f * size}, ink::lit, 2);
         list.AddRectFilled({from, middle - 0.15f * size}, {now, middle + 0.15f * size}, ink::bar, 2);
         list.AddCircleFilled({now, middle}, 0.45f * size, ink::text);

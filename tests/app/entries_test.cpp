@@ -7,10 +7,10 @@
 #include <set>
 
 #include "../../src/app/keys.h"
-#include "../../src/app/menu.h"
 #include "drape/scene/scene.h"
 #include "drape/session/tour.h"
 #include "drape/sim/command.h"
+#include "drape/sim/simulation.h"
 #include "support/process.h"
 
 namespace drape {
@@ -24,19 +24,23 @@ TEST(Entries, ParseAsCommandsThatReadBackAlikeAndHaveKeysOfTheirOwn) {
     }
 }
 
+std::string mark_text(const Entry& entry, const Simulation& simulation) {
+    return std::string(MenuMark(entry).text(simulation.settings(), simulation.scene(), simulation.paused()));
+}
+
 TEST(MenuMark, IsOnEveryEntryThatNamesThePresentValue) {
     const std::vector<Entry> entries = make_entries(scene_names());
     int values = 0;
     for (const Entry& entry : entries) {
-        if (!entry.command.starts_with("set ")) continue;
+        // What an entry sets by itself is no choice among others
+        if (!entry.command.starts_with("set ") || entry.menu.empty() || entry.manner != Manner::Once) continue;
         ++values;
         Simulation simulation("drop", load_scene("drop"));
         simulation.apply(parse_command(entry.command));
         for (const Entry& other : entries) {
             if (!other.command.starts_with(entry.command.substr(0, entry.command.find('=') + 1))) continue;
-            const bool same = other.command == entry.command;
-            EXPECT_EQ(MenuMark(other.command).text(simulation), same ? "  - now" : "")
-                << other.command << " after " << entry.command;
+            const bool same = other.command == entry.command && other.menu == entry.menu;
+            EXPECT_EQ(mark_text(other, simulation), same ? "now" : "") << other.command << " after " << entry.command;
         }
     }
     EXPECT_GT(values, 30);
@@ -44,13 +48,14 @@ TEST(MenuMark, IsOnEveryEntryThatNamesThePresentValue) {
 
 TEST(MenuMark, SaysWhetherAFlagIsOnAndWhatScene) {
     Simulation simulation("drop", load_scene("drop"));
-    EXPECT_EQ(MenuMark("next wind.on").text(simulation), "  - off");
+    const auto text_of = [&](const char* command) { return mark_text({"View", {}, "", command}, simulation); };
+    EXPECT_EQ(text_of("next wind.on"), "off");
     simulation.apply(parse_command("next wind.on"));
-    EXPECT_EQ(MenuMark("next wind.on").text(simulation), "  - on");
-    EXPECT_EQ(MenuMark("next solver.integrator").text(simulation), "");
-    EXPECT_EQ(MenuMark("scene drop").text(simulation), "  - now");
-    EXPECT_EQ(MenuMark("scene curtain").text(simulation), "");
-    EXPECT_EQ(MenuMark("pause").text(simulation), "");
+    EXPECT_EQ(text_of("next wind.on"), "on");
+    EXPECT_EQ(text_of("next solver.integrator"), "");
+    EXPECT_EQ(text_of("scene drop"), "now");
+    EXPECT_EQ(text_of("scene curtain"), "");
+    EXPECT_EQ(text_of("pause"), "");
 }
 
 TEST(Entries, ALetterIsItsKeyInEitherCaseUnlessShiftHasItsOwn) {

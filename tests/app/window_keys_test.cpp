@@ -37,7 +37,7 @@ TEST_F(WindowTest, EveryKeyGivesTheCommandOfItsEntry) {
     std::string last = "-";
     for (const Entry& entry : make_entries(scene_names())) {
         const bool goes_back = entry.manner == Manner::StepBack || entry.manner == Manner::FrameBack;
-        if (entry.command == "quit" || goes_back) continue;
+        if (entry.command == "quit" || goes_back) continue;  // nor the search, which gives none
         for (const std::string& key : entry.keys) {
             if (without_shift(key) == last) {
                 // A key of its own between two of the same: else the second could pass for a repeat of the first

@@ -1,11 +1,14 @@
 #pragma once
 
 #include <cstddef>
+#include <optional>
 #include <string>
 #include <string_view>
 #include <vector>
 
 #include "drape/render/renderer.h"
+#include "drape/scene/setting_table.h"
+#include "drape/sim/command.h"
 
 namespace drape {
 
@@ -23,6 +26,7 @@ enum class Manner {
     NextStop,   ///< of the tour: its scene and what it changes in it
     StopBefore,
     Compare,  ///< loads a scene and compares it, see `Pair`
+    Search,   ///< no command: the drawn menu with its search field
 };
 
 /// What a scene is changed in, and what it is then compared with.
@@ -42,12 +46,31 @@ struct Entry {
     Pair pair = {};
 };
 
-/// Everything that keys and menu can do, in the order of the menu.
-/// @param scenes of the keys 1-9
+/// Everything that keys and menu can do, in the order of the menu. Scenes are called by their titles.
+/// @param scenes that are shipped, the first nine of them on the keys 1-9
 std::vector<Entry> make_entries(const std::vector<std::string>& scenes);
 
 /// The entry of a key; null if it has none. A key with Shift that has none of its own is the key without.
 const Entry* find_entry(const std::vector<Entry>& entries, std::string_view key);
+
+/// What follows an entry's text in the menu: whether what its command switches is on, or the value that it sets the
+/// present one. The command is read once.
+class MenuMark {
+public:
+    MenuMark() = default;
+
+    /// @throws InputError if its command is none, or has a setting that is none
+    explicit MenuMark(const Entry& entry);
+
+    /// "on", "off", "paused", "now"; empty for what is neither.
+    /// @param scene its name or path
+    [[nodiscard]] std::string_view text(const Settings& settings, std::string_view scene, bool paused) const;
+
+private:
+    Command command_ = command::Quit{};
+    const Setting* setting_ = nullptr;   ///< that it names, if any
+    std::optional<SettingValue> value_;  ///< that it sets it to
+};
 
 /// "Space, P".
 std::string key_text(const Entry& entry);

@@ -15,6 +15,8 @@
 
 namespace drape {
 
+struct Entry;
+
 /// What one frame cost, beside the steps in it.
 struct FrameReport {
     std::int64_t frame = 0;
@@ -77,6 +79,13 @@ public:
     /// The lines of the help panel, which `settings->view.help` shows.
     void set_help(std::vector<KeyHelp> lines);
 
+    /// Opens the drawn menu of these entries and of the settings that a scene has.
+    void open_menu(std::span<const Entry> entries, const Settings& settings);
+    [[nodiscard]] bool menu_open() const;
+
+    /// The number of the entry that the user has chosen in the drawn menu since the last call.
+    [[nodiscard]] std::optional<std::size_t> take_entry();
+
     /// What a newcomer may try, in a panel at the bottom; no lines: no panel.
     void set_hint(std::vector<KeyHelp> lines);
 
@@ -89,7 +98,8 @@ public:
     /// Where the pointer is over the picture: while bounding volumes are shown, the node there is named [pixel].
     void hover(int x, int y);
 
-    /// A typed character for a field of the settings panel: 8 deletes, 13 ends, 27 gives up.
+    /// A typed character for a field of the settings panel, or for the menu while it is open: 8 deletes, 13 ends or
+    /// chooses, 27 gives up, 14 and 16 go down and up in the menu.
     void type(unsigned char code);
 
     /// Whether pointer and keyboard are the settings panel's now.
