@@ -2,8 +2,9 @@
 // triangles that it touches, see docs/hierarchy.md. With --self: pairs of triangles of the cloths of `fold` and `stack`
 // that may touch, see docs/contact-measured.md.
 
+#include <fmt/core.h>
+
 #include <algorithm>
-#include <cstdio>
 #include <ostream>
 
 #include "ball_race.h"
@@ -29,24 +30,18 @@ std::vector<Result> race(const Task& task, int turns) {
     return take_turns(runners, turns);
 }
 
-/// Prints the results, and writes them as rows.
 /// @param reference the time that ratios are of [s]
 /// @param task, counts the columns before the method, and before the ties
-void tell(const std::vector<Result>& results, double reference, const std::string& task, const std::string& counts,
-          std::ostream& out) {
-    std::printf("\n%s%s\n", task.c_str(), counts.c_str());
+void tell_all(const std::vector<Result>& results, double reference, const std::string& task, const std::string& counts,
+              std::ostream& out) {
     for (const Result& r : results) {
-        std::printf("%-28s update %9.1f us, query %9.1f us, total %9.1f us, %7.2f, %6d frames, %4d ties\n",
-                    r.method.c_str(), r.update * 1e6, r.query * 1e6, r.total * 1e6, r.total / reference, r.frames,
-                    r.ties);
-        out << task << ',' << r.method << ',' << r.update * 1e6 << ',' << r.query * 1e6 << ',' << r.total * 1e6 << ','
-            << r.total / reference << ',' << r.frames << counts << ',' << r.ties << '\n';
+        tell(out, fmt::format("{},{},{:.6g},{:.6g},{:.6g},{:.6g},{}{},{}", task, r.method, r.update * 1e6,
+                              r.query * 1e6, r.total * 1e6, r.total / reference, r.frames, counts, r.ties));
     }
-    std::fflush(stdout);
 }
 
 void race_with_a_ball(bool quick, std::ostream& out) {
-    out << "precision,side,method,update_us,query_us,total_us,ratio,frames,ties\n";
+    tell(out, "precision,side,method,update_us,query_us,total_us,ratio,frames,ties");
     for (const int side : quick ? std::vector{32, 128} : std::vector{32, 128, 512}) {
         const std::vector<Result> results = race(Motion(side, quick ? 8 : 32), quick ? 2 : 5);
         // Of Drape's trees; the first of its methods is brute force
@@ -54,7 +49,7 @@ void race_with_a_ball(bool quick, std::ostream& out) {
         for (const Result& r : results) {
             if (r.method.starts_with("Drape") && &r != &results.front()) fastest = std::min(fastest, r.total);
         }
-        tell(results, fastest, (in_double ? "double," : "single,") + std::to_string(side), "", out);
+        tell_all(results, fastest, (in_double ? "double," : "single,") + std::to_string(side), "", out);
     }
 }
 
@@ -66,31 +61,40 @@ std::string mean_of(const Sheets& sheets, std::vector<TrianglePair> SheetFrame::
 }
 
 void race_for_pairs(bool quick, std::ostream& out) {
-    out << "scene,side,triangles,method,update_us,query_us,total_us,ratio,frames,box_pairs,near_pairs,ties\n";
+    tell(out, "scene,side,triangles,method,update_us,query_us,total_us,ratio,frames,box_pairs,near_pairs,ties");
     for (const std::string scene : {"fold", "stack"}) {
         for (const int side : quick ? std::vector{32} : std::vector{32, 64, 128}) {
             const Sheets sheets(scene, side, quick ? 4 : 8);
             const std::vector<Result> results = race(sheets, quick ? 1 : 3);
             // The first of ours finds what the other libraries find
-            tell(results, results.front().total,
-                 scene + ',' + std::to_string(side) + ',' + std::to_string(sheets.triangles()),
-                 ',' + mean_of(sheets, &SheetFrame::boxes) + ',' + mean_of(sheets, &SheetFrame::near), out);
+            tell_all(results, results.front().total,
+                     scene + ',' + std::to_string(side) + ',' + std::to_string(sheets.triangles()),
+                     ',' + mean_of(sheets, &SheetFrame::boxes) + ',' + mean_of(sheets, &SheetFrame::near), out);
         }
     }
 }
 
 int run(int argc, char** argv) {
-    CommandLine line("peers", "Times Drape's hierarchies beside those of FCL, Bullet and Embree.");
+    CommandLine line("peers", "Times Drape beside others: its hierarchies, its cloth and its solvers.");
     std::string csv;
-    bool quick = false, self = false;
+    bool quick = false, self = false, cloth = false, solve = false;
     line.option("--csv", csv, "Also write the figures to this file");
     line.flag("--quick", quick, "Fewer sizes, few frames");
     line.flag("--self", self, "Pairs of triangles of cloth, in place of a ball and a cloth");
+    line.flag("--cloth", cloth, "A sheet moved by Drape and by Bullet");
+    line.flag("--solve", solve, "The system of an implicit step, by solvers of Drape, Eigen, CHOLMOD and hypre");
     if (!line.parse(argc, argv)) return Done;
-    if (self && !in_double) throw InputError("--self: allowed in double precision only");
+    if (self + cloth + solve > 1) throw InputError("--self, --cloth, --solve: allowed: one of them");
+    if (!in_double && (self || cloth || solve)) throw InputError("--self, --cloth, --solve: double precision only");
 
     OutputFile file(csv);
-    self ? race_for_pairs(quick, file.stream()) : race_with_a_ball(quick, file.stream());
+    if (self) {
+        race_for_pairs(quick, file.stream());
+    } else if constexpr (in_double) {
+        if (cloth) race_with_cloth(quick, file.stream());
+        if (solve) race_to_solve(quick, file.stream());
+    }
+    if (!self && !cloth && !solve) race_with_a_ball(quick, file.stream());
     file.close();
     return Done;
 }

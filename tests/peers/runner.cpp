@@ -1,6 +1,7 @@
 #include "runner.h"
 
 #include <algorithm>
+#include <cstdio>
 #include <ctime>
 
 #include "drape/base/input_error.h"
@@ -72,6 +73,12 @@ double Runner::run(bool timed) {
         throw RunError(method_ + ", frame " + std::to_string(next_) + ": " + error.what());
     }
     return update + query;
+}
+
+void tell(std::ostream& out, const std::string& row) {
+    out << row << '\n';
+    std::puts(row.c_str());
+    std::fflush(stdout);
 }
 
 std::vector<Result> take_turns(const Runners& runners, int turns) {

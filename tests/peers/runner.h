@@ -1,6 +1,9 @@
 #pragma once
 
+#include <array>
+#include <functional>
 #include <memory>
+#include <ostream>
 #include <string>
 #include <vector>
 
@@ -54,6 +57,31 @@ private:
 };
 
 using Runners = std::vector<std::unique_ptr<Runner>>;
+
+/// A runner whose motion is one frame and whose parts are functions.
+class OneFrame final : public Runner {
+public:
+    using Part = std::function<void()>;
+    OneFrame(const std::string& name, Part prepare, Part update, Part query, Part check)
+        : Runner(name, 1), parts_{std::move(prepare), std::move(update), std::move(query), std::move(check)} {}
+
+private:
+    void prepare(std::size_t /*frame*/) override { parts_[0](); }
+    void update() override { parts_[1](); }
+    void query() override { parts_[2](); }
+    int check(std::size_t /*frame*/) override { return parts_[3](), 0; }
+
+    std::array<Part, 4> parts_;
+};
+
+/// Writes a row of a table, and prints it.
+void tell(std::ostream& out, const std::string& row);
+
+/// How far Drape's and Bullet's methods are from the converged sheet after a while, by their steps, and at what cost.
+void race_with_cloth(bool quick, std::ostream& out);
+
+/// What each solver needs for the system of an implicit step, to one residual.
+void race_to_solve(bool quick, std::ostream& out);
 
 /// All take their turns in their order; the first turn only warms up.
 std::vector<Result> take_turns(const Runners& runners, int turns);
