@@ -6,9 +6,7 @@
 
 #include <algorithm>
 #include <cstdio>
-#include <iostream>
 #include <optional>
-#include <random>
 
 #include "drape/base/command_line.h"
 #include "drape/base/input_error.h"
@@ -18,6 +16,7 @@
 #include "drape/scene/scene.h"
 #include "drape/scene/setting_table.h"
 #include "self_scenes.h"
+#include "support/random_user.h"
 #include "support/scene_crossings.h"
 
 namespace drape::crossings {
@@ -88,32 +87,33 @@ Tally run(const Options& options, const std::string& scene, int side, const std:
 }
 
 /// What a user may do, at random.
-class Player {
+class Player : test::RandomUser {
 public:
     Player(const Options& options, const std::string& scene)
-        : random_(options.seed), simulation_(scene, scene_of(scene, options.assignments)) {}
+        : RandomUser(options.seed, {scene, scene_of(scene, options.assignments)}) {}
 
     Tally play(double seconds) {
         Tally tally;
         const Stopwatch clock;
         double played = 0;
         while (played < seconds) {
-            const std::string command = next_command();
-            done_.push_back(std::to_string(simulation_.report().step) + " " + command);
-            simulation_.apply(parse_command(command));
-            if (command == "reset") done_.clear();
-            const double start = simulation_.report().time, end = start + between(0, random_() % 8 == 0 ? 0.8 : 0.05);
+            send(next_command());
+            const double start = simulation.report().time, end = start + between(0, below(8) == 0 ? 0.8 : 0.05);
+            double now = start;
             bool good = true;
-            while (simulation_.report().time < end && good) {
-                simulation_.step();
-                good = tally.look(simulation_);
-                if (!good) show();
-                good = good && simulation_.report().status == Status::Ok;
+            while (now < end && good) {
+                simulation.step();
+                now = simulation.report().time;
+                good = simulation.report().status == Status::Ok;
+                if (!tally.look(simulation)) {
+                    fail("CROSSED:");
+                    break;
+                }
             }
-            played += simulation_.report().time - start;
-            if (!good) simulation_.apply(command::Reset{}), done_.clear();
+            played += now - start;
+            if (!good) send("reset");
         }
-        tally.tell(simulation_.scene() + ", played with", played, clock.seconds());
+        tally.tell(simulation.scene() + ", played with", played, clock.seconds());
         return tally;
     }
 
@@ -130,63 +130,27 @@ private:
         return settings;
     }
 
-    double between(double low, double high) {
-        return low + (high - low) * static_cast<double>(random_() >> 11) * 0x1p-53;
-    }
-
-    std::string vector(double away) {
-        std::string text;
-        for (int axis = 0; axis < 3; ++axis) text += " " + real_text(between(-away, away), 4);
-        return text;
-    }
-
     std::string particle() {
-        const std::span<const Cloth> cloths = simulation_.cloths();
-        const std::size_t cloth = random_() % cloths.size();
-        const auto count = static_cast<unsigned>(cloths[cloth].model.grid.particles());
-        return " " + std::to_string(cloth) + " " + std::to_string(random_() % count);
+        const std::size_t cloth = below(simulation.cloths().size());
+        const auto count = static_cast<std::size_t>(simulation.cloths()[cloth].model.grid.particles());
+        return " " + std::to_string(cloth) + " " + std::to_string(below(count));
     }
 
     std::string next_command() {
-        switch (random_() % 24) {
-            case 0:
-                return "reset";
-            case 1:
-                return "throw" + vector(1) + vector(5);
-            case 2:
-                return "fall";
-            case 3:
-                return "set wind.on=true";
-            case 4:
-                return "set wind.on=false";
-            case 5:
-                return "pin" + particle();
-            case 6:
-            case 7:
-                return "release";
-            case 8:
-            case 9:
-            case 10:
-                return "grab" + particle();
-            case 11:
-            case 12:
-            case 13:
-                return "steer" + vector(1);
-            case 14:
-                return "steer 0 0 0";
-            default:
-                return "drag" + vector(0.8);
+        const std::size_t chosen = below(24);
+        if (chosen == 0) return "reset";
+        if (chosen == 1) {
+            const std::string place = vector(1);
+            return "throw" + place + vector(5);
         }
+        if (chosen == 2) return "fall";
+        if (chosen < 5) return chosen == 3 ? "set wind.on=true" : "set wind.on=false";
+        if (chosen == 5) return "pin" + particle();
+        if (chosen < 8) return "release";
+        if (chosen < 11) return "grab" + particle();
+        if (chosen < 14) return "steer" + vector(1);
+        return chosen == 14 ? "steer 0 0 0" : "drag" + vector(0.8);
     }
-
-    void show() const {
-        std::cout << "CROSSED: " << simulation_.scene() << ", step " << simulation_.report().step << "\n";
-        for (const std::string& command : done_) std::cout << "  " << command << "\n";
-    }
-
-    std::mt19937_64 random_;
-    Simulation simulation_;
-    std::vector<std::string> done_;  ///< since the start
 };
 
 int count(const Options& options) {

@@ -4,110 +4,60 @@
 #include <algorithm>
 #include <cmath>
 #include <cstdio>
-#include <functional>
 #include <iostream>
 #include <limits>
-#include <random>
-#include <span>
 
-#include "drape/base/numbers.h"
 #include "drape/contact/search_audit.h"
 #include "drape/model/energy.h"
 #include "drape/model/stencils.h"
 #include "drape/scene/scene.h"
 #include "drape/scene/setting_table.h"
-#include "drape/sim/simulation.h"
+#include "support/random_user.h"
 
 namespace drape::random_hand {
 namespace {
 
-/// What is seen of a simulation after a step.
+/// What is seen of the cloths of a simulation after a step.
 struct Sight {
-    Real stretch = 0;   ///< of the longest spring, relative
-    Real deepest = 0;   ///< in a ball [m]
-    Real lowest = 0;    ///< above the ground [m]
-    Real farthest = 0;  ///< largest coordinate [m]
+    Real stretch = -1;                                    ///< of the longest spring, relative
+    Real deepest = 0;                                     ///< in a ball [m]
+    Real lowest = std::numeric_limits<Real>::infinity();  ///< above the ground [m]
+    Real farthest = 0;                                    ///< largest coordinate [m]
     bool finite = true;
-};
 
-/// What must be true after every step, whatever hand and ball do.
-struct Check {
-    const char* name;
-    std::function<bool(const Simulation&, const Sight&)> holds;
-};
-
-bool is_finite(const Simulation& simulation) {
-    return std::ranges::all_of(
-        simulation.cloths(), [](const Cloth& cloth) { return cloth.state.x.allFinite() && cloth.state.v.allFinite(); });
-}
-
-Real stretch_of(const Simulation& simulation) {
-    Real largest = -1;
-    for (const Cloth& cloth : simulation.cloths()) {
-        largest = std::max(largest, largest_stretch(cloth.model, cloth.state.x));
+    explicit Sight(const Simulation& simulation) {
+        for (const Cloth& cloth : simulation.cloths()) {
+            const Points& x = cloth.state.x;
+            SearchAudit audit(cloth.model.grid, Kernels::Vector);
+            stretch = std::max(stretch, largest_stretch(cloth.model, x));
+            deepest = std::max(deepest, audit.penetration(x, simulation.balls(), 0));
+            lowest = std::min(lowest, x.col(1).minCoeff() - simulation.settings().ground.height);
+            farthest = std::max(farthest, x.cwiseAbs().maxCoeff());
+            finite = finite && x.allFinite() && cloth.state.v.allFinite();
+        }
     }
-    return largest;
-}
+};
 
 /// Contact comes after the limit, and may stretch a spring until the next step by what it pushes out.
 constexpr Real pushed = Real(0.08);
-
-bool is_within_its_limit(const Simulation& simulation, const Sight& sight) {
-    return sight.stretch <= simulation.cloths()[0].model.stretch_limit + stretch_tolerance + pushed;
-}
 
 /// Contact stops cloth at its thickness already. But a ball that the keys press onto the ground leaves cloth between
 /// the two no room, and contact with one pushes it by as much into the other [m].
 constexpr Real entered = Real(0.003);
 
-Real deepest_in_balls(const Simulation& simulation) {
-    Real deepest = 0;
-    for (const Cloth& cloth : simulation.cloths()) {
-        SearchAudit audit(cloth.model.grid, Kernels::Vector);
-        deepest = std::max(deepest, audit.penetration(cloth.state.x, simulation.balls(), 0));
-    }
-    return deepest;
-}
-
-Real lowest_of(const Simulation& simulation) {
-    Real lowest = std::numeric_limits<Real>::infinity();
-    for (const Cloth& cloth : simulation.cloths()) lowest = std::min(lowest, cloth.state.x.col(1).minCoeff());
-    return lowest;
-}
-
-bool is_above_the_ground(const Simulation& simulation, const Sight& sight) {
-    return !simulation.settings().ground.solid || sight.lowest >= -entered;
-}
-
 /// Farther away no hand and no ball can have taken the cloth [m].
 constexpr Real far_away = 20;
 
-Real farthest_of(const Simulation& simulation) {
-    Real farthest = 0;
-    for (const Cloth& cloth : simulation.cloths()) farthest = std::max(farthest, cloth.state.x.cwiseAbs().maxCoeff());
-    return farthest;
-}
-
-Sight look_at(const Simulation& simulation) {
-    return {.stretch = stretch_of(simulation),
-            .deepest = deepest_in_balls(simulation),
-            .lowest = lowest_of(simulation) - simulation.settings().ground.height,
-            .farthest = farthest_of(simulation),
-            .finite = is_finite(simulation)};
-}
-
-const std::vector<Check>& checks() {
-    static const std::vector<Check> list{
-        {"the cloth is finite", [](const Simulation&, const Sight& sight) { return sight.finite; }},
-        {"nothing of the cloth is far away",
-         [](const Simulation&, const Sight& sight) { return sight.farthest < far_away; }},
-        {"no cloth is inside a ball", [](const Simulation&, const Sight& sight) { return sight.deepest <= entered; }},
-        {"no cloth is below the ground", is_above_the_ground},
-        {"no spring is stretched beyond the limit", is_within_its_limit},
-        {"the run goes on", [](const Simulation& s, const Sight&) { return s.report().status == Status::Ok; }},
-        {"no energy comes from nowhere",
-         [](const Simulation& s, const Sight&) { return s.report().energy_gain_step == 0; }}};
-    return list;
+/// @return what is not so of what must be true after every step, whatever hand and ball do; empty if all is
+std::string flaw_of(const Simulation& simulation, const Sight& sight) {
+    const Real limit = simulation.cloths()[0].model.stretch_limit + stretch_tolerance + pushed;
+    if (!sight.finite) return "the cloth is finite";
+    if (!(sight.farthest < far_away)) return "nothing of the cloth is far away";
+    if (!(sight.deepest <= entered)) return "no cloth is inside a ball";
+    if (simulation.settings().ground.solid && !(sight.lowest >= -entered)) return "no cloth is below the ground";
+    if (!(sight.stretch <= limit)) return "no spring is stretched beyond the limit";
+    if (simulation.report().status != Status::Ok) return "the run goes on";
+    return simulation.report().energy_gain_step == 0 ? "" : "no energy comes from nowhere";
 }
 
 /// How far structural springs are from their rest lengths, of those lengths, RMS.
@@ -143,11 +93,10 @@ Settings scene_with_a_ball(const std::string& name) {
     return settings;
 }
 
-class RandomHand {
+class RandomHand : test::RandomUser {
 public:
     RandomHand(unsigned long seed, const std::string& scene)
-        : random_(seed), scene_(scene), simulation_(scene, scene_with_a_ball(scene)) {
-        start_ = simulation_.cloths()[0].state.x;
+        : RandomUser(seed, {scene, scene_with_a_ball(scene)}), start_(simulation.cloths()[0].state.x) {
         run(settling_time);
     }
 
@@ -159,49 +108,32 @@ public:
 private:
     static constexpr double settling_time = 2, rest_time = 5;  // s, before the first command and after the last
 
-    double between(double low, double high) {
-        return low + (high - low) * static_cast<double>(random_() >> 11) * 0x1p-53;
-    }
-    std::string random_vector(const Vec3& middle, double away);
     std::string random_command();
     void run(double seconds);
-    void look();
-    [[nodiscard]] bool pins_are_in_place() const;
     void fail(const std::string& what);
+    [[nodiscard]] bool pins_are_in_place() const;
 
-    std::mt19937_64 random_;
-    std::string scene_;
-    Simulation simulation_;
-    Points start_;                   ///< positions at the start
-    std::vector<std::string> done_;  ///< since the start
+    Points start_;  ///< positions at the start
     int failed_ = 0;
 };
 
-std::string RandomHand::random_vector(const Vec3& middle, double away) {
-    std::string text;
-    for (int axis = 0; axis < 3; ++axis) {
-        text += " " + real_text(static_cast<double>(middle[axis]) + between(-away, away), 4);
-    }
-    return text;
-}
-
 std::string RandomHand::random_command() {
-    const Settings& settings = simulation_.settings();
-    const Vec3 middle = settings.cloths[0].centre(), home = settings.balls[0].position - simulation_.balls()[0].centre;
-    switch (random_() % 8) {
+    const Settings& settings = simulation.settings();
+    const Vec3 home = settings.balls[0].position - simulation.balls()[0].centre;
+    switch (below(8)) {
         case 0:
             return "grab 0 " +
-                   std::to_string(random_() % static_cast<unsigned>(settings.cloths[0].particles.particles()));
+                   std::to_string(below(static_cast<std::size_t>(settings.cloths[0].particles.particles())));
         case 1:
         case 2:
         case 3:
-            return "drag" + random_vector(middle, 1.2);
+            return "drag" + vector(1.2, settings.cloths[0].centre());
         case 4:
             return "release";
         case 5:
         case 6:
             // Not out of sight
-            return "steer" + (home.norm() > Real(0.6) ? random_vector(home, 0.1) : random_vector(Vec3::Zero(), 1));
+            return "steer" + (home.norm() > Real(0.6) ? vector(0.1, home) : vector(1));
         default:
             return "steer 0 0 0";
     }
@@ -209,34 +141,24 @@ std::string RandomHand::random_command() {
 
 void RandomHand::fail(const std::string& what) {
     ++failed_;
-    std::cout << "FAILED: " << what << "\n  " << scene_ << ", step " << simulation_.report().step << ", stretch "
-              << stretch_of(simulation_) << ", " << deepest_in_balls(simulation_) << " m into a ball, lowest at "
-              << lowest_of(simulation_) << " m " << simulation_.report().error << simulation_.run_warning() << "\n";
-    for (const std::string& command : done_) std::cout << "  " << command << "\n";
-    simulation_.apply(command::Reset{});
-    done_.clear();
-}
-
-void RandomHand::look() {
-    const Sight sight = look_at(simulation_);
-    for (const Check& check : checks()) {
-        if (!check.holds(simulation_, sight)) return fail(check.name);
-    }
+    const Sight sight(simulation);
+    std::cout << "stretch " << sight.stretch << ", " << sight.deepest << " m into a ball, lowest at " << sight.lowest
+              << " m\n";
+    RandomUser::fail("FAILED: " + what);
 }
 
 void RandomHand::run(double seconds) {
-    const double end = simulation_.report().time + seconds;
-    while (simulation_.report().time < end) {
-        const std::int64_t before = simulation_.report().step;
-        simulation_.step();
-        look();
-        if (simulation_.report().step <= before) return;  // a check has failed
+    const double end = simulation.report().time + seconds;
+    while (simulation.report().time < end) {
+        simulation.step();
+        const std::string flaw = flaw_of(simulation, Sight(simulation));
+        if (!flaw.empty()) return fail(flaw);
     }
 }
 
 /// A pin that the hand has had stays where it was left, and the cloth about it may be drawn taut for good.
 bool RandomHand::pins_are_in_place() const {
-    const Cloth& cloth = simulation_.cloths()[0];
+    const Cloth& cloth = simulation.cloths()[0];
     for (int p = 0; p < cloth.model.grid.particles(); ++p) {
         if (cloth.model.pinned(p) && (cloth.state.x.row(p) - start_.row(p)).norm() > Real(1e-3)) return false;
     }
@@ -246,24 +168,20 @@ bool RandomHand::pins_are_in_place() const {
 int RandomHand::play_round() {
     constexpr int commands = 120;
     for (int c = 0; c < commands; ++c) {
-        const std::string command = random_command();
-        done_.push_back(std::to_string(simulation_.report().step) + " " + command);
-        simulation_.apply(parse_command(command));
-        run(between(0, random_() % 16 == 0 ? 0.6 : 0.03));  // now and then long enough to come where it leads
+        send(random_command());
+        run(between(0, below(16) == 0 ? 0.6 : 0.03));  // now and then long enough to come where it leads
     }
     // A ball that leans on a cloth that hangs would stretch it
-    const bool hangs = simulation_.settings().cloths[0].pinned.kind != Pins::Kind::None;
+    const bool hangs = simulation.settings().cloths[0].pinned.kind != Pins::Kind::None;
     for (const char* command : {"release", "steer 0 0 0", hangs ? "set ball.position=9,1,0" : "steer 0 0 0"}) {
-        done_.push_back(std::to_string(simulation_.report().step) + " " + command);
-        simulation_.apply(parse_command(command));
+        send(command);
     }
     run(rest_time);
-    if (pins_are_in_place() && strain_of(simulation_.cloths()[0]) > at_rest) {
+    if (pins_are_in_place() && strain_of(simulation.cloths()[0]) > at_rest) {
         fail("the cloth at rest has its rest lengths");
     }
     // A cloth that has fallen off is far away
-    simulation_.apply(command::Reset{});
-    done_.clear();
+    send("reset");
     return commands;
 }
 

@@ -8,13 +8,13 @@
 #include <cstdio>
 #include <filesystem>
 #include <iostream>
-#include <random>
 
 #include "drape/base/input_error.h"
 #include "drape/base/numbers.h"
 #include "drape/integrate/integrator.h"
 #include "drape/scene/scene.h"
 #include "drape/session/start.h"
+#include "support/random_user.h"
 
 namespace drape::soak {
 namespace {
@@ -39,9 +39,9 @@ bool finite(Session& session) {
     return true;
 }
 
-class Soak {
+class Soak : test::Chance {
 public:
-    Soak(unsigned long seed, std::filesystem::path file) : random_(seed), file_(std::move(file)) {}
+    Soak(unsigned long seed, std::filesystem::path file) : Chance(seed), file_(std::move(file)) {}
 
     /// One run of a scene and its replay. @return steps that were made
     long long run_twice();
@@ -50,10 +50,6 @@ public:
     [[nodiscard]] int failed() const { return failed_; }
 
 private:
-    std::size_t below(std::size_t bound) { return static_cast<std::size_t>(random_() % bound); }
-    double between(double low, double high) {
-        return low + (high - low) * static_cast<double>(random_() >> 11) * 0x1p-53;
-    }
     template <class List>
     const auto& one_of(const List& list) {
         return list[below(list.size())];
@@ -62,7 +58,6 @@ private:
     std::vector<std::string> random_assignments();
     void fail(const std::string& what);
 
-    std::mt19937_64 random_;
     std::filesystem::path file_;
     std::vector<std::string> scenes_ = scene_names();
     std::string about_;
@@ -93,11 +88,11 @@ std::string Soak::random_command(const Simulation& simulation) {
             return "grab 0 " + std::to_string(below(25));
         case 1:
         case 2:
-            return "drag " + number() + " " + number() + " " + number();
+            return "drag" + vector(1);
         case 3:
             return "release";
         case 4:
-            return "steer " + number() + " " + number() + " " + number();
+            return "steer" + vector(1);
         case 5:
             return "steer 0 0 0";
         case 6:
