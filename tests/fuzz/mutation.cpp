@@ -11,38 +11,15 @@ namespace {
 
 constexpr std::size_t most_changes = 6;
 
-constexpr const char* extreme_numbers[] = {"0",
-                                           "-0",
-                                           "1",
-                                           "-1",
-                                           "2",
-                                           "1e-320",
-                                           "5e-324",
-                                           "1e308",
-                                           "1e309",
-                                           "-1e308",
-                                           "nan",
-                                           "inf",
-                                           "-inf",
-                                           "0x10",
-                                           "1e-30",
-                                           "1e12",
-                                           "2147483647",
-                                           "2147483648",
-                                           "4294967296",
-                                           "-2",
-                                           "9223372036854775807",
-                                           "0.1",
-                                           "1e-9",
-                                           "9223372036854775808",
-                                           "18446744073709551616",
-                                           "1_000",
-                                           "1e6",
-                                           "999999",
-                                           "0,5",
-                                           "1.0000000000000002",
-                                           "4096",
-                                           "4097"};
+constexpr const char* extreme_numbers =
+    "0 -0 1 -1 2 1e-320 5e-324 1e308 1e309 -1e308 nan inf -inf 0x10 1e-30 1e12 2147483647 2147483648 4294967296 "
+    "-2 9223372036854775807 0.1 1e-9 9223372036854775808 18446744073709551616 1_000 1e6 999999 0,5 "
+    "1.0000000000000002 4096 4097";
+
+std::vector<std::string> words_of(const std::string& text) {
+    std::istringstream words(text);
+    return {std::istream_iterator<std::string>(words), {}};
+}
 
 bool in_number(char c) { return (c >= '0' && c <= '9') || c == '.' || c == 'e' || c == '-' || c == '+'; }
 
@@ -50,9 +27,13 @@ bool in_number(char c) { return (c >= '0' && c <= '9') || c == '.' || c == 'e' |
 
 Mutation::Mutation(std::vector<std::string> seeds, std::vector<std::string> dictionary, unsigned long seed,
                    std::size_t longest)
-    : seeds_(std::move(seeds)), dictionary_(std::move(dictionary)), random_(seed), longest_(longest) {
+    : seeds_(std::move(seeds)),
+      dictionary_(std::move(dictionary)),
+      numbers_(words_of(extreme_numbers)),
+      random_(seed),
+      longest_(longest) {
     require(!seeds_.empty(), "there is an input to start from");
-    if (dictionary_.empty()) dictionary_.assign(std::begin(extreme_numbers), std::end(extreme_numbers));
+    if (dictionary_.empty()) dictionary_ = numbers_;
 }
 
 // The distributions of the standard library differ from one to another; the bits of the generator do not
@@ -115,7 +96,7 @@ void Mutation::replace_number() {
     if (first == input_.end()) return;
     begin = static_cast<std::size_t>(first - input_.begin());
     const auto last = std::find_if_not(first, input_.end(), in_number);
-    input_.replace(begin, static_cast<std::size_t>(last - first), extreme_numbers[below(std::size(extreme_numbers))]);
+    input_.replace(begin, static_cast<std::size_t>(last - first), one_of(numbers_));
 }
 
 std::vector<std::string> dictionary_words(const std::string& text) {

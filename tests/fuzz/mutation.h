@@ -27,7 +27,7 @@ private:
     void splice();
     void replace_number();
 
-    std::vector<std::string> seeds_, dictionary_;
+    std::vector<std::string> seeds_, dictionary_, numbers_;
     std::mt19937_64 random_;
     std::size_t longest_;
     std::string input_;
