@@ -8,7 +8,6 @@
 #include <map>
 #include <string>
 
-#include "bench/refined.h"
 #include "crossings/self_scenes.h"
 #include "drape/base/stopwatch.h"
 #include "drape/sim/self_search.h"
@@ -43,8 +42,8 @@ struct LyingSheets {
             const auto& [x, v] = simulation.cloths()[c].state;
             const Grid& grid = simulation.cloths()[c].model.grid;
             models.push_back(make_cloth_model(settings.cloths[c]));
-            before.push_back(refined(models[c].grid, grid, x));
-            states.push_back({before[c], refined(models[c].grid, grid, v)});
+            before.push_back(resampled(x, grid, models[c].grid));
+            states.push_back({before[c], resampled(v, grid, models[c].grid)});
             states[c].x += h * states[c].v;
             triangles += models[c].grid.triangles();
         }

@@ -4,7 +4,6 @@
 #include <cmath>
 #include <numbers>
 
-#include "bench/cut_sheet.h"
 #include "drape/base/input_error.h"
 #include "drape/base/numbers.h"
 #include "drape/bounds/broad_phase.h"
@@ -13,6 +12,24 @@
 
 namespace drape::peers {
 namespace {
+
+/// A square sheet of side 1 in waves, and a ball in its middle that cuts a tenth of it out.
+struct CutSheet {
+    Grid grid;
+    Points x;
+    Ball ball;
+
+    explicit CutSheet(int side) : grid{side, side}, x(grid.particles(), 3) {
+        ball.radius = std::sqrt(Real(0.1) / std::numbers::pi_v<Real>);
+        for (int j = 0; j < side; ++j) {
+            for (int i = 0; i < side; ++i) {
+                const Real u = static_cast<Real>(i) / static_cast<Real>(side - 1) - Real(0.5);
+                const Real w = static_cast<Real>(j) / static_cast<Real>(side - 1) - Real(0.5);
+                x.row(grid.particle(i, j)) << u, Real(0.05) * std::sin(9 * u) * std::cos(7 * w), w;
+            }
+        }
+    }
+};
 
 /// From a point to the closest one of a triangle.
 Vec3 offset(const Points& x, const std::array<int, 3>& corners, const Vec3& p) {
@@ -27,7 +44,7 @@ Real rounding_about(const Ball& ball, Real epsilon) {
 }  // namespace
 
 Motion::Motion(int side, int count) {
-    const bench::CutSheet sheet(side);
+    const CutSheet sheet(side);
     grid = sheet.grid;
     for (int t = 0; t < grid.triangles(); ++t) corners.push_back(grid.triangle_corners(t));
     std::vector<CellRun> all;

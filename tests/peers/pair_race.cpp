@@ -4,7 +4,6 @@
 #include <limits>
 #include <numeric>
 
-#include "bench/refined.h"
 #include "crossings/self_scenes.h"
 #include "drape/base/input_error.h"
 #include "drape/contact/closest_point.h"
@@ -37,7 +36,7 @@ SheetFrame frame_of(const Sheets& sheets, const Simulation& simulation) {
     Eigen::Index particles = 0;
     for (std::size_t c = 0; c < sheets.grids.size(); ++c) {
         const Cloth& cloth = simulation.cloths()[c];
-        frame.of_cloths.push_back(bench::refined(sheets.grids[c], cloth.model.grid, cloth.state.x));
+        frame.of_cloths.push_back(resampled(cloth.state.x, cloth.model.grid, sheets.grids[c]));
         particles += frame.of_cloths[c].rows();
     }
     frame.x.resize(particles, 3);
