@@ -2,24 +2,15 @@
 
 #include <gtest/gtest.h>
 
+#include "support/cloths.h"
+
 namespace drape {
 namespace {
 
-// A sheet that is bent, differently at each time
-Points bent_sheet(const Grid& grid, Real time) {
-    Points x(grid.particles(), 3);
-    for (int j = 0; j < grid.ny; ++j) {
-        for (int i = 0; i < grid.nx; ++i) {
-            const Real u = Real(0.1) * static_cast<Real>(i), v = Real(0.1) * static_cast<Real>(j);
-            x.row(grid.particle(i, j)) << u, time * u * (v - 1), v + time * u;
-        }
-    }
-    return x;
-}
-
 TEST(RefitNodes, GivesEachLevelTheVolumesOfABuild) {
     const Grid grid{23, 17};
-    const Points before = bent_sheet(grid, 0), now = bent_sheet(grid, 1);
+    std::mt19937 random(23);
+    const Points before = test::random_cloth(grid, random), now = test::random_cloth(grid, random);
     for (std::size_t kind = 0; kind < names_of<VolumeKind>().size(); ++kind) {
         const BroadPhaseParameters parameters{.volume = static_cast<VolumeKind>(kind), .leaf_cells = 3};
         const auto built = make_broad_phase(parameters, grid), old = make_broad_phase(parameters, grid);

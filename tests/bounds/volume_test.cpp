@@ -58,5 +58,20 @@ TYPED_TEST(Volume, TouchesABallAtAParticleFromAnySideAndAtAnyScale) {
     });
 }
 
+/// As far as the farthest of its faces, seen from the ball's centre.
+TYPED_TEST(Volume, LeavesOutABallThatEndsBeforeAFace) {
+    std::mt19937 random(13);
+    std::normal_distribution<Real> normal;
+    const Grid grid{9, 7};
+    for (int round = 0; round < 500; ++round) {
+        const TypeParam volume = TypeParam::fit(whole(test::random_cloth(grid, random), grid));
+        const Vec3 centre = 2 * Vec3(normal(random), normal(random), normal(random));
+        const auto gap = static_cast<Real>(test::stands_out(volume, centre));
+        if (gap > 0) {
+            EXPECT_FALSE(volume.overlaps({.centre = centre, .radius = gap - Real(1e-12)})) << round;
+        }
+    }
+}
+
 }  // namespace
 }  // namespace drape
