@@ -91,16 +91,6 @@ TEST(Outlines, OfAKDopAreTheEdgesOfItsSurface) {
     }
 }
 
-TEST(Outlines, OfACubeWithCutCornersAreTheEdgesOfATruncatedCube) {
-    KDop<14> dop;
-    dop.box = {Vec3(-1, -1, -1), Vec3(1, 1, 1)};
-    dop.low.fill(-2.5);
-    dop.high.fill(2.5);
-    Outlines outlines;
-    append_outline(dop, NodeState::Visited, outlines);
-    EXPECT_EQ(outlines.edges.size(), 12u + 24u);
-}
-
 /// Above and below; every direction that is cut off by others only touches.
 TEST(Outlines, OfAFlatClothHaveEachEdgeTwice) {
     const Grid grid{5, 5};

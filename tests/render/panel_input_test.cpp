@@ -218,20 +218,6 @@ TEST_F(PanelInput, AListOfNamesIsClosedFromOutside) {
     EXPECT_TRUE(panels_.settings.list_open()) << "it opens again";
 }
 
-TEST_F(PanelInput, ComparesWithAnotherValue) {
-    open_comparison();
-    const std::optional<std::string> wanted = wanted_comparison();
-    ASSERT_TRUE(wanted);
-    Comparison comparison(simulation_, *wanted);
-    EXPECT_NE(comparison.other().settings().solver.integrator, simulation_.settings().solver.integrator);
-    EXPECT_THAT(changes(), IsEmpty()) << "what runs stays as it is";
-    simulation_.apply(command::Set{*wanted});
-    frames();
-    const std::optional<std::string> after = wanted_comparison();
-    ASSERT_TRUE(after);
-    EXPECT_NE(after, wanted) << "no run is compared with itself";
-}
-
 TEST_F(PanelInput, ShowsTheComparisonThatRuns) {
     open_comparison();
     for (const char* versus : {"contact.volume=aabb", "contact.response=hybrid,contact.friction=0.25"}) {

@@ -16,36 +16,30 @@ class ShadowBox : public testing::Test {
 protected:
     ShadowBox() : simulation_("drop", load_scene("drop")), ball_(simulation_.balls()[0]) {}
 
-    /// Of the map, as the scene's camera sees it from so many times its distance [m].
-    [[nodiscard]] float texel(double distance = 1) {
+    /// As the scene's camera sees the ball from so many times its distance.
+    [[nodiscard]] FrameData data(double distance = 1) {
         ViewSettings shown = simulation_.settings().view;
         shown.eye = shown.target + distance * (shown.eye - shown.target);
         FrameView view = simulation_.view();
         view.balls = view.previous_balls = {&ball_, 1};
-        return make_frame_data(view, Camera(shown), {640, 480}, {640, 480}, 1024).shadow.x();
+        return make_frame_data(view, Camera(shown), {640, 480}, {640, 480}, 1024);
     }
+
+    /// Of the map [m].
+    [[nodiscard]] float texel(double distance = 1) { return data(distance).shadow.x(); }
 
     /// The farthest that the ball is from the middle of the map; 1: at its edge.
     [[nodiscard]] float off_the_middle() {
-        FrameView view = simulation_.view();
-        view.balls = view.previous_balls = {&ball_, 1};
-        const FrameData data = make_frame_data(view, Camera(simulation_.settings().view), {640, 480}, {640, 480}, 1024);
+        const Eigen::Matrix4f to_map = data().shadow_matrix;
         float most = 0;
         for (const Vec3& side : {Vec3(1, 0, 0), Vec3(0, 1, 0), Vec3(0, 0, 1)}) {
             for (const Real sign : {-1, 1}) {
                 const Vec3 p = ball_.centre + sign * ball_.radius * side;
-                const Eigen::Vector4f at = data.shadow_matrix * p.cast<float>().homogeneous();
+                const Eigen::Vector4f at = to_map * p.cast<float>().homogeneous();
                 most = std::max(most, at.head<2>().cwiseAbs().maxCoeff());
             }
         }
         return most;
-    }
-
-    /// Towards the light.
-    [[nodiscard]] Vec3 to_light() {
-        const FrameData data =
-            make_frame_data(simulation_.view(), Camera(simulation_.settings().view), {640, 480}, {640, 480}, 1024);
-        return Vec3(data.to_light.head<3>().cast<Real>());
     }
 
     Simulation simulation_;
@@ -63,7 +57,8 @@ TEST_F(ShadowBox, IsSpreadToABallNearTheClothOrInThePictureAndToNoOther) {
 }
 
 TEST_F(ShadowBox, HasAllOfABallThatIsHighAboveTheClothOrAtTheEdgeOfWhatIsSeen) {
-    const Vec3 start = ball_.centre, up = to_light(), aside = up.cross(Vec3(0, 0, 1)).normalized();
+    const Vec3 start = ball_.centre, up = data().to_light.head<3>().cast<Real>();
+    const Vec3 aside = up.cross(Vec3(0, 0, 1)).normalized();
     for (const Real above : {0, 2, 30}) {
         for (const Real side : {Real(0), Real(1), Real(1.5)}) {
             ball_.centre = start + above * up + side * aside;
