@@ -104,18 +104,8 @@ protected:
 
     // One frame at the time of these steps
     Image picture_of_capture(const std::string& recorded_run, double time, const std::vector<std::string>& more) {
-        std::vector<std::string> words{program("drape-capture"),
-                                       "--replay",
-                                       recorded_run,
-                                       "--frames",
-                                       "1",
-                                       "--fps",
-                                       real_text(1 / time),
-                                       "--size",
-                                       "640x480",
-                                       "--out",
-                                       file("frames"),
-                                       "--again"};
+        std::vector<std::string> words{program("drape-capture"), "--replay", recorded_run, "--frames", "1", "--again"};
+        words.insert(words.end(), {"--fps", real_text(1 / time), "--size", "640x480", "--out", file("frames")});
         words.insert(words.end(), more.begin(), more.end());
         Process capture(words, {}, folder_);
         EXPECT_EQ(capture.wait(120), 0) << capture.standard_error();

@@ -267,18 +267,5 @@ TEST(Capture, FollowsTheViewOfAReplay) {
     EXPECT_NE(images[0].rgb, images[2].rgb);
 }
 
-TEST(Capture, DrawsThePanelOnlyIfItIsAskedTo) {
-    const TestFolder folder;
-    Words words{"drop", "--frames", "1", "--size", "640x480", "--out", folder / "a", "--set", "view.panel=full"};
-    run_program("drape-capture", words);
-    words[6] = folder / "b";
-    words.emplace_back("--overlay");
-    run_program("drape-capture", words);
-    const Image without = read_png(folder / "a/frame_0001.png"), with = read_png(folder / "b/frame_0001.png");
-    EXPECT_GT(without.pixel(12, 100)[1], 100);
-    EXPECT_LT(with.pixel(12, 100)[1], 100);
-    EXPECT_EQ(with.pixel(600, 400)[1], without.pixel(600, 400)[1]);
-}
-
 }  // namespace
 }  // namespace drape::test

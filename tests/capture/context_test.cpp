@@ -65,11 +65,7 @@ bool has_osmesa() {
 }
 
 Image drawn_by(ContextKind kind, const FrameView& view) {
-    const OffscreenContext context(kind);
-    Renderer renderer;
-    renderer.resize(640, 360);
-    renderer.draw(view, Camera(view.settings->view), {});
-    return renderer.read_back();
+    return picture_of(view, 640, 360, view.settings->view, kind);
 }
 
 /// The share of pixels in which two pictures differ by more than drivers may: 8 of 255 in one of the colours.
