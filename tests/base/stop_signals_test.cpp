@@ -32,17 +32,6 @@ TEST(StopSignals, AreTakenWhateverThreadTheyCome) {
     before.join();
 }
 
-TEST(StopSignals, EndTheProgramAtOnceTheSecondTime) {
-    for (const auto& [first, second] : {std::pair(SIGINT, SIGINT), std::pair(SIGINT, SIGTERM)}) {
-        const auto raise_both = [first = first, second = second] {
-            const StopSignals signals;
-            std::raise(first);
-            std::raise(second);
-        };
-        EXPECT_EXIT(raise_both(), testing::KilledBySignal(second), "");
-    }
-}
-
 TEST(StopSignals, LeaveAHangUpIgnoredThatIs) {
     std::signal(SIGHUP, SIG_IGN);
     {
