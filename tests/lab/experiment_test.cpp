@@ -156,19 +156,6 @@ TEST(LabMerge, RefusesSharesThatAreNotTheWhole) {
     EXPECT_THAT(refusal({"nowhere"}), HasSubstr("no table of an experiment in nowhere"));
     folder.write("stability-1-3/stability.csv.part", "");
     EXPECT_THAT(refusal({"stability-1-3"}), HasSubstr("stability.csv.part: not finished"));
-    const std::string text = folder.read("stability-2-3/stability.csv");
-    folder.write("stability-2-3/stability.csv", text.substr(0, text.size() - 5));
-    EXPECT_THAT(refusal({"stability-2-3"}), testing::ContainsRegex("stability.csv:[0-9]+: cut off"));
-    // Also where nothing shows but that the end is missing, or that a case is
-    folder.write("stability-2-3/stability.csv", text.substr(0, text.rfind("# end")));
-    EXPECT_THAT(refusal({"stability-2-3"}), HasSubstr("cut off: expected '# end: '"));
-    std::string without = text;
-    for (std::size_t line = 0; (line = without.find("\n158,")) != std::string::npos;) {
-        without.erase(line, without.find('\n', line + 1) - line);
-    }
-    ASSERT_NE(without, text);
-    folder.write("stability-2-3/stability.csv", without);
-    refusal({"stability-2-3"});
     EXPECT_FALSE(folder.has("merged"));
     std::filesystem::create_directories(folder.path("out"));
     folder.write("out/stability.csv.part", "of someone");

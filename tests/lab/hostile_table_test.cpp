@@ -13,7 +13,6 @@ namespace {
 
 using test::LabFolder;
 using test::LabRun;
-using test::replaced;
 using testing::AllOf;
 using testing::HasSubstr;
 
@@ -133,27 +132,6 @@ TEST(HostileFolder, NoProgramInItIsTakenForGnuplot) {
     EXPECT_EQ(run.code, 0) << run.err;
     EXPECT_THAT(run.err, HasSubstr("no gnuplot"));
     EXPECT_FALSE(has_marker(folder));
-}
-
-TEST(HostileTable, IsRefusedWhereTwoSharesHoldTheSameCasesOrItIsNoFile) {
-    const LabFolder folder;
-    for (const char* share : {"1/2", "2/2"}) {
-        ASSERT_EQ(folder
-                      .run({"stability", "--quick", "--cases", "159-162", "--share", share}, DRAPE_LAB,
-                           {{"PATH", "/nowhere"}})
-                      .code,
-                  0);
-    }
-    // The second share says that it is the second, and holds the rows of the first
-    folder.write("stability-2-2/stability.csv", replaced(folder.read("stability-1-2/stability.csv"), "1/2", "2/2"));
-    const LabRun run = folder.run({"merge", "stability-1-2", "stability-2-2"});
-    EXPECT_EQ(run.code, 2) << run.out;
-    EXPECT_THAT(run.err, HasSubstr("stability-2-2/stability.csv:10: column case: '159': allowed 160"));
-    std::filesystem::create_directories(folder.path("in/stability.csv"));
-    const LabRun no_file = folder.run({"merge", "in"});
-    EXPECT_EQ(no_file.code, 2) << no_file.out;
-    EXPECT_THAT(no_file.err, HasSubstr("in/stability.csv: is a folder"));
-    EXPECT_FALSE(folder.has("merged"));
 }
 
 }  // namespace

@@ -4,7 +4,6 @@
 
 #include <filesystem>
 
-#include "drape/base/child_program.h"
 #include "drape/base/input_error.h"
 #include "drape/base/resources.h"
 #include "lab/experiments.h"
@@ -82,8 +81,6 @@ TEST(OriginalRows, FailWhereTheProgramFails) {
     OriginalRow row;
     EXPECT_THROW((void)draw_original({"sphere", false}, tiny, "/bin/false", row), RunError);
     EXPECT_THROW((void)draw_original({"sphere", false}, tiny, "/bin/true", row), RunError) << "where it writes nothing";
-    EXPECT_EQ(run_child({"sh", "-c", "exit 7"}), 7);
-    EXPECT_EQ(run_child({"no-such-program-anywhere"}), std::nullopt);
 }
 
 TEST(LongLabOriginal, LeavesCellsEmptyAndSaysSoWithoutAProgramToDraw) {

@@ -59,17 +59,6 @@ TEST(LabSimulate, WritesEveryParticleAtEveryTimeSoThatItReadsBack) {
     EXPECT_EQ(values_of(lines[2])[0], 0);
 }
 
-TEST(LabSimulate, NamesTheClothWhereThereAreSeveral) {
-    const LabFolder folder;
-    folder.write("two.toml", "[[cloth]]\nparticles = [2, 2]\n[[cloth]]\nparticles = [3, 2]\n");
-    ASSERT_EQ(folder.run({"simulate", "two.toml", "--time", "0", "--state", "state.csv"}).code, 0);
-    const auto lines = lines_of(folder.read("state.csv"));
-    ASSERT_EQ(lines.size(), 1u + 4 + 6);
-    EXPECT_EQ(lines[0], "t,cloth,particle,x,y,z,vx,vy,vz");
-    EXPECT_THAT(lines[4], StartsWith("0,0,3,"));
-    EXPECT_THAT(lines[5], StartsWith("0,1,0,"));
-}
-
 TEST(LabSimulate, WritesEveryFieldOfTheReportAndOfABallWithItsUnit) {
     const LabFolder folder;
     const std::vector<std::string> words{"simulate", "trampoline", "--time", "0,0.01", "--stats", "stats.csv"};
