@@ -54,10 +54,12 @@ void click_beside_menus() {
     XSendEvent(display, event.xbutton.window, False, NoEventMask, &event);
 }
 
-void make_repeats_detectable() {
+bool make_repeats_detectable() {
     Display* display = glXGetCurrentDisplay();
     DRAPE_ASSERT(display != nullptr);
-    XkbSetDetectableAutoRepeat(display, True, nullptr);
+    Bool supported = False;
+    XkbSetDetectableAutoRepeat(display, True, &supported);
+    return supported == True;
 }
 
 }  // namespace drape

@@ -16,7 +16,8 @@ bool window_has_keyboard();
 
 /// Makes the X server send a held key's repeats without releases between them, which under load look like real ones.
 /// @pre a window is open
-void make_repeats_detectable();
+/// @return whether it can
+bool make_repeats_detectable();
 
 /// Closes menus that are open in the window whose context is current: GLUT has no other way than a click beside them.
 void click_beside_menus();

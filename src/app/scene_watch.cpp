@@ -10,6 +10,7 @@ namespace drape {
 
 void SceneWatch::watch(const std::string& scene) {
     try {
+        if (file_ == scene_file(scene)) return;  // it may have been saved while it was read
         file_ = scene_file(scene);
     } catch (const InputError&) {
         file_.clear();  // that of a snapshot may be gone

@@ -30,7 +30,9 @@ Window::Window(Session& session, const Options& options, const StopSignals& sign
       entries_(make_entries(scene_names())),
       camera_(session.simulation().settings().view),
       shown_(camera_),
-      video_(signals) {
+      video_(signals),
+      first_scene_(session.simulation().scene()),
+      assignments_(options.start.assignments) {
     glutInitContextVersion(3, 3);
     glutInitContextProfile(GLUT_CORE_PROFILE);
     if (options.check) check_.emplace();
@@ -76,6 +78,7 @@ void Window::on_tick() {
     const double elapsed = clock_.lap();
     steer(elapsed);
     if (pointer_.moved()) carry_out(pointer_.flush({session_.view(), shown_, width_, height_}));
+    repeat_shot();
     // Steps may take half as long as drawing does: a slow scene still answers the mouse, and a slow display does not
     // slow a cloth whose steps take less than a third of real time.
     session_.advance(elapsed, std::max(least_budget, picture_time_ / 2));
@@ -83,7 +86,6 @@ void Window::on_tick() {
     follow_replay();
     dirty_ |= shown_.ease_towards(camera_, elapsed);
     follow_scene_file(elapsed);
-    repeat_shot();
     tell_of_drops();
 
     const Simulation& simulation = session_.simulation();
@@ -221,7 +223,8 @@ void Window::tell_of_drops() {
 
 // A replay and a tour have scenes of their own
 void Window::follow_scene_file(double elapsed) {
-    if (touring_ || session_.timeline().replay || !scene_watch_.saved(elapsed)) return;
+    const bool saved = scene_watch_.saved(elapsed);
+    if (!saved || touring_ || session_.timeline().replay) return;
     dirty_ = true;
     const command::LoadScene again{session_.simulation().scene()};
     try {
@@ -231,11 +234,17 @@ void Window::follow_scene_file(double elapsed) {
         return tell("drape: " + scene_error_);
     }
     follow(again);
+    for (const std::string& assignment : assignments_) {
+        if (again.name == first_scene_ && assignment.find('=') != std::string::npos)
+            carry_out(command::Set{assignment});
+    }
     notices_.add("scene", "The scene begins again, as its file was saved");
 }
 
 void Window::repeat_shot() {
-    if (session_.timeline().replay) shot_repeat_.end();
+    const Timeline timeline = session_.timeline();
+    if (timeline.replay) shot_repeat_.end();
+    if (!timeline.is_live()) return;
     const std::vector<Command> commands = shot_repeat_.due(session_.simulation());
     carry_out(commands);
     if (commands.size() > 1) notices_.add("repeat", "Once more, ten times as slow");

@@ -55,6 +55,7 @@ private:
     void on_visibility(int state);
     void on_character(unsigned char code, bool down);
     void on_special(int code);
+    void type_at_panel(unsigned char code);
     void on_key(const std::string& key, bool down);
     void on_button(int button, int state, int x, int y);
     void on_motion(int x, int y);
@@ -130,6 +131,8 @@ private:
     std::string told_failure_;  ///< of which it tells
     ShotRepeat shot_repeat_;
     SceneWatch scene_watch_;
+    std::string first_scene_;  ///< with which the program began, and the settings that it was given
+    std::vector<std::string> assignments_;
     std::string scene_error_;       ///< of the scene's file as it was last saved; empty: none
     int takeovers_ = 0;             ///< of which the user was told
     int crossing_dangers_ = 0;      ///< likewise

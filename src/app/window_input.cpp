@@ -42,7 +42,8 @@ std::filesystem::path write_next(const Image& picture) {
 }  // namespace
 
 void Window::register_callbacks() {
-    make_repeats_detectable();  // not ignored: freeglut would lose keys that follow while a picture is drawn
+    // Repeats are not ignored where they can be told: freeglut would lose keys that follow while a picture is drawn
+    if (!make_repeats_detectable()) glutIgnoreKeyRepeat(1);
     glutDisplayFuncUcall([](void* user) { guarded_call(user, &Window::on_display); }, this);
     glutReshapeFuncUcall([](int w, int h, void* user) { guarded_call(user, &Window::on_reshape, w, h); }, this);
     glutVisibilityFuncUcall([](int state, void* user) { guarded_call(user, &Window::on_visibility, state); }, this);
@@ -73,18 +74,24 @@ void Window::register_callbacks() {
 void Window::on_character(unsigned char code, bool down) {
     const int modifiers = glutGetModifiers();
     if (down && renderer_->panel_has_keyboard()) {
-        panel_frames_ = 8;
         held_keys_.insert(character_key(code, false));
-        renderer_->type(code);
-        return take_panel_changes();
+        return type_at_panel(code);
     }
     if (down && (modifiers & (GLUT_ACTIVE_CTRL | GLUT_ACTIVE_ALT)) != 0) return;
     on_key(character_key(code, (modifiers & GLUT_ACTIVE_SHIFT) != 0), down);
 }
 
+void Window::type_at_panel(unsigned char code) {
+    panel_frames_ = 8;
+    renderer_->type(code);
+    take_panel_changes();
+}
+
 void Window::on_special(int code) {
-    const bool moves = code == GLUT_KEY_UP || code == GLUT_KEY_DOWN;
-    if (moves && renderer_->menu_open()) return on_character(code == GLUT_KEY_UP ? 16 : 14, true);
+    if ((code == GLUT_KEY_UP || code == GLUT_KEY_DOWN) && renderer_->menu_open()) {
+        held_keys_.insert(special_key(code, false));
+        return type_at_panel(code == GLUT_KEY_UP ? 16 : 14);
+    }
     if (renderer_->panel_has_keyboard()) return;
     on_key(special_key(code, (glutGetModifiers() & GLUT_ACTIVE_SHIFT) != 0), true);
 }
@@ -179,7 +186,7 @@ void Window::forget_hint() {
 void Window::on_menu(bool open) {
     forget_hint();
     menu_->set_open(open);
-    if (renderer_->menu_open()) on_character(27, true);
+    if (renderer_->menu_open()) type_at_panel(27);
     if (open) steering_.release_all();
 }
 
@@ -189,6 +196,7 @@ void Window::on_button(int button, int state, int x, int y) {
         return;
     }
     if ((button != GLUT_LEFT_BUTTON && button != GLUT_MIDDLE_BUTTON) || !drawable()) return;
+    if (button == GLUT_MIDDLE_BUTTON && renderer_->menu_open()) return;
     const auto which = button == GLUT_LEFT_BUTTON ? Pointer::Button::Left : Pointer::Button::Middle;
     const int modifiers = glutGetModifiers();
     const Pointer::Modifiers held{(modifiers & GLUT_ACTIVE_SHIFT) != 0, (modifiers & GLUT_ACTIVE_CTRL) != 0};

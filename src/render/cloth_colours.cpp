@@ -84,7 +84,7 @@ void ClothColours::collect_values(const FrameView& view) {
         values += cloth.model.grid.particles();
     }
     const double largest = values_.empty() ? 0 : scale_.units * static_cast<double>(*std::ranges::max_element(values_));
-    // A thousandth of a unit and less is rounding; runs that are less than 1 mm apart look equal
+    // A thousandth of a unit and less is rounding; a scale of differences ends at 1 mm or more
     const double least = scale_.by == ColourBy::Difference ? 1 : 1e-3;
     scale_.most = std::isfinite(largest) ? round_number_above(std::max(largest, least)) : 1;
     for (float& value : values_) value *= static_cast<float>(scale_.units / scale_.most);

@@ -137,10 +137,7 @@ void add_saved_row(const FrameView& view, std::vector<Row>& rows) {
     const auto made = static_cast<double>(traversal.candidates + traversal.volume_tests);
     if (all == 0 || made == 0) return;
     const double saved = 1 - made / all;
-    const bool has_tree = view.settings->contact.volume != VolumeKind::Brute;
-    const std::string text = saved > 0.05 ? format("%.0f %%; B shows how", 100 * saved)
-                             : has_tree   ? "none; T: brute force"
-                                          : "none: brute force";
+    const std::string text = saved > 0.05 ? format("%.0f %%; B shows how", 100 * saved) : "none";
     rows.push_back({"tests saved", text, -1, 3, saved > 0.05 ? ink::good : ink::wait});
 }
 

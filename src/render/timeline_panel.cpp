@@ -53,11 +53,11 @@ void TimelinePanel::draw(const Timeline& timeline, const OverlayPage& page) {
             const auto step = timeline.oldest + static_cast<std::int64_t>(std::lround(part * span));
             if (step != timeline.now) wanted_ = step;
         }
-        // Back from the newest step, at most 20
+        // Back from the newest step, at most 20; the bar is one of steps
         const double apart = std::pow(10, std::ceil(std::log10(std::max(timeline.kept, 1e-9) / 20)));
-        text_before({to, window.top + 0.3f * size}, ink::quiet, format("ticks: %g s", apart));
+        if (timeline.even) text_before({to, window.top + 0.3f * size}, ink::quiet, format("ticks: %g s", apart));
         ImDrawList& list = *ImGui::GetWindowDrawList();
-        for (double back = 0; back <= timeline.kept; back += apart) {
+        for (double back = 0; timeline.even && back <= timeline.kept; back += apart) {
             const float tick = to - static_cast<float>(back / std::max(timeline.kept, 1e-9)) * (to - from);
             list.AddLine({tick, middle}, {tick, middle + 0.5f * size}, ink::quiet);
         }

@@ -187,12 +187,15 @@ Timeline Session::timeline() const {
     const std::int64_t newest = last_step_ > newest_ ? last_step_ : idle_from_.value_or(newest_);
     const std::int64_t oldest = has_past ? history_->oldest().step : steps_made_;
     const std::int64_t now = target_.value_or(std::min(steps_made_, newest));
+    const double kept = step_times_.at(newest) - step_times_.at(oldest);
     return {.oldest = oldest,
             .now = now,
             .newest = newest,
             .passed = step_times_.at(now),
             .back = step_times_.at(newest) - step_times_.at(now),
-            .kept = step_times_.at(newest) - step_times_.at(oldest),
+            .kept = kept,
+            .even = std::abs(2 * step_times_.at((oldest + newest) / 2) - step_times_.at(oldest) -
+                             step_times_.at(newest)) <= 2 * dt() + 1e-6 * kept,
             .bytes = has_past ? history_->bytes() : 0,
             .replay = last_step_ > newest_};
 }

@@ -282,6 +282,9 @@ TEST_F(WindowTest, AShotIsShownOnceMoreSlowly) {
     EXPECT_TRUE(recorded("set view.speed=0.1", 3));
     desktop_.key("x");
     EXPECT_TRUE(recorded("set view.speed=1", 5)) << "what the user does has its own time";
+    const std::size_t so_far = commands().size();
+    desktop_.act({"key", "--repeat", "7", "F1"});
+    EXPECT_TRUE(recorded("reset", so_far)) << "the stop of the tour on tunnelling";
     quit();
 }
 

@@ -125,7 +125,7 @@ protected:
 };
 
 TEST_F(WindowPicture, IsThatOfDrapeCaptureAndToldFromOthers) {
-    const std::string recorded_run = recording_of("drop", 60, "view.help=true");
+    const std::string recorded_run = recording_of("drop", 60, "view.particles=true");
     const Image window = picture_of_window(recorded_run, 60);
     const auto difference = [&](const std::string& other_run, int steps, const std::vector<std::string>& more) {
         return PictureDifference(window, picture_of_capture(other_run, time_of("drop", steps), more));
@@ -133,7 +133,7 @@ TEST_F(WindowPicture, IsThatOfDrapeCaptureAndToldFromOthers) {
     const PictureDifference same = difference(recorded_run, 60, {"--overlay"});
     EXPECT_TRUE(same.is_only_fps()) << same.text();
     EXPECT_FALSE(difference(recorded_run, 60, {}).is_only_fps()) << "without the panel";
-    const PictureDifference moved = difference(recording_of("drop", 400, "view.help=true"), 400, {"--overlay"});
+    const PictureDifference moved = difference(recording_of("drop", 400, "view.particles=true"), 400, {"--overlay"});
     EXPECT_FALSE(moved.is_only_fps()) << "another moment: " << moved.text();
 }
 
@@ -155,7 +155,7 @@ Image without_bar(Image image) {
 
 // In the window they are magnified into its own pixels, and the panels are drawn over them there
 TEST_F(WindowPicture, IsInItsPixelsAsInItsScreenshotWhereItIsDrawnFast) {
-    start({"--replay", recording_of("drop", 400, "view.contacts=true", "fast")});
+    start({"--replay", recording_of("drop", 400, "view.particles=true", "fast")});
     desktop_.act({"windowsize", "--sync", window_, "641", "361"});
     wait_for_step(400);
     const Image before = desktop_.picture_of(window_);

@@ -34,6 +34,7 @@ struct Timeline {
     double passed = 0;        ///< simulated time since the session began, resets included [s]
     double back = 0;          ///< from the present step to the newest; in a replay, as if no time step changed [s]
     double kept = 0;          ///< from the oldest to the newest; likewise [s]
+    bool even = true;         ///< all steps that are kept have the same length
     double bytes = 0;         ///< of memory that the past takes, about
     bool replay = false;      ///< what lies ahead comes from a recording
 
