@@ -11,6 +11,8 @@
 #include "drape/base/exact_math.h"
 #include "drape/bounds/leaf_copies.h"
 #include "solid_at.h"
+#include "support/cloths.h"
+#include "support/containment.h"
 
 namespace drape {
 namespace {
@@ -79,36 +81,49 @@ TEST(SolidContacts, EveryParticleWithinTheThicknessIsAContactOnceAndInTheOrderOf
     EXPECT_TRUE(std::ranges::is_sorted(contacts, [](const auto& a, const auto& b) { return compare(a, b) < 0; }));
 }
 
-/// What a hierarchy hands on, and what it costs.
-TEST(SolidContacts, EveryHierarchyFindsTheSameAsBruteForce) {
+/// Of a box, and of the ground, which is below all of a cloth, in it, or above most of it.
+TEST(SolidContacts, EveryHierarchyFindsTheSameAsBruteForceAndPrunes) {
     std::mt19937 random(2);
     const Grid grid{33, 29};
     Solid box = solid_at(make_box({0.3, 0.2, 0.15}));
     box.orientation = Eigen::AngleAxis<Real>(1.1, Vec3(3, 1, 2).normalized());
+    int touching = 0;
+    std::int64_t pruned = 0;
     for (int trial = 0; trial < 20; ++trial) {
-        const Points x = sheet(grid, 0.15 * uniform<Real>(random), 0.01, random);
-        std::vector<ContactRow> expected;
-        SolidSearch().find({grid, x, x}, box, {0, thickness, 0}, all_cells_of(grid), expected);
+        const Points x = test::random_cloth(grid, random);
+        const Real bottom = x.col(1).minCoeff(), part = Real(0.05) * static_cast<Real>(trial - 2);
+        const Real height = bottom + part * (x.col(1).maxCoeff() - bottom) - thickness;
+        const auto find = [&](bool by_box, const std::vector<CellRun>& cells) {
+            std::vector<ContactRow> contacts;
+            if (by_box) SolidSearch().find({grid, x, x}, box, {0, thickness, 0}, cells, contacts);
+            if (!by_box) find_ground_contacts({grid, x, x}, height, {0, thickness}, cells, contacts);
+            return contacts;
+        };
         for (const auto volume : {VolumeKind::Sphere, VolumeKind::Aabb, VolumeKind::Kdop18, VolumeKind::Obb}) {
-            for (const auto update : {UpdateKind::Rebuild, UpdateKind::Merge, UpdateKind::Refit, UpdateKind::None}) {
+            for (const UpdateKind update : test::all_updates()) {
                 const auto tree = make_broad_phase({.volume = volume, .update = update, .leaf_cells = 3}, grid);
                 Points start = x;
                 start.col(1).array() += 0.03;
                 tree->build(start);
                 tree->build(x);
-                Candidates found;
-                tree->query_near([&](const Vec3& p) { return box.distance(p); }, thickness, found);
-                std::ranges::sort(found.cells);
-                std::vector<ContactRow> contacts;
-                SolidSearch().find({grid, x, x}, box, {0, thickness, 0}, found.cells, contacts);
-                ASSERT_EQ(contacts.size(), expected.size());
-                for (std::size_t c = 0; c < contacts.size(); ++c) {
-                    ASSERT_EQ(contacts[c].triangle, expected[c].triangle);
-                    ASSERT_EQ(contacts[c].depth, expected[c].depth);
+                for (const bool by_box : {true, false}) {
+                    const auto distance = [&](const Vec3& p) { return by_box ? box.distance(p) : p.y() - height; };
+                    Candidates near;
+                    pruned += tree->query_near(distance, thickness, near).pruned;
+                    std::ranges::sort(near.cells);
+                    const auto found = find(by_box, near.cells), expected = find(by_box, all_cells_of(grid));
+                    ASSERT_EQ(found.size(), expected.size());
+                    for (std::size_t c = 0; c < found.size(); ++c) {
+                        ASSERT_TRUE(compare(found[c], expected[c]) == 0);
+                        ASSERT_EQ(found[c].depth, expected[c].depth);
+                    }
+                    touching += !found.empty();
                 }
             }
         }
     }
+    EXPECT_GT(touching, 100);
+    EXPECT_GT(pruned, 1000);
 }
 
 /// A search that has seen the cloth before measures only what can have come near since.
@@ -131,18 +146,6 @@ TEST(SolidContacts, WhatIsKnownOfTrianglesChangesNoContact) {
         }
         EXPECT_GT(found, 1000u);
     }
-}
-
-TEST(SolidContacts, ANodeFarFromTheSolidIsPruned) {
-    std::mt19937 random(3);
-    const Grid grid{65, 65};
-    const auto tree = make_broad_phase({.leaf_cells = 4}, grid);
-    tree->build(sheet(grid, 0, 0, random));
-    Candidates found;
-    const Solid box = solid_at(make_box({0.1, 0.1, 0.1}), {0.3, 0, 0.3});
-    const TraversalStats stats = tree->query_near([&](const Vec3& p) { return box.distance(p); }, thickness, found);
-    EXPECT_GT(stats.pruned, 0);
-    EXPECT_LT(stats.candidates, grid.cells() / 8);
 }
 
 /// A plate thinner than the cloth is passed in one step, from either side, or turns the cloth's contact to its back.

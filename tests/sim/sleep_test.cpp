@@ -181,10 +181,8 @@ TEST_P(RestingScene, FallsAsleepCloseToWhereItWouldHaveGone) {
     EXPECT_LT((sleeper.cloths()[0].state.x - x).rowwise().norm().maxCoeff(), 2e-3);
 }
 
-INSTANTIATE_TEST_SUITE_P(Long, RestingScene, testing::Values("drop"),
-                         [](const auto& scene) { return std::string(scene.param); });
-INSTANTIATE_TEST_SUITE_P(Nightly, RestingScene, testing::Values("hang", "original", "two_corners"),
-                         [](const auto& scene) { return std::string(scene.param); });
+INSTANTIATE_TEST_SUITE_P(Long, RestingScene, testing::Values("drop"), name_of_param);
+INSTANTIATE_TEST_SUITE_P(Nightly, RestingScene, testing::Values("hang", "original", "two_corners"), name_of_param);
 
 }  // namespace
 }  // namespace drape
