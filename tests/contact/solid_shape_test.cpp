@@ -8,13 +8,10 @@
 
 #include "contact/detect/deepest_point.h"
 #include "drape/base/exact_math.h"
-#include "solid_at.h"
 #include "support/exact_distance.h"
 
 namespace drape {
 namespace {
-
-using test::solid_at;
 
 Vec3 draw_point(std::mt19937& random, Real size) {
     Vec3 p;
@@ -182,10 +179,10 @@ void expect_deepest(const Solid& solid, std::mt19937& random) {
 
 TEST(DeepestPoint, IsAsLowAsAnyPointOfTheTriangleOutsideABoxAndACapsule) {
     std::mt19937 random(5);
-    Solid box = solid_at(make_box({0.3, 0.2, 0.4}));
+    Solid box{.shape = make_box({0.3, 0.2, 0.4})};
     box.orientation = Eigen::AngleAxis<Real>(0.7, Vec3(1, 2, 3).normalized());
     expect_deepest(box, random);
-    expect_deepest(solid_at(make_capsule(0.1, 0.3)), random);
+    expect_deepest({.shape = make_capsule(0.1, 0.3)}, random);
 }
 
 /// A result below the limit comes from the same descent; one above it from a shorter one.
@@ -194,7 +191,7 @@ TEST(DeepestPoint, IsTheSameBelowTheLimit) {
     for (const bool is_mesh : {false, true}) {
         int missed = 0, below = 0, above = 0;
         for (int trial = 0; trial < 1000; ++trial) {
-            const Solid solid = is_mesh ? solid_at(make_mesh_shape(spiky(random))) : solid_at(make_box({1, 1, 1}));
+            const Solid solid{.shape = is_mesh ? make_mesh_shape(spiky(random)) : make_box({1, 1, 1})};
             const std::array<Vec3, 3> corners = draw_triangle(random, 1, 0.1);
             const std::array at_corners{solid.measure(corners[0]), solid.measure(corners[1]),
                                         solid.measure(corners[2])};

@@ -27,9 +27,6 @@ struct TrialSheet {
     [[nodiscard]] Real predicted(IntegratorKind kind) const {
         return predicted_limit(model, state, kind, Kernels::Vector).step;
     }
-    [[nodiscard]] TrialEnd tried(IntegratorKind kind, Real step) const {
-        return try_step(model, state, {.kind = kind}, step);
-    }
 };
 
 TEST(LongMeasuredLimit, IsThePredictedOneWithinThreePercent) {
@@ -74,7 +71,8 @@ TEST(LongMeasuredLimit, OfExplicitEulerIsTheOneThatItsGrowthFromNoiseTakes) {
 TEST(TriedStep, FailsByLeavingTheReachOfTheSheet) {
     TrialSheet sheet(8, 1e3, 0);
     sheet.state.v.col(0).setConstant(5);
-    EXPECT_EQ(sheet.tried(IntegratorKind::VelocityVerlet, Real(2e-4)), TrialEnd::OutOfReach);
+    EXPECT_EQ(try_step(sheet.model, sheet.state, {.kind = IntegratorKind::VelocityVerlet}, Real(2e-4)),
+              TrialEnd::OutOfReach);
 }
 
 }  // namespace
