@@ -5,10 +5,9 @@
 
 #include <algorithm>
 
-#include "drape/bounds/fold_test.h"
 #include "drape/contact/closest_point.h"
 #include "drape/contact/impact_zones.h"
-#include "drape/contact/near_pairs.h"
+#include "searched_cloth.h"
 #include "support/cloths.h"
 #include "support/exact_distance.h"
 #include "support/sanitized.h"
@@ -41,13 +40,9 @@ Points folded_sheet(const Grid& grid, std::mt19937& random) {
 }
 
 /// One grid with a hierarchy, and all of its features.
-struct FoldedSheet {
+struct FoldedSheet : test::SearchedCloth {
     FoldedSheet(const Grid& its_grid, VolumeKind volume, int leaf_cells)
-        : grid(its_grid),
-          tree(make_broad_phase({.volume = volume, .leaf_cells = leaf_cells}, grid)),
-          hx(Real(1) / static_cast<Real>(grid.nx - 1)),
-          hy(Real(1) / static_cast<Real>(grid.ny - 1)),
-          folds(grid, hx, hy, leaf_cells) {
+        : SearchedCloth(0, its_grid, {.volume = volume, .leaf_cells = leaf_cells}) {
         for (int t = 0; t < grid.triangles(); ++t) {
             const auto c = grid.triangle_corners(t);
             for (const auto& [a, b] : {std::minmax(c[0], c[1]), std::minmax(c[1], c[2]), std::minmax(c[2], c[0])})
@@ -55,20 +50,6 @@ struct FoldedSheet {
         }
         std::ranges::sort(edges);
         edges.erase(std::unique(edges.begin(), edges.end()), edges.end());
-    }
-
-    [[nodiscard]] Vec3 at(int particle) const { return x.row(particle).transpose(); }
-
-    std::vector<NearPair> search(Real margin) {
-        tree->build(x);
-        folds.build(x);
-        reaches.assign(static_cast<std::size_t>(grid.particles()), margin / 2);
-        boxes.build(grid, x, reaches);
-        tree->query(*tree, margin, &folds, leaves);
-        std::vector<NearPair> pairs;
-        const BoxedCloth cloth{.cloth = {0, grid, x}, .boxes = boxes, .reaches = reaches};
-        find_near_pairs(cloth, cloth, leaves, pairs);
-        return pairs;
     }
 
     [[nodiscard]] std::vector<FeaturePair> defined(Real margin) const {
@@ -93,15 +74,7 @@ struct FoldedSheet {
         return pairs;
     }
 
-    Grid grid;
-    std::unique_ptr<BroadPhase> tree;
-    Real hx, hy;  // at rest [m]
-    FoldTest folds;
     std::vector<std::array<int, 2>> edges;
-    CellBoxes boxes;
-    std::vector<Real> reaches;
-    std::vector<LeafPair> leaves;
-    Points x;
 };
 
 /// Edges in one order, whatever order the cells gave them.
@@ -119,6 +92,14 @@ std::vector<FeaturePair> in_order(const std::vector<NearPair>& found) {
     }
     std::ranges::sort(pairs);
     return pairs;
+}
+
+/// Its weights, normal and distance are those of two points of the features.
+void expect_closest(const FoldedSheet& sheet, const NearPair& pair) {
+    Vec3 offset = Vec3::Zero();
+    for (std::size_t k = 0; k < 4; ++k) offset += pair.signed_weight(k) * sheet.at(pair.features.particles[k]);
+    ASSERT_NEAR((offset - pair.distance * pair.normal).norm(), 0, 1e-12);
+    ASSERT_NEAR(pair.normal.norm(), 1, 1e-12);
 }
 
 /// The first feature goes straight to the second, and touches it at the very end of the way.
@@ -151,14 +132,15 @@ TEST_P(FoldedPairs, AreThoseOfTheDefinition) {
     std::int64_t found = 0, touched = 0;
     for (int trial = 0; trial < GetParam(); ++trial) {
         FoldedSheet& sheet = sheets[static_cast<std::size_t>(trial) % sheets.size()];
-        sheet.x = folded_sheet(sheet.grid, random);
+        sheet.build(folded_sheet(sheet.grid, random));
         const Real margin = Real(0.05) * unit(random);
-        const std::vector<NearPair> pairs = sheet.search(margin);
+        const std::vector<NearPair> pairs = pairs_within(sheet, sheet, margin);
         ASSERT_EQ(in_order(pairs), sheet.defined(margin)) << "sheet " << trial << ", margin " << margin;
         found += static_cast<std::int64_t>(pairs.size());
         if (pairs.empty()) continue;
         const NearPair& pair = pairs[random() % pairs.size()];
         if (pair.distance < Real(1e-6)) continue;
+        ASSERT_NO_FATAL_FAILURE(expect_closest(sheet, pair)) << "sheet " << trial;
         ASSERT_NO_FATAL_FAILURE(expect_held_back(sheet, pair)) << "sheet " << trial;
         ++touched;
     }

@@ -7,13 +7,16 @@
 
 #include <algorithm>
 
-#include "drape/bounds/fold_test.h"
 #include "drape/contact/closest_point.h"
+#include "searched_cloth.h"
 #include "support/cloths.h"
 #include "support/exact_distance.h"
 
 namespace drape {
 namespace {
+
+using test::pairs_within;
+using test::SearchedCloth;
 
 /// A cloth that is squeezed along two axes, so that it comes near itself in many ways.
 Points squeezed_cloth(const Grid& grid, std::mt19937& random) {
@@ -24,50 +27,11 @@ Points squeezed_cloth(const Grid& grid, std::mt19937& random) {
     return x;
 }
 
-/// A cloth with a hierarchy, the cone test and the boxes of its cells, built about positions.
-struct Searched {
-    Searched(int cloth, const Grid& its_grid, const BroadPhaseParameters& parameters)
-        : number(cloth),
-          grid(its_grid),
-          tree(make_broad_phase(parameters, grid)),
-          folds(grid, Real(1) / static_cast<Real>(grid.nx - 1), Real(1) / static_cast<Real>(grid.ny - 1),
-                parameters.leaf_cells) {}
-
-    void build(const Points& positions) {
-        x = positions;
-        tree->build(x);
-        folds.build(x);
-    }
-
-    /// @param margin by which features may be apart: each reaches half of it
-    [[nodiscard]] BoxedCloth boxed(Real margin) {
-        reaches.assign(static_cast<std::size_t>(grid.particles()), margin / 2);
-        boxes.build(grid, x, reaches);
-        return {{number, grid, x}, boxes, reaches};
-    }
-
-    int number;
-    Grid grid;
-    std::unique_ptr<BroadPhase> tree;
-    FoldTest folds;
-    CellBoxes boxes;
-    std::vector<Real> reaches;
-    Points x;
-};
-
 std::vector<FeaturePair> features_of(const std::vector<NearPair>& pairs) {
     std::vector<FeaturePair> features;
     for (const NearPair& pair : pairs) features.push_back(pair.features);
     std::ranges::sort(features);
     return features;
-}
-
-std::vector<FeaturePair> pairs_within(Searched& first, Searched& second, Real margin) {
-    std::vector<LeafPair> leaves;
-    first.tree->query(*second.tree, margin, nullptr, leaves);
-    std::vector<NearPair> pairs;
-    find_near_pairs(first.boxed(margin), second.boxed(margin), leaves, pairs);
-    return features_of(pairs);
 }
 
 constexpr VolumeKind volumes[] = {VolumeKind::Sphere, VolumeKind::Aabb,   VolumeKind::Kdop14,
@@ -79,39 +43,19 @@ TEST(NearPairs, OfTwoClothsAreThoseOfBruteForce) {
         std::int64_t found = 0;
         for (int trial = 0; trial < 12; ++trial) {
             const Grid grid{9 + trial % 5, 8}, other_grid{7, 11};
-            Searched cloth(0, grid, {.volume = volume, .leaf_cells = 2}), brute(0, grid, {.volume = VolumeKind::Brute});
-            Searched other(1, other_grid, {.volume = volume, .leaf_cells = 3});
-            Searched other_brute(1, other_grid, {.volume = VolumeKind::Brute});
+            SearchedCloth cloth(0, grid, {.volume = volume, .leaf_cells = 2}),
+                brute(0, grid, {.volume = VolumeKind::Brute});
+            SearchedCloth other(1, other_grid, {.volume = volume, .leaf_cells = 3});
+            SearchedCloth other_brute(1, other_grid, {.volume = VolumeKind::Brute});
             const Points x = squeezed_cloth(grid, random), y = squeezed_cloth(other_grid, random);
-            for (Searched* one : {&cloth, &brute}) one->build(x);
-            for (Searched* one : {&other, &other_brute}) one->build(y);
+            for (SearchedCloth* one : {&cloth, &brute}) one->build(x);
+            for (SearchedCloth* one : {&other, &other_brute}) one->build(y);
             const Real margin = Real(0.05);
-            const auto expected = pairs_within(brute, other_brute, margin);
+            const auto expected = features_of(pairs_within(brute, other_brute, margin));
             found += static_cast<std::int64_t>(expected.size());
-            ASSERT_EQ(pairs_within(cloth, other, margin), expected) << name_of(volume);
+            ASSERT_EQ(features_of(pairs_within(cloth, other, margin)), expected) << name_of(volume);
         }
         EXPECT_GT(found, 1000);
-    }
-}
-
-TEST(NearPairs, HaveWeightsNormalAndDistanceOfTheirClosestPoints) {
-    std::mt19937 random(4);
-    const Grid grid{9, 9};
-    Searched cloth(0, grid, {.volume = VolumeKind::Sphere, .leaf_cells = 2});
-    cloth.build(squeezed_cloth(grid, random));
-    std::vector<LeafPair> leaves;
-    cloth.tree->query(*cloth.tree, Real(0.05), &cloth.folds, leaves);
-    std::vector<NearPair> pairs;
-    find_near_pairs(cloth.boxed(Real(0.05)), cloth.boxed(Real(0.05)), leaves, pairs);
-    ASSERT_GT(pairs.size(), 100U);
-    for (const NearPair& pair : pairs) {
-        Vec3 offset = Vec3::Zero();
-        for (std::size_t k = 0; k < 4; ++k) {
-            const Real side = static_cast<int>(k) < pair.features.first_count ? Real(1) : Real(-1);
-            offset += side * pair.weights[k] * cloth.x.row(pair.features.particles[k]).transpose();
-        }
-        EXPECT_NEAR((offset - pair.distance * pair.normal).norm(), 0, 1e-12);
-        EXPECT_NEAR(pair.normal.norm(), 1, 1e-12);
     }
 }
 
@@ -122,15 +66,11 @@ TEST(NearPairs, OfFlatSheetsOneAboveTheOtherAreAnsweredForOnce) {
     parameters.particles = grid;
     Points x = make_rest_state(parameters).x, y = x;
     y.col(1).array() += Real(0.01);
-    Searched first(0, grid, {.volume = VolumeKind::Brute}), second(1, grid, {.volume = VolumeKind::Brute});
+    SearchedCloth first(0, grid, {.volume = VolumeKind::Brute}), second(1, grid, {.volume = VolumeKind::Brute});
     first.build(x);
     second.build(y);
-    std::vector<LeafPair> leaves;
-    first.tree->query(*second.tree, Real(0.02), nullptr, leaves);
-    std::vector<NearPair> pairs;
-    find_near_pairs(first.boxed(Real(0.02)), second.boxed(Real(0.02)), leaves, pairs);
     std::vector<int> times(static_cast<std::size_t>(grid.particles()));
-    for (const NearPair& pair : pairs) {
+    for (const NearPair& pair : pairs_within(first, second, Real(0.02))) {
         if (pair.is_representative && pair.features.first_count == 1) {
             ++times[static_cast<std::size_t>(pair.features.particles[0])];
         }

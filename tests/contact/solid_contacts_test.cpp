@@ -4,18 +4,18 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <iterator>
 #include <random>
 
 #include "drape/base/exact_math.h"
 #include "drape/bounds/leaf_copies.h"
-#include "solid_at.h"
+#include "support/cloths.h"
+#include "support/containment.h"
 
 namespace drape {
 namespace {
-
-using test::solid_at;
 
 constexpr Real thickness = 0.002;
 
@@ -45,7 +45,8 @@ TEST(SolidContacts, AnEdgeOfABoxUnderTheMiddleOfTrianglesIsFound) {
         Points x(4, 3);
         x << -1 - shear, 0.1, -z, 1 - shear, 0.1, -z, -1 + shear, 0.1, z, 1 + shear, 0.1, z;
         // Its top is at 0.1; it is below the middle of a side, or of a triangle
-        const Solid box = solid_at(make_box({0.2, 0.2, 0.2}), {are_right ? 0 : -shear, 0, are_right ? 0 : -z / 3});
+        const Solid box{.shape = make_box({0.2, 0.2, 0.2}),
+                        .position = Vec3(are_right ? 0 : -shear, 0, are_right ? 0 : -z / 3)};
         std::vector<ContactRow> contacts;
         SolidSearch().find({grid, x, x}, box, {0, thickness, 0}, all_cells_of(grid), contacts);
         ASSERT_FALSE(contacts.empty()) << are_right;
@@ -60,7 +61,7 @@ TEST(SolidContacts, AnEdgeOfABoxUnderTheMiddleOfTrianglesIsFound) {
 TEST(SolidContacts, EveryParticleWithinTheThicknessIsAContactOnceAndInTheOrderOfTheWarmStart) {
     std::mt19937 random(1);
     const Grid grid{20, 20};
-    const Solid capsule = solid_at(make_capsule(0.3, 0.3), {0.03, -0.15, 0.01});
+    const Solid capsule{.shape = make_capsule(0.3, 0.3), .position = {0.03, -0.15, 0.01}};
     const Points x = sheet(grid, 0.28, 0.01, random);
     std::vector<ContactRow> contacts;
     SolidSearch().find({grid, x, x}, capsule, {2, thickness, 0}, all_cells_of(grid), contacts);
@@ -79,36 +80,48 @@ TEST(SolidContacts, EveryParticleWithinTheThicknessIsAContactOnceAndInTheOrderOf
     EXPECT_TRUE(std::ranges::is_sorted(contacts, [](const auto& a, const auto& b) { return compare(a, b) < 0; }));
 }
 
-/// What a hierarchy hands on, and what it costs.
-TEST(SolidContacts, EveryHierarchyFindsTheSameAsBruteForce) {
+/// Of a box, and of the ground, which is below all of a cloth, in it, or above most of it.
+TEST(SolidContacts, EveryHierarchyFindsTheSameAsBruteForceAndPrunes) {
     std::mt19937 random(2);
     const Grid grid{33, 29};
-    Solid box = solid_at(make_box({0.3, 0.2, 0.15}));
+    Solid box{.shape = make_box({0.3, 0.2, 0.15})};
     box.orientation = Eigen::AngleAxis<Real>(1.1, Vec3(3, 1, 2).normalized());
+    int touching = 0;
+    std::int64_t pruned = 0;
     for (int trial = 0; trial < 20; ++trial) {
-        const Points x = sheet(grid, 0.15 * uniform<Real>(random), 0.01, random);
-        std::vector<ContactRow> expected;
-        SolidSearch().find({grid, x, x}, box, {0, thickness, 0}, all_cells_of(grid), expected);
+        const Points x = test::random_cloth(grid, random);
+        const Real bottom = x.col(1).minCoeff(), part = Real(0.05) * static_cast<Real>(trial - 2);
+        const Real height = bottom + part * (x.col(1).maxCoeff() - bottom) - thickness;
+        const auto find = [&](bool by_box, const std::vector<CellRun>& cells) {
+            std::vector<ContactRow> contacts;
+            if (by_box) SolidSearch().find({grid, x, x}, box, {0, thickness, 0}, cells, contacts);
+            if (!by_box) find_ground_contacts({grid, x, x}, height, {0, thickness}, cells, contacts);
+            return contacts;
+        };
+        const std::array expected{find(false, all_cells_of(grid)), find(true, all_cells_of(grid))};
         for (const auto volume : {VolumeKind::Sphere, VolumeKind::Aabb, VolumeKind::Kdop18, VolumeKind::Obb}) {
-            for (const auto update : {UpdateKind::Rebuild, UpdateKind::Merge, UpdateKind::Refit, UpdateKind::None}) {
+            for (const UpdateKind update : test::all_updates()) {
                 const auto tree = make_broad_phase({.volume = volume, .update = update, .leaf_cells = 3}, grid);
                 Points start = x;
                 start.col(1).array() += 0.03;
                 tree->build(start);
                 tree->build(x);
-                Candidates found;
-                tree->query_near([&](const Vec3& p) { return box.distance(p); }, thickness, found);
-                std::ranges::sort(found.cells);
-                std::vector<ContactRow> contacts;
-                SolidSearch().find({grid, x, x}, box, {0, thickness, 0}, found.cells, contacts);
-                ASSERT_EQ(contacts.size(), expected.size());
-                for (std::size_t c = 0; c < contacts.size(); ++c) {
-                    ASSERT_EQ(contacts[c].triangle, expected[c].triangle);
-                    ASSERT_EQ(contacts[c].depth, expected[c].depth);
+                for (const bool by_box : {true, false}) {
+                    const auto distance = [&](const Vec3& p) { return by_box ? box.distance(p) : p.y() - height; };
+                    Candidates near;
+                    pruned += tree->query_near(distance, thickness, near).pruned;
+                    std::ranges::sort(near.cells);
+                    const auto found = find(by_box, near.cells);
+                    ASSERT_TRUE(std::ranges::equal(found, expected[by_box], [](const auto& a, const auto& b) {
+                        return compare(a, b) == 0 && a.depth == b.depth;
+                    }));
+                    touching += !found.empty();
                 }
             }
         }
     }
+    EXPECT_GT(touching, 100);
+    EXPECT_GT(pruned, 1000);
 }
 
 /// A search that has seen the cloth before measures only what can have come near since.
@@ -116,7 +129,7 @@ TEST(SolidContacts, WhatIsKnownOfTrianglesChangesNoContact) {
     std::mt19937 random(6);
     const Grid grid{15, 15};
     for (const auto& shape : {make_box({0.4, 0.1, 0.3}), make_mesh_shape(make_box({0.4, 0.1, 0.3})->surface())}) {
-        Solid solid = solid_at(shape);
+        Solid solid{.shape = shape};
         SolidSearch search;
         std::size_t found = 0;
         for (int step = 0; step < 200; ++step) {
@@ -133,23 +146,11 @@ TEST(SolidContacts, WhatIsKnownOfTrianglesChangesNoContact) {
     }
 }
 
-TEST(SolidContacts, ANodeFarFromTheSolidIsPruned) {
-    std::mt19937 random(3);
-    const Grid grid{65, 65};
-    const auto tree = make_broad_phase({.leaf_cells = 4}, grid);
-    tree->build(sheet(grid, 0, 0, random));
-    Candidates found;
-    const Solid box = solid_at(make_box({0.1, 0.1, 0.1}), {0.3, 0, 0.3});
-    const TraversalStats stats = tree->query_near([&](const Vec3& p) { return box.distance(p); }, thickness, found);
-    EXPECT_GT(stats.pruned, 0);
-    EXPECT_LT(stats.candidates, grid.cells() / 8);
-}
-
 /// A plate thinner than the cloth is passed in one step, from either side, or turns the cloth's contact to its back.
 TEST(SolidContacts, WhatPassesAThinPlateWithinAStepIsHeldOnItsSide) {
     std::mt19937 random(4);
     const Grid grid{12, 12};
-    Solid plate = solid_at(make_box({1.4, 0.0005, 1.4}));
+    Solid plate{.shape = make_box({1.4, 0.0005, 1.4})};
     for (const Real end : {-0.5, -0.05, -0.001, -0.0002}) {
         const Points before = sheet(grid, 0.05, 0.005, random);
         Points x = before;
@@ -174,7 +175,7 @@ TEST(SolidContacts, AMovingSolidCarriesWhatItMeets) {
     const Grid grid{2, 2};
     Points x(4, 3);
     x << -1, 0, -1, 1, 0, -1, -1, 0, 1, 1, 0, 1;
-    Solid ball = solid_at(make_capsule(0.1, 0.001), {0.3, 0.5, 0.2});
+    Solid ball{.shape = make_capsule(0.1, 0.001), .position = {0.3, 0.5, 0.2}};
     ball.moved = {0, 1.0, 0};  // from below the sheet to above it
     std::vector<ContactRow> contacts;
     SolidSearch().find({grid, x, x}, ball, {0, thickness, 1}, all_cells_of(grid), contacts);
@@ -192,7 +193,7 @@ TEST(SolidContacts, AMeshOfABoxIsTouchedByTheTrianglesThatTouchTheBox) {
     std::size_t of_box = 0, of_mesh = 0, of_both = 0;
     for (int trial = 0; trial < 40; ++trial) {
         const auto shape = make_box({Real(0.5), Real(0.2), Real(0.4)});
-        Solid box = solid_at(shape, {0, Real(-0.1), 0});
+        Solid box{.shape = shape, .position = {0, Real(-0.1), 0}};
         box.orientation = Eigen::AngleAxis<Real>(uniform<Real>(random), Vec3(1, 2, 3).normalized());
         box.moved = trial % 2 == 0 ? Vec3::Zero() : Vec3(0, Real(0.05) * uniform<Real>(random), 0);
         Solid mesh = box;

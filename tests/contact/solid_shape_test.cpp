@@ -8,18 +8,24 @@
 
 #include "contact/detect/deepest_point.h"
 #include "drape/base/exact_math.h"
-#include "solid_at.h"
 #include "support/exact_distance.h"
 
 namespace drape {
 namespace {
 
-using test::solid_at;
-
 Vec3 draw_point(std::mt19937& random, Real size) {
     Vec3 p;
     for (Real& coordinate : p) coordinate = size * uniform<Real>(random);
     return p;
+}
+
+/// @param far from the origin, at most
+/// @param size of the triangle
+std::array<Vec3, 3> draw_triangle(std::mt19937& random, Real far, Real size) {
+    std::array<Vec3, 3> corners;
+    corners.fill(draw_point(random, far));
+    for (Vec3& corner : corners) corner += draw_point(random, size);
+    return corners;
 }
 
 /// The solid angle that a triangle fills, over 4 pi; summed over a closed surface 1 inside and 0 outside.
@@ -86,15 +92,10 @@ void expect_surface(const SolidShape& shape, const TriangleMesh& mesh, std::mt19
     }
 }
 
-TEST(SolidShape, ABoxIsAsFarAsTheTrianglesOfItsSurface) {
+TEST(SolidShape, ABoxAndACapsuleAreAsFarAsTheTrianglesOfTheirSurfaces) {
     std::mt19937 random(1);
-    const auto box = make_box({0.4, 0.7, 1.1});
+    const auto box = make_box({0.4, 0.7, 1.1}), capsule = make_capsule(0.2, 0.5);
     expect_surface(*box, box->surface(), random, 1e-12);
-}
-
-TEST(SolidShape, ACapsuleIsAsFarAsTheTrianglesOfItsSurfaceUpToTheirSize) {
-    std::mt19937 random(2);
-    const auto capsule = make_capsule(0.2, 0.5);
     expect_surface(*capsule, capsule->surface(), random, 2e-3);
 }
 
@@ -113,9 +114,7 @@ TEST(SolidShape, NoPointOfATriangleIsNearerToAMeshThanItsClearance) {
     const auto mesh = make_mesh_shape(spiky(random));
     int bounded = 0;
     for (int trial = 0; trial < 1500; ++trial) {
-        const Vec3 middle = draw_point(random, Real(1.5));
-        std::array<Vec3, 3> triangle;
-        for (Vec3& corner : triangle) corner = middle + draw_point(random, Real(1.6));
+        const std::array<Vec3, 3> triangle = draw_triangle(random, Real(1.5), Real(1.6));
         Real corners = std::numeric_limits<Real>::infinity(), lowest = corners;
         for (const Vec3& corner : triangle) corners = std::min(corners, mesh->measure(corner).distance);
         if (corners <= 0) continue;
@@ -165,11 +164,9 @@ Real sampled_least(const Solid& solid, const std::array<Vec3, 3>& corners) {
     return least;
 }
 
-void expect_deepest(const Solid& solid, Real far, std::mt19937& random) {
+void expect_deepest(const Solid& solid, std::mt19937& random) {
     for (int trial = 0; trial < 200; ++trial) {
-        const Vec3 middle = draw_point(random, far);
-        const std::array<Vec3, 3> corners{middle + draw_point(random, 0.1), middle + draw_point(random, 0.1),
-                                          middle + draw_point(random, 0.1)};
+        const std::array<Vec3, 3> corners = draw_triangle(random, 0.3, 0.1);
         const DeepestPoint found = find_deepest_point(
             solid, corners, {solid.measure(corners[0]), solid.measure(corners[1]), solid.measure(corners[2])});
         const Vec3 there =
@@ -180,16 +177,12 @@ void expect_deepest(const Solid& solid, Real far, std::mt19937& random) {
     }
 }
 
-TEST(DeepestPoint, IsAsLowAsAnyPointOfTheTriangleOutsideABox) {
+TEST(DeepestPoint, IsAsLowAsAnyPointOfTheTriangleOutsideABoxAndACapsule) {
     std::mt19937 random(5);
-    Solid box = solid_at(make_box({0.3, 0.2, 0.4}));
+    Solid box{.shape = make_box({0.3, 0.2, 0.4})};
     box.orientation = Eigen::AngleAxis<Real>(0.7, Vec3(1, 2, 3).normalized());
-    expect_deepest(box, 0.3, random);
-}
-
-TEST(DeepestPoint, IsAsLowAsAnyPointOfTheTriangleOutsideACapsule) {
-    std::mt19937 random(6);
-    expect_deepest(solid_at(make_capsule(0.1, 0.3)), 0.3, random);
+    expect_deepest(box, random);
+    expect_deepest({.shape = make_capsule(0.1, 0.3)}, random);
 }
 
 /// A result below the limit comes from the same descent; one above it from a shorter one.
@@ -198,10 +191,8 @@ TEST(DeepestPoint, IsTheSameBelowTheLimit) {
     for (const bool is_mesh : {false, true}) {
         int missed = 0, below = 0, above = 0;
         for (int trial = 0; trial < 1000; ++trial) {
-            const Solid solid = is_mesh ? solid_at(make_mesh_shape(spiky(random))) : solid_at(make_box({1, 1, 1}));
-            const Vec3 middle = draw_point(random, 1);
-            const std::array<Vec3, 3> corners{middle + draw_point(random, 0.1), middle + draw_point(random, 0.1),
-                                              middle + draw_point(random, 0.1)};
+            const Solid solid{.shape = is_mesh ? make_mesh_shape(spiky(random)) : make_box({1, 1, 1})};
+            const std::array<Vec3, 3> corners = draw_triangle(random, 1, 0.1);
             const std::array at_corners{solid.measure(corners[0]), solid.measure(corners[1]),
                                         solid.measure(corners[2])};
             const auto find = [&](Real limit) { return find_deepest_point(solid, corners, at_corners, limit); };

@@ -2,11 +2,7 @@
 
 #include <gtest/gtest.h>
 
-#include <Eigen/Eigenvalues>
 #include <cmath>
-
-#include "integrate/true_limit.h"
-#include "support/cloths.h"
 
 namespace drape {
 namespace {
@@ -41,25 +37,6 @@ TEST(HighestFrequency, OfALargeFlatSheetIsThatOfTheInfiniteLattice) {
     EXPECT_NEAR(lambda_at_rest(64, 0, 0), 4, 0.002 * 4);
     EXPECT_NEAR(lambda_at_rest(64, 1, 1), 10.125, 0.002 * 10.125);
     EXPECT_NEAR(lambda_at_rest(150, 1, 1), 10.125, 0.004 * 10.125) << "searched in windows";
-}
-
-TEST(HighestFrequency, IsThatOfTheWholeMatrixInAnyShape) {
-    ClothParameters parameters;
-    parameters.particles = {9, 8};
-    parameters.structural = {500, 0};
-    parameters.shear = {900, 0};
-    parameters.bend = {50, 0};
-    parameters.drag = 0;
-    parameters.pinned.list = {0, 5, 40};
-    parameters.pinned.kind = Pins::Kind::List;
-    std::mt19937 random(7);
-    for (int shape = 0; shape < 5; ++shape) {
-        const RestSheet sheet{make_cloth_model(parameters), test::random_state(parameters, random)};
-        const Real omega = predicted_limit(sheet.model, sheet.state, IntegratorKind::Rk4, Kernels::Vector).omega;
-        const test::LinearCloth linear(sheet.model, sheet.state);
-        const Eigen::SelfAdjointEigenSolver<Eigen::MatrixXd> solver(linear.stiffness, Eigen::EigenvaluesOnly);
-        EXPECT_NEAR(omega * omega / solver.eigenvalues().tail(1)[0], 1, 1e-3) << shape;
-    }
 }
 
 TEST(HighestFrequency, OfALargeClothIsSoughtWhereItsSpringsPull) {

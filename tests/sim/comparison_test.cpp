@@ -13,11 +13,6 @@ namespace {
 using testing::ElementsAre;
 using testing::HasSubstr;
 
-void run(Session& session, int steps) {
-    session.send(command::Step{steps});
-    session.advance(0, 1e9);
-}
-
 Session compared(const std::string& versus, const std::vector<std::string>& assignments = {}) {
     Session session(small_simulation(assignments));
     session.send(command::Compare{versus});
@@ -35,17 +30,17 @@ TEST(Comparison, KnowsWhereAnAssignmentEnds) {
 
 TEST(Comparison, FindsNoDifferenceWhereThereIsNone) {
     Session session = compared("contact.volume=aabb");
-    run(session, 100);
+    make_steps(session, 100);
     session.send(command::Grab{0, 75});
     session.send(command::Drag{Vec3(0.2, 0.5, 0.5)});
-    run(session, 100);
+    make_steps(session, 100);
     session.send(command::Release{});
     session.send(parse_command("steer 1 0 -1"));
     session.send(parse_command("set wind.on=true"));
-    run(session, 100);
+    make_steps(session, 100);
     session.send(parse_command("pin 0 40"));
     session.send(parse_command("set solver.dt=0.0005"));
-    run(session, 300);
+    make_steps(session, 300);
     const FrameView view = session.view();
     ASSERT_NE(view.comparison, nullptr);
     EXPECT_EQ(view.comparison->other.settings->contact.volume, VolumeKind::Aabb);
@@ -57,8 +52,8 @@ TEST(Comparison, FindsNoDifferenceWhereThereIsNone) {
 
 TEST(Comparison, LeavesTheFirstSimulationAsItIs) {
     Session session = compared("solver.integrator=backward_euler"), alone(small_simulation());
-    run(session, 200);
-    run(alone, 200);
+    make_steps(session, 200);
+    make_steps(alone, 200);
     EXPECT_EQ(session.simulation().hash(), alone.simulation().hash());
     const FrameView view = session.view();
     EXPECT_GT(view.comparison->rms, 1e-5);
@@ -68,7 +63,7 @@ TEST(Comparison, LeavesTheFirstSimulationAsItIs) {
 // A cloth that begins a decimetre higher stays there
 TEST(Comparison, MeasuresADistanceThatIsKnown) {
     Session session = compared("cloth.origin=-0.5,0.7,0", {"ball.position=0,-5,0"});
-    run(session, 50);
+    make_steps(session, 50);
     const FrameView view = session.view();
     EXPECT_NEAR(view.comparison->rms, 0.1, 1e-6);
     EXPECT_NEAR(view.comparison->largest, 0.1, 1e-6);
@@ -78,7 +73,7 @@ TEST(Comparison, MeasuresADistanceThatIsKnown) {
 TEST(Comparison, ComparesGridsWhereTheirParticlesLie) {
     Session session = compared("cloth.particles=19,15", {"integrator=backward_euler"});
     EXPECT_NEAR(session.view().comparison->largest, 0, 1e-12) << "both are flat";
-    run(session, 100);
+    make_steps(session, 100);
     EXPECT_GT(session.view().comparison->largest, 1e-4);
     EXPECT_LT(session.view().comparison->largest, 0.1);
 
@@ -89,7 +84,7 @@ TEST(Comparison, ComparesGridsWhereTheirParticlesLie) {
 
 TEST(Comparison, ComparesTheSameTimeWhateverTheSteps) {
     Session session = compared("solver.dt=0.002");
-    run(session, 100);
+    make_steps(session, 100);
     const FrameView& other = session.view().comparison->other;
     const double ahead = other.report->time - session.simulation().report().time;
     EXPECT_LT(ahead, 0.002);
@@ -115,7 +110,7 @@ TEST(Comparison, KeepsWhatIsComparedApart) {
     Session session = compared("solver.integrator=backward_euler");
     session.send(command::LoadScene{"hang"});
     EXPECT_EQ(session.view().comparison->other.settings->solver.integrator, IntegratorKind::BackwardEuler);
-    run(session, 20);
+    make_steps(session, 20);
     EXPECT_LT(session.view().comparison->largest, 0.1) << "of the same scene";
 }
 
@@ -123,12 +118,11 @@ TEST(Comparison, GoesBackInTimeWithBoth) {
     Session session(small_simulation());
     session.keep_history({});
     session.send(command::Compare{"solver.integrator=backward_euler"});
-    run(session, 250);
+    make_steps(session, 250);
     const double before = session.view().comparison->rms;
-    run(session, 250);
+    make_steps(session, 250);
     EXPECT_NE(session.view().comparison->rms, before);
-    session.go_to(250);
-    session.advance(0, 1e9);
+    go_to(session, 250);
     EXPECT_EQ(session.view().comparison->rms, before);
     EXPECT_THAT(session.takeover_notice(), testing::Not(HasSubstr("ended")));
 }
@@ -137,10 +131,10 @@ TEST(Comparison, IsPartOfARecording) {
     const test::ScratchFile file("compared.txt");
     Session session(small_simulation());
     session.record(file.name(), {});
-    run(session, 40);
+    make_steps(session, 40);
     session.send(command::Compare{"solver.integrator=backward_euler,contact.friction=0.7"});
     EXPECT_EQ(session.view().report->step, 0) << "both begin again";
-    run(session, 150);
+    make_steps(session, 150);
     const double apart = session.view().comparison->rms;
     EXPECT_GT(apart, 1e-6);
     session.close();
@@ -153,12 +147,10 @@ TEST(Comparison, IsPartOfARecording) {
     ASSERT_NE(again.view().comparison, nullptr);
     EXPECT_EQ(again.view().comparison->rms, apart);
     EXPECT_EQ(again.view().settings->view.colour, ColourBy::Difference);
-    again.go_to(0);
-    again.advance(0, 1e9);
+    go_to(again, 0);
     EXPECT_EQ(again.timeline().now, 40) << "nothing is kept of what was before";
     EXPECT_NE(again.view().comparison, nullptr);
-    again.go_to(190);
-    again.advance(0, 1e9);
+    go_to(again, 190);
     EXPECT_EQ(again.view().comparison->rms, apart);
 }
 
@@ -167,9 +159,9 @@ TEST(Comparison, EndsInAReplayWhereItEnded) {
     Session session(small_simulation());
     session.record(file.name(), {});
     session.send(command::Compare{"contact.friction=0.7"});
-    run(session, 20);
+    make_steps(session, 20);
     session.send(command::Compare{"none"});
-    run(session, 20);
+    make_steps(session, 20);
     EXPECT_EQ(session.view().report->step, 40) << "the run goes on";
     session.close();
 

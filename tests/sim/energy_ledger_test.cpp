@@ -149,16 +149,6 @@ TEST(EnergyLedger, CountsWhatTheStretchLimitTakesAsTheMethods) {
     EXPECT_NEAR(balance.integrator, before - mechanical_energy(simulation), 1e-10);
 }
 
-TEST(EnergyLedger, ShowsWhatAMethodInvents) {
-    Simulation simulation = kept_simulation({"integrator=explicit_euler", "dt=5e-4", "ball.position=0,-9,0",
-                                             "structural.damping=0", "shear.damping=0", "bend.damping=0", "drag=0"});
-    const double before = mechanical_energy(simulation);
-    make_steps(simulation, 100);
-    const double gained = mechanical_energy(simulation) - before;
-    EXPECT_GT(gained, 1e-6);
-    EXPECT_NEAR(simulation.view().report->balance.integrator, -gained, 1e-12);
-}
-
 /// Whatever happens in a run, nothing is forgotten and nothing counted twice.
 TEST(EnergyLedger, AddsUpToTheChangeOfTheEnergy) {
     Simulation simulation = kept_simulation({"ball.position=0,0.2,0.2"});

@@ -17,8 +17,7 @@ Simulation after_a_while(const std::string& scene, const Settings& settings) {
 
 class FailingScene : public testing::TestWithParam<std::string> {};
 
-INSTANTIATE_TEST_SUITE_P(All, FailingScene, testing::ValuesIn(scenes_that_fail(true)),
-                         [](const auto& scene) { return scene.param; });
+INSTANTIATE_TEST_SUITE_P(All, FailingScene, testing::ValuesIn(scenes_that_fail(true)), name_of_param);
 
 TEST_P(FailingScene, FailsAsItsTitleSaysAndWarnsWhereItsMethodHasALimit) {
     const Settings settings = load_scene(GetParam());

@@ -34,17 +34,14 @@ Settings sheet_at(Real height, SpringLaw springs = {}) {
 Vec3 centre_of(const Simulation& simulation) { return simulation.cloths()[0].state.x.colwise().mean().transpose(); }
 
 /// @param visit after each step
-template <class Visit>
-void run(Simulation& simulation, double time, Visit visit) {
+template <class Visit = void (*)()>
+void run(
+    Simulation& simulation, double time, Visit visit = [] {}) {
     for (auto steps = std::llround(time / simulation.settings().solver.dt); steps > 0; --steps) {
         simulation.step();
         ASSERT_EQ(simulation.report().status, Status::Ok) << simulation.report().error;
         visit();
     }
-}
-
-void run(Simulation& simulation, double time) {
-    run(simulation, time, [] {});
 }
 
 /// How far a sheet has gone down a slope between two times.
@@ -84,7 +81,7 @@ class EachResponse : public testing::TestWithParam<ResponseKind> {};
 INSTANTIATE_TEST_SUITE_P(Kinds, EachResponse,
                          testing::Values(ResponseKind::Projection, ResponseKind::Penalty, ResponseKind::Impulse,
                                          ResponseKind::Hybrid),
-                         [](const auto& param) { return std::string(name_of(param.param)); });
+                         name_of_param);
 
 // A fall of 0.5 m takes sqrt(2 H / g) = 0.319275428 s, and the n-th bounce comes to e^2n H
 TEST_P(EachResponse, BouncesToTheHeightThatTheRestitutionLeaves) {
@@ -170,7 +167,7 @@ class FrictionOfEachMethod : public testing::TestWithParam<std::string> {};
 INSTANTIATE_TEST_SUITE_P(One, FrictionOfEachMethod, testing::Values("backward_euler"));
 INSTANTIATE_TEST_SUITE_P(Nightly, FrictionOfEachMethod,
                          testing::ValuesIn(names_of<IntegratorKind>().begin(), names_of<IntegratorKind>().end()),
-                         [](const auto& name) { return name.param; });
+                         name_of_param);
 
 TEST_P(FrictionOfEachMethod, SticksIffTheSlopeIsBelowTheFrictionAngle) {
     for (const double part : {0.98, 1.02, 2.}) {

@@ -174,11 +174,10 @@ TEST_P(BallOnLyingCloth, GivesItNoEnergyFromNowhere) {
     EXPECT_EQ(simulation.report().energy_gain_step, 0) << simulation.report().energy_excess << " J";
 }
 
-INSTANTIATE_TEST_SUITE_P(OneMethod, BallOnLyingCloth, testing::Values(IntegratorKind::BackwardEuler),
-                         [](const auto& about) { return std::string(name_of(about.param)); });
+INSTANTIATE_TEST_SUITE_P(OneMethod, BallOnLyingCloth, testing::Values(IntegratorKind::BackwardEuler), name_of_param);
 INSTANTIATE_TEST_SUITE_P(Nightly, BallOnLyingCloth,
                          testing::Values(IntegratorKind::Bdf2, IntegratorKind::ImplicitMidpoint, IntegratorKind::Xpbd),
-                         [](const auto& about) { return std::string(name_of(about.param)); });
+                         name_of_param);
 
 /// Sliding brings a solid sphere to 5/7 of its speed, whatever the friction.
 TEST(FreeBalls, RollOnTheGroundByDistanceOverRadius) {
@@ -233,8 +232,7 @@ TEST_P(SceneOnTheGround, ComesToRestOnItAndNothingFallsBelow) {
     EXPECT_LT(simulation.cloths()[0].state.x.col(1).minCoeff(), 0.01) << "the cloth touches it";
 }
 
-INSTANTIATE_TEST_SUITE_P(Long, SceneOnTheGround, testing::Values("three_balls", "slide"),
-                         [](const auto& scene) { return std::string(scene.param); });
+INSTANTIATE_TEST_SUITE_P(Long, SceneOnTheGround, testing::Values("three_balls", "slide"), name_of_param);
 
 }  // namespace
 }  // namespace drape

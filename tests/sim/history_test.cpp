@@ -19,11 +19,6 @@ using testing::HasSubstr;
 
 constexpr double no_hurry = 1e9;  // s of wall time that the steps may take
 
-void go_to(std::int64_t step, Session& session) {
-    session.go_to(step);
-    session.advance(0, no_hurry);
-}
-
 /// A session that keeps its past, and the hash of each step that it has made.
 struct Traveller {
     Session session;
@@ -37,15 +32,14 @@ struct Traveller {
     void run(int steps) {
         hashes.back() = session.simulation().hash();  // after what was done before the next step
         for (int k = 0; k < steps; ++k) {
-            session.send(command::Step{1});
-            session.advance(0, no_hurry);
+            make_steps(session, 1);
             hashes.push_back(session.simulation().hash());
         }
     }
 
     /// Goes to a step, and tells whether it is what it was.
     bool finds_again(std::int64_t step) {
-        go_to(step, session);
+        go_to(session, step);
         return session.timeline().now == step && session.simulation().hash() == hashes[static_cast<std::size_t>(step)];
     }
 };
@@ -197,7 +191,7 @@ TEST(History, RecordsARunThatIsLeftInItsPast) {
     Traveller traveller(small_simulation());
     traveller.session.record(file.name(), {});
     traveller.run(700);
-    go_to(300, traveller.session);
+    go_to(traveller.session, 300);
     traveller.session.close();
     EXPECT_EQ(hash_of_replay(file.name()), traveller.hashes.back()) << "all of it is there";
 }
@@ -217,25 +211,23 @@ TEST(History, LetsTheUserTakeOverFromAReplay) {
     EXPECT_EQ(session.timeline().newest, 500);
     EXPECT_TRUE(session.timeline().replay);
     session.send(command::Pause{});
-    session.send(command::Step{50});
-    session.advance(0, no_hurry);
+    make_steps(session, 50);
     EXPECT_TRUE(session.timeline().replay) << "a pause takes nothing over";
     session.send(parse_command("steer 1 0 0"));
     EXPECT_FALSE(session.timeline().replay);
     EXPECT_THAT(session.takeover_notice(), HasSubstr("replay"));
-    session.send(command::Step{100});
-    session.advance(0, no_hurry);
+    make_steps(session, 100);
     EXPECT_FALSE(session.simulation().settings().wind.on);
 }
 
 TEST(History, GoesForthAndBackInAReplayAndLeavesItsPausesAlone) {
     Session session = replaying(
         {{100, "pause"}, {100, "step 5"}, {100, "set wind.on=true"}, {100, "next view.bounds"}, {105, "pause"}}, 300);
-    go_to(200, session);
+    go_to(session, 200);
     EXPECT_TRUE(session.simulation().settings().wind.on);
     const bool bounds = session.simulation().settings().view.bounds;
     for (const std::int64_t step : {50, 200, 102, 300}) {
-        go_to(step, session);
+        go_to(session, step);
         EXPECT_EQ(session.timeline().now, step);
         EXPECT_TRUE(session.simulation().paused());
         EXPECT_EQ(session.simulation().steps_wanted(), 0);
@@ -265,8 +257,7 @@ TEST(History, BeginsAnewWithAScene) {
     traveller.run(20);
     traveller.session.send(command::LoadScene{"hang"});
     EXPECT_EQ(traveller.session.timeline().oldest, 20);
-    traveller.session.send(command::Step{5});
-    traveller.session.advance(0, no_hurry);
+    make_steps(traveller.session, 5);
     traveller.session.go_to(0);
     EXPECT_EQ(traveller.session.simulation().scene(), "hang");
     EXPECT_EQ(traveller.session.timeline().now, 20);
@@ -285,14 +276,13 @@ TEST(History, FinishesItsWayBeforeACommand) {
 TEST(History, LeadsBackFromARunThatHasDiverged) {
     Session session(Simulation("fails_rk4", load_scene("fails_rk4")));
     session.keep_history({});
-    session.send(command::Step{5000});
-    session.advance(0, no_hurry);
+    make_steps(session, 5000);
     ASSERT_EQ(session.simulation().report().status, Status::Diverged);
     const std::int64_t end = session.timeline().newest;
     session.send(command::Pause{});
     for (int k = 0; k < 100; ++k) session.advance(0.1, 0.01);
     EXPECT_EQ(session.timeline().newest, end) << "nothing happens any more";
-    go_to(end - 2, session);
+    go_to(session, end - 2);
     EXPECT_EQ(session.simulation().report().status, Status::Ok);
     EXPECT_EQ(session.timeline().now, end - 2);
 }

@@ -1,11 +1,10 @@
-// Every integrator in whole scenes: with contact, and exchanged in mid-run.
+// Every integrator in whole scenes, with contact.
 
 #include <gtest/gtest.h>
 
 #include <algorithm>
 
 #include "sim/small_scene.h"
-#include "support/allocations.h"
 
 namespace drape {
 namespace {
@@ -54,35 +53,11 @@ TEST_P(EveryIntegrator, GivesAClothTheSameBitsWhateverBodyIsFarAway) {
     EXPECT_EQ(first.cloths()[0].state.v, second.cloths()[0].state.v);
 }
 
-TEST_P(EveryIntegrator, GoesOnFromWhereAnotherHasCome) {
-    Simulation switched = bounded_simulation("rk4"), fresh = bounded_simulation("rk4");
-    make_steps(switched, 200), make_steps(fresh, 200);
-    for (Simulation* simulation : {&switched, &fresh}) simulation->apply(command::Set{setting(GetParam())});
-    make_steps(switched, 50), make_steps(fresh, 50);
-    EXPECT_EQ(switched.hash(), fresh.hash());
-    switched.apply(parse_command("next integrator"));
-    make_steps(switched, 200);
-    EXPECT_EQ(switched.report().status, Status::Ok) << switched.report().error;
-}
-
-// But for the search that tells in how many parts a step is made
-TEST_P(EveryIntegrator, AllocatesNothingOnceItHasContacts) {
-    Settings settings = bounded_simulation(GetParam()).settings();
-    settings.solver.dt /= bounded_simulation(GetParam()).report().substeps;
-    settings.solver.on_unstable = OnUnstable::Warn;
-    Simulation simulation("drop", settings);
-    while (simulation.report().time < 600.0 / 1024) simulation.step();
-    ASSERT_GT(simulation.report().contacts, 0);
-    const auto before = test::allocations();
-    make_steps(simulation, 300);
-    EXPECT_EQ(test::allocations(), before);
-}
-
 /// The one that remembers the step before.
 INSTANTIATE_TEST_SUITE_P(One, EveryIntegrator, ::testing::Values("bdf2"));
 INSTANTIATE_TEST_SUITE_P(Nightly, EveryIntegrator,
                          ::testing::ValuesIn(names_of<IntegratorKind>().begin(), names_of<IntegratorKind>().end()),
-                         [](const auto& name) { return name.param; });
+                         name_of_param);
 
 }  // namespace
 }  // namespace drape

@@ -39,10 +39,6 @@ Simulation turned_row_under(IntegratorKind integrator, double dt) {
     return {"pins", std::move(settings)};
 }
 
-void run_to(Simulation& simulation, double time) {
-    while (simulation.report().time < time - 1e-9 && simulation.report().status == Status::Ok) simulation.step();
-}
-
 const Points& positions_in(const Simulation& simulation) { return simulation.cloths()[0].state.x; }
 
 /// The largest distance of a pin from where its row is to be once it has turned.
@@ -58,18 +54,17 @@ Real off_by_the_end(const Simulation& simulation) {
 
 class MovingPinsUnder : public testing::TestWithParam<IntegratorKind> {};
 
-INSTANTIATE_TEST_SUITE_P(OneMethod, MovingPinsUnder, testing::Values(IntegratorKind::SymplecticEuler),
-                         [](const auto& param) { return std::string(name_of(param.param)); });
+INSTANTIATE_TEST_SUITE_P(OneMethod, MovingPinsUnder, testing::Values(IntegratorKind::SymplecticEuler), name_of_param);
 INSTANTIATE_TEST_SUITE_P(Nightly, MovingPinsUnder,
                          testing::Values(IntegratorKind::VelocityVerlet, IntegratorKind::Rk4,
                                          IntegratorKind::BackwardEuler, IntegratorKind::ImplicitMidpoint,
                                          IntegratorKind::Bdf2, IntegratorKind::Xpbd, IntegratorKind::ProjectiveDynamics,
                                          IntegratorKind::DormandPrince),
-                         [](const auto& param) { return std::string(name_of(param.param)); });
+                         name_of_param);
 
 TEST_P(MovingPinsUnder, EndWhereTheirPathsDo) {
     Simulation simulation = turned_row_under(GetParam(), has_step_limit(GetParam()) ? 1.0 / 1024 : 1.0 / 60);
-    run_to(simulation, whole_turn + 0.1);
+    run_until(simulation, whole_turn + 0.1);
     EXPECT_LT(off_by_the_end(simulation), 1e-6);
     EXPECT_TRUE(simulation.cloths()[0].state.v.topRows(10).isZero(0));
     EXPECT_EQ(simulation.run_warning(), "");
@@ -79,8 +74,8 @@ TEST_P(MovingPinsUnder, EndWhereTheirPathsDo) {
 TEST_P(MovingPinsUnder, LeadTheClothAsEveryMethodHasIt) {
     Simulation simulation = turned_row_under(GetParam(), 1.0 / 8192);
     Simulation reference = turned_row_under(IntegratorKind::Rk4, 1.0 / 4096);
-    run_to(simulation, 0.5);
-    run_to(reference, 0.5);
+    run_until(simulation, 0.5);
+    run_until(reference, 0.5);
     EXPECT_LT((positions_in(simulation) - positions_in(reference)).rowwise().norm().maxCoeff(), 2e-3);
 }
 
@@ -95,7 +90,7 @@ TEST(MovingPins, HaveTheirWorkInTheBalanceWhichCloses) {
         return figure(simulation.report(), name);
     };
     const double start = row("energy");
-    run_to(simulation, whole_turn + 0.1);
+    run_until(simulation, whole_turn + 0.1);
     EXPECT_GT(row("pin_work"), 0.15) << "the cloth is lifted by 0.2 m";
     EXPECT_NEAR(row("integrator_loss"), 0, 1e-4 * row("pin_work"));
     EXPECT_NEAR(row("energy") - start, row("pin_work") - row("damping_loss") - row("drag_loss"), 1e-4);
@@ -110,23 +105,23 @@ TEST(MovingPins, WakeTheClothAndKeepItAwake) {
     settings.pins[0].shift = {
         {0, {0, 0, 0}}, {5, {0, 0, 0}}, {6, {0, 0, 0}}, {10, {0, 0, Real(0.01)}}};  // slower than sleep
     Simulation simulation("pins", std::move(settings));
-    run_to(simulation, 4.9);
+    run_until(simulation, 4.9);
     ASSERT_TRUE(simulation.report().asleep);
-    run_to(simulation, 6.1);
+    run_until(simulation, 6.1);
     EXPECT_FALSE(simulation.report().asleep);
-    run_to(simulation, 9.9);
+    run_until(simulation, 9.9);
     EXPECT_FALSE(simulation.report().asleep);
-    run_to(simulation, 14);
+    run_until(simulation, 14);
     EXPECT_TRUE(simulation.report().asleep);
     EXPECT_NEAR(position_of(simulation, 0).z(), 0.01, 1e-5);
 }
 
 TEST(MovingPins, GoBackToTheirWayOnceTheHandLetsGo) {
     Simulation simulation("pins", turned_row());
-    run_to(simulation, 0.2);
+    run_until(simulation, 0.2);
     send(simulation, "grab 0 0");
     send(simulation, "drag -0.6 0.4 0.3");
-    run_to(simulation, 0.5);
+    run_until(simulation, 0.5);
     send(simulation, "release");
     Real fastest = 0;
     while (simulation.report().time < 2) {
@@ -166,7 +161,7 @@ TEST(MovingPins, EndWithTheLastOfTheirParticles) {
     Settings settings = turned_row();
     settings.pins[0].particles = {0, 1};
     Simulation simulation("pins", std::move(settings));
-    run_to(simulation, 0.2);
+    run_until(simulation, 0.2);
     send(simulation, "pin 0 0");
     EXPECT_EQ(simulation.settings().pins.size(), 1u);
     send(simulation, "pin 0 1");
@@ -176,14 +171,14 @@ TEST(MovingPins, EndWithTheLastOfTheirParticles) {
 
 TEST(MovingPins, LetTheClothGoWithAllOthers) {
     Simulation simulation("twist", load_scene("twist"));
-    run_to(simulation, 0.3);
+    run_until(simulation, 0.3);
     const std::uint64_t before = simulation.hash();
     const Vec3 corner = position_of(simulation, 0);
     send(simulation, "set cloth.pinned=none");
     EXPECT_TRUE(simulation.settings().pins.empty());
     EXPECT_EQ(position_of(simulation, 0), corner) << "it goes on from where it is";
     EXPECT_NE(simulation.hash(), before) << "the pins' velocities are part of the state";
-    run_to(simulation, 0.5);
+    run_until(simulation, 0.5);
     EXPECT_LT(position_of(simulation, 0).y(), corner.y() - Real(0.1)) << "it falls";
     EXPECT_EQ(simulation.report().status, Status::Ok);
 }

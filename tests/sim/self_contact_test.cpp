@@ -141,8 +141,7 @@ TEST_P(SelfContactMethod, NeverHasACrossing) {
 
 class ShippedSelfContact : public testing::TestWithParam<std::string> {};
 
-INSTANTIATE_TEST_SUITE_P(Long, ShippedSelfContact, testing::Values("fold", "stack", "pinch", "twist"),
-                         [](const auto& param) { return param.param; });
+INSTANTIATE_TEST_SUITE_P(Long, ShippedSelfContact, testing::Values("fold", "stack", "pinch", "twist"), name_of_param);
 
 TEST_P(ShippedSelfContact, NeverHasACrossing) {
     Settings settings = load_scene(GetParam());

@@ -199,38 +199,18 @@ TEST(RecordedSession, DoesNotRecordWhatWasRefused) {
     EXPECT_EQ(command_text(std::get<Command>(recording.entries[0].content)), "pause");
 }
 
-TEST(RecordedSession, IsClosedWithTheSession) {
-    const ScratchFile file("session.txt");
-    {
-        Session session = small_session();
-        session.record(file.name(), {});
-        session.advance(0.1, unlimited);
-    }
-    EXPECT_EQ(read_recording(file.name()).notice, "");
-}
-
-TEST(ReplayedSession, NamesTheFirstStepThatDiffers) {
+TEST(ReplayedSession, NamesTheFirstStepThatDiffersAndThatItsRecordingWasCutOnceItHasPlayedIt) {
     Session session = small_session();
     Session reference = small_session();
     reference.run_until(10 * step_length);
     Recording recording;
     recording.entries = {{10, reference.simulation().hash()}, {30, std::uint64_t{1}}, {40, std::uint64_t{2}}};
+    recording.notice = "cut off";
     session.replay(recording);
     session.run_until(29 * step_length);
     EXPECT_EQ(session.replay_notice(), "");
     session.run_until(50 * step_length);
-    EXPECT_THAT(session.replay_notice(), HasSubstr("before step 30"));
-}
-
-TEST(ReplayedSession, SaysThatItsRecordingWasCutOnceItHasPlayedIt) {
-    Session session = small_session();
-    Recording recording;
-    recording.entries = {{5, std::uint64_t{1}}};
-    recording.notice = "cut off";
-    session.replay(recording);
-    EXPECT_EQ(session.replay_notice(), "");
-    session.run_until(10 * step_length);
-    EXPECT_THAT(session.replay_notice(), testing::AllOf(HasSubstr("before step 5"), testing::EndsWith("; cut off")));
+    EXPECT_THAT(session.replay_notice(), testing::AllOf(HasSubstr("before step 30"), testing::EndsWith("; cut off")));
 }
 
 TEST(ReplayedSession, EndsWhereItWasClosedOrAtItsLastWholeLine) {

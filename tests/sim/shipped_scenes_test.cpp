@@ -43,8 +43,7 @@ TEST_P(ShippedScene, RunsForSecondsInNoDoubtAndStretchesNoFurtherThanCloth) {
     EXPECT_NEAR(simulation.report().time, tenths / 10.0, 1e-9);
 }
 
-INSTANTIATE_TEST_SUITE_P(Long, ShippedScene, testing::ValuesIn(scenes_that_fail(false)),
-                         [](const auto& scene) { return scene.param; });
+INSTANTIATE_TEST_SUITE_P(Long, ShippedScene, testing::ValuesIn(scenes_that_fail(false)), name_of_param);
 
 }  // namespace
 }  // namespace drape

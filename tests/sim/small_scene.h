@@ -4,10 +4,12 @@
 
 #include <sstream>
 #include <string>
+#include <type_traits>
 #include <utility>
 
 #include "drape/scene/scene.h"
 #include "drape/scene/setting_table.h"
+#include "drape/session/session.h"
 #include "drape/session/state_csv.h"
 #include "drape/sim/simulation.h"
 
@@ -59,8 +61,27 @@ inline std::vector<std::string> scenes_that_fail(bool fail) {
     return names;
 }
 
+/// What the case of a test suite is called: as its parameter.
+constexpr auto name_of_param = [](const auto& about) -> std::string {
+    if constexpr (std::is_enum_v<decltype(about.param)>) {
+        return name_of(about.param);
+    } else {
+        return about.param;
+    }
+};
+
 inline void make_steps(Simulation& simulation, int count) {
     for (int i = 0; i < count; ++i) simulation.step();
+}
+
+/// In as much wall time as they take.
+inline void make_steps(Session& session, int count) {
+    session.send(command::Step{count});
+    session.advance(0, 1e9);
+}
+inline void go_to(Session& session, std::int64_t step) {
+    session.go_to(step);
+    session.advance(0, 1e9);
 }
 
 /// Steps until a time, or until the cloth is lost, which fails the test.

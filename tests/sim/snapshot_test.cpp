@@ -78,8 +78,7 @@ std::vector<std::string> scenes_but_large() {
     return names;
 }
 
-INSTANTIATE_TEST_SUITE_P(Long, Snapshot, testing::ValuesIn(scenes_but_large()),
-                         [](const auto& scene) { return scene.param; });
+INSTANTIATE_TEST_SUITE_P(Long, Snapshot, testing::ValuesIn(scenes_but_large()), name_of_param);
 INSTANTIATE_TEST_SUITE_P(Nightly, Snapshot, testing::Values("large"));
 
 class SnapshotOfAMethod : public testing::TestWithParam<std::string> {};
@@ -96,8 +95,7 @@ TEST_P(SnapshotOfAMethod, GoesOnWithTheSameBits) {
     }
 }
 
-INSTANTIATE_TEST_SUITE_P(Nightly, SnapshotOfAMethod, testing::ValuesIn(names_of<IntegratorKind>()),
-                         [](const auto& method) { return method.param; });
+INSTANTIATE_TEST_SUITE_P(Nightly, SnapshotOfAMethod, testing::ValuesIn(names_of<IntegratorKind>()), name_of_param);
 INSTANTIATE_TEST_SUITE_P(Bdf2, SnapshotOfAMethod, testing::Values("bdf2"));
 
 TEST(SnapshotOfALimitedSearch, GoesOnWithTheSameBits) {
@@ -259,10 +257,8 @@ TEST(SnapshotInASession, IsWhatTimeGoesBackTo) {
     session.keep_history({});
     session.send(command::Load{snapshot.name()});
     EXPECT_EQ(session.simulation().scene(), "drop");
-    session.send(command::Step{20});
-    session.advance(0, 1e9);
-    session.go_to(0);
-    session.advance(0, 1e9);
+    make_steps(session, 20);
+    go_to(session, 0);
     EXPECT_EQ(session.simulation().hash(), run.hash());
 }
 

@@ -107,10 +107,8 @@ class SolidsLeft : public testing::TestWithParam<IntegratorKind> {};
 
 constexpr IntegratorKind one_of_each_sort[] = {IntegratorKind::VelocityVerlet, IntegratorKind::BackwardEuler};
 constexpr IntegratorKind other_methods[] = {IntegratorKind::Rk4, IntegratorKind::SymplecticEuler, IntegratorKind::Bdf2};
-INSTANTIATE_TEST_SUITE_P(EachSort, SolidsLeft, testing::ValuesIn(one_of_each_sort),
-                         [](const auto& kind) { return std::string(name_of(kind.param)); });
-INSTANTIATE_TEST_SUITE_P(Nightly, SolidsLeft, testing::ValuesIn(other_methods),
-                         [](const auto& kind) { return std::string(name_of(kind.param)); });
+INSTANTIATE_TEST_SUITE_P(EachSort, SolidsLeft, testing::ValuesIn(one_of_each_sort), name_of_param);
+INSTANTIATE_TEST_SUITE_P(Nightly, SolidsLeft, testing::ValuesIn(other_methods), name_of_param);
 
 /// The plane of a contact goes on where the solid ends.
 TEST_P(SolidsLeft, HoldTheClothNoMore) {
