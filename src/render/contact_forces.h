@@ -7,7 +7,7 @@
 
 namespace drape {
 
-/// How cloth is held where it may touch.
+/// Whether cloth sticks where it may touch.
 enum class Hold : std::uint8_t {
     Sticks,
     Slides,  ///< friction is at the limit of its cone; without friction whatever touches slides

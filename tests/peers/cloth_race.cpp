@@ -36,13 +36,13 @@ ClothParameters hung_sheet(int particles, Real damping) {
     return sheet;
 }
 
-/// A sheet on its way.
+/// A sheet in motion.
 struct Moving {
     std::function<void()> step;
     std::function<Points()> positions;
 };
 
-/// A way to move a sheet from rest, by steps of h [s].
+/// What moves a sheet from rest, by steps of h [s].
 struct ClothMethod {
     std::string name;
     std::function<Moving(const ClothParameters& sheet, Real h)> start;

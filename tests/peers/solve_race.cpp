@@ -170,7 +170,7 @@ private:
     };
     HYPRE_IJMatrix matrix_ = nullptr;
     HYPRE_ParCSRMatrix whole_ = nullptr;
-    std::array<Column, 2> columns_;  ///< what it is given, and what it finds
+    std::array<Column, 2> columns_;  ///< right-hand side, and solution
     HYPRE_Solver amg_ = nullptr;
 };
 
