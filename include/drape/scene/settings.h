@@ -204,7 +204,7 @@ struct ViewSettings {
     PictureQuality quality = PictureQuality::Auto;
     Vec3 eye{Real(1.6), Real(0.9), Real(2.2)};
     Vec3 target{0, 0, 0};
-    double speed = 1;  ///< simulated seconds that pass in a second at the window
+    double speed = 1;   ///< simulated seconds that pass in a second at the window
     double repeat = 0;  ///< time at which the window shows the scene once more in slow motion [s]; 0: never
     Fabric fabric = Fabric::Cotton;
     Palette palette = Palette::Studio;
