@@ -1,42 +1,55 @@
-# Errors of contact against time: a column of panels for each search, a line for each speed of the ball.
+# Contacts that are missed, by the travel of the ball in a step, and what is left to the response against time: a column of
+# panels for each search, a line for each speed of the ball.
 # searches: SEARCH.TESTS, the number of tests after which a limited one ends; speeds: of the ball [m/s]
-# Lines continue across rows of others
-set datafile missing NaN
-eval paper(830, 720)
-set multiplot layout 3,words(searches) margins 0.085,0.985,0.15,0.91 spacing 0.035,0.05 \
-  title 'Contact found and answered: a ball that moves through a hung cloth' font ',13'
-eval room_about_data
-set offsets graph 0.05, graph 0.05, 0, 0
-eval legend(0.03)
-set logscale x
-set xrange [0.015:0.7]
-set xtics (0.02, 0.1, 0.5)
+eval paper(560)
+diameter = 300  # of the ball [mm]
 colour(speed) = speed < 1 ? pink : speed < 4 ? blue : speed < 16 ? green : red
 marker(speed) = speed < 1 ? 13 : speed < 4 ? 7 : speed < 16 ? 5 : 9
-here(speed) = strcol('search').'.'.strcol('tests') eq search && column('speed_m_per_s') == speed
-heading(search) = search[1:7] eq 'limited' ? search[9:*].' volume tests' : search[1:strlen(search) - 2]
-most(a, b) = a > b ? a : b
-# The logarithmic axes have no zero: what is less than their least is drawn there
-error(panel) = panel == 1 ? 100 * column('missed_contacts') : \
-               panel == 2 ? most(1e3 * column('left_m'), 0.1) : most(100 * column('momentum_error'), 1)
-do for [panel = 1:3] {
-  set ylabel panel == 1 ? 'missed contacts [%]' : panel == 2 ? 'left [mm], at least 0.1' : 'error of momentum [%], at least 1'
-  if (panel == 1) { set yrange [-4:104] } else {
-    set logscale y
-    set yrange [(panel == 2 ? 0.08 : 0.8):300]
+here(search, speed) = strcol('search').'.'.strcol('tests') eq search && column('speed_m_per_s') == speed
+heading(search) = search[1:7] eq 'limited' ? 'ends after '.search[9:*].' tests' : search[1:strlen(search) - 2]
+travel = "(1e3 * column('speed_m_per_s') * column('step_s'))"
+missed = 0; through = 1e9
+stats table using (is('search', 'continuous') ? (missed = most(missed, column('missed_contacts')), 0) : \
+  is('search', 'discrete') && column('passed') == 1 ? (through = least(through, @travel), 0) : 0) nooutput
+eval headline(sprintf('Continuous search misses at most %.1f %%; %s', 100 * missed, through < 1e9 ? \
+  sprintf('a ball gets past discrete search from %.0f mm a step on', through) : 'nor does a ball pass the discrete one'), \
+  'A ball that moves through a hung cloth; rings: it has gone through. Vertical line: its diameter')
+eval panels(2, words(searches), 65, 15, 60, 95, 20, 75)
+set logscale x
+# The logarithmic axis has no zero: what is less than its least is drawn there
+x = "(row == 1 ? 1e3 * column('speed_m_per_s') * column('step_s') : column('cpu_s_per_s'))"
+error = "(row == 1 ? 100 * column('missed_contacts') : most(1e3 * column('left_m'), 0.1))"
+set arrow 1 from diameter, graph 0 to diameter, graph 1 nohead lc rgb grey
+do for [row = 1:2] {
+  if (row == 2) { unset arrow }
+  do for [n = 1:words(searches)] {
+    search = word(searches, n)
     unset title
-  }
-  if (panel == 3) { set xlabel 'CPU time per second [s]' }
-  do for [search in searches] {
-    if (panel == 1) { set title heading(search) }
-    plot for [speed in speeds] table using (only(here(speed + 0), column('cpu_s_per_s'))):(error(panel)) \
-           with linespoints lw 1.5 pt marker(speed + 0) ps 0.8 lc rgb colour(speed + 0) \
-           title 'ball at '.speed.' m/s', \
-         for [speed in speeds] '' using (only(here(speed + 0) && column('passed') == 1, column('cpu_s_per_s'))) \
-           :(error(panel)) with points pt 6 ps 2 lw 1.5 lc rgb black notitle, \
-         keyentry with points pt 6 ps 1.6 lw 1.5 lc rgb black title 'the ball has gone through'
-    unset key
-    set ylabel ''
+    set ylabel n > 1 ? '' : row == 1 ? 'missed contacts [%]' : 'penetration left [mm]'
+    set format y n > 1 ? '' : '%g'
+    if (row == 1) {
+      set title heading(search) offset 0,-0.3
+      set xlabel 'travel in a step [mm]'
+      set xrange [0.15:1800]
+      set xtics (1, 10, 100, 1000)
+      set yrange [-4:104]
+      do for [k = 1:(n == 1 ? words(speeds) : 0)] {
+        set label k word(speeds, k).' m/s' at graph 0.06, graph 1 - 0.12 * k left point pt marker(word(speeds, k) + 0) ps 0.8 \
+          lc rgb colour(word(speeds, k) + 0) offset 0.8,-0.3 tc rgb colour(word(speeds, k) + 0)
+      }
+    } else {
+      set xlabel 'CPU s / simulated s'
+      set xrange [0.012:0.7]
+      set xtics (0.02, 0.1, 0.5)
+      set logscale y
+      set yrange [0.07:300]
+      if (n == 1) { set ytics (at_most("0.1") 0.1, 1, 10, 100) } else { set ytics ('' 0.1, '' 1, '' 10, '' 100) }
+    }
+    plot for [speed in speeds] table using (only(here(search, speed + 0), @x)):@error \
+           with linespoints lw 1.5 pt marker(speed + 0) ps 0.8 lc rgb colour(speed + 0), \
+         for [speed in speeds] '' using (only(here(search, speed + 0) && column('passed') == 1, @x)):@error \
+           with points pt 6 ps 1.8 lw 1.5 lc rgb black
+    unset label
   }
 }
 unset multiplot

@@ -1,38 +1,51 @@
 # The total cost of the update policies, frame by frame and by the time between frames.
 # scene; volumes, updates: which were measured; interval: between frames on the left [s]; frames: how many
-# Lines continue across rows of others
-set datafile missing NaN
-eval paper(1280, 800)
-set multiplot layout 2,3 margins 0.07,0.985,0.155,0.91 spacing 0.075,0.15 \
-  title 'Total cost of the update policies: '.readable(scene).', 64 x 64 particles' font ',13'
-eval room_about_data
-eval legend(0.04)
+eval paper(120 + 250 * words(volumes))
 here(volume, update) = is('part', 'break_even') && is('scene', scene) && is('volume', volume) && is('update', update)
-at_interval(volume, update) = here(volume, update) && column('interval_s') == interval ? column('frame') : NaN
-at_end(volume, update) = here(volume, update) && column('frame') == frames ? 1e3 * column('interval_s') : NaN
-apart = sprintf(', frames %.3g ms apart', 1e3 * interval)
-ratio = 'cumulative_s_over_rebuild_s'
-do for [volume in volumes] {
-  unset logscale
-  set title volume.apart
-  set xlabel 'frame'
-  set ylabel 'cost so far / cost of rebuild'
-  set yrange [0:*]
-  plot for [update in updates] table using (at_interval(volume, update)):(column(ratio)) with linespoints lw 1.5 \
-    ps 0.6 pi 5 pt marker_of(update) lc rgb colour_of_update(update) title update
-  unset key
-  set ylabel 'size / smallest of its kind'
-  set logscale y
-  set yrange [*:*]
-  plot for [update in updates] table using (at_interval(volume, update)):(column('tightness')) with linespoints \
-    lw 1.5 ps 0.6 pt marker_of(update) lc rgb colour_of_update(update) title update
-  set title sprintf('%s, after %d frames', volume, frames)
-  set logscale x
-  unset logscale y
-  set yrange [0:*]
-  set xlabel 'time between frames [ms]'
+at_interval(volume, update) = here(volume, update) && abs(column('interval_s') - interval) < 1e-9
+at_end(volume, update) = here(volume, update) && column('frame') == frames
+ratio = "(column('cumulative_s_over_rebuild_s'))"
+# The ratio of merging after the last frame, at this interval, by volume, and how loose a tree becomes that is kept
+array merged[4]; array loose[4]
+least_merged = 1e9; most_merged = 0
+do for [v = 1:words(volumes)] {
+  merged[v] = NaN; loose[v] = NaN
+  stats table using (at_interval(word(volumes, v), 'merge') && column('frame') == frames ? (merged[v] = @ratio, \
+    least_merged = least(least_merged, @ratio), most_merged = most(most_merged, @ratio), 0) : \
+    at_interval(word(volumes, v), 'none') && column('tightness') == column('tightness') ? (loose[v] = column('tightness'), 0) : 0) nooutput
+}
+eval headline(most_merged > 0 ? sprintf('After %d frames merging has cost %.0f to %.0f %% of rebuilding', frames, 100 * least_merged, \
+  100 * most_merged) : sprintf('Cost of the updates over that of rebuilding, after %d frames', frames), \
+  sprintf('%s, 64 x 64 particles; cost of all frames so far, with search and exact test, over that of rebuilding in each', \
+  capital(readable(scene))))
+eval panels(words(volumes), 2, 75, 140, 55, 90, 70, 85)
+set logscale y
+set yrange [0.03:25]
+set ytics (0.03, 0.1, 0.3, 1, 3, 10)
+set style textbox opaque noborder margins 0.2,0.1 fc rgb '#60ffffff'
+update_name(update, v) = update eq 'none' ? (loose[v] == loose[v] ? sprintf('kept, %.0fx too large', loose[v]) : 'kept') : update
+do for [v = 1:words(volumes)] {
+  volume = word(volumes, v)
+  eval forget
+  set title sprintf('%s, frames %.3g ms apart', title_of_volume(volume), 1e3 * interval) offset 0,-0.3
+  set xlabel v == words(volumes) ? 'frame' : ''
   set ylabel 'cost / cost of rebuild'
-  plot for [update in updates] table using (at_end(volume, update)):(column(ratio)) with linespoints lw 1.5 ps 0.9 \
-    pt marker_of(update) lc rgb colour_of_update(update) title update
+  plot for [update in updates] table using (only(at_interval(volume, update), column('frame'))):@ratio with linespoints lw 1.5 \
+    ps 0.7 pi 10 pt marker_of(update) lc rgb colour_of_update(update)
+  eval no_headline
+  set title sprintf('%s, after %d frames', title_of_volume(volume), frames) offset 0,-0.3
+  set logscale x
+  set xlabel v == words(volumes) ? 'time between frames [ms]' : ''
+  set ylabel ''
+  do for [k = 1:words(updates)] {
+    stats table using (last(k, at_end(volume, word(updates, k)), 1e3 * column('interval_s'), @ratio)) nooutput
+  }
+  eval spread(gap_of(0.03, 25, 165))
+  do for [k = 1:words(updates)] {
+    eval label_at(k, update_name(word(updates, k), v), colour_of_update(word(updates, k)), 'left')
+  }
+  plot for [update in updates] table using (only(at_end(volume, update), 1e3 * column('interval_s'))):@ratio with linespoints \
+    lw 1.5 ps 0.9 pt marker_of(update) lc rgb colour_of_update(update)
+  unset logscale x
 }
 unset multiplot

@@ -1,30 +1,67 @@
-# Time of a frame against accuracy: a panel for each scene, a line for each volume and update policy, a point for each
-# leaf size. scenes, particles_SCENE; volumes, updates: what was measured; brute: 1 if brute force was
+# Time of a frame against accuracy: a panel for each scene, a line for each volume, a point for each leaf size.
+# scenes, particles_SCENE; volumes, updates: what was measured; brute: 1 if brute force was
 # resampled: 1 for cloths with more particles than their scenes have
-eval paper(1280, 560)
-set multiplot layout 1,words(scenes) margins 0.07,0.985,0.22,0.87 spacing 0.05,0 \
-  title 'Time of a frame against accuracy, '.(resampled ? 'scenes resampled to 128 x 128 particles' : 'scenes as they are') font ',13'
-eval room_about_data
-eval legend(0.065)
-set logscale xy
-set xtics (0.01, 0.1, 1, 10, 100, 1000)
-set ytics (1, 2, 5, 10, 20, 50, 100, 200, 500, 1000, 2000, 5000, 10000)
-set xlabel 'false candidates per true candidate'
-set ylabel 'build + query + exact test [us]'
+eval paper(470)
 fit_of(volume) = volume eq 'sphere' ? 'centroid' : 'none'
-here(volume, update) = is('part', 'fit') && is('scene', scene) && column('particles') == particles && \
-  is('volume', volume) && is('sphere_fit', fit_of(volume)) && is('update', update)
-do for [scene in scenes] {
-  particles = value('particles_'.scene)
-  set title readable(scene)
-  plot for [volume in volumes] for [update in updates] table \
-         using (only(here(volume, update), column('false_per_true'))):(1e6 * column('whole_s')) \
-         with linespoints lw 1 pt marker_of(update) ps 0.8 lc rgb colour_of(volume) notitle, \
-       for [one = 1:brute] '' using (only(here('brute', 'rebuild'), column('false_per_true'))):(1e6 * column('whole_s')) \
-         with points pt 3 ps 1.5 lw 2 lc rgb black title 'brute force', \
-       for [volume in volumes] keyentry with lines lw 4 lc rgb colour_of(volume) title volume, \
-       for [update in updates] keyentry with points pt marker_of(update) lc rgb grey title update
-  unset key
+of_scene(scene) = is('part', 'fit') && is('scene', scene) && column('particles') == value('particles_'.scene)
+here(scene, volume, update) = of_scene(scene) && is('volume', volume) && is('sphere_fit', fit_of(volume)) && is('update', update)
+# All volumes rebuilt, and what is fastest: merged boxes
+lines = ''
+do for [volume in volumes] { lines = lines.' '.volume.':rebuild' }
+if (place(volumes, 'aabb') > 0 && place(updates, 'merge') > 0) { lines = lines.' aabb:merge' }
+volume_in(line) = line[1:strstrt(line, ':') - 1]
+update_in(line) = line[strstrt(line, ':') + 1:*]
+dash(line) = update_in(line) eq 'merge' ? 2 : 1
+x = "column('false_per_true')"
+time = "(1e6 * column('whole_s'))"
+# From the smallest leaves to the largest, over all volumes that are rebuilt
+slower_least = 1e9; slower_most = 0; array ends[2]
+x_low = 1e9; x_high = 0; y_low = 1e9; y_high = 0
+seen(x, y) = (x_low = least(x_low, x), x_high = most(x_high, x), y_low = least(y_low, y), y_high = most(y_high, y), 0)
+# Of each scene, the fastest tree of those drawn, and brute force
+array fastest[6]; array forced[6]
+do for [s = 1:words(scenes)] {
+  scene = word(scenes, s)
+  fastest[s] = 1e9; forced[s] = NaN
+  do for [line in lines] {
+    small = 1e9; large = 0; ends[1] = NaN; ends[2] = NaN
+    stats table using (!here(scene, volume_in(line), update_in(line)) ? 0 : (fastest[s] = least(fastest[s], @time), seen(@x, @time), \
+      column('leaf_cells') < small ? (small = column('leaf_cells'), ends[1] = @time) : 0, \
+      column('leaf_cells') > large ? (large = column('leaf_cells'), ends[2] = @time) : 0, 0)) nooutput
+    if (update_in(line) eq 'rebuild' && ends[1] == ends[1]) {
+      slower_least = least(slower_least, ends[1] / ends[2]); slower_most = most(slower_most, ends[1] / ends[2])
+    }
+  }
+  stats table using (here(scene, 'brute', 'rebuild') ? (forced[s] = @time, seen(@x, @time), 0) : 0) nooutput
+}
+eval headline(sprintf('Small leaves reject more cells, and take %.0f to %.0f times as long as large ones', slower_least, slower_most), \
+  (resampled ? '128 x 128 particles' : 'Scenes as they are').'. Each line from small leaves, on the left, to large ones; rebuilt in every frame but where merged')
+eval panels(1, words(scenes), 65, 15, 55, 110, 20, 0)
+set logscale xy
+set format xy '%g'
+set xrange [x_low / 1.5:x_high * 1.6]
+set yrange [y_low / 1.4:y_high * 1.6]
+set ytics (1, 2, 5, 10, 20, 50, 100, 200, 500, 1000, 2000, 5000, 10000)
+set xlabel 'false candidates / true one'
+set ylabel 'build + query + exact test [us]'
+verdict(s) = forced[s] != forced[s] ? '' : forced[s] < fastest[s] ? \
+  sprintf(": brute force is\n%.1f times faster than the best tree", fastest[s] / forced[s]) : \
+  sprintf(": the best tree is\n%.1f times faster than brute force", forced[s] / fastest[s])
+do for [s = 1:words(scenes)] {
+  scene = word(scenes, s)
+  set title readable(scene).verdict(s) offset 0,-0.3
+  do for [k = 1:(s == 1 ? words(lines) : 0)] {
+    line = word(lines, k)
+    set label k title_of_volume(volume_in(line)).(update_in(line) eq 'merge' ? ', merged (dashed)' : '') at graph 0.05, graph 0.36 - 0.06 * k \
+      left tc rgb colour_of(volume_in(line))
+  }
+  if (s == 1 && brute) { set label 12 'brute force (star)' at graph 0.05, graph 0.36 left }
+  plot for [line in lines] table using (only(here(scene, volume_in(line), update_in(line)), @x)):@time \
+         with linespoints lw 1.5 dt dash(line) pt marker_of(update_in(line)) ps 0.8 lc rgb colour_of(volume_in(line)), \
+       for [one = 1:brute] '' using (only(here(scene, 'brute', 'rebuild'), @x)):@time with points pt 3 ps 1.5 lw 2 lc rgb black
+  eval no_headline
+  unset label
   set ylabel ''
+  set format y ''
 }
 unset multiplot

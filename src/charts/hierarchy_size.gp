@@ -1,37 +1,57 @@
 # Cost against the number of particles. builds, searches: what has a fit, as VOLUME:UPDATE:EXPONENT
-# Lines continue across rows of others
-set datafile missing NaN
-eval paper(1200, 620)
-set multiplot layout 1,2 margins 0.075,0.985,0.11,0.9 spacing 0.08,0 \
-  title 'Cost against the number of particles, leaves as measured to be fastest' font ',13'
-set autoscale fix
-set offsets graph 0.05, graph 0.05, graph 0.45, graph 0.05
-set logscale xy
-set format '10^{%L}'
-set xlabel 'particles'
-set key top left Left reverse samplen 2
+eval paper(470)
 colons_to_blanks(text) = strstrt(text, ':') ? \
   colons_to_blanks(text[1:strstrt(text, ':') - 1].' '.text[strstrt(text, ':') + 1:*]) : text
-volume_in(fitted) = word(colons_to_blanks(fitted), 1)
-update_in(fitted) = word(colons_to_blanks(fitted), 2)
-about(fitted) = (volume_in(fitted) eq 'brute' ? 'brute force' : volume_in(fitted).' '.update_in(fitted)). \
-  sprintf(': n^{%g}', word(colons_to_blanks(fitted), 3) + 0)
-here(fitted) = is('part', 'size') && is('volume', volume_in(fitted)) && is('update', update_in(fitted)) ? \
-  column('particles') : NaN
-dash(fitted) = update_in(fitted) eq 'merge' ? 2 : 1
-marker(fitted) = update_in(fitted) eq 'merge' ? 4 : 7
-build(which) = 1e6 * column('build_'.which)
-search(which) = 1e6 * (column('query_'.which) + column('exact_'.which))
-set ylabel 'build [us]'
-if (words(builds) == 0) { set multiplot next } else {
-  plot for [f in builds] table using (here(f)):(build('s')):(build('lower_s')):(build('upper_s')) \
-    with yerrorlines lw 1.3 ps 0.8 dt dash(f) pt marker(f) \
-    lc rgb colour_of(volume_in(f)) title about(f)
+part(fitted, i) = word(colons_to_blanks(fitted), i)
+power(fitted) = part(fitted, 3) + 0
+here(fitted) = is('part', 'size') && is('volume', part(fitted, 1)) && is('update', part(fitted, 2))
+# Of those that are merged only boxes, whose builds are the fastest
+build_lines = ''; search_lines = ''
+build_least = 1e9; build_most = 0; search_least = 1e9; search_most = 0; brute = NaN
+do for [f in builds] {
+  build_least = least(build_least, power(f)); build_most = most(build_most, power(f))
+  if (part(f, 2) eq 'rebuild' || part(f, 1) eq 'aabb') { build_lines = build_lines.' '.f }
 }
-set ylabel 'query + exact test [us]'
-if (words(searches) > 0) {
-  plot for [f in searches] table using (here(f)):(search('s')):(search('lower_s')):(search('upper_s')) \
-    with yerrorlines lw 1.3 ps 0.8 dt dash(f) pt marker(f) \
-    lc rgb colour_of(volume_in(f)) title about(f)
+do for [f in searches] {
+  if (part(f, 1) eq 'brute') { brute = power(f) } else {
+    search_least = least(search_least, power(f)); search_most = most(search_most, power(f))
+  }
+  if (part(f, 2) eq 'rebuild') { search_lines = search_lines.' '.f }
+}
+eval headline(words(searches) > 0 && words(builds) > 0 ? \
+  sprintf('Builds grow as n^{%.3g}  to n^{%.3g} , searches as n^{%.2g}  to n^{%.2g}%s', build_least, build_most, search_least, \
+  search_most, brute == brute ? sprintf(' , brute force as n^{%.3g}', brute) : '') : 'Cost against the number of particles', \
+  'One motion with more and more particles n; leaf sizes as they were measured to be fastest. Dotted: in proportion to n')
+name_of_line(f, searched) = title_of_volume(part(f, 1)).(part(f, 2) eq 'merge' ? ', merged' : '').sprintf(': n^{%g}', power(f))
+dash(f) = part(f, 2) eq 'merge' ? 2 : 1
+marker(f) = part(f, 2) eq 'merge' ? 4 : 7
+eval panels(1, 2, 65, 165, 55, 90, 225, 0)
+set logscale xy
+set format y '%g'
+set format x '10^{%L}'
+set xlabel 'particles'
+time = "(1e6 * (panel == 1 ? column('build_s') : column('query_s') + column('exact_s')))"
+do for [panel = 1:2] {
+  shown = panel == 1 ? build_lines : search_lines
+  of = panel == 1 ? 'build' : 'search'
+  set title (panel == 1 ? 'build [us]' : 'query and exact test [us]') offset 0,-0.3
+  if (words(shown) == 0) { set multiplot next } else {
+    eval forget
+    low_x = 1e9; low_y = 1e9; high_x = 0; high_y = 0
+    do for [k = 1:words(shown)] {
+      stats table using (first(k, here(word(shown, k)), column('particles'), @time)) nooutput
+      low_x = least(low_x, end_x[k]); low_y = least(low_y, end_y[k])
+      end_x[k] = NaN
+      stats table using (last(k, here(word(shown, k)), column('particles'), @time)) nooutput
+      high_x = most(high_x, end_x[k]); high_y = most(high_y, end_y[k])
+    }
+    set xrange [low_x / 1.3:high_x * 1.3]
+    set yrange [low_y / 1.5:high_y * 1.7]
+    eval spread(gap_of(low_y / 1.5, high_y * 1.7, 325))
+    do for [k = 1:words(shown)] { eval label_at(k, name_of_line(word(shown, k), panel), colour_of(part(word(shown, k), 1)), 'left') }
+    plot low_y * x / low_x with lines dt 3 lc rgb grey, for [f in shown] table using (only(here(f), column('particles'))):@time \
+      with linespoints lw 1.5 ps 0.8 dt dash(f) pt marker(f) lc rgb colour_of(part(f, 1))
+    eval no_headline
+  }
 }
 unset multiplot

@@ -1,27 +1,38 @@
 # What fits of spheres cost and how tight they are: a panel for each scene.
 # scenes, particles_SCENE; fits, updates: what was measured
-eval paper(1280, 520)
-set multiplot layout 1,words(scenes) margins 0.07,0.985,0.235,0.86 spacing 0.05,0 \
-  title 'Sphere fits, leaves of at most 4 x 4 cells' font ',13'
-eval room_about_data
-eval legend(0.065)
-set logscale y
-set ytics (1, 2, 5, 10, 20, 50, 100, 200, 500)
-set xtics 0.01
-set xlabel 'mean radius / radius of the smallest sphere'
-set ylabel 'build [us]'
+eval paper(450)
 colour(fit) = fit eq 'centroid' ? blue : fit eq 'box' ? sky : fit eq 'ritter' ? red : fit eq 'epos6' ? orange : \
               fit eq 'epos14' ? green : fit eq 'epos26' ? pink : black
 here(fit, update) = is('part', 'fit') && is('scene', scene) && column('particles') == value('particles_'.scene) && \
   column('leaf_cells') == 4 && is('sphere_fit', fit) && is('update', update)
+# Of all scenes, how much larger than the smallest the spheres by the centroid are, rebuilt
+loose = NaN
 do for [scene in scenes] {
-  set title readable(scene)
+  stats table using (here('centroid', 'rebuild') ? (loose = loose > column('tightness') ? loose : column('tightness'), 0) : 0) nooutput
+}
+eval headline(loose == loose ? sprintf('Spheres about the centroid are at most %.1f %% larger than the smallest', 100 * (loose - 1)) : \
+  'What fits of spheres cost', sprintf('Leaves of at most 4 x 4 cells. Circles: rebuilt%s', \
+  words(updates) > 1 ? '; other marks: '.word(updates, 2) : ''))
+eval panels(1, words(scenes), 65, 110, 55, 90, 20, 0)
+eval room_about_data
+set logscale y
+set ytics (1, 2, 5, 10, 20, 50, 100, 200, 500, 1000, 2000, 5000)
+set xtics 0.01
+set format y '%g'
+set xlabel 'mean radius / smallest one'
+set ylabel 'build [us]'
+n = 0
+do for [scene in scenes] {
+  n = n + 1
+  set title readable(scene) offset 0,-0.3
+  do for [k = 1:(n == words(scenes) ? words(fits) : 0)] {
+    set label k word(fits, k) at graph 1, graph 1.05 - 0.09 * k left offset 1.5,0 tc rgb colour(word(fits, k))
+  }
   plot for [fit in fits] for [update in updates] table \
          using (only(here(fit, update), column('tightness'))):(1e6 * column('build_s')) \
-         with points pt marker_of(update) ps 1.3 lc rgb colour(fit) notitle, \
-       for [fit in fits] keyentry with lines lw 4 lc rgb colour(fit) title fit, \
-       for [update in updates] keyentry with points pt marker_of(update) lc rgb grey title update
-  unset key
+         with points pt marker_of(update) ps 1.3 lc rgb colour(fit)
+  eval no_headline
   set ylabel ''
+  set format y ''
 }
 unset multiplot

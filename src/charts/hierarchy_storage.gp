@@ -1,25 +1,60 @@
 # Time of a frame against the storage of the hierarchy: a panel for each scene, a line for each volume.
 # scenes, particles_SCENE; volumes: VOLUME:BYTES, what a node takes; data: scene, volume, bytes of the tree, time
-# Lines continue across rows of others
-set datafile missing NaN
-eval paper(1280, 520)
-set multiplot layout 1,words(scenes) margins 0.065,0.985,0.22,0.87 spacing 0.065,0 \
-  title 'Time of a frame and storage of the tree' font ',13'
-eval room_about_data
-eval legend(0.05)
-set logscale xy
-set xlabel 'volumes of the tree [KiB]'
-set ylabel 'time of a frame [us]'
+eval paper(430)
 volume_in(text) = text[1:strstrt(text, ':') - 1]
 bytes_in(text) = text[strstrt(text, ':') + 1:*]
-colour(volume) = volume eq 'kdop6' ? orange : volume eq 'kdop14' ? sky : volume eq 'kdop26' ? grey : colour_of(volume)
+colour(volume) = volume eq 'kdop6' ? orange : volume eq 'kdop26' ? grey : colour_of(volume)
+title_of(volume) = volume[1:4] eq 'kdop' ? volume[5:*].'-DOPs' : title_of_volume(volume)
+# Six of them: the fourth k-DOP lies between the others
+shown = ''
+do for [volume in volumes] { if (volume_in(volume) ne 'kdop14') { shown = shown.' '.volume } }
 here(scene, volume) = is('scene', scene) && is('volume', volume)
+kib = "(column('bytes') / 1024)"
+time = "(1e6 * column('whole_s'))"
+# The fastest trees of spheres and of boxes: time and storage of the former over that of the latter
+array best_time[2]; array best_size[2]
+better(k) = @time < best_time[k] ? (best_time[k] = @time, best_size[k] = @kib, 0) : 0
+time_least = 1e9; time_most = 0; size_least = 1e9; size_most = 0
+x_low = 1e9; x_high = 0; y_low = 1e9; y_high = 0
+seen(x, y) = (x_low = least(x_low, x), x_high = most(x_high, x), y_low = least(y_low, y), y_high = most(y_high, y), 0)
 do for [scene in scenes] {
-  set title sprintf('%s, %d particles', readable(scene), value('particles_'.scene))
-  plot for [volume in volumes] data using (only(here(scene, volume_in(volume)), column('bytes') / 1024)) \
-         :(1e6 * column('whole_s')) with linespoints lw 1.5 pt 7 ps 0.7 lc rgb colour(volume_in(volume)) \
-         title volume_in(volume).', '.bytes_in(volume).' bytes a node'
-  unset key
+  best_time[1] = 1e9; best_time[2] = 1e9
+  stats data using (seen(@kib, @time), here(scene, 'sphere') ? better(1) : here(scene, 'aabb') ? better(2) : 0) nooutput
+  if (best_time[1] < 1e9 && best_time[2] < 1e9) {
+    time_least = least(time_least, best_time[1] / best_time[2]); time_most = most(time_most, best_time[1] / best_time[2])
+    size_least = least(size_least, best_size[2] / best_size[1]); size_most = most(size_most, best_size[2] / best_size[1])
+  }
+}
+eval headline(time_most > 0 ? sprintf('Boxes take %.1f times the storage of spheres, whose best trees take %.1f to %.1f times as long', size_most, \
+  time_least, time_most) : 'Time of a frame and storage of the tree', \
+  sprintf('%d particles, every tree rebuilt in every frame; each line from large leaves to small ones; beside it the bytes of a node', \
+  value('particles_'.word(scenes, 1))))
+# Names with the bytes of a node, in the order of the right ends
+eval forget
+do for [k = 1:words(shown)] {
+  stats data using (last(k, here(word(scenes, words(scenes)), volume_in(word(shown, k))), @kib, @time)) nooutput
+  if (end_x[k] == end_x[k]) { end_x[k] = x_high * 1.2 }
+}
+eval spread(gap_of(y_low / 1.3, y_high * 1.3, 285))
+eval panels(1, words(scenes), 65, 165, 55, 90, 20, 0)
+set logscale xy
+set format xy '%g'
+set xtics (10, 100, 1000)
+set xlabel 'volumes of the tree [KiB]'
+set ylabel 'time of a frame [us]'
+set xrange [x_low / 1.5:x_high * 1.5]
+set yrange [y_low / 1.3:y_high * 1.3]
+do for [s = 1:words(scenes)] {
+  scene = word(scenes, s)
+  set title readable(scene) offset 0,-0.3
+  do for [k = 1:(s == words(scenes) ? words(shown) : 0)] {
+    eval label_at(k, sprintf('%s, %s bytes', title_of(volume_in(word(shown, k))), bytes_in(word(shown, k))), \
+      colour(volume_in(word(shown, k))), 'left')
+  }
+  plot for [volume in shown] data using (only(here(scene, volume_in(volume)), @kib)):@time with linespoints lw 1.5 pt 7 ps 0.7 \
+    lc rgb colour(volume_in(volume))
+  eval no_headline
   set ylabel ''
+  set format y ''
 }
 unset multiplot

@@ -1,18 +1,27 @@
 # Spheres against boxes: build, search and frame, on linear axes from zero. The published values are in the page's text.
 # data: test (1 execution of a frame, 2 frame rate, 6 build and search), position, volume, drawn, median, lower, upper,
 # and the figure as text
-eval paper(830, 470)
-set multiplot layout 2,3 margins 0.07,0.99,0.19,0.86 spacing 0.08,0.15 \
-  title 'Spheres take longer to build and to draw; the steps of a frame take as long with either' font ',14'
+eval paper(460)
+# A figure of spheres over that of boxes
+array figure[2]
+over(its_test, at_sphere, at_box) = sprintf("figure[1] = NaN; figure[2] = NaN; stats data using (column('test') != %d ? 0 : \
+  column('position') == %d ? (figure[1] = column('median'), 0) : \
+  column('position') == %d ? (figure[2] = column('median'), 0) : 0) nooutput", its_test, at_sphere, at_box)
+eval over(6, 0, 1); large = figure[1] / figure[2]
+eval over(6, 6, 7); single = figure[1] / figure[2]
+eval over(1, 0, 1); whole = figure[1] / figure[2]
+eval over(2, 2, 3); pictures = figure[1] / figure[2]
+drawn = pictures == pictures ? sprintf('. With volumes drawn, spheres give %.2f times the pictures of boxes', pictures) : ''
+eval headline(sprintf('Spheres take %.1f to %.1f times as long to build as boxes, all steps of a frame %.2f times', large, single, \
+  whole), 'Medians over runs, with quartiles'.drawn)
+eval panels(2, 3, 25, 25, 45, 95, 45, 70)
 unset grid
-set grid ytics lt 1 lc rgb '#e0e0e0'
-set border 3
-set tics nomirror
+set border 1
+unset ytics
 set boxwidth 0.7
 set offsets 0, 0, graph 0.2, 0
 set yrange [0:*]
 set style fill solid 0.85
-unset key
 wanted(test, first, last) = column('test') == test && column('position') >= first && column('position') <= last
 here(test, first, last, volume, drawn) = wanted(test, first, last) && is('volume', volume) && column('drawn') == drawn ? \
                                          column('position') - first : NaN
@@ -25,26 +34,15 @@ bars = "plot '+' every ::0::0 using (0):(0) with dots lc rgb 'white', \
         '' using (here(test, first, last, 'aabb', 1)):5:6:7:(0.7) with boxerrorbars fs pattern 4 lc rgb red lw 1.2, \
         '' using (only(wanted(test, first, last), column('position') - first)):7:8 with labels offset 0,0.7"
 panel(unit, its_test, its_first, its_last) = \
-  sprintf("set title '%s'; test = %d; first = %d; last = %d; set xrange [-0.8:%g]", unit, its_test, its_first, its_last, \
+  sprintf("set title '%s' offset 0,-0.3; test = %d; first = %d; last = %d; set xrange [-0.8:%g]", unit, its_test, its_first, its_last, \
           its_last - its_first + 0.8)
 set xtics scale 0 ('spheres' 0, 'boxes' 1)
-set ytics autofreq
 eval panel('build, leaves of 7 x 7 cells [us]', 6, 0, 1); eval bars
+eval no_headline
 eval panel('search, leaves of 7 x 7 cells [us]', 6, 3, 4); eval bars
 eval panel('all steps of a frame [ms]', 1, 0, 1); eval bars
 eval panel('build, single cells [us]', 6, 6, 7); eval bars
 eval panel('search, single cells [us]', 6, 9, 10); eval bars
-set xtics scale 0 ('spheres' 0, 'boxes' 1, 'spheres' 2, 'boxes' 3)
+set xtics ("spheres" 0, "boxes" 1, "spheres\ndrawn" 2, "boxes\ndrawn" 3)
 eval panel('pictures per second', 2, 0, 3); eval bars
-# What the colours mean, in the margin below
-unset border; unset tics; unset title; unset grid; set offsets
-set xrange [0:1]
-set yrange [0:1]
-set lmargin screen 0.05; set rmargin screen 0.95; set bmargin screen 0; set tmargin screen 0.06
-set key at screen 0.5,0.055 center center horizontal maxrows 2 samplen 2 width 1
-plot 2 notitle, \
-     keyentry with boxes fs solid 0.85 lc rgb blue title 'spheres', \
-     keyentry with boxes fs solid 0.85 lc rgb red title 'boxes (AABB)', \
-     keyentry with boxes fs pattern 4 lc rgb blue title 'spheres in the picture', \
-     keyentry with boxes fs pattern 4 lc rgb red title 'boxes in the picture'
 unset multiplot

@@ -3,6 +3,7 @@
 #
 # A chart is a picture NAME.svg that a page of docs/ (or FOLDER) shows and that `drape-lab merge` draws from a table
 # beside the page, by the scripts in src/charts; a table of the laboratory is a *.csv that ends with "# end: CASES".
+# Of a table of another program, NAME.csv, a script NAME.gp beside this file draws the chart.
 # Pictures reading_*.svg are drawn by hand. With --check nothing is changed: charts that differ are named, and end with 1;
 # 77 if there is no drape-lab or gnuplot, or a gnuplot of another version than the one that drew the charts.
 set -eu
@@ -43,6 +44,19 @@ for table in "$docs"/*.csv; do
         [ ! -e "$made/charts/$(basename "$chart")" ] || { echo "$chart: two tables give this chart" >&2; exit 2; }
         mv "$chart" "$made/charts"
     done
+done
+
+# Of other programs: the script stands here, and begins as one of the laboratory
+for script in "$here"/*.gp; do
+    name=$(basename "$script" .gp)
+    [ -f "$docs/$name.csv" ] || continue
+    cp "$docs/$name.csv" "$made/charts"
+    {
+        printf "name = '%s'\ntable = '%s.csv'\n" "$name" "$name"
+        cat "$here/../../src/charts/common.gp" "$script"
+        echo 'unset output'
+    } >"$made/charts/$name.gnuplot"
+    (cd "$made/charts" && gnuplot --default-settings "$name.gnuplot")
 done
 
 version() { sed -n 's/.*<desc>Produced by \(.*[^ ]\) *<\/desc>.*/\1/p' "$1"; }
