@@ -7,9 +7,12 @@ at_end(volume, update) = here(volume, update) && column('frame') == frames
 ratio = "(column('cumulative_s_over_rebuild_s'))"
 # The ratio of merging after the last frame, at this interval, by volume, and how loose a tree becomes that is kept
 array merged[4]; array loose[4]
+shortest = 1e9; longest = 0
 least_merged = 1e9; most_merged = 0
 do for [v = 1:words(volumes)] {
   merged[v] = NaN; loose[v] = NaN
+  stats table using (is('part', 'break_even') && is('scene', scene) ? (shortest = least(shortest, 1e3 * column('interval_s')), \
+    longest = most(longest, 1e3 * column('interval_s')), 0) : 0) nooutput
   stats table using (at_interval(word(volumes, v), 'merge') && column('frame') == frames ? (merged[v] = @ratio, \
     least_merged = least(least_merged, @ratio), most_merged = most(most_merged, @ratio), 0) : \
     at_interval(word(volumes, v), 'none') && column('tightness') == column('tightness') ? (loose[v] = column('tightness'), 0) : 0) nooutput
@@ -22,19 +25,20 @@ eval panels(words(volumes), 2, 75, 140, 55, 90, 70, 85)
 set logscale y
 set yrange [0.03:25]
 set ytics (0.03, 0.1, 0.3, 1, 3, 10)
-set style textbox opaque noborder margins 0.2,0.1 fc rgb '#60ffffff'
 update_name(update, v) = update eq 'none' ? (loose[v] == loose[v] ? sprintf('kept, %.0fx too large', loose[v]) : 'kept') : update
 do for [v = 1:words(volumes)] {
   volume = word(volumes, v)
   eval forget
   set title sprintf('%s, frames %.3g ms apart', title_of_volume(volume), 1e3 * interval) offset 0,-0.3
   set xlabel v == words(volumes) ? 'frame' : ''
+  set xrange [0:1.02 * frames]
   set ylabel 'cost / cost of rebuild'
   plot for [update in updates] table using (only(at_interval(volume, update), column('frame'))):@ratio with linespoints lw 1.5 \
     ps 0.7 pi 10 pt marker_of(update) lc rgb colour_of_update(update)
   eval no_headline
   set title sprintf('%s, after %d frames', title_of_volume(volume), frames) offset 0,-0.3
   set logscale x
+  set xrange [shortest / 1.3:longest * 1.3]
   set xlabel v == words(volumes) ? 'time between frames [ms]' : ''
   set ylabel ''
   do for [k = 1:words(updates)] {

@@ -37,6 +37,7 @@ do for [panel = 1:2] {
   set title (panel == 1 ? 'build [us]' : 'query and exact test [us]') offset 0,-0.3
   if (words(shown) == 0) { set multiplot next } else {
     eval forget
+    set autoscale
     low_x = 1e9; low_y = 1e9; high_x = 0; high_y = 0
     do for [k = 1:words(shown)] {
       stats table using (first(k, here(word(shown, k)), column('particles'), @time)) nooutput

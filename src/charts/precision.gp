@@ -25,8 +25,6 @@ set ylabel 'CPU s / simulated s'
 # On the left there is room for the names of what is most exact; the others' are on the right
 decades = log10(most_error / least_error)
 low = least_error * 10**(-0.33 * decades); high = most_error * 10**(0.05 * decades)
-set xrange [low:high]
-set yrange [least_cost / 1.6:most_cost * 1.6]
 set object 1 rectangle from 1e-3, graph 0 to least(1e-2, high), graph 1 behind fc rgb '#f0f0e0' fs noborder
 array colours[5] = [black, orange, blue, red, green]
 dash(method) = strstrt(method, 'exact') ? 2 : 1
@@ -38,6 +36,7 @@ do for [family in families] {
   shown = ''
   do for [method in value(family)] { if (there(method)) { shown = shown.' '.method } }
   eval forget
+  set autoscale
   do for [k = 1:words(shown)] {
     stats table using (first(k, point(word(shown, k)), column('error'), column('cost_s_per_s'))) nooutput
   }
@@ -51,6 +50,8 @@ do for [family in families] {
   }
   set label 11 family at graph 0, graph 0 left offset 1,1 font ',13'
   if (family eq 'positional') { set xlabel overall ? 'error of sag, centre of mass and energy' : 'RMS position error / side of the cloth' }
+  set xrange [low:high]
+  set yrange [least_cost / 1.6:most_cost * 1.6]
   plot data using 1:2 with lines lw 6 lc rgb pale, \
        for [k = 1:words(shown)] table using (only(point(word(shown, k)), column('error'))):(column('cost_s_per_s')) \
          :(column('cost_lower_s_per_s')):(column('cost_upper_s_per_s')) \

@@ -11,7 +11,7 @@ here(time) = is('part', 'size') && column('time_s') == time
 time_of(k) = k == 1 ? 0.2 : 1
 # From the smallest cloth to the largest; the lines of theory start where the smallest falls
 n_least = NaN; n_most = NaN; t_least = NaN
-exponent(k) = log(end_y[k] / y_first) / log(end_x[k] / x_first)
+exponent(k) = end_x[k] > x_first ? log(end_y[k] / y_first) / log(end_x[k] / x_first) : NaN
 array power[2]
 eval forget
 do for [k = 1:2] {

@@ -99,8 +99,8 @@ void add_fits(Charts& charts, HierarchyRows rows, bool resampled) {
         {resampled ? "hierarchy_fit_128" : "hierarchy_fit",
          "hierarchy_fit",
          "CPU time of build, query and exact test of a frame against the cells that are tested in vain, for each "
-         "cell that touches the ball. A line joins the leaf sizes of one volume under one update policy; the "
-         "nearer to the lower left, the better.",
+         "cell that touches the ball. A line joins the leaf sizes of one volume, rebuilt, or merged where that is the "
+         "fastest; the nearer to the lower left, the better.",
          {{"resampled", resampled ? 1. : 0.}, {"brute", brute ? 1. : 0.}, {"volumes", in_words(volumes)}}},
         rows);
 }
@@ -133,7 +133,7 @@ void add_storage(Charts& charts, const HierarchyRows& rows) {
                {"hierarchy_storage",
                 "hierarchy_storage",
                 "CPU time of build, query and exact test of a frame against the bytes of the tree's volumes. A line "
-                "joins the leaf sizes of one volume, each rebuilt every frame; the legend has the bytes a node.",
+                "joins the leaf sizes of one volume, each rebuilt every frame; beside it the bytes a node.",
                 {{"volumes", in_words(bytes)}},
                 data},
                drawn);
@@ -183,9 +183,8 @@ void add_break_even(Charts& charts, const std::string& scene, const HierarchyRow
     charts.push_back({"hierarchy_break_even_" + scene,
                       "hierarchy_break_even",
                       "Left: CPU time of build, query and exact test of all frames so far, over that of rebuilding; "
-                      "where a line crosses 1 is its break-even frame. Middle: how loose the nodes have become. Right: "
-                      "the same ratio after the last frame, over the time that the cloth has had to move between "
-                      "frames.",
+                      "where a line crosses 1 is its break-even frame. Right: the same ratio after the last frame, over "
+                      "the time that the cloth has had to move between frames, and how loose a tree is that is kept.",
                       {{"scene", scene},
                        {"volumes", in_words(volumes)},
                        {"updates", in_words(words_of(rows, &HierarchyRow::update))},
@@ -204,7 +203,7 @@ void add_size(Charts& charts, const HierarchyRows& rows) {
     if (searches.empty()) return;
     charts.push_back({"hierarchy_size",
                       "hierarchy_size",
-                      "CPU time of a build and of a search, medians with quartiles, on one motion under more and more "
+                      "CPU time of a build and of a search, medians, on one motion under more and more "
                       "particles; the exponents are fitted to the larger half of the sizes.",
                       {{"builds", in_words(builds)}, {"searches", in_words(searches)}}});
 }

@@ -183,7 +183,7 @@ std::vector<Chart> tolerance_charts(const SolveRows& all) {
         {"solve_tolerance",
          "solve_tolerance",
          "How far a sheet is from where solves to 1e-9 take it in half a second of backward Euler at 1/60 s, by the "
-         "tolerance of the solves; broken, the error of the step itself.",
+         "tolerance of the solves; dashed, the error of the step itself.",
          {{"sides", in_words(sides)}}}};
 }
 
