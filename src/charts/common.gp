@@ -10,6 +10,8 @@ set datafile missing NaN
 # Okabe and Ito's colours, which people with any colour vision tell apart
 black = '#000000'; grey = '#555555'; pale = '#d0d0d0'
 blue = '#0072B2'; sky = '#56B4E9'; red = '#D55E00'; orange = '#E69F00'; green = '#009E73'; pink = '#CC79A7'
+# Text is darker than lines where these would be too light to read
+ink(colour) = colour eq orange ? '#9C6A00' : colour eq sky ? '#1F7FB5' : colour eq pink ? '#A8507E' : colour
 set border 3 lc rgb grey
 set tics nomirror textcolor rgb black
 set grid xtics ytics lt 1 lc rgb '#e8e8e8'
@@ -52,8 +54,8 @@ capital(text) = strstrt('abcdefghijklmnopqrstuvwxyz', text[1:1]) ? \
 
 # Labels at the ends of up to 12 lines: eval forget; then for each line k
 #   stats table using (last(k, wanted, x, y)) nooutput        to find its end on the right, or first(...) on the left;
-# eval spread(gap) moves those apart that are nearer than `gap` decades, or, on a linear axis, eval spread_linear(gap), where
-# near_x(i, j) holds of their places beside each other; gap_of(low, high, pixels) is a line of text on a logarithmic axis;
+# eval spread(gap) moves those apart that are nearer than `gap` decades and beside each other, which near_x(i, j) says;
+# gap_of(low, high, pixels) is a line of text on an axis of so many pixels;
 # eval label_at(k, text, colour, side) writes one if there is a line.
 array end_x[12]; array end_y[12]; array spread_y[12]
 near_x(i, j) = 1
@@ -65,11 +67,9 @@ first(k, wanted, x, y) = !wanted || x != x || y != y ? 0 : end_x[k] != end_x[k] 
 apart(i, j, gap, shift) = (spread_y[i] = spread_y[i] - shift, spread_y[j] = spread_y[j] + shift, 1)
 push(i, j, gap) = near_x(i, j) && abs(spread_y[i] - spread_y[j]) < gap && (spread_y[i] < spread_y[j] || \
   (spread_y[i] == spread_y[j] && i < j)) ? apart(i, j, gap, (gap - spread_y[j] + spread_y[i]) / 5) : 0
-spread_linear(gap) = sprintf('do for [i = 1:12] { spread_y[i] = end_y[i] }; do for [turn = 1:80] { do for [i = 1:12] { \
-  do for [j = 1:12] { moved = push(i, j, %g) } } }', gap)
 spread(gap) = sprintf('do for [i = 1:12] { spread_y[i] = log10(end_y[i]) }; do for [turn = 1:80] { do for [i = 1:12] { \
   do for [j = 1:12] { moved = push(i, j, %g) } } }; do for [i = 1:12] { spread_y[i] = 10**spread_y[i] }', gap)
-label_at(k, text, colour, side) = (label_text = text, label_colour = colour, end_x[k] != end_x[k] ? '' : \
+label_at(k, text, colour, side) = (label_text = text, label_colour = ink(colour), end_x[k] != end_x[k] ? '' : \
   sprintf("set label %d label_text at %g,%g %s offset %g,0 tc rgb label_colour front", k, end_x[k], spread_y[k], side, \
           side eq 'left' ? 1.1 : -1.1))
 

@@ -2,7 +2,8 @@
 # panels for each search, a line for each speed of the ball.
 # searches: SEARCH.TESTS, the number of tests after which a limited one ends; speeds: of the ball [m/s]
 eval paper(560)
-diameter = 300  # of the ball [mm]
+# Of the ball, as contact_experiment.cpp has it [mm]
+diameter = 300
 colour(speed) = speed < 1 ? pink : speed < 4 ? blue : speed < 16 ? green : red
 marker(speed) = speed < 1 ? 13 : speed < 4 ? 7 : speed < 16 ? 5 : 9
 here(search, speed) = strcol('search').'.'.strcol('tests') eq search && column('speed_m_per_s') == speed
@@ -35,7 +36,7 @@ do for [row = 1:2] {
       set yrange [-4:104]
       do for [k = 1:(n == 1 ? words(speeds) : 0)] {
         set label k word(speeds, k).' m/s' at graph 0.06, graph 1 - 0.12 * k left point pt marker(word(speeds, k) + 0) ps 0.8 \
-          lc rgb colour(word(speeds, k) + 0) offset 0.8,-0.3 tc rgb colour(word(speeds, k) + 0)
+          lc rgb colour(word(speeds, k) + 0) offset 0.8,-0.3 tc rgb ink(colour(word(speeds, k) + 0))
       }
     } else {
       set xlabel 'CPU s / simulated s'

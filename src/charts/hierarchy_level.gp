@@ -40,10 +40,10 @@ do for [panel = 1:4] {
     stats table using (here(k) ? seen(@y) : 0) nooutput
     if (panel == 1 && k < 3) { end_y[k] = NaN; stats table using (here(k) && column('level') == (k == 1 ? 1 : 4) ? further(k, column('level'), @y) : 0) nooutput }
   }
-  if (panel == 1) { eval spread_linear(0) } else { eval spread(lowest > 0 && highest > lowest ? gap_of(lowest, highest, 195) : 0.1) }
+  if (panel > 1) { eval spread(lowest > 0 && highest > lowest ? gap_of(lowest, highest, 195) : 0.1) }
   do for [k = 1:6] {
     if (panel > 1) { eval label_at(k, names[k], colours[k], 'left') } else {
-      if (k < 3 && end_y[k] == end_y[k]) { set label k names[k] at end_x[k], end_y[k] left offset 1.2,0.6 tc rgb colours[k] }
+      if (k < 3 && end_y[k] == end_y[k]) { set label k names[k] at end_x[k], end_y[k] left offset 1.2,0.6 tc rgb ink(colours[k]) }
     }
   }
   plot for [k = 1:(panel == 1 ? 2 : 6)] table using (only(here(k), column('level'))):@y with linespoints lw 1.5 ps 0.9 pt markers[k] \

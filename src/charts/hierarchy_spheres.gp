@@ -26,7 +26,7 @@ do for [scene in scenes] {
   n = n + 1
   set title readable(scene) offset 0,-0.3
   do for [k = 1:(n == words(scenes) ? words(fits) : 0)] {
-    set label k word(fits, k) at graph 1, graph 1.05 - 0.09 * k left offset 1.5,0 tc rgb colour(word(fits, k))
+    set label k word(fits, k) at graph 1, graph 1.05 - 0.09 * k left offset 1.5,0 tc rgb ink(colour(word(fits, k)))
   }
   plot for [fit in fits] for [update in updates] table \
          using (only(here(fit, update), column('tightness'))):(1e6 * column('build_s')) \

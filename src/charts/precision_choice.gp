@@ -43,7 +43,7 @@ set object 1 rectangle from 1e-3, graph 0 to 1e-2, graph 1 behind fc rgb '#f0f0e
 set label 11 'enough for a picture' at 3.2e-3, graph 0.95 center tc rgb grey
 set label 12 'a hundredth of one core' at graph 0.01, first 0.01 offset 0,0.6 tc rgb grey
 do for [k = 1:6] {
-  label_text = title_of(k); label_colour = colours[k]
+  label_text = title_of(k); label_colour = ink(colours[k])
   if (end_x[k] == end_x[k]) { set label k label_text at end_x[k],end_y[k] right offset -1,at_cheapest(k) ? -0.6 : 0 tc rgb label_colour }
 }
 plot 0.01 with lines dt 3 lc rgb grey, \

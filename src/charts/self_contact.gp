@@ -36,7 +36,7 @@ do for [row = 1:3] {
     do for [k = 1:(row == 1 && n == 3 ? words(thicknesses) : 0)] {
       mm = word(thicknesses, k) + 0
       set label k word(thicknesses, k).' mm' at graph 1, graph 1.05 - 0.13 * k left offset 1.5,-0.3 point pt marker(mm) ps 0.8 \
-        lc rgb colour(mm) tc rgb colour(mm)
+        lc rgb colour(mm) tc rgb ink(colour(mm))
     }
     plot for [mm in thicknesses] table using (only(here(number(mm), safe), 1e3 * column('step_s'))):@error \
            with linespoints lw 1.5 pt marker(number(mm)) ps 0.8 lc rgb colour(number(mm)), \

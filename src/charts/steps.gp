@@ -9,7 +9,7 @@ count(is_limited, is_blown) = is_limited ? (cells = cells + 1, blown = blown + i
 stats table using (count(limited(strcol('method')), is('end', 'blew_up')), longest = most(longest, column('step_s')), \
                    shortest = least(shortest, column('step_s')), 0) nooutput
 eval headline(sprintf('Explicit methods of fixed step blow up in %d of %d trials, the others in %d of %d', blown, cells, \
-  others_blown, others), 'The others get inaccurate or soft with the step, or are ruined without any number that overflows')
+  others_blown, others), 'A sheet hung by two corners falls and swings; in a cell, by how much it is off or too soft')
 n = words(methods)
 row(method) = n - place(methods, method)
 set xrange [-0.5:9.5]; set yrange [-0.5:n - 0.5]

@@ -180,16 +180,17 @@ void add_break_even(Charts& charts, const std::string& scene, const HierarchyRow
     // The interval next to the rate of a screen, or what is there in a share of the cases
     const auto nearest =
         std::ranges::min_element(rows, {}, [](const HierarchyRow& row) { return std::abs(row.interval_s - 1.0 / 60); });
-    charts.push_back({"hierarchy_break_even_" + scene,
-                      "hierarchy_break_even",
-                      "Left: CPU time of build, query and exact test of all frames so far, over that of rebuilding; "
-                      "where a line crosses 1 is its break-even frame. Right: the same ratio after the last frame, over "
-                      "the time that the cloth has had to move between frames, and how loose a tree is that is kept.",
-                      {{"scene", scene},
-                       {"volumes", in_words(volumes)},
-                       {"updates", in_words(words_of(rows, &HierarchyRow::update))},
-                       {"interval", nearest->interval_s},
-                       {"frames", std::ranges::max(rows, {}, &HierarchyRow::frame).frame}}});
+    charts.push_back(
+        {"hierarchy_break_even_" + scene,
+         "hierarchy_break_even",
+         "Left: CPU time of build, query and exact test of all frames so far, over that of rebuilding; "
+         "where a line crosses 1 is its break-even frame. Right: the same ratio after the last frame, over "
+         "the time that the cloth has had to move between frames, and how loose a tree is that is kept.",
+         {{"scene", scene},
+          {"volumes", in_words(volumes)},
+          {"updates", in_words(words_of(rows, &HierarchyRow::update))},
+          {"interval", nearest->interval_s},
+          {"frames", std::ranges::max(rows, {}, &HierarchyRow::frame).frame}}});
 }
 
 void add_size(Charts& charts, const HierarchyRows& rows) {
