@@ -17,9 +17,10 @@ set tics nomirror textcolor rgb black
 set grid xtics ytics lt 1 lc rgb '#e8e8e8'
 unset key
 
-# A page shows 830 pixels of width: eval paper(height) opens a picture of these, so that its type has the size it says
+# A page shows 830 pixels of width: eval paper(height) opens a picture of these, so that its type has the size it says;
+# exponents have 0.8 of it, 10 pixels
 terminal = kind eq 'png' ? 'pngcairo' : "svg background rgb 'white'"
-paper(height) = (paper_height = height, sprintf("set terminal %s enhanced font 'DejaVu Sans,12' size 830,%d; \
+paper(height) = (paper_height = height, sprintf("set terminal %s enhanced font 'DejaVu Sans,12.5' size 830,%d; \
   set output '%s.%s'", terminal, height, name, kind))
 px(pixels) = pixels / 830.
 py(pixels) = 1. * pixels / paper_height
