@@ -1,5 +1,7 @@
 #include "options.h"
 
+#include <algorithm>
+
 #include "drape/render/entries.h"
 #include "drape/scene/scene.h"
 #include "drape/scene/setting_table.h"
@@ -11,7 +13,9 @@ namespace {
 std::string key_help() {
     std::string text = "Keys and mouse:\n";
     for (const KeyHelp& line : help_lines(make_entries(scene_names()))) {
-        text += "  " + line.key + std::string(line.key.size() < 27 ? 28 - line.key.size() : 1, ' ') + line.text + "\n";
+        std::string left = line.is_heading() ? "  " + line.text + ":" : "    " + line.key;
+        if (!line.is_heading()) left.resize(std::max<std::size_t>(left.size() + 1, 30), ' ');
+        text += left + (line.is_heading() ? "" : line.text) + "\n";
     }
     return text;
 }
