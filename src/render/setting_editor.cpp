@@ -58,14 +58,18 @@ SettingRow make_setting_row(const Setting& setting, std::size_t number, const Se
                             : number_format(setting),
         .value = setting.read(settings, number),
         .of_the_scene = std::move(of_the_scene),
-        .scale = scale};
+        .scale = scale,
+        .no_effect = why_without_effect(setting, settings, number)};
 }
 
-void SettingEditor::explain(const Setting& setting) {
+void SettingEditor::explain(const SettingRow& row) {
     if (!ImGui::IsItemHovered() || ImGui::IsItemActive()) return;
     ImGui::BeginTooltip();
     ImGui::PushTextWrapPos(28 * ImGui::GetFontSize());
+    const Setting& setting = *row.setting;
     ImGui::TextUnformatted((setting.full_name() + ": " + setting.help).c_str());
+    if (!row.no_effect.empty())
+        ImGui::TextColored(ImGui::ColorConvertU32ToFloat4(ink::wait), "%s", row.no_effect.c_str());
     ImGui::PushStyleColor(ImGuiCol_Text, ink::quiet);
     ImGui::TextUnformatted(accepted(setting).c_str());
     ImGui::PopStyleColor();

@@ -63,6 +63,11 @@ const Setting& setting_meant_by(std::string_view name);
 /// section ("structural stiffness"), or, of a section's switch, the section's name.
 std::string setting_label(const Setting& setting);
 
+/// Why a setting changes nothing now, for the user: "no effect with rk4"; empty if it does.
+/// @param number of the cloth, ball, solid or pins
+/// @pre the settings have it
+std::string why_without_effect(const Setting& setting, const Settings& settings, std::size_t number);
+
 /// What is accepted, as an error message says it: "1e-09 <= dt <= 0.1 s", "'rk4' or 'velocity_verlet'".
 std::string accepted(const Setting& setting);
 
