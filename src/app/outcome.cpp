@@ -11,12 +11,6 @@ namespace drape {
 
 namespace {
 
-std::string shown_value(const Setting& setting, const Settings& settings) {
-    const SettingValue value = setting.read(settings, 0);
-    if (const bool* flag = std::get_if<bool>(&value)) return *flag ? "on" : "off";
-    return value_text(value) + (setting.unit.empty() ? "" : " " + setting.unit);
-}
-
 // What a new integrator makes of the time step
 std::string step_advice(const Simulation& simulation) {
     const double ratio = simulation.report().step_limit_ratio;
@@ -27,7 +21,8 @@ std::string step_advice(const Simulation& simulation) {
 
 std::string outcome_for(const Setting& setting, const Simulation& simulation) {
     const std::string name = setting.full_name();
-    const std::string text = setting_label(setting) + ": " + shown_value(setting, simulation.settings());
+    const std::string text =
+        setting_label(setting) + ": " + shown_value(setting, setting.read(simulation.settings(), 0));
     std::string remark = why_without_effect(setting, simulation.settings(), 0);
     if (name == "solver.integrator") remark = step_advice(simulation);
     const bool hidden = simulation.settings().view.panel == PanelSize::Off;

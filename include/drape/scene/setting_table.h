@@ -2,6 +2,7 @@
 
 #include <cstddef>
 #include <functional>
+#include <optional>
 #include <span>
 #include <string>
 #include <string_view>
@@ -41,6 +42,12 @@ struct Setting {
     double usual_high = 0;        ///< where a slider ends, if more is accepted than is of use; 0: see `slider_scale`
     bool full_name_only = false;  ///< its short name belongs to another setting that was there before
 
+    struct Word {
+        double value;
+        std::string text;
+    };
+    std::optional<Word> word = {};  ///< what one of its numbers means: 0 is "never"
+
     [[nodiscard]] std::string full_name() const { return section.empty() ? name : section + "." + name; }
 };
 
@@ -75,12 +82,16 @@ std::string accepted(const Setting& setting);
 /// @return what is wrong, as "solver.dt = 5: allowed 1e-09 <= dt <= 0.1 s"; empty if nothing
 std::string refusal(const Setting& setting, const SettingValue& value);
 
-/// The value that a text stands for, unchecked but for its form. Lists are "1,2,3" or "[1, 2, 3]".
+/// The value that a text stands for, unchecked but for its form. Lists are "1,2,3" or "[1, 2, 3]"; a number may be its
+/// word.
 /// @throws InputError
 SettingValue parse_value(const Setting& setting, std::string_view text);
 
 /// The text that `parse_value` reads back.
 std::string value_text(const SettingValue& value);
+
+/// A value as panels and messages show it: "on", "2e-04 s", "never".
+std::string shown_value(const Setting& setting, const SettingValue& value);
 
 /// Applies "name=value". The name of a cloth's, ball's, solid's or pins' setting sets all of them, or one:
 /// "ball[1].radius" is the second.
