@@ -204,7 +204,8 @@ const Setting& find_setting(std::string_view name) {
     if (endings.size() == 1) return *found;
     const std::string shown = shortened(name);
     if (endings.size() > 1) throw InputError("setting '" + shown + "' is ambiguous: say " + listed(endings));
-    throw InputError("unknown setting '" + shown + "': did you mean '" + nearest_name(name, names) + "'?");
+    throw InputError("unknown setting '" + shown + "'" +
+                     did_you_mean(name, names, ": drape-lab list settings has all"));
 }
 
 Settings settings_with_one_of_each() {
