@@ -225,6 +225,7 @@ void add_the_rest(std::vector<Setting>& table) {
     contact.add("search_tests", &ContactSettings::search_tests, "", {0, 1e9},
                 "volume tests after which a search ends; 0: no end");
     table.back().word = {0, "unlimited"};
+    table.back().usual_high = 1000;
     contact.add("response", &ContactSettings::response, "how contacts are answered");
     contact.add("friction", &ContactSettings::friction, "", {0, 10},
                 "Coulomb coefficient of balls, with cloth and each other, and of solids");
