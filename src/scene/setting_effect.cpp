@@ -15,9 +15,9 @@ std::string no_effect_with(Enum value) {
 }
 
 std::string why_ball_ignores(std::string_view name, BallMotion motion) {
-    const bool is_led = motion == BallMotion::Path;
+    const bool on_path = motion == BallMotion::Path;
     const bool ignored =
-        (name == "position" && is_led) || (name == "velocity" && (is_led || motion == BallMotion::Still)) ||
+        (name == "position" && on_path) || (name == "velocity" && (on_path || motion == BallMotion::Still)) ||
         (name == "speed" && motion != BallMotion::Keys) || (name == "mass" && motion != BallMotion::Free);
     return ignored ? "no effect while the ball's motion is " + std::string(name_of(motion)) : "";
 }
