@@ -336,6 +336,9 @@ void Window::follow(const Command& command) {
     steering_.forget_given();
     told_failure_.clear();
     notices_.remove("dropped");
+    scene_clock_ = {};
+    unshown_.reset();  // a picture of what was before
+    dirty_ = true;
 }
 
 void Window::take_picture() {
