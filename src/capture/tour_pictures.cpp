@@ -33,13 +33,17 @@ int draw_tour(const CaptureOptions& options, const StopSignals& signals) {
         // What is slow or has spheres says so in its panel; a full one is what the stop is about
         const bool needs_panel = shown.panel == PanelSize::Full || shown.speed != 1 || shown.bounds;
         if (!options.overlay && !needs_panel) session.send(command::Set{"view.panel=off"});
-        session.run_until(stop.time, [&] { return signals.arrived() != 0; });
-        if (const int signal = signals.arrived()) {
-            pictures.finish();
-            return 128 + signal;
-        }
         if (options.overlay) renderer.set_hint(tour_hint(static_cast<std::size_t>(number)));
-        renderer.draw(session.view(), Camera(shown), {});
+        // Panels show medians and curves of what was drawn since the scene began
+        constexpr int views = 6;
+        for (int k = 0; k <= views; ++k) {
+            session.run_until(stop.time * k / views, [&] { return signals.arrived() != 0; });
+            if (const int signal = signals.arrived()) {
+                pictures.finish();
+                return 128 + signal;
+            }
+            renderer.draw(session.view(), Camera(shown), {});
+        }
         const auto image = std::make_shared<Image>(renderer.read_back());
         image->texts = picture_texts(simulation);
         pictures.write(image, ++number);
