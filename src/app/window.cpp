@@ -195,9 +195,9 @@ void Window::tell_of_failure() {
     const std::string& error = simulation.report().error;
     if (simulation.report().status == Status::Ok || error == told_failure_) return;
     told_failure_ = error;
-    failure_file_ = tell_failure(simulation, "");
+    failure_file_ = touring_ ? simulation.step_warning() : tell_failure(simulation, "");  // a tour writes no file
     tell("drape: " + error);
-    tell(failure_file_);
+    if (!failure_file_.empty()) tell(failure_file_);
 }
 
 void Window::tell_of_takeovers_and_dangers() {

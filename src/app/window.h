@@ -157,7 +157,7 @@ private:
     bool closed_ = false;
     bool panel_button_ = false;  ///< the left button is down at the settings panel
     int panel_frames_ = 0;       ///< to be drawn for what the settings panel was told
-    int stop_ = -1;              ///< of the tour; -1: none yet
+    int stop_ = 0;               ///< of the tour: the present one, or that which F1 goes to
     bool touring_ = false;       ///< the scene is a stop's, and its panel is on show
     bool hinting_ = false;       ///< the first hints are on show
 };
