@@ -17,5 +17,6 @@ layout(std140) uniform Frame {
     vec4 group_colours[4];  // linear
     ivec4 look;          // groups: 1, sides: 2, else 0; the weave: 1, no weave: 0; the ground's grid: 1 or 0
     vec4 failure[2];     // where the run has diverged, and the other end of a spring there [m]; w: 0 if not shown
+    vec4 mode_spring[2];  // ends of the unstable mode's spring [m]; w: 0 if not shown
     ivec4 style;         // fabric: 0 cotton, 1 silk, 2 denim, 3 plain; palette: 0 studio, 1 dusk, 2 linen
 };

@@ -193,7 +193,7 @@ void Marks::draw(bool failed) {
     if (failed) {
         failure_program_.use();
         gl_(glBindVertexArray, no_vertices_.name());
-        gl_.draw_arrays(GL_TRIANGLES, 12);
+        gl_.draw_arrays(GL_TRIANGLES, 18);
     }
 }
 

@@ -13,8 +13,8 @@
 namespace drape {
 
 /// What explains the picture: pins and what the hand holds; as far as the settings ask for them, particles and springs,
-/// contacts, bounds; a ring about the particle that has diverged first, and a thick line along the worst of its
-/// springs.
+/// contacts, bounds; a ring about the particle that has diverged first, a thick line along the worst of its
+/// springs, and one along the unstable mode's.
 class Marks {
 public:
     Marks(Gl& gl, StreamBuffer& stream);
