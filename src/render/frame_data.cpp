@@ -8,6 +8,7 @@
 #include "cloth_colours.h"
 #include "drape/session/unstable_mode.h"
 #include "node_states.h"
+#include "principal_strain.h"
 
 namespace drape {
 
@@ -223,7 +224,10 @@ FrameData make_frame_data(const FrameView& view, const Camera& camera, const Pic
 
     const auto colour_of = [](const NodeLook& look) { return Eigen::Vector4f(look.colour.data()); };
     std::ranges::transform(node_looks, data.node_colours.begin(), colour_of);
-    data.node_colours.back() = {0.05f, 0.05f, 0.08f, 0.75f};
+    data.node_colours[6] = {0.05f, 0.05f, 0.08f, 0.75f};
+    std::ranges::transform(strain_colours, data.node_colours.begin() + 7, [](const std::array<float, 3>& colour) {
+        return Eigen::Vector4f(colour[0], colour[1], colour[2], 0.95f);
+    });
     // Their lines are a pixel wide; those that are magnified are fainter instead
     for (Eigen::Vector4f& colour : data.node_colours) colour.w() *= data.magnified.x();
     std::ranges::transform(value_colours, data.value_colours.begin(), linear);

@@ -59,7 +59,7 @@ private:
     VertexArray no_vertices_;  ///< core profile wants one, even where the shader makes the corners
     Buffer spring_indices_;
     std::vector<Grid> grids_;
-    Outlines bounds_;  ///< and structural springs and balls of the other simulation
+    Outlines bounds_;  ///< and structural springs and balls of the other simulation, and strains of cells
     ShownNodes nodes_;
     TouchedCells touched_;
     bool show_particles_ = false;

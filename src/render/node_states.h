@@ -12,8 +12,18 @@
 namespace drape {
 
 /// How a node is drawn: by what queries did with it, and whether anything in it touches. Cloth and balls that are
-/// compared are drawn likewise, in a colour of their own.
-enum class NodeState : std::uint8_t { Unvisited, Pruned, Visited, Leaf, FalseCandidate, Touching, Compared };
+/// compared are drawn likewise, in a colour of their own, and so are the strains of cells.
+enum class NodeState : std::uint8_t {
+    Unvisited,
+    Pruned,
+    Visited,
+    Leaf,
+    FalseCandidate,
+    Touching,
+    Compared,
+    Stretched,
+    Compressed
+};
 
 /// What the legend says of a state, and the colour of both: red, green, blue, opacity.
 struct NodeLook {

@@ -275,7 +275,7 @@ void Session::start_swing() {
     Simulation before = is_of_this_run ? moment->simulation : simulation_;
     if (!is_of_this_run) before.apply(command::Reset{});
     swing_.reset();
-    if (auto mode = find_unstable_mode(simulation_, before)) swing_.emplace(std::move(*mode), before);
+    if (auto mode = find_unstable_mode(simulation_, before)) swing_.emplace(std::move(*mode), std::move(before));
 }
 
 void Session::step() {

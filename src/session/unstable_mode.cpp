@@ -4,6 +4,7 @@
 #include <cmath>
 #include <numbers>
 
+#include "drape/base/exact_math.h"
 #include "drape/base/numbers.h"
 #include "drape/model/stencils.h"
 
@@ -82,7 +83,7 @@ void Swing::show(FrameView& view) {
         const bool swings = cloths_.size() == mode_.cloth;
         if (swings) {
             const Real size = amplitude * std::min(cloth.model.hx, cloth.model.hy);
-            x_ = state.x + size * static_cast<Real>(std::sin(2 * std::numbers::pi * frequency * time_)) * mode_.shape;
+            x_ = state.x + size * static_cast<Real>(sine(2 * std::numbers::pi * frequency * time_)) * mode_.shape;
         }
         const Points& x = swings ? x_ : state.x;
         cloths_.push_back({cloth.model, x, x, {}, cloth.hierarchy, &state.v, cloth.grabbed});

@@ -2,6 +2,8 @@
 
 #include <gmock/gmock.h>
 
+#include <algorithm>
+
 #include "drape/base/numbers.h"
 #include "drape/model/jacobian.h"
 #include "drape/model/stencils.h"
@@ -32,7 +34,7 @@ TEST_F(UnstableRun, ShowsTheEigenvectorThatLimitsTheStep) {
     const UnstableMode& mode = *view.mode;
     EXPECT_NEAR(static_cast<double>(mode.limit.step), limit, 0.05 * limit);
     EXPECT_NEAR(mode.step, 1.1 * limit, 1e-9);
-    const auto& [a, b] = mode.spring;
+    const int a = mode.spring[0], b = mode.spring[1];
     bool is_there = false;
     for_each_spring_at(view.cloths[0].model, a, [&](const SpringStencil& springs, int other) {
         is_there = is_there || (other == b && springs.kind() == mode.kind);

@@ -4,6 +4,7 @@
 #include <optional>
 #include <string>
 #include <string_view>
+#include <utility>
 #include <vector>
 
 #include "drape/integrate/stability.h"
@@ -41,7 +42,7 @@ public:
     static constexpr double frequency = 1;         ///< of wall time [Hz]
     static constexpr Real amplitude = Real(0.25);  ///< of the smaller side of a cell
 
-    Swing(UnstableMode mode, const Simulation& before) : mode_(std::move(mode)), before_(before) {}
+    Swing(UnstableMode mode, Simulation before) : mode_(std::move(mode)), before_(std::move(before)) {}
 
     /// Lets wall time pass [s].
     void pass(double seconds) { time_ += seconds; }
