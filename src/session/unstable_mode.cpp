@@ -29,7 +29,8 @@ void mark_spring(const ClothModel& model, const Points& x, Real h, UnstableMode&
 
 std::optional<UnstableMode> find_unstable_mode(const Simulation& diverged, const Simulation& before) {
     const SolverSettings& solver = diverged.settings().solver;
-    if (!(diverged.report().step_limit_ratio > 1)) return {};  // as it was divided
+    // Substeps are below the limit, unless the step is too long to be divided
+    if (solver.on_unstable == OnUnstable::Substep && !(diverged.report().step_limit_ratio > 1)) return {};
     UnstableMode found{.step = solver.dt};
     auto shortest = static_cast<Real>(solver.dt);
     for (std::size_t c = 0; c < diverged.cloths().size(); ++c) {

@@ -65,6 +65,9 @@ TEST_F(UnstableRun, SwingsByAQuarterOfACellUntilItIsLeft) {
     EXPECT_NEAR(farthest, std::min(model.hx, model.hy) / 4, 1e-6) << "after a quarter of a second";
     EXPECT_EQ(session.simulation().hash(), hash);
 
+    EXPECT_EQ(session.simulation().steps_wanted(), 0) << "those that it cannot make";
+    session.send(command::Step{1'000'000});
+    EXPECT_EQ(session.simulation().steps_wanted(), 0);
     session.send(command::Pause{});
     const std::int64_t end = session.timeline().newest;
     for (int k = 0; k < 100; ++k) session.advance(0.1, 0.01);
