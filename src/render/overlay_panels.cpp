@@ -317,7 +317,9 @@ void OverlayPanels::legends(const FrameView& view, float taken, OverlayPage page
     }
     if (colours.by == ColourBy::PrincipalStrain) {
         const std::array signs{LineColour{strain_colours[0], "stretched"}, LineColour{strain_colours[1], "compressed"}};
-        page.height -= line_panel(format("strain of cells; longest: %g %%", full_strain(view)), signs, taken, page);
+        std::vector<Outlines::Edge> crosses;
+        const double full = append_strain_crosses(view, crosses);
+        page.height -= line_panel(format("strain of cells; longest: %g %%", full), signs, taken, page);
     }
     if (colours.by != ColourBy::Plain) colour_panel(colours, shown_level(view).level, taken, page);
 }

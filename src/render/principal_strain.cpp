@@ -8,27 +8,6 @@
 #include "frame_data.h"
 
 namespace drape {
-namespace {
-
-// Crosses along a row of cells, at most
-constexpr int crosses_in_row = 16;
-
-// Calls visit(strain, side) for the cells that have a cross, with the side of the block that a cross stands for [m]
-template <class Visit>
-void for_each_cross(const FrameView& view, Visit visit) {
-    for (const ClothView& cloth : view.cloths) {
-        const int columns = cloth.model.grid.cell_columns(), rows = cloth.model.grid.cell_rows();
-        const int step = (std::max(columns, rows) + crosses_in_row - 1) / crosses_in_row;
-        const Real side = static_cast<Real>(step) * std::min(cloth.model.hx, cloth.model.hy);
-        for (int row = std::min(step, rows) / 2; row < rows; row += step) {
-            for (int column = std::min(step, columns) / 2; column < columns; column += step) {
-                visit(principal_strain(cloth, view.blend, column, row), side);
-            }
-        }
-    }
-}
-
-}  // namespace
 
 PrincipalStrain principal_strain(const ClothView& cloth, Real blend, int column, int row) {
     const auto corner = [&](int i, int j) {
@@ -49,24 +28,34 @@ PrincipalStrain principal_strain(const ClothView& cloth, Real blend, int column,
     return found;
 }
 
-double full_strain(const FrameView& view) {
-    constexpr double least = 0.1;  // %; less is rounding
-    Real largest = 0;
-    for_each_cross(view, [&](const PrincipalStrain& cell, Real) {
-        for (const Real strain : cell.strains) largest = std::max(largest, std::abs(strain));
-    });
-    return round_number_above(std::max(100 * static_cast<double>(largest), least));
-}
-
-void append_strain_crosses(const FrameView& view, std::vector<Outlines::Edge>& edges) {
-    const Real full = static_cast<Real>(full_strain(view) / 100);
-    for_each_cross(view, [&](const PrincipalStrain& cell, Real side) {
-        for (std::size_t k = 0; k < 2; ++k) {
-            const Vec3 arm = Real(0.45) * side * std::abs(cell.strains[k]) / full * cell.directions[k];
-            const NodeState state = cell.strains[k] > 0 ? NodeState::Stretched : NodeState::Compressed;
-            edges.push_back({cell.centre - arm, cell.centre + arm, state});
+double append_strain_crosses(const FrameView& view, std::vector<Outlines::Edge>& edges) {
+    constexpr int crosses_in_row = 16;  // at most
+    Real largest = Real(1e-3);          // less is rounding
+    const auto first = static_cast<std::ptrdiff_t>(edges.size());
+    for (const ClothView& cloth : view.cloths) {
+        const int columns = cloth.model.grid.cell_columns(), rows = cloth.model.grid.cell_rows();
+        const int step = (std::max(columns, rows) + crosses_in_row - 1) / crosses_in_row;
+        const Real room = Real(0.9) * static_cast<Real>(step) * std::min(cloth.model.hx, cloth.model.hy);
+        for (int row = std::min(step, rows) / 2; row < rows; row += step) {
+            for (int column = std::min(step, columns) / 2; column < columns; column += step) {
+                const auto [centre, directions, strains] = principal_strain(cloth, view.blend, column, row);
+                for (std::size_t k = 0; k < 2; ++k) {
+                    largest = std::max(largest, std::abs(strains[k]));
+                    const NodeState state = strains[k] > 0 ? NodeState::Stretched : NodeState::Compressed;
+                    edges.push_back({centre, centre + room * std::abs(strains[k]) * directions[k], state});
+                }
+            }
         }
-    });
+    }
+
+    // So far each goes from its centre, for a strain of 1
+    const double full = round_number_above(100 * static_cast<double>(largest));
+    for (auto edge = edges.begin() + first; edge != edges.end(); ++edge) {
+        const Vec3 arm = (edge->to - edge->from) * static_cast<Real>(50 / full);
+        edge->to = edge->from + arm;
+        edge->from -= arm;
+    }
+    return full;
 }
 
 }  // namespace drape

@@ -66,11 +66,9 @@ bool is_calm(const Simulation& simulation) {
     Real largest = 0;
     for (const Cloth& cloth : simulation.cloths()) {
         for (const SpringStencil& springs : spring_stencils(cloth.model)) {
-            if (!springs.structural()) continue;
             springs.for_each(cloth.model.grid, [&](int a, int b) {
-                const Vec3 along = cloth.state.x.row(a) - cloth.state.x.row(b);
                 const Vec3 parting = cloth.state.v.row(a) - cloth.state.v.row(b);
-                largest = std::max(largest, std::abs(along.dot(parting)) / (along.norm() * springs.rest_length));
+                largest = std::max(largest, parting.norm() / springs.rest_length);
             });
         }
     }

@@ -31,9 +31,9 @@ std::optional<UnstableMode> find_unstable_mode(const Simulation& diverged, const
 /// The legend: what swings, which spring is marked, and limit and step in ms.
 std::string text_of(const UnstableMode& mode);
 
-/// Whether no structural spring changes its length by more than a twentieth within a step: a mode that grows shows as
-/// such a change long before it shows in the cloth's shape.
-/// @par Cost one pass over two springs a particle
+/// Whether within a step no two ends of a spring move against each other by more than a twentieth of its length at
+/// rest: a mode that grows shows there long before it shows in the cloth's shape.
+/// @par Cost one pass over the springs
 bool is_calm(const Simulation& simulation);
 
 /// A run that has diverged, shown as it was at a moment before, swinging in its unstable mode.
