@@ -104,7 +104,7 @@ void Window::on_tick() {
     take_panel_changes();
     if (panel_frames_ > 0) --panel_frames_, dirty_ = true;
     if (const std::string news = video_.news(); !news.empty()) notices_.add("video", news), dirty_ = true;
-    dirty_ |= video_.recording();
+    dirty_ |= video_.recording() || session_.swings();
     if (simulation.settings().view.quality != PictureQuality::Auto) pace_ = {};
     pace_.follow(dirty_, elapsed);
     since_drawn_ += elapsed;
@@ -160,6 +160,7 @@ void Window::draw(FrameView view, DrawnFor use) {
     if (view.settings->view.panel == PanelSize::Full) view.search = search_timer_.look(view);
     std::vector<std::string> lines = notices_.lines(session_.replay_notice());
     for (std::string& line : state_notices(session_.simulation(), failure_file_)) lines.push_back(std::move(line));
+    if (view.mode != nullptr) lines.push_back(text_of(*view.mode));
     if (!scene_error_.empty()) lines.push_back(scene_error_);
     renderer_->draw(view, shown_, lines, use);
     drawn_step_ = view.report->step;

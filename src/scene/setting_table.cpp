@@ -280,8 +280,8 @@ void add_the_rest(std::vector<Setting>& table) {
     view.add("particles", &ViewSettings::particles, "show particles and springs");
     view.add("contacts", &ViewSettings::contacts, "show where cloth touches bodies, and with what force");
     view.add("colour", &ViewSettings::colour,
-             "what the cloth's colour says: nothing, strain, speed, contact depth, the node of the shown level, "
-             "side, difference from what is compared");
+             "what the cloth's colour says: nothing, strain, the same with its principal directions, speed, contact "
+             "depth, the node of the shown level, side, difference from what is compared");
     view.add("weave", &ViewSettings::weave, "show the cloth's weave, which stretches with it");
     view.add("smooth", &ViewSettings::smooth, "draw the cloth's outline as curves through its particles");
     view.add("grid", &ViewSettings::grid,
