@@ -12,10 +12,11 @@ layout(std140) uniform Frame {
     vec4 magnified;      // x: how much smaller the scene is drawn than it is shown, in (0, 1]
     ivec4 counts;        // structural springs, shear springs, segments of a sphere's circle, balls that darken
     vec4 balls[8];       // centre, radius [m]
-    vec4 node_colours[7];  // by what the last query did with a node
+    vec4 node_colours[9];  // by what the last query did with a node; compared, stretched, compressed
     vec4 value_colours[9];  // from the least to the most, linear
     vec4 group_colours[4];  // linear
     ivec4 look;          // groups: 1, sides: 2, else 0; the weave: 1, no weave: 0; the ground's grid: 1 or 0
     vec4 failure[2];     // where the run has diverged, and the other end of a spring there [m]; w: 0 if not shown
+    vec4 mode_spring[2];  // ends of the unstable mode's spring [m]; w: 0 if not shown
     ivec4 style;         // fabric: 0 cotton, 1 silk, 2 denim, 3 plain; palette: 0 studio, 1 dusk, 2 linen
 };

@@ -1,5 +1,7 @@
 #include "options.h"
 
+#include <algorithm>
+
 #include "drape/render/entries.h"
 #include "drape/scene/scene.h"
 #include "drape/scene/setting_table.h"
@@ -11,7 +13,9 @@ namespace {
 std::string key_help() {
     std::string text = "Keys and mouse:\n";
     for (const KeyHelp& line : help_lines(make_entries(scene_names()))) {
-        text += "  " + line.key + std::string(line.key.size() < 27 ? 28 - line.key.size() : 1, ' ') + line.text + "\n";
+        std::string left = line.is_heading() ? "  " + line.text + ":" : "    " + line.key;
+        if (!line.is_heading()) left.resize(std::max<std::size_t>(left.size() + 1, 30), ' ');
+        text += left + (line.is_heading() ? "" : line.text) + "\n";
     }
     return text;
 }
@@ -28,7 +32,7 @@ std::optional<Options> read_options(int argc, char** argv) {
     line.option("--record", options.record, "write every command to a file", {"FILE"});
     line.option("--size", size, "of the window; 1280x720 if not given", {"WxH"});
     line.option("--scale", scale, "text size factor; 1 if not given", {"FACTOR"});
-    line.flag("--tour", options.tour, "begin with the tour: twelve scenes, with what to see in each");
+    line.flag("--tour", options.tour, "begin with the tour: thirteen stops, with what to see at each");
     line.flag("--check", options.check, "end with exit code 1 at an OpenGL error or a position that is not finite");
     line.footer([] { return key_help() + "\nSettings:\n" + settings_help(); });
     if (!line.parse(argc, argv)) return std::nullopt;

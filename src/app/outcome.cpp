@@ -1,7 +1,5 @@
 #include "outcome.h"
 
-#include <algorithm>
-#include <array>
 #include <cmath>
 #include <string_view>
 
@@ -13,38 +11,6 @@ namespace drape {
 
 namespace {
 
-std::string shown_value(const Setting& setting, const Settings& settings) {
-    const SettingValue value = setting.read(settings, 0);
-    if (const bool* flag = std::get_if<bool>(&value)) return *flag ? "on" : "off";
-    return value_text(value) + (setting.unit.empty() ? "" : " " + setting.unit);
-}
-
-// Settings of a hierarchy, which brute force does not have
-constexpr std::array<std::string_view, 6> of_a_hierarchy{
-    "contact.update", "contact.leaf_cells", "contact.sphere_fit", "contact.search_level", "view.bounds", "view.level"};
-
-// Why a setting changes nothing here; empty if it does
-std::string why_without_effect(const std::string& name, const Settings& settings) {
-    const VolumeKind volume = settings.contact.volume;
-    const IntegratorKind integrator = settings.solver.integrator;
-    if (volume == VolumeKind::Brute && std::ranges::find(of_a_hierarchy, name) != of_a_hierarchy.end()) {
-        return "brute force has no hierarchy";
-    }
-    if (name == "contact.sphere_fit" && volume != VolumeKind::Sphere) {
-        return "no effect while the bounding volume is " + std::string(name_of(volume));
-    }
-    if (name == "view.level" && !settings.view.bounds && settings.view.colour != ColourBy::Level) return "B shows it";
-    if (name == "solver.ledger" && settings.solver.ledger && settings.view.panel == PanelSize::Off)
-        return "Tab shows it";
-    const bool unused =
-        ((name == "solver.hessian" || name == "solver.newton_steps") && !solves_a_system(integrator)) ||
-        (name == "solver.tolerance" && !solves_a_system(integrator) && integrator != IntegratorKind::DormandPrince) ||
-        (name == "solver.iterations" && !has_iterations(integrator));
-    if (unused) return "no effect with " + std::string(name_of(integrator));
-    if (name.starts_with("wind.") && name != "wind.on" && !settings.wind.on) return "no effect without wind (V)";
-    return {};
-}
-
 // What a new integrator makes of the time step
 std::string step_advice(const Simulation& simulation) {
     const double ratio = simulation.report().step_limit_ratio;
@@ -55,9 +21,12 @@ std::string step_advice(const Simulation& simulation) {
 
 std::string outcome_for(const Setting& setting, const Simulation& simulation) {
     const std::string name = setting.full_name();
-    const std::string text = setting_label(setting) + ": " + shown_value(setting, simulation.settings());
-    std::string remark = why_without_effect(name, simulation.settings());
+    const std::string text =
+        setting_label(setting) + ": " + shown_value(setting, setting.read(simulation.settings(), 0));
+    std::string remark = why_without_effect(setting, simulation.settings(), 0);
     if (name == "solver.integrator") remark = step_advice(simulation);
+    const bool hidden = simulation.settings().view.panel == PanelSize::Off;
+    if (name == "solver.ledger" && simulation.settings().solver.ledger && hidden) remark = "Tab shows it";
     if (name == "view.speed") remark = "simulated seconds in a second";
     const bool is_seen = setting.section == "view" && name != "view.speed";
     if (remark.empty()) return is_seen ? "" : text;

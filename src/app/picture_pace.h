@@ -11,8 +11,7 @@ public:
     void follow(bool moves, double elapsed) { still_ = moves ? 0 : still_ + elapsed; }
 
     /// A picture was drawn, in this time [s].
-    /// @return whether the display is known as slow from now on
-    bool drew(bool fast, double seconds);
+    void drew(bool fast, double seconds);
 
     /// Whether the next picture is to be drawn fast.
     [[nodiscard]] bool prefer_speed() const { return slow_ && still_ < patience; }
@@ -22,14 +21,14 @@ public:
 
     static constexpr double patience = 0.3;        ///< without motion, before a picture is drawn in full [s]
     static constexpr double longest = 1.0 / 25;    ///< that a full picture may take [s]
-    static constexpr double most_lost = 0.2;       ///< on full pictures that take longer, one after the other [s]
-    static constexpr int least_slow = 3;           ///< of them; the first pictures of a scene take longer than others
+    static constexpr double max_lost = 0.2;        ///< on full pictures that take longer, one after the other [s]
+    static constexpr int min_slow = 3;             ///< of them; the first pictures of a scene take longer than others
     static constexpr double shortest = 1.0 / 120;  ///< of a fast picture, if full ones are to be tried again [s]
-    static constexpr int least_quick = 50;  ///< such pictures, one after the other; twice as many each further time
+    static constexpr int min_quick = 50;  ///< such pictures, one after the other; twice as many each further time
 
 private:
     bool slow_ = false, drawn_fast_ = false;
-    int wanted_quick_ = least_quick;
+    int wanted_quick_ = min_quick;
     int in_a_row_ = 0;     ///< pictures that speak for a change
     double row_time_ = 0;  ///< that they took [s]
     double still_ = 0;     ///< without motion [s]

@@ -18,9 +18,9 @@ namespace drape {
 
 namespace {
 
-constexpr double hidden_tick = 0.1;     // s between ticks while there is nothing to draw
-constexpr double least_budget = 0.025;  // s for the steps of one frame
-constexpr double asleep_tick = 0.5;     // s between pictures of what sleeps, whose time goes on
+constexpr double hidden_tick = 0.1;   // s between ticks while there is nothing to draw
+constexpr double min_budget = 0.025;  // s for the steps of one frame
+constexpr double asleep_tick = 0.5;   // s between pictures of what sleeps, whose time goes on
 
 }  // namespace
 
@@ -81,12 +81,14 @@ void Window::on_tick() {
     repeat_shot();
     // Steps may take half as long as drawing does: a slow scene still answers the mouse, and a slow display does not
     // slow a cloth whose steps take less than a third of real time.
-    session_.advance(elapsed, std::max(least_budget, picture_time_ / 2));
+    const double passed = drawable() ? scene_clock_.pass(elapsed) : elapsed;
+    session_.advance(passed, std::max(min_budget, picture_time_ / 2));
     show_drawn();
     follow_replay();
     dirty_ |= shown_.ease_towards(camera_, elapsed);
     follow_scene_file(elapsed);
     tell_of_drops();
+    tell_of_lost_ball(elapsed);
 
     const Simulation& simulation = session_.simulation();
     tell_of_failure();
@@ -102,7 +104,7 @@ void Window::on_tick() {
     take_panel_changes();
     if (panel_frames_ > 0) --panel_frames_, dirty_ = true;
     if (const std::string news = video_.news(); !news.empty()) notices_.add("video", news), dirty_ = true;
-    dirty_ |= video_.recording();
+    dirty_ |= video_.recording() || session_.swings();
     if (simulation.settings().view.quality != PictureQuality::Auto) pace_ = {};
     pace_.follow(dirty_, elapsed);
     since_drawn_ += elapsed;
@@ -125,7 +127,7 @@ void Window::on_display() {
     const Stopwatch watch;
     FrameView view = session_.view();
     view.timeline = session_.timeline();
-    view.prefer_speed = pace_.prefer_speed() && !video_.recording();
+    view.prefer_speed = draws_fast();
     const bool is_for_video = video_.due();
     draw(view, is_for_video ? DrawnFor::Picture : DrawnFor::Window);
     if (is_for_video) video_.take(renderer_->read_back());
@@ -147,19 +149,18 @@ void Window::show_drawn() {
     glFinish();  // without it, the time to draw would have the wait for the display in it
     const double wait = watch.seconds();
     glutSwapBuffers();
+    if (scene_clock_.begin()) clock_.lap();  // what the first picture took is no time of the scene
     if (check_) check_->check(session_.view(), camera_);
     picture_time_ = drawing_time_ + watch.seconds();
     drawing_time_ += wait;
-    if (session_.simulation().settings().view.quality == PictureQuality::Auto &&
-        pace_.drew(prefer_speed, drawing_time_)) {
-        notices_.add("quality", "Slow display: what moves is drawn at half the resolution (view.quality)");
-    }
+    if (session_.simulation().settings().view.quality == PictureQuality::Auto) pace_.drew(prefer_speed, drawing_time_);
 }
 
 void Window::draw(FrameView view, DrawnFor use) {
     if (view.settings->view.panel == PanelSize::Full) view.search = search_timer_.look(view);
     std::vector<std::string> lines = notices_.lines(session_.replay_notice());
     for (std::string& line : state_notices(session_.simulation(), failure_file_)) lines.push_back(std::move(line));
+    if (view.mode != nullptr) lines.push_back(text_of(*view.mode));
     if (!scene_error_.empty()) lines.push_back(scene_error_);
     renderer_->draw(view, shown_, lines, use);
     drawn_step_ = view.report->step;
@@ -195,9 +196,9 @@ void Window::tell_of_failure() {
     const std::string& error = simulation.report().error;
     if (simulation.report().status == Status::Ok || error == told_failure_) return;
     told_failure_ = error;
-    failure_file_ = tell_failure(simulation, "");
+    failure_file_ = touring_ ? simulation.step_warning() : tell_failure(simulation, "");  // a tour writes no file
     tell("drape: " + error);
-    tell(failure_file_);
+    if (!failure_file_.empty()) tell(failure_file_);
 }
 
 void Window::tell_of_takeovers_and_dangers() {
@@ -209,16 +210,28 @@ void Window::tell_of_takeovers_and_dangers() {
     if (!warning.empty()) notices_.add("crossing", warning);  // a reset in the same frame leaves none
 }
 
+// Not where the panel says that the picture is coarse: a slow display has no time for every step
 void Window::tell_of_drops() {
     const double dropped = session_.dropped();
     dropped_ = std::min(dropped_, dropped);
     if (dropped < dropped_ + 0.1) return;
     dropped_ = dropped;
+    if (draws_fast()) return;
     std::string seconds = std::to_string(dropped);
     seconds.resize(seconds.find('.') + 2);
     const bool real = session_.simulation().settings().view.speed == 1;
     notices_.add("dropped", std::string("Slower than ") + (real ? "real time: " : "view.speed asks: ") + seconds +
                                 " s of simulation skipped");
+}
+
+void Window::tell_of_lost_ball(double elapsed) {
+    const Simulation& simulation = session_.simulation();
+    const Timeline timeline = session_.timeline();
+    if (!drawable() || timeline.replay || !timeline.is_live() || simulation.balls().empty()) return;
+    const Ball& ball = simulation.balls()[simulation.users_ball()];
+    const bool is_seen = shown_.sees(ball, static_cast<float>(width_) / static_cast<float>(height_));
+    if (!ball_watch_.loses(simulation, is_seen, shown_.target().cast<Real>(), elapsed)) return;
+    notices_.add("ball", "The ball has left the picture: X throws it again");
 }
 
 // A replay and a tour have scenes of their own
@@ -258,7 +271,6 @@ void Window::start_scene() {
     renderer_->set_hint({});
     hinting_ = touring_ = false;
     show_title();
-    clock_.lap();  // nothing is left out of a scene while it is loaded
 }
 
 void Window::take_panel_changes() {

@@ -8,6 +8,7 @@
 #include <utility>
 #include <vector>
 
+#include "ball_watch.h"
 #include "drape/base/stop_signals.h"
 #include "drape/base/stopwatch.h"
 #include "drape/render/camera.h"
@@ -21,6 +22,7 @@
 #include "options.h"
 #include "picture_pace.h"
 #include "pointer.h"
+#include "scene_clock.h"
 #include "scene_watch.h"
 #include "shot_repeat.h"
 #include "steering.h"
@@ -96,6 +98,7 @@ private:
     void follow_replay();
     void follow(const Command& command);
     void tell_of_drops();
+    void tell_of_lost_ball(double elapsed);
     void tell_of_failure();
     void tell_of_takeovers_and_dangers();
     void tell_whose_ball();
@@ -108,6 +111,7 @@ private:
     void take_picture();
     void schedule();
     void leave();
+    [[nodiscard]] bool draws_fast() const { return pace_.prefer_speed() && !video_.recording(); }
     [[nodiscard]] bool drawable() const { return visible_ && width_ > 0 && height_ > 0; }
 
     Session& session_;
@@ -121,6 +125,8 @@ private:
     Notices notices_;
     SearchTimer search_timer_;
     PicturePace pace_;
+    SceneClock scene_clock_;
+    BallWatch ball_watch_;
     WindowVideo video_;
     std::optional<FrameCheck> check_;  ///< where the user asks for it
     std::unique_ptr<Renderer> renderer_;
@@ -151,7 +157,7 @@ private:
     bool closed_ = false;
     bool panel_button_ = false;  ///< the left button is down at the settings panel
     int panel_frames_ = 0;       ///< to be drawn for what the settings panel was told
-    int stop_ = -1;              ///< of the tour; -1: none yet
+    int stop_ = 0;               ///< of the tour: the present one, or that which F1 goes to
     bool touring_ = false;       ///< the scene is a stop's, and its panel is on show
     bool hinting_ = false;       ///< the first hints are on show
 };

@@ -143,6 +143,7 @@ void Window::give(const Entry& entry) {
 }
 
 void Window::show_stop() {
+    camera_ = shown_ = Camera(session_.simulation().settings().view);
     renderer_->set_hint(tour_hint(static_cast<std::size_t>(stop_)));
     renderer_->set_scene(session_.simulation().settings());
     hinting_ = false;
@@ -262,8 +263,8 @@ std::vector<Command> Window::commands_of(const Entry& entry) {
     if (entry.manner == Manner::Aimed) return {camera_.aimed_throw()};
     if (entry.manner == Manner::OneFrame) return {command::Step{static_cast<int>(steps_of_a_frame())}};
     if (entry.manner == Manner::SafeStep) return safe_step();
-    if (entry.manner == Manner::NextStop) return go_to_stop(stop_ + 1);
-    if (entry.manner == Manner::StopBefore) return go_to_stop(std::max(stop_, 0) - 1);
+    if (entry.manner == Manner::NextStop) return go_to_stop(touring_ ? stop_ + 1 : stop_);
+    if (entry.manner == Manner::StopBefore) return go_to_stop(stop_ - 1);
     if (entry.manner == Manner::Slower) return {set_speed(speed / 2)};
     if (entry.manner == Manner::Faster) return {set_speed(speed * 2)};
     return {parse_command(entry.command)};
@@ -284,12 +285,10 @@ void Window::go_to(std::int64_t step) {
 }
 
 std::vector<Command> Window::go_to_stop(int stop) {
-    const auto stops = tour_stops();
-    const int count = static_cast<int>(stops.size());
+    const int count = static_cast<int>(tour_stops().size());
     stop_ = (stop + count) % count;
-    const TourStop& now = stops[static_cast<std::size_t>(stop_)];
-    std::vector<Command> commands{command::LoadScene{std::string(now.scene)}};
-    for (const std::string& change : split_assignments(now.changes)) commands.emplace_back(command::Set{change});
+    std::vector<Command> commands = drape::commands_of(tour_stops()[static_cast<std::size_t>(stop_)]);
+    if (session_.simulation().paused()) commands.emplace_back(command::Pause{});
     return commands;
 }
 
@@ -336,6 +335,9 @@ void Window::follow(const Command& command) {
     steering_.forget_given();
     told_failure_.clear();
     notices_.remove("dropped");
+    scene_clock_ = {};
+    unshown_.reset();  // a picture of what was before
+    dirty_ = true;
 }
 
 void Window::take_picture() {

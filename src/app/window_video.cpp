@@ -9,7 +9,7 @@ namespace drape {
 namespace {
 
 constexpr double frame_rate = 30;  // pictures per second
-constexpr int most_repeats = 15;   // of one picture: a window that was hidden for long leaves the rest out
+constexpr int max_repeats = 15;    // of one picture: a window that was hidden for long leaves the rest out
 
 std::filesystem::path first_free_name() {
     int number = 1;
@@ -49,7 +49,7 @@ int WindowVideo::due_frames() const {
 }
 
 void WindowVideo::take(const Image& picture) {
-    const int due = due_frames(), repeats = std::min(due, most_repeats);
+    const int due = due_frames(), repeats = std::min(due, max_repeats);
     left_out_ += due - repeats;
     for (int i = 0; i < repeats && pipe_->error().empty(); ++i) {
         pipe_->write(picture);

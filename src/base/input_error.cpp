@@ -73,12 +73,17 @@ std::string shortened(std::string_view value) {
     return std::string(value.substr(0, end)) + "...";
 }
 
-std::string nearest_name(std::string_view name, std::span<const std::string> names) {
+std::string did_you_mean(std::string_view name, std::span<const std::string> names, std::string_view otherwise) {
     const std::string_view head = name.substr(0, 100);  // a longer name is no typing error
-    const auto nearest = std::min_element(names.begin(), names.end(), [head](const auto& a, const auto& b) {
-        return edit_distance(head, a) < edit_distance(head, b);
-    });
-    return nearest == names.end() ? std::string() : *nearest;
+    std::size_t allowed = std::min<std::size_t>((head.size() + 2) / 3, 3);
+    std::string text(otherwise);
+    for (const std::string& one : names) {
+        const std::size_t edits = edit_distance(head, one);
+        if (edits > allowed || (edits == allowed && text != otherwise)) continue;
+        allowed = edits;
+        text = ": did you mean '" + one + "'?";
+    }
+    return text;
 }
 
 std::string listed(std::span<const std::string> names) {

@@ -7,8 +7,9 @@
 #include "drape/render/entries.h"
 #include "drape/render/picture_texts.h"
 #include "drape/render/renderer.h"
+#include "drape/scene/scene.h"
+#include "drape/session/session.h"
 #include "drape/session/tour.h"
-#include "drape/sim/simulation.h"
 #include "frame_writer.h"
 #include "gl_context.h"
 #include "picture_memory.h"
@@ -25,20 +26,24 @@ int draw_tour(const CaptureOptions& options, const StopSignals& signals) {
     Progress progress(stops.size(), "picture");
     int number = 0;
     for (const TourStop& stop : stops) {
-        Settings settings = settings_of(stop);
-        // A full panel is what the stop is about
-        if (!options.overlay && settings.view.panel == PanelSize::Compact) settings.view.panel = PanelSize::Off;
-        Simulation simulation(std::string(stop.scene), settings);
-        while (simulation.report().time < stop.time && simulation.report().status == Status::Ok) {
-            if (signals.arrived() != 0) break;
-            simulation.step();
-        }
-        if (const int signal = signals.arrived()) {
-            pictures.finish();
-            return 128 + signal;
-        }
+        Session session(Simulation(std::string(stop.scene), load_scene(std::string(stop.scene))));
+        for (const Command& command : commands_of(stop)) session.send(command);
+        Simulation& simulation = session.simulation();
+        const ViewSettings& shown = simulation.settings().view;
+        // What is slow or has spheres says so in its panel; a full one is what the stop is about
+        const bool needs_panel = shown.panel == PanelSize::Full || shown.speed != 1 || shown.bounds;
+        if (!options.overlay && !needs_panel) session.send(command::Set{"view.panel=off"});
         if (options.overlay) renderer.set_hint(tour_hint(static_cast<std::size_t>(number)));
-        renderer.draw(simulation.view(), Camera(settings.view), {});
+        // Panels show medians and curves of what was drawn since the scene began
+        constexpr int views = 6;
+        for (int k = 0; k <= views; ++k) {
+            session.run_until(stop.time * k / views, [&] { return signals.arrived() != 0; });
+            if (const int signal = signals.arrived()) {
+                pictures.finish();
+                return 128 + signal;
+            }
+            renderer.draw(session.view(), Camera(shown), {});
+        }
         const auto image = std::make_shared<Image>(renderer.read_back());
         image->texts = picture_texts(simulation);
         pictures.write(image, ++number);

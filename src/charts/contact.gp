@@ -15,7 +15,7 @@ stats table using (is('search', 'continuous') ? (missed = most(missed, column('m
 eval headline(sprintf('Continuous search misses at most %.1f %%; %s', 100 * missed, through < 1e9 ? \
   sprintf('a ball gets past discrete search from %.0f mm a step on', through) : 'nor does a ball pass the discrete one'), \
   'A ball that moves through a hung cloth; rings: it has gone through. Vertical line: its diameter')
-eval panels(2, words(searches), 65, 15, 60, 95, 20, 75)
+eval panels(2, words(searches), 72, 15, 60, 95, 18, 75)
 set logscale x
 # The logarithmic axis has no zero: what is less than its least is drawn there
 x = "(row == 1 ? 1e3 * column('speed_m_per_s') * column('step_s') : column('cpu_s_per_s'))"

@@ -16,7 +16,7 @@ worst(response) = place(responses, response) > 0 ? impact[place(responses, respo
 eval headline(sprintf('An impulse is at most %.2g ms off the time of an impact, projection %.2g ms, a penalty %.2g ms', \
   worst('impulse'), worst('projection'), worst('penalty')), \
   'A sheet that falls and bounces, and one that should stick to a slope, by steps of 1/60 to 1/15360 s')
-eval panels(2, 2, 75, 95, 55, 90, 75, 90)
+eval panels(2, 2, 82, 95, 55, 90, 78, 90)
 set logscale xy
 set xtics (0.1, 0.2, 0.5, 1, 2, 5, 10, 20)
 set xrange [0.05:25]

@@ -16,7 +16,7 @@ do for [k = 1:3] {
 eval headline(sprintf('No crossing up to %.2g ms with impact zones, up to %.2g ms with rejection, up to %.2g ms with neither', \
   1e3 * longest[1], 1e3 * longest[2], 1e3 * longest[3]), \
   'A sheet is thrown at another at 8 m/s. Rings: the search gave up, and the sheets pass through each other')
-eval panels(3, 3, 70, 90, 55, 95, 20, 30)
+eval panels(3, 3, 76, 90, 55, 95, 20, 30)
 set logscale x
 set xrange [0.2:22]
 set xtics (0.25, 0.5, 1, 2, 4, 8, 16)

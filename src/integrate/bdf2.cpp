@@ -7,8 +7,8 @@ namespace {
 
 /// One Newton step, or more (`newton_steps`), of the backward differentiation formula of order 2: with s = 2h/3,
 /// x_{n+1} = x_n + (x_n - x_{n-1})/3 + s v_{n+1} and v_{n+1} = v_n + (v_n - v_{n-1})/3 + s a_{n+1} give
-/// (m I + s D + s^2 K) dv = m (v_n - v_{n-1})/3 + s (f - K ((x_n - x_{n-1})/3 + s v_n)).
-/// Second order with the exact Hessian; damps what it cannot resolve, and the rest far less than backward Euler.
+/// (m I + s D + s^2 K) dv = m (v_n - v_{n-1})/3 + s f, with f at x_n + (x_n - x_{n-1})/3 + s v_n.
+/// Second order; damps what it cannot resolve, and the rest far less than backward Euler.
 ///
 /// It keeps the state at the end of its last step and the one before. If it finds another state (contact, a hand,
 /// another integrator), another step size or another revision of the model, it restarts with a step of backward Euler.
@@ -41,14 +41,10 @@ public:
         } else {
             dx_ = s * state.v;
         }
-        forces_.compute(model, state.x, state.v, r_);
-        system_.linearise(model, state.x, state.v);
-        system_.add_stiffness(-1, dx_, r_);
+        const int evaluations = system_.linearise_ahead(forces_, model, state, dx_, s, r_);
         r_ *= s;
         if (goes_on) r_ += (model.particle_mass / 3) * (state.v - last_.from.v);
-        const krylov::Outcome solved = system_.solve(model, s, r_, dv_);
-
-        SolveReport report = system_.report(solved);
+        SolveReport report = system_.report(evaluations, system_.solve(model, s, r_, dv_));
         if (system_.refines()) report += refine(model, state, s, goes_on);
         dx_ += s * dv_;
         advance(model, h, state);

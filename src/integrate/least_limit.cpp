@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <utility>
 #include <vector>
 
 namespace drape {
@@ -145,11 +146,13 @@ LeastLimit least_limit(ModeSearch& search, double least_damping, const std::func
         const auto k = static_cast<double>(mode.stiffness), d = static_cast<double>(mode.damping);
         const double step = longest(k, d);
         if (!(step < best.step)) continue;
-        best = {k, d, step, true};
+        best = {k, d, step, true, mode.shape};
         attained = decides(mode);
     }
     if (attained && outside.value >= (1 - 2 * precision) * best.step) return best;
-    return enclosure.limit_at(outside, false);
+    LeastLimit bound = enclosure.limit_at(outside, false);
+    bound.shape = std::move(best.shape);
+    return bound;
 }
 
 }  // namespace drape

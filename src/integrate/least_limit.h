@@ -12,6 +12,7 @@ struct LeastLimit {
     double damping = 0;    ///< its d [1/s]
     double step = 0;       ///< [s]
     bool attained = true;  ///< a vibration with these k and d was found; else none has a shorter limit, that is all
+    Points shape = {};     ///< of the vibration with the shortest limit that was found, as `Mode::shape`; may be empty
 };
 
 /// Finds the least value of a function of k and d over all vibrations of a cloth.

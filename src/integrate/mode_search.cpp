@@ -101,7 +101,7 @@ Mode ModeSearch::mode() {
     const Real k = dot(y_, ar_), d = dot(y_, ap_);
     ar_ -= k * y_;
     ap_ -= d * y_;
-    return {std::max(k, Real(0)), std::max(d, Real(0)), ar_.squaredNorm(), ap_.squaredNorm(), dot(ar_, ap_)};
+    return {std::max(k, Real(0)), std::max(d, Real(0)), ar_.squaredNorm(), ap_.squaredNorm(), dot(ar_, ap_), y_};
 }
 
 }  // namespace drape

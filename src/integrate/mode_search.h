@@ -12,6 +12,7 @@ struct Mode {
     Real stiffness_variance = 0;  ///< |Ky - ky|^2 [1/s^4]
     Real damping_variance = 0;    ///< |Dy - dy|^2 [1/s^2]
     Real covariance = 0;          ///< (Ky - ky)'(Dy - dy) [1/s^3]
+    Points shape = {};            ///< y, n x 3, its norm is 1; exactly 0 at pins
 };
 
 /// Looks for the vibration of the free particles that has the largest a k + b d, where k and d are those of `Mode`.

@@ -26,6 +26,10 @@ constexpr Real stiff = 30;
 /// Where so many cycles do not do, single precision is not enough, and the diagonal blocks are left to it.
 constexpr int most_cycles = 100;
 
+/// How many times its momentum the force ahead may change that of the cloth. Up to this no trial of stability ends
+/// otherwise than by forces at the start; from twice as much on, those of stiff sheets in long steps do.
+constexpr Real max_momentum_change = 2;
+
 /// Of a Newton step, that is tried before it is given up.
 constexpr Real shortest_part = Real(0.05);
 
@@ -40,12 +44,13 @@ NewtonSystem::NewtonSystem(const Grid& grid, const IntegratorParameters& paramet
       factors_first_(comes_first(grid)),
       jacobian_(grid, parameters.hessian, parameters.kernels),
       inverse_(grid.particles(), 6),
+      x_(grid.particles(), 3),
       conjugate_gradients_(grid.particles()) {
     pinned_.reserve(static_cast<std::size_t>(grid.particles()));
     if (parameters.hessian == Hessian::Exact) bicgstab_ = std::make_unique<krylov::BiCgStab>(grid.particles());
     if (keeps_factors(grid, parameters.hessian)) factor_ = std::make_unique<GridFactor>(grid);
     if (refines()) {
-        for (Points* scratch : {&left_, &step_, &tried_, &x_, &v_}) scratch->resize(grid.particles(), 3);
+        for (Points* scratch : {&left_, &step_, &tried_, &v_}) scratch->resize(grid.particles(), 3);
     }
     if (keeps_multigrid(grid, parameters.hessian)) multigrid_ = std::make_unique<Multigrid>(grid, parameters.kernels);
 }
@@ -68,12 +73,24 @@ bool NewtonSystem::keeps_factors(const Grid& grid, Hessian hessian) {
     return comes_first(grid) || falls_back;
 }
 
-void NewtonSystem::linearise(const ClothModel& model, const Points& x, const Points& v) {
-    jacobian_.linearise(model, x, v);
+int NewtonSystem::linearise_ahead(ForceSweep& forces, const ClothModel& model, const ClothState& state,
+                                  const Points& dx, Real s, Points& f) {
     pinned_.clear();
     for (int p = 0; p < model.grid.particles(); ++p) {
         if (model.pinned(p)) pinned_.push_back(p);
     }
+    x_ = state.x + dx;
+    forces.compute(model, x_, state.v, f);
+    clear_pinned(f);
+    if (s * f.norm() <= max_momentum_change * model.particle_mass * state.v.norm()) {
+        jacobian_.linearise(model, x_, state.v);
+        return 1;
+    }
+    forces.compute(model, state.x, state.v, f);
+    jacobian_.linearise(model, state.x, state.v);
+    jacobian_.add_product(-1, 0, dx, f);
+    clear_pinned(f);
+    return 2;
 }
 
 void NewtonSystem::clear_pinned(Points& points) const {
@@ -156,10 +173,8 @@ SolveReport NewtonSystem::refine(ForceSweep& forces, const ClothModel& model, co
     };
     Real left = left_at(dv);
     for (int made = 1; made < newton_steps_; ++made) {
-        linearise(model, x_, v_);
-        SolveReport solved = report(solve(model, s, left_, step_));
-        solved.force_evaluations = 0;
-        all += solved;
+        jacobian_.linearise(model, x_, v_);
+        all += report(0, solve(model, s, left_, step_));
         const Real before = left;
         Real part = 1;
         do {
@@ -173,8 +188,8 @@ SolveReport NewtonSystem::refine(ForceSweep& forces, const ClothModel& model, co
     return all;
 }
 
-SolveReport NewtonSystem::report(const krylov::Outcome& solved) const {
-    return {.force_evaluations = 1,
+SolveReport NewtonSystem::report(int force_evaluations, const krylov::Outcome& solved) const {
+    return {.force_evaluations = force_evaluations,
             .iterations = solved.iterations,
             .residual = solved.residual,
             .tolerance = tolerance_,

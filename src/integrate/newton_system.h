@@ -34,11 +34,16 @@ public:
     /// Likewise multigrid.
     static bool keeps_multigrid(const Grid& grid, Hessian hessian);
 
-    /// Takes the Jacobians at a state.
-    void linearise(const ClothModel& model, const Points& x, const Points& v);
-
-    /// r += scale K u, pinned particles included: a hand that moves one pulls at its neighbours.
-    void add_stiffness(Real scale, const Points& u, Points& r) const { jacobian_.add_product(scale, 0, u, r); }
+    /// The force where a step leads with the velocities as they are, f(x + dx, v), and its Jacobians: a Newton step
+    /// from there is of second order, whatever the Hessian leaves out. Springs that vibrate faster than the step can
+    /// follow make it a bad place to begin at, which is seen by the force: it would change the momentum many times
+    /// over. Then the force is that of the start, to first order f(x, v) - K dx.
+    /// @param dx n x 3 [m], pinned particles included: a hand that moves one pulls at its neighbours
+    /// @param s as in `solve`
+    /// @param f n x 3 [N], overwritten; zero at pinned particles
+    /// @return how often forces were evaluated
+    int linearise_ahead(ForceSweep& forces, const ClothModel& model, const ClothState& state, const Points& dx, Real s,
+                        Points& f);
 
     /// @param s the weight of the new velocity in the step [s]
     /// @param r n x 3 [N s], set to zero at pinned particles
@@ -58,8 +63,8 @@ public:
     SolveReport refine(ForceSweep& forces, const ClothModel& model, const Points& x, const Points& v, Real s,
                        Real theta, Points& dv);
 
-    /// The report of a step of one force evaluation and this solve.
-    [[nodiscard]] SolveReport report(const krylov::Outcome& solved) const;
+    /// The report of a step of so many force evaluations and this solve.
+    [[nodiscard]] SolveReport report(int force_evaluations, const krylov::Outcome& solved) const;
 
 private:
     [[nodiscard]] bool is_stiff(const ClothModel& model, Real s) const;
@@ -75,11 +80,12 @@ private:
     std::unique_ptr<Multigrid> multigrid_;  ///< likewise
     std::vector<int> pinned_;
     Eigen::Array<Real, Eigen::Dynamic, 6> inverse_;  ///< xx, xy, xz, yy, yz, zz of each diagonal block's inverse
+    Points x_;                                       ///< where forces are taken, n x 3
     krylov::ConjugateGradients conjugate_gradients_;
     std::unique_ptr<krylov::BiCgStab> bicgstab_;
 
-    /// Of further Newton steps: what is left of the equations, a step, where it leads, and where the forces are taken
-    Points left_, step_, tried_, x_, v_;
+    /// Of further Newton steps: what is left of the equations, a step, where it leads, and its velocities
+    Points left_, step_, tried_, v_;
 };
 
 }  // namespace drape

@@ -4,6 +4,7 @@
 #include <array>
 #include <cmath>
 #include <limits>
+#include <utility>
 
 #include "drape/model/forces.h"
 #include "least_limit.h"
@@ -48,8 +49,10 @@ bool decides(IntegratorKind kind, const Mode& mode) {
 constexpr int window = 64;
 int pieces(int particles) { return (particles + window - 1) / window; }
 
-/// A piece of a cloth; what it hangs on is cut off, so that none of its vibrations is faster than the whole cloth's.
+/// A piece of a cloth, from a column and row on; what it hangs on is cut off, so that none of its vibrations is faster
+/// than the whole cloth's.
 struct Piece {
+    int column, row;
     ClothModel model;
     ClothState state;
 };
@@ -58,7 +61,7 @@ Piece cut_out(const ClothModel& model, const ClothState& state, int column, int 
     const auto start = [](int piece, int particles) { return piece * particles / pieces(particles); };
     const int i = start(column, model.grid.nx), j = start(row, model.grid.ny);
     const Grid grid{start(column + 1, model.grid.nx) - i, start(row + 1, model.grid.ny) - j};
-    Piece piece{model, {Points(grid.particles(), 3), Points(grid.particles(), 3)}};
+    Piece piece{i, j, model, {Points(grid.particles(), 3), Points(grid.particles(), 3)}};
     piece.model.grid = grid;
     piece.model.inverse_mass.resize(grid.particles());
     for (int r = 0; r < grid.ny; ++r) {
@@ -99,14 +102,15 @@ Piece critical_piece(const ClothModel& model, const ClothState& state, Kernels k
     return cut_out(model, state, critical[0], critical[1]);
 }
 
-StepLimit limit_of(const ClothModel& model, const ClothState& state, IntegratorKind kind, Kernels kernels) {
+LimitingMode mode_of(const ClothModel& model, const ClothState& state, IntegratorKind kind, Kernels kernels) {
     ModeSearch search(model, state, kernels);
-    const auto limit = least_limit(
+    LeastLimit limit = least_limit(
         search, static_cast<double>(model.drag / model.particle_mass),
         [kind](double k, double d) { return longest(kind, k, d); },
         [kind](const Mode& mode) { return decides(kind, mode); });
     const double omega = std::sqrt(limit.stiffness), zeta = omega > 0 ? limit.damping / (2 * omega) : 0;
-    return {static_cast<Real>(omega), static_cast<Real>(zeta), static_cast<Real>(limit.step), !limit.attained};
+    return {{static_cast<Real>(omega), static_cast<Real>(zeta), static_cast<Real>(limit.step), !limit.attained},
+            std::move(limit.shape)};
 }
 
 }  // namespace
@@ -123,9 +127,23 @@ StepLimit predicted_limit(const ClothModel& model, const ClothState& state, Inte
         const double step = flutters ? longest_of_midpoint(model, state) : std::numeric_limits<double>::infinity();
         return {.step = static_cast<Real>(step)};
     }
-    if (pieces(model.grid.nx) * pieces(model.grid.ny) == 1) return limit_of(model, state, kind, kernels);
+    if (pieces(model.grid.nx) * pieces(model.grid.ny) == 1) return mode_of(model, state, kind, kernels).limit;
     const Piece piece = critical_piece(model, state, kernels);
-    return limit_of(piece.model, piece.state, kind, kernels);
+    return mode_of(piece.model, piece.state, kind, kernels).limit;
+}
+
+LimitingMode limiting_mode(const ClothModel& model, const ClothState& state, IntegratorKind kind, Kernels kernels) {
+    if (!has_step_limit(kind)) return {predicted_limit(model, state, kind, kernels), {}};
+    if (pieces(model.grid.nx) * pieces(model.grid.ny) == 1) return mode_of(model, state, kind, kernels);
+    const Piece piece = critical_piece(model, state, kernels);
+    const LimitingMode of_piece = mode_of(piece.model, piece.state, kind, kernels);
+    LimitingMode mode{of_piece.limit, Points::Zero(model.grid.particles(), 3)};
+    const Grid& grid = piece.model.grid;
+    for (int r = 0; r < grid.ny && of_piece.shape.size() > 0; ++r) {
+        mode.shape.middleRows(model.grid.particle(piece.column, piece.row + r), grid.nx) =
+            of_piece.shape.middleRows(grid.particle(0, r), grid.nx);
+    }
+    return mode;
 }
 
 }  // namespace drape

@@ -6,12 +6,11 @@ namespace drape {
 namespace {
 
 /// One Newton step, or more (`newton_steps`), of x_{n+1} = x_n + h v_m, v_{n+1} = v_n + h a(x_m, v_m), with m at the
-/// part theta of the way from n to n+1: with s = theta h, (m I + s D + s^2 K) dv = h (f - s K v); x += h (v + theta
-/// dv); v += dv.
+/// part theta of the way from n to n+1: with s = theta h and f at x + s v, (m I + s D + s^2 K) dv = h f;
+/// x += h (v + theta dv); v += dv.
 ///
 /// Backward Euler, theta = 1, is of first order and damps what it cannot resolve. Implicit midpoint, theta = 1/2, is of
-/// second order with the exact Hessian and of first with the clamped one; it neither damps nor feeds a small
-/// oscillation.
+/// second order; it neither damps nor feeds a small oscillation.
 /// @cite baraff1998 @cite hairer2006
 class ThetaMethod final : public Integrator {
 public:
@@ -19,19 +18,18 @@ public:
         : theta_(parameters.kind == IntegratorKind::BackwardEuler ? Real(1) : Real(0.5)),
           forces_(grid, parameters.kernels),
           system_(grid, parameters),
+          dx_(grid.particles(), 3),
           r_(grid.particles(), 3),
           dv_(grid.particles(), 3) {}
 
     SolveReport step(const ClothModel& model, ClothState& state, Real h) override {
         const Real s = theta_ * h;
-        forces_.compute(model, state.x, state.v, r_);
-        system_.linearise(model, state.x, state.v);
-        system_.add_stiffness(-s, state.v, r_);
+        dx_ = s * state.v;
+        const int evaluations = system_.linearise_ahead(forces_, model, state, dx_, s, r_);
         r_ *= h;
-        const krylov::Outcome solved = system_.solve(model, s, r_, dv_);
-        SolveReport report = system_.report(solved);
+        SolveReport report = system_.report(evaluations, system_.solve(model, s, r_, dv_));
         if (system_.refines()) {
-            r_ = state.x + s * state.v;
+            r_ = state.x + dx_;
             report += system_.refine(forces_, model, r_, state.v, s, theta_, dv_);
         }
         state.x += h * (state.v + theta_ * dv_);
@@ -43,7 +41,7 @@ private:
     Real theta_;
     ForceSweep forces_;
     NewtonSystem system_;
-    Points r_, dv_;
+    Points dx_, r_, dv_;
 };
 
 }  // namespace

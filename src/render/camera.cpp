@@ -109,6 +109,18 @@ Ray Camera::ray(int x, int y, int width, int height) const {
     return {eye().cast<Real>(), direction.normalized().cast<Real>()};
 }
 
+bool Camera::sees(const Ball& ball, float aspect) const {
+    const Eigen::Matrix4f projection = projection_matrix(aspect);
+    const Eigen::Vector4f centre = view_matrix() * ball.centre.cast<float>().homogeneous();
+    const auto radius = static_cast<float>(ball.radius);
+    // By its distance from the planes through the eye and the picture's edges
+    const auto is_within = [&](int axis) {
+        const float slope = projection(axis, axis);
+        return slope * std::abs(centre[axis]) + centre.z() < radius * std::hypot(slope, 1.0f);
+    };
+    return is_within(0) && is_within(1);
+}
+
 command::Throw Camera::aimed_throw() const {
     constexpr float before = 0.5F, speed = 6, lift = 1.2F;  // m, m/s, and m/s up against what it falls on its way
     const Eigen::Vector3f sight = (target_ - eye()).normalized();

@@ -43,9 +43,10 @@ void differences(const ComparisonView* comparison, std::size_t cloth, float* val
     if (comparison != nullptr) std::ranges::copy(comparison->distances[cloth], values);
 }
 
-constexpr std::array<ColourScale, 7> scales{{
+constexpr std::array<ColourScale, 8> scales{{
     {ColourBy::Plain, 1, "", "", 1},
     {ColourBy::Strain, 1, "Strain", "%", 100},
+    {ColourBy::PrincipalStrain, 1, "Strain", "%", 100},
     {ColourBy::Speed, 1, "Speed", "m/s", 1},
     {ColourBy::Depth, 1, "Contact depth", "mm", 1000},
     {ColourBy::Level, 1, "Nodes of level", "", 1},
@@ -78,7 +79,7 @@ void ClothColours::collect_values(const FrameView& view) {
     std::size_t number = 0;
     for (const ClothView& cloth : view.cloths) {
         if (scale_.by == ColourBy::Difference) differences(view.comparison, number++, values);
-        if (scale_.by == ColourBy::Strain) strains(cloth, values);
+        if (scale_.by == ColourBy::Strain || scale_.by == ColourBy::PrincipalStrain) strains(cloth, values);
         if (scale_.by == ColourBy::Speed) speeds(cloth, values);
         if (scale_.by == ColourBy::Depth) depths(cloth, values);
         values += cloth.model.grid.particles();

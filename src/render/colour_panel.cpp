@@ -6,7 +6,6 @@
 #include <optional>
 #include <string>
 
-#include "contact_forces.h"
 #include "format_text.h"
 #include "overlay_style.h"
 
@@ -82,13 +81,14 @@ void colour_panel(const ColourScale& scale, int level, float taken, const Overla
     }
 }
 
-float force_panel(double full, float taken, const OverlayPage& page) {
+float line_panel(const std::string& title, std::span<const LineColour> colours, float taken, const OverlayPage& page) {
     const float row = ImGui::GetTextLineHeightWithSpacing(), size = ImGui::GetFontSize();
-    const auto line = begin_legend(format("force on cloth; longest: %g mN", 1e3 * full), 2.1f, taken, page);
+    const auto line = begin_legend(title, 2.1f, taken, page);
     if (!line) return 0;
-    constexpr std::array<const char*, hold_colours.size()> texts{"sticks", "slides", "no force"};
-    for (std::size_t k = 0; k < texts.size(); ++k) {
-        draw_swatch({line->x + 5 * size * static_cast<float>(k), line->y + 1.15f * row}, hold_colours[k], texts[k]);
+    const float column = legend_columns * size / static_cast<float>(colours.size());
+    for (std::size_t k = 0; k < colours.size(); ++k) {
+        const ImVec2 corner{line->x + column * static_cast<float>(k), line->y + 1.15f * row};
+        draw_swatch(corner, colours[k].colour, colours[k].text);
     }
     return 2.1f * row + 3 * page.margin;
 }

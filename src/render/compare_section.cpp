@@ -106,7 +106,7 @@ void CompareSection::draw(const FrameView& view, const Settings& scene, float wi
     ImGui::TextUnformatted("setting");
     ImGui::SetNextItemWidth(widget_width);
     if (auto chosen = editor_.edit(*row_)) row_->value = std::move(*chosen);
-    SettingEditor::explain(*row_->setting);
+    SettingEditor::explain(*row_);
     ImGui::SameLine();
     ImGui::TextUnformatted("in the other run");
 

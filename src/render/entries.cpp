@@ -17,6 +17,12 @@ void append_choices(std::vector<Entry>& entries, const std::string& menu, const 
         entries.push_back({menu, {}, choice, "set " + setting + "=" + choice});
 }
 
+// Of the entry's line in the help
+std::string heading_of(const Entry& entry) {
+    if (!entry.group.empty()) return entry.group;
+    return entry.menu.empty() ? "General" : entry.menu.substr(0, entry.menu.find('/'));
+}
+
 // Its name where its file cannot be read, which its choice tells of
 std::string title_of(const std::string& scene) {
     try {
@@ -54,21 +60,23 @@ std::string_view MenuMark::text(const Settings& settings, std::string_view scene
 
 std::vector<Entry> make_entries(const std::vector<std::string>& scenes) {
     std::vector<Entry> entries{
-        {"", {"Space", "P"}, "Pause / Resume", "pause"},
+        {"", {"Space", "P"}, "Pause / Resume", "pause", Manner::Once, {}, "Time"},
         {"Time", {"O", "."}, "Single step", "step 1"},
         {"Time", {"Shift+O"}, "Single frame of 1/60 s", "step 1", Manner::OneFrame},
         {"Time", {","}, "One step back", "step 1", Manner::StepBack, "One step back, 1/60 s back"},
         {"Time", {"<"}, "1/60 s back", "step 1", Manner::FrameBack, "One step back, 1/60 s back"},
-        {"", {"R"}, "Reset", "reset"},
-        {"", {"Shift+R"}, "Reset with a stable time step", "reset", Manner::SafeStep},
+        {"", {"R"}, "Reset", "reset", Manner::Once, {}, "Time"},
+        {"", {"Shift+R"}, "Reset with a stable time step", "reset", Manner::SafeStep, {}, "Time"},
     };
     for (std::size_t s = 0; s < scenes.size(); ++s) {
         std::vector<std::string> keys;
         if (s < 9) keys.push_back(std::to_string(s + 1));
         const bool fails = scenes[s].starts_with("fails_");
-        entries.push_back({fails ? "Failures" : "Scene", keys, title_of(scenes[s]), "scene " + scenes[s]});
+        entries.push_back({fails ? "Failures" : "Scene", keys, title_of(scenes[s]), "scene " + scenes[s], Manner::Once,
+                           "Scenes", "Scenes and tour"});
     }
-    entries.push_back({"Integrator", {"I"}, "Next integrator", "next solver.integrator"});
+    const char* methods = "Methods";
+    entries.push_back({"Integrator", {"I"}, "Next integrator", "next solver.integrator", Manner::Once, {}, methods});
     append_choices(entries, "Integrator", "solver.integrator");
     entries.push_back({"Integrator", {}, "Hessian clamped or exact", "next solver.hessian"});
     entries.push_back({"Integrator", {}, "Five iterations more", "add solver.iterations 5"});
@@ -80,16 +88,25 @@ std::vector<Entry> make_entries(const std::vector<std::string>& scenes) {
     entries.push_back({"Time step", {}, "Above the stability limit: warn", "set solver.on_unstable=warn"});
     entries.push_back({"Time step", {}, "Above the stability limit: substep", "set solver.on_unstable=substep"});
     entries.push_back({"Time step", {}, "Above the stability limit: quit", "set solver.on_unstable=stop"});
-    entries.push_back({"Hierarchy/Bounding volume", {"T"}, "Next bounding volume", "next contact.volume"});
+    entries.push_back(
+        {"Hierarchy/Bounding volume", {"T"}, "Next bounding volume", "next contact.volume", Manner::Once, {}, methods});
     append_choices(entries, "Hierarchy/Bounding volume", "contact.volume");
-    entries.push_back({"Hierarchy/Sphere fit", {"Y"}, "Next sphere fit", "next contact.sphere_fit"});
+    entries.push_back(
+        {"Hierarchy/Sphere fit", {"Y"}, "Next sphere fit", "next contact.sphere_fit", Manner::Once, {}, methods});
     append_choices(entries, "Hierarchy/Sphere fit", "contact.sphere_fit");
-    entries.push_back({"Hierarchy/BVH update policy", {"U"}, "Next BVH update policy", "next contact.update"});
+    entries.push_back({"Hierarchy/BVH update policy",
+                       {"U"},
+                       "Next BVH update policy",
+                       "next contact.update",
+                       Manner::Once,
+                       {},
+                       methods});
     append_choices(entries, "Hierarchy/BVH update policy", "contact.update");
     entries.push_back({"View/Colour by", {"J"}, "Colour the cloth by the next quantity", "next view.colour"});
     append_choices(entries, "View/Colour by", "view.colour");
     const auto compare = [&](const char* text, const char* scene, const char* change, const char* versus) {
-        entries.push_back({"Compare", {}, text, std::string("scene ") + scene, Manner::Compare, {}, {change, versus}});
+        entries.push_back(
+            {"Compare", {}, text, std::string("scene ") + scene, Manner::Compare, {}, {}, {change, versus}});
     };
     const char* fast =
         "contact.continuous=false,solver.dt=5e-3,solver.integrator=backward_euler,ball.velocity=0,1,60,view.speed=0.05";
@@ -100,6 +117,7 @@ std::vector<Entry> make_entries(const std::vector<std::string>& scenes) {
     compare("15 x 15 against 29 x 29 particles", "original", "cloth.particles=15,15", "cloth.particles=29,29");
     entries.push_back({"Compare", {}, "End of the comparison", "compare none"});
     const char *across = "Ball left, right", *along = "Ball away from you, towards you";
+    const char *panels = "Panels", *tour = "Tour: next, previous stop", *scenes_and_tour = "Scenes and tour";
     const std::vector<Entry> rest{
         {"Hierarchy/Leaf size", {}, "Auto", "set contact.leaf_cells=0"},
         {"Hierarchy/Leaf size", {}, "2 x 2 cells", "set contact.leaf_cells=2"},
@@ -121,10 +139,10 @@ std::vector<Entry> make_entries(const std::vector<std::string>& scenes) {
         {"View", {}, "Weave of the cloth", "next view.weave"},
         {"View", {}, "Smooth outlines", "next view.smooth"},
         {"View", {}, "Grid on the ground", "next view.grid"},
-        {"View", {"Tab"}, "Stats panel: compact, full, off", "next view.panel"},
-        {"View", {"M"}, "Settings panel", "next view.controls"},
-        {"View", {"Shift+K"}, "Plots of the last seconds", "next view.plots"},
-        {"View", {"K"}, "Energy balance", "next solver.ledger"},
+        {"View", {"Tab"}, "Stats panel: compact, full, off", "next view.panel", Manner::Once, {}, panels},
+        {"View", {"M"}, "Settings panel", "next view.controls", Manner::Once, {}, panels},
+        {"View", {"Shift+K"}, "Plots of the last seconds", "next view.plots", Manner::Once, {}, panels},
+        {"View", {"K"}, "Energy balance", "next solver.ledger", Manner::Once, {}, panels},
         {"View", {"F"}, "Frame the scene", "frame"},
         {"Ball", {"Left", "A"}, "Ball to the left", "steer -1 0 0", Manner::WhileHeld, across},
         {"Ball", {"Right", "D"}, "Ball to the right", "steer 1 0 0", Manner::WhileHeld, across},
@@ -134,16 +152,16 @@ std::vector<Entry> make_entries(const std::vector<std::string>& scenes) {
         {"Ball", {"PageDown", "Shift+Q"}, "Ball down", "steer 0 -1 0", Manner::WhileHeld, "Ball up, down"},
         {"Ball", {"X"}, "Throw the ball where you look", "throw 0 0 0 0 0 0", Manner::Aimed},
         {"Ball", {"Z"}, "Let the ball fall", "fall"},
-        {"", {"G"}, "Remove all pins", "set cloth.pinned=none"},
+        {"", {"G"}, "Remove all pins", "set cloth.pinned=none", Manner::Once, {}, "Cloth and wind"},
         {"Time", {"-"}, "Slower", "set view.speed=0.5", Manner::Slower, "Slower, faster"},
         {"Time", {"=", "+"}, "Faster", "set view.speed=2", Manner::Faster, "Slower, faster"},
-        {"", {"V"}, "Wind", "next wind.on"},
+        {"", {"V"}, "Wind", "next wind.on", Manner::Once, {}, "Cloth and wind"},
         {"", {"F12"}, "Save screenshot", "picture"},
         {"", {"Shift+F12"}, "Record video: start, end", "video"},
-        {"Tour", {"F1"}, "Tour: next stop", "scene hang", Manner::NextStop, "Tour: next, previous stop"},
-        {"Tour", {"F2"}, "Tour: previous stop", "scene hang", Manner::StopBefore, "Tour: next, previous stop"},
-        {"", {"/"}, "Search menu, settings and scenes", "quit", Manner::Search},
-        {"", {"H", "?"}, "Help", "next view.help"},
+        {"Tour", {"F1"}, "Tour: next stop", "scene hang", Manner::NextStop, tour, scenes_and_tour},
+        {"Tour", {"F2"}, "Tour: previous stop", "scene hang", Manner::StopBefore, tour, scenes_and_tour},
+        {"", {"/"}, "Search menu, settings and scenes", "quit", Manner::Search, {}, panels},
+        {"", {"H", "?"}, "Help", "next view.help", Manner::Once, {}, panels},
         {"", {"Esc", "Q"}, "Quit", "quit", Manner::Once, "Quit; Esc closes menu, list, help, settings and tour first"},
     };
     entries.insert(entries.end(), rest.begin(), rest.end());
@@ -165,7 +183,7 @@ std::vector<KeyHelp> first_hints() {
         {"Space", "Pause / Resume"},
         {"B", "Bounding volumes that the ball is tested against", ShownIn::ScenesWithBall},
         {"B", "Bounding volumes of the cloth", ShownIn::ScenesWithoutBall},
-        {"H, F1", "All keys; a tour of twelve stops"},
+        {"H, F1", "All keys; a tour of thirteen stops"},
     };
 }
 
@@ -186,23 +204,28 @@ std::string key_text(const Entry& entry) {
 }
 
 std::vector<KeyHelp> help_lines(const std::vector<Entry>& entries) {
-    std::vector<KeyHelp> lines{
-        {"Left drag", "Orbit the view; on the cloth: pull it"},
-        {"Middle or Shift+left drag", "Pan the view"},
-        {"Ctrl+click", "Pin or free a particle"},
-        {"Wheel", "Zoom"},
-        {"Right button", "Menu"},
-    };
+    std::vector<std::vector<KeyHelp>> groups{{{"", "Mouse"},
+                                              {"Left drag", "Orbit the view; on the cloth: pull it"},
+                                              {"Middle or Shift+left drag", "Pan the view"},
+                                              {"Ctrl+click", "Pin or free a particle"},
+                                              {"Wheel", "Zoom"},
+                                              {"Right button", "Menu"}}};
     for (const Entry& entry : entries) {
         if (entry.keys.empty()) continue;
-        const std::string text = entry.menu == "Scene" ? "Scenes" : entry.help.empty() ? entry.text : entry.help;
-        if (lines.back().text != text) {
-            const ShownIn where = entry.menu == "Ball" ? ShownIn::ScenesWithBall : ShownIn::AnyScene;
-            lines.push_back({entry.menu == "Scene" ? "1-9" : key_text(entry), text, where});
-        } else if (entry.menu != "Scene") {
-            lines.back().key += ", " + key_text(entry);
+        const ShownIn where = entry.menu == "Ball" ? ShownIn::ScenesWithBall : ShownIn::AnyScene;
+        const std::string heading = heading_of(entry), text = entry.help.empty() ? entry.text : entry.help;
+        const auto has_heading = [&](const std::vector<KeyHelp>& lines) { return lines.front().text == heading; };
+        auto group = std::ranges::find_if(groups, has_heading);
+        if (group == groups.end()) groups.push_back({{"", heading, where}}), group = groups.end() - 1;
+        const bool is_scene = entry.menu == "Scene";
+        if (group->back().text != text) {
+            group->push_back({is_scene ? "1-9" : key_text(entry), text, where});
+        } else if (!is_scene) {
+            group->back().key += ", " + key_text(entry);
         }
     }
+    std::vector<KeyHelp> lines;
+    for (const std::vector<KeyHelp>& group : groups) lines.insert(lines.end(), group.begin(), group.end());
     return lines;
 }
 

@@ -156,10 +156,11 @@ void add_rows_ahead(ReportGroup group, const FrameView& view, std::vector<Row>& 
     }
 }
 
-// Of what is at rest there is none
-std::string rate_text(const FrameView& view, const FrameReport& last) {
-    if (is_at_rest(view)) return view.paused ? "paused" : "asleep";
-    return format("%.1f", last.rate);
+// Of what is at rest there is no rate. Where the window draws fast, the picture says so
+Row rate_row(const FrameView& view, const FrameReport& last) {
+    if (is_at_rest(view)) return {"FPS", view.paused ? "paused" : "asleep", -1, 3};
+    const std::string rate = format("%.1f", last.rate);
+    return view.prefer_speed ? Row{"FPS", rate + ", coarse", -1, 3, ink::wait} : Row{"FPS", rate, -1, 3};
 }
 
 // Where energy went to and came from, while a ledger is kept
@@ -175,7 +176,7 @@ void add_balance_rows(const FrameView& view, std::vector<Row>& rows) {
 // What a glance takes in, and what the user has asked for
 void add_compact_rows(const FrameView& view, const FrameReport& last, std::vector<Row>& rows) {
     rows.push_back(state_row(view));
-    rows.push_back({"FPS", rate_text(view, last), -1, 3});
+    rows.push_back(rate_row(view, last));
     add_speed_row(view, rows);
     const StepReport& report = *view.report;
     const double ratio = report.step_limit_ratio;
@@ -206,7 +207,8 @@ void add_report_rows(const FrameView& view, std::vector<Row>& rows) {
 }
 
 void add_cost_rows(const FrameView& view, const FrameReport& last, std::vector<Row>& rows) {
-    rows.push_back({"FPS", rate_text(view, last), -1, 3, ink::text, true});
+    rows.push_back(rate_row(view, last));
+    rows.back().opens_group = true;
     rows.push_back({"CPU", format("%.0f %%", 100 * last.cpu), -1, 2});
     rows.push_back({"GL calls", grouped(last.gl_calls), -1, 2});
     rows.push_back({"vertices", grouped(last.vertices), -1, 2});

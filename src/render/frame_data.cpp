@@ -6,7 +6,9 @@
 #include <cmath>
 
 #include "cloth_colours.h"
+#include "drape/session/unstable_mode.h"
 #include "node_states.h"
+#include "principal_strain.h"
 
 namespace drape {
 
@@ -180,15 +182,11 @@ Eigen::Vector4f linear(const std::array<float, 3>& colour) {
     return {decoded(colour[0]), decoded(colour[1]), decoded(colour[2]), 1};
 }
 
-// The first particle that has diverged, and the other end of its spring, in the last good state
-std::array<Eigen::Vector4f, 2> failure_ends(const FrameView& view) {
+// Two particles that are marked; zero if there are none
+std::array<Eigen::Vector4f, 2> marked_ends(const FrameView& view, int cloth, const std::array<int, 2>& particles) {
     std::array<Eigen::Vector4f, 2> ends{Eigen::Vector4f::Zero(), Eigen::Vector4f::Zero()};
-    const FailureSpot& spot = view.report->failure;
-    if (view.report->status == Status::Ok || spot.cloth < 0 || spot.cloth >= static_cast<int>(view.cloths.size())) {
-        return ends;
-    }
-    const Points& x = view.cloths[static_cast<std::size_t>(spot.cloth)].x;
-    const int particles[] = {spot.particle, spot.other < 0 ? spot.particle : spot.other};
+    if (cloth < 0 || cloth >= static_cast<int>(view.cloths.size())) return ends;
+    const Points& x = view.cloths[static_cast<std::size_t>(cloth)].x;
     for (std::size_t end = 0; end < ends.size(); ++end) {
         if (particles[end] >= x.rows() || !x.row(particles[end]).allFinite()) return {ends[0] * 0, ends[1] * 0};
         ends[end] << x.row(particles[end]).transpose().cast<float>(), 1;
@@ -226,7 +224,10 @@ FrameData make_frame_data(const FrameView& view, const Camera& camera, const Pic
 
     const auto colour_of = [](const NodeLook& look) { return Eigen::Vector4f(look.colour.data()); };
     std::ranges::transform(node_looks, data.node_colours.begin(), colour_of);
-    data.node_colours.back() = {0.05f, 0.05f, 0.08f, 0.75f};
+    data.node_colours[6] = {0.05f, 0.05f, 0.08f, 0.75f};
+    std::ranges::transform(strain_colours, data.node_colours.begin() + 7, [](const std::array<float, 3>& colour) {
+        return Eigen::Vector4f(colour[0], colour[1], colour[2], 0.95f);
+    });
     // Their lines are a pixel wide; those that are magnified are fainter instead
     for (Eigen::Vector4f& colour : data.node_colours) colour.w() *= data.magnified.x();
     std::ranges::transform(value_colours, data.value_colours.begin(), linear);
@@ -236,7 +237,12 @@ FrameData make_frame_data(const FrameView& view, const Camera& camera, const Pic
     const bool woven = settings.weave && settings.fabric != Fabric::Plain;
     data.look = {groups, woven ? 1 : 0, settings.grid ? 1 : 0, 0};
     data.style = {static_cast<int>(settings.fabric), static_cast<int>(settings.palette), 0, 0};
-    data.failure = failure_ends(view);
+
+    // The first particle that has diverged, and the other end of its spring
+    const FailureSpot spot = view.report->status == Status::Ok ? FailureSpot{} : view.report->failure;
+    data.failure = marked_ends(view, spot.cloth, {spot.particle, spot.other < 0 ? spot.particle : spot.other});
+    data.mode_spring = view.mode == nullptr ? marked_ends(view, -1, {})
+                                            : marked_ends(view, static_cast<int>(view.mode->cloth), view.mode->spring);
 
     data.counts = {0, 0, 0, list_dark_balls(view, data.balls)};
     return data;

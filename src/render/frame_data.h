@@ -26,12 +26,13 @@ struct FrameData {
     Eigen::Vector4f magnified;  ///< x: how much smaller the scene is drawn than it is shown, in (0, 1]
     std::array<int, 4> counts;  ///< structural springs, shear springs, segments of a sphere's circle, balls that darken
     std::array<Eigen::Vector4f, most_balls> balls;  ///< centre, radius [m]
-    std::array<Eigen::Vector4f, 7> node_colours;    ///< of `node_looks`, and of the cloth that is compared
+    std::array<Eigen::Vector4f, 9> node_colours;    ///< by `NodeState`
     std::array<Eigen::Vector4f, 9> value_colours;   ///< linear
     std::array<Eigen::Vector4f, 4> group_colours;   ///< linear
-    std::array<int, 4> look;                 ///< groups: 1, sides: 2, else 0; the weave, the ground's grid: 1 or 0
-    std::array<Eigen::Vector4f, 2> failure;  ///< where a run has diverged, two ends [m]; w: 0 if not shown
-    std::array<int, 4> style;                ///< number of the fabric, number of the palette
+    std::array<int, 4> look;                     ///< groups: 1, sides: 2, else 0; the weave, the ground's grid: 1 or 0
+    std::array<Eigen::Vector4f, 2> failure;      ///< where a run has diverged, two ends [m]; w: 0 if not shown
+    std::array<Eigen::Vector4f, 2> mode_spring;  ///< likewise, of the unstable mode's spring
+    std::array<int, 4> style;                    ///< number of the fabric, number of the palette
 };
 
 /// A sphere around all cloths, balls and solids as they are drawn.

@@ -11,6 +11,7 @@ namespace {
 
 // In metres, as wide as such things are
 constexpr float rod_radius = 0.009f, pole_radius = 0.013f, bar_radius = 0.008f, cord_radius = 0.0015f;
+constexpr float jaw_radius = 0.01f, bolt_radius = 0.008f;
 constexpr float peg_radius = 0.007f, peg_length = 0.05f, ring_radius = 0.018f, ring_wire = 0.0025f;
 constexpr float stands_out = 0.06f;  // of a rod, beyond the row's ends
 constexpr float ring_distance = 0.1f;
@@ -43,6 +44,15 @@ struct Hanging {
             holders.push_back({at(first + k) + ring_radius * up, ring_wire, beyond.normalized(), ring_radius});
     }
 
+    // Two bars with the cloth between them, bolted at their ends, which face the opposite line's middle
+    void add_jaws(const Eigen::Vector3f& from, const Eigen::Vector3f& to, int middle) const {
+        const Eigen::Vector3f inwards = at(cloth.model.grid.particles() - 1 - middle) - at(middle);
+        const Eigen::Vector3f aside = jaw_radius * (to - from).cross(inwards).normalized();
+        add_rod(from + aside, to + aside, jaw_radius);
+        add_rod(from - aside, to - aside, jaw_radius);
+        for (const Eigen::Vector3f& end : {from, to}) add_rod(end - 2.2f * aside, end + 2.2f * aside, bolt_radius);
+    }
+
     // @return false unless all particles of a row or column are pinned
     [[nodiscard]] bool add_line(int first, int step, int count) const {
         for (int k = 0; k < count; ++k) {
@@ -56,6 +66,8 @@ struct Hanging {
             add_rod(tip, tip, 1.9f * pole_radius);
         } else if (upright && first == 0 && step == 1 && !moving) {
             add_rod_with_rings(first, count, beyond);
+        } else if (moving) {
+            add_jaws(from - beyond, to + beyond, first + count / 2 * step);
         } else {
             add_rod(from - beyond, to + beyond, bar_radius);
         }

@@ -19,8 +19,8 @@ struct Holder {
 constexpr float thinnest_caster = 0.0075f;
 
 /// What the pins of all cloths hang from. Of a cloth that starts upright, a rod with rings for the upper row and a pole
-/// for a side, where no pin moves; a bar for any other row or column; where none is pinned, pegs on cords for at most
-/// 16 particles.
+/// for a side, where no pin moves; jaws for any row or column where pins move, and a bar for another; where none is
+/// pinned, pegs on cords for at most 16 particles.
 /// @param holders receives them in place of what it has
 /// @par Cost O(particles), allocates for more holders than before
 void hang(const FrameView& view, std::vector<Holder>& holders);

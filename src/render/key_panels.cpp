@@ -10,10 +10,11 @@ namespace drape {
 
 namespace {
 
-constexpr float most_keys = 0.4f;   // of a column, for the keys
-constexpr float least_column = 22;  // that is readable [font size]
-constexpr float unwrapped = 1e6f;   // wider than any text [pixel]
-constexpr float columns_apart = 2;  // [margin]
+constexpr float most_keys = 0.4f;      // of a column, for the keys
+constexpr float least_column = 22;     // that is readable [font size]
+constexpr float unwrapped = 1e6f;      // wider than any text [pixel]
+constexpr float columns_apart = 2;     // [margin]
+constexpr float above_heading = 0.4f;  // that is free [row]
 
 KeyColumns columns_of(std::span<const KeyHelp> lines, float most_width) {
     KeyColumns columns{.gap = ImGui::GetFontSize()};
@@ -32,6 +33,7 @@ float text_height(const std::string& text, float width) {
 }
 
 float line_height(const KeyHelp& line, const KeyColumns& columns, float row) {
+    if (line.is_heading()) return above_heading * row + row;
     const float text = std::max(text_height(line.key, columns.keys), text_height(line.text, columns.texts));
     return std::max(row, text + row - ImGui::GetTextLineHeight());
 }
@@ -50,20 +52,31 @@ void wrapped_text(ImVec2 corner, float width, ImU32 colour, const std::string& t
 
 void draw_lines(std::span<const KeyHelp> lines, ImVec2 corner, const KeyColumns& columns, float row) {
     for (const KeyHelp& line : lines) {
-        wrapped_text(corner, columns.keys, ink::wait, line.key);
-        wrapped_text({corner.x + columns.keys + columns.gap, corner.y}, columns.texts, ink::text, line.text);
+        if (line.is_heading()) {
+            text_at({corner.x, corner.y + above_heading * row}, ink::quiet, line.text);
+        } else {
+            wrapped_text(corner, columns.keys, ink::wait, line.key);
+            wrapped_text({corner.x + columns.keys + columns.gap, corner.y}, columns.texts, ink::text, line.text);
+        }
         corner.y += line_height(line, columns, row);
     }
 }
 
-// Columns that are no higher than this, but for a line that is higher by itself
+// A group that begins here, of which a column has all; else one line
+std::span<const KeyHelp> kept_together(std::span<const KeyHelp> lines) {
+    std::size_t count = 1;
+    while (lines[0].is_heading() && count < lines.size() && !lines[count].is_heading()) ++count;
+    return lines.first(count);
+}
+
+// Columns that are no higher than this, but for a group or a line that is higher by itself
 HelpLayout filled_columns(std::span<const KeyHelp> lines, const KeyColumns& widths, float row, float height) {
     HelpLayout layout{widths, {0}, row, 0};
     float filled = 0;
     for (std::size_t k = 0; k < lines.size(); ++k) {
-        const float line = line_height(lines[k], widths, row);
-        if (filled > 0 && filled + line > height) layout.starts.push_back(k), filled = 0;
-        filled += line;
+        const float together = height_of(kept_together(lines.subspan(k)), widths, row);
+        if (filled > 0 && filled + together > height) layout.starts.push_back(k), filled = 0;
+        filled += line_height(lines[k], widths, row);
         layout.height = std::max(layout.height, filled);
     }
     return layout;

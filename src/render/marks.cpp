@@ -8,6 +8,7 @@
 #include "drape/model/stencils.h"
 #include "drape/session/comparison.h"
 #include "frame_data.h"
+#include "principal_strain.h"
 #include "solids.h"
 
 namespace drape {
@@ -74,6 +75,7 @@ void Marks::need(const FrameView& view, StreamBuffer& stream) {
     if (shown.bounds) collect_bounds(view);
     stream.need(Region::Contacts, static_cast<std::size_t>(contact_count_) * sizeof(ContactMark));
     collect_compared(view);
+    if (shown.colour == ColourBy::PrincipalStrain) append_strain_crosses(view, bounds_.edges);
     stream.need(Region::Spheres, bounds_.spheres.size() * sizeof(SphereMark));
     stream.need(Region::Edges, 2 * bounds_.edges.size() * sizeof(EdgeMark));
 }
@@ -193,7 +195,7 @@ void Marks::draw(bool failed) {
     if (failed) {
         failure_program_.use();
         gl_(glBindVertexArray, no_vertices_.name());
-        gl_.draw_arrays(GL_TRIANGLES, 12);
+        gl_.draw_arrays(GL_TRIANGLES, 18);
     }
 }
 

@@ -13,8 +13,8 @@
 namespace drape {
 
 /// What explains the picture: pins and what the hand holds; as far as the settings ask for them, particles and springs,
-/// contacts, bounds; a ring about the particle that has diverged first, and a thick line along the worst of its
-/// springs.
+/// contacts, bounds; a ring about the particle that has diverged first, a thick line along the worst of its
+/// springs, and one along the unstable mode's.
 class Marks {
 public:
     Marks(Gl& gl, StreamBuffer& stream);
@@ -59,7 +59,7 @@ private:
     VertexArray no_vertices_;  ///< core profile wants one, even where the shader makes the corners
     Buffer spring_indices_;
     std::vector<Grid> grids_;
-    Outlines bounds_;  ///< and structural springs and balls of the other simulation
+    Outlines bounds_;  ///< and structural springs and balls of the other simulation, and strains of cells
     ShownNodes nodes_;
     TouchedCells touched_;
     bool show_particles_ = false;

@@ -129,7 +129,7 @@ void MenuPanel::draw_row(std::size_t row, const FrameView& view) {
     std::string mark(item.mark.text(*view.settings, view.scene, view.paused));
     // Another scene may have come, without such a section
     if (item.setting != nullptr && section_count(*view.settings, *item.setting) > 0) {
-        mark = value_text(item.setting->read(*view.settings, 0)) + " " + item.setting->unit;
+        mark = shown_value(*item.setting, item.setting->read(*view.settings, 0));
     }
     write(end - mark_columns * size + size, ink::good, mark);
     write(end - text_width(item.keys), ink::wait, item.keys);

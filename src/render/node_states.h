@@ -1,7 +1,6 @@
 #pragma once
 
 #include <array>
-#include <cstdint>
 #include <span>
 #include <string_view>
 #include <vector>
@@ -12,8 +11,8 @@
 namespace drape {
 
 /// How a node is drawn: by what queries did with it, and whether anything in it touches. Cloth and balls that are
-/// compared are drawn likewise, in a colour of their own.
-enum class NodeState : std::uint8_t { Unvisited, Pruned, Visited, Leaf, FalseCandidate, Touching, Compared };
+/// compared are drawn likewise, in a colour of their own, and so are the strains of cells.
+enum class NodeState { Unvisited, Pruned, Visited, Leaf, FalseCandidate, Touching, Compared, Stretched, Compressed };
 
 /// What the legend says of a state, and the colour of both: red, green, blue, opacity.
 struct NodeLook {

@@ -7,7 +7,9 @@
 #include <utility>
 
 #include "contact_forces.h"
+#include "format_text.h"
 #include "panels.h"
+#include "principal_strain.h"
 
 namespace drape {
 
@@ -222,7 +224,7 @@ bool OverlayPanels::build(FrameView view, const Camera& camera, const FrameRepor
     const bool hinted = !hint.empty() && !showing_help;
     const bool nothing =
         !menu.is_open() && !showing_panel && !showing_help && notices.empty() && hint.empty() && !shown.controls;
-    const bool names_nodes = shown.bounds && hover_x >= 0;
+    const bool names_nodes = shown.bounds && hover_x >= 0 && !view.held;
     if (width < least_width || height < least_height ||
         (nothing && !shown.plots && !names_nodes && !showing_time && view.comparison == nullptr)) {
         settings.hide();
@@ -309,7 +311,15 @@ bool OverlayPanels::build(FrameView view, const Camera& camera, const FrameRepor
 void OverlayPanels::legends(const FrameView& view, float taken, OverlayPage page) {
     if (view.settings->view.bounds) page.height -= hierarchy_.draw(view, taken, page);
     if (const double full = view.settings->view.contacts ? full_force(view) : 0; full > 0) {
-        page.height -= force_panel(full, taken, page);
+        const std::array holds{LineColour{hold_colours[0], "sticks"}, LineColour{hold_colours[1], "slides"},
+                               LineColour{hold_colours[2], "no force"}};
+        page.height -= line_panel(format("force on cloth; longest: %g mN", 1e3 * full), holds, taken, page);
+    }
+    if (colours.by == ColourBy::PrincipalStrain) {
+        const std::array signs{LineColour{strain_colours[0], "stretched"}, LineColour{strain_colours[1], "compressed"}};
+        std::vector<Outlines::Edge> crosses;
+        const double full = append_strain_crosses(view, crosses);
+        page.height -= line_panel(format("strain of cells; longest: %g %%", full), signs, taken, page);
     }
     if (colours.by != ColourBy::Plain) colour_panel(colours, shown_level(view).level, taken, page);
 }

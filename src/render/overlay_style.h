@@ -13,6 +13,7 @@ namespace drape {
 namespace ink {
 inline constexpr ImU32 text = IM_COL32(238, 240, 243, 255);
 inline constexpr ImU32 quiet = IM_COL32(160, 168, 178, 255);
+inline constexpr ImU32 dim = IM_COL32(120, 127, 137, 255);
 inline constexpr ImU32 good = IM_COL32(112, 214, 160, 255);
 inline constexpr ImU32 wait = IM_COL32(255, 200, 87, 255);
 inline constexpr ImU32 bad = IM_COL32(255, 107, 94, 255);

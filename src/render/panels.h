@@ -1,5 +1,7 @@
 #pragma once
 
+#include <array>
+#include <span>
 #include <string>
 
 #include "cloth_colours.h"
@@ -39,9 +41,15 @@ float plots_panel(const PlotHistory& history, const OverlayPage& page);
 /// @param level whose nodes are shown
 void colour_panel(const ColourScale& scale, int level, float taken, const OverlayPage& page);
 
-/// Likewise for what arrows at contacts mean.
-/// @param full what one of full length stands for [N]
+/// What a colour of lines means.
+struct LineColour {
+    std::array<float, 3> colour;
+    const char* text;
+};
+
+/// Likewise for arrows at contacts, and for strains of cells.
+/// @param title with what a line of full length stands for
 /// @return the height that is taken at the bottom [pixel]
-float force_panel(double full, float taken, const OverlayPage& page);
+float line_panel(const std::string& title, std::span<const LineColour> colours, float taken, const OverlayPage& page);
 
 }  // namespace drape

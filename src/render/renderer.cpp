@@ -171,7 +171,7 @@ void Renderer::Parts::paint(const FrameView& view, DrawnFor use) {
     studio.draw_shadows();
 
     const ViewSettings& shown = view.settings->view;
-    const bool failed = data.failure[0].w() > 0;
+    const bool failed = data.failure[0].w() > 0 || data.mode_spring[0].w() > 0;
     const auto [wide, high] = target->drawn_size(is_fast(view));
     PictureBounds bounds(data.view_projection, wide, high);
     solids.add_to(bounds, stream);

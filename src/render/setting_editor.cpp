@@ -6,6 +6,7 @@
 #include <cmath>
 
 #include "drape/base/numbers.h"
+#include "format_text.h"
 #include "overlay_style.h"
 
 namespace drape {
@@ -25,6 +26,17 @@ double number_in(const std::optional<SettingValue>& value) {
 
 // Numbers that a user reads, and a recording keeps
 double rounded(double value) { return parse_real(real_text(value, 4)).value_or(value); }
+
+// Where the grab is not
+void number_beside_grab(const SettingRow& row, double number) {
+    const auto& word = row.setting->word;
+    const std::string text = word && number == word->value ? word->text : format(row.format.c_str(), number);
+    const auto& [low, high, logarithmic] = row.scale;
+    const double middle = logarithmic ? std::sqrt(low * high) : (low + high) / 2;
+    const ImVec2 from = ImGui::GetItemRectMin(), to = ImGui::GetItemRectMax(), pad = ImGui::GetStyle().FramePadding;
+    const float x = number > middle ? from.x + pad.x : to.x - pad.x - text_width(text);
+    ImGui::GetWindowDrawList()->AddText({x, from.y + pad.y}, ImGui::GetColorU32(ImGuiCol_Text), text.c_str());
+}
 
 }  // namespace
 
@@ -58,14 +70,18 @@ SettingRow make_setting_row(const Setting& setting, std::size_t number, const Se
                             : number_format(setting),
         .value = setting.read(settings, number),
         .of_the_scene = std::move(of_the_scene),
-        .scale = scale};
+        .scale = scale,
+        .no_effect = why_without_effect(setting, settings, number)};
 }
 
-void SettingEditor::explain(const Setting& setting) {
+void SettingEditor::explain(const SettingRow& row) {
     if (!ImGui::IsItemHovered() || ImGui::IsItemActive()) return;
     ImGui::BeginTooltip();
     ImGui::PushTextWrapPos(28 * ImGui::GetFontSize());
+    const Setting& setting = *row.setting;
     ImGui::TextUnformatted((setting.full_name() + ": " + setting.help).c_str());
+    if (!row.no_effect.empty())
+        ImGui::TextColored(ImGui::ColorConvertU32ToFloat4(ink::wait), "%s", row.no_effect.c_str());
     ImGui::PushStyleColor(ImGuiCol_Text, ink::quiet);
     ImGui::TextUnformatted(accepted(setting).c_str());
     ImGui::PopStyleColor();
@@ -113,8 +129,13 @@ std::optional<SettingValue> SettingEditor::number(const SettingRow& row) {
     const unsigned int widget = ImGui::GetID("##value");
     const bool is_held = held_widget_ == widget;
     double changed = is_held ? held_values_.front() : value;
+    // Dear ImGui would draw the number over the grab, but it draws what is typed
+    ImGui::PushStyleColor(ImGuiCol_Text, is_held ? ImGui::GetColorU32(ImGuiCol_Text) : 0);
     const bool moved = ImGui::SliderScalar("##value", ImGuiDataType_Double, &changed, &row.scale.low, &row.scale.high,
                                            row.format.c_str(), flags);
+    ImGui::PopStyleColor();
+    if (setting.kind == SettingKind::Integer) changed = std::round(changed);
+    if (!is_held) number_beside_grab(row, changed);
     const bool is_active = ImGui::IsItemActive();
     if (is_active && ImGui::GetIO().WantTextInput && !ImGui::IsMouseDown(ImGuiMouseButton_Left)) {
         // Half a number is none: what is typed counts once it is whole
@@ -125,7 +146,7 @@ std::optional<SettingValue> SettingEditor::number(const SettingRow& row) {
     }
     if (is_held) forget();
     if (!moved && !is_held) return std::nullopt;
-    changed = setting.kind == SettingKind::Integer ? std::round(changed) : rounded(changed);
+    if (setting.kind == SettingKind::Number) changed = rounded(changed);
     changed = std::clamp(changed, setting.range.low, setting.range.high);
     if (changed == value) return std::nullopt;
     return changed;

@@ -27,7 +27,8 @@ struct SettingRow {
     std::string label, format;
     SettingValue value;
     std::optional<SettingValue> of_the_scene;
-    SliderScale scale;  ///< of a number
+    SliderScale scale;           ///< of a number
+    std::string no_effect = {};  ///< why it changes nothing now; empty if it does
 };
 
 /// @param number of the cloth, ball, solid or pins; those of `settings` have it, those of `scene` may not
@@ -42,8 +43,8 @@ public:
     /// @return the value that the user has chosen in this frame
     std::optional<SettingValue> edit(const SettingRow& row);
 
-    /// Says under the pointer what the last item's setting is and accepts.
-    static void explain(const Setting& setting);
+    /// Says under the pointer what the last item's setting is and accepts, and why it has no effect.
+    static void explain(const SettingRow& row);
 
     /// Begins a list of names, which `end_list` ends if it is open.
     bool begin_list(const char* label, const char* shown);

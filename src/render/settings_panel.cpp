@@ -125,12 +125,21 @@ void SettingsPanel::draw_row(const Row& row) {
         ImGui::GetWindowDrawList()->AddRectFilled({window.left, at.y}, far, ink::lit);
         if (std::exchange(seeks_, false)) ImGui::SetScrollHereY();
     }
+    // Without an effect it is dim, and can be set all the same
+    const auto dim = [&row] {
+        for (const ImGuiCol part : {ImGuiCol_Text, ImGuiCol_SliderGrab, ImGuiCol_CheckMark})
+            ImGui::PushStyleColor(part, row.no_effect.empty() ? ImGui::GetColorU32(part) : ink::dim);
+    };
+    dim();
     ImGui::SetNextItemWidth(widget_width());
     if (const auto chosen = editor_.edit(row)) changes_.push_back(row.name + "=" + value_text(*chosen));
-    SettingEditor::explain(*row.setting);
+    ImGui::PopStyleColor(3);
+    SettingEditor::explain(row);
     ImGui::SameLine();
+    dim();
     ImGui::TextUnformatted(row.label.c_str());
-    SettingEditor::explain(*row.setting);
+    ImGui::PopStyleColor(3);
+    SettingEditor::explain(row);
 
     if (row.of_the_scene && *row.of_the_scene != row.value) {
         ImGui::SameLine(window.width - 4.5f * ImGui::GetFontSize());

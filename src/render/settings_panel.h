@@ -17,9 +17,9 @@ namespace drape {
 bool has_panel_row(const Setting& setting);
 
 /// The panel of every setting at the right, made from the table of settings, with Dear ImGui's widgets: a slider, a box
-/// or a list each, the help under the pointer, and a button back to the scene's value. Of several cloths, balls, solids
-/// or pins it has one at a time, with buttons to the others. Where the method is another one than the scene's, it
-/// offers a time step that suits it. It changes nothing by itself.
+/// or a list each, the help under the pointer, and a button back to the scene's value. A row without effect is dim, and
+/// its help says why. Of several cloths, balls, solids or pins it has one at a time, with buttons to the others. Where
+/// the method is another one than the scene's, it offers a time step that suits it. It changes nothing by itself.
 class SettingsPanel {
 public:
     static constexpr float columns = 27;  ///< of the width, where there is room [font size]

@@ -139,7 +139,8 @@ private:
                 names.push_back(setting.full_name());
             }
         }
-        fail(node, "unknown key '" + shortened(name) + "': did you mean '" + nearest_name(name, names) + "'?");
+        fail(node,
+             "unknown key '" + shortened(name) + "'" + did_you_mean(name, names, ": drape-lab list settings has all"));
     }
 
     [[noreturn]] void fail(const toml::node& node, const std::string& message) const {
@@ -187,7 +188,7 @@ std::filesystem::path scene_file(const std::string& name_or_path) {
     const auto names = scene_names();
     if (std::ranges::find(names, name_or_path) == names.end()) {
         throw InputError("scene '" + shortened(name_or_path) + "': allowed " + listed(names) +
-                         ", or the path of a .toml file; did you mean '" + nearest_name(name_or_path, names) + "'?");
+                         ", or the path of a .toml file" + did_you_mean(name_or_path, names));
     }
     return find_resource("scenes/" + name_or_path + ".toml");
 }

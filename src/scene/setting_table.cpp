@@ -103,6 +103,7 @@ void add_cloth(std::vector<Setting>& table) {
     rows.add("drag", &ClothParameters::drag, "N s/m", {0, 1e3}, "b of the air drag -b v, per particle");
     rows.add("stretch_limit", &ClothParameters::stretch_limit, "", {0, 10},
              "largest stretch of a structural spring, of its rest length; 0: none");
+    table.back().word = {0, "none"};
 }
 
 void add_ball(std::vector<Setting>& table) {
@@ -189,6 +190,7 @@ void add_the_rest(std::vector<Setting>& table) {
                "of backward_euler, implicit_midpoint and bdf2: what a solve may leave, of its right side (0: 1e-4, of "
                "implicit_midpoint 1e-6, with the exact Hessian 1e-8); of dormand_prince: error of an inner step, of "
                "the cloth's spacing (0: 1e-6), of which at most 10000 are tried in a step");
+    table.back().word = {0, "auto"};
     solver.add("threads", &SolverSettings::threads, "", {1, 64},
                "that share a step of the explicit methods, and the search where cloths touch; the motion is the same");
     solver.add("kernels", &SolverSettings::kernels,
@@ -202,6 +204,7 @@ void add_the_rest(std::vector<Setting>& table) {
         "program ends, warn and substep: the run is marked");
     solver.add("sleep_speed", &SolverSettings::sleep_speed, "m/s", {0, 1},
                "a scene that is slower for half a second falls asleep; 0: never");
+    table.back().word = {0, "never"};
 
     solver.add("ledger", &SolverSettings::ledger, "keep the balance of the energy, for panel and CSV");
     solver.add(
@@ -215,10 +218,14 @@ void add_the_rest(std::vector<Setting>& table) {
                 "how a sphere is put about particles, where the volume is one");
     contact.add("leaf_cells", &ContactSettings::leaf_cells, "", {0, 64},
                 "a leaf has at most this many cells squared; 0: 7 or 15, by size");
+    table.back().word = {0, "auto"};
     contact.add("search_level", &ContactSettings::search_level, "", {0, SearchLimit::all_levels},
                 "level at which a search ends, its nodes taken as spheres; 30: at the leaves");
+    table.back().word = {SearchLimit::all_levels, "unlimited"};
     contact.add("search_tests", &ContactSettings::search_tests, "", {0, 1e9},
                 "volume tests after which a search ends; 0: no end");
+    table.back().word = {0, "unlimited"};
+    table.back().usual_high = 1000;
     contact.add("response", &ContactSettings::response, "how contacts are answered");
     contact.add("friction", &ContactSettings::friction, "", {0, 10},
                 "Coulomb coefficient of balls, with cloth and each other, and of solids");
@@ -268,12 +275,13 @@ void add_the_rest(std::vector<Setting>& table) {
     view.add("bounds", &ViewSettings::bounds, "show the bounding volumes of a level");
     view.add("level", &ViewSettings::level, "", {0, 30},
              "of the hierarchy whose bounds are shown; 0 is the root, and past the finest are all");
+    table.back().word = {30, "all"};
     view.add("wireframe", &ViewSettings::wireframe, "show the triangles' edges");
     view.add("particles", &ViewSettings::particles, "show particles and springs");
     view.add("contacts", &ViewSettings::contacts, "show where cloth touches bodies, and with what force");
     view.add("colour", &ViewSettings::colour,
-             "what the cloth's colour says: nothing, strain, speed, contact depth, the node of the shown level, "
-             "side, difference from what is compared");
+             "what the cloth's colour says: nothing, strain, the same with its principal directions, speed, contact "
+             "depth, the node of the shown level, side, difference from what is compared");
     view.add("weave", &ViewSettings::weave, "show the cloth's weave, which stretches with it");
     view.add("smooth", &ViewSettings::smooth, "draw the cloth's outline as curves through its particles");
     view.add("grid", &ViewSettings::grid,
@@ -287,6 +295,7 @@ void add_the_rest(std::vector<Setting>& table) {
              "simulated seconds in a second at the window: 1 is real time, less is slow motion");
     view.add("repeat", &ViewSettings::repeat, "s", {0, 10},
              "time at which the window begins the scene again, once, ten times as slow; 0: never");
+    table.back().word = {0, "never"};
     view.add("fabric", &ViewSettings::fabric, "what the cloth looks like; plain: one colour in simple light");
     view.add("palette", &ViewSettings::palette, "colours of cloths, ground and wall");
 

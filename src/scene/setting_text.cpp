@@ -168,6 +168,7 @@ SettingValue parse_value(const Setting& setting, std::string_view text) {
         auto list = parse_list(word);
         return list ? SettingValue(*std::move(list)) : refuse();
     }
+    if (setting.word && word == setting.word->text) return setting.word->value;
     const auto number = parse_real(word);
     return number ? SettingValue(*number) : refuse();
 }
@@ -179,6 +180,12 @@ std::string value_text(const SettingValue& value) {
     std::string joined = "[";
     for (const double number : std::get<Values>(value)) joined += (joined.size() > 1 ? ", " : "") + real_text(number);
     return joined + "]";
+}
+
+std::string shown_value(const Setting& setting, const SettingValue& value) {
+    if (const bool* flag = std::get_if<bool>(&value)) return *flag ? "on" : "off";
+    if (setting.word && value == SettingValue(setting.word->value)) return setting.word->text;
+    return value_text(value) + (setting.unit.empty() ? "" : " " + setting.unit);
 }
 
 const Setting& find_setting(std::string_view name) {
@@ -197,7 +204,8 @@ const Setting& find_setting(std::string_view name) {
     if (endings.size() == 1) return *found;
     const std::string shown = shortened(name);
     if (endings.size() > 1) throw InputError("setting '" + shown + "' is ambiguous: say " + listed(endings));
-    throw InputError("unknown setting '" + shown + "': did you mean '" + nearest_name(name, names) + "'?");
+    throw InputError("unknown setting '" + shown + "'" +
+                     did_you_mean(name, names, ": drape-lab list settings has all"));
 }
 
 Settings settings_with_one_of_each() {
@@ -215,7 +223,9 @@ std::string settings_help() {
         std::string left = "  " + setting.full_name() + " = " + value_text(setting.read(defaults, 0));
         if (!setting.unit.empty()) left += " [" + setting.unit + "]";
         left.resize(std::max<std::size_t>(left.size() + 2, 46), ' ');
-        text += left + setting.help + "; " + accepted(setting) + "\n";
+        text += left + setting.help + "; " + accepted(setting);
+        if (setting.word) text += ", or " + setting.word->text;
+        text += "\n";
     }
     return text;
 }

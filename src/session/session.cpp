@@ -202,6 +202,7 @@ Timeline Session::timeline() const {
 
 FrameView Session::view() {
     FrameView view = simulation_.view(blend());
+    if (swings()) swing_->show(view);
     if (!comparison_) return view;
     compared_ = comparison_->view(simulation_);
     view.comparison = &compared_;
@@ -265,6 +266,18 @@ void Session::say_cut() {
     replay_notice_ += (replay_notice_.empty() ? "" : "; ") + std::exchange(replay_.notice, {});
 }
 
+/// From the last moment of this run that is kept and calm, or from its start.
+void Session::start_swing() {
+    const std::int64_t steps_before = steps_made_ - simulation_.report().step;
+    const History::Moment* moment = history_->before(steps_made_);
+    while (moment != nullptr && !is_calm(moment->simulation)) moment = history_->before(moment->step - 1);
+    const bool is_of_this_run = moment != nullptr && moment->step - moment->simulation.report().step == steps_before;
+    Simulation before = is_of_this_run ? moment->simulation : simulation_;
+    if (!is_of_this_run) before.apply(command::Reset{});
+    swing_.reset();
+    if (auto mode = find_unstable_mode(simulation_, before)) swing_.emplace(std::move(*mode), std::move(before));
+}
+
 void Session::step() {
     const bool is_new = steps_made_ >= newest_, was_over = simulation_.report().status != Status::Ok;
     if (is_new) step_times_.pass(steps_made_, was_over ? 0 : dt());
@@ -273,6 +286,7 @@ void Session::step() {
     simulation_.step();
     if (is_new && simulation_.report().crossing.starts > dangers) ++crossing_dangers_;
     if (comparison_) comparison_->follow(simulation_);
+    if (history_ && !was_over && simulation_.report().status == Status::Diverged) start_swing();
     ++steps_made_;
     if (is_new && recorder_ && steps_made_ % hash_interval == 0) {
         recorder_->write_hash(steps_made_, simulation_.hash());
@@ -293,6 +307,7 @@ void Session::step() {
 
 void Session::advance(double elapsed, double budget) {
     const Stopwatch watch;
+    if (swings()) swing_->pass(elapsed);
     if (target_) {
         while (steps_made_ < *target_ && watch.seconds() < budget) step();
         if (steps_made_ >= *target_) target_.reset();

@@ -100,7 +100,14 @@ Session make_session(Start start, const std::string& record) {
     const std::vector<std::string> changes = loads ? std::exchange(start.assignments, {}) : std::vector<std::string>();
     if (!record.empty()) session.record(record, start.assignments, start.load);
     for (const std::string& change : changes) session.send(command::Set{change});
-    if (!start.versus.empty()) blame("--versus", [&] { session.send(command::Compare{start.versus}); });
+    if (!start.versus.empty()) {
+        blame("--versus", [&] { session.send(command::Compare{start.versus}); });
+        // A colour that was asked for stays
+        for (const std::string& change : start.assignments) {
+            const Setting& setting = setting_meant_by(change.substr(0, change.find('=')));
+            if (&setting == &find_setting("view.colour")) session.send(command::Set{change});
+        }
+    }
     if (start.replay) session.replay(std::move(*start.replay));
     return session;
 }

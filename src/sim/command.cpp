@@ -189,7 +189,7 @@ Command parse_command(std::string_view text) {
         return true;
     });
     if (found) return *std::move(found);
-    throw InputError("unknown command '" + shortened(name) + "': did you mean '" + nearest_name(name, names) + "'?");
+    throw InputError("unknown command '" + shortened(name) + "'" + did_you_mean(name, names));
 }
 
 std::string_view setting_of(const Command& command) {

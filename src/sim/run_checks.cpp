@@ -47,8 +47,7 @@ void add_spring(const ClothModel& model, const Points& x, Divergence& found) {
         if (springs.law == SpringLaw{} || !(off > worst)) return;
         worst = off;
         found.other = other;
-        const std::string kind = springs.structural() ? "structural" : springs.di * springs.dj == 0 ? "bend" : "shear";
-        text = ", its " + kind + " spring to " + std::to_string(other) +
+        text = ", its " + std::string(springs.kind()) + " spring to " + std::to_string(other) +
                (std::isfinite(ratio) ? " at " + real_text(static_cast<double>(ratio), 3) + " x its rest length" : "");
     });
     found.clause += text;

@@ -28,6 +28,8 @@ TEST(Outcome, SaysWhyAKeyShowsNothing) {
     Simulation simulation("drop", load_scene("drop"));
     EXPECT_THAT(after(simulation, "add view.level 1"), HasSubstr("B shows it"));
     EXPECT_THAT(after(simulation, "next solver.hessian"), HasSubstr("no effect with symplectic_euler"));
+    EXPECT_THAT(after(simulation, "add solver.iterations 5"), HasSubstr("no effect with symplectic_euler"));
+    EXPECT_THAT(after(simulation, "set ball.mass=2"), HasSubstr("no effect while the ball's motion is still"));
     simulation.apply(parse_command("set contact.volume=aabb"));
     EXPECT_THAT(after(simulation, "next contact.sphere_fit"), HasSubstr("no effect while the bounding volume is aabb"));
     EXPECT_EQ(after(simulation, "next solver.ledger").find("Tab"), std::string::npos) << "the panel shows it";

@@ -7,14 +7,14 @@
 namespace drape {
 namespace {
 
-TEST(NearestName, HasTheFewestEdits) {
+TEST(DidYouMean, OffersTheNameWithTheFewestEditsIfItIsNear) {
     const std::vector<std::string> names{"integrator", "dt", "velocity_verlet", "cat", "bat"};
-    EXPECT_EQ(nearest_name("intergator", names), "integrator");
-    EXPECT_EQ(nearest_name("Dt", names), "dt");
-    EXPECT_EQ(nearest_name("", names), "dt");
-    EXPECT_EQ(nearest_name("hat", names), "cat") << "the first of two that are equally near";
-    EXPECT_EQ(nearest_name("velocity_verlet" + std::string(1'000'000, 'x'), names), "velocity_verlet");
-    EXPECT_EQ(nearest_name("dt", {}), "");
+    EXPECT_EQ(did_you_mean("intergator", names), ": did you mean 'integrator'?");
+    EXPECT_EQ(did_you_mean("Dt", names), ": did you mean 'dt'?");
+    EXPECT_EQ(did_you_mean("hat", names), ": did you mean 'cat'?") << "the first of two that are equally near";
+    EXPECT_EQ(did_you_mean("velocity_sweden", names, "!"), "!") << "more than three edits";
+    EXPECT_EQ(did_you_mean("cow", names), "") << "two edits of three letters";
+    for (const std::string& far : {std::string(), std::string(1'000'000, 'x')}) EXPECT_EQ(did_you_mean(far, names), "");
 }
 
 TEST(ListedNames, ReadAsASentence) {

@@ -36,12 +36,13 @@ do for [k = 1:3] {
     last(k + 3, is('method', word(bullet, k)), column('error_percent'), column('cost_s_per_s'))) nooutput
 }
 stats table using (column('step_ms') < 0.01 ? further(7, column('error_percent'), column('cost_s_per_s')) : 0) nooutput
-eval frame(65, 20, 55, 70)
+eval frame(75, 20, 55, 70)
 set logscale xy
 set format xy '%g'
 set xlabel 'error [% of the side]'
 set ylabel 'CPU time per simulated second [s]'
-set xrange [0.0001:500]
+set xrange [0.00015:500]
+set yrange [0.0003:30]
 if (end_x[7] == end_x[7]) { set label 7 sprintf('steps of %.0f us', 1e3 * shortest) at end_x[7], end_y[7] left offset 1.1,0 tc rgb green }
 eval spread(0.2)
 do for [k = 1:3] {

@@ -92,6 +92,17 @@ TEST(Camera, FrameBringsEverythingIntoThePicture) {
     }
 }
 
+TEST(Camera, SeesABallUntilAllOfItIsOutOfThePicture) {
+    const Camera camera(looking({0, 0, 3}, {0, 0, 0}));
+    const auto sees = [&](const Vec3& centre, float aspect) { return camera.sees({centre, Real(0.2)}, aspect); };
+    const Real edge = Real(1.033);  // 3 m times the tangent of half of the field of view
+    EXPECT_TRUE(sees({edge + Real(0.19), 0, 0}, 1));
+    EXPECT_FALSE(sees({edge + Real(0.22), 0, 0}, 1));
+    EXPECT_TRUE(sees({edge + Real(0.22), 0, 0}, 2)) << "a wider picture";
+    EXPECT_FALSE(sees({0, -edge - Real(0.22), 0}, 2));
+    EXPECT_FALSE(sees({0, 0, 6}, 1)) << "behind";
+}
+
 Camera turned(double yaw, double pitch, double factor) {
     Camera camera(looking({0, 1, 3}, {0, 0, 0}));
     camera.apply(command::Orbit{yaw, pitch}, {});

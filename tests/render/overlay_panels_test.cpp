@@ -135,6 +135,21 @@ TEST_F(PanelBoxes, SpeakOfABallOnlyWhereThereIsOne) {
     EXPECT_GT(height(false), of_ten);
 }
 
+TEST_F(PanelBoxes, NameNoNodeWhileTheHandHoldsTheCloth) {
+    FrameView view = simulation_.view();
+    view.settings = &settings_;
+    std::size_t panels[2] = {0, 0};
+    for (const bool held : {false, true}) {
+        view.held = held;
+        panels_.hover_y = 240;
+        for (panels_.hover_x = 0; panels_.hover_x < 640; panels_.hover_x += 20) {
+            panels_.build(view, Camera(settings_.view), {}, {}, 640, 480);
+            panels[held] += panels_.boxes().size();
+        }
+    }
+    EXPECT_GT(panels[false], panels[true]);
+}
+
 TEST_F(PanelBoxes, AlwaysHaveTheTour) {
     settings_.view.panel = PanelSize::Full;
     settings_.view.bounds = false;

@@ -273,19 +273,5 @@ TEST(History, FinishesItsWayBeforeACommand) {
     EXPECT_EQ(traveller.session.timeline().newest, 150) << "not where the way had come to";
 }
 
-TEST(History, LeadsBackFromARunThatHasDiverged) {
-    Session session(Simulation("fails_rk4", load_scene("fails_rk4")));
-    session.keep_history({});
-    make_steps(session, 5000);
-    ASSERT_EQ(session.simulation().report().status, Status::Diverged);
-    const std::int64_t end = session.timeline().newest;
-    session.send(command::Pause{});
-    for (int k = 0; k < 100; ++k) session.advance(0.1, 0.01);
-    EXPECT_EQ(session.timeline().newest, end) << "nothing happens any more";
-    go_to(session, end - 2);
-    EXPECT_EQ(session.simulation().report().status, Status::Ok);
-    EXPECT_EQ(session.timeline().now, end - 2);
-}
-
 }  // namespace
 }  // namespace drape

@@ -152,16 +152,6 @@ TEST(Session, MakesTheStepsAskedForAndThenStandsStill) {
     EXPECT_EQ(session.simulation().steps_wanted(), 0) << "going on forgets them";
 }
 
-TEST(Session, DoesNotWaitForStepsOfALostCloth) {
-    Session session(small_simulation({"dt=0.1", "integrator=explicit_euler"}));
-    session.send(command::Step{1'000'000});
-    session.advance(1, unlimited);
-    EXPECT_EQ(session.simulation().report().status, Status::Diverged);
-    session.send(command::Step{1'000'000});
-    session.advance(1, unlimited);
-    EXPECT_EQ(session.simulation().steps_wanted(), 0);
-}
-
 TEST(RecordedSession, IsReplayedToTheSameBits) {
     const ScratchFile file("session.txt");
     Session live = small_session();

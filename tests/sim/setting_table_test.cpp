@@ -119,6 +119,16 @@ TEST(SettingTable, SaysWhatIsAcceptedInItsHelp) {
     EXPECT_THAT(help, HasSubstr("solver.dt = 2e-04 [s]"));
 }
 
+TEST(SettingTable, HasWordsForNumbersThatMeanMore) {
+    const Setting &level = find_setting("contact.search_level"), &sleep = find_setting("solver.sleep_speed");
+    EXPECT_EQ(parse_value(level, "unlimited"), SettingValue(30.0));
+    EXPECT_EQ(shown_value(level, 30.0), "unlimited");
+    EXPECT_EQ(shown_value(level, 3.0), "3");
+    EXPECT_EQ(shown_value(sleep, 0.0), "never");
+    EXPECT_EQ(shown_value(sleep, 0.5), "0.5 m/s");
+    EXPECT_THROW(parse_value(sleep, "unlimited"), InputError);
+}
+
 TEST(SettingTable, FindsAShortNameThatOnlyOneSettingHasAndNamesTheCandidatesOfOthers) {
     EXPECT_EQ(find_setting("dt").full_name(), "solver.dt");
     EXPECT_EQ(find_setting("structural.stiffness").full_name(), "cloth.structural.stiffness");

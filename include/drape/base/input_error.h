@@ -28,9 +28,10 @@ std::string one_line(std::string_view text);
 /// The beginning of a value that a message quotes; one that is longer than a hundred bytes ends in "...".
 std::string shortened(std::string_view value);
 
-/// The entry of `names` with the smallest edit distance to `name`; empty if `names` is empty.
+/// ": did you mean 'x'?" with the entry of `names` that has the smallest edit distance to `name`; `otherwise` where
+/// that is more than 3, or a third of the name, rounded up.
 /// @par Cost O(|names| * |name|^2)
-std::string nearest_name(std::string_view name, std::span<const std::string> names);
+std::string did_you_mean(std::string_view name, std::span<const std::string> names, std::string_view otherwise = "");
 
 /// "'a', 'b' or 'c'": `names` as a sentence lists them.
 std::string listed(std::span<const std::string> names);

@@ -45,7 +45,7 @@ struct IntegratorParameters {
 
 /// To what a method solves: a linear solve, as a part of its right side, or for Dormand-Prince the error of a step, as
 /// a part of the cloth's spacing. Backward Euler and BDF2 have 1e-4 of their own, far below the error of their step;
-/// implicit midpoint, which damps nothing, and Dormand-Prince 1e-6; the exact Hessian, which is of second order, 1e-8.
+/// implicit midpoint, which damps nothing, and Dormand-Prince 1e-6; the exact Hessian, which is for accuracy, 1e-8.
 /// Single precision has 1e-4. What the others are told has no meaning.
 Real tolerance_of(const IntegratorParameters& parameters);
 

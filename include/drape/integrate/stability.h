@@ -35,6 +35,17 @@ struct StepLimit {
 /// 0.5 s and more at 1024 x 1024; nothing for a method without a limit; allocates
 StepLimit predicted_limit(const ClothModel& model, const ClothState& state, IntegratorKind kind, Kernels kernels);
 
+/// A limit with the vibration that it is the limit of.
+struct LimitingMode {
+    StepLimit limit;
+    Points shape;  ///< n x 3 displacements of norm 1, exactly 0 at pins; empty for a method without a limit
+};
+
+/// The limit as `predicted_limit`, and the mode that grows first beyond it. Where the limit is flagged as `at_least`,
+/// that of all vibrations that were found which has the shortest limit by itself.
+/// @par Cost that of `predicted_limit`
+LimitingMode limiting_mode(const ClothModel& model, const ClothState& state, IntegratorKind kind, Kernels kernels);
+
 /// The longest stable step for x'' = -k x - d x'.
 ///
 /// Explicit Euler: d/k up to zeta = 1, then 2 over the faster of both decays. Symplectic Euler: 4 / (d + sqrt(d^2 + 4

@@ -26,8 +26,7 @@ inline constexpr auto enum_names<Hessian> = all_names<Hessian>("clamped", "exact
 ///
 /// `Clamped` takes max(T, 0) for T and drops the last, unsymmetric, term (as Baraff and Witkin do). The blocks of a
 /// spring of zero length are zero, as its force is. A triangle in the wind has the block g g' of `wind_resistance` in
-/// D, at each pair of its corners. How its force changes with its place is left out of K: methods of second order are
-/// of first order in it.
+/// D, at each pair of its corners. How its force changes with its place is left out of K.
 /// @cite baraff1998
 class Jacobian {
 public:

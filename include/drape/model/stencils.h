@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <string_view>
 
 #include "drape/model/cloth_model.h"
 
@@ -16,6 +17,11 @@ struct SpringStencil {
 
     /// Between neighbours.
     [[nodiscard]] bool structural() const { return di + dj == 1 && di * dj == 0; }
+
+    /// "structural", "shear" or "bend".
+    [[nodiscard]] std::string_view kind() const {
+        return structural() ? "structural" : di * dj == 0 ? "bend" : "shear";
+    }
 
     /// The rows that hold a first end, the first such column, and how many springs a row has.
     [[nodiscard]] int rows(const Grid& grid) const { return grid.ny - dj; }

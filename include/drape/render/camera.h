@@ -40,6 +40,10 @@ public:
     /// The ray through a pixel, (0, 0) at the top left.
     [[nodiscard]] Ray ray(int x, int y, int width, int height) const;
 
+    /// Whether a picture shows any of a ball, if nothing is before it.
+    /// @param aspect width over height of the picture
+    [[nodiscard]] bool sees(const Ball& ball, float aspect) const;
+
     /// A ball that flies from a point on the line of sight, before the viewer, about to where the line of sight leads.
     [[nodiscard]] command::Throw aimed_throw() const;
 

@@ -42,7 +42,8 @@ struct Entry {
     std::string text;               ///< as in the menu
     std::string command;            ///< in text form
     Manner manner = Manner::Once;
-    std::string help = {};  ///< of its line in the help, which it shares with the entries before it that have the same
+    std::string help = {};   ///< of its line in the help, which it shares with the entries before it that have the same
+    std::string group = {};  ///< of that line; empty: what the menu's path begins with, or "General"
     Pair pair = {};
 };
 
@@ -81,7 +82,8 @@ std::vector<KeyHelp> first_hints();
 /// What the hint panel says at a stop of the tour, counted from 0: what to see, what to try, what to read.
 std::vector<KeyHelp> tour_hint(std::size_t stop);
 
-/// The mouse's lines, then one for each entry with a key; the scenes share one.
+/// The lines of the help by groups, each after its heading: the mouse's, then one for each entry with a key; the scenes
+/// share one.
 std::vector<KeyHelp> help_lines(const std::vector<Entry>& entries);
 
 }  // namespace drape

@@ -44,11 +44,13 @@ inline constexpr std::array frame_fields{
 /// In which scenes a line is shown.
 enum class ShownIn { AnyScene, ScenesWithBall, ScenesWithoutBall };
 
-/// What a key does, for the panels of help and hints.
+/// What a key does, for the panels of help and hints; without a key, the heading of the lines after it.
 struct KeyHelp {
     std::string key;
     std::string text;
     ShownIn where = ShownIn::AnyScene;
+
+    [[nodiscard]] bool is_heading() const { return key.empty(); }
 };
 
 /// The pointer, as panels see it.

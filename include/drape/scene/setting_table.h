@@ -2,6 +2,7 @@
 
 #include <cstddef>
 #include <functional>
+#include <optional>
 #include <span>
 #include <string>
 #include <string_view>
@@ -41,6 +42,12 @@ struct Setting {
     double usual_high = 0;        ///< where a slider ends, if more is accepted than is of use; 0: see `slider_scale`
     bool full_name_only = false;  ///< its short name belongs to another setting that was there before
 
+    struct Word {
+        double value;
+        std::string text;
+    };
+    std::optional<Word> word = {};  ///< what one of its numbers means: 0 is "never"
+
     [[nodiscard]] std::string full_name() const { return section.empty() ? name : section + "." + name; }
 };
 
@@ -63,6 +70,11 @@ const Setting& setting_meant_by(std::string_view name);
 /// section ("structural stiffness"), or, of a section's switch, the section's name.
 std::string setting_label(const Setting& setting);
 
+/// Why a setting changes nothing now, for the user: "no effect with rk4"; empty if it does.
+/// @param number of the cloth, ball, solid or pins
+/// @pre the settings have it
+std::string why_without_effect(const Setting& setting, const Settings& settings, std::size_t number);
+
 /// What is accepted, as an error message says it: "1e-09 <= dt <= 0.1 s", "'rk4' or 'velocity_verlet'".
 std::string accepted(const Setting& setting);
 
@@ -70,12 +82,16 @@ std::string accepted(const Setting& setting);
 /// @return what is wrong, as "solver.dt = 5: allowed 1e-09 <= dt <= 0.1 s"; empty if nothing
 std::string refusal(const Setting& setting, const SettingValue& value);
 
-/// The value that a text stands for, unchecked but for its form. Lists are "1,2,3" or "[1, 2, 3]".
+/// The value that a text stands for, unchecked but for its form. Lists are "1,2,3" or "[1, 2, 3]"; a number may be its
+/// word.
 /// @throws InputError
 SettingValue parse_value(const Setting& setting, std::string_view text);
 
 /// The text that `parse_value` reads back.
 std::string value_text(const SettingValue& value);
+
+/// A value as panels and messages show it: "on", "2e-04 s", "never".
+std::string shown_value(const Setting& setting, const SettingValue& value);
 
 /// Applies "name=value". The name of a cloth's, ball's, solid's or pins' setting sets all of them, or one:
 /// "ball[1].radius" is the second.

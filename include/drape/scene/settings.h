@@ -145,8 +145,9 @@ inline constexpr auto enum_names<PanelSize> = all_names<PanelSize>("off", "compa
 
 /// What the colour of the cloth says.
 enum class ColourBy {
-    Plain,   ///< nothing but front and back
-    Strain,  ///< of the structural springs of a particle
+    Plain,            ///< nothing but front and back
+    Strain,           ///< of the structural springs of a particle
+    PrincipalStrain,  ///< the same, with the directions of the strain of cells
     Speed,
     Depth,      ///< of the contacts of a particle
     Level,      ///< the node of the shown level of the hierarchy
@@ -155,8 +156,8 @@ enum class ColourBy {
 };
 
 template <>
-inline constexpr auto enum_names<ColourBy> = all_names<ColourBy>("plain", "strain", "speed", "depth", "level", "side",
-                                                                 "difference");
+inline constexpr auto enum_names<ColourBy> = all_names<ColourBy>("plain", "strain", "principal_strain", "speed",
+                                                                 "depth", "level", "side", "difference");
 
 /// How much is spent on a picture.
 enum class PictureQuality {

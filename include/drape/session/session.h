@@ -14,6 +14,7 @@
 #include "drape/session/history.h"
 #include "drape/session/recording.h"
 #include "drape/session/step_times.h"
+#include "drape/session/unstable_mode.h"
 #include "drape/sim/simulation.h"
 
 namespace drape {
@@ -96,7 +97,13 @@ public:
     /// Between 0 and 1: how far the present lies beyond the last step.
     [[nodiscard]] Real blend() const;
 
+    /// A run that has diverged because of its step is seen as it was before, swinging in its unstable mode, where a
+    /// history is kept.
     [[nodiscard]] FrameView view();
+
+    /// Whether it is seen so now: it moves with the wall time that `advance` is told of, paused or not.
+    [[nodiscard]] bool swings() const { return swing_ && simulation_.report().status == Status::Diverged; }
+
     [[nodiscard]] Simulation& simulation() { return simulation_; }
 
     /// Simulated seconds of this run that were cut because the machine could not keep up or stood still; counted
@@ -132,6 +139,7 @@ private:
     void begin_history();
     void pass_moment();
     void arrive();
+    void start_swing();
     [[nodiscard]] bool is_redundant_release(const Command& command) const;
     [[nodiscard]] bool any_lies_ahead() const {
         return next_entry_ < end_of_log() || steps_made_ < std::max(newest_, last_step_);
@@ -151,6 +159,7 @@ private:
     StepTimes step_times_;  ///< of the new steps
     std::optional<Comparison> comparison_;
     ComparisonView compared_;                ///< as it was last viewed
+    std::optional<Swing> swing_;             ///< of the run that has diverged last, if its mode was found
     std::int64_t newest_ = 0;                ///< step that was reached
     std::optional<std::int64_t> idle_from_;  ///< step from which on nothing happened: the run had diverged
     std::int64_t last_step_ = 0;             ///< of the recording

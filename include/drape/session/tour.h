@@ -3,8 +3,9 @@
 #include <span>
 #include <string>
 #include <string_view>
+#include <vector>
 
-#include "drape/scene/settings.h"
+#include "drape/sim/command.h"
 
 namespace drape {
 
@@ -13,6 +14,7 @@ struct TourStop {
     std::string_view title;
     std::string_view scene;
     std::string_view changes;  ///< "name=value,name=value", see `split_assignments`
+    std::string_view versus;   ///< what it is compared with, likewise; empty: nothing
     std::string_view look;     ///< what to look at
     std::string_view try_it;   ///< what to do
     std::string_view file;     ///< that explains it
@@ -22,8 +24,8 @@ struct TourStop {
 /// The stops in their order.
 std::span<const TourStop> tour_stops();
 
-/// The scene of a stop with its changes.
-Settings settings_of(const TourStop& stop);
+/// What brings a session to a stop: its scene and its comparison, and no other one; then its changes.
+std::vector<Command> commands_of(const TourStop& stop);
 
 /// The tour as a page in Markdown, with the pictures that `drape-capture --tour` makes, in a folder `tour` beside it.
 std::string tour_page();

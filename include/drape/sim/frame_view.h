@@ -42,6 +42,7 @@ struct Timeline {
 };
 
 struct ComparisonView;
+struct UnstableMode;
 
 /// What a search of all cloths for all balls costs with the hierarchy and without it.
 struct SearchTimes {
@@ -68,6 +69,7 @@ struct FrameView {
     Timeline timeline = {};                      ///< of the session; where there is none to be shown, nothing
     const ComparisonView* comparison = nullptr;  ///< with another simulation; null: none
     TraversalStats pair_search = {};             ///< of cloth against cloth, while bounding volumes are shown
+    const UnstableMode* mode = nullptr;          ///< in which a run that has diverged swings; null: none
     const SearchTimes* search = nullptr;         ///< a measurement of about now; null: none was made
     bool prefer_speed = false;                   ///< to be drawn fast, where `view.quality` leaves it open
 };

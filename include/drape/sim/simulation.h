@@ -59,6 +59,9 @@ public:
     [[nodiscard]] const std::string& scene() const { return scene_; }
     [[nodiscard]] bool paused() const { return paused_; }
 
+    /// The number of the ball that the user moves, drops and throws; 0 where there is none.
+    [[nodiscard]] std::size_t users_ball() const { return users_ball_; }
+
     /// What the user should know before the next step: that it is longer than the limit of the method, or of the
     /// penalty; that cloth started crossed, or inside something. Empty if nothing.
     [[nodiscard]] std::string step_warning() const;

@@ -36,8 +36,7 @@ std::string fault_of(const CLI::App& app, const CLI::ParseError& error) {
             known.push_back(command->get_name());
         }
     }
-    const std::string nearest = nearest_name(word, known);
-    return "unexpected '" + shortened(word) + "'" + (nearest.empty() ? "" : ": did you mean '" + nearest + "'?");
+    return "unexpected '" + shortened(word) + "'" + did_you_mean(word, known);
 }
 
 /// Whether a word is an option of one of these: "--out", or "-h".

@@ -37,8 +37,8 @@ std::set<Knob> free_knobs(const Settings& scene) {
     for (std::string word; words >> word;) {
         const auto knob = value_named<Knob>(word);
         if (!knob) {
-            throw InputError("needs.keep: '" + shortened(word) + "': allowed " + listed(names) + "; did you mean '" +
-                             nearest_name(word, names) + "'?");
+            throw InputError("needs.keep: '" + shortened(word) + "': allowed " + listed(names) +
+                             did_you_mean(word, names));
         }
         knobs.erase(*knob);
     }

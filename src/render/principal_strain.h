@@ -1,0 +1,28 @@
+#pragma once
+
+#include <array>
+
+#include "drape/sim/frame_view.h"
+#include "outlines.h"
+
+namespace drape {
+
+/// Of stretched and of compressed directions, in sRGB: both are seen on `value_colours`.
+inline constexpr std::array<std::array<float, 3>, 2> strain_colours{{{0.95f, 0.30f, 0.05f}, {0.45f, 0.92f, 1.00f}}};
+
+/// The strain of a cell in its plane, in the two directions in which it is the least and the greatest.
+struct PrincipalStrain {
+    Vec3 centre;                     ///< [m]
+    std::array<Vec3, 2> directions;  ///< of length 1, along the cloth as it is drawn
+    std::array<Real, 2> strains;     ///< of these, of the length at rest; below 0: compressed
+};
+
+/// @param column, row of the cell
+PrincipalStrain principal_strain(const ClothView& cloth, Real blend, int column, int row);
+
+/// Appends a cross a cell, or one a block of cells of a fine grid: lines as long as the strains are large.
+/// @return what a line of full length stands for [%]: 1, 2 or 5 times a power of ten, no less than the largest strain
+/// @par Cost at most 256 cells a cloth
+double append_strain_crosses(const FrameView& view, std::vector<Outlines::Edge>& edges);
+
+}  // namespace drape

@@ -1,0 +1,38 @@
+#include "render/principal_strain.h"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cmath>
+
+namespace drape {
+namespace {
+
+/// A sheet of oblong cells, stretched by 4 % along a direction in its plane and compressed by 2 % across it.
+TEST(PrincipalStrain, OfAStretchedSheetHasTheStretchAndItsDirection) {
+    Settings settings;
+    settings.cloths[0].particles = {41, 24};
+    const ClothModel model = make_cloth_model(settings.cloths[0]);
+    const Vec3 along(std::cos(Real(0.5)), 0, std::sin(Real(0.5))), across(-along.z(), 0, along.x());
+    const Points rest = make_rest_state(settings.cloths[0]).x;
+    const Points x =
+        rest + Real(0.04) * rest * along * along.transpose() - Real(0.02) * rest * across * across.transpose();
+    const ClothView cloth{model, x, x, {}};
+    const PrincipalStrain cell = principal_strain(cloth, 1, 7, 3);
+    EXPECT_NEAR(cell.strains[0], -0.02, 1e-9);
+    EXPECT_NEAR(cell.strains[1], 0.04, 1e-9);
+    EXPECT_NEAR(std::abs(cell.directions[1].dot(along)), 1, 1e-9);
+    EXPECT_NEAR(std::abs(cell.directions[0].dot(across)), 1, 1e-9);
+
+    FrameView view;
+    view.cloths = {&cloth, 1};
+    std::vector<Outlines::Edge> edges;
+    EXPECT_EQ(append_strain_crosses(view, edges), 5) << "%";
+    EXPECT_EQ(edges.size(), 2 * 13 * 8) << "a cross for 3 x 3 cells";
+    EXPECT_EQ(edges[0].state, NodeState::Compressed);
+    EXPECT_EQ(edges[1].state, NodeState::Stretched);
+    EXPECT_NEAR((edges[1].to - edges[1].from).norm(), 0.9 * 3 * std::min(model.hx, model.hy) * 0.8, 1e-9);
+}
+
+}  // namespace
+}  // namespace drape
