@@ -38,7 +38,7 @@ do for [s = 1:words(scenes)] {
 eval headline(sprintf('Small leaves leave %.1f to %.0f %% of the false candidates of large ones, for %.0f to %.0f times the time', 100 * kept_least, \
   100 * kept_most, slower_least, slower_most), \
   (resampled ? '128 x 128 particles' : 'Scenes as they are').'. Each line from small leaves, on the left, to large ones; rebuilt in every frame but where merged')
-eval panels(1, words(scenes), 65, 15, 55, 110, 20, 0)
+eval panels(1, words(scenes), 74, 15, 55, 110, 20, 0)
 set logscale xy
 set format xy '%g'
 set xrange [x_low / 1.5:x_high * 1.6]

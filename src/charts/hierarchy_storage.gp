@@ -36,7 +36,7 @@ do for [k = 1:words(shown)] {
   if (end_x[k] == end_x[k]) { end_x[k] = x_high * 1.2 }
 }
 eval spread(gap_of(y_low / 1.3, y_high * 1.3, 285))
-eval panels(1, words(scenes), 65, 185, 55, 90, 20, 0)
+eval panels(1, words(scenes), 74, 185, 55, 90, 20, 0)
 set logscale xy
 set format xy '%g'
 set xtics (10, 100, 1000)

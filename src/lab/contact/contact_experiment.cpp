@@ -119,7 +119,8 @@ std::vector<Chart> contact_charts(const std::vector<TrialRow>& rows) {
              "contact",
              "Contacts that the reference has within a step and a run has not found, against the travel of the ball in "
              "a step, and the deepest that the response leaves the ball in the cloth, against CPU time: the longest "
-             "steps are on the left there. A ball that has gone through counts with its radius. The reference tests every triangle with a continuous search, at a step a hundred times smaller.",
+             "steps are on the left there. A ball that has gone through counts with its radius. The reference tests "
+             "every triangle with a continuous search, at a step a hundred times smaller.",
              {{"searches", in_words(shown)}, {"speeds", in_words(speeds)}}}};
 }
 

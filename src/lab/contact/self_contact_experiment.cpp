@@ -88,7 +88,8 @@ std::vector<Chart> self_contact_charts(const std::vector<SelfContactRow>& rows) 
     return {{"self_contact",
              "self_contact",
              "A sheet that is thrown at another, with impact zones or rejected steps as the fail-safe, and with none: "
-             "the steps that end with cloth across cloth, the error of the momentum that is passed on, and the tests of pairs, against the step. Rings mark runs in which "
+             "the steps that end with cloth across cloth, the error of the momentum that is passed on, and the tests "
+             "of pairs, against the step. Rings mark runs in which "
              "the search gave up.",
              {{"thicknesses", in_words(shown)}}}};
 }
