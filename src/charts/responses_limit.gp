@@ -19,9 +19,12 @@ stats table using (is('part', 'limit') ? (ratio_least = least(ratio_least, @meas
 eval forget
 stats table using (first(1, here(0), column('stiffness_N_per_m'), @measured)) nooutput
 stats table using (last(2, here(0), column('stiffness_N_per_m'), @measured)) nooutput
-power = log(end_y[2] / end_y[1]) / log(end_x[2] / end_x[1])
-eval headline(sprintf('The longest step of a penalty falls as k^{%.2g} , and is %.2g to %.2g times the predicted one', power, \
-  ratio_least, ratio_most), 'Marks: measured; lines: predicted, of a spring that also pulls')
+falls = 'The longest step of a penalty '
+if (end_x[2] > end_x[1]) {
+  falls = falls.sprintf('falls as k^{%.2g} , and ', log(end_y[2] / end_y[1]) / log(end_x[2] / end_x[1]))
+}
+eval headline(falls.sprintf('is %.2g to %.2g times the predicted one', ratio_least, ratio_most), \
+  'Marks: measured; lines: predicted, of a spring that also pulls')
 eval forget
 do for [k = 1:3] { stats table using (last(k, here(word(restitutions, k) + 0), column('stiffness_N_per_m'), @predicted)) nooutput }
 eval spread(0.16)

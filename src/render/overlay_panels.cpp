@@ -319,7 +319,7 @@ void OverlayPanels::legends(const FrameView& view, float taken, OverlayPage page
         const std::array signs{LineColour{strain_colours[0], "stretched"}, LineColour{strain_colours[1], "compressed"}};
         std::vector<Outlines::Edge> crosses;
         const double full = append_strain_crosses(view, crosses);
-        page.height -= line_panel(format("strain of cells; longest: %g %%", full), signs, taken, page);
+        page.height -= line_panel(format("strain of cells; longest: %g %% or more", full), signs, taken, page);
     }
     if (colours.by != ColourBy::Plain) colour_panel(colours, shown_level(view).level, taken, page);
 }

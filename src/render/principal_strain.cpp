@@ -30,8 +30,12 @@ PrincipalStrain principal_strain(const ClothView& cloth, Real blend, int column,
 
 double append_strain_crosses(const FrameView& view, std::vector<Outlines::Edge>& edges) {
     constexpr int crosses_in_row = 16;  // at most
-    Real largest = Real(1e-3);          // less is rounding
-    const auto first = static_cast<std::ptrdiff_t>(edges.size());
+    struct Line {
+        Vec3 centre, direction;
+        Real strain, room;
+    };
+    std::vector<Line> lines;
+    std::vector<Real> sizes{Real(1e-3)};  // less is rounding
     for (const ClothView& cloth : view.cloths) {
         const int columns = cloth.model.grid.cell_columns(), rows = cloth.model.grid.cell_rows();
         const int step = (std::max(columns, rows) + crosses_in_row - 1) / crosses_in_row;
@@ -40,20 +44,21 @@ double append_strain_crosses(const FrameView& view, std::vector<Outlines::Edge>&
             for (int column = std::min(step, columns) / 2; column < columns; column += step) {
                 const auto [centre, directions, strains] = principal_strain(cloth, view.blend, column, row);
                 for (std::size_t k = 0; k < 2; ++k) {
-                    largest = std::max(largest, std::abs(strains[k]));
-                    const NodeState state = strains[k] > 0 ? NodeState::Stretched : NodeState::Compressed;
-                    edges.push_back({centre, centre + room * std::abs(strains[k]) * directions[k], state});
+                    lines.push_back({centre, directions[k], strains[k], room});
+                    sizes.push_back(std::abs(strains[k]));
                 }
             }
         }
     }
 
-    // So far each goes from its centre, for a strain of 1
-    const double full = round_number_above(100 * static_cast<double>(largest));
-    for (auto edge = edges.begin() + first; edge != edges.end(); ++edge) {
-        const Vec3 arm = (edge->to - edge->from) * static_cast<Real>(50 / full);
-        edge->to = edge->from + arm;
-        edge->from -= arm;
+    // A corner by which all hangs would leave dots of the rest
+    const auto nearly_largest = sizes.begin() + static_cast<std::ptrdiff_t>(sizes.size() * 9 / 10);
+    std::ranges::nth_element(sizes, nearly_largest);
+    const double full = round_number_above(100 * std::max(static_cast<double>(*nearly_largest), 1e-3));
+    for (const auto& [centre, direction, strain, room] : lines) {
+        const double part = std::min(100 * std::abs(static_cast<double>(strain)) / full, 1.0);
+        const Vec3 arm = static_cast<Real>(part / 2) * room * direction;
+        edges.push_back({centre - arm, centre + arm, strain > 0 ? NodeState::Stretched : NodeState::Compressed});
     }
     return full;
 }

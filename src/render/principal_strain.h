@@ -21,7 +21,8 @@ struct PrincipalStrain {
 PrincipalStrain principal_strain(const ClothView& cloth, Real blend, int column, int row);
 
 /// Appends a cross a cell, or one a block of cells of a fine grid: lines as long as the strains are large.
-/// @return what a line of full length stands for [%]: 1, 2 or 5 times a power of ten, no less than the largest strain
+/// @return what a line of full length stands for, and no line is longer [%]: 1, 2 or 5 times a power of ten, no less
+/// than nine tenths of the strains
 /// @par Cost at most 256 cells a cloth
 double append_strain_crosses(const FrameView& view, std::vector<Outlines::Edge>& edges);
 
