@@ -21,13 +21,7 @@ using test::program;
 using test::read_file;
 using test::WindowTest;
 
-std::string last_line(const std::string& text) {
-    const std::size_t end = text.ends_with('\n') ? text.size() - 1 : text.size();
-    const std::size_t start = end == 0 ? std::string::npos : text.rfind('\n', end - 1);
-    return text.substr(start == std::string::npos ? 0 : start + 1, end - (start == std::string::npos ? 0 : start + 1));
-}
-
-bool closed(const std::string& recording) { return last_line(recording).ends_with(" end"); }
+bool closed(const std::string& recording) { return recording.ends_with(" end\n"); }
 
 TEST_F(WindowTest, SignalsAndTheWindowManagerEndIt) {
     for (const int signal : {SIGTERM, 0}) {

@@ -2,7 +2,6 @@
 
 #include <gmock/gmock.h>
 
-#include <algorithm>
 #include <csignal>
 #include <cstdlib>
 #include <fstream>
@@ -115,16 +114,14 @@ TEST_F(WindowVideoTest, DoesNotWaitForEverForOneThatIsStopped) {
 }
 
 // What ffprobe finds in a video: "640,480,12", width, height and frames.
-std::string contents(const std::string& video, const fs::path& folder) {
-    const fs::path place = folder / "probe";
-    fs::create_directory(place);
+std::string contents(const std::string& video) {
+    const ScratchFolder place;
     Process probe({"/usr/bin/env", "ffprobe", "-v", "error", "-count_frames", "-show_entries",
                    "stream=width,height,nb_read_frames", "-of", "csv=p=0", video},
-                  {}, place);
+                  {}, place.path());
     EXPECT_EQ(probe.wait(60), 0) << probe.standard_error();
     std::string text = probe.standard_output();
-    text.erase(std::remove(text.begin(), text.end(), '\n'), text.end());
-    fs::remove_all(place);
+    std::erase(text, '\n');
     return text;
 }
 
@@ -144,7 +141,7 @@ TEST_F(WindowTest, ShiftF12StartsAVideoAndEndsItAndAnotherSizeDoes) {
             desktop_.act({"windowsize", "--sync", window_, "500", "400"});
         }
         ASSERT_TRUE(eventually([&] { return fs::exists(file(name)); }));
-        EXPECT_THAT(contents(file(name), folder_), MatchesRegex("640,480,[0-9]+"));
+        EXPECT_THAT(contents(file(name)), MatchesRegex("640,480,[0-9]+"));
     }
     quit();
 }
@@ -160,7 +157,7 @@ TEST_F(WindowTest, TheEndOfTheProgramFinishesAVideo) {
         EXPECT_EQ(drape_->wait(60), signalled ? 128 + SIGTERM : 0);
         const std::string name = signalled ? "drape-0002.mp4" : "drape-0001.mp4";
         EXPECT_THAT(drape_->standard_error(), HasSubstr("drape: Video written: " + name));
-        EXPECT_THAT(contents(file(name), folder_), HasSubstr("640,480,"));
+        EXPECT_THAT(contents(file(name)), HasSubstr("640,480,"));
     }
 }
 

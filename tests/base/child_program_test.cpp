@@ -1,19 +1,14 @@
 #include "drape/base/child_program.h"
 
 #include <gtest/gtest.h>
-#include <unistd.h>
 
+#include <cerrno>
 #include <csignal>
-
-#include "support/process.h"
-#include "support/scratch_file.h"
 
 namespace drape {
 namespace {
 
 using Input = ChildProgram::Input;
-using test::read_file;
-using test::ScratchFile;
 
 TEST(ChildProgram, TellsHowItEnded) {
     EXPECT_EQ(run_child({"sh", "-c", "exit 7"}), 7);
@@ -37,22 +32,6 @@ TEST(ChildProgram, InheritsNoSignalThatIsBlockedOrIgnoredHere) {
     std::signal(SIGPIPE, pipe_before);
     std::signal(SIGXFSZ, size_before);
     pthread_sigmask(SIG_SETMASK, &before, nullptr);
-}
-
-TEST(ChildProgram, ReadsWhatItIsFed) {
-    const ScratchFile file("fed");
-    ChildProgram child({"sh", "-c", "cat > '" + file.name() + "'"}, Input::Fed);
-    ASSERT_EQ(write(child.feed(), "text", 4), 4);
-    child.end_feed();
-    EXPECT_EQ(child.wait(), 0);
-    EXPECT_EQ(read_file(file.name()), "text");
-}
-
-TEST(ChildProgram, IsKilledEvenIfItIsStopped) {
-    ChildProgram child({"sh", "-c", "kill -STOP $$"}, Input::Fed);
-    EXPECT_EQ(child.wait(0.05), std::nullopt);
-    child.kill();
-    EXPECT_EQ(child.wait(), 128 + SIGKILL);
 }
 
 }  // namespace

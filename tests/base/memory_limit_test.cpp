@@ -1,12 +1,9 @@
 #include "drape/base/memory_limit.h"
 
 #include <gtest/gtest.h>
-#include <sys/resource.h>
 
-#include <cstdlib>
 #include <fstream>
 
-#include "support/address_space.h"
 #include "support/scratch_folder.h"
 
 namespace drape {
@@ -18,20 +15,6 @@ TEST(MemoryLimit, IsAtMostWhatTheMachineHas) {
     EXPECT_LT(limit.bytes, 1e15);
     EXPECT_FALSE(limit.whose.empty());
 }
-
-#ifdef DRAPE_CAN_LIMIT_ADDRESS_SPACE
-TEST(MemoryLimitDeathTest, IsThatOfTheProcessWhereThatIsLess) {
-    const auto limit_myself = [] {
-        rlimit space{};
-        getrlimit(RLIMIT_AS, &space);
-        space.rlim_cur = 50'000'000;
-        setrlimit(RLIMIT_AS, &space);
-        const MemoryLimit limit = memory_limit();
-        std::_Exit(limit.bytes == 50'000'000 && limit.whose.find("ulimit -v") != limit.whose.npos ? 0 : 1);
-    };
-    EXPECT_EXIT(limit_myself(), ::testing::ExitedWithCode(0), "");
-}
-#endif
 
 TEST(MemoryLimit, IsTheLeastOfTheControlGroupsAboveAProcess) {
     const ScratchFolder folder;

@@ -11,9 +11,9 @@
 #include <filesystem>
 #include <fstream>
 
-#include "drape/base/input_error.h"
 #include "support/input_errors.h"
 #include "support/process.h"
+#include "support/scratch_folder.h"
 
 // What a file had reached when the disk was last asked to keep it.
 static off_t bytes_kept = -1;
@@ -30,20 +30,18 @@ namespace {
 namespace fs = std::filesystem;
 using test::input_error_of;
 using test::read_file;
+using test::run_error_of;
 using testing::ElementsAre;
 
-/// A folder of each test's own.
 class OutputFileTest : public testing::Test {
 protected:
-    OutputFileTest() { fs::create_directories(folder_); }
-    ~OutputFileTest() override { fs::remove_all(folder_); }
-
     [[nodiscard]] std::string path(const std::string& name) const { return (folder_ / name).string(); }
     void put(const std::string& name, const std::string& text) const { std::ofstream(path(name)) << text; }
 
     [[nodiscard]] std::vector<std::string> names() const { return test::names_in(folder_); }
 
-    const fs::path folder_ = fs::path(testing::TempDir()) / ("drape-output-" + std::to_string(getpid()));
+    const ScratchFolder scratch_;
+    const fs::path& folder_ = scratch_.path();
 };
 
 /// Does `work` in a process, which it is to kill in the end.
@@ -179,12 +177,7 @@ TEST_F(OutputFileTest, ThatIsKeptHasAReadableNameUntilItIsClosedAndLosesNothingO
 
 TEST_F(OutputFileTest, ThatCannotBeWrittenIsNamedBeforeAnyWork) {
     for (const std::string& name : {std::string("/no/such/folder/state.csv"), folder_.string()}) {
-        try {
-            OutputFile file(name);
-            FAIL() << "opened " << name;
-        } catch (const RunError& error) {
-            EXPECT_THAT(error.what(), testing::StartsWith(name + ": cannot be written: "));
-        }
+        EXPECT_THAT(run_error_of([&] { OutputFile file(name); }), testing::StartsWith(name + ": cannot be written: "));
     }
     if (geteuid() == 0) return;
     put("a.txt", "before");
@@ -196,12 +189,7 @@ TEST_F(OutputFileTest, OnAFullDiskIsNamedWhenItIsClosed) {
     if (!fs::exists("/dev/full")) GTEST_SKIP() << "no device that is always full";
     OutputFile file("/dev/full");
     file.stream() << "a line\n";
-    try {
-        file.close();
-        FAIL();
-    } catch (const RunError& error) {
-        EXPECT_THAT(error.what(), testing::HasSubstr("No space left"));
-    }
+    EXPECT_THAT(run_error_of([&] { file.close(); }), testing::HasSubstr("No space left"));
     EXPECT_TRUE(fs::is_character_file("/dev/full"));
 }
 
@@ -249,7 +237,6 @@ protected:
         fs::create_symlink("to-come", folder_ / "dangling");
         fs::create_symlink(".", folder_ / "round");
     }
-    ~NamedFiles() override { fs::remove_all(folder_); }
 
     /// What is said of two files that are written.
     [[nodiscard]] std::string refusal(const std::string& one, const std::string& other) const {
@@ -258,7 +245,8 @@ protected:
         });
     }
 
-    const fs::path folder_ = fs::path(testing::TempDir()) / ("drape-named-" + std::to_string(getpid()));
+    const ScratchFolder scratch_;
+    const fs::path& folder_ = scratch_.path();
 };
 
 TEST_F(NamedFiles, ThatAreOneAreRefusedWhateverTheyAreCalled) {

@@ -5,7 +5,7 @@
 #include <cstdlib>
 #include <fstream>
 
-#include "drape/base/input_error.h"
+#include "support/input_errors.h"
 #include "support/scratch_file.h"
 
 namespace drape {
@@ -24,12 +24,8 @@ TEST(Resources, LieInTheFolderThatDrapeDataNames) {
     std::ofstream(folder / "mine.toml") << "[cloth]\n";
     setenv("DRAPE_DATA", folder.c_str(), 1);
     EXPECT_EQ(find_resource("mine.toml"), folder / "mine.toml");
-    try {
-        find_resource("no_such.toml");
-        ADD_FAILURE() << "found a file that is not there";
-    } catch (const RunError& error) {
-        EXPECT_THAT(error.what(), testing::AllOf(testing::HasSubstr(folder.string()), testing::HasSubstr("no_such")));
-    }
+    EXPECT_THAT(test::run_error_of([] { find_resource("no_such.toml"); }),
+                testing::AllOf(testing::HasSubstr(folder.string()), testing::HasSubstr("no_such")));
     unsetenv("DRAPE_DATA");
 }
 

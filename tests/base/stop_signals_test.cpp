@@ -8,17 +8,6 @@
 namespace drape {
 namespace {
 
-TEST(StopSignals, AreTakenAndTold) {
-    for (const int number : {SIGINT, SIGTERM, SIGHUP}) {
-        std::signal(SIGHUP, SIG_DFL);
-        const StopSignals signals;
-        EXPECT_EQ(signals.arrived(), 0);
-        std::raise(number);
-        EXPECT_EQ(signals.arrived(), number);
-        EXPECT_EQ(signals.arrived(), number);
-    }
-}
-
 TEST(StopSignals, AreTakenWhateverThreadTheyCome) {
     std::atomic<bool> done = false;
     std::thread before([&] {

@@ -9,43 +9,11 @@
 namespace drape {
 namespace {
 
-const Grid tree_shapes[] = {{2, 2}, {3, 2}, {2, 300}, {300, 2}, {5, 5}, {6, 5}, {30, 30}, {31, 17}, {257, 257}};
-
 /// A square of side 1 m at rest.
 Points flat_sheet(const Grid& grid) {
     ClothParameters parameters;
     parameters.particles = grid;
     return make_rest_state(parameters).x;
-}
-
-TEST(QuadtreeNodes, TileTheirParentsDownToLeavesOfTheWantedSize) {
-    for (const Grid& grid : tree_shapes) {
-        for (const int leaf_cells : {1, 2, 4, 7, 15, 64}) {
-            const auto nodes = make_quadtree_nodes(grid, leaf_cells);
-            std::vector<int> covered(static_cast<std::size_t>(grid.cells()), 0);
-            for (const QuadtreeNode& node : nodes) {
-                int cells = 0;
-                for (int c = 0; c < node.children; ++c) {
-                    const QuadtreeNode& child = nodes[static_cast<std::size_t>(node.first_child + c)];
-                    cells += (child.i1 - child.i0) * (child.j1 - child.j0);
-                    EXPECT_TRUE(child.i0 >= node.i0 && child.i1 <= node.i1 && child.j0 >= node.j0 &&
-                                child.j1 <= node.j1);
-                    EXPECT_EQ(child.level, node.level + 1);
-                }
-                if (node.children > 0) {
-                    EXPECT_EQ(cells, (node.i1 - node.i0) * (node.j1 - node.j0));
-                    continue;
-                }
-                EXPECT_LE(std::max(node.i1 - node.i0, node.j1 - node.j0), leaf_cells);
-                for (int j = node.j0; j < node.j1; ++j) {
-                    for (int i = node.i0; i < node.i1; ++i)
-                        ++covered[static_cast<std::size_t>(j * grid.cell_columns() + i)];
-                }
-            }
-            EXPECT_TRUE(std::all_of(covered.begin(), covered.end(), [](int times) { return times == 1; }))
-                << grid.nx << " x " << grid.ny << ", leaf " << leaf_cells;
-        }
-    }
 }
 
 TEST(SphereQuadtree, CountsAndShowsWhatItDoes) {

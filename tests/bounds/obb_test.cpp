@@ -4,6 +4,7 @@
 
 #include <Eigen/Geometry>
 
+#include "drape/bounds/aabb.h"
 #include "support/cloths.h"
 #include "support/containment.h"
 
@@ -57,19 +58,27 @@ TEST(Obb, HasAnOrthonormalFrameWhateverTheCloth) {
     }
 }
 
-TEST(Obb, OverlapsABallThatTouchesAFaceAnEdgeOrACornerAndNoBallBeyond) {
+/// @param origin, axes what the corners of the box are seen from
+template <class Box>
+void expect_overlap(const Box& box, const Vec3& origin, const BoxAxes& axes) {
+    for (const Vec3& off : {Vec3(0.5, 0, 0), Vec3(0, -0.5, 0), Vec3(0.3, 0.4, 0), Vec3(-0.2, -0.3, 0.6)}) {
+        Vec3 corner;
+        for (int k = 0; k < 3; ++k) corner[k] = off[k] > 0 ? box.high[k] : box.low[k];
+        const Vec3 centre = origin + axes * (corner + off);
+        const Real rounding = 1e-15 * (1 + centre.norm());
+        EXPECT_TRUE(box.overlaps({.centre = centre, .radius = off.norm() + rounding}));
+        EXPECT_FALSE(box.overlaps({.centre = centre, .radius = off.norm() - rounding - 1e-12}));
+    }
+    EXPECT_TRUE(box.overlaps({.centre = origin + axes * (box.low + box.high) / 2, .radius = 0}));
+}
+
+TEST(Boxes, OverlapABallThatTouchesAFaceAnEdgeOrACornerAndNoBallBeyond) {
+    expect_overlap(Aabb{Vec3(0, 0, 0), Vec3(1, 2, 3)}, Vec3::Zero(), BoxAxes::Identity());
     const Grid grid{7, 5};
     const Eigen::Quaterniond turn(Eigen::AngleAxisd(0.7, Vec3(1, 2, 3).normalized()));
     for (const Vec3& away : {Vec3(0, 0, 0), Vec3(1000, -1000, 1000)}) {
         const Obb box = Obb::fit(whole(turned_sheet(grid, turn, away), grid));
-        for (const Vec3& off : {Vec3(0.5, 0, 0), Vec3(0, -0.5, 0), Vec3(0.3, 0.4, 0), Vec3(-0.2, -0.3, 0.6)}) {
-            Vec3 corner;
-            for (int k = 0; k < 3; ++k) corner[k] = off[k] > 0 ? box.high[k] : box.low[k];
-            const Vec3 centre = box.origin + box.axes * (corner + off);
-            const Real rounding = 1e-15 * (1 + centre.norm());
-            EXPECT_TRUE(box.overlaps({.centre = centre, .radius = off.norm() + rounding}));
-            EXPECT_FALSE(box.overlaps({.centre = centre, .radius = off.norm() - rounding - 1e-12}));
-        }
+        expect_overlap(box, box.origin, box.axes);
     }
 }
 

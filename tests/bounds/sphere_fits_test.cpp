@@ -3,7 +3,6 @@
 #include <gtest/gtest.h>
 
 #include "drape/bounds/cloth_quadtree.h"
-#include "support/allocations.h"
 #include "support/containment.h"
 #include "support/point_sets.h"
 #include "support/smallest_radius.h"
@@ -135,17 +134,6 @@ TEST(SphereFits, ContainPointsOfEverySort) {
     for_each_set(9, [](const std::string& set, const Patch& patch, const Points& x) {
         for_each_fit(
             [&](Fit fit, const std::string& name) { EXPECT_TRUE(contains_all(fit(patch), x)) << name << ": " << set; });
-    });
-}
-
-TEST(SphereFits, AllocateNothing) {
-    std::mt19937 random(11);
-    const Grid grid{33, 33};
-    const Points x = test::random_cloth(grid, random);
-    for_each_fit([&](Fit fit, const std::string& name) {
-        const auto before = test::allocations();
-        (void)fit(whole(x, grid));
-        EXPECT_EQ(test::allocations(), before) << name;
     });
 }
 

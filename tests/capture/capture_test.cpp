@@ -212,15 +212,6 @@ TEST(Capture, SaysInItsPicturesHowTheyWereMade) {
     EXPECT_THAT(bytes, HasSubstr("dt = 1e-04"));
 }
 
-TEST(Capture, SaysWhatTakesNoFiles) {
-    for (const Words& words :
-         {Words{"--frames", "100000", "--out", "/proc/drape"}, {"--frames", "2", "--stats", "/dev/full"}}) {
-        const Outcome outcome = run_program("drape-capture", small("drop", words));
-        EXPECT_EQ(outcome.exit_code, 1);
-        EXPECT_THAT(outcome.err, HasSubstr(words.back()));
-    }
-}
-
 TEST(Capture, FeedsFfmpegWholeFrames) {
     const TestFolder folder;
     const std::string script = folder / "ffmpeg", raw = folder / "raw";

@@ -2,7 +2,6 @@
 
 #include <gmock/gmock.h>
 
-#include <cstdio>
 #include <cstdlib>
 #include <fstream>
 #include <string>
@@ -127,12 +126,10 @@ TEST(Context, ThatCannotBeMadeIsTold) {
 
 TEST(Context, GetsEveryCallOfOpenGl) {
     // A function that the program takes from a library goes to that library's context, whichever draws
-    const std::string command = NAME_LISTER " -D --undefined-only " DRAPE_PROGRAMS "/drape-capture";
-    FILE* const pipe = popen(command.c_str(), "r");
-    ASSERT_NE(pipe, nullptr);
-    std::string names;
-    for (int c = std::fgetc(pipe); c != EOF; c = std::fgetc(pipe)) names += static_cast<char>(c);
-    ASSERT_EQ(pclose(pipe), 0);
+    const TestFolder folder;
+    Process lister({NAME_LISTER, "-D", "--undefined-only", DRAPE_PROGRAMS "/drape-capture"}, {}, folder.path());
+    ASSERT_EQ(lister.wait_to_end(), 0);
+    const std::string names = lister.standard_output();
     EXPECT_THAT(names, HasSubstr(" eglCreateContext"));
     EXPECT_THAT(names, ::testing::Not(::testing::ContainsRegex(" gl[A-Z]")));
 }

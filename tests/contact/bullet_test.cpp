@@ -119,15 +119,11 @@ TEST(Bullets, GoThroughWhereTheTreeIsNotAskedAsFarAsTheyReach) {
     EXPECT_GT(shoot({.leaf_cells = 1}, 200, 10, false).through, 10);
 }
 
-class MillionBullets : public testing::TestWithParam<int> {};
-
-TEST_P(MillionBullets, NeverGoThroughUnseen) {
-    const Shots shots = shoot_all(2'500, GetParam());
+// Run by `ctest -L nightly`
+TEST(NightlyBullets, NeverGoThroughUnseen) {
+    const Shots shots = shoot_all(2'500, 10);
     EXPECT_GE(shots.shots, 1'000'000);
 }
-
-// Run by `ctest -L nightly`
-INSTANTIATE_TEST_SUITE_P(Nightly, MillionBullets, testing::Values(10));
 
 }  // namespace
 }  // namespace drape

@@ -28,6 +28,20 @@ std::array<Vec3, 3> draw_triangle(std::mt19937& random, Real far, Real size) {
     return corners;
 }
 
+/// The least of what is measured on a grid of points of a triangle.
+template <class Measure>
+Real sampled_least(const std::array<Vec3, 3>& corners, int parts, Measure measure) {
+    Real least = std::numeric_limits<Real>::infinity();
+    for (int i = 0; i <= parts; ++i) {
+        for (int j = 0; i + j <= parts; ++j) {
+            const Real u = Real(i) / Real(parts), v = Real(j) / Real(parts);
+            least =
+                std::min(least, measure(corners[0] + u * (corners[1] - corners[0]) + v * (corners[2] - corners[0])));
+        }
+    }
+    return least;
+}
+
 /// The solid angle that a triangle fills, over 4 pi; summed over a closed surface 1 inside and 0 outside.
 /// @cite vanoosterom1983
 double winding(const Vec3& p, Vec3 a, Vec3 b, Vec3 c) {
@@ -115,17 +129,12 @@ TEST(SolidShape, NoPointOfATriangleIsNearerToAMeshThanItsClearance) {
     int bounded = 0;
     for (int trial = 0; trial < 1500; ++trial) {
         const std::array<Vec3, 3> triangle = draw_triangle(random, Real(1.5), Real(1.6));
-        Real corners = std::numeric_limits<Real>::infinity(), lowest = corners;
+        Real corners = std::numeric_limits<Real>::infinity();
         for (const Vec3& corner : triangle) corners = std::min(corners, mesh->measure(corner).distance);
         if (corners <= 0) continue;
         constexpr int parts = 24;
-        for (int i = 0; i <= parts; ++i) {
-            for (int j = 0; j <= parts - i; ++j) {
-                const Real u = static_cast<Real>(i) / parts, v = static_cast<Real>(j) / parts;
-                const Vec3 p = triangle[0] + u * (triangle[1] - triangle[0]) + v * (triangle[2] - triangle[0]);
-                lowest = std::min(lowest, mesh->measure(p).distance);
-            }
-        }
+        const Real lowest =
+            sampled_least(triangle, parts, [&mesh](const Vec3& p) { return mesh->measure(p).distance; });
         const Real clearance = mesh->clearance(triangle, corners);
         EXPECT_LE(clearance, lowest + Real(1e-6)) << trial;
         const Real between_samples = ((triangle[1] - triangle[0]).norm() + (triangle[2] - triangle[0]).norm()) / parts;
@@ -150,20 +159,6 @@ TEST(SolidShape, AMeshIsMeasuredTheSameWhereItIsKnownToBeNear) {
     }
 }
 
-/// The least distance on a grid of points of a triangle.
-Real sampled_least(const Solid& solid, const std::array<Vec3, 3>& corners) {
-    constexpr int steps = 60;
-    Real least = std::numeric_limits<Real>::infinity();
-    for (int i = 0; i <= steps; ++i) {
-        for (int j = 0; i + j <= steps; ++j) {
-            const Real u = Real(i) / steps, v = Real(j) / steps;
-            least = std::min(
-                least, solid.distance(corners[0] + u * (corners[1] - corners[0]) + v * (corners[2] - corners[0])));
-        }
-    }
-    return least;
-}
-
 void expect_deepest(const Solid& solid, std::mt19937& random) {
     for (int trial = 0; trial < 200; ++trial) {
         const std::array<Vec3, 3> corners = draw_triangle(random, 0.3, 0.1);
@@ -173,7 +168,8 @@ void expect_deepest(const Solid& solid, std::mt19937& random) {
             found.barycentric[0] * corners[0] + found.barycentric[1] * corners[1] + found.barycentric[2] * corners[2];
         ASSERT_LT((there - found.point).norm(), 1e-12);
         ASSERT_EQ(solid.distance(found.point), found.surface.distance);
-        ASSERT_TRUE(found.surface.distance <= 0 || found.surface.distance < sampled_least(solid, corners) + 1e-5);
+        const Real least = sampled_least(corners, 60, [&solid](const Vec3& p) { return solid.distance(p); });
+        ASSERT_TRUE(found.surface.distance <= 0 || found.surface.distance < least + 1e-5);
     }
 }
 

@@ -1,6 +1,5 @@
 // What a program needs and does not get: memory, threads, an ffmpeg that reads; and a locale with a decimal comma.
 
-#include <array>
 #include <csignal>
 
 #include "drape/integrate/integrator.h"

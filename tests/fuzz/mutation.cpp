@@ -27,17 +27,14 @@ bool in_number(char c) { return (c >= '0' && c <= '9') || c == '.' || c == 'e' |
 
 Mutation::Mutation(std::vector<std::string> seeds, std::vector<std::string> dictionary, unsigned long seed,
                    std::size_t longest)
-    : seeds_(std::move(seeds)),
+    : Chance(seed),
+      seeds_(std::move(seeds)),
       dictionary_(std::move(dictionary)),
       numbers_(words_of(extreme_numbers)),
-      random_(seed),
       longest_(longest) {
     require(!seeds_.empty(), "there is an input to start from");
     if (dictionary_.empty()) dictionary_ = numbers_;
 }
-
-// The distributions of the standard library differ from one to another; the bits of the generator do not
-std::size_t Mutation::below(std::size_t bound) { return static_cast<std::size_t>(random_() % bound); }
 
 const std::string& Mutation::next() {
     input_ = one_of(seeds_);

@@ -1,15 +1,16 @@
 #pragma once
 
 #include <cstddef>
-#include <random>
 #include <string>
 #include <vector>
+
+#include "support/random_user.h"
 
 namespace drape::fuzz {
 
 /// Makes new inputs of old ones: bytes flipped, put in, taken out and repeated, parts of two inputs joined, words of a
 /// dictionary put in, numbers made extreme. The same seed makes the same inputs.
-class Mutation {
+class Mutation : test::Chance {
 public:
     /// @param seeds at least one, which may be empty
     /// @param longest of an input that is made [bytes]
@@ -20,7 +21,6 @@ public:
     const std::string& next();
 
 private:
-    std::size_t below(std::size_t bound);
     std::size_t position() { return below(input_.size() + 1); }
     const std::string& one_of(const std::vector<std::string>& texts) { return texts[below(texts.size())]; }
     void change_once();
@@ -28,7 +28,6 @@ private:
     void replace_number();
 
     std::vector<std::string> seeds_, dictionary_, numbers_;
-    std::mt19937_64 random_;
     std::size_t longest_;
     std::string input_;
 };

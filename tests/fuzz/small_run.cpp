@@ -11,14 +11,6 @@ namespace {
 constexpr int max_particles = 150;
 constexpr int steps = 2;
 
-std::size_t parts_of(const Settings& settings, const std::string& section) {
-    if (section == "cloth") return settings.cloths.size();
-    if (section == "ball") return settings.balls.size();
-    if (section == "solid") return settings.solids.size();
-    if (section == "pins") return settings.pins.size();
-    return 1;
-}
-
 }  // namespace
 
 std::optional<Settings> made_small(Settings settings) {
@@ -47,8 +39,8 @@ void step_a_little(Simulation& simulation) {
 
 bool same_settings(const Settings& one, const Settings& other) {
     return std::ranges::all_of(setting_table(), [&](const Setting& setting) {
-        const std::size_t parts = parts_of(one, setting.section);
-        if (parts != parts_of(other, setting.section)) return false;
+        const std::size_t parts = section_count(one, setting);
+        if (parts != section_count(other, setting)) return false;
         for (std::size_t i = 0; i < parts; ++i) {
             if (setting.read(one, i) != setting.read(other, i)) return false;
         }

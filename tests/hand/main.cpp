@@ -120,23 +120,13 @@ private:
 std::string RandomHand::random_command() {
     const Settings& settings = simulation.settings();
     const Vec3 home = settings.balls[0].position - simulation.balls()[0].centre;
-    switch (below(8)) {
-        case 0:
-            return "grab 0 " +
-                   std::to_string(below(static_cast<std::size_t>(settings.cloths[0].particles.particles())));
-        case 1:
-        case 2:
-        case 3:
-            return "drag" + vector(1.2, settings.cloths[0].centre());
-        case 4:
-            return "release";
-        case 5:
-        case 6:
-            // Not out of sight
-            return "steer" + (home.norm() > Real(0.6) ? vector(0.1, home) : vector(1));
-        default:
-            return "steer 0 0 0";
-    }
+    const auto particles = static_cast<std::size_t>(settings.cloths[0].particles.particles());
+    // Not out of sight
+    const std::string steer = "steer" + (home.norm() > Real(0.6) ? vector(0.1, home) : vector(1));
+    const std::string drag = "drag" + vector(1.2, settings.cloths[0].centre());
+    const std::string commands[] = {
+        "grab 0 " + std::to_string(below(particles)), drag, drag, drag, "release", steer, steer, "steer 0 0 0"};
+    return commands[below(std::size(commands))];
 }
 
 void RandomHand::fail(const std::string& what) {

@@ -59,16 +59,5 @@ TEST(RestState, LiesInItsPlaneFromTheOrigin) {
     EXPECT_TRUE(horizontal.v.isZero());
 }
 
-TEST(RestState, MayBePlacedByItsCentre) {
-    ClothParameters parameters;
-    parameters.particles = {5, 5};
-    parameters.place = {1, 2, 3};
-    parameters.centred = true;
-    for (const Plane plane : {Plane::XZ, Plane::XY}) {
-        parameters.plane = plane;
-        EXPECT_TRUE(make_rest_state(parameters).x.row(12).isApprox(Eigen::RowVector3d(1, 2, 3), 1e-15));
-    }
-}
-
 }  // namespace
 }  // namespace drape

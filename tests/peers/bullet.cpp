@@ -19,6 +19,9 @@ namespace {
 
 static_assert(std::is_same_v<btScalar, Real>);
 
+/// x, y, z of each particle in turn.
+using RowPoints = Eigen::Matrix<Real, Eigen::Dynamic, 3, Eigen::RowMajor>;
+
 btVector3 vector(const Vec3& v) { return {v[0], v[1], v[2]}; }
 
 class Dbvt final : public BallPeer {
@@ -132,10 +135,7 @@ private:
     }
 
     void take_corners() {
-        btScalar* next = corners_.data();
-        for (Eigen::Index p = 0; p < x_.rows(); ++p) {
-            for (int axis = 0; axis < 3; ++axis) *next++ = x_(p, axis);
-        }
+        Eigen::Map<RowPoints>(corners_.data(), x_.rows(), 3) = x_;
         low_ = vector(x_.colwise().minCoeff().transpose());
         high_ = vector(x_.colwise().maxCoeff().transpose());
     }
@@ -197,10 +197,7 @@ public:
 
 private:
     [[nodiscard]] std::unique_ptr<btSoftBody> make_body(const Grid& grid, const Points& x) {
-        std::vector<btScalar> vertices;
-        for (Eigen::Index p = 0; p < x.rows(); ++p) {
-            for (int axis = 0; axis < 3; ++axis) vertices.push_back(x(p, axis));
-        }
+        const RowPoints vertices = x;
         std::vector<int> indices;
         for (int t = 0; t < grid.triangles(); ++t) {
             for (const int corner : grid.triangle_corners(t)) indices.push_back(corner);

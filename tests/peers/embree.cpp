@@ -93,10 +93,8 @@ private:
     }
 
     void take_corners() {
-        float* next = corners_;
-        for (Eigen::Index p = 0; p < x_.rows(); ++p) {
-            for (int axis = 0; axis < 3; ++axis) *next++ = static_cast<float>(x_(p, axis));
-        }
+        using RowPoints = Eigen::Matrix<float, Eigen::Dynamic, 3, Eigen::RowMajor>;
+        Eigen::Map<RowPoints>(corners_, x_.rows(), 3) = x_.cast<float>();
     }
 
     static bool collect_triangle(RTCPointQueryFunctionArguments* found) {

@@ -1,11 +1,11 @@
 #include <gtest/gtest.h>
 
 #include <filesystem>
-#include <fstream>
 #include <regex>
-#include <sstream>
 #include <string>
 #include <vector>
+
+#include "support/process.h"
 
 namespace drape {
 namespace {
@@ -29,9 +29,7 @@ TEST(GlCounting, NothingInTheRendererBypassesTheCounter) {
     const fs::path source = DRAPE_SOURCE_DIR;
     for (const fs::path& folder : {source / "src/render", source / "include/drape/render"}) {
         for (const auto& entry : fs::recursive_directory_iterator(folder)) {
-            std::stringstream text;
-            text << std::ifstream(entry.path()).rdbuf();
-            const std::string code = text.str();
+            const std::string code = test::read_file(entry.path());
             EXPECT_EQ(uncounted_calls(code), std::vector<std::string>()) << entry.path();
             ++files;
             for (std::size_t at = code.find("(gl"); at != std::string::npos; at = code.find("(gl", at + 1)) ++counted;

@@ -3,7 +3,6 @@
 #include <gmock/gmock.h>
 
 #include <cmath>
-#include <vector>
 
 #include "sim/small_scene.h"
 

@@ -114,19 +114,6 @@ TEST(Comparison, KeepsWhatIsComparedApart) {
     EXPECT_LT(session.view().comparison->largest, 0.1) << "of the same scene";
 }
 
-TEST(Comparison, GoesBackInTimeWithBoth) {
-    Session session(small_simulation());
-    session.keep_history({});
-    session.send(command::Compare{"solver.integrator=backward_euler"});
-    make_steps(session, 250);
-    const double before = session.view().comparison->rms;
-    make_steps(session, 250);
-    EXPECT_NE(session.view().comparison->rms, before);
-    go_to(session, 250);
-    EXPECT_EQ(session.view().comparison->rms, before);
-    EXPECT_THAT(session.takeover_notice(), testing::Not(HasSubstr("ended")));
-}
-
 TEST(Comparison, IsPartOfARecording) {
     const test::ScratchFile file("compared.txt");
     Session session(small_simulation());

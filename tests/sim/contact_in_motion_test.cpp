@@ -3,7 +3,6 @@
 #include <algorithm>
 #include <random>
 #include <string>
-#include <vector>
 
 #include "sim/small_scene.h"
 #include "support/sanitized.h"

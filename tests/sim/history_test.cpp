@@ -252,17 +252,6 @@ TEST(History, StaysWithinItsMemoryAndItsTime) {
     EXPECT_FALSE(traveller.finds_again(full.oldest - 1)) << "forgotten";
 }
 
-TEST(History, BeginsAnewWithAScene) {
-    Traveller traveller(small_simulation());
-    traveller.run(20);
-    traveller.session.send(command::LoadScene{"hang"});
-    EXPECT_EQ(traveller.session.timeline().oldest, 20);
-    make_steps(traveller.session, 5);
-    traveller.session.go_to(0);
-    EXPECT_EQ(traveller.session.simulation().scene(), "hang");
-    EXPECT_EQ(traveller.session.timeline().now, 20);
-}
-
 TEST(History, FinishesItsWayBeforeACommand) {
     Traveller traveller(small_simulation());
     traveller.run(200);

@@ -2,12 +2,9 @@
 
 #include <gmock/gmock.h>
 
-#include <fstream>
-
 #include "drape/integrate/stability.h"
 #include "sim/small_scene.h"
 #include "support/input_errors.h"
-#include "support/scratch_folder.h"
 
 namespace drape {
 namespace {

@@ -2,10 +2,8 @@
 
 #include <gmock/gmock.h>
 
-#include <filesystem>
+#include <algorithm>
 
-#include "drape/scene/scene.h"
-#include "drape/session/session.h"
 #include "support/input_errors.h"
 #include "support/process.h"
 #include "support/scratch_file.h"
@@ -86,11 +84,6 @@ TEST(Recording, OfAnotherFormIsRefused) {
     EXPECT_THROW(read_recording(testing::TempDir()), InputError) << "a folder";
 }
 
-TEST(Recording, OfEndlessBytesIsRefused) {
-    if (!std::filesystem::exists("/dev/zero")) GTEST_SKIP() << "no endless file";
-    EXPECT_THROW(read_recording("/dev/zero"), InputError);
-}
-
 TEST(Recording, WithADamagedLineIsReadUpToIt) {
     const std::string head = "drape-recording 1\nscene drop\n1 pause\n";
     for (const char* line :
@@ -112,37 +105,6 @@ TEST(Recording, MayHaveALongListInALine) {
     std::string pins = "set cloth.pinned=0";
     for (int i = 0; i < 5'000; ++i) pins += ",899";
     EXPECT_EQ(recording_of("drape-recording 1\nscene drop\n0 " + pins + "\n1 end\n").notice, "");
-}
-
-TEST(Recorder, ReachesTheFileWithEveryLine) {
-    const ScratchFile file("recording.txt");
-    Recorder recorder(file.name(), "drop", {});
-    recorder.write(3, command::Pause{});
-    const std::string unfinished = file.name() + ".unfinished";
-    EXPECT_EQ(read_recording(unfinished).entries.size(), 1u) << "a crash loses at most the last line";
-    recorder.close(4);
-    EXPECT_FALSE(std::filesystem::exists(unfinished));
-}
-
-TEST(Recorder, TouchesNoRecordingOfBeforeUntilItIsClosed) {
-    const ScratchFile file("recording.txt", good);
-    Recorder recorder(file.name(), "hang", {});
-    EXPECT_EQ(read_file(file.name()), good);
-    recorder.close(0);
-    EXPECT_EQ(read_recording(file.name()).scene, "hang");
-}
-
-TEST(Recorder, SaysWhatItCannotWrite) { EXPECT_THROW(Recorder("/no/such/folder/recording.txt", "drop", {}), RunError); }
-
-TEST(Recorder, SetsAsideWhatAKilledRunHasRecorded) {
-    const ScratchFile file("recording.txt"), left("recording.txt.unfinished", "drape-recording 1\nscene drop\n"),
-        kept("recording.txt-1.unfinished");
-    Session session(Simulation("drop", load_scene("drop")));
-    session.record(file.name(), {});
-    EXPECT_THAT(session.record_notice(), HasSubstr("moved to " + kept.name()));
-    session.close();
-    EXPECT_EQ(read_file(kept.name()), "drape-recording 1\nscene drop\n");
-    EXPECT_EQ(read_recording(file.name()).last_step, 0);
 }
 
 }  // namespace

@@ -168,9 +168,10 @@ TEST(SceneFile, NeedsNothingButACloth) {
 }
 
 TEST(SceneFile, PlacesAClothByItsCentreToo) {
-    const Settings settings =
-        parse_scene("[cloth]\ncentre = [1, 2, 3]\nplane = \"xz\"\nsize = [2.0, 4.0]\n", "mine.toml");
-    EXPECT_EQ(settings.cloths[0].origin(), Vec3(0, 2, 1));
+    for (const auto& [plane, origin] : {std::pair("'xz'", Vec3(0, 2, 1)), {"'xy'", Vec3(0, 4, 3)}}) {
+        const std::string text = "[cloth]\ncentre = [1, 2, 3]\nsize = [2.0, 4.0]\nplane = ";
+        EXPECT_EQ(parse_scene(text + plane, "mine.toml").cloths[0].origin(), origin);
+    }
     EXPECT_THAT(error_of("[cloth]\norigin = [0, 0, 0]\ncentre = [0, 0, 0]\n"),
                 AllOf(StartsWith("mine.toml:3:"), HasSubstr("cloth.centre"), HasSubstr("cloth.origin")));
 }

@@ -3,9 +3,6 @@
 #include <gmock/gmock.h>
 
 #include "drape/integrate/stability.h"
-#include "drape/scene/scene.h"
-#include "drape/scene/setting_table.h"
-#include "drape/sim/simulation.h"
 #include "sim/small_scene.h"
 #include "support/sanitized.h"
 #include "support/scene_crossings.h"
@@ -36,28 +33,13 @@ ClothParameters sheet_at(const Vec3& centre, Real side, int particles) {
     return cloth;
 }
 
-/// A ball at the origin that stays there, and ground below it.
-Settings ball_at_origin(Real radius) {
+/// Three sheets that fall on a ball at the origin, which stays there, one onto the other.
+Settings stacked_sheets() {
     Settings settings = base_settings();
     BallSettings& ball = settings.balls.emplace_back();
-    ball.radius = radius;
+    ball.radius = Real(0.2);
     ball.motion = BallMotion::Still;
     settings.ground.height = -1;
-    return settings;
-}
-
-/// A sheet that slips off a ball, and comes to lie folded on the ground.
-Settings folding_sheet() {
-    Settings settings = ball_at_origin(Real(0.12));
-    settings.cloths = {sheet_at({Real(0.17), Real(0.1), Real(0.11)}, Real(0.8), 13)};
-    settings.cloths[0].bend.stiffness = 2;
-    settings.contact.friction = Real(0.6);
-    return settings;
-}
-
-/// Three sheets that fall on a ball, one onto the other.
-Settings stacked_sheets() {
-    Settings settings = ball_at_origin(Real(0.2));
     for (const Vec3& centre : {Vec3(0, Real(0.24), 0), Vec3(Real(0.03), Real(0.27), Real(0.02)),
                                Vec3(Real(-0.02), Real(0.30), Real(-0.04))}) {
         settings.cloths.push_back(sheet_at(centre, Real(0.6), 9));
@@ -72,7 +54,7 @@ struct Tally {
 };
 
 /// @param looks steps from one exact count to the next
-Tally run(Settings settings, double time, std::int64_t looks = 20) {
+Tally run(Settings settings, double time, std::int64_t looks) {
     Simulation simulation("self contact", std::move(settings));
     Tally tally;
     while (simulation.report().time < time) {
@@ -86,37 +68,11 @@ Tally run(Settings settings, double time, std::int64_t looks = 20) {
     return tally;
 }
 
-/// For cloth to come onto cloth [s].
-double time_of(Settings (*scene)()) { return scene == folding_sheet ? 1.8 : test::sanitized ? 0.4 : 1.0; }
-
-class SelfContactScene : public testing::TestWithParam<Settings (*)()> {};
-
-INSTANTIATE_TEST_SUITE_P(All, SelfContactScene, testing::Values(folding_sheet, stacked_sheets),
-                         [](const auto& param) { return param.index == 0 ? "fold" : "stack"; });
-
-TEST_P(SelfContactScene, NeverHasACrossing) {
-    const Tally tally = run(GetParam()(), time_of(GetParam()));
-    EXPECT_EQ(tally.crossings, 0);
-    EXPECT_GT(tally.pairs, 50) << "cloth has touched cloth";
-}
-
-TEST_P(SelfContactScene, HasCrossingsWithoutTheSearch) {
-    Settings settings = GetParam()();
-    settings.contact.self = false;
-    const Tally tally = run(std::move(settings), time_of(GetParam()));
-    EXPECT_GT(tally.crossings, 5);
-    EXPECT_EQ(tally.pairs, 0);
-}
-
 class SelfContactMethod : public testing::TestWithParam<std::tuple<IntegratorKind, ResponseKind>> {};
-
-const auto name_of_method = [](const auto& param) {
-    return std::string(name_of(std::get<0>(param.param))) + "_" + std::string(name_of(std::get<1>(param.param)));
-};
 
 INSTANTIATE_TEST_SUITE_P(OneMethod, SelfContactMethod,
                          testing::Values(std::tuple(IntegratorKind::BackwardEuler, ResponseKind::Projection)),
-                         name_of_method);
+                         name_of_param);
 
 /// Each integrator that is stable there, and each response to the ball.
 INSTANTIATE_TEST_SUITE_P(Nightly, SelfContactMethod,
@@ -126,7 +82,7 @@ INSTANTIATE_TEST_SUITE_P(Nightly, SelfContactMethod,
                                                           IntegratorKind::Xpbd, IntegratorKind::ProjectiveDynamics),
                                           testing::Values(ResponseKind::Projection, ResponseKind::Penalty,
                                                           ResponseKind::Impulse)),
-                         name_of_method);
+                         name_of_param);
 
 TEST_P(SelfContactMethod, NeverHasACrossing) {
     Settings settings = stacked_sheets();

@@ -3,9 +3,7 @@
 #include <gmock/gmock.h>
 
 #include <random>
-#include <sstream>
 
-#include "drape/session/state_csv.h"
 #include "sim/small_scene.h"
 #include "support/scratch_file.h"
 
@@ -150,29 +148,6 @@ TEST(Session, MakesTheStepsAskedForAndThenStandsStill) {
     session.send(command::Step{2});
     session.send(command::Pause{});
     EXPECT_EQ(session.simulation().steps_wanted(), 0) << "going on forgets them";
-}
-
-TEST(RecordedSession, IsReplayedToTheSameBits) {
-    const ScratchFile file("session.txt");
-    Session live = small_session();
-    live.record(file.name(), {});
-    for (const RecordedEntry& entry : busy_recording().entries) {
-        while (steps_made(live) < entry.step)
-            live.simulation().paused() ? live.advance(0, unlimited) : live.advance(step_length / 2, unlimited);
-        live.send(std::get<Command>(entry.content));
-    }
-    for (int i = 0; i < 2000; ++i) live.advance(step_length, unlimited);
-    live.close();
-    const std::int64_t steps = steps_made(live);
-
-    const Recording recording = read_recording(file.name());
-    EXPECT_EQ(recording.notice, "");
-    EXPECT_EQ(recording.last_step, steps);
-    Session again = small_session();
-    again.replay(recording);
-    while (steps_made(again) < steps) again.advance(step_length / 2, unlimited);
-    EXPECT_EQ(again.replay_notice(), "");
-    EXPECT_EQ(again.simulation().hash(), live.simulation().hash());
 }
 
 TEST(RecordedSession, DoesNotRecordWhatWasRefused) {

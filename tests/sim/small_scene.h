@@ -4,6 +4,7 @@
 
 #include <sstream>
 #include <string>
+#include <tuple>
 #include <type_traits>
 #include <utility>
 
@@ -61,12 +62,14 @@ inline std::vector<std::string> scenes_that_fail(bool fail) {
     return names;
 }
 
-/// What the case of a test suite is called: as its parameter.
+/// What the case of a test suite is called: as its parameter, or the two of which that is made.
 constexpr auto name_of_param = [](const auto& about) -> std::string {
     if constexpr (std::is_enum_v<decltype(about.param)>) {
         return name_of(about.param);
-    } else {
+    } else if constexpr (std::is_convertible_v<decltype(about.param), std::string>) {
         return about.param;
+    } else {
+        return name_of(std::get<0>(about.param)) + "_" + name_of(std::get<1>(about.param));
     }
 };
 

@@ -190,17 +190,19 @@ TEST(SnapshotFile, NamesNoParticleOrBodyThatThereIsNot) {
     };
     const int kind = 1, count = 2, triangle = 6, first_body = 7, body = 8, cloth = 1, particle = 2;
     EXPECT_EQ(with_word(row, kind, whole.substr(row + 4, 1)), "");
-    EXPECT_NE(with_word(row, kind, "3"), "");
-    EXPECT_NE(with_word(row, kind, "4"), "");
-    EXPECT_NE(with_word(row, count, "5"), "");
-    EXPECT_NE(with_word(row, count, "0"), "");
-    EXPECT_NE(with_word(row, triangle, "40"), "");
-    EXPECT_NE(with_word(row, first_body, "0"), "");
-    EXPECT_NE(with_word(row, body, "7"), "");
-    EXPECT_NE(with_word(row, body, "-1"), "");
-    EXPECT_NE(with_word(of, cloth, "1"), "");
-    EXPECT_NE(with_word(of, particle, "30"), "");
-    EXPECT_NE(with_word(of, particle, "1e9"), "");
+    for (const auto& [number, word] : {std::pair{kind, "3"},
+                                       {kind, "4"},
+                                       {count, "5"},
+                                       {count, "0"},
+                                       {triangle, "40"},
+                                       {first_body, "0"},
+                                       {body, "7"},
+                                       {body, "-1"}}) {
+        EXPECT_NE(with_word(row, number, word), "") << number << ": " << word;
+    }
+    for (const auto& [number, word] : {std::pair{cloth, "1"}, {particle, "30"}, {particle, "1e9"}}) {
+        EXPECT_NE(with_word(of, number, word), "") << number << ": " << word;
+    }
 }
 
 TEST(SnapshotFile, IsNotWrittenWhereItCouldNotBeRead) {

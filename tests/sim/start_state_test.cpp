@@ -140,17 +140,9 @@ TEST(StartState, ThatIsBadChangesNothing) {
 }
 
 void expect_same(const Settings& a, const Settings& b, const std::string& name) {
-    ASSERT_EQ(a.cloths.size(), b.cloths.size());
-    ASSERT_EQ(a.balls.size(), b.balls.size());
-    ASSERT_EQ(a.solids.size(), b.solids.size());
-    ASSERT_EQ(a.pins.size(), b.pins.size());
     for (const Setting& setting : setting_table()) {
-        const std::size_t parts = setting.section == "cloth"   ? a.cloths.size()
-                                  : setting.section == "ball"  ? a.balls.size()
-                                  : setting.section == "solid" ? a.solids.size()
-                                  : setting.section == "pins"  ? a.pins.size()
-                                                               : 1;
-        for (std::size_t i = 0; i < parts; ++i) {
+        ASSERT_EQ(section_count(a, setting), section_count(b, setting)) << name << ": " << setting.full_name();
+        for (std::size_t i = 0; i < section_count(a, setting); ++i) {
             EXPECT_EQ(setting.read(a, i), setting.read(b, i)) << name << ": " << setting.full_name();
         }
     }

@@ -3,7 +3,6 @@
 
 #include <unistd.h>
 
-#include <chrono>
 #include <cmath>
 #include <cstdio>
 #include <filesystem>
@@ -83,37 +82,15 @@ std::vector<std::string> Soak::random_assignments() {
 
 std::string Soak::random_command(const Simulation& simulation) {
     const auto number = [&] { return real_text(between(-1, 1)); };
-    switch (below(14)) {
-        case 0:
-            return "grab 0 " + std::to_string(below(25));
-        case 1:
-        case 2:
-            return "drag" + vector(1);
-        case 3:
-            return "release";
-        case 4:
-            return "steer" + vector(1);
-        case 5:
-            return "steer 0 0 0";
-        case 6:
-            return "next wind.on";
-        case 7:
-            return "next " +
-                   std::string(one_of(std::vector<std::string>{"contact.volume", "contact.update", "contact.sphere_fit",
-                                                               "contact.response", "solver.hessian", "solver.ledger"}));
-        case 8:
-            return below(4) == 0 ? "next solver.integrator" : "add contact.search_level -1";
-        case 9:
-            return below(4) == 0 ? "reset" : "set contact.search_level=30";
-        case 10:
-            return "set contact.friction=" + real_text(between(0, 1));
-        case 11:
-            return "set wind.velocity=" + number() + "," + number() + "," + number();
-        case 12:
-            return "set solver.dt=" + real_text(simulation.settings().solver.dt * between(0.7, 1.3));
-        default:
-            return "orbit 0.1 0.1";
-    }
+    const std::vector<std::string> others{"contact.volume",   "contact.update", "contact.sphere_fit",
+                                          "contact.response", "solver.hessian", "solver.ledger"};
+    return one_of(std::vector<std::string>{
+        "grab 0 " + std::to_string(below(25)), "drag" + vector(1), "drag" + vector(1), "release", "steer" + vector(1),
+        "steer 0 0 0", "next wind.on", "next " + one_of(others),
+        below(4) == 0 ? "next solver.integrator" : "add contact.search_level -1",
+        below(4) == 0 ? "reset" : "set contact.search_level=30", "set contact.friction=" + real_text(between(0, 1)),
+        "set wind.velocity=" + number() + "," + number() + "," + number(),
+        "set solver.dt=" + real_text(simulation.settings().solver.dt * between(0.7, 1.3)), "orbit 0.1 0.1"});
 }
 
 void Soak::fail(const std::string& what) {

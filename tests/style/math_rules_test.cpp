@@ -1,34 +1,29 @@
 #include "math_rules.h"
 
 #include <gtest/gtest.h>
-#include <unistd.h>
 
-#include <cstdio>
 #include <fstream>
+
+#include "support/process.h"
+#include "support/scratch_folder.h"
 
 namespace drape::style {
 namespace {
 
-namespace fs = std::filesystem;
-
 /// What `nm -u` prints of the library that simulates.
 std::string names_that_the_core_asks_for() {
-    std::string listing;
-    FILE* const pipe = popen(NAME_LISTER " -u " DRAPE_CORE, "r");
-    if (pipe == nullptr) return listing;
-    for (int c = std::fgetc(pipe); c != EOF; c = std::fgetc(pipe)) listing += static_cast<char>(c);
-    pclose(pipe);
-    return listing;
+    const ScratchFolder folder;
+    test::Process lister({NAME_LISTER, "-u", DRAPE_CORE}, {}, folder.path());
+    EXPECT_EQ(lister.wait_to_end(), 0);
+    return lister.standard_output();
 }
 
 /// What is wrong with one line of a file of a layer; empty if nothing.
 std::string verdict(const std::string& line, const std::string& file = "src/sim/a.cpp") {
-    const fs::path root = fs::path(testing::TempDir()) / ("math-house-" + std::to_string(getpid()));
-    fs::remove_all(root);
-    fs::create_directories((root / file).parent_path());
-    std::ofstream(root / file) << line << "\n";
-    const std::vector<Offence> offences = check_math(root);
-    fs::remove_all(root);
+    const ScratchFolder root;
+    std::filesystem::create_directories((root.path() / file).parent_path());
+    std::ofstream(root.path() / file) << line << "\n";
+    const std::vector<Offence> offences = check_math(root.path());
     return offences.empty() ? "" : offences.front().text;
 }
 

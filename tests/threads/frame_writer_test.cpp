@@ -6,9 +6,8 @@
 #include <sys/resource.h>
 
 #include <csignal>
-#include <fstream>
 
-#include "drape/base/input_error.h"
+#include "support/input_errors.h"
 #include "support/process.h"
 #include "support/read_png.h"
 #include "support/scratch_folder.h"
@@ -17,6 +16,7 @@ namespace drape {
 namespace {
 
 namespace fs = std::filesystem;
+using test::run_error_of;
 using ::testing::AllOf;
 using ::testing::EndsWith;
 using ::testing::HasSubstr;
@@ -33,16 +33,6 @@ protected:
 
     static std::shared_ptr<const Image> grey() {
         return std::make_shared<const Image>(Image{64, 48, std::vector<std::uint8_t>(3 * 64 * 48, 128)});
-    }
-
-    // What is said of a picture that could not be written.
-    static std::string failure_of(const std::function<void()>& action) {
-        try {
-            action();
-        } catch (const RunError& error) {
-            return error.what();
-        }
-        return "";
     }
 
     [[nodiscard]] std::vector<std::string> names() const { return test::names_in(folder_.path()); }
@@ -91,7 +81,7 @@ TEST_F(FrameWriterTest, NamesThePictureThatDoesNotFitAndTheLastGoodOne) {
         limit.rlim_cur = 220'000;
         setrlimit(RLIMIT_FSIZE, &limit);
         writer.write(noise(2), 2);
-        const std::string said = failure_of([&] { goes_on ? writer.write(grey(), 3) : writer.finish(); });
+        const std::string said = run_error_of([&] { goes_on ? writer.write(grey(), 3) : writer.finish(); });
         setrlimit(RLIMIT_FSIZE, &before);
         std::signal(SIGXFSZ, before_signal);
 
@@ -107,7 +97,7 @@ TEST_F(FrameWriterTest, SaysThatNoPictureWasWritten) {
     FrameWriter writer(folder_.path(), 1, false);
     fs::create_directory(file("frame_0001.png"));  // no file can take this name
     writer.write(grey(), 1);
-    EXPECT_THAT(failure_of([&] { writer.finish(); }),
+    EXPECT_THAT(run_error_of([&] { writer.finish(); }),
                 AllOf(HasSubstr(file("frame_0001.png") + ": "), EndsWith("; no frame was written")));
     EXPECT_TRUE(writer.last().empty());
 }

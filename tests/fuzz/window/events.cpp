@@ -66,36 +66,23 @@ std::string EventSource::size_or_visibility(const std::string& window) {
 }
 
 std::string EventSource::event(const std::string& window) {
-    switch (below(20)) {
-        case 0:
-            return pointer_to(anywhere());
-        case 1:
-            return with("mousedown", 1 + below(3));
-        case 2:
-            return with("mouseup", 1 + below(3));
-        case 3:
-            return with("click", 4 + below(2));
-        case 4:
-            return with("click", 1 + below(3));
-        case 5:
-            return below(4) == 0 ? size_or_visibility(window) : pointer_to(on_the_panel());
-        case 6:
-        case 7:
-            return drag();
-        case 8:
-        case 9:
-            return drag_on_the_panel();
-        case 10:
-            return typed_value();
-        case 11:
-            return pointer_to(on_the_panel()) + with("click", below(3) == 0 ? 5 : 1);
-        case 12:
-            return "keydown " + key() + "\n";
-        case 13:
-            return "keyup " + key() + "\n";
-        default:
-            return "key --delay 0 " + key() + "\n";
-    }
+    const std::string drags = drag(), slides = drag_on_the_panel();
+    const std::string events[] = {pointer_to(anywhere()),
+                                  with("mousedown", 1 + below(3)),
+                                  with("mouseup", 1 + below(3)),
+                                  with("click", 4 + below(2)),
+                                  with("click", 1 + below(3)),
+                                  below(4) == 0 ? size_or_visibility(window) : pointer_to(on_the_panel()),
+                                  drags,
+                                  drags,
+                                  slides,
+                                  slides,
+                                  typed_value(),
+                                  pointer_to(on_the_panel()) + with("click", below(3) == 0 ? 5 : 1),
+                                  "keydown " + key() + "\n",
+                                  "keyup " + key() + "\n"};
+    const auto chosen = static_cast<std::size_t>(below(20));
+    return chosen < std::size(events) ? events[chosen] : "key --delay 0 " + key() + "\n";
 }
 
 std::string EventSource::menu_walk(int x, int y) {
