@@ -84,17 +84,6 @@ TEST(Tightness, TellsByHowMuchNodesAreTooLarge) {
     EXPECT_NEAR(over_levels(levels).mean(), 1 + 0.1 / static_cast<double>(half_width), 1e-6);
 }
 
-TEST(BreakEven, IsTheFrameFromWhichOnMoreWasSpentInAll) {
-    const std::vector<double> rebuild(6, 10);
-    const auto frame = [&rebuild](const std::vector<double>& costs) { return break_even_frame(costs, rebuild); };
-    EXPECT_EQ(frame({5, 8, 11, 14, 17, 20}), 4u) << "55 against 50 after the fifth";
-    EXPECT_EQ(frame({9, 9, 9, 9, 9, 9}), std::nullopt);
-    EXPECT_EQ(frame({10, 10, 10, 10, 10, 10}), std::nullopt) << "as much is not more";
-    EXPECT_EQ(frame({11, 1, 10, 10, 10, 30}), 5u) << "ahead for a while does not count";
-    EXPECT_EQ(frame({30, 1, 1, 1, 1, 1}), std::nullopt);
-    EXPECT_EQ(frame({11, 11, 11, 11, 11, 11}), 0u);
-}
-
 /// The planted fault: every node too small by half.
 BoundingSphere fit_shrunken_sphere(const Patch& patch) {
     BoundingSphere sphere = fit_smallest_sphere(patch);
@@ -168,7 +157,7 @@ TEST(LabHierarchy, WritesWhatItCountsAndDrawsWhatAShareHas) {
     const std::string all = std::to_string(hierarchy_experiment().cases(true).size());
     const LabRun run = folder.run({"hierarchy", "--quick", "--share", "2/" + all, "--out", "out"});
     ASSERT_EQ(run.code, 0) << run.err;
-    EXPECT_THAT(run.out, HasSubstr("fit: drop, 900 particles: fastest is sphere"));
+    EXPECT_THAT(run.out, HasSubstr("fit, drop, particles 900, sphere: 3 rows, whole_s "));
     const auto table = read_table(hierarchy_experiment(), folder.path("out/hierarchy.csv"), false);
     const auto rows = hierarchy_format().rows(table.value().rows());
     ASSERT_EQ(rows.size(), 3u) << "three sizes of leaves";

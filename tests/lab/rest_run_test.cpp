@@ -59,9 +59,9 @@ TEST(RestSettings, HaveAStepThatIsStable) {
 TEST(LabRest, WritesARowACase) {
     const LabFolder folder;
     const std::tuple<const char*, const char*, const char*> cases[]{
-        {"2-2", "1 of 1 are below 0.3 mm/s RMS when they fall asleep",
+        {"2-2", "rest, drop, projection, symplectic_euler, asleep: 1 row, step_s 0.000313, asleep_s ",
          "2,rest,drop,projection,symplectic_euler,0.000313,asleep,"},
-        {"22-22", "velocity_verlet, step 0.313 ms: has crept by ",
+        {"22-22", "drift, drop, projection, velocity_verlet, awake: 1 row, step_s 0.000313, ",
          "22,drift,drop,projection,velocity_verlet,0.000313,awake,nan,nan,"}};
     for (const auto& [number, said, row] : cases) {
         const LabRun run = folder.run({"rest", "--quick", "--cases", number, "--out", number});

@@ -1,5 +1,3 @@
-#include <fmt/core.h>
-
 #include <array>
 #include <cmath>
 
@@ -75,14 +73,6 @@ std::vector<CaseOf<SelfContactRow>> self_contact_cases(bool quick) {
                       std::vector{1.25e-4, 5e-4, 2e-3, 8e-3});
 }
 
-std::string self_contact_line(const SelfContactRow& row) {
-    return fmt::format(
-        "{:.3g} mm, step 1/{:.0f} s, fail-safe {}: crossings after {:.0f} % of the steps, no search in {:.0f} %, "
-        "penetration {:.3g} mm, momentum off by {:.3g} %",
-        1e3 * row.thickness, 1 / row.step, name_of(row.fail_safe), 1e2 * row.crossed_steps, 1e2 * row.unsearched_steps,
-        1e3 * row.penetration, 1e2 * row.momentum_error);
-}
-
 std::vector<Chart> self_contact_charts(const std::vector<SelfContactRow>& rows) {
     const auto shown = words_of(rows, [](const SelfContactRow& row) { return real_text(1e3 * row.thickness, 4); });
     return {{"self_contact",
@@ -115,7 +105,9 @@ Experiment self_contact_experiment() {
                                {number_column("held_back"), &Row::held_back},
                                {number_column("rejected"), &Row::rejected},
                                {number_column("cpu_s_per_s"), &Row::cpu}}},
-                             {{"", self_contact_cases, line_of_each(self_contact_line), self_contact_charts}}};
+                             {{"thickness_m", "step_s", "fail_safe"},
+                              {"crossed_steps", "unsearched_steps", "penetration_m", "momentum_error", "cpu_s_per_s"}},
+                             {{"", self_contact_cases, self_contact_charts}}};
 }
 
 }  // namespace drape

@@ -1,5 +1,3 @@
-#include <fmt/core.h>
-
 #include "drape/base/enum_names.h"
 #include "lab/experiments.h"
 #include "shots.h"
@@ -80,16 +78,6 @@ std::vector<Chart> time_charts(const ContinuousRows& rows) {
              {{"detections", in_words(words_of(rows, &ContinuousRow::detection))}}}};
 }
 
-std::string miss_line(const ContinuousRow& row) {
-    return fmt::format("misses: {} at q = {}: discrete {:.4f}, predicted {:.4f}, continuous {}", row.target, row.q,
-                       row.discrete, row.predicted, row.continuous);
-}
-
-std::string time_line(const ContinuousRow& row) {
-    return fmt::format("time: {}, {} particles: build {:.3g} us, search {:.3g} us", row.detection, row.particles,
-                       1e6 * row.build.median, 1e6 * row.search.median);
-}
-
 }  // namespace
 
 Experiment continuous_experiment() {
@@ -108,8 +96,9 @@ Experiment continuous_experiment() {
                                {whole_column("particles", 4).or_nan(), &Row::particles},
                                {number_column("build_s").or_nan(), &Row::build},
                                {number_column("search_s").or_nan(), &Row::search}}},
-                             {{"misses", miss_cases, line_of_each(miss_line), miss_charts},
-                              {"time", time_cases, line_of_each(time_line), time_charts}}};
+                             {{"part", "target", "detection", "q", "particles"},
+                              {"discrete_missed", "predicted", "continuous_missed", "build_s", "search_s"}},
+                             {{"misses", miss_cases, miss_charts}, {"time", time_cases, time_charts}}};
 }
 
 }  // namespace drape

@@ -133,7 +133,7 @@ std::string assignments_of(const Chart& chart) {
 
 void present(const Experiment& experiment, const ExperimentTable& table, const std::filesystem::path& file) {
     const auto rows = table.rows();
-    const std::string summary = experiment.summary(rows);
+    const std::string summary = summary_of(experiment, rows);
     std::cout << summary;
     auto charts = experiment.charts(rows);
     if (!draw_charts(charts, file)) {

@@ -1,7 +1,5 @@
 #pragma once
 
-#include <span>
-
 #include "drape/bounds/broad_phase.h"
 #include "hierarchy_run.h"
 #include "lab/experiment/experiment.h"
@@ -77,12 +75,6 @@ inline constexpr int resampled_side = 128, resampled_particles = resampled_side 
 inline constexpr VolumeKind volume_families[] = {VolumeKind::Sphere, VolumeKind::Aabb, VolumeKind::Kdop18,
                                                  VolumeKind::Obb};
 
-/// The frame from which on, and to the last, one way has cost more in all than another.
-/// @param costs of each frame of the way that is cheap at first
-/// @param others of the other way; where one has more frames, these are left out
-/// @return counted from 0; nothing if it has not cost more when the last frame ends
-std::optional<std::size_t> break_even_frame(std::span<const double> costs, std::span<const double> others);
-
 /// How times grow with the number of particles, for one hierarchy.
 struct Growth {
     std::string volume, update;
@@ -93,9 +85,6 @@ struct Growth {
 /// at the least no longer counts. Hierarchies with fewer than two such sizes are left out.
 /// @param rows of the part "size"
 std::vector<Growth> growths(const HierarchyRows& rows);
-
-/// A line or more a part.
-std::string hierarchy_summary(const HierarchyRows& rows);
 
 /// Charts of the parts that the rows have.
 std::vector<Chart> hierarchy_charts(const HierarchyRows& rows);

@@ -1,5 +1,3 @@
-#include <fmt/core.h>
-
 #include <algorithm>
 
 #include "drape/scene/scene.h"
@@ -126,23 +124,6 @@ auto cases_of(const Run& run, const std::vector<std::string>& quick_scenes, cons
     return [=](bool quick) { return cases_over(run, quick ? quick_scenes : scenes); };
 }
 
-std::string told(const MinimalRow& row) {
-    return fmt::format("{}, {}: {}x{}{}{}, {} {:.3g} s: error {:.3g} %, {:.3g} ms/s, {}", row.scene, row.changed,
-                       row.particles_x, row.particles_y, row.bend ? " bend" : "", row.drag ? " drag" : "",
-                       name_of(row.integrator), row.step, 100 * row.error, 1e3 * row.cost, row.outcome);
-}
-
-/// What became of each scene.
-std::string ladder_summary(const MinimalRows& rows) {
-    std::string text;
-    for (const auto& [scene, tried] : groups_of(rows, &MinimalRow::scene)) {
-        const auto last =
-            std::find_if(tried.rbegin(), tried.rend(), [](const auto& row) { return row.outcome == "kept"; });
-        text += fmt::format("{} tried; {}\n", tried.size(), told(*last));
-    }
-    return text;
-}
-
 std::vector<Chart> ladder_charts(const MinimalRows& rows) {
     std::vector<Chart> charts;
     for (const std::string& scene : words_of(rows, &MinimalRow::scene)) {
@@ -192,9 +173,10 @@ Experiment minimal_experiment() {
           {positive_column("cost_s_per_s").or_nan(), &Row::cost},
           {number_column("moved").or_nan(), &Row::moved},
           {word_column("outcome", {"kept", "costlier", "rejected", "compared", "diverged"}), &Row::outcome}}},
-        {{"ladder", cases_of(run_ladder, {"hang"}, searched), ladder_summary, ladder_charts},
-         {"notches", cases_of(run_notches, {"hang"}, scenes_with_needs()), line_of_each(told), no_charts},
-         {"budget", cases_of(run_budget, {"hang"}, searched), line_of_each(told), budget_charts}}};
+        {{"part", "scene", "changed", "outcome"}, {"particles_x", "step_s", "error", "miss", "cost_s_per_s", "moved"}},
+        {{"ladder", cases_of(run_ladder, {"hang"}, searched), ladder_charts},
+         {"notches", cases_of(run_notches, {"hang"}, scenes_with_needs()), {}},
+         {"budget", cases_of(run_budget, {"hang"}, searched), budget_charts}}};
 }
 
 }  // namespace drape

@@ -56,12 +56,4 @@ OriginalRows original_rows(const OriginalPlan& plan, const std::filesystem::path
 /// The five tests side by side, and build and search apart.
 std::vector<Chart> original_charts(const OriginalRows& rows);
 
-/// The five tests, and whether the dissertation's conclusion holds.
-std::string original_summary(const OriginalRows& rows);
-
-/// Whether both halves of the dissertation's conclusion hold: spheres are more expensive to build, and faster to
-/// search.
-/// @param sphere,aabb medians
-std::string original_conclusion(const OriginalSearch& sphere, const OriginalSearch& aabb);
-
 }  // namespace drape

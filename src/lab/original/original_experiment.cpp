@@ -49,7 +49,10 @@ Experiment original_experiment() {
                                {number_column("single_search_s"), &Row::single, &Search::search},
                                {number_column("single_exact_s"), &Row::single, &Search::exact},
                                {number_column("single_candidates"), &Row::single, &Search::candidates}}},
-                             {{"", original_cases, original_summary, original_charts}}};
+                             {{"volume", "bounds_drawn"},
+                              {"execution_s", "rate_per_s", "gl_calls", "cpu", "vertices", "build_s", "search_s",
+                               "single_build_s", "single_search_s"}},
+                             {{"", original_cases, original_charts}}};
 }
 
 }  // namespace drape

@@ -119,7 +119,4 @@ std::vector<PrecisionDiagram> precision_diagrams(const std::vector<PrecisionRow>
 /// @throws RunError if the reference of a scene is not two decades better than the best point: nothing is drawn then
 std::vector<Chart> precision_charts(const std::vector<PrecisionRow>& rows);
 
-/// What the reference is worth, order and unstable steps of each method, and which points no other one beats.
-std::string precision_summary(const std::vector<PrecisionRow>& rows);
-
 }  // namespace drape

@@ -136,7 +136,8 @@ Experiment precision_experiment() {
           {number_column("cost_upper_s_per_s").or_nan(), &Row::cost, &Quartiles::upper},
           {number_column("reference_error"), &Row::reference_error},
           {number_column("growth").or_nan().or_words({"inf"}), &Row::growth}}},
-        {{"", precision_cases, precision_summary, precision_charts}}};
+        {{"scene", "method", "end"}, {"step_s", "error", "cost_s_per_s", "reference_error", "growth"}},
+        {{"", precision_cases, precision_charts}}};
 }
 
 }  // namespace drape

@@ -43,43 +43,6 @@ PrecisionDiagram diagram_of(const std::vector<PrecisionRow>& rows) {
     return diagram;
 }
 
-/// What the errors of a scene are worth.
-std::string worth(const PrecisionDiagram& diagram) {
-    const PrecisionRow& scene = diagram.scene;
-    std::string line = fmt::format(
-        "{0}: {1} x {1} particles, {2} N/m, to {3} s\n  an error of {4:.3g} m at the start grows {5:.3g} times",
-        scene.scene, scene.particles, scene.stiffness, scene.horizon, small_error, scene.growth);
-    if (scene.measure != name_of(Measure::Position)) {
-        line += fmt::format(
-            ": more than {:.3g}, so positions at this horizon are not compared; sag, centre of mass "
-            "and energy are",
-            most_growth);
-    }
-    line += fmt::format("\n  reference: its own error is {:.3g}, the best point's {:.3g} times that",
-                        scene.reference_error, diagram.margin());
-    if (!(diagram.margin() >= least_margin)) line += fmt::format(": less than {:.3g}, no chart is drawn", least_margin);
-    return line + "\n";
-}
-
-std::string about(const PrecisionCurve& curve) {
-    std::string line = "  " + curve.method + ": ";
-    const auto& points = curve.points;
-    if (curve.order) {
-        line += fmt::format("order {:.3g} over the finest {} points ({:.3g} to {:.3g} s)", curve.order->order,
-                            curve.order->points, points[points.size() - curve.order->points].step, points.back().step);
-    } else {
-        line += "no order (the error follows no power over 3 points)";
-    }
-    if (!points.empty()) {
-        const auto [least, most] = std::ranges::minmax(points, {}, &PrecisionRow::error);
-        line += fmt::format(", error {:.3g} to {:.3g}", least.error, most.error);
-    }
-    if (curve.unstable.empty()) return line + "\n";
-    line += ", unstable at";
-    for (const double step : curve.unstable) line += fmt::format(" {:.3g}", step);
-    return line + " s\n";
-}
-
 std::string caption_of(const PrecisionRow& scene) {
     const std::string phases = scene.phases == 1
                                    ? ""
@@ -146,20 +109,6 @@ std::vector<PrecisionDiagram> precision_diagrams(const std::vector<PrecisionRow>
         diagrams.push_back(diagram_of(rows_with(rows, &PrecisionRow::scene, scene)));
     }
     return diagrams;
-}
-
-std::string precision_summary(const std::vector<PrecisionRow>& rows) {
-    std::string all;
-    for (const PrecisionDiagram& diagram : precision_diagrams(rows)) {
-        all += worth(diagram);
-        for (const PrecisionCurve& curve : diagram.curves) all += about(curve);
-        all += "  no other point is both more exact and cheaper than\n";
-        for (const PrecisionRow& point : diagram.front) {
-            all += fmt::format("    {} at {:.3g} s: error {:.3g}, {:.3g} s/s\n", point.method, point.step, point.error,
-                               point.cost.median);
-        }
-    }
-    return all;
 }
 
 std::vector<Chart> precision_charts(const std::vector<PrecisionRow>& rows) {

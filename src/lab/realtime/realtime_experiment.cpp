@@ -1,10 +1,8 @@
 #include <fmt/core.h>
 
 #include <algorithm>
-#include <map>
 #include <memory>
 #include <optional>
-#include <tuple>
 
 #include "drape/model/stencils.h"
 #include "drape/scene/scene.h"
@@ -162,19 +160,6 @@ std::vector<CaseOf<RealtimeRow>> realtime_cases(bool quick) {
     return all;
 }
 
-std::string realtime_summary(const RealtimeRows& rows) {
-    std::map<std::tuple<FrameMotion, std::int64_t, std::string>, RealtimeRow> largest;
-    for (const RealtimeRow& row : rows) {
-        if (row.end == "realtime") largest[{row.motion, row.threads, row.method}] = row;
-    }
-    std::string text;
-    for (const auto& [key, row] : largest) {
-        text += fmt::format("{}, {} thread(s): {} moves {} x {} particles, off by {:.2g} % of the side\n",
-                            name_of(row.motion), row.threads, row.method, row.side, row.side, 100 * row.error);
-    }
-    return text;
-}
-
 /// Of some methods, that have a cloth in real time on one thread.
 std::vector<Chart> realtime_charts(RealtimeRows rows) {
     const std::vector<std::string> charted{"symplectic_euler_by_1",
@@ -202,19 +187,21 @@ std::vector<Chart> realtime_charts(RealtimeRows rows) {
 
 Experiment realtime_experiment() {
     using Row = RealtimeRow;
-    return ExperimentOf<Row>{"realtime",
-                             "how large a cloth can be moved in real time, and how accurately?",
-                             {5,
-                              {{name_column<FrameMotion>("motion"), &Row::motion},
-                               {word_column("method", names_in(frame_methods(), &FrameMethod::name)), &Row::method},
-                               {whole_column("threads", 1), &Row::threads},
-                               {whole_column("side", 2), &Row::side},
-                               {number_column("wall_s_per_s").or_nan(), &Row::wall},
-                               {number_column("cpu_s_per_s").or_nan(), &Row::cpu},
-                               {number_column("stretch_excess").or_nan(), &Row::excess},
-                               {number_column("error").or_nan(), &Row::error},
-                               {word_column("end", {"realtime", "late", "stretched", "diverged"}), &Row::end}}},
-                             {{"", realtime_cases, realtime_summary, realtime_charts}}};
+    return ExperimentOf<Row>{
+        "realtime",
+        "how large a cloth can be moved in real time, and how accurately?",
+        {5,
+         {{name_column<FrameMotion>("motion"), &Row::motion},
+          {word_column("method", names_in(frame_methods(), &FrameMethod::name)), &Row::method},
+          {whole_column("threads", 1), &Row::threads},
+          {whole_column("side", 2), &Row::side},
+          {number_column("wall_s_per_s").or_nan(), &Row::wall},
+          {number_column("cpu_s_per_s").or_nan(), &Row::cpu},
+          {number_column("stretch_excess").or_nan(), &Row::excess},
+          {number_column("error").or_nan(), &Row::error},
+          {word_column("end", {"realtime", "late", "stretched", "diverged"}), &Row::end}}},
+        {{"motion", "threads", "method", "end"}, {"side", "error", "stretch_excess", "wall_s_per_s"}},
+        {{"", realtime_cases, realtime_charts}}};
 }
 
 }  // namespace drape

@@ -1,5 +1,3 @@
-#include <fmt/core.h>
-
 #include "lab/experiments.h"
 #include "lab/measure/methods.h"
 #include "responses.h"
@@ -38,18 +36,6 @@ std::vector<CaseOf<ResponseRow>> limit_cases(bool quick) {
                       std::vector{0.0, 0.5, 1.0});
 }
 
-std::string step_line(const ResponseRow& row) {
-    return fmt::format(
-        "{} at a step of {:.3g} ms: time of impact off by {:.3g} ms, height of the bounce off by {:.3g} %, drift "
-        "{:.3g} mm/s",
-        name_of(row.response), 1e3 * row.step, 1e3 * row.impact_error, 1e2 * row.height_error, 1e3 * row.drift);
-}
-
-std::string limit_line(const ResponseRow& row) {
-    return fmt::format("penalty of {} N/m, restitution {}: longest step predicted {:.3g} ms, measured {:.3g} ms",
-                       row.stiffness, row.restitution, 1e3 * row.predicted, 1e3 * row.measured);
-}
-
 std::vector<Chart> step_charts(const ResponseRows& rows) {
     const auto responses = words_of(rows, [](const ResponseRow& row) { return name_of(row.response); });
     return {{"responses",
@@ -71,23 +57,25 @@ std::vector<Chart> limit_charts(const ResponseRows&) {
 
 Experiment responses_experiment() {
     using Row = ResponseRow;
-    return ExperimentOf<Row>{"responses",
-                             "which response is right, and at which step?",
-                             {5,
-                              {{word_column("part", {"step", "limit"}), &Row::part},
-                               {name_column<ResponseKind>("response"), &Row::response},
-                               {positive_column("step_s").or_nan(), &Row::step},
-                               {number_column("impact_error_s").or_nan(), &Row::impact_error},
-                               {number_column("height_error").or_nan(), &Row::height_error},
-                               {number_column("drift_m_per_s").or_nan(), &Row::drift},
-                               {number_column("sweeps").or_nan(), &Row::sweeps},
-                               {number_column("respond_s").or_nan(), &Row::cost},
-                               {positive_column("stiffness_N_per_m").or_nan(), &Row::stiffness},
-                               {number_column("restitution").or_nan(), &Row::restitution},
-                               {positive_column("predicted_step_s").or_nan(), &Row::predicted},
-                               {positive_column("measured_step_s").or_nan(), &Row::measured}}},
-                             {{"step", step_cases, line_of_each(step_line), step_charts},
-                              {"limit", limit_cases, line_of_each(limit_line), limit_charts}}};
+    return ExperimentOf<Row>{
+        "responses",
+        "which response is right, and at which step?",
+        {5,
+         {{word_column("part", {"step", "limit"}), &Row::part},
+          {name_column<ResponseKind>("response"), &Row::response},
+          {positive_column("step_s").or_nan(), &Row::step},
+          {number_column("impact_error_s").or_nan(), &Row::impact_error},
+          {number_column("height_error").or_nan(), &Row::height_error},
+          {number_column("drift_m_per_s").or_nan(), &Row::drift},
+          {number_column("sweeps").or_nan(), &Row::sweeps},
+          {number_column("respond_s").or_nan(), &Row::cost},
+          {positive_column("stiffness_N_per_m").or_nan(), &Row::stiffness},
+          {number_column("restitution").or_nan(), &Row::restitution},
+          {positive_column("predicted_step_s").or_nan(), &Row::predicted},
+          {positive_column("measured_step_s").or_nan(), &Row::measured}}},
+        {{"part", "response", "step_s", "stiffness_N_per_m", "restitution"},
+         {"impact_error_s", "height_error", "drift_m_per_s", "predicted_step_s", "measured_step_s"}},
+        {{"step", step_cases, step_charts}, {"limit", limit_cases, limit_charts}}};
 }
 
 }  // namespace drape

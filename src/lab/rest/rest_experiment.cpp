@@ -1,5 +1,3 @@
-#include <fmt/core.h>
-
 #include <algorithm>
 #include <utility>
 
@@ -19,9 +17,6 @@ struct RestRow : RestCase {
     double asleep = no_number, speed_before = no_number, speed_after = no_number;
     double watched = no_number, drift = no_number;  ///< of `DriftRun` [s], [m]
 };
-
-/// Below this a scene is at rest [m/s].
-constexpr double resting_speed = 3e-4;
 
 constexpr double longest_run = 15;
 constexpr int quick_particles = 9;
@@ -97,26 +92,6 @@ std::vector<CaseOf<RestRow>> drift_cases(bool quick) {
     return cases_over([=](const DriftCase& one) { return run_drift_case(one, quick); }, drift_list(quick));
 }
 
-std::string rest_summary(const std::vector<RestRow>& rows) {
-    const auto rests = [](const RestRow& row) { return row.end == "asleep" && row.speed_before < resting_speed; };
-    std::string text = fmt::format("{} of {} are below {} mm/s RMS when they fall asleep\n",
-                                   std::ranges::count_if(rows, rests), rows.size(), 1e3 * resting_speed);
-    for (const RestRow& row : rows) {
-        if (rests(row)) continue;
-        text += fmt::format("{}, {}, {}: {}", row.scene, name_of(row.response), name_of(row.integrator), row.end);
-        if (row.end == "asleep") text += fmt::format(" at {:.3g} s, {:.3g} mm/s", row.asleep, 1e3 * row.speed_before);
-        if (row.end == "awake") text += fmt::format(", {:.3g} mm/s", 1e3 * row.speed_after);
-        text += '\n';
-    }
-    return text;
-}
-
-std::string drift_line(const RestRow& row) {
-    return fmt::format("{}, step {:.3g} ms: ", name_of(row.integrator), 1e3 * row.step) +
-           (row.end == "diverged" ? "diverged"
-                                  : fmt::format("has crept by {:.3g} mm after {:.3g} s", 1e3 * row.drift, row.watched));
-}
-
 }  // namespace
 
 Experiment rest_experiment() {
@@ -136,7 +111,9 @@ Experiment rest_experiment() {
           {number_column("speed_after_m_per_s").or_nan(), &Row::speed_after},
           {positive_column("watched_s").or_nan(), &Row::watched},
           {number_column("drift_m").or_nan(), &Row::drift}}},
-        {{"rest", rest_cases, rest_summary, no_charts}, {"drift", drift_cases, line_of_each(drift_line), no_charts}}};
+        {{"part", "scene", "response", "integrator", "end"},
+         {"step_s", "asleep_s", "speed_before_m_per_s", "speed_after_m_per_s", "watched_s", "drift_m"}},
+        {{"rest", rest_cases, {}}, {"drift", drift_cases, {}}}};
 }
 
 }  // namespace drape

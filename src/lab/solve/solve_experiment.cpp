@@ -1,5 +1,3 @@
-#include <fmt/core.h>
-
 #include <cmath>
 #include <memory>
 
@@ -144,37 +142,6 @@ std::vector<CaseOf<SolveRow>> size_cases(bool quick) {
         std::vector{Real(0.2), Real(1)}, quick ? std::vector{24, 32} : std::vector{32, 45, 64, 91, 128, 181, 256});
 }
 
-std::string tolerance_line(const SolveRow& row) {
-    return fmt::format(
-        "{}, {} a side, solved to {:.0e}: {:.1f} iterations, {:.3g} ms a step; off by {:.3g} mm for it, by {:.3g} mm "
-        "for "
-        "the step",
-        row.method, row.side, row.tolerance, row.iterations, 1e3 * row.cost.median, 1e3 * row.solver_error,
-        1e3 * row.step_error);
-}
-
-std::string newton_line(const SolveRow& row) {
-    return fmt::format("{}, {} Newton step(s) of {:.3g} ms: off by {:.3g} mm, {:.3g} s for a simulated second",
-                       row.method, row.newton_steps, 1e3 * row.step, 1e3 * row.step_error, row.cost.median / row.step);
-}
-
-std::string size_summary(const SolveRows& rows) {
-    std::string text;
-    for (const auto& [time, sizes] : groups_of(rows, &SolveRow::time)) {
-        std::vector<std::pair<double, double>> points;
-        for (const SolveRow& row : sizes) {
-            const double particles = static_cast<double>(row.side) * static_cast<double>(row.side);
-            if (points.empty() || particles > points.back().first) points.emplace_back(particles, row.cost.median);
-            text += fmt::format("{:.0f} particles after {} s: {:.1f} iterations, {:.3g} ms a step\n", particles, time,
-                                row.iterations, 1e3 * row.cost.median);
-        }
-        if (points.size() > 1)
-            text += fmt::format("after {} s, time of a step grows with the particles to the power {:.2f}\n", time,
-                                fitted_exponent(points));
-    }
-    return text;
-}
-
 std::vector<Chart> tolerance_charts(const SolveRows& all) {
     const SolveRows rows = rows_with(all, &SolveRow::method, "backward_euler_clamped");
     if (rows.empty()) return {};
@@ -224,9 +191,11 @@ Experiment solve_experiment() {
           {number_column("step_error_m").or_nan(), &Row::step_error},
           {number_column("iterations"), &Row::iterations},
           {positive_column("cost_s"), &Row::cost}}},
-        {{"tolerance", tolerance_cases, line_of_each(tolerance_line), tolerance_charts},
-         {"newton", newton_cases, line_of_each(newton_line), newton_charts},
-         {"size", size_cases, size_summary, size_charts}}};
+        {{"part", "method", "side", "time_s", "newton_steps"},
+         {"tolerance", "step_s", "iterations", "cost_s", "solver_error_m", "step_error_m"}},
+        {{"tolerance", tolerance_cases, tolerance_charts},
+         {"newton", newton_cases, newton_charts},
+         {"size", size_cases, size_charts}}};
 }
 
 }  // namespace drape

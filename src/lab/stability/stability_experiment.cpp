@@ -1,9 +1,6 @@
-#include <fmt/core.h>
-
 #include <algorithm>
 #include <cmath>
 #include <limits>
-#include <map>
 
 #include "drape/integrate/stability.h"
 #include "drape/integrate/stability_trial.h"
@@ -147,51 +144,6 @@ std::vector<CaseOf<StabilityRow>> stability_cases(bool quick) {
     return all;
 }
 
-/// How often the trials of a method with a limit speak against the prediction, and how far the measured limits are from
-/// it.
-std::string limited_summary(const std::vector<StabilityRow>& rows) {
-    int close = 0, against = 0;
-    double lowest = std::numeric_limits<double>::infinity(), highest = 0;
-    for (const StabilityRow& row : rows) {
-        close += row.agreement == "close" ? 1 : 0;
-        against += row.agreement == "disagrees" ? 1 : 0;
-        const auto part = static_cast<double>(row.measured / row.expected);
-        lowest = std::min(lowest, part);
-        highest = std::max(highest, part);
-    }
-    return fmt::format(
-        "{} close to the limit, {} against the prediction, measured limit {:.4g} to {:.4g} of the expected", close,
-        against, lowest, highest);
-}
-
-/// How often a method without a limit did not stay bounded, and the shortest step that failed in each sweep.
-std::string unlimited_summary(const std::vector<StabilityRow>& rows) {
-    const auto failed =
-        std::ranges::count_if(rows, [](const StabilityRow& row) { return row.end != TrialEnd::Bounded; });
-    std::map<std::string, std::map<Real, Real>> shortest;  // by sweep and what varies in it
-    for (const StabilityRow& row : rows) {
-        shortest[row.sweep][row.sweep == "damping" ? row.damping : row.stiffness] = row.measured;
-    }
-    std::string text = fmt::format("{} not bounded; shortest step that failed [s]", failed);
-    for (const auto& [sweep, steps] : shortest) {
-        text += "\n  " + sweep + ":";
-        for (const auto& [value, step] : steps) text += fmt::format(" {:.3g}: {:.6g},", value, step);
-        text.pop_back();
-    }
-    return text;
-}
-
-/// Some lines a method on how its trials ended.
-std::string stability_summary(const std::vector<StabilityRow>& rows) {
-    std::string text;
-    for (const auto& [method, trials] : groups_of(rows, &StabilityRow::method)) {
-        const bool limited = std::isfinite(trials.front().expected);
-        text += fmt::format("{}: {} trials, {}\n", method, trials.size(),
-                            limited ? limited_summary(trials) : unlimited_summary(trials));
-    }
-    return text;
-}
-
 /// @param rows of one method, at least one
 Chart stability_chart(std::vector<StabilityRow> rows) {
     // The sheet that is drawn is the last of its method
@@ -247,7 +199,8 @@ Experiment stability_experiment() {
                                {positive_column("step_s"), &Row::step},
                                {name_column<TrialEnd>("end"), &Row::end},
                                {word_column("agreement", {"agrees", "disagrees", "close"}), &Row::agreement}}},
-                             {{"", stability_cases, stability_summary, stability_charts}}};
+                             {{"method", "sweep", "agreement"}, {"expected_step_s", "measured_step_s"}},
+                             {{"", stability_cases, stability_charts}}};
 }
 
 }  // namespace drape

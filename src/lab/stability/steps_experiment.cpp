@@ -1,5 +1,3 @@
-#include <fmt/core.h>
-
 #include <memory>
 #include <optional>
 
@@ -79,11 +77,6 @@ std::vector<CaseOf<StepsRow>> steps_cases(bool quick) {
         methods(), per_second);
 }
 
-std::string line(const StepsRow& row) {
-    return fmt::format("{} at {:.3g} ms: {}, error {:.2g} %, {:.2g} % more stretch", row.method, 1e3 * row.step,
-                       row.end, 100 * row.error, 100 * row.excess);
-}
-
 std::vector<Chart> steps_charts(const std::vector<StepsRow>& rows) {
     return {{"steps",
              "steps",
@@ -106,7 +99,8 @@ Experiment steps_experiment() {
                                {positive_column("step_over_limit").or_nan(), &Row::limit_ratio},
                                {positive_column("cost_s_per_s").or_nan(), &Row::cost},
                                {word_column("end", {"held", "off", "soft", "ruined", "blew_up"}), &Row::end}}},
-                             {{"", steps_cases, line_of_each(line), steps_charts}}};
+                             {{"method", "end"}, {"step_s", "error", "stretch_excess", "cost_s_per_s"}},
+                             {{"", steps_cases, steps_charts}}};
 }
 
 }  // namespace drape
