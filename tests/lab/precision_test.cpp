@@ -157,15 +157,23 @@ TEST(Precision, ContactMakesRk4AMethodOfFirstOrder) {
 }
 
 /// Rows as the experiment writes them, of velocity Verlet on the soft sheet against a reference.
-std::vector<PrecisionRow> verlet_rows(const Reference& reference) {
-    std::vector<PrecisionRow> rows;
+Rows verlet_rows(const Reference& reference) {
+    Rows rows;
     for (const int count : {64, 128, 256, 512, 1024}) {
         const Finish end = finish(soft(), {{.kind = IntegratorKind::VelocityVerlet}, count});
-        const double error = position_error(end.state.x, reference.state.x, soft().side());
-        rows.push_back({"soft", 6, 100, 0.25, 1, "velocity_verlet", nothing, static_cast<double>(count),
-                        static_cast<double>(soft().horizon) / count, end.bounded ? "bounded" : "unstable",
-                        std::string(name_of(reference.measure)), error,
-                        Quartiles{0.9e-5 * count, 1e-5 * count, 1.1e-5 * count}, reference.error, reference.growth});
+        rows.push_back({{"scene", "soft"},
+                        {"particles", 6},
+                        {"stiffness_N_per_m", 100},
+                        {"horizon_s", 0.25},
+                        {"phases", 1},
+                        {"method", "velocity_verlet"},
+                        {"step_s", static_cast<double>(soft().horizon) / count},
+                        {"end", end.bounded ? "bounded" : "unstable"},
+                        {"measure", reference.measure},
+                        {"error", position_error(end.state.x, reference.state.x, soft().side())},
+                        {"cost_s_per_s", Quartiles{0.9e-5 * count, 1e-5 * count, 1.1e-5 * count}},
+                        {"reference_error", reference.error},
+                        {"growth", reference.growth}});
     }
     return rows;
 }
@@ -174,7 +182,7 @@ TEST(Precision, RefusesToDrawAgainstAReferenceThatIsTooCoarse) {
     auto rows = verlet_rows(find_reference(soft()));
     EXPECT_THAT(precision_charts(rows), SizeIs(2)) << "of all methods, and of six";
     EXPECT_NEAR(precision_diagrams(rows).front().curves.front().order->order, 2, 0.1);
-    for (PrecisionRow& row : rows) row.measure = "overall";
+    for (Row& row : rows) row.set("measure", "overall");
     EXPECT_EQ(precision_charts(rows).front().values.at("overall"), Chart::Value(1.));
 
     const auto coarse = verlet_rows(find_reference(soft(), std::array{Real(1e-3), Real(1e-4)}));

@@ -213,10 +213,10 @@ TEST(Summary, HasALineForEachChoiceOfCellsWithTheRangesOfItsRows) {
     const Experiment experiment{
         .name = "x",
         .question = "",
+        .digits = 6,
         .columns = {word_column("kind", {"a", "b"}), number_column("size").or_nan(), number_column("time_s").or_nan()},
         .summary = {{"kind", "size"}, {"time_s"}},
-        .cases = {},
-        .charts = {}};
+        .parts = {}};
     const std::string text = summary_of(
         experiment, {{"b", "8", "0.5"}, {"a", "nan", "3"}, {"b", "8", "nan"}, {"b", "8", "0.1234"}, {"a", "9", "nan"}});
     EXPECT_EQ(text, "b, size 8: 3 rows, time_s 0.123 to 0.5\na: 1 row, time_s 3\na, size 9: 1 row\n");

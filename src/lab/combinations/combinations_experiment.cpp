@@ -142,12 +142,7 @@ std::string flaw_of(const CombinationRun& run) {
 namespace {
 
 /// A combination, by brute force and all of its trees.
-struct CombinationRow : Combination, CombinationRun {
-    std::size_t trees = 0;  ///< with the same bits as brute force
-    std::string flaw;
-};
-
-std::vector<CombinationRow> run_trees(const Combination& combination, const std::vector<SearchTree>& trees) {
+Rows run_trees(const Combination& combination, const std::vector<SearchTree>& trees) {
     constexpr double simulated_seconds = 2;
     const CombinationRun expected = run_combination(combination, {}, simulated_seconds);
     for (const SearchTree& tree : trees) {
@@ -157,11 +152,20 @@ std::vector<CombinationRow> run_trees(const Combination& combination, const std:
                                    combination.continuous ? "continuous" : "discrete", name_of(tree.volume),
                                    name_of(tree.update)));
     }
-    return {{combination, expected, trees.size(), flaw_of(expected)}};
+    return {{{"integrator", combination.integrator},
+             {"response", combination.response},
+             {"detection", combination.continuous ? "continuous" : "discrete"},
+             {"trees", trees.size()},
+             {"step_s", expected.step},
+             {"touched_steps", expected.touched},
+             {"penetration_m", expected.penetration},
+             {"energy_gain_m", expected.energy_gain},
+             {"speed_m_per_s", expected.speed},
+             {"flaw", flaw_of(expected)}}};
 }
 
-std::vector<CaseOf<CombinationRow>> combination_cases(bool quick) {
-    std::vector<CaseOf<CombinationRow>> all;
+ExperimentCases combination_cases(bool quick) {
+    ExperimentCases all;
     for (const Combination& combination : all_combinations()) {
         const std::size_t number = all.size();
         all.push_back([=] { return run_trees(combination, quick ? std::vector{sampled_tree(number)} : all_trees()); });
@@ -172,23 +176,16 @@ std::vector<CaseOf<CombinationRow>> combination_cases(bool quick) {
 }  // namespace
 
 Experiment combinations_experiment() {
-    using Row = CombinationRow;
-    return ExperimentOf<Row>{
-        "combinations",
-        "does every integrator work with every response, volume and update?",
-        {4,
-         {{name_column<IntegratorKind>("integrator"), &Row::integrator},
-          {name_column<ResponseKind>("response"), &Row::response},
-          {word_column("detection", {"discrete", "continuous"}), &Row::continuous},
-          {whole_column("trees", 1), &Row::trees},
-          {positive_column("step_s"), &Row::step},
-          {whole_column("touched_steps"), &Row::touched},
-          {number_column("penetration_m"), &Row::penetration},
-          {number_column("energy_gain_m"), &Row::energy_gain},
-          {number_column("speed_m_per_s"), &Row::speed},
-          {word_column("flaw", run_flaws()), &Row::flaw}}},
-        {{"integrator", "flaw"}, {"trees", "step_s", "penetration_m", "energy_gain_m", "speed_m_per_s"}},
-        {{"", combination_cases, {}}}};
+    return {"combinations",
+            "does every integrator work with every response, volume and update?",
+            4,
+            {name_column<IntegratorKind>("integrator"), name_column<ResponseKind>("response"),
+             word_column("detection", {"discrete", "continuous"}),
+             whole_column("trees", 1),  // with the same bits as brute force
+             positive_column("step_s"), whole_column("touched_steps"), number_column("penetration_m"),
+             number_column("energy_gain_m"), number_column("speed_m_per_s"), word_column("flaw", run_flaws())},
+            {{"integrator", "flaw"}, {"trees", "step_s", "penetration_m", "energy_gain_m", "speed_m_per_s"}},
+            {{"", combination_cases, {}}}};
 }
 
 }  // namespace drape

@@ -177,14 +177,6 @@ constexpr Real sheet_speed = 8;  // m/s
 /// Those compared, in the order of the table.
 constexpr std::array fail_safes{FailSafe::Zones, FailSafe::Rejection, FailSafe::None};
 
-/// A run: one thickness, one step, one fail-safe.
-struct SelfContactRow : SelfContactHistory {
-    double thickness = 0, step = 0;
-    FailSafe fail_safe{};
-    double momentum_error = 0;
-    Quartiles cpu = {};  ///< time for a simulated second [s]
-};
-
 /// CPU time for a simulated second, without an observer.
 double time_sheets(const ContactScene& scene, double step, FailSafe fail_safe) {
     SelfContactTrial trial(scene, static_cast<Real>(step), fail_safe);
@@ -195,45 +187,56 @@ double time_sheets(const ContactScene& scene, double step, FailSafe fail_safe) {
 }
 
 /// The runs of a step, timed in turn.
-std::vector<SelfContactRow> run_step(const ContactScene& scene, double step, const SelfContactHistory& reference,
-                                     int repeats) {
+Rows run_step(const ContactScene& scene, double step, const SelfContactHistory& reference, int repeats) {
     std::array<std::vector<double>, fail_safes.size()> cpu;
     for (int repeat = 0; repeat < repeats; ++repeat) {
         for (std::size_t k = 0; k < fail_safes.size(); ++k) cpu[k].push_back(time_sheets(scene, step, fail_safes[k]));
     }
-    std::vector<SelfContactRow> rows;
+    Rows rows;
     for (std::size_t k = 0; k < fail_safes.size(); ++k) {
         const SelfContactHistory run = watch_sheets(scene, static_cast<Real>(step), fail_safes[k]);
-        rows.push_back({run, static_cast<double>(scene.settings.contact.thickness), step, fail_safes[k],
-                        momentum_error(run, reference), quartiles_of(std::move(cpu[k]))});
+        rows.push_back({{"thickness_m", scene.settings.contact.thickness},
+                        {"step_s", step},
+                        {"fail_safe", fail_safes[k]},
+                        {"crossings", run.crossings},
+                        {"crossed_steps", run.crossed_steps},
+                        {"unsearched_steps", run.unsearched_steps},
+                        {"unsafe_steps", run.unsafe_steps},
+                        {"penetration_m", run.penetration},
+                        {"momentum_error", momentum_error(run, reference)},
+                        {"momentum_change", run.momentum_change},
+                        {"pair_tests", run.pair_tests},
+                        {"held_back", run.held_back},
+                        {"rejected", run.rejected},
+                        {"cpu_s_per_s", quartiles_of(std::move(cpu[k]))}});
     }
     return rows;
 }
 
 /// @throws RunError if the reference itself fails
-std::vector<SelfContactRow> run_thickness(double thickness, const std::vector<double>& rates, int finer, int repeats) {
+Rows run_thickness(double thickness, const std::vector<double>& rates, int finer, int repeats) {
     const ContactScene scene = throw_sheet(sheet_speed, static_cast<Real>(thickness));
     const SelfContactHistory reference =
         watch_sheets(scene, static_cast<Real>(1 / (finer * rates.back())), FailSafe::Zones);
     if (reference.crossed_steps > 0 || reference.unsearched_steps > 0) {
         throw RunError("self_contact: sheets of the reference have crossed");
     }
-    std::vector<SelfContactRow> rows;
+    Rows rows;
     for (const double rate : rates) {
-        for (SelfContactRow& row : run_step(scene, 1 / rate, reference, repeats)) rows.push_back(std::move(row));
+        for (Row& row : run_step(scene, 1 / rate, reference, repeats)) rows.push_back(std::move(row));
     }
     return rows;
 }
 
-std::vector<CaseOf<SelfContactRow>> self_contact_cases(bool quick) {
+ExperimentCases self_contact_cases(bool quick) {
     const auto rates =
         quick ? std::vector{120.0, 240.0, 480.0, 960.0} : std::vector{60.0, 120.0, 240.0, 480.0, 960.0, 1920.0, 3840.0};
     return cases_over([=](double thickness) { return run_thickness(thickness, rates, quick ? 2 : 4, quick ? 1 : 5); },
                       std::vector{1.25e-4, 5e-4, 2e-3, 8e-3});
 }
 
-std::vector<Chart> self_contact_charts(const std::vector<SelfContactRow>& rows) {
-    const auto shown = words_of(rows, [](const SelfContactRow& row) { return real_text(1e3 * row.thickness, 4); });
+std::vector<Chart> self_contact_charts(const Rows& rows) {
+    const auto shown = words_of(rows, [](const Row& row) { return real_text(1e3 * row.number("thickness_m"), 4); });
     return {{"self_contact",
              "self_contact",
              "A sheet that is thrown at another, with impact zones or rejected steps as the fail-safe, and with none: "
@@ -246,27 +249,17 @@ std::vector<Chart> self_contact_charts(const std::vector<SelfContactRow>& rows) 
 }  // namespace
 
 Experiment self_contact_experiment() {
-    using Row = SelfContactRow;
-    return ExperimentOf<Row>{"self_contact",
-                             "what keeps cloth from crossing cloth, and at which step?",
-                             {6,
-                              {{positive_column("thickness_m"), &Row::thickness},
-                               {positive_column("step_s"), &Row::step},
-                               {word_column("fail_safe", {"zones", "rejection", "none"}), &Row::fail_safe},
-                               {whole_column("crossings"), &Row::crossings},
-                               {number_column("crossed_steps"), &Row::crossed_steps},
-                               {number_column("unsearched_steps"), &Row::unsearched_steps},
-                               {number_column("unsafe_steps"), &Row::unsafe_steps},
-                               {number_column("penetration_m"), &Row::penetration},
-                               {number_column("momentum_error"), &Row::momentum_error},
-                               {number_column("momentum_change"), &Row::momentum_change},
-                               {number_column("pair_tests"), &Row::pair_tests},
-                               {number_column("held_back"), &Row::held_back},
-                               {number_column("rejected"), &Row::rejected},
-                               {number_column("cpu_s_per_s"), &Row::cpu}}},
-                             {{"thickness_m", "step_s", "fail_safe"},
-                              {"crossed_steps", "unsearched_steps", "penetration_m", "momentum_error", "cpu_s_per_s"}},
-                             {{"", self_contact_cases, self_contact_charts}}};
+    return {"self_contact",
+            "what keeps cloth from crossing cloth, and at which step?",
+            6,
+            {positive_column("thickness_m"), positive_column("step_s"), name_column<FailSafe>("fail_safe"),
+             whole_column("crossings"), number_column("crossed_steps"), number_column("unsearched_steps"),
+             number_column("unsafe_steps"), number_column("penetration_m"), number_column("momentum_error"),
+             number_column("momentum_change"), number_column("pair_tests"), number_column("held_back"),
+             number_column("rejected"), number_column("cpu_s_per_s").with_quartiles()},  // time for a simulated second
+            {{"thickness_m", "step_s", "fail_safe"},
+             {"crossed_steps", "unsearched_steps", "penetration_m", "momentum_error", "cpu_s_per_s"}},
+            {{"", self_contact_cases, self_contact_charts}}};
 }
 
 }  // namespace drape

@@ -23,13 +23,17 @@ constexpr const char* original_scene = "original";
 constexpr double frame_rate = 60;  // frames per simulated second, as drape-capture's
 constexpr const char* picture_size = "640x480";
 
-OriginalSearch time_search(const RecordedMotion& motion, const BroadPhaseParameters& parameters, int passes) {
+/// CPU times of one build, search and exact test, medians over frames [s], and the cells that a search hands to the
+/// test.
+/// @param prefix of the columns
+Row time_search(const std::string& prefix, const RecordedMotion& motion, const BroadPhaseParameters& parameters,
+                int passes) {
     const auto hierarchy = make_broad_phase(parameters, motion.grid);
     const HierarchyRun run = follow(motion, *hierarchy, {.repeats = passes});
-    return {.build = quartiles_over_frames(run, &FrameTimes::build).median,
-            .search = quartiles_over_frames(run, &FrameTimes::query).median,
-            .exact = quartiles_over_frames(run, &FrameTimes::exact).median,
-            .candidates = mean_over_frames(run.counts, &FrameCounts::candidates)};
+    return {{prefix + "build_s", quartiles_over_frames(run, &FrameTimes::build).median},
+            {prefix + "search_s", quartiles_over_frames(run, &FrameTimes::query).median},
+            {prefix + "exact_s", quartiles_over_frames(run, &FrameTimes::exact).median},
+            {prefix + "candidates", mean_over_frames(run.counts, &FrameCounts::candidates)}};
 }
 
 /// The medians of some columns of a table of numbers, whose first line after comments has their names.
@@ -72,7 +76,7 @@ std::vector<std::string> original_assignments(const OriginalWay& way) {
 }
 
 /// Measures what simulating takes, without drawing.
-OriginalRow time_original(const OriginalWay& way, const OriginalPlan& plan) {
+Row time_original(const OriginalWay& way, const OriginalPlan& plan) {
     Settings settings = load_scene(original_scene);
     assign_all(settings, original_assignments(way));
     const auto steps = static_cast<int>(std::lround(1 / (frame_rate * settings.solver.dt)));
@@ -90,15 +94,18 @@ OriginalRow time_original(const OriginalWay& way, const OriginalPlan& plan) {
     const RecordedMotion motion =
         record_motion({original_scene, plan.first / frame_rate, 1 / frame_rate, std::max(plan.frames, 2)}, settings);
     BroadPhaseParameters parameters = broad_phase_of(settings);
-    const OriginalSearch leaves = time_search(motion, parameters, plan.passes);
+    Row row{{"volume", way.volume},
+            {"bounds_drawn", way.bounds_drawn ? "1" : "0"},
+            {"execution_s", quartiles_of(std::move(frames))}};
+    row.set(time_search("", motion, parameters, plan.passes));
     parameters.leaf_cells = 1;
-    return {way, quartiles_of(std::move(frames)), leaves, time_search(motion, parameters, plan.passes)};
+    row.set(time_search("single_", motion, parameters, plan.passes));
+    return row;
 }
 
 }  // namespace
 
-bool draw_original(const OriginalWay& way, const OriginalPlan& plan, const std::filesystem::path& program,
-                   OriginalRow& row) {
+bool draw_original(const OriginalWay& way, const OriginalPlan& plan, const std::filesystem::path& program, Row& row) {
     std::string stats = (std::filesystem::temp_directory_path() / "drape-XXXXXX").string();
     const int made = mkstemp(stats.data());
     if (made < 0) throw RunError(stats + ": cannot be made");
@@ -112,12 +119,12 @@ bool draw_original(const OriginalWay& way, const OriginalPlan& plan, const std::
     if (!code) return false;
     if (*code != 0) throw RunError(program.string() + " failed on the scene " + original_scene);
     const auto medians = column_medians(stats, {"rate", "gl_calls", "cpu", "vertices"}, plan.first);
-    row.rate = medians[0], row.gl_calls = medians[1], row.cpu = medians[2], row.vertices = medians[3];
+    row.set({{"rate_per_s", medians[0]}, {"gl_calls", medians[1]}, {"cpu", medians[2]}, {"vertices", medians[3]}});
     return true;
 }
 
-OriginalRows original_rows(const OriginalPlan& plan, const std::filesystem::path& program, bool& draws) {
-    OriginalRows rows;
+Rows original_rows(const OriginalPlan& plan, const std::filesystem::path& program, bool& draws) {
+    Rows rows;
     // What is compared is timed close together: the clock of a processor that others use comes and goes
     for (const OriginalWay& way : original_ways) rows.push_back(time_original(way, plan));
     draws = true;

@@ -61,7 +61,7 @@ std::vector<Rung> ladder(const Method& method, const PrecisionScene& scene) {
 }
 
 /// The error of a rung is a mean over phases of the first impact.
-PrecisionRow row_of(const Method& method, const Rung& rung, const PrecisionScene& scene, const Reference& reference) {
+Row row_of(const Method& method, const Rung& rung, const PrecisionScene& scene, const Reference& reference) {
     const ClothParameters& cloth = scene.settings.cloths.front();
     const ClothModel model = make_cloth_model(cloth);
     const bool adaptive = method.parameters.kind == IntegratorKind::DormandPrince;
@@ -77,32 +77,32 @@ PrecisionRow row_of(const Method& method, const Rung& rung, const PrecisionScene
         bounded = end.bounded;
         if (adaptive && !scene.has_ball()) steps = end.inner_steps;
     }
-    return {.scene = scene.name,
-            .particles = static_cast<double>(cloth.particles.nx),
-            .stiffness = static_cast<double>(cloth.structural.stiffness),
-            .horizon = static_cast<double>(scene.horizon),
-            .phases = static_cast<double>(scene.phases),
-            .method = method.name,
-            .tolerance = adaptive ? static_cast<double>(tolerance_of(rung.parameters)) : no_number,
-            .steps = static_cast<double>(steps),
-            .step = static_cast<double>(scene.horizon / static_cast<Real>(steps)),
-            .end = bounded ? "bounded" : "unstable",
-            .measure = std::string(name_of(reference.measure)),
-            .error = bounded ? std::sqrt(squares / scene.phases) : no_number,
-            .cost = bounded ? cost_of(scene, rung, timings_of_a_run) : no_quartiles,
-            .reference_error = reference.error,
-            .growth = reference.growth};
+    return {{"scene", scene.name},
+            {"particles", cloth.particles.nx},
+            {"stiffness_N_per_m", cloth.structural.stiffness},
+            {"horizon_s", scene.horizon},
+            {"phases", scene.phases},
+            {"method", method.name},
+            {"tolerance", adaptive ? static_cast<double>(tolerance_of(rung.parameters)) : no_number},
+            {"steps", steps},
+            {"step_s", scene.horizon / static_cast<Real>(steps)},
+            {"end", bounded ? "bounded" : "unstable"},
+            {"measure", reference.measure},
+            {"error", bounded ? std::sqrt(squares / scene.phases) : no_number},
+            {"cost_s_per_s", bounded ? cost_of(scene, rung, timings_of_a_run) : no_quartiles},
+            {"reference_error", reference.error},
+            {"growth", reference.growth}};
 }
 
-std::vector<CaseOf<PrecisionRow>> precision_cases(bool quick) {
-    std::vector<CaseOf<PrecisionRow>> all;
+ExperimentCases precision_cases(bool quick) {
+    ExperimentCases all;
     for (const PrecisionScene& scene : precision_scenes(quick)) {
         // Found when the first case asks for it
         const auto reference = std::make_shared<std::optional<Reference>>();
         for (const Method& method : precision_methods()) {
             all.push_back([scene, reference, method] {
                 if (!*reference) *reference = find_reference(scene);
-                std::vector<PrecisionRow> rows;
+                Rows rows;
                 for (const Rung& rung : ladder(method, scene)) rows.push_back(row_of(method, rung, scene, **reference));
                 return rows;
             });
@@ -114,30 +114,20 @@ std::vector<CaseOf<PrecisionRow>> precision_cases(bool quick) {
 }  // namespace
 
 Experiment precision_experiment() {
-    using Row = PrecisionRow;
-    return ExperimentOf<Row>{
-        "precision",
-        "what does accuracy cost, by which method?",
-        {6,
-         {{word_column("scene", names_in(precision_scenes(false), &PrecisionScene::name)), &Row::scene},
-          {whole_column("particles", 2), &Row::particles},
-          {positive_column("stiffness_N_per_m"), &Row::stiffness},
-          {positive_column("horizon_s"), &Row::horizon},
-          {whole_column("phases", 1), &Row::phases},
-          {word_column("method", names_in(precision_methods(), &Method::name)), &Row::method},
-          {positive_column("tolerance").or_words({""}), &Row::tolerance},
-          {whole_column("steps", 1), &Row::steps},
-          {positive_column("step_s"), &Row::step},
-          {word_column("end", {"bounded", "unstable"}), &Row::end},
-          {name_column<Measure>("measure"), &Row::measure},
-          {number_column("error").or_nan(), &Row::error},
-          {number_column("cost_lower_s_per_s").or_nan(), &Row::cost, &Quartiles::lower},
-          {positive_column("cost_s_per_s").or_nan(), &Row::cost, &Quartiles::median},
-          {number_column("cost_upper_s_per_s").or_nan(), &Row::cost, &Quartiles::upper},
-          {number_column("reference_error"), &Row::reference_error},
-          {number_column("growth").or_nan().or_words({"inf"}), &Row::growth}}},
-        {{"scene", "method", "end"}, {"step_s", "error", "cost_s_per_s", "reference_error", "growth"}},
-        {{"", precision_cases, precision_charts}}};
+    return {"precision",
+            "what does accuracy cost, by which method?",
+            6,
+            {word_column("scene", names_in(precision_scenes(false), &PrecisionScene::name)),
+             whole_column("particles", 2), positive_column("stiffness_N_per_m"), positive_column("horizon_s"),
+             whole_column("phases", 1), word_column("method", names_in(precision_methods(), &Method::name)),
+             positive_column("tolerance").or_words({""}),  // of Dormand-Prince
+             whole_column("steps", 1), positive_column("step_s"), word_column("end", {"bounded", "unstable"}),
+             name_column<Measure>("measure"), number_column("error").or_nan(),
+             number_column("cost_lower_s_per_s").or_nan(),  // CPU time of a simulated second
+             positive_column("cost_s_per_s").or_nan(), number_column("cost_upper_s_per_s").or_nan(),
+             number_column("reference_error"), number_column("growth").or_nan().or_words({"inf"})},  // of a small error
+            {{"scene", "method", "end"}, {"step_s", "error", "cost_s_per_s", "reference_error", "growth"}},
+            {{"", precision_cases, precision_charts}}};
 }
 
 }  // namespace drape

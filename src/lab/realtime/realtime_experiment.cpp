@@ -27,17 +27,6 @@ struct FrameMethod {
     int steps = 1;
 };
 
-/// A cloth of one size by one method.
-struct RealtimeRow {
-    FrameMotion motion{};
-    std::string method;
-    std::int64_t threads = 1, side = 0;
-    double wall = no_number, cpu = no_number;  ///< of a simulated second; CPU time is that of all threads [s/s]
-    double excess = no_number;  ///< of the stretch, 99th percentile at the end, over that of the converged cloth
-    double error = no_number;   ///< largest distance from the converged cloth at any moment, of the side
-    std::string end;            ///< realtime, late, stretched or diverged
-};
-
 }  // namespace
 
 template <>
@@ -45,11 +34,9 @@ inline constexpr auto enum_names<FrameMotion> = all_names<FrameMotion>("free", "
 
 namespace {
 
-using RealtimeRows = std::vector<RealtimeRow>;
-
 constexpr double frame = 1.0 / 60;    // s
 constexpr double most_excess = 0.01;  // of the stretch, that a picture may have
-constexpr int sides[] = {16, 23, 32, 45, 64, 91, 128, 181, 256};
+constexpr int tried_sides[] = {16, 23, 32, 45, 64, 91, 128, 181, 256};
 
 /// A method with a step limit makes one step, which is divided as its limit asks for.
 std::vector<FrameMethod> frame_methods() {
@@ -115,36 +102,37 @@ Motion converged(FrameMotion motion, bool quick) {
     return run_to_horizon(settings_of(motion, method, quick ? 45 : 181, 1));
 }
 
-RealtimeRow run_one(FrameMotion motion, const FrameMethod& method, int side, int threads, const Motion& truth) {
+/// A cloth of one size by one method.
+Row run_one(FrameMotion motion, const FrameMethod& method, int side, int threads, const Motion& truth) {
     constexpr double patience = 4;  // s/s
     const Settings settings = settings_of(motion, method, side, threads);
     const Motion run = run_to_horizon(settings, {.cost = patience * threads});
-    RealtimeRow row;
-    row.motion = motion, row.method = method.name, row.threads = threads, row.side = side;
-    row.end = run.diverged ? "diverged" : "late";
+    Row row{{"motion", motion}, {"method", method.name}, {"threads", threads}, {"side", side}};
+    row.set("end", run.diverged ? "diverged" : "late");
     if (run.diverged || run.given_up) return row;
-    row.wall = run.wall;
-    row.cpu = run.cost;
-    row.excess =
+    const double excess =
         std::max(stretch_of(settings, run) - stretch_of(settings_of(motion, method, truth.grid.nx, 1), truth), 0.0);
-    row.error = motion_error(run, truth, settings.needs.measure, 1);
-    if (row.wall <= 1) row.end = row.excess <= most_excess ? "realtime" : "stretched";
+    row.set({{"wall_s_per_s", run.wall},
+             {"cpu_s_per_s", run.cost},
+             {"stretch_excess", excess},
+             {"error", motion_error(run, truth, settings.needs.measure, 1)}});
+    if (run.wall <= 1) row.set("end", excess <= most_excess ? "realtime" : "stretched");
     return row;
 }
 
 /// From small to large, until it is no longer real time.
-RealtimeRows run_method(FrameMotion motion, const FrameMethod& method, int threads, bool quick, const Motion& truth) {
-    RealtimeRows rows;
-    for (const int side : sides) {
+Rows run_method(FrameMotion motion, const FrameMethod& method, int threads, bool quick, const Motion& truth) {
+    Rows rows;
+    for (const int side : tried_sides) {
         if (quick && side > 32) break;
         rows.push_back(run_one(motion, method, side, threads, truth));
-        if (rows.back().end == "late") break;
+        if (rows.back().word("end") == "late") break;
     }
     return rows;
 }
 
-std::vector<CaseOf<RealtimeRow>> realtime_cases(bool quick) {
-    std::vector<CaseOf<RealtimeRow>> all;
+ExperimentCases realtime_cases(bool quick) {
+    ExperimentCases all;
     for (const FrameMotion motion : values_of<FrameMotion>()) {
         // Found when the first case asks for it
         const auto truth = std::make_shared<std::optional<Motion>>();
@@ -161,24 +149,25 @@ std::vector<CaseOf<RealtimeRow>> realtime_cases(bool quick) {
 }
 
 /// Of some methods, that have a cloth in real time on one thread.
-std::vector<Chart> realtime_charts(RealtimeRows rows) {
+std::vector<Chart> realtime_charts(Rows rows) {
     const std::vector<std::string> charted{"symplectic_euler_by_1",
                                            "backward_euler_clamped_by_1",
                                            "backward_euler_clamped_by_4",
                                            "bdf2_clamped_by_2",
                                            "xpbd_1_by_10",
                                            "xpbd_1_by_40"};
-    std::erase_if(rows, [&](const RealtimeRow& row) {
-        return row.end != "realtime" || row.threads != 1 || std::ranges::find(charted, row.method) == charted.end();
+    std::erase_if(rows, [&](const Row& row) {
+        return row.word("end") != "realtime" || row.number("threads") != 1 ||
+               std::ranges::find(charted, row.word("method")) == charted.end();
     });
     std::vector<Chart> charts;
-    for (const auto& [motion, shown] : groups_of(rows, &RealtimeRow::motion)) {
-        const std::string name(name_of(motion));
-        charts.push_back({"realtime_" + name,
+    for (const std::string& motion : words_of(rows, "motion")) {
+        const auto methods = words_of(rows_with(rows, "motion", motion), "method");
+        charts.push_back({"realtime_" + motion,
                           "realtime",
                           "Square cloths that a method moves in real time on one core, with at most 1 % more stretch "
                           "than the converged cloth: how far they are from that cloth, by their size.",
-                          {{"motion", name}, {"methods", in_words(words_of(shown, &RealtimeRow::method))}}});
+                          {{"motion", motion}, {"methods", in_words(methods)}}});
     }
     return charts;
 }
@@ -186,22 +175,18 @@ std::vector<Chart> realtime_charts(RealtimeRows rows) {
 }  // namespace
 
 Experiment realtime_experiment() {
-    using Row = RealtimeRow;
-    return ExperimentOf<Row>{
-        "realtime",
-        "how large a cloth can be moved in real time, and how accurately?",
-        {5,
-         {{name_column<FrameMotion>("motion"), &Row::motion},
-          {word_column("method", names_in(frame_methods(), &FrameMethod::name)), &Row::method},
-          {whole_column("threads", 1), &Row::threads},
-          {whole_column("side", 2), &Row::side},
-          {number_column("wall_s_per_s").or_nan(), &Row::wall},
-          {number_column("cpu_s_per_s").or_nan(), &Row::cpu},
-          {number_column("stretch_excess").or_nan(), &Row::excess},
-          {number_column("error").or_nan(), &Row::error},
-          {word_column("end", {"realtime", "late", "stretched", "diverged"}), &Row::end}}},
-        {{"motion", "threads", "method", "end"}, {"side", "error", "stretch_excess", "wall_s_per_s"}},
-        {{"", realtime_cases, realtime_charts}}};
+    return {"realtime",
+            "how large a cloth can be moved in real time, and how accurately?",
+            5,
+            {name_column<FrameMotion>("motion"), word_column("method", names_in(frame_methods(), &FrameMethod::name)),
+             whole_column("threads", 1), whole_column("side", 2),
+             number_column("wall_s_per_s").or_nan(),    // of a simulated second
+             number_column("cpu_s_per_s").or_nan(),     // that of all threads
+             number_column("stretch_excess").or_nan(),  // 99th percentile at the end, over the converged cloth's
+             number_column("error").or_nan(),           // largest distance from that at any moment, of the side
+             word_column("end", {"realtime", "late", "stretched", "diverged"})},
+            {{"motion", "threads", "method", "end"}, {"side", "error", "stretch_excess", "wall_s_per_s"}},
+            {{"", realtime_cases, realtime_charts}}};
 }
 
 }  // namespace drape

@@ -109,29 +109,24 @@ DriftRun watch_drift(const std::string& scene, Settings settings, double settle,
 
 namespace {
 
-/// A scene by one integrator with one response: how it comes to rest, or how it then creeps.
-struct RestRow : RestCase {
-    std::string part;  ///< rest or drift
-    std::string end = "no_stable_step";
-    double step = no_number;  ///< [s]
-    double asleep = no_number, speed_before = no_number, speed_after = no_number;
-    double watched = no_number, drift = no_number;  ///< of `DriftRun` [s], [m]
-};
-
-constexpr double longest_run = 15;
+constexpr double longest_rest_run = 15;
 constexpr int quick_particles = 9;
 
-std::vector<RestRow> run_rest_case(const RestCase& one, bool quick) {
-    RestRow row;
-    static_cast<RestCase&>(row) = one;
-    row.part = "rest";
+Row row_of(const char* part, const RestCase& one) {
+    return {{"part", part}, {"scene", one.scene}, {"response", one.response}, {"integrator", one.integrator}};
+}
+
+/// How a scene by one integrator with one response comes to rest.
+Rows run_rest_case(const RestCase& one, bool quick) {
+    Row row = row_of("rest", one);
+    row.set("end", "no_stable_step");
     const Settings settings = rest_settings(one, quick ? quick_particles : 0);
     if (settings.solver.dt == 0) return {row};
-    const RestRun run = run_to_rest(one.scene, settings, longest_run);
-    row.step = run.step;
-    row.end = run.diverged ? "diverged" : run.asleep < 0 ? "awake" : "asleep";
-    if (!run.diverged) row.speed_after = run.speed_after;
-    if (row.end == "asleep") row.asleep = run.asleep, row.speed_before = run.speed_before;
+    const RestRun run = run_to_rest(one.scene, settings, longest_rest_run);
+    row.set({{"step_s", run.step}, {"end", run.diverged ? "diverged" : run.asleep < 0 ? "awake" : "asleep"}});
+    if (run.diverged) return {row};
+    row.set("speed_after_m_per_s", run.speed_after);
+    if (run.asleep >= 0) row.set({{"asleep_s", run.asleep}, {"speed_before_m_per_s", run.speed_before}});
     return {row};
 }
 
@@ -145,16 +140,15 @@ struct DriftCase {
 /// After so long everything rests that is going to [s].
 constexpr double settle = 8;
 
-std::vector<RestRow> run_drift_case(const DriftCase& one, bool quick) {
-    RestRow row;
-    static_cast<RestCase&>(row) = {"drop", one.integrator, ResponseKind::Projection};
-    row.part = "drift";
-    Settings settings = rest_settings(row, quick ? quick_particles : 0);
-    settings.solver.dt = row.step = one.step;
-    row.watched = one.seconds;
-    const DriftRun run = watch_drift(row.scene, settings, settle, one.seconds);
-    row.end = run.diverged ? "diverged" : "awake";
-    if (!run.diverged) row.drift = run.drift, row.speed_after = run.speed;
+/// How it then creeps.
+Rows run_drift_case(const DriftCase& one, bool quick) {
+    const RestCase drop{"drop", one.integrator, ResponseKind::Projection};
+    Settings settings = rest_settings(drop, quick ? quick_particles : 0);
+    settings.solver.dt = one.step;
+    const DriftRun run = watch_drift(drop.scene, settings, settle, one.seconds);
+    Row row = row_of("drift", drop);
+    row.set({{"step_s", one.step}, {"watched_s", one.seconds}, {"end", run.diverged ? "diverged" : "awake"}});
+    if (!run.diverged) row.set({{"drift_m", run.drift}, {"speed_after_m_per_s", run.speed}});
     return {row};
 }
 
@@ -179,7 +173,7 @@ std::vector<DriftCase> drift_list(bool quick) {
     return all;
 }
 
-std::vector<CaseOf<RestRow>> rest_cases(bool quick) {
+ExperimentCases rest_cases(bool quick) {
     return cases_over(
         [=](ResponseKind response, const char* scene, IntegratorKind integrator) {
             return run_rest_case({scene, integrator, response}, quick);
@@ -188,32 +182,25 @@ std::vector<CaseOf<RestRow>> rest_cases(bool quick) {
         values_of<IntegratorKind>());
 }
 
-std::vector<CaseOf<RestRow>> drift_cases(bool quick) {
+ExperimentCases drift_cases(bool quick) {
     return cases_over([=](const DriftCase& one) { return run_drift_case(one, quick); }, drift_list(quick));
 }
 
 }  // namespace
 
 Experiment rest_experiment() {
-    using Row = RestRow;
-    return ExperimentOf<Row>{
-        "rest",
-        "do cloth and ball come to rest under every integrator and response, and stay there?",
-        {3,
-         {{word_column("part", {"rest", "drift"}), &Row::part},
-          {word_column("scene", {"drop", "trampoline"}), &Row::scene},
-          {name_column<ResponseKind>("response"), &Row::response},
-          {name_column<IntegratorKind>("integrator"), &Row::integrator},
-          {positive_column("step_s").or_nan(), &Row::step},
-          {word_column("end", {"asleep", "awake", "diverged", "no_stable_step"}), &Row::end},
-          {positive_column("asleep_s").or_nan(), &Row::asleep},
-          {number_column("speed_before_m_per_s").or_nan(), &Row::speed_before},
-          {number_column("speed_after_m_per_s").or_nan(), &Row::speed_after},
-          {positive_column("watched_s").or_nan(), &Row::watched},
-          {number_column("drift_m").or_nan(), &Row::drift}}},
-        {{"part", "scene", "response", "integrator", "end"},
-         {"step_s", "asleep_s", "speed_before_m_per_s", "speed_after_m_per_s", "watched_s", "drift_m"}},
-        {{"rest", rest_cases, {}}, {"drift", drift_cases, {}}}};
+    return {"rest",
+            "do cloth and ball come to rest under every integrator and response, and stay there?",
+            3,
+            {word_column("part", {"rest", "drift"}), word_column("scene", {"drop", "trampoline"}),
+             name_column<ResponseKind>("response"), name_column<IntegratorKind>("integrator"),
+             positive_column("step_s").or_nan(), word_column("end", {"asleep", "awake", "diverged", "no_stable_step"}),
+             positive_column("asleep_s").or_nan(), number_column("speed_before_m_per_s").or_nan(),
+             number_column("speed_after_m_per_s").or_nan(), positive_column("watched_s").or_nan(),
+             number_column("drift_m").or_nan()},
+            {{"part", "scene", "response", "integrator", "end"},
+             {"step_s", "asleep_s", "speed_before_m_per_s", "speed_after_m_per_s", "watched_s", "drift_m"}},
+            {{"rest", rest_cases, {}}, {"drift", drift_cases, {}}}};
 }
 
 }  // namespace drape

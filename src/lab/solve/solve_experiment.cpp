@@ -1,29 +1,13 @@
 #include <cmath>
 #include <memory>
 
+#include "drape/base/numbers.h"
 #include "lab/experiments.h"
 #include "lab/measure/methods.h"
 #include "lab/measure/states.h"
 
 namespace drape {
 namespace {
-
-/// Steps of an implicit method on a sheet that falls, hung by two corners.
-struct SolveRow {
-    std::string part;    ///< tolerance, newton or size
-    std::string method;  ///< with its Hessian
-    std::int64_t side = 0;
-    double time = 0;  ///< simulated, from rest [s]
-    double step = 0;  ///< [s]
-    double tolerance = 0;
-    std::int64_t newton_steps = 1;
-    double solver_error = no_number;  ///< RMS over the particles, against solves to `exact` [m]
-    double step_error = no_number;    ///< of such solves, against steps a sixteenth as long or shorter [m]
-    double iterations = 0;            ///< of a step, in the mean over the last ten
-    Quartiles cost = {};              ///< CPU time of a step, over the same [s]
-};
-
-using SolveRows = std::vector<SolveRow>;
 
 constexpr Real picture = Real(1) / 60;                   // s
 constexpr Real exact = Real(1e-9), nearly = Real(1e-6);  // tolerances
@@ -73,79 +57,79 @@ IntegratorParameters solved_to(Real tolerance, IntegratorParameters parameters) 
     return parameters;
 }
 
-SolveRow row_of(const char* part, const Method& method, int side, Real time, const SolveRun& run) {
-    return {.part = part,
-            .method = method.name,
-            .side = side,
-            .time = static_cast<double>(time),
-            .step = static_cast<double>(picture),
-            .tolerance = static_cast<double>(tolerance_of(method.parameters)),
-            .newton_steps = method.parameters.newton_steps,
-            .iterations = run.iterations,
-            .cost = quartiles_of(run.costs)};
+Row row_of(const char* part, const Method& method, int side, Real time, const SolveRun& run) {
+    return {{"part", part},
+            {"method", method.name},
+            {"side", side},
+            {"time_s", time},
+            {"step_s", picture},
+            {"tolerance", tolerance_of(method.parameters)},
+            {"newton_steps", method.parameters.newton_steps},
+            {"iterations", run.iterations},
+            {"cost_s", quartiles_of(run.costs)}};
 }
 
 /// One method on one grid, to each tolerance.
-SolveRows run_tolerances(Method method, int side) {
+Rows run_tolerances(Method method, int side) {
     constexpr Real time = Real(0.5);
     const Points solved = run_sheet(solved_to(exact, method.parameters), side, time).x;
     const Points truth = run_sheet(solved_to(nearly, method.parameters), side, time, shorter).x;
-    SolveRows rows;
+    Rows rows;
     for (const Real tolerance : {Real(1e-1), Real(1e-2), Real(1e-3), Real(1e-4), Real(1e-5), Real(1e-6), Real(1e-7)}) {
         method.parameters.tolerance = tolerance;
         const SolveRun run = run_sheet(method.parameters, side, time);
         rows.push_back(row_of("tolerance", method, side, time, run));
-        rows.back().solver_error = position_error(run.x, solved, 1);
-        rows.back().step_error = position_error(solved, truth, 1);
+        rows.back().set(
+            {{"solver_error_m", position_error(run.x, solved, 1)}, {"step_error_m", position_error(solved, truth, 1)}});
     }
     return rows;
 }
 
 /// One method by steps of several lengths, with one Newton step in each and with more.
-SolveRows run_newton(Method method, int side) {
+Rows run_newton(Method method, int side) {
     constexpr Real time = Real(0.5);
     const IntegratorParameters best{.kind = IntegratorKind::ImplicitMidpoint, .newton_steps = 3};
     const Points truth = run_sheet(best, side, time, 4 * shorter).x;
-    SolveRows rows;
+    Rows rows;
     for (const int newton_steps : {1, 2, 3}) {
         for (const int parts : {1, 2, 4, 8}) {
             method.parameters.newton_steps = newton_steps;
             const SolveRun run = run_sheet(method.parameters, side, time, parts);
             rows.push_back(row_of("newton", method, side, time, run));
-            rows.back().step = static_cast<double>(picture) / parts;
-            rows.back().step_error = position_error(run.x, truth, 1);
+            rows.back().set(
+                {{"step_s", static_cast<double>(picture) / parts}, {"step_error_m", position_error(run.x, truth, 1)}});
         }
     }
     return rows;
 }
 
 /// Falling, and once it swings in folds.
-SolveRows run_size(const Method& method, int side, Real time) {
+Rows run_size(const Method& method, int side, Real time) {
     return {row_of("size", method, side, time, run_sheet(method.parameters, side, time))};
 }
 
-std::vector<CaseOf<SolveRow>> tolerance_cases(bool quick) {
+ExperimentCases tolerance_cases(bool quick) {
     return cases_over(run_tolerances,
                       methods_named({"backward_euler_clamped", "implicit_midpoint_clamped", "bdf2_clamped"}),
                       quick ? std::vector{24} : std::vector{32, 64, 128});
 }
 
-std::vector<CaseOf<SolveRow>> newton_cases(bool quick) {
+ExperimentCases newton_cases(bool quick) {
     return cases_over(run_newton,
                       methods_named({"backward_euler_clamped", "implicit_midpoint_clamped", "bdf2_clamped"}),
                       std::vector{quick ? 16 : 64});
 }
 
-std::vector<CaseOf<SolveRow>> size_cases(bool quick) {
+ExperimentCases size_cases(bool quick) {
     return cases_over(
         [](Real time, int side) { return run_size(methods_named({"backward_euler_clamped"})[0], side, time); },
         std::vector{Real(0.2), Real(1)}, quick ? std::vector{24, 32} : std::vector{32, 45, 64, 91, 128, 181, 256});
 }
 
-std::vector<Chart> tolerance_charts(const SolveRows& all) {
-    const SolveRows rows = rows_with(all, &SolveRow::method, "backward_euler_clamped");
+std::vector<Chart> tolerance_charts(const Rows& all) {
+    const Rows rows = rows_with(all, "method", "backward_euler_clamped");
     if (rows.empty()) return {};
-    const auto sides = words_of(rows, [](const SolveRow& row) { return std::to_string(row.side); });
+    const auto sides = words_of(rows, [](const Row& row) { return real_text(row.number("side")); });
     return {
         {"solve_tolerance",
          "solve_tolerance",
@@ -154,16 +138,16 @@ std::vector<Chart> tolerance_charts(const SolveRows& all) {
          {{"sides", in_words(sides)}}}};
 }
 
-std::vector<Chart> newton_charts(const SolveRows& rows) {
+std::vector<Chart> newton_charts(const Rows& rows) {
     return {
         {"solve_newton",
          "solve_newton",
          "Error of a falling sheet after half a second against the CPU time of a simulated second, by steps of 1/60 s "
          "and of a half, a quarter and an eighth of it: with one Newton step in each, and with two.",
-         {{"methods", in_words(words_of(rows, &SolveRow::method))}}}};
+         {{"methods", in_words(words_of(rows, "method"))}}}};
 }
 
-std::vector<Chart> size_charts(const SolveRows&) {
+std::vector<Chart> size_charts(const Rows&) {
     return {{"solve_size",
              "solve_size",
              "CPU time of a step of backward Euler at 1/60 s against the particles, on one core: while the sheet falls "
@@ -174,28 +158,23 @@ std::vector<Chart> size_charts(const SolveRows&) {
 }  // namespace
 
 Experiment solve_experiment() {
-    using Row = SolveRow;
-    return ExperimentOf<Row>{
-        "solve",
-        "what does an implicit step cost on a large cloth, and how far must it be solved?",
-        {5,
-         {{word_column("part", {"tolerance", "newton", "size"}), &Row::part},
-          {word_column("method", {"backward_euler_clamped", "implicit_midpoint_clamped", "bdf2_clamped"}),
-           &Row::method},
-          {whole_column("side", 2), &Row::side},
-          {positive_column("time_s"), &Row::time},
-          {positive_column("step_s"), &Row::step},
-          {positive_column("tolerance"), &Row::tolerance},
-          {whole_column("newton_steps", 1), &Row::newton_steps},
-          {number_column("solver_error_m").or_nan(), &Row::solver_error},
-          {number_column("step_error_m").or_nan(), &Row::step_error},
-          {number_column("iterations"), &Row::iterations},
-          {positive_column("cost_s"), &Row::cost}}},
-        {{"part", "method", "side", "time_s", "newton_steps"},
-         {"tolerance", "step_s", "iterations", "cost_s", "solver_error_m", "step_error_m"}},
-        {{"tolerance", tolerance_cases, tolerance_charts},
-         {"newton", newton_cases, newton_charts},
-         {"size", size_cases, size_charts}}};
+    return {"solve",
+            "what does an implicit step cost on a large cloth, and how far must it be solved?",
+            5,
+            {word_column("part", {"tolerance", "newton", "size"}),
+             word_column("method", {"backward_euler_clamped", "implicit_midpoint_clamped", "bdf2_clamped"}),
+             whole_column("side", 2),
+             positive_column("time_s"),  // simulated, from rest
+             positive_column("step_s"), positive_column("tolerance"), whole_column("newton_steps", 1),
+             number_column("solver_error_m").or_nan(),     // RMS over the particles, against `exact` solves
+             number_column("step_error_m").or_nan(),       // of such, against steps a sixteenth as long or less
+             number_column("iterations"),                  // of a step, in the mean over the last ten
+             positive_column("cost_s").with_quartiles()},  // CPU time of a step, over the same
+            {{"part", "method", "side", "time_s", "newton_steps"},
+             {"tolerance", "step_s", "iterations", "cost_s", "solver_error_m", "step_error_m"}},
+            {{"tolerance", tolerance_cases, tolerance_charts},
+             {"newton", newton_cases, newton_charts},
+             {"size", size_cases, size_charts}}};
 }
 
 }  // namespace drape

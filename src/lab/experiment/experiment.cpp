@@ -1,10 +1,11 @@
+#include "experiment.h"
+
 #include <fmt/ranges.h>
 
 #include <cmath>
 
 #include "drape/base/assert.h"
 #include "drape/base/numbers.h"
-#include "experiment.h"
 
 namespace drape {
 namespace {
@@ -41,6 +42,22 @@ std::string range_of(const Experiment& experiment, const std::string& column, co
 }
 
 }  // namespace
+
+ExperimentCases Experiment::cases(bool quick) const {
+    ExperimentCases all;
+    for (const ExperimentPart& part : parts) std::ranges::move(part.cases(quick), std::back_inserter(all));
+    return all;
+}
+
+std::vector<Chart> Experiment::charts(const std::vector<TableRow>& table) const {
+    const Rows rows = rows_of(columns, table);
+    std::vector<Chart> all;
+    for (const ExperimentPart& part : parts) {
+        const Rows own = part.name.empty() ? rows : rows_with(rows, "part", part.name);
+        if (!own.empty() && part.charts) std::ranges::move(part.charts(own), std::back_inserter(all));
+    }
+    return all;
+}
 
 std::string summary_of(const Experiment& experiment, const std::vector<TableRow>& rows) {
     const auto label = [&experiment](const TableRow& row) { return label_of(experiment, row); };
