@@ -55,7 +55,7 @@ bool is_thrown(const ContactScene& scene, double depth, Real step) {
 
 }  // namespace
 
-Bounce drop_sheet(ResponseKind kind, Real step) {
+Row drop_sheet(ResponseKind kind, Real step) {
     constexpr double height = 0.5, restitution = 0.6, longest = 2;
     ContactScene scene = sheet_above_ground(static_cast<Real>(height), {200, Real(0.02)});
     scene.settings.solver.integrator = IntegratorKind::VelocityVerlet;  // falls without error
@@ -70,13 +70,13 @@ Bounce drop_sheet(ResponseKind kind, Real step) {
         if (!touched || sheet.mean(1) <= 0 || sheet.speed(1) <= 0) continue;
         const double up = std::sqrt(sheet.speed(1) * sheet.speed(1) + 2 * earth_g * sheet.mean(1));
         const double left = time - (up - sheet.speed(1)) / earth_g, reached = up * up / (2 * earth_g);
-        return {.impact_error = std::abs(left - std::sqrt(2 * height / earth_g)),
-                .height_error = std::abs(reached / (restitution * restitution * height) - 1)};
+        return {{"impact_error_s", std::abs(left - std::sqrt(2 * height / earth_g))},
+                {"height_error", std::abs(reached / (restitution * restitution * height) - 1)}};
     }
-    return {.height_error = 1};
+    return {{"height_error", 1}};
 }
 
-Slide lay_on_slope(ResponseKind kind, Real step) {
+Row lay_on_slope(ResponseKind kind, Real step) {
     constexpr double half = 0.5;  // s
     // The tangent of a difference of angles
     const double friction = 0.5, slope = (friction - half_a_degree) / (1 + friction * half_a_degree);
@@ -90,20 +90,21 @@ Slide lay_on_slope(ResponseKind kind, Real step) {
     const auto steps = std::llround(half / static_cast<double>(step));
     for (std::int64_t k = 0; k < steps; ++k) sheet.step();
     const double start = sheet.mean(0);
-    Slide slide{.sweeps = 0};
+    double sweeps = 0;
     std::vector<double> costs;
     for (std::int64_t k = 0; k < steps; ++k) {
         sheet.advance();
         ResponseReport report;
         costs.push_back(cpu_time_of([&] { report = sheet.respond(); }));
-        slide.sweeps += report.sweeps / static_cast<double>(steps);
+        sweeps += report.sweeps / static_cast<double>(steps);
     }
-    slide.drift = std::abs(sheet.mean(0) - start) / (static_cast<double>(steps) * static_cast<double>(step));
-    slide.cost = quartiles_of(std::move(costs));
-    return slide;
+    const double time = static_cast<double>(steps) * static_cast<double>(step);
+    return {{"drift_m_per_s", std::abs(sheet.mean(0) - start) / time},
+            {"sweeps", sweeps},
+            {"respond_s", quartiles_of(std::move(costs))}};
 }
 
-PenaltyLimit find_penalty_limit(Real stiffness, Real restitution, IntegratorKind integrator) {
+Row find_penalty_limit(Real stiffness, Real restitution, IntegratorKind integrator) {
     ContactScene scene = sheet_above_ground(0, {});
     scene.settings.contact.response = ResponseKind::Penalty;
     scene.settings.contact.stiffness = stiffness;
@@ -118,33 +119,26 @@ PenaltyLimit find_penalty_limit(Real stiffness, Real restitution, IntegratorKind
         const Real step = std::sqrt(low * high);
         (is_thrown(scene, static_cast<double>(depth), step) ? high : low) = step;
     }
-    return {static_cast<double>(predicted), static_cast<double>(std::sqrt(low * high))};
+    return {{"predicted_step_s", predicted}, {"measured_step_s", std::sqrt(low * high)}};
 }
 
 namespace {
 
 Rows run_at_step(ResponseKind kind, double rate) {
     const auto step = static_cast<Real>(1 / rate);
-    const Bounce bounce = drop_sheet(kind, step);
-    const Slide slide = lay_on_slope(kind, step);
-    return {{{"part", "step"},
-             {"response", kind},
-             {"step_s", 1 / rate},
-             {"impact_error_s", bounce.impact_error},
-             {"height_error", bounce.height_error},
-             {"drift_m_per_s", slide.drift},
-             {"sweeps", slide.sweeps},
-             {"respond_s", slide.cost}}};
+    Row row{{"part", "step"}, {"response", kind}, {"step_s", 1 / rate}};
+    row.set(drop_sheet(kind, step));
+    row.set(lay_on_slope(kind, step));
+    return {row};
 }
 
 Rows run_limit(double stiffness, double restitution) {
-    const PenaltyLimit limit = find_penalty_limit(static_cast<Real>(stiffness), static_cast<Real>(restitution));
-    return {{{"part", "limit"},
-             {"response", ResponseKind::Penalty},
-             {"stiffness_N_per_m", stiffness},
-             {"restitution", restitution},
-             {"predicted_step_s", limit.predicted},
-             {"measured_step_s", limit.measured}}};
+    Row row{{"part", "limit"},
+            {"response", ResponseKind::Penalty},
+            {"stiffness_N_per_m", stiffness},
+            {"restitution", restitution}};
+    row.set(find_penalty_limit(static_cast<Real>(stiffness), static_cast<Real>(restitution)));
+    return {row};
 }
 
 ExperimentCases step_cases(bool quick) {

@@ -58,36 +58,33 @@ Settings rest_settings(const RestCase& one, int particles) {
     return settings;
 }
 
-RestRun run_to_rest(const std::string& scene, Settings settings, double seconds) {
+Row run_to_rest(const std::string& scene, Settings settings, double seconds) {
     SolverSettings watched = settings.solver;
     settings.solver.sleep_speed = 0;
     Simulation simulation(scene, std::move(settings));
     SleepWatch watch;
-    RestRun run{.step = watched.dt};
     RecentSpeed speed(watched.dt);
     const StepReport& report = simulation.report();
-    const auto goes_on = [&] {
-        const double end = run.asleep < 0 ? seconds : run.asleep + after_sleep;
-        return !run.diverged && report.time < end;
-    };
-    while (goes_on()) {
+    Row row{{"step_s", watched.dt}, {"end", "awake"}};
+    for (double end = seconds; report.time < end;) {
         simulation.step();
-        run.diverged = report.status == Status::Diverged;
+        if (report.status == Status::Diverged) return {{"step_s", watched.dt}, {"end", "diverged"}};
         speed.look(simulation.cloths());
-        if (run.asleep >= 0 || !watch.look(simulation.cloths(), simulation.balls(), report.time, watched)) continue;
-        run.asleep = report.time;
-        run.speed_before = speed.rms();
+        const bool was_awake = row.word("end") == "awake";
+        if (!was_awake || !watch.look(simulation.cloths(), simulation.balls(), report.time, watched)) continue;
+        row.set({{"end", "asleep"}, {"asleep_s", report.time}, {"speed_before_m_per_s", speed.rms()}});
+        end = report.time + after_sleep;
     }
-    run.speed_after = speed.rms();
-    return run;
+    row.set("speed_after_m_per_s", speed.rms());
+    return row;
 }
 
-DriftRun watch_drift(const std::string& scene, Settings settings, double settle, double seconds) {
+Row watch_drift(const std::string& scene, Settings settings, double settle, double seconds) {
     settings.solver.sleep_speed = 0;
     const double step = settings.solver.dt;
     Simulation simulation(scene, std::move(settings));
     RecentSpeed speed(step);
-    DriftRun run;
+    double drift = 0;
     const auto run_until = [&](double time) {
         while (simulation.report().status != Status::Diverged && simulation.report().time < time - step / 2) {
             simulation.step();
@@ -100,11 +97,10 @@ DriftRun watch_drift(const std::string& scene, Settings settings, double settle,
         watched = std::min(watched + 1, seconds);
         run_until(settle + watched);
         const Points moved = simulation.cloths()[0].state.x - rest;
-        run.drift = std::max(run.drift, static_cast<double>(moved.rowwise().norm().maxCoeff()));
+        drift = std::max(drift, static_cast<double>(moved.rowwise().norm().maxCoeff()));
     }
-    run.diverged = simulation.report().status == Status::Diverged;
-    run.speed = speed.rms();
-    return run;
+    if (simulation.report().status == Status::Diverged) return {{"end", "diverged"}};
+    return {{"end", "awake"}, {"drift_m", drift}, {"speed_after_m_per_s", speed.rms()}};
 }
 
 namespace {
@@ -121,12 +117,7 @@ Rows run_rest_case(const RestCase& one, bool quick) {
     Row row = row_of("rest", one);
     row.set("end", "no_stable_step");
     const Settings settings = rest_settings(one, quick ? quick_particles : 0);
-    if (settings.solver.dt == 0) return {row};
-    const RestRun run = run_to_rest(one.scene, settings, longest_rest_run);
-    row.set({{"step_s", run.step}, {"end", run.diverged ? "diverged" : run.asleep < 0 ? "awake" : "asleep"}});
-    if (run.diverged) return {row};
-    row.set("speed_after_m_per_s", run.speed_after);
-    if (run.asleep >= 0) row.set({{"asleep_s", run.asleep}, {"speed_before_m_per_s", run.speed_before}});
+    if (settings.solver.dt > 0) row.set(run_to_rest(one.scene, settings, longest_rest_run));
     return {row};
 }
 
@@ -145,10 +136,9 @@ Rows run_drift_case(const DriftCase& one, bool quick) {
     const RestCase drop{"drop", one.integrator, ResponseKind::Projection};
     Settings settings = rest_settings(drop, quick ? quick_particles : 0);
     settings.solver.dt = one.step;
-    const DriftRun run = watch_drift(drop.scene, settings, settle, one.seconds);
     Row row = row_of("drift", drop);
-    row.set({{"step_s", one.step}, {"watched_s", one.seconds}, {"end", run.diverged ? "diverged" : "awake"}});
-    if (!run.diverged) row.set({{"drift_m", run.drift}, {"speed_after_m_per_s", run.speed}});
+    row.set({{"step_s", one.step}, {"watched_s", one.seconds}});
+    row.set(watch_drift(drop.scene, settings, settle, one.seconds));
     return {row};
 }
 
