@@ -81,26 +81,6 @@ constexpr double least_margin = 100;
 /// Outer steps of Dormand-Prince, which knows its own inner ones.
 constexpr int outer_steps = 8;
 
-/// One method's points, from coarse to fine.
-struct PrecisionCurve {
-    std::string method;
-    Rows points;  ///< of steps that stayed bounded
-    std::optional<ObservedOrder> order;
-};
-
-/// What the rows of one scene say.
-struct PrecisionDiagram {
-    Row scene;                           ///< one of its rows: scene, measure and reference are the same in all
-    std::vector<PrecisionCurve> curves;  ///< in the order of the table
-    Rows front;                          ///< points that no other one beats, from exact to cheap
-
-    /// The least error of any point over that of the reference; infinite without points.
-    [[nodiscard]] double margin() const;
-};
-
-/// In the order in which the scenes come.
-std::vector<PrecisionDiagram> precision_diagrams(const Rows& rows);
-
 /// A work-precision diagram a scene.
 /// @throws RunError if the reference of a scene is not two decades better than the best point: nothing is drawn then
 std::vector<Chart> precision_charts(const Rows& rows);

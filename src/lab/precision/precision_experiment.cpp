@@ -1,15 +1,119 @@
+#include <fmt/core.h>
+
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <memory>
 #include <optional>
 #include <set>
 
+#include "drape/base/input_error.h"
 #include "drape/integrate/stability.h"
 #include "lab/experiments.h"
 #include "lab/measure/methods.h"
 #include "precision.h"
 
 namespace drape {
+namespace {
+
+using Pairs = std::vector<std::pair<double, double>>;
+
+bool is_point(const Row& row) {
+    return row.word("end") == "bounded" && std::isfinite(row.number("error")) &&
+           std::isfinite(row.number("cost_s_per_s"));
+}
+
+/// Of the steps of a method that are shorter than any that was unstable.
+std::optional<ObservedOrder> order_of(const Rows& method) {
+    double shortest_unstable = std::numeric_limits<double>::infinity();
+    for (const Row& row : method) {
+        if (!is_point(row)) shortest_unstable = std::min(shortest_unstable, row.number("step_s"));
+    }
+    Pairs errors;
+    for (const Row& row : method) {
+        const double step = row.number("step_s");
+        if (is_point(row) && step < shortest_unstable) errors.emplace_back(step, row.number("error"));
+    }
+    return observed_order(errors);
+}
+
+std::string caption_of(const Row& scene) {
+    const double phases = scene.number("phases");
+    const std::string averaged =
+        phases == 1 ? ""
+                    : fmt::format(
+                          " Errors are averaged over {} phases of the first impact within a step; from that impact on, "
+                          "every method is of order 1.",
+                          phases);
+    return fmt::format(
+        "Error at the horizon against the CPU time of a simulated second (medians, quartiles as bars) "
+        "over a ladder of steps: left is more exact, down is cheaper. The order is fitted to the finest "
+        "points.{} The reference is in error by {:.2g}; an error of {:.1g} m at the start grows {:.2g} "
+        "times.",
+        averaged, scene.number("reference_error"), small_error, scene.number("growth"));
+}
+
+/// @param rows of one scene
+/// @param points those of its rows that are drawn, at least one
+Chart precision_chart(const Rows& rows, const Rows& points) {
+    const Row& scene = points.front();
+    Chart chart{"precision_" + scene.word("scene"), "precision", caption_of(scene), {}, "error,cost\n"};
+    const auto methods = words_of(points, "method");
+    for (const std::string& method : methods) {
+        const auto order = order_of(rows_with(rows, "method", method));
+        if (order) chart.values["order_" + method] = order->order;
+    }
+    for (const auto& [name, column] : {std::pair("error", "error"), std::pair("cost", "cost_s_per_s")}) {
+        const auto [least, most] = std::ranges::minmax(points, {}, number_of(column));
+        chart.values[std::string("least_") + name] = least.number(column);
+        chart.values[std::string("most_") + name] = most.number(column);
+    }
+    chart.values.insert({{"scene", scene.word("scene")},
+                         {"particles", scene.number("particles")},
+                         {"stiffness", scene.number("stiffness_N_per_m")},
+                         {"horizon", scene.number("horizon_s")},
+                         {"overall", scene.word("measure") == name_of(Measure::Overall) ? 1. : 0.},
+                         {"methods", in_words(methods)}});
+    Pairs all;
+    for (const Row& point : points) all.emplace_back(point.number("error"), point.number("cost_s_per_s"));
+    for (const std::size_t k : pareto_front(all))
+        chart.data += fmt::format("{:.6g},{:.6g}\n", all[k].first, all[k].second);
+    return chart;
+}
+
+/// @param scene any of its rows
+Chart choice_chart(const Row& scene) {
+    return {"precision_choice_" + scene.word("scene"),
+            "precision_choice",
+            "Six of these methods: what each error costs, and which errors a picture can show.",
+            {{"scene", scene.word("scene")},
+             {"particles", scene.number("particles")},
+             {"horizon", scene.number("horizon_s")}}};
+}
+
+}  // namespace
+
+std::vector<Chart> precision_charts(const Rows& rows) {
+    std::vector<Chart> charts;
+    for (const std::string& scene : words_of(rows, "scene")) {
+        const Rows own = rows_with(rows, "scene", scene);
+        Rows points = own;
+        std::erase_if(points, [](const Row& row) { return !is_point(row); });
+        if (points.empty()) continue;
+        const double margin =
+            std::ranges::min(points, {}, number_of("error")).number("error") / points.front().number("reference_error");
+        if (!(margin >= least_margin)) {
+            throw RunError(
+                fmt::format("precision: the reference of the scene '{}' is only {:.3g} times better than "
+                            "the best point, less than {:.3g}: no chart is drawn",
+                            scene, margin, least_margin));
+        }
+        charts.push_back(precision_chart(own, points));
+        charts.push_back(choice_chart(points.front()));
+    }
+    return charts;
+}
+
 namespace {
 
 constexpr int timings_of_a_run = 7;
