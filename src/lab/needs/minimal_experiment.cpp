@@ -46,13 +46,10 @@ Rows run_ladder(const std::string& scene) {
 Rows run_notches(const std::string& scene) {
     const Needs needs(load_scene(scene));
     Rows rows{row_of("notches", scene, needs, needs.attempt(needs.scene()))};
-    const std::set<Knob> free = free_knobs(needs.scene());
-    for (const Knob knob : ordered_knobs()) {
-        const auto less = free.contains(knob) ? one_notch_less(needs.scene(), knob) : std::nullopt;
-        if (!less) continue;
-        rows.push_back(row_of("notches", scene, needs, needs.attempt(*less)));
+    try_notches(needs, [&](Knob knob, const Attempt& less) {
+        rows.push_back(row_of("notches", scene, needs, less));
         rows.back().set("changed", knob);
-    }
+    });
     return rows;
 }
 
