@@ -85,7 +85,6 @@ std::vector<Chart> contact_charts(const Rows& rows) {
     const auto shown = words_of(rows, [](const Row& row) { return row.word("search") + "." + row.word("tests"); });
     const auto speeds = words_of(rows, [](const Row& row) { return real_text(row.number("speed_m_per_s")); });
     return {{"contact",
-             "contact",
              "Contacts that the reference has within a step and a run has not found, the deepest that the response "
              "leaves the ball in the cloth, and the error of the cloth's momentum at the end, against CPU time: the "
              "points of a line are steps, the longest on the left. A ball that has gone through counts with its "

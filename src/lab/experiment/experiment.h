@@ -17,10 +17,10 @@ struct Chart {
     using Value = std::variant<double, std::string>;
 
     std::string name;                     ///< of the files, without what follows the dot: letters, digits and '_'
-    std::string script;                   ///< charts/SCRIPT.gp
     std::string caption;                  ///< one sentence or two on what it shows, under the picture
     std::map<std::string, Value> values;  ///< variables of the script; `table` and `name` are always there
     std::string data = {};                ///< what more it reads, from the file in the variable `data`
+    std::string script = {};              ///< charts/SCRIPT.gp; empty: that of the chart's name
 };
 
 /// A part of an experiment that needs no other: it computes some rows of the table, at least one.

@@ -51,11 +51,12 @@ void add_fits(Charts& charts, Rows rows, bool resampled) {
     add_scenes(
         charts,
         {resampled ? "hierarchy_fit_128" : "hierarchy_fit",
-         "hierarchy_fit",
          "CPU time of build, query and exact test of a frame against the cells that are tested in vain, for each "
          "cell that touches the ball. A line joins the leaf sizes of one volume under one update policy; the "
          "nearer to the lower left, the better.",
-         {{"resampled", resampled ? 1. : 0.}, {"brute", brute ? 1. : 0.}, {"volumes", in_words(volumes)}}},
+         {{"resampled", resampled ? 1. : 0.}, {"brute", brute ? 1. : 0.}, {"volumes", in_words(volumes)}},
+         {},
+         "hierarchy_fit"},
         rows);
 }
 
@@ -86,7 +87,6 @@ void add_storage(Charts& charts, const Rows& rows) {
     }
     add_scenes(charts,
                {"hierarchy_storage",
-                "hierarchy_storage",
                 "CPU time of build, query and exact test of a frame against the bytes of the tree's volumes. A line "
                 "joins the leaf sizes of one volume, each rebuilt every frame; the legend has the bytes a node.",
                 {{"volumes", in_words(bytes)}},
@@ -101,7 +101,6 @@ void add_spheres(Charts& charts, Rows rows) {
     });
     add_scenes(charts,
                {"hierarchy_spheres",
-                "hierarchy_spheres",
                 "CPU time of a build against the mean tightness of its spheres. Rebuilding fits every node to its "
                 "particles; merging fits the leaves only and puts a sphere about the spheres below every other node.",
                 {{"fits", in_words(words_of(rows, "sphere_fit"))}}},
@@ -121,11 +120,12 @@ Charts level_charts(const Rows& rows) {
     for (const std::string& scene : words_of(rows, "scene")) {
         charts.push_back(
             {"hierarchy_level_" + scene,
-             "hierarchy_level",
              "What a search knows that ends at a level: how loose the nodes there are, how many of them it "
              "visits, how many cells it would test in vain for each that touches, and the CPU time it has "
              "taken to get there.",
-             {{"scene", scene}}});
+             {{"scene", scene}},
+             {},
+             "hierarchy_level"});
     }
     return charts;
 }
@@ -134,7 +134,6 @@ Charts missed_charts(const Rows& rows) {
     Charts charts;
     add_scenes(charts,
                {"hierarchy_budget",
-                "hierarchy_budget",
                 "How a search that ends early changes the simulated motion: the deepest penetration that is left, "
                 "nodes that were taken for contacts although nothing in them touches, and how far the cloth is at the "
                 "end from where the full search has it. At the right end of each line the search is full. Penetrations "
@@ -151,7 +150,6 @@ void add_break_even(Charts& charts, const std::string& scene, const Rows& rows) 
     const auto off = [](const Row& row) { return std::abs(row.number("interval_s") - 1.0 / 60); };
     const double interval = std::ranges::min(rows, {}, off).number("interval_s");
     charts.push_back({"hierarchy_break_even_" + scene,
-                      "hierarchy_break_even",
                       "Left: CPU time of build, query and exact test of all frames so far, over that of rebuilding; "
                       "where a line crosses 1 is its break-even frame. Middle: how loose the nodes have become. Right: "
                       "the same ratio after the last frame, over the time that the cloth has had to move between "
@@ -160,7 +158,9 @@ void add_break_even(Charts& charts, const std::string& scene, const Rows& rows) 
                        {"volumes", in_words(volumes)},
                        {"updates", in_words(words_of(rows, "update"))},
                        {"interval", interval},
-                       {"frames", std::ranges::max(rows, {}, number_of("frame")).number("frame")}}});
+                       {"frames", std::ranges::max(rows, {}, number_of("frame")).number("frame")}},
+                      {},
+                      "hierarchy_break_even"});
 }
 
 Charts break_even_charts(const Rows& rows) {
@@ -181,7 +181,6 @@ Charts growth_charts(const Rows& rows) {
     }
     if (searches.empty()) return {};
     return {{"hierarchy_size",
-             "hierarchy_size",
              "CPU time of a build and of a search, medians with quartiles, on one motion under more and more "
              "particles; the exponents are fitted to the larger half of the sizes.",
              {{"builds", in_words(builds)}, {"searches", in_words(searches)}}}};

@@ -71,7 +71,6 @@ std::vector<Chart> kernels_charts(const Rows& rows) {
         }
     }
     return {{"kernels",
-             "kernels",
              "Wall time of the stages of a step by vector kernels and by the plain core, medians with quartiles over "
              "steps that were made in turn, and how many times as long the plain core takes.",
              {{"stages", in_words(words_of(rows, "stage"))}},

@@ -189,7 +189,6 @@ std::vector<Chart> original_charts(const Rows& rows) {
     }
     return {
         {"original",
-         "original",
          "One build and one search, with the scene's leaves of 7 x 7 cells and with a tree down to single cells; the "
          "CPU time of all steps of a frame, without drawing; and the frame rate. Medians over runs, with quartiles. "
          "Hatched: the bounds of a level are in the picture, as the original drew its spheres.",

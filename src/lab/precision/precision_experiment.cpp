@@ -57,7 +57,7 @@ std::string caption_of(const Row& scene) {
 /// @param points those of its rows that are drawn, at least one
 Chart precision_chart(const Rows& rows, const Rows& points) {
     const Row& scene = points.front();
-    Chart chart{"precision_" + scene.word("scene"), "precision", caption_of(scene), {}, "error,cost\n"};
+    Chart chart{"precision_" + scene.word("scene"), caption_of(scene), {}, "error,cost\n", "precision"};
     const auto methods = words_of(points, "method");
     for (const std::string& method : methods) {
         const auto order = order_of(rows_with(rows, "method", method));
@@ -84,11 +84,12 @@ Chart precision_chart(const Rows& rows, const Rows& points) {
 /// @param scene any of its rows
 Chart choice_chart(const Row& scene) {
     return {"precision_choice_" + scene.word("scene"),
-            "precision_choice",
             "Six of these methods: what each error costs, and which errors a picture can show.",
             {{"scene", scene.word("scene")},
              {"particles", scene.number("particles")},
-             {"horizon", scene.number("horizon_s")}}};
+             {"horizon", scene.number("horizon_s")}},
+            {},
+            "precision_choice"};
 }
 
 }  // namespace

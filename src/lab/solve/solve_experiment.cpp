@@ -132,7 +132,6 @@ std::vector<Chart> tolerance_charts(const Rows& all) {
     const auto sides = words_of(rows, [](const Row& row) { return real_text(row.number("side")); });
     return {
         {"solve_tolerance",
-         "solve_tolerance",
          "How far a sheet is from where solves to 1e-9 take it in half a second of backward Euler at 1/60 s, by the "
          "tolerance of the solves; broken, the error of the step itself.",
          {{"sides", in_words(sides)}}}};
@@ -141,7 +140,6 @@ std::vector<Chart> tolerance_charts(const Rows& all) {
 std::vector<Chart> newton_charts(const Rows& rows) {
     return {
         {"solve_newton",
-         "solve_newton",
          "Error of a falling sheet after half a second against the CPU time of a simulated second, by steps of 1/60 s "
          "and of a half, a quarter and an eighth of it: with one Newton step in each, and with two.",
          {{"methods", in_words(words_of(rows, "method"))}}}};
@@ -149,7 +147,6 @@ std::vector<Chart> newton_charts(const Rows& rows) {
 
 std::vector<Chart> size_charts(const Rows&) {
     return {{"solve_size",
-             "solve_size",
              "CPU time of a step of backward Euler at 1/60 s against the particles, on one core: while the sheet falls "
              "flat, and once it swings in folds.",
              {}}};

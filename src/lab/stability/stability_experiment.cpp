@@ -154,7 +154,6 @@ Chart stability_chart(Rows rows) {
     const std::string method = rows.front().word("method");
     const bool limited = std::isfinite(rows.front().number("expected_step_s"));
     return {"stability_" + method,
-            "stability",
             limited ? "Steps that stayed bounded and steps that failed, over stiffness and damping, and the longest "
                       "step that is predicted: every dot should lie below the line, every cross above it."
                     : "Steps that stayed bounded and steps that failed, over stiffness and damping, under a method "
@@ -165,7 +164,9 @@ Chart stability_chart(Rows rows) {
              {"against", count("agreement", "disagrees")},
              {"limited", limited ? 1. : 0.},
              {"stiffness", count("sweep", "stiffness") > 0 ? 1. : 0.},
-             {"damping", count("sweep", "damping") > 0 ? 1. : 0.}}};
+             {"damping", count("sweep", "damping") > 0 ? 1. : 0.}},
+            {},
+            "stability"};
 }
 
 /// A chart a method.
