@@ -20,10 +20,8 @@ enum class FrameMotion {
     Fold   ///< falls upright on the ground and folds on itself
 };
 
-/// A method, and in how many steps it makes a frame.
-struct FrameMethod {
-    std::string name;  ///< as tables call it: integrator, passes, steps
-    IntegratorParameters parameters;
+/// A method, and in how many steps it makes a frame; its name has both.
+struct FrameMethod : Method {
     int steps = 1;
 };
 
@@ -42,7 +40,7 @@ constexpr int tried_sides[] = {16, 23, 32, 45, 64, 91, 128, 181, 256};
 std::vector<FrameMethod> frame_methods() {
     std::vector<FrameMethod> all;
     const auto add = [&](const char* name, int steps) {
-        all.push_back({fmt::format("{}_by_{}", name, steps), methods_named({name})[0].parameters, steps});
+        all.push_back({{fmt::format("{}_by_{}", name, steps), methods_named({name})[0].parameters}, steps});
     };
     for (const char* name : {"symplectic_euler", "velocity_verlet", "rk4"}) add(name, 1);
     for (const char* name : {"backward_euler_clamped", "bdf2_clamped"}) {
@@ -98,7 +96,7 @@ double stretch_of(const Settings& settings, const Motion& motion) {
 
 /// The finest grid that can be waited for, by a method of second order at nine tenths of its limit.
 Motion converged(FrameMotion motion, bool quick) {
-    const FrameMethod method{"converged", {.kind = IntegratorKind::VelocityVerlet}, 1};
+    const FrameMethod method{{"converged", {.kind = IntegratorKind::VelocityVerlet}}, 1};
     return run_to_horizon(settings_of(motion, method, quick ? 45 : 181, 1));
 }
 

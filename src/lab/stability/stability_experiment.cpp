@@ -12,12 +12,11 @@ namespace {
 
 /// What a case is about: a sheet, and the method that moves it.
 struct Subject {
-    std::string method;
-    IntegratorParameters parameters;
-    std::string sweep;                ///< what varies: stiffness, damping, or damped_stiffness
-    int side = 0;                     ///< particles along each
-    Real stiffness = 0, damping = 0;  ///< of every spring [N/m, N s/m]
-    int steps = 0;
+    Method method;
+    const char* sweep;        ///< what varies: stiffness, damping, or damped_stiffness
+    int side;                 ///< particles along each
+    Real stiffness, damping;  ///< of every spring [N/m, N s/m]
+    int steps;
 };
 
 constexpr Real longest_tried = Real(0.05);                     // s
@@ -39,7 +38,7 @@ struct Sheet {
 /// Where the limit is linear: a free flat sheet without gravity, so that it is tried in the state that the prediction
 /// is about. Elsewhere: a sheet that falls and swings, hung by two corners.
 Sheet sheet_of(const Subject& subject) {
-    const bool limited = has_step_limit(subject.parameters.kind);
+    const bool limited = has_step_limit(subject.method.parameters.kind);
     ClothParameters parameters;
     parameters.particles = {subject.side, subject.side};
     parameters.structural = parameters.shear = parameters.bend = {subject.stiffness, subject.damping};
@@ -58,8 +57,8 @@ struct Forecast {
 };
 
 Forecast forecast(const Subject& subject, const Sheet& sheet) {
-    const IntegratorKind kind = subject.parameters.kind;
-    const Kernels kernels = subject.parameters.kernels;
+    const IntegratorKind kind = subject.method.parameters.kind;
+    const Kernels kernels = subject.method.parameters.kernels;
     const StepLimit limit = predicted_limit(sheet.model, sheet.state, kind, kernels);
     if (kind != IntegratorKind::ExplicitEuler) return {limit, limit.step, Real(0.03)};
     const StepLimit fastest = predicted_limit(sheet.model, sheet.state, IntegratorKind::SymplecticEuler, kernels);
@@ -78,7 +77,7 @@ std::string agreement(Real step, TrialEnd end, const Forecast& forecast) {
 Rows run_stability_case(const Subject& subject) {
     const Sheet sheet = sheet_of(subject);
     const Forecast known = forecast(subject, sheet);
-    const IntegratorParameters& method = subject.parameters;
+    const IntegratorParameters& method = subject.method.parameters;
     std::vector<std::pair<Real, TrialEnd>> tried;
     const auto note = [&tried](Real step, TrialEnd end) { tried.emplace_back(step, end); };
 
@@ -99,7 +98,7 @@ Rows run_stability_case(const Subject& subject) {
 
     Rows rows;
     for (const auto& [step, end] : tried) {
-        rows.push_back({{"method", subject.method},
+        rows.push_back({{"method", subject.method.name},
                         {"sweep", subject.sweep},
                         {"side", subject.side},
                         {"stiffness_N_per_m", subject.stiffness},
@@ -122,7 +121,7 @@ ExperimentCases stability_cases(bool quick) {
     ExperimentCases all;
     const auto add = [&all](const Method& method, const char* sweep, int side, Real stiffness, Real damping,
                             int steps) {
-        const Subject subject{method.name, method.parameters, sweep, side, stiffness, damping, steps};
+        const Subject subject{method, sweep, side, stiffness, damping, steps};
         all.push_back([=] { return run_stability_case(subject); });
     };
     for (const Method& method : stability_methods()) {
