@@ -1,4 +1,4 @@
-#include <algorithm>
+#include <cmath>
 
 #include "drape/scene/scene.h"
 #include "lab/experiments.h"

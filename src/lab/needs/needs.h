@@ -5,7 +5,6 @@
 #include <limits>
 #include <optional>
 #include <string>
-#include <vector>
 
 #include "configurations.h"
 #include "drape/scene/settings.h"

@@ -1,4 +1,3 @@
-#include <algorithm>
 #include <cmath>
 
 #include "lab/contact/contact_trial.h"
