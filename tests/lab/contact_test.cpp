@@ -45,16 +45,18 @@ TEST(CompareContacts, CountsWhatTheReferenceTouchedAndTheRunDidNot) {
     const auto errors = [&reference](std::vector<std::vector<int>> touched, bool passed = false) {
         return compare_contacts({.touched = std::move(touched), .passed = passed}, reference, 2);
     };
-    EXPECT_EQ(errors({{}, {1, 2, 3}, {4}}).missed_contacts, 0);
-    EXPECT_EQ(errors({{7}, {1, 2, 3, 8}, {4, 9}}).missed_contacts, 0) << "more is not missed";
-    EXPECT_EQ(errors({{}, {1, 3}, {4}}).missed_contacts, 0.25);
-    EXPECT_EQ(errors({{}, {1, 3}, {4}}).missed_steps, 0);
-    EXPECT_EQ(errors({{4}, {1, 2, 3}, {}}).missed_contacts, 0.25) << "at the right time only";
-    EXPECT_EQ(errors({{4}, {1, 2, 3}, {}}).missed_steps, 0.5);
-    EXPECT_EQ(errors({{}, {}, {}}).missed_contacts, 1);
-    EXPECT_EQ(errors({{}, {}, {}}).missed_steps, 1);
-    EXPECT_TRUE(errors({{}, {}, {}}, true).passed);
-    EXPECT_FALSE(compare_contacts({.touched = {{1}}, .passed = true}, {.touched = {{1}}, .passed = true}, 1).passed);
+    EXPECT_EQ(errors({{}, {1, 2, 3}, {4}}).number("missed_contacts"), 0);
+    EXPECT_EQ(errors({{7}, {1, 2, 3, 8}, {4, 9}}).number("missed_contacts"), 0) << "more is not missed";
+    EXPECT_EQ(errors({{}, {1, 3}, {4}}).number("missed_contacts"), 0.25);
+    EXPECT_EQ(errors({{}, {1, 3}, {4}}).number("missed_steps"), 0);
+    EXPECT_EQ(errors({{4}, {1, 2, 3}, {}}).number("missed_contacts"), 0.25) << "at the right time only";
+    EXPECT_EQ(errors({{4}, {1, 2, 3}, {}}).number("missed_steps"), 0.5);
+    EXPECT_EQ(errors({{}, {}, {}}).number("missed_contacts"), 1);
+    EXPECT_EQ(errors({{}, {}, {}}).number("missed_steps"), 1);
+    EXPECT_EQ(errors({{}, {}, {}}, true).word("passed"), "1");
+    EXPECT_EQ(
+        compare_contacts({.touched = {{1}}, .passed = true}, {.touched = {{1}}, .passed = true}, 1).word("passed"),
+        "0");
 }
 
 TEST(HungCloth, IsEnteredDeeperTheLongerTheStepAndPassedWhereALimitedSearchPushesTooSlowly) {
@@ -68,7 +70,7 @@ TEST(HungCloth, IsEnteredDeeperTheLongerTheStepAndPassedWhereALimitedSearchPushe
     for (const int finer : {2, 8}) {
         const ContactHistory run = watch_contacts(scene, static_cast<Real>(0.0005 * finer));
         EXPECT_GT(run.entered, before) << finer;
-        EXPECT_LT(compare_contacts(run, reference, finer).missed_contacts, 0.2) << finer;
+        EXPECT_LT(compare_contacts(run, reference, finer).number("missed_contacts"), 0.2) << finer;
         before = run.entered;
     }
     const ContactHistory limited = watch_contacts(scene.with({"contact.search_tests=1"}), Real(0.004));
@@ -86,12 +88,12 @@ TEST(HungCloth, IsHeldByAContinuousSearchAtTheStepsAtWhichADiscreteOneIsPassed) 
     EXPECT_FALSE(truth.passed);
     EXPECT_TRUE(discrete.passed);
     EXPECT_FALSE(continuous.passed);
-    const ContactErrors missed = compare_contacts(discrete, truth, 100);
-    const ContactErrors found = compare_contacts(continuous, truth, 100);
-    EXPECT_EQ(missed.missed_contacts, 1);
-    EXPECT_EQ(found.missed_steps, 0);
-    EXPECT_LT(found.missed_contacts, 0.1);
-    EXPECT_LT(found.momentum, missed.momentum);
+    const Row missed = compare_contacts(discrete, truth, 100);
+    const Row found = compare_contacts(continuous, truth, 100);
+    EXPECT_EQ(missed.number("missed_contacts"), 1);
+    EXPECT_EQ(found.number("missed_steps"), 0);
+    EXPECT_LT(found.number("missed_contacts"), 0.1);
+    EXPECT_LT(found.number("momentum_error"), missed.number("momentum_error"));
 }
 
 TEST(LabContact, WritesARowASearch) {
@@ -100,7 +102,7 @@ TEST(LabContact, WritesARowASearch) {
     const std::string all = std::to_string(contact_experiment().cases(true).size());
     const LabRun run = folder.run({"contact", "--quick", "--share", "14/" + all, "--out", "out"});
     ASSERT_EQ(run.code, 0) << run.err;
-    EXPECT_THAT(run.out, HasSubstr("discrete, ball at 32 m/s: "));
+    EXPECT_THAT(run.out, HasSubstr("discrete, tests 0, speed_m_per_s 32, passed "));
     const auto rows = table_of(folder, "out/contact.csv");
     ASSERT_EQ(rows.size(), 5u) << "a header and four searches";
     EXPECT_THAT(rows[1], HasSubstr("discrete,0,32,"));

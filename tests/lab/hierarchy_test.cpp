@@ -84,17 +84,6 @@ TEST(Tightness, TellsByHowMuchNodesAreTooLarge) {
     EXPECT_NEAR(over_levels(levels).mean(), 1 + 0.1 / static_cast<double>(half_width), 1e-6);
 }
 
-TEST(BreakEven, IsTheFrameFromWhichOnMoreWasSpentInAll) {
-    const std::vector<double> rebuild(6, 10);
-    const auto frame = [&rebuild](const std::vector<double>& costs) { return break_even_frame(costs, rebuild); };
-    EXPECT_EQ(frame({5, 8, 11, 14, 17, 20}), 4u) << "55 against 50 after the fifth";
-    EXPECT_EQ(frame({9, 9, 9, 9, 9, 9}), std::nullopt);
-    EXPECT_EQ(frame({10, 10, 10, 10, 10, 10}), std::nullopt) << "as much is not more";
-    EXPECT_EQ(frame({11, 1, 10, 10, 10, 30}), 5u) << "ahead for a while does not count";
-    EXPECT_EQ(frame({30, 1, 1, 1, 1, 1}), std::nullopt);
-    EXPECT_EQ(frame({11, 11, 11, 11, 11, 11}), 0u);
-}
-
 /// The planted fault: every node too small by half.
 BoundingSphere fit_shrunken_sphere(const Patch& patch) {
     BoundingSphere sphere = fit_smallest_sphere(patch);
@@ -145,16 +134,16 @@ TEST(RecordedMotion, IsWhatTheSceneIsBuiltFromAndTheSameSurfaceOnFinerGrids) {
 }
 
 TEST(Growths, AreThoseOfTheLargerSizes) {
-    std::vector<HierarchyRow> rows;
+    Rows rows;
     for (const double particles : {256., 1024., 4096., 16384., 65536.}) {
-        HierarchyRow row;
-        row.part = "size", row.volume = "aabb", row.update = "merge";
-        row.particles = particles;
         // Flat below 4096 particles, then as n and as the square root of n
-        row.build.median = 1e-9 * std::max(particles, 4096.);
-        row.query.median = 1e-8 * std::sqrt(std::max(particles, 4096.));
-        row.exact.median = row.query.median;
-        rows.push_back(row);
+        const double build = 1e-9 * std::max(particles, 4096.), query = 1e-8 * std::sqrt(std::max(particles, 4096.));
+        rows.push_back({{"volume", "aabb"},
+                        {"update", "merge"},
+                        {"particles", particles},
+                        {"build_s", build},
+                        {"query_s", query},
+                        {"exact_s", query}});
     }
     const std::vector<Growth> found = growths(rows);
     ASSERT_EQ(found.size(), 1u);
@@ -168,19 +157,20 @@ TEST(LabHierarchy, WritesWhatItCountsAndDrawsWhatAShareHas) {
     const std::string all = std::to_string(hierarchy_experiment().cases(true).size());
     const LabRun run = folder.run({"hierarchy", "--quick", "--share", "2/" + all, "--out", "out"});
     ASSERT_EQ(run.code, 0) << run.err;
-    EXPECT_THAT(run.out, HasSubstr("fit: drop, 900 particles: fastest is sphere"));
-    const auto table = read_table(hierarchy_experiment(), folder.path("out/hierarchy.csv"), false);
-    const auto rows = hierarchy_format().rows(table.value().rows());
+    EXPECT_THAT(run.out, HasSubstr("fit, drop, particles 900, sphere: 3 rows, whole_s "));
+    const Experiment hierarchy = hierarchy_experiment();
+    const Rows rows =
+        rows_of(hierarchy.columns, read_table(hierarchy, folder.path("out/hierarchy.csv"), false).value().rows());
     ASSERT_EQ(rows.size(), 3u) << "three sizes of leaves";
-    for (const HierarchyRow& row : rows) {
-        EXPECT_GE(row.candidates, row.touching);
-        EXPECT_GT(row.build.median, 0);
-        EXPECT_LE(row.build.lower, row.build.median);
-        EXPECT_GT(row.touching, 1);
-        EXPECT_GT(row.tightness, 1);
-        EXPECT_LT(row.tightness, 1.2);
+    for (const Row& row : rows) {
+        EXPECT_GE(row.number("candidates"), row.number("touching"));
+        EXPECT_GT(row.number("build_s"), 0);
+        EXPECT_LE(row.number("build_lower_s"), row.number("build_s"));
+        EXPECT_GT(row.number("touching"), 1);
+        EXPECT_GT(row.number("tightness"), 1);
+        EXPECT_LT(row.number("tightness"), 1.2);
     }
-    EXPECT_LT(rows[0].false_per_true, rows[2].false_per_true) << "smaller leaves leave out more";
+    EXPECT_LT(rows[0].number("false_per_true"), rows[2].number("false_per_true")) << "smaller leaves leave out more";
     if (run.has_no_gnuplot()) GTEST_SKIP() << "there is no gnuplot";
     EXPECT_THAT(folder.read("out/hierarchy_fit.svg"), HasSubstr("</svg>"));
     EXPECT_FALSE(folder.has("out/hierarchy_size.svg"));

@@ -19,7 +19,7 @@ TEST(LabKernels, TimesEachStageByBothKindsOfKernels) {
     for (const char* stage : {"step", "build", "query", "narrow_phase"}) {
         EXPECT_THAT(rows, testing::Contains(HasSubstr(std::string(",") + stage + ",vector,256,")));
         EXPECT_THAT(rows, testing::Contains(HasSubstr(std::string(",") + stage + ",plain,256,")));
-        EXPECT_THAT(run.out, HasSubstr(std::string(stage) + ", 256 particles: plain "));
+        EXPECT_THAT(run.out, HasSubstr(std::string(stage) + ", particles 256, plain: 1 row, time_s "));
     }
     if (run.has_no_gnuplot()) GTEST_SKIP() << "there is no gnuplot";
     EXPECT_THAT(folder.read("out/kernels.svg"), HasSubstr("</svg>"));

@@ -101,7 +101,7 @@ TEST(NightlyLabSelfContact, WritesARowForEachStepAndFailSafe) {
     EXPECT_EQ(crossed_steps(4, "zones"), 0);
     EXPECT_EQ(crossed_steps(5, "rejection"), 0);
     EXPECT_GT(crossed_steps(6, "none"), 0.5);
-    EXPECT_THAT(run.out, HasSubstr("0.125 mm, step 1/240 s, fail-safe zones: crossings after 0 % of the steps"));
+    EXPECT_THAT(run.out, HasSubstr("thickness_m 0.000125, step_s 0.00416667, zones: 1 row, crossed_steps 0, "));
 }
 
 }  // namespace

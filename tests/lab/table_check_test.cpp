@@ -209,10 +209,23 @@ TEST(TableCheck, LetsNothingBeWrittenThatCouldNotBeReadBack) {
     EXPECT_EQ(folder.read("t.csv.part").find("\n2,"), std::string::npos);
 }
 
+TEST(Summary, HasALineForEachChoiceOfCellsWithTheRangesOfItsRows) {
+    const Experiment experiment{
+        .name = "x",
+        .question = "",
+        .digits = 6,
+        .columns = {word_column("kind", {"a", "b"}), number_column("size").or_nan(), number_column("time_s").or_nan()},
+        .summary = {{"kind", "size"}, {"time_s"}},
+        .parts = {}};
+    const std::string text = summary_of(
+        experiment, {{"b", "8", "0.5"}, {"a", "nan", "3"}, {"b", "8", "nan"}, {"b", "8", "0.1234"}, {"a", "9", "nan"}});
+    EXPECT_EQ(text, "b, size 8: 3 rows, time_s 0.123 to 0.5\na: 1 row, time_s 3\na, size 9: 1 row\n");
+}
+
 TEST(TableCheck, SummariesAndChartsStandWhateverPassesTheCheck) {
     for (const Experiment& experiment : experiments()) {
         const std::vector<TableRow> rows(3, good_row(experiment));
-        EXPECT_NO_THROW(static_cast<void>(experiment.summary(rows))) << experiment.name;
+        EXPECT_NO_THROW(static_cast<void>(summary_of(experiment, rows))) << experiment.name;
         // That of precision refuses a reference that is worth nothing
         try {
             static_cast<void>(experiment.charts(rows));

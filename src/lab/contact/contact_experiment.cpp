@@ -1,6 +1,3 @@
-#include <fmt/core.h>
-
-#include <algorithm>
 #include <cmath>
 #include <set>
 #include <utility>
@@ -13,25 +10,14 @@
 namespace drape {
 namespace {
 
-/// A run: one search, one speed of the ball, one step.
-struct TrialRow : ContactErrors {
-    std::string search;
-    std::int64_t tests = 0;
-    double speed = 0, step = 0;
-    double penetration = 0, left = 0;  ///< largest, before and after the response [m]
-    double false_contacts = 0;
-    Quartiles cpu = {};  ///< time for a simulated second [s]
-    std::size_t reference_triangles = 0;
-    double reference_penetration = 0;
-};
-
 constexpr int reference_substeps = 100;  ///< steps of the reference for one of a run
 
 /// Ways to search, by their names in the table, and the settings that make them.
-const std::pair<const char*, std::vector<std::string>> searches[] = {{"discrete", {}},
-                                                                     {"continuous", {"contact.continuous=auto"}},
-                                                                     {"limited", {"contact.search_tests=24"}},
-                                                                     {"limited", {"contact.search_tests=12"}}};
+const std::pair<const char*, std::vector<std::string>> contact_searches[] = {
+    {"discrete", {}},
+    {"continuous", {"contact.continuous=auto"}},
+    {"limited", {"contact.search_tests=24"}},
+    {"limited", {"contact.search_tests=12"}}};
 
 /// What the reference has, all triangles and all that may have met within each step.
 const std::vector<std::string> reference_search{"contact.volume=brute", "contact.continuous=auto"};
@@ -58,7 +44,7 @@ std::size_t count_triangles(const ContactHistory& history) {
 }
 
 /// @throws RunError if there is nothing to find, or the reference itself fails
-std::vector<TrialRow> run_contact_case(double speed, double step, int repeats) {
+Rows run_contact_case(double speed, double step, int repeats) {
     const ContactScene scene = hung_cloth_and_ball(speed, step);
     const ContactHistory reference =
         watch_contacts(scene.with(reference_search), static_cast<Real>(step / reference_substeps));
@@ -67,56 +53,38 @@ std::vector<TrialRow> run_contact_case(double speed, double step, int repeats) {
         throw RunError("contact: at " + real_text(speed) + " m/s the ball of the reference has gone through the cloth");
     }
     const auto radius = static_cast<double>(scene.settings.balls[0].radius);
-    std::vector<TrialRow> rows;
-    for (const auto& [name, changes] : searches) {
+    Rows rows;
+    for (const auto& [name, changes] : contact_searches) {
         const ContactScene searched = scene.with(changes);
         const ContactHistory run = watch_contacts(searched, static_cast<Real>(step));
-        const ContactErrors errors = compare_contacts(run, reference, reference_substeps);
-        rows.push_back({errors, name, searched.settings.contact.search_tests, speed, step,
-                        errors.passed ? radius : run.entered, errors.passed ? radius : run.left, run.false_contacts,
-                        time_run(searched, step, repeats), triangles, reference.left});
+        Row& row = rows.emplace_back(compare_contacts(run, reference, reference_substeps));
+        // A ball that has gone through counts with its radius
+        const bool passed = row.word("passed") == "1";
+        row.set({{"search", name},
+                 {"tests", std::to_string(searched.settings.contact.search_tests)},
+                 {"speed_m_per_s", speed},
+                 {"step_s", step},
+                 {"penetration_m", passed ? radius : run.entered},
+                 {"left_m", passed ? radius : run.left},
+                 {"false_contacts", run.false_contacts},
+                 {"cpu_s_per_s", time_run(searched, step, repeats)},
+                 {"reference_triangles", triangles},
+                 {"reference_penetration_m", reference.left}});
     }
     return rows;
 }
 
-std::vector<CaseOf<TrialRow>> contact_cases(bool quick) {
+ExperimentCases contact_cases(bool quick) {
     std::vector rates{30.0, 60.0, 120.0, 240.0, 480.0, 960.0};
     if (!quick) rates.push_back(1920);
     return cases_over([=](double speed, double rate) { return run_contact_case(speed, 1 / rate, quick ? 5 : 15); },
                       quick ? std::vector{2.0, 8.0, 32.0} : std::vector{0.5, 2.0, 8.0, 32.0}, rates);
 }
 
-/// For each search and speed, the longest step from which down nothing passes and little is missed.
-std::string contact_summary(const std::vector<TrialRow>& rows) {
-    auto runs = groups_of(rows, [](const TrialRow& row) {
-        const std::string tests = row.tests > 0 ? fmt::format(" to {} tests", row.tests) : "";
-        return std::pair(row.search + tests, row.speed);
-    });
-    std::string text;
-    for (auto& [key, steps] : runs) {
-        std::ranges::sort(steps, {}, &TrialRow::step);
-        double longest = 0, worst = 0;
-        for (const TrialRow& row : steps) {
-            if (row.passed || row.missed_contacts > 0.1) break;
-            longest = row.step;
-            worst = std::max(worst, row.penetration);
-        }
-        text += fmt::format("{}, ball at {} m/s: ", key.first, key.second);
-        text += longest > 0
-                    ? fmt::format(
-                          "at most a tenth of the contacts missed up to a step of {:.3g} ms, penetration up to "
-                          "{:.3g} mm\n",
-                          1e3 * longest, 1e3 * worst)
-                    : "more than a tenth of the contacts missed, or the ball gone through, at the shortest step\n";
-    }
-    return text;
-}
-
-std::vector<Chart> contact_charts(const std::vector<TrialRow>& rows) {
-    const auto shown = words_of(rows, [](const TrialRow& row) { return fmt::format("{}.{}", row.search, row.tests); });
-    const auto speeds = words_of(rows, [](const TrialRow& row) { return real_text(row.speed); });
+std::vector<Chart> contact_charts(const Rows& rows) {
+    const auto shown = words_of(rows, [](const Row& row) { return row.word("search") + "." + row.word("tests"); });
+    const auto speeds = words_of(rows, [](const Row& row) { return real_text(row.number("speed_m_per_s")); });
     return {{"contact",
-             "contact",
              "Contacts that the reference has within a step and a run has not found, against the travel of the ball in "
              "a step, and the deepest that the response leaves the ball in the cloth, against CPU time: the longest "
              "steps are on the left there. A ball that has gone through counts with its radius. The reference tests "
@@ -150,25 +118,20 @@ ContactScene hung_cloth_and_ball(double speed, double step) {
 }
 
 Experiment contact_experiment() {
-    using Row = TrialRow;
-    return ExperimentOf<Row>{"contact",
-                             "which steps and searches find the contacts that there are?",
-                             {8,
-                              {{word_column("search", {"discrete", "continuous", "limited"}), &Row::search},
-                               {word_column("tests", {"0", "24", "12"}), &Row::tests},
-                               {positive_column("speed_m_per_s"), &Row::speed},
-                               {positive_column("step_s"), &Row::step},
-                               {number_column("missed_contacts"), &Row::missed_contacts},
-                               {number_column("missed_steps"), &Row::missed_steps},
-                               {number_column("penetration_m"), &Row::penetration},
-                               {number_column("left_m"), &Row::left},
-                               {number_column("momentum_error"), &Row::momentum},
-                               {word_column("passed", {"0", "1"}), &Row::passed},
-                               {number_column("false_contacts"), &Row::false_contacts},
-                               {number_column("cpu_s_per_s"), &Row::cpu},
-                               {whole_column("reference_triangles", 1), &Row::reference_triangles},
-                               {number_column("reference_penetration_m"), &Row::reference_penetration}}},
-                             {{"", contact_cases, contact_summary, contact_charts}}};
+    return {"contact",
+            "which steps and searches find the contacts that there are?",
+            8,
+            {word_column("search", {"discrete", "continuous", "limited"}), word_column("tests", {"0", "24", "12"}),
+             positive_column("speed_m_per_s"), positive_column("step_s"), number_column("missed_contacts"),
+             number_column("missed_steps"),
+             number_column("penetration_m"),  // largest, before the response
+             number_column("left_m"),         // and after it
+             number_column("momentum_error"), word_column("passed", {"0", "1"}), number_column("false_contacts"),
+             number_column("cpu_s_per_s").with_quartiles(),  // time for a simulated second
+             whole_column("reference_triangles", 1), number_column("reference_penetration_m")},
+            {{"search", "tests", "speed_m_per_s", "passed"},
+             {"step_s", "missed_contacts", "left_m", "momentum_error", "cpu_s_per_s"}},
+            {{"", contact_cases, contact_charts}}};
 }
 
 }  // namespace drape

@@ -171,7 +171,7 @@ ContactHistory watch_contacts(const ContactScene& scene, Real step) {
     return history;
 }
 
-ContactErrors compare_contacts(const ContactHistory& run, const ContactHistory& reference, int finer) {
+Row compare_contacts(const ContactHistory& run, const ContactHistory& reference, int finer) {
     std::size_t contacts = 0, missed_contacts = 0, steps = 0, missed_steps = 0;
     for (std::size_t k = 0; k < run.touched.size(); ++k) {
         std::set<int> expected;
@@ -190,10 +190,10 @@ ContactErrors compare_contacts(const ContactHistory& run, const ContactHistory& 
     const auto part = [](std::size_t missed, std::size_t all) {
         return static_cast<double>(missed) / static_cast<double>(all);
     };
-    return {.missed_contacts = part(missed_contacts, contacts),
-            .missed_steps = part(missed_steps, steps),
-            .momentum = static_cast<double>((run.momentum - reference.momentum).norm() / reference.momentum.norm()),
-            .passed = run.passed && !reference.passed};
+    return {{"missed_contacts", part(missed_contacts, contacts)},
+            {"missed_steps", part(missed_steps, steps)},
+            {"momentum_error", (run.momentum - reference.momentum).norm() / reference.momentum.norm()},
+            {"passed", run.passed && !reference.passed ? "1" : "0"}};
 }
 
 }  // namespace drape

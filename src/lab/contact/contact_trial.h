@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "drape/sim/contact_stage.h"
+#include "lab/experiment/row.h"
 
 namespace drape {
 
@@ -83,16 +84,12 @@ struct ContactHistory {
 /// Runs a scene to its end.
 ContactHistory watch_contacts(const ContactScene& scene, Real step);
 
-/// What a run has of its contacts wrong.
-struct ContactErrors {
-    double missed_contacts = 0;  ///< part of the triangles, step by step, that the reference touched within the step,
-                                 ///< and the run has not found
-    double missed_steps = 0;     ///< part of the steps within which the reference touched, and the run not at all
-    double momentum = 0;         ///< of the cloth at the end: its difference from the reference's, over that
-    bool passed = false;         ///< the ball has gone through the cloth, and that of the reference has not
-};
-
+/// What a run has of its contacts wrong, in cells of a row of the experiment `contact`.
 /// @param reference with `finer` steps for each of the run's; it must have touched
-ContactErrors compare_contacts(const ContactHistory& run, const ContactHistory& reference, int finer);
+/// @return `missed_contacts`, part of the triangles, step by step, that the reference touched within the step, and the
+///         run has not found; `missed_steps`, part of the steps within which the reference touched, and the run not at
+///         all; `momentum_error` of the cloth at the end, part of the reference's; and "1" as `passed` if the ball has
+///         gone through the cloth, and that of the reference has not
+Row compare_contacts(const ContactHistory& run, const ContactHistory& reference, int finer);
 
 }  // namespace drape

@@ -3,12 +3,11 @@
 #include <functional>
 #include <iterator>
 #include <map>
-#include <memory>
 #include <string>
 #include <variant>
 #include <vector>
 
-#include "row_format.h"
+#include "row.h"
 
 namespace drape {
 
@@ -18,86 +17,49 @@ struct Chart {
     using Value = std::variant<double, std::string>;
 
     std::string name;                     ///< of the files, without what follows the dot: letters, digits and '_'
-    std::string script;                   ///< charts/SCRIPT.gp
     std::string caption;                  ///< one sentence or two on what it shows, under the picture
     std::map<std::string, Value> values;  ///< variables of the script; `table` and `name` are always there
     std::string data = {};                ///< what more it reads, from the file in the variable `data`
+    std::string script = {};              ///< charts/SCRIPT.gp; empty: that of the chart's name
 };
 
 /// A part of an experiment that needs no other: it computes some rows of the table, at least one.
-template <class Row>
-using CaseOf = std::function<std::vector<Row>()>;
-using ExperimentCase = CaseOf<TableRow>;
+using ExperimentCase = std::function<Rows()>;
+using ExperimentCases = std::vector<ExperimentCase>;
+
+/// Some cases, and what is drawn of their rows where there are any. A share may have none.
+struct ExperimentPart {
+    std::string name;  ///< of its rows in the column `part`; empty: they are all
+    std::function<ExperimentCases(bool quick)> cases;
+    std::function<std::vector<Chart>(const Rows& rows)> charts;  ///< {}: none
+};
+
+/// What is printed of a table at its end, by the names of columns: a line for each choice of cells in some of them,
+/// with the range of the numbers that its rows have in others.
+struct Summary {
+    std::vector<std::string> by, of;
+};
 
 /// A question that is answered by a table: a list of independent cases, and charts of what they found.
 struct Experiment {
     std::string name;
     std::string question;
-    std::vector<Column> columns;
-    std::function<std::vector<ExperimentCase>(bool quick)> cases;
-    std::function<std::vector<Chart>(const std::vector<TableRow>& rows)> charts;
-    std::function<std::string(const std::vector<TableRow>& rows)> summary;  ///< printed at the end
+    int digits;  ///< that the table has of a number that is not a whole one
+    Columns columns;
+    Summary summary;
+    std::vector<ExperimentPart> parts;
+
+    /// Those of all parts.
+    [[nodiscard]] ExperimentCases cases(bool quick) const;
+
+    /// Those of all parts.
+    /// @param table checked
+    [[nodiscard]] std::vector<Chart> charts(const std::vector<TableRow>& table) const;
 };
 
-/// A part of an experiment: its cases, and what is shown of their rows where there are any. A share may have none.
-template <class Row>
-struct PartOf {
-    std::string name;  ///< of its rows in the column `part`; empty: they are all
-    std::function<std::vector<CaseOf<Row>>(bool quick)> cases;
-    std::function<std::string(const std::vector<Row>& rows)> summary;
-    std::function<std::vector<Chart>(const std::vector<Row>& rows)> charts;
-
-    [[nodiscard]] std::vector<Row> rows_of(std::vector<Row> rows) const {
-        if constexpr (requires(Row row) { row.part; }) {
-            if (!name.empty()) return rows_with(std::move(rows), &Row::part, name);
-        }
-        return rows;
-    }
-};
-
-/// The same as an experiment states it: with rows of its own, which become cells where they leave a case, and rows
-/// again where a checked table is shown.
-template <class Row>
-struct ExperimentOf {
-    std::string name;
-    std::string question;
-    RowFormat<Row> format;
-    std::vector<PartOf<Row>> parts;
-
-    operator Experiment() const {
-        const auto own = std::make_shared<const ExperimentOf>(*this);
-        const auto all_cases = [own](bool quick) {
-            std::vector<ExperimentCase> all;
-            for (const PartOf<Row>& part : own->parts) {
-                for (const CaseOf<Row>& one : part.cases(quick)) {
-                    all.push_back([own, one] { return own->format.cells(one()); });
-                }
-            }
-            return all;
-        };
-        return {name,
-                question,
-                format.columns(),
-                all_cases,
-                [own](const auto& rows) { return own->shown(rows, &PartOf<Row>::charts); },
-                [own](const auto& rows) { return own->shown(rows, &PartOf<Row>::summary); }};
-    }
-
-    /// What the parts show, one after the other.
-    template <class Shown>
-    [[nodiscard]] Shown shown(const std::vector<TableRow>& table,
-                              std::function<Shown(const std::vector<Row>&)> PartOf<Row>::*show) const {
-        Shown all;
-        const std::vector<Row> rows = format.rows(table);
-        for (const PartOf<Row>& part : parts) {
-            const std::vector<Row> own = part.rows_of(rows);
-            if (own.empty()) continue;
-            const Shown more = (part.*show)(own);
-            std::ranges::copy(more, std::back_inserter(all));
-        }
-        return all;
-    }
-};
+/// "rk4, damping, agrees: 28 rows, measured_step_s 0.0012 to 0.0031", line by line, in the order in which they come.
+/// Numbers that there are not are left out.
+std::string summary_of(const Experiment& experiment, const std::vector<TableRow>& rows);
 
 /// A case for each choice of one value from every list; those of the last list change fastest.
 /// @param run(values...) gives the rows
@@ -114,18 +76,6 @@ auto cases_over(const Run& run, const std::vector<Value>& list, const std::vecto
         std::ranges::move(cases_over(chosen, lists...), std::back_inserter(all));
     }
     return all;
-}
-
-inline constexpr auto no_charts = [](const auto&) { return std::vector<Chart>{}; };
-
-/// A summary with a line for each row.
-template <class Line>
-auto line_of_each(const Line& line) {
-    return [line](const auto& rows) {
-        std::string text;
-        for (const auto& row : rows) text += line(row) + "\n";
-        return text;
-    };
 }
 
 }  // namespace drape

@@ -61,7 +61,7 @@ bool draw_charts(const std::vector<Chart>& charts, const std::filesystem::path& 
         file.stream() << "# To draw the chart once more, in this folder: gnuplot " << script << "\n"
                       << assignments_of(chart);
         add_script(file, "common");
-        add_script(file, chart.script);
+        add_script(file, chart.script.empty() ? name : chart.script);
         file.stream() << "\nunset output\nif (kind eq 'svg') { kind = 'png'; load '" << script << "' }\n";
         file.close();
         const auto code = run_child({"gnuplot", "--default-settings", script}, folder);
@@ -133,7 +133,7 @@ std::string assignments_of(const Chart& chart) {
 
 void present(const Experiment& experiment, const ExperimentTable& table, const std::filesystem::path& file) {
     const auto rows = table.rows();
-    const std::string summary = experiment.summary(rows);
+    const std::string summary = summary_of(experiment, rows);
     std::cout << summary;
     auto charts = experiment.charts(rows);
     if (!draw_charts(charts, file)) {

@@ -102,7 +102,8 @@ int run(const Experiment& experiment, std::span<const Experiment> all, const Run
         Progress progress(wanted.size() - before, "case");
         for (const std::size_t number : wanted) {
             if (table.cases.contains(number)) continue;
-            auto rows = cases[number - 1]();
+            std::vector<TableRow> rows;
+            for (const Row& row : cases[number - 1]()) rows.push_back(row.texts(experiment.columns, experiment.digits));
             writer.write(number, rows);
             table.cases[number] = std::move(rows);
             progress.advance();

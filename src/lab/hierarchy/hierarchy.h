@@ -1,6 +1,6 @@
 #pragma once
 
-#include <span>
+#include <memory>
 
 #include "drape/bounds/broad_phase.h"
 #include "hierarchy_run.h"
@@ -8,56 +8,26 @@
 
 namespace drape {
 
-/// A line of the table. The parts of the experiment share its columns; what a part does not tell is nan.
-struct HierarchyRow {
-    std::string part;  ///< fit, level, budget, break_even or size
-    std::string scene;
-    std::string volume, sphere_fit, update;
-    double particles = no_number;
-    double leaf_cells = no_number;  ///< 0: as measured to be fastest
-    double level = no_number;       ///< that the row is about, or at which the search ended
-    double tests = no_number;       ///< after which the search ended
-    double interval_s = no_number;  ///< between frames
-    double frame = no_number;
+/// What cases record is kept for the others of the same program.
+using SharedMotions = std::shared_ptr<Motions>;
 
-    Quartiles build = no_quartiles, query = no_quartiles,
-              exact = no_quartiles;                  ///< CPU times, over frames and repeats [s]
-    Quartiles whole = no_quartiles;                  ///< build, query and exact test
-    double cumulative_s = no_number;                 ///< of all frames so far, medians over repeats
-    double cumulative_s_over_rebuild_s = no_number;  ///< the same over that of `rebuild`
+// The cases of each part; `quick` means fewer frames, hierarchies and repeats.
 
-    // A mean frame; the same in every run
-    double nodes = no_number;           ///< of the whole tree, or of the level
-    double visited = no_number;         ///< by the search
-    double candidates = no_number;      ///< cells
-    double touching = no_number;        ///< cells
-    double false_per_true = no_number;  ///< candidates that do not touch over those that do
-    double tightness = no_number;       ///< mean over nodes: size over that of the smallest volume of the kind
-    double moved = no_number;           ///< part of the particles that moved farther than a refit lets pass
+/// Time a frame against false candidates, nodes visited and tightness: volume, sphere fit, update and leaf size on
+/// three scenes.
+ExperimentCases hierarchy_fits(bool quick, const SharedMotions& motions);
 
-    // What a limited search did to the simulated motion
-    double missed_penetration_m = no_number;  ///< largest
-    double false_contacts = no_number;        ///< a step
-    double distance_m = no_number;            ///< RMS of the particles from where the full search has them, at the end
+/// The same level by level: what a search knows that ends at a level, and what it has cost.
+ExperimentCases hierarchy_levels(bool quick, const SharedMotions& motions);
 
-    /// A row about a hierarchy on some frames of a motion.
-    static HierarchyRow of(const std::string& part, const RecordedMotion& motion,
-                           const BroadPhaseParameters& parameters, const std::vector<FrameCounts>& counts);
+/// What a search with a budget lets through and invents while the scene is simulated with it.
+ExperimentCases hierarchy_budgets(bool quick, const SharedMotions& motions);
 
-    /// Fills in the times of a run.
-    void set_times(const HierarchyRun& run);
+/// What the updates have cost in all, frame by frame, at several intervals between frames.
+ExperimentCases hierarchy_break_evens(bool quick, const SharedMotions& motions);
 
-    /// Name of the volume, with the fit of a sphere that is not by the centroid.
-    [[nodiscard]] std::string variant() const;
-};
-
-using HierarchyRows = std::vector<HierarchyRow>;
-
-/// The columns, and which of them each part fills.
-RowFormat<HierarchyRow> hierarchy_format();
-
-/// The cases of all parts; `quick` means fewer frames, hierarchies and repeats.
-std::vector<CaseOf<HierarchyRow>> hierarchy_cases(bool quick);
+/// Cost against the number of particles, on a motion resampled.
+ExperimentCases hierarchy_sizes(bool quick, const SharedMotions& motions);
 
 /// A scene whose motion is recorded, from shortly before cloth and ball meet.
 struct HierarchyScene {
@@ -77,12 +47,6 @@ inline constexpr int resampled_side = 128, resampled_particles = resampled_side 
 inline constexpr VolumeKind volume_families[] = {VolumeKind::Sphere, VolumeKind::Aabb, VolumeKind::Kdop18,
                                                  VolumeKind::Obb};
 
-/// The frame from which on, and to the last, one way has cost more in all than another.
-/// @param costs of each frame of the way that is cheap at first
-/// @param others of the other way; where one has more frames, these are left out
-/// @return counted from 0; nothing if it has not cost more when the last frame ends
-std::optional<std::size_t> break_even_frame(std::span<const double> costs, std::span<const double> others);
-
 /// How times grow with the number of particles, for one hierarchy.
 struct Growth {
     std::string volume, update;
@@ -92,12 +56,6 @@ struct Growth {
 /// Fitted over the larger cloths, from the geometric middle of the smallest and the largest on, where what a call costs
 /// at the least no longer counts. Hierarchies with fewer than two such sizes are left out.
 /// @param rows of the part "size"
-std::vector<Growth> growths(const HierarchyRows& rows);
-
-/// A line or more a part.
-std::string hierarchy_summary(const HierarchyRows& rows);
-
-/// Charts of the parts that the rows have.
-std::vector<Chart> hierarchy_charts(const HierarchyRows& rows);
+std::vector<Growth> growths(const Rows& rows);
 
 }  // namespace drape

@@ -1,6 +1,5 @@
 #include <algorithm>
 #include <cmath>
-#include <iterator>
 #include <memory>
 #include <set>
 #include <utility>
@@ -15,19 +14,33 @@
 namespace drape {
 namespace {
 
-using HierarchyCases = std::vector<CaseOf<HierarchyRow>>;
-
-/// What the cases record is kept for the others of the same program.
-using SharedMotions = std::shared_ptr<Motions>;
+/// A row about a hierarchy on some frames of a motion. The parts of the experiment share the columns.
+Row row_of(const char* part, const RecordedMotion& motion, const BroadPhaseParameters& parameters,
+           const std::vector<FrameCounts>& counts) {
+    Row row{{"part", part},
+            {"scene", motion.scene},
+            {"volume", parameters.volume},
+            {"update", parameters.update},
+            {"particles", motion.grid.particles()},
+            {"leaf_cells", parameters.leaf_cells},
+            {"interval_s", motion.interval},
+            {"nodes", mean_over_frames(counts, [](const FrameCounts& one) { return one.traversal.nodes; })},
+            {"visited", mean_over_frames(counts, [](const FrameCounts& one) { return one.traversal.visited; })},
+            {"candidates", mean_over_frames(counts, &FrameCounts::candidates)},
+            {"touching", mean_over_frames(counts, &FrameCounts::touching)},
+            {"false_per_true", false_per_true(counts)}};
+    if (parameters.volume == VolumeKind::Sphere) row.set("sphere_fit", parameters.sphere_fit);
+    return row;
+}
 
 /// A case that measures some hierarchies on one motion.
 /// @param add_rows(motion, parameters, quick, rows) about one of them
 template <class AddRows>
-CaseOf<HierarchyRow> case_of(bool quick, const SharedMotions& motions, const MotionWanted& wanted,
-                             const std::vector<BroadPhaseParameters>& hierarchies, AddRows add_rows) {
+ExperimentCase case_of(bool quick, const SharedMotions& motions, const MotionWanted& wanted,
+                       const std::vector<BroadPhaseParameters>& hierarchies, AddRows add_rows) {
     return [=] {
         const RecordedMotion motion = motions->find(wanted);
-        HierarchyRows rows;
+        Rows rows;
         for (const BroadPhaseParameters& parameters : hierarchies) add_rows(motion, parameters, quick, rows);
         return rows;
     };
@@ -35,11 +48,14 @@ CaseOf<HierarchyRow> case_of(bool quick, const SharedMotions& motions, const Mot
 
 /// Takes a hierarchy along a motion, and adds a row about it.
 HierarchyRun add_row(const char* part, const RecordedMotion& motion, const BroadPhaseParameters& parameters,
-                     const RunPlan& plan, HierarchyRows& rows) {
+                     const RunPlan& plan, Rows& rows) {
     const auto hierarchy = make_broad_phase(parameters, motion.grid);
     HierarchyRun run = follow(motion, *hierarchy, plan);
-    rows.push_back(HierarchyRow::of(part, motion, parameters, run.counts));
-    rows.back().set_times(run);
+    rows.push_back(row_of(part, motion, parameters, run.counts));
+    rows.back().set({{"build_s", quartiles_over_frames(run, &FrameTimes::build)},
+                     {"query_s", quartiles_over_frames(run, &FrameTimes::query)},
+                     {"exact_s", quartiles_over_frames(run, &FrameTimes::exact)},
+                     {"whole_s", quartiles_over_frames(run, &FrameTimes::whole)}});
     return run;
 }
 
@@ -58,35 +74,34 @@ std::vector<BroadPhaseParameters> volumes_and_fits(bool quick) {
     return all;
 }
 
-void measure_fit(const RecordedMotion& motion, const BroadPhaseParameters& parameters, bool quick,
-                 HierarchyRows& rows) {
+void measure_fit(const RecordedMotion& motion, const BroadPhaseParameters& parameters, bool quick, Rows& rows) {
     const RunPlan plan{.repeats = quick ? 3 : 7, .tightness_every = some_frames(motion)};
     const HierarchyRun run = add_row("fit", motion, parameters, plan, rows);
-    if (!run.tightness.empty()) rows.back().tightness = over_levels(run.tightness).mean();
+    if (!run.tightness.empty()) rows.back().set("tightness", over_levels(run.tightness).mean());
 }
 
-void measure_size(const RecordedMotion& motion, const BroadPhaseParameters& parameters, bool quick,
-                  HierarchyRows& rows) {
+void measure_size(const RecordedMotion& motion, const BroadPhaseParameters& parameters, bool quick, Rows& rows) {
     add_row("size", motion, parameters, {.repeats = motion.grid.nx <= 128 ? 15 : quick ? 3 : 7}, rows);
 }
 
 /// One search a level, each on a tree of its own: it ends there, and what it visited more than the one before it is
 /// the level's.
-void measure_level(const RecordedMotion& motion, BroadPhaseParameters parameters, bool quick, HierarchyRows& rows) {
+void measure_level(const RecordedMotion& motion, BroadPhaseParameters parameters, bool quick, Rows& rows) {
     const int levels = make_broad_phase(parameters, motion.grid)->levels();
     double visited_above = 0;
     for (int level = 0; level < levels; ++level) {
         parameters.search.level = level;
         const HierarchyRun run = add_row("level", motion, parameters,
                                          {.repeats = quick ? 2 : 7, .tightness_every = some_frames(motion)}, rows);
-        HierarchyRow& row = rows.back();
+        Row& row = rows.back();
+        const double visited = row.number("visited");
         const Tightness& tightness = run.tightness[static_cast<std::size_t>(level)];
         const auto looked_at =
             std::ranges::count_if(run.frame_tightness, [](const Tightness& t) { return t.nodes > 0; });
-        row.level = level;
-        row.nodes = static_cast<double>(tightness.nodes) / static_cast<double>(looked_at);
-        row.tightness = tightness.mean();
-        row.visited -= std::exchange(visited_above, row.visited);
+        row.set({{"level", level},
+                 {"nodes", static_cast<double>(tightness.nodes) / static_cast<double>(looked_at)},
+                 {"tightness", tightness.mean()},
+                 {"visited", visited - std::exchange(visited_above, visited)}});
     }
 }
 
@@ -133,7 +148,7 @@ std::vector<SearchLimit> limits(const BroadPhaseParameters& parameters, const Gr
     return all;
 }
 
-void measure_budget(const RecordedMotion& motion, BroadPhaseParameters parameters, bool quick, HierarchyRows& rows) {
+void measure_budget(const RecordedMotion& motion, BroadPhaseParameters parameters, bool quick, Rows& rows) {
     // Long enough for the ball to be well in the cloth
     const HierarchyScene& scene = *std::ranges::find(hierarchy_scenes, motion.scene, &HierarchyScene::name);
     const double time = scene.from + (quick ? 0.4 : 1.0);
@@ -141,13 +156,14 @@ void measure_budget(const RecordedMotion& motion, BroadPhaseParameters parameter
     for (const SearchLimit& limit : limits(parameters, motion.grid, quick)) {
         parameters.search = limit;
         add_row("budget", motion, parameters, {.repeats = quick ? 2 : 7}, rows);
-        HierarchyRow& row = rows.back();
-        if (limit.tests > 0) row.tests = static_cast<double>(limit.tests);
-        if (limit.tests == 0) row.level = limit.level;
+        Row& row = rows.back();
+        if (limit.tests > 0) row.set("tests", limit.tests);
+        if (limit.tests == 0) row.set("level", limit.level);
         const SearchedRun limited = simulate(motion.scene, parameters, time);
-        row.missed_penetration_m = limited.missed_penetration;
-        row.false_contacts = limited.false_contacts;
-        row.distance_m = static_cast<double>((limited.x - full.x).norm()) / std::sqrt(row.particles);
+        row.set(
+            {{"missed_penetration_m", limited.missed_penetration},
+             {"false_contacts", limited.false_contacts},
+             {"distance_m", static_cast<double>((limited.x - full.x).norm()) / std::sqrt(row.number("particles"))}});
     }
 }
 
@@ -168,8 +184,7 @@ double moved_part(const RecordedMotion& motion, std::size_t frame, Real distance
     return static_cast<double>((moved > distance).count()) / static_cast<double>(moved.size());
 }
 
-void measure_break_even(const RecordedMotion& motion, BroadPhaseParameters parameters, bool quick,
-                        HierarchyRows& rows) {
+void measure_break_even(const RecordedMotion& motion, BroadPhaseParameters parameters, bool quick, Rows& rows) {
     std::vector<HierarchyRun> runs;
     for (const UpdateKind update : values_of<UpdateKind>()) {
         parameters.update = update;
@@ -186,14 +201,13 @@ void measure_break_even(const RecordedMotion& motion, BroadPhaseParameters param
         for (std::size_t k = 1; k < costs.size(); ++k) {
             sum += costs[k];
             sum_of_rebuild += rebuild[k];
-            HierarchyRow row = HierarchyRow::of("break_even", motion, parameters, {run.counts[k]});
-            row.frame = static_cast<double>(k);
-            row.whole.median = costs[k];
-            row.cumulative_s = sum;
-            row.cumulative_s_over_rebuild_s = sum / sum_of_rebuild;
-            if (run.frame_tightness[k].nodes > 0) row.tightness = run.frame_tightness[k].mean();
-            row.moved = moved_part(motion, k, slack[k]);
-            rows.push_back(row);
+            rows.push_back(row_of("break_even", motion, parameters, {run.counts[k]}));
+            rows.back().set({{"frame", k},
+                             {"whole_s", costs[k]},
+                             {"cumulative_s", sum},
+                             {"cumulative_s_over_rebuild_s", sum / sum_of_rebuild},
+                             {"moved", moved_part(motion, k, slack[k])}});
+            if (run.frame_tightness[k].nodes > 0) rows.back().set("tightness", run.frame_tightness[k].mean());
         }
     }
 }
@@ -208,10 +222,10 @@ std::set<double> intervals(const HierarchyScene& scene, bool quick) {
     return whole;
 }
 
-/// Time a frame against false candidates, nodes visited and tightness: volume, sphere fit, update and leaf size on
-/// three scenes.
-HierarchyCases fit_cases(bool quick, const SharedMotions& motions) {
-    HierarchyCases cases;
+}  // namespace
+
+ExperimentCases hierarchy_fits(bool quick, const SharedMotions& motions) {
+    ExperimentCases cases;
     const auto add = [&](const MotionWanted& wanted) {
         cases.push_back(case_of(quick, motions, wanted, {{.volume = VolumeKind::Brute}}, measure_fit));
         for (BroadPhaseParameters parameters : volumes_and_fits(quick)) {
@@ -237,13 +251,12 @@ HierarchyCases fit_cases(bool quick, const SharedMotions& motions) {
     return cases;
 }
 
-/// The same level by level: what a search knows that ends at a level, and what it has cost.
-HierarchyCases level_cases(bool quick, const SharedMotions& motions) {
+ExperimentCases hierarchy_levels(bool quick, const SharedMotions& motions) {
     std::vector<BroadPhaseParameters> hierarchies;
     for (const VolumeKind family : volume_families) hierarchies.push_back({.volume = family, .leaf_cells = 1});
     hierarchies.push_back({.leaf_cells = 1, .sphere_fit = SphereFit::Welzl});
     hierarchies.push_back({.update = UpdateKind::Merge, .leaf_cells = 1});
-    HierarchyCases cases;
+    ExperimentCases cases;
     for (const HierarchyScene& scene : hierarchy_scenes) {
         for (const BroadPhaseParameters& parameters : hierarchies) {
             cases.push_back(case_of(quick, motions, scene.frames(quick ? 40 : 120), {parameters}, measure_level));
@@ -252,9 +265,8 @@ HierarchyCases level_cases(bool quick, const SharedMotions& motions) {
     return cases;
 }
 
-/// What a search with a budget lets through and invents while the scene is simulated with it.
-HierarchyCases budget_cases(bool quick, const SharedMotions& motions) {
-    HierarchyCases cases;
+ExperimentCases hierarchy_budgets(bool quick, const SharedMotions& motions) {
+    ExperimentCases cases;
     for (const HierarchyScene& scene : hierarchy_scenes) {
         for (const VolumeKind family : volume_families) {
             if (quick && family != VolumeKind::Sphere) continue;
@@ -265,9 +277,8 @@ HierarchyCases budget_cases(bool quick, const SharedMotions& motions) {
     return cases;
 }
 
-/// What the updates have cost in all, frame by frame, at several intervals between frames.
-HierarchyCases break_even_cases(bool quick, const SharedMotions& motions) {
-    HierarchyCases cases;
+ExperimentCases hierarchy_break_evens(bool quick, const SharedMotions& motions) {
+    ExperimentCases cases;
     for (const HierarchyScene& scene : hierarchy_scenes) {
         for (const VolumeKind family : volume_families) {
             if (quick && family != VolumeKind::Sphere && family != VolumeKind::Aabb) continue;
@@ -282,9 +293,8 @@ HierarchyCases break_even_cases(bool quick, const SharedMotions& motions) {
     return cases;
 }
 
-/// Cost against the number of particles, on a motion resampled.
-HierarchyCases size_cases(bool quick, const SharedMotions& motions) {
-    HierarchyCases cases;
+ExperimentCases hierarchy_sizes(bool quick, const SharedMotions& motions) {
+    ExperimentCases cases;
     for (const int side : quick ? std::vector{16, 32, 64, 128, 256} : std::vector{16, 32, 64, 128, 256, 512, 1024}) {
         // Few frames, so that they can be held at any size: the ball is in the middle of the curtain
         const MotionWanted wanted{"curtain", 1.2, 1.0 / 60, 5, side};
@@ -298,17 +308,6 @@ HierarchyCases size_cases(bool quick, const SharedMotions& motions) {
         }
     }
     return cases;
-}
-
-}  // namespace
-
-HierarchyCases hierarchy_cases(bool quick) {
-    const auto motions = std::make_shared<Motions>();
-    HierarchyCases all;
-    for (const auto part : {fit_cases, level_cases, budget_cases, break_even_cases, size_cases}) {
-        std::ranges::move(part(quick, motions), std::back_inserter(all));
-    }
-    return all;
 }
 
 }  // namespace drape

@@ -11,14 +11,6 @@
 namespace drape {
 namespace {
 
-/// One stage of a frame by one kind of kernels on one cloth.
-struct KernelsRow {
-    std::string stage;
-    Kernels kernels{};
-    std::int64_t particles = 0;
-    Quartiles time = {};  ///< over steps [s]
-};
-
 struct Stage {
     const char* name;
     double StageTimes::*time;
@@ -41,7 +33,7 @@ Simulation touching_cloth(int side, Kernels kernels) {
     return {"drop", settings};
 }
 
-std::vector<KernelsRow> run_kernels_case(int side, int steps) {
+Rows run_kernels_case(int side, int steps) {
     std::array simulations{touching_cloth(side, Kernels::Vector), touching_cloth(side, Kernels::Plain)};
     std::array<std::array<std::vector<double>, simulations.size()>, stages.size()> times;
     // In turn: a machine has faster and slower moments. The first steps warm the caches
@@ -55,65 +47,50 @@ std::vector<KernelsRow> run_kernels_case(int side, int steps) {
             }
         }
     }
-    std::vector<KernelsRow> rows;
+    Rows rows;
     for (std::size_t s = 0; s < stages.size(); ++s) {
         for (std::size_t k = 0; k < simulations.size(); ++k) {
-            rows.push_back({stages[s].name, simulations[k].settings().solver.kernels, side * side,
-                            quartiles_of(std::move(times[s][k]))});
+            rows.push_back({{"stage", stages[s].name},
+                            {"kernels", simulations[k].settings().solver.kernels},
+                            {"particles", side * side},
+                            {"time_s", quartiles_of(std::move(times[s][k]))}});
         }
     }
     return rows;
 }
 
-/// Tells each row of the plain core, and its time over that of the vector kernels.
-template <class Tell>
-std::string ratios(const std::vector<KernelsRow>& rows, const Tell& tell) {
-    std::string text;
-    for (const KernelsRow& plain : rows) {
-        for (const KernelsRow& vector : rows) {
-            const bool pair = plain.kernels == Kernels::Plain && vector.kernels == Kernels::Vector &&
-                              vector.stage == plain.stage && vector.particles == plain.particles;
-            if (pair && vector.time.median > 0) text += tell(plain, plain.time.median / vector.time.median);
+std::vector<Chart> kernels_charts(const Rows& rows) {
+    std::string ratios = "stage,particles,ratio\n";
+    for (const Row& plain : rows_with(rows, "kernels", "plain")) {
+        for (const Row& vector : rows_with(rows, "kernels", "vector")) {
+            const bool pair =
+                vector.word("stage") == plain.word("stage") && vector.number("particles") == plain.number("particles");
+            if (!pair || !(vector.number("time_s") > 0)) continue;
+            ratios += fmt::format("{},{},{:.6g}\n", plain.word("stage"), plain.number("particles"),
+                                  plain.number("time_s") / vector.number("time_s"));
         }
     }
-    return text;
-}
-
-std::string kernels_summary(const std::vector<KernelsRow>& rows) {
-    return ratios(rows, [](const KernelsRow& plain, double ratio) {
-        return fmt::format("{}, {} particles: plain {:.3g} us, {:.3g} times vector\n", plain.stage, plain.particles,
-                           1e6 * plain.time.median, ratio);
-    });
-}
-
-std::vector<Chart> kernels_charts(const std::vector<KernelsRow>& rows) {
-    const std::string data = ratios(rows, [](const KernelsRow& plain, double ratio) {
-        return fmt::format("{},{},{:.6g}\n", plain.stage, plain.particles, ratio);
-    });
     return {{"kernels",
-             "kernels",
              "Wall time of the stages of a step by vector kernels and by the plain core, medians with quartiles over "
              "steps that were made in turn, and how many times as long the plain core takes.",
-             {{"stages", in_words(words_of(rows, &KernelsRow::stage))}},
-             "stage,particles,ratio\n" + data}};
+             {{"stages", in_words(words_of(rows, "stage"))}},
+             ratios}};
 }
 
 }  // namespace
 
 Experiment kernels_experiment() {
-    using Row = KernelsRow;
     const auto cases = [](bool quick) {
         return cases_over([=](int side) { return run_kernels_case(side, quick ? 31 : 201); },
                           quick ? std::vector{16, 32, 64} : std::vector{16, 32, 64, 128, 256});
     };
-    return ExperimentOf<Row>{"kernels",
-                             "what do the vector kernels buy?",
-                             {6,
-                              {{word_column("stage", names_in(stages, &Stage::name)), &Row::stage},
-                               {name_column<Kernels>("kernels"), &Row::kernels},
-                               {whole_column("particles", 4), &Row::particles},
-                               {number_column("time_s"), &Row::time}}},
-                             {{"", cases, kernels_summary, kernels_charts}}};
+    return {"kernels",
+            "what do the vector kernels buy?",
+            6,
+            {word_column("stage", names_in(stages, &Stage::name)), name_column<Kernels>("kernels"),
+             whole_column("particles", 4), number_column("time_s").with_quartiles()},
+            {{"stage", "particles", "kernels"}, {"time_s"}},
+            {{"", cases, kernels_charts}}};
 }
 
 }  // namespace drape

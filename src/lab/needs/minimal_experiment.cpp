@@ -1,6 +1,4 @@
-#include <fmt/core.h>
-
-#include <algorithm>
+#include <cmath>
 
 #include "drape/scene/scene.h"
 #include "lab/experiments.h"
@@ -10,80 +8,59 @@ namespace drape {
 namespace {
 
 /// One configuration of a scene that was tried, and what its needs say about it.
-struct MinimalRow {
-    std::string part, scene;
-    std::string changed = "none";  ///< the knob that was turned: a notch less, or in `budget` closer to the full model
-    std::int64_t particles_x = 0, particles_y = 0;
-    bool bend = false, drag = false;
-    IntegratorKind integrator{};
-    double step = 0;  ///< [s]
-    std::int64_t iterations = 0;
-    double allowed = no_number, error = no_number;  ///< against the full model, of the cloth's side
-    double miss = no_number;                        ///< the worst of what was measured over what is allowed
-    double cost = no_number;                        ///< CPU time of a simulated second [s/s]
-    double moved = no_number;  ///< in `budget`: how far the motion is from that of the scene, of the cloth's side
-    std::string outcome;  ///< kept, costlier than the cheapest so far, or rejected; in `budget` compared or diverged
-};
-
-using MinimalRows = std::vector<MinimalRow>;
-
-MinimalRow row_of(const char* part, const std::string& scene, const Needs& needs, const Attempt& attempt) {
+Row row_of(const char* part, const std::string& scene, const Needs& needs, const Attempt& attempt) {
     const Settings& settings = attempt.settings;
     const ClothParameters& cloth = settings.cloths[0];
-    MinimalRow row;
-    row.part = part;
-    row.scene = scene;
-    row.particles_x = cloth.particles.nx;
-    row.particles_y = cloth.particles.ny;
-    row.bend = cloth.bend != SpringLaw{};
-    row.drag = cloth.drag > 0;
-    row.integrator = settings.solver.integrator;
-    row.step = settings.solver.dt;
-    row.iterations = settings.solver.iterations;
+    Row row{{"part", part},
+            {"scene", scene},
+            {"particles_x", cloth.particles.nx},
+            {"particles_y", cloth.particles.ny},
+            {"bend", cloth.bend != SpringLaw{} ? "yes" : "no"},
+            {"drag", cloth.drag > 0 ? "yes" : "no"},
+            {"integrator", settings.solver.integrator},
+            {"step_s", settings.solver.dt},
+            {"iterations", settings.solver.iterations},
+            {"outcome", attempt.qualifies() ? "kept" : "rejected"}};
     if (needs.states_error()) {
-        row.allowed = static_cast<double>(needs.scene().needs.position_error);
-        if (attempt.error > 0 || attempt.qualifies()) row.error = attempt.error;
+        row.set("allowed_error", needs.scene().needs.position_error);
+        if (attempt.error > 0 || attempt.qualifies()) row.set("error", attempt.error);
     }
-    if (std::isfinite(attempt.miss)) row.miss = attempt.miss;
-    if (attempt.cost > 0) row.cost = attempt.cost;
-    row.outcome = attempt.qualifies() ? "kept" : "rejected";
+    if (std::isfinite(attempt.miss)) row.set("miss", attempt.miss);
+    if (attempt.cost > 0) row.set("cost_s_per_s", attempt.cost);
     return row;
 }
 
 /// The whole search: the full model, then what is taken away from it.
-MinimalRows run_ladder(const std::string& scene) {
+Rows run_ladder(const std::string& scene) {
     const Needs needs(load_scene(scene));
-    MinimalRows rows{row_of("ladder", scene, needs, needs.attempt(computed_closely(needs.full(), close_step)))};
+    Rows rows{row_of("ladder", scene, needs, needs.attempt(computed_closely(needs.full(), close_step)))};
     (void)search(needs, [&](const Attempt& attempt, const std::string& outcome) {
         rows.push_back(row_of("ladder", scene, needs, attempt));
         const bool kept = outcome.starts_with("kept") || outcome.starts_with("cheapest");
-        if (attempt.qualifies() && !kept) rows.back().outcome = "costlier";
+        if (attempt.qualifies() && !kept) rows.back().set("outcome", "costlier");
     });
     return rows;
 }
 
 /// The scene as it is, and with one notch less of each knob that it leaves free.
-MinimalRows run_notches(const std::string& scene) {
+Rows run_notches(const std::string& scene) {
     const Needs needs(load_scene(scene));
-    MinimalRows rows{row_of("notches", scene, needs, needs.attempt(needs.scene()))};
-    const std::set<Knob> free = free_knobs(needs.scene());
-    for (const Knob knob : ordered_knobs()) {
-        const auto less = free.contains(knob) ? one_notch_less(needs.scene(), knob) : std::nullopt;
-        if (!less) continue;
-        rows.push_back(row_of("notches", scene, needs, needs.attempt(*less)));
-        rows.back().changed = name_of(knob);
-    }
+    Rows rows{row_of("notches", scene, needs, needs.attempt(needs.scene()))};
+    try_notches(needs, [&](Knob knob, const Attempt& less) {
+        rows.push_back(row_of("notches", scene, needs, less));
+        rows.back().set("changed", knob);
+    });
     return rows;
 }
 
 /// The scene with one knob at a time as its full model has it (the step: half as long), the others as they are; a step
 /// that is then too long is divided. Only the error is compared, not what else the scene needs.
-MinimalRows run_budget(const std::string& scene) {
+Rows run_budget(const std::string& scene) {
     const Needs needs(load_scene(scene));
     const Settings &as_it_is = needs.scene(), &full = needs.full();
     const ClothParameters &cloth = as_it_is.cloths[0], &most = full.cloths[0];
     const Motion motion = run_to_horizon(as_it_is);
-    MinimalRows rows;
+    Rows rows;
     const auto add = [&](const std::string& changed, const Settings& settings, const Motion& moved) {
         Attempt attempt;
         attempt.settings = settings;
@@ -91,10 +68,10 @@ MinimalRows run_budget(const std::string& scene) {
         if (moved.diverged) attempt.note(no_number, "diverged");
         if (!moved.diverged) attempt.error = needs.error_of(moved);
         rows.push_back(row_of("budget", scene, needs, attempt));
-        rows.back().changed = changed;
-        rows.back().miss = no_number;
-        rows.back().outcome = moved.diverged ? "diverged" : "compared";
-        if (!moved.diverged) rows.back().moved = needs.difference(moved, motion);
+        rows.back().set({{"changed", changed},
+                         {"miss", no_number},
+                         {"outcome", moved.diverged ? "diverged" : "compared"},
+                         {"moved", moved.diverged ? no_number : needs.difference(moved, motion)}});
     };
     add("none", as_it_is, motion);
     for (const Knob knob : {Knob::Particles, Knob::Bend, Knob::Drag, Knob::Integrator, Knob::Dt}) {
@@ -126,43 +103,27 @@ auto cases_of(const Run& run, const std::vector<std::string>& quick_scenes, cons
     return [=](bool quick) { return cases_over(run, quick ? quick_scenes : scenes); };
 }
 
-std::string told(const MinimalRow& row) {
-    return fmt::format("{}, {}: {}x{}{}{}, {} {:.3g} s: error {:.3g} %, {:.3g} ms/s, {}", row.scene, row.changed,
-                       row.particles_x, row.particles_y, row.bend ? " bend" : "", row.drag ? " drag" : "",
-                       name_of(row.integrator), row.step, 100 * row.error, 1e3 * row.cost, row.outcome);
-}
-
-/// What became of each scene.
-std::string ladder_summary(const MinimalRows& rows) {
-    std::string text;
-    for (const auto& [scene, tried] : groups_of(rows, &MinimalRow::scene)) {
-        const auto last =
-            std::find_if(tried.rbegin(), tried.rend(), [](const auto& row) { return row.outcome == "kept"; });
-        text += fmt::format("{} tried; {}\n", tried.size(), told(*last));
-    }
-    return text;
-}
-
-std::vector<Chart> ladder_charts(const MinimalRows& rows) {
+std::vector<Chart> ladder_charts(const Rows& rows) {
     std::vector<Chart> charts;
-    for (const std::string& scene : words_of(rows, &MinimalRow::scene)) {
-        charts.push_back({"minimal_" + scene,
-                          "minimal_ladder",
-                          "What was taken away from the full model of a scene, one notch after the other, until one "
-                          "notch less of anything breaks its need.",
-                          {{"scene", scene}, {"allowed", rows_with(rows, &MinimalRow::scene, scene).front().allowed}}});
+    for (const std::string& scene : words_of(rows, "scene")) {
+        charts.push_back(
+            {"minimal_" + scene,
+             "What was taken away from the full model of a scene, one notch after the other, until one "
+             "notch less of anything breaks its need.",
+             {{"scene", scene}, {"allowed", rows_with(rows, "scene", scene).front().number("allowed_error")}},
+             {},
+             "minimal_ladder"});
     }
     return charts;
 }
 
-std::vector<Chart> budget_charts(const MinimalRows& rows) {
+std::vector<Chart> budget_charts(const Rows& rows) {
     Chart chart{"minimal_budget",
-                "minimal_budget",
                 "How far the motion of a scene moves where one knob is as in its full model (the step: half as long), "
                 "and how many times the scene's cost that is.",
-                {{"scenes", in_words(words_of(rows, &MinimalRow::scene))}}};
-    for (const MinimalRow& row : rows_with(rows, &MinimalRow::changed, "none")) {
-        chart.values["cost_" + row.scene] = row.cost;
+                {{"scenes", in_words(words_of(rows, "scene"))}}};
+    for (const Row& row : rows_with(rows, "changed", "none")) {
+        chart.values["cost_" + row.word("scene")] = row.number("cost_s_per_s");
     }
     return {chart};
 }
@@ -170,31 +131,25 @@ std::vector<Chart> budget_charts(const MinimalRows& rows) {
 }  // namespace
 
 Experiment minimal_experiment() {
-    using Row = MinimalRow;
     const std::vector<std::string> searched{"hang", "original", "curtain", "drop"};
-    return ExperimentOf<Row>{
+    return {
         "minimal",
         "how much model does a scene need, and what does each part of it buy?",
-        {5,
-         {{word_column("part", {"ladder", "notches", "budget"}), &Row::part},
-          {word_column("scene", scene_names()), &Row::scene},
-          {name_column<Knob>("changed", {"none"}), &Row::changed},
-          {whole_column("particles_x", 2), &Row::particles_x},
-          {whole_column("particles_y", 2), &Row::particles_y},
-          {word_column("bend", {"no", "yes"}), &Row::bend},
-          {word_column("drag", {"no", "yes"}), &Row::drag},
-          {name_column<IntegratorKind>("integrator"), &Row::integrator},
-          {positive_column("step_s"), &Row::step},
-          {whole_column("iterations", 0), &Row::iterations},
-          {positive_column("allowed_error").or_nan(), &Row::allowed},
-          {number_column("error").or_nan(), &Row::error},
-          {number_column("miss").or_nan(), &Row::miss},
-          {positive_column("cost_s_per_s").or_nan(), &Row::cost},
-          {number_column("moved").or_nan(), &Row::moved},
-          {word_column("outcome", {"kept", "costlier", "rejected", "compared", "diverged"}), &Row::outcome}}},
-        {{"ladder", cases_of(run_ladder, {"hang"}, searched), ladder_summary, ladder_charts},
-         {"notches", cases_of(run_notches, {"hang"}, scenes_with_needs()), line_of_each(told), no_charts},
-         {"budget", cases_of(run_budget, {"hang"}, searched), line_of_each(told), budget_charts}}};
+        5,
+        {word_column("part", {"ladder", "notches", "budget"}), word_column("scene", scene_names()),
+         name_column<Knob>("changed", {"none"}),  // a notch less of it, or in `budget` closer to the full model
+         whole_column("particles_x", 2), whole_column("particles_y", 2), word_column("bend", {"no", "yes"}),
+         word_column("drag", {"no", "yes"}), name_column<IntegratorKind>("integrator"), positive_column("step_s"),
+         whole_column("iterations", 0), positive_column("allowed_error").or_nan(),
+         number_column("error").or_nan(),           // against the full model, of the cloth's side
+         number_column("miss").or_nan(),            // the worst of what was measured over what is allowed
+         positive_column("cost_s_per_s").or_nan(),  // CPU time of a simulated second
+         number_column("moved").or_nan(),           // in `budget`: from the motion of the scene, of the cloth's side
+         word_column("outcome", {"kept", "costlier", "rejected", "compared", "diverged"})},
+        {{"part", "scene", "changed", "outcome"}, {"particles_x", "step_s", "error", "miss", "cost_s_per_s", "moved"}},
+        {{"ladder", cases_of(run_ladder, {"hang"}, searched), ladder_charts},
+         {"notches", cases_of(run_notches, {"hang"}, scenes_with_needs()), {}},
+         {"budget", cases_of(run_budget, {"hang"}, searched), budget_charts}}};
 }
 
 }  // namespace drape

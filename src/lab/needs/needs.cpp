@@ -89,7 +89,11 @@ int check_scene(const Needs& needs, const Trail& trail) {
         std::cout << "The scene does not show what it needs.\n";
         return Failed;
     }
-    const auto spare = spare_notches(needs, trail);
+    std::vector<Knob> spare;
+    try_notches(needs, [&](Knob knob, const Attempt& less) {
+        trail(less, less.qualifies() ? "it qualifies: the scene has more than it needs" : less.why);
+        if (less.qualifies()) spare.push_back(knob);
+    });
     for (const Knob knob : spare) std::cout << "The scene has more than it needs of: " << name_of(knob) << "\n";
     if (!spare.empty()) return Failed;
     std::cout << "The scene is minimal: one notch less on any free knob that has an order breaks a need.\n";

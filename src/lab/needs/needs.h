@@ -5,7 +5,6 @@
 #include <limits>
 #include <optional>
 #include <string>
-#include <vector>
 
 #include "configurations.h"
 #include "drape/scene/settings.h"
@@ -129,7 +128,7 @@ struct SearchResult {
 /// is taken as it is, and only notches are taken away.
 SearchResult search(const Needs& needs, const Trail& trail);
 
-/// The free knobs with an order of which a scene that qualifies has a notch more than it needs; none if it is minimal.
-std::vector<Knob> spare_notches(const Needs& needs, const Trail& trail);
+/// Tries a scene with one notch less of each of its free knobs that has an order. It is minimal if none qualifies.
+void try_notches(const Needs& needs, const std::function<void(Knob, const Attempt&)>& note);
 
 }  // namespace drape

@@ -186,18 +186,12 @@ private:
 
 SearchResult search(const Needs& needs, const Trail& trail) { return NeedsSearch(needs, trail).find(); }
 
-std::vector<Knob> spare_notches(const Needs& needs, const Trail& trail) {
+void try_notches(const Needs& needs, const std::function<void(Knob, const Attempt&)>& note) {
     const std::set<Knob> free = free_knobs(needs.scene());
-    std::vector<Knob> spare;
     for (const Knob knob : ordered_knobs()) {
-        if (!free.contains(knob)) continue;
-        const auto less = one_notch_less(needs.scene(), knob);
-        if (!less) continue;
-        const Attempt attempt = needs.attempt(*less);
-        trail(attempt, attempt.qualifies() ? "it qualifies: the scene has more than it needs" : attempt.why);
-        if (attempt.qualifies()) spare.push_back(knob);
+        const auto less = free.contains(knob) ? one_notch_less(needs.scene(), knob) : std::nullopt;
+        if (less) note(knob, needs.attempt(*less));
     }
-    return spare;
 }
 
 }  // namespace drape

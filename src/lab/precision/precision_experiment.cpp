@@ -1,15 +1,120 @@
+#include <fmt/core.h>
+
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <memory>
 #include <optional>
 #include <set>
 
+#include "drape/base/input_error.h"
 #include "drape/integrate/stability.h"
 #include "lab/experiments.h"
 #include "lab/measure/methods.h"
 #include "precision.h"
 
 namespace drape {
+namespace {
+
+using Pairs = std::vector<std::pair<double, double>>;
+
+bool is_point(const Row& row) {
+    return row.word("end") == "bounded" && std::isfinite(row.number("error")) &&
+           std::isfinite(row.number("cost_s_per_s"));
+}
+
+/// Of the steps of a method that are shorter than any that was unstable.
+std::optional<ObservedOrder> order_of(const Rows& method) {
+    double shortest_unstable = std::numeric_limits<double>::infinity();
+    for (const Row& row : method) {
+        if (!is_point(row)) shortest_unstable = std::min(shortest_unstable, row.number("step_s"));
+    }
+    Pairs errors;
+    for (const Row& row : method) {
+        const double step = row.number("step_s");
+        if (is_point(row) && step < shortest_unstable) errors.emplace_back(step, row.number("error"));
+    }
+    return observed_order(errors);
+}
+
+std::string caption_of(const Row& scene) {
+    const double phases = scene.number("phases");
+    const std::string averaged =
+        phases == 1 ? ""
+                    : fmt::format(
+                          " Errors are averaged over {} phases of the first impact within a step; from that impact on, "
+                          "every method is of order 1.",
+                          phases);
+    return fmt::format(
+        "Error at the horizon against the CPU time of a simulated second (medians, quartiles as bars) "
+        "over a ladder of steps: left is more exact, down is cheaper. The order is fitted to the finest "
+        "points.{} The reference is in error by {:.2g}; an error of {:.1g} m at the start grows {:.2g} "
+        "times.",
+        averaged, scene.number("reference_error"), small_error, scene.number("growth"));
+}
+
+/// @param rows of one scene
+/// @param points those of its rows that are drawn, at least one
+Chart precision_chart(const Rows& rows, const Rows& points) {
+    const Row& scene = points.front();
+    Chart chart{"precision_" + scene.word("scene"), caption_of(scene), {}, "error,cost\n", "precision"};
+    const auto methods = words_of(points, "method");
+    for (const std::string& method : methods) {
+        const auto order = order_of(rows_with(rows, "method", method));
+        if (order) chart.values["order_" + method] = order->order;
+    }
+    for (const auto& [name, column] : {std::pair("error", "error"), std::pair("cost", "cost_s_per_s")}) {
+        const auto [least, most] = std::ranges::minmax(points, {}, number_of(column));
+        chart.values[std::string("least_") + name] = least.number(column);
+        chart.values[std::string("most_") + name] = most.number(column);
+    }
+    chart.values.insert({{"scene", scene.word("scene")},
+                         {"particles", scene.number("particles")},
+                         {"stiffness", scene.number("stiffness_N_per_m")},
+                         {"horizon", scene.number("horizon_s")},
+                         {"overall", scene.word("measure") == name_of(Measure::Overall) ? 1. : 0.},
+                         {"methods", in_words(methods)}});
+    Pairs all;
+    for (const Row& point : points) all.emplace_back(point.number("error"), point.number("cost_s_per_s"));
+    for (const std::size_t k : pareto_front(all))
+        chart.data += fmt::format("{:.6g},{:.6g}\n", all[k].first, all[k].second);
+    return chart;
+}
+
+/// @param scene any of its rows
+Chart choice_chart(const Row& scene) {
+    return {"precision_choice_" + scene.word("scene"),
+            "Six of these methods: what each error costs, and which errors a picture can show.",
+            {{"scene", scene.word("scene")},
+             {"particles", scene.number("particles")},
+             {"horizon", scene.number("horizon_s")}},
+            {},
+            "precision_choice"};
+}
+
+}  // namespace
+
+std::vector<Chart> precision_charts(const Rows& rows) {
+    std::vector<Chart> charts;
+    for (const std::string& scene : words_of(rows, "scene")) {
+        const Rows own = rows_with(rows, "scene", scene);
+        Rows points = own;
+        std::erase_if(points, [](const Row& row) { return !is_point(row); });
+        if (points.empty()) continue;
+        const double margin =
+            std::ranges::min(points, {}, number_of("error")).number("error") / points.front().number("reference_error");
+        if (!(margin >= least_margin)) {
+            throw RunError(
+                fmt::format("precision: the reference of the scene '{}' is only {:.3g} times better than "
+                            "the best point, less than {:.3g}: no chart is drawn",
+                            scene, margin, least_margin));
+        }
+        charts.push_back(precision_chart(own, points));
+        charts.push_back(choice_chart(points.front()));
+    }
+    return charts;
+}
+
 namespace {
 
 constexpr int timings_of_a_run = 7;
@@ -61,7 +166,7 @@ std::vector<Rung> ladder(const Method& method, const PrecisionScene& scene) {
 }
 
 /// The error of a rung is a mean over phases of the first impact.
-PrecisionRow row_of(const Method& method, const Rung& rung, const PrecisionScene& scene, const Reference& reference) {
+Row row_of(const Method& method, const Rung& rung, const PrecisionScene& scene, const Reference& reference) {
     const ClothParameters& cloth = scene.settings.cloths.front();
     const ClothModel model = make_cloth_model(cloth);
     const bool adaptive = method.parameters.kind == IntegratorKind::DormandPrince;
@@ -77,32 +182,32 @@ PrecisionRow row_of(const Method& method, const Rung& rung, const PrecisionScene
         bounded = end.bounded;
         if (adaptive && !scene.has_ball()) steps = end.inner_steps;
     }
-    return {.scene = scene.name,
-            .particles = static_cast<double>(cloth.particles.nx),
-            .stiffness = static_cast<double>(cloth.structural.stiffness),
-            .horizon = static_cast<double>(scene.horizon),
-            .phases = static_cast<double>(scene.phases),
-            .method = method.name,
-            .tolerance = adaptive ? static_cast<double>(tolerance_of(rung.parameters)) : no_number,
-            .steps = static_cast<double>(steps),
-            .step = static_cast<double>(scene.horizon / static_cast<Real>(steps)),
-            .end = bounded ? "bounded" : "unstable",
-            .measure = std::string(name_of(reference.measure)),
-            .error = bounded ? std::sqrt(squares / scene.phases) : no_number,
-            .cost = bounded ? cost_of(scene, rung, timings_of_a_run) : no_quartiles,
-            .reference_error = reference.error,
-            .growth = reference.growth};
+    return {{"scene", scene.name},
+            {"particles", cloth.particles.nx},
+            {"stiffness_N_per_m", cloth.structural.stiffness},
+            {"horizon_s", scene.horizon},
+            {"phases", scene.phases},
+            {"method", method.name},
+            {"tolerance", adaptive ? static_cast<double>(tolerance_of(rung.parameters)) : no_number},
+            {"steps", steps},
+            {"step_s", scene.horizon / static_cast<Real>(steps)},
+            {"end", bounded ? "bounded" : "unstable"},
+            {"measure", reference.measure},
+            {"error", bounded ? std::sqrt(squares / scene.phases) : no_number},
+            {"cost_s_per_s", bounded ? cost_of(scene, rung, timings_of_a_run) : no_quartiles},
+            {"reference_error", reference.error},
+            {"growth", reference.growth}};
 }
 
-std::vector<CaseOf<PrecisionRow>> precision_cases(bool quick) {
-    std::vector<CaseOf<PrecisionRow>> all;
+ExperimentCases precision_cases(bool quick) {
+    ExperimentCases all;
     for (const PrecisionScene& scene : precision_scenes(quick)) {
         // Found when the first case asks for it
         const auto reference = std::make_shared<std::optional<Reference>>();
         for (const Method& method : precision_methods()) {
             all.push_back([scene, reference, method] {
                 if (!*reference) *reference = find_reference(scene);
-                std::vector<PrecisionRow> rows;
+                Rows rows;
                 for (const Rung& rung : ladder(method, scene)) rows.push_back(row_of(method, rung, scene, **reference));
                 return rows;
             });
@@ -114,29 +219,20 @@ std::vector<CaseOf<PrecisionRow>> precision_cases(bool quick) {
 }  // namespace
 
 Experiment precision_experiment() {
-    using Row = PrecisionRow;
-    return ExperimentOf<Row>{
-        "precision",
-        "what does accuracy cost, by which method?",
-        {6,
-         {{word_column("scene", names_in(precision_scenes(false), &PrecisionScene::name)), &Row::scene},
-          {whole_column("particles", 2), &Row::particles},
-          {positive_column("stiffness_N_per_m"), &Row::stiffness},
-          {positive_column("horizon_s"), &Row::horizon},
-          {whole_column("phases", 1), &Row::phases},
-          {word_column("method", names_in(precision_methods(), &Method::name)), &Row::method},
-          {positive_column("tolerance").or_words({""}), &Row::tolerance},
-          {whole_column("steps", 1), &Row::steps},
-          {positive_column("step_s"), &Row::step},
-          {word_column("end", {"bounded", "unstable"}), &Row::end},
-          {name_column<Measure>("measure"), &Row::measure},
-          {number_column("error").or_nan(), &Row::error},
-          {number_column("cost_lower_s_per_s").or_nan(), &Row::cost, &Quartiles::lower},
-          {positive_column("cost_s_per_s").or_nan(), &Row::cost, &Quartiles::median},
-          {number_column("cost_upper_s_per_s").or_nan(), &Row::cost, &Quartiles::upper},
-          {number_column("reference_error"), &Row::reference_error},
-          {number_column("growth").or_nan().or_words({"inf"}), &Row::growth}}},
-        {{"", precision_cases, precision_summary, precision_charts}}};
+    return {"precision",
+            "what does accuracy cost, by which method?",
+            6,
+            {word_column("scene", names_in(precision_scenes(false), &PrecisionScene::name)),
+             whole_column("particles", 2), positive_column("stiffness_N_per_m"), positive_column("horizon_s"),
+             whole_column("phases", 1), word_column("method", names_in(precision_methods(), &Method::name)),
+             positive_column("tolerance").or_words({""}),  // of Dormand-Prince
+             whole_column("steps", 1), positive_column("step_s"), word_column("end", {"bounded", "unstable"}),
+             name_column<Measure>("measure"), number_column("error").or_nan(),
+             number_column("cost_lower_s_per_s").or_nan(),  // CPU time of a simulated second
+             positive_column("cost_s_per_s").or_nan(), number_column("cost_upper_s_per_s").or_nan(),
+             number_column("reference_error"), number_column("growth").or_nan().or_words({"inf"})},  // of a small error
+            {{"scene", "method", "end"}, {"step_s", "error", "cost_s_per_s", "reference_error", "growth"}},
+            {{"", precision_cases, precision_charts}}};
 }
 
 }  // namespace drape

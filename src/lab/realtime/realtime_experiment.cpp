@@ -1,10 +1,8 @@
 #include <fmt/core.h>
 
 #include <algorithm>
-#include <map>
 #include <memory>
 #include <optional>
-#include <tuple>
 
 #include "drape/model/stencils.h"
 #include "drape/scene/scene.h"
@@ -22,22 +20,9 @@ enum class FrameMotion {
     Fold   ///< falls upright on the ground and folds on itself
 };
 
-/// A method, and in how many steps it makes a frame.
-struct FrameMethod {
-    std::string name;  ///< as tables call it: integrator, passes, steps
-    IntegratorParameters parameters;
+/// A method, and in how many steps it makes a frame; its name has both.
+struct FrameMethod : Method {
     int steps = 1;
-};
-
-/// A cloth of one size by one method.
-struct RealtimeRow {
-    FrameMotion motion{};
-    std::string method;
-    std::int64_t threads = 1, side = 0;
-    double wall = no_number, cpu = no_number;  ///< of a simulated second; CPU time is that of all threads [s/s]
-    double excess = no_number;  ///< of the stretch, 99th percentile at the end, over that of the converged cloth
-    double error = no_number;   ///< largest distance from the converged cloth at any moment, of the side
-    std::string end;            ///< realtime, late, stretched or diverged
 };
 
 }  // namespace
@@ -47,17 +32,15 @@ inline constexpr auto enum_names<FrameMotion> = all_names<FrameMotion>("free", "
 
 namespace {
 
-using RealtimeRows = std::vector<RealtimeRow>;
-
 constexpr double frame = 1.0 / 60;    // s
 constexpr double most_excess = 0.01;  // of the stretch, that a picture may have
-constexpr int sides[] = {16, 23, 32, 45, 64, 91, 128, 181, 256};
+constexpr int tried_sides[] = {16, 23, 32, 45, 64, 91, 128, 181, 256};
 
 /// A method with a step limit makes one step, which is divided as its limit asks for.
 std::vector<FrameMethod> frame_methods() {
     std::vector<FrameMethod> all;
     const auto add = [&](const char* name, int steps) {
-        all.push_back({fmt::format("{}_by_{}", name, steps), methods_named({name})[0].parameters, steps});
+        all.push_back({{fmt::format("{}_by_{}", name, steps), methods_named({name})[0].parameters}, steps});
     };
     for (const char* name : {"symplectic_euler", "velocity_verlet", "rk4"}) add(name, 1);
     for (const char* name : {"backward_euler_clamped", "bdf2_clamped"}) {
@@ -113,40 +96,41 @@ double stretch_of(const Settings& settings, const Motion& motion) {
 
 /// The finest grid that can be waited for, by a method of second order at nine tenths of its limit.
 Motion converged(FrameMotion motion, bool quick) {
-    const FrameMethod method{"converged", {.kind = IntegratorKind::VelocityVerlet}, 1};
+    const FrameMethod method{{"converged", {.kind = IntegratorKind::VelocityVerlet}}, 1};
     return run_to_horizon(settings_of(motion, method, quick ? 45 : 181, 1));
 }
 
-RealtimeRow run_one(FrameMotion motion, const FrameMethod& method, int side, int threads, const Motion& truth) {
+/// A cloth of one size by one method.
+Row run_one(FrameMotion motion, const FrameMethod& method, int side, int threads, const Motion& truth) {
     constexpr double patience = 4;  // s/s
     const Settings settings = settings_of(motion, method, side, threads);
     const Motion run = run_to_horizon(settings, {.cost = patience * threads});
-    RealtimeRow row;
-    row.motion = motion, row.method = method.name, row.threads = threads, row.side = side;
-    row.end = run.diverged ? "diverged" : "late";
+    Row row{{"motion", motion}, {"method", method.name}, {"threads", threads}, {"side", side}};
+    row.set("end", run.diverged ? "diverged" : "late");
     if (run.diverged || run.given_up) return row;
-    row.wall = run.wall;
-    row.cpu = run.cost;
-    row.excess =
+    const double excess =
         std::max(stretch_of(settings, run) - stretch_of(settings_of(motion, method, truth.grid.nx, 1), truth), 0.0);
-    row.error = motion_error(run, truth, settings.needs.measure, 1);
-    if (row.wall <= 1) row.end = row.excess <= most_excess ? "realtime" : "stretched";
+    row.set({{"wall_s_per_s", run.wall},
+             {"cpu_s_per_s", run.cost},
+             {"stretch_excess", excess},
+             {"error", motion_error(run, truth, settings.needs.measure, 1)}});
+    if (run.wall <= 1) row.set("end", excess <= most_excess ? "realtime" : "stretched");
     return row;
 }
 
 /// From small to large, until it is no longer real time.
-RealtimeRows run_method(FrameMotion motion, const FrameMethod& method, int threads, bool quick, const Motion& truth) {
-    RealtimeRows rows;
-    for (const int side : sides) {
+Rows run_method(FrameMotion motion, const FrameMethod& method, int threads, bool quick, const Motion& truth) {
+    Rows rows;
+    for (const int side : tried_sides) {
         if (quick && side > 32) break;
         rows.push_back(run_one(motion, method, side, threads, truth));
-        if (rows.back().end == "late") break;
+        if (rows.back().word("end") == "late") break;
     }
     return rows;
 }
 
-std::vector<CaseOf<RealtimeRow>> realtime_cases(bool quick) {
-    std::vector<CaseOf<RealtimeRow>> all;
+ExperimentCases realtime_cases(bool quick) {
+    ExperimentCases all;
     for (const FrameMotion motion : values_of<FrameMotion>()) {
         // Found when the first case asks for it
         const auto truth = std::make_shared<std::optional<Motion>>();
@@ -162,38 +146,27 @@ std::vector<CaseOf<RealtimeRow>> realtime_cases(bool quick) {
     return all;
 }
 
-std::string realtime_summary(const RealtimeRows& rows) {
-    std::map<std::tuple<FrameMotion, std::int64_t, std::string>, RealtimeRow> largest;
-    for (const RealtimeRow& row : rows) {
-        if (row.end == "realtime") largest[{row.motion, row.threads, row.method}] = row;
-    }
-    std::string text;
-    for (const auto& [key, row] : largest) {
-        text += fmt::format("{}, {} thread(s): {} moves {} x {} particles, off by {:.2g} % of the side\n",
-                            name_of(row.motion), row.threads, row.method, row.side, row.side, 100 * row.error);
-    }
-    return text;
-}
-
 /// Of some methods, that have a cloth in real time on one thread.
-std::vector<Chart> realtime_charts(RealtimeRows rows) {
+std::vector<Chart> realtime_charts(Rows rows) {
     const std::vector<std::string> charted{"symplectic_euler_by_1",
                                            "backward_euler_clamped_by_1",
                                            "backward_euler_clamped_by_4",
                                            "bdf2_clamped_by_2",
                                            "xpbd_1_by_10",
                                            "xpbd_1_by_40"};
-    std::erase_if(rows, [&](const RealtimeRow& row) {
-        return row.end != "realtime" || row.threads != 1 || std::ranges::find(charted, row.method) == charted.end();
+    std::erase_if(rows, [&](const Row& row) {
+        return row.word("end") != "realtime" || row.number("threads") != 1 ||
+               std::ranges::find(charted, row.word("method")) == charted.end();
     });
     std::vector<Chart> charts;
-    for (const auto& [motion, shown] : groups_of(rows, &RealtimeRow::motion)) {
-        const std::string name(name_of(motion));
-        charts.push_back({"realtime_" + name,
-                          "realtime",
+    for (const std::string& motion : words_of(rows, "motion")) {
+        const auto methods = words_of(rows_with(rows, "motion", motion), "method");
+        charts.push_back({"realtime_" + motion,
                           "Square cloths that a method moves in real time on one core, with at most 1 % more stretch "
                           "than the converged cloth: how far they are from that cloth, by their size.",
-                          {{"motion", name}, {"methods", in_words(words_of(shown, &RealtimeRow::method))}}});
+                          {{"motion", motion}, {"methods", in_words(methods)}},
+                          {},
+                          "realtime"});
     }
     return charts;
 }
@@ -201,20 +174,18 @@ std::vector<Chart> realtime_charts(RealtimeRows rows) {
 }  // namespace
 
 Experiment realtime_experiment() {
-    using Row = RealtimeRow;
-    return ExperimentOf<Row>{"realtime",
-                             "how large a cloth can be moved in real time, and how accurately?",
-                             {5,
-                              {{name_column<FrameMotion>("motion"), &Row::motion},
-                               {word_column("method", names_in(frame_methods(), &FrameMethod::name)), &Row::method},
-                               {whole_column("threads", 1), &Row::threads},
-                               {whole_column("side", 2), &Row::side},
-                               {number_column("wall_s_per_s").or_nan(), &Row::wall},
-                               {number_column("cpu_s_per_s").or_nan(), &Row::cpu},
-                               {number_column("stretch_excess").or_nan(), &Row::excess},
-                               {number_column("error").or_nan(), &Row::error},
-                               {word_column("end", {"realtime", "late", "stretched", "diverged"}), &Row::end}}},
-                             {{"", realtime_cases, realtime_summary, realtime_charts}}};
+    return {"realtime",
+            "how large a cloth can be moved in real time, and how accurately?",
+            5,
+            {name_column<FrameMotion>("motion"), word_column("method", names_in(frame_methods(), &FrameMethod::name)),
+             whole_column("threads", 1), whole_column("side", 2),
+             number_column("wall_s_per_s").or_nan(),    // of a simulated second
+             number_column("cpu_s_per_s").or_nan(),     // that of all threads
+             number_column("stretch_excess").or_nan(),  // 99th percentile at the end, over the converged cloth's
+             number_column("error").or_nan(),           // largest distance from that at any moment, of the side
+             word_column("end", {"realtime", "late", "stretched", "diverged"})},
+            {{"motion", "threads", "method", "end"}, {"side", "error", "stretch_excess", "wall_s_per_s"}},
+            {{"", realtime_cases, realtime_charts}}};
 }
 
 }  // namespace drape

@@ -2,38 +2,26 @@
 
 #include "drape/contact/response.h"
 #include "drape/integrate/integrator.h"
-#include "lab/measure/statistics.h"
+#include "lab/experiment/row.h"
 
 namespace drape {
 
-/// What a fall of 0.5 m onto the ground has come to, with the restitution 0.6.
-struct Bounce {
-    double impact_error = no_number;  ///< of the time at which the way back, as a parabola, leaves the ground [s]
-    double height_error = no_number;  ///< of the height of that parabola, part of what the restitution leaves
-};
+// Each gives some cells of a row of the experiment `responses`.
 
-/// Drops a small sheet in a vacuum. A fall of H takes sqrt(2 H / g), and the first bounce comes to e^2 H.
-/// @return nan for the time, and 1 for the height, if nothing comes back
-Bounce drop_sheet(ResponseKind kind, Real step);
+/// Drops a small sheet from 0.5 m in a vacuum onto the ground, with the restitution 0.6. A fall of H takes
+/// sqrt(2 H / g), and the first bounce comes to e^2 H.
+/// @return `impact_error_s` of the time at which the way back, as a parabola, leaves the ground, and `height_error` of
+///         that parabola's height, part of what the restitution leaves; only the latter, 1, if nothing comes back
+Row drop_sheet(ResponseKind kind, Real step);
 
-/// How a sheet that should stick moves.
-struct Slide {
-    double drift = no_number;       ///< down the slope, mean over the second half of a second [m/s]
-    double sweeps = no_number;      ///< of the response over its contacts, mean over the steps
-    Quartiles cost = no_quartiles;  ///< CPU time of a response [s]
-};
+/// Lays a sheet that should stick on a slope that is half a degree flatter than the friction angle.
+/// @return `drift_m_per_s` down the slope and `sweeps` of the response, means over the second half of a second, and
+///         `respond_s`, CPU time of a response
+Row lay_on_slope(ResponseKind kind, Real step);
 
-/// Lays a sheet on a slope that is half a degree flatter than the friction angle.
-Slide lay_on_slope(ResponseKind kind, Real step);
-
-/// Where steps of the penalty begin to shake a sheet that rests on the ground, beside what is predicted [s].
-struct PenaltyLimit {
-    double predicted = no_number, measured = no_number;
-};
-
-/// Finds the measured one to within 0.5 %, by bisection. The sheet has no springs.
+/// Where steps of the penalty begin to shake a sheet that rests on the ground. The sheet has no springs.
 /// @param stiffness of the penalty [N/m]
-PenaltyLimit find_penalty_limit(Real stiffness, Real restitution,
-                                IntegratorKind integrator = IntegratorKind::SymplecticEuler);
+/// @return `predicted_step_s`, and `measured_step_s` to within 0.5 %, by bisection
+Row find_penalty_limit(Real stiffness, Real restitution, IntegratorKind integrator = IntegratorKind::SymplecticEuler);
 
 }  // namespace drape

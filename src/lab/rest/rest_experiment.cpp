@@ -1,42 +1,123 @@
-#include <fmt/core.h>
-
 #include <algorithm>
+#include <cmath>
+#include <deque>
+#include <numeric>
+#include <span>
 #include <utility>
 
 #include "drape/integrate/stability.h"
+#include "drape/scene/scene.h"
+#include "drape/sim/simulation.h"
+#include "drape/sim/sleep_watch.h"
 #include "lab/experiments.h"
 #include "lab/measure/methods.h"
+#include "lab/needs/configurations.h"
 #include "rest_run.h"
 
 namespace drape {
 namespace {
 
-/// A scene by one integrator with one response: how it comes to rest, or how it then creeps.
-struct RestRow : RestCase {
-    std::string part;  ///< rest or drift
-    std::string end = "no_stable_step";
-    double step = no_number;  ///< [s]
-    double asleep = no_number, speed_before = no_number, speed_after = no_number;
-    double watched = no_number, drift = no_number;  ///< of `DriftRun` [s], [m]
+constexpr double safe_part = 0.9, after_sleep = 2;
+
+/// `rms_motion` of the last half second, in the mean square.
+class RecentSpeed {
+public:
+    explicit RecentSpeed(double step)
+        : step_(step), steps_(static_cast<std::size_t>(std::max(1.0, std::round(RestWatch::duration / step)))) {}
+
+    void look(std::span<const Cloth> cloths) {
+        const double speed = rms_motion(cloths, step_);
+        squares_.push_back(speed * speed);
+        if (squares_.size() > steps_) squares_.pop_front();
+    }
+    [[nodiscard]] double rms() const {
+        return std::sqrt(std::accumulate(squares_.begin(), squares_.end(), 0.0) / static_cast<double>(squares_.size()));
+    }
+
+private:
+    double step_;
+    std::size_t steps_;
+    std::deque<double> squares_;
 };
 
-/// Below this a scene is at rest [m/s].
-constexpr double resting_speed = 3e-4;
+}  // namespace
 
-constexpr double longest_run = 15;
+Settings rest_settings(const RestCase& one, int particles) {
+    Settings settings = load_scene(one.scene);
+    settings.contact.self = false;
+    if (particles > 0) settings = on_grid(std::move(settings), {particles, particles});
+    settings.solver.integrator = one.integrator;
+    settings.contact.response = one.response;
+    if (!has_step_limit(one.integrator)) settings.solver.dt = long_step;
+    const double shortest = settings.solver.dt / 64;
+    const auto is_stable = [&] {
+        return settings.solver.dt <= safe_part * Simulation(one.scene, settings).longest_step();
+    };
+    while (settings.solver.dt >= shortest && !is_stable()) settings.solver.dt /= 2;
+    if (settings.solver.dt < shortest) settings.solver.dt = 0;
+    return settings;
+}
+
+Row run_to_rest(const std::string& scene, Settings settings, double seconds) {
+    SolverSettings watched = settings.solver;
+    settings.solver.sleep_speed = 0;
+    Simulation simulation(scene, std::move(settings));
+    SleepWatch watch;
+    RecentSpeed speed(watched.dt);
+    const StepReport& report = simulation.report();
+    Row row{{"step_s", watched.dt}, {"end", "awake"}};
+    for (double end = seconds; report.time < end;) {
+        simulation.step();
+        if (report.status == Status::Diverged) return {{"step_s", watched.dt}, {"end", "diverged"}};
+        speed.look(simulation.cloths());
+        const bool was_awake = row.word("end") == "awake";
+        if (!was_awake || !watch.look(simulation.cloths(), simulation.balls(), report.time, watched)) continue;
+        row.set({{"end", "asleep"}, {"asleep_s", report.time}, {"speed_before_m_per_s", speed.rms()}});
+        end = report.time + after_sleep;
+    }
+    row.set("speed_after_m_per_s", speed.rms());
+    return row;
+}
+
+Row watch_drift(const std::string& scene, Settings settings, double settle, double seconds) {
+    settings.solver.sleep_speed = 0;
+    const double step = settings.solver.dt;
+    Simulation simulation(scene, std::move(settings));
+    RecentSpeed speed(step);
+    double drift = 0;
+    const auto run_until = [&](double time) {
+        while (simulation.report().status != Status::Diverged && simulation.report().time < time - step / 2) {
+            simulation.step();
+            speed.look(simulation.cloths());
+        }
+    };
+    run_until(settle);
+    const Points rest = simulation.cloths()[0].state.x;
+    for (double watched = 0; watched < seconds;) {
+        watched = std::min(watched + 1, seconds);
+        run_until(settle + watched);
+        const Points moved = simulation.cloths()[0].state.x - rest;
+        drift = std::max(drift, static_cast<double>(moved.rowwise().norm().maxCoeff()));
+    }
+    if (simulation.report().status == Status::Diverged) return {{"end", "diverged"}};
+    return {{"end", "awake"}, {"drift_m", drift}, {"speed_after_m_per_s", speed.rms()}};
+}
+
+namespace {
+
+constexpr double longest_rest_run = 15;
 constexpr int quick_particles = 9;
 
-std::vector<RestRow> run_rest_case(const RestCase& one, bool quick) {
-    RestRow row;
-    static_cast<RestCase&>(row) = one;
-    row.part = "rest";
+Row row_of(const char* part, const RestCase& one) {
+    return {{"part", part}, {"scene", one.scene}, {"response", one.response}, {"integrator", one.integrator}};
+}
+
+/// How a scene by one integrator with one response comes to rest.
+Rows run_rest_case(const RestCase& one, bool quick) {
+    Row row = row_of("rest", one);
+    row.set("end", "no_stable_step");
     const Settings settings = rest_settings(one, quick ? quick_particles : 0);
-    if (settings.solver.dt == 0) return {row};
-    const RestRun run = run_to_rest(one.scene, settings, longest_run);
-    row.step = run.step;
-    row.end = run.diverged ? "diverged" : run.asleep < 0 ? "awake" : "asleep";
-    if (!run.diverged) row.speed_after = run.speed_after;
-    if (row.end == "asleep") row.asleep = run.asleep, row.speed_before = run.speed_before;
+    if (settings.solver.dt > 0) row.set(run_to_rest(one.scene, settings, longest_rest_run));
     return {row};
 }
 
@@ -50,16 +131,14 @@ struct DriftCase {
 /// After so long everything rests that is going to [s].
 constexpr double settle = 8;
 
-std::vector<RestRow> run_drift_case(const DriftCase& one, bool quick) {
-    RestRow row;
-    static_cast<RestCase&>(row) = {"drop", one.integrator, ResponseKind::Projection};
-    row.part = "drift";
-    Settings settings = rest_settings(row, quick ? quick_particles : 0);
-    settings.solver.dt = row.step = one.step;
-    row.watched = one.seconds;
-    const DriftRun run = watch_drift(row.scene, settings, settle, one.seconds);
-    row.end = run.diverged ? "diverged" : "awake";
-    if (!run.diverged) row.drift = run.drift, row.speed_after = run.speed;
+/// How it then creeps.
+Rows run_drift_case(const DriftCase& one, bool quick) {
+    const RestCase drop{"drop", one.integrator, ResponseKind::Projection};
+    Settings settings = rest_settings(drop, quick ? quick_particles : 0);
+    settings.solver.dt = one.step;
+    Row row = row_of("drift", drop);
+    row.set({{"step_s", one.step}, {"watched_s", one.seconds}});
+    row.set(watch_drift(drop.scene, settings, settle, one.seconds));
     return {row};
 }
 
@@ -84,7 +163,7 @@ std::vector<DriftCase> drift_list(bool quick) {
     return all;
 }
 
-std::vector<CaseOf<RestRow>> rest_cases(bool quick) {
+ExperimentCases rest_cases(bool quick) {
     return cases_over(
         [=](ResponseKind response, const char* scene, IntegratorKind integrator) {
             return run_rest_case({scene, integrator, response}, quick);
@@ -93,50 +172,25 @@ std::vector<CaseOf<RestRow>> rest_cases(bool quick) {
         values_of<IntegratorKind>());
 }
 
-std::vector<CaseOf<RestRow>> drift_cases(bool quick) {
+ExperimentCases drift_cases(bool quick) {
     return cases_over([=](const DriftCase& one) { return run_drift_case(one, quick); }, drift_list(quick));
-}
-
-std::string rest_summary(const std::vector<RestRow>& rows) {
-    const auto rests = [](const RestRow& row) { return row.end == "asleep" && row.speed_before < resting_speed; };
-    std::string text = fmt::format("{} of {} are below {} mm/s RMS when they fall asleep\n",
-                                   std::ranges::count_if(rows, rests), rows.size(), 1e3 * resting_speed);
-    for (const RestRow& row : rows) {
-        if (rests(row)) continue;
-        text += fmt::format("{}, {}, {}: {}", row.scene, name_of(row.response), name_of(row.integrator), row.end);
-        if (row.end == "asleep") text += fmt::format(" at {:.3g} s, {:.3g} mm/s", row.asleep, 1e3 * row.speed_before);
-        if (row.end == "awake") text += fmt::format(", {:.3g} mm/s", 1e3 * row.speed_after);
-        text += '\n';
-    }
-    return text;
-}
-
-std::string drift_line(const RestRow& row) {
-    return fmt::format("{}, step {:.3g} ms: ", name_of(row.integrator), 1e3 * row.step) +
-           (row.end == "diverged" ? "diverged"
-                                  : fmt::format("has crept by {:.3g} mm after {:.3g} s", 1e3 * row.drift, row.watched));
 }
 
 }  // namespace
 
 Experiment rest_experiment() {
-    using Row = RestRow;
-    return ExperimentOf<Row>{
-        "rest",
-        "do cloth and ball come to rest under every integrator and response, and stay there?",
-        {3,
-         {{word_column("part", {"rest", "drift"}), &Row::part},
-          {word_column("scene", {"drop", "trampoline"}), &Row::scene},
-          {name_column<ResponseKind>("response"), &Row::response},
-          {name_column<IntegratorKind>("integrator"), &Row::integrator},
-          {positive_column("step_s").or_nan(), &Row::step},
-          {word_column("end", {"asleep", "awake", "diverged", "no_stable_step"}), &Row::end},
-          {positive_column("asleep_s").or_nan(), &Row::asleep},
-          {number_column("speed_before_m_per_s").or_nan(), &Row::speed_before},
-          {number_column("speed_after_m_per_s").or_nan(), &Row::speed_after},
-          {positive_column("watched_s").or_nan(), &Row::watched},
-          {number_column("drift_m").or_nan(), &Row::drift}}},
-        {{"rest", rest_cases, rest_summary, no_charts}, {"drift", drift_cases, line_of_each(drift_line), no_charts}}};
+    return {"rest",
+            "do cloth and ball come to rest under every integrator and response, and stay there?",
+            3,
+            {word_column("part", {"rest", "drift"}), word_column("scene", {"drop", "trampoline"}),
+             name_column<ResponseKind>("response"), name_column<IntegratorKind>("integrator"),
+             positive_column("step_s").or_nan(), word_column("end", {"asleep", "awake", "diverged", "no_stable_step"}),
+             positive_column("asleep_s").or_nan(), number_column("speed_before_m_per_s").or_nan(),
+             number_column("speed_after_m_per_s").or_nan(), positive_column("watched_s").or_nan(),
+             number_column("drift_m").or_nan()},
+            {{"part", "scene", "response", "integrator", "end"},
+             {"step_s", "asleep_s", "speed_before_m_per_s", "speed_after_m_per_s", "watched_s", "drift_m"}},
+            {{"rest", rest_cases, {}}, {"drift", drift_cases, {}}}};
 }
 
 }  // namespace drape

@@ -5,6 +5,7 @@
 #include "drape/contact/response.h"
 #include "drape/integrate/integrator.h"
 #include "drape/scene/settings.h"
+#include "lab/experiment/row.h"
 
 namespace drape {
 
@@ -18,37 +19,26 @@ struct RestCase {
     ResponseKind response{};
 };
 
-/// How a scene has come to rest. All of it is measured without sleep: the scene moves on after the moment at which it
-/// would have fallen asleep.
-struct RestRun {
-    double step = 0;           ///< [s]
-    bool diverged = false;     ///< and ended early
-    double asleep = -1;        ///< when it would have fallen asleep; -1: never [s]
-    double speed_before = -1;  ///< RMS of what particles moved by in the half second before that; -1: never [m/s]
-    double speed_after = 0;    ///< the same of the last half second of the run [m/s]
-};
-
 /// The settings of a shipped scene with another integrator and response, at the step of the scene under a method that
 /// has a step limit, halved until it is below nine tenths of the limits of method and penalty, else at `long_step`.
 /// @param particles on each side of its cloth; 0: as shipped. The drag on the whole cloth stays the same.
 /// @return dt = 0 where no step above a 64th of that is stable
 Settings rest_settings(const RestCase& one, int particles);
 
+// Each measures without sleep and gives some cells of a row of the experiment `rest`: `end`, `speed_after_m_per_s`, the
+// RMS of what particles moved by in the last half second, unless it has diverged and ended early, and more.
+
 /// Runs until two seconds after it would have fallen asleep.
 /// @param seconds simulated at most
 /// @param settings whose `sleep_speed` decides when that is
-RestRun run_to_rest(const std::string& scene, Settings settings, double seconds);
-
-/// How far a cloth that rests creeps. Measured without sleep.
-struct DriftRun {
-    bool diverged = false;  ///< and ended early
-    double drift = 0;       ///< the farthest that any particle was from where it had come to rest [m]
-    double speed = 0;       ///< RMS of what particles moved by in the last half second [m/s]
-};
+/// @return also `step_s`, and if it falls asleep `asleep_s`, when, and `speed_before_m_per_s`, in the half second
+/// before
+Row run_to_rest(const std::string& scene, Settings settings, double seconds);
 
 /// Lets a scene come to rest, and then looks once a simulated second how far its first cloth has crept.
 /// @param settle when it counts as at rest [s]
 /// @param seconds for which it is watched then
-DriftRun watch_drift(const std::string& scene, Settings settings, double settle, double seconds);
+/// @return also `drift_m`, the farthest that any particle was from where it had come to rest, unless it has diverged
+Row watch_drift(const std::string& scene, Settings settings, double settle, double seconds);
 
 }  // namespace drape

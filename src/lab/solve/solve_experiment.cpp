@@ -1,31 +1,13 @@
-#include <fmt/core.h>
-
 #include <cmath>
 #include <memory>
 
+#include "drape/base/numbers.h"
 #include "lab/experiments.h"
 #include "lab/measure/methods.h"
 #include "lab/measure/states.h"
 
 namespace drape {
 namespace {
-
-/// Steps of an implicit method on a sheet that falls, hung by two corners.
-struct SolveRow {
-    std::string part;    ///< tolerance, newton or size
-    std::string method;  ///< with its Hessian
-    std::int64_t side = 0;
-    double time = 0;  ///< simulated, from rest [s]
-    double step = 0;  ///< [s]
-    double tolerance = 0;
-    std::int64_t newton_steps = 1;
-    double solver_error = no_number;  ///< RMS over the particles, against solves to `exact` [m]
-    double step_error = no_number;    ///< of such solves, against steps a sixteenth as long or shorter [m]
-    double iterations = 0;            ///< of a step, in the mean over the last ten
-    Quartiles cost = {};              ///< CPU time of a step, over the same [s]
-};
-
-using SolveRows = std::vector<SolveRow>;
 
 constexpr Real picture = Real(1) / 60;                   // s
 constexpr Real exact = Real(1e-9), nearly = Real(1e-6);  // tolerances
@@ -75,130 +57,95 @@ IntegratorParameters solved_to(Real tolerance, IntegratorParameters parameters) 
     return parameters;
 }
 
-SolveRow row_of(const char* part, const Method& method, int side, Real time, const SolveRun& run) {
-    return {.part = part,
-            .method = method.name,
-            .side = side,
-            .time = static_cast<double>(time),
-            .step = static_cast<double>(picture),
-            .tolerance = static_cast<double>(tolerance_of(method.parameters)),
-            .newton_steps = method.parameters.newton_steps,
-            .iterations = run.iterations,
-            .cost = quartiles_of(run.costs)};
+Row row_of(const char* part, const Method& method, int side, Real time, const SolveRun& run) {
+    return {{"part", part},
+            {"method", method.name},
+            {"side", side},
+            {"time_s", time},
+            {"step_s", picture},
+            {"tolerance", tolerance_of(method.parameters)},
+            {"newton_steps", method.parameters.newton_steps},
+            {"iterations", run.iterations},
+            {"cost_s", quartiles_of(run.costs)}};
 }
 
 /// One method on one grid, to each tolerance.
-SolveRows run_tolerances(Method method, int side) {
+Rows run_tolerances(Method method, int side) {
     constexpr Real time = Real(0.5);
     const Points solved = run_sheet(solved_to(exact, method.parameters), side, time).x;
     const Points truth = run_sheet(solved_to(nearly, method.parameters), side, time, shorter).x;
-    SolveRows rows;
+    Rows rows;
     for (const Real tolerance : {Real(1e-1), Real(1e-2), Real(1e-3), Real(1e-4), Real(1e-5), Real(1e-6), Real(1e-7)}) {
         method.parameters.tolerance = tolerance;
         const SolveRun run = run_sheet(method.parameters, side, time);
         rows.push_back(row_of("tolerance", method, side, time, run));
-        rows.back().solver_error = position_error(run.x, solved, 1);
-        rows.back().step_error = position_error(solved, truth, 1);
+        rows.back().set(
+            {{"solver_error_m", position_error(run.x, solved, 1)}, {"step_error_m", position_error(solved, truth, 1)}});
     }
     return rows;
 }
 
 /// One method by steps of several lengths, with one Newton step in each and with more.
-SolveRows run_newton(Method method, int side) {
+Rows run_newton(Method method, int side) {
     constexpr Real time = Real(0.5);
     const IntegratorParameters best{.kind = IntegratorKind::ImplicitMidpoint, .newton_steps = 3};
     const Points truth = run_sheet(best, side, time, 4 * shorter).x;
-    SolveRows rows;
+    Rows rows;
     for (const int newton_steps : {1, 2, 3}) {
         for (const int parts : {1, 2, 4, 8}) {
             method.parameters.newton_steps = newton_steps;
             const SolveRun run = run_sheet(method.parameters, side, time, parts);
             rows.push_back(row_of("newton", method, side, time, run));
-            rows.back().step = static_cast<double>(picture) / parts;
-            rows.back().step_error = position_error(run.x, truth, 1);
+            rows.back().set(
+                {{"step_s", static_cast<double>(picture) / parts}, {"step_error_m", position_error(run.x, truth, 1)}});
         }
     }
     return rows;
 }
 
+std::vector<Method> solved_methods() {
+    return methods_named({"backward_euler_clamped", "implicit_midpoint_clamped", "bdf2_clamped"});
+}
+
+ExperimentCases tolerance_cases(bool quick) {
+    return cases_over(run_tolerances, solved_methods(), quick ? std::vector{24} : std::vector{32, 64, 128});
+}
+
+ExperimentCases newton_cases(bool quick) {
+    return cases_over(run_newton, solved_methods(), std::vector{quick ? 16 : 64});
+}
+
 /// Falling, and once it swings in folds.
-SolveRows run_size(const Method& method, int side, Real time) {
-    return {row_of("size", method, side, time, run_sheet(method.parameters, side, time))};
-}
-
-std::vector<CaseOf<SolveRow>> tolerance_cases(bool quick) {
-    return cases_over(run_tolerances,
-                      methods_named({"backward_euler_clamped", "implicit_midpoint_clamped", "bdf2_clamped"}),
-                      quick ? std::vector{24} : std::vector{32, 64, 128});
-}
-
-std::vector<CaseOf<SolveRow>> newton_cases(bool quick) {
-    return cases_over(run_newton,
-                      methods_named({"backward_euler_clamped", "implicit_midpoint_clamped", "bdf2_clamped"}),
-                      std::vector{quick ? 16 : 64});
-}
-
-std::vector<CaseOf<SolveRow>> size_cases(bool quick) {
+ExperimentCases size_cases(bool quick) {
+    const Method method = methods_named({"backward_euler_clamped"})[0];
     return cases_over(
-        [](Real time, int side) { return run_size(methods_named({"backward_euler_clamped"})[0], side, time); },
+        [=](Real time, int side) {
+            return Rows{row_of("size", method, side, time, run_sheet(method.parameters, side, time))};
+        },
         std::vector{Real(0.2), Real(1)}, quick ? std::vector{24, 32} : std::vector{32, 45, 64, 91, 128, 181, 256});
 }
 
-std::string tolerance_line(const SolveRow& row) {
-    return fmt::format(
-        "{}, {} a side, solved to {:.0e}: {:.1f} iterations, {:.3g} ms a step; off by {:.3g} mm for it, by {:.3g} mm "
-        "for "
-        "the step",
-        row.method, row.side, row.tolerance, row.iterations, 1e3 * row.cost.median, 1e3 * row.solver_error,
-        1e3 * row.step_error);
-}
-
-std::string newton_line(const SolveRow& row) {
-    return fmt::format("{}, {} Newton step(s) of {:.3g} ms: off by {:.3g} mm, {:.3g} s for a simulated second",
-                       row.method, row.newton_steps, 1e3 * row.step, 1e3 * row.step_error, row.cost.median / row.step);
-}
-
-std::string size_summary(const SolveRows& rows) {
-    std::string text;
-    for (const auto& [time, sizes] : groups_of(rows, &SolveRow::time)) {
-        std::vector<std::pair<double, double>> points;
-        for (const SolveRow& row : sizes) {
-            const double particles = static_cast<double>(row.side) * static_cast<double>(row.side);
-            if (points.empty() || particles > points.back().first) points.emplace_back(particles, row.cost.median);
-            text += fmt::format("{:.0f} particles after {} s: {:.1f} iterations, {:.3g} ms a step\n", particles, time,
-                                row.iterations, 1e3 * row.cost.median);
-        }
-        if (points.size() > 1)
-            text += fmt::format("after {} s, time of a step grows with the particles to the power {:.2f}\n", time,
-                                fitted_exponent(points));
-    }
-    return text;
-}
-
-std::vector<Chart> tolerance_charts(const SolveRows& all) {
-    const SolveRows rows = rows_with(all, &SolveRow::method, "backward_euler_clamped");
+std::vector<Chart> tolerance_charts(const Rows& all) {
+    const Rows rows = rows_with(all, "method", "backward_euler_clamped");
     if (rows.empty()) return {};
-    const auto sides = words_of(rows, [](const SolveRow& row) { return std::to_string(row.side); });
+    const auto sides = words_of(rows, [](const Row& row) { return real_text(row.number("side")); });
     return {
         {"solve_tolerance",
-         "solve_tolerance",
          "How far a sheet is from where solves to 1e-9 take it in half a second of backward Euler at 1/60 s, by the "
          "tolerance of the solves; dashed, the error of the step itself.",
          {{"sides", in_words(sides)}}}};
 }
 
-std::vector<Chart> newton_charts(const SolveRows& rows) {
+std::vector<Chart> newton_charts(const Rows& rows) {
     return {
         {"solve_newton",
-         "solve_newton",
          "Error of a falling sheet after half a second against the CPU time of a simulated second, by steps of 1/60 s "
          "and of a half, a quarter and an eighth of it: with one Newton step in each, and with two.",
-         {{"methods", in_words(words_of(rows, &SolveRow::method))}}}};
+         {{"methods", in_words(words_of(rows, "method"))}}}};
 }
 
-std::vector<Chart> size_charts(const SolveRows&) {
+std::vector<Chart> size_charts(const Rows&) {
     return {{"solve_size",
-             "solve_size",
              "CPU time of a step of backward Euler at 1/60 s against the particles, on one core: while the sheet falls "
              "flat, and once it swings in folds.",
              {}}};
@@ -207,26 +154,22 @@ std::vector<Chart> size_charts(const SolveRows&) {
 }  // namespace
 
 Experiment solve_experiment() {
-    using Row = SolveRow;
-    return ExperimentOf<Row>{
-        "solve",
-        "what does an implicit step cost on a large cloth, and how far must it be solved?",
-        {5,
-         {{word_column("part", {"tolerance", "newton", "size"}), &Row::part},
-          {word_column("method", {"backward_euler_clamped", "implicit_midpoint_clamped", "bdf2_clamped"}),
-           &Row::method},
-          {whole_column("side", 2), &Row::side},
-          {positive_column("time_s"), &Row::time},
-          {positive_column("step_s"), &Row::step},
-          {positive_column("tolerance"), &Row::tolerance},
-          {whole_column("newton_steps", 1), &Row::newton_steps},
-          {number_column("solver_error_m").or_nan(), &Row::solver_error},
-          {number_column("step_error_m").or_nan(), &Row::step_error},
-          {number_column("iterations"), &Row::iterations},
-          {positive_column("cost_s"), &Row::cost}}},
-        {{"tolerance", tolerance_cases, line_of_each(tolerance_line), tolerance_charts},
-         {"newton", newton_cases, line_of_each(newton_line), newton_charts},
-         {"size", size_cases, size_summary, size_charts}}};
+    return {"solve",
+            "what does an implicit step cost on a large cloth, and how far must it be solved?",
+            5,
+            {word_column("part", {"tolerance", "newton", "size"}),
+             word_column("method", names_in(solved_methods(), &Method::name)), whole_column("side", 2),
+             positive_column("time_s"),  // simulated, from rest
+             positive_column("step_s"), positive_column("tolerance"), whole_column("newton_steps", 1),
+             number_column("solver_error_m").or_nan(),     // RMS over the particles, against `exact` solves
+             number_column("step_error_m").or_nan(),       // of such, against steps a sixteenth as long or less
+             number_column("iterations"),                  // of a step, in the mean over the last ten
+             positive_column("cost_s").with_quartiles()},  // CPU time of a step, over the same
+            {{"part", "method", "side", "time_s", "newton_steps"},
+             {"tolerance", "step_s", "iterations", "cost_s", "solver_error_m", "step_error_m"}},
+            {{"tolerance", tolerance_cases, tolerance_charts},
+             {"newton", newton_cases, newton_charts},
+             {"size", size_cases, size_charts}}};
 }
 
 }  // namespace drape

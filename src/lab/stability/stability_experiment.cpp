@@ -1,9 +1,6 @@
-#include <fmt/core.h>
-
 #include <algorithm>
 #include <cmath>
 #include <limits>
-#include <map>
 
 #include "drape/integrate/stability.h"
 #include "drape/integrate/stability_trial.h"
@@ -15,23 +12,11 @@ namespace {
 
 /// What a case is about: a sheet, and the method that moves it.
 struct Subject {
-    std::string method;
-    IntegratorParameters parameters;
-    std::string sweep;                ///< what varies: stiffness, damping, or damped_stiffness
-    std::int64_t side = 0;            ///< particles along each
-    Real stiffness = 0, damping = 0;  ///< of every spring [N/m, N s/m]
-    int steps = 0;
-};
-
-/// A trial: one method with one step on one sheet.
-struct StabilityRow : Subject {
-    Real omega = 0, zeta = 0;  ///< of the mode that sets the limit [1/s, 1]
-    Real predicted = 0;        ///< linear limit [s]; infinite if there is none
-    Real expected = 0;         ///< where trials should start to fail [s]
-    Real measured = 0;         ///< where they did [s]
-    Real step = 0;             ///< [s]
-    TrialEnd end{};
-    std::string agreement = {};  ///< whether that agrees with what is expected
+    Method method;
+    const char* sweep;        ///< what varies: stiffness, damping, or damped_stiffness
+    int side;                 ///< particles along each
+    Real stiffness, damping;  ///< of every spring [N/m, N s/m]
+    int steps;
 };
 
 constexpr Real longest_tried = Real(0.05);                     // s
@@ -53,10 +38,9 @@ struct Sheet {
 /// Where the limit is linear: a free flat sheet without gravity, so that it is tried in the state that the prediction
 /// is about. Elsewhere: a sheet that falls and swings, hung by two corners.
 Sheet sheet_of(const Subject& subject) {
-    const bool limited = has_step_limit(subject.parameters.kind);
+    const bool limited = has_step_limit(subject.method.parameters.kind);
     ClothParameters parameters;
-    const auto side = static_cast<int>(subject.side);
-    parameters.particles = {side, side};
+    parameters.particles = {subject.side, subject.side};
     parameters.structural = parameters.shear = parameters.bend = {subject.stiffness, subject.damping};
     parameters.drag = 0;
     if (!limited) parameters.pinned.kind = Pins::Kind::Two;
@@ -73,8 +57,8 @@ struct Forecast {
 };
 
 Forecast forecast(const Subject& subject, const Sheet& sheet) {
-    const IntegratorKind kind = subject.parameters.kind;
-    const Kernels kernels = subject.parameters.kernels;
+    const IntegratorKind kind = subject.method.parameters.kind;
+    const Kernels kernels = subject.method.parameters.kernels;
     const StepLimit limit = predicted_limit(sheet.model, sheet.state, kind, kernels);
     if (kind != IntegratorKind::ExplicitEuler) return {limit, limit.step, Real(0.03)};
     const StepLimit fastest = predicted_limit(sheet.model, sheet.state, IntegratorKind::SymplecticEuler, kernels);
@@ -90,10 +74,10 @@ std::string agreement(Real step, TrialEnd end, const Forecast& forecast) {
     return "close";
 }
 
-std::vector<StabilityRow> run_stability_case(const Subject& subject) {
+Rows run_stability_case(const Subject& subject) {
     const Sheet sheet = sheet_of(subject);
     const Forecast known = forecast(subject, sheet);
-    const IntegratorParameters& method = subject.parameters;
+    const IntegratorParameters& method = subject.method.parameters;
     std::vector<std::pair<Real, TrialEnd>> tried;
     const auto note = [&tried](Real step, TrialEnd end) { tried.emplace_back(step, end); };
 
@@ -112,21 +96,32 @@ std::vector<StabilityRow> run_stability_case(const Subject& subject) {
         }
     }
 
-    std::vector<StabilityRow> rows;
+    Rows rows;
     for (const auto& [step, end] : tried) {
-        rows.push_back({subject, known.limit.omega, known.limit.zeta, known.limit.step, known.expected, measured, step,
-                        end, agreement(step, end, known)});
+        rows.push_back({{"method", subject.method.name},
+                        {"sweep", subject.sweep},
+                        {"side", subject.side},
+                        {"stiffness_N_per_m", subject.stiffness},
+                        {"damping_N_s_per_m", subject.damping},
+                        {"omega_per_s", known.limit.omega},
+                        {"zeta", known.limit.zeta},
+                        {"predicted_step_s", known.limit.step},
+                        {"expected_step_s", known.expected},
+                        {"measured_step_s", measured},
+                        {"step_s", step},
+                        {"end", end},
+                        {"agreement", agreement(step, end, known)}});
     }
     return rows;
 }
 
-std::vector<CaseOf<StabilityRow>> stability_cases(bool quick) {
+ExperimentCases stability_cases(bool quick) {
     const std::vector<double> swept_damping = quick ? std::vector<double>{0.01, 0.1, 1, 10}  // N s/m
                                                     : std::vector<double>{0.01, 0.03, 0.1, 0.3, 1, 3, 10};
-    std::vector<CaseOf<StabilityRow>> all;
+    ExperimentCases all;
     const auto add = [&all](const Method& method, const char* sweep, int side, Real stiffness, Real damping,
                             int steps) {
-        const Subject subject{method.name, method.parameters, sweep, side, stiffness, damping, steps};
+        const Subject subject{method, sweep, side, stiffness, damping, steps};
         all.push_back([=] { return run_stability_case(subject); });
     };
     for (const Method& method : stability_methods()) {
@@ -147,82 +142,39 @@ std::vector<CaseOf<StabilityRow>> stability_cases(bool quick) {
     return all;
 }
 
-/// How often the trials of a method with a limit speak against the prediction, and how far the measured limits are from
-/// it.
-std::string limited_summary(const std::vector<StabilityRow>& rows) {
-    int close = 0, against = 0;
-    double lowest = std::numeric_limits<double>::infinity(), highest = 0;
-    for (const StabilityRow& row : rows) {
-        close += row.agreement == "close" ? 1 : 0;
-        against += row.agreement == "disagrees" ? 1 : 0;
-        const auto part = static_cast<double>(row.measured / row.expected);
-        lowest = std::min(lowest, part);
-        highest = std::max(highest, part);
-    }
-    return fmt::format(
-        "{} close to the limit, {} against the prediction, measured limit {:.4g} to {:.4g} of the expected", close,
-        against, lowest, highest);
-}
-
-/// How often a method without a limit did not stay bounded, and the shortest step that failed in each sweep.
-std::string unlimited_summary(const std::vector<StabilityRow>& rows) {
-    const auto failed =
-        std::ranges::count_if(rows, [](const StabilityRow& row) { return row.end != TrialEnd::Bounded; });
-    std::map<std::string, std::map<Real, Real>> shortest;  // by sweep and what varies in it
-    for (const StabilityRow& row : rows) {
-        shortest[row.sweep][row.sweep == "damping" ? row.damping : row.stiffness] = row.measured;
-    }
-    std::string text = fmt::format("{} not bounded; shortest step that failed [s]", failed);
-    for (const auto& [sweep, steps] : shortest) {
-        text += "\n  " + sweep + ":";
-        for (const auto& [value, step] : steps) text += fmt::format(" {:.3g}: {:.6g},", value, step);
-        text.pop_back();
-    }
-    return text;
-}
-
-/// Some lines a method on how its trials ended.
-std::string stability_summary(const std::vector<StabilityRow>& rows) {
-    std::string text;
-    for (const auto& [method, trials] : groups_of(rows, &StabilityRow::method)) {
-        const bool limited = std::isfinite(trials.front().expected);
-        text += fmt::format("{}: {} trials, {}\n", method, trials.size(),
-                            limited ? limited_summary(trials) : unlimited_summary(trials));
-    }
-    return text;
-}
-
 /// @param rows of one method, at least one
-Chart stability_chart(std::vector<StabilityRow> rows) {
+Chart stability_chart(Rows rows) {
     // The sheet that is drawn is the last of its method
-    const std::int64_t side = rows.back().side;
-    std::erase_if(rows, [side](const StabilityRow& row) { return row.side != side; });
-    const auto count = [&rows](auto member, const char* word) {
-        return static_cast<double>(std::ranges::count(rows, word, member));
+    const double side = rows.back().number("side");
+    std::erase_if(rows, [side](const Row& row) { return row.number("side") != side; });
+    const auto count = [&rows](const char* column, const char* word) {
+        return static_cast<double>(rows_with(rows, column, word).size());
     };
-    const bool limited = std::isfinite(rows.front().expected);
-    return {"stability_" + rows.front().method,
-            "stability",
+    const std::string method = rows.front().word("method");
+    const bool limited = std::isfinite(rows.front().number("expected_step_s"));
+    return {"stability_" + method,
             limited ? "Steps that stayed bounded and steps that failed, over stiffness and damping, and the longest "
                       "step that is predicted: every dot should lie below the line, every cross above it."
                     : "Steps that stayed bounded and steps that failed, over stiffness and damping, under a method "
                       "that has no linear limit: a cross is a failure that no linear theory predicts.",
-            {{"method", rows.front().method},
-             {"side", static_cast<double>(side)},
-             {"trials", static_cast<double>(rows.size()) - count(&StabilityRow::agreement, "close")},
-             {"against", count(&StabilityRow::agreement, "disagrees")},
+            {{"method", method},
+             {"side", side},
+             {"trials", static_cast<double>(rows.size()) - count("agreement", "close")},
+             {"against", count("agreement", "disagrees")},
              {"limited", limited ? 1. : 0.},
-             {"stiffness", count(&StabilityRow::sweep, "stiffness") > 0 ? 1. : 0.},
-             {"damping", count(&StabilityRow::sweep, "damping") > 0 ? 1. : 0.}}};
+             {"stiffness", count("sweep", "stiffness") > 0 ? 1. : 0.},
+             {"damping", count("sweep", "damping") > 0 ? 1. : 0.}},
+            {},
+            "stability"};
 }
 
 /// A chart a method.
-std::vector<Chart> stability_charts(std::vector<StabilityRow> rows) {
+std::vector<Chart> stability_charts(Rows rows) {
     // The damped sweep of stiffness is for the table only
-    std::erase_if(rows, [](const StabilityRow& row) { return row.sweep == "damped_stiffness"; });
+    std::erase_if(rows, [](const Row& row) { return row.word("sweep") == "damped_stiffness"; });
     std::vector<Chart> charts;
-    for (const std::string& method : words_of(rows, &StabilityRow::method)) {
-        charts.push_back(stability_chart(rows_with(rows, &StabilityRow::method, method)));
+    for (const std::string& method : words_of(rows, "method")) {
+        charts.push_back(stability_chart(rows_with(rows, "method", method)));
     }
     return charts;
 }
@@ -230,24 +182,23 @@ std::vector<Chart> stability_charts(std::vector<StabilityRow> rows) {
 }  // namespace
 
 Experiment stability_experiment() {
-    using Row = StabilityRow;
-    return ExperimentOf<Row>{"stability",
-                             "which steps stay bounded, and is that what is predicted?",
-                             {6,
-                              {{word_column("method", names_in(stability_methods(), &Method::name)), &Row::method},
-                               {word_column("sweep", {"stiffness", "damping", "damped_stiffness"}), &Row::sweep},
-                               {whole_column("side", 2), &Row::side},
-                               {number_column("stiffness_N_per_m"), &Row::stiffness},
-                               {number_column("damping_N_s_per_m"), &Row::damping},
-                               {number_column("omega_per_s"), &Row::omega},
-                               {number_column("zeta"), &Row::zeta},
-                               {number_column("predicted_step_s").or_words({"inf"}), &Row::predicted},
-                               {positive_column("expected_step_s").or_words({"inf"}), &Row::expected},
-                               {number_column("measured_step_s").or_words({"inf"}), &Row::measured},
-                               {positive_column("step_s"), &Row::step},
-                               {name_column<TrialEnd>("end"), &Row::end},
-                               {word_column("agreement", {"agrees", "disagrees", "close"}), &Row::agreement}}},
-                             {{"", stability_cases, stability_summary, stability_charts}}};
+    return {"stability",
+            "which steps stay bounded, and is that what is predicted?",
+            6,
+            {word_column("method", names_in(stability_methods(), &Method::name)),
+             word_column("sweep", {"stiffness", "damping", "damped_stiffness"}),  // what varies
+             whole_column("side", 2),                                             // particles along each
+             number_column("stiffness_N_per_m"),
+             number_column("damping_N_s_per_m"),  // of every spring
+             number_column("omega_per_s"),
+             number_column("zeta"),                                 // of the mode that sets the limit
+             number_column("predicted_step_s").or_words({"inf"}),   // the linear limit
+             positive_column("expected_step_s").or_words({"inf"}),  // where trials should start to fail
+             number_column("measured_step_s").or_words({"inf"}),    // where they did
+             positive_column("step_s"), name_column<TrialEnd>("end"),
+             word_column("agreement", {"agrees", "disagrees", "close"})},
+            {{"method", "sweep", "agreement"}, {"expected_step_s", "measured_step_s"}},
+            {{"", stability_cases, stability_charts}}};
 }
 
 }  // namespace drape

@@ -1,7 +1,6 @@
-#include "row_format.h"
+#include "column.h"
 
-#include <fmt/ranges.h>
-
+#include <algorithm>
 #include <cmath>
 
 #include "drape/base/assert.h"
@@ -35,6 +34,12 @@ Column Column::or_words(std::vector<std::string> others) const {
     return more;
 }
 
+Column Column::with_quartiles() const {
+    Column more = *this;
+    more.quartiles = true;
+    return more;
+}
+
 std::string Column::cell(double value, int digits) const {
     if (std::isnan(value) && is_one_of(words, "")) return "";
     return real_text(value, kind == Kind::Whole ? 17 : digits);
@@ -61,7 +66,22 @@ Column positive_column(std::string name) {
     return {.name = std::move(name), .kind = Column::Kind::Number, .least = 0, .above = true};
 }
 
-std::string flaw_of(const std::vector<Column>& columns, const TableRow& row) {
+std::string quartile_name(const std::string& column, const char* mark) {
+    return std::string(column).insert(column.find('_'), mark);
+}
+
+Columns::Columns(std::initializer_list<Column> columns) {
+    for (const Column& column : columns) {
+        push_back(column);
+        if (!column.quartiles) continue;
+        for (const char* mark : {"_lower", "_upper"}) {
+            push_back(column);
+            back().name = quartile_name(column.name, mark);
+        }
+    }
+}
+
+std::string flaw_of(const Columns& columns, const TableRow& row) {
     DRAPE_ASSERT(row.size() == columns.size());
     for (std::size_t k = 0; k < columns.size(); ++k) {
         if (accepts(columns[k], row[k])) continue;
@@ -69,8 +89,6 @@ std::string flaw_of(const std::vector<Column>& columns, const TableRow& row) {
     }
     return "";
 }
-
-std::string in_words(const std::vector<std::string>& words) { return fmt::format("{}", fmt::join(words, " ")); }
 
 double number_in(const std::string& cell) {
     const auto number = parse_real(cell);
