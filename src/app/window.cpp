@@ -44,10 +44,10 @@ Window::Window(Session& session, const Options& options, const StopSignals& sign
     if (check_) check_->listen();
     session_.keep_history({});
     renderer_ = std::make_unique<Renderer>();
-    renderer_->set_help(help_lines(entries_));
-    renderer_->set_hint(first_hints());
+    renderer_->panels().help = help_lines(entries_);
+    renderer_->panels().hint = first_hints();
     hinting_ = true;
-    renderer_->set_scene(session.simulation().settings());
+    renderer_->panels().set_scene(session.simulation().settings());
     scene_watch_.watch(session.simulation().scene());
     if (options.tour) {
         carry_out(go_to_stop(0));
@@ -267,17 +267,18 @@ void Window::start_scene() {
     scene_watch_.watch(session_.simulation().scene());
     scene_error_.clear();
     camera_ = shown_ = Camera(session_.simulation().settings().view);
-    renderer_->set_scene(session_.simulation().settings());
-    renderer_->set_hint({});
+    renderer_->panels().set_scene(session_.simulation().settings());
+    renderer_->panels().hint = {};
     hinting_ = touring_ = false;
     show_title();
 }
 
 void Window::take_panel_changes() {
-    if (const auto step = renderer_->take_wanted_step()) go_to(*step);
-    for (const std::string& change : renderer_->take_changes()) carry_out(command::Set{change});
-    if (const auto versus = renderer_->take_wanted_comparison()) carry_out(command::Compare{*versus});
-    if (const auto entry = renderer_->take_entry()) on_choice(static_cast<int>(*entry));
+    const PanelWishes wishes = std::exchange(renderer_->panels().wishes, {});
+    if (wishes.step) go_to(*wishes.step);
+    for (const std::string& change : wishes.changes) carry_out(command::Set{change});
+    if (wishes.comparison) carry_out(command::Compare{*wishes.comparison});
+    if (wishes.entry) on_choice(static_cast<int>(*wishes.entry));
 }
 
 void Window::show_title() { glutSetWindowTitle(("Drape - " + session_.simulation().settings().title).c_str()); }

@@ -73,7 +73,7 @@ void Window::register_callbacks() {
 
 void Window::on_character(unsigned char code, bool down) {
     const int modifiers = glutGetModifiers();
-    if (down && renderer_->panel_has_keyboard()) {
+    if (down && renderer_->panels().have_keyboard()) {
         held_keys_.insert(character_key(code, false));
         return type_at_panel(code);
     }
@@ -83,16 +83,16 @@ void Window::on_character(unsigned char code, bool down) {
 
 void Window::type_at_panel(unsigned char code) {
     panel_frames_ = 8;
-    renderer_->type(code);
+    renderer_->panels().type(code);
     take_panel_changes();
 }
 
 void Window::on_special(int code) {
-    if ((code == GLUT_KEY_UP || code == GLUT_KEY_DOWN) && renderer_->menu_open()) {
+    if ((code == GLUT_KEY_UP || code == GLUT_KEY_DOWN) && renderer_->panels().menu_open()) {
         held_keys_.insert(special_key(code, false));
         return type_at_panel(code == GLUT_KEY_UP ? 16 : 14);
     }
-    if (renderer_->panel_has_keyboard()) return;
+    if (renderer_->panels().have_keyboard()) return;
     on_key(special_key(code, (glutGetModifiers() & GLUT_ACTIVE_SHIFT) != 0), true);
 }
 
@@ -128,7 +128,7 @@ void Window::give(const Entry& entry) {
     if (entry.manner == Manner::Search) {
         steering_.release_all();
         dirty_ = true;
-        return renderer_->open_menu(entries_, session_.simulation().settings());
+        return renderer_->panels().open_menu(entries_, session_.simulation().settings());
     }
     if (entry.manner == Manner::StepBack) return go_to(session_.timeline().now - 1);
     if (entry.manner == Manner::FrameBack) return go_to(session_.timeline().now - steps_of_a_frame());
@@ -144,8 +144,8 @@ void Window::give(const Entry& entry) {
 
 void Window::show_stop() {
     camera_ = shown_ = Camera(session_.simulation().settings().view);
-    renderer_->set_hint(tour_hint(static_cast<std::size_t>(stop_)));
-    renderer_->set_scene(session_.simulation().settings());
+    renderer_->panels().hint = tour_hint(static_cast<std::size_t>(stop_));
+    renderer_->panels().set_scene(session_.simulation().settings());
     hinting_ = false;
     touring_ = true;
 }
@@ -153,7 +153,7 @@ void Window::show_stop() {
 // Its scene stays
 void Window::leave_tour() {
     touring_ = false;
-    renderer_->set_hint({});
+    renderer_->panels().hint = {};
     notices_.add("tour", "The tour has ended; F1 takes it up again, Esc quits");
     dirty_ = true;
 }
@@ -163,8 +163,8 @@ bool Window::close_topmost() {
     const ViewSettings& view = session_.simulation().settings().view;
     if (menu_->open()) {
         click_beside_menus();
-    } else if (renderer_->panel_has_list()) {
-        renderer_->close_list();
+    } else if (renderer_->panels().has_list()) {
+        renderer_->panels().close_list();
         panel_frames_ = 8;
     } else if (view.help) {
         carry_out(command::Set{"view.help=false"});
@@ -180,14 +180,14 @@ bool Window::close_topmost() {
 
 void Window::forget_hint() {
     if (!std::exchange(hinting_, false)) return;
-    renderer_->set_hint({});
+    renderer_->panels().hint = {};
     dirty_ = true;
 }
 
 void Window::on_menu(bool open) {
     forget_hint();
     menu_->set_open(open);
-    if (renderer_->menu_open()) type_at_panel(27);
+    if (renderer_->panels().menu_open()) type_at_panel(27);
     if (open) steering_.release_all();
 }
 
@@ -197,7 +197,7 @@ void Window::on_button(int button, int state, int x, int y) {
         return;
     }
     if ((button != GLUT_LEFT_BUTTON && button != GLUT_MIDDLE_BUTTON) || !drawable()) return;
-    if (button == GLUT_MIDDLE_BUTTON && renderer_->menu_open()) return;
+    if (button == GLUT_MIDDLE_BUTTON && renderer_->panels().menu_open()) return;
     const auto which = button == GLUT_LEFT_BUTTON ? Pointer::Button::Left : Pointer::Button::Middle;
     const int modifiers = glutGetModifiers();
     const Pointer::Modifiers held{(modifiers & GLUT_ACTIVE_SHIFT) != 0, (modifiers & GLUT_ACTIVE_CTRL) != 0};
@@ -219,24 +219,24 @@ void Window::on_button(int button, int state, int x, int y) {
 }
 
 bool Window::at_panel(const PanelPointer& pointer) {
-    const bool any = session_.simulation().settings().view.controls || renderer_->shows_timeline();
-    if (!any && !renderer_->menu_open()) return false;
+    const bool any = session_.simulation().settings().view.controls || renderer_->panels().shows_timeline();
+    if (!any && !renderer_->panels().menu_open()) return false;
     constexpr int frames = 8;  // that a press, a release and what follows from them take to be seen
-    renderer_->point(pointer);
+    renderer_->panels().point(pointer);
     panel_frames_ = frames;
     const bool is_drawn = renderer_->report().frame > 0;  // until then nobody knows where it is
-    return (renderer_->panel_has_pointer() || !is_drawn) && !pointer_.busy();
+    return (renderer_->panels().have_pointer() || !is_drawn) && !pointer_.busy();
 }
 
 void Window::on_motion(int x, int y) {
     at_panel({.x = x, .y = y, .down = panel_button_});
     pointer_.move(x, y);
-    renderer_->hover(x, y);
+    renderer_->panels().hover_x = x, renderer_->panels().hover_y = y;
 }
 
 void Window::on_passive_motion(int x, int y) {
     at_panel({.x = x, .y = y});
-    renderer_->hover(x, y);
+    renderer_->panels().hover_x = x, renderer_->panels().hover_y = y;
     dirty_ |= session_.simulation().settings().view.bounds;
 }
 

@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <cctype>
 #include <sstream>
+#include <utility>
 
 #include "overlay_style.h"
 
@@ -77,7 +78,7 @@ void MenuPanel::choose() {
     if (row_ >= found_.size()) return;
     open_ = false;
     const Setting* setting = items_[found_[row_]].setting;
-    setting != nullptr ? settings_.show(*setting) : void(entry_ = found_[row_]);
+    setting != nullptr ? settings_.show(*setting) : void(wishes_.entry = found_[row_]);
 }
 
 void MenuPanel::draw(const FrameView& view, const OverlayPage& page) {

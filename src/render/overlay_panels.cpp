@@ -170,8 +170,8 @@ bool OverlayPanels::have_pointer() const {
     ImGui::SetCurrentContext(context_.get());
     const PanelPointer& pointer = input_.last();
     const auto x = static_cast<float>(pointer.x), y = static_cast<float>(pointer.y);
-    const bool shown = settings.window.shown() || timeline.window.shown();
-    return menu.is_open() || settings.window.covers(x, y) || timeline.window.covers(x, y) ||
+    const bool shown = settings.window.shown() || timeline_.shown();
+    return menu.is_open() || settings.window.covers(x, y) || timeline_.covers(x, y) ||
            (shown && ImGui::GetIO().WantCaptureMouse);
 }
 
@@ -181,7 +181,7 @@ bool OverlayPanels::have_keyboard() const {
 }
 
 void OverlayPanels::forget_input() {
-    if (!settings.window.shown() && !timeline.window.shown() && !menu.window.shown()) input_ = {};
+    if (!settings.window.shown() && !timeline_.shown() && !menu.window.shown()) input_ = {};
 }
 
 void OverlayPanels::hand_over_input() {
@@ -220,7 +220,7 @@ bool OverlayPanels::build(FrameView view, const Camera& camera, const FrameRepor
     if (showing_help) shown_help_ = lines_for(help, !view.balls.empty());
     shown_hint_ = lines_for(hint, !view.balls.empty());
     const bool showing_panel = shown.panel != PanelSize::Off;
-    const bool showing_time = TimelinePanel::is_due(view.timeline, view.paused);
+    const bool showing_time = is_timeline_due(view);
     const bool hinted = !hint.empty() && !showing_help;
     const bool nothing =
         !menu.is_open() && !showing_panel && !showing_help && notices.empty() && hint.empty() && !shown.controls;
@@ -228,7 +228,7 @@ bool OverlayPanels::build(FrameView view, const Camera& camera, const FrameRepor
     if (width < least_width || height < least_height ||
         (nothing && !shown.plots && !names_nodes && !showing_time && view.comparison == nullptr)) {
         settings.hide();
-        timeline.window.width = menu.window.width = 0;
+        timeline_ = menu.window = {};
         forget_input();
         return false;
     }
@@ -253,8 +253,8 @@ bool OverlayPanels::build(FrameView view, const Camera& camera, const FrameRepor
     const float font = font_sizes[size];
     const bool help_is_tight = showing_help && h < 50 * font;
     if (shown.plots && !help_is_tight) page.height -= plots_panel(plots_, page);
-    const OverlayPage above_plots = page;
-    if (showing_time) page.height -= TimelinePanel::height(page);
+    timeline_ = showing_time ? timeline_place(page) : PanelWindow{};
+    if (showing_time) page.height = timeline_.top;
     if (shown.controls) {
         settings.place(page);
         boxes_.push_back(settings.window.box());
@@ -296,10 +296,8 @@ bool OverlayPanels::build(FrameView view, const Camera& camera, const FrameRepor
     ImGui::End();
     if (shown.controls) settings.draw(view, page);
     if (showing_time) {
-        timeline.draw(view.timeline, above_plots);
-        boxes_.push_back(timeline.window.box());
-    } else {
-        timeline.window.width = 0;
+        if (const auto step = timeline_panel(view.timeline, timeline_)) wishes.step = step;
+        boxes_.push_back(timeline_.box());
     }
     menu.draw(view, {w, h, margin});
     forget_input();

@@ -1,6 +1,8 @@
 #pragma once
 
 #include <array>
+#include <cstdint>
+#include <optional>
 #include <span>
 #include <string>
 
@@ -34,6 +36,17 @@ inline constexpr float plots_columns = 52.5f, plots_rows = 8;
 /// dt / limit.
 /// @return the height that is taken at the bottom [pixel]
 float plots_panel(const PlotHistory& history, const OverlayPage& page);
+
+/// Whether there is anything to show in the bar of time: the run stands still, or is in its past, or is a replay.
+bool is_timeline_due(const FrameView& view);
+
+/// Where it is, at the bottom of a page.
+PanelWindow timeline_place(const OverlayPage& page);
+
+/// The bar of time, with Dear ImGui's widgets: where the run stands between the oldest step that is kept and the
+/// newest, or in the recording that is replayed.
+/// @return the step that a drag on it asks for
+std::optional<std::int64_t> timeline_panel(const Timeline& timeline, const PanelWindow& window);
 
 /// The panel that says what the cloth's colours mean, at the lower right: a scale with numbers and a unit, or which
 /// colour is what. Nothing where there is no room.

@@ -112,7 +112,7 @@ void SettingsPanel::offer_step(const FrameView& view) {
     const bool suits = std::abs(solver.dt - step) < 0.05 * step;
     if (!changed || suits || step == 0) return;
     if (ImGui::SmallButton(("Use " + real_text(1e3 * step, 3) + " ms").c_str())) {
-        changes_.push_back("solver.dt=" + real_text(step, 3));
+        wishes_.changes.push_back("solver.dt=" + real_text(step, 3));
     }
     ImGui::SameLine();
     ImGui::TextUnformatted(2 * step < view.longest_step ? "one step a picture" : "0.9 of its limit");
@@ -132,7 +132,7 @@ void SettingsPanel::draw_row(const Row& row) {
     };
     dim();
     ImGui::SetNextItemWidth(widget_width());
-    if (const auto chosen = editor_.edit(row)) changes_.push_back(row.name + "=" + value_text(*chosen));
+    if (const auto chosen = editor_.edit(row)) wishes_.changes.push_back(row.name + "=" + value_text(*chosen));
     ImGui::PopStyleColor(3);
     SettingEditor::explain(row);
     ImGui::SameLine();
@@ -143,7 +143,7 @@ void SettingsPanel::draw_row(const Row& row) {
 
     if (row.of_the_scene && *row.of_the_scene != row.value) {
         ImGui::SameLine(window.width - 4.5f * ImGui::GetFontSize());
-        if (ImGui::SmallButton("reset")) changes_.push_back(row.name + "=" + value_text(*row.of_the_scene));
+        if (ImGui::SmallButton("reset")) wishes_.changes.push_back(row.name + "=" + value_text(*row.of_the_scene));
     }
     ImGui::PopID();
 }

@@ -24,6 +24,8 @@ class SettingsPanel {
 public:
     static constexpr float columns = 27;  ///< of the width, where there is room [font size]
 
+    explicit SettingsPanel(PanelWishes& wishes) : compare(editor_, wishes), wishes_(wishes) {}
+
     /// The values that the buttons lead back to.
     void set_scene(const Settings& settings) {
         scene_ = settings;
@@ -46,11 +48,8 @@ public:
     /// Shows the row of a setting, marked until another scene comes, and asks for itself where it is not shown.
     void show(const Setting& setting) {
         seeks_ = true, marked_ = &setting;
-        if (!window.shown()) changes_.push_back("view.controls=true");
+        if (!window.shown()) wishes_.changes.emplace_back("view.controls=true");
     }
-
-    /// What the user has changed since the last call, as "solver.dt=0.001".
-    [[nodiscard]] std::vector<std::string> take_changes() { return std::exchange(changes_, {}); }
 
     /// Its left edge as it was last drawn; 0 where it is not shown [pixel].
     [[nodiscard]] float left() const { return window.shown() ? window.left : 0; }
@@ -67,7 +66,7 @@ public:
 
     PanelWindow window;  ///< without a width where it is not shown
 
-    CompareSection compare{editor_};
+    CompareSection compare;
 
 private:
     struct Row : SettingRow {
@@ -82,7 +81,7 @@ private:
     void offer_step(const FrameView& view);
 
     Settings scene_;
-    std::vector<std::string> changes_;
+    PanelWishes& wishes_;
     std::vector<Row> rows_;                                      ///< of `shown_`
     std::map<std::string, std::size_t> numbers_;                 ///< of those that are shown, by section
     std::optional<std::pair<std::string, std::size_t>> wanted_;  ///< by a button of this frame

@@ -1,4 +1,4 @@
-#include "timeline_panel.h"
+#include "panels.h"
 
 #include <imgui.h>
 
@@ -29,16 +29,20 @@ std::string line_of(const Timeline& timeline) {
 
 }  // namespace
 
-bool TimelinePanel::is_due(const Timeline& timeline, bool paused) {
-    return timeline.newest > timeline.oldest && (paused || timeline.replay || !timeline.is_live());
+bool is_timeline_due(const FrameView& view) {
+    const Timeline& timeline = view.timeline;
+    return timeline.newest > timeline.oldest && (view.paused || timeline.replay || !timeline.is_live());
 }
 
-float TimelinePanel::height(const OverlayPage& page) { return 2.9f * ImGui::GetFontSize() + page.margin; }
+PanelWindow timeline_place(const OverlayPage& page) {
+    const float size = ImGui::GetFontSize(), width = std::min(page.width - 2 * page.margin, 56 * size);
+    const float height = 2.9f * size;
+    return {(page.width - width) / 2, page.height - page.margin - height, width, height};
+}
 
-void TimelinePanel::draw(const Timeline& timeline, const OverlayPage& page) {
+std::optional<std::int64_t> timeline_panel(const Timeline& timeline, const PanelWindow& window) {
     const float size = ImGui::GetFontSize(), pad = 0.5f * size;
-    const float width = std::min(page.width - 2 * page.margin, 56 * size), high = height(page) - page.margin;
-    window = {(page.width - width) / 2, page.height - page.margin - high, width, high};
+    std::optional<std::int64_t> wanted;
     if (window.begin("timeline", ImGuiWindowFlags_NoDecoration, 0)) {
         text_at({window.left + pad, window.top + 0.3f * size}, timeline.is_live() ? ink::text : ink::wait,
                 line_of(timeline));
@@ -51,7 +55,7 @@ void TimelinePanel::draw(const Timeline& timeline, const OverlayPage& page) {
         if (ImGui::IsItemActive()) {
             const double part = std::clamp((ImGui::GetIO().MousePos.x - from) / (to - from), 0.0f, 1.0f);
             const auto step = timeline.oldest + static_cast<std::int64_t>(std::lround(part * span));
-            if (step != timeline.now) wanted_ = step;
+            if (step != timeline.now) wanted = step;
         }
         // Back from the newest step, at most 20; the bar is one of steps
         const double apart = std::pow(10, std::ceil(std::log10(std::max(timeline.kept, 1e-9) / 20)));
@@ -68,6 +72,7 @@ void TimelinePanel::draw(const Timeline& timeline, const OverlayPage& page) {
         list.AddCircleFilled({now, middle}, 0.45f * size, ink::text);
     }
     PanelWindow::end();
+    return wanted;
 }
 
 }  // namespace drape
