@@ -282,7 +282,9 @@ bool OverlayPanels::build(FrameView view, const Camera& camera, const FrameRepor
     const bool legend_room = !hinted || right - left > (hint_columns + 32) * font || page.height > 36 * font;
     if (help_shown) {
         fonts_[help_shown->font].push();
-        help_panel(shown_help_, help_shown->layout, right, page.height - 2 * margin, margin);
+        const ImVec2 size_of_all = help_shown->layout.size(margin);
+        const float bottom = std::min(margin + size_of_all.y, page.height - margin);
+        key_panel(shown_help_, help_shown->layout, {right - size_of_all.x, margin, right, bottom}, margin);
         ImGui::PopFont();
     } else {
         const bool compared = view.comparison != nullptr && comparison_.draw(view, page, left, right) < right;
@@ -328,7 +330,7 @@ OverlayPanels::Help OverlayPanels::choose_help(const OverlayPage& page, float ri
     const float left = page.margin + (beside ? figures_columns * font_sizes[font] + 3 * page.margin : 0);
     for (std::size_t smaller = font;; --smaller) {
         fonts_[smaller].push();
-        HelpLayout layout = lay_out_help(shown_help_, right - left, page.height - 2 * page.margin, page.margin);
+        KeyLayout layout = lay_out_help(shown_help_, right - left, page.height - 2 * page.margin, page.margin);
         ImGui::PopFont();
         if (layout.whole || smaller == 0) return {smaller, std::move(layout)};
     }
@@ -339,12 +341,11 @@ void OverlayPanels::hint_panel(const OverlayPage& page, std::size_t font) const 
     for (std::size_t smaller = font + 1; smaller-- > 0;) {
         fonts_[smaller].push();
         const float row = ImGui::GetTextLineHeightWithSpacing();
-        const auto size_within = [&](float width) { return key_panel_size(shown_hint_, width, row, page.margin); };
+        const auto within = [&](float width) { return one_column(shown_hint_, width, row, page.margin); };
+        const auto size_within = [&](float width) { return within(width).size(page.margin); };
         const float least = std::min(size_within(1e6f).x, hint_columns * ImGui::GetFontSize());
         const std::optional<PanelBox> box = free_place(page, boxes_, size_within, least, false);
-        if (box)
-            key_panel(shown_hint_, {box->left, box->top}, {box->right - box->left, box->bottom - box->top}, row,
-                      page.margin);
+        if (box) key_panel(shown_hint_, within(box->right - box->left + 0.5f), *box, page.margin);
         ImGui::PopFont();
         if (box) return;
     }
@@ -368,7 +369,7 @@ float OverlayPanels::notice_panel(std::span<const std::string> notices, const Ov
             box = PanelBox{margin, margin, margin + size.x, std::min(margin + size.y, page.height - margin)};
         }
         if (box) {
-            draw_panel({box->left, box->top}, {box->right - box->left, box->bottom - box->top});
+            draw_panel(*box);
             ImVec2 line{box->left + margin, box->top + margin};
             const float most = box->right - box->left - 2 * margin + 1;
             ImGui::PushTextWrapPos(line.x + most);

@@ -65,7 +65,7 @@ private:
 
     struct Help {
         std::size_t font;  ///< of `fonts_`
-        HelpLayout layout;
+        KeyLayout layout;
     };
     [[nodiscard]] Help choose_help(const OverlayPage& page, float right, bool beside, std::size_t font) const;
 

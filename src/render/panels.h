@@ -48,6 +48,12 @@ PanelWindow timeline_place(const OverlayPage& page);
 /// @return the step that a drag on it asks for
 std::optional<std::int64_t> timeline_panel(const Timeline& timeline, const PanelWindow& window);
 
+/// Begins a panel at the lower right, with its title.
+/// @param size of it, its margins included [pixel]
+/// @param taken what is left of this belongs to others [pixel]
+/// @return where its lines begin; nothing where there is no room
+std::optional<ImVec2> begin_legend(const std::string& title, ImVec2 size, float taken, const OverlayPage& page);
+
 /// The panel that says what the cloth's colours mean, at the lower right: a scale with numbers and a unit, or which
 /// colour is what. Nothing where there is no room.
 /// @param taken what is left of this belongs to others [pixel]
