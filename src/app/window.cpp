@@ -10,7 +10,6 @@
 #include "display.h"
 #include "drape/base/input_error.h"
 #include "drape/base/run_program.h"
-#include "drape/render/start_glew.h"
 #include "drape/scene/scene.h"
 #include "drape/session/failure.h"
 
@@ -49,10 +48,7 @@ Window::Window(Session& session, const Options& options, const StopSignals& sign
     hinting_ = true;
     renderer_->panels().set_scene(session.simulation().settings());
     scene_watch_.watch(session.simulation().scene());
-    if (options.tour) {
-        carry_out(go_to_stop(0));
-        show_stop();
-    }
+    if (options.tour) go_to_stop(0);
     register_callbacks();
     show_title();
     on_reshape(glutGet(GLUT_WINDOW_WIDTH), glutGet(GLUT_WINDOW_HEIGHT));

@@ -87,8 +87,7 @@ private:
     [[nodiscard]] std::int64_t steps_of_a_frame() const;
     void go_to(std::int64_t step);
     void compare(const Entry& entry);
-    [[nodiscard]] std::vector<Command> go_to_stop(int stop);
-    void show_stop();
+    void go_to_stop(int stop);
     void leave_tour();
     void forget_hint();
     bool close_topmost();

@@ -11,7 +11,6 @@
 #include "display.h"
 #include "drape/base/input_error.h"
 #include "drape/base/numbers.h"
-#include "drape/render/picture_texts.h"
 #include "drape/scene/setting_table.h"
 #include "drape/session/comparison.h"
 #include "drape/session/tour.h"
@@ -119,8 +118,8 @@ void Window::on_choice(int number) {
 
 void Window::compare(const Entry& entry) {
     if (!carry_out(parse_command(entry.command))) return;
-    for (const std::string& change : split_assignments(entry.pair.change)) carry_out(command::Set{change});
-    carry_out(command::Compare{entry.pair.versus});
+    for (const std::string& change : split_assignments(entry.change)) carry_out(command::Set{change});
+    carry_out(command::Compare{entry.versus});
 }
 
 void Window::give(const Entry& entry) {
@@ -132,17 +131,22 @@ void Window::give(const Entry& entry) {
     }
     if (entry.manner == Manner::StepBack) return go_to(session_.timeline().now - 1);
     if (entry.manner == Manner::FrameBack) return go_to(session_.timeline().now - steps_of_a_frame());
-    const std::vector<Command> commands = commands_of(entry);
-    const bool of_the_tour = entry.manner == Manner::NextStop || entry.manner == Manner::StopBefore;
-    for (const Command& command : commands) {
-        if (!carry_out(command) || of_the_tour) continue;
+    if (entry.manner == Manner::NextStop) return go_to_stop(touring_ ? stop_ + 1 : stop_);
+    if (entry.manner == Manner::StopBefore) return go_to_stop(stop_ - 1);
+    for (const Command& command : commands_of(entry)) {
+        if (!carry_out(command)) continue;
         const std::string outcome = outcome_of(command, session_.simulation());
         if (!outcome.empty()) notices_.add("outcome", outcome);
     }
-    if (of_the_tour) show_stop();
 }
 
-void Window::show_stop() {
+void Window::go_to_stop(int stop) {
+    const auto stops = tour_stops();
+    const int count = static_cast<int>(stops.size());
+    stop_ = (stop + count) % count;
+    const bool was_paused = session_.simulation().paused();
+    carry_out(drape::commands_of(stops[static_cast<std::size_t>(stop_)]));
+    if (was_paused) carry_out(command::Pause{});
     camera_ = shown_ = Camera(session_.simulation().settings().view);
     renderer_->panels().hint = tour_hint(static_cast<std::size_t>(stop_));
     renderer_->panels().set_scene(session_.simulation().settings());
@@ -263,8 +267,6 @@ std::vector<Command> Window::commands_of(const Entry& entry) {
     if (entry.manner == Manner::Aimed) return {camera_.aimed_throw()};
     if (entry.manner == Manner::OneFrame) return {command::Step{static_cast<int>(steps_of_a_frame())}};
     if (entry.manner == Manner::SafeStep) return safe_step();
-    if (entry.manner == Manner::NextStop) return go_to_stop(touring_ ? stop_ + 1 : stop_);
-    if (entry.manner == Manner::StopBefore) return go_to_stop(stop_ - 1);
     if (entry.manner == Manner::Slower) return {set_speed(speed / 2)};
     if (entry.manner == Manner::Faster) return {set_speed(speed * 2)};
     return {parse_command(entry.command)};
@@ -282,14 +284,6 @@ void Window::go_to(std::int64_t step) {
     session_.go_to(step);
     steering_.forget_given();
     if (step < session_.timeline().oldest) notices_.add("time", "Nothing is kept of what was before");
-}
-
-std::vector<Command> Window::go_to_stop(int stop) {
-    const int count = static_cast<int>(tour_stops().size());
-    stop_ = (stop + count) % count;
-    std::vector<Command> commands = drape::commands_of(tour_stops()[static_cast<std::size_t>(stop_)]);
-    if (session_.simulation().paused()) commands.emplace_back(command::Pause{});
-    return commands;
 }
 
 std::vector<Command> Window::safe_step() {

@@ -8,7 +8,6 @@
 #include "drape/base/numbers.h"
 #include "drape/base/run_program.h"
 #include "drape/render/entries.h"
-#include "drape/render/picture_texts.h"
 #include "drape/scene/memory.h"
 #include "drape/scene/scene.h"
 #include "drape/session/failure.h"

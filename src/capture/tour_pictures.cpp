@@ -5,7 +5,6 @@
 #include "drape/base/progress.h"
 #include "drape/base/run_program.h"
 #include "drape/render/entries.h"
-#include "drape/render/picture_texts.h"
 #include "drape/render/renderer.h"
 #include "drape/scene/scene.h"
 #include "drape/session/session.h"

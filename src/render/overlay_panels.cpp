@@ -222,11 +222,8 @@ bool OverlayPanels::build(FrameView view, const Camera& camera, const FrameRepor
     const bool showing_panel = shown.panel != PanelSize::Off;
     const bool showing_time = is_timeline_due(view);
     const bool hinted = !hint.empty() && !showing_help;
-    const bool nothing =
-        !menu.is_open() && !showing_panel && !showing_help && notices.empty() && hint.empty() && !shown.controls;
     const bool names_nodes = shown.bounds && hover_x >= 0 && !view.held;
-    if (width < least_width || height < least_height ||
-        (nothing && !shown.plots && !names_nodes && !showing_time && view.comparison == nullptr)) {
+    if (width < least_width || height < least_height) {
         settings.hide();
         timeline_ = menu.window = {};
         forget_input();

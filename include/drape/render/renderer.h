@@ -111,8 +111,12 @@ protected:
 /// fast.
 enum class DrawnFor { Picture, Window };
 
+/// Finds the functions of the OpenGL context that is current. GLX may be missing, as under Wayland or EGL.
+/// @throws RunError that says why they were not found
+void start_glew();
+
 /// Draws a `FrameView` with OpenGL 3.3 core, multisampled, into a framebuffer of its own.
-/// Needs a current context with GLEW initialised from construction to destruction.
+/// Needs a current context with `start_glew` called from construction to destruction.
 class Renderer {
 public:
     /// @throws RunError with the compiler's log if a shader does not compile
