@@ -78,14 +78,14 @@ void colour_panel(const ColourScale& scale, int level, float taken, const Overla
     }
 }
 
-float line_panel(const std::string& title, std::span<const LineColour> colours, float taken, const OverlayPage& page) {
+float line_panel(const std::string& title, std::span<const LineLook> looks, float taken, const OverlayPage& page) {
     const float row = ImGui::GetTextLineHeightWithSpacing(), size = ImGui::GetFontSize();
     const auto line = begin_legend(title, legend_size(2.1f, page), taken, page);
     if (!line) return 0;
-    const float column = legend_columns * size / static_cast<float>(colours.size());
-    for (std::size_t k = 0; k < colours.size(); ++k) {
+    const float column = legend_columns * size / static_cast<float>(looks.size());
+    for (std::size_t k = 0; k < looks.size(); ++k) {
         const ImVec2 corner{line->x + column * static_cast<float>(k), line->y + 1.15f * row};
-        swatch_at(corner, colours[k].colour, colours[k].text);
+        swatch_at(corner, looks[k].colour, looks[k].text);
     }
     return 2.1f * row + 3 * page.margin;
 }

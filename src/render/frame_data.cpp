@@ -8,7 +8,6 @@
 #include "cloth_colours.h"
 #include "drape/session/unstable_mode.h"
 #include "node_states.h"
-#include "principal_strain.h"
 
 namespace drape {
 
@@ -222,12 +221,8 @@ FrameData make_frame_data(const FrameView& view, const Camera& camera, const Pic
     data.stage << static_cast<float>(target.x()), static_cast<float>(view.settings->ground.height),
         static_cast<float>(target.z()), std::max(0.5f, distance);
 
-    const auto colour_of = [](const NodeLook& look) { return Eigen::Vector4f(look.colour.data()); };
+    const auto colour_of = [](const LineLook& look) { return Eigen::Vector4f(look.colour.data()); };
     std::ranges::transform(node_looks, data.node_colours.begin(), colour_of);
-    data.node_colours[6] = {0.05f, 0.05f, 0.08f, 0.75f};
-    std::ranges::transform(strain_colours, data.node_colours.begin() + 7, [](const std::array<float, 3>& colour) {
-        return Eigen::Vector4f(colour[0], colour[1], colour[2], 0.95f);
-    });
     // Their lines are a pixel wide; those that are magnified are fainter instead
     for (Eigen::Vector4f& colour : data.node_colours) colour.w() *= data.magnified.x();
     std::ranges::transform(value_colours, data.value_colours.begin(), linear);

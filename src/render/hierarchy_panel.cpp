@@ -78,7 +78,7 @@ std::vector<std::string> notes(const FrameView& view) {
 
 void draw_colours(ImVec2 corner, float column) {
     const float row = ImGui::GetTextLineHeightWithSpacing();
-    for (std::size_t s = 0; s < node_looks.size(); ++s) {
+    for (std::size_t s = 0; s < static_cast<std::size_t>(NodeState::Compared); ++s) {
         // Thin lines on a bright ground are lighter than a patch on a dark one
         swatch_at({corner.x + column * static_cast<float>(s / 3), corner.y + row * static_cast<float>(s % 3)},
                   node_looks[s].colour, node_looks[s].text);

@@ -308,15 +308,13 @@ bool OverlayPanels::build(FrameView view, const Camera& camera, const FrameRepor
 void OverlayPanels::legends(const FrameView& view, float taken, OverlayPage page) {
     if (view.settings->view.bounds) page.height -= hierarchy_.draw(view, taken, page);
     if (const double full = view.settings->view.contacts ? full_force(view) : 0; full > 0) {
-        const std::array holds{LineColour{hold_colours[0], "sticks"}, LineColour{hold_colours[1], "slides"},
-                               LineColour{hold_colours[2], "no force"}};
-        page.height -= line_panel(format("force on cloth; longest: %g mN", 1e3 * full), holds, taken, page);
+        page.height -= line_panel(format("force on cloth; longest: %g mN", 1e3 * full), hold_looks, taken, page);
     }
     if (colours.by == ColourBy::PrincipalStrain) {
-        const std::array signs{LineColour{strain_colours[0], "stretched"}, LineColour{strain_colours[1], "compressed"}};
         std::vector<Outlines::Edge> crosses;
         const double full = append_strain_crosses(view, crosses);
-        page.height -= line_panel(format("strain of cells; longest: %g %%", full), signs, taken, page);
+        page.height -=
+            line_panel(format("strain of cells; longest: %g %%", full), std::span(node_looks).last(2), taken, page);
     }
     if (colours.by != ColourBy::Plain) colour_panel(colours, shown_level(view).level, taken, page);
 }

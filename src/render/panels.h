@@ -1,6 +1,5 @@
 #pragma once
 
-#include <array>
 #include <cstdint>
 #include <optional>
 #include <span>
@@ -60,15 +59,9 @@ std::optional<ImVec2> begin_legend(const std::string& title, ImVec2 size, float 
 /// @param level whose nodes are shown
 void colour_panel(const ColourScale& scale, int level, float taken, const OverlayPage& page);
 
-/// What a colour of lines means.
-struct LineColour {
-    std::array<float, 3> colour;
-    const char* text;
-};
-
 /// Likewise for arrows at contacts, and for strains of cells.
 /// @param title with what a line of full length stands for
 /// @return the height that is taken at the bottom [pixel]
-float line_panel(const std::string& title, std::span<const LineColour> colours, float taken, const OverlayPage& page);
+float line_panel(const std::string& title, std::span<const LineLook> looks, float taken, const OverlayPage& page);
 
 }  // namespace drape

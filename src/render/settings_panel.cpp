@@ -126,19 +126,15 @@ void SettingsPanel::draw_row(const Row& row) {
         if (std::exchange(seeks_, false)) ImGui::SetScrollHereY();
     }
     // Without an effect it is dim, and can be set all the same
-    const auto dim = [&row] {
-        for (const ImGuiCol part : {ImGuiCol_Text, ImGuiCol_SliderGrab, ImGuiCol_CheckMark})
-            ImGui::PushStyleColor(part, row.no_effect.empty() ? ImGui::GetColorU32(part) : ink::dim);
-    };
-    dim();
+    ImGui::BeginGroup();
+    for (const ImGuiCol part : {ImGuiCol_Text, ImGuiCol_SliderGrab, ImGuiCol_CheckMark})
+        ImGui::PushStyleColor(part, row.no_effect.empty() ? ImGui::GetColorU32(part) : ink::dim);
     ImGui::SetNextItemWidth(widget_width());
     if (const auto chosen = editor_.edit(row)) wishes_.changes.push_back(row.name + "=" + value_text(*chosen));
-    ImGui::PopStyleColor(3);
-    SettingEditor::explain(row);
     ImGui::SameLine();
-    dim();
     ImGui::TextUnformatted(row.label.c_str());
     ImGui::PopStyleColor(3);
+    ImGui::EndGroup();
     SettingEditor::explain(row);
 
     if (row.of_the_scene && *row.of_the_scene != row.value) {
