@@ -80,7 +80,7 @@ void Window::on_tick() {
     const double passed = drawable() ? scene_clock_.pass(elapsed) : elapsed;
     session_.advance(passed, std::max(min_budget, picture_time_ / 2));
     show_drawn();
-    follow_replay();
+    for (const Command& command : session_.take_view_commands()) follow(command);
     dirty_ |= shown_.ease_towards(camera_, elapsed);
     follow_scene_file(elapsed);
     tell_of_drops();
@@ -172,10 +172,6 @@ void Window::steer(double elapsed) {
         if (!command->direction.isZero(0)) tell_whose_ball();
         carry_out(*command);
     }
-}
-
-void Window::follow_replay() {
-    for (const Command& command : session_.take_view_commands()) follow(command);
 }
 
 void Window::tell_whose_ball() {

@@ -94,7 +94,6 @@ private:
     bool at_panel(const PanelPointer& pointer);
     void take_panel_changes();
     void steer(double elapsed);
-    void follow_replay();
     void follow(const Command& command);
     void tell_of_drops();
     void tell_of_lost_ball(double elapsed);

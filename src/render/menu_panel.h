@@ -28,8 +28,6 @@ public:
     /// Makes it, if it is open.
     void draw(const FrameView& view, const OverlayPage& page);
 
-    PanelWindow window;  ///< without a width where it is not shown
-
 private:
     struct Item {
         std::string group, text, keys;

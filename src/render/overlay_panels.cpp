@@ -170,18 +170,18 @@ bool OverlayPanels::have_pointer() const {
     ImGui::SetCurrentContext(context_.get());
     const PanelPointer& pointer = input_.last();
     const auto x = static_cast<float>(pointer.x), y = static_cast<float>(pointer.y);
-    const bool shown = settings.window.shown() || timeline_.shown();
+    const bool shown = settings.window.width() > 0 || shows_timeline();
     return menu.is_open() || settings.window.covers(x, y) || timeline_.covers(x, y) ||
            (shown && ImGui::GetIO().WantCaptureMouse);
 }
 
 bool OverlayPanels::have_keyboard() const {
     ImGui::SetCurrentContext(context_.get());
-    return menu.is_open() || (settings.window.shown() && ImGui::GetIO().WantTextInput);
+    return menu.is_open() || (settings.window.width() > 0 && ImGui::GetIO().WantTextInput);
 }
 
 void OverlayPanels::forget_input() {
-    if (!settings.window.shown() && !timeline_.shown() && !menu.window.shown()) input_ = {};
+    if (settings.window.width() == 0 && !shows_timeline() && !menu.is_open()) input_ = {};
 }
 
 void OverlayPanels::hand_over_input() {
@@ -225,7 +225,7 @@ bool OverlayPanels::build(FrameView view, const Camera& camera, const FrameRepor
     const bool names_nodes = shown.bounds && hover_x >= 0 && !view.held;
     if (width < least_width || height < least_height) {
         settings.hide();
-        timeline_ = menu.window = {};
+        timeline_ = {};
         forget_input();
         return false;
     }
@@ -250,15 +250,15 @@ bool OverlayPanels::build(FrameView view, const Camera& camera, const FrameRepor
     const float font = font_sizes[size];
     const bool help_is_tight = showing_help && h < 50 * font;
     if (shown.plots && !help_is_tight) page.height -= plots_panel(plots_, page);
-    timeline_ = showing_time ? timeline_place(page) : PanelWindow{};
+    timeline_ = showing_time ? timeline_place(page) : PanelBox{};
     if (showing_time) page.height = timeline_.top;
     if (shown.controls) {
         settings.place(page);
-        boxes_.push_back(settings.window.box());
+        boxes_.push_back(settings.window);
     } else {
         settings.hide();
     }
-    const float right = shown.controls ? settings.left() - margin : w - margin;
+    const float right = shown.controls ? settings.window.left - margin : w - margin;
 
     // Help is nearly as high as the page: above notices
     if (showing_help && !notices.empty()) page.height = notice_panel(notices, page, size, false);
@@ -296,7 +296,7 @@ bool OverlayPanels::build(FrameView view, const Camera& camera, const FrameRepor
     if (shown.controls) settings.draw(view, page);
     if (showing_time) {
         if (const auto step = timeline_panel(view.timeline, timeline_)) wishes.step = step;
-        boxes_.push_back(timeline_.box());
+        boxes_.push_back(timeline_);
     }
     menu.draw(view, {w, h, margin});
     forget_input();

@@ -51,7 +51,7 @@ public:
     [[nodiscard]] bool have_keyboard() const override;
     [[nodiscard]] bool has_list() const override { return settings.list_open(); }
     void close_list() override { settings.close_list(); }
-    [[nodiscard]] bool shows_timeline() const override { return timeline_.shown(); }
+    [[nodiscard]] bool shows_timeline() const override { return timeline_.width() > 0; }
 
     SettingsPanel settings{wishes};
     MenuPanel menu{settings, wishes};
@@ -86,7 +86,7 @@ private:
     HierarchyPanel hierarchy_;
     PlotHistory plots_;
     ComparisonPanel comparison_;
-    PanelWindow timeline_;                          ///< without a width where it is not shown
+    PanelBox timeline_;
     std::vector<KeyHelp> shown_help_, shown_hint_;  ///< lines that mean something in the scene
     std::vector<PanelBox> boxes_;
     std::shared_ptr<ImGuiContext> context_;

@@ -40,12 +40,12 @@ float plots_panel(const PlotHistory& history, const OverlayPage& page);
 bool is_timeline_due(const FrameView& view);
 
 /// Where it is, at the bottom of a page.
-PanelWindow timeline_place(const OverlayPage& page);
+PanelBox timeline_place(const OverlayPage& page);
 
 /// The bar of time, with Dear ImGui's widgets: where the run stands between the oldest step that is kept and the
 /// newest, or in the recording that is replayed.
 /// @return the step that a drag on it asks for
-std::optional<std::int64_t> timeline_panel(const Timeline& timeline, const PanelWindow& window);
+std::optional<std::int64_t> timeline_panel(const Timeline& timeline, const PanelBox& box);
 
 /// Begins a panel at the lower right, with its title.
 /// @param size of it, its margins included [pixel]

@@ -28,7 +28,8 @@ bool has_panel_row(const Setting& setting) {
 
 void SettingsPanel::place(const OverlayPage& page) {
     const float width = std::min(columns * ImGui::GetFontSize(), page.width - 2 * page.margin);
-    window = {page.width - page.margin - width, page.margin, width, page.height - 2 * page.margin};
+    const float right = page.width - page.margin;
+    window = {right - width, page.margin, right, page.height - page.margin};
 }
 
 void SettingsPanel::draw(const FrameView& view, const OverlayPage& page) {
@@ -36,7 +37,7 @@ void SettingsPanel::draw(const FrameView& view, const OverlayPage& page) {
     editor_.begin_frame();
     constexpr auto flags =
         ImGuiWindowFlags_NoTitleBar | ImGuiWindowFlags_NoResize | ImGuiWindowFlags_NoFocusOnAppearing;
-    if (window.begin("settings", flags, page.margin)) {
+    if (begin_window(window, "settings", flags, page.margin)) {
         if (!is_up_to_date(settings)) make_rows(settings);
         compare.draw(view, scene_, widget_width());
         bool open = false;
@@ -54,7 +55,7 @@ void SettingsPanel::draw(const FrameView& view, const OverlayPage& page) {
         }
         if (const auto wanted = std::exchange(wanted_, {})) show(wanted->first, wanted->second);
     }
-    PanelWindow::end();
+    end_window();
     editor_.end_frame();
 }
 
@@ -121,7 +122,7 @@ void SettingsPanel::offer_step(const FrameView& view) {
 void SettingsPanel::draw_row(const Row& row) {
     ImGui::PushID(row.name.c_str());
     if (row.setting == marked_) {
-        const ImVec2 at = ImGui::GetCursorScreenPos(), far{window.left + window.width, at.y + ImGui::GetFrameHeight()};
+        const ImVec2 at = ImGui::GetCursorScreenPos(), far{window.right, at.y + ImGui::GetFrameHeight()};
         ImGui::GetWindowDrawList()->AddRectFilled({window.left, at.y}, far, ink::lit);
         if (std::exchange(seeks_, false)) ImGui::SetScrollHereY();
     }
@@ -138,7 +139,7 @@ void SettingsPanel::draw_row(const Row& row) {
     SettingEditor::explain(row);
 
     if (row.of_the_scene && *row.of_the_scene != row.value) {
-        ImGui::SameLine(window.width - 4.5f * ImGui::GetFontSize());
+        ImGui::SameLine(window.width() - 4.5f * ImGui::GetFontSize());
         if (ImGui::SmallButton("reset")) wishes_.changes.push_back(row.name + "=" + value_text(*row.of_the_scene));
     }
     ImGui::PopID();

@@ -48,11 +48,8 @@ public:
     /// Shows the row of a setting, marked until another scene comes, and asks for itself where it is not shown.
     void show(const Setting& setting) {
         seeks_ = true, marked_ = &setting;
-        if (!window.shown()) wishes_.changes.emplace_back("view.controls=true");
+        if (window.width() == 0) wishes_.changes.emplace_back("view.controls=true");
     }
-
-    /// Its left edge as it was last drawn; 0 where it is not shown [pixel].
-    [[nodiscard]] float left() const { return window.shown() ? window.left : 0; }
 
     /// Whether a list of names was open as it was last drawn, and closes it as it is drawn next.
     [[nodiscard]] bool list_open() const { return editor_.list_open(); }
@@ -60,11 +57,11 @@ public:
 
     /// The panel is not shown.
     void hide() {
-        window.width = 0;
+        window = {};
         editor_.hide();
     }
 
-    PanelWindow window;  ///< without a width where it is not shown
+    PanelBox window;  ///< as it was last drawn
 
     CompareSection compare;
 
@@ -74,7 +71,7 @@ private:
     };
 
     [[nodiscard]] bool is_up_to_date(const Settings& settings) const;
-    [[nodiscard]] float widget_width() const { return 0.48f * window.width; }
+    [[nodiscard]] float widget_width() const { return 0.48f * window.width(); }
     void make_rows(const Settings& settings);
     void selector(const Row& first);
     void draw_row(const Row& row);

@@ -32,7 +32,7 @@ protected:
     explicit PanelInput(const std::string& scene = "drop") : simulation_(scene, shown_settings(scene)) {
         panels_.settings.set_scene(simulation_.settings());
         frames();
-        left_ = static_cast<int>(panels_.settings.left());
+        left_ = static_cast<int>(panels_.settings.window.left);
     }
 
     void frames(int count = 6) {
