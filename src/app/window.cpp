@@ -10,7 +10,6 @@
 #include "display.h"
 #include "drape/base/input_error.h"
 #include "drape/base/run_program.h"
-#include "drape/render/start_glew.h"
 #include "drape/scene/scene.h"
 #include "drape/session/failure.h"
 
@@ -44,15 +43,12 @@ Window::Window(Session& session, const Options& options, const StopSignals& sign
     if (check_) check_->listen();
     session_.keep_history({});
     renderer_ = std::make_unique<Renderer>();
-    renderer_->set_help(help_lines(entries_));
-    renderer_->set_hint(first_hints());
+    renderer_->panels().help = help_lines(entries_);
+    renderer_->panels().hint = first_hints();
     hinting_ = true;
-    renderer_->set_scene(session.simulation().settings());
+    renderer_->panels().set_scene(session.simulation().settings());
     scene_watch_.watch(session.simulation().scene());
-    if (options.tour) {
-        carry_out(go_to_stop(0));
-        show_stop();
-    }
+    if (options.tour) go_to_stop(0);
     register_callbacks();
     show_title();
     on_reshape(glutGet(GLUT_WINDOW_WIDTH), glutGet(GLUT_WINDOW_HEIGHT));
@@ -84,7 +80,7 @@ void Window::on_tick() {
     const double passed = drawable() ? scene_clock_.pass(elapsed) : elapsed;
     session_.advance(passed, std::max(min_budget, picture_time_ / 2));
     show_drawn();
-    follow_replay();
+    for (const Command& command : session_.take_view_commands()) follow(command);
     dirty_ |= shown_.ease_towards(camera_, elapsed);
     follow_scene_file(elapsed);
     tell_of_drops();
@@ -178,10 +174,6 @@ void Window::steer(double elapsed) {
     }
 }
 
-void Window::follow_replay() {
-    for (const Command& command : session_.take_view_commands()) follow(command);
-}
-
 void Window::tell_whose_ball() {
     const std::vector<BallSettings>& balls = session_.simulation().settings().balls;
     if (balls.empty()) return notices_.add("ball", "This scene has no ball for the keys");
@@ -267,17 +259,18 @@ void Window::start_scene() {
     scene_watch_.watch(session_.simulation().scene());
     scene_error_.clear();
     camera_ = shown_ = Camera(session_.simulation().settings().view);
-    renderer_->set_scene(session_.simulation().settings());
-    renderer_->set_hint({});
+    renderer_->panels().set_scene(session_.simulation().settings());
+    renderer_->panels().hint = {};
     hinting_ = touring_ = false;
     show_title();
 }
 
 void Window::take_panel_changes() {
-    if (const auto step = renderer_->take_wanted_step()) go_to(*step);
-    for (const std::string& change : renderer_->take_changes()) carry_out(command::Set{change});
-    if (const auto versus = renderer_->take_wanted_comparison()) carry_out(command::Compare{*versus});
-    if (const auto entry = renderer_->take_entry()) on_choice(static_cast<int>(*entry));
+    const PanelWishes wishes = std::exchange(renderer_->panels().wishes, {});
+    if (wishes.step) go_to(*wishes.step);
+    for (const std::string& change : wishes.changes) carry_out(command::Set{change});
+    if (wishes.comparison) carry_out(command::Compare{*wishes.comparison});
+    if (wishes.entry) on_choice(static_cast<int>(*wishes.entry));
 }
 
 void Window::show_title() { glutSetWindowTitle(("Drape - " + session_.simulation().settings().title).c_str()); }

@@ -87,15 +87,13 @@ private:
     [[nodiscard]] std::int64_t steps_of_a_frame() const;
     void go_to(std::int64_t step);
     void compare(const Entry& entry);
-    [[nodiscard]] std::vector<Command> go_to_stop(int stop);
-    void show_stop();
+    void go_to_stop(int stop);
     void leave_tour();
     void forget_hint();
     bool close_topmost();
     bool at_panel(const PanelPointer& pointer);
     void take_panel_changes();
     void steer(double elapsed);
-    void follow_replay();
     void follow(const Command& command);
     void tell_of_drops();
     void tell_of_lost_ball(double elapsed);

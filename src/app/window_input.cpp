@@ -11,7 +11,6 @@
 #include "display.h"
 #include "drape/base/input_error.h"
 #include "drape/base/numbers.h"
-#include "drape/render/picture_texts.h"
 #include "drape/scene/setting_table.h"
 #include "drape/session/comparison.h"
 #include "drape/session/tour.h"
@@ -73,7 +72,7 @@ void Window::register_callbacks() {
 
 void Window::on_character(unsigned char code, bool down) {
     const int modifiers = glutGetModifiers();
-    if (down && renderer_->panel_has_keyboard()) {
+    if (down && renderer_->panels().have_keyboard()) {
         held_keys_.insert(character_key(code, false));
         return type_at_panel(code);
     }
@@ -83,16 +82,16 @@ void Window::on_character(unsigned char code, bool down) {
 
 void Window::type_at_panel(unsigned char code) {
     panel_frames_ = 8;
-    renderer_->type(code);
+    renderer_->panels().type(code);
     take_panel_changes();
 }
 
 void Window::on_special(int code) {
-    if ((code == GLUT_KEY_UP || code == GLUT_KEY_DOWN) && renderer_->menu_open()) {
+    if ((code == GLUT_KEY_UP || code == GLUT_KEY_DOWN) && renderer_->panels().menu_open()) {
         held_keys_.insert(special_key(code, false));
         return type_at_panel(code == GLUT_KEY_UP ? 16 : 14);
     }
-    if (renderer_->panel_has_keyboard()) return;
+    if (renderer_->panels().have_keyboard()) return;
     on_key(special_key(code, (glutGetModifiers() & GLUT_ACTIVE_SHIFT) != 0), true);
 }
 
@@ -119,8 +118,8 @@ void Window::on_choice(int number) {
 
 void Window::compare(const Entry& entry) {
     if (!carry_out(parse_command(entry.command))) return;
-    for (const std::string& change : split_assignments(entry.pair.change)) carry_out(command::Set{change});
-    carry_out(command::Compare{entry.pair.versus});
+    for (const std::string& change : split_assignments(entry.change)) carry_out(command::Set{change});
+    carry_out(command::Compare{entry.versus});
 }
 
 void Window::give(const Entry& entry) {
@@ -128,24 +127,29 @@ void Window::give(const Entry& entry) {
     if (entry.manner == Manner::Search) {
         steering_.release_all();
         dirty_ = true;
-        return renderer_->open_menu(entries_, session_.simulation().settings());
+        return renderer_->panels().open_menu(entries_, session_.simulation().settings());
     }
     if (entry.manner == Manner::StepBack) return go_to(session_.timeline().now - 1);
     if (entry.manner == Manner::FrameBack) return go_to(session_.timeline().now - steps_of_a_frame());
-    const std::vector<Command> commands = commands_of(entry);
-    const bool of_the_tour = entry.manner == Manner::NextStop || entry.manner == Manner::StopBefore;
-    for (const Command& command : commands) {
-        if (!carry_out(command) || of_the_tour) continue;
+    if (entry.manner == Manner::NextStop) return go_to_stop(touring_ ? stop_ + 1 : stop_);
+    if (entry.manner == Manner::StopBefore) return go_to_stop(stop_ - 1);
+    for (const Command& command : commands_of(entry)) {
+        if (!carry_out(command)) continue;
         const std::string outcome = outcome_of(command, session_.simulation());
         if (!outcome.empty()) notices_.add("outcome", outcome);
     }
-    if (of_the_tour) show_stop();
 }
 
-void Window::show_stop() {
+void Window::go_to_stop(int stop) {
+    const auto stops = tour_stops();
+    const int count = static_cast<int>(stops.size());
+    stop_ = (stop + count) % count;
+    const bool was_paused = session_.simulation().paused();
+    carry_out(drape::commands_of(stops[static_cast<std::size_t>(stop_)]));
+    if (was_paused) carry_out(command::Pause{});
     camera_ = shown_ = Camera(session_.simulation().settings().view);
-    renderer_->set_hint(tour_hint(static_cast<std::size_t>(stop_)));
-    renderer_->set_scene(session_.simulation().settings());
+    renderer_->panels().hint = tour_hint(static_cast<std::size_t>(stop_));
+    renderer_->panels().set_scene(session_.simulation().settings());
     hinting_ = false;
     touring_ = true;
 }
@@ -153,7 +157,7 @@ void Window::show_stop() {
 // Its scene stays
 void Window::leave_tour() {
     touring_ = false;
-    renderer_->set_hint({});
+    renderer_->panels().hint = {};
     notices_.add("tour", "The tour has ended; F1 takes it up again, Esc quits");
     dirty_ = true;
 }
@@ -163,8 +167,8 @@ bool Window::close_topmost() {
     const ViewSettings& view = session_.simulation().settings().view;
     if (menu_->open()) {
         click_beside_menus();
-    } else if (renderer_->panel_has_list()) {
-        renderer_->close_list();
+    } else if (renderer_->panels().has_list()) {
+        renderer_->panels().close_list();
         panel_frames_ = 8;
     } else if (view.help) {
         carry_out(command::Set{"view.help=false"});
@@ -180,14 +184,14 @@ bool Window::close_topmost() {
 
 void Window::forget_hint() {
     if (!std::exchange(hinting_, false)) return;
-    renderer_->set_hint({});
+    renderer_->panels().hint = {};
     dirty_ = true;
 }
 
 void Window::on_menu(bool open) {
     forget_hint();
     menu_->set_open(open);
-    if (renderer_->menu_open()) type_at_panel(27);
+    if (renderer_->panels().menu_open()) type_at_panel(27);
     if (open) steering_.release_all();
 }
 
@@ -197,7 +201,7 @@ void Window::on_button(int button, int state, int x, int y) {
         return;
     }
     if ((button != GLUT_LEFT_BUTTON && button != GLUT_MIDDLE_BUTTON) || !drawable()) return;
-    if (button == GLUT_MIDDLE_BUTTON && renderer_->menu_open()) return;
+    if (button == GLUT_MIDDLE_BUTTON && renderer_->panels().menu_open()) return;
     const auto which = button == GLUT_LEFT_BUTTON ? Pointer::Button::Left : Pointer::Button::Middle;
     const int modifiers = glutGetModifiers();
     const Pointer::Modifiers held{(modifiers & GLUT_ACTIVE_SHIFT) != 0, (modifiers & GLUT_ACTIVE_CTRL) != 0};
@@ -219,24 +223,24 @@ void Window::on_button(int button, int state, int x, int y) {
 }
 
 bool Window::at_panel(const PanelPointer& pointer) {
-    const bool any = session_.simulation().settings().view.controls || renderer_->shows_timeline();
-    if (!any && !renderer_->menu_open()) return false;
+    const bool any = session_.simulation().settings().view.controls || renderer_->panels().shows_timeline();
+    if (!any && !renderer_->panels().menu_open()) return false;
     constexpr int frames = 8;  // that a press, a release and what follows from them take to be seen
-    renderer_->point(pointer);
+    renderer_->panels().point(pointer);
     panel_frames_ = frames;
     const bool is_drawn = renderer_->report().frame > 0;  // until then nobody knows where it is
-    return (renderer_->panel_has_pointer() || !is_drawn) && !pointer_.busy();
+    return (renderer_->panels().have_pointer() || !is_drawn) && !pointer_.busy();
 }
 
 void Window::on_motion(int x, int y) {
     at_panel({.x = x, .y = y, .down = panel_button_});
     pointer_.move(x, y);
-    renderer_->hover(x, y);
+    renderer_->panels().hover_x = x, renderer_->panels().hover_y = y;
 }
 
 void Window::on_passive_motion(int x, int y) {
     at_panel({.x = x, .y = y});
-    renderer_->hover(x, y);
+    renderer_->panels().hover_x = x, renderer_->panels().hover_y = y;
     dirty_ |= session_.simulation().settings().view.bounds;
 }
 
@@ -263,8 +267,6 @@ std::vector<Command> Window::commands_of(const Entry& entry) {
     if (entry.manner == Manner::Aimed) return {camera_.aimed_throw()};
     if (entry.manner == Manner::OneFrame) return {command::Step{static_cast<int>(steps_of_a_frame())}};
     if (entry.manner == Manner::SafeStep) return safe_step();
-    if (entry.manner == Manner::NextStop) return go_to_stop(touring_ ? stop_ + 1 : stop_);
-    if (entry.manner == Manner::StopBefore) return go_to_stop(stop_ - 1);
     if (entry.manner == Manner::Slower) return {set_speed(speed / 2)};
     if (entry.manner == Manner::Faster) return {set_speed(speed * 2)};
     return {parse_command(entry.command)};
@@ -282,14 +284,6 @@ void Window::go_to(std::int64_t step) {
     session_.go_to(step);
     steering_.forget_given();
     if (step < session_.timeline().oldest) notices_.add("time", "Nothing is kept of what was before");
-}
-
-std::vector<Command> Window::go_to_stop(int stop) {
-    const int count = static_cast<int>(tour_stops().size());
-    stop_ = (stop + count) % count;
-    std::vector<Command> commands = drape::commands_of(tour_stops()[static_cast<std::size_t>(stop_)]);
-    if (session_.simulation().paused()) commands.emplace_back(command::Pause{});
-    return commands;
 }
 
 std::vector<Command> Window::safe_step() {

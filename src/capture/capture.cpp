@@ -8,7 +8,6 @@
 #include "drape/base/numbers.h"
 #include "drape/base/run_program.h"
 #include "drape/render/entries.h"
-#include "drape/render/picture_texts.h"
 #include "drape/scene/memory.h"
 #include "drape/scene/scene.h"
 #include "drape/session/failure.h"
@@ -71,8 +70,8 @@ Capture::Capture(CaptureOptions options, const StopSignals& signals)
         context_ = std::make_unique<OffscreenContext>(options_.context);
         renderer_ = std::make_unique<Renderer>();
         renderer_->resize(options_.size.width, options_.size.height);
-        renderer_->set_help(help_lines(make_entries(scene_names())));
-        renderer_->set_scene(session_.simulation().settings());
+        renderer_->panels().help = help_lines(make_entries(scene_names()));
+        renderer_->panels().set_scene(session_.simulation().settings());
         // The panel shows what the frame before cost, and the first picture shall have one
         if (options_.overlay) draw();
     }
@@ -126,7 +125,7 @@ void Capture::follow_replay() {
     for (const Command& command : session_.take_view_commands()) {
         if (changes_scene(command)) {
             camera_ = Camera(session_.simulation().settings().view);
-            renderer_->set_scene(session_.simulation().settings());
+            renderer_->panels().set_scene(session_.simulation().settings());
         } else {
             camera_.apply(command, session_.view());
         }

@@ -4,7 +4,7 @@
 #include <string_view>
 
 #include "drape/base/input_error.h"
-#include "drape/render/start_glew.h"
+#include "drape/render/renderer.h"
 #include "gl_context.h"
 
 // The functions of OpenGL 1.1 that Drape calls: result, name, parameters, arguments

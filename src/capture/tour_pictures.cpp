@@ -5,7 +5,6 @@
 #include "drape/base/progress.h"
 #include "drape/base/run_program.h"
 #include "drape/render/entries.h"
-#include "drape/render/picture_texts.h"
 #include "drape/render/renderer.h"
 #include "drape/scene/scene.h"
 #include "drape/session/session.h"
@@ -33,7 +32,7 @@ int draw_tour(const CaptureOptions& options, const StopSignals& signals) {
         // What is slow or has spheres says so in its panel; a full one is what the stop is about
         const bool needs_panel = shown.panel == PanelSize::Full || shown.speed != 1 || shown.bounds;
         if (!options.overlay && !needs_panel) session.send(command::Set{"view.panel=off"});
-        if (options.overlay) renderer.set_hint(tour_hint(static_cast<std::size_t>(number)));
+        if (options.overlay) renderer.panels().hint = tour_hint(static_cast<std::size_t>(number));
         // Panels show medians and curves of what was drawn since the scene began
         constexpr int views = 6;
         for (int k = 0; k <= views; ++k) {

@@ -122,18 +122,15 @@ Real longest_step(IntegratorKind kind, Real k, Real d) {
 }
 
 StepLimit predicted_limit(const ClothModel& model, const ClothState& state, IntegratorKind kind, Kernels kernels) {
-    if (!has_step_limit(kind)) {
-        const bool flutters = kind == IntegratorKind::ImplicitMidpoint && model.air.density > 0;
-        const double step = flutters ? longest_of_midpoint(model, state) : std::numeric_limits<double>::infinity();
-        return {.step = static_cast<Real>(step)};
-    }
-    if (pieces(model.grid.nx) * pieces(model.grid.ny) == 1) return mode_of(model, state, kind, kernels).limit;
-    const Piece piece = critical_piece(model, state, kernels);
-    return mode_of(piece.model, piece.state, kind, kernels).limit;
+    return limiting_mode(model, state, kind, kernels).limit;
 }
 
 LimitingMode limiting_mode(const ClothModel& model, const ClothState& state, IntegratorKind kind, Kernels kernels) {
-    if (!has_step_limit(kind)) return {predicted_limit(model, state, kind, kernels), {}};
+    if (!has_step_limit(kind)) {
+        const bool flutters = kind == IntegratorKind::ImplicitMidpoint && model.air.density > 0;
+        const double step = flutters ? longest_of_midpoint(model, state) : std::numeric_limits<double>::infinity();
+        return {{.step = static_cast<Real>(step)}, {}};
+    }
     if (pieces(model.grid.nx) * pieces(model.grid.ny) == 1) return mode_of(model, state, kind, kernels);
     const Piece piece = critical_piece(model, state, kernels);
     const LimitingMode of_piece = mode_of(piece.model, piece.state, kind, kernels);

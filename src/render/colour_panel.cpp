@@ -42,38 +42,35 @@ void draw_scale(const ColourScale& scale, ImVec2 corner, float width) {
     }
 }
 
-void draw_swatch(ImVec2 corner, const std::array<float, 3>& colour, const char* text) {
-    const float line = ImGui::GetTextLineHeight();
-    ImGui::GetWindowDrawList()->AddRectFilled({corner.x, corner.y + 0.15f * line},
-                                              {corner.x + 1.2f * line, corner.y + 0.85f * line}, ink_of(colour), 2);
-    text_at({corner.x + 1.6f * line, corner.y}, ink::text, text);
-}
-
-// The panel, with its title. Where it begins; nothing where there is no room
-std::optional<ImVec2> begin_legend(const std::string& title, float rows, float taken, const OverlayPage& page) {
-    const float width = legend_columns * ImGui::GetFontSize() + 2 * page.margin;
-    const float height = rows * ImGui::GetTextLineHeightWithSpacing() + 2 * page.margin;
-    const ImVec2 panel{page.width - page.margin - width, page.height - page.margin - height};
-    if (panel.x < taken || panel.y < page.margin) return {};
-    draw_panel(panel, {width, height});
-    const ImVec2 line{panel.x + page.margin, panel.y + page.margin};
-    text_at(line, ink::wait, title);
-    return line;
+// Of the colours in rows
+ImVec2 legend_size(float rows, const OverlayPage& page) {
+    return {legend_columns * ImGui::GetFontSize() + 2 * page.margin,
+            rows * ImGui::GetTextLineHeightWithSpacing() + 2 * page.margin};
 }
 
 }  // namespace
 
+std::optional<ImVec2> begin_legend(const std::string& title, ImVec2 size, float taken, const OverlayPage& page) {
+    const float right = page.width - page.margin, bottom = page.height - page.margin;
+    const PanelBox box{right - size.x, bottom - size.y, right, bottom};
+    if (box.left < taken || box.top < page.margin) return {};
+    draw_panel(box);
+    const ImVec2 line{box.left + page.margin, box.top + page.margin};
+    text_at(line, ink::wait, title);
+    return line;
+}
+
 void colour_panel(const ColourScale& scale, int level, float taken, const OverlayPage& page) {
     const float row = ImGui::GetTextLineHeightWithSpacing(), size = ImGui::GetFontSize(), inner = legend_columns * size;
-    const auto line = begin_legend(title_of(scale, level), 3, taken, page);
+    const auto line = begin_legend(title_of(scale, level), legend_size(3, page), taken, page);
     if (!line) return;
     const ImVec2 below{line->x, line->y + 1.25f * row};
     if (scale.by == ColourBy::Side) {
-        draw_swatch(below, group_colours[0], "front");
-        draw_swatch({below.x + inner / 2, below.y}, group_colours[1], "back");
+        swatch_at(below, group_colours[0], "front");
+        swatch_at({below.x + inner / 2, below.y}, group_colours[1], "back");
     } else if (scale.by == ColourBy::Level) {
         for (std::size_t k = 0; k < group_colours.size(); ++k) {
-            draw_swatch({below.x + 1.5f * size * static_cast<float>(k), below.y}, group_colours[k], "");
+            swatch_at({below.x + 1.5f * size * static_cast<float>(k), below.y}, group_colours[k], "");
         }
         text_at({below.x + 6.5f * size, below.y}, ink::text, "neighbours differ");
     } else {
@@ -81,14 +78,14 @@ void colour_panel(const ColourScale& scale, int level, float taken, const Overla
     }
 }
 
-float line_panel(const std::string& title, std::span<const LineColour> colours, float taken, const OverlayPage& page) {
+float line_panel(const std::string& title, std::span<const LineLook> looks, float taken, const OverlayPage& page) {
     const float row = ImGui::GetTextLineHeightWithSpacing(), size = ImGui::GetFontSize();
-    const auto line = begin_legend(title, 2.1f, taken, page);
+    const auto line = begin_legend(title, legend_size(2.1f, page), taken, page);
     if (!line) return 0;
-    const float column = legend_columns * size / static_cast<float>(colours.size());
-    for (std::size_t k = 0; k < colours.size(); ++k) {
+    const float column = legend_columns * size / static_cast<float>(looks.size());
+    for (std::size_t k = 0; k < looks.size(); ++k) {
         const ImVec2 corner{line->x + column * static_cast<float>(k), line->y + 1.15f * row};
-        draw_swatch(corner, colours[k].colour, colours[k].text);
+        swatch_at(corner, looks[k].colour, looks[k].text);
     }
     return 2.1f * row + 3 * page.margin;
 }

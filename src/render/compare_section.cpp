@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <utility>
 
 #include "drape/session/comparison.h"
 #include "overlay_style.h"
@@ -110,10 +111,10 @@ void CompareSection::draw(const FrameView& view, const Settings& scene, float wi
     ImGui::SameLine();
     ImGui::TextUnformatted("in the other run");
 
-    if (ImGui::SmallButton("Compare from the start")) wanted_ = row_->name + "=" + value_text(row_->value);
+    if (ImGui::SmallButton("Compare from the start")) wishes_.comparison = row_->name + "=" + value_text(row_->value);
     if (view.comparison != nullptr) {
         ImGui::SameLine();
-        if (ImGui::SmallButton("End")) wanted_ = "none";
+        if (ImGui::SmallButton("End")) wishes_.comparison = "none";
     }
     ImGui::PopID();
 }

@@ -2,9 +2,8 @@
 
 #include <optional>
 #include <string>
-#include <utility>
 
-#include "drape/sim/frame_view.h"
+#include "drape/render/renderer.h"
 #include "setting_editor.h"
 
 namespace drape {
@@ -18,14 +17,11 @@ SettingValue another_value(const SettingRow& row);
 class CompareSection {
 public:
     /// @param editor of the panel
-    explicit CompareSection(SettingEditor& editor) : editor_(editor) {}
+    CompareSection(SettingEditor& editor, PanelWishes& wishes) : editor_(editor), wishes_(wishes) {}
 
     /// Makes it in the present window of Dear ImGui.
     /// @param scene as it was loaded
     void draw(const FrameView& view, const Settings& scene, float widget_width);
-
-    /// What the user wants to compare with since the last call, as `command::Compare` has it.
-    [[nodiscard]] std::optional<std::string> take_wanted() { return std::exchange(wanted_, std::nullopt); }
 
     /// Another scene has begun.
     void forget() {
@@ -43,8 +39,8 @@ private:
     std::optional<SettingRow> row_;  ///< of the other simulation
     SettingValue of_the_run_;        ///< that runs, of the same setting
     std::string compared_;           ///< assignments of the comparison that was last seen
-    std::optional<std::string> wanted_;
     SettingEditor& editor_;
+    PanelWishes& wishes_;
 };
 
 }  // namespace drape

@@ -85,7 +85,7 @@ float ComparisonPanel::draw(const FrameView& view, const OverlayPage& page, floa
     const float height = static_cast<float>(compared_figures.size() + 4) * row + curve + 2 * margin;
     const ImVec2 panel{right - width, margin};
     if (height + 2 * margin > page.height || panel.x < left) return right;
-    draw_panel(panel, {width, height});
+    draw_panel({panel.x, margin, right, margin + height});
     ImVec2 line{panel.x + margin, panel.y + margin};
     const float first = line.x + 9 * size, other = line.x + 15.5f * size, end = right - margin;
     const StepReport other_report = other_medians_.with_median_times(*view.comparison->other.report);

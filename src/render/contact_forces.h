@@ -3,7 +3,7 @@
 #include <array>
 #include <cstdint>
 
-#include "drape/sim/frame_view.h"
+#include "node_states.h"
 
 namespace drape {
 
@@ -15,8 +15,9 @@ enum class Hold : std::uint8_t {
 };
 
 /// In the order of `Hold`, in sRGB. @cite okabe2008
-inline constexpr std::array<std::array<float, 3>, 3> hold_colours{
-    {{0.337f, 0.706f, 0.914f}, {0.941f, 0.894f, 0.259f}, {0.75f, 0.75f, 0.78f}}};
+inline constexpr std::array<LineLook, 3> hold_looks{{{"sticks", {0.337f, 0.706f, 0.914f, 1}},
+                                                     {"slides", {0.941f, 0.894f, 0.259f, 1}},
+                                                     {"no force", {0.75f, 0.75f, 0.78f, 1}}}};
 
 /// What a body does to cloth in a contact, as it is drawn.
 struct ContactForce {

@@ -1,6 +1,8 @@
 #include "drape/render/entries.h"
 
 #include <algorithm>
+#include <initializer_list>
+#include <utility>
 
 #include "drape/scene/scene.h"
 #include "drape/session/tour.h"
@@ -11,8 +13,16 @@ namespace {
 
 constexpr std::string_view with_shift = "Shift+";
 
-// Every choice of a setting as an entry without a key.
-void append_choices(std::vector<Entry>& entries, const std::string& menu, const std::string& setting) {
+// The values of a setting as entries without a key
+void append_values(std::vector<Entry>& entries, const std::string& menu, const std::string& setting,
+                   std::initializer_list<std::pair<const char*, const char*>> values) {
+    for (const auto& [text, value] : values) entries.push_back({menu, {}, text, "set " + setting + "=" + value});
+}
+
+// An entry that goes to the next choice of a setting, and one for each choice
+void append_choices(std::vector<Entry>& entries, const std::string& menu, const std::string& setting, const char* key,
+                    const char* text, const char* group) {
+    entries.push_back({menu, {key}, text, "next " + setting, Manner::Once, {}, group});
     for (const std::string& choice : find_setting(setting).choices)
         entries.push_back({menu, {}, choice, "set " + setting + "=" + choice});
 }
@@ -75,9 +85,7 @@ std::vector<Entry> make_entries(const std::vector<std::string>& scenes) {
         entries.push_back({fails ? "Failures" : "Scene", keys, title_of(scenes[s]), "scene " + scenes[s], Manner::Once,
                            "Scenes", "Scenes and tour"});
     }
-    const char* methods = "Methods";
-    entries.push_back({"Integrator", {"I"}, "Next integrator", "next solver.integrator", Manner::Once, {}, methods});
-    append_choices(entries, "Integrator", "solver.integrator");
+    append_choices(entries, "Integrator", "solver.integrator", "I", "Next integrator", "Methods");
     entries.push_back({"Integrator", {}, "Hessian clamped or exact", "next solver.hessian"});
     entries.push_back({"Integrator", {}, "Five iterations more", "add solver.iterations 5"});
     entries.push_back({"Integrator", {}, "Five iterations fewer", "add solver.iterations -5"});
@@ -85,28 +93,17 @@ std::vector<Entry> make_entries(const std::vector<std::string>& scenes) {
         const std::string text(milliseconds);
         entries.push_back({"Time step", {}, text + " ms", "set solver.dt=" + text + "e-3"});
     }
-    entries.push_back({"Time step", {}, "Above the stability limit: warn", "set solver.on_unstable=warn"});
-    entries.push_back({"Time step", {}, "Above the stability limit: substep", "set solver.on_unstable=substep"});
-    entries.push_back({"Time step", {}, "Above the stability limit: quit", "set solver.on_unstable=stop"});
-    entries.push_back(
-        {"Hierarchy/Bounding volume", {"T"}, "Next bounding volume", "next contact.volume", Manner::Once, {}, methods});
-    append_choices(entries, "Hierarchy/Bounding volume", "contact.volume");
-    entries.push_back(
-        {"Hierarchy/Sphere fit", {"Y"}, "Next sphere fit", "next contact.sphere_fit", Manner::Once, {}, methods});
-    append_choices(entries, "Hierarchy/Sphere fit", "contact.sphere_fit");
-    entries.push_back({"Hierarchy/BVH update policy",
-                       {"U"},
-                       "Next BVH update policy",
-                       "next contact.update",
-                       Manner::Once,
-                       {},
-                       methods});
-    append_choices(entries, "Hierarchy/BVH update policy", "contact.update");
-    entries.push_back({"View/Colour by", {"J"}, "Colour the cloth by the next quantity", "next view.colour"});
-    append_choices(entries, "View/Colour by", "view.colour");
+    append_values(entries, "Time step", "solver.on_unstable",
+                  {{"Above the stability limit: warn", "warn"},
+                   {"Above the stability limit: substep", "substep"},
+                   {"Above the stability limit: quit", "stop"}});
+    append_choices(entries, "Hierarchy/Bounding volume", "contact.volume", "T", "Next bounding volume", "Methods");
+    append_choices(entries, "Hierarchy/Sphere fit", "contact.sphere_fit", "Y", "Next sphere fit", "Methods");
+    append_choices(entries, "Hierarchy/BVH update policy", "contact.update", "U", "Next BVH update policy", "Methods");
+    append_choices(entries, "View/Colour by", "view.colour", "J", "Colour the cloth by the next quantity", "View");
     const auto compare = [&](const char* text, const char* scene, const char* change, const char* versus) {
         entries.push_back(
-            {"Compare", {}, text, std::string("scene ") + scene, Manner::Compare, {}, {}, {change, versus}});
+            {"Compare", {}, text, std::string("scene ") + scene, Manner::Compare, {}, {}, change, versus});
     };
     const char* fast =
         "contact.continuous=false,solver.dt=5e-3,solver.integrator=backward_euler,ball.velocity=0,1,60,view.speed=0.05";
@@ -116,20 +113,15 @@ std::vector<Entry> make_entries(const std::vector<std::string>& scenes) {
     compare("Penalty against hybrid response", "drop", "contact.response=penalty", "contact.response=hybrid");
     compare("15 x 15 against 29 x 29 particles", "original", "cloth.particles=15,15", "cloth.particles=29,29");
     entries.push_back({"Compare", {}, "End of the comparison", "compare none"});
+    append_values(
+        entries, "Hierarchy/Leaf size", "contact.leaf_cells",
+        {{"Auto", "0"}, {"2 x 2 cells", "2"}, {"4 x 4 cells", "4"}, {"7 x 7 cells", "7"}, {"15 x 15 cells", "15"}});
+    append_values(entries, "Hierarchy/Search depth", "contact.search_level",
+                  {{"Unlimited", "30"}, {"To level 4", "4"}, {"To level 3", "3"}, {"To level 2", "2"}});
+    append_values(entries, "Time/Sleep", "solver.sleep_speed", {{"At rest", "2e-04"}, {"Never", "0"}});
     const char *across = "Ball left, right", *along = "Ball away from you, towards you";
     const char *panels = "Panels", *tour = "Tour: next, previous stop", *scenes_and_tour = "Scenes and tour";
     const std::vector<Entry> rest{
-        {"Hierarchy/Leaf size", {}, "Auto", "set contact.leaf_cells=0"},
-        {"Hierarchy/Leaf size", {}, "2 x 2 cells", "set contact.leaf_cells=2"},
-        {"Hierarchy/Leaf size", {}, "4 x 4 cells", "set contact.leaf_cells=4"},
-        {"Hierarchy/Leaf size", {}, "7 x 7 cells", "set contact.leaf_cells=7"},
-        {"Hierarchy/Leaf size", {}, "15 x 15 cells", "set contact.leaf_cells=15"},
-        {"Hierarchy/Search depth", {}, "Unlimited", "set contact.search_level=30"},
-        {"Hierarchy/Search depth", {}, "To level 4", "set contact.search_level=4"},
-        {"Hierarchy/Search depth", {}, "To level 3", "set contact.search_level=3"},
-        {"Hierarchy/Search depth", {}, "To level 2", "set contact.search_level=2"},
-        {"Time/Sleep", {}, "At rest", "set solver.sleep_speed=2e-04"},
-        {"Time/Sleep", {}, "Never", "set solver.sleep_speed=0"},
         {"View", {"B"}, "Bounding volumes", "next view.bounds"},
         {"View", {"["}, "Level -", "add view.level -1", Manner::Once, "Coarser, finer level of bounding volumes"},
         {"View", {"]"}, "Level +", "add view.level 1", Manner::Once, "Coarser, finer level of bounding volumes"},

@@ -298,7 +298,7 @@ float figures_panel(const FrameView& view, const FrameReport& last, const PanelF
     const float title_height = shown.height + 0.4f * size;
     drop_rows(rows, line, gap, page.height - 4 * margin - title_height);
     const float height = std::min(height_of(rows, line, gap) + title_height + 2 * margin, page.height - 2 * margin);
-    draw_panel({margin, margin}, {width, height});
+    draw_panel({margin, margin, margin + width, margin + height});
 
     shown.font.push();
     ImGui::PushTextWrapPos(width);

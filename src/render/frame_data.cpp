@@ -8,7 +8,6 @@
 #include "cloth_colours.h"
 #include "drape/session/unstable_mode.h"
 #include "node_states.h"
-#include "principal_strain.h"
 
 namespace drape {
 
@@ -85,6 +84,56 @@ void light_the_scene(const FrameView& view, const Camera& camera, std::span<cons
     data.shadow = {2 * half.head<2>().maxCoeff() / static_cast<float>(texels), 0, 0.5f / half.x(), 0.5f / half.y()};
 }
 
+// A solid darkens what is about it like a ball in its middle
+Eigen::Vector4f dark_ball(const FrameView& view, std::size_t number) {
+    const Eigen::AlignedBox3f box = drawn_solid_box(view, number, Eigen::Matrix3f::Identity());
+    const std::array<Vec3, 2> extent = view.solids[number].shape->extent();
+    Eigen::Vector4f ball;
+    ball << box.center(), static_cast<float>((extent[1] - extent[0]).minCoeff() / 2);
+    return ball;
+}
+
+// @return how many of them there are
+int list_dark_balls(const FrameView& view, std::array<Eigen::Vector4f, FrameData::most_balls>& dark) {
+    std::size_t count = 0;
+    for (std::size_t i = 0; i < view.balls.size() && count < dark.size(); ++i) dark[count++] = drawn_ball(view, i);
+    for (std::size_t i = 0; i < view.solids.size() && count < dark.size(); ++i) dark[count++] = dark_ball(view, i);
+    return static_cast<int>(count);
+}
+
+// From sRGB
+Eigen::Vector4f linear(const std::array<float, 3>& colour) {
+    const auto decoded = [](float c) { return c <= 0.04045f ? c / 12.92f : std::pow((c + 0.055f) / 1.055f, 2.4f); };
+    return {decoded(colour[0]), decoded(colour[1]), decoded(colour[2]), 1};
+}
+
+// Two particles that are marked; zero if there are none
+std::array<Eigen::Vector4f, 2> marked_ends(const FrameView& view, int cloth, const std::array<int, 2>& particles) {
+    std::array<Eigen::Vector4f, 2> ends{Eigen::Vector4f::Zero(), Eigen::Vector4f::Zero()};
+    if (cloth < 0 || cloth >= static_cast<int>(view.cloths.size())) return ends;
+    const Points& x = view.cloths[static_cast<std::size_t>(cloth)].x;
+    for (std::size_t end = 0; end < ends.size(); ++end) {
+        if (particles[end] >= x.rows() || !x.row(particles[end]).allFinite()) return {ends[0] * 0, ends[1] * 0};
+        ends[end] << x.row(particles[end]).transpose().cast<float>(), 1;
+    }
+    return ends;
+}
+
+Eigen::Vector4f sides_and_inverses(const PictureSize& size) {
+    const auto width = static_cast<float>(size.width), height = static_cast<float>(size.height);
+    return {width, height, 1 / width, 1 / height};
+}
+
+// Where one of several is drawn: between its last two places, if there are two
+template <class Item>
+Vec3 between(std::span<const Item> before, std::span<const Item> now, std::size_t number, Real blend,
+             Vec3 Item::*place) {
+    const Vec3& there = now[number].*place;
+    if (number >= before.size()) return there;
+    const Vec3& from = before[number].*place;
+    return from + blend * (there - from);
+}
+
 }  // namespace
 
 Vec3 drawn_particle(const ClothView& cloth, Real blend, int particle) {
@@ -96,23 +145,14 @@ Vec3 drawn_particle(const ClothView& cloth, Real blend, int particle) {
 
 Eigen::Vector4f drawn_ball(const FrameView& view, std::size_t number) {
     const Ball& now = view.balls[number];
-    Vec3 centre = now.centre;
-    if (number < view.previous_balls.size()) {
-        const Vec3& before = view.previous_balls[number].centre;
-        centre = before + view.blend * (now.centre - before);
-    }
+    const Vec3 centre = between(view.previous_balls, view.balls, number, view.blend, &Ball::centre);
     Eigen::Vector4f ball;
     ball << centre.cast<float>(), static_cast<float>(now.radius);
     return ball;
 }
 
 Eigen::Vector3f drawn_solid(const FrameView& view, std::size_t number) {
-    Vec3 position = view.solids[number].position;
-    if (number < view.previous_solids.size()) {
-        const Vec3& before = view.previous_solids[number].position;
-        position = before + view.blend * (position - before);
-    }
-    return position.cast<float>();
+    return between(view.previous_solids, view.solids, number, view.blend, &Solid::position).cast<float>();
 }
 
 Eigen::AlignedBox3f drawn_solid_box(const FrameView& view, std::size_t number, const Eigen::Matrix3f& axes) {
@@ -157,50 +197,6 @@ Extent drawn_extent(const FrameView& view) {
     return extent;
 }
 
-namespace {
-
-// A solid darkens what is about it like a ball in its middle
-Eigen::Vector4f dark_ball(const FrameView& view, std::size_t number) {
-    const Eigen::AlignedBox3f box = drawn_solid_box(view, number, Eigen::Matrix3f::Identity());
-    const std::array<Vec3, 2> extent = view.solids[number].shape->extent();
-    Eigen::Vector4f ball;
-    ball << box.center(), static_cast<float>((extent[1] - extent[0]).minCoeff() / 2);
-    return ball;
-}
-
-// @return how many of them there are
-int list_dark_balls(const FrameView& view, std::array<Eigen::Vector4f, FrameData::most_balls>& dark) {
-    std::size_t count = 0;
-    for (std::size_t i = 0; i < view.balls.size() && count < dark.size(); ++i) dark[count++] = drawn_ball(view, i);
-    for (std::size_t i = 0; i < view.solids.size() && count < dark.size(); ++i) dark[count++] = dark_ball(view, i);
-    return static_cast<int>(count);
-}
-
-// From sRGB
-Eigen::Vector4f linear(const std::array<float, 3>& colour) {
-    const auto decoded = [](float c) { return c <= 0.04045f ? c / 12.92f : std::pow((c + 0.055f) / 1.055f, 2.4f); };
-    return {decoded(colour[0]), decoded(colour[1]), decoded(colour[2]), 1};
-}
-
-// Two particles that are marked; zero if there are none
-std::array<Eigen::Vector4f, 2> marked_ends(const FrameView& view, int cloth, const std::array<int, 2>& particles) {
-    std::array<Eigen::Vector4f, 2> ends{Eigen::Vector4f::Zero(), Eigen::Vector4f::Zero()};
-    if (cloth < 0 || cloth >= static_cast<int>(view.cloths.size())) return ends;
-    const Points& x = view.cloths[static_cast<std::size_t>(cloth)].x;
-    for (std::size_t end = 0; end < ends.size(); ++end) {
-        if (particles[end] >= x.rows() || !x.row(particles[end]).allFinite()) return {ends[0] * 0, ends[1] * 0};
-        ends[end] << x.row(particles[end]).transpose().cast<float>(), 1;
-    }
-    return ends;
-}
-
-Eigen::Vector4f sides_and_inverses(const PictureSize& size) {
-    const auto width = static_cast<float>(size.width), height = static_cast<float>(size.height);
-    return {width, height, 1 / width, 1 / height};
-}
-
-}  // namespace
-
 FrameData make_frame_data(const FrameView& view, const Camera& camera, const PictureSize& picture,
                           const PictureSize& drawn, int shadow_texels, std::span<const Holder> holders) {
     FrameData data{};
@@ -222,12 +218,8 @@ FrameData make_frame_data(const FrameView& view, const Camera& camera, const Pic
     data.stage << static_cast<float>(target.x()), static_cast<float>(view.settings->ground.height),
         static_cast<float>(target.z()), std::max(0.5f, distance);
 
-    const auto colour_of = [](const NodeLook& look) { return Eigen::Vector4f(look.colour.data()); };
+    const auto colour_of = [](const LineLook& look) { return Eigen::Vector4f(look.colour.data()); };
     std::ranges::transform(node_looks, data.node_colours.begin(), colour_of);
-    data.node_colours[6] = {0.05f, 0.05f, 0.08f, 0.75f};
-    std::ranges::transform(strain_colours, data.node_colours.begin() + 7, [](const std::array<float, 3>& colour) {
-        return Eigen::Vector4f(colour[0], colour[1], colour[2], 0.95f);
-    });
     // Their lines are a pixel wide; those that are magnified are fainter instead
     for (Eigen::Vector4f& colour : data.node_colours) colour.w() *= data.magnified.x();
     std::ranges::transform(value_colours, data.value_colours.begin(), linear);

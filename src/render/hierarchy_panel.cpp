@@ -8,6 +8,7 @@
 
 #include "format_text.h"
 #include "overlay_style.h"
+#include "panels.h"
 
 namespace drape {
 
@@ -76,16 +77,11 @@ std::vector<std::string> notes(const FrameView& view) {
 }
 
 void draw_colours(ImVec2 corner, float column) {
-    const float row = ImGui::GetTextLineHeightWithSpacing(), line = ImGui::GetTextLineHeight();
-    ImDrawList& list = *ImGui::GetWindowDrawList();
-    for (std::size_t s = 0; s < node_looks.size(); ++s) {
-        const ImVec2 at{corner.x + column * static_cast<float>(s / 3), corner.y + row * static_cast<float>(s % 3)};
-        const auto& [red, green, blue, opacity] = node_looks[s].colour;
+    const float row = ImGui::GetTextLineHeightWithSpacing();
+    for (std::size_t s = 0; s < static_cast<std::size_t>(NodeState::Compared); ++s) {
         // Thin lines on a bright ground are lighter than a patch on a dark one
-        const ImU32 colour = ImGui::GetColorU32(ImVec4{red, green, blue, 1});
-        list.AddRectFilled({at.x, at.y + 0.2f * line}, {at.x + 1.2f * line, at.y + 0.85f * line}, colour, 2);
-        list.AddRect({at.x, at.y + 0.2f * line}, {at.x + 1.2f * line, at.y + 0.85f * line}, ink::quiet, 2);
-        text_at({at.x + 1.7f * line, at.y}, ink::text, node_looks[s].text);
+        swatch_at({corner.x + column * static_cast<float>(s / 3), corner.y + row * static_cast<float>(s % 3)},
+                  node_looks[s].colour, node_looks[s].text);
     }
 }
 
@@ -112,11 +108,9 @@ float HierarchyPanel::draw(const FrameView& view, float taken, const OverlayPage
     const auto rows = static_cast<float>(counts_.size() + 1), note_rows = static_cast<float>(lines.size());
     if (shown.levels > 0) height += (rows + note_rows + 3) * row + 3 * gap;
 
-    const ImVec2 panel{page.width - page.margin - width, page.height - page.margin - height};
-    if (panel.x < taken || panel.y < page.margin) return 0;
-    draw_panel(panel, {width, height});
-    ImVec2 line{panel.x + page.margin, panel.y + page.margin};
-    text_at(line, ink::wait, heading(view, shown));
+    const auto start = begin_legend(heading(view, shown), {width, height}, taken, page);
+    if (!start) return 0;
+    ImVec2 line = *start;
     if (shown.levels > 0) {
         line.y += row + gap;
         draw_levels(line, counts_, fits_.look(view, shown.levels), shown);
@@ -142,7 +136,7 @@ void HierarchyPanel::name_node(const FrameView& view, const Camera& camera, int 
     ImVec2 corner{static_cast<float>(x) + size, static_cast<float>(y) + size};
     if (corner.x + width > page.width) corner.x = std::max(static_cast<float>(x) - width - 0.5f * size, 0.0f);
     if (corner.y + height > page.height) corner.y = std::max(static_cast<float>(y) - height - 0.5f * size, 0.0f);
-    draw_panel(corner, {width, height});
+    draw_panel({corner.x, corner.y, corner.x + width, corner.y + height});
     text_at({corner.x + rim, corner.y + rim}, ink::text, title);
     text_at({corner.x + rim, corner.y + rim + row}, ink::wait, reason);
 }

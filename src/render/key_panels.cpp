@@ -70,8 +70,8 @@ std::span<const KeyHelp> kept_together(std::span<const KeyHelp> lines) {
 }
 
 // Columns that are no higher than this, but for a group or a line that is higher by itself
-HelpLayout filled_columns(std::span<const KeyHelp> lines, const KeyColumns& widths, float row, float height) {
-    HelpLayout layout{widths, {0}, row, 0};
+KeyLayout filled_columns(std::span<const KeyHelp> lines, const KeyColumns& widths, float row, float height) {
+    KeyLayout layout{widths, {0}, row, 0};
     float filled = 0;
     for (std::size_t k = 0; k < lines.size(); ++k) {
         const float together = height_of(kept_together(lines.subspan(k)), widths, row);
@@ -83,28 +83,26 @@ HelpLayout filled_columns(std::span<const KeyHelp> lines, const KeyColumns& widt
 }
 
 // As even as they can be
-HelpLayout even_columns(std::span<const KeyHelp> lines, const KeyColumns& widths, float row, std::size_t count) {
+KeyLayout even_columns(std::span<const KeyHelp> lines, const KeyColumns& widths, float row, std::size_t count) {
     float height = height_of(lines, widths, row) / static_cast<float>(count);
     for (;; height += row) {
-        HelpLayout layout = filled_columns(lines, widths, row, height + 0.5f);
+        KeyLayout layout = filled_columns(lines, widths, row, height + 0.5f);
         if (layout.starts.size() <= count) return layout;
     }
 }
 
 }  // namespace
 
-ImVec2 key_panel_size(std::span<const KeyHelp> lines, float most_width, float row, float margin) {
-    const KeyColumns columns = columns_of(lines, most_width - 2 * margin);
-    return {columns.width() + 2 * margin, height_of(lines, columns, row) + 2 * margin};
+ImVec2 KeyLayout::size(float margin) const {
+    const auto columns = static_cast<float>(starts.size());
+    return {columns * widths.width() + ((columns - 1) * columns_apart + 2) * margin, height + 2 * margin};
 }
 
-void key_panel(std::span<const KeyHelp> lines, ImVec2 corner, ImVec2 size, float row, float margin) {
-    draw_panel(corner, size);
-    const KeyColumns columns = columns_of(lines, size.x - 2 * margin + 0.5f);
-    draw_lines(lines, {corner.x + margin, corner.y + margin}, columns, row);
+KeyLayout one_column(std::span<const KeyHelp> lines, float width, float row, float margin) {
+    return even_columns(lines, columns_of(lines, width - 2 * margin), row, 1);
 }
 
-HelpLayout lay_out_help(std::span<const KeyHelp> lines, float width, float height, float margin) {
+KeyLayout lay_out_help(std::span<const KeyHelp> lines, float width, float height, float margin) {
     const float widest = columns_of(lines, unwrapped).width();
     for (const std::size_t count : {2, 1, 3}) {
         const auto columns = static_cast<float>(count);
@@ -113,27 +111,24 @@ HelpLayout lay_out_help(std::span<const KeyHelp> lines, float width, float heigh
         const KeyColumns widths = columns_of(lines, each);
         // Closer lines where they would not all fit
         for (const float row : {ImGui::GetTextLineHeightWithSpacing(), ImGui::GetTextLineHeight()}) {
-            HelpLayout layout = even_columns(lines, widths, row, count);
+            KeyLayout layout = even_columns(lines, widths, row, count);
             if (layout.height + 2 * margin <= height) return layout;
         }
     }
-    HelpLayout cut = even_columns(lines, columns_of(lines, width - 2 * margin), ImGui::GetTextLineHeight(), 1);
+    KeyLayout cut = one_column(lines, width, ImGui::GetTextLineHeight(), margin);
     cut.whole = false;
     return cut;
 }
 
-void help_panel(std::span<const KeyHelp> lines, const HelpLayout& layout, float right, float height, float margin) {
-    const float step = layout.widths.width() + columns_apart * margin;
-    const float width = static_cast<float>(layout.starts.size()) * step - columns_apart * margin + 2 * margin;
-    height = std::min(layout.height + 2 * margin, height);
-    draw_panel({right - width, margin}, {width, height});
-    ImGui::PushClipRect({right - width, margin}, {right, height}, true);
-    ImVec2 corner{right - width + margin, 2 * margin};
+void key_panel(std::span<const KeyHelp> lines, const KeyLayout& layout, const PanelBox& box, float margin) {
+    draw_panel(box);
+    ImGui::PushClipRect({box.left, box.top}, {box.right, box.bottom}, true);
+    ImVec2 corner{box.left + margin, box.top + margin};
     for (std::size_t c = 0; c < layout.starts.size(); ++c) {
         const std::size_t first = layout.starts[c];
         const std::size_t end = c + 1 < layout.starts.size() ? layout.starts[c + 1] : lines.size();
         draw_lines(lines.subspan(first, end - first), corner, layout.widths, layout.row);
-        corner.x += step;
+        corner.x += layout.widths.width() + columns_apart * margin;
     }
     ImGui::PopClipRect();
 }

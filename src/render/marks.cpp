@@ -17,7 +17,7 @@ namespace {
 
 struct ContactMark {
     Eigen::Vector3f point, force;  // in full lengths of an arrow
-    std::array<float, 3> colour;
+    std::array<float, 4> colour;
 };
 
 struct SphereMark {
@@ -134,7 +134,7 @@ void Marks::fill(const FrameView& view, StreamBuffer& stream) const {
             for (const ContactRow& contact : cloth.contacts) {
                 const auto [force, hold] = force_of(view, contact);
                 *mark++ = {contact.point(cloth.x).cast<float>(), (force / full).cast<float>(),
-                           hold_colours[static_cast<std::size_t>(hold)]};
+                           hold_looks[static_cast<std::size_t>(hold)].colour};
             }
         }
     }

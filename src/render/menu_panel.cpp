@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <cctype>
 #include <sstream>
+#include <utility>
 
 #include "overlay_style.h"
 
@@ -77,20 +78,20 @@ void MenuPanel::choose() {
     if (row_ >= found_.size()) return;
     open_ = false;
     const Setting* setting = items_[found_[row_]].setting;
-    setting != nullptr ? settings_.show(*setting) : void(entry_ = found_[row_]);
+    setting != nullptr ? settings_.show(*setting) : void(wishes_.entry = found_[row_]);
 }
 
 void MenuPanel::draw(const FrameView& view, const OverlayPage& page) {
-    window.width = 0;
     if (!open_) return;
     const float size = ImGui::GetFontSize(), row = ImGui::GetTextLineHeightWithSpacing(), pad = 0.8f * size;
     const float width = std::min(menu_columns * size, page.width - 2 * page.margin);
     const float height = std::min(menu_rows * row, page.height - 2 * page.margin);
-    window = {(page.width - width) / 2, (page.height - height) / 2, width, height};
+    const float left = (page.width - width) / 2, top = (page.height - height) / 2;
+    const PanelBox box{left, top, left + width, top + height};
     ImGui::SetNextWindowBgAlpha(0.96f);
-    if (window.begin("menu", ImGuiWindowFlags_NoDecoration, 0)) {
+    if (begin_window(box, "menu", ImGuiWindowFlags_NoDecoration, 0)) {
         // The field, with a mark where the next character comes
-        const ImVec2 field{window.left + pad, window.top + pad}, far{window.left + width - pad, field.y + 1.8f * size};
+        const ImVec2 field{left + pad, top + pad}, far{box.right - pad, field.y + 1.8f * size};
         ImGui::GetWindowDrawList()->AddRectFilled(field, far, ink::groove, 3);
         const ImVec2 text{field.x + 0.5f * size, field.y + 0.4f * size};
         text_at(text, ink::text, query_ + "|");
@@ -98,16 +99,16 @@ void MenuPanel::draw(const FrameView& view, const OverlayPage& page) {
         if (query_.empty()) text_at({text.x + size, text.y}, ink::quiet, what);
 
         ImGui::SetCursorScreenPos({field.x, far.y + 0.4f * size});
-        ImGui::BeginChild("found", {width - 2 * pad, window.top + height - pad - 1.3f * row - far.y - 0.4f * size});
+        ImGui::BeginChild("found", {width - 2 * pad, box.bottom - pad - 1.3f * row - far.y - 0.4f * size});
         for (std::size_t k = 0; k < found_.size() && open_; ++k) draw_row(k, view);
         ImGui::EndChild();
 
         const Setting* setting = row_ < found_.size() ? items_[found_[row_]].setting : nullptr;
-        if (setting != nullptr) text_at({field.x, window.top + height - pad - row}, ink::quiet, setting->help);
+        if (setting != nullptr) text_at({field.x, box.bottom - pad - row}, ink::quiet, setting->help);
     }
-    PanelWindow::end();
+    end_window();
     const ImVec2 pointer = ImGui::GetIO().MousePos;
-    if (ImGui::IsMouseClicked(ImGuiMouseButton_Left) && !window.covers(pointer.x, pointer.y)) open_ = false;
+    if (ImGui::IsMouseClicked(ImGuiMouseButton_Left) && !box.covers(pointer.x, pointer.y)) open_ = false;
 }
 
 void MenuPanel::draw_row(std::size_t row, const FrameView& view) {

@@ -1,10 +1,8 @@
 #pragma once
 
 #include <cstddef>
-#include <optional>
 #include <span>
 #include <string>
-#include <utility>
 #include <vector>
 
 #include "drape/render/entries.h"
@@ -18,22 +16,17 @@ namespace drape {
 /// that is chosen, the settings panel shows the row.
 class MenuPanel {
 public:
-    explicit MenuPanel(SettingsPanel& settings) : settings_(settings) {}
+    MenuPanel(SettingsPanel& settings, PanelWishes& wishes) : settings_(settings), wishes_(wishes) {}
 
     /// Opens it with these entries and the settings that a scene has.
     void open(std::span<const Entry> entries, const Settings& settings);
     [[nodiscard]] bool is_open() const { return open_; }
 
-    /// A character for it, as `Renderer::type` has them.
+    /// A character for it, as `Panels::type` has them.
     void type(unsigned char code);
 
     /// Makes it, if it is open.
     void draw(const FrameView& view, const OverlayPage& page);
-
-    /// The number of the entry that the user has chosen since the last call.
-    [[nodiscard]] std::optional<std::size_t> take_entry() { return std::exchange(entry_, std::nullopt); }
-
-    PanelWindow window;  ///< without a width where it is not shown
 
 private:
     struct Item {
@@ -48,13 +41,13 @@ private:
     void draw_row(std::size_t row, const FrameView& view);
 
     SettingsPanel& settings_;
+    PanelWishes& wishes_;
     std::vector<Item> items_;         ///< entries, then settings
     std::vector<std::size_t> found_;  ///< items that fit the query, the best first
     std::size_t row_ = 0;             ///< of these, the one that Enter chooses
     std::string query_;               ///< in small letters
     bool open_ = false;
     bool moved_ = false;  ///< the row has to be scrolled to
-    std::optional<std::size_t> entry_;
 };
 
 }  // namespace drape

@@ -14,19 +14,23 @@ namespace drape {
 /// compared are drawn likewise, in a colour of their own, and so are the strains of cells.
 enum class NodeState { Unvisited, Pruned, Visited, Leaf, FalseCandidate, Touching, Compared, Stretched, Compressed };
 
-/// What the legend says of a state, and the colour of both: red, green, blue, opacity.
-struct NodeLook {
+/// What a legend says of lines, and the colour of both: red, green, blue, opacity.
+struct LineLook {
     std::string_view text;
     std::array<float, 4> colour;
 };
 
-/// Of nodes, in the order of `NodeState`. Hues are apart for colour-blind eyes too. @cite okabe2008
-inline constexpr std::array<NodeLook, 6> node_looks{{{"not visited", {0.45f, 0.48f, 0.52f, 0.40f}},
+/// In the order of `NodeState`; the last two are seen on all of `value_colours`. Hues are apart for colour-blind eyes
+/// too. @cite okabe2008
+inline constexpr std::array<LineLook, 9> node_looks{{{"not visited", {0.45f, 0.48f, 0.52f, 0.40f}},
                                                      {"pruned", {0.20f, 0.23f, 0.28f, 0.50f}},
                                                      {"visited", {0.00f, 0.36f, 0.75f, 0.60f}},
                                                      {"leaf, not tested yet", {0.00f, 0.50f, 0.34f, 0.65f}},
                                                      {"false candidate", {0.72f, 0.25f, 0.58f, 0.80f}},
-                                                     {"touching", {1.00f, 0.76f, 0.05f, 0.85f}}}};
+                                                     {"touching", {1.00f, 0.76f, 0.05f, 0.85f}},
+                                                     {"compared", {0.05f, 0.05f, 0.08f, 0.75f}},
+                                                     {"stretched", {0.95f, 0.30f, 0.05f, 0.95f}},
+                                                     {"compressed", {0.45f, 0.92f, 1.00f, 0.95f}}}};
 
 /// The cells of a cloth with a contact, to be asked for by rectangles.
 class TouchedCells {

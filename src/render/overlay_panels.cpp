@@ -170,18 +170,18 @@ bool OverlayPanels::have_pointer() const {
     ImGui::SetCurrentContext(context_.get());
     const PanelPointer& pointer = input_.last();
     const auto x = static_cast<float>(pointer.x), y = static_cast<float>(pointer.y);
-    const bool shown = settings.window.shown() || timeline.window.shown();
-    return menu.is_open() || settings.window.covers(x, y) || timeline.window.covers(x, y) ||
+    const bool shown = settings.window.width() > 0 || shows_timeline();
+    return menu.is_open() || settings.window.covers(x, y) || timeline_.covers(x, y) ||
            (shown && ImGui::GetIO().WantCaptureMouse);
 }
 
 bool OverlayPanels::have_keyboard() const {
     ImGui::SetCurrentContext(context_.get());
-    return menu.is_open() || (settings.window.shown() && ImGui::GetIO().WantTextInput);
+    return menu.is_open() || (settings.window.width() > 0 && ImGui::GetIO().WantTextInput);
 }
 
 void OverlayPanels::forget_input() {
-    if (!settings.window.shown() && !timeline.window.shown() && !menu.window.shown()) input_ = {};
+    if (settings.window.width() == 0 && !shows_timeline() && !menu.is_open()) input_ = {};
 }
 
 void OverlayPanels::hand_over_input() {
@@ -220,15 +220,12 @@ bool OverlayPanels::build(FrameView view, const Camera& camera, const FrameRepor
     if (showing_help) shown_help_ = lines_for(help, !view.balls.empty());
     shown_hint_ = lines_for(hint, !view.balls.empty());
     const bool showing_panel = shown.panel != PanelSize::Off;
-    const bool showing_time = TimelinePanel::is_due(view.timeline, view.paused);
+    const bool showing_time = is_timeline_due(view);
     const bool hinted = !hint.empty() && !showing_help;
-    const bool nothing =
-        !menu.is_open() && !showing_panel && !showing_help && notices.empty() && hint.empty() && !shown.controls;
     const bool names_nodes = shown.bounds && hover_x >= 0 && !view.held;
-    if (width < least_width || height < least_height ||
-        (nothing && !shown.plots && !names_nodes && !showing_time && view.comparison == nullptr)) {
+    if (width < least_width || height < least_height) {
         settings.hide();
-        timeline.window.width = menu.window.width = 0;
+        timeline_ = {};
         forget_input();
         return false;
     }
@@ -253,15 +250,15 @@ bool OverlayPanels::build(FrameView view, const Camera& camera, const FrameRepor
     const float font = font_sizes[size];
     const bool help_is_tight = showing_help && h < 50 * font;
     if (shown.plots && !help_is_tight) page.height -= plots_panel(plots_, page);
-    const OverlayPage above_plots = page;
-    if (showing_time) page.height -= TimelinePanel::height(page);
+    timeline_ = showing_time ? timeline_place(page) : PanelBox{};
+    if (showing_time) page.height = timeline_.top;
     if (shown.controls) {
         settings.place(page);
-        boxes_.push_back(settings.window.box());
+        boxes_.push_back(settings.window);
     } else {
         settings.hide();
     }
-    const float right = shown.controls ? settings.left() - margin : w - margin;
+    const float right = shown.controls ? settings.window.left - margin : w - margin;
 
     // Help is nearly as high as the page: above notices
     if (showing_help && !notices.empty()) page.height = notice_panel(notices, page, size, false);
@@ -282,7 +279,9 @@ bool OverlayPanels::build(FrameView view, const Camera& camera, const FrameRepor
     const bool legend_room = !hinted || right - left > (hint_columns + 32) * font || page.height > 36 * font;
     if (help_shown) {
         fonts_[help_shown->font].push();
-        help_panel(shown_help_, help_shown->layout, right, page.height - 2 * margin, margin);
+        const ImVec2 size_of_all = help_shown->layout.size(margin);
+        const float bottom = std::min(margin + size_of_all.y, page.height - margin);
+        key_panel(shown_help_, help_shown->layout, {right - size_of_all.x, margin, right, bottom}, margin);
         ImGui::PopFont();
     } else {
         const bool compared = view.comparison != nullptr && comparison_.draw(view, page, left, right) < right;
@@ -296,10 +295,8 @@ bool OverlayPanels::build(FrameView view, const Camera& camera, const FrameRepor
     ImGui::End();
     if (shown.controls) settings.draw(view, page);
     if (showing_time) {
-        timeline.draw(view.timeline, above_plots);
-        boxes_.push_back(timeline.window.box());
-    } else {
-        timeline.window.width = 0;
+        if (const auto step = timeline_panel(view.timeline, timeline_)) wishes.step = step;
+        boxes_.push_back(timeline_);
     }
     menu.draw(view, {w, h, margin});
     forget_input();
@@ -311,15 +308,13 @@ bool OverlayPanels::build(FrameView view, const Camera& camera, const FrameRepor
 void OverlayPanels::legends(const FrameView& view, float taken, OverlayPage page) {
     if (view.settings->view.bounds) page.height -= hierarchy_.draw(view, taken, page);
     if (const double full = view.settings->view.contacts ? full_force(view) : 0; full > 0) {
-        const std::array holds{LineColour{hold_colours[0], "sticks"}, LineColour{hold_colours[1], "slides"},
-                               LineColour{hold_colours[2], "no force"}};
-        page.height -= line_panel(format("force on cloth; longest: %g mN", 1e3 * full), holds, taken, page);
+        page.height -= line_panel(format("force on cloth; longest: %g mN", 1e3 * full), hold_looks, taken, page);
     }
     if (colours.by == ColourBy::PrincipalStrain) {
-        const std::array signs{LineColour{strain_colours[0], "stretched"}, LineColour{strain_colours[1], "compressed"}};
         std::vector<Outlines::Edge> crosses;
         const double full = append_strain_crosses(view, crosses);
-        page.height -= line_panel(format("strain of cells; longest: %g %% or more", full), signs, taken, page);
+        page.height -= line_panel(format("strain of cells; longest: %g %% or more", full),
+                                  std::span(node_looks).last(2), taken, page);
     }
     if (colours.by != ColourBy::Plain) colour_panel(colours, shown_level(view).level, taken, page);
 }
@@ -330,7 +325,7 @@ OverlayPanels::Help OverlayPanels::choose_help(const OverlayPage& page, float ri
     const float left = page.margin + (beside ? figures_columns * font_sizes[font] + 3 * page.margin : 0);
     for (std::size_t smaller = font;; --smaller) {
         fonts_[smaller].push();
-        HelpLayout layout = lay_out_help(shown_help_, right - left, page.height - 2 * page.margin, page.margin);
+        KeyLayout layout = lay_out_help(shown_help_, right - left, page.height - 2 * page.margin, page.margin);
         ImGui::PopFont();
         if (layout.whole || smaller == 0) return {smaller, std::move(layout)};
     }
@@ -341,12 +336,11 @@ void OverlayPanels::hint_panel(const OverlayPage& page, std::size_t font) const 
     for (std::size_t smaller = font + 1; smaller-- > 0;) {
         fonts_[smaller].push();
         const float row = ImGui::GetTextLineHeightWithSpacing();
-        const auto size_within = [&](float width) { return key_panel_size(shown_hint_, width, row, page.margin); };
+        const auto within = [&](float width) { return one_column(shown_hint_, width, row, page.margin); };
+        const auto size_within = [&](float width) { return within(width).size(page.margin); };
         const float least = std::min(size_within(1e6f).x, hint_columns * ImGui::GetFontSize());
         const std::optional<PanelBox> box = free_place(page, boxes_, size_within, least, false);
-        if (box)
-            key_panel(shown_hint_, {box->left, box->top}, {box->right - box->left, box->bottom - box->top}, row,
-                      page.margin);
+        if (box) key_panel(shown_hint_, within(box->right - box->left + 0.5f), *box, page.margin);
         ImGui::PopFont();
         if (box) return;
     }
@@ -370,7 +364,7 @@ float OverlayPanels::notice_panel(std::span<const std::string> notices, const Ov
             box = PanelBox{margin, margin, margin + size.x, std::min(margin + size.y, page.height - margin)};
         }
         if (box) {
-            draw_panel({box->left, box->top}, {box->right - box->left, box->bottom - box->top});
+            draw_panel(*box);
             ImVec2 line{box->left + margin, box->top + margin};
             const float most = box->right - box->left - 2 * margin + 1;
             ImGui::PushTextWrapPos(line.x + most);

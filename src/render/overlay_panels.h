@@ -19,7 +19,6 @@
 #include "plot_history.h"
 #include "settings_panel.h"
 #include "step_medians.h"
-#include "timeline_panel.h"
 
 struct ImGuiContext;
 
@@ -28,7 +27,7 @@ namespace drape {
 /// The panels over the picture, made with Dear ImGui: figures at the top left, help at the right, legends at the lower
 /// right, a hint for the first moments at the bottom, and notices at the top between the others. Dear ImGui's context
 /// lives as long as this does.
-class OverlayPanels {
+class OverlayPanels final : public Panels {
 public:
     OverlayPanels();
 
@@ -41,21 +40,22 @@ public:
     /// Where the panels of the last frame are.
     [[nodiscard]] const std::vector<PanelBox>& boxes() const { return boxes_; }
 
-    /// The user's pointer and keyboard, as `Renderer` has them.
-    void point(const PanelPointer& pointer);
-    void type(unsigned char code) {
+    void set_scene(const Settings& of_the_scene) override { settings.set_scene(of_the_scene); }
+    void open_menu(std::span<const Entry> entries, const Settings& present) override { menu.open(entries, present); }
+    [[nodiscard]] bool menu_open() const override { return menu.is_open(); }
+    void point(const PanelPointer& pointer) override;
+    void type(unsigned char code) override {
         menu.is_open() ? menu.type(code) : input_.typed.push_back(static_cast<char>(code));
     }
-    [[nodiscard]] bool have_pointer() const;
-    [[nodiscard]] bool have_keyboard() const;
+    [[nodiscard]] bool have_pointer() const override;
+    [[nodiscard]] bool have_keyboard() const override;
+    [[nodiscard]] bool has_list() const override { return settings.list_open(); }
+    void close_list() override { settings.close_list(); }
+    [[nodiscard]] bool shows_timeline() const override { return timeline_.width() > 0; }
 
-    SettingsPanel settings;
-    TimelinePanel timeline;
-    MenuPanel menu{settings};
-    std::vector<KeyHelp> help;
-    std::vector<KeyHelp> hint;       ///< what to try first; empty: not shown
-    ColourScale colours;             ///< of the cloth in this frame
-    int hover_x = -1, hover_y = -1;  ///< of the pointer over the picture; -1: not known [pixel]
+    SettingsPanel settings{wishes};
+    MenuPanel menu{settings, wishes};
+    ColourScale colours;  ///< of the cloth in this frame
 
 private:
     void legends(const FrameView& view, float taken, OverlayPage page);
@@ -65,7 +65,7 @@ private:
 
     struct Help {
         std::size_t font;  ///< of `fonts_`
-        HelpLayout layout;
+        KeyLayout layout;
     };
     [[nodiscard]] Help choose_help(const OverlayPage& page, float right, bool beside, std::size_t font) const;
 
@@ -86,6 +86,7 @@ private:
     HierarchyPanel hierarchy_;
     PlotHistory plots_;
     ComparisonPanel comparison_;
+    PanelBox timeline_;
     std::vector<KeyHelp> shown_help_, shown_hint_;  ///< lines that mean something in the scene
     std::vector<PanelBox> boxes_;
     std::shared_ptr<ImGuiContext> context_;

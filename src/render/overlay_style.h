@@ -2,6 +2,7 @@
 
 #include <imgui.h>
 
+#include <span>
 #include <string_view>
 #include <vector>
 
@@ -43,12 +44,10 @@ struct PanelFont {
 
 /// Draws a panel's ground, and adds it to the panels of the frame, which are Dear ImGui's user data.
 /// All panels are parts of one window as large as the picture, so that the overlay is one draw call.
-inline void draw_panel(ImVec2 corner, ImVec2 size) {
+inline void draw_panel(const PanelBox& box) {
     const float rounding = 8;
-    if (auto* boxes = static_cast<std::vector<PanelBox>*>(ImGui::GetIO().UserData)) {
-        boxes->push_back({corner.x, corner.y, corner.x + size.x, corner.y + size.y});
-    }
-    ImGui::GetWindowDrawList()->AddRectFilled(corner, {corner.x + size.x, corner.y + size.y}, ink::panel, rounding);
+    if (auto* boxes = static_cast<std::vector<PanelBox>*>(ImGui::GetIO().UserData)) boxes->push_back(box);
+    ImGui::GetWindowDrawList()->AddRectFilled({box.left, box.top}, {box.right, box.bottom}, ink::panel, rounding);
 }
 
 inline float text_width(std::string_view text) { return ImGui::CalcTextSize(text.data(), text.data() + text.size()).x; }
@@ -59,6 +58,17 @@ inline void text_at(ImVec2 corner, ImU32 colour, std::string_view text) {
     ImGui::PushStyleColor(ImGuiCol_Text, colour);
     ImGui::TextUnformatted(text.data(), text.data() + text.size());
     ImGui::PopStyleColor();
+}
+
+/// A patch of a colour, in sRGB, with what it means beside it.
+/// @param colour red, green and blue; more is left out
+inline void swatch_at(ImVec2 corner, std::span<const float> colour, std::string_view text) {
+    const float line = ImGui::GetTextLineHeight();
+    const ImVec2 upper{corner.x, corner.y + 0.2f * line}, lower{corner.x + 1.2f * line, corner.y + 0.85f * line};
+    ImDrawList& list = *ImGui::GetWindowDrawList();
+    list.AddRectFilled(upper, lower, ImGui::GetColorU32(ImVec4{colour[0], colour[1], colour[2], 1}), 2);
+    list.AddRect(upper, lower, ink::quiet, 2);
+    text_at({corner.x + 1.6f * line, corner.y}, ink::text, text);
 }
 
 /// Text up to a point of the picture.

@@ -8,9 +8,9 @@
 
 namespace drape {
 
-bool PanelWindow::begin(const char* name, int flags, float padding) const {
-    ImGui::SetNextWindowPos({left, top});
-    ImGui::SetNextWindowSize({width, height});
+bool begin_window(const PanelBox& box, const char* name, int flags, float padding) {
+    ImGui::SetNextWindowPos({box.left, box.top});
+    ImGui::SetNextWindowSize({box.width(), box.bottom - box.top});
     ImGui::PushStyleVar(ImGuiStyleVar_WindowPadding, {padding, padding});
     ImGui::PushStyleVar(ImGuiStyleVar_WindowRounding, 8);
     ImGui::PushStyleColor(ImGuiCol_WindowBg, ink::panel);
@@ -18,7 +18,7 @@ bool PanelWindow::begin(const char* name, int flags, float padding) const {
                         flags | ImGuiWindowFlags_NoMove | ImGuiWindowFlags_NoSavedSettings | ImGuiWindowFlags_NoNav);
 }
 
-void PanelWindow::end() {
+void end_window() {
     ImGui::End();
     ImGui::PopStyleColor();
     ImGui::PopStyleVar(2);

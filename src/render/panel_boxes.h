@@ -15,9 +15,12 @@ struct OverlayPage {
     float margin;
 };
 
-/// The rectangle of a panel, from the top left of the picture [pixel].
+/// The rectangle of a panel, from the top left of the picture; without a width where it is not shown [pixel].
 struct PanelBox {
-    float left, top, right, bottom;
+    float left = 0, top = 0, right = 0, bottom = 0;
+
+    [[nodiscard]] float width() const { return right - left; }
+    [[nodiscard]] bool covers(float x, float y) const { return x >= left && x < right && y >= top && y < bottom; }
 };
 
 /// Whether two panels touch, or are less than a gap apart.
@@ -25,22 +28,11 @@ inline bool overlap(const PanelBox& a, const PanelBox& b, float gap = 0) {
     return a.left < b.right + gap && b.left < a.right + gap && a.top < b.bottom + gap && b.top < a.bottom + gap;
 }
 
-/// A window of Dear ImGui that has widgets, as it was last drawn [pixel].
-struct PanelWindow {
-    float left = 0, top = 0, width = 0, height = 0;
-
-    [[nodiscard]] bool shown() const { return width > 0; }
-    [[nodiscard]] PanelBox box() const { return {left, top, left + width, top + height}; }
-    [[nodiscard]] bool covers(float x, float y) const {
-        return x >= left && x < left + width && y >= top && y < top + height;
-    }
-
-    /// Begins it on a panel's ground; `end` follows.
-    /// @param flags `ImGuiWindowFlags`
-    /// @return whether anything is to be made in it
-    [[nodiscard]] bool begin(const char* name, int flags, float padding) const;
-    static void end();
-};
+/// Begins a window of Dear ImGui for widgets, on a panel's ground; `end_window` follows.
+/// @param flags `ImGuiWindowFlags`
+/// @return whether anything is to be made in it
+[[nodiscard]] bool begin_window(const PanelBox& box, const char* name, int flags, float padding);
+void end_window();
 
 /// Where panels are that find room for themselves: the others of this frame are in the way.
 /// @param size_within how large the panel is if it may be this wide [pixel]

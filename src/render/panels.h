@@ -1,6 +1,7 @@
 #pragma once
 
-#include <array>
+#include <cstdint>
+#include <optional>
 #include <span>
 #include <string>
 
@@ -35,21 +36,32 @@ inline constexpr float plots_columns = 52.5f, plots_rows = 8;
 /// @return the height that is taken at the bottom [pixel]
 float plots_panel(const PlotHistory& history, const OverlayPage& page);
 
+/// Whether there is anything to show in the bar of time: the run stands still, or is in its past, or is a replay.
+bool is_timeline_due(const FrameView& view);
+
+/// Where it is, at the bottom of a page.
+PanelBox timeline_place(const OverlayPage& page);
+
+/// The bar of time, with Dear ImGui's widgets: where the run stands between the oldest step that is kept and the
+/// newest, or in the recording that is replayed.
+/// @return the step that a drag on it asks for
+std::optional<std::int64_t> timeline_panel(const Timeline& timeline, const PanelBox& box);
+
+/// Begins a panel at the lower right, with its title.
+/// @param size of it, its margins included [pixel]
+/// @param taken what is left of this belongs to others [pixel]
+/// @return where its lines begin; nothing where there is no room
+std::optional<ImVec2> begin_legend(const std::string& title, ImVec2 size, float taken, const OverlayPage& page);
+
 /// The panel that says what the cloth's colours mean, at the lower right: a scale with numbers and a unit, or which
 /// colour is what. Nothing where there is no room.
 /// @param taken what is left of this belongs to others [pixel]
 /// @param level whose nodes are shown
 void colour_panel(const ColourScale& scale, int level, float taken, const OverlayPage& page);
 
-/// What a colour of lines means.
-struct LineColour {
-    std::array<float, 3> colour;
-    const char* text;
-};
-
 /// Likewise for arrows at contacts, and for strains of cells.
 /// @param title with what a line of full length stands for
 /// @return the height that is taken at the bottom [pixel]
-float line_panel(const std::string& title, std::span<const LineColour> colours, float taken, const OverlayPage& page);
+float line_panel(const std::string& title, std::span<const LineLook> looks, float taken, const OverlayPage& page);
 
 }  // namespace drape

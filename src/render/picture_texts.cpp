@@ -1,8 +1,8 @@
-#include "drape/render/picture_texts.h"
-
 #include "drape/base/commit.h"
 #include "drape/base/numbers.h"
+#include "drape/render/image.h"
 #include "drape/scene/scene.h"
+#include "drape/sim/simulation.h"
 
 namespace drape {
 

@@ -36,7 +36,7 @@ float plots_panel(const PlotHistory& history, const OverlayPage& page) {
     for (std::size_t p = 0; p < plots.size(); ++p) {
         const Plot& plot = plots[p];
         const ImVec2 corner{margin + static_cast<float>(p) * (width + margin), page.height - height - margin};
-        draw_panel(corner, {width, height});
+        draw_panel({corner.x, corner.y, corner.x + width, corner.y + height});
 
         // What the axis has room for
         double low = 0, high = plot.scale;

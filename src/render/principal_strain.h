@@ -7,9 +7,6 @@
 
 namespace drape {
 
-/// Of stretched and of compressed directions, in sRGB: both are seen on `value_colours`.
-inline constexpr std::array<std::array<float, 3>, 2> strain_colours{{{0.95f, 0.30f, 0.05f}, {0.45f, 0.92f, 1.00f}}};
-
 /// The strain of a cell in its plane, in the two directions in which it is the least and the greatest.
 struct PrincipalStrain {
     Vec3 centre;                     ///< [m]

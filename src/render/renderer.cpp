@@ -73,44 +73,7 @@ void Renderer::resize(int width, int height) {
     if (width >= 1 && height >= 1) parts_->target.emplace(parts_->gl, PictureSize{width, height});
 }
 
-void Renderer::set_help(std::vector<KeyHelp> lines) { parts_->panels.help = std::move(lines); }
-
-void Renderer::open_menu(std::span<const Entry> entries, const Settings& settings) {
-    parts_->panels.menu.open(entries, settings);
-}
-
-bool Renderer::menu_open() const { return parts_->panels.menu.is_open(); }
-
-std::optional<std::size_t> Renderer::take_entry() { return parts_->panels.menu.take_entry(); }
-
-void Renderer::set_hint(std::vector<KeyHelp> lines) { parts_->panels.hint = std::move(lines); }
-
-void Renderer::set_scene(const Settings& settings) { parts_->panels.settings.set_scene(settings); }
-
-void Renderer::point(const PanelPointer& pointer) { parts_->panels.point(pointer); }
-
-void Renderer::hover(int x, int y) {
-    parts_->panels.hover_x = x;
-    parts_->panels.hover_y = y;
-}
-
-void Renderer::type(unsigned char code) { parts_->panels.type(code); }
-
-bool Renderer::panel_has_pointer() const { return parts_->panels.have_pointer(); }
-
-bool Renderer::panel_has_keyboard() const { return parts_->panels.have_keyboard(); }
-
-bool Renderer::panel_has_list() const { return parts_->panels.settings.list_open(); }
-
-void Renderer::close_list() { parts_->panels.settings.close_list(); }
-
-std::vector<std::string> Renderer::take_changes() { return parts_->panels.settings.take_changes(); }
-
-std::optional<std::string> Renderer::take_wanted_comparison() { return parts_->panels.settings.compare.take_wanted(); }
-
-bool Renderer::shows_timeline() const { return parts_->panels.timeline.window.shown(); }
-
-std::optional<std::int64_t> Renderer::take_wanted_step() { return parts_->panels.timeline.take_wanted(); }
+Panels& Renderer::panels() { return parts_->panels; }
 
 void Renderer::draw(const FrameView& view, const Camera& camera, std::span<const std::string> notices, DrawnFor use) {
     Parts& parts = *parts_;

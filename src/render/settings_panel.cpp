@@ -28,7 +28,8 @@ bool has_panel_row(const Setting& setting) {
 
 void SettingsPanel::place(const OverlayPage& page) {
     const float width = std::min(columns * ImGui::GetFontSize(), page.width - 2 * page.margin);
-    window = {page.width - page.margin - width, page.margin, width, page.height - 2 * page.margin};
+    const float right = page.width - page.margin;
+    window = {right - width, page.margin, right, page.height - page.margin};
 }
 
 void SettingsPanel::draw(const FrameView& view, const OverlayPage& page) {
@@ -36,7 +37,7 @@ void SettingsPanel::draw(const FrameView& view, const OverlayPage& page) {
     editor_.begin_frame();
     constexpr auto flags =
         ImGuiWindowFlags_NoTitleBar | ImGuiWindowFlags_NoResize | ImGuiWindowFlags_NoFocusOnAppearing;
-    if (window.begin("settings", flags, page.margin)) {
+    if (begin_window(window, "settings", flags, page.margin)) {
         if (!is_up_to_date(settings)) make_rows(settings);
         compare.draw(view, scene_, widget_width());
         bool open = false;
@@ -54,7 +55,7 @@ void SettingsPanel::draw(const FrameView& view, const OverlayPage& page) {
         }
         if (const auto wanted = std::exchange(wanted_, {})) show(wanted->first, wanted->second);
     }
-    PanelWindow::end();
+    end_window();
     editor_.end_frame();
 }
 
@@ -112,7 +113,7 @@ void SettingsPanel::offer_step(const FrameView& view) {
     const bool suits = std::abs(solver.dt - step) < 0.05 * step;
     if (!changed || suits || step == 0) return;
     if (ImGui::SmallButton(("Use " + real_text(1e3 * step, 3) + " ms").c_str())) {
-        changes_.push_back("solver.dt=" + real_text(step, 3));
+        wishes_.changes.push_back("solver.dt=" + real_text(step, 3));
     }
     ImGui::SameLine();
     ImGui::TextUnformatted(2 * step < view.longest_step ? "one step a picture" : "0.9 of its limit");
@@ -121,29 +122,25 @@ void SettingsPanel::offer_step(const FrameView& view) {
 void SettingsPanel::draw_row(const Row& row) {
     ImGui::PushID(row.name.c_str());
     if (row.setting == marked_) {
-        const ImVec2 at = ImGui::GetCursorScreenPos(), far{window.left + window.width, at.y + ImGui::GetFrameHeight()};
+        const ImVec2 at = ImGui::GetCursorScreenPos(), far{window.right, at.y + ImGui::GetFrameHeight()};
         ImGui::GetWindowDrawList()->AddRectFilled({window.left, at.y}, far, ink::lit);
         if (std::exchange(seeks_, false)) ImGui::SetScrollHereY();
     }
     // Without an effect it is dim, and can be set all the same
-    const auto dim = [&row] {
-        for (const ImGuiCol part : {ImGuiCol_Text, ImGuiCol_SliderGrab, ImGuiCol_CheckMark})
-            ImGui::PushStyleColor(part, row.no_effect.empty() ? ImGui::GetColorU32(part) : ink::dim);
-    };
-    dim();
+    ImGui::BeginGroup();
+    for (const ImGuiCol part : {ImGuiCol_Text, ImGuiCol_SliderGrab, ImGuiCol_CheckMark})
+        ImGui::PushStyleColor(part, row.no_effect.empty() ? ImGui::GetColorU32(part) : ink::dim);
     ImGui::SetNextItemWidth(widget_width());
-    if (const auto chosen = editor_.edit(row)) changes_.push_back(row.name + "=" + value_text(*chosen));
-    ImGui::PopStyleColor(3);
-    SettingEditor::explain(row);
+    if (const auto chosen = editor_.edit(row)) wishes_.changes.push_back(row.name + "=" + value_text(*chosen));
     ImGui::SameLine();
-    dim();
     ImGui::TextUnformatted(row.label.c_str());
     ImGui::PopStyleColor(3);
+    ImGui::EndGroup();
     SettingEditor::explain(row);
 
     if (row.of_the_scene && *row.of_the_scene != row.value) {
-        ImGui::SameLine(window.width - 4.5f * ImGui::GetFontSize());
-        if (ImGui::SmallButton("reset")) changes_.push_back(row.name + "=" + value_text(*row.of_the_scene));
+        ImGui::SameLine(window.width() - 4.5f * ImGui::GetFontSize());
+        if (ImGui::SmallButton("reset")) wishes_.changes.push_back(row.name + "=" + value_text(*row.of_the_scene));
     }
     ImGui::PopID();
 }

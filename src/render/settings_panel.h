@@ -24,6 +24,8 @@ class SettingsPanel {
 public:
     static constexpr float columns = 27;  ///< of the width, where there is room [font size]
 
+    explicit SettingsPanel(PanelWishes& wishes) : compare(editor_, wishes), wishes_(wishes) {}
+
     /// The values that the buttons lead back to.
     void set_scene(const Settings& settings) {
         scene_ = settings;
@@ -46,14 +48,8 @@ public:
     /// Shows the row of a setting, marked until another scene comes, and asks for itself where it is not shown.
     void show(const Setting& setting) {
         seeks_ = true, marked_ = &setting;
-        if (!window.shown()) changes_.push_back("view.controls=true");
+        if (window.width() == 0) wishes_.changes.emplace_back("view.controls=true");
     }
-
-    /// What the user has changed since the last call, as "solver.dt=0.001".
-    [[nodiscard]] std::vector<std::string> take_changes() { return std::exchange(changes_, {}); }
-
-    /// Its left edge as it was last drawn; 0 where it is not shown [pixel].
-    [[nodiscard]] float left() const { return window.shown() ? window.left : 0; }
 
     /// Whether a list of names was open as it was last drawn, and closes it as it is drawn next.
     [[nodiscard]] bool list_open() const { return editor_.list_open(); }
@@ -61,13 +57,13 @@ public:
 
     /// The panel is not shown.
     void hide() {
-        window.width = 0;
+        window = {};
         editor_.hide();
     }
 
-    PanelWindow window;  ///< without a width where it is not shown
+    PanelBox window;  ///< as it was last drawn
 
-    CompareSection compare{editor_};
+    CompareSection compare;
 
 private:
     struct Row : SettingRow {
@@ -75,14 +71,14 @@ private:
     };
 
     [[nodiscard]] bool is_up_to_date(const Settings& settings) const;
-    [[nodiscard]] float widget_width() const { return 0.48f * window.width; }
+    [[nodiscard]] float widget_width() const { return 0.48f * window.width(); }
     void make_rows(const Settings& settings);
     void selector(const Row& first);
     void draw_row(const Row& row);
     void offer_step(const FrameView& view);
 
     Settings scene_;
-    std::vector<std::string> changes_;
+    PanelWishes& wishes_;
     std::vector<Row> rows_;                                      ///< of `shown_`
     std::map<std::string, std::size_t> numbers_;                 ///< of those that are shown, by section
     std::optional<std::pair<std::string, std::size_t>> wanted_;  ///< by a button of this frame

@@ -1,4 +1,4 @@
-#include "drape/render/start_glew.h"
+#include "drape/render/renderer.h"
 
 #include <GL/glew.h>
 

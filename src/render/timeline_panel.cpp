@@ -1,4 +1,4 @@
-#include "timeline_panel.h"
+#include "panels.h"
 
 #include <imgui.h>
 
@@ -29,33 +29,36 @@ std::string line_of(const Timeline& timeline) {
 
 }  // namespace
 
-bool TimelinePanel::is_due(const Timeline& timeline, bool paused) {
-    return timeline.newest > timeline.oldest && (paused || timeline.replay || !timeline.is_live());
+bool is_timeline_due(const FrameView& view) {
+    const Timeline& timeline = view.timeline;
+    return timeline.newest > timeline.oldest && (view.paused || timeline.replay || !timeline.is_live());
 }
 
-float TimelinePanel::height(const OverlayPage& page) { return 2.9f * ImGui::GetFontSize() + page.margin; }
+PanelBox timeline_place(const OverlayPage& page) {
+    const float size = ImGui::GetFontSize(), width = std::min(page.width - 2 * page.margin, 56 * size);
+    const float left = (page.width - width) / 2, bottom = page.height - page.margin;
+    return {left, bottom - 2.9f * size, left + width, bottom};
+}
 
-void TimelinePanel::draw(const Timeline& timeline, const OverlayPage& page) {
+std::optional<std::int64_t> timeline_panel(const Timeline& timeline, const PanelBox& box) {
     const float size = ImGui::GetFontSize(), pad = 0.5f * size;
-    const float width = std::min(page.width - 2 * page.margin, 56 * size), high = height(page) - page.margin;
-    window = {(page.width - width) / 2, page.height - page.margin - high, width, high};
-    if (window.begin("timeline", ImGuiWindowFlags_NoDecoration, 0)) {
-        text_at({window.left + pad, window.top + 0.3f * size}, timeline.is_live() ? ink::text : ink::wait,
-                line_of(timeline));
+    std::optional<std::int64_t> wanted;
+    if (begin_window(box, "timeline", ImGuiWindowFlags_NoDecoration, 0)) {
+        text_at({box.left + pad, box.top + 0.3f * size}, timeline.is_live() ? ink::text : ink::wait, line_of(timeline));
 
-        const float from = window.left + pad, to = window.left + window.width - pad;
-        const float middle = window.top + 2.2f * size;
+        const float from = box.left + pad, to = box.right - pad;
+        const float middle = box.top + 2.2f * size;
         const auto span = static_cast<double>(timeline.newest - timeline.oldest);
-        ImGui::SetCursorScreenPos({from, window.top + 1.6f * size});
+        ImGui::SetCursorScreenPos({from, box.top + 1.6f * size});
         ImGui::InvisibleButton("bar", {to - from, 1.2f * size});
         if (ImGui::IsItemActive()) {
             const double part = std::clamp((ImGui::GetIO().MousePos.x - from) / (to - from), 0.0f, 1.0f);
             const auto step = timeline.oldest + static_cast<std::int64_t>(std::lround(part * span));
-            if (step != timeline.now) wanted_ = step;
+            if (step != timeline.now) wanted = step;
         }
         // Back from the newest step, at most 20; the bar is one of steps
         const double apart = std::pow(10, std::ceil(std::log10(std::max(timeline.kept, 1e-9) / 20)));
-        if (timeline.even) text_before({to, window.top + 0.3f * size}, ink::quiet, format("ticks: %g s", apart));
+        if (timeline.even) text_before({to, box.top + 0.3f * size}, ink::quiet, format("ticks: %g s", apart));
         ImDrawList& list = *ImGui::GetWindowDrawList();
         for (double back = 0; timeline.even && back <= timeline.kept; back += apart) {
             const float tick = to - static_cast<float>(back / std::max(timeline.kept, 1e-9)) * (to - from);
@@ -67,7 +70,8 @@ void TimelinePanel::draw(const Timeline& timeline, const OverlayPage& page) {
         list.AddRectFilled({from, middle - 0.15f * size}, {now, middle + 0.15f * size}, ink::bar, 2);
         list.AddCircleFilled({now, middle}, 0.45f * size, ink::text);
     }
-    PanelWindow::end();
+    end_window();
+    return wanted;
 }
 
 }  // namespace drape

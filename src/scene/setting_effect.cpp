@@ -7,68 +7,57 @@
 
 namespace drape {
 
-namespace {
-
-template <class Enum>
-std::string no_effect_with(Enum value) {
-    return "no effect with " + std::string(name_of(value));
-}
-
-std::string why_ball_ignores(std::string_view name, BallMotion motion) {
-    const bool on_path = motion == BallMotion::Path;
-    const bool ignored =
-        (name == "position" && on_path) || (name == "velocity" && (on_path || motion == BallMotion::Still)) ||
-        (name == "speed" && motion != BallMotion::Keys) || (name == "mass" && motion != BallMotion::Free);
-    return ignored ? "no effect while the ball's motion is " + std::string(name_of(motion)) : "";
-}
-
-std::string why_solid_ignores(std::string_view name, const SolidSettings& solid) {
-    if (name == "position" && solid.motion == SolidMotion::Path) return "no effect on a path";
-    if (name == "axis" && solid.angle == 0) return "no effect while the angle is 0";
-    const bool ignored = (name == "size" && solid.shape != SolidKind::Box) ||
-                         ((name == "radius" || name == "length") && solid.shape != SolidKind::Capsule);
-    return ignored ? "no effect while the shape is " + std::string(name_of(solid.shape)) : "";
-}
-
-}  // namespace
-
 std::string why_without_effect(const Setting& setting, const Settings& settings, std::size_t number) {
-    if (setting.section == "ball") return why_ball_ignores(setting.name, settings.balls[number].motion);
-    if (setting.section == "solid") return why_solid_ignores(setting.name, settings.solids[number]);
+    std::string why;
     const std::string name = setting.full_name();
-    const auto is = [&](std::initializer_list<std::string_view> names) {
-        return std::ranges::find(names, name) != names.end();
+    // Of several reasons, the first counts
+    const auto ignores = [&](bool is_so, std::initializer_list<std::string_view> names, const std::string& reason) {
+        if (why.empty() && is_so && std::ranges::find(names, name) != names.end()) why = reason;
     };
 
+    if (setting.section == "ball") {
+        const BallMotion motion = settings.balls[number].motion;
+        const std::string reason = "no effect while the ball's motion is " + name_of(motion);
+        ignores(motion == BallMotion::Path, {"ball.position", "ball.velocity"}, reason);
+        ignores(motion == BallMotion::Still, {"ball.velocity"}, reason);
+        ignores(motion != BallMotion::Keys, {"ball.speed"}, reason);
+        ignores(motion != BallMotion::Free, {"ball.mass"}, reason);
+    } else if (setting.section == "solid") {
+        const SolidSettings& solid = settings.solids[number];
+        const std::string reason = "no effect while the shape is " + name_of(solid.shape);
+        ignores(solid.motion == SolidMotion::Path, {"solid.position"}, "no effect on a path");
+        ignores(solid.angle == 0, {"solid.axis"}, "no effect while the angle is 0");
+        ignores(solid.shape != SolidKind::Box, {"solid.size"}, reason);
+        ignores(solid.shape != SolidKind::Capsule, {"solid.radius", "solid.length"}, reason);
+    }
+
     const IntegratorKind integrator = settings.solver.integrator;
+    const std::string with_integrator = "no effect with " + name_of(integrator);
     const bool solves = solves_a_system(integrator), limited = has_step_limit(integrator);
-    const bool unused = (is({"solver.hessian", "solver.newton_steps"}) && !solves) ||
-                        (is({"solver.tolerance"}) && !solves && integrator != IntegratorKind::DormandPrince) ||
-                        (is({"solver.iterations"}) && !has_iterations(integrator)) ||
-                        (is({"solver.threads"}) && !limited && !settings.contact.self) ||
-                        (is({"contact.longest_step"}) && limited);
-    if (unused) return no_effect_with(integrator);
+    ignores(!solves, {"solver.hessian", "solver.newton_steps"}, with_integrator);
+    ignores(!solves && integrator != IntegratorKind::DormandPrince, {"solver.tolerance"}, with_integrator);
+    ignores(!has_iterations(integrator), {"solver.iterations"}, with_integrator);
+    ignores(!limited && !settings.contact.self, {"solver.threads"}, with_integrator);
+    ignores(limited, {"contact.longest_step"}, with_integrator);
 
     const VolumeKind volume = settings.contact.volume;
-    if (volume == VolumeKind::Brute &&
-        is({"contact.update", "contact.leaf_cells", "contact.sphere_fit", "contact.search_level",
-            "contact.search_tests", "view.bounds", "view.level"}))
-        return "brute force has no hierarchy";
-    if (volume != VolumeKind::Sphere && is({"contact.sphere_fit"}))
-        return "no effect while the bounding volume is " + std::string(name_of(volume));
-    const bool has_level = settings.view.bounds || settings.view.colour == ColourBy::Level;
-    if (!has_level && is({"view.level"})) return "B shows it";
+    ignores(volume == VolumeKind::Brute,
+            {"contact.update", "contact.leaf_cells", "contact.sphere_fit", "contact.search_level",
+             "contact.search_tests", "view.bounds", "view.level"},
+            "brute force has no hierarchy");
+    ignores(volume != VolumeKind::Sphere, {"contact.sphere_fit"},
+            "no effect while the bounding volume is " + name_of(volume));
+    ignores(!settings.view.bounds && settings.view.colour != ColourBy::Level, {"view.level"}, "B shows it");
 
     const ResponseKind response = settings.contact.response;
-    const bool has_springs = response == ResponseKind::Penalty || response == ResponseKind::Hybrid;
-    if (!has_springs && is({"contact.stiffness"})) return no_effect_with(response);
-    if (!settings.ground.solid && is({"ground.friction", "ground.restitution", "ground.rolling"}))
-        return "no effect while the ground is not solid";
-    if (std::ranges::count(settings.balls, BallMotion::Free, &BallSettings::motion) == 0 &&
-        is({"contact.rolling", "ground.rolling"}))
-        return "no effect without a free ball";
-    if (!settings.wind.on && is({"wind.velocity", "wind.gust"})) return "no effect without wind (V)";
-    return {};
+    ignores(response != ResponseKind::Penalty && response != ResponseKind::Hybrid, {"contact.stiffness"},
+            "no effect with " + name_of(response));
+    ignores(!settings.ground.solid, {"ground.friction", "ground.restitution", "ground.rolling"},
+            "no effect while the ground is not solid");
+    ignores(std::ranges::count(settings.balls, BallMotion::Free, &BallSettings::motion) == 0,
+            {"contact.rolling", "ground.rolling"}, "no effect without a free ball");
+    ignores(!settings.wind.on, {"wind.velocity", "wind.gust"}, "no effect without wind (V)");
+    return why;
 }
 
 }  // namespace drape

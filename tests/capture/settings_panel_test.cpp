@@ -67,7 +67,7 @@ protected:
     std::vector<std::uint8_t> picture_of(Simulation& simulation) {
         Renderer renderer;  // a new one, whose figures of the frame before are all zero
         renderer.resize(480, 640);
-        renderer.set_help({{"H", "Help"}});
+        renderer.panels().help = {{"H", "Help"}};
         FrameView view = simulation.view();
         StepReport report = *view.report;
         report.times = {};  // of the clock, which is never the same

@@ -32,7 +32,7 @@ protected:
     explicit PanelInput(const std::string& scene = "drop") : simulation_(scene, shown_settings(scene)) {
         panels_.settings.set_scene(simulation_.settings());
         frames();
-        left_ = static_cast<int>(panels_.settings.left());
+        left_ = static_cast<int>(panels_.settings.window.left);
     }
 
     void frames(int count = 6) {
@@ -78,7 +78,7 @@ protected:
         frames();
     }
 
-    std::vector<std::string> changes() { return panels_.settings.take_changes(); }
+    std::vector<std::string> changes() { return std::exchange(panels_.wishes.changes, {}); }
 
     /// What the window does with them.
     void carry_out_changes() {
@@ -105,7 +105,7 @@ protected:
         for (int y = first_row + row_height; y < first_row + 5 * row_height && !wanted; y += 6) {
             click(widget(), y);
             close_list();
-            wanted = panels_.settings.compare.take_wanted();
+            wanted = std::exchange(panels_.wishes.comparison, {});
         }
         return wanted;
     }

@@ -25,14 +25,8 @@ enum class Manner {
     Faster,     ///< twice
     NextStop,   ///< of the tour: its scene and what it changes in it
     StopBefore,
-    Compare,  ///< loads a scene and compares it, see `Pair`
+    Compare,  ///< loads a scene and compares it
     Search,   ///< no command: the drawn menu with its search field
-};
-
-/// What a scene is changed in, and what it is then compared with.
-struct Pair {
-    std::string change;  ///< "name=value,name=value"; empty: nothing
-    std::string versus;  ///< as `command::Compare` has it
 };
 
 /// One thing that the user can do: from these, keys, menu, help panel and the README's table are made.
@@ -44,7 +38,8 @@ struct Entry {
     Manner manner = Manner::Once;
     std::string help = {};   ///< of its line in the help, which it shares with the entries before it that have the same
     std::string group = {};  ///< of that line; empty: what the menu's path begins with, or "General"
-    Pair pair = {};
+    std::string change = {};  ///< of `Manner::Compare`: in what the scene is changed, "name=value,name=value"
+    std::string versus = {};  ///< likewise: what it is then compared with, as `command::Compare` has it
 };
 
 /// Everything that keys and menu can do, in the order of the menu. Scenes are called by their titles.

@@ -7,6 +7,8 @@
 
 namespace drape {
 
+class Simulation;
+
 /// Width and height of a picture [pixel].
 struct PictureSize {
     int width = 1280;
@@ -34,6 +36,9 @@ struct Image {
         return &rgb[3 * (static_cast<std::size_t>(y) * static_cast<std::size_t>(width) + static_cast<std::size_t>(x))];
     }
 };
+
+/// What a picture of a simulation says of how to make it again: program, commit, scene, time and settings.
+std::vector<ImageText> picture_texts(const Simulation& simulation);
 
 /// Writes a PNG as an `OutputFile`.
 /// @param only_new replaces no file

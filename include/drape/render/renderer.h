@@ -61,12 +61,62 @@ struct PanelPointer {
     int notches = 0;       ///< of the wheel since the last one, positive away from the user
 };
 
+/// What the user has asked for at the panels.
+struct PanelWishes {
+    std::vector<std::string> changes;       ///< of settings, as "solver.dt=0.001"
+    std::optional<std::string> comparison;  ///< as `command::Compare` has it
+    std::optional<std::int64_t> step;       ///< to go to
+    std::optional<std::size_t> entry;       ///< its number, of those of the drawn menu
+};
+
+/// The panels over the picture, which follow in the next frames.
+class Panels {
+public:
+    std::vector<KeyHelp> help;  ///< shown by `settings->view.help`
+    std::vector<KeyHelp> hint;  ///< what to try first, in a panel at the bottom; no lines: no panel
+    int hover_x = -1,
+        hover_y = -1;    ///< of the pointer over the picture, where the node is named; -1: not known [pixel]
+    PanelWishes wishes;  ///< since they were last taken
+
+    /// The settings to which the settings panel's buttons lead back.
+    virtual void set_scene(const Settings& settings) = 0;
+
+    /// Opens the drawn menu of these entries and of the settings that a scene has.
+    virtual void open_menu(std::span<const Entry> entries, const Settings& settings) = 0;
+    [[nodiscard]] virtual bool menu_open() const = 0;
+
+    /// What the user's pointer does.
+    virtual void point(const PanelPointer& pointer) = 0;
+
+    /// A typed character for a field of the settings panel, or for the menu while it is open: 8 deletes, 13 ends or
+    /// chooses, 27 gives up, 14 and 16 go down and up in the menu.
+    virtual void type(unsigned char code) = 0;
+
+    /// Whether pointer and keyboard are the panels' now.
+    [[nodiscard]] virtual bool have_pointer() const = 0;
+    [[nodiscard]] virtual bool have_keyboard() const = 0;
+
+    /// Whether a list of names of the settings panel is open, and closes it with the next frame.
+    [[nodiscard]] virtual bool has_list() const = 0;
+    virtual void close_list() = 0;
+
+    /// Whether the bar of time is shown, which follows the pointer as the settings panel does.
+    [[nodiscard]] virtual bool shows_timeline() const = 0;
+
+protected:
+    ~Panels() = default;
+};
+
 /// What may follow when a frame is drawn: `read_back` and `present`, or `present` only, at less cost if it is drawn
 /// fast.
 enum class DrawnFor { Picture, Window };
 
+/// Finds the functions of the OpenGL context that is current. GLX may be missing, as under Wayland or EGL.
+/// @throws RunError that says why they were not found
+void start_glew();
+
 /// Draws a `FrameView` with OpenGL 3.3 core, multisampled, into a framebuffer of its own.
-/// Needs a current context with GLEW initialised from construction to destruction.
+/// Needs a current context with `start_glew` called from construction to destruction.
 class Renderer {
 public:
     /// @throws RunError with the compiler's log if a shader does not compile
@@ -78,51 +128,7 @@ public:
     /// Size of the picture in pixels; below 1 x 1 nothing is drawn until the next call.
     void resize(int width, int height);
 
-    /// The lines of the help panel, which `settings->view.help` shows.
-    void set_help(std::vector<KeyHelp> lines);
-
-    /// Opens the drawn menu of these entries and of the settings that a scene has.
-    void open_menu(std::span<const Entry> entries, const Settings& settings);
-    [[nodiscard]] bool menu_open() const;
-
-    /// The number of the entry that the user has chosen in the drawn menu since the last call.
-    [[nodiscard]] std::optional<std::size_t> take_entry();
-
-    /// What a newcomer may try, in a panel at the bottom; no lines: no panel.
-    void set_hint(std::vector<KeyHelp> lines);
-
-    /// The settings to which the settings panel's buttons lead back.
-    void set_scene(const Settings& settings);
-
-    /// What the user's pointer does, for the settings panel, which follows in the next frames.
-    void point(const PanelPointer& pointer);
-
-    /// Where the pointer is over the picture: while bounding volumes are shown, the node there is named [pixel].
-    void hover(int x, int y);
-
-    /// A typed character for a field of the settings panel, or for the menu while it is open: 8 deletes, 13 ends or
-    /// chooses, 27 gives up, 14 and 16 go down and up in the menu.
-    void type(unsigned char code);
-
-    /// Whether pointer and keyboard are the settings panel's now.
-    [[nodiscard]] bool panel_has_pointer() const;
-    [[nodiscard]] bool panel_has_keyboard() const;
-
-    /// Whether a list of names of the settings panel is open, and closes it with the next frame.
-    [[nodiscard]] bool panel_has_list() const;
-    void close_list();
-
-    /// What the user has changed at the settings panel since the last call, as "solver.dt=0.001".
-    [[nodiscard]] std::vector<std::string> take_changes();
-
-    /// What the user wants to compare the run with since the last call, as `command::Compare` has it.
-    [[nodiscard]] std::optional<std::string> take_wanted_comparison();
-
-    /// Whether the bar of time is shown, which follows the pointer as the settings panel does.
-    [[nodiscard]] bool shows_timeline() const;
-
-    /// The step that the user has asked for at the bar of time since the last call.
-    [[nodiscard]] std::optional<std::int64_t> take_wanted_step();
+    [[nodiscard]] Panels& panels();
 
     /// Draws one frame: shadow, sky, ground, balls, cloths, what `settings->view` asks for, overlay.
     /// @param notices lines for the user (an error, a replay that ended), shown with the overlay or without

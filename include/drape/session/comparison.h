@@ -33,7 +33,6 @@ public:
     /// Makes the steps until it is no earlier than the first one, unless it has diverged.
     void follow(const Simulation& first);
 
-    /// @param settings that the first is seen with
     [[nodiscard]] ComparisonView view(const Simulation& first);
 
     [[nodiscard]] const Simulation& other() const { return other_; }

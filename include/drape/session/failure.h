@@ -12,8 +12,7 @@ namespace drape {
 /// first step fails as this one did; where it was divided into substeps, one of as many steps does. What a hand holds
 /// is pinned in it. BDF2 starts there without the state before, and may fail a step later.
 /// @param folder receives `unstable.toml` and the state beside it, with a number where these exist: nothing is
-/// replaced,
-///        and the same failure is written once; empty: the current one
+/// replaced, and the same failure is written once; empty: the current one
 /// @return the scene's file
 /// @throws RunError if it cannot be written
 /// @pre the simulation has diverged

@@ -61,7 +61,7 @@ public:
     Drawing(const Way& way, const Settings& scene) : settings_(scene), camera_(scene.view), turns_(way.turns) {
         for (const std::string& change : split_assignments(way.changes)) assign(settings_, change);
         renderer_.resize(width, height);
-        renderer_.set_scene(scene);
+        renderer_.panels().set_scene(scene);
     }
 
     void draw(FrameView view, const std::function<void()>& finish) {
