@@ -32,7 +32,7 @@ std::optional<Options> read_options(int argc, char** argv) {
     line.option("--record", options.record, "write every command to a file", {"FILE"});
     line.option("--size", size, "of the window; 1280x720 if not given", {"WxH"});
     line.option("--scale", scale, "text size factor; 1 if not given", {"FACTOR"});
-    line.flag("--tour", options.tour, "begin with the tour: thirteen stops, with what to see at each");
+    line.flag("--tour", options.tour, "begin with the tour, and what to see at each stop");
     line.flag("--check", options.check, "end with exit code 1 at an OpenGL error or a position that is not finite");
     line.footer([] { return key_help() + "\nSettings:\n" + settings_help(); });
     if (!line.parse(argc, argv)) return std::nullopt;

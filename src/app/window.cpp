@@ -155,7 +155,7 @@ void Window::show_drawn() {
 void Window::draw(FrameView view, DrawnFor use) {
     if (view.settings->view.panel == PanelSize::Full) view.search = search_timer_.look(view);
     std::vector<std::string> lines = notices_.lines(session_.replay_notice());
-    for (std::string& line : state_notices(session_.simulation(), failure_file_)) lines.push_back(std::move(line));
+    for (std::string& line : state_notices(session_.simulation(), failure_note_)) lines.push_back(std::move(line));
     if (view.mode != nullptr) lines.push_back(text_of(*view.mode));
     if (!scene_error_.empty()) lines.push_back(scene_error_);
     renderer_->draw(view, shown_, lines, use);
@@ -188,9 +188,9 @@ void Window::tell_of_failure() {
     const std::string& error = simulation.report().error;
     if (simulation.report().status == Status::Ok || error == told_failure_) return;
     told_failure_ = error;
-    failure_file_ = touring_ ? simulation.step_warning() : tell_failure(simulation, "");  // a tour writes no file
+    failure_note_ = touring_ ? simulation.step_warning() : tell_failure(simulation, "");  // a tour writes no file
     tell("drape: " + error);
-    if (!failure_file_.empty()) tell(failure_file_);
+    if (!failure_note_.empty()) tell(failure_note_);
 }
 
 void Window::tell_of_takeovers_and_dangers() {

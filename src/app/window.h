@@ -131,7 +131,7 @@ private:
     std::optional<Menu> menu_;
     Stopwatch clock_;  ///< since the last tick
     std::exception_ptr failure_;
-    std::string failure_file_;  // what tells of the file of the last failure
+    std::string failure_note_;  // what tells of the file of the last failure
     std::string told_failure_;  ///< of which it tells
     ShotRepeat shot_repeat_;
     SceneWatch scene_watch_;

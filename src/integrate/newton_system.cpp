@@ -1,5 +1,6 @@
 #include "newton_system.h"
 
+#include <algorithm>
 #include <cmath>
 
 namespace drape {
@@ -26,9 +27,25 @@ constexpr Real stiff = 30;
 /// Where so many cycles do not do, single precision is not enough, and the diagonal blocks are left to it.
 constexpr int most_cycles = 100;
 
-/// How many times its momentum the force ahead may change that of the cloth. Up to this no trial of stability ends
-/// otherwise than by forces at the start; from twice as much on, those of stiff sheets in long steps do.
-constexpr Real max_momentum_change = 2;
+/// How many times the cloth's momentum the force ahead may change it by, both without what all particles share. Up to
+/// this no trial of stability with the clamped Hessian ends otherwise than by forces at the start; without a limit,
+/// those of stiff sheets in long steps do.
+constexpr Real max_momentum_change = 8;
+
+/// How far some vectors of the free particles are from their mean: the root of the sum of squares.
+Real spread(const ClothModel& model, const Points& vectors) {
+    Vec3 sum = Vec3::Zero();
+    Real squares = 0;
+    int count = 0;
+    for (int p = 0; p < model.grid.particles(); ++p) {
+        if (model.pinned(p)) continue;
+        const Vec3 one = vectors.row(p);
+        sum += one;
+        squares += one.squaredNorm();
+        ++count;
+    }
+    return std::sqrt(std::max(squares - sum.squaredNorm() / static_cast<Real>(std::max(count, 1)), Real(0)));
+}
 
 /// Of a Newton step, that is tried before it is given up.
 constexpr Real shortest_part = Real(0.05);
@@ -82,7 +99,7 @@ int NewtonSystem::linearise_ahead(ForceSweep& forces, const ClothModel& model, c
     x_ = state.x + dx;
     forces.compute(model, x_, state.v, f);
     clear_pinned(f);
-    if (s * f.norm() <= max_momentum_change * model.particle_mass * state.v.norm()) {
+    if (s * spread(model, f) <= max_momentum_change * model.particle_mass * spread(model, state.v)) {
         jacobian_.linearise(model, x_, state.v);
         return 1;
     }

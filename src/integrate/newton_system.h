@@ -36,8 +36,9 @@ public:
 
     /// The force where a step leads with the velocities as they are, f(x + dx, v), and its Jacobians: a Newton step
     /// from there is of second order, whatever the Hessian leaves out. Springs that vibrate faster than the step can
-    /// follow make it a bad place to begin at, which is seen by the force: it would change the momentum many times
-    /// over. Then the force is that of the start, to first order f(x, v) - K dx.
+    /// follow make it a bad place to begin at, which is seen by the force: within the step it would change the cloth's
+    /// momentum many times over. Then the force is that of the start, to first order f(x, v) - K dx. So it is near rest
+    /// too, where both are nearly the same.
     /// @param dx n x 3 [m], pinned particles included: a hand that moves one pulls at its neighbours
     /// @param s as in `solve`
     /// @param f n x 3 [N], overwritten; zero at pinned particles

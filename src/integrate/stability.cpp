@@ -20,8 +20,8 @@ double longest(IntegratorKind kind, double k, double d) {
 
 /// The longest step with which implicit midpoint keeps a sheet in the wind from fluttering faster and faster. Its
 /// matrix has how the wind resists velocities, but not how its force turns with the triangles, which makes a pressure p
-/// on cells of size s as stiff as p s; and it damps nothing. So it goes up to z = 2, as a method does that takes all of
-/// the force as it is at the start. (Backward Euler and BDF2, which leave out the same, damp it.) A rough measure, as
+/// on cells of size s as stiff as p s; and it damps nothing. So it goes up to z = 2, as methods do that take a
+/// force from the positions before. (Backward Euler and BDF2, which leave out the same, damp it.) A rough measure, as
 /// runs bear out within a factor of two.
 double longest_of_midpoint(const ClothModel& model, const ClothState& state) {
     const auto speed =

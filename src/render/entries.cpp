@@ -175,7 +175,7 @@ std::vector<KeyHelp> first_hints() {
         {"Space", "Pause / Resume"},
         {"B", "Bounding volumes that the ball is tested against", ShownIn::ScenesWithBall},
         {"B", "Bounding volumes of the cloth", ShownIn::ScenesWithoutBall},
-        {"H, F1", "All keys; a tour of thirteen stops"},
+        {"H, F1", "All keys; a tour"},
     };
 }
 

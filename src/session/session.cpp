@@ -202,7 +202,10 @@ Timeline Session::timeline() const {
 
 FrameView Session::view() {
     FrameView view = simulation_.view(blend());
-    if (swings()) swing_->show(view);
+    if (swings()) {
+        swing_->show(view);
+        return view;
+    }
     if (!comparison_) return view;
     compared_ = comparison_->view(simulation_);
     view.comparison = &compared_;
@@ -271,10 +274,10 @@ void Session::start_swing() {
     const std::int64_t steps_before = steps_made_ - simulation_.report().step;
     const History::Moment* moment = history_->before(steps_made_);
     while (moment != nullptr && !is_calm(moment->simulation)) moment = history_->before(moment->step - 1);
-    const bool is_of_this_run = moment != nullptr && moment->step - moment->simulation.report().step == steps_before;
+    const bool is_of_this_run = moment != nullptr && moment->step - moment->simulation.report().step == steps_before &&
+                                same_start(moment->simulation.settings(), simulation_.settings());
     Simulation before = is_of_this_run ? moment->simulation : simulation_;
     if (!is_of_this_run) before.apply(command::Reset{});
-    swing_.reset();
     if (auto mode = find_unstable_mode(simulation_, before)) swing_.emplace(std::move(*mode), std::move(before));
 }
 
@@ -284,6 +287,7 @@ void Session::step() {
     if (is_new && recorder_) recorder_->begin_step(steps_made_);
     const std::int64_t dangers = simulation_.report().crossing.starts;
     simulation_.step();
+    if (!was_over) swing_.reset();
     if (is_new && simulation_.report().crossing.starts > dangers) ++crossing_dangers_;
     if (comparison_) comparison_->follow(simulation_);
     if (history_ && !was_over && simulation_.report().status == Status::Diverged) start_swing();

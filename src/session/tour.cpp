@@ -63,12 +63,12 @@ constexpr std::array<TourStop, 13> stops{{
      "M, Cloth: change particles, and see where they part.", "src/lab/needs/needs.h", 1.5},
     {"Now do this", "original", "", "",
      "Three things to do, with nothing prepared; drape --replay docs/tour/session.txt shows them done.",
-     "Hold E: the ball lifts the cloth. Drag a corner, and let go. G removes all pins.", "docs/tour/session.txt", 1},
+     "Hold E: the ball lifts the cloth. Drag the cloth, and let go. G removes all pins.", "docs/tour/session.txt", 1},
 }};
 
 constexpr std::string_view introduction = R"(# Tour
 
-Thirteen stops: a scene each, with what to see in it, what to try, and which file explains it. In the window, F1 begins
+Each stop is a scene, with what to see in it, what to try, and which file explains it. In the window, F1 begins
 the tour, as does `build/release/bin/drape --tour`, and everything can be touched on the way. Under each picture is the
 command that shows its scene, and the time at which the picture was taken. Where a stop compares, the scene is the
 surface, and the lines are what it is compared with.

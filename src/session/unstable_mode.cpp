@@ -11,7 +11,7 @@
 namespace drape {
 namespace {
 
-/// Marks the spring that stores the most. Its damper counts as well, as symplectic Euler has it: a mode is unstable
+/// Marks the spring that takes the largest part. Its damper counts as well, as symplectic Euler has it: a mode is unstable
 /// where the sum of h^2 k + 2 h c over its springs is more than 4, for displacements of norm 1 by mass.
 void mark_spring(const ClothModel& model, const Points& x, Real h, UnstableMode& mode) {
     Real most = -1;
@@ -57,7 +57,7 @@ std::string text_of(const UnstableMode& mode) {
     return "Shape of the unstable mode, " +
            real_text(static_cast<double>(mode.limit.omega) / (2 * std::numbers::pi), 3) +
            " Hz, played at 1 Hz and not to scale (up to 1/4 of a cell). Red: the " + std::string(mode.kind) +
-           " spring that stores the largest part of its energy. " + limit_text + ", the time step was " +
+           " spring that takes the largest part in it. " + limit_text + ", the time step was " +
            milliseconds(mode.step);
 }
 
@@ -76,20 +76,20 @@ bool is_calm(const Simulation& simulation) {
 }
 
 void Swing::show(FrameView& view) {
+    const FrameView calm = before_.view();
     cloths_.clear();
-    for (const ClothView& cloth : view.cloths) {
-        const ClothState& state = before_.cloths()[cloths_.size()].state;
+    for (const ClothView& cloth : calm.cloths) {
         const bool swings = cloths_.size() == mode_.cloth;
         if (swings) {
             const Real size = amplitude * std::min(cloth.model.hx, cloth.model.hy);
-            x_ = state.x + size * static_cast<Real>(sine(2 * std::numbers::pi * frequency * time_)) * mode_.shape;
+            x_ = cloth.x + size * static_cast<Real>(sine(2 * std::numbers::pi * frequency * time_)) * mode_.shape;
         }
-        const Points& x = swings ? x_ : state.x;
-        cloths_.push_back({cloth.model, x, x, {}, cloth.hierarchy, &state.v, cloth.grabbed});
+        const Points& x = swings ? x_ : cloth.x;
+        cloths_.push_back({cloth.model, x, x, {}, cloth.hierarchy, cloth.v, cloth.grabbed});
     }
     view.cloths = cloths_;
-    view.balls = view.previous_balls = before_.balls();
-    view.solids = view.previous_solids = before_.solids();
+    view.balls = view.previous_balls = calm.balls;
+    view.solids = view.previous_solids = calm.solids;
     view.mode = &mode_;
 }
 

@@ -55,6 +55,20 @@ TEST_F(UnstableRun, ShowsTheEigenvectorThatLimitsTheStep) {
     for (const int corner : {0, 9}) EXPECT_TRUE(mode.shape.row(corner).isZero(0)) << "pinned";
 }
 
+/// A moment that is kept may be of a cloth that has been replaced since, before its first step.
+TEST(UnstableMode, IsThatOfTheClothThatDiverged) {
+    Session session(small_simulation());
+    session.keep_history({});
+    for (const char* command : {"scene hang", "set cloth.particles=12,12", "set solver.integrator=symplectic_euler",
+                                "set solver.on_unstable=warn", "set solver.dt=0.02"}) {
+        session.send(parse_command(command));
+    }
+    make_steps(session, 200);
+    ASSERT_EQ(session.simulation().report().status, Status::Diverged);
+    ASSERT_TRUE(session.swings());
+    EXPECT_EQ(session.view().mode->shape.rows(), 12 * 12);
+}
+
 TEST_F(UnstableRun, SwingsByAQuarterOfACellUntilItIsLeft) {
     const Points before = session.view().cloths[0].x;
     const std::uint64_t hash = session.simulation().hash();

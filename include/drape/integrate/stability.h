@@ -38,7 +38,8 @@ StepLimit predicted_limit(const ClothModel& model, const ClothState& state, Inte
 /// A limit with the vibration that it is the limit of.
 struct LimitingMode {
     StepLimit limit;
-    Points shape;  ///< n x 3 displacements of norm 1, exactly 0 at pins; empty for a method without a limit
+    /// n x 3 displacements of norm 1, exactly 0 at pins; empty or zero where no vibration limits the step
+    Points shape;
 };
 
 /// The limit as `predicted_limit`, and the mode that grows first beyond it. Where the limit is flagged as `at_least`,

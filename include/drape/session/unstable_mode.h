@@ -18,7 +18,7 @@ struct UnstableMode {
     StepLimit limit = {};
     double step = 0;                 ///< that the run had [s]
     Points shape = {};               ///< n x 3 displacements, of which the largest is 1; exactly 0 at pins
-    std::array<int, 2> spring = {};  ///< ends of the spring that stores the largest part of its energy
+    std::array<int, 2> spring = {};  ///< ends of the spring that takes the largest part in it
     std::string_view kind = {};      ///< of that spring: "structural", "shear" or "bend"
 };
 

@@ -16,13 +16,13 @@ std::size_t place_of(const Experiment& experiment, const std::string& column) {
     return static_cast<std::size_t>(found - experiment.columns.begin());
 }
 
-/// Words stand for themselves, numbers with the names of their columns.
+/// Words stand for themselves but for "none", numbers with the names of their columns.
 std::string label_of(const Experiment& experiment, const TableRow& row) {
     std::vector<std::string> parts;
     for (const std::string& column : experiment.summary.by) {
         const std::string& cell = row[place_of(experiment, column)];
         const auto number = parse_real(cell);
-        if (cell.empty() || (number && std::isnan(*number))) continue;
+        if (cell.empty() || cell == "none" || (number && std::isnan(*number))) continue;
         parts.push_back(number ? column + " " + cell : cell);
     }
     return fmt::format("{}", fmt::join(parts, ", "));

@@ -29,6 +29,9 @@ TableRow Row::texts(const Columns& columns, int digits) const {
         const auto found = cells_.find(column.name);
         const bool is_word = column.kind == Column::Kind::Word;
         const Cell cell = found != cells_.end() ? found->second : is_word ? Cell("none") : Cell(no_number);
+        if (is_word != std::holds_alternative<std::string>(cell)) {
+            throw RunError("a row's cell for '" + column.name + "' is not of the kind of its column");
+        }
         texts.push_back(is_word ? std::get<std::string>(cell) : column.cell(std::get<double>(cell), digits));
     }
     return texts;

@@ -45,7 +45,7 @@ public:
 
     /// The texts of its cells.
     /// @param digits of a number that is not a whole one
-    /// @throws RunError if it has a cell that no column has
+    /// @throws RunError if it has a cell that no column has, or a word for a number
     [[nodiscard]] TableRow texts(const Columns& columns, int digits) const;
 
 private:
