@@ -11,8 +11,8 @@
 namespace drape {
 namespace {
 
-/// Marks the spring that takes the largest part. Its damper counts as well, as symplectic Euler has it: a mode is unstable
-/// where the sum of h^2 k + 2 h c over its springs is more than 4, for displacements of norm 1 by mass.
+/// Marks the spring that takes the largest part. Its damper counts as well, as symplectic Euler has it: a mode is
+/// unstable where the sum of h^2 k + 2 h c over its springs is more than 4, for displacements of norm 1 by mass.
 void mark_spring(const ClothModel& model, const Points& x, Real h, UnstableMode& mode) {
     Real most = -1;
     for (const SpringStencil& springs : spring_stencils(model)) {
