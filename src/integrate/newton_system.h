@@ -75,6 +75,7 @@ private:
 
     Real tolerance_;
     int newton_steps_;
+    Real max_momentum_change_;
     bool factors_first_;
     Jacobian jacobian_;
     std::unique_ptr<GridFactor> factor_;    ///< where it can be wanted
