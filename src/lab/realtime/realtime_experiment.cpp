@@ -4,6 +4,7 @@
 #include <memory>
 #include <optional>
 
+#include "drape/base/input_error.h"
 #include "drape/model/stencils.h"
 #include "drape/scene/scene.h"
 #include "lab/experiments.h"
@@ -64,6 +65,7 @@ Settings settings_of(FrameMotion motion, const FrameMethod& method, int side, in
     cloth.drag = Real(0.7) / static_cast<Real>(cloth.particles.particles());
     cloth.stretch_limit = 0;  // what a method leaves of the springs is to be seen
     if (motion == FrameMotion::Free) settings.balls.clear();
+    if (motion == FrameMotion::Fold) cloth.place += Vec3(Real(-0.1), Real(0.2), 0);  // the scene's sheet is smaller
     settings.contact.self = motion == FrameMotion::Fold;
     settings.solver.integrator = method.parameters.kind;
     settings.solver.hessian = method.parameters.hessian;
@@ -97,7 +99,9 @@ double stretch_of(const Settings& settings, const Motion& motion) {
 /// The finest grid that can be waited for, by a method of second order at nine tenths of its limit.
 Motion converged(FrameMotion motion, bool quick) {
     const FrameMethod method{{"converged", {.kind = IntegratorKind::VelocityVerlet}}, 1};
-    return run_to_horizon(settings_of(motion, method, quick ? 45 : 181, 1));
+    Motion run = run_to_horizon(settings_of(motion, method, quick ? 45 : 181, 1));
+    if (run.diverged) throw RunError(std::string("realtime: the reference of '") + name_of(motion) + "' has diverged");
+    return run;
 }
 
 /// A cloth of one size by one method.
