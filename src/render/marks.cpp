@@ -8,7 +8,6 @@
 #include "drape/model/stencils.h"
 #include "drape/session/comparison.h"
 #include "frame_data.h"
-#include "principal_strain.h"
 #include "solids.h"
 
 namespace drape {
@@ -61,7 +60,7 @@ int Marks::segments() const {
     return static_cast<int>(std::clamp<std::size_t>(share, 8, 48));
 }
 
-void Marks::need(const FrameView& view, StreamBuffer& stream) {
+void Marks::need(const FrameView& view, std::span<const Outlines::Edge> crosses, StreamBuffer& stream) {
     const ViewSettings& shown = view.settings->view;
     show_particles_ = shown.particles;
     contact_count_ = particle_count_ = 0;
@@ -75,7 +74,7 @@ void Marks::need(const FrameView& view, StreamBuffer& stream) {
     if (shown.bounds) collect_bounds(view);
     stream.need(Region::Contacts, static_cast<std::size_t>(contact_count_) * sizeof(ContactMark));
     collect_compared(view);
-    if (shown.colour == ColourBy::PrincipalStrain) append_strain_crosses(view, bounds_.edges);
+    bounds_.edges.insert(bounds_.edges.end(), crosses.begin(), crosses.end());
     stream.need(Region::Spheres, bounds_.spheres.size() * sizeof(SphereMark));
     stream.need(Region::Edges, 2 * bounds_.edges.size() * sizeof(EdgeMark));
 }

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <array>
+#include <span>
 #include <vector>
 
 #include "drape/sim/frame_view.h"
@@ -20,7 +21,8 @@ public:
     Marks(Gl& gl, StreamBuffer& stream);
 
     /// Collects what will be drawn.
-    void need(const FrameView& view, StreamBuffer& stream);
+    /// @param crosses lines that are drawn with those of the bounding volumes
+    void need(const FrameView& view, std::span<const Outlines::Edge> crosses, StreamBuffer& stream);
 
     /// Follows new grids, and regions of the stream that moved.
     void arrange(const FrameView& view, const StreamBuffer& stream);

@@ -9,7 +9,6 @@
 #include "contact_forces.h"
 #include "format_text.h"
 #include "panels.h"
-#include "principal_strain.h"
 
 namespace drape {
 
@@ -311,9 +310,7 @@ void OverlayPanels::legends(const FrameView& view, float taken, OverlayPage page
         page.height -= line_panel(format("force on cloth; longest: %g mN", 1e3 * full), hold_looks, taken, page);
     }
     if (colours.by == ColourBy::PrincipalStrain) {
-        std::vector<Outlines::Edge> crosses;
-        const double full = append_strain_crosses(view, crosses);
-        page.height -= line_panel(format("strain of cells; longest: %g %% or more", full),
+        page.height -= line_panel(format("strain of cells; longest: %g %% or more", full_strain),
                                   std::span(node_looks).last(2), taken, page);
     }
     if (colours.by != ColourBy::Plain) colour_panel(colours, shown_level(view).level, taken, page);

@@ -55,7 +55,8 @@ public:
 
     SettingsPanel settings{wishes};
     MenuPanel menu{settings, wishes};
-    ColourScale colours;  ///< of the cloth in this frame
+    ColourScale colours;     ///< of the cloth in this frame
+    double full_strain = 0;  ///< see `StrainCrosses::full`
 
 private:
     void legends(const FrameView& view, float taken, OverlayPage page);

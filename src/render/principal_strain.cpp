@@ -28,14 +28,12 @@ PrincipalStrain principal_strain(const ClothView& cloth, Real blend, int column,
     return found;
 }
 
-double append_strain_crosses(const FrameView& view, std::vector<Outlines::Edge>& edges) {
+void StrainCrosses::collect(const FrameView& view) {
     constexpr int crosses_in_row = 16;  // at most
-    struct Line {
-        Vec3 centre, direction;
-        Real strain, room;
-    };
-    std::vector<Line> lines;
-    std::vector<Real> sizes{Real(1e-3)};  // less is rounding
+    found_.clear();
+    lines_.clear();
+    if (view.settings->view.colour != ColourBy::PrincipalStrain) return;
+    sizes_.assign({Real(1e-3)});  // less is rounding
     for (const ClothView& cloth : view.cloths) {
         const int columns = cloth.model.grid.cell_columns(), rows = cloth.model.grid.cell_rows();
         const int step = (std::max(columns, rows) + crosses_in_row - 1) / crosses_in_row;
@@ -44,23 +42,22 @@ double append_strain_crosses(const FrameView& view, std::vector<Outlines::Edge>&
             for (int column = std::min(step, columns) / 2; column < columns; column += step) {
                 const auto [centre, directions, strains] = principal_strain(cloth, view.blend, column, row);
                 for (std::size_t k = 0; k < 2; ++k) {
-                    lines.push_back({centre, directions[k], strains[k], room});
-                    sizes.push_back(std::abs(strains[k]));
+                    found_.push_back({centre, room * directions[k], strains[k]});
+                    sizes_.push_back(std::abs(strains[k]));
                 }
             }
         }
     }
 
     // A corner by which all hangs would leave dots of the rest
-    const auto nearly_largest = sizes.begin() + static_cast<std::ptrdiff_t>(sizes.size() * 9 / 10);
-    std::ranges::nth_element(sizes, nearly_largest);
-    const double full = round_number_above(100 * std::max(static_cast<double>(*nearly_largest), 1e-3));
-    for (const auto& [centre, direction, strain, room] : lines) {
-        const double part = std::min(100 * std::abs(static_cast<double>(strain)) / full, 1.0);
-        const Vec3 arm = static_cast<Real>(part / 2) * room * direction;
-        edges.push_back({centre - arm, centre + arm, strain > 0 ? NodeState::Stretched : NodeState::Compressed});
+    const auto nearly_largest = sizes_.begin() + static_cast<std::ptrdiff_t>(sizes_.size() * 9 / 10);
+    std::ranges::nth_element(sizes_, nearly_largest);
+    full_ = round_number_above(100 * std::max(static_cast<double>(*nearly_largest), 1e-3));
+    for (const auto& [centre, longest, strain] : found_) {
+        const double part = std::min(100 * std::abs(static_cast<double>(strain)) / full_, 1.0);
+        const Vec3 arm = static_cast<Real>(part / 2) * longest;
+        lines_.push_back({centre - arm, centre + arm, strain > 0 ? NodeState::Stretched : NodeState::Compressed});
     }
-    return full;
 }
 
 }  // namespace drape

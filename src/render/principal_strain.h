@@ -1,6 +1,8 @@
 #pragma once
 
 #include <array>
+#include <span>
+#include <vector>
 
 #include "drape/sim/frame_view.h"
 #include "outlines.h"
@@ -17,10 +19,27 @@ struct PrincipalStrain {
 /// @param column, row of the cell
 PrincipalStrain principal_strain(const ClothView& cloth, Real blend, int column, int row);
 
-/// Appends a cross a cell, or one a block of cells of a fine grid: lines as long as the strains are large.
-/// @return what a line of full length stands for, and no line is longer [%]: 1, 2 or 5 times a power of ten, no less
-/// than nine tenths of the strains
-/// @par Cost at most 256 cells a cloth
-double append_strain_crosses(const FrameView& view, std::vector<Outlines::Edge>& edges);
+/// A cross a cell, or one a block of cells of a fine grid: lines as long as the strains are large.
+class StrainCrosses {
+public:
+    /// Finds those of a view; none where its cloths are coloured by something else.
+    /// @par Cost at most 256 cells a cloth
+    void collect(const FrameView& view);
+
+    [[nodiscard]] std::span<const Outlines::Edge> lines() const { return lines_; }
+
+    /// What the longest lines stand for [%]: 1, 2 or 5 times a power of ten, no less than nine tenths of the strains.
+    [[nodiscard]] double full() const { return full_; }
+
+private:
+    struct Found {
+        Vec3 centre, longest;  ///< [m]; a line of full length
+        Real strain;
+    };
+    std::vector<Found> found_;
+    std::vector<Real> sizes_;
+    std::vector<Outlines::Edge> lines_;
+    double full_ = 0;
+};
 
 }  // namespace drape

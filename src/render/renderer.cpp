@@ -13,6 +13,7 @@
 #include "overlay_painter.h"
 #include "overlay_panels.h"
 #include "picture_target.h"
+#include "principal_strain.h"
 #include "shadow_map.h"
 #include "solids.h"
 #include "stream_buffer.h"
@@ -43,6 +44,7 @@ struct Renderer::Parts {
     ShadowMap shadow{gl};
     Solids solids{gl, stream};
     ClothColours colours;
+    StrainCrosses crosses;
     Studio studio{gl};
     Marks marks{gl, stream};
     OverlayPanels panels;
@@ -96,10 +98,12 @@ void Renderer::Parts::prepare(const FrameView& view, const Camera& camera, std::
     // What each part needs of the one buffer
     colours.collect(view);
     panels.colours = colours.scale();
+    crosses.collect(view);
+    panels.full_strain = crosses.full();
     const bool overlay = panels.build(view, camera, report, notices, width, height);
     stream.need(Region::Frame, sizeof(FrameData));
     solids.need(view, stream);
-    marks.need(view, stream);
+    marks.need(view, crosses.lines(), stream);
     painter.need(overlay, stream);
 
     // Regions that moved, and new grids

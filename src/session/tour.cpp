@@ -62,7 +62,7 @@ constexpr std::array<TourStop, 13> stops{{
      "A quarter of the particles (surface) takes less time, but is it the drape of all of them (lines)?",
      "M, Cloth: change particles, and see where they part.", "src/lab/needs/needs.h", 1.5},
     {"Now do this", "original", "", "",
-     "Three things to do, with nothing prepared; drape --replay docs/tour/session.txt shows them done.",
+     "Three things to do, with nothing prepared; in a clone, drape --replay docs/tour/session.txt shows them done.",
      "Hold E: the ball lifts the cloth. Drag the cloth, and let go. G removes all pins.", "docs/tour/session.txt", 1},
 }};
 

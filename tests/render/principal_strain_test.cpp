@@ -26,8 +26,12 @@ TEST(PrincipalStrain, OfAStretchedSheetHasTheStretchAndItsDirection) {
 
     FrameView view;
     view.cloths = {&cloth, 1};
-    std::vector<Outlines::Edge> edges;
-    EXPECT_EQ(append_strain_crosses(view, edges), 5) << "%";
+    settings.view.colour = ColourBy::PrincipalStrain;
+    view.settings = &settings;
+    StrainCrosses crosses;
+    crosses.collect(view);
+    const auto edges = crosses.lines();
+    EXPECT_EQ(crosses.full(), 5) << "%";
     EXPECT_EQ(edges.size(), 2 * 13 * 8) << "a cross for 3 x 3 cells";
     EXPECT_EQ(edges[0].state, NodeState::Compressed);
     EXPECT_EQ(edges[1].state, NodeState::Stretched);
