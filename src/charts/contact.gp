@@ -13,7 +13,7 @@ missed = 0; through = 1e9
 stats table using (is('search', 'continuous') ? (missed = most(missed, column('missed_contacts')), 0) : \
   is('search', 'discrete') && column('passed') == 1 ? (through = least(through, @travel), 0) : 0) nooutput
 eval headline(sprintf('Continuous search misses at most %.1f %%; %s', 100 * missed, through < 1e9 ? \
-  sprintf('a ball gets past discrete search from %.0f mm a step on', through) : 'nor does a ball pass the discrete one'), \
+  sprintf('a ball first gets past discrete search at %.0f mm a step', through) : 'nor does a ball pass the discrete one'), \
   'A ball that moves through a hung cloth; rings: it has gone through. Vertical line: its diameter')
 eval panels(2, words(searches), 72, 15, 60, 95, 18, 75)
 set logscale x

@@ -19,7 +19,7 @@ stats table using (is('part', 'misses') ? (unseen = most(unseen, column('continu
 predicted = apart < 0.02
 eval headline(unseen > 0 || !predicted ? sprintf('The continuous test misses up to %.2g %% of the shots; the discrete one is up to %.2g %% off theory', 100 * unseen, 100 * apart) : \
   'The continuous test misses no shot; the discrete one misses what geometry predicts', \
-  sprintf('Lines: predicted; marks: measured, at most %.2f of a per cent from them', 100 * apart))
+  sprintf('Lines: predicted; marks: measured, at most %.2f percentage points from them', 100 * apart))
 set samples 500
 set label 1 'discrete, a point: q^2/3, then 1 - 2/(3q)' at 1.25,46 right offset -1.5,0.4 tc rgb blue
 set label 2 'discrete, a sheet: 0, then 1 - 1/q' at 2,50 left offset 1.2,-0.5 tc rgb red

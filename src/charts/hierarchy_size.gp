@@ -9,8 +9,9 @@ here(fitted) = is('part', 'size') && is('volume', part(fitted, 1)) && is('update
 build_lines = ''; search_lines = ''
 build_least = 1e9; build_most = 0; search_least = 1e9; search_most = 0; brute = NaN
 do for [f in builds] {
-  build_least = least(build_least, power(f)); build_most = most(build_most, power(f))
-  if (part(f, 2) eq 'rebuild' || part(f, 1) eq 'aabb') { build_lines = build_lines.' '.f }
+  if (part(f, 2) eq 'rebuild' || part(f, 1) eq 'aabb') {
+    build_least = least(build_least, power(f)); build_most = most(build_most, power(f)); build_lines = build_lines.' '.f
+  }
 }
 do for [f in searches] {
   if (part(f, 1) eq 'brute') { brute = power(f) } else {

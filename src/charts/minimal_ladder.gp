@@ -15,7 +15,7 @@ dearest = 0; cheapest = 1e9; full = NaN; last_cost = NaN; kept = 0; less = 0
 stats table using (rung('ladder', 'kept') ? (kept = kept + 1, dearest = most(dearest, @cost), cheapest = least(cheapest, @cost), \
   full = kept == 1 ? @cost : full, last_cost = @cost, 0) : @refused ? (less = less + 1, 0) : 0) nooutput
 eval paper(130 + 32 * (kept + less))
-eval headline(sprintf('%s shows what its full model shows within %g %%, at a %.3g times lower cost', capital(readable(scene)), \
+eval headline(sprintf('%s shows what its full model shows within %g %%, at a %.2g times lower cost', capital(readable(scene)), \
   100 * allowed, full / last_cost), 'From top to bottom, what was taken away; in red, one notch less of each: too far, or unstable')
 eval frame(300, 130, 55, 65)
 set logscale x

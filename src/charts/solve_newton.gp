@@ -28,7 +28,7 @@ do for [k = 1:words(methods)] {
   half_least = least(half_least, half[k] / one[k]); half_most = most(half_most, half[k] / one[k])
   stats table using (first(k, here(method, 2), @error, @cost)) nooutput
 }
-eval headline(sprintf('A second Newton step cuts the error to %.0f to %.0f %%, a step of half the length to %.0f to %.0f %%', \
+eval headline(sprintf('At %.3g ms a second Newton step cuts the error to %.0f to %.0f %%, half the step to %.0f to %.0f %%', 1e3 * longest, \
   100 * second_least, 100 * second_most, 100 * half_least, 100 * half_most), \
   sprintf('Steps of %.3g ms and of a half, a quarter and an eighth of it; solid: two Newton steps a step, dashed: one', 1e3 * longest))
 do for [k = 1:words(methods)] { set label k name_of(word(methods, k)) at end_x[k], end_y[k] left offset 1.2,0.5 tc rgb colour(k) }

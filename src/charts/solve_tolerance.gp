@@ -3,7 +3,7 @@ eval paper(430)
 eval frame(65, 190, 55, 70)
 set logscale xy
 set format xy '10^{%T}'
-set xlabel 'tolerance of a solve, part of its right side'
+set xlabel 'tolerance of a solve, relative to the right-hand side'
 set ylabel 'error after half a second [mm]'
 set xrange [5e-8:2e-1]
 colour(k) = word(blue.' '.green.' '.red, k)

@@ -25,7 +25,7 @@ do for [k = 1:3] {
 }
 eval headline(sprintf('Step for step Bullet takes %.0f to %.0f times as long explicitly, %.1f to %.1f by position, %.1f to %.0f implicitly', \
   ratio_least[1], ratio_most[1], ratio_least[2], ratio_most[2], ratio_least[3], ratio_most[3]), \
-  sprintf('%s implicit step of %.3g ms is the more exact: %.1f %% in Bullet, %.1f %% in Drape with one Newton step (drawn: two)', \
+  sprintf('%s implicit step of %.3g ms is the more accurate: %.1f %% in Bullet, %.1f %% in Drape with one Newton step (drawn: two)', \
   implicit < single ? "Bullet's" : "Drape's", longest, implicit, single))
 eval forget
 do for [k = 1:3] {

@@ -39,7 +39,7 @@ RowImpulse scaled(const RowImpulse& impulse, Real factor) {
     return {factor * impulse.normal, factor * impulse.friction};
 }
 
-/// Whether the response may go on from a contact. Those of nodes and of bodies are found again, and what was carried
+/// Whether the response may go on from a contact. Those of nodes and of bodies are found anew, and what was carried
 /// over without being found is kept for one substep alone.
 bool goes_on(const ResponseParameters& parameters, const ContactRow& row) {
     if (row.kind == RowKind::Node || row.kind == RowKind::Bodies || row.separated) return false;
