@@ -15,7 +15,7 @@ do for [f in builds] {
 }
 do for [f in searches] {
   if (part(f, 1) eq 'brute') { brute = power(f) } else {
-    search_least = least(search_least, power(f)); search_most = most(search_most, power(f))
+    if (part(f, 2) eq 'rebuild') { search_least = least(search_least, power(f)); search_most = most(search_most, power(f)) }
   }
   if (part(f, 2) eq 'rebuild') { search_lines = search_lines.' '.f }
 }
